@@ -1,0 +1,42 @@
+# The front door. `make help` lists what can be asked for.
+SHELL := /bin/bash
+PRESET ?= release
+BUILD := build/$(PRESET)
+PROGRAM := $(BUILD)/src/cli/rotatebook
+OUT ?= out
+
+.DEFAULT_GOAL := help
+.PHONY: help setup build figures test render bench textures format clean
+
+help:
+	@echo 'make figures             render every figure of the paper into $(OUT)/, each checked'
+	@echo 'make test                build and run all tests'
+	@echo 'make render SCENE=FILE   render one scene into $(OUT)/ (more options: ARGS="--no-png")'
+	@echo 'make build               build $(PROGRAM)'
+	@echo 'make bench               measure frames a second by stage and end to end'
+	@echo 'make setup               install the packages that are missing'
+	@echo 'make clean               remove build/ and $(OUT)/'
+	@echo 'PRESET=dev, asan-ubsan or tsan builds otherwise than optimised.'
+
+setup:
+	@scripts/setup.sh
+
+build: setup
+	@test -f $(BUILD)/build.ninja || cmake --preset $(PRESET)
+	@cmake --build $(BUILD)
+
+figures: build
+	$(PROGRAM) render scenes/figures/*.toml -o $(OUT)
+
+test: build
+	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j2
+
+render: build
+	@test -n "$(SCENE)" || { echo 'make render: name a scene, for example: make render SCENE=scenes/starter.toml' >&2; exit 2; }
+	$(PROGRAM) render $(SCENE) -o $(OUT) $(ARGS)
+
+bench: build
+	$(BUILD)/bench/rotatebook_bench
+
+clean:
+	rm -rf build $(OUT)

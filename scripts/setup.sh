@@ -1,0 +1,33 @@
+#!/bin/sh
+# Installs the packages of packages.txt that are missing; says the command and stops where it may not.
+set -eu
+list=$(dirname "$0")/packages.txt
+wanted=$(sed -e 's/#.*//' "$list")
+
+if ! command -v dpkg-query >/dev/null 2>&1; then
+  echo "setup: not a Debian or Ubuntu machine; install what these packages hold, then run" \
+       "'cmake --preset release' yourself:" $wanted >&2
+  exit 3
+fi
+
+missing=
+for package in $wanted; do
+  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
+  [ "$status" = installed ] || missing="$missing $package"
+done
+[ -n "$missing" ] || exit 0
+
+install="apt-get install -y --no-install-recommends$missing"
+if [ "$(id -u)" = 0 ]; then
+  as_root=
+elif command -v sudo >/dev/null 2>&1 && sudo -n true 2>/dev/null; then
+  as_root="sudo -n"
+else
+  echo "setup: these packages are missing; run this as root, then try again:" >&2
+  echo "  apt-get update && $install" >&2
+  exit 3
+fi
+
+echo "setup: installing$missing"
+$as_root apt-get update -qq
+$as_root env DEBIAN_FRONTEND=noninteractive $install

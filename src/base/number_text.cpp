@@ -1,0 +1,14 @@
+#include "base/number_text.h"
+
+#include <array>
+#include <charconv>
+
+namespace rotatebook {
+
+std::string shortestText(double value) {
+  std::array<char, 32> buffer;
+  const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return {buffer.data(), result.ptr};
+}
+
+}  // namespace rotatebook

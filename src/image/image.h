@@ -1,0 +1,53 @@
+// Pictures as values: 8-bit sRGB, top-left origin.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace rotatebook::image {
+
+/// Bytes of one pixel in order; sRGB-encoded, alpha straight.
+enum class PixelFormat { Rgb8, Rgba8 };
+
+/// Bytes a pixel: 3 or 4.
+constexpr int bytesPerPixel(PixelFormat format) { return format == PixelFormat::Rgb8 ? 3 : 4; }
+
+/// A picture somebody else owns. A negative stride is a picture stored bottom-up, as GL reads it back.
+struct ImageView {
+  const std::uint8_t* topRow = nullptr;  ///< First byte of the top left pixel.
+  int width = 0;                         ///< [pixels]
+  int height = 0;                        ///< [pixels]
+  std::ptrdiff_t stride = 0;             ///< From a row to the one below. [bytes]
+  PixelFormat format = PixelFormat::Rgba8;
+
+  const std::uint8_t* row(int y) const { return topRow + y * stride; }
+};
+
+/// A picture with its own memory, rows from the top without padding.
+class Image {
+ public:
+  Image() = default;
+  /// Black, and transparent where there is alpha. `width`, `height` > 0.
+  Image(int width, int height, PixelFormat format);
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  PixelFormat format() const { return format_; }
+  std::uint8_t* row(int y) { return bytes_.data() + y * stride(); }
+  const std::uint8_t* row(int y) const { return bytes_.data() + y * stride(); }
+  std::ptrdiff_t stride() const {
+    return static_cast<std::ptrdiff_t>(width_) * bytesPerPixel(format_);
+  }
+  ImageView view() const { return {bytes_.data(), width_, height_, stride(), format_}; }
+
+  friend bool operator==(const Image&, const Image&) = default;
+
+ private:
+  int width_ = 0;
+  int height_ = 0;
+  PixelFormat format_ = PixelFormat::Rgba8;
+  std::vector<std::uint8_t> bytes_;
+};
+
+}  // namespace rotatebook::image

@@ -1,0 +1,32 @@
+// PNG in and out, through libpng.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+
+#include "image/image.h"
+
+namespace rotatebook::image {
+
+/// How a PNG is compressed. The pixels are the same whatever is chosen.
+struct PngOptions {
+  int level = 1;  ///< zlib's level, 0 to 9. 1 with the fixed filter is fastest; above 1 libpng's adaptive filters are used.
+};
+
+/// Writes `view` as an opaque 8-bit RGB PNG with an sRGB chunk, whole or not at all (see AtomicFile).
+/// An alpha channel is left out. Throws MachineError.
+void writePng(const std::filesystem::path& path, ImageView view, PngOptions options = {});
+
+/// Reads any PNG as 8-bit sRGB: palettes, grey and 16 bits are expanded or reduced; Rgba8 if it has transparency,
+/// else Rgb8. Throws InputError: no such file, not a PNG, corrupt (with libpng's words), or over kLargestSide.
+Image readPng(const std::filesystem::path& path);
+
+/// The same from memory; `name` is for messages.
+Image decodePng(std::span<const std::uint8_t> bytes, const std::string& name);
+
+/// Widest and highest picture that readPng takes. [pixels]
+inline constexpr int kLargestSide = 16384;
+
+}  // namespace rotatebook::image

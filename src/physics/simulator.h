@@ -1,0 +1,36 @@
+// The one interface behind which all models stand.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+
+#include "physics/cuboid.h"
+#include "physics/motion_settings.h"
+
+namespace rotatebook::physics {
+
+/// What every model can tell of its body at one moment; world axes, SI units.
+struct BodyState {
+  Corners corners;                      ///< The corners as they are drawn, deformed or not. [m]
+  Eigen::Vector3d angularVelocity;      ///< [rad/s]
+  Eigen::Vector3d angularMomentum;      ///< About the centre of mass. [kg m^2/s]
+  double kinetic = 0;                   ///< [J]
+  double potential = 0;                 ///< In the springs; 0 for a rigid body. [J]
+  double rotational = 0;                ///< Kinetic energy of the best-fitting rigid motion, w.L/2. [J]
+};
+
+/// A body in motion. Starts at t = 0 with body and world axes equal.
+class Simulator {
+ public:
+  virtual ~Simulator() = default;
+
+  /// One integration step of length `h` > 0. [s]
+  virtual void advance(double h) = 0;
+  /// The present state. Once a motion has blown up its numbers need not be finite.
+  virtual BodyState state() const = 0;
+};
+
+/// The simulator that `settings` ask for, at t = 0.
+std::unique_ptr<Simulator> makeSimulator(const MotionSettings& settings);
+
+}  // namespace rotatebook::physics

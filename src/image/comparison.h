@@ -7,10 +7,11 @@
 
 namespace rotatebook::image {
 
-/// Two thresholds: single edge pixels jump between rasterisers, so a few large differences may pass.
+/// Two thresholds: single edge pixels jump between rasterisers, so a few large differences may
+/// pass.
 struct Tolerance {
-  int largest = 0;               ///< A pixel differs if a channel differs by more than this. [0 to 255]
-  double failPercent = 0;        ///< Pictures differ if more than this share of the pixels does. [%]
+  int largest = 0;         ///< A pixel differs if a channel differs by more than this. [0 to 255]
+  double failPercent = 0;  ///< Pictures differ if more than this share of the pixels does. [%]
 };
 
 /// What a comparison of two pictures of equal size found; alpha is not compared.

@@ -11,9 +11,12 @@ namespace rotatebook::image {
 enum class PixelFormat { Rgb8, Rgba8 };
 
 /// Bytes a pixel: 3 or 4.
-constexpr int bytesPerPixel(PixelFormat format) { return format == PixelFormat::Rgb8 ? 3 : 4; }
+constexpr int bytesPerPixel(PixelFormat format) {
+  return format == PixelFormat::Rgb8 ? 3 : 4;
+}
 
-/// A picture somebody else owns. A negative stride is a picture stored bottom-up, as GL reads it back.
+/// A picture somebody else owns. A negative stride is a picture stored bottom-up, as GL reads it
+/// back.
 struct ImageView {
   const std::uint8_t* topRow = nullptr;  ///< First byte of the top left pixel.
   int width = 0;                         ///< [pixels]

@@ -12,15 +12,17 @@ namespace rotatebook::image {
 
 /// How a PNG is compressed. The pixels are the same whatever is chosen.
 struct PngOptions {
-  int level = 1;  ///< zlib's level, 0 to 9. 1 with the fixed filter is fastest; above 1 libpng's adaptive filters are used.
+  int level = 1;  ///< zlib's level, 0 to 9. 1 with the fixed filter is fastest; above 1 libpng's
+                  ///< adaptive filters are used.
 };
 
-/// Writes `view` as an opaque 8-bit RGB PNG with an sRGB chunk, whole or not at all (see AtomicFile).
-/// An alpha channel is left out. Throws MachineError.
+/// Writes `view` as an opaque 8-bit RGB PNG with an sRGB chunk, whole or not at all (see
+/// AtomicFile). An alpha channel is left out. Throws MachineError.
 void writePng(const std::filesystem::path& path, ImageView view, PngOptions options = {});
 
-/// Reads any PNG as 8-bit sRGB: palettes, grey and 16 bits are expanded or reduced; Rgba8 if it has transparency,
-/// else Rgb8. Throws InputError: no such file, not a PNG, corrupt (with libpng's words), or over kLargestSide.
+/// Reads any PNG as 8-bit sRGB: palettes, grey and 16 bits are expanded or reduced; Rgba8 if it has
+/// transparency, else Rgb8. Throws InputError: no such file, not a PNG, corrupt (with libpng's
+/// words), or over kLargestSide.
 Image readPng(const std::filesystem::path& path);
 
 /// The same from memory; `name` is for messages.

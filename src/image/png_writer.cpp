@@ -1,0 +1,87 @@
+#include <exception>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "image/png_file.h"
+#include "image/png_guard.h"
+
+namespace rotatebook::image {
+namespace {
+
+// libpng's write structure and what its callbacks reach through it.
+class PngEncoder {
+ public:
+  PngEncoder()
+      : png_(
+            png_create_write_struct(PNG_LIBPNG_VER_STRING, &words_, jumpWithWords, ignoreWarning)) {
+    if (png_ != nullptr) info_ = png_create_info_struct(png_);
+    if (info_ == nullptr) png_destroy_write_struct(&png_, nullptr);
+    if (png_ == nullptr) throw std::bad_alloc();
+    png_set_write_fn(png_, &bytes_, append, nullptr);
+  }
+  PngEncoder(const PngEncoder&) = delete;
+  PngEncoder& operator=(const PngEncoder&) = delete;
+  ~PngEncoder() { png_destroy_write_struct(&png_, &info_); }
+
+  bool encode(ImageView view, PngOptions options) {
+    return guarded(png_, [this, &view, &options] {
+      describe(view, options);
+      for (int y = 0; y < view.height; ++y) png_write_row(png_, view.row(y));
+      png_write_end(png_, nullptr);
+    });
+  }
+
+  std::string_view bytes() const { return bytes_; }
+  const char* words() const { return words_.text; }
+
+ private:
+  static void append(png_structp png, png_bytep data, std::size_t size) {
+    if (!grow(*static_cast<std::string*>(png_get_io_ptr(png)), data, size)) {
+      png_error(png, "out of memory");
+    }
+  }
+
+  // An exception can't cross libpng's C frames.
+  static bool grow(std::string& bytes, png_const_bytep data, std::size_t size) noexcept {
+    try {
+      bytes.append(reinterpret_cast<const char*>(data), size);
+      return true;
+    } catch (const std::exception&) {
+      return false;
+    }
+  }
+
+  // Measured on 1280x720 with a smooth background and a textured book, level 1: UP takes 18 ms and
+  // 320 kB, SUB 19 ms and 348 kB, NONE 19 ms and 414 kB, adaptive filters 36 ms and 345 kB. zlib's
+  // RLE strategy saves no time and costs a tenth of the size.
+  void describe(const ImageView& view, const PngOptions& options) {
+    png_set_IHDR(png_, info_, static_cast<png_uint_32>(view.width),
+                 static_cast<png_uint_32>(view.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_set_compression_level(png_, options.level);
+    png_set_filter(png_, PNG_FILTER_TYPE_BASE, options.level > 1 ? PNG_ALL_FILTERS : PNG_FILTER_UP);
+    png_write_info(png_, info_);
+    if (view.format == PixelFormat::Rgba8) png_set_filler(png_, 0, PNG_FILLER_AFTER);
+  }
+
+  PngWords words_;
+  std::string bytes_;
+  png_structp png_;
+  png_infop info_ = nullptr;
+};
+
+}  // namespace
+
+void writePng(const std::filesystem::path& path, ImageView view, PngOptions options) {
+  PngEncoder encoder;
+  if (!encoder.encode(view, options)) {
+    throw MachineError("can't write " + path.string() + ": libpng: " + encoder.words());
+  }
+  writeFileAtomically(path, encoder.bytes());
+}
+
+}  // namespace rotatebook::image

@@ -5,11 +5,12 @@
 
 namespace rotatebook::physics {
 
-/// Eight points, one a column. [m] Corner i has the sign of x from bit 0 of i, of y from bit 1, of z from bit 2.
+/// Eight points, one a column. [m] Corner i has the sign of x from bit 0 of i, of y from bit 1, of
+/// z from bit 2.
 using Corners = Eigen::Matrix<double, 3, 8>;
 
-/// A cuboid with its centre of mass at the origin and its edges along the axes x (spine's midpoint), y (top) and
-/// z (cover), which are its principal axes.
+/// A cuboid with its centre of mass at the origin and its edges along the axes x (spine's
+/// midpoint), y (top) and z (cover), which are its principal axes.
 struct Cuboid {
   Eigen::Vector3d size{0.1878, 0.29085, 0.05};  ///< Edge lengths along x, y, z, each > 0. [m]
   double mass = 1.0;                            ///< > 0. [kg]
@@ -18,7 +19,8 @@ struct Cuboid {
   Corners corners() const;
   /// Principal moments of the solid body, M/12 (b^2+c^2, a^2+c^2, a^2+b^2). [kg m^2]
   Eigen::Vector3d solidInertia() const;
-  /// Principal moments of eight particles of mass M/8 at the corners: three times solidInertia(). [kg m^2]
+  /// Principal moments of eight particles of mass M/8 at the corners: three times solidInertia().
+  /// [kg m^2]
   Eigen::Vector3d particleInertia() const;
   /// Longest edge. [m]
   double largestDimension() const { return size.maxCoeff(); }

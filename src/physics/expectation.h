@@ -19,7 +19,8 @@ enum class Quantity {
   RotationalRatio,  ///< rotational_ratio: rotational energy / total energy at the start.
   MomentumRatio,    ///< momentum_ratio: |L| / its start.
   Stretch,          ///< stretch: every singular value of the map from body to drawn corners.
-  DivergesAt,       ///< diverges_at: Trajectory::divergedAt; one number, infinite if the motion never diverges. [s]
+  DivergesAt,  ///< diverges_at: Trajectory::divergedAt; one number, infinite if the motion never
+               ///< diverges. [s]
 };
 
 /// Name of `quantity` in a scene, e.g. "half_turns".
@@ -27,15 +28,18 @@ std::string_view nameOf(Quantity quantity);
 /// All quantities, in the order of the enumeration.
 std::span<const Quantity> allQuantities();
 
-/// Bounds on one quantity over a window of a motion.
+/// Bounds on one quantity over a window of a motion. `min` and `max` promise something of every
+/// moment of the window, so that a motion that diverges before the window's end doesn't keep them,
+/// whatever it did before; half_turns and diverges_at are exempt. A motion that never diverges
+/// meets no expectation on diverges_at.
 struct Expectation {
   Quantity quantity = Quantity::HalfTurns;
-  std::optional<double> min;      ///< Never below this.
-  std::optional<double> max;      ///< Never above this.
-  std::optional<double> risesTo;  ///< Reaches this or more at some moment.
-  std::optional<double> fallsTo;  ///< Reaches this or less at some moment.
-  double from = 0;                                          ///< The window's start. [s]
-  double to = std::numeric_limits<double>::infinity();      ///< The window's end. [s]
+  std::optional<double> min;                            ///< Never below this.
+  std::optional<double> max;                            ///< Never above this.
+  std::optional<double> risesTo;                        ///< Reaches this or more at some moment.
+  std::optional<double> fallsTo;                        ///< Reaches this or less at some moment.
+  double from = 0;                                      ///< The window's start. [s]
+  double to = std::numeric_limits<double>::infinity();  ///< The window's end. [s]
 
   friend bool operator==(const Expectation&, const Expectation&) = default;
 };

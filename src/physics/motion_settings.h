@@ -1,8 +1,9 @@
 // What a motion is simulated from.
 #pragma once
 
-#include <Eigen/Core>
 #include <optional>
+
+#include <Eigen/Core>
 
 #include "physics/cuboid.h"
 
@@ -24,12 +25,14 @@ enum class Integrator {
 struct SimulationSettings {
   Model model = Model::Quaternion;
   Integrator integrator = Integrator::Euler;
-  /// Undo the integrator's drift after each step: the energy of the particles, the shape of the rigid models.
+  /// Undo the integrator's drift after each step: the energy of the particles, the shape of the
+  /// rigid models.
   bool normalize = true;
-  double damping = 1.0;             ///< Particles only: fraction of the paper's critical damping 2 sqrt(k m), >= 0.
-  double stiffness = 2000.0;        ///< Particles only: of each spring, > 0. [N/m]
-  double timePerFrame = 1.0 / 60;   ///< From a sample of the trajectory to the next, > 0. [s]
-  int substeps = 64;                ///< Integration steps from a sample to the next, >= 1.
+  /// Particles only: fraction of the paper's critical damping 2 sqrt(k m), >= 0.
+  double damping = 1.0;
+  double stiffness = 2000.0;       ///< Particles only: of each spring, > 0. [N/m]
+  double timePerFrame = 1.0 / 60;  ///< From a sample of the trajectory to the next, > 0. [s]
+  int substeps = 64;               ///< Integration steps from a sample to the next, >= 1.
 };
 
 /// Turns a vector by `angle` toward a coordinate axis.
@@ -48,7 +51,8 @@ struct InitialSpin {
   Eigen::Vector3d value{0, 0, 0};  ///< Not zero. [rad/s] or [kg m^2/s]
   std::optional<Tilt> tilt;        ///< Turns `value` before use.
 
-  /// `value` turned by `tilt`. Throws InputError if it points along the tilt's axis, where no turn is defined.
+  /// `value` turned by `tilt`. Throws InputError if it points along the tilt's axis, where no turn
+  /// is defined.
   Eigen::Vector3d tilted() const;
   /// The angular velocity of a body with these principal moments. [rad/s]
   Eigen::Vector3d angularVelocity(const Eigen::Vector3d& inertia) const;

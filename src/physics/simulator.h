@@ -1,8 +1,9 @@
 // The one interface behind which all models stand.
 #pragma once
 
-#include <Eigen/Core>
 #include <memory>
+
+#include <Eigen/Core>
 
 #include "physics/cuboid.h"
 #include "physics/motion_settings.h"
@@ -11,12 +12,12 @@ namespace rotatebook::physics {
 
 /// What every model can tell of its body at one moment; world axes, SI units.
 struct BodyState {
-  Corners corners;                      ///< The corners as they are drawn, deformed or not. [m]
-  Eigen::Vector3d angularVelocity;      ///< [rad/s]
-  Eigen::Vector3d angularMomentum;      ///< About the centre of mass. [kg m^2/s]
-  double kinetic = 0;                   ///< [J]
-  double potential = 0;                 ///< In the springs; 0 for a rigid body. [J]
-  double rotational = 0;                ///< Kinetic energy of the best-fitting rigid motion, w.L/2. [J]
+  Corners corners;                  ///< The corners as they are drawn, deformed or not. [m]
+  Eigen::Vector3d angularVelocity;  ///< [rad/s]
+  Eigen::Vector3d angularMomentum;  ///< About the centre of mass. [kg m^2/s]
+  double kinetic = 0;               ///< [J]
+  double potential = 0;             ///< In the springs; 0 for a rigid body. [J]
+  double rotational = 0;            ///< Kinetic energy of the best-fitting rigid motion, w.L/2. [J]
 };
 
 /// A body in motion. Starts at t = 0 with body and world axes equal.
@@ -30,7 +31,15 @@ class Simulator {
   virtual BodyState state() const = 0;
 };
 
-/// The simulator that `settings` ask for, at t = 0.
+/// Principal moments of inertia of the model that `settings` ask for: the particles' own or the
+/// solid body's. [kg m^2]
+Eigen::Vector3d modelInertia(const MotionSettings& settings);
+/// The angular velocity that the motion starts with. Throws InputError as InitialSpin::tilted()
+/// does. [rad/s]
+Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings);
+
+/// The simulator that `settings` ask for, at t = 0. Throws InputError as InitialSpin::tilted()
+/// does.
 std::unique_ptr<Simulator> makeSimulator(const MotionSettings& settings);
 
 }  // namespace rotatebook::physics

@@ -1,0 +1,70 @@
+#include "physics/measurement.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/LU>
+
+#include "physics/rotation.h"
+
+namespace rotatebook::physics {
+namespace {
+
+constexpr double kNearDeg = 60;
+constexpr double kFarDeg = 120;
+
+int largestComponent(const Eigen::Vector3d& v) {
+  int axis = 0;
+  v.cwiseAbs().maxCoeff(&axis);
+  return axis;
+}
+
+}  // namespace
+
+int HalfTurnCounter::count(double tiltDeg) {
+  const Side side = tiltDeg < kNearDeg ? Side::Near : tiltDeg > kFarDeg ? Side::Far : side_;
+  if (side_ != Side::None && side != side_) ++halfTurns_;
+  side_ = side;
+  return halfTurns_;
+}
+
+Measurement::Measurement(const Cuboid& body, const Eigen::Vector3d& initialAngularVelocity)
+    : spunAxis_(largestComponent(initialAngularVelocity)) {
+  const Corners corners = body.corners();
+  const Eigen::Matrix3d products = corners * corners.transpose();
+  mapFromCorners_ = corners.transpose() * products.inverse();
+}
+
+Sample Measurement::measure(double time, const BodyState& state) {
+  const Polar polar = polarDecomposition(state.corners * mapFromCorners_);
+  Sample sample;
+  sample.time = time;
+  sample.attitude = continuedAttitude(polar.rotation);
+  sample.angularVelocity = state.angularVelocity;
+  sample.angularMomentum = state.angularMomentum;
+  sample.kinetic = state.kinetic;
+  sample.potential = state.potential;
+  sample.rotational = state.rotational;
+  sample.tiltDeg = tiltDeg(polar.rotation, state.angularMomentum);
+  sample.halfTurns = counter_.count(sample.tiltDeg);
+  sample.stretchMin = polar.singularValues[2];
+  sample.stretchMax = polar.singularValues[0];
+  sample.corners = state.corners;
+  return sample;
+}
+
+Eigen::Quaterniond Measurement::continuedAttitude(const Eigen::Matrix3d& rotation) {
+  Eigen::Quaterniond next(rotation);
+  if (next.dot(attitude_) < 0) next.coeffs() = -next.coeffs();
+  attitude_ = next;
+  return next;
+}
+
+// By atan2, because the arc cosine of a number near 1 loses half the digits of a small angle.
+double Measurement::tiltDeg(const Eigen::Matrix3d& rotation,
+                            const Eigen::Vector3d& momentum) const {
+  const Eigen::Vector3d axis = rotation.col(spunAxis_);
+  return std::atan2(axis.cross(momentum).norm(), axis.dot(momentum)) * 180 / std::numbers::pi;
+}
+
+}  // namespace rotatebook::physics

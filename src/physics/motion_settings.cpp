@@ -1,0 +1,52 @@
+#include "physics/motion_settings.h"
+
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+#include "base/number_text.h"
+
+namespace rotatebook::physics {
+namespace {
+
+// Sine of the angle to the axis below which two directions count as one. Numbers that a person
+// writes are either exactly parallel or far from it; rounding in a program that computed them stays
+// below this.
+constexpr double kParallel = 1e-12;
+
+std::string text(const Eigen::Vector3d& v) {
+  return "(" + shortestText(v.x()) + ", " + shortestText(v.y()) + ", " + shortestText(v.z()) + ")";
+}
+
+[[noreturn]] void throwParallel(const Eigen::Vector3d& value, int axis) {
+  const std::string name(1, "xyz"[axis]);
+  throw InputError("can't tilt the initial spin " + text(value) + " toward " + name +
+                   ": it points along that axis already; tilt it toward another axis");
+}
+
+}  // namespace
+
+Eigen::Vector3d InitialSpin::tilted() const {
+  if (!tilt) return value;
+  const int axis = tilt->axis;
+  const double length = value.norm();
+  const Eigen::Vector3d direction = value / length;
+
+  // The part across the axis is summed from its own components: 1 - cos^2 would lose them near the
+  // axis.
+  const double along = direction[axis];
+  const double across = std::hypot(direction[(axis + 1) % 3], direction[(axis + 2) % 3]);
+  if (!(across > kParallel)) throwParallel(value, axis);
+
+  // The unit vector square to `direction`, in the plane with the axis and on the axis' side.
+  Eigen::Vector3d toward = -along / across * direction;
+  toward[axis] = across;
+  return length * (std::cos(tilt->angle) * direction + std::sin(tilt->angle) * toward);
+}
+
+Eigen::Vector3d InitialSpin::angularVelocity(const Eigen::Vector3d& inertia) const {
+  if (kind == Kind::AngularVelocity) return tilted();
+  return tilted().cwiseQuotient(inertia);
+}
+
+}  // namespace rotatebook::physics

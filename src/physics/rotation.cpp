@@ -1,0 +1,73 @@
+#include "physics/rotation.h"
+
+#include <cmath>
+
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+namespace rotatebook::physics {
+namespace {
+
+// The Newton iteration converges quadratically: after a step of size s the error is about s^2 / 2.
+constexpr double kSmallLastStep = 1e-9;
+// From a well-shaped map six steps do; a map that needs more is nearly flat, and the SVD is the
+// better tool.
+constexpr int kMostNewtonSteps = 12;
+
+using Svd = Eigen::JacobiSVD<Eigen::Matrix3d>;
+
+Svd fullSvd(const Eigen::Matrix3d& map) {
+  return Svd(map, Eigen::ComputeFullU | Eigen::ComputeFullV);
+}
+
+// Determinant times inverse, transposed.
+Eigen::Matrix3d cofactors(const Eigen::Matrix3d& m) {
+  Eigen::Matrix3d result;
+  result.col(0) = m.col(1).cross(m.col(2));
+  result.col(1) = m.col(2).cross(m.col(0));
+  result.col(2) = m.col(0).cross(m.col(1));
+  return result;
+}
+
+}  // namespace
+
+Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& w) {
+  Eigen::Matrix3d result;
+  result << 0, -w.z(), w.y(),  //
+      w.z(), 0, -w.x(),        //
+      -w.y(), w.x(), 0;
+  return result;
+}
+
+Eigen::Matrix3d textbookMatrix(const Eigen::Quaterniond& q) {
+  const double w = q.w(), x = q.x(), y = q.y(), z = q.z();
+  Eigen::Matrix3d result;
+  result << 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),  //
+      2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),        //
+      2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y);
+  return result;
+}
+
+// Newton's iteration X <- (X + X^-T)/2 (Higham 1986), some twenty times faster than the SVD near a
+// rotation.
+Eigen::Matrix3d polarFactor(const Eigen::Matrix3d& map) {
+  Eigen::Matrix3d x = map;
+  for (int step = 0; step < kMostNewtonSteps; ++step) {
+    const Eigen::Matrix3d cofactor = cofactors(x);
+    const double determinant = x.col(0).dot(cofactor.col(0));
+    const Eigen::Matrix3d change = 0.5 * (cofactor / determinant - x);
+    x += change;
+    if (change.cwiseAbs().maxCoeff() < kSmallLastStep) return x;
+  }
+  const Svd svd = fullSvd(map);
+  return svd.matrixU() * svd.matrixV().transpose();
+}
+
+Polar polarDecomposition(const Eigen::Matrix3d& map) {
+  const Svd svd = fullSvd(map);
+  Eigen::Matrix3d u = svd.matrixU();
+  if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) = -u.col(2);
+  return {u * svd.matrixV().transpose(), svd.singularValues()};
+}
+
+}  // namespace rotatebook::physics

@@ -1,0 +1,29 @@
+// RGB pictures into the encoder's YUV. Inside the room only.
+#pragma once
+
+#include "image/image.h"
+#include "video/ffmpeg.h"
+
+namespace rotatebook::video {
+
+/// Converts sRGB pictures of one size to yuv420p: BT.709 matrix, limited range, chroma sited left,
+/// as H.264 has it unless told otherwise. The same bytes on every processor. A flat colour is
+/// within 0.5 of the exact value.
+class PixelConverter {
+ public:
+  /// `width` and `height` even, > 0. [pixels]
+  PixelConverter(int width, int height);
+
+  /// Returns the converted picture, tagged; valid until the next call. Reads `picture` in place,
+  /// whatever its stride. Throws InputError for another size.
+  AVFrame& convert(image::ImageView picture);
+
+ private:
+  void prepareFor(image::PixelFormat format);
+
+  Handle<AVFrame> frame_;
+  Handle<SwsContext> scaler_;
+  image::PixelFormat scalerFormat_ = image::PixelFormat::Rgba8;
+};
+
+}  // namespace rotatebook::video

@@ -1,11 +1,12 @@
 // A scene: everything a clip depends on, as a plain value.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "base/frame_rate.h"
 #include "physics/expectation.h"
@@ -15,8 +16,8 @@ namespace rotatebook::scene {
 
 /// [clip]: the video's format.
 struct ClipSettings {
-  int width = 1280;   ///< Even. [pixels]
-  int height = 720;   ///< Even. [pixels]
+  int width = 1280;  ///< Even. [pixels]
+  int height = 720;  ///< Even. [pixels]
   FrameRate frameRate;
   double duration = 12;  ///< Of video, > 0. [s]
 
@@ -28,7 +29,7 @@ struct ClipSettings {
 struct EncodingSettings {
   int crf = 18;                     ///< x264's constant rate factor, 0 to 51; smaller is better.
   std::string preset = "veryfast";  ///< x264's preset, "ultrafast" to "placebo".
-  int threads = 1;                  ///< Encoder threads, 1 to 64; a different count gives different bytes.
+  int threads = 1;  ///< Encoder threads, 1 to 64; a different count gives different bytes.
 };
 
 /// [camera]: a perspective camera in world space.
@@ -36,7 +37,7 @@ struct CameraSettings {
   Eigen::Vector3d position{0, 0, 1};  ///< [m]
   Eigen::Vector3d target{0, 0, 0};    ///< The point in the middle of the picture. [m]
   Eigen::Vector3d up{0, 1, 0};
-  double fieldOfViewDeg = 30;         ///< Vertical, over 0 to under 180. [degrees]
+  double fieldOfViewDeg = 30;  ///< Vertical, 1 to 170. [degrees]
 };
 
 /// [book]: picture files, relative to the scene's folder, or kBuiltinTexture.
@@ -51,8 +52,8 @@ inline constexpr const char* kBuiltinTexture = "builtin";
 
 /// A scene with every default made explicit.
 struct Scene {
-  std::string name;                  ///< The scene file's stem; outputs are named after it.
-  std::filesystem::path folder;      ///< Where the scene's file lies; textures are found from here.
+  std::string name;              ///< The scene file's stem; outputs are named after it.
+  std::filesystem::path folder;  ///< Where the scene's file lies; textures are found from here.
   std::string title;
   std::string caption;
   physics::Cuboid body;
@@ -68,6 +69,7 @@ struct Scene {
 };
 
 /// The camera position from which a body of this size is seen whole in any attitude. [m]
-Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldOfViewDeg, int width, int height);
+Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldOfViewDeg, int width,
+                                      int height);
 
 }  // namespace rotatebook::scene

@@ -10,8 +10,9 @@
 
 namespace rotatebook::scene {
 
-/// Reads and validates a scene. `overrides` are "key.path=value" as --set takes them; the value is TOML, or else a bare
-/// string. Throws InputError: "FILE:LINE:COLUMN: what is wrong; the nearest valid key or value". An override's place is
+/// Reads and validates a scene. `overrides` are "key.path=value" as --set takes them; the value is
+/// TOML, or else a bare string. Throws InputError: "FILE:LINE:COLUMN: what is wrong; the nearest
+/// valid key or value". An override's place is
 /// "--set KEY=VALUE".
 Scene readScene(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 

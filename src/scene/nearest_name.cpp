@@ -1,0 +1,71 @@
+#include "scene/nearest_name.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "scene/toml_text.h"
+
+namespace rotatebook::scene {
+namespace {
+
+char lowerCase(char letter) {
+  return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+}
+
+bool same(char a, char b) {
+  return lowerCase(a) == lowerCase(b);
+}
+
+// Edit distance with swapped neighbours as one slip (optimal string alignment).
+std::size_t slipsBetween(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> slips(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) slips[i][0] = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) slips[0][j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t changed = slips[i - 1][j - 1] + (same(a[i - 1], b[j - 1]) ? 0 : 1);
+      slips[i][j] = std::min({slips[i - 1][j] + 1, slips[i][j - 1] + 1, changed});
+      const bool swapped = i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1]);
+      if (swapped) slips[i][j] = std::min(slips[i][j], slips[i - 2][j - 2] + 1);
+    }
+  }
+  return slips[a.size()][b.size()];
+}
+
+}  // namespace
+
+std::optional<std::string_view> nearestName(std::string_view word,
+                                            std::span<const std::string_view> candidates) {
+  std::optional<std::string_view> nearest;
+  std::size_t fewest = 0;
+  for (const std::string_view candidate : candidates) {
+    // About one slip in three letters: more, and the suggestion would be a guess.
+    const std::size_t longer = std::max(word.size(), candidate.size());
+    const std::size_t shorter = std::min(word.size(), candidate.size());
+    const std::size_t allowed = (longer + 1) / 3;
+    if (longer - shorter > allowed) continue;
+    const std::size_t slips = slipsBetween(word, candidate);
+    if (slips > allowed || (nearest && slips >= fewest)) continue;
+    nearest = candidate;
+    fewest = slips;
+  }
+  return nearest;
+}
+
+std::string didYouMean(std::string_view word, std::span<const std::string_view> candidates) {
+  const auto nearest = nearestName(word, candidates);
+  return nearest ? "; did you mean " + tomlString(*nearest) + "?" : "";
+}
+
+std::string quotedList(std::span<const std::string_view> names, std::string_view lastWord) {
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const bool last = i + 1 == names.size();
+    if (i > 0) list += last ? " " + std::string(lastWord) + " " : ", ";
+    list += tomlString(names[i]);
+  }
+  return list;
+}
+
+}  // namespace rotatebook::scene

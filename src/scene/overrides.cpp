@@ -1,0 +1,87 @@
+#include "scene/overrides.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "scene/names.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using Path = std::vector<std::string_view>;
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t";
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+Path pathFrom(std::string_view key, const std::string& place) {
+  Path path;
+  for (std::size_t begin = 0; begin <= key.size();) {
+    const std::size_t end = std::min(key.find('.', begin), key.size());
+    path.push_back(key.substr(begin, end - begin));
+    if (path.back().empty()) failAt(place, "the key, or a part of it, is empty");
+    begin = end + 1;
+  }
+  constexpr std::size_t kLongestPath = 3;  // expect.QUANTITY.BOUND
+  if (path.size() > kLongestPath) failAt(place, "no key of a scene has more than three parts");
+  return path;
+}
+
+// The value of `key` in `node`, a new empty table if it isn't there. Messages call `node` by
+// `name`.
+TomlNode& childOf(TomlNode& node, std::string_view key, std::string_view name,
+                  const std::string& place) {
+  auto* table = std::get_if<TomlNode::Table>(&node.value);
+  if (!table) failAt(place, std::string(name) + " is " + describe(node) + ", which has no keys");
+  if (TomlEntry* entry = find(*table, key)) return entry->node;
+  table->push_back({std::string(key), place, {TomlNode::Table{}, place}});
+  return table->back().node;
+}
+
+bool isSpin(std::string_view key) {
+  const auto names = namesOf(kSpinKinds);
+  return std::find(names.begin(), names.end(), key) != names.end();
+}
+
+// A scene has one spin, so that the command line's replaces the file's, whichever key either of
+// them has.
+void removeOtherSpin(TomlNode& section, std::string_view newKey) {
+  std::erase_if(std::get<TomlNode::Table>(section.value), [newKey](const TomlEntry& entry) {
+    return isSpin(entry.key) && entry.key != newKey;
+  });
+}
+
+void applyOverride(TomlNode& root, const std::string& text) {
+  const std::string place = "--set " + text;
+  const std::size_t equals = text.find('=');
+  if (equals == std::string::npos) failAt(place, "expected KEY=VALUE");
+  const std::string_view key = trimmed(std::string_view(text).substr(0, equals));
+  const std::string_view value = trimmed(std::string_view(text).substr(equals + 1));
+  const Path path = pathFrom(key, place);
+
+  TomlNode* parent = &root;
+  TomlNode* node = &root;
+  for (const std::string_view part : path) {
+    // `part` lies within `key`: what comes before it, less the dot, is the way to `node`.
+    const auto wayLength = static_cast<std::size_t>(part.data() - key.data());
+    parent = node;
+    node = &childOf(*parent, part, key.substr(0, wayLength - (wayLength > 0 ? 1 : 0)), place);
+  }
+  *node = parseTomlValue(value, place).value_or(TomlNode{std::string(value), place});
+  if (path.size() == 2 && path[0] == "initial" && isSpin(path[1]))
+    removeOtherSpin(*parent, path[1]);
+}
+
+}  // namespace
+
+void applyOverrides(TomlNode& root, std::span<const std::string> overrides) {
+  for (const std::string& text : overrides) applyOverride(root, text);
+}
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,16 @@
+// --set: values from the command line in place of those of the scene file.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "scene/toml_tree.h"
+
+namespace rotatebook::scene {
+
+/// Puts each "key.path=value" into `root`, a table, in their order. The value is TOML, or else a
+/// bare string. Setting either of initial.angular_velocity and initial.angular_momentum takes the
+/// other one out. Only the form is checked here. Throws InputError "--set KEY=VALUE: PROBLEM".
+void applyOverrides(TomlNode& root, std::span<const std::string> overrides);
+
+}  // namespace rotatebook::scene

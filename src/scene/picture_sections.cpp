@@ -1,0 +1,169 @@
+// [clip], [video], [camera] and [book]: how the motion is shown.
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include <Eigen/Geometry>
+
+#include "scene/names.h"
+#include "scene/sections.h"
+#include "scene/toml_text.h"
+
+namespace rotatebook::scene {
+namespace {
+
+constexpr int kSmallestPicture = 16;
+constexpr int kLargestPicture = 16'384;
+constexpr int kLargestFraction = 1'000'000;
+constexpr int kHighestRate = 1'000;
+constexpr double kMostFrames = 1'000'000;  // Their trajectory takes some 400 MB.
+constexpr int kWorstCrf = 51;
+constexpr int kMostThreads = 64;
+constexpr double kLeastDistance = 1e-9;  // [m]
+constexpr double kLeastSine = 1e-6;  // Of the angle between two directions that aren't parallel.
+
+constexpr NumberRange kPositions{"three numbers from -1e9 to 1e9", -1e9, 1e9};
+constexpr NumberRange kDurations{"a positive number", std::numeric_limits<double>::denorm_min(),
+                                 std::numeric_limits<double>::max()};
+constexpr NumberRange kAngles{"an angle from 1 to 170 degrees", 1, 170};
+
+// H.264 with its colour at half the resolution has no odd sizes.
+int pictureSide(const ValueReader& value) {
+  const int side = value.integer(kSmallestPicture, kLargestPicture);
+  if (side % 2 != 0) {
+    value.fail(value.name() + " must be even, not " + std::to_string(side) +
+               "; the nearest even sizes are " + std::to_string(side - 1) + " and " +
+               std::to_string(side + 1));
+  }
+  return side;
+}
+
+void readPictureSize(const ValueReader& value, ClipSettings& clip) {
+  const auto sides = value.elements(2, "a width and a height, such as [1280, 720]");
+  clip.width = pictureSide(sides[0]);
+  clip.height = pictureSide(sides[1]);
+}
+
+// All of `text` as a number, nothing if it isn't one.
+std::optional<int> wholeNumber(std::string_view text) {
+  int number = 0;
+  const char* const end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, number);
+  if (result.ec != std::errc() || result.ptr != end) return std::nullopt;
+  return number;
+}
+
+// The fraction as it is written, nothing if `node` is none.
+std::optional<FrameRate> fractionFrom(const TomlNode& node) {
+  std::string text;
+  if (const auto* whole = std::get_if<std::int64_t>(&node.value))
+    text = std::to_string(*whole) + "/1";
+  if (const auto* fraction = std::get_if<std::string>(&node.value)) text = *fraction;
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const auto numerator = wholeNumber(std::string_view(text).substr(0, slash));
+  const auto denominator =
+      wholeNumber(std::string_view(text).substr(std::min(slash + 1, text.size())));
+  if (!numerator || !denominator) return std::nullopt;
+  return FrameRate{*numerator, *denominator};
+}
+
+bool isRate(const FrameRate& rate) {
+  return rate.denominator >= 1 && rate.denominator <= kLargestFraction &&
+         rate.numerator >= rate.denominator && rate.numerator <= kLargestFraction &&
+         rate.numerator <= std::int64_t{kHighestRate} * rate.denominator;
+}
+
+FrameRate frameRateFrom(const ValueReader& value) {
+  const std::optional<FrameRate> rate = fractionFrom(value.node());
+  if (!rate || !isRate(*rate)) {
+    value.mismatch(
+        "frames a second from 1 to 1000, an integer or a fraction such as \"30000/1001\"");
+  }
+  const int divisor = std::gcd(rate->numerator, rate->denominator);
+  return {rate->numerator / divisor, rate->denominator / divisor};
+}
+
+// Any texture within reach of the scene's folder, so that a clip names no place of the machine it
+// was made on.
+std::string textureFrom(const ValueReader& value) {
+  const std::string texture = value.text();
+  if (texture.empty() || std::filesystem::path(texture).is_absolute()) {
+    value.mismatch("\"builtin\" or a picture's path from the scene's folder");
+  }
+  return texture;
+}
+
+}  // namespace
+
+void readClip(const ValueReader& section, ClipSettings& clip) {
+  section.readTable({
+      {"size", [&](const ValueReader& value) { readPictureSize(value, clip); }},
+      {"fps", [&](const ValueReader& value) { clip.frameRate = frameRateFrom(value); }},
+      {"duration", [&](const ValueReader& value) { clip.duration = value.number(kDurations); }},
+  });
+
+  // framesIn() counts in 64 bits, which an absurd duration would overflow.
+  const bool tooMany = clip.duration / clip.frameRate.period() > kMostFrames;
+  if (tooMany || clip.frameCount() < 1) {
+    section.find("duration")
+        ->mismatch("long enough for 1 frame and short enough for 1000000 at " +
+                   clip.frameRate.text() + " frames a second");
+  }
+}
+
+void readVideo(const ValueReader& section, EncodingSettings& video) {
+  section.readTable({
+      {"crf", [&](const ValueReader& value) { video.crf = value.integer(0, kWorstCrf); }},
+      {"preset",
+       [&](const ValueReader& value) { video.preset = kPresets[value.choice(kPresets)]; }},
+      {"threads",
+       [&](const ValueReader& value) { video.threads = value.integer(1, kMostThreads); }},
+  });
+}
+
+void readCamera(const ValueReader& section, CameraSettings& camera) {
+  section.readTable({
+      {"position", [&](const ValueReader& value) { camera.position = value.vector(kPositions); }},
+      {"target", [&](const ValueReader& value) { camera.target = value.vector(kPositions); }},
+      {"up", [&](const ValueReader& value) { camera.up = directionFrom(value); }},
+      {"field_of_view_deg",
+       [&](const ValueReader& value) { camera.fieldOfViewDeg = value.number(kAngles); }},
+  });
+}
+
+void readBook(const ValueReader& section, BookSettings& book) {
+  section.readTable({
+      {"front", [&](const ValueReader& value) { book.front = textureFrom(value); }},
+      {"spine", [&](const ValueReader& value) { book.spine = textureFrom(value); }},
+      {"back", [&](const ValueReader& value) { book.back = textureFrom(value); }},
+  });
+}
+
+void checkCamera(const ValueReader& section, const CameraSettings& camera) {
+  // Blame what the file has; a camera is only ever wrong through a key that is there.
+  const auto blame = [&section](std::initializer_list<std::string_view> keys,
+                                const std::string& problem) {
+    for (const std::string_view key : keys) {
+      if (const auto value = section.find(key)) value->fail(problem);
+    }
+    section.fail(problem);
+  };
+  const Eigen::Vector3d view = camera.target - camera.position;
+  if (view.norm() < kLeastDistance) {
+    blame({"position", "target"}, "camera.position and camera.target must be different points");
+  }
+  const double sine = view.stableNormalized().cross(camera.up.stableNormalized()).norm();
+  if (sine < kLeastSine) {
+    blame({"up", "position", "target"},
+          "camera.up must not be parallel to the direction from camera.position to camera.target");
+  }
+}
+
+}  // namespace rotatebook::scene

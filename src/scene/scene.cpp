@@ -1,0 +1,21 @@
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rotatebook::scene {
+
+Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldOfViewDeg, int width,
+                                      int height) {
+  constexpr double kMargin = 1.08;
+  // From the right and a little above: all three kinds of sides show, the cover most of all.
+  const Eigen::Vector3d direction = Eigen::Vector3d(0.42, 0.30, 1).normalized();
+  const double halfHeight = std::tan(fieldOfViewDeg / 2 * std::numbers::pi / 180);
+  const double halfWidth = halfHeight * width / height;
+  const double narrowerHalfAngle = std::atan(std::min(halfHeight, halfWidth));
+  // The sphere that the corners never leave touches the narrower pair of the view's sides.
+  return direction * (kMargin * body.size.norm() / 2 / std::sin(narrowerHalfAngle));
+}
+
+}  // namespace rotatebook::scene

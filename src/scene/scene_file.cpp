@@ -1,0 +1,62 @@
+#include "scene/scene_file.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "scene/nearest_name.h"
+#include "scene/toml_tree.h"
+
+namespace rotatebook::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> sceneNamesIn(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().filename().string());
+  }
+  // The order of a folder is the file system's whim, and of two names as near the first is
+  // suggested.
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+[[noreturn]] void failMissing(const fs::path& path) {
+  const std::vector<std::string> names = sceneNamesIn(path.parent_path());
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  fs::path wanted = path.filename();
+  if (!wanted.has_extension()) wanted += ".toml";
+  const auto nearest = nearestName(wanted.string(), candidates);
+  failAt(path.string(),
+         nearest ? "scene not found; did you mean " + (path.parent_path() / *nearest).string() + "?"
+                 : "scene not found");
+}
+
+// Reads no more than shows that a file is too long, in case it has no end.
+std::string contentOf(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) failAt(path.string(), std::string("can't be read: ") + std::strerror(errno));
+  std::string content(kLongestToml + 1, '\0');
+  stream.read(content.data(), static_cast<std::streamsize>(content.size()));
+  if (stream.bad()) failAt(path.string(), std::string("can't be read: ") + std::strerror(errno));
+  content.resize(static_cast<std::size_t>(stream.gcount()));
+  return content;
+}
+
+}  // namespace
+
+Scene readScene(const fs::path& path, std::span<const std::string> overrides) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) failAt(path.string(), "a folder, not a scene");
+  if (!fs::exists(path, ignored)) failMissing(path);
+  return parseScene(contentOf(path), path, overrides);
+}
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,39 @@
+// The sections of a scene file: every key and its limits.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "scene/scene.h"
+#include "scene/value_reader.h"
+
+namespace rotatebook::scene {
+
+// Each reads one section over the defaults in its second argument. Throws InputError.
+
+void readBody(const ValueReader& section, physics::Cuboid& body);
+/// Leaves the default of time_per_frame, which depends on [clip], to the caller.
+void readSimulation(const ValueReader& section, physics::SimulationSettings& settings);
+void readInitial(const ValueReader& section, physics::InitialSpin& spin);
+void readExpectations(const ValueReader& section, std::vector<physics::Expectation>& expectations);
+
+void readClip(const ValueReader& section, ClipSettings& clip);
+void readVideo(const ValueReader& section, EncodingSettings& video);
+/// Leaves the default of position, which depends on [body] and [clip], to the caller.
+void readCamera(const ValueReader& section, CameraSettings& camera);
+void readBook(const ValueReader& section, BookSettings& book);
+
+/// Refuses a complete camera that looks nowhere or has no upper side; `section` is where it came
+/// from.
+void checkCamera(const ValueReader& section, const CameraSettings& camera);
+
+/// Any coordinates or rates: wide enough for a book, and narrow enough that no product of squares
+/// leaves double's range.
+inline constexpr NumberRange kDirections{"three numbers from -1e9 to 1e9, not all zero", -1e9, 1e9};
+
+/// Three numbers that aren't all zero.
+Eigen::Vector3d directionFrom(const ValueReader& value);
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,143 @@
+#include "scene/toml_tree.h"
+
+#include <algorithm>
+#include <functional>
+#include <utility>
+
+#include <toml++/toml.h>
+
+#include "base/error.h"
+#include "scene/toml_text.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using PlaceOf = std::function<std::string(const toml::source_region&)>;
+
+// The deepest value of a scene, a number in a bound in an array, lies at 4.
+constexpr int kDeepest = 8;
+
+TomlNode nodeFrom(const toml::node& source, const PlaceOf& placeOf, int depth);
+
+TomlNode::Array arrayFrom(const toml::array& source, const PlaceOf& placeOf, int depth) {
+  TomlNode::Array elements;
+  for (const toml::node& element : source) elements.push_back(nodeFrom(element, placeOf, depth));
+  return elements;
+}
+
+// toml++ keeps tables by name; messages are to come in the order of the text.
+TomlNode::Table tableFrom(const toml::table& source, const PlaceOf& placeOf, int depth) {
+  std::vector<std::pair<const toml::key*, const toml::node*>> sorted;
+  for (auto&& [key, node] : source) sorted.emplace_back(&key, &node);
+  std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+    return a.first->source().begin < b.first->source().begin;
+  });
+
+  TomlNode::Table table;
+  for (const auto& [key, node] : sorted) {
+    const std::string place = placeOf(key->source());
+    table.push_back({std::string(key->str()), place, nodeFrom(*node, placeOf, depth)});
+  }
+  return table;
+}
+
+TomlNode nodeFrom(const toml::node& source, const PlaceOf& placeOf, int depth) {
+  TomlNode node{TomlDate{}, placeOf(source.source())};
+  if (depth > kDeepest) failAt(node.place, "nested deeper than any value of a scene");
+  switch (source.type()) {
+    case toml::node_type::boolean:
+      node.value = source.as_boolean()->get();
+      break;
+    case toml::node_type::integer:
+      node.value = source.as_integer()->get();
+      break;
+    case toml::node_type::floating_point:
+      node.value = source.as_floating_point()->get();
+      break;
+    case toml::node_type::string:
+      node.value = source.as_string()->get();
+      break;
+    case toml::node_type::array:
+      node.value = arrayFrom(*source.as_array(), placeOf, depth + 1);
+      break;
+    case toml::node_type::table:
+      node.value = tableFrom(*source.as_table(), placeOf, depth + 1);
+      break;
+    default:
+      break;
+  }
+  return node;
+}
+
+std::string positionIn(const std::string& file, const toml::source_region& region) {
+  return file + ":" + std::to_string(region.begin.line) + ":" + std::to_string(region.begin.column);
+}
+
+void refuseLong(std::string_view text, const std::string& place) {
+  if (text.size() <= kLongestToml) return;
+  failAt(place, "longer than " + std::to_string(kLongestToml / 1024) + " KiB, so it is no scene");
+}
+
+std::string describeArray(const TomlNode::Array& array) {
+  constexpr std::size_t kMostShown = 4;
+  if (array.size() > kMostShown) return "an array of " + std::to_string(array.size()) + " values";
+  std::string text;
+  for (const TomlNode& element : array) {
+    text += (text.empty() ? "" : ", ") + describe(element);
+  }
+  return "[" + text + "]";
+}
+
+}  // namespace
+
+void failAt(const std::string& place, const std::string& problem) {
+  throw InputError(place + ": " + problem);
+}
+
+TomlNode parseToml(std::string_view text, const std::string& file) {
+  refuseLong(text, file);
+  const PlaceOf placeOf = [&file](const auto& region) { return positionIn(file, region); };
+  try {
+    return nodeFrom(toml::parse(text, std::string_view(file)), placeOf, 0);
+  } catch (const toml::parse_error& error) {
+    failAt(placeOf(error.source()), std::string(error.description()));
+  }
+}
+
+std::optional<TomlNode> parseTomlValue(std::string_view text, const std::string& place) {
+  refuseLong(text, place);
+  const PlaceOf placeOf = [&place](const auto&) { return place; };
+  try {
+    const toml::table table = toml::parse("value = " + std::string(text));
+    // A line break in `text` could have brought more keys with it.
+    if (table.size() != 1) return std::nullopt;
+    return nodeFrom(*table.get("value"), placeOf, 0);
+  } catch (const toml::parse_error&) {
+    return std::nullopt;
+  }
+}
+
+TomlEntry* find(TomlNode::Table& table, std::string_view key) {
+  const auto found = std::ranges::find(table, key, &TomlEntry::key);
+  return found == table.end() ? nullptr : &*found;
+}
+
+const TomlEntry* find(const TomlNode::Table& table, std::string_view key) {
+  const auto found = std::ranges::find(table, key, &TomlEntry::key);
+  return found == table.end() ? nullptr : &*found;
+}
+
+std::string describe(const TomlNode& node) {
+  struct Describer {
+    std::string operator()(bool value) const { return value ? "true" : "false"; }
+    std::string operator()(std::int64_t value) const { return std::to_string(value); }
+    std::string operator()(double value) const { return tomlNumber(value); }
+    std::string operator()(const std::string& value) const { return tomlString(value); }
+    std::string operator()(const TomlDate&) const { return "a date or time"; }
+    std::string operator()(const TomlNode::Array& array) const { return describeArray(array); }
+    std::string operator()(const TomlNode::Table&) const { return "a table"; }
+  };
+  return std::visit(Describer{}, node.value);
+}
+
+}  // namespace rotatebook::scene

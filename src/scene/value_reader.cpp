@@ -1,0 +1,128 @@
+#include "scene/value_reader.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "scene/nearest_name.h"
+#include "scene/toml_text.h"
+
+namespace rotatebook::scene {
+namespace {
+
+std::optional<double> numberFrom(const TomlNode& node) {
+  if (const auto* real = std::get_if<double>(&node.value)) return *real;
+  if (const auto* whole = std::get_if<std::int64_t>(&node.value))
+    return static_cast<double>(*whole);
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string ValueReader::text() const {
+  const auto* text = std::get_if<std::string>(&node_->value);
+  if (!text) mismatch("a text in quotes");
+  return *text;
+}
+
+bool ValueReader::flag() const {
+  const auto* flag = std::get_if<bool>(&node_->value);
+  if (!flag) mismatch("true or false");
+  return *flag;
+}
+
+int ValueReader::integer(int min, int max) const {
+  const auto* whole = std::get_if<std::int64_t>(&node_->value);
+  if (!whole || *whole < min || *whole > max) {
+    mismatch("an integer from " + std::to_string(min) + " to " + std::to_string(max));
+  }
+  return static_cast<int>(*whole);
+}
+
+double ValueReader::number(const NumberRange& range) const {
+  const std::optional<double> number = numberFrom(*node_);
+  // NaN compares false with everything.
+  if (!number || !(*number >= range.min && *number <= range.max))
+    mismatch(std::string(range.words));
+  return *number;
+}
+
+Eigen::Vector3d ValueReader::vector(const NumberRange& range) const {
+  Eigen::Vector3d vector;
+  Eigen::Index row = 0;
+  for (const ValueReader& element : elements(3, std::string(range.words))) {
+    vector[row++] = element.number(range);
+  }
+  return vector;
+}
+
+std::size_t ValueReader::choice(std::span<const std::string_view> names) const {
+  const std::string expected = quotedList(names, "or");
+  const auto* text = std::get_if<std::string>(&node_->value);
+  if (!text) mismatch(expected);
+  const auto found = std::find(names.begin(), names.end(), *text);
+  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  fail(name_ + " must be " + expected + ", not " + describe(*node_) + didYouMean(*text, names));
+}
+
+std::vector<ValueReader> ValueReader::elements(std::size_t count,
+                                               const std::string& expected) const {
+  const auto* array = std::get_if<TomlNode::Array>(&node_->value);
+  if (!array || array->size() != count) mismatch(expected);
+  std::vector<ValueReader> elements;
+  for (const TomlNode& element : *array) elements.emplace_back(element, name_);
+  return elements;
+}
+
+std::vector<ValueReader> ValueReader::tables(const std::string& expected) const {
+  std::vector<ValueReader> tables{*this};
+  if (const auto* array = std::get_if<TomlNode::Array>(&node_->value)) {
+    if (array->empty()) mismatch(expected);
+    tables = elements(array->size(), expected);
+  }
+  for (const ValueReader& table : tables) {
+    if (!std::holds_alternative<TomlNode::Table>(table.node_->value)) table.mismatch(expected);
+  }
+  return tables;
+}
+
+void ValueReader::readTable(const std::vector<Field>& fields) const {
+  const auto* table = std::get_if<TomlNode::Table>(&node_->value);
+  if (!table) mismatch("a section");
+  for (const TomlEntry& entry : *table) {
+    const auto field = std::ranges::find(fields, entry.key, &Field::key);
+    if (field == fields.end()) refuseKey(entry, fields);
+    field->read(ValueReader(entry.node, nameOfKey(entry.key)));
+  }
+}
+
+std::optional<ValueReader> ValueReader::find(std::string_view key) const {
+  const auto* table = std::get_if<TomlNode::Table>(&node_->value);
+  const TomlEntry* entry = table ? scene::find(*table, key) : nullptr;
+  if (!entry) return std::nullopt;
+  return ValueReader(entry->node, nameOfKey(key));
+}
+
+void ValueReader::mismatch(const std::string& expected) const {
+  fail(name_ + " must be " + expected + ", not " + describe(*node_));
+}
+
+void ValueReader::fail(const std::string& problem) const {
+  failAt(node_->place, problem);
+}
+
+std::string ValueReader::nameOfKey(std::string_view key) const {
+  return name_.empty() ? std::string(key) : name_ + "." + std::string(key);
+}
+
+void ValueReader::refuseKey(const TomlEntry& entry, const std::vector<Field>& fields) const {
+  std::vector<std::string_view> valid;
+  for (const Field& field : fields) valid.push_back(field.key);
+  const bool isSection = name_.empty() && std::holds_alternative<TomlNode::Table>(entry.node.value);
+  const std::string where = name_.empty() ? "" : " in [" + name_ + "]";
+  const std::string suggestion = didYouMean(entry.key, valid);
+  failAt(entry.keyPlace,
+         (isSection ? "unknown section " : "unknown key ") + tomlString(entry.key) + where +
+             (suggestion.empty() ? "; valid are " + quotedList(valid, "and") : suggestion));
+}
+
+}  // namespace rotatebook::scene

@@ -18,10 +18,12 @@ constexpr std::array<std::string_view, 10> kPresets = {
     "ultrafast", "superfast", "veryfast", "faster",   "fast",
     "medium",    "slow",      "slower",   "veryslow", "placebo"};
 
-void requireEven(const char* what, int pixels) {
-  if (pixels > 0 && pixels % 2 == 0) return;
-  const std::string text = std::string("video ") + what + " " + std::to_string(pixels);
-  if (pixels < 2) throw InputError(text + ": the smallest is 2");
+void requireEncodable(const char* side, int pixels) {
+  const std::string text = std::string("video ") + side + " " + std::to_string(pixels);
+  if (pixels < kSmallestSide) {
+    throw InputError(text + ": the smallest is " + std::to_string(kSmallestSide));
+  }
+  if (pixels % 2 == 0) return;
   throw InputError(text + " is odd, and H.264's 4:2:0 colour needs it even: take " +
                    std::to_string(pixels - 1) + " or " + std::to_string(pixels + 1));
 }
@@ -36,8 +38,8 @@ void requireKnownPreset(const std::string& preset) {
 }
 
 void validate(const VideoSettings& settings) {
-  requireEven("width", settings.width);
-  requireEven("height", settings.height);
+  requireEncodable("width", settings.width);
+  requireEncodable("height", settings.height);
   requireKnownPreset(settings.preset);
   if (settings.frameRate.numerator <= 0 || settings.frameRate.denominator <= 0) {
     throw InputError("video frame rate " + settings.frameRate.text() + " isn't above 0");
@@ -95,6 +97,9 @@ H264Encoder::H264Encoder(const VideoSettings& settings) {
     options.set("preset", settings.preset);
     options.set("crf", std::to_string(settings.crf));
     options.set("profile", "high");
+    // Else x264 chooses algorithms by the processor, and the same scene gives other bytes
+    // elsewhere.
+    options.set("x264-params", "cpu-independent=1");
   }
   check(avcodec_open2(context_.get(), &encoder, options.address()),
         "the H.264 encoder " + name_ + " doesn't start");

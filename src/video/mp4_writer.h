@@ -11,10 +11,13 @@
 
 namespace rotatebook::video {
 
+/// Narrowest and lowest video: one macroblock. [pixels]
+inline constexpr int kSmallestSide = 16;
+
 /// Everything that the bytes of an MP4 depend on beside its pictures.
 struct VideoSettings {
-  int width = 1280;  ///< Even, > 0. [pixels]
-  int height = 720;  ///< Even, > 0. [pixels]
+  int width = 1280;  ///< Even, at least kSmallestSide. [pixels]
+  int height = 720;  ///< Even, at least kSmallestSide. [pixels]
   FrameRate frameRate;
   int crf = 18;                     ///< x264's constant rate factor, 1 (largest file) to 51.
   std::string preset = "veryfast";  ///< x264's preset.
@@ -30,7 +33,7 @@ struct VideoSettings {
 class Mp4Writer {
  public:
   /// Opens `path` (the caller's temporary name; the container is MP4 whatever its extension).
-  /// Throws InputError for odd or non-positive sizes and unknown presets, MachineError where there
+  /// Throws InputError for settings out of range, MachineError where there
   /// is no H.264 encoder or the file can't be written.
   Mp4Writer(const std::filesystem::path& path, const VideoSettings& settings);
   Mp4Writer(Mp4Writer&&) noexcept;

@@ -1,6 +1,8 @@
 #include "video/pixel_converter.h"
 
 #include <array>
+#include <cstddef>
+#include <cstring>
 #include <string>
 
 extern "C" {
@@ -20,6 +22,12 @@ constexpr int kScalerFlags = SWS_BILINEAR | SWS_FULL_CHR_H_INP | SWS_ACCURATE_RN
 
 // In 1/256 of a luma pixel: the left of each pair of columns.
 constexpr int kChromaLeft = 0;
+
+// swscale's vector code reads past the end of a row, by up to a register: 64 bytes with AVX-512.
+constexpr std::size_t kScalerOverrun = 64;
+
+// Rows of a slice that swscale takes: those of one chroma row.
+constexpr int kSliceRows = 2;
 
 constexpr int kFullRange = 1;
 constexpr int kLimitedRange = 0;
@@ -82,12 +90,35 @@ AVFrame& PixelConverter::convert(image::ImageView picture) {
   if (picture.format != scalerFormat_) prepareFor(picture.format);
   // The encoder may still hold the last one.
   check(av_frame_make_writable(frame_.get()), "can't allocate a video frame");
-  const std::array<const std::uint8_t*, 4> planes = {picture.topRow};
-  const std::array<int, 4> strides = {static_cast<int>(picture.stride)};
-  check(sws_scale(scaler_.get(), planes.data(), strides.data(), 0, picture.height, frame_->data,
+  // The rows at the end of the picture's memory go through a copy with room behind it.
+  const int rest = picture.height - kSliceRows;
+  if (picture.stride < 0) {
+    scaleCopy(picture, 0);
+    scale(picture.row(kSliceRows), picture.stride, kSliceRows, rest);
+  } else {
+    scale(picture.topRow, picture.stride, 0, rest);
+    scaleCopy(picture, rest);
+  }
+  return *frame_;
+}
+
+void PixelConverter::scaleCopy(const image::ImageView& picture, int top) {
+  const auto rowBytes = static_cast<std::size_t>(picture.width) *
+                        static_cast<std::size_t>(image::bytesPerPixel(picture.format));
+  copy_.resize(kSliceRows * rowBytes + kScalerOverrun);
+  for (std::size_t y = 0; y < kSliceRows; ++y) {
+    std::memcpy(copy_.data() + y * rowBytes, picture.row(top + static_cast<int>(y)), rowBytes);
+  }
+  scale(copy_.data(), static_cast<std::ptrdiff_t>(rowBytes), top, kSliceRows);
+}
+
+void PixelConverter::scale(const std::uint8_t* topRow, std::ptrdiff_t stride, int top, int rows) {
+  if (rows == 0) return;
+  const std::array<const std::uint8_t*, 4> planes = {topRow};
+  const std::array<int, 4> strides = {static_cast<int>(stride)};
+  check(sws_scale(scaler_.get(), planes.data(), strides.data(), top, rows, frame_->data,
                   frame_->linesize),
         "can't convert a picture to yuv420p");
-  return *frame_;
 }
 
 void PixelConverter::prepareFor(image::PixelFormat format) {

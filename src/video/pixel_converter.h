@@ -1,6 +1,10 @@
 // RGB pictures into the encoder's YUV. Inside the room only.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 #include "image/image.h"
 #include "video/ffmpeg.h"
 
@@ -11,7 +15,7 @@ namespace rotatebook::video {
 /// within 0.5 of the exact value.
 class PixelConverter {
  public:
-  /// `width` and `height` even, > 0. [pixels]
+  /// `width` and `height` even, at least kSmallestSide. [pixels]
   PixelConverter(int width, int height);
 
   /// Returns the converted picture, tagged; valid until the next call. Reads `picture` in place,
@@ -20,9 +24,12 @@ class PixelConverter {
 
  private:
   void prepareFor(image::PixelFormat format);
+  void scaleCopy(const image::ImageView& picture, int top);
+  void scale(const std::uint8_t* topRow, std::ptrdiff_t stride, int top, int rows);
 
   Handle<AVFrame> frame_;
   Handle<SwsContext> scaler_;
+  std::vector<std::uint8_t> copy_;
   image::PixelFormat scalerFormat_ = image::PixelFormat::Rgba8;
 };
 

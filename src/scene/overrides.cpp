@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "scene/names.h"
+#include "scene/toml_text.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -44,6 +46,12 @@ TomlNode& childOf(TomlNode& node, std::string_view key, std::string_view name,
   return table->back().node;
 }
 
+TomlNode valueFrom(std::string_view text, const std::string& place) {
+  if (auto value = parseTomlValue(text, place)) return *std::move(value);
+  if (auto bareString = parseTomlValue(tomlString(text), place)) return *std::move(bareString);
+  failAt(place, "the value isn't UTF-8");
+}
+
 bool isSpin(std::string_view key) {
   const auto names = namesOf(kSpinKinds);
   return std::find(names.begin(), names.end(), key) != names.end();
@@ -73,7 +81,7 @@ void applyOverride(TomlNode& root, const std::string& text) {
     parent = node;
     node = &childOf(*parent, part, key.substr(0, wayLength - (wayLength > 0 ? 1 : 0)), place);
   }
-  *node = parseTomlValue(value, place).value_or(TomlNode{std::string(value), place});
+  *node = valueFrom(value, place);
   if (path.size() == 2 && path[0] == "initial" && isSpin(path[1]))
     removeOtherSpin(*parent, path[1]);
 }

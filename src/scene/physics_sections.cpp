@@ -20,7 +20,6 @@ constexpr int kMostSubsteps = 1'000'000;
 constexpr NumberRange kSizes{"three lengths from 1e-6 to 1e6 m", 1e-6, 1e6};
 constexpr NumberRange kMass{"a mass from 1e-9 to 1e9 kg", 1e-9, 1e9};
 constexpr NumberRange kNumber{"a number", Limits::lowest(), Limits::max()};
-constexpr NumberRange kPositive{"a positive number", Limits::denorm_min(), Limits::max()};
 constexpr NumberRange kNotNegative{"zero or a positive number", 0, Limits::max()};
 
 physics::Tilt tiltFrom(const ValueReader& value) {
@@ -94,7 +93,7 @@ void readInitial(const ValueReader& section, physics::InitialSpin& spin) {
   for (const auto& kind : kSpinKinds) {
     fields.push_back({kind.name, [&](const ValueReader& value) {
                         spin.kind = kind.value;
-                        spin.value = directionFrom(value);
+                        spin.value = value.direction();
                       }});
   }
   fields.push_back({"tilt", [&](const ValueReader& value) { spin.tilt = tiltFrom(value); }});

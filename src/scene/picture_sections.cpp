@@ -1,20 +1,19 @@
 // [clip], [video], [camera] and [book]: how the motion is shown.
-#include <algorithm>
 #include <charconv>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
-#include <limits>
 #include <numeric>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
 #include <Eigen/Geometry>
 
 #include "scene/names.h"
 #include "scene/sections.h"
-#include "scene/toml_text.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -23,15 +22,13 @@ constexpr int kSmallestPicture = 16;
 constexpr int kLargestPicture = 16'384;
 constexpr int kLargestFraction = 1'000'000;
 constexpr int kHighestRate = 1'000;
-constexpr double kMostFrames = 1'000'000;  // Their trajectory takes some 400 MB.
+constexpr int kMostFrames = 1'000'000;  // Their trajectory takes some 400 MB.
 constexpr int kWorstCrf = 51;
 constexpr int kMostThreads = 64;
 constexpr double kLeastDistance = 1e-9;  // [m]
 constexpr double kLeastSine = 1e-6;  // Of the angle between two directions that aren't parallel.
 
-constexpr NumberRange kPositions{"three numbers from -1e9 to 1e9", -1e9, 1e9};
-constexpr NumberRange kDurations{"a positive number", std::numeric_limits<double>::denorm_min(),
-                                 std::numeric_limits<double>::max()};
+constexpr NumberRange kPoints{"three numbers from -1e9 to 1e9", -1e9, 1e9};
 constexpr NumberRange kAngles{"an angle from 1 to 170 degrees", 1, 170};
 
 // H.264 with its colour at half the resolution has no odd sizes.
@@ -66,10 +63,10 @@ std::optional<FrameRate> fractionFrom(const TomlNode& node) {
   if (const auto* whole = std::get_if<std::int64_t>(&node.value))
     text = std::to_string(*whole) + "/1";
   if (const auto* fraction = std::get_if<std::string>(&node.value)) text = *fraction;
-  const std::size_t slash = std::min(text.find('/'), text.size());
-  const auto numerator = wholeNumber(std::string_view(text).substr(0, slash));
-  const auto denominator =
-      wholeNumber(std::string_view(text).substr(std::min(slash + 1, text.size())));
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  const auto numerator = wholeNumber(text.substr(0, slash));
+  const auto denominator = wholeNumber(text.substr(slash + 1));
   if (!numerator || !denominator) return std::nullopt;
   return FrameRate{*numerator, *denominator};
 }
@@ -83,11 +80,21 @@ bool isRate(const FrameRate& rate) {
 FrameRate frameRateFrom(const ValueReader& value) {
   const std::optional<FrameRate> rate = fractionFrom(value.node());
   if (!rate || !isRate(*rate)) {
-    value.mismatch(
-        "frames a second from 1 to 1000, an integer or a fraction such as \"30000/1001\"");
+    value.mismatch("frames a second from 1 to " + std::to_string(kHighestRate) +
+                   ", an integer or a fraction such as \"30000/1001\"");
   }
   const int divisor = std::gcd(rate->numerator, rate->denominator);
   return {rate->numerator / divisor, rate->denominator / divisor};
+}
+
+// A camera is only ever wrong through one of the keys that are there.
+[[noreturn]] void failAtFirst(const ValueReader& section,
+                              std::initializer_list<std::string_view> keys,
+                              const std::string& problem) {
+  for (const std::string_view key : keys) {
+    if (const auto value = section.find(key)) value->fail(problem);
+  }
+  section.fail(problem);
 }
 
 // Any texture within reach of the scene's folder, so that a clip names no place of the machine it
@@ -106,15 +113,16 @@ void readClip(const ValueReader& section, ClipSettings& clip) {
   section.readTable({
       {"size", [&](const ValueReader& value) { readPictureSize(value, clip); }},
       {"fps", [&](const ValueReader& value) { clip.frameRate = frameRateFrom(value); }},
-      {"duration", [&](const ValueReader& value) { clip.duration = value.number(kDurations); }},
+      {"duration", [&](const ValueReader& value) { clip.duration = value.number(kPositive); }},
   });
 
-  // framesIn() counts in 64 bits, which an absurd duration would overflow.
+  // framesIn() counts in 64 bits, which an absurd duration would overflow. The default duration is
+  // right at any rate, so that a wrong one is in the file.
   const bool tooMany = clip.duration / clip.frameRate.period() > kMostFrames;
   if (tooMany || clip.frameCount() < 1) {
     section.find("duration")
-        ->mismatch("long enough for 1 frame and short enough for 1000000 at " +
-                   clip.frameRate.text() + " frames a second");
+        ->mismatch("long enough for 1 frame and short enough for " + std::to_string(kMostFrames) +
+                   " at " + clip.frameRate.text() + " frames a second");
   }
 }
 
@@ -130,9 +138,9 @@ void readVideo(const ValueReader& section, EncodingSettings& video) {
 
 void readCamera(const ValueReader& section, CameraSettings& camera) {
   section.readTable({
-      {"position", [&](const ValueReader& value) { camera.position = value.vector(kPositions); }},
-      {"target", [&](const ValueReader& value) { camera.target = value.vector(kPositions); }},
-      {"up", [&](const ValueReader& value) { camera.up = directionFrom(value); }},
+      {"position", [&](const ValueReader& value) { camera.position = value.vector(kPoints); }},
+      {"target", [&](const ValueReader& value) { camera.target = value.vector(kPoints); }},
+      {"up", [&](const ValueReader& value) { camera.up = value.direction(); }},
       {"field_of_view_deg",
        [&](const ValueReader& value) { camera.fieldOfViewDeg = value.number(kAngles); }},
   });
@@ -147,22 +155,16 @@ void readBook(const ValueReader& section, BookSettings& book) {
 }
 
 void checkCamera(const ValueReader& section, const CameraSettings& camera) {
-  // Blame what the file has; a camera is only ever wrong through a key that is there.
-  const auto blame = [&section](std::initializer_list<std::string_view> keys,
-                                const std::string& problem) {
-    for (const std::string_view key : keys) {
-      if (const auto value = section.find(key)) value->fail(problem);
-    }
-    section.fail(problem);
-  };
   const Eigen::Vector3d view = camera.target - camera.position;
   if (view.norm() < kLeastDistance) {
-    blame({"position", "target"}, "camera.position and camera.target must be different points");
+    failAtFirst(section, {"position", "target"},
+                "camera.position and camera.target must be different points");
   }
   const double sine = view.stableNormalized().cross(camera.up.stableNormalized()).norm();
   if (sine < kLeastSine) {
-    blame({"up", "position", "target"},
-          "camera.up must not be parallel to the direction from camera.position to camera.target");
+    failAtFirst(
+        section, {"up", "position", "target"},
+        "camera.up must not be parallel to the direction from camera.position to camera.target");
   }
 }
 

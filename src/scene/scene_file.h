@@ -10,10 +10,12 @@
 
 namespace rotatebook::scene {
 
-/// Reads and validates a scene. `overrides` are "key.path=value" as --set takes them; the value is
-/// TOML, or else a bare string. Throws InputError: "FILE:LINE:COLUMN: what is wrong; the nearest
-/// valid key or value". An override's place is
-/// "--set KEY=VALUE".
+/// Reads and validates a scene. Throws InputError "FILE:LINE:COLUMN: what is wrong" about the first
+/// problem, with the nearest valid key or value.
+///
+/// `overrides` are "key.path=value" as --set takes them: the value is TOML, or else a bare string.
+/// They count as part of the file; the place in a message is "--set KEY=VALUE". Setting one of
+/// initial.angular_velocity and initial.angular_momentum takes the other one out.
 Scene readScene(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
 /// The same from text; `path` names it in messages and gives Scene::name and Scene::folder.

@@ -1,10 +1,7 @@
 // The sections of a scene file: every key and its limits.
 #pragma once
 
-#include <optional>
 #include <vector>
-
-#include <Eigen/Core>
 
 #include "scene/scene.h"
 #include "scene/value_reader.h"
@@ -28,12 +25,5 @@ void readBook(const ValueReader& section, BookSettings& book);
 /// Refuses a complete camera that looks nowhere or has no upper side; `section` is where it came
 /// from.
 void checkCamera(const ValueReader& section, const CameraSettings& camera);
-
-/// Any coordinates or rates: wide enough for a book, and narrow enough that no product of squares
-/// leaves double's range.
-inline constexpr NumberRange kDirections{"three numbers from -1e9 to 1e9, not all zero", -1e9, 1e9};
-
-/// Three numbers that aren't all zero.
-Eigen::Vector3d directionFrom(const ValueReader& value);
 
 }  // namespace rotatebook::scene

@@ -9,6 +9,11 @@
 namespace rotatebook::scene {
 namespace {
 
+// Wide enough for any book, and narrow enough that no product of squares leaves the range of
+// double.
+constexpr NumberRange kDirections{"three numbers from -1e9 to 1e9, not all zero", -1e9, 1e9};
+constexpr double kShortestDirection = 1e-30;
+
 std::optional<double> numberFrom(const TomlNode& node) {
   if (const auto* real = std::get_if<double>(&node.value)) return *real;
   if (const auto* whole = std::get_if<std::int64_t>(&node.value))
@@ -53,6 +58,12 @@ Eigen::Vector3d ValueReader::vector(const NumberRange& range) const {
     vector[row++] = element.number(range);
   }
   return vector;
+}
+
+Eigen::Vector3d ValueReader::direction() const {
+  const Eigen::Vector3d direction = vector(kDirections);
+  if (direction.norm() < kShortestDirection) mismatch(std::string(kDirections.words));
+  return direction;
 }
 
 std::size_t ValueReader::choice(std::span<const std::string_view> names) const {

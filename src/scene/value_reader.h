@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,6 +25,10 @@ struct NumberRange {
   double min;              ///< The least that is allowed.
   double max;              ///< The greatest that is allowed.
 };
+
+inline constexpr NumberRange kPositive{"a positive number",
+                                       std::numeric_limits<double>::denorm_min(),
+                                       std::numeric_limits<double>::max()};
 
 class ValueReader;
 
@@ -51,6 +56,8 @@ class ValueReader {
   double number(const NumberRange& range) const;
   /// Three numbers, each within `range`, whose words are those for all three.
   Eigen::Vector3d vector(const NumberRange& range) const;
+  /// Three numbers that aren't all zero.
+  Eigen::Vector3d direction() const;
   /// Index of the text in `names`.
   std::size_t choice(std::span<const std::string_view> names) const;
   /// The value whose name the text is.

@@ -3,9 +3,8 @@
 
 Usage: draw_textures.py [--svg-only]
 
-Needs rsvg-convert and the EB Garamond fonts; optipng, where it is installed,
-packs the PNGs tighter.  Nothing here is random: the same packages give the
-same files.
+Needs rsvg-convert, optipng and the EB Garamond fonts.  Nothing here is random:
+the same packages give the same files.
 """
 
 import math
@@ -25,7 +24,7 @@ PX_PER_MM = HEIGHT / 290.85
 JOINT = 7.0 * PX_PER_MM          # the groove's centre, from the spine edge
 BOARD = 9.6 * PX_PER_MM          # where the flat of the board begins
 
-CLOTH = (0x8b, 0x1a, 0x22)
+CLOTH = (0x82, 0x17, 0x20)
 LEATHER = (0x4a, 0x0c, 0x13)
 GOLD = "#dcb25c"
 PAPER = "#eee4cc"
@@ -145,10 +144,10 @@ def broken(text, width, size):
             if room < 0.17 * size * count:
                 break
             if end == len(words):
-                cost = 0.0 if room < 0.6 * width else 4.0
+                cost = 0.0 if room < 0.7 * width else 4.0
             else:
                 gap = room / count if count else 9 * ideal
-                cost = (gap / ideal - 1) ** 2
+                cost = abs(gap / ideal - 1) ** 3
             if best[start][0] + cost < best[end][0]:
                 best[end] = (best[start][0] + cost, start)
     lines, end = [], len(words)
@@ -318,7 +317,7 @@ class Polhodes:
         return "".join(out)
 
 
-def ellipsoid(size, weights, loops, yaw=0.98, pitch=0.36, axes=None,
+def ellipsoid(size, weights, loops, yaw=0.96, pitch=0.44, axes=None,
               colour=GOLD, letters=0.0):
     """The ellipsoid with its polhodes, centred on the origin.
 
@@ -359,17 +358,71 @@ def ellipsoid(size, weights, loops, yaw=0.98, pitch=0.36, axes=None,
             out.append(f'<circle cx="{n(x0)}" cy="{n(y0)}" r="{n(1.7 * arm)}" '
                        f'fill="{colour}" stroke="none"/>')
             if letters:
-                away = 0.55 * letters
+                # Past the arrow's head, but beside it where it points up.
+                away = 0.62 * letters
                 lx, ly = x1 + ux * away, y1 + uy * away
-                name = "213"[axis]
+                if uy < -0.8:
+                    lx, ly = x1 + 0.78 * letters, y1 + 0.4 * letters
+                name = "\u2082\u2081\u2083"[axis]
                 out.append(
                     f'<g fill="{colour}" stroke="none"><text '
                     f'x="{n(lx - 0.30 * letters)}" y="{n(ly + 0.2 * letters)}" '
                     f'font-style="italic" font-size="{n(letters)}">e<tspan '
-                    f'font-style="normal" font-size="{n(0.6 * letters)}" '
-                    f'dy="{n(0.16 * letters)}">{name}</tspan></text></g>')
+                    f'font-style="normal">{name}</tspan></text></g>')
     out.append("</g>")
     return "\n".join(out)
+
+
+def tumbling_book(size, weights, colour):
+    """The book in outline, turning about its middle axis; a metre is size
+    pixels long.  weights: of the outline, the fine lines, the axis."""
+    outline, thin, arm = weights
+    yaw = 0.76
+    ell = Polhodes(yaw, 0.34)
+    w, h, t = 0.1878 / 2, 0.29085 / 2, 0.05 / 2
+
+    def at(*p):
+        return tuple(size * sum(a * b for a, b in zip(p, q)) * m
+                     for q, m in ((ell.right, 1), (ell.up, -1)))
+
+    def line(*points):
+        return "M" + "L".join(f"{x:.1f} {y:.1f}" for x, y in
+                              (at(*p) for p in points))
+
+    def around(angle, x=w + 0.125, radius=0.06):
+        return (x, radius * math.sin(angle), radius * math.cos(angle))
+
+    silhouette = line((-w, -h, t), (w, -h, t), (w, -h, -t), (w, h, -t),
+                      (-w, h, -t), (-w, h, t)) + "Z"
+    edges = line((-w, h, t), (w, h, t), (w, -h, t)) + line((w, h, t),
+                                                           (w, h, -t))
+    b, i = 0.009, 0.02
+    fine = "".join(
+        line((-w, h, z), (w, h, z), (w, -h, z)) for z in (t - b, b - t))
+    fine += "".join(
+        line((-w, h, z), (w, h, z), (w, -h, z)) for z in (-t / 5, t / 5))
+    fine += line((-w + i + .012, -h + i, t), (w - i, -h + i, t),
+                 (w - i, h - i, t), (-w + i + .012, h - i, t)) + "Z"
+    fine += line((-w + .016, -h, t), (-w + .016, h, t))
+    turn = [around(math.radians(d)) for d in range(112, 401, 4)]
+    tip = at(*around(math.radians(424)))
+    base = at(*turn[-1])
+    ux, uy = tip[0] - base[0], tip[1] - base[1]
+    head = math.hypot(ux, uy)
+    ux, uy = ux / head, uy / head
+    half = 0.42 * head
+    hidden = t * math.tan(yaw)      # behind the front board
+    axis = (line((w, 0, 0), (w + 0.23, 0, 0))
+            + line((-w - 0.2, 0, 0), (-w - hidden, 0, 0)))
+    return (f'<g fill="none" stroke="{colour}" stroke-linejoin="round" '
+            'stroke-linecap="round">'
+            f'<path stroke-width="{arm}" d="{axis}"/>'
+            f'<path stroke-width="{outline}" d="{silhouette}{edges}"/>'
+            f'<path stroke-width="{thin}" d="{fine}"/>'
+            f'<path stroke-width="{arm}" d="{line(*turn)}"/>'
+            f'<path fill="{colour}" stroke="none" d="M{n(tip[0])} {n(tip[1])}'
+            f'L{n(base[0] - uy * half)} {n(base[1] + ux * half)}'
+            f'L{n(base[0] + uy * half)} {n(base[1] - ux * half)}Z"/></g>')
 
 
 def graduated_ring(radius, colour, weight=1.0):
@@ -423,17 +476,17 @@ def cloth(width, seed, colour=CLOTH, name="cloth"):
         f'height="{p - 1.6}" rx="2.2"/><rect x="-0.4" y="{p + .8}" '
         f'width="{p + .8}" height="{p - 1.6}" rx="2.2"/></g></pattern>')
     grey = (
-        noise("across", "0.010 0.105", 3, seed)
-        + noise("along", "0.105 0.010", 3, seed + 1)
+        noise("across", "0.007 0.15", 2, seed)
+        + noise("along", "0.15 0.007", 2, seed + 1)
         + noise("dye", "0.007", 3, seed + 2)
         + '<feTurbulence type="fractalNoise" baseFrequency="0.035" '
           f'numOctaves="2" seed="{seed + 3}" result="bend"/>'
-        + '<feDisplacementMap in="SourceGraphic" in2="bend" scale="9" '
+        + '<feDisplacementMap in="SourceGraphic" in2="bend" scale="7" '
           'xChannelSelector="R" yChannelSelector="G" result="bent"/>'
-        + '<feGaussianBlur in="bent" stdDeviation="0.7" result="woven"/>'
-        + mix("across", "along", 1.0, 1.0, "threads")
-        + mix("threads", "dye", 0.8, 0.55, "uneven")
-        + mix("uneven", "woven", 1.0, 0.42, "grey"))
+        + '<feGaussianBlur in="bent" stdDeviation="0.6" result="woven"/>'
+        + mix("across", "along", 0.9, 0.9, "threads")
+        + mix("threads", "dye", 0.6, 0.5, "uneven")
+        + mix("uneven", "woven", 1.0, 1.0, "grey"))
     defs = (
         weave
         + f'<filter id="{name}" x="0" y="0" width="1" height="1" '
@@ -529,19 +582,19 @@ def front():
     left, right = ink("MECHANICS", size, spacing=3)
     squeeze = measure / (right - left)
     track = spacing_for("CLASSICAL", size, measure / squeeze)
-    title = (f'<g stroke="{GOLD}" stroke-width="3.2" stroke-linejoin="round">'
+    title = (f'<g stroke="{GOLD}" stroke-width="2.4" stroke-miterlimit="2">'
              + text_centred("CLASSICAL", cx, 266, size, spacing=track,
                             squeeze=squeeze)
              + text_centred("MECHANICS", cx, 416, size, spacing=3,
                             squeeze=squeeze) + "</g>")
-    subtitle = text_centred("On the Rotation of Rigid Bodies", cx, 566, 60,
+    subtitle = text_centred("On the Rotation of Rigid Bodies", cx, 564, 58,
                             'font-style="italic" stroke="%s" '
                             'stroke-width="0.8"' % GOLD, 0.6)
     ey, radius = 1002, 318
     emblem = (f'<g transform="translate({n(cx)},{ey})">'
               + graduated_ring(radius, GOLD)
-              + ellipsoid(232, (6.5, 5.2, 2.8, 4.6), (4, 4),
-                          axes=(1.85, 1.2, 1.6), letters=52) + "</g>")
+              + ellipsoid(240, (6.5, 5.2, 2.8, 4.6), (4, 4),
+                          axes=(2.02, 1.22, 1.72), letters=54) + "</g>")
     imprint = text_centred("POLHODE PRESS", cx, 1462, 40, "", 9)
     return sheet(
         COVER_W, HEIGHT, defs + wear_defs + joint_defs, ground, wear, groove,
@@ -551,11 +604,11 @@ def front():
 
 
 BLURB = (
-    "Throw a book into the air. Spun about its longest axis, or its "
-    "shortest, it turns steadily. Spun about the one between, it never "
-    "stays: the least wobble grows, the book turns over, and soon turns "
-    "back again. Nothing pushes it. Energy and angular momentum are both "
-    "kept, and the only path they leave open leads through the flip.")
+    "Toss a book into the air. About its longest axis, or its shortest, it "
+    "spins steadily. About the one between, it never does: the least wobble "
+    "grows, the book turns over, and soon turns back again. No force turns "
+    "it. Its energy and angular momentum stay as they are, and the one path "
+    "they leave open leads through the flip.")
 
 
 def back():
@@ -566,14 +619,14 @@ def back():
     x0, x1 = margin, COVER_W - BOARD - margin
     y0, y1 = margin, HEIGHT - margin
     cx = (x0 + x1) / 2
-    w, top, bottom = 664, 168, 1298
+    w, top, bottom = 690, 158, 1304
     lx0, lx1 = cx - w / 2, cx + w / 2
     paper_defs = (
         '<filter id="laid" x="0" y="0" width="1" height="1" '
         'color-interpolation-filters="sRGB"><feTurbulence '
         'type="fractalNoise" baseFrequency="0.02 0.03" numOctaves="4" '
         'seed="5"/><feColorMatrix values="0 0 0 0 0.45 0 0 0 0 0.33 '
-        '0 0 0 0 0.16 0.16 0 0 0 -0.05"/></filter>')
+        '0 0 0 0 0.16 0.11 0 0 0 -0.03"/></filter>')
     label = (f'<rect x="{n(lx0)}" y="{top}" width="{w}" '
              f'height="{bottom - top}" fill="{PAPER}"/>'
              f'<rect x="{n(lx0)}" y="{top}" width="{w}" '
@@ -581,21 +634,21 @@ def back():
     border = lines(box(lx0 + 20, top + 20, lx1 - 20, bottom - 20, 4.5),
                    box(lx0 + 30, top + 30, lx1 - 30, bottom - 30, 2),
                    colour=INK)
-    emblem = (f'<g transform="translate({n(cx)},{top + 152}) rotate(90)">'
-              + ellipsoid(130, (4.4, 3.8, 2.2, 3), (3, 3), colour=INK)
+    emblem = (f'<g transform="translate({n(cx)},{top + 178})">'
+              + tumbling_book(670, (4.6, 2.4, 3.6), INK)
               + "</g>")
     words = (f'<g fill="{INK}">'
-             + text_centred("The Middle Axis", cx, top + 336, 76,
+             + text_centred("The Middle Axis", cx, top + 392, 80,
                             'font-style="italic"')
-             + justified(BLURB, lx0 + 64, top + 442, w - 128, 48, 56.5)
+             + justified(BLURB, lx0 + 62, top + 518, w - 124, 46.5, 58)
              + "</g>")
-    foot = text_centred("POLHODE PRESS", cx, 1462, 40, "", 9)
+    foot = text_centred("MADE TO BE THROWN", cx, 1462, 40, "", 9)
     return sheet(
         COVER_W, HEIGHT, defs + wear_defs + joint_defs + paper_defs, ground,
         wear, groove, lines(box(x0, y0, x1, y1, 6.5)), gold(foot),
         lines(divider(cx, 1394, 130, GOLD, 0.8)), press, label, border,
         emblem, words,
-        lines(divider(cx, top + 376, 150, INK, 0.7), colour=INK))
+        lines(divider(cx, top + 432, 150, INK, 0.7), colour=INK))
 
 
 # ------------------------------------------------------------------- spine
@@ -622,7 +675,7 @@ def spine():
     squeeze = measure / (right - left)
     track = spacing_for("CLASSICAL", size, measure / squeeze)
     title = (f'<g transform="translate({n(cx)},{n(middle)}) rotate(90)" '
-             f'stroke="{GOLD}" stroke-width="2.2" stroke-linejoin="round">'
+             f'stroke="{GOLD}" stroke-width="1.8" stroke-miterlimit="2">'
              + text_centred("CLASSICAL", 0, -20, size, spacing=track,
                             squeeze=squeeze)
              + text_centred("MECHANICS", 0, 20 + 0.65 * size, size, spacing=4,
@@ -630,12 +683,12 @@ def spine():
     emblem = (f'<g transform="translate({n(cx)},{(bands[0] + bands[1]) // 2})">'
               + ellipsoid(100, (5, 4.4, 2.6, 3), (2, 3)) + "</g>")
     y = (bands[2] + bands[3]) / 2
-    imprint = (text_centred("POLHODE", cx, y - 20, 42, "", 3)
-               + text_centred("PRESS", cx, y + 62, 42, "", 6))
+    imprint = (text_centred("POLHODE", cx, y - 17, 36, "", 4)
+               + text_centred("PRESS", cx, y + 54, 36, "", 6))
     return sheet(
         SPINE_W, HEIGHT, defs + wear_defs, ground, panel, wear,
         *[band(b) for b in bands], edge, gold(title, emblem, imprint),
-        lines(divider(cx, y + 6, 78, GOLD, 0.6)), press)
+        lines(divider(cx, y + 6, 70, GOLD, 0.6)), press)
 
 
 # ------------------------------------------------------------------- paper
@@ -694,10 +747,9 @@ def write(name, svg, svg_only):
         raw = os.path.join(folder, name + ".png")
         subprocess.run(["rsvg-convert", "-b", "#000000", source, "-o", raw],
                        check=True)
-        if shutil.which("optipng"):
-            # Also drops the alpha channel, which is opaque throughout.
-            subprocess.run(["optipng", "-quiet", "-o1", "-nc", "-strip", "all",
-                            "-force", raw], check=True)
+        # Packs it, and drops the alpha channel, which is opaque throughout.
+        subprocess.run(["optipng", "-quiet", "-o1", "-nc", "-strip", "all",
+                        "-force", raw], check=True)
         shutil.copyfile(raw, picture)
 
 

@@ -34,10 +34,10 @@ std::span<const Quantity> allQuantities();
 /// meets no expectation on diverges_at.
 struct Expectation {
   Quantity quantity = Quantity::HalfTurns;
-  std::optional<double> min;                            ///< Never below this.
-  std::optional<double> max;                            ///< Never above this.
-  std::optional<double> risesTo;                        ///< Reaches this or more at some moment.
-  std::optional<double> fallsTo;                        ///< Reaches this or less at some moment.
+  std::optional<double> min{};                          ///< Never below this.
+  std::optional<double> max{};                          ///< Never above this.
+  std::optional<double> risesTo{};                      ///< Reaches this or more at some moment.
+  std::optional<double> fallsTo{};                      ///< Reaches this or less at some moment.
   double from = 0;                                      ///< The window's start. [s]
   double to = std::numeric_limits<double>::infinity();  ///< The window's end. [s]
 

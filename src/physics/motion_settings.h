@@ -49,7 +49,7 @@ struct InitialSpin {
 
   Kind kind = Kind::AngularVelocity;
   Eigen::Vector3d value{0, 0, 0};  ///< Not zero. [rad/s] or [kg m^2/s]
-  std::optional<Tilt> tilt;        ///< Turns `value` before use.
+  std::optional<Tilt> tilt{};      ///< Turns `value` before use.
 
   /// `value` turned by `tilt`. Throws InputError if it points along the tilt's axis, where no turn
   /// is defined.

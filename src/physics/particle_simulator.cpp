@@ -110,10 +110,11 @@ ParticleSimulator::Points ParticleSimulator::forces() const {
     const auto [i, j] = kPairs[n];
     const Point d = difference(positions_[i], positions_[j]);
     const double l = length(d);
-    const double lengthening = dot(d, difference(velocities_[i], velocities_[j])) / l;
+    const double inverse = 1 / l;
+    const double lengthening = dot(d, difference(velocities_[i], velocities_[j])) * inverse;
     const double pull = -stiffness_ * (l - restLengths_[n]) - damping_ * lengthening;
-    addScaled(force[i], pull / l, d);
-    addScaled(force[j], -pull / l, d);
+    addScaled(force[i], pull * inverse, d);
+    addScaled(force[j], -pull * inverse, d);
   }
   return force;
 }

@@ -39,7 +39,7 @@ struct Trajectory {
   /// Time of the first sample that doesn't exist, because there a corner was farther from the
   /// origin than kDivergenceFactor times the body's largest dimension, or a number was not finite.
   /// [s]
-  std::optional<double> divergedAt;
+  std::optional<double> divergedAt{};
 };
 
 /// See Trajectory::divergedAt.

@@ -1,0 +1,53 @@
+#include "image/image.h"
+
+#include <cstdint>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace rotatebook::image {
+namespace {
+
+TEST(Image, StartsBlackAndTransparent) {
+  const Image picture(2, 3, PixelFormat::Rgba8);
+  EXPECT_EQ(picture.stride(), 8);
+  for (int y = 0; y < 3; ++y) {
+    for (int i = 0; i < 8; ++i) EXPECT_EQ(picture.row(y)[i], 0);
+  }
+}
+
+TEST(Image, HasRowsWithoutPadding) {
+  Image picture(5, 2, PixelFormat::Rgb8);
+  EXPECT_EQ(picture.stride(), 15);
+  EXPECT_EQ(picture.row(1) - picture.row(0), 15);
+}
+
+TEST(Image, IsAValue) {
+  Image original(1, 1, PixelFormat::Rgb8);
+  const Image copy = original;
+  EXPECT_EQ(copy, original);
+  original.row(0)[2] = 9;
+  EXPECT_NE(copy, original);
+  EXPECT_NE(copy, Image(1, 1, PixelFormat::Rgba8));
+}
+
+TEST(ImageView, SeesWhatTheImageHolds) {
+  Image picture(2, 2, PixelFormat::Rgb8);
+  picture.row(1)[3] = 77;
+  const ImageView view = picture.view();
+  EXPECT_EQ(view.width, 2);
+  EXPECT_EQ(view.height, 2);
+  EXPECT_EQ(view.format, PixelFormat::Rgb8);
+  EXPECT_EQ(view.row(1)[3], 77);
+}
+
+TEST(ImageView, TurnsBottomUpMemoryOver) {
+  const std::vector<std::uint8_t> bottomRowFirst = {7, 7, 7, 8, 8, 8, 9, 9, 9};
+  const ImageView view{bottomRowFirst.data() + 6, 1, 3, -3, PixelFormat::Rgb8};
+  EXPECT_EQ(view.row(0)[0], 9);
+  EXPECT_EQ(view.row(1)[0], 8);
+  EXPECT_EQ(view.row(2)[0], 7);
+}
+
+}  // namespace
+}  // namespace rotatebook::image

@@ -12,7 +12,7 @@ namespace rotatebook::video {
 
 /// Converts sRGB pictures of one size to yuv420p: BT.709 matrix, limited range, chroma sited left,
 /// as H.264 has it unless told otherwise. The same bytes on every processor. A flat colour is
-/// within 0.5 of the exact value.
+/// within 0.51 of the exact value.
 class PixelConverter {
  public:
   /// `width` and `height` even, at least kSmallestSide. [pixels]

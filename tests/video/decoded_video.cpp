@@ -1,0 +1,151 @@
+#include "video/decoded_video.h"
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+extern "C" {
+#include <libavutil/pixdesc.h>
+}
+
+#include "video/ffmpeg.h"
+
+namespace rotatebook::video::testing {
+namespace {
+
+std::string textOf(const char* text) {
+  return text == nullptr ? "" : text;
+}
+
+struct InputCloser {
+  void operator()(AVFormatContext* context) const noexcept { avformat_close_input(&context); }
+};
+using InputFile = std::unique_ptr<AVFormatContext, InputCloser>;
+
+InputFile openFile(const std::filesystem::path& path) {
+  AVFormatContext* context = nullptr;
+  const std::string url = "file:" + path.string();
+  check(avformat_open_input(&context, url.c_str(), nullptr, nullptr), "can't open " + url);
+  InputFile file(context);
+  check(avformat_find_stream_info(context, nullptr), "can't probe " + url);
+  if (context->nb_streams != 1) throw std::runtime_error("not one stream in " + url);
+  return file;
+}
+
+DecodedVideo describe(const AVFormatContext& file) {
+  const AVStream& stream = *file.streams[0];
+  const AVCodecParameters& codec = *stream.codecpar;
+  DecodedVideo video;
+  video.width = codec.width;
+  video.height = codec.height;
+  video.profile = textOf(avcodec_profile_name(codec.codec_id, codec.profile));
+  video.pixelFormat = textOf(av_get_pix_fmt_name(static_cast<AVPixelFormat>(codec.format)));
+  video.primaries = textOf(av_color_primaries_name(codec.color_primaries));
+  video.transfer = textOf(av_color_transfer_name(codec.color_trc));
+  video.matrix = textOf(av_color_space_name(codec.color_space));
+  video.range = textOf(av_color_range_name(codec.color_range));
+  video.chromaLocation = textOf(av_chroma_location_name(codec.chroma_location));
+  for (int shift = 0; shift < 32; shift += 8) {
+    video.codecTag += static_cast<char>(codec.codec_tag >> shift & 0xff);
+  }
+  if (stream.time_base.num != 1) throw std::runtime_error("time base isn't 1/n");
+  video.timeScale = stream.time_base.den;
+  video.startTime = stream.start_time;
+  video.duration = stream.duration;
+  video.frameCount = stream.nb_frames;
+  video.containerDurationUs = file.duration;
+  const AVDictionaryEntry* entry = nullptr;
+  while ((entry = av_dict_get(file.metadata, "", entry, AV_DICT_IGNORE_SUFFIX)) != nullptr) {
+    video.metadata[entry->key] = entry->value;
+  }
+  return video;
+}
+
+Handle<AVCodecContext> openDecoder(const AVCodecParameters& parameters) {
+  const AVCodec* decoder = avcodec_find_decoder(parameters.codec_id);
+  Handle<AVCodecContext> context = owned(avcodec_alloc_context3(decoder));
+  check(avcodec_parameters_to_context(context.get(), &parameters), "can't set up the decoder");
+  context->err_recognition = AV_EF_EXPLODE;
+  check(avcodec_open2(context.get(), decoder, nullptr), "can't open the decoder");
+  return context;
+}
+
+std::vector<std::uint8_t> planeOf(const AVFrame& frame, int plane, int width, int height) {
+  std::vector<std::uint8_t> bytes;
+  for (int y = 0; y < height; ++y) {
+    const std::uint8_t* row =
+        frame.data[plane] + static_cast<std::ptrdiff_t>(y) * frame.linesize[plane];
+    bytes.insert(bytes.end(), row, row + width);
+  }
+  return bytes;
+}
+
+// Takes what the decoder has ready.
+void takeFrames(AVCodecContext& decoder, DecodedVideo& video) {
+  const Handle<AVFrame> frame = owned(av_frame_alloc());
+  while (true) {
+    const int result = avcodec_receive_frame(&decoder, frame.get());
+    if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return;
+    check(result, "can't decode");
+    DecodedFrame decoded;
+    decoded.pts = frame->pts;
+    decoded.y = planeOf(*frame, 0, frame->width, frame->height);
+    decoded.u = planeOf(*frame, 1, frame->width / 2, frame->height / 2);
+    decoded.v = planeOf(*frame, 2, frame->width / 2, frame->height / 2);
+    video.frames.push_back(std::move(decoded));
+  }
+}
+
+}  // namespace
+
+DecodedVideo decodeVideo(const std::filesystem::path& path) {
+  silenceFfmpeg();
+  const InputFile file = openFile(path);
+  DecodedVideo video = describe(*file);
+  const Handle<AVCodecContext> decoder = openDecoder(*file->streams[0]->codecpar);
+  const Handle<AVPacket> packet = owned(av_packet_alloc());
+  while (av_read_frame(file.get(), packet.get()) >= 0) {
+    check(avcodec_send_packet(decoder.get(), packet.get()), "can't decode");
+    av_packet_unref(packet.get());
+    takeFrames(*decoder, video);
+  }
+  check(avcodec_send_packet(decoder.get(), nullptr), "can't end decoding");
+  takeFrames(*decoder, video);
+  return video;
+}
+
+std::string contentOf(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::vector<Box> boxesIn(const std::string& content) {
+  constexpr std::size_t kHead = 8;  // size and type
+  std::vector<Box> boxes;
+  std::size_t at = 0;
+  while (at + kHead <= content.size()) {
+    const std::size_t size = bigEndian(content, at);
+    if (size < kHead || at + size > content.size()) throw std::runtime_error("a box is cut off");
+    boxes.push_back({content.substr(at + 4, 4), content.substr(at + kHead, size - kHead)});
+    at += size;
+  }
+  return boxes;
+}
+
+std::string boxContent(const std::string& file, const std::string& path) {
+  const std::string type = path.substr(0, 4);
+  for (const Box& box : boxesIn(file)) {
+    if (box.type != type) continue;
+    return path.size() == 4 ? box.content : boxContent(box.content, path.substr(5));
+  }
+  throw std::runtime_error("no box " + path);
+}
+
+std::uint32_t bigEndian(const std::string& bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    value = value << 8 | static_cast<std::uint8_t>(bytes.at(at + i));
+  return value;
+}
+
+}  // namespace rotatebook::video::testing

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scene/nearest_name.h"
+#include "scene/toml_text.h"
 #include "scene/toml_tree.h"
 
 namespace rotatebook::scene {
@@ -34,9 +35,9 @@ std::vector<std::string> sceneNamesIn(const fs::path& folder) {
   fs::path wanted = path.filename();
   if (!wanted.has_extension()) wanted += ".toml";
   const auto nearest = nearestName(wanted.string(), candidates);
-  failAt(path.string(),
-         nearest ? "scene not found; did you mean " + (path.parent_path() / *nearest).string() + "?"
-                 : "scene not found");
+  if (!nearest) failAt(path.string(), "scene not found");
+  const fs::path suggestion = path.parent_path() / *nearest;
+  failAt(path.string(), "scene not found; did you mean " + tomlString(suggestion.string()) + "?");
 }
 
 // Reads no more than shows that a file is too long, in case it has no end.

@@ -1,7 +1,8 @@
 // A Scene as TOML, every key in a fixed order.
 #include <algorithm>
 #include <array>
-#include <limits>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,9 +23,15 @@ std::string line(std::string_view key, const std::string& value, const std::stri
   return comment.empty() ? start + "\n" : start + "  # " + comment + "\n";
 }
 
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  return text;
+}
+
 std::string array(const Eigen::Vector3d& vector) {
-  return "[" + tomlNumber(vector.x()) + ", " + tomlNumber(vector.y()) + ", " +
-         tomlNumber(vector.z()) + "]";
+  return "[" + joined({tomlNumber(vector.x()), tomlNumber(vector.y()), tomlNumber(vector.z())}) +
+         "]";
 }
 
 std::string array(int first, int second) {
@@ -80,7 +87,7 @@ std::string clipText(const ClipSettings& clip) {
 
 std::string videoText(const EncodingSettings& video) {
   return "\n[video]\n" +
-         line("crf", std::to_string(video.crf), "0 to 51, smaller is better and larger to store") +
+         line("crf", std::to_string(video.crf), "0 to 51, smaller is better and takes more space") +
          line("preset", tomlString(video.preset), "x264's, \"ultrafast\" to \"placebo\"") +
          line("threads", std::to_string(video.threads),
               "of the encoder; another number gives other bytes");
@@ -102,31 +109,36 @@ std::string bookText(const BookSettings& book) {
 }
 
 std::string boundsText(const Expectation& expectation) {
-  std::string text;
-  const auto add = [&text](std::string_view key, double value) {
-    text += (text.empty() ? "" : ", ") + std::string(key) + " = " + tomlNumber(value);
+  std::vector<std::string> parts;
+  const auto add = [&parts](const std::string& key, std::optional<double> value) {
+    if (value) parts.push_back(key + " = " + tomlNumber(*value));
   };
-  if (expectation.min) add("min", *expectation.min);
-  if (expectation.max) add("max", *expectation.max);
-  if (expectation.risesTo) add("rises_to", *expectation.risesTo);
-  if (expectation.fallsTo) add("falls_to", *expectation.fallsTo);
+  add("min", expectation.min);
+  add("max", expectation.max);
+  add("rises_to", expectation.risesTo);
+  add("falls_to", expectation.fallsTo);
   add("from", expectation.from);
-  if (expectation.to < std::numeric_limits<double>::infinity()) add("to", expectation.to);
-  return "{ " + text + " }";
+  // A window without an end has no key for it.
+  if (std::isfinite(expectation.to)) add("to", expectation.to);
+  return "{ " + joined(parts) + " }";
 }
 
+// All bounds on a quantity stand behind one key, where the first of them is.
 std::string expectationsText(const std::vector<Expectation>& expectations) {
-  if (expectations.empty()) return {};
-  std::vector<std::pair<physics::Quantity, std::string>> groups;
+  std::vector<std::pair<physics::Quantity, std::vector<std::string>>> groups;
   for (const Expectation& expectation : expectations) {
-    auto group =
-        std::ranges::find(groups, expectation.quantity, &decltype(groups)::value_type::first);
-    if (group == groups.end()) group = groups.insert(group, {expectation.quantity, ""});
-    group->second += (group->second.empty() ? "" : ", ") + boundsText(expectation);
+    const auto sameQuantity = [&](const auto& group) {
+      return group.first == expectation.quantity;
+    };
+    auto group = std::find_if(groups.begin(), groups.end(), sameQuantity);
+    if (group == groups.end()) group = groups.insert(group, {expectation.quantity, {}});
+    group->second.push_back(boundsText(expectation));
   }
-  std::string text = "\n[expect]\n";
+
+  std::string text = groups.empty() ? "" : "\n[expect]\n";
   for (const auto& [quantity, bounds] : groups) {
-    text += line(physics::nameOf(quantity), "[" + bounds + "]");
+    const std::string all = joined(bounds);
+    text += line(physics::nameOf(quantity), bounds.size() == 1 ? all : "[" + all + "]");
   }
   return text;
 }

@@ -32,9 +32,9 @@ struct TomlEntry {
   TomlNode node;
 };
 
-/// Longest text that is parsed: far more than any scene needs. It also bounds how deep a text can
-/// nest, and with that the stack that parsing takes. [bytes]
-inline constexpr std::size_t kLongestToml = 64 * 1024;
+/// Longest text that is parsed: ten times what any scene needs. It bounds how deep dotted keys can
+/// nest, and with that the stack that parsing takes, about 4 MB at worst. [bytes]
+inline constexpr std::size_t kLongestToml = 32 * 1024;
 
 /// Throws InputError "PLACE: PROBLEM".
 [[noreturn]] void failAt(const std::string& place, const std::string& problem);

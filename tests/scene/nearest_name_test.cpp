@@ -1,0 +1,61 @@
+#include "scene/nearest_name.h"
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+namespace rotatebook::scene {
+namespace {
+
+constexpr std::array<std::string_view, 4> kNames{"substeps", "stiffness", "fps", "x"};
+
+std::string nearest(std::string_view word) {
+  return std::string(nearestName(word, kNames).value_or("none"));
+}
+
+TEST(NearestName, ForgivesASlipOfEveryKind) {
+  EXPECT_EQ(nearest("substep"), "substeps");
+  EXPECT_EQ(nearest("sub_steps"), "substeps");
+  EXPECT_EQ(nearest("subsreps"), "substeps");
+  EXPECT_EQ(nearest("fsp"), "fps");
+}
+
+TEST(NearestName, CountsSwappedNeighboursAsOneSlip) {
+  // Three letters allow one slip; as two changes it would be refused.
+  EXPECT_EQ(nearest("pfs"), "fps");
+  EXPECT_EQ(nearest("spf"), "none");
+}
+
+TEST(NearestName, TakesTheNearestOfSeveral) {
+  constexpr std::array<std::string_view, 3> kSimilar{"faster", "fast", "fasted"};
+  EXPECT_EQ(nearestName("fastr", kSimilar), "faster");
+  EXPECT_EQ(nearestName("fas", kSimilar), "fast");
+}
+
+TEST(NearestName, IgnoresCase) {
+  EXPECT_EQ(nearest("X"), "x");
+  EXPECT_EQ(nearest("SUBSTEPS"), "substeps");
+}
+
+TEST(NearestName, SuggestsNothingForAnotherWord) {
+  EXPECT_EQ(nearest("y"), "none");
+  EXPECT_EQ(nearest("colour"), "none");
+  EXPECT_EQ(nearest(""), "none");
+  EXPECT_EQ(nearest(std::string(10'000, 's')), "none");
+}
+
+TEST(DidYouMean, EndsAMessageOrAddsNothing) {
+  EXPECT_EQ(didYouMean("substep", kNames), "; did you mean \"substeps\"?");
+  EXPECT_EQ(didYouMean("colour", kNames), "");
+}
+
+TEST(QuotedList, JoinsWithCommasAndAWord) {
+  EXPECT_EQ(quotedList(kNames, "and"), R"("substeps", "stiffness", "fps" and "x")");
+  EXPECT_EQ(quotedList(std::span(kNames).first(2), "or"), R"("substeps" or "stiffness")");
+  EXPECT_EQ(quotedList(std::span(kNames).first(1), "or"), R"("substeps")");
+}
+
+}  // namespace
+}  // namespace rotatebook::scene

@@ -1,0 +1,91 @@
+#include "scene/scene_file.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "base/atomic_file.h"
+#include "scene/parse.h"
+
+namespace rotatebook::scene {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SceneFileTest : public testing::Test {
+ protected:
+  SceneFileTest() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+
+  fs::path write(const std::string& name, const std::string& content) const {
+    writeFileAtomically(folder_ / name, content);
+    return folder_ / name;
+  }
+
+  /// The message without the folder's path, which is the machine's.
+  std::string errorOfFile(const fs::path& path) const {
+    try {
+      readScene(path);
+      return "no error";
+    } catch (const InputError& error) {
+      std::string message = error.what();
+      const std::string prefix = folder_.string() + "/";
+      for (std::size_t at; (at = message.find(prefix)) != std::string::npos;) {
+        message.erase(at, prefix.size());
+      }
+      return message;
+    }
+  }
+
+  const fs::path folder_ = fs::path(ROTATEBOOK_TEST_OUTPUT) / "scene_file";
+};
+
+TEST_F(SceneFileTest, IsReadAndNamedAfterItsFile) {
+  const Scene scene = readScene(write("fig 3.v2.toml", "title = 'T'\n" + std::string(kSpin)));
+  EXPECT_EQ(scene.title, "T");
+  EXPECT_EQ(scene.name, "fig 3.v2");
+  EXPECT_EQ(scene.folder, folder_);
+}
+
+TEST_F(SceneFileTest, TakesOverrides) {
+  const fs::path path = write("a.toml", kSpin);
+  EXPECT_EQ(readScene(path, std::vector<std::string>{"video.crf=3"}).video.crf, 3);
+}
+
+TEST_F(SceneFileTest, NamesTheFileOfAProblem) {
+  EXPECT_EQ(errorOfFile(write("a.toml", "\n  titel = 3\n")),
+            "a.toml:2:3: unknown key \"titel\"; did you mean \"title\"?");
+}
+
+TEST_F(SceneFileTest, SuggestsTheNearestNameForAMissingOne) {
+  write("tumble.toml", kSpin);
+  write("tumbles.txt", kSpin);
+  EXPECT_EQ(errorOfFile(folder_ / "tumbles.toml"),
+            "tumbles.toml: scene not found; did you mean \"tumble.toml\"?");
+  EXPECT_EQ(errorOfFile(folder_ / "tumble"),
+            "tumble: scene not found; did you mean \"tumble.toml\"?");
+  EXPECT_EQ(errorOfFile(folder_ / "spin.toml"), "spin.toml: scene not found");
+  EXPECT_EQ(errorOfFile(folder_ / "missing" / "a.toml"), "missing/a.toml: scene not found");
+}
+
+TEST_F(SceneFileTest, RefusesAFolder) {
+  fs::create_directories(folder_ / "a.toml");
+  EXPECT_EQ(errorOfFile(folder_ / "a.toml"), "a.toml: a folder, not a scene");
+}
+
+TEST_F(SceneFileTest, RefusesAFileThatIsTooLongOrEndless) {
+  EXPECT_EQ(errorOfFile(write("long.toml", std::string(32'769, '#'))),
+            "long.toml: longer than 32 KiB, so it is no scene");
+  EXPECT_EQ(errorOfFile("/dev/zero"), "/dev/zero: longer than 32 KiB, so it is no scene");
+}
+
+TEST_F(SceneFileTest, SaysWhyAFileCannotBeRead) {
+  // A file that even the superuser may open but not read from its beginning.
+  EXPECT_EQ(errorOfFile("/proc/self/mem"), "/proc/self/mem: can't be read: Input/output error");
+}
+
+}  // namespace
+}  // namespace rotatebook::scene

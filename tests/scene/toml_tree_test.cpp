@@ -1,0 +1,120 @@
+#include "scene/toml_tree.h"
+
+#include <string>
+#include <variant>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scene/parse.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+const TomlNode::Table& tableOf(const TomlNode& node) {
+  return std::get<TomlNode::Table>(node.value);
+}
+
+std::string descriptionOf(const std::string& value) {
+  return describe(*parseTomlValue(value, "here"));
+}
+
+TEST(TomlTree, KeepsTheOrderOfTheText) {
+  const TomlNode root = parseToml("z = 1\na = 2\n[m]\nb = 3\n", "f");
+  ASSERT_EQ(tableOf(root).size(), 3u);
+  EXPECT_EQ(tableOf(root)[0].key, "z");
+  EXPECT_EQ(tableOf(root)[1].key, "a");
+  EXPECT_EQ(tableOf(root)[2].key, "m");
+}
+
+TEST(TomlTree, KnowsThePlaceOfKeysAndValues) {
+  const TomlNode root = parseToml("\n[m]\n  \"é\".b = [1,\n 2]\n", "f");
+  const TomlEntry& section = tableOf(root)[0];
+  EXPECT_EQ(section.keyPlace, "f:2:2");
+  EXPECT_EQ(section.node.place, "f:2:1");
+  const TomlEntry& dotted = tableOf(section.node)[0];
+  EXPECT_EQ(dotted.key, "é");
+  EXPECT_EQ(dotted.keyPlace, "f:3:3");
+  const TomlEntry& last = tableOf(dotted.node)[0];
+  EXPECT_EQ(last.keyPlace, "f:3:7");
+  EXPECT_EQ(last.node.place, "f:3:11");
+  EXPECT_EQ(std::get<TomlNode::Array>(last.node.value)[1].place, "f:4:2");
+}
+
+TEST(TomlTree, CountsColumnsInLetters) {
+  const TomlNode root = parseToml("a = { b = \"é\", c = [1,\n 2] }\n", "f");
+  const TomlEntry& last = tableOf(tableOf(root)[0].node)[1];
+  EXPECT_EQ(last.keyPlace, "f:1:16");
+  EXPECT_EQ(std::get<TomlNode::Array>(last.node.value)[1].place, "f:2:2");
+}
+
+TEST(TomlTree, GivesAllPartsOfAValueOnePlace) {
+  const auto value = parseTomlValue("{ a = [1] }", "--set x={ a = [1] }");
+  const TomlEntry& entry = tableOf(*value)[0];
+  EXPECT_EQ(entry.keyPlace, "--set x={ a = [1] }");
+  EXPECT_EQ(std::get<TomlNode::Array>(entry.node.value)[0].place, "--set x={ a = [1] }");
+}
+
+TEST(TomlTree, TakesNothingButOneValue) {
+  EXPECT_TRUE(parseTomlValue("1", "here"));
+  EXPECT_FALSE(parseTomlValue("", "here"));
+  EXPECT_FALSE(parseTomlValue("matrix", "here"));
+  EXPECT_FALSE(parseTomlValue("1\nb = 2", "here"));
+}
+
+TEST(TomlTree, DescribesEveryKindOfValue) {
+  EXPECT_EQ(descriptionOf("true"), "true");
+  EXPECT_EQ(descriptionOf("12"), "12");
+  EXPECT_EQ(descriptionOf("10.0"), "10.0");
+  EXPECT_EQ(descriptionOf("'a\"b'"), R"("a\"b")");
+  EXPECT_EQ(descriptionOf("1979-05-27"), "a date or time");
+  EXPECT_EQ(descriptionOf("07:32:00"), "a date or time");
+  EXPECT_EQ(descriptionOf("{ a = 1 }"), "a table");
+  EXPECT_EQ(descriptionOf("[]"), "[]");
+  EXPECT_EQ(descriptionOf("[1, 'x', [2.5], {}]"), "[1, \"x\", [2.5], a table]");
+  EXPECT_EQ(descriptionOf("[1, 2, 3, 4, 5]"), "an array of 5 values");
+}
+
+TEST(TomlTree, RefusesATextWithoutEnd) {
+  const std::string longest = "#" + std::string(kLongestToml - 1, ' ');
+  EXPECT_TRUE(tableOf(parseToml(longest, "a.toml")).empty());
+  EXPECT_EQ(errorOfText(longest + " "), "a.toml: longer than 32 KiB, so it is no scene");
+  EXPECT_THAT(errorOf("", {"title=\"" + longest + '"'}),
+              EndsWith(": longer than 32 KiB, so it is no scene"));
+}
+
+// The longest text may not exhaust the stack, however deep it nests.
+TEST(TomlTree, RefusesDeepNesting) {
+  std::string key = "a";
+  while (key.size() + 6 < kLongestToml) key += ".a";
+  EXPECT_EQ(errorOfText(key + " = 1"), "a.toml:1:17: nested deeper than any value of a scene");
+  EXPECT_EQ(errorOfText("[" + key + "]"), "a.toml:1:1: nested deeper than any value of a scene");
+  EXPECT_THAT(errorOfText("a = " + std::string(30'000, '[')),
+              AllOf(StartsWith("a.toml:1:"), HasSubstr("maximum nested value depth")));
+}
+
+// The words are toml++'s, and so is the exact column; both may change with its version.
+TEST(TomlTree, RepeatsTheParsersWordsAtThePlace) {
+  EXPECT_THAT(errorOfText("\ntitle = \n"),
+              AllOf(StartsWith("a.toml:2:"), HasSubstr("expected value")));
+  EXPECT_THAT(errorOfText("[clip]\nfps = 30\nfps = 60\n"),
+              AllOf(StartsWith("a.toml:3:"), HasSubstr("cannot redefine existing integer 'fps'")));
+  EXPECT_THAT(errorOfText("[clip\n"), AllOf(StartsWith("a.toml:1:"), HasSubstr("expected ']'")));
+  EXPECT_THAT(errorOfText("\n\ntitle = \"\xff\"\n"),
+              AllOf(StartsWith("a.toml:3:"), HasSubstr("invalid utf-8")));
+  EXPECT_THAT(errorOfText(std::string("a = 1\0", 6)), StartsWith("a.toml:1:"));
+}
+
+TEST(TomlTree, TakesAByteOrderMarkAndForeignLineEnds) {
+  EXPECT_EQ(
+      errorOfText("\xef\xbb\xbftitle = \"a\"\r\n[initial]\r\nangular_velocity = [0, 0, 6]\r\n"),
+      "no error");
+}
+
+}  // namespace
+}  // namespace rotatebook::scene

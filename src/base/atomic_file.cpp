@@ -55,10 +55,10 @@ AtomicFile::~AtomicFile() {
   if (!committed_) fs::remove(temporaryPath_, ignored);
 }
 
-void AtomicFile::commit() {
+void AtomicFile::commitAs(const fs::path& path) {
   flushToDisk(temporaryPath_);
-  if (std::rename(temporaryPath_.c_str(), finalPath_.c_str()) != 0) {
-    throwLastError(finalPath_, "rename the finished file to");
+  if (std::rename(temporaryPath_.c_str(), path.c_str()) != 0) {
+    throwLastError(path, "rename the finished file to");
   }
   committed_ = true;
 }

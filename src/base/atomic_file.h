@@ -22,7 +22,9 @@ class AtomicFile {
 
   /// Flushes the content to the disk and renames it, replacing an older file. Whoever wrote the content has
   /// closed it before. Throws MachineError.
-  void commit();
+  void commit() { commitAs(finalPath_); }
+  /// The same under another name in the same folder.
+  void commitAs(const std::filesystem::path& path);
 
  private:
   std::filesystem::path finalPath_;

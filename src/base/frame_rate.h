@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace rotatebook {
 
@@ -25,5 +27,8 @@ struct FrameRate {
 
   friend bool operator==(const FrameRate&, const FrameRate&) = default;
 };
+
+/// "60" or "30000/1001" in lowest terms; nothing if it isn't a rate from 1 to 1000 with terms up to a million.
+std::optional<FrameRate> parseFrameRate(std::string_view text);
 
 }  // namespace rotatebook

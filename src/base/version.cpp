@@ -1,0 +1,7 @@
+#include "base/version.h"
+
+namespace rotatebook {
+
+const char* const kVersion = ROTATEBOOK_VERSION;
+
+}  // namespace rotatebook

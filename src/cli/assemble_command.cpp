@@ -1,0 +1,56 @@
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/error.h"
+#include "base/frame_rate.h"
+#include "cli/commands.h"
+#include "cli/exit_code.h"
+#include "cli/progress_line.h"
+#include "pipeline/assemble.h"
+
+namespace rotatebook::cli {
+namespace {
+
+struct AssembleArguments {
+  std::string folder, output, frameRate;
+};
+
+int assembleFrames(const AssembleArguments& arguments) {
+  const std::optional<FrameRate> rate = parseFrameRate(arguments.frameRate);
+  if (!rate && !arguments.frameRate.empty()) {
+    throw InputError("--fps " + arguments.frameRate +
+                     ": not a frame rate; write for example 60 or 30000/1001");
+  }
+  std::int64_t count = 0;
+  {
+    ProgressLine progress(arguments.output);
+    count = pipeline::assemble(
+        arguments.folder, arguments.output, rate,
+        [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); });
+  }
+  std::cout << "wrote " << count << " frames to " << arguments.output << '\n';
+  return kDone;
+}
+
+}  // namespace
+
+void addAssembleCommand(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<AssembleArguments>();
+  CLI::App* command = program.add_subcommand("assemble", "Make an MP4 from PNG frames on the disk");
+  command->add_option("DIR", arguments->folder, "Folder with frame_00000.png ...")->required();
+  command->add_option("-o,--output", arguments->output, "MP4 to write")->type_name("FILE")->required();
+  command->add_option("--fps", arguments->frameRate,
+                      "Frame rate, e.g. 60 or 30000/1001; only where DIR has no scene.toml")
+      ->type_name("RATE");
+  command->footer(R"(
+With the scene.toml that a render leaves beside its frames, this makes the very file that the render made.
+
+Example:
+  rotatebook assemble out/starter -o starter.mp4)");
+  command->callback(
+      [arguments, &action] { action = [arguments] { return assembleFrames(*arguments); }; });
+}
+
+}  // namespace rotatebook::cli

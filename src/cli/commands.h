@@ -1,0 +1,22 @@
+// One function a command: each describes its options to the parser and sets what is to be run.
+#pragma once
+
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+namespace rotatebook::cli {
+
+/// What the chosen command does; returns the exit status, throws Error.
+using Action = std::function<int()>;
+
+void addRenderCommand(CLI::App& program, Action& action);
+void addSimulateCommand(CLI::App& program, Action& action);
+void addStillCommand(CLI::App& program, Action& action);
+void addDiffCommand(CLI::App& program, Action& action);
+void addAssembleCommand(CLI::App& program, Action& action);
+void addCheckCommand(CLI::App& program, Action& action);
+void addSceneCommand(CLI::App& program, Action& action);
+void addListCommand(CLI::App& program, Action& action);
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,14 @@
+// What the program's exit status means; documented in the README.
+#pragma once
+
+namespace rotatebook::cli {
+
+enum ExitCode : int {
+  kDone = 0,
+  kUnmet = 1,          ///< An expectation or a comparison failed.
+  kWrongInput = 2,     ///< The user's input is wrong.
+  kMachineFailed = 3,  ///< The machine can't: no EGL, no encoder, disk.
+  kInterrupted = 130,  ///< Stopped by SIGINT; SIGTERM gives 143.
+};
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,70 @@
+#include "cli/expectation_report.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "base/number_text.h"
+#include "cli/exit_code.h"
+
+namespace rotatebook::cli {
+namespace {
+
+std::string rounded(double value) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.5g", value);
+  return text.data();
+}
+
+std::string expectedText(const physics::Expectation& expectation) {
+  std::vector<std::string> parts;
+  const auto add = [&parts](const char* words, const std::optional<double>& bound) {
+    if (bound) parts.push_back(words + shortestText(*bound));
+  };
+  add("at least ", expectation.min);
+  add("at most ", expectation.max);
+  add("rises to ", expectation.risesTo);
+  add("falls to ", expectation.fallsTo);
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  return text;
+}
+
+std::string windowText(const physics::Expectation& expectation) {
+  std::string text;
+  if (expectation.from > 0) text += " from " + shortestText(expectation.from) + " s";
+  if (std::isfinite(expectation.to)) text += " to " + shortestText(expectation.to) + " s";
+  return text;
+}
+
+std::string measuredText(const physics::ExpectationResult& result) {
+  if (std::isnan(result.lowest)) return "nothing: the motion has no sample there";
+  if (std::isinf(result.lowest)) return "no divergence";
+  if (result.lowest == result.highest) return rounded(result.lowest);
+  return rounded(result.lowest) + " to " + rounded(result.highest);
+}
+
+}  // namespace
+
+std::string reportLine(const physics::ExpectationResult& result) {
+  return std::string(result.met ? "met    " : "UNMET  ") +
+         std::string(nameOf(result.expectation.quantity)) + windowText(result.expectation) +
+         ": expected " + expectedText(result.expectation) + "; measured " + measuredText(result);
+}
+
+int reportMotion(const physics::Trajectory& trajectory,
+                 std::span<const physics::Expectation> expectations, std::ostream& out) {
+  if (trajectory.divergedAt) {
+    out << "  the motion diverges at " << shortestText(*trajectory.divergedAt) << " s, after "
+              << trajectory.samples.size() << " frames\n";
+  }
+  int status = kDone;
+  for (const physics::ExpectationResult& result : check(trajectory, expectations)) {
+    out << "  " << reportLine(result) << '\n';
+    if (!result.met) status = kUnmet;
+  }
+  return status;
+}
+
+}  // namespace rotatebook::cli

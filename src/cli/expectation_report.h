@@ -1,0 +1,21 @@
+// Expected against measured, in words.
+#pragma once
+
+#include <ostream>
+#include <span>
+#include <string>
+
+#include "physics/expectation.h"
+#include "physics/trajectory.h"
+
+namespace rotatebook::cli {
+
+/// One line: "met    tilt_deg: expected at most 1.5; measured 0.02 to 1.31".
+std::string reportLine(const physics::ExpectationResult& result);
+
+/// Prints what became of a motion to `out`: its divergence if any, and a line an expectation.
+/// Returns kDone if all are met, else kUnmet.
+int reportMotion(const physics::Trajectory& trajectory,
+                 std::span<const physics::Expectation> expectations, std::ostream& out);
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,30 @@
+#include "cli/interrupt.h"
+
+#include <csignal>
+
+namespace rotatebook::cli {
+namespace {
+
+std::atomic<bool> interrupted = false;
+std::atomic<int> received = 0;
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
+
+extern "C" void onSignal(int signal) {
+  received = signal;
+  interrupted = true;
+}
+
+}  // namespace
+
+const std::atomic<bool>& catchInterrupts() {
+  struct sigaction action {};
+  action.sa_handler = onSignal;
+  action.sa_flags = SA_RESETHAND | SA_RESTART;  // The second signal has its default effect.
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  return interrupted;
+}
+
+int interruptStatus() { return received == 0 ? 0 : 128 + received; }
+
+}  // namespace rotatebook::cli

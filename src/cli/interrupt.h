@@ -1,0 +1,14 @@
+// SIGINT and SIGTERM as a flag.
+#pragma once
+
+#include <atomic>
+
+namespace rotatebook::cli {
+
+/// From now on the first SIGINT or SIGTERM sets the flag that is returned; a second one ends the process.
+const std::atomic<bool>& catchInterrupts();
+
+/// 130 after SIGINT, 143 after SIGTERM, 0 if there was none.
+int interruptStatus();
+
+}  // namespace rotatebook::cli

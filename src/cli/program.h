@@ -1,0 +1,9 @@
+// The command line.
+#pragma once
+
+namespace rotatebook::cli {
+
+/// Runs the program; returns its exit status (see ExitCode). Never throws.
+int runProgram(int argc, char** argv);
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,74 @@
+#include "cli/progress_line.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <iostream>
+#include <utility>
+
+namespace rotatebook::cli {
+namespace {
+
+using std::chrono::duration;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+constexpr int kBarWidth = 24;
+constexpr auto kRateWindow = seconds(4);
+constexpr auto kTerminalInterval = milliseconds(100);
+constexpr auto kPlainInterval = seconds(5);
+
+std::string bar(std::int64_t done, std::int64_t total) {
+  const auto filled = static_cast<std::size_t>(kBarWidth * done / std::max<std::int64_t>(total, 1));
+  return '[' + std::string(filled, '#') + std::string(kBarWidth - filled, '.') + ']';
+}
+
+}  // namespace
+
+std::string progressText(std::int64_t done, std::int64_t total, double rate) {
+  std::array<char, 128> text;
+  const double percent = 100.0 * static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(total, 1));
+  std::snprintf(text.data(), text.size(), "%s %3.0f %%  %lld/%lld frames", bar(done, total).c_str(),
+                percent, static_cast<long long>(done), static_cast<long long>(total));
+  std::string line = text.data();
+  if (rate > 0) {
+    std::snprintf(text.data(), text.size(), ", %.1f frames/s, %.0f s left", rate,
+                  static_cast<double>(total - done) / rate);
+    line += text.data();
+  }
+  return line;
+}
+
+ProgressLine::ProgressLine(std::string label)
+    : label_(std::move(label)), terminal_(isatty(STDERR_FILENO) == 1), lastPrint_(Clock::now()) {}
+
+ProgressLine::~ProgressLine() {
+  if (lineOpen_) std::cerr << '\n';
+}
+
+double ProgressLine::rateAfter(Mark now) {
+  marks_.push_back(now);
+  while (marks_.size() > 2 && now.time - marks_.front().time > kRateWindow) marks_.pop_front();
+  const double elapsed = duration<double>(now.time - marks_.front().time).count();
+  return elapsed > 0 ? static_cast<double>(now.done - marks_.front().done) / elapsed : 0;
+}
+
+void ProgressLine::update(std::int64_t done, std::int64_t total) {
+  const Clock::time_point now = Clock::now();
+  const double rate = rateAfter({now, done});
+  const bool due = now - lastPrint_ >= (terminal_ ? milliseconds(kTerminalInterval)
+                                                  : milliseconds(kPlainInterval));
+  if (!due && !(terminal_ && done == total)) return;
+  lastPrint_ = now;
+  const std::string text = label_ + "  " + progressText(done, total, rate);
+  if (terminal_) {
+    std::cerr << '\r' << text << "\x1b[K" << std::flush;
+    lineOpen_ = true;
+  } else {
+    std::cerr << text << '\n';
+  }
+}
+
+}  // namespace rotatebook::cli

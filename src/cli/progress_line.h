@@ -1,0 +1,42 @@
+// How far a render is: a bar on a terminal, plain lines elsewhere.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <deque>
+#include <string>
+
+namespace rotatebook::cli {
+
+/// "[####....]  42 %  126/300 frames, 38.1 frames/s, 5 s left", from what is known now.
+/// `rate` in frames a second; 0 while it isn't known.
+std::string progressText(std::int64_t done, std::int64_t total, double rate);
+
+/// Prints progress to the standard error. The rate is that of the last seconds.
+class ProgressLine {
+ public:
+  explicit ProgressLine(std::string label);
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  /// Ends the bar's line.
+  ~ProgressLine();
+
+  void update(std::int64_t done, std::int64_t total);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  struct Mark {
+    Clock::time_point time;
+    std::int64_t done;
+  };
+
+  double rateAfter(Mark now);
+
+  std::string label_;
+  bool terminal_;
+  bool lineOpen_ = false;
+  std::deque<Mark> marks_;
+  Clock::time_point lastPrint_;
+};
+
+}  // namespace rotatebook::cli

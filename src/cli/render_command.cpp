@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "cli/commands.h"
+#include "cli/exit_code.h"
+#include "cli/expectation_report.h"
+#include "cli/interrupt.h"
+#include "cli/progress_line.h"
+#include "cli/scene_options.h"
+#include "pipeline/render_clip.h"
+
+namespace rotatebook::cli {
+namespace {
+
+struct RenderArguments {
+  std::vector<std::string> scenes;
+  SceneOptions sceneOptions;
+  std::string frames;
+  bool noPng = false;
+  bool noMp4 = false;
+  pipeline::RenderOptions options;
+};
+
+pipeline::FrameRange parseRange(const std::string& text) {
+  std::smatch match;
+  if (!std::regex_match(text, match, std::regex("([0-9]{1,12}):([0-9]{1,12})"))) {
+    throw InputError("--frames " + text +
+                     ": not a range; write first:end, for example 0:60 for the first 60 frames");
+  }
+  return {std::stoll(match[1]), std::stoll(match[2])};
+}
+
+/// All scenes, read before anything is written, so that a mistake in the last one costs nothing.
+std::vector<scene::Scene> readScenes(const RenderArguments& arguments) {
+  std::vector<scene::Scene> scenes;
+  std::set<std::string> names;
+  for (const std::string& path : arguments.scenes) {
+    scenes.push_back(arguments.sceneOptions.read(path));
+    if (!names.insert(scenes.back().name).second) {
+      throw InputError("two scenes are named " + scenes.back().name +
+                       "; they would overwrite each other: render them into different folders");
+    }
+  }
+  return scenes;
+}
+
+void announce(const scene::Scene& scene, const std::string& renderer, const std::string& encoder) {
+  std::cout << scene.name << ": " << scene.title << '\n'
+            << "  " << scene.clip.width << "x" << scene.clip.height << " at "
+            << scene.clip.frameRate.text() << " frames/s, " << shortestText(scene.clip.duration)
+            << " s; renderer " << renderer
+            << (encoder.empty() ? std::string() : "; encoder " + encoder) << std::endl;
+}
+
+void reportFiles(const pipeline::RenderResult& result, const pipeline::RenderOptions& options) {
+  const pipeline::ClipFiles& files = result.files;
+  std::cout << "  wrote";
+  if (options.mp4 && result.framesWritten > 0) {
+    std::cout << ' ' << (result.interrupted ? files.partialMp4 : files.mp4).string() << ',';
+  }
+  std::cout << ' ' << files.csv.string();
+  if (options.png) {
+    std::cout << " and " << result.framesWritten << " frames in " << files.frameFolder.string() << '/';
+  }
+  std::cout << std::endl;
+}
+
+int renderScene(const scene::Scene& scene, const pipeline::RenderOptions& options) {
+  const physics::Trajectory trajectory = simulate(scene.motion(), scene.clip.frameCount());
+  pipeline::RenderResult result;
+  {
+    ProgressLine progress(scene.name);
+    pipeline::RenderListener listener;
+    listener.started = [&](const std::string& renderer, const std::string& encoder) {
+      announce(scene, renderer, encoder);
+    };
+    listener.progress = [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); };
+    result = renderClip(scene, trajectory, options, listener);
+  }
+  reportFiles(result, options);
+  if (result.interrupted) {
+    std::cout << "  interrupted after " << result.framesWritten << " frames" << std::endl;
+    return interruptStatus();
+  }
+  return reportMotion(trajectory, scene.expectations, std::cout);
+}
+
+int render(const RenderArguments& arguments) {
+  pipeline::RenderOptions options = arguments.options;
+  options.png = !arguments.noPng;
+  options.mp4 = !arguments.noMp4;
+  if (!arguments.frames.empty()) options.frames = parseRange(arguments.frames);
+  const std::vector<scene::Scene> scenes = readScenes(arguments);
+  options.stop = &catchInterrupts();
+  int status = kDone;
+  for (const scene::Scene& scene : scenes) {
+    const int outcome = renderScene(scene, options);
+    if (outcome >= kInterrupted) return outcome;
+    status = std::max(status, outcome);
+  }
+  if (status == kUnmet) std::cerr << "rotatebook: expectations are unmet; the files were kept\n";
+  return status;
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<RenderArguments>();
+  CLI::App* command = program.add_subcommand("render", "Render scenes to PNG frames, MP4 and CSV");
+  command->add_option("SCENE", arguments->scenes, "Scene files")->required();
+  command->add_option("-o,--output", arguments->options.folder, "Folder for the results")
+      ->type_name("DIR")
+      ->capture_default_str();
+  arguments->sceneOptions.addTo(*command);
+  command->add_option("--frames", arguments->frames,
+                      "Only the frames from A up to, but not including, B")
+      ->type_name("A:B");
+  command->add_flag("--no-png", arguments->noPng, "Write no PNG frames");
+  command->add_flag("--no-mp4", arguments->noMp4, "Write no MP4");
+  command->add_option("--png-level", arguments->options.pngOptions.level,
+                      "PNG compression, 0 (fastest) to 9 (smallest)")
+      ->check(CLI::Range(0, 9))
+      ->capture_default_str();
+  command->footer(R"(
+Writes DIR/NAME.mp4, DIR/NAME.csv and DIR/NAME/frame_00000.png ..., where NAME is the scene file's.
+With --frames the MP4 is DIR/NAME_A-B.mp4, and the frames join those of earlier parts.
+
+Examples:
+  rotatebook render scenes/starter.toml
+  rotatebook render scenes/figures/fig05-unstable-x.toml --size 1920x1080 --no-png
+  rotatebook render my.toml -o /tmp/clips --set simulation.model=matrix --set clip.duration=5
+  rotatebook render my.toml --frames 0:60)");
+  command->callback([arguments, &action] { action = [arguments] { return render(*arguments); }; });
+}
+
+}  // namespace rotatebook::cli

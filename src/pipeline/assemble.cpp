@@ -1,0 +1,85 @@
+#include "pipeline/assemble.h"
+
+#include <fstream>
+#include <iterator>
+
+#include "base/error.h"
+#include "image/png_file.h"
+#include "pipeline/clip_files.h"
+#include "scene/scene_file.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// First and last frame; throws if there is none or a gap.
+FrameRange wholeRange(const fs::path& folder) {
+  const std::vector<std::int64_t> indices = framesIn(folder);
+  if (indices.empty()) {
+    throw InputError(folder.string() + " holds no frames named like " + frameName(0));
+  }
+  for (std::size_t i = 0; i < indices.size(); ++i) {
+    const std::int64_t wanted = indices.front() + static_cast<std::int64_t>(i);
+    if (indices[i] != wanted) {
+      throw InputError(folder.string() + ": " + frameName(wanted) + " is missing; " +
+                       frameName(indices[i]) + " comes next");
+    }
+  }
+  return {indices.front(), indices.back() + 1};
+}
+
+video::VideoSettings settingsFor(const fs::path& folder, std::optional<FrameRate> frameRate) {
+  const fs::path sceneCopy = folder / "scene.toml";
+  if (fs::exists(sceneCopy)) {
+    if (frameRate) {
+      throw InputError(sceneCopy.string() + " sets the frame rate already; leave --fps out");
+    }
+    std::ifstream stream(sceneCopy, std::ios::binary);
+    const std::string record{std::istreambuf_iterator<char>(stream), {}};
+    return videoSettings(scene::parseScene(record, sceneCopy), record);
+  }
+  if (!frameRate) {
+    throw InputError(folder.string() +
+                     " has no scene.toml that tells the frame rate; give it with --fps");
+  }
+  video::VideoSettings settings;
+  settings.frameRate = *frameRate;
+  return settings;
+}
+
+std::string sizeText(const image::Image& picture) {
+  return std::to_string(picture.width()) + "x" + std::to_string(picture.height());
+}
+
+void requireSameSize(const fs::path& path, const image::Image& picture, const fs::path& firstPath,
+                     const image::Image& first) {
+  if (picture.width() == first.width() && picture.height() == first.height()) return;
+  throw InputError("frames differ in size: " + firstPath.string() + " is " + sizeText(first) +
+                   ", " + path.string() + " is " + sizeText(picture));
+}
+
+}  // namespace
+
+std::int64_t assemble(const fs::path& folder, const fs::path& mp4,
+                      std::optional<FrameRate> frameRate,
+                      const std::function<void(RenderProgress)>& progress) {
+  const FrameRange range = wholeRange(folder);
+  video::VideoSettings settings = settingsFor(folder, frameRate);
+  const fs::path firstPath = folder / frameName(range.first);
+  const image::Image first = image::readPng(firstPath);
+  settings.width = first.width();
+  settings.height = first.height();
+  Mp4Sink sink(mp4, settings);
+  for (std::int64_t index = range.first; index < range.end; ++index) {
+    const fs::path path = folder / frameName(index);
+    const image::Image picture = image::readPng(path);
+    requireSameSize(path, picture, firstPath, first);
+    sink.write(index, picture.view());
+    if (progress) progress({index - range.first + 1, range.count()});
+  }
+  sink.finish();
+  return range.count();
+}
+
+}  // namespace rotatebook::pipeline

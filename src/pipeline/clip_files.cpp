@@ -1,0 +1,90 @@
+#include "pipeline/clip_files.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "base/error.h"
+#include "base/version.h"
+#include "scene/scene_file.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kPrefix = "frame_";
+constexpr std::string_view kSuffix = ".png";
+
+std::string paddedNumber(std::int64_t number) {
+  std::array<char, 32> buffer;
+  const int length = std::snprintf(buffer.data(), buffer.size(), "%05lld",
+                                   static_cast<long long>(number));
+  return {buffer.data(), static_cast<std::size_t>(length)};
+}
+
+std::optional<std::int64_t> frameIndex(const std::string& name) {
+  if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix)) return {};
+  const char* begin = name.data() + kPrefix.size();
+  const char* end = name.data() + name.size() - kSuffix.size();
+  std::int64_t index = 0;
+  const auto [rest, error] = std::from_chars(begin, end, index);
+  if (error != std::errc() || rest != end || name != frameName(index)) return {};
+  return index;
+}
+
+}  // namespace
+
+std::string frameName(std::int64_t index) {
+  return std::string(kPrefix) + paddedNumber(index) + std::string(kSuffix);
+}
+
+std::vector<std::int64_t> framesIn(const fs::path& folder) {
+  std::error_code error;
+  std::vector<std::int64_t> indices;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (const auto index = frameIndex(entry.path().filename().string())) indices.push_back(*index);
+  }
+  if (error) throw InputError("can't read the folder " + folder.string() + ": " + error.message());
+  std::sort(indices.begin(), indices.end());
+  return indices;
+}
+
+ClipFiles clipFiles(const fs::path& folder, const std::string& name) {
+  const fs::path frames = folder / name;
+  return {frames, frames / "scene.toml", folder / (name + ".mp4"), folder / (name + ".partial.mp4"),
+          folder / (name + ".csv")};
+}
+
+ClipFiles clipFiles(const fs::path& folder, const std::string& name, FrameRange part) {
+  ClipFiles files = clipFiles(folder, name);
+  const std::string partName =
+      name + "_" + paddedNumber(part.first) + "-" + paddedNumber(part.end);
+  files.mp4 = folder / (partName + ".mp4");
+  files.partialMp4 = folder / (partName + ".partial.mp4");
+  return files;
+}
+
+std::string sceneRecord(const scene::Scene& scene, const std::string& renderer) {
+  return std::string("# Made by rotatebook ") + kVersion + " from the scene " + scene.name +
+         "\n# Renderer: " + renderer + "\n\n" + sceneText(scene);
+}
+
+video::VideoSettings videoSettings(const scene::Scene& scene, const std::string& record) {
+  video::VideoSettings settings;
+  settings.width = scene.clip.width;
+  settings.height = scene.clip.height;
+  settings.frameRate = scene.clip.frameRate;
+  settings.crf = scene.video.crf;
+  settings.preset = scene.video.preset;
+  settings.threads = scene.video.threads;
+  settings.title = scene.title;
+  settings.comment = record;
+  return settings;
+}
+
+}  // namespace rotatebook::pipeline

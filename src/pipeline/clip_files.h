@@ -1,0 +1,50 @@
+// Names and contents of what a clip leaves on the disk.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+#include "video/mp4_writer.h"
+
+namespace rotatebook::pipeline {
+
+/// Frames from `first` up to but not including `end`.
+struct FrameRange {
+  std::int64_t first = 0;
+  std::int64_t end = 0;
+
+  std::int64_t count() const { return end - first; }
+  friend bool operator==(const FrameRange&, const FrameRange&) = default;
+};
+
+/// "frame_00042.png"
+std::string frameName(std::int64_t index);
+
+/// Indices of the frames in `folder`, ascending. Throws InputError if there is no such folder.
+std::vector<std::int64_t> framesIn(const std::filesystem::path& folder);
+
+/// Where a scene's outputs go, below one folder.
+struct ClipFiles {
+  std::filesystem::path frameFolder;  ///< NAME/, with the PNGs
+  std::filesystem::path sceneCopy;    ///< NAME/scene.toml, the resolved scene
+  std::filesystem::path mp4;          ///< NAME.mp4
+  std::filesystem::path partialMp4;   ///< NAME.partial.mp4, where a run was interrupted
+  std::filesystem::path csv;          ///< NAME.csv
+};
+
+/// The files of the clip `name` in `folder`.
+ClipFiles clipFiles(const std::filesystem::path& folder, const std::string& name);
+/// The same for some of its frames, whose MP4 must not replace the whole clip's: NAME_00010-00020.mp4.
+ClipFiles clipFiles(const std::filesystem::path& folder, const std::string& name, FrameRange part);
+
+/// The scene with every default explicit, headed by the program's version and `renderer`. It is stored beside the frames and in
+/// the MP4, so that a clip says what it was made from.
+std::string sceneRecord(const scene::Scene& scene, const std::string& renderer);
+
+/// What the MP4's encoder must know. `record` goes into its metadata.
+video::VideoSettings videoSettings(const scene::Scene& scene, const std::string& record);
+
+}  // namespace rotatebook::pipeline

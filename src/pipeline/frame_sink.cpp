@@ -1,0 +1,28 @@
+#include "pipeline/frame_sink.h"
+
+#include <utility>
+
+#include "pipeline/clip_files.h"
+
+namespace rotatebook::pipeline {
+
+PngSequenceSink::PngSequenceSink(std::filesystem::path folder, image::PngOptions options)
+    : folder_(std::move(folder)), options_(options) {}
+
+void PngSequenceSink::write(std::int64_t index, image::ImageView picture) {
+  image::writePng(folder_ / frameName(index), picture, options_);
+}
+
+Mp4Sink::Mp4Sink(const std::filesystem::path& path, const video::VideoSettings& settings)
+    : file_(path), writer_(file_.temporaryPath(), settings) {}
+
+void Mp4Sink::write(std::int64_t, image::ImageView picture) { writer_.write(picture); }
+
+void Mp4Sink::finish() { finishAs(file_.finalPath()); }
+
+void Mp4Sink::finishAs(const std::filesystem::path& path) {
+  writer_.finish();
+  file_.commitAs(path);
+}
+
+}  // namespace rotatebook::pipeline

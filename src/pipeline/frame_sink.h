@@ -1,0 +1,64 @@
+// Where finished frames go.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "base/atomic_file.h"
+#include "image/image.h"
+#include "image/png_file.h"
+#include "video/mp4_writer.h"
+
+namespace rotatebook::pipeline {
+
+/// Takes frames. Without finish() nothing of a sink's unfinished file stays.
+class FrameSink {
+ public:
+  virtual ~FrameSink() = default;
+
+  /// Takes frame `index`; the picture is only borrowed. Throws Error.
+  virtual void write(std::int64_t index, image::ImageView picture) = 0;
+  /// Completes what was written. Throws Error on a failed flush, trailer, close or rename.
+  virtual void finish() = 0;
+};
+
+/// Writes each frame to its own PNG in one folder. write() may be called from several threads at once, in any order.
+class PngSequenceSink : public FrameSink {
+ public:
+  /// `folder` exists.
+  PngSequenceSink(std::filesystem::path folder, image::PngOptions options);
+
+  void write(std::int64_t index, image::ImageView picture) override;
+  void finish() override {}
+
+ private:
+  std::filesystem::path folder_;
+  image::PngOptions options_;
+};
+
+/// Writes all frames, in order, to an MP4.
+class Mp4Sink : public FrameSink {
+ public:
+  /// Throws Error if the file or the encoder can't be opened.
+  Mp4Sink(const std::filesystem::path& path, const video::VideoSettings& settings);
+
+  void write(std::int64_t index, image::ImageView picture) override;
+  void finish() override;
+  /// Completes a playable clip of the frames so far, as `path`, instead of finish().
+  void finishAs(const std::filesystem::path& path);
+
+  const std::string& encoderName() const { return writer_.encoderName(); }
+
+ private:
+  AtomicFile file_;
+  video::Mp4Writer writer_;
+};
+
+/// Takes frames and keeps nothing: for benchmarks.
+class NullSink : public FrameSink {
+ public:
+  void write(std::int64_t, image::ImageView) override {}
+  void finish() override {}
+};
+
+}  // namespace rotatebook::pipeline

@@ -1,0 +1,130 @@
+#include "pipeline/render_clip.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <thread>
+#include <vector>
+
+#include "base/error.h"
+#include "pipeline/frame_workers.h"
+#include "pipeline/picture_pool.h"
+#include "pipeline/textures.h"
+#include "pipeline/trajectory_csv.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kPicturesInFlight = 8;
+
+// Compressing PNGs is the slowest stage that can be shared out; drawing and encoding need a core too.
+int pngThreads() {
+  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
+  return std::clamp(cores - 1, 1, 6);
+}
+
+std::string contentOf(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+void refuseForeignFrames(const ClipFiles& files, const std::string& record) {
+  if (!fs::exists(files.sceneCopy) || contentOf(files.sceneCopy) == record) return;
+  throw InputError(files.frameFolder.string() +
+                   " holds frames of other settings (compare its scene.toml with 'rotatebook scene "
+                   "--print'); render into another folder with -o, or remove it");
+}
+
+void removeFrames(const fs::path& folder) {
+  for (const std::int64_t index : framesIn(folder)) fs::remove(folder / frameName(index));
+}
+
+/// Makes the folder ready for frames that `record` describes.
+void prepareFrameFolder(const ClipFiles& files, const std::string& record, bool onlyPart) {
+  createFolders(files.frameFolder);
+  if (onlyPart) {
+    refuseForeignFrames(files, record);
+  } else {
+    removeFrames(files.frameFolder);
+  }
+  writeFileAtomically(files.sceneCopy, record);
+}
+
+void finishMp4(Mp4Sink& sink, const ClipFiles& files, bool interrupted) {
+  if (interrupted) {
+    sink.finishAs(files.partialMp4);
+  } else {
+    sink.finish();
+    fs::remove(files.partialMp4);
+  }
+}
+
+}  // namespace
+
+FrameRange framesToRender(const physics::Trajectory& trajectory, std::optional<FrameRange> wanted) {
+  const auto count = static_cast<std::int64_t>(trajectory.samples.size());
+  const FrameRange range = wanted.value_or(FrameRange{0, count});
+  if (0 <= range.first && range.first < range.end && range.end <= count) return range;
+  throw InputError("frames " + std::to_string(range.first) + ":" + std::to_string(range.end) +
+                   " don't exist; this clip has 0:" + std::to_string(count) +
+                   (trajectory.divergedAt ? ", up to where its motion diverges" : ""));
+}
+
+std::int64_t drawFrames(render::Renderer& renderer, const physics::Trajectory& trajectory,
+                        FrameRange range, const std::vector<SinkThreads>& sinks,
+                        const std::atomic<bool>* stop,
+                        const std::function<void(RenderProgress)>& progress) {
+  FirstError error;
+  PicturePool pool(renderer.makePicture(), kPicturesInFlight);
+  std::vector<std::unique_ptr<FrameWorkers>> workers;
+  for (const SinkThreads& entry : sinks) {
+    workers.push_back(std::make_unique<FrameWorkers>(entry.sink, entry.threads, error));
+  }
+  std::int64_t done = 0;
+  if (progress) progress({done, range.count()});
+  while (done < range.count() && !(stop != nullptr && *stop)) {
+    const std::int64_t index = range.first + done;
+    const std::shared_ptr<image::Image> picture = pool.take();
+    renderer.draw(trajectory.samples[static_cast<std::size_t>(index)].corners, *picture);
+    for (const auto& sink : workers) sink->submit({index, picture});
+    error.rethrow();
+    ++done;
+    if (progress) progress({done, range.count()});
+  }
+  for (const auto& sink : workers) sink->drain();
+  error.rethrow();
+  return done;
+}
+
+RenderResult renderClip(const scene::Scene& scene, const physics::Trajectory& trajectory,
+                        const RenderOptions& options, const RenderListener& listener) {
+  const FrameRange range = framesToRender(trajectory, options.frames);
+  render::Renderer renderer = makeRenderer(scene);
+  const std::string record = sceneRecord(scene, renderer.description());
+
+  RenderResult result;
+  result.files = options.frames ? clipFiles(options.folder, scene.name, range)
+                                : clipFiles(options.folder, scene.name);
+  createFolders(options.folder);
+  if (options.png) prepareFrameFolder(result.files, record, options.frames.has_value());
+  std::optional<Mp4Sink> mp4;
+  if (options.mp4) mp4.emplace(result.files.mp4, videoSettings(scene, record));
+  PngSequenceSink png(result.files.frameFolder, options.pngOptions);
+
+  std::vector<SinkThreads> sinks;
+  if (options.png) sinks.push_back({png, pngThreads()});
+  if (mp4) sinks.push_back({*mp4, 1});
+  if (listener.started) listener.started(renderer.description(), mp4 ? mp4->encoderName() : "");
+  result.framesWritten =
+      drawFrames(renderer, trajectory, range, sinks, options.stop, listener.progress);
+  result.interrupted = result.framesWritten < range.count();
+  // An interrupted clip of no frames isn't worth a file.
+  if (mp4 && result.framesWritten > 0) finishMp4(*mp4, result.files, result.interrupted);
+  writeFileAtomically(result.files.csv, trajectoryCsv(trajectory));
+  return result;
+}
+
+}  // namespace rotatebook::pipeline

@@ -1,0 +1,69 @@
+// From a scene to its files.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "pipeline/clip_files.h"
+#include "pipeline/frame_sink.h"
+#include "physics/trajectory.h"
+#include "render/renderer.h"
+#include "scene/scene.h"
+
+namespace rotatebook::pipeline {
+
+/// What to write, and where.
+struct RenderOptions {
+  std::filesystem::path folder = "out";  ///< Made if it isn't there.
+  bool png = true;
+  bool mp4 = true;
+  std::optional<FrameRange> frames;      ///< Only these; all by default.
+  image::PngOptions pngOptions;
+  /// Set from outside, e.g. by a signal handler, to stop after the frame in hand. May be null.
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// Told before the first frame and after each one.
+struct RenderProgress {
+  std::int64_t done = 0;
+  std::int64_t total = 0;
+};
+
+/// Hears of a render while it goes on; called on the caller's thread.
+struct RenderListener {
+  std::function<void(const std::string& renderer, const std::string& encoder)> started;
+  std::function<void(RenderProgress)> progress;
+};
+
+/// What a render left.
+struct RenderResult {
+  ClipFiles files;
+  std::int64_t framesWritten = 0;
+  bool interrupted = false;  ///< Stopped from outside: the MP4 is ClipFiles::partialMp4.
+};
+
+/// The frames of `trajectory` that `wanted` means; all of them by default. Throws InputError, naming the frames that exist.
+FrameRange framesToRender(const physics::Trajectory& trajectory, std::optional<FrameRange> wanted);
+
+/// Draws `trajectory`, the motion of `scene`, and writes CSV, PNGs and MP4. Frames of an earlier render of the same clip are replaced;
+/// only some frames (RenderOptions::frames) join earlier ones of the same resolved scene. Throws Error; files under a final name are whole
+/// then, too.
+RenderResult renderClip(const scene::Scene& scene, const physics::Trajectory& trajectory,
+                        const RenderOptions& options, const RenderListener& listener);
+
+/// Draws frames of `trajectory` into each of `sinks` on threads of their own; returns how many were drawn before `stop`.
+/// Sinks are not finished. Throws the first error that drawing or any sink ran into.
+struct SinkThreads {
+  FrameSink& sink;
+  int threads = 1;
+};
+std::int64_t drawFrames(render::Renderer& renderer, const physics::Trajectory& trajectory,
+                        FrameRange range, const std::vector<SinkThreads>& sinks,
+                        const std::atomic<bool>* stop,
+                        const std::function<void(RenderProgress)>& progress);
+
+}  // namespace rotatebook::pipeline

@@ -1,0 +1,16 @@
+// One picture of a scene.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "image/png_file.h"
+#include "scene/scene.h"
+
+namespace rotatebook::pipeline {
+
+/// Draws the frame nearest to `time` (of video, 0 to the clip's duration [s]) and writes it to `path`; returns its index.
+/// Throws InputError if there is no such frame, MachineError if it can't be drawn or written.
+std::int64_t renderStill(const scene::Scene& scene, double time, const std::filesystem::path& path);
+
+}  // namespace rotatebook::pipeline

@@ -1,0 +1,55 @@
+#include "pipeline/trajectory_csv.h"
+
+#include "base/number_text.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+std::string header() {
+  std::string text =
+      "frame,time_s,qw,qx,qy,qz,wx,wy,wz,Lx,Ly,Lz,kinetic_J,potential_J,total_J,tilt_deg,"
+      "half_turns,stretch_min,stretch_max";
+  for (int corner = 0; corner < 8; ++corner) {
+    for (const char axis : {'x', 'y', 'z'}) {
+      text += ",c" + std::to_string(corner) + axis;
+    }
+  }
+  return text + "\n";
+}
+
+void append(std::string& row, double value) { row += ',' + shortestText(value); }
+
+template <typename Values>
+void appendAll(std::string& row, const Values& values) {
+  for (Eigen::Index i = 0; i < values.size(); ++i) append(row, values.data()[i]);
+}
+
+void appendRow(std::string& text, std::size_t frame, const physics::Sample& sample) {
+  text += std::to_string(frame);
+  append(text, sample.time);
+  append(text, sample.attitude.w());
+  appendAll(text, sample.attitude.vec());
+  appendAll(text, sample.angularVelocity);
+  appendAll(text, sample.angularMomentum);
+  append(text, sample.kinetic);
+  append(text, sample.potential);
+  append(text, sample.total());
+  append(text, sample.tiltDeg);
+  text += ',' + std::to_string(sample.halfTurns);
+  append(text, sample.stretchMin);
+  append(text, sample.stretchMax);
+  appendAll(text, sample.corners);  // Column by column: corner by corner.
+  text += '\n';
+}
+
+}  // namespace
+
+std::string trajectoryCsv(const physics::Trajectory& trajectory) {
+  std::string text = header();
+  for (std::size_t frame = 0; frame < trajectory.samples.size(); ++frame) {
+    appendRow(text, frame, trajectory.samples[frame]);
+  }
+  return text;
+}
+
+}  // namespace rotatebook::pipeline

@@ -1,0 +1,51 @@
+#include "render/embedded_files.h"
+
+// The symbols come from cmake/embed.cmake.
+#define ROTATEBOOK_EMBEDDED(symbol) \
+  extern "C" const char embedded_##symbol##_begin[], embedded_##symbol##_end[]
+
+ROTATEBOOK_EMBEDDED(background_vert);
+ROTATEBOOK_EMBEDDED(background_frag);
+ROTATEBOOK_EMBEDDED(book_vert);
+ROTATEBOOK_EMBEDDED(book_frag);
+ROTATEBOOK_EMBEDDED(front_png);
+ROTATEBOOK_EMBEDDED(spine_png);
+ROTATEBOOK_EMBEDDED(back_png);
+ROTATEBOOK_EMBEDDED(paper_png);
+
+namespace rotatebook::render {
+namespace {
+
+std::string_view text(const char* begin, const char* end) { return {begin, end}; }
+
+std::span<const std::uint8_t> bytes(const char* begin, const char* end) {
+  return {reinterpret_cast<const std::uint8_t*>(begin), reinterpret_cast<const std::uint8_t*>(end)};
+}
+
+}  // namespace
+
+std::string_view backgroundVertexShader() {
+  return text(embedded_background_vert_begin, embedded_background_vert_end);
+}
+std::string_view backgroundFragmentShader() {
+  return text(embedded_background_frag_begin, embedded_background_frag_end);
+}
+std::string_view bookVertexShader() { return text(embedded_book_vert_begin, embedded_book_vert_end); }
+std::string_view bookFragmentShader() {
+  return text(embedded_book_frag_begin, embedded_book_frag_end);
+}
+
+std::span<const std::uint8_t> frontPng() {
+  return bytes(embedded_front_png_begin, embedded_front_png_end);
+}
+std::span<const std::uint8_t> spinePng() {
+  return bytes(embedded_spine_png_begin, embedded_spine_png_end);
+}
+std::span<const std::uint8_t> backPng() {
+  return bytes(embedded_back_png_begin, embedded_back_png_end);
+}
+std::span<const std::uint8_t> paperPng() {
+  return bytes(embedded_paper_png_begin, embedded_paper_png_end);
+}
+
+}  // namespace rotatebook::render

@@ -1,0 +1,22 @@
+// Shaders and textures that are part of the program.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace rotatebook::render {
+
+/// GLSL sources, from shaders/.
+std::string_view backgroundVertexShader();
+std::string_view backgroundFragmentShader();
+std::string_view bookVertexShader();
+std::string_view bookFragmentShader();
+
+/// The bytes of the PNGs in assets/.
+std::span<const std::uint8_t> frontPng();
+std::span<const std::uint8_t> spinePng();
+std::span<const std::uint8_t> backPng();
+std::span<const std::uint8_t> paperPng();
+
+}  // namespace rotatebook::render

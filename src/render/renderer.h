@@ -1,0 +1,56 @@
+// Draws the book, given its eight corners.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "image/image.h"
+#include "physics/cuboid.h"
+#include "render/camera.h"
+
+namespace rotatebook::render {
+
+/// How pictures are drawn.
+struct RenderSettings {
+  int width = 1280;  ///< > 0 [pixels]
+  int height = 720;  ///< > 0 [pixels]
+  int samples = 4;   ///< Of each pixel's colour, for smooth edges.
+  Camera camera;
+};
+
+/// The pictures on the book's cover, upright as each side is looked at.
+struct BookTextures {
+  image::Image front, spine, back;
+};
+
+/// The cover that ships with the program.
+image::Image builtinFront();
+image::Image builtinSpine();
+image::Image builtinBack();
+
+/// Owns an OpenGL context; make, use and destroy it on one thread. A picture depends on nothing but the settings, the
+/// textures and the corners.
+class Renderer {
+ public:
+  /// Throws MachineError where there is no OpenGL 3.3, InputError for a size or texture that is too large for it.
+  Renderer(const RenderSettings& settings, const BookTextures& textures);
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+
+  /// A picture of the right size and format for draw().
+  image::Image makePicture() const;
+
+  /// Draws the book whose corners (world) these are, over all of `picture` (from makePicture()).
+  /// Throws MachineError if OpenGL reports an error or the frame comes out blank.
+  void draw(const physics::Corners& corners, image::Image& picture);
+
+  /// What draws, e.g. "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5, EGL device 0".
+  const std::string& description() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace rotatebook::render

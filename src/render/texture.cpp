@@ -1,0 +1,60 @@
+#include "render/texture.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+
+namespace rotatebook::render {
+namespace {
+
+constexpr float kAnisotropy = 4;  // Keeps a tilted title sharp; more costs time and shows nothing.
+
+void refuseOversize(image::ImageView picture) {
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  if (picture.width <= largest && picture.height <= largest) return;
+  throw InputError("a texture of " + std::to_string(picture.width) + "x" +
+                   std::to_string(picture.height) + " pixels is too large: this renderer takes " +
+                   std::to_string(largest) + " a side");
+}
+
+// GL's first row is the lowest; ours is the highest.
+std::vector<std::uint8_t> bottomUpBytes(image::ImageView picture) {
+  const auto rowBytes = static_cast<std::size_t>(picture.width * bytesPerPixel(picture.format));
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(rowBytes * static_cast<std::size_t>(picture.height));
+  for (int y = picture.height - 1; y >= 0; --y) {
+    bytes.insert(bytes.end(), picture.row(y), picture.row(y) + rowBytes);
+  }
+  return bytes;
+}
+
+void setFilters(TextureWrap wrap) {
+  const GLint mode = wrap == TextureWrap::Repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, mode);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, mode);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  if (epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic")) {
+    float largest = 1;
+    glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &largest);
+    glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY_EXT, std::min(largest, kAnisotropy));
+  }
+}
+
+}  // namespace
+
+Texture::Texture(image::ImageView picture, TextureWrap wrap) {
+  refuseOversize(picture);
+  const GLenum format = picture.format == image::PixelFormat::Rgb8 ? GL_RGB : GL_RGBA;
+  bind();
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, picture.width, picture.height, 0, format,
+               GL_UNSIGNED_BYTE, bottomUpBytes(picture).data());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  setFilters(wrap);
+}
+
+}  // namespace rotatebook::render

@@ -1,6 +1,6 @@
 #include "physics/rotation.h"
 
-#include <cmath>
+#include <limits>
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
@@ -59,6 +59,8 @@ Eigen::Matrix3d polarFactor(const Eigen::Matrix3d& map) {
     x += change;
     if (change.cwiseAbs().maxCoeff() < kSmallLastStep) return x;
   }
+  // Of what is not finite the SVD would make the identity, and hide that the motion has blown up.
+  if (!map.allFinite()) return Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
   const Svd svd = fullSvd(map);
   return svd.matrixU() * svd.matrixV().transpose();
 }

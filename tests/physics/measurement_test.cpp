@@ -1,0 +1,161 @@
+#include "physics/measurement.h"
+
+#include <cmath>
+#include <initializer_list>
+#include <numbers>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <gtest/gtest.h>
+
+#include "physics/rotation.h"
+
+namespace rotatebook::physics {
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+
+constexpr double kRoundingBound = 1e-14;  // measured 1e-15
+constexpr double kDegreesBound = 1e-12;   // measured 2e-14
+constexpr double kTinyTiltBound = 1e-7;   // relative; measured 1e-8
+constexpr double kDegree = std::numbers::pi / 180;
+
+int halfTurnsOf(std::initializer_list<double> tilts) {
+  HalfTurnCounter counter;
+  int count = 0;
+  for (const double tilt : tilts) count = counter.count(tilt);
+  return count;
+}
+
+BodyState stateOf(const Matrix3d& map, const Vector3d& angularMomentum = {0, 0, 1}) {
+  BodyState state;
+  state.corners = map * Cuboid().corners();
+  state.angularVelocity = {0, 0, 1};
+  state.angularMomentum = angularMomentum;
+  return state;
+}
+
+Sample measureOne(const Matrix3d& map) {
+  return Measurement(Cuboid(), Vector3d::UnitZ()).measure(0, stateOf(map));
+}
+
+Matrix3d someRotation() {
+  return AngleAxisd(0.8, Vector3d(1, -2, 2) / 3).toRotationMatrix();
+}
+
+TEST(HalfTurnCounter, CountsFromUnderSixtyToOver120AndBack) {
+  EXPECT_EQ(halfTurnsOf({1, 59}), 0);
+  EXPECT_EQ(halfTurnsOf({1, 121}), 1);
+  EXPECT_EQ(halfTurnsOf({1, 70, 110, 179}), 1);
+  EXPECT_EQ(halfTurnsOf({1, 179, 1}), 2);
+  EXPECT_EQ(halfTurnsOf({1, 179, 170, 5, 3, 175}), 3);
+}
+
+TEST(HalfTurnCounter, DoesNotCountAWobbleBetween) {
+  EXPECT_EQ(halfTurnsOf({1, 119, 61, 119, 30}), 0);
+  EXPECT_EQ(halfTurnsOf({1, 130, 61, 119, 61, 130}), 1);
+  EXPECT_EQ(halfTurnsOf({1, 120, 1, 120}), 0);
+  EXPECT_EQ(halfTurnsOf({130, 60, 130}), 0);
+}
+
+TEST(HalfTurnCounter, StartsOnEitherSideOrBetween) {
+  EXPECT_EQ(halfTurnsOf({179, 1}), 1);
+  EXPECT_EQ(halfTurnsOf({90, 179}), 0);
+  EXPECT_EQ(halfTurnsOf({90, 1, 90, 179}), 1);
+}
+
+TEST(Measurement, FindsTheAttitudeOfARotatedBody) {
+  const Sample sample = measureOne(someRotation());
+  EXPECT_LT((sample.attitude.toRotationMatrix() - someRotation()).norm(), kRoundingBound);
+  EXPECT_NEAR(sample.stretchMin, 1, kRoundingBound);
+  EXPECT_NEAR(sample.stretchMax, 1, kRoundingBound);
+}
+
+TEST(Measurement, FindsTheStretchOfADeformedBody) {
+  const Sample sample = measureOne(someRotation() * Vector3d(1, 0.25, 1.5).asDiagonal());
+  EXPECT_LT((sample.attitude.toRotationMatrix() - someRotation()).norm(), kRoundingBound);
+  EXPECT_NEAR(sample.stretchMin, 0.25, kRoundingBound);
+  EXPECT_NEAR(sample.stretchMax, 1.5, kRoundingBound);
+}
+
+TEST(Measurement, FindsAProperRotationOfABodyTurnedInsideOut) {
+  const Sample sample = measureOne(someRotation() * Vector3d(1, -0.25, 1.5).asDiagonal());
+  EXPECT_LT((sample.attitude.toRotationMatrix() - someRotation()).norm(), kRoundingBound);
+  EXPECT_NEAR(sample.stretchMin, 0.25, kRoundingBound);
+}
+
+TEST(Measurement, DoesNotMindWhereTheBodyIs) {
+  BodyState state = stateOf(someRotation());
+  state.corners.colwise() += Vector3d(0.1, -0.2, 0.3);
+  const Sample sample = Measurement(Cuboid(), Vector3d::UnitZ()).measure(0, state);
+  EXPECT_LT((sample.attitude.toRotationMatrix() - someRotation()).norm(), kRoundingBound);
+  EXPECT_NEAR(sample.stretchMax, 1, kRoundingBound);
+}
+
+TEST(Measurement, FitsCornersThatNoLinearMapReaches) {
+  BodyState state = stateOf(someRotation());
+  for (int i = 0; i < 8; ++i)
+    state.corners.col(i) += 0.02 * Vector3d(std::sin(i), std::cos(3 * i), std::sin(5 * i));
+  // The same least squares by another road: QR of the eight equations of each row of the map.
+  const Eigen::Matrix<double, 8, 3> equations = Cuboid().corners().transpose();
+  const Matrix3d map = equations.householderQr().solve(state.corners.transpose()).transpose();
+  const Polar expected = polarDecomposition(map);
+  const Sample sample = Measurement(Cuboid(), Vector3d::UnitZ()).measure(0, state);
+  EXPECT_LT((sample.attitude.toRotationMatrix() - expected.rotation).norm(), kRoundingBound);
+  EXPECT_NEAR(sample.stretchMin, expected.singularValues[2], kRoundingBound);
+  EXPECT_NEAR(sample.stretchMax, expected.singularValues[0], kRoundingBound);
+  EXPECT_GT(sample.stretchMax, 1.01);
+}
+
+TEST(Measurement, ContinuesTheSignOfTheAttitude) {
+  Measurement measurement(Cuboid(), Vector3d::UnitZ());
+  for (int degrees = 0; degrees <= 720; degrees += 30) {
+    const Matrix3d turn = AngleAxisd(degrees * kDegree, Vector3d::UnitZ()).toRotationMatrix();
+    const Quaterniond attitude = measurement.measure(0, stateOf(turn)).attitude;
+    EXPECT_NEAR(attitude.w(), std::cos(degrees * kDegree / 2), kRoundingBound) << degrees;
+    EXPECT_NEAR(attitude.z(), std::sin(degrees * kDegree / 2), kRoundingBound) << degrees;
+  }
+}
+
+TEST(Measurement, TakesTheTiltOfTheMostSpunAxis) {
+  const Matrix3d turn = AngleAxisd(40 * kDegree, Vector3d::UnitX()).toRotationMatrix();
+  const auto tilt = [&](const Vector3d& spin, const Vector3d& momentum) {
+    return Measurement(Cuboid(), spin).measure(0, stateOf(turn, momentum)).tiltDeg;
+  };
+  EXPECT_NEAR(tilt({0, 0.1, 3}, {0, 0, 7}), 40, kDegreesBound);
+  EXPECT_NEAR(tilt({0.1, -3, 1}, {0, 7, 0}), 40, kDegreesBound);
+  EXPECT_NEAR(tilt({0, 3, 1}, {0, 0, 7}), 50, kDegreesBound);
+  EXPECT_NEAR(tilt({3, 0, 1}, {7, 0, 0}), 0, kDegreesBound);
+  EXPECT_NEAR(tilt({3, 0, 1}, {-7, 0, 0}), 180, kDegreesBound);
+}
+
+TEST(Measurement, KeepsTheDigitsOfATinyTilt) {
+  constexpr double kTilt = 1e-7;
+  const Matrix3d turn = AngleAxisd(kTilt, Vector3d::UnitX()).toRotationMatrix();
+  EXPECT_NEAR(measureOne(turn).tiltDeg * kDegree / kTilt, 1, kTinyTiltBound);
+}
+
+TEST(Measurement, PassesOnWhatTheSimulatorKnows) {
+  BodyState state = stateOf(someRotation(), {1, 2, 3});
+  state.angularVelocity = {4, 5, 6};
+  state.kinetic = 7;
+  state.potential = 8;
+  state.rotational = 9;
+  const Sample sample = Measurement(Cuboid(), Vector3d::UnitZ()).measure(1.5, state);
+  EXPECT_EQ(sample.time, 1.5);
+  EXPECT_EQ(sample.angularVelocity, state.angularVelocity);
+  EXPECT_EQ(sample.angularMomentum, state.angularMomentum);
+  EXPECT_EQ(sample.kinetic, 7);
+  EXPECT_EQ(sample.potential, 8);
+  EXPECT_EQ(sample.rotational, 9);
+  EXPECT_EQ(sample.total(), 15);
+  EXPECT_EQ(sample.corners, state.corners);
+}
+
+}  // namespace
+}  // namespace rotatebook::physics

@@ -1,0 +1,135 @@
+#include "physics/trajectory.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "physics/scenarios.h"
+
+namespace rotatebook::physics {
+namespace {
+
+using Eigen::Vector3d;
+using testing::HasSubstr;
+
+constexpr double kSameMotionBound = 1e-3;  // [rad]; measured 1e-4
+constexpr double kStiffnessBound = 1e-2;   // [rad]; measured 1e-3
+
+double angleBetween(const Sample& a, const Sample& b) {
+  return a.attitude.angularDistance(b.attitude);
+}
+
+// Advances a second simulator to sample `n` by hand.
+BodyState stateAtSample(const MotionSettings& settings, std::size_t n) {
+  const auto simulator = makeSimulator(settings);
+  const double h = settings.simulation.timePerFrame / settings.simulation.substeps;
+  const std::size_t steps = n * static_cast<std::size_t>(settings.simulation.substeps);
+  for (std::size_t step = 0; step < steps; ++step) simulator->advance(h);
+  return simulator->state();
+}
+
+double farthestCorner(const Corners& corners) {
+  return corners.colwise().norm().maxCoeff();
+}
+
+Scenario exploding() {
+  return {.model = Model::Particles, .slant = 0.001, .normalize = false, .damping = 0};
+}
+
+TEST(Simulate, TakesASampleEachIntervalFromTheStart) {
+  MotionSettings settings = spinning(Model::Quaternion, {1, 2, 3}, 0.1);
+  settings.simulation.substeps = 7;
+  const Trajectory trajectory = simulate(settings, 50);
+  ASSERT_EQ(trajectory.samples.size(), 50U);
+  EXPECT_EQ(trajectory.interval, 0.1);
+  EXPECT_FALSE(trajectory.divergedAt);
+  for (int n = 0; n < 50; ++n)
+    EXPECT_EQ(trajectory.samples[static_cast<std::size_t>(n)].time, n * 0.1);
+  EXPECT_EQ(trajectory.samples.front().corners, settings.body.corners());
+  EXPECT_GE(trajectory.samples.front().attitude.w(), 0);
+}
+
+TEST(Simulate, DividesTheIntervalIntoSubsteps) {
+  for (const Model model : {Model::Particles, Model::Matrix, Model::Quaternion}) {
+    MotionSettings settings = spinning(model, {1, 2, 3}, 0.01);
+    settings.simulation.substeps = 7;
+    const Trajectory trajectory = simulate(settings, 6);
+    EXPECT_EQ(trajectory.samples[5].corners, stateAtSample(settings, 5).corners);
+    settings.simulation.substeps = 8;
+    EXPECT_NE(trajectory.samples[5].corners, simulate(settings, 6).samples[5].corners);
+  }
+}
+
+TEST(Simulate, EndsBeforeTheSampleThatLiesTooFarOut) {
+  const MotionSettings settings = settingsOf(exploding());
+  const Trajectory trajectory = simulate(settings, 200);
+  const std::size_t end = trajectory.samples.size();
+  ASSERT_LT(end, 200U);
+  ASSERT_TRUE(trajectory.divergedAt);
+  EXPECT_EQ(*trajectory.divergedAt, static_cast<double>(end) * trajectory.interval);
+  const double farthest = 20 * settings.body.largestDimension();
+  EXPECT_LE(farthestCorner(trajectory.samples.back().corners), farthest);
+  EXPECT_GT(farthestCorner(stateAtSample(settings, end).corners), farthest);
+}
+
+TEST(Simulate, EndsBeforeANumberThatIsNotFinite) {
+  Scenario scenario = exploding();
+  scenario.eta = 0.1;
+  scenario.substeps = 1000;
+  const Trajectory trajectory = simulate(settingsOf(scenario), 9);
+  EXPECT_EQ(trajectory.samples.size(), 1U);
+  EXPECT_EQ(*trajectory.divergedAt, trajectory.interval);
+  EXPECT_FALSE(stateAtSample(settingsOf(scenario), 1).corners.allFinite());
+}
+
+TEST(Simulate, HasOnlyFiniteSamplesOfEveryExplosion) {
+  for (const Model model : {Model::Particles, Model::Matrix, Model::Quaternion}) {
+    for (const double eta : {0.1, 1.0, 1e3, 1e100}) {
+      Scenario scenario{
+          .model = model, .slant = 0.5, .normalize = false, .eta = eta, .substeps = 1};
+      const Trajectory trajectory = simulate(settingsOf(scenario), 2000);
+      EXPECT_TRUE(trajectory.divergedAt) << eta;
+      const Sample& last = trajectory.samples.back();
+      EXPECT_TRUE(
+          std::isfinite(last.tiltDeg + last.stretchMax + last.total() + last.attitude.norm()));
+    }
+  }
+}
+
+TEST(Simulate, RefusesASpinWhoseEnergyOverflows) {
+  try {
+    simulate(spinning(Model::Quaternion, {1e200, 0, 0}, 0.1), 5);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("too large"));
+  }
+}
+
+TEST(Simulate, RefusesATiltTowardTheSpin) {
+  MotionSettings settings = spinning(Model::Particles, {1, 0, 0}, 0.1);
+  settings.initial.tilt = Tilt{0.1, 0};
+  EXPECT_THROW(simulate(settings, 5), InputError);
+}
+
+TEST(Simulate, MakesTheSameMotionOfAllModels) {
+  MotionSettings settings = spinning(Model::Quaternion, {1.1, -2.3, -3.7}, 0.01);
+  settings.simulation.substeps = 2000;
+  settings.simulation.stiffness = 20000;
+  const Sample quaternion = simulate(settings, 101).samples.back();
+  settings.simulation.model = Model::Matrix;
+  const Sample matrix = simulate(settings, 101).samples.back();
+  settings.simulation.model = Model::Particles;
+  const Sample particles = simulate(settings, 101).samples.back();
+
+  EXPECT_LT(angleBetween(quaternion, matrix), kSameMotionBound);
+  EXPECT_LT(angleBetween(quaternion, particles), kStiffnessBound);
+  EXPECT_GT(quaternion.attitude.angularDistance(Eigen::Quaterniond::Identity()), 1);
+  EXPECT_LT((quaternion.angularVelocity - particles.angularVelocity).norm(), kStiffnessBound);
+  EXPECT_LT((3 * quaternion.angularMomentum - particles.angularMomentum).norm(), kStiffnessBound);
+}
+
+}  // namespace
+}  // namespace rotatebook::physics

@@ -67,7 +67,6 @@ class PngDecoder {
       png_set_expand(png_);
       png_set_gray_to_rgb(png_);
       png_set_scale_16(png_);
-      png_set_interlace_handling(png_);
       png_read_update_info(png_, info_);
       png_read_image(png_, rows);
       png_read_end(png_, nullptr);

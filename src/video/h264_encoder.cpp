@@ -96,10 +96,10 @@ H264Encoder::H264Encoder(const VideoSettings& settings) {
   if (name_ == kBestEncoder) {
     options.set("preset", settings.preset);
     options.set("crf", std::to_string(settings.crf));
-    options.set("profile", "high");
-    // Else x264 chooses algorithms by the processor, and the same scene gives other bytes
-    // elsewhere.
-    options.set("x264-params", "cpu-independent=1");
+    // cpu-independent: else x264 chooses algorithms by the processor, and the same scene gives
+    // other bytes elsewhere. 8x8dct: else the preset ultrafast makes Baseline of what is to be
+    // High.
+    options.set("x264-params", "cpu-independent=1:8x8dct=1");
   }
   check(avcodec_open2(context_.get(), &encoder, options.address()),
         "the H.264 encoder " + name_ + " doesn't start");
@@ -113,7 +113,7 @@ AVPacket* H264Encoder::receive() {
   const int result = avcodec_receive_packet(context_.get(), packet_.get());
   if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return nullptr;
   check(result, "the H.264 encoder " + name_ + " failed");
-  // Without it the last frame would have no length.
+  // x264's packets carry none, and the muxer would have to guess the last one's.
   packet_->duration = 1;
   return packet_.get();
 }

@@ -1,6 +1,8 @@
 // What the finished file says about itself.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,18 @@ TEST(Mp4File, IsWhatPlayersExpect) {
   EXPECT_EQ(video.profile, "High");
   EXPECT_EQ(video.pixelFormat, "yuv420p");
   EXPECT_EQ(video.codecTag, "avc1");
+}
+
+TEST(Mp4File, IsHighProfileWithEveryPreset) {
+  std::set<std::uintmax_t> sizes;
+  for (const char* preset : {"ultrafast", "veryfast", "slow"}) {
+    VideoSettings settings = smallSettings();
+    settings.preset = preset;
+    writeClip(outputFolder() / "preset.mp4", settings, 3);
+    EXPECT_EQ(decodeVideo(outputFolder() / "preset.mp4").profile, "High") << preset;
+    sizes.insert(std::filesystem::file_size(outputFolder() / "preset.mp4"));
+  }
+  EXPECT_EQ(sizes.size(), 3U) << "the preset changes nothing";
 }
 
 TEST(Mp4File, TagsItsColours) {

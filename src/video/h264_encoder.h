@@ -24,7 +24,7 @@ class H264Encoder {
   /// or has ended. Throws MachineError.
   AVPacket* receive();
 
-  /// What the muxer needs to know about the stream: codec parameters, time base, frame rate.
+  /// What the muxer needs to know about the stream: codec parameters and time base.
   const AVCodecContext& context() const { return *context_; }
   const std::string& name() const { return name_; }
 

@@ -21,7 +21,6 @@ void addStream(AVFormatContext& context, const AVCodecContext& encoder) {
   if (stream == nullptr) throw std::bad_alloc();
   check(avcodec_parameters_from_context(stream->codecpar, &encoder), "can't describe the video");
   stream->time_base = encoder.time_base;
-  stream->avg_frame_rate = encoder.framerate;
 }
 
 void addMetadata(AVFormatContext& context, const VideoSettings& settings) {

@@ -114,9 +114,21 @@ TEST(Mp4Writer, NamesThePathItCanNotWrite) {
 }
 
 TEST(Mp4Writer, TakesNamesThatLookLikeProtocols) {
-  const fs::path path = outputFolder() / "take:2.tmp";
-  writeClip(path, smallSettings(), 2);
-  EXPECT_EQ(decodeVideo(path).frames.size(), 2U);
+  const fs::path before = fs::current_path();
+  fs::current_path(outputFolder());
+  writeClip("take:2.tmp", smallSettings(), 2);
+  fs::current_path(before);
+  EXPECT_EQ(decodeVideo(outputFolder() / "take:2.tmp").frames.size(), 2U);
+}
+
+TEST(Mp4Writer, PassesTheLibrarysWordsOnOnce) {
+  VideoSettings huge = smallSettings();
+  huge.width = huge.height = 40000;
+  EXPECT_EQ(messageOf<MachineError>([&] { Mp4Writer(outputFolder() / "huge.mp4", huge); }),
+            "the H.264 encoder libx264 doesn't start: Invalid argument (Picture size 40000x40000 "
+            "is invalid)");
+  EXPECT_EQ(messageOf<MachineError>([] { Mp4Writer("/missing/a.mp4", smallSettings()); }),
+            "can't write /missing/a.mp4: No such file or directory");
 }
 
 TEST(Mp4Writer, NamesAFullDisk) {
@@ -227,11 +239,16 @@ TEST(Mp4Writer, MovesWithItsFile) {
   EXPECT_EQ(decodeVideo(path).frames.size(), 2U);
 }
 
-TEST(Mp4Writer, EncodesOnSeveralThreads) {
-  VideoSettings settings = smallSettings();
-  settings.threads = 3;
-  writeClip(outputFolder() / "threads.mp4", settings, 20);
-  EXPECT_EQ(decodeVideo(outputFolder() / "threads.mp4").frames.size(), 20U);
+TEST(Mp4Writer, EncodesOnAsManyThreadsAsItIsTold) {
+  for (const int threads : {1, 3}) {
+    VideoSettings settings = smallSettings();
+    settings.threads = threads;
+    writeClip(outputFolder() / "threads.mp4", settings, 20);
+    EXPECT_EQ(decodeVideo(outputFolder() / "threads.mp4").frames.size(), 20U);
+    // x264 writes its settings into the stream.
+    EXPECT_THAT(contentOf(outputFolder() / "threads.mp4"),
+                HasSubstr(" threads=" + std::to_string(threads) + " "));
+  }
 }
 
 TEST(Mp4Writer, PrintsNothing) {

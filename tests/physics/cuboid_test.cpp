@@ -5,7 +5,7 @@
 namespace rotatebook::physics {
 namespace {
 
-constexpr double kRoundingBound = 1e-15;  // measured 2e-18
+constexpr double kRoundingBound = 1e-16;  // [kg m^2]; measured 8e-18
 
 TEST(Cuboid, HasCornersSignedByTheBitsOfTheirIndex) {
   Corners expected;

@@ -114,8 +114,8 @@ TEST(Figure7, StifferParticlesExplodeLater) {
                           .eta = 0.0092,
                           .substeps = 5};
   const Trajectory trajectory = simulate(scenario, 70);
-  EXPECT_NEAR(energyRatioAt(trajectory, 16), 1.4, 0.1);  // measured 1.4
-  EXPECT_NEAR(energyRatioAt(trajectory, 33), 2.6, 0.1);  // measured 2.6
+  EXPECT_NEAR(energyRatioAt(trajectory, 16), 1.4, 0.1);  // measured 1.41
+  EXPECT_NEAR(energyRatioAt(trajectory, 33), 2.6, 0.1);  // measured 2.56
   EXPECT_NEAR(energyRatioAt(trajectory, 50), 16, 1);     // measured 16.2
   EXPECT_NEAR(angleOfDivergence(trajectory), 55, 1);     // measured 55.2
 }
@@ -135,7 +135,7 @@ TEST(Figure9, RigidModelsTumbleAboutX) {
   for (std::size_t n = 0; n < matrix.samples.size(); ++n) {
     worst = std::max(worst, std::abs(matrix.samples[n].tiltDeg - quaternion.samples[n].tiltDeg));
   }
-  EXPECT_LT(worst, 0.01);  // [degrees]; measured 1e-3
+  EXPECT_LT(worst, 0.01);  // [degrees]; measured 2.2e-3
 }
 
 TEST(Figure9, LargeStepsEndInASpinAboutAnotherAxis) {
@@ -161,7 +161,7 @@ TEST(Figure10, UnnormalisedMatrixGrows) {
   EXPECT_NEAR(angleOfDivergence(coarse), 30.7, 0.5);  // measured 30.7
   const double doubled =
       firstAngle(coarse, [](const Sample& sample) { return sample.stretchMax > 1.9; });
-  EXPECT_NEAR(doubled, 23, 1);  // measured 23
+  EXPECT_NEAR(doubled, 23, 1);  // measured 22.6
 }
 
 TEST(Figure11, UnnormalisedQuaternionGrowsUntilItBlowsUp) {
@@ -185,17 +185,16 @@ TEST(Figure12, UnnormalisedQuaternionBreathesOnceATurn) {
                           .substeps = 1};
   const Trajectory trajectory = simulate(scenario, 12);
   int peaks = 0;
-  double lastPeak = 1;
   for (std::size_t n = 1; n + 1 < trajectory.samples.size(); ++n) {
     const double here = trajectory.samples[n].stretchMax;
     if (here < trajectory.samples[n - 1].stretchMax || here <= trajectory.samples[n + 1].stretchMax)
       continue;
-    EXPECT_GT(here, lastPeak);
-    lastPeak = here;
+    const double squaredNorm = std::pow(1 + scenario.eta * scenario.eta / 4, n);
+    EXPECT_NEAR(here, 1 + 2 * (squaredNorm - 1), 0.01);  // measured 0.006 and 0.003
     ++peaks;
   }
   EXPECT_EQ(peaks, 2);
-  EXPECT_LT(largest(trajectory, [](const Sample& sample) { return -sample.stretchMin; }), 0);
+  for (const Sample& sample : trajectory.samples) EXPECT_NEAR(sample.stretchMin, 1, 1e-6);
 }
 
 TEST(RigidModels, NeverTumbleWithoutTilt) {

@@ -20,9 +20,9 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double kRoundingBound = 1e-14;  // measured 1e-15
-constexpr double kDegreesBound = 1e-12;   // measured 2e-14
-constexpr double kTinyTiltBound = 1e-7;   // relative; measured 1e-8
+constexpr double kRoundingBound = 1e-14;  // measured 1.1e-15
+constexpr double kDegreesBound = 1e-12;   // measured 1.5e-14
+constexpr double kTinyTiltBound = 1e-7;   // relative; measured 1.2e-9
 constexpr double kDegree = std::numbers::pi / 180;
 
 int halfTurnsOf(std::initializer_list<double> tilts) {

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kRoundingBound = 5e-15;   // measured 9e-16
-constexpr double kTinyAngleBound = 1e-15;  // relative; measured 2e-16
+constexpr double kTinyAngleBound = 1e-15;  // relative; measured 0
 
 Vector3d tilted(const Vector3d& value, double angle, int axis) {
   return InitialSpin{.value = value, .tilt = Tilt{angle, axis}}.tilted();

@@ -15,9 +15,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kStepBound = 1e-13;        // measured 5e-15
-constexpr double kUnitNormBound = 1e-14;    // measured 1e-15
-constexpr double kNormGrowthBound = 1e-13;  // measured 1e-15
+constexpr double kStepBound = 1e-13;        // measured 3e-15
+constexpr double kUnitNormBound = 1e-14;    // measured 0
+constexpr double kNormGrowthBound = 1e-12;  // measured 6e-14
 
 using Quadruple = std::array<double, 4>;  // w, x, y, z
 using Triple = std::array<double, 3>;

@@ -62,9 +62,9 @@ TEST_F(SceneFileTest, NamesTheFileOfAProblem) {
 
 TEST_F(SceneFileTest, SuggestsTheNearestNameForAMissingOne) {
   write("tumble.toml", kSpin);
-  write("tumbles.txt", kSpin);
-  EXPECT_EQ(errorOfFile(folder_ / "tumbles.toml"),
-            "tumbles.toml: scene not found; did you mean \"tumble.toml\"?");
+  write("sumble.toml~", kSpin);  // As near as the scene, and earlier in the alphabet.
+  EXPECT_EQ(errorOfFile(folder_ / "sumble.toml"),
+            "sumble.toml: scene not found; did you mean \"tumble.toml\"?");
   EXPECT_EQ(errorOfFile(folder_ / "tumble"),
             "tumble: scene not found; did you mean \"tumble.toml\"?");
   EXPECT_EQ(errorOfFile(folder_ / "spin.toml"), "spin.toml: scene not found");

@@ -1,5 +1,8 @@
 #include "image/png_bytes.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace rotatebook::image::testing {
 namespace {
 
@@ -10,7 +13,7 @@ void appendBigEndian(Bytes& bytes, std::uint32_t value) {
 }
 
 void append(Bytes& bytes, const Bytes& more) {
-  bytes.insert(bytes.end(), more.begin(), more.end());
+  std::copy(more.begin(), more.end(), std::back_inserter(bytes));
 }
 
 std::uint32_t crc32(const Bytes& bytes) {

@@ -63,6 +63,13 @@ Expectation expectationFrom(physics::Quantity quantity, const ValueReader& bound
   return expectation;
 }
 
+void addExpectations(physics::Quantity quantity, const ValueReader& value,
+                     std::vector<Expectation>& expectations) {
+  for (const auto& bounds : value.tables("a table such as { min = 1.0 } or an array of them")) {
+    expectations.push_back(expectationFrom(quantity, bounds));
+  }
+}
+
 }  // namespace
 
 void readBody(const ValueReader& section, physics::Cuboid& body) {
@@ -90,6 +97,7 @@ void readSimulation(const ValueReader& section, physics::SimulationSettings& set
 
 void readInitial(const ValueReader& section, physics::InitialSpin& spin) {
   std::vector<Field> fields;
+  fields.reserve(kSpinKinds.size() + 1);
   for (const auto& kind : kSpinKinds) {
     fields.push_back({kind.name, [&](const ValueReader& value) {
                         spin.kind = kind.value;
@@ -111,15 +119,13 @@ void readInitial(const ValueReader& section, physics::InitialSpin& spin) {
 }
 
 void readExpectations(const ValueReader& section, std::vector<Expectation>& expectations) {
+  const auto quantities = physics::allQuantities();
   std::vector<Field> fields;
-  for (const physics::Quantity quantity : physics::allQuantities()) {
-    fields.push_back(
-        {physics::nameOf(quantity), [&expectations, quantity](const ValueReader& value) {
-           const std::string expected = "a table such as { min = 1.0 } or an array of them";
-           for (const ValueReader& bounds : value.tables(expected)) {
-             expectations.push_back(expectationFrom(quantity, bounds));
-           }
-         }});
+  fields.reserve(quantities.size());
+  for (const physics::Quantity quantity : quantities) {
+    fields.push_back({physics::nameOf(quantity), [&expectations, quantity](const auto& value) {
+                        addExpectations(quantity, value, expectations);
+                      }});
   }
   section.readTable(fields);
 }

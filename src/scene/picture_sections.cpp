@@ -100,7 +100,7 @@ FrameRate frameRateFrom(const ValueReader& value) {
 // Any texture within reach of the scene's folder, so that a clip names no place of the machine it
 // was made on.
 std::string textureFrom(const ValueReader& value) {
-  const std::string texture = value.text();
+  std::string texture = value.text();
   if (texture.empty() || std::filesystem::path(texture).is_absolute()) {
     value.mismatch("\"builtin\" or a picture's path from the scene's folder");
   }

@@ -61,7 +61,7 @@ Eigen::Vector3d ValueReader::vector(const NumberRange& range) const {
 }
 
 Eigen::Vector3d ValueReader::direction() const {
-  const Eigen::Vector3d direction = vector(kDirections);
+  Eigen::Vector3d direction = vector(kDirections);
   if (direction.norm() < kShortestDirection) mismatch(std::string(kDirections.words));
   return direction;
 }
@@ -127,6 +127,7 @@ std::string ValueReader::nameOfKey(std::string_view key) const {
 
 void ValueReader::refuseKey(const TomlEntry& entry, const std::vector<Field>& fields) const {
   std::vector<std::string_view> valid;
+  valid.reserve(fields.size());
   for (const Field& field : fields) valid.push_back(field.key);
   const bool isSection = name_.empty() && std::holds_alternative<TomlNode::Table>(entry.node.value);
   const std::string where = name_.empty() ? "" : " in [" + name_ + "]";

@@ -84,7 +84,7 @@ TEST(Check, MeasuresEachQuantityWithinAWindow) {
   expectRange({.quantity = Quantity::HalfTurns, .from = 0.1, .to = 0.3}, 1, 1);
   expectRange({.quantity = Quantity::TiltDeg, .from = 0.05, .to = 0.25}, 10, 20);
   expectRange({.quantity = Quantity::EnergyRatio, .from = 0.15, .to = 0.35}, 1.5, 1.75);
-  expectRange({.quantity = Quantity::RotationalRatio, .from = 0.35}, 0, 0);
+  expectRange({.quantity = Quantity::RotationalRatio, .from = 0.15, .to = 0.35}, 0.25, 0.5);
   expectRange({.quantity = Quantity::MomentumRatio, .to = 0.15}, 1, 2);
   expectRange({.quantity = Quantity::Stretch, .to = 0.15}, 0.9, 1.2);
 }

@@ -18,7 +18,7 @@ constexpr double kStepBound = 1e-13;           // relative; measured 1.2e-14
 constexpr double kFloorBound = 1e-12;          // relative; measured 4e-14
 constexpr double kEnergyBound = 1e-14;         // relative; measured 5e-16
 constexpr double kMomentumGrowthBound = 0.02;  // relative; measured 0.0101 and 0.0050
-constexpr double kCentreBound = 1e-16;         // [m]; measured 2e-18
+constexpr double kCentreBound = 1e-16;         // [m]; measured 2.1e-17
 
 // The equations written once more, each force found by its own particle.
 struct ByHand {
@@ -207,12 +207,20 @@ TEST(ParticleSimulator, LeavesATenthOfItsEnergyWhereSpringsHaveTakenNearlyAll) {
   EXPECT_GT(bites, 10);  // measured 473
 }
 
-TEST(ParticleSimulator, KeepsItsCentreAtRestWhenNormalised) {
-  const MotionSettings settings = settingsOf({.model = Model::Particles, .slant = 0.3});
+// Without normalisation's centring rounding alone would move it by 4e-16 m.
+TEST(ParticleSimulator, KeepsItsCentreInTheOriginWhenNormalised) {
+  const MotionSettings settings =
+      settingsOf({.model = Model::Particles, .slant = 0.3, .damping = 0, .eta = 0.02});
   ParticleSimulator simulator(settings);
   const double h = settings.simulation.timePerFrame / settings.simulation.substeps;
-  for (int step = 0; step < 5000; ++step) simulator.advance(h);
-  EXPECT_LT(simulator.state().corners.rowwise().mean().norm(), kCentreBound);
+  double farthest = 0;
+  for (int step = 0; step < 5000; ++step) {
+    simulator.advance(h);
+    if (step % 50 == 0) {
+      farthest = std::max(farthest, simulator.state().corners.rowwise().mean().norm());
+    }
+  }
+  EXPECT_LT(farthest, kCentreBound);
 }
 
 // Explicit Euler turns each particle's momentum by h sum(v x F): on a circle that is a growth of L

@@ -15,19 +15,20 @@ namespace rotatebook::physics {
 
 /// The body at one moment, measured; world axes, SI units unless said otherwise.
 struct Sample {
-  double time = 0;              ///< Simulated time. [s]
-  Eigen::Quaterniond attitude;  ///< World from body; polar rotation of the map that best fits the
-                                ///< corners. w >= 0 at the start, then of continuous sign.
-  Eigen::Vector3d angularVelocity;  ///< [rad/s]
-  Eigen::Vector3d angularMomentum;  ///< About the centre of mass. [kg m^2/s]
-  double kinetic = 0;               ///< [J]
-  double potential = 0;             ///< [J]
-  double rotational = 0;            ///< Kinetic energy of the best-fitting rigid motion. [J]
-  double tiltDeg = 0;  ///< Angle between the spun body axis and the angular momentum. [degrees]
-  int halfTurns = 0;   ///< How often the tilt has gone from under 60 to over 120 degrees or back.
+  double time = 0;  ///< Simulated time. [s]
+  /// World from body; polar rotation of the map that best fits the corners. w >= 0 at the start,
+  /// then of continuous sign.
+  Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d angularVelocity{0, 0, 0};  ///< [rad/s]
+  Eigen::Vector3d angularMomentum{0, 0, 0};  ///< About the centre of mass. [kg m^2/s]
+  double kinetic = 0;                        ///< [J]
+  double potential = 0;                      ///< [J]
+  double rotational = 0;  ///< Kinetic energy of the best-fitting rigid motion. [J]
+  double tiltDeg = 0;     ///< Angle between the spun body axis and the angular momentum. [degrees]
+  int halfTurns = 0;  ///< How often the tilt has gone from under 60 to over 120 degrees or back.
   double stretchMin = 1;  ///< Smallest singular value of the map that best fits the corners.
   double stretchMax = 1;  ///< Largest one.
-  Corners corners;        ///< As drawn. [m]
+  Corners corners = Corners::Zero();  ///< As drawn. [m]
 
   double total() const { return kinetic + potential; }
 };

@@ -1,12 +1,11 @@
 #include "base/atomic_file.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
 #include <fstream>
 #include <system_error>
+#include <unistd.h>
 #include <utility>
 
 #include "base/error.h"
@@ -75,7 +74,8 @@ void writeFileAtomically(const fs::path& path, std::string_view content) {
 void createFolders(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) throw MachineError("can't make the folder " + folder.string() + ": " + error.message());
+  if (error)
+    throw MachineError("can't make the folder " + folder.string() + ": " + error.message());
   if (!fs::is_directory(folder)) {
     throw MachineError("can't make the folder " + folder.string() + ": a file has that name");
   }

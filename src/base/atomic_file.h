@@ -20,8 +20,8 @@ class AtomicFile {
   const std::filesystem::path& temporaryPath() const { return temporaryPath_; }
   const std::filesystem::path& finalPath() const { return finalPath_; }
 
-  /// Flushes the content to the disk and renames it, replacing an older file. Whoever wrote the content has
-  /// closed it before. Throws MachineError.
+  /// Flushes the content to the disk and renames it, replacing an older file. Whoever wrote the
+  /// content has closed it before. Throws MachineError.
   void commit() { commitAs(finalPath_); }
   /// The same under another name in the same folder.
   void commitAs(const std::filesystem::path& path);

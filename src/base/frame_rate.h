@@ -8,7 +8,8 @@
 
 namespace rotatebook {
 
-/// Frames a second as a fraction in lowest terms, so that frame n lies at n * denominator / numerator seconds exactly.
+/// Frames a second as a fraction in lowest terms, so that frame n lies at n * denominator /
+/// numerator seconds exactly.
 struct FrameRate {
   int numerator = 60;   ///< > 0
   int denominator = 1;  ///< > 0
@@ -28,7 +29,8 @@ struct FrameRate {
   friend bool operator==(const FrameRate&, const FrameRate&) = default;
 };
 
-/// "60" or "30000/1001" in lowest terms; nothing if it isn't a rate from 1 to 1000 with terms up to a million.
+/// "60" or "30000/1001" in lowest terms; nothing if it isn't a rate from 1 to 1000 with terms up to
+/// a million.
 std::optional<FrameRate> parseFrameRate(std::string_view text);
 
 }  // namespace rotatebook

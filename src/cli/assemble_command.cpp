@@ -40,9 +40,12 @@ void addAssembleCommand(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<AssembleArguments>();
   CLI::App* command = program.add_subcommand("assemble", "Make an MP4 from PNG frames on the disk");
   command->add_option("DIR", arguments->folder, "Folder with frame_00000.png ...")->required();
-  command->add_option("-o,--output", arguments->output, "MP4 to write")->type_name("FILE")->required();
-  command->add_option("--fps", arguments->frameRate,
-                      "Frame rate, e.g. 60 or 30000/1001; only where DIR has no scene.toml")
+  command->add_option("-o,--output", arguments->output, "MP4 to write")
+      ->type_name("FILE")
+      ->required();
+  command
+      ->add_option("--fps", arguments->frameRate,
+                   "Frame rate, e.g. 60 or 30000/1001; only where DIR has no scene.toml")
       ->type_name("RATE");
   command->footer(R"(
 With the scene.toml that a render leaves beside its frames, this makes the very file that the render made.

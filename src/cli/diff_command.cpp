@@ -40,13 +40,15 @@ void addDiffCommand(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("diff", "Compare two pictures");
   command->add_option("A", arguments->first, "PNG")->required();
   command->add_option("B", arguments->second, "PNG")->required();
-  command->add_option("--max", arguments->tolerance.largest,
-                      "A pixel differs if a channel differs by more than this")
+  command
+      ->add_option("--max", arguments->tolerance.largest,
+                   "A pixel differs if a channel differs by more than this")
       ->type_name("N")
       ->check(CLI::Range(0, 255))
       ->capture_default_str();
-  command->add_option("--fail-percent", arguments->tolerance.failPercent,
-                      "The pictures differ if more than this share of the pixels does")
+  command
+      ->add_option("--fail-percent", arguments->tolerance.failPercent,
+                   "The pictures differ if more than this share of the pixels does")
       ->type_name("P")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();

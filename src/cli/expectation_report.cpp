@@ -57,7 +57,7 @@ int reportMotion(const physics::Trajectory& trajectory,
                  std::span<const physics::Expectation> expectations, std::ostream& out) {
   if (trajectory.divergedAt) {
     out << "  the motion diverges at " << shortestText(*trajectory.divergedAt) << " s, after "
-              << trajectory.samples.size() << " frames\n";
+        << trajectory.samples.size() << " frames\n";
   }
   int status = kDone;
   for (const physics::ExpectationResult& result : check(trajectory, expectations)) {

@@ -25,6 +25,8 @@ const std::atomic<bool>& catchInterrupts() {
   return interrupted;
 }
 
-int interruptStatus() { return received == 0 ? 0 : 128 + received; }
+int interruptStatus() {
+  return received == 0 ? 0 : 128 + received;
+}
 
 }  // namespace rotatebook::cli

@@ -5,7 +5,8 @@
 
 namespace rotatebook::cli {
 
-/// From now on the first SIGINT or SIGTERM sets the flag that is returned; a second one ends the process.
+/// From now on the first SIGINT or SIGTERM sets the flag that is returned; a second one ends the
+/// process.
 const std::atomic<bool>& catchInterrupts();
 
 /// 130 after SIGINT, 143 after SIGTERM, 0 if there was none.

@@ -55,8 +55,9 @@ int runAction(const Action& action) {
 }  // namespace
 
 int runProgram(int argc, char** argv) {
-  CLI::App program("rotatebook renders a spinning book, simulated and checked, to PNG frames and MP4 clips.",
-                   "rotatebook");
+  CLI::App program(
+      "rotatebook renders a spinning book, simulated and checked, to PNG frames and MP4 clips.",
+      "rotatebook");
   program.set_version_flag("--version", std::string("rotatebook ") + kVersion);
   program.require_subcommand(1);
   program.footer(kFooter);
@@ -65,7 +66,8 @@ int runProgram(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    // CLI11 has its own statuses; ours says that the input is wrong. Help and version are not errors.
+    // CLI11 has its own statuses; ours says that the input is wrong. Help and version are not
+    // errors.
     return program.exit(error) == 0 ? kDone : kWrongInput;
   }
   return runAction(action);

@@ -1,11 +1,10 @@
 #include "cli/progress_line.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <iostream>
+#include <unistd.h>
 #include <utility>
 
 namespace rotatebook::cli {
@@ -29,7 +28,8 @@ std::string bar(std::int64_t done, std::int64_t total) {
 
 std::string progressText(std::int64_t done, std::int64_t total, double rate) {
   std::array<char, 128> text;
-  const double percent = 100.0 * static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(total, 1));
+  const double percent =
+      100.0 * static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(total, 1));
   std::snprintf(text.data(), text.size(), "%s %3.0f %%  %lld/%lld frames", bar(done, total).c_str(),
                 percent, static_cast<long long>(done), static_cast<long long>(total));
   std::string line = text.data();
@@ -58,8 +58,8 @@ double ProgressLine::rateAfter(Mark now) {
 void ProgressLine::update(std::int64_t done, std::int64_t total) {
   const Clock::time_point now = Clock::now();
   const double rate = rateAfter({now, done});
-  const bool due = now - lastPrint_ >= (terminal_ ? milliseconds(kTerminalInterval)
-                                                  : milliseconds(kPlainInterval));
+  const bool due = now - lastPrint_ >=
+                   (terminal_ ? milliseconds(kTerminalInterval) : milliseconds(kPlainInterval));
   if (!due && !(terminal_ && done == total)) return;
   lastPrint_ = now;
   const std::string text = label_ + "  " + progressText(done, total, rate);

@@ -67,7 +67,8 @@ void reportFiles(const pipeline::RenderResult& result, const pipeline::RenderOpt
   }
   std::cout << ' ' << files.csv.string();
   if (options.png) {
-    std::cout << " and " << result.framesWritten << " frames in " << files.frameFolder.string() << '/';
+    std::cout << " and " << result.framesWritten << " frames in " << files.frameFolder.string()
+              << '/';
   }
   std::cout << std::endl;
 }
@@ -119,13 +120,15 @@ void addRenderCommand(CLI::App& program, Action& action) {
       ->type_name("DIR")
       ->capture_default_str();
   arguments->sceneOptions.addTo(*command);
-  command->add_option("--frames", arguments->frames,
-                      "Only the frames from A up to, but not including, B")
+  command
+      ->add_option("--frames", arguments->frames,
+                   "Only the frames from A up to, but not including, B")
       ->type_name("A:B");
   command->add_flag("--no-png", arguments->noPng, "Write no PNG frames");
   command->add_flag("--no-mp4", arguments->noMp4, "Write no MP4");
-  command->add_option("--png-level", arguments->options.pngOptions.level,
-                      "PNG compression, 0 (fastest) to 9 (smallest)")
+  command
+      ->add_option("--png-level", arguments->options.pngOptions.level,
+                   "PNG compression, 0 (fastest) to 9 (smallest)")
       ->check(CLI::Range(0, 9))
       ->capture_default_str();
   command->footer(R"(

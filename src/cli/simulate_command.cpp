@@ -40,7 +40,9 @@ void addSimulateCommand(CLI::App& program, Action& action) {
   CLI::App* command =
       program.add_subcommand("simulate", "Simulate a scene without drawing it; needs no graphics");
   command->add_option("SCENE", arguments->scene, "Scene file")->required();
-  command->add_option("--csv", arguments->csv, "Table to write, one row a frame; - for the standard output")
+  command
+      ->add_option("--csv", arguments->csv,
+                   "Table to write, one row a frame; - for the standard output")
       ->type_name("FILE")
       ->required();
   arguments->sceneOptions.addTo(*command);

@@ -33,7 +33,9 @@ void addStillCommand(CLI::App& program, Action& action) {
   command->add_option("--time", arguments->time, "Time in the clip; the nearest frame is drawn")
       ->type_name("SECONDS")
       ->required();
-  command->add_option("-o,--output", arguments->output, "PNG to write")->type_name("FILE")->required();
+  command->add_option("-o,--output", arguments->output, "PNG to write")
+      ->type_name("FILE")
+      ->required();
   arguments->sceneOptions.addTo(*command);
   command->footer(R"(
 Example:

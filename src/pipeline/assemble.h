@@ -11,9 +11,10 @@
 
 namespace rotatebook::pipeline {
 
-/// Makes `mp4` from the frames in `folder`, with the settings of the scene.toml beside them: the same file, byte for byte, as the render
-/// that drew them. Frames from elsewhere need a `frameRate`; it is an error to give one where a scene.toml tells.
-/// Returns the number of frames. Throws InputError: no frames, one missing, differing sizes, no rate.
+/// Makes `mp4` from the frames in `folder`, with the settings of the scene.toml beside them: the
+/// same file, byte for byte, as the render that drew them. Frames from elsewhere need a
+/// `frameRate`; it is an error to give one where a scene.toml tells. Returns the number of frames.
+/// Throws InputError: no frames, one missing, differing sizes, no rate.
 std::int64_t assemble(const std::filesystem::path& folder, const std::filesystem::path& mp4,
                       std::optional<FrameRate> frameRate,
                       const std::function<void(RenderProgress)>& progress);

@@ -22,8 +22,8 @@ constexpr std::string_view kSuffix = ".png";
 
 std::string paddedNumber(std::int64_t number) {
   std::array<char, 32> buffer;
-  const int length = std::snprintf(buffer.data(), buffer.size(), "%05lld",
-                                   static_cast<long long>(number));
+  const int length =
+      std::snprintf(buffer.data(), buffer.size(), "%05lld", static_cast<long long>(number));
   return {buffer.data(), static_cast<std::size_t>(length)};
 }
 
@@ -62,8 +62,7 @@ ClipFiles clipFiles(const fs::path& folder, const std::string& name) {
 
 ClipFiles clipFiles(const fs::path& folder, const std::string& name, FrameRange part) {
   ClipFiles files = clipFiles(folder, name);
-  const std::string partName =
-      name + "_" + paddedNumber(part.first) + "-" + paddedNumber(part.end);
+  const std::string partName = name + "_" + paddedNumber(part.first) + "-" + paddedNumber(part.end);
   files.mp4 = folder / (partName + ".mp4");
   files.partialMp4 = folder / (partName + ".partial.mp4");
   return files;

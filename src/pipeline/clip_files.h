@@ -37,11 +37,12 @@ struct ClipFiles {
 
 /// The files of the clip `name` in `folder`.
 ClipFiles clipFiles(const std::filesystem::path& folder, const std::string& name);
-/// The same for some of its frames, whose MP4 must not replace the whole clip's: NAME_00010-00020.mp4.
+/// The same for some of its frames, whose MP4 must not replace the whole clip's:
+/// NAME_00010-00020.mp4.
 ClipFiles clipFiles(const std::filesystem::path& folder, const std::string& name, FrameRange part);
 
-/// The scene with every default explicit, headed by the program's version and `renderer`. It is stored beside the frames and in
-/// the MP4, so that a clip says what it was made from.
+/// The scene with every default explicit, headed by the program's version and `renderer`. It is
+/// stored beside the frames and in the MP4, so that a clip says what it was made from.
 std::string sceneRecord(const scene::Scene& scene, const std::string& renderer);
 
 /// What the MP4's encoder must know. `record` goes into its metadata.

@@ -16,9 +16,13 @@ void PngSequenceSink::write(std::int64_t index, image::ImageView picture) {
 Mp4Sink::Mp4Sink(const std::filesystem::path& path, const video::VideoSettings& settings)
     : file_(path), writer_(file_.temporaryPath(), settings) {}
 
-void Mp4Sink::write(std::int64_t, image::ImageView picture) { writer_.write(picture); }
+void Mp4Sink::write(std::int64_t, image::ImageView picture) {
+  writer_.write(picture);
+}
 
-void Mp4Sink::finish() { finishAs(file_.finalPath()); }
+void Mp4Sink::finish() {
+  finishAs(file_.finalPath());
+}
 
 void Mp4Sink::finishAs(const std::filesystem::path& path) {
   writer_.finish();

@@ -22,7 +22,8 @@ class FrameSink {
   virtual void finish() = 0;
 };
 
-/// Writes each frame to its own PNG in one folder. write() may be called from several threads at once, in any order.
+/// Writes each frame to its own PNG in one folder. write() may be called from several threads at
+/// once, in any order.
 class PngSequenceSink : public FrameSink {
  public:
   /// `folder` exists.

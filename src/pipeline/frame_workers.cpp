@@ -19,7 +19,9 @@ FrameWorkers::FrameWorkers(FrameSink& sink, int threadCount, FirstError& error)
   for (int i = 0; i < threadCount; ++i) threads_.emplace_back([this] { work(); });
 }
 
-FrameWorkers::~FrameWorkers() { drain(); }
+FrameWorkers::~FrameWorkers() {
+  drain();
+}
 
 void FrameWorkers::submit(Frame frame) {
   const std::lock_guard lock(mutex_);

@@ -34,10 +34,12 @@ class FirstError {
   std::exception_ptr error_;
 };
 
-/// Feeds one sink from a queue. The queue is as long as there are pictures in the pool that the frames come from.
+/// Feeds one sink from a queue. The queue is as long as there are pictures in the pool that the
+/// frames come from.
 class FrameWorkers {
  public:
-  /// More than one thread only for a sink that allows concurrent writes. After an error frames are let go unwritten.
+  /// More than one thread only for a sink that allows concurrent writes. After an error frames are
+  /// let go unwritten.
   FrameWorkers(FrameSink& sink, int threadCount, FirstError& error);
   FrameWorkers(const FrameWorkers&) = delete;
   FrameWorkers& operator=(const FrameWorkers&) = delete;

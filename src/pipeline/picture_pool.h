@@ -16,7 +16,8 @@ class PicturePool {
   /// `count` > 0 copies of `pattern`.
   PicturePool(const image::Image& pattern, int count);
 
-  /// A picture with any content; waits until one is free. This is what slows drawing down to the sinks' pace.
+  /// A picture with any content; waits until one is free. This is what slows drawing down to the
+  /// sinks' pace.
   std::shared_ptr<image::Image> take();
 
  private:

@@ -20,7 +20,8 @@ namespace fs = std::filesystem;
 
 constexpr int kPicturesInFlight = 8;
 
-// Compressing PNGs is the slowest stage that can be shared out; drawing and encoding need a core too.
+// Compressing PNGs is the slowest stage that can be shared out; drawing and encoding need a core
+// too.
 int pngThreads() {
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
   return std::clamp(cores - 1, 1, 6);

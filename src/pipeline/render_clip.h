@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
+#include "physics/trajectory.h"
 #include "pipeline/clip_files.h"
 #include "pipeline/frame_sink.h"
-#include "physics/trajectory.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
 
@@ -21,7 +21,7 @@ struct RenderOptions {
   std::filesystem::path folder = "out";  ///< Made if it isn't there.
   bool png = true;
   bool mp4 = true;
-  std::optional<FrameRange> frames;      ///< Only these; all by default.
+  std::optional<FrameRange> frames;  ///< Only these; all by default.
   image::PngOptions pngOptions;
   /// Set from outside, e.g. by a signal handler, to stop after the frame in hand. May be null.
   const std::atomic<bool>* stop = nullptr;
@@ -46,17 +46,19 @@ struct RenderResult {
   bool interrupted = false;  ///< Stopped from outside: the MP4 is ClipFiles::partialMp4.
 };
 
-/// The frames of `trajectory` that `wanted` means; all of them by default. Throws InputError, naming the frames that exist.
+/// The frames of `trajectory` that `wanted` means; all of them by default. Throws InputError,
+/// naming the frames that exist.
 FrameRange framesToRender(const physics::Trajectory& trajectory, std::optional<FrameRange> wanted);
 
-/// Draws `trajectory`, the motion of `scene`, and writes CSV, PNGs and MP4. Frames of an earlier render of the same clip are replaced;
-/// only some frames (RenderOptions::frames) join earlier ones of the same resolved scene. Throws Error; files under a final name are whole
-/// then, too.
+/// Draws `trajectory`, the motion of `scene`, and writes CSV, PNGs and MP4. Frames of an earlier
+/// render of the same clip are replaced; only some frames (RenderOptions::frames) join earlier ones
+/// of the same resolved scene. Throws Error; files under a final name are whole then, too.
 RenderResult renderClip(const scene::Scene& scene, const physics::Trajectory& trajectory,
                         const RenderOptions& options, const RenderListener& listener);
 
-/// Draws frames of `trajectory` into each of `sinks` on threads of their own; returns how many were drawn before `stop`.
-/// Sinks are not finished. Throws the first error that drawing or any sink ran into.
+/// Draws frames of `trajectory` into each of `sinks` on threads of their own; returns how many were
+/// drawn before `stop`. Sinks are not finished. Throws the first error that drawing or any sink ran
+/// into.
 struct SinkThreads {
   FrameSink& sink;
   int threads = 1;

@@ -12,8 +12,8 @@ namespace {
 
 std::int64_t frameAt(const scene::Scene& scene, double time) {
   if (!(time >= 0 && time <= scene.clip.duration)) {
-    throw InputError("there is no picture at " + shortestText(time) + " s: the clip lasts from 0 to " +
-                     shortestText(scene.clip.duration) + " s");
+    throw InputError("there is no picture at " + shortestText(time) +
+                     " s: the clip lasts from 0 to " + shortestText(scene.clip.duration) + " s");
   }
   return std::min(scene.clip.frameRate.framesIn(time), scene.clip.frameCount() - 1);
 }

@@ -17,7 +17,9 @@ std::string header() {
   return text + "\n";
 }
 
-void append(std::string& row, double value) { row += ',' + shortestText(value); }
+void append(std::string& row, double value) {
+  row += ',' + shortestText(value);
+}
 
 template <typename Values>
 void appendAll(std::string& row, const Values& values) {

@@ -1,6 +1,9 @@
 #include "render/book_mesh.h"
 
 #include <span>
+#include <utility>
+
+#include <Eigen/Geometry>
 
 namespace rotatebook::render {
 namespace {
@@ -8,19 +11,22 @@ namespace {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-// Shares of the paper's book, 0.188 x 0.291 x 0.05 m: boards of 3 mm, pages inset 3.5 mm at the fore edge and 4 mm at
-// head and foot.
+// Shares of the paper's book, 0.188 x 0.291 x 0.05 m: boards of 3 mm, pages inset 3.5 mm at the
+// fore edge and 4 mm at head and foot.
 constexpr float kBoardThickness = 0.06F;   // of the thickness
 constexpr float kSpineThickness = 0.016F;  // of the width
 constexpr float kForeEdgeInset = 0.019F;   // of the width
 constexpr float kHeadInset = 0.014F;       // of the height
 
-constexpr float kInsideOpenness = 0.45F;   // Where boards and pages meet.
-constexpr float kCoverRim = 0.004F;        // Texture coordinate from which edges and insides take the cloth.
-constexpr float kLeavesPerThickness = 1;   // Repeats of the paper texture across the page block.
-constexpr float kLeavesPerLength = 4;      // And along it.
+constexpr float kInsideOpenness = 0.45F;  // Where boards and pages meet.
+constexpr float kCoverRim =
+    0.004F;  // Texture coordinate from which edges and insides take the cloth.
+constexpr float kLeavesPerThickness = 1;  // Repeats of the paper texture across the page block.
+constexpr float kLeavesPerLength = 4;     // And along it.
 
-constexpr std::array kEven = {0.0F, 0.125F, 0.25F, 0.375F, 0.5F, 0.625F, 0.75F, 0.875F, 1.0F};
+// Enough that a face whose corners leave their plane shows no crease, few enough to be quick.
+constexpr std::array kEven = {0.0F, 0.25F, 0.5F, 0.75F, 1.0F};
+constexpr std::array kEnds = {0.0F, 1.0F};
 constexpr std::array kShadedEnds = {0.0F, 0.1F, 0.9F, 1.0F};
 
 /// A flat rectangle in the unit cube: origin + s * across + t * along, s and t from 0 to 1.
@@ -61,19 +67,23 @@ class MeshBuilder {
       }
     }
     addTriangles(part, first, static_cast<std::uint32_t>(acrossStops.size()),
-                 static_cast<std::uint32_t>(alongStops.size()));
+                 static_cast<std::uint32_t>(alongStops.size()),
+                 face.across.cross(face.along).dot(face.normal) < 0);
   }
 
   BookMesh take() { return std::move(mesh_); }
 
  private:
-  void addTriangles(BookPart part, std::uint32_t first, std::uint32_t columns, std::uint32_t rows) {
+  /// Counter-clockwise as seen from outside; `flipped` where across x along points inward.
+  void addTriangles(BookPart part, std::uint32_t first, std::uint32_t columns, std::uint32_t rows,
+                    bool flipped) {
     auto& triangles = mesh_.triangles[static_cast<std::size_t>(part)];
     for (std::uint32_t row = 0; row + 1 < rows; ++row) {
       for (std::uint32_t column = 0; column + 1 < columns; ++column) {
         const std::uint32_t a = first + row * columns + column;
         const std::uint32_t b = a + columns;
-        triangles.insert(triangles.end(), {a, a + 1, b, b, a + 1, b + 1});
+        const std::uint32_t c = flipped ? b : a + 1, d = flipped ? a + 1 : b;
+        triangles.insert(triangles.end(), {a, c, d, d, c, b + 1});
       }
     }
   }
@@ -94,6 +104,13 @@ Face sideOf(const Box& box, int axis, int sign) {
   return face;
 }
 
+/// A board's narrow side.
+void addEdge(MeshBuilder& builder, BookPart part, const Face& face) {
+  const bool wide = face.across.norm() > face.along.norm();
+  builder.addFace(part, face, {}, wide ? std::span<const float>(kEven) : kEnds,
+                  wide ? std::span<const float>(kEnds) : kEven, 1);
+}
+
 /// A board: its outside carries the whole picture, edges and inside the cloth at the picture's rim.
 void addBoard(MeshBuilder& builder, BookPart part, const Box& box, int axis, int sign,
               const TexturePatch& picture) {
@@ -101,17 +118,17 @@ void addBoard(MeshBuilder& builder, BookPart part, const Box& box, int axis, int
     for (const int direction : {-1, 1}) {
       const Face face = sideOf(box, side, direction);
       if (side != axis) {
-        builder.addFace(part, face, {}, kEven, kEven, 1);
+        addEdge(builder, part, face);
       } else if (direction == sign) {
         builder.addFace(part, face, picture, kEven, kEven, 1);
       } else {
-        builder.addFace(part, face, {}, kEven, kEven, kInsideOpenness);
+        builder.addFace(part, face, {}, kEnds, kEnds, kInsideOpenness);
       }
     }
   }
 }
 
-/// One of the three open sides of the page block; `leafAxis` false where the leaves are stacked along the face's along.
+/// One of the three open sides of the page block.
 void addPageSide(MeshBuilder& builder, const Box& box, int axis, int sign) {
   const Face face = sideOf(box, axis, sign);
   const bool foreEdge = axis == 0;

@@ -1,10 +1,11 @@
 // The book's surface, in the unit cube that its eight corners span.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
 #include <cstdint>
 #include <vector>
+
+#include <Eigen/Core>
 
 namespace rotatebook::render {
 
@@ -15,20 +16,22 @@ inline constexpr std::size_t kBookPartCount = 4;
 
 /// One vertex, laid out as the vertex shader reads it.
 struct BookVertex {
-  Eigen::Vector3f place;     ///< In the unit cube: spine to fore edge, foot to head, back to front cover.
-  Eigen::Vector3f normal;    ///< Outward, in the same coordinates: +-1 along one axis.
-  Eigen::Vector2f texture;   ///< Texture coordinates, v upward.
-  float openness = 1;        ///< Share of the surroundings that lights this place. [0 to 1]
+  Eigen::Vector3f
+      place;  ///< In the unit cube: spine to fore edge, foot to head, back to front cover.
+  Eigen::Vector3f normal;   ///< Outward, in the same coordinates: +-1 along one axis.
+  Eigen::Vector2f texture;  ///< Texture coordinates, v upward.
+  float openness = 1;       ///< Share of the surroundings that lights this place. [0 to 1]
 };
 
 /// Triangles, grouped by part.
 struct BookMesh {
   std::vector<BookVertex> vertices;
-  std::array<std::vector<std::uint32_t>, kBookPartCount> triangles;  ///< Vertex indices, three a triangle, by BookPart.
+  std::array<std::vector<std::uint32_t>, kBookPartCount>
+      triangles;  ///< Vertex indices, three a triangle, by BookPart.
 };
 
-/// A hardback: two boards and a spine that overlap a page block. Faces are grids, so that a face whose corners leave
-/// their plane is still textured without a crease.
+/// A hardback: two boards and a spine that overlap a page block. Faces are grids, so that a face
+/// whose corners leave their plane is still textured without a crease.
 BookMesh makeBookMesh();
 
 }  // namespace rotatebook::render

@@ -11,9 +11,9 @@ namespace rotatebook::render {
 /// A perspective camera.
 struct Camera {
   Eigen::Vector3d position{0, 0, 1};  ///< World. [m]
-  Eigen::Vector3d target{0, 0, 0};    ///< The point in the middle of the picture; not `position`. [m]
-  Eigen::Vector3d up{0, 1, 0};        ///< Not along the view.
-  double fieldOfViewDeg = 30;         ///< Vertical, over 0 to under 180. [degrees]
+  Eigen::Vector3d target{0, 0, 0};  ///< The point in the middle of the picture; not `position`. [m]
+  Eigen::Vector3d up{0, 1, 0};      ///< Not along the view.
+  double fieldOfViewDeg = 30;       ///< Vertical, over 0 to under 180. [degrees]
 };
 
 /// Whole pixels, origin at the picture's top left.
@@ -28,10 +28,11 @@ struct PixelRect {
 
 /// One frame's projection.
 struct Projection {
-  /// World to clip space. Clip y points down, so that a frame buffer's first row is the picture's top.
+  /// World to clip space. Clip y points down, so that a frame buffer's first row is the picture's
+  /// top.
   Eigen::Matrix4d clipFromWorld;
-  /// The pixels that the hull of the points can touch, with a margin; the whole picture if a point is not in front of
-  /// the camera; empty if the hull is beside the picture.
+  /// The pixels that the hull of the points can touch, with a margin; the whole picture if a point
+  /// is not in front of the camera; empty if the hull is beside the picture.
   PixelRect bounds;
 };
 

@@ -1,9 +1,8 @@
 #include "render/egl_context.h"
 
-#include <dlfcn.h>
-
 #include <array>
 #include <cstdlib>
+#include <dlfcn.h>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -88,15 +87,18 @@ EGLContext makeCurrentContext(EGLDisplay display, std::string& failure) {
     failure = "EGL_KHR_no_config_context or EGL_KHR_surfaceless_context is missing";
     return EGL_NO_CONTEXT;
   }
-  const std::array<EGLint, 7> attributes = {EGL_CONTEXT_MAJOR_VERSION, 3,
-                                            EGL_CONTEXT_MINOR_VERSION, 3,
+  const std::array<EGLint, 7> attributes = {EGL_CONTEXT_MAJOR_VERSION,
+                                            3,
+                                            EGL_CONTEXT_MINOR_VERSION,
+                                            3,
                                             EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+                                            EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                            EGL_NONE};
   EGLContext context = EGL_NO_CONTEXT;
   if (!eglBindAPI(EGL_OPENGL_API)) {
     failure = "eglBindAPI: " + takeEglError();
-  } else if (context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT,
-                                        attributes.data());
+  } else if (context =
+                 eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes.data());
              context == EGL_NO_CONTEXT) {
     failure = "eglCreateContext for OpenGL 3.3 core: " + takeEglError();
   } else if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
@@ -137,7 +139,8 @@ std::string describeRenderer(const std::string& way) {
 }  // namespace
 
 EglContext::EglContext() {
-  // Drawing runs beside PNG and video threads: one helper thread wastes least. Must precede the first GL call.
+  // Drawing runs beside PNG and video threads: one helper thread wastes least. Must precede the
+  // first GL call.
   setenv("LP_NUM_THREADS", "1", 0);
   requireLibraries();
   std::string failures;

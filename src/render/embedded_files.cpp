@@ -16,7 +16,9 @@ ROTATEBOOK_EMBEDDED(paper_png);
 namespace rotatebook::render {
 namespace {
 
-std::string_view text(const char* begin, const char* end) { return {begin, end}; }
+std::string_view text(const char* begin, const char* end) {
+  return {begin, end};
+}
 
 std::span<const std::uint8_t> bytes(const char* begin, const char* end) {
   return {reinterpret_cast<const std::uint8_t*>(begin), reinterpret_cast<const std::uint8_t*>(end)};
@@ -30,7 +32,9 @@ std::string_view backgroundVertexShader() {
 std::string_view backgroundFragmentShader() {
   return text(embedded_background_frag_begin, embedded_background_frag_end);
 }
-std::string_view bookVertexShader() { return text(embedded_book_vert_begin, embedded_book_vert_end); }
+std::string_view bookVertexShader() {
+  return text(embedded_book_vert_begin, embedded_book_vert_end);
+}
 std::string_view bookFragmentShader() {
   return text(embedded_book_frag_begin, embedded_book_frag_end);
 }

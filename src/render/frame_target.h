@@ -10,7 +10,8 @@ namespace rotatebook::render {
 /// An off-screen sRGB frame buffer whose first row is the picture's top (see Projection).
 class FrameTarget {
  public:
-  /// Throws InputError if the size is over the driver's limit, MachineError if `samples` are not to be had.
+  /// Throws InputError if the size is over the driver's limit, MachineError if `samples` are not to
+  /// be had.
   FrameTarget(int width, int height, int samples);
 
   /// Directs drawing to the pixels of `area`, and clears their depth.

@@ -7,8 +7,8 @@
 
 namespace rotatebook::render {
 
-/// Owns one GL object name; the moved-from state (name 0) is the only empty one. Made and destroyed with its context current.
-/// `Functions` has static create() and destroy(name).
+/// Owns one GL object name; the moved-from state (name 0) is the only empty one. Made and destroyed
+/// with its context current. `Functions` has static create() and destroy(name).
 template <typename Functions>
 class GlHandle {
  public:
@@ -31,14 +31,14 @@ class GlHandle {
 namespace gl_functions {
 
 /// glGenX and glDeleteX for an object type X.
-#define ROTATEBOOK_GL_FUNCTIONS(Type, generate, remove)          \
-  struct Type {                                                  \
-    static GLuint create() {                                     \
-      GLuint name = 0;                                           \
-      generate(1, &name);                                        \
-      return name;                                               \
-    }                                                            \
-    static void destroy(GLuint name) { remove(1, &name); }       \
+#define ROTATEBOOK_GL_FUNCTIONS(Type, generate, remove)    \
+  struct Type {                                            \
+    static GLuint create() {                               \
+      GLuint name = 0;                                     \
+      generate(1, &name);                                  \
+      return name;                                         \
+    }                                                      \
+    static void destroy(GLuint name) { remove(1, &name); } \
   }
 ROTATEBOOK_GL_FUNCTIONS(Buffer, glGenBuffers, glDeleteBuffers);
 ROTATEBOOK_GL_FUNCTIONS(VertexArray, glGenVertexArrays, glDeleteVertexArrays);

@@ -1,8 +1,13 @@
 #include "render/renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstring>
+#include <limits>
+#include <vector>
+
+#include <Eigen/LU>
 
 #include "base/error.h"
 #include "image/png_file.h"
@@ -71,6 +76,35 @@ class BookGeometry {
   std::array<std::size_t, kBookPartCount + 1> starts_{};
 };
 
+/// Signed volume at each corner of the map from the unit cube, as a share of the largest. Negative:
+/// inside out.
+Eigen::Array<double, 8, 1> cornerVolumes(const physics::Corners& corners) {
+  Eigen::Array<double, 8, 1> volumes;
+  for (int i = 0; i < 8; ++i) {
+    Eigen::Matrix3d edges;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int other = i ^ (1 << axis);
+      const double sign = (i & (1 << axis)) != 0 ? 1 : -1;
+      edges.col(axis) = sign * (corners.col(i) - corners.col(other));
+    }
+    volumes[i] = edges.determinant();
+  }
+  return volumes / std::max(volumes.abs().maxCoeff(), std::numeric_limits<double>::min());
+}
+
+/// Spares the sides that look away from the eye, unless the book is so deformed that any may be
+/// seen.
+void hideInnerSides(const physics::Corners& corners) {
+  constexpr double kClearlyOneWay = 0.2;
+  const Eigen::Array<double, 8, 1> volumes = cornerVolumes(corners);
+  const bool rightWayOut = volumes.minCoeff() > kClearlyOneWay;
+  const bool insideOut = volumes.maxCoeff() < -kClearlyOneWay;
+  if (!rightWayOut && !insideOut) return glDisable(GL_CULL_FACE);
+  glEnable(GL_CULL_FACE);
+  glFrontFace(rightWayOut ? GL_CW
+                          : GL_CCW);  // Clip y points down, which turns every triangle round.
+}
+
 void requireNoGlError(const char* when) {
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return;
@@ -79,16 +113,22 @@ void requireNoGlError(const char* when) {
 
 bool allPixelsEqual(const image::Image& picture) {
   const std::uint8_t* bytes = picture.row(0);
-  const auto size = static_cast<std::size_t>(picture.stride()) *
-                    static_cast<std::size_t>(picture.height());
+  const auto size =
+      static_cast<std::size_t>(picture.stride()) * static_cast<std::size_t>(picture.height());
   return std::memcmp(bytes, bytes + 4, size - 4) == 0;
 }
 
 }  // namespace
 
-image::Image builtinFront() { return image::decodePng(frontPng(), "built-in front cover"); }
-image::Image builtinSpine() { return image::decodePng(spinePng(), "built-in spine"); }
-image::Image builtinBack() { return image::decodePng(backPng(), "built-in back cover"); }
+image::Image builtinFront() {
+  return image::decodePng(frontPng(), "built-in front cover");
+}
+image::Image builtinSpine() {
+  return image::decodePng(spinePng(), "built-in spine");
+}
+image::Image builtinBack() {
+  return image::decodePng(backPng(), "built-in back cover");
+}
 
 struct Renderer::Parts {
   Parts(const RenderSettings& renderSettings, const BookTextures& textures)
@@ -110,16 +150,17 @@ struct Renderer::Parts {
 
   void drawBackground() const {
     glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
     backgroundProgram.use();
-    backgroundProgram.set("pictureSize", Eigen::Vector2i(settings.width, settings.height)
-                                             .cast<float>()
-                                             .eval());
+    backgroundProgram.set("pictureSize",
+                          Eigen::Vector2i(settings.width, settings.height).cast<float>().eval());
     glBindVertexArray(noVertices.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
 
   void drawBook(const physics::Corners& corners, const Projection& projection) const {
     glEnable(GL_DEPTH_TEST);
+    hideInnerSides(corners);
     bookProgram.use();
     bookProgram.set("corners", Eigen::Matrix<float, 3, 8>(corners.cast<float>()));
     bookProgram.set("clipFromWorld", Eigen::Matrix4f(projection.clipFromWorld.cast<float>()));
@@ -159,8 +200,7 @@ image::Image Renderer::makePicture() const {
 
 void Renderer::draw(const physics::Corners& corners, image::Image& picture) {
   const RenderSettings& settings = parts_->settings;
-  const Projection projection =
-      project(settings.camera, corners, settings.width, settings.height);
+  const Projection projection = project(settings.camera, corners, settings.width, settings.height);
   picture = parts_->background;
   const PixelRect& area = projection.bounds;
   if (area.width > 0 && area.height > 0) {
@@ -176,6 +216,8 @@ void Renderer::draw(const physics::Corners& corners, image::Image& picture) {
   }
 }
 
-const std::string& Renderer::description() const { return parts_->context.description(); }
+const std::string& Renderer::description() const {
+  return parts_->context.description();
+}
 
 }  // namespace rotatebook::render

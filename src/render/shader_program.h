@@ -1,9 +1,10 @@
 // A vertex and a fragment shader, linked.
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
 #include <string_view>
+
+#include <Eigen/Core>
 
 #include "render/gl_handles.h"
 

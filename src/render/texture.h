@@ -9,7 +9,7 @@ namespace rotatebook::render {
 /// How a texture continues beyond its edges.
 enum class TextureWrap { Clamp, Repeat };
 
-/// A mipmapped, anisotropically filtered sRGB texture; its first row is at v = 1.
+/// A mipmapped, trilinearly filtered sRGB texture; its first row is at v = 1.
 class Texture {
  public:
   /// Throws InputError if the picture is larger than the driver's limit.

@@ -1,10 +1,7 @@
 // [clip], [video], [camera] and [book]: how the motion is shown.
-#include <charconv>
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
-#include <numeric>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,9 +17,8 @@ namespace {
 
 constexpr int kSmallestPicture = 16;
 constexpr int kLargestPicture = 16'384;
-constexpr int kLargestFraction = 1'000'000;
-constexpr int kHighestRate = 1'000;
 constexpr int kMostFrames = 1'000'000;  // Their trajectory takes some 400 MB.
+constexpr int kBestCrf = 1;  // 0 is lossless, which the High profile doesn't have.
 constexpr int kWorstCrf = 51;
 constexpr int kMostThreads = 64;
 constexpr double kLeastDistance = 1e-9;  // [m]
@@ -48,43 +44,19 @@ void readPictureSize(const ValueReader& value, ClipSettings& clip) {
   clip.height = pictureSide(sides[1]);
 }
 
-// All of `text` as a number, nothing if it isn't one.
-std::optional<int> wholeNumber(std::string_view text) {
-  int number = 0;
-  const char* const end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, number);
-  if (result.ec != std::errc() || result.ptr != end) return std::nullopt;
-  return number;
-}
-
-// The fraction as it is written, nothing if `node` is none.
-std::optional<FrameRate> fractionFrom(const TomlNode& node) {
-  std::string text;
-  if (const auto* whole = std::get_if<std::int64_t>(&node.value))
-    text = std::to_string(*whole) + "/1";
-  if (const auto* fraction = std::get_if<std::string>(&node.value)) text = *fraction;
-  const std::size_t slash = text.find('/');
-  if (slash == std::string::npos) return std::nullopt;
-  const auto numerator = wholeNumber(text.substr(0, slash));
-  const auto denominator = wholeNumber(text.substr(slash + 1));
-  if (!numerator || !denominator) return std::nullopt;
-  return FrameRate{*numerator, *denominator};
-}
-
-bool isRate(const FrameRate& rate) {
-  return rate.denominator >= 1 && rate.denominator <= kLargestFraction &&
-         rate.numerator >= rate.denominator && rate.numerator <= kLargestFraction &&
-         rate.numerator <= std::int64_t{kHighestRate} * rate.denominator;
-}
-
 FrameRate frameRateFrom(const ValueReader& value) {
-  const std::optional<FrameRate> rate = fractionFrom(value.node());
-  if (!rate || !isRate(*rate)) {
-    value.mismatch("frames a second from 1 to " + std::to_string(kHighestRate) +
-                   ", an integer or a fraction such as \"30000/1001\"");
+  std::string text;
+  if (const auto* whole = std::get_if<std::int64_t>(&value.node().value)) {
+    text = std::to_string(*whole);
+  } else if (const auto* fraction = std::get_if<std::string>(&value.node().value)) {
+    text = *fraction;
   }
-  const int divisor = std::gcd(rate->numerator, rate->denominator);
-  return {rate->numerator / divisor, rate->denominator / divisor};
+  const std::optional<FrameRate> rate = parseFrameRate(text);
+  if (!rate) {
+    value.mismatch(
+        "frames a second from 1 to 1000, an integer or a fraction such as \"30000/1001\"");
+  }
+  return *rate;
 }
 
 // A camera is only ever wrong through one of the keys that are there.
@@ -128,7 +100,7 @@ void readClip(const ValueReader& section, ClipSettings& clip) {
 
 void readVideo(const ValueReader& section, EncodingSettings& video) {
   section.readTable({
-      {"crf", [&](const ValueReader& value) { video.crf = value.integer(0, kWorstCrf); }},
+      {"crf", [&](const ValueReader& value) { video.crf = value.integer(kBestCrf, kWorstCrf); }},
       {"preset",
        [&](const ValueReader& value) { video.preset = kPresets[value.choice(kPresets)]; }},
       {"threads",

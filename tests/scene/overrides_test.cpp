@@ -91,7 +91,7 @@ TEST(Overrides, AreThePlaceOfTheirProblems) {
             "--set simulation.model=matrx: simulation.model must be \"particles\", \"matrix\" or "
             "\"quaternion\", not \"matrx\"; did you mean \"matrix\"?");
   EXPECT_EQ(errorOf("", {"video.crf=1O"}),
-            "--set video.crf=1O: video.crf must be an integer from 0 to 51, not \"1O\"");
+            "--set video.crf=1O: video.crf must be an integer from 1 to 51, not \"1O\"");
 }
 
 TEST(Overrides, RefuseWhatHasNoForm) {

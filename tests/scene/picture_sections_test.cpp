@@ -89,8 +89,8 @@ TEST(ClipSection, RefusesDurationsWithoutAFrameOrWithoutEnd) {
 }
 
 TEST(VideoSection, ReadsEveryKey) {
-  const Scene scene = sceneFrom("[video]\ncrf = 0\npreset = 'placebo'\nthreads = 64");
-  EXPECT_EQ(scene.video.crf, 0);
+  const Scene scene = sceneFrom("[video]\ncrf = 1\npreset = 'placebo'\nthreads = 64");
+  EXPECT_EQ(scene.video.crf, 1);
   EXPECT_EQ(scene.video.preset, "placebo");
   EXPECT_EQ(scene.video.threads, 64);
 }
@@ -104,9 +104,9 @@ TEST(VideoSection, KnowsThePresetsOfX264) {
 
 TEST(VideoSection, RefusesWhatTheEncoderHasNot) {
   EXPECT_EQ(errorOf("[video]\ncrf = 52"),
-            "a.toml:2:7: video.crf must be an integer from 0 to 51, not 52");
-  EXPECT_EQ(errorOf("[video]\ncrf = -1"),
-            "a.toml:2:7: video.crf must be an integer from 0 to 51, not -1");
+            "a.toml:2:7: video.crf must be an integer from 1 to 51, not 52");
+  EXPECT_EQ(errorOf("[video]\ncrf = 0"),
+            "a.toml:2:7: video.crf must be an integer from 1 to 51, not 0");
   EXPECT_EQ(errorOf("[video]\nthreads = 0"),
             "a.toml:2:11: video.threads must be an integer from 1 to 64, not 0");
   EXPECT_EQ(errorOf("[video]\nthreads = 65"),

@@ -1,5 +1,6 @@
 #include "cli/expectation_report.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -45,6 +46,12 @@ std::string measuredText(const physics::ExpectationResult& result) {
   return rounded(result.lowest) + " to " + rounded(result.highest);
 }
 
+bool expectsDivergence(std::span<const physics::Expectation> expectations) {
+  return std::ranges::any_of(expectations, [](const physics::Expectation& expectation) {
+    return expectation.quantity == physics::Quantity::DivergesAt;
+  });
+}
+
 }  // namespace
 
 std::string reportLine(const physics::ExpectationResult& result) {
@@ -55,11 +62,14 @@ std::string reportLine(const physics::ExpectationResult& result) {
 
 int reportMotion(const physics::Trajectory& trajectory,
                  std::span<const physics::Expectation> expectations, std::ostream& out) {
-  if (trajectory.divergedAt) {
-    out << "  the motion diverges at " << shortestText(*trajectory.divergedAt) << " s, after "
-        << trajectory.samples.size() << " frames\n";
-  }
   int status = kDone;
+  if (trajectory.divergedAt) {
+    const bool unexpected = !expectations.empty() && !expectsDivergence(expectations);
+    out << (unexpected ? "  UNMET  no divergence is expected; " : "  ") << "the motion diverges at "
+        << shortestText(*trajectory.divergedAt) << " s, after " << trajectory.samples.size()
+        << " frames\n";
+    if (unexpected) status = kUnmet;
+  }
   for (const physics::ExpectationResult& result : check(trajectory, expectations)) {
     out << "  " << reportLine(result) << '\n';
     if (!result.met) status = kUnmet;

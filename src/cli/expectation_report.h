@@ -14,7 +14,8 @@ namespace rotatebook::cli {
 std::string reportLine(const physics::ExpectationResult& result);
 
 /// Prints what became of a motion to `out`: its divergence if any, and a line an expectation.
-/// Returns kDone if all are met, else kUnmet.
+/// Returns kDone if all are met, else kUnmet: also where a motion diverges that has expectations,
+/// but none of that.
 int reportMotion(const physics::Trajectory& trajectory,
                  std::span<const physics::Expectation> expectations, std::ostream& out);
 

@@ -101,7 +101,7 @@ TEST(SceneReader, ListsTheValidOnesWhereNoneIsNear) {
 
 TEST(SceneReader, ReportsTheFirstProblemOfTheText) {
   EXPECT_EQ(errorOf("[video]\ncrf = 99\n[body]\nmass = 0"),
-            "a.toml:2:7: video.crf must be an integer from 0 to 51, not 99");
+            "a.toml:2:7: video.crf must be an integer from 1 to 51, not 99");
   EXPECT_EQ(errorOf("[body]\nmass = 0\n[video]\ncrf = 99"),
             "a.toml:2:8: body.mass must be a mass from 1e-9 to 1e9 kg, not 0");
 }

@@ -126,7 +126,7 @@ fps = 60  # frames a second
 duration = 12.0  # s of video
 
 [video]
-crf = 18  # 0 to 51, smaller is better and takes more space
+crf = 18  # 1 to 51, smaller is better and takes more space
 preset = "veryfast"  # x264's, "ultrafast" to "placebo"
 threads = 1  # of the encoder; another number gives other bytes
 

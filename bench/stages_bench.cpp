@@ -1,0 +1,140 @@
+// Frames a second by stage and end to end, for the paper's Figure 5 at 1280x720. Compare the rows
+// of one run with each other, not with those of another machine or day.
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <sys/resource.h>
+
+#include <benchmark/benchmark.h>
+
+#include "base/error.h"
+#include "image/png_file.h"
+#include "physics/trajectory.h"
+#include "pipeline/render_clip.h"
+#include "pipeline/textures.h"
+#include "pipeline/trajectory_csv.h"
+#include "scene/scene_file.h"
+#include "video/mp4_writer.h"
+
+namespace rotatebook {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kFrames = 300;
+
+scene::Scene benchScene() {
+  return scene::readScene(fs::path(ROTATEBOOK_SCENES) / "figures/fig05-unstable-x.toml");
+}
+
+const physics::Trajectory& benchTrajectory() {
+  static const physics::Trajectory trajectory = simulate(benchScene().motion(), kFrames);
+  return trajectory;
+}
+
+fs::path benchFolder() {
+  const fs::path folder = fs::temp_directory_path() / "rotatebook-bench";
+  fs::create_directories(folder);
+  return folder;
+}
+
+/// A picture with a book in it.
+const image::Image& benchPicture() {
+  static const image::Image picture = [] {
+    render::Renderer renderer = pipeline::makeRenderer(benchScene());
+    image::Image drawn = renderer.makePicture();
+    renderer.draw(benchTrajectory().samples[100].corners, drawn);
+    return drawn;
+  }();
+  return picture;
+}
+
+void countFrames(benchmark::State& state, std::int64_t framesPerIteration) {
+  const auto frames = static_cast<double>(state.iterations() * framesPerIteration);
+  state.counters["frames/s"] = benchmark::Counter(frames, benchmark::Counter::kIsRate);
+}
+
+void simulateAll(benchmark::State& state) {
+  const physics::MotionSettings motion = benchScene().motion();
+  for (auto _ : state) benchmark::DoNotOptimize(simulate(motion, kFrames));
+  countFrames(state, kFrames);
+}
+
+void writeTable(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(pipeline::trajectoryCsv(benchTrajectory()));
+  countFrames(state, kFrames);
+}
+
+void draw(benchmark::State& state) {
+  render::Renderer renderer = pipeline::makeRenderer(benchScene());
+  image::Image picture = renderer.makePicture();
+  std::size_t frame = 0;
+  for (auto _ : state) {
+    renderer.draw(benchTrajectory().samples[frame++ % kFrames].corners, picture);
+  }
+  countFrames(state, 1);
+  state.SetLabel(renderer.description());
+}
+
+void writePng(benchmark::State& state) {
+  const fs::path path = benchFolder() / "frame.png";
+  benchPicture();  // Drawn before the clock starts.
+  for (auto _ : state) image::writePng(path, benchPicture().view());
+  countFrames(state, 1);
+}
+
+void convertAndEncode(benchmark::State& state) {
+  const video::VideoSettings settings = pipeline::videoSettings(benchScene(), "");
+  video::Mp4Writer writer(benchFolder() / "clip.mp4", settings);
+  benchPicture();
+  for (auto _ : state) writer.write(benchPicture().view());
+  writer.finish();
+  countFrames(state, 1);
+}
+
+void endToEnd(benchmark::State& state) {
+  const scene::Scene scene = benchScene();
+  pipeline::RenderOptions options;
+  options.folder = benchFolder();
+  options.png = state.range(0) != 0;
+  options.mp4 = state.range(1) != 0;
+  for (auto _ : state) {
+    const physics::Trajectory trajectory = simulate(scene.motion(), kFrames);
+    pipeline::renderClip(scene, trajectory, options, {});
+  }
+  countFrames(state, kFrames);
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  state.counters["peak_MB"] = static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+BENCHMARK(simulateAll)->Unit(benchmark::kMillisecond);
+BENCHMARK(writeTable)->Unit(benchmark::kMillisecond);
+BENCHMARK(draw)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(writePng)->Unit(benchmark::kMillisecond)->UseRealTime();
+BENCHMARK(convertAndEncode)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK(endToEnd)
+    ->ArgNames({"png", "mp4"})
+    ->Args({1, 0})
+    ->Args({0, 1})
+    ->Args({1, 1})
+    ->Unit(benchmark::kSecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime()
+    ->Iterations(1);
+
+}  // namespace
+}  // namespace rotatebook
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  try {
+    benchmark::RunSpecifiedBenchmarks();
+  } catch (const rotatebook::Error& error) {
+    std::fprintf(stderr, "rotatebook_bench: %s\n", error.what());
+    return 3;
+  }
+  std::error_code ignored;
+  std::filesystem::remove_all(std::filesystem::temp_directory_path() / "rotatebook-bench", ignored);
+  return 0;
+}

@@ -6,7 +6,7 @@ PROGRAM := $(BUILD)/src/cli/rotatebook
 OUT ?= out
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build figures test render bench textures format clean
+.PHONY: help setup build figures test render bench lint textures clean
 
 help:
 	@echo 'make figures             render every figure of the paper into $(OUT)/, each checked'
@@ -14,6 +14,8 @@ help:
 	@echo 'make render SCENE=FILE   render one scene into $(OUT)/ (more options: ARGS="--no-png")'
 	@echo 'make build               build $(PROGRAM)'
 	@echo 'make bench               measure frames a second by stage and end to end'
+	@echo 'make lint                check format and run the static analyser'
+	@echo 'make textures            draw the cover anew (see assets/README.md)'
 	@echo 'make setup               install the packages that are missing'
 	@echo 'make clean               remove build/ and $(OUT)/'
 	@echo 'PRESET=dev, asan-ubsan or tsan builds otherwise than optimised.'
@@ -22,7 +24,7 @@ setup:
 	@scripts/setup.sh
 
 build: setup
-	@test -f $(BUILD)/build.ninja || cmake --preset $(PRESET)
+	@test -f $(BUILD)/build.ninja || cmake --preset $(PRESET) $(if $(CI),-DROTATEBOOK_WERROR=ON)
 	@cmake --build $(BUILD)
 
 figures: build
@@ -37,6 +39,13 @@ render: build
 
 bench: build
 	$(BUILD)/bench/rotatebook_bench
+
+lint: build
+	clang-format --dry-run --Werror $$(git ls-files '*.cpp' '*.h')
+	git ls-files 'src/*.cpp' | xargs -P2 -n4 clang-tidy --quiet -p $(BUILD) --extra-arg=-Wno-unknown-warning-option
+
+textures:
+	python3 assets/draw_textures.py
 
 clean:
 	rm -rf build $(OUT)

@@ -1,0 +1,118 @@
+// Drawing is confined to Projection::bounds: they must hold all that the book touches.
+#include <algorithm>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "render/camera.h"
+#include "render/drawing.h"
+
+namespace rotatebook::render {
+namespace {
+
+using testing::book;
+using testing::builtinTextures;
+using testing::colourAt;
+using testing::drawn;
+using testing::emptyPicture;
+using testing::kX;
+using testing::kY;
+using testing::kZ;
+using testing::settingsOf;
+
+constexpr int kWidth = 160;
+constexpr int kHeight = 90;
+
+std::vector<physics::Corners> shapes() {
+  std::vector<physics::Corners> result = {book(), testing::skewedBook(), testing::insideOutBook()};
+  for (int i = 0; i < 24; ++i) {
+    result.push_back(book({{37.0 * i, kX}, {53.0 * i, kY}, {71.0 * i, kZ}}));
+  }
+  // Thin, large, off the middle and half out of the picture.
+  result.push_back(2.5 * book({{30, kY}, {40, kX}}));
+  result.push_back(book({{89, kY}, {3, kX}}).colwise() + Eigen::Vector3d(0.2, 0.1, 0.2));
+  result.push_back(testing::skewedBook().colwise() + Eigen::Vector3d(-0.4, -0.1, 0.1));
+  return result;
+}
+
+bool inside(const PixelRect& area, int x, int y) {
+  return x >= area.x && x < area.x + area.width && y >= area.y && y < area.y + area.height;
+}
+
+/// The bounds without their outermost pixels, except where those are the picture's own border.
+PixelRect core(const PixelRect& bounds) {
+  const int left = bounds.x > 0 ? bounds.x + 1 : 0;
+  const int top = bounds.y > 0 ? bounds.y + 1 : 0;
+  const int right = bounds.x + bounds.width, bottom = bounds.y + bounds.height;
+  return {left, top, (right < kWidth ? right - 1 : right) - left,
+          (bottom < kHeight ? bottom - 1 : bottom) - top};
+}
+
+// Nothing is drawn outside the bounds by construction; that nothing is cut off shows in their rim,
+// which no part of the book reaches.
+TEST(Bounds, LeaveARimThatTheBookDoesNotTouch) {
+  Renderer renderer(settingsOf(kWidth, kHeight), builtinTextures());
+  const image::Image background = emptyPicture(renderer);
+  const std::vector<physics::Corners> all = shapes();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const image::Image picture = drawn(renderer, all[i]);
+    const auto camera = settingsOf(kWidth, kHeight).camera;
+    const PixelRect within = core(project(camera, all[i], kWidth, kHeight).bounds);
+    int touched = 0;
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const bool same = colourAt(picture, x, y) == colourAt(background, x, y);
+        ASSERT_TRUE(same || inside(within, x, y)) << "shape " << i << " at " << x << "," << y;
+        touched += same ? 0 : 1;
+      }
+    }
+    EXPECT_GT(touched, 100) << "shape " << i << " is hardly there";
+  }
+}
+
+TEST(Bounds, AreTight) {
+  Renderer renderer(settingsOf(kWidth, kHeight), builtinTextures());
+  const image::Image background = emptyPicture(renderer);
+  const image::Image picture = drawn(renderer, book());
+  const auto bounds = project(settingsOf(kWidth, kHeight).camera, book(), kWidth, kHeight).bounds;
+  constexpr int kSlack = 4;  // Of the margin and rounding. measured 3
+  int left = kWidth, right = 0, top = kHeight, bottom = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      if (colourAt(picture, x, y) == colourAt(background, x, y)) continue;
+      left = std::min(left, x), right = std::max(right, x);
+      top = std::min(top, y), bottom = std::max(bottom, y);
+    }
+  }
+  EXPECT_LE(left - bounds.x, kSlack);
+  EXPECT_LE(top - bounds.y, kSlack);
+  EXPECT_LE(bounds.x + bounds.width - 1 - right, kSlack);
+  EXPECT_LE(bounds.y + bounds.height - 1 - bottom, kSlack);
+}
+
+// The background inside the bounds is drawn anew, outside it is copied: both must be the same.
+TEST(Bounds, DoNotShowInTheBackground) {
+  Renderer renderer(settingsOf(kWidth, kHeight), builtinTextures());
+  const image::Image background = emptyPicture(renderer);
+  physics::Corners speck = 1e-6 * book();
+  speck.col(0) = Eigen::Vector3d(0.3, 0.2, 0);  // A needle: wide bounds, next to no pixels.
+  const image::Image picture = drawn(renderer, speck);
+  int differing = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      differing += colourAt(picture, x, y) == colourAt(background, x, y) ? 0 : 1;
+    }
+  }
+  EXPECT_LT(differing, kWidth);
+}
+
+TEST(Bounds, BesideThePictureLeaveTheBackground) {
+  Renderer renderer(settingsOf(kWidth, kHeight), builtinTextures());
+  const image::Image right = emptyPicture(renderer);
+  drawn(renderer, book());
+  const physics::Corners above = book().colwise() + Eigen::Vector3d(0, 20, 0);
+  EXPECT_EQ(drawn(renderer, above), right);
+}
+
+}  // namespace
+}  // namespace rotatebook::render

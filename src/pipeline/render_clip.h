@@ -21,8 +21,8 @@ struct RenderOptions {
   std::filesystem::path folder = "out";  ///< Made if it isn't there.
   bool png = true;
   bool mp4 = true;
-  std::optional<FrameRange> frames;  ///< Only these; all by default.
-  image::PngOptions pngOptions;
+  std::optional<FrameRange> frames{};  ///< Only these; all by default.
+  image::PngOptions pngOptions{};
   /// Set from outside, e.g. by a signal handler, to stop after the frame in hand. May be null.
   const std::atomic<bool>* stop = nullptr;
 };

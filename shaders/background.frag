@@ -1,13 +1,21 @@
 #version 330 core
-// A quiet, dark studio wall: brightest behind the book. Colours are linear.
+// A quiet, dark studio wall: brightest behind the book. Drawn once; backdrop.frag repeats it behind each frame's book.
 in vec2 place;
 
-out vec4 colour;
+out vec4 colour;  // sRGB, written as it is.
 
-const vec3 kMiddle = vec3(0.0395, 0.0452, 0.0545);
-const vec3 kEdge = vec3(0.0100, 0.0116, 0.0152);
+const vec3 kMiddle = vec3(0.2196, 0.2353, 0.2588);
+const vec3 kEdge = vec3(0.0980, 0.1059, 0.1255);
+
+// Where in the step from one shade to the next this column changes, -1/2 to 1/2. Without it so slow a gradient shows its steps;
+// varied by column alone it costs the PNGs little, whose rows are stored as differences.
+float threshold(int column) {
+  int rank = ((column & 1) << 2) | (column & 2) | ((column & 4) >> 2);
+  return (float(rank) + 0.5) / 8.0 - 0.5;
+}
 
 void main() {
   float distanceFromMiddle = length(place * vec2(0.62, 0.80) - vec2(0.0, -0.10));
-  colour = vec4(mix(kMiddle, kEdge, smoothstep(0.0, 1.35, distanceFromMiddle)), 1.0);
+  vec3 wall = mix(kMiddle, kEdge, smoothstep(0.0, 1.35, distanceFromMiddle));
+  colour = vec4(wall + threshold(int(gl_FragCoord.x)) / 255.0, 1.0);
 }

@@ -15,6 +15,7 @@
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
 #include "pipeline/render_clip.h"
+#include "pipeline/textures.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -43,6 +44,7 @@ std::vector<scene::Scene> readScenes(const RenderArguments& arguments) {
   std::set<std::string> names;
   for (const std::string& path : arguments.scenes) {
     scenes.push_back(arguments.sceneOptions.read(path));
+    pipeline::loadTextures(scenes.back());  // Only to find out now whether they can be read.
     if (!names.insert(scenes.back().name).second) {
       throw InputError("two scenes are named " + scenes.back().name +
                        "; they would overwrite each other: render them into different folders");

@@ -110,9 +110,10 @@ RenderResult renderClip(const scene::Scene& scene, const physics::Trajectory& tr
   result.files = options.frames ? clipFiles(options.folder, scene.name, range)
                                 : clipFiles(options.folder, scene.name);
   createFolders(options.folder);
-  if (options.png) prepareFrameFolder(result.files, record, options.frames.has_value());
+  // The sink first: without an encoder the frames of an earlier render stay.
   std::optional<Mp4Sink> mp4;
   if (options.mp4) mp4.emplace(result.files.mp4, videoSettings(scene, record));
+  if (options.png) prepareFrameFolder(result.files, record, options.frames.has_value());
   PngSequenceSink png(result.files.frameFolder, options.pngOptions);
 
   std::vector<SinkThreads> sinks;

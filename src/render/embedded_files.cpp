@@ -4,8 +4,9 @@
 #define ROTATEBOOK_EMBEDDED(symbol) \
   extern "C" const char embedded_##symbol##_begin[], embedded_##symbol##_end[]
 
-ROTATEBOOK_EMBEDDED(background_vert);
+ROTATEBOOK_EMBEDDED(whole_picture_vert);
 ROTATEBOOK_EMBEDDED(background_frag);
+ROTATEBOOK_EMBEDDED(backdrop_frag);
 ROTATEBOOK_EMBEDDED(book_vert);
 ROTATEBOOK_EMBEDDED(book_frag);
 ROTATEBOOK_EMBEDDED(front_png);
@@ -26,8 +27,11 @@ std::span<const std::uint8_t> bytes(const char* begin, const char* end) {
 
 }  // namespace
 
-std::string_view backgroundVertexShader() {
-  return text(embedded_background_vert_begin, embedded_background_vert_end);
+std::string_view wholePictureVertexShader() {
+  return text(embedded_whole_picture_vert_begin, embedded_whole_picture_vert_end);
+}
+std::string_view backdropFragmentShader() {
+  return text(embedded_backdrop_frag_begin, embedded_backdrop_frag_end);
 }
 std::string_view backgroundFragmentShader() {
   return text(embedded_background_frag_begin, embedded_background_frag_end);

@@ -8,8 +8,9 @@
 namespace rotatebook::render {
 
 /// GLSL sources, from shaders/.
-std::string_view backgroundVertexShader();
+std::string_view wholePictureVertexShader();
 std::string_view backgroundFragmentShader();
+std::string_view backdropFragmentShader();
 std::string_view bookVertexShader();
 std::string_view bookFragmentShader();
 

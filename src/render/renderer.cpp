@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <Eigen/LU>
@@ -134,7 +135,8 @@ struct Renderer::Parts {
   Parts(const RenderSettings& renderSettings, const BookTextures& textures)
       : settings(renderSettings),
         target(settings.width, settings.height, settings.samples),
-        backgroundProgram("background", backgroundVertexShader(), backgroundFragmentShader()),
+        backgroundProgram("background", wholePictureVertexShader(), backgroundFragmentShader()),
+        backdropProgram("backdrop", wholePictureVertexShader(), backdropFragmentShader()),
         bookProgram("book", bookVertexShader(), bookFragmentShader()),
         front(textures.front.view(), TextureWrap::Clamp),
         spine(textures.spine.view(), TextureWrap::Clamp),
@@ -143,19 +145,29 @@ struct Renderer::Parts {
         background(settings.width, settings.height, image::PixelFormat::Rgba8) {
     const PixelRect everything{0, 0, settings.width, settings.height};
     target.begin(everything);
-    drawBackground();
+    backgroundProgram.use();
+    const Eigen::Vector2i size(settings.width, settings.height);
+    backgroundProgram.set("pictureSize", Eigen::Vector2f(size.cast<float>()));
+    coverPicture();
     target.readBack(everything, background);
+    backdrop.emplace(background.view());
     requireNoGlError("while setting up");
   }
 
-  void drawBackground() const {
+  /// Draws over the whole picture with the program in use, whose colours are encoded already.
+  void coverPicture() const {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
-    backgroundProgram.use();
-    backgroundProgram.set("pictureSize",
-                          Eigen::Vector2i(settings.width, settings.height).cast<float>().eval());
+    glDisable(GL_FRAMEBUFFER_SRGB);
     glBindVertexArray(noVertices.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    glEnable(GL_FRAMEBUFFER_SRGB);
+  }
+
+  void drawBackdrop() const {
+    backdropProgram.use();
+    backdrop->bind();
+    coverPicture();
   }
 
   void drawBook(const physics::Corners& corners, const Projection& projection) const {
@@ -181,11 +193,12 @@ struct Renderer::Parts {
   RenderSettings settings;
   EglContext context;  // First made, last destroyed of all that needs it.
   FrameTarget target;
-  ShaderProgram backgroundProgram, bookProgram;
+  ShaderProgram backgroundProgram, backdropProgram, bookProgram;
   BookGeometry geometry;
   GlVertexArray noVertices;
   Texture front, spine, back, paper;
-  image::Image background;  // What every pixel shows that the book doesn't touch.
+  std::optional<PixelTexture> backdrop;  // The same picture as `background`.
+  image::Image background;               // What every pixel shows that the book doesn't touch.
 };
 
 Renderer::Renderer(const RenderSettings& settings, const BookTextures& textures)
@@ -205,7 +218,7 @@ void Renderer::draw(const physics::Corners& corners, image::Image& picture) {
   const PixelRect& area = projection.bounds;
   if (area.width > 0 && area.height > 0) {
     parts_->target.begin(area);
-    parts_->drawBackground();
+    parts_->drawBackdrop();
     parts_->drawBook(corners, projection);
     parts_->target.readBack(area, picture);
   }

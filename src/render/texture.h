@@ -21,4 +21,16 @@ class Texture {
   GlTexture texture_;
 };
 
+/// A picture to be fetched pixel by pixel, bytes as they are; its first row is at y = 0.
+class PixelTexture {
+ public:
+  /// `picture` is Rgba8, without padding and top row first.
+  explicit PixelTexture(image::ImageView picture);
+
+  void bind() const { glBindTexture(GL_TEXTURE_2D, texture_.name()); }
+
+ private:
+  GlTexture texture_;
+};
+
 }  // namespace rotatebook::render

@@ -1,0 +1,162 @@
+#include "pipeline/assemble.h"
+
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "image/png_file.h"
+#include "pipeline/small_clip.h"
+#include "video/decoded_video.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using testing::bytesOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::kFrames;
+
+// Frames of one colour, from elsewhere.
+void writeFrames(const fs::path& folder, const std::vector<std::int64_t>& indices, int width = 32,
+                 int height = 16) {
+  fs::create_directories(folder);
+  for (const std::int64_t index : indices) {
+    image::writePng(folder / frameName(index),
+                    image::Image(width, height, image::PixelFormat::Rgb8).view());
+  }
+}
+
+class Assemble : public ::testing::Test {
+ protected:
+  std::int64_t assembled(std::optional<FrameRate> rate = {}) const {
+    return assemble(frames_, mp4_, rate, {});
+  }
+
+  std::string inputError(std::optional<FrameRate> rate = {}) const {
+    const std::string message = testing::messageOf<InputError>([&] { assembled(rate); });
+    EXPECT_FALSE(fs::exists(mp4_)) << "a file is left after: " << message;
+    return message;
+  }
+
+  const fs::path folder_ = testing::emptyFolder();
+  const fs::path frames_ = folder_ / "small";
+  const fs::path mp4_ = folder_ / "assembled.mp4";
+};
+
+TEST_F(Assemble, MakesTheSameFileAsTheRender) {
+  testing::render(testing::smallScene(), {.folder = folder_});
+  EXPECT_EQ(assembled(), kFrames);
+  EXPECT_EQ(bytesOf(mp4_), bytesOf(folder_ / "small.mp4"));
+}
+
+TEST_F(Assemble, KeepsTheScenesEncoding) {
+  testing::render(
+      testing::smallScene({"video.crf=35", "clip.fps=\"30000/1001\"", "video.preset=ultrafast"}),
+      {.folder = folder_});
+  assembled();
+  EXPECT_EQ(bytesOf(mp4_), bytesOf(folder_ / "small.mp4"));
+}
+
+TEST_F(Assemble, TakesFramesFromElsewhereAtAGivenRate) {
+  writeFrames(frames_, {0, 1, 2});
+  EXPECT_EQ(assembled(FrameRate{25, 1}), 3);
+  const auto video = video::testing::decodeVideo(mp4_);
+  EXPECT_EQ(video.frames.size(), 3U);
+  EXPECT_EQ(video.containerDurationUs, 120000);
+}
+
+TEST_F(Assemble, TakesFramesThatStartLater) {
+  writeFrames(frames_, {7, 8, 9, 10});
+  EXPECT_EQ(assembled(FrameRate{25, 1}), 4);
+}
+
+TEST_F(Assemble, IgnoresForeignFiles) {
+  writeFrames(frames_, {0, 1});
+  std::ofstream(frames_ / "frame_0002.png") << "not a frame";
+  std::ofstream(frames_ / "notes.txt") << "not a frame";
+  EXPECT_EQ(assembled(FrameRate{25, 1}), 2);
+}
+
+TEST_F(Assemble, TellsItsProgress) {
+  writeFrames(frames_, {3, 4, 5});
+  std::vector<std::int64_t> done;
+  assemble(frames_, mp4_, FrameRate{25, 1}, [&](RenderProgress progress) {
+    done.push_back(progress.done);
+    EXPECT_EQ(progress.total, 3);
+  });
+  ASSERT_FALSE(done.empty());
+  EXPECT_EQ(done.back(), 3);
+}
+
+TEST_F(Assemble, RefusesAMissingFolder) {
+  EXPECT_THAT(inputError(), HasSubstr("can't read the folder " + frames_.string()));
+}
+
+TEST_F(Assemble, RefusesAFolderWithoutFrames) {
+  fs::create_directories(frames_);
+  EXPECT_EQ(inputError(), frames_.string() + " holds no frames named like frame_00000.png");
+}
+
+TEST_F(Assemble, NamesTheFirstFrameThatIsMissing) {
+  writeFrames(frames_, {0, 1, 4, 6});
+  EXPECT_EQ(inputError(FrameRate{25, 1}),
+            frames_.string() + ": frame_00002.png is missing; frame_00004.png comes next");
+}
+
+TEST_F(Assemble, NamesBothFramesOfDifferentSizes) {
+  writeFrames(frames_, {0, 1});
+  writeFrames(frames_, {2}, 48, 16);
+  EXPECT_EQ(inputError(FrameRate{25, 1}),
+            "frames differ in size: " + (frames_ / frameName(0)).string() + " is 32x16, " +
+                (frames_ / frameName(2)).string() + " is 48x16");
+}
+
+TEST_F(Assemble, NeedsARateForFramesFromElsewhere) {
+  writeFrames(frames_, {0, 1});
+  EXPECT_EQ(inputError(),
+            frames_.string() + " has no scene.toml that tells the frame rate; give it with --fps");
+}
+
+TEST_F(Assemble, RefusesARateWhereTheSceneTells) {
+  testing::render(testing::smallScene(), {.folder = folder_, .mp4 = false});
+  EXPECT_EQ(inputError(FrameRate{25, 1}),
+            (frames_ / "scene.toml").string() + " sets the frame rate already; leave --fps out");
+}
+
+TEST_F(Assemble, NamesAFrameThatIsNoPng) {
+  writeFrames(frames_, {0, 1});
+  std::ofstream(frames_ / frameName(2)) << "not a PNG";
+  EXPECT_THAT(inputError(FrameRate{25, 1}), HasSubstr((frames_ / frameName(2)).string()));
+}
+
+TEST_F(Assemble, RefusesFramesOfAnOddSize) {
+  writeFrames(frames_, {0, 1}, 33, 17);
+  EXPECT_THAT(inputError(FrameRate{25, 1}), HasSubstr("33x17"));
+}
+
+TEST_F(Assemble, KeepsAnOlderFileAndNothingElseWhenItFails) {
+  writeFrames(frames_, {0, 1});
+  writeFrames(frames_, {2}, 48, 16);
+  std::ofstream(mp4_) << "older";
+  EXPECT_THROW(assembled(FrameRate{25, 1}), InputError);
+  EXPECT_EQ(bytesOf(mp4_), "older");
+  EXPECT_THAT(testing::namesIn(folder_), ElementsAre("assembled.mp4", "small"));
+}
+
+TEST_F(Assemble, SaysWhereItCannotWrite) {
+  writeFrames(frames_, {0, 1});
+  const fs::path mp4 = folder_ / "missing" / "a.mp4";
+  EXPECT_THAT(testing::messageOf<MachineError>([&] { assemble(frames_, mp4, FrameRate{}, {}); }),
+              HasSubstr(mp4.string()));
+}
+
+}  // namespace
+}  // namespace rotatebook::pipeline

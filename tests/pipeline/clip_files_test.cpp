@@ -1,0 +1,86 @@
+#include "pipeline/clip_files.h"
+
+#include <filesystem>
+#include <fstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "pipeline/small_clip.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+TEST(ClipFiles, NumberFramesWithFiveDigitsOrMore) {
+  EXPECT_EQ(frameName(0), "frame_00000.png");
+  EXPECT_EQ(frameName(42), "frame_00042.png");
+  EXPECT_EQ(frameName(99999), "frame_99999.png");
+  EXPECT_EQ(frameName(1234567), "frame_1234567.png");
+}
+
+TEST(ClipFiles, AreNamedAfterTheScene) {
+  const ClipFiles files = clipFiles("out", "book");
+  EXPECT_EQ(files.frameFolder, "out/book");
+  EXPECT_EQ(files.sceneCopy, "out/book/scene.toml");
+  EXPECT_EQ(files.mp4, "out/book.mp4");
+  EXPECT_EQ(files.partialMp4, "out/book.partial.mp4");
+  EXPECT_EQ(files.csv, "out/book.csv");
+}
+
+TEST(ClipFiles, OfAPartHaveAnMp4OfTheirOwn) {
+  const ClipFiles files = clipFiles("out", "book", {10, 20});
+  EXPECT_EQ(files.frameFolder, "out/book");
+  EXPECT_EQ(files.mp4, "out/book_00010-00020.mp4");
+  EXPECT_EQ(files.partialMp4, "out/book_00010-00020.partial.mp4");
+}
+
+TEST(FramesIn, AreFoundInOrderAmongForeignFiles) {
+  const auto folder = testing::emptyFolder();
+  EXPECT_THAT(framesIn(folder), IsEmpty());
+  for (const char* name :
+       {"frame_00012.png", "frame_100000.png", "frame_00003.png", "scene.toml", "frame_0004.png",
+        "frame_000005.png", "frame_-0001.png", "frame_00006.PNG", "frame_00007.png.tmp",
+        "frame_+0008.png", "frame_.png", "frame_0000a.png", ".frame_00009.png.tmp-1",
+        "xframe_00010.png", "frame_99999999999999999999.png"}) {
+    std::ofstream(folder / name) << "x";
+  }
+  EXPECT_THAT(framesIn(folder), ElementsAre(3, 12, 100000));
+}
+
+TEST(FramesIn, NamesAFolderThatIsMissing) {
+  const auto folder = testing::emptyFolder() / "missing";
+  EXPECT_THAT(testing::messageOf<InputError>([&] { framesIn(folder); }),
+              HasSubstr("can't read the folder " + folder.string() + ": No such file"));
+}
+
+TEST(SceneRecord, IsASceneThatSaysWhatMadeIt) {
+  const scene::Scene scene = testing::smallScene();
+  const std::string record = sceneRecord(scene, "some renderer");
+  EXPECT_THAT(record, StartsWith("# Made by rotatebook "));
+  EXPECT_THAT(record, HasSubstr(" from the scene small\n# Renderer: some renderer\n"));
+  const scene::Scene again = scene::parseScene(record, "small.toml");
+  EXPECT_EQ(scene::sceneText(again), scene::sceneText(scene));
+}
+
+TEST(VideoSettings, AreTheScenes) {
+  const scene::Scene scene = testing::smallScene(
+      {"clip.fps=\"30000/1001\"", "video.crf=30", "video.preset=slow", "video.threads=2"});
+  const video::VideoSettings settings = videoSettings(scene, "the record");
+  EXPECT_EQ(settings.width, 64);
+  EXPECT_EQ(settings.height, 36);
+  EXPECT_EQ(settings.frameRate, (FrameRate{30000, 1001}));
+  EXPECT_EQ(settings.crf, 30);
+  EXPECT_EQ(settings.preset, "slow");
+  EXPECT_EQ(settings.threads, 2);
+  EXPECT_EQ(settings.title, "Small · clip");
+  EXPECT_EQ(settings.comment, "the record");
+}
+
+}  // namespace
+}  // namespace rotatebook::pipeline

@@ -1,0 +1,102 @@
+// Some frames of a clip, and clips put together from parts.
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "pipeline/assemble.h"
+#include "pipeline/small_clip.h"
+#include "video/decoded_video.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using testing::bytesOf;
+using ::testing::ElementsAre;
+using testing::emptyFolder;
+using ::testing::HasSubstr;
+using testing::kFrames;
+using testing::motionOf;
+using testing::namesIn;
+using testing::smallScene;
+
+TEST(RenderParts, HaveTheFramesAndAVideoOfTheirOwn) {
+  const fs::path folder = emptyFolder();
+  const RenderResult result =
+      testing::render(smallScene(), {.folder = folder, .frames = FrameRange{3, 5}});
+  EXPECT_EQ(result.framesWritten, 2);
+  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small_00003-00005.mp4"));
+  EXPECT_THAT(namesIn(folder / "small"),
+              ElementsAre("frame_00003.png", "frame_00004.png", "scene.toml"));
+  EXPECT_EQ(video::testing::decodeVideo(folder / "small_00003-00005.mp4").frames.size(), 2U);
+}
+
+TEST(RenderParts, AssembleToTheWholesBytes) {
+  const fs::path folder = emptyFolder();
+  testing::render(smallScene(), {.folder = folder / "whole"});
+  const fs::path parts = folder / "parts";
+  testing::render(smallScene(), {.folder = parts, .frames = FrameRange{5, 12}});
+  testing::render(smallScene(), {.folder = parts, .mp4 = false, .frames = FrameRange{0, 5}});
+  EXPECT_EQ(assemble(parts / "small", parts / "all.mp4", {}, {}), kFrames);
+  EXPECT_EQ(bytesOf(parts / "all.mp4"), bytesOf(folder / "whole/small.mp4"));
+  for (const std::string& name : namesIn(folder / "whole/small")) {
+    EXPECT_EQ(bytesOf(parts / "small" / name), bytesOf(folder / "whole/small" / name)) << name;
+  }
+}
+
+TEST(RenderParts, LeaveTheWholesVideoAlone) {
+  const fs::path folder = emptyFolder();
+  testing::render(smallScene(), {.folder = folder});
+  const std::string whole = bytesOf(folder / "small.mp4");
+  testing::render(smallScene(), {.folder = folder, .frames = FrameRange{2, 4}});
+  EXPECT_EQ(bytesOf(folder / "small.mp4"), whole);
+  EXPECT_EQ(namesIn(folder / "small").size(), static_cast<std::size_t>(kFrames) + 1);
+}
+
+TEST(RenderParts, RefuseToJoinFramesOfOtherSettings) {
+  const fs::path folder = emptyFolder();
+  testing::render(smallScene(), {.folder = folder, .frames = FrameRange{0, 5}});
+  const std::string before = bytesOf(folder / "small" / frameName(3));
+  const auto join = [&] {
+    testing::render(smallScene({"camera.field_of_view_deg=40"}),
+                    {.folder = folder, .frames = FrameRange{3, 12}});
+  };
+  EXPECT_THAT(testing::messageOf<InputError>(join),
+              AllOf(HasSubstr((folder / "small").string() + " holds frames of other settings"),
+                    HasSubstr("-o")));
+  EXPECT_EQ(bytesOf(folder / "small" / frameName(3)), before);
+  EXPECT_FALSE(fs::exists(folder / "small" / frameName(7)));
+}
+
+TEST(RenderParts, OfAClipMustBeInIt) {
+  const fs::path folder = emptyFolder() / "out";
+  const auto part = [&](FrameRange range) {
+    return testing::messageOf<InputError>(
+        [&] { testing::render(smallScene(), {.folder = folder, .frames = range}); });
+  };
+  EXPECT_EQ(part({5, 13}), "frames 5:13 don't exist; this clip has 0:12");
+  EXPECT_EQ(part({-1, 4}), "frames -1:4 don't exist; this clip has 0:12");
+  EXPECT_EQ(part({6, 6}), "frames 6:6 don't exist; this clip has 0:12");
+  EXPECT_EQ(part({9, 3}), "frames 9:3 don't exist; this clip has 0:12");
+  EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST(RenderParts, EndWhereTheMotionDiverges) {
+  const physics::Trajectory trajectory = motionOf(testing::divergingScene());
+  const auto count = static_cast<std::int64_t>(trajectory.samples.size());
+  EXPECT_EQ(framesToRender(trajectory, {}), (FrameRange{0, count}));
+  EXPECT_EQ(framesToRender(trajectory, FrameRange{1, count}), (FrameRange{1, count}));
+  EXPECT_EQ(testing::messageOf<InputError>([&] {
+              framesToRender(trajectory, FrameRange{0, 12});
+            }),
+            "frames 0:12 don't exist; this clip has 0:" + std::to_string(count) +
+                ", up to where its motion diverges");
+}
+
+}  // namespace
+}  // namespace rotatebook::pipeline

@@ -33,7 +33,7 @@ std::optional<std::int64_t> frameIndex(const std::string& name) {
   const char* end = name.data() + name.size() - kSuffix.size();
   std::int64_t index = 0;
   const auto [rest, error] = std::from_chars(begin, end, index);
-  if (error != std::errc() || rest != end || name != frameName(index)) return {};
+  if (error != std::errc() || rest != end || index < 0 || name != frameName(index)) return {};
   return index;
 }
 

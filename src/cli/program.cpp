@@ -3,6 +3,8 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "base/version.h"
@@ -38,11 +40,15 @@ int fail(const char* message, int status) {
   return status;
 }
 
+/// `status`, unless what was printed got lost.
+int afterFlush(int status) {
+  std::cout.flush();
+  return std::cout ? status : fail("can't write to the standard output", kMachineFailed);
+}
+
 int runAction(const Action& action) {
   try {
-    const int status = action();
-    std::cout.flush();
-    return std::cout ? status : fail("can't write to the standard output", kMachineFailed);
+    return afterFlush(action());
   } catch (const Error& error) {
     return fail(error.what(), error.kind() == ErrorKind::Input ? kWrongInput : kMachineFailed);
   } catch (const std::bad_alloc&) {
@@ -50,6 +56,22 @@ int runAction(const Action& action) {
   } catch (const std::exception& error) {
     return fail(error.what(), kMachineFailed);
   }
+}
+
+/// What is wrong with the command line, where CLI11 would only miss a command.
+std::string problemText(const CLI::App& program, const CLI::Error& error) {
+  if (!program.get_subcommands().empty()) return error.what();
+  const std::vector<std::string> unknown = program.remaining();
+  if (unknown.empty()) return "a command is needed, for example render";
+  return (unknown.front().starts_with('-') ? "unknown option: " : "unknown command: ") +
+         unknown.front();
+}
+
+std::string usageText(const CLI::App* program, const CLI::Error& error) {
+  std::string command = "rotatebook";
+  for (const CLI::App* used : program->get_subcommands()) command += ' ' + used->get_name();
+  return "rotatebook: " + problemText(*program, error) + "\nRun '" + command +
+         " --help' for more information.\n";
 }
 
 }  // namespace
@@ -61,6 +83,7 @@ int runProgram(int argc, char** argv) {
   program.set_version_flag("--version", std::string("rotatebook ") + kVersion);
   program.require_subcommand(1);
   program.footer(kFooter);
+  program.failure_message(usageText);
   Action action;
   addCommands(program, action);
   try {
@@ -68,7 +91,7 @@ int runProgram(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     // CLI11 has its own statuses; ours says that the input is wrong. Help and version are not
     // errors.
-    return program.exit(error) == 0 ? kDone : kWrongInput;
+    return afterFlush(program.exit(error) == 0 ? kDone : kWrongInput);
   }
   return runAction(action);
 }

@@ -16,6 +16,13 @@ std::string sizeOverride(const std::string& size) {
   return "clip.size=[" + match[1].str() + ", " + match[2].str() + "]";
 }
 
+/// `message` in the words that the user wrote.
+std::string withSizeOption(const std::string& message, const std::string& assignment,
+                           const std::string& size) {
+  const std::string place = "--set " + assignment;
+  return message.starts_with(place) ? "--size " + size + message.substr(place.size()) : message;
+}
+
 }  // namespace
 
 void SceneOptions::addTo(CLI::App& command) {
@@ -31,9 +38,14 @@ void SceneOptions::addTo(CLI::App& command) {
 }
 
 scene::Scene SceneOptions::read(const std::string& path) const {
+  if (size.empty()) return scene::readScene(path, overrides);
   std::vector<std::string> all = overrides;
-  if (!size.empty()) all.push_back(sizeOverride(size));
-  return scene::readScene(path, all);
+  all.push_back(sizeOverride(size));
+  try {
+    return scene::readScene(path, all);
+  } catch (const InputError& error) {
+    throw InputError(withSizeOption(error.what(), all.back(), size));
+  }
 }
 
 }  // namespace rotatebook::cli

@@ -1,0 +1,37 @@
+// The program as a user starts it: in a process of its own, with everything that it says kept.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace rotatebook::cli::testing {
+
+/// What a program finds when it starts.
+struct ChildSettings {
+  std::filesystem::path folder;                                    ///< Its working folder; exists.
+  std::vector<std::pair<std::string, std::string>> environment{};  ///< Added to ours.
+  std::string outputFile{};            ///< Where its standard output goes instead of to us.
+  bool terminal = false;               ///< Its standard error is a pseudo-terminal.
+  std::optional<long> largestFile{};   ///< Writing beyond this fails with EFBIG. [bytes]
+  std::function<bool()> signalWhen{};  ///< Asked again and again until it says yes, ...
+  int signal = 0;                      ///< ... which sends this signal.
+  std::chrono::seconds timeout{120};   ///< After which it is killed.
+};
+
+/// What became of it.
+struct ChildResult {
+  int status = -1;     ///< Exit status; 128 + signal if a signal ended it, 137 after the timeout.
+  std::string output;  ///< Its standard output.
+  std::string error;   ///< Its standard error; line ends of a terminal are "\r\n".
+};
+
+/// Runs `program` with `arguments` to its end. Throws std::system_error if it can't be started.
+ChildResult runChild(const std::filesystem::path& program,
+                     const std::vector<std::string>& arguments, const ChildSettings& settings);
+
+}  // namespace rotatebook::cli::testing

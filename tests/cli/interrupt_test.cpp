@@ -1,0 +1,76 @@
+// A render that is stopped half-way.
+#include <csignal>
+#include <string>
+
+#include "cli/program_test.h"
+#include "image/png_file.h"
+#include "video/decoded_video.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+// Longer than any machine takes to draw the frame after which the signal comes.
+constexpr const char* kLong = "clip.duration=200";
+constexpr int kLongFrames = 12'000;
+
+class Interrupt : public ProgramTest {
+ protected:
+  /// Runs a long render, and sends `signal` once `file` is there.
+  ChildResult interrupt(int signal, const std::string& file,
+                        const std::vector<std::string>& options) const {
+    std::vector<std::string> arguments{"render", "tiny.toml", "--set",
+                                       kLong,    "--set",     "simulation.substeps=1"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    ChildSettings settings;
+    settings.signal = signal;
+    settings.signalWhen = [this, file] { return has(file); };
+    return run(arguments, settings);
+  }
+};
+
+TEST_F(Interrupt, LeavesWholeFramesAndAPlayableClip) {
+  const ChildResult result = interrupt(SIGINT, "out/tiny/frame_00005.png", {});
+  EXPECT_EQ(result.status, 130) << result.error;
+  int pictures = 0;
+  for (const std::string& name : files()) {
+    EXPECT_THAT(name, Not(HasSubstr("tmp-")));
+    if (!name.ends_with(".png")) continue;
+    ++pictures;
+    EXPECT_NO_THROW(image::readPng(folder() / name)) << name;
+  }
+  EXPECT_GE(pictures, 6);
+  EXPECT_LT(pictures, kLongFrames);
+  EXPECT_FALSE(has("out/tiny.mp4"));
+  const auto clip = video::testing::decodeVideo(folder() / "out/tiny.partial.mp4");
+  EXPECT_EQ(static_cast<int>(clip.frames.size()), pictures);
+  EXPECT_THAT(result.output,
+              HasSubstr("\n  wrote out/tiny.partial.mp4, out/tiny.csv and " +
+                        std::to_string(pictures) + " frames in out/tiny/\n  interrupted after " +
+                        std::to_string(pictures) + " frames\n"));
+}
+
+TEST_F(Interrupt, TerminationHasAStatusOfItsOwn) {
+  EXPECT_EQ(interrupt(SIGTERM, "out/tiny/frame_00002.png", {"--no-mp4"}).status, 143);
+  EXPECT_TRUE(has("out/tiny/frame_00002.png"));
+}
+
+TEST_F(Interrupt, StopsTheScenesThatFollow) {
+  write("b.toml", kTiny);
+  EXPECT_EQ(interrupt(SIGINT, "out/tiny/frame_00002.png", {"b.toml", "--no-mp4"}).status, 130);
+  EXPECT_FALSE(has("out/b.csv"));
+  EXPECT_FALSE(has("out/b"));
+}
+
+TEST_F(Interrupt, FinishedRenderReplacesThePart) {
+  interrupt(SIGINT, "out/tiny/frame_00005.png", {});
+  EXPECT_TRUE(has("out/tiny.partial.mp4"));
+  EXPECT_EQ(run({"render", "tiny.toml"}).status, 0);
+  EXPECT_FALSE(has("out/tiny.partial.mp4"));
+  EXPECT_TRUE(has("out/tiny.mp4"));
+  EXPECT_FALSE(has("out/tiny/frame_00012.png"));
+}
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

@@ -1,0 +1,180 @@
+// Where the machine can't: no place to write, no graphics. Exit status 3, and nothing half-written.
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+#include "cli/program_test.h"
+#include "image/png_file.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+class OutputFailure : public ProgramTest {
+ protected:
+  ChildResult runOnFullDisk(const std::vector<std::string>& arguments, long largestFile) const {
+    ChildSettings settings;
+    settings.largestFile = largestFile;
+    return run(arguments, settings);
+  }
+
+  ChildResult runOnFullOutput(const std::vector<std::string>& arguments) const {
+    ChildSettings settings;
+    settings.outputFile = "/dev/full";
+    return run(arguments, settings);
+  }
+};
+
+constexpr const char* kLostOutput = "rotatebook: can't write to the standard output\n";
+constexpr long kLessThanAFrame = 2000;  // [bytes]; frames have 2400 and more, scene.toml 1400
+constexpr long kLessThanATable = 6000;  // [bytes]; the table has 6519, the clip 4500
+constexpr long kLessThanAClip = 4000;   // [bytes]; frames have 2800 at most
+
+TEST_F(OutputFailure, FileInTheWayOfTheFolder) {
+  write("file", "");
+  const ChildResult result = run({"render", "tiny.toml", "-o", "file"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_EQ(result.error, "rotatebook: can't make the folder file: Not a directory\n");
+  EXPECT_EQ(run({"render", "tiny.toml", "-o", "file/below"}).error,
+            "rotatebook: can't make the folder file/below: Not a directory\n");
+  EXPECT_THAT(files(), ElementsAre("file"));
+}
+
+TEST_F(OutputFailure, FolderInTheWayOfTheClip) {
+  fs::create_directories(folder() / "out/tiny.mp4");
+  const ChildResult result = run({"render", "tiny.toml", "--no-png"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_EQ(result.error, "rotatebook: can't write out/tiny.mp4: it is a folder\n");
+  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.mp4/"));
+}
+
+TEST_F(OutputFailure, FolderThatIsReadOnly) {
+  if (geteuid() == 0) GTEST_SKIP() << "the superuser may write everywhere";
+  fs::create_directories(folder() / "out");
+  fs::permissions(folder() / "out", fs::perms::owner_read | fs::perms::owner_exec);
+  const ChildResult result = run({"render", "tiny.toml"});
+  fs::permissions(folder() / "out", fs::perms::owner_all);
+  EXPECT_EQ(result.status, 3);
+  EXPECT_EQ(result.error, "rotatebook: can't make the folder out/tiny: Permission denied\n");
+  EXPECT_THAT(files(), ElementsAre("out/"));
+}
+
+TEST_F(OutputFailure, PlaceWhereNobodyMayWrite) {
+  const ChildResult result = run({"render", "tiny.toml", "-o", "/proc/clips"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_EQ(result.error,
+            "rotatebook: can't make the folder /proc/clips: No such file or directory\n");
+}
+
+TEST_F(OutputFailure, FolderThatIsMissing) {
+  const std::string end = ": No such file or directory\n";
+  const ChildResult table = run({"simulate", "tiny.toml", "--csv", "no/x.csv"});
+  EXPECT_EQ(table.status, 3);
+  EXPECT_EQ(table.error, "rotatebook: can't write no/x.csv" + end);
+  const ChildResult still = run({"still", "tiny.toml", "--time", "0", "-o", "no/x.png"});
+  EXPECT_EQ(still.status, 3);
+  EXPECT_EQ(still.error, "rotatebook: can't write no/x.png" + end);
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(OutputFailure, FullDiskForFrames) {
+  const ChildResult result = runOnFullDisk({"render", "tiny.toml", "--no-mp4"}, kLessThanAFrame);
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.error, AllOf(StartsWith("rotatebook: can't write out/tiny/frame_000"),
+                                  EndsWith(".png: File too large\n")));
+  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny/", "out/tiny/scene.toml"));
+}
+
+TEST_F(OutputFailure, FullDiskForTheClip) {
+  const ChildResult result = runOnFullDisk({"render", "tiny.toml"}, kLessThanAClip);
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.error,
+              AllOf(StartsWith("rotatebook: can't write out/"), EndsWith(": File too large\n")));
+  for (const std::string& name : files()) {
+    EXPECT_THAT(name, Not(HasSubstr("tmp-")));
+    EXPECT_THAT(name, Not(HasSubstr(".mp4")));
+    if (!name.ends_with(".png")) continue;
+    EXPECT_NO_THROW(image::readPng(folder() / name)) << name;
+  }
+}
+
+TEST_F(OutputFailure, FullDiskForTheTable) {
+  const ChildResult render =
+      runOnFullDisk({"render", "tiny.toml", "--no-png", "--no-mp4"}, kLessThanATable);
+  EXPECT_EQ(render.status, 3);
+  EXPECT_EQ(render.error, "rotatebook: can't write out/tiny.csv: File too large\n");
+  const ChildResult simulate =
+      runOnFullDisk({"simulate", "tiny.toml", "--csv", "x.csv"}, kLessThanATable);
+  EXPECT_EQ(simulate.status, 3);
+  EXPECT_EQ(simulate.error, "rotatebook: can't write x.csv: File too large\n");
+  EXPECT_THAT(files(), ElementsAre("out/"));
+}
+
+TEST_F(OutputFailure, FullDiskKeepsTheOlderFile) {
+  write("x.csv", "older");
+  EXPECT_EQ(runOnFullDisk({"simulate", "tiny.toml", "--csv", "x.csv"}, kLessThanATable).status, 3);
+  EXPECT_EQ(read("x.csv"), "older");
+}
+
+TEST_F(OutputFailure, FullDiskForAssembleAndStill) {
+  run({"render", "tiny.toml", "--no-mp4"});
+  const auto before = files();
+  const ChildResult assemble =
+      runOnFullDisk({"assemble", "out/tiny", "-o", "x.mp4"}, kLessThanAFrame);
+  EXPECT_EQ(assemble.status, 3);
+  EXPECT_THAT(assemble.error, EndsWith(": File too large\n"));
+  const ChildResult still =
+      runOnFullDisk({"still", "tiny.toml", "--time", "0", "-o", "x.png"}, kLessThanAFrame);
+  EXPECT_EQ(still.status, 3);
+  EXPECT_EQ(still.error, "rotatebook: can't write x.png: File too large\n");
+  EXPECT_EQ(files(), before);
+}
+
+TEST_F(OutputFailure, StandardOutputThatIsFull) {
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"simulate", "tiny.toml", "--csv", "-"},
+        {"simulate", "tiny.toml", "--csv", "x.csv"},
+        {"render", "tiny.toml", "--no-png", "--no-mp4"},
+        {"check", "tiny.toml"},
+        {"scene", "--print", "tiny.toml"},
+        {"list", "."},
+        {"still", "tiny.toml", "--time", "0", "-o", "x.png"},
+        {"--version"},
+        {"render", "--help"}}) {
+    const ChildResult result = runOnFullOutput(arguments);
+    EXPECT_EQ(result.status, 3) << arguments.front();
+    EXPECT_EQ(result.error, kLostOutput) << arguments.front();
+  }
+}
+
+TEST_F(OutputFailure, ComparisonThatIsLost) {
+  run({"still", "tiny.toml", "--time", "0", "-o", "x.png"});
+  const ChildResult result = runOnFullOutput({"diff", "x.png", "x.png"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_EQ(result.error, kLostOutput);
+}
+
+TEST_F(OutputFailure, NoGraphicsSaysWhatToInstall) {
+  const std::vector<std::vector<std::string>> commands{
+      {"render", "tiny.toml"}, {"still", "tiny.toml", "--time", "0", "-o", "x.png"}};
+  for (const std::vector<std::string>& arguments : commands) {
+    const ChildResult result = runWithoutGraphics(arguments);
+    EXPECT_EQ(result.status, 3);
+    EXPECT_THAT(result.error, StartsWith("rotatebook: can't draw: no EGL display gives an OpenGL "
+                                         "3.3 core context:\n"));
+    EXPECT_THAT(result.error,
+                HasSubstr("\nInstall Mesa's software rasteriser (Debian, Ubuntu: apt-get install "
+                          "libegl1 libegl-mesa0 libgl1-mesa-dri)"));
+    EXPECT_THAT(files(), IsEmpty());
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

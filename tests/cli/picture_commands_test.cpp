@@ -1,0 +1,96 @@
+// `rotatebook assemble` and `rotatebook diff`.
+#include <algorithm>
+#include <string>
+
+#include "cli/program_test.h"
+#include "image/png_file.h"
+#include "video/decoded_video.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+class AssembleCommand : public ProgramTest {
+ protected:
+  AssembleCommand() { run({"render", "tiny.toml"}); }
+};
+
+TEST_F(AssembleCommand, MakesTheFileOfTheRender) {
+  const ChildResult result = runWithoutGraphics({"assemble", "out/tiny", "-o", "x.mp4"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_EQ(result.output, "wrote 12 frames to x.mp4\n");
+  EXPECT_EQ(read("x.mp4"), read("out/tiny.mp4"));
+}
+
+TEST_F(AssembleCommand, TakesFramesFromElsewhereAtARate) {
+  std::filesystem::remove(folder() / "out/tiny/scene.toml");
+  EXPECT_EQ(run({"assemble", "out/tiny", "-o", "x.mp4", "--fps", "30000/1001"}).status, 0);
+  const auto clip = video::testing::decodeVideo(folder() / "x.mp4");
+  EXPECT_EQ(clip.frames.size(), 12U);
+  EXPECT_NEAR(static_cast<double>(clip.duration) / static_cast<double>(clip.timeScale),
+              12 * 1001 / 30000.0, 1e-6);
+}
+
+class DiffCommand : public ProgramTest {
+ protected:
+  // A grey picture, and the same with one of its 200 pixels lighter by 10.
+  DiffCommand() {
+    image::Image picture(20, 10, image::PixelFormat::Rgb8);
+    for (int y = 0; y < 10; ++y) std::fill_n(picture.row(y), 60, std::uint8_t{100});
+    writePng(folder() / "a.png", picture.view());
+    picture.row(4)[3 * 7 + 1] = 110;
+    writePng(folder() / "b.png", picture.view());
+  }
+};
+
+constexpr const char* kDifferent =
+    "different: largest difference 10 of 255, mean 0.0167, 1 pixels (0.5000 %) over the bound\n";
+
+TEST_F(DiffCommand, IsZeroForEqualPictures) {
+  const ChildResult result = run({"diff", "a.png", "a.png"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.output,
+            "same: largest difference 0 of 255, mean 0.0000, 0 pixels (0.0000 %) over the bound\n");
+}
+
+TEST_F(DiffCommand, IsOneForDifferentPictures) {
+  const ChildResult result = run({"diff", "a.png", "b.png"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.output, kDifferent);
+  EXPECT_THAT(result.error, IsEmpty());
+  EXPECT_THAT(files(), ElementsAre("a.png", "b.png"));
+}
+
+TEST_F(DiffCommand, TakesTheLargestDifference) {
+  EXPECT_EQ(run({"diff", "a.png", "b.png", "--max", "9"}).status, 1);
+  EXPECT_EQ(run({"diff", "a.png", "b.png", "--max", "10"}).status, 0);
+}
+
+TEST_F(DiffCommand, TakesTheShareOfPixels) {
+  EXPECT_EQ(run({"diff", "a.png", "b.png", "--fail-percent", "0.49"}).status, 1);
+  EXPECT_EQ(run({"diff", "a.png", "b.png", "--fail-percent", "0.5"}).status, 0);
+}
+
+TEST_F(DiffCommand, DrawsTheDifferenceEnlarged) {
+  EXPECT_EQ(run({"diff", "a.png", "b.png", "-o", "d.png"}).status, 1);
+  image::Image expected(20, 10, image::PixelFormat::Rgb8);
+  expected.row(4)[3 * 7 + 1] = 160;
+  EXPECT_EQ(image::readPng(folder() / "d.png"), expected);
+}
+
+TEST_F(DiffCommand, IsTwoWhereNothingCanBeCompared) {
+  const image::Image small(4, 4, image::PixelFormat::Rgb8);
+  writePng(folder() / "small.png", small.view());
+  const ChildResult sizes = run({"diff", "a.png", "small.png", "-o", "d.png"});
+  EXPECT_EQ(sizes.status, 2);
+  EXPECT_EQ(sizes.error, "rotatebook: can't compare pictures of different sizes: 20x10 and 4x4\n");
+  const ChildResult missing = run({"diff", "a.png", "no.png", "-o", "d.png"});
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_EQ(missing.error, "rotatebook: can't read no.png: No such file or directory\n");
+  EXPECT_FALSE(has("d.png"));
+}
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

@@ -1,0 +1,55 @@
+// A folder of its own for each test, and the program run in it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/child_process.h"
+
+namespace rotatebook::cli::testing {
+
+/// 12 frames of 64x36 pixels that expect nothing.
+inline constexpr const char* kTiny = R"(title = "Tiny"
+[initial]
+angular_velocity = [5.0, 0.0, 0.0]
+[clip]
+size = [64, 36]
+duration = 0.2
+)";
+
+/// Settings on a machine that has no graphics, whatever this one has.
+inline constexpr std::pair<const char*, const char*> kNoGraphics{"__EGL_VENDOR_LIBRARY_FILENAMES",
+                                                                 "/nonexistent"};
+
+class ProgramTest : public ::testing::Test {
+ protected:
+  /// Starts with an empty folder and tiny.toml in it.
+  ProgramTest();
+
+  /// Runs the program in the folder.
+  ChildResult run(const std::vector<std::string>& arguments) const;
+  ChildResult run(const std::vector<std::string>& arguments, ChildSettings settings) const;
+  /// The same without graphics.
+  ChildResult runWithoutGraphics(const std::vector<std::string>& arguments) const;
+
+  void write(const std::string& name, const std::string& content) const;
+  std::string read(const std::string& name) const;
+  bool has(const std::string& name) const;
+  /// All files below the folder but tiny.toml, sorted, hidden ones too; folders end in '/'.
+  std::vector<std::string> files() const;
+
+  /// The folder's path from the root.
+  const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// How often `part` occurs in `text`.
+int countOf(const std::string& part, const std::string& text);
+
+}  // namespace rotatebook::cli::testing

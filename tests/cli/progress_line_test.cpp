@@ -1,0 +1,58 @@
+// Progress as the user sees it: a bar on a terminal, plain lines elsewhere.
+#include <chrono>
+#include <csignal>
+#include <string>
+
+#include "cli/program_test.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::MatchesRegex;
+using ::testing::Not;
+
+using ProgressOfARender = ProgramTest;
+
+TEST_F(ProgressOfARender, IsABarOnATerminal) {
+  ChildSettings settings;
+  settings.terminal = true;
+  const ChildResult result =
+      run({"render", "tiny.toml", "--no-png", "--set", "clip.duration=4"}, settings);
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(
+      result.error,
+      AllOf(ContainsRegex("\rtiny  \\[#*\\.*\\] +[0-9]+ %  [0-9]+/240 frames, [0-9]+\\.[0-9] "
+                          "frames/s, [0-9]+ s left\x1b\\[K"),
+            HasSubstr("\rtiny  [########################] 100 %  240/240 frames, "),
+            EndsWith(" s left\x1b[K\r\n")));
+  EXPECT_EQ(countOf("\n", result.error), 1);
+  EXPECT_THAT(result.output, Not(HasSubstr("\r")));
+}
+
+TEST_F(ProgressOfARender, IsSilentOfAShortOneWithoutATerminal) {
+  EXPECT_THAT(run({"render", "tiny.toml", "--no-png", "--no-mp4"}).error, IsEmpty());
+}
+
+TEST_F(ProgressOfARender, IsPlainLinesWithoutATerminal) {
+  const auto start = std::chrono::steady_clock::now();
+  ChildSettings settings;
+  settings.signal = SIGINT;
+  settings.signalWhen = [&start] {
+    return std::chrono::steady_clock::now() - start > std::chrono::seconds(9);
+  };
+  const ChildResult result = run({"render", "tiny.toml", "--no-png", "--size", "640x360", "--set",
+                                  "clip.duration=1000", "--set", "simulation.substeps=1"},
+                                 settings);
+  EXPECT_EQ(result.status, 130);
+  EXPECT_THAT(result.error,
+              MatchesRegex("(tiny  \\[#*\\.*\\] +[0-9]+ %  [0-9]+/60000 frames, [0-9]+\\.[0-9] "
+                           "frames/s, [0-9]+ s left\n)+"));
+}
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

@@ -1,0 +1,193 @@
+// `rotatebook render`: what it leaves on the disk, what it says, and its exit status.
+#include <string>
+#include <vector>
+
+#include "cli/program_test.h"
+#include "image/png_file.h"
+#include "video/decoded_video.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::MatchesRegex;
+using ::testing::StartsWith;
+
+using RenderCommand = ProgramTest;
+
+constexpr std::size_t kTinyFrames = 12;
+
+// A motion that cannot be: kTiny turns by one radian.
+const std::vector<std::string> kUnmet{"--set", "expect.half_turns={min = 3}"};
+
+std::vector<std::string> operator+(std::vector<std::string> words,
+                                   const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST_F(RenderCommand, WritesFramesClipAndTableIntoOut) {
+  const ChildResult result = run({"render", "tiny.toml"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.csv", "out/tiny.mp4", "out/tiny/",
+                                   "out/tiny/frame_00000.png", "out/tiny/frame_00001.png",
+                                   "out/tiny/frame_00002.png", "out/tiny/frame_00003.png",
+                                   "out/tiny/frame_00004.png", "out/tiny/frame_00005.png",
+                                   "out/tiny/frame_00006.png", "out/tiny/frame_00007.png",
+                                   "out/tiny/frame_00008.png", "out/tiny/frame_00009.png",
+                                   "out/tiny/frame_00010.png", "out/tiny/frame_00011.png",
+                                   "out/tiny/scene.toml"));
+  EXPECT_EQ(countOf("\n", read("out/tiny.csv")), 1 + static_cast<int>(kTinyFrames));
+  EXPECT_EQ(video::testing::decodeVideo(folder() / "out/tiny.mp4").frames.size(), kTinyFrames);
+  const image::Image picture = image::readPng(folder() / "out/tiny/frame_00011.png");
+  EXPECT_EQ(picture.width(), 64);
+  EXPECT_EQ(picture.height(), 36);
+}
+
+TEST_F(RenderCommand, SaysWhatItDrawsWithAndWhatItWrote) {
+  const ChildResult result = run({"render", "tiny.toml"});
+  EXPECT_THAT(result.output,
+              AllOf(StartsWith("tiny: Tiny\n  64x36 at 60 frames/s, 0.2 s; renderer "),
+                    HasSubstr("; encoder libx264\n"),
+                    EndsWith("  wrote out/tiny.mp4, out/tiny.csv and 12 frames in "
+                             "out/tiny/\n")));
+}
+
+TEST_F(RenderCommand, LeavesTheFramesOut) {
+  const ChildResult result = run({"render", "tiny.toml", "--no-png"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.csv", "out/tiny.mp4"));
+  EXPECT_THAT(result.output, EndsWith("  wrote out/tiny.mp4, out/tiny.csv\n"));
+}
+
+TEST_F(RenderCommand, LeavesTheClipOut) {
+  const ChildResult result = run({"render", "tiny.toml", "--no-mp4", "--frames", "0:1"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.csv", "out/tiny/", "out/tiny/frame_00000.png",
+                                   "out/tiny/scene.toml"));
+  EXPECT_THAT(result.output, EndsWith("  wrote out/tiny.csv and 1 frames in out/tiny/\n"));
+}
+
+TEST_F(RenderCommand, DrawsARangeThatIsTheSameAsInTheWholeClip) {
+  EXPECT_EQ(run({"render", "tiny.toml", "--no-mp4", "-o", "whole"}).status, 0);
+  const ChildResult result = run({"render", "tiny.toml", "--frames", "2:5", "-o", "part"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  std::vector<std::string> parts;
+  for (const std::string& name : files()) {
+    if (name.starts_with("part/")) parts.push_back(name);
+  }
+  EXPECT_THAT(parts,
+              ElementsAre("part/", "part/tiny.csv", "part/tiny/", "part/tiny/frame_00002.png",
+                          "part/tiny/frame_00003.png", "part/tiny/frame_00004.png",
+                          "part/tiny/scene.toml", "part/tiny_00002-00005.mp4"));
+  EXPECT_EQ(read("part/tiny/frame_00002.png"), read("whole/tiny/frame_00002.png"));
+  EXPECT_NE(read("part/tiny/frame_00002.png"), read("whole/tiny/frame_00003.png"));
+  EXPECT_EQ(video::testing::decodeVideo(folder() / "part/tiny_00002-00005.mp4").frames.size(), 3U);
+}
+
+TEST_F(RenderCommand, TakesSizeFolderAndOverrides) {
+  const ChildResult result = run({"render", "tiny.toml", "-o", "a/b", "--size", "96x54", "--set",
+                                  "clip.duration=0.1", "--set", "title=Other", "--no-png"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.output, StartsWith("tiny: Other\n  96x54 at 60 frames/s, 0.1 s;"));
+  const video::testing::DecodedVideo clip = video::testing::decodeVideo(folder() / "a/b/tiny.mp4");
+  EXPECT_EQ(clip.width, 96);
+  EXPECT_EQ(clip.height, 54);
+  EXPECT_EQ(clip.frames.size(), 6U);
+  EXPECT_EQ(clip.metadata.at("title"), "Other");
+}
+
+TEST_F(RenderCommand, CompressesMoreWhereAsked) {
+  const auto sizeAt = [this](const std::string& level) {
+    run({"render", "tiny.toml", "--no-mp4", "--frames", "0:1", "--png-level", level, "-o", level});
+    return read(level + "/tiny/frame_00000.png").size();
+  };
+  EXPECT_GT(sizeAt("0"), sizeAt("9"));
+}
+
+TEST_F(RenderCommand, RendersSeveralScenes) {
+  write("b.toml", kTiny);
+  const ChildResult result = run({"render", "tiny.toml", "b.toml", "--no-png"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(files(), ElementsAre("b.toml", "out/", "out/b.csv", "out/b.mp4", "out/tiny.csv",
+                                   "out/tiny.mp4"));
+}
+
+TEST_F(RenderCommand, RefusesTwoScenesOfOneName) {
+  write("more/tiny.toml", kTiny);
+  const ChildResult result = run({"render", "tiny.toml", "more/tiny.toml"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.error,
+            "rotatebook: two scenes are named tiny; they would overwrite each other: render them "
+            "into different folders\n");
+  EXPECT_THAT(files(), ElementsAre("more/", "more/tiny.toml"));
+}
+
+TEST_F(RenderCommand, WritesNothingIfTheLastSceneIsWrong) {
+  write("wrong.toml", "titel = 'T'\n");
+  const ChildResult result = run({"render", "tiny.toml", "wrong.toml"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(files(), ElementsAre("wrong.toml"));
+}
+
+TEST_F(RenderCommand, RefusesToMixFramesOfOtherSettings) {
+  EXPECT_EQ(run({"render", "tiny.toml", "--no-mp4", "--frames", "0:1"}).status, 0);
+  const auto other = [&](const std::string& mass) {
+    return run(
+        {"render", "tiny.toml", "--no-mp4", "--frames", "1:2", "--set", "body.mass=" + mass});
+  };
+  const ChildResult result = other("2");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.error,
+            "rotatebook: out/tiny holds frames of other settings (compare its scene.toml with "
+            "'rotatebook scene --print'); render into another folder with -o, or remove it\n");
+  EXPECT_FALSE(has("out/tiny/frame_00001.png"));
+  EXPECT_EQ(other("1").status, 0);
+  EXPECT_TRUE(has("out/tiny/frame_00000.png"));
+}
+
+TEST_F(RenderCommand, KeepsTheFilesOfAnUnmetExpectation) {
+  const ChildResult result = run(std::vector<std::string>{"render", "tiny.toml"} + kUnmet);
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.output, HasSubstr("\n  UNMET  half_turns: expected at least 3; measured 0\n"));
+  EXPECT_EQ(result.error, "rotatebook: expectations are unmet; the files were kept\n");
+  EXPECT_THAT(files(), AllOf(Contains("out/tiny.mp4"), Contains("out/tiny.csv"),
+                             Contains("out/tiny/frame_00011.png")));
+}
+
+TEST_F(RenderCommand, SaysThatAnExpectationIsMet) {
+  const ChildResult result =
+      run({"render", "tiny.toml", "--no-png", "--set", "expect.half_turns={max = 0}"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.output, EndsWith("\n  met    half_turns: expected at most 0; measured 0\n"));
+  EXPECT_THAT(result.error, IsEmpty());
+}
+
+TEST_F(RenderCommand, OneUnmetSceneOfSeveralIsEnough) {
+  write("first.toml", std::string(kTiny) + "[expect]\nhalf_turns = { min = 3 }\n");
+  const ChildResult result = run({"render", "first.toml", "tiny.toml", "--no-png"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_TRUE(has("out/tiny.mp4"));
+}
+
+TEST_F(RenderCommand, EndsBeforeTheMotionDiverges) {
+  // Undamped springs with such steps don't hold for a second.
+  const ChildResult result =
+      run({"render", "tiny.toml", "--no-png", "--set", "clip.duration=2", "--set",
+           "simulation.model=particles", "--set", "simulation.substeps=1", "--set",
+           "simulation.damping=0", "--set", "simulation.normalize=false"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.output,
+              MatchesRegex("(.|\n)*  the motion diverges at [0-9.e-]+ s, after [0-9]+ frames\n"));
+  const auto frames = video::testing::decodeVideo(folder() / "out/tiny.mp4").frames.size();
+  EXPECT_THAT(result.output, EndsWith("after " + std::to_string(frames) + " frames\n"));
+  EXPECT_LT(frames, 120U);
+}
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

@@ -1,0 +1,102 @@
+// `rotatebook still`, `check`, `scene` and `list`.
+#include <string>
+
+#include "cli/program_test.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class SceneCommandsTest : public ProgramTest {};
+
+TEST_F(SceneCommandsTest, StillIsTheFrameOfTheRender) {
+  run({"render", "tiny.toml", "--no-mp4"});
+  const ChildResult result = run({"still", "tiny.toml", "--time", "0.1", "-o", "x.png"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_EQ(result.output, "tiny: wrote frame 6 to x.png\n");
+  EXPECT_EQ(read("x.png"), read("out/tiny/frame_00006.png"));
+  EXPECT_NE(read("x.png"), read("out/tiny/frame_00007.png"));
+}
+
+TEST_F(SceneCommandsTest, StillAtTheEndIsTheLastFrame) {
+  const ChildResult result = run({"still", "tiny.toml", "--time", "0.2", "-o", "x.png", "--size",
+                                  "32x18", "--set", "clip.duration=0.3"});
+  EXPECT_EQ(result.output, "tiny: wrote frame 12 to x.png\n");
+  EXPECT_EQ(run({"still", "tiny.toml", "--time", "0.2", "-o", "x.png"}).output,
+            "tiny: wrote frame 11 to x.png\n");
+}
+
+TEST_F(SceneCommandsTest, CheckSaysOkAndWritesNothing) {
+  write("b.toml", kTiny);
+  const ChildResult result = runWithoutGraphics({"check", "tiny.toml", "b.toml"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.output, "tiny.toml: ok\nb.toml: ok\n");
+  EXPECT_THAT(result.error, IsEmpty());
+  EXPECT_THAT(files(), ElementsAre("b.toml"));
+}
+
+TEST_F(SceneCommandsTest, CheckGoesOnAfterAWrongScene) {
+  write("wrong.toml", "titel = 'T'\n" + std::string(kTiny).substr(15));
+  const ChildResult result = run({"check", "wrong.toml", "tiny.toml"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.output, "tiny.toml: ok\n");
+  EXPECT_EQ(result.error,
+            "rotatebook: wrong.toml:1:1: unknown key \"titel\"; did you mean \"title\"?\n");
+}
+
+TEST_F(SceneCommandsTest, CheckLooksAtTheTexturesToo) {
+  write("covers/cut.png", "\x89PNG\r\n\x1a\n");
+  const ChildResult cut = run({"check", "tiny.toml", "--set", "book.front=covers/cut.png"});
+  EXPECT_EQ(cut.status, 2);
+  EXPECT_EQ(cut.error,
+            "rotatebook: tiny.toml: can't read covers/cut.png: corrupt PNG: the file ends too "
+            "early\n");
+  const ChildResult missing = run({"check", "tiny.toml", "--set", "book.spine=no.png"});
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_EQ(missing.error, "rotatebook: tiny.toml: can't read no.png: No such file or directory\n");
+}
+
+TEST_F(SceneCommandsTest, PrintedSceneRendersTheSame) {
+  const ChildResult printed = run({"scene", "--print", "tiny.toml", "--set", "body.mass=2"});
+  EXPECT_EQ(printed.status, 0);
+  EXPECT_THAT(printed.output, HasSubstr("\nmass = 2.0"));
+  EXPECT_THAT(printed.output, HasSubstr("\nsubsteps = "));
+  write("full/tiny.toml", printed.output);
+  EXPECT_EQ(run({"check", "full/tiny.toml"}).output, "full/tiny.toml: ok\n");
+  EXPECT_EQ(run({"scene", "--print", "full/tiny.toml"}).output, printed.output);
+  run({"render", "tiny.toml", "--set", "body.mass=2", "-o", "a"});
+  run({"render", "full/tiny.toml", "-o", "b"});
+  EXPECT_EQ(read("a/tiny.mp4"), read("b/tiny.mp4"));
+  EXPECT_EQ(read("a/tiny.csv"), read("b/tiny.csv"));
+  EXPECT_EQ(read("a/tiny/frame_00011.png"), read("b/tiny/frame_00011.png"));
+}
+
+TEST_F(SceneCommandsTest, ListNamesScenesWithLengthAndTitle) {
+  write("more/longer-name.toml", kTiny);
+  write("more/note.txt", "no scene");
+  const ChildResult result = runWithoutGraphics({"list", "."});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.output,
+            "./more/longer-name.toml   0.2 s  Tiny\n"
+            "./tiny.toml               0.2 s  Tiny\n");
+}
+
+TEST_F(SceneCommandsTest, ListShowsWrongScenesAndGoesOn) {
+  write("a.toml", "titel = 'T'\n");
+  const ChildResult result = run({"list", "."});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.output, "./tiny.toml   0.2 s  Tiny\n");
+  EXPECT_EQ(result.error,
+            "rotatebook: ./a.toml:1:1: unknown key \"titel\"; did you mean \"title\"?\n");
+}
+
+TEST_F(SceneCommandsTest, ListIsOfTheFolderScenesByDefault) {
+  write("scenes/a.toml", kTiny);
+  EXPECT_EQ(run({"list"}).output, "scenes/a.toml   0.2 s  Tiny\n");
+}
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

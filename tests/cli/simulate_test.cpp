@@ -1,0 +1,75 @@
+// `rotatebook simulate`: a table without graphics.
+#include <string>
+
+#include "cli/program_test.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+using SimulateCommand = ProgramTest;
+
+constexpr const char* kHeader =
+    "frame,time_s,qw,qx,qy,qz,wx,wy,wz,Lx,Ly,Lz,kinetic_J,potential_J,total_J,tilt_deg,half_turns,"
+    "stretch_min,stretch_max,c0x,c0y,c0z,c1x,c1y,c1z,c2x,c2y,c2z,c3x,c3y,c3z,c4x,c4y,c4z,c5x,c5y,"
+    "c5z,c6x,c6y,c6z,c7x,c7y,c7z\n";
+constexpr int kColumns = 43;
+constexpr int kTinyFrames = 12;
+
+TEST_F(SimulateCommand, WritesATableWithoutGraphics) {
+  const ChildResult result = runWithoutGraphics({"simulate", "tiny.toml", "--csv", "t.csv"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_EQ(result.output, "tiny: Tiny\n  wrote t.csv, 12 rows\n");
+  EXPECT_THAT(files(), ElementsAre("t.csv"));
+  EXPECT_THAT(read("t.csv"), StartsWith(kHeader));
+  EXPECT_EQ(countOf("\n", read("t.csv")), 1 + kTinyFrames);
+  EXPECT_EQ(countOf(",", read("t.csv")), (1 + kTinyFrames) * (kColumns - 1));
+}
+
+TEST_F(SimulateCommand, PrintsNothingButTheTableForADash) {
+  run({"simulate", "tiny.toml", "--csv", "t.csv"});
+  const ChildResult result = runWithoutGraphics({"simulate", "tiny.toml", "--csv", "-"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.output, read("t.csv"));
+  EXPECT_THAT(result.error, IsEmpty());
+  EXPECT_THAT(files(), ElementsAre("t.csv"));
+}
+
+TEST_F(SimulateCommand, PrintsExpectationsBesideTheTable) {
+  const ChildResult result =
+      run({"simulate", "tiny.toml", "--csv", "-", "--set", "expect.half_turns={min=1}"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.output, StartsWith(kHeader));
+  EXPECT_EQ(countOf("\n", result.output), 1 + kTinyFrames);
+  EXPECT_EQ(result.error, "  UNMET  half_turns: expected at least 1; measured 0\n");
+}
+
+TEST_F(SimulateCommand, KeepsTheTableOfAnUnmetExpectation) {
+  const ChildResult result =
+      run({"simulate", "tiny.toml", "--csv", "t.csv", "--set", "expect.half_turns={min=1}"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.output,
+              EndsWith("12 rows\n  UNMET  half_turns: expected at least 1; measured 0\n"));
+  EXPECT_THAT(files(), ElementsAre("t.csv"));
+}
+
+TEST_F(SimulateCommand, TakesOverrides) {
+  const ChildResult result =
+      run({"simulate", "tiny.toml", "--csv", "-", "--set", "clip.duration=0.05", "--set",
+           "initial.angular_velocity=[0, 0, 3]"});
+  EXPECT_EQ(countOf("\n", result.output), 1 + 3);
+  EXPECT_THAT(result.output, StartsWith(std::string(kHeader) + "0,0,1,0,0,0,0,0,"));
+}
+
+TEST_F(SimulateCommand, GivesTheTableOfTheRender) {
+  run({"simulate", "tiny.toml", "--csv", "t.csv"});
+  run({"render", "tiny.toml", "--no-png", "--no-mp4"});
+  EXPECT_EQ(read("t.csv"), read("out/tiny.csv"));
+}
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

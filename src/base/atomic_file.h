@@ -10,7 +10,8 @@ namespace rotatebook {
 /// Without commit() the destructor removes it, so that a final name never holds half a file.
 class AtomicFile {
  public:
-  /// Throws MachineError if the folder of `finalPath` doesn't exist or can't be written.
+  /// Throws MachineError if the folder of `finalPath` doesn't exist or can't be written, or if
+  /// `finalPath` is there but no regular file.
   explicit AtomicFile(std::filesystem::path finalPath);
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <sys/stat.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -64,6 +65,13 @@ TEST_F(AtomicFileTest, NamesTheMissingFolderAndTheCause) {
 
 TEST_F(AtomicFileTest, RefusesAFolderOfThatName) {
   EXPECT_THROW(AtomicFile file(folder_), MachineError);
+}
+
+TEST_F(AtomicFileTest, RefusesToReplaceAPipe) {
+  const fs::path pipe = folder_ / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THROW(AtomicFile file(pipe), MachineError);
+  EXPECT_TRUE(fs::is_fifo(pipe));
 }
 
 TEST_F(AtomicFileTest, FoldersStopAtAFileInTheWay) {

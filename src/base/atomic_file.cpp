@@ -42,8 +42,8 @@ AtomicFile::AtomicFile(fs::path finalPath)
     : finalPath_(std::move(finalPath)), temporaryPath_(temporaryNameFor(finalPath_)) {
   // A rename would put a plain file in the place of a device or a pipe.
   if (fs::exists(finalPath_) && !fs::is_regular_file(finalPath_)) {
-    throw MachineError("can't write " + finalPath_.string() + ": it is not a file" +
-                       (fs::is_directory(finalPath_) ? " but a folder" : ""));
+    throw MachineError("can't write " + finalPath_.string() + ": it is " +
+                       (fs::is_directory(finalPath_) ? "a folder" : "not a regular file"));
   }
   const int flags = O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC;
   const int descriptor = open(temporaryPath_.c_str(), flags, 0666);

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -39,8 +40,14 @@ void refuseForeignFrames(const ClipFiles& files, const std::string& record) {
                    "--print'); render into another folder with -o, or remove it");
 }
 
+void removeFile(const fs::path& path) {
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) throw MachineError("can't remove " + path.string() + ": " + error.message());
+}
+
 void removeFrames(const fs::path& folder) {
-  for (const std::int64_t index : framesIn(folder)) fs::remove(folder / frameName(index));
+  for (const std::int64_t index : framesIn(folder)) removeFile(folder / frameName(index));
 }
 
 /// Makes the folder ready for frames that `record` describes.
@@ -59,7 +66,7 @@ void finishMp4(Mp4Sink& sink, const ClipFiles& files, bool interrupted) {
     sink.finishAs(files.partialMp4);
   } else {
     sink.finish();
-    fs::remove(files.partialMp4);
+    removeFile(files.partialMp4);
   }
 }
 

@@ -111,21 +111,26 @@ void addEdge(MeshBuilder& builder, BookPart part, const Face& face) {
                   wide ? std::span<const float>(kEnds) : kEven, 1);
 }
 
-/// A board: its outside carries the whole picture, edges and inside the cloth at the picture's rim.
-void addBoard(MeshBuilder& builder, BookPart part, const Box& box, int axis, int sign,
+/// A cover board: its outside carries the whole picture, edges and inside the cloth at the
+/// picture's rim. Toward the spine it has no edge, the spine's outside lies there.
+void addCover(MeshBuilder& builder, BookPart part, const Box& box, int sign,
               const TexturePatch& picture) {
-  for (int side = 0; side < 3; ++side) {
-    for (const int direction : {-1, 1}) {
-      const Face face = sideOf(box, side, direction);
-      if (side != axis) {
-        addEdge(builder, part, face);
-      } else if (direction == sign) {
-        builder.addFace(part, face, picture, kEven, kEven, 1);
-      } else {
-        builder.addFace(part, face, {}, kEnds, kEnds, kInsideOpenness);
-      }
-    }
-  }
+  builder.addFace(part, sideOf(box, 2, sign), picture, kEven, kEven, 1);
+  builder.addFace(part, sideOf(box, 2, -sign), {}, kEnds, kEnds, kInsideOpenness);
+  addEdge(builder, part, sideOf(box, 0, 1));
+  addEdge(builder, part, sideOf(box, 1, -1));
+  addEdge(builder, part, sideOf(box, 1, 1));
+}
+
+/// The spine, with edges only between the covers: no two faces may share a place, where which one
+/// shows would be up to rounding.
+void addSpine(MeshBuilder& builder, const TexturePatch& picture) {
+  const Box whole{{0, 0, 0}, {kSpineThickness, 1, 1}};
+  const Box between{{0, 0, kBoardThickness}, {kSpineThickness, 1, 1 - kBoardThickness}};
+  builder.addFace(BookPart::Spine, sideOf(whole, 0, -1), picture, kEven, kEven, 1);
+  builder.addFace(BookPart::Spine, sideOf(between, 0, 1), {}, kEnds, kEnds, kInsideOpenness);
+  addEdge(builder, BookPart::Spine, sideOf(between, 1, -1));
+  addEdge(builder, BookPart::Spine, sideOf(between, 1, 1));
 }
 
 /// One of the three open sides of the page block.
@@ -158,11 +163,10 @@ BookMesh makeBookMesh() {
   MeshBuilder builder;
   const Box front{{0, 0, 1 - kBoardThickness}, {1, 1, 1}};
   const Box back{{0, 0, 0}, {1, 1, kBoardThickness}};
-  const Box spine{{0, 0, 0}, {kSpineThickness, 1, 1}};
-  addBoard(builder, BookPart::Front, front, 2, 1, {{0, 0}, {1, 0}, {0, 1}});
+  addCover(builder, BookPart::Front, front, 1, {{0, 0}, {1, 0}, {0, 1}});
   // Seen from behind the spine is on the right, seen from the spine the front cover is.
-  addBoard(builder, BookPart::Back, back, 2, -1, {{1, 0}, {-1, 0}, {0, 1}});
-  addBoard(builder, BookPart::Spine, spine, 0, -1, {{0, 0}, {1, 0}, {0, 1}});
+  addCover(builder, BookPart::Back, back, -1, {{1, 0}, {-1, 0}, {0, 1}});
+  addSpine(builder, {{0, 0}, {1, 0}, {0, 1}});
   addPageBlock(builder);
   return builder.take();
 }

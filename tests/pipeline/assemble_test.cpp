@@ -139,7 +139,7 @@ TEST_F(Assemble, NamesAFrameThatIsNoPng) {
 
 TEST_F(Assemble, RefusesFramesOfAnOddSize) {
   writeFrames(frames_, {0, 1}, 33, 17);
-  EXPECT_THAT(inputError(FrameRate{25, 1}), HasSubstr("33x17"));
+  EXPECT_THAT(inputError(FrameRate{25, 1}), HasSubstr("width 33 is odd"));
 }
 
 TEST_F(Assemble, KeepsAnOlderFileAndNothingElseWhenItFails) {

@@ -87,11 +87,31 @@ float areaOnSide(const BookMesh& mesh, BookPart part, int axis, int sign) {
   return area;
 }
 
+float areaOnSide(const BookMesh& mesh, int axis, int sign) {
+  float area = 0;
+  for (std::size_t part = 0; part < kBookPartCount; ++part) {
+    area += areaOnSide(mesh, static_cast<BookPart>(part), axis, sign);
+  }
+  return area;
+}
+
 TEST(BookMesh, CoversFrontBackAndSpineWhole) {
   const BookMesh mesh = makeBookMesh();
   EXPECT_NEAR(areaOnSide(mesh, BookPart::Front, 2, 1), 1, 1e-6);
   EXPECT_NEAR(areaOnSide(mesh, BookPart::Back, 2, -1), 1, 1e-6);
   EXPECT_NEAR(areaOnSide(mesh, BookPart::Spine, 0, -1), 1, 1e-6);
+}
+
+// Which one of two faces in one place is seen would be up to rounding.
+TEST(BookMesh, HasOneFaceInEachPlaceOfTheCubesSides) {
+  constexpr float kBoards = 2 * 0.06F, kSpine = 0.016F;
+  const BookMesh mesh = makeBookMesh();
+  EXPECT_NEAR(areaOnSide(mesh, 2, 1), 1, 1e-6);
+  EXPECT_NEAR(areaOnSide(mesh, 2, -1), 1, 1e-6);
+  EXPECT_NEAR(areaOnSide(mesh, 0, -1), 1, 1e-6);
+  EXPECT_NEAR(areaOnSide(mesh, 0, 1), kBoards, 1e-6);
+  EXPECT_NEAR(areaOnSide(mesh, 1, 1), kBoards + kSpine * (1 - kBoards), 1e-6);
+  EXPECT_NEAR(areaOnSide(mesh, 1, -1), kBoards + kSpine * (1 - kBoards), 1e-6);
 }
 
 TEST(BookMesh, LightsWhatItSeesOfTheSurroundings) {

@@ -7,5 +7,5 @@ out vec2 place;  // From the middle, 1 at the picture's shorter half.
 void main() {
   vec2 clip = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
   place = clip * pictureSize / min(pictureSize.x, pictureSize.y);
-  gl_Position = vec4(clip, 0.0, 1.0);
+  gl_Position = vec4(clip, 1.0, 1.0);  // At the far plane.
 }

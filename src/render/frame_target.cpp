@@ -61,8 +61,6 @@ void FrameTarget::begin(const PixelRect& area) {
   glEnable(GL_SCISSOR_TEST);
   glScissor(area.x, area.y, area.width, area.height);
   glEnable(GL_FRAMEBUFFER_SRGB);
-  glDepthMask(GL_TRUE);
-  glClear(GL_DEPTH_BUFFER_BIT);
 }
 
 void FrameTarget::readBack(const PixelRect& area, image::Image& picture) {

@@ -14,7 +14,7 @@ class FrameTarget {
   /// be had.
   FrameTarget(int width, int height, int samples);
 
-  /// Directs drawing to the pixels of `area`, and clears their depth.
+  /// Directs drawing to the pixels of `area`, whose colour and depth are to be overwritten first.
   void begin(const PixelRect& area);
   /// Resolves `area` and copies it to the same place of `picture` (Rgba8, this target's size).
   void readBack(const PixelRect& area, image::Image& picture);

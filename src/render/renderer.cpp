@@ -154,9 +154,12 @@ struct Renderer::Parts {
     requireNoGlError("while setting up");
   }
 
-  /// Draws over the whole picture with the program in use, whose colours are encoded already.
+  /// Draws over the whole picture, infinitely far away, with the program in use, whose colours are
+  /// encoded already. Setting the depth on the way spares clearing it, which costs as much as
+  /// drawing (software rasteriser, 4 samples).
   void coverPicture() const {
-    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_ALWAYS);
     glDisable(GL_CULL_FACE);
     glDisable(GL_FRAMEBUFFER_SRGB);
     glBindVertexArray(noVertices.name());
@@ -171,7 +174,7 @@ struct Renderer::Parts {
   }
 
   void drawBook(const physics::Corners& corners, const Projection& projection) const {
-    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
     hideInnerSides(corners);
     bookProgram.use();
     bookProgram.set("corners", Eigen::Matrix<float, 3, 8>(corners.cast<float>()));

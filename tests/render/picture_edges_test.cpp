@@ -68,7 +68,7 @@ double quarters(const EdgePixel& edge) {
 }
 
 TEST(PictureEdges, AreMixedInLinearLightByQuarters) {
-  constexpr double kBound = 0.1;  // quarters; measured x
+  constexpr double kBound = 0.1;  // quarters; measured 0.014
   std::set<int> seen;
   for (const EdgePixel& edge : edgePixels(4)) {
     EXPECT_NEAR(quarters(edge), std::round(quarters(edge)), kBound);
@@ -100,7 +100,7 @@ TEST(PictureColours, AreLitInLinearLight) {
                       {plain(8, 8, colour), plain(8, 8, colour), plain(8, 8, colour)});
     return colourAt(drawn(renderer, book()), kWidth / 2, kHeight / 2).green;
   };
-  constexpr double kBound = 0.1;  // measured x
+  constexpr double kBound = 0.1;  // measured 0.044
   // Dark enough that highlights are hardly compressed, and so much that the shine is small.
   const double ratio =
       (linear(middle(100)) - linear(middle(0))) / (linear(middle(60)) - linear(middle(0)));

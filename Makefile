@@ -6,13 +6,14 @@ PROGRAM := $(BUILD)/src/cli/rotatebook
 OUT ?= out
 
 .DEFAULT_GOAL := help
-.PHONY: help setup build figures test render bench lint textures clean
+.PHONY: help setup configure build program figures test render scene-given bench lint textures clean
 
 help:
 	@echo 'make figures             render every figure of the paper into $(OUT)/, each checked'
 	@echo 'make test                build and run all tests'
 	@echo 'make render SCENE=FILE   render one scene into $(OUT)/ (more options: ARGS="--no-png")'
-	@echo 'make build               build $(PROGRAM)'
+	@echo 'make program             build $(PROGRAM)'
+	@echo 'make build               build the tests and benchmarks, too'
 	@echo 'make bench               measure frames a second by stage and end to end'
 	@echo 'make lint                check format and run the static analyser'
 	@echo 'make textures            draw the cover anew (see assets/README.md)'
@@ -23,21 +24,29 @@ help:
 setup:
 	@scripts/setup.sh
 
-build: setup
+configure: setup
 	@test -f $(BUILD)/build.ninja || cmake --preset $(PRESET) $(if $(CI),-DROTATEBOOK_WERROR=ON)
+
+program: configure
+	@cmake --build $(BUILD) --target rotatebook
+
+build: configure
 	@cmake --build $(BUILD)
 
-figures: build
+figures: program
 	$(PROGRAM) render scenes/figures/*.toml -o $(OUT)
 
 test: build
-	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j2
+	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j$$(nproc)
 
-render: build
-	@test -n "$(SCENE)" || { echo 'make render: name a scene, for example: make render SCENE=scenes/starter.toml' >&2; exit 2; }
+render: scene-given program
 	$(PROGRAM) render $(SCENE) -o $(OUT) $(ARGS)
 
-bench: build
+scene-given:
+	@test -n "$(SCENE)" || { echo 'make render: name a scene, for example: make render SCENE=scenes/starter.toml' >&2; exit 2; }
+
+bench: configure
+	@cmake --build $(BUILD) --target rotatebook_bench
 	$(BUILD)/bench/rotatebook_bench
 
 lint: build

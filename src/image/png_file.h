@@ -1,4 +1,4 @@
-// PNG in and out, through libpng.
+// PNG in and out, through libpng and libdeflate.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,7 @@ namespace rotatebook::image {
 
 /// How a PNG is compressed. The pixels are the same whatever is chosen.
 struct PngOptions {
-  int level = 1;  ///< zlib's level, 0 to 9. 1 with the fixed filter is fastest; above 1 libpng's
-                  ///< adaptive filters are used.
+  int level = 1;  ///< libdeflate's level, 0 (none) to 9 (smallest).
 };
 
 /// Writes `view` as an opaque 8-bit RGB PNG with an sRGB chunk, whole or not at all (see

@@ -9,6 +9,11 @@ void FirstError::set(std::exception_ptr error) {
   if (!error_) error_ = std::move(error);
 }
 
+bool FirstError::isSet() {
+  const std::lock_guard lock(mutex_);
+  return error_ != nullptr;
+}
+
 void FirstError::rethrow() {
   const std::lock_guard lock(mutex_);
   if (error_) std::rethrow_exception(error_);
@@ -49,13 +54,11 @@ bool FrameWorkers::next(Frame& frame) {
 }
 
 void FrameWorkers::work() {
-  bool failed = false;
   for (Frame frame; next(frame); frame.picture.reset()) {
-    if (failed) continue;
+    if (error_.isSet()) continue;
     try {
       sink_.write(frame.index, frame.picture->view());
     } catch (...) {
-      failed = true;
       error_.set(std::current_exception());
     }
   }

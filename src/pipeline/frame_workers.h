@@ -26,6 +26,7 @@ class FirstError {
  public:
   /// Keeps `error` unless there is one already.
   void set(std::exception_ptr error);
+  bool isSet();
   /// Throws the error that is kept, if any.
   void rethrow();
 
@@ -38,8 +39,8 @@ class FirstError {
 /// frames come from.
 class FrameWorkers {
  public:
-  /// More than one thread only for a sink that allows concurrent writes. After an error frames are
-  /// let go unwritten.
+  /// More than one thread only for a sink that allows concurrent writes. Once `error` is set, by
+  /// whichever thread, frames are let go unwritten.
   FrameWorkers(FrameSink& sink, int threadCount, FirstError& error);
   FrameWorkers(const FrameWorkers&) = delete;
   FrameWorkers& operator=(const FrameWorkers&) = delete;

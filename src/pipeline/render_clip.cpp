@@ -34,7 +34,7 @@ std::string contentOf(const fs::path& path) {
 }
 
 void refuseForeignFrames(const ClipFiles& files, const std::string& record) {
-  if (!fs::exists(files.sceneCopy) || contentOf(files.sceneCopy) == record) return;
+  if (framesIn(files.frameFolder).empty() || contentOf(files.sceneCopy) == record) return;
   throw InputError(files.frameFolder.string() +
                    " holds frames of other settings (compare its scene.toml with 'rotatebook scene "
                    "--print'); render into another folder with -o, or remove it");

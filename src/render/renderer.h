@@ -28,8 +28,8 @@ image::Image builtinFront();
 image::Image builtinSpine();
 image::Image builtinBack();
 
-/// Owns an OpenGL context; make, use and destroy it on one thread. A picture depends on nothing but
-/// the settings, the textures and the corners.
+/// Owns an OpenGL context; make, use and destroy it on one thread, one at a time in a process. A
+/// picture depends on nothing but the settings, the textures and the corners.
 class Renderer {
  public:
   /// Throws MachineError where there is no OpenGL 3.3, InputError for a size or texture that is too

@@ -6,7 +6,7 @@ PROGRAM := $(BUILD)/src/cli/rotatebook
 OUT ?= out
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build program figures test render scene-given bench lint textures clean
+.PHONY: help setup configure build program figures test render scene-given bench format-check lint textures clean
 
 help:
 	@echo 'make figures             render every figure of the paper into $(OUT)/, each checked'
@@ -43,15 +43,20 @@ render: scene-given program
 	$(PROGRAM) render $(SCENE) -o $(OUT) $(ARGS)
 
 scene-given:
-	@test -n "$(SCENE)" || { echo 'make render: name a scene, for example: make render SCENE=scenes/starter.toml' >&2; exit 2; }
+	@test -n "$(SCENE)" || { echo 'make render: name a scene,' \
+	  'for example: make render SCENE=scenes/starter.toml' >&2; exit 2; }
 
 bench: configure
 	@cmake --build $(BUILD) --target rotatebook_bench
 	$(BUILD)/bench/rotatebook_bench
 
-lint: build
+format-check:
+	@scripts/setup.sh scripts/packages-lint.txt
 	clang-format --dry-run --Werror $$(git ls-files '*.cpp' '*.h')
-	git ls-files 'src/*.cpp' | xargs -P2 -n4 clang-tidy --quiet -p $(BUILD) --extra-arg=-Wno-unknown-warning-option
+
+lint: format-check build
+	git ls-files 'src/*.cpp' | xargs -P2 -n4 clang-tidy --quiet -p $(BUILD) \
+	  --extra-arg=-Wno-unknown-warning-option
 
 textures:
 	python3 assets/draw_textures.py

@@ -1,7 +1,8 @@
 #!/bin/sh
-# Installs the packages of packages.txt that are missing; says the command and stops where it may not.
+# Installs the packages of a list (packages.txt by default) that are missing; says the command and
+# stops where it may not.
 set -eu
-list=$(dirname "$0")/packages.txt
+list=${1:-$(dirname "$0")/packages.txt}
 wanted=$(sed -e 's/#.*//' "$list")
 
 if ! command -v dpkg-query >/dev/null 2>&1; then

@@ -1,5 +1,6 @@
 #version 330 core
-// A quiet, dark studio wall: brightest behind the book. Drawn once; backdrop.frag repeats it behind each frame's book.
+// A quiet, dark studio wall: brightest behind the book. Drawn once; backdrop.frag repeats it behind
+// each frame's book.
 in vec2 place;
 
 out vec4 colour;  // sRGB, written as it is.
@@ -7,8 +8,9 @@ out vec4 colour;  // sRGB, written as it is.
 const vec3 kMiddle = vec3(0.2196, 0.2353, 0.2588);
 const vec3 kEdge = vec3(0.0980, 0.1059, 0.1255);
 
-// Where in the step from one shade to the next this column changes, -1/2 to 1/2. Without it so slow a gradient shows its steps;
-// varied by column alone it costs the PNGs little, whose rows are stored as differences.
+// Where in the step from one shade to the next this column changes, -1/2 to 1/2. Without it so slow
+// a gradient shows its steps; varied by column alone it costs the PNGs little, whose rows are stored
+// as differences.
 float threshold(int column) {
   int rank = ((column & 1) << 2) | (column & 2) | ((column & 4) >> 2);
   return (float(rank) + 0.5) / 8.0 - 0.5;

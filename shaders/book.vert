@@ -1,6 +1,7 @@
 #version 330 core
-// Maps the unit cube into the book's eight corners, deformed or not, and lights it: a warm key, a cool fill and a rim light.
-// Faces are flat or nearly so, which makes light by the vertex as good as by the pixel, and far cheaper.
+// Maps the unit cube into the book's eight corners, deformed or not, and lights it: a warm key, a
+// cool fill and a rim light. Faces are flat or nearly so, which makes light by the vertex as good as
+// by the pixel, and far cheaper.
 layout(location = 0) in vec3 unitPlace;   // Spine to fore edge, foot to head, back to front.
 layout(location = 1) in vec3 unitNormal;  // Along one axis of the same cube.
 layout(location = 2) in vec2 textureCoordinates;
@@ -59,7 +60,8 @@ void main() {
                           unitNormal.y * cross(alongZ, alongX) +
                           unitNormal.z * cross(alongX, alongY));
   vec3 toEye = normalize(eye - worldPlace);
-  if (dot(normal, toEye) < 0.0) normal = -normal;  // Of an inside-out book the side that is seen is lit.
+  // Of an inside-out book the side that is seen is lit.
+  if (dot(normal, toEye) < 0.0) normal = -normal;
 
   texturePlace = textureCoordinates;
   arriving = lightOn(normal) * openness;

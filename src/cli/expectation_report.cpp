@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <iostream>
 #include <vector>
 
 #include "base/number_text.h"
@@ -14,7 +15,7 @@ namespace {
 
 std::string rounded(double value) {
   std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.5g", value);
+  std::snprintf(text.data(), text.size(), "%.7g", value);
   return text.data();
 }
 
@@ -74,6 +75,11 @@ int reportMotion(const physics::Trajectory& trajectory,
     out << "  " << reportLine(result) << '\n';
     if (!result.met) status = kUnmet;
   }
+  return status;
+}
+
+int sayIfUnmet(int status) {
+  if (status == kUnmet) std::cerr << "rotatebook: expectations are unmet; the files were kept\n";
   return status;
 }
 

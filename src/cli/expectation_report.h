@@ -19,4 +19,7 @@ std::string reportLine(const physics::ExpectationResult& result);
 int reportMotion(const physics::Trajectory& trajectory,
                  std::span<const physics::Expectation> expectations, std::ostream& out);
 
+/// Passes `status` on, with a line on the standard error if it is kUnmet.
+int sayIfUnmet(int status);
+
 }  // namespace rotatebook::cli

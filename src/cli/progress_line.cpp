@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdio>
 #include <iostream>
+#include <sys/ioctl.h>
 #include <unistd.h>
 #include <utility>
 
@@ -14,7 +16,8 @@ using std::chrono::duration;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 
-constexpr int kBarWidth = 24;
+constexpr int kBarWidth = 16;
+constexpr std::size_t kUsualColumns = 80;
 constexpr auto kRateWindow = seconds(4);
 constexpr auto kTerminalInterval = milliseconds(100);
 constexpr auto kPlainInterval = seconds(5);
@@ -22,6 +25,19 @@ constexpr auto kPlainInterval = seconds(5);
 std::string bar(std::int64_t done, std::int64_t total) {
   const auto filled = static_cast<std::size_t>(kBarWidth * done / std::max<std::int64_t>(total, 1));
   return '[' + std::string(filled, '#') + std::string(kBarWidth - filled, '.') + ']';
+}
+
+/// A line that wraps can't be overwritten.
+std::size_t terminalColumns() {
+  winsize size{};
+  const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+  return known ? size.ws_col : kUsualColumns;
+}
+
+/// Label and text in at most `columns`; the label gives way first.
+std::string fitted(const std::string& label, const std::string& text, std::size_t columns) {
+  const std::size_t room = columns > text.size() + 2 ? columns - text.size() - 2 : 0;
+  return (label.substr(0, room) + "  " + text).substr(0, columns);
 }
 
 }  // namespace
@@ -62,12 +78,12 @@ void ProgressLine::update(std::int64_t done, std::int64_t total) {
                    (terminal_ ? milliseconds(kTerminalInterval) : milliseconds(kPlainInterval));
   if (!due && !(terminal_ && done == total)) return;
   lastPrint_ = now;
-  const std::string text = label_ + "  " + progressText(done, total, rate);
+  const std::string text = progressText(done, total, rate);
   if (terminal_) {
-    std::cerr << '\r' << text << "\x1b[K" << std::flush;
+    std::cerr << '\r' << fitted(label_, text, terminalColumns() - 1) << "\x1b[K" << std::flush;
     lineOpen_ = true;
   } else {
-    std::cerr << text << '\n';
+    std::cerr << label_ << "  " << text << '\n';
   }
 }
 

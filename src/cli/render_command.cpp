@@ -61,18 +61,30 @@ void announce(const scene::Scene& scene, const std::string& renderer, const std:
             << (encoder.empty() ? std::string() : "; encoder " + encoder) << std::endl;
 }
 
-void reportFiles(const pipeline::RenderResult& result, const pipeline::RenderOptions& options) {
+/// The words for each thing that a render left.
+std::vector<std::string> writtenThings(const pipeline::RenderResult& result,
+                                       const pipeline::RenderOptions& options) {
   const pipeline::ClipFiles& files = result.files;
-  std::cout << "  wrote";
+  const bool newFolder = result.interrupted && !options.frames;
+  std::vector<std::string> things;
   if (options.mp4 && result.framesWritten > 0) {
-    std::cout << ' ' << (result.interrupted ? files.partialMp4 : files.mp4).string() << ',';
+    things.push_back((result.interrupted ? files.partialMp4 : files.mp4).string());
   }
-  std::cout << ' ' << files.csv.string();
+  if (!result.interrupted) things.push_back(files.csv.string());
   if (options.png) {
-    std::cout << " and " << result.framesWritten << " frames in " << files.frameFolder.string()
-              << '/';
+    things.push_back(std::to_string(result.framesWritten) + " frames in " +
+                     (newFolder ? files.partialFrameFolder : files.frameFolder).string() + '/');
   }
-  std::cout << std::endl;
+  return things;
+}
+
+void reportFiles(const std::vector<std::string>& things) {
+  std::cout << "  wrote ";
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    const char* separator = i == 0 ? "" : i + 1 == things.size() ? " and " : ", ";
+    std::cout << separator << things[i];
+  }
+  std::cout << (things.empty() ? "nothing" : "") << std::endl;
 }
 
 int renderScene(const scene::Scene& scene, const pipeline::RenderOptions& options) {
@@ -87,7 +99,7 @@ int renderScene(const scene::Scene& scene, const pipeline::RenderOptions& option
     listener.progress = [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); };
     result = renderClip(scene, trajectory, options, listener);
   }
-  reportFiles(result, options);
+  reportFiles(writtenThings(result, options));
   if (result.interrupted) {
     std::cout << "  interrupted after " << result.framesWritten << " frames" << std::endl;
     return interruptStatus();
@@ -108,8 +120,7 @@ int render(const RenderArguments& arguments) {
     if (outcome >= kInterrupted) return outcome;
     status = std::max(status, outcome);
   }
-  if (status == kUnmet) std::cerr << "rotatebook: expectations are unmet; the files were kept\n";
-  return status;
+  return sayIfUnmet(status);
 }
 
 }  // namespace

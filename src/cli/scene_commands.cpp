@@ -49,7 +49,9 @@ std::vector<fs::path> scenesBelow(const fs::path& folder) {
   for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
     if (entry.path().extension() == ".toml") paths.push_back(entry.path());
   }
-  if (error) throw InputError("can't list " + folder.string() + ": " + error.message());
+  if (error)
+    throw InputError("can't list the scenes in " + folder.string() + ": " + error.message() +
+                     "; name a folder that holds scenes: rotatebook list DIR");
   if (paths.empty()) throw InputError(folder.string() + " holds no scenes (*.toml)");
   std::sort(paths.begin(), paths.end());
   return paths;

@@ -25,12 +25,12 @@ int simulateScene(const SimulateArguments& arguments) {
   const std::string table = pipeline::trajectoryCsv(trajectory);
   if (arguments.csv == "-") {
     std::cout << table;
-    return reportMotion(trajectory, scene.expectations, std::cerr);
+    return sayIfUnmet(reportMotion(trajectory, scene.expectations, std::cerr));
   }
   writeFileAtomically(arguments.csv, table);
   std::cout << scene.name << ": " << scene.title << "\n  wrote " << arguments.csv << ", "
             << trajectory.samples.size() << " rows\n";
-  return reportMotion(trajectory, scene.expectations, std::cout);
+  return sayIfUnmet(reportMotion(trajectory, scene.expectations, std::cout));
 }
 
 }  // namespace

@@ -1,9 +1,7 @@
 #include "pipeline/assemble.h"
 
-#include <fstream>
-#include <iterator>
-
 #include "base/error.h"
+#include "base/read_file.h"
 #include "image/png_file.h"
 #include "pipeline/clip_files.h"
 #include "scene/scene_file.h"
@@ -35,8 +33,7 @@ video::VideoSettings settingsFor(const fs::path& folder, std::optional<FrameRate
     if (frameRate) {
       throw InputError(sceneCopy.string() + " sets the frame rate already; leave --fps out");
     }
-    std::ifstream stream(sceneCopy, std::ios::binary);
-    const std::string record{std::istreambuf_iterator<char>(stream), {}};
+    const std::string record = readFileOrEmpty(sceneCopy);
     return videoSettings(scene::parseScene(record, sceneCopy), record);
   }
   if (!frameRate) {

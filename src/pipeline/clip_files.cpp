@@ -56,7 +56,11 @@ std::vector<std::int64_t> framesIn(const fs::path& folder) {
 
 ClipFiles clipFiles(const fs::path& folder, const std::string& name) {
   const fs::path frames = folder / name;
-  return {frames, frames / "scene.toml", folder / (name + ".mp4"), folder / (name + ".partial.mp4"),
+  return {frames,
+          folder / (name + ".partial"),
+          frames / "scene.toml",
+          folder / (name + ".mp4"),
+          folder / (name + ".partial.mp4"),
           folder / (name + ".csv")};
 }
 

@@ -28,11 +28,12 @@ std::vector<std::int64_t> framesIn(const std::filesystem::path& folder);
 
 /// Where a scene's outputs go, below one folder.
 struct ClipFiles {
-  std::filesystem::path frameFolder;  ///< NAME/, with the PNGs
-  std::filesystem::path sceneCopy;    ///< NAME/scene.toml, the resolved scene
-  std::filesystem::path mp4;          ///< NAME.mp4
-  std::filesystem::path partialMp4;   ///< NAME.partial.mp4, where a run was interrupted
-  std::filesystem::path csv;          ///< NAME.csv
+  std::filesystem::path frameFolder;         ///< NAME/, with the PNGs
+  std::filesystem::path partialFrameFolder;  ///< NAME.partial/, while they are made
+  std::filesystem::path sceneCopy;           ///< NAME/scene.toml, the resolved scene
+  std::filesystem::path mp4;                 ///< NAME.mp4
+  std::filesystem::path partialMp4;          ///< NAME.partial.mp4, where a run was interrupted
+  std::filesystem::path csv;                 ///< NAME.csv
 };
 
 /// The files of the clip `name` in `folder`.

@@ -1,14 +1,13 @@
 #include "pipeline/render_clip.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <system_error>
 #include <thread>
 #include <vector>
 
 #include "base/error.h"
+#include "pipeline/frame_folder.h"
 #include "pipeline/frame_workers.h"
 #include "pipeline/picture_pool.h"
 #include "pipeline/textures.h"
@@ -16,8 +15,6 @@
 
 namespace rotatebook::pipeline {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr int kPicturesInFlight = 8;
 
@@ -28,46 +25,14 @@ int pngThreads() {
   return std::clamp(cores - 1, 1, 6);
 }
 
-std::string contentOf(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-void refuseForeignFrames(const ClipFiles& files, const std::string& record) {
-  if (framesIn(files.frameFolder).empty() || contentOf(files.sceneCopy) == record) return;
-  throw InputError(files.frameFolder.string() +
-                   " holds frames of other settings (compare its scene.toml with 'rotatebook scene "
-                   "--print'); render into another folder with -o, or remove it");
-}
-
-void removeFile(const fs::path& path) {
-  std::error_code error;
-  fs::remove(path, error);
-  if (error) throw MachineError("can't remove " + path.string() + ": " + error.message());
-}
-
-void removeFrames(const fs::path& folder) {
-  for (const std::int64_t index : framesIn(folder)) removeFile(folder / frameName(index));
-}
-
-/// Makes the folder ready for frames that `record` describes.
-void prepareFrameFolder(const ClipFiles& files, const std::string& record, bool onlyPart) {
-  createFolders(files.frameFolder);
-  if (onlyPart) {
-    refuseForeignFrames(files, record);
-  } else {
-    removeFrames(files.frameFolder);
-  }
-  writeFileAtomically(files.sceneCopy, record);
-}
-
-void finishMp4(Mp4Sink& sink, const ClipFiles& files, bool interrupted) {
-  if (interrupted) {
-    sink.finishAs(files.partialMp4);
-  } else {
-    sink.finish();
-    removeFile(files.partialMp4);
-  }
+/// Brings a finished render under its final names, in the place of an earlier one's files.
+void finish(Mp4Sink* mp4, const ClipFiles& files, const std::string& record,
+            const RenderOptions& options) {
+  if (mp4 != nullptr) mp4->finish();
+  removeFile(files.partialMp4);
+  if (options.frames) return;
+  removeOutdated(files, record, options.png, options.mp4);
+  if (options.png) replaceFrames(files);
 }
 
 }  // namespace
@@ -117,11 +82,13 @@ RenderResult renderClip(const scene::Scene& scene, const physics::Trajectory& tr
   result.files = options.frames ? clipFiles(options.folder, scene.name, range)
                                 : clipFiles(options.folder, scene.name);
   createFolders(options.folder);
-  // The sink first: without an encoder the frames of an earlier render stay.
+  if (options.frames) refuseForeignFrames(result.files, record);
   std::optional<Mp4Sink> mp4;
   if (options.mp4) mp4.emplace(result.files.mp4, videoSettings(scene, record));
-  if (options.png) prepareFrameFolder(result.files, record, options.frames.has_value());
-  PngSequenceSink png(result.files.frameFolder, options.pngOptions);
+  if (options.png && options.frames) startPart(result.files, record);
+  if (options.png && !options.frames) startWholeClip(result.files, record);
+  PngSequenceSink png(options.frames ? result.files.frameFolder : result.files.partialFrameFolder,
+                      options.pngOptions);
 
   std::vector<SinkThreads> sinks;
   if (options.png) sinks.push_back({png, pngThreads()});
@@ -130,9 +97,13 @@ RenderResult renderClip(const scene::Scene& scene, const physics::Trajectory& tr
   result.framesWritten =
       drawFrames(renderer, trajectory, range, sinks, options.stop, listener.progress);
   result.interrupted = result.framesWritten < range.count();
-  // An interrupted clip of no frames isn't worth a file.
-  if (mp4 && result.framesWritten > 0) finishMp4(*mp4, result.files, result.interrupted);
-  writeFileAtomically(result.files.csv, trajectoryCsv(trajectory));
+  if (result.interrupted) {
+    // A clip of no frames isn't worth a file.
+    if (mp4 && result.framesWritten > 0) mp4->finishAs(result.files.partialMp4);
+  } else {
+    finish(mp4 ? &*mp4 : nullptr, result.files, record, options);
+    writeFileAtomically(result.files.csv, trajectoryCsv(trajectory));
+  }
   return result;
 }
 

@@ -43,16 +43,20 @@ struct RenderListener {
 struct RenderResult {
   ClipFiles files;
   std::int64_t framesWritten = 0;
-  bool interrupted = false;  ///< Stopped from outside: the MP4 is ClipFiles::partialMp4.
+  /// Stopped from outside: frames are in NAME.partial/ (those of a part in NAME/), the MP4 is
+  /// NAME.partial.mp4, and the files of an earlier render are as they were.
+  bool interrupted = false;
 };
 
 /// The frames of `trajectory` that `wanted` means; all of them by default. Throws InputError,
 /// naming the frames that exist.
 FrameRange framesToRender(const physics::Trajectory& trajectory, std::optional<FrameRange> wanted);
 
-/// Draws `trajectory`, the motion of `scene`, and writes CSV, PNGs and MP4. Frames of an earlier
-/// render of the same clip are replaced; only some frames (RenderOptions::frames) join earlier ones
-/// of the same resolved scene. Throws Error; files under a final name are whole then, too.
+/// Draws `trajectory`, the motion of `scene`, and writes CSV, PNGs and MP4. The frames of a whole
+/// clip are written to NAME.partial/ and, once the clip is complete, take the place of an earlier
+/// one's in NAME/, so that files of two renders never mix. Only some frames (RenderOptions::frames)
+/// go straight to NAME/, beside others of the same resolved scene. Throws Error; files under a
+/// final name are whole then, too.
 RenderResult renderClip(const scene::Scene& scene, const physics::Trajectory& trajectory,
                         const RenderOptions& options, const RenderListener& listener);
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -12,6 +11,7 @@
 
 #include "base/error.h"
 #include "image/png_file.h"
+#include "render/blank_area.h"
 #include "render/book_mesh.h"
 #include "render/egl_context.h"
 #include "render/embedded_files.h"
@@ -110,13 +110,6 @@ void requireNoGlError(const char* when) {
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return;
   throw MachineError("can't draw: OpenGL error " + std::to_string(error) + " " + when);
-}
-
-bool allPixelsEqual(const image::Image& picture) {
-  const std::uint8_t* bytes = picture.row(0);
-  const auto size =
-      static_cast<std::size_t>(picture.stride()) * static_cast<std::size_t>(picture.height());
-  return std::memcmp(bytes, bytes + 4, size - 4) == 0;
 }
 
 }  // namespace
@@ -226,7 +219,7 @@ void Renderer::draw(const physics::Corners& corners, image::Image& picture) {
     parts_->target.readBack(area, picture);
   }
   requireNoGlError("while drawing a frame");
-  if (allPixelsEqual(picture)) {
+  if (isBlank(picture, area)) {
     throw MachineError("the renderer " + description() +
                        " gave a blank frame; its driver is broken or too old");
   }

@@ -18,7 +18,7 @@ namespace {
 constexpr int kSmallestPicture = 16;
 constexpr int kLargestPicture = 16'384;
 constexpr int kMostFrames = 1'000'000;  // Their trajectory takes some 400 MB.
-constexpr int kBestCrf = 1;  // 0 is lossless, which the High profile doesn't have.
+constexpr int kBestCrf = 1;             // 0 is lossless, which the High profile doesn't have.
 constexpr int kWorstCrf = 51;
 constexpr int kMostThreads = 64;
 constexpr double kLeastDistance = 1e-9;  // [m]

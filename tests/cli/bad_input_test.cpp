@@ -107,7 +107,10 @@ const std::vector<BadCase> kCommands{
     {"PrintWrongScene",
      {"scene", "--print", "tiny.toml", "--set", "body.mass=0"},
      "--set body.mass=0: body.mass must be a mass from 1e-9 to 1e9 kg, not 0"},
-    {"ListOfNothing", {"list", "nowhere"}, "can't list nowhere: No such file or directory"},
+    {"ListOfNothing",
+     {"list", "nowhere"},
+     "can't list the scenes in nowhere: No such file or directory; name a folder that holds "
+     "scenes: rotatebook list DIR"},
     {"AssembleNothing",
      {"assemble", "nowhere", "-o", "x.mp4"},
      "can't read the folder nowhere: No such file or directory"},

@@ -31,7 +31,7 @@ class Interrupt : public ProgramTest {
 };
 
 TEST_F(Interrupt, LeavesWholeFramesAndAPlayableClip) {
-  const ChildResult result = interrupt(SIGINT, "out/tiny/frame_00005.png", {});
+  const ChildResult result = interrupt(SIGINT, "out/tiny.partial/frame_00005.png", {});
   EXPECT_EQ(result.status, 130) << result.error;
   int pictures = 0;
   for (const std::string& name : files()) {
@@ -46,29 +46,31 @@ TEST_F(Interrupt, LeavesWholeFramesAndAPlayableClip) {
   const auto clip = video::testing::decodeVideo(folder() / "out/tiny.partial.mp4");
   EXPECT_EQ(static_cast<int>(clip.frames.size()), pictures);
   EXPECT_THAT(result.output,
-              HasSubstr("\n  wrote out/tiny.partial.mp4, out/tiny.csv and " +
-                        std::to_string(pictures) + " frames in out/tiny/\n  interrupted after " +
+              HasSubstr("\n  wrote out/tiny.partial.mp4 and " + std::to_string(pictures) +
+                        " frames in out/tiny.partial/\n  interrupted after " +
                         std::to_string(pictures) + " frames\n"));
 }
 
 TEST_F(Interrupt, TerminationHasAStatusOfItsOwn) {
-  EXPECT_EQ(interrupt(SIGTERM, "out/tiny/frame_00002.png", {"--no-mp4"}).status, 143);
-  EXPECT_TRUE(has("out/tiny/frame_00002.png"));
+  EXPECT_EQ(interrupt(SIGTERM, "out/tiny.partial/frame_00002.png", {"--no-mp4"}).status, 143);
+  EXPECT_TRUE(has("out/tiny.partial/frame_00002.png"));
 }
 
 TEST_F(Interrupt, StopsTheScenesThatFollow) {
   write("b.toml", kTiny);
-  EXPECT_EQ(interrupt(SIGINT, "out/tiny/frame_00002.png", {"b.toml", "--no-mp4"}).status, 130);
+  EXPECT_EQ(interrupt(SIGINT, "out/tiny.partial/frame_00002.png", {"b.toml", "--no-mp4"}).status,
+            130);
   EXPECT_FALSE(has("out/b.csv"));
-  EXPECT_FALSE(has("out/b"));
+  EXPECT_FALSE(has("out/b.partial"));
 }
 
 TEST_F(Interrupt, FinishedRenderReplacesThePart) {
-  interrupt(SIGINT, "out/tiny/frame_00005.png", {});
+  interrupt(SIGINT, "out/tiny.partial/frame_00005.png", {});
   EXPECT_TRUE(has("out/tiny.partial.mp4"));
   EXPECT_EQ(run({"render", "tiny.toml"}).status, 0);
   EXPECT_FALSE(has("out/tiny.partial.mp4"));
   EXPECT_TRUE(has("out/tiny.mp4"));
+  EXPECT_FALSE(has("out/tiny.partial"));
   EXPECT_FALSE(has("out/tiny/frame_00012.png"));
 }
 

@@ -62,7 +62,8 @@ TEST_F(OutputFailure, FolderThatIsReadOnly) {
   const ChildResult result = run({"render", "tiny.toml"});
   fs::permissions(folder() / "out", fs::perms::owner_all);
   EXPECT_EQ(result.status, 3);
-  EXPECT_EQ(result.error, "rotatebook: can't make the folder out/tiny: Permission denied\n");
+  EXPECT_EQ(result.error,
+            "rotatebook: can't make the folder out/tiny.partial: Permission denied\n");
   EXPECT_THAT(files(), ElementsAre("out/"));
 }
 
@@ -87,9 +88,9 @@ TEST_F(OutputFailure, FolderThatIsMissing) {
 TEST_F(OutputFailure, FullDiskForFrames) {
   const ChildResult result = runOnFullDisk({"render", "tiny.toml", "--no-mp4"}, kLessThanAFrame);
   EXPECT_EQ(result.status, 3);
-  EXPECT_THAT(result.error, AllOf(StartsWith("rotatebook: can't write out/tiny/frame_000"),
+  EXPECT_THAT(result.error, AllOf(StartsWith("rotatebook: can't write out/tiny.partial/frame_000"),
                                   EndsWith(".png: File too large\n")));
-  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny/", "out/tiny/scene.toml"));
+  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.partial/", "out/tiny.partial/scene.toml"));
 }
 
 TEST_F(OutputFailure, FullDiskForTheClip) {

@@ -28,7 +28,7 @@ TEST_F(ProgressOfARender, IsABarOnATerminal) {
       result.error,
       AllOf(ContainsRegex("\rtiny  \\[#*\\.*\\] +[0-9]+ %  [0-9]+/240 frames, [0-9]+\\.[0-9] "
                           "frames/s, [0-9]+ s left\x1b\\[K"),
-            HasSubstr("\rtiny  [########################] 100 %  240/240 frames, "),
+            HasSubstr("\rtiny  [################] 100 %  240/240 frames, "),
             EndsWith(" s left\x1b[K\r\n")));
   EXPECT_EQ(countOf("\n", result.error), 1);
   EXPECT_THAT(result.output, Not(HasSubstr("\r")));

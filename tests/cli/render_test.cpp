@@ -62,7 +62,7 @@ TEST_F(RenderCommand, LeavesTheFramesOut) {
   const ChildResult result = run({"render", "tiny.toml", "--no-png"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.csv", "out/tiny.mp4"));
-  EXPECT_THAT(result.output, EndsWith("  wrote out/tiny.mp4, out/tiny.csv\n"));
+  EXPECT_THAT(result.output, EndsWith("  wrote out/tiny.mp4 and out/tiny.csv\n"));
 }
 
 TEST_F(RenderCommand, LeavesTheClipOut) {

@@ -215,24 +215,47 @@ TEST(RenderClip, LeavesAPlayablePartialVideoWhenStopped) {
   const RenderResult result = stoppedAfter(5, {.folder = folder});
   EXPECT_TRUE(result.interrupted);
   EXPECT_EQ(result.framesWritten, 5);
-  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.partial.mp4"));
+  EXPECT_THAT(namesIn(folder), ElementsAre("small.partial", "small.partial.mp4"));
   EXPECT_EQ(decodeVideo(folder / "small.partial.mp4").frames.size(), 5U);
-  EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(5));
+  EXPECT_EQ(namesIn(folder / "small.partial"), frameFolderNames(5));
 }
 
 TEST(RenderClip, LeavesNoVideoWhenStoppedBeforeTheFirstFrame) {
   const fs::path folder = emptyFolder();
   const RenderResult result = stoppedAfter(0, {.folder = folder});
   EXPECT_TRUE(result.interrupted);
+  EXPECT_THAT(namesIn(folder), ElementsAre("small.partial"));
+}
+
+TEST(RenderClip, KeepsAllOfAnEarlierRenderWhenStopped) {
+  const fs::path folder = emptyFolder();
+  testing::render(smallScene(), {.folder = folder});
+  const std::string video = bytesOf(folder / "small.mp4");
+  const std::string table = bytesOf(folder / "small.csv");
+  stoppedAfter(5, {.folder = folder});
+  EXPECT_EQ(bytesOf(folder / "small.mp4"), video);
+  EXPECT_EQ(bytesOf(folder / "small.csv"), table);
+  EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(kFrames));
+}
+
+TEST(RenderClip, NeverMixesTheFilesOfTwoSettings) {
+  const fs::path folder = emptyFolder();
+  scene::Scene other = smallScene();
+  other.video.crf = 30;
+  testing::render(smallScene(), {.folder = folder});
+  testing::render(other, {.folder = folder, .png = false});
+  EXPECT_THAT(namesIn(folder), ElementsAre("small.csv", "small.mp4"));
+  testing::render(smallScene(), {.folder = folder});
+  testing::render(other, {.folder = folder, .mp4 = false});
   EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv"));
 }
 
-TEST(RenderClip, KeepsAnOlderWholeVideoWhenStopped) {
+TEST(RenderClip, KeepsWhatTheSameSettingsMadeBefore) {
   const fs::path folder = emptyFolder();
   testing::render(smallScene(), {.folder = folder});
-  const std::string before = bytesOf(folder / "small.mp4");
-  stoppedAfter(5, {.folder = folder});
-  EXPECT_EQ(bytesOf(folder / "small.mp4"), before);
+  testing::render(smallScene(), {.folder = folder, .png = false});
+  testing::render(smallScene(), {.folder = folder, .mp4 = false});
+  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4"));
 }
 
 TEST(RenderClip, RemovesThePartialVideoOnceItIsWhole) {

@@ -53,7 +53,7 @@ TEST(RenderErrors, NameAFrameThatCannotBeWritten) {
   const fs::path folder = emptyFolder();
   const RenderListener listener{
       [&](const std::string&, const std::string&) {
-        fs::create_directories(folder / "small" / frameName(4) / "in the way");
+        fs::create_directories(folder / "small.partial" / frameName(4) / "in the way");
       },
       {}};
   const auto render = [&] {
@@ -61,7 +61,7 @@ TEST(RenderErrors, NameAFrameThatCannotBeWritten) {
   };
   EXPECT_THAT(testing::messageOf<MachineError>(render), HasSubstr(frameName(4)));
   EXPECT_FALSE(fs::exists(folder / "small.mp4"));
-  EXPECT_THAT(namesIn(folder), ElementsAre("small")) << "something unfinished is left";
+  EXPECT_THAT(namesIn(folder), ElementsAre("small.partial")) << "something unfinished is left";
 }
 
 TEST(RenderErrors, NameAFolderInPlaceOfAnOlderFrame) {

@@ -1,5 +1,8 @@
 #include "render/blank_area.h"
 
+#include <cstdint>
+#include <utility>
+
 #include <gtest/gtest.h>
 
 namespace rotatebook::render {
@@ -26,7 +29,7 @@ TEST(BlankArea, IsSeenWithinAPicture) {
 }
 
 TEST(BlankArea, IsNotOneWithASinglePixelInIt) {
-  for (const auto [x, y] : {std::pair{20, 30}, {119, 30}, {20, 109}, {119, 109}, {70, 60}}) {
+  for (const auto& [x, y] : {std::pair{20, 30}, {119, 30}, {20, 109}, {119, 109}, {70, 60}}) {
     image::Image picture = pictureWithHole(kArea);
     picture.row(y)[4 * x + 2] = 1;
     EXPECT_FALSE(isBlank(picture, kArea)) << x << ", " << y;

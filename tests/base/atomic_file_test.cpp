@@ -33,7 +33,9 @@ class AtomicFileTest : public testing::Test {
     return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
   }
 
-  const fs::path folder_ = fs::path(ROTATEBOOK_TEST_OUTPUT) / "atomic_file";
+  // Tests run beside each other: each has a folder of its own.
+  const fs::path folder_ = fs::path(ROTATEBOOK_TEST_OUTPUT) / "atomic_file" /
+                           testing::UnitTest::GetInstance()->current_test_info()->name();
 };
 
 TEST_F(AtomicFileTest, AppearsWholeOnCommit) {

@@ -27,7 +27,7 @@ const std::map<std::string, Room> kRooms{
     {"base", {{}, {}}},
     {"physics", {{"base"}, {"Eigen/"}}},
     {"scene", {{"base", "physics"}, {"Eigen/", "toml++/"}}},
-    {"image", {{"base"}, {"png.h"}}},
+    {"image", {{"base"}, {"libdeflate.h", "png.h"}}},
     {"render", {{"base", "image", "physics"}, {"Eigen/", "epoxy/"}}},
     {"video", {{"base", "image"}, {"libav", "libswscale/"}}},
     {"pipeline", {{"base", "physics", "scene", "image", "render", "video"}, {"Eigen/"}}},

@@ -45,7 +45,9 @@ TEST_F(SimulateCommand, PrintsExpectationsBesideTheTable) {
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.output, StartsWith(kHeader));
   EXPECT_EQ(countOf("\n", result.output), 1 + kTinyFrames);
-  EXPECT_EQ(result.error, "  UNMET  half_turns: expected at least 1; measured 0\n");
+  EXPECT_EQ(result.error,
+            "  UNMET  half_turns: expected at least 1; measured 0\n"
+            "rotatebook: expectations are unmet; the files were kept\n");
 }
 
 TEST_F(SimulateCommand, KeepsTheTableOfAnUnmetExpectation) {

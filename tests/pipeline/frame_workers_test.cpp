@@ -127,13 +127,15 @@ TEST_F(FrameWorkersTest, LetFramesGoAfterAnError) {
   EXPECT_EQ(keptError(), "sink fails at 5");
 }
 
-TEST_F(FrameWorkersTest, LeaveOtherSinksAlone) {
-  FakeSink failing("failing", 3), whole("whole", -1, 1ms);
-  FrameWorkers a(failing, 1, error), b(whole, 1, error);
+TEST_F(FrameWorkersTest, StopAllSinksAtTheFirstError) {
+  FakeSink failing("failing", 3), slow("slow", -1, 1ms);
+  FrameWorkers a(failing, 1, error), b(slow, 1, error);
   submitAll(pool, {&a, &b});
   a.drain();
   b.drain();
-  EXPECT_EQ(whole.indices(), numbers(0, kFrames));
+  const auto written = slow.indices();
+  EXPECT_LT(written.size(), static_cast<std::size_t>(kFrames));
+  EXPECT_EQ(written, numbers(0, static_cast<int>(written.size())));
   EXPECT_EQ(keptError(), "failing fails at 3");
 }
 

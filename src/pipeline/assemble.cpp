@@ -28,7 +28,7 @@ FrameRange wholeRange(const fs::path& folder) {
 }
 
 video::VideoSettings settingsFor(const fs::path& folder, std::optional<FrameRate> frameRate) {
-  const fs::path sceneCopy = folder / "scene.toml";
+  const fs::path sceneCopy = folder / kSceneCopyName;
   if (fs::exists(sceneCopy)) {
     if (frameRate) {
       throw InputError(sceneCopy.string() + " sets the frame rate already; leave --fps out");

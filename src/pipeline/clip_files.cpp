@@ -58,7 +58,7 @@ ClipFiles clipFiles(const fs::path& folder, const std::string& name) {
   const fs::path frames = folder / name;
   return {frames,
           folder / (name + ".partial"),
-          frames / "scene.toml",
+          frames / kSceneCopyName,
           folder / (name + ".mp4"),
           folder / (name + ".partial.mp4"),
           folder / (name + ".csv")};

@@ -20,6 +20,9 @@ struct FrameRange {
   friend bool operator==(const FrameRange&, const FrameRange&) = default;
 };
 
+/// The resolved scene beside the frames.
+inline constexpr const char* kSceneCopyName = "scene.toml";
+
 /// "frame_00042.png"
 std::string frameName(std::int64_t index);
 

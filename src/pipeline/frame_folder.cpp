@@ -12,8 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kSceneCopy = "scene.toml";
-
 void removeFrames(const fs::path& folder) {
   for (const std::int64_t index : framesIn(folder)) removeFile(folder / frameName(index));
 }
@@ -30,7 +28,7 @@ void moveFile(const fs::path& from, const fs::path& to) {
 /// Removes the frames, their scene.toml, and the folder itself if nothing else is in it.
 void discardFrames(const fs::path& folder) {
   removeFrames(folder);
-  removeFile(folder / kSceneCopy);
+  removeFile(folder / kSceneCopyName);
   std::error_code notEmpty;
   fs::remove(folder, notEmpty);
 }
@@ -48,7 +46,7 @@ void startWholeClip(const ClipFiles& files, const std::string& record) {
   if (fs::exists(files.frameFolder)) createFolders(files.frameFolder);
   createFolders(files.partialFrameFolder);
   removeFrames(files.partialFrameFolder);
-  writeFileAtomically(files.partialFrameFolder / kSceneCopy, record);
+  writeFileAtomically(files.partialFrameFolder / kSceneCopyName, record);
 }
 
 void refuseForeignFrames(const ClipFiles& files, const std::string& record) {
@@ -70,7 +68,7 @@ void replaceFrames(const ClipFiles& files) {
   for (const std::int64_t index : framesIn(files.partialFrameFolder)) {
     moveFile(files.partialFrameFolder / frameName(index), files.frameFolder / frameName(index));
   }
-  moveFile(files.partialFrameFolder / kSceneCopy, files.sceneCopy);
+  moveFile(files.partialFrameFolder / kSceneCopyName, files.sceneCopy);
   removeFile(files.partialFrameFolder);
 }
 

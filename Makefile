@@ -6,7 +6,7 @@ PROGRAM := $(BUILD)/src/cli/rotatebook
 OUT ?= out
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build program figures test render scene-given bench format-check lint textures clean
+.PHONY: help setup configure build program figures test render scene-given bench bench-engines format-check lint textures clean
 
 help:
 	@echo 'make figures             render every figure of the paper into $(OUT)/, each checked'
@@ -15,6 +15,7 @@ help:
 	@echo 'make program             build $(PROGRAM)'
 	@echo 'make build               build the tests and benchmarks, too'
 	@echo 'make bench               measure frames a second by stage and end to end'
+	@echo 'make bench-engines       compare with Bullet, ODE, MuJoCo and Simbody: error, drift, speed'
 	@echo 'make lint                check format and run the static analyser'
 	@echo 'make textures            draw the cover anew (see assets/README.md)'
 	@echo 'make setup               install the packages that are missing'
@@ -49,6 +50,14 @@ scene-given:
 bench: configure
 	@cmake --build $(BUILD) --target rotatebook_bench
 	$(BUILD)/bench/rotatebook_bench
+
+# Optimised whatever PRESET says, and in a folder of its own: no other build looks for engines.
+bench-engines: setup
+	@scripts/setup.sh scripts/packages-engines.txt || \
+	  echo 'make bench-engines: going on with the engines that are installed' >&2
+	@cmake --preset release -B build/engines -DROTATEBOOK_ENGINES=ON >/dev/null
+	@cmake --build build/engines --target rotatebook_engines_bench
+	build/engines/bench/engines/rotatebook_engines_bench
 
 format-check:
 	@scripts/setup.sh scripts/packages-lint.txt

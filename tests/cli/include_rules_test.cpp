@@ -25,7 +25,7 @@ struct Room {
 
 const std::map<std::string, Room> kRooms{
     {"base", {{}, {}}},
-    {"physics", {{"base"}, {"Eigen/"}}},
+    {"physics", {{"base"}, {"Eigen/", "boost/"}}},
     {"scene", {{"base", "physics"}, {"Eigen/", "toml++/"}}},
     {"image", {{"base"}, {"libdeflate.h", "png.h"}}},
     {"render", {{"base", "image", "physics"}, {"Eigen/", "epoxy/"}}},

@@ -1,0 +1,78 @@
+// Elliptic functions and integrals in the parameter m1 = 1 - m, of which near m = 1 nothing is
+// lost.
+#pragma once
+
+#include <array>
+
+#include "physics/double_double.h"
+
+namespace rotatebook::physics {
+
+/// Jacobi's sn, cn and dn of one argument.
+struct JacobiValues {
+  double sn = 0;
+  double cn = 1;
+  double dn = 1;
+};
+
+/// Complete elliptic integrals of one parameter.
+struct CompleteIntegrals {
+  DoubleDouble k;  ///< K, a quarter of the period of sn.
+  /// Integral of sn^2 / (1 - n sn^2) from 0 to K, which is (Pi(n) - K) / n.
+  DoubleDouble j;
+};
+
+/// Both by the arithmetic-geometric mean to 30 digits; k1 = sqrt(m1) in (0, 1], n <= 0. (DLMF
+/// 19.8.6 to 19.8.9)
+CompleteIntegrals completeIntegrals(DoubleDouble k1, DoubleDouble n);
+
+/// K of m1 in (0, 1].
+double completeK(double m1);
+
+/// Carlson's RF(x, y, z); none negative, at most one 0. (Carlson 1995)
+double carlsonRF(double x, double y, double z);
+/// Carlson's RJ(x, y, z, p); none negative, at most one of x, y, z 0, p > 0. (Carlson 1995)
+double carlsonRJ(double x, double y, double z, double p);
+
+/// sn, cn and dn of one parameter, whose constants are computed once. Good to a few 1e-16 of
+/// themselves, but that cn and dn near their zeros feel the rounding of u.
+class JacobiFunctions {
+ public:
+  /// k1 = sqrt(m1) in [0, 1]. Of k1 and not of m1, because m1 underflows where k1 doesn't.
+  explicit JacobiFunctions(double k1);
+
+  /// At u in [-K, K]; at any u where k1 = 0.
+  JacobiValues at(double u) const;
+
+ private:
+  static constexpr int kMaxLevels = 12;
+
+  JacobiValues byLanden(double u) const;
+  JacobiValues byPulses(double u) const;
+
+  double k1_;
+  int levels_ = 0;
+  std::array<double, kMaxLevels> arithmetic_{};  // means a and b of each level
+  std::array<double, kMaxLevels> geometric_{};
+  double limit_ = 1;  // that both means tend to
+};
+
+/// sn, cn and dn at any u; m1 = 1 - m in [0, 1].
+JacobiValues jacobi(double u, double m1);
+
+/// The integral J(u) of sn^2 / (1 - n sn^2) from 0 to u, for u in [-K, K], or any u where k1 = 0.
+class ThirdKind {
+ public:
+  /// k1 = sqrt(1 - m) in [0, 1], n in [-1, 0].
+  ThirdKind(double k1, double n);
+
+  /// `values` are those at `u`.
+  double at(double u, const JacobiValues& values) const;
+
+ private:
+  double k1_;
+  double n_;
+  double root_;  // sqrt(-n)
+};
+
+}  // namespace rotatebook::physics

@@ -1,0 +1,252 @@
+#include "physics/exact_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include "physics/exact_motion_values.h"
+#include "physics/free_rigid_body.h"
+#include "physics/rotation.h"
+
+namespace rotatebook::physics {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+// Of the angular velocity in units of its start, of the attitude as it is.
+constexpr double kReferenceBound = 2e-13;   // measured x; the inputs' rounding is in it
+constexpr double kExactInputBound = 5e-14;  // measured x
+constexpr double kOrthogonalBound = 1e-14;  // measured x
+constexpr double kInvariantBound = 1e-14;   // relative; measured x
+constexpr double kStartBound = 5e-15;       // measured x
+constexpr double kDerivativeBound = 1e-9;   // of the attitude, by differences; measured x
+constexpr double kComposedBound = 1e-12;    // measured x
+
+const Vector3d kBook(0.05 / 12, 0.0241 / 12, 0.0709 / 12);  // median, smallest, largest
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kTimes[] = {0, 0.01, 1, 7.7, 31, 100, -0.3, -100};
+
+struct Start {
+  Vector3d inertia, angularVelocity;
+};
+
+Vector3d vectorOf(const std::array<double, 3>& numbers) {
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+Matrix3d matrixOf(const std::array<double, 9>& rows) {
+  Matrix3d matrix;
+  matrix << rows[0], rows[1], rows[2], rows[3], rows[4], rows[5], rows[6], rows[7], rows[8];
+  return matrix;
+}
+
+double largest(const Matrix3d& matrix) {
+  return matrix.cwiseAbs().maxCoeff();
+}
+
+struct Error {
+  double angularVelocity, attitude;
+};
+
+Error errorOf(const FreeRigidBodyMotion& motion, const FreeRigidBodySample& sample) {
+  const Vector3d start = vectorOf(motion.angularVelocity);
+  const ExactMotion::Moment moment = ExactMotion(vectorOf(motion.inertia), start).at(sample.time);
+  const Vector3d w = vectorOf(sample.angularVelocityBody);
+  return {(moment.angularVelocityBody - w).norm() / start.norm(),
+          largest(moment.worldFromBody - matrixOf(sample.worldFromBody))};
+}
+
+// Every kind of motion: generic ones in all octants and orders of axes, the separatrix, its
+// neighbourhood, symmetric tops, spheres, spins about and near the axes, large and small units.
+std::vector<Start> starts() {
+  std::vector<Start> all;
+  for (const auto* motions : {&kFreeRigidBodyMotions, &kExactMotionValues}) {
+    for (const FreeRigidBodyMotion& motion : *motions) {
+      all.push_back({vectorOf(motion.inertia), vectorOf(motion.angularVelocity)});
+    }
+  }
+  std::mt19937 generator(19);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int i = 0; i < 300; ++i) {
+    const Vector3d size = Vector3d(number(generator), number(generator), number(generator));
+    const Vector3d squares = size.cwiseAbs2() + Vector3d::Constant(1e-3);
+    const Vector3d w(number(generator), number(generator), number(generator));
+    all.push_back({Vector3d::Constant(squares.sum()) - squares, 5 * w});
+  }
+  return all;
+}
+
+TEST(ExactMotion, AgreesWithTheReference) {
+  for (const FreeRigidBodyMotion& motion : kFreeRigidBodyMotions) {
+    for (const FreeRigidBodySample& sample : motion.samples) {
+      const Error error = errorOf(motion, sample);
+      EXPECT_LT(error.angularVelocity, kReferenceBound) << motion.name << " at " << sample.time;
+      EXPECT_LT(error.attitude, kReferenceBound) << motion.name << " at " << sample.time;
+    }
+  }
+}
+
+TEST(ExactMotion, AgreesInEveryRegime) {
+  for (const FreeRigidBodyMotion& motion : kExactMotionValues) {
+    for (const FreeRigidBodySample& sample : motion.samples) {
+      const Error error = errorOf(motion, sample);
+      EXPECT_LT(error.angularVelocity, kExactInputBound) << motion.name << " at " << sample.time;
+      EXPECT_LT(error.attitude, kExactInputBound) << motion.name << " at " << sample.time;
+    }
+  }
+}
+
+// A forgotten sign of the axes' order runs the angular velocity backward.
+TEST(ExactMotion, WouldShowTheWrongHandedness) {
+  for (const FreeRigidBodyMotion& motion : kFreeRigidBodyMotions) {
+    const Vector3d start = vectorOf(motion.angularVelocity);
+    const ExactMotion exact(vectorOf(motion.inertia), start);
+    double farthest = 0;
+    for (const FreeRigidBodySample& sample : motion.samples) {
+      const Vector3d w = exact.at(-sample.time).angularVelocityBody;
+      farthest = std::max(farthest, (w - vectorOf(sample.angularVelocityBody)).norm());
+    }
+    EXPECT_GT(farthest, 0.1) << motion.name;
+  }
+}
+
+// Two roundings of one spin, a unit in the last place apart, are different motions.
+TEST(ExactMotion, TakesItsNumbersAsTheyAre) {
+  const Vector3d inertia(3, 4, 6);
+  const ExactMotion on(inertia, {2, 0.5, 1});
+  const ExactMotion beside(inertia, {std::nextafter(2.0, 3), 0.5, 1});
+  EXPECT_EQ(on.regime(), Regime::Separatrix);
+  EXPECT_EQ(beside.regime(), Regime::AboutSmallest);
+  EXPECT_EQ(on.flipInterval(), std::numeric_limits<double>::infinity());
+  EXPECT_GT((on.at(100).angularVelocityBody - beside.at(100).angularVelocityBody).norm(), 0.1);
+}
+
+TEST(ExactMotion, StartsAsItIsTold) {
+  for (const Start& start : starts()) {
+    const ExactMotion::Moment moment = ExactMotion(start.inertia, start.angularVelocity).at(0);
+    EXPECT_LT((moment.angularVelocityBody - start.angularVelocity).stableNorm(),
+              kStartBound * start.angularVelocity.stableNorm());
+    EXPECT_LT(largest(moment.worldFromBody - Matrix3d::Identity()), kStartBound);
+  }
+}
+
+TEST(ExactMotion, IsARotation) {
+  for (const Start& start : starts()) {
+    const ExactMotion motion(start.inertia, start.angularVelocity);
+    for (const double time : kTimes) {
+      const Matrix3d r = motion.at(time).worldFromBody;
+      EXPECT_LT(largest(r * r.transpose() - Matrix3d::Identity()), kOrthogonalBound);
+      EXPECT_GT(r.determinant(), 0);
+    }
+  }
+}
+
+TEST(ExactMotion, KeepsMomentumAndEnergy) {
+  for (const Start& start : starts()) {
+    // Units in which no square under- or overflows.
+    const double unit = std::ldexp(1, -std::ilogb(start.angularVelocity.cwiseAbs().maxCoeff()));
+    const Vector3d w0 = unit * start.angularVelocity;
+    const Vector3d momentum = start.inertia.cwiseProduct(w0);
+    const double energy = w0.dot(momentum);
+    const ExactMotion motion(start.inertia, start.angularVelocity);
+    for (const double time : kTimes) {
+      const auto [angularVelocity, r] = motion.at(time);
+      const Vector3d w = unit * angularVelocity;
+      const Vector3d momentumNow = r * start.inertia.cwiseProduct(w);
+      EXPECT_LT((momentumNow - momentum).norm(), kInvariantBound * momentum.norm()) << time;
+      EXPECT_NEAR(w.dot(start.inertia.cwiseProduct(w)), energy, kInvariantBound * energy) << time;
+    }
+  }
+}
+
+// R' = R [w]x, by differences of fourth order.
+TEST(ExactMotion, TurnsByItsAngularVelocity) {
+  for (const Start& start : starts()) {
+    const ExactMotion motion(start.inertia, start.angularVelocity);
+    const double h = 2e-3 / start.angularVelocity.stableNorm();
+    for (const double time : {0.0, 1.0, 7.7, -31.0}) {
+      const auto r = [&](int steps) { return motion.at(time + steps * h).worldFromBody; };
+      const Matrix3d slope = (8 * (r(1) - r(-1)) - (r(2) - r(-2))) / 12;
+      const auto [w, now] = motion.at(time);
+      EXPECT_LT(largest(slope - now * crossMatrix(h * w)) / 2e-3, kDerivativeBound) << time;
+      EXPECT_GT(largest(slope - now * crossMatrix(-h * w)) / 2e-3, 0.1);
+    }
+  }
+}
+
+// Where no rounding of a start makes another motion, the motion from any moment is the same motion.
+TEST(ExactMotion, Composes) {
+  for (const auto& [inertia, w] :
+       {Start{kBook, {1.1, -2.3, -3.7}}, Start{kBook, {-1, 4, 0.5}},
+        Start{{0.6, 0.8, 1}, {3, 0.5, -0.9}}, Start{{3, 3, 9}, {0, 5.0 / 3, 7.0 / 9}}}) {
+    const ExactMotion motion(inertia, w);
+    for (const double first : {0.4, -3.3, 20.0}) {
+      const ExactMotion::Moment middle = motion.at(first);
+      const ExactMotion rest(inertia, middle.angularVelocityBody);
+      for (const double second : {0.7, 13.0, -8.0}) {
+        const ExactMotion::Moment whole = motion.at(first + second), part = rest.at(second);
+        EXPECT_LT((whole.angularVelocityBody - part.angularVelocityBody).norm(), kComposedBound);
+        EXPECT_LT(largest(whole.worldFromBody - middle.worldFromBody * part.worldFromBody),
+                  kComposedBound);
+      }
+    }
+  }
+}
+
+TEST(ExactMotion, FlipsAtItsInterval) {
+  const ExactMotion motion(kBook, {kTurn, 0, kTurn * 1e-6});
+  const double interval = motion.flipInterval();
+  EXPECT_NEAR(interval, 8.331085967875858, 1e-9);
+  for (int i = 0; i < 12; ++i) {
+    const double flip = (i + 0.5) * interval;
+    EXPECT_NEAR(motion.at(flip).angularVelocityBody[0], 0, 1e-8);
+    EXPECT_GT(motion.at(flip - 0.1).angularVelocityBody[0] * (i % 2 == 0 ? 1 : -1), 1);
+    EXPECT_LT(motion.at(flip + 0.1).angularVelocityBody[0] * (i % 2 == 0 ? 1 : -1), -1);
+  }
+}
+
+TEST(ExactMotion, NeverFlipsInASteadySpin) {
+  const double infinite = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const ExactMotion motion(kBook, -kTurn * Vector3d::Unit(axis));
+    EXPECT_EQ(motion.flipInterval(), infinite);
+    EXPECT_EQ(motion.at(100).angularVelocityBody, -kTurn * Vector3d::Unit(axis));
+    const Matrix3d half = Eigen::AngleAxisd(-kTurn / 2, Vector3d::Unit(axis)).matrix();
+    EXPECT_LT(largest(motion.at(30.5).worldFromBody - half), kExactInputBound);
+  }
+  EXPECT_EQ(ExactMotion({2, 2, 2}, {1, 2, 3}).flipInterval(), infinite);
+  EXPECT_EQ(ExactMotion({2, 1, 2}, {1, 0, 3}).flipInterval(), infinite);
+}
+
+TEST(ExactMotion, OfABodyAtRestIsRest) {
+  const ExactMotion motion(kBook, {0, 0, 0});
+  EXPECT_EQ(motion.regime(), Regime::Separatrix);
+  EXPECT_EQ(motion.flipInterval(), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(motion.at(1e6).angularVelocityBody, Vector3d(0, 0, 0));
+  EXPECT_EQ(motion.at(1e6).worldFromBody, Matrix3d::Identity());
+}
+
+// A power of two in the inertia changes no bit; in the spin it is a change of the unit of time.
+TEST(ExactMotion, HasNoScale) {
+  const Vector3d w(1.1, -2.3, -3.7);
+  const ExactMotion::Moment here = ExactMotion(kBook, w).at(17);
+  for (const int exponent : {-40, 40, -900, 900}) {
+    const double unit = std::ldexp(1, exponent);
+    EXPECT_EQ(ExactMotion(unit * kBook, w).at(17).worldFromBody, here.worldFromBody);
+    const ExactMotion::Moment scaled = ExactMotion(kBook, unit * w).at(17 / unit);
+    EXPECT_EQ(scaled.worldFromBody, here.worldFromBody);
+    EXPECT_EQ(scaled.angularVelocityBody, unit * here.angularVelocityBody);
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::physics

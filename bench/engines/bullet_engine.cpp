@@ -73,9 +73,8 @@ Mode mode(const char* name, int gyroscopicFlags, double massFactor = 1) {
 // SIMD_EPSILON, whatever its unit, and multiplies by it otherwise.
 constexpr const char* kSinglePrecisionNote =
     "single precision. The implicit modes solve for the gyroscopic torque only if the\n"
-    "  determinant of the inertia is above 1.2e-7 (kg m^2)^3. This book's is 4.9e-8, so they "
-    "apply\n"
-    "  next to none; ten times the mass, which ought to make the same motion, is above.";
+    "  determinant of the inertia is above 1.2e-7 (kg m^2)^3. This book's is 4.9e-8, so they\n"
+    "  apply next to none; one of ten times the mass ought to move the same, but is above.";
 
 }  // namespace
 

@@ -9,28 +9,32 @@ namespace {
 
 using physics::Integrator;
 
+physics::MotionSettings motionSettings(const Motion& motion, Integrator integrator) {
+  physics::MotionSettings settings;
+  settings.body = motion.book;
+  settings.initial.value = motion.angularVelocity;
+  settings.simulation.model = physics::Model::Quaternion;
+  settings.simulation.integrator = integrator;
+  return settings;
+}
+
 class OwnEngine final : public Engine {
  public:
   OwnEngine(const Motion& motion, double step, Integrator integrator)
-      : motion_(motion), step_(step) {
-    physics::MotionSettings settings;
-    settings.body = motion.book;
-    settings.initial.value = motion.angularVelocity;
-    settings.simulation.model = physics::Model::Quaternion;
-    settings.simulation.integrator = integrator;
-    simulator_ = physics::makeSimulator(settings);
-  }
+      : settings_(motionSettings(motion, integrator)),
+        step_(step),
+        simulator_(physics::makeSimulator(settings_)) {}
 
   void advance(int steps) override { simulator_->advance(step_, steps); }
 
   EngineState state() const override {
-    physics::Measurement measurement(motion_.book, motion_.angularVelocity);
+    physics::Measurement measurement(settings_);
     const physics::Sample sample = measurement.measure(0, simulator_->state());
     return {sample.attitude.toRotationMatrix(), sample.angularVelocity};
   }
 
  private:
-  Motion motion_;
+  physics::MotionSettings settings_;
   double step_;  // [s]
   std::unique_ptr<physics::Simulator> simulator_;
 };

@@ -79,6 +79,11 @@ inline DoubleDouble scaled(DoubleDouble a, int exponent) {
   return {std::ldexp(a.high, exponent), std::ldexp(a.low, exponent)};
 }
 
+/// The largest power of two that is no larger than `number` > 0.
+inline double powerOfTwoBelow(double number) {
+  return std::ldexp(1, std::ilogb(number));
+}
+
 /// sqrt(a^2 + b^2), also where the squares would underflow.
 inline DoubleDouble hypotenuse(DoubleDouble a, DoubleDouble b) {
   const double larger = std::fmax(std::fabs(a.high), std::fabs(b.high));

@@ -119,8 +119,8 @@ ThirdKind::ThirdKind(double k1, double n) : k1_(k1), n_(n), root_(std::sqrt(-n))
 
 double ThirdKind::at(double u, const JacobiValues& values) const {
   const auto [sn, cn, dn] = values;
-  if (k1_ < kHyperbolic) return (u - std::atan(root_ * sn) / root_) / (1 - n_);
-  return sn * sn * sn / 3 * carlsonRJ(cn * cn, dn * dn, 1, 1 - n_ * sn * sn);
+  if (k1_ < kHyperbolic) return -std::atan(root_ * sn) / (root_ * (1 - n_));
+  return sn * sn * sn / 3 * carlsonRJ(cn * cn, dn * dn, 1, 1 - n_ * sn * sn) - u / (1 - n_);
 }
 
 }  // namespace rotatebook::physics

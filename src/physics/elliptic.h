@@ -60,7 +60,9 @@ class JacobiFunctions {
 /// sn, cn and dn at any u; m1 = 1 - m in [0, 1].
 JacobiValues jacobi(double u, double m1);
 
-/// The integral J(u) of sn^2 / (1 - n sn^2) from 0 to u, for u in [-K, K], or any u where k1 = 0.
+/// J(u) - u / (1 - n), where J is the integral of sn^2 / (1 - n sn^2) from 0, for u in [-K, K], or
+/// any u where k1 = 0. What is subtracted is the growth of J beside the separatrix, where u may be
+/// large: there the rest is bounded.
 class ThirdKind {
  public:
   /// k1 = sqrt(1 - m) in [0, 1], n in [-1, 0].

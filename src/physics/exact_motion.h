@@ -18,9 +18,10 @@ namespace rotatebook::physics {
 /// have twice a double's precision, so that the errors don't grow with time.
 class ExactMotion {
  public:
-  /// Principal moments in any order, each > 0, of a ratio up to 1e15 [kg m^2]; the angular velocity
-  /// at t = 0 along the principal axes, which may be zero [rad/s]. Both are taken as they are: near
-  /// the separatrix a rounding of them makes quite another motion.
+  /// Principal moments in any order, each > 0 and none larger than the sum of the others, as those
+  /// of every body are [kg m^2]; the angular velocity at t = 0 along the principal axes, which may
+  /// be zero [rad/s]. Both are taken as they are: near the separatrix a rounding of them makes
+  /// quite another motion.
   ExactMotion(const Eigen::Vector3d& inertia, const Eigen::Vector3d& angularVelocity);
 
   /// The body at one time.
@@ -49,7 +50,7 @@ class ExactMotion {
   std::optional<Polhode> polhode_;  // none if the spin is steady
   JacobiFunctions jacobi_;
   ThirdKind thirdKind_;
-  double startTurn_ = 0;                                             // weight J(start)
+  double startTurn_ = 0;  // weight P(start) of the polhode
   Eigen::Matrix3d worldFromMomentum_ = Eigen::Matrix3d::Identity();  // at t = 0
 };
 

@@ -138,16 +138,14 @@ void Constants::setAttitude(Polhode& polhode) const {
   const DoubleDouble slope = amplitudeS() * is_ / momentumO;
   polhode.frameAxis = Vector3d::Unit(frameIsC ? axes_.c : axes_.d);
   polhode.n = n.value();
-  polhode.precession = momentum / io;
   polhode.weight =
       momentum * exactSum(io, -is_) / (DoubleDouble(io) * is_) * slope * slope / rate();
+  const DoubleDouble growth = DoubleDouble(1.0) / (DoubleDouble(1.0) - n);
+  polhode.precession = momentum / io + polhode.weight * rate() * growth;
   if (polhode.k1 > 0) {
-    polhode.weightedHalfPeriod = polhode.weight * completeIntegrals(k1(), n).j * 2.0;
+    const auto [k, j] = completeIntegrals(k1(), n);
+    polhode.weightedHalfPeriod = polhode.weight * (j - k * growth) * 2.0;
   }
-}
-
-double powerOfTwoBelow(double number) {
-  return std::ldexp(1, std::ilogb(number));
 }
 
 }  // namespace

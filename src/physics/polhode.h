@@ -23,10 +23,10 @@ struct Polhode {
   /// The body axis, of the cn and the dn axis, about which L has the smaller amplitude. L stays at
   /// least pi/4 away from it.
   Eigen::Vector3d frameAxis;
-  /// The frame of L and frameAxis turns about L by precession t + weight (J(u) - J(start)), where
-  /// J is the integral of sn^2 / (1 - n sn^2) from 0. [rad/s], [rad]
+  /// The frame of L and frameAxis turns about L by precession t + weight (P(u) - P(start)), where
+  /// P(u) = J(u) - u / (1 - n) and J is the integral of sn^2 / (1 - n sn^2) from 0. [rad/s], [rad]
   DoubleDouble precession, weight;
-  DoubleDouble weightedHalfPeriod;  ///< weight J(2K); 0 on the separatrix. [rad]
+  DoubleDouble weightedHalfPeriod;  ///< weight P(2K); 0 on the separatrix. [rad]
   double n = 0;                     ///< In [-1, 0].
 };
 

@@ -37,10 +37,6 @@ ExactTerms product(std::array<double, 4> factors) {
 // Two spins of a smaller ratio aren't near the separatrix; the square of the ratio would underflow.
 constexpr double kNegligibleSpin = 1e-90;
 
-double powerOfTwoBelow(double number) {
-  return std::ldexp(1, std::ilogb(number));
-}
-
 DoubleDouble medianInvariant(const std::array<double, 3>& moments, double w1, double w3) {
   const auto [i1, i2, i3] = moments;
   const std::array<std::array<double, 4>, 4> products{

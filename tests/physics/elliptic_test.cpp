@@ -132,7 +132,7 @@ TEST(ThirdKind, AgreesWithQuadrature) {
       {3.0, 1e-10, -0.5, 1.4219216780177535},  {20.0, 1e-10, -1.0, 9.6073009183012758},
       {7.0, 0.0, -0.1, 5.4831522086627095}};
   for (const auto& [u, k1, n, integral] : kCases) {
-    const double value = ThirdKind(k1, n).at(u, JacobiFunctions(k1).at(u));
+    const double value = ThirdKind(k1, n).at(u, JacobiFunctions(k1).at(u)) + u / (1 - n);
     EXPECT_LT(relativeError(value, integral), kIntegralBound) << u << ' ' << k1 << ' ' << n;
   }
 }
@@ -142,7 +142,7 @@ TEST(ThirdKind, EndsInTheCompleteIntegral) {
     for (const double n : {-1.0, -0.4, -1e-5}) {
       const CompleteIntegrals complete = completeIntegrals(k1, n);
       const double k = complete.k.value();
-      const double incomplete = ThirdKind(k1, n).at(k, JacobiFunctions(k1).at(k));
+      const double incomplete = ThirdKind(k1, n).at(k, JacobiFunctions(k1).at(k)) + k / (1 - n);
       EXPECT_LT(relativeError(incomplete, complete.j.value()), kIntegralBound) << k1 << ' ' << n;
     }
   }

@@ -8,10 +8,10 @@
 namespace rotatebook::physics {
 namespace {
 
-constexpr double kFunctionBound = 2e-15;  // measured 4e-16
-constexpr double kRelativeBound = 5e-14;  // of cn and dn; measured x
-constexpr double kIntegralBound = 2e-15;  // relative; measured x
-constexpr double kIdentityBound = 2e-15;  // measured x
+constexpr double kFunctionBound = 5e-15;  // measured 1.6e-15
+constexpr double kRelativeBound = 1e-14;  // of cn and dn; measured 1.8e-15
+constexpr double kIntegralBound = 2e-15;  // relative; measured 6e-16
+constexpr double kIdentityBound = 2e-15;  // measured 7e-16
 
 struct JacobiCase {
   double u, m1, sn, cn, dn;

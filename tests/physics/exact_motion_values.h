@@ -1,6 +1,5 @@
-// Motions of free rigid bodies in every regime, computed by Taylor integration of Euler's equations
-// and the attitude's quaternion at 42 and 80 digits, of order 34 and 60, from exactly these
-// doubles.
+// Motions of free rigid bodies in every regime, from exactly these doubles: Taylor integration of
+// Euler's equations and the attitude's quaternion at 42 and 80 digits, of order 34 and 60.
 #pragma once
 
 #include <vector>

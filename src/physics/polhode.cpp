@@ -59,13 +59,11 @@ class Constants {
  public:
   Constants(const Vector3d& inertia, const Vector3d& w);
 
-  bool isSteady() const { return !(circling_.high > kNegligible && tilting_.high > kNegligible); }
+  bool isSteady() const;
   void setAngularVelocity(Polhode& polhode) const;
   void setAttitude(Polhode& polhode) const;
 
  private:
-  static constexpr double kNegligible = 1e-290;
-
   DoubleDouble amplitudeC() const { return tilting_ / squareRoot(toD_ * ic_); }
   DoubleDouble amplitudeS() const { return tilting_ / squareRoot(sd_ * is_); }
   DoubleDouble amplitudeD() const { return circling_ / squareRoot(toD_ * id_); }
@@ -105,6 +103,13 @@ Constants::Constants(const Vector3d& inertia, const Vector3d& w)
           hypotenuse(squareRoot(cs_ * is_) * w[axes_.s], squareRoot(toD_ * id_) * w[axes_.d])),
       tilting_(
           hypotenuse(squareRoot(toD_ * ic_) * w[axes_.c], squareRoot(sd_ * is_) * w[axes_.s])) {}
+
+// But for what would underflow. The last is a spin about the median axis.
+bool Constants::isSteady() const {
+  constexpr double kNegligible = 1e-290, kNegligibleTilt = 1e-305;
+  const double tilt = std::max(std::fabs(w_[axes_.c]), std::fabs(w_[axes_.d]));
+  return circling_.high < kNegligible || tilting_.high < kNegligible || tilt < kNegligibleTilt;
+}
 
 void Constants::setAngularVelocity(Polhode& polhode) const {
   const DoubleDouble modulus = k1();

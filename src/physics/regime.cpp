@@ -74,9 +74,14 @@ DoubleDouble medianInvariantRoot(const std::array<double, 3>& moments, double w1
 
 Regime regimeOf(const Eigen::Vector3d& inertia, const Eigen::Vector3d& angularVelocityBody) {
   const auto [first, second, third] = axesByInertia(inertia);
-  const double root = medianInvariantRoot({inertia[first], inertia[second], inertia[third]},
-                                          angularVelocityBody[first], angularVelocityBody[third])
-                          .high;
+  const double w1 = angularVelocityBody[first], w3 = angularVelocityBody[third];
+  const double larger = std::max(std::fabs(w1), std::fabs(w3));
+  if (larger == 0) return Regime::Separatrix;
+  // Of the smallest spins the root would underflow.
+  const double spin = powerOfTwoBelow(larger);
+  const double root =
+      medianInvariantRoot({inertia[first], inertia[second], inertia[third]}, w1 / spin, w3 / spin)
+          .high;
   return static_cast<Regime>((root > 0) - (root < 0));
 }
 

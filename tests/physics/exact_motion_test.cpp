@@ -228,6 +228,27 @@ TEST(ExactMotion, NeverFlipsInASteadySpin) {
   EXPECT_EQ(ExactMotion({2, 1, 2}, {1, 0, 3}).flipInterval(), infinite);
 }
 
+// Whatever underflows on the way: motions of the smallest components are finite, and start right.
+TEST(ExactMotion, HoldsForTheSmallestComponents) {
+  const double almost = 1 + 1e-10;
+  for (const Vector3d& inertia : {kBook, Vector3d(1, 2, 2 * almost), Vector3d(1, almost, 2)}) {
+    for (const double tiny : {5e-324, 1e-320, 1e-305, 1e-291, 1e-280, 1e-160}) {
+      for (int axis = 0; axis < 3; ++axis) {
+        for (int other = 0; other < 3; ++other) {
+          if (other == axis) continue;
+          const Vector3d w = 2 * Vector3d::Unit(axis) - tiny * Vector3d::Unit(other);
+          const ExactMotion motion(inertia, w);
+          EXPECT_LT((motion.at(0).angularVelocityBody - w).norm(), kStartBound) << w;
+          const Matrix3d r = motion.at(3).worldFromBody;
+          EXPECT_LT((r * inertia.cwiseProduct(w) - inertia.cwiseProduct(w)).norm(), kStartBound);
+          const Matrix3d turned = Eigen::AngleAxisd(6, Vector3d::Unit(axis)).matrix();
+          EXPECT_LT(largest(r - turned), kStartBound) << w;
+        }
+      }
+    }
+  }
+}
+
 TEST(ExactMotion, OfABodyAtRestIsRest) {
   const ExactMotion motion(kBook, {0, 0, 0});
   EXPECT_EQ(motion.regime(), Regime::Separatrix);

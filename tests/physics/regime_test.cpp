@@ -70,6 +70,7 @@ TEST(Regime, IsExactWhereDoublesCannotTell) {
 TEST(Regime, SeesTheSmallestSpin) {
   EXPECT_EQ(regimeOf(kInertia, {0, 1, 1e-300}), Regime::AboutLargest);
   EXPECT_EQ(regimeOf(kInertia, {1e-300, 1, 0}), Regime::AboutSmallest);
+  EXPECT_EQ(regimeOf({3, 4, std::nextafter(4.0, 5)}, {0, 1, 1e-322}), Regime::AboutLargest);
   EXPECT_EQ(regimeOf(kInertia, {1e-160, 1, 1e-300}), Regime::AboutSmallest);
   EXPECT_EQ(regimeOf(kInertia, {1e-300, 1e-300, 1}), Regime::AboutLargest);
   EXPECT_EQ(regimeOf(kInertia, {2e-300, 1, 1e-300}), Regime::Separatrix);

@@ -13,12 +13,13 @@ namespace {
 constexpr double kEdge = 1e-6;
 
 constexpr std::array kQuantities{
-    Quantity::HalfTurns,     Quantity::TiltDeg, Quantity::EnergyRatio, Quantity::RotationalRatio,
-    Quantity::MomentumRatio, Quantity::Stretch, Quantity::DivergesAt};
+    Quantity::HalfTurns,       Quantity::TiltDeg,       Quantity::EnergyRatio,
+    Quantity::RotationalRatio, Quantity::MomentumRatio, Quantity::Stretch,
+    Quantity::ErrorDeg,        Quantity::Regime,        Quantity::DivergesAt};
 
 constexpr std::array<std::string_view, kQuantities.size()> kNames{
-    "half_turns",     "tilt_deg", "energy_ratio", "rotational_ratio",
-    "momentum_ratio", "stretch",  "diverges_at"};
+    "half_turns", "tilt_deg",  "energy_ratio", "rotational_ratio", "L_ratio",
+    "stretch",    "error_deg", "regime",       "diverges_at"};
 
 struct Range {
   double lowest = std::numeric_limits<double>::quiet_NaN();
@@ -48,6 +49,10 @@ Range rangeAt(const Sample& sample, const Sample& start, Quantity quantity) {
       return both(sample.angularMomentum.norm() / start.angularMomentum.norm());
     case Quantity::Stretch:
       return {sample.stretchMin, sample.stretchMax};
+    case Quantity::ErrorDeg:
+      return both(sample.errorDeg);
+    case Quantity::Regime:
+      return both(static_cast<double>(sample.regime));
     case Quantity::HalfTurns:
     case Quantity::DivergesAt:
       break;  // of a whole window, not of one sample

@@ -17,8 +17,10 @@ enum class Quantity {
   TiltDeg,          ///< tilt_deg: Sample::tiltDeg.
   EnergyRatio,      ///< energy_ratio: total energy / its start.
   RotationalRatio,  ///< rotational_ratio: rotational energy / total energy at the start.
-  MomentumRatio,    ///< momentum_ratio: |L| / its start.
+  MomentumRatio,    ///< L_ratio: |L| / its start.
   Stretch,          ///< stretch: every singular value of the map from body to drawn corners.
+  ErrorDeg,         ///< error_deg: Sample::errorDeg.
+  Regime,           ///< regime: 1, 0 or -1 as Sample::regime.
   DivergesAt,  ///< diverges_at: Trajectory::divergedAt; one number, infinite if the motion never
                ///< diverges. [s]
 };

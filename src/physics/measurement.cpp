@@ -19,6 +19,12 @@ int largestComponent(const Eigen::Vector3d& v) {
   return axis;
 }
 
+// Of a rotation; to rounding at small angles, too.
+double angleDeg(const Eigen::Matrix3d& rotation) {
+  const Eigen::Quaterniond q(rotation);
+  return 2 * std::atan2(q.vec().norm(), std::abs(q.w())) * 180 / std::numbers::pi;
+}
+
 }  // namespace
 
 int HalfTurnCounter::count(double tiltDeg) {
@@ -28,9 +34,11 @@ int HalfTurnCounter::count(double tiltDeg) {
   return halfTurns_;
 }
 
-Measurement::Measurement(const Cuboid& body, const Eigen::Vector3d& initialAngularVelocity)
-    : spunAxis_(largestComponent(initialAngularVelocity)) {
-  const Corners corners = body.corners();
+Measurement::Measurement(const MotionSettings& settings)
+    : spunAxis_(largestComponent(initialAngularVelocity(settings))),
+      inertia_(modelInertia(settings)),
+      exact_(inertia_, initialAngularVelocity(settings)) {
+  const Corners corners = settings.body.corners();
   const Eigen::Matrix3d products = corners * corners.transpose();
   mapFromCorners_ = corners.transpose() * products.inverse();
 }
@@ -49,6 +57,8 @@ Sample Measurement::measure(double time, const BodyState& state) {
   sample.halfTurns = counter_.count(sample.tiltDeg);
   sample.stretchMin = polar.singularValues[2];
   sample.stretchMax = polar.singularValues[0];
+  sample.errorDeg = angleDeg(exact_.at(time).worldFromBody.transpose() * polar.rotation);
+  sample.regime = regime(polar.rotation, state.angularVelocity);
   sample.corners = state.corners;
   return sample;
 }
@@ -65,6 +75,12 @@ double Measurement::tiltDeg(const Eigen::Matrix3d& rotation,
                             const Eigen::Vector3d& momentum) const {
   const Eigen::Vector3d axis = rotation.col(spunAxis_);
   return std::atan2(axis.cross(momentum).norm(), axis.dot(momentum)) * 180 / std::numbers::pi;
+}
+
+Regime Measurement::regime(const Eigen::Matrix3d& rotation,
+                           const Eigen::Vector3d& angularVelocity) const {
+  const Eigen::Matrix3d principalFromWorld = (rotation * inertia_.bodyFromPrincipal).transpose();
+  return regimeOf(inertia_.moments, principalFromWorld * angularVelocity);
 }
 
 }  // namespace rotatebook::physics

@@ -4,7 +4,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "physics/cuboid.h"
+#include "physics/exact_simulator.h"
+#include "physics/inertia.h"
+#include "physics/motion_settings.h"
 #include "physics/simulator.h"
 #include "physics/trajectory.h"
 
@@ -28,8 +30,9 @@ class HalfTurnCounter {
 /// on what came before.
 class Measurement {
  public:
-  /// `initialAngularVelocity` tells which body axis is spun: that of its largest component.
-  Measurement(const Cuboid& body, const Eigen::Vector3d& initialAngularVelocity);
+  /// The spun body axis is that of the initial angular velocity's largest component. Throws
+  /// InputError as InitialSpin::tilted() does.
+  explicit Measurement(const MotionSettings& settings);
 
   /// The sample at `time` [s] of `state`, whose numbers are finite.
   Sample measure(double time, const BodyState& state);
@@ -37,9 +40,12 @@ class Measurement {
  private:
   Eigen::Quaterniond continuedAttitude(const Eigen::Matrix3d& rotation);
   double tiltDeg(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& momentum) const;
+  Regime regime(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& angularVelocity) const;
 
   Eigen::Matrix<double, 8, 3> mapFromCorners_;  // C^T (C C^T)^-1 of the body's corners C
   int spunAxis_;
+  PrincipalAxes inertia_;
+  ExactRotation exact_;
   Eigen::Quaterniond attitude_ = Eigen::Quaterniond::Identity();  // the last one
   HalfTurnCounter counter_;
 };

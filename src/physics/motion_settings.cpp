@@ -1,5 +1,7 @@
 #include "physics/motion_settings.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -14,6 +16,14 @@ namespace {
 // below this.
 constexpr double kParallel = 1e-12;
 
+constexpr std::array kRigidIntegrators{
+    Integrator::Euler,     Integrator::Rk4,     Integrator::LieEuler, Integrator::Cf4,
+    Integrator::Splitting, Integrator::Suzuki4, Integrator::Midpoint, Integrator::Dmv2,
+    Integrator::Dmv4,      Integrator::Dmv6};
+
+constexpr std::array kParticleIntegrators{Integrator::Euler, Integrator::SymplecticEuler,
+                                          Integrator::Verlet, Integrator::Rk4};
+
 std::string text(const Eigen::Vector3d& v) {
   return "(" + shortestText(v.x()) + ", " + shortestText(v.y()) + ", " + shortestText(v.z()) + ")";
 }
@@ -25,6 +35,23 @@ std::string text(const Eigen::Vector3d& v) {
 }
 
 }  // namespace
+
+std::span<const Integrator> integratorsOf(Model model) {
+  switch (model) {
+    case Model::Particles:
+      return kParticleIntegrators;
+    case Model::Matrix:
+    case Model::Quaternion:
+      return kRigidIntegrators;
+    case Model::Exact:
+      break;
+  }
+  return {};
+}
+
+bool isFor(Model model, Integrator integrator) {
+  return std::ranges::count(integratorsOf(model), integrator) > 0;
+}
 
 Eigen::Vector3d InitialSpin::tilted() const {
   if (!tilt) return value;
@@ -44,9 +71,8 @@ Eigen::Vector3d InitialSpin::tilted() const {
   return length * (std::cos(tilt->angle) * direction + std::sin(tilt->angle) * toward);
 }
 
-Eigen::Vector3d InitialSpin::angularVelocity(const Eigen::Vector3d& inertia) const {
-  if (kind == Kind::AngularVelocity) return tilted();
-  return tilted().cwiseQuotient(inertia);
+Eigen::Vector3d InitialSpin::angularVelocity(const PrincipalAxes& inertia) const {
+  return kind == Kind::AngularVelocity ? tilted() : inertia.angularVelocity(tilted());
 }
 
 }  // namespace rotatebook::physics

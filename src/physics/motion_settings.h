@@ -2,29 +2,48 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include <Eigen/Core>
 
 #include "physics/cuboid.h"
+#include "physics/inertia.h"
 
 namespace rotatebook::physics {
 
-/// The paper's three ways of simulating a book.
+/// The paper's three ways of simulating a book, and the truth.
 enum class Model {
   Particles,   ///< Eight particles joined by 28 damped springs.
   Matrix,      ///< A rigid body whose attitude is a rotation matrix.
   Quaternion,  ///< A rigid body whose attitude is a quaternion.
+  Exact,       ///< A rigid body's motion in closed form, without steps.
 };
 
-/// How a model steps through time.
+/// How a model steps through time. Each is described where it is implemented.
 enum class Integrator {
-  Euler,  ///< Explicit Euler, first order.
+  Euler,            ///< Explicit Euler, as the paper has it; order 1.
+  Rk4,              ///< The classical Runge-Kutta method; order 4.
+  LieEuler,         ///< Rigid: Euler on the rotation group; order 1.
+  Cf4,              ///< Rigid: commutator-free method on the rotation group; order 4.
+  Splitting,        ///< Rigid: turns about one axis at a time; order 2.
+  Suzuki4,          ///< Rigid: Suzuki's composition of the splitting; order 4.
+  Midpoint,         ///< Rigid: implicit midpoint rule; order 2.
+  Dmv2,             ///< Rigid: discrete Moser-Veselov; order 2.
+  Dmv4,             ///< Rigid: preprocessed discrete Moser-Veselov; order 4.
+  Dmv6,             ///< Rigid: preprocessed discrete Moser-Veselov; order 6.
+  SymplecticEuler,  ///< Particles: Euler that moves by the new velocities; order 1.
+  Verlet,           ///< Particles: velocity Verlet; order 2.
 };
+
+/// The integrators that `model` has, none for Model::Exact.
+std::span<const Integrator> integratorsOf(Model model);
+/// Whether `integrator` is one of them.
+bool isFor(Model model, Integrator integrator);
 
 /// How the motion is simulated.
 struct SimulationSettings {
   Model model = Model::Quaternion;
-  Integrator integrator = Integrator::Euler;
+  Integrator integrator = Integrator::Euler;  ///< One of integratorsOf(model); else unused.
   /// Undo the integrator's drift after each step: the energy of the particles, the shape of the
   /// rigid models.
   bool normalize = true;
@@ -54,8 +73,8 @@ struct InitialSpin {
   /// `value` turned by `tilt`. Throws InputError if it points along the tilt's axis, where no turn
   /// is defined.
   Eigen::Vector3d tilted() const;
-  /// The angular velocity of a body with these principal moments. [rad/s]
-  Eigen::Vector3d angularVelocity(const Eigen::Vector3d& inertia) const;
+  /// The angular velocity of a body with this inertia. [rad/s]
+  Eigen::Vector3d angularVelocity(const PrincipalAxes& inertia) const;
 };
 
 /// Everything that a motion depends on.
@@ -63,6 +82,9 @@ struct MotionSettings {
   Cuboid body;
   SimulationSettings simulation;
   InitialSpin initial;
+  /// Tensor about the book's axes, in place of the solid cuboid's. Not for the particles, which
+  /// have their own. [kg m^2]
+  std::optional<Eigen::Matrix3d> inertia{};
 };
 
 }  // namespace rotatebook::physics

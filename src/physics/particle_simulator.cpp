@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
@@ -14,51 +13,40 @@ constexpr std::size_t kParticles = 8;
 // Least kinetic energy that normalisation leaves, as a fraction of the energy at t = 0.
 constexpr double kEnergyFloor = 0.1;
 
-using Point = std::array<double, 3>;
-
-struct Pair {
-  std::size_t i, j;
-};
-
-constexpr std::array<Pair, 28> allPairs() {
-  std::array<Pair, 28> pairs{};
-  std::size_t n = 0;
-  for (std::size_t i = 0; i < kParticles; ++i) {
-    for (std::size_t j = i + 1; j < kParticles; ++j) pairs[n++] = {i, j};
+Points fromEigen(const Corners& corners) {
+  Points points;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int q = 0; q < 4; ++q) {
+      points.at(axis).at(q) = Lanes{corners(axis, q), corners(axis, q + 4)};
+    }
   }
-  return pairs;
+  return points;
 }
 
-constexpr std::array<Pair, 28> kPairs = allPairs();
-
-Point difference(const Point& a, const Point& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+Corners toEigen(const Points& points) {
+  Corners corners;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int q = 0; q < 4; ++q) {
+      corners(axis, q) = points.at(axis).at(q)[0];
+      corners(axis, q + 4) = points.at(axis).at(q)[1];
+    }
+  }
+  return corners;
 }
 
-double dot(const Point& a, const Point& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+Corners turningVelocities(const Corners& corners, const Eigen::Vector3d& angularVelocity) {
+  Corners velocities;
+  for (int i = 0; i < corners.cols(); ++i) {
+    velocities.col(i) = angularVelocity.cross(corners.col(i));
+  }
+  return velocities;
 }
 
-double length(const Point& a) {
-  return std::sqrt(dot(a, a));
-}
-
-void addScaled(Point& sum, double factor, const Point& a) {
-  for (std::size_t axis = 0; axis < 3; ++axis) sum[axis] += factor * a[axis];
-}
-
-void subtractMean(std::array<Point, kParticles>& points) {
-  Point sum{};
-  for (const Point& point : points) addScaled(sum, 1, point);
-  for (Point& point : points) addScaled(point, -1.0 / kParticles, sum);
-}
-
-Point fromEigen(const Eigen::Vector3d& v) {
-  return {v.x(), v.y(), v.z()};
-}
-
-Corners toEigen(const std::array<Point, kParticles>& points) {
-  return Corners(Eigen::Map<const Corners>(points[0].data()));
+void subtractMean(Points& points) {
+  for (Octet& components : points) {
+    const double mean = sumOf(components) / kParticles;
+    for (Lanes& lanes : components) lanes -= mean;
+  }
 }
 
 // About the point that `arms` start from.
@@ -76,73 +64,103 @@ Eigen::Vector3d angularMomentumOf(const Corners& arms, const Corners& velocities
 }  // namespace
 
 ParticleSimulator::ParticleSimulator(const MotionSettings& settings)
-    : mass_(settings.body.mass / kParticles),
-      stiffness_(settings.simulation.stiffness),
-      damping_(settings.simulation.damping * 2 * std::sqrt(stiffness_ * mass_)),
-      normalize_(settings.simulation.normalize) {
-  const Corners corners = settings.body.corners();
-  const Eigen::Vector3d angularVelocity = initialAngularVelocity(settings);
-  for (std::size_t i = 0; i < kParticles; ++i) {
-    const Eigen::Vector3d corner = corners.col(static_cast<Eigen::Index>(i));
-    positions_[i] = fromEigen(corner);
-    velocities_[i] = fromEigen(angularVelocity.cross(corner));
+    : positions_(fromEigen(settings.body.corners())),
+      velocities_(
+          fromEigen(turningVelocities(settings.body.corners(), initialAngularVelocity(settings)))),
+      mass_(settings.body.mass / kParticles),
+      springs_(positions_, settings.simulation.stiffness,
+               settings.simulation.damping * 2 * std::sqrt(settings.simulation.stiffness * mass_)),
+      step_(stepOf(settings.simulation.integrator)),
+      normalize_(settings.simulation.normalize),
+      energy_(kineticEnergy()) {}
+
+ParticleSimulator::Step ParticleSimulator::stepOf(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::SymplecticEuler:
+      return &ParticleSimulator::stepSymplecticEuler;
+    case Integrator::Verlet:
+      return &ParticleSimulator::stepVerlet;
+    case Integrator::Rk4:
+      return &ParticleSimulator::stepRk4;
+    default:
+      return &ParticleSimulator::stepEuler;
   }
-  for (std::size_t n = 0; n < kPairs.size(); ++n) {
-    restLengths_[n] = length(difference(positions_[kPairs[n].i], positions_[kPairs[n].j]));
-  }
-  energy_ = kineticEnergy();
 }
 
-void ParticleSimulator::advance(double h) {
-  const Points force = forces();
-  for (std::size_t i = 0; i < kParticles; ++i) {
-    addScaled(positions_[i], h, velocities_[i]);
-    addScaled(velocities_[i], h / mass_, force[i]);
+void ParticleSimulator::advance(double h, int steps) {
+  for (int step = 0; step < steps; ++step) {
+    (this->*step_)(h);
+    if (!normalize_) continue;
+    restoreEnergy();
+    restoreCentre();
   }
-  if (!normalize_) return;
-  restoreEnergy();
-  restoreCentre();
 }
 
-ParticleSimulator::Points ParticleSimulator::forces() const {
-  Points force{};
-  for (std::size_t n = 0; n < kPairs.size(); ++n) {
-    const auto [i, j] = kPairs[n];
-    const Point d = difference(positions_[i], positions_[j]);
-    const double l = length(d);
-    const double inverse = 1 / l;
-    const double lengthening = dot(d, difference(velocities_[i], velocities_[j])) * inverse;
-    const double pull = -stiffness_ * (l - restLengths_[n]) - damping_ * lengthening;
-    addScaled(force[i], pull * inverse, d);
-    addScaled(force[j], -pull * inverse, d);
+void ParticleSimulator::stepEuler(double h) {
+  const Points acceleration = accelerations(velocities_);
+  moveTo(plus(positions_, h, velocities_));
+  velocities_ = plus(velocities_, h, acceleration);
+}
+
+void ParticleSimulator::stepSymplecticEuler(double h) {
+  velocities_ = plus(velocities_, h, accelerations(velocities_));
+  moveTo(plus(positions_, h, velocities_));
+}
+
+void ParticleSimulator::stepVerlet(double h) {
+  const Points before = accelerations(velocities_);
+  const Points predicted = plus(velocities_, h, before);
+  velocities_ = plus(velocities_, h / 2, before);
+  moveTo(plus(positions_, h, velocities_));
+  velocities_ = plus(velocities_, h / 2, accelerations(predicted));
+}
+
+void ParticleSimulator::stepRk4(double h) {
+  const Points x = positions_, v1 = velocities_;
+  const Points a1 = accelerations(v1);
+  moveTo(plus(x, h / 2, v1));
+  const Points v2 = plus(v1, h / 2, a1);
+  const Points a2 = accelerations(v2);
+  moveTo(plus(x, h / 2, v2));
+  const Points v3 = plus(v1, h / 2, a2);
+  const Points a3 = accelerations(v3);
+  moveTo(plus(x, h, v3));
+  const Points v4 = plus(v1, h, a3);
+  const Points a4 = accelerations(v4);
+
+  const Points outer = plus(v1, 1, v4), inner = plus(v2, 1, v3);
+  moveTo(plus(plus(x, h / 6, outer), h / 3, inner));
+  velocities_ = plus(velocities_, h / 6, plus(a1, 1, a4));
+  velocities_ = plus(velocities_, h / 3, plus(a2, 1, a3));
+}
+
+Points ParticleSimulator::accelerations(const Points& velocities) const {
+  Points result = springs_.forces(velocities);
+  const double inverse = 1 / mass_;
+  for (Octet& components : result) {
+    for (Lanes& lanes : components) lanes *= inverse;
   }
-  return force;
+  return result;
+}
+
+void ParticleSimulator::moveTo(const Points& positions) {
+  positions_ = positions;
+  springs_.moveTo(positions_);
 }
 
 double ParticleSimulator::kineticEnergy() const {
-  double sum = 0;
-  for (const Point& velocity : velocities_) sum += dot(velocity, velocity);
-  return mass_ / 2 * sum;
-}
-
-double ParticleSimulator::potentialEnergy() const {
-  double sum = 0;
-  for (std::size_t n = 0; n < kPairs.size(); ++n) {
-    const auto [i, j] = kPairs[n];
-    const double stretch = length(difference(positions_[i], positions_[j])) - restLengths_[n];
-    sum += stretch * stretch;
-  }
-  return stiffness_ / 2 * sum;
+  return mass_ / 2 * squaredNormOf(velocities_);
 }
 
 void ParticleSimulator::restoreEnergy() {
-  const double wanted = std::max(energy_ - potentialEnergy(), kEnergyFloor * energy_);
+  const double wanted = std::max(energy_ - springs_.energy(), kEnergyFloor * energy_);
   const double factor = std::sqrt(wanted / kineticEnergy());
-  for (Point& velocity : velocities_) {
-    for (double& component : velocity) component *= factor;
+  for (Octet& components : velocities_) {
+    for (Lanes& lanes : components) lanes *= factor;
   }
 }
 
+// The springs needn't know: they depend on differences alone.
 void ParticleSimulator::restoreCentre() {
   subtractMean(positions_);
   subtractMean(velocities_);
@@ -158,7 +176,7 @@ BodyState ParticleSimulator::state() const {
   // is singular.
   result.angularVelocity = inertia.completeOrthogonalDecomposition().solve(result.angularMomentum);
   result.kinetic = kineticEnergy();
-  result.potential = potentialEnergy();
+  result.potential = springs_.energy();
   result.rotational = result.angularVelocity.dot(result.angularMomentum) / 2;
   return result;
 }

@@ -31,23 +31,6 @@ Eigen::Matrix3d cofactors(const Eigen::Matrix3d& m) {
 
 }  // namespace
 
-Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& w) {
-  Eigen::Matrix3d result;
-  result << 0, -w.z(), w.y(),  //
-      w.z(), 0, -w.x(),        //
-      -w.y(), w.x(), 0;
-  return result;
-}
-
-Eigen::Matrix3d textbookMatrix(const Eigen::Quaterniond& q) {
-  const double w = q.w(), x = q.x(), y = q.y(), z = q.z();
-  Eigen::Matrix3d result;
-  result << 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),  //
-      2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),        //
-      2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y);
-  return result;
-}
-
 // Newton's iteration X <- (X + X^-T)/2 (Higham 1986), some twenty times faster than the SVD near a
 // rotation.
 Eigen::Matrix3d polarFactor(const Eigen::Matrix3d& map) {

@@ -7,12 +7,25 @@
 namespace rotatebook::physics {
 
 /// The matrix [w]x with [w]x v = w x v.
-Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& w);
+inline Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& w) {
+  Eigen::Matrix3d result;
+  result << 0, -w.z(), w.y(),  //
+      w.z(), 0, -w.x(),        //
+      -w.y(), w.x(), 0;
+  return result;
+}
 
 /// A(q), the textbook conversion of a unit quaternion to a rotation matrix, applied as it stands:
 /// of a quaternion that is not of unit norm it makes a map that isn't a rotation. A(conj q) is its
 /// transpose.
-Eigen::Matrix3d textbookMatrix(const Eigen::Quaterniond& q);
+inline Eigen::Matrix3d textbookMatrix(const Eigen::Quaterniond& q) {
+  const double w = q.w(), x = q.x(), y = q.y(), z = q.z();
+  Eigen::Matrix3d result;
+  result << 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),  //
+      2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x),        //
+      2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y);
+  return result;
+}
 
 /// The orthogonal matrix nearest to `map`: U V^T where `map` = U S V^T, to 1e-14. Its determinant
 /// has the sign of that of `map`. Not finite if `map` isn't.

@@ -1,14 +1,23 @@
 #include "physics/simulator.h"
 
-#include "physics/matrix_simulator.h"
+#include "physics/exact_simulator.h"
 #include "physics/particle_simulator.h"
-#include "physics/quaternion_simulator.h"
+#include "physics/rigid_simulator.h"
 
 namespace rotatebook::physics {
+namespace {
 
-Eigen::Vector3d modelInertia(const MotionSettings& settings) {
+void checkIntegrator(const SimulationSettings& settings) {
+  if (settings.model == Model::Exact || isFor(settings.model, settings.integrator)) return;
+  throw InputError("this model doesn't have this integrator");
+}
+
+}  // namespace
+
+PrincipalAxes modelInertia(const MotionSettings& settings) {
   const bool particles = settings.simulation.model == Model::Particles;
-  return particles ? settings.body.particleInertia() : settings.body.solidInertia();
+  if (!particles && settings.inertia) return principalAxes(*settings.inertia);
+  return {particles ? settings.body.particleInertia() : settings.body.solidInertia()};
 }
 
 Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings) {
@@ -16,15 +25,17 @@ Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings) {
 }
 
 std::unique_ptr<Simulator> makeSimulator(const MotionSettings& settings) {
+  checkIntegrator(settings.simulation);
   switch (settings.simulation.model) {
     case Model::Particles:
       return std::make_unique<ParticleSimulator>(settings);
+    case Model::Exact:
+      return std::make_unique<ExactSimulator>(settings);
     case Model::Matrix:
-      return std::make_unique<MatrixSimulator>(settings);
     case Model::Quaternion:
       break;
   }
-  return std::make_unique<QuaternionSimulator>(settings);
+  return makeRigidSimulator(settings);
 }
 
 }  // namespace rotatebook::physics

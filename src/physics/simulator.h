@@ -5,7 +5,9 @@
 
 #include <Eigen/Core>
 
+#include "base/error.h"
 #include "physics/cuboid.h"
+#include "physics/inertia.h"
 #include "physics/motion_settings.h"
 
 namespace rotatebook::physics {
@@ -25,21 +27,26 @@ class Simulator {
  public:
   virtual ~Simulator() = default;
 
-  /// One integration step of length `h` > 0. [s]
-  virtual void advance(double h) = 0;
+  /// `steps` integration steps of length `h` > 0. [s] Throws NoConvergence.
+  virtual void advance(double h, int steps) = 0;
   /// The present state. Once a motion has blown up its numbers need not be finite.
   virtual BodyState state() const = 0;
 };
 
-/// Principal moments of inertia of the model that `settings` ask for: the particles' own or the
-/// solid body's. [kg m^2]
-Eigen::Vector3d modelInertia(const MotionSettings& settings);
+/// An implicit integrator can't solve the equations of its step, because the step is too long.
+class NoConvergence : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// The inertia of the model that `settings` ask for: the particles' own, or the rigid body's.
+PrincipalAxes modelInertia(const MotionSettings& settings);
 /// The angular velocity that the motion starts with. Throws InputError as InitialSpin::tilted()
 /// does. [rad/s]
 Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings);
 
 /// The simulator that `settings` ask for, at t = 0. Throws InputError as InitialSpin::tilted()
-/// does.
+/// does, and if the model doesn't have the integrator.
 std::unique_ptr<Simulator> makeSimulator(const MotionSettings& settings);
 
 }  // namespace rotatebook::physics

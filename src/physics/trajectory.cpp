@@ -19,22 +19,19 @@ bool hasBlownUp(const BodyState& state, double farthest) {
   return !isFinite(state) || state.corners.colwise().norm().maxCoeff() > farthest;
 }
 
-void advanceOneSample(Simulator& simulator, const SimulationSettings& settings) {
-  const double h = settings.timePerFrame / settings.substeps;
-  for (int step = 0; step < settings.substeps; ++step) simulator.advance(h);
-}
-
 }  // namespace
 
 Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount) {
   const auto simulator = makeSimulator(settings);
-  Measurement measurement(settings.body, initialAngularVelocity(settings));
+  Measurement measurement(settings);
+  const SimulationSettings& stepping = settings.simulation;
+  const double h = stepping.timePerFrame / stepping.substeps;
   const double farthest = kDivergenceFactor * settings.body.largestDimension();
 
   Trajectory result;
-  result.interval = settings.simulation.timePerFrame;
+  result.interval = stepping.timePerFrame;
   for (std::int64_t n = 0; n < sampleCount; ++n) {
-    if (n > 0) advanceOneSample(*simulator, settings.simulation);
+    if (n > 0) simulator->advance(h, stepping.substeps);
     const double time = static_cast<double>(n) * result.interval;
     const BodyState state = simulator->state();
     if (hasBlownUp(state, farthest)) {

@@ -10,6 +10,7 @@
 
 #include "physics/cuboid.h"
 #include "physics/motion_settings.h"
+#include "physics/regime.h"
 
 namespace rotatebook::physics {
 
@@ -28,6 +29,11 @@ struct Sample {
   int halfTurns = 0;  ///< How often the tilt has gone from under 60 to over 120 degrees or back.
   double stretchMin = 1;  ///< Smallest singular value of the map that best fits the corners.
   double stretchMax = 1;  ///< Largest one.
+  /// Angle of the rotation between the attitude and that of the exact rigid motion from the same
+  /// start. [degrees]
+  double errorDeg = 0;
+  /// The rigid motion that this angular velocity, seen from this attitude, begins.
+  Regime regime = Regime::Separatrix;
   Corners corners = Corners::Zero();  ///< As drawn. [m]
 
   double total() const { return kinetic + potential; }
@@ -47,7 +53,8 @@ struct Trajectory {
 inline constexpr double kDivergenceFactor = 20;
 
 /// Simulates `sampleCount` >= 1 samples, fewer if the motion diverges. Throws InputError if the
-/// initial spin can't be tilted as asked, or is so large that not even the first sample is finite.
+/// initial spin can't be tilted as asked, or is so large that not even the first sample is finite;
+/// NoConvergence if an implicit integrator finds no solution for its steps.
 Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount);
 
 }  // namespace rotatebook::physics

@@ -14,7 +14,7 @@ std::string header() {
       text += ",c" + std::to_string(corner) + axis;
     }
   }
-  return text + "\n";
+  return text + ",error_deg,energy_ratio,L_ratio,regime\n";
 }
 
 void append(std::string& row, double value) {
@@ -26,7 +26,8 @@ void appendAll(std::string& row, const Values& values) {
   for (Eigen::Index i = 0; i < values.size(); ++i) append(row, values.data()[i]);
 }
 
-void appendRow(std::string& text, std::size_t frame, const physics::Sample& sample) {
+void appendRow(std::string& text, std::size_t frame, const physics::Sample& sample,
+               const physics::Sample& start) {
   text += std::to_string(frame);
   append(text, sample.time);
   append(text, sample.attitude.w());
@@ -41,7 +42,10 @@ void appendRow(std::string& text, std::size_t frame, const physics::Sample& samp
   append(text, sample.stretchMin);
   append(text, sample.stretchMax);
   appendAll(text, sample.corners);  // Column by column: corner by corner.
-  text += '\n';
+  append(text, sample.errorDeg);
+  append(text, sample.total() / start.total());
+  append(text, sample.angularMomentum.norm() / start.angularMomentum.norm());
+  text += ',' + std::to_string(static_cast<int>(sample.regime)) + '\n';
 }
 
 }  // namespace
@@ -49,7 +53,7 @@ void appendRow(std::string& text, std::size_t frame, const physics::Sample& samp
 std::string trajectoryCsv(const physics::Trajectory& trajectory) {
   std::string text = header();
   for (std::size_t frame = 0; frame < trajectory.samples.size(); ++frame) {
-    appendRow(text, frame, trajectory.samples[frame]);
+    appendRow(text, frame, trajectory.samples[frame], trajectory.samples.front());
   }
   return text;
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <vector>
 
 #include "physics/motion_settings.h"
 
@@ -16,14 +17,26 @@ struct Named {
   T value;
 };
 
-inline constexpr std::array<Named<physics::Model>, 3> kModels{{
+inline constexpr std::array<Named<physics::Model>, 4> kModels{{
     {"particles", physics::Model::Particles},
     {"matrix", physics::Model::Matrix},
     {"quaternion", physics::Model::Quaternion},
+    {"exact", physics::Model::Exact},
 }};
 
-inline constexpr std::array<Named<physics::Integrator>, 1> kIntegrators{{
+inline constexpr std::array<Named<physics::Integrator>, 12> kIntegrators{{
     {"euler", physics::Integrator::Euler},
+    {"rk4", physics::Integrator::Rk4},
+    {"lie-euler", physics::Integrator::LieEuler},
+    {"cf4", physics::Integrator::Cf4},
+    {"splitting", physics::Integrator::Splitting},
+    {"suzuki4", physics::Integrator::Suzuki4},
+    {"midpoint", physics::Integrator::Midpoint},
+    {"dmv2", physics::Integrator::Dmv2},
+    {"dmv4", physics::Integrator::Dmv4},
+    {"dmv6", physics::Integrator::Dmv6},
+    {"symplectic-euler", physics::Integrator::SymplecticEuler},
+    {"verlet", physics::Integrator::Verlet},
 }};
 
 /// The keys of [initial] of which a scene has exactly one.
@@ -54,6 +67,15 @@ constexpr std::string_view nameOf(const std::array<Named<T>, N>& choices, const 
     if (choice.value == value) return choice.name;
   }
   return {};
+}
+
+/// The words for the integrators that `model` has.
+inline std::vector<std::string_view> integratorNames(physics::Model model) {
+  std::vector<std::string_view> names;
+  for (const auto& [name, integrator] : kIntegrators) {
+    if (physics::isFor(model, integrator)) names.push_back(name);
+  }
+  return names;
 }
 
 }  // namespace rotatebook::scene

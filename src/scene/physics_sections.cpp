@@ -2,10 +2,12 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "base/error.h"
 #include "scene/names.h"
+#include "scene/nearest_name.h"
 #include "scene/sections.h"
 #include "scene/toml_text.h"
 
@@ -19,21 +21,47 @@ constexpr int kMostSubsteps = 1'000'000;
 
 constexpr NumberRange kSizes{"three lengths from 1e-6 to 1e6 m", 1e-6, 1e6};
 constexpr NumberRange kMass{"a mass from 1e-9 to 1e9 kg", 1e-9, 1e9};
+constexpr NumberRange kMoments{"three moments of inertia up to 1e21 kg m^2", -1e21, 1e21};
+constexpr NumberRange kRow{"rows of three numbers up to 1e21 kg m^2", -1e21, 1e21};
 constexpr NumberRange kNumber{"a number", Limits::lowest(), Limits::max()};
 constexpr NumberRange kNotNegative{"zero or a positive number", 0, Limits::max()};
+
+// What physics refuses is physics' to say; the place is ours.
+template <typename Check>
+void failAtValue(const ValueReader& value, const Check& check) {
+  try {
+    check();
+  } catch (const InputError& error) {
+    value.fail(error.what());
+  }
+}
+
+Eigen::Matrix3d inertiaFrom(const ValueReader& value) {
+  const auto rows = value.elements(
+      3, "three moments, [Ix, Iy, Iz], or a tensor of three rows, [[Ixx, Ixy, Ixz], ...]");
+  Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
+  if (std::holds_alternative<TomlNode::Array>(rows.front().node().value)) {
+    for (int row = 0; row < 3; ++row) {
+      tensor.row(row) = rows[static_cast<std::size_t>(row)].vector(kRow).transpose();
+    }
+  } else {
+    tensor.diagonal() = value.vector(kMoments);
+  }
+  failAtValue(value, [&] { physics::checkInertia(tensor); });
+  return tensor;
+}
+
+physics::Integrator integratorFrom(const ValueReader& value) {
+  if (value.text() == nameOf(kModels, physics::Model::Exact)) {
+    value.fail(value.name() + " can't be \"exact\": the closed form is a model of its own, " +
+               "simulation.model = \"exact\", of a rigid body; particles have none");
+  }
+  return value.oneOf(kIntegrators);
+}
 
 physics::Tilt tiltFrom(const ValueReader& value) {
   const auto parts = value.elements(2, "an angle and an axis, such as [0.001, \"z\"]");
   return {parts[0].number(kNumber), parts[1].oneOf(kAxes)};
-}
-
-// Which vectors can be turned toward which axis is the physics' to say; the place is ours.
-void checkTilt(const ValueReader& section, const physics::InitialSpin& spin) {
-  try {
-    spin.tilted();
-  } catch (const InputError& error) {
-    section.find("tilt")->fail(error.what());
-  }
 }
 
 void checkOrder(const ValueReader& bounds, std::string_view lowKey, double low,
@@ -72,10 +100,12 @@ void addExpectations(physics::Quantity quantity, const ValueReader& value,
 
 }  // namespace
 
-void readBody(const ValueReader& section, physics::Cuboid& body) {
+void readBody(const ValueReader& section, physics::Cuboid& body,
+              std::optional<Eigen::Matrix3d>& inertia) {
   section.readTable({
       {"size", [&](const ValueReader& value) { body.size = value.vector(kSizes); }},
       {"mass", [&](const ValueReader& value) { body.mass = value.number(kMass); }},
+      {"inertia", [&](const ValueReader& value) { inertia = inertiaFrom(value); }},
   });
 }
 
@@ -83,7 +113,7 @@ void readSimulation(const ValueReader& section, physics::SimulationSettings& set
   section.readTable({
       {"model", [&](const ValueReader& value) { settings.model = value.oneOf(kModels); }},
       {"integrator",
-       [&](const ValueReader& value) { settings.integrator = value.oneOf(kIntegrators); }},
+       [&](const ValueReader& value) { settings.integrator = integratorFrom(value); }},
       {"normalize", [&](const ValueReader& value) { settings.normalize = value.flag(); }},
       {"damping", [&](const ValueReader& value) { settings.damping = value.number(kNotNegative); }},
       {"stiffness",
@@ -115,7 +145,7 @@ void readInitial(const ValueReader& section, physics::InitialSpin& spin) {
   if (!hasVelocity && !hasMomentum) {
     section.fail("[initial] needs angular_velocity or angular_momentum");
   }
-  checkTilt(section, spin);
+  if (const auto tilt = section.find("tilt")) failAtValue(*tilt, [&] { spin.tilted(); });
 }
 
 void readExpectations(const ValueReader& section, std::vector<Expectation>& expectations) {
@@ -128,6 +158,27 @@ void readExpectations(const ValueReader& section, std::vector<Expectation>& expe
                       }});
   }
   section.readTable(fields);
+}
+
+void checkIntegrator(const ValueReader& section, const physics::SimulationSettings& settings) {
+  const auto integrator = section.find("integrator");
+  if (!integrator || physics::isFor(settings.model, settings.integrator)) return;
+  const std::string chosen =
+      integrator->name() + " = " + tomlString(nameOf(kIntegrators, settings.integrator));
+  const std::string model = tomlString(nameOf(kModels, settings.model));
+  if (settings.model == physics::Model::Exact) {
+    integrator->fail(chosen + ", but the model " + model + " takes no steps; leave it out");
+  }
+  integrator->fail(chosen + ", but the model " + model + " has " +
+                   quotedList(integratorNames(settings.model), "and"));
+}
+
+void checkInertia(const ValueReader& section, physics::Model model) {
+  const auto inertia = section.find("inertia");
+  if (!inertia || model != physics::Model::Particles) return;
+  inertia->fail(inertia->name() +
+                " is for rigid models, but the model is \"particles\", whose inertia follows from "
+                "where they are; leave it out");
 }
 
 }  // namespace rotatebook::scene

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,8 @@ struct Scene {
   std::string title;
   std::string caption;
   physics::Cuboid body;
+  /// [body] inertia, about the book's axes; else the cuboid's own. [kg m^2]
+  std::optional<Eigen::Matrix3d> inertia;
   physics::SimulationSettings simulation;
   physics::InitialSpin initial;
   ClipSettings clip;
@@ -65,7 +68,7 @@ struct Scene {
   BookSettings book;
   std::vector<physics::Expectation> expectations;
 
-  physics::MotionSettings motion() const { return {body, simulation, initial}; }
+  physics::MotionSettings motion() const { return {body, simulation, initial, inertia}; }
 };
 
 /// The camera position from which a body of this size is seen whole in any attitude. [m]

@@ -14,7 +14,7 @@ void readSections(const ValueReader& file, Scene& scene) {
   file.readTable({
       {"title", [&](const ValueReader& value) { scene.title = value.text(); }},
       {"caption", [&](const ValueReader& value) { scene.caption = value.text(); }},
-      {"body", [&](const ValueReader& value) { readBody(value, scene.body); }},
+      {"body", [&](const ValueReader& value) { readBody(value, scene.body, scene.inertia); }},
       {"simulation", [&](const ValueReader& value) { readSimulation(value, scene.simulation); }},
       {"initial", [&](const ValueReader& value) { readInitial(value, scene.initial); }},
       {"clip", [&](const ValueReader& value) { readClip(value, scene.clip); }},
@@ -44,6 +44,14 @@ void fillDefaults(const ValueReader& file, Scene& scene) {
   }
 }
 
+void checkTogether(const ValueReader& file, const Scene& scene) {
+  if (const auto body = file.find("body")) checkInertia(*body, scene.simulation.model);
+  if (const auto simulation = file.find("simulation")) {
+    checkIntegrator(*simulation, scene.simulation);
+  }
+  if (const auto camera = file.find("camera")) checkCamera(*camera, scene.camera);
+}
+
 }  // namespace
 
 Scene parseScene(std::string_view text, const std::filesystem::path& path,
@@ -57,7 +65,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   const ValueReader file(tree, "");
   readSections(file, scene);
   fillDefaults(file, scene);
-  if (const auto camera = file.find("camera")) checkCamera(*camera, scene.camera);
+  checkTogether(file, scene);
   return scene;
 }
 

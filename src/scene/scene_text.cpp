@@ -48,16 +48,33 @@ std::string choicesIn(const std::array<Named<T>, N>& choices) {
   return quotedList(namesOf(choices), "or");
 }
 
-std::string bodyText(const physics::Cuboid& body) {
+std::string inertiaText(const std::optional<Eigen::Matrix3d>& inertia) {
+  if (!inertia) return "";
+  const Eigen::Matrix3d& tensor = *inertia;
+  const std::string comment = "kg m^2, in place of the solid cuboid's";
+  if (tensor.isDiagonal(0)) return line("inertia", array(tensor.diagonal()), comment);
+  return line(
+      "inertia",
+      "[" + joined({array(tensor.row(0)), array(tensor.row(1)), array(tensor.row(2))}) + "]",
+      comment);
+}
+
+std::string bodyText(const physics::Cuboid& body, const std::optional<Eigen::Matrix3d>& inertia) {
   return "\n[body]\n" +
          line("size", array(body.size),
               "m, along x (from the spine), y (to the top), z (to the cover)") +
-         line("mass", tomlNumber(body.mass), "kg");
+         line("mass", tomlNumber(body.mass), "kg") + inertiaText(inertia);
+}
+
+std::string integratorText(const physics::SimulationSettings& settings) {
+  const auto names = integratorNames(settings.model);
+  if (names.empty()) return "";
+  return line("integrator", word(kIntegrators, settings.integrator), quotedList(names, "or"));
 }
 
 std::string simulationText(const physics::SimulationSettings& settings) {
   return "\n[simulation]\n" + line("model", word(kModels, settings.model), choicesIn(kModels)) +
-         line("integrator", word(kIntegrators, settings.integrator), choicesIn(kIntegrators)) +
+         integratorText(settings) +
          line("normalize", settings.normalize ? "true" : "false",
               "undo the integrator's drift after each step") +
          line("damping", tomlNumber(settings.damping), "particles: fraction of critical damping") +
@@ -147,9 +164,9 @@ std::string expectationsText(const std::vector<Expectation>& expectations) {
 
 std::string sceneText(const Scene& scene) {
   return line("title", tomlString(scene.title)) + line("caption", tomlString(scene.caption)) +
-         bodyText(scene.body) + simulationText(scene.simulation) + initialText(scene.initial) +
-         clipText(scene.clip) + videoText(scene.video) + cameraText(scene.camera) +
-         bookText(scene.book) + expectationsText(scene.expectations);
+         bodyText(scene.body, scene.inertia) + simulationText(scene.simulation) +
+         initialText(scene.initial) + clipText(scene.clip) + videoText(scene.video) +
+         cameraText(scene.camera) + bookText(scene.book) + expectationsText(scene.expectations);
 }
 
 }  // namespace rotatebook::scene

@@ -1,7 +1,10 @@
 // The sections of a scene file: every key and its limits.
 #pragma once
 
+#include <optional>
 #include <vector>
+
+#include <Eigen/Core>
 
 #include "scene/scene.h"
 #include "scene/value_reader.h"
@@ -10,7 +13,8 @@ namespace rotatebook::scene {
 
 // Each reads one section over the defaults in its second argument. Throws InputError.
 
-void readBody(const ValueReader& section, physics::Cuboid& body);
+void readBody(const ValueReader& section, physics::Cuboid& body,
+              std::optional<Eigen::Matrix3d>& inertia);
 /// Leaves the default of time_per_frame, which depends on [clip], to the caller.
 void readSimulation(const ValueReader& section, physics::SimulationSettings& settings);
 void readInitial(const ValueReader& section, physics::InitialSpin& spin);
@@ -22,6 +26,10 @@ void readVideo(const ValueReader& section, EncodingSettings& video);
 void readCamera(const ValueReader& section, CameraSettings& camera);
 void readBook(const ValueReader& section, BookSettings& book);
 
+/// Refuses an integrator that the model doesn't have; `section` is [simulation].
+void checkIntegrator(const ValueReader& section, const physics::SimulationSettings& settings);
+/// Refuses an inertia for a model that has its own; `section` is [body].
+void checkInertia(const ValueReader& section, physics::Model model);
 /// Refuses a complete camera that looks nowhere or has no upper side; `section` is where it came
 /// from.
 void checkCamera(const ValueReader& section, const CameraSettings& camera);

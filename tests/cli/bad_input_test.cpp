@@ -51,8 +51,8 @@ const std::vector<BadCase> kOverrides{
     {"NoKey", {"--set", "substeps"}, "--set substeps: expected KEY=VALUE"},
     {"UnknownModel",
      {"--set", "simulation.model=matrx"},
-     "--set simulation.model=matrx: simulation.model must be \"particles\", \"matrix\" or "
-     "\"quaternion\", not \"matrx\"; did you mean \"matrix\"?"},
+     "--set simulation.model=matrx: simulation.model must be \"particles\", \"matrix\", "
+     "\"quaternion\" or \"exact\", not \"matrx\"; did you mean \"matrix\"?"},
 };
 
 const std::vector<BadCase> kOptions{

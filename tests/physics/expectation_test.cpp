@@ -60,12 +60,12 @@ TEST(Quantities, HaveTheNamesOfAScene) {
   std::vector<std::string_view> names;
   for (const Quantity quantity : allQuantities()) names.push_back(nameOf(quantity));
   EXPECT_THAT(names, ElementsAre("half_turns", "tilt_deg", "energy_ratio", "rotational_ratio",
-                                 "momentum_ratio", "stretch", "diverges_at"));
+                                 "L_ratio", "stretch", "error_deg", "regime", "diverges_at"));
 }
 
 TEST(Quantities, AreNamedEachByItsOwn) {
   EXPECT_EQ(nameOf(Quantity::HalfTurns), "half_turns");
-  EXPECT_EQ(nameOf(Quantity::MomentumRatio), "momentum_ratio");
+  EXPECT_EQ(nameOf(Quantity::MomentumRatio), "L_ratio");
   EXPECT_EQ(nameOf(Quantity::DivergesAt), "diverges_at");
 }
 

@@ -1,5 +1,3 @@
-#include "physics/matrix_simulator.h"
-
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -10,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "physics/scenarios.h"
+#include "physics/simulator.h"
 
 namespace rotatebook::physics {
 namespace {
@@ -68,59 +67,59 @@ Matrix3d drawnMap(const Corners& corners, const Vector3d& size) {
 }
 
 TEST(MatrixSimulator, StepsAsByHand) {
-  MatrixSimulator simulator(byHand(false));
+  const auto simulator = makeSimulator(byHand(false));
   Rows expected{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   for (int step = 0; step < 3; ++step) {
-    simulator.advance(0.1);
+    simulator->advance(0.1, 1);
     stepByHand(expected, {13, 10, 5}, {13, 20, 15}, 0.1);
-    EXPECT_LT((drawnMap(simulator.state().corners, {1, 2, 3}) - asMatrix(expected)).norm(),
+    EXPECT_LT((drawnMap(simulator->state().corners, {1, 2, 3}) - asMatrix(expected)).norm(),
               kStepBound);
   }
 }
 
 TEST(MatrixSimulator, TakesTheFirstStepOfLiteralNumbers) {
-  MatrixSimulator simulator(byHand(false));
-  simulator.advance(0.1);
+  const auto simulator = makeSimulator(byHand(false));
+  simulator->advance(0.1, 1);
   Matrix3d expected;
   expected << 1, -0.3, 0.2,  //
       0.3, 1, -0.1,          //
       -0.2, 0.1, 1;
-  EXPECT_LT((drawnMap(simulator.state().corners, {1, 2, 3}) - expected).norm(), kStepBound);
+  EXPECT_LT((drawnMap(simulator->state().corners, {1, 2, 3}) - expected).norm(), kStepBound);
 }
 
 TEST(MatrixSimulator, NormalisesToTheNearestOrthogonalMatrix) {
-  MatrixSimulator simulator(byHand(true));
+  const auto simulator = makeSimulator(byHand(true));
   Rows expected{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   stepByHand(expected, {13, 10, 5}, {13, 20, 15}, 0.1);
   const Eigen::JacobiSVD<Matrix3d> svd(asMatrix(expected),
                                        Eigen::ComputeFullU | Eigen::ComputeFullV);
-  simulator.advance(0.1);
+  simulator->advance(0.1, 1);
   EXPECT_LT(
-      (drawnMap(simulator.state().corners, {1, 2, 3}) - svd.matrixU() * svd.matrixV().transpose())
+      (drawnMap(simulator->state().corners, {1, 2, 3}) - svd.matrixU() * svd.matrixV().transpose())
           .norm(),
       kStepBound);
 }
 
 TEST(MatrixSimulator, StaysOrthogonalForManySteps) {
   MotionSettings settings = spinning(Model::Matrix, {6, 0.1, 0.2}, 1e-3);
-  MatrixSimulator simulator(settings);
-  for (int step = 0; step < 20000; ++step) simulator.advance(1e-3);
-  const Matrix3d map = drawnMap(simulator.state().corners, settings.body.size);
+  const auto simulator = makeSimulator(settings);
+  for (int step = 0; step < 20000; ++step) simulator->advance(1e-3, 1);
+  const Matrix3d map = drawnMap(simulator->state().corners, settings.body.size);
   EXPECT_LT((map.transpose() * map - Matrix3d::Identity()).norm(), kOrthogonalBound);
 }
 
 TEST(MatrixSimulator, LengthensAcrossTheSpinWithoutNormalisation) {
   MotionSettings settings = spinning(Model::Matrix, {0, 0, 5}, 0.01);
   settings.simulation.normalize = false;
-  MatrixSimulator simulator(settings);
-  simulator.advance(0.01);
-  const Matrix3d map = drawnMap(simulator.state().corners, settings.body.size);
+  const auto simulator = makeSimulator(settings);
+  simulator->advance(0.01, 1);
+  const Matrix3d map = drawnMap(simulator->state().corners, settings.body.size);
   EXPECT_NEAR(map.col(0).norm(), std::sqrt(1 + 0.05 * 0.05), kStretchBound);
   EXPECT_NEAR(map.col(2).norm(), 1, kStretchBound);
 }
 
 TEST(MatrixSimulator, ReportsTheEnergyAndMomentumOfTheSolidBody) {
-  const BodyState state = MatrixSimulator(byHand(true)).state();
+  const BodyState state = makeSimulator(byHand(true))->state();
   EXPECT_LT((state.angularMomentum - Vector3d(13, 20, 15)).norm(), kStepBound);
   EXPECT_LT((state.angularVelocity - Vector3d(1, 2, 3)).norm(), kStepBound);
   EXPECT_NEAR(state.kinetic, 49, 10 * kStepBound);  // (13 + 40 + 45) / 2
@@ -134,18 +133,18 @@ TEST(MatrixSimulator, GainsEnergyAsExplicitEulerMust) {
   constexpr double kStep = 1e-5;
   const MotionSettings settings = spinning(Model::Matrix, {1.1, -2.3, -3.7}, kStep);
   const Vector3d inertia = settings.body.solidInertia();
-  MatrixSimulator simulator(settings);
-  const double start = simulator.state().kinetic;
+  const auto simulator = makeSimulator(settings);
+  const double start = simulator->state().kinetic;
   double predicted = 0;
   for (int step = 0; step < 20000; ++step) {
-    const BodyState state = simulator.state();
+    const BodyState state = simulator->state();
     const Matrix3d fromBody = drawnMap(state.corners, settings.body.size);
     const Vector3d w = fromBody.transpose() * state.angularVelocity;
     const Vector3d torque = inertia.cwiseProduct(w).cross(w);
     predicted += kStep * kStep / 2 * torque.dot(torque.cwiseQuotient(inertia));
-    simulator.advance(kStep);
+    simulator->advance(kStep, 1);
   }
-  EXPECT_NEAR((simulator.state().kinetic - start) / predicted, 1, kEnergyDriftBound);
+  EXPECT_NEAR((simulator->state().kinetic - start) / predicted, 1, kEnergyDriftBound);
 }
 
 }  // namespace

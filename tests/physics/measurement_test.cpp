@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "physics/rotation.h"
+#include "physics/scenarios.h"
 
 namespace rotatebook::physics {
 namespace {
@@ -40,8 +41,12 @@ BodyState stateOf(const Matrix3d& map, const Vector3d& angularMomentum = {0, 0, 
   return state;
 }
 
+MotionSettings spinningAbout(const Vector3d& angularVelocity) {
+  return spinning(Model::Quaternion, angularVelocity, 1);
+}
+
 Sample measureOne(const Matrix3d& map) {
-  return Measurement(Cuboid(), Vector3d::UnitZ()).measure(0, stateOf(map));
+  return Measurement(spinningAbout(Vector3d::UnitZ())).measure(0, stateOf(map));
 }
 
 Matrix3d someRotation() {
@@ -92,7 +97,7 @@ TEST(Measurement, FindsAProperRotationOfABodyTurnedInsideOut) {
 TEST(Measurement, DoesNotMindWhereTheBodyIs) {
   BodyState state = stateOf(someRotation());
   state.corners.colwise() += Vector3d(0.1, -0.2, 0.3);
-  const Sample sample = Measurement(Cuboid(), Vector3d::UnitZ()).measure(0, state);
+  const Sample sample = Measurement(spinningAbout(Vector3d::UnitZ())).measure(0, state);
   EXPECT_LT((sample.attitude.toRotationMatrix() - someRotation()).norm(), kRoundingBound);
   EXPECT_NEAR(sample.stretchMax, 1, kRoundingBound);
 }
@@ -105,7 +110,7 @@ TEST(Measurement, FitsCornersThatNoLinearMapReaches) {
   const Eigen::Matrix<double, 8, 3> equations = Cuboid().corners().transpose();
   const Matrix3d map = equations.householderQr().solve(state.corners.transpose()).transpose();
   const Polar expected = polarDecomposition(map);
-  const Sample sample = Measurement(Cuboid(), Vector3d::UnitZ()).measure(0, state);
+  const Sample sample = Measurement(spinningAbout(Vector3d::UnitZ())).measure(0, state);
   EXPECT_LT((sample.attitude.toRotationMatrix() - expected.rotation).norm(), kRoundingBound);
   EXPECT_NEAR(sample.stretchMin, expected.singularValues[2], kRoundingBound);
   EXPECT_NEAR(sample.stretchMax, expected.singularValues[0], kRoundingBound);
@@ -113,7 +118,7 @@ TEST(Measurement, FitsCornersThatNoLinearMapReaches) {
 }
 
 TEST(Measurement, ContinuesTheSignOfTheAttitude) {
-  Measurement measurement(Cuboid(), Vector3d::UnitZ());
+  Measurement measurement(spinningAbout(Vector3d::UnitZ()));
   for (int degrees = 0; degrees <= 720; degrees += 30) {
     const Matrix3d turn = AngleAxisd(degrees * kDegree, Vector3d::UnitZ()).toRotationMatrix();
     const Quaterniond attitude = measurement.measure(0, stateOf(turn)).attitude;
@@ -125,7 +130,7 @@ TEST(Measurement, ContinuesTheSignOfTheAttitude) {
 TEST(Measurement, TakesTheTiltOfTheMostSpunAxis) {
   const Matrix3d turn = AngleAxisd(40 * kDegree, Vector3d::UnitX()).toRotationMatrix();
   const auto tilt = [&](const Vector3d& spin, const Vector3d& momentum) {
-    return Measurement(Cuboid(), spin).measure(0, stateOf(turn, momentum)).tiltDeg;
+    return Measurement(spinningAbout(spin)).measure(0, stateOf(turn, momentum)).tiltDeg;
   };
   EXPECT_NEAR(tilt({0, 0.1, 3}, {0, 0, 7}), 40, kDegreesBound);
   EXPECT_NEAR(tilt({0.1, -3, 1}, {0, 7, 0}), 40, kDegreesBound);
@@ -146,7 +151,7 @@ TEST(Measurement, PassesOnWhatTheSimulatorKnows) {
   state.kinetic = 7;
   state.potential = 8;
   state.rotational = 9;
-  const Sample sample = Measurement(Cuboid(), Vector3d::UnitZ()).measure(1.5, state);
+  const Sample sample = Measurement(spinningAbout(Vector3d::UnitZ())).measure(1.5, state);
   EXPECT_EQ(sample.time, 1.5);
   EXPECT_EQ(sample.angularVelocity, state.angularVelocity);
   EXPECT_EQ(sample.angularMomentum, state.angularMomentum);

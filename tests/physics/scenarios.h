@@ -42,7 +42,7 @@ inline MotionSettings settingsOf(const Scenario& scenario) {
   Eigen::Vector3d direction = Eigen::Vector3d::Constant(scenario.slant);
   direction[scenario.axis] = 1;
   settings.initial.kind = InitialSpin::Kind::AngularMomentum;
-  settings.initial.value = modelInertia(settings)[scenario.axis] * kSpinRate * direction;
+  settings.initial.value = modelInertia(settings).moments[scenario.axis] * kSpinRate * direction;
   return settings;
 }
 

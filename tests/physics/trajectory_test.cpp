@@ -28,7 +28,7 @@ BodyState stateAtSample(const MotionSettings& settings, std::size_t n) {
   const auto simulator = makeSimulator(settings);
   const double h = settings.simulation.timePerFrame / settings.simulation.substeps;
   const std::size_t steps = n * static_cast<std::size_t>(settings.simulation.substeps);
-  for (std::size_t step = 0; step < steps; ++step) simulator->advance(h);
+  for (std::size_t step = 0; step < steps; ++step) simulator->advance(h, 1);
   return simulator->state();
 }
 

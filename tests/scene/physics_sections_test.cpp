@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/names.h"
 #include "scene/parse.h"
 #include "scene/scene_file.h"
 
@@ -55,20 +56,95 @@ TEST(SimulationSection, ReadsEveryKey) {
   EXPECT_EQ(scene.simulation.substeps, 1'000'000);
 }
 
-TEST(SimulationSection, KnowsThreeModels) {
+TEST(BodySection, ReadsMomentsOfInertia) {
+  const Scene scene = sceneFrom("[body]\ninertia = [3, 4, 5.5]");
+  ASSERT_TRUE(scene.inertia);
+  EXPECT_EQ(*scene.inertia, Eigen::Matrix3d(Eigen::Vector3d(3, 4, 5.5).asDiagonal()));
+  EXPECT_EQ(scene.motion().inertia, scene.inertia);
+  EXPECT_FALSE(sceneFrom("").inertia);
+}
+
+TEST(BodySection, ReadsATensorOfInertia) {
+  const Scene scene =
+      sceneFrom("[body]\ninertia = [[3, 0.1, 0.2],\n  [0.1, 4, 0.3],\n  [0.2, 0.3, 5]]");
+  Eigen::Matrix3d expected;
+  expected << 3, 0.1, 0.2, 0.1, 4, 0.3, 0.2, 0.3, 5;
+  EXPECT_EQ(*scene.inertia, expected);
+}
+
+TEST(BodySection, RefusesImpossibleInertia) {
+  EXPECT_EQ(errorOf("[body]\ninertia = [1, 1, 3]"),
+            "a.toml:2:11: no body has this inertia: a principal moment can't exceed the sum of the "
+            "other two, but its principal moments are 1, 1 and 3 kg m^2");
+  EXPECT_EQ(errorOf("[body]\ninertia = [[3, 1, 0], [0, 4, 0], [0, 0, 5]]"),
+            "a.toml:2:11: an inertia tensor must be symmetric, but its xy entries are 1 and 0");
+  EXPECT_EQ(errorOf("[body]\ninertia = [1, 0, 1]"),
+            "a.toml:2:11: an inertia tensor must be positive definite, but its principal moments "
+            "are 1, 0 and 1 kg m^2");
+  EXPECT_EQ(errorOf("[body]\ninertia = [1, 2]"),
+            "a.toml:2:11: body.inertia must be three moments, [Ix, Iy, Iz], or a tensor of three "
+            "rows, [[Ixx, Ixy, Ixz], ...], not [1, 2]");
+  EXPECT_EQ(errorOf("[body]\ninertia = [[1, 2], [3, 4], [5, 6]]"),
+            "a.toml:2:12: body.inertia must be rows of three numbers up to 1e21 kg m^2, not "
+            "[1, 2]");
+  EXPECT_EQ(errorOf("[body]\ninertia = [1, nan, 1]"),
+            "a.toml:2:15: body.inertia must be three moments of inertia up to 1e21 kg m^2, not "
+            "nan");
+}
+
+TEST(BodySection, RefusesInertiaOfParticles) {
+  EXPECT_EQ(errorOf("body.inertia = [3, 4, 5]\nsimulation.model = 'particles'"),
+            "a.toml:1:16: body.inertia is for rigid models, but the model is \"particles\", whose "
+            "inertia follows from where they are; leave it out");
+}
+
+TEST(SimulationSection, ReadsEveryIntegrator) {
+  for (const auto& model : kModels) {
+    for (const std::string_view name : integratorNames(model.value)) {
+      const Scene scene = sceneFrom("simulation = { model = '" + std::string(model.name) +
+                                    "', integrator = '" + std::string(name) + "' }");
+      EXPECT_EQ(nameOf(kIntegrators, scene.simulation.integrator), name);
+    }
+  }
+  EXPECT_EQ(integratorNames(Model::Particles).size(), 4u);
+  EXPECT_EQ(integratorNames(Model::Matrix).size(), 10u);
+  EXPECT_EQ(integratorNames(Model::Quaternion).size(), 10u);
+}
+
+TEST(SimulationSection, RefusesAnIntegratorOfAnotherModel) {
+  EXPECT_EQ(errorOf("[simulation]\nmodel = 'particles'\nintegrator = 'dmv4'"),
+            "a.toml:3:14: simulation.integrator = \"dmv4\", but the model \"particles\" has "
+            "\"euler\", \"rk4\", \"symplectic-euler\" and \"verlet\"");
+  EXPECT_EQ(errorOf("[simulation]\nintegrator = 'verlet'"),
+            "a.toml:2:14: simulation.integrator = \"verlet\", but the model \"quaternion\" has "
+            "\"euler\", \"rk4\", \"lie-euler\", \"cf4\", \"splitting\", \"suzuki4\", "
+            "\"midpoint\", \"dmv2\", \"dmv4\" and \"dmv6\"");
+  EXPECT_EQ(errorOf("[simulation]\nmodel = 'exact'\nintegrator = 'rk4'"),
+            "a.toml:3:14: simulation.integrator = \"rk4\", but the model \"exact\" takes no steps; "
+            "leave it out");
+  EXPECT_EQ(errorOf("[simulation]\nmodel = 'particles'\nintegrator = 'exact'"),
+            "a.toml:3:14: simulation.integrator can't be \"exact\": the closed form is a model of "
+            "its own, simulation.model = \"exact\", of a rigid body; particles have none");
+}
+
+TEST(SimulationSection, KnowsTheModels) {
   EXPECT_EQ(sceneFrom("simulation.model = 'particles'").simulation.model, Model::Particles);
   EXPECT_EQ(sceneFrom("simulation.model = 'matrix'").simulation.model, Model::Matrix);
   EXPECT_EQ(sceneFrom("simulation.model = 'quaternion'").simulation.model, Model::Quaternion);
+  EXPECT_EQ(sceneFrom("simulation.model = 'exact'").simulation.model, Model::Exact);
 }
 
 TEST(SimulationSection, RefusesUnknownWords) {
   const std::string must =
-      "a.toml:2:9: simulation.model must be \"particles\", \"matrix\" or \"quaternion\", not ";
+      "a.toml:2:9: simulation.model must be \"particles\", \"matrix\", \"quaternion\" or "
+      "\"exact\", not ";
   EXPECT_EQ(errorOf("[simulation]\nmodel = 'matrx'"), must + "\"matrx\"; did you mean \"matrix\"?");
   EXPECT_EQ(errorOf("[simulation]\nmodel = 'rigid'"), must + "\"rigid\"");
   EXPECT_EQ(errorOf("[simulation]\nmodel = 2"), must + "2");
   EXPECT_EQ(errorOf("[simulation]\nintegrator = 'Euler'"),
-            "a.toml:2:14: simulation.integrator must be \"euler\", not \"Euler\"; did you mean "
+            "a.toml:2:14: simulation.integrator must be \"euler\", \"rk4\", \"lie-euler\", "
+            "\"cf4\", \"splitting\", \"suzuki4\", \"midpoint\", \"dmv2\", \"dmv4\", "
+            "\"dmv6\", \"symplectic-euler\" or \"verlet\", not \"Euler\"; did you mean "
             "\"euler\"?");
 }
 

@@ -96,7 +96,8 @@ TEST(SceneReader, ListsTheValidOnesWhereNoneIsNear) {
       "a.toml:1:2: unknown section \"sound\"; valid are \"title\", \"caption\", \"body\", "
       "\"simulation\", \"initial\", \"clip\", \"video\", \"camera\", \"book\" and \"expect\"");
   EXPECT_EQ(errorOf("[body]\ncolour = 3"),
-            "a.toml:2:1: unknown key \"colour\" in [body]; valid are \"size\" and \"mass\"");
+            "a.toml:2:1: unknown key \"colour\" in [body]; valid are \"size\", \"mass\" "
+            "and \"inertia\"");
 }
 
 TEST(SceneReader, ReportsTheFirstProblemOfTheText) {

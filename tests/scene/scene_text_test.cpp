@@ -94,6 +94,20 @@ TEST(SceneText, ReadsBackToTheSameScene) {
   EXPECT_EQ(back.expectations[2], scene.expectations[1]);
 }
 
+TEST(SceneText, ReadsBackToTheSameInertia) {
+  for (const std::string inertia :
+       {"[3.0, 4.0, 5.1]", "[[3, 0.1, 0.2], [0.1, 4, 0.3], [0.2, 0.3, 5]]"}) {
+    const Scene scene = sceneFrom("body.inertia = " + inertia);
+    EXPECT_EQ(parseScene(sceneText(scene), "a.toml").inertia, scene.inertia) << sceneText(scene);
+  }
+}
+
+TEST(SceneText, HasNoIntegratorWhereNothingIsStepped) {
+  const std::string text = sceneText(sceneFrom("simulation.model = 'exact'"));
+  EXPECT_EQ(text.find("integrator"), std::string::npos) << text;
+  EXPECT_EQ(sceneText(parseScene(text, "a.toml")), text);
+}
+
 TEST(SceneText, IsItsOwnText) {
   const std::string text = sceneText(parseScene(sceneText(unusualScene()), "a.toml"));
   EXPECT_EQ(sceneText(parseScene(text, "a.toml")), text);
@@ -109,8 +123,8 @@ size = [0.1878, 0.29085, 0.05]  # m, along x (from the spine), y (to the top), z
 mass = 1.0  # kg
 
 [simulation]
-model = "quaternion"  # "particles", "matrix" or "quaternion"
-integrator = "euler"  # "euler"
+model = "quaternion"  # "particles", "matrix", "quaternion" or "exact"
+integrator = "euler"  # "euler", "rk4", "lie-euler", "cf4", "splitting", "suzuki4", "midpoint", "dmv2", "dmv4" or "dmv6"
 normalize = true  # undo the integrator's drift after each step
 damping = 1.0  # particles: fraction of critical damping
 stiffness = 2000.0  # particles: N/m, of each spring

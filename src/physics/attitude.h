@@ -1,0 +1,74 @@
+// What every integrator does with an attitude, be it a quaternion or a matrix; world from principal
+// axes.
+#pragma once
+
+#include <cmath>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "physics/rotation.h"
+
+namespace rotatebook::physics {
+
+/// The map of vectors that the attitude stands for; a rotation, or what drift has made of it.
+inline Eigen::Matrix3d mapOf(const Eigen::Quaterniond& attitude) {
+  return textbookMatrix(attitude);
+}
+inline const Eigen::Matrix3d& mapOf(const Eigen::Matrix3d& attitude) {
+  return attitude;
+}
+
+/// Turns by the unit quaternion `turn`, given in the world's axes.
+inline void turnInWorld(Eigen::Quaterniond& attitude, const Eigen::Quaterniond& turn) {
+  attitude = turn * attitude;
+}
+inline void turnInWorld(Eigen::Matrix3d& attitude, const Eigen::Quaterniond& turn) {
+  attitude = textbookMatrix(turn) * attitude;
+}
+
+/// Turns by the unit quaternion `turn`, given in the body's axes.
+inline void turnInBody(Eigen::Quaterniond& attitude, const Eigen::Quaterniond& turn) {
+  attitude = attitude * turn;
+}
+inline void turnInBody(Eigen::Matrix3d& attitude, const Eigen::Quaterniond& turn) {
+  attitude = attitude * textbookMatrix(turn);
+}
+
+/// Time derivative, from the angular velocity in the body's axes: q (0, w) / 2 or R [w]x. [1/s]
+inline Eigen::Quaterniond rateInBody(const Eigen::Quaterniond& attitude, const Eigen::Vector3d& w) {
+  const Eigen::Vector3d half = w / 2;
+  return attitude * Eigen::Quaterniond(0, half.x(), half.y(), half.z());
+}
+inline Eigen::Matrix3d rateInBody(const Eigen::Matrix3d& attitude, const Eigen::Vector3d& w) {
+  return attitude * crossMatrix(w);
+}
+
+/// attitude + factor * rate, component by component.
+inline Eigen::Quaterniond moved(const Eigen::Quaterniond& attitude, double factor,
+                                const Eigen::Quaterniond& rate) {
+  return Eigen::Quaterniond(attitude.coeffs() + factor * rate.coeffs());
+}
+inline Eigen::Matrix3d moved(const Eigen::Matrix3d& attitude, double factor,
+                             const Eigen::Matrix3d& rate) {
+  return attitude + factor * rate;
+}
+
+/// 1/sqrt(x), to rounding. Near 1, where an attitude is after a short step, by its series, because
+/// that is done sooner than a root and a division.
+inline double inverseRoot(double x) {
+  constexpr double kNearOne = 1e-4;  // The next term of the series is below 3e-17 here.
+  const double e = x - 1;
+  if (std::abs(e) > kNearOne) return 1 / std::sqrt(x);
+  return (1 - e / 2) + e * e * (0.375 - 0.3125 * e);
+}
+
+/// Undoes drift: the nearest attitude of unit norm, or the nearest orthogonal matrix.
+inline void normalize(Eigen::Quaterniond& attitude) {
+  attitude.coeffs() *= inverseRoot(attitude.squaredNorm());
+}
+inline void normalize(Eigen::Matrix3d& attitude) {
+  attitude = polarFactor(attitude);
+}
+
+}  // namespace rotatebook::physics

@@ -1,0 +1,30 @@
+// How implicit integrators solve for a step.
+#pragma once
+
+#include <limits>
+
+#include <Eigen/Core>
+
+namespace rotatebook::physics {
+
+/// Throws NoConvergence: `integrator` has no solution for a step of `h` [s].
+[[noreturn]] void throwNoConvergence(const char* integrator, double h);
+
+/// The fixed point of `next`, iterated from `start` until it changes by rounding alone. Throws
+/// NoConvergence after 100 iterations, or where the numbers are not finite.
+template <typename Next>
+Eigen::Vector3d fixedPoint(const Eigen::Vector3d& start, const Next& next, const char* integrator,
+                           double h) {
+  constexpr int kMostIterations = 100;
+  constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
+  Eigen::Vector3d x = start;
+  for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+    const Eigen::Vector3d better = next(x);
+    const double change = (better - x).cwiseAbs().maxCoeff();
+    x = better;
+    if (change <= kRounding * x.cwiseAbs().maxCoeff()) return x;
+  }
+  throwNoConvergence(integrator, h);
+}
+
+}  // namespace rotatebook::physics

@@ -1,0 +1,29 @@
+// Inertia tensors and their principal axes.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace rotatebook::physics {
+
+/// An inertia tensor taken apart: P diag(moments) P^T.
+struct PrincipalAxes {
+  Eigen::Vector3d moments{1, 1, 1};  ///< [kg m^2]
+  /// P, a rotation: its columns are the principal axes in the body's own.
+  Eigen::Matrix3d bodyFromPrincipal = Eigen::Matrix3d::Identity();
+
+  /// The angular velocity that belongs to an angular momentum, both along the body's axes.
+  Eigen::Vector3d angularVelocity(const Eigen::Vector3d& momentum) const;
+  /// The other way round.
+  Eigen::Vector3d angularMomentum(const Eigen::Vector3d& velocity) const;
+};
+
+/// Throws InputError with the reason if no body can have this inertia tensor: not symmetric, not
+/// positive definite, or one principal moment larger than the sum of the others. Rounding in the
+/// last digits (1e-12 of the largest entry) is forgiven.
+void checkInertia(const Eigen::Matrix3d& tensor);
+
+/// The principal axes of a symmetric tensor. One that is diagonal keeps the order of its axes, with
+/// P exactly the identity; else the moments come smallest first.
+PrincipalAxes principalAxes(const Eigen::Matrix3d& tensor);
+
+}  // namespace rotatebook::physics

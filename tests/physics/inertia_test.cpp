@@ -1,0 +1,130 @@
+#include "physics/inertia.h"
+
+#include <string>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "physics/scenarios.h"
+
+namespace rotatebook::physics {
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using ::testing::HasSubstr;
+
+constexpr double kRoundingBound = 1e-14;    // relative; measured 1.4e-15
+constexpr double kSameMotionBound = 1e-13;  // [m]; measured 5.5e-16
+
+Matrix3d diagonal(double x, double y, double z) {
+  return Vector3d(x, y, z).asDiagonal();
+}
+
+Matrix3d someRotation() {
+  return AngleAxisd(0.7, Vector3d(2, -1, 2) / 3).toRotationMatrix();
+}
+
+std::string refusalOf(const Matrix3d& tensor) {
+  try {
+    checkInertia(tensor);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(PrincipalAxes, AreTheBodysOwnIfTheTensorIsDiagonal) {
+  const PrincipalAxes axes = principalAxes(diagonal(5, 3, 4));
+  EXPECT_EQ(axes.moments, Vector3d(5, 3, 4));
+  EXPECT_EQ(axes.bodyFromPrincipal, Matrix3d::Identity());
+}
+
+TEST(PrincipalAxes, TakeATensorApart) {
+  const Matrix3d rotation = someRotation();
+  const Matrix3d tensor = rotation * diagonal(3, 4, 5) * rotation.transpose();
+  const auto [moments, axes] = principalAxes(tensor);
+  EXPECT_LT((moments - Vector3d(3, 4, 5)).norm(), 5 * kRoundingBound);
+  EXPECT_LT((axes * moments.asDiagonal() * axes.transpose() - tensor).norm(), 5 * kRoundingBound);
+  EXPECT_NEAR(axes.determinant(), 1, kRoundingBound);
+}
+
+TEST(PrincipalAxes, TurnMomentumIntoVelocityAndBack) {
+  const Matrix3d rotation = someRotation();
+  const Matrix3d tensor = rotation * diagonal(3, 4, 5) * rotation.transpose();
+  const PrincipalAxes axes = principalAxes(tensor);
+  const Vector3d velocity(1, -2, 3);
+  EXPECT_LT((axes.angularMomentum(velocity) - tensor * velocity).norm(), 20 * kRoundingBound);
+  EXPECT_LT((axes.angularVelocity(tensor * velocity) - velocity).norm(), 20 * kRoundingBound);
+}
+
+TEST(CheckInertia, TakesWhatABodyCanHave) {
+  EXPECT_EQ(refusalOf(diagonal(3, 4, 5)), "");
+  EXPECT_EQ(refusalOf(diagonal(1, 1, 2)), "");        // flat
+  EXPECT_EQ(refusalOf(diagonal(0.1, 0.2, 0.3)), "");  // flat, but for rounding
+  EXPECT_EQ(refusalOf(diagonal(1e-9, 1, 1)), "");
+}
+
+TEST(CheckInertia, RefusesWhatNoBodyHas) {
+  EXPECT_THAT(refusalOf(diagonal(1, 1, 2.001)),
+              HasSubstr("a principal moment can't exceed the sum of the other two, but its "
+                        "principal moments are 1, 1 and 2.001"));
+  EXPECT_THAT(refusalOf(diagonal(0, 1, 1)), HasSubstr("must be positive definite"));
+  EXPECT_THAT(refusalOf(diagonal(-1, 1, 1)), HasSubstr("must be positive definite"));
+  Matrix3d indefinite;
+  indefinite << 1, 2, 0, 2, 1, 0, 0, 0, 1;
+  EXPECT_THAT(refusalOf(indefinite), HasSubstr("principal moments are -1, 1 and 3"));
+}
+
+TEST(CheckInertia, RefusesAsymmetryAndNamesTheEntries) {
+  Matrix3d tensor = diagonal(3, 4, 5);
+  tensor(0, 2) = 0.1;
+  EXPECT_THAT(refusalOf(tensor), HasSubstr("must be symmetric, but its xz entries are 0.1 and 0"));
+}
+
+class AnyInertia : public testing::TestWithParam<Model> {};
+
+// The same body twice: along its principal axes, and turned within its own.
+TEST_P(AnyInertia, MovesAsItDoesAlongItsPrincipalAxes) {
+  MotionSettings straight = spinning(GetParam(), {1, 2, 3}, 0.5);
+  straight.simulation.substeps = 500;
+  straight.simulation.integrator = Integrator::Rk4;
+  straight.inertia = diagonal(3, 4, 5);
+
+  const Matrix3d turn = someRotation();
+  MotionSettings turned = straight;
+  turned.inertia = turn * diagonal(3, 4, 5) * turn.transpose();
+  turned.initial.value = turn * straight.initial.value;
+
+  const Corners corners = straight.body.corners();
+  const Sample one = simulate(straight, 2).samples.back();
+  const Sample two = simulate(turned, 2).samples.back();
+  const Matrix3d expected = turn * one.attitude.toRotationMatrix() * turn.transpose();
+  EXPECT_LT((two.corners - expected * corners).norm(), kSameMotionBound);
+  EXPECT_LT((two.angularMomentum - turn * one.angularMomentum).norm(), 4 * kSameMotionBound);
+  EXPECT_LT(two.errorDeg, 1e-6);  // measured 3e-10
+  EXPECT_EQ(one.regime, two.regime);
+  EXPECT_GT((two.corners - one.corners).norm(), 0.01) << "the tensor isn't looked at";
+}
+
+INSTANTIATE_TEST_SUITE_P(OfModel, AnyInertia,
+                         testing::Values(Model::Matrix, Model::Quaternion, Model::Exact),
+                         [](const auto& instance) {
+                           return std::string(instance.param == Model::Matrix       ? "Matrix"
+                                              : instance.param == Model::Quaternion ? "Quaternion"
+                                                                                    : "Exact");
+                         });
+
+TEST(AnyInertia, GivesTheVelocityOfAMomentum) {
+  MotionSettings settings = spinning(Model::Exact, {3, 8, 15}, 1);
+  settings.initial.kind = InitialSpin::Kind::AngularMomentum;
+  settings.inertia = diagonal(3, 4, 5);
+  EXPECT_LT((initialAngularVelocity(settings) - Vector3d(1, 2, 3)).norm(), kRoundingBound);
+}
+
+}  // namespace
+}  // namespace rotatebook::physics

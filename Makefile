@@ -14,7 +14,7 @@ help:
 	@echo 'make render SCENE=FILE   render one scene into $(OUT)/ (more options: ARGS="--no-png")'
 	@echo 'make program             build $(PROGRAM)'
 	@echo 'make build               build the tests and benchmarks, too'
-	@echo 'make bench               measure frames a second by stage and end to end'
+	@echo 'make bench               measure a step of each integrator, and frames a second by stage and end to end'
 	@echo 'make bench-engines       compare with Bullet, ODE, MuJoCo and Simbody: error, drift, speed'
 	@echo 'make lint                check format and run the static analyser'
 	@echo 'make textures            draw the cover anew (see assets/README.md)'
@@ -48,7 +48,8 @@ scene-given:
 	  'for example: make render SCENE=scenes/starter.toml' >&2; exit 2; }
 
 bench: configure
-	@cmake --build $(BUILD) --target rotatebook_bench
+	@cmake --build $(BUILD) --target rotatebook_bench rotatebook_physics_bench
+	$(BUILD)/bench/rotatebook_physics_bench
 	$(BUILD)/bench/rotatebook_bench
 
 # Optimised whatever PRESET says, and in a folder of its own: no other build looks for engines.

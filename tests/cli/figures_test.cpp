@@ -72,6 +72,9 @@ const std::vector<Twin> kTwins{
     {"fig10-matrix-unnormalized", kNormalized},
     {"fig11-quaternion-unnormalized", kNormalized},
     {"fig12-quaternion-pulsating", kNormalized},
+    {"figa-exact", {"simulation.model=\"quaternion\""}},
+    {"figa-normalized-euler", {"simulation.substeps=64"}},
+    {"figa-normalized-euler", {"simulation.integrator=\"rk4\""}},
 };
 
 TEST(Figures, AreAllThere) {

@@ -94,7 +94,7 @@ TEST(FlipLaw, IsTheLimitOfTheExactIntervalWhicheverWayItTilts) {
     EXPECT_LT(std::fabs(deviation(1e-4, axis)), kTinyTiltBound) << axis;
     // Quadratic: a tenth of the tilt makes about a hundredth of the deviation.
     const double ratio = deviation(0.01, axis) / deviation(0.001, axis);
-    EXPECT_GT(ratio, 80) << axis;   // measured 94.7 and 94.0
+    EXPECT_GT(ratio, 80) << axis;  // measured 94.7 and 94.0
     EXPECT_LT(ratio, 120) << axis;
   }
 }

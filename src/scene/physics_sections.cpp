@@ -17,8 +17,6 @@ namespace {
 using physics::Expectation;
 using Limits = std::numeric_limits<double>;
 
-constexpr int kMostSubsteps = 1'000'000;
-
 constexpr NumberRange kSizes{"three lengths from 1e-6 to 1e6 m", 1e-6, 1e6};
 constexpr NumberRange kMass{"a mass from 1e-9 to 1e9 kg", 1e-9, 1e9};
 constexpr NumberRange kMoments{"three moments of inertia up to 1e21 kg m^2", -1e21, 1e21};

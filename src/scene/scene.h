@@ -12,6 +12,7 @@
 #include "base/frame_rate.h"
 #include "physics/expectation.h"
 #include "physics/motion_settings.h"
+#include "scene/study_settings.h"
 
 namespace rotatebook::scene {
 
@@ -67,6 +68,7 @@ struct Scene {
   CameraSettings camera;
   BookSettings book;
   std::vector<physics::Expectation> expectations;
+  std::optional<StudySettings> study;
 
   physics::MotionSettings motion() const { return {body, simulation, initial, inertia}; }
 };

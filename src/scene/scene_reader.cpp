@@ -4,6 +4,7 @@
 #include "scene/overrides.h"
 #include "scene/scene_file.h"
 #include "scene/sections.h"
+#include "scene/study_section.h"
 #include "scene/toml_tree.h"
 #include "scene/value_reader.h"
 
@@ -22,6 +23,7 @@ void readSections(const ValueReader& file, Scene& scene) {
       {"camera", [&](const ValueReader& value) { readCamera(value, scene.camera); }},
       {"book", [&](const ValueReader& value) { readBook(value, scene.book); }},
       {"expect", [&](const ValueReader& value) { readExpectations(value, scene.expectations); }},
+      {"study", [](const ValueReader&) {}},  // Depends on all others; read when they are.
   });
   if (!file.find("initial")) {
     file.fail("[initial] is missing; it needs angular_velocity or angular_momentum");
@@ -66,6 +68,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   readSections(file, scene);
   fillDefaults(file, scene);
   checkTogether(file, scene);
+  if (const auto study = file.find("study")) scene.study = readStudy(*study, scene);
   return scene;
 }
 

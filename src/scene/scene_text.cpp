@@ -11,6 +11,7 @@
 #include "scene/names.h"
 #include "scene/nearest_name.h"
 #include "scene/scene_file.h"
+#include "scene/study_section.h"
 #include "scene/toml_text.h"
 
 namespace rotatebook::scene {
@@ -166,7 +167,8 @@ std::string sceneText(const Scene& scene) {
   return line("title", tomlString(scene.title)) + line("caption", tomlString(scene.caption)) +
          bodyText(scene.body, scene.inertia) + simulationText(scene.simulation) +
          initialText(scene.initial) + clipText(scene.clip) + videoText(scene.video) +
-         cameraText(scene.camera) + bookText(scene.book) + expectationsText(scene.expectations);
+         cameraText(scene.camera) + bookText(scene.book) + expectationsText(scene.expectations) +
+         (scene.study ? studyText(*scene.study) : "");
 }
 
 }  // namespace rotatebook::scene

@@ -11,6 +11,9 @@
 
 namespace rotatebook::scene {
 
+/// Most integration steps from a frame to the next.
+inline constexpr int kMostSubsteps = 1'000'000;
+
 // Each reads one section over the defaults in its second argument. Throws InputError.
 
 void readBody(const ValueReader& section, physics::Cuboid& body,

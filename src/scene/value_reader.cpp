@@ -84,12 +84,15 @@ std::vector<ValueReader> ValueReader::elements(std::size_t count,
   return elements;
 }
 
+std::vector<ValueReader> ValueReader::list(const std::string& expected) const {
+  const auto* array = std::get_if<TomlNode::Array>(&node_->value);
+  if (!array || array->empty()) mismatch(expected);
+  return elements(array->size(), expected);
+}
+
 std::vector<ValueReader> ValueReader::tables(const std::string& expected) const {
   std::vector<ValueReader> tables{*this};
-  if (const auto* array = std::get_if<TomlNode::Array>(&node_->value)) {
-    if (array->empty()) mismatch(expected);
-    tables = elements(array->size(), expected);
-  }
+  if (std::holds_alternative<TomlNode::Array>(node_->value)) tables = list(expected);
   for (const ValueReader& table : tables) {
     if (!std::holds_alternative<TomlNode::Table>(table.node_->value)) table.mismatch(expected);
   }

@@ -68,6 +68,8 @@ class ValueReader {
 
   /// The elements of an array of that length. They keep the array's name.
   std::vector<ValueReader> elements(std::size_t count, const std::string& expected) const;
+  /// The elements of an array that isn't empty. They keep the array's name.
+  std::vector<ValueReader> list(const std::string& expected) const;
   /// The tables of an array that isn't empty, or the one table that this is.
   std::vector<ValueReader> tables(const std::string& expected) const;
   /// Reads a table, in the order of the text, and refuses keys that aren't among `fields`.

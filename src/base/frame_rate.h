@@ -1,6 +1,7 @@
 // The rate of a clip as an exact fraction.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,7 +19,7 @@ struct FrameRate {
   double period() const { return static_cast<double>(denominator) / numerator; }
   /// Number of whole frames within `seconds` (>= 0), rounded to nearest.
   std::int64_t framesIn(double seconds) const {
-    return static_cast<std::int64_t>(seconds * numerator / denominator + 0.5);
+    return std::llround(seconds * numerator / denominator);
   }
   /// "60" or "30000/1001", as a scene file has it.
   std::string text() const {

@@ -145,6 +145,39 @@ TEST(Measurement, KeepsTheDigitsOfATinyTilt) {
   EXPECT_NEAR(measureOne(turn).tiltDeg * kDegree / kTilt, 1, kTinyTiltBound);
 }
 
+// About z the exact book turns by w t; here it has turned 1e-7, then 30 and 180 degrees more.
+TEST(Measurement, TellsTheAngleToTheExactAttitude) {
+  const auto errorDeg = [](double extra, const Vector3d& axis) {
+    const Matrix3d exact = AngleAxisd(3 * 0.5, Vector3d::UnitZ()).toRotationMatrix();
+    const Matrix3d turn = exact * AngleAxisd(extra * kDegree, axis).toRotationMatrix();
+    return Measurement(spinningAbout({0, 0, 3})).measure(0.5, stateOf(turn)).errorDeg;
+  };
+  EXPECT_NEAR(errorDeg(0, Vector3d::UnitX()), 0, kDegreesBound);
+  EXPECT_NEAR(errorDeg(1e-7, Vector3d::UnitY()), 1e-7, kDegreesBound);
+  EXPECT_NEAR(errorDeg(30, Vector3d(1, -2, 2) / 3), 30, kDegreesBound);
+  EXPECT_NEAR(errorDeg(-30, Vector3d::UnitX()), 30, kDegreesBound);
+  EXPECT_NEAR(errorDeg(180, Vector3d::UnitY()), 180, kDegreesBound);
+}
+
+TEST(Measurement, TellsTheRegimeFromTheBodysAxes) {
+  const Matrix3d turn = someRotation();
+  const auto regime = [&](const MotionSettings& settings, const Vector3d& inBody) {
+    BodyState state = stateOf(turn);
+    state.angularVelocity = turn * inBody;
+    return Measurement(settings).measure(0, state).regime;
+  };
+  const MotionSettings book = spinningAbout({1, 0, 0});
+  EXPECT_EQ(regime(book, {5, 0, 0.01}), Regime::AboutLargest);
+  EXPECT_EQ(regime(book, {5, 0.01, 0}), Regime::AboutSmallest);
+
+  // The same body, its axes of largest and smallest moment exchanged by a tensor.
+  MotionSettings turned = book;
+  const Vector3d moments = book.body.solidInertia();
+  turned.inertia = Vector3d(moments[0], moments[2], moments[1]).asDiagonal();
+  EXPECT_EQ(regime(turned, {5, 0, 0.01}), Regime::AboutSmallest);
+  EXPECT_EQ(regime(turned, {5, 0.01, 0}), Regime::AboutLargest);
+}
+
 TEST(Measurement, PassesOnWhatTheSimulatorKnows) {
   BodyState state = stateOf(someRotation(), {1, 2, 3});
   state.angularVelocity = {4, 5, 6};

@@ -1,0 +1,139 @@
+#include "pipeline/gnuplot.h"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <spawn.h>
+#include <string_view>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSvg =
+    "set terminal svg size 1200,600 enhanced font 'sans-serif,12' fontscale 1.3 "
+    "background rgb 'white'\npoint_size = 0.55\n";
+constexpr const char* kPng =
+    "set terminal pngcairo size 1800,900 enhanced font 'sans,12' fontscale 1.5 linewidth 1.5 "
+    "pointscale 1.5 background rgb 'white'\npoint_size = 1\n";
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number, const std::string& what) : number_(number) {
+    if (number < 0) throw MachineError("can't open " + what + ": " + std::strerror(errno));
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { close(number_); }
+
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+int memoryFile() {
+  return memfd_create("gnuplot", MFD_CLOEXEC);
+}
+
+void writeAll(const Descriptor& file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t size = write(file.number(), text.data(), text.size());
+    if (size < 0 && errno == EINTR) continue;
+    if (size < 0) throw MachineError(std::string("can't pass a plot: ") + std::strerror(errno));
+    text.remove_prefix(static_cast<std::size_t>(size));
+  }
+  lseek(file.number(), 0, SEEK_SET);
+}
+
+std::string readAll(const Descriptor& file) {
+  std::string text;
+  std::array<char, 4096> block;
+  lseek(file.number(), 0, SEEK_SET);
+  for (ssize_t size = 0; (size = read(file.number(), block.data(), block.size())) > 0;) {
+    text.append(block.data(), static_cast<std::size_t>(size));
+  }
+  text.erase(text.find_last_not_of(" \n") + 1);
+  return text;
+}
+
+/// The standard streams of a process to be started.
+class Streams {
+ public:
+  Streams(int input, int output, int error) {
+    posix_spawn_file_actions_init(&actions_);
+    posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions_, error, STDERR_FILENO);
+  }
+  Streams(const Streams&) = delete;
+  Streams& operator=(const Streams&) = delete;
+  ~Streams() { posix_spawn_file_actions_destroy(&actions_); }
+
+  const posix_spawn_file_actions_t* actions() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_;
+};
+
+/// Exit status of gnuplot, 128 + signal if a signal ended it.
+int runGnuplot(const Streams& streams) {
+  // -d leaves the user's own settings out.
+  std::string name = "gnuplot", option = "-d";
+  const std::array<char*, 3> arguments{name.data(), option.data(), nullptr};
+  pid_t process = 0;
+  const int error =
+      posix_spawnp(&process, "gnuplot", streams.actions(), nullptr, arguments.data(), environ);
+  if (error == ENOENT) {
+    throw MachineError("can't draw the plot: gnuplot isn't installed; apt-get install gnuplot-nox");
+  }
+  if (error != 0) {
+    throw MachineError(std::string("can't start gnuplot: ") + std::strerror(error));
+  }
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+void draw(const std::string& script, const AtomicFile& file) {
+  const std::string path = file.finalPath().string();
+  const Descriptor input(memoryFile(), "a memory file");
+  const Descriptor problems(memoryFile(), "a memory file");
+  const Descriptor output(open(file.temporaryPath().c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC), path);
+  writeAll(input, script);
+  const int status = runGnuplot(Streams(input.number(), output.number(), problems.number()));
+  if (status == 0 && lseek(output.number(), 0, SEEK_END) > 0) return;
+  throw MachineError("gnuplot can't draw " + path + " (status " + std::to_string(status) +
+                     "): " + readAll(problems));
+}
+
+}  // namespace
+
+void drawPlot(const std::string& commands, const fs::path& svg, const fs::path& png) {
+  AtomicFile vectors(svg);
+  AtomicFile pixels(png);
+  draw(kSvg + commands, vectors);
+  draw(kPng + commands, pixels);
+  vectors.commit();
+  pixels.commit();
+}
+
+std::string gnuplotString(const std::string& text) {
+  std::string quoted = "'";
+  for (const char letter : text) {
+    const bool control = static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f;
+    quoted += control ? ' ' : letter;
+    if (letter == '\'') quoted += '\'';
+  }
+  return quoted + "'";
+}
+
+}  // namespace rotatebook::pipeline

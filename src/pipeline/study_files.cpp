@@ -1,0 +1,17 @@
+#include "pipeline/study_files.h"
+
+#include "pipeline/frame_folder.h"
+
+namespace rotatebook::pipeline {
+
+StudyFiles studyFiles(const std::filesystem::path& folder, const std::string& name) {
+  const std::string stem = name + "-study";
+  return {folder / (stem + ".csv"), folder / (stem + "-orders.csv"), folder / (stem + ".svg"),
+          folder / (stem + ".png")};
+}
+
+void removeFiles(const StudyFiles& files) {
+  for (const auto& path : {files.csv, files.orders, files.svg, files.png}) removeFile(path);
+}
+
+}  // namespace rotatebook::pipeline

@@ -1,0 +1,84 @@
+#include "pipeline/gnuplot.h"
+
+#include <cstdlib>
+#include <optional>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "image/png_file.h"
+#include "pipeline/small_clip.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+using testing::bytesOf;
+using ::testing::ElementsAre;
+using testing::emptyFolder;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using testing::messageOf;
+using testing::namesIn;
+using ::testing::StartsWith;
+
+/// Another PATH, for as long as it lives.
+class PathVariable {
+ public:
+  explicit PathVariable(const std::string& value) {
+    if (const char* old = std::getenv("PATH")) old_ = old;
+    setenv("PATH", value.c_str(), 1);
+  }
+  PathVariable(const PathVariable&) = delete;
+  PathVariable& operator=(const PathVariable&) = delete;
+  ~PathVariable() { old_ ? setenv("PATH", old_->c_str(), 1) : unsetenv("PATH"); }
+
+ private:
+  std::optional<std::string> old_;
+};
+
+TEST(Gnuplot, DrawsBothPictures) {
+  const auto folder = emptyFolder();
+  drawPlot("plot x\n", folder / "a.svg", folder / "a.png");
+  EXPECT_THAT(namesIn(folder), ElementsAre("a.png", "a.svg"));
+  const image::Image picture = image::readPng(folder / "a.png");
+  EXPECT_EQ(picture.view().width, 1800);
+  EXPECT_EQ(picture.view().height, 900);
+  EXPECT_THAT(bytesOf(folder / "a.svg"), StartsWith("<?xml"));
+  EXPECT_THAT(bytesOf(folder / "a.svg"), HasSubstr("</svg>"));
+}
+
+TEST(Gnuplot, TakesPathsOfAnyLetters) {
+  const auto folder = emptyFolder() / "it's \"a\" $HOME `folder`";
+  std::filesystem::create_directories(folder);
+  drawPlot("plot x\n", folder / "|a.svg", folder / "a'.png");
+  EXPECT_THAT(namesIn(folder), ElementsAre("a'.png", "|a.svg"));
+}
+
+TEST(Gnuplot, PassesItsWordsOn) {
+  const auto folder = emptyFolder();
+  const std::string message = messageOf<MachineError>(
+      [&] { drawPlot("plot nonsense(x)\n", folder / "a.svg", folder / "a.png"); });
+  EXPECT_THAT(message, StartsWith("gnuplot can't draw " + (folder / "a.svg").string()));
+  EXPECT_THAT(message, HasSubstr("undefined function: nonsense"));
+  EXPECT_THAT(namesIn(folder), IsEmpty());
+}
+
+TEST(Gnuplot, NamesThePackageWhereItIsMissing) {
+  const auto folder = emptyFolder();
+  const PathVariable path(folder.string());
+  EXPECT_EQ(
+      messageOf<MachineError>([&] { drawPlot("plot x\n", folder / "a.svg", folder / "a.png"); }),
+      "can't draw the plot: gnuplot isn't installed; apt-get install gnuplot-nox");
+  EXPECT_THAT(namesIn(folder), IsEmpty());
+}
+
+TEST(GnuplotString, QuotesWhatGnuplotWouldRead) {
+  EXPECT_EQ(gnuplotString("plain"), "'plain'");
+  EXPECT_EQ(gnuplotString("it's \"so\" \\n `date`"), "'it''s \"so\" \\n `date`'");
+  EXPECT_EQ(gnuplotString("two\nlines\t"), "'two lines '");
+}
+
+}  // namespace
+}  // namespace rotatebook::pipeline

@@ -1,0 +1,113 @@
+// Plots that gnuplot draws without a word, whatever the study.
+#include "pipeline/study_plot.h"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "image/png_file.h"
+#include "pipeline/gnuplot.h"
+#include "pipeline/small_clip.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+using physics::Integrator;
+using testing::bytesOf;
+using testing::emptyFolder;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+PrecisionRow row(Integrator integrator, double h, double errorDeg) {
+  PrecisionRow result;
+  result.integrator = integrator;
+  result.h = h;
+  result.errorDeg = errorDeg;
+  result.nsPerStep = 100;
+  return result;
+}
+
+PrecisionRow failed(Integrator integrator, double h) {
+  PrecisionRow result;
+  result.integrator = integrator;
+  result.h = h;
+  result.end = {RunEnd::Kind::NoConvergence};
+  return result;
+}
+
+/// Draws `plot` and returns the SVG.
+std::string drawn(const std::string& plot) {
+  const auto folder = emptyFolder();
+  drawPlot(plot, folder / "a.svg", folder / "a.png");
+  return bytesOf(folder / "a.svg");
+}
+
+TEST(PrecisionPlot, NamesIntegratorsOrdersAndAxes) {
+  PrecisionStudy study;
+  study.rows = {row(Integrator::Rk4, 0.1, 1), row(Integrator::Rk4, 0.01, 1e-4),
+                row(Integrator::Midpoint, 0.1, 2), failed(Integrator::Midpoint, 1)};
+  study.orders = {{Integrator::Rk4, {4.0, 2, 0.01, 0.1}}, {Integrator::Midpoint, {}}};
+  const std::string svg = drawn(precisionPlot("A title", study));
+  for (const char* words :
+       {"A title", "rk4  4.00", "midpoint  –", "step  [s]", "largest attitude error  [degrees]",
+        "computing time for a second of motion  [ns]", "grey: slopes 4"}) {
+    EXPECT_THAT(svg, HasSubstr(words));
+  }
+}
+
+TEST(PrecisionPlot, IsDrawnOfOneRun) {
+  PrecisionStudy study;
+  study.rows = {row(Integrator::Euler, 0.1, 1)};
+  study.orders = {{Integrator::Euler, {}}};
+  EXPECT_THAT(drawn(precisionPlot("One", study)), Not(HasSubstr("grey: slopes")));
+}
+
+TEST(PrecisionPlot, IsDrawnWithoutAnyError) {
+  PrecisionStudy study;
+  study.rows = {row(Integrator::Euler, 0.1, 0), row(Integrator::Euler, 0.2, 0)};
+  study.orders = {{Integrator::Euler, {}}};
+  EXPECT_THAT(drawn(precisionPlot("None", study)), HasSubstr("euler"));
+}
+
+TEST(PrecisionPlot, TakesTitlesOfAnyLetters) {
+  PrecisionStudy study;
+  study.rows = {row(Integrator::Euler, 0.1, 1)};
+  study.orders = {{Integrator::Euler, {}}};
+  const std::string svg = drawn(precisionPlot("It's\n\"x_{1}^2\" \\ `é` @ & %d", study));
+  EXPECT_THAT(svg, HasSubstr("It's \"x_{1}^2\" \\ `é` @ &amp; %d"));
+}
+
+TEST(PrecisionPlot, HasAStyleForEveryIntegratorOfEachModel) {
+  for (const physics::Model model : {physics::Model::Particles, physics::Model::Quaternion}) {
+    PrecisionStudy study;
+    for (const Integrator integrator : physics::integratorsOf(model)) {
+      study.rows.push_back(row(integrator, 0.1, 1));
+      study.orders.push_back({integrator, {}});
+    }
+    const std::string plot = precisionPlot("All", study);
+    for (std::size_t i = 0; i < study.orders.size(); ++i) {
+      EXPECT_THAT(plot, HasSubstr("$runs" + std::to_string(i) + " using 1:2 with linespoints"));
+    }
+  }
+}
+
+TEST(TiltPlot, ShowsMeasuredAndLaw) {
+  TiltStudy study;
+  study.rows = {
+      {0.1, {}, 4, 2.0, 2.1}, {0.01, {}, 4, 3.0, 3.01}, {0.001, {RunEnd::Kind::FewFlips}}};
+  const std::string svg = drawn(tiltPlot("Tilts", study));
+  for (const char* words : {"Tilts", "logarithmic law", "measured", "tilt  [rad]",
+                            "time from a flip to the next  [s]", "| measured / law − 1 |"}) {
+    EXPECT_THAT(svg, HasSubstr(words));
+  }
+}
+
+TEST(TiltPlot, IsDrawnOfOneTiltThatKeepsTheLaw) {
+  TiltStudy study;
+  study.rows = {{0.1, {}, 4, 2.0, 2.0}};
+  EXPECT_THAT(drawn(tiltPlot("One", study)), HasSubstr("measured"));
+}
+
+}  // namespace
+}  // namespace rotatebook::pipeline

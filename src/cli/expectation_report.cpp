@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <vector>
 
 #include "base/number_text.h"
 #include "cli/exit_code.h"
@@ -19,18 +18,29 @@ std::string rounded(double value) {
   return text.data();
 }
 
-std::string expectedText(const physics::Expectation& expectation) {
-  std::vector<std::string> parts;
-  const auto add = [&parts](const char* words, const std::optional<double>& bound) {
-    if (bound) parts.push_back(words + shortestText(*bound));
-  };
-  add("at least ", expectation.min);
-  add("at most ", expectation.max);
-  add("rises to ", expectation.risesTo);
-  add("falls to ", expectation.fallsTo);
+struct WordedBound {
+  const char* words;
+  std::optional<double> bound;
+};
+
+/// "at least 3, at most 4"
+std::string expectedText(std::span<const WordedBound> bounds) {
   std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  for (const auto& [words, bound] : bounds) {
+    if (bound) text += (text.empty() ? "" : ", ") + (words + shortestText(*bound));
+  }
   return text;
+}
+
+std::string expectedText(const physics::Expectation& expectation) {
+  return expectedText(std::array<WordedBound, 4>{{{"at least ", expectation.min},
+                                                  {"at most ", expectation.max},
+                                                  {"rises to ", expectation.risesTo},
+                                                  {"falls to ", expectation.fallsTo}}});
+}
+
+const char* verdict(bool met) {
+  return met ? "met    " : "UNMET  ";
 }
 
 std::string windowText(const physics::Expectation& expectation) {
@@ -56,9 +66,15 @@ bool expectsDivergence(std::span<const physics::Expectation> expectations) {
 }  // namespace
 
 std::string reportLine(const physics::ExpectationResult& result) {
-  return std::string(result.met ? "met    " : "UNMET  ") +
-         std::string(nameOf(result.expectation.quantity)) + windowText(result.expectation) +
-         ": expected " + expectedText(result.expectation) + "; measured " + measuredText(result);
+  return verdict(result.met) + std::string(nameOf(result.expectation.quantity)) +
+         windowText(result.expectation) + ": expected " + expectedText(result.expectation) +
+         "; measured " + measuredText(result);
+}
+
+std::string reportLine(const std::string& subject, const scene::Bounds& bounds, double measured) {
+  const std::array<WordedBound, 2> worded{{{"at least ", bounds.min}, {"at most ", bounds.max}}};
+  return verdict(bounds.hold(measured)) + subject + ": expected " + expectedText(worded) +
+         "; measured " + (std::isnan(measured) ? "nothing" : rounded(measured));
 }
 
 int reportMotion(const physics::Trajectory& trajectory,

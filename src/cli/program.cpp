@@ -19,14 +19,16 @@ Examples:
   rotatebook render scenes/starter.toml
   rotatebook render scenes/figures/*.toml -o out --size 640x360
   rotatebook simulate scenes/starter.toml --csv - | head
+  rotatebook study scenes/starter.toml --integrators euler,rk4
   rotatebook COMMAND --help
 
 Exit status: 0 done; 1 an expectation or comparison failed; 2 the input is wrong; 3 the machine can't
-(no EGL, no encoder, disk); 130 or 143 interrupted.)";
+(no EGL, no encoder, no gnuplot, disk); 130 or 143 interrupted.)";
 
 void addCommands(CLI::App& program, Action& action) {
   addRenderCommand(program, action);
   addSimulateCommand(program, action);
+  addStudyCommand(program, action);
   addStillCommand(program, action);
   addCheckCommand(program, action);
   addSceneCommand(program, action);

@@ -42,23 +42,29 @@ std::string fitted(const std::string& label, const std::string& text, std::size_
 
 }  // namespace
 
-std::string progressText(std::int64_t done, std::int64_t total, double rate) {
+std::string progressText(std::int64_t done, std::int64_t total, double rate,
+                         std::string_view unit) {
   std::array<char, 128> text;
   const double percent =
       100.0 * static_cast<double>(done) / static_cast<double>(std::max<std::int64_t>(total, 1));
-  std::snprintf(text.data(), text.size(), "%s %3.0f %%  %lld/%lld frames", bar(done, total).c_str(),
+  std::snprintf(text.data(), text.size(), "%s %3.0f %%  %lld/%lld ", bar(done, total).c_str(),
                 percent, static_cast<long long>(done), static_cast<long long>(total));
-  std::string line = text.data();
+  std::string line = text.data() + std::string(unit);
   if (rate > 0) {
-    std::snprintf(text.data(), text.size(), ", %.1f frames/s, %.0f s left", rate,
+    std::snprintf(text.data(), text.size(), ", %.1f ", rate);
+    line += text.data() + std::string(unit);
+    std::snprintf(text.data(), text.size(), "/s, %.0f s left",
                   static_cast<double>(total - done) / rate);
     line += text.data();
   }
   return line;
 }
 
-ProgressLine::ProgressLine(std::string label)
-    : label_(std::move(label)), terminal_(isatty(STDERR_FILENO) == 1), lastPrint_(Clock::now()) {}
+ProgressLine::ProgressLine(std::string label, std::string unit)
+    : label_(std::move(label)),
+      unit_(std::move(unit)),
+      terminal_(isatty(STDERR_FILENO) == 1),
+      lastPrint_(Clock::now()) {}
 
 ProgressLine::~ProgressLine() {
   if (lineOpen_) std::cerr << '\n';
@@ -78,7 +84,7 @@ void ProgressLine::update(std::int64_t done, std::int64_t total) {
                    (terminal_ ? milliseconds(kTerminalInterval) : milliseconds(kPlainInterval));
   if (!due && !(terminal_ && done == total)) return;
   lastPrint_ = now;
-  const std::string text = progressText(done, total, rate);
+  const std::string text = progressText(done, total, rate, unit_);
   if (terminal_) {
     std::cerr << '\r' << fitted(label_, text, terminalColumns() - 1) << "\x1b[K" << std::flush;
     lineOpen_ = true;

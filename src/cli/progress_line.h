@@ -1,21 +1,24 @@
-// How far a render is: a bar on a terminal, plain lines elsewhere.
+// How far a command is: a bar on a terminal, plain lines elsewhere.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
 #include <deque>
 #include <string>
+#include <string_view>
 
 namespace rotatebook::cli {
 
 /// "[####....]  42 %  126/300 frames, 38.1 frames/s, 5 s left", from what is known now.
-/// `rate` in frames a second; 0 while it isn't known.
-std::string progressText(std::int64_t done, std::int64_t total, double rate);
+/// `rate` in frames a second, or whatever `unit` calls what is done; 0 while it isn't known.
+std::string progressText(std::int64_t done, std::int64_t total, double rate,
+                         std::string_view unit = "frames");
 
 /// Prints progress to the standard error. The rate is that of the last seconds.
 class ProgressLine {
  public:
-  explicit ProgressLine(std::string label);
+  /// `unit` is the plural of what is done.
+  explicit ProgressLine(std::string label, std::string unit = "frames");
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   /// Ends the bar's line.
@@ -33,6 +36,7 @@ class ProgressLine {
   double rateAfter(Mark now);
 
   std::string label_;
+  std::string unit_;
   bool terminal_;
   bool lineOpen_ = false;
   std::deque<Mark> marks_;

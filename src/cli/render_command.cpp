@@ -2,7 +2,6 @@
 #include <iostream>
 #include <memory>
 #include <regex>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/expectation_report.h"
+#include "cli/file_report.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
@@ -41,15 +41,11 @@ pipeline::FrameRange parseRange(const std::string& text) {
 /// All scenes, read before anything is written, so that a mistake in the last one costs nothing.
 std::vector<scene::Scene> readScenes(const RenderArguments& arguments) {
   std::vector<scene::Scene> scenes;
-  std::set<std::string> names;
   for (const std::string& path : arguments.scenes) {
     scenes.push_back(arguments.sceneOptions.read(path));
     pipeline::loadTextures(scenes.back());  // Only to find out now whether they can be read.
-    if (!names.insert(scenes.back().name).second) {
-      throw InputError("two scenes are named " + scenes.back().name +
-                       "; they would overwrite each other: render them into different folders");
-    }
   }
+  refuseSameNames(scenes);
   return scenes;
 }
 
@@ -76,15 +72,6 @@ std::vector<std::string> writtenThings(const pipeline::RenderResult& result,
                      (newFolder ? files.partialFrameFolder : files.frameFolder).string() + '/');
   }
   return things;
-}
-
-void reportFiles(const std::vector<std::string>& things) {
-  std::cout << "  wrote ";
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    const char* separator = i == 0 ? "" : i + 1 == things.size() ? " and " : ", ";
-    std::cout << separator << things[i];
-  }
-  std::cout << (things.empty() ? "nothing" : "") << std::endl;
 }
 
 int renderScene(const scene::Scene& scene, const pipeline::RenderOptions& options) {

@@ -1,6 +1,8 @@
 #include "cli/scene_options.h"
 
 #include <regex>
+#include <set>
+#include <utility>
 
 #include "base/error.h"
 #include "scene/scene_file.h"
@@ -17,10 +19,12 @@ std::string sizeOverride(const std::string& size) {
 }
 
 /// `message` in the words that the user wrote.
-std::string withSizeOption(const std::string& message, const std::string& assignment,
-                           const std::string& size) {
-  const std::string place = "--set " + assignment;
-  return message.starts_with(place) ? "--size " + size + message.substr(place.size()) : message;
+std::string inUsersWords(const std::string& message, const std::vector<Shorthand>& shorthands) {
+  for (const auto& [words, assignment] : shorthands) {
+    const std::string place = "--set " + assignment;
+    if (message.starts_with(place)) return words + message.substr(place.size());
+  }
+  return message;
 }
 
 }  // namespace
@@ -37,14 +41,23 @@ void SceneOptions::addTo(CLI::App& command) {
       ->type_name("WxH");
 }
 
-scene::Scene SceneOptions::read(const std::string& path) const {
-  if (size.empty()) return scene::readScene(path, overrides);
+scene::Scene SceneOptions::read(const std::string& path, std::vector<Shorthand> shorthands) const {
+  if (!size.empty()) shorthands.push_back({"--size " + size, sizeOverride(size)});
   std::vector<std::string> all = overrides;
-  all.push_back(sizeOverride(size));
+  for (const Shorthand& shorthand : shorthands) all.push_back(shorthand.assignment);
   try {
     return scene::readScene(path, all);
   } catch (const InputError& error) {
-    throw InputError(withSizeOption(error.what(), all.back(), size));
+    throw InputError(inUsersWords(error.what(), shorthands));
+  }
+}
+
+void refuseSameNames(const std::vector<scene::Scene>& scenes) {
+  std::set<std::string> names;
+  for (const scene::Scene& scene : scenes) {
+    if (names.insert(scene.name).second) continue;
+    throw InputError("two scenes are named " + scene.name +
+                     "; they would overwrite each other: render them into different folders");
   }
 }
 

@@ -10,14 +10,23 @@
 
 namespace rotatebook::cli {
 
+/// An option that stands for an override of the scene.
+struct Shorthand {
+  std::string words;       ///< As the user wrote it: "--size 640x360"; messages name it so.
+  std::string assignment;  ///< "clip.size=[640, 360]"
+};
+
 /// --set and --size.
 struct SceneOptions {
   std::vector<std::string> overrides;
   std::string size;  ///< "WxH" or empty.
 
   void addTo(CLI::App& command);
-  /// Reads a scene with these options applied. Throws InputError.
-  scene::Scene read(const std::string& path) const;
+  /// Reads a scene with these options applied, then `shorthands`. Throws InputError.
+  scene::Scene read(const std::string& path, std::vector<Shorthand> shorthands = {}) const;
 };
+
+/// Throws InputError if two of `scenes` have one name, and with that the same output files.
+void refuseSameNames(const std::vector<scene::Scene>& scenes);
 
 }  // namespace rotatebook::cli

@@ -29,5 +29,10 @@ TEST(ProgressText, HasRoomForLongClips) {
             "10 s left");
 }
 
+TEST(ProgressText, CountsWhateverIsDone) {
+  EXPECT_EQ(progressText(3, 12, 1.5, "runs"),
+            "[####............]  25 %  3/12 runs, 1.5 runs/s, 6 s left");
+}
+
 }  // namespace
 }  // namespace rotatebook::cli

@@ -1,0 +1,191 @@
+// `rotatebook study`: tables and plots of many runs.
+#include <csignal>
+#include <string>
+
+#include "cli/program_test.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+constexpr const char* kFlipping = R"(title = "Flips"
+[simulation]
+model = "exact"
+[initial]
+angular_velocity = [5.0, 0.0, 0.0]
+tilt = [0.1, "z"]
+[clip]
+duration = 12
+[study]
+tilts = [0.1, 0.01]
+flip_law = { max = 0.001 }
+)";
+
+class StudyCommand : public ProgramTest {
+ protected:
+  StudyCommand() { write("flips.toml", kFlipping); }
+
+  /// Expects that tiny.toml with `options` is refused with `message`, and that nothing is written.
+  void expectRefused(const std::vector<std::string>& options, const std::string& message) const {
+    std::vector<std::string> arguments{"study", "tiny.toml"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ChildResult result = run(arguments);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.error, "rotatebook: " + message + "\n");
+    EXPECT_THAT(result.output, IsEmpty());
+    EXPECT_THAT(files(), ElementsAre("flips.toml"));
+  }
+};
+
+TEST_F(StudyCommand, WritesTablesAndPlotsWithoutGraphics) {
+  const ChildResult result = runWithoutGraphics(
+      {"study", "tiny.toml", "--steps", "1,2,4,8", "--integrators", "rk4,splitting"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.error, IsEmpty());
+  EXPECT_THAT(result.output,
+              AllOf(StartsWith("tiny: Tiny\n  rk4              "), HasSubstr("\n  splitting  "),
+                    EndsWith("\n  wrote out/tiny-study.csv, out/tiny-study-orders.csv, "
+                             "out/tiny-study.svg and out/tiny-study.png\n")));
+  EXPECT_THAT(files(),
+              ElementsAre("flips.toml", "out/", "out/tiny-study-orders.csv", "out/tiny-study.csv",
+                          "out/tiny-study.png", "out/tiny-study.svg"));
+  EXPECT_EQ(countOf("\n", read("out/tiny-study.csv")), 1 + 2 * 4);
+  EXPECT_EQ(countOf("\n", read("out/tiny-study-orders.csv")), 1 + 2);
+}
+
+TEST_F(StudyCommand, StudiesTiltsWhereTheSceneHasThem) {
+  const ChildResult result = run({"study", "flips.toml", "-o", "x"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("\n  tilt 0.1 "),
+                    HasSubstr("\n  met    flip_law: expected at most 0.001; measured 0.000"),
+                    EndsWith("\n  wrote x/flips-study.csv, x/flips-study.svg and "
+                             "x/flips-study.png\n")));
+  EXPECT_THAT(files(), ElementsAre("flips.toml", "x/", "x/flips-study.csv", "x/flips-study.png",
+                                   "x/flips-study.svg"));
+}
+
+TEST_F(StudyCommand, StudiesSeveralScenes) {
+  EXPECT_EQ(run({"study", "flips.toml", "tiny.toml", "--set", "clip.duration=9", "--set",
+                 "study.flip_law={max=1}", "--set", "study.tilts=[0.1]", "--set",
+                 "initial.tilt=[0.1, 'z']"})
+                .status,
+            0);
+  EXPECT_TRUE(has("out/flips-study.png"));
+  EXPECT_TRUE(has("out/tiny-study.png"));
+}
+
+TEST_F(StudyCommand, FailsIfAnExpectationIsUnmet) {
+  const ChildResult result = run({"study", "tiny.toml", "--steps", "1,2,4,8", "--integrators",
+                                  "rk4", "--set", "study.orders.rk4={min=5}"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.output, HasSubstr("\n  UNMET  order of rk4: expected at least 5; measured "));
+  EXPECT_EQ(result.error, "rotatebook: expectations are unmet; the files were kept\n");
+  EXPECT_TRUE(has("out/tiny-study.png"));
+  EXPECT_EQ(run({"study", "flips.toml", "--set", "study.flip_law.max=1e-9"}).status, 1);
+}
+
+TEST_F(StudyCommand, RefusesBadLists) {
+  const std::string steps =
+      ": not a list of whole numbers; write steps a frame, for example "
+      "1,2,4,8";
+  expectRefused({"--steps", "1,x"}, "--steps 1,x" + steps);
+  expectRefused({"--steps", "1,,2"}, "--steps 1,,2" + steps);
+  expectRefused({"--steps", "0.5"}, "--steps 0.5" + steps);
+  expectRefused({"--steps", "4,0"},
+                "--steps 4,0: study.steps must be an integer from 1 to 1000000, not 0");
+  expectRefused({"--steps", "4,4"}, "--steps 4,4: study.steps has 4 twice");
+}
+
+TEST_F(StudyCommand, RefusesIntegratorsThatTheModelDoesNotHave) {
+  const std::string valid =
+      "study.integrators must be \"euler\", \"rk4\", \"symplectic-euler\" or \"verlet\", not ";
+  const std::string particles = "simulation.model=particles";
+  expectRefused({"--set", particles, "--integrators", "euler,verlt"},
+                "--integrators euler,verlt: " + valid + "\"verlt\"; did you mean \"verlet\"?");
+  expectRefused({"--set", particles, "--integrators", "dmv6"},
+                "--integrators dmv6: " + valid + "\"dmv6\"");
+  expectRefused({"--set", particles, "--integrators", "rk4,"},
+                "--integrators rk4,: " + valid + "\"\"");
+}
+
+TEST_F(StudyCommand, RefusesScenesWithNothingToVary) {
+  expectRefused({"--set", "simulation.model=exact"},
+                "tiny: the model \"exact\" takes no steps, so that there are no steps to compare; "
+                "choose another model, e.g. --set simulation.model=quaternion");
+  expectRefused({"--set", "clip.duration=0.01"},
+                "tiny: a clip of one frame has no motion to study; make it longer");
+  expectRefused({"tiny.toml"},
+                "two scenes are named tiny; they would overwrite each other: render them into "
+                "different folders");
+}
+
+TEST_F(StudyCommand, SaysSoIfEveryRunDiverges) {
+  write("out/tiny-study.png", "of an earlier study");
+  const ChildResult result =
+      run({"study", "tiny.toml", "--steps", "1,2", "--integrators", "euler", "--set",
+           "simulation.model=particles", "--set", "simulation.normalize=false"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.error,
+              AllOf(StartsWith("rotatebook: tiny: no run reached its end (out/tiny-study.csv says "
+                               "why), so that there is nothing to compare; the first diverged at "),
+                    EndsWith(" s; take shorter steps, for example --steps 256,512,1024,2048\n")));
+  EXPECT_EQ(countOf("diverged at", read("out/tiny-study.csv")), 2);
+  EXPECT_FALSE(has("out/tiny-study.png"));
+}
+
+TEST_F(StudyCommand, SaysSoIfNothingFlipsTwice) {
+  const ChildResult result = run({"study", "flips.toml", "--set", "clip.duration=1"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.error,
+            "rotatebook: flips: no run shows two flips (out/flips-study.csv says why), so that "
+            "there is no interval to measure; make the motion longer, for example --set "
+            "clip.duration=60\n");
+}
+
+TEST_F(StudyCommand, NamesThePackageOfAMissingGnuplot) {
+  ChildSettings settings;
+  settings.environment.emplace_back("PATH", folder().string());
+  const ChildResult result =
+      run({"study", "tiny.toml", "--steps", "1,2,4", "--integrators", "rk4"}, settings);
+  EXPECT_EQ(result.status, 3);
+  EXPECT_EQ(result.error,
+            "rotatebook: tiny: can't draw the plot: gnuplot isn't installed; apt-get install "
+            "gnuplot-nox; the table is in out/tiny-study.csv\n");
+  EXPECT_THAT(files(),
+              ElementsAre("flips.toml", "out/", "out/tiny-study-orders.csv", "out/tiny-study.csv"));
+}
+
+TEST_F(StudyCommand, ShowsABarOnATerminal) {
+  ChildSettings settings;
+  settings.terminal = true;
+  const ChildResult result = run({"study", "tiny.toml"}, settings);
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.error, HasSubstr("\rtiny  [################] 100 %  110/110 runs, "));
+}
+
+class InterruptedStudy : public ProgramTest, public ::testing::WithParamInterface<int> {};
+
+TEST_P(InterruptedStudy, WritesNothing) {
+  ChildSettings settings;
+  settings.signal = GetParam();
+  settings.signalWhen = [this] { return has("out"); };
+  const ChildResult result = run({"study", "tiny.toml", "--set", "clip.duration=100", "--steps",
+                                  "100,101,102,103,104", "--set", "simulation.normalize=true"},
+                                 settings);
+  EXPECT_EQ(result.status, 128 + GetParam());
+  EXPECT_EQ(result.output, "tiny: Tiny\n  interrupted; nothing was written\n");
+  EXPECT_THAT(files(), ElementsAre("out/"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, InterruptedStudy, ::testing::Values(SIGINT, SIGTERM));
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

@@ -9,7 +9,7 @@ OUT ?= out
 .PHONY: help setup configure build program figures test render scene-given bench bench-engines format-check lint textures clean
 
 help:
-	@echo 'make figures             render every figure of the paper into $(OUT)/, each checked'
+	@echo 'make figures             render every figure and study into $(OUT)/, each checked'
 	@echo 'make test                build and run all tests'
 	@echo 'make render SCENE=FILE   render one scene into $(OUT)/ (more options: ARGS="--no-png")'
 	@echo 'make program             build $(PROGRAM)'
@@ -36,6 +36,7 @@ build: configure
 
 figures: program
 	$(PROGRAM) render scenes/figures/*.toml -o $(OUT)
+	$(PROGRAM) study scenes/studies/*.toml -o $(OUT)
 
 test: build
 	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j$$(nproc)

@@ -134,10 +134,13 @@ std::string plotOf(const Task& task, const pipeline::TiltStudy& result) {
   return tiltPlot(task.scene.title, result);
 }
 
-void draw(const Task& task, const std::string& plot) {
+/// False if the user's interrupt ended gnuplot, too, as it does on a terminal.
+bool draw(const Task& task, const std::string& plot) {
   try {
     pipeline::drawPlot(plot, task.files.svg, task.files.png);
+    return true;
   } catch (const MachineError& error) {
+    if (interruptStatus() != 0) return false;
     throw MachineError(task.scene.name + ": " + error.what() + "; the table is in " +
                        task.files.csv.string());
   }
@@ -150,7 +153,10 @@ int finish(const Task& task, const Study& result) {
   refuseNoResult(task, result);
   const int status = reportStudy(result, task.study, std::cout);
   std::cout.flush();
-  draw(task, plotOf(task, result));
+  if (!draw(task, plotOf(task, result))) {
+    std::cout << "  interrupted; only the tables were written" << std::endl;
+    return interruptStatus();
+  }
   reportFiles(filesOf(task.files, result));
   return status;
 }

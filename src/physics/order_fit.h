@@ -15,9 +15,9 @@ struct ErrorAtStep {
 /// A power law error ~ h^order.
 struct OrderFit {
   double order = std::numeric_limits<double>::quiet_NaN();  ///< NaN of too few runs.
-  int runs = 0;         ///< How many show the order.
-  double shortest = 0;  ///< Their shortest step. [s]
-  double longest = 0;   ///< Their longest step. [s]
+  int runs = 0;                                             ///< How many show the order.
+  double shortest = 0;                                      ///< Their shortest step. [s]
+  double longest = 0;                                       ///< Their longest step. [s]
 };
 
 /// Fewest runs that an order is fitted to.

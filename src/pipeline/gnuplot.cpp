@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kSvg =
     "set terminal svg size 1200,600 enhanced font 'sans-serif,12' fontscale 1.3 "
-    "background rgb 'white'\npoint_size = 0.55\n";
+    "background rgb 'white'\npoint_size = 0.7\n";
 constexpr const char* kPng =
     "set terminal pngcairo size 1800,900 enhanced font 'sans,12' fontscale 1.5 linewidth 1.5 "
     "pointscale 1.5 background rgb 'white'\npoint_size = 1\n";

@@ -15,6 +15,7 @@
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
 #include "pipeline/render_clip.h"
+#include "pipeline/simulate_scene.h"
 #include "pipeline/textures.h"
 
 namespace rotatebook::cli {
@@ -75,7 +76,7 @@ std::vector<std::string> writtenThings(const pipeline::RenderResult& result,
 }
 
 int renderScene(const scene::Scene& scene, const pipeline::RenderOptions& options) {
-  const physics::Trajectory trajectory = simulate(scene.motion(), scene.clip.frameCount());
+  const physics::Trajectory trajectory = pipeline::simulateScene(scene, scene.clip.frameCount());
   pipeline::RenderResult result;
   {
     ProgressLine progress(scene.name);

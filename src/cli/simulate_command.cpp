@@ -7,7 +7,7 @@
 #include "cli/commands.h"
 #include "cli/expectation_report.h"
 #include "cli/scene_options.h"
-#include "physics/trajectory.h"
+#include "pipeline/simulate_scene.h"
 #include "pipeline/trajectory_csv.h"
 
 namespace rotatebook::cli {
@@ -21,7 +21,7 @@ struct SimulateArguments {
 
 int simulateScene(const SimulateArguments& arguments) {
   const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
-  const physics::Trajectory trajectory = simulate(scene.motion(), scene.clip.frameCount());
+  const physics::Trajectory trajectory = pipeline::simulateScene(scene, scene.clip.frameCount());
   const std::string table = pipeline::trajectoryCsv(trajectory);
   if (arguments.csv == "-") {
     std::cout << table;

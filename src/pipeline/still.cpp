@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "physics/trajectory.h"
+#include "pipeline/simulate_scene.h"
 #include "pipeline/textures.h"
 
 namespace rotatebook::pipeline {
@@ -23,7 +24,7 @@ std::int64_t frameAt(const scene::Scene& scene, double time) {
 std::int64_t renderStill(const scene::Scene& scene, double time,
                          const std::filesystem::path& path) {
   const std::int64_t frame = frameAt(scene, time);
-  const physics::Trajectory trajectory = physics::simulate(scene.motion(), frame + 1);
+  const physics::Trajectory trajectory = simulateScene(scene, frame + 1);
   if (trajectory.divergedAt) {
     throw InputError("there is no picture at " + shortestText(time) +
                      " s: the motion diverged at " + shortestText(*trajectory.divergedAt) + " s");

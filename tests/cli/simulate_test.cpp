@@ -73,5 +73,16 @@ TEST_F(SimulateCommand, GivesTheTableOfTheRender) {
   EXPECT_EQ(read("t.csv"), read("out/tiny.csv"));
 }
 
+TEST_F(SimulateCommand, SaysWhichSceneHasTooLongSteps) {
+  const ChildResult result = runWithoutGraphics(
+      {"simulate", "tiny.toml", "--csv", "t.csv", "--set", "simulation.integrator=midpoint",
+       "--set", "simulation.time_per_frame=2", "--set", "simulation.substeps=1"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.error,
+            "rotatebook: tiny.toml: the integrator midpoint finds no solution for a step of 2 s: "
+            "the iteration doesn't converge; use shorter steps (more substeps)\n");
+  EXPECT_THAT(files(), IsEmpty());
+}
+
 }  // namespace
 }  // namespace rotatebook::cli::testing

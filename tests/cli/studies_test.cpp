@@ -26,28 +26,28 @@ class ShippedStudy : public ProgramTest {
 };
 
 TEST_F(ShippedStudy, OfEveryIntegratorFindsItsOrder) {
-  const ChildResult result = study("work-precision");
+  const ChildResult result = study("figc-work-precision");
   EXPECT_EQ(result.status, 0) << result.output << result.error;
   EXPECT_EQ(countOf("\n  met    order of ", result.output), 10);
-  EXPECT_EQ(countOf(",ok\n", read("out/work-precision-study.csv")), 10 * 14);
+  EXPECT_EQ(countOf(",ok\n", read("out/figc-work-precision-study.csv")), 10 * 14);
 }
 
 TEST_F(ShippedStudy, OfEveryIntegratorFindsNoneOfEulerOnTheFlippingBook) {
-  const ChildResult result =
-      study("work-precision", {"initial.angular_velocity=[4, 0, 0]", "initial.tilt=[0.001, 'z']",
-                               "study.integrators=['euler', 'rk4']", "clip.duration=20"});
+  const ChildResult result = study(
+      "figc-work-precision", {"initial.angular_velocity=[4, 0, 0]", "initial.tilt=[0.001, 'z']",
+                              "study.integrators=['euler', 'rk4']", "clip.duration=20"});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.output, HasSubstr("\n  UNMET  order of euler: "));
 }
 
 TEST_F(ShippedStudy, OfTheFlipIntervalFindsTheLaw) {
-  const ChildResult result = study("flip-interval");
+  const ChildResult result = study("figb-flip-interval");
   EXPECT_EQ(result.status, 0) << result.output << result.error;
-  EXPECT_EQ(countOf(",ok\n", read("out/flip-interval-study.csv")), 10);
+  EXPECT_EQ(countOf(",ok\n", read("out/figb-flip-interval-study.csv")), 10);
 }
 
 TEST_F(ShippedStudy, OfTheFlipIntervalFindsNoLawInEulersMotion) {
-  const ChildResult result = study("flip-interval", {"simulation.model=quaternion"});
+  const ChildResult result = study("figb-flip-interval", {"simulation.model=quaternion"});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.output, HasSubstr("\n  UNMET  flip_law: "));
 }

@@ -1,0 +1,15 @@
+#include "pipeline/simulate_scene.h"
+
+#include "base/error.h"
+
+namespace rotatebook::pipeline {
+
+physics::Trajectory simulateScene(const scene::Scene& scene, std::int64_t frames) {
+  try {
+    return physics::simulate(scene.motion(), frames);
+  } catch (const InputError& error) {
+    throw InputError((scene.folder / (scene.name + ".toml")).string() + ": " + error.what());
+  }
+}
+
+}  // namespace rotatebook::pipeline

@@ -74,9 +74,10 @@ TEST_F(SimulateCommand, GivesTheTableOfTheRender) {
 }
 
 TEST_F(SimulateCommand, SaysWhichSceneHasTooLongSteps) {
-  const ChildResult result = runWithoutGraphics(
-      {"simulate", "tiny.toml", "--csv", "t.csv", "--set", "simulation.integrator=midpoint",
-       "--set", "simulation.time_per_frame=2", "--set", "simulation.substeps=1"});
+  const ChildResult result =
+      runWithoutGraphics({"simulate", "tiny.toml", "--csv", "t.csv", "--set",
+                          "simulation.integrator=midpoint", "--set", "simulation.time_per_frame=2",
+                          "--set", "simulation.substeps=1", "--set", "initial.tilt=[0.3, 'z']"});
   EXPECT_EQ(result.status, 2);
   EXPECT_EQ(result.error,
             "rotatebook: tiny.toml: the integrator midpoint finds no solution for a step of 2 s: "

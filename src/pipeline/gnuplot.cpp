@@ -3,7 +3,6 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <spawn.h>
 #include <string_view>
 #include <sys/mman.h>
@@ -25,14 +24,16 @@ constexpr const char* kPng =
     "set terminal pngcairo size 1800,900 enhanced font 'sans,12' fontscale 1.5 linewidth 1.5 "
     "pointscale 1.5 background rgb 'white'\npoint_size = 1\n";
 
-class Descriptor {
+class MemoryFile {
  public:
-  explicit Descriptor(int number, const std::string& what) : number_(number) {
-    if (number < 0) throw MachineError("can't open " + what + ": " + std::strerror(errno));
+  MemoryFile() : number_(memfd_create("gnuplot", MFD_CLOEXEC)) {
+    if (number_ < 0) {
+      throw MachineError(std::string("can't open a memory file: ") + std::strerror(errno));
+    }
   }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { close(number_); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+  ~MemoryFile() { close(number_); }
 
   int number() const { return number_; }
 
@@ -40,11 +41,7 @@ class Descriptor {
   int number_;
 };
 
-int memoryFile() {
-  return memfd_create("gnuplot", MFD_CLOEXEC);
-}
-
-void writeAll(const Descriptor& file, std::string_view text) {
+void writeAll(const MemoryFile& file, std::string_view text) {
   while (!text.empty()) {
     const ssize_t size = write(file.number(), text.data(), text.size());
     if (size < 0 && errno == EINTR) continue;
@@ -54,13 +51,17 @@ void writeAll(const Descriptor& file, std::string_view text) {
   lseek(file.number(), 0, SEEK_SET);
 }
 
-std::string readAll(const Descriptor& file) {
+std::string readAll(const MemoryFile& file) {
   std::string text;
   std::array<char, 4096> block;
   lseek(file.number(), 0, SEEK_SET);
   for (ssize_t size = 0; (size = read(file.number(), block.data(), block.size())) > 0;) {
     text.append(block.data(), static_cast<std::size_t>(size));
   }
+  return text;
+}
+
+std::string trimmed(std::string text) {
   text.erase(text.find_last_not_of(" \n") + 1);
   return text;
 }
@@ -103,27 +104,27 @@ int runGnuplot(const Streams& streams) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-void draw(const std::string& script, const AtomicFile& file) {
-  const std::string path = file.finalPath().string();
-  const Descriptor input(memoryFile(), "a memory file");
-  const Descriptor problems(memoryFile(), "a memory file");
-  const Descriptor output(open(file.temporaryPath().c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC), path);
+/// A picture's bytes; `path` is where it will be. In memory, so that a full disk is told by whoever
+/// writes the file: gnuplot wouldn't.
+std::string draw(const std::string& script, const fs::path& path) {
+  const MemoryFile input;
+  const MemoryFile output;
+  const MemoryFile problems;
   writeAll(input, script);
   const int status = runGnuplot(Streams(input.number(), output.number(), problems.number()));
-  if (status == 0 && lseek(output.number(), 0, SEEK_END) > 0) return;
-  throw MachineError("gnuplot can't draw " + path + " (status " + std::to_string(status) +
-                     "): " + readAll(problems));
+  std::string picture = readAll(output);
+  if (status == 0 && !picture.empty()) return picture;
+  throw MachineError("gnuplot can't draw " + path.string() + " (status " + std::to_string(status) +
+                     "): " + trimmed(readAll(problems)));
 }
 
 }  // namespace
 
 void drawPlot(const std::string& commands, const fs::path& svg, const fs::path& png) {
-  AtomicFile vectors(svg);
-  AtomicFile pixels(png);
-  draw(kSvg + commands, vectors);
-  draw(kPng + commands, pixels);
-  vectors.commit();
-  pixels.commit();
+  const std::string vectors = draw(kSvg + commands, svg);
+  const std::string pixels = draw(kPng + commands, png);
+  writeFileAtomically(svg, vectors);
+  writeFileAtomically(png, pixels);
 }
 
 std::string gnuplotString(const std::string& text) {

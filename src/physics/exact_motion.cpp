@@ -17,11 +17,14 @@ struct Turn {
   double cosine, sine;
 };
 
-// Of an angle of many turns, whose lower part counts.
+constexpr DoubleDouble kWholeTurn{6.283185307179586, 2.4492935982947064e-16};
+
+// Of an angle of many turns, whose lower part counts; it is small once whole turns are taken off.
 Turn turnBy(DoubleDouble angle) {
-  const double cosine = std::cos(angle.high);
-  const double sine = std::sin(angle.high);
-  return {cosine - angle.low * sine, sine + angle.low * cosine};
+  const DoubleDouble rest = angle - kWholeTurn * std::nearbyint(angle.high / kWholeTurn.high);
+  const double cosine = std::cos(rest.high);
+  const double sine = std::sin(rest.high);
+  return {cosine - rest.low * sine, sine + rest.low * cosine};
 }
 
 Matrix3d rotationAboutZ(Turn turn) {

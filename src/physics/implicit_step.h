@@ -22,7 +22,8 @@ Eigen::Vector3d fixedPoint(const Eigen::Vector3d& start, const Next& next, const
     const Eigen::Vector3d better = next(x);
     const double change = (better - x).cwiseAbs().maxCoeff();
     x = better;
-    if (change <= kRounding * x.cwiseAbs().maxCoeff()) return x;
+    // An infinite change is no larger than the rounding of an infinite number.
+    if (change <= kRounding * x.cwiseAbs().maxCoeff() && x.allFinite()) return x;
   }
   throwNoConvergence(integrator, h);
 }

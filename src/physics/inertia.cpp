@@ -17,6 +17,9 @@ namespace {
 // Of the largest entry: what rounding leaves in a tensor that a program has computed.
 constexpr double kRounding = 1e-12;
 
+// Products of several moments and spins are still normal numbers. [kg m^2]
+constexpr double kLeastMoment = 1e-30;
+
 void checkSymmetric(const Eigen::Matrix3d& tensor) {
   const double slack = kRounding * tensor.cwiseAbs().maxCoeff();
   for (int row = 0; row < 3; ++row) {
@@ -57,8 +60,18 @@ void checkInertia(const Eigen::Matrix3d& tensor) {
   checkSymmetric(tensor);
   const Eigen::Vector3d moments = principalAxes(tensor).moments;
   const double largest = moments.maxCoeff();
-  if (!(moments.minCoeff() > kRounding * largest)) {
+  if (!(moments.minCoeff() > 0)) {
     throw InputError("an inertia tensor must be positive definite, but " + momentsText(moments));
+  }
+  if (moments.minCoeff() <= kRounding * largest) {
+    throw InputError(
+        "an inertia tensor's smallest principal moment must be more than 1e-12 of the largest, "
+        "but " +
+        momentsText(moments));
+  }
+  if (largest < kLeastMoment) {
+    throw InputError("an inertia tensor must have principal moments of 1e-30 kg m^2 or more, but " +
+                     momentsText(moments));
   }
   if (largest > (1 + kRounding) * (moments.sum() - largest)) {
     throw InputError(

@@ -17,9 +17,10 @@ struct PrincipalAxes {
   Eigen::Vector3d angularMomentum(const Eigen::Vector3d& velocity) const;
 };
 
-/// Throws InputError with the reason if no body can have this inertia tensor: not symmetric, not
-/// positive definite, or one principal moment larger than the sum of the others. Rounding in the
-/// last digits (1e-12 of the largest entry) is forgiven.
+/// Throws InputError with the reason if no body can have this inertia tensor [kg m^2]: not
+/// symmetric, not positive definite, or one principal moment larger than the sum of the others.
+/// Rounding in the last digits (1e-12 of the largest entry) is forgiven, and a moment that is no
+/// more than that is refused as 0; so is a body whose moments are all under 1e-30.
 void checkInertia(const Eigen::Matrix3d& tensor);
 
 /// The principal axes of a symmetric tensor. One that is diagonal keeps the order of its axes, with

@@ -105,6 +105,35 @@ TEST(ExactMotion, AgreesInEveryRegime) {
   }
 }
 
+// Far off in time: Taylor integration of order 26 at 33 digits over one period and the rest, the
+// turn of a period taken to the power of their number.
+const FreeRigidBodyMotion kFarOff{
+    "far_off",
+    {0.6, 0.8, 1},
+    {3, 0.5, -0.9},
+    {{1e6,
+      {3.0189699757516553, 0.28058943006655379, -0.93728748454994892},
+      {0.90572165990259279, 0.41806393469307784, -0.069934407070011154,  //
+       -0.27432972103333764, 0.45237306258422966, -0.84858813119553811,  //
+       -0.32312765115517927, 0.78776973714220999, 0.52441144371745951}},
+     {1e11,
+      {2.8421468418002167, 1.2780070400696479, -0.50663517664387148},
+      {0.65460844291998999, 0.741545563086627, 0.14696245889479201,      //
+       -0.27067661710014346, 0.41142715963100568, -0.87032284887459166,  //
+       -0.70584839407133915, 0.529941383725125, 0.47004273678295599}}}};
+
+TEST(ExactMotion, IsAsGoodAfterMillionsOfTurns) {
+  for (const FreeRigidBodySample& sample : kFarOff.samples) {
+    const Error error = errorOf(kFarOff, sample);
+    EXPECT_LT(error.angularVelocity, kExactInputBound) << sample.time;
+    EXPECT_LT(error.attitude, kExactInputBound) << sample.time;
+  }
+  const double time = 1e11;
+  const Matrix3d steady = ExactMotion({1, 2, 2}, {0, 3, 0}).at(time).worldFromBody;
+  const Matrix3d turned = Eigen::AngleAxisd(3 * time, Vector3d::UnitY()).matrix();
+  EXPECT_LT(largest(steady - turned), kExactInputBound);
+}
+
 // A forgotten sign of the axes' order runs the angular velocity backward.
 TEST(ExactMotion, WouldShowTheWrongHandedness) {
   for (const FreeRigidBodyMotion& motion : kFreeRigidBodyMotions) {

@@ -67,17 +67,37 @@ TEST(CheckInertia, TakesWhatABodyCanHave) {
   EXPECT_EQ(refusalOf(diagonal(1, 1, 2)), "");        // flat
   EXPECT_EQ(refusalOf(diagonal(0.1, 0.2, 0.3)), "");  // flat, but for rounding
   EXPECT_EQ(refusalOf(diagonal(1e-9, 1, 1)), "");
+  EXPECT_EQ(refusalOf(1e-30 * diagonal(1e-9, 1, 1)), "");
+  EXPECT_EQ(refusalOf(1e21 * diagonal(1e-9, 1, 1)), "");
 }
 
 TEST(CheckInertia, RefusesWhatNoBodyHas) {
   EXPECT_THAT(refusalOf(diagonal(1, 1, 2.001)),
               HasSubstr("a principal moment can't exceed the sum of the other two, but its "
                         "principal moments are 1, 1 and 2.001"));
+  EXPECT_THAT(refusalOf(diagonal(1, 1, 2 + 1e-10)), HasSubstr("no body has this inertia"));
   EXPECT_THAT(refusalOf(diagonal(0, 1, 1)), HasSubstr("must be positive definite"));
   EXPECT_THAT(refusalOf(diagonal(-1, 1, 1)), HasSubstr("must be positive definite"));
   Matrix3d indefinite;
   indefinite << 1, 2, 0, 2, 1, 0, 0, 0, 1;
   EXPECT_THAT(refusalOf(indefinite), HasSubstr("principal moments are -1, 1 and 3"));
+}
+
+TEST(CheckInertia, RefusesWhatIsTooSmallToComputeWith) {
+  EXPECT_THAT(
+      refusalOf(diagonal(1e-13, 1, 1)),
+      HasSubstr("smallest principal moment must be more than 1e-12 of the largest, but its"));
+  EXPECT_THAT(refusalOf(1e-31 * diagonal(1, 1, 1)),
+              HasSubstr("principal moments of 1e-30 kg m^2 or more, but its principal moments are "
+                        "1e-31, 1e-31 and 1e-31"));
+}
+
+TEST(CheckInertia, ForgivesRoundingAlone) {
+  Matrix3d tensor = diagonal(3, 4, 5);
+  tensor(0, 1) = 1e-14;
+  EXPECT_EQ(refusalOf(tensor), "");
+  tensor(0, 1) = 1e-10;
+  EXPECT_THAT(refusalOf(tensor), HasSubstr("must be symmetric"));
 }
 
 TEST(CheckInertia, RefusesAsymmetryAndNamesTheEntries) {
@@ -124,6 +144,11 @@ TEST(AnyInertia, GivesTheVelocityOfAMomentum) {
   settings.initial.kind = InitialSpin::Kind::AngularMomentum;
   settings.inertia = diagonal(3, 4, 5);
   EXPECT_LT((initialAngularVelocity(settings) - Vector3d(1, 2, 3)).norm(), kRoundingBound);
+
+  const Matrix3d tensor = someRotation() * diagonal(3, 4, 5) * someRotation().transpose();
+  settings.inertia = tensor;
+  settings.initial.value = tensor * Vector3d(1, 2, 3);
+  EXPECT_LT((initialAngularVelocity(settings) - Vector3d(1, 2, 3)).norm(), 10 * kRoundingBound);
 }
 
 }  // namespace

@@ -139,6 +139,16 @@ TEST(Measurement, TakesTheTiltOfTheMostSpunAxis) {
   EXPECT_NEAR(tilt({3, 0, 1}, {-7, 0, 0}), 180, kDegreesBound);
 }
 
+// The angular momentum's largest component may be along another axis.
+TEST(Measurement, TakesTheAxisOfTheLargestAngularVelocity) {
+  MotionSettings settings = spinningAbout({0, 1, 1.5});
+  settings.initial.kind = InitialSpin::Kind::AngularMomentum;
+  const Vector3d w = initialAngularVelocity(settings);
+  ASSERT_GT(w.y(), w.z());
+  EXPECT_NEAR(Measurement(settings).measure(0, stateOf(Matrix3d::Identity(), {0, 1, 0})).tiltDeg, 0,
+              kDegreesBound);
+}
+
 TEST(Measurement, KeepsTheDigitsOfATinyTilt) {
   constexpr double kTilt = 1e-7;
   const Matrix3d turn = AngleAxisd(kTilt, Vector3d::UnitX()).toRotationMatrix();
@@ -157,6 +167,7 @@ TEST(Measurement, TellsTheAngleToTheExactAttitude) {
   EXPECT_NEAR(errorDeg(30, Vector3d(1, -2, 2) / 3), 30, kDegreesBound);
   EXPECT_NEAR(errorDeg(-30, Vector3d::UnitX()), 30, kDegreesBound);
   EXPECT_NEAR(errorDeg(180, Vector3d::UnitY()), 180, kDegreesBound);
+  EXPECT_NEAR(errorDeg(-170, Vector3d(1, -2, 2) / 3), 170, kDegreesBound);
 }
 
 TEST(Measurement, TellsTheRegimeFromTheBodysAxes) {
@@ -176,6 +187,12 @@ TEST(Measurement, TellsTheRegimeFromTheBodysAxes) {
   turned.inertia = Vector3d(moments[0], moments[2], moments[1]).asDiagonal();
   EXPECT_EQ(regime(turned, {5, 0, 0.01}), Regime::AboutSmallest);
   EXPECT_EQ(regime(turned, {5, 0.01, 0}), Regime::AboutLargest);
+
+  // The same body, its axes turned away from the book's.
+  const Matrix3d axes = AngleAxisd(1.1, Vector3d(2, 2, -1) / 3).toRotationMatrix();
+  turned.inertia = axes * moments.asDiagonal() * axes.transpose();
+  EXPECT_EQ(regime(turned, axes * Vector3d(5, 0, 0.01)), Regime::AboutLargest);
+  EXPECT_EQ(regime(turned, axes * Vector3d(5, 0.01, 0)), Regime::AboutSmallest);
 }
 
 TEST(Measurement, PassesOnWhatTheSimulatorKnows) {

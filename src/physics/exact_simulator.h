@@ -26,6 +26,8 @@ class ExactRotation {
   /// At any time. [s]
   Moment at(double time) const;
 
+  Regime regime() const { return motion_.regime(); }
+
  private:
   Eigen::Matrix3d bodyFromPrincipal_;
   ExactMotion motion_;

@@ -37,7 +37,8 @@ int HalfTurnCounter::count(double tiltDeg) {
 Measurement::Measurement(const MotionSettings& settings)
     : spunAxis_(largestComponent(initialAngularVelocity(settings))),
       inertia_(modelInertia(settings)),
-      exact_(inertia_, initialAngularVelocity(settings)) {
+      exact_(inertia_, initialAngularVelocity(settings)),
+      isExact_(settings.simulation.model == Model::Exact) {
   const Corners corners = settings.body.corners();
   const Eigen::Matrix3d products = corners * corners.transpose();
   mapFromCorners_ = corners.transpose() * products.inverse();
@@ -77,8 +78,11 @@ double Measurement::tiltDeg(const Eigen::Matrix3d& rotation,
   return std::atan2(axis.cross(momentum).norm(), axis.dot(momentum)) * 180 / std::numbers::pi;
 }
 
+// Of the exact motion it is a constant, which the rounding of one sample would hide if the spin is
+// less than 1e-8 off the median axis.
 Regime Measurement::regime(const Eigen::Matrix3d& rotation,
                            const Eigen::Vector3d& angularVelocity) const {
+  if (isExact_) return exact_.regime();
   const Eigen::Matrix3d principalFromWorld = (rotation * inertia_.bodyFromPrincipal).transpose();
   return regimeOf(inertia_.moments, principalFromWorld * angularVelocity);
 }

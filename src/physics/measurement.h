@@ -46,6 +46,7 @@ class Measurement {
   int spunAxis_;
   PrincipalAxes inertia_;
   ExactRotation exact_;
+  bool isExact_;  // whether it is also what is measured
   Eigen::Quaterniond attitude_ = Eigen::Quaterniond::Identity();  // the last one
   HalfTurnCounter counter_;
 };

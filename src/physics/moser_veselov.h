@@ -17,7 +17,7 @@ Eigen::Vector3d preprocessedInertia(const RigidConstants& body, double h, int or
 /// The discrete Moser-Veselov algorithm in its quaternion form: with J the preprocessed inertia and
 /// a = (h/2) J^-1 M it solves c1 = (1 + |c|^2) a1 + (J2 - J3)/J1 c2 c3 and cyclic; the attitude
 /// turns by (1, c) normalised, and M1 += (4/h) (J2 - J3) c2 c3 / (1 + |c|^2) and cyclic. Order 2, 4
-/// or 6 at the same cost; keeps the energy, |L| and the rotation to rounding; integrable as the
+/// or 6 at the same cost; keeps the energy, L and the rotation to rounding; integrable as the
 /// motion itself. Throws NoConvergence. Source: as preprocessedInertia().
 template <int kOrder>
 class MoserVeselov {

@@ -32,7 +32,8 @@ struct Sample {
   /// Angle of the rotation between the attitude and that of the exact rigid motion from the same
   /// start. [degrees]
   double errorDeg = 0;
-  /// The rigid motion that this angular velocity, seen from this attitude, begins.
+  /// The rigid motion that this angular velocity, seen from this attitude, begins; of Model::Exact
+  /// that of its start.
   Regime regime = Regime::Separatrix;
   Corners corners = Corners::Zero();  ///< As drawn. [m]
 

@@ -1,5 +1,7 @@
 #include "physics/exact_simulator.h"
 
+#include <utility>
+
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
@@ -45,6 +47,20 @@ TEST(ExactSimulator, IsItsOwnYardstickAndKeepsEverything) {
     EXPECT_EQ(sample.regime, Regime::AboutLargest);
   }
   EXPECT_GT(trajectory.samples.back().halfTurns, 3);
+}
+
+// However near to the separatrix it starts.
+TEST(ExactSimulator, StaysInTheRegimeOfItsStart) {
+  for (const double tilt : {1e-7, 1e-9, 1e-12, 1e-300}) {
+    for (const auto& [axis, regime] :
+         {std::pair{2, Regime::AboutLargest}, {1, Regime::AboutSmallest}}) {
+      MotionSettings settings = tumbling(1);
+      settings.initial.tilt = Tilt{tilt, axis};
+      for (const Sample& sample : simulate(settings, 1200).samples) {
+        EXPECT_EQ(sample.regime, regime) << tilt << " " << axis << " " << sample.time;
+      }
+    }
+  }
 }
 
 TEST(ExactSimulator, StartsWithTheBookAsItIs) {

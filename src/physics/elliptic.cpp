@@ -44,10 +44,6 @@ CompleteIntegrals completeIntegrals(DoubleDouble k1, DoubleDouble n) {
   return {k, k * 0.5 * sum / (DoubleDouble(1.0) - n)};
 }
 
-double completeK(double m1) {
-  return completeIntegrals(squareRoot(m1), 0.0).k.value();
-}
-
 double carlsonRF(double x, double y, double z) {
   return boost::math::ellint_rf(x, y, z, Policy());
 }
@@ -103,16 +99,6 @@ JacobiValues JacobiFunctions::byPulses(double u) const {
   const double here = sech(std::exp(-std::fabs(u)));
   const double next = sech(std::exp(std::fabs(u) - 2 * limit_));
   return {std::tanh(u), here - next, here + next};
-}
-
-JacobiValues jacobi(double u, double m1) {
-  if (m1 == 0) return JacobiFunctions(0).at(u);
-  const DoubleDouble k = completeIntegrals(squareRoot(m1), 0.0).k;
-  const double halves = std::nearbyint(u / (2 * k.high));
-  const double r = (DoubleDouble(u) - k * (2 * halves)).value();
-  const JacobiValues values = JacobiFunctions(std::sqrt(m1)).at(r);
-  const double sign = std::fmod(halves, 2) == 0 ? 1 : -1;
-  return {sign * values.sn, sign * values.cn, values.dn};
 }
 
 ThirdKind::ThirdKind(double k1, double n) : k1_(k1), n_(n), root_(std::sqrt(-n)) {}

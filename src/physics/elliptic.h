@@ -26,9 +26,6 @@ struct CompleteIntegrals {
 /// 19.8.6 to 19.8.9)
 CompleteIntegrals completeIntegrals(DoubleDouble k1, DoubleDouble n);
 
-/// K of m1 in (0, 1].
-double completeK(double m1);
-
 /// Carlson's RF(x, y, z); none negative, at most one 0. (Carlson 1995)
 double carlsonRF(double x, double y, double z);
 /// Carlson's RJ(x, y, z, p); none negative, at most one of x, y, z 0, p > 0. (Carlson 1995)
@@ -56,9 +53,6 @@ class JacobiFunctions {
   std::array<double, kMaxLevels> geometric_{};
   double limit_ = 1;  // that both means tend to
 };
-
-/// sn, cn and dn at any u; m1 = 1 - m in [0, 1].
-JacobiValues jacobi(double u, double m1);
 
 /// J(u) - u / (1 - n), where J is the integral of sn^2 / (1 - n sn^2) from 0, for u in [-K, K], or
 /// any u where k1 = 0. What is subtracted is the growth of J beside the separatrix, where u may be

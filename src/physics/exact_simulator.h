@@ -6,32 +6,11 @@
 #include <Eigen/Core>
 
 #include "physics/cuboid.h"
-#include "physics/exact_motion.h"
-#include "physics/inertia.h"
+#include "physics/exact_rotation.h"
 #include "physics/motion_settings.h"
 #include "physics/simulator.h"
 
 namespace rotatebook::physics {
-
-/// The exact free rotation of a body with any inertia tensor; body and world axes agree at t = 0.
-class ExactRotation {
- public:
-  /// `angularVelocity` at t = 0. [rad/s]
-  ExactRotation(const PrincipalAxes& inertia, const Eigen::Vector3d& angularVelocity);
-
-  struct Moment {
-    Eigen::Matrix3d worldFromBody;
-    Eigen::Vector3d angularVelocity;  ///< In the world's axes. [rad/s]
-  };
-  /// At any time. [s]
-  Moment at(double time) const;
-
-  Regime regime() const { return motion_.regime(); }
-
- private:
-  Eigen::Matrix3d bodyFromPrincipal_;
-  ExactMotion motion_;
-};
 
 /// A simulator that doesn't step: it evaluates the closed form where the steps would have led. All
 /// constants of the motion are kept to rounding, whatever the step.

@@ -35,7 +35,9 @@ inline Eigen::Quaterniond rotationBy(const Eigen::Vector3d& rotation) {
   }
   const auto [cosine, sinc] = cosineSinc(half.squaredNorm());
   Eigen::Quaterniond result(cosine, sinc * half.x(), sinc * half.y(), sinc * half.z());
-  for (; doublings > 0; --doublings) result = result * result;
+  if (doublings == 0) return result;
+  // Squaring doubles the error of the norm.
+  for (; doublings > 0; --doublings) result = (result * result).normalized();
   return result;
 }
 

@@ -41,10 +41,6 @@ std::string momentsText(const Eigen::Vector3d& moments) {
   return text.str();
 }
 
-bool isDiagonal(const Eigen::Matrix3d& tensor) {
-  return tensor.isDiagonal(0);
-}
-
 }  // namespace
 
 Eigen::Vector3d PrincipalAxes::angularVelocity(const Eigen::Vector3d& momentum) const {
@@ -81,7 +77,7 @@ void checkInertia(const Eigen::Matrix3d& tensor) {
 }
 
 PrincipalAxes principalAxes(const Eigen::Matrix3d& tensor) {
-  if (isDiagonal(tensor)) return {tensor.diagonal(), Eigen::Matrix3d::Identity()};
+  if (tensor.isDiagonal(0)) return {tensor.diagonal(), Eigen::Matrix3d::Identity()};
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver((tensor + tensor.transpose()) / 2);
   PrincipalAxes axes{solver.eigenvalues(), solver.eigenvectors()};
   if (axes.bodyFromPrincipal.determinant() < 0) {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "physics/exact_simulator.h"
+#include "physics/exact_rotation.h"
 #include "physics/inertia.h"
 #include "physics/motion_settings.h"
 #include "physics/simulator.h"

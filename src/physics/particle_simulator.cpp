@@ -82,9 +82,18 @@ ParticleSimulator::Step ParticleSimulator::stepOf(Integrator integrator) {
       return &ParticleSimulator::stepVerlet;
     case Integrator::Rk4:
       return &ParticleSimulator::stepRk4;
-    default:
-      return &ParticleSimulator::stepEuler;
+    case Integrator::Euler:
+    case Integrator::LieEuler:
+    case Integrator::Cf4:
+    case Integrator::Splitting:
+    case Integrator::Suzuki4:
+    case Integrator::Midpoint:
+    case Integrator::Dmv2:
+    case Integrator::Dmv4:
+    case Integrator::Dmv6:
+      break;  // All but the first are refused before.
   }
+  return &ParticleSimulator::stepEuler;
 }
 
 void ParticleSimulator::advance(double h, int steps) {

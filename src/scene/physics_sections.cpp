@@ -21,6 +21,8 @@ constexpr NumberRange kSizes{"three lengths from 1e-6 to 1e6 m", 1e-6, 1e6};
 constexpr NumberRange kMass{"a mass from 1e-9 to 1e9 kg", 1e-9, 1e9};
 constexpr NumberRange kMoments{"three moments of inertia up to 1e21 kg m^2", -1e21, 1e21};
 constexpr NumberRange kRow{"rows of three numbers up to 1e21 kg m^2", -1e21, 1e21};
+// Their squares and inverses are numbers, too.
+constexpr NumberRange kStepTimes{"a time from 1e-100 to 1e100 s", 1e-100, 1e100};
 constexpr NumberRange kNumber{"a number", Limits::lowest(), Limits::max()};
 constexpr NumberRange kNotNegative{"zero or a positive number", 0, Limits::max()};
 
@@ -117,7 +119,7 @@ void readSimulation(const ValueReader& section, physics::SimulationSettings& set
       {"stiffness",
        [&](const ValueReader& value) { settings.stiffness = value.number(kPositive); }},
       {"time_per_frame",
-       [&](const ValueReader& value) { settings.timePerFrame = value.number(kPositive); }},
+       [&](const ValueReader& value) { settings.timePerFrame = value.number(kStepTimes); }},
       {"substeps",
        [&](const ValueReader& value) { settings.substeps = value.integer(1, kMostSubsteps); }},
   });

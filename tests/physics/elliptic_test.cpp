@@ -36,6 +36,21 @@ constexpr JacobiCase kJacobiCases[] = {
     {100.25, 0.3, 0.56923496242119428, 0.82217489475010214, 0.87930659629627428},
 };
 
+double completeK(double m1) {
+  return completeIntegrals(squareRoot(m1), 0.0).k.value();
+}
+
+// At any u, brought to within K of a zero of sn.
+JacobiValues jacobi(double u, double m1) {
+  if (m1 == 0) return JacobiFunctions(0).at(u);
+  const DoubleDouble k = completeIntegrals(squareRoot(m1), 0.0).k;
+  const double halves = std::nearbyint(u / (2 * k.high));
+  const double r = (DoubleDouble(u) - k * (2 * halves)).value();
+  const JacobiValues values = JacobiFunctions(std::sqrt(m1)).at(r);
+  const double sign = std::fmod(halves, 2) == 0 ? 1 : -1;
+  return {sign * values.sn, sign * values.cn, values.dn};
+}
+
 double relativeError(double value, double expected) {
   return std::fabs(value / expected - 1);
 }

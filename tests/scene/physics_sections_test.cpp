@@ -163,10 +163,12 @@ TEST(SimulationSection, RefusesNumbersOutOfRange) {
             "a.toml:2:13: simulation.stiffness must be a positive number, not 0");
   EXPECT_EQ(errorOf("[simulation]\nstiffness = nan"),
             "a.toml:2:13: simulation.stiffness must be a positive number, not nan");
-  EXPECT_EQ(errorOf("[simulation]\ntime_per_frame = 0.0"),
-            "a.toml:2:18: simulation.time_per_frame must be a time from 1e-100 to 1e100 s, not 0.0");
-  EXPECT_EQ(errorOf("[simulation]\ntime_per_frame = inf"),
-            "a.toml:2:18: simulation.time_per_frame must be a time from 1e-100 to 1e100 s, not inf");
+  EXPECT_EQ(
+      errorOf("[simulation]\ntime_per_frame = 0.0"),
+      "a.toml:2:18: simulation.time_per_frame must be a time from 1e-100 to 1e100 s, not 0.0");
+  EXPECT_EQ(
+      errorOf("[simulation]\ntime_per_frame = inf"),
+      "a.toml:2:18: simulation.time_per_frame must be a time from 1e-100 to 1e100 s, not inf");
   EXPECT_EQ(errorOf("[simulation]\nnormalize = 1"),
             "a.toml:2:13: simulation.normalize must be true or false, not 1");
 }

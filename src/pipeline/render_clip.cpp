@@ -10,7 +10,6 @@
 #include "pipeline/frame_folder.h"
 #include "pipeline/frame_workers.h"
 #include "pipeline/picture_pool.h"
-#include "pipeline/textures.h"
 #include "pipeline/trajectory_csv.h"
 
 namespace rotatebook::pipeline {
@@ -46,12 +45,11 @@ FrameRange framesToRender(const physics::Trajectory& trajectory, std::optional<F
                    (trajectory.divergedAt ? ", up to where its motion diverges" : ""));
 }
 
-std::int64_t drawFrames(render::Renderer& renderer, const physics::Trajectory& trajectory,
-                        FrameRange range, const std::vector<SinkThreads>& sinks,
-                        const std::atomic<bool>* stop,
+std::int64_t drawFrames(FrameDrawer& drawer, FrameRange range,
+                        const std::vector<SinkThreads>& sinks, const std::atomic<bool>* stop,
                         const std::function<void(RenderProgress)>& progress) {
   FirstError error;
-  PicturePool pool(renderer.makePicture(), kPicturesInFlight);
+  PicturePool pool(drawer.makePicture(), kPicturesInFlight);
   std::vector<std::unique_ptr<FrameWorkers>> workers;
   for (const SinkThreads& entry : sinks) {
     workers.push_back(std::make_unique<FrameWorkers>(entry.sink, entry.threads, error));
@@ -61,7 +59,7 @@ std::int64_t drawFrames(render::Renderer& renderer, const physics::Trajectory& t
   while (done < range.count() && !(stop != nullptr && *stop)) {
     const std::int64_t index = range.first + done;
     const std::shared_ptr<image::Image> picture = pool.take();
-    renderer.draw(trajectory.samples[static_cast<std::size_t>(index)].corners, *picture);
+    drawer.draw(index, *picture);
     for (const auto& sink : workers) sink->submit({index, picture});
     error.rethrow();
     ++done;
@@ -75,8 +73,8 @@ std::int64_t drawFrames(render::Renderer& renderer, const physics::Trajectory& t
 RenderResult renderClip(const scene::Scene& scene, const physics::Trajectory& trajectory,
                         const RenderOptions& options, const RenderListener& listener) {
   const FrameRange range = framesToRender(trajectory, options.frames);
-  render::Renderer renderer = makeRenderer(scene);
-  const std::string record = sceneRecord(scene, renderer.description());
+  FrameDrawer drawer(scene, trajectory);
+  const std::string record = sceneRecord(scene, drawer.description());
 
   RenderResult result;
   result.files = options.frames ? clipFiles(options.folder, scene.name, range)
@@ -93,9 +91,8 @@ RenderResult renderClip(const scene::Scene& scene, const physics::Trajectory& tr
   std::vector<SinkThreads> sinks;
   if (options.png) sinks.push_back({png, pngThreads()});
   if (mp4) sinks.push_back({*mp4, 1});
-  if (listener.started) listener.started(renderer.description(), mp4 ? mp4->encoderName() : "");
-  result.framesWritten =
-      drawFrames(renderer, trajectory, range, sinks, options.stop, listener.progress);
+  if (listener.started) listener.started(drawer.description(), mp4 ? mp4->encoderName() : "");
+  result.framesWritten = drawFrames(drawer, range, sinks, options.stop, listener.progress);
   result.interrupted = result.framesWritten < range.count();
   if (result.interrupted) {
     // A clip of no frames isn't worth a file.

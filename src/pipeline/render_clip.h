@@ -10,8 +10,8 @@
 
 #include "physics/trajectory.h"
 #include "pipeline/clip_files.h"
+#include "pipeline/frame_drawer.h"
 #include "pipeline/frame_sink.h"
-#include "render/renderer.h"
 #include "scene/scene.h"
 
 namespace rotatebook::pipeline {
@@ -60,16 +60,15 @@ FrameRange framesToRender(const physics::Trajectory& trajectory, std::optional<F
 RenderResult renderClip(const scene::Scene& scene, const physics::Trajectory& trajectory,
                         const RenderOptions& options, const RenderListener& listener);
 
-/// Draws frames of `trajectory` into each of `sinks` on threads of their own; returns how many were
+/// Draws the frames of `range` into each of `sinks` on threads of their own; returns how many were
 /// drawn before `stop`. Sinks are not finished. Throws the first error that drawing or any sink ran
 /// into.
 struct SinkThreads {
   FrameSink& sink;
   int threads = 1;
 };
-std::int64_t drawFrames(render::Renderer& renderer, const physics::Trajectory& trajectory,
-                        FrameRange range, const std::vector<SinkThreads>& sinks,
-                        const std::atomic<bool>* stop,
+std::int64_t drawFrames(FrameDrawer& drawer, FrameRange range,
+                        const std::vector<SinkThreads>& sinks, const std::atomic<bool>* stop,
                         const std::function<void(RenderProgress)>& progress);
 
 }  // namespace rotatebook::pipeline

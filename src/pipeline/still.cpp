@@ -4,9 +4,10 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "image/png_file.h"
 #include "physics/trajectory.h"
+#include "pipeline/frame_drawer.h"
 #include "pipeline/simulate_scene.h"
-#include "pipeline/textures.h"
 
 namespace rotatebook::pipeline {
 namespace {
@@ -29,9 +30,9 @@ std::int64_t renderStill(const scene::Scene& scene, double time,
     throw InputError("there is no picture at " + shortestText(time) +
                      " s: the motion diverged at " + shortestText(*trajectory.divergedAt) + " s");
   }
-  render::Renderer renderer = makeRenderer(scene);
-  image::Image picture = renderer.makePicture();
-  renderer.draw(trajectory.samples.back().corners, picture);
+  FrameDrawer drawer(scene, trajectory);
+  image::Image picture = drawer.makePicture();
+  drawer.draw(frame, picture);
   image::writePng(path, picture.view());
   return frame;
 }

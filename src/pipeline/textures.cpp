@@ -6,7 +6,7 @@ namespace rotatebook::pipeline {
 namespace {
 
 image::Image load(const scene::Scene& scene, const std::string& file, image::Image (*builtin)()) {
-  if (file == scene::kBuiltinTexture) return builtin();
+  if (file == scene::kBuiltin) return builtin();
   return image::readPng(scene.folder / file);
 }
 
@@ -18,11 +18,12 @@ render::BookTextures loadTextures(const scene::Scene& scene) {
           load(scene, scene.book.back, render::builtinBack)};
 }
 
-render::Renderer makeRenderer(const scene::Scene& scene) {
+render::Renderer makeRenderer(const scene::Scene& scene, int bottomRows) {
   const render::BookTextures textures = loadTextures(scene);
   render::RenderSettings settings;
   settings.width = scene.clip.width;
   settings.height = scene.clip.height;
+  settings.bottomRows = bottomRows;
   settings.camera = {scene.camera.position, scene.camera.target, scene.camera.up,
                      scene.camera.fieldOfViewDeg};
   return {settings, textures};

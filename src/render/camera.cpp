@@ -21,6 +21,14 @@ Eigen::Matrix4d clipFromView(const Camera& camera, double aspect, double near, d
   return matrix;
 }
 
+/// From the whole picture to the upper share of it.
+Eigen::Matrix4d upperShare(double share) {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  matrix(1, 1) = share;
+  matrix(1, 3) = share - 1;
+  return matrix;
+}
+
 /// The pixels from `low` to `high` (in -1 to 1) of `size`, as first and one past the last.
 std::pair<int, int> pixelSpan(double low, double high, int size) {
   const auto toPixel = [size](double clip) {
@@ -53,15 +61,17 @@ Eigen::Matrix4d viewFromWorld(const Camera& camera) {
   return matrix;
 }
 
-Projection project(const Camera& camera, const physics::Corners& points, int width, int height) {
+Projection project(const Camera& camera, const physics::Corners& points, const Screen& screen) {
   const Eigen::Matrix4d view = viewFromWorld(camera);
   const Eigen::Matrix<double, 4, 8> viewPoints = view * points.colwise().homogeneous();
   const double near = kNearPlane * (camera.position - camera.target).norm();
   const double far = std::max(2 * near, 1.01 * -viewPoints.row(2).minCoeff());
-  const double aspect = static_cast<double>(width) / height;
-  const Eigen::Matrix4d clipFromWorld = clipFromView(camera, aspect, near, far) * view;
+  const double share = 1 - static_cast<double>(screen.bottomRows) / screen.height;
+  const double aspect = screen.width / (share * screen.height);
+  const Eigen::Matrix4d clipFromWorld =
+      upperShare(share) * clipFromView(camera, aspect, near, far) * view;
   const Eigen::Matrix<double, 4, 8> clip = clipFromWorld * points.colwise().homogeneous();
-  return {clipFromWorld, boundsOf(clip, near, width, height)};
+  return {clipFromWorld, boundsOf(clip, near, screen.width, screen.height)};
 }
 
 }  // namespace rotatebook::render

@@ -39,7 +39,14 @@ struct Projection {
 /// Camera coordinates: x right, y up, z toward the viewer.
 Eigen::Matrix4d viewFromWorld(const Camera& camera);
 
-/// Projects `points` (world) into a picture of `width` x `height` pixels.
-Projection project(const Camera& camera, const physics::Corners& points, int width, int height);
+/// A picture, and how much of it the camera has.
+struct Screen {
+  int width = 0;       ///< > 0 [pixels]
+  int height = 0;      ///< > 0 [pixels]
+  int bottomRows = 0;  ///< The camera's picture ends above them; 0 to below `height`. [pixels]
+};
+
+/// Projects `points` (world) onto `screen`.
+Projection project(const Camera& camera, const physics::Corners& points, const Screen& screen);
 
 }  // namespace rotatebook::render

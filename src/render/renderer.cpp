@@ -209,7 +209,8 @@ image::Image Renderer::makePicture() const {
 
 void Renderer::draw(const physics::Corners& corners, image::Image& picture) {
   const RenderSettings& settings = parts_->settings;
-  const Projection projection = project(settings.camera, corners, settings.width, settings.height);
+  const Projection projection =
+      project(settings.camera, corners, {settings.width, settings.height, settings.bottomRows});
   picture = parts_->background;
   const PixelRect& area = projection.bounds;
   if (area.width > 0 && area.height > 0) {

@@ -15,6 +15,9 @@ struct RenderSettings {
   int width = 1280;  ///< > 0 [pixels]
   int height = 720;  ///< > 0 [pixels]
   int samples = 4;   ///< Of each pixel's colour, for smooth edges.
+  /// What the camera sees is shown above so many rows, which are left to others. 0 to below
+  /// `height`. [pixels]
+  int bottomRows = 0;
   Camera camera;
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "physics/motion_settings.h"
+#include "scene/scene.h"
 
 namespace rotatebook::scene {
 
@@ -46,6 +47,11 @@ inline constexpr std::array<Named<physics::InitialSpin::Kind>, 2> kSpinKinds{{
 }};
 
 inline constexpr std::array<Named<int>, 3> kAxes{{{"x", 0}, {"y", 1}, {"z", 2}}};
+
+inline constexpr std::array<Named<Overlay>, 2> kOverlays{{
+    {"caption", Overlay::Caption},
+    {"clock", Overlay::Clock},
+}};
 
 /// x264's presets, fastest first.
 inline constexpr std::array<std::string_view, 10> kPresets{

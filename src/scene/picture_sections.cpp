@@ -1,4 +1,5 @@
 // [clip], [video], [camera] and [book]: how the motion is shown.
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
@@ -6,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include <Eigen/Geometry>
 
@@ -79,6 +81,20 @@ std::string textureFrom(const ValueReader& value) {
   return texture;
 }
 
+std::vector<Overlay> overlaysFrom(const ValueReader& value) {
+  const auto* array = std::get_if<TomlNode::Array>(&value.node().value);
+  if (array == nullptr) value.mismatch("a list of overlays, such as [\"caption\", \"clock\"]");
+  std::vector<Overlay> overlays;
+  for (const ValueReader& element : value.elements(array->size(), "a list of overlays")) {
+    const auto overlay = element.oneOf(kOverlays);
+    if (std::ranges::count(overlays, overlay) > 0) {
+      element.fail(element.name() + " has " + element.text() + " twice");
+    }
+    overlays.push_back(overlay);
+  }
+  return overlays;
+}
+
 }  // namespace
 
 void readClip(const ValueReader& section, ClipSettings& clip) {
@@ -123,6 +139,13 @@ void readBook(const ValueReader& section, BookSettings& book) {
       {"front", [&](const ValueReader& value) { book.front = textureFrom(value); }},
       {"spine", [&](const ValueReader& value) { book.spine = textureFrom(value); }},
       {"back", [&](const ValueReader& value) { book.back = textureFrom(value); }},
+  });
+}
+
+void readOverlay(const ValueReader& section, OverlaySettings& overlay) {
+  section.readTable({
+      {"show", [&](const ValueReader& value) { overlay.show = overlaysFrom(value); }},
+      {"font", [&](const ValueReader& value) { overlay.font = value.text(); }},
   });
 }
 

@@ -42,15 +42,27 @@ struct CameraSettings {
   double fieldOfViewDeg = 30;  ///< Vertical, 1 to 170. [degrees]
 };
 
-/// [book]: picture files, relative to the scene's folder, or kBuiltinTexture.
+/// [book]: picture files, relative to the scene's folder, or kBuiltin.
 struct BookSettings {
   std::string front = "builtin";
   std::string spine = "builtin";
   std::string back = "builtin";
 };
 
-/// The texture that ships with the program.
-inline constexpr const char* kBuiltinTexture = "builtin";
+/// What can be written over the pictures.
+enum class Overlay {
+  Caption,  ///< Title, caption, and how the motion was simulated; at the bottom.
+  Clock,    ///< Simulated time; at the top left.
+};
+
+/// [overlay]: what is written over the pictures.
+struct OverlaySettings {
+  std::vector<Overlay> show;     ///< Each at most once.
+  std::string font = "builtin";  ///< An installed family, or kBuiltin.
+};
+
+/// The texture or font that ships with the program.
+inline constexpr const char* kBuiltin = "builtin";
 
 /// A scene with every default made explicit.
 struct Scene {
@@ -67,6 +79,7 @@ struct Scene {
   EncodingSettings video;
   CameraSettings camera;
   BookSettings book;
+  OverlaySettings overlay;
   std::vector<physics::Expectation> expectations;
   std::optional<StudySettings> study;
 

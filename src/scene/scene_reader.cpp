@@ -22,6 +22,7 @@ void readSections(const ValueReader& file, Scene& scene) {
       {"video", [&](const ValueReader& value) { readVideo(value, scene.video); }},
       {"camera", [&](const ValueReader& value) { readCamera(value, scene.camera); }},
       {"book", [&](const ValueReader& value) { readBook(value, scene.book); }},
+      {"overlay", [&](const ValueReader& value) { readOverlay(value, scene.overlay); }},
       {"expect", [&](const ValueReader& value) { readExpectations(value, scene.expectations); }},
       {"study", [](const ValueReader&) {}},  // Depends on all others; read when they are.
   });

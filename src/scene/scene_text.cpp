@@ -126,6 +126,14 @@ std::string bookText(const BookSettings& book) {
          line("spine", tomlString(book.spine)) + line("back", tomlString(book.back));
 }
 
+std::string overlayText(const OverlaySettings& overlay) {
+  std::vector<std::string> names;
+  for (const Overlay one : overlay.show) names.push_back(word(kOverlays, one));
+  return "\n[overlay]\n" +
+         line("show", "[" + joined(names) + "]", "of " + quotedList(namesOf(kOverlays), "and")) +
+         line("font", tomlString(overlay.font), "\"builtin\" or an installed family");
+}
+
 std::string boundsText(const Expectation& expectation) {
   std::vector<std::string> parts;
   const auto add = [&parts](const std::string& key, std::optional<double> value) {
@@ -167,8 +175,8 @@ std::string sceneText(const Scene& scene) {
   return line("title", tomlString(scene.title)) + line("caption", tomlString(scene.caption)) +
          bodyText(scene.body, scene.inertia) + simulationText(scene.simulation) +
          initialText(scene.initial) + clipText(scene.clip) + videoText(scene.video) +
-         cameraText(scene.camera) + bookText(scene.book) + expectationsText(scene.expectations) +
-         (scene.study ? studyText(*scene.study) : "");
+         cameraText(scene.camera) + bookText(scene.book) + overlayText(scene.overlay) +
+         expectationsText(scene.expectations) + (scene.study ? studyText(*scene.study) : "");
 }
 
 }  // namespace rotatebook::scene

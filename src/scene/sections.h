@@ -28,6 +28,7 @@ void readVideo(const ValueReader& section, EncodingSettings& video);
 /// Leaves the default of position, which depends on [body] and [clip], to the caller.
 void readCamera(const ValueReader& section, CameraSettings& camera);
 void readBook(const ValueReader& section, BookSettings& book);
+void readOverlay(const ValueReader& section, OverlaySettings& overlay);
 
 /// Refuses an integrator that the model doesn't have; `section` is [simulation].
 void checkIntegrator(const ValueReader& section, const physics::SimulationSettings& settings);

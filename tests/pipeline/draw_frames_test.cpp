@@ -26,7 +26,7 @@ class DrawFrames : public ::testing::Test {
  protected:
   std::int64_t draw(FrameRange range, const std::vector<SinkThreads>& sinks,
                     const std::function<void(RenderProgress)>& progress = {}) {
-    return drawFrames(renderer_, trajectory_, range, sinks, &stop_, progress);
+    return drawFrames(drawer_, range, sinks, &stop_, progress);
   }
 
   std::string failureOf(const std::vector<SinkThreads>& sinks) {
@@ -38,7 +38,7 @@ class DrawFrames : public ::testing::Test {
  private:
   scene::Scene scene_ = testing::smallScene();
   physics::Trajectory trajectory_ = physics::simulate(scene_.motion(), kMany);
-  render::Renderer renderer_ = makeRenderer(scene_);
+  FrameDrawer drawer_{scene_, trajectory_};
 };
 
 TEST_F(DrawFrames, GivesEachSinkAllFramesInOrder) {

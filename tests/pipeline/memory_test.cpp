@@ -63,10 +63,10 @@ TEST(Memory, OfAssemblingDoesNotGrowWithTheClip) {
 
 TEST(Memory, HoldsAsManyPicturesForALongClip) {
   const physics::Trajectory trajectory = testing::motionOf(clipOf(10 * kSome));
-  render::Renderer renderer = makeRenderer(testing::smallScene());
+  FrameDrawer drawer(testing::smallScene(), trajectory);
   for (const std::int64_t count : {kSome, 10 * kSome}) {
     testing::FakeSink sink;
-    drawFrames(renderer, trajectory, {0, count}, {{sink, 1}}, nullptr, {});
+    drawFrames(drawer, {0, count}, {{sink, 1}}, nullptr, {});
     EXPECT_EQ(sink.written(), count);
     EXPECT_LE(sink.pictures().size(), 8U);
   }

@@ -57,7 +57,7 @@ TEST(Bounds, LeaveARimThatTheBookDoesNotTouch) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const image::Image picture = drawn(renderer, all[i]);
     const auto camera = settingsOf(kWidth, kHeight).camera;
-    const PixelRect within = core(project(camera, all[i], kWidth, kHeight).bounds);
+    const PixelRect within = core(project(camera, all[i], {kWidth, kHeight}).bounds);
     int touched = 0;
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
@@ -74,7 +74,7 @@ TEST(Bounds, AreTight) {
   Renderer renderer(settingsOf(kWidth, kHeight), builtinTextures());
   const image::Image background = emptyPicture(renderer);
   const image::Image picture = drawn(renderer, book());
-  const auto bounds = project(settingsOf(kWidth, kHeight).camera, book(), kWidth, kHeight).bounds;
+  const auto bounds = project(settingsOf(kWidth, kHeight).camera, book(), {kWidth, kHeight}).bounds;
   constexpr int kSlack = 4;  // Of the margin and rounding. measured 3
   int left = kWidth, right = 0, top = kHeight, bottom = 0;
   for (int y = 0; y < kHeight; ++y) {

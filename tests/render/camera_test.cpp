@@ -33,12 +33,12 @@ void expectNear(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 }
 
 TEST(Camera, PutsItsTargetInTheMiddle) {
-  const Projection projection = project(plainCamera(), book(), 200, 100);
+  const Projection projection = project(plainCamera(), book(), {200, 100});
   expectNear(pixelOf(projection, {0, 0, 0}, 200, 100), {100, 50});
 }
 
 TEST(Camera, HasXToTheRightAndYUpward) {
-  const Projection projection = project(plainCamera(), book(), 200, 100);
+  const Projection projection = project(plainCamera(), book(), {200, 100});
   // 50 pixels for 2 m, in both directions.
   expectNear(pixelOf(projection, {1, 0, 0}, 200, 100), {125, 50});
   expectNear(pixelOf(projection, {0, 1, 0}, 200, 100), {100, 25});
@@ -46,14 +46,14 @@ TEST(Camera, HasXToTheRightAndYUpward) {
 }
 
 TEST(Camera, ShowsWhatIsNearerLarger) {
-  const Projection projection = project(plainCamera(), book(), 200, 100);
+  const Projection projection = project(plainCamera(), book(), {200, 100});
   expectNear(pixelOf(projection, {0.5, 0.5, 1}, 200, 100), {125, 25});
 }
 
 TEST(Camera, ShowsTheFieldOfViewFromTopToBottom) {
   Camera camera = plainCamera();
   camera.fieldOfViewDeg = 30;
-  const Projection projection = project(camera, book(), 160, 90);
+  const Projection projection = project(camera, book(), {160, 90});
   const double halfHeight = 2 * 0.26794919243112270;  // tan(15 degrees)
   expectNear(pixelOf(projection, {0, halfHeight, 0}, 160, 90), {80, 0});
   expectNear(pixelOf(projection, {halfHeight, -halfHeight, 0}, 160, 90), {125, 90});
@@ -62,7 +62,7 @@ TEST(Camera, ShowsTheFieldOfViewFromTopToBottom) {
 TEST(Camera, LooksFromItsPositionToItsTarget) {
   // From +x with z up: y is to the right, z upward.
   const Camera camera{.position = {3, 1, 1}, .target = {1, 1, 1}, .up = kZ, .fieldOfViewDeg = 90};
-  const Projection projection = project(camera, book(), 100, 100);
+  const Projection projection = project(camera, book(), {100, 100});
   expectNear(pixelOf(projection, {1, 1, 1}, 100, 100), {50, 50});
   expectNear(pixelOf(projection, {1, 2, 1}, 100, 100), {75, 50});
   expectNear(pixelOf(projection, {1, 1, 2}, 100, 100), {50, 25});
@@ -77,7 +77,7 @@ TEST(Camera, TakesAnUpThatIsNotSquareToTheView) {
 }
 
 TEST(Camera, OrdersDepthFromNearToFar) {
-  const Projection projection = project(plainCamera(), book(), 200, 100);
+  const Projection projection = project(plainCamera(), book(), {200, 100});
   const auto depth = [&](double z) {
     const Eigen::Vector4d clip = projection.clipFromWorld * Eigen::Vector4d(0, 0, z, 1);
     return clip.z() / clip.w();
@@ -92,12 +92,12 @@ TEST(CameraBounds, HoldTheHullWithAMargin) {
   physics::Corners cube = physics::Cuboid{.size = {2, 1, 1}}.corners();
   cube.row(2).array() -= 0.5;  // The near side at z = 0.
   const PixelRect expected{75 - 2, 50 - 13 - 2, 50 + 4, 26 + 4};
-  EXPECT_EQ(project(plainCamera(), cube, 200, 100).bounds, expected);
+  EXPECT_EQ(project(plainCamera(), cube, {200, 100}).bounds, expected);
 }
 
 TEST(CameraBounds, StayInThePicture) {
   const physics::Corners corners = physics::Cuboid{.size = {20, 1, 1}}.corners();
-  const PixelRect bounds = project(plainCamera(), corners, 200, 100).bounds;
+  const PixelRect bounds = project(plainCamera(), corners, {200, 100}).bounds;
   EXPECT_EQ(bounds.x, 0);
   EXPECT_EQ(bounds.width, 200);
   EXPECT_LT(bounds.height, 100);
@@ -108,7 +108,7 @@ TEST(CameraBounds, AreTheWholePictureForAPointNotBeforeTheCamera) {
   for (const double z : {2.0, 2.5, 100.0}) {
     physics::Corners corners = book();
     corners.col(3) = Eigen::Vector3d(0.1, 0.1, z);
-    EXPECT_EQ(project(plainCamera(), corners, 200, 100).bounds, whole) << "at z = " << z;
+    EXPECT_EQ(project(plainCamera(), corners, {200, 100}).bounds, whole) << "at z = " << z;
   }
 }
 
@@ -117,9 +117,21 @@ TEST(CameraBounds, AreEmptyBesideThePicture) {
        {Eigen::Vector3d(9, 0, 0), Eigen::Vector3d(-9, 0, 0), Eigen::Vector3d(0, 9, 0),
         Eigen::Vector3d(0, -9, 0), Eigen::Vector3d(1e30, 0, 0)}) {
     const physics::Corners beside = book().colwise() + place;
-    const PixelRect bounds = project(plainCamera(), beside, 200, 100).bounds;
+    const PixelRect bounds = project(plainCamera(), beside, {200, 100}).bounds;
     EXPECT_EQ(bounds.width * bounds.height, 0) << place.transpose();
   }
+}
+
+// With half of the rows left to others the picture is that of a screen half as high.
+TEST(Project, LeavesTheBottomRowsToOthers) {
+  const Projection half = project(plainCamera(), book(), {200, 100, 50});
+  const Projection low = project(plainCamera(), book(), {200, 50});
+  EXPECT_EQ(half.bounds, low.bounds);
+  const Eigen::Vector4d corner(0.05, -0.1, 0.02, 1);
+  const Eigen::Vector4d here = half.clipFromWorld * corner;
+  const Eigen::Vector4d there = low.clipFromWorld * corner;
+  EXPECT_NEAR(here.x() / here.w(), there.x() / there.w(), 1e-12);  // measured 0
+  EXPECT_NEAR((here.y() / here.w() + 1) * 100, (there.y() / there.w() + 1) * 50, 1e-10);  // 0
 }
 
 }  // namespace

@@ -148,7 +148,8 @@ Eigen::Vector2d placeOf(const RenderSettings& settings, const physics::Corners& 
     }
     world += weight * corners.col(i);
   }
-  const Projection projection = project(settings.camera, corners, settings.width, settings.height);
+  const Projection projection =
+      project(settings.camera, corners, {settings.width, settings.height});
   const Eigen::Vector4d clip = projection.clipFromWorld * world.homogeneous();
   return {(clip.x() / clip.w() + 1) / 2 * settings.width,
           (clip.y() / clip.w() + 1) / 2 * settings.height};

@@ -158,7 +158,7 @@ TEST(BookSection, ReadsEveryTexture) {
   const Scene scene = sceneFrom("[book]\nfront = 'f.png'\nspine = '../s.png'\nback = 'builtin'");
   EXPECT_EQ(scene.book.front, "f.png");
   EXPECT_EQ(scene.book.spine, "../s.png");
-  EXPECT_EQ(scene.book.back, kBuiltinTexture);
+  EXPECT_EQ(scene.book.back, kBuiltin);
 }
 
 TEST(BookSection, RefusesPathsThatOnlyOneMachineHas) {
@@ -167,6 +167,28 @@ TEST(BookSection, RefusesPathsThatOnlyOneMachineHas) {
             "a.toml:2:9: book.front" + must + "\"/tmp/a.png\"");
   EXPECT_EQ(errorOf("[book]\nspine = ''"), "a.toml:2:9: book.spine" + must + "\"\"");
   EXPECT_EQ(errorOf("[book]\nback = 3"), "a.toml:2:8: book.back must be a text in quotes, not 3");
+}
+
+TEST(OverlaySection, ReadsWhatIsShown) {
+  EXPECT_TRUE(sceneFrom("").overlay.show.empty());
+  EXPECT_EQ(sceneFrom("").overlay.font, "builtin");
+  const Scene scene = sceneFrom("[overlay]\nshow = ['clock', 'caption']\nfont = 'Lato'");
+  EXPECT_EQ(scene.overlay.show, (std::vector{Overlay::Clock, Overlay::Caption}));
+  EXPECT_EQ(scene.overlay.font, "Lato");
+  EXPECT_TRUE(sceneFrom("overlay.show = []").overlay.show.empty());
+}
+
+TEST(OverlaySection, RefusesUnknownAndRepeatedOnes) {
+  EXPECT_EQ(
+      errorOf("[overlay]\nshow = ['caption', 'clok']"),
+      "a.toml:2:20: overlay.show must be \"caption\" or \"clock\", not \"clok\"; did you mean "
+      "\"clock\"?");
+  EXPECT_EQ(errorOf("[overlay]\nshow = ['clock', 'clock']"),
+            "a.toml:2:18: overlay.show has clock twice");
+  EXPECT_EQ(
+      errorOf("[overlay]\nshow = 'clock'"),
+      "a.toml:2:8: overlay.show must be a list of overlays, such as [\"caption\", \"clock\"], "
+      "not \"clock\"");
 }
 
 }  // namespace

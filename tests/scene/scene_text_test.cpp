@@ -31,6 +31,7 @@ Scene unusualScene() {
   scene.video = {7, "slow", 3};
   scene.camera = {{1.0 / 7, -2, 3}, {0.25, 0, 0}, {0, 0, 1}, 44.4};
   scene.book = {"f \"1\".png", "s.png", "../b.png"};
+  scene.overlay = {{Overlay::Clock, Overlay::Caption}, "Some \"font\""};
   scene.expectations = {
       {Quantity::Stretch, 0.5, 1.0 / 3 + 1, 1.1, 0.9, 0.1, 2},
       {Quantity::DivergesAt, {}, {}, {}, 12, 0, std::numeric_limits<double>::infinity()},
@@ -66,6 +67,8 @@ void expectSamePicture(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.camera.target, b.camera.target);
   EXPECT_EQ(a.camera.up, b.camera.up);
   EXPECT_EQ(a.camera.fieldOfViewDeg, b.camera.fieldOfViewDeg);
+  EXPECT_EQ(a.overlay.show, b.overlay.show);
+  EXPECT_EQ(a.overlay.font, b.overlay.font);
   EXPECT_EQ(a.book.front, b.book.front);
   EXPECT_EQ(a.book.spine, b.book.spine);
   EXPECT_EQ(a.book.back, b.book.back);
@@ -154,6 +157,10 @@ field_of_view_deg = 30.0  # degrees, from bottom to top
 front = "builtin"  # "builtin" or a picture's path from the scene's folder
 spine = "builtin"
 back = "builtin"
+
+[overlay]
+show = []  # of "caption" and "clock"
+font = "builtin"  # "builtin" or an installed family
 
 [expect]
 half_turns = { min = 3.0, from = 0.0 }

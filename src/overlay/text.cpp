@@ -1,0 +1,190 @@
+#include "overlay/text.h"
+
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fontconfig/fontconfig.h>
+#include <pango/pangocairo.h>
+#include <pango/pangofc-fontmap.h>
+#include <span>
+#include <string>
+#include <sys/mman.h>
+#include <unistd.h>
+#include <utility>
+
+#include "base/error.h"
+
+extern "C" {
+extern const std::uint8_t embedded_inter_regular_begin[], embedded_inter_regular_end[];
+extern const std::uint8_t embedded_inter_semibold_begin[], embedded_inter_semibold_end[];
+}
+
+namespace rotatebook::overlay {
+namespace {
+
+constexpr const char* kShippedFamily = "Inter";
+
+template <auto kFunction>
+struct Deleter {
+  template <typename T>
+  void operator()(T* pointer) const {
+    kFunction(pointer);
+  }
+};
+
+using FontConfig = std::unique_ptr<FcConfig, Deleter<&FcConfigDestroy>>;
+using FontMap = std::unique_ptr<PangoFontMap, Deleter<&g_object_unref>>;
+using Context = std::unique_ptr<PangoContext, Deleter<&g_object_unref>>;
+using LayoutPointer = std::unique_ptr<PangoLayout, Deleter<&g_object_unref>>;
+using Surface = std::unique_ptr<cairo_surface_t, Deleter<&cairo_surface_destroy>>;
+using Cairo = std::unique_ptr<cairo_t, Deleter<&cairo_destroy>>;
+using FontOptions = std::unique_ptr<cairo_font_options_t, Deleter<&cairo_font_options_destroy>>;
+using Description = std::unique_ptr<PangoFontDescription, Deleter<&pango_font_description_free>>;
+
+/// A font file in memory, with a path for those who only take paths.
+class FontFile {
+ public:
+  FontFile(const std::uint8_t* begin, const std::uint8_t* end)
+      : descriptor_(memfd_create("font", MFD_CLOEXEC)) {
+    const auto size = static_cast<std::size_t>(end - begin);
+    if (descriptor_ < 0 || write(descriptor_, begin, size) != static_cast<ssize_t>(size)) {
+      throw MachineError(std::string("can't hold the font in memory: ") + std::strerror(errno));
+    }
+  }
+  FontFile(const FontFile&) = delete;
+  FontFile& operator=(const FontFile&) = delete;
+  ~FontFile() { close(descriptor_); }
+
+  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+ private:
+  int descriptor_;
+};
+
+}  // namespace
+
+struct Typesetter::Parts {
+  FontFile regular{embedded_inter_regular_begin, embedded_inter_regular_end};
+  FontFile semibold{embedded_inter_semibold_begin, embedded_inter_semibold_end};
+  FontConfig config;
+  FontMap map;
+  Context context;
+  std::string family;
+};
+
+namespace {
+
+/// A configuration that knows the fonts that ship and no other: an installed one of the same name
+/// may be of another version.
+FontConfig shippedFonts(const FontFile& regular, const FontFile& semibold) {
+  FontConfig config(FcConfigCreate());
+  for (const FontFile* file : {&regular, &semibold}) {
+    const std::string path = file->path();
+    const auto* name = reinterpret_cast<const FcChar8*>(path.c_str());
+    if (!FcConfigAppFontAddFile(config.get(), name)) {
+      throw MachineError("fontconfig can't read the font that ships with the program");
+    }
+  }
+  return config;
+}
+
+Context contextOf(PangoFontMap* map) {
+  Context context(pango_font_map_create_context(map));
+  const FontOptions options(cairo_font_options_create());
+  cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+  cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
+  pango_cairo_context_set_font_options(context.get(), options.get());
+  pango_cairo_context_set_resolution(context.get(), 72);
+  pango_context_set_round_glyph_positions(context.get(), FALSE);
+  return context;
+}
+
+bool has(PangoFontMap* map, const std::string& family) {
+  PangoFontFamily** families = nullptr;
+  int count = 0;
+  pango_font_map_list_families(map, &families, &count);
+  bool found = false;
+  for (int i = 0; i < count; ++i) {
+    found =
+        found || g_ascii_strcasecmp(pango_font_family_get_name(families[i]), family.c_str()) == 0;
+  }
+  g_free(families);
+  return found;
+}
+
+Description descriptionOf(const std::string& family, const TextStyle& style) {
+  Description description(pango_font_description_new());
+  pango_font_description_set_family(description.get(), family.c_str());
+  pango_font_description_set_weight(description.get(),
+                                    style.bold ? PANGO_WEIGHT_SEMIBOLD : PANGO_WEIGHT_NORMAL);
+  pango_font_description_set_absolute_size(description.get(), style.size * PANGO_SCALE);
+  return description;
+}
+
+LayoutPointer layoutOf(PangoContext* context, const std::string& family, const std::string& text,
+                       const TextStyle& style, int width) {
+  LayoutPointer layout(pango_layout_new(context));
+  pango_layout_set_font_description(layout.get(), descriptionOf(family, style).get());
+  pango_layout_set_width(layout.get(), width * PANGO_SCALE);
+  pango_layout_set_wrap(layout.get(), PANGO_WRAP_WORD_CHAR);
+  pango_layout_set_text(layout.get(), text.data(), static_cast<int>(text.size()));
+  return layout;
+}
+
+TextSize sizeOf(PangoLayout* layout) {
+  TextSize size;
+  pango_layout_get_pixel_size(layout, &size.width, &size.height);
+  return size;
+}
+
+}  // namespace
+
+Typesetter::Typesetter() : parts_(std::make_unique<Parts>()) {
+  parts_->config = shippedFonts(parts_->regular, parts_->semibold);
+  parts_->map.reset(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT));
+  pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(parts_->map.get()), parts_->config.get());
+  parts_->context = contextOf(parts_->map.get());
+  parts_->family = kShippedFamily;
+}
+
+Typesetter::Typesetter(const std::string& family) : parts_(std::make_unique<Parts>()) {
+  parts_->map.reset(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT));
+  if (!has(parts_->map.get(), family)) {
+    throw InputError("no font family \"" + family + "\" is installed; fc-list : family lists them");
+  }
+  parts_->context = contextOf(parts_->map.get());
+  parts_->family = family;
+}
+
+Typesetter::~Typesetter() = default;
+Typesetter::Typesetter(Typesetter&&) noexcept = default;
+Typesetter& Typesetter::operator=(Typesetter&&) noexcept = default;
+
+TextSize Typesetter::measure(const std::string& text, const TextStyle& style, int width) const {
+  return sizeOf(layoutOf(parts_->context.get(), parts_->family, text, style, width).get());
+}
+
+Layer Typesetter::draw(const std::string& text, const TextStyle& style, int width) const {
+  const LayoutPointer layout = layoutOf(parts_->context.get(), parts_->family, text, style, width);
+  if (pango_layout_get_unknown_glyphs_count(layout.get()) > 0) {
+    throw InputError("the font " + parts_->family + " lacks a letter of \"" + text +
+                     "\"; choose an installed one that has it, overlay.font = \"...\"");
+  }
+  const TextSize size = sizeOf(layout.get());
+  Layer layer{0, 0, size.width, size.height, {}};
+  layer.pixels.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) *
+                      4);
+  const Surface surface(cairo_image_surface_create_for_data(
+      layer.pixels.data(), CAIRO_FORMAT_ARGB32, size.width, size.height, size.width * 4));
+  const Cairo cairo(cairo_create(surface.get()));
+  const Colour& colour = style.colour;
+  cairo_set_source_rgba(cairo.get(), colour.red, colour.green, colour.blue, style.opacity);
+  pango_cairo_show_layout(cairo.get(), layout.get());
+  cairo_surface_flush(surface.get());
+  return layer;
+}
+
+}  // namespace rotatebook::overlay

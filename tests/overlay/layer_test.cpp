@@ -1,0 +1,66 @@
+#include "overlay/layer.h"
+
+#include <array>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+namespace rotatebook::overlay {
+namespace {
+
+using Pixel = std::array<int, 4>;
+
+image::Image grey(image::PixelFormat format) {
+  image::Image picture(4, 3, format);
+  for (int y = 0; y < 3; ++y) {
+    for (int i = 0; i < 4 * bytesPerPixel(format); ++i) picture.row(y)[i] = 100;
+  }
+  return picture;
+}
+
+Pixel pixelOf(const image::Image& picture, int x, int y) {
+  const int size = bytesPerPixel(picture.format());
+  const std::uint8_t* pixel = picture.row(y) + x * size;
+  return {pixel[0], pixel[1], pixel[2], size == 4 ? pixel[3] : 255};
+}
+
+// Two pixels: opaque red, and blue that covers half.
+Layer twoPixels(int x, int y) {
+  return {x, y, 2, 1, {0, 0, 255, 255, 128, 0, 0, 128}};
+}
+
+TEST(Blend, CoversByOpacity) {
+  image::Image picture = grey(image::PixelFormat::Rgb8);
+  blend(twoPixels(1, 2), picture);
+  EXPECT_EQ(pixelOf(picture, 0, 2), (Pixel{100, 100, 100, 255}));
+  EXPECT_EQ(pixelOf(picture, 1, 2), (Pixel{255, 0, 0, 255}));
+  EXPECT_EQ(pixelOf(picture, 2, 2), (Pixel{50, 50, 178, 255}));
+  EXPECT_EQ(pixelOf(picture, 3, 2), (Pixel{100, 100, 100, 255}));
+  EXPECT_EQ(pixelOf(picture, 1, 1), (Pixel{100, 100, 100, 255}));
+}
+
+TEST(Blend, AddsToTheAlphaOfThePicture) {
+  image::Image picture = grey(image::PixelFormat::Rgba8);
+  blend(twoPixels(0, 0), picture);
+  EXPECT_EQ(pixelOf(picture, 0, 0)[3], 255);
+  EXPECT_EQ(pixelOf(picture, 1, 0)[3], 128 + 50);
+  EXPECT_EQ(pixelOf(picture, 2, 0)[3], 100);
+}
+
+TEST(Blend, LeavesOutWhatLiesOutside) {
+  for (const auto& [x, y] : {std::array{-1, 0}, {3, 2}, {-5, 1}, {4, 1}, {1, -1}, {1, 3}}) {
+    image::Image picture = grey(image::PixelFormat::Rgb8);
+    blend(twoPixels(x, y), picture);
+    const bool second = x == -1, first = x == 3;
+    EXPECT_EQ(picture == grey(image::PixelFormat::Rgb8), !(first || second)) << x << ", " << y;
+    if (second) {
+      EXPECT_EQ(pixelOf(picture, 0, 0), (Pixel{50, 50, 178, 255}));
+    }
+    if (first) {
+      EXPECT_EQ(pixelOf(picture, 3, 2), (Pixel{255, 0, 0, 255}));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::overlay

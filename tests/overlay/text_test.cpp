@@ -1,0 +1,96 @@
+#include "overlay/text.h"
+
+#include <algorithm>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+
+namespace rotatebook::overlay {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr int kWide = 10'000;
+
+std::string refusalOf(const std::string& text) {
+  try {
+    Typesetter().draw(text, {}, kWide);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+int mostOpaque(const Layer& layer) {
+  int most = 0;
+  for (std::size_t i = 3; i < layer.pixels.size(); i += 4) {
+    most = std::max<int>(most, layer.pixels[i]);
+  }
+  return most;
+}
+
+TEST(Typesetter, DrawsWordsAsLargeAsItMeasures) {
+  const Typesetter type;
+  const TextStyle style{20, false, {}, 1};
+  const TextSize size = type.measure("Classical mechanics", style, kWide);
+  const Layer layer = type.draw("Classical mechanics", style, kWide);
+  EXPECT_EQ(layer.width, size.width);
+  EXPECT_EQ(layer.height, size.height);
+  EXPECT_GT(size.width, 7 * 20);
+  EXPECT_LT(size.width, 12 * 20);
+  EXPECT_GT(mostOpaque(layer), 250);
+}
+
+TEST(Typesetter, GivesTheSamePixelsAgain) {
+  const TextStyle style{17.3, true, {1, 0.5, 0}, 0.9};
+  EXPECT_EQ(Typesetter().draw("ωt = 3.25", style, kWide).pixels,
+            Typesetter().draw("ωt = 3.25", style, kWide).pixels);
+}
+
+TEST(Typesetter, BreaksLinesAtWordsAndWithinThemIfItMust) {
+  const Typesetter type;
+  const TextStyle style{20, false, {}, 1};
+  const TextSize one = type.measure("one two three", style, kWide);
+  const TextSize three = type.measure("one two three", style, one.width / 2);
+  EXPECT_GE(three.height, 2 * one.height);
+  EXPECT_LE(three.width, one.width / 2);
+  EXPECT_LE(type.measure("Rotationsbewegungsenergie", style, 60).width, 60);
+}
+
+TEST(Typesetter, HasABolderFace) {
+  const Typesetter type;
+  EXPECT_NE(type.draw("book", {20, true, {}, 1}, kWide).pixels,
+            type.draw("book", {20, false, {}, 1}, kWide).pixels);
+}
+
+TEST(Typesetter, DrawsInItsColourAndOpacity) {
+  const Layer layer = Typesetter().draw("|", {60, true, {1, 0.5, 0}, 0.5}, kWide);
+  const int most = mostOpaque(layer);
+  EXPECT_NEAR(most, 128, 1);
+  for (std::size_t i = 0; i < layer.pixels.size(); i += 4) {
+    if (layer.pixels[i + 3] != most) continue;
+    EXPECT_EQ(layer.pixels[i], 0);
+    EXPECT_NEAR(layer.pixels[i + 1], 64, 1);
+    EXPECT_NEAR(layer.pixels[i + 2], 128, 1);
+  }
+}
+
+TEST(Typesetter, RefusesLettersThatTheFontLacks) {
+  EXPECT_EQ(refusalOf("Größe, αβγ, жук, 1 − 2 × ½ ≤ √3"), "");
+  EXPECT_THAT(refusalOf("漢字"), HasSubstr("the font Inter lacks a letter of \"漢字\""));
+}
+
+TEST(Typesetter, RefusesAFontThatIsNotThere) {
+  try {
+    Typesetter type("No Such Font");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("no font family \"No Such Font\" is installed"));
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::overlay

@@ -1,0 +1,42 @@
+#include "pipeline/frame_drawer.h"
+
+#include <gtest/gtest.h>
+
+#include "pipeline/small_clip.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+image::Image drawn(const scene::Scene& scene, std::int64_t frame) {
+  const physics::Trajectory trajectory = testing::motionOf(scene);
+  FrameDrawer drawer(scene, trajectory);
+  image::Image picture = drawer.makePicture();
+  drawer.draw(frame, picture);
+  return picture;
+}
+
+scene::Scene sceneWith(const std::string& overlays) {
+  return testing::smallScene({"clip.size=[320, 180]", "overlay.show=" + overlays});
+}
+
+TEST(FrameDrawer, DrawsTheBookAloneWithoutOverlays) {
+  const scene::Scene scene = sceneWith("[]");
+  const physics::Trajectory trajectory = testing::motionOf(scene);
+  render::Renderer renderer = makeRenderer(scene);
+  image::Image expected = renderer.makePicture();
+  renderer.draw(trajectory.samples[7].corners, expected);
+  EXPECT_EQ(drawn(scene, 7), expected);
+}
+
+TEST(FrameDrawer, WritesOverTheBook) {
+  const image::Image plain = drawn(sceneWith("[]"), 7);
+  const image::Image clock = drawn(sceneWith("['clock']"), 7);
+  const image::Image caption = drawn(sceneWith("['caption']"), 7);
+  EXPECT_NE(clock, plain);
+  EXPECT_NE(caption, plain);
+  EXPECT_NE(caption, clock);
+  EXPECT_EQ(drawn(sceneWith("['clock']"), 7), clock);
+}
+
+}  // namespace
+}  // namespace rotatebook::pipeline

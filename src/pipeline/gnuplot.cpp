@@ -104,25 +104,32 @@ int runGnuplot(const Streams& streams) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+/// A kind of picture, and what comes last in each.
+struct Format {
+  const char* terminal;
+  std::string_view last;
+};
+
 /// A picture's bytes; `path` is where it will be. In memory, so that a full disk is told by whoever
 /// writes the file: gnuplot wouldn't.
-std::string draw(const std::string& script, const fs::path& path) {
+std::string draw(const Format& format, const std::string& commands, const fs::path& path) {
   const MemoryFile input;
   const MemoryFile output;
   const MemoryFile problems;
-  writeAll(input, script);
+  writeAll(input, format.terminal + commands);
   const int status = runGnuplot(Streams(input.number(), output.number(), problems.number()));
   std::string picture = readAll(output);
-  if (status == 0 && !picture.empty()) return picture;
+  if (status == 0 && picture.rfind(format.last) != std::string::npos) return picture;
+  const std::string words = trimmed(readAll(problems));
   throw MachineError("gnuplot can't draw " + path.string() + " (status " + std::to_string(status) +
-                     "): " + trimmed(readAll(problems)));
+                     ")" + (words.empty() ? "" : ": " + words));
 }
 
 }  // namespace
 
 void drawPlot(const std::string& commands, const fs::path& svg, const fs::path& png) {
-  const std::string vectors = draw(kSvg + commands, svg);
-  const std::string pixels = draw(kPng + commands, png);
+  const std::string vectors = draw({kSvg, "</svg>"}, commands, svg);
+  const std::string pixels = draw({kPng, "IEND\xae\x42\x60\x82"}, commands, png);
   writeFileAtomically(svg, vectors);
   writeFileAtomically(png, pixels);
 }

@@ -88,9 +88,22 @@ std::string sheetText() {
          "set key off\nset multiplot\n";
 }
 
+/// The first `count` letters of UTF-8, and three dots if there are more.
+std::string shortened(const std::string& text, std::size_t count) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool begins = (static_cast<unsigned char>(text[i]) & 0xc0) != 0x80;
+    if (begins && count-- == 0) return text.substr(0, i) + "…";
+  }
+  return text;
+}
+
+/// Large if it fits on the sheet so, else small, and no more of it than fits.
 std::string titleText(const std::string& title) {
-  return "set label 1 " + gnuplotString(title) +
-         " at screen 0.5,0.95 center noenhanced font ',17'\n";
+  constexpr std::size_t kLarge = 90,
+                        kSmall = 150;  // letters; words of so many fill 0.8 of the sheet
+  const bool fits = shortened(title, kLarge) == title;
+  return "set label 1 " + gnuplotString(shortened(title, kSmall)) +
+         " at screen 0.5,0.95 center noenhanced font '," + (fits ? "17" : "10.5") + "'\n";
 }
 
 std::string seriesStyle(const char* colour, int point) {

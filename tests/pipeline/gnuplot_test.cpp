@@ -1,6 +1,8 @@
 #include "pipeline/gnuplot.h"
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string>
 
@@ -72,6 +74,25 @@ TEST(Gnuplot, NamesThePackageWhereItIsMissing) {
       messageOf<MachineError>([&] { drawPlot("plot x\n", folder / "a.svg", folder / "a.png"); }),
       "can't draw the plot: gnuplot isn't installed; apt-get install gnuplot-nox");
   EXPECT_THAT(namesIn(folder), IsEmpty());
+}
+
+/// A program of that name which prints `words`.
+void writeGnuplot(const std::filesystem::path& folder, const std::string& words, int status) {
+  std::ofstream(folder / "gnuplot") << "#!/bin/sh\necho '" << words << "'\nexit " << status << "\n";
+  std::filesystem::permissions(folder / "gnuplot", std::filesystem::perms::owner_all);
+}
+
+TEST(Gnuplot, TakesNothingElseForAPicture) {
+  const auto folder = emptyFolder();
+  const PathVariable path(folder.string());
+  for (const int status : {0, 7}) {
+    writeGnuplot(folder, "<svg> no more", status);
+    EXPECT_EQ(
+        messageOf<MachineError>([&] { drawPlot("plot x\n", folder / "a.svg", folder / "a.png"); }),
+        "gnuplot can't draw " + (folder / "a.svg").string() + " (status " + std::to_string(status) +
+            ")");
+  }
+  EXPECT_THAT(namesIn(folder), ElementsAre("gnuplot"));
 }
 
 TEST(GnuplotString, QuotesWhatGnuplotWouldRead) {

@@ -78,6 +78,22 @@ TEST(PrecisionPlot, TakesTitlesOfAnyLetters) {
   EXPECT_THAT(svg, HasSubstr("It's \"x_{1}^2\" \\ `é` @ &amp; %d"));
 }
 
+TEST(PrecisionPlot, ShortensTitlesThatAreTooLongForTheSheet) {
+  PrecisionStudy study;
+  study.rows = {row(Integrator::Euler, 0.1, 1)};
+  study.orders = {{Integrator::Euler, {}}};
+  std::string title;
+  for (int i = 0; i < 90; ++i) title += "é";
+  EXPECT_THAT(precisionPlot(title, study), HasSubstr("'" + title +
+                                                     "' at screen 0.5,0.95 center "
+                                                     "noenhanced font ',17'"));
+  for (int i = 0; i < 60; ++i) title += "ü";
+  EXPECT_THAT(precisionPlot(title, study), HasSubstr("'" + title +
+                                                     "' at screen 0.5,0.95 center "
+                                                     "noenhanced font ',10.5'"));
+  EXPECT_THAT(precisionPlot(title + "ü", study), HasSubstr("'" + title + "…'"));
+}
+
 TEST(PrecisionPlot, HasAStyleForEveryIntegratorOfEachModel) {
   for (const physics::Model model : {physics::Model::Particles, physics::Model::Quaternion}) {
     PrecisionStudy study;

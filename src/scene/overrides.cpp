@@ -30,8 +30,8 @@ Path pathFrom(std::string_view key, const std::string& place) {
     if (path.back().empty()) failAt(place, "the key, or a part of it, is empty");
     begin = end + 1;
   }
-  constexpr std::size_t kLongestPath = 3;  // expect.QUANTITY.BOUND
-  if (path.size() > kLongestPath) failAt(place, "no key of a scene has more than three parts");
+  constexpr std::size_t kLongestPath = 4;  // study.orders.INTEGRATOR.BOUND
+  if (path.size() > kLongestPath) failAt(place, "no key of a scene has more than four parts");
   return path;
 }
 

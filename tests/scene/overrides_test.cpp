@@ -101,8 +101,8 @@ TEST(Overrides, RefuseWhatHasNoForm) {
   EXPECT_EQ(errorOf("", {"clip.=3"}), "--set clip.=3: the key, or a part of it, is empty");
   EXPECT_EQ(errorOf("", {".clip=3"}), "--set .clip=3: the key, or a part of it, is empty");
   EXPECT_EQ(errorOf("", {"clip..fps=3"}), "--set clip..fps=3: the key, or a part of it, is empty");
-  EXPECT_EQ(errorOf("", {"a.b.c.d=3"}),
-            "--set a.b.c.d=3: no key of a scene has more than three parts");
+  EXPECT_EQ(errorOf("", {"a.b.c.d.e=3"}),
+            "--set a.b.c.d.e=3: no key of a scene has more than four parts");
   EXPECT_EQ(errorOf("", {"title=\xff"}), "--set title=\xff: the value isn't UTF-8");
 }
 

@@ -31,8 +31,8 @@ struct StudyArguments {
   std::vector<std::string> scenes;
   SceneOptions sceneOptions;
   std::string folder = "out";
-  std::string steps;
-  std::string integrators;
+  std::optional<std::string> steps;
+  std::optional<std::string> integrators;
 };
 
 /// A scene, what to study of it, and where the results go.
@@ -43,7 +43,7 @@ struct Task {
 };
 
 Shorthand stepsShorthand(const std::string& steps) {
-  static const std::regex kList("[0-9]{1,9}(,[0-9]{1,9})*");
+  static const std::regex kList("(0|[1-9][0-9]{0,8})(,(0|[1-9][0-9]{0,8}))*");
   if (!std::regex_match(steps, kList)) {
     throw InputError("--steps " + steps +
                      ": not a list of whole numbers; write steps a frame, for example 1,2,4,8");
@@ -63,10 +63,8 @@ Shorthand integratorsShorthand(const std::string& integrators) {
 
 std::vector<Shorthand> shorthandsOf(const StudyArguments& arguments) {
   std::vector<Shorthand> shorthands;
-  if (!arguments.steps.empty()) shorthands.push_back(stepsShorthand(arguments.steps));
-  if (!arguments.integrators.empty()) {
-    shorthands.push_back(integratorsShorthand(arguments.integrators));
-  }
+  if (arguments.steps) shorthands.push_back(stepsShorthand(*arguments.steps));
+  if (arguments.integrators) shorthands.push_back(integratorsShorthand(*arguments.integrators));
   return shorthands;
 }
 
@@ -93,7 +91,7 @@ void refuseNoResult(const Task& task, const pipeline::PrecisionStudy& result) {
   });
   if (any) return;
   throw InputError(task.scene.name + ": no run reached its end (" + task.files.csv.string() +
-                   " says why), so that there is nothing to compare; the first " +
+                   " says why), so that there is nothing to compare; the first: " +
                    result.rows.front().end.text() +
                    "; take shorter steps, for example --steps 256,512,1024,2048");
 }
@@ -190,8 +188,9 @@ int runTask(const Task& task, const std::atomic<bool>& stop) {
 
 int study(const StudyArguments& arguments) {
   const std::vector<Task> tasks = readTasks(arguments);
-  createFolders(arguments.folder);
   const std::atomic<bool>& stop = catchInterrupts();
+  createFolders(arguments.folder);
+  for (const Task& task : tasks) pipeline::refuseUnwritable(task.files);
   int status = kDone;
   for (const Task& task : tasks) {
     const int outcome = runTask(task, stop);

@@ -21,7 +21,8 @@ bool hasBlownUp(const BodyState& state, double farthest) {
 
 }  // namespace
 
-Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount) {
+Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount,
+                    const std::atomic<bool>* stop) {
   const auto simulator = makeSimulator(settings);
   Measurement measurement(settings);
   const SimulationSettings& stepping = settings.simulation;
@@ -39,6 +40,7 @@ Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount) {
       break;
     }
     result.samples.push_back(measurement.measure(time, state));
+    if (stop != nullptr && *stop) break;
   }
   if (result.samples.empty())
     throw InputError("the motion's start is not finite: its numbers are too large");

@@ -1,6 +1,7 @@
 // A whole motion as a value.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -55,7 +56,9 @@ inline constexpr double kDivergenceFactor = 20;
 
 /// Simulates `sampleCount` >= 1 samples, fewer if the motion diverges. Throws InputError if the
 /// initial spin can't be tilted as asked, or is so large that not even the first sample is finite;
-/// NoConvergence if an implicit integrator finds no solution for its steps.
-Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount);
+/// NoConvergence if an implicit integrator finds no solution for its steps. `stop`, if not null and
+/// set from outside, ends it after a sample: what is returned is then of no use.
+Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount,
+                    const std::atomic<bool>* stop = nullptr);
 
 }  // namespace rotatebook::physics

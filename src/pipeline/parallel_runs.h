@@ -11,7 +11,7 @@ namespace rotatebook::pipeline {
 /// How runs are made, and who hears of them.
 struct RunOptions {
   int threads = 0;  ///< 0 for as many as the machine has cores.
-  /// Set from outside, e.g. by a signal handler, to stop after the runs in hand. May be null.
+  /// Set from outside, e.g. by a signal handler, to begin no more runs. May be null.
   const std::atomic<bool>* stop = nullptr;
   /// Told on the caller's thread, before the first run and after some of them.
   std::function<void(std::size_t done, std::size_t total)> progress{};

@@ -26,11 +26,18 @@ std::string rounded(double value) {
   return text.data();
 }
 
-/// The whole motion, or nothing, with what became of it in `end`.
+using Stop = const std::atomic<bool>*;
+
+bool isSet(Stop stop) {
+  return stop != nullptr && *stop;
+}
+
+/// The whole motion, or nothing, with what became of it in `end`. After a stop it
+/// may be cut short; no row of such a study is used.
 std::optional<Trajectory> wholeMotion(const MotionSettings& settings, std::int64_t frames,
-                                      RunEnd& end) {
+                                      Stop stop, RunEnd& end) {
   try {
-    Trajectory trajectory = simulate(settings, frames);
+    Trajectory trajectory = simulate(settings, frames, stop);
     if (!trajectory.divergedAt) return trajectory;
     end = {RunEnd::Kind::Diverged, *trajectory.divergedAt};
   } catch (const physics::NoConvergence&) {
@@ -59,13 +66,13 @@ MotionSettings withStepping(MotionSettings settings, physics::Integrator integra
   return settings;
 }
 
-PrecisionRow runPrecision(const MotionSettings& settings, std::int64_t frames) {
+PrecisionRow runPrecision(const MotionSettings& settings, std::int64_t frames, Stop stop) {
   PrecisionRow row;
   row.integrator = settings.simulation.integrator;
   row.h = settings.simulation.timePerFrame / settings.simulation.substeps;
   row.steps = (frames - 1) * settings.simulation.substeps;
-  const auto trajectory = wholeMotion(settings, frames, row.end);
-  if (!trajectory) return row;
+  const auto trajectory = wholeMotion(settings, frames, stop, row.end);
+  if (!trajectory || isSet(stop)) return row;
   measure(*trajectory, row);
   row.nsPerStep = nanosecondsPerStep(settings, row.steps);
   return row;
@@ -89,12 +96,12 @@ IntegratorOrder orderOf(physics::Integrator integrator, const std::vector<Precis
   return {integrator, physics::fitOrder(runs)};
 }
 
-TiltRow runTilt(const MotionSettings& settings, std::int64_t frames) {
+TiltRow runTilt(const MotionSettings& settings, std::int64_t frames, Stop stop) {
   TiltRow row;
   row.tilt = settings.initial.tilt->angle;
   const physics::PrincipalAxes inertia = modelInertia(settings);
   row.law = flipLaw(inertia, initialAngularVelocity(settings));
-  const auto trajectory = wholeMotion(settings, frames, row.end);
+  const auto trajectory = wholeMotion(settings, frames, stop, row.end);
   if (!trajectory) return row;
   const std::vector<double> times = flipTimes(*trajectory, inertia);
   row.flips = static_cast<int>(times.size());
@@ -153,9 +160,9 @@ std::optional<PrecisionStudy> runPrecisionStudy(const scene::Scene& scene,
   PrecisionStudy result;
   result.rows.resize(runs.size());
   const auto run = [&](std::size_t i) {
-    result.rows[i] = runPrecision(runs[i], scene.clip.frameCount());
+    result.rows[i] = runPrecision(runs[i], scene.clip.frameCount(), options.stop);
   };
-  if (!runParallel(longestFirst(runs), run, options)) return std::nullopt;
+  if (!runParallel(longestFirst(runs), run, options) || isSet(options.stop)) return std::nullopt;
   for (const physics::Integrator integrator : study.integrators) {
     result.orders.push_back(orderOf(integrator, result.rows));
   }
@@ -171,9 +178,9 @@ std::optional<TiltStudy> runTiltStudy(const scene::Scene& scene, const scene::St
   TiltStudy result;
   result.rows.resize(runs.size());
   const auto run = [&](std::size_t i) {
-    result.rows[i] = runTilt(runs[i], scene.clip.frameCount());
+    result.rows[i] = runTilt(runs[i], scene.clip.frameCount(), options.stop);
   };
-  if (!runParallel(longestFirst(runs), run, options)) return std::nullopt;
+  if (!runParallel(longestFirst(runs), run, options) || isSet(options.stop)) return std::nullopt;
   return result;
 }
 

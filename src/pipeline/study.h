@@ -80,9 +80,9 @@ struct TiltStudy {
 /// Throws InputError if the model takes no steps, or if the clip has only one frame.
 void refuseNothingToVary(const scene::Scene& scene);
 
-/// Runs the scene's motion with each integrator and each step of `study`. Nothing after a stop.
-/// Everything but the times is the same for any number of threads. Throws as
-/// refuseNothingToVary(), and as physics::simulate() but for NoConvergence.
+/// Runs the scene's motion with each integrator and each step of `study`. Nothing after a stop,
+/// which is noticed from frame to frame. Everything but the times is the same for any number of
+/// threads. Throws as refuseNothingToVary(), and as physics::simulate() but for NoConvergence.
 std::optional<PrecisionStudy> runPrecisionStudy(const scene::Scene& scene,
                                                 const scene::StudySettings& study,
                                                 const RunOptions& options);

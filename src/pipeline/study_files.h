@@ -16,6 +16,10 @@ struct StudyFiles {
 /// The files of the study `name` in `folder`.
 StudyFiles studyFiles(const std::filesystem::path& folder, const std::string& name);
 
+/// Throws MachineError, and leaves everything as it is, if one of them can't be written: better
+/// before a study than after.
+void refuseUnwritable(const StudyFiles& files);
+
 /// Removes those of an earlier study, so that files of two never mix. Throws MachineError.
 void removeFiles(const StudyFiles& files);
 

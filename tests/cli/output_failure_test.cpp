@@ -55,6 +55,16 @@ TEST_F(OutputFailure, FolderInTheWayOfTheClip) {
   EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.mp4/"));
 }
 
+TEST_F(OutputFailure, FolderInTheWayOfAStudy) {
+  fs::create_directories(folder() / "out/tiny-study.png");
+  write("out/tiny-study.csv", "of an earlier study");
+  const ChildResult result = run({"study", "tiny.toml"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_EQ(result.error, "rotatebook: can't write out/tiny-study.png: it is a folder\n");
+  EXPECT_THAT(result.output, IsEmpty());
+  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny-study.csv", "out/tiny-study.png/"));
+}
+
 TEST_F(OutputFailure, FolderThatIsReadOnly) {
   if (geteuid() == 0) GTEST_SKIP() << "the superuser may write everywhere";
   fs::create_directories(folder() / "out");

@@ -84,7 +84,7 @@ TEST_F(StudyCommand, StudiesSeveralScenes) {
 
 TEST_F(StudyCommand, FailsIfAnExpectationIsUnmet) {
   const ChildResult result = run({"study", "tiny.toml", "--steps", "1,2,4,8", "--integrators",
-                                  "rk4", "--set", "study.orders.rk4={min=5}"});
+                                  "rk4", "--set", "study.orders.rk4.min=5"});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.output, HasSubstr("\n  UNMET  order of rk4: expected at least 5; measured "));
   EXPECT_EQ(result.error, "rotatebook: expectations are unmet; the files were kept\n");
@@ -99,6 +99,8 @@ TEST_F(StudyCommand, RefusesBadLists) {
   expectRefused({"--steps", "1,x"}, "--steps 1,x" + steps);
   expectRefused({"--steps", "1,,2"}, "--steps 1,,2" + steps);
   expectRefused({"--steps", "0.5"}, "--steps 0.5" + steps);
+  expectRefused({"--steps", "1,02"}, "--steps 1,02" + steps);
+  expectRefused({"--steps", ""}, "--steps " + steps);
   expectRefused({"--steps", "4,0"},
                 "--steps 4,0: study.steps must be an integer from 1 to 1000000, not 0");
   expectRefused({"--steps", "4,4"}, "--steps 4,4: study.steps has 4 twice");
@@ -114,6 +116,7 @@ TEST_F(StudyCommand, RefusesIntegratorsThatTheModelDoesNotHave) {
                 "--integrators dmv6: " + valid + "\"dmv6\"");
   expectRefused({"--set", particles, "--integrators", "rk4,"},
                 "--integrators rk4,: " + valid + "\"\"");
+  expectRefused({"--set", particles, "--integrators", ""}, "--integrators : " + valid + "\"\"");
 }
 
 TEST_F(StudyCommand, RefusesScenesWithNothingToVary) {
@@ -133,10 +136,11 @@ TEST_F(StudyCommand, SaysSoIfEveryRunDiverges) {
       run({"study", "tiny.toml", "--steps", "1,2", "--integrators", "euler", "--set",
            "simulation.model=particles", "--set", "simulation.normalize=false"});
   EXPECT_EQ(result.status, 2);
-  EXPECT_THAT(result.error,
-              AllOf(StartsWith("rotatebook: tiny: no run reached its end (out/tiny-study.csv says "
-                               "why), so that there is nothing to compare; the first diverged at "),
-                    EndsWith(" s; take shorter steps, for example --steps 256,512,1024,2048\n")));
+  EXPECT_THAT(
+      result.error,
+      AllOf(StartsWith("rotatebook: tiny: no run reached its end (out/tiny-study.csv says "
+                       "why), so that there is nothing to compare; the first: diverged at "),
+            EndsWith(" s; take shorter steps, for example --steps 256,512,1024,2048\n")));
   EXPECT_EQ(countOf("diverged at", read("out/tiny-study.csv")), 2);
   EXPECT_FALSE(has("out/tiny-study.png"));
 }
@@ -183,6 +187,18 @@ TEST_P(InterruptedStudy, WritesNothing) {
   EXPECT_EQ(result.status, 128 + GetParam());
   EXPECT_EQ(result.output, "tiny: Tiny\n  interrupted; nothing was written\n");
   EXPECT_THAT(files(), ElementsAre("out/"));
+}
+
+TEST_F(StudyCommand, IsInterruptedInTheMiddleOfARun) {
+  ChildSettings settings;
+  settings.signal = SIGINT;
+  settings.signalWhen = [this] { return has("out"); };
+  // Ten minutes, were it not for the signal.
+  const ChildResult result = run({"study", "tiny.toml", "--set", "clip.duration=100", "--steps",
+                                  "1000000", "--integrators", "rk4"},
+                                 settings);
+  EXPECT_EQ(result.status, 130);
+  EXPECT_EQ(result.output, "tiny: Tiny\n  interrupted; nothing was written\n");
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, InterruptedStudy, ::testing::Values(SIGINT, SIGTERM));

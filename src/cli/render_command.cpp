@@ -76,7 +76,12 @@ std::vector<std::string> writtenThings(const pipeline::RenderResult& result,
 }
 
 int renderScene(const scene::Scene& scene, const pipeline::RenderOptions& options) {
-  const physics::Trajectory trajectory = pipeline::simulateScene(scene, scene.clip.frameCount());
+  const physics::Trajectory trajectory =
+      pipeline::simulateScene(scene, scene.clip.frameCount(), options.stop);
+  if (*options.stop) {
+    std::cout << scene.name << ": interrupted while simulating; nothing was written" << std::endl;
+    return interruptStatus();
+  }
   pipeline::RenderResult result;
   {
     ProgressLine progress(scene.name);

@@ -1,4 +1,5 @@
 // A render that is stopped half-way.
+#include <chrono>
 #include <csignal>
 #include <string>
 
@@ -10,6 +11,7 @@ namespace rotatebook::cli::testing {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 // Longer than any machine takes to draw the frame after which the signal comes.
 constexpr const char* kLong = "clip.duration=200";
@@ -62,6 +64,21 @@ TEST_F(Interrupt, StopsTheScenesThatFollow) {
             130);
   EXPECT_FALSE(has("out/b.csv"));
   EXPECT_FALSE(has("out/b.partial"));
+}
+
+// A frame of these steps takes some 30 ms, the whole motion minutes.
+TEST_F(Interrupt, EndsASimulationThatTakesLong) {
+  using Clock = std::chrono::steady_clock;
+  ChildSettings settings;
+  settings.signal = SIGINT;
+  settings.signalWhen = [start = Clock::now()] {
+    return Clock::now() - start > std::chrono::seconds(3);
+  };
+  const ChildResult result = run(
+      {"render", "tiny.toml", "--set", kLong, "--set", "simulation.substeps=1000000"}, settings);
+  EXPECT_EQ(result.status, 130);
+  EXPECT_EQ(result.output, "tiny: interrupted while simulating; nothing was written\n");
+  EXPECT_THAT(files(), IsEmpty());
 }
 
 TEST_F(Interrupt, FinishedRenderReplacesThePart) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 
 #include "base/number_text.h"
@@ -12,11 +11,8 @@
 namespace rotatebook::cli {
 namespace {
 
-std::string rounded(double value) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.7g", value);
-  return text.data();
-}
+// Of a measured number.
+constexpr int kDigits = 7;
 
 struct WordedBound {
   const char* words;
@@ -53,8 +49,8 @@ std::string windowText(const physics::Expectation& expectation) {
 std::string measuredText(const physics::ExpectationResult& result) {
   if (std::isnan(result.lowest)) return "nothing: the motion has no sample there";
   if (std::isinf(result.lowest)) return "no divergence";
-  if (result.lowest == result.highest) return rounded(result.lowest);
-  return rounded(result.lowest) + " to " + rounded(result.highest);
+  if (result.lowest == result.highest) return roundedText(result.lowest, kDigits);
+  return roundedText(result.lowest, kDigits) + " to " + roundedText(result.highest, kDigits);
 }
 
 bool expectsDivergence(std::span<const physics::Expectation> expectations) {
@@ -74,7 +70,7 @@ std::string reportLine(const physics::ExpectationResult& result) {
 std::string reportLine(const std::string& subject, const scene::Bounds& bounds, double measured) {
   const std::array<WordedBound, 2> worded{{{"at least ", bounds.min}, {"at most ", bounds.max}}};
   return verdict(bounds.hold(measured)) + subject + ": expected " + expectedText(worded) +
-         "; measured " + (std::isnan(measured) ? "nothing" : rounded(measured));
+         "; measured " + (std::isnan(measured) ? "nothing" : roundedText(measured, kDigits));
 }
 
 int reportMotion(const physics::Trajectory& trajectory,

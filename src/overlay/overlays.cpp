@@ -62,9 +62,7 @@ std::string settingsText(const physics::SimulationSettings& settings) {
     text += settings.damping > 0 ? ", damping " + shortestText(settings.damping) : ", undamped";
     text += ", k = " + shortestText(settings.stiffness) + " N/m";
   }
-  std::array<char, 32> step;
-  std::snprintf(step.data(), step.size(), "%.3g", 1e3 * settings.timePerFrame / settings.substeps);
-  return text + ", step " + step.data() + " ms";
+  return text + ", step " + roundedText(1e3 * settings.timePerFrame / settings.substeps, 3) + " ms";
 }
 
 /// Black, from nothing at the top to kShade at the bottom, softly.

@@ -1,8 +1,6 @@
 #include "physics/inertia.h"
 
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <string>
 
 #include <Eigen/Eigenvalues>
@@ -35,10 +33,9 @@ void checkSymmetric(const Eigen::Matrix3d& tensor) {
 
 // Rounded, because what an eigensolver finds is only near a whole number.
 std::string momentsText(const Eigen::Vector3d& moments) {
-  std::ostringstream text;
-  text << std::setprecision(9) << "its principal moments are " << moments[0] << ", " << moments[1]
-       << " and " << moments[2] << " kg m^2";
-  return text.str();
+  const auto text = [](double moment) { return roundedText(moment, 9); };
+  return "its principal moments are " + text(moments[0]) + ", " + text(moments[1]) + " and " +
+         text(moments[2]) + " kg m^2";
 }
 
 }  // namespace

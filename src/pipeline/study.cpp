@@ -1,13 +1,12 @@
 #include "pipeline/study.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <numeric>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "physics/flip_interval.h"
 #include "physics/simulator.h"
 #include "physics/trajectory.h"
@@ -19,12 +18,6 @@ namespace {
 using physics::MotionSettings;
 using physics::Sample;
 using physics::Trajectory;
-
-std::string rounded(double value) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  return text.data();
-}
 
 using Stop = const std::atomic<bool>*;
 
@@ -126,11 +119,11 @@ void refuseNothingToVary(const scene::Scene& scene) {
 std::string RunEnd::text() const {
   switch (kind) {
     case Kind::Diverged:
-      return "diverged at " + rounded(time) + " s";
+      return "diverged at " + roundedText(time, 6) + " s";
     case Kind::NoConvergence:
       return "no convergence";
     case Kind::FewFlips:
-      return "fewer than two flips in " + rounded(time) + " s";
+      return "fewer than two flips in " + roundedText(time, 6) + " s";
     case Kind::Whole:
       break;
   }

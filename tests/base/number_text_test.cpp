@@ -27,5 +27,14 @@ TEST(ShortestText, NamesWhatIsNotFinite) {
   EXPECT_EQ(shortestText(std::numeric_limits<double>::quiet_NaN()), "nan");
 }
 
+TEST(RoundedText, HasSoManyDigitsAtMost) {
+  EXPECT_EQ(roundedText(2.0 / 3, 6), "0.666667");
+  EXPECT_EQ(roundedText(-0.9999999999999998, 9), "-1");
+  EXPECT_EQ(roundedText(1.5, 7), "1.5");
+  EXPECT_EQ(roundedText(1234567, 3), "1.23e+06");
+  EXPECT_EQ(roundedText(1e-300 / 3, 17).size(), 23U);
+  EXPECT_EQ(roundedText(std::numeric_limits<double>::quiet_NaN(), 3), "nan");
+}
+
 }  // namespace
 }  // namespace rotatebook

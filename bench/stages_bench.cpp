@@ -99,8 +99,8 @@ void endToEnd(benchmark::State& state) {
   options.png = state.range(0) != 0;
   options.mp4 = state.range(1) != 0;
   for (auto _ : state) {
-    const physics::Trajectory trajectory = simulate(scene.motion(), kFrames);
-    pipeline::renderClip(scene, trajectory, options, {});
+    const pipeline::ClipMotion motion({simulate(scene.motion(), kFrames)}, scene.clip.frameRate);
+    pipeline::renderClip(scene, motion, options, {});
   }
   countFrames(state, kFrames);
   rusage usage{};

@@ -76,8 +76,7 @@ std::vector<std::string> writtenThings(const pipeline::RenderResult& result,
 }
 
 int renderScene(const scene::Scene& scene, const pipeline::RenderOptions& options) {
-  const physics::Trajectory trajectory =
-      pipeline::simulateScene(scene, scene.clip.frameCount(), options.stop);
+  const pipeline::ClipMotion motion = pipeline::simulateScene(scene, options.stop);
   if (*options.stop) {
     std::cout << scene.name << ": interrupted while simulating; nothing was written" << std::endl;
     return interruptStatus();
@@ -90,14 +89,14 @@ int renderScene(const scene::Scene& scene, const pipeline::RenderOptions& option
       announce(scene, renderer, encoder);
     };
     listener.progress = [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); };
-    result = renderClip(scene, trajectory, options, listener);
+    result = renderClip(scene, motion, options, listener);
   }
   reportFiles(writtenThings(result, options));
   if (result.interrupted) {
     std::cout << "  interrupted after " << result.framesWritten << " frames" << std::endl;
     return interruptStatus();
   }
-  return reportMotion(trajectory, scene.expectations, std::cout);
+  return reportMotion(motion.trajectories().front(), scene.expectations, std::cout);
 }
 
 int render(const RenderArguments& arguments) {

@@ -21,7 +21,8 @@ struct SimulateArguments {
 
 int simulateScene(const SimulateArguments& arguments) {
   const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
-  const physics::Trajectory trajectory = pipeline::simulateScene(scene, scene.clip.frameCount());
+  const pipeline::ClipMotion motion = pipeline::simulateScene(scene);
+  const physics::Trajectory& trajectory = motion.trajectories().front();
   const std::string table = pipeline::trajectoryCsv(trajectory);
   if (arguments.csv == "-") {
     std::cout << table;

@@ -1,7 +1,5 @@
 #include "pipeline/frame_drawer.h"
 
-#include <cstddef>
-
 #include "pipeline/textures.h"
 
 namespace rotatebook::pipeline {
@@ -14,14 +12,15 @@ std::optional<overlay::Overlays> makeOverlays(const scene::Scene& scene) {
 
 }  // namespace
 
-FrameDrawer::FrameDrawer(const scene::Scene& scene, const physics::Trajectory& trajectory)
-    : trajectory_(&trajectory),
+FrameDrawer::FrameDrawer(const scene::Scene& scene, const ClipMotion& motion)
+    : motion_(&motion),
       overlays_(makeOverlays(scene)),
       renderer_(makeRenderer(scene, overlays_ ? overlays_->bottomRows() : 0)) {}
 
 void FrameDrawer::draw(std::int64_t frame, image::Image& picture) {
-  renderer_.draw(trajectory_->samples[static_cast<std::size_t>(frame)].corners, picture);
-  if (overlays_) overlays_->draw(frame, picture);
+  const auto& samples = motion_->trajectories().front().samples;
+  renderer_.draw(samples[motion_->sampleAt(0, frame)].corners, picture);
+  if (overlays_) overlays_->draw(motion_->clockFrame(frame), picture);
 }
 
 }  // namespace rotatebook::pipeline

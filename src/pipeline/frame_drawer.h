@@ -7,7 +7,7 @@
 
 #include "image/image.h"
 #include "overlay/overlays.h"
-#include "physics/trajectory.h"
+#include "pipeline/clip_motion.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
 
@@ -17,19 +17,19 @@ namespace rotatebook::pipeline {
 /// render::Renderer.
 class FrameDrawer {
  public:
-  /// `trajectory`, the scene's motion, must outlive this. Throws as loadTextures(),
+  /// `motion`, the scene's, must outlive this. Throws as loadTextures(),
   /// overlay::Overlays and render::Renderer do.
-  FrameDrawer(const scene::Scene& scene, const physics::Trajectory& trajectory);
+  FrameDrawer(const scene::Scene& scene, const ClipMotion& motion);
 
   /// A picture of the right size and format for draw().
   image::Image makePicture() const { return renderer_.makePicture(); }
-  /// Draws over all of `picture`; `frame` is one of the trajectory's samples.
+  /// Draws over all of `picture`; `frame` is 0 to below motion.frameCount().
   void draw(std::int64_t frame, image::Image& picture);
   /// render::Renderer::description()
   const std::string& description() const { return renderer_.description(); }
 
  private:
-  const physics::Trajectory* trajectory_;
+  const ClipMotion* motion_;
   std::optional<overlay::Overlays> overlays_;
   render::Renderer renderer_;
 };

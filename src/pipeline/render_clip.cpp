@@ -36,13 +36,13 @@ void finish(Mp4Sink* mp4, const ClipFiles& files, const std::string& record,
 
 }  // namespace
 
-FrameRange framesToRender(const physics::Trajectory& trajectory, std::optional<FrameRange> wanted) {
-  const auto count = static_cast<std::int64_t>(trajectory.samples.size());
+FrameRange framesToRender(const ClipMotion& motion, std::optional<FrameRange> wanted) {
+  const std::int64_t count = motion.frameCount();
   const FrameRange range = wanted.value_or(FrameRange{0, count});
   if (0 <= range.first && range.first < range.end && range.end <= count) return range;
   throw InputError("frames " + std::to_string(range.first) + ":" + std::to_string(range.end) +
                    " don't exist; this clip has 0:" + std::to_string(count) +
-                   (trajectory.divergedAt ? ", up to where its motion diverges" : ""));
+                   (motion.allDiverge() ? ", up to a second after its motion diverges" : ""));
 }
 
 std::int64_t drawFrames(FrameDrawer& drawer, FrameRange range,
@@ -70,10 +70,10 @@ std::int64_t drawFrames(FrameDrawer& drawer, FrameRange range,
   return done;
 }
 
-RenderResult renderClip(const scene::Scene& scene, const physics::Trajectory& trajectory,
+RenderResult renderClip(const scene::Scene& scene, const ClipMotion& motion,
                         const RenderOptions& options, const RenderListener& listener) {
-  const FrameRange range = framesToRender(trajectory, options.frames);
-  FrameDrawer drawer(scene, trajectory);
+  const FrameRange range = framesToRender(motion, options.frames);
+  FrameDrawer drawer(scene, motion);
   const std::string record = sceneRecord(scene, drawer.description());
 
   RenderResult result;
@@ -99,7 +99,7 @@ RenderResult renderClip(const scene::Scene& scene, const physics::Trajectory& tr
     if (mp4 && result.framesWritten > 0) mp4->finishAs(result.files.partialMp4);
   } else {
     finish(mp4 ? &*mp4 : nullptr, result.files, record, options);
-    writeFileAtomically(result.files.csv, trajectoryCsv(trajectory));
+    writeFileAtomically(result.files.csv, trajectoryCsv(motion.trajectories().front()));
   }
   return result;
 }

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "physics/trajectory.h"
 #include "pipeline/clip_files.h"
+#include "pipeline/clip_motion.h"
 #include "pipeline/frame_drawer.h"
 #include "pipeline/frame_sink.h"
 #include "scene/scene.h"
@@ -48,16 +48,16 @@ struct RenderResult {
   bool interrupted = false;
 };
 
-/// The frames of `trajectory` that `wanted` means; all of them by default. Throws InputError,
+/// The frames of the clip that `wanted` means; all of them by default. Throws InputError,
 /// naming the frames that exist.
-FrameRange framesToRender(const physics::Trajectory& trajectory, std::optional<FrameRange> wanted);
+FrameRange framesToRender(const ClipMotion& motion, std::optional<FrameRange> wanted);
 
-/// Draws `trajectory`, the motion of `scene`, and writes CSV, PNGs and MP4. The frames of a whole
+/// Draws `motion`, that of `scene`, and writes CSV, PNGs and MP4. The frames of a whole
 /// clip are written to NAME.partial/ and, once the clip is complete, take the place of an earlier
 /// one's in NAME/, so that files of two renders never mix. Only some frames (RenderOptions::frames)
 /// go straight to NAME/, beside others of the same resolved scene. Throws Error; files under a
 /// final name are whole then, too.
-RenderResult renderClip(const scene::Scene& scene, const physics::Trajectory& trajectory,
+RenderResult renderClip(const scene::Scene& scene, const ClipMotion& motion,
                         const RenderOptions& options, const RenderListener& listener);
 
 /// Draws the frames of `range` into each of `sinks` on threads of their own; returns how many were

@@ -4,10 +4,10 @@
 
 namespace rotatebook::pipeline {
 
-physics::Trajectory simulateScene(const scene::Scene& scene, std::int64_t frames,
-                                  const std::atomic<bool>* stop) {
+ClipMotion simulateScene(const scene::Scene& scene, const std::atomic<bool>* stop) {
   try {
-    return physics::simulate(scene.motion(), frames, stop);
+    return {{physics::simulate(scene.motion(), scene.clip.frameCount(), stop)},
+            scene.clip.frameRate};
   } catch (const InputError& error) {
     throw InputError((scene.folder / (scene.name + ".toml")).string() + ": " + error.what());
   }

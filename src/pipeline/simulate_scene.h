@@ -2,16 +2,14 @@
 #pragma once
 
 #include <atomic>
-#include <cstdint>
 
-#include "physics/trajectory.h"
+#include "pipeline/clip_motion.h"
 #include "scene/scene.h"
 
 namespace rotatebook::pipeline {
 
-/// The first `frames` >= 1 samples of the scene's motion; `stop` and what is thrown as
-/// physics::simulate() has them, with the scene's file named.
-physics::Trajectory simulateScene(const scene::Scene& scene, std::int64_t frames,
-                                  const std::atomic<bool>* stop = nullptr);
+/// The whole motion of the scene's clip; `stop` and what is thrown as physics::simulate() has them,
+/// with the scene's file named.
+ClipMotion simulateScene(const scene::Scene& scene, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace rotatebook::pipeline

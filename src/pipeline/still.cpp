@@ -5,32 +5,30 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "image/png_file.h"
-#include "physics/trajectory.h"
 #include "pipeline/frame_drawer.h"
 #include "pipeline/simulate_scene.h"
 
 namespace rotatebook::pipeline {
 namespace {
 
-std::int64_t frameAt(const scene::Scene& scene, double time) {
-  if (!(time >= 0 && time <= scene.clip.duration)) {
-    throw InputError("there is no picture at " + shortestText(time) +
-                     " s: the clip lasts from 0 to " + shortestText(scene.clip.duration) + " s");
-  }
-  return std::min(scene.clip.frameRate.framesIn(time), scene.clip.frameCount() - 1);
+std::int64_t frameAt(const scene::Scene& scene, const ClipMotion& motion, double time) {
+  const FrameRate& rate = scene.clip.frameRate;
+  const std::int64_t count = motion.frameCount();
+  const bool early = motion.allDiverge();
+  const double end = early ? static_cast<double>(count) * rate.period() : scene.clip.duration;
+  if (time >= 0 && time <= end) return std::min(rate.framesIn(time), count - 1);
+  throw InputError("there is no picture at " + shortestText(time) +
+                   " s: the clip lasts from 0 to " + shortestText(end) + " s" +
+                   (early ? ", a second after its motion diverges" : ""));
 }
 
 }  // namespace
 
 std::int64_t renderStill(const scene::Scene& scene, double time,
                          const std::filesystem::path& path) {
-  const std::int64_t frame = frameAt(scene, time);
-  const physics::Trajectory trajectory = simulateScene(scene, frame + 1);
-  if (trajectory.divergedAt) {
-    throw InputError("there is no picture at " + shortestText(time) +
-                     " s: the motion diverged at " + shortestText(*trajectory.divergedAt) + " s");
-  }
-  FrameDrawer drawer(scene, trajectory);
+  const ClipMotion motion = simulateScene(scene);
+  const std::int64_t frame = frameAt(scene, motion, time);
+  FrameDrawer drawer(scene, motion);
   image::Image picture = drawer.makePicture();
   drawer.draw(frame, picture);
   image::writePng(path, picture.view());

@@ -9,7 +9,7 @@
 
 namespace rotatebook::pipeline {
 
-/// Draws the frame nearest to `time` (of video, 0 to the clip's duration [s]) and writes it to
+/// Draws the frame nearest to `time` (of video, 0 to the clip's end [s]) and writes it to
 /// `path`; returns its index. Throws InputError if there is no such frame, MachineError if it can't
 /// be drawn or written.
 std::int64_t renderStill(const scene::Scene& scene, double time, const std::filesystem::path& path);

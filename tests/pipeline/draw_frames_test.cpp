@@ -37,8 +37,8 @@ class DrawFrames : public ::testing::Test {
 
  private:
   scene::Scene scene_ = testing::smallScene();
-  physics::Trajectory trajectory_ = physics::simulate(scene_.motion(), kMany);
-  FrameDrawer drawer_{scene_, trajectory_};
+  ClipMotion motion_{{physics::simulate(scene_.motion(), kMany)}, scene_.clip.frameRate};
+  FrameDrawer drawer_{scene_, motion_};
 };
 
 TEST_F(DrawFrames, GivesEachSinkAllFramesInOrder) {

@@ -8,8 +8,8 @@ namespace rotatebook::pipeline {
 namespace {
 
 image::Image drawn(const scene::Scene& scene, std::int64_t frame) {
-  const physics::Trajectory trajectory = testing::motionOf(scene);
-  FrameDrawer drawer(scene, trajectory);
+  const ClipMotion motion = simulateScene(scene);
+  FrameDrawer drawer(scene, motion);
   image::Image picture = drawer.makePicture();
   drawer.draw(frame, picture);
   return picture;

@@ -62,8 +62,8 @@ TEST(Memory, OfAssemblingDoesNotGrowWithTheClip) {
 }
 
 TEST(Memory, HoldsAsManyPicturesForALongClip) {
-  const physics::Trajectory trajectory = testing::motionOf(clipOf(10 * kSome));
-  FrameDrawer drawer(testing::smallScene(), trajectory);
+  const ClipMotion motion = simulateScene(clipOf(10 * kSome));
+  FrameDrawer drawer(testing::smallScene(), motion);
   for (const std::int64_t count : {kSome, 10 * kSome}) {
     testing::FakeSink sink;
     drawFrames(drawer, {0, count}, {{sink, 1}}, nullptr, {});

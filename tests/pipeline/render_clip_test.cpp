@@ -193,7 +193,7 @@ TEST(RenderClip, TellsRendererEncoderAndProgress) {
   const RenderListener listener{
       [&](const std::string& r, const std::string& e) { renderer = r, encoder = e; },
       [&](RenderProgress progress) { done.push_back(progress.done); }};
-  renderClip(smallScene(), motionOf(smallScene()), {.folder = folder}, listener);
+  renderClip(smallScene(), simulateScene(smallScene()), {.folder = folder}, listener);
   EXPECT_THAT(renderer, HasSubstr("OpenGL"));
   EXPECT_FALSE(encoder.empty());
   ASSERT_EQ(done.size(), static_cast<std::size_t>(kFrames) + 1);
@@ -207,7 +207,7 @@ RenderResult stoppedAfter(std::int64_t frames, RenderOptions options) {
   options.stop = &stop;
   const RenderListener listener{{},
                                 [&](RenderProgress progress) { stop = progress.done >= frames; }};
-  return renderClip(smallScene(), motionOf(smallScene()), options, listener);
+  return renderClip(smallScene(), simulateScene(smallScene()), options, listener);
 }
 
 TEST(RenderClip, LeavesAPlayablePartialVideoWhenStopped) {
@@ -265,7 +265,7 @@ TEST(RenderClip, RemovesThePartialVideoOnceItIsWhole) {
   EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4"));
 }
 
-TEST(RenderClip, EndsWhereTheMotionDiverges) {
+TEST(RenderClip, HoldsItsLastPictureForASecondAfterTheMotionDiverges) {
   const fs::path folder = emptyFolder();
   const scene::Scene scene = testing::divergingScene();
   const physics::Trajectory trajectory = motionOf(scene);
@@ -273,9 +273,13 @@ TEST(RenderClip, EndsWhereTheMotionDiverges) {
   ASSERT_TRUE(trajectory.divergedAt.has_value());
   ASSERT_LT(count, kFrames);
   ASSERT_GT(count, 1);
-  EXPECT_EQ(testing::render(scene, {.folder = folder}).framesWritten, count);
-  EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(count));
-  EXPECT_EQ(decodeVideo(folder / "small.mp4").frameCount, count);
+  const std::int64_t frames = count + 24;
+  EXPECT_EQ(testing::render(scene, {.folder = folder}).framesWritten, frames);
+  EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(frames));
+  EXPECT_EQ(decodeVideo(folder / "small.mp4").frameCount, frames);
+  const auto frame = [&](std::int64_t n) { return bytesOf(folder / "small" / frameName(n)); };
+  EXPECT_NE(frame(count), frame(count - 2));
+  EXPECT_EQ(frame(count), frame(frames - 1));
   const std::string csv = bytesOf(folder / "small.csv");
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), count + 1);
 }

@@ -57,7 +57,7 @@ TEST(RenderErrors, NameAFrameThatCannotBeWritten) {
       },
       {}};
   const auto render = [&] {
-    renderClip(smallScene(), testing::motionOf(smallScene()), {.folder = folder}, listener);
+    renderClip(smallScene(), simulateScene(smallScene()), {.folder = folder}, listener);
   };
   EXPECT_THAT(testing::messageOf<MachineError>(render), HasSubstr(frameName(4)));
   EXPECT_FALSE(fs::exists(folder / "small.mp4"));

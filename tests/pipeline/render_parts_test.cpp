@@ -21,7 +21,6 @@ using ::testing::ElementsAre;
 using testing::emptyFolder;
 using ::testing::HasSubstr;
 using testing::kFrames;
-using testing::motionOf;
 using testing::namesIn;
 using testing::smallScene;
 
@@ -86,16 +85,16 @@ TEST(RenderParts, OfAClipMustBeInIt) {
   EXPECT_FALSE(fs::exists(folder));
 }
 
-TEST(RenderParts, EndWhereTheMotionDiverges) {
-  const physics::Trajectory trajectory = motionOf(testing::divergingScene());
-  const auto count = static_cast<std::int64_t>(trajectory.samples.size());
-  EXPECT_EQ(framesToRender(trajectory, {}), (FrameRange{0, count}));
-  EXPECT_EQ(framesToRender(trajectory, FrameRange{1, count}), (FrameRange{1, count}));
-  EXPECT_EQ(testing::messageOf<InputError>([&] {
-              framesToRender(trajectory, FrameRange{0, 12});
-            }),
-            "frames 0:12 don't exist; this clip has 0:" + std::to_string(count) +
-                ", up to where its motion diverges");
+TEST(RenderParts, EndASecondAfterTheMotionDiverges) {
+  const ClipMotion motion = simulateScene(testing::divergingScene());
+  const std::int64_t count = motion.frameCount();
+  EXPECT_EQ(framesToRender(motion, {}), (FrameRange{0, count}));
+  EXPECT_EQ(framesToRender(motion, FrameRange{1, count}), (FrameRange{1, count}));
+  EXPECT_EQ(
+      testing::messageOf<InputError>([&] {
+        framesToRender(motion, FrameRange{0, count + 1});
+      }),
+      "frames 0:30 don't exist; this clip has 0:29, up to a second after its motion diverges");
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "image/image.h"
 #include "physics/trajectory.h"
 #include "pipeline/render_clip.h"
+#include "pipeline/simulate_scene.h"
 #include "pipeline/textures.h"
 #include "scene/scene.h"
 #include "scene/scene_file.h"
@@ -69,7 +70,7 @@ inline std::vector<std::string> namesIn(const std::filesystem::path& folder) {
 
 /// Renders `scene` into `options.folder`.
 inline RenderResult render(const scene::Scene& scene, const RenderOptions& options) {
-  return renderClip(scene, motionOf(scene), options, {});
+  return renderClip(scene, simulateScene(scene), options, {});
 }
 
 /// What `action` says when it throws an `Expected`; "no error" if it doesn't throw.

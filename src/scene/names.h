@@ -46,6 +46,11 @@ inline constexpr std::array<Named<physics::InitialSpin::Kind>, 2> kSpinKinds{{
     {"angular_momentum", physics::InitialSpin::Kind::AngularMomentum},
 }};
 
+/// Whether `key` is one of them.
+inline bool isSpin(std::string_view key) {
+  return key == kSpinKinds[0].name || key == kSpinKinds[1].name;
+}
+
 inline constexpr std::array<Named<int>, 3> kAxes{{{"x", 0}, {"y", 1}, {"z", 2}}};
 
 inline constexpr std::array<Named<Overlay>, 2> kOverlays{{

@@ -1,8 +1,10 @@
 #include "scene/overrides.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstddef>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -30,15 +32,31 @@ Path pathFrom(std::string_view key, const std::string& place) {
     if (path.back().empty()) failAt(place, "the key, or a part of it, is empty");
     begin = end + 1;
   }
-  constexpr std::size_t kLongestPath = 4;  // study.orders.INTEGRATOR.BOUND
+  constexpr std::size_t kLongestPath = 4;  // study.orders.INTEGRATOR.BOUND, panel.0.SECTION.KEY
   if (path.size() > kLongestPath) failAt(place, "no key of a scene has more than four parts");
   return path;
+}
+
+// The element that `key`, a number from 0, counts in `array`.
+TomlNode& elementOf(TomlNode::Array& array, std::string_view key, std::string_view name,
+                    const std::string& place) {
+  std::size_t index = 0;
+  const auto [rest, error] = std::from_chars(key.data(), key.data() + key.size(), index);
+  if (error == std::errc() && rest == key.data() + key.size() && index < array.size()) {
+    return array[index];
+  }
+  failAt(place, std::string(name) + " has " + std::to_string(array.size()) +
+                    (array.size() == 1 ? " element" : " elements") + ", numbered from 0, and no " +
+                    tomlString(key));
 }
 
 // The value of `key` in `node`, a new empty table if it isn't there. Messages call `node` by
 // `name`.
 TomlNode& childOf(TomlNode& node, std::string_view key, std::string_view name,
                   const std::string& place) {
+  if (auto* array = std::get_if<TomlNode::Array>(&node.value)) {
+    return elementOf(*array, key, name, place);
+  }
   auto* table = std::get_if<TomlNode::Table>(&node.value);
   if (!table) failAt(place, std::string(name) + " is " + describe(node) + ", which has no keys");
   if (TomlEntry* entry = find(*table, key)) return entry->node;
@@ -50,11 +68,6 @@ TomlNode valueFrom(std::string_view text, const std::string& place) {
   if (auto value = parseTomlValue(text, place)) return *std::move(value);
   if (auto bareString = parseTomlValue(tomlString(text), place)) return *std::move(bareString);
   failAt(place, "the value isn't UTF-8");
-}
-
-bool isSpin(std::string_view key) {
-  const auto names = namesOf(kSpinKinds);
-  return std::find(names.begin(), names.end(), key) != names.end();
 }
 
 // A scene has one spin, so that the command line's replaces the file's, whichever key either of
@@ -82,8 +95,8 @@ void applyOverride(TomlNode& root, const std::string& text) {
     node = &childOf(*parent, part, key.substr(0, wayLength - (wayLength > 0 ? 1 : 0)), place);
   }
   *node = valueFrom(value, place);
-  if (path.size() == 2 && path[0] == "initial" && isSpin(path[1]))
-    removeOtherSpin(*parent, path[1]);
+  const bool inInitial = path.size() >= 2 && path[path.size() - 2] == "initial";
+  if (inInitial && isSpin(path.back())) removeOtherSpin(*parent, path.back());
 }
 
 }  // namespace

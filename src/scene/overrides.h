@@ -9,8 +9,9 @@
 namespace rotatebook::scene {
 
 /// Puts each "key.path=value" into `root`, a table, in their order. The value is TOML, or else a
-/// bare string. Setting either of initial.angular_velocity and initial.angular_momentum takes the
-/// other one out. Only the form is checked here. Throws InputError "--set KEY=VALUE: PROBLEM".
+/// bare string. An element of an array has its number from 0 for a key: panel.0.label.
+/// Setting either of initial.angular_velocity and initial.angular_momentum takes the other one out.
+/// Only the form is checked here. Throws InputError "--set KEY=VALUE: PROBLEM".
 void applyOverrides(TomlNode& root, std::span<const std::string> overrides);
 
 }  // namespace rotatebook::scene

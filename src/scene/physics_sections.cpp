@@ -142,10 +142,15 @@ void readInitial(const ValueReader& section, physics::InitialSpin& spin) {
   if (hasVelocity && hasMomentum) {
     section.fail("[initial] has both angular_velocity and angular_momentum; keep one of them");
   }
-  if (!hasVelocity && !hasMomentum) {
-    section.fail("[initial] needs angular_velocity or angular_momentum");
+  const auto tilt = section.find("tilt");
+  if (tilt && (hasVelocity || hasMomentum)) failAtValue(*tilt, [&] { spin.tilted(); });
+}
+
+void requireSpin(const ValueReader& section) {
+  for (const auto& kind : kSpinKinds) {
+    if (section.find(kind.name)) return;
   }
-  if (const auto tilt = section.find("tilt")) failAtValue(*tilt, [&] { spin.tilted(); });
+  section.fail("[initial] needs angular_velocity or angular_momentum");
 }
 
 void readExpectations(const ValueReader& section, std::vector<Expectation>& expectations) {

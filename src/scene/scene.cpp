@@ -6,6 +6,22 @@
 
 namespace rotatebook::scene {
 
+std::vector<Panel> motionsOf(const Scene& scene) {
+  if (!scene.panels.empty()) return scene.panels;
+  return {{"", scene.body, scene.inertia, scene.simulation, scene.initial, scene.expectations}};
+}
+
+Scene withMotion(const Scene& scene, const Panel& panel) {
+  Scene single = scene;
+  single.panels.clear();
+  single.body = panel.body;
+  single.inertia = panel.inertia;
+  single.simulation = panel.simulation;
+  single.initial = panel.initial;
+  single.expectations = panel.expectations;
+  return single;
+}
+
 Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldOfViewDeg, int width,
                                       int height) {
   constexpr double kMargin = 1.08;

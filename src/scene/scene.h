@@ -39,7 +39,8 @@ struct CameraSettings {
   Eigen::Vector3d position{0, 0, 1};  ///< [m]
   Eigen::Vector3d target{0, 0, 0};    ///< The point in the middle of the picture. [m]
   Eigen::Vector3d up{0, 1, 0};
-  double fieldOfViewDeg = 30;  ///< Vertical, 1 to 170. [degrees]
+  /// From the picture's bottom to its top, 1 to 170; in panels over the shorter side. [degrees]
+  double fieldOfViewDeg = 30;
 };
 
 /// [book]: picture files, relative to the scene's folder, or kBuiltin.
@@ -59,6 +60,18 @@ enum class Overlay {
 struct OverlaySettings {
   std::vector<Overlay> show;     ///< Each at most once.
   std::string font = "builtin";  ///< An installed family, or kBuiltin.
+};
+
+/// [[panel]]: one of several motions that a clip shows side by side.
+struct Panel {
+  std::string label{};  ///< Not empty, and unlike the others'.
+  physics::Cuboid body{};
+  std::optional<Eigen::Matrix3d> inertia{};  ///< As Scene::inertia.
+  physics::SimulationSettings simulation{};  ///< With the scene's timePerFrame.
+  physics::InitialSpin initial{};
+  std::vector<physics::Expectation> expectations{};
+
+  physics::MotionSettings motion() const { return {body, simulation, initial, inertia}; }
 };
 
 /// The texture or font that ships with the program.
@@ -81,10 +94,18 @@ struct Scene {
   BookSettings book;
   OverlaySettings overlay;
   std::vector<physics::Expectation> expectations;
+  /// None, or 2 to 6. They have been read over `body`, `inertia`, `simulation`, `initial` and
+  /// `expectations` above, of which timePerFrame alone is of use then.
+  std::vector<Panel> panels;
   std::optional<StudySettings> study;
 
   physics::MotionSettings motion() const { return {body, simulation, initial, inertia}; }
 };
+
+/// All that moves in a scene: its panels, or the scene itself as the only one, without a label.
+std::vector<Panel> motionsOf(const Scene& scene);
+/// `scene` as if `panel` were all that moves in it.
+Scene withMotion(const Scene& scene, const Panel& panel);
 
 /// The camera position from which a body of this size is seen whole in any attitude. [m]
 Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldOfViewDeg, int width,

@@ -1,7 +1,9 @@
 // From TOML to a Scene: the whole file, and the defaults that depend on several sections.
+#include <algorithm>
 #include <string>
 
 #include "scene/overrides.h"
+#include "scene/panel_section.h"
 #include "scene/scene_file.h"
 #include "scene/sections.h"
 #include "scene/study_section.h"
@@ -24,11 +26,10 @@ void readSections(const ValueReader& file, Scene& scene) {
       {"book", [&](const ValueReader& value) { readBook(value, scene.book); }},
       {"overlay", [&](const ValueReader& value) { readOverlay(value, scene.overlay); }},
       {"expect", [&](const ValueReader& value) { readExpectations(value, scene.expectations); }},
-      {"study", [](const ValueReader&) {}},  // Depends on all others; read when they are.
+      // These depend on the others; read when those are.
+      {"panel", [](const ValueReader&) {}},
+      {"study", [](const ValueReader&) {}},
   });
-  if (!file.find("initial")) {
-    file.fail("[initial] is missing; it needs angular_velocity or angular_momentum");
-  }
 }
 
 bool has(const ValueReader& file, std::string_view section, std::string_view key) {
@@ -36,22 +37,37 @@ bool has(const ValueReader& file, std::string_view section, std::string_view key
   return found && found->find(key);
 }
 
-void fillDefaults(const ValueReader& file, Scene& scene) {
-  if (!file.find("title")) scene.title = scene.name;
+/// Where the camera stands unless it is told: so that the largest of the bodies is seen whole.
+Eigen::Vector3d cameraPosition(const Scene& scene) {
+  const double angle = scene.camera.fieldOfViewDeg;
+  if (scene.panels.empty()) {
+    return defaultCameraPosition(scene.body, angle, scene.clip.width, scene.clip.height);
+  }
+  const auto diagonal = [](const Panel& panel) { return panel.body.size.norm(); };
+  const Panel& largest = *std::ranges::max_element(scene.panels, {}, diagonal);
+  // The angle is that over a panel's shorter side, so that its shape doesn't matter.
+  return defaultCameraPosition(largest.body, angle, 1, 1);
+}
+
+void readMotions(const ValueReader& file, Scene& scene) {
   if (!has(file, "simulation", "time_per_frame")) {
     scene.simulation.timePerFrame = scene.clip.frameRate.period();
   }
-  if (!has(file, "camera", "position")) {
-    scene.camera.position = defaultCameraPosition(scene.body, scene.camera.fieldOfViewDeg,
-                                                  scene.clip.width, scene.clip.height);
+  if (const auto panels = file.find("panel")) {
+    scene.panels = readPanels(*panels, file, scene.simulation.timePerFrame);
+    return;
   }
-}
-
-void checkTogether(const ValueReader& file, const Scene& scene) {
+  const auto initial = file.find("initial");
+  if (!initial) file.fail("[initial] is missing; it needs angular_velocity or angular_momentum");
+  requireSpin(*initial);
   if (const auto body = file.find("body")) checkInertia(*body, scene.simulation.model);
   if (const auto simulation = file.find("simulation")) {
     checkIntegrator(*simulation, scene.simulation);
   }
+}
+
+void placeCamera(const ValueReader& file, Scene& scene) {
+  if (!has(file, "camera", "position")) scene.camera.position = cameraPosition(scene);
   if (const auto camera = file.find("camera")) checkCamera(*camera, scene.camera);
 }
 
@@ -67,9 +83,13 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   scene.folder = path.parent_path();
   const ValueReader file(tree, "");
   readSections(file, scene);
-  fillDefaults(file, scene);
-  checkTogether(file, scene);
-  if (const auto study = file.find("study")) scene.study = readStudy(*study, scene);
+  if (!file.find("title")) scene.title = scene.name;
+  readMotions(file, scene);
+  placeCamera(file, scene);
+  if (const auto study = file.find("study")) {
+    if (!scene.panels.empty()) study->fail("[study] is of one motion, but this scene has panels");
+    scene.study = readStudy(*study, scene);
+  }
   return scene;
 }
 

@@ -60,8 +60,14 @@ std::string inertiaText(const std::optional<Eigen::Matrix3d>& inertia) {
       comment);
 }
 
-std::string bodyText(const physics::Cuboid& body, const std::optional<Eigen::Matrix3d>& inertia) {
-  return "\n[body]\n" +
+// `parent` is empty, or what comes before a section's name in its head: "panel.".
+std::string head(const std::string& parent, const std::string& section) {
+  return "\n[" + parent + section + "]\n";
+}
+
+std::string bodyText(const std::string& parent, const physics::Cuboid& body,
+                     const std::optional<Eigen::Matrix3d>& inertia) {
+  return head(parent, "body") +
          line("size", array(body.size),
               "m, along x (from the spine), y (to the top), z (to the cover)") +
          line("mass", tomlNumber(body.mass), "kg") + inertiaText(inertia);
@@ -73,22 +79,28 @@ std::string integratorText(const physics::SimulationSettings& settings) {
   return line("integrator", word(kIntegrators, settings.integrator), quotedList(names, "or"));
 }
 
-std::string simulationText(const physics::SimulationSettings& settings) {
-  return "\n[simulation]\n" + line("model", word(kModels, settings.model), choicesIn(kModels)) +
+std::string timePerFrameText(const physics::SimulationSettings& settings) {
+  return line("time_per_frame", tomlNumber(settings.timePerFrame),
+              "s simulated for each frame of video");
+}
+
+// All but time_per_frame, which the panels of a scene share.
+std::string simulationText(const std::string& parent, const physics::SimulationSettings& settings) {
+  return head(parent, "simulation") +
+         line("model", word(kModels, settings.model), choicesIn(kModels)) +
          integratorText(settings) +
          line("normalize", settings.normalize ? "true" : "false",
               "undo the integrator's drift after each step") +
          line("damping", tomlNumber(settings.damping), "particles: fraction of critical damping") +
          line("stiffness", tomlNumber(settings.stiffness), "particles: N/m, of each spring") +
-         line("time_per_frame", tomlNumber(settings.timePerFrame),
-              "s simulated for each frame of video") +
          line("substeps", std::to_string(settings.substeps), "integration steps for each frame");
 }
 
-std::string initialText(const physics::InitialSpin& spin) {
+std::string initialText(const std::string& parent, const physics::InitialSpin& spin) {
   const bool isVelocity = spin.kind == physics::InitialSpin::Kind::AngularVelocity;
-  std::string text = "\n[initial]\n" + line(nameOf(kSpinKinds, spin.kind), array(spin.value),
-                                            isVelocity ? "rad/s" : "kg m^2/s");
+  std::string text =
+      head(parent, "initial") +
+      line(nameOf(kSpinKinds, spin.kind), array(spin.value), isVelocity ? "rad/s" : "kg m^2/s");
   if (!spin.tilt) return text;
   return text + line("tilt",
                      "[" + tomlNumber(spin.tilt->angle) + ", " + word(kAxes, spin.tilt->axis) + "]",
@@ -150,7 +162,8 @@ std::string boundsText(const Expectation& expectation) {
 }
 
 // All bounds on a quantity stand behind one key, where the first of them is.
-std::string expectationsText(const std::vector<Expectation>& expectations) {
+std::string expectationsText(const std::string& parent,
+                             const std::vector<Expectation>& expectations) {
   std::vector<std::pair<physics::Quantity, std::vector<std::string>>> groups;
   for (const Expectation& expectation : expectations) {
     const auto sameQuantity = [&](const auto& group) {
@@ -161,7 +174,7 @@ std::string expectationsText(const std::vector<Expectation>& expectations) {
     group->second.push_back(boundsText(expectation));
   }
 
-  std::string text = groups.empty() ? "" : "\n[expect]\n";
+  std::string text = groups.empty() ? "" : head(parent, "expect");
   for (const auto& [quantity, bounds] : groups) {
     const std::string all = joined(bounds);
     text += line(physics::nameOf(quantity), bounds.size() == 1 ? all : "[" + all + "]");
@@ -169,14 +182,34 @@ std::string expectationsText(const std::vector<Expectation>& expectations) {
   return text;
 }
 
+std::string panelText(const Panel& panel) {
+  const std::string parent = "panel.";
+  return "\n[[panel]]\n" + line("label", tomlString(panel.label)) +
+         bodyText(parent, panel.body, panel.inertia) + simulationText(parent, panel.simulation) +
+         initialText(parent, panel.initial) + expectationsText(parent, panel.expectations);
+}
+
+// What moves, as far as it isn't in panels.
+std::string motionText(const Scene& scene) {
+  if (!scene.panels.empty()) return head("", "simulation") + timePerFrameText(scene.simulation);
+  return bodyText("", scene.body, scene.inertia) + simulationText("", scene.simulation) +
+         timePerFrameText(scene.simulation) + initialText("", scene.initial);
+}
+
+std::string panelsText(const Scene& scene) {
+  if (scene.panels.empty()) return expectationsText("", scene.expectations);
+  std::string text;
+  for (const Panel& panel : scene.panels) text += panelText(panel);
+  return text;
+}
+
 }  // namespace
 
 std::string sceneText(const Scene& scene) {
   return line("title", tomlString(scene.title)) + line("caption", tomlString(scene.caption)) +
-         bodyText(scene.body, scene.inertia) + simulationText(scene.simulation) +
-         initialText(scene.initial) + clipText(scene.clip) + videoText(scene.video) +
+         motionText(scene) + clipText(scene.clip) + videoText(scene.video) +
          cameraText(scene.camera) + bookText(scene.book) + overlayText(scene.overlay) +
-         expectationsText(scene.expectations) + (scene.study ? studyText(*scene.study) : "");
+         panelsText(scene) + (scene.study ? studyText(*scene.study) : "");
 }
 
 }  // namespace rotatebook::scene

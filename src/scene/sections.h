@@ -20,6 +20,7 @@ void readBody(const ValueReader& section, physics::Cuboid& body,
               std::optional<Eigen::Matrix3d>& inertia);
 /// Leaves the default of time_per_frame, which depends on [clip], to the caller.
 void readSimulation(const ValueReader& section, physics::SimulationSettings& settings);
+/// Leaves it to the caller whether there is a spin at all.
 void readInitial(const ValueReader& section, physics::InitialSpin& spin);
 void readExpectations(const ValueReader& section, std::vector<physics::Expectation>& expectations);
 
@@ -30,6 +31,8 @@ void readCamera(const ValueReader& section, CameraSettings& camera);
 void readBook(const ValueReader& section, BookSettings& book);
 void readOverlay(const ValueReader& section, OverlaySettings& overlay);
 
+/// Refuses [initial] without a spin.
+void requireSpin(const ValueReader& section);
 /// Refuses an integrator that the model doesn't have; `section` is [simulation].
 void checkIntegrator(const ValueReader& section, const physics::SimulationSettings& settings);
 /// Refuses an inertia for a model that has its own; `section` is [body].

@@ -14,7 +14,7 @@ namespace {
 
 using PlaceOf = std::function<std::string(const toml::source_region&)>;
 
-// The deepest value of a scene, a number in a bound in an array, lies at 4.
+// The deepest value of a scene, a number in a bound in an array in a panel, lies at 6.
 constexpr int kDeepest = 8;
 
 TomlNode nodeFrom(const toml::node& source, const PlaceOf& placeOf, int depth);

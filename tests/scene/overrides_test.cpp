@@ -110,7 +110,8 @@ TEST(Overrides, RefuseAWayThroughAValue) {
   EXPECT_EQ(errorOf("title = \"x\"", {"title.size=3"}),
             "--set title.size=3: title is \"x\", which has no keys");
   EXPECT_EQ(errorOf("expect.half_turns = [{ min = 1 }]", {"expect.half_turns.min=3"}),
-            "--set expect.half_turns.min=3: expect.half_turns is [a table], which has no keys");
+            "--set expect.half_turns.min=3: expect.half_turns has 1 element, numbered from 0, and "
+            "no \"min\"");
 }
 
 }  // namespace

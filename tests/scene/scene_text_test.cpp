@@ -131,8 +131,8 @@ integrator = "euler"  # "euler", "rk4", "lie-euler", "cf4", "splitting", "suzuki
 normalize = true  # undo the integrator's drift after each step
 damping = 1.0  # particles: fraction of critical damping
 stiffness = 2000.0  # particles: N/m, of each spring
-time_per_frame = 0.016666666666666666  # s simulated for each frame of video
 substeps = 64  # integration steps for each frame
+time_per_frame = 0.016666666666666666  # s simulated for each frame of video
 
 [initial]
 angular_velocity = [0.0, 0.0, 6.0]  # rad/s

@@ -1,0 +1,138 @@
+#include "scene/panel_section.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "scene/sections.h"
+#include "scene/toml_text.h"
+
+namespace rotatebook::scene {
+namespace {
+
+/// The sections of a scene that a panel may have, too.
+constexpr std::array<std::string_view, 4> kSections{"body", "simulation", "initial", "expect"};
+
+const TomlNode::Table* tableOf(const TomlNode& node) {
+  return std::get_if<TomlNode::Table>(&node.value);
+}
+
+const TomlNode::Table* tableOf(const ValueReader& parent, std::string_view key) {
+  const auto value = parent.find(key);
+  return value ? tableOf(value->node()) : nullptr;
+}
+
+/// Whether `own`, a panel's table, takes the place of `entry` in the scene's: of the spins, too, it
+/// has only one.
+bool replaces(const TomlNode::Table& own, const TomlEntry& entry) {
+  return find(own, entry.key) != nullptr ||
+         (isSpin(entry.key) &&
+          std::ranges::any_of(own, [](const TomlEntry& mine) { return isSpin(mine.key); }));
+}
+
+/// Adds to a panel's sections what the scene's section of that name has and the panel doesn't.
+void mergeSection(TomlNode::Table& sections, std::string_view name, const TomlNode& common) {
+  const TomlNode::Table* shared = tableOf(common);
+  TomlEntry* section = find(sections, name);
+  if (section == nullptr) {
+    sections.push_back({std::string(name), common.place, common});
+    return;
+  }
+  auto* own = std::get_if<TomlNode::Table>(&section->node.value);
+  if (own == nullptr || shared == nullptr) return;  // their readers will say so
+  const TomlNode::Table before = *own;
+  for (const TomlEntry& entry : *shared) {
+    if (!replaces(before, entry)) own->push_back(entry);
+  }
+}
+
+/// A panel with all keys that the scene has for it. Every value keeps its place.
+TomlNode mergedPanel(const ValueReader& panel, const ValueReader& file) {
+  TomlNode merged = panel.node();
+  auto& sections = std::get<TomlNode::Table>(merged.value);
+  for (const std::string_view name : kSections) {
+    if (const auto common = file.find(name)) mergeSection(sections, name, common->node());
+  }
+  return merged;
+}
+
+/// What panels must not have, because they share it.
+void refuseShared(const ValueReader& panel) {
+  if (const auto clip = panel.find("clip")) {
+    clip->fail("a panel has no clip of its own, because all panels share one clock; set clip." +
+               std::string("duration and the others for the whole scene"));
+  }
+  const auto simulation = panel.find("simulation");
+  if (!simulation) return;
+  if (const auto time = simulation->find("time_per_frame")) {
+    time->fail(
+        "a panel has no time_per_frame of its own, because all panels share one clock; set "
+        "simulation.time_per_frame for the whole scene");
+  }
+}
+
+std::string labelFrom(const ValueReader& value, const std::vector<Panel>& earlier) {
+  std::string label = value.text();
+  if (label.empty()) value.mismatch("a text that isn't empty");
+  for (const Panel& panel : earlier) {
+    if (panel.label == label) value.fail("two panels have the label " + tomlString(label));
+  }
+  return label;
+}
+
+void checkPanel(const ValueReader& panel, const ValueReader& merged, const Panel& read) {
+  if (!panel.find("label")) panel.fail("a panel needs a label");
+  const auto initial = merged.find("initial");
+  if (!initial) {
+    panel.fail("the panel " + tomlString(read.label) +
+               " has no [initial], and neither has the scene; it needs angular_velocity or "
+               "angular_momentum");
+  }
+  requireSpin(*initial);
+  if (const auto body = merged.find("body")) checkInertia(*body, read.simulation.model);
+  // An integrator that the scene has for its other panels is no matter for one without steps.
+  const TomlNode::Table* own = tableOf(panel, "simulation");
+  const bool itsOwn = own != nullptr && find(*own, "integrator") != nullptr;
+  if (const auto simulation = merged.find("simulation");
+      simulation && (itsOwn || read.simulation.model != physics::Model::Exact)) {
+    checkIntegrator(*simulation, read.simulation);
+  }
+}
+
+Panel readPanel(const ValueReader& panel, const ValueReader& file, double timePerFrame,
+                const std::vector<Panel>& earlier) {
+  refuseShared(panel);
+  const TomlNode node = mergedPanel(panel, file);
+  const ValueReader merged(node, panel.name());
+  Panel result;
+  merged.readTable({
+      {"label", [&](const ValueReader& value) { result.label = labelFrom(value, earlier); }},
+      {"body", [&](const ValueReader& value) { readBody(value, result.body, result.inertia); }},
+      {"simulation", [&](const ValueReader& value) { readSimulation(value, result.simulation); }},
+      {"initial", [&](const ValueReader& value) { readInitial(value, result.initial); }},
+      {"expect", [&](const ValueReader& value) { readExpectations(value, result.expectations); }},
+  });
+  result.simulation.timePerFrame = timePerFrame;
+  checkPanel(panel, merged, result);
+  return result;
+}
+
+}  // namespace
+
+std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file,
+                              double timePerFrame) {
+  const auto tables = panels.tables("tables with the head [[panel]]");
+  if (tables.size() < kFewestPanels || tables.size() > kMostPanels) {
+    panels.fail("a scene has " + std::to_string(kFewestPanels) + " to " +
+                std::to_string(kMostPanels) + " panels, not " + std::to_string(tables.size()));
+  }
+  std::vector<Panel> result;
+  for (const ValueReader& table : tables) {
+    result.push_back(readPanel(table, file, timePerFrame, result));
+  }
+  return result;
+}
+
+}  // namespace rotatebook::scene

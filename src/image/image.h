@@ -53,4 +53,8 @@ class Image {
   std::vector<std::uint8_t> bytes_;
 };
 
+/// Puts `piece` over `picture`, which has its format, so that its top left comes to (x, y); all of
+/// it must lie inside. [pixels]
+void paste(const ImageView& piece, int x, int y, Image& picture);
+
 }  // namespace rotatebook::image

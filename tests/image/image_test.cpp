@@ -22,6 +22,20 @@ TEST(Image, HasRowsWithoutPadding) {
   EXPECT_EQ(picture.row(1) - picture.row(0), 15);
 }
 
+TEST(Image, TakesAPieceOfAnother) {
+  Image picture(4, 3, PixelFormat::Rgba8), piece(2, 2, PixelFormat::Rgba8);
+  for (int y = 0; y < 2; ++y) {
+    for (int i = 0; i < 8; ++i) piece.row(y)[i] = static_cast<std::uint8_t>(10 * y + i + 1);
+  }
+  paste(piece.view(), 2, 1, picture);
+  for (int y = 0; y < 3; ++y) {
+    for (int i = 0; i < 16; ++i) {
+      const bool covered = y >= 1 && i >= 8;
+      EXPECT_EQ(picture.row(y)[i], covered ? 10 * (y - 1) + i - 8 + 1 : 0) << i << ", " << y;
+    }
+  }
+}
+
 TEST(Image, IsAValue) {
   Image original(1, 1, PixelFormat::Rgb8);
   const Image copy = original;

@@ -37,6 +37,22 @@ std::optional<std::int64_t> frameIndex(const std::string& name) {
   return index;
 }
 
+/// `label` in small letters, figures and hyphens that any file system takes.
+std::string slugOf(const std::string& label) {
+  std::string slug;
+  for (const char letter : label) {
+    const bool plain = ('a' <= letter && letter <= 'z') || ('0' <= letter && letter <= '9');
+    const bool capital = 'A' <= letter && letter <= 'Z';
+    if (plain || capital) {
+      slug += static_cast<char>(capital ? letter - 'A' + 'a' : letter);
+    } else if (!slug.empty() && slug.back() != '-') {
+      slug += '-';
+    }
+  }
+  if (slug.ends_with('-')) slug.pop_back();
+  return slug;
+}
+
 }  // namespace
 
 std::string frameName(std::int64_t index) {
@@ -69,6 +85,20 @@ ClipFiles clipFiles(const fs::path& folder, const std::string& name, FrameRange 
   const std::string partName = name + "_" + paddedNumber(part.first) + "-" + paddedNumber(part.end);
   files.mp4 = folder / (partName + ".mp4");
   files.partialMp4 = folder / (partName + ".partial.mp4");
+  return files;
+}
+
+std::vector<fs::path> csvFiles(const fs::path& csv, const scene::Scene& scene) {
+  if (scene.panels.empty()) return {csv};
+  std::vector<fs::path> files;
+  for (std::size_t i = 0; i < scene.panels.size(); ++i) {
+    std::string name = csv.stem().string() + "_" + slugOf(scene.panels[i].label);
+    const auto path = [&] { return csv.parent_path() / (name + csv.extension().string()); };
+    const auto taken = [&] { return std::ranges::count(files, path()) > 0; };
+    if (name.ends_with('_') || taken()) name += std::to_string(i + 1);
+    while (taken()) name += "-" + std::to_string(i + 1);
+    files.push_back(path());
+  }
   return files;
 }
 

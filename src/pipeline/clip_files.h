@@ -36,7 +36,7 @@ struct ClipFiles {
   std::filesystem::path sceneCopy;           ///< NAME/scene.toml, the resolved scene
   std::filesystem::path mp4;                 ///< NAME.mp4
   std::filesystem::path partialMp4;          ///< NAME.partial.mp4, where a run was interrupted
-  std::filesystem::path csv;                 ///< NAME.csv
+  std::filesystem::path csv;                 ///< NAME.csv; of panels see csvFiles()
 };
 
 /// The files of the clip `name` in `folder`.
@@ -44,6 +44,11 @@ ClipFiles clipFiles(const std::filesystem::path& folder, const std::string& name
 /// The same for some of its frames, whose MP4 must not replace the whole clip's:
 /// NAME_00010-00020.mp4.
 ClipFiles clipFiles(const std::filesystem::path& folder, const std::string& name, FrameRange part);
+
+/// The tables of the scene's motions, in the order of motionsOf(): `csv` itself, or for each panel
+/// one that is named after its label, too, each unlike the others: NAME_particles.csv.
+std::vector<std::filesystem::path> csvFiles(const std::filesystem::path& csv,
+                                            const scene::Scene& scene);
 
 /// The scene with every default explicit, headed by the program's version and `renderer`. It is
 /// stored beside the frames and in the MP4, so that a clip says what it was made from.

@@ -1,6 +1,7 @@
 // The pictures of a clip, in any order.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,30 +9,36 @@
 #include "image/image.h"
 #include "overlay/overlays.h"
 #include "pipeline/clip_motion.h"
+#include "pipeline/panel_grid.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
 
 namespace rotatebook::pipeline {
 
-/// Draws frame n of a scene: the book, and what is written over it. Owns an OpenGL context; see
-/// render::Renderer.
+/// Draws frame n of a scene: the book, or one in each panel, and what is written over it. Owns an
+/// OpenGL context; see render::Renderer.
 class FrameDrawer {
  public:
-  /// `motion`, the scene's, must outlive this. Throws as loadTextures(),
-  /// overlay::Overlays and render::Renderer do.
+  /// `motion`, the scene's, must outlive this. Throws InputError for more panels than the picture
+  /// has room for, and as loadTextures(), overlay::Overlays and render::Renderer do.
   FrameDrawer(const scene::Scene& scene, const ClipMotion& motion);
 
   /// A picture of the right size and format for draw().
-  image::Image makePicture() const { return renderer_.makePicture(); }
+  image::Image makePicture() const { return ground_; }
   /// Draws over all of `picture`; `frame` is 0 to below motion.frameCount().
   void draw(std::int64_t frame, image::Image& picture);
   /// render::Renderer::description()
   const std::string& description() const { return renderer_.description(); }
 
  private:
+  void drawMotion(std::size_t motion, std::int64_t frame, image::Image& picture);
+
   const ClipMotion* motion_;
   std::optional<overlay::Overlays> overlays_;
-  render::Renderer renderer_;
+  PanelGrid grid_;
+  render::Renderer renderer_;  // of a panel
+  image::Image ground_;        // What shows between panels.
+  image::Image panel_;
 };
 
 }  // namespace rotatebook::pipeline

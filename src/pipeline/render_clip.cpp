@@ -79,6 +79,7 @@ RenderResult renderClip(const scene::Scene& scene, const ClipMotion& motion,
   RenderResult result;
   result.files = options.frames ? clipFiles(options.folder, scene.name, range)
                                 : clipFiles(options.folder, scene.name);
+  result.csvs = csvFiles(result.files.csv, scene);
   createFolders(options.folder);
   if (options.frames) refuseForeignFrames(result.files, record);
   std::optional<Mp4Sink> mp4;
@@ -99,7 +100,7 @@ RenderResult renderClip(const scene::Scene& scene, const ClipMotion& motion,
     if (mp4 && result.framesWritten > 0) mp4->finishAs(result.files.partialMp4);
   } else {
     finish(mp4 ? &*mp4 : nullptr, result.files, record, options);
-    writeFileAtomically(result.files.csv, trajectoryCsv(motion.trajectories().front()));
+    writeTables(result.csvs, motion);
   }
   return result;
 }

@@ -7,6 +7,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "pipeline/clip_files.h"
 #include "pipeline/clip_motion.h"
@@ -42,6 +43,7 @@ struct RenderListener {
 /// What a render left.
 struct RenderResult {
   ClipFiles files;
+  std::vector<std::filesystem::path> csvs;  ///< The tables; none are written if interrupted.
   std::int64_t framesWritten = 0;
   /// Stopped from outside: frames are in NAME.partial/ (those of a part in NAME/), the MP4 is
   /// NAME.partial.mp4, and the files of an earlier render are as they were.

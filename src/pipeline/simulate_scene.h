@@ -1,4 +1,4 @@
-// The motion of a scene.
+// The motions of a scene.
 #pragma once
 
 #include <atomic>
@@ -8,8 +8,8 @@
 
 namespace rotatebook::pipeline {
 
-/// The whole motion of the scene's clip; `stop` and what is thrown as physics::simulate() has them,
-/// with the scene's file named.
+/// All motions of the scene's clip, as scene::motionsOf() has them; `stop` and what is thrown as
+/// physics::simulate() has them, with the scene's file and panel named.
 ClipMotion simulateScene(const scene::Scene& scene, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace rotatebook::pipeline

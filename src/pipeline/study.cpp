@@ -106,6 +106,9 @@ TiltRow runTilt(const MotionSettings& settings, std::int64_t frames, Stop stop) 
 }  // namespace
 
 void refuseNothingToVary(const scene::Scene& scene) {
+  if (!scene.panels.empty()) {
+    throw InputError(scene.name + ": a study is of one motion, but this scene has panels");
+  }
   if (scene.simulation.model == physics::Model::Exact) {
     throw InputError(scene.name +
                      ": the model \"exact\" takes no steps, so that there are no steps to compare; "

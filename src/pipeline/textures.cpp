@@ -1,5 +1,8 @@
 #include "pipeline/textures.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "image/png_file.h"
 
 namespace rotatebook::pipeline {
@@ -10,6 +13,16 @@ image::Image load(const scene::Scene& scene, const std::string& file, image::Ima
   return image::readPng(scene.folder / file);
 }
 
+/// [degrees]
+double verticalFieldOfView(const scene::Scene& scene, const render::Screen& screen) {
+  const double angle = scene.camera.fieldOfViewDeg;
+  const double height = screen.height - screen.bottomRows;
+  if (scene.panels.empty() || screen.width >= height) return angle;
+  // Panels have it over their shorter side.
+  constexpr double kHalf = std::numbers::pi / 360;
+  return std::atan(std::tan(angle * kHalf) * height / screen.width) / kHalf;
+}
+
 }  // namespace
 
 render::BookTextures loadTextures(const scene::Scene& scene) {
@@ -18,15 +31,19 @@ render::BookTextures loadTextures(const scene::Scene& scene) {
           load(scene, scene.book.back, render::builtinBack)};
 }
 
-render::Renderer makeRenderer(const scene::Scene& scene, int bottomRows) {
+render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& screen) {
   const render::BookTextures textures = loadTextures(scene);
   render::RenderSettings settings;
-  settings.width = scene.clip.width;
-  settings.height = scene.clip.height;
-  settings.bottomRows = bottomRows;
+  settings.width = screen.width;
+  settings.height = screen.height;
+  settings.bottomRows = screen.bottomRows;
   settings.camera = {scene.camera.position, scene.camera.target, scene.camera.up,
-                     scene.camera.fieldOfViewDeg};
+                     verticalFieldOfView(scene, screen)};
   return {settings, textures};
+}
+
+render::Renderer makeRenderer(const scene::Scene& scene) {
+  return makeRenderer(scene, {scene.clip.width, scene.clip.height, 0});
 }
 
 }  // namespace rotatebook::pipeline

@@ -9,7 +9,9 @@ namespace rotatebook::pipeline {
 /// Reads the pictures that the scene names. Throws InputError for one that is missing or broken.
 render::BookTextures loadTextures(const scene::Scene& scene);
 
-/// The scene's picture size, camera and textures, ready to draw; `bottomRows` as RenderSettings.
-render::Renderer makeRenderer(const scene::Scene& scene, int bottomRows = 0);
+/// The scene's camera and textures, ready to draw on `screen`: its whole picture, or a panel.
+render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& screen);
+/// The same on the whole picture.
+render::Renderer makeRenderer(const scene::Scene& scene);
 
 }  // namespace rotatebook::pipeline

@@ -1,5 +1,6 @@
 #include "pipeline/trajectory_csv.h"
 
+#include "base/atomic_file.h"
 #include "base/number_text.h"
 
 namespace rotatebook::pipeline {
@@ -56,6 +57,12 @@ std::string trajectoryCsv(const physics::Trajectory& trajectory) {
     appendRow(text, frame, trajectory.samples[frame], trajectory.samples.front());
   }
   return text;
+}
+
+void writeTables(const std::vector<std::filesystem::path>& files, const ClipMotion& motion) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    writeFileAtomically(files[i], trajectoryCsv(motion.trajectories()[i]));
+  }
 }
 
 }  // namespace rotatebook::pipeline

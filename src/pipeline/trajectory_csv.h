@@ -1,9 +1,12 @@
 // A motion as a table.
 #pragma once
 
+#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "physics/trajectory.h"
+#include "pipeline/clip_motion.h"
 
 namespace rotatebook::pipeline {
 
@@ -13,5 +16,8 @@ namespace rotatebook::pipeline {
 /// attitude, energy_ratio and L_ratio, each to its start, and regime (1, 0 or -1, as Regime). SI
 /// units; numbers read back to the same bits.
 std::string trajectoryCsv(const physics::Trajectory& trajectory);
+
+/// Writes the table of each motion to the file of the same place in `files`. Throws MachineError.
+void writeTables(const std::vector<std::filesystem::path>& files, const ClipMotion& motion);
 
 }  // namespace rotatebook::pipeline

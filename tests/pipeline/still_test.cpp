@@ -4,12 +4,12 @@
 #include <filesystem>
 #include <string>
 
-#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
 #include "image/png_file.h"
+#include "pipeline/attitudes.h"
 #include "pipeline/small_clip.h"
 
 namespace rotatebook::pipeline {
@@ -55,44 +55,14 @@ TEST(Still, MayBeInTheSecondAfterTheMotionDiverges) {
   EXPECT_FALSE(fs::exists(path));
 }
 
-// Whether any pixel within `margin` of the picture's border differs from `background`.
-bool touchesBorder(const image::Image& picture, const image::Image& background, int margin) {
-  for (int y = 0; y < picture.height(); ++y) {
-    for (int x = 0; x < picture.width(); ++x) {
-      const int fromSide = std::min(x, picture.width() - 1 - x);
-      const int fromTop = std::min(y, picture.height() - 1 - y);
-      if (std::min(fromSide, fromTop) >= margin) continue;
-      if (!std::equal(picture.row(y) + 4 * x, picture.row(y) + 4 * x + 4,
-                      background.row(y) + 4 * x)) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-// Books in attitudes all round, each with a corner turned toward one of many directions.
-bool anyAttitudeTouchesBorder(const scene::Scene& scene, int margin) {
-  render::Renderer renderer = makeRenderer(scene);
-  image::Image background = renderer.makePicture(), picture = renderer.makePicture();
-  renderer.draw(scene.body.corners().colwise() + Eigen::Vector3d(0, 1000, 0), background);
-  const Eigen::Vector3d corner = scene.body.corners().col(7);
-  bool touches = false;
-  for (int i = 0; i < 60; ++i) {
-    const double height = std::sin(0.9 * i), angle = 2.4 * i;
-    const double radius = std::sqrt(1 - height * height);
-    const Eigen::Vector3d toward(radius * std::cos(angle), height, radius * std::sin(angle));
-    const auto turn = Eigen::Quaterniond::FromTwoVectors(corner, toward);
-    renderer.draw(turn.toRotationMatrix() * scene.body.corners(), picture);
-    touches = touches || touchesBorder(picture, background, margin);
-  }
-  return touches;
+bool touches(const scene::Scene& scene, int margin) {
+  return testing::anyAttitudeTouchesBorder(scene, {scene.clip.width, scene.clip.height, 0}, margin);
 }
 
 TEST(DefaultCamera, ShowsAllOfTheBookInAnyAttitude) {
   for (const char* size : {"clip.size=[128,72]", "clip.size=[72,128]", "clip.size=[96,96]"}) {
-    EXPECT_FALSE(anyAttitudeTouchesBorder(smallScene({size}), 1)) << size;
-    EXPECT_TRUE(anyAttitudeTouchesBorder(smallScene({size}), 12)) << size << " shows it small";
+    EXPECT_FALSE(touches(smallScene({size}), 1)) << size;
+    EXPECT_TRUE(touches(smallScene({size}), 12)) << size << " shows it small";
   }
 }
 

@@ -12,6 +12,7 @@
 #include "cli/expectation_report.h"
 #include "cli/file_report.h"
 #include "cli/interrupt.h"
+#include "cli/motion_report.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
 #include "pipeline/render_clip.h"
@@ -67,7 +68,9 @@ std::vector<std::string> writtenThings(const pipeline::RenderResult& result,
   if (options.mp4 && result.framesWritten > 0) {
     things.push_back((result.interrupted ? files.partialMp4 : files.mp4).string());
   }
-  if (!result.interrupted) things.push_back(files.csv.string());
+  if (!result.interrupted) {
+    for (const auto& csv : result.csvs) things.push_back(csv.string());
+  }
   if (options.png) {
     things.push_back(std::to_string(result.framesWritten) + " frames in " +
                      (newFolder ? files.partialFrameFolder : files.frameFolder).string() + '/');
@@ -96,7 +99,7 @@ int renderScene(const scene::Scene& scene, const pipeline::RenderOptions& option
     std::cout << "  interrupted after " << result.framesWritten << " frames" << std::endl;
     return interruptStatus();
   }
-  return reportMotion(motion.trajectories().front(), scene.expectations, std::cout);
+  return reportMotions(scene, motion, std::cout);
 }
 
 int render(const RenderArguments& arguments) {
@@ -138,6 +141,7 @@ void addRenderCommand(CLI::App& program, Action& action) {
       ->capture_default_str();
   command->footer(R"(
 Writes DIR/NAME.mp4, DIR/NAME.csv and DIR/NAME/frame_00000.png ..., where NAME is the scene file's.
+A scene with panels has a table for each, DIR/NAME_LABEL.csv.
 With --frames the MP4 is DIR/NAME_A-B.mp4, and the frames join those of earlier parts.
 
 Examples:

@@ -2,11 +2,12 @@
 #include <memory>
 #include <string>
 
-#include "base/atomic_file.h"
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/expectation_report.h"
+#include "cli/motion_report.h"
 #include "cli/scene_options.h"
+#include "pipeline/clip_files.h"
 #include "pipeline/simulate_scene.h"
 #include "pipeline/trajectory_csv.h"
 
@@ -19,19 +20,29 @@ struct SimulateArguments {
   std::string csv;
 };
 
+/// The only table, on the standard output.
+int printTable(const scene::Scene& scene) {
+  if (!scene.panels.empty()) {
+    throw InputError("--csv -: " + scene.name +
+                     " has panels, each with a table of its own; name a file");
+  }
+  const pipeline::ClipMotion motion = pipeline::simulateScene(scene);
+  std::cout << pipeline::trajectoryCsv(motion.trajectories().front());
+  return sayIfUnmet(reportMotions(scene, motion, std::cerr));
+}
+
 int simulateScene(const SimulateArguments& arguments) {
   const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
+  if (arguments.csv == "-") return printTable(scene);
   const pipeline::ClipMotion motion = pipeline::simulateScene(scene);
-  const physics::Trajectory& trajectory = motion.trajectories().front();
-  const std::string table = pipeline::trajectoryCsv(trajectory);
-  if (arguments.csv == "-") {
-    std::cout << table;
-    return sayIfUnmet(reportMotion(trajectory, scene.expectations, std::cerr));
+  const auto files = pipeline::csvFiles(arguments.csv, scene);
+  pipeline::writeTables(files, motion);
+  std::cout << scene.name << ": " << scene.title << '\n';
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    std::cout << "  wrote " << files[i].string() << ", " << motion.trajectories()[i].samples.size()
+              << " rows\n";
   }
-  writeFileAtomically(arguments.csv, table);
-  std::cout << scene.name << ": " << scene.title << "\n  wrote " << arguments.csv << ", "
-            << trajectory.samples.size() << " rows\n";
-  return sayIfUnmet(reportMotion(trajectory, scene.expectations, std::cout));
+  return sayIfUnmet(reportMotions(scene, motion, std::cout));
 }
 
 }  // namespace

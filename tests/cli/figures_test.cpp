@@ -17,7 +17,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 const fs::path kScenes = fs::path(ROTATEBOOK_SOURCE) / "scenes";
-const fs::path kFigures = kScenes / "figures";
 
 constexpr double kShortest = 12;        // [s]
 constexpr double kLongest = 40;         // [s]
@@ -42,9 +41,20 @@ std::string wordFrom(std::string name) {
   return name;
 }
 
+/// The figures and the comparisons: scenes that are there to show an effect.
+std::vector<std::string> figures() {
+  std::vector<std::string> names;
+  for (const char* folder : {"comparisons", "figures"}) {
+    for (const std::string& name : scenesBelow(kScenes / folder)) {
+      names.push_back(folder + ("/" + name));
+    }
+  }
+  return names;
+}
+
 /// A figure's scene with that changed which makes its effect.
 struct Twin {
-  const char* figure;
+  const char* figure;  ///< Its path from kScenes, without ".toml"
   std::vector<std::string> overrides;
 };
 
@@ -59,22 +69,35 @@ const std::vector<std::string> kAboutZ{"initial.angular_velocity=[0, 0, 4]",
 const std::vector<std::string> kNormalized{"simulation.normalize=true"};
 
 const std::vector<Twin> kTwins{
-    {"fig03-stable-z", kAboutX},
-    {"fig04-stable-y", kAboutX},
-    {"fig05-unstable-x", kAboutZ},
-    {"fig05b-rounding-only", {"simulation.model=quaternion"}},
-    {"fig06-undamped", {"simulation.damping=1"}},
-    {"fig07-unnormalized", kNormalized},
-    {"fig08-neither", {"simulation.damping=1"}},
-    {"fig08-neither", kNormalized},
-    {"fig09-matrix", kAboutZ},
-    {"fig09b-matrix-large-step", {"simulation.substeps=100"}},
-    {"fig10-matrix-unnormalized", kNormalized},
-    {"fig11-quaternion-unnormalized", kNormalized},
-    {"fig12-quaternion-pulsating", kNormalized},
-    {"figa-exact", {"simulation.model=\"quaternion\""}},
-    {"figa-normalized-euler", {"simulation.substeps=64"}},
-    {"figa-normalized-euler", {"simulation.integrator=\"rk4\""}},
+    {"comparisons/axes", {"panel.1.initial.angular_velocity=[0, 4, 0]"}},
+    {"comparisons/axes",
+     {"panel.0.initial.angular_velocity=[4, 0, 0]", "panel.0.initial.tilt=[0.014, \"z\"]"}},
+    {"comparisons/axes",
+     {"panel.2.initial.angular_velocity=[4, 0, 0]", "panel.2.initial.tilt=[0.014, \"z\"]"}},
+    {"comparisons/models", {"panel.3.simulation.model=\"quaternion\""}},
+    {"comparisons/models", {"panel.0.simulation.model=\"exact\""}},
+    {"comparisons/models", {"panel.1.simulation.integrator=\"rk4\""}},
+    {"comparisons/models", {"panel.2.simulation.integrator=\"rk4\""}},
+    {"comparisons/normalised", {"panel.0.simulation.normalize=false"}},
+    {"comparisons/normalised", {"panel.1.simulation.normalize=true"}},
+    {"comparisons/steps", {"panel.0.simulation.substeps=1"}},
+    {"comparisons/steps", {"panel.1.simulation.substeps=64"}},
+    {"figures/fig03-stable-z", kAboutX},
+    {"figures/fig04-stable-y", kAboutX},
+    {"figures/fig05-unstable-x", kAboutZ},
+    {"figures/fig05b-rounding-only", {"simulation.model=quaternion"}},
+    {"figures/fig06-undamped", {"simulation.damping=1"}},
+    {"figures/fig07-unnormalized", kNormalized},
+    {"figures/fig08-neither", {"simulation.damping=1"}},
+    {"figures/fig08-neither", kNormalized},
+    {"figures/fig09-matrix", kAboutZ},
+    {"figures/fig09b-matrix-large-step", {"simulation.substeps=100"}},
+    {"figures/fig10-matrix-unnormalized", kNormalized},
+    {"figures/fig11-quaternion-unnormalized", kNormalized},
+    {"figures/fig12-quaternion-pulsating", kNormalized},
+    {"figures/figa-exact", {"simulation.model=\"quaternion\""}},
+    {"figures/figa-normalized-euler", {"simulation.substeps=64"}},
+    {"figures/figa-normalized-euler", {"simulation.integrator=\"rk4\""}},
 };
 
 TEST(Figures, AreAllThere) {
@@ -82,7 +105,7 @@ TEST(Figures, AreAllThere) {
   for (const Twin& twin : kTwins) {
     if (names.empty() || names.back() != twin.figure) names.emplace_back(twin.figure);
   }
-  EXPECT_EQ(scenesBelow(kFigures), names);
+  EXPECT_EQ(figures(), names);
 }
 
 class ShippedScene : public ProgramTest, public ::testing::WithParamInterface<std::string> {};
@@ -109,29 +132,31 @@ INSTANTIATE_TEST_SUITE_P(All, ShippedScene, ::testing::ValuesIn(scenesBelow(kSce
 class Figure : public ::testing::TestWithParam<std::string> {};
 
 TEST_P(Figure, IsARealBookInRealTime) {
-  const scene::Scene scene = scene::readScene(kFigures / (GetParam() + ".toml"));
+  const scene::Scene scene = scene::readScene(kScenes / (GetParam() + ".toml"));
   EXPECT_EQ(scene.clip.width, 1280);
   EXPECT_EQ(scene.clip.height, 720);
   EXPECT_EQ(scene.clip.frameRate.text(), "60");
   EXPECT_GE(scene.clip.duration, kShortest);
   EXPECT_LE(scene.clip.duration, kLongest);
   EXPECT_EQ(scene.simulation.timePerFrame, 1.0 / 60);
-  EXPECT_GE(scene.body.size.minCoeff(), kSmallestSide);
-  EXPECT_LE(scene.body.size.maxCoeff(), kLargestSide);
-  EXPECT_GE(scene.body.mass, kLightest);
-  EXPECT_LE(scene.body.mass, kHeaviest);
   EXPECT_FALSE(scene.title.empty());
   EXPECT_FALSE(scene.caption.empty());
-  EXPECT_FALSE(scene.expectations.empty());
+  for (const scene::Panel& motion : scene::motionsOf(scene)) {
+    EXPECT_GE(motion.body.size.minCoeff(), kSmallestSide);
+    EXPECT_LE(motion.body.size.maxCoeff(), kLargestSide);
+    EXPECT_GE(motion.body.mass, kLightest);
+    EXPECT_LE(motion.body.mass, kHeaviest);
+    EXPECT_FALSE(motion.expectations.empty());
+  }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Figure, ::testing::ValuesIn(scenesBelow(kFigures)),
+INSTANTIATE_TEST_SUITE_P(All, Figure, ::testing::ValuesIn(figures()),
                          [](const auto& scene) { return wordFrom(scene.param); });
 
 class FigureTwin : public ProgramTest, public ::testing::WithParamInterface<Twin> {};
 
 TEST_P(FigureTwin, FailsTheExpectations) {
-  std::vector<std::string> arguments{"simulate", (kFigures / GetParam().figure).string() + ".toml",
+  std::vector<std::string> arguments{"simulate", (kScenes / GetParam().figure).string() + ".toml",
                                      "--csv", "x.csv"};
   for (const std::string& change : GetParam().overrides) {
     arguments.insert(arguments.end(), {"--set", change});

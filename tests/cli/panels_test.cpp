@@ -1,0 +1,86 @@
+// Scenes with panels on the command line.
+#include <string>
+
+#include "cli/program_test.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
+
+constexpr const char* kPair = R"(title = "Pair"
+[initial]
+angular_velocity = [5.0, 0.0, 0.0]
+[clip]
+size = [96, 54]
+duration = 0.2
+[[panel]]
+label = "one"
+expect.half_turns = { max = 0 }
+[[panel]]
+label = "two"
+simulation.model = "matrix"
+expect.half_turns = { min = 1 }
+)";
+
+class PanelCommands : public ProgramTest {
+ protected:
+  PanelCommands() { write("pair.toml", kPair); }
+};
+
+TEST_F(PanelCommands, RenderReportsEachPanel) {
+  const ChildResult result = run({"render", "pair.toml", "--no-png"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.output, HasSubstr("out/pair.mp4, out/pair_one.csv and out/pair_two.csv\n"));
+  EXPECT_THAT(result.output, EndsWith("  one:\n"
+                                      "  met    half_turns: expected at most 0; measured 0\n"
+                                      "  two:\n"
+                                      "  UNMET  half_turns: expected at least 1; measured 0\n"));
+  EXPECT_THAT(files(), IsSupersetOf({"out/pair.mp4", "out/pair_one.csv", "out/pair_two.csv"}));
+}
+
+TEST_F(PanelCommands, SimulateWritesATableEach) {
+  const ChildResult result = runWithoutGraphics(
+      {"simulate", "pair.toml", "--csv", "t.csv", "--set", "panel.1.expect.half_turns={max=0}"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.output,
+              HasSubstr("pair: Pair\n  wrote t_one.csv, 12 rows\n  wrote t_two.csv, 12 rows\n"));
+  EXPECT_THAT(files(), ElementsAre("pair.toml", "t_one.csv", "t_two.csv"));
+}
+
+TEST_F(PanelCommands, SimulateHasNoOneTableToPrint) {
+  const ChildResult result = runWithoutGraphics({"simulate", "pair.toml", "--csv", "-"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.output, IsEmpty());
+  EXPECT_EQ(result.error,
+            "rotatebook: --csv -: pair has panels, each with a table of its own; name a file\n");
+}
+
+TEST_F(PanelCommands, CheckFindsWhatIsWrongWithAPanel) {
+  EXPECT_EQ(runWithoutGraphics({"check", "pair.toml"}).output, "pair.toml: ok\n");
+  const ChildResult result =
+      runWithoutGraphics({"check", "pair.toml", "--set", "panel.1.clip.duration=3"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.error, HasSubstr("a panel has no clip of its own"));
+}
+
+TEST_F(PanelCommands, StillDrawsAllPanels) {
+  const ChildResult result = run({"still", "pair.toml", "--time", "0.1", "-o", "a.png"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(files(), Contains("a.png"));
+}
+
+TEST_F(PanelCommands, StudyHasNoOneMotion) {
+  const ChildResult result = runWithoutGraphics({"study", "pair.toml"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.error,
+            "rotatebook: pair: a study is of one motion, but this scene has panels\n");
+}
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

@@ -9,7 +9,7 @@ OUT ?= out
 .PHONY: help setup configure build program figures test render scene-given bench bench-engines format-check lint textures clean
 
 help:
-	@echo 'make figures             render every figure and study into $(OUT)/, each checked'
+	@echo 'make figures             render every figure, comparison and study into $(OUT)/, each checked'
 	@echo 'make test                build and run all tests'
 	@echo 'make render SCENE=FILE   render one scene into $(OUT)/ (more options: ARGS="--no-png")'
 	@echo 'make program             build $(PROGRAM)'
@@ -35,7 +35,7 @@ build: configure
 	@cmake --build $(BUILD)
 
 figures: program
-	$(PROGRAM) render scenes/figures/*.toml -o $(OUT)
+	$(PROGRAM) render scenes/comparisons/*.toml scenes/figures/*.toml -o $(OUT)
 	$(PROGRAM) study scenes/studies/*.toml -o $(OUT)
 
 test: build

@@ -1,10 +1,12 @@
-// A piece of picture to lay over another.
+// Pieces of picture to lay over another.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "image/image.h"
+#include "overlay/box.h"
 
 namespace rotatebook::overlay {
 
@@ -18,8 +20,27 @@ struct Layer {
   std::vector<std::uint8_t> pixels;
 };
 
-/// Lays `layer` over `picture`; what lies outside is left out. Alpha of the picture grows to what
-/// both cover together.
-void blend(const Layer& layer, image::Image& picture);
+/// A layer that somebody else owns, or a part of one.
+struct LayerView {
+  int x = 0, y = 0, width = 0, height = 0;  ///< As Layer has them. [pixels]
+  const std::uint8_t* pixels = nullptr;     ///< Of its top left pixel.
+  std::ptrdiff_t stride = 0;                ///< From a row to the one below. [bytes]
+};
+
+/// The whole of `layer`.
+LayerView viewOf(const Layer& layer);
+
+/// A layer that is the same in each frame, and where on the picture it has words.
+struct Plate {
+  Layer layer;
+  std::vector<Box> texts;
+};
+
+/// Lays `layer` over `picture`; what lies outside is left out. Where the picture has alpha it is
+/// straight, and grows to what both cover together.
+void blend(const LayerView& layer, image::Image& picture);
+inline void blend(const Layer& layer, image::Image& picture) {
+  blend(viewOf(layer), picture);
+}
 
 }  // namespace rotatebook::overlay

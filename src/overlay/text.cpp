@@ -15,6 +15,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "overlay/cairo_handles.h"
+#include "scene/scene.h"
 
 extern "C" {
 extern const std::uint8_t embedded_inter_regular_begin[], embedded_inter_regular_end[];
@@ -26,22 +28,16 @@ namespace {
 
 constexpr const char* kShippedFamily = "Inter";
 
-template <auto kFunction>
-struct Deleter {
-  template <typename T>
-  void operator()(T* pointer) const {
-    kFunction(pointer);
-  }
-};
-
 using FontConfig = std::unique_ptr<FcConfig, Deleter<&FcConfigDestroy>>;
 using FontMap = std::unique_ptr<PangoFontMap, Deleter<&g_object_unref>>;
 using Context = std::unique_ptr<PangoContext, Deleter<&g_object_unref>>;
 using LayoutPointer = std::unique_ptr<PangoLayout, Deleter<&g_object_unref>>;
-using Surface = std::unique_ptr<cairo_surface_t, Deleter<&cairo_surface_destroy>>;
-using Cairo = std::unique_ptr<cairo_t, Deleter<&cairo_destroy>>;
 using FontOptions = std::unique_ptr<cairo_font_options_t, Deleter<&cairo_font_options_destroy>>;
 using Description = std::unique_ptr<PangoFontDescription, Deleter<&pango_font_description_free>>;
+using Attributes = std::unique_ptr<PangoAttrList, Deleter<&pango_attr_list_unref>>;
+
+constexpr Colour kHaloColour{0.04, 0.045, 0.06};
+constexpr double kHaloOpacity = 0.8;
 
 /// A font file in memory, with a path for those who only take paths.
 class FontFile {
@@ -131,6 +127,11 @@ LayoutPointer layoutOf(PangoContext* context, const std::string& family, const s
   pango_layout_set_width(layout.get(), width * PANGO_SCALE);
   pango_layout_set_wrap(layout.get(), PANGO_WRAP_WORD_CHAR);
   pango_layout_set_text(layout.get(), text.data(), static_cast<int>(text.size()));
+  if (style.tabular) {
+    const Attributes attributes(pango_attr_list_new());
+    pango_attr_list_insert(attributes.get(), pango_attr_font_features_new("tnum=1"));
+    pango_layout_set_attributes(layout.get(), attributes.get());
+  }
   return layout;
 }
 
@@ -138,6 +139,21 @@ TextSize sizeOf(PangoLayout* layout) {
   TextSize size;
   pango_layout_get_pixel_size(layout, &size.width, &size.height);
   return size;
+}
+
+void paint(cairo_t* cairo, PangoLayout* layout, const TextStyle& style) {
+  if (style.halo > 0) {
+    pango_cairo_layout_path(cairo, layout);
+    cairo_set_source_rgba(cairo, kHaloColour.red, kHaloColour.green, kHaloColour.blue,
+                          kHaloOpacity * style.opacity);
+    cairo_set_line_width(cairo, 2 * style.halo);
+    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+    cairo_stroke(cairo);
+    cairo_move_to(cairo, 0, 0);
+  }
+  const Colour& colour = style.colour;
+  cairo_set_source_rgba(cairo, colour.red, colour.green, colour.blue, style.opacity);
+  pango_cairo_show_layout(cairo, layout);
 }
 
 }  // namespace
@@ -159,6 +175,10 @@ Typesetter::Typesetter(const std::string& family) : parts_(std::make_unique<Part
   parts_->family = family;
 }
 
+Typesetter Typesetter::of(const std::string& font) {
+  return font == scene::kBuiltin ? Typesetter() : Typesetter(font);
+}
+
 Typesetter::~Typesetter() = default;
 Typesetter::Typesetter(Typesetter&&) noexcept = default;
 Typesetter& Typesetter::operator=(Typesetter&&) noexcept = default;
@@ -174,15 +194,15 @@ Layer Typesetter::draw(const std::string& text, const TextStyle& style, int widt
                      "\"; choose an installed one that has it, overlay.font = \"...\"");
   }
   const TextSize size = sizeOf(layout.get());
-  Layer layer{0, 0, size.width, size.height, {}};
-  layer.pixels.resize(static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height) *
-                      4);
+  const int margin = static_cast<int>(std::ceil(style.halo));
+  Layer layer{-margin, -margin, size.width + 2 * margin, size.height + 2 * margin, {}};
+  layer.pixels.resize(static_cast<std::size_t>(layer.width) *
+                      static_cast<std::size_t>(layer.height) * 4);
   const Surface surface(cairo_image_surface_create_for_data(
-      layer.pixels.data(), CAIRO_FORMAT_ARGB32, size.width, size.height, size.width * 4));
+      layer.pixels.data(), CAIRO_FORMAT_ARGB32, layer.width, layer.height, layer.width * 4));
   const Cairo cairo(cairo_create(surface.get()));
-  const Colour& colour = style.colour;
-  cairo_set_source_rgba(cairo.get(), colour.red, colour.green, colour.blue, style.opacity);
-  pango_cairo_show_layout(cairo.get(), layout.get());
+  cairo_translate(cairo.get(), margin, margin);
+  paint(cairo.get(), layout.get(), style);
   cairo_surface_flush(surface.get());
   return layer;
 }

@@ -18,7 +18,9 @@ struct TextStyle {
   double size = 16;  ///< Height of the letters' body, > 0. [pixels]
   bool bold = false;
   Colour colour;
-  double opacity = 1;  ///< 0 to 1
+  double opacity = 1;    ///< 0 to 1
+  double halo = 0;       ///< How far a dark edge reaches around the letters, >= 0. [pixels]
+  bool tabular = false;  ///< All figures as wide as one another, for numbers that change.
 };
 
 /// The width and height that words take. [pixels]
@@ -36,6 +38,8 @@ class Typesetter {
   /// An installed family. Throws InputError, naming families that are near, if there is none of
   /// that name.
   explicit Typesetter(const std::string& family);
+  /// What a scene's overlay.font means: a family, or scene::kBuiltin.
+  static Typesetter of(const std::string& font);
   ~Typesetter();
   Typesetter(Typesetter&&) noexcept;
   Typesetter& operator=(Typesetter&&) noexcept;
@@ -43,7 +47,8 @@ class Typesetter {
   /// Size of UTF-8 `text`, broken into lines at words so that none is wider than `width` [pixels];
   /// a line feed ends a line, too.
   TextSize measure(const std::string& text, const TextStyle& style, int width) const;
-  /// The words alone, their top left at the origin. Throws InputError if the font lacks a letter.
+  /// The words alone, their top left at the origin, the halo beyond it. Throws InputError if the
+  /// font lacks a letter.
   Layer draw(const std::string& text, const TextStyle& style, int width) const;
 
  private:

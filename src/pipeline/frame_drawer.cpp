@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 #include "base/error.h"
 #include "pipeline/textures.h"
@@ -12,23 +13,51 @@ namespace {
 constexpr int kSmallestPanel = 16;  // The shorter side. [pixels]
 constexpr std::array<std::uint8_t, 4> kGroundColour{17, 17, 19, 255};
 
-std::optional<overlay::Overlays> makeOverlays(const scene::Scene& scene) {
-  if (scene.overlay.show.empty()) return std::nullopt;
-  return overlay::Overlays(scene);
+bool hasPanels(const scene::Scene& scene) {
+  return !scene.panels.empty();
+}
+
+overlay::Words wordsOf(const scene::Scene& scene) {
+  using Place = overlay::Words::ClockPlace;
+  return overlay::Words(scene, hasPanels(scene) ? Place::Bottom : Place::TopLeft);
 }
 
 /// Panels are above the rows that words take; the picture of a single motion goes on below them.
-PanelGrid makeGrid(const scene::Scene& scene, int wordRows) {
+PanelGrid gridOf(const scene::Scene& scene, const overlay::Words& words) {
+  if (!hasPanels(scene)) return panelGrid(1, scene.clip.width, scene.clip.height);
   const auto count = static_cast<int>(scene.panels.size());
-  if (count == 0) return panelGrid(1, scene.clip.width, scene.clip.height);
-  const PanelGrid grid = panelGrid(count, scene.clip.width, scene.clip.height - wordRows);
+  const PanelGrid grid = panelGrid(count, scene.clip.width, scene.clip.height - words.bottomRows());
   if (std::min(grid.width, grid.height) >= kSmallestPanel) return grid;
   throw InputError(scene.name + ": " + std::to_string(count) + " panels have no room in " +
                    std::to_string(scene.clip.width) + "x" + std::to_string(scene.clip.height) +
                    " pixels; make the picture larger");
 }
 
-image::Image makeGround(const scene::Scene& scene) {
+std::vector<overlay::Marks> marksOf(const scene::Scene& scene, const ClipMotion& motion,
+                                    const PanelGrid& grid, const overlay::Words& words) {
+  std::vector<overlay::Marks> marks;
+  auto trajectory = motion.trajectories().begin();
+  for (const scene::Panel& panel : scene::motionsOf(scene)) {
+    overlay::Ground ground{.width = grid.width, .height = grid.height, .label = panel.label};
+    if (!hasPanels(scene)) {
+      ground.corner = words.corner();
+      ground.bottomRows = words.bottomRows();
+    }
+    marks.emplace_back(scene::withMotion(scene, panel), *trajectory++, ground);
+  }
+  return marks;
+}
+
+/// A panel's picture. All leave as many rows to their marks, so that their books are of one size.
+render::Screen screenOf(const PanelGrid& grid, const std::vector<overlay::Marks>& marks) {
+  render::Screen screen{grid.width, grid.height, 0};
+  for (const overlay::Marks& one : marks) {
+    screen.bottomRows = std::max(screen.bottomRows, one.bottomRows());
+  }
+  return screen;
+}
+
+image::Image groundOf(const scene::Scene& scene) {
   image::Image ground(scene.clip.width, scene.clip.height, image::PixelFormat::Rgba8);
   for (int y = 0; y < ground.height(); ++y) {
     for (int x = 0; x < ground.width(); ++x) {
@@ -42,12 +71,14 @@ image::Image makeGround(const scene::Scene& scene) {
 
 FrameDrawer::FrameDrawer(const scene::Scene& scene, const ClipMotion& motion)
     : motion_(&motion),
-      overlays_(makeOverlays(scene)),
-      grid_(makeGrid(scene, overlays_ ? overlays_->bottomRows() : 0)),
-      renderer_(
-          makeRenderer(scene, {grid_.width, grid_.height,
-                               scene.panels.empty() && overlays_ ? overlays_->bottomRows() : 0})),
-      ground_(makeGround(scene)),
+      frame_(scene.camera.frame),
+      words_(wordsOf(scene)),
+      grid_(gridOf(scene, words_)),
+      marks_(marksOf(scene, motion, grid_, words_)),
+      screen_(screenOf(grid_, marks_)),
+      camera_(cameraOf(scene, screen_)),
+      renderer_(makeRenderer(scene, screen_)),
+      ground_(groundOf(scene)),
       panel_(renderer_.makePicture()) {}
 
 void FrameDrawer::draw(std::int64_t frame, image::Image& picture) {
@@ -60,12 +91,16 @@ void FrameDrawer::draw(std::int64_t frame, image::Image& picture) {
       image::paste(panel_.view(), grid_.places[i].x, grid_.places[i].y, picture);
     }
   }
-  if (overlays_) overlays_->draw(motion_->clockFrame(frame), picture);
+  words_.draw(motion_->clockFrame(frame), picture);
 }
 
 void FrameDrawer::drawMotion(std::size_t motion, std::int64_t frame, image::Image& picture) {
   const auto& samples = motion_->trajectories()[motion].samples;
-  renderer_.draw(samples[motion_->sampleAt(motion, frame)].corners, picture);
+  const physics::Sample& sample = samples[motion_->sampleAt(motion, frame)];
+  const physics::Corners corners = physics::seenFrom(frame_, sample).corners;
+  renderer_.draw(corners, picture);
+  const render::Projection projection = render::project(camera_, corners, screen_);
+  marks_[motion].draw(frame, projection.clipFromWorld, picture);
 }
 
 }  // namespace rotatebook::pipeline

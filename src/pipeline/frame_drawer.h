@@ -1,13 +1,14 @@
 // The pictures of a clip, in any order.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "image/image.h"
-#include "overlay/overlays.h"
+#include "overlay/marks.h"
+#include "overlay/words.h"
+#include "physics/reference_frame.h"
 #include "pipeline/clip_motion.h"
 #include "pipeline/panel_grid.h"
 #include "render/renderer.h"
@@ -15,12 +16,12 @@
 
 namespace rotatebook::pipeline {
 
-/// Draws frame n of a scene: the book, or one in each panel, and what is written over it. Owns an
+/// Draws frame n of a scene: the book, or one in each panel, and what is drawn over it. Owns an
 /// OpenGL context; see render::Renderer.
 class FrameDrawer {
  public:
   /// `motion`, the scene's, must outlive this. Throws InputError for more panels than the picture
-  /// has room for, and as loadTextures(), overlay::Overlays and render::Renderer do.
+  /// has room for, and as loadTextures(), overlay::Words and render::Renderer do.
   FrameDrawer(const scene::Scene& scene, const ClipMotion& motion);
 
   /// A picture of the right size and format for draw().
@@ -34,10 +35,14 @@ class FrameDrawer {
   void drawMotion(std::size_t motion, std::int64_t frame, image::Image& picture);
 
   const ClipMotion* motion_;
-  std::optional<overlay::Overlays> overlays_;
+  physics::ReferenceFrame frame_;
+  overlay::Words words_;
   PanelGrid grid_;
-  render::Renderer renderer_;  // of a panel
-  image::Image ground_;        // What shows between panels.
+  std::vector<overlay::Marks> marks_;  // of each motion
+  render::Screen screen_;              // each panel's
+  render::Camera camera_;
+  render::Renderer renderer_;
+  image::Image ground_;  // what shows between panels
   image::Image panel_;
 };
 

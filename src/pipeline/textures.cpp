@@ -31,14 +31,18 @@ render::BookTextures loadTextures(const scene::Scene& scene) {
           load(scene, scene.book.back, render::builtinBack)};
 }
 
+render::Camera cameraOf(const scene::Scene& scene, const render::Screen& screen) {
+  return {scene.camera.position, scene.camera.target, scene.camera.up,
+          verticalFieldOfView(scene, screen)};
+}
+
 render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& screen) {
   const render::BookTextures textures = loadTextures(scene);
   render::RenderSettings settings;
   settings.width = screen.width;
   settings.height = screen.height;
   settings.bottomRows = screen.bottomRows;
-  settings.camera = {scene.camera.position, scene.camera.target, scene.camera.up,
-                     verticalFieldOfView(scene, screen)};
+  settings.camera = cameraOf(scene, screen);
   return {settings, textures};
 }
 

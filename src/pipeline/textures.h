@@ -9,7 +9,10 @@ namespace rotatebook::pipeline {
 /// Reads the pictures that the scene names. Throws InputError for one that is missing or broken.
 render::BookTextures loadTextures(const scene::Scene& scene);
 
-/// The scene's camera and textures, ready to draw on `screen`: its whole picture, or a panel.
+/// The camera that draws the scene on `screen`: its whole picture, or a panel.
+render::Camera cameraOf(const scene::Scene& scene, const render::Screen& screen);
+
+/// The scene's camera and textures, ready to draw on `screen`.
 render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& screen);
 /// The same on the whole picture.
 render::Renderer makeRenderer(const scene::Scene& scene);

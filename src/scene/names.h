@@ -53,9 +53,25 @@ inline bool isSpin(std::string_view key) {
 
 inline constexpr std::array<Named<int>, 3> kAxes{{{"x", 0}, {"y", 1}, {"z", 2}}};
 
-inline constexpr std::array<Named<Overlay>, 2> kOverlays{{
+inline constexpr std::array<Named<physics::ReferenceFrame>, 3> kFrames{{
+    {"world", physics::ReferenceFrame::World},
+    {"body", physics::ReferenceFrame::Body},
+    {"momentum", physics::ReferenceFrame::Momentum},
+}};
+
+inline constexpr std::array<Named<Overlay>, 12> kOverlays{{
     {"caption", Overlay::Caption},
     {"clock", Overlay::Clock},
+    {"axes", Overlay::Axes},
+    {"omega", Overlay::Omega},
+    {"momentum", Overlay::Momentum},
+    {"trail", Overlay::Trail},
+    {"polhode", Overlay::Polhode},
+    {"energy", Overlay::Energy},
+    {"error", Overlay::Error},
+    {"half_turns", Overlay::HalfTurns},
+    {"springs", Overlay::Springs},
+    {"ghost", Overlay::Ghost},
 }};
 
 /// x264's presets, fastest first.

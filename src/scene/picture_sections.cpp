@@ -95,6 +95,18 @@ std::vector<Overlay> overlaysFrom(const ValueReader& value) {
   return overlays;
 }
 
+/// Why `scene`, none of whose motions has `overlay`, doesn't have it.
+std::string absence(Overlay overlay, const Scene& scene) {
+  const std::string name(nameOf(kOverlays, overlay));
+  if (overlay == Overlay::Springs) {
+    return name + " are only of the particles model; " +
+           (scene.panels.empty()
+                ? "this scene's is " + std::string(nameOf(kModels, scene.simulation.model))
+                : "no panel of this scene has it");
+  }
+  return name + " shows how far a motion is from the exact one, and this scene's is the exact one";
+}
+
 }  // namespace
 
 void readClip(const ValueReader& section, ClipSettings& clip) {
@@ -131,6 +143,7 @@ void readCamera(const ValueReader& section, CameraSettings& camera) {
       {"up", [&](const ValueReader& value) { camera.up = value.direction(); }},
       {"field_of_view_deg",
        [&](const ValueReader& value) { camera.fieldOfViewDeg = value.number(kAngles); }},
+      {"frame", [&](const ValueReader& value) { camera.frame = value.oneOf(kFrames); }},
   });
 }
 
@@ -147,6 +160,17 @@ void readOverlay(const ValueReader& section, OverlaySettings& overlay) {
       {"show", [&](const ValueReader& value) { overlay.show = overlaysFrom(value); }},
       {"font", [&](const ValueReader& value) { overlay.font = value.text(); }},
   });
+}
+
+void checkOverlays(const ValueReader& section, const Scene& scene) {
+  const std::vector<Overlay>& show = scene.overlay.show;
+  const std::vector<Panel> motions = motionsOf(scene);
+  for (std::size_t i = 0; i < show.size(); ++i) {
+    const auto hasIt = [&](const Panel& panel) { return isFor(panel.simulation.model, show[i]); };
+    if (std::ranges::any_of(motions, hasIt)) continue;
+    const auto names = section.find("show")->elements(show.size(), "a list of overlays");
+    names[i].fail(names[i].name() + ": " + absence(show[i], scene));
+  }
 }
 
 void checkCamera(const ValueReader& section, const CameraSettings& camera) {

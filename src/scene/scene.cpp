@@ -34,4 +34,20 @@ Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldO
   return direction * (kMargin * body.size.norm() / 2 / std::sin(narrowerHalfAngle));
 }
 
+bool isFor(physics::Model model, Overlay overlay) {
+  switch (overlay) {
+    case Overlay::Springs:
+      return model == physics::Model::Particles;
+    case Overlay::Error:
+    case Overlay::Ghost:
+      return model != physics::Model::Exact;
+    default:
+      return true;
+  }
+}
+
+bool shows(const Scene& scene, Overlay overlay) {
+  return std::ranges::count(scene.overlay.show, overlay) > 0;
+}
+
 }  // namespace rotatebook::scene

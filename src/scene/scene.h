@@ -12,6 +12,7 @@
 #include "base/frame_rate.h"
 #include "physics/expectation.h"
 #include "physics/motion_settings.h"
+#include "physics/reference_frame.h"
 #include "scene/study_settings.h"
 
 namespace rotatebook::scene {
@@ -34,13 +35,15 @@ struct EncodingSettings {
   int threads = 1;  ///< Encoder threads, 1 to 64; a different count gives different bytes.
 };
 
-/// [camera]: a perspective camera in world space.
+/// [camera]: a perspective camera.
 struct CameraSettings {
   Eigen::Vector3d position{0, 0, 1};  ///< [m]
   Eigen::Vector3d target{0, 0, 0};    ///< The point in the middle of the picture. [m]
   Eigen::Vector3d up{0, 1, 0};
   /// From the picture's bottom to its top, 1 to 170; in panels over the shorter side. [degrees]
   double fieldOfViewDeg = 30;
+  /// What the camera turns with; its position, target and up are along these axes.
+  physics::ReferenceFrame frame = physics::ReferenceFrame::World;
 };
 
 /// [book]: picture files, relative to the scene's folder, or kBuiltin.
@@ -50,11 +53,24 @@ struct BookSettings {
   std::string back = "builtin";
 };
 
-/// What can be written over the pictures.
+/// What can be drawn over the pictures.
 enum class Overlay {
-  Caption,  ///< Title, caption, and how the motion was simulated; at the bottom.
-  Clock,    ///< Simulated time; at the top left.
+  Caption,    ///< Title, caption, and how the motion was simulated; at the bottom.
+  Clock,      ///< Simulated time; at the top left.
+  Axes,       ///< The body's axes with their letters.
+  Omega,      ///< An arrow along the angular velocity.
+  Momentum,   ///< An arrow along the angular momentum.
+  Trail,      ///< The path of omega's tip.
+  Polhode,    ///< An inset: the ellipsoid of the energy, the sphere of the momentum, their curve.
+  Energy,     ///< A chart: kinetic, spring and total energy over time.
+  Error,      ///< A chart: the angle to the exact motion. Not of Model::Exact.
+  HalfTurns,  ///< How often the book has turned over; at the top left.
+  Springs,    ///< The springs, coloured by strain. Of Model::Particles only.
+  Ghost,      ///< The exact motion's outline. Not of Model::Exact.
 };
+
+/// Whether a motion of `model` has what `overlay` shows.
+bool isFor(physics::Model model, Overlay overlay);
 
 /// [overlay]: what is written over the pictures.
 struct OverlaySettings {
@@ -106,6 +122,9 @@ struct Scene {
 std::vector<Panel> motionsOf(const Scene& scene);
 /// `scene` as if `panel` were all that moves in it.
 Scene withMotion(const Scene& scene, const Panel& panel);
+
+/// Whether `overlay` is written over the pictures of `scene`.
+bool shows(const Scene& scene, Overlay overlay);
 
 /// The camera position from which a body of this size is seen whole in any attitude. [m]
 Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldOfViewDeg, int width,

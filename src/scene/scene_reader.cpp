@@ -86,6 +86,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   if (!file.find("title")) scene.title = scene.name;
   readMotions(file, scene);
   placeCamera(file, scene);
+  if (const auto overlay = file.find("overlay")) checkOverlays(*overlay, scene);
   if (const auto study = file.find("study")) {
     if (!scene.panels.empty()) study->fail("[study] is of one motion, but this scene has panels");
     scene.study = readStudy(*study, scene);

@@ -128,7 +128,8 @@ std::string cameraText(const CameraSettings& camera) {
          line("target", array(camera.target), "m, the point in the middle of the picture") +
          line("up", array(camera.up)) +
          line("field_of_view_deg", tomlNumber(camera.fieldOfViewDeg),
-              "degrees, from bottom to top");
+              "degrees, from bottom to top") +
+         line("frame", word(kFrames, camera.frame), choicesIn(kFrames));
 }
 
 std::string bookText(const BookSettings& book) {

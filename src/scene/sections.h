@@ -37,6 +37,8 @@ void requireSpin(const ValueReader& section);
 void checkIntegrator(const ValueReader& section, const physics::SimulationSettings& settings);
 /// Refuses an inertia for a model that has its own; `section` is [body].
 void checkInertia(const ValueReader& section, physics::Model model);
+/// Refuses an overlay that none of the scene's motions has; `section` is [overlay].
+void checkOverlays(const ValueReader& section, const Scene& scene);
 /// Refuses a complete camera that looks nowhere or has no upper side; `section` is where it came
 /// from.
 void checkCamera(const ValueReader& section, const CameraSettings& camera);

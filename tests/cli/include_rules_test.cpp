@@ -28,7 +28,7 @@ const std::map<std::string, Room> kRooms{
     {"physics", {{"base"}, {"Eigen/", "boost/"}}},
     {"scene", {{"base", "physics"}, {"Eigen/", "toml++/"}}},
     {"image", {{"base"}, {"libdeflate.h", "png.h"}}},
-    {"overlay", {{"base", "physics", "scene", "image"}, {"fontconfig/", "pango/"}}},
+    {"overlay", {{"base", "physics", "scene", "image"}, {"Eigen/", "fontconfig/", "pango/"}}},
     {"render", {{"base", "image", "physics"}, {"Eigen/", "epoxy/"}}},
     {"video", {{"base", "image"}, {"libav", "libswscale/"}}},
     {"pipeline", {{"base", "physics", "scene", "image", "overlay", "render", "video"}, {"Eigen/"}}},

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "image/comparison.h"
 #include "pipeline/small_clip.h"
 
 namespace rotatebook::pipeline {
@@ -36,6 +37,19 @@ TEST(FrameDrawer, WritesOverTheBook) {
   EXPECT_NE(caption, plain);
   EXPECT_NE(caption, clock);
   EXPECT_EQ(drawn(sceneWith("['clock']"), 7), clock);
+}
+
+TEST(FrameDrawer, TurnsWithTheCamerasFrame) {
+  const auto inFrame = [](const char* frame, std::int64_t n) {
+    return drawn(testing::smallScene({"camera.frame=" + std::string(frame)}), n);
+  };
+  EXPECT_NE(inFrame("world", 0), inFrame("world", 9));
+  // The book stands still but for the integrator's drift, which moves single edge pixels.
+  const image::Tolerance edges{.largest = 8, .failPercent = 1};
+  EXPECT_TRUE(image::compare(inFrame("body", 0).view(), inFrame("body", 9).view(), edges).same);
+  EXPECT_FALSE(image::compare(inFrame("body", 0).view(), inFrame("world", 9).view(), edges).same);
+  EXPECT_FALSE(
+      image::compare(inFrame("body", 0).view(), inFrame("momentum", 0).view(), edges).same);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/names.h"
 #include "scene/parse.h"
 #include "scene/scene_file.h"
 #include "scene/toml_text.h"
@@ -110,11 +111,20 @@ TEST(VideoSection, RefusesWhatTheEncoderHasNot) {
 TEST(CameraSection, ReadsEveryKey) {
   const Scene scene = sceneFrom(
       "[camera]\nposition = [1, 2, 3]\ntarget = [0, 0.5, 0]\nup = [1, 0, 0]\n"
-      "field_of_view_deg = 45");
+      "field_of_view_deg = 45\nframe = 'momentum'");
   EXPECT_EQ(scene.camera.position, Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(scene.camera.target, Eigen::Vector3d(0, 0.5, 0));
   EXPECT_EQ(scene.camera.up, Eigen::Vector3d(1, 0, 0));
   EXPECT_EQ(scene.camera.fieldOfViewDeg, 45);
+  EXPECT_EQ(scene.camera.frame, physics::ReferenceFrame::Momentum);
+  EXPECT_EQ(sceneFrom("").camera.frame, physics::ReferenceFrame::World);
+}
+
+TEST(CameraSection, RefusesAnUnknownFrame) {
+  EXPECT_EQ(
+      errorOf("[camera]\nframe = 'boddy'"),
+      "a.toml:2:9: camera.frame must be \"world\", \"body\" or \"momentum\", not \"boddy\"; did "
+      "you mean \"body\"?");
 }
 
 TEST(CameraSection, RefusesNumbersOutOfRange) {
@@ -178,17 +188,43 @@ TEST(OverlaySection, ReadsWhatIsShown) {
   EXPECT_TRUE(sceneFrom("overlay.show = []").overlay.show.empty());
 }
 
+TEST(OverlaySection, KnowsEachOverlay) {
+  const Scene scene = sceneFrom(
+      "simulation.model = 'particles'\n[overlay]\nshow = ['caption', 'clock', 'axes', 'omega', "
+      "'momentum', 'trail', 'polhode', 'energy', 'error', 'half_turns', 'springs', 'ghost']");
+  EXPECT_EQ(scene.overlay.show.size(), kOverlays.size());
+  EXPECT_TRUE(shows(scene, Overlay::Ghost));
+  EXPECT_FALSE(shows(sceneFrom(""), Overlay::Caption));
+}
+
 TEST(OverlaySection, RefusesUnknownAndRepeatedOnes) {
-  EXPECT_EQ(
-      errorOf("[overlay]\nshow = ['caption', 'clok']"),
-      "a.toml:2:20: overlay.show must be \"caption\" or \"clock\", not \"clok\"; did you mean "
-      "\"clock\"?");
+  EXPECT_EQ(errorOf("[overlay]\nshow = ['caption', 'clok']"),
+            "a.toml:2:20: overlay.show must be \"caption\", \"clock\", \"axes\", \"omega\", "
+            "\"momentum\", \"trail\", \"polhode\", \"energy\", \"error\", \"half_turns\", "
+            "\"springs\" or \"ghost\", not \"clok\"; did you mean \"clock\"?");
   EXPECT_EQ(errorOf("[overlay]\nshow = ['clock', 'clock']"),
             "a.toml:2:18: overlay.show has clock twice");
   EXPECT_EQ(
       errorOf("[overlay]\nshow = 'clock'"),
       "a.toml:2:8: overlay.show must be a list of overlays, such as [\"caption\", \"clock\"], "
       "not \"clock\"");
+}
+
+TEST(OverlaySection, RefusesWhatTheModelHasNot) {
+  const std::string springs =
+      "overlay.show: springs are only of the particles model; this scene's is ";
+  EXPECT_EQ(errorOf("[overlay]\nshow = ['clock', 'springs']"),
+            "a.toml:2:18: " + springs + "quaternion");
+  EXPECT_EQ(errorOf("overlay.show = ['springs']\nsimulation.model = 'exact'"),
+            "a.toml:1:17: " + springs + "exact");
+  EXPECT_EQ(errorOf("overlay.show = ['springs']\nsimulation.model = 'particles'"), "no error");
+  for (const std::string name : {"error", "ghost"}) {
+    EXPECT_EQ(
+        errorOf("overlay.show = ['" + name + "']\nsimulation.model = 'exact'"),
+        "a.toml:1:17: overlay.show: " + name +
+            " shows how far a motion is from the exact one, and this scene's is the exact one");
+    EXPECT_EQ(errorOf("overlay.show = ['" + name + "']"), "no error");
+  }
 }
 
 }  // namespace

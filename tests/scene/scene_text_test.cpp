@@ -29,7 +29,7 @@ Scene unusualScene() {
   scene.initial = {InitialSpin::Kind::AngularMomentum, {-0.0, 1e-20, 0.7}, physics::Tilt{0.1, 1}};
   scene.clip = {640, 362, {30000, 1001}, 2.0 / 3};
   scene.video = {7, "slow", 3};
-  scene.camera = {{1.0 / 7, -2, 3}, {0.25, 0, 0}, {0, 0, 1}, 44.4};
+  scene.camera = {{1.0 / 7, -2, 3}, {0.25, 0, 0}, {0, 0, 1}, 44.4, physics::ReferenceFrame::Body};
   scene.book = {"f \"1\".png", "s.png", "../b.png"};
   scene.overlay = {{Overlay::Clock, Overlay::Caption}, "Some \"font\""};
   scene.expectations = {
@@ -67,6 +67,7 @@ void expectSamePicture(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.camera.target, b.camera.target);
   EXPECT_EQ(a.camera.up, b.camera.up);
   EXPECT_EQ(a.camera.fieldOfViewDeg, b.camera.fieldOfViewDeg);
+  EXPECT_EQ(a.camera.frame, b.camera.frame);
   EXPECT_EQ(a.overlay.show, b.overlay.show);
   EXPECT_EQ(a.overlay.font, b.overlay.font);
   EXPECT_EQ(a.book.front, b.book.front);
@@ -152,6 +153,7 @@ position = [0.0, 0.0, 1.0]  # m
 target = [0.0, 0.0, 0.0]  # m, the point in the middle of the picture
 up = [0.0, 1.0, 0.0]
 field_of_view_deg = 30.0  # degrees, from bottom to top
+frame = "world"  # "world", "body" or "momentum"
 
 [book]
 front = "builtin"  # "builtin" or a picture's path from the scene's folder
@@ -159,7 +161,7 @@ spine = "builtin"
 back = "builtin"
 
 [overlay]
-show = []  # of "caption" and "clock"
+show = []  # of "caption", "clock", "axes", "omega", "momentum", "trail", "polhode", "energy", "error", "half_turns", "springs" and "ghost"
 font = "builtin"  # "builtin" or an installed family
 
 [expect]

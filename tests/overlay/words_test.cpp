@@ -1,4 +1,4 @@
-#include "overlay/overlays.h"
+#include "overlay/words.h"
 
 #include <string>
 #include <vector>
@@ -24,7 +24,7 @@ scene::Scene sceneWith(const std::vector<std::string>& overrides) {
 
 image::Image drawn(const scene::Scene& scene, std::int64_t frame) {
   image::Image picture(scene.clip.width, scene.clip.height, image::PixelFormat::Rgb8);
-  Overlays(scene).draw(frame, picture);
+  Words(scene).draw(frame, picture);
   return picture;
 }
 
@@ -44,15 +44,15 @@ Rows litRows(const image::Image& picture) {
   return rows;
 }
 
-TEST(Overlays, LeaveThePictureAloneIfNothingIsShown) {
+TEST(Words, LeaveThePictureAloneIfNothingIsShown) {
   const scene::Scene scene = sceneWith({});
   EXPECT_EQ(drawn(scene, 3), image::Image(1280, 720, image::PixelFormat::Rgb8));
-  EXPECT_EQ(Overlays(scene).bottomRows(), 0);
+  EXPECT_EQ(Words(scene).bottomRows(), 0);
 }
 
-TEST(Overlays, HaveTheCaptionInTheRowsThatTheySay) {
+TEST(Words, HaveTheCaptionInTheRowsThatTheySay) {
   const scene::Scene scene = sceneWith({"overlay.show=['caption']", "caption='Some words.'"});
-  const int rows = Overlays(scene).bottomRows();
+  const int rows = Words(scene).bottomRows();
   const Rows lit = litRows(drawn(scene, 0));
   EXPECT_GE(lit.first, 720 - rows);
   EXPECT_LT(lit.end, 720);
@@ -60,7 +60,7 @@ TEST(Overlays, HaveTheCaptionInTheRowsThatTheySay) {
   EXPECT_LT(rows, 200);
 }
 
-TEST(Overlays, HaveAClockThatFollowsTheSimulatedTime) {
+TEST(Words, HaveAClockThatFollowsTheSimulatedTime) {
   const scene::Scene scene = sceneWith({"overlay.show=['clock']", "simulation.time_per_frame=0.5"});
   EXPECT_LT(litRows(drawn(scene, 0)).end, 72);
   EXPECT_NE(drawn(scene, 0), drawn(scene, 1));
@@ -70,7 +70,7 @@ TEST(Overlays, HaveAClockThatFollowsTheSimulatedTime) {
 }
 
 // Clock above, caption below, at every size.
-TEST(Overlays, NeverPutTextOnText) {
+TEST(Words, NeverPutTextOnText) {
   for (const char* size : {"640, 360", "1280, 720", "1920, 1080", "3840, 2160", "480, 854"}) {
     const std::vector<std::string> common{std::string("clip.size=[") + size + "]",
                                           std::string("caption='") + kLongCaption + "'"};
@@ -84,7 +84,7 @@ TEST(Overlays, NeverPutTextOnText) {
   }
 }
 
-TEST(Overlays, TellHowTheMotionWasSimulated) {
+TEST(Words, TellHowTheMotionWasSimulated) {
   const std::vector<std::string> show{"overlay.show=['caption']"};
   const image::Image euler = drawn(sceneWith(show), 0);
   const image::Image exact =

@@ -1,0 +1,226 @@
+#include "overlay/canvas.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+#include <utility>
+
+#include "overlay/cairo_handles.h"
+#include "overlay/palette.h"
+
+namespace rotatebook::overlay {
+namespace {
+
+constexpr double kHaloOpacity = 0.55;
+// Lines to points far outside are cut off by Cairo only within what its fixed numbers hold.
+constexpr double kFarAway = 20'000;
+
+Point within(const Point& point) {
+  return point.cwiseMax(-kFarAway).cwiseMin(kFarAway);
+}
+
+void setColour(cairo_t* cairo, const Colour& colour, double opacity) {
+  cairo_set_source_rgba(cairo, colour.red, colour.green, colour.blue, opacity);
+}
+
+Box hullOf(std::span<const Point> points) {
+  Point low = within(points.front()), high = low;
+  for (const Point& point : points) {
+    low = low.cwiseMin(within(point));
+    high = high.cwiseMax(within(point));
+  }
+  return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
+}
+
+void roundedPath(cairo_t* cairo, const Box& box, double radius) {
+  constexpr double kRight = std::numbers::pi / 2;
+  cairo_new_sub_path(cairo);
+  cairo_arc(cairo, box.right() - radius, box.y + radius, radius, -kRight, 0);
+  cairo_arc(cairo, box.right() - radius, box.bottom() - radius, radius, 0, kRight);
+  cairo_arc(cairo, box.x + radius, box.bottom() - radius, radius, kRight, 2 * kRight);
+  cairo_arc(cairo, box.x + radius, box.y + radius, radius, 2 * kRight, 3 * kRight);
+  cairo_close_path(cairo);
+}
+
+}  // namespace
+
+struct Canvas::Parts {
+  Parts(int w, int h)
+      : width(w),
+        height(h),
+        pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 4),
+        surface(
+            cairo_image_surface_create_for_data(pixels.data(), CAIRO_FORMAT_ARGB32, w, h, w * 4)),
+        cairo(cairo_create(surface.get())) {
+    cairo_set_line_cap(cairo.get(), CAIRO_LINE_CAP_ROUND);
+    cairo_set_line_join(cairo.get(), CAIRO_LINE_JOIN_ROUND);
+  }
+
+  /// Notes that `box` was drawn in. The boxes never meet, so that nothing is laid twice.
+  void touch(const Box& box) {
+    const double left = std::clamp(std::floor(box.x) - 1, 0.0, 1.0 * width);
+    const double top = std::clamp(std::floor(box.y) - 1, 0.0, 1.0 * height);
+    const double right = std::clamp(std::ceil(box.right()) + 1, 0.0, 1.0 * width);
+    const double bottom = std::clamp(std::ceil(box.bottom()) + 1, 0.0, 1.0 * height);
+    Box whole{left, top, right - left, bottom - top};
+    if (whole.empty()) return;
+    for (std::size_t i = 0; i < touched.size();) {
+      if (!touched[i].meets(whole)) {
+        ++i;
+        continue;
+      }
+      whole = whole.united(touched[i]);
+      touched.erase(touched.begin() + static_cast<std::ptrdiff_t>(i));
+      i = 0;
+    }
+    touched.push_back(whole);
+  }
+
+  LayerView view(const Box& box) {
+    const auto x = static_cast<int>(box.x), y = static_cast<int>(box.y);
+    return {x,
+            y,
+            static_cast<int>(box.width),
+            static_cast<int>(box.height),
+            pixels.data() + (static_cast<std::ptrdiff_t>(y) * width + x) * 4,
+            static_cast<std::ptrdiff_t>(width) * 4};
+  }
+
+  void clear() {
+    cairo_surface_flush(surface.get());
+    for (const Box& box : touched) {
+      const LayerView part = view(box);
+      for (int y = 0; y < part.height; ++y) {
+        std::uint8_t* row =
+            pixels.data() + (static_cast<std::ptrdiff_t>(part.y + y) * width + part.x) * 4;
+        std::memset(row, 0, static_cast<std::size_t>(part.width) * 4);
+      }
+    }
+    touched.clear();
+    cairo_surface_mark_dirty(surface.get());
+  }
+
+  /// Strokes the current path, which lies within `hull`.
+  void stroke(const Box& hull, const Pen& pen) {
+    touch(hull.grown(pen.width / 2 + pen.halo));
+    if (pen.halo > 0) {
+      setColour(cairo.get(), kDark, kHaloOpacity * pen.opacity);
+      cairo_set_line_width(cairo.get(), pen.width + 2 * pen.halo);
+      cairo_stroke_preserve(cairo.get());
+    }
+    setColour(cairo.get(), pen.colour, pen.opacity);
+    cairo_set_line_width(cairo.get(), pen.width);
+    cairo_stroke(cairo.get());
+  }
+
+  void fill(const Box& hull, const Fill& fill) {
+    touch(hull);
+    setColour(cairo.get(), fill.colour, fill.opacity);
+    cairo_fill(cairo.get());
+  }
+
+  int width, height;
+  std::vector<std::uint8_t> pixels;
+  Surface surface;
+  Cairo cairo;
+  std::vector<Box> touched;
+  std::vector<Box> texts;
+};
+
+Canvas::Canvas(int width, int height) : parts_(std::make_unique<Parts>(width, height)) {}
+Canvas::~Canvas() = default;
+Canvas::Canvas(Canvas&&) noexcept = default;
+Canvas& Canvas::operator=(Canvas&&) noexcept = default;
+
+void Canvas::line(std::span<const Point> points, const Pen& pen) {
+  if (points.size() < 2) return;
+  for (const Point& point : points) {
+    cairo_line_to(parts_->cairo.get(), within(point).x(), within(point).y());
+  }
+  parts_->stroke(hullOf(points), pen);
+}
+
+void Canvas::lines(std::span<const Point> pairs, const Pen& pen) {
+  if (pairs.size() < 2) return;
+  for (std::size_t i = 0; i + 1 < pairs.size(); i += 2) {
+    cairo_move_to(parts_->cairo.get(), within(pairs[i]).x(), within(pairs[i]).y());
+    cairo_line_to(parts_->cairo.get(), within(pairs[i + 1]).x(), within(pairs[i + 1]).y());
+  }
+  parts_->stroke(hullOf(pairs), pen);
+}
+
+void Canvas::area(std::span<const Point> corners, const Fill& fill) {
+  if (corners.size() < 3) return;
+  for (const Point& corner : corners) {
+    cairo_line_to(parts_->cairo.get(), within(corner).x(), within(corner).y());
+  }
+  parts_->fill(hullOf(corners), fill);
+}
+
+void Canvas::disc(const Point& centre, double radius, const Fill& fill) {
+  if (within(centre) != centre) return;
+  cairo_arc(parts_->cairo.get(), centre.x(), centre.y(), radius, 0, 2 * std::numbers::pi);
+  parts_->fill(Box{centre.x(), centre.y(), 0, 0}.grown(radius), fill);
+}
+
+void Canvas::plate(const Box& box, double radius, const Fill& fill) {
+  roundedPath(parts_->cairo.get(), box, radius);
+  parts_->fill(box, fill);
+}
+
+void Canvas::write(const Layer& words, const Point& place) {
+  const Surface source(cairo_image_surface_create_for_data(
+      // Cairo only reads from it.
+      const_cast<unsigned char*>(words.pixels.data()), CAIRO_FORMAT_ARGB32, words.width,
+      words.height, words.width * 4));
+  const double x = place.x() + words.x, y = place.y() + words.y;
+  cairo_set_source_surface(parts_->cairo.get(), source.get(), x, y);
+  cairo_paint(parts_->cairo.get());
+  parts_->touch({x, y, 1.0 * words.width, 1.0 * words.height});
+  parts_->texts.push_back(boxOf(words, place));
+  setColour(parts_->cairo.get(), kWhite, 1);  // lets go of `source`
+}
+
+void Canvas::layOver(image::Image& picture) {
+  cairo_surface_flush(parts_->surface.get());
+  for (const Box& box : parts_->touched) blend(parts_->view(box), picture);
+  parts_->clear();
+}
+
+void Canvas::lay(const Plate& plate, image::Image& picture) {
+  if (!parts_->touched.empty()) layOver(picture);
+  blend(plate.layer, picture);
+  parts_->texts.insert(parts_->texts.end(), plate.texts.begin(), plate.texts.end());
+}
+
+Plate Canvas::take() {
+  cairo_surface_flush(parts_->surface.get());
+  Box all;
+  for (const Box& box : parts_->touched) all = all.united(box);
+  const LayerView part = parts_->view(all);
+  Plate plate{{part.x, part.y, part.width, part.height, {}}, std::exchange(parts_->texts, {})};
+  const auto rowSize = static_cast<std::ptrdiff_t>(part.width) * 4;
+  for (int y = 0; y < part.height; ++y) {
+    const std::uint8_t* row = part.pixels + y * part.stride;
+    plate.layer.pixels.insert(plate.layer.pixels.end(), row, row + rowSize);
+  }
+  parts_->clear();
+  return plate;
+}
+
+const std::vector<Box>& Canvas::texts() const {
+  return parts_->texts;
+}
+
+void Canvas::forgetTexts() {
+  parts_->texts.clear();
+}
+
+Box boxOf(const Layer& words, const Point& place) {
+  return {place.x(), place.y(), 1.0 * (words.width + 2 * words.x),
+          1.0 * (words.height + 2 * words.y)};
+}
+
+}  // namespace rotatebook::overlay

@@ -1,0 +1,88 @@
+#include "overlay/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rotatebook::overlay {
+namespace {
+
+// The book, in any attitude, keeps within a circle about as wide as the camera's picture is high;
+// what is beside it is this share of the width at least where a column is to fit.
+constexpr double kLeastSide = 0.17;
+constexpr double kWidestColumn = 0.25;  // of the width
+constexpr double kPolhodeShare = 0.42;  // of the column's height, where there are charts
+constexpr double kChartAspect = 0.52;   // highest, of the width
+constexpr double kLowestChart = 5.2;    // letter heights
+constexpr double kBottomChart = 0.15;   // of the height
+constexpr double kCornerPolhode = 0.3;  // of the shorter side
+constexpr double kLegendWidth = 9.5;    // letter heights
+
+double gapOf(const Scale& scale) {
+  return 0.4 * scale.margin;
+}
+
+void placeColumn(const Scale& scale, const Wanted& wanted, double side, Layout& layout) {
+  const double width = std::min(kWidestColumn * scale.width, side - scale.margin);
+  const double left = scale.width - scale.margin - width, gap = gapOf(scale);
+  const double height = scale.height - wanted.bottomRows - 2 * scale.margin;
+  double top = scale.margin;
+  if (wanted.polhode) {
+    const double share = wanted.charts > 0 ? kPolhodeShare : 1;
+    const double size = std::min(width, share * height);
+    layout.polhode = {left + width - size, top, size, size};
+    top += size + gap;
+  }
+  const double left_ = scale.margin + height - top + gap;
+  const double each = wanted.charts > 0 ? left_ / wanted.charts - gap : 0;
+  const double chart = std::min(kChartAspect * width, each);
+  for (int i = 0; i < wanted.charts; ++i, top += chart + gap) {
+    layout.charts.push_back({left, top, width, chart});
+  }
+}
+
+void placeAround(const Scale& scale, const Wanted& wanted, Layout& layout) {
+  const double room = scale.width - 2 * scale.margin, gap = gapOf(scale);
+  if (wanted.charts > 0) {
+    const double height = std::max(kBottomChart * scale.height, kLowestChart * scale.smallLetters);
+    const int abreast = room > 40 * scale.smallLetters ? wanted.charts : 1;
+    const int rows = wanted.charts / abreast;
+    const double width = (room + gap) / abreast - gap;
+    const double lowest =
+        scale.height - (wanted.bottomRows > 0 ? wanted.bottomRows : scale.margin) - gap;
+    const double top = lowest - rows * (height + gap) + gap;
+    for (int i = 0; i < wanted.charts; ++i) {
+      layout.charts.push_back({scale.margin + (i % abreast) * (width + gap),
+                               top + (i / abreast) * (height + gap), width, height});
+    }
+    layout.bottomRows = static_cast<int>(std::ceil(scale.height - top + gap));
+  }
+  if (wanted.polhode) {
+    const double size =
+        kCornerPolhode * std::min<double>(scale.width, scale.height - layout.bottomRows);
+    layout.polhode = {scale.width - scale.margin - size, scale.margin, size, size};
+  }
+}
+
+}  // namespace
+
+Layout layOut(const Scale& scale, const Wanted& wanted) {
+  Layout layout;
+  layout.bottomRows = wanted.bottomRows;
+  const double side = (scale.width - (scale.height - wanted.bottomRows)) / 2.0;
+  if (side >= kLeastSide * scale.width) {
+    placeColumn(scale, wanted, side, layout);
+  } else {
+    placeAround(scale, wanted, layout);
+  }
+  if (wanted.springs) {
+    const double height = 2.6 * scale.smallLetters;
+    const double bottom =
+        scale.height - (layout.bottomRows > 0 ? layout.bottomRows + gapOf(scale) : scale.margin);
+    layout.springs = {scale.margin, bottom - height,
+                      std::min(kLegendWidth * scale.letters, scale.width - 2 * scale.margin),
+                      height};
+  }
+  return layout;
+}
+
+}  // namespace rotatebook::overlay

@@ -1,0 +1,32 @@
+// Where the insets are. Inside the room only.
+#pragma once
+
+#include <vector>
+
+#include "overlay/box.h"
+#include "overlay/palette.h"
+
+namespace rotatebook::overlay {
+
+/// What needs a place.
+struct Wanted {
+  bool polhode = false;
+  int charts = 0;          ///< Strip charts, one above the other or side by side.
+  bool springs = false;    ///< The legend of the springs' colours.
+  double topLeftRows = 0;  ///< Rows that words take at the top left. [pixels]
+  int bottomRows = 0;      ///< Rows that words take at the bottom. [pixels]
+};
+
+/// Boxes that don't meet, within the picture's margins; empty where nothing is wanted. [pixels]
+struct Layout {
+  Box polhode;
+  std::vector<Box> charts;
+  Box springs;
+  int bottomRows = 0;  ///< Those of Wanted, and of what is above them.
+};
+
+/// On a wide picture a column on the right, beside the book; on a narrow one the charts below the
+/// book and the polhode in the corner above it.
+Layout layOut(const Scale& scale, const Wanted& wanted);
+
+}  // namespace rotatebook::overlay

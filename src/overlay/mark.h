@@ -1,0 +1,48 @@
+// What every mark of a motion has in common. Inside the room only.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "overlay/canvas.h"
+#include "overlay/labels.h"
+#include "overlay/palette.h"
+#include "overlay/projector.h"
+#include "overlay/text.h"
+#include "physics/reference_frame.h"
+#include "physics/trajectory.h"
+#include "scene/scene.h"
+
+namespace rotatebook::overlay {
+
+/// What marks are made from; all of it outlives them.
+struct MarkContext {
+  const scene::Scene& scene;
+  const physics::Trajectory& trajectory;
+  const Typesetter& type;
+  Scale scale;
+};
+
+/// One picture that marks are drawn on.
+struct View {
+  std::int64_t frame = 0;         ///< Of the trajectory's samples.
+  const physics::Sample& sample;  ///< The same as it is shown, in the camera's frame.
+  Projector projector;
+  Canvas& canvas;
+  Labels& labels;  ///< Words that move.
+  image::Image& picture;
+};
+
+/// Something that is drawn over each picture of a motion.
+class Mark {
+ public:
+  Mark() = default;
+  Mark(const Mark&) = delete;
+  Mark& operator=(const Mark&) = delete;
+  virtual ~Mark() = default;
+
+  virtual void draw(const View& view) = 0;
+};
+
+}  // namespace rotatebook::overlay

@@ -1,0 +1,55 @@
+// What is drawn over the pictures of one motion.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "image/image.h"
+#include "overlay/box.h"
+#include "physics/trajectory.h"
+#include "scene/scene.h"
+
+namespace rotatebook::overlay {
+
+/// The picture that a motion's marks are drawn on: a whole one, or a panel's.
+struct Ground {
+  int width = 0;   ///< > 0 [pixels]
+  int height = 0;  ///< > 0 [pixels]
+  /// Where other words are at its top left corner, as Words::corner() has it. [pixels]
+  Box corner{};
+  int bottomRows = 0;   ///< Rows at its bottom that other words take. [pixels]
+  std::string label{};  ///< Written at its top; may be empty.
+};
+
+/// Draws what the scene's overlay.show asks for on pictures of one motion: the ground's label, and
+/// all but caption and clock, which are Words'. A mark that the scene's model doesn't have is left
+/// out. Frames past the end of a motion that diverged show its last sample with a notice that says
+/// when. Use it on one thread.
+class Marks {
+ public:
+  /// `trajectory` is the motion of `scene` and must outlive this. Throws InputError as Words does.
+  Marks(const scene::Scene& scene, const physics::Trajectory& trajectory, const Ground& ground);
+  ~Marks();
+  Marks(Marks&&) noexcept;
+  Marks& operator=(Marks&&) noexcept;
+
+  /// Rows at the picture's bottom that words and charts take, the ground's included; the camera's
+  /// picture ends above them. From 0 to two thirds of all. [pixels]
+  int bottomRows() const;
+  /// Draws over `picture`, of the ground's size, which shows frame `frame` >= 0 as the camera's
+  /// frame has it. `clipFromWorld` is what its renderer projects with, y down.
+  void draw(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld, image::Image& picture);
+
+  /// Where the last draw() has put words, each a box of its own. [pixels]
+  const std::vector<Box>& texts() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace rotatebook::overlay

@@ -1,0 +1,55 @@
+// What each thing's colour is, and how large letters and lines are. Inside the room only.
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "overlay/text.h"
+
+namespace rotatebook::overlay {
+
+inline constexpr Colour kWhite{0.97, 0.96, 0.93};
+inline constexpr Colour kGrey{0.72, 0.72, 0.74};
+inline constexpr Colour kDark{0.04, 0.045, 0.06};
+
+// After Okabe and Ito's palette, which colour-blind people can tell apart, lighter for a dark
+// ground.
+inline constexpr std::array<Colour, 3> kAxisColours{
+    {{0.96, 0.46, 0.33}, {0.28, 0.80, 0.62}, {0.42, 0.69, 0.98}}};
+inline constexpr Colour kVelocityColour{0.98, 0.82, 0.30};
+inline constexpr Colour kMomentumColour{0.91, 0.60, 0.85};
+inline constexpr Colour kKineticColour{0.42, 0.75, 0.95};
+inline constexpr Colour kSpringColour{0.95, 0.62, 0.25};
+inline constexpr Colour kTotalColour = kWhite;
+inline constexpr Colour kErrorColour{0.96, 0.55, 0.45};
+inline constexpr Colour kGhostColour{0.72, 0.92, 1.0};
+inline constexpr Colour kWarningColour{0.98, 0.70, 0.30};
+
+/// `a` and `b` mixed, t of the second.
+constexpr Colour mixed(const Colour& a, const Colour& b, double t) {
+  return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
+          a.blue + t * (b.blue - a.blue)};
+}
+
+/// Lengths that grow with a picture of this size, but never get so small that nobody can read.
+struct Scale {
+  Scale(int pictureWidth, int pictureHeight)
+      : width(pictureWidth),
+        height(pictureHeight),
+        unit(std::min<double>(height, 0.8 * width)),
+        margin(std::max(0.035 * unit, 6.0)),
+        letters(std::max(0.0255 * unit, 10.0)),
+        smallLetters(std::max(0.0195 * unit, 9.0)),
+        line(std::max(0.0036 * unit, 1.3)),
+        halo(std::max(0.0024 * unit, 1.0)) {}
+
+  int width, height;    ///< The picture's. [pixels]
+  double unit;          ///< Its height, or less where it is narrow. [pixels]
+  double margin;        ///< [pixels]
+  double letters;       ///< Letter size of labels. [pixels]
+  double smallLetters;  ///< Letter size within insets. [pixels]
+  double line;          ///< Width of lines. [pixels]
+  double halo;          ///< How far their dark edges reach. [pixels]
+};
+
+}  // namespace rotatebook::overlay

@@ -1,0 +1,218 @@
+#include "overlay/words.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "base/number_text.h"
+#include "overlay/canvas.h"
+#include "overlay/layer.h"
+#include "overlay/palette.h"
+#include "overlay/text.h"
+#include "scene/names.h"
+
+namespace rotatebook::overlay {
+namespace {
+
+// Of the picture's height, but never so small that letters can't be read.
+constexpr double kTitleSize = 0.036, kSmallestTitle = 13;
+constexpr double kCaptionSize = 0.0255, kSmallestCaption = 10;
+constexpr double kSettingsSize = 0.0215, kSmallestSettings = 9;
+constexpr double kMargin = 0.045;
+// A line longer than this many letter heights is hard to follow.
+constexpr double kLongestLine = 56;
+constexpr double kShade = 0.5;  // how dark the ground of the words gets
+
+/// The lengths that follow from the picture's size. [pixels]
+struct PageScale {
+  explicit PageScale(const scene::ClipSettings& clip)
+      : width(clip.width),
+        height(clip.height),
+        margin(static_cast<int>(std::lround(kMargin * height))),
+        room(width - 2 * margin) {}
+
+  double size(double share, double least) const { return std::max(share * height, least); }
+
+  int width;
+  int height;
+  int margin;
+  int room;  // between the margins
+};
+
+/// How a motion was simulated: "quaternion", "rk4", "normalised", "step 0.26 ms".
+std::vector<std::string> settingsOf(const physics::SimulationSettings& settings) {
+  const std::string model(nameOf(scene::kModels, settings.model));
+  if (settings.model == physics::Model::Exact) return {model + " solution"};
+  std::vector<std::string> parts{model,
+                                 std::string(nameOf(scene::kIntegrators, settings.integrator)),
+                                 settings.normalize ? "normalised" : "not normalised"};
+  if (settings.model == physics::Model::Particles) {
+    parts.push_back(settings.damping > 0 ? "damping " + shortestText(settings.damping)
+                                         : "undamped");
+    parts.push_back("k = " + shortestText(settings.stiffness) + " N/m");
+  }
+  const double step = 1e3 * settings.timePerFrame / settings.substeps;
+  parts.push_back("step " + roundedText(step, 3) + " ms");
+  return parts;
+}
+
+/// What all motions of `scene` that are simulated in steps have in common; of the exact motion if
+/// none is.
+std::string settingsText(const scene::Scene& scene) {
+  const std::vector<scene::Panel> motions = scene::motionsOf(scene);
+  const auto steps = [](const scene::Panel& panel) {
+    return panel.simulation.model != physics::Model::Exact;
+  };
+  const auto first = std::ranges::find_if(motions, steps);
+  if (first == motions.end()) return settingsOf(motions.front().simulation).front();
+  std::string text;
+  for (const std::string& part : settingsOf(first->simulation)) {
+    const bool common = std::ranges::all_of(motions, [&](const scene::Panel& panel) {
+      return !steps(panel) || std::ranges::count(settingsOf(panel.simulation), part) > 0;
+    });
+    if (common) text += (text.empty() ? "" : ", ") + part;
+  }
+  return text;
+}
+
+/// Black, from nothing at the top to kShade at the bottom, softly.
+Layer shade(int width, int height, int y) {
+  Layer layer{0, y, width, height, {}};
+  const auto rowSize = static_cast<std::size_t>(width) * 4;
+  layer.pixels.resize(rowSize * static_cast<std::size_t>(height));
+  for (int row = 0; row < height; ++row) {
+    const double t = (row + 0.5) / height;
+    const auto opacity = static_cast<std::uint8_t>(std::lround(255 * kShade * t * t * (3 - 2 * t)));
+    std::uint8_t* pixels = layer.pixels.data() + static_cast<std::size_t>(row) * rowSize;
+    for (std::size_t alpha = 3; alpha < rowSize; alpha += 4) pixels[alpha] = opacity;
+  }
+  return layer;
+}
+
+std::string clockText(double time) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "t = %.2f s", time);
+  return text.data();
+}
+
+TextStyle clockStyle(const PageScale& scale) {
+  return {.size = scale.size(kCaptionSize, kSmallestCaption),
+          .colour = kWhite,
+          .opacity = 0.92,
+          .halo = std::max(1.0, 0.0024 * scale.height),
+          .tabular = true};
+}
+
+/// Title, caption and settings, one below the other, the last above the picture's lower margin; the
+/// first is `narrower` than the others. [pixels]
+std::vector<Layer> captionLines(const Typesetter& type, const scene::Scene& scene, int narrower) {
+  const PageScale scale(scene.clip);
+  const double captionSize = scale.size(kCaptionSize, kSmallestCaption);
+  const int room = std::min(scale.room, static_cast<int>(kLongestLine * captionSize));
+  std::vector<Layer> lines;
+  const auto add = [&](const std::string& text, const TextStyle& style) {
+    const int width = lines.empty() ? std::min(room, scale.room - narrower) : room;
+    if (!text.empty()) lines.push_back(type.draw(text, style, width));
+  };
+  add(scene.title,
+      {.size = scale.size(kTitleSize, kSmallestTitle), .bold = true, .colour = kWhite});
+  add(scene.caption, {.size = captionSize, .colour = kWhite, .opacity = 0.92});
+  add(settingsText(scene), {.size = scale.size(kSettingsSize, kSmallestSettings), .colour = kGrey});
+
+  const int gap = static_cast<int>(std::lround(0.45 * captionSize));
+  int bottom = scale.height - scale.margin;
+  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+    line->x = scale.margin;
+    line->y = bottom - line->height;
+    bottom = line->y - gap;
+  }
+  return lines;
+}
+
+}  // namespace
+
+struct Words::Parts {
+  Parts(const scene::Scene& asked, ClockPlace place)
+      : scene(asked), scale(asked.clip), type(Typesetter::of(asked.overlay.font)) {
+    const bool clockShows = shows(scene, scene::Overlay::Clock);
+    const bool below = clockShows && place == ClockPlace::Bottom;
+    clock = clockShows ? clockBox() : Box{};
+    std::vector<Layer> lines;
+    if (shows(scene, scene::Overlay::Caption)) {
+      const int narrower = below ? static_cast<int>(clock.width) + scale.margin : 0;
+      lines = captionLines(type, scene, narrower);
+    }
+    if (below) {
+      clock.x = scale.width - scale.margin - clock.width;
+      clock.y = lines.empty() ? scale.height - scale.margin - clock.height : lines.front().y;
+    }
+    if (lines.empty() && !below) return;
+    const double first = lines.empty() ? clock.y : lines.front().y;
+    const int top = std::max(0, static_cast<int>(first) - scale.margin / 2);
+    bottomRows = std::min(scale.height - top, scale.height / 2);
+    const int shadeTop = std::max(0, top - scale.margin);
+    Canvas canvas(scale.width, scale.height);
+    for (const Layer& line : lines) {
+      Layer words = line;
+      words.x = words.y = 0;
+      canvas.write(words, {1.0 * line.x, 1.0 * line.y});
+    }
+    plate = canvas.take();
+    ground = shade(scale.width, scale.height - shadeTop, shadeTop);
+  }
+
+  /// At the top left, wide enough for the last frame's time.
+  Box clockBox() const {
+    const double last =
+        static_cast<double>(scene.clip.frameCount()) * scene.simulation.timePerFrame;
+    const TextSize size = type.measure(clockText(last), clockStyle(scale), scale.room);
+    return {1.0 * scale.margin, 1.0 * scale.margin, 1.0 * size.width, 1.0 * size.height};
+  }
+
+  scene::Scene scene;
+  PageScale scale;
+  Typesetter type;
+  Layer ground;  // below the words at the bottom
+  Plate plate;   // what is the same in every frame
+  Box clock;     // empty if it isn't shown
+  int bottomRows = 0;
+  std::vector<Box> texts;
+};
+
+Words::Words(const scene::Scene& scene, ClockPlace place)
+    : parts_(std::make_unique<Parts>(scene, place)) {}
+Words::~Words() = default;
+Words::Words(Words&&) noexcept = default;
+Words& Words::operator=(Words&&) noexcept = default;
+
+int Words::bottomRows() const {
+  return parts_->bottomRows;
+}
+
+Box Words::corner() const {
+  return parts_->clock.y < parts_->scale.height / 2 ? parts_->clock : Box{};
+}
+
+void Words::draw(std::int64_t frame, image::Image& picture) {
+  blend(parts_->ground, picture);
+  blend(parts_->plate.layer, picture);
+  parts_->texts = parts_->plate.texts;
+  if (parts_->clock.empty()) return;
+  const PageScale& scale = parts_->scale;
+  const double time = static_cast<double>(frame) * parts_->scene.simulation.timePerFrame;
+  Layer clock = parts_->type.draw(clockText(time), clockStyle(scale), scale.room);
+  parts_->texts.push_back(boxOf(clock, {parts_->clock.x, parts_->clock.y}));
+  clock.x += static_cast<int>(parts_->clock.x);
+  clock.y += static_cast<int>(parts_->clock.y);
+  blend(clock, picture);
+}
+
+const std::vector<Box>& Words::texts() const {
+  return parts_->texts;
+}
+
+}  // namespace rotatebook::overlay

@@ -1,0 +1,47 @@
+#include "physics/reference_frame.h"
+
+#include <Eigen/Geometry>
+
+#include "physics/rotation.h"
+
+namespace rotatebook::physics {
+namespace {
+
+/// The shortest turn from unit vector `from` to +y.
+Eigen::Matrix3d turnToY(const Eigen::Vector3d& from) {
+  constexpr double kLeast = 1e-12;  // of 1 + the angle's cosine
+  const double cosine = from.y();
+  if (1 + cosine < kLeast) return Eigen::Vector3d(1, -1, -1).asDiagonal();
+  const Eigen::Vector3d axis = from.cross(Eigen::Vector3d::UnitY());  // as long as the sine
+  return cosine * Eigen::Matrix3d::Identity() + crossMatrix(axis) +
+         axis * axis.transpose() / (1 + cosine);
+}
+
+}  // namespace
+
+Eigen::Matrix3d frameFromWorld(ReferenceFrame frame, const Sample& sample) {
+  switch (frame) {
+    case ReferenceFrame::World:
+      break;
+    case ReferenceFrame::Body:
+      return sample.attitude.toRotationMatrix().transpose();
+    case ReferenceFrame::Momentum: {
+      const double size = sample.angularMomentum.stableNorm();
+      if (size > 0) return turnToY(sample.angularMomentum / size);
+    }
+  }
+  return Eigen::Matrix3d::Identity();
+}
+
+Sample seenFrom(ReferenceFrame frame, const Sample& sample) {
+  if (frame == ReferenceFrame::World) return sample;
+  const Eigen::Matrix3d turn = frameFromWorld(frame, sample);
+  Sample seen = sample;
+  seen.corners = turn * sample.corners;
+  seen.attitude = Eigen::Quaterniond(turn) * sample.attitude;
+  seen.angularVelocity = turn * sample.angularVelocity;
+  seen.angularMomentum = turn * sample.angularMomentum;
+  return seen;
+}
+
+}  // namespace rotatebook::physics

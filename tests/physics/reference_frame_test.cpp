@@ -1,0 +1,69 @@
+#include "physics/reference_frame.h"
+
+#include <gtest/gtest.h>
+
+#include "physics/rotation.h"
+
+namespace rotatebook::physics {
+namespace {
+
+Sample tumblingSample() {
+  MotionSettings settings;
+  settings.initial.value = {6, 0.5, 1};
+  return simulate(settings, 40).samples.back();
+}
+
+constexpr double kRounding = 1e-13;  // measured 1e-15
+
+TEST(ReferenceFrame, OfTheWorldChangesNothing) {
+  const Sample sample = tumblingSample();
+  EXPECT_EQ(seenFrom(ReferenceFrame::World, sample).corners, sample.corners);
+  EXPECT_EQ(frameFromWorld(ReferenceFrame::World, sample), Eigen::Matrix3d::Identity());
+}
+
+TEST(ReferenceFrame, OfTheBodyHoldsItStill) {
+  const Sample sample = tumblingSample(), seen = seenFrom(ReferenceFrame::Body, sample);
+  EXPECT_GT(sample.attitude.angularDistance(Eigen::Quaterniond::Identity()), 1);
+  EXPECT_LT(seen.attitude.angularDistance(Eigen::Quaterniond::Identity()), 1e-7);
+  EXPECT_LT((seen.corners - Cuboid().corners()).cwiseAbs().maxCoeff(), 1e-3);  // Euler's drift
+  EXPECT_LT((seen.angularVelocity - sample.attitude.conjugate() * sample.angularVelocity).norm(),
+            1e-12);
+}
+
+TEST(ReferenceFrame, OfTheMomentumHasItUpright) {
+  const Sample sample = tumblingSample(), seen = seenFrom(ReferenceFrame::Momentum, sample);
+  const double size = sample.angularMomentum.norm();
+  EXPECT_GT((sample.angularMomentum - size * Eigen::Vector3d::UnitY()).norm(), size / 2);
+  EXPECT_LT((seen.angularMomentum - size * Eigen::Vector3d::UnitY()).norm(), kRounding * size);
+}
+
+TEST(ReferenceFrame, TurnsAllVectorsAlike) {
+  const Sample sample = tumblingSample();
+  for (const auto frame : {ReferenceFrame::Body, ReferenceFrame::Momentum}) {
+    const Eigen::Matrix3d turn = frameFromWorld(frame, sample);
+    EXPECT_LT((turn * turn.transpose() - Eigen::Matrix3d::Identity()).norm(), kRounding);
+    EXPECT_NEAR(turn.determinant(), 1, kRounding);
+    const Sample seen = seenFrom(frame, sample);
+    EXPECT_NEAR(seen.angularVelocity.dot(seen.angularMomentum),
+                sample.angularVelocity.dot(sample.angularMomentum), kRounding);
+    EXPECT_LT((seen.attitude * Cuboid().corners().col(7) -
+               turn * (sample.attitude * Cuboid().corners().col(7)))
+                  .norm(),
+              kRounding);
+    EXPECT_EQ(seen.kinetic, sample.kinetic);
+  }
+}
+
+TEST(ReferenceFrame, OfNoMomentumOrOneThatPointsDownIsARotation) {
+  Sample sample;
+  EXPECT_EQ(frameFromWorld(ReferenceFrame::Momentum, sample), Eigen::Matrix3d::Identity());
+  for (const double slant : {0.0, 1e-9, 1e-5}) {
+    sample.angularMomentum = {slant, -2, 0};
+    const Eigen::Matrix3d turn = frameFromWorld(ReferenceFrame::Momentum, sample);
+    EXPECT_NEAR(turn.determinant(), 1, 1e-5) << slant;
+    EXPECT_LT((turn * sample.angularMomentum - Eigen::Vector3d(0, 2, 0)).norm(), 1e-5) << slant;
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::physics

@@ -37,6 +37,7 @@ build: configure
 figures: program
 	$(PROGRAM) render scenes/comparisons/*.toml scenes/figures/*.toml -o $(OUT)
 	$(PROGRAM) study scenes/studies/*.toml -o $(OUT)
+	$(PROGRAM) still scenes/stills/fig01-axes.toml --time 0 -o $(OUT)/fig01-axes.png
 
 test: build
 	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j$$(nproc)

@@ -171,15 +171,19 @@ void Canvas::plate(const Box& box, double radius, const Fill& fill) {
 }
 
 void Canvas::write(const Layer& words, const Point& place) {
+  paint(words, place);
+  parts_->texts.push_back(boxOf(words, place));
+}
+
+void Canvas::paint(const Layer& piece, const Point& place) {
   const Surface source(cairo_image_surface_create_for_data(
       // Cairo only reads from it.
-      const_cast<unsigned char*>(words.pixels.data()), CAIRO_FORMAT_ARGB32, words.width,
-      words.height, words.width * 4));
-  const double x = place.x() + words.x, y = place.y() + words.y;
+      const_cast<unsigned char*>(piece.pixels.data()), CAIRO_FORMAT_ARGB32, piece.width,
+      piece.height, piece.width * 4));
+  const double x = place.x() + piece.x, y = place.y() + piece.y;
   cairo_set_source_surface(parts_->cairo.get(), source.get(), x, y);
   cairo_paint(parts_->cairo.get());
-  parts_->touch({x, y, 1.0 * words.width, 1.0 * words.height});
-  parts_->texts.push_back(boxOf(words, place));
+  parts_->touch({x, y, 1.0 * piece.width, 1.0 * piece.height});
   setColour(parts_->cairo.get(), kWhite, 1);  // lets go of `source`
 }
 

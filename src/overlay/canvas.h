@@ -48,6 +48,8 @@ class Canvas {
   void plate(const Box& box, double radius, const Fill& fill);
   /// `words`, with their top left, without halo, at `place`; fractions of a pixel count.
   void write(const Layer& words, const Point& place);
+  /// A piece of picture, which has no words; else the same.
+  void paint(const Layer& piece, const Point& place);
 
   /// Lays what was drawn over `picture`, which is of this size, and starts afresh.
   void layOver(image::Image& picture);

@@ -29,7 +29,7 @@ void placeColumn(const Scale& scale, const Wanted& wanted, double side, Layout& 
   if (wanted.polhode) {
     const double share = wanted.charts > 0 ? kPolhodeShare : 1;
     const double size = std::min(width, share * height);
-    layout.polhode = {left + width - size, top, size, size};
+    layout.polhode = {left, top, width, size};
     top += size + gap;
   }
   const double left_ = scale.margin + height - top + gap;

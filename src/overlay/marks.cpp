@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
+#include "overlay/arrows.h"
+#include "overlay/ghost.h"
 #include "overlay/layout.h"
 #include "overlay/mark.h"
 #include "overlay/notes.h"
+#include "overlay/polhode_inset.h"
+#include "overlay/springs.h"
+#include "overlay/strip_chart.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -27,17 +33,54 @@ struct Marks::Parts {
     layout = layOut(scale, wanted(ground));
     taken.push_back({0, 1.0 * (ground.height - layout.bottomRows), 1.0 * ground.width,
                      1.0 * layout.bottomRows});
+    for (const Box& box : layout.charts) taken.push_back(box);
+    taken.push_back(layout.polhode);
+    taken.push_back(layout.springs);
+    addInWorld();
+    addInsets();
     if (motion.divergedAt) notice = divergenceNotice(context(), *motion.divergedAt, taken);
   }
 
   MarkContext context() const { return {scene, trajectory, type, scale}; }
 
-  bool shows(Overlay overlay) const { return scene::shows(scene, overlay); }
+  bool shows(Overlay overlay) const {
+    return scene::shows(scene, overlay) && isFor(scene.simulation.model, overlay);
+  }
 
   Wanted wanted(const Ground& ground) const {
     Wanted all;
+    all.polhode = shows(Overlay::Polhode);
+    all.charts = (shows(Overlay::Energy) ? 1 : 0) + (shows(Overlay::Error) ? 1 : 0);
+    all.springs = shows(Overlay::Springs);
     all.bottomRows = ground.bottomRows;
     return all;
+  }
+
+  /// The lowest first.
+  void addInWorld() {
+    const auto add = [&]<typename T>(Overlay overlay, std::type_identity<T>) {
+      if (shows(overlay)) inWorld.push_back(std::make_unique<T>(context()));
+    };
+    if (shows(Overlay::Springs)) {
+      inWorld.push_back(std::make_unique<Springs>(context(), layout.springs));
+    }
+    add(Overlay::Ghost, std::type_identity<Ghost>());
+    add(Overlay::Axes, std::type_identity<Axes>());
+    add(Overlay::Trail, std::type_identity<Trail>());
+    add(Overlay::Momentum, std::type_identity<Momentum>());
+    add(Overlay::Omega, std::type_identity<Omega>());
+  }
+
+  void addInsets() {
+    if (shows(Overlay::Polhode)) {
+      insets.push_back(std::make_unique<PolhodeInset>(context(), layout.polhode));
+    }
+    auto place = layout.charts.begin();
+    const auto add = [&](const ChartContent& content) {
+      insets.push_back(std::make_unique<StripChart>(context(), *place++, content));
+    };
+    if (shows(Overlay::Energy)) add(energyContent(context()));
+    if (shows(Overlay::Error)) add(errorContent(context()));
   }
 
   /// From the top left: the ground's other words, its label, the count of half-turns.

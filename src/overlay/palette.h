@@ -37,7 +37,7 @@ struct Scale {
       : width(pictureWidth),
         height(pictureHeight),
         unit(std::min<double>(height, 0.8 * width)),
-        margin(std::max(0.035 * unit, 6.0)),
+        margin(std::max(0.045 * unit, 8.0)),
         letters(std::max(0.0255 * unit, 10.0)),
         smallLetters(std::max(0.0195 * unit, 9.0)),
         line(std::max(0.0036 * unit, 1.3)),

@@ -1,0 +1,144 @@
+#include "overlay/arrows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "overlay/book_box.h"
+#include "physics/reference_frame.h"
+
+namespace rotatebook::overlay {
+namespace {
+
+// In lengths from the book's centre to its corners.
+constexpr double kAxisBeyond = 0.26, kShortestAxis = 0.62;
+constexpr double kOmegaLength = 0.98, kMomentumLength = 1.1;
+// A velocity more than this often that of the start doesn't make all others short.
+constexpr double kLargestVelocity = 2;
+constexpr double kLargestMomentum = 1.1;
+constexpr double kTrailTime = 4;  // of the clip [s]
+constexpr int kTrailParts = 24;   // with an opacity each
+
+double reachOf(const physics::Cuboid& body) {
+  return body.size.norm() / 2;
+}
+
+Layer letter(const MarkContext& context, const std::string& text, const Colour& colour) {
+  const TextStyle style{.size = 1.15 * context.scale.letters,
+                        .bold = true,
+                        .colour = colour,
+                        .halo = context.scale.halo};
+  return context.type.draw(text, style, context.scale.width);
+}
+
+void addLabel(const View& view, const MarkContext& context, const Layer& words,
+              const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  const auto a = view.projector(from), b = view.projector(to);
+  if (a && b) view.labels.add(words, *b, *b - *a, 0.85 * context.scale.letters);
+}
+
+/// `vector` with a length of `full` where it is as long as `whole`, and no more than `most`.
+Eigen::Vector3d scaledTip(const Eigen::Vector3d& vector, double whole, double full, double most) {
+  const double size = vector.stableNorm();
+  if (!(size > 0 && whole > 0)) return Eigen::Vector3d::Zero();
+  return vector / size * std::min(size / whole * full, most);
+}
+
+double largestVelocity(const physics::Trajectory& trajectory) {
+  double largest = 0;
+  for (const physics::Sample& sample : trajectory.samples) {
+    largest = std::max(largest, sample.angularVelocity.stableNorm());
+  }
+  const double start = trajectory.samples.front().angularVelocity.stableNorm();
+  return std::min(largest, kLargestVelocity * start);
+}
+
+}  // namespace
+
+Axes::Axes(const MarkContext& context)
+    : context_(context),
+      letters_{letter(context, "x", kAxisColours[0]), letter(context, "y", kAxisColours[1]),
+               letter(context, "z", kAxisColours[2])} {}
+
+void Axes::draw(const View& view) {
+  const physics::Cuboid& body = context_.scene.body;
+  const BookBox book(body, view.sample.corners);
+  const double reach = reachOf(body);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    const double stretch = book.map().col(axis).norm();
+    const double length =
+        stretch * std::max(body.size[axis] / 2 + kAxisBeyond * reach, kShortestAxis * reach);
+    const Eigen::Vector3d tip =
+        book.centre() + length * (view.sample.attitude * Eigen::Vector3d::Unit(axis));
+    drawArrow(view, book, book.centre(), tip,
+              {kAxisColours[i], 0.85 * context_.scale.line, 1, context_.scale.halo});
+    addLabel(view, context_, letters_[i], book.centre(), tip);
+  }
+}
+
+ArrowScale::ArrowScale(const MarkContext& context)
+    : reach_(reachOf(context.scene.body)),
+      velocity_(largestVelocity(context.trajectory)),
+      momentum_(context.trajectory.samples.front().angularMomentum.stableNorm()) {}
+
+Eigen::Vector3d ArrowScale::omegaTip(const Eigen::Vector3d& angularVelocity) const {
+  return scaledTip(angularVelocity, velocity_, kOmegaLength * reach_, kOmegaLength * reach_);
+}
+
+Eigen::Vector3d ArrowScale::momentumTip(const Eigen::Vector3d& angularMomentum) const {
+  const double full = kMomentumLength * reach_;
+  return scaledTip(angularMomentum, momentum_, full, kLargestMomentum * full);
+}
+
+Omega::Omega(const MarkContext& context)
+    : context_(context), scale_(context), letter_(letter(context, "ω", kVelocityColour)) {}
+
+void Omega::draw(const View& view) {
+  const BookBox book(context_.scene.body, view.sample.corners);
+  const Eigen::Vector3d tip = book.centre() + scale_.omegaTip(view.sample.angularVelocity);
+  drawArrow(view, book, book.centre(), tip,
+            {kVelocityColour, 1.5 * context_.scale.line, 1, context_.scale.halo});
+  addLabel(view, context_, letter_, book.centre(), tip);
+}
+
+Momentum::Momentum(const MarkContext& context)
+    : context_(context), scale_(context), letter_(letter(context, "L", kMomentumColour)) {}
+
+void Momentum::draw(const View& view) {
+  const BookBox book(context_.scene.body, view.sample.corners);
+  const Eigen::Vector3d tip = book.centre() + scale_.momentumTip(view.sample.angularMomentum);
+  drawArrow(view, book, book.centre(), tip,
+            {kMomentumColour, 1.5 * context_.scale.line, 1, context_.scale.halo});
+  addLabel(view, context_, letter_, book.centre(), tip);
+}
+
+Trail::Trail(const MarkContext& context)
+    : context_(context), length_(context.scene.clip.frameRate.framesIn(kTrailTime)) {
+  const ArrowScale scale(context);
+  for (const physics::Sample& sample : context.trajectory.samples) {
+    const Eigen::Matrix3d turn = physics::frameFromWorld(context.scene.camera.frame, sample);
+    tips_.push_back(turn * scale.omegaTip(sample.angularVelocity));
+  }
+}
+
+void Trail::draw(const View& view) {
+  const std::int64_t first = std::max<std::int64_t>(0, view.frame - length_);
+  const std::int64_t step = std::max<std::int64_t>(1, length_ / kTrailParts);
+  // Parts keep to multiples of their length, so that they don't crawl along the path.
+  for (std::int64_t start = first / step * step; start < view.frame; start += step) {
+    std::vector<Point> points;
+    const std::int64_t end = std::min(start + step, view.frame);
+    for (std::int64_t i = std::max(start, first); i <= end; ++i) {
+      if (const auto point = view.projector(tips_[static_cast<std::size_t>(i)])) {
+        points.push_back(*point);
+      }
+    }
+    const double age = static_cast<double>(view.frame - end) / static_cast<double>(length_);
+    view.canvas.line(points, {kVelocityColour, 0.75 * context_.scale.line, 0.9 * (1 - age),
+                              0.6 * context_.scale.halo});
+  }
+}
+
+}  // namespace rotatebook::overlay

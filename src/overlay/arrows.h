@@ -1,0 +1,77 @@
+// Directions at the book: its axes, the angular velocity, the angular momentum. Inside the room
+// only.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "overlay/mark.h"
+
+namespace rotatebook::overlay {
+
+/// The book's axes, from its centre out through its faces.
+class Axes final : public Mark {
+ public:
+  explicit Axes(const MarkContext& context);
+  void draw(const View& view) override;
+
+ private:
+  MarkContext context_;
+  std::array<Layer, 3> letters_;
+};
+
+/// Lengths that arrows have in the world, whatever their units: those of a motion that grows
+/// without limit stop growing.
+class ArrowScale {
+ public:
+  explicit ArrowScale(const MarkContext& context);
+  /// The tip of the arrow for an angular velocity [rad/s]. [m]
+  Eigen::Vector3d omegaTip(const Eigen::Vector3d& angularVelocity) const;
+  /// That for an angular momentum [kg m^2/s]. [m]
+  Eigen::Vector3d momentumTip(const Eigen::Vector3d& angularMomentum) const;
+
+ private:
+  double reach_;     // of the book from its centre [m]
+  double velocity_;  // what has the full length [rad/s]
+  double momentum_;  // [kg m^2/s]
+};
+
+/// The angular velocity.
+class Omega final : public Mark {
+ public:
+  explicit Omega(const MarkContext& context);
+  void draw(const View& view) override;
+
+ private:
+  MarkContext context_;
+  ArrowScale scale_;
+  Layer letter_;
+};
+
+/// The angular momentum.
+class Momentum final : public Mark {
+ public:
+  explicit Momentum(const MarkContext& context);
+  void draw(const View& view) override;
+
+ private:
+  MarkContext context_;
+  ArrowScale scale_;
+  Layer letter_;
+};
+
+/// The path of Omega's tip through the last seconds, as the camera's frame has it.
+class Trail final : public Mark {
+ public:
+  explicit Trail(const MarkContext& context);
+  void draw(const View& view) override;
+
+ private:
+  MarkContext context_;
+  std::vector<Eigen::Vector3d> tips_;  // of each sample
+  std::int64_t length_;                // in samples
+};
+
+}  // namespace rotatebook::overlay

@@ -1,0 +1,109 @@
+#include "overlay/book_box.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace rotatebook::overlay {
+namespace {
+
+constexpr double kHiddenOpacity = 0.38;
+constexpr double kHeadLength = 4.2, kHeadWidth = 3.4;  // of an arrow, in widths of its line
+constexpr double kLongestHead = 0.6;                   // of the arrow
+
+Pen hiddenPen(Pen pen) {
+  pen.opacity *= kHiddenOpacity;
+  pen.halo = 0;
+  return pen;
+}
+
+/// Where between `low` and `high`, of which the book hides one, it begins or ends to hide.
+template <typename Hides>
+double edgeBetween(double low, double high, const Hides& hides) {
+  constexpr int kHalvings = 7;
+  const bool first = hides(low);
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (low + high) / 2;
+    (hides(middle) == first ? low : high) = middle;
+  }
+  return (low + high) / 2;
+}
+
+/// A part of a line, from 0 to 1.
+struct Part {
+  double from, to;
+  bool hidden;
+};
+
+template <typename Hides>
+std::vector<Part> partsOf(const Hides& hides) {
+  constexpr int kSteps = 12;
+  std::vector<Part> parts{{0, 1, hides(0)}};
+  for (int i = 1; i <= kSteps; ++i) {
+    const double t = static_cast<double>(i) / kSteps;
+    if (hides(t) == parts.back().hidden) continue;
+    const double edge = edgeBetween(t - 1.0 / kSteps, t, hides);
+    const bool hidden = !parts.back().hidden;
+    parts.back().to = edge;
+    parts.push_back({edge, 1, hidden});
+  }
+  return parts;
+}
+
+void drawHead(Canvas& canvas, const Point& tip, const Point& along, double length, const Pen& pen) {
+  const Point base = tip - length * along;
+  const Point across = Point(-along.y(), along.x()) * length * kHeadWidth / kHeadLength / 2;
+  const std::array<Point, 4> outline{tip, base + across, base - across, tip};
+  if (pen.halo > 0) canvas.line(outline, {kDark, 2 * pen.halo, 0.55 * pen.opacity, 0});
+  canvas.area(outline, {pen.colour, pen.opacity});
+}
+
+}  // namespace
+
+BookBox::BookBox(const physics::Cuboid& body, const physics::Corners& corners)
+    : centre_(corners.rowwise().mean()) {
+  const physics::Corners rest = body.corners();
+  const Eigen::Vector3d half = body.size / 2;
+  const Eigen::Vector3d inverseSquares = half.cwiseAbs2().cwiseInverse() / 8;
+  map_ = (corners.colwise() - centre_) * rest.transpose() * inverseSquares.asDiagonal();
+  boxFromWorld_ = (map_ * half.asDiagonal()).inverse();
+}
+
+bool BookBox::hides(const Eigen::Vector3d& point, const Eigen::Vector3d& eye) const {
+  const Eigen::Array3d start = boxFromWorld_ * (eye - centre_);
+  const Eigen::Array3d way = boxFromWorld_ * (point - eye);
+  const Eigen::Array3d a = (-1 - start) / way, b = (1 - start) / way;
+  const double enters = a.min(b).maxCoeff(), leaves = a.max(b).minCoeff();
+  constexpr double kTouching = 1e-6;
+  return enters > 0 && enters < leaves && enters < 1 - kTouching;
+}
+
+void drawLine(const View& view, const BookBox& book, const Eigen::Vector3d& from,
+              const Eigen::Vector3d& to, const Pen& pen) {
+  const Eigen::Vector3d eye = view.projector.eye();
+  const auto at = [&](double t) { return Eigen::Vector3d(from + t * (to - from)); };
+  const auto parts = partsOf([&](double t) { return book.hides(at(t), eye); });
+  for (const bool hidden : {true, false}) {
+    for (const Part& part : parts) {
+      if (part.hidden != hidden) continue;
+      const auto a = view.projector(at(part.from)), b = view.projector(at(part.to));
+      if (a && b) view.canvas.line(std::array{*a, *b}, hidden ? hiddenPen(pen) : pen);
+    }
+  }
+}
+
+void drawArrow(const View& view, const BookBox& book, const Eigen::Vector3d& from,
+               const Eigen::Vector3d& to, const Pen& pen) {
+  const auto a = view.projector(from), b = view.projector(to);
+  if (!a || !b) return;
+  const double length = (*b - *a).norm();
+  const double head = std::min(kHeadLength * pen.width, kLongestHead * length);
+  if (head < 0.5) return;
+  // The line ends within the head, whose tip is sharp.
+  const double share = 1 - 0.8 * head / length;
+  drawLine(view, book, from, from + share * (to - from), pen);
+  const bool hidden = book.hides(to, view.projector.eye());
+  drawHead(view.canvas, *b, (*b - *a) / length, head, hidden ? hiddenPen(pen) : pen);
+}
+
+}  // namespace rotatebook::overlay

@@ -1,0 +1,40 @@
+// The book as something that hides what is behind it. Inside the room only.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "overlay/canvas.h"
+#include "overlay/mark.h"
+#include "physics/cuboid.h"
+
+namespace rotatebook::overlay {
+
+/// The skewed box that fits a deformed book best.
+class BookBox {
+ public:
+  BookBox(const physics::Cuboid& body, const physics::Corners& corners);
+
+  /// From the axes of the undeformed book: a rotation where it isn't deformed.
+  const Eigen::Matrix3d& map() const { return map_; }
+  const Eigen::Vector3d& centre() const { return centre_; }
+  /// Whether a camera at `eye` can't see `point` because it is in or behind the box.
+  bool hides(const Eigen::Vector3d& point, const Eigen::Vector3d& eye) const;
+
+ private:
+  Eigen::Matrix3d map_;
+  Eigen::Vector3d centre_;
+  Eigen::Matrix3d boxFromWorld_;  // to where the box reaches from -1 to 1
+};
+
+/// A straight line in the world, faint where the book hides it. Ends that aren't in front of the
+/// camera draw nothing.
+void drawLine(const View& view, const BookBox& book, const Eigen::Vector3d& from,
+              const Eigen::Vector3d& to, const Pen& pen);
+
+/// The same with an arrow's head at `to`.
+void drawArrow(const View& view, const BookBox& book, const Eigen::Vector3d& from,
+               const Eigen::Vector3d& to, const Pen& pen);
+
+}  // namespace rotatebook::overlay

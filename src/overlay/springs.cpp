@@ -1,0 +1,130 @@
+#include "overlay/springs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+
+#include "base/number_text.h"
+
+namespace rotatebook::overlay {
+namespace {
+
+constexpr Colour kCompressed{0.25, 0.55, 1.0}, kAtRest{0.86, 0.86, 0.86},
+    kStretched{1.0, 0.47, 0.16};
+constexpr std::size_t kColours = 25;
+// Of all strains of a motion, so many are within the colours' range.
+constexpr double kShown = 0.9;
+constexpr double kSmallestRange = 1e-4, kLargestRange = 0.5;
+
+struct Spring {
+  Eigen::Index a, b;  // the particles at its ends
+};
+
+template <typename Action>
+void forEachSpring(const Action& action) {
+  for (Eigen::Index a = 0; a < 8; ++a) {
+    for (Eigen::Index b = a + 1; b < 8; ++b) action(Spring{a, b});
+  }
+}
+
+double strain(const physics::Corners& rest, const physics::Corners& corners, const Spring& spring) {
+  const double length = (corners.col(spring.a) - corners.col(spring.b)).norm();
+  return length / (rest.col(spring.a) - rest.col(spring.b)).norm() - 1;
+}
+
+double rangeOf(const MarkContext& context) {
+  const physics::Corners rest = context.scene.body.corners();
+  std::vector<double> strains;
+  for (const physics::Sample& sample : context.trajectory.samples) {
+    forEachSpring([&](const Spring& spring) {
+      strains.push_back(std::abs(strain(rest, sample.corners, spring)));
+    });
+  }
+  const auto shown = strains.begin() +
+                     static_cast<std::ptrdiff_t>(kShown * static_cast<double>(strains.size() - 1));
+  std::nth_element(strains.begin(), shown, strains.end());
+  return std::clamp(roundedUp(std::max(*shown, kSmallestRange)), kSmallestRange, kLargestRange);
+}
+
+/// The colour of number `step` of kColours, from compressed to stretched.
+Colour colourOf(std::size_t step) {
+  const double t = 2 * static_cast<double>(step) / (kColours - 1) - 1;
+  return t < 0 ? mixed(kAtRest, kCompressed, -t) : mixed(kAtRest, kStretched, t);
+}
+
+std::size_t stepOf(double strain, double range) {
+  const double t = (std::clamp(strain / range, -1.0, 1.0) + 1) / 2;
+  return static_cast<std::size_t>(std::lround(t * (kColours - 1)));
+}
+
+Plate legendPlate(const MarkContext& context, const Box& box, double range) {
+  const Scale& scale = context.scale;
+  Canvas canvas(scale.width, scale.height);
+  const double barHeight = 0.7 * scale.smallLetters, step = box.width / kColours;
+  canvas.plate(Box{box.x, box.y, box.width, barHeight}.grown(scale.halo), scale.halo, {kDark, 0.6});
+  for (std::size_t i = 0; i < kColours; ++i) {
+    const double x = box.x + static_cast<double>(i) * step;
+    const std::array<Point, 4> cell{Point(x, box.y), Point(x + step, box.y),
+                                    Point(x + step, box.y + barHeight),
+                                    Point(x, box.y + barHeight)};
+    canvas.area(cell, {colourOf(i), 1});
+  }
+  const TextStyle style{.size = scale.smallLetters, .colour = kWhite, .halo = scale.halo};
+  const std::string percent = shortestText(100 * range) + " %";
+  const double y = box.y + barHeight + 0.25 * scale.smallLetters;
+  const auto write = [&](const std::string& text, double share) {
+    const Layer words = context.type.draw(text, style, scale.width);
+    canvas.write(words,
+                 {std::round(box.x + share * (box.width - boxOf(words, Point(0, 0)).width)), y});
+  };
+  write("−" + percent, 0);
+  write("strain", 0.5);
+  write("+" + percent, 1);
+  return canvas.take();
+}
+
+}  // namespace
+
+double roundedUp(double value) {
+  const double power = std::pow(10, std::floor(std::log10(value)));
+  for (const double digit : {1.0, 2.0, 5.0}) {
+    if (value <= digit * power * (1 + 1e-9)) return digit * power;
+  }
+  return 10 * power;
+}
+
+Springs::Springs(const MarkContext& context, const Box& legend)
+    : context_(context), range_(rangeOf(context)), legend_(legendPlate(context, legend, range_)) {}
+
+void Springs::draw(const View& view) {
+  std::vector<Point> particles;
+  for (Eigen::Index i = 0; i < 8; ++i) {
+    const auto point = view.projector(view.sample.corners.col(i));
+    if (!point) return;
+    particles.push_back(*point);
+  }
+  const physics::Corners rest = context_.scene.body.corners();
+  std::vector<Point> all;
+  std::array<std::vector<Point>, kColours> ofColour;
+  forEachSpring([&](const Spring& spring) {
+    const std::size_t step = stepOf(strain(rest, view.sample.corners, spring), range_);
+    for (const Eigen::Index end : {spring.a, spring.b}) {
+      all.push_back(particles[static_cast<std::size_t>(end)]);
+      ofColour[step].push_back(all.back());
+    }
+  });
+  const Scale& scale = context_.scale;
+  view.canvas.lines(all, {kDark, 0.8 * scale.line + 2 * scale.halo, 0.5, 0});
+  for (std::size_t i = 0; i < kColours; ++i) {
+    view.canvas.lines(ofColour[i], {colourOf(i), 0.8 * scale.line, 1, 0});
+  }
+  for (const Point& particle : particles) {
+    view.canvas.disc(particle, 1.9 * scale.line + scale.halo, {kDark, 0.6});
+    view.canvas.disc(particle, 1.9 * scale.line, {kWhite, 1});
+  }
+  view.canvas.lay(legend_, view.picture);
+}
+
+}  // namespace rotatebook::overlay

@@ -1,0 +1,58 @@
+// Charts over the time of the clip. Inside the room only.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "overlay/mark.h"
+
+namespace rotatebook::overlay {
+
+/// A number of each sample, and how it is drawn.
+struct Series {
+  std::string name;    ///< May be empty: no legend.
+  std::string letter;  ///< In place of the name where there is no room.
+  Colour colour;
+  std::vector<double> values;
+};
+
+/// A level with its name at the left.
+struct Tick {
+  double value;
+  std::string text;
+};
+
+/// What a chart shows; values beyond its range are drawn at its edge.
+struct ChartContent {
+  std::string title;
+  double low = 0, high = 1;
+  std::vector<Tick> ticks;     ///< The most important first: others give way.
+  std::vector<Series> series;  ///< The last is above the others.
+};
+
+/// A chart from the clip's first frame to its last, drawn up to the present one.
+class StripChart final : public Mark {
+ public:
+  StripChart(const MarkContext& context, const Box& box, const ChartContent& content);
+  void draw(const View& view) override;
+
+ private:
+  Point placeOf(std::int64_t frame, double value) const;
+  Plate stillPart() const;
+  Plate curves() const;
+
+  MarkContext context_;
+  Box box_;
+  ChartContent content_;
+  Box plot_;
+  Plate plate_;
+  Plate curves_;
+};
+
+/// Kinetic, spring and total energy as shares of the start's total.
+ChartContent energyContent(const MarkContext& context);
+/// The angle to the exact motion.
+ChartContent errorContent(const MarkContext& context);
+
+}  // namespace rotatebook::overlay

@@ -45,22 +45,35 @@ void placeAround(const Scale& scale, const Wanted& wanted, Layout& layout) {
   if (wanted.charts > 0) {
     const double height = std::max(kBottomChart * scale.height, kLowestChart * scale.smallLetters);
     const int abreast = room > 40 * scale.smallLetters ? wanted.charts : 1;
-    const int rows = wanted.charts / abreast;
+    const int lines = wanted.charts / abreast;
     const double width = (room + gap) / abreast - gap;
     const double lowest =
         scale.height - (wanted.bottomRows > 0 ? wanted.bottomRows : scale.margin) - gap;
-    const double top = lowest - rows * (height + gap) + gap;
+    const double top = lowest - lines * (height + gap) + gap;
     for (int i = 0; i < wanted.charts; ++i) {
       layout.charts.push_back({scale.margin + (i % abreast) * (width + gap),
                                top + (i / abreast) * (height + gap), width, height});
     }
-    layout.bottomRows = static_cast<int>(std::ceil(scale.height - top + gap));
+    const int rows = static_cast<int>(std::ceil(scale.height - top + gap));
+    layout.bottomRows = std::min(rows, std::max(wanted.bottomRows, 2 * scale.height / 3));
   }
   if (wanted.polhode) {
     const double size =
         kCornerPolhode * std::min<double>(scale.width, scale.height - layout.bottomRows);
     layout.polhode = {scale.width - scale.margin - size, scale.margin, size, size};
   }
+}
+
+/// At the lower left, above words and charts.
+void placeLegend(const Scale& scale, Layout& layout) {
+  const double height = 2.6 * scale.smallLetters;
+  double below = scale.height - scale.margin;
+  if (layout.bottomRows > 0) below = scale.height - layout.bottomRows - gapOf(scale);
+  for (const Box& chart : layout.charts) {
+    if (chart.x < scale.width / 2.0) below = std::min(below, chart.y - gapOf(scale));
+  }
+  layout.springs = {scale.margin, below - height,
+                    std::min(kLegendWidth * scale.letters, scale.width - 2 * scale.margin), height};
 }
 
 }  // namespace
@@ -74,14 +87,7 @@ Layout layOut(const Scale& scale, const Wanted& wanted) {
   } else {
     placeAround(scale, wanted, layout);
   }
-  if (wanted.springs) {
-    const double height = 2.6 * scale.smallLetters;
-    const double bottom =
-        scale.height - (layout.bottomRows > 0 ? layout.bottomRows + gapOf(scale) : scale.margin);
-    layout.springs = {scale.margin, bottom - height,
-                      std::min(kLegendWidth * scale.letters, scale.width - 2 * scale.margin),
-                      height};
-  }
+  if (wanted.springs) placeLegend(scale, layout);
   return layout;
 }
 

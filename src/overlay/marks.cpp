@@ -19,6 +19,13 @@ namespace {
 
 using scene::Overlay;
 
+/// An inset of fewer pixels shows nothing that could be made out.
+constexpr double kSmallestInset = 24;
+
+bool isLargeEnough(const Box& box) {
+  return std::min(box.width, box.height) >= kSmallestInset;
+}
+
 }  // namespace
 
 struct Marks::Parts {
@@ -61,7 +68,7 @@ struct Marks::Parts {
     const auto add = [&]<typename T>(Overlay overlay, std::type_identity<T>) {
       if (shows(overlay)) inWorld.push_back(std::make_unique<T>(context()));
     };
-    if (shows(Overlay::Springs)) {
+    if (shows(Overlay::Springs) && layout.springs.width > 0) {
       inWorld.push_back(std::make_unique<Springs>(context(), layout.springs));
     }
     add(Overlay::Ghost, std::type_identity<Ghost>());
@@ -72,12 +79,15 @@ struct Marks::Parts {
   }
 
   void addInsets() {
-    if (shows(Overlay::Polhode)) {
+    if (shows(Overlay::Polhode) && isLargeEnough(layout.polhode)) {
       insets.push_back(std::make_unique<PolhodeInset>(context(), layout.polhode));
     }
     auto place = layout.charts.begin();
     const auto add = [&](const ChartContent& content) {
-      insets.push_back(std::make_unique<StripChart>(context(), *place++, content));
+      const Box& box = *place++;
+      if (isLargeEnough(box)) {
+        insets.push_back(std::make_unique<StripChart>(context(), box, content));
+      }
     };
     if (shows(Overlay::Energy)) add(energyContent(context()));
     if (shows(Overlay::Error)) add(errorContent(context()));

@@ -18,7 +18,7 @@
 namespace rotatebook::overlay {
 namespace {
 
-// Of the picture's height, but never so small that letters can't be read.
+// Of the picture's height, less where it is narrow, but never so small that letters can't be read.
 constexpr double kTitleSize = 0.036, kSmallestTitle = 13;
 constexpr double kCaptionSize = 0.0255, kSmallestCaption = 10;
 constexpr double kSettingsSize = 0.0215, kSmallestSettings = 9;
@@ -32,13 +32,15 @@ struct PageScale {
   explicit PageScale(const scene::ClipSettings& clip)
       : width(clip.width),
         height(clip.height),
-        margin(static_cast<int>(std::lround(kMargin * height))),
+        unit(std::min<double>(height, 0.8 * width)),
+        margin(static_cast<int>(std::lround(kMargin * unit))),
         room(width - 2 * margin) {}
 
-  double size(double share, double least) const { return std::max(share * height, least); }
+  double size(double share, double least) const { return std::max(share * unit, least); }
 
   int width;
   int height;
+  double unit;  // what letters and margins are shares of
   int margin;
   int room;  // between the margins
 };
@@ -103,7 +105,7 @@ TextStyle clockStyle(const PageScale& scale) {
   return {.size = scale.size(kCaptionSize, kSmallestCaption),
           .colour = kWhite,
           .opacity = 0.92,
-          .halo = std::max(1.0, 0.0024 * scale.height),
+          .halo = std::max(1.0, 0.0024 * scale.unit),
           .tabular = true};
 }
 
@@ -136,8 +138,11 @@ std::vector<Layer> captionLines(const Typesetter& type, const scene::Scene& scen
 }  // namespace
 
 struct Words::Parts {
-  Parts(const scene::Scene& asked, ClockPlace place)
-      : scene(asked), scale(asked.clip), type(Typesetter::of(asked.overlay.font)) {
+  Parts(const scene::Scene& asked, ClockPlace clockPlace)
+      : scene(asked),
+        place(clockPlace),
+        scale(asked.clip),
+        type(Typesetter::of(asked.overlay.font)) {
     const bool clockShows = shows(scene, scene::Overlay::Clock);
     const bool below = clockShows && place == ClockPlace::Bottom;
     clock = clockShows ? clockBox() : Box{};
@@ -174,6 +179,7 @@ struct Words::Parts {
   }
 
   scene::Scene scene;
+  ClockPlace place;
   PageScale scale;
   Typesetter type;
   Layer ground;  // below the words at the bottom
@@ -194,7 +200,7 @@ int Words::bottomRows() const {
 }
 
 Box Words::corner() const {
-  return parts_->clock.y < parts_->scale.height / 2 ? parts_->clock : Box{};
+  return parts_->place == ClockPlace::TopLeft ? parts_->clock : Box{};
 }
 
 void Words::draw(std::int64_t frame, image::Image& picture) {

@@ -47,6 +47,34 @@ TEST(Blend, AddsToTheAlphaOfThePicture) {
   EXPECT_EQ(pixelOf(picture, 2, 0)[3], 100);
 }
 
+TEST(Blend, KeepsItsColourWhereThePictureIsTransparent) {
+  image::Image picture(4, 3, image::PixelFormat::Rgba8);
+  blend(twoPixels(0, 0), picture);
+  EXPECT_EQ(pixelOf(picture, 0, 0), (Pixel{255, 0, 0, 255}));
+  EXPECT_EQ(pixelOf(picture, 1, 0), (Pixel{0, 0, 255, 128}));
+  EXPECT_EQ(pixelOf(picture, 2, 0), (Pixel{0, 0, 0, 0}));
+}
+
+TEST(Blend, IsTheSameOnRgbAndOnOpaqueRgba) {
+  Layer layer{1, 0, 3, 3, {}};
+  for (int i = 0; i < 9; ++i) {
+    const auto alpha = static_cast<std::uint8_t>(29 * i);
+    for (const int part : {1, 2, 3, 4}) {
+      layer.pixels.push_back(static_cast<std::uint8_t>(alpha * part / 4));
+    }
+  }
+  image::Image rgb = grey(image::PixelFormat::Rgb8), rgba = grey(image::PixelFormat::Rgba8);
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 4; ++x) rgba.row(y)[4 * x + 3] = 255;
+  }
+  blend(layer, rgb);
+  blend(layer, rgba);
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 4; ++x) EXPECT_EQ(pixelOf(rgb, x, y), pixelOf(rgba, x, y)) << x << y;
+  }
+  EXPECT_NE(rgb, grey(image::PixelFormat::Rgb8));
+}
+
 TEST(Blend, LeavesOutWhatLiesOutside) {
   for (const auto& [x, y] : {std::array{-1, 0}, {3, 2}, {-5, 1}, {4, 1}, {1, -1}, {1, 3}}) {
     image::Image picture = grey(image::PixelFormat::Rgb8);

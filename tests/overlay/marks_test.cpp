@@ -68,5 +68,55 @@ TEST(Marks, SayThatAMotionDivergedOnlyPastItsEnd) {
   EXPECT_EQ(drawn(marks, scene, last + 1), drawn(marks, scene, last + 9));
 }
 
+TEST(Marks, AreOfThisMotion) {
+  // What each shows, it shows of the sample that is drawn.
+  for (const char* name :
+       {"axes", "omega", "momentum", "trail", "polhode", "energy", "error", "ghost"}) {
+    const scene::Scene scene = tumbling(
+        {kSmall, "overlay.show=['" + std::string(name) + "']", "simulation.integrator=euler"});
+    const physics::Trajectory trajectory = motionOf(scene);
+    Marks marks = marksOf(scene, trajectory);
+    EXPECT_NE(drawn(marks, scene, 60), greyPicture(scene)) << name;
+    EXPECT_NE(drawn(marks, scene, 60), drawn(marks, scene, 100)) << name;
+    EXPECT_EQ(drawn(marks, scene, 60), drawn(marks, scene, 60)) << name;
+  }
+}
+
+TEST(Marks, LeaveOutWhatTheModelHasNot) {
+  scene::Scene scene = tumbling({kSmall});
+  scene.simulation.model = physics::Model::Exact;
+  scene.overlay.show = {scene::Overlay::Springs, scene::Overlay::Error, scene::Overlay::Ghost};
+  EXPECT_EQ(drawn(scene, 30), greyPicture(scene));
+}
+
+TEST(Marks, TurnWithTheCamerasFrame) {
+  const auto shown = [](const char* overlay, const char* frame, std::int64_t n) {
+    return drawn(tumbling({kSmall, "overlay.show=['" + std::string(overlay) + "']",
+                           "camera.frame='" + std::string(frame) + "'"}),
+                 n);
+  };
+  // The body's axes stand still in the body's frame, the momentum in its own.
+  EXPECT_EQ(shown("axes", "body", 0), shown("axes", "body", 100));
+  EXPECT_NE(shown("axes", "world", 0), shown("axes", "world", 100));
+  EXPECT_NE(shown("momentum", "body", 0), shown("momentum", "body", 100));
+  EXPECT_NE(shown("momentum", "world", 0), shown("momentum", "momentum", 0));
+  EXPECT_NE(shown("trail", "world", 100), shown("trail", "body", 100));
+}
+
+TEST(Marks, CanBeDrawnOnTheSmallestPictures) {
+  const char* all =
+      "overlay.show=['axes', 'omega', 'momentum', 'trail', 'polhode', 'energy', 'error', "
+      "'half_turns', 'springs', 'ghost']";
+  for (const char* size : {"[16, 16]", "[64, 36]", "[16, 400]", "[400, 16]"}) {
+    const scene::Scene scene = diverging({all, "clip.size=" + std::string(size)});
+    const physics::Trajectory trajectory = motionOf(scene);
+    const Ground ground{.width = scene.clip.width, .height = scene.clip.height, .label = "label"};
+    Marks marks(scene, trajectory, ground);
+    EXPECT_LE(marks.bottomRows(), 2 * scene.clip.height / 3) << size;
+    EXPECT_NO_THROW(drawn(marks, scene, 3)) << size;
+    EXPECT_NO_THROW(drawn(marks, scene, scene.clip.frameCount())) << size;
+  }
+}
+
 }  // namespace
 }  // namespace rotatebook::overlay

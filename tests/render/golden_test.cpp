@@ -1,5 +1,5 @@
 // What the book looks like. ROTATEBOOK_UPDATE_GOLDENS=1 renews the goldens, see golden.h.
-#include "render/golden.h"
+#include "image/golden.h"
 
 #include <filesystem>
 #include <ostream>
@@ -46,7 +46,8 @@ class Golden : public ::testing::TestWithParam<Pose> {
   image::Image draw(const physics::Corners& corners) { return testing::drawn(renderer_, corners); }
 
   static bool same(const std::string& name, const image::Image& picture) {
-    return image::compare(testing::golden(name).view(), picture.view(), kSameMachineKind).same;
+    return image::compare(image::testing::golden(name).view(), picture.view(), kSameMachineKind)
+        .same;
   }
 
   Renderer renderer_{testing::settingsOf(128, 72), testing::builtinTextures()};
@@ -54,8 +55,10 @@ class Golden : public ::testing::TestWithParam<Pose> {
 
 TEST_P(Golden, IsMatched) {
   const image::Image picture = draw(GetParam().corners);
-  if (testing::updatingGoldens()) testing::updateGolden(GetParam().name, picture.view());
-  const auto result = testing::matchesGolden(GetParam().name, picture.view(), kSameMachineKind);
+  if (image::testing::updatingGoldens())
+    image::testing::updateGolden(GetParam().name, picture.view());
+  const auto result =
+      image::testing::matchesGolden(GetParam().name, picture.view(), kSameMachineKind);
   EXPECT_TRUE(result);
   RecordProperty("comparison", result.message());
 }
@@ -83,12 +86,12 @@ INSTANTIATE_TEST_SUITE_P(Poses, Golden,
                          [](const auto& test) { return test.param.name; });
 
 TEST(GoldenFailure, LeavesThePictureTheDifferenceAndTheirPaths) {
-  const std::filesystem::path actual = testing::leftovers("front", "actual");
-  const std::filesystem::path difference = testing::leftovers("front", "difference");
+  const std::filesystem::path actual = image::testing::leftovers("front", "actual");
+  const std::filesystem::path difference = image::testing::leftovers("front", "difference");
   std::filesystem::remove(actual);
   std::filesystem::remove(difference);
   const image::Image wrong = testing::plain(128, 72, {200, 0, 0});
-  const auto result = testing::matchesGolden("front", wrong.view(), kSameMachineKind);
+  const auto result = image::testing::matchesGolden("front", wrong.view(), kSameMachineKind);
   EXPECT_FALSE(result);
   const std::string message = result.message();
   EXPECT_NE(message.find(actual.string()), std::string::npos) << message;
@@ -99,10 +102,11 @@ TEST(GoldenFailure, LeavesThePictureTheDifferenceAndTheirPaths) {
 
 TEST(GoldenFailure, NamesAMissingGolden) {
   const image::Image picture = testing::plain(8, 8, {1, 2, 3});
-  const auto result = testing::matchesGolden("no_such_golden", picture.view(), kSameMachineKind);
+  const auto result =
+      image::testing::matchesGolden("no_such_golden", picture.view(), kSameMachineKind);
   EXPECT_FALSE(result);
   EXPECT_NE(std::string(result.message()).find("no_such_golden.png"), std::string::npos);
-  EXPECT_TRUE(std::filesystem::remove(testing::leftovers("no_such_golden", "actual")));
+  EXPECT_TRUE(std::filesystem::remove(image::testing::leftovers("no_such_golden", "actual")));
 }
 
 }  // namespace

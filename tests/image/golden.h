@@ -9,12 +9,12 @@
 #include "image/comparison.h"
 #include "image/image.h"
 
-namespace rotatebook::render::testing {
+namespace rotatebook::image::testing {
 
-/// The picture tests/render/goldens/NAME.png.
+/// The picture goldens/NAME.png in the folder of the running tests, such as tests/render.
 image::Image golden(const std::string& name);
 
-/// True where the environment variable ROTATEBOOK_UPDATE_GOLDENS is "1": run the render tests so
+/// True where the environment variable ROTATEBOOK_UPDATE_GOLDENS is "1": run the tests so
 /// after a change of the picture that is meant, look at the new goldens, and commit them.
 bool updatingGoldens();
 
@@ -29,4 +29,4 @@ std::filesystem::path leftovers(const std::string& name, const std::string& kind
 ::testing::AssertionResult matchesGolden(const std::string& name, image::ImageView picture,
                                          image::Tolerance tolerance);
 
-}  // namespace rotatebook::render::testing
+}  // namespace rotatebook::image::testing

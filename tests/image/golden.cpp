@@ -1,4 +1,4 @@
-#include "render/golden.h"
+#include "image/golden.h"
 
 #include <cstdlib>
 #include <string_view>
@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "image/png_file.h"
 
-namespace rotatebook::render::testing {
+namespace rotatebook::image::testing {
 namespace {
 
 std::filesystem::path goldenPath(const std::string& name) {
@@ -31,7 +31,8 @@ void updateGolden(const std::string& name, image::ImageView picture) {
 }
 
 std::filesystem::path leftovers(const std::string& name, const std::string& kind) {
-  return std::filesystem::path(ROTATEBOOK_TEST_OUTPUT) / "render" / (name + "." + kind + ".png");
+  return std::filesystem::path(ROTATEBOOK_TEST_OUTPUT) /
+         std::filesystem::path(ROTATEBOOK_TEST_DATA).filename() / (name + "." + kind + ".png");
 }
 
 ::testing::AssertionResult matchesGolden(const std::string& name, image::ImageView picture,
@@ -60,4 +61,4 @@ std::filesystem::path leftovers(const std::string& name, const std::string& kind
   }
 }
 
-}  // namespace rotatebook::render::testing
+}  // namespace rotatebook::image::testing

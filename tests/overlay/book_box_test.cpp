@@ -1,0 +1,50 @@
+#include "overlay/book_box.h"
+
+#include <gtest/gtest.h>
+
+#include "overlay/motion.h"
+
+namespace rotatebook::overlay {
+namespace {
+
+const Eigen::Vector3d kEye(0, 0, 2);
+
+TEST(BookBox, HidesWhatIsInItOrBehindIt) {
+  const physics::Cuboid body{{2, 2, 1}, 1};
+  const BookBox book(body, body.corners());
+  EXPECT_TRUE(book.hides({0, 0, 0}, kEye));
+  EXPECT_TRUE(book.hides({0.5, 0.5, -3}, kEye));
+  EXPECT_FALSE(book.hides({0, 0, 0.6}, kEye));
+  EXPECT_FALSE(book.hides({3, 0, 0}, kEye));
+  EXPECT_FALSE(book.hides({0, 5, -3}, kEye));
+}
+
+TEST(BookBox, TurnsAndStretchesWithTheBook) {
+  const physics::Cuboid body{{2, 2, 1}, 1};
+  const Eigen::Vector3d behind(1.3, 0, 0.3);
+  EXPECT_FALSE(BookBox(body, body.corners()).hides(behind, kEye));
+  const Eigen::Matrix3d stretch = Eigen::Vector3d(1.5, 1, 1).asDiagonal();
+  const BookBox wide(body, stretch * body.corners());
+  EXPECT_TRUE(wide.hides(behind, kEye));
+  EXPECT_LT((wide.map() - stretch).norm(), 1e-12);
+}
+
+TEST(Projector, FindsTheCamera) {
+  const scene::Scene scene = testing::tumbling();
+  for (const int bottomRows : {0, 200}) {
+    const Projector projector(testing::clipFromWorld(scene, bottomRows), 1280, 720);
+    EXPECT_LT((projector.eye() - scene.camera.position).norm(), 1e-9);
+    const auto middle = projector(scene.camera.target);
+    ASSERT_TRUE(middle);
+    EXPECT_LT((*middle - Point(640, (720 - bottomRows) / 2.0)).norm(), 1e-9);
+  }
+}
+
+TEST(Projector, ShowsNothingThatIsBehindTheCamera) {
+  const scene::Scene scene = testing::tumbling();
+  const Projector projector(testing::clipFromWorld(scene, 0), 1280, 720);
+  EXPECT_FALSE(projector(2 * scene.camera.position));
+}
+
+}  // namespace
+}  // namespace rotatebook::overlay

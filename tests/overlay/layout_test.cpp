@@ -1,0 +1,73 @@
+#include "overlay/layout.h"
+
+#include <array>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "overlay/motion.h"
+
+namespace rotatebook::overlay {
+namespace {
+
+Wanted everything(int bottomRows) {
+  return {
+      .polhode = true, .charts = 2, .springs = true, .topLeftRows = 0, .bottomRows = bottomRows};
+}
+
+std::vector<Box> boxesOf(const Layout& layout) {
+  std::vector<Box> boxes = layout.charts;
+  boxes.push_back(layout.polhode);
+  boxes.push_back(layout.springs);
+  return boxes;
+}
+
+constexpr std::array<std::array<int, 2>, 10> kSizes{{{640, 360},
+                                                     {854, 480},
+                                                     {1280, 720},
+                                                     {1920, 1080},
+                                                     {3840, 2160},
+                                                     {320, 720},
+                                                     {426, 720},
+                                                     {640, 720},
+                                                     {424, 360},
+                                                     {640, 640}}};
+
+TEST(Layout, HasBoxesWithinThePictureThatDontMeet) {
+  for (const auto& [width, height] : kSizes) {
+    for (const int bottomRows : {0, height / 5, height * 2 / 5}) {
+      SCOPED_TRACE(std::to_string(width) + "x" + std::to_string(height) + ", " +
+                   std::to_string(bottomRows));
+      const Layout layout = layOut({width, height}, everything(bottomRows));
+      ASSERT_EQ(layout.charts.size(), 2U);
+      EXPECT_EQ(testing::meeting(boxesOf(layout)), "");
+      for (const Box& box : boxesOf(layout)) {
+        EXPECT_FALSE(box.empty());
+        EXPECT_TRUE((Box{0, 0, 1.0 * width, 1.0 * height - bottomRows}.holds(box)));
+      }
+      EXPECT_GE(layout.bottomRows, bottomRows);
+    }
+  }
+}
+
+TEST(Layout, LeavesTheMiddleOfAWidePictureToTheBook) {
+  for (const int bottomRows : {0, 180}) {
+    const Layout layout = layOut({1280, 720}, everything(bottomRows));
+    EXPECT_EQ(layout.bottomRows, bottomRows);
+    // The sphere that the book keeps within nearly touches the upper and lower end.
+    const double radius = (720 - bottomRows) / 2.0 / 1.08;
+    for (const Box& box : boxesOf(layout)) {
+      EXPECT_TRUE(box.x > 640 + radius || box.right() < 640 - radius) << box.x;
+    }
+  }
+}
+
+TEST(Layout, HasTheChartsBelowTheBookOfANarrowPicture) {
+  const Layout layout = layOut({426, 720}, everything(0));
+  EXPECT_GT(layout.bottomRows, 720 / 8);
+  for (const Box& chart : layout.charts) EXPECT_GE(chart.y, 720 - layout.bottomRows);
+  EXPECT_EQ(layOut({426, 720}, {.bottomRows = 7}).bottomRows, 7);
+}
+
+}  // namespace
+}  // namespace rotatebook::overlay

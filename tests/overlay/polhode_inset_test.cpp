@@ -1,0 +1,62 @@
+#include "overlay/polhode_inset.h"
+
+#include <gtest/gtest.h>
+
+namespace rotatebook::overlay {
+namespace {
+
+const Eigen::Vector3d kMoments(7.3e-3, 3.2e-3, 9.9e-3);  // about x, y, z; those of a book
+
+/// How far the curve is from the ellipsoid, at most.
+double distanceFromEllipsoid(const MomentumSurfaces& surfaces,
+                             const std::vector<Eigen::Vector3d>& curve) {
+  double farthest = 0;
+  for (const Eigen::Vector3d& point : curve) {
+    const double square = point.cwiseQuotient(surfaces.halfAxes()).squaredNorm();
+    farthest = std::max(farthest, std::abs(square - 1));
+  }
+  return farthest;
+}
+
+TEST(MomentumSurfaces, HoldTheMomentumOfTheStart) {
+  const Eigen::Vector3d momentum(0.03, 0.01, 0.02);
+  const MomentumSurfaces surfaces(kMoments, momentum);
+  EXPECT_NEAR(momentum.normalized().cwiseQuotient(surfaces.halfAxes()).norm(), 1, 1e-12);
+}
+
+TEST(MomentumSurfaces, MeetInThePolhode) {
+  for (const Eigen::Vector3d& momentum :
+       {Eigen::Vector3d(0.03, 0.01, 0.001), {0.03, 0.001, 0.01}, {0.03, 0, 1e-5}}) {
+    const MomentumSurfaces surfaces(kMoments, momentum);
+    for (const bool positive : {false, true}) {
+      const auto curve = surfaces.polhode(1, positive);
+      ASSERT_GT(curve.size(), 100U);
+      EXPECT_LT(distanceFromEllipsoid(surfaces, curve), 1e-12);
+      for (const Eigen::Vector3d& point : curve) EXPECT_NEAR(point.norm(), 1, 1e-12);
+      EXPECT_GT(distanceFromEllipsoid(surfaces, surfaces.polhode(1.001, positive)), -1);
+    }
+  }
+}
+
+TEST(MomentumSurfaces, HaveThePolhodeRoundTheAxisOfTheMotion) {
+  EXPECT_EQ(MomentumSurfaces(kMoments, {0.03, 0.01, 0.001}).roundAxis(1), 1);
+  EXPECT_EQ(MomentumSurfaces(kMoments, {0.03, 0.001, 0.01}).roundAxis(1), 2);
+  const MomentumSurfaces surfaces(kMoments, {0.03, 0.001, 0.01});
+  for (const Eigen::Vector3d& point : surfaces.polhode(1, true)) EXPECT_GT(point.z(), 0);
+  for (const Eigen::Vector3d& point : surfaces.polhode(1, false)) EXPECT_LT(point.z(), 0);
+}
+
+TEST(MomentumSurfaces, HaveNoPolhodeOfASteadySpinOrABall) {
+  const MomentumSurfaces ball({1, 1, 1}, {1, 2, 3});
+  EXPECT_TRUE(ball.polhode(1, true).empty());
+  const MomentumSurfaces top({1, 1, 2}, {1, 0, 1});
+  EXPECT_EQ(top.roundAxis(1), 2);
+  EXPECT_FALSE(top.polhode(1, true).empty());
+  const MomentumSurfaces steady(kMoments, {0, 0.02, 0});
+  for (const Eigen::Vector3d& point : steady.polhode(1, true)) {
+    EXPECT_LT((point - Eigen::Vector3d::UnitY()).norm(), 1e-7);
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::overlay

@@ -4,11 +4,14 @@
 #include <filesystem>
 #include <string>
 #include <sys/resource.h>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 
 #include "base/error.h"
 #include "image/png_file.h"
+#include "overlay/marks.h"
+#include "overlay/words.h"
 #include "physics/trajectory.h"
 #include "pipeline/render_clip.h"
 #include "pipeline/textures.h"
@@ -76,6 +79,29 @@ void draw(benchmark::State& state) {
   state.SetLabel(renderer.description());
 }
 
+/// What is drawn over a picture; `show` as overlay.show has it, the scene's own if it is empty.
+void overlays(benchmark::State& state, const std::string& show) {
+  scene::Scene scene = benchScene();
+  if (!show.empty()) {
+    scene = scene::readScene(fs::path(ROTATEBOOK_SCENES) / "figures/fig05-unstable-x.toml",
+                             std::vector{"overlay.show=[" + show + "]"});
+  }
+  overlay::Words words(scene);
+  overlay::Marks marks(scene, benchTrajectory(),
+                       {scene.clip.width, scene.clip.height, words.corner(), words.bottomRows()});
+  const render::Screen screen{scene.clip.width, scene.clip.height, marks.bottomRows()};
+  const render::Camera camera = pipeline::cameraOf(scene, screen);
+  image::Image picture = benchPicture();
+  std::int64_t frame = 0;
+  for (auto _ : state) {
+    const physics::Sample& sample = benchTrajectory().samples[static_cast<std::size_t>(frame)];
+    marks.draw(frame, render::project(camera, sample.corners, screen).clipFromWorld, picture);
+    words.draw(frame, picture);
+    frame = (frame + 1) % kFrames;
+  }
+  countFrames(state, 1);
+}
+
 void writePng(benchmark::State& state) {
   const fs::path path = benchFolder() / "frame.png";
   benchPicture();  // Drawn before the clock starts.
@@ -111,6 +137,19 @@ void endToEnd(benchmark::State& state) {
 BENCHMARK(simulateAll)->Unit(benchmark::kMillisecond);
 BENCHMARK(writeTable)->Unit(benchmark::kMillisecond);
 BENCHMARK(draw)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
+BENCHMARK_CAPTURE(overlays, scenes_own, "")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(overlays, caption, "'caption'")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(overlays, clock, "'clock'")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(overlays, axes, "'axes'")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(overlays, omega, "'omega'")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(overlays, momentum, "'momentum'")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(overlays, trail, "'trail'")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(overlays, polhode, "'polhode'")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(overlays, energy, "'energy'")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(overlays, error, "'error'")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(overlays, half_turns, "'half_turns'")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(overlays, springs, "'springs'")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(overlays, ghost, "'ghost'")->Unit(benchmark::kMillisecond);
 BENCHMARK(writePng)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(convertAndEncode)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime()->UseRealTime();
 BENCHMARK(endToEnd)

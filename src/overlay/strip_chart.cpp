@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "base/number_text.h"
 
@@ -51,13 +52,13 @@ class ChartWriter {
   std::vector<Box> written_;
 };
 
-/// Title and legend in a row, as much of them as there is room for: all; the names of the series;
-/// their letters.
+/// Title and legend in a row, as much of them as there is room for: all; a short title; the names
+/// of the series alone; their letters.
 std::vector<Layer> heading(const ChartWriter& writer, const ChartContent& content, double gap,
                            double room) {
-  const auto made = [&](bool title, bool names) {
+  const auto made = [&](const std::string& title, bool names) {
     std::vector<Layer> words;
-    if (title) words.push_back(writer.set(content.title, kWhite, true));
+    if (!title.empty()) words.push_back(writer.set(title, kWhite, true));
     for (const Series& one : content.series) {
       if (!one.name.empty()) words.push_back(writer.set(names ? one.name : one.letter, one.colour));
     }
@@ -68,7 +69,9 @@ std::vector<Layer> heading(const ChartWriter& writer, const ChartContent& conten
     for (const Layer& word : words) sum += word.width + gap;
     return sum;
   };
-  for (const auto& [title, names] : {std::array{true, true}, {true, false}, {false, false}}) {
+  const std::array<std::pair<std::string, bool>, 4> choices{
+      {{content.title, true}, {content.shortTitle, true}, {"", true}, {"", false}}};
+  for (const auto& [title, names] : choices) {
     std::vector<Layer> words = made(title, names);
     if (width(words) <= room) return words;
   }
@@ -174,6 +177,7 @@ ChartContent energyContent(const MarkContext& context) {
   for (const physics::Sample& sample : samples) highest = std::max(highest, sample.total() / start);
   ChartContent content;
   content.title = "Energy / E₀";
+  content.shortTitle = "E / E₀";
   content.high = std::clamp(1.06 * highest, 1.15, 1.02 * kHighestEnergy);
   for (const double level : {1.0, 0.0, 2.0, 3.0}) {
     if (level < content.high) content.ticks.push_back({level, roundedText(level, 1)});
@@ -194,6 +198,7 @@ ChartContent energyContent(const MarkContext& context) {
 ChartContent errorContent(const MarkContext& context) {
   ChartContent content;
   content.title = "Angle to the exact motion";
+  content.shortTitle = "Error";
   content.high = 180;
   content.ticks = {{0, "0°"}, {180, "180°"}, {90, "90°"}};
   content.series = {seriesOf(context, "", "", kErrorColour, 1,

@@ -26,6 +26,7 @@ struct Tick {
 /// What a chart shows; values beyond its range are drawn at its edge.
 struct ChartContent {
   std::string title;
+  std::string shortTitle;  ///< In its place where there is no room.
   double low = 0, high = 1;
   std::vector<Tick> ticks;     ///< The most important first: others give way.
   std::vector<Series> series;  ///< The last is above the others.

@@ -11,12 +11,13 @@
 namespace rotatebook::overlay {
 namespace {
 
-// In lengths from the book's centre to its corners.
-constexpr double kAxisBeyond = 0.26, kShortestAxis = 0.62;
-constexpr double kOmegaLength = 0.98, kMomentumLength = 1.1;
+// In lengths from the book's centre to its corners; what is not over 1 keeps, with its letter,
+// within the picture.
+constexpr double kAxisBeyond = 0.17, kShortestAxis = 0.55;
+constexpr double kOmegaLength = 0.86, kMomentumLength = 1;
 // A velocity more than this often that of the start doesn't make all others short.
 constexpr double kLargestVelocity = 2;
-constexpr double kLargestMomentum = 1.1;
+constexpr double kLargestMomentum = 1.05;
 constexpr double kTrailTime = 4;  // of the clip [s]
 constexpr int kTrailParts = 24;   // with an opacity each
 

@@ -10,7 +10,7 @@ namespace {
 // what is beside it is this share of the width at least where a column is to fit.
 constexpr double kLeastSide = 0.17;
 constexpr double kWidestColumn = 0.25;  // of the width
-constexpr double kPolhodeShare = 0.42;  // of the column's height, where there are charts
+constexpr double kPolhodeShare = 0.42;  // of the column's height
 constexpr double kChartAspect = 0.52;   // highest, of the width
 constexpr double kLowestChart = 5.2;    // letter heights
 constexpr double kBottomChart = 0.15;   // of the height
@@ -27,9 +27,10 @@ void placeColumn(const Scale& scale, const Wanted& wanted, double side, Layout& 
   const double height = scale.height - wanted.bottomRows - 2 * scale.margin;
   double top = scale.margin;
   if (wanted.polhode) {
-    const double share = wanted.charts > 0 ? kPolhodeShare : 1;
-    const double size = std::min(width, share * height);
-    layout.polhode = {left, top, width, size};
+    const double size = std::min(width, kPolhodeShare * height);
+    // As wide as the charts below it.
+    const double across = wanted.charts > 0 ? width : size;
+    layout.polhode = {left + width - across, top, across, size};
     top += size + gap;
   }
   const double left_ = scale.margin + height - top + gap;

@@ -1,0 +1,27 @@
+// Expectations and what was measured for them, in words.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "physics/expectation.h"
+#include "physics/trajectory.h"
+
+namespace rotatebook::physics {
+
+/// "at least 3, at most 4"
+std::string expectedText(const Expectation& expectation);
+
+/// " from 3 s to 4.5 s", or empty for the whole motion.
+std::string windowText(const Expectation& expectation);
+
+/// "0.02 to 1.31", "no divergence", or why there is nothing to measure.
+std::string measuredText(const ExpectationResult& result);
+
+/// A number as measuredText() has it; "nothing" if it is NaN.
+std::string measuredText(double value);
+
+/// Whether a motion diverges that has expectations, but none of that.
+bool divergesUnexpectedly(const Trajectory& trajectory, std::span<const Expectation> expectations);
+
+}  // namespace rotatebook::physics

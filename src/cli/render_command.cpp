@@ -71,6 +71,7 @@ std::vector<std::string> writtenThings(const pipeline::RenderResult& result,
   if (!result.interrupted) {
     for (const auto& csv : result.csvs) things.push_back(csv.string());
   }
+  if (!result.interrupted && !options.frames) things.push_back(files.poster.string());
   if (options.png) {
     things.push_back(std::to_string(result.framesWritten) + " frames in " +
                      (newFolder ? files.partialFrameFolder : files.frameFolder).string() + '/');
@@ -140,7 +141,8 @@ void addRenderCommand(CLI::App& program, Action& action) {
       ->check(CLI::Range(0, 9))
       ->capture_default_str();
   command->footer(R"(
-Writes DIR/NAME.mp4, DIR/NAME.csv and DIR/NAME/frame_00000.png ..., where NAME is the scene file's.
+Writes DIR/NAME.mp4, DIR/NAME.csv, DIR/NAME.poster.png and DIR/NAME/frame_00000.png ..., where NAME is
+the scene file's.
 A scene with panels has a table for each, DIR/NAME_LABEL.csv.
 With --frames the MP4 is DIR/NAME_A-B.mp4, and the frames join those of earlier parts.
 

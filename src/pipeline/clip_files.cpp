@@ -77,7 +77,8 @@ ClipFiles clipFiles(const fs::path& folder, const std::string& name) {
           frames / kSceneCopyName,
           folder / (name + ".mp4"),
           folder / (name + ".partial.mp4"),
-          folder / (name + ".csv")};
+          folder / (name + ".csv"),
+          folder / (name + ".poster.png")};
 }
 
 ClipFiles clipFiles(const fs::path& folder, const std::string& name, FrameRange part) {

@@ -37,6 +37,7 @@ struct ClipFiles {
   std::filesystem::path mp4;                 ///< NAME.mp4
   std::filesystem::path partialMp4;          ///< NAME.partial.mp4, where a run was interrupted
   std::filesystem::path csv;                 ///< NAME.csv; of panels see csvFiles()
+  std::filesystem::path poster;              ///< NAME.poster.png
 };
 
 /// The files of the clip `name` in `folder`.

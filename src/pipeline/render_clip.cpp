@@ -10,6 +10,7 @@
 #include "pipeline/frame_folder.h"
 #include "pipeline/frame_workers.h"
 #include "pipeline/picture_pool.h"
+#include "pipeline/poster.h"
 #include "pipeline/trajectory_csv.h"
 
 namespace rotatebook::pipeline {
@@ -101,6 +102,9 @@ RenderResult renderClip(const scene::Scene& scene, const ClipMotion& motion,
   } else {
     finish(mp4 ? &*mp4 : nullptr, result.files, record, options);
     writeTables(result.csvs, motion);
+    if (!options.frames) {
+      writePoster(drawer, posterFrame(scene.clip, range.count()), result.files.poster);
+    }
   }
   return result;
 }

@@ -54,11 +54,11 @@ struct RenderResult {
 /// naming the frames that exist.
 FrameRange framesToRender(const ClipMotion& motion, std::optional<FrameRange> wanted);
 
-/// Draws `motion`, that of `scene`, and writes CSV, PNGs and MP4. The frames of a whole
-/// clip are written to NAME.partial/ and, once the clip is complete, take the place of an earlier
-/// one's in NAME/, so that files of two renders never mix. Only some frames (RenderOptions::frames)
-/// go straight to NAME/, beside others of the same resolved scene. Throws Error; files under a
-/// final name are whole then, too.
+/// Draws `motion`, that of `scene`, and writes CSV, PNGs, MP4 and, of a whole clip,
+/// poster. The frames of a whole clip are written to NAME.partial/ and, once the clip is complete,
+/// take the place of an earlier one's in NAME/, so that files of two renders never mix. Only some
+/// frames (RenderOptions::frames) go straight to NAME/, beside others of the same resolved scene.
+/// Throws Error; files under a final name are whole then, too.
 RenderResult renderClip(const scene::Scene& scene, const ClipMotion& motion,
                         const RenderOptions& options, const RenderListener& listener);
 

@@ -27,6 +27,7 @@ constexpr double kLeastDistance = 1e-9;  // [m]
 constexpr double kLeastSine = 1e-6;  // Of the angle between two directions that aren't parallel.
 
 constexpr NumberRange kPoints{"three numbers from -1e9 to 1e9", -1e9, 1e9};
+constexpr NumberRange kTimes{"a time in the clip, 0 or more seconds", 0, kPositive.max};
 constexpr NumberRange kAngles{"an angle from 1 to 170 degrees", 1, 170};
 
 // H.264 with its colour at half the resolution has no odd sizes.
@@ -114,6 +115,7 @@ void readClip(const ValueReader& section, ClipSettings& clip) {
       {"size", [&](const ValueReader& value) { readPictureSize(value, clip); }},
       {"fps", [&](const ValueReader& value) { clip.frameRate = frameRateFrom(value); }},
       {"duration", [&](const ValueReader& value) { clip.duration = value.number(kPositive); }},
+      {"poster", [&](const ValueReader& value) { clip.poster = value.number(kTimes); }},
   });
 
   // framesIn() counts in 64 bits, which an absurd duration would overflow. The default duration is

@@ -23,6 +23,9 @@ struct ClipSettings {
   int height = 720;  ///< Even. [pixels]
   FrameRate frameRate;
   double duration = 12;  ///< Of video, > 0. [s]
+  /// Where in the video the picture is that stands for it, >= 0; its middle by default, and its
+  /// end if it ends before. [s]
+  std::optional<double> poster{};
 
   /// Frames of the whole clip, >= 1.
   std::int64_t frameCount() const { return frameRate.framesIn(duration); }

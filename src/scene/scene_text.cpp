@@ -112,7 +112,10 @@ std::string clipText(const ClipSettings& clip) {
   return "\n[clip]\n" +
          line("size", array(clip.width, clip.height), "pixels, width and height, even") +
          line("fps", clip.frameRate.denominator == 1 ? rate : tomlString(rate), "frames a second") +
-         line("duration", tomlNumber(clip.duration), "s of video");
+         line("duration", tomlNumber(clip.duration), "s of video") +
+         (clip.poster
+              ? line("poster", tomlNumber(*clip.poster), "s, of the still that stands for it")
+              : "");
 }
 
 std::string videoText(const EncodingSettings& video) {

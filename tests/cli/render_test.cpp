@@ -34,14 +34,14 @@ std::vector<std::string> operator+(std::vector<std::string> words,
 TEST_F(RenderCommand, WritesFramesClipAndTableIntoOut) {
   const ChildResult result = run({"render", "tiny.toml"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.csv", "out/tiny.mp4", "out/tiny/",
-                                   "out/tiny/frame_00000.png", "out/tiny/frame_00001.png",
-                                   "out/tiny/frame_00002.png", "out/tiny/frame_00003.png",
-                                   "out/tiny/frame_00004.png", "out/tiny/frame_00005.png",
-                                   "out/tiny/frame_00006.png", "out/tiny/frame_00007.png",
-                                   "out/tiny/frame_00008.png", "out/tiny/frame_00009.png",
-                                   "out/tiny/frame_00010.png", "out/tiny/frame_00011.png",
-                                   "out/tiny/scene.toml"));
+  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.csv", "out/tiny.mp4", "out/tiny.poster.png",
+                                   "out/tiny/", "out/tiny/frame_00000.png",
+                                   "out/tiny/frame_00001.png", "out/tiny/frame_00002.png",
+                                   "out/tiny/frame_00003.png", "out/tiny/frame_00004.png",
+                                   "out/tiny/frame_00005.png", "out/tiny/frame_00006.png",
+                                   "out/tiny/frame_00007.png", "out/tiny/frame_00008.png",
+                                   "out/tiny/frame_00009.png", "out/tiny/frame_00010.png",
+                                   "out/tiny/frame_00011.png", "out/tiny/scene.toml"));
   EXPECT_EQ(countOf("\n", read("out/tiny.csv")), 1 + static_cast<int>(kTinyFrames));
   EXPECT_EQ(video::testing::decodeVideo(folder() / "out/tiny.mp4").frames.size(), kTinyFrames);
   const image::Image picture = image::readPng(folder() / "out/tiny/frame_00011.png");
@@ -51,18 +51,20 @@ TEST_F(RenderCommand, WritesFramesClipAndTableIntoOut) {
 
 TEST_F(RenderCommand, SaysWhatItDrawsWithAndWhatItWrote) {
   const ChildResult result = run({"render", "tiny.toml"});
-  EXPECT_THAT(result.output,
-              AllOf(StartsWith("tiny: Tiny\n  64x36 at 60 frames/s, 0.2 s; renderer "),
-                    HasSubstr("; encoder libx264\n"),
-                    EndsWith("  wrote out/tiny.mp4, out/tiny.csv and 12 frames in "
-                             "out/tiny/\n")));
+  EXPECT_THAT(
+      result.output,
+      AllOf(StartsWith("tiny: Tiny\n  64x36 at 60 frames/s, 0.2 s; renderer "),
+            HasSubstr("; encoder libx264\n"),
+            EndsWith("  wrote out/tiny.mp4, out/tiny.csv, out/tiny.poster.png and 12 frames in "
+                     "out/tiny/\n")));
 }
 
 TEST_F(RenderCommand, LeavesTheFramesOut) {
   const ChildResult result = run({"render", "tiny.toml", "--no-png"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.csv", "out/tiny.mp4"));
-  EXPECT_THAT(result.output, EndsWith("  wrote out/tiny.mp4 and out/tiny.csv\n"));
+  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.csv", "out/tiny.mp4", "out/tiny.poster.png"));
+  EXPECT_THAT(result.output,
+              EndsWith("  wrote out/tiny.mp4, out/tiny.csv and out/tiny.poster.png\n"));
 }
 
 TEST_F(RenderCommand, LeavesTheClipOut) {
@@ -114,8 +116,8 @@ TEST_F(RenderCommand, RendersSeveralScenes) {
   write("b.toml", kTiny);
   const ChildResult result = run({"render", "tiny.toml", "b.toml", "--no-png"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(files(), ElementsAre("b.toml", "out/", "out/b.csv", "out/b.mp4", "out/tiny.csv",
-                                   "out/tiny.mp4"));
+  EXPECT_THAT(files(), ElementsAre("b.toml", "out/", "out/b.csv", "out/b.mp4", "out/b.poster.png",
+                                   "out/tiny.csv", "out/tiny.mp4", "out/tiny.poster.png"));
 }
 
 TEST_F(RenderCommand, RefusesTwoScenesOfOneName) {

@@ -46,7 +46,7 @@ bool sameColours(const image::Image& a, const image::Image& b) {
 TEST(RenderClip, LeavesItsFilesAndNoOthers) {
   const fs::path folder = emptyFolder();
   const RenderResult result = testing::render(smallScene(), {.folder = folder});
-  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4"));
+  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
   EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(kFrames));
   EXPECT_EQ(result.framesWritten, kFrames);
   EXPECT_FALSE(result.interrupted);
@@ -162,9 +162,9 @@ TEST(RenderClip, GivesTheSameBytesAgain) {
 TEST(RenderClip, LeavesOutWhatIsNotWanted) {
   const fs::path folder = emptyFolder();
   testing::render(smallScene(), {.folder = folder / "mp4", .png = false});
-  EXPECT_THAT(namesIn(folder / "mp4"), ElementsAre("small.csv", "small.mp4"));
+  EXPECT_THAT(namesIn(folder / "mp4"), ElementsAre("small.csv", "small.mp4", "small.poster.png"));
   testing::render(smallScene(), {.folder = folder / "png", .mp4 = false});
-  EXPECT_THAT(namesIn(folder / "png"), ElementsAre("small", "small.csv"));
+  EXPECT_THAT(namesIn(folder / "png"), ElementsAre("small", "small.csv", "small.poster.png"));
   testing::render(smallScene(), {.folder = folder / "both"});
   EXPECT_EQ(bytesOf(folder / "mp4/small.mp4"), bytesOf(folder / "both/small.mp4"));
 }
@@ -244,10 +244,10 @@ TEST(RenderClip, NeverMixesTheFilesOfTwoSettings) {
   other.video.crf = 30;
   testing::render(smallScene(), {.folder = folder});
   testing::render(other, {.folder = folder, .png = false});
-  EXPECT_THAT(namesIn(folder), ElementsAre("small.csv", "small.mp4"));
+  EXPECT_THAT(namesIn(folder), ElementsAre("small.csv", "small.mp4", "small.poster.png"));
   testing::render(smallScene(), {.folder = folder});
   testing::render(other, {.folder = folder, .mp4 = false});
-  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv"));
+  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.poster.png"));
 }
 
 TEST(RenderClip, KeepsWhatTheSameSettingsMadeBefore) {
@@ -255,14 +255,14 @@ TEST(RenderClip, KeepsWhatTheSameSettingsMadeBefore) {
   testing::render(smallScene(), {.folder = folder});
   testing::render(smallScene(), {.folder = folder, .png = false});
   testing::render(smallScene(), {.folder = folder, .mp4 = false});
-  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4"));
+  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
 }
 
 TEST(RenderClip, RemovesThePartialVideoOnceItIsWhole) {
   const fs::path folder = emptyFolder();
   stoppedAfter(5, {.folder = folder});
   testing::render(smallScene(), {.folder = folder});
-  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4"));
+  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
 }
 
 TEST(RenderClip, HoldsItsLastPictureForASecondAfterTheMotionDiverges) {

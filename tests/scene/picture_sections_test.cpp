@@ -19,6 +19,14 @@ TEST(ClipSection, ReadsEveryKey) {
   EXPECT_EQ(scene.clip.frameCount(), 38);
 }
 
+TEST(ClipSection, TakesAnyTimeForThePoster) {
+  EXPECT_EQ(sceneFrom("clip.poster = 2.5").clip.poster, 2.5);
+  EXPECT_EQ(sceneFrom("clip.poster = 99\nclip.duration = 1").clip.poster, 99);
+  EXPECT_EQ(sceneFrom("").clip.poster, std::nullopt);
+  EXPECT_EQ(errorOf("[clip]\nposter = -1"),
+            "a.toml:2:10: clip.poster must be a time in the clip, 0 or more seconds, not -1");
+}
+
 TEST(ClipSection, ReducesRatesToLowestTerms) {
   EXPECT_EQ(sceneFrom("clip.fps = '30000/1001'").clip.frameRate, (FrameRate{30000, 1001}));
   EXPECT_EQ(sceneFrom("clip.fps = '60000/1000'").clip.frameRate, (FrameRate{60, 1}));

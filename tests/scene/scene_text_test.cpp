@@ -27,7 +27,7 @@ Scene unusualScene() {
   scene.body = {{0.1, 1.0 / 3, 2e-5}, 7};
   scene.simulation = {Model::Particles, physics::Integrator::Euler, false, 0.3, 1e15, 0.1 / 3, 999};
   scene.initial = {InitialSpin::Kind::AngularMomentum, {-0.0, 1e-20, 0.7}, physics::Tilt{0.1, 1}};
-  scene.clip = {640, 362, {30000, 1001}, 2.0 / 3};
+  scene.clip = {640, 362, {30000, 1001}, 2.0 / 3, 0.2};
   scene.video = {7, "slow", 3};
   scene.camera = {{1.0 / 7, -2, 3}, {0.25, 0, 0}, {0, 0, 1}, 44.4, physics::ReferenceFrame::Body};
   scene.book = {"f \"1\".png", "s.png", "../b.png"};
@@ -60,6 +60,7 @@ void expectSamePicture(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.clip.height, b.clip.height);
   EXPECT_EQ(a.clip.frameRate, b.clip.frameRate);
   EXPECT_EQ(a.clip.duration, b.clip.duration);
+  EXPECT_EQ(a.clip.poster, b.clip.poster);
   EXPECT_EQ(a.video.crf, b.video.crf);
   EXPECT_EQ(a.video.preset, b.video.preset);
   EXPECT_EQ(a.video.threads, b.video.threads);

@@ -1,0 +1,19 @@
+// The one picture that stands for a clip.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "pipeline/frame_drawer.h"
+#include "scene/scene.h"
+
+namespace rotatebook::pipeline {
+
+/// The frame at [clip] poster, or else in the middle of the clip's `frames` > 0; the last one if
+/// the clip ends before.
+std::int64_t posterFrame(const scene::ClipSettings& clip, std::int64_t frames);
+
+/// Draws that frame and writes it to `path`. Throws MachineError.
+void writePoster(FrameDrawer& drawer, std::int64_t frame, const std::filesystem::path& path);
+
+}  // namespace rotatebook::pipeline

@@ -1,0 +1,41 @@
+#include "pipeline/poster.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/small_clip.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+using testing::bytesOf;
+using testing::smallScene;
+
+TEST(PosterFrame, IsInTheMiddleUnlessTheSceneSaysOtherwise) {
+  scene::ClipSettings clip;
+  EXPECT_EQ(posterFrame(clip, 12), 6);
+  EXPECT_EQ(posterFrame(clip, 1), 0);
+  clip.poster = 0.05;
+  EXPECT_EQ(posterFrame(clip, 12), 3);
+  clip.poster = 99;
+  EXPECT_EQ(posterFrame(clip, 12), 11);
+}
+
+TEST(Poster, IsThatFrameOfTheClip) {
+  const auto folder = testing::emptyFolder();
+  testing::render(smallScene({"clip.poster=0.125"}), {.folder = folder, .mp4 = false});
+  const std::string poster = bytesOf(folder / "small.poster.png");
+  EXPECT_EQ(poster, bytesOf(folder / "small" / frameName(3)));
+  EXPECT_NE(poster, bytesOf(folder / "small" / frameName(4)));
+}
+
+TEST(Poster, IsNotMadeOfAPartOfTheClip) {
+  const auto folder = testing::emptyFolder();
+  testing::render(smallScene(), {.folder = folder, .mp4 = false, .frames = FrameRange{0, 2}});
+  EXPECT_FALSE(std::filesystem::exists(folder / "small.poster.png"));
+}
+
+}  // namespace
+}  // namespace rotatebook::pipeline

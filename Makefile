@@ -9,7 +9,8 @@ OUT ?= out
 .PHONY: help setup configure build program figures test render scene-given bench bench-engines format-check lint textures clean
 
 help:
-	@echo 'make figures             render every figure, comparison and study into $(OUT)/, each checked'
+	@echo 'make figures             render every figure, comparison and study into $(OUT)/, each checked,'
+	@echo '                         and $(OUT)/index.html, a page that shows them'
 	@echo 'make test                build and run all tests'
 	@echo 'make render SCENE=FILE   render one scene into $(OUT)/ (more options: ARGS="--no-png")'
 	@echo 'make program             build $(PROGRAM)'
@@ -38,8 +39,12 @@ figures: program
 	$(PROGRAM) render scenes/comparisons/*.toml scenes/figures/*.toml -o $(OUT)
 	$(PROGRAM) study scenes/studies/*.toml -o $(OUT)
 	$(PROGRAM) still scenes/stills/fig01-axes.toml --time 0 -o $(OUT)/fig01-axes.png
+	$(PROGRAM) page scenes/stills/*.toml scenes/figures/*.toml scenes/comparisons/*.toml scenes/studies/*.toml \
+	  -o $(OUT)
 
 test: build
+	@scripts/setup.sh scripts/packages-page.txt || \
+	  echo 'make test: going on; the test of the page will say what it lacks' >&2
 	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j$$(nproc)
 
 render: scene-given program

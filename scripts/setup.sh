@@ -14,7 +14,9 @@ fi
 missing=
 for package in $wanted; do
   status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
-  [ "$status" = installed ] || missing="$missing $package"
+  [ "$status" = installed ] && continue
+  # A program from elsewhere does as well, and its package may not go with it: npm comes with some nodejs.
+  command -v "$package" >/dev/null 2>&1 || missing="$missing $package"
 done
 [ -n "$missing" ] || exit 0
 

@@ -29,6 +29,7 @@ void addCommands(CLI::App& program, Action& action) {
   addRenderCommand(program, action);
   addSimulateCommand(program, action);
   addStudyCommand(program, action);
+  addPageCommand(program, action);
   addStillCommand(program, action);
   addCheckCommand(program, action);
   addSceneCommand(program, action);

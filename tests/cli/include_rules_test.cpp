@@ -32,7 +32,9 @@ const std::map<std::string, Room> kRooms{
     {"render", {{"base", "image", "physics"}, {"Eigen/", "epoxy/"}}},
     {"video", {{"base", "image"}, {"libav", "libswscale/"}}},
     {"pipeline", {{"base", "physics", "scene", "image", "overlay", "render", "video"}, {"Eigen/"}}},
-    {"cli", {{"base", "physics", "scene", "image", "render", "video", "pipeline"}, {"CLI/"}}},
+    {"page", {{"base", "physics", "scene", "pipeline"}, {"Eigen/"}}},
+    {"cli",
+     {{"base", "physics", "scene", "image", "render", "video", "pipeline", "page"}, {"CLI/"}}},
 };
 
 // What physics does without, so that it runs in a browser and gives the same bits everywhere.

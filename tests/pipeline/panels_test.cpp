@@ -90,8 +90,8 @@ TEST(Panels, HoldTheLastPictureOfAMotionThatDivergesWhileOthersGoOn) {
 TEST(Panels, HaveATableEach) {
   const fs::path folder = testing::emptyFolder();
   const RenderResult result = testing::render(pair(), {.folder = folder});
-  EXPECT_THAT(testing::namesIn(folder),
-              ElementsAre("pair", "pair.mp4", "pair_bursts.csv", "pair_goes-on.csv"));
+  EXPECT_THAT(testing::namesIn(folder), ElementsAre("pair", "pair.mp4", "pair.poster.png",
+                                                    "pair_bursts.csv", "pair_goes-on.csv"));
   EXPECT_THAT(result.csvs, ElementsAre(folder / "pair_goes-on.csv", folder / "pair_bursts.csv"));
   const ClipMotion motion = simulateScene(pair());
   EXPECT_EQ(bytesOf(result.csvs[0]), trajectoryCsv(motion.trajectories()[0]));

@@ -1,0 +1,101 @@
+// The whole page: its players and plots, keys, light and dark.
+"use strict";
+
+(() => {
+  const kMostlyVisible = 0.6;
+  const root = document.documentElement;
+  const still = matchMedia("(prefers-reduced-motion: reduce)");
+  const darkSystem = matchMedia("(prefers-color-scheme: dark)");
+  root.classList.add("scripted");
+  const players = new Map();  // by section
+  const plots = [];
+  const visible = new Map();  // share of each clip's <video> that is in the window
+  let lastUsed = null;
+
+  /** Only one clip moves at a time. */
+  function pauseOthers(player) {
+    for (const other of players.values()) {
+      if (other !== player) other.video.pause();
+    }
+    lastUsed = player;
+  }
+
+  function build(section) {
+    const clip = JSON.parse(section.querySelector("script.data").textContent);
+    const player = new Player(section, clip);
+    players.set(section, player);
+    player.addEventListener("play", () => pauseOthers(player));
+    plots.push(...makePlots(section, clip, player));
+  }
+
+  // Plots far below the window cost nothing until they come near.
+  const sections = [...document.querySelectorAll(".clip")];
+  const near = new IntersectionObserver((entries) => {
+    for (const entry of entries) {
+      if (!entry.isIntersecting) continue;
+      near.unobserve(entry.target);
+      build(entry.target);
+      entry.target.querySelector("video").preload = "metadata";
+      seen.observe(entry.target.querySelector("video"));
+    }
+  }, {rootMargin: "600px"});
+
+  const seen = new IntersectionObserver((entries) => {
+    for (const entry of entries) {
+      const player = players.get(entry.target.closest(".clip"));
+      visible.set(player, entry.intersectionRatio);
+      const wanted = entry.intersectionRatio >= kMostlyVisible && !still.matches && !player.stoppedByUser;
+      if (entry.intersectionRatio < 0.1) player.video.pause();
+      else if (wanted && player.video.paused) player.play();
+    }
+  }, {threshold: [0, 0.1, kMostlyVisible]});
+  sections.forEach((section) => near.observe(section));
+
+  /** The player that keys are for: the one with the focus, else the one last used if it can be seen, else the most visible. */
+  function activePlayer() {
+    const focused = players.get(document.activeElement?.closest(".clip"));
+    if (focused) return focused;
+    if (visible.get(lastUsed) > 0.1) return lastUsed;
+    const [best] = [...visible].sort((a, b) => b[1] - a[1]);
+    return best && best[1] > 0.1 ? best[0] : null;
+  }
+
+  document.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const player = activePlayer();
+    if (!player) return;
+    const takesSpace = event.target.closest("button, a, summary, input");
+    if (event.key === " " && !takesSpace) player.toggle();
+    else if (event.key === ",") player.step(-1);
+    else if (event.key === ".") player.step(1);
+    else return;
+    event.preventDefault();
+  });
+
+  function isDark() {
+    return root.classList.contains("dark") || (darkSystem.matches && !root.classList.contains("light"));
+  }
+
+  const theme = document.getElementById("theme");
+  function showTheme() {
+    theme.setAttribute("aria-pressed", String(isDark()));
+    plots.forEach((plot) => plot.plot.redraw(false, true));
+  }
+  function setTheme(name) {
+    root.classList.remove("light", "dark");
+    root.classList.add(name);
+    showTheme();
+  }
+  theme.hidden = false;
+  theme.addEventListener("click", () => {
+    const name = isDark() ? "light" : "dark";
+    setTheme(name);
+    try { localStorage.setItem("theme", name); } catch { /* Not every browser keeps anything for files. */ }
+  });
+  darkSystem.addEventListener("change", showTheme);
+  let kept = null;
+  try { kept = localStorage.getItem("theme"); } catch { /* As above. */ }
+  if (kept === "light" || kept === "dark") setTheme(kept);
+  else showTheme();
+  document.querySelector(".keys").hidden = sections.length === 0;
+})();

@@ -1,0 +1,120 @@
+// A clip's player: a <video> that knows its frames. It tells of each frame by the event "frame".
+"use strict";
+
+class Player extends EventTarget {
+  /** section: a .clip of the page; clip: its data, {rate: [60, 1], frames: 720, ...}. */
+  constructor(section, clip) {
+    super();
+    this.section = section;
+    this.video = section.querySelector("video");
+    this.frames = clip.frames;
+    this.rate = clip.rate[0] / clip.rate[1];
+    this.frame = 0;
+    this.stoppedByUser = false;
+    this.looping = true;
+    this.find = (name) => section.querySelector(".controls " + name);
+    this.video.controls = false;
+    this.find("").hidden = false;
+    this.connectVideo();
+    this.connectControls();
+    this.show(0);
+  }
+
+  connectVideo() {
+    const video = this.video;
+    // Only while it plays: else a browser that is sent to the last frame takes it for the end, and goes back to the first.
+    video.loop = false;
+    for (const name of ["play", "pause"]) {
+      video.addEventListener(name, () => {
+        video.loop = this.looping && !video.paused;
+        this.showPlaying();
+      });
+    }
+    // The picture and the plots stop at one and the same frame.
+    video.addEventListener("pause", () => { if (!video.ended) this.seek(this.frame); });
+    video.addEventListener("ended", () => this.show(this.frames - 1));
+    video.addEventListener("seeked", () => this.show(this.frameAt(video.currentTime)));
+    video.addEventListener("click", () => this.toggle());
+    if (video.requestVideoFrameCallback) {
+      const onFrame = (now, data) => {
+        if (!video.seeking && !video.paused) this.show(Math.round(data.mediaTime * this.rate));
+        video.requestVideoFrameCallback(onFrame);
+      };
+      video.requestVideoFrameCallback(onFrame);
+    } else {
+      const onPaint = () => {
+        if (!video.paused && !video.seeking) this.show(this.frameAt(video.currentTime));
+        requestAnimationFrame(onPaint);
+      };
+      requestAnimationFrame(onPaint);
+    }
+  }
+
+  connectControls() {
+    const video = this.video;
+    this.find(".play").addEventListener("click", () => this.toggle());
+    this.find(".back").addEventListener("click", () => this.step(-1));
+    this.find(".on").addEventListener("click", () => this.step(1));
+    this.find(".seek").addEventListener("input", (event) => this.seek(Number(event.target.value)));
+    this.find(".loop").addEventListener("click", (event) => {
+      this.looping = !this.looping;
+      video.loop = this.looping && !video.paused;
+      event.currentTarget.setAttribute("aria-pressed", String(this.looping));
+    });
+    const speed = this.find(".speed input");
+    speed.addEventListener("input", () => {
+      video.playbackRate = Number(speed.value);
+      const words = Number(speed.value) + "×";
+      this.find(".speed output").textContent = words;
+      speed.setAttribute("aria-valuetext", words);
+    });
+  }
+
+  /** The frame shown at `time` [s]; the millisecond is for times that were rounded. */
+  frameAt(time) {
+    return Math.floor((time + 0.001) * this.rate);
+  }
+
+  toggle() {
+    this.stoppedByUser = !this.video.paused;
+    if (this.video.paused) this.play();
+    else this.video.pause();
+  }
+
+  play() {
+    const started = this.video.play();
+    // A pause before the clip has loaded is no error.
+    if (started) started.catch((error) => { if (error.name !== "AbortError") throw error; });
+  }
+
+  step(frames) {
+    this.stoppedByUser = true;
+    this.video.pause();
+    this.seek(this.frame + frames);
+  }
+
+  seek(frame) {
+    const wanted = Math.min(Math.max(Math.round(frame), 0), this.frames - 1);
+    if (this.video.preload === "none") this.video.preload = "auto";
+    this.video.currentTime = (wanted + 0.5) / this.rate;
+    this.show(wanted);
+  }
+
+  show(frame) {
+    this.frame = Math.min(Math.max(frame, 0), this.frames - 1);
+    const seconds = (this.frame / this.rate).toFixed(2) + " s";
+    const seek = this.find(".seek");
+    seek.value = this.frame;
+    seek.setAttribute("aria-valuetext", "frame " + this.frame + ", " + seconds);
+    this.find(".time").textContent = seconds + " · frame " + this.frame;
+    this.dispatchEvent(new Event("frame"));
+  }
+
+  showPlaying() {
+    const playing = !this.video.paused;
+    const button = this.find(".play");
+    button.classList.toggle("playing", playing);
+    button.setAttribute("aria-label", playing ? "Pause" : "Play");
+    if (playing) this.dispatchEvent(new Event("play"));
+  }
+}

@@ -1,0 +1,211 @@
+// A clip's plots: energy, tilt and error over simulated time, on the clock of its player.
+"use strict";
+
+const kPlotHeight = 140;  // [CSS pixels]
+const kSeriesColours = 6;
+
+const colourOf = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+const seriesColour = (index) => "--series-" + (index % kSeriesColours + 1);
+
+/** A number for people: four digits, or a power of ten. */
+function numberText(value) {
+  if (value === null || value === undefined) return "–";
+  if (value === 0) return "0";
+  const size = Math.abs(value);
+  return size >= 1e-3 && size < 1e5 ? String(Number(value.toPrecision(4))) : value.toExponential(2).replace("+", "");
+}
+
+/** The same on an axis, where there is little room. */
+function tickText(value) {
+  if (value === null) return "";
+  const text = numberText(value);
+  return text.includes("e") ? value.toExponential(0).replace("+", "") : text;
+}
+
+/** What there is to plot of a clip: [{title, series: [{label, values}], range}]. */
+function chartsOf(clip) {
+  const several = clip.motions.length > 1;
+  const each = (key) => clip.motions.map((motion) => ({label: motion.label, values: motion[key]}));
+  const only = clip.motions[0];
+  const energies = [{label: "total", values: only.total}];
+  if (only.springs) energies.push({label: "kinetic", values: only.kinetic}, {label: "springs", values: only.potential});
+  // A rigid body's energy hardly leaves 1, and that it does is what there is to see.
+  const energyRange = only.springs && !several ? {from: 0} : {from: 1, least: 0.1};
+  const one = (key, label) => several ? each(key) : [{label, values: only[key]}];
+  return [
+    {title: several ? "Total energy / start" : "Energy / total at the start", series: several ? each("total") : energies, canBeLog: true, ...energyRange},
+    {title: "Tilt of the spun axis [°]", series: one("tilt", "tilt"), from: 0, to: 180},
+    {title: "Error against the exact motion [°]", series: one("error", "error"), from: 0, canBeLog: true},
+  ];
+}
+
+/** The range of an axis that shows `low` to `high` and the chart's own bounds, and no less than its least span. */
+function rangeOf(chart, low, high) {
+  if (low === null || high === null) return [0, 1];
+  const bottom = Math.min(low, chart.from);
+  const top = Math.max(high, chart.to ?? chart.from);
+  const span = top - bottom;
+  if (span < (chart.least ?? 0)) return [(bottom + top - chart.least) / 2, (bottom + top + chart.least) / 2];
+  if (span === 0) return [bottom, bottom + 1];
+  return [bottom, chart.to === undefined ? top + 0.06 * span : top];
+}
+
+class Plot {
+  constructor(parent, chart, times, clip, player) {
+    this.chart = chart;
+    this.times = times;
+    this.clip = clip;
+    this.player = player;
+    this.logarithmic = false;
+    this.element = document.createElement("div");
+    this.element.className = "plot";
+    parent.append(this.element);
+    this.element.append(this.heading(), this.legend());
+    this.canvas = document.createElement("div");
+    this.canvas.setAttribute("role", "img");
+    this.canvas.setAttribute("aria-label", this.summary());
+    this.element.append(this.canvas);
+    this.draw();
+  }
+
+  heading() {
+    const heading = document.createElement("h3");
+    heading.append(this.chart.title);
+    if (!this.chart.canBeLog) return heading;
+    const button = document.createElement("button");
+    button.type = "button";
+    button.textContent = "log";
+    button.setAttribute("aria-label", "Logarithmic axis");
+    button.setAttribute("aria-pressed", "false");
+    button.addEventListener("click", () => {
+      this.logarithmic = !this.logarithmic;
+      button.setAttribute("aria-pressed", String(this.logarithmic));
+      this.draw();
+    });
+    heading.append(button);
+    return heading;
+  }
+
+  legend() {
+    const list = document.createElement("ul");
+    list.className = "legend";
+    this.values = this.chart.series.map((series, index) => {
+      const item = document.createElement("li");
+      const line = document.createElement("i");
+      line.style.borderColor = "var(" + seriesColour(index) + ")";
+      const value = document.createElement("b");
+      item.append(line, series.label + " ", value);
+      list.append(item);
+      return value;
+    });
+    return list;
+  }
+
+  summary() {
+    const parts = this.chart.series.map(({label, values}) => {
+      const known = values.filter((value) => value !== null);
+      const low = known.reduce((a, b) => Math.min(a, b), Infinity);
+      const high = known.reduce((a, b) => Math.max(a, b), -Infinity);
+      return label + " from " + numberText(low) + " to " + numberText(high);
+    });
+    return this.chart.title + ": " + parts.join("; ");
+  }
+
+  draw() {
+    if (this.plot) this.plot.destroy();
+    const positive = (value) => value > 0 ? value : null;
+    const columns = this.chart.series.map(({values}) => {
+      const padded = this.times.map((time, index) => values[index] ?? null);
+      return this.logarithmic ? padded.map(positive) : padded;
+    });
+    this.plot = new uPlot(this.options(), [this.times, ...columns], this.canvas);
+    this.playhead = document.createElement("div");
+    this.playhead.className = "playhead";
+    this.plot.over.append(this.playhead);
+    this.connectPointer();
+    this.follow();
+  }
+
+  options() {
+    const axis = (size) => ({
+      stroke: () => colourOf("--soft"),
+      grid: {stroke: () => colourOf("--line"), width: 1},
+      ticks: {show: false},
+      font: "12px system-ui, sans-serif",
+      gap: 4,
+      size,
+    });
+    const linear = {range: (plot, low, high) => rangeOf(this.chart, low, high)};
+    return {
+      width: this.canvas.clientWidth,
+      height: kPlotHeight,
+      padding: [8, 8, 0, 0],
+      legend: {show: false},
+      cursor: {y: false, drag: {x: false, y: false}, points: {show: false}, sync: {key: this.player.section.id}},
+      scales: {x: {time: false}, y: this.logarithmic ? {distr: 3} : linear},
+      axes: [
+        {...axis(22), space: 50, values: (plot, ticks) => ticks.map((tick) => tick + " s")},
+        {...axis(44), space: 28, values: (plot, ticks) => ticks.map((tick) => tickText(tick))},
+      ],
+      series: [{}, ...this.chart.series.map((series, index) => ({
+        label: series.label,
+        stroke: () => colourOf(seriesColour(index)),
+        width: 1.5,
+        points: {show: false},
+      }))],
+      hooks: {setCursor: [() => this.showValues()]},
+    };
+  }
+
+  connectPointer() {
+    const over = this.plot.over;
+    const seek = (event) => {
+      const x = event.clientX - over.getBoundingClientRect().left;
+      this.player.seek(this.plot.posToVal(x, "x") / this.clip.interval);
+    };
+    over.addEventListener("pointerdown", (event) => {
+      if (event.button !== 0) return;
+      over.setPointerCapture(event.pointerId);
+      seek(event);
+    });
+    over.addEventListener("pointermove", (event) => {
+      if (over.hasPointerCapture(event.pointerId)) seek(event);
+    });
+  }
+
+  /** Moves the playhead to the player's frame. A clip that holds its last picture has no more samples. */
+  follow() {
+    const index = Math.min(this.player.frame, this.times.length - 1);
+    const x = this.plot.valToPos(this.times[index], "x");
+    this.playhead.style.transform = "translateX(" + x + "px)";
+    this.playhead.dataset.index = index;
+    this.showValues();
+  }
+
+  showValues() {
+    if (!this.plot) return;
+    const hovered = this.plot.cursor.idx;
+    const index = hovered ?? Math.min(this.player.frame, this.times.length - 1);
+    this.chart.series.forEach(({values}, series) => {
+      this.values[series].textContent = numberText(values[index]);
+    });
+  }
+
+  resize() {
+    const width = this.canvas.clientWidth;
+    if (width === 0 || width === this.plot.width) return;
+    this.plot.setSize({width, height: kPlotHeight});
+    this.follow();
+  }
+}
+
+/** Draws the plots of a clip beside its player; returns them. */
+function makePlots(section, clip, player) {
+  const parent = section.querySelector(".plots");
+  const longest = Math.max(...clip.motions.map((motion) => motion.tilt.length));
+  const times = Array.from({length: longest}, (unused, index) => index * clip.interval);
+  const plots = chartsOf(clip).map((chart) => new Plot(parent, chart, times, clip, player));
+  player.addEventListener("frame", () => plots.forEach((plot) => plot.follow()));
+  new ResizeObserver(() => plots.forEach((plot) => plot.resize())).observe(parent);
+  return plots;
+}

@@ -1,0 +1,134 @@
+// A clip: its player, its plots, what was expected of it and measured.
+#include <vector>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "base/read_file.h"
+#include "page/embedded_files.h"
+#include "page/expectation_table.h"
+#include "page/figure.h"
+#include "page/motion_data.h"
+#include "page/motion_settings_table.h"
+#include "pipeline/clip_files.h"
+#include "pipeline/simulate_scene.h"
+#include "pipeline/trajectory_csv.h"
+
+namespace rotatebook::page {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Of a time for people.
+constexpr int kDigits = 4;
+
+/// A clip's motions, simulated anew, and the files that were made of it.
+struct Clip {
+  std::vector<Motion> motions;
+  std::int64_t frames = 0;
+  pipeline::ClipFiles files;
+  std::vector<fs::path> csvs;  ///< One a motion.
+};
+
+/// The plots show what the table beside the clip holds, or nothing.
+void refuseOtherMotion(const fs::path& csv, const physics::Trajectory& trajectory,
+                       const scene::Scene& scene) {
+  if (readFileOrEmpty(csv) == pipeline::trajectoryCsv(trajectory)) return;
+  throw InputError(csv.string() +
+                   " was made of another scene or with other settings; render it again (or give "
+                   "this command the same --set): " +
+                   remedy("render", scene, csv.parent_path()));
+}
+
+Clip readClip(const scene::Scene& scene, const fs::path& folder) {
+  Clip clip;
+  clip.files = pipeline::clipFiles(folder, scene.name);
+  clip.csvs = pipeline::csvFiles(clip.files.csv, scene);
+  for (const auto& file : {clip.files.mp4, clip.files.poster}) requireFile(file, scene, "render");
+  const pipeline::ClipMotion motion = pipeline::simulateScene(scene);
+  clip.frames = motion.frameCount();
+  for (const scene::Panel& panel : scene::motionsOf(scene)) {
+    const std::size_t index = clip.motions.size();
+    const physics::Trajectory& trajectory = motion.trajectories()[index];
+    requireFile(clip.csvs[index], scene, "render");
+    refuseOtherMotion(clip.csvs[index], trajectory, scene);
+    clip.motions.push_back({panel, trajectory});
+  }
+  return clip;
+}
+
+std::string nameOf(const fs::path& file) {
+  return file.filename().string();
+}
+
+Html linksOf(const Clip& clip) {
+  Html links = linkItem(nameOf(clip.files.mp4), "MP4");
+  for (std::size_t i = 0; i < clip.motions.size(); ++i) {
+    const std::string& label = clip.motions[i].panel.label;
+    links += linkItem(nameOf(clip.csvs[i]), label.empty() ? "CSV" : "CSV: " + label);
+  }
+  links += linkItem(nameOf(clip.files.poster), "Poster");
+  if (fs::exists(clip.files.sceneCopy)) {
+    links += linkItem(nameOf(clip.files.frameFolder) + "/", "PNG frames");
+    links += linkItem(nameOf(clip.files.frameFolder) + "/" + nameOf(clip.files.sceneCopy), "Scene");
+  }
+  return links;
+}
+
+std::vector<Check> allChecks(const Clip& clip) {
+  std::vector<Check> all;
+  for (const Motion& motion : clip.motions) {
+    const std::vector<Check> checks = checksOf(motion);
+    all.insert(all.end(), checks.begin(), checks.end());
+  }
+  return all;
+}
+
+Html checksOfAll(const Clip& clip) {
+  Html tables;
+  for (const Motion& motion : clip.motions) {
+    const std::string label = motion.panel.label.empty() ? "" : ": " + motion.panel.label;
+    tables += checksTable("Expected and measured" + label, checksOf(motion));
+  }
+  return tables;
+}
+
+Html divergenceOf(const Clip& clip) {
+  Html notes;
+  for (const Motion& motion : clip.motions) {
+    if (!motion.trajectory.divergedAt) continue;
+    const std::string who = motion.panel.label.empty() ? "The motion" : motion.panel.label;
+    notes +=
+        filled("<p class=\"note\">{{words}}</p>\n",
+               {{"words", escaped(who + " diverges at " +
+                                  roundedText(*motion.trajectory.divergedAt, kDigits) + " s.")}});
+  }
+  return notes;
+}
+
+}  // namespace
+
+Figure clipFigure(const scene::Scene& scene, const fs::path& folder) {
+  const Clip clip = readClip(scene, folder);
+  const std::string poster = nameOf(clip.files.poster);
+  const FigureKind kind = clip.motions.size() > 1 ? FigureKind::Comparison : FigureKind::Clip;
+  Figure figure{kind, scene.name, scene.title, poster, badgeOf(allChecks(clip)), {}};
+  figure.section =
+      filled(clipTemplate(), {{"id", escaped(scene.name)},
+                              {"title", escaped(scene.title)},
+                              {"badge", figure.badge},
+                              {"caption", escaped(scene.caption)},
+                              {"notes", divergenceOf(clip)},
+                              {"width", {std::to_string(scene.clip.width)}},
+                              {"height", {std::to_string(scene.clip.height)}},
+                              {"poster", addressOf(poster)},
+                              {"mp4", addressOf(nameOf(clip.files.mp4))},
+                              {"last", {std::to_string(clip.frames - 1)}},
+                              {"settings", settingsTable(clip.motions, scene.clip)},
+                              {"checks", checksOfAll(clip)},
+                              {"links", linksOf(clip)},
+                              {"scene", sceneDetails(scene)},
+                              {"data", {motionData(clip.motions, scene.clip, clip.frames)}}});
+  return figure;
+}
+
+}  // namespace rotatebook::page

@@ -1,0 +1,30 @@
+// Expected against measured, as a table. Inside the room only.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "page/html.h"
+#include "page/motion_data.h"
+
+namespace rotatebook::page {
+
+/// One row: what was expected of something, what was measured, and whether that is as expected.
+struct Check {
+  std::string subject;
+  std::string expected;
+  std::string measured;
+  bool met = false;
+};
+
+/// What became of a motion: its divergence if there was one that nobody expected, and each of its
+/// expectations.
+std::vector<Check> checksOf(const Motion& motion);
+
+/// The checks as a table with `caption`; a word if there are none.
+Html checksTable(const std::string& caption, const std::vector<Check>& checks);
+
+/// "5 of 5 expectations met" as a badge; nothing if there are none.
+Html badgeOf(const std::vector<Check>& checks);
+
+}  // namespace rotatebook::page

@@ -1,0 +1,60 @@
+#include "page/figure.h"
+
+#include "base/error.h"
+#include "page/embedded_files.h"
+#include "pipeline/clip_files.h"
+#include "scene/scene_file.h"
+
+namespace rotatebook::page {
+namespace {
+
+namespace fs = std::filesystem;
+
+Figure stillFigure(const scene::Scene& scene) {
+  const std::string picture = scene.name + ".png";
+  Figure figure{FigureKind::Still, scene.name, scene.title, picture, {}, {}};
+  Html links = linkItem(picture, "PNG");
+  figure.section = filled(stillTemplate(), {{"id", escaped(scene.name)},
+                                            {"title", escaped(scene.title)},
+                                            {"picture", addressOf(picture)},
+                                            {"caption", escaped(scene.caption)},
+                                            {"links", links},
+                                            {"scene", sceneDetails(scene)}});
+  return figure;
+}
+
+bool isStill(const scene::Scene& scene, const fs::path& folder) {
+  return fs::exists(folder / (scene.name + ".png")) &&
+         !fs::exists(pipeline::clipFiles(folder, scene.name).csv);
+}
+
+}  // namespace
+
+Figure readFigure(const scene::Scene& scene, const fs::path& folder) {
+  if (scene.study) return studyFigure(scene, folder);
+  return isStill(scene, folder) ? stillFigure(scene) : clipFigure(scene, folder);
+}
+
+std::string remedy(const std::string& command, const scene::Scene& scene, const fs::path& folder) {
+  return "rotatebook " + command + " " + (scene.folder / (scene.name + ".toml")).string() + " -o " +
+         folder.string();
+}
+
+void requireFile(const fs::path& path, const scene::Scene& scene, const std::string& command) {
+  if (fs::is_regular_file(path)) return;
+  throw InputError(path.string() + " is missing; the page shows what was made before: " +
+                   remedy(command, scene, path.parent_path()));
+}
+
+Html linkItem(const std::string& address, const std::string& words) {
+  return filled(R"(<li><a href="{{address}}">{{words}}</a></li>)",
+                {{"address", addressOf(address)}, {"words", escaped(words)}});
+}
+
+Html sceneDetails(const scene::Scene& scene) {
+  return filled(
+      "<details><summary>The scene, every default explicit</summary><pre>{{text}}</pre></details>",
+      {{"text", escaped(sceneText(scene))}});
+}
+
+}  // namespace rotatebook::page

@@ -1,0 +1,99 @@
+#include "page/html.h"
+
+#include <array>
+#include <cctype>
+#include <cstdio>
+#include <set>
+#include <stdexcept>
+
+namespace rotatebook::page {
+namespace {
+
+constexpr std::string_view kOpen = "{{";
+constexpr std::string_view kClose = "}}";
+
+std::string formatted(const char* format, unsigned value) {
+  std::array<char, 8> text;
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+const char* entityOf(char letter) {
+  switch (letter) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    case '\'':
+      return "&#39;";
+    default:
+      return nullptr;
+  }
+}
+
+bool isPlainInAddresses(char letter) {
+  return std::isalnum(static_cast<unsigned char>(letter)) != 0 ||
+         std::string_view("-._~/").find(letter) != std::string_view::npos;
+}
+
+}  // namespace
+
+Html escaped(std::string_view text) {
+  Html html;
+  for (const char letter : text) {
+    if (const char* entity = entityOf(letter)) {
+      html.text += entity;
+    } else {
+      html.text += letter;
+    }
+  }
+  return html;
+}
+
+Html addressOf(const std::string& path) {
+  Html html;
+  for (const char letter : path) {
+    html.text += isPlainInAddresses(letter)
+                     ? std::string(1, letter)
+                     : formatted("%%%02X", static_cast<unsigned char>(letter));
+  }
+  return html;
+}
+
+std::string jsonString(std::string_view text) {
+  std::string json = "\"";
+  for (const char letter : text) {
+    const auto code = static_cast<unsigned char>(letter);
+    // '<' would let "</script>" end the script.
+    const bool special = code < 0x20 || letter == '"' || letter == '\\' || letter == '<';
+    json += special ? formatted("\\u%04x", code) : std::string(1, letter);
+  }
+  return json + '"';
+}
+
+Html filled(std::string_view text, const std::map<std::string, Html>& values) {
+  Html html;
+  std::set<std::string> used;
+  std::size_t at = 0;
+  for (std::size_t open = text.find(kOpen); open != std::string_view::npos;
+       open = text.find(kOpen, at)) {
+    const std::size_t close = text.find(kClose, open);
+    if (close == std::string_view::npos) throw std::logic_error("a template's {{ is left open");
+    const std::string name(text.substr(open + kOpen.size(), close - open - kOpen.size()));
+    if (!values.contains(name))
+      throw std::logic_error("a template's {{" + name + "}} has no value");
+    html.text += text.substr(at, open - at);
+    html += values.at(name);
+    used.insert(name);
+    at = close + kClose.size();
+  }
+  html.text += text.substr(at);
+  if (used.size() != values.size()) throw std::logic_error("a template doesn't use all its values");
+  return html;
+}
+
+}  // namespace rotatebook::page

@@ -1,0 +1,118 @@
+// A study: its plot, and what was expected of it and measured, from its tables.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "base/read_file.h"
+#include "page/embedded_files.h"
+#include "page/expectation_table.h"
+#include "page/figure.h"
+#include "physics/expectation_text.h"
+#include "pipeline/study.h"
+#include "pipeline/study_files.h"
+#include "scene/names.h"
+
+namespace rotatebook::page {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A row of a table: its columns by name.
+using Row = std::map<std::string, std::string>;
+
+std::vector<std::string> fieldsOf(const std::string& line) {
+  std::vector<std::string> fields;
+  std::istringstream stream(line);
+  for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
+  return fields;
+}
+
+/// The rows of a CSV as `rotatebook study` writes it: no quotes, and no commas within fields.
+std::vector<Row> rowsOf(const fs::path& csv) {
+  std::istringstream stream(readFileOrEmpty(csv));
+  std::string line;
+  std::getline(stream, line);
+  const std::vector<std::string> names = fieldsOf(line);
+  std::vector<Row> rows;
+  while (std::getline(stream, line)) {
+    const std::vector<std::string> fields = fieldsOf(line);
+    Row row;
+    for (std::size_t i = 0; i < std::min(names.size(), fields.size()); ++i)
+      row[names[i]] = fields[i];
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+double numberOf(const Row& row, const std::string& column) {
+  double number = pipeline::kNoNumber;
+  const auto found = row.find(column);
+  if (found == row.end()) return number;
+  const std::string& text = found->second;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+Check checkOf(const std::string& subject, const scene::Bounds& bounds, double measured) {
+  return {subject, physics::expectedText({.min = bounds.min, .max = bounds.max}),
+          physics::measuredText(measured), bounds.hold(measured)};
+}
+
+std::vector<Check> checksOfOrders(const scene::StudySettings& study, const fs::path& csv) {
+  std::map<std::string, double> orders;
+  for (const Row& row : rowsOf(csv)) orders[row.at("integrator")] = numberOf(row, "order");
+  std::vector<Check> checks;
+  for (const auto& [integrator, bounds] : study.orders) {
+    const std::string name(nameOf(scene::kIntegrators, integrator));
+    checks.push_back(checkOf("order of " + name, bounds,
+                             orders.contains(name) ? orders[name] : pipeline::kNoNumber));
+  }
+  return checks;
+}
+
+std::vector<Check> checksOfTilts(const scene::StudySettings& study, const fs::path& csv) {
+  if (!study.flipLaw) return {};
+  pipeline::TiltStudy measured;
+  for (const Row& row : rowsOf(csv)) {
+    pipeline::TiltRow tilt;
+    tilt.interval = numberOf(row, "interval_s");
+    tilt.law = numberOf(row, "law_s");
+    measured.rows.push_back(tilt);
+  }
+  return {checkOf("flip_law", *study.flipLaw, measured.greatestDeviation())};
+}
+
+}  // namespace
+
+Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
+  const pipeline::StudyFiles files = pipeline::studyFiles(folder, scene.name);
+  const bool ofTilts = scene.study->isOfTilts();
+  for (const auto& file : {files.csv, files.svg, files.png}) requireFile(file, scene, "study");
+  if (!ofTilts) requireFile(files.orders, scene, "study");
+  const std::vector<Check> checks =
+      ofTilts ? checksOfTilts(*scene.study, files.csv) : checksOfOrders(*scene.study, files.orders);
+
+  const std::string svg = files.svg.filename().string();
+  Figure figure{FigureKind::Study, scene.name, scene.title, svg, badgeOf(checks), {}};
+  Html links = linkItem(svg, "SVG");
+  links += linkItem(files.png.filename().string(), "PNG");
+  links += linkItem(files.csv.filename().string(), "CSV");
+  if (!ofTilts) links += linkItem(files.orders.filename().string(), "CSV of the orders");
+  figure.section =
+      filled(studyTemplate(), {{"id", escaped(scene.name)},
+                               {"title", escaped(scene.title)},
+                               {"badge", figure.badge},
+                               {"plot", addressOf(svg)},
+                               {"caption", escaped(scene.caption)},
+                               {"checks", checksTable("Expected and measured", checks)},
+                               {"links", links},
+                               {"scene", sceneDetails(scene)}});
+  return figure;
+}
+
+}  // namespace rotatebook::page

@@ -1,0 +1,180 @@
+#include "page/figure.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "page/made_folder.h"
+
+namespace rotatebook::page {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using testing::emptyFolder;
+using ::testing::HasSubstr;
+using testing::makeClip;
+using ::testing::Not;
+using testing::smallScene;
+using testing::touch;
+
+std::string messageOf(const scene::Scene& scene, const fs::path& folder) {
+  try {
+    readFigure(scene, folder);
+    return "no error";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(ClipFigure, HasItsWordsItsFilesAndItsData) {
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene(), folder);
+  const Figure figure = readFigure(smallScene(), folder);
+  EXPECT_EQ(figure.kind, FigureKind::Clip);
+  EXPECT_EQ(figure.id, "small");
+  EXPECT_EQ(figure.thumbnail, "small.poster.png");
+  EXPECT_THAT(
+      figure.section.text,
+      AllOf(HasSubstr("Small &amp; &lt;small&gt;"), HasSubstr("It&#39;s &quot;small&quot;."),
+            HasSubstr("src=\"small.mp4\""), HasSubstr("href=\"small.csv\""),
+            HasSubstr("max=\"11\""), HasSubstr("\"rate\":[24,1],\"frames\":12,")));
+  EXPECT_THAT(figure.section.text, Not(HasSubstr("<small>")));
+}
+
+TEST(ClipFigure, TellsExpectedFromMeasured) {
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene(), folder);
+  const Figure figure = readFigure(smallScene(), folder);
+  EXPECT_THAT(figure.badge.text, AllOf(HasSubstr("unmet"), HasSubstr("1 of 2 expectations met")));
+  EXPECT_THAT(figure.section.text,
+              AllOf(HasSubstr("<th scope=\"row\">half_turns</th><td>at most 0</td><td>0</td><td "
+                              "class=\"met\">✓ met</td>"),
+                    HasSubstr("<th scope=\"row\">L_ratio</th><td>at least 2</td>"),
+                    HasSubstr("<td class=\"unmet\">✗ unmet</td>")));
+}
+
+TEST(ClipFigure, LinksToFramesOnlyWhereThereAreAny) {
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene(), folder);
+  EXPECT_THAT(readFigure(smallScene(), folder).section.text, Not(HasSubstr("href=\"small/\"")));
+  fs::create_directories(folder / "small");
+  touch(folder / "small" / "scene.toml");
+  EXPECT_THAT(readFigure(smallScene(), folder).section.text,
+              AllOf(HasSubstr("href=\"small/\""), HasSubstr("href=\"small/scene.toml\"")));
+}
+
+TEST(ClipFigure, SaysWhenItsMotionDiverges) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene = smallScene({"simulation.model=particles", "simulation.substeps=1",
+                                         "simulation.normalize=false", "simulation.damping=0"});
+  makeClip(scene, folder);
+  const Figure figure = readFigure(scene, folder);
+  EXPECT_THAT(figure.section.text,
+              AllOf(HasSubstr("The motion diverges at 0.2083 s"),
+                    HasSubstr("<th scope=\"row\">diverges_at</th><td>no divergence</td>"),
+                    HasSubstr("2000 N/m, undamped")));
+}
+
+TEST(ClipFigure, NamesAMissingFileAndTheRemedy) {
+  const fs::path folder = emptyFolder();
+  for (const char* name : {"small.mp4", "small.csv", "small.poster.png"}) {
+    makeClip(smallScene(), folder);
+    fs::remove(folder / name);
+    EXPECT_EQ(messageOf(smallScene(), folder),
+              (folder / name).string() +
+                  " is missing; the page shows what was made before: rotatebook render "
+                  "scenes/small.toml -o " +
+                  folder.string());
+  }
+}
+
+TEST(ClipFigure, RefusesTheClipOfAnotherMotion) {
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene(), folder);
+  EXPECT_EQ(messageOf(smallScene(), folder), "no error");
+  EXPECT_THAT(messageOf(smallScene({"initial.angular_velocity=[5, 3, 2]"}), folder),
+              HasSubstr("small.csv was made of another scene or with other settings; render it"));
+}
+
+TEST(ClipFigure, HasAColumnAndATableForEachPanel) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene = scene::parseScene(
+      "title = \"Pair\"\n[clip]\nsize = [64, 36]\nfps = 24\nduration = 0.5\n"
+      "[initial]\nangular_velocity = [5, 3, 1]\n"
+      "[[panel]]\nlabel = \"Euler's\"\nexpect.half_turns.max = 0\n"
+      "[[panel]]\nlabel = \"exact\"\nsimulation.model = \"exact\"\n",
+      "scenes/pair.toml");
+  makeClip(scene, folder);
+  const Figure figure = readFigure(scene, folder);
+  EXPECT_EQ(figure.kind, FigureKind::Comparison);
+  EXPECT_THAT(figure.section.text,
+              AllOf(HasSubstr("<th>Euler&#39;s</th><th>exact</th>"),
+                    HasSubstr("<td>quaternion</td><td>exact</td>"),
+                    HasSubstr("<caption>Expected and measured: Euler&#39;s</caption>"),
+                    HasSubstr("\"label\":\"Euler's\""), HasSubstr("href=\"pair_exact.csv\"")));
+  fs::remove(folder / "pair_exact.csv");
+  EXPECT_THAT(messageOf(scene, folder), HasSubstr("pair_exact.csv is missing"));
+}
+
+TEST(StillFigure, IsAPictureWithoutAClip) {
+  const fs::path folder = emptyFolder();
+  touch(folder / "small.png");
+  const Figure figure = readFigure(smallScene(), folder);
+  EXPECT_EQ(figure.kind, FigureKind::Still);
+  EXPECT_THAT(figure.section.text, HasSubstr("src=\"small.png\""));
+  makeClip(smallScene(), folder);
+  EXPECT_EQ(readFigure(smallScene(), folder).kind, FigureKind::Clip);
+}
+
+/// What `rotatebook study` leaves, with these tables.
+void makeStudy(const fs::path& folder, const std::string& table, const std::string& orders) {
+  for (const char* name : {"small-study.svg", "small-study.png"}) touch(folder / name);
+  writeFileAtomically(folder / "small-study.csv", table);
+  if (!orders.empty()) writeFileAtomically(folder / "small-study-orders.csv", orders);
+}
+
+TEST(StudyFigure, TakesOrdersFromItsTable) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene = smallScene({"study.integrators=[\"euler\", \"rk4\"]",
+                                         "study.orders.rk4.min=3.9", "study.orders.euler.max=0.5"});
+  makeStudy(folder, "integrator\n",
+            "integrator,order,runs,shortest_h_s,longest_h_s\neuler,,0,,\nrk4,4.01,3,0.1,1\n");
+  const Figure figure = readFigure(scene, folder);
+  EXPECT_EQ(figure.kind, FigureKind::Study);
+  EXPECT_THAT(
+      figure.section.text,
+      AllOf(HasSubstr("order of rk4</th><td>at least 3.9</td><td>4.01</td><td class=\"met\""),
+            HasSubstr("order of euler</th><td>at most 0.5</td><td>nothing</td><td "
+                      "class=\"unmet\""),
+            HasSubstr("src=\"small-study.svg\"")));
+}
+
+// The spin that a study of tilts needs.
+const std::vector<std::string> kFlips{"initial.angular_velocity=[5, 0, 0]",
+                                      "initial.tilt=[0.1, \"z\"]"};
+
+TEST(StudyFigure, MeasuresTheLawOfFlips) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene =
+      smallScene({kFlips[0], kFlips[1], "study.tilts=[0.1, 0.01]", "study.flip_law.max=0.3"});
+  makeStudy(folder,
+            "tilt_rad,flips,interval_s,law_s,ratio,status\n0.1,3,1.5,2,0.75,ok\n"
+            "0.01,3,4,4,1,ok\n",
+            "");
+  EXPECT_THAT(readFigure(scene, folder).section.text,
+              HasSubstr("flip_law</th><td>at most 0.3</td><td>0.25</td><td class=\"met\""));
+}
+
+TEST(StudyFigure, NamesAMissingFileAndTheRemedy) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene = smallScene({kFlips[0], kFlips[1], "study.tilts=[0.1]"});
+  EXPECT_THAT(messageOf(scene, folder), AllOf(HasSubstr("small-study.csv is missing"),
+                                              HasSubstr("rotatebook study scenes/small.toml -o ")));
+}
+
+}  // namespace
+}  // namespace rotatebook::page

@@ -1,0 +1,51 @@
+// A folder with what a render and a study leave, without the rendering.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "base/atomic_file.h"
+#include "pipeline/clip_files.h"
+#include "pipeline/simulate_scene.h"
+#include "pipeline/trajectory_csv.h"
+#include "scene/scene_file.h"
+
+namespace rotatebook::page::testing {
+
+/// An empty folder for the running test alone.
+inline std::filesystem::path emptyFolder() {
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  const auto folder = std::filesystem::path(ROTATEBOOK_TEST_OUTPUT) / "page" /
+                      (std::string(test->test_suite_name()) + "." + test->name());
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  return folder;
+}
+
+/// Half a second, named "small".
+inline scene::Scene smallScene(const std::vector<std::string>& overrides = {}) {
+  return scene::parseScene(
+      "title = \"Small & <small>\"\ncaption = \"It's \\\"small\\\".\"\n"
+      "[initial]\nangular_velocity = [5, 3, 1]\n"
+      "[clip]\nsize = [64, 36]\nfps = 24\nduration = 0.5\n"
+      "[expect]\nhalf_turns = { max = 0 }\nL_ratio = { min = 2 }\n",
+      "scenes/small.toml", overrides);
+}
+
+/// Stands for pictures and clips.
+inline void touch(const std::filesystem::path& path) {
+  writeFileAtomically(path, "x");
+}
+
+/// Leaves the clip of `scene` in `folder`: its CSV is true, its MP4 and poster are not.
+inline void makeClip(const scene::Scene& scene, const std::filesystem::path& folder) {
+  const pipeline::ClipFiles files = pipeline::clipFiles(folder, scene.name);
+  touch(files.mp4);
+  touch(files.poster);
+  pipeline::writeTables(pipeline::csvFiles(files.csv, scene), pipeline::simulateScene(scene));
+}
+
+}  // namespace rotatebook::page::testing

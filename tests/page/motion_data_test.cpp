@@ -1,0 +1,45 @@
+#include "page/motion_data.h"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+namespace rotatebook::page {
+namespace {
+
+/// Two samples, the second with half the energy.
+Motion motionOf(const std::string& label) {
+  Motion motion;
+  motion.panel.label = label;
+  motion.trajectory.interval = 0.5;
+  motion.trajectory.samples.resize(2);
+  physics::Sample& first = motion.trajectory.samples[0];
+  physics::Sample& second = motion.trajectory.samples[1];
+  first.kinetic = 3;
+  first.potential = 1;
+  second.kinetic = 2;
+  second.tiltDeg = 1.0 / 3;
+  second.errorDeg = std::numeric_limits<double>::infinity();
+  return motion;
+}
+
+TEST(MotionData, TellsEachSampleOfEachMotion) {
+  scene::ClipSettings clip;
+  clip.frameRate = {30000, 1001};
+  EXPECT_EQ(
+      motionData({motionOf("a"), motionOf("<b>")}, clip, 7),
+      "{\"rate\":[30000,1001],\"frames\":7,\"interval\":0.5,\"motions\":["
+      "{\"label\":\"a\",\"springs\":false,\"kinetic\":[0.75,0.5],\"potential\":[0.25,0],"
+      "\"total\":[1,0.5],\"tilt\":[0,0.333333],\"error\":[0,null]},"
+      "{\"label\":\"\\u003cb>\",\"springs\":false,\"kinetic\":[0.75,0.5],\"potential\":[0.25,0],"
+      "\"total\":[1,0.5],\"tilt\":[0,0.333333],\"error\":[0,null]}]}");
+}
+
+TEST(MotionData, SaysWhetherThereAreSprings) {
+  Motion motion = motionOf("");
+  motion.panel.simulation.model = physics::Model::Particles;
+  EXPECT_NE(motionData({motion}, {}, 2).find("\"springs\":true"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace rotatebook::page

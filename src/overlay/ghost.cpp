@@ -23,13 +23,61 @@ struct Side {
   }
 };
 
-/// Whether a camera at `eye` sees the outside of `side`.
-bool faces(const physics::Corners& box, const Side& side, const Eigen::Vector3d& eye) {
-  const int other = side.upper ? 0 : 1 << side.axis;
-  const Eigen::Vector3d corner = box.col(side.corners()[0]);
-  const Eigen::Vector3d outward = corner - box.col(other);
-  return outward.dot(eye - corner) > 0;
-}
+constexpr std::array<Side, 6> kSides{
+    {{0, false}, {0, true}, {1, false}, {1, true}, {2, false}, {2, true}}};
+
+/// A box on the picture, and which of its sides are seen from outside.
+struct SeenBox {
+  std::vector<Point> corners;  // those in front of the camera
+  std::array<bool, 6> faces{};
+
+  SeenBox(const physics::Corners& box, const Projector& projector) {
+    const Eigen::Vector3d eye = projector.eye();
+    for (std::size_t i = 0; i < kSides.size(); ++i) faces[i] = isOutside(box, kSides[i], eye);
+    for (Eigen::Index i = 0; i < 8; ++i) {
+      const auto point = projector(box.col(i));
+      if (point) corners.push_back(*point);
+    }
+  }
+
+  std::vector<Point> outline(const Side& side) const {
+    std::vector<Point> points;
+    for (const Eigen::Index corner : side.corners()) {
+      points.push_back(corners[static_cast<std::size_t>(corner)]);
+    }
+    return points;
+  }
+
+  /// The ends of all edges of at least one side that is seen, or of the others.
+  std::vector<Point> edges(bool seen) const {
+    std::vector<Point> ends;
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::size_t other = corner | (std::size_t{1} << axis);
+        if (other == corner || edgeIsSeen(corner, axis) != seen) continue;
+        ends.push_back(corners[corner]);
+        ends.push_back(corners[other]);
+      }
+    }
+    return ends;
+  }
+
+ private:
+  /// Whether a camera at `eye` sees the outside of `side`.
+  static bool isOutside(const physics::Corners& box, const Side& side, const Eigen::Vector3d& eye) {
+    const Eigen::Vector3d corner = box.col(side.corners()[0]);
+    const Eigen::Vector3d outward = corner - box.col(side.upper ? 0 : 1 << side.axis);
+    return outward.dot(eye - corner) > 0;
+  }
+
+  /// Of the edge from `corner` along `axis`: the two sides that meet in it are across the others.
+  bool edgeIsSeen(std::size_t corner, std::size_t axis) const {
+    const auto faceAcross = [&](std::size_t other) {
+      return faces[2 * other + ((corner >> other) & 1)];
+    };
+    return faceAcross((axis + 1) % 3) || faceAcross((axis + 2) % 3);
+  }
+};
 
 }  // namespace
 
@@ -39,49 +87,18 @@ Ghost::Ghost(const MarkContext& context)
              physics::initialAngularVelocity(context.scene.motion())) {}
 
 void Ghost::draw(const View& view) {
-  const physics::Sample& sample = context_.trajectory.samples[static_cast<std::size_t>(view.frame)];
+  const auto& samples = context_.trajectory.samples;
+  const physics::Sample& sample = samples[static_cast<std::size_t>(view.frame)];
   const Eigen::Matrix3d turn = physics::frameFromWorld(context_.scene.camera.frame, sample) *
                                exact_.at(sample.time).worldFromBody;
-  const physics::Corners box = turn * context_.scene.body.corners();
-  const Eigen::Vector3d eye = view.projector.eye();
-  std::array<bool, 6> seen{};
-  for (std::size_t i = 0; i < 6; ++i) {
-    seen[i] = faces(box, {static_cast<int>(i / 2), i % 2 == 1}, eye);
-  }
-  std::vector<Point> corners;
-  for (Eigen::Index i = 0; i < 8; ++i) {
-    const auto point = view.projector(box.col(i));
-    if (!point) return;
-    corners.push_back(*point);
-  }
-
-  std::vector<Point> front, back;
-  for (std::size_t i = 0; i < 6; ++i) {
-    const Side side{static_cast<int>(i / 2), i % 2 == 1};
-    if (!seen[i]) continue;
-    std::vector<Point> outline;
-    for (const Eigen::Index corner : side.corners()) {
-      outline.push_back(corners[static_cast<std::size_t>(corner)]);
-    }
-    view.canvas.area(outline, {kGhostColour, 0.09});
-  }
-  for (std::size_t corner = 0; corner < 8; ++corner) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const std::size_t bit = std::size_t{1} << axis;
-      if ((corner & bit) != 0) continue;
-      // The two sides that meet in this edge are across the other two axes.
-      const auto sideAt = [&](std::size_t other) {
-        return seen[2 * other + ((corner >> other) & 1)];
-      };
-      const bool shows = sideAt((axis + 1) % 3) || sideAt((axis + 2) % 3);
-      std::vector<Point>& edges = shows ? front : back;
-      edges.push_back(corners[corner]);
-      edges.push_back(corners[corner | bit]);
-    }
+  const SeenBox box(turn * context_.scene.body.corners(), view.projector);
+  if (box.corners.size() < 8) return;
+  for (std::size_t i = 0; i < kSides.size(); ++i) {
+    if (box.faces[i]) view.canvas.area(box.outline(kSides[i]), {kGhostColour, 0.09});
   }
   const Scale& scale = context_.scale;
-  view.canvas.lines(back, {kGhostColour, 0.45 * scale.line, 0.45, 0});
-  view.canvas.lines(front, {kGhostColour, 0.8 * scale.line, 0.95, 0.8 * scale.halo});
+  view.canvas.lines(box.edges(false), {kGhostColour, 0.45 * scale.line, 0.45, 0});
+  view.canvas.lines(box.edges(true), {kGhostColour, 0.8 * scale.line, 0.95, 0.8 * scale.halo});
 }
 
 }  // namespace rotatebook::overlay

@@ -106,19 +106,21 @@ void Springs::draw(const View& view) {
     particles.push_back(*point);
   }
   const physics::Corners rest = context_.scene.body.corners();
-  std::vector<Point> all;
+  const Scale& scale = context_.scale;
   std::array<std::vector<Point>, kColours> ofColour;
   forEachSpring([&](const Spring& spring) {
-    const std::size_t step = stepOf(strain(rest, view.sample.corners, spring), range_);
-    for (const Eigen::Index end : {spring.a, spring.b}) {
-      all.push_back(particles[static_cast<std::size_t>(end)]);
-      ofColour[step].push_back(all.back());
-    }
+    const std::array<Point, 2> ends{particles[static_cast<std::size_t>(spring.a)],
+                                    particles[static_cast<std::size_t>(spring.b)]};
+    // One by one: Cairo is slow with many lines that cross.
+    view.canvas.line(ends, {kDark, 0.8 * scale.line + 2 * scale.halo, 0.35, 0});
+    auto& others = ofColour[stepOf(strain(rest, view.sample.corners, spring), range_)];
+    others.insert(others.end(), ends.begin(), ends.end());
   });
-  const Scale& scale = context_.scale;
-  view.canvas.lines(all, {kDark, 0.8 * scale.line + 2 * scale.halo, 0.5, 0});
   for (std::size_t i = 0; i < kColours; ++i) {
-    view.canvas.lines(ofColour[i], {colourOf(i), 0.8 * scale.line, 1, 0});
+    for (std::size_t end = 0; end < ofColour[i].size(); end += 2) {
+      view.canvas.line(std::span(ofColour[i]).subspan(end, 2),
+                       {colourOf(i), 0.8 * scale.line, 1, 0});
+    }
   }
   for (const Point& particle : particles) {
     view.canvas.disc(particle, 1.9 * scale.line + scale.halo, {kDark, 0.6});

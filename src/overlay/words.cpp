@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/number_text.h"
@@ -143,9 +144,8 @@ struct Words::Parts {
         place(clockPlace),
         scale(asked.clip),
         type(Typesetter::of(asked.overlay.font)) {
-    const bool clockShows = shows(scene, scene::Overlay::Clock);
-    const bool below = clockShows && place == ClockPlace::Bottom;
-    clock = clockShows ? clockBox() : Box{};
+    const bool below = shows(scene, scene::Overlay::Clock) && place == ClockPlace::Bottom;
+    if (shows(scene, scene::Overlay::Clock)) clock = clockBox();
     std::vector<Layer> lines;
     if (shows(scene, scene::Overlay::Caption)) {
       const int narrower = below ? static_cast<int>(clock.width) + scale.margin : 0;
@@ -155,19 +155,29 @@ struct Words::Parts {
       clock.x = scale.width - scale.margin - clock.width;
       clock.y = lines.empty() ? scale.height - scale.margin - clock.height : lines.front().y;
     }
-    if (lines.empty() && !below) return;
-    const double first = lines.empty() ? clock.y : lines.front().y;
-    const int top = std::max(0, static_cast<int>(first) - scale.margin / 2);
+    if (!lines.empty()) {
+      addShade(lines.front().y);
+      addLines(std::move(lines));
+    } else if (below) {
+      addShade(static_cast<int>(clock.y));
+    }
+  }
+
+  /// A dark ground for words from row `first` on.
+  void addShade(int first) {
+    const int top = std::max(0, first - scale.margin / 2);
     bottomRows = std::min(scale.height - top, scale.height / 2);
     const int shadeTop = std::max(0, top - scale.margin);
+    ground = shade(scale.width, scale.height - shadeTop, shadeTop);
+  }
+
+  void addLines(std::vector<Layer> lines) {
     Canvas canvas(scale.width, scale.height);
-    for (const Layer& line : lines) {
-      Layer words = line;
-      words.x = words.y = 0;
-      canvas.write(words, {1.0 * line.x, 1.0 * line.y});
+    for (Layer& line : lines) {
+      const Point corner(std::exchange(line.x, 0), std::exchange(line.y, 0));
+      canvas.write(line, corner);
     }
     plate = canvas.take();
-    ground = shade(scale.width, scale.height - shadeTop, shadeTop);
   }
 
   /// At the top left, wide enough for the last frame's time.

@@ -277,7 +277,7 @@ PolhodeInset::PolhodeInset(const MarkContext& context, const Box& box)
 Plate PolhodeInset::stillPart(const Box& box) const {
   const Scale& scale = context_.scale;
   Canvas canvas(scale.width, scale.height);
-  canvas.plate(box, 0.5 * scale.smallLetters, {kDark, 0.42});
+  canvas.plate(box, 0.5 * scale.smallLetters, {kDark, 0.62});
   SurfacePainter painter(canvas, surfaces_, middle_, pixels_, scale);
   painter.solids();
   const int axis = surfaces_.roundAxis(1);

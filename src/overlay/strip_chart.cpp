@@ -121,7 +121,7 @@ Point StripChart::placeOf(std::int64_t frame, double value) const {
 Plate StripChart::stillPart() const {
   const Scale& scale = context_.scale;
   Canvas canvas(scale.width, scale.height);
-  canvas.plate(box_, 0.5 * scale.smallLetters, {kDark, 0.52});
+  canvas.plate(box_, 0.5 * scale.smallLetters, {kDark, 0.7});
   ChartWriter writer(context_, canvas, box_);
   const double padding = paddingOf(scale), gap = 0.7 * scale.smallLetters;
   double x = box_.x + padding;

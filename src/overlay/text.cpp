@@ -169,7 +169,9 @@ Typesetter::Typesetter() : parts_(std::make_unique<Parts>()) {
 Typesetter::Typesetter(const std::string& family) : parts_(std::make_unique<Parts>()) {
   parts_->map.reset(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT));
   if (!has(parts_->map.get(), family)) {
-    throw InputError("no font family \"" + family + "\" is installed; fc-list : family lists them");
+    throw InputError(
+        "no font family \"" + family +
+        "\" is installed, as overlay.font asks for; fc-list : family lists those that are");
   }
   parts_->context = contextOf(parts_->map.get());
   parts_->family = family;

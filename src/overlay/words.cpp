@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <cstdio>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "base/number_text.h"
@@ -26,7 +25,7 @@ constexpr double kSettingsSize = 0.0215, kSmallestSettings = 9;
 constexpr double kMargin = 0.045;
 // A line longer than this many letter heights is hard to follow.
 constexpr double kLongestLine = 56;
-constexpr double kShade = 0.5;  // how dark the ground of the words gets
+constexpr double kShade = 0.6;  // how dark the ground of the words gets
 
 /// The lengths that follow from the picture's size. [pixels]
 struct PageScale {
@@ -38,6 +37,8 @@ struct PageScale {
         room(width - 2 * margin) {}
 
   double size(double share, double least) const { return std::max(share * unit, least); }
+
+  double halo() const { return std::max(1.0, 0.0024 * unit); }
 
   int width;
   int height;
@@ -106,32 +107,40 @@ TextStyle clockStyle(const PageScale& scale) {
   return {.size = scale.size(kCaptionSize, kSmallestCaption),
           .colour = kWhite,
           .opacity = 0.92,
-          .halo = std::max(1.0, 0.0024 * scale.unit),
+          .halo = scale.halo(),
           .tabular = true};
 }
 
+struct Line {
+  Layer words;
+  int top;  // on the picture [pixels]
+};
+
 /// Title, caption and settings, one below the other, the last above the picture's lower margin; the
 /// first is `narrower` than the others. [pixels]
-std::vector<Layer> captionLines(const Typesetter& type, const scene::Scene& scene, int narrower) {
+std::vector<Line> captionLines(const Typesetter& type, const scene::Scene& scene, int narrower) {
   const PageScale scale(scene.clip);
   const double captionSize = scale.size(kCaptionSize, kSmallestCaption);
   const int room = std::min(scale.room, static_cast<int>(kLongestLine * captionSize));
-  std::vector<Layer> lines;
+  std::vector<Line> lines;
   const auto add = [&](const std::string& text, const TextStyle& style) {
     const int width = lines.empty() ? std::min(room, scale.room - narrower) : room;
-    if (!text.empty()) lines.push_back(type.draw(text, style, width));
+    if (!text.empty()) lines.push_back({type.draw(text, style, width), 0});
   };
-  add(scene.title,
-      {.size = scale.size(kTitleSize, kSmallestTitle), .bold = true, .colour = kWhite});
-  add(scene.caption, {.size = captionSize, .colour = kWhite, .opacity = 0.92});
-  add(settingsText(scene), {.size = scale.size(kSettingsSize, kSmallestSettings), .colour = kGrey});
+  const double halo = scale.halo();
+  add(scene.title, {.size = scale.size(kTitleSize, kSmallestTitle),
+                    .bold = true,
+                    .colour = kWhite,
+                    .halo = halo});
+  add(scene.caption, {.size = captionSize, .colour = kWhite, .opacity = 0.95, .halo = halo});
+  add(settingsText(scene),
+      {.size = scale.size(kSettingsSize, kSmallestSettings), .colour = kGrey, .halo = halo});
 
   const int gap = static_cast<int>(std::lround(0.45 * captionSize));
   int bottom = scale.height - scale.margin;
   for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
-    line->x = scale.margin;
-    line->y = bottom - line->height;
-    bottom = line->y - gap;
+    line->top = bottom - static_cast<int>(boxOf(line->words, Point(0, 0)).height);
+    bottom = line->top - gap;
   }
   return lines;
 }
@@ -146,18 +155,18 @@ struct Words::Parts {
         type(Typesetter::of(asked.overlay.font)) {
     const bool below = shows(scene, scene::Overlay::Clock) && place == ClockPlace::Bottom;
     if (shows(scene, scene::Overlay::Clock)) clock = clockBox();
-    std::vector<Layer> lines;
+    std::vector<Line> lines;
     if (shows(scene, scene::Overlay::Caption)) {
       const int narrower = below ? static_cast<int>(clock.width) + scale.margin : 0;
       lines = captionLines(type, scene, narrower);
     }
     if (below) {
       clock.x = scale.width - scale.margin - clock.width;
-      clock.y = lines.empty() ? scale.height - scale.margin - clock.height : lines.front().y;
+      clock.y = lines.empty() ? scale.height - scale.margin - clock.height : lines.front().top;
     }
     if (!lines.empty()) {
-      addShade(lines.front().y);
-      addLines(std::move(lines));
+      addShade(lines.front().top);
+      addLines(lines);
     } else if (below) {
       addShade(static_cast<int>(clock.y));
     }
@@ -171,12 +180,9 @@ struct Words::Parts {
     ground = shade(scale.width, scale.height - shadeTop, shadeTop);
   }
 
-  void addLines(std::vector<Layer> lines) {
+  void addLines(const std::vector<Line>& lines) {
     Canvas canvas(scale.width, scale.height);
-    for (Layer& line : lines) {
-      const Point corner(std::exchange(line.x, 0), std::exchange(line.y, 0));
-      canvas.write(line, corner);
-    }
+    for (const Line& line : lines) canvas.write(line.words, {1.0 * scale.margin, 1.0 * line.top});
     plate = canvas.take();
   }
 

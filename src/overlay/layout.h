@@ -11,10 +11,9 @@ namespace rotatebook::overlay {
 /// What needs a place.
 struct Wanted {
   bool polhode = false;
-  int charts = 0;          ///< Strip charts, one above the other or side by side.
-  bool springs = false;    ///< The legend of the springs' colours.
-  double topLeftRows = 0;  ///< Rows that words take at the top left. [pixels]
-  int bottomRows = 0;      ///< Rows that words take at the bottom. [pixels]
+  int charts = 0;        ///< Strip charts, one above the other or side by side.
+  bool springs = false;  ///< The legend of the springs' colours.
+  int bottomRows = 0;    ///< Rows that words take at the bottom. [pixels]
 };
 
 /// Boxes that don't meet, within the picture's margins; empty where nothing is wanted. [pixels]

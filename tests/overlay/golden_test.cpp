@@ -15,9 +15,9 @@
 namespace rotatebook::overlay {
 namespace {
 
-// Letters and lines of other versions of the libraries differ in their edges. Of these pictures it
-// is 14 pixels; the twin that differs least does in 25, that of the chart of the energy.
-constexpr image::Tolerance kOtherLibraries{.largest = 24, .failPercent = 0.025};
+// Letters and lines of other versions of the libraries differ in their edges. That many are 29 or
+// 38 pixels of these pictures; the twin that differs least does in 63, that of the momentum.
+constexpr image::Tolerance kOtherLibraries{.largest = 24, .failPercent = 0.05};
 
 // Where insets are larger than on a wide picture of as many pixels.
 constexpr const char* kPortrait = "clip.size=[240, 320]";

@@ -11,8 +11,7 @@ namespace rotatebook::overlay {
 namespace {
 
 Wanted everything(int bottomRows) {
-  return {
-      .polhode = true, .charts = 2, .springs = true, .topLeftRows = 0, .bottomRows = bottomRows};
+  return {.polhode = true, .charts = 2, .springs = true, .bottomRows = bottomRows};
 }
 
 std::vector<Box> boxesOf(const Layout& layout) {

@@ -82,6 +82,18 @@ TEST(Marks, AreOfThisMotion) {
   }
 }
 
+TEST(Marks, HaveAGhostThatNoIntegratorMoves) {
+  const auto shown = [](const char* overlay, const char* integrator) {
+    return drawn(tumbling({kSmall, "overlay.show=['" + std::string(overlay) + "']",
+                           "simulation.integrator='" + std::string(integrator) + "'"}),
+                 120);
+  };
+  EXPECT_EQ(shown("ghost", "rk4"), shown("ghost", "euler"));
+  EXPECT_NE(shown("omega", "rk4"), shown("omega", "euler"));
+  EXPECT_NE(shown("error", "rk4"), shown("error", "euler"));
+  EXPECT_NE(shown("energy", "rk4"), shown("energy", "euler"));
+}
+
 TEST(Marks, LeaveOutWhatTheModelHasNot) {
   scene::Scene scene = tumbling({kSmall});
   scene.simulation.model = physics::Model::Exact;

@@ -21,7 +21,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 # The cover is 187.8 mm x 290.85 mm, the spine 50 mm x 290.85 mm.
 COVER_W, SPINE_W, HEIGHT = 1024, 272, 1586
 PX_PER_MM = HEIGHT / 290.85
-JOINT = 7.0 * PX_PER_MM          # the groove's centre, from the spine edge
+JOINT = 7.6 * PX_PER_MM          # the groove's centre, as in book_profile.cpp
 BOARD = 9.6 * PX_PER_MM          # where the flat of the board begins
 
 CLOTH = (0x82, 0x17, 0x20)
@@ -532,8 +532,8 @@ def worn_edges(width):
 def joint(at):
     """The groove where the board hinges."""
     half = 17
-    defs = fade("joint", [(0, 0), (.22, .12), (.42, .5), (.58, .5),
-                          (.78, .12), (1, 0)])
+    defs = fade("joint", [(0, 0), (.22, .07), (.42, .26), (.58, .26),
+                          (.78, .07), (1, 0)])
     return defs, (f'<rect x="{n(at - half)}" width="{2 * half}" '
                   f'height="{HEIGHT}" fill="url(#joint)"/>')
 
@@ -706,15 +706,15 @@ def paper():
         return state / 0x7fffffff
 
     out = [f'<rect width="{PAPER_SIZE}" height="{PAPER_SIZE}" '
-           'fill="#e9dfc8"/>']
+           'fill="#ded2b8"/>']
     y = 0.0
     while y < PAPER_SIZE:
         pitch = 2.6 + 2.2 * chance()
         dark = chance()
         shade = ("#a98f66" if dark < .72 else "#fffaf0")
-        depth = 0.10 + 0.22 * chance()
+        depth = 0.22 + 0.40 * chance()
         if dark > .96:
-            shade, depth = "#8a7350", 0.26
+            shade, depth = "#7a6442", 0.5
         # A leaf that waves by whole periods joins itself at the sides.
         wave, phase = 0.5 * chance(), 2 * math.pi * chance()
         turns = 1 + int(3 * chance())

@@ -1,16 +1,34 @@
 #version 330 core
-// Cloth with gold stamping, or paper. Radiance is linear; the frame buffer encodes sRGB.
+// Cloth with gold stamping, or paper, in a photographer's studio. Radiance is linear; the frame
+// buffer encodes sRGB.
 in vec2 texturePlace;
-in vec3 arriving;
-in vec3 mirrored;
+centroid in vec3 arriving;
+in vec3 worldPlace;
+centroid in vec3 worldNormal;
+centroid in float seen;
 
 uniform sampler2D albedo;
+uniform vec3 eye;     // World. [m]
 uniform float gloss;  // Strength of the mirrored light: 0 paper, 1 cover.
 
 out vec4 colour;
 
-const float kClothShine = 0.05;
-const float kGoldShine = 0.9;
+const float kClothRoughness = 0.45;
+const float kGoldRoughness = 0.26;
+const float kClothReflectance = 0.04;
+const float kMostGrazing = 0.25;    // Cosine; fibres keep cloth from mirroring more.
+const float kStampDepth = 1.2e-4;  // How deep gold lies in the cloth. [m]
+
+// Two softboxes and a strip behind: direction, radiance, half width and half height as tangents.
+const vec3 kKeyDirection = vec3(0.4767, 0.5720, 0.6674);
+const vec3 kFillDirection = vec3(-0.8452, 0.0528, 0.5317);
+const vec3 kRimDirection = vec3(-0.3487, 0.6475, -0.6774);
+const vec3 kKeyRadiance = vec3(3.3, 3.05, 2.7);
+const vec3 kFillRadiance = vec3(1.1, 1.35, 1.8);
+const vec3 kRimRadiance = vec3(1.3, 1.45, 1.65);
+const vec2 kKeySize = vec2(0.50, 0.40);
+const vec2 kFillSize = vec2(0.22, 0.80);
+const vec2 kRimSize = vec2(1.10, 0.22);
 
 // How far a colour is that of gold: much less blue than green, much green beside the red.
 float goldness(vec3 surface) {
@@ -18,15 +36,89 @@ float goldness(vec3 surface) {
          clamp(6.0 * (0.5 * surface.r - surface.b), 0.0, 1.0);
 }
 
-// Compresses highlights by luminance, so that the cover keeps its hue.
+// The normal of a surface whose height changes from pixel to pixel (Mikkelsen, "Bump Mapping
+// Unparametrized Surfaces on the GPU", 2010).
+vec3 bent(vec3 normal, float height) {
+  vec3 acrossX = dFdx(worldPlace), acrossY = dFdy(worldPlace);
+  vec3 alongX = cross(acrossY, normal), alongY = cross(normal, acrossX);
+  float area = dot(acrossX, alongX);
+  vec3 gradient = sign(area) * (dFdx(height) * alongX + dFdy(height) * alongY);
+  return normalize(abs(area) * normal - gradient);
+}
+
+// How much of a lobe of this width about `mirrored` a softbox fills.
+float shareOf(vec3 mirrored, vec3 direction, vec2 halfSize, float width) {
+  vec3 side = normalize(vec3(direction.z, 0.0, -direction.x));
+  vec3 up = cross(direction, side);
+  float ahead = dot(mirrored, direction);
+  vec2 place = vec2(dot(mirrored, side), dot(mirrored, up)) / max(ahead, 0.05);
+  vec2 inside = clamp((halfSize - abs(place)) / width + 0.5, 0.0, 1.0);
+  // A wide lobe isn't filled by a small box.
+  vec2 most = min(2.0 * halfSize / width, 1.0);
+  return ahead > 0.0 ? inside.x * inside.y * most.x * most.y : 0.0;
+}
+
+// Radiance of the studio, averaged over GGX's lobe, whose width goes with roughness squared.
+vec3 studio(vec3 mirrored, float roughness) {
+  float width = 2.6 * roughness * roughness + 0.02;
+  float height = smoothstep(-0.5 - width, 0.7 + width, mirrored.y);
+  vec3 light = mix(vec3(0.34, 0.30, 0.27), vec3(0.64, 0.66, 0.70), height);
+  light += vec3(0.90, 0.86, 0.80) * smoothstep(0.1, 1.0, mirrored.z);  // The photographer's wall.
+  light += kKeyRadiance * shareOf(mirrored, kKeyDirection, kKeySize, width);
+  light += kFillRadiance * shareOf(mirrored, kFillDirection, kFillSize, width);
+  return light + kRimRadiance * shareOf(mirrored, kRimDirection, kRimSize, width);
+}
+
+// GGX's distribution and visibility, Schlick's Fresnel: the share of the key light that a rough
+// dielectric throws to the eye.
+float keyHighlight(vec3 normal, vec3 toEye, float nv, float roughness) {
+  vec3 halfway = normalize(toEye + kKeyDirection);
+  float nh = max(dot(normal, halfway), 0.0), nl = max(dot(normal, kKeyDirection), 0.0);
+  float vh = max(dot(toEye, halfway), 0.0);
+  float a2 = roughness * roughness * roughness * roughness;
+  float d = nh * nh * (a2 - 1.0) + 1.0;
+  float k = 0.5 * roughness * roughness;
+  float visibility = 0.25 / ((nl * (1.0 - k) + k) * (nv * (1.0 - k) + k));
+  float fresnel = kClothReflectance + (1.0 - kClothReflectance) * pow(1.0 - vh, 5.0);
+  return a2 / (d * d) * visibility * fresnel * nl;
+}
+
+// The part of the studio that is mirrored (Karis, "Physically Based Shading on Mobile", 2014).
+vec3 mirroredShare(vec3 reflectance, float roughness, float nv) {
+  vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
+  float a = min(r.x * r.x, exp2(-9.28 * nv)) * r.x + r.y;
+  vec2 ab = vec2(-1.04, 1.04) * a + r.zw;
+  return reflectance * ab.x + ab.y;
+}
+
+// Khronos' neutral tone curve: base colours stay, highlights are compressed and lose their hue.
 vec3 toneMap(vec3 radiance) {
-  float luminance = dot(radiance, vec3(0.2126, 0.7152, 0.0722));
-  return radiance * (1.0 + 0.06 * luminance) / (1.0 + 0.42 * luminance);
+  const float kStart = 0.8 - 0.04, kDesaturation = 0.15;
+  float least = min(radiance.r, min(radiance.g, radiance.b));
+  radiance -= least < 0.08 ? least - 6.25 * least * least : 0.04;
+  float peak = max(radiance.r, max(radiance.g, radiance.b));
+  if (peak < kStart) return radiance;
+  float room = 1.0 - kStart;
+  float newPeak = 1.0 - room * room / (peak + room - kStart);
+  float grey = 1.0 - 1.0 / (kDesaturation * (peak - newPeak) + 1.0);
+  return mix(radiance * newPeak / peak, vec3(newPeak), grey);
 }
 
 void main() {
   vec3 surface = texture(albedo, texturePlace).rgb;
-  float gold = goldness(surface);
-  vec3 shine = gloss * mix(vec3(kClothShine), kGoldShine * surface, gold);
-  colour = vec4(toneMap(surface * arriving + shine * mirrored), 1.0);
+  vec3 radiance = surface * arriving;
+  if (gloss > 0.0) {
+    float gold = goldness(surface);
+    vec3 toEye = normalize(eye - worldPlace);
+    vec3 normal = bent(normalize(worldNormal), -kStampDepth * gold);
+    // At an edge the pixel's middle lies beyond it, where the normal turns away from the eye.
+    float nv = clamp(dot(normal, toEye), kMostGrazing, 1.0);
+    float roughness = mix(kClothRoughness, kGoldRoughness, gold);
+    vec3 reflectance = mix(vec3(kClothReflectance), surface, gold);
+    vec3 mirrored = reflect(-toEye, normal);
+    vec3 shine = studio(mirrored, roughness) * mirroredShare(reflectance, roughness, nv);
+    shine += (1.0 - gold) * 0.9 * keyHighlight(normal, toEye, nv, kClothRoughness);
+    radiance = (1.0 - 0.65 * gold) * radiance + gloss * seen * shine;
+  }
+  colour = vec4(toneMap(radiance), 1.0);
 }

@@ -1,9 +1,8 @@
 #version 330 core
-// Maps the unit cube into the book's eight corners, deformed or not, and lights it: a warm key, a
-// cool fill and a rim light. Faces are flat or nearly so, which makes light by the vertex as good as
-// by the pixel, and far cheaper.
+// Maps the unit cube into the book's eight corners, deformed or not, and gathers the light that
+// matt surfaces scatter, which changes so slowly that the vertices are enough.
 layout(location = 0) in vec3 unitPlace;   // Spine to fore edge, foot to head, back to front.
-layout(location = 1) in vec3 unitNormal;  // Along one axis of the same cube.
+layout(location = 1) in vec3 unitNormal;  // A covector of the same cube.
 layout(location = 2) in vec2 textureCoordinates;
 layout(location = 3) in float openness;   // Share of the surroundings that is seen from here.
 
@@ -12,35 +11,28 @@ uniform mat4 clipFromWorld;
 uniform vec3 eye;         // World. [m]
 
 out vec2 texturePlace;
-out vec3 arriving;   // Light that a matt surface scatters. Linear.
-out vec3 mirrored;   // Light that a smooth surface throws back to the eye. Linear.
+centroid out vec3 arriving;     // Irradiance / pi. Linear.
+out vec3 worldPlace;   // [m]
+centroid out vec3 worldNormal;
+centroid out float seen;        // openness
 
-// Directions toward the lights, for a camera about +z: right and above, left, above behind.
+// The studio of book.frag as a matt surface sees it: toward each light, and its irradiance / pi.
 const vec3 kKeyDirection = vec3(0.4767, 0.5720, 0.6674);
 const vec3 kFillDirection = vec3(-0.8452, 0.0528, 0.5317);
 const vec3 kRimDirection = vec3(-0.3487, 0.6475, -0.6774);
-const vec3 kKeyColour = vec3(1.62, 1.52, 1.38);
-const vec3 kFillColour = vec3(0.34, 0.41, 0.52);
-const vec3 kRimColour = vec3(0.70, 0.78, 0.90);
-const vec3 kSky = vec3(0.27, 0.29, 0.33);
-const vec3 kGround = vec3(0.13, 0.12, 0.11);
+const vec3 kKeyColour = vec3(1.02, 0.95, 0.85);
+const vec3 kFillColour = vec3(0.36, 0.42, 0.52);
+const vec3 kRimColour = vec3(0.36, 0.40, 0.46);
+const vec3 kWallColour = vec3(0.30, 0.29, 0.275);  // The lit wall behind the camera.
+const vec3 kSky = vec3(0.28, 0.29, 0.32);
+const vec3 kGround = vec3(0.19, 0.175, 0.165);
 
-vec3 lightOn(vec3 normal) {
+vec3 irradiance(vec3 normal) {
   vec3 light = mix(kGround, kSky, 0.5 + 0.5 * normal.y);
+  light += kWallColour * max(normal.z, 0.0);
   light += kKeyColour * max(dot(normal, kKeyDirection), 0.0);
   light += kFillColour * max(dot(normal, kFillDirection), 0.0);
   return light + kRimColour * max(dot(normal, kRimDirection), 0.0);
-}
-
-float sheen(vec3 normal, vec3 toEye, vec3 toLight, float sharpness) {
-  float cosine = max(dot(normal, normalize(toEye + toLight)), 0.0);
-  return pow(cosine, sharpness) * max(dot(normal, toLight), 0.0);
-}
-
-vec3 reflectionOf(vec3 normal, vec3 toEye) {
-  float grazing = pow(1.0 - max(dot(normal, toEye), 0.0), 4.0);
-  return kKeyColour * sheen(normal, toEye, kKeyDirection, 24.0) +
-         kFillColour * sheen(normal, toEye, kFillDirection, 16.0) + 0.35 * grazing * kRimColour;
 }
 
 void main() {
@@ -49,7 +41,7 @@ void main() {
   vec3 edge00 = mix(corners[0], corners[1], x), edge10 = mix(corners[2], corners[3], x);
   vec3 edge01 = mix(corners[4], corners[5], x), edge11 = mix(corners[6], corners[7], x);
   vec3 back = mix(edge00, edge10, y), front = mix(edge01, edge11, y);
-  vec3 worldPlace = mix(back, front, z);
+  worldPlace = mix(back, front, z);
 
   // Its derivatives along the cube's axes; a normal maps by their cofactors.
   vec3 alongX = mix(mix(corners[1] - corners[0], corners[3] - corners[2], y),
@@ -59,12 +51,12 @@ void main() {
   vec3 normal = normalize(unitNormal.x * cross(alongY, alongZ) +
                           unitNormal.y * cross(alongZ, alongX) +
                           unitNormal.z * cross(alongX, alongY));
-  vec3 toEye = normalize(eye - worldPlace);
   // Of an inside-out book the side that is seen is lit.
-  if (dot(normal, toEye) < 0.0) normal = -normal;
+  if (dot(alongX, cross(alongY, alongZ)) < 0.0) normal = -normal;
 
   texturePlace = textureCoordinates;
-  arriving = lightOn(normal) * openness;
-  mirrored = reflectionOf(normal, toEye) * openness;
+  worldNormal = normal;
+  seen = openness;
+  arriving = irradiance(normal) * openness;
   gl_Position = clipFromWorld * vec4(worldPlace, 1.0);
 }

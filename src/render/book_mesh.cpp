@@ -1,9 +1,15 @@
 #include "render/book_mesh.h"
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
 #include <span>
 #include <utility>
 
 #include <Eigen/Geometry>
+
+#include "render/book_profile.h"
 
 namespace rotatebook::render {
 namespace {
@@ -11,163 +17,228 @@ namespace {
 using Eigen::Vector2f;
 using Eigen::Vector3f;
 
-// Shares of the paper's book, 0.188 x 0.291 x 0.05 m: boards of 3 mm, pages inset 3.5 mm at the
-// fore edge and 4 mm at head and foot.
-constexpr float kBoardThickness = 0.06F;   // of the thickness
-constexpr float kSpineThickness = 0.016F;  // of the width
-constexpr float kForeEdgeInset = 0.019F;   // of the width
-constexpr float kHeadInset = 0.014F;       // of the height
+constexpr BookDimensions kBook;
+constexpr float kRim = 0.004F;  // Texture coordinate from which the insides take the cloth.
+constexpr float kInsideOpenness = 0.32F;     // Where boards and pages meet.
+constexpr float kEdgeOpenness = 0.8F;        // Of the inner side's rim.
+constexpr float kHollow = 3;                 // How much the fore edge curves inward. [mm]
+constexpr float kLeavesPerThickness = 0.5F;  // Repeats of the paper texture across the page block.
+constexpr float kLeavesPerHeight = 4;        // And along it.
+constexpr int kRoundingSteps = 3;
 
-constexpr float kInsideOpenness = 0.45F;  // Where boards and pages meet.
-constexpr float kCoverRim =
-    0.004F;  // Texture coordinate from which edges and insides take the cloth.
-constexpr float kLeavesPerThickness = 1;  // Repeats of the paper texture across the page block.
-constexpr float kLeavesPerLength = 4;     // And along it.
-
-// Enough that a face whose corners leave their plane shows no crease, few enough to be quick.
-constexpr std::array kEven = {0.0F, 0.25F, 0.5F, 0.75F, 1.0F};
-constexpr std::array kEnds = {0.0F, 1.0F};
-constexpr std::array kShadedEnds = {0.0F, 0.1F, 0.9F, 1.0F};
-
-/// A flat rectangle in the unit cube: origin + s * across + t * along, s and t from 0 to 1.
-struct Face {
-  Vector3f origin;
-  Vector3f across;
-  Vector3f along;
-  Vector3f normal;
+/// A point of a side before it goes into the unit cube.
+struct SidePoint {
+  Vector3f place;   // [mm]
+  Vector3f normal;  // of unit length
+  Vector2f texture{0, 0};
+  float openness = 1;
 };
 
-/// A box by its lowest and highest corner.
-struct Box {
-  Vector3f low;
-  Vector3f high;
+/// Where along y the outer side has its points: the flat part, and the roundings at foot and head,
+/// which lie `inset` inward and lean by `lean` toward the end.
+struct Station {
+  float y;      // [mm]
+  float inset;  // [mm]
+  float lean;   // -1 at the foot to 1 at the head
 };
 
-/// Where on a texture a face lies: origin + s * across + t * along.
-struct TexturePatch {
-  Vector2f origin{0.5F, kCoverRim};
-  Vector2f across{0, 0};
-  Vector2f along{0, 0};
-};
+std::vector<Station> outerStations() {
+  constexpr float kFlatSteps = 4;
+  const float r = kBook.edgeRadius;
+  std::vector<Station> half;
+  for (int i = 0; i <= kRoundingSteps; ++i) {
+    const float angle =
+        std::numbers::pi_v<float> / 2 * (1 - static_cast<float>(i) / kRoundingSteps);
+    half.push_back({r * (1 - std::sin(angle)), r * (1 - std::cos(angle)), -std::sin(angle)});
+  }
+  half.push_back({kBook.headInset, 0, 0});
+  std::vector<Station> all = half;
+  for (float i = 1; i < kFlatSteps; ++i) {
+    all.push_back({r + (kBook.height - 2 * r) * i / kFlatSteps, 0, 0});
+  }
+  for (auto station = half.rbegin(); station != half.rend(); ++station) {
+    all.push_back({kBook.height - station->y, station->inset, -station->lean});
+  }
+  return all;
+}
 
 class MeshBuilder {
  public:
-  /// Adds `face` as a grid; `acrossStops` shaded at both ends if `shadeEnds`.
-  void addFace(BookPart part, const Face& face, const TexturePatch& patch,
-               std::span<const float> acrossStops, std::span<const float> alongStops,
-               float openness) {
+  /// Adds the grid of points (i, j), i < rows, j < columns, whose outer side is that from which
+  /// turning from the direction of j to that of i is counter-clockwise; `flipped`: the other one.
+  void addGrid(BookPart part, int rows, int columns, bool flipped,
+               const std::function<SidePoint(int, int)>& at) {
     const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
-    const bool shadeEnds = acrossStops.size() == kShadedEnds.size();
-    for (const float t : alongStops) {
-      for (const float s : acrossStops) {
-        const bool atEnd = shadeEnds && (s == 0 || s == 1);
-        mesh_.vertices.push_back({face.origin + s * face.across + t * face.along, face.normal,
-                                  patch.origin + s * patch.across + t * patch.along,
-                                  atEnd ? kInsideOpenness : openness});
+    for (int i = 0; i < rows; ++i) {
+      for (int j = 0; j < columns; ++j) addVertex(at(i, j));
+    }
+    for (int i = 0; i + 1 < rows; ++i) {
+      for (int j = 0; j + 1 < columns; ++j) {
+        const auto a = first + static_cast<std::uint32_t>(i * columns + j);
+        const auto b = a + 1, c = a + static_cast<std::uint32_t>(columns);
+        addTriangle(part, a, flipped ? c : b, flipped ? b : c);
+        addTriangle(part, c, flipped ? c + 1 : b, flipped ? b : c + 1);
       }
     }
-    addTriangles(part, first, static_cast<std::uint32_t>(acrossStops.size()),
-                 static_cast<std::uint32_t>(alongStops.size()),
-                 face.across.cross(face.along).dot(face.normal) < 0);
   }
 
   BookMesh take() { return std::move(mesh_); }
 
  private:
-  /// Counter-clockwise as seen from outside; `flipped` where across x along points inward.
-  void addTriangles(BookPart part, std::uint32_t first, std::uint32_t columns, std::uint32_t rows,
-                    bool flipped) {
+  void addVertex(const SidePoint& point) {
+    const Vector3f size(kBook.width, kBook.height, kBook.thickness);
+    mesh_.vertices.push_back({point.place.cwiseQuotient(size),
+                              point.normal.cwiseProduct(size).normalized(), point.texture,
+                              point.openness});
+  }
+
+  /// A triangle, unless two of its corners are one point, but for rounding.
+  void addTriangle(BookPart part, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    constexpr float kRounding = 1e-6F;
+    const auto distance = [&](std::uint32_t i, std::uint32_t j) {
+      return (mesh_.vertices[i].place - mesh_.vertices[j].place).norm();
+    };
+    if (std::min({distance(a, b), distance(b, c), distance(c, a)}) < kRounding) return;
     auto& triangles = mesh_.triangles[static_cast<std::size_t>(part)];
-    for (std::uint32_t row = 0; row + 1 < rows; ++row) {
-      for (std::uint32_t column = 0; column + 1 < columns; ++column) {
-        const std::uint32_t a = first + row * columns + column;
-        const std::uint32_t b = a + columns;
-        const std::uint32_t c = flipped ? b : a + 1, d = flipped ? a + 1 : b;
-        triangles.insert(triangles.end(), {a, c, d, d, c, b + 1});
-      }
-    }
+    triangles.insert(triangles.end(), {a, b, c});
   }
 
   BookMesh mesh_;
 };
 
-/// The side of `box` whose outward normal is `sign` along `axis`.
-Face sideOf(const Box& box, int axis, int sign) {
-  const int acrossAxis = axis == 0 ? 2 : 0;
-  const int alongAxis = axis == 1 ? 2 : 1;
-  const Vector3f extent = box.high - box.low;
-  Face face{box.low, Vector3f::Zero(), Vector3f::Zero(), Vector3f::Zero()};
-  if (sign > 0) face.origin[axis] = box.high[axis];
-  face.across[acrossAxis] = extent[acrossAxis];
-  face.along[alongAxis] = extent[alongAxis];
-  face.normal[axis] = static_cast<float>(sign);
-  return face;
+/// Where a point of the cut lies on its part's picture, from left to right.
+float textureAcross(BookPart part, const Vector2f& place) {
+  const float u = part == BookPart::Spine ? place.y() / kBook.thickness : place.x() / kBook.width;
+  return part == BookPart::Back ? 1 - u : u;
 }
 
-/// A board's narrow side.
-void addEdge(MeshBuilder& builder, BookPart part, const Face& face) {
-  const bool wide = face.across.norm() > face.along.norm();
-  builder.addFace(part, face, {}, wide ? std::span<const float>(kEven) : kEnds,
-                  wide ? std::span<const float>(kEnds) : kEven, 1);
+int sizeOf(const std::vector<ProfilePoint>& profile) {
+  return static_cast<int>(profile.size());
 }
 
-/// A cover board: its outside carries the whole picture, edges and inside the cloth at the
-/// picture's rim. Toward the spine it has no edge, the spine's outside lies there.
-void addCover(MeshBuilder& builder, BookPart part, const Box& box, int sign,
-              const TexturePatch& picture) {
-  builder.addFace(part, sideOf(box, 2, sign), picture, kEven, kEven, 1);
-  builder.addFace(part, sideOf(box, 2, -sign), {}, kEnds, kEnds, kInsideOpenness);
-  addEdge(builder, part, sideOf(box, 0, 1));
-  addEdge(builder, part, sideOf(box, 1, -1));
-  addEdge(builder, part, sideOf(box, 1, 1));
+Vector3f inSpace(const Vector2f& place, float y) {
+  return {place.x(), y, place.y()};
 }
 
-/// The spine, with edges only between the covers: no two faces may share a place, where which one
-/// shows would be up to rounding.
-void addSpine(MeshBuilder& builder, const TexturePatch& picture) {
-  const Box whole{{0, 0, 0}, {kSpineThickness, 1, 1}};
-  const Box between{{0, 0, kBoardThickness}, {kSpineThickness, 1, 1 - kBoardThickness}};
-  builder.addFace(BookPart::Spine, sideOf(whole, 0, -1), picture, kEven, kEven, 1);
-  builder.addFace(BookPart::Spine, sideOf(between, 0, 1), {}, kEnds, kEnds, kInsideOpenness);
-  addEdge(builder, BookPart::Spine, sideOf(between, 1, -1));
-  addEdge(builder, BookPart::Spine, sideOf(between, 1, 1));
+void addOuterSide(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile) {
+  const std::vector<Station> stations = outerStations();
+  builder.addGrid(part, sizeOf(profile), static_cast<int>(stations.size()), false,
+                  [&](int i, int j) -> SidePoint {
+                    const ProfilePoint& point = profile[static_cast<std::size_t>(i)];
+                    const Station& station = stations[static_cast<std::size_t>(j)];
+                    const Vector2f place =
+                        point.outside - (point.sharp ? 0 : station.inset) * point.normal;
+                    const float flat = std::sqrt(1 - station.lean * station.lean);
+                    return {inSpace(place, station.y),
+                            inSpace(flat * point.normal, station.lean),
+                            {textureAcross(part, point.outside), station.y / kBook.height},
+                            point.openness};
+                  });
 }
 
-/// One of the three open sides of the page block.
-void addPageSide(MeshBuilder& builder, const Box& box, int axis, int sign) {
-  const Face face = sideOf(box, axis, sign);
-  const bool foreEdge = axis == 0;
-  TexturePatch patch{{0, 0}, {0, kLeavesPerThickness}, {kLeavesPerLength, 0}};
-  if (!foreEdge) patch = {{0, 0}, {kLeavesPerLength, 0}, {0, kLeavesPerThickness}};
-  if (foreEdge) {
-    builder.addFace(BookPart::Pages, face, patch, kShadedEnds, kEven, 1);
-    return;
-  }
-  // Across must be the direction between the boards, whose ends are shaded.
-  const Face turned{face.origin, face.along, face.across, face.normal};
-  const TexturePatch turnedPatch{patch.origin, patch.along, patch.across};
-  builder.addFace(BookPart::Pages, turned, turnedPatch, kShadedEnds, kEven, 1);
+/// The narrow side at the foot or the head, between the outer and the inner side.
+void addEnd(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile,
+            bool head) {
+  const float y = head ? kBook.height : 0;
+  builder.addGrid(part, sizeOf(profile), 2, head, [&](int i, int j) -> SidePoint {
+    const ProfilePoint& point = profile[static_cast<std::size_t>(i)];
+    const Vector2f rounded = point.outside - (point.sharp ? 0 : kBook.edgeRadius) * point.normal;
+    return {inSpace(j == 1 ? rounded : point.inside, y),
+            {0, head ? 1.0F : -1.0F, 0},
+            {textureAcross(part, point.outside), head ? 1 - kRim : kRim}};
+  });
 }
 
-void addPageBlock(MeshBuilder& builder) {
-  const Box pages{{kSpineThickness, kHeadInset, kBoardThickness},
-                  {1 - kForeEdgeInset, 1 - kHeadInset, 1 - kBoardThickness}};
-  addPageSide(builder, pages, 0, 1);
-  addPageSide(builder, pages, 1, 1);
-  addPageSide(builder, pages, 1, -1);
+/// The inner side, of which the rim beyond the leaves is seen.
+void addInnerSide(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile) {
+  const std::vector<Station> stations = outerStations();
+  const float leaves = kBook.width - kBook.foreEdgeInset;
+  builder.addGrid(part, sizeOf(profile), static_cast<int>(stations.size()), true,
+                  [&](int i, int j) -> SidePoint {
+                    const ProfilePoint& point = profile[static_cast<std::size_t>(i)];
+                    const float y = stations[static_cast<std::size_t>(j)].y;
+                    const bool atRim = y < kBook.headInset || y > kBook.height - kBook.headInset ||
+                                       point.inside.x() > leaves;
+                    const float sign = point.inside.y() > kBook.thickness / 2 ? -1.0F : 1.0F;
+                    const bool spine = part == BookPart::Spine;
+                    return {inSpace(point.inside, y),
+                            spine ? Vector3f(1, 0, 0) : Vector3f(0, 0, sign),
+                            {0.5F, kRim},
+                            atRim ? kEdgeOpenness : kInsideOpenness};
+                  });
+}
+
+void addCase(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile) {
+  addOuterSide(builder, part, profile);
+  addInnerSide(builder, part, profile);
+  addEnd(builder, part, profile, false);
+  addEnd(builder, part, profile, true);
+}
+
+// Shares of the page block's thickness; next to the boards it is dark.
+constexpr std::array kAcrossLeaves = {0.0F, 0.04F, 0.12F, 0.3F, 0.5F, 0.7F, 0.88F, 0.96F, 1.0F};
+
+float opennessAcross(std::size_t i) {
+  const std::size_t fromEnd = std::min(i, kAcrossLeaves.size() - 1 - i);
+  if (fromEnd == 0) return kInsideOpenness;
+  return fromEnd == 1 ? 0.7F : 1;
+}
+
+float acrossPlace(std::size_t i) {
+  return kBook.board + kAcrossLeaves[i] * (kBook.thickness - 2 * kBook.board);
+}
+
+/// Where the leaves end at this share of the thickness. [mm]
+float foreEdge(float share) {
+  const float fromMiddle = 2 * share - 1;
+  return kBook.width - kBook.foreEdgeInset - kHollow * (1 - fromMiddle * fromMiddle);
+}
+
+void addForeEdge(MeshBuilder& builder) {
+  constexpr std::array kAlong = {0.0F, 0.03F, 0.25F, 0.5F, 0.75F, 0.97F, 1.0F};
+  builder.addGrid(
+      BookPart::Pages, static_cast<int>(kAcrossLeaves.size()), static_cast<int>(kAlong.size()),
+      false, [&](int row, int column) -> SidePoint {
+        const auto i = static_cast<std::size_t>(row);
+        const float share = kAcrossLeaves[i], along = kAlong[static_cast<std::size_t>(column)];
+        const float slope = 4 * kHollow * (2 * share - 1) / (kBook.thickness - 2 * kBook.board);
+        const float y = kBook.headInset + along * (kBook.height - 2 * kBook.headInset);
+        return {{foreEdge(share), y, acrossPlace(i)},
+                Vector3f(1, 0, -slope).normalized(),
+                {kLeavesPerHeight * along, kLeavesPerThickness * share},
+                opennessAcross(i)};
+      });
+}
+
+/// The leaves at the foot or the head, from within the spine to the fore edge.
+void addLeafEnds(MeshBuilder& builder, bool head) {
+  constexpr std::array kAlong = {0.0F, 0.05F, 0.3F, 0.6F, 0.97F, 1.0F};
+  const float y = head ? kBook.height - kBook.headInset : kBook.headInset;
+  builder.addGrid(
+      BookPart::Pages, static_cast<int>(kAlong.size()), static_cast<int>(kAcrossLeaves.size()),
+      !head, [&](int row, int column) -> SidePoint {
+        const auto i = static_cast<std::size_t>(column);
+        const float along = kAlong[static_cast<std::size_t>(row)];
+        const float x = kBook.board + along * (foreEdge(kAcrossLeaves[i]) - kBook.board);
+        const float nearSpine = row == 0 ? kInsideOpenness : 1;
+        return {{x, y, acrossPlace(i)},
+                {0, head ? 1.0F : -1.0F, 0},
+                {kLeavesPerHeight * along * kBook.width / kBook.height,
+                 kLeavesPerThickness * kAcrossLeaves[i]},
+                nearSpine * opennessAcross(i)};
+      });
 }
 
 }  // namespace
 
 BookMesh makeBookMesh() {
   MeshBuilder builder;
-  const Box front{{0, 0, 1 - kBoardThickness}, {1, 1, 1}};
-  const Box back{{0, 0, 0}, {1, 1, kBoardThickness}};
-  addCover(builder, BookPart::Front, front, 1, {{0, 0}, {1, 0}, {0, 1}});
-  // Seen from behind the spine is on the right, seen from the spine the front cover is.
-  addCover(builder, BookPart::Back, back, -1, {{1, 0}, {-1, 0}, {0, 1}});
-  addSpine(builder, {{0, 0}, {1, 0}, {0, 1}});
-  addPageBlock(builder);
+  addCase(builder, BookPart::Front, frontProfile(kBook));
+  addCase(builder, BookPart::Spine, spineProfile(kBook));
+  addCase(builder, BookPart::Back, backProfile(kBook));
+  addForeEdge(builder);
+  addLeafEnds(builder, false);
+  addLeafEnds(builder, true);
   return builder.take();
 }
 

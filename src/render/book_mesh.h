@@ -18,7 +18,9 @@ inline constexpr std::size_t kBookPartCount = 4;
 struct BookVertex {
   Eigen::Vector3f
       place;  ///< In the unit cube: spine to fore edge, foot to head, back to front cover.
-  Eigen::Vector3f normal;   ///< Outward, in the same coordinates: +-1 along one axis.
+  /// Outward, as a covector of the cube: the cofactors of the map to the world make the world's
+  /// normal of it. Of unit length.
+  Eigen::Vector3f normal;
   Eigen::Vector2f texture;  ///< Texture coordinates, v upward.
   float openness = 1;       ///< Share of the surroundings that lights this place. [0 to 1]
 };
@@ -30,8 +32,9 @@ struct BookMesh {
       triangles;  ///< Vertex indices, three a triangle, by BookPart.
 };
 
-/// A hardback: two boards and a spine that overlap a page block. Faces are grids, so that a face
-/// whose corners leave their plane is still textured without a crease.
+/// A hardback with a rounded spine, hinges, and boards with rounded edges that overlap a page block
+/// with a hollow fore edge. Sides are grids, so that one whose corners leave their plane is still
+/// textured without a crease.
 BookMesh makeBookMesh();
 
 }  // namespace rotatebook::render

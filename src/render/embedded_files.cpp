@@ -5,7 +5,8 @@
   extern "C" const char embedded_##symbol##_begin[], embedded_##symbol##_end[]
 
 ROTATEBOOK_EMBEDDED(whole_picture_vert);
-ROTATEBOOK_EMBEDDED(background_frag);
+ROTATEBOOK_EMBEDDED(studio_frag);
+ROTATEBOOK_EMBEDDED(stars_frag);
 ROTATEBOOK_EMBEDDED(backdrop_frag);
 ROTATEBOOK_EMBEDDED(book_vert);
 ROTATEBOOK_EMBEDDED(book_frag);
@@ -33,8 +34,11 @@ std::string_view wholePictureVertexShader() {
 std::string_view backdropFragmentShader() {
   return text(embedded_backdrop_frag_begin, embedded_backdrop_frag_end);
 }
-std::string_view backgroundFragmentShader() {
-  return text(embedded_background_frag_begin, embedded_background_frag_end);
+std::string_view studioFragmentShader() {
+  return text(embedded_studio_frag_begin, embedded_studio_frag_end);
+}
+std::string_view starsFragmentShader() {
+  return text(embedded_stars_frag_begin, embedded_stars_frag_end);
 }
 std::string_view bookVertexShader() {
   return text(embedded_book_vert_begin, embedded_book_vert_end);

@@ -9,7 +9,8 @@ namespace rotatebook::render {
 
 /// GLSL sources, from shaders/.
 std::string_view wholePictureVertexShader();
-std::string_view backgroundFragmentShader();
+std::string_view studioFragmentShader();
+std::string_view starsFragmentShader();
 std::string_view backdropFragmentShader();
 std::string_view bookVertexShader();
 std::string_view bookFragmentShader();

@@ -10,23 +10,22 @@ namespace rotatebook::render {
 /// An off-screen sRGB frame buffer whose first row is the picture's top (see Projection).
 class FrameTarget {
  public:
-  /// Throws InputError if the size is over the driver's limit, MachineError if `samples` are not to
-  /// be had.
-  FrameTarget(int width, int height, int samples);
+  /// Draws `supersample` (1 or 2) times as wide and high as the picture. Throws InputError if that
+  /// is over the driver's limit, MachineError if `samples` are not to be had.
+  FrameTarget(int width, int height, int samples, int supersample);
 
   /// Directs drawing to the pixels of `area`, whose colour and depth are to be overwritten first.
   void begin(const PixelRect& area);
-  /// Resolves `area` and copies it to the same place of `picture` (Rgba8, this target's size).
+  /// Resolves `area`, mixing in linear light, and copies it to the same place of `picture` (Rgba8,
+  /// of the width and height given).
   void readBack(const PixelRect& area, image::Image& picture);
-
-  int width() const { return width_; }
-  int height() const { return height_; }
 
  private:
   int width_;
   int height_;
-  GlRenderbuffer sampledColour_, sampledDepth_, resolvedColour_;
-  GlFramebuffer sampled_, resolved_;
+  int supersample_;
+  GlRenderbuffer sampledColour_, sampledDepth_, resolvedColour_, pictureColour_;
+  GlFramebuffer sampled_, resolved_, picture_;  // `picture_` only where it differs in size
 };
 
 }  // namespace rotatebook::render

@@ -1,22 +1,16 @@
 #include "render/renderer.h"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
 #include <optional>
-#include <vector>
-
-#include <Eigen/LU>
 
 #include "base/error.h"
 #include "image/png_file.h"
 #include "render/blank_area.h"
-#include "render/book_mesh.h"
+#include "render/book_geometry.h"
 #include "render/egl_context.h"
 #include "render/embedded_files.h"
 #include "render/frame_target.h"
 #include "render/shader_program.h"
+#include "render/straight_alpha.h"
 #include "render/texture.h"
 
 namespace rotatebook::render {
@@ -24,87 +18,6 @@ namespace {
 
 constexpr float kClothGloss = 1;
 constexpr float kPaperGloss = 0;
-
-/// Which vertex attribute is which, as book.vert numbers them.
-void describeVertex() {
-  const auto attribute = [](GLuint index, GLint size, std::size_t offset) {
-    glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, sizeof(BookVertex),
-                          reinterpret_cast<const void*>(offset));
-  };
-  attribute(0, 3, offsetof(BookVertex, place));
-  attribute(1, 3, offsetof(BookVertex, normal));
-  attribute(2, 2, offsetof(BookVertex, texture));
-  attribute(3, 1, offsetof(BookVertex, openness));
-}
-
-/// The mesh on the graphics side.
-class BookGeometry {
- public:
-  BookGeometry() {
-    const BookMesh mesh = makeBookMesh();
-    std::vector<std::uint32_t> indices;
-    for (std::size_t part = 0; part < kBookPartCount; ++part) {
-      starts_[part] = indices.size();
-      indices.insert(indices.end(), mesh.triangles[part].begin(), mesh.triangles[part].end());
-    }
-    starts_[kBookPartCount] = indices.size();
-    glBindVertexArray(array_.name());
-    upload(GL_ARRAY_BUFFER, vertices_, mesh.vertices);
-    upload(GL_ELEMENT_ARRAY_BUFFER, indices_, indices);
-    describeVertex();
-  }
-
-  void bind() const { glBindVertexArray(array_.name()); }
-
-  void draw(BookPart part) const {
-    const auto index = static_cast<std::size_t>(part);
-    const std::size_t start = starts_[index], count = starts_[index + 1] - start;
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(start * sizeof(std::uint32_t)));
-  }
-
- private:
-  template <typename Element>
-  static void upload(GLenum target, const GlBuffer& buffer, const std::vector<Element>& elements) {
-    glBindBuffer(target, buffer.name());
-    glBufferData(target, static_cast<GLsizeiptr>(elements.size() * sizeof(Element)),
-                 elements.data(), GL_STATIC_DRAW);
-  }
-
-  GlVertexArray array_;
-  GlBuffer vertices_, indices_;
-  std::array<std::size_t, kBookPartCount + 1> starts_{};
-};
-
-/// Signed volume at each corner of the map from the unit cube, as a share of the largest. Negative:
-/// inside out.
-Eigen::Array<double, 8, 1> cornerVolumes(const physics::Corners& corners) {
-  Eigen::Array<double, 8, 1> volumes;
-  for (int i = 0; i < 8; ++i) {
-    Eigen::Matrix3d edges;
-    for (int axis = 0; axis < 3; ++axis) {
-      const int other = i ^ (1 << axis);
-      const double sign = (i & (1 << axis)) != 0 ? 1 : -1;
-      edges.col(axis) = sign * (corners.col(i) - corners.col(other));
-    }
-    volumes[i] = edges.determinant();
-  }
-  return volumes / std::max(volumes.abs().maxCoeff(), std::numeric_limits<double>::min());
-}
-
-/// Spares the sides that look away from the eye, unless the book is so deformed that any may be
-/// seen.
-void hideInnerSides(const physics::Corners& corners) {
-  constexpr double kClearlyOneWay = 0.2;
-  const Eigen::Array<double, 8, 1> volumes = cornerVolumes(corners);
-  const bool rightWayOut = volumes.minCoeff() > kClearlyOneWay;
-  const bool insideOut = volumes.maxCoeff() < -kClearlyOneWay;
-  if (!rightWayOut && !insideOut) return glDisable(GL_CULL_FACE);
-  glEnable(GL_CULL_FACE);
-  glFrontFace(rightWayOut ? GL_CW
-                          : GL_CCW);  // Clip y points down, which turns every triangle round.
-}
 
 void requireNoGlError(const char* when) {
   const GLenum error = glGetError();
@@ -127,8 +40,7 @@ image::Image builtinBack() {
 struct Renderer::Parts {
   Parts(const RenderSettings& renderSettings, const BookTextures& textures)
       : settings(renderSettings),
-        target(settings.width, settings.height, settings.samples),
-        backgroundProgram("background", wholePictureVertexShader(), backgroundFragmentShader()),
+        target(settings.width, settings.height, settings.samples, settings.supersample),
         backdropProgram("backdrop", wholePictureVertexShader(), backdropFragmentShader()),
         bookProgram("book", bookVertexShader(), bookFragmentShader()),
         front(textures.front.view(), TextureWrap::Clamp),
@@ -136,15 +48,23 @@ struct Renderer::Parts {
         back(textures.back.view(), TextureWrap::Clamp),
         paper(image::decodePng(paperPng(), "built-in paper").view(), TextureWrap::Repeat),
         background(settings.width, settings.height, image::PixelFormat::Rgba8) {
-    const PixelRect everything{0, 0, settings.width, settings.height};
-    target.begin(everything);
-    backgroundProgram.use();
-    const Eigen::Vector2i size(settings.width, settings.height);
-    backgroundProgram.set("pictureSize", Eigen::Vector2f(size.cast<float>()));
-    coverPicture();
-    target.readBack(everything, background);
+    if (settings.background != Background::Transparent) drawBackground();
     backdrop.emplace(background.view());
     requireNoGlError("while setting up");
+  }
+
+  void drawBackground() {
+    const bool studio = settings.background == Background::Studio;
+    const ShaderProgram program(studio ? "studio" : "stars", wholePictureVertexShader(),
+                                studio ? studioFragmentShader() : starsFragmentShader());
+    const PixelRect everything{0, 0, settings.width, settings.height};
+    target.begin(everything);
+    program.use();
+    const Eigen::Vector2i size(settings.width, settings.height);
+    program.set("pictureSize", Eigen::Vector2f(size.cast<float>()));
+    program.set("supersample", settings.supersample);
+    coverPicture();
+    target.readBack(everything, background);
   }
 
   /// Draws over the whole picture, infinitely far away, with the program in use, whose colours are
@@ -162,6 +82,7 @@ struct Renderer::Parts {
 
   void drawBackdrop() const {
     backdropProgram.use();
+    backdropProgram.set("supersample", settings.supersample);
     backdrop->bind();
     coverPicture();
   }
@@ -189,7 +110,7 @@ struct Renderer::Parts {
   RenderSettings settings;
   EglContext context;  // First made, last destroyed of all that needs it.
   FrameTarget target;
-  ShaderProgram backgroundProgram, backdropProgram, bookProgram;
+  ShaderProgram backdropProgram, bookProgram;
   BookGeometry geometry;
   GlVertexArray noVertices;
   Texture front, spine, back, paper;
@@ -218,6 +139,7 @@ void Renderer::draw(const physics::Corners& corners, image::Image& picture) {
     parts_->drawBackdrop();
     parts_->drawBook(corners, projection);
     parts_->target.readBack(area, picture);
+    if (settings.background == Background::Transparent) makeAlphaStraight(picture, area);
   }
   requireNoGlError("while drawing a frame");
   if (isBlank(picture, area)) {

@@ -10,11 +10,21 @@
 
 namespace rotatebook::render {
 
+/// What is seen behind the book.
+enum class Background {
+  Studio,       ///< A quiet, dark wall, brightest behind the book.
+  Stars,        ///< A night sky.
+  Transparent,  ///< Nothing: alpha is the share of each pixel that the book covers.
+};
+
 /// How pictures are drawn.
 struct RenderSettings {
   int width = 1280;  ///< > 0 [pixels]
   int height = 720;  ///< > 0 [pixels]
-  int samples = 4;   ///< Of each pixel's colour, for smooth edges.
+  int samples = 4;   ///< Of each pixel's edges, for smooth ones.
+  /// Draws so many times as wide and high and takes the mean, of light, of as many pixels: 1 or 2.
+  int supersample = 1;
+  Background background = Background::Studio;
   /// What the camera sees is shown above so many rows, which are left to others. 0 to below
   /// `height`. [pixels]
   int bottomRows = 0;
@@ -46,6 +56,7 @@ class Renderer {
   image::Image makePicture() const;
 
   /// Draws the book whose corners (world) these are, over all of `picture` (from makePicture()).
+  /// Alpha is straight, and 255 throughout unless the background is transparent.
   /// Throws MachineError if OpenGL reports an error or the frame comes out blank.
   void draw(const physics::Corners& corners, image::Image& picture);
 

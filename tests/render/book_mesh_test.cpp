@@ -1,7 +1,9 @@
 #include "render/book_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <set>
 #include <vector>
 
 #include <Eigen/Geometry>
@@ -21,9 +23,11 @@ void forEachTriangle(const BookMesh& mesh, std::size_t part, const Check& check)
   }
 }
 
-bool hasVertexAt(const BookMesh& mesh, const Eigen::Vector3f& place) {
-  return std::any_of(mesh.vertices.begin(), mesh.vertices.end(),
-                     [&](const BookVertex& vertex) { return vertex.place == place; });
+const Eigen::Vector3f kBookSize(187.8F, 290.85F, 50);  // mm
+
+/// The normal in space of a covector of the unit cube, which is `perLength` [1/mm] along the axes.
+Eigen::Vector3f worldNormal(const Eigen::Vector3f& covector, const Eigen::Vector3f& perLength) {
+  return covector.cwiseProduct(perLength).normalized();
 }
 
 TEST(BookMesh, HasTrianglesInEachPart) {
@@ -37,40 +41,39 @@ TEST(BookMesh, LiesInTheUnitCube) {
   }
 }
 
-TEST(BookMesh, ReachesTheEightCorners) {
-  const BookMesh mesh = makeBookMesh();
-  for (int i = 0; i < 8; ++i) {
-    const Eigen::Vector3i place(i & 1, i >> 1 & 1, i >> 2 & 1);
-    EXPECT_TRUE(hasVertexAt(mesh, place.cast<float>())) << "corner " << i;
+// So that it's as large as its corners say.
+TEST(BookMesh, TouchesEachSideOfTheCube) {
+  Eigen::Vector3f low(1, 1, 1), high(0, 0, 0);
+  for (const BookVertex& vertex : makeBookMesh().vertices) {
+    low = low.cwiseMin(vertex.place);
+    high = high.cwiseMax(vertex.place);
   }
+  constexpr float kBound = 1e-6F;  // measured 0, 6e-8
+  EXPECT_LT(low.maxCoeff(), kBound);
+  EXPECT_GT(high.minCoeff(), 1 - kBound);
 }
 
 TEST(BookMesh, HasTrianglesCounterClockwiseFromOutside) {
+  // Where the rounding of the rim runs out a triangle is twisted. measured 0.16
+  constexpr float kLeastCosine = 0.1F;
   const BookMesh mesh = makeBookMesh();
+  const Eigen::Vector3f perLength = kBookSize.cwiseInverse();
   for (std::size_t part = 0; part < kBookPartCount; ++part) {
     forEachTriangle(mesh, part, [&](const BookVertex& a, const BookVertex& b, const BookVertex& c) {
-      const Eigen::Vector3f across = (b.place - a.place).cross(c.place - a.place);
-      EXPECT_GT(across.dot(a.normal), 0) << "part " << part;
-      EXPECT_NEAR(across.normalized().dot(a.normal), 1, 1e-6) << "part " << part;
-      EXPECT_EQ(a.normal, b.normal);
-      EXPECT_EQ(a.normal, c.normal);
+      const Eigen::Vector3f across =
+          worldNormal((b.place - a.place).cross(c.place - a.place), perLength);
+      Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+      for (const BookVertex* vertex : {&a, &b, &c}) mean += worldNormal(vertex->normal, perLength);
+      EXPECT_GT(across.dot(mean.normalized()), kLeastCosine)
+          << "part " << part << " at " << a.place.transpose();
     });
   }
 }
 
-// Normals are outward: no vertex of a cover board lies in front of one of its outer sides.
-TEST(BookMesh, HasOutwardNormalsOnTheCubesSides) {
+TEST(BookMesh, HasNormalsOfUnitLength) {
+  constexpr float kBound = 1e-6F;  // measured 1.2e-7
   for (const BookVertex& vertex : makeBookMesh().vertices) {
-    EXPECT_EQ(vertex.normal.lpNorm<1>(), 1);
-    for (int axis = 0; axis < 3; ++axis) {
-      if (vertex.normal[axis] == 0) continue;
-      if (vertex.place[axis] == 0) {
-        EXPECT_EQ(vertex.normal[axis], -1);
-      }
-      if (vertex.place[axis] == 1) {
-        EXPECT_EQ(vertex.normal[axis], 1);
-      }
-    }
+    EXPECT_NEAR(vertex.normal.norm(), 1, kBound);
   }
 }
 
@@ -95,23 +98,54 @@ float areaOnSide(const BookMesh& mesh, int axis, int sign) {
   return area;
 }
 
-TEST(BookMesh, CoversFrontBackAndSpineWhole) {
+// But for hinges and roundings, which lie within the cube.
+TEST(BookMesh, CoversFrontAndBack) {
+  constexpr float kLeast = 0.93F;  // measured 0.936
   const BookMesh mesh = makeBookMesh();
-  EXPECT_NEAR(areaOnSide(mesh, BookPart::Front, 2, 1), 1, 1e-6);
-  EXPECT_NEAR(areaOnSide(mesh, BookPart::Back, 2, -1), 1, 1e-6);
-  EXPECT_NEAR(areaOnSide(mesh, BookPart::Spine, 0, -1), 1, 1e-6);
+  EXPECT_GT(areaOnSide(mesh, BookPart::Front, 2, 1), kLeast);
+  EXPECT_GT(areaOnSide(mesh, BookPart::Back, 2, -1), kLeast);
+  EXPECT_LE(areaOnSide(mesh, 2, 1), 1);
+  EXPECT_LE(areaOnSide(mesh, 2, -1), 1);
 }
 
 // Which one of two faces in one place is seen would be up to rounding.
-TEST(BookMesh, HasOneFaceInEachPlaceOfTheCubesSides) {
-  constexpr float kBoards = 2 * 0.06F, kSpine = 0.016F;
+TEST(BookMesh, HasNoTriangleTwice) {
   const BookMesh mesh = makeBookMesh();
-  EXPECT_NEAR(areaOnSide(mesh, 2, 1), 1, 1e-6);
-  EXPECT_NEAR(areaOnSide(mesh, 2, -1), 1, 1e-6);
-  EXPECT_NEAR(areaOnSide(mesh, 0, -1), 1, 1e-6);
-  EXPECT_NEAR(areaOnSide(mesh, 0, 1), kBoards, 1e-6);
-  EXPECT_NEAR(areaOnSide(mesh, 1, 1), kBoards + kSpine * (1 - kBoards), 1e-6);
-  EXPECT_NEAR(areaOnSide(mesh, 1, -1), kBoards + kSpine * (1 - kBoards), 1e-6);
+  std::set<std::vector<float>> seen;
+  for (std::size_t part = 0; part < kBookPartCount; ++part) {
+    forEachTriangle(mesh, part, [&](const BookVertex& a, const BookVertex& b, const BookVertex& c) {
+      const Eigen::Vector3f middle = a.place + b.place + c.place;
+      EXPECT_TRUE(seen.insert({middle.x(), middle.y(), middle.z()}).second) << middle.transpose();
+    });
+  }
+}
+
+// Light must not fall through the case: but for the open sides of the page block every edge of its
+// surface has a triangle on either side.
+TEST(BookMesh, HasAClosedCase) {
+  const BookMesh mesh = makeBookMesh();
+  std::map<std::vector<long>, int> edges;
+  const auto count = [&](const BookVertex& from, const BookVertex& to) {
+    const auto key = [](const BookVertex& a) {
+      return std::vector<long>{std::lround(1e5 * a.place.x()), std::lround(1e5 * a.place.y()),
+                               std::lround(1e5 * a.place.z())};
+    };
+    const bool swapped = key(to) < key(from);
+    std::vector<long> edge = key(swapped ? to : from);
+    for (const long number : key(swapped ? from : to)) edge.push_back(number);
+    edges[edge] += swapped ? -1 : 1;
+  };
+  for (const BookPart part : {BookPart::Front, BookPart::Spine, BookPart::Back}) {
+    forEachTriangle(mesh, static_cast<std::size_t>(part),
+                    [&](const BookVertex& a, const BookVertex& b, const BookVertex& c) {
+                      count(a, b);
+                      count(b, c);
+                      count(c, a);
+                    });
+  }
+  int open = 0;
+  for (const auto& [edge, sum] : edges) open += sum != 0 ? 1 : 0;
+  EXPECT_EQ(open, 0) << "of " << edges.size();
 }
 
 TEST(BookMesh, LightsWhatItSeesOfTheSurroundings) {

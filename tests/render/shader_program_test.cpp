@@ -38,7 +38,8 @@ TEST(ShaderProgram, TakesShadersThatFit) {
 
 TEST(ShaderProgram, TakesTheProgramsOwn) {
   EXPECT_EQ(messageOf(bookVertexShader(), bookFragmentShader()), "no error");
-  EXPECT_EQ(messageOf(wholePictureVertexShader(), backgroundFragmentShader()), "no error");
+  EXPECT_EQ(messageOf(wholePictureVertexShader(), studioFragmentShader()), "no error");
+  EXPECT_EQ(messageOf(wholePictureVertexShader(), starsFragmentShader()), "no error");
   EXPECT_EQ(messageOf(wholePictureVertexShader(), backdropFragmentShader()), "no error");
 }
 

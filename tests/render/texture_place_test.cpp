@@ -101,9 +101,10 @@ TEST(TexturePlace, PagesShowOnTheThreeOtherSides) {
     settings.camera.up = {0, 0, 1};
     Renderer renderer(settings, textures);
     const Colour middle = colourAt(drawn(renderer, book()), kSize / 2, kSize / 2);
-    EXPECT_EQ(hueOf(middle), "none") << "from " << side.transpose();
-    EXPECT_GT(middle.green, 60) << "from "
-                                << side.transpose();  // Lit least from below. measured 81
+    // The colour of paper, far from the covers' green; lit least from below. measured 52
+    EXPECT_GE(middle.red, middle.green) << "from " << side.transpose();
+    EXPECT_GE(middle.green, middle.blue) << "from " << side.transpose();
+    EXPECT_GT(middle.blue, 40) << "from " << side.transpose();
   }
 }
 

@@ -3,6 +3,8 @@
 // each frame's book.
 in vec2 place;
 
+uniform int supersample;  // Pixels drawn, across and down, for one of the picture.
+
 out vec4 colour;  // sRGB, written as it is.
 
 const vec3 kMiddle = vec3(0.2196, 0.2353, 0.2588);
@@ -19,5 +21,5 @@ float threshold(int column) {
 void main() {
   float distanceFromMiddle = length(place * vec2(0.62, 0.80) - vec2(0.0, -0.10));
   vec3 wall = mix(kMiddle, kEdge, smoothstep(0.0, 1.35, distanceFromMiddle));
-  colour = vec4(wall + threshold(int(gl_FragCoord.x)) / 255.0, 1.0);
+  colour = vec4(wall + threshold(int(gl_FragCoord.x) / supersample) / 255.0, 1.0);
 }

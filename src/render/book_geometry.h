@@ -1,0 +1,33 @@
+// The book's mesh on the graphics side.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "physics/cuboid.h"
+#include "render/book_mesh.h"
+#include "render/gl_handles.h"
+
+namespace rotatebook::render {
+
+/// The vertices and triangles of makeBookMesh(), uploaded.
+class BookGeometry {
+ public:
+  BookGeometry();
+
+  /// Makes its vertices those that draw() draws.
+  void bind() const { glBindVertexArray(array_.name()); }
+  /// Draws one part with the program in use.
+  void draw(BookPart part) const;
+
+ private:
+  GlVertexArray array_;
+  GlBuffer vertices_, indices_;
+  std::array<std::size_t, kBookPartCount + 1> starts_{};  // of each part among the indices
+};
+
+/// Spares the sides that look away from the eye, unless the book is so deformed that any may be
+/// seen.
+void hideInnerSides(const physics::Corners& corners);
+
+}  // namespace rotatebook::render

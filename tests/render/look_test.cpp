@@ -1,0 +1,166 @@
+// Backgrounds, alpha and supersampling.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "image/comparison.h"
+#include "image/srgb.h"
+#include "render/drawing.h"
+#include "render/straight_alpha.h"
+
+namespace rotatebook::render {
+namespace {
+
+using testing::book;
+using testing::builtinTextures;
+using testing::colourAt;
+using testing::drawn;
+using testing::kX;
+using testing::kY;
+using testing::plain;
+using testing::settingsOf;
+
+constexpr int kWidth = 160, kHeight = 90;
+
+physics::Corners tilted() {
+  return book({{-35, kY}, {20, kX}});
+}
+
+image::Image drawnWith(Background background, int supersample = 1, int scale = 1) {
+  RenderSettings settings = settingsOf(scale * kWidth, scale * kHeight);
+  settings.background = background;
+  settings.supersample = supersample;
+  Renderer renderer(settings, builtinTextures());
+  return drawn(renderer, tilted());
+}
+
+int alphaAt(const image::Image& picture, int x, int y) {
+  return picture.row(y)[4 * x + 3];
+}
+
+// Over the studio, in linear light, a transparent picture is the opaque one.
+TEST(Look, TransparentPicturesLieOverAnyBackground) {
+  constexpr int kBound = 6;  // Dark light has few numbers at low alpha. measured 4
+  const image::Image opaque = drawnWith(Background::Studio);
+  const image::Image clear = drawnWith(Background::Transparent);
+  RenderSettings settings = settingsOf(kWidth, kHeight);
+  Renderer renderer(settings, builtinTextures());
+  const image::Image studio = testing::emptyPicture(renderer);
+  int largest = 0, mixed = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const double share = alphaAt(clear, x, y) / 255.0;
+      mixed += share > 0 && share < 1 ? 1 : 0;
+      for (int i = 0; i < 3; ++i) {
+        const double light = share * image::linearFromSrgb(clear.row(y)[4 * x + i]) +
+                             (1 - share) * image::linearFromSrgb(studio.row(y)[4 * x + i]);
+        const int composed = image::srgbFromLinear(std::min(light, 1.0));
+        largest = std::max(largest, std::abs(composed - opaque.row(y)[4 * x + i]));
+      }
+    }
+  }
+  EXPECT_LE(largest, kBound);
+  EXPECT_GT(mixed, 100);  // measured 190
+}
+
+TEST(Look, TransparentPicturesAreEmptyBesideTheBook) {
+  const image::Image clear = drawnWith(Background::Transparent);
+  EXPECT_EQ(alphaAt(clear, 2, 2), 0);
+  EXPECT_EQ(colourAt(clear, 2, 2), (testing::Colour{0, 0, 0}));
+  EXPECT_EQ(alphaAt(clear, kWidth / 2, kHeight / 2), 255);
+}
+
+TEST(Look, OtherPicturesAreOpaque) {
+  for (const Background background : {Background::Studio, Background::Stars}) {
+    const image::Image picture = drawnWith(background);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) ASSERT_EQ(alphaAt(picture, x, y), 255);
+    }
+  }
+}
+
+TEST(Look, StarsAreFewAndBright) {
+  RenderSettings settings = settingsOf(640, 360);
+  settings.background = Background::Stars;
+  Renderer renderer(settings, builtinTextures());
+  const image::Image sky = testing::emptyPicture(renderer);
+  int bright = 0, dark = 0;
+  for (int y = 0; y < 360; ++y) {
+    for (int x = 0; x < 640; ++x) {
+      const int green = colourAt(sky, x, y).green;
+      bright += green > 100 ? 1 : 0;
+      dark += green < 30 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(bright, 50);                // measured 224
+  EXPECT_GT(dark, 640 * 360 * 9 / 10);  // measured 98 %
+}
+
+// A light in a pixel: mean of four, in linear light.
+testing::Colour meanOfFour(const image::Image& large, int x, int y) {
+  const auto mean = [&](int channel) {
+    double light = 0;
+    for (const int dy : {0, 1}) {
+      for (const int dx : {0, 1}) {
+        light += image::linearFromSrgb(large.row(2 * y + dy)[4 * (2 * x + dx) + channel]) / 4;
+      }
+    }
+    return static_cast<int>(image::srgbFromLinear(light));
+  };
+  return {mean(0), mean(1), mean(2)};
+}
+
+TEST(Look, SupersamplingAveragesTheLightOfFourPixels) {
+  constexpr int kBound = 2;  // measured 1
+  const image::Image large = drawnWith(Background::Transparent, 1, 2);
+  const image::Image fine = drawnWith(Background::Transparent, 2);
+  const image::Image coarse = drawnWith(Background::Transparent);
+  int largest = 0, largestOfCoarse = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      if (alphaAt(fine, x, y) < 255) continue;
+      const int mean = meanOfFour(large, x, y).green;
+      largest = std::max(largest, std::abs(mean - colourAt(fine, x, y).green));
+      largestOfCoarse = std::max(largestOfCoarse, std::abs(mean - colourAt(coarse, x, y).green));
+    }
+  }
+  EXPECT_LE(largest, kBound);
+  EXPECT_GT(largestOfCoarse, 20);  // Without it the pictures differ. measured 60
+}
+
+// Around the book the background is drawn again.
+TEST(Look, SupersamplingLeavesTheBackground) {
+  for (const Background background : {Background::Studio, Background::Stars}) {
+    RenderSettings settings = settingsOf(kWidth, kHeight);
+    settings.background = background;
+    settings.supersample = 2;
+    Renderer renderer(settings, builtinTextures());
+    const image::Image empty = testing::emptyPicture(renderer);
+    const image::Image picture = drawn(renderer, tilted());
+    const PixelRect area =
+        project(settings.camera, tilted(), {settings.width, settings.height}).bounds;
+    for (const int x : {area.x, area.x + area.width - 1}) {
+      for (const int y : {area.y, area.y + area.height - 1}) {
+        EXPECT_EQ(colourAt(picture, x, y), colourAt(empty, x, y)) << x << " " << y;
+      }
+    }
+  }
+}
+
+TEST(StraightAlpha, DividesLightByCoverage) {
+  image::Image picture(3, 1, image::PixelFormat::Rgba8);
+  const std::uint8_t half = image::srgbFromLinear(0.25);
+  const std::uint8_t pixels[] = {half, half, half, 128, 9, 9, 9, 0, 7, 8, 9, 255};
+  std::copy(std::begin(pixels), std::end(pixels), picture.row(0));
+  makeAlphaStraight(picture, {0, 0, 3, 1});
+  EXPECT_EQ(picture.row(0)[0], image::srgbFromLinear(0.25 / (128 / 255.0)));  // 188
+  EXPECT_EQ(picture.row(0)[3], 128);
+  EXPECT_EQ(colourAt(picture, 1, 0), (testing::Colour{0, 0, 0}));
+  EXPECT_EQ(colourAt(picture, 2, 0), (testing::Colour{7, 8, 9}));
+}
+
+}  // namespace
+}  // namespace rotatebook::render

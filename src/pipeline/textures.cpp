@@ -23,6 +23,18 @@ double verticalFieldOfView(const scene::Scene& scene, const render::Screen& scre
   return std::atan(std::tan(angle * kHalf) * height / screen.width) / kHalf;
 }
 
+render::Background backgroundOf(scene::Background background) {
+  switch (background) {
+    case scene::Background::Stars:
+      return render::Background::Stars;
+    case scene::Background::Transparent:
+      return render::Background::Transparent;
+    case scene::Background::Studio:
+      break;
+  }
+  return render::Background::Studio;
+}
+
 }  // namespace
 
 render::BookTextures loadTextures(const scene::Scene& scene) {
@@ -42,6 +54,8 @@ render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& s
   settings.width = screen.width;
   settings.height = screen.height;
   settings.bottomRows = screen.bottomRows;
+  settings.supersample = scene.look.supersample;
+  settings.background = backgroundOf(scene.look.background);
   settings.camera = cameraOf(scene, screen);
   return {settings, textures};
 }

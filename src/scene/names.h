@@ -59,6 +59,12 @@ inline constexpr std::array<Named<physics::ReferenceFrame>, 3> kFrames{{
     {"momentum", physics::ReferenceFrame::Momentum},
 }};
 
+inline constexpr std::array<Named<Background>, 3> kBackgrounds{{
+    {"studio", Background::Studio},
+    {"stars", Background::Stars},
+    {"transparent", Background::Transparent},
+}};
+
 inline constexpr std::array<Named<Overlay>, 12> kOverlays{{
     {"caption", Overlay::Caption},
     {"clock", Overlay::Clock},

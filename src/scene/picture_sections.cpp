@@ -1,5 +1,6 @@
-// [clip], [video], [camera] and [book]: how the motion is shown.
+// [clip], [video], [camera], [book], [look] and [overlay]: how the motion is shown.
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <filesystem>
 #include <initializer_list>
@@ -23,6 +24,8 @@ constexpr int kMostFrames = 1'000'000;  // Their trajectory takes some 400 MB.
 constexpr int kBestCrf = 1;             // 0 is lossless, which the High profile doesn't have.
 constexpr int kWorstCrf = 51;
 constexpr int kMostThreads = 64;
+constexpr int kMostSupersample = 2;
+constexpr unsigned kMostMoments = 16;    // Of motion blur.
 constexpr double kLeastDistance = 1e-9;  // [m]
 constexpr double kLeastSine = 1e-6;  // Of the angle between two directions that aren't parallel.
 
@@ -80,6 +83,13 @@ std::string textureFrom(const ValueReader& value) {
     value.mismatch("\"builtin\" or a picture's path from the scene's folder");
   }
   return texture;
+}
+
+// A power of two, by which times divide without rounding: blurred or not, the motion is the same.
+int momentsFrom(const ValueReader& value) {
+  const int moments = value.integer(1, kMostMoments);
+  if (!std::has_single_bit(static_cast<unsigned>(moments))) value.mismatch("1, 2, 4, 8 or 16");
+  return moments;
 }
 
 std::vector<Overlay> overlaysFrom(const ValueReader& value) {
@@ -155,6 +165,31 @@ void readBook(const ValueReader& section, BookSettings& book) {
       {"spine", [&](const ValueReader& value) { book.spine = textureFrom(value); }},
       {"back", [&](const ValueReader& value) { book.back = textureFrom(value); }},
   });
+}
+
+void readLook(const ValueReader& section, LookSettings& look) {
+  section.readTable({
+      {"background",
+       [&](const ValueReader& value) { look.background = value.oneOf(kBackgrounds); }},
+      {"supersample",
+       [&](const ValueReader& value) { look.supersample = value.integer(1, kMostSupersample); }},
+      {"motion_blur", [&](const ValueReader& value) { look.motionBlur = momentsFrom(value); }},
+  });
+}
+
+void checkMotionBlur(const ValueReader& section, const Scene& scene) {
+  const int moments = scene.look.motionBlur, least = 2 * moments;
+  if (moments == 1) return;
+  for (const Panel& panel : motionsOf(scene)) {
+    const int substeps = panel.simulation.substeps;
+    const bool exact = panel.simulation.model == physics::Model::Exact;
+    if (exact || substeps % least == 0) continue;
+    section.find("motion_blur")
+        ->fail("look.motion_blur = " + std::to_string(moments) +
+               " needs simulation.substeps to be a multiple of " + std::to_string(least) +
+               ", not " + std::to_string(substeps) + "; the next is " +
+               std::to_string((substeps / least + 1) * least));
+  }
 }
 
 void readOverlay(const ValueReader& section, OverlaySettings& overlay) {

@@ -56,6 +56,22 @@ struct BookSettings {
   std::string back = "builtin";
 };
 
+/// What is seen behind the book.
+enum class Background {
+  Studio,       ///< A quiet, dark wall.
+  Stars,        ///< A night sky.
+  Transparent,  ///< Nothing, in pictures that have an alpha channel.
+};
+
+/// [look]: what is around the book, and how finely it is drawn.
+struct LookSettings {
+  Background background = Background::Studio;
+  int supersample = 1;  ///< 1, or 2 to draw with twice as many pixels across and down.
+  /// Moments, a power of two up to 16, of the half frame after each sample whose pictures are
+  /// averaged, as by a shutter that is open half of the time; 1 is a sharp picture.
+  int motionBlur = 1;
+};
+
 /// What can be drawn over the pictures.
 enum class Overlay {
   Caption,    ///< Title, caption, and how the motion was simulated; at the bottom.
@@ -111,6 +127,7 @@ struct Scene {
   EncodingSettings video;
   CameraSettings camera;
   BookSettings book;
+  LookSettings look;
   OverlaySettings overlay;
   std::vector<physics::Expectation> expectations;
   /// None, or 2 to 6. They have been read over `body`, `inertia`, `simulation`, `initial` and

@@ -24,6 +24,7 @@ void readSections(const ValueReader& file, Scene& scene) {
       {"video", [&](const ValueReader& value) { readVideo(value, scene.video); }},
       {"camera", [&](const ValueReader& value) { readCamera(value, scene.camera); }},
       {"book", [&](const ValueReader& value) { readBook(value, scene.book); }},
+      {"look", [&](const ValueReader& value) { readLook(value, scene.look); }},
       {"overlay", [&](const ValueReader& value) { readOverlay(value, scene.overlay); }},
       {"expect", [&](const ValueReader& value) { readExpectations(value, scene.expectations); }},
       // These depend on the others; read when those are.
@@ -87,6 +88,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   readMotions(file, scene);
   placeCamera(file, scene);
   if (const auto overlay = file.find("overlay")) checkOverlays(*overlay, scene);
+  if (const auto look = file.find("look")) checkMotionBlur(*look, scene);
   if (const auto study = file.find("study")) {
     if (!scene.panels.empty()) study->fail("[study] is of one motion, but this scene has panels");
     scene.study = readStudy(*study, scene);

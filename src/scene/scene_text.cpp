@@ -142,6 +142,15 @@ std::string bookText(const BookSettings& book) {
          line("spine", tomlString(book.spine)) + line("back", tomlString(book.back));
 }
 
+std::string lookText(const LookSettings& look) {
+  return "\n[look]\n" +
+         line("background", word(kBackgrounds, look.background), choicesIn(kBackgrounds)) +
+         line("supersample", std::to_string(look.supersample),
+              "1, or 2 to draw with twice as many pixels across and down") +
+         line("motion_blur", std::to_string(look.motionBlur),
+              "moments averaged in a picture: 1, 2, 4, 8 or 16");
+}
+
 std::string overlayText(const OverlaySettings& overlay) {
   std::vector<std::string> names;
   for (const Overlay one : overlay.show) names.push_back(word(kOverlays, one));
@@ -212,8 +221,9 @@ std::string panelsText(const Scene& scene) {
 std::string sceneText(const Scene& scene) {
   return line("title", tomlString(scene.title)) + line("caption", tomlString(scene.caption)) +
          motionText(scene) + clipText(scene.clip) + videoText(scene.video) +
-         cameraText(scene.camera) + bookText(scene.book) + overlayText(scene.overlay) +
-         panelsText(scene) + (scene.study ? studyText(*scene.study) : "");
+         cameraText(scene.camera) + bookText(scene.book) + lookText(scene.look) +
+         overlayText(scene.overlay) + panelsText(scene) +
+         (scene.study ? studyText(*scene.study) : "");
 }
 
 }  // namespace rotatebook::scene

@@ -29,6 +29,7 @@ void readVideo(const ValueReader& section, EncodingSettings& video);
 /// Leaves the default of position, which depends on [body] and [clip], to the caller.
 void readCamera(const ValueReader& section, CameraSettings& camera);
 void readBook(const ValueReader& section, BookSettings& book);
+void readLook(const ValueReader& section, LookSettings& look);
 void readOverlay(const ValueReader& section, OverlaySettings& overlay);
 
 /// Refuses [initial] without a spin.
@@ -39,6 +40,9 @@ void checkIntegrator(const ValueReader& section, const physics::SimulationSettin
 void checkInertia(const ValueReader& section, physics::Model model);
 /// Refuses an overlay that none of the scene's motions has; `section` is [overlay].
 void checkOverlays(const ValueReader& section, const Scene& scene);
+/// Refuses moments of motion blur that aren't at the ends of integration steps; `section` is
+/// [look].
+void checkMotionBlur(const ValueReader& section, const Scene& scene);
 /// Refuses a complete camera that looks nowhere or has no upper side; `section` is where it came
 /// from.
 void checkCamera(const ValueReader& section, const CameraSettings& camera);

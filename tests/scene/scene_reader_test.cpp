@@ -89,11 +89,13 @@ TEST(SceneReader, NamesTheNearestSectionOrKey) {
 TEST(SceneReader, ListsTheValidOnesWhereNoneIsNear) {
   EXPECT_EQ(errorOf("substeps = 3"),
             "a.toml:1:1: unknown key \"substeps\"; valid are \"title\", \"caption\", \"body\", "
-            "\"simulation\", \"initial\", \"clip\", \"video\", \"camera\", \"book\", \"overlay\", "
+            "\"simulation\", \"initial\", \"clip\", \"video\", \"camera\", \"book\", \"look\", "
+            "\"overlay\", "
             "\"expect\", \"panel\" and \"study\"");
   EXPECT_EQ(errorOf("[sound]"),
             "a.toml:1:2: unknown section \"sound\"; valid are \"title\", \"caption\", \"body\", "
-            "\"simulation\", \"initial\", \"clip\", \"video\", \"camera\", \"book\", \"overlay\", "
+            "\"simulation\", \"initial\", \"clip\", \"video\", \"camera\", \"book\", \"look\", "
+            "\"overlay\", "
             "\"expect\", \"panel\" and \"study\"");
   EXPECT_EQ(errorOf("[body]\ncolour = 3"),
             "a.toml:2:1: unknown key \"colour\" in [body]; valid are \"size\", \"mass\" "

@@ -25,12 +25,13 @@ Scene unusualScene() {
   scene.title = "\"Quoted\" \\ and\nbroken é \x01";
   scene.caption = "# no comment";
   scene.body = {{0.1, 1.0 / 3, 2e-5}, 7};
-  scene.simulation = {Model::Particles, physics::Integrator::Euler, false, 0.3, 1e15, 0.1 / 3, 999};
+  scene.simulation = {Model::Particles, physics::Integrator::Euler, false, 0.3, 1e15, 0.1 / 3, 992};
   scene.initial = {InitialSpin::Kind::AngularMomentum, {-0.0, 1e-20, 0.7}, physics::Tilt{0.1, 1}};
   scene.clip = {640, 362, {30000, 1001}, 2.0 / 3, 0.2};
   scene.video = {7, "slow", 3};
   scene.camera = {{1.0 / 7, -2, 3}, {0.25, 0, 0}, {0, 0, 1}, 44.4, physics::ReferenceFrame::Body};
   scene.book = {"f \"1\".png", "s.png", "../b.png"};
+  scene.look = {Background::Stars, 2, 8};
   scene.overlay = {{Overlay::Clock, Overlay::Caption}, "Some \"font\""};
   scene.expectations = {
       {Quantity::Stretch, 0.5, 1.0 / 3 + 1, 1.1, 0.9, 0.1, 2},
@@ -69,6 +70,9 @@ void expectSamePicture(const Scene& a, const Scene& b) {
   EXPECT_EQ(a.camera.up, b.camera.up);
   EXPECT_EQ(a.camera.fieldOfViewDeg, b.camera.fieldOfViewDeg);
   EXPECT_EQ(a.camera.frame, b.camera.frame);
+  EXPECT_EQ(a.look.background, b.look.background);
+  EXPECT_EQ(a.look.supersample, b.look.supersample);
+  EXPECT_EQ(a.look.motionBlur, b.look.motionBlur);
   EXPECT_EQ(a.overlay.show, b.overlay.show);
   EXPECT_EQ(a.overlay.font, b.overlay.font);
   EXPECT_EQ(a.book.front, b.book.front);
@@ -160,6 +164,11 @@ frame = "world"  # "world", "body" or "momentum"
 front = "builtin"  # "builtin" or a picture's path from the scene's folder
 spine = "builtin"
 back = "builtin"
+
+[look]
+background = "studio"  # "studio", "stars" or "transparent"
+supersample = 1  # 1, or 2 to draw with twice as many pixels across and down
+motion_blur = 1  # moments averaged in a picture: 1, 2, 4, 8 or 16
 
 [overlay]
 show = []  # of "caption", "clock", "axes", "omega", "momentum", "trail", "polhode", "energy", "error", "half_turns", "springs" and "ghost"

@@ -79,7 +79,9 @@ FrameDrawer::FrameDrawer(const scene::Scene& scene, const ClipMotion& motion)
       camera_(cameraOf(scene, screen_)),
       renderer_(makeRenderer(scene, screen_)),
       ground_(groundOf(scene)),
-      panel_(renderer_.makePicture()) {}
+      panel_(renderer_.makePicture()),
+      moments_(scene),
+      mean_(grid_.width, grid_.height) {}
 
 void FrameDrawer::draw(std::int64_t frame, image::Image& picture) {
   if (grid_.places.size() == 1) {
@@ -96,11 +98,23 @@ void FrameDrawer::draw(std::int64_t frame, image::Image& picture) {
 
 void FrameDrawer::drawMotion(std::size_t motion, std::int64_t frame, image::Image& picture) {
   const auto& samples = motion_->trajectories()[motion].samples;
-  const physics::Sample& sample = samples[motion_->sampleAt(motion, frame)];
-  const physics::Corners corners = physics::seenFrom(frame_, sample).corners;
-  renderer_.draw(corners, picture);
+  const std::size_t index = motion_->sampleAt(motion, frame);
+  const physics::Corners corners = physics::seenFrom(frame_, samples[index]).corners;
+  if (moments_.count() > 1) {
+    drawBlurred(motion, index, picture);
+  } else {
+    renderer_.draw(corners, picture);
+  }
   const render::Projection projection = render::project(camera_, corners, screen_);
   marks_[motion].draw(frame, projection.clipFromWorld, picture);
+}
+
+void FrameDrawer::drawBlurred(std::size_t motion, std::size_t sample, image::Image& picture) {
+  for (std::size_t i = 0; i < moments_.count(); ++i) {
+    renderer_.draw(physics::seenFrom(frame_, moments_.at(motion, sample, i)).corners, picture);
+    mean_.add(picture.view());
+  }
+  mean_.take(picture);
 }
 
 }  // namespace rotatebook::pipeline

@@ -6,11 +6,13 @@
 #include <vector>
 
 #include "image/image.h"
+#include "image/light_mean.h"
 #include "overlay/marks.h"
 #include "overlay/words.h"
 #include "physics/reference_frame.h"
 #include "pipeline/clip_motion.h"
 #include "pipeline/panel_grid.h"
+#include "pipeline/shutter_moments.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
 
@@ -33,6 +35,8 @@ class FrameDrawer {
 
  private:
   void drawMotion(std::size_t motion, std::int64_t frame, image::Image& picture);
+  /// The mean of the moments after sample `sample`.
+  void drawBlurred(std::size_t motion, std::size_t sample, image::Image& picture);
 
   const ClipMotion* motion_;
   physics::ReferenceFrame frame_;
@@ -44,6 +48,8 @@ class FrameDrawer {
   render::Renderer renderer_;
   image::Image ground_;  // what shows between panels
   image::Image panel_;
+  ShutterMoments moments_;
+  image::LightMean mean_;  // of the pictures of moments_
 };
 
 }  // namespace rotatebook::pipeline

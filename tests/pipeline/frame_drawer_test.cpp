@@ -52,5 +52,39 @@ TEST(FrameDrawer, TurnsWithTheCamerasFrame) {
       image::compare(inFrame("body", 0).view(), inFrame("momentum", 0).view(), edges).same);
 }
 
+// Blurred or not, the motion is the same to the last bit.
+TEST(ShutterMoments, BeginWithTheSample) {
+  for (const std::string model : {"particles", "matrix", "quaternion", "exact"}) {
+    const scene::Scene scene = testing::smallScene(
+        {"simulation.model='" + model + "'", "simulation.substeps=24", "look.motion_blur=4"});
+    const physics::Trajectory trajectory = testing::motionOf(scene);
+    const ShutterMoments moments(scene);
+    ASSERT_EQ(moments.count(), 4U);
+    for (std::size_t i = 0; i < trajectory.samples.size(); ++i) {
+      ASSERT_EQ(moments.at(0, i, 0).corners, trajectory.samples[i].corners) << model << " " << i;
+    }
+    // The shutter closes half a frame later: at the eighth of eight moments less one half.
+    EXPECT_NEAR(moments.at(0, 1, 3).time,
+                trajectory.samples[1].time + 3.0 / 8 * trajectory.interval, 1e-15);
+  }
+}
+
+TEST(FrameDrawer, AveragesTheMomentsOfMotionBlur) {
+  const scene::Scene sharp = sceneWith("[]");
+  const scene::Scene blurred = testing::smallScene({"clip.size=[320, 180]", "look.motion_blur=2"});
+  const ShutterMoments moments(blurred);
+  render::Renderer renderer = makeRenderer(sharp);
+  image::LightMean mean(320, 180);
+  image::Image expected = renderer.makePicture();
+  for (const std::size_t moment : {0U, 1U}) {
+    renderer.draw(moments.at(0, 5, moment).corners, expected);
+    mean.add(expected.view());
+  }
+  mean.take(expected);
+  const image::Image first = drawn(sharp, 5);
+  EXPECT_EQ(drawn(blurred, 5), expected);
+  EXPECT_NE(first, expected);
+}
+
 }  // namespace
 }  // namespace rotatebook::pipeline

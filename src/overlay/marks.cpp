@@ -19,6 +19,8 @@ namespace {
 
 using scene::Overlay;
 
+constexpr double kSmall = 0.72;  // Size of small letters, of the others.
+
 /// An inset of fewer pixels shows nothing that could be made out.
 constexpr double kSmallestInset = 24;
 
@@ -35,6 +37,8 @@ struct Marks::Parts {
         type(Typesetter::of(asked.overlay.font)),
         scale(ground.width, ground.height),
         canvas(ground.width, ground.height) {
+    scale.letters = std::max(scale.letters, ground.letters);
+    scale.smallLetters = std::max(scale.smallLetters, kSmall * ground.letters);
     taken.push_back(ground.corner);
     addWordsAtTheTop(ground);
     layout = layOut(scale, wanted(ground));

@@ -23,6 +23,9 @@ struct Ground {
   Box corner{};
   int bottomRows = 0;   ///< Rows at its bottom that other words take. [pixels]
   std::string label{};  ///< Written at its top; may be empty.
+  /// Letters are never smaller than this, so that those of a small panel go with the whole
+  /// picture's. [pixels]
+  double letters = 0;
 };
 
 /// Draws what the scene's overlay.show asks for on pictures of one motion: the ground's label, and

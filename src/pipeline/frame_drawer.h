@@ -1,17 +1,17 @@
 // The pictures of a clip, in any order.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vector>
+
+#include <Eigen/Core>
 
 #include "image/image.h"
 #include "image/light_mean.h"
-#include "overlay/marks.h"
-#include "overlay/words.h"
 #include "physics/reference_frame.h"
 #include "pipeline/clip_motion.h"
-#include "pipeline/panel_grid.h"
+#include "pipeline/composition.h"
 #include "pipeline/shutter_moments.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
@@ -22,32 +22,28 @@ namespace rotatebook::pipeline {
 /// OpenGL context; see render::Renderer.
 class FrameDrawer {
  public:
-  /// `motion`, the scene's, must outlive this. Throws InputError for more panels than the picture
-  /// has room for, and as loadTextures(), overlay::Words and render::Renderer do.
+  /// `motion`, the scene's, must outlive this. Throws as loadTextures(), Composition and
+  /// render::Renderer do.
   FrameDrawer(const scene::Scene& scene, const ClipMotion& motion);
 
   /// A picture of the right size and format for draw().
-  image::Image makePicture() const { return ground_; }
+  image::Image makePicture() const { return composition_.makePicture(); }
   /// Draws over all of `picture`; `frame` is 0 to below motion.frameCount().
   void draw(std::int64_t frame, image::Image& picture);
   /// render::Renderer::description()
   const std::string& description() const { return renderer_.description(); }
 
  private:
-  void drawMotion(std::size_t motion, std::int64_t frame, image::Image& picture);
+  /// As DrawBook has it.
+  Eigen::Matrix4d drawBook(std::size_t motion, std::size_t sample, image::Image& picture);
   /// The mean of the moments after sample `sample`.
   void drawBlurred(std::size_t motion, std::size_t sample, image::Image& picture);
 
   const ClipMotion* motion_;
+  Composition composition_;
   physics::ReferenceFrame frame_;
-  overlay::Words words_;
-  PanelGrid grid_;
-  std::vector<overlay::Marks> marks_;  // of each motion
-  render::Screen screen_;              // each panel's
   render::Camera camera_;
-  render::Renderer renderer_;
-  image::Image ground_;  // what shows between panels
-  image::Image panel_;
+  render::Renderer renderer_;  // of a panel
   ShutterMoments moments_;
   image::LightMean mean_;  // of the pictures of moments_
 };

@@ -98,8 +98,11 @@ TEST(Texts, NeverMeetOnAPanel) {
   for (const Size& size : kPanels) {
     SCOPED_TRACE(text(size));
     const scene::Scene scene = sceneOf(size.width, size.height, kEverything);
-    expectNoMeeting(scene, nullptr,
-                    {size.width, size.height, {}, 0, "x: the median moment of inertia"});
+    for (const double letters : {0.0, 16.0}) {
+      SCOPED_TRACE(letters);
+      expectNoMeeting(scene, nullptr,
+                      {size.width, size.height, {}, 0, "x: the median moment of inertia", letters});
+    }
   }
 }
 

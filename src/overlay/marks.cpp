@@ -40,8 +40,8 @@ struct Marks::Parts {
     scale.letters = std::max(scale.letters, ground.letters);
     scale.smallLetters = std::max(scale.smallLetters, kSmall * ground.letters);
     taken.push_back(ground.corner);
-    addWordsAtTheTop(ground);
     layout = layOut(scale, wanted(ground));
+    addWordsAtTheTop(ground);
     taken.push_back({0, 1.0 * (ground.height - layout.bottomRows), 1.0 * ground.width,
                      1.0 * layout.bottomRows});
     for (const Box& box : layout.charts) taken.push_back(box);
@@ -97,6 +97,17 @@ struct Marks::Parts {
     if (shows(Overlay::Error)) add(errorContent(context()));
   }
 
+  /// Where the insets at the top right begin; the picture's edge if there are none.
+  double insetsLeft() const {
+    double left = scale.width;
+    const auto consider = [&](const Box& box) {
+      if (!box.empty() && box.y <= scale.margin) left = std::min(left, box.x);
+    };
+    consider(layout.polhode);
+    for (const Box& chart : layout.charts) consider(chart);
+    return left;
+  }
+
   /// From the top left: the ground's other words, its label, the count of half-turns.
   void addWordsAtTheTop(const Ground& ground) {
     Point place(scale.margin, scale.margin);
@@ -104,7 +115,8 @@ struct Marks::Parts {
       place = {ground.corner.x, ground.corner.bottom() + 0.3 * scale.letters};
     }
     if (!ground.label.empty()) {
-      plates.push_back(labelPlate(context(), ground.label, place, scale.width - 2 * scale.margin));
+      const double room = insetsLeft() - scale.margin - place.x();
+      plates.push_back(labelPlate(context(), ground.label, place, room));
       taken.push_back(plates.back().texts.front());
       place.y() = taken.back().bottom() + 0.3 * scale.letters;
     }

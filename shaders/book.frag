@@ -79,7 +79,8 @@ float keyHighlight(vec3 normal, vec3 toEye, float nv, float roughness) {
   float d = nh * nh * (a2 - 1.0) + 1.0;
   float k = 0.5 * roughness * roughness;
   float visibility = 0.25 / ((nl * (1.0 - k) + k) * (nv * (1.0 - k) + k));
-  float fresnel = kClothReflectance + (1.0 - kClothReflectance) * pow(1.0 - vh, 5.0);
+  float miss = 1.0 - vh, miss2 = miss * miss;
+  float fresnel = kClothReflectance + (1.0 - kClothReflectance) * miss2 * miss2 * miss;
   return a2 / (d * d) * visibility * fresnel * nl;
 }
 

@@ -17,7 +17,7 @@
 #include "pipeline/textures.h"
 #include "pipeline/trajectory_csv.h"
 #include "scene/scene_file.h"
-#include "video/mp4_writer.h"
+#include "video/video_writer.h"
 
 namespace rotatebook {
 namespace {
@@ -111,7 +111,7 @@ void writePng(benchmark::State& state) {
 
 void convertAndEncode(benchmark::State& state) {
   const video::VideoSettings settings = pipeline::videoSettings(benchScene(), "");
-  video::Mp4Writer writer(benchFolder() / "clip.mp4", settings);
+  video::VideoWriter writer(video::VideoFormat::Mp4, benchFolder() / "clip.mp4", settings);
   benchPicture();
   for (auto _ : state) writer.write(benchPicture().view());
   writer.finish();
@@ -123,7 +123,7 @@ void endToEnd(benchmark::State& state) {
   pipeline::RenderOptions options;
   options.folder = benchFolder();
   options.png = state.range(0) != 0;
-  options.mp4 = state.range(1) != 0;
+  if (state.range(1) == 0) options.formats.clear();
   for (auto _ : state) {
     const pipeline::ClipMotion motion({simulate(scene.motion(), kFrames)}, scene.clip.frameRate);
     pipeline::renderClip(scene, motion, options, {});

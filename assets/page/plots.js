@@ -151,6 +151,7 @@ class Plot {
         label: series.label,
         stroke: () => colourOf(seriesColour(index)),
         width: 1.5,
+        pxAlign: 0,
         points: {show: false},
       }))],
       hooks: {setCursor: [() => this.showValues()]},

@@ -3,6 +3,7 @@
 #include <memory>
 #include <regex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/error.h"
@@ -18,6 +19,7 @@
 #include "pipeline/render_clip.h"
 #include "pipeline/simulate_scene.h"
 #include "pipeline/textures.h"
+#include "scene/nearest_name.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -27,6 +29,7 @@ struct RenderArguments {
   SceneOptions sceneOptions;
   std::string frames;
   bool noPng = false;
+  std::vector<std::string> formats{"mp4"};
   bool noMp4 = false;
   pipeline::RenderOptions options;
 };
@@ -38,6 +41,26 @@ pipeline::FrameRange parseRange(const std::string& text) {
                      ": not a range; write first:end, for example 0:60 for the first 60 frames");
   }
   return {std::stoll(match[1]), std::stoll(match[2])};
+}
+
+video::VideoFormat parseFormat(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const video::VideoFormat format : video::kVideoFormats) {
+    if (name == nameOf(format)) return format;
+    names.push_back(nameOf(format));
+  }
+  throw InputError("--format " + name + ": unknown; there are " + scene::quotedList(names, "and") +
+                   scene::didYouMean(name, names));
+}
+
+std::vector<video::VideoFormat> formatsOf(const RenderArguments& arguments) {
+  std::vector<video::VideoFormat> formats;
+  for (const std::string& name : arguments.formats) {
+    const video::VideoFormat format = parseFormat(name);
+    const bool left = format == video::VideoFormat::Mp4 && arguments.noMp4;
+    if (!left && std::ranges::count(formats, format) == 0) formats.push_back(format);
+  }
+  return formats;
 }
 
 /// All scenes, read before anything is written, so that a mistake in the last one costs nothing.
@@ -65,8 +88,10 @@ std::vector<std::string> writtenThings(const pipeline::RenderResult& result,
   const pipeline::ClipFiles& files = result.files;
   const bool newFolder = result.interrupted && !options.frames;
   std::vector<std::string> things;
-  if (options.mp4 && result.framesWritten > 0) {
-    things.push_back((result.interrupted ? files.partialMp4 : files.mp4).string());
+  for (const video::VideoFormat format : options.formats) {
+    if (result.framesWritten == 0) break;
+    things.push_back(
+        (result.interrupted ? files.partialVideo(format) : files.video(format)).string());
   }
   if (!result.interrupted) {
     for (const auto& csv : result.csvs) things.push_back(csv.string());
@@ -106,7 +131,7 @@ int renderScene(const scene::Scene& scene, const pipeline::RenderOptions& option
 int render(const RenderArguments& arguments) {
   pipeline::RenderOptions options = arguments.options;
   options.png = !arguments.noPng;
-  options.mp4 = !arguments.noMp4;
+  options.formats = formatsOf(arguments);
   if (!arguments.frames.empty()) options.frames = parseRange(arguments.frames);
   const std::vector<scene::Scene> scenes = readScenes(arguments);
   options.stop = &catchInterrupts();
@@ -134,6 +159,13 @@ void addRenderCommand(CLI::App& program, Action& action) {
                    "Only the frames from A up to, but not including, B")
       ->type_name("A:B");
   command->add_flag("--no-png", arguments->noPng, "Write no PNG frames");
+  command
+      ->add_option("--format", arguments->formats,
+                   "Videos to make, of mp4, webm, gif and apng, e.g. mp4,gif")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str();
   command->add_flag("--no-mp4", arguments->noMp4, "Write no MP4");
   command
       ->add_option("--png-level", arguments->options.pngOptions.level,
@@ -141,7 +173,7 @@ void addRenderCommand(CLI::App& program, Action& action) {
       ->check(CLI::Range(0, 9))
       ->capture_default_str();
   command->footer(R"(
-Writes DIR/NAME.mp4, DIR/NAME.csv, DIR/NAME.poster.png and DIR/NAME/frame_00000.png ..., where NAME is
+Writes DIR/NAME.mp4 (or other videos, as --format has it), DIR/NAME.csv, DIR/NAME.poster.png and DIR/NAME/frame_00000.png ..., where NAME is
 the scene file's.
 A scene with panels has a table for each, DIR/NAME_LABEL.csv.
 With --frames the MP4 is DIR/NAME_A-B.mp4, and the frames join those of earlier parts.
@@ -150,7 +182,8 @@ Examples:
   rotatebook render scenes/starter.toml
   rotatebook render scenes/figures/fig05-unstable-x.toml --size 1920x1080 --no-png
   rotatebook render my.toml -o /tmp/clips --set simulation.model=matrix --set clip.duration=5
-  rotatebook render my.toml --frames 0:60)");
+  rotatebook render my.toml --frames 0:60
+  rotatebook render my.toml --format gif,apng --size 480x270 --no-png)");
   command->callback([arguments, &action] { action = [arguments] { return render(*arguments); }; });
 }
 

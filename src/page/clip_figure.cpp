@@ -1,4 +1,6 @@
 // A clip: its player, its plots, what was expected of it and measured.
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -18,6 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// All browsers play it.
+constexpr auto kFormat = video::VideoFormat::Mp4;
+constexpr std::array<std::pair<video::VideoFormat, const char*>, 3> kOtherFormats{
+    {{video::VideoFormat::WebM, "WebM"},
+     {video::VideoFormat::Gif, "GIF"},
+     {video::VideoFormat::Apng, "APNG"}}};
 // Of a time for people.
 constexpr int kDigits = 4;
 
@@ -43,7 +51,8 @@ Clip readClip(const scene::Scene& scene, const fs::path& folder) {
   Clip clip;
   clip.files = pipeline::clipFiles(folder, scene.name);
   clip.csvs = pipeline::csvFiles(clip.files.csv, scene);
-  for (const auto& file : {clip.files.mp4, clip.files.poster}) requireFile(file, scene, "render");
+  for (const auto& file : {clip.files.video(kFormat), clip.files.poster})
+    requireFile(file, scene, "render");
   const pipeline::ClipMotion motion = pipeline::simulateScene(scene);
   clip.frames = motion.frameCount();
   for (const scene::Panel& panel : scene::motionsOf(scene)) {
@@ -61,10 +70,14 @@ std::string nameOf(const fs::path& file) {
 }
 
 Html linksOf(const Clip& clip) {
-  Html links = linkItem(nameOf(clip.files.mp4), "MP4");
+  Html links = linkItem(nameOf(clip.files.video(kFormat)), "MP4");
   for (std::size_t i = 0; i < clip.motions.size(); ++i) {
     const std::string& label = clip.motions[i].panel.label;
     links += linkItem(nameOf(clip.csvs[i]), label.empty() ? "CSV" : "CSV: " + label);
+  }
+  for (const auto& [format, words] : kOtherFormats) {
+    const fs::path file = clip.files.video(format);
+    if (fs::exists(file)) links += linkItem(nameOf(file), words);
   }
   links += linkItem(nameOf(clip.files.poster), "Poster");
   if (fs::exists(clip.files.sceneCopy)) {
@@ -121,7 +134,7 @@ Figure clipFigure(const scene::Scene& scene, const fs::path& folder) {
                               {"width", {std::to_string(scene.clip.width)}},
                               {"height", {std::to_string(scene.clip.height)}},
                               {"poster", addressOf(poster)},
-                              {"mp4", addressOf(nameOf(clip.files.mp4))},
+                              {"mp4", addressOf(nameOf(clip.files.video(kFormat)))},
                               {"last", {std::to_string(clip.frames - 1)}},
                               {"settings", settingsTable(clip.motions, scene.clip)},
                               {"checks", checksOfAll(clip)},

@@ -56,9 +56,17 @@ void requireSameSize(const fs::path& path, const image::Image& picture, const fs
                    ", " + path.string() + " is " + sizeText(picture));
 }
 
+/// What the file's ending says; else MP4.
+video::VideoFormat formatOf(const fs::path& path) {
+  for (const video::VideoFormat format : video::kVideoFormats) {
+    if (path.extension() == "." + std::string(nameOf(format))) return format;
+  }
+  return video::VideoFormat::Mp4;
+}
+
 }  // namespace
 
-std::int64_t assemble(const fs::path& folder, const fs::path& mp4,
+std::int64_t assemble(const fs::path& folder, const fs::path& video,
                       std::optional<FrameRate> frameRate,
                       const std::function<void(RenderProgress)>& progress) {
   const FrameRange range = wholeRange(folder);
@@ -67,7 +75,7 @@ std::int64_t assemble(const fs::path& folder, const fs::path& mp4,
   const image::Image first = image::readPng(firstPath);
   settings.width = first.width();
   settings.height = first.height();
-  Mp4Sink sink(mp4, settings);
+  VideoSink sink(formatOf(video), video, settings);
   for (std::int64_t index = range.first; index < range.end; ++index) {
     const fs::path path = folder / frameName(index);
     const image::Image picture = image::readPng(path);

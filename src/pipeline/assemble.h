@@ -1,4 +1,4 @@
-// From frames on the disk to an MP4.
+// From frames on the disk to a video.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,12 @@
 
 namespace rotatebook::pipeline {
 
-/// Makes `mp4` from the frames in `folder`, with the settings of the scene.toml beside them: the
-/// same file, byte for byte, as the render that drew them. Frames from elsewhere need a
-/// `frameRate`; it is an error to give one where a scene.toml tells. Returns the number of frames.
-/// Throws InputError: no frames, one missing, differing sizes, no rate.
-std::int64_t assemble(const std::filesystem::path& folder, const std::filesystem::path& mp4,
+/// Makes `video`, an MP4 unless its ending is another format's, from the frames in `folder`, with
+/// the settings of the scene.toml beside them: the same file, byte for byte, as the render that
+/// drew them. Frames from elsewhere need a `frameRate`; it is an error to give one where a
+/// scene.toml tells. Returns the number of frames. Throws InputError: no frames, one missing,
+/// differing sizes, no rate.
+std::int64_t assemble(const std::filesystem::path& folder, const std::filesystem::path& video,
                       std::optional<FrameRate> frameRate,
                       const std::function<void(RenderProgress)>& progress);
 

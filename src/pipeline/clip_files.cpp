@@ -70,22 +70,24 @@ std::vector<std::int64_t> framesIn(const fs::path& folder) {
   return indices;
 }
 
+fs::path ClipFiles::video(video::VideoFormat format) const {
+  return videoStem.string() + "." + std::string(nameOf(format));
+}
+
+fs::path ClipFiles::partialVideo(video::VideoFormat format) const {
+  return videoStem.string() + ".partial." + std::string(nameOf(format));
+}
+
 ClipFiles clipFiles(const fs::path& folder, const std::string& name) {
   const fs::path frames = folder / name;
-  return {frames,
-          folder / (name + ".partial"),
-          frames / kSceneCopyName,
-          folder / (name + ".mp4"),
-          folder / (name + ".partial.mp4"),
-          folder / (name + ".csv"),
-          folder / (name + ".poster.png")};
+  return {frames,        folder / (name + ".partial"), frames / kSceneCopyName,
+          folder / name, folder / (name + ".csv"),     folder / (name + ".poster.png")};
 }
 
 ClipFiles clipFiles(const fs::path& folder, const std::string& name, FrameRange part) {
   ClipFiles files = clipFiles(folder, name);
   const std::string partName = name + "_" + paddedNumber(part.first) + "-" + paddedNumber(part.end);
-  files.mp4 = folder / (partName + ".mp4");
-  files.partialMp4 = folder / (partName + ".partial.mp4");
+  files.videoStem = folder / partName;
   return files;
 }
 

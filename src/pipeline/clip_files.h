@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scene/scene.h"
-#include "video/mp4_writer.h"
+#include "video/video_writer.h"
 
 namespace rotatebook::pipeline {
 
@@ -34,15 +34,19 @@ struct ClipFiles {
   std::filesystem::path frameFolder;         ///< NAME/, with the PNGs
   std::filesystem::path partialFrameFolder;  ///< NAME.partial/, while they are made
   std::filesystem::path sceneCopy;           ///< NAME/scene.toml, the resolved scene
-  std::filesystem::path mp4;                 ///< NAME.mp4
-  std::filesystem::path partialMp4;          ///< NAME.partial.mp4, where a run was interrupted
+  std::filesystem::path videoStem;           ///< NAME, to which video() puts an ending
   std::filesystem::path csv;                 ///< NAME.csv; of panels see csvFiles()
   std::filesystem::path poster;              ///< NAME.poster.png
+
+  /// NAME.mp4, NAME.webm and so on.
+  std::filesystem::path video(video::VideoFormat format) const;
+  /// NAME.partial.mp4 and so on, where a run was interrupted.
+  std::filesystem::path partialVideo(video::VideoFormat format) const;
 };
 
 /// The files of the clip `name` in `folder`.
 ClipFiles clipFiles(const std::filesystem::path& folder, const std::string& name);
-/// The same for some of its frames, whose MP4 must not replace the whole clip's:
+/// The same for some of its frames, whose videos must not replace the whole clip's:
 /// NAME_00010-00020.mp4.
 ClipFiles clipFiles(const std::filesystem::path& folder, const std::string& name, FrameRange part);
 
@@ -52,10 +56,11 @@ std::vector<std::filesystem::path> csvFiles(const std::filesystem::path& csv,
                                             const scene::Scene& scene);
 
 /// The scene with every default explicit, headed by the program's version and `renderer`. It is
-/// stored beside the frames and in the MP4, so that a clip says what it was made from.
+/// stored beside the frames and in the videos that can hold it, so that a clip says what it was
+/// made from.
 std::string sceneRecord(const scene::Scene& scene, const std::string& renderer);
 
-/// What the MP4's encoder must know. `record` goes into its metadata.
+/// What the videos' encoders must know. `record` goes into its metadata.
 video::VideoSettings videoSettings(const scene::Scene& scene, const std::string& record);
 
 }  // namespace rotatebook::pipeline

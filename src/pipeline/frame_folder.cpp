@@ -1,5 +1,6 @@
 #include "pipeline/frame_folder.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <system_error>
 
@@ -72,11 +73,14 @@ void replaceFrames(const ClipFiles& files) {
   removeFile(files.partialFrameFolder);
 }
 
-void removeOutdated(const ClipFiles& files, const std::string& record, bool png, bool mp4) {
+void removeOutdated(const ClipFiles& files, const std::string& record, bool png,
+                    std::span<const video::VideoFormat> formats) {
   const std::string earlier = readFileOrEmpty(files.sceneCopy);
   if (earlier.empty() || earlier == record) return;
   if (!png) discardFrames(files.frameFolder);
-  if (!mp4) removeFile(files.mp4);
+  for (const video::VideoFormat format : video::kVideoFormats) {
+    if (std::ranges::count(formats, format) == 0) removeFile(files.video(format));
+  }
 }
 
 }  // namespace rotatebook::pipeline

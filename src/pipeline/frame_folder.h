@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 
 #include "pipeline/clip_files.h"
@@ -21,8 +22,9 @@ void startPart(const ClipFiles& files, const std::string& record);
 void replaceFrames(const ClipFiles& files);
 
 /// Removes what an earlier render with other settings left and this one didn't make: its frames
-/// unless `png`, its MP4 unless `mp4`. Throws MachineError.
-void removeOutdated(const ClipFiles& files, const std::string& record, bool png, bool mp4);
+/// unless `png`, its videos but those of `formats`. Throws MachineError.
+void removeOutdated(const ClipFiles& files, const std::string& record, bool png,
+                    std::span<const video::VideoFormat> formats);
 
 /// Throws InputError if NAME/ holds frames of settings other than `record`.
 void refuseForeignFrames(const ClipFiles& files, const std::string& record);

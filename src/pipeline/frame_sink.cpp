@@ -13,18 +13,19 @@ void PngSequenceSink::write(std::int64_t index, image::ImageView picture) {
   image::writePng(folder_ / frameName(index), picture, options_);
 }
 
-Mp4Sink::Mp4Sink(const std::filesystem::path& path, const video::VideoSettings& settings)
-    : file_(path), writer_(file_.temporaryPath(), settings) {}
+VideoSink::VideoSink(video::VideoFormat format, const std::filesystem::path& path,
+                     const video::VideoSettings& settings)
+    : format_(format), file_(path), writer_(format, file_.temporaryPath(), settings) {}
 
-void Mp4Sink::write(std::int64_t, image::ImageView picture) {
+void VideoSink::write(std::int64_t, image::ImageView picture) {
   writer_.write(picture);
 }
 
-void Mp4Sink::finish() {
+void VideoSink::finish() {
   finishAs(file_.finalPath());
 }
 
-void Mp4Sink::finishAs(const std::filesystem::path& path) {
+void VideoSink::finishAs(const std::filesystem::path& path) {
   writer_.finish();
   file_.commitAs(path);
 }

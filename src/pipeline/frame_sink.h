@@ -7,7 +7,7 @@
 #include "base/atomic_file.h"
 #include "image/image.h"
 #include "image/png_file.h"
-#include "video/mp4_writer.h"
+#include "video/video_writer.h"
 
 namespace rotatebook::pipeline {
 
@@ -37,22 +37,25 @@ class PngSequenceSink : public FrameSink {
   image::PngOptions options_;
 };
 
-/// Writes all frames, in order, to an MP4.
-class Mp4Sink : public FrameSink {
+/// Writes all frames, in order, to a video.
+class VideoSink : public FrameSink {
  public:
   /// Throws Error if the file or the encoder can't be opened.
-  Mp4Sink(const std::filesystem::path& path, const video::VideoSettings& settings);
+  VideoSink(video::VideoFormat format, const std::filesystem::path& path,
+            const video::VideoSettings& settings);
 
   void write(std::int64_t index, image::ImageView picture) override;
   void finish() override;
   /// Completes a playable clip of the frames so far, as `path`, instead of finish().
   void finishAs(const std::filesystem::path& path);
 
+  video::VideoFormat format() const { return format_; }
   const std::string& encoderName() const { return writer_.encoderName(); }
 
  private:
+  video::VideoFormat format_;
   AtomicFile file_;
-  video::Mp4Writer writer_;
+  video::VideoWriter writer_;
 };
 
 /// Takes frames and keeps nothing: for benchmarks.

@@ -25,13 +25,33 @@ int pngThreads() {
   return std::clamp(cores - 1, 1, 6);
 }
 
+using VideoSinks = std::vector<std::unique_ptr<VideoSink>>;
+
+VideoSinks openVideos(const ClipFiles& files, const video::VideoSettings& settings,
+                      const std::vector<video::VideoFormat>& formats) {
+  VideoSinks videos;
+  for (const video::VideoFormat format : formats) {
+    videos.push_back(std::make_unique<VideoSink>(format, files.video(format), settings));
+  }
+  return videos;
+}
+
+/// "libx264, gif"
+std::string encoderNames(const VideoSinks& videos) {
+  std::string names;
+  for (const auto& video : videos) names += (names.empty() ? "" : ", ") + video->encoderName();
+  return names;
+}
+
 /// Brings a finished render under its final names, in the place of an earlier one's files.
-void finish(Mp4Sink* mp4, const ClipFiles& files, const std::string& record,
+void finish(const VideoSinks& videos, const ClipFiles& files, const std::string& record,
             const RenderOptions& options) {
-  if (mp4 != nullptr) mp4->finish();
-  removeFile(files.partialMp4);
+  for (const auto& video : videos) video->finish();
+  for (const video::VideoFormat format : video::kVideoFormats) {
+    removeFile(files.partialVideo(format));
+  }
   if (options.frames) return;
-  removeOutdated(files, record, options.png, options.mp4);
+  removeOutdated(files, record, options.png, options.formats);
   if (options.png) replaceFrames(files);
 }
 
@@ -83,8 +103,7 @@ RenderResult renderClip(const scene::Scene& scene, const ClipMotion& motion,
   result.csvs = csvFiles(result.files.csv, scene);
   createFolders(options.folder);
   if (options.frames) refuseForeignFrames(result.files, record);
-  std::optional<Mp4Sink> mp4;
-  if (options.mp4) mp4.emplace(result.files.mp4, videoSettings(scene, record));
+  const VideoSinks videos = openVideos(result.files, videoSettings(scene, record), options.formats);
   if (options.png && options.frames) startPart(result.files, record);
   if (options.png && !options.frames) startWholeClip(result.files, record);
   PngSequenceSink png(options.frames ? result.files.frameFolder : result.files.partialFrameFolder,
@@ -92,15 +111,17 @@ RenderResult renderClip(const scene::Scene& scene, const ClipMotion& motion,
 
   std::vector<SinkThreads> sinks;
   if (options.png) sinks.push_back({png, pngThreads()});
-  if (mp4) sinks.push_back({*mp4, 1});
-  if (listener.started) listener.started(drawer.description(), mp4 ? mp4->encoderName() : "");
+  for (const auto& video : videos) sinks.push_back({*video, 1});
+  if (listener.started) listener.started(drawer.description(), encoderNames(videos));
   result.framesWritten = drawFrames(drawer, range, sinks, options.stop, listener.progress);
   result.interrupted = result.framesWritten < range.count();
   if (result.interrupted) {
     // A clip of no frames isn't worth a file.
-    if (mp4 && result.framesWritten > 0) mp4->finishAs(result.files.partialMp4);
+    for (const auto& video : videos) {
+      if (result.framesWritten > 0) video->finishAs(result.files.partialVideo(video->format()));
+    }
   } else {
-    finish(mp4 ? &*mp4 : nullptr, result.files, record, options);
+    finish(videos, result.files, record, options);
     writeTables(result.csvs, motion);
     if (!options.frames) {
       writePoster(drawer, posterFrame(scene.clip, range.count()), result.files.poster);

@@ -21,7 +21,7 @@ namespace rotatebook::pipeline {
 struct RenderOptions {
   std::filesystem::path folder = "out";  ///< Made if it isn't there.
   bool png = true;
-  bool mp4 = true;
+  std::vector<video::VideoFormat> formats{video::VideoFormat::Mp4};  ///< Each at most once.
   std::optional<FrameRange> frames{};  ///< Only these; all by default.
   image::PngOptions pngOptions{};
   /// Set from outside, e.g. by a signal handler, to stop after the frame in hand. May be null.
@@ -36,7 +36,7 @@ struct RenderProgress {
 
 /// Hears of a render while it goes on; called on the caller's thread.
 struct RenderListener {
-  std::function<void(const std::string& renderer, const std::string& encoder)> started;
+  std::function<void(const std::string& renderer, const std::string& encoders)> started;
   std::function<void(RenderProgress)> progress;
 };
 
@@ -45,8 +45,8 @@ struct RenderResult {
   ClipFiles files;
   std::vector<std::filesystem::path> csvs;  ///< The tables; none are written if interrupted.
   std::int64_t framesWritten = 0;
-  /// Stopped from outside: frames are in NAME.partial/ (those of a part in NAME/), the MP4 is
-  /// NAME.partial.mp4, and the files of an earlier render are as they were.
+  /// Stopped from outside: frames are in NAME.partial/ (those of a part in NAME/), videos are
+  /// NAME.partial.mp4 and so on, and the files of an earlier render are as they were.
   bool interrupted = false;
 };
 
@@ -54,7 +54,7 @@ struct RenderResult {
 /// naming the frames that exist.
 FrameRange framesToRender(const ClipMotion& motion, std::optional<FrameRange> wanted);
 
-/// Draws `motion`, that of `scene`, and writes CSV, PNGs, MP4 and, of a whole clip,
+/// Draws `motion`, that of `scene`, and writes CSV, PNGs, videos and, of a whole clip,
 /// poster. The frames of a whole clip are written to NAME.partial/ and, once the clip is complete,
 /// take the place of an earlier one's in NAME/, so that files of two renders never mix. Only some
 /// frames (RenderOptions::frames) go straight to NAME/, beside others of the same resolved scene.

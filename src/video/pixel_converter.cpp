@@ -4,12 +4,11 @@
 #include <cstddef>
 #include <cstring>
 #include <string>
+#include <utility>
 
 extern "C" {
 #include <libavutil/opt.h>
 }
-
-#include "base/error.h"
 
 namespace rotatebook::video {
 namespace {
@@ -33,25 +32,26 @@ constexpr int kFullRange = 1;
 constexpr int kLimitedRange = 0;
 constexpr int kUnchanged = 1 << 16;
 
-AVPixelFormat sourceFormat(image::PixelFormat format) {
-  return format == image::PixelFormat::Rgb8 ? AV_PIX_FMT_RGB24 : AV_PIX_FMT_RGB0;
+AVPixelFormat sourceFormat(image::PixelFormat format, bool transparent) {
+  if (format == image::PixelFormat::Rgb8) return AV_PIX_FMT_RGB24;
+  return transparent ? AV_PIX_FMT_RGBA : AV_PIX_FMT_RGB0;
 }
 
-Handle<AVFrame> makeFrame(int width, int height) {
-  Handle<AVFrame> frame = owned(av_frame_alloc());
-  frame->width = width;
-  frame->height = height;
-  frame->format = AV_PIX_FMT_YUV420P;
+AVPixelFormat targetFormat(bool transparent) {
+  return transparent ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P;
+}
+
+Handle<AVFrame> makeTaggedFrame(int width, int height, bool transparent) {
+  Handle<AVFrame> frame = makeFrame(width, height, targetFormat(transparent));
   frame->color_primaries = AVCOL_PRI_BT709;
   frame->color_trc = AVCOL_TRC_BT709;
   frame->colorspace = AVCOL_SPC_BT709;
   frame->color_range = AVCOL_RANGE_MPEG;
   frame->chroma_location = AVCHROMA_LOC_LEFT;
-  check(av_frame_get_buffer(frame.get(), 0), "can't allocate a video frame");
   return frame;
 }
 
-Handle<SwsContext> makeScaler(int width, int height, AVPixelFormat source) {
+Handle<SwsContext> makeScaler(int width, int height, AVPixelFormat source, AVPixelFormat target) {
   Handle<SwsContext> scaler = owned(sws_alloc_context());
   const auto set = [&scaler](const char* option, int value) {
     check(av_opt_set_int(scaler.get(), option, value, 0), std::string("swscale: ") + option);
@@ -61,7 +61,7 @@ Handle<SwsContext> makeScaler(int width, int height, AVPixelFormat source) {
   set("src_format", source);
   set("dstw", width);
   set("dsth", height);
-  set("dst_format", AV_PIX_FMT_YUV420P);
+  set("dst_format", target);
   set("dst_h_chr_pos", kChromaLeft);
   set("sws_flags", kScalerFlags);
   check(sws_init_context(scaler.get(), nullptr, nullptr), "can't convert RGB to yuv420p");
@@ -72,21 +72,24 @@ Handle<SwsContext> makeScaler(int width, int height, AVPixelFormat source) {
   return scaler;
 }
 
-std::string sizeText(int width, int height) {
-  return std::to_string(width) + "x" + std::to_string(height);
-}
-
 }  // namespace
 
-PixelConverter::PixelConverter(int width, int height) : frame_(makeFrame(width, height)) {
+PixelConverter::PixelConverter(int width, int height, bool transparent)
+    : transparent_(transparent), frame_(makeTaggedFrame(width, height, transparent)) {
   prepareFor(image::PixelFormat::Rgba8);
 }
 
+void PixelConverter::send(image::ImageView picture, std::int64_t number) {
+  convert(picture).pts = number;
+  ready_ = true;
+}
+
+AVFrame* PixelConverter::receive() {
+  return std::exchange(ready_, false) ? frame_.get() : nullptr;
+}
+
 AVFrame& PixelConverter::convert(image::ImageView picture) {
-  if (picture.width != frame_->width || picture.height != frame_->height) {
-    throw InputError("can't encode a picture of " + sizeText(picture.width, picture.height) +
-                     ": the video has " + sizeText(frame_->width, frame_->height));
-  }
+  requireSize(picture, frame_->width, frame_->height);
   if (picture.format != scalerFormat_) prepareFor(picture.format);
   // The encoder may still hold the last one.
   check(av_frame_make_writable(frame_.get()), "can't allocate a video frame");
@@ -122,7 +125,8 @@ void PixelConverter::scale(const std::uint8_t* topRow, std::ptrdiff_t stride, in
 }
 
 void PixelConverter::prepareFor(image::PixelFormat format) {
-  scaler_ = makeScaler(frame_->width, frame_->height, sourceFormat(format));
+  scaler_ = makeScaler(frame_->width, frame_->height, sourceFormat(format, transparent_),
+                       targetFormat(transparent_));
   scalerFormat_ = format;
 }
 

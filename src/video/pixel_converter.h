@@ -6,17 +6,20 @@
 #include <vector>
 
 #include "image/image.h"
-#include "video/ffmpeg.h"
+#include "video/converter.h"
 
 namespace rotatebook::video {
 
-/// Converts sRGB pictures of one size to yuv420p: BT.709 matrix, limited range, chroma sited left,
-/// as H.264 has it unless told otherwise. The same bytes on every processor. A flat colour is
-/// within 0.51 of the exact value.
-class PixelConverter {
+/// Converts sRGB pictures of one size to yuv420p, or with their alpha to yuva420p: BT.709 matrix,
+/// limited range, chroma sited left, as H.264 has it unless told otherwise. The same bytes on every
+/// processor. A flat colour is within 0.51 of the exact value.
+class PixelConverter : public Converter {
  public:
   /// `width` and `height` even, at least kSmallestSide. [pixels]
-  PixelConverter(int width, int height);
+  PixelConverter(int width, int height, bool transparent = false);
+
+  void send(image::ImageView picture, std::int64_t number) override;
+  AVFrame* receive() override;
 
   /// Returns the converted picture, tagged; valid until the next call. Reads `picture` in place,
   /// whatever its stride. Throws InputError for another size.
@@ -27,6 +30,8 @@ class PixelConverter {
   void scaleCopy(const image::ImageView& picture, int top);
   void scale(const std::uint8_t* topRow, std::ptrdiff_t stride, int top, int rows);
 
+  bool transparent_;
+  bool ready_ = false;
   Handle<AVFrame> frame_;
   Handle<SwsContext> scaler_;
   std::vector<std::uint8_t> copy_;

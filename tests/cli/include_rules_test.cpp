@@ -32,7 +32,7 @@ const std::map<std::string, Room> kRooms{
     {"render", {{"base", "image", "physics"}, {"Eigen/", "epoxy/"}}},
     {"video", {{"base", "image"}, {"libav", "libswscale/"}}},
     {"pipeline", {{"base", "physics", "scene", "image", "overlay", "render", "video"}, {"Eigen/"}}},
-    {"page", {{"base", "physics", "scene", "pipeline"}, {"Eigen/"}}},
+    {"page", {{"base", "physics", "scene", "video", "pipeline"}, {"Eigen/"}}},
     {"cli",
      {{"base", "physics", "scene", "image", "render", "video", "pipeline", "page"}, {"CLI/"}}},
 };

@@ -67,6 +67,26 @@ TEST_F(RenderCommand, LeavesTheFramesOut) {
               EndsWith("  wrote out/tiny.mp4, out/tiny.csv and out/tiny.poster.png\n"));
 }
 
+TEST_F(RenderCommand, MakesTheVideosThatAreAskedFor) {
+  const ChildResult result = run({"render", "tiny.toml", "--no-png", "--format", "webm,gif,apng"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.apng", "out/tiny.csv", "out/tiny.gif",
+                                   "out/tiny.poster.png", "out/tiny.webm"));
+  EXPECT_THAT(result.output, AllOf(HasSubstr("; encoder libvpx-vp9, gif, apng\n"),
+                                   HasSubstr("  wrote out/tiny.webm, out/tiny.gif, out/tiny.apng, "
+                                             "out/tiny.csv and out/tiny.poster.png\n")));
+}
+
+TEST_F(RenderCommand, RefusesAFormatThatThereIsNot) {
+  const ChildResult result = run({"render", "tiny.toml", "--format", "mp4,wemb"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(
+      result.error,
+      "rotatebook: --format wemb: unknown; there are \"mp4\", \"webm\", \"gif\" and \"apng\"; "
+      "did you mean \"webm\"?\n");
+  EXPECT_THAT(files(), IsEmpty());
+}
+
 TEST_F(RenderCommand, LeavesTheClipOut) {
   const ChildResult result = run({"render", "tiny.toml", "--no-mp4", "--frames", "0:1"});
   EXPECT_EQ(result.status, 0) << result.error;

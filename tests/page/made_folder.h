@@ -43,7 +43,7 @@ inline void touch(const std::filesystem::path& path) {
 /// Leaves the clip of `scene` in `folder`: its CSV is true, its MP4 and poster are not.
 inline void makeClip(const scene::Scene& scene, const std::filesystem::path& folder) {
   const pipeline::ClipFiles files = pipeline::clipFiles(folder, scene.name);
-  touch(files.mp4);
+  touch(files.video(video::VideoFormat::Mp4));
   touch(files.poster);
   pipeline::writeTables(pipeline::csvFiles(files.csv, scene), pipeline::simulateScene(scene));
 }

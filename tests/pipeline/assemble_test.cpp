@@ -126,7 +126,7 @@ TEST_F(Assemble, NeedsARateForFramesFromElsewhere) {
 }
 
 TEST_F(Assemble, RefusesARateWhereTheSceneTells) {
-  testing::render(testing::smallScene(), {.folder = folder_, .mp4 = false});
+  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
   EXPECT_EQ(inputError(FrameRate{25, 1}),
             (frames_ / "scene.toml").string() + " sets the frame rate already; leave --fps out");
 }

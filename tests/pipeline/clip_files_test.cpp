@@ -28,16 +28,16 @@ TEST(ClipFiles, AreNamedAfterTheScene) {
   const ClipFiles files = clipFiles("out", "book");
   EXPECT_EQ(files.frameFolder, "out/book");
   EXPECT_EQ(files.sceneCopy, "out/book/scene.toml");
-  EXPECT_EQ(files.mp4, "out/book.mp4");
-  EXPECT_EQ(files.partialMp4, "out/book.partial.mp4");
+  EXPECT_EQ(files.video(video::VideoFormat::Mp4), "out/book.mp4");
+  EXPECT_EQ(files.partialVideo(video::VideoFormat::Mp4), "out/book.partial.mp4");
   EXPECT_EQ(files.csv, "out/book.csv");
 }
 
 TEST(ClipFiles, OfAPartHaveAnMp4OfTheirOwn) {
   const ClipFiles files = clipFiles("out", "book", {10, 20});
   EXPECT_EQ(files.frameFolder, "out/book");
-  EXPECT_EQ(files.mp4, "out/book_00010-00020.mp4");
-  EXPECT_EQ(files.partialMp4, "out/book_00010-00020.partial.mp4");
+  EXPECT_EQ(files.video(video::VideoFormat::Mp4), "out/book_00010-00020.mp4");
+  EXPECT_EQ(files.partialVideo(video::VideoFormat::Mp4), "out/book_00010-00020.partial.mp4");
 }
 
 TEST(FramesIn, AreFoundInOrderAmongForeignFiles) {

@@ -25,7 +25,7 @@ TEST(PosterFrame, IsInTheMiddleUnlessTheSceneSaysOtherwise) {
 
 TEST(Poster, IsThatFrameOfTheClip) {
   const auto folder = testing::emptyFolder();
-  testing::render(smallScene({"clip.poster=0.125"}), {.folder = folder, .mp4 = false});
+  testing::render(smallScene({"clip.poster=0.125"}), {.folder = folder, .formats = {}});
   const std::string poster = bytesOf(folder / "small.poster.png");
   EXPECT_EQ(poster, bytesOf(folder / "small" / frameName(3)));
   EXPECT_NE(poster, bytesOf(folder / "small" / frameName(4)));
@@ -33,7 +33,7 @@ TEST(Poster, IsThatFrameOfTheClip) {
 
 TEST(Poster, IsNotMadeOfAPartOfTheClip) {
   const auto folder = testing::emptyFolder();
-  testing::render(smallScene(), {.folder = folder, .mp4 = false, .frames = FrameRange{0, 2}});
+  testing::render(smallScene(), {.folder = folder, .formats = {}, .frames = FrameRange{0, 2}});
   EXPECT_FALSE(std::filesystem::exists(folder / "small.poster.png"));
 }
 

@@ -50,21 +50,21 @@ TEST(RenderClip, LeavesItsFilesAndNoOthers) {
   EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(kFrames));
   EXPECT_EQ(result.framesWritten, kFrames);
   EXPECT_FALSE(result.interrupted);
-  EXPECT_EQ(result.files.mp4, folder / "small.mp4");
+  EXPECT_EQ(result.files.video(video::VideoFormat::Mp4), folder / "small.mp4");
   EXPECT_EQ(result.files.csv, folder / "small.csv");
   EXPECT_EQ(result.files.frameFolder, folder / "small");
 }
 
 TEST(RenderClip, MakesItsFolders) {
   const fs::path folder = emptyFolder() / "a" / "b";
-  testing::render(smallScene(), {.folder = folder, .mp4 = false});
+  testing::render(smallScene(), {.folder = folder, .formats = {}});
   EXPECT_TRUE(fs::exists(folder / "small" / frameName(0)));
 }
 
 TEST(RenderClip, DrawsFrameNFromSampleN) {
   const fs::path folder = emptyFolder();
   const scene::Scene scene = smallScene();
-  testing::render(scene, {.folder = folder, .mp4 = false});
+  testing::render(scene, {.folder = folder, .formats = {}});
   const physics::Trajectory trajectory = motionOf(scene);
   render::Renderer renderer = makeRenderer(scene);
   image::Image expected = renderer.makePicture();
@@ -82,16 +82,29 @@ TEST(RenderClip, DrawsFrameNFromSampleN) {
 TEST(RenderClip, StartsWithTheBookAtRest) {
   const fs::path folder = emptyFolder();
   const scene::Scene scene = smallScene();
-  testing::render(scene, {.folder = folder, .mp4 = false});
+  testing::render(scene, {.folder = folder, .formats = {}});
   render::Renderer renderer = makeRenderer(scene);
   image::Image expected = renderer.makePicture();
   renderer.draw(scene.body.corners(), expected);
   EXPECT_TRUE(sameColours(image::readPng(folder / "small" / frameName(0)), expected));
 }
 
+TEST(RenderClip, KeepsNoVideoOfAnotherScene) {
+  using video::VideoFormat;
+  const fs::path folder = emptyFolder();
+  testing::render(smallScene(),
+                  {.folder = folder, .formats = {VideoFormat::Gif, VideoFormat::Apng}});
+  testing::render(smallScene(), {.folder = folder, .formats = {VideoFormat::WebM}});
+  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.apng", "small.csv", "small.gif",
+                                           "small.poster.png", "small.webm"));
+  testing::render(smallScene({"initial.angular_velocity=[1, 2, 3]"}),
+                  {.folder = folder, .formats = {VideoFormat::WebM}});
+  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.poster.png", "small.webm"));
+}
+
 TEST(RenderClip, WritesTheMotionAsCsv) {
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder, .png = false, .mp4 = false});
+  testing::render(smallScene(), {.folder = folder, .png = false, .formats = {}});
   EXPECT_EQ(bytesOf(folder / "small.csv"), trajectoryCsv(motionOf(smallScene())));
 }
 
@@ -163,7 +176,7 @@ TEST(RenderClip, LeavesOutWhatIsNotWanted) {
   const fs::path folder = emptyFolder();
   testing::render(smallScene(), {.folder = folder / "mp4", .png = false});
   EXPECT_THAT(namesIn(folder / "mp4"), ElementsAre("small.csv", "small.mp4", "small.poster.png"));
-  testing::render(smallScene(), {.folder = folder / "png", .mp4 = false});
+  testing::render(smallScene(), {.folder = folder / "png", .formats = {}});
   EXPECT_THAT(namesIn(folder / "png"), ElementsAre("small", "small.csv", "small.poster.png"));
   testing::render(smallScene(), {.folder = folder / "both"});
   EXPECT_EQ(bytesOf(folder / "mp4/small.mp4"), bytesOf(folder / "both/small.mp4"));
@@ -171,8 +184,8 @@ TEST(RenderClip, LeavesOutWhatIsNotWanted) {
 
 TEST(RenderClip, CompressesPngsAsAsked) {
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder / "fast", .mp4 = false});
-  testing::render(smallScene(), {.folder = folder / "small", .mp4 = false, .pngOptions = {9}});
+  testing::render(smallScene(), {.folder = folder / "fast", .formats = {}});
+  testing::render(smallScene(), {.folder = folder / "small", .formats = {}, .pngOptions = {9}});
   EXPECT_LT(fs::file_size(folder / "small/small" / frameName(3)),
             fs::file_size(folder / "fast/small" / frameName(3)));
 }
@@ -246,7 +259,7 @@ TEST(RenderClip, NeverMixesTheFilesOfTwoSettings) {
   testing::render(other, {.folder = folder, .png = false});
   EXPECT_THAT(namesIn(folder), ElementsAre("small.csv", "small.mp4", "small.poster.png"));
   testing::render(smallScene(), {.folder = folder});
-  testing::render(other, {.folder = folder, .mp4 = false});
+  testing::render(other, {.folder = folder, .formats = {}});
   EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.poster.png"));
 }
 
@@ -254,7 +267,7 @@ TEST(RenderClip, KeepsWhatTheSameSettingsMadeBefore) {
   const fs::path folder = emptyFolder();
   testing::render(smallScene(), {.folder = folder});
   testing::render(smallScene(), {.folder = folder, .png = false});
-  testing::render(smallScene(), {.folder = folder, .mp4 = false});
+  testing::render(smallScene(), {.folder = folder, .formats = {}});
   EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
 }
 

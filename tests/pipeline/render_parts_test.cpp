@@ -40,7 +40,7 @@ TEST(RenderParts, AssembleToTheWholesBytes) {
   testing::render(smallScene(), {.folder = folder / "whole"});
   const fs::path parts = folder / "parts";
   testing::render(smallScene(), {.folder = parts, .frames = FrameRange{5, 12}});
-  testing::render(smallScene(), {.folder = parts, .mp4 = false, .frames = FrameRange{0, 5}});
+  testing::render(smallScene(), {.folder = parts, .formats = {}, .frames = FrameRange{0, 5}});
   EXPECT_EQ(assemble(parts / "small", parts / "all.mp4", {}, {}), kFrames);
   EXPECT_EQ(bytesOf(parts / "all.mp4"), bytesOf(folder / "whole/small.mp4"));
   for (const std::string& name : namesIn(folder / "whole/small")) {

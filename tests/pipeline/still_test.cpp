@@ -22,7 +22,7 @@ using testing::smallScene;
 
 TEST(Still, IsTheClipsFrameNearestToTheTime) {
   const fs::path folder = testing::emptyFolder();
-  testing::render(smallScene(), {.folder = folder, .mp4 = false});
+  testing::render(smallScene(), {.folder = folder, .formats = {}});
   const auto still = [&](double frames) {
     return renderStill(smallScene(), frames / 24, folder / "still.png");
   };

@@ -7,8 +7,8 @@
 
 #include "video/bt709.h"
 #include "video/decoded_video.h"
-#include "video/mp4_writer.h"
 #include "video/test_clip.h"
+#include "video/video_writer.h"
 
 namespace rotatebook::video {
 namespace {
@@ -48,7 +48,7 @@ DecodedVideo decodedChart() {
   settings.width = picture.width();
   settings.height = picture.height();
   const auto path = testing::outputFolder() / "chart.mp4";
-  Mp4Writer writer(path, settings);
+  VideoWriter writer(VideoFormat::Mp4, path, settings);
   for (int n = 0; n < 3; ++n) writer.write(picture.view());
   writer.finish();
   return decodeVideo(path);

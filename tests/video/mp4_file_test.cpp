@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "video/decoded_video.h"
-#include "video/mp4_writer.h"
 #include "video/test_clip.h"
+#include "video/video_writer.h"
 
 namespace rotatebook::video {
 namespace {

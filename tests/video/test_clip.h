@@ -7,7 +7,7 @@
 #include <string>
 
 #include "image/image.h"
-#include "video/mp4_writer.h"
+#include "video/video_writer.h"
 
 namespace rotatebook::video::testing {
 
@@ -43,7 +43,7 @@ inline image::Image barPicture(int n) {
 
 /// Writes `count` pictures (at most 24) and finishes.
 inline void writeClip(const std::filesystem::path& path, const VideoSettings& settings, int count) {
-  Mp4Writer writer(path, settings);
+  VideoWriter writer(VideoFormat::Mp4, path, settings);
   for (int n = 0; n < count; ++n) writer.write(barPicture(n).view());
   writer.finish();
 }

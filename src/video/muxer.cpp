@@ -1,4 +1,4 @@
-#include "video/mp4_muxer.h"
+#include "video/muxer.h"
 
 namespace rotatebook::video {
 namespace {
@@ -8,11 +8,12 @@ std::string urlOf(const std::filesystem::path& path) {
   return "file:" + path.string();
 }
 
-Handle<AVFormatContext> makeContext(const std::filesystem::path& path) {
+Handle<AVFormatContext> makeContext(const std::filesystem::path& path, VideoFormat format) {
   AVFormatContext* context = nullptr;
   const std::string url = urlOf(path);
-  check(avformat_alloc_output_context2(&context, nullptr, "mp4", url.c_str()),
-        "FFmpeg's libavformat can't write MP4");
+  const std::string container(nameOf(format));
+  check(avformat_alloc_output_context2(&context, nullptr, container.c_str(), url.c_str()),
+        "FFmpeg's libavformat can't write " + container);
   return Handle<AVFormatContext>(context);
 }
 
@@ -21,6 +22,7 @@ void addStream(AVFormatContext& context, const AVCodecContext& encoder) {
   if (stream == nullptr) throw std::bad_alloc();
   check(avcodec_parameters_from_context(stream->codecpar, &encoder), "can't describe the video");
   stream->time_base = encoder.time_base;
+  stream->avg_frame_rate = encoder.framerate;
 }
 
 void addMetadata(AVFormatContext& context, const VideoSettings& settings) {
@@ -30,34 +32,52 @@ void addMetadata(AVFormatContext& context, const VideoSettings& settings) {
   std::swap(context.metadata, *metadata.address());
 }
 
+void setOptions(Dictionary& options, VideoFormat format, const VideoSettings& settings) {
+  switch (format) {
+    case VideoFormat::Mp4:
+      options.set("movflags", "+faststart");
+      // The default of 1000 couldn't say how long 1/60 s is.
+      options.set("movie_timescale", std::to_string(settings.frameRate.numerator));
+      break;
+    case VideoFormat::WebM:
+      break;
+    case VideoFormat::Gif:
+      options.set("loop", "0");  // for ever
+      break;
+    case VideoFormat::Apng:
+      options.set("plays", "0");  // for ever
+      break;
+  }
+}
+
 }  // namespace
 
-Mp4Muxer::Mp4Muxer(const std::filesystem::path& path, const AVCodecContext& encoder,
-                   const VideoSettings& settings)
-    : path_(path.string()), encoderTimeBase_(encoder.time_base), context_(makeContext(path)) {
+Muxer::Muxer(const std::filesystem::path& path, VideoFormat format, const AVCodecContext& encoder,
+             const VideoSettings& settings)
+    : path_(path.string()),
+      encoderTimeBase_(encoder.time_base),
+      context_(makeContext(path, format)) {
   context_->flags |= AVFMT_FLAG_BITEXACT;
   addStream(*context_, encoder);
   addMetadata(*context_, settings);
   checkFile(avio_open(&context_->pb, context_->url, AVIO_FLAG_WRITE));
   Dictionary options;
-  options.set("movflags", "+faststart");
-  // The default of 1000 couldn't say how long 1/60 s is.
-  options.set("movie_timescale", std::to_string(settings.frameRate.numerator));
+  setOptions(options, format, settings);
   checkFile(avformat_write_header(context_.get(), options.address()));
 }
 
-void Mp4Muxer::write(AVPacket& packet) {
+void Muxer::write(AVPacket& packet) {
   av_packet_rescale_ts(&packet, encoderTimeBase_, context_->streams[0]->time_base);
   packet.stream_index = 0;
   checkFile(av_interleaved_write_frame(context_.get(), &packet));
 }
 
-void Mp4Muxer::finish() {
+void Muxer::finish() {
   checkFile(av_write_trailer(context_.get()));
   checkFile(avio_closep(&context_->pb));
 }
 
-int Mp4Muxer::checkFile(int result) const {
+int Muxer::checkFile(int result) const {
   return check(result, "can't write " + path_);
 }
 

@@ -1,4 +1,4 @@
-#include "video/mp4_writer.h"
+#include "video/video_writer.h"
 
 #include <csignal>
 #include <cstdint>
@@ -39,7 +39,8 @@ std::string messageOf(Action action) {
 }
 
 std::string refusalOf(const VideoSettings& settings) {
-  return messageOf<InputError>([&] { Mp4Writer(outputFolder() / "refused.mp4", settings); });
+  return messageOf<InputError>(
+      [&] { VideoWriter(VideoFormat::Mp4, outputFolder() / "refused.mp4", settings); });
 }
 
 TEST(Mp4Writer, RefusesOddSizesNamingTheEvenOnes) {
@@ -100,16 +101,18 @@ TEST(Mp4Writer, CreatesNoFileForRefusedSettings) {
   const fs::path path = outputFolder() / "never.mp4";
   VideoSettings settings = smallSettings();
   settings.width = 31;
-  EXPECT_THROW(Mp4Writer(path, settings), InputError);
+  EXPECT_THROW(VideoWriter(VideoFormat::Mp4, path, settings), InputError);
   EXPECT_FALSE(fs::exists(path));
 }
 
 TEST(Mp4Writer, NamesItsEncoder) {
-  EXPECT_EQ(Mp4Writer(outputFolder() / "a.mp4", smallSettings()).encoderName(), "libx264");
+  EXPECT_EQ(VideoWriter(VideoFormat::Mp4, outputFolder() / "a.mp4", smallSettings()).encoderName(),
+            "libx264");
 }
 
 TEST(Mp4Writer, NamesThePathItCanNotWrite) {
-  EXPECT_EQ(messageOf<MachineError>([] { Mp4Writer("/missing/a.mp4", smallSettings()); }),
+  EXPECT_EQ(messageOf<MachineError>(
+                [] { VideoWriter(VideoFormat::Mp4, "/missing/a.mp4", smallSettings()); }),
             "can't write /missing/a.mp4: No such file or directory");
 }
 
@@ -124,10 +127,12 @@ TEST(Mp4Writer, TakesNamesThatLookLikeProtocols) {
 TEST(Mp4Writer, PassesTheLibrarysWordsOnOnce) {
   VideoSettings huge = smallSettings();
   huge.width = huge.height = 40000;
-  EXPECT_EQ(messageOf<MachineError>([&] { Mp4Writer(outputFolder() / "huge.mp4", huge); }),
+  EXPECT_EQ(messageOf<MachineError>(
+                [&] { VideoWriter(VideoFormat::Mp4, outputFolder() / "huge.mp4", huge); }),
             "the H.264 encoder libx264 doesn't start: Invalid argument (Picture size 40000x40000 "
             "is invalid)");
-  EXPECT_EQ(messageOf<MachineError>([] { Mp4Writer("/missing/a.mp4", smallSettings()); }),
+  EXPECT_EQ(messageOf<MachineError>(
+                [] { VideoWriter(VideoFormat::Mp4, "/missing/a.mp4", smallSettings()); }),
             "can't write /missing/a.mp4: No such file or directory");
 }
 
@@ -172,7 +177,7 @@ TEST(Mp4Writer, NoticesADiskThatFillsUpAtAnyByte) {
 }
 
 TEST(Mp4Writer, FailsAtThePictureThatFindsTheDiskFull) {
-  Mp4Writer writer(outputFolder() / "filling.mp4", smallSettings());
+  VideoWriter writer(VideoFormat::Mp4, outputFolder() / "filling.mp4", smallSettings());
   std::mt19937 generator(7);
   image::Image noise = barPicture(0);
   const auto writeNoise = [&] {
@@ -192,7 +197,7 @@ TEST(Mp4Writer, FailsAtThePictureThatFindsTheDiskFull) {
 
 TEST(Mp4Writer, NoticesThatTheIndexCanNotBeMoved) {
   const fs::path path = outputFolder() / "vanished.mp4";
-  Mp4Writer writer(path, smallSettings());
+  VideoWriter writer(VideoFormat::Mp4, path, smallSettings());
   writer.write(barPicture(0).view());
   fs::remove(path);
   EXPECT_THAT(messageOf<MachineError>([&] { writer.finish(); }),
@@ -202,7 +207,7 @@ TEST(Mp4Writer, NoticesThatTheIndexCanNotBeMoved) {
 TEST(Mp4Writer, LeavesAnUnplayableFileIfNotFinished) {
   const fs::path path = outputFolder() / "unfinished.mp4";
   {
-    Mp4Writer writer(path, smallSettings());
+    VideoWriter writer(VideoFormat::Mp4, path, smallSettings());
     for (int n = 0; n < 20; ++n) writer.write(barPicture(n).view());
   }
   EXPECT_TRUE(fs::exists(path));
@@ -210,20 +215,20 @@ TEST(Mp4Writer, LeavesAnUnplayableFileIfNotFinished) {
 }
 
 TEST(Mp4Writer, RefusesAVideoWithoutPictures) {
-  Mp4Writer writer(outputFolder() / "empty.mp4", smallSettings());
+  VideoWriter writer(VideoFormat::Mp4, outputFolder() / "empty.mp4", smallSettings());
   EXPECT_EQ(messageOf<MachineError>([&] { writer.finish(); }),
             "can't write " + (outputFolder() / "empty.mp4").string() + ": a video needs a picture");
 }
 
 TEST(Mp4Writer, RefusesAPictureOfAnotherSize) {
-  Mp4Writer writer(outputFolder() / "size.mp4", smallSettings());
+  VideoWriter writer(VideoFormat::Mp4, outputFolder() / "size.mp4", smallSettings());
   const image::Image wide(98, 64, image::PixelFormat::Rgba8);
   EXPECT_EQ(messageOf<InputError>([&] { writer.write(wide.view()); }),
             "can't encode a picture of 98x64: the video has 96x64");
 }
 
 TEST(Mp4Writer, TakesNoPictureAfterTheEnd) {
-  Mp4Writer writer(outputFolder() / "ended.mp4", smallSettings());
+  VideoWriter writer(VideoFormat::Mp4, outputFolder() / "ended.mp4", smallSettings());
   writer.write(barPicture(0).view());
   writer.finish();
   EXPECT_THROW(writer.write(barPicture(1).view()), MachineError);
@@ -231,9 +236,9 @@ TEST(Mp4Writer, TakesNoPictureAfterTheEnd) {
 
 TEST(Mp4Writer, MovesWithItsFile) {
   const fs::path path = outputFolder() / "moved.mp4";
-  Mp4Writer first(path, smallSettings());
+  VideoWriter first(VideoFormat::Mp4, path, smallSettings());
   first.write(barPicture(0).view());
-  Mp4Writer second = std::move(first);
+  VideoWriter second = std::move(first);
   second.write(barPicture(1).view());
   second.finish();
   EXPECT_EQ(decodeVideo(path).frames.size(), 2U);
@@ -255,7 +260,7 @@ TEST(Mp4Writer, PrintsNothing) {
   ::testing::internal::CaptureStderr();
   ::testing::internal::CaptureStdout();
   writeClip(outputFolder() / "quiet.mp4", smallSettings(), 3);
-  EXPECT_THROW(Mp4Writer("/missing/a.mp4", smallSettings()), MachineError);
+  EXPECT_THROW(VideoWriter(VideoFormat::Mp4, "/missing/a.mp4", smallSettings()), MachineError);
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
   EXPECT_EQ(::testing::internal::GetCapturedStdout(), "");
 }

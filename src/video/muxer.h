@@ -1,21 +1,21 @@
-// H.264 packets in, an MP4 file out. Inside the room only.
+// Packets in, a file out. Inside the room only.
 #pragma once
 
 #include <filesystem>
 #include <string>
 
 #include "video/ffmpeg.h"
-#include "video/mp4_writer.h"
+#include "video/video_writer.h"
 
 namespace rotatebook::video {
 
-/// One `avc1` track in an MP4 whose index is moved to the front at the end. No clock time, no
-/// version in the file.
-class Mp4Muxer {
+/// One track in a container of that format. No clock time, no version, no random number in the
+/// file; an MP4's index is moved to the front at the end.
+class Muxer {
  public:
   /// Creates the file and writes its head. `encoder` is open. Throws MachineError.
-  Mp4Muxer(const std::filesystem::path& path, const AVCodecContext& encoder,
-           const VideoSettings& settings);
+  Muxer(const std::filesystem::path& path, VideoFormat format, const AVCodecContext& encoder,
+        const VideoSettings& settings);
 
   /// Writes a packet with times in the encoder's time base, which it takes the content of. Throws
   /// MachineError.

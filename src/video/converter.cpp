@@ -1,0 +1,31 @@
+#include "video/converter.h"
+
+#include <string>
+
+#include "base/error.h"
+
+namespace rotatebook::video {
+namespace {
+
+std::string sizeText(int width, int height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
+
+}  // namespace
+
+void requireSize(const image::ImageView& picture, int width, int height) {
+  if (picture.width == width && picture.height == height) return;
+  throw InputError("can't encode a picture of " + sizeText(picture.width, picture.height) +
+                   ": the video has " + sizeText(width, height));
+}
+
+Handle<AVFrame> makeFrame(int width, int height, AVPixelFormat format) {
+  Handle<AVFrame> frame = owned(av_frame_alloc());
+  frame->width = width;
+  frame->height = height;
+  frame->format = format;
+  check(av_frame_get_buffer(frame.get(), 0), "can't allocate a video frame");
+  return frame;
+}
+
+}  // namespace rotatebook::video

@@ -1,0 +1,91 @@
+#include "video/encoder.h"
+
+#include <utility>
+
+#include "base/error.h"
+
+namespace rotatebook::video {
+namespace {
+
+std::string sideText(const char* side, int pixels) {
+  return std::string("video ") + side + " " + std::to_string(pixels);
+}
+
+void requireLargeEnough(const char* side, int pixels) {
+  if (pixels >= kSmallestSide) return;
+  throw InputError(sideText(side, pixels) + ": the smallest is " + std::to_string(kSmallestSide));
+}
+
+void requireEven(const char* side, int pixels, const std::string& codec) {
+  if (pixels % 2 == 0) return;
+  throw InputError(sideText(side, pixels) + " is odd, and " + codec +
+                   "'s 4:2:0 colour needs it even: take " + std::to_string(pixels - 1) + " or " +
+                   std::to_string(pixels + 1));
+}
+
+}  // namespace
+
+Encoder::Encoder(const std::string& kind, Handle<AVCodecContext> context, Dictionary& options)
+    : name_(context->codec->name),
+      words_("the " + kind + " encoder " + name_),
+      context_(std::move(context)),
+      packet_(owned(av_packet_alloc())) {
+  check(avcodec_open2(context_.get(), nullptr, options.address()), words_ + " doesn't start");
+}
+
+void Encoder::send(AVFrame* frame) {
+  check(avcodec_send_frame(context_.get(), frame), words_ + " failed");
+}
+
+AVPacket* Encoder::receive() {
+  const int result = avcodec_receive_packet(context_.get(), packet_.get());
+  if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return nullptr;
+  check(result, words_ + " failed");
+  // Not all encoders' packets carry one, and the muxer would have to guess the last one's.
+  packet_->duration = 1;
+  return packet_.get();
+}
+
+const AVCodec& encoderNamed(const std::string& name, const std::string& remedy) {
+  const AVCodec* encoder = avcodec_find_encoder_by_name(name.c_str());
+  if (encoder != nullptr) return *encoder;
+  throw MachineError("FFmpeg's libavcodec has no encoder " + name + ": " + remedy);
+}
+
+Handle<AVCodecContext> makeContext(const AVCodec& encoder, const VideoSettings& settings) {
+  Handle<AVCodecContext> context = owned(avcodec_alloc_context3(&encoder));
+  context->width = settings.width;
+  context->height = settings.height;
+  context->sample_aspect_ratio = {1, 1};
+  context->framerate = {settings.frameRate.numerator, settings.frameRate.denominator};
+  context->time_base = {settings.frameRate.denominator, settings.frameRate.numerator};
+  context->thread_count = settings.threads;
+  context->flags |= AV_CODEC_FLAG_GLOBAL_HEADER | AV_CODEC_FLAG_BITEXACT;
+  return context;
+}
+
+void tagBt709(AVCodecContext& context) {
+  context.color_primaries = AVCOL_PRI_BT709;
+  context.color_trc = AVCOL_TRC_BT709;
+  context.colorspace = AVCOL_SPC_BT709;
+  context.color_range = AVCOL_RANGE_MPEG;
+  context.chroma_sample_location = AVCHROMA_LOC_LEFT;
+}
+
+void requireSizeAndRate(const VideoSettings& settings) {
+  requireLargeEnough("width", settings.width);
+  requireLargeEnough("height", settings.height);
+  if (settings.frameRate.numerator <= 0 || settings.frameRate.denominator <= 0) {
+    throw InputError("video frame rate " + settings.frameRate.text() + " isn't above 0");
+  }
+  if (settings.threads < 1) {
+    throw InputError("video threads " + std::to_string(settings.threads) + ": at least 1");
+  }
+}
+
+void requireEvenSize(const VideoSettings& settings, const std::string& codec) {
+  requireEven("width", settings.width, codec);
+  requireEven("height", settings.height, codec);
+}
+
+}  // namespace rotatebook::video

@@ -1,0 +1,29 @@
+// Animated GIF.
+#include "video/format_parts.h"
+#include "video/palette_converter.h"
+
+namespace rotatebook::video {
+namespace {
+
+/// Of how many pictures one is taken.
+int takenEvery(const FrameRate& rate) {
+  const int most = rate.denominator * kMostGifRate;
+  return (rate.numerator + most - 1) / most;
+}
+
+}  // namespace
+
+Stages makeGifStages(const VideoSettings& settings) {
+  const int every = takenEvery(settings.frameRate);
+  VideoSettings taken = settings;
+  taken.frameRate.denominator *= every;
+  Handle<AVCodecContext> context =
+      makeContext(encoderNamed("gif", "install a build with GIF"), taken);
+  context->pix_fmt = AV_PIX_FMT_PAL8;
+  context->thread_count = 1;
+  Dictionary options;
+  return {std::make_unique<PaletteConverter>(settings.width, settings.height, every),
+          Encoder("GIF", std::move(context), options)};
+}
+
+}  // namespace rotatebook::video

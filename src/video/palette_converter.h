@@ -1,0 +1,38 @@
+// Pictures in few colours. Inside the room only.
+#pragma once
+
+#include <memory>
+
+#include "video/rgb_converter.h"
+
+extern "C" {
+#include <libavfilter/avfilter.h>
+}
+
+namespace rotatebook::video {
+
+struct FilterGraphDeleter {
+  void operator()(AVFilterGraph* graph) const noexcept { avfilter_graph_free(&graph); }
+};
+
+/// Gives each picture a palette of its own, of 255 colours, and dithers it: FFmpeg's palettegen and
+/// paletteuse. Takes every n-th picture only. Memory doesn't grow with the number of pictures.
+class PaletteConverter : public Converter {
+ public:
+  /// `every` >= 1.
+  PaletteConverter(int width, int height, int every);
+
+  void send(image::ImageView picture, std::int64_t number) override;
+  void end() override;
+  AVFrame* receive() override;
+
+ private:
+  int every_;
+  RgbConverter rgb_;
+  std::unique_ptr<AVFilterGraph, FilterGraphDeleter> graph_;
+  AVFilterContext* source_ = nullptr;  // owned by the graph, as is the sink
+  AVFilterContext* sink_ = nullptr;
+  Handle<AVFrame> frame_;
+};
+
+}  // namespace rotatebook::video

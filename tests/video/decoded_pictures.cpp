@@ -1,0 +1,102 @@
+#include "video/decoded_pictures.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "video/ffmpeg.h"
+
+namespace rotatebook::video::testing {
+namespace {
+
+struct InputCloser {
+  void operator()(AVFormatContext* context) const noexcept { avformat_close_input(&context); }
+};
+using InputFile = std::unique_ptr<AVFormatContext, InputCloser>;
+
+InputFile openFile(const std::filesystem::path& path) {
+  AVFormatContext* context = nullptr;
+  const std::string url = "file:" + path.string();
+  check(avformat_open_input(&context, url.c_str(), nullptr, nullptr), "can't open " + url);
+  InputFile file(context);
+  check(avformat_find_stream_info(context, nullptr), "can't probe " + url);
+  return file;
+}
+
+Handle<AVCodecContext> openDecoder(const AVCodecParameters& parameters) {
+  // FFmpeg's own decoder of VP9 leaves alpha out.
+  const AVCodec* decoder = parameters.codec_id == AV_CODEC_ID_VP9
+                               ? avcodec_find_decoder_by_name("libvpx-vp9")
+                               : avcodec_find_decoder(parameters.codec_id);
+  Handle<AVCodecContext> context = owned(avcodec_alloc_context3(decoder));
+  check(avcodec_parameters_to_context(context.get(), &parameters), "can't set up the decoder");
+  check(avcodec_open2(context.get(), decoder, nullptr), "can't open the decoder");
+  return context;
+}
+
+image::Image pictureOf(const AVFrame& frame) {
+  image::Image picture(frame.width, frame.height, image::PixelFormat::Rgba8);
+  const Handle<SwsContext> scaler = owned(sws_getContext(
+      frame.width, frame.height, static_cast<AVPixelFormat>(frame.format), frame.width,
+      frame.height, AV_PIX_FMT_RGBA, SWS_BICUBIC | SWS_ACCURATE_RND, nullptr, nullptr, nullptr));
+  const int* bt709 = sws_getCoefficients(SWS_CS_ITU709);
+  sws_setColorspaceDetails(scaler.get(), bt709, 0, bt709, 1, 0, 1 << 16, 1 << 16);
+  const std::array<std::uint8_t*, 4> planes{picture.row(0)};
+  const std::array<int, 4> strides{static_cast<int>(picture.stride())};
+  sws_scale(scaler.get(), frame.data, frame.linesize, 0, frame.height, planes.data(),
+            strides.data());
+  return picture;
+}
+
+void takePictures(AVCodecContext& decoder, double unit, DecodedPictures& decoded) {
+  const Handle<AVFrame> frame = owned(av_frame_alloc());
+  while (true) {
+    const int result = avcodec_receive_frame(&decoder, frame.get());
+    if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return;
+    check(result, "can't decode");
+    decoded.pictures.push_back({static_cast<double>(frame->pts) * unit, pictureOf(*frame)});
+  }
+}
+
+}  // namespace
+
+DecodedPictures decodePictures(const std::filesystem::path& path) {
+  silenceFfmpeg();
+  const InputFile file = openFile(path);
+  const double unit = av_q2d(file->streams[0]->time_base);
+  const Handle<AVCodecContext> decoder = openDecoder(*file->streams[0]->codecpar);
+  const Handle<AVPacket> packet = owned(av_packet_alloc());
+  DecodedPictures decoded;
+  double end = 0;
+  while (av_read_frame(file.get(), packet.get()) >= 0) {
+    end = static_cast<double>(packet->pts + packet->duration) * unit;
+    check(avcodec_send_packet(decoder.get(), packet.get()), "can't decode");
+    av_packet_unref(packet.get());
+    takePictures(*decoder, unit, decoded);
+  }
+  check(avcodec_send_packet(decoder.get(), nullptr), "can't end decoding");
+  takePictures(*decoder, unit, decoded);
+  decoded.duration = file->duration > 0 ? static_cast<double>(file->duration) / AV_TIME_BASE : end;
+  return decoded;
+}
+
+double psnr(const image::Image& a, const image::Image& b) {
+  double sum = 0;
+  double count = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) {
+      const std::uint8_t* one = a.row(y) + 4 * x;
+      const std::uint8_t* other = b.row(y) + 4 * x;
+      if (one[3] != 255 || other[3] != 255) continue;
+      for (int channel = 0; channel < 3; ++channel) {
+        const double difference = one[channel] - other[channel];
+        sum += difference * difference;
+        ++count;
+      }
+    }
+  }
+  if (sum == 0) return std::numeric_limits<double>::infinity();
+  return 10 * std::log10(255.0 * 255 * count / sum);
+}
+
+}  // namespace rotatebook::video::testing

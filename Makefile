@@ -6,7 +6,7 @@ PROGRAM := $(BUILD)/src/cli/rotatebook
 OUT ?= out
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build program figures test render scene-given bench bench-engines format-check lint textures clean
+.PHONY: help setup configure build program figures test gallery render scene-given bench bench-engines format-check lint textures clean
 
 help:
 	@echo 'make figures             render every figure, comparison and study into $(OUT)/, each checked,'
@@ -18,6 +18,7 @@ help:
 	@echo 'make bench               measure a step of each integrator, and frames a second by stage and end to end'
 	@echo 'make bench-engines       compare with Bullet, ODE, MuJoCo and Simbody: error, drift, speed'
 	@echo 'make lint                check format and run the static analyser'
+	@echo 'make gallery             draw docs/gallery.png, the picture at the top of the README, anew'
 	@echo 'make textures            draw the cover anew (see assets/README.md)'
 	@echo 'make setup               install the packages that are missing'
 	@echo 'make clean               remove build/ and $(OUT)/'
@@ -41,6 +42,13 @@ figures: program
 	$(PROGRAM) still scenes/stills/fig01-axes.toml --time 0 -o $(OUT)/fig01-axes.png
 	$(PROGRAM) page scenes/stills/*.toml scenes/figures/*.toml scenes/comparisons/*.toml scenes/studies/*.toml \
 	  -o $(OUT)
+
+# The picture at the top of the README: views that say what there is, small enough for a page.
+gallery: program
+	$(PROGRAM) sheet scenes/stills/fig01-axes.toml scenes/figures/fig05-unstable-x.toml \
+	  scenes/figures/figa-exact.toml scenes/figures/fig12-quaternion-pulsating.toml \
+	  scenes/figures/fig06-undamped.toml scenes/comparisons/models.toml \
+	  --count 1 --columns 3 --size 640x360 -o docs/gallery.png
 
 test: build
 	@scripts/setup.sh scripts/packages-page.txt || \

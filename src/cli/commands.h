@@ -14,6 +14,7 @@ void addRenderCommand(CLI::App& program, Action& action);
 void addSimulateCommand(CLI::App& program, Action& action);
 void addStudyCommand(CLI::App& program, Action& action);
 void addPageCommand(CLI::App& program, Action& action);
+void addSheetCommand(CLI::App& program, Action& action);
 void addStillCommand(CLI::App& program, Action& action);
 void addDiffCommand(CLI::App& program, Action& action);
 void addAssembleCommand(CLI::App& program, Action& action);

@@ -31,6 +31,7 @@ void addCommands(CLI::App& program, Action& action) {
   addStudyCommand(program, action);
   addPageCommand(program, action);
   addStillCommand(program, action);
+  addSheetCommand(program, action);
   addCheckCommand(program, action);
   addSceneCommand(program, action);
   addListCommand(program, action);

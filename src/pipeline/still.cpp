@@ -9,7 +9,6 @@
 #include "pipeline/simulate_scene.h"
 
 namespace rotatebook::pipeline {
-namespace {
 
 std::int64_t frameAt(const scene::Scene& scene, const ClipMotion& motion, double time) {
   const FrameRate& rate = scene.clip.frameRate;
@@ -21,8 +20,6 @@ std::int64_t frameAt(const scene::Scene& scene, const ClipMotion& motion, double
                    " s: the clip lasts from 0 to " + shortestText(end) + " s" +
                    (early ? ", a second after its motion diverges" : ""));
 }
-
-}  // namespace
 
 std::int64_t renderStill(const scene::Scene& scene, double time,
                          const std::filesystem::path& path) {

@@ -5,9 +5,13 @@
 #include <filesystem>
 
 #include "image/png_file.h"
+#include "pipeline/clip_motion.h"
 #include "scene/scene.h"
 
 namespace rotatebook::pipeline {
+
+/// The frame nearest to `time` of video. [s] Throws InputError if the clip doesn't last that long.
+std::int64_t frameAt(const scene::Scene& scene, const ClipMotion& motion, double time);
 
 /// Draws the frame nearest to `time` (of video, 0 to the clip's end [s]) and writes it to
 /// `path`; returns its index. Throws InputError if there is no such frame, MachineError if it can't

@@ -48,7 +48,7 @@ gallery: program
 	$(PROGRAM) sheet scenes/stills/fig01-axes.toml scenes/figures/fig05-unstable-x.toml \
 	  scenes/figures/figa-exact.toml scenes/figures/fig12-quaternion-pulsating.toml \
 	  scenes/figures/fig06-undamped.toml scenes/comparisons/models.toml \
-	  --count 1 --columns 3 --size 640x360 -o docs/gallery.png
+	  --count 1 --columns 3 --size 640x360 --no-caption -o docs/gallery.png
 
 test: build
 	@scripts/setup.sh scripts/packages-page.txt || \

@@ -63,6 +63,17 @@ std::vector<video::VideoFormat> formatsOf(const RenderArguments& arguments) {
   return formats;
 }
 
+/// Throws InputError if a video of a scene would lose its transparency.
+void refuseOpaque(const scene::Scene& scene, const std::vector<video::VideoFormat>& formats) {
+  if (!pipeline::isTransparent(scene)) return;
+  for (const video::VideoFormat format : formats) {
+    if (keepsTransparency(format)) continue;
+    throw InputError(scene.name + ": " + std::string(nameOf(format)) +
+                     " can't hold the transparent background of look.background; take --format "
+                     "webm,apng, or --no-mp4 for PNGs alone");
+  }
+}
+
 /// All scenes, read before anything is written, so that a mistake in the last one costs nothing.
 std::vector<scene::Scene> readScenes(const RenderArguments& arguments) {
   std::vector<scene::Scene> scenes;
@@ -71,6 +82,7 @@ std::vector<scene::Scene> readScenes(const RenderArguments& arguments) {
     pipeline::loadTextures(scenes.back());  // Only to find out now whether they can be read.
   }
   refuseSameNames(scenes);
+  for (const scene::Scene& scene : scenes) refuseOpaque(scene, formatsOf(arguments));
   return scenes;
 }
 

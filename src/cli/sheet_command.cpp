@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -7,6 +8,7 @@
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
 #include "image/png_file.h"
+#include "pipeline/clip_files.h"
 #include "pipeline/sheet.h"
 
 namespace rotatebook::cli {
@@ -16,6 +18,7 @@ struct SheetArguments {
   std::vector<std::string> scenes;
   SceneOptions sceneOptions;
   pipeline::SheetOptions options;
+  bool noCaption = false;
   std::string output;
 };
 
@@ -23,9 +26,11 @@ int writeSheet(const SheetArguments& arguments) {
   std::vector<scene::Scene> scenes;
   for (const std::string& path : arguments.scenes) {
     scenes.push_back(arguments.sceneOptions.read(path));
+    if (arguments.noCaption) std::erase(scenes.back().overlay.show, scene::Overlay::Caption);
   }
   const image::Image sheet = pipeline::drawSheet(scenes, arguments.options);
-  image::writePng(arguments.output, sheet.view());
+  const bool transparent = std::ranges::any_of(scenes, &pipeline::isTransparent);
+  image::writePng(arguments.output, sheet.view(), {.transparent = transparent});
   std::cout << "wrote " << arguments.output << ", " << sheet.width() << "x" << sheet.height()
             << '\n';
   return kDone;
@@ -58,6 +63,7 @@ void addSheetCommand(CLI::App& program, Action& action) {
   command->add_option("--columns", options.columns, "Pictures in a row")
       ->type_name("N")
       ->check(CLI::Range(1, kMost));
+  command->add_flag("--no-caption", arguments->noCaption, "Leave the caption out of the pictures");
   arguments->sceneOptions.addTo(*command);
   command->footer(R"(
 --size is the size of each picture. Beneath it stands its time; with several scenes, their titles.

@@ -10,13 +10,14 @@
 
 namespace rotatebook::image {
 
-/// How a PNG is compressed. The pixels are the same whatever is chosen.
+/// How a PNG is written.
 struct PngOptions {
-  int level = 1;  ///< libdeflate's level, 0 (none) to 9 (smallest).
+  int level = 1;  ///< libdeflate's level, 0 (none) to 9 (smallest); the pixels stay the same.
+  bool transparent = false;  ///< Keep an alpha channel.
 };
 
-/// Writes `view` as an opaque 8-bit RGB PNG with an sRGB chunk, whole or not at all (see
-/// AtomicFile). An alpha channel is left out. Throws MachineError.
+/// Writes `view` as an 8-bit PNG with an sRGB chunk, opaque unless it is to be transparent, whole
+/// or not at all (see AtomicFile). Throws MachineError.
 void writePng(const std::filesystem::path& path, ImageView view, PngOptions options = {});
 
 /// Reads any PNG as 8-bit sRGB: palettes, grey and 16 bits are expanded or reduced; Rgba8 if it has

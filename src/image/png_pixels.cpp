@@ -17,14 +17,14 @@ struct FreeCompressor {
   }
 };
 
-/// `row` minus the row `above` (nothing above the first), without alpha; returns where the next row
-/// goes.
-template <int kBytes>
+/// The first kKept of each pixel's kBytes, minus the row `above` (nothing above the first); returns
+/// where the next row goes.
+template <int kBytes, int kKept>
 std::uint8_t* filterRow(const std::uint8_t* row, const std::uint8_t* above, int width,
                         std::uint8_t* out) {
   *out++ = kFilterUp;
   for (int x = 0; x < width; ++x, row += kBytes) {
-    for (int channel = 0; channel < 3; ++channel) {
+    for (int channel = 0; channel < kKept; ++channel) {
       const int difference = row[channel] - (above != nullptr ? above[channel] : 0);
       *out++ = static_cast<std::uint8_t>(difference);
     }
@@ -33,10 +33,11 @@ std::uint8_t* filterRow(const std::uint8_t* row, const std::uint8_t* above, int 
   return out;
 }
 
-std::vector<std::uint8_t> filteredRows(ImageView view) {
-  const auto rowBytes = static_cast<std::size_t>(view.width) * 3 + 1;
+std::vector<std::uint8_t> filteredRows(ImageView view, bool alpha) {
+  const auto rowBytes = static_cast<std::size_t>(view.width) * (alpha ? 4 : 3) + 1;
   std::vector<std::uint8_t> bytes(rowBytes * static_cast<std::size_t>(view.height));
-  const auto filter = view.format == PixelFormat::Rgb8 ? filterRow<3> : filterRow<4>;
+  const auto opaque = view.format == PixelFormat::Rgb8 ? filterRow<3, 3> : filterRow<4, 3>;
+  const auto filter = alpha ? filterRow<4, 4> : opaque;
   std::uint8_t* out = bytes.data();
   for (int y = 0; y < view.height; ++y) {
     out = filter(view.row(y), y == 0 ? nullptr : view.row(y - 1), view.width, out);
@@ -46,11 +47,12 @@ std::vector<std::uint8_t> filteredRows(ImageView view) {
 
 }  // namespace
 
-std::vector<std::uint8_t> compressedPixels(ImageView view, int level) {
+std::vector<std::uint8_t> compressedPixels(ImageView view, int level, bool alpha) {
   const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
       libdeflate_alloc_compressor(level));
   if (!compressor) throw std::bad_alloc();
-  const std::vector<std::uint8_t> rows = filteredRows(view);
+  const std::vector<std::uint8_t> rows =
+      filteredRows(view, alpha && view.format == PixelFormat::Rgba8);
   std::vector<std::uint8_t> packed(libdeflate_zlib_compress_bound(compressor.get(), rows.size()));
   const std::size_t size = libdeflate_zlib_compress(compressor.get(), rows.data(), rows.size(),
                                                     packed.data(), packed.size());

@@ -30,9 +30,9 @@ class PngEncoder {
   PngEncoder& operator=(const PngEncoder&) = delete;
   ~PngEncoder() { png_destroy_write_struct(&png_, &info_); }
 
-  bool encode(ImageView view, const std::vector<std::uint8_t>& pixels) {
-    return guarded(png_, [this, &view, &pixels] {
-      describe(view);
+  bool encode(ImageView view, bool alpha, const std::vector<std::uint8_t>& pixels) {
+    return guarded(png_, [this, &view, alpha, &pixels] {
+      describe(view, alpha);
       writeChunk("IDAT", pixels.data(), pixels.size());
       writeChunk("IEND", nullptr, 0);
     });
@@ -58,9 +58,10 @@ class PngEncoder {
     }
   }
 
-  void describe(const ImageView& view) {
+  void describe(const ImageView& view, bool alpha) {
     png_set_IHDR(png_, info_, static_cast<png_uint_32>(view.width),
-                 static_cast<png_uint_32>(view.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 static_cast<png_uint_32>(view.height), 8,
+                 alpha ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_set_sRGB(png_, info_, PNG_sRGB_INTENT_PERCEPTUAL);
     png_write_info(png_, info_);
@@ -80,7 +81,8 @@ class PngEncoder {
 
 void writePng(const std::filesystem::path& path, ImageView view, PngOptions options) {
   PngEncoder encoder;
-  if (!encoder.encode(view, compressedPixels(view, options.level))) {
+  const bool alpha = options.transparent && view.format == PixelFormat::Rgba8;
+  if (!encoder.encode(view, alpha, compressedPixels(view, options.level, alpha))) {
     throw MachineError("can't write " + path.string() + ": libpng: " + encoder.words());
   }
   writeFileAtomically(path, encoder.bytes());

@@ -20,10 +20,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// All browsers play it.
-constexpr auto kFormat = video::VideoFormat::Mp4;
-constexpr std::array<std::pair<video::VideoFormat, const char*>, 3> kOtherFormats{
-    {{video::VideoFormat::WebM, "WebM"},
+constexpr std::array<std::pair<video::VideoFormat, const char*>, 4> kFormats{
+    {{video::VideoFormat::Mp4, "MP4"},
+     {video::VideoFormat::WebM, "WebM"},
      {video::VideoFormat::Gif, "GIF"},
      {video::VideoFormat::Apng, "APNG"}}};
 // Of a time for people.
@@ -35,6 +34,7 @@ struct Clip {
   std::int64_t frames = 0;
   pipeline::ClipFiles files;
   std::vector<fs::path> csvs;  ///< One a motion.
+  fs::path played;             ///< The video for the player.
 };
 
 /// The plots show what the table beside the clip holds, or nothing.
@@ -47,12 +47,19 @@ void refuseOtherMotion(const fs::path& csv, const physics::Trajectory& trajector
                    remedy("render", scene, csv.parent_path()));
 }
 
+/// The MP4, which every browser plays; the WebM where there is only that.
+fs::path playedVideo(const pipeline::ClipFiles& files) {
+  const fs::path mp4 = files.video(video::VideoFormat::Mp4);
+  const fs::path webm = files.video(video::VideoFormat::WebM);
+  return !fs::exists(mp4) && fs::exists(webm) ? webm : mp4;
+}
+
 Clip readClip(const scene::Scene& scene, const fs::path& folder) {
   Clip clip;
   clip.files = pipeline::clipFiles(folder, scene.name);
   clip.csvs = pipeline::csvFiles(clip.files.csv, scene);
-  for (const auto& file : {clip.files.video(kFormat), clip.files.poster})
-    requireFile(file, scene, "render");
+  clip.played = playedVideo(clip.files);
+  for (const auto& file : {clip.played, clip.files.poster}) requireFile(file, scene, "render");
   const pipeline::ClipMotion motion = pipeline::simulateScene(scene);
   clip.frames = motion.frameCount();
   for (const scene::Panel& panel : scene::motionsOf(scene)) {
@@ -70,12 +77,12 @@ std::string nameOf(const fs::path& file) {
 }
 
 Html linksOf(const Clip& clip) {
-  Html links = linkItem(nameOf(clip.files.video(kFormat)), "MP4");
+  Html links;
   for (std::size_t i = 0; i < clip.motions.size(); ++i) {
     const std::string& label = clip.motions[i].panel.label;
     links += linkItem(nameOf(clip.csvs[i]), label.empty() ? "CSV" : "CSV: " + label);
   }
-  for (const auto& [format, words] : kOtherFormats) {
+  for (const auto& [format, words] : kFormats) {
     const fs::path file = clip.files.video(format);
     if (fs::exists(file)) links += linkItem(nameOf(file), words);
   }
@@ -134,7 +141,7 @@ Figure clipFigure(const scene::Scene& scene, const fs::path& folder) {
                               {"width", {std::to_string(scene.clip.width)}},
                               {"height", {std::to_string(scene.clip.height)}},
                               {"poster", addressOf(poster)},
-                              {"mp4", addressOf(nameOf(clip.files.video(kFormat)))},
+                              {"video", addressOf(nameOf(clip.played))},
                               {"last", {std::to_string(clip.frames - 1)}},
                               {"settings", settingsTable(clip.motions, scene.clip)},
                               {"checks", checksOfAll(clip)},

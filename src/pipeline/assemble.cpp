@@ -75,6 +75,8 @@ std::int64_t assemble(const fs::path& folder, const fs::path& video,
   const image::Image first = image::readPng(firstPath);
   settings.width = first.width();
   settings.height = first.height();
+  const bool hasAlpha = first.format() == image::PixelFormat::Rgba8;
+  if (hasAlpha && keepsTransparency(formatOf(video))) settings.transparent = true;
   VideoSink sink(formatOf(video), video, settings);
   for (std::int64_t index = range.first; index < range.end; ++index) {
     const fs::path path = folder / frameName(index);

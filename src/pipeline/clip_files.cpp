@@ -110,11 +110,16 @@ std::string sceneRecord(const scene::Scene& scene, const std::string& renderer) 
          "\n# Renderer: " + renderer + "\n\n" + sceneText(scene);
 }
 
+bool isTransparent(const scene::Scene& scene) {
+  return scene.look.background == scene::Background::Transparent;
+}
+
 video::VideoSettings videoSettings(const scene::Scene& scene, const std::string& record) {
   video::VideoSettings settings;
   settings.width = scene.clip.width;
   settings.height = scene.clip.height;
   settings.frameRate = scene.clip.frameRate;
+  settings.transparent = isTransparent(scene);
   settings.crf = scene.video.crf;
   settings.preset = scene.video.preset;
   settings.threads = scene.video.threads;

@@ -60,6 +60,9 @@ std::vector<std::filesystem::path> csvFiles(const std::filesystem::path& csv,
 /// made from.
 std::string sceneRecord(const scene::Scene& scene, const std::string& renderer);
 
+/// Whether the scene's pictures have an alpha that is to be kept.
+bool isTransparent(const scene::Scene& scene);
+
 /// What the videos' encoders must know. `record` goes into its metadata.
 video::VideoSettings videoSettings(const scene::Scene& scene, const std::string& record);
 

@@ -11,10 +11,11 @@ std::int64_t posterFrame(const scene::ClipSettings& clip, std::int64_t frames) {
   return std::min(clip.frameRate.framesIn(*clip.poster), frames - 1);
 }
 
-void writePoster(FrameDrawer& drawer, std::int64_t frame, const std::filesystem::path& path) {
+void writePoster(FrameDrawer& drawer, std::int64_t frame, bool transparent,
+                 const std::filesystem::path& path) {
   image::Image picture = drawer.makePicture();
   drawer.draw(frame, picture);
-  image::writePng(path, picture.view());
+  image::writePng(path, picture.view(), {.transparent = transparent});
 }
 
 }  // namespace rotatebook::pipeline

@@ -13,7 +13,8 @@ namespace rotatebook::pipeline {
 /// the clip ends before.
 std::int64_t posterFrame(const scene::ClipSettings& clip, std::int64_t frames);
 
-/// Draws that frame and writes it to `path`. Throws MachineError.
-void writePoster(FrameDrawer& drawer, std::int64_t frame, const std::filesystem::path& path);
+/// Draws that frame and writes it to `path`, with its alpha if `transparent`. Throws MachineError.
+void writePoster(FrameDrawer& drawer, std::int64_t frame, bool transparent,
+                 const std::filesystem::path& path);
 
 }  // namespace rotatebook::pipeline

@@ -106,8 +106,10 @@ RenderResult renderClip(const scene::Scene& scene, const ClipMotion& motion,
   const VideoSinks videos = openVideos(result.files, videoSettings(scene, record), options.formats);
   if (options.png && options.frames) startPart(result.files, record);
   if (options.png && !options.frames) startWholeClip(result.files, record);
+  image::PngOptions pngOptions = options.pngOptions;
+  pngOptions.transparent = isTransparent(scene);
   PngSequenceSink png(options.frames ? result.files.frameFolder : result.files.partialFrameFolder,
-                      options.pngOptions);
+                      pngOptions);
 
   std::vector<SinkThreads> sinks;
   if (options.png) sinks.push_back({png, pngThreads()});
@@ -124,7 +126,8 @@ RenderResult renderClip(const scene::Scene& scene, const ClipMotion& motion,
     finish(videos, result.files, record, options);
     writeTables(result.csvs, motion);
     if (!options.frames) {
-      writePoster(drawer, posterFrame(scene.clip, range.count()), result.files.poster);
+      writePoster(drawer, posterFrame(scene.clip, range.count()), isTransparent(scene),
+                  result.files.poster);
     }
   }
   return result;

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "image/png_file.h"
+#include "pipeline/clip_files.h"
 #include "pipeline/frame_drawer.h"
 #include "pipeline/simulate_scene.h"
 
@@ -28,7 +29,7 @@ std::int64_t renderStill(const scene::Scene& scene, double time,
   FrameDrawer drawer(scene, motion);
   image::Image picture = drawer.makePicture();
   drawer.draw(frame, picture);
-  image::writePng(path, picture.view());
+  image::writePng(path, picture.view(), {.transparent = isTransparent(scene)});
   return frame;
 }
 

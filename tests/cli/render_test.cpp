@@ -87,6 +87,18 @@ TEST_F(RenderCommand, RefusesAFormatThatThereIsNot) {
   EXPECT_THAT(files(), IsEmpty());
 }
 
+TEST_F(RenderCommand, RefusesVideosThatLoseATransparentBackground) {
+  const std::vector<std::string> render{"render", "tiny.toml", "--set",
+                                        "look.background=transparent"};
+  const ChildResult refused = run(render);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.error,
+            "rotatebook: tiny: mp4 can't hold the transparent background of look.background; take "
+            "--format webm,apng, or --no-mp4 for PNGs alone\n");
+  EXPECT_THAT(files(), IsEmpty());
+  EXPECT_EQ(run(render + std::vector<std::string>{"--no-png", "--format", "webm"}).status, 0);
+}
+
 TEST_F(RenderCommand, LeavesTheClipOut) {
   const ChildResult result = run({"render", "tiny.toml", "--no-mp4", "--frames", "0:1"});
   EXPECT_EQ(result.status, 0) << result.error;

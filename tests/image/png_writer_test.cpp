@@ -63,6 +63,15 @@ TEST_F(PngWriterTest, KeepsEveryPixel) {
   EXPECT_EQ(pixelsOf(read), kTwoByTwo);
 }
 
+TEST_F(PngWriterTest, KeepsAlphaIfTold) {
+  Image picture(3, 2, PixelFormat::Rgba8);
+  for (int i = 0; i < 24; ++i) picture.row(0)[i] = static_cast<std::uint8_t>(i * 37);
+  EXPECT_EQ(writtenAndRead(picture.view(), {.transparent = true}), picture);
+  EXPECT_EQ(writtenAndRead(picture.view()).format(), PixelFormat::Rgb8);
+  const Image opaque(3, 2, PixelFormat::Rgb8);
+  EXPECT_EQ(writtenAndRead(opaque.view(), {.transparent = true}), opaque);
+}
+
 TEST_F(PngWriterTest, LeavesAlphaOut) {
   const Bytes rgba = {9, 8, 7, 0, 6, 5, 4, 200};
   const Image read = writtenAndRead({rgba.data(), 2, 1, 8, PixelFormat::Rgba8});

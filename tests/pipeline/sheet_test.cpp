@@ -80,7 +80,7 @@ TEST(Sheet, RefusesWhatItCanNotShow) {
   EXPECT_EQ(messageOf({smallScene()}, {.times = {7}}),
             "there is no picture at 7 s: the clip lasts from 0 to 0.5 s");
   EXPECT_EQ(messageOf({smallScene()}, {.count = 300, .columns = 300}),
-            "the sheet would have 20404x57 pixels, and a side has at most 16384: take fewer or "
+            "the sheet would have 20404x59 pixels, and a side has at most 16384: take fewer or "
             "smaller pictures, for example --size 480x270");
 }
 

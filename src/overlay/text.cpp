@@ -158,12 +158,17 @@ void paint(cairo_t* cairo, PangoLayout* layout, const TextStyle& style) {
 
 }  // namespace
 
-Typesetter::Typesetter() : parts_(std::make_unique<Parts>()) {
+Typesetter::Typesetter() = default;
+
+const Typesetter::Parts& Typesetter::parts() const {
+  if (parts_) return *parts_;
+  parts_ = std::make_unique<Parts>();
   parts_->config = shippedFonts(parts_->regular, parts_->semibold);
   parts_->map.reset(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT));
   pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(parts_->map.get()), parts_->config.get());
   parts_->context = contextOf(parts_->map.get());
   parts_->family = kShippedFamily;
+  return *parts_;
 }
 
 Typesetter::Typesetter(const std::string& family) : parts_(std::make_unique<Parts>()) {
@@ -186,13 +191,13 @@ Typesetter::Typesetter(Typesetter&&) noexcept = default;
 Typesetter& Typesetter::operator=(Typesetter&&) noexcept = default;
 
 TextSize Typesetter::measure(const std::string& text, const TextStyle& style, int width) const {
-  return sizeOf(layoutOf(parts_->context.get(), parts_->family, text, style, width).get());
+  return sizeOf(layoutOf(parts().context.get(), parts().family, text, style, width).get());
 }
 
 Layer Typesetter::draw(const std::string& text, const TextStyle& style, int width) const {
-  const LayoutPointer layout = layoutOf(parts_->context.get(), parts_->family, text, style, width);
+  const LayoutPointer layout = layoutOf(parts().context.get(), parts().family, text, style, width);
   if (pango_layout_get_unknown_glyphs_count(layout.get()) > 0) {
-    throw InputError("the font " + parts_->family + " lacks a letter of \"" + text +
+    throw InputError("the font " + parts().family + " lacks a letter of \"" + text +
                      "\"; choose an installed one that has it, overlay.font = \"...\"");
   }
   const TextSize size = sizeOf(layout.get());

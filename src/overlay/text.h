@@ -53,7 +53,10 @@ class Typesetter {
 
  private:
   struct Parts;
-  std::unique_ptr<Parts> parts_;
+  /// The shipped font is loaded with the first words: many pictures have none.
+  const Parts& parts() const;
+
+  mutable std::unique_ptr<Parts> parts_;
 };
 
 }  // namespace rotatebook::overlay

@@ -13,7 +13,7 @@ namespace {
 
 // In lengths from the book's centre to its corners; what is not over 1 keeps, with its letter,
 // within the picture.
-constexpr double kAxisBeyond = 0.17, kShortestAxis = 0.55;
+constexpr double kAxisBeyond = 0.17, kShortestAxis = 0.75;
 constexpr double kOmegaLength = 0.86, kMomentumLength = 1;
 // A velocity more than this often that of the start doesn't make all others short.
 constexpr double kLargestVelocity = 2;

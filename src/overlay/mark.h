@@ -32,6 +32,7 @@ struct View {
   Canvas& canvas;
   Labels& labels;  ///< Words that move.
   image::Image& picture;
+  bool ended = false;  ///< The motion has diverged before; `frame` is its last.
 };
 
 /// Something that is drawn over each picture of a motion.

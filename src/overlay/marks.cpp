@@ -134,7 +134,8 @@ struct Marks::Parts {
     const physics::Sample sample =
         physics::seenFrom(scene.camera.frame, trajectory.samples[static_cast<std::size_t>(frame)]);
     const View view{frame,  sample, Projector(clipFromWorld, scale.width, scale.height),
-                    canvas, labels, picture};
+                    canvas, labels, picture,
+                    ended};
     canvas.forgetTexts();
     for (const auto& mark : inWorld) mark->draw(view);
     for (const Plate& plate : plates) canvas.lay(plate, picture);

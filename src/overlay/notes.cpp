@@ -74,7 +74,7 @@ double HalfTurns::glow(std::int64_t frame) const {
 }
 
 void HalfTurns::draw(const View& view) {
-  const double light = glow(view.frame);
+  const double light = view.ended ? 0 : glow(view.frame);
   if (light > 0) {
     const double growth = (0.25 + 0.35 * light) * context_.scale.letters;
     view.canvas.plate(box_.grown(growth / 2), growth / 2 + 2, {kVelocityColour, 0.22 * light});

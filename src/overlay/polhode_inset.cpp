@@ -33,7 +33,7 @@ Eigen::Matrix3d viewFromAxes() {
   return view;
 }
 
-/// Half of the axes' inverse squares: those of the ellipsoid p^T A p = 1, seen.
+/// The matrix A of the ellipsoid p^T A p = 1 with these half axes, in the view's coordinates.
 Eigen::Matrix3d quadricOf(const Eigen::Vector3d& halfAxes) {
   const Eigen::Matrix3d view = viewFromAxes();
   return view * halfAxes.cwiseAbs2().cwiseInverse().asDiagonal() * view.transpose();
@@ -50,6 +50,12 @@ std::optional<double> depthOf(const Eigen::Matrix3d& quadric, double x, double y
   return (std::sqrt(root) - b) / a;
 }
 
+/// Where a point of the momentum's space is on the picture.
+Point placeOn(const Point& middle, double pixels, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d seen = viewFromAxes() * point;
+  return middle + pixels * Point(seen.x(), -seen.y());
+}
+
 /// From dark to light, by the light from above on the left.
 double lightOn(const Eigen::Matrix3d& quadric, const Eigen::Vector3d& point) {
   const Eigen::Vector3d light = Eigen::Vector3d(-0.45, 0.65, 0.62).normalized();
@@ -63,6 +69,10 @@ MomentumSurfaces::MomentumSurfaces(const Eigen::Vector3d& moments,
                                    const Eigen::Vector3d& momentum) {
   const double twiceEnergy = momentum.cwiseAbs2().cwiseQuotient(moments).sum();
   halfAxes_ = (twiceEnergy * moments).cwiseSqrt() / momentum.norm();
+}
+
+double MomentumSurfaces::farthest() const {
+  return std::max(1.0, halfAxes_.maxCoeff());
 }
 
 int MomentumSurfaces::roundAxis(double radius) const {
@@ -100,22 +110,18 @@ namespace {
 class SurfacePainter {
  public:
   SurfacePainter(Canvas& canvas, const MomentumSurfaces& surfaces, const Point& middle,
-                 double pixels, const Scale& scale)
+                 double pixels)
       : canvas_(canvas),
         surfaces_(surfaces),
         ellipsoid_(quadricOf(surfaces.halfAxes())),
         middle_(middle),
-        pixels_(pixels),
-        scale_(scale) {}
+        pixels_(pixels) {}
 
-  Point placeOf(const Eigen::Vector3d& point) const {
-    const Eigen::Vector3d seen = viewFromAxes() * point;
-    return middle_ + pixels_ * Point(seen.x(), -seen.y());
-  }
+  Point placeOf(const Eigen::Vector3d& point) const { return placeOn(middle_, pixels_, point); }
 
   /// The two solids, shaded; the sphere where it is before the ellipsoid in its own colour.
   void solids() {
-    const int reach = static_cast<int>(std::ceil(1.05 * pixels_ * farthest()));
+    const int reach = static_cast<int>(std::ceil(1.05 * pixels_ * surfaces_.farthest()));
     Layer layer{static_cast<int>(std::floor(middle_.x())) - reach,
                 static_cast<int>(std::floor(middle_.y())) - reach,
                 2 * reach,
@@ -137,21 +143,23 @@ class SurfacePainter {
         side.opacity *= 0.3;
         side.halo = 0;
       }
-      std::vector<Point> run;
-      for (const Eigen::Vector3d& point : points) {
-        const Eigen::Vector3d seen = viewFromAxes() * point;
-        run.push_back(placeOf(point));
-        if (((ellipsoid_ * seen).z() > 0) == front) continue;
-        canvas_.line(run, side);
-        run.assign(1, run.back());
-      }
-      if (run.size() > 1) canvas_.line(run, side);
+      drawSide(points, front, side);
     }
   }
 
-  double farthest() const { return std::max(1.0, surfaces_.halfAxes().maxCoeff()); }
-
  private:
+  /// The parts of a curve on the near side or on the other, each on to its first point beyond.
+  void drawSide(const std::vector<Eigen::Vector3d>& points, bool front, const Pen& pen) {
+    std::vector<Point> run;
+    for (const Eigen::Vector3d& point : points) {
+      run.push_back(placeOf(point));
+      if (((ellipsoid_ * viewFromAxes() * point).z() > 0) == front) continue;
+      if (run.size() > 2) canvas_.line(run, pen);
+      run.assign(1, run.back());
+    }
+    if (run.size() > 1) canvas_.line(run, pen);
+  }
+
   /// The mean of some points of the pixel.
   void addPixel(Layer& layer, int x, int y) const {
     constexpr int kSide = 3;
@@ -189,7 +197,6 @@ class SurfacePainter {
   Eigen::Matrix3d ellipsoid_;
   Point middle_;
   double pixels_;
-  Scale scale_;
 };
 
 /// Levels between `low` and `high`, the ends left out.
@@ -217,7 +224,7 @@ void drawPolhodes(SurfacePainter& painter, const MomentumSurfaces& surfaces, con
 
 /// Titles and letters of the inset: "x" where a half axis ends.
 void writeLetters(Canvas& canvas, const MarkContext& context, const SurfacePainter& painter,
-                  const Box& box, bool principal) {
+                  const Box& box, double farthest, bool principal) {
   const Scale& scale = context.scale;
   const TextStyle style{
       .size = scale.smallLetters, .bold = true, .colour = kWhite, .halo = scale.halo};
@@ -233,7 +240,7 @@ void writeLetters(Canvas& canvas, const MarkContext& context, const SurfacePaint
     words[i] = context.type.draw(principal ? std::string(1, "123"[i]) : std::string(1, "xyz"[i]),
                                  own, scale.width);
     const auto axis = static_cast<Eigen::Index>(i);
-    const Eigen::Vector3d end = Eigen::Vector3d::Unit(axis) * painter.farthest() * 1.08;
+    const Eigen::Vector3d end = Eigen::Vector3d::Unit(axis) * farthest * 1.08;
     canvas.line(std::array{painter.placeOf(end * 0.92), painter.placeOf(end)},
                 {own.colour, 0.5 * scale.line, 0.9, 0});
     const Point tip = painter.placeOf(end);
@@ -270,26 +277,20 @@ PolhodeInset::PolhodeInset(const MarkContext& context, const Box& box)
       momenta_(momentaOf(context, inertia_)),
       surfaces_(inertia_.moments, momenta_.front()),
       middle_(box.x + box.width / 2, box.y + box.height / 2),
-      pixels_(kFilled * std::min(box.width, box.height) /
-              std::max(1.0, surfaces_.halfAxes().maxCoeff())),
+      pixels_(kFilled * std::min(box.width, box.height) / surfaces_.farthest()),
       plate_(stillPart(box)) {}
 
 Plate PolhodeInset::stillPart(const Box& box) const {
   const Scale& scale = context_.scale;
   Canvas canvas(scale.width, scale.height);
   canvas.plate(box, 0.5 * scale.smallLetters, {kDark, 0.62});
-  SurfacePainter painter(canvas, surfaces_, middle_, pixels_, scale);
+  SurfacePainter painter(canvas, surfaces_, middle_, pixels_);
   painter.solids();
   const int axis = surfaces_.roundAxis(1);
   drawPolhodes(painter, surfaces_, scale, momenta_.front()[axis] > 0);
   const bool principal = !inertia_.bodyFromPrincipal.isIdentity(1e-9);
-  writeLetters(canvas, context_, painter, box, principal);
+  writeLetters(canvas, context_, painter, box, surfaces_.farthest(), principal);
   return canvas.take();
-}
-
-Point PolhodeInset::placeOf(const Eigen::Vector3d& momentum) const {
-  const Eigen::Vector3d seen = viewFromAxes() * momentum;
-  return middle_ + pixels_ * Point(seen.x(), -seen.y());
 }
 
 void PolhodeInset::draw(const View& view) {
@@ -298,15 +299,16 @@ void PolhodeInset::draw(const View& view) {
   const auto length = context_.scene.clip.frameRate.framesIn(kTrailTime);
   std::vector<Point> trail;
   for (auto i = std::max<std::int64_t>(0, view.frame - length); i <= view.frame; ++i) {
-    trail.push_back(placeOf(momenta_[static_cast<std::size_t>(i)]));
+    trail.push_back(placeOn(middle_, pixels_, momenta_[static_cast<std::size_t>(i)]));
   }
   view.canvas.line(trail, {kWhite, 0.6 * scale.line, 0.75, 0});
   const Eigen::Vector3d& now = momenta_[static_cast<std::size_t>(view.frame)];
   const Eigen::Vector3d seen = viewFromAxes() * now;
   const bool front = (quadricOf(surfaces_.halfAxes()) * seen).z() > 0;
   const double radius = 1.5 * scale.line, opacity = front ? 1 : 0.55;
-  view.canvas.disc(placeOf(now), radius + 1.2 * scale.halo, {kDark, 0.8 * opacity});
-  view.canvas.disc(placeOf(now), radius, {kWhite, opacity});
+  const Point place = placeOn(middle_, pixels_, now);
+  view.canvas.disc(place, radius + 1.2 * scale.halo, {kDark, 0.8 * opacity});
+  view.canvas.disc(place, radius, {kWhite, opacity});
 }
 
 }  // namespace rotatebook::overlay

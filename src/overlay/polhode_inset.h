@@ -20,6 +20,8 @@ class MomentumSurfaces {
 
   /// The ellipsoid's half axes.
   const Eigen::Vector3d& halfAxes() const { return halfAxes_; }
+  /// The largest distance from the middle of a point of either surface.
+  double farthest() const;
   /// The curve in which the ellipsoid meets the sphere of `radius`, closed: the branch on the
   /// positive or negative side of the axis that it runs round. Empty if they don't meet in a curve.
   std::vector<Eigen::Vector3d> polhode(double radius, bool positive) const;
@@ -38,7 +40,6 @@ class PolhodeInset final : public Mark {
   void draw(const View& view) override;
 
  private:
-  Point placeOf(const Eigen::Vector3d& momentum) const;
   Plate stillPart(const Box& box) const;
 
   MarkContext context_;

@@ -15,6 +15,7 @@ out vec4 colour;
 
 const float kClothRoughness = 0.45;
 const float kGoldRoughness = 0.26;
+const float kClothSheen = 0.9;     // Of keyHighlight().
 const float kClothReflectance = 0.04;
 const float kMostGrazing = 0.25;    // Cosine; fibres keep cloth from mirroring more.
 const float kStampDepth = 1.2e-4;  // How deep gold lies in the cloth. [m]
@@ -69,8 +70,8 @@ vec3 studio(vec3 mirrored, float roughness) {
   return light + kRimRadiance * shareOf(mirrored, kRimDirection, kRimSize, width);
 }
 
-// GGX's distribution and visibility, Schlick's Fresnel: the share of the key light that a rough
-// dielectric throws to the eye.
+// GGX's distribution and visibility, Schlick's Fresnel: what a rough dielectric throws to the eye of
+// the key light taken as a point, with the long tail that studio()'s narrow lobe doesn't have.
 float keyHighlight(vec3 normal, vec3 toEye, float nv, float roughness) {
   vec3 halfway = normalize(toEye + kKeyDirection);
   float nh = max(dot(normal, halfway), 0.0), nl = max(dot(normal, kKeyDirection), 0.0);
@@ -118,7 +119,7 @@ void main() {
     vec3 reflectance = mix(vec3(kClothReflectance), surface, gold);
     vec3 mirrored = reflect(-toEye, normal);
     vec3 shine = studio(mirrored, roughness) * mirroredShare(reflectance, roughness, nv);
-    shine += (1.0 - gold) * 0.9 * keyHighlight(normal, toEye, nv, kClothRoughness);
+    shine += (1.0 - gold) * kClothSheen * keyHighlight(normal, toEye, nv, kClothRoughness);
     radiance = (1.0 - 0.65 * gold) * radiance + gloss * seen * shine;
   }
   colour = vec4(toneMap(radiance), 1.0);

@@ -8,7 +8,6 @@ layout(location = 3) in float openness;   // Share of the surroundings that is s
 
 uniform vec3 corners[8];  // World; bit 0 of the index is x, bit 1 y, bit 2 z. [m]
 uniform mat4 clipFromWorld;
-uniform vec3 eye;         // World. [m]
 
 out vec2 texturePlace;
 centroid out vec3 arriving;     // Irradiance / pi. Linear.

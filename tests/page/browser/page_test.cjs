@@ -9,8 +9,7 @@ const {pathToFileURL} = require("node:url");
 const {execFileSync} = require("node:child_process");
 const {chromium} = require(process.env.ROTATEBOOK_PLAYWRIGHT);
 
-const kOutput = process.env.ROTATEBOOK_PAGE_OUTPUT;
-const kOut = path.join(kOutput, "out");
+const kOutput = process.env.ROTATEBOOK_PAGE_OUTPUT, kOut = path.join(kOutput, "out");
 const kDesktop = {width: 1280, height: 800};
 const kPhone = {width: 360, height: 740};
 const kWait = 20000;  // [ms]
@@ -173,9 +172,13 @@ describe("the player", () => {
     await clip.locator(".play").click();
     await playUntil(page, "turns", 0.4);
     await clip.locator(".play").click();
-    await waitForSeek(page, "turns");
+    // The picture goes to the frame that the plots stopped at, a moment after the click.
+    await page.waitForFunction(() => {
+      const video = document.querySelector("#turns video");
+      return video.paused && !video.seeking && document.querySelector("#turns .seek").value === String(Math.floor(60 * video.currentTime));
+    });
     const frame = await frameOf(clip);
-    assert.ok(Math.abs(frame / 60 - await timeOf(clip)) < 2.1 / 60, `frame ${frame} at ${await timeOf(clip)} s`);
+    assert.ok(frame > 20, `frame ${frame}`);
     for (const plot of [0, 1, 2]) assert.equal(await sampleAtPlayhead(clip, plot), frame);
     assert.deepEqual(problems, []);
     await close();
@@ -229,9 +232,8 @@ describe("the player", () => {
     await waitForSeek(page, "turns");
     assert.equal(await frameOf(clip), 40);
     assert.equal(Math.floor(await timeOf(clip) * 60), 40);
-    const before = await timeOf(clip);
     await page.keyboard.press(" ");
-    await page.waitForFunction((time) => document.querySelector("#turns video").currentTime > time, before);
+    await playUntil(page, "turns", 0.75);
     await page.keyboard.press(" ");
     assert.ok(await isPaused(clip));
     await close();
@@ -289,12 +291,12 @@ describe("the player", () => {
 
   test("starts by itself where motion is welcome, one clip at a time", async () => {
     const {page, close} = await open({reducedMotion: "no-preference"});
-    const clip = await openClip(page, "turns");
+    await openClip(page, "turns");
     await playUntil(page, "turns", 0.1);
     const other = await openClip(page, "bursts");
     await other.locator("video").scrollIntoViewIfNeeded();
     await page.waitForFunction(() => !document.querySelector("#bursts video").paused);
-    assert.ok(await isPaused(clip));
+    await page.waitForFunction(() => document.querySelector("#turns video").paused);
     await close();
   });
 
@@ -362,10 +364,8 @@ describe("the look", () => {
     const {page, problems, close} = await open({viewport: kPhone, isMobile: true, hasTouch: true});
     await openClip(page, "turns");
     await page.locator("#steps").scrollIntoViewIfNeeded();
-    const {width, window} = await page.evaluate(() =>
-      ({width: document.documentElement.scrollWidth, window: document.documentElement.clientWidth}));
-    assert.equal(window, kPhone.width);
-    assert.ok(width <= window, `${width} > ${window}`);
+    const width = await page.evaluate(() => document.documentElement.scrollWidth);
+    assert.ok(width <= kPhone.width, `${width} > ${kPhone.width}`);
     assert.deepEqual(problems, []);
     await close();
   });
@@ -381,8 +381,7 @@ describe("the look", () => {
 
   test("is left as pictures to look at", async () => {
     for (const [name, options] of Object.entries({
-      "light": {colorScheme: "light"},
-      "dark": {colorScheme: "dark"},
+      "light": {colorScheme: "light"}, "dark": {colorScheme: "dark"},
       "phone": {colorScheme: "light", viewport: kPhone, isMobile: true, hasTouch: true, deviceScaleFactor: 2},
     })) {
       const {page, close} = await open(options);

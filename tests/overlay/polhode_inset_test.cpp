@@ -34,7 +34,7 @@ TEST(MomentumSurfaces, MeetInThePolhode) {
       EXPECT_LT(distanceFromEllipsoid(surfaces, curve), 1e-12);
       for (const Eigen::Vector3d& point : curve) EXPECT_NEAR(point.norm(), 1, 1e-12);
       const MomentumSurfaces other(kMoments, momentum + Eigen::Vector3d(0, 0.003, 0));
-      EXPECT_GT(distanceFromEllipsoid(other, curve), 1e-4);  // measured 2e-3 or more
+      EXPECT_GT(distanceFromEllipsoid(other, curve), 5e-3);  // measured 0.0125
     }
   }
 }

@@ -1,11 +1,9 @@
 #include "render/egl_context.h"
 
 #include <array>
-#include <cstdlib>
 #include <dlfcn.h>
 #include <functional>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include <epoxy/egl.h>
@@ -44,14 +42,6 @@ void requireLibraries() {
     throw MachineError(std::string("can't draw: there is no OpenGL on this machine: ") + dlerror() +
                        " (Debian, Ubuntu: apt-get install libopengl0)");
   }
-}
-
-// Drawing runs beside the threads that write PNGs and video. Where there is no core to spare,
-// threads of Mesa's software rasteriser only cost: on two cores 23 frames a second with one, 25
-// with none. Must precede the first GL call.
-void limitRasteriserThreads() {
-  constexpr unsigned kFewCores = 4;
-  if (std::thread::hardware_concurrency() <= kFewCores) setenv("LP_NUM_THREADS", "0", 0);
 }
 
 void addDevices(std::vector<Way>& ways, std::string& failures) {
@@ -148,7 +138,6 @@ std::string describeRenderer(const std::string& way) {
 }  // namespace
 
 EglContext::EglContext() {
-  limitRasteriserThreads();
   requireLibraries();
   std::string failures;
   for (const Way& way : listWays(failures)) {

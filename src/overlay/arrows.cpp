@@ -55,6 +55,16 @@ double largestVelocity(const physics::Trajectory& trajectory) {
   return std::min(largest, kLargestVelocity * start);
 }
 
+/// An arrow along `vector` [m] from the book's centre, with its letter at the tip.
+void drawVector(const View& view, const MarkContext& context, const Eigen::Vector3d& vector,
+                const Colour& colour, const Layer& words) {
+  const BookBox book(context.scene.body, view.sample.corners);
+  const Eigen::Vector3d tip = book.centre() + vector;
+  drawArrow(view, book, book.centre(), tip,
+            {colour, 1.5 * context.scale.line, 1, context.scale.halo});
+  addLabel(view, context, words, book.centre(), tip);
+}
+
 }  // namespace
 
 Axes::Axes(const MarkContext& context)
@@ -97,22 +107,16 @@ Omega::Omega(const MarkContext& context)
     : context_(context), scale_(context), letter_(letter(context, "ω", kVelocityColour)) {}
 
 void Omega::draw(const View& view) {
-  const BookBox book(context_.scene.body, view.sample.corners);
-  const Eigen::Vector3d tip = book.centre() + scale_.omegaTip(view.sample.angularVelocity);
-  drawArrow(view, book, book.centre(), tip,
-            {kVelocityColour, 1.5 * context_.scale.line, 1, context_.scale.halo});
-  addLabel(view, context_, letter_, book.centre(), tip);
+  drawVector(view, context_, scale_.omegaTip(view.sample.angularVelocity), kVelocityColour,
+             letter_);
 }
 
 Momentum::Momentum(const MarkContext& context)
     : context_(context), scale_(context), letter_(letter(context, "L", kMomentumColour)) {}
 
 void Momentum::draw(const View& view) {
-  const BookBox book(context_.scene.body, view.sample.corners);
-  const Eigen::Vector3d tip = book.centre() + scale_.momentumTip(view.sample.angularMomentum);
-  drawArrow(view, book, book.centre(), tip,
-            {kMomentumColour, 1.5 * context_.scale.line, 1, context_.scale.halo});
-  addLabel(view, context_, letter_, book.centre(), tip);
+  drawVector(view, context_, scale_.momentumTip(view.sample.angularMomentum), kMomentumColour,
+             letter_);
 }
 
 Trail::Trail(const MarkContext& context)

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/error.h"
+#include "pipeline/clip_files.h"
 
 namespace rotatebook::pipeline {
 namespace {
@@ -60,7 +61,7 @@ render::Screen screenOf(const PanelGrid& grid, const std::vector<overlay::Marks>
 
 image::Image groundOf(const scene::Scene& scene) {
   image::Image ground(scene.clip.width, scene.clip.height, image::PixelFormat::Rgba8);
-  if (scene.look.background == scene::Background::Transparent) return ground;
+  if (isTransparent(scene)) return ground;
   for (int y = 0; y < ground.height(); ++y) {
     for (int x = 0; x < ground.width(); ++x) {
       std::ranges::copy(kGroundColour, ground.row(y) + static_cast<std::ptrdiff_t>(x) * 4);

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include <Eigen/Core>
@@ -45,7 +46,7 @@ class FrameDrawer {
   render::Camera camera_;
   render::Renderer renderer_;  // of a panel
   ShutterMoments moments_;
-  image::LightMean mean_;  // of the pictures of moments_
+  std::optional<image::LightMean> mean_;  // of the pictures of moments_, if there are several
 };
 
 }  // namespace rotatebook::pipeline

@@ -2,6 +2,7 @@
 #include "image/golden.h"
 
 #include <filesystem>
+#include <numbers>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -25,7 +26,17 @@ constexpr image::Tolerance kSameMachineKind{.largest = 3, .failPercent = 0.5};
 struct Pose {
   std::string name;
   physics::Corners corners;
+  RenderSettings settings = testing::settingsOf(128, 72);
 };
+
+/// Views for judging the look, larger: the book turned about x, then y, then z [rad], before a
+/// camera that stands near.
+Pose view(const std::string& name, const Eigen::Vector3d& angles) {
+  const Eigen::Vector3d degrees = angles * 180 / std::numbers::pi;
+  RenderSettings settings = testing::settingsOf(640, 360);
+  settings.camera = {{0, 0, 0.76}, {0, 0, 0}, {0, 1, 0}, 30};
+  return {name, book({{degrees.x(), kX}, {degrees.y(), kY}, {degrees.z(), kZ}}), settings};
+}
 
 void PrintTo(const Pose& pose, std::ostream* stream) {
   *stream << pose.name;
@@ -50,7 +61,7 @@ class Golden : public ::testing::TestWithParam<Pose> {
         .same;
   }
 
-  Renderer renderer_{testing::settingsOf(128, 72), testing::builtinTextures()};
+  Renderer renderer_{GetParam().settings, testing::builtinTextures()};
 };
 
 TEST_P(Golden, IsMatched) {
@@ -82,7 +93,11 @@ INSTANTIATE_TEST_SUITE_P(Poses, Golden,
                                            Pose{"fore_edge", book({{-70, kY}, {-15, kX}})},
                                            Pose{"skewed", testing::skewedBook()},
                                            Pose{"inside_out", testing::insideOutBook()},
-                                           Pose{"exploding", testing::explodingBook()}),
+                                           Pose{"exploding", testing::explodingBook()},
+                                           view("cover_and_spine", {-0.5, 0.55, 0.12}),
+                                           view("cover_and_edges", {0.9, -0.7, 0.3}),
+                                           view("fore_edge_upright", {-0.35, -1.15, 0.2}),
+                                           view("head_and_cover", {1.25, 0.15, -0.4})),
                          [](const auto& test) { return test.param.name; });
 
 TEST(GoldenFailure, LeavesThePictureTheDifferenceAndTheirPaths) {

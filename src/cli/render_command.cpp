@@ -16,9 +16,9 @@
 #include "cli/motion_report.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
+#include "pipeline/preflight.h"
 #include "pipeline/render_clip.h"
 #include "pipeline/simulate_scene.h"
-#include "pipeline/textures.h"
 #include "scene/nearest_name.h"
 
 namespace rotatebook::cli {
@@ -79,7 +79,7 @@ std::vector<scene::Scene> readScenes(const RenderArguments& arguments) {
   std::vector<scene::Scene> scenes;
   for (const std::string& path : arguments.scenes) {
     scenes.push_back(arguments.sceneOptions.read(path));
-    pipeline::loadTextures(scenes.back());  // Only to find out now whether they can be read.
+    pipeline::preflight(scenes.back());
   }
   refuseSameNames(scenes);
   for (const scene::Scene& scene : scenes) refuseOpaque(scene, formatsOf(arguments));

@@ -11,7 +11,7 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
-#include "pipeline/textures.h"
+#include "pipeline/preflight.h"
 #include "scene/scene_file.h"
 
 namespace rotatebook::cli {
@@ -19,21 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// All that a render would read. Throws InputError.
-void checkScene(const std::string& path, const SceneOptions& options) {
-  const scene::Scene scene = options.read(path);
-  try {
-    pipeline::loadTextures(scene);
-  } catch (const InputError& error) {
-    throw InputError(path + ": " + error.what());
-  }
-}
-
 int checkScenes(const std::vector<std::string>& paths, const SceneOptions& options) {
   int status = kDone;
   for (const std::string& path : paths) {
     try {
-      checkScene(path, options);
+      pipeline::preflight(options.read(path));
       std::cout << path << ": ok\n";
     } catch (const InputError& error) {
       std::cerr << "rotatebook: " << error.what() << '\n';

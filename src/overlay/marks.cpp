@@ -34,7 +34,7 @@ struct Marks::Parts {
   Parts(const scene::Scene& asked, const physics::Trajectory& motion, const Ground& ground)
       : scene(asked),
         trajectory(motion),
-        type(Typesetter::of(asked.overlay.font)),
+        type(Typesetter::of(asked)),
         scale(ground.width, ground.height),
         canvas(ground.width, ground.height) {
     scale.letters = std::max(scale.letters, ground.letters);

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <string>
 
+#include "scene/places.h"
+
 namespace rotatebook::overlay {
 namespace {
 
@@ -49,7 +51,8 @@ Plate labelPlate(const MarkContext& context, const std::string& words, const Poi
                         .colour = kWhite,
                         .halo = context.scale.halo};
   Canvas canvas(context.scale.width, context.scale.height);
-  canvas.write(context.type.draw(words, style, static_cast<int>(width)), place);
+  const auto draw = [&] { return context.type.draw(words, style, static_cast<int>(width)); };
+  canvas.write(scene::atPlaceOf(context.scene, "panel", draw), place);
   return canvas.take();
 }
 

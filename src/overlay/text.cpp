@@ -16,7 +16,7 @@
 
 #include "base/error.h"
 #include "overlay/cairo_handles.h"
-#include "scene/scene.h"
+#include "scene/places.h"
 
 extern "C" {
 extern const std::uint8_t embedded_inter_regular_begin[], embedded_inter_regular_end[];
@@ -34,6 +34,7 @@ using Context = std::unique_ptr<PangoContext, Deleter<&g_object_unref>>;
 using LayoutPointer = std::unique_ptr<PangoLayout, Deleter<&g_object_unref>>;
 using FontOptions = std::unique_ptr<cairo_font_options_t, Deleter<&cairo_font_options_destroy>>;
 using Description = std::unique_ptr<PangoFontDescription, Deleter<&pango_font_description_free>>;
+using LayoutIterator = std::unique_ptr<PangoLayoutIter, Deleter<&pango_layout_iter_free>>;
 using Attributes = std::unique_ptr<PangoAttrList, Deleter<&pango_attr_list_unref>>;
 
 constexpr Colour kHaloColour{0.04, 0.045, 0.06};
@@ -141,6 +142,22 @@ TextSize sizeOf(PangoLayout* layout) {
   return size;
 }
 
+/// The first letter of the layout that its font doesn't have; one must be there.
+std::string unknownLetter(PangoLayout* layout) {
+  const char* text = pango_layout_get_text(layout);
+  const LayoutIterator iterator(pango_layout_get_iter(layout));
+  do {
+    const PangoLayoutRun* run = pango_layout_iter_get_run_readonly(iterator.get());
+    if (run == nullptr) continue;  // The end of a line.
+    for (int i = 0; i < run->glyphs->num_glyphs; ++i) {
+      if ((run->glyphs->glyphs[i].glyph & PANGO_GLYPH_UNKNOWN_FLAG) == 0) continue;
+      const char* letter = text + run->item->offset + run->glyphs->log_clusters[i];
+      return {letter, static_cast<std::size_t>(g_utf8_next_char(letter) - letter)};
+    }
+  } while (pango_layout_iter_next_run(iterator.get()));
+  return text;
+}
+
 void paint(cairo_t* cairo, PangoLayout* layout, const TextStyle& style) {
   if (style.halo > 0) {
     pango_cairo_layout_path(cairo, layout);
@@ -182,8 +199,10 @@ Typesetter::Typesetter(const std::string& family) : parts_(std::make_unique<Part
   parts_->family = family;
 }
 
-Typesetter Typesetter::of(const std::string& font) {
-  return font == scene::kBuiltin ? Typesetter() : Typesetter(font);
+Typesetter Typesetter::of(const scene::Scene& scene) {
+  const std::string& font = scene.overlay.font;
+  if (font == scene::kBuiltin) return {};
+  return scene::atPlaceOf(scene, "overlay.font", [&] { return Typesetter(font); });
 }
 
 Typesetter::~Typesetter() = default;
@@ -197,7 +216,8 @@ TextSize Typesetter::measure(const std::string& text, const TextStyle& style, in
 Layer Typesetter::draw(const std::string& text, const TextStyle& style, int width) const {
   const LayoutPointer layout = layoutOf(parts().context.get(), parts().family, text, style, width);
   if (pango_layout_get_unknown_glyphs_count(layout.get()) > 0) {
-    throw InputError("the font " + parts().family + " lacks a letter of \"" + text +
+    throw InputError("the font " + parts().family + " lacks \"" + unknownLetter(layout.get()) +
+                     "\", which is in \"" + text +
                      "\"; choose an installed one that has it, overlay.font = \"...\"");
   }
   const TextSize size = sizeOf(layout.get());

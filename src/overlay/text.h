@@ -5,6 +5,7 @@
 #include <string>
 
 #include "overlay/layer.h"
+#include "scene/scene.h"
 
 namespace rotatebook::overlay {
 
@@ -38,8 +39,9 @@ class Typesetter {
   /// An installed family. Throws InputError, naming families that are near, if there is none of
   /// that name.
   explicit Typesetter(const std::string& family);
-  /// What a scene's overlay.font means: a family, or scene::kBuiltin.
-  static Typesetter of(const std::string& font);
+  /// What a scene's overlay.font means: a family, or scene::kBuiltin. Throws InputError with the
+  /// place in the scene if there is no such family.
+  static Typesetter of(const scene::Scene& scene);
   ~Typesetter();
   Typesetter(Typesetter&&) noexcept;
   Typesetter& operator=(Typesetter&&) noexcept;
@@ -47,8 +49,8 @@ class Typesetter {
   /// Size of UTF-8 `text`, broken into lines at words so that none is wider than `width` [pixels];
   /// a line feed ends a line, too.
   TextSize measure(const std::string& text, const TextStyle& style, int width) const;
-  /// The words alone, their top left at the origin, the halo beyond it. Throws InputError if the
-  /// font lacks a letter.
+  /// The words alone, their top left at the origin, the halo beyond it. Throws InputError, naming
+  /// the letter, if the font lacks one.
   Layer draw(const std::string& text, const TextStyle& style, int width) const;
 
  private:

@@ -6,14 +6,17 @@
 #include <cstddef>
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/error.h"
 #include "base/number_text.h"
 #include "overlay/canvas.h"
 #include "overlay/layer.h"
 #include "overlay/palette.h"
 #include "overlay/text.h"
 #include "scene/names.h"
+#include "scene/places.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -25,7 +28,8 @@ constexpr double kSettingsSize = 0.0215, kSmallestSettings = 9;
 constexpr double kMargin = 0.045;
 // A line longer than this many letter heights is hard to follow.
 constexpr double kLongestLine = 56;
-constexpr double kShade = 0.6;  // how dark the ground of the words gets
+constexpr int kSmallPicture = 360;  // rows; for a quick look, in which words may hide the book
+constexpr double kShade = 0.6;      // how dark the ground of the words gets
 
 /// The lengths that follow from the picture's size. [pixels]
 struct PageScale {
@@ -116,6 +120,21 @@ struct Line {
   int top;  // on the picture [pixels]
 };
 
+/// Throws InputError if the words leave too little of the picture for the book.
+void refuseTooMany(const std::vector<Line>& lines, const scene::Scene& scene) {
+  const int height = scene.clip.height, rows = height - lines.front().top;
+  if (rows <= height / 2 || height < kSmallPicture) return;
+  const auto tallest =
+      std::ranges::max_element(lines, {}, [](const Line& line) { return line.words.height; });
+  const bool title = tallest == lines.begin();
+  throw InputError(
+      scene::placeOf(scene, title ? "title" : "caption") + ": the words take " +
+      std::to_string(rows) + " of the picture's " + std::to_string(height) +
+      " rows, which leaves too little for the book; shorten " +
+      (title ? "the title" : "the caption") +
+      ", make the picture larger (clip.size), or leave \"caption\" out of overlay.show");
+}
+
 /// Title, caption and settings, one below the other, the last above the picture's lower margin; the
 /// first is `narrower` than the others. [pixels]
 std::vector<Line> captionLines(const Typesetter& type, const scene::Scene& scene, int narrower) {
@@ -123,17 +142,21 @@ std::vector<Line> captionLines(const Typesetter& type, const scene::Scene& scene
   const double captionSize = scale.size(kCaptionSize, kSmallestCaption);
   const int room = std::min(scale.room, static_cast<int>(kLongestLine * captionSize));
   std::vector<Line> lines;
-  const auto add = [&](const std::string& text, const TextStyle& style) {
+  const auto add = [&](std::string_view key, const std::string& text, const TextStyle& style) {
+    if (text.empty()) return;
     const int width = lines.empty() ? std::min(room, scale.room - narrower) : room;
-    if (!text.empty()) lines.push_back({type.draw(text, style, width), 0});
+    const auto draw = [&] { return type.draw(text, style, width); };
+    lines.push_back({scene::atPlaceOf(scene, key, draw), 0});
   };
   const double halo = scale.halo();
-  add(scene.title, {.size = scale.size(kTitleSize, kSmallestTitle),
-                    .bold = true,
-                    .colour = kWhite,
-                    .halo = halo});
-  add(scene.caption, {.size = captionSize, .colour = kWhite, .opacity = 0.95, .halo = halo});
-  add(settingsText(scene),
+  add("title", scene.title,
+      {.size = scale.size(kTitleSize, kSmallestTitle),
+       .bold = true,
+       .colour = kWhite,
+       .halo = halo});
+  add("caption", scene.caption,
+      {.size = captionSize, .colour = kWhite, .opacity = 0.95, .halo = halo});
+  add("", settingsText(scene),
       {.size = scale.size(kSettingsSize, kSmallestSettings), .colour = kGrey, .halo = halo});
 
   const int gap = static_cast<int>(std::lround(0.45 * captionSize));
@@ -142,6 +165,7 @@ std::vector<Line> captionLines(const Typesetter& type, const scene::Scene& scene
     line->top = bottom - static_cast<int>(boxOf(line->words, Point(0, 0)).height);
     bottom = line->top - gap;
   }
+  refuseTooMany(lines, scene);
   return lines;
 }
 
@@ -149,10 +173,7 @@ std::vector<Line> captionLines(const Typesetter& type, const scene::Scene& scene
 
 struct Words::Parts {
   Parts(const scene::Scene& asked, ClockPlace clockPlace)
-      : scene(asked),
-        place(clockPlace),
-        scale(asked.clip),
-        type(Typesetter::of(asked.overlay.font)) {
+      : scene(asked), place(clockPlace), scale(asked.clip), type(Typesetter::of(asked)) {
     const bool below = shows(scene, scene::Overlay::Clock) && place == ClockPlace::Bottom;
     if (shows(scene, scene::Overlay::Clock)) clock = clockBox();
     std::vector<Line> lines;

@@ -22,7 +22,9 @@ class Words {
     Bottom,  ///< On the right of the caption's first line, for pictures whose top has other words.
   };
 
-  /// Throws InputError if there is no such font, or if it lacks a letter of the scene's words.
+  /// Throws InputError, with the place in the scene, if there is no such font, if it lacks a letter
+  /// of the words, or if they would take more than half of a
+  /// picture of 360 rows or more.
   explicit Words(const scene::Scene& scene, ClockPlace place = ClockPlace::TopLeft);
   ~Words();
   Words(Words&&) noexcept;

@@ -17,11 +17,6 @@ bool hasPanels(const scene::Scene& scene) {
   return !scene.panels.empty();
 }
 
-overlay::Words wordsOf(const scene::Scene& scene) {
-  using Place = overlay::Words::ClockPlace;
-  return overlay::Words(scene, hasPanels(scene) ? Place::Bottom : Place::TopLeft);
-}
-
 /// Panels are above the rows that words take; the picture of a single motion goes on below them.
 PanelGrid gridOf(const scene::Scene& scene, const overlay::Words& words) {
   if (!hasPanels(scene)) return panelGrid(1, scene.clip.width, scene.clip.height);
@@ -71,6 +66,11 @@ image::Image groundOf(const scene::Scene& scene) {
 }
 
 }  // namespace
+
+overlay::Words wordsOf(const scene::Scene& scene) {
+  using Place = overlay::Words::ClockPlace;
+  return overlay::Words(scene, hasPanels(scene) ? Place::Bottom : Place::TopLeft);
+}
 
 Composition::Composition(const scene::Scene& scene, const ClipMotion& motion)
     : motion_(&motion),

@@ -23,6 +23,9 @@ namespace rotatebook::pipeline {
 using DrawBook =
     std::function<Eigen::Matrix4d(std::size_t motion, std::size_t sample, image::Image& picture)>;
 
+/// What is written over the pictures of all motions together. Throws as overlay::Words does.
+overlay::Words wordsOf(const scene::Scene& scene);
+
 /// Everything in the pictures of a clip but the books: marks over each, the panels' places, and
 /// words over the whole. Use it on one thread.
 class Composition {

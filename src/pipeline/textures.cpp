@@ -2,15 +2,19 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <string_view>
 
 #include "image/png_file.h"
+#include "scene/places.h"
 
 namespace rotatebook::pipeline {
 namespace {
 
-image::Image load(const scene::Scene& scene, const std::string& file, image::Image (*builtin)()) {
+image::Image load(const scene::Scene& scene, std::string_view key, const std::string& file,
+                  image::Image (*builtin)()) {
   if (file == scene::kBuiltin) return builtin();
-  return image::readPng(scene.folder / file);
+  return scene::atPlaceOf(scene, key, [&] { return image::readPng(scene.folder / file); });
 }
 
 /// [degrees]
@@ -38,9 +42,9 @@ render::Background backgroundOf(scene::Background background) {
 }  // namespace
 
 render::BookTextures loadTextures(const scene::Scene& scene) {
-  return {load(scene, scene.book.front, render::builtinFront),
-          load(scene, scene.book.spine, render::builtinSpine),
-          load(scene, scene.book.back, render::builtinBack)};
+  return {load(scene, "book.front", scene.book.front, render::builtinFront),
+          load(scene, "book.spine", scene.book.spine, render::builtinSpine),
+          load(scene, "book.back", scene.book.back, render::builtinBack)};
 }
 
 render::Camera cameraOf(const scene::Scene& scene, const render::Screen& screen) {

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -134,6 +136,9 @@ struct Scene {
   /// `expectations` above, of which timePerFrame alone is of use then.
   std::vector<Panel> panels;
   std::optional<StudySettings> study;
+  /// Where texts stand that can prove wrong only when files and fonts are opened, by key, such as
+  /// "overlay.font"; those that are stated. See scene/places.h.
+  std::map<std::string, std::string, std::less<>> places;
 
   physics::MotionSettings motion() const { return {body, simulation, initial, inertia}; }
 };

@@ -4,6 +4,7 @@
 
 #include "scene/overrides.h"
 #include "scene/panel_section.h"
+#include "scene/places.h"
 #include "scene/scene_file.h"
 #include "scene/sections.h"
 #include "scene/study_section.h"
@@ -72,6 +73,16 @@ void placeCamera(const ValueReader& file, Scene& scene) {
   if (const auto camera = file.find("camera")) checkCamera(*camera, scene.camera);
 }
 
+/// The places of those of kPlacedKeys that the file states.
+void notePlaces(const ValueReader& file, Scene& scene) {
+  for (const std::string_view key : kPlacedKeys) {
+    const auto dot = key.find('.');
+    auto value = file.find(key.substr(0, dot));
+    if (value && dot != key.npos) value = value->find(key.substr(dot + 1));
+    if (value) scene.places.emplace(key, value->node().place);
+  }
+}
+
 }  // namespace
 
 Scene parseScene(std::string_view text, const std::filesystem::path& path,
@@ -84,6 +95,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   scene.folder = path.parent_path();
   const ValueReader file(tree, "");
   readSections(file, scene);
+  notePlaces(file, scene);
   if (!file.find("title")) scene.title = scene.name;
   readMotions(file, scene);
   placeCamera(file, scene);

@@ -82,8 +82,10 @@ const std::vector<BadCase> kOptions{
      "--frames a:b: not a range; write first:end, for example 0:60 for the first 60 frames"},
     {"MissingTexture",
      {"--set", "book.front=no.png"},
-     "can't read no.png: No such file or directory"},
-    {"TextureThatIsNoPicture", {"--set", "book.back=tiny.toml"}, "can't read tiny.toml: not a PNG"},
+     "--set book.front=no.png: can't read no.png: No such file or directory"},
+    {"TextureThatIsNoPicture",
+     {"--set", "book.back=tiny.toml"},
+     "--set book.back=tiny.toml: can't read tiny.toml: not a PNG"},
 };
 
 const std::vector<BadCase> kCommands{
@@ -174,7 +176,9 @@ TEST_F(BadInput, TexturesThatAreCorruptAreNamed) {
   write("cut.png", "\x89PNG\r\n\x1a\n");
   const ChildResult result = run({"render", "tiny.toml", "--set", "book.spine=cut.png"});
   EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(result.error, "rotatebook: can't read cut.png: corrupt PNG: the file ends too early\n");
+  EXPECT_EQ(result.error,
+            "rotatebook: --set book.spine=cut.png: can't read cut.png: corrupt PNG: the file ends "
+            "too early\n");
   EXPECT_THAT(files(), ::testing::ElementsAre("cut.png"));
 }
 

@@ -52,11 +52,21 @@ TEST_F(SceneCommandsTest, CheckLooksAtTheTexturesToo) {
   const ChildResult cut = run({"check", "tiny.toml", "--set", "book.front=covers/cut.png"});
   EXPECT_EQ(cut.status, 2);
   EXPECT_EQ(cut.error,
-            "rotatebook: tiny.toml: can't read covers/cut.png: corrupt PNG: the file ends too "
-            "early\n");
+            "rotatebook: --set book.front=covers/cut.png: can't read covers/cut.png: corrupt PNG: "
+            "the file ends too early\n");
   const ChildResult missing = run({"check", "tiny.toml", "--set", "book.spine=no.png"});
   EXPECT_EQ(missing.status, 2);
-  EXPECT_EQ(missing.error, "rotatebook: tiny.toml: can't read no.png: No such file or directory\n");
+  EXPECT_EQ(missing.error,
+            "rotatebook: --set book.spine=no.png: can't read no.png: No such file or directory\n");
+}
+
+TEST_F(SceneCommandsTest, CheckLooksAtTheWordsToo) {
+  write("font.toml", std::string(kTiny) + "[overlay]\nshow = ['caption']\nfont = 'No Such Font'\n");
+  const ChildResult font = run({"check", "font.toml"});
+  EXPECT_EQ(font.status, 2);
+  EXPECT_THAT(font.error,
+              ::testing::MatchesRegex(
+                  "rotatebook: font.toml:[0-9]+:8: no font family \"No Such Font\" .*\n"));
 }
 
 TEST_F(SceneCommandsTest, PrintedSceneRendersTheSame) {

@@ -80,7 +80,8 @@ TEST(Typesetter, DrawsInItsColourAndOpacity) {
 
 TEST(Typesetter, RefusesLettersThatTheFontLacks) {
   EXPECT_EQ(refusalOf("Größe, αβγ, жук, 1 − 2 × ½ ≤ √3"), "");
-  EXPECT_THAT(refusalOf("漢字"), HasSubstr("the font Inter lacks a letter of \"漢字\""));
+  EXPECT_THAT(refusalOf("漢字"), HasSubstr("the font Inter lacks \"漢\", which is in \"漢字\""));
+  EXPECT_THAT(refusalOf("First\nand é 字漢"), HasSubstr("lacks \"字\""));
 }
 
 TEST(Typesetter, RefusesAFontThatIsNotThere) {

@@ -3,12 +3,18 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/error.h"
 #include "scene/scene_file.h"
 
 namespace rotatebook::overlay {
 namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
 
 constexpr const char* kLongCaption =
     "The quaternion is normalised after every step, so the book keeps its shape, and it still goes "
@@ -90,6 +96,41 @@ TEST(Words, TellHowTheMotionWasSimulated) {
   const image::Image exact =
       drawn(sceneWith({"overlay.show=['caption']", "simulation.model=exact"}), 0);
   EXPECT_NE(euler, exact);
+}
+
+std::string refusalOf(const std::string& text) {
+  try {
+    Words words(scene::parseScene(text + "\n[initial]\nangular_velocity = [5, 3, 1]\n", "a.toml"));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string repeated(const std::string& words, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += words;
+  return all;
+}
+
+TEST(Words, AreRefusedWhereTheyWouldHideTheBook) {
+  const std::string show = "overlay.show = ['caption']\n";
+  EXPECT_THAT(refusalOf(show + "caption = '" + repeated("words on words ", 100) + "'"),
+              StartsWith("a.toml:2:11: the words take 433 of the picture's 720 rows"));
+  EXPECT_THAT(refusalOf(show + "title = '" + repeated("a title ", 150) + "'"),
+              AllOf(StartsWith("a.toml:2:9: the words take"), HasSubstr("shorten the title")));
+  EXPECT_EQ(refusalOf(show + "caption = '" + repeated("words on words ", 60) + "'"), "no error");
+  EXPECT_EQ(refusalOf(show + "clip.size = [320, 180]\ncaption = '" +
+                      repeated("words on words ", 100) + "'"),
+            "no error");
+}
+
+TEST(Words, NameThePlaceOfALetterOrAFontThatIsMissing) {
+  const std::string show = "overlay.show = ['caption']\n";
+  EXPECT_THAT(refusalOf(show + "title = '漢'"), StartsWith("a.toml:2:9: the font Inter lacks"));
+  EXPECT_THAT(refusalOf(show + "caption = '漢'"), StartsWith("a.toml:2:11: the font Inter lacks"));
+  EXPECT_THAT(refusalOf(show + "overlay.font = 'No Such Font'"),
+              StartsWith("a.toml:2:16: no font family \"No Such Font\" is installed"));
 }
 
 }  // namespace

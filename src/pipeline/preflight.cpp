@@ -1,0 +1,13 @@
+#include "pipeline/preflight.h"
+
+#include "pipeline/composition.h"
+#include "pipeline/textures.h"
+
+namespace rotatebook::pipeline {
+
+void preflight(const scene::Scene& scene) {
+  loadTextures(scene);
+  wordsOf(scene);
+}
+
+}  // namespace rotatebook::pipeline

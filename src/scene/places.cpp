@@ -1,0 +1,10 @@
+#include "scene/places.h"
+
+namespace rotatebook::scene {
+
+std::string placeOf(const Scene& scene, std::string_view key) {
+  const auto place = scene.places.find(key);
+  return place == scene.places.end() ? scene.name : place->second;
+}
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,31 @@
+// Where a scene states what proves wrong only when files and fonts are opened.
+#pragma once
+
+#include <concepts>
+#include <string>
+#include <string_view>
+
+#include "base/error.h"
+#include "scene/scene.h"
+
+namespace rotatebook::scene {
+
+/// The keys that Scene::places knows, sections before a dot.
+inline constexpr std::string_view kPlacedKeys[] = {
+    "title", "caption", "panel", "book.front", "book.spine", "book.back", "overlay.font"};
+
+/// "FILE:LINE:COLUMN", or "--set KEY=VALUE", where the scene states `key`; its name if it doesn't.
+std::string placeOf(const Scene& scene, std::string_view key);
+
+/// What `work` returns. An InputError of it is thrown anew as "PLACE: PROBLEM", with the place of
+/// `key`.
+template <std::invocable Work>
+auto atPlaceOf(const Scene& scene, std::string_view key, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError(placeOf(scene, key) + ": " + error.what());
+  }
+}
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,39 @@
+#include "scene/places.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "scene/parse.h"
+
+namespace rotatebook::scene {
+namespace {
+
+TEST(Places, AreThoseThatTheFileStates) {
+  const Scene scene =
+      sceneFrom("title = 'A'\n[book]\nspine = 's.png'\n[overlay]\nshow = []\nfont = 'Lato'");
+  EXPECT_EQ(placeOf(scene, "title"), "a.toml:1:9");
+  EXPECT_EQ(placeOf(scene, "book.spine"), "a.toml:3:9");
+  EXPECT_EQ(placeOf(scene, "overlay.font"), "a.toml:6:8");
+}
+
+TEST(Places, AreTheScenesNameForDefaults) {
+  const Scene scene = sceneFrom("");
+  EXPECT_EQ(placeOf(scene, "caption"), scene.name);
+  EXPECT_EQ(placeOf(scene, "book.front"), scene.name);
+}
+
+TEST(Places, ArePutBeforeWhatIsWrongThere) {
+  const Scene scene = sceneFrom("caption = 'B'");
+  const auto failing = []() -> int { throw InputError("it is too long"); };
+  EXPECT_EQ(atPlaceOf(scene, "caption", [] { return 7; }), 7);
+  try {
+    atPlaceOf(scene, "caption", failing);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "a.toml:1:11: it is too long");
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::scene

@@ -12,7 +12,7 @@ constexpr double kLeastSide = 0.17;
 constexpr double kWidestColumn = 0.25;  // of the width
 constexpr double kPolhodeShare = 0.42;  // of the column's height
 constexpr double kChartAspect = 0.52;   // highest, of the width
-constexpr double kLowestChart = 5.2;    // letter heights
+constexpr double kLowestChart = 7;      // letter heights
 constexpr double kBottomChart = 0.15;   // of the height
 constexpr double kCornerPolhode = 0.3;  // of the shorter side
 constexpr double kLegendWidth = 9.5;    // letter heights
@@ -33,8 +33,8 @@ void placeColumn(const Scale& scale, const Wanted& wanted, double side, Layout& 
     layout.polhode = {left + width - across, top, across, size};
     top += size + gap;
   }
-  const double left_ = scale.margin + height - top + gap;
-  const double each = wanted.charts > 0 ? left_ / wanted.charts - gap : 0;
+  const double rest = scale.margin + height - top + gap;
+  const double each = wanted.charts > 0 ? rest / wanted.charts - gap : 0;
   const double chart = std::min(kChartAspect * width, each);
   for (int i = 0; i < wanted.charts; ++i, top += chart + gap) {
     layout.charts.push_back({left, top, width, chart});

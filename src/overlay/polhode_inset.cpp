@@ -250,6 +250,11 @@ void writeLetters(Canvas& canvas, const MarkContext& context, const SurfacePaint
   letters.write(canvas, box, {boxOf(title, corner)});
 }
 
+/// What the title takes of the inset's height. [pixels]
+double titleRow(const MarkContext& context) {
+  return 1.2 * context.scale.smallLetters;
+}
+
 physics::PrincipalAxes inertiaOf(const MarkContext& context) {
   return physics::modelInertia(context.scene.motion());
 }
@@ -276,8 +281,8 @@ PolhodeInset::PolhodeInset(const MarkContext& context, const Box& box)
       inertia_(inertiaOf(context)),
       momenta_(momentaOf(context, inertia_)),
       surfaces_(inertia_.moments, momenta_.front()),
-      middle_(box.x + box.width / 2, box.y + box.height / 2),
-      pixels_(kFilled * std::min(box.width, box.height) / surfaces_.farthest()),
+      middle_(box.x + box.width / 2, box.y + (titleRow(context) + box.height) / 2),
+      pixels_(kFilled * std::min(box.width, box.height - titleRow(context)) / surfaces_.farthest()),
       plate_(stillPart(box)) {}
 
 Plate PolhodeInset::stillPart(const Box& box) const {

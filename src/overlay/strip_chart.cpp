@@ -184,10 +184,11 @@ ChartContent energyContent(const MarkContext& context) {
   }
   const auto total = [](const physics::Sample& sample) { return sample.total(); };
   if (context.scene.simulation.model == physics::Model::Particles) {
-    content.series = {seriesOf(context, "springs", "U", kSpringColour, start,
-                               [](const physics::Sample& sample) { return sample.potential; }),
-                      seriesOf(context, "kinetic", "T", kKineticColour, start,
+    // Where book and springs tremble, both are bands; the springs' is the narrower.
+    content.series = {seriesOf(context, "kinetic", "T", kKineticColour, start,
                                [](const physics::Sample& sample) { return sample.kinetic; }),
+                      seriesOf(context, "springs", "U", kSpringColour, start,
+                               [](const physics::Sample& sample) { return sample.potential; }),
                       seriesOf(context, "total", "E", kTotalColour, start, total)};
   } else {
     content.series = {seriesOf(context, "kinetic", "T", kKineticColour, start, total)};

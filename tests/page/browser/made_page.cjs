@@ -52,6 +52,7 @@ expect.error_deg = [{ max = 0.5 }, { max = 0.5, from = 0.2, to = 0.45 }]
 [[panel]]
 label = "exact"
 simulation.model = "exact"
+expect.rotational_ratio = { min = 0.999999, max = 1.000001, from = 0.125, to = 0.375 }
 `,
   "book.toml": `title = "A book"
 caption = "A still."

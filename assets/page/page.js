@@ -72,30 +72,24 @@
     event.preventDefault();
   });
 
-  function isDark() {
-    return root.classList.contains("dark") || (darkSystem.matches && !root.classList.contains("light"));
-  }
-
   const theme = document.getElementById("theme");
+  const isDark = () => (root.style.colorScheme || (darkSystem.matches ? "dark" : "light")) === "dark";
+
   function showTheme() {
-    theme.setAttribute("aria-pressed", String(isDark()));
+    theme.textContent = isDark() ? "Switch to light" : "Switch to dark";
     plots.forEach((plot) => plot.plot.redraw(false, true));
-  }
-  function setTheme(name) {
-    root.classList.remove("light", "dark");
-    root.classList.add(name);
-    showTheme();
   }
   theme.hidden = false;
   theme.addEventListener("click", () => {
-    const name = isDark() ? "light" : "dark";
-    setTheme(name);
-    try { localStorage.setItem("theme", name); } catch { /* Not every browser keeps anything for files. */ }
+    root.style.colorScheme = isDark() ? "light" : "dark";
+    showTheme();
+    try { localStorage.setItem("theme", root.style.colorScheme); } catch { /* Not every browser keeps anything for files. */ }
   });
   darkSystem.addEventListener("change", showTheme);
-  let kept = null;
-  try { kept = localStorage.getItem("theme"); } catch { /* As above. */ }
-  if (kept === "light" || kept === "dark") setTheme(kept);
-  else showTheme();
+  try {
+    const kept = localStorage.getItem("theme");
+    if (kept === "light" || kept === "dark") root.style.colorScheme = kept;
+  } catch { /* As above. */ }
+  showTheme();
   document.querySelector(".keys").hidden = sections.length === 0;
 })();

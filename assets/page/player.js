@@ -10,6 +10,7 @@ class Player extends EventTarget {
     this.frames = clip.frames;
     this.rate = clip.rate[0] / clip.rate[1];
     this.frame = 0;
+    this.next = null;  // the frame to go to when the video is done with going to another
     this.stoppedByUser = false;
     this.looping = true;
     this.find = (name) => section.querySelector(".controls " + name);
@@ -33,7 +34,7 @@ class Player extends EventTarget {
     // The picture and the plots stop at one and the same frame.
     video.addEventListener("pause", () => { if (!video.ended) this.seek(this.frame); });
     video.addEventListener("ended", () => this.show(this.frames - 1));
-    video.addEventListener("seeked", () => this.show(this.frameAt(video.currentTime)));
+    video.addEventListener("seeked", () => this.arrive());
     video.addEventListener("click", () => this.toggle());
     if (video.requestVideoFrameCallback) {
       const onFrame = (now, data) => {
@@ -96,8 +97,17 @@ class Player extends EventTarget {
   seek(frame) {
     const wanted = Math.min(Math.max(Math.round(frame), 0), this.frames - 1);
     if (this.video.preload === "none") this.video.preload = "auto";
-    this.video.currentTime = (wanted + 0.5) / this.rate;
+    // One at a time: a browser that is sent elsewhere again and again may never arrive.
+    if (this.video.seeking) this.next = wanted;
+    else this.video.currentTime = (wanted + 0.5) / this.rate;
     this.show(wanted);
+  }
+
+  arrive() {
+    const next = this.next;
+    this.next = null;
+    if (next === null) this.show(this.frameAt(this.video.currentTime));
+    else this.seek(next);
   }
 
   show(frame) {

@@ -4,7 +4,16 @@
 const kPlotHeight = 140;  // [CSS pixels]
 const kSeriesColours = 6;
 
-const colourOf = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+/** The colour that the page's style calls `name`, as the theme has it, for a canvas. */
+function colourOf(name) {
+  const probe = document.createElement("i");
+  probe.style.color = "var(" + name + ")";
+  document.body.append(probe);
+  const colour = getComputedStyle(probe).color;
+  probe.remove();
+  return colour;
+}
+
 const seriesColour = (index) => "--series-" + (index % kSeriesColours + 1);
 
 /** A number for people: four digits, or a power of ten. */

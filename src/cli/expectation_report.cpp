@@ -22,9 +22,9 @@ std::string reportLine(const physics::ExpectationResult& result) {
 }
 
 std::string reportLine(const std::string& subject, const scene::Bounds& bounds, double measured) {
-  return verdict(bounds.hold(measured)) + subject + ": expected " +
-         physics::expectedText({.min = bounds.min, .max = bounds.max}) + "; measured " +
-         physics::measuredText(measured);
+  const physics::Expectation expectation{.min = bounds.min, .max = bounds.max};
+  return verdict(bounds.hold(measured)) + subject + ": expected " + expectedText(expectation) +
+         "; measured " + measuredText(measured, expectation);
 }
 
 int reportMotion(const physics::Trajectory& trajectory,

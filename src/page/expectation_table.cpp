@@ -35,13 +35,13 @@ std::vector<Check> checksOf(const Motion& motion) {
   std::vector<Check> checks;
   if (divergesUnexpectedly(motion.trajectory, motion.panel.expectations)) {
     checks.push_back({"diverges_at", "no divergence",
-                      shortestText(*motion.trajectory.divergedAt) + " s", false});
+                      roundedText(*motion.trajectory.divergedAt, kCheckDigits) + " s", false});
   }
   for (const physics::ExpectationResult& result :
        check(motion.trajectory, motion.panel.expectations)) {
     checks.push_back(
         {std::string(nameOf(result.expectation.quantity)) + windowText(result.expectation),
-         expectedText(result.expectation), measuredText(result), result.met});
+         expectedText(result.expectation), measuredText(result, kCheckDigits), result.met});
   }
   return checks;
 }

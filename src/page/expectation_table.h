@@ -9,6 +9,9 @@
 
 namespace rotatebook::page {
 
+/// Of a measured number, unless it takes more to tell it from its bound.
+inline constexpr int kCheckDigits = 4;
+
 /// One row: what was expected of something, what was measured, and whether that is as expected.
 struct Check {
   std::string subject;

@@ -59,8 +59,9 @@ double numberOf(const Row& row, const std::string& column) {
 }
 
 Check checkOf(const std::string& subject, const scene::Bounds& bounds, double measured) {
-  return {subject, physics::expectedText({.min = bounds.min, .max = bounds.max}),
-          physics::measuredText(measured), bounds.hold(measured)};
+  const physics::Expectation expectation{.min = bounds.min, .max = bounds.max};
+  return {subject, expectedText(expectation), measuredText(measured, expectation, kCheckDigits),
+          bounds.hold(measured)};
 }
 
 std::vector<Check> checksOfOrders(const scene::StudySettings& study, const fs::path& csv) {

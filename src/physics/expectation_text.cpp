@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -10,13 +11,31 @@
 namespace rotatebook::physics {
 namespace {
 
-// Of a measured number.
-constexpr int kDigits = 7;
+// Enough to tell any two numbers apart.
+constexpr int kMostDigits = 17;
 
 struct WordedBound {
   const char* words;
   std::optional<double> bound;
 };
+
+/// Whether `shown` meets and misses the same of `bounds` as `value` does.
+bool standsAsItWas(double shown, double value, const Expectation& bounds) {
+  const auto below = [&](const std::optional<double>& bound) {
+    return bound && (shown < *bound) != (value < *bound);
+  };
+  const auto above = [&](const std::optional<double>& bound) {
+    return bound && (shown > *bound) != (value > *bound);
+  };
+  return !below(bounds.min) && !below(bounds.risesTo) && !above(bounds.max) &&
+         !above(bounds.fallsTo);
+}
+
+double numberIn(const std::string& text) {
+  double number = 0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
 
 }  // namespace
 
@@ -39,15 +58,21 @@ std::string windowText(const Expectation& expectation) {
   return text;
 }
 
-std::string measuredText(const ExpectationResult& result) {
+std::string measuredText(const ExpectationResult& result, int digits) {
   if (std::isnan(result.lowest)) return "nothing: the motion has no sample there";
   if (std::isinf(result.lowest)) return "no divergence";
-  if (result.lowest == result.highest) return measuredText(result.lowest);
-  return measuredText(result.lowest) + " to " + measuredText(result.highest);
+  const std::string lowest = measuredText(result.lowest, result.expectation, digits);
+  const std::string highest = measuredText(result.highest, result.expectation, digits);
+  return lowest == highest ? lowest : lowest + " to " + highest;
 }
 
-std::string measuredText(double value) {
-  return std::isnan(value) ? "nothing" : roundedText(value, kDigits);
+std::string measuredText(double value, const Expectation& bounds, int digits) {
+  if (std::isnan(value)) return "nothing";
+  std::string text = roundedText(value, digits);
+  while (digits < kMostDigits && !standsAsItWas(numberIn(text), value, bounds)) {
+    text = roundedText(value, ++digits);
+  }
+  return text;
 }
 
 bool divergesUnexpectedly(const Trajectory& trajectory, std::span<const Expectation> expectations) {

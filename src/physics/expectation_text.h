@@ -15,11 +15,15 @@ std::string expectedText(const Expectation& expectation);
 /// " from 3 s to 4.5 s", or empty for the whole motion.
 std::string windowText(const Expectation& expectation);
 
-/// "0.02 to 1.31", "no divergence", or why there is nothing to measure.
-std::string measuredText(const ExpectationResult& result);
+/// Significant digits of a measured number, where nothing else is asked for.
+inline constexpr int kMeasuredDigits = 7;
 
-/// A number as measuredText() has it; "nothing" if it is NaN.
-std::string measuredText(double value);
+/// "0.02 to 1.31", "no divergence", or why there is nothing to measure. Numbers have `digits`
+/// significant digits at most, or as many more as it takes to stay on their side of each bound.
+std::string measuredText(const ExpectationResult& result, int digits = kMeasuredDigits);
+
+/// One number that `bounds` are on, in the same way; "nothing" if it is NaN.
+std::string measuredText(double value, const Expectation& bounds, int digits = kMeasuredDigits);
 
 /// Whether a motion diverges that has expectations, but none of that.
 bool divergesUnexpectedly(const Trajectory& trajectory, std::span<const Expectation> expectations);

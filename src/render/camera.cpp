@@ -8,7 +8,6 @@ namespace rotatebook::render {
 namespace {
 
 constexpr double kNearPlane = 0.01;  // Of the distance to the target.
-constexpr int kMarginPixels = 2;     // Rounding and antialiasing reach this far at most.
 
 Eigen::Matrix4d clipFromView(const Camera& camera, double aspect, double near, double far) {
   const double scale = 1 / std::tan(camera.fieldOfViewDeg * std::numbers::pi / 360);
@@ -29,23 +28,12 @@ Eigen::Matrix4d upperShare(double share) {
   return matrix;
 }
 
-/// The pixels from `low` to `high` (in -1 to 1) of `size`, as first and one past the last.
-std::pair<int, int> pixelSpan(double low, double high, int size) {
-  const auto toPixel = [size](double clip) {
-    return std::clamp((clip + 1) / 2 * size, -1.0 * size, 2.0 * size);
-  };
-  const int first = static_cast<int>(std::floor(toPixel(low))) - kMarginPixels;
-  const int end = static_cast<int>(std::ceil(toPixel(high))) + kMarginPixels;
-  return {std::clamp(first, 0, size), std::clamp(end, 0, size)};
-}
-
-PixelRect boundsOf(const Eigen::Matrix<double, 4, 8>& clip, double near, int width, int height) {
-  if (clip.row(3).minCoeff() <= near) return {0, 0, width, height};
-  const Eigen::Array<double, 1, 8> x = clip.row(0).array() / clip.row(3).array();
-  const Eigen::Array<double, 1, 8> y = clip.row(1).array() / clip.row(3).array();
-  const auto [left, right] = pixelSpan(x.minCoeff(), x.maxCoeff(), width);
-  const auto [top, bottom] = pixelSpan(y.minCoeff(), y.maxCoeff(), height);
-  return {left, top, right - left, bottom - top};
+/// Where points that are all in front of the camera are on a picture. [pixels]
+PicturePoints onPicture(const Eigen::Matrix<double, 4, 8>& clip, int width, int height) {
+  PicturePoints points = clip.topRows<2>().array().rowwise() / clip.row(3).array();
+  points.row(0) = (points.row(0).array() + 1) / 2 * width;
+  points.row(1) = (points.row(1).array() + 1) / 2 * height;
+  return points;
 }
 
 }  // namespace
@@ -71,7 +59,13 @@ Projection project(const Camera& camera, const physics::Corners& points, const S
   const Eigen::Matrix4d clipFromWorld =
       upperShare(share) * clipFromView(camera, aspect, near, far) * view;
   const Eigen::Matrix<double, 4, 8> clip = clipFromWorld * points.colwise().homogeneous();
-  return {clipFromWorld, boundsOf(clip, near, screen.width, screen.height)};
+  if (clip.row(3).minCoeff() <= near) {
+    const PixelRect all{0, 0, screen.width, screen.height};
+    return {clipFromWorld, all, {all}};
+  }
+  const PicturePoints places = onPicture(clip, screen.width, screen.height);
+  const PixelRect bounds = boundsOf(places, screen.width, screen.height);
+  return {clipFromWorld, bounds, hullBands(places, bounds)};
 }
 
 }  // namespace rotatebook::render

@@ -1,10 +1,13 @@
 // From the world to the picture.
 #pragma once
 
+#include <vector>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
 #include "physics/cuboid.h"
+#include "render/hull_bands.h"
 
 namespace rotatebook::render {
 
@@ -16,16 +19,6 @@ struct Camera {
   double fieldOfViewDeg = 30;       ///< Vertical, over 0 to under 180. [degrees]
 };
 
-/// Whole pixels, origin at the picture's top left.
-struct PixelRect {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
-
-  friend bool operator==(const PixelRect&, const PixelRect&) = default;
-};
-
 /// One frame's projection.
 struct Projection {
   /// World to clip space. Clip y points down, so that a frame buffer's first row is the picture's
@@ -34,6 +27,8 @@ struct Projection {
   /// The pixels that the hull of the points can touch, with a margin; the whole picture if a point
   /// is not in front of the camera; empty if the hull is beside the picture.
   PixelRect bounds;
+  /// The same more closely, as rectangles one below the other.
+  std::vector<PixelRect> bands;
 };
 
 /// Camera coordinates: x right, y up, z toward the viewer.

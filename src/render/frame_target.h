@@ -1,9 +1,11 @@
 // Where frames are drawn: a multisampled buffer, resolved and read back a rectangle at a time.
 #pragma once
 
+#include <span>
+
 #include "image/image.h"
-#include "render/camera.h"
 #include "render/gl_handles.h"
+#include "render/hull_bands.h"
 
 namespace rotatebook::render {
 
@@ -14,11 +16,13 @@ class FrameTarget {
   /// is over the driver's limit, MachineError if `samples` are not to be had.
   FrameTarget(int width, int height, int samples, int supersample);
 
-  /// Directs drawing to the pixels of `area`, whose colour and depth are to be overwritten first.
-  void begin(const PixelRect& area);
-  /// Resolves `area`, mixing in linear light, and copies it to the same place of `picture` (Rgba8,
-  /// of the width and height given).
-  void readBack(const PixelRect& area, image::Image& picture);
+  /// Directs drawing here, where colour and depth are left from before and to be overwritten first.
+  void begin() const;
+  /// Keeps what is drawn from now on within `area`.
+  void confineTo(const PixelRect& area) const;
+  /// Resolves `areas`, mixing in linear light, and copies each to the same place of `picture`
+  /// (Rgba8, of the width and height given).
+  void readBack(std::span<const PixelRect> areas, image::Image& picture);
 
  private:
   int width_;

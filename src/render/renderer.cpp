@@ -58,33 +58,36 @@ struct Renderer::Parts {
     const ShaderProgram program(studio ? "studio" : "stars", wholePictureVertexShader(),
                                 studio ? studioFragmentShader() : starsFragmentShader());
     const PixelRect everything{0, 0, settings.width, settings.height};
-    target.begin(everything);
+    target.begin();
+    glDisable(GL_FRAMEBUFFER_SRGB);  // Its colours are encoded already.
+    target.confineTo(everything);
     program.use();
     const Eigen::Vector2i size(settings.width, settings.height);
     program.set("pictureSize", Eigen::Vector2f(size.cast<float>()));
     program.set("supersample", settings.supersample);
     coverPicture();
-    target.readBack(everything, background);
+    target.readBack({&everything, 1}, background);
   }
 
-  /// Draws over the whole picture, infinitely far away, with the program in use, whose colours are
-  /// encoded already. Setting the depth on the way spares clearing it, which costs as much as
-  /// drawing (software rasteriser, 4 samples).
+  /// Draws over the whole picture, infinitely far away, with the program in use. Setting the depth
+  /// on the way spares clearing it, which costs as much as drawing (software rasteriser, 4
+  /// samples).
   void coverPicture() const {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_ALWAYS);
     glDisable(GL_CULL_FACE);
-    glDisable(GL_FRAMEBUFFER_SRGB);
     glBindVertexArray(noVertices.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
-    glEnable(GL_FRAMEBUFFER_SRGB);
   }
 
-  void drawBackdrop() const {
+  void drawBackdrop(const std::vector<PixelRect>& bands) const {
     backdropProgram.use();
     backdropProgram.set("supersample", settings.supersample);
     backdrop->bind();
-    coverPicture();
+    for (const PixelRect& band : bands) {
+      target.confineTo(band);
+      coverPicture();
+    }
   }
 
   void drawBook(const physics::Corners& corners, const Projection& projection) const {
@@ -135,10 +138,11 @@ void Renderer::draw(const physics::Corners& corners, image::Image& picture) {
   picture = parts_->background;
   const PixelRect& area = projection.bounds;
   if (area.width > 0 && area.height > 0) {
-    parts_->target.begin(area);
-    parts_->drawBackdrop();
+    parts_->target.begin();
+    parts_->drawBackdrop(projection.bands);
+    parts_->target.confineTo(area);
     parts_->drawBook(corners, projection);
-    parts_->target.readBack(area, picture);
+    parts_->target.readBack(projection.bands, picture);
     if (settings.background == Background::Transparent) makeAlphaStraight(picture, area);
   }
   requireNoGlError("while drawing a frame");

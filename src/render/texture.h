@@ -21,7 +21,7 @@ class Texture {
   GlTexture texture_;
 };
 
-/// A picture to be fetched pixel by pixel, bytes as they are; its first row is at y = 0.
+/// A picture to be fetched pixel by pixel, as light; its first row is at y = 0.
 class PixelTexture {
  public:
   /// `picture` is Rgba8, without padding and top row first.

@@ -69,15 +69,19 @@ void BookGeometry::draw(BookPart part) const {
                  reinterpret_cast<const void*>(start * sizeof(std::uint32_t)));
 }
 
-void hideInnerSides(const physics::Corners& corners) {
+bool hideInnerSides(const physics::Corners& corners) {
   constexpr double kClearlyOneWay = 0.2;
   const Eigen::Array<double, 8, 1> volumes = cornerVolumes(corners);
   const bool rightWayOut = volumes.minCoeff() > kClearlyOneWay;
   const bool insideOut = volumes.maxCoeff() < -kClearlyOneWay;
-  if (!rightWayOut && !insideOut) return glDisable(GL_CULL_FACE);
+  if (!rightWayOut && !insideOut) {
+    glDisable(GL_CULL_FACE);
+    return false;
+  }
   glEnable(GL_CULL_FACE);
   glFrontFace(rightWayOut ? GL_CW
                           : GL_CCW);  // Clip y points down, which turns every triangle round.
+  return true;
 }
 
 }  // namespace rotatebook::render

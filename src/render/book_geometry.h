@@ -26,8 +26,8 @@ class BookGeometry {
   std::array<std::size_t, kBookPartCount + 1> starts_{};  // of each part among the indices
 };
 
-/// Spares the sides that look away from the eye, unless the book is so deformed that any may be
-/// seen.
-void hideInnerSides(const physics::Corners& corners);
+/// Spares the sides that look away from the eye, and returns true; false if the book is so deformed
+/// that any may be seen.
+bool hideInnerSides(const physics::Corners& corners);
 
 }  // namespace rotatebook::render

@@ -32,6 +32,7 @@ struct SidePoint {
   Vector3f normal;  // of unit length
   Vector2f texture{0, 0};
   float openness = 1;
+  bool againstLeaves = false;
 };
 
 /// Where along y the outer side has its points: the flat part, and the roundings at foot and head,
@@ -90,6 +91,7 @@ class MeshBuilder {
     mesh_.vertices.push_back({point.place.cwiseQuotient(size),
                               point.normal.cwiseProduct(size).normalized(), point.texture,
                               point.openness});
+    againstLeaves_.push_back(point.againstLeaves);
   }
 
   /// A triangle, unless two of its corners are one point, but for rounding.
@@ -99,11 +101,13 @@ class MeshBuilder {
       return (mesh_.vertices[i].place - mesh_.vertices[j].place).norm();
     };
     if (std::min({distance(a, b), distance(b, c), distance(c, a)}) < kRounding) return;
+    if (againstLeaves_[a] && againstLeaves_[b] && againstLeaves_[c]) part = BookPart::Lining;
     auto& triangles = mesh_.triangles[static_cast<std::size_t>(part)];
     triangles.insert(triangles.end(), {a, b, c});
   }
 
   BookMesh mesh_;
+  std::vector<bool> againstLeaves_;  // of the vertices
 };
 
 /// Where a point of the cut lies on its part's picture, from left to right.
@@ -164,7 +168,8 @@ void addInnerSide(MeshBuilder& builder, BookPart part, const std::vector<Profile
                     return {inSpace(point.inside, y),
                             spine ? Vector3f(1, 0, 0) : Vector3f(0, 0, sign),
                             {0.5F, kRim},
-                            atRim ? kEdgeOpenness : kInsideOpenness};
+                            atRim ? kEdgeOpenness : kInsideOpenness,
+                            !atRim};
                   });
 }
 

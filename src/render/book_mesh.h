@@ -10,9 +10,16 @@
 namespace rotatebook::render {
 
 /// Surfaces that share a texture; each is one draw call.
-enum class BookPart { Front, Spine, Back, Pages };
+enum class BookPart {
+  Front,
+  Spine,
+  Back,
+  Pages,
+  Lining,  ///< Insides of the case that lie against the leaves, which hide them, unless the book is
+           ///< deformed out of all shape.
+};
 
-inline constexpr std::size_t kBookPartCount = 4;
+inline constexpr std::size_t kBookPartCount = 5;
 
 /// One vertex, laid out as the vertex shader reads it.
 struct BookVertex {

@@ -120,6 +120,24 @@ TEST(BookMesh, HasNoTriangleTwice) {
   }
 }
 
+// It isn't drawn where the leaves hide it: none of it may be beyond them.
+TEST(BookMesh, HasItsLiningAgainstTheLeaves) {
+  const BookMesh mesh = makeBookMesh();
+  Eigen::Vector3f low(1, 1, 1), high(0, 0, 0);
+  for (const std::uint32_t index : mesh.triangles[static_cast<std::size_t>(BookPart::Pages)]) {
+    low = low.cwiseMin(mesh.vertices[index].place);
+    high = high.cwiseMax(mesh.vertices[index].place);
+  }
+  // Of the leaves, the spine side and the sides on the boards aren't drawn.
+  const Eigen::Vector3f room(0.02F, 1e-6F, 1);
+  for (const std::uint32_t index : mesh.triangles[static_cast<std::size_t>(BookPart::Lining)]) {
+    const Eigen::Vector3f& place = mesh.vertices[index].place;
+    EXPECT_TRUE((place.array() >= (low - room).array()).all()) << place.transpose();
+    EXPECT_LE(place.x(), high.x() + 1e-6F);
+    EXPECT_LE(place.y(), high.y() + 1e-6F);
+  }
+}
+
 // Light must not fall through the case: but for the open sides of the page block every edge of its
 // surface has a triangle on either side.
 TEST(BookMesh, HasAClosedCase) {
@@ -135,7 +153,7 @@ TEST(BookMesh, HasAClosedCase) {
     for (const long number : key(swapped ? from : to)) edge.push_back(number);
     edges[edge] += swapped ? -1 : 1;
   };
-  for (const BookPart part : {BookPart::Front, BookPart::Spine, BookPart::Back}) {
+  for (const BookPart part : {BookPart::Front, BookPart::Spine, BookPart::Back, BookPart::Lining}) {
     forEachTriangle(mesh, static_cast<std::size_t>(part),
                     [&](const BookVertex& a, const BookVertex& b, const BookVertex& c) {
                       count(a, b);

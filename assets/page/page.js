@@ -64,7 +64,7 @@
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const player = activePlayer();
     if (!player) return;
-    const takesSpace = event.target.closest("button, a, summary, input");
+    const takesSpace = event.target.closest("button, a, summary, input:not([type=range])");
     if (event.key === " " && !takesSpace) player.toggle();
     else if (event.key === ",") player.step(-1);
     else if (event.key === ".") player.step(1);

@@ -9,6 +9,7 @@ class Player extends EventTarget {
     this.video = section.querySelector("video");
     this.frames = clip.frames;
     this.rate = clip.rate[0] / clip.rate[1];
+    this.interval = clip.interval;  // simulated, from a frame to the next
     this.frame = 0;
     this.next = null;  // the frame to go to when the video is done with going to another
     this.stoppedByUser = false;
@@ -112,7 +113,7 @@ class Player extends EventTarget {
 
   show(frame) {
     this.frame = Math.min(Math.max(frame, 0), this.frames - 1);
-    const seconds = (this.frame / this.rate).toFixed(2) + " s";
+    const seconds = (this.frame * this.interval).toFixed(2) + " s";
     const seek = this.find(".seek");
     seek.value = this.frame;
     seek.setAttribute("aria-valuetext", "frame " + this.frame + ", " + seconds);

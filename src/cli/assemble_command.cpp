@@ -38,7 +38,8 @@ int assembleFrames(const AssembleArguments& arguments) {
 
 void addAssembleCommand(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<AssembleArguments>();
-  CLI::App* command = program.add_subcommand("assemble", "Make an MP4 from PNG frames on the disk");
+  CLI::App* command =
+      program.add_subcommand("assemble", "Make a video from PNG frames on the disk");
   command->add_option("DIR", arguments->folder, "Folder with frame_00000.png ...")->required();
   command->add_option("-o,--output", arguments->output, "MP4 to write")
       ->type_name("FILE")

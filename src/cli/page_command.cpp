@@ -32,7 +32,8 @@ int writePage(const PageArguments& arguments) {
   }
   const auto path = std::filesystem::path(arguments.folder) / page::kPageName;
   writeFileAtomically(path, page::pageText(arguments.title, figures));
-  std::cout << "wrote " << path.string() << ", " << figures.size() << " figures\n";
+  std::cout << "wrote " << path.string() << ", " << figures.size()
+            << (figures.size() == 1 ? " figure\n" : " figures\n");
   return kDone;
 }
 

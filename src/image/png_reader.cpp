@@ -115,6 +115,10 @@ std::vector<png_bytep> rowPointers(Image& image) {
 
 // Reads no further than the signature of what isn't a PNG, which may have no end.
 std::vector<std::uint8_t> readFile(const std::filesystem::path& path) {
+  std::error_code unknown;  // What isn't there is told below.
+  const auto type = std::filesystem::status(path, unknown).type();
+  // A pipe would be waited for.
+  if (type == std::filesystem::file_type::fifo) refuse(path.string(), "it is a pipe, not a file");
   std::ifstream stream(path, std::ios::binary);
   if (!stream) refuse(path.string(), std::strerror(errno));
   std::vector<std::uint8_t> bytes(kSignatureSize);

@@ -13,7 +13,9 @@ constexpr double kWidestColumn = 0.25;  // of the width
 constexpr double kPolhodeShare = 0.42;  // of the column's height
 constexpr double kChartAspect = 0.52;   // highest, of the width
 constexpr double kLowestChart = 7;      // letter heights
+constexpr double kLowestInColumn = 5;   // letter heights
 constexpr double kBottomChart = 0.15;   // of the height
+constexpr double kMostCharts = 0.4;     // of the height, that all charts at the bottom take
 constexpr double kCornerPolhode = 0.3;  // of the shorter side
 constexpr double kLegendWidth = 9.5;    // letter heights
 
@@ -41,23 +43,31 @@ void placeColumn(const Scale& scale, const Wanted& wanted, double side, Layout& 
   }
 }
 
-void placeAround(const Scale& scale, const Wanted& wanted, Layout& layout) {
+/// At the bottom, beside each other or one above the other; those for which there is no room are
+/// left empty.
+void placeCharts(const Scale& scale, const Wanted& wanted, Layout& layout) {
   const double room = scale.width - 2 * scale.margin, gap = gapOf(scale);
-  if (wanted.charts > 0) {
-    const double height = std::max(kBottomChart * scale.height, kLowestChart * scale.smallLetters);
-    const int abreast = room > 40 * scale.smallLetters ? wanted.charts : 1;
-    const int lines = wanted.charts / abreast;
-    const double width = (room + gap) / abreast - gap;
-    const double lowest =
-        scale.height - (wanted.bottomRows > 0 ? wanted.bottomRows : scale.margin) - gap;
-    const double top = lowest - lines * (height + gap) + gap;
-    for (int i = 0; i < wanted.charts; ++i) {
-      layout.charts.push_back({scale.margin + (i % abreast) * (width + gap),
-                               top + (i / abreast) * (height + gap), width, height});
-    }
-    const int rows = static_cast<int>(std::ceil(scale.height - top + gap));
-    layout.bottomRows = std::min(rows, std::max(wanted.bottomRows, 2 * scale.height / 3));
+  const double height = std::max(kBottomChart * scale.height, kLowestChart * scale.smallLetters);
+  const int abreast = room > 40 * scale.smallLetters ? wanted.charts : 1;
+  const int most = static_cast<int>(kMostCharts * scale.height / (height + gap));
+  const int lines = std::min(wanted.charts / abreast, most);
+  layout.charts.resize(static_cast<std::size_t>(wanted.charts));
+  if (lines == 0) return;
+  const double width = (room + gap) / abreast - gap;
+  const double lowest =
+      scale.height - (wanted.bottomRows > 0 ? wanted.bottomRows : scale.margin) - gap;
+  const double top = lowest - lines * (height + gap) + gap;
+  for (int i = 0; i < lines * abreast; ++i) {
+    layout.charts[static_cast<std::size_t>(i)] = {scale.margin + (i % abreast) * (width + gap),
+                                                  top + (i / abreast) * (height + gap), width,
+                                                  height};
   }
+  const int rows = static_cast<int>(std::ceil(scale.height - top + gap));
+  layout.bottomRows = std::min(rows, std::max(wanted.bottomRows, 2 * scale.height / 3));
+}
+
+void placeAround(const Scale& scale, const Wanted& wanted, Layout& layout) {
+  if (wanted.charts > 0) placeCharts(scale, wanted, layout);
   if (wanted.polhode) {
     const double size =
         kCornerPolhode * std::min<double>(scale.width, scale.height - layout.bottomRows);
@@ -71,7 +81,8 @@ void placeLegend(const Scale& scale, Layout& layout) {
   double below = scale.height - scale.margin;
   if (layout.bottomRows > 0) below = scale.height - layout.bottomRows - gapOf(scale);
   for (const Box& chart : layout.charts) {
-    if (chart.x < scale.width / 2.0) below = std::min(below, chart.y - gapOf(scale));
+    if (!chart.empty() && chart.x < scale.width / 2.0)
+      below = std::min(below, chart.y - gapOf(scale));
   }
   layout.springs = {scale.margin, below - height,
                     std::min(kLegendWidth * scale.letters, scale.width - 2 * scale.margin), height};
@@ -83,9 +94,12 @@ Layout layOut(const Scale& scale, const Wanted& wanted) {
   Layout layout;
   layout.bottomRows = wanted.bottomRows;
   const double side = (scale.width - (scale.height - wanted.bottomRows)) / 2.0;
-  if (side >= kLeastSide * scale.width) {
-    placeColumn(scale, wanted, side, layout);
-  } else {
+  if (side >= kLeastSide * scale.width) placeColumn(scale, wanted, side, layout);
+  const auto legible = [&](const Box& chart) {
+    return chart.height >= kLowestInColumn * scale.smallLetters;
+  };
+  if (side < kLeastSide * scale.width || !std::ranges::all_of(layout.charts, legible)) {
+    layout = {.bottomRows = wanted.bottomRows};
     placeAround(scale, wanted, layout);
   }
   if (wanted.springs) placeLegend(scale, layout);

@@ -18,14 +18,14 @@ struct Wanted {
 
 /// Boxes that don't meet, within the picture's margins; empty where nothing is wanted. [pixels]
 struct Layout {
-  Box polhode;
-  std::vector<Box> charts;
-  Box springs;
+  Box polhode{};
+  std::vector<Box> charts{};
+  Box springs{};
   int bottomRows = 0;  ///< Those of Wanted, and of what is above them.
 };
 
 /// On a wide picture a column on the right, beside the book; on a narrow one the charts below the
-/// book and the polhode in the corner above it.
+/// book, as many as leave it most of the picture, and the polhode in the corner above it.
 Layout layOut(const Scale& scale, const Wanted& wanted);
 
 }  // namespace rotatebook::overlay

@@ -7,12 +7,15 @@
 #include <cstdio>
 #include <string>
 
+#include "base/error.h"
 #include "scene/places.h"
 
 namespace rotatebook::overlay {
 namespace {
 
-constexpr double kGlowTime = 0.7;  // of the clip, in which the count fades back to white [s]
+constexpr double kTallestLabel = 0.2;  // of its panel
+constexpr double kLeastLines = 3;      // that a label may have however low its panel is
+constexpr double kGlowTime = 0.7;      // of the clip, in which the count fades back to white [s]
 
 std::string countText(int count) {
   return "Half-turns " + std::to_string(count);
@@ -51,7 +54,15 @@ Plate labelPlate(const MarkContext& context, const std::string& words, const Poi
                         .colour = kWhite,
                         .halo = context.scale.halo};
   Canvas canvas(context.scale.width, context.scale.height);
-  const auto draw = [&] { return context.type.draw(words, style, static_cast<int>(width)); };
+  const auto draw = [&] {
+    Layer layer = context.type.draw(words, style, static_cast<int>(width));
+    const double most = std::max(kTallestLabel * context.scale.height, kLeastLines * style.size);
+    if (layer.height <= most) return layer;
+    throw InputError("the label \"" + words + "\" takes " + std::to_string(layer.height) +
+                     " of its panel's " + std::to_string(context.scale.height) +
+                     " rows, which leaves too little for the book; shorten it, or make the "
+                     "picture larger (clip.size)");
+  };
   canvas.write(scene::atPlaceOf(context.scene, "panel", draw), place);
   return canvas.take();
 }
@@ -87,7 +98,8 @@ void HalfTurns::draw(const View& view) {
                     {box_.x, box_.y});
 }
 
-Plate divergenceNotice(const MarkContext& context, double time, const std::vector<Box>& taken) {
+std::optional<Plate> divergenceNotice(const MarkContext& context, double time,
+                                      const std::vector<Box>& taken) {
   const Scale& scale = context.scale;
   const TextStyle style{.size = 1.25 * scale.letters, .bold = true, .colour = kWarningColour};
   const double padding = 0.6 * style.size;
@@ -98,6 +110,7 @@ Plate divergenceNotice(const MarkContext& context, double time, const std::vecto
   const Box pill = movedBelow({letters.x - padding, letters.y - padding / 2,
                                letters.width + 2 * padding, letters.height + padding},
                               taken, 0.3 * padding);
+  if (pill.bottom() > scale.height) return std::nullopt;
   Canvas canvas(scale.width, scale.height);
   canvas.plate(pill, 0.5 * style.size, {kDark, 0.82});
   canvas.write(words, {pill.x + padding, std::round(pill.y + padding / 2)});

@@ -2,6 +2,8 @@
 // room only.
 #pragma once
 
+#include <optional>
+
 #include "overlay/mark.h"
 
 namespace rotatebook::overlay {
@@ -25,7 +27,9 @@ class HalfTurns final : public Mark {
   Box box_;
 };
 
-/// "Diverged at t = 22.53 s", on a dark pill in the middle above, below what is `taken` there.
-Plate divergenceNotice(const MarkContext& context, double time, const std::vector<Box>& taken);
+/// "Diverged at t = 22.53 s", on a dark pill in the middle above, below what is `taken` there;
+/// none if a panel is too small for it.
+std::optional<Plate> divergenceNotice(const MarkContext& context, double time,
+                                      const std::vector<Box>& taken);
 
 }  // namespace rotatebook::overlay

@@ -228,10 +228,11 @@ void writeLetters(Canvas& canvas, const MarkContext& context, const SurfacePaint
   const Scale& scale = context.scale;
   const TextStyle style{
       .size = scale.smallLetters, .bold = true, .colour = kWhite, .halo = scale.halo};
-  const Layer title = context.type.draw("Polhode", style, static_cast<int>(box.width));
+  const Layer title = context.type.draw("Polhode", style, scale.width);
   const double padding = 0.5 * scale.smallLetters;
   const Point corner(box.x + padding, box.y + 0.6 * padding);
-  canvas.write(title, corner);
+  const bool titled = box.holds(boxOf(title, corner));
+  if (titled) canvas.write(title, corner);
   Labels letters;
   std::array<Layer, 3> words;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -247,7 +248,7 @@ void writeLetters(Canvas& canvas, const MarkContext& context, const SurfacePaint
     letters.add(words[i], tip, tip - painter.placeOf(Eigen::Vector3d::Zero()),
                 0.65 * scale.smallLetters);
   }
-  letters.write(canvas, box, {boxOf(title, corner)});
+  letters.write(canvas, box, titled ? std::vector{boxOf(title, corner)} : std::vector<Box>{});
 }
 
 /// What the title takes of the inset's height. [pixels]

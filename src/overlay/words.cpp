@@ -51,10 +51,9 @@ struct PageScale {
   int room;  // between the margins
 };
 
-/// How a motion was simulated: "quaternion", "rk4", "normalised", "step 0.26 ms".
+/// How a motion was simulated in steps: "quaternion", "rk4", "normalised", "step 0.26 ms".
 std::vector<std::string> settingsOf(const physics::SimulationSettings& settings) {
   const std::string model(nameOf(scene::kModels, settings.model));
-  if (settings.model == physics::Model::Exact) return {model + " solution"};
   std::vector<std::string> parts{model,
                                  std::string(nameOf(scene::kIntegrators, settings.integrator)),
                                  settings.normalize ? "normalised" : "not normalised"};
@@ -68,15 +67,16 @@ std::vector<std::string> settingsOf(const physics::SimulationSettings& settings)
   return parts;
 }
 
-/// What all motions of `scene` that are simulated in steps have in common; of the exact motion if
-/// none is.
+/// What all motions of `scene` that are simulated in steps have in common, and whether one is
+/// exact.
 std::string settingsText(const scene::Scene& scene) {
   const std::vector<scene::Panel> motions = scene::motionsOf(scene);
   const auto steps = [](const scene::Panel& panel) {
     return panel.simulation.model != physics::Model::Exact;
   };
+  constexpr const char* kExact = "exact solution";
   const auto first = std::ranges::find_if(motions, steps);
-  if (first == motions.end()) return settingsOf(motions.front().simulation).front();
+  if (first == motions.end()) return kExact;
   std::string text;
   for (const std::string& part : settingsOf(first->simulation)) {
     const bool common = std::ranges::all_of(motions, [&](const scene::Panel& panel) {
@@ -84,7 +84,8 @@ std::string settingsText(const scene::Scene& scene) {
     });
     if (common) text += (text.empty() ? "" : ", ") + part;
   }
-  return text;
+  if (std::ranges::all_of(motions, steps)) return text;
+  return text + (text.empty() ? "" : "; ") + kExact;
 }
 
 /// Black, from nothing at the top to kShade at the bottom, softly.

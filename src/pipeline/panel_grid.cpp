@@ -26,9 +26,11 @@ PanelGrid panelGrid(int count, int width, int height) {
   const auto shorterSide = [&](int columns) {
     return std::min(shareOf(width, columns, gap), shareOf(height, rowsFor(count, columns), gap));
   };
+  const auto unused = [&](int columns) { return columns * rowsFor(count, columns) - count; };
   int columns = count;
   for (int fewer = count - 1; fewer >= 1; --fewer) {
-    if (shorterSide(fewer) > shorterSide(columns)) columns = fewer;
+    const int gain = shorterSide(fewer) - shorterSide(columns);
+    if (gain > 0 || (gain == 0 && unused(fewer) < unused(columns))) columns = fewer;
   }
   const int rows = rowsFor(count, columns);
   PanelGrid grid{shareOf(width, columns, gap), shareOf(height, rows, gap), {}};

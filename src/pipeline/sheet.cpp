@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "image/png_file.h"
 #include "overlay/text.h"
 #include "pipeline/frame_drawer.h"
@@ -21,7 +22,8 @@ namespace {
 // Of a picture's height.
 constexpr double kTextSize = 0.05;
 constexpr double kGap = 0.06;
-constexpr double kSmallestText = 11;  // [pixels]
+constexpr double kMostPixels = 2.5e8;  // Twice 4 bytes of each are held.
+constexpr double kSmallestText = 11;   // [pixels]
 
 constexpr std::uint8_t kGround = 22;                // of 255
 constexpr overlay::Colour kText{0.86, 0.86, 0.84};  // contrast to it 12.6
@@ -51,6 +53,20 @@ void refuseOtherSizes(const std::vector<scene::Scene>& scenes) {
     throw InputError(scene.name + " has pictures of another size than " + scenes.front().name +
                      "; give one for all, for example --size 480x270");
   }
+}
+
+/// Before anything is drawn: all pictures are kept until the sheet is put together.
+void refuseTooMany(const std::vector<scene::Scene>& scenes, const SheetOptions& options) {
+  const scene::ClipSettings& clip = scenes.front().clip;
+  const std::size_t each =
+      options.times.empty() ? static_cast<std::size_t>(options.count) : options.times.size();
+  const double pixels = static_cast<double>(each * scenes.size()) * clip.width * clip.height;
+  if (pixels <= kMostPixels) return;
+  throw InputError("the sheet would have " + std::to_string(each * scenes.size()) +
+                   " pictures of " + std::to_string(clip.width) + "x" +
+                   std::to_string(clip.height) + ", " + roundedText(pixels / 1e6, 3) +
+                   " million pixels, and may have " + roundedText(kMostPixels / 1e6, 3) +
+                   "; take fewer or smaller pictures, for example --size 480x270");
 }
 
 std::vector<std::int64_t> framesOf(const scene::Scene& scene, const ClipMotion& motion,
@@ -118,6 +134,7 @@ void refuseTooLarge(const Grid& grid) {
 
 image::Image drawSheet(const std::vector<scene::Scene>& scenes, const SheetOptions& options) {
   refuseOtherSizes(scenes);
+  refuseTooMany(scenes, options);
   const overlay::Typesetter type;
   std::vector<Cell> cells;
   for (const scene::Scene& scene : scenes) {

@@ -53,7 +53,8 @@ std::string text(const Size& size) {
 constexpr Size kWhole[] = {{640, 360},   {854, 480},   {1280, 720}, {1920, 1080},
                            {2560, 1440}, {3840, 2160}, {480, 854},  {1080, 1080}};
 constexpr Size kPanels[] = {{424, 360}, {640, 352}, {320, 720}, {426, 720},
-                            {640, 720}, {318, 178}, {960, 540}, {1278, 1078}};
+                            {640, 720}, {318, 178}, {960, 540}, {1278, 1078},
+                            {212, 178}, {212, 130}, {158, 270}, {158, 130}};
 
 void expectApart(const std::vector<Box>& boxes, const Size& size) {
   EXPECT_EQ(testing::meeting(boxes), "");

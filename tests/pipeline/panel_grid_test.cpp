@@ -9,9 +9,7 @@ namespace rotatebook::pipeline {
 namespace {
 
 int columnsOf(const PanelGrid& grid) {
-  std::set<int> rows;
-  for (const auto& place : grid.places) rows.insert(place.y);
-  return static_cast<int>((grid.places.size() + rows.size() - 1) / rows.size());
+  return static_cast<int>(std::ranges::count(grid.places, 0, &PanelGrid::Place::y));
 }
 
 TEST(PanelGrid, OfOnePanelIsThePicture) {
@@ -29,6 +27,9 @@ TEST(PanelGrid, MakesThePanelsShorterSidesLongest) {
   EXPECT_EQ(columnsOf(panelGrid(4, 1280, 720)), 2);
   EXPECT_EQ(columnsOf(panelGrid(4, 1280, 550)), 4);
   EXPECT_EQ(columnsOf(panelGrid(5, 1280, 720)), 3);
+  // As long in rows of four, which would leave a gap.
+  EXPECT_EQ(columnsOf(panelGrid(6, 1280, 600)), 3);
+  EXPECT_EQ(columnsOf(panelGrid(5, 1280, 600)), 3);
   EXPECT_EQ(columnsOf(panelGrid(6, 1280, 720)), 3);
   EXPECT_EQ(columnsOf(panelGrid(2, 720, 1280)), 1);
   EXPECT_EQ(columnsOf(panelGrid(6, 720, 1280)), 2);

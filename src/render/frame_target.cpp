@@ -16,12 +16,13 @@ void attach(GLenum attachment, const GlRenderbuffer& buffer) {
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
 }
 
-void requireComplete() {
+void requireComplete(int width, int height, int samples) {
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
-  if (status != GL_FRAMEBUFFER_COMPLETE) {
-    throw MachineError("can't draw: OpenGL refuses the frame buffer (status " +
-                       std::to_string(status) + ")");
-  }
+  if (status == GL_FRAMEBUFFER_COMPLETE) return;
+  throw MachineError("can't draw: OpenGL refuses a frame buffer of " + std::to_string(width) + "x" +
+                     std::to_string(height) + " pixels and " + std::to_string(samples) +
+                     " samples (status " + std::to_string(status) +
+                     "); make the picture smaller, or leave out look.supersample");
 }
 
 void requireLimits(int width, int height, int samples) {
@@ -66,15 +67,15 @@ FrameTarget::FrameTarget(int width, int height, int samples, int supersample)
   glBindFramebuffer(GL_FRAMEBUFFER, sampled_.name());
   attach(GL_COLOR_ATTACHMENT0, sampledColour_);
   attach(GL_DEPTH_ATTACHMENT, sampledDepth_);
-  requireComplete();
+  requireComplete(drawnWidth, drawnHeight, samples);
   glBindFramebuffer(GL_FRAMEBUFFER, resolved_.name());
   attach(GL_COLOR_ATTACHMENT0, resolvedColour_);
-  requireComplete();
+  requireComplete(drawnWidth, drawnHeight, 1);
   if (supersample == 1) return;
   allocate(pictureColour_, GL_SRGB8_ALPHA8, 0, width, height);
   glBindFramebuffer(GL_FRAMEBUFFER, picture_.name());
   attach(GL_COLOR_ATTACHMENT0, pictureColour_);
-  requireComplete();
+  requireComplete(width, height, 1);
 }
 
 void FrameTarget::begin() const {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -148,6 +149,31 @@ TEST(Look, SupersamplingLeavesTheBackground) {
       }
     }
   }
+}
+
+/// How unsteadily pixels of the title change while the book turns: the root mean square, over
+/// pixels and frames, of each value's second difference in time. [of 255]
+double shimmer(const std::vector<image::Image>& frames, const PixelRect& area) {
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 1; i + 1 < frames.size(); ++i) {
+    for (int y = area.y; y < area.y + area.height; ++y) {
+      for (int x = area.x; x < area.x + area.width; ++x, ++count) {
+        const int bend = colourAt(frames[i - 1], x, y).green - 2 * colourAt(frames[i], x, y).green +
+                         colourAt(frames[i + 1], x, y).green;
+        sum += bend * bend;
+      }
+    }
+  }
+  return std::sqrt(sum / count);
+}
+
+TEST(Look, TitleDoesNotShimmerAsItTurns) {
+  Renderer renderer(settingsOf(640, 360), builtinTextures());
+  std::vector<image::Image> frames;
+  for (int i = 0; i < 24; ++i) frames.push_back(drawn(renderer, book({{-30 + 0.15 * i, kY}})));
+  // measured 1.72; without mipmaps 8.03, with twice as fine ones 4.73
+  EXPECT_LT(shimmer(frames, {270, 85, 100, 65}), 2.5);
 }
 
 TEST(StraightAlpha, DividesLightByCoverage) {

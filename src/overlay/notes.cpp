@@ -57,7 +57,7 @@ Plate labelPlate(const MarkContext& context, const std::string& words, const Poi
   const auto draw = [&] {
     Layer layer = context.type.draw(words, style, static_cast<int>(width));
     const double most = std::max(kTallestLabel * context.scale.height, kLeastLines * style.size);
-    if (layer.height <= most) return layer;
+    if (layer.height <= most || context.scene.clip.height < kSmallPicture) return layer;
     throw InputError("the label \"" + words + "\" takes " + std::to_string(layer.height) +
                      " of its panel's " + std::to_string(context.scale.height) +
                      " rows, which leaves too little for the book; shorten it, or make the "

@@ -31,6 +31,9 @@ constexpr Colour mixed(const Colour& a, const Colour& b, double t) {
           a.blue + t * (b.blue - a.blue)};
 }
 
+/// A picture of fewer rows is for a quick look: in it words may hide the book.
+inline constexpr int kSmallPicture = 360;
+
 /// Lengths that grow with a picture of this size, but never get so small that nobody can read.
 struct Scale {
   Scale(int pictureWidth, int pictureHeight)

@@ -28,8 +28,7 @@ constexpr double kSettingsSize = 0.0215, kSmallestSettings = 9;
 constexpr double kMargin = 0.045;
 // A line longer than this many letter heights is hard to follow.
 constexpr double kLongestLine = 56;
-constexpr int kSmallPicture = 360;  // rows; for a quick look, in which words may hide the book
-constexpr double kShade = 0.6;      // how dark the ground of the words gets
+constexpr double kShade = 0.6;  // how dark the ground of the words gets
 
 /// The lengths that follow from the picture's size. [pixels]
 struct PageScale {

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include <gtest/gtest.h>
 
+#include "base/error.h"
 #include "overlay/motion.h"
 
 namespace rotatebook::overlay {
@@ -128,6 +130,27 @@ TEST(Marks, CanBeDrawnOnTheSmallestPictures) {
     EXPECT_NO_THROW(drawn(marks, scene, 3)) << size;
     EXPECT_NO_THROW(drawn(marks, scene, scene.clip.frameCount())) << size;
   }
+}
+
+std::string labelRefusal(const std::string& label, const std::string& size) {
+  const scene::Scene scene = testing::tumbling({"clip.size=[" + size + "]"});
+  const physics::Trajectory trajectory = testing::motionOf(scene);
+  try {
+    Marks(scene, trajectory,
+          {.width = scene.clip.width / 4, .height = scene.clip.height, .label = label});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Marks, RefuseALabelThatWouldHideTheBook) {
+  std::string endless;
+  for (int i = 0; i < 40; ++i) endless += "label ";
+  EXPECT_EQ(labelRefusal("a label of two lines in this panel", "1280, 720"), "no error");
+  EXPECT_NE(labelRefusal(endless, "1280, 720").find("rows, which leaves too little"),
+            std::string::npos);
+  EXPECT_EQ(labelRefusal(endless, "320, 180"), "no error");  // For a quick look only.
 }
 
 }  // namespace

@@ -146,7 +146,7 @@ std::string labelRefusal(const std::string& label, const std::string& size) {
 
 TEST(Marks, RefuseALabelThatWouldHideTheBook) {
   std::string endless;
-  for (int i = 0; i < 40; ++i) endless += "label ";
+  for (int i = 0; i < 200; ++i) endless += "label ";
   EXPECT_EQ(labelRefusal("a label of two lines in this panel", "1280, 720"), "no error");
   EXPECT_NE(labelRefusal(endless, "1280, 720").find("rows, which leaves too little"),
             std::string::npos);

@@ -18,6 +18,7 @@ void addSheetCommand(CLI::App& program, Action& action);
 void addStillCommand(CLI::App& program, Action& action);
 void addDiffCommand(CLI::App& program, Action& action);
 void addAssembleCommand(CLI::App& program, Action& action);
+void addBenchCommand(CLI::App& program, Action& action);
 void addCheckCommand(CLI::App& program, Action& action);
 void addSceneCommand(CLI::App& program, Action& action);
 void addListCommand(CLI::App& program, Action& action);

@@ -32,6 +32,7 @@ void addCommands(CLI::App& program, Action& action) {
   addPageCommand(program, action);
   addStillCommand(program, action);
   addSheetCommand(program, action);
+  addBenchCommand(program, action);
   addCheckCommand(program, action);
   addSceneCommand(program, action);
   addListCommand(program, action);

@@ -42,11 +42,21 @@ void SceneOptions::addTo(CLI::App& command) {
 }
 
 scene::Scene SceneOptions::read(const std::string& path, std::vector<Shorthand> shorthands) const {
+  return applied(std::move(shorthands),
+                 [&](std::span<const std::string> all) { return scene::readScene(path, all); });
+}
+
+scene::Scene SceneOptions::parse(std::string_view text, const std::string& name) const {
+  return applied(
+      {}, [&](std::span<const std::string> all) { return scene::parseScene(text, name, all); });
+}
+
+scene::Scene SceneOptions::applied(std::vector<Shorthand> shorthands, const Reader& reader) const {
   if (!size.empty()) shorthands.push_back({"--size " + size, sizeOverride(size)});
   std::vector<std::string> all = overrides;
   for (const Shorthand& shorthand : shorthands) all.push_back(shorthand.assignment);
   try {
-    return scene::readScene(path, all);
+    return reader(all);
   } catch (const InputError& error) {
     throw InputError(inUsersWords(error.what(), shorthands));
   }

@@ -1,7 +1,10 @@
 // Options that every command with a scene takes.
 #pragma once
 
+#include <functional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -24,6 +27,12 @@ struct SceneOptions {
   void addTo(CLI::App& command);
   /// Reads a scene with these options applied, then `shorthands`. Throws InputError.
   scene::Scene read(const std::string& path, std::vector<Shorthand> shorthands = {}) const;
+  /// The same from text that is called `name`.
+  scene::Scene parse(std::string_view text, const std::string& name) const;
+
+ private:
+  using Reader = std::function<scene::Scene(std::span<const std::string> overrides)>;
+  scene::Scene applied(std::vector<Shorthand> shorthands, const Reader& reader) const;
 };
 
 /// Throws InputError if two of `scenes` have one name, and with that the same output files.

@@ -1,0 +1,127 @@
+#include "cli/bench_report.h"
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "base/number_text.h"
+
+namespace rotatebook::cli {
+namespace {
+
+using pipeline::Stage;
+using pipeline::WorkTime;
+
+template <typename... Values>
+std::string formatted(const char* format, Values... values) {
+  std::array<char, 200> text;
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+/// A stage for people and, `key`, for programs.
+struct Row {
+  Stage stage;
+  const char* words;
+  const char* key;
+  WorkTime time;
+};
+
+std::array<Row, 5> rowsOf(const pipeline::StageTimes& stages) {
+  return {{{Stage::Simulate, "simulate", "simulate", stages.simulate},
+           {Stage::Book, "draw the book", "book", stages.book},
+           {Stage::Overlays, "overlays", "overlays", stages.overlays},
+           {Stage::Png, "PNG", "png", stages.png},
+           {Stage::Video, "convert and encode", "video", stages.video}}};
+}
+
+const char* wordsOf(Stage stage) {
+  for (const Row& row : rowsOf({})) {
+    if (row.stage == stage) return row.words;
+  }
+  return "";
+}
+
+std::string coresText(int cores) {
+  return std::to_string(cores) + (cores == 1 ? " core" : " cores");
+}
+
+std::string limitText(const pipeline::SpeedLimit& limit, const pipeline::Speed& speed) {
+  const std::string bound =
+      formatted("  limit: %.2f ms a frame, %.1f frames/s; the render took %.2f times that\n",
+                limit.wall, 1000 / limit.wall, speed.whole.wall / limit.wall);
+  const std::string stage = std::string("\"") + wordsOf(limit.stage) + "\"";
+  if (limit.ofCores) {
+    return bound + "  what limits: the " + coresText(speed.cores) +
+           ", which have most to do with " + stage + "\n";
+  }
+  return bound + "  what limits: " + stage +
+         ", for which the other stages wait while cores are idle\n";
+}
+
+std::string adviceText(const pipeline::SpeedAdvice& advice, const pipeline::Speed& speed) {
+  return formatted("    %-24s %.2f times as fast, %.0f frames/s (%s)\n", advice.change.c_str(),
+                   advice.gain, advice.gain * speed.framesPerSecond(), advice.effect.c_str());
+}
+
+/// `text` in quotation marks, as JSON has it.
+std::string jsonString(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char letter : text) {
+    const auto code = static_cast<unsigned char>(letter);
+    if (letter == '"' || letter == '\\') quoted += '\\';
+    quoted +=
+        code < 0x20 ? formatted("\\u%04x", static_cast<unsigned>(code)) : std::string(1, letter);
+  }
+  return quoted + "\"";
+}
+
+std::string json(const WorkTime& time) {
+  return "{\"wall\": " + shortestText(time.wall) +
+         ", \"processor\": " + shortestText(time.processor) + "}";
+}
+
+}  // namespace
+
+void reportSpeed(const scene::Scene& scene, const pipeline::Speed& speed, std::ostream& out) {
+  out << scene.name << ": " << speed.frames << " frames, " << scene.clip.width << "x"
+      << scene.clip.height << ", PNGs and MP4\n"
+      << "  renderer " << speed.renderer << "; encoder " << speed.encoder << "; "
+      << coresText(speed.cores) << '\n'
+      << formatted(
+             "  %.1f frames/s, %.2f ms a frame, %.2f ms of processor time; started in %.2f s\n",
+             speed.framesPerSecond(), speed.whole.wall, speed.whole.processor, speed.startUp)
+      << formatted("\n  %-20s %9s %10s %7s\n", "each stage alone", "ms/frame", "processor",
+                   "share");
+  const double sum = speed.stages.processorSum();
+  for (const Row& row : rowsOf(speed.stages)) {
+    out << formatted("  %-20s %9.2f %10.2f %5.0f %%\n", row.words, row.time.wall,
+                     row.time.processor, 100 * row.time.processor / sum);
+  }
+  out << formatted("  %-20s %9s %10.2f\n\n", "all", "", sum);
+  out << limitText(speedLimit(speed.stages, speed.cores), speed);
+  const auto advice = speedAdvice(scene, speed);
+  if (!advice.empty()) out << "  what would help:\n";
+  for (const pipeline::SpeedAdvice& one : advice) out << adviceText(one, speed);
+}
+
+void reportSpeedAsJson(const scene::Scene& scene, const pipeline::Speed& speed, std::ostream& out) {
+  const pipeline::SpeedLimit limit = speedLimit(speed.stages, speed.cores);
+  out << "{\"scene\": " << jsonString(scene.name) << ", \"frames\": " << speed.frames
+      << ", \"width\": " << scene.clip.width << ", \"height\": " << scene.clip.height
+      << ", \"cores\": " << speed.cores << ", \"renderer\": " << jsonString(speed.renderer)
+      << ", \"encoder\": " << jsonString(speed.encoder)
+      << ", \"start_up_s\": " << shortestText(speed.startUp)
+      << ", \"frames_per_second\": " << shortestText(speed.framesPerSecond())
+      << ", \"whole\": " << json(speed.whole) << ", \"limit\": " << shortestText(limit.wall)
+      << ", \"limited_by\": " << jsonString(limit.ofCores ? "cores" : wordsOf(limit.stage))
+      << ", \"stages\": {";
+  const char* comma = "";
+  for (const Row& row : rowsOf(speed.stages)) {
+    out << comma << jsonString(row.key) << ": " << json(row.time);
+    comma = ", ";
+  }
+  out << "}}\n";
+}
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,233 @@
+#include "pipeline/speed.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <thread>
+#include <vector>
+
+#include "base/error.h"
+#include "physics/reference_frame.h"
+#include "pipeline/composition.h"
+#include "pipeline/frame_drawer.h"
+#include "pipeline/frame_sink.h"
+#include "pipeline/render_clip.h"
+#include "pipeline/simulate_scene.h"
+#include "pipeline/textures.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Pictures that one stage takes in a row, so that stages take turns and whatever else the machine
+// does meets all of them.
+constexpr std::int64_t kBatch = 8;
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string pattern = (fs::temp_directory_path() / "rotatebook-bench-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) {
+      throw MachineError("can't make the folder " + pattern + ": " + std::strerror(errno) +
+                         "; let TMPDIR name a folder that can be written");
+    }
+    path_ = pattern;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+/// Both clocks from its making on; the processors' is that of the whole process, because a software
+/// rasteriser and an encoder have threads of their own.
+class Stopwatch {
+ public:
+  WorkTime elapsed() const { return {now(CLOCK_MONOTONIC) - wall_, now(kUsed) - processor_}; }
+
+ private:
+  static constexpr clockid_t kUsed = CLOCK_PROCESS_CPUTIME_ID;
+
+  static double now(clockid_t clock) {
+    timespec time{};
+    clock_gettime(clock, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+  }
+
+  double wall_ = now(CLOCK_MONOTONIC);
+  double processor_ = now(kUsed);
+};
+
+template <typename Work>
+WorkTime timed(const Work& work) {
+  const Stopwatch watch;
+  work();
+  return watch.elapsed();
+}
+
+WorkTime perFrame(const WorkTime& all, std::int64_t frames) {
+  const auto count = static_cast<double>(frames);
+  return {all.wall / count, all.processor / count};
+}
+
+/// The same without `part`, as far as the clocks can tell.
+WorkTime without(const WorkTime& all, const WorkTime& part) {
+  return {std::max(0.0, all.wall - part.wall), std::max(0.0, all.processor - part.processor)};
+}
+
+/// Draws all but the books.
+class OverlayDrawer {
+ public:
+  OverlayDrawer(const scene::Scene& scene, const ClipMotion& motion)
+      : motion_(motion),
+        frame_(scene.camera.frame),
+        composition_(scene, motion),
+        camera_(cameraOf(scene, composition_.screen())) {}
+
+  void draw(std::int64_t frame, image::Image& picture) {
+    const DrawBook noBook = [this](std::size_t motion, std::size_t sample, image::Image&) {
+      const auto& samples = motion_.trajectories()[motion].samples;
+      const physics::Corners corners = physics::seenFrom(frame_, samples[sample]).corners;
+      return render::project(camera_, corners, composition_.screen()).clipFromWorld;
+    };
+    composition_.draw(frame, noBook, picture);
+  }
+
+ private:
+  const ClipMotion& motion_;
+  physics::ReferenceFrame frame_;
+  Composition composition_;
+  render::Camera camera_;
+};
+
+/// What one frame after the other goes through, each stage by itself.
+class Stages {
+ public:
+  Stages(const scene::Scene& scene, const ClipMotion& motion, const fs::path& folder)
+      : drawer_(scene, motion),
+        overlays_(scene, motion),
+        scratch_(drawer_.makePicture()),
+        pictures_(kBatch, scratch_),
+        png_(folder, {.transparent = isTransparent(scene)}),
+        video_(video::VideoFormat::Mp4, folder / "stages.mp4", videoSettings(scene, "")) {
+    drawer_.draw(0, scratch_);  // The first picture compiles what draws the others.
+  }
+
+  /// Frames `first` to below `end`, at most kBatch.
+  void pass(std::int64_t first, std::int64_t end) {
+    const auto each = [&](const auto& work) {
+      return timed([&] {
+        for (std::int64_t frame = first; frame < end; ++frame) {
+          work(frame, pictures_[static_cast<std::size_t>(frame - first)]);
+        }
+      });
+    };
+    drawn_ += each([&](std::int64_t frame, image::Image& to) { drawer_.draw(frame, to); });
+    sums_.png += each([&](std::int64_t frame, image::Image& of) { png_.write(frame, of.view()); });
+    sums_.video +=
+        each([&](std::int64_t frame, image::Image& of) { video_.write(frame, of.view()); });
+    sums_.overlays +=
+        each([&](std::int64_t frame, image::Image&) { overlays_.draw(frame, scratch_); });
+  }
+
+  /// Once all `frames` have passed.
+  StageTimes finish(std::int64_t frames) {
+    sums_.png += timed([&] { png_.finish(); });
+    sums_.video += timed([&] { video_.finish(); });
+    StageTimes times;
+    times.overlays = perFrame(sums_.overlays, frames);
+    times.book = without(perFrame(drawn_, frames), times.overlays);
+    times.png = perFrame(sums_.png, frames);
+    times.video = perFrame(sums_.video, frames);
+    return times;
+  }
+
+ private:
+  FrameDrawer drawer_;
+  OverlayDrawer overlays_;
+  image::Image scratch_;
+  std::vector<image::Image> pictures_;
+  PngSequenceSink png_;
+  VideoSink video_;
+  WorkTime drawn_;
+  StageTimes sums_;
+};
+
+using Progress = std::function<void(std::int64_t)>;
+
+/// False if it was stopped.
+bool measureStages(const scene::Scene& scene, const ClipMotion& motion, const SpeedOptions& options,
+                   const Progress& progress, StageTimes& times) {
+  const TemporaryFolder folder;
+  const std::int64_t frames = motion.frameCount();
+  Stages stages(scene, motion, folder.path());
+  for (std::int64_t first = 0; first < frames; first += kBatch) {
+    if (options.stop != nullptr && *options.stop) return false;
+    stages.pass(first, std::min(first + kBatch, frames));
+    progress(std::min(first + kBatch, frames));
+  }
+  const WorkTime simulate = times.simulate;
+  times = stages.finish(frames);
+  times.simulate = simulate;
+  return true;
+}
+
+/// A render as `rotatebook render` does it. False if it was stopped.
+bool measureWhole(const scene::Scene& scene, const ClipMotion& motion, const SpeedOptions& options,
+                  const Progress& progress, Speed& speed) {
+  const TemporaryFolder folder;
+  std::optional<Stopwatch> watch;
+  RenderListener listener;
+  listener.started = [&](const std::string& renderer, const std::string& encoder) {
+    speed.renderer = renderer;
+    speed.encoder = encoder;
+  };
+  const Stopwatch start;
+  listener.progress = [&](RenderProgress now) {
+    if (!watch) {
+      speed.startUp = start.elapsed().wall / 1000;
+      watch.emplace();
+    }
+    progress(now.done);
+  };
+  const RenderOptions render{.folder = folder.path(), .stop = options.stop};
+  if (renderClip(scene, motion, render, listener).interrupted) return false;
+  speed.whole = perFrame(watch->elapsed(), speed.frames);
+  return true;
+}
+
+}  // namespace
+
+std::optional<Speed> measureSpeed(const scene::Scene& scene, const SpeedOptions& options) {
+  scene::Scene part = scene;
+  part.clip.duration = static_cast<double>(options.frames) * scene.clip.frameRate.period();
+  Speed speed;
+  speed.cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  const Stopwatch watch;
+  const ClipMotion motion = simulateScene(part, options.stop);
+  const WorkTime simulated = watch.elapsed();
+  if (options.stop != nullptr && *options.stop) return std::nullopt;
+  speed.frames = motion.frameCount();
+  speed.stages.simulate = perFrame(simulated, speed.frames);
+  const auto tell = [&](std::int64_t before) {
+    return [&options, &speed, before](std::int64_t done) {
+      if (options.progress) options.progress(before + done, 2 * speed.frames);
+    };
+  };
+  if (!measureStages(part, motion, options, tell(0), speed.stages)) return std::nullopt;
+  if (!measureWhole(part, motion, options, tell(speed.frames), speed)) return std::nullopt;
+  return speed;
+}
+
+}  // namespace rotatebook::pipeline

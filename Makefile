@@ -6,7 +6,7 @@ PROGRAM := $(BUILD)/src/cli/rotatebook
 OUT ?= out
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build program figures test gallery render scene-given bench bench-engines format-check lint textures clean
+.PHONY: help setup configure build program figures test gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures clean
 
 help:
 	@echo 'make figures             render every figure, comparison and study into $(OUT)/, each checked,'
@@ -15,7 +15,9 @@ help:
 	@echo 'make render SCENE=FILE   render one scene into $(OUT)/ (more options: ARGS="--no-png")'
 	@echo 'make program             build $(PROGRAM)'
 	@echo 'make build               build the tests and benchmarks, too'
-	@echo 'make bench               measure a step of each integrator, and frames a second by stage and end to end'
+	@echo 'make bench               measure frames a second by stage and end to end; two plots in $(OUT)/bench/'
+	@echo 'make bench-peers         install and run the programs that make bench compares with'
+	@echo 'make bench-physics       measure a step of each integrator'
 	@echo 'make bench-engines       compare with Bullet, ODE, MuJoCo and Simbody: error, drift, speed'
 	@echo 'make lint                check format and run the static analyser'
 	@echo 'make gallery             draw docs/gallery.png, the picture at the top of the README, anew'
@@ -62,10 +64,22 @@ scene-given:
 	@test -n "$(SCENE)" || { echo 'make render: name a scene,' \
 	  'for example: make render SCENE=scenes/starter.toml' >&2; exit 2; }
 
-bench: configure
-	@cmake --build $(BUILD) --target rotatebook_bench rotatebook_physics_bench
+# ARGS="--repetitions 5", "--no-plots" and so on: bench/speed.py --help
+bench: program
+	python3 bench/speed.py --program $(PROGRAM) -o $(OUT)/bench $(ARGS)
+
+# The programs that `make bench` compares with, once each.
+bench-peers: setup
+	@scripts/setup.sh scripts/packages-peers.txt
+	@mkdir -p build/peers
+	$(CXX) -std=c++20 -O2 bench/peers/mujoco_box.cpp -o build/peers/mujoco_box -lmujoco -lEGL
+	/usr/bin/python3 bench/peers/tumbling_box.py png build/peers/moderngl-png.mp4
+	/usr/bin/python3 bench/peers/tumbling_box.py raw build/peers/moderngl-raw.mp4
+	build/peers/mujoco_box assets/front.png build/peers/mujoco.mp4
+
+bench-physics: configure
+	@cmake --build $(BUILD) --target rotatebook_physics_bench
 	$(BUILD)/bench/rotatebook_physics_bench
-	$(BUILD)/bench/rotatebook_bench
 
 # Optimised whatever PRESET says, and in a folder of its own: no other build looks for engines.
 bench-engines: setup

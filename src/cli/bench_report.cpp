@@ -60,7 +60,7 @@ std::string limitText(const pipeline::SpeedLimit& limit, const pipeline::Speed& 
 }
 
 std::string adviceText(const pipeline::SpeedAdvice& advice, const pipeline::Speed& speed) {
-  return formatted("    %-24s %.2f times as fast, %.0f frames/s (%s)\n", advice.change.c_str(),
+  return formatted("    %-24s up to %.2f times as fast, %.0f frames/s; %s\n", advice.change.c_str(),
                    advice.gain, advice.gain * speed.framesPerSecond(), advice.effect.c_str());
 }
 

@@ -29,8 +29,7 @@ SpeedLimit speedLimit(const StageTimes& stages, int cores);
 struct SpeedAdvice {
   std::string change;  ///< For example "--no-png".
   std::string effect;  ///< What it costs, or why it helps.
-  double gain = 1;     ///< Frames a second, as a multiple of those now.
-  bool atMost = false; ///< Whether the gain is only a bound.
+  double gain = 1;     ///< Frames a second, at most, as a multiple of those now.
 };
 
 /// What would help the stage that limits, with the gain that the measured times let expect; only

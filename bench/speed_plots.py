@@ -14,12 +14,12 @@ RESOLUTION = """set title 'Speed by size, PNGs and MP4 both written'
 set xlabel 'pixels of a picture  [millions]'
 set ylabel 'frames a second'
 set logscale xy
-set xrange [0.15:12]
+set xrange [0.15:24]
 set xtics (0.25, 0.5, 1, 2, 4, 8)
 set yrange [*:*]
 set key off
 plot $rows using 2:3 with linespoints linecolor rgb '#0072b2' pointtype 7, \\
-     $rows using 2:3:1 with labels offset 0,1.2 noenhanced
+     $rows using 2:3:1 with labels left offset 0.6,0.7 noenhanced
 """
 
 COUNT = """set xrange [0:*]

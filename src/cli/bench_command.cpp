@@ -1,14 +1,17 @@
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "base/error.h"
 #include "cli/bench_report.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
+#include "pipeline/clip_files.h"
 #include "pipeline/preflight.h"
 #include "pipeline/speed.h"
 
@@ -34,8 +37,16 @@ scene::Scene readScene(const BenchArguments& arguments) {
                                       "builtin");
 }
 
+void refuseTransparent(const scene::Scene& scene) {
+  if (!pipeline::isTransparent(scene)) return;
+  throw InputError(scene.name +
+                   ": the MP4 that is measured can't hold the transparent background of "
+                   "look.background; add --set look.background=studio");
+}
+
 int bench(const BenchArguments& arguments) {
   const scene::Scene scene = readScene(arguments);
+  refuseTransparent(scene);
   pipeline::preflight(scene);
   std::optional<pipeline::Speed> speed;
   {

@@ -30,10 +30,12 @@ constexpr std::int64_t kBatch = 8;
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "rotatebook-bench-XXXXXX").string();
+    std::error_code error;
+    const fs::path parent = fs::temp_directory_path(error);
+    if (error) throw failure("find a folder for temporary files", error.message());
+    std::string pattern = (parent / "rotatebook-bench-XXXXXX").string();
     if (mkdtemp(pattern.data()) == nullptr) {
-      throw MachineError("can't make the folder " + pattern + ": " + std::strerror(errno) +
-                         "; let TMPDIR name a folder that can be written");
+      throw failure("make a folder in " + parent.string(), std::strerror(errno));
     }
     path_ = pattern;
   }
@@ -47,6 +49,11 @@ class TemporaryFolder {
   const fs::path& path() const { return path_; }
 
  private:
+  static MachineError failure(const std::string& what, const std::string& words) {
+    return MachineError("can't " + what + ": " + words +
+                        "; let TMPDIR name a folder that can be written");
+  }
+
   fs::path path_;
 };
 

@@ -46,8 +46,8 @@ TEST(BenchReport, TellsStagesLimitAndWhatHelps) {
             "  what would help:\n"
             "    --size 640x360           up to 4.00 times as fast, 80 frames/s; a quarter of the "
             "pixels\n"
-            "    more cores               up to 1.73 times as fast, 35 frames/s; with 4\n"
-            "    --no-png                 up to 1.73 times as fast, 35 frames/s; the MP4 alone\n");
+            "    --no-png                 up to 1.73 times as fast, 35 frames/s; the MP4 alone\n"
+            "    more cores               up to 1.73 times as fast, 35 frames/s; with 4\n");
 }
 
 TEST(BenchReport, NamesTheStageForWhichOthersWait) {

@@ -7,8 +7,6 @@ namespace rotatebook::cli::testing {
 namespace {
 
 using ::testing::AllOf;
-using ::testing::ContainsRegex;
-using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -47,6 +45,11 @@ TEST_F(BenchCommand, RefusesWhatIsWrong) {
   const ChildResult size = bench({"--size", "321x180"});
   EXPECT_EQ(size.status, 2);
   EXPECT_THAT(size.error, StartsWith("rotatebook: --size 321x180: clip.size"));
+  const ChildResult transparent = bench({"tiny.toml", "--set", "look.background=transparent"});
+  EXPECT_EQ(transparent.status, 2);
+  EXPECT_EQ(transparent.error,
+            "rotatebook: tiny: the MP4 that is measured can't hold the transparent background of "
+            "look.background; add --set look.background=studio\n");
   EXPECT_EQ(bench({"--frames", "0"}).status, 2);
   EXPECT_EQ(bench({"missing.toml"}).status, 2);
   EXPECT_EQ(bench({"--set", "clip.sise=1"}).status, 2);

@@ -2,22 +2,24 @@
 // Cloth with gold stamping, or paper, in a photographer's studio. Radiance is linear; the frame
 // buffer encodes sRGB.
 in vec2 texturePlace;
-centroid in vec3 arriving;
+in vec3 arriving;
 in vec3 worldPlace;
-centroid in vec3 worldNormal;
-centroid in float seen;
+in vec3 worldNormal;
+in float seen;
+flat in float onSurface;
 
 uniform sampler2D albedo;
 uniform vec3 eye;     // World. [m]
 uniform float gloss;  // Strength of the mirrored light: 0 paper, 1 cover.
 
-out vec4 colour;
+out vec4 colour;  // Alpha: the number of the surface, of 255.
 
 const float kClothRoughness = 0.45;
 const float kGoldRoughness = 0.26;
 const float kClothSheen = 0.9;     // Of keyHighlight().
 const float kClothReflectance = 0.04;
 const float kMostGrazing = 0.25;    // Cosine; fibres keep cloth from mirroring more.
+const float kMostSpread = 0.5;  // Of squared GGX widths.
 const float kStampDepth = 1.2e-4;  // How deep gold lies in the cloth. [m]
 
 // Two softboxes and a strip behind: direction, radiance, half width and half height as tangents.
@@ -106,6 +108,15 @@ vec3 toneMap(vec3 radiance) {
   return mix(radiance * newPeak / peak, vec3(newPeak), grey);
 }
 
+// Roughness that mirrors as widely as the pixel's normals together do (Tokuyoshi and Kaplanyan,
+// "Improved Geometric Specular Antialiasing", 2019).
+float widened(float roughness, vec3 normal) {
+  vec3 x = dFdx(normal), y = dFdy(normal);
+  float spread = min(0.12 * (dot(x, x) + dot(y, y)), kMostSpread);
+  float a = roughness * roughness;
+  return sqrt(sqrt(a * a + spread));
+}
+
 void main() {
   vec3 surface = texture(albedo, texturePlace).rgb;
   vec3 radiance = surface * arriving;
@@ -113,14 +124,15 @@ void main() {
     float gold = goldness(surface);
     vec3 toEye = normalize(eye - worldPlace);
     vec3 normal = bent(normalize(worldNormal), -kStampDepth * gold);
-    // At an edge the pixel's middle lies beyond it, where the normal turns away from the eye.
+    // Between vertices the normal may turn away from the eye where the side hardly does.
     float nv = clamp(dot(normal, toEye), kMostGrazing, 1.0);
-    float roughness = mix(kClothRoughness, kGoldRoughness, gold);
+    float cloth = widened(kClothRoughness, worldNormal);
+    float roughness = mix(cloth, kGoldRoughness, gold);
     vec3 reflectance = mix(vec3(kClothReflectance), surface, gold);
     vec3 mirrored = reflect(-toEye, normal);
     vec3 shine = studio(mirrored, roughness) * mirroredShare(reflectance, roughness, nv);
-    shine += (1.0 - gold) * kClothSheen * keyHighlight(normal, toEye, nv, kClothRoughness);
+    shine += (1.0 - gold) * kClothSheen * keyHighlight(normal, toEye, nv, cloth);
     radiance = (1.0 - 0.65 * gold) * radiance + gloss * seen * shine;
   }
-  colour = vec4(toneMap(radiance), 1.0);
+  colour = vec4(toneMap(radiance), onSurface / 255.0);
 }

@@ -5,15 +5,17 @@ layout(location = 0) in vec3 unitPlace;   // Spine to fore edge, foot to head, b
 layout(location = 1) in vec3 unitNormal;  // A covector of the same cube.
 layout(location = 2) in vec2 textureCoordinates;
 layout(location = 3) in float openness;   // Share of the surroundings that is seen from here.
+layout(location = 4) in float surface;    // Number of the smooth side that this is a point of.
 
 uniform vec3 corners[8];  // World; bit 0 of the index is x, bit 1 y, bit 2 z. [m]
 uniform mat4 clipFromWorld;
 
 out vec2 texturePlace;
-centroid out vec3 arriving;     // Irradiance / pi. Linear.
+out vec3 arriving;     // Irradiance / pi. Linear.
 out vec3 worldPlace;   // [m]
-centroid out vec3 worldNormal;
-centroid out float seen;        // openness
+out vec3 worldNormal;
+out float seen;        // openness
+flat out float onSurface;
 
 // The studio of book.frag as a matt surface sees it: toward each light, and its irradiance / pi.
 const vec3 kKeyDirection = vec3(0.4767, 0.5720, 0.6674);
@@ -56,6 +58,7 @@ void main() {
   texturePlace = textureCoordinates;
   worldNormal = normal;
   seen = openness;
+  onSurface = surface;
   arriving = irradiance(normal) * openness;
   gl_Position = clipFromWorld * vec4(worldPlace, 1.0);
 }

@@ -1,6 +1,5 @@
 #version 330 core
-// A night sky, the same in every picture of a size. Drawn once; backdrop.frag repeats it behind
-// each frame's book.
+// A night sky, the same in every picture of a size. Drawn once a clip.
 in vec2 place;
 
 uniform vec2 pictureSize;  // [pixels]

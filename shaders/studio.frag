@@ -1,6 +1,5 @@
 #version 330 core
-// A quiet, dark studio wall: brightest behind the book. Drawn once; backdrop.frag repeats it behind
-// each frame's book.
+// A quiet, dark studio wall: brightest behind the book. Drawn once a clip.
 in vec2 place;
 
 uniform int supersample;  // Pixels drawn, across and down, for one of the picture.

@@ -1,5 +1,6 @@
 #include "cli/bench_report.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <string>
@@ -30,16 +31,14 @@ struct Row {
 std::array<Row, 5> rowsOf(const pipeline::StageTimes& stages) {
   return {{{Stage::Simulate, "simulate", "simulate", stages.simulate},
            {Stage::Book, "draw the book", "book", stages.book},
-           {Stage::Overlays, "overlays", "overlays", stages.overlays},
+           {Stage::Finish, "edges, overlays", "finish", stages.finish},
            {Stage::Png, "PNG", "png", stages.png},
            {Stage::Video, "convert and encode", "video", stages.video}}};
 }
 
-const char* wordsOf(Stage stage) {
-  for (const Row& row : rowsOf({})) {
-    if (row.stage == stage) return row.words;
-  }
-  return "";
+Row rowOf(Stage stage) {
+  const auto rows = rowsOf({});
+  return *std::ranges::find(rows, stage, &Row::stage);
 }
 
 std::string coresText(int cores) {
@@ -50,7 +49,7 @@ std::string limitText(const pipeline::SpeedLimit& limit, const pipeline::Speed& 
   const std::string bound =
       formatted("  limit: %.2f ms a frame, %.1f frames/s; the render took %.2f times that\n",
                 limit.wall, 1000 / limit.wall, speed.whole.wall / limit.wall);
-  const std::string stage = std::string("\"") + wordsOf(limit.stage) + "\"";
+  const std::string stage = std::string("\"") + rowOf(limit.stage).words + "\"";
   if (limit.ofCores) {
     return bound + "  what limits: the " + coresText(speed.cores) +
            ", which have most to do with " + stage + "\n";
@@ -114,7 +113,7 @@ void reportSpeedAsJson(const scene::Scene& scene, const pipeline::Speed& speed, 
       << ", \"start_up_s\": " << shortestText(speed.startUp)
       << ", \"frames_per_second\": " << shortestText(speed.framesPerSecond())
       << ", \"whole\": " << json(speed.whole) << ", \"limit\": " << shortestText(limit.wall)
-      << ", \"limited_by\": " << jsonString(limit.ofCores ? "cores" : wordsOf(limit.stage))
+      << ", \"limited_by\": " << jsonString(limit.ofCores ? "cores" : rowOf(limit.stage).key)
       << ", \"stages\": {";
   const char* comma = "";
   for (const Row& row : rowsOf(speed.stages)) {

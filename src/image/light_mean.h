@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "image/image.h"
+#include "image/light_sum.h"
 
 namespace rotatebook::image {
 
-/// Averages up to 256 pictures of one size as a film does: sRGB's numbers are taken back to light,
-/// and pixels count by their alpha.
+/// Averages up to 256 pictures of one size as LightSum does.
 class LightMean {
  public:
   /// Of pictures of this size, > 0. [pixels]
@@ -24,9 +24,8 @@ class LightMean {
  private:
   int width_;
   int height_;
-  unsigned count_ = 0;
-  /// Of each pixel, row by row: red, green and blue light times alpha, and alpha.
-  std::vector<std::uint64_t> sums_;
+  std::uint32_t count_ = 0;
+  std::vector<LightSum> sums_;  // of each pixel, row by row
 };
 
 }  // namespace rotatebook::image

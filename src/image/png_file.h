@@ -1,8 +1,9 @@
-// PNG in and out, through libpng and libdeflate.
+// PNG in and out, through libpng, ISA-L and libdeflate.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <span>
 #include <string>
 
@@ -12,13 +13,32 @@ namespace rotatebook::image {
 
 /// How a PNG is written.
 struct PngOptions {
-  int level = 1;  ///< libdeflate's level, 0 (none) to 9 (smallest); the pixels stay the same.
+  /// 0 (none) to 9 (smallest): 1 is ISA-L's and fastest, the others are libdeflate's. The pixels
+  /// stay the same.
+  int level = 1;
   bool transparent = false;  ///< Keep an alpha channel.
 };
 
 /// Writes `view` as an 8-bit PNG with an sRGB chunk, opaque unless it is to be transparent, whole
 /// or not at all (see AtomicFile). Throws MachineError.
 void writePng(const std::filesystem::path& path, ImageView view, PngOptions options = {});
+
+/// Writes one PNG after the other as writePng() does, with the same bytes, and faster: where a
+/// picture is like the one before, it takes what it made of that one. One thread at a time.
+class PngWriter {
+ public:
+  explicit PngWriter(PngOptions options = {});
+  PngWriter(PngWriter&&) noexcept;
+  PngWriter& operator=(PngWriter&&) noexcept;
+  ~PngWriter();
+
+  /// Throws MachineError.
+  void write(const std::filesystem::path& path, ImageView view);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
 
 /// Reads any PNG as 8-bit sRGB: palettes, grey and 16 bits are expanded or reduced; Rgba8 if it has
 /// transparency, else Rgb8. Throws InputError: no such file, not a PNG, corrupt (with libpng's

@@ -16,30 +16,57 @@ FrameDrawer::FrameDrawer(const scene::Scene& scene, const ClipMotion& motion)
 }
 
 void FrameDrawer::draw(std::int64_t frame, image::Image& picture) {
-  const DrawBook drawBook = [this](std::size_t motion, std::size_t sample, image::Image& panel) {
-    return this->drawBook(motion, sample, panel);
-  };
-  composition_.draw(frame, drawBook, picture);
+  if (!exposure_) exposure_ = makeExposure();
+  expose(frame, *exposure_);
+  finish(*exposure_, picture);
 }
 
-Eigen::Matrix4d FrameDrawer::drawBook(std::size_t motion, std::size_t sample,
-                                      image::Image& picture) {
-  const auto& samples = motion_->trajectories()[motion].samples;
-  const physics::Corners corners = physics::seenFrom(frame_, samples[sample]).corners;
+Exposure FrameDrawer::makeExposure() const {
+  Exposure exposure;
+  const std::size_t count = motion_->trajectories().size();
   if (mean_) {
-    drawBlurred(motion, sample, picture);
+    exposure.blurred.assign(count, renderer_.makePicture());
   } else {
-    renderer_.draw(corners, picture);
+    exposure.books.assign(count, renderer_.makeBook());
   }
-  return render::project(camera_, corners, composition_.screen()).clipFromWorld;
+  return exposure;
 }
 
-void FrameDrawer::drawBlurred(std::size_t motion, std::size_t sample, image::Image& picture) {
+void FrameDrawer::expose(std::int64_t frame, Exposure& exposure) {
+  exposure.frame = frame;
+  for (std::size_t motion = 0; motion < motion_->trajectories().size(); ++motion) {
+    const std::size_t sample = motion_->sampleAt(motion, frame);
+    if (mean_) {
+      exposeBlurred(motion, sample, exposure.blurred[motion]);
+    } else {
+      renderer_.draw(cornersOf(motion, sample), exposure.books[motion]);
+    }
+  }
+}
+
+void FrameDrawer::exposeBlurred(std::size_t motion, std::size_t sample, image::Image& picture) {
   for (std::size_t i = 0; i < moments_.count(); ++i) {
     renderer_.draw(physics::seenFrom(frame_, moments_.at(motion, sample, i)).corners, picture);
     mean_->add(picture.view());
   }
   mean_->take(picture);
+}
+
+void FrameDrawer::finish(const Exposure& exposure, image::Image& picture) {
+  const DrawBook showBook = [&](std::size_t motion, std::size_t sample, image::Image& panel) {
+    if (mean_) {
+      panel = exposure.blurred[motion];
+    } else {
+      renderer_.compositor().compose(exposure.books[motion], panel);
+    }
+    const physics::Corners corners = cornersOf(motion, sample);
+    return render::project(camera_, corners, composition_.screen()).clipFromWorld;
+  };
+  composition_.draw(exposure.frame, showBook, picture);
+}
+
+physics::Corners FrameDrawer::cornersOf(std::size_t motion, std::size_t sample) const {
+  return physics::seenFrom(frame_, motion_->trajectories()[motion].samples[sample]).corners;
 }
 
 }  // namespace rotatebook::pipeline

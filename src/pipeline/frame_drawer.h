@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -19,6 +20,13 @@
 
 namespace rotatebook::pipeline {
 
+/// A frame's books as OpenGL drew them: one, or one in each panel.
+struct Exposure {
+  std::int64_t frame = 0;
+  std::vector<render::DrawnBook> books;
+  std::vector<image::Image> blurred;  ///< Instead of `books`, where a shutter is open for a while.
+};
+
 /// Draws frame n of a scene: the book, or one in each panel, and what is drawn over it. Owns an
 /// OpenGL context; see render::Renderer.
 class FrameDrawer {
@@ -31,14 +39,20 @@ class FrameDrawer {
   image::Image makePicture() const { return composition_.makePicture(); }
   /// Draws over all of `picture`; `frame` is 0 to below motion.frameCount().
   void draw(std::int64_t frame, image::Image& picture);
+
+  /// The same in two steps: what needs OpenGL, and the rest, which may be done on another thread
+  /// while this one exposes the next frame.
+  Exposure makeExposure() const;
+  void expose(std::int64_t frame, Exposure& exposure);
+  void finish(const Exposure& exposure, image::Image& picture);
+
   /// render::Renderer::description()
   const std::string& description() const { return renderer_.description(); }
 
  private:
-  /// As DrawBook has it.
-  Eigen::Matrix4d drawBook(std::size_t motion, std::size_t sample, image::Image& picture);
+  physics::Corners cornersOf(std::size_t motion, std::size_t sample) const;
   /// The mean of the moments after sample `sample`.
-  void drawBlurred(std::size_t motion, std::size_t sample, image::Image& picture);
+  void exposeBlurred(std::size_t motion, std::size_t sample, image::Image& picture);
 
   const ClipMotion* motion_;
   Composition composition_;
@@ -47,6 +61,7 @@ class FrameDrawer {
   render::Renderer renderer_;  // of a panel
   ShutterMoments moments_;
   std::optional<image::LightMean> mean_;  // of the pictures of moments_, if there are several
+  std::optional<Exposure> exposure_;      // of draw()
 };
 
 }  // namespace rotatebook::pipeline

@@ -10,7 +10,18 @@ PngSequenceSink::PngSequenceSink(std::filesystem::path folder, image::PngOptions
     : folder_(std::move(folder)), options_(options) {}
 
 void PngSequenceSink::write(std::int64_t index, image::ImageView picture) {
-  image::writePng(folder_ / frameName(index), picture, options_);
+  image::PngWriter writer = takeWriter();
+  writer.write(folder_ / frameName(index), picture);
+  const std::lock_guard lock(mutex_);
+  idleWriters_.push_back(std::move(writer));
+}
+
+image::PngWriter PngSequenceSink::takeWriter() {
+  const std::lock_guard lock(mutex_);
+  if (idleWriters_.empty()) return image::PngWriter(options_);
+  image::PngWriter writer = std::move(idleWriters_.back());
+  idleWriters_.pop_back();
+  return writer;
 }
 
 VideoSink::VideoSink(video::VideoFormat format, const std::filesystem::path& path,

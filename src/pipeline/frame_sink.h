@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <mutex>
+#include <vector>
 
 #include "base/atomic_file.h"
 #include "image/image.h"
@@ -33,8 +35,13 @@ class PngSequenceSink : public FrameSink {
   void finish() override {}
 
  private:
+  image::PngWriter takeWriter();
+
   std::filesystem::path folder_;
   image::PngOptions options_;
+  std::mutex mutex_;
+  /// As many as threads have written at once.
+  std::vector<image::PngWriter> idleWriters_;
 };
 
 /// Writes all frames, in order, to a video.

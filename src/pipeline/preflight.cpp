@@ -6,7 +6,7 @@
 namespace rotatebook::pipeline {
 
 void preflight(const scene::Scene& scene) {
-  loadTextures(scene);
+  requireTextures(scene);
   wordsOf(scene);
 }
 

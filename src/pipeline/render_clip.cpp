@@ -1,6 +1,7 @@
 #include "pipeline/render_clip.h"
 
 #include <algorithm>
+#include <exception>
 #include <memory>
 #include <system_error>
 #include <thread>
@@ -9,7 +10,7 @@
 #include "base/error.h"
 #include "pipeline/frame_folder.h"
 #include "pipeline/frame_workers.h"
-#include "pipeline/picture_pool.h"
+#include "pipeline/pool.h"
 #include "pipeline/poster.h"
 #include "pipeline/trajectory_csv.h"
 
@@ -17,10 +18,12 @@ namespace rotatebook::pipeline {
 namespace {
 
 constexpr int kPicturesInFlight = 8;
+constexpr int kExposuresInFlight = 3;
 
-// Compressing PNGs is the slowest stage that can be shared out; drawing and encoding need a core
-// too.
-int pngThreads() {
+// Packing PNGs is the only stage that can be shared out; drawing, finishing and encoding need a
+// core too.
+int pngThreads(const RenderOptions& options) {
+  if (options.pngThreads > 0) return options.pngThreads;
   const auto cores = static_cast<int>(std::thread::hardware_concurrency());
   return std::clamp(cores - 1, 1, 6);
 }
@@ -69,23 +72,35 @@ FrameRange framesToRender(const ClipMotion& motion, std::optional<FrameRange> wa
 std::int64_t drawFrames(FrameDrawer& drawer, FrameRange range,
                         const std::vector<SinkThreads>& sinks, const std::atomic<bool>* stop,
                         const std::function<void(RenderProgress)>& progress) {
+  using SharedExposure = std::shared_ptr<const Exposure>;
   FirstError error;
-  PicturePool pool(drawer.makePicture(), kPicturesInFlight);
+  PicturePool pictures(drawer.makePicture(), kPicturesInFlight);
+  Pool<Exposure> exposures(drawer.makeExposure(), kExposuresInFlight);
   std::vector<std::unique_ptr<FrameWorkers>> workers;
   for (const SinkThreads& entry : sinks) {
     workers.push_back(std::make_unique<FrameWorkers>(entry.sink, entry.threads, error));
   }
+  const auto finish = [&](const SharedExposure& exposure) {
+    const std::shared_ptr<image::Image> picture = pictures.take();
+    drawer.finish(*exposure, *picture);
+    for (const auto& sink : workers) sink->submit({exposure->frame, picture});
+  };
+  Workers<SharedExposure> finisher(finish, 1, error);
   std::int64_t done = 0;
   if (progress) progress({done, range.count()});
   while (done < range.count() && !(stop != nullptr && *stop)) {
-    const std::int64_t index = range.first + done;
-    const std::shared_ptr<image::Image> picture = pool.take();
-    drawer.draw(index, *picture);
-    for (const auto& sink : workers) sink->submit({index, picture});
+    const std::shared_ptr<Exposure> exposure = exposures.take();
+    try {
+      drawer.expose(range.first + done, *exposure);
+    } catch (...) {
+      error.set(std::current_exception());
+    }
     error.rethrow();
+    finisher.submit(exposure);
     ++done;
     if (progress) progress({done, range.count()});
   }
+  finisher.drain();
   for (const auto& sink : workers) sink->drain();
   error.rethrow();
   return done;
@@ -112,7 +127,7 @@ RenderResult renderClip(const scene::Scene& scene, const ClipMotion& motion,
                       pngOptions);
 
   std::vector<SinkThreads> sinks;
-  if (options.png) sinks.push_back({png, pngThreads()});
+  if (options.png) sinks.push_back({png, pngThreads(options)});
   for (const auto& video : videos) sinks.push_back({*video, 1});
   if (listener.started) listener.started(drawer.description(), encoderNames(videos));
   result.framesWritten = drawFrames(drawer, range, sinks, options.stop, listener.progress);

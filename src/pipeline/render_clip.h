@@ -24,6 +24,7 @@ struct RenderOptions {
   std::vector<video::VideoFormat> formats{video::VideoFormat::Mp4};  ///< Each at most once.
   std::optional<FrameRange> frames{};  ///< Only these; all by default.
   image::PngOptions pngOptions{};
+  int pngThreads = 0;  ///< That pack PNGs; 0: as many as the cores suggest. The files are the same.
   /// Set from outside, e.g. by a signal handler, to stop after the frame in hand. May be null.
   const std::atomic<bool>* stop = nullptr;
 };

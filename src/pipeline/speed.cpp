@@ -10,8 +10,6 @@
 #include <vector>
 
 #include "base/error.h"
-#include "physics/reference_frame.h"
-#include "pipeline/composition.h"
 #include "pipeline/frame_drawer.h"
 #include "pipeline/frame_sink.h"
 #include "pipeline/render_clip.h"
@@ -88,47 +86,16 @@ WorkTime perFrame(const WorkTime& all, std::int64_t frames) {
   return {all.wall / count, all.processor / count};
 }
 
-/// The same without `part`, as far as the clocks can tell.
-WorkTime without(const WorkTime& all, const WorkTime& part) {
-  return {std::max(0.0, all.wall - part.wall), std::max(0.0, all.processor - part.processor)};
-}
-
-/// Draws all but the books.
-class OverlayDrawer {
- public:
-  OverlayDrawer(const scene::Scene& scene, const ClipMotion& motion)
-      : motion_(motion),
-        frame_(scene.camera.frame),
-        composition_(scene, motion),
-        camera_(cameraOf(scene, composition_.screen())) {}
-
-  void draw(std::int64_t frame, image::Image& picture) {
-    const DrawBook noBook = [this](std::size_t motion, std::size_t sample, image::Image&) {
-      const auto& samples = motion_.trajectories()[motion].samples;
-      const physics::Corners corners = physics::seenFrom(frame_, samples[sample]).corners;
-      return render::project(camera_, corners, composition_.screen()).clipFromWorld;
-    };
-    composition_.draw(frame, noBook, picture);
-  }
-
- private:
-  const ClipMotion& motion_;
-  physics::ReferenceFrame frame_;
-  Composition composition_;
-  render::Camera camera_;
-};
-
 /// What one frame after the other goes through, each stage by itself.
 class Stages {
  public:
   Stages(const scene::Scene& scene, const ClipMotion& motion, const fs::path& folder)
       : drawer_(scene, motion),
-        overlays_(scene, motion),
-        scratch_(drawer_.makePicture()),
-        pictures_(kBatch, scratch_),
+        exposures_(kBatch, drawer_.makeExposure()),
+        pictures_(kBatch, drawer_.makePicture()),
         png_(folder, {.transparent = isTransparent(scene)}),
         video_(video::VideoFormat::Mp4, folder / "stages.mp4", videoSettings(scene, "")) {
-    drawer_.draw(0, scratch_);  // The first picture compiles what draws the others.
+    drawer_.draw(0, pictures_[0]);  // The first picture compiles what draws the others.
   }
 
   /// Frames `first` to below `end`, at most kBatch.
@@ -136,16 +103,18 @@ class Stages {
     const auto each = [&](const auto& work) {
       return timed([&] {
         for (std::int64_t frame = first; frame < end; ++frame) {
-          work(frame, pictures_[static_cast<std::size_t>(frame - first)]);
+          work(frame, static_cast<std::size_t>(frame - first));
         }
       });
     };
-    drawn_ += each([&](std::int64_t frame, image::Image& to) { drawer_.draw(frame, to); });
-    sums_.png += each([&](std::int64_t frame, image::Image& of) { png_.write(frame, of.view()); });
+    sums_.book +=
+        each([&](std::int64_t frame, std::size_t i) { drawer_.expose(frame, exposures_[i]); });
+    sums_.finish +=
+        each([&](std::int64_t, std::size_t i) { drawer_.finish(exposures_[i], pictures_[i]); });
+    sums_.png +=
+        each([&](std::int64_t frame, std::size_t i) { png_.write(frame, pictures_[i].view()); });
     sums_.video +=
-        each([&](std::int64_t frame, image::Image& of) { video_.write(frame, of.view()); });
-    sums_.overlays +=
-        each([&](std::int64_t frame, image::Image&) { overlays_.draw(frame, scratch_); });
+        each([&](std::int64_t frame, std::size_t i) { video_.write(frame, pictures_[i].view()); });
   }
 
   /// Once all `frames` have passed.
@@ -153,8 +122,8 @@ class Stages {
     sums_.png += timed([&] { png_.finish(); });
     sums_.video += timed([&] { video_.finish(); });
     StageTimes times;
-    times.overlays = perFrame(sums_.overlays, frames);
-    times.book = without(perFrame(drawn_, frames), times.overlays);
+    times.book = perFrame(sums_.book, frames);
+    times.finish = perFrame(sums_.finish, frames);
     times.png = perFrame(sums_.png, frames);
     times.video = perFrame(sums_.video, frames);
     return times;
@@ -162,12 +131,10 @@ class Stages {
 
  private:
   FrameDrawer drawer_;
-  OverlayDrawer overlays_;
-  image::Image scratch_;
+  std::vector<Exposure> exposures_;
   std::vector<image::Image> pictures_;
   PngSequenceSink png_;
   VideoSink video_;
-  WorkTime drawn_;
   StageTimes sums_;
 };
 

@@ -28,14 +28,13 @@ struct WorkTime {
 /// What each stage takes for a frame while nothing else runs.
 struct StageTimes {
   WorkTime simulate;
-  WorkTime book;
-  WorkTime overlays;
+  WorkTime book;    ///< OpenGL's part of the books.
+  WorkTime finish;  ///< Their edges, the background, and what is drawn over.
   WorkTime png;
   WorkTime video;  ///< Conversion of the colours and encoding.
 
   double processorSum() const {
-    return simulate.processor + book.processor + overlays.processor + png.processor +
-           video.processor;
+    return simulate.processor + book.processor + finish.processor + png.processor + video.processor;
   }
 };
 

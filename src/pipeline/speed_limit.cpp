@@ -92,7 +92,7 @@ void adviseOnSize(const scene::Scene& scene, Adviser& adviser) {
   if (std::min(scene.clip.width, scene.clip.height) < kLeastToHalve) return;
   adviser.tryOut(
       "--size " + halfSize(scene.clip), "a quarter of the pixels", [](StageTimes& stages) {
-        for (WorkTime* time : {&stages.book, &stages.overlays, &stages.png, &stages.video}) {
+        for (WorkTime* time : {&stages.book, &stages.finish, &stages.png, &stages.video}) {
           *time = scaled(*time, 0.25);
         }
       });
@@ -102,30 +102,29 @@ void adviseOnSize(const scene::Scene& scene, Adviser& adviser) {
 
 SpeedLimit speedLimit(const StageTimes& stages, int cores) {
   const double shared = stages.processorSum() / cores;
-  const double drawing = stages.book.wall + stages.overlays.wall;
-  const double alone = std::max(drawing, stages.video.wall);
+  const double alone = std::max({stages.book.wall, stages.finish.wall, stages.video.wall});
   // A software rasteriser alone uses all cores, too; then it is they that limit.
   if (shared >= alone) {
     const std::array<std::pair<double, Stage>, 5> times{{
         {stages.simulate.processor, Stage::Simulate},
         {stages.book.processor, Stage::Book},
-        {stages.overlays.processor, Stage::Overlays},
+        {stages.finish.processor, Stage::Finish},
         {stages.png.processor, Stage::Png},
         {stages.video.processor, Stage::Video},
     }};
     return {std::ranges::max_element(times)->second, true, shared};
   }
-  if (stages.video.wall > drawing) return {Stage::Video, false, alone};
-  return {stages.book.wall >= stages.overlays.wall ? Stage::Book : Stage::Overlays, false, alone};
+  if (stages.video.wall >= alone) return {Stage::Video, false, alone};
+  return {stages.book.wall >= alone ? Stage::Book : Stage::Finish, false, alone};
 }
 
 std::vector<SpeedAdvice> speedAdvice(const scene::Scene& scene, const Speed& speed) {
   Adviser adviser(speed);
   const SpeedLimit& limit = adviser.limit();
   if (limit.stage == Stage::Book) adviseOnBook(scene, speed, adviser);
-  if (limit.stage == Stage::Overlays) {
-    adviser.tryOut("fewer of overlay.show", "without any",
-                   [](StageTimes& stages) { stages.overlays = {}; });
+  if (limit.stage == Stage::Finish) {
+    adviser.tryOut("fewer of overlay.show", "if finishing cost nothing",
+                   [](StageTimes& stages) { stages.finish = {}; });
   }
   if (limit.stage == Stage::Png) {
     adviser.tryOut("--no-png", "the MP4 alone", [](StageTimes& stages) { stages.png = {}; });

@@ -9,7 +9,7 @@
 
 namespace rotatebook::pipeline {
 
-enum class Stage { Simulate, Book, Overlays, Png, Video };
+enum class Stage { Simulate, Book, Finish, Png, Video };
 
 /// What keeps a render from being faster.
 struct SpeedLimit {
@@ -22,7 +22,7 @@ struct SpeedLimit {
 
 /// What holds for stages that take turns on `cores` >= 1 cores without ever waiting: no frame takes
 /// less than all processor time shared out, or than the stages that see one frame after the other,
-/// drawing (book and overlays) and video, take alone.
+/// book, finish and video, take alone.
 SpeedLimit speedLimit(const StageTimes& stages, int cores);
 
 /// Something to change, and what comes of it.

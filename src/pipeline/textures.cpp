@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "image/png_file.h"
 #include "scene/places.h"
@@ -40,6 +41,16 @@ render::Background backgroundOf(scene::Background background) {
 }
 
 }  // namespace
+
+void requireTextures(const scene::Scene& scene) {
+  const scene::BookSettings& book = scene.book;
+  for (const auto& [key, file] : {std::pair{"book.front", &book.front},
+                                  {"book.spine", &book.spine},
+                                  {"book.back", &book.back}}) {
+    // The built-in ones are whole, and take a tenth of a render's start.
+    if (*file != scene::kBuiltin) load(scene, key, *file, nullptr);
+  }
+}
 
 render::BookTextures loadTextures(const scene::Scene& scene) {
   return {load(scene, "book.front", scene.book.front, render::builtinFront),

@@ -8,6 +8,8 @@ namespace rotatebook::pipeline {
 
 /// Reads the pictures that the scene names. Throws InputError for one that is missing or broken.
 render::BookTextures loadTextures(const scene::Scene& scene);
+/// Throws where loadTextures() would.
+void requireTextures(const scene::Scene& scene);
 
 /// The camera that draws the scene on `screen`: its whole picture, or a panel.
 render::Camera cameraOf(const scene::Scene& scene, const render::Screen& screen);

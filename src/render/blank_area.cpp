@@ -1,24 +1,32 @@
 #include "render/blank_area.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 
 namespace rotatebook::render {
 namespace {
 
-constexpr int kSmallestSide = 64;  // [pixels] The background alone changes its shade within this.
+constexpr int kSmallestSide = 64;  // [pixels]
 constexpr std::ptrdiff_t kPixelBytes = 4;
 
 }  // namespace
 
-bool isBlank(const image::Image& picture, const PixelRect& area) {
-  if (area.width < kSmallestSide || area.height < kSmallestSide) return false;
-  const std::uint8_t* first = picture.row(area.y) + kPixelBytes * area.x;
-  const auto rowBytes = static_cast<std::size_t>(kPixelBytes * area.width);
-  for (int y = 0; y < area.height; ++y) {
-    const std::uint8_t* row = first + y * picture.stride();
-    if (std::memcmp(row, first, static_cast<std::size_t>(kPixelBytes)) != 0) return false;
-    if (std::memcmp(row, row + kPixelBytes, rowBytes - kPixelBytes) != 0) return false;
+bool isBlank(const image::Image& picture, const std::vector<PixelRect>& bands) {
+  int width = 0, height = 0;
+  for (const PixelRect& band : bands) {
+    width = std::max(width, band.width);
+    height += band.height;
+  }
+  if (width < kSmallestSide || height < kSmallestSide) return false;
+  const std::uint8_t* first = picture.row(bands[0].y) + kPixelBytes * bands[0].x;
+  for (const PixelRect& band : bands) {
+    for (int y = band.y; y < band.y + band.height; ++y) {
+      const std::uint8_t* row = picture.row(y) + kPixelBytes * band.x;
+      const auto rest = static_cast<std::size_t>(kPixelBytes * (band.width - 1));
+      if (std::memcmp(row, first, kPixelBytes) != 0) return false;
+      if (std::memcmp(row, row + kPixelBytes, rest) != 0) return false;
+    }
   }
   return true;
 }

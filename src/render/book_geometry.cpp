@@ -21,6 +21,7 @@ void describeVertex() {
   attribute(1, 3, offsetof(BookVertex, normal));
   attribute(2, 2, offsetof(BookVertex, texture));
   attribute(3, 1, offsetof(BookVertex, openness));
+  attribute(4, 1, offsetof(BookVertex, surface));
 }
 
 template <typename Element>
@@ -69,19 +70,12 @@ void BookGeometry::draw(BookPart part) const {
                  reinterpret_cast<const void*>(start * sizeof(std::uint32_t)));
 }
 
-bool hideInnerSides(const physics::Corners& corners) {
+int drawnFacing(const physics::Corners& corners) {
   constexpr double kClearlyOneWay = 0.2;
   const Eigen::Array<double, 8, 1> volumes = cornerVolumes(corners);
-  const bool rightWayOut = volumes.minCoeff() > kClearlyOneWay;
-  const bool insideOut = volumes.maxCoeff() < -kClearlyOneWay;
-  if (!rightWayOut && !insideOut) {
-    glDisable(GL_CULL_FACE);
-    return false;
-  }
-  glEnable(GL_CULL_FACE);
-  glFrontFace(rightWayOut ? GL_CW
-                          : GL_CCW);  // Clip y points down, which turns every triangle round.
-  return true;
+  if (volumes.minCoeff() > kClearlyOneWay)
+    return -1;  // Clip y points down, which turns every triangle round.
+  return volumes.maxCoeff() < -kClearlyOneWay ? 1 : 0;
 }
 
 }  // namespace rotatebook::render

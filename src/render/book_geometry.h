@@ -26,8 +26,9 @@ class BookGeometry {
   std::array<std::size_t, kBookPartCount + 1> starts_{};  // of each part among the indices
 };
 
-/// Spares the sides that look away from the eye, and returns true; false if the book is so deformed
-/// that any may be seen.
-bool hideInnerSides(const physics::Corners& corners);
+/// Which way triangles turn in the picture, from x to y (1) or from y to x (-1), that are to be
+/// drawn, as those that look away from the eye aren't; 0 if all are, because the book is so
+/// deformed that any may be seen.
+int drawnFacing(const physics::Corners& corners);
 
 }  // namespace rotatebook::render

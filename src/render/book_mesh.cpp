@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -25,6 +26,18 @@ constexpr float kHollow = 3;                 // How much the fore edge curves in
 constexpr float kLeavesPerThickness = 0.5F;  // Repeats of the paper texture across the page block.
 constexpr float kLeavesPerHeight = 4;        // And along it.
 constexpr int kRoundingSteps = 3;
+
+/// Kinds of surfaces of a part of the case. Where it is only a pixel or two wide, the rounding
+/// looks like a line of its own colour.
+enum class Kind { Outer, Rounding, Rim, Inner };
+
+constexpr int kCaseParts = 3;
+constexpr int kForeEdge = 13, kFoot = 14, kHead = 15;
+
+/// BookVertex::surface
+int surfaceOf(BookPart part, Kind kind) {
+  return 1 + kCaseParts * static_cast<int>(kind) + static_cast<int>(part);
+}
 
 /// A point of a side before it goes into the unit cube.
 struct SidePoint {
@@ -67,18 +80,23 @@ class MeshBuilder {
  public:
   /// Adds the grid of points (i, j), i < rows, j < columns, whose outer side is that from which
   /// turning from the direction of j to that of i is counter-clockwise; `flipped`: the other one.
+  /// `surface`: of the square whose first point is (i, j).
   void addGrid(BookPart part, int rows, int columns, bool flipped,
-               const std::function<SidePoint(int, int)>& at) {
-    const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
-    for (int i = 0; i < rows; ++i) {
-      for (int j = 0; j < columns; ++j) addVertex(at(i, j));
-    }
+               const std::function<SidePoint(int, int)>& at,
+               const std::function<int(int, int)>& surface) {
+    std::map<std::array<int, 3>, std::uint32_t> known;
     for (int i = 0; i + 1 < rows; ++i) {
       for (int j = 0; j + 1 < columns; ++j) {
-        const auto a = first + static_cast<std::uint32_t>(i * columns + j);
-        const auto b = a + 1, c = a + static_cast<std::uint32_t>(columns);
+        const int number = surface(i, j);
+        const auto vertex = [&](int row, int column) {
+          const auto [found, isNew] = known.try_emplace({row, column, number}, nextVertex());
+          if (isNew) addVertex(at(row, column), number);
+          return found->second;
+        };
+        const auto a = vertex(i, j), b = vertex(i, j + 1), c = vertex(i + 1, j);
+        const auto d = vertex(i + 1, j + 1);
         addTriangle(part, a, flipped ? c : b, flipped ? b : c);
-        addTriangle(part, c, flipped ? c + 1 : b, flipped ? b : c + 1);
+        addTriangle(part, c, flipped ? d : b, flipped ? b : d);
       }
     }
   }
@@ -86,11 +104,13 @@ class MeshBuilder {
   BookMesh take() { return std::move(mesh_); }
 
  private:
-  void addVertex(const SidePoint& point) {
+  std::uint32_t nextVertex() const { return static_cast<std::uint32_t>(mesh_.vertices.size()); }
+
+  void addVertex(const SidePoint& point, int surface) {
     const Vector3f size(kBook.width, kBook.height, kBook.thickness);
     mesh_.vertices.push_back({point.place.cwiseQuotient(size),
                               point.normal.cwiseProduct(size).normalized(), point.texture,
-                              point.openness});
+                              point.openness, static_cast<float>(surface)});
     againstLeaves_.push_back(point.againstLeaves);
   }
 
@@ -120,57 +140,80 @@ int sizeOf(const std::vector<ProfilePoint>& profile) {
   return static_cast<int>(profile.size());
 }
 
+std::function<int(int, int)> always(int surface) {
+  return [surface](int, int) { return surface; };
+}
+
 Vector3f inSpace(const Vector2f& place, float y) {
   return {place.x(), y, place.y()};
 }
 
+/// Of the square of the outer side from these points of the profile and stations to the next.
+Kind outerKind(const ProfilePoint& point, const ProfilePoint& next, const Station& station,
+               const Station& following) {
+  if (station.lean != following.lean) return Kind::Rounding;
+  const float atForeEdge = kBook.width - 1.001F * kBook.edgeRadius;
+  if (std::min(point.outside.x(), next.outside.x()) < atForeEdge) return Kind::Outer;
+  return point.normal == next.normal ? Kind::Rim : Kind::Rounding;
+}
+
 void addOuterSide(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile) {
   const std::vector<Station> stations = outerStations();
-  builder.addGrid(part, sizeOf(profile), static_cast<int>(stations.size()), false,
-                  [&](int i, int j) -> SidePoint {
-                    const ProfilePoint& point = profile[static_cast<std::size_t>(i)];
-                    const Station& station = stations[static_cast<std::size_t>(j)];
-                    const Vector2f place =
-                        point.outside - (point.sharp ? 0 : station.inset) * point.normal;
-                    const float flat = std::sqrt(1 - station.lean * station.lean);
-                    return {inSpace(place, station.y),
-                            inSpace(flat * point.normal, station.lean),
-                            {textureAcross(part, point.outside), station.y / kBook.height},
-                            point.openness};
-                  });
+  const auto point = [&](int i) { return profile[static_cast<std::size_t>(i)]; };
+  const auto station = [&](int j) { return stations[static_cast<std::size_t>(j)]; };
+  builder.addGrid(
+      part, sizeOf(profile), static_cast<int>(stations.size()), false,
+      [&](int i, int j) -> SidePoint {
+        const float lean = station(j).lean;
+        const Vector2f place =
+            point(i).outside - (point(i).sharp ? 0 : station(j).inset) * point(i).normal;
+        return {inSpace(place, station(j).y),
+                inSpace(std::sqrt(1 - lean * lean) * point(i).normal, lean),
+                {textureAcross(part, point(i).outside), station(j).y / kBook.height},
+                point(i).openness};
+      },
+      [&](int i, int j) {
+        return surfaceOf(part, outerKind(point(i), point(i + 1), station(j), station(j + 1)));
+      });
 }
 
 /// The narrow side at the foot or the head, between the outer and the inner side.
 void addEnd(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile,
             bool head) {
   const float y = head ? kBook.height : 0;
-  builder.addGrid(part, sizeOf(profile), 2, head, [&](int i, int j) -> SidePoint {
-    const ProfilePoint& point = profile[static_cast<std::size_t>(i)];
-    const Vector2f rounded = point.outside - (point.sharp ? 0 : kBook.edgeRadius) * point.normal;
-    return {inSpace(j == 1 ? rounded : point.inside, y),
-            {0, head ? 1.0F : -1.0F, 0},
-            {textureAcross(part, point.outside), head ? 1 - kRim : kRim}};
-  });
+  builder.addGrid(
+      part, sizeOf(profile), 2, head,
+      [&](int i, int j) -> SidePoint {
+        const ProfilePoint& point = profile[static_cast<std::size_t>(i)];
+        const Vector2f rounded =
+            point.outside - (point.sharp ? 0 : kBook.edgeRadius) * point.normal;
+        return {inSpace(j == 1 ? rounded : point.inside, y),
+                {0, head ? 1.0F : -1.0F, 0},
+                {textureAcross(part, point.outside), head ? 1 - kRim : kRim}};
+      },
+      always(surfaceOf(part, Kind::Rim)));
 }
 
 /// The inner side, of which the rim beyond the leaves is seen.
 void addInnerSide(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile) {
   const std::vector<Station> stations = outerStations();
   const float leaves = kBook.width - kBook.foreEdgeInset;
-  builder.addGrid(part, sizeOf(profile), static_cast<int>(stations.size()), true,
-                  [&](int i, int j) -> SidePoint {
-                    const ProfilePoint& point = profile[static_cast<std::size_t>(i)];
-                    const float y = stations[static_cast<std::size_t>(j)].y;
-                    const bool atRim = y < kBook.headInset || y > kBook.height - kBook.headInset ||
-                                       point.inside.x() > leaves;
-                    const float sign = point.inside.y() > kBook.thickness / 2 ? -1.0F : 1.0F;
-                    const bool spine = part == BookPart::Spine;
-                    return {inSpace(point.inside, y),
-                            spine ? Vector3f(1, 0, 0) : Vector3f(0, 0, sign),
-                            {0.5F, kRim},
-                            atRim ? kEdgeOpenness : kInsideOpenness,
-                            !atRim};
-                  });
+  builder.addGrid(
+      part, sizeOf(profile), static_cast<int>(stations.size()), true,
+      [&](int i, int j) -> SidePoint {
+        const ProfilePoint& point = profile[static_cast<std::size_t>(i)];
+        const float y = stations[static_cast<std::size_t>(j)].y;
+        const bool atRim =
+            y < kBook.headInset || y > kBook.height - kBook.headInset || point.inside.x() > leaves;
+        const float sign = point.inside.y() > kBook.thickness / 2 ? -1.0F : 1.0F;
+        const bool spine = part == BookPart::Spine;
+        return {inSpace(point.inside, y),
+                spine ? Vector3f(1, 0, 0) : Vector3f(0, 0, sign),
+                {0.5F, kRim},
+                atRim ? kEdgeOpenness : kInsideOpenness,
+                !atRim};
+      },
+      always(surfaceOf(part, Kind::Inner)));
 }
 
 void addCase(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile) {
@@ -203,7 +246,8 @@ void addForeEdge(MeshBuilder& builder) {
   constexpr std::array kAlong = {0.0F, 0.03F, 0.25F, 0.5F, 0.75F, 0.97F, 1.0F};
   builder.addGrid(
       BookPart::Pages, static_cast<int>(kAcrossLeaves.size()), static_cast<int>(kAlong.size()),
-      false, [&](int row, int column) -> SidePoint {
+      false,
+      [&](int row, int column) -> SidePoint {
         const auto i = static_cast<std::size_t>(row);
         const float share = kAcrossLeaves[i], along = kAlong[static_cast<std::size_t>(column)];
         const float slope = 4 * kHollow * (2 * share - 1) / (kBook.thickness - 2 * kBook.board);
@@ -212,7 +256,8 @@ void addForeEdge(MeshBuilder& builder) {
                 Vector3f(1, 0, -slope).normalized(),
                 {kLeavesPerHeight * along, kLeavesPerThickness * share},
                 opennessAcross(i)};
-      });
+      },
+      always(kForeEdge));
 }
 
 /// The leaves at the foot or the head, from within the spine to the fore edge.
@@ -221,7 +266,8 @@ void addLeafEnds(MeshBuilder& builder, bool head) {
   const float y = head ? kBook.height - kBook.headInset : kBook.headInset;
   builder.addGrid(
       BookPart::Pages, static_cast<int>(kAlong.size()), static_cast<int>(kAcrossLeaves.size()),
-      !head, [&](int row, int column) -> SidePoint {
+      !head,
+      [&](int row, int column) -> SidePoint {
         const auto i = static_cast<std::size_t>(column);
         const float along = kAlong[static_cast<std::size_t>(row)];
         const float x = kBook.board + along * (foreEdge(kAcrossLeaves[i]) - kBook.board);
@@ -231,7 +277,8 @@ void addLeafEnds(MeshBuilder& builder, bool head) {
                 {kLeavesPerHeight * along * kBook.width / kBook.height,
                  kLeavesPerThickness * kAcrossLeaves[i]},
                 nearSpine * opennessAcross(i)};
-      });
+      },
+      always(head ? kHead : kFoot));
 }
 
 }  // namespace

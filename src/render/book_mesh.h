@@ -21,6 +21,9 @@ enum class BookPart {
 
 inline constexpr std::size_t kBookPartCount = 5;
 
+/// Highest BookVertex::surface.
+inline constexpr int kMostSurface = 15;
+
 /// One vertex, laid out as the vertex shader reads it.
 struct BookVertex {
   Eigen::Vector3f
@@ -30,6 +33,7 @@ struct BookVertex {
   Eigen::Vector3f normal;
   Eigen::Vector2f texture;  ///< Texture coordinates, v upward.
   float openness = 1;       ///< Share of the surroundings that lights this place. [0 to 1]
+  float surface = 0;        ///< Number of the side that this is a point of, 1 to kMostSurface.
 };
 
 /// Triangles, grouped by part.

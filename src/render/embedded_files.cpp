@@ -7,7 +7,6 @@
 ROTATEBOOK_EMBEDDED(whole_picture_vert);
 ROTATEBOOK_EMBEDDED(studio_frag);
 ROTATEBOOK_EMBEDDED(stars_frag);
-ROTATEBOOK_EMBEDDED(backdrop_frag);
 ROTATEBOOK_EMBEDDED(book_vert);
 ROTATEBOOK_EMBEDDED(book_frag);
 ROTATEBOOK_EMBEDDED(front_png);
@@ -30,9 +29,6 @@ std::span<const std::uint8_t> bytes(const char* begin, const char* end) {
 
 std::string_view wholePictureVertexShader() {
   return text(embedded_whole_picture_vert_begin, embedded_whole_picture_vert_end);
-}
-std::string_view backdropFragmentShader() {
-  return text(embedded_backdrop_frag_begin, embedded_backdrop_frag_end);
 }
 std::string_view studioFragmentShader() {
   return text(embedded_studio_frag_begin, embedded_studio_frag_end);

@@ -11,7 +11,6 @@ namespace rotatebook::render {
 std::string_view wholePictureVertexShader();
 std::string_view studioFragmentShader();
 std::string_view starsFragmentShader();
-std::string_view backdropFragmentShader();
 std::string_view bookVertexShader();
 std::string_view bookFragmentShader();
 

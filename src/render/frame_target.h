@@ -1,4 +1,4 @@
-// Where frames are drawn: a multisampled buffer, resolved and read back a rectangle at a time.
+// Where frames are drawn, and from where they are read back a rectangle at a time.
 #pragma once
 
 #include <span>
@@ -12,24 +12,19 @@ namespace rotatebook::render {
 /// An off-screen sRGB frame buffer whose first row is the picture's top (see Projection).
 class FrameTarget {
  public:
-  /// Draws `supersample` (1 or 2) times as wide and high as the picture. Throws InputError if that
-  /// is over the driver's limit, MachineError if `samples` are not to be had.
-  FrameTarget(int width, int height, int samples, int supersample);
+  /// Throws InputError if the size is over the driver's limit. [pixels]
+  FrameTarget(int width, int height);
 
-  /// Directs drawing here, where colour and depth are left from before and to be overwritten first.
-  void begin() const;
-  /// Keeps what is drawn from now on within `area`.
-  void confineTo(const PixelRect& area) const;
-  /// Resolves `areas`, mixing in linear light, and copies each to the same place of `picture`
-  /// (Rgba8, of the width and height given).
-  void readBack(std::span<const PixelRect> areas, image::Image& picture);
+  /// Directs drawing to `area`, where it clears colour, alpha and depth.
+  void begin(const PixelRect& area) const;
+  /// Copies `areas` to the same places of `picture` (Rgba8, of the width and height given).
+  void readBack(std::span<const PixelRect> areas, image::Image& picture) const;
 
  private:
   int width_;
   int height_;
-  int supersample_;
-  GlRenderbuffer sampledColour_, sampledDepth_, resolvedColour_, pictureColour_;
-  GlFramebuffer sampled_, resolved_, picture_;  // `picture_` only where it differs in size
+  GlRenderbuffer colour_, depth_;
+  GlFramebuffer buffer_;
 };
 
 }  // namespace rotatebook::render

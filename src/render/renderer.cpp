@@ -1,6 +1,7 @@
 #include "render/renderer.h"
 
 #include <optional>
+#include <utility>
 
 #include "base/error.h"
 #include "image/png_file.h"
@@ -10,7 +11,6 @@
 #include "render/embedded_files.h"
 #include "render/frame_target.h"
 #include "render/shader_program.h"
-#include "render/straight_alpha.h"
 #include "render/texture.h"
 
 namespace rotatebook::render {
@@ -23,6 +23,15 @@ void requireNoGlError(const char* when) {
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return;
   throw MachineError("can't draw: OpenGL error " + std::to_string(error) + " " + when);
+}
+
+/// Whether all of the book is in front of the camera and its middle within the picture, so that
+/// something of it must show.
+bool isCentreInView(const DrawnBook& book) {
+  const Eigen::Vector3d centre = book.corners.rowwise().mean();
+  const Eigen::Vector4d clip = book.clipFromWorld * centre.homogeneous();
+  const Eigen::Matrix<double, 4, 8> all = book.clipFromWorld * book.corners.colwise().homogeneous();
+  return all.row(3).minCoeff() > 0 && clip.head<2>().cwiseAbs().maxCoeff() < clip.w();
 }
 
 }  // namespace
@@ -40,87 +49,75 @@ image::Image builtinBack() {
 struct Renderer::Parts {
   Parts(const RenderSettings& renderSettings, const BookTextures& textures)
       : settings(renderSettings),
-        target(settings.width, settings.height, settings.samples, settings.supersample),
-        backdropProgram("backdrop", wholePictureVertexShader(), backdropFragmentShader()),
-        bookProgram("book", bookVertexShader(), bookFragmentShader()),
+        width(settings.supersample * settings.width),
+        height(settings.supersample * settings.height),
+        target(width, height),
+        program("book", bookVertexShader(), bookFragmentShader()),
         front(textures.front.view(), TextureWrap::Clamp),
         spine(textures.spine.view(), TextureWrap::Clamp),
         back(textures.back.view(), TextureWrap::Clamp),
         paper(image::decodePng(paperPng(), "built-in paper").view(), TextureWrap::Repeat),
-        background(settings.width, settings.height, image::PixelFormat::Rgba8) {
-    if (settings.background != Background::Transparent) drawBackground();
-    backdrop.emplace(background.view());
+        compositor(background(), settings.supersample) {
     requireNoGlError("while setting up");
   }
 
-  void drawBackground() {
-    const bool studio = settings.background == Background::Studio;
-    const ShaderProgram program(studio ? "studio" : "stars", wholePictureVertexShader(),
-                                studio ? studioFragmentShader() : starsFragmentShader());
-    const PixelRect everything{0, 0, settings.width, settings.height};
-    target.begin();
-    glDisable(GL_FRAMEBUFFER_SRGB);  // Its colours are encoded already.
-    target.confineTo(everything);
-    program.use();
-    const Eigen::Vector2i size(settings.width, settings.height);
-    program.set("pictureSize", Eigen::Vector2f(size.cast<float>()));
-    program.set("supersample", settings.supersample);
-    coverPicture();
-    target.readBack({&everything, 1}, background);
+  image::Image background() const {
+    image::Image picture(width, height, image::PixelFormat::Rgba8);
+    if (settings.background != Background::Transparent) drawBackground(picture);
+    return picture;
   }
 
-  /// Draws over the whole picture, infinitely far away, with the program in use. Setting the depth
-  /// on the way spares clearing it, which costs as much as drawing (software rasteriser, 4
-  /// samples).
-  void coverPicture() const {
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_ALWAYS);
+  void drawBackground(image::Image& picture) const {
+    const bool studio = settings.background == Background::Studio;
+    const ShaderProgram backdrop(studio ? "studio" : "stars", wholePictureVertexShader(),
+                                 studio ? studioFragmentShader() : starsFragmentShader());
+    const PixelRect everything{0, 0, width, height};
+    target.begin(everything);
+    glDisable(GL_FRAMEBUFFER_SRGB);  // Its colours are encoded already.
+    glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
+    backdrop.use();
+    const Eigen::Vector2i size(settings.width, settings.height);
+    backdrop.set("pictureSize", Eigen::Vector2f(size.cast<float>()));
+    backdrop.set("supersample", settings.supersample);
+    const GlVertexArray noVertices;
     glBindVertexArray(noVertices.name());
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    target.readBack({&everything, 1}, picture);
   }
 
-  void drawBackdrop(const std::vector<PixelRect>& bands) const {
-    backdropProgram.use();
-    backdropProgram.set("supersample", settings.supersample);
-    backdrop->bind();
-    for (const PixelRect& band : bands) {
-      target.confineTo(band);
-      coverPicture();
-    }
-  }
-
-  void drawBook(const physics::Corners& corners, const Projection& projection) const {
-    glDepthFunc(GL_LESS);
-    const bool hidden = hideInnerSides(corners);
-    bookProgram.use();
-    bookProgram.set("corners", Eigen::Matrix<float, 3, 8>(corners.cast<float>()));
-    bookProgram.set("clipFromWorld", Eigen::Matrix4f(projection.clipFromWorld.cast<float>()));
-    bookProgram.set("eye", Eigen::Vector3f(settings.camera.position.cast<float>()));
+  void drawBook(const DrawnBook& drawn) const {
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    glEnable(GL_DEPTH_TEST);
+    drawn.facing == 0 ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
+    glFrontFace(drawn.facing < 0 ? GL_CW : GL_CCW);
+    program.use();
+    program.set("corners", Eigen::Matrix<float, 3, 8>(drawn.corners.cast<float>()));
+    program.set("clipFromWorld", Eigen::Matrix4f(drawn.clipFromWorld.cast<float>()));
+    program.set("eye", Eigen::Vector3f(settings.camera.position.cast<float>()));
     geometry.bind();
     drawPart(BookPart::Front, front, kClothGloss);
     drawPart(BookPart::Spine, spine, kClothGloss);
     drawPart(BookPart::Back, back, kClothGloss);
     drawPart(BookPart::Pages, paper, kPaperGloss);
-    // Even what is hidden takes as long to draw as what is seen (software rasteriser, 4 samples).
-    if (!hidden) drawPart(BookPart::Lining, front, kClothGloss);
+    if (drawn.facing == 0) drawPart(BookPart::Lining, front, kClothGloss);
   }
 
   void drawPart(BookPart part, const Texture& texture, float gloss) const {
-    bookProgram.set("gloss", gloss);
+    program.set("gloss", gloss);
     texture.bind();
     geometry.draw(part);
   }
 
   RenderSettings settings;
+  int width, height;   // As it is drawn. [pixels]
   EglContext context;  // First made, last destroyed of all that needs it.
   FrameTarget target;
-  ShaderProgram backdropProgram, bookProgram;
+  ShaderProgram program;
   BookGeometry geometry;
-  GlVertexArray noVertices;
   Texture front, spine, back, paper;
-  std::optional<PixelTexture> backdrop;  // The same picture as `background`.
-  image::Image background;               // What every pixel shows that the book doesn't touch.
+  Compositor compositor;
+  std::optional<DrawnBook> book;  // of draw() to a picture
 };
 
 Renderer::Renderer(const RenderSettings& settings, const BookTextures& textures)
@@ -129,26 +126,40 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
+DrawnBook Renderer::makeBook() const {
+  return {.pixels = {parts_->width, parts_->height, image::PixelFormat::Rgba8}};
+}
+
+Compositor& Renderer::compositor() {
+  return parts_->compositor;
+}
+
 image::Image Renderer::makePicture() const {
-  return {parts_->settings.width, parts_->settings.height, image::PixelFormat::Rgba8};
+  return parts_->compositor.makePicture();
 }
 
 void Renderer::draw(const physics::Corners& corners, image::Image& picture) {
+  if (!parts_->book) parts_->book = makeBook();
+  draw(corners, *parts_->book);
+  parts_->compositor.compose(*parts_->book, picture);
+}
+
+void Renderer::draw(const physics::Corners& corners, DrawnBook& book) {
   const RenderSettings& settings = parts_->settings;
-  const Projection projection =
-      project(settings.camera, corners, {settings.width, settings.height, settings.bottomRows});
-  picture = parts_->background;
+  Projection projection =
+      project(settings.camera, corners,
+              {parts_->width, parts_->height, settings.supersample * settings.bottomRows});
   const PixelRect& area = projection.bounds;
-  if (area.width > 0 && area.height > 0) {
-    parts_->target.begin();
-    parts_->drawBackdrop(projection.bands);
-    parts_->target.confineTo(area);
-    parts_->drawBook(corners, projection);
-    parts_->target.readBack(projection.bands, picture);
-    if (settings.background == Background::Transparent) makeAlphaStraight(picture, area);
-  }
+  book.corners = corners;
+  book.clipFromWorld = projection.clipFromWorld;
+  book.facing = drawnFacing(corners);
+  book.bands = std::move(projection.bands);
+  if (area.width <= 0 || area.height <= 0) return book.bands.clear();
+  parts_->target.begin(area);
+  parts_->drawBook(book);
+  parts_->target.readBack(book.bands, book.pixels);
   requireNoGlError("while drawing a frame");
-  if (isBlank(picture, area)) {
+  if (isCentreInView(book) && isBlank(book.pixels, book.bands)) {
     throw MachineError("the renderer " + description() +
                        " gave a blank frame; its driver is broken or too old");
   }

@@ -7,6 +7,8 @@
 #include "image/image.h"
 #include "physics/cuboid.h"
 #include "render/camera.h"
+#include "render/compositor.h"
+#include "render/drawn_book.h"
 
 namespace rotatebook::render {
 
@@ -21,7 +23,6 @@ enum class Background {
 struct RenderSettings {
   int width = 1280;  ///< > 0 [pixels]
   int height = 720;  ///< > 0 [pixels]
-  int samples = 4;   ///< Of each pixel's edges, for smooth ones.
   /// Draws so many times as wide and high and takes the mean, of light, of as many pixels: 1 or 2.
   int supersample = 1;
   Background background = Background::Studio;
@@ -54,11 +55,16 @@ class Renderer {
 
   /// A picture of the right size and format for draw().
   image::Image makePicture() const;
-
   /// Draws the book whose corners (world) these are, over all of `picture` (from makePicture()).
   /// Alpha is straight, and 255 throughout unless the background is transparent.
   /// Throws MachineError if OpenGL reports an error or the frame comes out blank.
   void draw(const physics::Corners& corners, image::Image& picture);
+
+  /// The same in two steps, of which the second, compositor().compose(), may be taken on another
+  /// thread while this one draws the next book. `book` comes from makeBook().
+  void draw(const physics::Corners& corners, DrawnBook& book);
+  DrawnBook makeBook() const;
+  Compositor& compositor();
 
   /// What draws, e.g. "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5, EGL device 0".
   const std::string& description() const;

@@ -53,11 +53,4 @@ Texture::Texture(image::ImageView picture, TextureWrap wrap) {
   setFilters(wrap);
 }
 
-PixelTexture::PixelTexture(image::ImageView picture) {
-  bind();
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, picture.width, picture.height, 0, GL_RGBA,
-               GL_UNSIGNED_BYTE, picture.topRow);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-}
-
 }  // namespace rotatebook::render

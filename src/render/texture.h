@@ -21,16 +21,4 @@ class Texture {
   GlTexture texture_;
 };
 
-/// A picture to be fetched pixel by pixel, as light; its first row is at y = 0.
-class PixelTexture {
- public:
-  /// `picture` is Rgba8, without padding and top row first.
-  explicit PixelTexture(image::ImageView picture);
-
-  void bind() const { glBindTexture(GL_TEXTURE_2D, texture_.name()); }
-
- private:
-  GlTexture texture_;
-};
-
 }  // namespace rotatebook::render

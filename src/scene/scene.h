@@ -35,8 +35,8 @@ struct ClipSettings {
 
 /// [video]: how the MP4 is encoded.
 struct EncodingSettings {
-  int crf = 18;                     ///< x264's constant rate factor, 1 to 51; smaller is better.
-  std::string preset = "veryfast";  ///< x264's preset, "ultrafast" to "placebo".
+  int crf = 18;                 ///< x264's constant rate factor, 1 to 51; smaller is better.
+  std::string preset = "book";  ///< "book", made for it, or x264's "ultrafast" to "placebo".
   int threads = 1;  ///< Encoder threads, 1 to 64; a different count gives different bytes.
 };
 

@@ -121,7 +121,8 @@ std::string clipText(const ClipSettings& clip) {
 std::string videoText(const EncodingSettings& video) {
   return "\n[video]\n" +
          line("crf", std::to_string(video.crf), "1 to 51, smaller is better and takes more space") +
-         line("preset", tomlString(video.preset), "x264's, \"ultrafast\" to \"placebo\"") +
+         line("preset", tomlString(video.preset),
+              "\"book\" or x264's \"ultrafast\" to \"placebo\"") +
          line("threads", std::to_string(video.threads),
               "of the encoder; another number gives other bytes");
 }

@@ -24,5 +24,18 @@ TEST(Srgb, ReadsBackEveryNumber) {
   }
 }
 
+TEST(Srgb, HasLightAsWholeNumbers) {
+  EXPECT_EQ(lightFromSrgb(0), 0U);
+  EXPECT_EQ(lightFromSrgb(255), kFullLight);
+  for (int number = 0; number < 256; ++number) {
+    const auto encoded = static_cast<std::uint8_t>(number);
+    EXPECT_NEAR(lightFromSrgb(encoded), kFullLight * linearFromSrgb(encoded), 0.5);
+    EXPECT_EQ(srgbFromLight(lightFromSrgb(encoded)), encoded);
+  }
+  for (std::uint32_t light = 0; light <= kFullLight; light += 97) {
+    EXPECT_EQ(srgbFromLight(light), srgbFromLinear(static_cast<double>(light) / kFullLight));
+  }
+}
+
 }  // namespace
 }  // namespace rotatebook::image

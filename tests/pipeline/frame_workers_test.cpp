@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/fake_sinks.h"
-#include "pipeline/picture_pool.h"
+#include "pipeline/pool.h"
 
 namespace rotatebook::pipeline {
 namespace {

@@ -40,12 +40,12 @@ TEST(Speed, HasEachStageAndTheWholeAndLeavesNothing) {
   EXPECT_GT(speed->whole.wall, 0);
   const StageTimes& stages = speed->stages;
   for (const WorkTime& time :
-       {stages.simulate, stages.book, stages.overlays, stages.png, stages.video}) {
+       {stages.simulate, stages.book, stages.finish, stages.png, stages.video}) {
     EXPECT_GT(time.wall, 0);
     EXPECT_GT(time.processor, 0);
   }
   EXPECT_DOUBLE_EQ(stages.processorSum(), stages.simulate.processor + stages.book.processor +
-                                              stages.overlays.processor + stages.png.processor +
+                                              stages.finish.processor + stages.png.processor +
                                               stages.video.processor);
   EXPECT_EQ(done.front(), 8);
   EXPECT_EQ(done.back(), 20);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -23,22 +24,24 @@ image::Image pictureWithHole(const PixelRect& area) {
 }
 
 constexpr PixelRect kArea{20, 30, 100, 80};
+const std::vector<PixelRect> kBands{{20, 30, 100, 50}, {20, 80, 100, 30}};
 
 TEST(BlankArea, IsSeenWithinAPicture) {
-  EXPECT_TRUE(isBlank(pictureWithHole(kArea), kArea));
+  EXPECT_TRUE(isBlank(pictureWithHole(kArea), kBands));
 }
 
 TEST(BlankArea, IsNotOneWithASinglePixelInIt) {
   for (const auto& [x, y] : {std::pair{20, 30}, {119, 30}, {20, 109}, {119, 109}, {70, 60}}) {
     image::Image picture = pictureWithHole(kArea);
     picture.row(y)[4 * x + 2] = 1;
-    EXPECT_FALSE(isBlank(picture, kArea)) << x << ", " << y;
+    EXPECT_FALSE(isBlank(picture, kBands)) << x << ", " << y;
   }
 }
 
 TEST(BlankArea, IsNeverSmall) {
   const PixelRect small{20, 30, 63, 80};
-  EXPECT_FALSE(isBlank(pictureWithHole(kArea), small));
+  EXPECT_FALSE(isBlank(pictureWithHole(kArea), {small}));
+  EXPECT_FALSE(isBlank(pictureWithHole(kArea), {}));
 }
 
 }  // namespace

@@ -88,10 +88,10 @@ TEST(Camera, OrdersDepthFromNearToFar) {
 }
 
 TEST(CameraBounds, HoldTheHullWithAMargin) {
-  // The near side decides: 25 pixels a metre at 2 m, the margin 2 pixels.
+  // The near side decides: 25 pixels a metre at 2 m, the margin 6 pixels.
   physics::Corners cube = physics::Cuboid{.size = {2, 1, 1}}.corners();
   cube.row(2).array() -= 0.5;  // The near side at z = 0.
-  const PixelRect expected{75 - 2, 50 - 13 - 2, 50 + 4, 26 + 4};
+  const PixelRect expected{75 - 6, 50 - 13 - 6, 50 + 12, 26 + 12};
   EXPECT_EQ(project(plainCamera(), cube, {200, 100}).bounds, expected);
 }
 

@@ -10,7 +10,6 @@
 #include "image/comparison.h"
 #include "image/srgb.h"
 #include "render/drawing.h"
-#include "render/straight_alpha.h"
 
 namespace rotatebook::render {
 namespace {
@@ -174,18 +173,6 @@ TEST(Look, TitleDoesNotShimmerAsItTurns) {
   for (int i = 0; i < 24; ++i) frames.push_back(drawn(renderer, book({{-30 + 0.15 * i, kY}})));
   // measured 1.72; without mipmaps 8.03, with twice as fine ones 4.73
   EXPECT_LT(shimmer(frames, {270, 85, 100, 65}), 2.5);
-}
-
-TEST(StraightAlpha, DividesLightByCoverage) {
-  image::Image picture(3, 1, image::PixelFormat::Rgba8);
-  const std::uint8_t half = image::srgbFromLinear(0.25);
-  const std::uint8_t pixels[] = {half, half, half, 128, 9, 9, 9, 0, 7, 8, 9, 255};
-  std::copy(std::begin(pixels), std::end(pixels), picture.row(0));
-  makeAlphaStraight(picture, {0, 0, 3, 1});
-  EXPECT_EQ(picture.row(0)[0], image::srgbFromLinear(0.25 / (128 / 255.0)));  // 188
-  EXPECT_EQ(picture.row(0)[3], 128);
-  EXPECT_EQ(colourAt(picture, 1, 0), (testing::Colour{0, 0, 0}));
-  EXPECT_EQ(colourAt(picture, 2, 0), (testing::Colour{7, 8, 9}));
 }
 
 }  // namespace

@@ -41,11 +41,9 @@ struct EdgePixel {
   int inside;
 };
 
-// The green of the edge pixel in the middle row, for books at several parts of a pixel.
-std::vector<EdgePixel> edgePixels(int samples) {
-  RenderSettings settings = testing::settingsOf(kWidth, kHeight);
-  settings.samples = samples;
-  Renderer renderer(settings, white());
+// The green of the edge pixel in the middle row, for books at 16 parts of a pixel.
+std::vector<EdgePixel> edgePixels() {
+  Renderer renderer(testing::settingsOf(kWidth, kHeight), white());
   const image::Image background = testing::emptyPicture(renderer);
   std::vector<EdgePixel> edges;
   for (int step = 0; step < 16; ++step) {
@@ -61,35 +59,34 @@ std::vector<EdgePixel> edgePixels(int samples) {
   return edges;
 }
 
-// The share of the book in `edge` if light adds up, in quarters.
-double quarters(const EdgePixel& edge) {
-  return 4 * (linear(edge.value) - linear(edge.outside)) /
+// The share of the book in `edge` if light adds up, in sixteenths.
+double sixteenths(const EdgePixel& edge) {
+  return 16 * (linear(edge.value) - linear(edge.outside)) /
          (linear(edge.inside) - linear(edge.outside));
 }
 
-TEST(PictureEdges, AreMixedInLinearLightByQuarters) {
-  constexpr double kBound = 0.1;  // quarters; measured 0.014
+// The pixel's columns of samples are crossed one after the other.
+TEST(PictureEdges, AreMixedInLinearLightBySixteenths) {
+  constexpr double kBound = 0.3;  // sixteenths; measured 0.00
   std::set<int> seen;
-  for (const EdgePixel& edge : edgePixels(4)) {
-    EXPECT_NEAR(quarters(edge), std::round(quarters(edge)), kBound);
-    seen.insert(static_cast<int>(std::lround(quarters(edge))));
+  for (const EdgePixel& edge : edgePixels()) {
+    EXPECT_NEAR(sixteenths(edge), std::round(sixteenths(edge)), kBound);
+    seen.insert(static_cast<int>(std::lround(sixteenths(edge))));
   }
-  EXPECT_EQ(seen, (std::set{1, 2, 3, 4}));
+  EXPECT_GE(seen.size(), 15U);
 }
 
 // Half the light of white on dark is far from half the number.
 TEST(PictureEdges, AreNotMixedByTheirNumbers) {
-  for (const EdgePixel& edge : edgePixels(4)) {
-    if (std::lround(quarters(edge)) != 2) continue;
+  int halves = 0;
+  for (const EdgePixel& edge : edgePixels()) {
+    if (std::lround(sixteenths(edge)) != 8) continue;
+    ++halves;
     const double byLight = encoded((linear(edge.inside) + linear(edge.outside)) / 2);
     EXPECT_NEAR(edge.value, byLight, 3);  // The edge is rounded, and shaded so. measured 2.6
     EXPECT_GT(edge.value, (edge.inside + edge.outside) / 2 + 15);
   }
-}
-
-TEST(PictureEdges, AreHardWithoutMultisampling) {
-  // The edge is rounded, and shaded so: measured 6; a quarter of the background would be 26.
-  for (const EdgePixel& edge : edgePixels(0)) EXPECT_NEAR(edge.value, edge.inside, 8);
+  EXPECT_GT(halves, 0);
 }
 
 // A texture's number goes through linear light and back: a middle grey that is lit half as bright

@@ -108,6 +108,32 @@ TEST(Renderer, CanBeMoved) {
   EXPECT_EQ(drawn(moved, book()), before);
 }
 
+TEST(Renderer, DrawsNothingFromWithinTheBook) {
+  RenderSettings settings = settingsOf(128, 72);
+  settings.camera.position = {0, 0, 0.005};
+  Renderer renderer(settings, builtinTextures());
+  EXPECT_NO_THROW(drawn(renderer, book()));
+}
+
+// What is drawn of a book that reaches behind the camera is only changed along its edges.
+TEST(Renderer, SmoothsABookThatReachesBehindTheCamera) {
+  const physics::Corners corners = testing::explodingBook();
+  Renderer renderer(settingsOf(256, 144), builtinTextures());
+  DrawnBook raw = renderer.makeBook();
+  renderer.draw(corners, raw);
+  const image::Image picture = drawn(renderer, corners);
+  int shown = 0, changed = 0;
+  for (int y = 0; y < 144; ++y) {
+    for (int x = 0; x < 256; ++x) {
+      if (raw.pixels.row(y)[4 * x + 3] == 0) continue;
+      ++shown;
+      changed += colourAt(raw.pixels, x, y) == colourAt(picture, x, y) ? 0 : 1;
+    }
+  }
+  EXPECT_GT(shown, 10'000);
+  EXPECT_LT(changed, shown / 20);
+}
+
 TEST(Renderer, SaysWhatDraws) {
   const Renderer renderer(settingsOf(64, 36), builtinTextures());
   EXPECT_THAT(renderer.description(), HasSubstr("OpenGL "));
@@ -138,14 +164,6 @@ TEST(Renderer, RefusesAPictureThatIsTooLarge) {
       messageOf<InputError>([] { Renderer(settingsOf(64, 1 << 17), builtinTextures()); });
   EXPECT_THAT(message,
               HasSubstr("a picture of 64x131072 is too large: this renderer draws up to "));
-}
-
-TEST(Renderer, RefusesMoreSamplesThanThereAre) {
-  RenderSettings settings = settingsOf(64, 36);
-  settings.samples = 1000;
-  const std::string message =
-      messageOf<MachineError>([&] { Renderer(settings, builtinTextures()); });
-  EXPECT_THAT(message, HasSubstr("no 1000x multisampling, only "));
 }
 
 TEST(Renderer, WorksAfterOneThatFailed) {

@@ -40,7 +40,6 @@ TEST(ShaderProgram, TakesTheProgramsOwn) {
   EXPECT_EQ(messageOf(bookVertexShader(), bookFragmentShader()), "no error");
   EXPECT_EQ(messageOf(wholePictureVertexShader(), studioFragmentShader()), "no error");
   EXPECT_EQ(messageOf(wholePictureVertexShader(), starsFragmentShader()), "no error");
-  EXPECT_EQ(messageOf(wholePictureVertexShader(), backdropFragmentShader()), "no error");
 }
 
 TEST(ShaderProgram, GivesTheCompilersWords) {

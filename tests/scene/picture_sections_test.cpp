@@ -89,9 +89,9 @@ TEST(VideoSection, ReadsEveryKey) {
   EXPECT_EQ(scene.video.threads, 64);
 }
 
-TEST(VideoSection, KnowsThePresetsOfX264) {
-  for (const std::string preset : {"ultrafast", "superfast", "veryfast", "faster", "fast", "medium",
-                                   "slow", "slower", "veryslow", "placebo"}) {
+TEST(VideoSection, KnowsThePresetsOfX264AndItsOwn) {
+  for (const std::string preset : {"book", "ultrafast", "superfast", "veryfast", "faster", "fast",
+                                   "medium", "slow", "slower", "veryslow", "placebo"}) {
     EXPECT_EQ(sceneFrom("video.preset = '" + preset + "'").video.preset, preset);
   }
 }
@@ -106,7 +106,8 @@ TEST(VideoSection, RefusesWhatTheEncoderHasNot) {
   EXPECT_EQ(errorOf("[video]\nthreads = 65"),
             "a.toml:2:11: video.threads must be an integer from 1 to 64, not 65");
   const std::string must =
-      "a.toml:2:10: video.preset must be \"ultrafast\", \"superfast\", \"veryfast\", \"faster\", "
+      "a.toml:2:10: video.preset must be \"book\", \"ultrafast\", \"superfast\", \"veryfast\", "
+      "\"faster\", "
       "\"fast\", \"medium\", \"slow\", \"slower\", \"veryslow\" or \"placebo\", not ";
   EXPECT_EQ(errorOf("[video]\npreset = 'veryfats'"),
             must + "\"veryfats\"; did you mean \"veryfast\"?");

@@ -45,7 +45,7 @@ TEST(SceneReader, HasTheDocumentedDefaultsOfThePicture) {
   EXPECT_EQ(scene.clip.frameRate, (FrameRate{60, 1}));
   EXPECT_EQ(scene.clip.duration, 12);
   EXPECT_EQ(scene.video.crf, 18);
-  EXPECT_EQ(scene.video.preset, "veryfast");
+  EXPECT_EQ(scene.video.preset, "book");
   EXPECT_EQ(scene.video.threads, 1);
   EXPECT_EQ(scene.camera.position, defaultCameraPosition(scene.body, 30, 1280, 720));
   EXPECT_EQ(scene.camera.target, Eigen::Vector3d::Zero());

@@ -150,7 +150,7 @@ duration = 12.0  # s of video
 
 [video]
 crf = 18  # 1 to 51, smaller is better and takes more space
-preset = "veryfast"  # x264's, "ultrafast" to "placebo"
+preset = "book"  # "book" or x264's "ultrafast" to "placebo"
 threads = 1  # of the encoder; another number gives other bytes
 
 [camera]

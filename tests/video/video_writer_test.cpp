@@ -68,15 +68,15 @@ TEST(Mp4Writer, RefusesSizesBelowTheSmallest) {
 TEST(Mp4Writer, RefusesAnUnknownPresetNamingTheKnownOnes) {
   VideoSettings settings = smallSettings();
   settings.preset = "quick";
-  EXPECT_EQ(
-      refusalOf(settings),
-      "unknown video preset \"quick\"; valid are ultrafast, superfast, veryfast, faster, fast, "
-      "medium, slow, slower, veryslow, placebo");
+  EXPECT_EQ(refusalOf(settings),
+            "unknown video preset \"quick\"; valid are book, ultrafast, superfast, veryfast, "
+            "faster, fast, "
+            "medium, slow, slower, veryslow, placebo");
 }
 
 TEST(Mp4Writer, TakesEveryPresetItNames) {
-  for (const char* preset : {"ultrafast", "superfast", "veryfast", "faster", "fast", "medium",
-                             "slow", "slower", "veryslow", "placebo"}) {
+  for (const char* preset : {"book", "ultrafast", "superfast", "veryfast", "faster", "fast",
+                             "medium", "slow", "slower", "veryslow", "placebo"}) {
     VideoSettings settings = smallSettings();
     settings.preset = preset;
     EXPECT_EQ(refusalOf(settings), "") << preset;

@@ -1,4 +1,4 @@
-#include "pipeline/picture_pool.h"
+#include "pipeline/pool.h"
 
 #include <atomic>
 #include <chrono>

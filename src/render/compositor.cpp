@@ -1,0 +1,58 @@
+#include "render/compositor.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+#include "image/smaller.h"
+
+namespace rotatebook::render {
+namespace {
+
+/// Puts what was drawn over the background.
+void layOver(const image::Image& drawn, const PixelRect& band, image::Image& picture) {
+  constexpr std::uint32_t kOpaque = 0xff;
+  for (int y = band.y; y < band.y + band.height; ++y) {
+    const std::uint8_t* from = drawn.row(y) + 4 * static_cast<std::ptrdiff_t>(band.x);
+    std::uint8_t* to = picture.row(y) + 4 * static_cast<std::ptrdiff_t>(band.x);
+    for (int x = 0; x < band.width; ++x, from += 4, to += 4) {
+      if (from[3] == 0) continue;
+      std::memcpy(to, from, 3);
+      to[3] = kOpaque;
+    }
+  }
+}
+
+}  // namespace
+
+Compositor::Compositor(image::Image background, int supersample)
+    : background_(std::move(background)),
+      supersample_(supersample),
+      edges_(makeBookMesh()),
+      edgePixels_(background_.width(), background_.height()) {
+  if (supersample_ > 1) large_ = background_;
+}
+
+image::Image Compositor::makePicture() const {
+  return {background_.width() / supersample_, background_.height() / supersample_,
+          image::PixelFormat::Rgba8};
+}
+
+void Compositor::compose(const DrawnBook& book, image::Image& picture) {
+  if (supersample_ == 1) return composeLarge(book, picture);
+  composeLarge(book, large_);
+  image::halve(large_, picture);
+}
+
+void Compositor::composeLarge(const DrawnBook& book, image::Image& picture) {
+  picture = background_;
+  for (const PixelRect& band : book.bands) layOver(book.pixels, band, picture);
+  edgePixels_.clear();
+  triangles_.clear();
+  edges_.find(book.corners, book.clipFromWorld, book.facing, edgePixels_, triangles_);
+  edgePixels_.number();
+  samples_.smooth(edgePixels_, triangles_, book.pixels, background_, picture);
+}
+
+}  // namespace rotatebook::render

@@ -1,0 +1,59 @@
+// The pixels that edges pass through.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+namespace rotatebook::render {
+
+/// A set of a picture's pixels, numbered row by row.
+class EdgePixels {
+ public:
+  EdgePixels(int width, int height);
+
+  void clear();
+  /// Adds all pixels that the line touches. [pixels]
+  void addLine(const Eigen::Vector2f& from, const Eigen::Vector2f& to);
+  /// Numbers the pixels; call it before what follows.
+  void number();
+
+  int width() const { return width_; }
+  int height() const { return height_; }
+  std::size_t count() const { return count_; }
+
+  /// Calls each(x, number) for those of row `y` from `left` to below `right`, all within the
+  /// picture.
+  template <typename Each>
+  void forEach(int y, int left, int right, const Each& each) const {
+    if (left >= right) return;
+    const std::size_t row = static_cast<std::size_t>(y) * wordsPerRow_;
+    for (int word = left / kBits; word <= (right - 1) / kBits; ++word) {
+      const std::uint64_t all = words_[row + static_cast<std::size_t>(word)];
+      const int first = word * kBits;
+      std::uint64_t bits = all;
+      if (left > first) bits &= ~std::uint64_t{0} << (left - first);
+      if (right < first + kBits) bits &= ~(~std::uint64_t{0} << (right - first));
+      if (bits == 0) continue;
+      const std::uint64_t before = all & ((bits & -bits) - 1);
+      std::size_t number = numbers_[row + static_cast<std::size_t>(word)] +
+                           static_cast<std::size_t>(std::popcount(before));
+      for (; bits != 0; bits &= bits - 1) each(first + std::countr_zero(bits), number++);
+    }
+  }
+
+ private:
+  static constexpr int kBits = 64;
+
+  void add(int x, int y);
+
+  int width_, height_;
+  std::size_t wordsPerRow_, count_ = 0;
+  std::vector<std::uint64_t> words_;  // a bit a pixel, lowest first
+  std::vector<std::size_t> numbers_;  // of each word's first pixel
+};
+
+}  // namespace rotatebook::render

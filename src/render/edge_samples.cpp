@@ -1,0 +1,227 @@
+#include "render/edge_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "image/light_sum.h"
+
+namespace rotatebook::render {
+namespace {
+
+using Eigen::Vector3f;
+
+constexpr int kSamples = EdgeSamples::kSamples;
+
+/// Places within a pixel, from its middle: in each of 16 columns and rows one.
+constexpr std::array<std::array<float, 2>, kSamples> kPlaces = [] {
+  constexpr std::array<int, kSamples> kRows{5, 9, 13, 1, 10, 6, 2, 14, 3, 15, 7, 11, 0, 12, 8, 4};
+  std::array<std::array<float, 2>, kSamples> places{};
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    places[i] = {(static_cast<float>(i) + 0.5F) / kSamples - 0.5F,
+                 (static_cast<float>(kRows[i]) + 0.5F) / kSamples - 0.5F};
+  }
+  return places;
+}();
+
+/// A function that is linear over the picture.
+struct Plane {
+  float x, y, constant;
+
+  float at(float px, float py) const { return x * px + y * py + constant; }
+  /// How much it changes within half a pixel.
+  float reach() const { return 0.5F * (std::abs(x) + std::abs(y)); }
+};
+
+/// 0 on the line from `a` to `b`, positive toward `inner`.
+Plane edgePlane(const Vector3f& a, const Vector3f& b, const Vector3f& inner) {
+  Plane plane{a.y() - b.y(), b.x() - a.x(), 0};
+  plane.constant = -plane.at(a.x(), a.y());
+  if (plane.at(inner.x(), inner.y()) >= 0) return plane;
+  return {-plane.x, -plane.y, -plane.constant};
+}
+
+/// A triangle as planes; of none if it is seen from its edge.
+struct Cover {
+  std::array<Plane, 3> edges;
+  Plane depth;
+};
+
+std::optional<Cover> coverOf(const SeenTriangle& triangle) {
+  const auto& [a, b, c] = triangle.corners;
+  const Vector3f ab = b - a, ac = c - a;
+  const float area = ab.x() * ac.y() - ab.y() * ac.x();
+  if (area == 0 || !std::isfinite(area)) return std::nullopt;
+  Plane depth{(ab.z() * ac.y() - ab.y() * ac.z()) / area,
+              (ab.x() * ac.z() - ab.z() * ac.x()) / area, 0};
+  depth.constant = a.z() - depth.at(a.x(), a.y());
+  return Cover{{edgePlane(a, b, c), edgePlane(b, c, a), edgePlane(c, a, b)}, depth};
+}
+
+/// The pixels of a row, first and one past the last, that can lie in all of `edges`.
+std::pair<int, int> span(const std::array<Plane, 3>& edges, float y, float left, float right) {
+  for (const Plane& edge : edges) {
+    const float rest = edge.y * y + edge.constant + edge.reach();
+    if (edge.x > 0) left = std::max(left, -rest / edge.x - 0.5F);
+    if (edge.x < 0) right = std::min(right, -rest / edge.x + 0.5F);
+    if (edge.x == 0 && rest < 0) right = left;
+  }
+  if (!(left < right)) return {0, 0};
+  return {static_cast<int>(std::floor(left)), static_cast<int>(std::ceil(right))};
+}
+
+/// Steps to the pixels around one and to itself, the nearest first.
+const std::vector<std::array<int, 2>>& around() {
+  static const std::vector<std::array<int, 2>> steps = [] {
+    constexpr int kReach = 4;
+    std::vector<std::array<int, 2>> all;
+    for (int y = -kReach; y <= kReach; ++y) {
+      for (int x = -kReach; x <= kReach; ++x) all.push_back({x, y});
+    }
+    std::ranges::stable_sort(all, {}, [](const auto& s) { return s[0] * s[0] + s[1] * s[1]; });
+    return all;
+  }();
+  return steps;
+}
+
+/// How many samples of a pixel show each surface.
+using Counts = std::array<std::uint8_t, kMostSurface + 1>;
+
+/// A picture's pixel as the drawn book and what is behind it make it.
+class PixelMixer {
+ public:
+  PixelMixer(const EdgePixels& pixels, const image::Image& drawn, const image::Image& background)
+      : drawn_(drawn), background_(background) {
+    std::array<image::LightSum, kMostSurface + 1> sums{};
+    std::array<std::uint32_t, kMostSurface + 1> counts{};
+    for (int y = 0; y < pixels.height(); ++y) {
+      pixels.forEach(y, 0, pixels.width(), [&](int x, std::size_t) {
+        const std::uint8_t here = surface(x, y);
+        const std::uint8_t* pixel = pixelAt(x, y);
+        const std::array<std::uint8_t, 4> opaque{pixel[0], pixel[1], pixel[2], 255};
+        if (counts[here]++ < kMostOfMean) sums[here].add(opaque.data(), 1);
+      });
+    }
+    for (std::size_t i = 1; i < means_.size(); ++i) {
+      if (counts[i] > 0) sums[i].mean(std::min(counts[i], kMostOfMean), means_[i].data());
+    }
+  }
+
+  /// Whether the pixel is right as it was drawn, or shows what isn't among the triangles.
+  bool isPlain(int x, int y, const Counts& counts) const {
+    return counts[surface(x, y)] == kSamples || counts[0] == kSamples;
+  }
+
+  void mix(int x, int y, const Counts& counts, std::uint8_t* pixel) const {
+    image::LightSum sum;
+    std::uint32_t found = counts[0];
+    if (found > 0) sum.add(background_.row(y) + 4 * static_cast<std::ptrdiff_t>(x), found);
+    for (std::uint8_t surface = 1; surface < counts.size(); ++surface) {
+      if (counts[surface] == 0) continue;
+      const std::uint8_t* shown = nearest(x, y, surface);
+      if (shown == nullptr) continue;
+      const std::array<std::uint8_t, 4> opaque{shown[0], shown[1], shown[2], 255};
+      sum.add(opaque.data(), counts[surface]);
+      found += counts[surface];
+    }
+    if (found > 0) sum.mean(found, pixel);
+  }
+
+ private:
+  /// 0 beside the picture, too.
+  std::uint8_t surface(int x, int y) const {
+    const bool within = x >= 0 && x < drawn_.width() && y >= 0 && y < drawn_.height();
+    return within ? std::min(drawn_.row(y)[4 * x + 3], kHighest) : std::uint8_t{0};
+  }
+
+  const std::uint8_t* pixelAt(int x, int y) const {
+    return drawn_.row(y) + 4 * static_cast<std::ptrdiff_t>(x);
+  }
+
+  /// The nearest pixel that shows a surface; or its mean colour along edges, if none close by does;
+  /// or the nearest pixel of the book, if none at all does; null if there is none.
+  const std::uint8_t* nearest(int x, int y, std::uint8_t wanted) const {
+    const std::uint8_t* other = nullptr;
+    for (const auto& [dx, dy] : around()) {
+      const std::uint8_t there = surface(x + dx, y + dy);
+      if (there == 0 || (other != nullptr && there != wanted)) continue;
+      if (there == wanted) return pixelAt(x + dx, y + dy);
+      other = pixelAt(x + dx, y + dy);
+    }
+    return means_[wanted][3] > 0 ? means_[wanted].data() : other;
+  }
+
+  static constexpr std::uint8_t kHighest = kMostSurface;
+  static constexpr std::uint32_t kMostOfMean = 256;  // pixels, as LightSum takes
+
+  const image::Image& drawn_;
+  const image::Image& background_;
+  std::array<std::array<std::uint8_t, 4>, kMostSurface + 1> means_{};  // by surface
+};
+
+}  // namespace
+
+void EdgeSamples::cover(const EdgePixels& pixels, const SeenTriangle& triangle) {
+  const std::optional<Cover> cover = coverOf(triangle);
+  if (!cover) return;
+  const auto& [a, b, c] = triangle.corners;
+  const Eigen::Array2f size(static_cast<float>(pixels.width()),
+                            static_cast<float>(pixels.height()));
+  const Eigen::Array2f least = a.cwiseMin(b).cwiseMin(c).head<2>().array().max(0.0F);
+  const Eigen::Array2f most = a.cwiseMax(b).cwiseMax(c).head<2>().array().min(size);
+  if ((least >= most).any()) return;  // It lies beside the picture.
+  const auto& [first, second, third] = cover->edges;
+  // By how much each sample's value differs from that in the middle of its pixel.
+  Samples inFirst, inSecond, inThird, inDepth;
+  for (std::size_t i = 0; i < kSamples; ++i) {
+    const auto& [x, y] = kPlaces[i];
+    inFirst[i / 4][i % 4] = first.x * x + first.y * y;
+    inSecond[i / 4][i % 4] = second.x * x + second.y * y;
+    inThird[i / 4][i % 4] = third.x * x + third.y * y;
+    inDepth[i / 4][i % 4] = cover->depth.x * x + cover->depth.y * y;
+  }
+  const Four surface = Four{} + triangle.surface;
+  for (int y = static_cast<int>(least.y()); static_cast<float>(y) < most.y(); ++y) {
+    const float middle = static_cast<float>(y) + 0.5F;
+    const auto [left, right] = span(cover->edges, middle, least.x(), most.x());
+    pixels.forEach(y, left, right, [&](int x, std::size_t number) {
+      const float place = static_cast<float>(x) + 0.5F;
+      const float one = first.at(place, middle), two = second.at(place, middle);
+      const float three = third.at(place, middle), far = cover->depth.at(place, middle);
+      Samples &depths = depths_[number], &surfaces = surfaces_[number];
+      for (std::size_t i = 0; i < depths.size(); ++i) {
+        const Four depth = inDepth[i] + far;
+        const auto seen = (inFirst[i] + one >= 0) & (inSecond[i] + two >= 0) &
+                          (inThird[i] + three >= 0) & (depth < depths[i]);
+        depths[i] = seen ? depth : depths[i];
+        surfaces[i] = seen ? surface : surfaces[i];
+      }
+    });
+  }
+}
+
+void EdgeSamples::smooth(const EdgePixels& pixels, std::span<const SeenTriangle> triangles,
+                         const image::Image& drawn, const image::Image& background,
+                         image::Image& picture) {
+  Samples farthest;
+  farthest.fill(Four{} + std::numeric_limits<float>::max());
+  depths_.assign(pixels.count(), farthest);
+  surfaces_.assign(pixels.count(), Samples{});
+  for (const SeenTriangle& triangle : triangles) cover(pixels, triangle);
+  const PixelMixer mixer(pixels, drawn, background);
+  for (int y = 0; y < pixels.height(); ++y) {
+    pixels.forEach(y, 0, pixels.width(), [&](int x, std::size_t number) {
+      Counts counts{};
+      for (const Four& four : surfaces_[number]) {
+        for (int i = 0; i < 4; ++i) ++counts[static_cast<std::size_t>(four[i])];
+      }
+      if (mixer.isPlain(x, y, counts)) return;
+      mixer.mix(x, y, counts, picture.row(y) + 4 * static_cast<std::ptrdiff_t>(x));
+    });
+  }
+}
+
+}  // namespace rotatebook::render

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <ostream>
-#include <vector>
 
 #include "pipeline/speed.h"
 #include "pipeline/speed_limit.h"

@@ -23,8 +23,7 @@ class Words {
   };
 
   /// Throws InputError, with the place in the scene, if there is no such font, if it lacks a letter
-  /// of the words, or if they would take more than half of a
-  /// picture of 360 rows or more.
+  /// of the words, or if they would take more than half of a picture of 360 rows or more.
   explicit Words(const scene::Scene& scene, ClockPlace place = ClockPlace::TopLeft);
   ~Words();
   Words(Words&&) noexcept;

@@ -6,15 +6,16 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
 #include <thread>
 #include <vector>
 
 #include "base/error.h"
+#include "pipeline/clip_files.h"
 #include "pipeline/frame_drawer.h"
 #include "pipeline/frame_sink.h"
 #include "pipeline/render_clip.h"
 #include "pipeline/simulate_scene.h"
-#include "pipeline/textures.h"
 
 namespace rotatebook::pipeline {
 namespace {

@@ -73,8 +73,8 @@ void BookGeometry::draw(BookPart part) const {
 int drawnFacing(const physics::Corners& corners) {
   constexpr double kClearlyOneWay = 0.2;
   const Eigen::Array<double, 8, 1> volumes = cornerVolumes(corners);
-  if (volumes.minCoeff() > kClearlyOneWay)
-    return -1;  // Clip y points down, which turns every triangle round.
+  // Clip y points down, which turns every triangle round.
+  if (volumes.minCoeff() > kClearlyOneWay) return -1;
   return volumes.maxCoeff() < -kClearlyOneWay ? 1 : 0;
 }
 

@@ -7,8 +7,8 @@
 namespace rotatebook::render {
 namespace {
 
-constexpr int kMargin =
-    6;  // Rounding, and EdgeSamples' search for colours, reach this far. [pixels]
+// How far rounding, and EdgeSamples' search for colours, reach beyond the hull. [pixels]
+constexpr int kMargin = 6;
 constexpr int kBandRows = 32;  // Lower bands hold less beside the hull, but each has its price.
 
 /// The pixels from `low` to `high` of `size`, as first and one past the last.

@@ -1,7 +1,6 @@
 #include "pipeline/panel_grid.h"
 
 #include <algorithm>
-#include <set>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #include "render/book_edges.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <span>
 #include <utility>
 
 #include <Eigen/Geometry>
@@ -52,13 +52,22 @@ Vector4d onNearPlane(const Vector4d& a, const Vector4d& b) {
   return a + ahead(a) / (ahead(a) - ahead(b)) * (b - a);
 }
 
-/// What of a polygon, or of a line given as one of two corners, lies in front of the near plane.
-std::vector<Vector4d> inFront(std::span<const Vector4d> corners) {
-  std::vector<Vector4d> seen;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Vector4d &here = corners[i], &next = corners[(i + 1) % corners.size()];
-    if (ahead(here) > 0) seen.push_back(here);
-    if ((ahead(here) > 0) != (ahead(next) > 0)) seen.push_back(onNearPlane(here, next));
+/// A triangle, or a line, as the near plane has left it: the first `count` of the corners.
+struct Cut {
+  std::array<Vector4d, 4> corners;
+  std::size_t count = 0;
+};
+
+/// What of a triangle, or of a line given as one of two corners, lies in front of the near plane.
+template <std::size_t kCount>
+Cut inFront(const std::array<Vector4d, kCount>& corners) {
+  Cut seen;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const Vector4d &here = corners[i], &next = corners[(i + 1) % kCount];
+    if (ahead(here) > 0) seen.corners[seen.count++] = here;
+    if ((ahead(here) > 0) != (ahead(next) > 0)) {
+      seen.corners[seen.count++] = onNearPlane(here, next);
+    }
   }
   return seen;
 }
@@ -123,10 +132,10 @@ void BookEdges::find(const physics::Corners& corners, const Eigen::Matrix4d& cli
     const bool inside =
         first == second && triangles_[edge.first].surface == triangles_[*edge.second].surface;
     if (inside) continue;
-    const std::array ends{points[edge.ends[0]], points[edge.ends[1]]};
-    const std::vector<Vector4d> seen = inFront(ends);
-    if (seen.size() < 2) continue;
-    pixels.addLine(onPicture(seen[0], pixels).head<2>(), onPicture(seen[1], pixels).head<2>());
+    const Cut seen = inFront(std::array{points[edge.ends[0]], points[edge.ends[1]]});
+    if (seen.count < 2) continue;
+    pixels.addLine(onPicture(seen.corners[0], pixels).head<2>(),
+                   onPicture(seen.corners[1], pixels).head<2>());
   }
 }
 
@@ -135,11 +144,12 @@ int BookEdges::addTriangle(const Triangle& triangle, const std::vector<Vector4d>
                            std::vector<SeenTriangle>& triangles) {
   if (triangle.lining && facing != 0) return 0;
   const auto& [a, b, c] = triangle.vertices;
-  const std::vector<Vector4d> seen = inFront(std::array{points[a], points[b], points[c]});
+  const Cut seen = inFront(std::array{points[a], points[b], points[c]});
   int turn = 0;
-  for (std::size_t i = 2; i < seen.size(); ++i) {
+  for (std::size_t i = 2; i < seen.count; ++i) {
     const SeenTriangle piece{
-        {onPicture(seen[0], pixels), onPicture(seen[i - 1], pixels), onPicture(seen[i], pixels)},
+        {onPicture(seen.corners[0], pixels), onPicture(seen.corners[i - 1], pixels),
+         onPicture(seen.corners[i], pixels)},
         triangle.surface};
     turn = turning(piece);
     if (facing != 0 && turn != facing) return 0;

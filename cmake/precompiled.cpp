@@ -1,0 +1,1 @@
+// Nothing: CMake builds a precompiled header for sources alone.

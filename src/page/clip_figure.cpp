@@ -26,7 +26,7 @@ constexpr std::array<std::pair<video::VideoFormat, const char*>, 4> kFormats{
      {video::VideoFormat::Gif, "GIF"},
      {video::VideoFormat::Apng, "APNG"}}};
 // Of a time for people.
-constexpr int kDigits = 4;
+constexpr int kTimeDigits = 4;
 
 /// A clip's motions, simulated anew, and the files that were made of it.
 struct Clip {
@@ -117,10 +117,10 @@ Html divergenceOf(const Clip& clip) {
   for (const Motion& motion : clip.motions) {
     if (!motion.trajectory.divergedAt) continue;
     const std::string who = motion.panel.label.empty() ? "The motion" : motion.panel.label;
-    notes +=
-        filled("<p class=\"note\">{{words}}</p>\n",
-               {{"words", escaped(who + " diverges at " +
-                                  roundedText(*motion.trajectory.divergedAt, kDigits) + " s.")}});
+    notes += filled(
+        "<p class=\"note\">{{words}}</p>\n",
+        {{"words", escaped(who + " diverges at " +
+                           roundedText(*motion.trajectory.divergedAt, kTimeDigits) + " s.")}});
   }
   return notes;
 }

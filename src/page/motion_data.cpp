@@ -11,7 +11,7 @@ namespace {
 using physics::Sample;
 
 // No plot is so large that more would show.
-constexpr int kDigits = 6;
+constexpr int kPlotDigits = 6;
 
 template <typename Value>
 std::string numbers(const physics::Trajectory& trajectory, const Value& value) {
@@ -19,7 +19,7 @@ std::string numbers(const physics::Trajectory& trajectory, const Value& value) {
   for (const Sample& sample : trajectory.samples) {
     const double number = value(sample);
     json += (json.empty() ? "" : ",") +
-            (std::isfinite(number) ? roundedText(number, kDigits) : std::string("null"));
+            (std::isfinite(number) ? roundedText(number, kPlotDigits) : std::string("null"));
   }
   return "[" + json + "]";
 }

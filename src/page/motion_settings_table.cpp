@@ -8,13 +8,13 @@
 namespace rotatebook::page {
 namespace {
 
-constexpr int kDigits = 4;
+constexpr int kSettingDigits = 4;
 
 /// One setting of every motion; empty where a motion has none.
 using Row = std::vector<std::string>;
 
 std::string number(double value) {
-  return roundedText(value, kDigits);
+  return roundedText(value, kSettingDigits);
 }
 
 std::string vectorText(const Eigen::Vector3d& vector) {

@@ -6,8 +6,8 @@
 namespace rotatebook::pipeline {
 namespace {
 
-constexpr double kGap = 0.004;   // Of the shorter side.
-constexpr int kSmallestGap = 2;  // [pixels]
+constexpr double kPanelGap = 0.004;  // Of the shorter side.
+constexpr int kSmallestGap = 2;      // [pixels]
 
 /// The side of a panel where so many share `room`. [pixels]
 int shareOf(int room, int panels, int gap) {
@@ -22,7 +22,7 @@ int rowsFor(int count, int columns) {
 
 PanelGrid panelGrid(int count, int width, int height) {
   const int gap =
-      std::max(kSmallestGap, static_cast<int>(std::lround(kGap * std::min(width, height))));
+      std::max(kSmallestGap, static_cast<int>(std::lround(kPanelGap * std::min(width, height))));
   const auto shorterSide = [&](int columns) {
     return std::min(shareOf(width, columns, gap), shareOf(height, rowsFor(count, columns), gap));
   };

@@ -21,7 +21,7 @@ namespace {
 
 // Of a picture's height.
 constexpr double kTextSize = 0.05;
-constexpr double kGap = 0.06;
+constexpr double kPictureGap = 0.06;
 constexpr double kMostPixels = 2.5e8;  // Twice 4 bytes of each are held.
 constexpr double kSmallestText = 11;   // [pixels]
 
@@ -116,7 +116,7 @@ Grid gridFor(const std::vector<Cell>& cells, int columns) {
   grid.columns = columns > 0 ? columns : static_cast<int>(std::ceil(std::sqrt(count)));
   grid.columns = std::min(grid.columns, count);
   grid.rows = (count + grid.columns - 1) / grid.columns;
-  grid.gap = std::max(4, static_cast<int>(std::lround(kGap * picture.height())));
+  grid.gap = std::max(4, static_cast<int>(std::lround(kPictureGap * picture.height())));
   grid.cellWidth = picture.width();
   grid.cellHeight = picture.height() + grid.gap / 3 + labelHeight;
   return grid;

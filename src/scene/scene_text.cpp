@@ -24,12 +24,6 @@ std::string line(std::string_view key, const std::string& value, const std::stri
   return comment.empty() ? start + "\n" : start + "  # " + comment + "\n";
 }
 
-std::string joined(const std::vector<std::string>& parts) {
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
-  return text;
-}
-
 std::string array(const Eigen::Vector3d& vector) {
   return "[" + joined({tomlNumber(vector.x()), tomlNumber(vector.y()), tomlNumber(vector.z())}) +
          "]";

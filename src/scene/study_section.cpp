@@ -134,12 +134,6 @@ void refuseMixture(const ValueReader& section) {
   }
 }
 
-std::string joined(const std::vector<std::string>& parts) {
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
-  return text;
-}
-
 template <typename T, typename Text>
 std::string arrayText(const std::vector<T>& values, const Text& text) {
   std::vector<std::string> parts;

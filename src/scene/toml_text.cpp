@@ -38,4 +38,10 @@ std::string tomlNumber(double value) {
   return looksWhole ? text + ".0" : text;
 }
 
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  return text;
+}
+
 }  // namespace rotatebook::scene

@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rotatebook::scene {
 
@@ -11,5 +12,8 @@ std::string tomlString(std::string_view text);
 
 /// A TOML float that reads back to exactly `value`, also where it is whole: "2.0".
 std::string tomlNumber(double value);
+
+/// What stands between the brackets of an array or the braces of a table.
+std::string joined(const std::vector<std::string>& parts);
 
 }  // namespace rotatebook::scene

@@ -15,7 +15,7 @@ namespace rotatebook {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 std::string contentOf(const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);

@@ -68,11 +68,10 @@ TEST_F(Interrupt, StopsTheScenesThatFollow) {
 
 // A frame of these steps takes some 30 ms, the whole motion minutes.
 TEST_F(Interrupt, EndsASimulationThatTakesLong) {
-  using Clock = std::chrono::steady_clock;
   ChildSettings settings;
   settings.signal = SIGINT;
-  settings.signalWhen = [start = Clock::now()] {
-    return Clock::now() - start > std::chrono::seconds(3);
+  settings.signalWhen = [start = std::chrono::steady_clock::now()] {
+    return std::chrono::steady_clock::now() - start > std::chrono::seconds(3);
   };
   const ChildResult result = run(
       {"render", "tiny.toml", "--set", kLong, "--set", "simulation.substeps=1000000"}, settings);

@@ -18,7 +18,7 @@ constexpr const char* kHeader =
     "stretch_min,stretch_max,c0x,c0y,c0z,c1x,c1y,c1z,c2x,c2y,c2z,c3x,c3y,c3z,c4x,c4y,c4z,c5x,c5y,"
     "c5z,c6x,c6y,c6z,c7x,c7y,c7z,error_deg,energy_ratio,L_ratio,regime\n";
 constexpr int kColumns = 47;
-constexpr int kTinyFrames = 12;
+constexpr int kTableRows = 12;
 
 TEST_F(SimulateCommand, WritesATableWithoutGraphics) {
   const ChildResult result = runWithoutGraphics({"simulate", "tiny.toml", "--csv", "t.csv"});
@@ -26,8 +26,8 @@ TEST_F(SimulateCommand, WritesATableWithoutGraphics) {
   EXPECT_EQ(result.output, "tiny: Tiny\n  wrote t.csv, 12 rows\n");
   EXPECT_THAT(files(), ElementsAre("t.csv"));
   EXPECT_THAT(read("t.csv"), StartsWith(kHeader));
-  EXPECT_EQ(countOf("\n", read("t.csv")), 1 + kTinyFrames);
-  EXPECT_EQ(countOf(",", read("t.csv")), (1 + kTinyFrames) * (kColumns - 1));
+  EXPECT_EQ(countOf("\n", read("t.csv")), 1 + kTableRows);
+  EXPECT_EQ(countOf(",", read("t.csv")), (1 + kTableRows) * (kColumns - 1));
 }
 
 TEST_F(SimulateCommand, PrintsNothingButTheTableForADash) {
@@ -44,7 +44,7 @@ TEST_F(SimulateCommand, PrintsExpectationsBesideTheTable) {
       run({"simulate", "tiny.toml", "--csv", "-", "--set", "expect.half_turns={min=1}"});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.output, StartsWith(kHeader));
-  EXPECT_EQ(countOf("\n", result.output), 1 + kTinyFrames);
+  EXPECT_EQ(countOf("\n", result.output), 1 + kTableRows);
   EXPECT_EQ(result.error,
             "  UNMET  half_turns: expected at least 1; measured 0\n"
             "rotatebook: expectations are unmet; the files were kept\n");

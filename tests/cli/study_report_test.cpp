@@ -19,7 +19,7 @@ pipeline::PrecisionRow rowOf(Integrator integrator, RunEnd::Kind kind) {
   return row;
 }
 
-pipeline::PrecisionStudy example() {
+pipeline::PrecisionStudy exampleStudy() {
   pipeline::PrecisionStudy study;
   study.rows = {rowOf(Integrator::Rk4, RunEnd::Kind::Diverged),
                 rowOf(Integrator::Rk4, RunEnd::Kind::Whole),
@@ -30,7 +30,7 @@ pipeline::PrecisionStudy example() {
 
 TEST(StudyReport, TellsOrdersAndFailures) {
   std::ostringstream out;
-  EXPECT_EQ(reportStudy(example(), {}, out), kDone);
+  EXPECT_EQ(reportStudy(exampleStudy(), {}, out), kDone);
   EXPECT_EQ(out.str(),
             "  rk4              order  4.01 from  5 runs, steps of 0.001 to 0.0123 s\n"
             "  midpoint         no order: usable runs are 0, needed are 3\n"
@@ -42,11 +42,11 @@ TEST(StudyReport, ComparesOrdersWithWhatIsExpected) {
   scene::StudySettings settings;
   settings.orders = {{Integrator::Rk4, {3.9, {}}}};
   std::ostringstream out;
-  EXPECT_EQ(reportStudy(example(), settings, out), kDone);
+  EXPECT_EQ(reportStudy(exampleStudy(), settings, out), kDone);
   EXPECT_NE(out.str().find("\n  met    order of rk4: expected at least 3.9; measured 4.012346\n"),
             std::string::npos);
   settings.orders = {{Integrator::Rk4, {3.9, 4}}, {Integrator::Midpoint, {2, {}}}};
-  EXPECT_EQ(reportStudy(example(), settings, out), kUnmet);
+  EXPECT_EQ(reportStudy(exampleStudy(), settings, out), kUnmet);
   EXPECT_NE(out.str().find("\n  UNMET  order of rk4: expected at least 3.9, at most 4; measured "
                            "4.012346\n  UNMET  order of midpoint: expected at least 2; measured "
                            "nothing\n"),

@@ -1,8 +1,6 @@
 // What a PngWriter makes of pictures one after the other, and the pixels that come back.
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <random>
 #include <vector>
 
@@ -16,13 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::Bytes;
+using testing::contentOf;
 
 constexpr PngOptions kTransparent{.transparent = true};
-
-Bytes contentOf(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 /// A gradient with the noise of a dither, and a patch of noise whose place is `shift`.
 Image framePicture(int width, int height, PixelFormat format, int shift) {

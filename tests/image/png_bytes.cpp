@@ -1,6 +1,7 @@
 #include "image/png_bytes.h"
 
 #include <algorithm>
+#include <fstream>
 #include <iterator>
 
 namespace rotatebook::image::testing {
@@ -80,6 +81,16 @@ Bytes joined(std::initializer_list<Bytes> parts) {
 
 Bytes pngFile(const Header& header, const Bytes& rows, const Bytes& extra) {
   return joined({signature(), headerChunk(header), extra, dataChunk(rows), chunk("IEND", {})});
+}
+
+Bytes contentOf(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+Bytes pixelsOf(const Image& picture) {
+  const std::uint8_t* first = picture.row(0);
+  return {first, first + picture.stride() * picture.height()};
 }
 
 std::vector<std::string> chunkTypes(const Bytes& file) {

@@ -3,9 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <initializer_list>
 #include <string>
 #include <vector>
+
+#include "image/image.h"
 
 namespace rotatebook::image::testing {
 
@@ -38,6 +41,12 @@ Bytes joined(std::initializer_list<Bytes> parts);
 
 /// A whole file: signature, IHDR, `extra` chunks, IDAT, IEND.
 Bytes pngFile(const Header& header, const Bytes& rows, const Bytes& extra = {});
+
+/// What a file holds.
+Bytes contentOf(const std::filesystem::path& path);
+
+/// A picture's rows.
+Bytes pixelsOf(const Image& picture);
 
 /// The types of a file's chunks in order, without checking their CRCs.
 std::vector<std::string> chunkTypes(const Bytes& file);

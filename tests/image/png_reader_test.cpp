@@ -20,15 +20,11 @@ using testing::dataChunk;
 using testing::Header;
 using testing::headerChunk;
 using testing::joined;
+using testing::pixelsOf;
 using testing::pngFile;
 using testing::signature;
 
 const Bytes kRedRow = {0, 255, 0, 0};
-
-Bytes pixelsOf(const Image& picture) {
-  const std::uint8_t* first = picture.row(0);
-  return {first, first + picture.stride() * picture.height()};
-}
 
 // The message of the refusal, or "" if the bytes were read.
 std::string refusalOf(const Bytes& bytes) {

@@ -1,5 +1,4 @@
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <string>
 #include <unistd.h>
@@ -16,16 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::Bytes;
-
-Bytes contentOf(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-Bytes pixelsOf(const Image& picture) {
-  const std::uint8_t* first = picture.row(0);
-  return {first, first + picture.stride() * picture.height()};
-}
+using testing::contentOf;
+using testing::pixelsOf;
 
 const Bytes kTwoByTwo = {255, 0, 0, 0, 254, 0, 0, 0, 253, 1, 2, 3};
 

@@ -12,9 +12,9 @@
 namespace rotatebook::overlay {
 namespace {
 
-using testing::AllOf;
-using testing::HasSubstr;
-using testing::StartsWith;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 constexpr const char* kLongCaption =
     "The quaternion is normalised after every step, so the book keeps its shape, and it still goes "
@@ -98,7 +98,7 @@ TEST(Words, TellHowTheMotionWasSimulated) {
   EXPECT_NE(euler, exact);
 }
 
-std::string refusalOf(const std::string& text) {
+std::string sceneRefusal(const std::string& text) {
   try {
     Words words(scene::parseScene(text + "\n[initial]\nangular_velocity = [5, 3, 1]\n", "a.toml"));
   } catch (const InputError& error) {
@@ -115,21 +115,22 @@ std::string repeated(const std::string& words, int times) {
 
 TEST(Words, AreRefusedWhereTheyWouldHideTheBook) {
   const std::string show = "overlay.show = ['caption']\n";
-  EXPECT_THAT(refusalOf(show + "caption = '" + repeated("words on words ", 100) + "'"),
+  EXPECT_THAT(sceneRefusal(show + "caption = '" + repeated("words on words ", 100) + "'"),
               StartsWith("a.toml:2:11: the words take 433 of the picture's 720 rows"));
-  EXPECT_THAT(refusalOf(show + "title = '" + repeated("a title ", 150) + "'"),
+  EXPECT_THAT(sceneRefusal(show + "title = '" + repeated("a title ", 150) + "'"),
               AllOf(StartsWith("a.toml:2:9: the words take"), HasSubstr("shorten the title")));
-  EXPECT_EQ(refusalOf(show + "caption = '" + repeated("words on words ", 60) + "'"), "no error");
-  EXPECT_EQ(refusalOf(show + "clip.size = [320, 180]\ncaption = '" +
-                      repeated("words on words ", 100) + "'"),
+  EXPECT_EQ(sceneRefusal(show + "caption = '" + repeated("words on words ", 60) + "'"), "no error");
+  EXPECT_EQ(sceneRefusal(show + "clip.size = [320, 180]\ncaption = '" +
+                         repeated("words on words ", 100) + "'"),
             "no error");
 }
 
 TEST(Words, NameThePlaceOfALetterOrAFontThatIsMissing) {
   const std::string show = "overlay.show = ['caption']\n";
-  EXPECT_THAT(refusalOf(show + "title = '漢'"), StartsWith("a.toml:2:9: the font Inter lacks"));
-  EXPECT_THAT(refusalOf(show + "caption = '漢'"), StartsWith("a.toml:2:11: the font Inter lacks"));
-  EXPECT_THAT(refusalOf(show + "overlay.font = 'No Such Font'"),
+  EXPECT_THAT(sceneRefusal(show + "title = '漢'"), StartsWith("a.toml:2:9: the font Inter lacks"));
+  EXPECT_THAT(sceneRefusal(show + "caption = '漢'"),
+              StartsWith("a.toml:2:11: the font Inter lacks"));
+  EXPECT_THAT(sceneRefusal(show + "overlay.font = 'No Such Font'"),
               StartsWith("a.toml:2:16: no font family \"No Such Font\" is installed"));
 }
 

@@ -14,7 +14,7 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 constexpr double kRootBound = 5e-16;      // measured 3.4e-16
-constexpr double kRoundingBound = 2e-15;  // measured 5e-16
+constexpr double kAttitudeBound = 2e-15;  // measured 5e-16
 
 const Quaterniond kAttitude(AngleAxisd(0.8, Vector3d(1, -2, 2) / 3));
 const Quaterniond kTurn(AngleAxisd(-0.5, Vector3d(2, 2, 1) / 3));
@@ -40,12 +40,12 @@ TEST(Attitude, IsTheSameAsQuaternionAndAsMatrix) {
   Matrix3d matrix = kAttitude.toRotationMatrix();
   turnInWorld(quaternion, kTurn);
   turnInWorld(matrix, kTurn);
-  EXPECT_LT(distance(quaternion, matrix), kRoundingBound);
-  EXPECT_LT((matrix - (kTurn * kAttitude).toRotationMatrix()).norm(), kRoundingBound);
+  EXPECT_LT(distance(quaternion, matrix), kAttitudeBound);
+  EXPECT_LT((matrix - (kTurn * kAttitude).toRotationMatrix()).norm(), kAttitudeBound);
   turnInBody(quaternion, kTurn);
   turnInBody(matrix, kTurn);
-  EXPECT_LT(distance(quaternion, matrix), kRoundingBound);
-  EXPECT_LT((matrix - (kTurn * kAttitude * kTurn).toRotationMatrix()).norm(), kRoundingBound);
+  EXPECT_LT(distance(quaternion, matrix), kAttitudeBound);
+  EXPECT_LT((matrix - (kTurn * kAttitude * kTurn).toRotationMatrix()).norm(), kAttitudeBound);
 }
 
 TEST(Attitude, ComesBackToARotation) {
@@ -53,8 +53,8 @@ TEST(Attitude, ComesBackToARotation) {
   Matrix3d matrix = 3 * kAttitude.toRotationMatrix();
   normalize(quaternion);
   normalize(matrix);
-  EXPECT_LT((quaternion.coeffs() - kAttitude.coeffs()).norm(), kRoundingBound);
-  EXPECT_LT((matrix - kAttitude.toRotationMatrix()).norm(), kRoundingBound);
+  EXPECT_LT((quaternion.coeffs() - kAttitude.coeffs()).norm(), kAttitudeBound);
+  EXPECT_LT((matrix - kAttitude.toRotationMatrix()).norm(), kAttitudeBound);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace rotatebook::physics {
 namespace {
 
-constexpr double kRoundingBound = 1e-16;  // [kg m^2]; measured 8e-18
+constexpr double kCuboidBound = 1e-16;  // [kg m^2]; measured 8e-18
 
 TEST(Cuboid, HasCornersSignedByTheBitsOfTheirIndex) {
   Corners expected;
@@ -28,8 +28,8 @@ TEST(Cuboid, HasTheInertiaOfEightParticles) {
     sum.y() += book.mass / 8 * (c.z() * c.z() + c.x() * c.x());
     sum.z() += book.mass / 8 * (c.x() * c.x() + c.y() * c.y());
   }
-  EXPECT_LT((book.particleInertia() - sum).norm(), kRoundingBound);
-  EXPECT_LT((book.particleInertia() - 3 * book.solidInertia()).norm(), kRoundingBound);
+  EXPECT_LT((book.particleInertia() - sum).norm(), kCuboidBound);
+  EXPECT_LT((book.particleInertia() - 3 * book.solidInertia()).norm(), kCuboidBound);
 }
 
 TEST(Cuboid, IsABookWithItsMedianMomentAboutX) {

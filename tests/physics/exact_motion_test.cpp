@@ -32,7 +32,7 @@ constexpr double kDerivativeBound = 1e-10;  // of the attitude, by differences; 
 constexpr double kComposedBound = 1e-13;    // measured 2.8e-14
 
 const Vector3d kBook(0.05 / 12, 0.0241 / 12, 0.0709 / 12);  // median, smallest, largest
-constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kFullTurn = 2 * std::numbers::pi;
 constexpr double kTimes[] = {0, 0.01, 1, 7.7, 31, 100, -0.3, -100};
 
 struct Start {
@@ -233,7 +233,7 @@ TEST(ExactMotion, Composes) {
 }
 
 TEST(ExactMotion, FlipsAtItsInterval) {
-  const ExactMotion motion(kBook, {kTurn, 0, kTurn * 1e-6});
+  const ExactMotion motion(kBook, {kFullTurn, 0, kFullTurn * 1e-6});
   const double interval = motion.flipInterval();
   EXPECT_NEAR(interval, 8.331085967875858, 1e-9);
   for (int i = 0; i < 12; ++i) {
@@ -247,10 +247,10 @@ TEST(ExactMotion, FlipsAtItsInterval) {
 TEST(ExactMotion, NeverFlipsInASteadySpin) {
   const double infinite = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
-    const ExactMotion motion(kBook, -kTurn * Vector3d::Unit(axis));
+    const ExactMotion motion(kBook, -kFullTurn * Vector3d::Unit(axis));
     EXPECT_EQ(motion.flipInterval(), infinite);
-    EXPECT_EQ(motion.at(100).angularVelocityBody, -kTurn * Vector3d::Unit(axis));
-    const Matrix3d half = Eigen::AngleAxisd(-kTurn / 2, Vector3d::Unit(axis)).matrix();
+    EXPECT_EQ(motion.at(100).angularVelocityBody, -kFullTurn * Vector3d::Unit(axis));
+    const Matrix3d half = Eigen::AngleAxisd(-kFullTurn / 2, Vector3d::Unit(axis)).matrix();
     EXPECT_LT(largest(motion.at(30.5).worldFromBody - half), kExactInputBound);
   }
   EXPECT_EQ(ExactMotion({2, 2, 2}, {1, 2, 3}).flipInterval(), infinite);

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kRoundingBound = 1e-14;  // measured 5e-16
+constexpr double kExactBound = 1e-14;     // measured 5e-16
 constexpr double kErrorBoundDeg = 1e-12;  // measured 5.4e-14
 
 MotionSettings tumbling(int substeps) {
@@ -26,7 +26,7 @@ TEST(ExactSimulator, DoesNotDependOnTheSteps) {
   const Trajectory coarse = simulate(tumbling(1), 1200);
   const Trajectory fine = simulate(tumbling(64), 1200);
   const Corners difference = coarse.samples.back().corners - fine.samples.back().corners;
-  EXPECT_LT(difference.norm(), kRoundingBound);
+  EXPECT_LT(difference.norm(), kExactBound);
 }
 
 TEST(ExactSimulator, CountsTheTimeOfStepsOfDifferentLength) {
@@ -42,7 +42,7 @@ TEST(ExactSimulator, IsItsOwnYardstickAndKeepsEverything) {
   const Sample& start = trajectory.samples.front();
   for (const Sample& sample : trajectory.samples) {
     EXPECT_LT(sample.errorDeg, kErrorBoundDeg);
-    EXPECT_NEAR(sample.total() / start.total(), 1, 100 * kRoundingBound);
+    EXPECT_NEAR(sample.total() / start.total(), 1, 100 * kExactBound);
     EXPECT_EQ(sample.angularMomentum, start.angularMomentum);
     EXPECT_EQ(sample.regime, Regime::AboutLargest);
   }
@@ -66,8 +66,8 @@ TEST(ExactSimulator, StaysInTheRegimeOfItsStart) {
 TEST(ExactSimulator, StartsWithTheBookAsItIs) {
   const MotionSettings settings = tumbling(1);
   const BodyState state = ExactSimulator(settings).state();
-  EXPECT_LT((state.corners - settings.body.corners()).norm(), kRoundingBound);
-  EXPECT_LT((state.angularVelocity - initialAngularVelocity(settings)).norm(), kRoundingBound);
+  EXPECT_LT((state.corners - settings.body.corners()).norm(), kExactBound);
+  EXPECT_LT((state.angularVelocity - initialAngularVelocity(settings)).norm(), kExactBound);
 }
 
 }  // namespace

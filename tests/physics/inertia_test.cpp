@@ -18,7 +18,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using ::testing::HasSubstr;
 
-constexpr double kRoundingBound = 1e-14;    // relative; measured 1.4e-15
+constexpr double kInertiaBound = 1e-14;     // relative; measured 1.4e-15
 constexpr double kSameMotionBound = 1e-13;  // [m]; measured 5.5e-16
 
 Matrix3d diagonal(double x, double y, double z) {
@@ -48,9 +48,9 @@ TEST(PrincipalAxes, TakeATensorApart) {
   const Matrix3d rotation = someRotation();
   const Matrix3d tensor = rotation * diagonal(3, 4, 5) * rotation.transpose();
   const auto [moments, axes] = principalAxes(tensor);
-  EXPECT_LT((moments - Vector3d(3, 4, 5)).norm(), 5 * kRoundingBound);
-  EXPECT_LT((axes * moments.asDiagonal() * axes.transpose() - tensor).norm(), 5 * kRoundingBound);
-  EXPECT_NEAR(axes.determinant(), 1, kRoundingBound);
+  EXPECT_LT((moments - Vector3d(3, 4, 5)).norm(), 5 * kInertiaBound);
+  EXPECT_LT((axes * moments.asDiagonal() * axes.transpose() - tensor).norm(), 5 * kInertiaBound);
+  EXPECT_NEAR(axes.determinant(), 1, kInertiaBound);
 }
 
 TEST(PrincipalAxes, TurnMomentumIntoVelocityAndBack) {
@@ -58,8 +58,8 @@ TEST(PrincipalAxes, TurnMomentumIntoVelocityAndBack) {
   const Matrix3d tensor = rotation * diagonal(3, 4, 5) * rotation.transpose();
   const PrincipalAxes axes = principalAxes(tensor);
   const Vector3d velocity(1, -2, 3);
-  EXPECT_LT((axes.angularMomentum(velocity) - tensor * velocity).norm(), 20 * kRoundingBound);
-  EXPECT_LT((axes.angularVelocity(tensor * velocity) - velocity).norm(), 20 * kRoundingBound);
+  EXPECT_LT((axes.angularMomentum(velocity) - tensor * velocity).norm(), 20 * kInertiaBound);
+  EXPECT_LT((axes.angularVelocity(tensor * velocity) - velocity).norm(), 20 * kInertiaBound);
 }
 
 TEST(CheckInertia, TakesWhatABodyCanHave) {
@@ -143,12 +143,12 @@ TEST(AnyInertia, GivesTheVelocityOfAMomentum) {
   MotionSettings settings = spinning(Model::Exact, {3, 8, 15}, 1);
   settings.initial.kind = InitialSpin::Kind::AngularMomentum;
   settings.inertia = diagonal(3, 4, 5);
-  EXPECT_LT((initialAngularVelocity(settings) - Vector3d(1, 2, 3)).norm(), kRoundingBound);
+  EXPECT_LT((initialAngularVelocity(settings) - Vector3d(1, 2, 3)).norm(), kInertiaBound);
 
   const Matrix3d tensor = someRotation() * diagonal(3, 4, 5) * someRotation().transpose();
   settings.inertia = tensor;
   settings.initial.value = tensor * Vector3d(1, 2, 3);
-  EXPECT_LT((initialAngularVelocity(settings) - Vector3d(1, 2, 3)).norm(), 10 * kRoundingBound);
+  EXPECT_LT((initialAngularVelocity(settings) - Vector3d(1, 2, 3)).norm(), 10 * kInertiaBound);
 }
 
 }  // namespace

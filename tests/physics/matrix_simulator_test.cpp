@@ -17,7 +17,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 constexpr double kStepBound = 1e-14;        // measured 1.2e-15
-constexpr double kOrthogonalBound = 1e-14;  // measured 6e-16
+constexpr double kMatrixBound = 1e-14;      // measured 6e-16
 constexpr double kEnergyDriftBound = 1e-4;  // relative; measured 2.1e-6
 constexpr double kStretchBound = 1e-15;     // measured 0
 
@@ -105,7 +105,7 @@ TEST(MatrixSimulator, StaysOrthogonalForManySteps) {
   const auto simulator = makeSimulator(settings);
   for (int step = 0; step < 20000; ++step) simulator->advance(1e-3, 1);
   const Matrix3d map = drawnMap(simulator->state().corners, settings.body.size);
-  EXPECT_LT((map.transpose() * map - Matrix3d::Identity()).norm(), kOrthogonalBound);
+  EXPECT_LT((map.transpose() * map - Matrix3d::Identity()).norm(), kMatrixBound);
 }
 
 TEST(MatrixSimulator, LengthensAcrossTheSpinWithoutNormalisation) {

@@ -21,9 +21,9 @@ using Eigen::Matrix3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double kRoundingBound = 1e-14;  // measured 1.1e-15
-constexpr double kDegreesBound = 1e-12;   // measured 1.5e-14
-constexpr double kTinyTiltBound = 1e-7;   // relative; measured 1.2e-9
+constexpr double kMeasurementBound = 1e-14;  // measured 1.1e-15
+constexpr double kDegreesBound = 1e-12;      // measured 1.5e-14
+constexpr double kMeasuredTiltBound = 1e-7;  // relative; measured 1.2e-9
 constexpr double kDegree = std::numbers::pi / 180;
 
 int halfTurnsOf(std::initializer_list<double> tilts) {
@@ -49,7 +49,7 @@ Sample measureOne(const Matrix3d& map) {
   return Measurement(spinningAbout(Vector3d::UnitZ())).measure(0, stateOf(map));
 }
 
-Matrix3d someRotation() {
+Matrix3d someTurn() {
   return AngleAxisd(0.8, Vector3d(1, -2, 2) / 3).toRotationMatrix();
 }
 
@@ -75,35 +75,35 @@ TEST(HalfTurnCounter, StartsOnEitherSideOrBetween) {
 }
 
 TEST(Measurement, FindsTheAttitudeOfARotatedBody) {
-  const Sample sample = measureOne(someRotation());
-  EXPECT_LT((sample.attitude.toRotationMatrix() - someRotation()).norm(), kRoundingBound);
-  EXPECT_NEAR(sample.stretchMin, 1, kRoundingBound);
-  EXPECT_NEAR(sample.stretchMax, 1, kRoundingBound);
+  const Sample sample = measureOne(someTurn());
+  EXPECT_LT((sample.attitude.toRotationMatrix() - someTurn()).norm(), kMeasurementBound);
+  EXPECT_NEAR(sample.stretchMin, 1, kMeasurementBound);
+  EXPECT_NEAR(sample.stretchMax, 1, kMeasurementBound);
 }
 
 TEST(Measurement, FindsTheStretchOfADeformedBody) {
-  const Sample sample = measureOne(someRotation() * Vector3d(1, 0.25, 1.5).asDiagonal());
-  EXPECT_LT((sample.attitude.toRotationMatrix() - someRotation()).norm(), kRoundingBound);
-  EXPECT_NEAR(sample.stretchMin, 0.25, kRoundingBound);
-  EXPECT_NEAR(sample.stretchMax, 1.5, kRoundingBound);
+  const Sample sample = measureOne(someTurn() * Vector3d(1, 0.25, 1.5).asDiagonal());
+  EXPECT_LT((sample.attitude.toRotationMatrix() - someTurn()).norm(), kMeasurementBound);
+  EXPECT_NEAR(sample.stretchMin, 0.25, kMeasurementBound);
+  EXPECT_NEAR(sample.stretchMax, 1.5, kMeasurementBound);
 }
 
 TEST(Measurement, FindsAProperRotationOfABodyTurnedInsideOut) {
-  const Sample sample = measureOne(someRotation() * Vector3d(1, -0.25, 1.5).asDiagonal());
-  EXPECT_LT((sample.attitude.toRotationMatrix() - someRotation()).norm(), kRoundingBound);
-  EXPECT_NEAR(sample.stretchMin, 0.25, kRoundingBound);
+  const Sample sample = measureOne(someTurn() * Vector3d(1, -0.25, 1.5).asDiagonal());
+  EXPECT_LT((sample.attitude.toRotationMatrix() - someTurn()).norm(), kMeasurementBound);
+  EXPECT_NEAR(sample.stretchMin, 0.25, kMeasurementBound);
 }
 
 TEST(Measurement, DoesNotMindWhereTheBodyIs) {
-  BodyState state = stateOf(someRotation());
+  BodyState state = stateOf(someTurn());
   state.corners.colwise() += Vector3d(0.1, -0.2, 0.3);
   const Sample sample = Measurement(spinningAbout(Vector3d::UnitZ())).measure(0, state);
-  EXPECT_LT((sample.attitude.toRotationMatrix() - someRotation()).norm(), kRoundingBound);
-  EXPECT_NEAR(sample.stretchMax, 1, kRoundingBound);
+  EXPECT_LT((sample.attitude.toRotationMatrix() - someTurn()).norm(), kMeasurementBound);
+  EXPECT_NEAR(sample.stretchMax, 1, kMeasurementBound);
 }
 
 TEST(Measurement, FitsCornersThatNoLinearMapReaches) {
-  BodyState state = stateOf(someRotation());
+  BodyState state = stateOf(someTurn());
   for (int i = 0; i < 8; ++i)
     state.corners.col(i) += 0.02 * Vector3d(std::sin(i), std::cos(3 * i), std::sin(5 * i));
   // The same least squares by another road: QR of the eight equations of each row of the map.
@@ -111,9 +111,9 @@ TEST(Measurement, FitsCornersThatNoLinearMapReaches) {
   const Matrix3d map = equations.householderQr().solve(state.corners.transpose()).transpose();
   const Polar expected = polarDecomposition(map);
   const Sample sample = Measurement(spinningAbout(Vector3d::UnitZ())).measure(0, state);
-  EXPECT_LT((sample.attitude.toRotationMatrix() - expected.rotation).norm(), kRoundingBound);
-  EXPECT_NEAR(sample.stretchMin, expected.singularValues[2], kRoundingBound);
-  EXPECT_NEAR(sample.stretchMax, expected.singularValues[0], kRoundingBound);
+  EXPECT_LT((sample.attitude.toRotationMatrix() - expected.rotation).norm(), kMeasurementBound);
+  EXPECT_NEAR(sample.stretchMin, expected.singularValues[2], kMeasurementBound);
+  EXPECT_NEAR(sample.stretchMax, expected.singularValues[0], kMeasurementBound);
   EXPECT_GT(sample.stretchMax, 1.01);
 }
 
@@ -122,8 +122,8 @@ TEST(Measurement, ContinuesTheSignOfTheAttitude) {
   for (int degrees = 0; degrees <= 720; degrees += 30) {
     const Matrix3d turn = AngleAxisd(degrees * kDegree, Vector3d::UnitZ()).toRotationMatrix();
     const Quaterniond attitude = measurement.measure(0, stateOf(turn)).attitude;
-    EXPECT_NEAR(attitude.w(), std::cos(degrees * kDegree / 2), kRoundingBound) << degrees;
-    EXPECT_NEAR(attitude.z(), std::sin(degrees * kDegree / 2), kRoundingBound) << degrees;
+    EXPECT_NEAR(attitude.w(), std::cos(degrees * kDegree / 2), kMeasurementBound) << degrees;
+    EXPECT_NEAR(attitude.z(), std::sin(degrees * kDegree / 2), kMeasurementBound) << degrees;
   }
 }
 
@@ -152,7 +152,7 @@ TEST(Measurement, TakesTheAxisOfTheLargestAngularVelocity) {
 TEST(Measurement, KeepsTheDigitsOfATinyTilt) {
   constexpr double kTilt = 1e-7;
   const Matrix3d turn = AngleAxisd(kTilt, Vector3d::UnitX()).toRotationMatrix();
-  EXPECT_NEAR(measureOne(turn).tiltDeg * kDegree / kTilt, 1, kTinyTiltBound);
+  EXPECT_NEAR(measureOne(turn).tiltDeg * kDegree / kTilt, 1, kMeasuredTiltBound);
 }
 
 // About z the exact book turns by w t; here it has turned 1e-7, then 30 and 180 degrees more.
@@ -171,7 +171,7 @@ TEST(Measurement, TellsTheAngleToTheExactAttitude) {
 }
 
 TEST(Measurement, TellsTheRegimeFromTheBodysAxes) {
-  const Matrix3d turn = someRotation();
+  const Matrix3d turn = someTurn();
   const auto regime = [&](const MotionSettings& settings, const Vector3d& inBody) {
     BodyState state = stateOf(turn);
     state.angularVelocity = turn * inBody;
@@ -196,7 +196,7 @@ TEST(Measurement, TellsTheRegimeFromTheBodysAxes) {
 }
 
 TEST(Measurement, PassesOnWhatTheSimulatorKnows) {
-  BodyState state = stateOf(someRotation(), {1, 2, 3});
+  BodyState state = stateOf(someTurn(), {1, 2, 3});
   state.angularVelocity = {4, 5, 6};
   state.kinetic = 7;
   state.potential = 8;

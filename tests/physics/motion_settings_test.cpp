@@ -13,10 +13,10 @@ namespace rotatebook::physics {
 namespace {
 
 using Eigen::Vector3d;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kRoundingBound = 5e-15;   // measured 9e-16
+constexpr double kSettingsBound = 5e-15;   // measured 9e-16
 constexpr double kTinyAngleBound = 1e-15;  // relative; measured 0
 
 Vector3d tilted(const Vector3d& value, double angle, int axis) {
@@ -29,9 +29,9 @@ double angleBetween(const Vector3d& a, const Vector3d& b) {
 
 TEST(InitialSpin, TurnsFromOneAxisTowardAnother) {
   const double root3 = std::sqrt(3.0);
-  EXPECT_LT((tilted({2, 0, 0}, kPi / 6, 1) - Vector3d(root3, 1, 0)).norm(), kRoundingBound);
-  EXPECT_LT((tilted({-2, 0, 0}, kPi / 6, 2) - Vector3d(-root3, 0, 1)).norm(), kRoundingBound);
-  EXPECT_LT((tilted({0, 0, 2}, -kPi / 6, 0) - Vector3d(-1, 0, root3)).norm(), kRoundingBound);
+  EXPECT_LT((tilted({2, 0, 0}, kPi / 6, 1) - Vector3d(root3, 1, 0)).norm(), kSettingsBound);
+  EXPECT_LT((tilted({-2, 0, 0}, kPi / 6, 2) - Vector3d(-root3, 0, 1)).norm(), kSettingsBound);
+  EXPECT_LT((tilted({0, 0, 2}, -kPi / 6, 0) - Vector3d(-1, 0, root3)).norm(), kSettingsBound);
 }
 
 TEST(InitialSpin, TurnsByTheAngleInThePlaneOfItselfAndTheAxis) {
@@ -39,10 +39,10 @@ TEST(InitialSpin, TurnsByTheAngleInThePlaneOfItselfAndTheAxis) {
   for (int axis = 0; axis < 3; ++axis) {
     const Vector3d result = tilted(value, 0.3, axis);
     const Vector3d toward = Vector3d::Unit(axis);
-    EXPECT_NEAR(result.norm(), value.norm(), kRoundingBound);
-    EXPECT_NEAR(angleBetween(result, value), 0.3, kRoundingBound);
-    EXPECT_NEAR(angleBetween(result, toward), angleBetween(value, toward) - 0.3, kRoundingBound);
-    EXPECT_NEAR(result.cross(value).dot(toward), 0, kRoundingBound * value.norm());
+    EXPECT_NEAR(result.norm(), value.norm(), kSettingsBound);
+    EXPECT_NEAR(angleBetween(result, value), 0.3, kSettingsBound);
+    EXPECT_NEAR(angleBetween(result, toward), angleBetween(value, toward) - 0.3, kSettingsBound);
+    EXPECT_NEAR(result.cross(value).dot(toward), 0, kSettingsBound * value.norm());
   }
 }
 
@@ -74,7 +74,7 @@ TEST(InitialSpin, DividesAnAngularMomentumByTheInertiaAfterTilting) {
   const InitialSpin spin{
       .kind = InitialSpin::Kind::AngularMomentum, .value = {8, 0, 0}, .tilt = Tilt{kPi / 2, 1}};
   EXPECT_LT((spin.angularVelocity(PrincipalAxes{{2, 4, 8}}) - Vector3d(0, 2, 0)).norm(),
-            kRoundingBound);
+            kSettingsBound);
 }
 
 }  // namespace

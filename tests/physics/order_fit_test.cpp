@@ -10,7 +10,7 @@
 namespace rotatebook::physics {
 namespace {
 
-constexpr double kRounding = 1e-13;   // measured 2e-15
+constexpr double kFitBound = 1e-13;   // measured 2e-15
 constexpr double kFloorEffect = 0.1;  // of an order of 4 or 6; measured 0.015
 constexpr double kLongest = 0.5;      // [s]
 
@@ -27,7 +27,7 @@ std::vector<ErrorAtStep> runsOf(int count, const std::function<double(double)>& 
 TEST(FitOrder, FindsAPowerLawExactly) {
   for (const double order : {0.5, 1.0, 2.0, 4.0, 6.0}) {
     const OrderFit fit = fitOrder(runsOf(8, [&](double h) { return 3 * std::pow(h, order); }));
-    EXPECT_NEAR(fit.order, order, kRounding);
+    EXPECT_NEAR(fit.order, order, kFitBound);
     EXPECT_EQ(fit.runs, 8);
     EXPECT_EQ(fit.longest, kLongest);
     EXPECT_EQ(fit.shortest, kLongest / 128);
@@ -36,12 +36,12 @@ TEST(FitOrder, FindsAPowerLawExactly) {
 
 TEST(FitOrder, TakesRunsInAnyOrder) {
   std::vector<ErrorAtStep> runs{{0.1, 0.01}, {0.4, 0.16}, {0.2, 0.04}};
-  EXPECT_NEAR(fitOrder(runs).order, 2, kRounding);
+  EXPECT_NEAR(fitOrder(runs).order, 2, kFitBound);
 }
 
 TEST(FitOrder, IsTheLeastSquaresLine) {
   // log2 of the errors is 0, 1, 1, so that the slope is 1/2 and not that of any two.
-  EXPECT_NEAR(fitOrder(std::vector<ErrorAtStep>{{1, 1}, {2, 2}, {4, 2}}).order, 0.5, kRounding);
+  EXPECT_NEAR(fitOrder(std::vector<ErrorAtStep>{{1, 1}, {2, 2}, {4, 2}}).order, 0.5, kFitBound);
 }
 
 TEST(FitOrder, LeavesOutSaturatedErrorsAndWhatLiesBeyond) {
@@ -50,7 +50,7 @@ TEST(FitOrder, LeavesOutSaturatedErrorsAndWhatLiesBeyond) {
     return h > 0.3 ? 1.0 : h > 0.1 ? 170.0 : 400 * std::pow(h, 4);
   };
   const OrderFit fit = fitOrder(runsOf(8, error));
-  EXPECT_NEAR(fit.order, 4, kRounding);
+  EXPECT_NEAR(fit.order, 4, kFitBound);
   EXPECT_EQ(fit.longest, kLongest / 8);
   EXPECT_EQ(fit.runs, 5);
 }

@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kStepBound = 1e-13;           // relative; measured 1.2e-14
+constexpr double kParticleStepBound = 1e-13;   // relative; measured 1.2e-14
 constexpr double kFloorBound = 1e-12;          // relative; measured 4e-14
 constexpr double kEnergyBound = 1e-14;         // relative; measured 5e-16
 constexpr double kMomentumGrowthBound = 0.02;  // relative; measured 0.0101 and 0.0050
@@ -115,11 +115,11 @@ void compareWithStepsByHand(bool normalize, double damping) {
   const BodyState state = simulator.state();
   for (int i = 0; i < 8; ++i) {
     EXPECT_LT((state.corners.col(i) - expected.positions[static_cast<std::size_t>(i)]).norm(),
-              kStepBound);
+              kParticleStepBound);
   }
-  EXPECT_NEAR(state.kinetic / expected.kinetic(), 1, kStepBound);
-  EXPECT_NEAR(state.potential / expected.potential(), 1, kStepBound);
-  EXPECT_LT((state.angularMomentum - expected.angularMomentum()).norm(), kStepBound);
+  EXPECT_NEAR(state.kinetic / expected.kinetic(), 1, kParticleStepBound);
+  EXPECT_NEAR(state.potential / expected.potential(), 1, kParticleStepBound);
+  EXPECT_LT((state.angularMomentum - expected.angularMomentum()).norm(), kParticleStepBound);
 }
 
 // Relative growth of |L| over an angle of `angle`, about the stable axis z, unnormalised.
@@ -161,10 +161,10 @@ TEST(ParticleSimulator, StartsWithTheSpinAndTheEnergyOfEightParticles) {
   MotionSettings settings = spinning(Model::Particles, {1, 2, 3}, 0.1);
   settings.body = {{1, 2, 3}, 12};
   const BodyState state = ParticleSimulator(settings).state();
-  EXPECT_LT((state.angularVelocity - Vector3d(1, 2, 3)).norm(), kStepBound);
-  EXPECT_LT((state.angularMomentum - Vector3d(39, 60, 45)).norm(), kStepBound * 84);
-  EXPECT_NEAR(state.kinetic, 147, kStepBound * 147);
-  EXPECT_NEAR(state.rotational, 147, kStepBound * 147);
+  EXPECT_LT((state.angularVelocity - Vector3d(1, 2, 3)).norm(), kParticleStepBound);
+  EXPECT_LT((state.angularMomentum - Vector3d(39, 60, 45)).norm(), kParticleStepBound * 84);
+  EXPECT_NEAR(state.kinetic, 147, kParticleStepBound * 147);
+  EXPECT_NEAR(state.rotational, 147, kParticleStepBound * 147);
   EXPECT_EQ(state.potential, 0);
 }
 
@@ -173,7 +173,7 @@ TEST(ParticleSimulator, TakesAnAngularMomentumForItsOwnInertia) {
   settings.body = {{1, 2, 3}, 12};
   settings.initial.kind = InitialSpin::Kind::AngularMomentum;
   const BodyState state = ParticleSimulator(settings).state();
-  EXPECT_LT((state.angularVelocity - Vector3d(1, 2, 3)).norm(), kStepBound);
+  EXPECT_LT((state.angularVelocity - Vector3d(1, 2, 3)).norm(), kParticleStepBound);
 }
 
 TEST(ParticleSimulator, HasTheEnergyOfItsStartAfterEachNormalisedStep) {
@@ -247,7 +247,7 @@ TEST(ParticleSimulator, HasAFiniteSpinEvenOfParticlesOnALine) {
   MotionSettings settings = spinning(Model::Particles, {5, 0, 3}, 0.1);
   settings.body.size = {1, 1e-170, 1e-170};
   const BodyState state = ParticleSimulator(settings).state();
-  EXPECT_LT((state.angularVelocity - Vector3d(0, 0, 3)).norm(), kStepBound);
+  EXPECT_LT((state.angularVelocity - Vector3d(0, 0, 3)).norm(), kParticleStepBound);
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kStepBound = 1e-13;        // measured 3e-15
-constexpr double kUnitNormBound = 1e-14;    // measured 0
-constexpr double kNormGrowthBound = 1e-12;  // measured 6e-14
+constexpr double kQuaternionStepBound = 1e-13;  // measured 3e-15
+constexpr double kUnitNormBound = 1e-14;        // measured 0
+constexpr double kNormGrowthBound = 1e-12;      // measured 6e-14
 
 using Quadruple = std::array<double, 4>;  // w, x, y, z
 using Triple = std::array<double, 3>;
@@ -74,7 +74,8 @@ void compareWithStepsByHand(bool normalize) {
     stepByHand(expected, {13, 10, 5}, {13, 20, 15}, 0.1);
     const double divisor = normalize ? norm(expected) : 1;
     for (double& part : expected) part /= divisor;
-    EXPECT_LT(distance(simulator->state().corners, expected, settings.body), kStepBound) << step;
+    EXPECT_LT(distance(simulator->state().corners, expected, settings.body), kQuaternionStepBound)
+        << step;
   }
 }
 
@@ -102,7 +103,7 @@ TEST(QuaternionSimulator, TakesTheFirstStepOfLiteralNumbers) {
   const auto simulator = makeSimulator(settings);
   simulator->advance(0.1, 1);
   const Quadruple expected{1, 0.05, 0.1, 0.15};
-  EXPECT_LT(distance(simulator->state().corners, expected, settings.body), kStepBound);
+  EXPECT_LT(distance(simulator->state().corners, expected, settings.body), kQuaternionStepBound);
 }
 
 TEST(QuaternionSimulator, KeepsUnitNorm) {
@@ -129,9 +130,9 @@ TEST(QuaternionSimulator, GrowsInNormAsExplicitEulerMust) {
 
 TEST(QuaternionSimulator, ReportsTheEnergyAndMomentumOfTheSolidBody) {
   const BodyState state = makeSimulator(byHand(true))->state();
-  EXPECT_LT((state.angularMomentum - Vector3d(13, 20, 15)).norm(), kStepBound);
-  EXPECT_LT((state.angularVelocity - Vector3d(1, 2, 3)).norm(), kStepBound);
-  EXPECT_NEAR(state.kinetic, 49, kStepBound);  // (13 + 40 + 45) / 2
+  EXPECT_LT((state.angularMomentum - Vector3d(13, 20, 15)).norm(), kQuaternionStepBound);
+  EXPECT_LT((state.angularVelocity - Vector3d(1, 2, 3)).norm(), kQuaternionStepBound);
+  EXPECT_NEAR(state.kinetic, 49, kQuaternionStepBound);  // (13 + 40 + 45) / 2
   EXPECT_EQ(state.rotational, state.kinetic);
   EXPECT_EQ(state.potential, 0);
 }

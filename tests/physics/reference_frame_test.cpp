@@ -13,7 +13,7 @@ Sample tumblingSample() {
   return simulate(settings, 40).samples.back();
 }
 
-constexpr double kRounding = 1e-13;  // measured 1e-15
+constexpr double kFrameBound = 1e-13;  // measured 1e-15
 
 TEST(ReferenceFrame, OfTheWorldChangesNothing) {
   const Sample sample = tumblingSample();
@@ -34,22 +34,22 @@ TEST(ReferenceFrame, OfTheMomentumHasItUpright) {
   const Sample sample = tumblingSample(), seen = seenFrom(ReferenceFrame::Momentum, sample);
   const double size = sample.angularMomentum.norm();
   EXPECT_GT((sample.angularMomentum - size * Eigen::Vector3d::UnitY()).norm(), size / 2);
-  EXPECT_LT((seen.angularMomentum - size * Eigen::Vector3d::UnitY()).norm(), kRounding * size);
+  EXPECT_LT((seen.angularMomentum - size * Eigen::Vector3d::UnitY()).norm(), kFrameBound * size);
 }
 
 TEST(ReferenceFrame, TurnsAllVectorsAlike) {
   const Sample sample = tumblingSample();
   for (const auto frame : {ReferenceFrame::Body, ReferenceFrame::Momentum}) {
     const Eigen::Matrix3d turn = frameFromWorld(frame, sample);
-    EXPECT_LT((turn * turn.transpose() - Eigen::Matrix3d::Identity()).norm(), kRounding);
-    EXPECT_NEAR(turn.determinant(), 1, kRounding);
+    EXPECT_LT((turn * turn.transpose() - Eigen::Matrix3d::Identity()).norm(), kFrameBound);
+    EXPECT_NEAR(turn.determinant(), 1, kFrameBound);
     const Sample seen = seenFrom(frame, sample);
     EXPECT_NEAR(seen.angularVelocity.dot(seen.angularMomentum),
-                sample.angularVelocity.dot(sample.angularMomentum), kRounding);
+                sample.angularVelocity.dot(sample.angularMomentum), kFrameBound);
     EXPECT_LT((seen.attitude * Cuboid().corners().col(7) -
                turn * (sample.attitude * Cuboid().corners().col(7)))
                   .norm(),
-              kRounding);
+              kFrameBound);
     EXPECT_EQ(seen.kinetic, sample.kinetic);
   }
 }

@@ -16,7 +16,7 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 constexpr double kSecondOrderBound = 0.01;  // of 2, the ratio of two errors; measured 0.0033
-constexpr double kRoundingBound = 1e-14;    // measured 0
+constexpr double kRigidBound = 1e-14;       // measured 0
 
 // One second of a free body of one kilogram, 0.15 x 0.22 x 0.04 m, exact to all digits: the closed
 // form by Jacobi's elliptic functions evaluated at 50 digits, confirmed by a Taylor integration of
@@ -86,7 +86,7 @@ TEST(AngularVelocityInWorld, TurnsTheInertiaWithTheBody) {
       1, 0, 0,                //
       0, 0, 1;
   const Vector3d spin = angularVelocityInWorld(body, worldFromBody, {13, 20, 15});
-  EXPECT_LT((spin - Vector3d(13.0 / 10, 20.0 / 13, 15.0 / 5)).norm(), kRoundingBound);
+  EXPECT_LT((spin - Vector3d(13.0 / 10, 20.0 / 13, 15.0 / 5)).norm(), kRigidBound);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 constexpr int kTries = 2000;
-constexpr double kRoundingBound = 5e-14;      // measured 8e-15
+constexpr double kRotationBound = 5e-14;      // measured 8e-15
 constexpr double kNearRotationBound = 1e-14;  // measured 2.5e-15
 constexpr double kPerConditionBound = 1e-14;  // error / condition number; measured 1e-15
 
@@ -62,7 +62,7 @@ TEST(TextbookMatrix, IsTheRotationOfAUnitQuaternion) {
   EXPECT_LT(
       (textbookMatrix(q) * v - (q * Quaterniond(0, v.x(), v.y(), v.z()) * q.conjugate()).vec())
           .norm(),
-      kRoundingBound);
+      kRotationBound);
 }
 
 TEST(TextbookMatrix, IsNotDividedByTheNorm) {
@@ -99,7 +99,7 @@ TEST(PolarFactor, KeepsTheSignOfTheDeterminant) {
   for (int i = 0; i < kTries; ++i) {
     const Matrix3d map = random.matrix();
     EXPECT_NEAR(polarFactor(map).determinant(), std::copysign(1, map.determinant()),
-                kRoundingBound);
+                kRotationBound);
   }
 }
 
@@ -107,7 +107,7 @@ TEST(PolarFactor, IsOrthogonalEvenOfAFlatMap) {
   const Matrix3d plane = Vector3d(2, 3, 0).asDiagonal();
   const Matrix3d line = Vector3d(1, 2, 3) * Vector3d(4, 5, 6).transpose();
   for (const Matrix3d& map : {plane, line, Matrix3d(Matrix3d::Zero())}) {
-    EXPECT_LT(distanceFromOrthogonal(polarFactor(map)), kRoundingBound) << map;
+    EXPECT_LT(distanceFromOrthogonal(polarFactor(map)), kRotationBound) << map;
   }
 }
 
@@ -115,7 +115,7 @@ TEST(PolarFactor, IsThatOfAMapOfAnySize) {
   Random random;
   const Matrix3d map = random.matrix();
   for (const double size : {1e-200, 1e-3, 1e3, 1e200}) {
-    EXPECT_LT((polarFactor(size * map) - polarFactor(map)).norm(), kRoundingBound);
+    EXPECT_LT((polarFactor(size * map) - polarFactor(map)).norm(), kRotationBound);
   }
 }
 
@@ -138,8 +138,8 @@ TEST(PolarDecomposition, FindsTheRotationAndTheStretches) {
     const Matrix3d rotation = random.rotation(), axes = random.rotation();
     const Matrix3d stretch = axes * Vector3d(0.5, 3, 2).asDiagonal() * axes.transpose();
     const Polar polar = polarDecomposition(rotation * stretch);
-    EXPECT_LT((polar.rotation - rotation).norm(), kRoundingBound);
-    EXPECT_LT((polar.singularValues - Vector3d(3, 2, 0.5)).norm(), kRoundingBound);
+    EXPECT_LT((polar.rotation - rotation).norm(), kRotationBound);
+    EXPECT_LT((polar.singularValues - Vector3d(3, 2, 0.5)).norm(), kRotationBound);
   }
 }
 
@@ -149,8 +149,8 @@ TEST(PolarDecomposition, FindsTheRotationOfAMapTurnedInsideOut) {
     const Matrix3d rotation = random.rotation(), axes = random.rotation();
     const Matrix3d insideOut = axes * Vector3d(-0.5, 3, 2).asDiagonal() * axes.transpose();
     const Polar polar = polarDecomposition(rotation * insideOut);
-    EXPECT_LT((polar.rotation - rotation).norm(), kRoundingBound);
-    EXPECT_LT((polar.singularValues - Vector3d(3, 2, 0.5)).norm(), kRoundingBound);
+    EXPECT_LT((polar.rotation - rotation).norm(), kRotationBound);
+    EXPECT_LT((polar.singularValues - Vector3d(3, 2, 0.5)).norm(), kRotationBound);
   }
 }
 
@@ -158,8 +158,8 @@ TEST(PolarDecomposition, FindsAProperRotationOfAFlatMap) {
   const Matrix3d line = Vector3d(1, 2, 3) * Vector3d(4, 5, -6).transpose();
   for (const Matrix3d& map : {line, Matrix3d(-line), Matrix3d(Matrix3d::Zero())}) {
     const Matrix3d rotation = polarDecomposition(map).rotation;
-    EXPECT_LT(distanceFromOrthogonal(rotation), kRoundingBound);
-    EXPECT_NEAR(rotation.determinant(), 1, kRoundingBound);
+    EXPECT_LT(distanceFromOrthogonal(rotation), kRotationBound);
+    EXPECT_NEAR(rotation.determinant(), 1, kRotationBound);
   }
 }
 

@@ -13,7 +13,7 @@ namespace rotatebook::physics {
 namespace {
 
 using Eigen::Vector3d;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 constexpr double kSameMotionBound = 1e-8;  // [rad]; measured 5.5e-10
 constexpr double kStiffnessBound =

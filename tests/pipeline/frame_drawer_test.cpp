@@ -8,7 +8,7 @@
 namespace rotatebook::pipeline {
 namespace {
 
-image::Image drawn(const scene::Scene& scene, std::int64_t frame) {
+image::Image drawnFrame(const scene::Scene& scene, std::int64_t frame) {
   const ClipMotion motion = simulateScene(scene);
   FrameDrawer drawer(scene, motion);
   image::Image picture = drawer.makePicture();
@@ -26,22 +26,22 @@ TEST(FrameDrawer, DrawsTheBookAloneWithoutOverlays) {
   render::Renderer renderer = makeRenderer(scene);
   image::Image expected = renderer.makePicture();
   renderer.draw(trajectory.samples[7].corners, expected);
-  EXPECT_EQ(drawn(scene, 7), expected);
+  EXPECT_EQ(drawnFrame(scene, 7), expected);
 }
 
 TEST(FrameDrawer, WritesOverTheBook) {
-  const image::Image plain = drawn(sceneWith("[]"), 7);
-  const image::Image clock = drawn(sceneWith("['clock']"), 7);
-  const image::Image caption = drawn(sceneWith("['caption']"), 7);
+  const image::Image plain = drawnFrame(sceneWith("[]"), 7);
+  const image::Image clock = drawnFrame(sceneWith("['clock']"), 7);
+  const image::Image caption = drawnFrame(sceneWith("['caption']"), 7);
   EXPECT_NE(clock, plain);
   EXPECT_NE(caption, plain);
   EXPECT_NE(caption, clock);
-  EXPECT_EQ(drawn(sceneWith("['clock']"), 7), clock);
+  EXPECT_EQ(drawnFrame(sceneWith("['clock']"), 7), clock);
 }
 
 TEST(FrameDrawer, TurnsWithTheCamerasFrame) {
   const auto inFrame = [](const char* frame, std::int64_t n) {
-    return drawn(testing::smallScene({"camera.frame=" + std::string(frame)}), n);
+    return drawnFrame(testing::smallScene({"camera.frame=" + std::string(frame)}), n);
   };
   EXPECT_NE(inFrame("world", 0), inFrame("world", 9));
   // The book stands still but for the integrator's drift, which moves single edge pixels.
@@ -81,8 +81,8 @@ TEST(FrameDrawer, AveragesTheMomentsOfMotionBlur) {
     mean.add(expected.view());
   }
   mean.take(expected);
-  const image::Image first = drawn(sharp, 5);
-  EXPECT_EQ(drawn(blurred, 5), expected);
+  const image::Image first = drawnFrame(sharp, 5);
+  EXPECT_EQ(drawnFrame(blurred, 5), expected);
   EXPECT_NE(first, expected);
 }
 

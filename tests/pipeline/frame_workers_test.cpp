@@ -18,11 +18,11 @@ using testing::FakeSink;
 using testing::numbers;
 using testing::SinkFailure;
 
-constexpr std::int64_t kFrames = 50;
+constexpr std::int64_t kWorkedFrames = 50;
 
 // Sends frames through a pool of four pictures, each with its number in the first byte.
 void submitAll(PicturePool& pool, const std::vector<FrameWorkers*>& workers) {
-  for (std::int64_t index = 0; index < kFrames; ++index) {
+  for (std::int64_t index = 0; index < kWorkedFrames; ++index) {
     const auto picture = pool.take();
     picture->row(0)[0] = static_cast<std::uint8_t>(index);
     for (FrameWorkers* worker : workers) worker->submit({index, picture});
@@ -48,7 +48,7 @@ TEST_F(FrameWorkersTest, OneThreadWritesInOrder) {
   FrameWorkers workers(sink, 1, error);
   submitAll(pool, {&workers});
   workers.drain();
-  EXPECT_EQ(sink.indices(), numbers(0, kFrames));
+  EXPECT_EQ(sink.indices(), numbers(0, kWorkedFrames));
   EXPECT_EQ(keptError(), "none");
 }
 
@@ -59,7 +59,7 @@ TEST_F(FrameWorkersTest, GiveEachFrameItsOwnPicture) {
   a.drain();
   b.drain();
   for (const FakeSink* sink : {&fast, &slow}) {
-    EXPECT_EQ(sink->indices(), numbers(0, kFrames));
+    EXPECT_EQ(sink->indices(), numbers(0, kWorkedFrames));
     EXPECT_TRUE(std::equal(sink->indices().begin(), sink->indices().end(),
                            sink->firstBytes().begin(), sink->firstBytes().end()));
   }
@@ -72,7 +72,7 @@ TEST_F(FrameWorkersTest, SeveralThreadsWriteEachFrameOnce) {
   workers.drain();
   std::vector<std::int64_t> indices = sink.indices();
   std::sort(indices.begin(), indices.end());
-  EXPECT_EQ(indices, numbers(0, kFrames));
+  EXPECT_EQ(indices, numbers(0, kWorkedFrames));
 }
 
 // Three frames that are only written together need three threads.
@@ -134,7 +134,7 @@ TEST_F(FrameWorkersTest, StopAllSinksAtTheFirstError) {
   a.drain();
   b.drain();
   const auto written = slow.indices();
-  EXPECT_LT(written.size(), static_cast<std::size_t>(kFrames));
+  EXPECT_LT(written.size(), static_cast<std::size_t>(kWorkedFrames));
   EXPECT_EQ(written, numbers(0, static_cast<int>(written.size())));
   EXPECT_EQ(keptError(), "failing fails at 3");
 }

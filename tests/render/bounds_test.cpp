@@ -20,8 +20,8 @@ using testing::kY;
 using testing::kZ;
 using testing::settingsOf;
 
-constexpr int kWidth = 160;
-constexpr int kHeight = 90;
+constexpr int kBoundsWidth = 160;
+constexpr int kBoundsHeight = 90;
 
 std::vector<physics::Corners> shapes() {
   std::vector<physics::Corners> result = {book(), testing::skewedBook(), testing::insideOutBook()};
@@ -47,8 +47,8 @@ bool inside(const std::vector<PixelRect>& areas, int x, int y) {
 bool wellInside(const std::vector<PixelRect>& areas, int x, int y) {
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
-      const int column = std::clamp(x + dx, 0, kWidth - 1),
-                row = std::clamp(y + dy, 0, kHeight - 1);
+      const int column = std::clamp(x + dx, 0, kBoundsWidth - 1),
+                row = std::clamp(y + dy, 0, kBoundsHeight - 1);
       if (!inside(areas, column, row)) return false;
     }
   }
@@ -58,16 +58,16 @@ bool wellInside(const std::vector<PixelRect>& areas, int x, int y) {
 // Nothing is drawn outside the bounds by construction; that nothing is cut off shows in their rim,
 // which no part of the book reaches.
 TEST(Bounds, LeaveARimThatTheBookDoesNotTouch) {
-  Renderer renderer(settingsOf(kWidth, kHeight), builtinTextures());
+  Renderer renderer(settingsOf(kBoundsWidth, kBoundsHeight), builtinTextures());
   const image::Image background = emptyPicture(renderer);
   const std::vector<physics::Corners> all = shapes();
   for (std::size_t i = 0; i < all.size(); ++i) {
     const image::Image picture = drawn(renderer, all[i]);
-    const auto camera = settingsOf(kWidth, kHeight).camera;
-    const auto bands = project(camera, all[i], {kWidth, kHeight}).bands;
+    const auto camera = settingsOf(kBoundsWidth, kBoundsHeight).camera;
+    const auto bands = project(camera, all[i], {kBoundsWidth, kBoundsHeight}).bands;
     int touched = 0;
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) {
+    for (int y = 0; y < kBoundsHeight; ++y) {
+      for (int x = 0; x < kBoundsWidth; ++x) {
         const bool same = colourAt(picture, x, y) == colourAt(background, x, y);
         ASSERT_TRUE(same || wellInside(bands, x, y)) << "shape " << i << " at " << x << "," << y;
         touched += same ? 0 : 1;
@@ -78,14 +78,16 @@ TEST(Bounds, LeaveARimThatTheBookDoesNotTouch) {
 }
 
 TEST(Bounds, AreTight) {
-  Renderer renderer(settingsOf(kWidth, kHeight), builtinTextures());
+  Renderer renderer(settingsOf(kBoundsWidth, kBoundsHeight), builtinTextures());
   const image::Image background = emptyPicture(renderer);
   const image::Image picture = drawn(renderer, book());
-  const auto bounds = project(settingsOf(kWidth, kHeight).camera, book(), {kWidth, kHeight}).bounds;
+  const auto bounds =
+      project(settingsOf(kBoundsWidth, kBoundsHeight).camera, book(), {kBoundsWidth, kBoundsHeight})
+          .bounds;
   constexpr int kSlack = 8;  // Of the margin and rounding. measured 7
-  int left = kWidth, right = 0, top = kHeight, bottom = 0;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  int left = kBoundsWidth, right = 0, top = kBoundsHeight, bottom = 0;
+  for (int y = 0; y < kBoundsHeight; ++y) {
+    for (int x = 0; x < kBoundsWidth; ++x) {
       if (colourAt(picture, x, y) == colourAt(background, x, y)) continue;
       left = std::min(left, x), right = std::max(right, x);
       top = std::min(top, y), bottom = std::max(bottom, y);
@@ -111,7 +113,8 @@ TEST(Bands, LeaveOutMostOfWhatIsBesideTheHull) {
 
 TEST(Bands, StandOneBelowTheOtherWithinTheBounds) {
   for (const physics::Corners& corners : shapes()) {
-    const auto projection = project(settingsOf(kWidth, kHeight).camera, corners, {kWidth, kHeight});
+    const auto projection = project(settingsOf(kBoundsWidth, kBoundsHeight).camera, corners,
+                                    {kBoundsWidth, kBoundsHeight});
     int row = projection.bounds.y;
     for (const PixelRect& band : projection.bands) {
       EXPECT_GE(band.y, row);
@@ -125,22 +128,22 @@ TEST(Bands, StandOneBelowTheOtherWithinTheBounds) {
 
 // The background inside the bands is drawn anew, outside it is copied: both must be the same.
 TEST(Bounds, DoNotShowInTheBackground) {
-  Renderer renderer(settingsOf(kWidth, kHeight), builtinTextures());
+  Renderer renderer(settingsOf(kBoundsWidth, kBoundsHeight), builtinTextures());
   const image::Image background = emptyPicture(renderer);
   physics::Corners speck = 1e-6 * book();
   speck.col(0) = Eigen::Vector3d(0.3, 0.2, 0);  // A needle: wide bounds, next to no pixels.
   const image::Image picture = drawn(renderer, speck);
   int differing = 0;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kBoundsHeight; ++y) {
+    for (int x = 0; x < kBoundsWidth; ++x) {
       differing += colourAt(picture, x, y) == colourAt(background, x, y) ? 0 : 1;
     }
   }
-  EXPECT_LT(differing, kWidth);
+  EXPECT_LT(differing, kBoundsWidth);
 }
 
 TEST(Bounds, BesideThePictureLeaveTheBackground) {
-  Renderer renderer(settingsOf(kWidth, kHeight), builtinTextures());
+  Renderer renderer(settingsOf(kBoundsWidth, kBoundsHeight), builtinTextures());
   const image::Image right = emptyPicture(renderer);
   drawn(renderer, book());
   const physics::Corners above = book().colwise() + Eigen::Vector3d(0, 20, 0);

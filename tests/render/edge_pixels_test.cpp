@@ -11,10 +11,10 @@
 namespace rotatebook::render {
 namespace {
 
-using Pixel = std::pair<int, int>;
+using Place = std::pair<int, int>;
 
-std::vector<Pixel> pixelsOf(const EdgePixels& pixels, int left, int right) {
-  std::vector<Pixel> all;
+std::vector<Place> pixelsOf(const EdgePixels& pixels, int left, int right) {
+  std::vector<Place> all;
   for (int y = 0; y < pixels.height(); ++y) {
     pixels.forEach(y, left, right, [&](int x, std::size_t) { all.emplace_back(x, y); });
   }
@@ -22,16 +22,16 @@ std::vector<Pixel> pixelsOf(const EdgePixels& pixels, int left, int right) {
 }
 
 /// The pixels that a line touches, found at many of its points.
-std::set<Pixel> touched(const Eigen::Vector2f& from, const Eigen::Vector2f& to, int width,
+std::set<Place> touched(const Eigen::Vector2f& from, const Eigen::Vector2f& to, int width,
                         int height) {
   constexpr int kPoints = 20'000;
-  std::set<Pixel> all;
+  std::set<Place> all;
   for (int i = 0; i <= kPoints; ++i) {
     const Eigen::Vector2f place = from + (to - from) * (static_cast<float>(i) / kPoints);
     // In pixels' corners and on their borders either will do.
     const Eigen::Array2f offset = place.array() - place.array().round();
     if (offset.abs().minCoeff() < 1e-3F) continue;
-    const Pixel pixel{static_cast<int>(std::floor(place.x())),
+    const Place pixel{static_cast<int>(std::floor(place.x())),
                       static_cast<int>(std::floor(place.y()))};
     if (pixel.first >= 0 && pixel.first < width && pixel.second >= 0 && pixel.second < height) {
       all.insert(pixel);
@@ -50,9 +50,9 @@ TEST(EdgePixels, AreThoseThatALineTouches) {
     EdgePixels pixels(200, 80);
     pixels.addLine(from, to);
     pixels.number();
-    const std::vector<Pixel> all = pixelsOf(pixels, 0, 200);
-    const std::set<Pixel> expected = touched(from, to, 200, 80);
-    for (const Pixel& pixel : expected) {
+    const std::vector<Place> all = pixelsOf(pixels, 0, 200);
+    const std::set<Place> expected = touched(from, to, 200, 80);
+    for (const Place& pixel : expected) {
       EXPECT_NE(std::ranges::find(all, pixel), all.end()) << pixel.first << " " << pixel.second;
     }
     // A corner that the line only just misses may be among them.
@@ -80,7 +80,7 @@ TEST(EdgePixels, KeepTheirNumbersInPartsOfARow) {
   for (int y = 0; y < 10; ++y) {
     std::vector<std::pair<int, std::size_t>> whole;
     pixels.forEach(y, 0, 200, [&](int x, std::size_t number) { whole.emplace_back(x, number); });
-    for (const auto& [left, right] : {Pixel{0, 64}, {63, 129}, {64, 128}, {70, 71}, {90, 90}}) {
+    for (const auto& [left, right] : {Place{0, 64}, {63, 129}, {64, 128}, {70, 71}, {90, 90}}) {
       std::vector<std::pair<int, std::size_t>> part, expected;
       pixels.forEach(y, left, right,
                      [&](int x, std::size_t number) { part.emplace_back(x, number); });

@@ -23,14 +23,14 @@ using testing::kY;
 using testing::plain;
 using testing::settingsOf;
 
-constexpr int kWidth = 160, kHeight = 90;
+constexpr int kLookWidth = 160, kLookHeight = 90;
 
 physics::Corners tilted() {
   return book({{-35, kY}, {20, kX}});
 }
 
 image::Image drawnWith(Background background, int supersample = 1, int scale = 1) {
-  RenderSettings settings = settingsOf(scale * kWidth, scale * kHeight);
+  RenderSettings settings = settingsOf(scale * kLookWidth, scale * kLookHeight);
   settings.background = background;
   settings.supersample = supersample;
   Renderer renderer(settings, builtinTextures());
@@ -46,12 +46,12 @@ TEST(Look, TransparentPicturesLieOverAnyBackground) {
   constexpr int kBound = 6;  // Dark light has few numbers at low alpha. measured 4
   const image::Image opaque = drawnWith(Background::Studio);
   const image::Image clear = drawnWith(Background::Transparent);
-  RenderSettings settings = settingsOf(kWidth, kHeight);
+  RenderSettings settings = settingsOf(kLookWidth, kLookHeight);
   Renderer renderer(settings, builtinTextures());
   const image::Image studio = testing::emptyPicture(renderer);
   int largest = 0, mixed = 0;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kLookHeight; ++y) {
+    for (int x = 0; x < kLookWidth; ++x) {
       const double share = alphaAt(clear, x, y) / 255.0;
       mixed += share > 0 && share < 1 ? 1 : 0;
       for (int i = 0; i < 3; ++i) {
@@ -70,14 +70,14 @@ TEST(Look, TransparentPicturesAreEmptyBesideTheBook) {
   const image::Image clear = drawnWith(Background::Transparent);
   EXPECT_EQ(alphaAt(clear, 2, 2), 0);
   EXPECT_EQ(colourAt(clear, 2, 2), (testing::Colour{0, 0, 0}));
-  EXPECT_EQ(alphaAt(clear, kWidth / 2, kHeight / 2), 255);
+  EXPECT_EQ(alphaAt(clear, kLookWidth / 2, kLookHeight / 2), 255);
 }
 
 TEST(Look, OtherPicturesAreOpaque) {
   for (const Background background : {Background::Studio, Background::Stars}) {
     const image::Image picture = drawnWith(background);
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) ASSERT_EQ(alphaAt(picture, x, y), 255);
+    for (int y = 0; y < kLookHeight; ++y) {
+      for (int x = 0; x < kLookWidth; ++x) ASSERT_EQ(alphaAt(picture, x, y), 255);
     }
   }
 }
@@ -119,8 +119,8 @@ TEST(Look, SupersamplingAveragesTheLightOfFourPixels) {
   const image::Image fine = drawnWith(Background::Transparent, 2);
   const image::Image coarse = drawnWith(Background::Transparent);
   int largest = 0, largestOfCoarse = 0;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kLookHeight; ++y) {
+    for (int x = 0; x < kLookWidth; ++x) {
       if (alphaAt(fine, x, y) < 255) continue;
       const int mean = meanOfFour(large, x, y).green;
       largest = std::max(largest, std::abs(mean - colourAt(fine, x, y).green));
@@ -134,7 +134,7 @@ TEST(Look, SupersamplingAveragesTheLightOfFourPixels) {
 // Around the book the background is drawn again.
 TEST(Look, SupersamplingLeavesTheBackground) {
   for (const Background background : {Background::Studio, Background::Stars}) {
-    RenderSettings settings = settingsOf(kWidth, kHeight);
+    RenderSettings settings = settingsOf(kLookWidth, kLookHeight);
     settings.background = background;
     settings.supersample = 2;
     Renderer renderer(settings, builtinTextures());

@@ -17,8 +17,8 @@ using testing::colourAt;
 using testing::drawn;
 using testing::plain;
 
-constexpr int kWidth = 128;
-constexpr int kHeight = 72;
+constexpr int kCutWidth = 128;
+constexpr int kCutHeight = 72;
 
 double linear(int encoded) {
   const double value = encoded / 255.0;
@@ -43,15 +43,15 @@ struct EdgePixel {
 
 // The green of the edge pixel in the middle row, for books at 16 parts of a pixel.
 std::vector<EdgePixel> edgePixels() {
-  Renderer renderer(testing::settingsOf(kWidth, kHeight), white());
+  Renderer renderer(testing::settingsOf(kCutWidth, kCutHeight), white());
   const image::Image background = testing::emptyPicture(renderer);
   std::vector<EdgePixel> edges;
   for (int step = 0; step < 16; ++step) {
     constexpr double kPixel = 0.0065;  // m, at the front cover
     const physics::Corners corners = book().colwise() + Eigen::Vector3d(step * kPixel / 16, 0, 0);
     const image::Image picture = drawn(renderer, corners);
-    const int y = kHeight / 2;
-    int x = kWidth - 1;
+    const int y = kCutHeight / 2;
+    int x = kCutWidth - 1;
     while (colourAt(picture, x, y) == colourAt(background, x, y)) --x;
     edges.push_back({colourAt(picture, x + 1, y).green, colourAt(picture, x, y).green,
                      colourAt(picture, x - 1, y).green});
@@ -94,9 +94,9 @@ TEST(PictureEdges, AreNotMixedByTheirNumbers) {
 TEST(PictureColours, AreLitInLinearLight) {
   const auto middle = [](int grey) {
     const Colour colour{grey, grey, grey};
-    Renderer renderer(testing::settingsOf(kWidth, kHeight),
+    Renderer renderer(testing::settingsOf(kCutWidth, kCutHeight),
                       {plain(8, 8, colour), plain(8, 8, colour), plain(8, 8, colour)});
-    return colourAt(drawn(renderer, book()), kWidth / 2, kHeight / 2).green;
+    return colourAt(drawn(renderer, book()), kCutWidth / 2, kCutHeight / 2).green;
   };
   constexpr double kBound = 0.1;  // measured 0.044
   // Dark enough that highlights are hardly compressed, and so much that the shine is small.

@@ -19,7 +19,7 @@ using testing::kY;
 using testing::kZ;
 using testing::plain;
 
-constexpr int kWidth = 320, kHeight = 180, kFine = 8;
+constexpr int kSmoothWidth = 320, kSmoothHeight = 180, kFine = 8;
 
 // Without drawing on them: textures are as fine as pixels are, and that isn't the question here.
 BookTextures plainCovers() {
@@ -43,7 +43,7 @@ std::vector<physics::Corners> views() {
 }
 
 image::Image drawnAt(int scale, const physics::Corners& corners) {
-  RenderSettings settings = testing::settingsOf(scale * kWidth, scale * kHeight);
+  RenderSettings settings = testing::settingsOf(scale * kSmoothWidth, scale * kSmoothHeight);
   settings.camera = {{0, 0, 0.76}, {0, 0, 0}, {0, 1, 0}, 30};
   Renderer renderer(settings, plainCovers());
   return testing::drawn(renderer, corners);
@@ -51,9 +51,9 @@ image::Image drawnAt(int scale, const physics::Corners& corners) {
 
 /// The mean of the light at these places of each pixel's kFine x kFine.
 image::Image meanOf(const image::Image& fine, const std::vector<std::pair<int, int>>& places) {
-  image::Image picture(kWidth, kHeight, image::PixelFormat::Rgba8);
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  image::Image picture(kSmoothWidth, kSmoothHeight, image::PixelFormat::Rgba8);
+  for (int y = 0; y < kSmoothHeight; ++y) {
+    for (int x = 0; x < kSmoothWidth; ++x) {
       image::LightSum sum;
       for (const auto& [dx, dy] : places) {
         sum.add(fine.row(kFine * y + dy) + 4 * static_cast<std::ptrdiff_t>(kFine * x + dx), 1);
@@ -77,10 +77,10 @@ struct Difference {
 
 Difference differenceOf(const image::Image& one, const image::Image& other) {
   Difference difference;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < 4 * kWidth; ++x) {
+  for (int y = 0; y < kSmoothHeight; ++y) {
+    for (int x = 0; x < 4 * kSmoothWidth; ++x) {
       const int here = std::abs(one.row(y)[x] - other.row(y)[x]);
-      difference.mean += here / (3.0 * kWidth * kHeight);
+      difference.mean += here / (3.0 * kSmoothWidth * kSmoothHeight);
       difference.largest = std::max(difference.largest, here);
     }
   }

@@ -14,8 +14,8 @@ using physics::Expectation;
 using physics::InitialSpin;
 using physics::Model;
 using physics::Quantity;
-using testing::HasSubstr;
-using testing::Not;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// A scene whose every value differs from its default and is hard to print.
 Scene unusualScene() {

@@ -11,10 +11,10 @@
 namespace rotatebook::scene {
 namespace {
 
-using testing::AllOf;
-using testing::EndsWith;
-using testing::HasSubstr;
-using testing::StartsWith;
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 const TomlNode::Table& tableOf(const TomlNode& node) {
   return std::get<TomlNode::Table>(node.value);

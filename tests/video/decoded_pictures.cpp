@@ -5,34 +5,10 @@
 #include <limits>
 
 #include "video/ffmpeg.h"
+#include "video/input_file.h"
 
 namespace rotatebook::video::testing {
 namespace {
-
-struct InputCloser {
-  void operator()(AVFormatContext* context) const noexcept { avformat_close_input(&context); }
-};
-using InputFile = std::unique_ptr<AVFormatContext, InputCloser>;
-
-InputFile openFile(const std::filesystem::path& path) {
-  AVFormatContext* context = nullptr;
-  const std::string url = "file:" + path.string();
-  check(avformat_open_input(&context, url.c_str(), nullptr, nullptr), "can't open " + url);
-  InputFile file(context);
-  check(avformat_find_stream_info(context, nullptr), "can't probe " + url);
-  return file;
-}
-
-Handle<AVCodecContext> openDecoder(const AVCodecParameters& parameters) {
-  // FFmpeg's own decoder of VP9 leaves alpha out.
-  const AVCodec* decoder = parameters.codec_id == AV_CODEC_ID_VP9
-                               ? avcodec_find_decoder_by_name("libvpx-vp9")
-                               : avcodec_find_decoder(parameters.codec_id);
-  Handle<AVCodecContext> context = owned(avcodec_alloc_context3(decoder));
-  check(avcodec_parameters_to_context(context.get(), &parameters), "can't set up the decoder");
-  check(avcodec_open2(context.get(), decoder, nullptr), "can't open the decoder");
-  return context;
-}
 
 image::Image pictureOf(const AVFrame& frame) {
   image::Image picture(frame.width, frame.height, image::PixelFormat::Rgba8);

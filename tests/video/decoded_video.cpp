@@ -9,27 +9,13 @@ extern "C" {
 }
 
 #include "video/ffmpeg.h"
+#include "video/input_file.h"
 
 namespace rotatebook::video::testing {
 namespace {
 
 std::string textOf(const char* text) {
   return text == nullptr ? "" : text;
-}
-
-struct InputCloser {
-  void operator()(AVFormatContext* context) const noexcept { avformat_close_input(&context); }
-};
-using InputFile = std::unique_ptr<AVFormatContext, InputCloser>;
-
-InputFile openFile(const std::filesystem::path& path) {
-  AVFormatContext* context = nullptr;
-  const std::string url = "file:" + path.string();
-  check(avformat_open_input(&context, url.c_str(), nullptr, nullptr), "can't open " + url);
-  InputFile file(context);
-  check(avformat_find_stream_info(context, nullptr), "can't probe " + url);
-  if (context->nb_streams != 1) throw std::runtime_error("not one stream in " + url);
-  return file;
 }
 
 DecodedVideo describe(const AVFormatContext& file) {
@@ -59,15 +45,6 @@ DecodedVideo describe(const AVFormatContext& file) {
     video.metadata[entry->key] = entry->value;
   }
   return video;
-}
-
-Handle<AVCodecContext> openDecoder(const AVCodecParameters& parameters) {
-  const AVCodec* decoder = avcodec_find_decoder(parameters.codec_id);
-  Handle<AVCodecContext> context = owned(avcodec_alloc_context3(decoder));
-  check(avcodec_parameters_to_context(context.get(), &parameters), "can't set up the decoder");
-  context->err_recognition = AV_EF_EXPLODE;
-  check(avcodec_open2(context.get(), decoder, nullptr), "can't open the decoder");
-  return context;
 }
 
 std::vector<std::uint8_t> planeOf(const AVFrame& frame, int plane, int width, int height) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "video/format_parts.h"
 #include "video/pixel_converter.h"
 
@@ -62,25 +63,27 @@ Handle<AVCodecContext> describe(const AVCodec& encoder, const VideoSettings& set
 // The book's own preset starts from the fastest of x264's that searches as it should. No tree of
 // macroblocks, whose look ahead costs a third of the time: most of them don't move. Two B-frames
 // each time and no search for cuts, which there are none of: else they'd take a look ahead, too.
-// Less aq-strength: the quality of veryfast's background goes into the colours of the cover.
+// Less aq-strength: the quality of veryfast's background goes into the colours of the cover. Whole
+// pixels of motion and codes without arithmetic are as like, in larger files.
 //
-// Measured on 120 frames each of scenes/figures/fig05-unstable-x.toml, fig06-undamped.toml and
-// scenes/comparisons/axes.toml at crf 18, processor time, size and likeness (SSIM) to the frames:
-//   veryfast  1         1         0.9939 0.9937 0.9896
-//   medium    2.4       1.0       0.9952 0.9951 0.9917
-//   book      0.6       1.4-1.7   0.9961 0.9953 0.9921
-// ultrafast takes 0.4, with files 3 times as large.
+// Measured on frames 120 to 239 of scenes/figures/fig05-unstable-x.toml, fig06-undamped.toml and
+// scenes/comparisons/axes.toml at crf 18, processor time, size and likeness (SSIM of Y and of RGB)
+// to the frames:
+//   veryfast  1         1         0.9944 0.9953 0.9926   0.9853 0.9888 0.9745
+//   medium    2.6       1.0       0.9954 0.9962 0.9933   0.9865 0.9896 0.9765
+//   book      0.4-0.5   1.9-2.3   0.9961 0.9963 0.9941   0.9884 0.9905 0.9783
 constexpr std::string_view kBookBase = "superfast";
 constexpr std::string_view kBookParams =
-    ":b-adapt=0:bframes=2:weightp=0:scenecut=0:aq-strength=0.5:subme=2";
+    ":b-adapt=0:bframes=2:weightp=0:scenecut=0:aq-strength=0.5:subme=0:cabac=0";
 // At the same rate factor it would be likelier still than medium, and larger.
-constexpr int kBookCrfOffset = 1;
+constexpr double kBookCrfOffset = 1.5;
 
 void setX264Options(const VideoSettings& settings, Dictionary& options) {
   const bool book = settings.preset == kBookPreset;
-  const int crf = book ? std::min(settings.crf + kBookCrfOffset, kLargestCrf) : settings.crf;
+  const double crf =
+      book ? std::min(settings.crf + kBookCrfOffset, 1.0 * kLargestCrf) : settings.crf;
   options.set("preset", book ? std::string(kBookBase) : settings.preset);
-  options.set("crf", std::to_string(crf));
+  options.set("crf", shortestText(crf));
   // cpu-independent: else x264 chooses algorithms by the processor, and the same scene gives other
   // bytes elsewhere; costs 2 to 4 %. 8x8dct: else the preset ultrafast makes Baseline of what is
   // to be High.

@@ -28,11 +28,12 @@ constexpr float kLeavesPerHeight = 4;        // And along it.
 constexpr int kRoundingSteps = 3;
 
 /// Kinds of surfaces of a part of the case. Where it is only a pixel or two wide, the rounding
-/// looks like a line of its own colour.
-enum class Kind { Outer, Rounding, Rim, Inner };
+/// looks like a line of its own colour; the shoulder, from the hinge's groove to the spine, hides
+/// the board beyond the groove, or the board it.
+enum class Kind { Outer, Shoulder, Rounding, Rim, Inner };
 
 constexpr int kCaseParts = 3;
-constexpr int kForeEdge = 13, kFoot = 14, kHead = 15;
+constexpr int kForeEdge = 16, kFoot = 17, kHead = 18;
 
 /// BookVertex::surface
 int surfaceOf(BookPart part, Kind kind) {
@@ -152,6 +153,8 @@ Vector3f inSpace(const Vector2f& place, float y) {
 Kind outerKind(const ProfilePoint& point, const ProfilePoint& next, const Station& station,
                const Station& following) {
   if (station.lean != following.lean) return Kind::Rounding;
+  const float middle = (point.outside.x() + next.outside.x()) / 2;
+  if (middle < kBook.hinge) return Kind::Shoulder;
   const float atForeEdge = kBook.width - 1.001F * kBook.edgeRadius;
   if (std::min(point.outside.x(), next.outside.x()) < atForeEdge) return Kind::Outer;
   return point.normal == next.normal ? Kind::Rim : Kind::Rounding;

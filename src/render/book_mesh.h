@@ -22,7 +22,7 @@ enum class BookPart {
 inline constexpr std::size_t kBookPartCount = 5;
 
 /// Highest BookVertex::surface.
-inline constexpr int kMostSurface = 15;
+inline constexpr int kMostSurface = 18;
 
 /// One vertex, laid out as the vertex shader reads it.
 struct BookVertex {

@@ -12,7 +12,6 @@ using Eigen::Vector2f;
 // Over the spine's 50 mm this rounds it by 3 mm, all of it within the corners.
 constexpr float kSpineRadius = 100;      // [mm]
 constexpr float kShoulderRadius = 2;     // Where boards pass into the spine. [mm]
-constexpr float kHingePlace = 7.6F;      // Middle of the groove, from the spine. [mm]
 constexpr float kHingeHalfWidth = 2.6F;  // [mm]
 constexpr float kHingeDepth = 1.4F;      // [mm]
 constexpr float kHingeOpenness = 0.55F;  // At the groove's ground.
@@ -54,7 +53,7 @@ void addForeEdge(const BookDimensions& book, std::vector<ProfilePoint>& points) 
 }
 
 void addBoard(const BookDimensions& book, std::vector<ProfilePoint>& points) {
-  const float from = points.back().inside.x(), to = kHingePlace + kHingeHalfWidth;
+  const float from = points.back().inside.x(), to = book.hinge + kHingeHalfWidth;
   for (int i = 1; i < kBoardSteps; ++i) {
     const float x = from + (to - from) * static_cast<float>(i) / kBoardSteps;
     points.push_back({{x, book.thickness}, {x, book.thickness - book.board}, {0, 1}});
@@ -69,8 +68,8 @@ void addHinge(const BookDimensions& book, std::vector<ProfilePoint>& points) {
     const float slope = kHingeDepth * 0.5F * kPi / kHingeHalfWidth * std::sin(kPi * t);
     // The way left to the inner spine is shared by the shoulder.
     const float left = 0.55F + 0.45F * t;
-    const float across = end.x() + left * (kHingePlace + kHingeHalfWidth - end.x());
-    points.push_back({{kHingePlace + kHingeHalfWidth * t, book.thickness - depth},
+    const float across = end.x() + left * (book.hinge + kHingeHalfWidth - end.x());
+    points.push_back({{book.hinge + kHingeHalfWidth * t, book.thickness - depth},
                       {across, book.thickness - book.board},
                       Vector2f(-slope, 1).normalized(),
                       1 - (1 - kHingeOpenness) * depth / kHingeDepth});

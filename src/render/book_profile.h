@@ -13,6 +13,7 @@ struct BookDimensions {
   float width = 187.8F, height = 290.85F, thickness = 50;
   float board = 3;                            ///< Thickness of boards and spine.
   float edgeRadius = 0.8F;                    ///< Of the rounding where sides meet.
+  float hinge = 7.6F;                         ///< Middle of its groove, from the spine.
   float foreEdgeInset = 3.5F, headInset = 4;  ///< How far the boards overlap the leaves.
 };
 

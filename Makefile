@@ -5,6 +5,9 @@ BUILD := build/$(PRESET)
 PROGRAM := $(BUILD)/src/cli/rotatebook
 OUT ?= out
 
+# Only a build with ThreadSanitizer reads it.
+export TSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/tsan.supp
+
 .DEFAULT_GOAL := help
 .PHONY: help setup configure build program figures test gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures clean
 

@@ -96,8 +96,10 @@ format-check:
 	@scripts/setup.sh scripts/packages-lint.txt
 	clang-format --dry-run --Werror $$(git ls-files '*.cpp' '*.h')
 
-lint: format-check build
-	git ls-files 'src/*.cpp' | xargs -P2 -n4 clang-tidy --quiet -p $(BUILD) \
+# By the commands of a build that compiles each file by itself.
+lint: format-check
+	@$(MAKE) --no-print-directory configure PRESET=dev
+	git ls-files 'src/*.cpp' | xargs -P2 -n4 clang-tidy --quiet -p build/dev \
 	  --extra-arg=-Wno-unknown-warning-option
 
 textures:

@@ -49,8 +49,7 @@ Eigen::Array<double, 8, 1> cornerVolumes(const physics::Corners& corners) {
 
 }  // namespace
 
-BookGeometry::BookGeometry() {
-  const BookMesh mesh = makeBookMesh();
+BookGeometry::BookGeometry(const BookMesh& mesh) {
   std::vector<std::uint32_t> indices;
   for (std::size_t part = 0; part < kBookPartCount; ++part) {
     starts_[part] = indices.size();

@@ -10,10 +10,10 @@
 
 namespace rotatebook::render {
 
-/// The vertices and triangles of makeBookMesh(), uploaded.
+/// The vertices and triangles of the mesh, uploaded.
 class BookGeometry {
  public:
-  BookGeometry();
+  explicit BookGeometry(const BookMesh& mesh);
 
   /// Makes its vertices those that draw() draws.
   void bind() const { glBindVertexArray(array_.name()); }

@@ -26,10 +26,10 @@ void layOver(const image::Image& drawn, const PixelRect& band, image::Image& pic
 
 }  // namespace
 
-Compositor::Compositor(image::Image background, int supersample)
+Compositor::Compositor(image::Image background, int supersample, const BookMesh& mesh)
     : background_(std::move(background)),
       supersample_(supersample),
-      edges_(makeBookMesh()),
+      edges_(mesh),
       edgePixels_(background_.width(), background_.height()) {
   if (supersample_ > 1) large_ = background_;
 }

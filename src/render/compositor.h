@@ -5,6 +5,7 @@
 
 #include "image/image.h"
 #include "render/book_edges.h"
+#include "render/book_mesh.h"
 #include "render/drawn_book.h"
 #include "render/edge_pixels.h"
 #include "render/edge_samples.h"
@@ -16,7 +17,7 @@ class Compositor {
  public:
   /// `background`: Rgba8, alpha straight, `supersample` (1 or 2) times as wide and high as pictures
   /// are to be.
-  Compositor(image::Image background, int supersample);
+  Compositor(image::Image background, int supersample, const BookMesh& mesh);
 
   /// A picture of the right size and format for compose().
   image::Image makePicture() const;

@@ -87,6 +87,12 @@ const std::vector<std::array<int, 2>>& around() {
   return steps;
 }
 
+/// Adds a pixel's colour, whatever its alpha says.
+void addOpaque(const std::uint8_t* pixel, std::uint32_t times, image::LightSum& sum) {
+  const std::array<std::uint8_t, 4> opaque{pixel[0], pixel[1], pixel[2], 255};
+  sum.add(opaque.data(), times);
+}
+
 /// How many samples of a pixel show each surface.
 using Counts = std::array<std::uint8_t, kMostSurface + 1>;
 
@@ -100,9 +106,7 @@ class PixelMixer {
     for (int y = 0; y < pixels.height(); ++y) {
       pixels.forEach(y, 0, pixels.width(), [&](int x, std::size_t) {
         const std::uint8_t here = surface(x, y);
-        const std::uint8_t* pixel = pixelAt(x, y);
-        const std::array<std::uint8_t, 4> opaque{pixel[0], pixel[1], pixel[2], 255};
-        if (counts[here]++ < kMostOfMean) sums[here].add(opaque.data(), 1);
+        if (counts[here]++ < kMostOfMean) addOpaque(pixelAt(x, y), 1, sums[here]);
       });
     }
     for (std::size_t i = 1; i < means_.size(); ++i) {
@@ -123,8 +127,7 @@ class PixelMixer {
       if (counts[surface] == 0) continue;
       const std::uint8_t* shown = nearest(x, y, surface);
       if (shown == nullptr) continue;
-      const std::array<std::uint8_t, 4> opaque{shown[0], shown[1], shown[2], 255};
-      sum.add(opaque.data(), counts[surface]);
+      addOpaque(shown, counts[surface], sum);
       found += counts[surface];
     }
     if (found > 0) sum.mean(found, pixel);

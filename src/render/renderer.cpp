@@ -7,6 +7,7 @@
 #include "image/png_file.h"
 #include "render/blank_area.h"
 #include "render/book_geometry.h"
+#include "render/book_mesh.h"
 #include "render/egl_context.h"
 #include "render/embedded_files.h"
 #include "render/frame_target.h"
@@ -47,17 +48,18 @@ image::Image builtinBack() {
 }
 
 struct Renderer::Parts {
-  Parts(const RenderSettings& renderSettings, const BookTextures& textures)
+  Parts(const RenderSettings& renderSettings, const BookTextures& textures, const BookMesh& mesh)
       : settings(renderSettings),
         width(settings.supersample * settings.width),
         height(settings.supersample * settings.height),
         target(width, height),
         program("book", bookVertexShader(), bookFragmentShader()),
+        geometry(mesh),
         front(textures.front.view(), TextureWrap::Clamp),
         spine(textures.spine.view(), TextureWrap::Clamp),
         back(textures.back.view(), TextureWrap::Clamp),
         paper(image::decodePng(paperPng(), "built-in paper").view(), TextureWrap::Repeat),
-        compositor(background(), settings.supersample) {
+        compositor(background(), settings.supersample, mesh) {
     requireNoGlError("while setting up");
   }
 
@@ -121,7 +123,7 @@ struct Renderer::Parts {
 };
 
 Renderer::Renderer(const RenderSettings& settings, const BookTextures& textures)
-    : parts_(std::make_unique<Parts>(settings, textures)) {}
+    : parts_(std::make_unique<Parts>(settings, textures, makeBookMesh())) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;

@@ -54,11 +54,11 @@ void FrameDrawer::exposeBlurred(std::size_t motion, std::size_t sample, image::I
 
 void FrameDrawer::finish(const Exposure& exposure, image::Image& picture) {
   const DrawBook showBook = [&](std::size_t motion, std::size_t sample, image::Image& panel) {
-    if (mean_) {
-      panel = exposure.blurred[motion];
-    } else {
+    if (!mean_) {
       renderer_.compositor().compose(exposure.books[motion], panel);
+      return exposure.books[motion].clipFromWorld;
     }
+    panel = exposure.blurred[motion];
     const physics::Corners corners = cornersOf(motion, sample);
     return render::project(camera_, corners, composition_.screen()).clipFromWorld;
   };

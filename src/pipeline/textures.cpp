@@ -4,7 +4,6 @@
 #include <numbers>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "image/png_file.h"
 #include "scene/places.h"
@@ -12,10 +11,25 @@
 namespace rotatebook::pipeline {
 namespace {
 
-image::Image load(const scene::Scene& scene, std::string_view key, const std::string& file,
-                  image::Image (*builtin)()) {
-  if (file == scene::kBuiltin) return builtin();
-  return scene::atPlaceOf(scene, key, [&] { return image::readPng(scene.folder / file); });
+/// A side of the case that has a picture.
+struct Side {
+  std::string_view key;  ///< Of the scene.
+  std::string scene::BookSettings::*file;
+  image::Image (*builtin)();
+};
+
+constexpr Side kFront{"book.front", &scene::BookSettings::front, render::builtinFront};
+constexpr Side kSpine{"book.spine", &scene::BookSettings::spine, render::builtinSpine};
+constexpr Side kBack{"book.back", &scene::BookSettings::back, render::builtinBack};
+
+bool isBuiltin(const scene::Scene& scene, const Side& side) {
+  return scene.book.*side.file == scene::kBuiltin;
+}
+
+image::Image load(const scene::Scene& scene, const Side& side) {
+  if (isBuiltin(scene, side)) return side.builtin();
+  return scene::atPlaceOf(scene, side.key,
+                          [&] { return image::readPng(scene.folder / (scene.book.*side.file)); });
 }
 
 /// [degrees]
@@ -43,19 +57,14 @@ render::Background backgroundOf(scene::Background background) {
 }  // namespace
 
 void requireTextures(const scene::Scene& scene) {
-  const scene::BookSettings& book = scene.book;
-  for (const auto& [key, file] : {std::pair{"book.front", &book.front},
-                                  {"book.spine", &book.spine},
-                                  {"book.back", &book.back}}) {
+  for (const Side& side : {kFront, kSpine, kBack}) {
     // The built-in ones are whole, and take a tenth of a render's start.
-    if (*file != scene::kBuiltin) load(scene, key, *file, nullptr);
+    if (!isBuiltin(scene, side)) load(scene, side);
   }
 }
 
 render::BookTextures loadTextures(const scene::Scene& scene) {
-  return {load(scene, "book.front", scene.book.front, render::builtinFront),
-          load(scene, "book.spine", scene.book.spine, render::builtinSpine),
-          load(scene, "book.back", scene.book.back, render::builtinBack)};
+  return {load(scene, kFront), load(scene, kSpine), load(scene, kBack)};
 }
 
 render::Camera cameraOf(const scene::Scene& scene, const render::Screen& screen) {

@@ -74,14 +74,20 @@ void blendRowOverRgb(const std::uint8_t* over, std::uint8_t* under, int count) {
   }
 }
 
-/// The first pixel from `from` on that is covered, or isn't.
-int nextPixel(const std::uint8_t* row, int from, int end, bool covered) {
+/// The first pixel from `from` on that is covered; two at a time, as most aren't.
+int nextCovered(const std::uint8_t* row, int from, int end) {
   constexpr std::uint64_t kAlphas = 0xff000000ff000000;
-  for (std::uint64_t two = 0; covered && from + 2 <= end; from += 2) {
+  for (std::uint64_t two = 0; from + 2 <= end; from += 2) {
     std::memcpy(&two, row + 4 * static_cast<std::ptrdiff_t>(from), sizeof two);
     if ((two & kAlphas) != 0) break;
   }
-  while (from < end && (row[4 * from + 3] > 0) != covered) ++from;
+  while (from < end && row[4 * from + 3] == 0) ++from;
+  return from;
+}
+
+/// The first pixel from `from` on that isn't covered.
+int nextClear(const std::uint8_t* row, int from, int end) {
+  while (from < end && row[4 * from + 3] > 0) ++from;
   return from;
 }
 
@@ -89,11 +95,11 @@ int nextPixel(const std::uint8_t* row, int from, int end, bool covered) {
 template <typename BlendRow>
 void blendRuns(const std::uint8_t* over, std::uint8_t* under, int count, int size,
                const BlendRow& blendRow) {
-  for (int first = nextPixel(over, 0, count, true); first < count;) {
-    const int end = nextPixel(over, first, count, false);
+  for (int first = nextCovered(over, 0, count); first < count;) {
+    const int end = nextClear(over, first, count);
     blendRow(over + 4 * static_cast<std::ptrdiff_t>(first),
              under + size * static_cast<std::ptrdiff_t>(first), end - first);
-    first = nextPixel(over, end, count, true);
+    first = nextCovered(over, end, count);
   }
 }
 

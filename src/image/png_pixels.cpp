@@ -47,7 +47,6 @@ void appendBigEndian(std::string& bytes, std::uint32_t value) {
 }
 
 void PixelPacker::append(const ImageView& view, bool alpha, std::string& stream) {
-  alpha = alpha && view.format == PixelFormat::Rgba8;
   if (level_ != kBandLevel) return appendLibdeflate(view, alpha, stream);
   packBands(view, alpha);
   appendBands(stream);

@@ -24,7 +24,7 @@ class PixelPacker {
   /// `level`: see PngOptions.
   explicit PixelPacker(int level) : level_(level) {}
 
-  /// Appends the picture as RGB, or as RGBA if it is Rgba8 and `alpha`, each row preceded by its
+  /// Appends the picture as RGB, or if `alpha` as RGBA, which it is then, each row preceded by its
   /// filter's number and stored as the difference to the row above.
   void append(const ImageView& view, bool alpha, std::string& stream);
 

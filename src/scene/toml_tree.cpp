@@ -81,11 +81,9 @@ void refuseLong(std::string_view text, const std::string& place) {
 std::string describeArray(const TomlNode::Array& array) {
   constexpr std::size_t kMostShown = 4;
   if (array.size() > kMostShown) return "an array of " + std::to_string(array.size()) + " values";
-  std::string text;
-  for (const TomlNode& element : array) {
-    text += (text.empty() ? "" : ", ") + describe(element);
-  }
-  return "[" + text + "]";
+  std::vector<std::string> parts;
+  for (const TomlNode& element : array) parts.push_back(describe(element));
+  return "[" + joined(parts) + "]";
 }
 
 }  // namespace

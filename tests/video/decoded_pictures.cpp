@@ -24,34 +24,22 @@ image::Image pictureOf(const AVFrame& frame) {
   return picture;
 }
 
-void takePictures(AVCodecContext& decoder, double unit, DecodedPictures& decoded) {
-  const Handle<AVFrame> frame = owned(av_frame_alloc());
-  while (true) {
-    const int result = avcodec_receive_frame(&decoder, frame.get());
-    if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return;
-    check(result, "can't decode");
-    decoded.pictures.push_back({static_cast<double>(frame->pts) * unit, pictureOf(*frame)});
-  }
-}
-
 }  // namespace
 
 DecodedPictures decodePictures(const std::filesystem::path& path) {
   silenceFfmpeg();
   const InputFile file = openFile(path);
   const double unit = av_q2d(file->streams[0]->time_base);
-  const Handle<AVCodecContext> decoder = openDecoder(*file->streams[0]->codecpar);
-  const Handle<AVPacket> packet = owned(av_packet_alloc());
   DecodedPictures decoded;
   double end = 0;
-  while (av_read_frame(file.get(), packet.get()) >= 0) {
-    end = static_cast<double>(packet->pts + packet->duration) * unit;
-    check(avcodec_send_packet(decoder.get(), packet.get()), "can't decode");
-    av_packet_unref(packet.get());
-    takePictures(*decoder, unit, decoded);
-  }
-  check(avcodec_send_packet(decoder.get(), nullptr), "can't end decoding");
-  takePictures(*decoder, unit, decoded);
+  decode(
+      file,
+      [&](const AVPacket& packet) {
+        end = static_cast<double>(packet.pts + packet.duration) * unit;
+      },
+      [&](const AVFrame& frame) {
+        decoded.pictures.push_back({static_cast<double>(frame.pts) * unit, pictureOf(frame)});
+      });
   decoded.duration = file->duration > 0 ? static_cast<double>(file->duration) / AV_TIME_BASE : end;
   return decoded;
 }

@@ -57,20 +57,13 @@ std::vector<std::uint8_t> planeOf(const AVFrame& frame, int plane, int width, in
   return bytes;
 }
 
-// Takes what the decoder has ready.
-void takeFrames(AVCodecContext& decoder, DecodedVideo& video) {
-  const Handle<AVFrame> frame = owned(av_frame_alloc());
-  while (true) {
-    const int result = avcodec_receive_frame(&decoder, frame.get());
-    if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return;
-    check(result, "can't decode");
-    DecodedFrame decoded;
-    decoded.pts = frame->pts;
-    decoded.y = planeOf(*frame, 0, frame->width, frame->height);
-    decoded.u = planeOf(*frame, 1, frame->width / 2, frame->height / 2);
-    decoded.v = planeOf(*frame, 2, frame->width / 2, frame->height / 2);
-    video.frames.push_back(std::move(decoded));
-  }
+DecodedFrame decodedFrame(const AVFrame& frame) {
+  DecodedFrame decoded;
+  decoded.pts = frame.pts;
+  decoded.y = planeOf(frame, 0, frame.width, frame.height);
+  decoded.u = planeOf(frame, 1, frame.width / 2, frame.height / 2);
+  decoded.v = planeOf(frame, 2, frame.width / 2, frame.height / 2);
+  return decoded;
 }
 
 }  // namespace
@@ -79,15 +72,9 @@ DecodedVideo decodeVideo(const std::filesystem::path& path) {
   silenceFfmpeg();
   const InputFile file = openFile(path);
   DecodedVideo video = describe(*file);
-  const Handle<AVCodecContext> decoder = openDecoder(*file->streams[0]->codecpar);
-  const Handle<AVPacket> packet = owned(av_packet_alloc());
-  while (av_read_frame(file.get(), packet.get()) >= 0) {
-    check(avcodec_send_packet(decoder.get(), packet.get()), "can't decode");
-    av_packet_unref(packet.get());
-    takeFrames(*decoder, video);
-  }
-  check(avcodec_send_packet(decoder.get(), nullptr), "can't end decoding");
-  takeFrames(*decoder, video);
+  decode(
+      file, [](const AVPacket&) {},
+      [&](const AVFrame& frame) { video.frames.push_back(decodedFrame(frame)); });
   return video;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "video/ffmpeg.h"
@@ -16,7 +17,9 @@ using InputFile = std::unique_ptr<AVFormatContext, InputCloser>;
 /// Throws std::runtime_error if it has not exactly one stream, MachineError if it can't be read.
 InputFile openFile(const std::filesystem::path& path);
 
-/// One that takes any flaw of the stream for an error.
-Handle<AVCodecContext> openDecoder(const AVCodecParameters& parameters);
+/// Decodes all of the file: calls `ofPacket` with each packet and `ofFrame` with each frame, as
+/// they come. Throws MachineError at any flaw of the stream.
+void decode(const InputFile& file, const std::function<void(const AVPacket&)>& ofPacket,
+            const std::function<void(const AVFrame&)>& ofFrame);
 
 }  // namespace rotatebook::video::testing

@@ -9,4 +9,9 @@ namespace rotatebook::image {
 /// their alpha. Both are Rgba8, `large` twice as wide and high.
 void halve(const Image& large, Image& picture);
 
+/// The picture (Rgb8, or Rgba8, whose alpha is left out) with half as many pixels a side, rounded
+/// down but at least 1: each is the mean, of light, of those it covers, of which some count in part
+/// where a side is odd. Rgb8.
+Image halvedOpaque(const ImageView& large);
+
 }  // namespace rotatebook::image

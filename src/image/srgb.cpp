@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 namespace rotatebook::image {
 namespace {
@@ -29,27 +28,25 @@ std::uint8_t srgbFromLinear(double light) {
   return static_cast<std::uint8_t>(std::lround(255 * value));
 }
 
-std::uint32_t lightFromSrgb(std::uint8_t encoded) {
-  static const std::array<std::uint16_t, 256> table = [] {
-    std::array<std::uint16_t, 256> values{};
-    for (std::size_t i = 0; i < 256; ++i) {
-      values[i] = static_cast<std::uint16_t>(
-          std::lround(kFullLight * linearFromSrgb(static_cast<std::uint8_t>(i))));
-    }
-    return values;
-  }();
-  return table[encoded];
-}
+const std::array<std::uint16_t, 256> kLightOfSrgb = [] {
+  std::array<std::uint16_t, 256> table{};
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    table[i] =
+        static_cast<std::uint16_t>(std::lround(kFullLight * decoded(static_cast<double>(i) / 255)));
+  }
+  return table;
+}();
 
-std::uint8_t srgbFromLight(std::uint32_t light) {
-  static const std::vector<std::uint8_t> table = [] {
-    std::vector<std::uint8_t> values;
-    for (std::uint32_t i = 0; i <= kFullLight; ++i) {
-      values.push_back(srgbFromLinear(static_cast<double>(i) / kFullLight));
-    }
-    return values;
-  }();
-  return table[light];
-}
+const std::array<std::uint8_t, kFullLight + 1> kSrgbOfLight = [] {
+  std::array<std::uint8_t, kFullLight + 1> table{};
+  std::size_t light = 0;
+  // Each number's light ends halfway, as sRGB counts, to the next one's.
+  for (std::size_t i = 0; i < 255; ++i) {
+    const double end = kFullLight * decoded((static_cast<double>(i) + 0.5) / 255);
+    for (; static_cast<double>(light) < end; ++light) table[light] = static_cast<std::uint8_t>(i);
+  }
+  for (; light < table.size(); ++light) table[light] = 255;
+  return table;
+}();
 
 }  // namespace rotatebook::image

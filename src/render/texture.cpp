@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "image/smaller.h"
 
 namespace rotatebook::render {
 namespace {
@@ -31,6 +32,12 @@ std::vector<std::uint8_t> bottomUpBytes(image::ImageView picture) {
   return bytes;
 }
 
+void upload(int level, image::ImageView picture) {
+  const GLenum format = picture.format == image::PixelFormat::Rgb8 ? GL_RGB : GL_RGBA;
+  glTexImage2D(GL_TEXTURE_2D, level, GL_SRGB8_ALPHA8, picture.width, picture.height, 0, format,
+               GL_UNSIGNED_BYTE, bottomUpBytes(picture).data());
+}
+
 void setFilters(TextureWrap wrap) {
   const GLint mode = wrap == TextureWrap::Repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, mode);
@@ -44,12 +51,16 @@ void setFilters(TextureWrap wrap) {
 
 Texture::Texture(image::ImageView picture, TextureWrap wrap) {
   refuseOversize(picture);
-  const GLenum format = picture.format == image::PixelFormat::Rgb8 ? GL_RGB : GL_RGBA;
   bind();
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, picture.width, picture.height, 0, format,
-               GL_UNSIGNED_BYTE, bottomUpBytes(picture).data());
-  glGenerateMipmap(GL_TEXTURE_2D);
+  upload(0, picture);
+  // Made here: by the driver it takes a third of a render's start, and comes out as it pleases.
+  image::Image level;
+  for (int i = 1; picture.width > 1 || picture.height > 1; ++i) {
+    level = image::halvedOpaque(picture);
+    picture = level.view();
+    upload(i, picture);
+  }
   setFilters(wrap);
 }
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -45,6 +48,39 @@ TEST(Smaller, TakesTheMeanOfLight) {
 TEST(Smaller, CountsPixelsByTheirAlpha) {
   const Pixel red{200, 0, 0, 255}, clear{0, 90, 0, 0};
   EXPECT_EQ(halved({red, clear, clear, clear}), (Pixel{200, 0, 0, 64}));
+}
+
+/// A picture of grey pixels.
+Image grey(int width, const std::vector<std::uint8_t>& pixels) {
+  Image picture(width, static_cast<int>(pixels.size()) / width, PixelFormat::Rgb8);
+  for (std::size_t i = 0; i < pixels.size(); ++i) std::fill_n(picture.row(0) + 3 * i, 3, pixels[i]);
+  return picture;
+}
+
+TEST(HalvedOpaque, TakesTheMeanOfLight) {
+  const std::uint8_t half = srgbFromLinear(0.5);
+  EXPECT_EQ(halvedOpaque(grey(4, {255, 0, 9, 9, 0, 255, 9, 9}).view()), grey(2, {half, 9}));
+}
+
+TEST(HalvedOpaque, CountsPixelsOfAnOddSideInPart) {
+  // Two pixels for five: each covers two and a half.
+  const std::uint8_t first = srgbFromLinear(1 / 2.5), last = srgbFromLinear(0.5 / 2.5);
+  EXPECT_EQ(halvedOpaque(grey(5, {255, 0, 0, 0, 0}).view()), grey(2, {first, 0}));
+  EXPECT_EQ(halvedOpaque(grey(5, {0, 0, 255, 0, 0}).view()), grey(2, {last, last}));
+  EXPECT_EQ(halvedOpaque(grey(1, {0, 0, 0, 0, 255}).view()), grey(1, {0, first}));
+}
+
+TEST(HalvedOpaque, KeepsASideOfOne) {
+  EXPECT_EQ(halvedOpaque(grey(1, {77}).view()), grey(1, {77}));
+  EXPECT_EQ(halvedOpaque(grey(3, {77, 77, 77}).view()), grey(1, {77}));
+}
+
+TEST(HalvedOpaque, LeavesAlphaOut) {
+  Image clear(2, 2, PixelFormat::Rgba8);
+  for (int i = 0; i < 4; ++i) clear.row(0)[4 * i] = 200;
+  Image red(1, 1, PixelFormat::Rgb8);
+  red.row(0)[0] = 200;
+  EXPECT_EQ(halvedOpaque(clear.view()), red);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <future>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,6 +51,10 @@ class FrameDrawer {
   const std::string& description() const { return renderer_.description(); }
 
  private:
+  /// Takes `textures` as late as it can.
+  FrameDrawer(const scene::Scene& scene, const ClipMotion& motion,
+              std::future<render::BookTextures> textures);
+
   physics::Corners cornersOf(std::size_t motion, std::size_t sample) const;
   /// The mean of the moments after sample `sample`.
   void exposeBlurred(std::size_t motion, std::size_t sample, image::Image& picture);

@@ -1,6 +1,7 @@
 #include "pipeline/textures.h"
 
 #include <cmath>
+#include <future>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -64,7 +65,11 @@ void requireTextures(const scene::Scene& scene) {
 }
 
 render::BookTextures loadTextures(const scene::Scene& scene) {
-  return {load(scene, kFront), load(scene, kSpine), load(scene, kBack)};
+  const auto start = [&](const Side& side) {
+    return std::async(std::launch::async, [&] { return load(scene, side); });
+  };
+  auto front = start(kFront), spine = start(kSpine), back = start(kBack);
+  return {front.get(), spine.get(), back.get()};
 }
 
 render::Camera cameraOf(const scene::Scene& scene, const render::Screen& screen) {
@@ -72,8 +77,8 @@ render::Camera cameraOf(const scene::Scene& scene, const render::Screen& screen)
           verticalFieldOfView(scene, screen)};
 }
 
-render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& screen) {
-  const render::BookTextures textures = loadTextures(scene);
+render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& screen,
+                              const render::BookTextures& textures) {
   render::RenderSettings settings;
   settings.width = screen.width;
   settings.height = screen.height;
@@ -85,7 +90,7 @@ render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& s
 }
 
 render::Renderer makeRenderer(const scene::Scene& scene) {
-  return makeRenderer(scene, {scene.clip.width, scene.clip.height, 0});
+  return makeRenderer(scene, {scene.clip.width, scene.clip.height, 0}, loadTextures(scene));
 }
 
 }  // namespace rotatebook::pipeline

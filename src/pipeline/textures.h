@@ -6,7 +6,8 @@
 
 namespace rotatebook::pipeline {
 
-/// Reads the pictures that the scene names. Throws InputError for one that is missing or broken.
+/// Reads the pictures that the scene names, all at once. Throws InputError for one that is missing
+/// or broken.
 render::BookTextures loadTextures(const scene::Scene& scene);
 /// Throws where loadTextures() would.
 void requireTextures(const scene::Scene& scene);
@@ -14,9 +15,10 @@ void requireTextures(const scene::Scene& scene);
 /// The camera that draws the scene on `screen`: its whole picture, or a panel.
 render::Camera cameraOf(const scene::Scene& scene, const render::Screen& screen);
 
-/// The scene's camera and textures, ready to draw on `screen`.
-render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& screen);
-/// The same on the whole picture.
+/// One with the scene's camera, ready to draw on `screen`.
+render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& screen,
+                              const render::BookTextures& textures);
+/// One with the scene's textures, too, ready to draw on the whole picture.
 render::Renderer makeRenderer(const scene::Scene& scene);
 
 }  // namespace rotatebook::pipeline

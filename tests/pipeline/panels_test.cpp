@@ -65,7 +65,8 @@ TEST(Panels, EachShowTheirMotionsSample) {
   std::vector<image::Image> expected;
   {
     const PanelGrid grid = panelGrid(2, 128, 72);
-    render::Renderer renderer = makeRenderer(scene, {grid.width, grid.height, 0});
+    render::Renderer renderer =
+        makeRenderer(scene, {grid.width, grid.height, 0}, loadTextures(scene));
     for (const auto& trajectory : motion.trajectories()) {
       expected.push_back(renderer.makePicture());
       renderer.draw(trajectory.samples[3].corners, expected.back());

@@ -17,7 +17,7 @@ out vec3 worldNormal;
 out float seen;        // openness
 flat out float onSurface;
 
-// The studio of book.frag as a matt surface sees it: toward each light, and its irradiance / pi.
+// The studio of cover.frag as a matt surface sees it: toward each light, and its irradiance / pi.
 const vec3 kKeyDirection = vec3(0.4767, 0.5720, 0.6674);
 const vec3 kFillDirection = vec3(-0.8452, 0.0528, 0.5317);
 const vec3 kRimDirection = vec3(-0.3487, 0.6475, -0.6774);

@@ -8,7 +8,9 @@ ROTATEBOOK_EMBEDDED(whole_picture_vert);
 ROTATEBOOK_EMBEDDED(studio_frag);
 ROTATEBOOK_EMBEDDED(stars_frag);
 ROTATEBOOK_EMBEDDED(book_vert);
-ROTATEBOOK_EMBEDDED(book_frag);
+ROTATEBOOK_EMBEDDED(cover_frag);
+ROTATEBOOK_EMBEDDED(paper_frag);
+ROTATEBOOK_EMBEDDED(tone_curve_frag);
 ROTATEBOOK_EMBEDDED(front_png);
 ROTATEBOOK_EMBEDDED(spine_png);
 ROTATEBOOK_EMBEDDED(back_png);
@@ -39,8 +41,14 @@ std::string_view starsFragmentShader() {
 std::string_view bookVertexShader() {
   return text(embedded_book_vert_begin, embedded_book_vert_end);
 }
-std::string_view bookFragmentShader() {
-  return text(embedded_book_frag_begin, embedded_book_frag_end);
+std::string_view coverFragmentShader() {
+  return text(embedded_cover_frag_begin, embedded_cover_frag_end);
+}
+std::string_view paperFragmentShader() {
+  return text(embedded_paper_frag_begin, embedded_paper_frag_end);
+}
+std::string_view toneCurveFragmentShader() {
+  return text(embedded_tone_curve_frag_begin, embedded_tone_curve_frag_end);
 }
 
 std::span<const std::uint8_t> frontPng() {

@@ -12,7 +12,9 @@ std::string_view wholePictureVertexShader();
 std::string_view studioFragmentShader();
 std::string_view starsFragmentShader();
 std::string_view bookVertexShader();
-std::string_view bookFragmentShader();
+std::string_view coverFragmentShader();
+std::string_view paperFragmentShader();
+std::string_view toneCurveFragmentShader();
 
 /// The bytes of the PNGs in assets/.
 std::span<const std::uint8_t> frontPng();

@@ -17,9 +17,6 @@
 namespace rotatebook::render {
 namespace {
 
-constexpr float kClothGloss = 1;
-constexpr float kPaperGloss = 0;
-
 void requireNoGlError(const char* when) {
   const GLenum error = glGetError();
   if (error == GL_NO_ERROR) return;
@@ -53,7 +50,10 @@ struct Renderer::Parts {
         width(settings.supersample * settings.width),
         height(settings.supersample * settings.height),
         target(width, height),
-        program("book", bookVertexShader(), bookFragmentShader()),
+        coverProgram("cover", bookVertexShader(),
+                     {coverFragmentShader(), toneCurveFragmentShader()}),
+        paperProgram("paper", bookVertexShader(),
+                     {paperFragmentShader(), toneCurveFragmentShader()}),
         geometry(mesh),
         front(textures.front.view(), TextureWrap::Clamp),
         spine(textures.spine.view(), TextureWrap::Clamp),
@@ -72,7 +72,7 @@ struct Renderer::Parts {
   void drawBackground(image::Image& picture) const {
     const bool studio = settings.background == Background::Studio;
     const ShaderProgram backdrop(studio ? "studio" : "stars", wholePictureVertexShader(),
-                                 studio ? studioFragmentShader() : starsFragmentShader());
+                                 {studio ? studioFragmentShader() : starsFragmentShader()});
     const PixelRect everything{0, 0, width, height};
     target.begin(everything);
     glDisable(GL_FRAMEBUFFER_SRGB);  // Its colours are encoded already.
@@ -93,20 +93,24 @@ struct Renderer::Parts {
     glEnable(GL_DEPTH_TEST);
     drawn.facing == 0 ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
     glFrontFace(drawn.facing < 0 ? GL_CW : GL_CCW);
+    geometry.bind();
+    use(coverProgram, drawn);
+    coverProgram.set("eye", Eigen::Vector3f(settings.camera.position.cast<float>()));
+    drawPart(BookPart::Front, front);
+    drawPart(BookPart::Spine, spine);
+    drawPart(BookPart::Back, back);
+    if (drawn.facing == 0) drawPart(BookPart::Lining, front);
+    use(paperProgram, drawn);
+    drawPart(BookPart::Pages, paper);
+  }
+
+  void use(const ShaderProgram& program, const DrawnBook& drawn) const {
     program.use();
     program.set("corners", Eigen::Matrix<float, 3, 8>(drawn.corners.cast<float>()));
     program.set("clipFromWorld", Eigen::Matrix4f(drawn.clipFromWorld.cast<float>()));
-    program.set("eye", Eigen::Vector3f(settings.camera.position.cast<float>()));
-    geometry.bind();
-    drawPart(BookPart::Front, front, kClothGloss);
-    drawPart(BookPart::Spine, spine, kClothGloss);
-    drawPart(BookPart::Back, back, kClothGloss);
-    drawPart(BookPart::Pages, paper, kPaperGloss);
-    if (drawn.facing == 0) drawPart(BookPart::Lining, front, kClothGloss);
   }
 
-  void drawPart(BookPart part, const Texture& texture, float gloss) const {
-    program.set("gloss", gloss);
+  void drawPart(BookPart part, const Texture& texture) const {
     texture.bind();
     geometry.draw(part);
   }
@@ -115,7 +119,7 @@ struct Renderer::Parts {
   int width, height;   // As it is drawn. [pixels]
   EglContext context;  // First made, last destroyed of all that needs it.
   FrameTarget target;
-  ShaderProgram program;
+  ShaderProgram coverProgram, paperProgram;
   BookGeometry geometry;
   Texture front, spine, back, paper;
   Compositor compositor;

@@ -39,9 +39,11 @@ void attach(GLuint program, GLenum type, const std::string& name, std::string_vi
 }  // namespace
 
 ShaderProgram::ShaderProgram(const std::string& name, std::string_view vertexSource,
-                             std::string_view fragmentSource) {
+                             std::initializer_list<std::string_view> fragmentSources) {
   attach(program_.name(), GL_VERTEX_SHADER, name + ".vert", vertexSource);
-  attach(program_.name(), GL_FRAGMENT_SHADER, name + ".frag", fragmentSource);
+  for (const std::string_view source : fragmentSources) {
+    attach(program_.name(), GL_FRAGMENT_SHADER, name + ".frag", source);
+  }
   glLinkProgram(program_.name());
   GLint linked = 0;
   glGetProgramiv(program_.name(), GL_LINK_STATUS, &linked);

@@ -1,6 +1,7 @@
-// A vertex and a fragment shader, linked.
+// Vertex and fragment shaders, linked.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -13,9 +14,10 @@ namespace rotatebook::render {
 /// A linked GL program.
 class ShaderProgram {
  public:
-  /// `name` is for messages. Throws MachineError with the compiler's or linker's words.
+  /// `name` is for messages; one of the fragment shaders has main(). Throws MachineError with the
+  /// compiler's or linker's words.
   ShaderProgram(const std::string& name, std::string_view vertexSource,
-                std::string_view fragmentSource);
+                std::initializer_list<std::string_view> fragmentSources);
 
   void use() const { glUseProgram(program_.name()); }
 

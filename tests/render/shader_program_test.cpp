@@ -1,5 +1,6 @@
 #include "render/shader_program.h"
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 
@@ -22,10 +23,10 @@ constexpr std::string_view kVertex =
 constexpr std::string_view kFragment =
     "#version 330 core\nout vec4 colour;\nvoid main() { colour = vec4(1.0); }\n";
 
-std::string messageOf(std::string_view vertex, std::string_view fragment) {
+std::string messageOf(std::string_view vertex, std::initializer_list<std::string_view> fragments) {
   const EglContext context;
   try {
-    const ShaderProgram program("trial", vertex, fragment);
+    const ShaderProgram program("trial", vertex, fragments);
     return "no error";
   } catch (const MachineError& error) {
     return error.what();
@@ -33,22 +34,26 @@ std::string messageOf(std::string_view vertex, std::string_view fragment) {
 }
 
 TEST(ShaderProgram, TakesShadersThatFit) {
-  EXPECT_EQ(messageOf(kVertex, kFragment), "no error");
+  EXPECT_EQ(messageOf(kVertex, {kFragment}), "no error");
 }
 
 TEST(ShaderProgram, TakesTheProgramsOwn) {
-  EXPECT_EQ(messageOf(bookVertexShader(), bookFragmentShader()), "no error");
-  EXPECT_EQ(messageOf(wholePictureVertexShader(), studioFragmentShader()), "no error");
-  EXPECT_EQ(messageOf(wholePictureVertexShader(), starsFragmentShader()), "no error");
+  EXPECT_EQ(messageOf(bookVertexShader(), {coverFragmentShader(), toneCurveFragmentShader()}),
+            "no error");
+  EXPECT_EQ(messageOf(bookVertexShader(), {paperFragmentShader(), toneCurveFragmentShader()}),
+            "no error");
+  EXPECT_EQ(messageOf(wholePictureVertexShader(), {studioFragmentShader()}), "no error");
+  EXPECT_EQ(messageOf(wholePictureVertexShader(), {starsFragmentShader()}), "no error");
 }
 
 TEST(ShaderProgram, GivesTheCompilersWords) {
   constexpr std::string_view kWrong =
       "#version 330 core\nout vec4 colour;\nvoid main() { colour = vec4(undeclaredName); }\n";
-  EXPECT_THAT(messageOf(kVertex, kWrong), AllOf(StartsWith("can't compile the shader trial.frag: "),
-                                                HasSubstr("undeclaredName")));
   EXPECT_THAT(
-      messageOf("#version 330 core\nvoid main() { missingSemicolon }\n", kFragment),
+      messageOf(kVertex, {kWrong}),
+      AllOf(StartsWith("can't compile the shader trial.frag: "), HasSubstr("undeclaredName")));
+  EXPECT_THAT(
+      messageOf("#version 330 core\nvoid main() { missingSemicolon }\n", {kFragment}),
       AllOf(StartsWith("can't compile the shader trial.vert: "), HasSubstr("syntax error")));
 }
 
@@ -59,13 +64,13 @@ TEST(ShaderProgram, GivesTheLinkersWords) {
   constexpr std::string_view kThree =
       "#version 330 core\nin vec3 handedOver;\nout vec4 colour;\n"
       "void main() { colour = vec4(handedOver, 1.0); }\n";
-  EXPECT_THAT(messageOf(kTwo, kThree),
+  EXPECT_THAT(messageOf(kTwo, {kThree}),
               AllOf(StartsWith("can't link the shaders trial: "), HasSubstr("handedOver")));
 }
 
 TEST(ShaderProgram, ReadsNoFurtherThanItsSource) {
   const std::string text = std::string(kFragment) + "this is no shader";
-  EXPECT_EQ(messageOf(kVertex, std::string_view(text).substr(0, kFragment.size())), "no error");
+  EXPECT_EQ(messageOf(kVertex, {std::string_view(text).substr(0, kFragment.size())}), "no error");
 }
 
 }  // namespace

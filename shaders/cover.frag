@@ -1,6 +1,6 @@
 #version 330 core
-// Cloth with gold stamping, or paper, in a photographer's studio. Radiance is linear; the frame
-// buffer encodes sRGB.
+// Cloth with gold stamping in a photographer's studio. Radiance is linear; the frame buffer encodes
+// sRGB.
 in vec2 texturePlace;
 in vec3 arriving;
 in vec3 worldPlace;
@@ -9,10 +9,11 @@ in float seen;
 flat in float onSurface;
 
 uniform sampler2D albedo;
-uniform vec3 eye;     // World. [m]
-uniform float gloss;  // Strength of the mirrored light: 0 paper, 1 cover.
+uniform vec3 eye;  // World. [m]
 
 out vec4 colour;  // Alpha: the number of the surface, of 255.
+
+vec3 toneMap(vec3 radiance);
 
 const float kClothRoughness = 0.45;
 const float kGoldRoughness = 0.26;
@@ -95,19 +96,6 @@ vec3 mirroredShare(vec3 reflectance, float roughness, float nv) {
   return reflectance * ab.x + ab.y;
 }
 
-// Khronos' neutral tone curve: base colours stay, highlights are compressed and lose their hue.
-vec3 toneMap(vec3 radiance) {
-  const float kStart = 0.8 - 0.04, kDesaturation = 0.15;
-  float least = min(radiance.r, min(radiance.g, radiance.b));
-  radiance -= least < 0.08 ? least - 6.25 * least * least : 0.04;
-  float peak = max(radiance.r, max(radiance.g, radiance.b));
-  if (peak < kStart) return radiance;
-  float room = 1.0 - kStart;
-  float newPeak = 1.0 - room * room / (peak + room - kStart);
-  float grey = 1.0 - 1.0 / (kDesaturation * (peak - newPeak) + 1.0);
-  return mix(radiance * newPeak / peak, vec3(newPeak), grey);
-}
-
 // Roughness that mirrors as widely as the pixel's normals together do (Tokuyoshi and Kaplanyan,
 // "Improved Geometric Specular Antialiasing", 2019).
 float widened(float roughness, vec3 normal) {
@@ -119,20 +107,17 @@ float widened(float roughness, vec3 normal) {
 
 void main() {
   vec3 surface = texture(albedo, texturePlace).rgb;
-  vec3 radiance = surface * arriving;
-  if (gloss > 0.0) {
-    float gold = goldness(surface);
-    vec3 toEye = normalize(eye - worldPlace);
-    vec3 normal = bent(normalize(worldNormal), -kStampDepth * gold);
-    // Between vertices the normal may turn away from the eye where the side hardly does.
-    float nv = clamp(dot(normal, toEye), kMostGrazing, 1.0);
-    float cloth = widened(kClothRoughness, worldNormal);
-    float roughness = mix(cloth, kGoldRoughness, gold);
-    vec3 reflectance = mix(vec3(kClothReflectance), surface, gold);
-    vec3 mirrored = reflect(-toEye, normal);
-    vec3 shine = studio(mirrored, roughness) * mirroredShare(reflectance, roughness, nv);
-    shine += (1.0 - gold) * kClothSheen * keyHighlight(normal, toEye, nv, cloth);
-    radiance = (1.0 - 0.65 * gold) * radiance + gloss * seen * shine;
-  }
+  float gold = goldness(surface);
+  vec3 toEye = normalize(eye - worldPlace);
+  vec3 normal = bent(normalize(worldNormal), -kStampDepth * gold);
+  // Between vertices the normal may turn away from the eye where the side hardly does.
+  float nv = clamp(dot(normal, toEye), kMostGrazing, 1.0);
+  float cloth = widened(kClothRoughness, worldNormal);
+  float roughness = mix(cloth, kGoldRoughness, gold);
+  vec3 reflectance = mix(vec3(kClothReflectance), surface, gold);
+  vec3 mirrored = reflect(-toEye, normal);
+  vec3 shine = studio(mirrored, roughness) * mirroredShare(reflectance, roughness, nv);
+  shine += (1.0 - gold) * kClothSheen * keyHighlight(normal, toEye, nv, cloth);
+  vec3 radiance = (1.0 - 0.65 * gold) * surface * arriving + seen * shine;
   colour = vec4(toneMap(radiance), onSurface / 255.0);
 }

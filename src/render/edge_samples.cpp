@@ -61,17 +61,39 @@ std::optional<Cover> coverOf(const SeenTriangle& triangle) {
   return Cover{{edgePlane(a, b, c), edgePlane(b, c, a), edgePlane(c, a, b)}, depth};
 }
 
-/// The pixels of a row, first and one past the last, that can lie in all of `edges`.
-std::pair<int, int> span(const std::array<Plane, 3>& edges, float y, float left, float right) {
-  for (const Plane& edge : edges) {
-    const float rest = edge.y * y + edge.constant + edge.reach();
-    if (edge.x > 0) left = std::max(left, -rest / edge.x - 0.5F);
-    if (edge.x < 0) right = std::min(right, -rest / edge.x + 0.5F);
-    if (edge.x == 0 && rest < 0) right = left;
+/// Which pixels of each row can lie in all of some edges.
+class RowSpans {
+ public:
+  /// Nothing left of `left` or right of `right`.
+  RowSpans(const std::array<Plane, 3>& edges, float left, float right) {
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const Plane& edge = edges[i];
+      lefts_[i] = {0, left};
+      rights_[i] = {0, right};
+      if (edge.x == 0) continue;  // It ends rows, not what is in them.
+      const float per = -1 / edge.x;
+      const Border border{edge.y * per, (edge.constant + edge.reach()) * per};
+      if (edge.x > 0) lefts_[i] = {border.slope, border.start - 0.5F};
+      if (edge.x < 0) rights_[i] = {border.slope, border.start + 0.5F};
+    }
   }
-  if (!(left < right)) return {0, 0};
-  return {static_cast<int>(std::floor(left)), static_cast<int>(std::ceil(right))};
-}
+
+  /// The first pixel, and one past the last, of the row whose middle is `y`.
+  std::pair<int, int> at(float y) const {
+    const auto place = [y](const Border& border) { return border.slope * y + border.start; };
+    const float left = std::max({place(lefts_[0]), place(lefts_[1]), place(lefts_[2])});
+    const float right = std::min({place(rights_[0]), place(rights_[1]), place(rights_[2])});
+    if (!(left < right)) return {0, 0};
+    return {static_cast<int>(left), static_cast<int>(std::ceil(right))};
+  }
+
+ private:
+  struct Border {
+    float slope, start;
+  };
+
+  std::array<Border, 3> lefts_, rights_;
+};
 
 /// Steps to the pixels around one and to itself, the nearest first.
 const std::vector<std::array<int, 2>>& around() {
@@ -186,10 +208,11 @@ void EdgeSamples::cover(const EdgePixels& pixels, const SeenTriangle& triangle) 
     inThird[i / 4][i % 4] = third.x * x + third.y * y;
     inDepth[i / 4][i % 4] = cover->depth.x * x + cover->depth.y * y;
   }
+  const RowSpans spans(cover->edges, least.x(), most.x());
   const Four surface = Four{} + triangle.surface;
   for (int y = static_cast<int>(least.y()); static_cast<float>(y) < most.y(); ++y) {
     const float middle = static_cast<float>(y) + 0.5F;
-    const auto [left, right] = span(cover->edges, middle, least.x(), most.x());
+    const auto [left, right] = spans.at(middle);
     pixels.forEach(y, left, right, [&](int x, std::size_t number) {
       const float place = static_cast<float>(x) + 0.5F;
       const float one = first.at(place, middle), two = second.at(place, middle);

@@ -77,6 +77,11 @@ double ProgressLine::rateAfter(Mark now) {
   return elapsed > 0 ? static_cast<double>(now.done - marks_.front().done) / elapsed : 0;
 }
 
+void ProgressLine::clear() {
+  if (lineOpen_) std::cerr << "\r\x1b[K" << std::flush;
+  lineOpen_ = false;
+}
+
 void ProgressLine::update(std::int64_t done, std::int64_t total) {
   const Clock::time_point now = Clock::now();
   const double rate = rateAfter({now, done});

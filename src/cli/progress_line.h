@@ -25,6 +25,8 @@ class ProgressLine {
   ~ProgressLine();
 
   void update(std::int64_t done, std::int64_t total);
+  /// Takes the bar away, until the next update(), so that other lines can be printed.
+  void clear();
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <iostream>
 #include <memory>
 #include <regex>
 #include <string>
@@ -7,18 +6,15 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/number_text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/expectation_report.h"
-#include "cli/file_report.h"
 #include "cli/interrupt.h"
-#include "cli/motion_report.h"
-#include "cli/progress_line.h"
+#include "cli/render_scenes.h"
 #include "cli/scene_options.h"
+#include "pipeline/cores.h"
 #include "pipeline/preflight.h"
 #include "pipeline/render_clip.h"
-#include "pipeline/simulate_scene.h"
 #include "scene/nearest_name.h"
 
 namespace rotatebook::cli {
@@ -31,6 +27,7 @@ struct RenderArguments {
   bool noPng = false;
   std::vector<std::string> formats{"mp4"};
   bool noMp4 = false;
+  int atATime = 0;
   pipeline::RenderOptions options;
 };
 
@@ -86,60 +83,6 @@ std::vector<scene::Scene> readScenes(const RenderArguments& arguments) {
   return scenes;
 }
 
-void announce(const scene::Scene& scene, const std::string& renderer, const std::string& encoder) {
-  std::cout << scene.name << ": " << scene.title << '\n'
-            << "  " << scene.clip.width << "x" << scene.clip.height << " at "
-            << scene.clip.frameRate.text() << " frames/s, " << shortestText(scene.clip.duration)
-            << " s; renderer " << renderer
-            << (encoder.empty() ? std::string() : "; encoder " + encoder) << std::endl;
-}
-
-/// The words for each thing that a render left.
-std::vector<std::string> writtenThings(const pipeline::RenderResult& result,
-                                       const pipeline::RenderOptions& options) {
-  const pipeline::ClipFiles& files = result.files;
-  const bool newFolder = result.interrupted && !options.frames;
-  std::vector<std::string> things;
-  for (const video::VideoFormat format : options.formats) {
-    if (result.framesWritten == 0) break;
-    things.push_back(
-        (result.interrupted ? files.partialVideo(format) : files.video(format)).string());
-  }
-  if (!result.interrupted) {
-    for (const auto& csv : result.csvs) things.push_back(csv.string());
-  }
-  if (!result.interrupted && !options.frames) things.push_back(files.poster.string());
-  if (options.png) {
-    things.push_back(std::to_string(result.framesWritten) + " frames in " +
-                     (newFolder ? files.partialFrameFolder : files.frameFolder).string() + '/');
-  }
-  return things;
-}
-
-int renderScene(const scene::Scene& scene, const pipeline::RenderOptions& options) {
-  const pipeline::ClipMotion motion = pipeline::simulateScene(scene, options.stop);
-  if (*options.stop) {
-    std::cout << scene.name << ": interrupted while simulating; nothing was written" << std::endl;
-    return interruptStatus();
-  }
-  pipeline::RenderResult result;
-  {
-    ProgressLine progress(scene.name);
-    pipeline::RenderListener listener;
-    listener.started = [&](const std::string& renderer, const std::string& encoder) {
-      announce(scene, renderer, encoder);
-    };
-    listener.progress = [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); };
-    result = renderClip(scene, motion, options, listener);
-  }
-  reportFiles(writtenThings(result, options));
-  if (result.interrupted) {
-    std::cout << "  interrupted after " << result.framesWritten << " frames" << std::endl;
-    return interruptStatus();
-  }
-  return reportMotions(scene, motion, std::cout);
-}
-
 int render(const RenderArguments& arguments) {
   pipeline::RenderOptions options = arguments.options;
   options.png = !arguments.noPng;
@@ -147,13 +90,9 @@ int render(const RenderArguments& arguments) {
   if (!arguments.frames.empty()) options.frames = parseRange(arguments.frames);
   const std::vector<scene::Scene> scenes = readScenes(arguments);
   options.stop = &catchInterrupts();
-  int status = kDone;
-  for (const scene::Scene& scene : scenes) {
-    const int outcome = renderScene(scene, options);
-    if (outcome >= kInterrupted) return outcome;
-    status = std::max(status, outcome);
-  }
-  return sayIfUnmet(status);
+  const int atATime =
+      arguments.atATime > 0 ? arguments.atATime : scenesAtATime(pipeline::coreCount());
+  return sayIfUnmet(renderScenes(scenes, options, atATime));
 }
 
 }  // namespace
@@ -184,6 +123,11 @@ void addRenderCommand(CLI::App& program, Action& action) {
                    "PNG compression, 0 (fastest) to 9 (smallest)")
       ->check(CLI::Range(0, 9))
       ->capture_default_str();
+  command
+      ->add_option("-j,--jobs", arguments->atATime,
+                   "Scenes to render at a time; by default one for every 3 cores")
+      ->type_name("N")
+      ->check(CLI::Range(1, 64));
   command->footer(R"(
 Writes DIR/NAME.mp4 (or other videos, as --format has it), DIR/NAME.csv, DIR/NAME.poster.png and DIR/NAME/frame_00000.png ..., where NAME is
 the scene file's.

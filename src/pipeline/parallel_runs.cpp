@@ -8,7 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "pipeline/frame_workers.h"
+#include "pipeline/cores.h"
+#include "pipeline/first_error.h"
 
 namespace rotatebook::pipeline {
 namespace {
@@ -34,8 +35,7 @@ class Runs {
 
  private:
   int threadCount() const {
-    const auto cores = static_cast<int>(std::thread::hardware_concurrency());
-    const int wanted = options_.threads > 0 ? options_.threads : std::max(cores, 1);
+    const int wanted = options_.threads > 0 ? options_.threads : coreCount();
     return std::min(wanted, static_cast<int>(indices_.size()));
   }
 

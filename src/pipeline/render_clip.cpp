@@ -4,10 +4,10 @@
 #include <exception>
 #include <memory>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 #include "base/error.h"
+#include "pipeline/cores.h"
 #include "pipeline/frame_folder.h"
 #include "pipeline/frame_workers.h"
 #include "pipeline/pool.h"
@@ -19,14 +19,6 @@ namespace {
 
 constexpr int kPicturesInFlight = 8;
 constexpr int kExposuresInFlight = 3;
-
-// Packing PNGs is the only stage that can be shared out; drawing, finishing and encoding need a
-// core too.
-int pngThreads(const RenderOptions& options) {
-  if (options.pngThreads > 0) return options.pngThreads;
-  const auto cores = static_cast<int>(std::thread::hardware_concurrency());
-  return std::clamp(cores - 1, 1, 6);
-}
 
 using VideoSinks = std::vector<std::unique_ptr<VideoSink>>;
 
@@ -59,6 +51,12 @@ void finish(const VideoSinks& videos, const ClipFiles& files, const std::string&
 }
 
 }  // namespace
+
+// Packing PNGs is the only stage that can be shared out; drawing, finishing and encoding need a
+// core too.
+int pngThreads(int cores) {
+  return std::clamp(cores - 1, 1, 6);
+}
 
 FrameRange framesToRender(const ClipMotion& motion, std::optional<FrameRange> wanted) {
   const std::int64_t count = motion.frameCount();
@@ -127,9 +125,13 @@ RenderResult renderClip(const scene::Scene& scene, const ClipMotion& motion,
                       pngOptions);
 
   std::vector<SinkThreads> sinks;
-  if (options.png) sinks.push_back({png, pngThreads(options)});
+  RenderStart start{drawer.description(), encoderNames(videos)};
+  if (options.png) {
+    start.pngThreads = options.pngThreads > 0 ? options.pngThreads : pngThreads(coreCount());
+    sinks.push_back({png, start.pngThreads});
+  }
   for (const auto& video : videos) sinks.push_back({*video, 1});
-  if (listener.started) listener.started(drawer.description(), encoderNames(videos));
+  if (listener.started) listener.started(start);
   result.framesWritten = drawFrames(drawer, range, sinks, options.stop, listener.progress);
   result.interrupted = result.framesWritten < range.count();
   if (result.interrupted) {

@@ -24,7 +24,7 @@ struct RenderOptions {
   std::vector<video::VideoFormat> formats{video::VideoFormat::Mp4};  ///< Each at most once.
   std::optional<FrameRange> frames{};  ///< Only these; all by default.
   image::PngOptions pngOptions{};
-  int pngThreads = 0;  ///< That pack PNGs; 0: as many as the cores suggest. The files are the same.
+  int pngThreads = 0;  ///< 0: pngThreads() of the machine's cores. The files are the same.
   /// Set from outside, e.g. by a signal handler, to stop after the frame in hand. May be null.
   const std::atomic<bool>* stop = nullptr;
 };
@@ -35,9 +35,19 @@ struct RenderProgress {
   std::int64_t total = 0;
 };
 
+/// How many threads pack PNGs where a render has so many cores.
+int pngThreads(int cores);
+
+/// With what a render begins.
+struct RenderStart {
+  std::string renderer;
+  std::string encoders;  ///< "libx264, gif"; each has a thread.
+  int pngThreads = 0;    ///< 0 if there are no PNGs.
+};
+
 /// Hears of a render while it goes on; called on the caller's thread.
 struct RenderListener {
-  std::function<void(const std::string& renderer, const std::string& encoders)> started;
+  std::function<void(const RenderStart&)> started;
   std::function<void(RenderProgress)> progress;
 };
 

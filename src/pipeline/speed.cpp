@@ -7,11 +7,11 @@
 #include <cstring>
 #include <ctime>
 #include <filesystem>
-#include <thread>
 #include <vector>
 
 #include "base/error.h"
 #include "pipeline/clip_files.h"
+#include "pipeline/cores.h"
 #include "pipeline/frame_drawer.h"
 #include "pipeline/frame_sink.h"
 #include "pipeline/render_clip.h"
@@ -164,9 +164,9 @@ bool measureWhole(const scene::Scene& scene, const ClipMotion& motion, const Spe
   const TemporaryFolder folder;
   std::optional<Stopwatch> watch;
   RenderListener listener;
-  listener.started = [&](const std::string& renderer, const std::string& encoder) {
-    speed.renderer = renderer;
-    speed.encoder = encoder;
+  listener.started = [&](const RenderStart& begun) {
+    speed.renderer = begun.renderer;
+    speed.encoder = begun.encoders;
   };
   const Stopwatch start;
   listener.progress = [&](RenderProgress now) {
@@ -188,7 +188,7 @@ std::optional<Speed> measureSpeed(const scene::Scene& scene, const SpeedOptions&
   scene::Scene part = scene;
   part.clip.duration = static_cast<double>(options.frames) * scene.clip.frameRate.period();
   Speed speed;
-  speed.cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  speed.cores = coreCount();
   const Stopwatch watch;
   const ClipMotion motion = simulateScene(part, options.stop);
   const WorkTime simulated = watch.elapsed();

@@ -3,6 +3,7 @@
 #include <array>
 #include <dlfcn.h>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -108,6 +109,13 @@ EGLContext makeCurrentContext(EGLDisplay display, std::string& failure) {
   return context;
 }
 
+/// Held while a display begins, gives a context and ends. Ending it leaves contexts alone that are
+/// current on other threads, but would pull it from under one that is being made.
+std::mutex& displayMutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 std::optional<OpenedContext> tryWay(const Way& way, std::string& failures) {
   const std::string start = "\n  " + way.name + ": ";
   EGLDisplay display = way.open();
@@ -139,6 +147,7 @@ std::string describeRenderer(const std::string& way) {
 
 EglContext::EglContext() {
   requireLibraries();
+  const std::lock_guard lock(displayMutex());
   std::string failures;
   for (const Way& way : listWays(failures)) {
     if (const auto opened = tryWay(way, failures)) {
@@ -153,6 +162,7 @@ EglContext::EglContext() {
 }
 
 EglContext::~EglContext() {
+  const std::lock_guard lock(displayMutex());
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
   eglTerminate(display_);

@@ -6,7 +6,8 @@
 namespace rotatebook::render {
 
 /// A core OpenGL 3.3+ context through EGL, current on the thread that made it until it is destroyed
-/// there. Tries every EGL device, then Mesa's surfaceless platform, then the default display.
+/// there; other threads may have others. Tries every EGL device, then Mesa's surfaceless platform,
+/// then the default display.
 class EglContext {
  public:
   /// Throws MachineError with what each way said and what to install.

@@ -201,14 +201,15 @@ TEST(RenderClip, RemovesTheFramesOfALongerRenderBefore) {
 
 TEST(RenderClip, TellsRendererEncoderAndProgress) {
   const fs::path folder = emptyFolder();
-  std::string renderer, encoder;
+  RenderStart start;
   std::vector<std::int64_t> done;
-  const RenderListener listener{
-      [&](const std::string& r, const std::string& e) { renderer = r, encoder = e; },
-      [&](RenderProgress progress) { done.push_back(progress.done); }};
-  renderClip(smallScene(), simulateScene(smallScene()), {.folder = folder}, listener);
-  EXPECT_THAT(renderer, HasSubstr("OpenGL"));
-  EXPECT_FALSE(encoder.empty());
+  const RenderListener listener{[&](const RenderStart& begun) { start = begun; },
+                                [&](RenderProgress progress) { done.push_back(progress.done); }};
+  renderClip(smallScene(), simulateScene(smallScene()), {.folder = folder, .pngThreads = 3},
+             listener);
+  EXPECT_THAT(start.renderer, HasSubstr("OpenGL"));
+  EXPECT_FALSE(start.encoders.empty());
+  EXPECT_EQ(start.pngThreads, 3);
   ASSERT_EQ(done.size(), static_cast<std::size_t>(kFrames) + 1);
   EXPECT_EQ(done.front(), 0);
   EXPECT_EQ(done.back(), kFrames);

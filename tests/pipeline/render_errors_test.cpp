@@ -52,7 +52,7 @@ TEST(RenderErrors, NameAFolderInPlaceOfTheVideo) {
 TEST(RenderErrors, NameAFrameThatCannotBeWritten) {
   const fs::path folder = emptyFolder();
   const RenderListener listener{
-      [&](const std::string&, const std::string&) {
+      [&](const RenderStart&) {
         fs::create_directories(folder / "small.partial" / frameName(4) / "in the way");
       },
       {}};

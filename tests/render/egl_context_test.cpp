@@ -2,6 +2,11 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <latch>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -60,6 +65,27 @@ TEST(EglContext, CanBeMadeAgain) {
     const EglContext context;
     EXPECT_NE(glGetString(GL_VERSION), nullptr);
   }
+}
+
+TEST(EglContext, OutlivesThatOfAnotherThread) {
+  std::optional<EglContext> first(std::in_place);
+  std::latch made(1), firstIsGone(1);
+  std::string version;
+  GLenum error = GL_INVALID_OPERATION;
+  std::thread other([&] {
+    const EglContext second;
+    made.count_down();
+    firstIsGone.wait();
+    version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
+    glClear(GL_COLOR_BUFFER_BIT);
+    error = glGetError();
+  });
+  made.wait();
+  first.reset();
+  firstIsGone.count_down();
+  other.join();
+  EXPECT_NE(version, "");
+  EXPECT_EQ(error, static_cast<GLenum>(GL_INVALID_FRAMEBUFFER_OPERATION));  // There is no surface.
 }
 
 }  // namespace

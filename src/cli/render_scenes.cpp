@@ -1,0 +1,211 @@
+#include "cli/render_scenes.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iostream>
+#include <numeric>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "base/number_text.h"
+#include "cli/exit_code.h"
+#include "cli/file_report.h"
+#include "cli/interrupt.h"
+#include "cli/motion_report.h"
+#include "cli/progress_line.h"
+#include "pipeline/cores.h"
+#include "pipeline/parallel_runs.h"
+#include "pipeline/simulate_scene.h"
+
+namespace rotatebook::cli {
+namespace {
+
+constexpr int kCoresAScene = 3;
+
+using Progress = std::function<void(pipeline::RenderProgress)>;
+
+void announce(const scene::Scene& scene, const pipeline::RenderStart& start, std::size_t videos,
+              std::ostream& out) {
+  out << scene.name << ": " << scene.title << '\n'
+      << "  " << scene.clip.width << "x" << scene.clip.height << " at "
+      << scene.clip.frameRate.text() << " frames/s, " << shortestText(scene.clip.duration)
+      << " s; renderer " << start.renderer
+      << (start.encoders.empty() ? std::string() : "; encoder " + start.encoders) << '\n'
+      << "  threads: 1 draws, 1 finishes";
+  if (start.pngThreads > 0) {
+    out << ", " << start.pngThreads << (start.pngThreads == 1 ? " packs" : " pack") << " PNGs";
+  }
+  if (videos > 0) out << ", " << videos << (videos == 1 ? " encodes" : " encode");
+  out << "; cores: " << pipeline::coreCount() << std::endl;
+}
+
+/// The words for each thing that a render left.
+std::vector<std::string> writtenThings(const pipeline::RenderResult& result,
+                                       const pipeline::RenderOptions& options) {
+  const pipeline::ClipFiles& files = result.files;
+  const bool newFolder = result.interrupted && !options.frames;
+  std::vector<std::string> things;
+  for (const video::VideoFormat format : options.formats) {
+    if (result.framesWritten == 0) break;
+    things.push_back(
+        (result.interrupted ? files.partialVideo(format) : files.video(format)).string());
+  }
+  if (!result.interrupted) {
+    for (const auto& csv : result.csvs) things.push_back(csv.string());
+  }
+  if (!result.interrupted && !options.frames) things.push_back(files.poster.string());
+  if (options.png) {
+    things.push_back(std::to_string(result.framesWritten) + " frames in " +
+                     (newFolder ? files.partialFrameFolder : files.frameFolder).string() + '/');
+  }
+  return things;
+}
+
+struct Rendered {
+  pipeline::ClipMotion motion;
+  pipeline::RenderResult result;
+};
+
+/// Nothing, and says so, if it was interrupted before there was anything to write.
+std::optional<Rendered> render(const scene::Scene& scene, const pipeline::RenderOptions& options,
+                               const Progress& progress, std::ostream& out) {
+  pipeline::ClipMotion motion = pipeline::simulateScene(scene, options.stop);
+  if (*options.stop) {
+    out << scene.name << ": interrupted while simulating; nothing was written" << std::endl;
+    return std::nullopt;
+  }
+  pipeline::RenderListener listener;
+  listener.started = [&](const pipeline::RenderStart& start) {
+    announce(scene, start, options.formats.size(), out);
+  };
+  listener.progress = progress;
+  pipeline::RenderResult result = renderClip(scene, motion, options, listener);
+  return Rendered{std::move(motion), std::move(result)};
+}
+
+/// Says what was rendered; returns its status.
+int report(const scene::Scene& scene, const std::optional<Rendered>& rendered,
+           const pipeline::RenderOptions& options, std::ostream& out) {
+  if (!rendered) return interruptStatus();
+  const auto& [motion, result] = *rendered;
+  reportFiles(writtenThings(result, options), out);
+  if (result.interrupted) {
+    out << "  interrupted after " << result.framesWritten << " frames" << std::endl;
+    return interruptStatus();
+  }
+  return reportMotions(scene, motion, out);
+}
+
+int renderInTurn(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options) {
+  int status = kDone;
+  for (const scene::Scene& scene : scenes) {
+    std::optional<Rendered> rendered;
+    {
+      ProgressLine line(scene.name);
+      const auto progress = [&](pipeline::RenderProgress now) { line.update(now.done, now.total); };
+      rendered = render(scene, options, progress, std::cout);
+    }
+    const int outcome = report(scene, rendered, options, std::cout);
+    if (outcome >= kInterrupted) return outcome;
+    status = std::max(status, outcome);
+  }
+  return status;
+}
+
+/// Renders that go on at the same time. What they say is printed on the caller's thread.
+class TogetherRenders {
+ public:
+  TogetherRenders(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options)
+      : scenes_(scenes),
+        options_(options),
+        renders_(scenes.size()),
+        line_(std::to_string(scenes.size()) + " scenes") {
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      renders_[i].total = options.frames ? options.frames->count() : scenes[i].clip.frameCount();
+    }
+  }
+
+  int run(int atATime) {
+    std::vector<std::size_t> all(scenes_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    pipeline::RunOptions options;
+    options.threads = atATime;
+    options.stop = options_.stop;
+    options.progress = [this](std::size_t, std::size_t) { tell(); };
+    try {
+      runParallel(
+          all, [this](std::size_t i) { render(i); }, options);
+    } catch (...) {
+      line_.clear();
+      while (told_ < renders_.size()) tellNext();
+      throw;
+    }
+    int status = kDone;
+    for (const Render& one : renders_) status = std::max(status, one.status);
+    return std::max(status, interruptStatus());
+  }
+
+ private:
+  struct Render {
+    std::atomic<std::int64_t> done = 0, total = 0;
+    std::ostringstream text;
+    int status = kDone;
+    std::atomic<bool> finished = false;  // After it the two above stay as they are.
+  };
+
+  void render(std::size_t i) {
+    Render& one = renders_[i];
+    const auto progress = [&one](pipeline::RenderProgress now) {
+      one.total = now.total;
+      one.done = now.done;
+    };
+    const std::optional<Rendered> rendered = cli::render(scenes_[i], options_, progress, one.text);
+    one.status = report(scenes_[i], rendered, options_, one.text);
+    one.finished = true;
+  }
+
+  void tell() {
+    std::int64_t done = 0, total = 0;
+    for (const Render& one : renders_) {
+      done += one.done;
+      total += one.total;
+    }
+    line_.update(done, total);
+    if (told_ < renders_.size() && renders_[told_].finished) line_.clear();
+    while (told_ < renders_.size() && renders_[told_].finished) tellNext();
+  }
+
+  void tellNext() {
+    const Render& next = renders_[told_++];
+    if (next.finished) std::cout << next.text.str() << std::flush;
+  }
+
+  const std::vector<scene::Scene>& scenes_;
+  const pipeline::RenderOptions& options_;
+  std::vector<Render> renders_;
+  std::size_t told_ = 0;
+  ProgressLine line_;
+};
+
+}  // namespace
+
+int scenesAtATime(int cores) {
+  return std::max(1, cores / kCoresAScene);
+}
+
+int renderScenes(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options,
+                 int atATime) {
+  atATime = std::min(atATime, static_cast<int>(scenes.size()));
+  if (atATime <= 1) return renderInTurn(scenes, options);
+  pipeline::RenderOptions shared = options;
+  shared.pngThreads = pipeline::pngThreads(pipeline::coreCount() / atATime);
+  std::cout << atATime << " scenes at a time" << std::endl;
+  return TogetherRenders(scenes, shared).run(atATime);
+}
+
+}  // namespace rotatebook::cli

@@ -3,6 +3,7 @@
 #include <array>
 #include <dlfcn.h>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -109,11 +110,29 @@ EGLContext makeCurrentContext(EGLDisplay display, std::string& failure) {
   return context;
 }
 
-/// Held while a display begins, gives a context and ends. Ending it leaves contexts alone that are
-/// current on other threads, but would pull it from under one that is being made.
-std::mutex& displayMutex() {
-  static std::mutex mutex;
-  return mutex;
+/// How many contexts each display has. EGL doesn't count: whoever ends a display takes the contexts
+/// of all threads from it.
+class DisplayUsers {
+ public:
+  void add(EGLDisplay display) { ++counts_[display]; }
+  /// Ends the display if nobody uses it.
+  void endUnused(EGLDisplay display) {
+    if (counts_[display] == 0) eglTerminate(display);
+  }
+  void remove(EGLDisplay display) {
+    --counts_[display];
+    endUnused(display);
+  }
+
+  std::mutex mutex;  // Held while a display begins, gives a context and ends.
+
+ private:
+  std::map<EGLDisplay, int> counts_;
+};
+
+DisplayUsers& displayUsers() {
+  static DisplayUsers users;
+  return users;
 }
 
 std::optional<OpenedContext> tryWay(const Way& way, std::string& failures) {
@@ -129,10 +148,11 @@ std::optional<OpenedContext> tryWay(const Way& way, std::string& failures) {
   }
   std::string failure;
   if (EGLContext context = makeCurrentContext(display, failure); context != EGL_NO_CONTEXT) {
+    displayUsers().add(display);
     return OpenedContext{display, context};
   }
   failures += start + failure;
-  eglTerminate(display);
+  displayUsers().endUnused(display);
   return {};
 }
 
@@ -147,7 +167,7 @@ std::string describeRenderer(const std::string& way) {
 
 EglContext::EglContext() {
   requireLibraries();
-  const std::lock_guard lock(displayMutex());
+  const std::lock_guard lock(displayUsers().mutex);
   std::string failures;
   for (const Way& way : listWays(failures)) {
     if (const auto opened = tryWay(way, failures)) {
@@ -162,10 +182,10 @@ EglContext::EglContext() {
 }
 
 EglContext::~EglContext() {
-  const std::lock_guard lock(displayMutex());
+  const std::lock_guard lock(displayUsers().mutex);
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
-  eglTerminate(display_);
+  displayUsers().remove(display_);
 }
 
 }  // namespace rotatebook::render

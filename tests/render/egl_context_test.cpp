@@ -8,6 +8,7 @@
 #include <thread>
 #include <utility>
 
+#include <epoxy/egl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -70,22 +71,20 @@ TEST(EglContext, CanBeMadeAgain) {
 TEST(EglContext, OutlivesThatOfAnotherThread) {
   std::optional<EglContext> first(std::in_place);
   std::latch made(1), firstIsGone(1);
-  std::string version;
-  GLenum error = GL_INVALID_OPERATION;
+  EGLBoolean known = EGL_FALSE;
   std::thread other([&] {
     const EglContext second;
     made.count_down();
     firstIsGone.wait();
-    version = reinterpret_cast<const char*>(glGetString(GL_VERSION));
-    glClear(GL_COLOR_BUFFER_BIT);
-    error = glGetError();
+    EGLint api = 0;  // libepoxy asks for it, too, when it looks a function up.
+    known = eglQueryContext(eglGetCurrentDisplay(), eglGetCurrentContext(), EGL_CONTEXT_CLIENT_TYPE,
+                            &api);
   });
   made.wait();
   first.reset();
   firstIsGone.count_down();
   other.join();
-  EXPECT_NE(version, "");
-  EXPECT_EQ(error, static_cast<GLenum>(GL_INVALID_FRAMEBUFFER_OPERATION));  // There is no surface.
+  EXPECT_TRUE(known);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "base/error.h"
@@ -58,6 +59,14 @@ int runAction(const Action& action) {
     return fail(error.what(), error.kind() == ErrorKind::Input ? kWrongInput : kMachineFailed);
   } catch (const std::bad_alloc&) {
     return fail("out of memory", kMachineFailed);
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::resource_unavailable_try_again) {
+      return fail(error.what(), kMachineFailed);
+    }
+    return fail(
+        "can't start a thread: this user or container may have no more of them; raise the "
+        "limit (ulimit -u)",
+        kMachineFailed);
   } catch (const std::exception& error) {
     return fail(error.what(), kMachineFailed);
   }

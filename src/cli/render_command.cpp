@@ -12,7 +12,7 @@
 #include "cli/interrupt.h"
 #include "cli/render_scenes.h"
 #include "cli/scene_options.h"
-#include "pipeline/cores.h"
+#include "pipeline/machine.h"
 #include "pipeline/preflight.h"
 #include "pipeline/render_clip.h"
 #include "scene/nearest_name.h"
@@ -90,8 +90,9 @@ int render(const RenderArguments& arguments) {
   if (!arguments.frames.empty()) options.frames = parseRange(arguments.frames);
   const std::vector<scene::Scene> scenes = readScenes(arguments);
   options.stop = &catchInterrupts();
-  const int atATime =
-      arguments.atATime > 0 ? arguments.atATime : scenesAtATime(pipeline::coreCount());
+  const int atATime = arguments.atATime > 0
+                          ? arguments.atATime
+                          : scenesAtATime(scenes, pipeline::coreCount(), pipeline::memorySize());
   return sayIfUnmet(renderScenes(scenes, options, atATime));
 }
 
@@ -124,8 +125,10 @@ void addRenderCommand(CLI::App& program, Action& action) {
       ->check(CLI::Range(0, 9))
       ->capture_default_str();
   command
-      ->add_option("-j,--jobs", arguments->atATime,
-                   "Scenes to render at a time; by default one for every 3 cores")
+      ->add_option(
+          "-j,--jobs", arguments->atATime,
+          "Scenes to render at a time; by default one for every 3 cores, as far as a quarter "
+          "of the memory holds them")
       ->type_name("N")
       ->check(CLI::Range(1, 64));
   command->footer(R"(

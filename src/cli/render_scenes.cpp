@@ -18,7 +18,7 @@
 #include "cli/interrupt.h"
 #include "cli/motion_report.h"
 #include "cli/progress_line.h"
-#include "pipeline/cores.h"
+#include "pipeline/machine.h"
 #include "pipeline/parallel_runs.h"
 #include "pipeline/simulate_scene.h"
 
@@ -27,20 +27,36 @@ namespace {
 
 constexpr int kCoresAScene = 3;
 
+/// What a render takes, about: measured from 640x360 to 3840x2160. [bytes]
+double memoryOf(const scene::Scene& scene) {
+  constexpr double kBase = 50e6, kPixel = 110;
+  const double supersample = scene.look.supersample;
+  return kBase + kPixel * supersample * supersample * scene.clip.width * scene.clip.height;
+}
+
 using Progress = std::function<void(pipeline::RenderProgress)>;
 
-void announce(const scene::Scene& scene, const pipeline::RenderStart& start, std::size_t videos,
+/// Threads of all encoders.
+int encoderThreads(const scene::Scene& scene, const std::vector<video::VideoFormat>& formats) {
+  int threads = 0;
+  for (const video::VideoFormat format : formats) {
+    threads += format == video::VideoFormat::Mp4 ? scene.video.threads : 1;
+  }
+  return threads;
+}
+
+void announce(const scene::Scene& scene, const pipeline::RenderStart& start, int encoders,
               std::ostream& out) {
   out << scene.name << ": " << scene.title << '\n'
       << "  " << scene.clip.width << "x" << scene.clip.height << " at "
       << scene.clip.frameRate.text() << " frames/s, " << shortestText(scene.clip.duration)
       << " s; renderer " << start.renderer
       << (start.encoders.empty() ? std::string() : "; encoder " + start.encoders) << '\n'
-      << "  threads: 1 draws, 1 finishes";
+      << "  threads: 1 draws (a software rasteriser has its own), 1 finishes";
   if (start.pngThreads > 0) {
     out << ", " << start.pngThreads << (start.pngThreads == 1 ? " packs" : " pack") << " PNGs";
   }
-  if (videos > 0) out << ", " << videos << (videos == 1 ? " encodes" : " encode");
+  if (encoders > 0) out << ", " << encoders << (encoders == 1 ? " encodes" : " encode");
   out << "; cores: " << pipeline::coreCount() << std::endl;
 }
 
@@ -81,7 +97,7 @@ std::optional<Rendered> render(const scene::Scene& scene, const pipeline::Render
   }
   pipeline::RenderListener listener;
   listener.started = [&](const pipeline::RenderStart& start) {
-    announce(scene, start, options.formats.size(), out);
+    announce(scene, start, encoderThreads(scene, options.formats), out);
   };
   listener.progress = progress;
   pipeline::RenderResult result = renderClip(scene, motion, options, listener);
@@ -137,17 +153,17 @@ class TogetherRenders {
     options.threads = atATime;
     options.stop = options_.stop;
     options.progress = [this](std::size_t, std::size_t) { tell(); };
+    bool begunAll = false;
     try {
-      runParallel(
-          all, [this](std::size_t i) { render(i); }, options);
+      const auto renderOne = [this](std::size_t i) { render(i); };
+      begunAll = runParallel(all, renderOne, options);
     } catch (...) {
-      line_.clear();
-      while (told_ < renders_.size()) tellNext();
+      tellRest();
       throw;
     }
-    int status = kDone;
+    int status = begunAll ? kDone : interruptStatus();
     for (const Render& one : renders_) status = std::max(status, one.status);
-    return std::max(status, interruptStatus());
+    return status;
   }
 
  private:
@@ -155,29 +171,63 @@ class TogetherRenders {
     std::atomic<std::int64_t> done = 0, total = 0;
     std::ostringstream text;
     int status = kDone;
-    std::atomic<bool> finished = false;  // After it the two above stay as they are.
+    std::atomic<bool> begun = false, failed = false;
+    std::atomic<bool> finished = false;  // After it text and status stay as they are.
   };
 
   void render(std::size_t i) {
     Render& one = renders_[i];
+    one.begun = true;
     const auto progress = [&one](pipeline::RenderProgress now) {
       one.total = now.total;
       one.done = now.done;
     };
-    const std::optional<Rendered> rendered = cli::render(scenes_[i], options_, progress, one.text);
-    one.status = report(scenes_[i], rendered, options_, one.text);
-    one.finished = true;
+    try {
+      const std::optional<Rendered> rendered =
+          cli::render(scenes_[i], options_, progress, one.text);
+      one.status = report(scenes_[i], rendered, options_, one.text);
+      one.finished = true;
+    } catch (...) {
+      one.failed = true;
+      throw;
+    }
   }
 
   void tell() {
+    tellFailure();
     std::int64_t done = 0, total = 0;
     for (const Render& one : renders_) {
+      if (failureTold_ && (one.failed || !one.begun)) continue;  // They won't go on.
       done += one.done;
       total += one.total;
     }
     line_.update(done, total);
     if (told_ < renders_.size() && renders_[told_].finished) line_.clear();
     while (told_ < renders_.size() && renders_[told_].finished) tellNext();
+  }
+
+  /// At once, as the others may take long; why is told at the end.
+  void tellFailure() {
+    const auto failed =
+        std::ranges::find_if(renders_, [](const Render& one) { return one.failed.load(); });
+    if (failureTold_ || failed == renders_.end()) return;
+    failureTold_ = true;
+    line_.clear();
+    std::cerr << nameOf(failed) << " failed; no more scenes are begun" << std::endl;
+  }
+
+  /// After an error.
+  void tellRest() {
+    tellFailure();
+    line_.clear();
+    while (told_ < renders_.size()) tellNext();
+    for (auto one = renders_.begin(); one != renders_.end(); ++one) {
+      if (!one->begun) std::cout << nameOf(one) << ": not begun" << std::endl;
+    }
+  }
+
+  const std::string& nameOf(std::vector<Render>::const_iterator one) const {
+    return scenes_[static_cast<std::size_t>(one - renders_.begin())].name;
   }
 
   void tellNext() {
@@ -189,13 +239,17 @@ class TogetherRenders {
   const pipeline::RenderOptions& options_;
   std::vector<Render> renders_;
   std::size_t told_ = 0;
+  bool failureTold_ = false;
   ProgressLine line_;
 };
 
 }  // namespace
 
-int scenesAtATime(int cores) {
-  return std::max(1, cores / kCoresAScene);
+int scenesAtATime(const std::vector<scene::Scene>& scenes, int cores, double memory) {
+  double largest = 0;
+  for (const scene::Scene& scene : scenes) largest = std::max(largest, memoryOf(scene));
+  const double held = memory / 4 / largest;
+  return std::max(1, static_cast<int>(std::min(1.0 * cores / kCoresAScene, held)));
 }
 
 int renderScenes(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options,

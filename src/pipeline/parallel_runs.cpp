@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "pipeline/cores.h"
+#include "pipeline/machine.h"
 #include "pipeline/first_error.h"
 
 namespace rotatebook::pipeline {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "pipeline/cores.h"
+#include "pipeline/machine.h"
 #include "pipeline/frame_folder.h"
 #include "pipeline/frame_workers.h"
 #include "pipeline/pool.h"

@@ -11,7 +11,7 @@
 
 #include "base/error.h"
 #include "pipeline/clip_files.h"
-#include "pipeline/cores.h"
+#include "pipeline/machine.h"
 #include "pipeline/frame_drawer.h"
 #include "pipeline/frame_sink.h"
 #include "pipeline/render_clip.h"

@@ -10,6 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -57,10 +58,22 @@ TEST_F(RenderScenes, GoOnToTheirEndWhereAnotherFails) {
   fs::create_directories(folder() / "out/large.mp4");
   const ChildResult result = render("3", {});
   EXPECT_EQ(result.status, 3);
-  EXPECT_EQ(result.error, "rotatebook: can't write out/large.mp4: it is a folder\n");
+  EXPECT_EQ(result.error,
+            "large failed; no more scenes are begun\n"
+            "rotatebook: can't write out/large.mp4: it is a folder\n");
   EXPECT_THAT(result.output, AllOf(HasSubstr("tiny: Tiny\n"), HasSubstr("panels: Panels\n")));
   EXPECT_TRUE(has("out/tiny.mp4"));
   EXPECT_TRUE(has("out/panels.mp4"));
+}
+
+TEST_F(RenderScenes, AreNotBegunAfterAnotherFailed) {
+  fs::create_directories(folder() / "out/tiny.mp4");
+  const ChildResult result = run({"render", "tiny.toml", "large.toml", "panels.toml", "--jobs", "2",
+                                  "--set", "clip.duration=5"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.output, EndsWith("panels: not begun\n"));
+  EXPECT_TRUE(has("out/large.mp4"));
+  EXPECT_FALSE(has("out/panels.mp4"));
 }
 
 TEST_F(RenderScenes, AreAllInterrupted) {

@@ -54,7 +54,8 @@ TEST_F(RenderCommand, SaysWhatItDrawsWithAndWhatItWrote) {
   EXPECT_THAT(
       result.output,
       AllOf(StartsWith("tiny: Tiny\n  64x36 at 60 frames/s, 0.2 s; renderer "),
-            HasSubstr("; encoder libx264\n  threads: 1 draws, 1 finishes, "),
+            HasSubstr("; encoder libx264\n  threads: 1 draws (a software rasteriser has its own), "
+                      "1 finishes, "),
             HasSubstr(" PNGs, 1 encodes; cores: "),
             EndsWith("  wrote out/tiny.mp4, out/tiny.csv, out/tiny.poster.png and 12 frames in "
                      "out/tiny/\n")));

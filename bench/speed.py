@@ -149,7 +149,7 @@ def stage_table(stages):
     lines += [f"{'all':38}{'':12}{work:14.2f}",
               f"{'all together, after the start':38}{wall:12.2f}{stages['whole']['processor']:14.2f}",
               f"distance to the limit: {wall:.2f} ms / ({work:.2f} ms / {stages['cores']} cores) = {wall / limit:.2f}",
-              f"start-up: {stages['start_up_s']:.2f} s"]
+              f"to make drawing ready: {stages['start_up_s']:.2f} s"]
     return "\n".join(lines) + "\n"
 
 
@@ -172,15 +172,17 @@ def measure_tables(options):
                 **peers(options.mujoco, options.frames)}
     missing = [name for name, command in commands.items() if command is None]
     runs = {name: [] for name, command in commands.items() if command is not None}
-    stages = []
+    stages, starts = [], []
     for _ in range(options.repetitions):
         for name, results in runs.items():
             results.append(run(commands[name]))
         stages.append(measure_stages(options.program, options.frames))
+        starts.append(run(render_command(options.program, 1)).seconds)
     middle = median_stages(stages)
     print(machine_text(middle))
     print(f"medians of {options.repetitions} runs\n")
-    print(stage_table(middle))
+    print(stage_table(middle) +
+          f"from the command to the end of a part of one frame: {statistics.median(starts):.2f} s\n")
     print(end_to_end_table({name: median(results) for name, results in runs.items()}, missing, options.frames))
 
 

@@ -52,8 +52,9 @@ class Quick(unittest.TestCase):
         done = self.run_speed("--program", PROGRAM, "--mujoco", "/nonexistent")
         self.assertEqual(done.returncode, 0, done.stderr)
         for row in ["processor", "renderer", "encoder", "compiler", *speed.STAGES.values(), "distance to the limit",
-                    "start-up", "rotatebook, PNGs and MP4", "rotatebook, MP4 alone", "moderngl, PNGs by Pillow",
-                    "moderngl to ffmpeg", "640x360", "1280x720", "8 "]:
+                    "to make drawing ready", "from the command to the end of a part of one frame",
+                    "rotatebook, PNGs and MP4", "rotatebook, MP4 alone", "moderngl, PNGs by Pillow", "moderngl to ffmpeg",
+                    "640x360", "1280x720", "8 "]:
             self.assertRegex(done.stdout, f"(?m)^{row}")
         self.assertRegex(done.stdout, "MuJoCo to ffmpeg, no PNGs +not installed: make bench-peers")
         for name in ("resolution.png", "frames.png"):

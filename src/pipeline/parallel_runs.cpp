@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "pipeline/machine.h"
 #include "pipeline/first_error.h"
+#include "pipeline/machine.h"
 
 namespace rotatebook::pipeline {
 namespace {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "base/error.h"
-#include "pipeline/machine.h"
 #include "pipeline/frame_folder.h"
 #include "pipeline/frame_workers.h"
+#include "pipeline/machine.h"
 #include "pipeline/pool.h"
 #include "pipeline/poster.h"
 #include "pipeline/trajectory_csv.h"

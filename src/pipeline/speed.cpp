@@ -11,9 +11,9 @@
 
 #include "base/error.h"
 #include "pipeline/clip_files.h"
-#include "pipeline/machine.h"
 #include "pipeline/frame_drawer.h"
 #include "pipeline/frame_sink.h"
+#include "pipeline/machine.h"
 #include "pipeline/render_clip.h"
 #include "pipeline/simulate_scene.h"
 

@@ -7,11 +7,6 @@
 
 namespace rotatebook::image {
 
-/// The light of an sRGB number, 0 to 1.
-double linearFromSrgb(std::uint8_t encoded);
-/// The sRGB number nearest to `light`, 0 to 1.
-std::uint8_t srgbFromLinear(double light);
-
 /// White, where light is a whole number: as fine as sRGB is where that is finest.
 inline constexpr std::uint32_t kFullLight = 65'535;
 

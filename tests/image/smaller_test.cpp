@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "image/srgb.h"
+#include "image/srgb_formula.h"
 
 namespace rotatebook::image {
 namespace {

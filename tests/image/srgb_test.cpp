@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "image/srgb_formula.h"
+
 namespace rotatebook::image {
 namespace {
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "image/srgb.h"
+#include "image/srgb_formula.h"
 
 namespace rotatebook::render {
 namespace {

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "image/comparison.h"
-#include "image/srgb.h"
+#include "image/srgb_formula.h"
 #include "render/drawing.h"
 
 namespace rotatebook::render {

@@ -1,7 +1,8 @@
 #include "render/texture.h"
 
+#include <cstddef>
+#include <cstring>
 #include <string>
-#include <vector>
 
 #include "base/error.h"
 #include "image/smaller.h"
@@ -22,20 +23,19 @@ void refuseOversize(image::ImageView picture) {
 }
 
 // GL's first row is the lowest; ours is the highest.
-std::vector<std::uint8_t> bottomUpBytes(image::ImageView picture) {
-  const auto rowBytes = static_cast<std::size_t>(picture.width * bytesPerPixel(picture.format));
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(rowBytes * static_cast<std::size_t>(picture.height));
-  for (int y = picture.height - 1; y >= 0; --y) {
-    bytes.insert(bytes.end(), picture.row(y), picture.row(y) + rowBytes);
+image::Image upsideDown(image::ImageView picture) {
+  image::Image turned(picture.width, picture.height, picture.format);
+  for (int y = 0; y < picture.height; ++y) {
+    std::memcpy(turned.row(picture.height - 1 - y), picture.row(y),
+                static_cast<std::size_t>(turned.stride()));
   }
-  return bytes;
+  return turned;
 }
 
-void upload(int level, image::ImageView picture) {
-  const GLenum format = picture.format == image::PixelFormat::Rgb8 ? GL_RGB : GL_RGBA;
-  glTexImage2D(GL_TEXTURE_2D, level, GL_SRGB8_ALPHA8, picture.width, picture.height, 0, format,
-               GL_UNSIGNED_BYTE, bottomUpBytes(picture).data());
+void upload(int level, const image::Image& picture) {
+  const GLenum format = picture.format() == image::PixelFormat::Rgb8 ? GL_RGB : GL_RGBA;
+  glTexImage2D(GL_TEXTURE_2D, level, GL_SRGB8_ALPHA8, picture.width(), picture.height(), 0, format,
+               GL_UNSIGNED_BYTE, picture.row(0));
 }
 
 void setFilters(TextureWrap wrap) {
@@ -53,13 +53,12 @@ Texture::Texture(image::ImageView picture, TextureWrap wrap) {
   refuseOversize(picture);
   bind();
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  upload(0, picture);
+  image::Image level = upsideDown(picture);
+  upload(0, level);
   // Made here: by the driver it takes a third of a render's start, and comes out as it pleases.
-  image::Image level;
-  for (int i = 1; picture.width > 1 || picture.height > 1; ++i) {
-    level = image::halvedOpaque(picture);
-    picture = level.view();
-    upload(i, picture);
+  for (int i = 1; level.width() > 1 || level.height() > 1; ++i) {
+    level = image::halvedOpaque(level.view());
+    upload(i, level);
   }
   setFilters(wrap);
 }

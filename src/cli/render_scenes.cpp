@@ -227,6 +227,7 @@ class RendersTogether {
   /// After an error.
   void tellRest() {
     tellFailure();
+    line_.clear();
     for (; told_ < renders_.size(); ++told_) tellFinished();
     for (const Render& one : renders_) {
       if (one.state == State::Waiting) std::cout << nameOf(one) << ": not begun" << std::endl;

@@ -41,7 +41,7 @@ int pngThreads(int cores);
 /// With what a render begins.
 struct RenderStart {
   std::string renderer;
-  std::string encoders;  ///< "libx264, gif"; each has a thread.
+  std::string encoders;  ///< "libx264, gif"
   int pngThreads = 0;    ///< 0 if there are no PNGs.
 };
 

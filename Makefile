@@ -42,7 +42,7 @@ build: configure
 	@cmake --build $(BUILD)
 
 figures: program
-	$(PROGRAM) render scenes/comparisons/*.toml scenes/figures/*.toml -o $(OUT)
+	$(PROGRAM) render scenes/comparisons/*.toml scenes/figures/*.toml -o $(OUT) --resume --overwrite
 	$(PROGRAM) study scenes/studies/*.toml -o $(OUT)
 	$(PROGRAM) still scenes/stills/fig01-axes.toml --time 0 -o $(OUT)/fig01-axes.png
 	$(PROGRAM) page scenes/stills/*.toml scenes/figures/*.toml scenes/comparisons/*.toml scenes/studies/*.toml \

@@ -1,9 +1,9 @@
 #include "base/atomic_file.h"
 
 #include <cerrno>
-#include <cstring>
+#include <cstdio>
 #include <fcntl.h>
-#include <fstream>
+#include <string>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -15,40 +15,36 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void throwLastError(const fs::path& path, const char* action) {
-  throw MachineError("can't " + std::string(action) + " " + path.string() + ": " +
-                     std::strerror(errno));
+constexpr std::string_view kMark = ".rotatebook-";
+
+fs::path temporaryNameFor(const fs::path& path, pid_t number) {
+  const std::string name = "." + path.filename().string() + std::string(kMark);
+  return path.parent_path() / (name + std::to_string(number));
 }
 
-fs::path temporaryNameFor(const fs::path& path) {
-  const std::string name = "." + path.filename().string() + ".tmp-" + std::to_string(getpid());
-  return path.parent_path() / name;
+bool isTemporaryName(const std::string& name) {
+  const std::size_t mark = name.rfind(kMark);
+  if (!name.starts_with('.') || mark == std::string::npos) return false;
+  const std::string_view pid = std::string_view(name).substr(mark + kMark.size());
+  return !pid.empty() && pid.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
 // A rename is only safe against a power cut once the content itself has reached the disk.
-void flushToDisk(const fs::path& path) {
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0) throwLastError(path, "reopen");
-  const int failed = fdatasync(descriptor);
-  const int error = errno;
-  close(descriptor);
-  errno = error;
-  if (failed != 0) throwLastError(path, "flush");
+void flushToDisk(const FileDescriptor& file, const fs::path& path) {
+  if (fdatasync(file.number()) != 0) throwLastError(path, "flush");
 }
 
 }  // namespace
 
 AtomicFile::AtomicFile(fs::path finalPath)
-    : finalPath_(std::move(finalPath)), temporaryPath_(temporaryNameFor(finalPath_)) {
+    : finalPath_(std::move(finalPath)), temporaryPath_(temporaryNameFor(finalPath_, getpid())) {
   // A rename would put a plain file in the place of a device or a pipe.
   if (fs::exists(finalPath_) && !fs::is_regular_file(finalPath_)) {
     throw MachineError("can't write " + finalPath_.string() + ": it is " +
                        (fs::is_directory(finalPath_) ? "a folder" : "not a regular file"));
   }
-  const int flags = O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC;
-  const int descriptor = open(temporaryPath_.c_str(), flags, 0666);
-  if (descriptor < 0) throwLastError(finalPath_, "write");
-  close(descriptor);
+  held_ = createLocked(temporaryPath_, Lock::Exclusive);
+  if (!held_.isOpen()) throwLastError(finalPath_, "write");
 }
 
 AtomicFile::~AtomicFile() {
@@ -56,8 +52,12 @@ AtomicFile::~AtomicFile() {
   if (!committed_) fs::remove(temporaryPath_, ignored);
 }
 
+void AtomicFile::write(std::string_view content) {
+  writeAll(held_, content, finalPath_);
+}
+
 void AtomicFile::commitAs(const fs::path& path) {
-  flushToDisk(temporaryPath_);
+  flushToDisk(held_, path);
   if (std::rename(temporaryPath_.c_str(), path.c_str()) != 0) {
     throwLastError(path, "rename the finished file to");
   }
@@ -66,11 +66,44 @@ void AtomicFile::commitAs(const fs::path& path) {
 
 void writeFileAtomically(const fs::path& path, std::string_view content) {
   AtomicFile file(path);
-  std::ofstream stream(file.temporaryPath(), std::ios::binary);
-  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-  stream.close();
-  if (!stream) throwLastError(path, "write");
+  file.write(content);
   file.commit();
+}
+
+UseLock::UseLock(const fs::path& path, Lock lock)
+    : path_(temporaryNameFor(path, 0)), file_(createLocked(path_, lock)) {
+  if (file_.isOpen()) return;
+  if (errno != EWOULDBLOCK) throwLastError(path, "write");
+  throw MachineError("another process is writing " + path.string() + "; wait for it to end");
+}
+
+UseLock::~UseLock() {
+  // The last one of those that share it takes it away.
+  if (!tryLock(file_, Lock::Exclusive)) return;
+  std::error_code ignored;
+  fs::remove(path_, ignored);
+}
+
+void removeStaleTemporaries(const fs::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (!isTemporaryName(entry.path().filename().string())) continue;
+    const FileDescriptor file(
+        open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+    if (!file.isOpen() || !tryLock(file, Lock::Exclusive)) continue;
+    fs::remove(entry.path(), ignored);
+  }
+}
+
+void flushFolder(const fs::path& folder) {
+  const FileDescriptor file(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!file.isOpen() || fsync(file.number()) != 0) throwLastError(folder, "flush the folder");
+}
+
+void removeFile(const fs::path& path) {
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) throw MachineError("can't remove " + path.string() + ": " + error.message());
 }
 
 void createFolders(const fs::path& folder) {

@@ -4,10 +4,15 @@
 #include <filesystem>
 #include <string_view>
 
+#include "base/file_descriptor.h"
+
 namespace rotatebook {
 
 /// A file on its way: written under a temporary name beside the final one, renamed by commit().
 /// Without commit() the destructor removes it, so that a final name never holds half a file.
+///
+/// The temporary file is locked (flock) while this lives: one that nobody holds was left by a
+/// process that was killed.
 class AtomicFile {
  public:
   /// Throws MachineError if the folder of `finalPath` doesn't exist or can't be written, or if
@@ -17,9 +22,12 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
   ~AtomicFile();
 
-  /// The temporary name, `.NAME.tmp-PID`, for whoever writes the content.
+  /// The temporary name, `.NAME.rotatebook-PID`, for whoever writes the content otherwise.
   const std::filesystem::path& temporaryPath() const { return temporaryPath_; }
   const std::filesystem::path& finalPath() const { return finalPath_; }
+
+  /// Appends to the content. Throws MachineError.
+  void write(std::string_view content);
 
   /// Flushes the content to the disk and renames it, replacing an older file. Whoever wrote the
   /// content has closed it before. Throws MachineError.
@@ -30,11 +38,38 @@ class AtomicFile {
  private:
   std::filesystem::path finalPath_;
   std::filesystem::path temporaryPath_;
+  FileDescriptor held_;
   bool committed_ = false;
 };
 
+/// Says to other processes that something is in use, while this lives: by a locked file beside it,
+/// `.NAME.rotatebook-0`. Does nothing where the file system has no locks.
+class UseLock {
+ public:
+  /// `path` names what is used, which needn't be there, but its folder. Throws MachineError if
+  /// another process has an exclusive lock of it, or any lock and this one is to be exclusive.
+  UseLock(const std::filesystem::path& path, Lock lock);
+  UseLock(const UseLock&) = delete;
+  UseLock& operator=(const UseLock&) = delete;
+  ~UseLock();
+
+ private:
+  std::filesystem::path path_;
+  FileDescriptor file_;
+};
+
+/// Removes the temporary files in `folder` whose writers are dead. What can't be removed stays; it
+/// hurts nobody. Nothing happens if there is no such folder.
+void removeStaleTemporaries(const std::filesystem::path& folder);
+
+/// Brings the names of what is in `folder` to the disk, after renames. Throws MachineError.
+void flushFolder(const std::filesystem::path& folder);
+
 /// Writes `content` to `path`, all of it or nothing. Throws MachineError.
 void writeFileAtomically(const std::filesystem::path& path, std::string_view content);
+
+/// Removes `path` if it is there. Throws MachineError.
+void removeFile(const std::filesystem::path& path);
 
 /// Makes `folder` and its parents. Throws MachineError, naming the part that stands in the way.
 void createFolders(const std::filesystem::path& folder);

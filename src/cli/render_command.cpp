@@ -119,6 +119,11 @@ void addRenderCommand(CLI::App& program, Action& action) {
       ->allow_extra_args(false)
       ->capture_default_str();
   command->add_flag("--no-mp4", arguments->noMp4, "Write no MP4");
+  command->add_flag("--resume", arguments->options.earlier.resume,
+                    "Go on where a render stopped, and skip what is done");
+  command->add_flag("--overwrite", arguments->options.earlier.overwrite,
+                    "Discard frames of a render that wasn't finished; with --resume, only those of "
+                    "other settings");
   command
       ->add_option("--png-level", arguments->options.pngOptions.level,
                    "PNG compression, 0 (fastest) to 9 (smallest)")
@@ -136,12 +141,15 @@ Writes DIR/NAME.mp4 (or other videos, as --format has it), DIR/NAME.csv, DIR/NAM
 the scene file's.
 A scene with panels has a table for each, DIR/NAME_LABEL.csv.
 With --frames the MP4 is DIR/NAME_A-B.mp4, and the frames join those of earlier parts.
+A render that stops, whatever stops it, keeps the frames that are done; the same command with
+--resume goes on, and its files are those of a render that never stopped.
 
 Examples:
   rotatebook render scenes/starter.toml
   rotatebook render scenes/figures/fig05-unstable-x.toml --size 1920x1080 --no-png
   rotatebook render my.toml -o /tmp/clips --set simulation.model=matrix --set clip.duration=5
   rotatebook render my.toml --frames 0:60
+  rotatebook render scenes/figures/*.toml --resume
   rotatebook render my.toml --format gif,apng --size 480x270 --no-png)");
   command->callback([arguments, &action] { action = [arguments] { return render(*arguments); }; });
 }

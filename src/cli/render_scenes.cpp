@@ -105,14 +105,23 @@ std::optional<Rendered> render(const scene::Scene& scene, const pipeline::Render
   return Rendered{std::move(motion), std::move(result)};
 }
 
+const char* howToGoOn(const pipeline::RenderOptions& options) {
+  return options.png ? "; go on with the same command and --resume" : "";
+}
+
 /// Says what was rendered; returns its status.
 int report(const scene::Scene& scene, const std::optional<Rendered>& rendered,
            const pipeline::RenderOptions& options, std::ostream& out) {
   if (!rendered) return interruptStatus();
   const auto& [motion, result] = *rendered;
-  reportFiles(writtenThings(result, options), out);
+  if (result.wasDone) out << scene.name << ": was done before" << std::endl;
+  if (result.framesKept > 0) {
+    out << "  kept " << result.framesKept << " frames of an earlier run" << std::endl;
+  }
+  if (!result.wasDone) reportFiles(writtenThings(result, options), out);
   if (result.interrupted) {
-    out << "  interrupted after " << result.framesWritten << " frames" << std::endl;
+    out << "  interrupted after " << result.framesWritten << " frames" << howToGoOn(options)
+        << std::endl;
     return interruptStatus();
   }
   return reportMotions(scene, motion, out);

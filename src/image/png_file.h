@@ -32,8 +32,8 @@ class PngWriter {
   PngWriter& operator=(PngWriter&&) noexcept;
   ~PngWriter();
 
-  /// Throws MachineError.
-  void write(const std::filesystem::path& path, ImageView view);
+  /// Returns the bytes that were written, which are there until the next call. Throws MachineError.
+  const std::string& write(const std::filesystem::path& path, ImageView view);
 
  private:
   struct Parts;

@@ -102,7 +102,7 @@ PngWriter::PngWriter(PngWriter&&) noexcept = default;
 PngWriter& PngWriter::operator=(PngWriter&&) noexcept = default;
 PngWriter::~PngWriter() = default;
 
-void PngWriter::write(const std::filesystem::path& path, ImageView view) {
+const std::string& PngWriter::write(const std::filesystem::path& path, ImageView view) {
   const bool alpha = parts_->options.transparent && view.format == PixelFormat::Rgba8;
   std::string& bytes = parts_->bytes;
   bytes.clear();
@@ -112,6 +112,7 @@ void PngWriter::write(const std::filesystem::path& path, ImageView view) {
   done = done && encoder.end();
   if (!done) throw MachineError("can't write " + path.string() + ": libpng: " + encoder.words());
   writeFileAtomically(path, bytes);
+  return bytes;
 }
 
 void writePng(const std::filesystem::path& path, ImageView view, PngOptions options) {

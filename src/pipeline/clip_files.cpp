@@ -27,16 +27,6 @@ std::string paddedNumber(std::int64_t number) {
   return {buffer.data(), static_cast<std::size_t>(length)};
 }
 
-std::optional<std::int64_t> frameIndex(const std::string& name) {
-  if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix)) return {};
-  const char* begin = name.data() + kPrefix.size();
-  const char* end = name.data() + name.size() - kSuffix.size();
-  std::int64_t index = 0;
-  const auto [rest, error] = std::from_chars(begin, end, index);
-  if (error != std::errc() || rest != end || index < 0 || name != frameName(index)) return {};
-  return index;
-}
-
 /// `label` in small letters, figures and hyphens that any file system takes.
 std::string slugOf(const std::string& label) {
   std::string slug;
@@ -57,6 +47,16 @@ std::string slugOf(const std::string& label) {
 
 std::string frameName(std::int64_t index) {
   return std::string(kPrefix) + paddedNumber(index) + std::string(kSuffix);
+}
+
+std::optional<std::int64_t> frameIndex(const std::string& name) {
+  if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix)) return {};
+  const char* begin = name.data() + kPrefix.size();
+  const char* end = name.data() + name.size() - kSuffix.size();
+  std::int64_t index = 0;
+  const auto [rest, error] = std::from_chars(begin, end, index);
+  if (error != std::errc() || rest != end || index < 0 || name != frameName(index)) return {};
+  return index;
 }
 
 std::vector<std::int64_t> framesIn(const fs::path& folder) {
@@ -80,8 +80,13 @@ fs::path ClipFiles::partialVideo(video::VideoFormat format) const {
 
 ClipFiles clipFiles(const fs::path& folder, const std::string& name) {
   const fs::path frames = folder / name;
-  return {frames,        folder / (name + ".partial"), frames / kSceneCopyName,
-          folder / name, folder / (name + ".csv"),     folder / (name + ".poster.png")};
+  return {.frameFolder = frames,
+          .partialFrameFolder = folder / (name + ".partial"),
+          .replacedFolder = folder / (name + ".replaced"),
+          .sceneCopy = frames / kSceneCopyName,
+          .videoStem = frames,
+          .csv = folder / (name + ".csv"),
+          .poster = folder / (name + ".poster.png")};
 }
 
 ClipFiles clipFiles(const fs::path& folder, const std::string& name, FrameRange part) {

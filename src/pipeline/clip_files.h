@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,9 @@ inline constexpr const char* kSceneCopyName = "scene.toml";
 /// "frame_00042.png"
 std::string frameName(std::int64_t index);
 
+/// The frame that a file's name is of, if it is a frame's.
+std::optional<std::int64_t> frameIndex(const std::string& name);
+
 /// Indices of the frames in `folder`, ascending. Throws InputError if there is no such folder.
 std::vector<std::int64_t> framesIn(const std::filesystem::path& folder);
 
@@ -33,6 +37,7 @@ std::vector<std::int64_t> framesIn(const std::filesystem::path& folder);
 struct ClipFiles {
   std::filesystem::path frameFolder;         ///< NAME/, with the PNGs
   std::filesystem::path partialFrameFolder;  ///< NAME.partial/, while they are made
+  std::filesystem::path replacedFolder;      ///< NAME.replaced/, of an earlier render, for a moment
   std::filesystem::path sceneCopy;           ///< NAME/scene.toml, the resolved scene
   std::filesystem::path videoStem;           ///< NAME, to which video() puts an ending
   std::filesystem::path csv;                 ///< NAME.csv; of panels see csvFiles()

@@ -6,12 +6,12 @@
 
 namespace rotatebook::pipeline {
 
-PngSequenceSink::PngSequenceSink(std::filesystem::path folder, image::PngOptions options)
-    : folder_(std::move(folder)), options_(options) {}
+PngSequenceSink::PngSequenceSink(FrameSums& sums, image::PngOptions options)
+    : sums_(&sums), options_(options) {}
 
 void PngSequenceSink::write(std::int64_t index, image::ImageView picture) {
   image::PngWriter writer = takeWriter();
-  writer.write(folder_ / frameName(index), picture);
+  sums_->add(index, writer.write(sums_->folder() / frameName(index), picture));
   const std::lock_guard lock(mutex_);
   idleWriters_.push_back(std::move(writer));
 }

@@ -9,6 +9,7 @@
 #include "base/atomic_file.h"
 #include "image/image.h"
 #include "image/png_file.h"
+#include "pipeline/frame_sums.h"
 #include "video/video_writer.h"
 
 namespace rotatebook::pipeline {
@@ -24,12 +25,12 @@ class FrameSink {
   virtual void finish() = 0;
 };
 
-/// Writes each frame to its own PNG in one folder. write() may be called from several threads at
-/// once, in any order.
+/// Writes each frame to its own PNG in one folder, and its checksum beside it. write() may be
+/// called from several threads at once, in any order.
 class PngSequenceSink : public FrameSink {
  public:
-  /// `folder` exists.
-  PngSequenceSink(std::filesystem::path folder, image::PngOptions options);
+  /// `sums`, of the folder, must outlive this.
+  PngSequenceSink(FrameSums& sums, image::PngOptions options);
 
   void write(std::int64_t index, image::ImageView picture) override;
   void finish() override {}
@@ -37,7 +38,7 @@ class PngSequenceSink : public FrameSink {
  private:
   image::PngWriter takeWriter();
 
-  std::filesystem::path folder_;
+  FrameSums* sums_;
   image::PngOptions options_;
   std::mutex mutex_;
   /// As many as threads have written at once.

@@ -1,24 +1,17 @@
 #include "pipeline/render_clip.h"
 
 #include <algorithm>
-#include <exception>
 #include <memory>
-#include <system_error>
 #include <vector>
 
 #include "base/error.h"
-#include "pipeline/frame_folder.h"
-#include "pipeline/frame_workers.h"
 #include "pipeline/machine.h"
-#include "pipeline/pool.h"
+#include "pipeline/manifest.h"
 #include "pipeline/poster.h"
 #include "pipeline/trajectory_csv.h"
 
 namespace rotatebook::pipeline {
 namespace {
-
-constexpr int kPicturesInFlight = 8;
-constexpr int kExposuresInFlight = 3;
 
 using VideoSinks = std::vector<std::unique_ptr<VideoSink>>;
 
@@ -38,17 +31,121 @@ std::string encoderNames(const VideoSinks& videos) {
   return names;
 }
 
-/// Brings a finished render under its final names, in the place of an earlier one's files.
-void finish(const VideoSinks& videos, const ClipFiles& files, const std::string& record,
-            const RenderOptions& options) {
-  for (const auto& video : videos) video->finish();
-  for (const video::VideoFormat format : video::kVideoFormats) {
-    removeFile(files.partialVideo(format));
-  }
-  if (options.frames) return;
-  removeOutdated(files, record, options.png, options.formats);
-  if (options.png) replaceFrames(files);
+std::vector<SinkThreads> sinksOf(const VideoSinks& videos, PngSequenceSink& png, int pngThreads) {
+  std::vector<SinkThreads> sinks;
+  if (pngThreads > 0) sinks.push_back({png, pngThreads, false});
+  for (const auto& video : videos) sinks.push_back({*video});
+  return sinks;
 }
+
+ClipFiles filesOf(const scene::Scene& scene, const RenderOptions& options, FrameRange range) {
+  return options.frames ? clipFiles(options.folder, scene.name, range)
+                        : clipFiles(options.folder, scene.name);
+}
+
+/// All files of a whole clip but its frames.
+std::vector<std::filesystem::path> allFiles(const RenderResult& result,
+                                            const std::vector<video::VideoFormat>& formats) {
+  std::vector<std::filesystem::path> files = result.csvs;
+  files.push_back(result.files.poster);
+  for (const video::VideoFormat format : formats) files.push_back(result.files.video(format));
+  return files;
+}
+
+/// A render on its way.
+class Render {
+ public:
+  Render(const scene::Scene& scene, const ClipMotion& motion, const RenderOptions& options)
+      : scene_(scene),
+        motion_(motion),
+        options_(options),
+        range_(framesToRender(motion, options.frames)),
+        drawer_(scene, motion) {
+    result_.files = filesOf(scene, options, range_);
+    result_.csvs = csvFiles(result_.files.csv, scene);
+  }
+
+  RenderResult run(const RenderListener& listener) {
+    createFolders(options_.folder);
+    const std::string record = sceneRecord(scene_, drawer_.description());
+    ClipFolder folder(result_.files, {.scene = scene_,
+                                      .record = record,
+                                      .made = fingerprint(scene_, drawer_.description(),
+                                                          options_.pngOptions.level),
+                                      .earlier = options_.earlier,
+                                      .part = options_.frames.has_value(),
+                                      .png = options_.png});
+    const std::vector<std::filesystem::path> files = allFiles(result_, options_.formats);
+    result_.wasDone = !options_.frames && options_.earlier.resume &&
+                      folder.isDone(files, options_.png ? std::optional(range_) : std::nullopt);
+    if (result_.wasDone) return result_;
+    try {
+      renderInto(folder, record, listener);
+      if (!result_.interrupted && !options_.frames) folder.finish(files, options_.png);
+    } catch (const MachineError& error) {
+      throw MachineError(error.what() + keptText(folder));
+    }
+    return result_;
+  }
+
+ private:
+  std::string keptText(const ClipFolder& folder) const {
+    const std::size_t count = options_.png ? folder.frameCount() : 0;
+    if (count == 0) return "";
+    return "\n  " + std::to_string(count) +
+           (count == 1 ? " finished frame is kept in " : " finished frames are kept in ") +
+           folder.path().string() + "/; go on with the same command and --resume";
+  }
+
+  void renderInto(ClipFolder& folder, const std::string& record, const RenderListener& listener) {
+    const VideoSinks videos =
+        openVideos(result_.files, videoSettings(scene_, record), options_.formats);
+    drawInto(videos, folder.sums(), listener);
+    result_.interrupted ? finishPartial(videos) : finish(videos);
+  }
+
+  void drawInto(const VideoSinks& videos, FrameSums& sums, const RenderListener& listener) {
+    image::PngOptions pngOptions = options_.pngOptions;
+    pngOptions.transparent = isTransparent(scene_);
+    PngSequenceSink png(sums, pngOptions);
+    RenderStart start{drawer_.description(), encoderNames(videos)};
+    if (options_.png) {
+      start.pngThreads = options_.pngThreads > 0 ? options_.pngThreads : pngThreads(coreCount());
+    }
+    if (listener.started) listener.started(start);
+    const FrameSums* kept = options_.earlier.resume ? &sums : nullptr;
+    const DrawnCount count = drawFrames(drawer_, {range_, kept, options_.stop},
+                                        sinksOf(videos, png, start.pngThreads), listener.progress);
+    result_.framesWritten = count.total();
+    result_.framesKept = count.kept;
+    result_.interrupted = count.total() < range_.count();
+  }
+
+  /// A clip of no frames isn't worth a file.
+  void finishPartial(const VideoSinks& videos) const {
+    if (result_.framesWritten == 0) return;
+    for (const auto& video : videos) video->finishAs(result_.files.partialVideo(video->format()));
+  }
+
+  void finish(const VideoSinks& videos) {
+    writeTables(result_.csvs, motion_);
+    if (!options_.frames) {
+      writePoster(drawer_, posterFrame(scene_.clip, range_.count()), isTransparent(scene_),
+                  result_.files.poster);
+    }
+    for (const auto& video : videos) video->finish();
+    for (const video::VideoFormat format : video::kVideoFormats) {
+      removeFile(result_.files.partialVideo(format));
+    }
+  }
+
+  const scene::Scene& scene_;
+  const ClipMotion& motion_;
+  const RenderOptions& options_;
+  FrameRange range_;
+  FrameDrawer drawer_;
+  RenderResult result_;
+};
 
 }  // namespace
 
@@ -67,87 +164,9 @@ FrameRange framesToRender(const ClipMotion& motion, std::optional<FrameRange> wa
                    (motion.allDiverge() ? ", up to a second after its motion diverges" : ""));
 }
 
-std::int64_t drawFrames(FrameDrawer& drawer, FrameRange range,
-                        const std::vector<SinkThreads>& sinks, const std::atomic<bool>* stop,
-                        const std::function<void(RenderProgress)>& progress) {
-  using SharedExposure = std::shared_ptr<const Exposure>;
-  FirstError error;
-  PicturePool pictures(drawer.makePicture(), kPicturesInFlight);
-  Pool<Exposure> exposures(drawer.makeExposure(), kExposuresInFlight);
-  std::vector<std::unique_ptr<FrameWorkers>> workers;
-  for (const SinkThreads& entry : sinks) {
-    workers.push_back(std::make_unique<FrameWorkers>(entry.sink, entry.threads, error));
-  }
-  const auto finish = [&](const SharedExposure& exposure) {
-    const std::shared_ptr<image::Image> picture = pictures.take();
-    drawer.finish(*exposure, *picture);
-    for (const auto& sink : workers) sink->submit({exposure->frame, picture});
-  };
-  Workers<SharedExposure> finisher(finish, 1, error);
-  std::int64_t done = 0;
-  if (progress) progress({done, range.count()});
-  while (done < range.count() && !(stop != nullptr && *stop)) {
-    const std::shared_ptr<Exposure> exposure = exposures.take();
-    try {
-      drawer.expose(range.first + done, *exposure);
-    } catch (...) {
-      error.set(std::current_exception());
-    }
-    error.rethrow();
-    finisher.submit(exposure);
-    ++done;
-    if (progress) progress({done, range.count()});
-  }
-  finisher.drain();
-  for (const auto& sink : workers) sink->drain();
-  error.rethrow();
-  return done;
-}
-
 RenderResult renderClip(const scene::Scene& scene, const ClipMotion& motion,
                         const RenderOptions& options, const RenderListener& listener) {
-  const FrameRange range = framesToRender(motion, options.frames);
-  FrameDrawer drawer(scene, motion);
-  const std::string record = sceneRecord(scene, drawer.description());
-
-  RenderResult result;
-  result.files = options.frames ? clipFiles(options.folder, scene.name, range)
-                                : clipFiles(options.folder, scene.name);
-  result.csvs = csvFiles(result.files.csv, scene);
-  createFolders(options.folder);
-  if (options.frames) refuseForeignFrames(result.files, record);
-  const VideoSinks videos = openVideos(result.files, videoSettings(scene, record), options.formats);
-  if (options.png && options.frames) startPart(result.files, record);
-  if (options.png && !options.frames) startWholeClip(result.files, record);
-  image::PngOptions pngOptions = options.pngOptions;
-  pngOptions.transparent = isTransparent(scene);
-  PngSequenceSink png(options.frames ? result.files.frameFolder : result.files.partialFrameFolder,
-                      pngOptions);
-
-  std::vector<SinkThreads> sinks;
-  RenderStart start{drawer.description(), encoderNames(videos)};
-  if (options.png) {
-    start.pngThreads = options.pngThreads > 0 ? options.pngThreads : pngThreads(coreCount());
-    sinks.push_back({png, start.pngThreads});
-  }
-  for (const auto& video : videos) sinks.push_back({*video, 1});
-  if (listener.started) listener.started(start);
-  result.framesWritten = drawFrames(drawer, range, sinks, options.stop, listener.progress);
-  result.interrupted = result.framesWritten < range.count();
-  if (result.interrupted) {
-    // A clip of no frames isn't worth a file.
-    for (const auto& video : videos) {
-      if (result.framesWritten > 0) video->finishAs(result.files.partialVideo(video->format()));
-    }
-  } else {
-    finish(videos, result.files, record, options);
-    writeTables(result.csvs, motion);
-    if (!options.frames) {
-      writePoster(drawer, posterFrame(scene.clip, range.count()), isTransparent(scene),
-                  result.files.poster);
-    }
-  }
-  return result;
+  return Render(scene, motion, options).run(listener);
 }
 
 }  // namespace rotatebook::pipeline

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "pipeline/clip_files.h"
+#include "pipeline/clip_folder.h"
 #include "pipeline/clip_motion.h"
-#include "pipeline/frame_drawer.h"
+#include "pipeline/draw_frames.h"
 #include "pipeline/frame_sink.h"
 #include "scene/scene.h"
 
@@ -23,16 +24,11 @@ struct RenderOptions {
   bool png = true;
   std::vector<video::VideoFormat> formats{video::VideoFormat::Mp4};  ///< Each at most once.
   std::optional<FrameRange> frames{};  ///< Only these; all by default.
+  EarlierFrames earlier{};
   image::PngOptions pngOptions{};
   int pngThreads = 0;  ///< 0: pngThreads() of the machine's cores. The files are the same.
   /// Set from outside, e.g. by a signal handler, to stop after the frame in hand. May be null.
   const std::atomic<bool>* stop = nullptr;
-};
-
-/// Told before the first frame and after each one.
-struct RenderProgress {
-  std::int64_t done = 0;
-  std::int64_t total = 0;
 };
 
 /// How many threads pack PNGs where a render has so many cores.
@@ -55,7 +51,9 @@ struct RenderListener {
 struct RenderResult {
   ClipFiles files;
   std::vector<std::filesystem::path> csvs;  ///< The tables; none are written if interrupted.
-  std::int64_t framesWritten = 0;
+  std::int64_t framesWritten = 0;           ///< Those kept among them.
+  std::int64_t framesKept = 0;              ///< Of an earlier run.
+  bool wasDone = false;  ///< An earlier run left all of it as it should be: nothing was written.
   /// Stopped from outside: frames are in NAME.partial/ (those of a part in NAME/), videos are
   /// NAME.partial.mp4 and so on, and the files of an earlier render are as they were.
   bool interrupted = false;
@@ -65,23 +63,11 @@ struct RenderResult {
 /// naming the frames that exist.
 FrameRange framesToRender(const ClipMotion& motion, std::optional<FrameRange> wanted);
 
-/// Draws `motion`, that of `scene`, and writes CSV, PNGs, videos and, of a whole clip,
-/// poster. The frames of a whole clip are written to NAME.partial/ and, once the clip is complete,
-/// take the place of an earlier one's in NAME/, so that files of two renders never mix. Only some
-/// frames (RenderOptions::frames) go straight to NAME/, beside others of the same resolved scene.
-/// Throws Error; files under a final name are whole then, too.
+/// Draws `motion`, that of `scene`, and writes CSV, PNGs, videos and, of a whole clip, poster,
+/// where ClipFolder has their frames; the files of a render that went on with an earlier one's are
+/// those of one that was never interrupted. Throws Error; files under a final name are whole then,
+/// too, and frames that were finished are kept.
 RenderResult renderClip(const scene::Scene& scene, const ClipMotion& motion,
                         const RenderOptions& options, const RenderListener& listener);
-
-/// Draws the frames of `range` into each of `sinks` on threads of their own; returns how many were
-/// drawn before `stop`. Sinks are not finished. Throws the first error that drawing or any sink ran
-/// into.
-struct SinkThreads {
-  FrameSink& sink;
-  int threads = 1;
-};
-std::int64_t drawFrames(FrameDrawer& drawer, FrameRange range,
-                        const std::vector<SinkThreads>& sinks, const std::atomic<bool>* stop,
-                        const std::function<void(RenderProgress)>& progress);
 
 }  // namespace rotatebook::pipeline

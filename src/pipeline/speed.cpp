@@ -94,7 +94,8 @@ class Stages {
       : drawer_(scene, motion),
         exposures_(kBatch, drawer_.makeExposure()),
         pictures_(kBatch, drawer_.makePicture()),
-        png_(folder, {.transparent = isTransparent(scene)}),
+        frameSums_(folder),
+        png_(frameSums_, {.transparent = isTransparent(scene)}),
         video_(video::VideoFormat::Mp4, folder / "stages.mp4", videoSettings(scene, "")) {
     drawer_.draw(0, pictures_[0]);  // The first picture compiles what draws the others.
   }
@@ -134,6 +135,7 @@ class Stages {
   FrameDrawer drawer_;
   std::vector<Exposure> exposures_;
   std::vector<image::Image> pictures_;
+  FrameSums frameSums_;
   PngSequenceSink png_;
   VideoSink video_;
   StageTimes sums_;

@@ -1,7 +1,6 @@
 #include "pipeline/study_files.h"
 
 #include "base/atomic_file.h"
-#include "pipeline/frame_folder.h"
 
 namespace rotatebook::pipeline {
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "image/png_file.h"
+#include "pipeline/checksum.h"
 #include "scene/places.h"
 
 namespace rotatebook::pipeline {
@@ -56,6 +57,16 @@ render::Background backgroundOf(scene::Background background) {
 }
 
 }  // namespace
+
+std::map<std::string, std::string> textureChecksums(const scene::Scene& scene) {
+  std::map<std::string, std::string> sums;
+  for (const Side& side : {kFront, kSpine, kBack}) {
+    sums[std::string(side.key)] = isBuiltin(scene, side)
+                                      ? "built-in"
+                                      : checksumOfFile(scene.folder / (scene.book.*side.file));
+  }
+  return sums;
+}
 
 void requireTextures(const scene::Scene& scene) {
   for (const Side& side : {kFront, kSpine, kBack}) {

@@ -1,6 +1,9 @@
 // A scene's cover pictures.
 #pragma once
 
+#include <map>
+#include <string>
+
 #include "render/renderer.h"
 #include "scene/scene.h"
 
@@ -9,6 +12,8 @@ namespace rotatebook::pipeline {
 /// Reads the pictures that the scene names, all at once. Throws InputError for one that is missing
 /// or broken.
 render::BookTextures loadTextures(const scene::Scene& scene);
+/// What the pictures depend on, by the scene's keys: "built-in", or the checksum of a file.
+std::map<std::string, std::string> textureChecksums(const scene::Scene& scene);
 /// Throws where loadTextures() would.
 void requireTextures(const scene::Scene& scene);
 

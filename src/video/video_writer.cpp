@@ -57,4 +57,8 @@ const std::string& VideoWriter::encoderName() const {
   return parts_->stages.encoder.name();
 }
 
+std::string ffmpegVersion() {
+  return av_version_info();
+}
+
 }  // namespace rotatebook::video

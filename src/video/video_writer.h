@@ -68,4 +68,7 @@ class VideoWriter {
   std::unique_ptr<Parts> parts_;
 };
 
+/// That of the FFmpeg libraries in use, for example "5.1.6".
+std::string ffmpegVersion();
+
 }  // namespace rotatebook::video

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <string>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -54,6 +56,46 @@ TEST_F(AtomicFileTest, LeavesTheOldFileAndNothingElseWithoutCommit) {
   }
   EXPECT_EQ(contentOf(folder_ / "a.txt"), "kept");
   EXPECT_EQ(filesInFolder(), 1);
+}
+
+TEST_F(AtomicFileTest, OfAProcessThatIsKilledIsRemovedByTheNext) {
+  const pid_t child = fork();
+  if (child == 0) {
+    const AtomicFile file(folder_ / "a.txt");
+    _exit(0);  // As good as a kill: no destructor runs.
+  }
+  ASSERT_EQ(waitpid(child, nullptr, 0), child);
+  ASSERT_EQ(filesInFolder(), 1) << "nothing was left";
+  const AtomicFile mine(folder_ / "a.txt");
+  removeStaleTemporaries(folder_);
+  EXPECT_EQ(filesInFolder(), 1);
+  EXPECT_TRUE(fs::exists(mine.temporaryPath())) << "a file was taken from who writes it";
+}
+
+TEST_F(AtomicFileTest, NothingElseIsTakenForOneThatWasLeft) {
+  for (const char* name : {".a.rotatebook-", ".a.rotatebook-1x", "a.rotatebook-1", ".a.tmp-1"}) {
+    std::ofstream(folder_ / name) << "kept";
+  }
+  ASSERT_EQ(mkfifo((folder_ / ".pipe").c_str(), 0600), 0);
+  removeStaleTemporaries(folder_);
+  EXPECT_EQ(filesInFolder(), 5);
+  removeStaleTemporaries(folder_ / "missing");
+}
+
+TEST_F(AtomicFileTest, UseIsSharedOrNot) {
+  const fs::path clip = folder_ / "clip";
+  {
+    const UseLock one(clip, Lock::Shared), other(clip, Lock::Shared);
+    EXPECT_THROW(UseLock(clip, Lock::Exclusive), MachineError);
+  }
+  EXPECT_EQ(filesInFolder(), 0);
+  {
+    const UseLock alone(clip, Lock::Exclusive);
+    EXPECT_THROW(UseLock(clip, Lock::Shared), MachineError);
+    removeStaleTemporaries(folder_);
+    EXPECT_EQ(filesInFolder(), 1) << "a lock in use was removed";
+  }
+  EXPECT_EQ(filesInFolder(), 0);
 }
 
 TEST_F(AtomicFileTest, NamesTheMissingFolderAndTheCause) {

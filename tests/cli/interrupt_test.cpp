@@ -2,6 +2,8 @@
 #include <chrono>
 #include <csignal>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/program_test.h"
 #include "image/png_file.h"
@@ -10,6 +12,7 @@
 namespace rotatebook::cli::testing {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -47,10 +50,11 @@ TEST_F(Interrupt, LeavesWholeFramesAndAPlayableClip) {
   EXPECT_FALSE(has("out/tiny.mp4"));
   const auto clip = video::testing::decodeVideo(folder() / "out/tiny.partial.mp4");
   EXPECT_EQ(static_cast<int>(clip.frames.size()), pictures);
-  EXPECT_THAT(result.output,
-              HasSubstr("\n  wrote out/tiny.partial.mp4 and " + std::to_string(pictures) +
-                        " frames in out/tiny.partial/\n  interrupted after " +
-                        std::to_string(pictures) + " frames\n"));
+  EXPECT_THAT(
+      result.output,
+      HasSubstr("\n  wrote out/tiny.partial.mp4 and " + std::to_string(pictures) +
+                " frames in out/tiny.partial/\n  interrupted after " + std::to_string(pictures) +
+                " frames; go on with the same command and --resume\n"));
 }
 
 TEST_F(Interrupt, TerminationHasAStatusOfItsOwn) {
@@ -83,11 +87,62 @@ TEST_F(Interrupt, EndsASimulationThatTakesLong) {
 TEST_F(Interrupt, FinishedRenderReplacesThePart) {
   interrupt(SIGINT, "out/tiny.partial/frame_00005.png", {});
   EXPECT_TRUE(has("out/tiny.partial.mp4"));
-  EXPECT_EQ(run({"render", "tiny.toml"}).status, 0);
+  const ChildResult refused = run({"render", "tiny.toml"});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.error, HasSubstr("go on with --resume, or render anew with --overwrite\n"));
+  EXPECT_EQ(run({"render", "tiny.toml", "--overwrite"}).status, 0);
   EXPECT_FALSE(has("out/tiny.partial.mp4"));
   EXPECT_TRUE(has("out/tiny.mp4"));
   EXPECT_FALSE(has("out/tiny.partial"));
   EXPECT_FALSE(has("out/tiny/frame_00012.png"));
+}
+
+class Killed : public ProgramTest {
+ protected:
+  ChildResult render(const std::string& folder, std::vector<std::string> options,
+                     ChildSettings settings = {}) const {
+    options.insert(options.begin(),
+                   {"render", "tiny.toml", "--set", "clip.duration=2", "-o", folder});
+    return run(options, std::move(settings));
+  }
+  /// Kills a render once it has made a frame.
+  void kill(const std::string& folder) const {
+    ChildSettings settings;
+    settings.signal = SIGKILL;
+    settings.signalWhen = [this, folder] { return has(folder + "/tiny.partial/frame_00020.png"); };
+    EXPECT_EQ(render(folder, {}, settings).status, 128 + SIGKILL);
+  }
+};
+
+TEST_F(Killed, RenderGoesOnToTheSameFiles) {
+  render("whole", {});
+  kill("killed");
+  EXPECT_FALSE(has("killed/tiny.mp4"));
+  const ChildResult result = render("killed", {"--resume"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.output, ContainsRegex("\n  kept [0-9]+ frames of an earlier run\n  wrote "));
+  int compared = 0;
+  for (const std::string& name : files()) {
+    if (!name.starts_with("killed/") || name.ends_with('/')) continue;
+    ++compared;
+    EXPECT_TRUE(read("whole" + name.substr(6)) == read(name)) << name;
+  }
+  EXPECT_EQ(compared, 120 + 6);
+}
+
+TEST_F(Killed, RenderThatIsDoneIsSkipped) {
+  render("out", {});
+  const ChildResult result = render("out", {"--resume"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_EQ(result.output, "tiny: was done before\n");
+}
+
+TEST_F(Killed, RenderIsNotContinuedWithOtherSettings) {
+  kill("out");
+  const ChildResult result = render("out", {"--resume", "--set", "body.mass=2"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.error, HasSubstr("and had other settings: body.mass is 1.0 there, 2.0 here; "
+                                      "render anew with --overwrite"));
 }
 
 }  // namespace

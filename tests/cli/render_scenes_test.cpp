@@ -43,7 +43,8 @@ TEST_F(RenderScenes, AreTheSameInBytesHoweverManyGoOnAtATime) {
     ++compared;
     EXPECT_TRUE(read("three" + name.substr(3)) == read(name)) << name;
   }
-  EXPECT_EQ(compared, 3 * (12 + 4) + 1);  // Frames, scene.toml, MP4, poster and table; a panel's.
+  EXPECT_EQ(compared,
+            3 * (12 + 6) + 1);  // Frames and what tells of them, MP4, poster and table; a panel's.
 }
 
 TEST_F(RenderScenes, AreReportedWholeAndInTheirOrder) {

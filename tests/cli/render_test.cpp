@@ -41,7 +41,8 @@ TEST_F(RenderCommand, WritesFramesClipAndTableIntoOut) {
                                    "out/tiny/frame_00005.png", "out/tiny/frame_00006.png",
                                    "out/tiny/frame_00007.png", "out/tiny/frame_00008.png",
                                    "out/tiny/frame_00009.png", "out/tiny/frame_00010.png",
-                                   "out/tiny/frame_00011.png", "out/tiny/scene.toml"));
+                                   "out/tiny/frame_00011.png", "out/tiny/frames.manifest",
+                                   "out/tiny/frames.xxh128", "out/tiny/scene.toml"));
   EXPECT_EQ(countOf("\n", read("out/tiny.csv")), 1 + static_cast<int>(kTinyFrames));
   EXPECT_EQ(video::testing::decodeVideo(folder() / "out/tiny.mp4").frames.size(), kTinyFrames);
   const image::Image picture = image::readPng(folder() / "out/tiny/frame_00011.png");
@@ -64,7 +65,8 @@ TEST_F(RenderCommand, SaysWhatItDrawsWithAndWhatItWrote) {
 TEST_F(RenderCommand, LeavesTheFramesOut) {
   const ChildResult result = run({"render", "tiny.toml", "--no-png"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.csv", "out/tiny.mp4", "out/tiny.poster.png"));
+  EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.csv", "out/tiny.mp4", "out/tiny.poster.png",
+                                   "out/tiny/", "out/tiny/frames.manifest", "out/tiny/scene.toml"));
   EXPECT_THAT(result.output,
               EndsWith("  wrote out/tiny.mp4, out/tiny.csv and out/tiny.poster.png\n"));
 }
@@ -73,7 +75,8 @@ TEST_F(RenderCommand, MakesTheVideosThatAreAskedFor) {
   const ChildResult result = run({"render", "tiny.toml", "--no-png", "--format", "webm,gif,apng"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.apng", "out/tiny.csv", "out/tiny.gif",
-                                   "out/tiny.poster.png", "out/tiny.webm"));
+                                   "out/tiny.poster.png", "out/tiny.webm", "out/tiny/",
+                                   "out/tiny/frames.manifest", "out/tiny/scene.toml"));
   EXPECT_THAT(result.output, AllOf(HasSubstr("; encoder libvpx-vp9, gif, apng\n"),
                                    HasSubstr("  wrote out/tiny.webm, out/tiny.gif, out/tiny.apng, "
                                              "out/tiny.csv and out/tiny.poster.png\n")));
@@ -105,6 +108,7 @@ TEST_F(RenderCommand, LeavesTheClipOut) {
   const ChildResult result = run({"render", "tiny.toml", "--no-mp4", "--frames", "0:1"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(files(), ElementsAre("out/", "out/tiny.csv", "out/tiny/", "out/tiny/frame_00000.png",
+                                   "out/tiny/frames.manifest", "out/tiny/frames.xxh128",
                                    "out/tiny/scene.toml"));
   EXPECT_THAT(result.output, EndsWith("  wrote out/tiny.csv and 1 frames in out/tiny/\n"));
 }
@@ -120,6 +124,7 @@ TEST_F(RenderCommand, DrawsARangeThatIsTheSameAsInTheWholeClip) {
   EXPECT_THAT(parts,
               ElementsAre("part/", "part/tiny.csv", "part/tiny/", "part/tiny/frame_00002.png",
                           "part/tiny/frame_00003.png", "part/tiny/frame_00004.png",
+                          "part/tiny/frames.manifest", "part/tiny/frames.xxh128",
                           "part/tiny/scene.toml", "part/tiny_00002-00005.mp4"));
   EXPECT_EQ(read("part/tiny/frame_00002.png"), read("whole/tiny/frame_00002.png"));
   EXPECT_NE(read("part/tiny/frame_00002.png"), read("whole/tiny/frame_00003.png"));
@@ -151,7 +156,9 @@ TEST_F(RenderCommand, RendersSeveralScenes) {
   const ChildResult result = run({"render", "tiny.toml", "b.toml", "--no-png"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(files(), ElementsAre("b.toml", "out/", "out/b.csv", "out/b.mp4", "out/b.poster.png",
-                                   "out/tiny.csv", "out/tiny.mp4", "out/tiny.poster.png"));
+                                   "out/b/", "out/b/frames.manifest", "out/b/scene.toml",
+                                   "out/tiny.csv", "out/tiny.mp4", "out/tiny.poster.png",
+                                   "out/tiny/", "out/tiny/frames.manifest", "out/tiny/scene.toml"));
 }
 
 TEST_F(RenderCommand, RefusesTwoScenesOfOneName) {
@@ -179,9 +186,10 @@ TEST_F(RenderCommand, RefusesToMixFramesOfOtherSettings) {
   };
   const ChildResult result = other("2");
   EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(result.error,
-            "rotatebook: out/tiny holds frames of other settings (compare its scene.toml with "
-            "'rotatebook scene --print'); render into another folder with -o, or remove it\n");
+  EXPECT_EQ(
+      result.error,
+      "rotatebook: out/tiny holds frames of other settings: body.mass is 1.0 there, 2.0 here; "
+      "render into another folder with -o, or remove it\n");
   EXPECT_FALSE(has("out/tiny/frame_00001.png"));
   EXPECT_EQ(other("1").status, 0);
   EXPECT_TRUE(has("out/tiny/frame_00000.png"));

@@ -1,7 +1,8 @@
+#include <csignal>
 #include <filesystem>
 #include <iterator>
 #include <string>
-#include <unistd.h>
+#include <sys/resource.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -120,10 +121,15 @@ TEST_F(PngWriterTest, GivesTheSameBytesAgain) {
 
 TEST_F(PngWriterTest, NamesAFullDisk) {
   const fs::path path = folder_ / "full.png";
-  const std::string temporary = ".full.png.tmp-" + std::to_string(getpid());
-  fs::create_symlink("/dev/full", folder_ / temporary);
-  EXPECT_EQ(refusalOf(path, texturedPicture().view()),
-            "can't write " + path.string() + ": No space left on device");
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit little{10, before.rlim_max};  // [bytes]
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &little);
+  const std::string refusal = refusalOf(path, texturedPicture().view());
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(refusal, "can't write " + path.string() + ": File too large");
   EXPECT_EQ(filesInFolder(), 0);
 }
 

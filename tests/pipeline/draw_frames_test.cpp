@@ -1,4 +1,6 @@
 // Drawing into sinks that run beside it.
+#include "pipeline/draw_frames.h"
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -8,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/fake_sinks.h"
-#include "pipeline/render_clip.h"
 #include "pipeline/small_clip.h"
 
 namespace rotatebook::pipeline {
@@ -27,7 +28,7 @@ class DrawFrames : public ::testing::Test {
  protected:
   std::int64_t draw(FrameRange range, const std::vector<SinkThreads>& sinks,
                     const std::function<void(RenderProgress)>& progress = {}) {
-    return drawFrames(drawer_, range, sinks, &stop_, progress);
+    return drawFrames(drawer_, {range, nullptr, &stop_}, sinks, progress).total();
   }
 
   std::string failureOf(const std::vector<SinkThreads>& sinks) {

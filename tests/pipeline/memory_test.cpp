@@ -66,7 +66,7 @@ TEST(Memory, HoldsAsManyPicturesForALongClip) {
   FrameDrawer drawer(testing::smallScene(), motion);
   for (const std::int64_t count : {kSome, 10 * kSome}) {
     testing::FakeSink sink;
-    drawFrames(drawer, {0, count}, {{sink, 1}}, nullptr, {});
+    drawFrames(drawer, {{0, count}}, {{sink}}, {});
     EXPECT_EQ(sink.written(), count);
     EXPECT_LE(sink.pictures().size(), 8U);
   }

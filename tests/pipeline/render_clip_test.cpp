@@ -1,7 +1,6 @@
 #include "pipeline/render_clip.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -24,18 +23,20 @@ using testing::bytesOf;
 using ::testing::ElementsAre;
 using testing::emptyFolder;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using testing::kFrames;
 using testing::motionOf;
 using testing::namesIn;
 using testing::smallScene;
+using testing::stoppedAfter;
 using video::testing::DecodedVideo;
 using video::testing::decodeVideo;
 
-// The names of `count` frames and the scene beside them.
+// The names of `count` frames and what tells of them.
 std::vector<std::string> frameFolderNames(std::int64_t count) {
   std::vector<std::string> names;
   for (std::int64_t index = 0; index < count; ++index) names.push_back(frameName(index));
-  names.push_back("scene.toml");
+  for (const char* name : {"frames.manifest", "frames.xxh128", "scene.toml"}) names.push_back(name);
   return names;
 }
 
@@ -175,7 +176,8 @@ TEST(RenderClip, GivesTheSameBytesAgain) {
 TEST(RenderClip, LeavesOutWhatIsNotWanted) {
   const fs::path folder = emptyFolder();
   testing::render(smallScene(), {.folder = folder / "mp4", .png = false});
-  EXPECT_THAT(namesIn(folder / "mp4"), ElementsAre("small.csv", "small.mp4", "small.poster.png"));
+  EXPECT_THAT(namesIn(folder / "mp4"),
+              ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
   testing::render(smallScene(), {.folder = folder / "png", .formats = {}});
   EXPECT_THAT(namesIn(folder / "png"), ElementsAre("small", "small.csv", "small.poster.png"));
   testing::render(smallScene(), {.folder = folder / "both"});
@@ -215,18 +217,9 @@ TEST(RenderClip, TellsRendererEncoderAndProgress) {
   EXPECT_EQ(done.back(), kFrames);
 }
 
-// Stops a render after `frames` frames.
-RenderResult stoppedAfter(std::int64_t frames, RenderOptions options) {
-  std::atomic<bool> stop = frames == 0;
-  options.stop = &stop;
-  const RenderListener listener{{},
-                                [&](RenderProgress progress) { stop = progress.done >= frames; }};
-  return renderClip(smallScene(), simulateScene(smallScene()), options, listener);
-}
-
 TEST(RenderClip, LeavesAPlayablePartialVideoWhenStopped) {
   const fs::path folder = emptyFolder();
-  const RenderResult result = stoppedAfter(5, {.folder = folder});
+  const RenderResult result = stoppedAfter(5, smallScene(), {.folder = folder});
   EXPECT_TRUE(result.interrupted);
   EXPECT_EQ(result.framesWritten, 5);
   EXPECT_THAT(namesIn(folder), ElementsAre("small.partial", "small.partial.mp4"));
@@ -236,9 +229,9 @@ TEST(RenderClip, LeavesAPlayablePartialVideoWhenStopped) {
 
 TEST(RenderClip, LeavesNoVideoWhenStoppedBeforeTheFirstFrame) {
   const fs::path folder = emptyFolder();
-  const RenderResult result = stoppedAfter(0, {.folder = folder});
+  const RenderResult result = stoppedAfter(0, smallScene(), {.folder = folder});
   EXPECT_TRUE(result.interrupted);
-  EXPECT_THAT(namesIn(folder), ElementsAre("small.partial"));
+  EXPECT_THAT(namesIn(folder), IsEmpty());
 }
 
 TEST(RenderClip, KeepsAllOfAnEarlierRenderWhenStopped) {
@@ -246,7 +239,7 @@ TEST(RenderClip, KeepsAllOfAnEarlierRenderWhenStopped) {
   testing::render(smallScene(), {.folder = folder});
   const std::string video = bytesOf(folder / "small.mp4");
   const std::string table = bytesOf(folder / "small.csv");
-  stoppedAfter(5, {.folder = folder});
+  stoppedAfter(5, smallScene(), {.folder = folder});
   EXPECT_EQ(bytesOf(folder / "small.mp4"), video);
   EXPECT_EQ(bytesOf(folder / "small.csv"), table);
   EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(kFrames));
@@ -258,7 +251,8 @@ TEST(RenderClip, NeverMixesTheFilesOfTwoSettings) {
   other.video.crf = 30;
   testing::render(smallScene(), {.folder = folder});
   testing::render(other, {.folder = folder, .png = false});
-  EXPECT_THAT(namesIn(folder), ElementsAre("small.csv", "small.mp4", "small.poster.png"));
+  EXPECT_THAT(framesIn(folder / "small"), IsEmpty());
+  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
   testing::render(smallScene(), {.folder = folder});
   testing::render(other, {.folder = folder, .formats = {}});
   EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.poster.png"));
@@ -270,12 +264,13 @@ TEST(RenderClip, KeepsWhatTheSameSettingsMadeBefore) {
   testing::render(smallScene(), {.folder = folder, .png = false});
   testing::render(smallScene(), {.folder = folder, .formats = {}});
   EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
+  EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(kFrames));
 }
 
 TEST(RenderClip, RemovesThePartialVideoOnceItIsWhole) {
   const fs::path folder = emptyFolder();
-  stoppedAfter(5, {.folder = folder});
-  testing::render(smallScene(), {.folder = folder});
+  stoppedAfter(5, smallScene(), {.folder = folder});
+  testing::render(smallScene(), {.folder = folder, .earlier = {.overwrite = true}});
   EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -71,6 +72,16 @@ inline std::vector<std::string> namesIn(const std::filesystem::path& folder) {
 /// Renders `scene` into `options.folder`.
 inline RenderResult render(const scene::Scene& scene, const RenderOptions& options) {
   return renderClip(scene, simulateScene(scene), options, {});
+}
+
+/// Stops a render after `frames` frames.
+inline RenderResult stoppedAfter(std::int64_t frames, const scene::Scene& scene,
+                                 RenderOptions options) {
+  std::atomic<bool> stop = frames == 0;
+  options.stop = &stop;
+  const RenderListener listener{{},
+                                [&](RenderProgress progress) { stop = progress.done >= frames; }};
+  return renderClip(scene, simulateScene(scene), options, listener);
 }
 
 /// What `action` says when it throws an `Expected`; "no error" if it doesn't throw.

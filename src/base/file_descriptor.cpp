@@ -1,0 +1,54 @@
+#include "base/file_descriptor.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <string>
+#include <sys/file.h>
+#include <sys/stat.h>
+
+#include "base/error.h"
+
+namespace rotatebook {
+namespace {
+
+/// Whether somebody removed it before it was locked.
+bool wasRemoved(const FileDescriptor& file) {
+  struct stat status {};
+  return fstat(file.number(), &status) == 0 && status.st_nlink == 0;
+}
+
+}  // namespace
+
+bool tryLock(const FileDescriptor& file, Lock lock) {
+  const int operation = lock == Lock::Shared ? LOCK_SH : LOCK_EX;
+  return flock(file.number(), operation | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+}
+
+FileDescriptor createLocked(const std::filesystem::path& path, Lock lock) {
+  while (true) {
+    // Nobody may lead it elsewhere by a link.
+    FileDescriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
+    if (!file.isOpen() || !tryLock(file, lock)) return {};
+    if (wasRemoved(file)) continue;
+    if (ftruncate(file.number(), 0) != 0) return {};
+    return file;
+  }
+}
+
+void writeAll(const FileDescriptor& file, std::string_view content,
+              const std::filesystem::path& path) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(file.number(), content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) throwLastError(path, "write");
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void throwLastError(const std::filesystem::path& path, std::string_view action) {
+  throw MachineError("can't " + std::string(action) + " " + path.string() + ": " +
+                     std::strerror(errno));
+}
+
+}  // namespace rotatebook

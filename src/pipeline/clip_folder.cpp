@@ -1,0 +1,198 @@
+#include "pipeline/clip_folder.h"
+
+#include <system_error>
+#include <utility>
+
+#include "base/error.h"
+#include "pipeline/checksum.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool hasFrames(const fs::path& folder) {
+  return fs::is_directory(folder) && !framesIn(folder).empty();
+}
+
+bool isOf(const fs::path& folder, const Manifest::Entries& made) {
+  const std::optional<Manifest> manifest = readManifest(folder);
+  return manifest && manifest->made == made;
+}
+
+void moveTo(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::rename(from, to, error);
+  if (error) {
+    throw MachineError("can't move " + from.string() + " to " + to.string() + ": " +
+                       error.message());
+  }
+}
+
+/// Removes all that a render put into `folder`, and the folder itself if nothing else is in it.
+void discard(const fs::path& folder) {
+  if (!fs::is_directory(folder)) return;
+  // First, so that what is left, if the process is killed, isn't taken for a clip.
+  removeFile(folder / kManifestName);
+  for (const std::int64_t index : framesIn(folder)) removeFile(folder / frameName(index));
+  removeFile(folder / kFrameSumsName);
+  removeFile(folder / kSceneCopyName);
+  std::error_code notEmpty;
+  fs::remove(folder, notEmpty);
+}
+
+/// Removes the files of a clip that was replaced, unless they are the new one's, too.
+void removeOutdated(const ClipFiles& files, const Manifest& old, const Manifest& now) {
+  if (old.made == now.made) return;
+  const std::string clip = files.frameFolder.filename().string();
+  for (const auto& [name, sum] : old.files) {
+    // A manifest is a file that anyone may change: it must not lead elsewhere.
+    const bool own = name.starts_with(clip) && fs::path(name).filename() == name;
+    if (own && !now.files.contains(name)) removeFile(files.frameFolder.parent_path() / name);
+  }
+}
+
+/// Ends the life of NAME.replaced/; what isn't a render's goes to NAME/.
+void discardReplaced(const ClipFiles& files) {
+  if (!fs::is_directory(files.replacedFolder)) return;
+  const Manifest now = readManifest(files.frameFolder).value_or(Manifest{});
+  if (const auto old = readManifest(files.replacedFolder)) removeOutdated(files, *old, now);
+  discard(files.replacedFolder);
+  std::error_code gone;
+  for (const auto& entry : fs::directory_iterator(files.replacedFolder, gone)) {
+    const fs::path place = files.frameFolder / entry.path().filename();
+    if (!fs::exists(place)) moveTo(entry.path(), place);
+  }
+  fs::remove(files.replacedFolder, gone);
+}
+
+/// Puts NAME.partial/, which is complete, in the place of NAME/.
+void replaceFolder(const ClipFiles& files) {
+  if (fs::exists(files.frameFolder)) moveTo(files.frameFolder, files.replacedFolder);
+  moveTo(files.partialFrameFolder, files.frameFolder);
+  discardReplaced(files);
+  flushFolder(files.partialFrameFolder.parent_path());
+}
+
+/// Brings to its end what a process that was killed had begun.
+void settle(const ClipFiles& files) {
+  const bool hasFinal = fs::exists(files.frameFolder);
+  if (hasFinal) discardReplaced(files);
+  const std::optional<Manifest> partial = readManifest(files.partialFrameFolder);
+  if (partial && partial->isComplete()) return replaceFolder(files);
+  if (!hasFinal && fs::exists(files.replacedFolder))
+    moveTo(files.replacedFolder, files.frameFolder);
+}
+
+}  // namespace
+
+ClipFolder::ClipFolder(const ClipFiles& files, const Settings& settings)
+    : lock_(files.frameFolder, settings.part ? Lock::Shared : Lock::Exclusive),
+      files_(files),
+      manifest_{settings.made, {}} {
+  // Better said now than when the folder is to be moved there.
+  if (fs::exists(files.frameFolder)) createFolders(files.frameFolder);
+  settings.part ? openPart(settings) : openWhole(settings);
+  removeStaleTemporaries(files.frameFolder.parent_path());
+  removeStaleTemporaries(path_);
+  sums_.emplace(path_);
+}
+
+ClipFolder::~ClipFolder() {
+  try {
+    if (path_ == files_.partialFrameFolder && frameCount() == 0) discard(path_);
+  } catch (const Error&) {
+    // What is left hurts nobody.
+  }
+}
+
+std::size_t ClipFolder::frameCount() const {
+  return fs::is_directory(path_) ? framesIn(path_).size() : 0;
+}
+
+void ClipFolder::openPart(const Settings& settings) {
+  const bool same = isOf(files_.frameFolder, settings.made);
+  if (hasFrames(files_.frameFolder) && !same) {
+    const auto there = readManifest(files_.frameFolder);
+    throw InputError(
+        files_.frameFolder.string() + " holds frames of other settings" +
+        (there ? ": " + differences(files_.frameFolder, *there, settings.made, settings.scene)
+               : "") +
+        "; render into another folder with -o, or remove it");
+  }
+  if (same) manifest_ = *readManifest(files_.frameFolder);
+  path_ = files_.frameFolder;
+  if (settings.png) begin(path_, settings.record);
+}
+
+void ClipFolder::openWhole(const Settings& settings) {
+  settle(files_);
+  if (settings.earlier.resume && isOf(files_.frameFolder, settings.made)) {
+    manifest_ = *readManifest(files_.frameFolder);
+    return begin(files_.frameFolder, settings.record);
+  }
+  const bool same = isOf(files_.partialFrameFolder, settings.made);
+  if (!settings.earlier.resume || !same) {
+    if (!settings.earlier.overwrite) requireNoUnfinished(settings);
+    discard(files_.partialFrameFolder);
+  }
+  begin(files_.partialFrameFolder, settings.record);
+}
+
+void ClipFolder::requireNoUnfinished(const Settings& settings) const {
+  const fs::path& folder = files_.partialFrameFolder;
+  if (!hasFrames(folder)) return;
+  const std::string start = folder.string() + " holds " + std::to_string(framesIn(folder).size()) +
+                            " frames of a render that wasn't finished";
+  if (!settings.earlier.resume) {
+    throw InputError(start + ": go on with --resume, or render anew with --overwrite");
+  }
+  const auto there = readManifest(folder);
+  throw InputError(start +
+                   (there ? " and had other settings: " +
+                                differences(folder, *there, settings.made, settings.scene)
+                          : " and doesn't tell its settings") +
+                   "; render anew with --overwrite, or into another folder with -o");
+}
+
+void ClipFolder::begin(const fs::path& folder, const std::string& record) {
+  path_ = folder;
+  createFolders(folder);
+  writeFileAtomically(folder / kSceneCopyName, record);
+  writeManifest(folder, manifest_);
+}
+
+bool ClipFolder::isDone(const std::vector<fs::path>& files,
+                        std::optional<FrameRange> frames) const {
+  if (!manifest_.isComplete()) return false;
+  for (const fs::path& file : files) {
+    const auto known = manifest_.files.find(file.filename().string());
+    if (known == manifest_.files.end() || known->second != checksumOfFile(file)) return false;
+  }
+  if (!frames) return true;
+  for (std::int64_t frame = frames->first; frame < frames->end; ++frame) {
+    if (!sums_->intact(frame)) return false;
+  }
+  return true;
+}
+
+void ClipFolder::finish(const std::vector<fs::path>& files, bool withFrames) {
+  for (const fs::path& file : files) {
+    manifest_.files[file.filename().string()] = checksumOfFile(file);
+  }
+  const std::optional<Manifest> earlier = readManifest(files_.frameFolder);
+  const bool same = earlier && earlier->made == manifest_.made;
+  // Other formats' videos of the same settings are still true.
+  if (same) manifest_.files.insert(earlier->files.begin(), earlier->files.end());
+  if (withFrames) sums_->sort();
+  const bool inPlace = path_ == files_.frameFolder;
+  if (inPlace || (same && !withFrames)) {
+    writeManifest(files_.frameFolder, manifest_);
+    if (!inPlace) discard(path_);
+    return flushFolder(files_.frameFolder.parent_path());
+  }
+  writeManifest(path_, manifest_);
+  replaceFolder(files_);
+}
+
+}  // namespace rotatebook::pipeline

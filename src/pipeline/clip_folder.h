@@ -1,0 +1,80 @@
+// The folder of a clip's frames: who has it, what of it may stay, and how it takes the place of an
+// earlier one.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/atomic_file.h"
+#include "pipeline/clip_files.h"
+#include "pipeline/frame_sums.h"
+#include "pipeline/manifest.h"
+#include "scene/scene.h"
+
+namespace rotatebook::pipeline {
+
+/// What to do with what an earlier render left unfinished. Neither: it is an error if there is
+/// something.
+struct EarlierFrames {
+  bool resume = false;     ///< Go on with it if its settings are the same, else it is an error.
+  bool overwrite = false;  ///< Discard it; with `resume`, only if its settings differ.
+};
+
+/// Where a render puts its frames. Those of a whole clip go to NAME.partial/, which takes the place
+/// of NAME/ once all is done, in one step: files of two renders never mix, whenever the process is
+/// killed. What was begun by a process that was killed is brought to its end by the next.
+///
+/// While this lives, other processes may not render the same clip there, but parts of it beside
+/// parts.
+class ClipFolder {
+ public:
+  struct Settings {
+    const scene::Scene& scene;
+    std::string record;  ///< For its scene.toml.
+    Manifest::Entries made;
+    EarlierFrames earlier{};
+    bool part = false;  ///< Some frames, which go to NAME/ beside others of the same settings.
+    bool png = true;    ///< Whether there will be frames; a part without leaves nothing in NAME/.
+  };
+
+  /// Throws InputError if there are frames that must not be lost or mixed, MachineError if another
+  /// process is rendering into the folder, or it can't be written.
+  ClipFolder(const ClipFiles& files, const Settings& settings);
+  ClipFolder(const ClipFolder&) = delete;
+  ClipFolder& operator=(const ClipFolder&) = delete;
+  /// Takes NAME.partial/ away if it holds no frames.
+  ~ClipFolder();
+
+  /// Of the frames in path(), those of an earlier run among them.
+  FrameSums& sums() { return *sums_; }
+  const std::filesystem::path& path() const { return path_; }
+
+  /// How many frames are there, for a render that couldn't go on.
+  std::size_t frameCount() const;
+
+  /// Whether an earlier render finished `files`, and `frames` too, if they are asked for, and all
+  /// is as it left them.
+  bool isDone(const std::vector<std::filesystem::path>& files,
+              std::optional<FrameRange> frames) const;
+
+  /// Brings the clip under its final name. `files` are what was made with it, `withFrames` tells
+  /// whether there are frames. Removes files of an earlier render with other settings. Throws
+  /// MachineError.
+  void finish(const std::vector<std::filesystem::path>& files, bool withFrames);
+
+ private:
+  void openPart(const Settings& settings);
+  void openWhole(const Settings& settings);
+  void begin(const std::filesystem::path& folder, const std::string& record);
+  void requireNoUnfinished(const Settings& settings) const;
+
+  UseLock lock_;
+  ClipFiles files_;
+  Manifest manifest_;
+  std::filesystem::path path_;
+  std::optional<FrameSums> sums_;
+};
+
+}  // namespace rotatebook::pipeline

@@ -1,0 +1,105 @@
+#include "pipeline/frame_sums.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/atomic_file.h"
+#include "pipeline/checksum.h"
+#include "pipeline/clip_files.h"
+#include "pipeline/small_clip.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::bytesOf;
+using testing::emptyFolder;
+
+// Of "abc", by xxh128sum 0.8.1.
+constexpr const char* kSumOfAbc = "06b05ab6733a618578af5f94892f3950";
+
+void writeFrame(FrameSums& sums, std::int64_t index, const std::string& bytes) {
+  writeFileAtomically(sums.folder() / frameName(index), bytes);
+  sums.add(index, bytes);
+}
+
+TEST(Checksum, IsThatOfTheStandardTool) {
+  EXPECT_EQ(checksumOf("abc"), kSumOfAbc);
+  const fs::path file = emptyFolder() / "abc";
+  writeFileAtomically(file, "abc");
+  EXPECT_EQ(checksumOfFile(file), kSumOfAbc);
+}
+
+TEST(Checksum, OfAFileIsThatOfItsBytes) {
+  const std::string bytes(200'001, 'x');  // More than a block.
+  const fs::path file = emptyFolder() / "file";
+  writeFileAtomically(file, bytes);
+  EXPECT_EQ(checksumOfFile(file), checksumOf(bytes));
+}
+
+TEST(FrameSums, HaveALineForEachFrame) {
+  const fs::path folder = emptyFolder();
+  FrameSums sums(folder);
+  writeFrame(sums, 7, "abc");
+  EXPECT_EQ(bytesOf(folder / kFrameSumsName), std::string(kSumOfAbc) + "  frame_00007.png\n");
+}
+
+TEST(FrameSums, KnowWhatAnEarlierRunWrote) {
+  const fs::path folder = emptyFolder();
+  {
+    FrameSums first(folder);
+    writeFrame(first, 0, "zero");
+    writeFrame(first, 1, "one");
+    writeFrame(first, 2, "two");
+  }
+  std::ofstream(folder / frameName(1)) << "onx";
+  fs::remove(folder / frameName(2));
+  const FrameSums sums(folder);
+  EXPECT_EQ(sums.intact(0), "zero");
+  EXPECT_EQ(sums.intact(1), std::nullopt) << "a damaged frame";
+  EXPECT_EQ(sums.intact(2), std::nullopt) << "a missing frame";
+  EXPECT_EQ(sums.intact(3), std::nullopt) << "a frame without a line";
+}
+
+TEST(FrameSums, TakeTheLastLineOfAFrame) {
+  const fs::path folder = emptyFolder();
+  FrameSums first(folder);
+  writeFrame(first, 3, "before");
+  writeFrame(first, 3, "after");
+  EXPECT_EQ(FrameSums(folder).intact(3), "after");
+}
+
+TEST(FrameSums, OutliveALineThatWasCutOff) {
+  const fs::path folder = emptyFolder();
+  {
+    FrameSums first(folder);
+    writeFrame(first, 0, "zero");
+  }
+  std::ofstream(folder / kFrameSumsName, std::ios::app) << "0123456789abcdef0123";
+  {
+    FrameSums second(folder);
+    EXPECT_EQ(second.intact(0), "zero");
+    writeFrame(second, 1, "one");
+  }
+  FrameSums third(folder);
+  EXPECT_EQ(third.intact(1), "one");
+  third.sort();
+  EXPECT_EQ(bytesOf(folder / kFrameSumsName),
+            checksumOf("zero") + "  frame_00000.png\n" + checksumOf("one") + "  frame_00001.png\n");
+}
+
+TEST(FrameSums, IgnoreWhatIsNoLineOfTheirs) {
+  const fs::path folder = emptyFolder();
+  std::ofstream(folder / kFrameSumsName) << "\n# words\n"
+                                         << std::string(32, '0') << "  ../../frame_00001.png\n"
+                                         << std::string(33, '0') << "  frame_00001.png\n";
+  writeFileAtomically(folder / frameName(1), "one");
+  EXPECT_EQ(FrameSums(folder).intact(1), std::nullopt);
+}
+
+}  // namespace
+}  // namespace rotatebook::pipeline

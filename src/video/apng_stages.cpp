@@ -6,7 +6,7 @@ namespace rotatebook::video {
 
 Stages makeApngStages(const VideoSettings& settings) {
   Handle<AVCodecContext> context =
-      makeContext(encoderNamed("apng", "install a build with zlib"), settings);
+      makeContext(encoderNamed(encoderOf(VideoFormat::Apng)), settings);
   context->pix_fmt = settings.transparent ? AV_PIX_FMT_RGBA : AV_PIX_FMT_RGB24;
   context->thread_count = 1;
   Dictionary options;

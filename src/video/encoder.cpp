@@ -46,10 +46,11 @@ AVPacket* Encoder::receive() {
   return packet_.get();
 }
 
-const AVCodec& encoderNamed(const std::string& name, const std::string& remedy) {
-  const AVCodec* encoder = avcodec_find_encoder_by_name(name.c_str());
+const AVCodec& encoderNamed(const EncoderNeed& need) {
+  const AVCodec* encoder = avcodec_find_encoder_by_name(need.name);
   if (encoder != nullptr) return *encoder;
-  throw MachineError("FFmpeg's libavcodec has no encoder " + name + ": " + remedy);
+  throw MachineError(std::string("FFmpeg's libavcodec has no encoder ") + need.name + ": " +
+                     need.remedy);
 }
 
 Handle<AVCodecContext> makeContext(const AVCodec& encoder, const VideoSettings& settings) {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "video/encoder_check.h"
 #include "video/ffmpeg.h"
 #include "video/video_writer.h"
 
@@ -33,8 +34,8 @@ class Encoder {
   Handle<AVPacket> packet_;
 };
 
-/// FFmpeg's encoder of that name. Throws MachineError, with the `remedy`, if it was built without.
-const AVCodec& encoderNamed(const std::string& name, const std::string& remedy);
+/// FFmpeg's encoder of that name. Throws MachineError, with the remedy, if it was built without.
+const AVCodec& encoderNamed(const EncoderNeed& need);
 
 /// A context for `encoder` with size, frame rate, threads and what makes its bytes the same each
 /// time.

@@ -17,8 +17,7 @@ Stages makeGifStages(const VideoSettings& settings) {
   const int every = takenEvery(settings.frameRate);
   VideoSettings taken = settings;
   taken.frameRate.denominator *= every;
-  Handle<AVCodecContext> context =
-      makeContext(encoderNamed("gif", "install a build with GIF"), taken);
+  Handle<AVCodecContext> context = makeContext(encoderNamed(encoderOf(VideoFormat::Gif)), taken);
   context->pix_fmt = AV_PIX_FMT_PAL8;
   context->thread_count = 1;
   Dictionary options;

@@ -12,7 +12,7 @@
 namespace rotatebook::video {
 namespace {
 
-constexpr std::string_view kBestEncoder = "libx264";
+constexpr EncoderNeed kBestEncoder = encoderOf(VideoFormat::Mp4);
 constexpr double kSecondsBetweenKeyFrames = 2;
 constexpr int kSmallestCrf = 1;
 constexpr int kLargestCrf = 51;
@@ -40,12 +40,11 @@ void validate(const VideoSettings& settings) {
 }
 
 const AVCodec& findEncoder() {
-  const AVCodec* encoder = avcodec_find_encoder_by_name(kBestEncoder.data());
+  const AVCodec* encoder = avcodec_find_encoder_by_name(kBestEncoder.name);
   if (encoder == nullptr) encoder = avcodec_find_encoder(AV_CODEC_ID_H264);
   if (encoder == nullptr) {
-    throw MachineError(
-        "FFmpeg's libavcodec has no H.264 encoder: install a build with libx264 "
-        "(Debian, Ubuntu: libavcodec-extra)");
+    throw MachineError(std::string("FFmpeg's libavcodec has no H.264 encoder: ") +
+                       kBestEncoder.remedy);
   }
   return *encoder;
 }
@@ -98,7 +97,7 @@ Stages makeMp4Stages(const VideoSettings& settings) {
   validate(settings);
   const AVCodec& encoder = findEncoder();
   Dictionary options;
-  if (encoder.name == kBestEncoder) {
+  if (encoder.name == std::string_view(kBestEncoder.name)) {
     setX264Options(settings, options);
   }
   Encoder opened("H.264", describe(encoder, settings), options);

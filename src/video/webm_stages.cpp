@@ -14,8 +14,7 @@ constexpr const char* kEffort = "4";
 constexpr double kSecondsBetweenKeyFrames = 2;
 
 Handle<AVCodecContext> describe(const VideoSettings& settings) {
-  const AVCodec& encoder =
-      encoderNamed("libvpx-vp9", "install a build with libvpx (Debian, Ubuntu: libavcodec-extra)");
+  const AVCodec& encoder = encoderNamed(encoderOf(VideoFormat::WebM));
   Handle<AVCodecContext> context = makeContext(encoder, settings);
   context->pix_fmt = settings.transparent ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P;
   tagBt709(*context);

@@ -1,0 +1,25 @@
+#include "video/encoder_check.h"
+
+#include "base/error.h"
+#include "video/ffmpeg.h"
+#include "video/format_parts.h"
+
+namespace rotatebook::video {
+
+EncoderCheck checkEncoder(VideoFormat format) {
+  silenceFfmpeg();
+  EncoderCheck check{.format = format};
+  VideoSettings settings;
+  settings.width = settings.height = 64;
+  const char* wanted = encoderOf(format).name;
+  const bool there = avcodec_find_encoder_by_name(wanted) != nullptr;
+  if (!there) check.failure = std::string("FFmpeg's libavcodec has no encoder ") + wanted;
+  try {
+    check.found = makeStages(format, settings).encoder.name();
+  } catch (const Error& error) {
+    if (there) check.failure = error.what();
+  }
+  return check;
+}
+
+}  // namespace rotatebook::video

@@ -1,17 +1,22 @@
 // An OpenGL context without a window or a display.
 #pragma once
 
+#include <memory>
 #include <string>
+
+#include "render/device.h"
 
 namespace rotatebook::render {
 
+class OpenContext;
+
 /// A core OpenGL 3.3+ context through EGL, current on the thread that made it until it is destroyed
 /// there; other threads may have others. Tries every EGL device, then Mesa's surfaceless platform,
-/// then the default display.
+/// then the default display, as far as the choice allows.
 class EglContext {
  public:
-  /// Throws MachineError with what each way said and what to install.
-  EglContext();
+  /// Throws as chooseWay() does, and MachineError where EGL or OpenGL isn't installed.
+  explicit EglContext(const DeviceChoice& choice = {});
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;
   ~EglContext();
@@ -20,9 +25,7 @@ class EglContext {
   const std::string& description() const { return description_; }
 
  private:
-  // EGLDisplay and EGLContext are pointers; their header stays out of this one.
-  void* display_ = nullptr;
-  void* context_ = nullptr;
+  std::unique_ptr<OpenContext> open_;  // EGL's header stays out of this one.
   std::string description_;
 };
 

@@ -49,6 +49,7 @@ struct Renderer::Parts {
       : settings(renderSettings),
         width(settings.supersample * settings.width),
         height(settings.supersample * settings.height),
+        context(settings.device),
         target(width, height),
         coverProgram("cover", bookVertexShader(),
                      {coverFragmentShader(), toneCurveFragmentShader()}),

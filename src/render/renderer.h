@@ -8,6 +8,7 @@
 #include "physics/cuboid.h"
 #include "render/camera.h"
 #include "render/compositor.h"
+#include "render/device.h"
 #include "render/drawn_book.h"
 
 namespace rotatebook::render {
@@ -30,6 +31,7 @@ struct RenderSettings {
   /// `height`. [pixels]
   int bottomRows = 0;
   Camera camera;
+  DeviceChoice device{};
 };
 
 /// The pictures on the book's cover, upright as each side is looked at.
@@ -46,8 +48,8 @@ image::Image builtinBack();
 /// picture depends on nothing but the settings, the textures and the corners.
 class Renderer {
  public:
-  /// Throws MachineError where there is no OpenGL 3.3, InputError for a size or texture that is too
-  /// large for it.
+  /// Throws MachineError where there is no OpenGL 3.3 as settings.device asks for it, InputError
+  /// for a device that isn't there and for a size or texture that is too large for it.
   Renderer(const RenderSettings& settings, const BookTextures& textures);
   ~Renderer();
   Renderer(Renderer&&) noexcept;

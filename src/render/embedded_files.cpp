@@ -15,6 +15,7 @@ ROTATEBOOK_EMBEDDED(front_png);
 ROTATEBOOK_EMBEDDED(spine_png);
 ROTATEBOOK_EMBEDDED(back_png);
 ROTATEBOOK_EMBEDDED(paper_png);
+ROTATEBOOK_EMBEDDED(test_frame_png);
 
 namespace rotatebook::render {
 namespace {
@@ -62,6 +63,9 @@ std::span<const std::uint8_t> backPng() {
 }
 std::span<const std::uint8_t> paperPng() {
   return bytes(embedded_paper_png_begin, embedded_paper_png_end);
+}
+std::span<const std::uint8_t> testFramePng() {
+  return bytes(embedded_test_frame_png_begin, embedded_test_frame_png_end);
 }
 
 }  // namespace rotatebook::render

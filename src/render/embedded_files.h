@@ -21,5 +21,6 @@ std::span<const std::uint8_t> frontPng();
 std::span<const std::uint8_t> spinePng();
 std::span<const std::uint8_t> backPng();
 std::span<const std::uint8_t> paperPng();
+std::span<const std::uint8_t> testFramePng();
 
 }  // namespace rotatebook::render

@@ -55,7 +55,8 @@ bool startsWithOneOf(const std::string& text, const std::set<std::string>& begin
 
 // The standard's headers have neither a folder nor an ending; POSIX's and Linux's have both.
 bool isSystem(const std::string& header) {
-  static const std::set<std::string> kHeaders{"unistd.h", "fcntl.h", "dlfcn.h", "spawn.h", "sys/"};
+  static const std::set<std::string> kHeaders{"unistd.h", "fcntl.h", "grp.h",
+                                              "dlfcn.h",  "spawn.h", "sys/"};
   return header.find_first_of("./") == std::string::npos || startsWithOneOf(header, kHeaders);
 }
 

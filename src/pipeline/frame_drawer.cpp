@@ -5,17 +5,19 @@
 namespace rotatebook::pipeline {
 
 // Reading textures and making overlays are half of a render's start: each goes on by itself.
-FrameDrawer::FrameDrawer(const scene::Scene& scene, const ClipMotion& motion)
-    : FrameDrawer(scene, motion,
+FrameDrawer::FrameDrawer(const scene::Scene& scene, const ClipMotion& motion,
+                         const render::DeviceChoice& device)
+    : FrameDrawer(scene, motion, device,
                   std::async(std::launch::async, [&scene] { return loadTextures(scene); })) {}
 
 FrameDrawer::FrameDrawer(const scene::Scene& scene, const ClipMotion& motion,
+                         const render::DeviceChoice& device,
                          std::future<render::BookTextures> textures)
     : motion_(&motion),
       composition_(scene, motion),
       frame_(scene.camera.frame),
       camera_(cameraOf(scene, composition_.screen())),
-      renderer_(makeRenderer(scene, composition_.screen(), textures.get())),
+      renderer_(makeRenderer(scene, composition_.screen(), textures.get(), device)),
       moments_(scene) {
   const render::Screen& screen = composition_.screen();
   if (moments_.count() > 1) mean_.emplace(screen.width, screen.height);

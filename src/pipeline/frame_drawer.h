@@ -34,7 +34,8 @@ class FrameDrawer {
  public:
   /// `motion`, the scene's, must outlive this. Throws as loadTextures(), Composition and
   /// render::Renderer do.
-  FrameDrawer(const scene::Scene& scene, const ClipMotion& motion);
+  FrameDrawer(const scene::Scene& scene, const ClipMotion& motion,
+              const render::DeviceChoice& device = {});
 
   /// A picture of the right size and format for draw().
   image::Image makePicture() const { return composition_.makePicture(); }
@@ -53,7 +54,7 @@ class FrameDrawer {
  private:
   /// Takes `textures` as late as it can.
   FrameDrawer(const scene::Scene& scene, const ClipMotion& motion,
-              std::future<render::BookTextures> textures);
+              const render::DeviceChoice& device, std::future<render::BookTextures> textures);
 
   physics::Corners cornersOf(std::size_t motion, std::size_t sample) const;
   /// The mean of the moments after sample `sample`.

@@ -60,7 +60,7 @@ class Render {
         motion_(motion),
         options_(options),
         range_(framesToRender(motion, options.frames)),
-        drawer_(scene, motion) {
+        drawer_(scene, motion, options.device) {
     result_.files = filesOf(scene, options, range_);
     result_.csvs = csvFiles(result_.files.csv, scene);
   }

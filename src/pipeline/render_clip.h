@@ -29,6 +29,7 @@ struct RenderOptions {
   int pngThreads = 0;  ///< 0: pngThreads() of the machine's cores. The files are the same.
   /// Set from outside, e.g. by a signal handler, to stop after the frame in hand. May be null.
   const std::atomic<bool>* stop = nullptr;
+  render::DeviceChoice device{};
 };
 
 /// How many threads pack PNGs where a render has so many cores.

@@ -95,7 +95,7 @@ void addCells(const scene::Scene& scene, const SheetOptions& options, bool named
   const std::vector<std::int64_t> frames = framesOf(scene, motion, options);
   const overlay::TextStyle style{std::max(kSmallestText, kTextSize * scene.clip.height), false,
                                  kText};
-  FrameDrawer drawer(scene, motion);
+  FrameDrawer drawer(scene, motion, options.device);
   for (const std::int64_t frame : frames) {
     image::Image picture = drawer.makePicture();
     drawer.draw(frame, picture);

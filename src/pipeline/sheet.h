@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "render/device.h"
 #include "scene/scene.h"
 
 namespace rotatebook::pipeline {
@@ -17,6 +18,7 @@ struct SheetOptions {
   int count = 12;
   /// Pictures in a row, >= 1; 0 makes as many rows as columns, or one less.
   int columns = 0;
+  render::DeviceChoice device{};
 };
 
 /// Draws the frames, scene by scene, and beneath each its time, its scene's title, or both, as is

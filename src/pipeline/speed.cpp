@@ -90,8 +90,9 @@ WorkTime perFrame(const WorkTime& all, std::int64_t frames) {
 /// What one frame after the other goes through, each stage by itself.
 class Stages {
  public:
-  Stages(const scene::Scene& scene, const ClipMotion& motion, const fs::path& folder)
-      : drawer_(scene, motion),
+  Stages(const scene::Scene& scene, const ClipMotion& motion, const render::DeviceChoice& device,
+         const fs::path& folder)
+      : drawer_(scene, motion, device),
         exposures_(kBatch, drawer_.makeExposure()),
         pictures_(kBatch, drawer_.makePicture()),
         frameSums_(folder),
@@ -148,7 +149,7 @@ bool measureStages(const scene::Scene& scene, const ClipMotion& motion, const Sp
                    const Progress& progress, StageTimes& times) {
   const TemporaryFolder folder;
   const std::int64_t frames = motion.frameCount();
-  Stages stages(scene, motion, folder.path());
+  Stages stages(scene, motion, options.device, folder.path());
   for (std::int64_t first = 0; first < frames; first += kBatch) {
     if (options.stop != nullptr && *options.stop) return false;
     stages.pass(first, std::min(first + kBatch, frames));
@@ -178,7 +179,8 @@ bool measureWhole(const scene::Scene& scene, const ClipMotion& motion, const Spe
     }
     progress(now.done);
   };
-  const RenderOptions render{.folder = folder.path(), .stop = options.stop};
+  const RenderOptions render{
+      .folder = folder.path(), .stop = options.stop, .device = options.device};
   if (renderClip(scene, motion, render, listener).interrupted) return false;
   speed.whole = perFrame(watch->elapsed(), speed.frames);
   return true;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "render/device.h"
 #include "scene/scene.h"
 
 namespace rotatebook::pipeline {
@@ -57,6 +58,7 @@ struct SpeedOptions {
   const std::atomic<bool>* stop = nullptr;
   /// Told how many of how many frames are done; each is drawn twice.
   std::function<void(std::int64_t done, std::int64_t total)> progress{};
+  render::DeviceChoice device{};
 };
 
 /// Renders the first frames of `scene` to PNGs and MP4 in a temporary folder, which is gone

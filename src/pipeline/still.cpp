@@ -22,11 +22,11 @@ std::int64_t frameAt(const scene::Scene& scene, const ClipMotion& motion, double
                    (early ? ", a second after its motion diverges" : ""));
 }
 
-std::int64_t renderStill(const scene::Scene& scene, double time,
-                         const std::filesystem::path& path) {
+std::int64_t renderStill(const scene::Scene& scene, double time, const std::filesystem::path& path,
+                         const render::DeviceChoice& device) {
   const ClipMotion motion = simulateScene(scene);
   const std::int64_t frame = frameAt(scene, motion, time);
-  FrameDrawer drawer(scene, motion);
+  FrameDrawer drawer(scene, motion, device);
   image::Image picture = drawer.makePicture();
   drawer.draw(frame, picture);
   image::writePng(path, picture.view(), {.transparent = isTransparent(scene)});

@@ -6,6 +6,7 @@
 
 #include "image/png_file.h"
 #include "pipeline/clip_motion.h"
+#include "render/device.h"
 #include "scene/scene.h"
 
 namespace rotatebook::pipeline {
@@ -16,6 +17,7 @@ std::int64_t frameAt(const scene::Scene& scene, const ClipMotion& motion, double
 /// Draws the frame nearest to `time` (of video, 0 to the clip's end [s]) and writes it to
 /// `path`; returns its index. Throws InputError if there is no such frame, MachineError if it can't
 /// be drawn or written.
-std::int64_t renderStill(const scene::Scene& scene, double time, const std::filesystem::path& path);
+std::int64_t renderStill(const scene::Scene& scene, double time, const std::filesystem::path& path,
+                         const render::DeviceChoice& device = {});
 
 }  // namespace rotatebook::pipeline

@@ -89,7 +89,8 @@ render::Camera cameraOf(const scene::Scene& scene, const render::Screen& screen)
 }
 
 render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& screen,
-                              const render::BookTextures& textures) {
+                              const render::BookTextures& textures,
+                              const render::DeviceChoice& device) {
   render::RenderSettings settings;
   settings.width = screen.width;
   settings.height = screen.height;
@@ -97,6 +98,7 @@ render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& s
   settings.supersample = scene.look.supersample;
   settings.background = backgroundOf(scene.look.background);
   settings.camera = cameraOf(scene, screen);
+  settings.device = device;
   return {settings, textures};
 }
 

@@ -20,9 +20,10 @@ void requireTextures(const scene::Scene& scene);
 /// The camera that draws the scene on `screen`: its whole picture, or a panel.
 render::Camera cameraOf(const scene::Scene& scene, const render::Screen& screen);
 
-/// One with the scene's camera, ready to draw on `screen`.
+/// One with the scene's camera, ready to draw on `screen`, by that device.
 render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& screen,
-                              const render::BookTextures& textures);
+                              const render::BookTextures& textures,
+                              const render::DeviceChoice& device = {});
 /// One with the scene's textures, too, ready to draw on the whole picture.
 render::Renderer makeRenderer(const scene::Scene& scene);
 

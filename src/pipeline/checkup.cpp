@@ -1,0 +1,104 @@
+#include "pipeline/checkup.h"
+
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+#include <unistd.h>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "overlay/text.h"
+#include "pipeline/machine.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kLittle = 500'000'000;  // PNGs of a clip take 100 to 700 MB. [bytes]
+
+/// `folder`, or the nearest of its parents that is there.
+fs::path existingPart(const fs::path& folder) {
+  std::error_code ignored;
+  fs::path part = fs::absolute(folder, ignored).lexically_normal();
+  while (!fs::exists(part, ignored) && part.has_parent_path() && part != part.parent_path()) {
+    part = part.parent_path();
+  }
+  return part;
+}
+
+FolderCheck checkFolder(const fs::path& folder) {
+  FolderCheck check{.path = folder};
+  const fs::path part = existingPart(folder);
+  std::error_code error;
+  check.freeBytes = fs::space(part, error).available;
+  if (error) {
+    check.freeBytes = 0;
+    check.failure = part.string() + ": " + error.message();
+  } else if (!fs::is_directory(part, error)) {
+    check.failure = part.string() + " is no folder";
+  } else if (access(part.c_str(), W_OK | X_OK) != 0) {
+    check.failure = part.string() + " can't be written: " + std::strerror(errno);
+  }
+  return check;
+}
+
+std::string checkFont() {
+  try {
+    overlay::Typesetter().measure("rotatebook", {}, 1000);
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+void addEncoderProblems(Checkup& checkup) {
+  for (const video::EncoderCheck& check : checkup.encoders) {
+    if (check.failure.empty()) continue;
+    const std::string instead =
+        check.found.empty() ? "" : "; " + check.found + " encodes in its place";
+    checkup.problems.push_back({std::string(nameOf(check.format)) + ": " + check.failure + instead,
+                                video::encoderOf(check.format).remedy});
+  }
+}
+
+void addOtherProblems(Checkup& checkup) {
+  if (!checkup.fontFailure.empty()) {
+    checkup.problems.push_back(
+        {checkup.fontFailure, "mount /proc: the font is read through /proc/self/fd"});
+  }
+  const FolderCheck& folder = checkup.folder;
+  if (!folder.failure.empty()) {
+    checkup.problems.push_back({folder.failure, "name a folder that you may write, with -o DIR"});
+  } else if (folder.freeBytes < kLittle) {
+    const double megabytes = static_cast<double>(folder.freeBytes) / 1e6;
+    checkup.problems.push_back({folder.path.string() + " has " + roundedText(megabytes, 3) +
+                                    " MB left, and a clip's PNGs may take more",
+                                "free some, render with --no-png, or name another folder, -o DIR"});
+  }
+}
+
+}  // namespace
+
+bool Checkup::ready() const {
+  const bool encodes = !encoders.empty() && !encoders.front().found.empty();
+  return graphics.draws() && encodes && fontFailure.empty() && folder.failure.empty();
+}
+
+Checkup checkUp(const fs::path& folder) {
+  Checkup checkup;
+  checkup.graphics = render::checkGraphics();
+  checkup.problems = render::diagnose(checkup.graphics, render::readGraphicsFacts());
+  for (const video::VideoFormat format : video::kVideoFormats) {
+    checkup.encoders.push_back(video::checkEncoder(format));
+  }
+  checkup.fontFailure = checkFont();
+  checkup.folder = checkFolder(folder);
+  checkup.cores = coreCount();
+  checkup.memory = memorySize();
+  addEncoderProblems(checkup);
+  addOtherProblems(checkup);
+  return checkup;
+}
+
+}  // namespace rotatebook::pipeline

@@ -1,0 +1,39 @@
+// Whether this machine can render, part by part.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "render/graphics_check.h"
+#include "render/remedies.h"
+#include "video/encoder_check.h"
+
+namespace rotatebook::pipeline {
+
+/// Where the results would go.
+struct FolderCheck {
+  std::filesystem::path path{};
+  std::uintmax_t freeBytes = 0;  ///< For this user.
+  std::string failure{};         ///< Why nothing can be written there, or empty.
+};
+
+/// What checkUp() found.
+struct Checkup {
+  render::GraphicsCheck graphics{};
+  std::vector<video::EncoderCheck> encoders{};  ///< One a format, in their order.
+  std::string fontFailure{};  ///< Why the font that ships can't be loaded, or empty.
+  FolderCheck folder{};
+  int cores = 1;
+  double memory = 0;                        ///< [bytes]
+  std::vector<render::Problem> problems{};  ///< Of all parts, the graphics' first.
+
+  /// Whether a render with no options beside its folder would work: PNGs and MP4.
+  bool ready() const;
+};
+
+/// The folder, or what there is of its path, is only looked at: nothing is written.
+Checkup checkUp(const std::filesystem::path& folder);
+
+}  // namespace rotatebook::pipeline

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "cli/bench_report.h"
 #include "cli/commands.h"
+#include "cli/device_options.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
@@ -27,6 +28,7 @@ namespace {
 struct BenchArguments {
   std::string scene;
   SceneOptions sceneOptions;
+  DeviceOptions deviceOptions;
   std::int64_t frames = pipeline::SpeedOptions{}.frames;
   bool json = false;
 };
@@ -48,15 +50,14 @@ int bench(const BenchArguments& arguments) {
   const scene::Scene scene = readScene(arguments);
   refuseTransparent(scene);
   pipeline::preflight(scene);
+  pipeline::SpeedOptions options{.frames = arguments.frames,
+                                 .device = arguments.deviceOptions.choice()};
+  options.stop = &catchInterrupts();
   std::optional<pipeline::Speed> speed;
   {
-    ProgressLine progress(scene.name);
-    speed = pipeline::measureSpeed(scene,
-                                   {.frames = arguments.frames,
-                                    .stop = &catchInterrupts(),
-                                    .progress = [&progress](std::int64_t done, std::int64_t total) {
-                                      progress.update(done, total);
-                                    }});
+    ProgressLine line(scene.name);
+    options.progress = [&line](std::int64_t done, std::int64_t total) { line.update(done, total); };
+    speed = pipeline::measureSpeed(scene, options);
   }
   if (!speed) {
     std::cout << scene.name << ": interrupted; nothing was measured" << std::endl;
@@ -82,6 +83,7 @@ void addBenchCommand(CLI::App& program, Action& action) {
   command->add_flag("--json", arguments->json,
                     "Print one JSON object: milliseconds a frame, but start_up_s in seconds");
   arguments->sceneOptions.addTo(*command);
+  arguments->deviceOptions.addTo(*command);
   command->footer(R"(
 Renders PNGs and MP4 into a folder below TMPDIR that is removed afterwards: once stage by stage, once
 as render does it. Stages are measured alone; "processor" is the time of all cores together.

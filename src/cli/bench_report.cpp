@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <string>
 
-#include "base/number_text.h"
+#include "cli/json_object.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -63,21 +63,14 @@ std::string adviceText(const pipeline::SpeedAdvice& advice, const pipeline::Spee
                    advice.gain, advice.gain * speed.framesPerSecond(), advice.effect.c_str());
 }
 
-/// `text` in quotation marks, as JSON has it.
-std::string jsonString(const std::string& text) {
-  std::string quoted = "\"";
-  for (const char letter : text) {
-    const auto code = static_cast<unsigned char>(letter);
-    if (letter == '"' || letter == '\\') quoted += '\\';
-    quoted +=
-        code < 0x20 ? formatted("\\u%04x", static_cast<unsigned>(code)) : std::string(1, letter);
-  }
-  return quoted + "\"";
+std::string json(const WorkTime& time) {
+  return JsonObject().addNumber("wall", time.wall).addNumber("processor", time.processor).text();
 }
 
-std::string json(const WorkTime& time) {
-  return "{\"wall\": " + shortestText(time.wall) +
-         ", \"processor\": " + shortestText(time.processor) + "}";
+std::string json(const pipeline::StageTimes& stages) {
+  JsonObject object;
+  for (const Row& row : rowsOf(stages)) object.add(row.key, json(row.time));
+  return object.text();
 }
 
 }  // namespace
@@ -106,21 +99,22 @@ void reportSpeed(const scene::Scene& scene, const pipeline::Speed& speed, std::o
 
 void reportSpeedAsJson(const scene::Scene& scene, const pipeline::Speed& speed, std::ostream& out) {
   const pipeline::SpeedLimit limit = speedLimit(speed.stages, speed.cores);
-  out << "{\"scene\": " << jsonString(scene.name) << ", \"frames\": " << speed.frames
-      << ", \"width\": " << scene.clip.width << ", \"height\": " << scene.clip.height
-      << ", \"cores\": " << speed.cores << ", \"renderer\": " << jsonString(speed.renderer)
-      << ", \"encoder\": " << jsonString(speed.encoder)
-      << ", \"start_up_s\": " << shortestText(speed.startUp)
-      << ", \"frames_per_second\": " << shortestText(speed.framesPerSecond())
-      << ", \"whole\": " << json(speed.whole) << ", \"limit\": " << shortestText(limit.wall)
-      << ", \"limited_by\": " << jsonString(limit.ofCores ? "cores" : rowOf(limit.stage).key)
-      << ", \"stages\": {";
-  const char* comma = "";
-  for (const Row& row : rowsOf(speed.stages)) {
-    out << comma << jsonString(row.key) << ": " << json(row.time);
-    comma = ", ";
-  }
-  out << "}}\n";
+  out << JsonObject()
+             .addString("scene", scene.name)
+             .addNumber("frames", static_cast<double>(speed.frames))
+             .addNumber("width", scene.clip.width)
+             .addNumber("height", scene.clip.height)
+             .addNumber("cores", speed.cores)
+             .addString("renderer", speed.renderer)
+             .addString("encoder", speed.encoder)
+             .addNumber("start_up_s", speed.startUp)
+             .addNumber("frames_per_second", speed.framesPerSecond())
+             .add("whole", json(speed.whole))
+             .addNumber("limit", limit.wall)
+             .addString("limited_by", limit.ofCores ? "cores" : rowOf(limit.stage).key)
+             .add("stages", json(speed.stages))
+             .text()
+      << '\n';
 }
 
 }  // namespace rotatebook::cli

@@ -19,6 +19,7 @@ void addStillCommand(CLI::App& program, Action& action);
 void addDiffCommand(CLI::App& program, Action& action);
 void addAssembleCommand(CLI::App& program, Action& action);
 void addBenchCommand(CLI::App& program, Action& action);
+void addDoctorCommand(CLI::App& program, Action& action);
 void addCheckCommand(CLI::App& program, Action& action);
 void addSceneCommand(CLI::App& program, Action& action);
 void addListCommand(CLI::App& program, Action& action);

@@ -34,6 +34,7 @@ void addCommands(CLI::App& program, Action& action) {
   addStillCommand(program, action);
   addSheetCommand(program, action);
   addBenchCommand(program, action);
+  addDoctorCommand(program, action);
   addCheckCommand(program, action);
   addSceneCommand(program, action);
   addListCommand(program, action);

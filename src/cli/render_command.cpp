@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/device_options.h"
 #include "cli/exit_code.h"
 #include "cli/expectation_report.h"
 #include "cli/interrupt.h"
@@ -23,6 +24,7 @@ namespace {
 struct RenderArguments {
   std::vector<std::string> scenes;
   SceneOptions sceneOptions;
+  DeviceOptions deviceOptions;
   std::string frames;
   bool noPng = false;
   std::vector<std::string> formats{"mp4"};
@@ -87,6 +89,7 @@ int render(const RenderArguments& arguments) {
   pipeline::RenderOptions options = arguments.options;
   options.png = !arguments.noPng;
   options.formats = formatsOf(arguments);
+  options.device = arguments.deviceOptions.choice();
   if (!arguments.frames.empty()) options.frames = parseRange(arguments.frames);
   const std::vector<scene::Scene> scenes = readScenes(arguments);
   options.stop = &catchInterrupts();
@@ -106,6 +109,7 @@ void addRenderCommand(CLI::App& program, Action& action) {
       ->type_name("DIR")
       ->capture_default_str();
   arguments->sceneOptions.addTo(*command);
+  arguments->deviceOptions.addTo(*command);
   command
       ->add_option("--frames", arguments->frames,
                    "Only the frames from A up to, but not including, B")

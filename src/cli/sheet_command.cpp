@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/commands.h"
+#include "cli/device_options.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
 #include "image/png_file.h"
@@ -17,6 +18,7 @@ namespace {
 struct SheetArguments {
   std::vector<std::string> scenes;
   SceneOptions sceneOptions;
+  DeviceOptions deviceOptions;
   pipeline::SheetOptions options;
   bool noCaption = false;
   std::string output;
@@ -28,7 +30,9 @@ int writeSheet(const SheetArguments& arguments) {
     scenes.push_back(arguments.sceneOptions.read(path));
     if (arguments.noCaption) std::erase(scenes.back().overlay.show, scene::Overlay::Caption);
   }
-  const image::Image sheet = pipeline::drawSheet(scenes, arguments.options);
+  pipeline::SheetOptions options = arguments.options;
+  options.device = arguments.deviceOptions.choice();
+  const image::Image sheet = pipeline::drawSheet(scenes, options);
   const bool transparent = std::ranges::any_of(scenes, &pipeline::isTransparent);
   image::writePng(arguments.output, sheet.view(), {.transparent = transparent});
   std::cout << "wrote " << arguments.output << ", " << sheet.width() << "x" << sheet.height()
@@ -65,6 +69,7 @@ void addSheetCommand(CLI::App& program, Action& action) {
       ->check(CLI::Range(1, kMost));
   command->add_flag("--no-caption", arguments->noCaption, "Leave the caption out of the pictures");
   arguments->sceneOptions.addTo(*command);
+  arguments->deviceOptions.addTo(*command);
   command->footer(R"(
 --size is the size of each picture. Beneath it stands its time; with several scenes, their titles.
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "cli/commands.h"
+#include "cli/device_options.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
 #include "pipeline/still.h"
@@ -13,13 +14,15 @@ namespace {
 struct StillArguments {
   std::string scene;
   SceneOptions sceneOptions;
+  DeviceOptions deviceOptions;
   double time = 0;
   std::string output;
 };
 
 int writeStill(const StillArguments& arguments) {
   const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
-  const std::int64_t frame = pipeline::renderStill(scene, arguments.time, arguments.output);
+  const std::int64_t frame = pipeline::renderStill(scene, arguments.time, arguments.output,
+                                                   arguments.deviceOptions.choice());
   std::cout << scene.name << ": wrote frame " << frame << " to " << arguments.output << '\n';
   return kDone;
 }
@@ -37,6 +40,7 @@ void addStillCommand(CLI::App& program, Action& action) {
       ->type_name("FILE")
       ->required();
   arguments->sceneOptions.addTo(*command);
+  arguments->deviceOptions.addTo(*command);
   command->footer(R"(
 Example:
   rotatebook still scenes/starter.toml --time 2.5 -o book.png --size 1920x1080)");

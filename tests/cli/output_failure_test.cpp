@@ -184,7 +184,7 @@ TEST_F(OutputFailure, NoGraphicsSaysWhatToInstall) {
                                          "3.3 core context:\n"));
     EXPECT_THAT(result.error,
                 HasSubstr("\nInstall Mesa's software rasteriser (Debian, Ubuntu: apt-get install "
-                          "libegl1 libegl-mesa0 libgl1-mesa-dri)"));
+                          "libegl1 libegl-mesa0 libgl1-mesa-dri libopengl0)"));
     EXPECT_THAT(files(), IsEmpty());
   }
 }

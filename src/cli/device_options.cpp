@@ -1,0 +1,60 @@
+#include "cli/device_options.h"
+
+#include <iostream>
+#include <memory>
+#include <mutex>
+#include <regex>
+#include <unistd.h>
+
+#include "base/error.h"
+
+namespace rotatebook::cli {
+namespace {
+
+using Kind = render::DeviceChoice::Kind;
+
+render::DeviceChoice parseDevice(const std::string& text) {
+  if (text.empty()) return {};
+  if (text == "software") return {.kind = Kind::Software};
+  std::smatch match;
+  if (!std::regex_match(text, match, std::regex("(cuda:)?([0-9]{1,4})"))) {
+    throw InputError(
+        "--device " + text +
+        ": no device; write a number that 'rotatebook doctor' lists, for example 0, or "
+        "cuda:0, or software");
+  }
+  return {.kind = match[1].matched ? Kind::Cuda : Kind::Index, .number = std::stoi(match[2])};
+}
+
+/// Prints to the standard error, in one piece, in the place of a bar that may stand there.
+void printAside(const std::string& line) {
+  const std::string erase = isatty(STDERR_FILENO) == 1 ? "\r\x1b[K" : "";
+  std::cerr << erase + "rotatebook: " + line + "\n" << std::flush;
+}
+
+}  // namespace
+
+void DeviceOptions::addTo(CLI::App& command) {
+  command
+      .add_option("--device", device,
+                  "What draws: the number of an EGL device ('rotatebook doctor' lists them), the "
+                  "CUDA id of one, or software; by default the first that can")
+      ->type_name("N|cuda:N|software");
+  command.add_flag("--require-hardware", requireHardware,
+                   "Fail where only a software renderer would draw");
+}
+
+render::DeviceChoice DeviceOptions::choice() const {
+  render::DeviceChoice choice = parseDevice(device);
+  choice.requireHardware = requireHardware;
+  if (requireHardware && choice.kind == Kind::Software) {
+    throw InputError("--device software and --require-hardware exclude each other");
+  }
+  // A clip may have several renderers, on several threads.
+  choice.warn = [told = std::make_shared<std::once_flag>()](const std::string& line) {
+    std::call_once(*told, printAside, line);
+  };
+  return choice;
+}
+
+}  // namespace rotatebook::cli

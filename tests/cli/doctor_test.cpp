@@ -1,0 +1,136 @@
+// `rotatebook doctor`, and --device and --require-hardware of the commands that draw.
+#include <string>
+#include <vector>
+
+#include "cli/program_test.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+using DoctorCommand = ProgramTest;
+
+/// Mesa's software rasteriser alone, whatever cards this machine has.
+constexpr std::pair<const char*, const char*> kMesaAlone{
+    "__EGL_VENDOR_LIBRARY_FILENAMES", "/usr/share/glvnd/egl_vendor.d/50_mesa.json"};
+
+TEST_F(DoctorCommand, FindsThatThisMachineRenders) {
+  const ChildResult result = run({"doctor"});
+  EXPECT_EQ(result.status, 0) << result.output << result.error;
+  EXPECT_THAT(result.output,
+              AllOf(StartsWith("rotatebook "), HasSubstr("\ngraphics\n  EGL device 0 "),
+                    HasSubstr("; draws by default\n"), HasSubstr(" test frame right: "),
+                    HasSubstr("\n  mp4                  libx264\n"),
+                    HasSubstr("\n  output folder        out, "), HasSubstr("\nReady to render: "),
+                    Not(HasSubstr("WRONG"))));
+  EXPECT_THAT(result.error, IsEmpty());
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(DoctorCommand, TellsTheCauseAndTheRemedyWithoutGraphics) {
+  const ChildResult result = runWithoutGraphics({"doctor"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(
+      result.output,
+      AllOf(HasSubstr("\n  1. __EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent names no EGL driver"),
+            HasSubstr("\n     remedy: unset __EGL_VENDOR_LIBRARY_FILENAMES,"),
+            Not(HasSubstr("\n  2. ")),
+            EndsWith("\nNOT READY to render: nothing draws as it should.\n")));
+}
+
+TEST_F(DoctorCommand, IsJsonToo) {
+  const ChildResult result = run({"doctor", "--json"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.output, AllOf(StartsWith("{\"ready\": true, \"version\": "),
+                                   HasSubstr("\"way\": \"EGL device 0\", \"device\": 0, "),
+                                   HasSubstr("\"test_frame\": {\"passed\": true, "),
+                                   HasSubstr("{\"format\": \"mp4\", \"encoder\": \"libx264\", "),
+                                   EndsWith("]}\n")));
+  EXPECT_EQ(countOf("\n", result.output), 1);
+  EXPECT_THAT(runWithoutGraphics({"doctor", "--json"}).output,
+              AllOf(StartsWith("{\"ready\": false, "), HasSubstr("\"remedy\": \"unset ")));
+}
+
+TEST_F(DoctorCommand, TellsOfAFolderThatCannotBe) {
+  const ChildResult result = run({"doctor", "-o", "tiny.toml/out"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("\n     remedy: name a folder that you may write, with -o DIR\n"),
+                    EndsWith("\nNOT READY to render: the output folder can't be written.\n")));
+}
+
+class DeviceOption : public ProgramTest {
+ protected:
+  /// On Mesa alone.
+  ChildResult draw(const std::vector<std::string>& more) const {
+    std::vector<std::string> words{"still", "tiny.toml", "--time", "0", "-o", "x.png"};
+    words.insert(words.end(), more.begin(), more.end());
+    ChildSettings settings;
+    settings.environment.emplace_back(kMesaAlone);
+    return run(words, settings);
+  }
+};
+
+TEST_F(DeviceOption, SoftwareGivesTheSamePicture) {
+  EXPECT_EQ(draw({}).status, 0);
+  const std::string picture = read("x.png");
+  const ChildResult result = draw({"--device", "software"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.error, IsEmpty());
+  EXPECT_TRUE(read("x.png") == picture);
+}
+
+TEST_F(DeviceOption, NamesWhatThereIs) {
+  const ChildResult index = draw({"--device", "31"});
+  EXPECT_EQ(index.status, 2);
+  EXPECT_THAT(index.error, AllOf(StartsWith("rotatebook: can't draw: there is no EGL device 31\n"),
+                                 HasSubstr("\n  EGL device 0")));
+  const ChildResult cuda = draw({"--device", "cuda:31"});
+  EXPECT_EQ(cuda.status, 2);
+  EXPECT_THAT(cuda.error, HasSubstr("there is no EGL device with the CUDA id 31\n"));
+  const ChildResult words = draw({"--device", "fast"});
+  EXPECT_EQ(words.status, 2);
+  EXPECT_THAT(words.error, StartsWith("rotatebook: --device fast: no device; write a number "));
+  EXPECT_FALSE(has("x.png"));
+}
+
+TEST_F(DeviceOption, RefusesSoftwareWhereHardwareIsRequired) {
+  const ChildResult result = draw({"--require-hardware"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.error, AllOf(StartsWith("rotatebook: can't draw: no EGL display is hardware"),
+                                  HasSubstr("Run 'rotatebook doctor'")));
+  EXPECT_EQ(draw({"--require-hardware", "--device", "software"}).status, 2);
+  EXPECT_FALSE(has("x.png"));
+}
+
+TEST_F(DeviceOption, IsTheMachinesFailureWithoutGraphics) {
+  for (const char* device : {"0", "cuda:0", "software"}) {
+    const ChildResult result = runWithoutGraphics(
+        {"still", "tiny.toml", "--time", "0", "-o", "x.png", "--device", device});
+    EXPECT_EQ(result.status, 3) << device;
+    EXPECT_THAT(result.error, HasSubstr("rotatebook doctor")) << device;
+  }
+}
+
+TEST_F(DeviceOption, IsTakenByEveryCommandThatDraws) {
+  for (const auto& words :
+       std::vector<std::vector<std::string>>{{"render", "tiny.toml"},
+                                             {"sheet", "tiny.toml", "-o", "x.png"},
+                                             {"bench", "tiny.toml"}}) {
+    std::vector<std::string> all = words;
+    all.insert(all.end(), {"--device", "31"});
+    const ChildResult result = run(all);
+    EXPECT_EQ(result.status, 2) << words[0];
+    EXPECT_THAT(result.error, HasSubstr("there is no EGL device 31")) << words[0];
+    EXPECT_THAT(files(), IsEmpty()) << words[0];
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

@@ -1,13 +1,19 @@
 // What a command left, in words.
 #pragma once
 
+#include <filesystem>
 #include <ostream>
 #include <string>
 #include <vector>
+
+#include "pipeline/disk_space.h"
 
 namespace rotatebook::cli {
 
 /// Says "  wrote A, B and C", or that it is nothing.
 void reportFiles(const std::vector<std::string>& things, std::ostream& out);
+
+/// "about 12 GB are needed in out and 3.2 GB are free: ..."; empty if there is enough.
+std::string spaceWarning(const pipeline::DiskSpace& space, const std::filesystem::path& folder);
 
 }  // namespace rotatebook::cli

@@ -99,6 +99,8 @@ std::optional<Rendered> render(const scene::Scene& scene, const pipeline::Render
   pipeline::RenderListener listener;
   listener.started = [&](const pipeline::RenderStart& start) {
     announce(scene, start, encoderThreads(scene, options.formats), out);
+    const std::string warning = spaceWarning(start.space, options.folder);
+    if (!warning.empty()) std::cerr << "rotatebook: " + scene.name + ": " + warning + '\n';
   };
   listener.progress = progress;
   pipeline::RenderResult result = renderClip(scene, motion, options, listener);

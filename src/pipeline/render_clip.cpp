@@ -112,6 +112,8 @@ class Render {
     if (options_.png) {
       start.pngThreads = options_.pngThreads > 0 ? options_.pngThreads : pngThreads(coreCount());
     }
+    start.space =
+        diskSpace(scene_, range_.count(), options_.png, options_.formats, options_.folder);
     if (listener.started) listener.started(start);
     const FrameSums* kept = options_.earlier.resume ? &sums : nullptr;
     const DrawnCount count = drawFrames(drawer_, {range_, kept, options_.stop},

@@ -12,6 +12,7 @@
 #include "pipeline/clip_files.h"
 #include "pipeline/clip_folder.h"
 #include "pipeline/clip_motion.h"
+#include "pipeline/disk_space.h"
 #include "pipeline/draw_frames.h"
 #include "pipeline/frame_sink.h"
 #include "scene/scene.h"
@@ -40,6 +41,7 @@ struct RenderStart {
   std::string renderer;
   std::string encoders;  ///< "libx264, gif"
   int pngThreads = 0;    ///< 0 if there are no PNGs.
+  DiskSpace space{};
 };
 
 /// Hears of a render while it goes on; called on the caller's thread.

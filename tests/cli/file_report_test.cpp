@@ -1,0 +1,19 @@
+#include "cli/file_report.h"
+
+#include <gtest/gtest.h>
+
+namespace rotatebook::cli {
+namespace {
+
+TEST(SpaceWarning, SaysHowMuchIsMissingAndWhatHelps) {
+  EXPECT_EQ(spaceWarning({12.34e9, 3.21e9}, "out"),
+            "about 12 GB are needed in out and 3.2 GB are free: make room, or leave PNGs out with "
+            "--no-png");
+}
+
+TEST(SpaceWarning, IsNoneWhereThereIsEnough) {
+  EXPECT_EQ(spaceWarning({1e9, 1e9}, "out"), "");
+}
+
+}  // namespace
+}  // namespace rotatebook::cli

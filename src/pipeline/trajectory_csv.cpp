@@ -49,19 +49,33 @@ void appendRow(std::string& text, std::size_t frame, const physics::Sample& samp
   text += ',' + std::to_string(static_cast<int>(sample.regime)) + '\n';
 }
 
-}  // namespace
-
-std::string trajectoryCsv(const physics::Trajectory& trajectory) {
+/// Gives the table to `take` in pieces.
+template <typename Take>
+void inPieces(const physics::Trajectory& trajectory, const Take& take) {
+  constexpr std::size_t kPiece = 65'536;  // bytes
   std::string text = header();
   for (std::size_t frame = 0; frame < trajectory.samples.size(); ++frame) {
     appendRow(text, frame, trajectory.samples[frame], trajectory.samples.front());
+    if (text.size() < kPiece) continue;
+    take(text);
+    text.clear();
   }
-  return text;
+  take(text);
+}
+
+}  // namespace
+
+std::string trajectoryCsv(const physics::Trajectory& trajectory) {
+  std::string csv;
+  inPieces(trajectory, [&csv](const std::string& piece) { csv += piece; });
+  return csv;
 }
 
 void writeTables(const std::vector<std::filesystem::path>& files, const ClipMotion& motion) {
   for (std::size_t i = 0; i < files.size(); ++i) {
-    writeFileAtomically(files[i], trajectoryCsv(motion.trajectories()[i]));
+    AtomicFile file(files[i]);
+    inPieces(motion.trajectories()[i], [&file](const std::string& piece) { file.write(piece); });
+    file.commit();
   }
 }
 

@@ -1,6 +1,9 @@
 // Memory must not grow with the clip.
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <iterator>
 #include <string>
 #include <sys/resource.h>
 
@@ -39,6 +42,25 @@ TEST(Memory, OfARenderDoesNotGrowWithTheClip) {
   const long before = peakMemory();
   testing::render(clipOf(10 * kSome), {.folder = folder});
   EXPECT_LT(peakMemory() - before, allPictures / 2);  // measured 0.18 of all
+}
+
+/// How many files this process has open.
+std::ptrdiff_t openFiles() {
+  return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator());
+}
+
+TEST(OpenFiles, OfARenderDoNotGrowWithTheClip) {
+  const auto mostOpen = [](std::int64_t frames) {
+    std::ptrdiff_t most = 0;
+    const RenderListener listener{{}, [&](RenderProgress) { most = std::max(most, openFiles()); }};
+    const scene::Scene scene = clipOf(frames);
+    renderClip(scene, simulateScene(scene), {.folder = testing::emptyFolder(), .pngThreads = 1},
+               listener);
+    return most;
+  };
+  const std::ptrdiff_t some = mostOpen(kSome);
+  EXPECT_LE(mostOpen(10 * kSome), some + 2);  // measured: the same, or one PNG on its way more
+  EXPECT_GT(some, 5);
 }
 
 // Frames from elsewhere, so that no renderer has raised the peak before.

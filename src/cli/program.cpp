@@ -53,9 +53,11 @@ int afterFlush(int status) {
   return std::cout ? status : fail("can't write to the standard output", kMachineFailed);
 }
 
-int runAction(const Action& action) {
+/// The exit status of `work`, or that of what it throws, which is told.
+template <typename Work>
+int guarded(const Work& work) noexcept {
   try {
-    return afterFlush(action());
+    return work();
   } catch (const Error& error) {
     return fail(error.what(), error.kind() == ErrorKind::Input ? kWrongInput : kMachineFailed);
   } catch (const std::bad_alloc&) {
@@ -92,23 +94,25 @@ std::string usageText(const CLI::App* program, const CLI::Error& error) {
 }  // namespace
 
 int runProgram(int argc, char** argv) {
-  CLI::App program(
-      "rotatebook renders a spinning book, simulated and checked, to PNG frames and MP4 clips.",
-      "rotatebook");
-  program.set_version_flag("--version", std::string("rotatebook ") + kVersion);
-  program.require_subcommand(1);
-  program.footer(kFooter);
-  program.failure_message(usageText);
-  Action action;
-  addCommands(program, action);
-  try {
-    program.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    // CLI11 has its own statuses; ours says that the input is wrong. Help and version are not
-    // errors.
-    return afterFlush(program.exit(error) == 0 ? kDone : kWrongInput);
-  }
-  return runAction(action);
+  return guarded([&] {
+    CLI::App program(
+        "rotatebook renders a spinning book, simulated and checked, to PNG frames and MP4 clips.",
+        "rotatebook");
+    program.set_version_flag("--version", std::string("rotatebook ") + kVersion);
+    program.require_subcommand(1);
+    program.footer(kFooter);
+    program.failure_message(usageText);
+    Action action;
+    addCommands(program, action);
+    try {
+      program.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      // CLI11 has its own statuses; ours says that the input is wrong. Help and version are not
+      // errors.
+      return afterFlush(program.exit(error) == 0 ? kDone : kWrongInput);
+    }
+    return afterFlush(action());
+  });
 }
 
 }  // namespace rotatebook::cli

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 namespace rotatebook::cli::testing {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 
@@ -45,7 +47,8 @@ class Faults : public ProgramTest {
     settings.environment = {
         {"LD_PRELOAD", ROTATEBOOK_FAULTS},
         {"ROTATEBOOK_FAULT", call + ':' + std::to_string(number) + ':' + std::to_string(error)},
-        {"ROTATEBOOK_FAULT_BELOW", (folder() / "out").string()}};
+        {"ROTATEBOOK_FAULT_BELOW", (folder() / "out").string()},
+        {"ROTATEBOOK_FAULT_COUNT", (folder() / "count").string()}};
     return render("out", std::move(options), settings);
   }
 
@@ -58,6 +61,25 @@ class Faults : public ProgramTest {
       if (partial != std::string::npos) wanted.replace(partial, 13, "tiny/");
       EXPECT_TRUE(read(name) == read(wanted)) << name << " is half-written, " << during;
     }
+  }
+
+  /// How often a run asks for memory.
+  int requestsOf(const std::vector<std::string>& arguments) const {
+    ChildSettings settings;
+    settings.environment = {{"LD_PRELOAD", ROTATEBOOK_FAULTS},
+                            {"ROTATEBOOK_FAULT", "memory:1000000000:12"},
+                            {"ROTATEBOOK_FAULT_COUNT", (folder() / "count").string()}};
+    run(arguments, settings);
+    return std::stoi(read("count"));
+  }
+
+  /// It failed as it should, and left nothing half-written.
+  void expectFailure(const ChildResult& result, const ::testing::Matcher<std::string>& message,
+                     const std::string& when) const {
+    EXPECT_EQ(result.status, 3) << when << result.error;
+    EXPECT_THAT(result.error, message) << when;
+    EXPECT_FALSE(std::ranges::any_of(files(), isTemporary)) << when;
+    expectWhole(when);
   }
 
   /// Another render goes on, and all is as if nothing had happened.
@@ -110,15 +132,66 @@ TEST_F(Faults, FailureOfAnyChangeIsToldAndLosesNothing) {
       const ChildResult result = renderWithFault(fault.call, number, fault.error, {});
       if (result.status == 0) break;
       const std::string when = std::string(fault.call) + " fails at " + std::to_string(number);
-      EXPECT_EQ(result.status, 3) << when << result.error;
-      EXPECT_THAT(result.error, HasSubstr(fault.words)) << when;
-      EXPECT_THAT(result.error, ContainsRegex("^rotatebook: can't [^\n]* out[^\n]*: ")) << when;
-      EXPECT_FALSE(std::ranges::any_of(files(), isTemporary)) << when;
-      expectWhole(when);
+      expectFailure(
+          result,
+          AllOf(HasSubstr(fault.words), ContainsRegex("^rotatebook: can't [^\n]* out[^\n]*: ")),
+          when);
       expectResumed(when);
     }
     EXPECT_GT(number, 1) << fault.call << ": the faults don't reach the program";
     EXPECT_LT(number, kMostCalls);
+  }
+}
+
+TEST_F(Faults, FailureOfTheEncoderIsToldAndLosesNothing) {
+  int number = 1;
+  for (; number < kMostCalls; ++number) {
+    removeOut();
+    const ChildResult result = renderWithFault("encode", number, EIO, {});
+    if (result.status == 0) break;
+    const std::string when = "encoding fails at " + std::to_string(number);
+    expectFailure(result, ContainsRegex("^rotatebook: .*: Input/output error"), when);
+    expectResumed(when);
+  }
+  EXPECT_GT(number, 10) << "the faults don't reach the program";
+}
+
+// A device that fails leaves others to try: a render may end well, then with the same pictures.
+TEST_F(Faults, FailureOfGraphicsIsTold) {
+  int failures = 0;
+  for (int number = 1; number < 40; ++number) {
+    removeOut();
+    const ChildResult result = renderWithFault("graphics", number, EIO, {});
+    const std::string when = "graphics fail at " + std::to_string(number);
+    if (result.status == 0) {
+      EXPECT_TRUE(read("out/tiny/frame_00001.png") == read("whole/tiny/frame_00001.png")) << when;
+      continue;
+    }
+    ++failures;
+    expectFailure(result, HasSubstr("rotatebook: "), when);
+    expectResumed(when);
+  }
+  EXPECT_GT(failures, 8) << "the faults don't reach the program";
+}
+
+// Some of the program's own requests, closer to each other in the beginning; all of them if
+// ROTATEBOOK_ALL_FAULTS is set. Not those of reading the command line: CLI11 has functions that are
+// noexcept and ask for memory.
+TEST_F(Faults, FailureOfAnyRequestForMemoryIsTold) {
+  const bool all = std::getenv("ROTATEBOOK_ALL_FAULTS") != nullptr;
+  const int first = requestsOf({"render", "missing.toml"}),
+            end = requestsOf({"render", "tiny.toml"});
+  ASSERT_GT(end, first + 1000) << "the faults don't reach the program";
+  for (int request = 0; first + request < end; request += all ? 1 : 1 + request / 10) {
+    removeOut();
+    const ChildResult result = renderWithFault("memory", first + request, ENOMEM, {});
+    const std::string when = "the program's request " + std::to_string(first + request) + " fails";
+    if (result.status == 0) {
+      // Threads don't ask as often in each run.
+      EXPECT_LT(std::stoi(read("count")), first + request) << when << ", and nobody is told";
+    } else {
+      expectFailure(result, HasSubstr("rotatebook: "), when);
+    }
   }
 }
 

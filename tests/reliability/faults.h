@@ -1,0 +1,32 @@
+// Calls that fail, in a library that is loaded before all others (LD_PRELOAD).
+//
+// ROTATEBOOK_FAULT is CALL:NUMBER:FAULT. The CALL of that NUMBER, from 1, has the FAULT: kill (0), or
+// the number of an error.
+//   open, write, flush, rename, remove, mkdir, any   below the folder ROTATEBOOK_FAULT_BELOW, and all
+//                                                    later ones, too
+//   encode                                           of FFmpeg's encoders and muxers; likewise
+//   memory                                           of the program itself, not of libraries
+//   graphics                                         of EGL and OpenGL, those that tell failures
+// How many there were in all goes to the file ROTATEBOOK_FAULT_COUNT, if it is set.
+#pragma once
+
+#include <dlfcn.h>
+#include <string>
+#include <string_view>
+
+namespace rotatebook::faults {
+
+/// Whether this call is to fail; sets errno then. Doesn't return if the process is to be killed.
+bool fails(std::string_view call);
+/// The same of a call that changes the file of that path.
+bool failsAt(std::string_view call, const std::string& path);
+/// Whether it is asked for at all.
+bool isWanted(std::string_view call);
+
+/// The function that would have been called.
+template <typename Function>
+Function* next(const char* name) {
+  return reinterpret_cast<Function*>(dlsym(RTLD_NEXT, name));
+}
+
+}  // namespace rotatebook::faults

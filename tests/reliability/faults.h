@@ -1,9 +1,9 @@
 // Calls that fail, in a library that is loaded before all others (LD_PRELOAD).
 //
-// ROTATEBOOK_FAULT is CALL:NUMBER:FAULT. The CALL of that NUMBER, from 1, has the FAULT: kill (0), or
-// the number of an error.
-//   open, write, flush, rename, remove, mkdir, any   below the folder ROTATEBOOK_FAULT_BELOW, and all
-//                                                    later ones, too
+// ROTATEBOOK_FAULT is CALL:NUMBER:FAULT. The CALL of that NUMBER, from 1, has the FAULT: kill (0),
+// or the number of an error.
+//   open, write, flush, rename, remove, mkdir, any   below the folder ROTATEBOOK_FAULT_BELOW, and
+//                                                    all later ones, too
 //   encode                                           of FFmpeg's encoders and muxers; likewise
 //   memory                                           of the program itself, not of libraries
 //   graphics                                         of EGL and OpenGL, those that tell failures

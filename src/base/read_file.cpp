@@ -1,13 +1,78 @@
 #include "base/read_file.h"
 
-#include <fstream>
-#include <iterator>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <limits>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/error.h"
 
 namespace rotatebook {
+namespace {
+
+[[noreturn]] void fail(int error) {
+  throw InputError(std::strerror(error));
+}
+
+[[noreturn]] void failLong(const std::string& size, std::uintmax_t most) {
+  throw InputError("it has " + size + " bytes; the limit is " + std::to_string(most));
+}
+
+class OpenFile {
+ public:
+  // A pipe that nobody writes into would be waited for here.
+  explicit OpenFile(const std::filesystem::path& path)
+      : number_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
+    if (number_ < 0) fail(errno);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() { close(number_); }
+
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+/// Refuses what is no file, or too long.
+void check(const OpenFile& file, std::uintmax_t most) {
+  struct stat status {};
+  if (fstat(file.number(), &status) != 0) fail(errno);
+  if (S_ISDIR(status.st_mode)) fail(EISDIR);
+  if (S_ISFIFO(status.st_mode)) throw InputError("it is a pipe, not a file");
+  if (!S_ISREG(status.st_mode)) throw InputError("it is a device, not a file");
+  const auto size = static_cast<std::uintmax_t>(status.st_size);
+  if (size > most) failLong(std::to_string(size), most);
+}
+
+}  // namespace
+
+std::string readFile(const std::filesystem::path& path, std::uintmax_t most) {
+  const OpenFile file(path);
+  check(file, most);
+  std::string bytes;
+  std::array<char, 65536> block;
+  while (true) {
+    const ssize_t size = read(file.number(), block.data(), block.size());
+    if (size == 0) return bytes;
+    if (size < 0 && errno == EINTR) continue;
+    if (size < 0) fail(errno);
+    bytes.append(block.data(), static_cast<std::size_t>(size));
+    // It may grow, and some of the kernel's don't tell their size.
+    if (bytes.size() > most) failLong("over " + std::to_string(most), most);
+  }
+}
 
 std::string readFileOrEmpty(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  try {
+    return readFile(path, std::numeric_limits<std::uintmax_t>::max());
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 }  // namespace rotatebook

@@ -42,7 +42,8 @@ class PngWriter {
 
 /// Reads any PNG as 8-bit sRGB: palettes, grey and 16 bits are expanded or reduced; Rgba8 if it has
 /// transparency, else Rgb8. Throws InputError: no such file, not a PNG, corrupt (with libpng's
-/// words), or over kLargestSide.
+/// words), or over one of the limits below. A header that claims more than its file can hold is
+/// refused before memory is taken for it.
 Image readPng(const std::filesystem::path& path);
 
 /// The same from memory; `name` is for messages.
@@ -50,5 +51,9 @@ Image decodePng(std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// Widest and highest picture that readPng takes. [pixels]
 inline constexpr int kLargestSide = 16384;
+/// Largest picture that readPng takes: as large as the largest clip's. [pixels]
+inline constexpr std::int64_t kMostPixels = 35'651'584;
+/// Longest file that readPng takes: the largest picture, not compressed at all. [bytes]
+inline constexpr std::uintmax_t kLargestFile = 5 * kMostPixels;
 
 }  // namespace rotatebook::image

@@ -1,13 +1,10 @@
-#include <array>
-#include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <new>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "base/read_file.h"
 #include "image/png_file.h"
 #include "image/png_guard.h"
 
@@ -52,6 +49,8 @@ class PngDecoder {
       // libpng's own limits are as high as they go: decodePng names the size that it refuses.
       png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
       png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
+      // Texts, profiles and the like are passed over: what they unpack to may be gigabytes.
+      png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
       png_read_info(png_, info_);
       header.width = png_get_image_width(png_, info_);
       header.height = png_get_image_height(png_, info_);
@@ -104,6 +103,10 @@ void checkSize(const PngHeader& header, std::size_t fileSize, const std::string&
     refuse(name, "corrupt PNG: " + std::to_string(fileSize) + " bytes can't hold the " + size +
                      " pixels that its header claims");
   }
+  // What few bytes unpack to can still be gigabytes.
+  if (std::int64_t{header.width} * header.height > kMostPixels) {
+    refuse(name, size + " pixels; the limit is " + std::to_string(kMostPixels) + " in all");
+  }
 }
 
 std::vector<png_bytep> rowPointers(Image& image) {
@@ -111,29 +114,6 @@ std::vector<png_bytep> rowPointers(Image& image) {
   rows.reserve(static_cast<std::size_t>(image.height()));
   for (int y = 0; y < image.height(); ++y) rows.push_back(image.row(y));
   return rows;
-}
-
-// Reads no further than the signature of what isn't a PNG, which may have no end.
-std::vector<std::uint8_t> readFile(const std::filesystem::path& path) {
-  std::error_code unknown;  // What isn't there is told below.
-  const auto type = std::filesystem::status(path, unknown).type();
-  // A pipe would be waited for.
-  if (type == std::filesystem::file_type::fifo) refuse(path.string(), "it is a pipe, not a file");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) refuse(path.string(), std::strerror(errno));
-  std::vector<std::uint8_t> bytes(kSignatureSize);
-  stream.read(reinterpret_cast<char*>(bytes.data()), kSignatureSize);
-  if (stream.bad()) refuse(path.string(), std::strerror(errno));
-  bytes.resize(static_cast<std::size_t>(stream.gcount()));
-  if (bytes.size() < kSignatureSize || png_sig_cmp(bytes.data(), 0, kSignatureSize) != 0) {
-    return bytes;
-  }
-  std::array<char, 65536> block;
-  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
-    bytes.insert(bytes.end(), block.data(), block.data() + stream.gcount());
-  }
-  if (stream.bad()) refuse(path.string(), std::strerror(errno));
-  return bytes;
 }
 
 }  // namespace
@@ -156,7 +136,14 @@ Image decodePng(std::span<const std::uint8_t> bytes, const std::string& name) {
 }
 
 Image readPng(const std::filesystem::path& path) {
-  return decodePng(readFile(path), path.string());
+  std::string bytes;
+  try {
+    bytes = readFile(path, kLargestFile);
+  } catch (const InputError& error) {
+    refuse(path.string(), error.what());
+  }
+  return decodePng({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()},
+                   path.string());
 }
 
 }  // namespace rotatebook::image

@@ -1,7 +1,6 @@
 #include "pipeline/assemble.h"
 
 #include "base/error.h"
-#include "base/read_file.h"
 #include "image/png_file.h"
 #include "pipeline/clip_files.h"
 #include "scene/scene_file.h"
@@ -33,7 +32,7 @@ video::VideoSettings settingsFor(const fs::path& folder, std::optional<FrameRate
     if (frameRate) {
       throw InputError(sceneCopy.string() + " sets the frame rate already; leave --fps out");
     }
-    const std::string record = readFileOrEmpty(sceneCopy);
+    const std::string record = scene::readSceneText(sceneCopy);
     return videoSettings(scene::parseScene(record, sceneCopy), record);
   }
   if (!frameRate) {

@@ -1,13 +1,12 @@
 #include "scene/scene_file.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "base/error.h"
+#include "base/read_file.h"
 #include "scene/nearest_name.h"
 #include "scene/toml_text.h"
 #include "scene/toml_tree.h"
@@ -40,24 +39,21 @@ std::vector<std::string> sceneNamesIn(const fs::path& folder) {
   failAt(path.string(), "scene not found; did you mean " + tomlString(suggestion.string()) + "?");
 }
 
-// Reads no more than shows that a file is too long, in case it has no end.
-std::string contentOf(const fs::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) failAt(path.string(), std::string("can't be read: ") + std::strerror(errno));
-  std::string content(kLongestToml + 1, '\0');
-  stream.read(content.data(), static_cast<std::streamsize>(content.size()));
-  if (stream.bad()) failAt(path.string(), std::string("can't be read: ") + std::strerror(errno));
-  content.resize(static_cast<std::size_t>(stream.gcount()));
-  return content;
-}
-
 }  // namespace
+
+std::string readSceneText(const fs::path& path) {
+  try {
+    return readFile(path, kLongestToml);
+  } catch (const InputError& error) {
+    failAt(path.string(), std::string("can't be read: ") + error.what());
+  }
+}
 
 Scene readScene(const fs::path& path, std::span<const std::string> overrides) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) failAt(path.string(), "a folder, not a scene");
   if (!fs::exists(path, ignored)) failMissing(path);
-  return parseScene(contentOf(path), path, overrides);
+  return parseScene(readSceneText(path), path, overrides);
 }
 
 }  // namespace rotatebook::scene

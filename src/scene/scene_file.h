@@ -18,7 +18,12 @@ namespace rotatebook::scene {
 /// initial.angular_velocity and initial.angular_momentum takes the other one out.
 Scene readScene(const std::filesystem::path& path, std::span<const std::string> overrides = {});
 
-/// The same from text; `path` names it in messages and gives Scene::name and Scene::folder.
+/// The text of a scene's file, nothing of it checked but that it is a file of at most 32 KiB.
+/// Throws InputError.
+std::string readSceneText(const std::filesystem::path& path);
+
+/// The same as readScene() from text; `path` names it in messages and gives Scene::name and
+/// Scene::folder.
 Scene parseScene(std::string_view text, const std::filesystem::path& path,
                  std::span<const std::string> overrides = {});
 

@@ -165,6 +165,25 @@ TEST(PngReader, RefusesAHeaderThatClaimsMoreThanTheFileCanHold) {
             "header claims");
 }
 
+// A file can be long without holding a picture.
+TEST(PngReader, RefusesAPictureOfGigabytesWhateverTheFilesLength) {
+  const Bytes padding = chunk("tEXt", Bytes(2'500'000, 'x'));
+  EXPECT_EQ(refusalOf(pngFile({16384, 16384, 16, ColourType::Rgba}, kRedRow, padding)),
+            "can't read bad.png: 16384x16384 pixels; the limit is 35651584 in all");
+}
+
+// A chunk may claim a gigabyte, or unpack to one.
+TEST(PngReader, PassesOverChunksThatAreNoPicture) {
+  Bytes claim = chunk("iCCP", {'a', 0, 0, 1, 2, 3});
+  claim[0] = 0x40;
+  EXPECT_EQ(refusalOf(joined({signature(), headerChunk({}), claim})),
+            "can't read bad.png: corrupt PNG: the file ends too early");
+  for (const char* type : {"zTXt", "iTXt", "iCCP", "sPLT", "eXIf", "tIME", "gAMA", "abCd"}) {
+    const Image picture = decodePng(pngFile({1, 1}, kRedRow, chunk(type, Bytes(70, 1))), type);
+    EXPECT_EQ(pixelsOf(picture), (Bytes{255, 0, 0})) << type;
+  }
+}
+
 TEST(PngReader, ReadsFiles) {
   const fs::path folder = fs::path(ROTATEBOOK_TEST_OUTPUT) / "png_reader";
   fs::create_directories(folder);
@@ -187,7 +206,7 @@ std::string refusalOfFile(const fs::path& path) {
 TEST(PngReader, NamesTheFileThatCanNotBeRead) {
   EXPECT_EQ(refusalOfFile("missing/a.png"), "can't read missing/a.png: No such file or directory");
   EXPECT_EQ(refusalOfFile("/"), "can't read /: Is a directory");
-  EXPECT_EQ(refusalOfFile("/dev/zero"), "can't read /dev/zero: not a PNG");
+  EXPECT_EQ(refusalOfFile("/dev/zero"), "can't read /dev/zero: it is a device, not a file");
 }
 
 }  // namespace

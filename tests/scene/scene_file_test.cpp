@@ -76,10 +76,17 @@ TEST_F(SceneFileTest, RefusesAFolder) {
   EXPECT_EQ(errorOfFile(folder_ / "a.toml"), "a.toml: a folder, not a scene");
 }
 
-TEST_F(SceneFileTest, RefusesAFileThatIsTooLongOrEndless) {
+TEST_F(SceneFileTest, RefusesAFileThatIsTooLong) {
   EXPECT_EQ(errorOfFile(write("long.toml", std::string(32'769, '#'))),
-            "long.toml: longer than 32 KiB, so it is no scene");
-  EXPECT_EQ(errorOfFile("/dev/zero"), "/dev/zero: longer than 32 KiB, so it is no scene");
+            "long.toml: can't be read: it has 32769 bytes; the limit is 32768");
+  // Without reading it.
+  fs::resize_file(folder_ / "long.toml", 100'000'000);
+  EXPECT_EQ(errorOfFile(folder_ / "long.toml"),
+            "long.toml: can't be read: it has 100000000 bytes; the limit is 32768");
+}
+
+TEST_F(SceneFileTest, RefusesDevicesAndPipes) {
+  EXPECT_EQ(errorOfFile("/dev/zero"), "/dev/zero: can't be read: it is a device, not a file");
 }
 
 TEST_F(SceneFileTest, SaysWhyAFileCannotBeRead) {

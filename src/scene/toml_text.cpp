@@ -1,35 +1,76 @@
 #include "scene/toml_text.h"
 
+#include <algorithm>
+#include <optional>
+
 #include "base/number_text.h"
 
 namespace rotatebook::scene {
 namespace {
 
-std::string escaped(char letter) {
-  switch (letter) {
-    case '"':
-      return "\\\"";
-    case '\\':
-      return "\\\\";
-    case '\n':
-      return "\\n";
-    case '\t':
-      return "\\t";
-    default:
-      break;
-  }
-  const auto code = static_cast<unsigned char>(letter);
-  if (code >= 0x20 && code != 0x7f) return {letter};
-  constexpr std::string_view kDigits = "0123456789ABCDEF";
+constexpr std::string_view kDigits = "0123456789ABCDEF";
+
+std::string numbered(unsigned char code) {
   return std::string("\\u00") + kDigits[code >> 4] + kDigits[code & 15];
+}
+
+/// What stands for the letter or the piece of one that `text`, not empty, begins with, if TOML
+/// wants an escape for it: its escape, and its size. [bytes]
+struct Escape {
+  std::string text;
+  std::size_t size = 1;
+};
+
+/// Of a control character other than the tab and the line break.
+std::optional<Escape> controlEscape(std::string_view text) {
+  const auto code = static_cast<unsigned char>(text.front());
+  if (code == '\n' || code == '\t') return std::nullopt;
+  if (code < 0x20 || code == 0x7f) return Escape{numbered(code)};
+  // Some terminals obey those of U+0080 to U+009F, too.
+  if (code != 0xc2 || text.size() < 2) return std::nullopt;
+  const auto second = static_cast<unsigned char>(text[1]);
+  if (second < 0x80 || second > 0x9f) return std::nullopt;
+  return Escape{numbered(second), 2};
+}
+
+std::optional<Escape> stringEscape(std::string_view text) {
+  switch (text.front()) {
+    case '"':
+      return Escape{"\\\""};
+    case '\\':
+      return Escape{"\\\\"};
+    case '\n':
+      return Escape{"\\n"};
+    case '\t':
+      return Escape{"\\t"};
+    default:
+      return controlEscape(text);
+  }
+}
+
+std::string escaped(std::string_view text, std::optional<Escape> (*escapeOf)(std::string_view)) {
+  std::string result;
+  while (!text.empty()) {
+    const Escape next = escapeOf(text).value_or(Escape{std::string(text.substr(0, 1))});
+    result += next.text;
+    text.remove_prefix(next.size);
+  }
+  return result;
 }
 
 }  // namespace
 
 std::string tomlString(std::string_view text) {
-  std::string quoted = "\"";
-  for (const char letter : text) quoted += escaped(letter);
-  return quoted + '"';
+  return '"' + escaped(text, stringEscape) + '"';
+}
+
+std::string printable(std::string_view text) {
+  return escaped(text, controlEscape);
+}
+
+std::size_t letterCount(std::string_view text) {
+  const auto begins = [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; };
+  return static_cast<std::size_t>(std::ranges::count_if(text, begins));
 }
 
 std::string tomlNumber(double value) {

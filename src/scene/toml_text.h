@@ -1,6 +1,7 @@
 // Values as TOML writes them.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,13 @@ namespace rotatebook::scene {
 
 /// A basic string: in quotes, with escapes where TOML wants them.
 std::string tomlString(std::string_view text);
+
+/// `text` with each control character but tab and line break as TOML escapes it, so that a terminal
+/// doesn't obey it.
+std::string printable(std::string_view text);
+
+/// Letters of UTF-8.
+std::size_t letterCount(std::string_view text);
 
 /// A TOML float that reads back to exactly `value`, also where it is whole: "2.0".
 std::string tomlNumber(double value);

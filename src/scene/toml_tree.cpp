@@ -4,9 +4,8 @@
 #include <functional>
 #include <utility>
 
-#include <toml++/toml.h>
-
 #include "base/error.h"
+#include "scene/toml_parser.h"
 #include "scene/toml_text.h"
 
 namespace rotatebook::scene {
@@ -78,6 +77,13 @@ void refuseLong(std::string_view text, const std::string& place) {
   failAt(place, "longer than " + std::to_string(kLongestToml / 1024) + " KiB, so it is no scene");
 }
 
+std::string describeText(const std::string& text) {
+  constexpr std::size_t kMostShown = 200;
+  const std::size_t letters = letterCount(text);
+  return letters <= kMostShown ? tomlString(text)
+                               : "a text of " + std::to_string(letters) + " letters";
+}
+
 std::string describeArray(const TomlNode::Array& array) {
   constexpr std::size_t kMostShown = 4;
   if (array.size() > kMostShown) return "an array of " + std::to_string(array.size()) + " values";
@@ -98,7 +104,7 @@ TomlNode parseToml(std::string_view text, const std::string& file) {
   try {
     return nodeFrom(toml::parse(text, std::string_view(file)), placeOf, 0);
   } catch (const toml::parse_error& error) {
-    failAt(placeOf(error.source()), std::string(error.description()));
+    failAt(placeOf(error.source()), printable(error.description()));
   }
 }
 
@@ -130,7 +136,7 @@ std::string describe(const TomlNode& node) {
     std::string operator()(bool value) const { return value ? "true" : "false"; }
     std::string operator()(std::int64_t value) const { return std::to_string(value); }
     std::string operator()(double value) const { return tomlNumber(value); }
-    std::string operator()(const std::string& value) const { return tomlString(value); }
+    std::string operator()(const std::string& value) const { return describeText(value); }
     std::string operator()(const TomlDate&) const { return "a date or time"; }
     std::string operator()(const TomlNode::Array& array) const { return describeArray(array); }
     std::string operator()(const TomlNode::Table&) const { return "a table"; }

@@ -14,10 +14,17 @@ namespace {
 using ::testing::AllOf;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 const TomlNode::Table& tableOf(const TomlNode& node) {
   return std::get<TomlNode::Table>(node.value);
+}
+
+std::string repeated(const std::string& part, int times) {
+  std::string text;
+  for (int i = 0; i < times; ++i) text += part;
+  return text;
 }
 
 std::string descriptionOf(const std::string& value) {
@@ -72,6 +79,7 @@ TEST(TomlTree, DescribesEveryKindOfValue) {
   EXPECT_EQ(descriptionOf("12"), "12");
   EXPECT_EQ(descriptionOf("10.0"), "10.0");
   EXPECT_EQ(descriptionOf("'a\"b'"), R"("a\"b")");
+  EXPECT_EQ(descriptionOf("'" + std::string(201, 'x') + "'"), "a text of 201 letters");
   EXPECT_EQ(descriptionOf("1979-05-27"), "a date or time");
   EXPECT_EQ(descriptionOf("07:32:00"), "a date or time");
   EXPECT_EQ(descriptionOf("{ a = 1 }"), "a table");
@@ -96,6 +104,25 @@ TEST(TomlTree, RefusesDeepNesting) {
   EXPECT_EQ(errorOfText("[" + key + "]"), "a.toml:1:1: nested deeper than any value of a scene");
   EXPECT_THAT(errorOfText("a = " + std::string(30'000, '[')),
               AllOf(StartsWith("a.toml:1:"), HasSubstr("maximum nested value depth")));
+  EXPECT_THAT(errorOfText("a = " + repeated("{a=", 300)),
+              AllOf(StartsWith("a.toml:1:"), HasSubstr("maximum nested value depth")));
+  // Each as deep as it may be, and keys with dots in them.
+  EXPECT_EQ(errorOfText("a = " + repeated("{a" + repeated(".a", 50) + "=", 250) + "1" +
+                        std::string(250, '}')),
+            "a.toml:1:20: nested deeper than any value of a scene");
+}
+
+// What a terminal would obey comes from quoted keys, too.
+TEST(TomlTree, RepeatsNoControlCharacters) {
+  EXPECT_THAT(errorOfText("\"\\u001b[31m\" = 1\n\"\\u001b[31m\" = 2\n"),
+              AllOf(StartsWith("a.toml:2:"), Not(HasSubstr("\x1b"))));
+}
+
+TEST(TomlTree, RefusesLettersOutsideOfQuotes) {
+  for (const char* value : {"1é", "[1é]", "é", "1979é", "1\u00a0", "1\u3000"}) {
+    EXPECT_THAT(errorOfText(std::string("a = ") + value + "\n"), StartsWith("a.toml:1:")) << value;
+  }
+  EXPECT_EQ(describe(parseToml("a = \"\"\"\\\n  é\"\"\"", "f")), "a table");
 }
 
 // The words are toml++'s, and so is the exact column; both may change with its version.

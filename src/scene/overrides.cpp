@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/error.h"
 #include "scene/names.h"
 #include "scene/toml_text.h"
 
@@ -102,6 +103,10 @@ void applyOverride(TomlNode& root, const std::string& text) {
 }  // namespace
 
 void applyOverrides(TomlNode& root, std::span<const std::string> overrides) {
+  if (overrides.size() > kMostOverrides) {
+    throw InputError("--set: " + std::to_string(overrides.size()) + " of them; the limit is " +
+                     std::to_string(kMostOverrides) + ": write them into the scene's file");
+  }
   for (const std::string& text : overrides) applyOverride(root, text);
 }
 

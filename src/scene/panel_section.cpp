@@ -74,7 +74,7 @@ void refuseShared(const ValueReader& panel) {
 }
 
 std::string labelFrom(const ValueReader& value, const std::vector<Panel>& earlier) {
-  std::string label = value.text();
+  std::string label = value.text(kLongestLabel);
   if (label.empty()) value.mismatch("a text that isn't empty");
   for (const Panel& panel : earlier) {
     if (panel.label == label) value.fail("two panels have the label " + tomlString(label));

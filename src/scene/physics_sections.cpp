@@ -52,7 +52,7 @@ Eigen::Matrix3d inertiaFrom(const ValueReader& value) {
 }
 
 physics::Integrator integratorFrom(const ValueReader& value) {
-  if (value.text() == nameOf(kModels, physics::Model::Exact)) {
+  if (value.text(kLongestName) == nameOf(kModels, physics::Model::Exact)) {
     value.fail(value.name() + " can't be \"exact\": the closed form is a model of its own, " +
                "simulation.model = \"exact\", of a rigid body; particles have none");
   }

@@ -20,8 +20,9 @@ namespace {
 
 constexpr int kSmallestPicture = 16;
 constexpr int kLargestPicture = 16'384;
-constexpr int kMostFrames = 1'000'000;  // Their trajectory takes some 400 MB.
-constexpr int kBestCrf = 1;             // 0 is lossless, which the High profile doesn't have.
+constexpr int kMostPixels = 35'651'584;  // The most that H.264's highest level has.
+constexpr int kMostFrames = 1'000'000;   // Their trajectory takes some 400 MB.
+constexpr int kBestCrf = 1;              // 0 is lossless, which the High profile doesn't have.
 constexpr int kWorstCrf = 51;
 constexpr int kMostThreads = 64;
 constexpr int kMostSupersample = 2;
@@ -48,6 +49,11 @@ void readPictureSize(const ValueReader& value, ClipSettings& clip) {
   const auto sides = value.elements(2, "a width and a height, such as [1280, 720]");
   clip.width = pictureSide(sides[0]);
   clip.height = pictureSide(sides[1]);
+  const int pixels = clip.width * clip.height;  // Of 16384x16384 they are fewer than 2^31.
+  if (pixels > kMostPixels) {
+    value.fail(value.name() + " has " + std::to_string(pixels) + " pixels; the limit is " +
+               std::to_string(kMostPixels) + ", for example [8192, 4352]");
+  }
 }
 
 FrameRate frameRateFrom(const ValueReader& value) {
@@ -78,7 +84,7 @@ FrameRate frameRateFrom(const ValueReader& value) {
 // Any texture within reach of the scene's folder, so that a clip names no place of the machine it
 // was made on.
 std::string textureFrom(const ValueReader& value) {
-  std::string texture = value.text();
+  std::string texture = value.text(kLongestPath);
   if (texture.empty() || std::filesystem::path(texture).is_absolute()) {
     value.mismatch("\"builtin\" or a picture's path from the scene's folder");
   }
@@ -99,7 +105,7 @@ std::vector<Overlay> overlaysFrom(const ValueReader& value) {
   for (const ValueReader& element : value.elements(array->size(), "a list of overlays")) {
     const auto overlay = element.oneOf(kOverlays);
     if (std::ranges::count(overlays, overlay) > 0) {
-      element.fail(element.name() + " has " + element.text() + " twice");
+      element.fail(element.name() + " has " + std::string(nameOf(kOverlays, overlay)) + " twice");
     }
     overlays.push_back(overlay);
   }
@@ -195,7 +201,7 @@ void checkMotionBlur(const ValueReader& section, const Scene& scene) {
 void readOverlay(const ValueReader& section, OverlaySettings& overlay) {
   section.readTable({
       {"show", [&](const ValueReader& value) { overlay.show = overlaysFrom(value); }},
-      {"font", [&](const ValueReader& value) { overlay.font = value.text(); }},
+      {"font", [&](const ValueReader& value) { overlay.font = value.text(kLongestName); }},
   });
 }
 

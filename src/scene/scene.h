@@ -118,6 +118,8 @@ inline constexpr const char* kBuiltin = "builtin";
 struct Scene {
   std::string name;              ///< The scene file's stem; outputs are named after it.
   std::filesystem::path folder;  ///< Where the scene's file lies; textures are found from here.
+  /// Whether textures may lie outside of it. Of whoever reads the scene, never of its file.
+  bool allowOutside = false;
   std::string title;
   std::string caption;
   physics::Cuboid body;

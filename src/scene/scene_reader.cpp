@@ -16,8 +16,8 @@ namespace {
 
 void readSections(const ValueReader& file, Scene& scene) {
   file.readTable({
-      {"title", [&](const ValueReader& value) { scene.title = value.text(); }},
-      {"caption", [&](const ValueReader& value) { scene.caption = value.text(); }},
+      {"title", [&](const ValueReader& value) { scene.title = value.text(kLongestTitle); }},
+      {"caption", [&](const ValueReader& value) { scene.caption = value.text(kLongestCaption); }},
       {"body", [&](const ValueReader& value) { readBody(value, scene.body, scene.inertia); }},
       {"simulation", [&](const ValueReader& value) { readSimulation(value, scene.simulation); }},
       {"initial", [&](const ValueReader& value) { readInitial(value, scene.initial); }},
@@ -34,11 +34,6 @@ void readSections(const ValueReader& file, Scene& scene) {
   });
 }
 
-bool has(const ValueReader& file, std::string_view section, std::string_view key) {
-  const auto found = file.find(section);
-  return found && found->find(key);
-}
-
 /// Where the camera stands unless it is told: so that the largest of the bodies is seen whole.
 Eigen::Vector3d cameraPosition(const Scene& scene) {
   const double angle = scene.camera.fieldOfViewDeg;
@@ -52,7 +47,7 @@ Eigen::Vector3d cameraPosition(const Scene& scene) {
 }
 
 void readMotions(const ValueReader& file, Scene& scene) {
-  if (!has(file, "simulation", "time_per_frame")) {
+  if (!file.find("simulation", "time_per_frame")) {
     scene.simulation.timePerFrame = scene.clip.frameRate.period();
   }
   if (const auto panels = file.find("panel")) {
@@ -69,7 +64,7 @@ void readMotions(const ValueReader& file, Scene& scene) {
 }
 
 void placeCamera(const ValueReader& file, Scene& scene) {
-  if (!has(file, "camera", "position")) scene.camera.position = cameraPosition(scene);
+  if (!file.find("camera", "position")) scene.camera.position = cameraPosition(scene);
   if (const auto camera = file.find("camera")) checkCamera(*camera, scene.camera);
 }
 
@@ -105,6 +100,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
     if (!scene.panels.empty()) study->fail("[study] is of one motion, but this scene has panels");
     scene.study = readStudy(*study, scene);
   }
+  checkSteps(file, scene);
   return scene;
 }
 

@@ -1,6 +1,8 @@
 // The sections of a scene file: every key and its limits.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -11,8 +13,17 @@
 
 namespace rotatebook::scene {
 
+// Longest texts. [letters]
+inline constexpr std::size_t kLongestTitle = 200;
+inline constexpr std::size_t kLongestCaption = 1000;
+inline constexpr std::size_t kLongestLabel = 100;  ///< Of a panel; a part of a file's name.
+inline constexpr std::size_t kLongestName = 100;   ///< Of a font or an integrator.
+inline constexpr std::size_t kLongestPath = 1000;  ///< Of a texture.
+
 /// Most integration steps from a frame to the next.
 inline constexpr int kMostSubsteps = 1'000'000;
+/// Most integration steps that a scene, or its study, takes in all: some hours of computing.
+inline constexpr std::int64_t kMostSteps = 10'000'000'000;
 
 // Each reads one section over the defaults in its second argument. Throws InputError.
 
@@ -43,6 +54,8 @@ void checkOverlays(const ValueReader& section, const Scene& scene);
 /// Refuses moments of motion blur that aren't at the ends of integration steps; `section` is
 /// [look].
 void checkMotionBlur(const ValueReader& section, const Scene& scene);
+/// Refuses a scene, read as a whole, that takes more than kMostSteps; `file` is its whole, too.
+void checkSteps(const ValueReader& file, const Scene& scene);
 /// Refuses a complete camera that looks nowhere or has no upper side; `section` is where it came
 /// from.
 void checkCamera(const ValueReader& section, const CameraSettings& camera);

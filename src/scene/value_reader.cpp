@@ -23,9 +23,13 @@ std::optional<double> numberFrom(const TomlNode& node) {
 
 }  // namespace
 
-std::string ValueReader::text() const {
+std::string ValueReader::text(std::size_t most) const {
   const auto* text = std::get_if<std::string>(&node_->value);
   if (!text) mismatch("a text in quotes");
+  if (letterCount(*text) > most) {
+    mismatch("a text of at most " + std::to_string(most) + " letters");
+  }
+  if (printable(*text) != *text) mismatch("a text without control characters");
   return *text;
 }
 
@@ -114,6 +118,11 @@ std::optional<ValueReader> ValueReader::find(std::string_view key) const {
   const TomlEntry* entry = table ? scene::find(*table, key) : nullptr;
   if (!entry) return std::nullopt;
   return ValueReader(entry->node, nameOfKey(key));
+}
+
+std::optional<ValueReader> ValueReader::find(std::string_view section, std::string_view key) const {
+  const auto found = find(section);
+  return found ? found->find(key) : std::nullopt;
 }
 
 void ValueReader::mismatch(const std::string& expected) const {

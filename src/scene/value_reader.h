@@ -49,7 +49,8 @@ class ValueReader {
   const std::string& name() const { return name_; }
   const TomlNode& node() const { return *node_; }
 
-  std::string text() const;
+  /// A text of at most `most` letters without control characters other than tab and line break.
+  std::string text(std::size_t most) const;
   bool flag() const;
   int integer(int min, int max) const;
   /// Whole numbers are numbers too; NaN and infinity are in no range.
@@ -76,6 +77,8 @@ class ValueReader {
   void readTable(const std::vector<Field>& fields) const;
   /// The value of a key of this table, if it is there.
   std::optional<ValueReader> find(std::string_view key) const;
+  /// The value of a key of that section of this table, if both are there.
+  std::optional<ValueReader> find(std::string_view section, std::string_view key) const;
 
   /// Throws "NAME must be EXPECTED, not FOUND".
   [[noreturn]] void mismatch(const std::string& expected) const;

@@ -115,14 +115,14 @@ std::string repeated(const std::string& words, int times) {
 
 TEST(Words, AreRefusedWhereTheyWouldHideTheBook) {
   const std::string show = "overlay.show = ['caption']\n";
-  EXPECT_THAT(sceneRefusal(show + "caption = '" + repeated("words on words ", 100) + "'"),
-              StartsWith("a.toml:2:11: the words take 433 of the picture's 720 rows"));
-  EXPECT_THAT(sceneRefusal(show + "title = '" + repeated("a title ", 150) + "'"),
-              AllOf(StartsWith("a.toml:2:9: the words take"), HasSubstr("shorten the title")));
-  EXPECT_EQ(sceneRefusal(show + "caption = '" + repeated("words on words ", 60) + "'"), "no error");
-  EXPECT_EQ(sceneRefusal(show + "clip.size = [320, 180]\ncaption = '" +
-                         repeated("words on words ", 100) + "'"),
-            "no error");
+  const std::string caption = "caption = '" + repeated("words on words ", 66) + "'\n";
+  EXPECT_THAT(sceneRefusal(show + caption + "clip.size = [128, 720]"),
+              StartsWith("a.toml:2:11: the words take 659 of the picture's 720 rows"));
+  EXPECT_THAT(
+      sceneRefusal(show + "title = '" + repeated("a title ", 25) + "'\nclip.size = [64, 720]"),
+      AllOf(StartsWith("a.toml:2:9: the words take"), HasSubstr("shorten the title")));
+  EXPECT_EQ(sceneRefusal(show + caption), "no error");
+  EXPECT_EQ(sceneRefusal(show + caption + "clip.size = [320, 180]"), "no error");
 }
 
 TEST(Words, NameThePlaceOfALetterOrAFontThatIsMissing) {

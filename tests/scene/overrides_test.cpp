@@ -106,6 +106,12 @@ TEST(Overrides, RefuseWhatHasNoForm) {
   EXPECT_EQ(errorOf("", {"title=\xff"}), "--set title=\xff: the value isn't UTF-8");
 }
 
+TEST(Overrides, AreCounted) {
+  EXPECT_EQ(errorOf("", std::vector<std::string>(1000, "video.crf=3")), "no error");
+  EXPECT_EQ(errorOf("", std::vector<std::string>(1001, "video.crf=3")),
+            "--set: 1001 of them; the limit is 1000: write them into the scene's file");
+}
+
 TEST(Overrides, RefuseAWayThroughAValue) {
   EXPECT_EQ(errorOf("title = \"x\"", {"title.size=3"}),
             "--set title.size=3: title is \"x\", which has no keys");

@@ -64,6 +64,13 @@ TEST(ClipSection, RefusesSizesThatNoVideoHas) {
   EXPECT_EQ(errorOf("[clip]\nsize = [16, 16384]"), "no error");
 }
 
+TEST(ClipSection, RefusesPicturesThatTakeGigabytes) {
+  EXPECT_EQ(errorOf("[clip]\nsize = [8192, 4352]"), "no error");
+  EXPECT_EQ(errorOf("[clip]\nsize = [8192, 4354]"),
+            "a.toml:2:8: clip.size has 35667968 pixels; the limit is 35651584, for example [8192, "
+            "4352]");
+}
+
 TEST(ClipSection, RefusesDurationsWithoutAFrameOrWithoutEnd) {
   const std::string positive = "a.toml:2:12: clip.duration must be a positive number, not ";
   EXPECT_EQ(errorOf("[clip]\nduration = 0"), positive + "0");

@@ -22,7 +22,7 @@ Scene unusualScene() {
   Scene scene;
   scene.name = "unusual";
   scene.folder = "some/where";
-  scene.title = "\"Quoted\" \\ and\nbroken é \x01";
+  scene.title = "\"Quoted\" \\ and\nbroken é \t";
   scene.caption = "# no comment";
   scene.body = {{0.1, 1.0 / 3, 2e-5}, 7};
   scene.simulation = {Model::Particles, physics::Integrator::Euler, false, 0.3, 1e15, 0.1 / 3, 992};

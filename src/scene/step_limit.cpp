@@ -1,0 +1,62 @@
+// How much a scene may compute.
+#include <numeric>
+#include <string>
+
+#include "scene/panel_section.h"
+#include "scene/sections.h"
+
+namespace rotatebook::scene {
+namespace {
+
+std::int64_t stepsOf(const physics::SimulationSettings& settings) {
+  return settings.model == physics::Model::Exact ? 1 : settings.substeps;
+}
+
+/// Of all motions, from a frame to the next.
+std::int64_t stepsOf(const Scene& scene) {
+  std::int64_t steps = 0;
+  for (const Panel& panel : motionsOf(scene)) steps += stepsOf(panel.simulation);
+  return steps;
+}
+
+/// Of all runs, from a frame to the next.
+std::int64_t stepsOf(const StudySettings& study, const Scene& scene) {
+  const auto sizeOf = [](const auto& list) { return static_cast<std::int64_t>(list.size()); };
+  if (study.isOfTilts()) return sizeOf(study.tilts) * stepsOf(scene.simulation);
+  return sizeOf(study.integrators) *
+         std::accumulate(study.steps.begin(), study.steps.end(), std::int64_t{0});
+}
+
+/// So many steps aren't the default's: some section states them.
+ValueReader statedSubsteps(const ValueReader& file) {
+  if (const auto common = file.find("simulation", "substeps")) return *common;
+  if (const auto panels = file.find("panel")) {
+    for (const ValueReader& panel : panels->tables("panels")) {
+      if (const auto own = panel.find("simulation", "substeps")) return *own;
+    }
+  }
+  return file;
+}
+
+void refuseMany(std::int64_t stepsPerFrame, const Scene& scene, const ValueReader& place,
+                const std::string& remedy) {
+  const std::int64_t frames = scene.clip.frameCount();
+  if (stepsPerFrame <= kMostSteps / frames) return;
+  place.fail(std::to_string(frames) + " frames of " + std::to_string(stepsPerFrame) +
+             " integration steps are " + std::to_string(stepsPerFrame * frames) +
+             "; the limit is " + std::to_string(kMostSteps) + " in all: " + remedy);
+}
+
+}  // namespace
+
+void checkSteps(const ValueReader& file, const Scene& scene) {
+  refuseMany(stepsOf(scene), scene, statedSubsteps(file),
+             "lower simulation.substeps or clip.duration");
+  const auto study = file.find("study");
+  if (!study) return;
+  const auto list = study->find(scene.study->isOfTilts() ? "tilts" : "steps");
+  refuseMany(stepsOf(*scene.study, scene), scene, list.value_or(*study),
+             "study less, or lower clip.duration");
+}
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,95 @@
+// What a scene may ask for: the length of its texts, and how much is computed for it.
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "scene/parse.h"
+
+namespace rotatebook::scene {
+namespace {
+
+/// The message about `key` with texts of that many letters in it.
+std::string errorOfLong(const std::string& key, int letters) {
+  std::string text;
+  for (int i = 0; i < letters; ++i) text += "é";
+  return errorOf("", {key + "='" + text + "'"});
+}
+
+void expectLongest(const std::string& key, int most) {
+  EXPECT_EQ(errorOfLong(key, most), "no error") << key;
+  const std::string error = errorOfLong(key, most + 1);
+  const std::string found =
+      most + 1 > 200 ? "a text of " + std::to_string(most + 1) + " letters" : "";
+  const std::string expected =
+      key + " must be a text of at most " + std::to_string(most) + " letters, not " + found;
+  EXPECT_NE(error.find(expected), std::string::npos) << key;
+}
+
+TEST(Texts, AreOfLimitedLength) {
+  expectLongest("title", 200);
+  expectLongest("caption", 1000);
+  expectLongest("overlay.font", 100);
+  expectLongest("book.front", 1000);
+}
+
+TEST(Texts, OfPanelsAreOfLimitedLength) {
+  const std::string label(101, 'x');
+  EXPECT_EQ(errorOf("[[panel]]\nlabel = '" + label + "'\n[[panel]]\nlabel = 'b'"),
+            "a.toml:2:9: panel.label must be a text of at most 100 letters, not \"" + label + '"');
+}
+
+TEST(Texts, HaveNoControlCharacters) {
+  const std::string must = " must be a text without control characters, not ";
+  EXPECT_EQ(errorOf("title = \"a\\u001b]0;x\\u0007\""),
+            "a.toml:1:9: title" + must + "\"a\\u001B]0;x\\u0007\"");
+  EXPECT_EQ(errorOf("[book]\nfront = \"a.png\\u0000b\""),
+            "a.toml:2:9: book.front" + must + "\"a.png\\u0000b\"");
+  EXPECT_EQ(errorOf("caption = \"\\u009b31m\""), "a.toml:1:11: caption" + must + "\"\\u009B31m\"");
+  EXPECT_EQ(errorOf("title = \"two\\nlines\\tand a tab\""), "no error");
+}
+
+constexpr const char* kManySteps = "simulation.substeps = 1000000\n";
+
+TEST(Steps, AreLimitedInAll) {
+  const std::string lines = kManySteps + std::string("clip.fps = 100\nclip.duration = ");
+  EXPECT_EQ(errorOf(lines + "100"), "no error");
+  EXPECT_EQ(errorOf(lines + "100.01"),
+            "a.toml:1:23: 10001 frames of 1000000 integration steps are 10001000000; the limit is "
+            "10000000000 in all: lower simulation.substeps or clip.duration");
+  EXPECT_EQ(errorOf("clip.duration = 1000", {"simulation.substeps=1000000"}),
+            "--set simulation.substeps=1000000: 60000 frames of 1000000 integration steps are "
+            "60000000000; the limit is 10000000000 in all: lower simulation.substeps or "
+            "clip.duration");
+}
+
+TEST(Steps, OfTheExactMotionAreNone) {
+  EXPECT_EQ(errorOf("simulation.model = 'exact'\nclip.duration = 1000\n" + std::string(kManySteps)),
+            "no error");
+}
+
+TEST(Steps, OfAllPanelsCount) {
+  const std::string panels =
+      "clip.fps = 100\nclip.duration = 60\n"
+      "[[panel]]\nlabel = 'a'\n[[panel]]\nlabel = 'b'\nsimulation.substeps = ";
+  EXPECT_EQ(errorOf(panels + "999936"), "no error");
+  EXPECT_EQ(errorOf("clip.fps = 100\nclip.duration = 60\n[[panel]]\nlabel = 'a'\n"
+                    "simulation.substeps = 1000000\n[[panel]]\nlabel = 'b'\n"
+                    "simulation.substeps = 1000000"),
+            "a.toml:5:23: 6000 frames of 2000000 integration steps are 12000000000; the limit is "
+            "10000000000 in all: lower simulation.substeps or clip.duration");
+}
+
+TEST(Steps, OfAStudyCount) {
+  EXPECT_EQ(errorOf("clip.fps = 100\nclip.duration = 100\n[study]\nintegrators = ['rk4', 'dmv6']\n"
+                    "steps = [1000000]"),
+            "a.toml:5:9: 10000 frames of 2000000 integration steps are 20000000000; the limit is "
+            "10000000000 in all: study less, or lower clip.duration");
+  EXPECT_EQ(errorOf("clip.fps = 100\nclip.duration = 100\nsimulation.substeps = 600000\n"
+                    "[study]\ntilts = [0.1, 0.01]",
+                    {"initial.angular_velocity=[5, 0, 0]", "initial.tilt=[0.1, 'z']"}),
+            "a.toml:5:9: 10000 frames of 1200000 integration steps are 12000000000; the limit is "
+            "10000000000 in all: study less, or lower clip.duration");
+}
+
+}  // namespace
+}  // namespace rotatebook::scene

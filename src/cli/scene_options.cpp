@@ -39,6 +39,8 @@ void SceneOptions::addTo(CLI::App& command) {
       ->allow_extra_args(false);
   command.add_option("--size", size, "Picture size, e.g. 640x360; the same as --set clip.size")
       ->type_name("WxH");
+  command.add_flag("--allow-outside", allowOutside,
+                   "Let the scene take textures from outside its folder");
 }
 
 scene::Scene SceneOptions::read(const std::string& path, std::vector<Shorthand> shorthands) const {
@@ -56,7 +58,9 @@ scene::Scene SceneOptions::applied(std::vector<Shorthand> shorthands, const Read
   std::vector<std::string> all = overrides;
   for (const Shorthand& shorthand : shorthands) all.push_back(shorthand.assignment);
   try {
-    return reader(all);
+    scene::Scene scene = reader(all);
+    scene.allowOutside = allowOutside;
+    return scene;
   } catch (const InputError& error) {
     throw InputError(inUsersWords(error.what(), shorthands));
   }

@@ -19,10 +19,11 @@ struct Shorthand {
   std::string assignment;  ///< "clip.size=[640, 360]"
 };
 
-/// --set and --size.
+/// --set, --size and --allow-outside.
 struct SceneOptions {
   std::vector<std::string> overrides;
   std::string size;  ///< "WxH" or empty.
+  bool allowOutside = false;
 
   void addTo(CLI::App& command);
   /// Reads a scene with these options applied, then `shorthands`. Throws InputError.

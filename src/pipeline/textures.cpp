@@ -1,17 +1,23 @@
 #include "pipeline/textures.h"
 
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <future>
 #include <numbers>
 #include <string>
 #include <string_view>
+#include <system_error>
 
+#include "base/error.h"
 #include "image/png_file.h"
 #include "pipeline/checksum.h"
 #include "scene/places.h"
 
 namespace rotatebook::pipeline {
 namespace {
+
+namespace fs = std::filesystem;
 
 /// A side of the case that has a picture.
 struct Side {
@@ -28,10 +34,24 @@ bool isBuiltin(const scene::Scene& scene, const Side& side) {
   return scene.book.*side.file == scene::kBuiltin;
 }
 
+/// The file of a picture that `scene` names. Throws InputError if that leads outside the scene's
+/// folder, by dots or by links, and isn't allowed to.
+fs::path fileOf(const scene::Scene& scene, const std::string& texture) {
+  const fs::path file = scene.folder / texture;
+  if (scene.allowOutside) return file;
+  std::error_code error;
+  const fs::path folder = fs::canonical(scene.folder.empty() ? "." : scene.folder, error);
+  const fs::path real = error ? fs::path() : fs::weakly_canonical(folder / texture, error);
+  if (error) throw InputError("can't read " + file.string() + ": " + error.message());
+  if (std::ranges::mismatch(folder, real).in1 == folder.end()) return file;
+  throw InputError("can't read " + file.string() +
+                   ": it leads outside the scene's folder, which --allow-outside allows");
+}
+
 image::Image load(const scene::Scene& scene, const Side& side) {
   if (isBuiltin(scene, side)) return side.builtin();
   return scene::atPlaceOf(scene, side.key,
-                          [&] { return image::readPng(scene.folder / (scene.book.*side.file)); });
+                          [&] { return image::readPng(fileOf(scene, scene.book.*side.file)); });
 }
 
 /// [degrees]

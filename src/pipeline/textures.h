@@ -10,7 +10,7 @@
 namespace rotatebook::pipeline {
 
 /// Reads the pictures that the scene names, all at once. Throws InputError for one that is missing
-/// or broken.
+/// or broken, or that leads outside the scene's folder unless Scene::allowOutside.
 render::BookTextures loadTextures(const scene::Scene& scene);
 /// What the pictures depend on, by the scene's keys: "built-in", or the checksum of a file.
 std::map<std::string, std::string> textureChecksums(const scene::Scene& scene);

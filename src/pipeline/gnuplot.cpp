@@ -138,8 +138,12 @@ std::string gnuplotString(const std::string& text) {
   std::string quoted = "'";
   for (const char letter : text) {
     const bool control = static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f;
-    quoted += control ? ' ' : letter;
-    if (letter == '\'') quoted += '\'';
+    // A doubled quote is one for gnuplot, but not where a string begins.
+    if (letter == '\'') {
+      quoted += "’";
+    } else {
+      quoted += control ? ' ' : letter;
+    }
   }
   return quoted + "'";
 }

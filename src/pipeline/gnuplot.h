@@ -13,7 +13,7 @@ namespace rotatebook::pipeline {
 void drawPlot(const std::string& commands, const std::filesystem::path& svg,
               const std::filesystem::path& png);
 
-/// `text` as gnuplot quotes it, on one line.
+/// `text` as gnuplot quotes it, on one line, which runs nothing; with ’ for each '.
 std::string gnuplotString(const std::string& text);
 
 }  // namespace rotatebook::pipeline

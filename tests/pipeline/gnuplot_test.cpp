@@ -5,6 +5,7 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -95,9 +96,34 @@ TEST(Gnuplot, TakesNothingElseForAPicture) {
   EXPECT_THAT(namesIn(folder), ElementsAre("gnuplot"));
 }
 
+// Whatever a title says, it is drawn.
+TEST(GnuplotString, LetsATextRunNothing) {
+  const auto folder = emptyFolder();
+  const std::string mark = (folder / "ran").string();
+  const std::vector<std::string> titles{
+      "`touch " + mark + "`",
+      "'; system('touch " + mark + "') #",
+      "''; system 'touch " + mark + "'",
+      "\\'; system(\"touch " + mark + "\")",
+      "\n!touch " + mark + "\n",
+      "\nsystem(\"touch " + mark + "\")\n",
+      "@X ${X} $(touch " + mark + ")",
+      "\"; `touch " + mark + "`; \"",
+  };
+  std::string commands;
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    commands += "set label " + std::to_string(i + 1) + " " + gnuplotString(titles[i]) +
+                " at screen 0.5,0.5 noenhanced\n";
+  }
+  drawPlot(commands + "plot x title " + gnuplotString(titles[1]) + "\n", folder / "a.svg",
+           folder / "a.png");
+  EXPECT_THAT(namesIn(folder), ElementsAre("a.png", "a.svg"));
+  EXPECT_THAT(bytesOf(folder / "a.svg"), HasSubstr("`touch "));
+}
+
 TEST(GnuplotString, QuotesWhatGnuplotWouldRead) {
   EXPECT_EQ(gnuplotString("plain"), "'plain'");
-  EXPECT_EQ(gnuplotString("it's \"so\" \\n `date`"), "'it''s \"so\" \\n `date`'");
+  EXPECT_EQ(gnuplotString("it's \"so\" \\n `date`"), "'it’s \"so\" \\n `date`'");
   EXPECT_EQ(gnuplotString("two\nlines\t"), "'two lines '");
 }
 

@@ -75,7 +75,7 @@ TEST(PrecisionPlot, TakesTitlesOfAnyLetters) {
   study.rows = {row(Integrator::Euler, 0.1, 1)};
   study.orders = {{Integrator::Euler, {}}};
   const std::string svg = drawn(precisionPlot("It's\n\"x_{1}^2\" \\ `é` @ & %d", study));
-  EXPECT_THAT(svg, HasSubstr("It's \"x_{1}^2\" \\ `é` @ &amp; %d"));
+  EXPECT_THAT(svg, HasSubstr("It’s \"x_{1}^2\" \\ `é` @ &amp; %d"));
 }
 
 TEST(PrecisionPlot, ShortensTitlesThatAreTooLongForTheSheet) {

@@ -9,12 +9,14 @@ OUT ?= out
 export TSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/tsan.supp
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build program figures test gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures clean
+.PHONY: help setup configure build program figures test fuzz gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures clean
 
 help:
 	@echo 'make figures             render every figure, comparison and study into $(OUT)/, each checked,'
 	@echo '                         and $(OUT)/index.html, a page that shows them'
 	@echo 'make test                build and run all tests'
+	@echo 'make fuzz                feed the readers with what nobody would write, SECONDS=60 or RUNS=100000 for each'
+	@echo '                         (only one: TARGET=scene, overrides or png)'
 	@echo 'make render SCENE=FILE   render one scene into $(OUT)/ (more options: ARGS="--no-png")'
 	@echo 'make program             build $(PROGRAM)'
 	@echo 'make build               build the tests and benchmarks, too'
@@ -59,6 +61,14 @@ test: build
 	@scripts/setup.sh scripts/packages-page.txt || \
 	  echo 'make test: going on; the test of the page will say what it lacks' >&2
 	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j$$(nproc)
+
+# In a folder of its own, whatever PRESET says: clang's, with sanitizers. What it learns stays in build/fuzz/corpus.
+fuzz: setup
+	@scripts/setup.sh scripts/packages-fuzz.txt
+	@cmake --preset fuzz >/dev/null
+	@cmake --build --preset fuzz
+	@for run in build/fuzz/tests/fuzz/run-$(or $(TARGET),*); do \
+	  $$run $(if $(RUNS),-runs=$(RUNS),-max_total_time=$(or $(SECONDS),60)) || exit 1; done
 
 render: scene-given program
 	$(PROGRAM) render $(SCENE) -o $(OUT) $(ARGS)

@@ -168,7 +168,7 @@ TEST(Mp4File, HasAKeyFrameEveryTwoSeconds) {
 
 TEST(Mp4File, KeepsTitleAndComment) {
   VideoSettings settings = smallSettings();
-  settings.title = "Das Buch dreht sich · 本 📖";
+  settings.title = "Das Buch dreht sich · 本 📖; comment=x '`ls`' \"\\\n[STREAM]";
   settings.comment = "# scene\n" + std::string(5 * 1024, '=') + "\nspin = 2 # ω ≈ 2 π\n";
   writeClip(outputFolder() / "words.mp4", settings, 1);
   const DecodedVideo video = decodeVideo(outputFolder() / "words.mp4");

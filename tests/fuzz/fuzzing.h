@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 #include <string_view>
 
 #include "base/error.h"
@@ -19,12 +20,15 @@ inline std::string_view textOf(const std::uint8_t* bytes, std::size_t size) {
   return {reinterpret_cast<const char*>(bytes), size};
 }
 
-/// Runs `work`, which may refuse its input with an Error; any other exception is a finding.
+/// Runs `work`, which may refuse its input with an Error, whose words are returned; any other
+/// exception is a finding.
 template <std::invocable Work>
-void mayRefuse(const Work& work) {
+std::string mayRefuse(const Work& work) {
   try {
     work();
-  } catch (const Error&) {
+    return "";
+  } catch (const Error& error) {
+    return error.what();
   }
 }
 

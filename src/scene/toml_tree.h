@@ -33,7 +33,7 @@ struct TomlEntry {
 };
 
 /// Longest text that is parsed: ten times what any scene needs. It bounds how deep dotted keys can
-/// nest, and with that the stack that parsing takes, about 4 MB at worst. [bytes]
+/// nest, and with that the stack that parsing takes, under 2 MB. [bytes]
 inline constexpr std::size_t kLongestToml = 32'768;
 
 /// Throws InputError "PLACE: PROBLEM".

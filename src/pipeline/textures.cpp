@@ -37,7 +37,7 @@ bool isBuiltin(const scene::Scene& scene, const Side& side) {
 /// The file of a picture that `scene` names. Throws InputError if that leads outside the scene's
 /// folder, by dots or by links, and isn't allowed to.
 fs::path fileOf(const scene::Scene& scene, const std::string& texture) {
-  const fs::path file = scene.folder / texture;
+  fs::path file = scene.folder / texture;
   if (scene.allowOutside) return file;
   std::error_code error;
   const fs::path folder = fs::canonical(scene.folder.empty() ? "." : scene.folder, error);

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "base/file_descriptor.h"
 
 namespace rotatebook {
 namespace {
@@ -21,25 +22,8 @@ namespace {
   throw InputError("it has " + size + " bytes; the limit is " + std::to_string(most));
 }
 
-class OpenFile {
- public:
-  // A pipe that nobody writes into would be waited for here.
-  explicit OpenFile(const std::filesystem::path& path)
-      : number_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
-    if (number_ < 0) fail(errno);
-  }
-  OpenFile(const OpenFile&) = delete;
-  OpenFile& operator=(const OpenFile&) = delete;
-  ~OpenFile() { close(number_); }
-
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
-/// Refuses what is no file, or too long.
-void check(const OpenFile& file, std::uintmax_t most) {
+/// Its size; refuses what is no file, or too long.
+std::uintmax_t checkedSize(const FileDescriptor& file, std::uintmax_t most) {
   struct stat status {};
   if (fstat(file.number(), &status) != 0) fail(errno);
   if (S_ISDIR(status.st_mode)) fail(EISDIR);
@@ -47,14 +31,17 @@ void check(const OpenFile& file, std::uintmax_t most) {
   if (!S_ISREG(status.st_mode)) throw InputError("it is a device, not a file");
   const auto size = static_cast<std::uintmax_t>(status.st_size);
   if (size > most) failLong(std::to_string(size), most);
+  return size;
 }
 
 }  // namespace
 
 std::string readFile(const std::filesystem::path& path, std::uintmax_t most) {
-  const OpenFile file(path);
-  check(file, most);
+  // A pipe that nobody writes into would be waited for otherwise.
+  const FileDescriptor file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (!file.isOpen()) fail(errno);
   std::string bytes;
+  bytes.reserve(checkedSize(file, most));
   std::array<char, 65536> block;
   while (true) {
     const ssize_t size = read(file.number(), block.data(), block.size());

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "pipeline/checksum.h"
+#include "pipeline/fingerprint.h"
 
 namespace rotatebook::pipeline {
 namespace {

@@ -5,8 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
-
-#include "scene/scene.h"
+#include <string_view>
 
 namespace rotatebook::pipeline {
 
@@ -27,18 +26,15 @@ struct Manifest {
   bool isComplete() const { return !files.empty(); }
 };
 
-/// Program, build, renderer, FFmpeg, PNG level, scene and the textures' bytes.
-Manifest::Entries fingerprint(const scene::Scene& scene, const std::string& renderer, int pngLevel);
+std::string manifestText(const Manifest& manifest);
+
+/// Of a manifest's text. Throws InputError where it isn't TOML; what has no meaning is let go.
+Manifest parseManifest(std::string_view text, const std::string& file);
 
 /// That of `folder`; nothing if there is none, or none that can be read.
 std::optional<Manifest> readManifest(const std::filesystem::path& folder);
 
 /// Throws MachineError.
 void writeManifest(const std::filesystem::path& folder, const Manifest& manifest);
-
-/// For a message: in what `folder`, which has this manifest and a scene.toml, differs from a render
-/// of `scene` with the fingerprint `made`. "clip.duration is 8.0 there, 10.0 here"
-std::string differences(const std::filesystem::path& folder, const Manifest& there,
-                        const Manifest::Entries& made, const scene::Scene& scene);
 
 }  // namespace rotatebook::pipeline

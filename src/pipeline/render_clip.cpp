@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "pipeline/machine.h"
-#include "pipeline/manifest.h"
+#include "pipeline/fingerprint.h"
 #include "pipeline/poster.h"
 #include "pipeline/trajectory_csv.h"
 

@@ -1,0 +1,19 @@
+// The manifest beside the frames: any text is refused, or gives one that is read back as it was.
+#include <optional>
+
+#include "fuzz/fuzzing.h"
+#include "pipeline/manifest.h"
+#include "scene/toml_tree.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  using namespace rotatebook;
+  std::optional<pipeline::Manifest> manifest;
+  fuzzing::mayRefuse(
+      [&] { manifest = pipeline::parseManifest(fuzzing::textOf(bytes, size), "manifest"); });
+  if (!manifest) return 0;
+  const std::string text = manifestText(*manifest);
+  if (text.size() > scene::kLongestToml) return 0;
+  const pipeline::Manifest read = pipeline::parseManifest(text, "manifest");
+  fuzzing::require(read.made == manifest->made && read.files == manifest->files);
+  return 0;
+}

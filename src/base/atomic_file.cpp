@@ -3,6 +3,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <fcntl.h>
+#include <mutex>
+#include <set>
 #include <string>
 #include <system_error>
 #include <unistd.h>
@@ -29,6 +31,14 @@ bool isTemporaryName(const std::string& name) {
   return !pid.empty() && pid.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
+/// Tidies up each folder once in the life of the process.
+void tidyOnce(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::set<fs::path> tidied;
+  const std::lock_guard lock(mutex);
+  if (tidied.insert(folder).second) removeStaleTemporaries(folder.empty() ? "." : folder);
+}
+
 // A rename is only safe against a power cut once the content itself has reached the disk.
 void flushToDisk(const FileDescriptor& file, const fs::path& path) {
   if (fdatasync(file.number()) != 0) throwLastError(path, "flush");
@@ -43,6 +53,7 @@ AtomicFile::AtomicFile(fs::path finalPath)
     throw MachineError("can't write " + finalPath_.string() + ": it is " +
                        (fs::is_directory(finalPath_) ? "a folder" : "not a regular file"));
   }
+  tidyOnce(finalPath_.parent_path());
   held_ = createLocked(temporaryPath_, Lock::Exclusive);
   if (!held_.isOpen()) throwLastError(finalPath_, "write");
 }

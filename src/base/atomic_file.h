@@ -12,7 +12,7 @@ namespace rotatebook {
 /// Without commit() the destructor removes it, so that a final name never holds half a file.
 ///
 /// The temporary file is locked (flock) while this lives: one that nobody holds was left by a
-/// process that was killed.
+/// process that was killed. The first file that a process writes into a folder takes those away.
 class AtomicFile {
  public:
   /// Throws MachineError if the folder of `finalPath` doesn't exist or can't be written, or if

@@ -8,7 +8,7 @@ enum ExitCode : int {
   kUnmet = 1,          ///< An expectation or a comparison failed.
   kWrongInput = 2,     ///< The user's input is wrong.
   kMachineFailed = 3,  ///< The machine can't: no EGL, no encoder, disk.
-  kInterrupted = 130,  ///< Stopped by SIGINT; SIGTERM gives 143.
+  kInterrupted = 129,  ///< Least of those after a signal: SIGHUP; SIGINT gives 130, SIGTERM 143.
 };
 
 }  // namespace rotatebook::cli

@@ -20,8 +20,12 @@ const std::atomic<bool>& catchInterrupts() {
   struct sigaction action {};
   action.sa_handler = onSignal;
   action.sa_flags = SA_RESETHAND | SA_RESTART;  // The second signal has its default effect.
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    sigaction(signal, nullptr, &before);
+    // nohup and shells have some of them ignored.
+    if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
+  }
   return interrupted;
 }
 

@@ -1,15 +1,15 @@
-// SIGINT and SIGTERM as a flag.
+// SIGINT, SIGTERM and SIGHUP as a flag.
 #pragma once
 
 #include <atomic>
 
 namespace rotatebook::cli {
 
-/// From now on the first SIGINT or SIGTERM sets the flag that is returned; a second one ends the
-/// process.
+/// From now on the first SIGINT, SIGTERM or SIGHUP, unless it is ignored, sets the flag that is
+/// returned; a second one ends the process.
 const std::atomic<bool>& catchInterrupts();
 
-/// 130 after SIGINT, 143 after SIGTERM, 0 if there was none.
+/// 130 after SIGINT, 143 after SIGTERM, 129 after SIGHUP, 0 if there was none.
 int interruptStatus();
 
 }  // namespace rotatebook::cli

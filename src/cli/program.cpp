@@ -1,5 +1,6 @@
 #include "cli/program.h"
 
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -24,7 +25,7 @@ Examples:
   rotatebook COMMAND --help
 
 Exit status: 0 done; 1 an expectation or comparison failed; 2 the input is wrong; 3 the machine can't
-(no EGL, no encoder, no gnuplot, disk); 130 or 143 interrupted.)";
+(no EGL, no encoder, no gnuplot, disk); 129, 130 or 143 interrupted.)";
 
 void addCommands(CLI::App& program, Action& action) {
   addRenderCommand(program, action);
@@ -94,6 +95,8 @@ std::string usageText(const CLI::App* program, const CLI::Error& error) {
 }  // namespace
 
 int runProgram(int argc, char** argv) {
+  // A limit to the size of files is told as an error of writing.
+  std::signal(SIGXFSZ, SIG_IGN);
   return guarded([&] {
     CLI::App program(
         "rotatebook renders a spinning book, simulated and checked, to PNG frames and MP4 clips.",

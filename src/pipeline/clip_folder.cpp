@@ -94,8 +94,6 @@ ClipFolder::ClipFolder(const ClipFiles& files, const Settings& settings)
   // Better said now than when the folder is to be moved there.
   if (fs::exists(files.frameFolder)) createFolders(files.frameFolder);
   settings.part ? openPart(settings) : openWhole(settings);
-  removeStaleTemporaries(files.frameFolder.parent_path());
-  removeStaleTemporaries(path_);
   sums_.emplace(path_);
 }
 

@@ -66,9 +66,9 @@ TEST_F(AtomicFileTest, OfAProcessThatIsKilledIsRemovedByTheNext) {
   }
   ASSERT_EQ(waitpid(child, nullptr, 0), child);
   ASSERT_EQ(filesInFolder(), 1) << "nothing was left";
-  const AtomicFile mine(folder_ / "a.txt");
-  removeStaleTemporaries(folder_);
+  const AtomicFile mine(folder_ / "b.txt");
   EXPECT_EQ(filesInFolder(), 1);
+  removeStaleTemporaries(folder_);
   EXPECT_TRUE(fs::exists(mine.temporaryPath())) << "a file was taken from who writes it";
 }
 

@@ -74,7 +74,6 @@ Channel openFile(const std::string& path) {
 }
 
 void limitFiles(long largest) {
-  signal(SIGXFSZ, SIG_IGN);
   const rlimit limit{static_cast<rlim_t>(largest), static_cast<rlim_t>(largest)};
   setrlimit(RLIMIT_FSIZE, &limit);
 }
@@ -84,6 +83,9 @@ void limitFiles(long largest) {
                                 int output, int error) {
   dup2(output, STDOUT_FILENO);
   dup2(error, STDERR_FILENO);
+  // Whoever runs the tests may ignore them, and what is ignored stays so.
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) signal(number, SIG_DFL);
+  if (settings.ignoredSignal != 0) signal(settings.ignoredSignal, SIG_IGN);
   for (const auto& [name, value] : settings.environment) setenv(name.c_str(), value.c_str(), 1);
   if (settings.largestFile) limitFiles(*settings.largestFile);
   if (chdir(settings.folder.c_str()) == 0) execv(arguments.front(), arguments.data());

@@ -62,6 +62,19 @@ TEST_F(Interrupt, TerminationHasAStatusOfItsOwn) {
   EXPECT_TRUE(has("out/tiny.partial/frame_00002.png"));
 }
 
+TEST_F(Interrupt, ByATerminalThatIsClosedHasOneToo) {
+  EXPECT_EQ(interrupt(SIGHUP, "out/tiny.partial/frame_00002.png", {"--no-mp4"}).status, 129);
+  EXPECT_TRUE(has("out/tiny.partial/frame_00002.png"));
+}
+
+TEST_F(Interrupt, BySignalsThatAreIgnoredIsNone) {
+  ChildSettings settings;
+  settings.ignoredSignal = SIGHUP;
+  settings.signal = SIGHUP;
+  settings.signalWhen = [this] { return has("out/tiny.partial/frame_00002.png"); };
+  EXPECT_EQ(run({"render", "tiny.toml", "--set", "clip.duration=2"}, settings).status, 0);
+}
+
 TEST_F(Interrupt, StopsTheScenesThatFollow) {
   write("b.toml", kTiny);
   EXPECT_EQ(interrupt(SIGINT, "out/tiny.partial/frame_00002.png", {"b.toml", "--no-mp4"}).status,
@@ -78,7 +91,8 @@ TEST_F(Interrupt, EndsASimulationThatTakesLong) {
     return std::chrono::steady_clock::now() - start > std::chrono::seconds(3);
   };
   const ChildResult result = run(
-      {"render", "tiny.toml", "--set", kLong, "--set", "simulation.substeps=1000000"}, settings);
+      {"render", "tiny.toml", "--set", "clip.duration=100", "--set", "simulation.substeps=1000000"},
+      settings);
   EXPECT_EQ(result.status, 130);
   EXPECT_EQ(result.output, "tiny: interrupted while simulating; nothing was written\n");
   EXPECT_THAT(files(), IsEmpty());

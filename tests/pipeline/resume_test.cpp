@@ -262,14 +262,6 @@ TEST_F(Resume, IsRefusedWhereAnotherProcessRenders) {
   EXPECT_THAT(namesIn(folder_), ElementsAre(".small.rotatebook-0"));
 }
 
-TEST_F(Resume, RemovesWhatAKilledProcessLeft) {
-  stop(3);
-  std::ofstream(folder_ / ".small.mp4.rotatebook-123") << "half";
-  std::ofstream(folder_ / "small.partial/.frame_00003.png.rotatebook-123") << "half";
-  render(kResume);
-  expectAsUninterrupted();
-}
-
 TEST_F(Resume, IsWhatAFailedRenderTellsOf) {
   const RenderListener listener{
       [&](const RenderStart&) {

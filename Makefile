@@ -5,8 +5,9 @@ BUILD := build/$(PRESET)
 PROGRAM := $(BUILD)/src/cli/rotatebook
 OUT ?= out
 
-# Only a build with ThreadSanitizer reads it.
+# Only builds with sanitizers read them.
 export TSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/tsan.supp
+export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp
 
 .DEFAULT_GOAL := help
 .PHONY: help setup configure build program figures test fuzz gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures clean

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "pipeline/machine.h"
 #include "pipeline/fingerprint.h"
+#include "pipeline/machine.h"
 #include "pipeline/poster.h"
 #include "pipeline/trajectory_csv.h"
 

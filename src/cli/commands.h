@@ -17,6 +17,8 @@ void addPageCommand(CLI::App& program, Action& action);
 void addSheetCommand(CLI::App& program, Action& action);
 void addStillCommand(CLI::App& program, Action& action);
 void addDiffCommand(CLI::App& program, Action& action);
+void addVerifyCommand(CLI::App& program, Action& action);
+void addRerunCommand(CLI::App& program, Action& action);
 void addAssembleCommand(CLI::App& program, Action& action);
 void addBenchCommand(CLI::App& program, Action& action);
 void addDoctorCommand(CLI::App& program, Action& action);

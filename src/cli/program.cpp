@@ -40,6 +40,8 @@ void addCommands(CLI::App& program, Action& action) {
   addSceneCommand(program, action);
   addListCommand(program, action);
   addAssembleCommand(program, action);
+  addVerifyCommand(program, action);
+  addRerunCommand(program, action);
   addDiffCommand(program, action);
 }
 

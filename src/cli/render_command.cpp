@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <memory>
-#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,13 +32,10 @@ struct RenderArguments {
   pipeline::RenderOptions options;
 };
 
-pipeline::FrameRange parseRange(const std::string& text) {
-  std::smatch match;
-  if (!std::regex_match(text, match, std::regex("([0-9]{1,12}):([0-9]{1,12})"))) {
-    throw InputError("--frames " + text +
-                     ": not a range; write first:end, for example 0:60 for the first 60 frames");
-  }
-  return {std::stoll(match[1]), std::stoll(match[2])};
+pipeline::FrameRange rangeOf(const std::string& text) {
+  if (const auto range = pipeline::parseRange(text)) return *range;
+  throw InputError("--frames " + text +
+                   ": not a range; write first:end, for example 0:60 for the first 60 frames");
 }
 
 video::VideoFormat parseFormat(const std::string& name) {
@@ -90,7 +86,7 @@ int render(const RenderArguments& arguments) {
   options.png = !arguments.noPng;
   options.formats = formatsOf(arguments);
   options.device = arguments.deviceOptions.choice();
-  if (!arguments.frames.empty()) options.frames = parseRange(arguments.frames);
+  if (!arguments.frames.empty()) options.frames = rangeOf(arguments.frames);
   const std::vector<scene::Scene> scenes = readScenes(arguments);
   options.stop = &catchInterrupts();
   const int atATime = arguments.atATime > 0

@@ -3,6 +3,8 @@
 #include "base/error.h"
 #include "image/png_file.h"
 #include "pipeline/clip_files.h"
+#include "pipeline/clip_record.h"
+#include "pipeline/simulate_scene.h"
 #include "scene/scene_file.h"
 
 namespace rotatebook::pipeline {
@@ -26,14 +28,22 @@ FrameRange wholeRange(const fs::path& folder) {
   return {indices.front(), indices.back() + 1};
 }
 
-video::VideoSettings settingsFor(const fs::path& folder, std::optional<FrameRate> frameRate) {
+/// `record`, that of `scene`, for a video of these frames.
+std::string recordFor(const std::string& record, const scene::Scene& scene, FrameRange range) {
+  const bool whole = range == FrameRange{0, simulateScene(scene).frameCount()};
+  return whole ? record : recordOfPart(record, range);
+}
+
+video::VideoSettings settingsFor(const fs::path& folder, FrameRange range,
+                                 std::optional<FrameRate> frameRate) {
   const fs::path sceneCopy = folder / kSceneCopyName;
   if (fs::exists(sceneCopy)) {
     if (frameRate) {
       throw InputError(sceneCopy.string() + " sets the frame rate already; leave --fps out");
     }
     const std::string record = scene::readSceneText(sceneCopy);
-    return videoSettings(scene::parseScene(record, sceneCopy), record);
+    const scene::Scene scene = scene::parseScene(record, sceneCopy);
+    return videoSettings(scene, recordFor(record, scene, range));
   }
   if (!frameRate) {
     throw InputError(folder.string() +
@@ -69,7 +79,7 @@ std::int64_t assemble(const fs::path& folder, const fs::path& video,
                       std::optional<FrameRate> frameRate,
                       const std::function<void(RenderProgress)>& progress) {
   const FrameRange range = wholeRange(folder);
-  video::VideoSettings settings = settingsFor(folder, frameRate);
+  video::VideoSettings settings = settingsFor(folder, range, frameRate);
   const fs::path firstPath = folder / frameName(range.first);
   const image::Image first = image::readPng(firstPath);
   settings.width = first.width();

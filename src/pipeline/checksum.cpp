@@ -28,17 +28,34 @@ std::string checksumOf(std::string_view bytes) {
   return hexadecimal(XXH3_128bits(bytes.data(), bytes.size()));
 }
 
+struct Checksum::State {
+  std::unique_ptr<XXH3_state_t, StateDeleter> xxh{XXH3_createState()};
+};
+
+Checksum::Checksum() : state_(std::make_unique<State>()) {
+  if (state_->xxh == nullptr) throw std::bad_alloc();
+  XXH3_128bits_reset(state_->xxh.get());
+}
+
+Checksum::~Checksum() = default;
+
+void Checksum::add(std::string_view bytes) {
+  XXH3_128bits_update(state_->xxh.get(), bytes.data(), bytes.size());
+}
+
+std::string Checksum::text() const {
+  return hexadecimal(XXH3_128bits_digest(state_->xxh.get()));
+}
+
 std::string checksumOfFile(const std::filesystem::path& path) {
-  const std::unique_ptr<XXH3_state_t, StateDeleter> state(XXH3_createState());
-  if (state == nullptr) throw std::bad_alloc();
-  XXH3_128bits_reset(state.get());
+  Checksum sum;
   std::ifstream stream(path, std::ios::binary);
   std::array<char, 65'536> block;
   do {
     stream.read(block.data(), block.size());
-    XXH3_128bits_update(state.get(), block.data(), static_cast<std::size_t>(stream.gcount()));
+    sum.add({block.data(), static_cast<std::size_t>(stream.gcount())});
   } while (stream);
-  return hexadecimal(XXH3_128bits_digest(state.get()));
+  return sum.text();
 }
 
 }  // namespace rotatebook::pipeline

@@ -5,12 +5,11 @@
 #include <charconv>
 #include <cstdio>
 #include <optional>
+#include <regex>
 #include <string_view>
 #include <system_error>
 
 #include "base/error.h"
-#include "base/version.h"
-#include "scene/scene_file.h"
 
 namespace rotatebook::pipeline {
 namespace {
@@ -44,6 +43,16 @@ std::string slugOf(const std::string& label) {
 }
 
 }  // namespace
+
+std::string rangeText(FrameRange range) {
+  return std::to_string(range.first) + ":" + std::to_string(range.end);
+}
+
+std::optional<FrameRange> parseRange(const std::string& text) {
+  std::smatch match;
+  if (!std::regex_match(text, match, std::regex("([0-9]{1,12}):([0-9]{1,12})"))) return {};
+  return FrameRange{std::stoll(match[1]), std::stoll(match[2])};
+}
 
 std::string frameName(std::int64_t index) {
   return std::string(kPrefix) + paddedNumber(index) + std::string(kSuffix);
@@ -108,11 +117,6 @@ std::vector<fs::path> csvFiles(const fs::path& csv, const scene::Scene& scene) {
     files.push_back(path());
   }
   return files;
-}
-
-std::string sceneRecord(const scene::Scene& scene, const std::string& renderer) {
-  return std::string("# Made by rotatebook ") + kVersion + " from the scene " + scene.name +
-         "\n# Renderer: " + renderer + "\n\n" + sceneText(scene);
 }
 
 bool isTransparent(const scene::Scene& scene) {

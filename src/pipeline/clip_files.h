@@ -21,6 +21,12 @@ struct FrameRange {
   friend bool operator==(const FrameRange&, const FrameRange&) = default;
 };
 
+/// "3:5"
+std::string rangeText(FrameRange range);
+/// The range that `text` is; nothing if it isn't written so. It may be empty or the wrong way
+/// round.
+std::optional<FrameRange> parseRange(const std::string& text);
+
 /// The resolved scene beside the frames.
 inline constexpr const char* kSceneCopyName = "scene.toml";
 
@@ -59,11 +65,6 @@ ClipFiles clipFiles(const std::filesystem::path& folder, const std::string& name
 /// one that is named after its label, too, each unlike the others: NAME_particles.csv.
 std::vector<std::filesystem::path> csvFiles(const std::filesystem::path& csv,
                                             const scene::Scene& scene);
-
-/// The scene with every default explicit, headed by the program's version and `renderer`. It is
-/// stored beside the frames and in the videos that can hold it, so that a clip says what it was
-/// made from.
-std::string sceneRecord(const scene::Scene& scene, const std::string& renderer);
 
 /// Whether the scene's pictures have an alpha that is to be kept.
 bool isTransparent(const scene::Scene& scene);

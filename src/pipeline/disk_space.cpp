@@ -10,7 +10,7 @@ namespace {
 // Bytes a pixel. measured on figures 5, 6, 8, A, axes, models at 1280x720 and the starter scene at
 // 320x180 and 3840x2160: PNG 0.29 to 0.73, MP4 0.014 to 0.033, WebM 0.009 to 0.031, GIF 0.19 to
 // 0.26, APNG 0.17 to 0.31
-constexpr double kPng = 0.6;
+constexpr double kPngPixel = 0.6;
 
 double perPixel(video::VideoFormat format) {
   switch (format) {
@@ -29,7 +29,7 @@ double perPixel(video::VideoFormat format) {
 DiskSpace diskSpace(const scene::Scene& scene, std::int64_t frames, bool png,
                     const std::vector<video::VideoFormat>& formats,
                     const std::filesystem::path& folder) {
-  double bytes = png ? kPng : 0;
+  double bytes = png ? kPngPixel : 0;
   for (const video::VideoFormat format : formats) bytes += perPixel(format);
   std::error_code error;
   const std::filesystem::space_info space = std::filesystem::space(folder, error);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "pipeline/clip_record.h"
 #include "pipeline/fingerprint.h"
 #include "pipeline/machine.h"
 #include "pipeline/poster.h"
@@ -67,7 +68,8 @@ class Render {
 
   RenderResult run(const RenderListener& listener) {
     createFolders(options_.folder);
-    const std::string record = sceneRecord(scene_, drawer_.description());
+    const std::string record =
+        sceneRecord(scene_, makingOf(scene_, motion_, drawer_.description()));
     ClipFolder folder(result_.files, {.scene = scene_,
                                       .record = record,
                                       .made = fingerprint(scene_, drawer_.description(),
@@ -98,8 +100,9 @@ class Render {
   }
 
   void renderInto(ClipFolder& folder, const std::string& record, const RenderListener& listener) {
+    const std::string shown = options_.frames ? recordOfPart(record, range_) : record;
     const VideoSinks videos =
-        openVideos(result_.files, videoSettings(scene_, record), options_.formats);
+        openVideos(result_.files, videoSettings(scene_, shown), options_.formats);
     drawInto(videos, folder.sums(), listener);
     result_.interrupted ? finishPartial(videos) : finish(videos);
   }

@@ -42,6 +42,11 @@ std::string nameOfError(int error) {
   return name.data();
 }
 
+/// "`failure`: FFmpeg's name of the error (`words`)"
+std::string failureText(int error, const std::string& failure, const std::string& words) {
+  return failure + ": " + nameOfError(error) + (words.empty() ? "" : " (" + words + ")");
+}
+
 }  // namespace
 
 void FfmpegDeleter::operator()(AVFormatContext* context) const noexcept {
@@ -53,6 +58,11 @@ void Dictionary::set(const char* key, const std::string& value) {
   if (av_dict_set(&entries_, key, value.c_str(), 0) < 0) throw std::bad_alloc();
 }
 
+std::string Dictionary::valueIn(const AVDictionary* entries, const char* key) {
+  const AVDictionaryEntry* entry = av_dict_get(entries, key, nullptr, 0);
+  return entry == nullptr ? "" : entry->value;
+}
+
 void silenceFfmpeg() {
   av_log_set_callback(keepErrors);
 }
@@ -60,8 +70,19 @@ void silenceFfmpeg() {
 int check(int result, const std::string& failure) {
   const std::string words = takeLoggedWords();
   if (result >= 0) return result;
-  throw MachineError(failure + ": " + nameOfError(result) +
-                     (words.empty() ? "" : " (" + words + ")"));
+  throw MachineError(failureText(result, failure, words));
+}
+
+int checkInput(int result, const std::string& failure) {
+  if (result == AVERROR(ENOMEM)) return check(result, failure);
+  const std::string words = takeLoggedWords();
+  if (result >= 0) return result;
+  throw InputError(failureText(result, failure, words));
+}
+
+std::string profileName(const AVCodecParameters& stream) {
+  const char* name = avcodec_profile_name(stream.codec_id, stream.profile);
+  return name == nullptr ? "" : name;
 }
 
 }  // namespace rotatebook::video

@@ -41,6 +41,8 @@ class Dictionary {
   ~Dictionary() { av_dict_free(&entries_); }
 
   void set(const char* key, const std::string& value);
+  /// The value of `key`, of whatever case, in `entries`; empty if there is none.
+  static std::string valueIn(const AVDictionary* entries, const char* key);
   AVDictionary** address() { return &entries_; }
 
  private:
@@ -53,6 +55,12 @@ void silenceFfmpeg();
 /// Returns `result`, an FFmpeg function's return value. If negative, throws MachineError:
 /// "`failure`: FFmpeg's name of the error (the words it logged on this thread)".
 int check(int result, const std::string& failure);
+/// The same of a file that is read, which is to blame: throws InputError, but MachineError where
+/// memory runs out.
+int checkInput(int result, const std::string& failure);
+
+/// "High", "Profile 0"; empty if the stream doesn't tell.
+std::string profileName(const AVCodecParameters& stream);
 
 /// profile_idc of H.264 High; FFmpeg's own name for it changed.
 inline constexpr int kProfileHigh = 100;

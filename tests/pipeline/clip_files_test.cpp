@@ -15,7 +15,6 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::StartsWith;
 
 TEST(ClipFiles, NumberFramesWithFiveDigitsOrMore) {
   EXPECT_EQ(frameName(0), "frame_00000.png");
@@ -40,6 +39,16 @@ TEST(ClipFiles, OfAPartHaveAnMp4OfTheirOwn) {
   EXPECT_EQ(files.partialVideo(video::VideoFormat::Mp4), "out/book_00010-00020.partial.mp4");
 }
 
+TEST(FrameRanges, AreWrittenAndRead) {
+  EXPECT_EQ(rangeText({3, 12}), "3:12");
+  EXPECT_EQ(parseRange("3:12"), (FrameRange{3, 12}));
+  EXPECT_EQ(parseRange("12:3"), (FrameRange{12, 3}));
+  for (const char* text :
+       {"", "3", ":", "3:", ":3", "-1:3", "1:2:3", " 1:2", "1:2\n", "1:9999999999999"}) {
+    EXPECT_FALSE(parseRange(text)) << text;
+  }
+}
+
 TEST(FramesIn, AreFoundInOrderAmongForeignFiles) {
   const auto folder = testing::emptyFolder();
   EXPECT_THAT(framesIn(folder), IsEmpty());
@@ -57,15 +66,6 @@ TEST(FramesIn, NamesAFolderThatIsMissing) {
   const auto folder = testing::emptyFolder() / "missing";
   EXPECT_THAT(testing::messageOf<InputError>([&] { framesIn(folder); }),
               HasSubstr("can't read the folder " + folder.string() + ": No such file"));
-}
-
-TEST(SceneRecord, IsASceneThatSaysWhatMadeIt) {
-  const scene::Scene scene = testing::smallScene();
-  const std::string record = sceneRecord(scene, "some renderer");
-  EXPECT_THAT(record, StartsWith("# Made by rotatebook "));
-  EXPECT_THAT(record, HasSubstr(" from the scene small\n# Renderer: some renderer\n"));
-  const scene::Scene again = scene::parseScene(record, "small.toml");
-  EXPECT_EQ(scene::sceneText(again), scene::sceneText(scene));
 }
 
 TEST(VideoSettings, AreTheScenes) {

@@ -10,6 +10,7 @@
 #include "image/image.h"
 #include "image/png_file.h"
 #include "pipeline/clip_files.h"
+#include "pipeline/clip_record.h"
 #include "pipeline/small_clip.h"
 
 namespace rotatebook::pipeline {
@@ -52,7 +53,8 @@ TEST(Fingerprint, ChangesWithATexturesBytes) {
 TEST(Differences, NameTheKeysAndBothValues) {
   const fs::path folder = emptyFolder();
   const scene::Scene there = smallScene();
-  writeFileAtomically(folder / kSceneCopyName, sceneRecord(there, "r"));
+  writeFileAtomically(folder / kSceneCopyName,
+                      sceneRecord(there, {.scene = "small", .renderer = "r"}));
   const scene::Scene here = smallScene({"body.mass=2", "camera.position=[0, 0, 2]"});
   EXPECT_THAT(differences(folder, {madeOf(there), {}}, madeOf(here, "s"), here),
               AllOf(HasSubstr("body.mass is 1.0 there, 2.0 here; "),

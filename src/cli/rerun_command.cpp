@@ -1,0 +1,126 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "cli/device_options.h"
+#include "cli/exit_code.h"
+#include "cli/interrupt.h"
+#include "cli/render_scenes.h"
+#include "pipeline/checksum.h"
+#include "pipeline/clip_record.h"
+#include "pipeline/preflight.h"
+
+namespace rotatebook::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RerunArguments {
+  fs::path clip, folder, sceneFolder;
+  bool png = false;
+  pipeline::EarlierFrames earlier;
+  DeviceOptions deviceOptions;
+};
+
+fs::path outputOf(const pipeline::RecordedClip& clip, const fs::path& folder) {
+  const std::string& name = clip.record.scene.name;
+  const pipeline::ClipFiles files = clip.record.part
+                                        ? pipeline::clipFiles(folder, name, *clip.record.part)
+                                        : pipeline::clipFiles(folder, name);
+  return files.video(clip.format);
+}
+
+void refuseSameFile(const fs::path& clip, const fs::path& output) {
+  std::error_code missing;
+  if (!fs::equivalent(clip, output, missing)) return;
+  throw InputError(output.string() +
+                   " is the clip itself, which is to be compared with the new one; name another "
+                   "folder with -o");
+}
+
+/// Why two clips of one record may have other bytes.
+std::vector<std::string> reasons(const pipeline::Making& there, const pipeline::Making& here) {
+  std::vector<std::string> found = pipeline::differencesOfTools(there, here);
+  if (there.motion != here.motion) found.push_back("the motion is another than the recorded one");
+  if (!found.empty()) return found;
+  return {
+      "version, renderer, FFmpeg and motion are those recorded: the clip was changed, or a "
+      "texture, "
+      "the font, the video encoder or the build of this program is another"};
+}
+
+/// Says whether both files have the same bytes; returns the status.
+int compare(const pipeline::RecordedClip& there, const RerunArguments& arguments,
+            const fs::path& output) {
+  if (pipeline::checksumOfFile(arguments.clip) == pipeline::checksumOfFile(output)) {
+    std::cout << "  " << output.string() << " has the very bytes of " << arguments.clip.string()
+              << std::endl;
+    return kDone;
+  }
+  std::cout << "  " << output.string() << " has OTHER bytes than " << arguments.clip.string()
+            << '\n';
+  const pipeline::RecordedClip here = pipeline::readRecordedClip(output, there.record.scene.folder);
+  for (const std::string& reason : reasons(there.record.making, here.record.making)) {
+    std::cout << "    " << reason << std::endl;
+  }
+  return kUnmet;
+}
+
+int rerun(const RerunArguments& arguments) {
+  const pipeline::RecordedClip clip =
+      pipeline::readRecordedClip(arguments.clip, arguments.sceneFolder);
+  pipeline::preflight(clip.record.scene);
+  const fs::path output = outputOf(clip, arguments.folder);
+  refuseSameFile(arguments.clip, output);
+  pipeline::RenderOptions options;
+  options.folder = arguments.folder;
+  options.png = arguments.png;
+  options.earlier = arguments.earlier;
+  options.formats = {clip.format};
+  options.frames = clip.record.part;
+  options.device = arguments.deviceOptions.choice();
+  options.stop = &catchInterrupts();
+  // Expectations are told. Whether they were met was the first render's status.
+  const int status = renderScenes({clip.record.scene}, options, 1);
+  return status >= kInterrupted ? status : compare(clip, arguments, output);
+}
+
+}  // namespace
+
+void addRerunCommand(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<RerunArguments>();
+  CLI::App* command =
+      program.add_subcommand("rerun", "Make a clip again from what it says it was made from");
+  command->add_option("CLIP", arguments->clip, "MP4 or WebM that rotatebook made")->required();
+  command->add_option("-o,--output", arguments->folder, "Folder for the results")
+      ->type_name("DIR")
+      ->required();
+  command->add_flag("--png", arguments->png, "Write PNG frames, too");
+  command->add_flag("--resume", arguments->earlier.resume, "Go on where a rerun stopped");
+  command->add_flag("--overwrite", arguments->earlier.overwrite,
+                    "Discard frames of a render that wasn't finished");
+  command
+      ->add_option("--scene-folder", arguments->sceneFolder,
+                   "Where the scene's textures are found; by default the clip's folder")
+      ->type_name("DIR");
+  arguments->deviceOptions.addTo(*command);
+  command->footer(R"(
+Takes scene, name and frames from the clip's metadata, renders them as 'rotatebook render' does, and
+tells whether the new file has the clip's very bytes, and if not, what differs. The clip itself is never
+overwritten.
+
+Exit status: 0 the same bytes, 1 other bytes, whatever becomes of expectations; 2 the file can't be read
+or isn't a clip of rotatebook; 3 the machine can't.
+
+Examples:
+  rotatebook rerun out/starter.mp4 -o again
+  rotatebook rerun clips/cover_00010-00020.webm -o again --png --scene-folder scenes)");
+  command->callback([arguments, &action] { action = [arguments] { return rerun(*arguments); }; });
+}
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,74 @@
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "cli/commands.h"
+#include "cli/device_options.h"
+#include "cli/exit_code.h"
+#include "cli/progress_line.h"
+#include "cli/verify_report.h"
+
+namespace rotatebook::cli {
+namespace {
+
+struct VerifyArguments {
+  std::string clip;
+  pipeline::VerifyOptions options;
+  DeviceOptions deviceOptions;
+  bool json = false;
+};
+
+int verify(const VerifyArguments& arguments) {
+  pipeline::VerifyOptions options = arguments.options;
+  options.device = arguments.deviceOptions.choice();
+  pipeline::Verification found;
+  {
+    ProgressLine progress(arguments.clip);
+    options.progress = [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); };
+    found = pipeline::verifyClip(arguments.clip, options);
+  }
+  (arguments.json ? reportVerificationAsJson : reportVerification)(arguments.clip, found,
+                                                                   std::cout);
+  return found.proved() ? kDone : kUnmet;
+}
+
+}  // namespace
+
+void addVerifyCommand(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<VerifyArguments>();
+  CLI::App* command =
+      program.add_subcommand("verify", "Prove that a clip shows what it was made from");
+  command->add_option("CLIP", arguments->clip, "MP4 or WebM that rotatebook made")->required();
+  CLI::Option* frames =
+      command
+          ->add_option("--frames", arguments->options.frames,
+                       "Frames whose pictures are compared, e.g. 0,10,20; by default six, spread "
+                       "from the first to the last")
+          ->type_name("N,...")
+          ->delimiter(',')
+          ->allow_extra_args(false);
+  command->add_flag("--all", arguments->options.allFrames, "Compare all pictures")
+      ->excludes(frames);
+  command
+      ->add_option("--scene-folder", arguments->options.sceneFolder,
+                   "Where the scene's textures are found; by default the clip's folder")
+      ->type_name("DIR");
+  arguments->deviceOptions.addTo(*command);
+  command->add_flag("--json", arguments->json, "Print one JSON object");
+  command->footer(R"(
+Takes the scene from the clip's metadata, simulates it again and compares the motion, bit by bit; draws
+frames of it again and compares them with the clip's pictures, and with the frames beside them; looks at
+size, codec, colours, number of frames, time stamps and duration.
+Where the clip was made with another renderer, FFmpeg or version, that is told, as pixels may differ then.
+
+Exit status: 0 all is proved, 1 a check failed, 2 the file can't be read or isn't a clip of rotatebook,
+3 the machine can't draw.
+
+Examples:
+  rotatebook verify out/starter.mp4
+  rotatebook verify out/starter.mp4 --all --json | python3 -m json.tool
+  rotatebook verify clips/cover.webm --frames 0,60 --scene-folder scenes)");
+  command->callback([arguments, &action] { action = [arguments] { return verify(*arguments); }; });
+}
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,62 @@
+// What a clip says it was made from and with.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pipeline/clip_files.h"
+#include "pipeline/clip_motion.h"
+#include "scene/scene.h"
+#include "video/clip_reader.h"
+
+namespace rotatebook::pipeline {
+
+/// What a clip was made with. As read from a record, each but `scene` may be empty.
+struct Making {
+  std::string scene{};     ///< Its name.
+  std::string program{};   ///< "0.1.0"
+  std::string renderer{};  ///< render::Renderer::description()
+  std::string ffmpeg{};    ///< "5.1.6"
+  std::string motion{};    ///< motionChecksum()
+};
+
+/// That of a clip of `scene`, which moves as `motion`, made here and now with `renderer`.
+Making makingOf(const scene::Scene& scene, const ClipMotion& motion, const std::string& renderer);
+
+/// Where the tools differ: "the renderer was A, here it is B". The motions aren't compared.
+std::vector<std::string> differencesOfTools(const Making& there, const Making& here);
+
+/// The scene with every default explicit, headed by comments that tell `making`. It is stored
+/// beside the frames and in the videos that can hold it, so that a clip says what it was made from.
+std::string sceneRecord(const scene::Scene& scene, const Making& making);
+/// `record` for a clip of some of the frames. A text that isn't a record comes back as it is.
+std::string recordOfPart(const std::string& record, FrameRange part);
+
+/// A record that was read.
+struct ClipRecord {
+  Making making;
+  std::optional<FrameRange> part{};  ///< The clip's frames, if they aren't all. first < end.
+  scene::Scene scene;
+};
+
+/// Takes the record of `clip`, which names it in messages, apart. The scene's textures are found
+/// from `sceneFolder`. Throws InputError for a text that isn't a record, or a damaged one: anybody
+/// may have written it.
+ClipRecord parseRecord(const std::string& text, const std::filesystem::path& clip,
+                       const std::filesystem::path& sceneFolder);
+
+/// A clip's format and its record.
+struct RecordedClip {
+  video::VideoFormat format = video::VideoFormat::Mp4;
+  ClipRecord record;
+};
+
+/// Reads the record of an MP4 or WebM. `sceneFolder` as above; the clip's folder if it is empty.
+/// Throws InputError as video::readClipMetadata() and parseRecord() do, and, naming --scene-folder,
+/// for a texture that can't be read.
+RecordedClip readRecordedClip(const std::filesystem::path& clip,
+                              const std::filesystem::path& sceneFolder);
+
+}  // namespace rotatebook::pipeline

@@ -1,0 +1,51 @@
+// Whether a clip shows what it says it was made from.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "pipeline/clip_check.h"
+#include "pipeline/clip_record.h"
+#include "pipeline/draw_frames.h"
+#include "render/device.h"
+
+namespace rotatebook::pipeline {
+
+/// What to verify, and with what.
+struct VerifyOptions {
+  std::filesystem::path
+      sceneFolder{};  ///< From where textures are found; empty: the clip's folder.
+  /// Frames of the whole clip whose pictures are compared; none: six, spread evenly from the first
+  /// to the last.
+  std::vector<std::int64_t> frames{};
+  bool allFrames = false;
+  render::DeviceChoice device{};
+  /// Told after each picture that was decoded. May be empty.
+  std::function<void(RenderProgress)> progress{};
+};
+
+/// What was found.
+struct Verification {
+  ClipRecord record;
+  FrameRange range;             ///< The clip's frames.
+  std::int64_t wholeCount = 0;  ///< Frames of the whole clip.
+  /// What made the clip and isn't here, so that pixels may differ.
+  std::vector<std::string> toolsDiffer{};
+  std::vector<ClipCheck> checks{};
+  /// None if the stream isn't what it should be.
+  std::vector<PictureCheck> pictures{};
+
+  /// How many checks failed, those of pictures among them.
+  std::int64_t failures() const;
+  bool proved() const { return failures() == 0; }
+};
+
+/// Reads the record of `clip`, an MP4 or WebM, simulates and draws its scene again, and compares.
+/// Throws InputError as readRecordedClip() and video::ClipReader do, and for frames that the clip
+/// hasn't; MachineError if nothing can be drawn.
+Verification verifyClip(const std::filesystem::path& clip, const VerifyOptions& options);
+
+}  // namespace rotatebook::pipeline

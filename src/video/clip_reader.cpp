@@ -1,0 +1,184 @@
+#include "video/clip_reader.h"
+
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+extern "C" {
+#include <libavutil/pixdesc.h>
+}
+
+#include "base/error.h"
+#include "video/clip_input.h"
+
+namespace rotatebook::video {
+namespace {
+
+ClipMetadata metadataOf(const ClipInput& input) {
+  const VideoFormat format = input.format();
+  if (format != VideoFormat::Mp4 && format != VideoFormat::WebM) {
+    throw InputError(input.name() + " is of the format " + std::string(nameOf(format)) +
+                     ", which holds no record of the scene; MP4 and WebM do");
+  }
+  input.stream();
+  const AVDictionary* entries = input.context().metadata;
+  return {format, Dictionary::valueIn(entries, "title"), Dictionary::valueIn(entries, "comment")};
+}
+
+std::string textOf(const char* text) {
+  return text == nullptr ? "unknown" : text;
+}
+
+ClipFacts factsOf(const ClipInput& input) {
+  const AVStream& stream = input.stream();
+  const AVCodecParameters& codec = *stream.codecpar;
+  ClipFacts facts;
+  facts.format = input.format();
+  facts.width = codec.width;
+  facts.height = codec.height;
+  facts.codec = avcodec_get_name(codec.codec_id);
+  facts.profile = profileName(codec);
+  facts.pixelFormat = textOf(av_get_pix_fmt_name(static_cast<AVPixelFormat>(codec.format)));
+  facts.primaries = textOf(av_color_primaries_name(codec.color_primaries));
+  facts.transfer = textOf(av_color_transfer_name(codec.color_trc));
+  facts.matrix = textOf(av_color_space_name(codec.color_space));
+  facts.range = textOf(av_color_range_name(codec.color_range));
+  const std::int64_t duration = input.context().duration;
+  if (duration > 0) facts.duration = static_cast<double>(duration) / AV_TIME_BASE;
+  return facts;
+}
+
+/// FFmpeg's own decoder of VP9 leaves alpha out.
+const AVCodec* decoderFor(const AVStream& stream) {
+  const bool alpha = Dictionary::valueIn(stream.metadata, "alpha_mode") == "1";
+  const AVCodec* decoder = nullptr;
+  if (alpha && stream.codecpar->codec_id == AV_CODEC_ID_VP9) {
+    decoder = avcodec_find_decoder_by_name("libvpx-vp9");
+  }
+  return decoder != nullptr ? decoder : avcodec_find_decoder(stream.codecpar->codec_id);
+}
+
+Handle<AVCodecContext> openDecoder(const ClipInput& input) {
+  const AVStream& stream = input.stream();
+  const AVCodec* decoder = decoderFor(stream);
+  if (decoder == nullptr) {
+    throw MachineError(std::string("FFmpeg's libavcodec has no decoder of ") +
+                       avcodec_get_name(stream.codecpar->codec_id));
+  }
+  Handle<AVCodecContext> context = owned(avcodec_alloc_context3(decoder));
+  const std::string failure = "can't decode " + input.name();
+  checkInput(avcodec_parameters_to_context(context.get(), stream.codecpar), failure);
+  context->err_recognition = AV_EF_EXPLODE;
+  context->max_pixels = kMostPixels;
+  checkInput(avcodec_open2(context.get(), decoder, nullptr), failure);
+  return context;
+}
+
+std::vector<float> planeOf(const AVFrame& frame, int plane, int width, int height) {
+  std::vector<float> values;
+  values.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y) {
+    const std::uint8_t* row =
+        frame.data[plane] + static_cast<std::ptrdiff_t>(y) * frame.linesize[plane];
+    values.insert(values.end(), row, row + width);
+  }
+  return values;
+}
+
+}  // namespace
+
+ClipMetadata readClipMetadata(const std::filesystem::path& path) {
+  return metadataOf(ClipInput(path));
+}
+
+ClipMetadata readClipMetadata(std::span<const std::uint8_t> bytes, const std::string& name) {
+  return metadataOf(ClipInput(bytes, name));
+}
+
+struct ClipReader::Parts {
+  explicit Parts(const std::filesystem::path& path)
+      : input(path), packet(owned(av_packet_alloc())), frame(owned(av_frame_alloc())) {
+    input.probe();
+    facts = factsOf(input);
+    decoder = openDecoder(input);
+  }
+
+  std::string failure() const {
+    return "can't decode picture " + std::to_string(count) + " of " + input.name();
+  }
+
+  /// Whether the decoder had a picture ready.
+  bool receive() {
+    const int result = avcodec_receive_frame(decoder.get(), frame.get());
+    if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return false;
+    checkInput(result, failure());
+    return true;
+  }
+
+  /// Gives the decoder the next packet, or once says that there are no more.
+  void send() {
+    const int result = av_read_frame(&input.context(), packet.get());
+    ended = result == AVERROR_EOF;
+    if (!ended)
+      checkInput(result, "can't read picture " + std::to_string(count) + " of " + input.name());
+    checkInput(avcodec_send_packet(decoder.get(), ended ? nullptr : packet.get()), failure());
+    av_packet_unref(packet.get());
+  }
+
+  ClipInput input;
+  ClipFacts facts;
+  Handle<AVCodecContext> decoder;
+  Handle<AVPacket> packet;
+  Handle<AVFrame> frame;
+  std::int64_t count = 0;  // pictures so far
+  bool ended = false;
+};
+
+ClipReader::ClipReader(const std::filesystem::path& path) : parts_(std::make_unique<Parts>(path)) {}
+ClipReader::ClipReader(ClipReader&&) noexcept = default;
+ClipReader& ClipReader::operator=(ClipReader&&) noexcept = default;
+ClipReader::~ClipReader() = default;
+
+const ClipFacts& ClipReader::facts() const {
+  return parts_->facts;
+}
+
+bool ClipReader::next() {
+  while (!parts_->receive()) {
+    if (parts_->ended) return false;
+    parts_->send();
+  }
+  const AVFrame& frame = *parts_->frame;
+  if (frame.width != parts_->facts.width || frame.height != parts_->facts.height) {
+    throw InputError("picture " + std::to_string(parts_->count) + " of " + parts_->input.name() +
+                     " has another size than the clip");
+  }
+  ++parts_->count;
+  return true;
+}
+
+double ClipReader::time() const {
+  const std::int64_t ticks = parts_->frame->pts;
+  if (ticks == AV_NOPTS_VALUE) return std::numeric_limits<double>::quiet_NaN();
+  const AVRational unit = parts_->input.stream().time_base;
+  // One rounding: a multiple of the clock that is n / rate gives the double nearest to it.
+  return static_cast<double>(ticks) * unit.num / unit.den;
+}
+
+Planes ClipReader::picture() const {
+  const AVFrame& frame = *parts_->frame;
+  const bool hasAlpha = frame.format == AV_PIX_FMT_YUVA420P;
+  const bool isEven = frame.width % 2 == 0 && frame.height % 2 == 0;
+  if (!isEven || (frame.format != AV_PIX_FMT_YUV420P && !hasAlpha)) {
+    throw InputError("the pictures of " + parts_->input.name() + " aren't yuv420p of an even size");
+  }
+  Planes planes{.width = frame.width, .height = frame.height};
+  planes.y = planeOf(frame, 0, frame.width, frame.height);
+  planes.u = planeOf(frame, 1, frame.width / 2, frame.height / 2);
+  planes.v = planeOf(frame, 2, frame.width / 2, frame.height / 2);
+  if (hasAlpha) planes.alpha = planeOf(frame, 3, frame.width, frame.height);
+  return planes;
+}
+
+}  // namespace rotatebook::video

@@ -1,0 +1,132 @@
+#include "video/planes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "base/error.h"
+
+namespace rotatebook::video {
+namespace {
+
+using Rgb = std::array<float, 3>;
+
+// Weights of red and blue in luma, ITU-R BT.709, table 3.
+constexpr float kRed = 0.2126F;
+constexpr float kBlue = 0.0722F;
+constexpr float kLumaSpan = 219.0F / 255, kColourSpan = 224.0F / 255;
+constexpr float kBlack = 16, kGrey = 128, kOpaque = 255;
+
+std::size_t area(int width, int height) {
+  return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+}
+
+float luma(const Rgb& rgb) {
+  return kRed * rgb[0] + (1 - kRed - kBlue) * rgb[1] + kBlue * rgb[2];
+}
+
+/// The colour that stands for 2 x 2 pixels is that of their left column: mixed from those beside
+/// it, too.
+Rgb colourAt(const image::ImageView& picture, int left, int top) {
+  constexpr std::array<float, 3> kShares{0.125F, 0.25F, 0.125F};
+  Rgb mixed{};
+  for (int y = top; y < top + 2; ++y) {
+    for (int i = 0; i < 3; ++i) {
+      const int x = std::clamp(left + i - 1, 0, picture.width - 1);
+      const std::uint8_t* pixel =
+          picture.row(y) + static_cast<std::ptrdiff_t>(x) * bytesPerPixel(picture.format);
+      const float share = kShares[static_cast<std::size_t>(i)];
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        mixed[channel] += share * pixel[channel];
+    }
+  }
+  return mixed;
+}
+
+void addColour(const image::ImageView& picture, Planes& planes) {
+  for (int top = 0; top + 1 < picture.height; top += 2) {
+    for (int left = 0; left + 1 < picture.width; left += 2) {
+      const Rgb rgb = colourAt(picture, left, top);
+      const float grey = luma(rgb);
+      planes.u.push_back(kGrey + kColourSpan * (rgb[2] - grey) / (2 - 2 * kBlue));
+      planes.v.push_back(kGrey + kColourSpan * (rgb[0] - grey) / (2 - 2 * kRed));
+    }
+  }
+}
+
+/// Sums of squares in patches.
+class Patches {
+ public:
+  Patches(int width, int height)
+      : columns_(std::max(1, width / kPatchSide)), rows_(std::max(1, height / kPatchSide)) {
+    squares_.resize(area(columns_, rows_));
+    counts_.resize(squares_.size());
+  }
+
+  /// Takes a plane of `width` samples a row, `side` to a patch's side.
+  void add(const std::vector<float>& a, const std::vector<float>& b, int width, int side) {
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      const auto at = static_cast<int>(i);
+      const int row = std::min(at / width / side, rows_ - 1);
+      const int column = std::min(at % width / side, columns_ - 1);
+      const std::size_t patch = area(row, columns_) + static_cast<std::size_t>(column);
+      const double difference = a[i] - b[i];
+      squares_[patch] += difference * difference;
+      counts_[patch] += 1;
+    }
+  }
+
+  Distance distance() const {
+    double squares = 0, count = 0, worst = 0;
+    for (std::size_t i = 0; i < squares_.size(); ++i) {
+      squares += squares_[i];
+      count += counts_[i];
+      worst = std::max(worst, squares_[i] / counts_[i]);
+    }
+    return {std::sqrt(squares / count), std::sqrt(worst)};
+  }
+
+ private:
+  int columns_;
+  int rows_;
+  std::vector<double> squares_;
+  std::vector<double> counts_;
+};
+
+}  // namespace
+
+Planes planesOf(image::ImageView picture, bool transparent) {
+  Planes planes{.width = picture.width, .height = picture.height};
+  planes.y.reserve(area(picture.width, picture.height));
+  const int step = bytesPerPixel(picture.format);
+  const bool hasAlpha = transparent && picture.format == image::PixelFormat::Rgba8;
+  for (int y = 0; y < picture.height; ++y) {
+    const std::uint8_t* pixel = picture.row(y);
+    for (int x = 0; x < picture.width; ++x, pixel += step) {
+      const Rgb rgb{1.0F * pixel[0], 1.0F * pixel[1], 1.0F * pixel[2]};
+      planes.y.push_back(kBlack + kLumaSpan * luma(rgb));
+      if (hasAlpha) planes.alpha.push_back(pixel[3]);
+    }
+  }
+  addColour(picture, planes);
+  return planes;
+}
+
+Distance distance(const Planes& a, const Planes& b) {
+  if (a.width != b.width || a.height != b.height) {
+    throw InputError("can't compare pictures of different sizes");
+  }
+  Patches patches(a.width, a.height);
+  patches.add(a.y, b.y, a.width, kPatchSide);
+  patches.add(a.u, b.u, a.width / 2, kPatchSide / 2);
+  patches.add(a.v, b.v, a.width / 2, kPatchSide / 2);
+  if (!a.alpha.empty() || !b.alpha.empty()) {
+    const std::vector<float> opaque(a.y.size(), kOpaque);
+    patches.add(a.alpha.empty() ? opaque : a.alpha, b.alpha.empty() ? opaque : b.alpha, a.width,
+                kPatchSide);
+  }
+  return patches.distance();
+}
+
+}  // namespace rotatebook::video

@@ -63,8 +63,6 @@ class FontFile {
 }  // namespace
 
 struct Typesetter::Parts {
-  FontFile regular{embedded_inter_regular_begin, embedded_inter_regular_end};
-  FontFile semibold{embedded_inter_semibold_begin, embedded_inter_semibold_end};
   FontConfig config;
   FontMap map;
   Context context;
@@ -75,7 +73,12 @@ namespace {
 
 /// A configuration that knows the fonts that ship and no other: an installed one of the same name
 /// may be of another version.
-FontConfig shippedFonts(const FontFile& regular, const FontFile& semibold) {
+///
+/// The files stay open: Cairo remembers faces by their paths, and would take one for the other
+/// where a descriptor's number comes to be another file's.
+FontConfig shippedFonts() {
+  static const FontFile regular{embedded_inter_regular_begin, embedded_inter_regular_end};
+  static const FontFile semibold{embedded_inter_semibold_begin, embedded_inter_semibold_end};
   FontConfig config(FcConfigCreate());
   for (const FontFile* file : {&regular, &semibold}) {
     const std::string path = file->path();
@@ -180,7 +183,7 @@ Typesetter::Typesetter() = default;
 const Typesetter::Parts& Typesetter::parts() const {
   if (parts_) return *parts_;
   parts_ = std::make_unique<Parts>();
-  parts_->config = shippedFonts(parts_->regular, parts_->semibold);
+  parts_->config = shippedFonts();
   parts_->map.reset(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT));
   pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(parts_->map.get()), parts_->config.get());
   parts_->context = contextOf(parts_->map.get());

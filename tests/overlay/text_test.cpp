@@ -1,7 +1,9 @@
 #include "overlay/text.h"
 
 #include <algorithm>
+#include <fstream>
 #include <string>
+#include <utility>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -48,6 +50,18 @@ TEST(Typesetter, GivesTheSamePixelsAgain) {
   const TextStyle style{17.3, true, {1, 0.5, 0}, 0.9};
   EXPECT_EQ(Typesetter().draw("ωt = 3.25", style, kWide).pixels,
             Typesetter().draw("ωt = 3.25", style, kWide).pixels);
+}
+
+// Cairo remembers faces by the paths of their files, in which a descriptor's number stands.
+TEST(Typesetter, GivesTheSamePixelsWhateverFilesAreOpen) {
+  const TextStyle light{17, false, {}, 1}, bold{17, true, {}, 1};
+  const auto draw = [](const TextStyle& style) {
+    return Typesetter().draw("half-turns", style, kWide).pixels;
+  };
+  const auto before = std::pair{draw(light), draw(bold)};
+  const std::ifstream shiftsTheNumbers("/dev/null");
+  EXPECT_TRUE(draw(light) == before.first);
+  EXPECT_TRUE(draw(bold) == before.second);
 }
 
 TEST(Typesetter, BreaksLinesAtWordsAndWithinThemIfItMust) {

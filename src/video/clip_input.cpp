@@ -73,6 +73,7 @@ void ClipInput::open(AVFormatContext* context, const std::string& url) {
   silenceFfmpeg();
   Dictionary options;
   options.set("format_whitelist", kDemuxers);
+  options.set("codec_whitelist", kDecoders);
   options.set("protocol_whitelist", "file");
   // Frees `context` where it fails.
   checkInput(avformat_open_input(&context, url.c_str(), nullptr, options.address()),
@@ -99,6 +100,7 @@ AVStream& ClipInput::stream() const {
 void ClipInput::probe() {
   Dictionary options;
   options.set("max_pixels", std::to_string(kMostPixels));
+  options.set("codec_whitelist", kDecoders);
   stream();  // There is one, so one set of options is enough.
   checkInput(avformat_find_stream_info(context_.get(), options.address()),
              "can't read the pictures of " + name_);

@@ -16,8 +16,11 @@ namespace rotatebook::video {
 /// Largest picture that is decoded, that of the largest scene. [pixels]
 inline constexpr std::int64_t kMostPixels = std::int64_t{16'384} * 16'384;
 
-/// A file of one of our formats. Anybody may have made it: only their demuxers read it, which open
-/// no other file.
+/// FFmpeg's names of the decoders of our formats that have metadata.
+inline constexpr const char* kDecoders = "h264,vp9,libvpx-vp9";
+
+/// A file of one of our formats. Anybody may have made it: only their demuxers and
+/// decoders read it, which open no other file.
 class ClipInput {
  public:
   /// Throws InputError if the file can't be opened, or isn't of such a format.

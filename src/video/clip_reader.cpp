@@ -49,29 +49,31 @@ ClipFacts factsOf(const ClipInput& input) {
   return facts;
 }
 
-/// FFmpeg's own decoder of VP9 leaves alpha out.
-const AVCodec* decoderFor(const AVStream& stream) {
-  const bool alpha = Dictionary::valueIn(stream.metadata, "alpha_mode") == "1";
-  const AVCodec* decoder = nullptr;
-  if (alpha && stream.codecpar->codec_id == AV_CODEC_ID_VP9) {
-    decoder = avcodec_find_decoder_by_name("libvpx-vp9");
+/// Throws InputError for pictures that aren't H.264 or VP9, MachineError where there is no decoder.
+const AVCodec& decoderFor(const ClipInput& input) {
+  const AVStream& stream = input.stream();
+  const AVCodecID codec = stream.codecpar->codec_id;
+  const std::string name = avcodec_get_name(codec);
+  if (codec != AV_CODEC_ID_H264 && codec != AV_CODEC_ID_VP9) {
+    throw InputError("the pictures of " + input.name() + " are of the codec " + name +
+                     "; a clip's are of h264 or vp9");
   }
-  return decoder != nullptr ? decoder : avcodec_find_decoder(stream.codecpar->codec_id);
+  const AVCodec* decoder = nullptr;
+  // FFmpeg's own decoder of VP9 leaves alpha out.
+  const bool alpha = Dictionary::valueIn(stream.metadata, "alpha_mode") == "1";
+  if (alpha && codec == AV_CODEC_ID_VP9) decoder = avcodec_find_decoder_by_name("libvpx-vp9");
+  if (decoder == nullptr) decoder = avcodec_find_decoder(codec);
+  if (decoder == nullptr) throw MachineError("FFmpeg's libavcodec has no decoder of " + name);
+  return *decoder;
 }
 
 Handle<AVCodecContext> openDecoder(const ClipInput& input) {
-  const AVStream& stream = input.stream();
-  const AVCodec* decoder = decoderFor(stream);
-  if (decoder == nullptr) {
-    throw MachineError(std::string("FFmpeg's libavcodec has no decoder of ") +
-                       avcodec_get_name(stream.codecpar->codec_id));
-  }
-  Handle<AVCodecContext> context = owned(avcodec_alloc_context3(decoder));
+  Handle<AVCodecContext> context = owned(avcodec_alloc_context3(&decoderFor(input)));
   const std::string failure = "can't decode " + input.name();
-  checkInput(avcodec_parameters_to_context(context.get(), stream.codecpar), failure);
+  checkInput(avcodec_parameters_to_context(context.get(), input.stream().codecpar), failure);
   context->err_recognition = AV_EF_EXPLODE;
   context->max_pixels = kMostPixels;
-  checkInput(avcodec_open2(context.get(), decoder, nullptr), failure);
+  checkInput(avcodec_open2(context.get(), nullptr, nullptr), failure);
   return context;
 }
 

@@ -28,16 +28,16 @@ ClipMetadata readClipMetadata(std::span<const std::uint8_t> bytes, const std::st
 /// What a player learns from the file. Names are FFmpeg's.
 struct ClipFacts {
   VideoFormat format = VideoFormat::Mp4;
-  int width = 0;            ///< [pixels]
-  int height = 0;           ///< [pixels]
-  std::string codec;        ///< "h264"
-  std::string profile;      ///< "High"
-  std::string pixelFormat;  ///< "yuv420p", also where there is an alpha.
-  std::string primaries;    ///< "bt709"
-  std::string transfer;     ///< "bt709"
-  std::string matrix;       ///< "bt709"
-  std::string range;        ///< "tv" is limited, "pc" full.
-  double duration = 0;      ///< As the container says; 0 if it doesn't. [s]
+  int width = 0;              ///< [pixels]
+  int height = 0;             ///< [pixels]
+  std::string codec{};        ///< "h264"
+  std::string profile{};      ///< "High"
+  std::string pixelFormat{};  ///< "yuv420p", also where there is an alpha.
+  std::string primaries{};    ///< "bt709"
+  std::string transfer{};     ///< "bt709"
+  std::string matrix{};       ///< "bt709"
+  std::string range{};        ///< "tv" is limited, "pc" full.
+  double duration = 0;        ///< As the container says; 0 if it doesn't. [s]
 };
 
 /// Decodes a clip picture by picture.

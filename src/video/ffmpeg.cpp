@@ -74,7 +74,6 @@ int check(int result, const std::string& failure) {
 }
 
 int checkInput(int result, const std::string& failure) {
-  if (result == AVERROR(ENOMEM)) return check(result, failure);
   const std::string words = takeLoggedWords();
   if (result >= 0) return result;
   throw InputError(failureText(result, failure, words));

@@ -55,8 +55,8 @@ void silenceFfmpeg();
 /// Returns `result`, an FFmpeg function's return value. If negative, throws MachineError:
 /// "`failure`: FFmpeg's name of the error (the words it logged on this thread)".
 int check(int result, const std::string& failure);
-/// The same of a file that is read, which is to blame: throws InputError, but MachineError where
-/// memory runs out.
+/// The same of a file that is read, which is to blame, also for asking for too much memory: throws
+/// InputError.
 int checkInput(int result, const std::string& failure);
 
 /// "High", "Profile 0"; empty if the stream doesn't tell.

@@ -39,7 +39,8 @@ TEST_P(HelpText, ShowsAnExampleOfTheCommand) {
 
 INSTANTIATE_TEST_SUITE_P(Commands, HelpText,
                          ::testing::Values("render", "simulate", "study", "still", "diff", "check",
-                                           "scene", "assemble", "list", "doctor"),
+                                           "scene", "assemble", "list", "doctor", "verify",
+                                           "rerun"),
                          [](const auto& command) { return std::string(command.param); });
 
 TEST_F(CommandLine, TellsTheVersion) {
@@ -52,7 +53,7 @@ TEST_F(CommandLine, HelpNamesCommandsExamplesAndExitStatus) {
   const ChildResult result = run({"--help"});
   EXPECT_EQ(result.status, 0);
   for (const char* command : {"render", "simulate", "study", "still", "diff", "check", "scene",
-                              "assemble", "list", "doctor"}) {
+                              "assemble", "list", "doctor", "verify", "rerun"}) {
     EXPECT_THAT(result.output, HasSubstr("\n  " + std::string(command) + " "));
   }
   EXPECT_THAT(result.output, AllOf(HasSubstr("\n  rotatebook render scenes/starter.toml\n"),

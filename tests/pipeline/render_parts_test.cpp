@@ -22,6 +22,7 @@ using testing::emptyFolder;
 using ::testing::HasSubstr;
 using testing::kFrames;
 using testing::namesIn;
+using ::testing::Not;
 using testing::smallScene;
 
 TEST(RenderParts, HaveTheFramesAndAVideoOfTheirOwn) {
@@ -49,6 +50,21 @@ TEST(RenderParts, AssembleToTheWholesBytes) {
     EXPECT_TRUE(bytesOf(parts / "small" / name) == bytesOf(folder / "whole/small" / name)) << name;
   }
   EXPECT_EQ(bytesOf(parts / "small/scene.toml"), bytesOf(folder / "whole/small/scene.toml"));
+}
+
+TEST(RenderParts, AssembleToTheirOwnBytes) {
+  const fs::path folder = emptyFolder();
+  testing::render(smallScene(), {.folder = folder, .frames = FrameRange{3, 5}});
+  assemble(folder / "small", folder / "part.mp4", {}, {});
+  EXPECT_TRUE(bytesOf(folder / "part.mp4") == bytesOf(folder / "small_00003-00005.mp4"));
+}
+
+TEST(RenderParts, TellTheirFramesInTheVideoAlone) {
+  const fs::path folder = emptyFolder();
+  testing::render(smallScene(), {.folder = folder, .frames = FrameRange{3, 5}});
+  const auto video = video::testing::decodeVideo(folder / "small_00003-00005.mp4");
+  EXPECT_THAT(video.metadata.at("comment"), HasSubstr("\n# Frames: 3:5\n\n"));
+  EXPECT_THAT(bytesOf(folder / "small/scene.toml"), Not(HasSubstr("# Frames")));
 }
 
 TEST(RenderParts, LeaveTheWholesVideoAlone) {

@@ -1,0 +1,102 @@
+// `rotatebook rerun`.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/program_test.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+class RerunCommand : public ProgramTest {
+ protected:
+  void render(const std::vector<std::string>& more) const {
+    std::vector<std::string> words{"render", "tiny.toml", "--no-png"};
+    words.insert(words.end(), more.begin(), more.end());
+    const ChildResult result = run(words);
+    ASSERT_EQ(result.status, 0) << result.error;
+  }
+
+  std::vector<std::string> filesBelow(const std::string& name) const {
+    std::vector<std::string> names;
+    for (const std::string& file : files()) {
+      if (file.starts_with(name) && file != name) names.push_back(file);
+    }
+    return names;
+  }
+};
+
+TEST_F(RerunCommand, MakesTheSameFile) {
+  render({"--set", "video.crf=25", "--set", "initial.angular_velocity=[4, 1, 0]"});
+  fs::rename(folder() / "out/tiny.mp4", folder() / "renamed.mp4");
+  fs::remove(folder() / "tiny.toml");
+  const ChildResult result = run({"rerun", "renamed.mp4", "-o", "again"});
+  EXPECT_EQ(result.status, 0) << result.output << result.error;
+  EXPECT_THAT(result.output, HasSubstr("\n  again/tiny.mp4 has the very bytes of renamed.mp4\n"));
+  EXPECT_TRUE(read("again/tiny.mp4") == read("renamed.mp4"));
+  EXPECT_THAT(filesBelow("again/"), Not(::testing::Contains(HasSubstr("frame_"))));
+}
+
+TEST_F(RerunCommand, MakesPartsInTheirFormatWithFramesIfAsked) {
+  render({"--frames", "3:5", "--format", "webm"});
+  const ChildResult result = run({"rerun", "out/tiny_00003-00005.webm", "-o", "again", "--png"});
+  EXPECT_EQ(result.status, 0) << result.output << result.error;
+  EXPECT_THAT(filesBelow("again/"),
+              ElementsAre("again/tiny.csv", "again/tiny/", "again/tiny/frame_00003.png",
+                          "again/tiny/frame_00004.png", "again/tiny/frames.manifest",
+                          "again/tiny/frames.xxh128", "again/tiny/scene.toml",
+                          "again/tiny_00003-00005.webm"));
+  EXPECT_TRUE(read("again/tiny_00003-00005.webm") == read("out/tiny_00003-00005.webm"));
+}
+
+TEST_F(RerunCommand, NeverOverwritesTheClip) {
+  render({});
+  const std::string clip = read("out/tiny.mp4");
+  fs::create_symlink("out", folder() / "link");
+  fs::create_directories(folder() / "hard");
+  fs::create_hard_link(folder() / "out/tiny.mp4", folder() / "hard/tiny.mp4");
+  for (const char* output : {"out", "./out/", "link", "hard"}) {
+    const ChildResult result = run({"rerun", "out/tiny.mp4", "-o", output});
+    EXPECT_EQ(result.status, 2) << output;
+    EXPECT_THAT(result.error, AllOf(HasSubstr("tiny.mp4 is the clip itself"), HasSubstr("-o")));
+    EXPECT_THAT(result.output, IsEmpty());
+  }
+  EXPECT_TRUE(read("out/tiny.mp4") == clip);
+}
+
+TEST_F(RerunCommand, TellsWhatDiffers) {
+  render({});
+  std::string clip = read("out/tiny.mp4");
+  const std::string whole = clip;
+  const std::string renderer = "# Renderer: ";
+  write("other.mp4", clip.replace(clip.find(renderer), renderer.size(), "# Sendererx "));
+  ChildResult result = run({"rerun", "other.mp4", "-o", "again"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.output, AllOf(HasSubstr("\n  again/tiny.mp4 has OTHER bytes than other.mp4\n"),
+                                   HasSubstr("\n    the renderer was not recorded, here it is ")));
+  clip = whole;
+  clip.back() ^= 1;
+  write("other.mp4", clip);
+  result = run({"rerun", "other.mp4", "-o", "again"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.output,
+              HasSubstr("\n    version, renderer, FFmpeg and motion are those recorded: "));
+}
+
+TEST_F(RerunCommand, RefusesWhatHoldsNoRecord) {
+  render({"--format", "gif"});
+  const ChildResult result = run({"rerun", "out/tiny.gif", "-o", "again"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.error, HasSubstr("holds no record of the scene"));
+  EXPECT_FALSE(has("again"));
+}
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

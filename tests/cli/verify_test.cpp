@@ -1,0 +1,175 @@
+// `rotatebook verify`.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/program_test.h"
+#include "image/png_file.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+class VerifyCommand : public ProgramTest {
+ protected:
+  /// Renders tiny.toml, MP4 alone unless `more` says otherwise.
+  void render(const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> words{"render", "tiny.toml", "--no-png"};
+    words.insert(words.end(), more.begin(), more.end());
+    const ChildResult result = run(words);
+    ASSERT_EQ(result.status, 0) << result.error;
+  }
+
+  /// Puts `with` in the place of `what`, of the same length, in out/tiny.mp4.
+  void change(const std::string& what, const std::string& with) const {
+    std::string content = read("out/tiny.mp4");
+    const std::size_t at = content.find(what);
+    ASSERT_NE(at, std::string::npos) << what;
+    ASSERT_EQ(what.size(), with.size());
+    write("out/tiny.mp4", content.replace(at, what.size(), with));
+  }
+
+  /// Expects that `clip` is refused as a wrong input with a message in one line.
+  void expectRefused(const std::string& clip, const std::string& message) const {
+    const ChildResult result = run({"verify", clip});
+    EXPECT_EQ(result.status, 2) << result.output;
+    EXPECT_THAT(result.error, AllOf(StartsWith("rotatebook: "), HasSubstr(message)));
+    EXPECT_THAT(result.output, IsEmpty());
+  }
+};
+
+TEST_F(VerifyCommand, ProvesAClipLineByLine) {
+  render();
+  const ChildResult result = run({"verify", "out/tiny.mp4"});
+  EXPECT_EQ(result.status, 0) << result.output << result.error;
+  EXPECT_THAT(
+      result.output,
+      AllOf(
+          StartsWith("out/tiny.mp4: says to be 12 frames of the scene tiny, made by rotatebook "),
+          HasSubstr("\n  ok      size         64x36 (as it must be)\n"),
+          HasSubstr("\n  ok      codec        h264 High, yuv420p (as it must be)\n"),
+          HasSubstr("\n  ok      frames       12 (as it must be)\n"),
+          HasSubstr(
+              "\n  ok      time stamps  off by up to 0 ms (frame n at n/fps within 0.001 ms)\n"),
+          HasSubstr("\n  ok      frame 0      off by "),
+          HasSubstr("\n  ok      frame 11     off by "), Not(HasSubstr("FAILED")),
+          Not(HasSubstr("note")),
+          EndsWith(
+              "\nProved: the clip shows what its scene gives; 6 of 12 pictures were compared.\n")));
+}
+
+TEST_F(VerifyCommand, ComparesTheFramesThatAreNamed) {
+  render();
+  const ChildResult result = run({"verify", "out/tiny.mp4", "--frames", "3,7"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(countOf("\n  ok      frame ", result.output), 2);
+  EXPECT_THAT(run({"verify", "out/tiny.mp4", "--all"}).output, HasSubstr("12 of 12 pictures"));
+  const ChildResult outside = run({"verify", "out/tiny.mp4", "--frames", "3,12"});
+  EXPECT_EQ(outside.status, 2);
+  EXPECT_EQ(outside.error, "rotatebook: frame 12 isn't in the clip, which has 0 to 11\n");
+  EXPECT_EQ(run({"verify", "out/tiny.mp4", "--frames", "3", "--all"}).status, 2);
+  EXPECT_EQ(run({"verify", "out/tiny.mp4", "--frames", "x"}).status, 2);
+}
+
+TEST_F(VerifyCommand, ProvesWebMAndParts) {
+  render({"--format", "webm", "--frames", "2:9"});
+  const ChildResult result = run({"verify", "out/tiny_00002-00009.webm"});
+  EXPECT_EQ(result.status, 0) << result.output << result.error;
+  EXPECT_THAT(result.output, AllOf(HasSubstr(": says to be frames 2:9 of 12 of the scene tiny"),
+                                   HasSubstr("\n  ok      frame 8      off by ")));
+}
+
+TEST_F(VerifyCommand, IsJsonToo) {
+  render();
+  const ChildResult result = run({"verify", "out/tiny.mp4", "--json"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(countOf("\n", result.output), 1);
+  EXPECT_THAT(result.output,
+              AllOf(StartsWith("{\"clip\": \"out/tiny.mp4\", \"proved\": true, "),
+                    HasSubstr("\"frames\": [0, 12], \"whole_frames\": 12, "),
+                    HasSubstr("{\"check\": \"size\", \"passed\": true, \"measured\": \"64x36\", "),
+                    HasSubstr("{\"frame\": 11, \"passed\": true, \"measured\": {\"rms\": "),
+                    EndsWith("\"liker_to\": null}]}\n")));
+}
+
+TEST_F(VerifyCommand, FailsForAnotherScene) {
+  render();
+  change("angular_velocity = [5.0, ", "angular_velocity = [6.0, ");
+  const ChildResult result = run({"verify", "out/tiny.mp4"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("\n  FAILED  motion       "), HasSubstr("\n  FAILED  frame 11     "),
+                    HasSubstr("\nNOT PROVED: ")));
+  EXPECT_THAT(run({"verify", "out/tiny.mp4", "--json"}).output, HasSubstr("\"proved\": false"));
+}
+
+TEST_F(VerifyCommand, NotesOtherToolsWithoutFailing) {
+  render();
+  change("# Renderer: ", "# Sendererx ");
+  const ChildResult result = run({"verify", "out/tiny.mp4"});
+  EXPECT_EQ(result.status, 0) << result.output;
+  EXPECT_THAT(result.output, HasSubstr("\n  note    the renderer was not recorded, here it is "));
+}
+
+TEST_F(VerifyCommand, RefusesWhatIsNoClip) {
+  render({"--format", "gif,apng"});
+  expectRefused("out/tiny.gif", "out/tiny.gif is of the format gif, which holds no record");
+  expectRefused("out/tiny.apng", "out/tiny.apng is of the format apng, which holds no record");
+  expectRefused("tiny.toml", "can't read tiny.toml as MP4 or WebM: ");
+  expectRefused("no.mp4", "can't read no.mp4 as MP4 or WebM: No such file or directory");
+  expectRefused("out", "can't read out as MP4 or WebM: ");
+}
+
+TEST_F(VerifyCommand, RefusesDamagedRecords) {
+  render();
+  const std::string whole = read("out/tiny.mp4");
+  change("# Made by rotatebook", "# Made by somebodyel");
+  expectRefused("out/tiny.mp4", "out/tiny.mp4 isn't a clip of rotatebook: its metadata holds no");
+  write("out/tiny.mp4", whole);
+  change("the scene tiny", "the scene ../x");
+  expectRefused("out/tiny.mp4", "is damaged: its scene's name can't be a file's");
+  write("out/tiny.mp4", whole);
+  change("\nangular_velocity", "\nangular_velocitx");
+  expectRefused("out/tiny.mp4", "the record in out/tiny.mp4 is damaged: out/tiny.mp4:");
+}
+
+TEST_F(VerifyCommand, RefusesOrFailsTruncatedFiles) {
+  render();
+  const std::string whole = read("out/tiny.mp4");
+  for (std::size_t size = 0; size < whole.size(); size += whole.size() / 9) {
+    write("out/cut.mp4", whole.substr(0, size));
+    const ChildResult result = run({"verify", "out/cut.mp4"});
+    EXPECT_TRUE(result.status == 1 || result.status == 2) << size << ": " << result.status;
+    EXPECT_EQ(countOf("Proved", result.output), 0);
+  }
+}
+
+TEST_F(VerifyCommand, FindsTexturesFromTheSceneFolder) {
+  image::Image cover(8, 12, image::PixelFormat::Rgb8);
+  fs::create_directories(folder() / "scenes");
+  writePng(folder() / "scenes/cover.png", cover.view());
+  write("scenes/covered.toml", std::string(kTiny) + "[book]\nfront = \"cover.png\"\n");
+  ASSERT_EQ(run({"render", "scenes/covered.toml", "--no-png"}).status, 0);
+  const ChildResult missing = run({"verify", "out/covered.mp4"});
+  EXPECT_EQ(missing.status, 2);
+  EXPECT_THAT(missing.error,
+              AllOf(HasSubstr("can't read out/cover.png: No such file or directory"),
+                    HasSubstr("; say where its scene's folder is with --scene-folder DIR")));
+  const ChildResult found = run({"verify", "out/covered.mp4", "--scene-folder", "scenes"});
+  EXPECT_EQ(found.status, 0) << found.output << found.error;
+}
+
+TEST_F(VerifyCommand, NeedsGraphics) {
+  render();
+  EXPECT_EQ(runWithoutGraphics({"verify", "out/tiny.mp4"}).status, 3);
+}
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

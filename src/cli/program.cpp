@@ -24,8 +24,8 @@ Examples:
   rotatebook study scenes/starter.toml --integrators euler,rk4
   rotatebook COMMAND --help
 
-Exit status: 0 done; 1 an expectation or comparison failed; 2 the input is wrong; 3 the machine can't
-(no EGL, no encoder, no gnuplot, disk); 129, 130 or 143 interrupted.)";
+Exit status: 0 done; 1 an expectation, comparison or proof failed; 2 the input is wrong; 3 the machine
+can't (no EGL, no encoder, no gnuplot, disk); 129, 130 or 143 interrupted.)";
 
 void addCommands(CLI::App& program, Action& action) {
   addRenderCommand(program, action);

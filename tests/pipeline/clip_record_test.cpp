@@ -24,6 +24,7 @@ using ::testing::ElementsAre;
 using testing::emptyFolder;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using testing::smallScene;
 using ::testing::StartsWith;
 
@@ -73,6 +74,16 @@ TEST(SceneRecord, StaysWholeWithNamesOfSeveralLines) {
   const ClipRecord record = parseRecord(sceneRecord(scene, making), "x", "");
   EXPECT_EQ(record.making.scene, "a?b = 1");
   EXPECT_EQ(record.making.renderer, "r??mass = 2");
+}
+
+// TOML's comments have none.
+TEST(SceneRecord, SendsNoControlCharactersToTheTerminal) {
+  for (const char* head : {"1\x1b[2J from the scene x\n", "1 from the scene \x1b]0;x\x07\n",
+                           "1 from the scene x\n# Renderer: \r\x1b[1m\n"}) {
+    EXPECT_THAT(problemOf(std::string("# Made by rotatebook ") + head +
+                          "\ninitial.angular_velocity = [1, 0, 0]\n"),
+                AllOf(StartsWith("the record in x/y.mp4 is damaged: "), Not(HasSubstr("\x1b"))));
+  }
 }
 
 TEST(SceneRecord, OfSomethingElseIsRefused) {

@@ -1,5 +1,6 @@
 #include "cli/file_report.h"
 
+#include <cmath>
 #include <cstddef>
 
 #include "base/number_text.h"
@@ -17,9 +18,12 @@ void reportFiles(const std::vector<std::string>& things, std::ostream& out) {
 
 std::string spaceWarning(const pipeline::DiskSpace& space, const std::filesystem::path& folder) {
   if (space.needed <= space.free) return "";
-  const auto gigabytes = [](double bytes) { return roundedText(bytes / 1e9, 2) + " GB"; };
-  return "about " + gigabytes(space.needed) + " are needed in " + folder.string() + " and " +
-         gigabytes(space.free) + " are free: make room, or leave PNGs out with --no-png";
+  const auto sized = [](double bytes) {
+    return bytes < 1e9 ? std::to_string(std::llround(bytes / 1e6)) + " MB"
+                       : roundedText(bytes / 1e9, 2) + " GB";
+  };
+  return "about " + sized(space.needed) + " are needed in " + folder.string() + " and " +
+         sized(space.free) + " are free: make room, or leave PNGs out with --no-png";
 }
 
 }  // namespace rotatebook::cli

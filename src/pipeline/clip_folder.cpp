@@ -1,5 +1,6 @@
 #include "pipeline/clip_folder.h"
 
+#include <exception>
 #include <system_error>
 #include <utility>
 
@@ -93,14 +94,23 @@ ClipFolder::ClipFolder(const ClipFiles& files, const Settings& settings)
       manifest_{settings.made, {}} {
   // Better said now than when the folder is to be moved there.
   if (fs::exists(files.frameFolder)) createFolders(files.frameFolder);
-  settings.part ? openPart(settings) : openWhole(settings);
-  sums_.emplace(path_);
+  try {
+    settings.part ? openPart(settings) : openWhole(settings);
+    sums_.emplace(path_);
+  } catch (...) {
+    discardIfEmpty();
+    throw;
+  }
 }
 
 ClipFolder::~ClipFolder() {
+  discardIfEmpty();
+}
+
+void ClipFolder::discardIfEmpty() const noexcept {
   try {
     if (path_ == files_.partialFrameFolder && frameCount() == 0) discard(path_);
-  } catch (const Error&) {
+  } catch (const std::exception&) {
     // What is left hurts nobody.
   }
 }

@@ -68,6 +68,7 @@ class ClipFolder {
   void openPart(const Settings& settings);
   void openWhole(const Settings& settings);
   void begin(const std::filesystem::path& folder, const std::string& record);
+  void discardIfEmpty() const noexcept;
   void requireNoUnfinished(const Settings& settings) const;
 
   UseLock lock_;

@@ -6,8 +6,8 @@ namespace rotatebook::cli {
 namespace {
 
 TEST(SpaceWarning, SaysHowMuchIsMissingAndWhatHelps) {
-  EXPECT_EQ(spaceWarning({12.34e9, 3.21e9}, "out"),
-            "about 12 GB are needed in out and 3.2 GB are free: make room, or leave PNGs out with "
+  EXPECT_EQ(spaceWarning({12.34e9, 321e6}, "out"),
+            "about 12 GB are needed in out and 321 MB are free: make room, or leave PNGs out with "
             "--no-png");
 }
 

@@ -222,13 +222,6 @@ std::string json(const render::Problem& problem) {
   return JsonObject().addString("what", problem.what).addString("remedy", problem.remedy).text();
 }
 
-template <typename Items>
-std::string jsonOfAll(const Items& items) {
-  std::vector<std::string> texts;
-  for (const auto& item : items) texts.push_back(json(item));
-  return jsonArray(texts);
-}
-
 }  // namespace
 
 void reportCheckup(const pipeline::Checkup& checkup, std::ostream& out) {
@@ -240,16 +233,17 @@ void reportCheckup(const pipeline::Checkup& checkup, std::ostream& out) {
 }
 
 void reportCheckupAsJson(const pipeline::Checkup& checkup, std::ostream& out) {
+  const auto asJson = [](const auto& part) { return json(part); };
   out << JsonObject()
              .addBool("ready", checkup.ready())
              .addString("version", kVersion)
              .add("graphics", json(checkup.graphics))
-             .add("encoders", jsonOfAll(checkup.encoders))
+             .add("encoders", jsonArrayOf(checkup.encoders, asJson))
              .addStringOrNull("font_error", checkup.fontFailure)
              .add("folder", json(checkup.folder))
              .addNumber("cores", checkup.cores)
              .add("memory_bytes", std::to_string(static_cast<std::int64_t>(checkup.memory)))
-             .add("problems", jsonOfAll(checkup.problems))
+             .add("problems", jsonArrayOf(checkup.problems, asJson))
              .text()
       << '\n';
 }

@@ -13,6 +13,14 @@ std::string jsonString(std::string_view text);
 /// "[a, b]" of values that are JSON.
 std::string jsonArray(const std::vector<std::string>& values);
 
+/// The same of `items`, each of which `asJson` makes JSON of.
+template <typename Items, typename AsJson>
+std::string jsonArrayOf(const Items& items, const AsJson& asJson) {
+  std::vector<std::string> values;
+  for (const auto& item : items) values.push_back(asJson(item));
+  return jsonArray(values);
+}
+
 /// An object that is put together member by member.
 class JsonObject {
  public:

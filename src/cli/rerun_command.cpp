@@ -50,8 +50,7 @@ std::vector<std::string> reasons(const pipeline::Making& there, const pipeline::
   if (!found.empty()) return found;
   return {
       "version, renderer, FFmpeg and motion are those recorded: the clip was changed, or a "
-      "texture, "
-      "the font, the video encoder or the build of this program is another"};
+      "texture, the font, the video encoder or the build of this program is another"};
 }
 
 /// Says whether both files have the same bytes; returns the status.

@@ -96,13 +96,6 @@ std::string json(pipeline::FrameRange range) {
   return jsonArray({std::to_string(range.first), std::to_string(range.end)});
 }
 
-template <typename Items, typename AsJson>
-std::string jsonOfAll(const Items& items, const AsJson& asJson) {
-  std::vector<std::string> texts;
-  for (const auto& item : items) texts.push_back(asJson(item));
-  return jsonArray(texts);
-}
-
 }  // namespace
 
 void reportVerification(const std::string& clip, const Verification& found, std::ostream& out) {
@@ -119,17 +112,16 @@ void reportVerification(const std::string& clip, const Verification& found, std:
 
 void reportVerificationAsJson(const std::string& clip, const Verification& found,
                               std::ostream& out) {
-  const auto checkJson = [](const ClipCheck& check) { return json(check); };
-  const auto pictureJson = [](const PictureCheck& check) { return json(check); };
+  const auto asJson = [](const auto& check) { return json(check); };
   out << JsonObject()
              .addString("clip", clip)
              .addBool("proved", found.proved())
              .add("made_with", json(found.record.making))
              .add("frames", json(found.range))
              .add("whole_frames", std::to_string(found.wholeCount))
-             .add("tools_differ", jsonOfAll(found.toolsDiffer, jsonString))
-             .add("checks", jsonOfAll(found.checks, checkJson))
-             .add("pictures", jsonOfAll(found.pictures, pictureJson))
+             .add("tools_differ", jsonArrayOf(found.toolsDiffer, jsonString))
+             .add("checks", jsonArrayOf(found.checks, asJson))
+             .add("pictures", jsonArrayOf(found.pictures, asJson))
              .text()
       << '\n';
 }

@@ -17,8 +17,7 @@ bool hasFrames(const fs::path& folder) {
   return fs::is_directory(folder) && !framesIn(folder).empty();
 }
 
-bool isOf(const fs::path& folder, const Manifest::Entries& made) {
-  const std::optional<Manifest> manifest = readManifest(folder);
+bool isOf(const std::optional<Manifest>& manifest, const Manifest::Entries& made) {
   return manifest && manifest->made == made;
 }
 
@@ -82,8 +81,8 @@ void settle(const ClipFiles& files) {
   if (hasFinal) discardReplaced(files);
   const std::optional<Manifest> partial = readManifest(files.partialFrameFolder);
   if (partial && partial->isComplete()) return replaceFolder(files);
-  if (!hasFinal && fs::exists(files.replacedFolder))
-    moveTo(files.replacedFolder, files.frameFolder);
+  const bool lacksFinal = !hasFinal && fs::exists(files.replacedFolder);
+  if (lacksFinal) moveTo(files.replacedFolder, files.frameFolder);
 }
 
 }  // namespace
@@ -120,27 +119,28 @@ std::size_t ClipFolder::frameCount() const {
 }
 
 void ClipFolder::openPart(const Settings& settings) {
-  const bool same = isOf(files_.frameFolder, settings.made);
+  const std::optional<Manifest> there = readManifest(files_.frameFolder);
+  const bool same = isOf(there, settings.made);
   if (hasFrames(files_.frameFolder) && !same) {
-    const auto there = readManifest(files_.frameFolder);
     throw InputError(
         files_.frameFolder.string() + " holds frames of other settings" +
         (there ? ": " + differences(files_.frameFolder, *there, settings.made, settings.scene)
                : "") +
         "; render into another folder with -o, or remove it");
   }
-  if (same) manifest_ = *readManifest(files_.frameFolder);
+  if (same) manifest_ = *there;
   path_ = files_.frameFolder;
   if (settings.png) begin(path_, settings.record);
 }
 
 void ClipFolder::openWhole(const Settings& settings) {
   settle(files_);
-  if (settings.earlier.resume && isOf(files_.frameFolder, settings.made)) {
-    manifest_ = *readManifest(files_.frameFolder);
+  const std::optional<Manifest> finished = readManifest(files_.frameFolder);
+  if (settings.earlier.resume && isOf(finished, settings.made)) {
+    manifest_ = *finished;
     return begin(files_.frameFolder, settings.record);
   }
-  const bool same = isOf(files_.partialFrameFolder, settings.made);
+  const bool same = isOf(readManifest(files_.partialFrameFolder), settings.made);
   if (!settings.earlier.resume || !same) {
     if (!settings.earlier.overwrite) requireNoUnfinished(settings);
     discard(files_.partialFrameFolder);
@@ -190,7 +190,7 @@ void ClipFolder::finish(const std::vector<fs::path>& files, bool withFrames) {
     manifest_.files[file.filename().string()] = checksumOfFile(file);
   }
   const std::optional<Manifest> earlier = readManifest(files_.frameFolder);
-  const bool same = earlier && earlier->made == manifest_.made;
+  const bool same = isOf(earlier, manifest_.made);
   // Other formats' videos of the same settings are still true.
   if (same) manifest_.files.insert(earlier->files.begin(), earlier->files.end());
   if (withFrames) sums_->sort();

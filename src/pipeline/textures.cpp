@@ -81,9 +81,8 @@ render::Background backgroundOf(scene::Background background) {
 std::map<std::string, std::string> textureChecksums(const scene::Scene& scene) {
   std::map<std::string, std::string> sums;
   for (const Side& side : {kFront, kSpine, kBack}) {
-    sums[std::string(side.key)] = isBuiltin(scene, side)
-                                      ? "built-in"
-                                      : checksumOfFile(scene.folder / (scene.book.*side.file));
+    sums[std::string(side.key)] =
+        isBuiltin(scene, side) ? "built-in" : checksumOfFile(fileOf(scene, scene.book.*side.file));
   }
   return sums;
 }

@@ -135,13 +135,7 @@ TEST_F(Killed, RenderGoesOnToTheSameFiles) {
   const ChildResult result = render("killed", {"--resume"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(result.output, ContainsRegex("\n  kept [0-9]+ frames of an earlier run\n  wrote "));
-  int compared = 0;
-  for (const std::string& name : files()) {
-    if (!name.starts_with("killed/") || name.ends_with('/')) continue;
-    ++compared;
-    EXPECT_TRUE(read("whole" + name.substr(6)) == read(name)) << name;
-  }
-  EXPECT_EQ(compared, 120 + 6);
+  EXPECT_EQ(expectSameFiles("whole", "killed"), 120 + 6);
 }
 
 TEST_F(Killed, RenderThatIsDoneIsSkipped) {

@@ -69,6 +69,28 @@ std::vector<std::string> ProgramTest::files() const {
   return names;
 }
 
+std::vector<std::string> ProgramTest::filesBelow(const std::string& folder) const {
+  std::vector<std::string> names;
+  for (const std::string& name : files()) {
+    if (name.starts_with(folder + "/")) names.push_back(name.substr(folder.size() + 1));
+  }
+  return names;
+}
+
+int ProgramTest::expectSameFiles(const std::string& folder, const std::string& other,
+                                 const std::string& when) const {
+  const std::vector<std::string> names = filesBelow(folder);
+  EXPECT_EQ(names, filesBelow(other)) << when;
+  int compared = 0;
+  for (const std::string& name : names) {
+    if (name.empty() || name.ends_with('/')) continue;
+    ++compared;
+    EXPECT_TRUE(read(folder + "/" + name) == read(other + "/" + name))
+        << name << " differs " << when;
+  }
+  return compared;
+}
+
 int countOf(const std::string& part, const std::string& text) {
   int count = 0;
   for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {

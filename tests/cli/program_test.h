@@ -42,10 +42,17 @@ class ProgramTest : public ::testing::Test {
   /// All files below the folder but tiny.toml, sorted, hidden ones too; folders end in '/'.
   std::vector<std::string> files() const;
 
+  /// Expects the same names below both folders, and the same bytes in their files; returns how many
+  /// files there are.
+  int expectSameFiles(const std::string& folder, const std::string& other,
+                      const std::string& when = "") const;
+
   /// The folder's path from the root.
   const std::filesystem::path& folder() const { return folder_; }
 
  private:
+  std::vector<std::string> filesBelow(const std::string& folder) const;
+
   std::filesystem::path folder_;
 };
 

@@ -96,16 +96,7 @@ class Faults : public ProgramTest {
   void expectResumed(const std::string& after) const {
     const ChildResult result = render("out", {"--resume"});
     EXPECT_EQ(result.status, 0) << result.error << after;
-    std::vector<std::string> whole, resumed;
-    for (const std::string& name : files()) {
-      if (name.starts_with("whole/")) whole.push_back(name.substr(6));
-      if (name.starts_with("out/")) resumed.push_back(name.substr(4));
-    }
-    EXPECT_EQ(whole, resumed) << after;
-    for (const std::string& name : whole) {
-      if (name.empty() || name.ends_with('/')) continue;
-      EXPECT_TRUE(read("out/" + name) == read("whole/" + name)) << name << " differs, " << after;
-    }
+    expectSameFiles("whole", "out", after);
   }
 
   void removeOut() const { std::filesystem::remove_all(folder() / "out"); }

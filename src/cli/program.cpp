@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/version.h"
 #include "cli/commands.h"
+#include "cli/crash_words.h"
 #include "cli/exit_code.h"
 
 namespace rotatebook::cli {
@@ -97,6 +98,7 @@ std::string usageText(const CLI::App* program, const CLI::Error& error) {
 }  // namespace
 
 int runProgram(int argc, char** argv) {
+  speakBeforeCrashes();
   // A limit to the size of files is told as an error of writing.
   std::signal(SIGXFSZ, SIG_IGN);
   return guarded([&] {

@@ -1,12 +1,20 @@
 #include "render/graphics_check.h"
 
+#include <chrono>
+#include <string>
+#include <vector>
+
 #include "base/error.h"
+#include "base/trial.h"
 #include "render/egl_ways.h"
 #include "render/open_context.h"
 #include "render/test_frame.h"
 
 namespace rotatebook::render {
 namespace {
+
+/// Making a context and drawing a small picture takes a second on slow machines.
+constexpr std::chrono::seconds kLongestTrial{60};
 
 DeviceChoice choiceOf(const Way& way) {
   switch (way.kind) {
@@ -52,10 +60,21 @@ WayCheck checkWay(const Way& way, const Opener& opener, const BookTextures& text
   return check;
 }
 
+/// How checking each way ends the process, or empty.
+std::vector<std::string> tryAll(const EglWays& ways, const BookTextures& textures) {
+  std::vector<std::string> ends;
+  for (std::size_t i = 0; i < ways.openers.size(); ++i) {
+    const auto check = [&] { checkWay(ways.list.ways[i], ways.openers[i], textures); };
+    ends.push_back(endOfTrial(check, kLongestTrial));
+  }
+  return ends;
+}
+
 std::optional<std::size_t> defaultOf(const WayList& list, const std::vector<WayCheck>& checks) {
   try {
     return chooseWay(list, {},
                      [&](std::size_t i) -> Attempt {
+                       if (checks[i].ends) throw MachineError("a render would end there, too");
                        return {checks[i].renderer, checks[i].failure};
                      })
         .way;
@@ -73,8 +92,13 @@ GraphicsCheck checkGraphics() {
   const EglWays ways = listWays();
   check.devices = ways.list.failure;
   const BookTextures textures{builtinFront(), builtinSpine(), builtinBack()};
-  for (std::size_t i = 0; i < ways.openers.size(); ++i) {
-    check.ways.push_back(checkWay(ways.list.ways[i], ways.openers[i], textures));
+  const std::vector<std::string> ends = tryAll(ways, textures);
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const Way& way = ways.list.ways[i];
+    check.ways.push_back(
+        ends[i].empty()
+            ? checkWay(way, ways.openers[i], textures)
+            : WayCheck{.way = way, .failure = CallFailure{"its driver", ends[i]}, .ends = true});
   }
   check.byDefault = defaultOf(ways.list, check.ways);
   return check;

@@ -24,6 +24,7 @@ struct FrameCheck {
 struct WayCheck {
   Way way{};
   std::optional<CallFailure> failure{};
+  bool ends = false;  ///< The failure ends the process, or never comes back.
   std::string vendor{}, renderer{};
   std::string version{};  ///< Of OpenGL: "4.5"
   int samples = 0;        ///< GL_MAX_SAMPLES
@@ -44,7 +45,8 @@ struct GraphicsCheck {
   bool draws() const { return byDefault && ways[*byDefault].draws(); }
 };
 
-/// Makes a context on each way and draws the test frame with it. Throws nothing that a renderer
+/// Makes a context on each way and draws the test frame with it, in a copy of this process first: a
+/// driver may end it. So call it while there are no other threads. Throws nothing that a renderer
 /// does.
 GraphicsCheck checkGraphics();
 

@@ -70,6 +70,12 @@ const DeviceNode* forbiddenNode(const GraphicsFacts& facts, const Way& way) {
   return own == nullptr && way.nvidia ? forbiddenNode(facts, "", true) : own;
 }
 
+/// Of a driver that draws wrongly, or ends the process.
+std::string updateRemedy(bool software) {
+  return software ? "update Mesa (Debian, Ubuntu: apt-get install libgl1-mesa-dri)"
+                  : "update the card's driver; until then --device software";
+}
+
 class Diagnosis {
  public:
   Diagnosis(const GraphicsCheck& check, const GraphicsFacts& facts)
@@ -186,6 +192,7 @@ class Diagnosis {
   std::string deviceRemedy(const WayCheck& check) const {
     const bool old =
         check.failure->call.starts_with("eglCreateContext") || check.failure->error == "missing";
+    if (check.ends) return updateRemedy(check.way.software);
     if (check.way.software) return kInstallMesaDrivers;
     if (check.way.nvidia && lacksGraphicsCapability(facts_)) return kGraphicsCapability;
     if (check.way.nvidia) return kInstallNvidia;
@@ -199,9 +206,7 @@ class Diagnosis {
     const std::string why = check.frame.failure.empty()
                                 ? "the test frame isn't as it should be"
                                 : "the test frame failed: " + check.frame.failure;
-    add(check.way.text() + ", " + check.renderer + ": " + why,
-        check.software ? "update Mesa (Debian, Ubuntu: apt-get install libgl1-mesa-dri)"
-                       : "update the card's driver; until then --device software");
+    add(check.way.text() + ", " + check.renderer + ": " + why, updateRemedy(check.software));
   }
 
   /// A card that was neither listed nor told of, and may not be opened.

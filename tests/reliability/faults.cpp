@@ -14,7 +14,7 @@ namespace {
 struct Fault {
   std::string call, below;
   long number = 0;
-  int error = 0;  // 0: kill
+  int error = 0;
 };
 
 std::string variable(const char* name) {
@@ -74,7 +74,7 @@ bool isWanted(std::string_view call) {
 
 bool fails(std::string_view call) {
   if (!isWanted(call) || !isDue()) return false;
-  if (fault().error == 0) raise(SIGKILL);
+  if (fault().error <= 0) raise(fault().error == 0 ? SIGKILL : -fault().error);
   errno = fault().error;
   return true;
 }

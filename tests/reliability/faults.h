@@ -1,7 +1,7 @@
 // Calls that fail, in a library that is loaded before all others (LD_PRELOAD).
 //
-// ROTATEBOOK_FAULT is CALL:NUMBER:FAULT. The CALL of that NUMBER, from 1, has the FAULT: kill (0),
-// or the number of an error.
+// ROTATEBOOK_FAULT is CALL:NUMBER:FAULT. The CALL of that NUMBER, from 1, has the FAULT:
+// the number of an error, kill (0), or -1 times that of a signal.
 //   open, write, flush, rename, remove, mkdir, any   below the folder ROTATEBOOK_FAULT_BELOW, and
 //                                                    all later ones, too
 //   encode                                           of FFmpeg's encoders and muxers; likewise

@@ -13,10 +13,13 @@ namespace rotatebook::cli::testing {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::ContainsRegex;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
-constexpr int kKill = 0;
+constexpr int kKill = 0, kCrash = -SIGSEGV;
 constexpr int kMostCalls = 400;  // A render of three frames has fewer.
 
 /// Whether each call is to fail once, not only every third.
@@ -50,16 +53,20 @@ class Faults : public ProgramTest {
     return run(options, std::move(settings));
   }
 
-  /// A render in which the call of this number has the fault.
-  ChildResult renderWithFault(const std::string& call, int number, int error,
-                              std::vector<std::string> options) const {
+  /// For a run in which the call of this number has the fault.
+  ChildSettings withFault(const std::string& call, int number, int error) const {
     ChildSettings settings;
     settings.environment = {
         {"LD_PRELOAD", ROTATEBOOK_FAULTS},
         {"ROTATEBOOK_FAULT", call + ':' + std::to_string(number) + ':' + std::to_string(error)},
         {"ROTATEBOOK_FAULT_BELOW", (folder() / "out").string()},
         {"ROTATEBOOK_FAULT_COUNT", (folder() / "count").string()}};
-    return render("out", std::move(options), settings);
+    return settings;
+  }
+
+  ChildResult renderWithFault(const std::string& call, int number, int error,
+                              std::vector<std::string> options) const {
+    return render("out", std::move(options), withFault(call, number, error));
   }
 
   /// No file under a final name is half-written: each is that of a render without faults.
@@ -173,6 +180,34 @@ TEST_F(Faults, FailureOfGraphicsIsTold) {
     expectResumed(when);
   }
   EXPECT_GT(failures, 2) << "the faults don't reach the program";
+}
+
+// Sanitizers say it in their own words.
+TEST_F(Faults, CrashOfADriverIsToldAndLosesNothing) {
+  int crashes = 0;
+  for (int number = 1; number < 40; number += 2 * step()) {
+    removeOut();
+    const ChildResult result = renderWithFault("graphics", number, kCrash, {});
+    if (result.status == 0) break;
+    const std::string when = "graphics crash at " + std::to_string(number);
+    EXPECT_THAT(result.status, AnyOf(128 + SIGSEGV, 1)) << when;
+    EXPECT_THAT(result.error, ContainsRegex("rotatebook: crashed, |Sanitizer")) << when;
+    expectWhole(when);
+    expectResumed(when);
+    ++crashes;
+  }
+  EXPECT_GT(crashes, 2) << "the faults don't reach the program";
+}
+
+TEST_F(Faults, DoctorOutlivesDriversThatCrash) {
+  const ChildResult result = run({"doctor"}, withFault("graphics", 1, kCrash));
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.error, IsEmpty());
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("its driver: ends the process (Segmentation fault)\n"),
+                    ContainsRegex("\n  1. EGL device 0[^\n]*: its driver: ends the process"),
+                    HasSubstr("\n     remedy: update "),
+                    EndsWith("\nNOT READY to render: nothing draws as it should.\n")));
 }
 
 // Some of the program's own requests, closer to each other in the beginning. Not those of reading

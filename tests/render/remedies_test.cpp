@@ -155,6 +155,15 @@ TEST(Remedies, UpdateADriverThatIsTooOld) {
       ElementsAre(says("OpenGL 3.3 core: EGL_BAD_MATCH", "update the card's driver")));
 }
 
+TEST(Remedies, UpdateADriverThatEndsTheProcess) {
+  GraphicsCheck check = brokenCard({}, {"its driver", "ends the process (Segmentation fault)"});
+  check.ways[0].ends = true;
+  check.byDefault.reset();
+  EXPECT_THAT(diagnose(check, {.vendorFiles = {kMesa}}),
+              ElementsAre(says("EGL device 0: its driver: ends the process (Segmentation fault)",
+                               "until then --device software")));
+}
+
 TEST(Remedies, TellOfAWrongTestFrame) {
   GraphicsCheck check = softwareCheck();
   check.ways[0].frame.comparison.same = false;

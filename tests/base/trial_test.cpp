@@ -1,0 +1,45 @@
+#include "base/trial.h"
+
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <stdexcept>
+#include <unistd.h>
+
+#include <gtest/gtest.h>
+
+namespace rotatebook {
+namespace {
+
+using std::chrono::seconds;
+
+TEST(Trial, SaysNothingOfWhatComesBack) {
+  EXPECT_EQ(endOfTrial([] { std::cerr << "a warning\n"; }, seconds(60)), "");
+  EXPECT_EQ(endOfTrial([] { throw std::runtime_error("told later"); }, seconds(60)), "");
+}
+
+TEST(Trial, ChangesNothingHere) {
+  int value = 1;
+  endOfTrial([&] { value = 2; }, seconds(60));
+  EXPECT_EQ(value, 1);
+}
+
+TEST(Trial, TellsWhatEndsTheProcess) {
+  EXPECT_EQ(endOfTrial([] { raise(SIGKILL); }, seconds(60)), "ends the process (Killed)");
+  EXPECT_EQ(endOfTrial([] { _exit(7); }, seconds(60)), "ends the process (exit status 7)");
+}
+
+TEST(Trial, TellsTheLastWords) {
+  const auto fail = [] {
+    std::cerr << "first line\nassertion failed\n";
+    raise(SIGKILL);
+  };
+  EXPECT_EQ(endOfTrial(fail, seconds(60)), "ends the process (Killed): assertion failed");
+}
+
+TEST(Trial, EndsWhatDoesNotComeBack) {
+  EXPECT_EQ(endOfTrial([] { pause(); }, seconds(1)), "doesn't come back within 1 s");
+}
+
+}  // namespace
+}  // namespace rotatebook

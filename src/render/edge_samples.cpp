@@ -61,11 +61,12 @@ std::optional<Cover> coverOf(const SeenTriangle& triangle) {
   return Cover{{edgePlane(a, b, c), edgePlane(b, c, a), edgePlane(c, a, b)}, depth};
 }
 
-/// Which pixels of each row can lie in all of some edges.
+/// Which pixels of each row can lie in all of some edges, and between `left` and `right`: edges of
+/// a triangle that is seen from its side may all face one way by rounding, and bound nothing.
 class RowSpans {
  public:
-  /// Nothing left of `left` or right of `right`.
-  RowSpans(const std::array<Plane, 3>& edges, float left, float right) {
+  RowSpans(const std::array<Plane, 3>& edges, float left, float right)
+      : left_(left), right_(right) {
     for (std::size_t i = 0; i < edges.size(); ++i) {
       const Plane& edge = edges[i];
       lefts_[i] = {0, left};
@@ -81,8 +82,8 @@ class RowSpans {
   /// The first pixel, and one past the last, of the row whose middle is `y`.
   std::pair<int, int> at(float y) const {
     const auto place = [y](const Border& border) { return border.slope * y + border.start; };
-    const float left = std::max({place(lefts_[0]), place(lefts_[1]), place(lefts_[2])});
-    const float right = std::min({place(rights_[0]), place(rights_[1]), place(rights_[2])});
+    const float left = std::max({left_, place(lefts_[0]), place(lefts_[1]), place(lefts_[2])});
+    const float right = std::min({right_, place(rights_[0]), place(rights_[1]), place(rights_[2])});
     if (!(left < right)) return {0, 0};
     return {static_cast<int>(left), static_cast<int>(std::ceil(right))};
   }
@@ -92,6 +93,7 @@ class RowSpans {
     float slope, start;
   };
 
+  float left_, right_;
   std::array<Border, 3> lefts_, rights_;
 };
 

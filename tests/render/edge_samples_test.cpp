@@ -83,6 +83,32 @@ TEST(EdgeSamples, GiveAPixelItsShareOfLight) {
   }
 }
 
+// From the side all corners of a triangle lie on a line, but for rounding, by which the whole row
+// to the right of this one lies within its three edges. From a clip of an hour.
+TEST(EdgeSamples, StayWithinATriangleSeenFromItsSide) {
+  constexpr int kSize = 64;
+  image::Image drawn(kSize, kSize, image::PixelFormat::Rgba8);
+  std::ranges::copy(kWhite, drawn.row(40));  // So that there is a colour to mix.
+  EdgePixels pixels(kSize, kSize);
+  for (int y = 0; y < kSize; ++y) {
+    const float middle = static_cast<float>(y) + 0.5F;
+    pixels.addLine({0, middle}, {kSize, middle});
+  }
+  pixels.number();
+  image::Image picture(kSize, kSize, image::PixelFormat::Rgba8);
+  const SeenTriangle thin{{Eigen::Vector3f(25.7919579F, 25.761055F, 0.5F),
+                           {25.9701672F, 25.7609348F, 0.5F},
+                           {25.7684898F, 25.7610703F, 0.5F}},
+                          kOne};
+  EdgeSamples().smooth(pixels, {&thin, 1}, drawn, picture, picture);
+  for (int y = 0; y < kSize; ++y) {
+    for (int x = 0; x < kSize; ++x) {
+      if (x == 25 && y == 25) continue;
+      EXPECT_EQ(at(picture, x, y), kNothing) << x << ", " << y;
+    }
+  }
+}
+
 TEST(EdgeSamples, GiveTransparentPicturesTheShareAsAlpha) {
   Scene scene;
   scene.background = filled(kNothing);

@@ -83,7 +83,7 @@ def peers(mujoco, frames):
 
     def box(way):
         return python and [python, PEER, way, "clip.mp4", "--frames", str(frames)]
-    has_mujoco = os.path.exists(mujoco)
+    has_mujoco = os.path.isfile(mujoco)
     cover = os.path.join(ROOT, "assets/front.png")
     return {"moderngl, PNGs by Pillow, then ffmpeg": box("png"),
             "moderngl to ffmpeg, no PNGs": box("raw"),

@@ -56,10 +56,6 @@ void ShaderProgram::set(const char* uniform, int value) const {
   glUniform1i(location(uniform), value);
 }
 
-void ShaderProgram::set(const char* uniform, float value) const {
-  glUniform1f(location(uniform), value);
-}
-
 void ShaderProgram::set(const char* uniform, const Eigen::Vector2f& value) const {
   glUniform2fv(location(uniform), 1, value.data());
 }

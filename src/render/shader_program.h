@@ -23,7 +23,6 @@ class ShaderProgram {
 
   /// Sets a uniform of the program in use; one that the compiler optimised away is passed over.
   void set(const char* uniform, int value) const;
-  void set(const char* uniform, float value) const;
   void set(const char* uniform, const Eigen::Vector2f& value) const;
   void set(const char* uniform, const Eigen::Vector3f& value) const;
   void set(const char* uniform, const Eigen::Matrix4f& value) const;

@@ -11,22 +11,23 @@
 namespace rotatebook::faults {
 namespace {
 
+// Views, for there may be no memory yet.
 struct Fault {
-  std::string call, below;
+  std::string_view call, below;
   long number = 0;
   int error = 0;
 };
 
-std::string variable(const char* name) {
+std::string_view variable(const char* name) {
   const char* value = std::getenv(name);
   return value != nullptr ? value : "";
 }
 
 Fault readFault() {
   Fault read;
-  const std::string text = variable("ROTATEBOOK_FAULT");
+  const std::string_view text = variable("ROTATEBOOK_FAULT");
   const std::size_t first = text.find(':'), second = text.find(':', first + 1);
-  if (second == std::string::npos) return read;
+  if (second == text.npos) return read;
   read.call = text.substr(0, first);
   read.number = std::strtol(&text[first + 1], nullptr, 10);
   read.error = static_cast<int>(std::strtol(&text[second + 1], nullptr, 10));
@@ -58,9 +59,9 @@ bool isDue() {
 }
 
 __attribute__((destructor)) void writeCount() {
-  const std::string path = variable("ROTATEBOOK_FAULT_COUNT");
+  const std::string_view path = variable("ROTATEBOOK_FAULT_COUNT");
   if (path.empty()) return;
-  if (std::FILE* file = std::fopen(path.c_str(), "w")) {
+  if (std::FILE* file = std::fopen(path.data(), "w")) {
     std::fprintf(file, "%ld\n", count.load());
     std::fclose(file);
   }
@@ -69,6 +70,8 @@ __attribute__((destructor)) void writeCount() {
 }  // namespace
 
 bool isWanted(std::string_view call) {
+  // Sanitizers look functions up before there are variables.
+  if (environ == nullptr) return false;
   return fault().number > 0 && fault().call == call;
 }
 

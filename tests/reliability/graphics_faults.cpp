@@ -11,13 +11,14 @@ namespace {
 
 using rotatebook::faults::fails;
 
-void* systemDlsym(void* library, const char* name) {
-  using Dlsym = void*(void*, const char*);
+using Dlsym = void*(void*, const char*);
+
+Dlsym* systemDlsym() {
   static auto* const found =
       reinterpret_cast<Dlsym*>(dlvsym(RTLD_NEXT, "dlsym", "GLIBC_2.34") != nullptr
                                    ? dlvsym(RTLD_NEXT, "dlsym", "GLIBC_2.34")
                                    : dlvsym(RTLD_NEXT, "dlsym", "GLIBC_2.2.5"));
-  return found(library, name);
+  return found;
 }
 
 // The calls that they stand for, once they were looked up.
@@ -96,7 +97,10 @@ __eglMustCastToProperFunctionPointerType getProcAddress(const char* name) {
 }  // namespace
 
 extern "C" void* dlsym(void* library, const char* name) {
-  void* found = systemDlsym(library, name);
+  Dlsym* const system = systemDlsym();
+  // What comes next depends on who calls: this must be a jump, see CMakeLists.txt.
+  if (library == RTLD_NEXT) return system(library, name);
+  void* found = system(library, name);
   if (found == nullptr || !rotatebook::faults::isWanted("graphics")) return found;
   if (std::strcmp(name, "eglGetProcAddress") == 0) {
     return instead(found, nextGetProcAddress, getProcAddress);

@@ -1,4 +1,4 @@
-// `rotatebook assemble` and `rotatebook diff`.
+// `rotatebook assemble`, `sheet` and `diff`.
 #include <algorithm>
 #include <string>
 
@@ -10,6 +10,7 @@ namespace rotatebook::cli::testing {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 class AssembleCommand : public ProgramTest {
@@ -31,6 +32,26 @@ TEST_F(AssembleCommand, TakesFramesFromElsewhereAtARate) {
   EXPECT_EQ(clip.frames.size(), 12U);
   EXPECT_NEAR(static_cast<double>(clip.duration) / static_cast<double>(clip.timeScale),
               12 * 1001 / 30000.0, 1e-6);
+}
+
+using SheetCommand = ProgramTest;
+
+TEST_F(SheetCommand, WritesAPictureOfTheSizeItTells) {
+  const ChildResult result =
+      run({"sheet", "tiny.toml", "-o", "x.png", "--count", "3", "--columns", "2"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  const image::Image sheet = image::readPng(folder() / "x.png");
+  EXPECT_EQ(result.output, "wrote x.png, " + std::to_string(sheet.width()) + "x" +
+                               std::to_string(sheet.height()) + "\n");
+  EXPECT_GT(sheet.width(), sheet.height());
+}
+
+TEST_F(SheetCommand, RefusesMorePixelsThanFitIntoMemory) {
+  const ChildResult result =
+      run({"sheet", "tiny.toml", "-o", "x.png", "--count", "300", "--size", "1280x720"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.error, HasSubstr("; take fewer or smaller pictures, for example --size "));
+  EXPECT_FALSE(has("x.png"));
 }
 
 class DiffCommand : public ProgramTest {

@@ -107,6 +107,32 @@ TEST(Remedies, GiveAContainerItsGraphics) {
               ElementsAre(says("libEGL_nvidia.so.0 can't be loaded", "libegl-nvidia0")));
 }
 
+TEST(Remedies, InstallOrRemoveWhatAVendorFileNames) {
+  VendorFile nvidia = kNvidia;
+  nvidia.failure = "libEGL_nvidia.so.0: cannot open shared object file";
+  EXPECT_THAT(diagnose(softwareCheck(), {.vendorFiles = {nvidia, kMesa}}),
+              ElementsAre(says("10_nvidia.json: libEGL_nvidia.so.0: cannot open",
+                               "there is no NVIDIA card: remove ")));
+  GraphicsFacts facts{.vendorFiles = {nvidia, kMesa}, .nodes = {kCard}};
+  EXPECT_THAT(diagnose(softwareCheck(), facts), ElementsAre(says("cannot open", "libegl-nvidia0")));
+  facts.container = true;
+  EXPECT_THAT(diagnose(softwareCheck(), facts),
+              ElementsAre(says("cannot open", "NVIDIA_DRIVER_CAPABILITIES=all")));
+  const VendorFile other{"/etc/x.json", "libEGL_x.so", "libEGL_x.so: cannot open"};
+  EXPECT_THAT(diagnose(softwareCheck(), {.vendorFiles = {other, kMesa}}),
+              ElementsAre(says("/etc/x.json: ", "install libEGL_x.so, or remove /etc/x.json")));
+}
+
+TEST(Remedies, AskForNvidiasOwnNodes) {
+  GraphicsFacts facts{.vendorFiles = {kNvidia, kMesa}, .nodes = {kCard}, .nvidiaLibrary = true};
+  EXPECT_THAT(diagnose(softwareCheck(), facts),
+              ElementsAre(says("doesn't list it, though its library is there", "libegl-nvidia0")));
+  facts.nodes[0].permitted = false;
+  EXPECT_THAT(diagnose(softwareCheck(), facts),
+              ElementsAre(says("doesn't list it: no permission on /dev/nvidia0",
+                               "let this user read and write /dev/nvidia0")));
+}
+
 TEST(Remedies, JoinTheGroupOfANodeWithoutPermission) {
   const GraphicsFacts facts{.vendorFiles = {kMesa},
                             .nodes = {{"/dev/dri/renderD128", "render", false}}};
@@ -146,6 +172,10 @@ TEST(Remedies, ExplainTheDeviceListThatFails) {
                                "10_nvidia.json")));
   facts.container = true;
   EXPECT_THAT(diagnose(check, facts), ElementsAre(says("EGL_BAD_ALLOC", "--gpus all")));
+  check.ways.clear();
+  check.byDefault.reset();
+  EXPECT_THAT(diagnose(check, {.vendorFiles = {kMesa}}),
+              ElementsAre(says("eglQueryDevicesEXT: EGL_BAD_ALLOC", "libegl-mesa0")));
 }
 
 TEST(Remedies, UpdateADriverThatIsTooOld) {

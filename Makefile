@@ -7,10 +7,10 @@ OUT ?= out
 
 # Only builds with sanitizers read them.
 export TSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/tsan.supp
-export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp
+export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0:use_tls=0
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build program figures test fuzz gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures clean
+.PHONY: help setup configure build program figures test fuzz coverage gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures clean
 
 help:
 	@echo 'make figures             render every figure, comparison and study into $(OUT)/, each checked,'
@@ -18,6 +18,7 @@ help:
 	@echo 'make test                build and run all tests'
 	@echo 'make fuzz                feed the readers with what nobody would write, SECONDS=60 or RUNS=100000 for each'
 	@echo '                         (only one: TARGET=scene, overrides or png)'
+	@echo 'make coverage            count the lines that the tests run; a page in $(OUT)/coverage/'
 	@echo 'make render SCENE=FILE   render one scene into $(OUT)/ (more options: ARGS="--no-png")'
 	@echo 'make program             build $(PROGRAM)'
 	@echo 'make build               build the tests and benchmarks, too'
@@ -102,6 +103,15 @@ bench-engines: setup
 	@cmake --preset release -B build/engines -DROTATEBOOK_ENGINES=ON >/dev/null
 	@cmake --build build/engines --target rotatebook_engines_bench
 	build/engines/bench/engines/rotatebook_engines_bench
+
+# How many of the program's lines the tests run; docs/coverage.md tells why which don't.
+coverage: setup
+	@scripts/setup.sh scripts/packages-coverage.txt
+	@find build/coverage -name '*.gcda' -delete 2>/dev/null || true
+	$(MAKE) --no-print-directory test PRESET=coverage
+	@mkdir -p $(OUT)/coverage
+	gcovr --root . --filter src/ build/coverage --exclude-throw-branches --fail-under-line 95 --print-summary \
+	  --html-details $(OUT)/coverage/index.html
 
 format-check:
 	@scripts/setup.sh scripts/packages-lint.txt

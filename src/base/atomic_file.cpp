@@ -1,12 +1,14 @@
 #include "base/atomic_file.h"
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <fcntl.h>
 #include <mutex>
 #include <set>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <unistd.h>
 #include <utility>
 
@@ -48,14 +50,17 @@ void flushToDisk(const FileDescriptor& file, const fs::path& path) {
 
 AtomicFile::AtomicFile(fs::path finalPath)
     : finalPath_(std::move(finalPath)), temporaryPath_(temporaryNameFor(finalPath_, getpid())) {
-  // A rename would put a plain file in the place of a device or a pipe.
-  if (fs::exists(finalPath_) && !fs::is_regular_file(finalPath_)) {
-    throw MachineError("can't write " + finalPath_.string() + ": it is " +
-                       (fs::is_directory(finalPath_) ? "a folder" : "not a regular file"));
-  }
+  requireReplaceable(finalPath_);
   tidyOnce(finalPath_.parent_path());
   held_ = createLocked(temporaryPath_, Lock::Exclusive);
   if (!held_.isOpen()) throwLastError(finalPath_, "write");
+}
+
+void requireReplaceable(const fs::path& path) {
+  // A rename would put a plain file in the place of a device or a pipe.
+  if (!fs::exists(path) || fs::is_regular_file(path)) return;
+  throw MachineError("can't write " + path.string() + ": it is " +
+                     (fs::is_directory(path) ? "a folder" : "not a regular file"));
 }
 
 AtomicFile::~AtomicFile() {
@@ -81,8 +86,13 @@ void writeFileAtomically(const fs::path& path, std::string_view content) {
   file.commit();
 }
 
-UseLock::UseLock(const fs::path& path, Lock lock)
-    : path_(temporaryNameFor(path, 0)), file_(createLocked(path_, lock)) {
+UseLock::UseLock(const fs::path& path, Lock lock) : path_(temporaryNameFor(path, 0)) {
+  // Who tidies up holds it for an instant.
+  for (int tries = 0; tries < 5 && !file_.isOpen(); ++tries) {
+    if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    file_ = createLocked(path_, lock);
+    if (!file_.isOpen() && errno != EWOULDBLOCK) break;
+  }
   if (file_.isOpen()) return;
   if (errno != EWOULDBLOCK) throwLastError(path, "write");
   throw MachineError("another process is writing " + path.string() + "; wait for it to end");

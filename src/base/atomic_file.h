@@ -65,6 +65,10 @@ void removeStaleTemporaries(const std::filesystem::path& folder);
 /// Brings the names of what is in `folder` to the disk, after renames. Throws MachineError.
 void flushFolder(const std::filesystem::path& folder);
 
+/// Throws MachineError if `path` is a folder, a device or a pipe, which no file may take the place
+/// of.
+void requireReplaceable(const std::filesystem::path& path);
+
 /// Writes `content` to `path`, all of it or nothing. Throws MachineError.
 void writeFileAtomically(const std::filesystem::path& path, std::string_view content);
 

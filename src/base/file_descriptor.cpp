@@ -1,9 +1,9 @@
 #include "base/file_descriptor.h"
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <string>
 #include <sys/file.h>
 #include <sys/stat.h>
 
@@ -43,6 +43,19 @@ void writeAll(const FileDescriptor& file, std::string_view content,
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) throwLastError(path, "write");
     content.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+std::string readAll(const FileDescriptor& file, const std::filesystem::path& path) {
+  std::string bytes;
+  std::array<char, 65536> block;
+  while (true) {
+    const ssize_t size =
+        pread(file.number(), block.data(), block.size(), static_cast<off_t>(bytes.size()));
+    if (size == 0) return bytes;
+    if (size < 0 && errno == EINTR) continue;
+    if (size < 0) throwLastError(path, "read");
+    bytes.append(block.data(), static_cast<std::size_t>(size));
   }
 }
 

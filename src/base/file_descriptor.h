@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 #include <unistd.h>
 #include <utility>
@@ -43,6 +44,10 @@ FileDescriptor createLocked(const std::filesystem::path& path, Lock lock);
 /// Writes all of `content`. Throws MachineError "can't write `path`: CAUSE".
 void writeAll(const FileDescriptor& file, std::string_view content,
               const std::filesystem::path& path);
+
+/// All that the file holds, from its start, even if it was removed. Throws MachineError "can't read
+/// `path`: CAUSE".
+std::string readAll(const FileDescriptor& file, const std::filesystem::path& path);
 
 /// Throws MachineError "can't `action` `path`: CAUSE", the cause being that of errno.
 [[noreturn]] void throwLastError(const std::filesystem::path& path, std::string_view action);

@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <limits>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -54,9 +53,9 @@ std::string readFile(const std::filesystem::path& path, std::uintmax_t most) {
   }
 }
 
-std::string readFileOrEmpty(const std::filesystem::path& path) {
+std::string readFileOrEmpty(const std::filesystem::path& path, std::uintmax_t most) {
   try {
-    return readFile(path, std::numeric_limits<std::uintmax_t>::max());
+    return readFile(path, most);
   } catch (const InputError&) {
     return {};
   }

@@ -12,7 +12,8 @@ namespace rotatebook {
 /// reason, such as "No such file or directory".
 std::string readFile(const std::filesystem::path& path, std::uintmax_t most);
 
-/// All bytes of `path`; empty if it isn't there, isn't a file, or can't be read.
-std::string readFileOrEmpty(const std::filesystem::path& path);
+/// All bytes of `path`; empty if it isn't there, isn't a file of at most `most` bytes, or can't be
+/// read.
+std::string readFileOrEmpty(const std::filesystem::path& path, std::uintmax_t most = 1 << 28);
 
 }  // namespace rotatebook

@@ -26,6 +26,8 @@ const std::atomic<bool>& catchInterrupts() {
     // nohup and shells have some of them ignored.
     if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
   }
+  // A render goes on though nobody listens any more, and tells in the end.
+  std::signal(SIGPIPE, SIG_IGN);
   return interrupted;
 }
 

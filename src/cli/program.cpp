@@ -13,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/crash_words.h"
 #include "cli/exit_code.h"
+#include "cli/standard_streams.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -98,6 +99,7 @@ std::string usageText(const CLI::App* program, const CLI::Error& error) {
 }  // namespace
 
 int runProgram(int argc, char** argv) {
+  keepStandardStreams();
   speakBeforeCrashes();
   // A limit to the size of files is told as an error of writing.
   std::signal(SIGXFSZ, SIG_IGN);

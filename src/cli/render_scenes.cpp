@@ -120,6 +120,10 @@ int report(const scene::Scene& scene, const std::optional<Rendered>& rendered,
   if (result.framesKept > 0) {
     out << "  kept " << result.framesKept << " frames of an earlier run" << std::endl;
   }
+  if (result.interrupted && result.framesWritten == 0) {
+    out << "  interrupted before the first frame; nothing was written" << std::endl;
+    return interruptStatus();
+  }
   if (!result.wasDone) reportFiles(writtenThings(result, options), out);
   if (result.interrupted) {
     out << "  interrupted after " << result.framesWritten << " frames" << howToGoOn(options)

@@ -1,14 +1,19 @@
 #include "cli/scene_options.h"
 
+#include <cstddef>
+#include <map>
 #include <regex>
 #include <set>
 #include <utility>
 
 #include "base/error.h"
+#include "pipeline/clip_files.h"
 #include "scene/scene_file.h"
 
 namespace rotatebook::cli {
 namespace {
+
+constexpr std::size_t kLongestName = 200;  // Files' have 255 bytes, endings and marks among them.
 
 std::string sizeOverride(const std::string& size) {
   std::smatch match;
@@ -25,6 +30,29 @@ std::string inUsersWords(const std::string& message, const std::vector<Shorthand
     if (message.starts_with(place)) return words + message.substr(place.size());
   }
   return message;
+}
+
+/// What the names of a scene's outputs begin with: its own, and those of its panels' tables.
+std::set<std::string> stemsOf(const scene::Scene& scene) {
+  std::set<std::string> stems{scene.name};
+  for (const auto& csv : pipeline::csvFiles(scene.name + ".csv", scene)) {
+    stems.insert(csv.stem().string());
+  }
+  return stems;
+}
+
+/// A render into the same folder puts its unfinished frames, and those that it replaces, there.
+void requireUsable(const std::string& name) {
+  if (name.size() > kLongestName) {
+    throw InputError("the name " + name + " has " + std::to_string(name.size()) +
+                     " bytes; the limit is " + std::to_string(kLongestName) +
+                     ": rename the scene's file, or shorten the panel's label");
+  }
+  for (const char* reserved : {".partial", ".replaced"}) {
+    if (!name.ends_with(reserved)) continue;
+    throw InputError("a scene can't be named " + name + ": " + reserved +
+                     " is for what a render leaves while it goes on; rename the file");
+  }
 }
 
 }  // namespace
@@ -67,11 +95,18 @@ scene::Scene SceneOptions::applied(std::vector<Shorthand> shorthands, const Read
 }
 
 void refuseSameNames(const std::vector<scene::Scene>& scenes) {
-  std::set<std::string> names;
+  std::map<std::string, std::string> owners;  // of what outputs' names begin with
   for (const scene::Scene& scene : scenes) {
-    if (names.insert(scene.name).second) continue;
-    throw InputError("two scenes are named " + scene.name +
-                     "; they would overwrite each other: render them into different folders");
+    for (const std::string& stem : stemsOf(scene)) {
+      requireUsable(stem);
+      const auto [owner, isNew] = owners.emplace(stem, scene.name);
+      if (isNew) continue;
+      const std::string both = owner->second == scene.name ? "two scenes are named " + scene.name
+                                                           : owner->second + " and " + scene.name +
+                                                                 " both write " + stem + ".csv";
+      throw InputError(both +
+                       "; they would overwrite each other: render them into different folders");
+    }
   }
 }
 

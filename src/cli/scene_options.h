@@ -36,7 +36,8 @@ struct SceneOptions {
   scene::Scene applied(std::vector<Shorthand> shorthands, const Reader& reader) const;
 };
 
-/// Throws InputError if two of `scenes` have one name, and with that the same output files.
+/// Throws InputError if two of `scenes` would write the same file, or a name is one that files
+/// can't have: too long, or that of what a render writes while it goes on.
 void refuseSameNames(const std::vector<scene::Scene>& scenes);
 
 }  // namespace rotatebook::cli

@@ -48,7 +48,8 @@ void removeOutdated(const ClipFiles& files, const Manifest& old, const Manifest&
   const std::string clip = files.frameFolder.filename().string();
   for (const auto& [name, sum] : old.files) {
     // A manifest is a file that anyone may change: it must not lead elsewhere.
-    const bool own = name.starts_with(clip) && fs::path(name).filename() == name;
+    const bool own = (name.starts_with(clip + '.') || name.starts_with(clip + '_')) &&
+                     fs::path(name).filename() == name;
     if (own && !now.files.contains(name)) removeFile(files.frameFolder.parent_path() / name);
   }
 }
@@ -83,6 +84,46 @@ void settle(const ClipFiles& files) {
   if (partial && partial->isComplete()) return replaceFolder(files);
   const bool lacksFinal = !hasFinal && fs::exists(files.replacedFolder);
   if (lacksFinal) moveTo(files.replacedFolder, files.frameFolder);
+}
+
+/// Puts the frames that are whole beside those of the same settings in `to`.
+void moveFrames(const fs::path& from, const fs::path& to) {
+  if (!fs::is_directory(from)) return;
+  const FrameSums source(from);
+  FrameSums target(to);
+  for (const std::int64_t frame : framesIn(from)) {
+    const auto bytes = source.intact(frame);
+    if (!bytes || target.intact(frame)) continue;
+    moveTo(from / frameName(frame), to / frameName(frame));
+    target.add(frame, *bytes);
+  }
+  discard(from);
+}
+
+/// "holds 12 frames of a render that wasn't finished", or of a clip that was.
+std::string contentText(const fs::path& folder, bool complete) {
+  if (complete) return folder.string() + " holds the frames of a clip";
+  return folder.string() + " holds " + std::to_string(framesIn(folder).size()) +
+         " frames of a render that wasn't finished";
+}
+
+/// Throws InputError if `folder` holds what isn't to be lost: unfinished frames, or, of a render
+/// that is to go on, a clip of other settings.
+void requireLosable(const fs::path& folder, const std::optional<Manifest>& there,
+                    const ClipFolder::Settings& settings) {
+  const bool resume = settings.earlier.resume;
+  const bool complete = there && there->isComplete();
+  const bool worthless = complete ? !resume : !hasFrames(folder);
+  if (settings.earlier.overwrite || worthless) return;
+  const std::string start = contentText(folder, complete);
+  if (!resume) {
+    throw InputError(start + ": go on with --resume, or render anew with --overwrite");
+  }
+  throw InputError(start +
+                   (there ? " and had other settings: " +
+                                differences(folder, *there, settings.made, settings.scene)
+                          : " and doesn't tell its settings") +
+                   "; render anew with --overwrite, or into another folder with -o");
 }
 
 }  // namespace
@@ -135,33 +176,21 @@ void ClipFolder::openPart(const Settings& settings) {
 
 void ClipFolder::openWhole(const Settings& settings) {
   settle(files_);
-  const std::optional<Manifest> finished = readManifest(files_.frameFolder);
+  const auto finished = readManifest(files_.frameFolder);
+  const auto partial = readManifest(files_.partialFrameFolder);
+  const bool goOn = settings.earlier.resume && isOf(partial, settings.made);
   if (settings.earlier.resume && isOf(finished, settings.made)) {
     manifest_ = *finished;
-    return begin(files_.frameFolder, settings.record);
+    begin(files_.frameFolder, settings.record);
+    if (goOn) moveFrames(files_.partialFrameFolder, files_.frameFolder);
+    return;
   }
-  const bool same = isOf(readManifest(files_.partialFrameFolder), settings.made);
-  if (!settings.earlier.resume || !same) {
-    if (!settings.earlier.overwrite) requireNoUnfinished(settings);
+  if (!goOn) {
+    requireLosable(files_.frameFolder, finished, settings);
+    requireLosable(files_.partialFrameFolder, partial, settings);
     discard(files_.partialFrameFolder);
   }
   begin(files_.partialFrameFolder, settings.record);
-}
-
-void ClipFolder::requireNoUnfinished(const Settings& settings) const {
-  const fs::path& folder = files_.partialFrameFolder;
-  if (!hasFrames(folder)) return;
-  const std::string start = folder.string() + " holds " + std::to_string(framesIn(folder).size()) +
-                            " frames of a render that wasn't finished";
-  if (!settings.earlier.resume) {
-    throw InputError(start + ": go on with --resume, or render anew with --overwrite");
-  }
-  const auto there = readManifest(folder);
-  throw InputError(start +
-                   (there ? " and had other settings: " +
-                                differences(folder, *there, settings.made, settings.scene)
-                          : " and doesn't tell its settings") +
-                   "; render anew with --overwrite, or into another folder with -o");
 }
 
 void ClipFolder::begin(const fs::path& folder, const std::string& record) {
@@ -185,7 +214,11 @@ bool ClipFolder::isDone(const std::vector<fs::path>& files,
   return true;
 }
 
-void ClipFolder::finish(const std::vector<fs::path>& files, bool withFrames) {
+void ClipFolder::finish(const std::vector<fs::path>& files, std::optional<FrameRange> frames) {
+  if (frames) {
+    sums_->requireFiles(*frames);
+    sums_->sort(*frames);
+  }
   for (const fs::path& file : files) {
     manifest_.files[file.filename().string()] = checksumOfFile(file);
   }
@@ -193,9 +226,8 @@ void ClipFolder::finish(const std::vector<fs::path>& files, bool withFrames) {
   const bool same = isOf(earlier, manifest_.made);
   // Other formats' videos of the same settings are still true.
   if (same) manifest_.files.insert(earlier->files.begin(), earlier->files.end());
-  if (withFrames) sums_->sort();
   const bool inPlace = path_ == files_.frameFolder;
-  if (inPlace || (same && !withFrames)) {
+  if (inPlace || (same && !frames)) {
     writeManifest(files_.frameFolder, manifest_);
     if (!inPlace) discard(path_);
     return flushFolder(files_.frameFolder.parent_path());

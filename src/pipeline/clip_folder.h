@@ -18,7 +18,8 @@ namespace rotatebook::pipeline {
 /// What to do with what an earlier render left unfinished. Neither: it is an error if there is
 /// something.
 struct EarlierFrames {
-  bool resume = false;     ///< Go on with it if its settings are the same, else it is an error.
+  /// Go on with it if its settings are the same, else it is an error, though it were finished.
+  bool resume = false;
   bool overwrite = false;  ///< Discard it; with `resume`, only if its settings differ.
 };
 
@@ -59,17 +60,16 @@ class ClipFolder {
   bool isDone(const std::vector<std::filesystem::path>& files,
               std::optional<FrameRange> frames) const;
 
-  /// Brings the clip under its final name. `files` are what was made with it, `withFrames` tells
-  /// whether there are frames. Removes files of an earlier render with other settings. Throws
+  /// Brings the clip under its final name. `files` are what was made with it, `frames` those that
+  /// were written, if they were. Removes files of an earlier render with other settings. Throws
   /// MachineError.
-  void finish(const std::vector<std::filesystem::path>& files, bool withFrames);
+  void finish(const std::vector<std::filesystem::path>& files, std::optional<FrameRange> frames);
 
  private:
   void openPart(const Settings& settings);
   void openWhole(const Settings& settings);
   void begin(const std::filesystem::path& folder, const std::string& record);
   void discardIfEmpty() const noexcept;
-  void requireNoUnfinished(const Settings& settings) const;
 
   UseLock lock_;
   ClipFiles files_;

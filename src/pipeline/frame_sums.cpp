@@ -5,29 +5,38 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "base/error.h"
 #include "base/read_file.h"
+#include "image/png_file.h"
 #include "pipeline/checksum.h"
-#include "pipeline/clip_files.h"
 
 namespace rotatebook::pipeline {
 namespace {
 
 constexpr std::size_t kDigits = 32;
 constexpr std::string_view kBetween = "  ";
+constexpr off_t kLargestSums = 256'000'000;  // Four times those of the longest clip. [bytes]
 
 std::string lineOf(std::int64_t index, const std::string& sum) {
   return sum + std::string(kBetween) + frameName(index) + '\n';
 }
 
+[[noreturn]] void failMissing(const std::filesystem::path& folder, std::int64_t frame) {
+  throw MachineError((folder / frameName(frame)).string() +
+                     " is gone: it was removed while the clip was rendered");
+}
+
 }  // namespace
 
 FrameSums::FrameSums(std::filesystem::path folder)
-    : folder_(std::move(folder)), path_(folder_ / kFrameSumsName), sums_(read(path_)) {}
+    : folder_(std::move(folder)),
+      path_(folder_ / kFrameSumsName),
+      sums_(parse(readFileOrEmpty(path_, kLargestSums))) {}
 
-FrameSums::Sums FrameSums::read(const std::filesystem::path& path) {
+FrameSums::Sums FrameSums::parse(const std::string& text) {
   Sums sums;
-  std::istringstream text(readFileOrEmpty(path));
-  for (std::string line; std::getline(text, line);) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
     if (line.size() < kDigits + kBetween.size()) continue;
     const auto index = frameIndex(line.substr(kDigits + kBetween.size()));
     if (index) sums[*index] = line.substr(0, kDigits);
@@ -38,7 +47,7 @@ FrameSums::Sums FrameSums::read(const std::filesystem::path& path) {
 std::optional<std::string> FrameSums::intact(std::int64_t index) const {
   const auto known = sums_.find(index);
   if (known == sums_.end()) return std::nullopt;
-  std::string bytes = readFileOrEmpty(folder_ / frameName(index));
+  std::string bytes = readFileOrEmpty(folder_ / frameName(index), image::kLargestFile);
   if (bytes.empty() || checksumOf(bytes) != known->second) return std::nullopt;
   return bytes;
 }
@@ -46,17 +55,31 @@ std::optional<std::string> FrameSums::intact(std::int64_t index) const {
 void FrameSums::add(std::int64_t index, std::string_view bytes) {
   const std::string line = lineOf(index, checksumOf(bytes));
   const std::lock_guard lock(mutex_);
-  if (!file_.isOpen()) {
-    file_ = FileDescriptor(open(path_.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
-    if (!file_.isOpen()) throwLastError(path_, "write");
-    // A line that was cut off mustn't take this one with it.
-    if (!sums_.empty()) writeAll(file_, "\n", path_);
-  }
+  if (!file_.isOpen()) openFile();
   writeAll(file_, line, path_);
 }
 
-void FrameSums::sort() {
-  sums_ = read(path_);
+void FrameSums::openFile() {
+  file_ = FileDescriptor(
+      open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666));
+  if (!file_.isOpen()) throwLastError(path_, "write");
+  const off_t size = lseek(file_.number(), 0, SEEK_END);
+  const bool foreign = size > kLargestSums && ftruncate(file_.number(), 0) == 0;
+  // A line that was cut off mustn't take the next one with it.
+  if (size > 0 && !foreign) writeAll(file_, "\n", path_);
+}
+
+void FrameSums::requireFiles(FrameRange frames) const {
+  for (std::int64_t frame = frames.first; frame < frames.end; ++frame) {
+    if (!std::filesystem::exists(folder_ / frameName(frame))) failMissing(folder_, frame);
+  }
+}
+
+void FrameSums::sort(FrameRange frames) {
+  if (file_.isOpen()) sums_ = parse(readAll(file_, path_));
+  for (std::int64_t frame = frames.first; frame < frames.end; ++frame) {
+    if (!sums_.contains(frame)) failMissing(folder_, frame);
+  }
   std::string text;
   for (const auto& [index, sum] : sums_) text += lineOf(index, sum);
   writeFileAtomically(path_, text);

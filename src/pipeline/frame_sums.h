@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "base/file_descriptor.h"
+#include "pipeline/clip_files.h"
 
 namespace rotatebook::pipeline {
 
@@ -25,20 +26,22 @@ class FrameSums {
 
   /// The bytes of frame `index` if its file is there as it was written.
   std::optional<std::string> intact(std::int64_t index) const;
-  /// How many frames have a line.
-  std::size_t count() const { return sums_.size(); }
-
   /// Adds that frame `index` was written with these bytes. From any thread, but no line that is
   /// added is known to intact(). Throws MachineError.
   void add(std::int64_t index, std::string_view bytes);
 
-  /// Writes the file anew, one line a frame, in order. Throws MachineError.
-  void sort();
+  /// Throws MachineError, naming the first, if the file of one of these frames is gone.
+  void requireFiles(FrameRange frames) const;
+
+  /// Writes the file anew, one line a frame, in order, though it were removed meanwhile. Throws
+  /// MachineError, also if one of these frames has no line.
+  void sort(FrameRange frames);
 
  private:
   using Sums = std::map<std::int64_t, std::string>;
 
-  static Sums read(const std::filesystem::path& path);
+  static Sums parse(const std::string& text);
+  void openFile();
 
   std::filesystem::path folder_, path_;
   Sums sums_;

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "pipeline/clip_record.h"
 #include "pipeline/fingerprint.h"
@@ -78,12 +79,14 @@ class Render {
                                       .part = options_.frames.has_value(),
                                       .png = options_.png});
     const std::vector<std::filesystem::path> files = allFiles(result_, options_.formats);
-    result_.wasDone = !options_.frames && options_.earlier.resume &&
-                      folder.isDone(files, options_.png ? std::optional(range_) : std::nullopt);
+    result_.wasDone =
+        !options_.frames && options_.earlier.resume && folder.isDone(files, pngRange());
     if (result_.wasDone) return result_;
+    // Better said now than when all is drawn.
+    if (!options_.frames) std::ranges::for_each(files, requireReplaceable);
     try {
       renderInto(folder, record, listener);
-      if (!result_.interrupted && !options_.frames) folder.finish(files, options_.png);
+      if (!result_.interrupted) finishFolder(folder, files);
     } catch (const MachineError& error) {
       throw MachineError(error.what() + keptText(folder));
     }
@@ -91,6 +94,15 @@ class Render {
   }
 
  private:
+  std::optional<FrameRange> pngRange() const {
+    return options_.png ? std::optional(range_) : std::nullopt;
+  }
+
+  void finishFolder(ClipFolder& folder, const std::vector<std::filesystem::path>& files) const {
+    if (!options_.frames) return folder.finish(files, pngRange());
+    if (options_.png) folder.sums().requireFiles(range_);
+  }
+
   std::string keptText(const ClipFolder& folder) const {
     const std::size_t count = options_.png ? folder.frameCount() : 0;
     if (count == 0) return "";

@@ -83,6 +83,7 @@ void limitFiles(long largest) {
                                 int output, int error) {
   dup2(output, STDOUT_FILENO);
   dup2(error, STDERR_FILENO);
+  for (const int descriptor : settings.closed) close(descriptor);
   // Whoever runs the tests may ignore them, and what is ignored stays so.
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) signal(number, SIG_DFL);
   if (settings.ignoredSignal != 0) signal(settings.ignoredSignal, SIG_IGN);

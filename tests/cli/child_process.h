@@ -17,6 +17,7 @@ struct ChildSettings {
   std::vector<std::pair<std::string, std::string>> environment{};  ///< Added to ours.
   std::string outputFile{};            ///< Where its standard output goes instead of to us.
   bool terminal = false;               ///< Its standard error is a pseudo-terminal.
+  std::vector<int> closed{};           ///< Descriptors that are closed from the start.
   int ignoredSignal = 0;               ///< Ignored from the start.
   std::optional<long> largestFile{};   ///< Writing beyond this fails with EFBIG. [bytes]
   std::function<bool()> signalWhen{};  ///< Asked again and again until it says yes, ...

@@ -40,7 +40,7 @@ TEST_F(Interrupt, LeavesWholeFramesAndAPlayableClip) {
   EXPECT_EQ(result.status, 130) << result.error;
   int pictures = 0;
   for (const std::string& name : files()) {
-    EXPECT_THAT(name, Not(HasSubstr("tmp-")));
+    EXPECT_THAT(name, Not(HasSubstr(".rotatebook-")));
     if (!name.ends_with(".png")) continue;
     ++pictures;
     EXPECT_NO_THROW(image::readPng(folder() / name)) << name;

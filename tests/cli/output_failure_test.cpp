@@ -103,6 +103,27 @@ TEST_F(OutputFailure, FullDiskForFrames) {
   EXPECT_THAT(files(), ElementsAre("out/"));
 }
 
+// No file of the render's may become a standard stream, into which words would be printed.
+TEST_F(OutputFailure, ClosedStandardStreams) {
+  run({"render", "tiny.toml", "-o", "whole"});
+  for (const std::vector<int>& closed :
+       {std::vector{0}, std::vector{1}, std::vector{2}, std::vector{0, 1}, std::vector{0, 1, 2}}) {
+    ChildSettings settings;
+    settings.closed = closed;
+    const bool silent = closed.size() > 1 || closed.front() == 1;
+    EXPECT_EQ(run({"render", "tiny.toml"}, settings).status, silent ? 3 : 0);
+    expectSameFiles("whole", "out");
+    fs::remove_all(folder() / "out");
+  }
+}
+
+TEST_F(OutputFailure, FolderInTheWayIsToldBeforeAnythingIsDrawn) {
+  fs::create_directories(folder() / "out/tiny.poster.png");
+  const ChildResult result = run({"render", "tiny.toml"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_EQ(result.error, "rotatebook: can't write out/tiny.poster.png: it is a folder\n");
+}
+
 TEST_F(OutputFailure, FullDiskForTheClip) {
   const ChildResult result = runOnFullDisk({"render", "tiny.toml"}, kLessThanAClip);
   EXPECT_EQ(result.status, 3);
@@ -111,7 +132,7 @@ TEST_F(OutputFailure, FullDiskForTheClip) {
                     HasSubstr(": File too large\n  12 finished frames are kept in "
                               "out/tiny.partial/; go on with the same command and --resume\n")));
   for (const std::string& name : files()) {
-    EXPECT_THAT(name, Not(HasSubstr("tmp-")));
+    EXPECT_THAT(name, Not(HasSubstr(".rotatebook-")));
     EXPECT_THAT(name, Not(HasSubstr(".mp4")));
     if (!name.ends_with(".png")) continue;
     EXPECT_NO_THROW(image::readPng(folder() / name)) << name;

@@ -84,5 +84,15 @@ TEST_F(PanelCommands, StudyHasNoOneMotion) {
             "rotatebook: pair: a study is of one motion, but this scene has panels\n");
 }
 
+// pair writes pair_one.csv for its first panel.
+TEST_F(PanelCommands, RefuseASceneNamedAsAPanelsTable) {
+  write("pair_one.toml", kTiny);
+  const ChildResult result = run({"render", "pair.toml", "pair_one.toml"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.error,
+            "rotatebook: pair and pair_one both write pair_one.csv; they would overwrite each "
+            "other: render them into different folders\n");
+}
+
 }  // namespace
 }  // namespace rotatebook::cli::testing

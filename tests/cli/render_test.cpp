@@ -171,6 +171,20 @@ TEST_F(RenderCommand, RefusesTwoScenesOfOneName) {
   EXPECT_THAT(files(), ElementsAre("more/", "more/tiny.toml"));
 }
 
+TEST_F(RenderCommand, RefusesNamesThatItsOwnFilesHave) {
+  const std::string longest(201, 'a');
+  for (const auto& [name, words] :
+       {std::pair<std::string, std::string>{"x.partial", "a scene can't be named x.partial: "},
+        {"x.replaced", "a scene can't be named x.replaced: "},
+        {longest, "has 201 bytes; the limit is 200: rename the scene's file"}}) {
+    write(name + ".toml", kTiny);
+    const ChildResult result = run({"render", name + ".toml"});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_THAT(result.error, HasSubstr(words));
+    EXPECT_FALSE(has("out/"));
+  }
+}
+
 TEST_F(RenderCommand, WritesNothingIfTheLastSceneIsWrong) {
   write("wrong.toml", "titel = 'T'\n");
   const ChildResult result = run({"render", "tiny.toml", "wrong.toml"});

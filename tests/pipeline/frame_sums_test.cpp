@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "base/atomic_file.h"
+#include "base/error.h"
 #include "pipeline/checksum.h"
 #include "pipeline/clip_files.h"
 #include "pipeline/small_clip.h"
@@ -18,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::bytesOf;
 using testing::emptyFolder;
+using testing::messageOf;
 
 // Of "abc", by xxh128sum 0.8.1.
 constexpr const char* kSumOfAbc = "06b05ab6733a618578af5f94892f3950";
@@ -87,9 +89,50 @@ TEST(FrameSums, OutliveALineThatWasCutOff) {
   }
   FrameSums third(folder);
   EXPECT_EQ(third.intact(1), "one");
-  third.sort();
+  third.sort({0, 2});
   EXPECT_EQ(bytesOf(folder / kFrameSumsName),
             checksumOf("zero") + "  frame_00000.png\n" + checksumOf("one") + "  frame_00001.png\n");
+}
+
+TEST(FrameSums, OutliveAFirstLineThatWasCutOff) {
+  const fs::path folder = emptyFolder();
+  std::ofstream(folder / kFrameSumsName) << "0123456789abcdef0123";
+  FrameSums sums(folder);
+  writeFrame(sums, 0, "zero");
+  sums.sort({0, 1});
+  EXPECT_EQ(bytesOf(folder / kFrameSumsName), checksumOf("zero") + "  frame_00000.png\n");
+}
+
+TEST(FrameSums, OutliveTheirFile) {
+  const fs::path folder = emptyFolder();
+  FrameSums sums(folder);
+  writeFrame(sums, 0, "zero");
+  fs::remove(folder / kFrameSumsName);
+  writeFrame(sums, 1, "one");
+  sums.sort({0, 2});
+  EXPECT_EQ(FrameSums(folder).intact(0), "zero");
+}
+
+TEST(FrameSums, TellWhichFrameIsMissing) {
+  const fs::path folder = emptyFolder();
+  FrameSums sums(folder);
+  writeFrame(sums, 0, "zero");
+  writeFrame(sums, 2, "two");
+  const std::string gone = (folder / "frame_00001.png").string() + " is gone: ";
+  EXPECT_THAT(messageOf<MachineError>([&] { sums.sort({0, 3}); }), ::testing::StartsWith(gone));
+  EXPECT_THAT(messageOf<MachineError>([&] {
+                sums.requireFiles({0, 3});
+              }),
+              ::testing::StartsWith(gone));
+}
+
+TEST(FrameSums, AreNotReadWhereTheyAreOfNoClip) {
+  const fs::path folder = emptyFolder();
+  std::ofstream(folder / kFrameSumsName) << "x";
+  fs::resize_file(folder / kFrameSumsName, 300'000'000);  // Sparse.
+  FrameSums sums(folder);
+  writeFrame(sums, 0, "zero");
+  EXPECT_LT(fs::file_size(folder / kFrameSumsName), 100U);
 }
 
 TEST(FrameSums, IgnoreWhatIsNoLineOfTheirs) {

@@ -156,6 +156,47 @@ TEST_F(Resume, MakesTheWholeOfParts) {
   expectAsUninterrupted();
 }
 
+TEST_F(Resume, TakesWhatAWholeAndAPartLeft) {
+  stop(5);
+  testing::render(smallScene(), {.folder = folder_, .formats = {}, .frames = FrameRange{3, 8}});
+  EXPECT_EQ(render(kResume).framesKept, 8);
+  expectAsUninterrupted();
+  EXPECT_FALSE(render({}).wasDone) << "nothing unfinished is left to be asked about";
+}
+
+TEST_F(Resume, LosesNoPartsUnasked) {
+  testing::render(smallScene(), {.folder = folder_, .formats = {}, .frames = FrameRange{0, 5}});
+  const std::string held =
+      (folder_ / "small").string() + " holds 5 frames of a render that wasn't finished";
+  EXPECT_EQ(failureOf({}), held + ": go on with --resume, or render anew with --overwrite");
+  EXPECT_THAT(failureOf(kResume, otherScene()),
+              AllOf(HasSubstr(held), HasSubstr("body.mass is 1.0 there, 2.0 here")));
+  EXPECT_EQ(render(kResume).framesKept, 5) << "the refusals cost frames";
+}
+
+TEST_F(Resume, RefusesAClipOfOtherSettings) {
+  render({});
+  EXPECT_EQ(failureOf(kResume, otherScene()),
+            (folder_ / "small").string() +
+                " holds the frames of a clip and had other settings: body.mass is 1.0 there, 2.0 "
+                "here; render "
+                "anew with --overwrite, or into another folder with -o");
+  EXPECT_TRUE(render(kResume).wasDone) << "the refusal cost the clip";
+  EXPECT_EQ(render(kResumeOrOverwrite, otherScene()).framesKept, 0);
+}
+
+TEST_F(Resume, OfARenderWhoseFrameWasRemovedDrawsItAgain) {
+  const fs::path victim = folder_ / "small.partial" / frameName(0);
+  const RenderListener listener{{}, [&](RenderProgress) { fs::remove(victim); }};
+  const std::string message = messageOf<MachineError>([&] {
+    renderClip(smallScene(), simulateScene(smallScene()), {.folder = folder_}, listener);
+  });
+  EXPECT_THAT(message, AllOf(HasSubstr(victim.string() + " is gone: it was removed while"),
+                             HasSubstr("\n  11 finished frames are kept in ")));
+  EXPECT_EQ(render(kResume).framesKept, 11);
+  expectAsUninterrupted();
+}
+
 TEST_F(Resume, RefusesFramesOfOtherSettings) {
   stop(5);
   EXPECT_EQ(
@@ -291,9 +332,13 @@ TEST_F(Resume, RemovesNothingOutsideItsFolder) {
   Manifest manifest = *readManifest(folder_ / "small");
   manifest.files["../victim"] = "0";
   manifest.files[".."] = "0";
+  manifest.files["small"] = "0";
+  manifest.files["smaller.mp4"] = "0";
+  std::ofstream(folder_ / "smaller.mp4") << "another clip's";
   writeManifest(folder_ / "small", manifest);
   render({}, otherScene());
   EXPECT_TRUE(fs::exists(victim));
+  EXPECT_TRUE(fs::exists(folder_ / "smaller.mp4"));
 }
 
 }  // namespace

@@ -10,7 +10,7 @@ export TSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/tsan.supp
 export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0:use_tls=0
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build program figures test fuzz coverage gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures clean
+.PHONY: help setup configure build program figures test test-rooms fuzz coverage gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures clean
 
 help:
 	@echo 'make figures             render every figure, comparison and study into $(OUT)/, each checked,'
@@ -37,7 +37,7 @@ setup:
 	@scripts/setup.sh
 
 configure: setup
-	@test -f $(BUILD)/build.ninja || cmake --preset $(PRESET) $(if $(CI),-DROTATEBOOK_WERROR=ON)
+	@test -f $(BUILD)/build.ninja || cmake --preset $(PRESET) $(if $(CI),$(if $(filter release dev,$(PRESET)),-DROTATEBOOK_WERROR=ON))
 
 program: configure
 	@cmake --build $(BUILD) --target rotatebook
@@ -63,6 +63,12 @@ test: build
 	@scripts/setup.sh scripts/packages-page.txt || \
 	  echo 'make test: going on; the test of the page will say what it lacks' >&2
 	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j$$(nproc)
+
+# ROOMS="scene image" FILTER='Png*': some rooms' tests, or some of those, each room in one process.
+test-rooms: configure
+	@cmake --build $(BUILD) --target $(ROOMS:%=%_tests)
+	@for room in $(ROOMS); do \
+	  $(BUILD)/tests/$$room/$${room}_tests --gtest_brief=1 --gtest_filter='$(or $(FILTER),*)' || exit 1; done
 
 # In a folder of its own, whatever PRESET says: clang's, with sanitizers. What it learns stays in build/fuzz/corpus.
 fuzz: setup

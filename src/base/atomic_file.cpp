@@ -130,10 +130,8 @@ void removeFile(const fs::path& path) {
 void createFolders(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error)
+  if (error) {
     throw MachineError("can't make the folder " + folder.string() + ": " + error.message());
-  if (!fs::is_directory(folder)) {
-    throw MachineError("can't make the folder " + folder.string() + ": a file has that name");
   }
 }
 

@@ -75,7 +75,7 @@ void writeFileAtomically(const std::filesystem::path& path, std::string_view con
 /// Removes `path` if it is there. Throws MachineError.
 void removeFile(const std::filesystem::path& path);
 
-/// Makes `folder` and its parents. Throws MachineError, naming the part that stands in the way.
+/// Makes `folder` and its parents. Throws MachineError.
 void createFolders(const std::filesystem::path& folder);
 
 }  // namespace rotatebook

@@ -3,7 +3,8 @@
 
 After each kill no file under a final name may be half-written, and no folder may hold frames of two
 renders; in the end all must be, byte for byte, what a render leaves that was never killed. Every
-second clip takes the place of an older one of other settings.
+second clip takes the place of an older one of other settings; of the others, parts are rendered
+now and then, too.
 
     tests/reliability/kill_render.py build/release/src/cli/rotatebook
 """
@@ -26,6 +27,7 @@ size = [320, 180]
 duration = 1.0
 """
 OLDER = ["--set", "body.mass=2", "--format", "gif,apng"]
+PART = ["--frames", "10:40", "--no-mp4"]
 NAME = "killed"
 ON_ITS_WAY = ("rotatebook-", "frames.", ".partial.mp4")
 
@@ -73,9 +75,9 @@ def require_same(out, reference):
             sys.exit(f"{out / path} differs from {reference / path}")
 
 
-def kill_once(program, out, latest):
+def kill_once(program, out, latest, options):
     """False if the render ended before it was killed."""
-    process = render(program, out, "--resume", "--overwrite")
+    process = render(program, out, *options)
     try:
         process.wait(random.uniform(0, latest))
     except subprocess.TimeoutExpired:
@@ -100,10 +102,12 @@ def run(program, kills, folder):
         replaces = clips % 2 == 1
         if replaces:
             shutil.copytree(older, out)
-        while killed < kills and kill_once(program, out, latest):
+        go_on = ["--resume", "--overwrite"] if replaces else ["--resume"]
+        ways = [go_on] if replaces else [go_on, go_on + PART]
+        while killed < kills and kill_once(program, out, latest, random.choice(ways)):
             killed += 1
             require_whole(out, [whole, older] if replaces else [whole])
-        finish(render(program, out, "--resume", "--overwrite"))
+        finish(render(program, out, *go_on))
         require_same(out, whole)
         clips += 1
     print(f"{killed} kills over {clips} clips, each in the end the same, byte for byte")

@@ -14,6 +14,8 @@ namespace {
 
 constexpr const char* kDemuxers = "mov,matroska,gif,apng";
 constexpr std::size_t kBufferSize = 65'536;
+/// A table of a million frames takes 40 MB, the largest picture 54.
+constexpr std::size_t kLargestPiece = 256'000'000;
 
 bool isNamed(const AVInputFormat& demuxer, std::string_view name) {
   return ("," + std::string(demuxer.name) + ",").find("," + std::string(name) + ",") !=
@@ -71,6 +73,8 @@ std::int64_t ClipInput::seekMemory(void* memory, std::int64_t offset, int whence
 
 void ClipInput::open(AVFormatContext* context, const std::string& url) {
   silenceFfmpeg();
+  // A file of some bytes may ask for tables of gigabytes. It holds for the whole process.
+  av_max_alloc(kLargestPiece);
   Dictionary options;
   options.set("format_whitelist", kDemuxers);
   options.set("codec_whitelist", kDecoders);

@@ -4,6 +4,7 @@ PRESET ?= release
 BUILD := build/$(PRESET)
 PROGRAM := $(BUILD)/src/cli/rotatebook
 OUT ?= out
+FUZZ_TARGETS = $(patsubst tests/fuzz/%_target.cpp,%,$(sort $(wildcard tests/fuzz/*_target.cpp)))
 
 # Only builds with sanitizers read them.
 export TSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/tsan.supp
@@ -17,7 +18,7 @@ help:
 	@echo '                         and $(OUT)/index.html, a page that shows them'
 	@echo 'make test                build and run all tests'
 	@echo 'make fuzz                feed the readers with what nobody would write, SECONDS=60 or RUNS=100000 for each'
-	@echo '                         (only one: TARGET=scene, overrides or png)'
+	@echo '                         (only one: TARGET=NAME; there are $(FUZZ_TARGETS))'
 	@echo 'make coverage            count the lines that the tests run; a page in $(OUT)/coverage/'
 	@echo 'make render SCENE=FILE   render one scene into $(OUT)/ (more options: ARGS="--no-png")'
 	@echo 'make program             build $(PROGRAM)'

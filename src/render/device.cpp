@@ -9,8 +9,6 @@
 namespace rotatebook::render {
 namespace {
 
-constexpr const char* kAskDoctor = "\nRun 'rotatebook doctor' for the cause and what to do.";
-
 /// Whether `choice` allows to try `way`. Only a device tells beforehand that it is software.
 bool isAllowed(const Way& way, const DeviceChoice& choice) {
   switch (choice.kind) {
@@ -138,6 +136,7 @@ const char* const kInstallMesa =
     "libgl1-mesa-dri libopengl0), or for a graphics card its driver's EGL library, and see that "
     "you may read "
     "/dev/dri/renderD*.";
+const char* const kAskDoctor = "\nRun 'rotatebook doctor' for the cause and what to do.";
 
 std::string Way::name() const {
   if (kind == Kind::Device) return "EGL device " + std::to_string(index);

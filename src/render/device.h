@@ -88,5 +88,7 @@ bool isSoftwareRenderer(std::string_view renderer);
 
 /// What to install where nothing draws.
 extern const char* const kInstallMesa;
+/// A line that sends whoever can't draw to the doctor; begins with the end of the line before.
+extern const char* const kAskDoctor;
 
 }  // namespace rotatebook::render

@@ -1,5 +1,7 @@
 #include "render/frame_target.h"
 
+#include <array>
+#include <cstdint>
 #include <string>
 
 #include "base/error.h"
@@ -65,6 +67,13 @@ void FrameTarget::readBack(std::span<const PixelRect> areas, image::Image& pictu
     glReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE,
                  picture.row(area.y) + 4 * area.x);
   }
+}
+
+int FrameTarget::alphaAt(int x, int y) const {
+  std::array<std::uint8_t, 4> pixel{};
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, buffer_.name());
+  glReadPixels(x, y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
+  return pixel[3];
 }
 
 }  // namespace rotatebook::render

@@ -19,6 +19,8 @@ class FrameTarget {
   void begin(const PixelRect& area) const;
   /// Copies `areas` to the same places of `picture` (Rgba8, of the width and height given).
   void readBack(std::span<const PixelRect> areas, image::Image& picture) const;
+  /// Of one pixel, 0 to 255.
+  int alphaAt(int x, int y) const;
 
  private:
   int width_;

@@ -1,6 +1,7 @@
 #include "render/graphics_check.h"
 
 #include <chrono>
+#include <cstring>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,13 @@ DeviceChoice choiceOf(const Way& way) {
   return {.kind = DeviceChoice::Kind::Index, .number = way.index};
 }
 
+/// What `error` says to one who asks the doctor already.
+std::string failureText(const Error& error) {
+  std::string text = error.what();
+  if (text.ends_with(kAskDoctor)) text.resize(text.size() - std::strlen(kAskDoctor));
+  return text;
+}
+
 FrameCheck checkFrame(const WayCheck& check, const BookTextures& textures) {
   FrameCheck frame;
   frame.tolerance = check.software ? kSoftwareTolerance : kHardwareTolerance;
@@ -35,7 +43,7 @@ FrameCheck checkFrame(const WayCheck& check, const BookTextures& textures) {
     const image::Image picture = drawTestFrame(textures, choiceOf(check.way));
     frame.comparison = compare(storedTestFrame().view(), picture.view(), frame.tolerance);
   } catch (const Error& error) {
-    frame.failure = error.what();
+    frame.failure = failureText(error);
   }
   return frame;
 }

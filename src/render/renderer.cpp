@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "image/png_file.h"
-#include "render/blank_area.h"
 #include "render/book_geometry.h"
 #include "render/book_mesh.h"
 #include "render/egl_context.h"
@@ -23,13 +22,13 @@ void requireNoGlError(const char* when) {
   throw MachineError("can't draw: OpenGL error " + std::to_string(error) + " " + when);
 }
 
-/// Whether all of the book is in front of the camera and its middle within the picture, so that
-/// something of it must show.
-bool isCentreInView(const DrawnBook& book) {
-  const Eigen::Vector3d centre = book.corners.rowwise().mean();
-  const Eigen::Vector4d clip = book.clipFromWorld * centre.homogeneous();
-  const Eigen::Matrix<double, 4, 8> all = book.clipFromWorld * book.corners.colwise().homogeneous();
-  return all.row(3).minCoeff() > 0 && clip.head<2>().cwiseAbs().maxCoeff() < clip.w();
+/// A book so close that its front cover is in the middle of pictures of every size.
+DrawnBook closeBook(int width, int height) {
+  const Camera close{.position = {0, 0, 0.1}};
+  DrawnBook book{.pixels = {}, .corners = physics::Cuboid{}.corners()};
+  book.clipFromWorld = project(close, book.corners, {width, height, 0}).clipFromWorld;
+  book.facing = drawnFacing(book.corners);
+  return book;
 }
 
 }  // namespace
@@ -61,7 +60,24 @@ struct Renderer::Parts {
         back(textures.back.view(), TextureWrap::Clamp),
         paper(image::decodePng(paperPng(), "built-in paper").view(), TextureWrap::Repeat),
         compositor(background(), settings.supersample, mesh) {
+    requireDrawing();
     requireNoGlError("while setting up");
+  }
+
+  /// Some drivers draw nothing and report no error. With the frames' own shaders, state and buffer,
+  /// so that all that is compiled for it serves the first frame, too.
+  void requireDrawing() const {
+    const PixelRect middle{width / 2, height / 2, 1, 1};
+    target.begin(middle);
+    drawBook(closeBook(width, height));
+    const int drawn = target.alphaAt(middle.x, middle.y);
+    target.begin(middle);
+    const int cleared = target.alphaAt(middle.x, middle.y);
+    if (drawn != 0 && cleared == 0) return;
+    throw MachineError("can't draw: " + context.description() +
+                       " reports no error and draws nothing: a pixel within the book has alpha " +
+                       std::to_string(drawn) + ", and " + std::to_string(cleared) +
+                       " when it is cleared; --device takes another" + kAskDoctor);
   }
 
   image::Image background() const {
@@ -166,10 +182,6 @@ void Renderer::draw(const physics::Corners& corners, DrawnBook& book) {
   parts_->drawBook(book);
   parts_->target.readBack(book.bands, book.pixels);
   requireNoGlError("while drawing a frame");
-  if (isCentreInView(book) && isBlank(book.pixels, book.bands)) {
-    throw MachineError("the renderer " + description() +
-                       " gave a blank frame; its driver is broken or too old");
-  }
 }
 
 const std::string& Renderer::description() const {

@@ -48,8 +48,9 @@ image::Image builtinBack();
 /// picture depends on nothing but the settings, the textures and the corners.
 class Renderer {
  public:
-  /// Throws MachineError where there is no OpenGL 3.3 as settings.device asks for it, InputError
-  /// for a device that isn't there and for a size or texture that is too large for it.
+  /// Throws MachineError where there is no OpenGL 3.3 as settings.device asks for it, or one that
+  /// draws nothing, InputError for a device that isn't there and for a size or texture that is too
+  /// large for it.
   Renderer(const RenderSettings& settings, const BookTextures& textures);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
@@ -59,7 +60,7 @@ class Renderer {
   image::Image makePicture() const;
   /// Draws the book whose corners (world) these are, over all of `picture` (from makePicture()).
   /// Alpha is straight, and 255 throughout unless the background is transparent.
-  /// Throws MachineError if OpenGL reports an error or the frame comes out blank.
+  /// Throws MachineError if OpenGL reports an error.
   void draw(const physics::Corners& corners, image::Image& picture);
 
   /// The same in two steps, of which the second, compositor().compose(), may be taken on another

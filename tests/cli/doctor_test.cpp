@@ -113,6 +113,29 @@ TEST_F(DeviceOption, IsTheMachinesFailureWithoutGraphics) {
   for (const char* device : {"0", "cuda:0", "software"}) {
     const ChildResult result = runWithoutGraphics(
         {"still", "tiny.toml", "--time", "0", "-o", "x.png", "--device", device});
+// By a driver that does nothing and reports no error, at a size at which a book may be of one
+// colour.
+TEST_F(DeviceOption, IsRefusedWhereItDrawsNothing) {
+  ChildSettings settings;
+  settings.environment = {kMesaAlone, {"GALLIUM_NOOP", "1"}};
+  for (const auto& words :
+       std::vector<std::vector<std::string>>{{"render", "tiny.toml"},
+                                             {"render", "tiny.toml", "--size", "16x16"},
+                                             {"render", "tiny.toml", "--size", "640x360", "--set",
+                                              "look.background=transparent", "--format", "webm"},
+                                             {"sheet", "tiny.toml", "-o", "x.png"},
+                                             {"still", "tiny.toml", "--time", "0", "-o", "x.png"},
+                                             {"bench", "tiny.toml"}}) {
+    const ChildResult result = run(words, settings);
+    EXPECT_EQ(result.status, 3) << words[0];
+    EXPECT_THAT(result.error, AllOf(StartsWith("rotatebook: can't draw: NOOP, OpenGL "),
+                                    HasSubstr(" reports no error and draws nothing: "),
+                                    HasSubstr("--device"), HasSubstr("Run 'rotatebook doctor'")))
+        << words[0];
+    EXPECT_THAT(files(), IsEmpty()) << words[0];
+  }
+}
+
     EXPECT_EQ(result.status, 3) << device;
     EXPECT_THAT(result.error, HasSubstr("rotatebook doctor")) << device;
   }

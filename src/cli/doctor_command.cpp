@@ -29,7 +29,8 @@ void addDoctorCommand(CLI::App& program, Action& action) {
       "doctor", "Tell whether this machine can render, and if not, what mends it");
   command
       ->add_option("-o,--output", arguments->folder,
-                   "Folder for the results, of which the free space is told; nothing is written")
+                   "Folder for the results: its free space is told, and whether it can be written; "
+                   "nothing is left there")
       ->type_name("DIR")
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print one JSON object");

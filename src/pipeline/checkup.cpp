@@ -1,10 +1,8 @@
 #include "pipeline/checkup.h"
 
-#include <cerrno>
-#include <cstring>
 #include <system_error>
-#include <unistd.h>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "overlay/text.h"
@@ -27,6 +25,17 @@ fs::path existingPart(const fs::path& folder) {
   return part;
 }
 
+/// Why no file can be made in `folder`, or empty. Tries it, since not all that forbids it shows in
+/// permissions; nothing is left.
+std::string writeFailure(const fs::path& folder) {
+  try {
+    AtomicFile(folder / "rotatebook-doctor").write("x");
+    return "";
+  } catch (const MachineError& error) {
+    return error.what();
+  }
+}
+
 FolderCheck checkFolder(const fs::path& folder) {
   FolderCheck check{.path = folder};
   const fs::path part = existingPart(folder);
@@ -37,8 +46,8 @@ FolderCheck checkFolder(const fs::path& folder) {
     check.failure = part.string() + ": " + error.message();
   } else if (!fs::is_directory(part, error)) {
     check.failure = part.string() + " is no folder";
-  } else if (access(part.c_str(), W_OK | X_OK) != 0) {
-    check.failure = part.string() + " can't be written: " + std::strerror(errno);
+  } else {
+    check.failure = writeFailure(part);
   }
   return check;
 }

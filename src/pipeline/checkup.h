@@ -33,7 +33,7 @@ struct Checkup {
   bool ready() const;
 };
 
-/// The folder, or what there is of its path, is only looked at: nothing is written.
+/// In the folder, or what there is of its path, a file is begun and taken away: nothing is left.
 Checkup checkUp(const std::filesystem::path& folder);
 
 }  // namespace rotatebook::pipeline

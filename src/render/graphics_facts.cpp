@@ -8,6 +8,7 @@
 #include <grp.h>
 #include <regex>
 #include <sstream>
+#include <string_view>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -26,6 +27,20 @@ constexpr const char* kSystemFolders = "/etc/glvnd/egl_vendor.d:/usr/share/glvnd
 std::optional<std::string> variable(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? std::nullopt : std::optional<std::string>(value);
+}
+
+/// All that bear such a name, with their values, sorted.
+std::vector<std::string> mesaVariables() {
+  constexpr std::array<std::string_view, 5> kBeginnings{"MESA_", "GALLIUM_", "LIBGL_", "LP_",
+                                                        "EGL_"};
+  std::vector<std::string> found;
+  for (char** entry = environ; entry != nullptr && *entry != nullptr; ++entry) {
+    const std::string_view text = *entry;
+    const auto begins = [&](std::string_view name) { return text.starts_with(name); };
+    if (std::ranges::any_of(kBeginnings, begins)) found.emplace_back(text);
+  }
+  std::ranges::sort(found);
+  return found;
 }
 
 std::vector<std::string> partsOf(const std::string& paths) {
@@ -104,6 +119,7 @@ GraphicsFacts readGraphicsFacts() {
   for (const char* name : {kVendorFolders, kVendorFiles}) {
     if (const auto value = variable(name)) facts.vendorVariable = name + ("=" + *value);
   }
+  facts.mesaVariables = mesaVariables();
   for (const std::string& path : vendorPaths(facts)) {
     facts.vendorFiles.push_back(readVendorFile(path));
   }

@@ -26,6 +26,8 @@ struct GraphicsFacts {
   /// The variable that names other vendor files than the system's, with its value, or empty:
   /// "__EGL_VENDOR_LIBRARY_FILENAMES=/x.json"
   std::string vendorVariable{};
+  /// Set variables that change what Mesa and its EGL do, sorted: "MESA_GL_VERSION_OVERRIDE=2.1"
+  std::vector<std::string> mesaVariables{};
   std::vector<DeviceNode> nodes{};  ///< /dev/dri/renderD* and /dev/nvidia*
   bool nvidiaLibrary = false;       ///< libEGL_nvidia.so.0 can be loaded.
   bool container = false;

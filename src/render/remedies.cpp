@@ -76,6 +76,18 @@ std::string updateRemedy(bool software) {
                   : "update the card's driver; until then --device software";
 }
 
+/// "unset GALLIUM_NOOP (it is 1), LP_X (it is 2); if that doesn't help: `remedy`"; `remedy` alone
+/// where there are no variables.
+std::string unsettingFirst(const std::vector<std::string>& variables, const std::string& remedy) {
+  std::string names;
+  for (const std::string& variable : variables) {
+    const std::size_t end = variable.find('=');
+    names += (names.empty() ? "" : ", ") + variable.substr(0, end) + " (it is " +
+             variable.substr(end + 1) + ")";
+  }
+  return names.empty() ? remedy : "unset " + names + "; if that doesn't help: " + remedy;
+}
+
 class Diagnosis {
  public:
   Diagnosis(const GraphicsCheck& check, const GraphicsFacts& facts)
@@ -97,7 +109,8 @@ class Diagnosis {
     }
     addForbiddenCard();
     if (problems_.empty() && !check_.draws()) {
-      add("no EGL display gives an OpenGL 3.3 core context" + saidByWays(), kInstallMesa);
+      add("no EGL display gives an OpenGL 3.3 core context" + saidByWays(),
+          unsettingFirst(facts_.mesaVariables, kInstallMesa));
     }
     return problems_;
   }
@@ -177,7 +190,7 @@ class Diagnosis {
           facts_.container ? "start the container with the card (docker run --gpus all)"
                            : "remove NVIDIA's driver, or its 10_nvidia.json, if the card is gone");
     } else if (!check_.draws()) {
-      add(check_.devices->text(), kInstallMesaDrivers);
+      add(check_.devices->text(), unsettingFirst(facts_.mesaVariables, kInstallMesaDrivers));
     }
   }
 
@@ -186,7 +199,12 @@ class Diagnosis {
     const std::string what = check.way.text() + ": " + check.failure->text();
     const DeviceNode* node = check.way.software ? nullptr : forbiddenNode(facts_, check.way);
     if (node != nullptr) return problems_.push_back(permissionProblem(what, *node));
-    add(what, deviceRemedy(check));
+    add(what, unsettingFirst(variablesOf(check), deviceRemedy(check)));
+  }
+
+  /// Those that may be why it fails.
+  std::vector<std::string> variablesOf(const WayCheck& check) const {
+    return check.way.nvidia ? std::vector<std::string>{} : facts_.mesaVariables;
   }
 
   std::string deviceRemedy(const WayCheck& check) const {
@@ -206,7 +224,8 @@ class Diagnosis {
     const std::string why = check.frame.failure.empty()
                                 ? "the test frame isn't as it should be"
                                 : "the test frame failed: " + check.frame.failure;
-    add(check.way.text() + ", " + check.renderer + ": " + why, updateRemedy(check.software));
+    add(check.way.text() + ", " + check.renderer + ": " + why,
+        unsettingFirst(variablesOf(check), updateRemedy(check.software)));
   }
 
   /// A card that was neither listed nor told of, and may not be opened.

@@ -44,6 +44,33 @@ TEST_F(DoctorCommand, TellsTheCauseAndTheRemedyWithoutGraphics) {
             EndsWith("\nNOT READY to render: nothing draws as it should.\n")));
 }
 
+TEST_F(DoctorCommand, UnsetsTheVariableThatKeepsMesaFromDrawing) {
+  for (const auto& [name, value] : {std::pair{"MESA_GL_VERSION_OVERRIDE", "2.1"},
+                                    {"GALLIUM_DRIVER", "none-such"},
+                                    {"GALLIUM_NOOP", "1"}}) {
+    ChildSettings settings;
+    settings.environment = {kMesaAlone, {name, value}};
+    const ChildResult result = run({"doctor", "--json"}, settings);
+    EXPECT_EQ(result.status, 3) << name;
+    EXPECT_THAT(result.output,
+                HasSubstr(std::string("\"remedy\": \"unset ") + name + " (it is " + value + ")"));
+  }
+}
+
+TEST_F(DoctorCommand, TriesToWriteWhereNothingCanBe) {
+  const ChildResult result = run({"doctor", "-o", "/proc"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("can't write /proc/"), HasSubstr("name a folder that you may write"),
+                    EndsWith("\nNOT READY to render: the output folder can't be written.\n")));
+}
+
+TEST_F(DoctorCommand, LeavesNothingWhereItTriesToWrite) {
+  EXPECT_EQ(run({"doctor", "-o", "."}).status, 0);
+  EXPECT_EQ(run({"doctor", "-o", "new/folder"}).status, 0);
+  EXPECT_THAT(files(), IsEmpty());
+}
+
 TEST_F(DoctorCommand, IsJsonToo) {
   const ChildResult result = run({"doctor", "--json"});
   EXPECT_EQ(result.status, 0) << result.error;
@@ -86,6 +113,29 @@ TEST_F(DeviceOption, SoftwareGivesTheSamePicture) {
   EXPECT_TRUE(read("x.png") == picture);
 }
 
+// By a driver that does nothing and reports no error, at a size at which a book may be of one
+// colour.
+TEST_F(DeviceOption, IsRefusedWhereItDrawsNothing) {
+  ChildSettings settings;
+  settings.environment = {kMesaAlone, {"GALLIUM_NOOP", "1"}};
+  for (const auto& words :
+       std::vector<std::vector<std::string>>{{"render", "tiny.toml"},
+                                             {"render", "tiny.toml", "--size", "16x16"},
+                                             {"render", "tiny.toml", "--size", "640x360", "--set",
+                                              "look.background=transparent", "--format", "webm"},
+                                             {"sheet", "tiny.toml", "-o", "x.png"},
+                                             {"still", "tiny.toml", "--time", "0", "-o", "x.png"},
+                                             {"bench", "tiny.toml"}}) {
+    const ChildResult result = run(words, settings);
+    EXPECT_EQ(result.status, 3) << words[0];
+    EXPECT_THAT(result.error, AllOf(StartsWith("rotatebook: can't draw: NOOP, OpenGL "),
+                                    HasSubstr(" reports no error and draws nothing: "),
+                                    HasSubstr("--device"), HasSubstr("Run 'rotatebook doctor'")))
+        << words[0];
+    EXPECT_THAT(files(), IsEmpty()) << words[0];
+  }
+}
+
 TEST_F(DeviceOption, NamesWhatThereIs) {
   const ChildResult index = draw({"--device", "31"});
   EXPECT_EQ(index.status, 2);
@@ -113,29 +163,6 @@ TEST_F(DeviceOption, IsTheMachinesFailureWithoutGraphics) {
   for (const char* device : {"0", "cuda:0", "software"}) {
     const ChildResult result = runWithoutGraphics(
         {"still", "tiny.toml", "--time", "0", "-o", "x.png", "--device", device});
-// By a driver that does nothing and reports no error, at a size at which a book may be of one
-// colour.
-TEST_F(DeviceOption, IsRefusedWhereItDrawsNothing) {
-  ChildSettings settings;
-  settings.environment = {kMesaAlone, {"GALLIUM_NOOP", "1"}};
-  for (const auto& words :
-       std::vector<std::vector<std::string>>{{"render", "tiny.toml"},
-                                             {"render", "tiny.toml", "--size", "16x16"},
-                                             {"render", "tiny.toml", "--size", "640x360", "--set",
-                                              "look.background=transparent", "--format", "webm"},
-                                             {"sheet", "tiny.toml", "-o", "x.png"},
-                                             {"still", "tiny.toml", "--time", "0", "-o", "x.png"},
-                                             {"bench", "tiny.toml"}}) {
-    const ChildResult result = run(words, settings);
-    EXPECT_EQ(result.status, 3) << words[0];
-    EXPECT_THAT(result.error, AllOf(StartsWith("rotatebook: can't draw: NOOP, OpenGL "),
-                                    HasSubstr(" reports no error and draws nothing: "),
-                                    HasSubstr("--device"), HasSubstr("Run 'rotatebook doctor'")))
-        << words[0];
-    EXPECT_THAT(files(), IsEmpty()) << words[0];
-  }
-}
-
     EXPECT_EQ(result.status, 3) << device;
     EXPECT_THAT(result.error, HasSubstr("rotatebook doctor")) << device;
   }

@@ -1,6 +1,7 @@
 // From the ways in which machines fail to what is said of them.
 #include "render/remedies.h"
 
+#include <cstdlib>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -17,10 +18,14 @@ void PrintTo(const Problem& problem, std::ostream* stream) {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 const CallFailure kNotReady{"eglInitialize", "EGL_NOT_INITIALIZED"};
 const VendorFile kMesa{"/usr/share/glvnd/egl_vendor.d/50_mesa.json", "libEGL_mesa.so.0"};
@@ -202,6 +207,52 @@ TEST(Remedies, TellOfAWrongTestFrame) {
   check.ways[0].software = false;
   EXPECT_THAT(diagnose(check, {.vendorFiles = {kMesa}}),
               ElementsAre(says("the test frame isn't", "until then --device software")));
+}
+
+TEST(Remedies, BeginWithVariablesThatMayBeTheCause) {
+  const GraphicsFacts facts{.vendorFiles = {kMesa},
+                            .mesaVariables = {"GALLIUM_NOOP=1", "LIBGL_DRIVERS_PATH=/x=y"}};
+  const std::string unset =
+      "unset GALLIUM_NOOP (it is 1), LIBGL_DRIVERS_PATH (it is /x=y); if that doesn't help: ";
+  EXPECT_THAT(diagnose(softwareCheck(), facts), IsEmpty());
+  GraphicsCheck check = softwareCheck();
+  check.ways[0].frame.comparison.same = false;
+  EXPECT_THAT(diagnose(check, facts), ElementsAre(says("the test frame", unset + "update Mesa")));
+  check.ways[0] = failing({.software = true}, kNotReady);
+  EXPECT_THAT(diagnose(check, facts), ElementsAre(says("EGL_NOT_INIT", unset + "install Mesa's")));
+  EXPECT_THAT(diagnose(nothingDraws(), facts),
+              ElementsAre(says("eglGetDisplay", unset + "Install Mesa's")));
+  check = {.devices = CallFailure{"eglQueryDevicesEXT", "EGL_BAD_ALLOC"}};
+  EXPECT_THAT(diagnose(check, facts), ElementsAre(says("EGL_BAD_ALLOC", unset + "install")));
+}
+
+TEST(Remedies, BlameNoVariableOfMesaForNvidia) {
+  const GraphicsFacts facts{.vendorFiles = {kNvidia, kMesa},
+                            .mesaVariables = {"MESA_DEBUG=1"},
+                            .nodes = {kCard},
+                            .nvidiaLibrary = true};
+  EXPECT_THAT(
+      diagnose(brokenCard({.nvidia = true}), facts),
+      ElementsAre(Field(&Problem::remedy, StartsWith("install the EGL library of NVIDIA"))));
+}
+
+// What must not stay set for the rest of the tests.
+class GraphicsFactsOf : public ::testing::Test {
+ protected:
+  ~GraphicsFactsOf() override {
+    unsetenv("GALLIUM_OF_TEST");
+    unsetenv("MESA_OF_TEST");
+    unsetenv("NOT_MESA_OF_TEST");
+  }
+};
+
+TEST_F(GraphicsFactsOf, VariablesAreThoseOfMesa) {
+  setenv("MESA_OF_TEST", "a=b", 1);
+  setenv("GALLIUM_OF_TEST", "", 1);
+  setenv("NOT_MESA_OF_TEST", "1", 1);
+  const std::vector<std::string> found = readGraphicsFacts().mesaVariables;
+  EXPECT_THAT(found, IsSupersetOf({"GALLIUM_OF_TEST=", "MESA_OF_TEST=a=b"}));
+  EXPECT_THAT(found, Not(Contains(HasSubstr("NOT_MESA"))));
 }
 
 TEST(Remedies, AreNeverNoneWhereNothingDraws) {

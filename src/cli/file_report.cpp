@@ -19,6 +19,7 @@ void reportFiles(const std::vector<std::string>& things, std::ostream& out) {
 std::string spaceWarning(const pipeline::DiskSpace& space, const std::filesystem::path& folder) {
   if (space.needed <= space.free) return "";
   const auto sized = [](double bytes) {
+    if (bytes < 1e6) return std::to_string(std::llround(bytes / 1e3)) + " kB";
     return bytes < 1e9 ? std::to_string(std::llround(bytes / 1e6)) + " MB"
                        : roundedText(bytes / 1e9, 2) + " GB";
   };

@@ -1,5 +1,6 @@
 #include "pipeline/disk_space.h"
 
+#include <cmath>
 #include <system_error>
 
 #include "base/error.h"
@@ -7,35 +8,53 @@
 namespace rotatebook::pipeline {
 namespace {
 
-// Bytes a pixel. measured on figures 5, 6, 8, A, axes, models at 1280x720 and the starter scene at
-// 320x180 and 3840x2160: PNG 0.29 to 0.73, MP4 0.014 to 0.033, WebM 0.009 to 0.031, GIF 0.19 to
-// 0.26, APNG 0.17 to 0.31
-constexpr double kPngPixel = 0.6;
+// The book's edges and letters weigh more in small pictures: bytes go with pixels to this power.
+constexpr double kPower = 0.85;
+// Bytes a frame over pixels to that power, measured from 96x54 to 1280x720 on the starter scene; in
+// brackets on other scenes, with overlays and quicker turns.
+constexpr double kPngWeight = 5;        // measured 3.6 to 3.8 (2.7 to 7.0)
+constexpr double kSmoothWeight = 0.22;  // MP4 and WebM: measured 0.13 to 0.20 (0.10 to 0.26)
+constexpr double kPaletteWeight = 2.5;  // GIF and APNG: measured 1.4 to 1.8 (0.9 to 2.6)
+constexpr double kVideoBase = 8192;  // Of a video without its frames: measured 3 to 6 kB. [bytes]
+constexpr double kTableRow = 890;    // Of a table: measured 825 to 888. [bytes]
+constexpr double kSumLine = 50;      // Of frames.xxh128. [bytes]
+constexpr double kFileBlock = 4096;  // To which most file systems round a file up. [bytes]
+constexpr double kSmallFiles = 3 * kFileBlock;  // Scene, manifest, checksums. [bytes]
 
-double perPixel(video::VideoFormat format) {
+double perFrame(video::VideoFormat format) {
   switch (format) {
     case video::VideoFormat::Mp4:
     case video::VideoFormat::WebM:
-      return 0.03;
+      return kSmoothWeight;
     case video::VideoFormat::Gif:
     case video::VideoFormat::Apng:
       break;
   }
-  return 0.3;
+  return kPaletteWeight;
+}
+
+double bytesNeeded(const scene::Scene& scene, const FilesToWrite& files) {
+  const double picture =
+      std::pow(static_cast<double>(scene.clip.width) * scene.clip.height, kPower);
+  const double png = kPngWeight * picture + kFileBlock;
+  const double table = kTableRow * static_cast<double>(scene.clip.frameCount()) + kFileBlock;
+  double bytes = kSmallFiles + table * static_cast<double>(motionsOf(scene).size());
+  bytes += png;  // the poster
+  bytes += static_cast<double>(files.pngs) * (png + kSumLine);
+  for (const video::VideoFormat format : files.formats) {
+    bytes += kVideoBase + perFrame(format) * picture * static_cast<double>(files.frames);
+  }
+  return bytes;
 }
 
 }  // namespace
 
-DiskSpace diskSpace(const scene::Scene& scene, std::int64_t frames, bool png,
-                    const std::vector<video::VideoFormat>& formats,
+DiskSpace diskSpace(const scene::Scene& scene, const FilesToWrite& files,
                     const std::filesystem::path& folder) {
-  double bytes = png ? kPngPixel : 0;
-  for (const video::VideoFormat format : formats) bytes += perPixel(format);
   std::error_code error;
   const std::filesystem::space_info space = std::filesystem::space(folder, error);
   if (error) throw MachineError("can't look at " + folder.string() + ": " + error.message());
-  return {bytes * static_cast<double>(frames) * scene.clip.width * scene.clip.height,
-          static_cast<double>(space.available)};
+  return {bytesNeeded(scene, files), static_cast<double>(space.available)};
 }
 
 }  // namespace rotatebook::pipeline

@@ -15,10 +15,16 @@ struct DiskSpace {
   double free = 0;    ///< For this user. [bytes]
 };
 
-/// Of `frames` frames as PNGs, if `png`, and in videos, from what the shipped scenes take a pixel;
-/// and what is free in `folder`, which exists. Throws MachineError.
-DiskSpace diskSpace(const scene::Scene& scene, std::int64_t frames, bool png,
-                    const std::vector<video::VideoFormat>& formats,
+/// What of a clip is to be written, beside its table and its poster.
+struct FilesToWrite {
+  std::int64_t pngs = 0;    ///< PNG frames that aren't there yet.
+  std::int64_t frames = 0;  ///< Of each video.
+  std::vector<video::VideoFormat> formats{};
+};
+
+/// What these take, from what shipped scenes take, whole blocks of the file system counted; and
+/// what is free in `folder`, which exists. Throws MachineError.
+DiskSpace diskSpace(const scene::Scene& scene, const FilesToWrite& files,
                     const std::filesystem::path& folder);
 
 }  // namespace rotatebook::pipeline

@@ -127,15 +127,26 @@ class Render {
     if (options_.png) {
       start.pngThreads = options_.pngThreads > 0 ? options_.pngThreads : pngThreads(coreCount());
     }
-    start.space =
-        diskSpace(scene_, range_.count(), options_.png, options_.formats, options_.folder);
-    if (listener.started) listener.started(start);
     const FrameSums* kept = options_.earlier.resume ? &sums : nullptr;
+    start.space = diskSpace(scene_, toWrite(kept), options_.folder);
+    if (listener.started) listener.started(start);
     const DrawnCount count = drawFrames(drawer_, {range_, kept, options_.stop},
                                         sinksOf(videos, png, start.pngThreads), listener.progress);
     result_.framesWritten = count.total();
     result_.framesKept = count.kept;
     result_.interrupted = count.total() < range_.count();
+  }
+
+  /// Frames of `kept`, which may be null, aren't written again; videos are, from the first frame.
+  FilesToWrite toWrite(const FrameSums* kept) const {
+    FilesToWrite files{.frames = range_.count(), .formats = options_.formats};
+    if (!options_.png) return files;
+    files.pngs = range_.count();
+    if (kept == nullptr) return files;
+    for (const std::int64_t index : framesIn(kept->folder())) {
+      if (range_.first <= index && index < range_.end) --files.pngs;
+    }
+    return files;
   }
 
   /// A clip of no frames isn't worth a file.

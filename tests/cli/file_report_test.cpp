@@ -9,6 +9,9 @@ TEST(SpaceWarning, SaysHowMuchIsMissingAndWhatHelps) {
   EXPECT_EQ(spaceWarning({12.34e9, 321e6}, "out"),
             "about 12 GB are needed in out and 321 MB are free: make room, or leave PNGs out with "
             "--no-png");
+  EXPECT_EQ(spaceWarning({94'208, 0}, "out"),
+            "about 94 kB are needed in out and 0 kB are free: make room, or leave PNGs out with "
+            "--no-png");
 }
 
 TEST(SpaceWarning, IsNoneWhereThereIsEnough) {

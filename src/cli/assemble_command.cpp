@@ -50,6 +50,8 @@ void addAssembleCommand(CLI::App& program, Action& action) {
       ->type_name("RATE");
   command->footer(R"(
 With the scene.toml that a render leaves beside its frames, this makes the very file that the render made.
+A frame that isn't as the render left it, by the checksums in frames.xxh128 beside it, is refused: render
+with --resume, which draws it again, or remove frames.xxh128 to join frames that were changed on purpose.
 
 Example:
   rotatebook assemble out/starter -o starter.mp4)");

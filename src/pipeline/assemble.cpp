@@ -4,6 +4,7 @@
 #include "image/png_file.h"
 #include "pipeline/clip_files.h"
 #include "pipeline/clip_record.h"
+#include "pipeline/frame_sums.h"
 #include "pipeline/simulate_scene.h"
 #include "scene/scene_file.h"
 
@@ -54,6 +55,24 @@ video::VideoSettings settingsFor(const fs::path& folder, FrameRange range,
   return settings;
 }
 
+[[noreturn]] void throwChanged(const FrameSums& sums, const fs::path& frame) {
+  const std::string list = (sums.folder() / kFrameSumsName).string();
+  throw InputError(frame.string() + " isn't the picture that was drawn: " + list +
+                   " has another checksum of it; render the scene with --resume, which draws it "
+                   "again, or remove " +
+                   list + " to join frames that were changed on purpose");
+}
+
+/// Throws for a frame that has a checksum, and isn't as that says.
+image::Image readFrame(const FrameSums& sums, std::int64_t index) {
+  const fs::path path = sums.folder() / frameName(index);
+  if (!sums.knows(index)) return image::readPng(path);
+  const std::optional<std::string> bytes = sums.intact(index);
+  if (!bytes) throwChanged(sums, path);
+  const auto* first = reinterpret_cast<const std::uint8_t*>(bytes->data());
+  return image::decodePng({first, bytes->size()}, path.string());
+}
+
 std::string sizeText(const image::Image& picture) {
   return std::to_string(picture.width()) + "x" + std::to_string(picture.height());
 }
@@ -80,8 +99,9 @@ std::int64_t assemble(const fs::path& folder, const fs::path& video,
                       const std::function<void(RenderProgress)>& progress) {
   const FrameRange range = wholeRange(folder);
   video::VideoSettings settings = settingsFor(folder, range, frameRate);
+  const FrameSums sums(folder);
   const fs::path firstPath = folder / frameName(range.first);
-  const image::Image first = image::readPng(firstPath);
+  const image::Image first = readFrame(sums, range.first);
   settings.width = first.width();
   settings.height = first.height();
   const bool hasAlpha = first.format() == image::PixelFormat::Rgba8;
@@ -89,7 +109,7 @@ std::int64_t assemble(const fs::path& folder, const fs::path& video,
   VideoSink sink(formatOf(video), video, settings);
   for (std::int64_t index = range.first; index < range.end; ++index) {
     const fs::path path = folder / frameName(index);
-    const image::Image picture = image::readPng(path);
+    const image::Image picture = readFrame(sums, index);
     requireSameSize(path, picture, firstPath, first);
     sink.write(index, picture.view());
     if (progress) progress({index - range.first + 1, range.count()});

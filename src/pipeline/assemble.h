@@ -15,7 +15,7 @@ namespace rotatebook::pipeline {
 /// the settings of the scene.toml beside them: the same file, byte for byte, as the render that
 /// drew them, whole or in part. Frames from elsewhere need a `frameRate`; it is an error to give
 /// one where a scene.toml tells. Returns the number of frames. Throws InputError: no frames, one
-/// missing, differing sizes, no rate.
+/// missing, one with another checksum than frames.xxh128 has for it, differing sizes, no rate.
 std::int64_t assemble(const std::filesystem::path& folder, const std::filesystem::path& video,
                       std::optional<FrameRate> frameRate,
                       const std::function<void(RenderProgress)>& progress);

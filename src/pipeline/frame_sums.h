@@ -26,6 +26,9 @@ class FrameSums {
 
   /// The bytes of frame `index` if its file is there as it was written.
   std::optional<std::string> intact(std::int64_t index) const;
+  /// Whether frame `index` has a line.
+  bool knows(std::int64_t index) const { return sums_.contains(index); }
+
   /// Adds that frame `index` was written with these bytes. From any thread, but no line that is
   /// added is known to intact(). Throws MachineError.
   void add(std::int64_t index, std::string_view bytes);

@@ -34,6 +34,17 @@ TEST_F(AssembleCommand, TakesFramesFromElsewhereAtARate) {
               12 * 1001 / 30000.0, 1e-6);
 }
 
+TEST_F(AssembleCommand, RefusesASwappedFrame) {
+  write("out/tiny/frame_00003.png", read("out/tiny/frame_00004.png"));
+  const ChildResult result = run({"assemble", "out/tiny", "-o", "x.mp4"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.error, ::testing::StartsWith("rotatebook: out/tiny/frame_00003.png isn't the "
+                                                  "picture that was drawn: "));
+  EXPECT_FALSE(has("x.mp4"));
+  ASSERT_EQ(run({"render", "tiny.toml", "--resume"}).status, 0);
+  EXPECT_EQ(run({"assemble", "out/tiny", "-o", "x.mp4"}).status, 0);
+}
+
 using SheetCommand = ProgramTest;
 
 TEST_F(SheetCommand, WritesAPictureOfTheSizeItTells) {

@@ -57,6 +57,37 @@ TEST_F(Assemble, MakesTheSameFileAsTheRender) {
   EXPECT_EQ(bytesOf(mp4_), bytesOf(folder_ / "small.mp4"));
 }
 
+TEST_F(Assemble, RefusesAFrameThatIsntAsItWasDrawn) {
+  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
+  for (const std::int64_t changed : {0, 5}) {
+    const fs::path frame = frames_ / frameName(changed);
+    const std::string drawn = bytesOf(frame);
+    fs::copy_file(frames_ / frameName(changed + 1), frame, fs::copy_options::overwrite_existing);
+    EXPECT_EQ(inputError(), frame.string() + " isn't the picture that was drawn: " +
+                                (frames_ / "frames.xxh128").string() +
+                                " has another checksum of it; render the scene with --resume, "
+                                "which draws it again, or remove " +
+                                (frames_ / "frames.xxh128").string() +
+                                " to join frames that were changed on purpose");
+    std::ofstream(frame, std::ios::binary) << drawn;
+  }
+  EXPECT_EQ(assembled(), kFrames);
+}
+
+TEST_F(Assemble, TakesChangedFramesWithoutTheirChecksums) {
+  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
+  const fs::path frame = frames_ / frameName(5);
+  fs::copy_file(frames_ / frameName(6), frame, fs::copy_options::overwrite_existing);
+  const fs::path sums = frames_ / "frames.xxh128";
+  std::string lines = bytesOf(sums);
+  const std::size_t name = lines.find("frame_00005.png");
+  ASSERT_NE(name, std::string::npos);
+  std::ofstream(sums) << lines.erase(name - 34, 50);  // Its line.
+  EXPECT_EQ(assembled(), kFrames);
+  fs::remove(sums);
+  EXPECT_EQ(assembled(), kFrames);
+}
+
 TEST_F(Assemble, KeepsTheScenesEncoding) {
   testing::render(
       testing::smallScene({"video.crf=35", "clip.fps=\"30000/1001\"", "video.preset=ultrafast"}),

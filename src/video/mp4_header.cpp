@@ -1,0 +1,111 @@
+#include "video/mp4_header.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace rotatebook::video {
+namespace {
+
+constexpr std::uint64_t kHead = 8;  // A box's size and type. [bytes]
+constexpr std::uint64_t kMostEdits = 16;
+constexpr int kMostBoxes = 1000;  // Of one box; there are ten.
+
+/// The unsigned number of `count` bytes at `at`; 0 beyond the end.
+std::uint64_t numberAt(std::istream& file, std::uint64_t at, int count) {
+  file.clear();
+  file.seekg(static_cast<std::streamoff>(at));
+  std::uint64_t value = 0;
+  for (int i = 0; i < count; ++i) {
+    const int byte = file.get();
+    if (byte == std::istream::traits_type::eof()) return 0;
+    value = value << 8 | static_cast<std::uint64_t>(byte);
+  }
+  return value;
+}
+
+/// A number with 16 bits behind the point.
+double fixedAt(std::istream& file, std::uint64_t at) {
+  return static_cast<double>(static_cast<std::int32_t>(numberAt(file, at, 4))) / 0x1p16;
+}
+
+std::uint64_t sizeOf(std::istream& file) {
+  file.clear();
+  file.seekg(0, std::ios::end);
+  return static_cast<std::uint64_t>(std::max<std::streamoff>(file.tellg(), 0));
+}
+
+/// The first box at `path`, from a box of the file to one in it, and so on.
+std::optional<Mp4Box> find(std::istream& file, std::initializer_list<std::string_view> path) {
+  std::optional<Mp4Box> box = Mp4Box{"", 0, sizeOf(file)};
+  for (const std::string_view type : path) {
+    const std::uint64_t end = box->end;
+    box = mp4BoxAt(file, box->content, end);
+    for (int i = 0; i < kMostBoxes && box && box->type != type; ++i) {
+      box = mp4BoxAt(file, box->end, end);
+    }
+    if (!box || box->type != type) return std::nullopt;
+  }
+  return box;
+}
+
+/// Whether the box has the longer times of version 1.
+bool isLong(std::istream& file, const Mp4Box& box) {
+  return numberAt(file, box.content, 1) == 1;
+}
+
+void readSize(std::istream& file, Mp4Header& header) {
+  const auto box = find(file, {"moov", "trak", "tkhd"});
+  if (!box) return;
+  const std::uint64_t at = box->content + (isLong(file, *box) ? 88 : 76);
+  header.shownWidth = fixedAt(file, at);
+  header.shownHeight = fixedAt(file, at + 4);
+}
+
+/// Also returns the ticks of the movie's clock a second.
+double readSpeed(std::istream& file, Mp4Header& header) {
+  const auto box = find(file, {"moov", "mvhd"});
+  if (!box) return 0;
+  const bool longer = isLong(file, *box);
+  header.speed = fixedAt(file, box->content + (longer ? 32 : 20));
+  return static_cast<double>(numberAt(file, box->content + (longer ? 20 : 12), 4));
+}
+
+void readEdits(std::istream& file, double ticks, Mp4Header& header) {
+  const auto box = find(file, {"moov", "trak", "edts", "elst"});
+  if (!box || ticks <= 0) return;
+  const int width = isLong(file, *box) ? 8 : 4;
+  const auto length = static_cast<std::uint64_t>(2 * width + 4);
+  const std::uint64_t count = std::min(numberAt(file, box->content + 4, 4), kMostEdits);
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const std::uint64_t at = box->content + kHead + i * length;
+    header.edits.push_back(
+        {static_cast<double>(numberAt(file, at, width)) / ticks, fixedAt(file, at + length - 4)});
+  }
+}
+
+}  // namespace
+
+std::optional<Mp4Box> mp4BoxAt(std::istream& file, std::uint64_t at, std::uint64_t end) {
+  if (at > end || end - at < kHead) return std::nullopt;
+  std::uint64_t size = numberAt(file, at, 4);
+  std::string type(4, '\0');
+  file.read(type.data(), 4);
+  std::uint64_t head = kHead;
+  if (size == 1) {
+    size = numberAt(file, at + kHead, 8);
+    head += 8;
+  }
+  if (size == 0) size = end - at;  // The last one may leave it out.
+  constexpr std::uint64_t kMost = std::uint64_t{1} << 62;
+  if (size < head || size > kMost) return std::nullopt;
+  return Mp4Box{type, at + head, at + size};
+}
+
+Mp4Header readMp4Header(std::istream& file) {
+  Mp4Header header;
+  readSize(file, header);
+  readEdits(file, readSpeed(file, header), header);
+  return header;
+}
+
+}  // namespace rotatebook::video

@@ -1,0 +1,99 @@
+#include "video/whole_file.h"
+
+#include <bit>
+#include <cstdint>
+#include <fstream>
+#include <optional>
+#include <string_view>
+
+#include "base/error.h"
+#include "video/mp4_header.h"
+
+namespace rotatebook::video {
+namespace {
+
+constexpr std::string_view kWebmHead = "\x1a\x45\xdf\xa3";
+constexpr std::string_view kSegment = "\x18\x53\x80\x67";
+constexpr int kMostParts = 1000;  // Of an MP4; there are four.
+
+[[noreturn]] void throwCut(const std::string& name, const std::string& problem) {
+  throw InputError(name + " ends early, or is damaged: " + problem +
+                   "; copy it again, or render it again");
+}
+
+void requireSize(std::uint64_t size, std::uint64_t told, const std::string& name) {
+  if (size >= told) return;
+  throwCut(name,
+           "it has " + std::to_string(size) + " of at least " + std::to_string(told) + " bytes");
+}
+
+/// Whether `file` goes on with `bytes`, which are read.
+bool goesOnWith(std::istream& file, std::string_view bytes) {
+  for (const char byte : bytes) {
+    if (file.get() != static_cast<unsigned char>(byte)) return false;
+  }
+  return true;
+}
+
+void requireWholeMp4(std::istream& file, std::uint64_t size, const std::string& name) {
+  bool header = false, pictures = false;
+  std::uint64_t at = 0;
+  // What comes after both hurts nobody.
+  for (int i = 0; !header || !pictures; ++i) {
+    const auto box = i < kMostParts ? mp4BoxAt(file, at, size) : std::nullopt;
+    if (!box) throwCut(name, header ? "it has no pictures" : "it has no header");
+    requireSize(size, box->end, name);
+    header = header || box->type == "moov";
+    pictures = pictures || box->type == "mdat";
+    at = box->end;
+  }
+}
+
+/// The length of a WebM element, which is read; nothing if it isn't told.
+std::optional<std::uint64_t> lengthIn(std::istream& file) {
+  const int first = file.get();
+  if (first <= 0) return std::nullopt;
+  const int more = std::countl_zero(static_cast<std::uint8_t>(first));
+  const auto mask = static_cast<std::uint64_t>(0x7f >> more);
+  std::uint64_t length = static_cast<std::uint64_t>(first) & mask;
+  bool unknown = length == mask;
+  for (int i = 0; i < more; ++i) {
+    const int byte = file.get();
+    if (byte < 0) return std::nullopt;
+    length = length << 8 | static_cast<std::uint64_t>(byte);
+    unknown = unknown && byte == 0xff;
+  }
+  return unknown ? std::nullopt : std::optional(length);
+}
+
+/// After kWebmHead.
+void requireWholeWebm(std::istream& file, std::uint64_t size, const std::string& name) {
+  const auto head = lengthIn(file);
+  if (!head || *head > size) throwCut(name, "it has no header");
+  file.seekg(static_cast<std::streamoff>(*head), std::ios::cur);
+  if (!goesOnWith(file, kSegment)) throwCut(name, "it has no pictures");
+  const auto length = lengthIn(file);
+  if (!file) throwCut(name, "it has no pictures");
+  if (length) requireSize(size, static_cast<std::uint64_t>(file.tellg()) + *length, name);
+}
+
+}  // namespace
+
+void requireWholeFile(const std::filesystem::path& path) {
+  if (!std::filesystem::is_regular_file(path)) return;
+  std::ifstream file(path, std::ios::binary);
+  if (file) requireWholeFile(file, path.string());
+}
+
+void requireWholeFile(std::istream& file, const std::string& name) {
+  file.clear();
+  file.seekg(0, std::ios::end);
+  const auto size = static_cast<std::uint64_t>(file.tellg());
+  file.seekg(0);
+  if (goesOnWith(file, kWebmHead)) return requireWholeWebm(file, size, name);
+  file.clear();
+  file.seekg(4);
+  if (goesOnWith(file, "ftyp")) requireWholeMp4(file, size, name);
+}
+
+}  // namespace rotatebook::video

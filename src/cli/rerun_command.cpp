@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/read_file.h"
+#include "cli/clip_options.h"
 #include "cli/commands.h"
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
@@ -14,6 +16,7 @@
 #include "pipeline/checksum.h"
 #include "pipeline/clip_record.h"
 #include "pipeline/preflight.h"
+#include "video/clip_reader.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -21,18 +24,17 @@ namespace {
 namespace fs = std::filesystem;
 
 struct RerunArguments {
-  fs::path clip, folder, sceneFolder;
+  fs::path clip, folder;
+  pipeline::TexturePlace textures;
   bool png = false;
   pipeline::EarlierFrames earlier;
   DeviceOptions deviceOptions;
 };
 
-fs::path outputOf(const pipeline::RecordedClip& clip, const fs::path& folder) {
+pipeline::ClipFiles filesOf(const pipeline::RecordedClip& clip, const fs::path& folder) {
   const std::string& name = clip.record.scene.name;
-  const pipeline::ClipFiles files = clip.record.part
-                                        ? pipeline::clipFiles(folder, name, *clip.record.part)
-                                        : pipeline::clipFiles(folder, name);
-  return files.video(clip.format);
+  return clip.record.part ? pipeline::clipFiles(folder, name, *clip.record.part)
+                          : pipeline::clipFiles(folder, name);
 }
 
 void refuseSameFile(const fs::path& clip, const fs::path& output) {
@@ -41,6 +43,28 @@ void refuseSameFile(const fs::path& clip, const fs::path& output) {
   throw InputError(output.string() +
                    " is the clip itself, which is to be compared with the new one; name another "
                    "folder with -o");
+}
+
+/// The record in a video; empty if there is none.
+std::string recordIn(const fs::path& video) {
+  try {
+    return video::readClipMetadata(video).comment;
+  } catch (const InputError&) {
+    return "";
+  }
+}
+
+/// Refuses to write over what another scene's clip left under the same name.
+void refuseOtherClip(const scene::Scene& scene, const pipeline::ClipFiles& files,
+                     const fs::path& output) {
+  const auto refuse = [](const fs::path& file) {
+    throw InputError(file.string() +
+                     " isn't of the clip's scene and would be lost; name another folder with -o, "
+                     "or replace it with --overwrite");
+  };
+  if (fs::exists(output) && !pipeline::isRecordOf(scene, recordIn(output))) refuse(output);
+  const fs::path& copy = files.sceneCopy;
+  if (fs::exists(copy) && !pipeline::isRecordOf(scene, readFileOrEmpty(copy))) refuse(copy);
 }
 
 /// Why two clips of one record may have other bytes.
@@ -63,7 +87,8 @@ int compare(const pipeline::RecordedClip& there, const RerunArguments& arguments
   }
   std::cout << "  " << output.string() << " has OTHER bytes than " << arguments.clip.string()
             << '\n';
-  const pipeline::RecordedClip here = pipeline::readRecordedClip(output, there.record.scene.folder);
+  const pipeline::RecordedClip here = pipeline::readRecordedClip(
+      output, {there.record.scene.folder, there.record.scene.allowOutside});
   for (const std::string& reason : reasons(there.record.making, here.record.making)) {
     std::cout << "    " << reason << std::endl;
   }
@@ -72,10 +97,12 @@ int compare(const pipeline::RecordedClip& there, const RerunArguments& arguments
 
 int rerun(const RerunArguments& arguments) {
   const pipeline::RecordedClip clip =
-      pipeline::readRecordedClip(arguments.clip, arguments.sceneFolder);
+      pipeline::readRecordedClip(arguments.clip, arguments.textures);
   pipeline::preflight(clip.record.scene);
-  const fs::path output = outputOf(clip, arguments.folder);
+  const pipeline::ClipFiles files = filesOf(clip, arguments.folder);
+  const fs::path output = files.video(clip.format);
   refuseSameFile(arguments.clip, output);
+  if (!arguments.earlier.overwrite) refuseOtherClip(clip.record.scene, files, output);
   pipeline::RenderOptions options;
   options.folder = arguments.folder;
   options.png = arguments.png;
@@ -102,16 +129,14 @@ void addRerunCommand(CLI::App& program, Action& action) {
   command->add_flag("--png", arguments->png, "Write PNG frames, too");
   command->add_flag("--resume", arguments->earlier.resume, "Go on where a rerun stopped");
   command->add_flag("--overwrite", arguments->earlier.overwrite,
-                    "Discard frames of a render that wasn't finished");
-  command
-      ->add_option("--scene-folder", arguments->sceneFolder,
-                   "Where the scene's textures are found; by default the clip's folder")
-      ->type_name("DIR");
+                    "Replace another scene's clip of the same name, and discard frames of a render "
+                    "that wasn't finished");
+  addTextureOptions(*command, arguments->textures);
   arguments->deviceOptions.addTo(*command);
   command->footer(R"(
 Takes scene, name and frames from the clip's metadata, renders them as 'rotatebook render' does, and
 tells whether the new file has the clip's very bytes, and if not, what differs. The clip itself is never
-overwritten.
+overwritten, and another scene's clip of that name only with --overwrite.
 
 Exit status: 0 the same bytes, 1 other bytes, whatever becomes of expectations; 2 the file can't be read
 or isn't a clip of rotatebook; 3 the machine can't.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "cli/clip_options.h"
 #include "pipeline/clip_files.h"
 #include "scene/scene_file.h"
 
@@ -67,8 +68,7 @@ void SceneOptions::addTo(CLI::App& command) {
       ->allow_extra_args(false);
   command.add_option("--size", size, "Picture size, e.g. 640x360; the same as --set clip.size")
       ->type_name("WxH");
-  command.add_flag("--allow-outside", allowOutside,
-                   "Let the scene take textures from outside its folder");
+  addAllowOutside(command, allowOutside);
 }
 
 scene::Scene SceneOptions::read(const std::string& path, std::vector<Shorthand> shorthands) const {

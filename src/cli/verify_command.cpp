@@ -2,6 +2,7 @@
 #include <memory>
 #include <string>
 
+#include "cli/clip_options.h"
 #include "cli/commands.h"
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
@@ -42,27 +43,26 @@ void addVerifyCommand(CLI::App& program, Action& action) {
   CLI::Option* frames =
       command
           ->add_option("--frames", arguments->options.frames,
-                       "Frames whose pictures are compared, e.g. 0,10,20; by default six, spread "
-                       "from the first to the last")
+                       "Frames whose pictures are compared, e.g. 0,10,20; by default one of each "
+                       "sixth of the clip, chosen by the motion's checksum")
           ->type_name("N,...")
           ->delimiter(',')
           ->allow_extra_args(false);
   command->add_flag("--all", arguments->options.allFrames, "Compare all pictures")
       ->excludes(frames);
-  command
-      ->add_option("--scene-folder", arguments->options.sceneFolder,
-                   "Where the scene's textures are found; by default the clip's folder")
-      ->type_name("DIR");
+  addTextureOptions(*command, arguments->options.textures);
   arguments->deviceOptions.addTo(*command);
   command->add_flag("--json", arguments->json, "Print one JSON object");
   command->footer(R"(
 Takes the scene from the clip's metadata, simulates it again and compares the motion, bit by bit; draws
-frames of it again and compares them with the clip's pictures, and with the frames beside them; looks at
-size, codec, colours, number of frames, time stamps and duration.
+frames of it again and compares them with the clip's pictures, which must not be liker to the frame
+before or after; looks at size, codec, colours, how players are told to turn, stretch and time the
+pictures, number of frames, time stamps and duration. What is proved is proved of the pictures that were
+compared: all of them with --all.
 Where the clip was made with another renderer, FFmpeg or version, that is told, as pixels may differ then.
 
-Exit status: 0 all is proved, 1 a check failed, 2 the file can't be read or isn't a clip of rotatebook,
-3 the machine can't draw.
+Exit status: 0 all is proved, 1 a check failed, 2 the file can't be read, ends early or isn't a clip of
+rotatebook, 3 the machine can't draw.
 
 Examples:
   rotatebook verify out/starter.mp4

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <iomanip>
+#include <ranges>
 #include <vector>
 
 #include "base/number_text.h"
@@ -46,15 +47,31 @@ std::string framesText(const Verification& found) {
   return "frames " + rangeText(found.range) + " of " + count;
 }
 
-std::string verdict(const Verification& found) {
-  const std::string pictures = std::to_string(found.pictures.size()) + " of " +
-                               std::to_string(found.range.count()) + " pictures were compared";
-  if (found.proved()) {
-    return "Proved: the clip shows what its scene gives; " + pictures + ".";
+/// "0, 12, 25", the first of them if they are many.
+std::string framesCompared(const Verification& found) {
+  constexpr std::size_t kMostNamed = 12;
+  std::string text;
+  for (const PictureCheck& check : found.pictures | std::views::take(kMostNamed)) {
+    text += (text.empty() ? "" : ", ") + std::to_string(check.frame);
   }
-  const std::int64_t count = found.failures();
-  return "NOT PROVED: " + std::to_string(count) + (count == 1 ? " check" : " checks") +
-         " failed; " + pictures + ".";
+  return text + (found.pictures.size() > kMostNamed ? ", ..." : "");
+}
+
+std::string verdict(const Verification& found) {
+  const auto compared = static_cast<std::int64_t>(found.pictures.size());
+  const bool all = compared == found.range.count();
+  const std::string pictures =
+      std::to_string(compared) + " of " + std::to_string(found.range.count()) + " pictures";
+  if (!found.proved()) {
+    const std::int64_t count = found.failures();
+    return "NOT PROVED: " + std::to_string(count) + (count == 1 ? " check" : " checks") +
+           " failed; " + pictures + " were compared.";
+  }
+  if (all)
+    return "Proved: the motion and all " + std::to_string(compared) +
+           " pictures are those of the scene.";
+  return "Proved for " + pictures + " (" + framesCompared(found) +
+         "): they and the motion are those of the scene; --all compares every picture.";
 }
 
 std::string json(const ClipCheck& check) {

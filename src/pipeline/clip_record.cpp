@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string_view>
+#include <system_error>
 
 #include "base/error.h"
 #include "base/version.h"
@@ -88,6 +89,16 @@ void compareTools(const char* tool, const std::string& there, const std::string&
                   ", here it is " + here);
 }
 
+/// Whether a picture isn't where the scene says.
+bool lacksTextures(const scene::Scene& scene) {
+  const auto isMissing = [&](const std::string& file) {
+    std::error_code error;
+    return file != scene::kBuiltin && !fs::exists(scene.folder / file, error);
+  };
+  const scene::BookSettings& book = scene.book;
+  return isMissing(book.front) || isMissing(book.spine) || isMissing(book.back);
+}
+
 }  // namespace
 
 Making makingOf(const scene::Scene& scene, const ClipMotion& motion, const std::string& renderer) {
@@ -134,13 +145,24 @@ ClipRecord parseRecord(const std::string& text, const fs::path& clip, const fs::
   return record;
 }
 
-RecordedClip readRecordedClip(const fs::path& clip, const fs::path& sceneFolder) {
-  const video::ClipMetadata metadata = video::readClipMetadata(clip);
-  const fs::path folder = sceneFolder.empty() ? clip.parent_path() : sceneFolder;
-  RecordedClip recorded{metadata.format, parseRecord(metadata.comment, clip, folder)};
+bool isRecordOf(const scene::Scene& scene, const std::string& text) {
   try {
-    requireTextures(recorded.record.scene);
+    return sceneText(parseRecord(text, scene.name, scene.folder).scene) == sceneText(scene);
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+RecordedClip readRecordedClip(const fs::path& clip, const TexturePlace& textures) {
+  const video::ClipMetadata metadata = video::readClipMetadata(clip);
+  const fs::path folder = textures.folder.empty() ? clip.parent_path() : textures.folder;
+  RecordedClip recorded{metadata.format, parseRecord(metadata.comment, clip, folder)};
+  scene::Scene& scene = recorded.record.scene;
+  scene.allowOutside = textures.allowOutside;
+  try {
+    requireTextures(scene);
   } catch (const InputError& error) {
+    if (!lacksTextures(scene)) throw;
     throw InputError(std::string(error.what()) +
                      "; say where its scene's folder is with --scene-folder DIR");
   }

@@ -47,16 +47,24 @@ struct ClipRecord {
 ClipRecord parseRecord(const std::string& text, const std::filesystem::path& clip,
                        const std::filesystem::path& sceneFolder);
 
+/// Whether `text` is the record of a clip of `scene`, or of a part of one; tools may differ.
+bool isRecordOf(const scene::Scene& scene, const std::string& text);
+
 /// A clip's format and its record.
 struct RecordedClip {
   video::VideoFormat format = video::VideoFormat::Mp4;
   ClipRecord record;
 };
 
-/// Reads the record of an MP4 or WebM. `sceneFolder` as above; the clip's folder if it is empty.
-/// Throws InputError as video::readClipMetadata() and parseRecord() do, and, naming --scene-folder,
-/// for a texture that can't be read.
-RecordedClip readRecordedClip(const std::filesystem::path& clip,
-                              const std::filesystem::path& sceneFolder);
+/// Where the textures of a recorded scene are.
+struct TexturePlace {
+  std::filesystem::path folder{};  ///< The scene's; empty: the clip's.
+  bool allowOutside = false;       ///< scene::Scene::allowOutside
+};
+
+/// Reads the record of an MP4 or WebM. Throws InputError as video::readClipMetadata() and
+/// parseRecord() do, and for a texture that can't be read, naming --scene-folder where it is
+/// missing.
+RecordedClip readRecordedClip(const std::filesystem::path& clip, const TexturePlace& textures);
 
 }  // namespace rotatebook::pipeline

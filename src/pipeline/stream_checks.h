@@ -14,7 +14,7 @@ namespace rotatebook::pipeline {
 inline constexpr const char* kSizeCheck = "size";
 inline constexpr const char* kCodecCheck = "codec";
 
-/// Size, codec and colours.
+/// Size, codec and colours, and how players are told to show the pictures.
 std::vector<ClipCheck> checkStream(const video::ClipFacts& facts, const scene::Scene& scene);
 
 /// Takes the times of a clip's pictures, in their order.
@@ -25,7 +25,7 @@ class TimeCheck {
 
   /// The next picture is shown at `time` [s], or not a number.
   void add(double time);
-  /// Number of frames, time stamps and duration; after the last picture.
+  /// Number of frames, time stamps, duration and, of an MP4, speed; after the last picture.
   std::vector<ClipCheck> checks() const;
 
  private:

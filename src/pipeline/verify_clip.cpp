@@ -5,27 +5,39 @@
 #include <set>
 
 #include "base/error.h"
+#include "pipeline/motion_checksum.h"
 #include "pipeline/picture_judge.h"
 #include "pipeline/render_clip.h"
 #include "pipeline/simulate_scene.h"
 #include "pipeline/stream_checks.h"
 #include "video/clip_reader.h"
+#include "video/whole_file.h"
 
 namespace rotatebook::pipeline {
 namespace {
 
 constexpr std::int64_t kDefaultFrames = 6;
 
-std::set<std::int64_t> spread(FrameRange range) {
+/// A byte of a checksum in hexadecimal digits.
+std::int64_t byteOf(const std::string& checksum, std::int64_t index) {
+  return std::stoi(checksum.substr(static_cast<std::size_t>(2 * index), 2), nullptr, 16);
+}
+
+/// One frame of each sixth, where the motion's checksum says: nobody knows which before there is a
+/// motion, and everybody chooses the same.
+std::set<std::int64_t> spread(FrameRange range, const std::string& motion) {
+  constexpr std::int64_t kSteps = 256;  // of a byte
   std::set<std::int64_t> frames;
   for (std::int64_t i = 0; i < kDefaultFrames; ++i) {
-    frames.insert(range.first + (range.count() - 1) * i / (kDefaultFrames - 1));
+    const std::int64_t step = kSteps * i + byteOf(motion, i);
+    frames.insert(range.first + range.count() * step / (kSteps * kDefaultFrames));
   }
   return frames;
 }
 
-std::set<std::int64_t> chosenFrames(FrameRange range, const VerifyOptions& options) {
-  if (options.frames.empty()) return spread(range);
+std::set<std::int64_t> chosenFrames(FrameRange range, const std::string& motion,
+                                    const VerifyOptions& options) {
+  if (options.frames.empty()) return spread(range, motion);
   for (const std::int64_t frame : options.frames) {
     if (range.first <= frame && frame < range.end) continue;
     throw InputError("frame " + std::to_string(frame) + " isn't in the clip, which has " +
@@ -34,9 +46,9 @@ std::set<std::int64_t> chosenFrames(FrameRange range, const VerifyOptions& optio
   return {options.frames.begin(), options.frames.end()};
 }
 
-ClipCheck checkMotion(const Making& there, const Making& here) {
-  return {"motion", here.motion, there.motion.empty() ? "none is recorded" : there.motion,
-          here.motion == there.motion};
+ClipCheck checkMotion(const Making& there, const std::string& motion) {
+  return {"motion", motion, there.motion.empty() ? "none is recorded" : there.motion,
+          motion == there.motion};
 }
 
 /// Verifying on its way.
@@ -44,20 +56,18 @@ class Verifier {
  public:
   Verifier(const std::filesystem::path& clip, const VerifyOptions& options)
       : options_(options),
-        record_(readRecordedClip(clip, options.sceneFolder).record),
+        record_(readWholeClip(clip, options.textures).record),
         reader_(clip),
         motion_(simulateScene(record_.scene)),
-        drawer_(record_.scene, motion_, options.device) {}
+        motionSum_(motionChecksum(motion_)) {}
 
   Verification run() {
     Verification found{.record = record_,
                        .range = framesToRender(motion_, record_.part),
                        .wholeCount = motion_.frameCount()};
-    const Making here = makingOf(record_.scene, motion_, drawer_.description());
-    found.toolsDiffer = differencesOfTools(record_.making, here);
     found.checks = checkStream(reader_.facts(), record_.scene);
-    found.checks.push_back(checkMotion(record_.making, here));
-    // Pictures of other sizes and kinds can't be compared, and may be huge.
+    found.checks.push_back(checkMotion(record_.making, motionSum_));
+    // Pictures of other sizes and kinds can't be compared, and to draw them may take gigabytes.
     const auto isWrong = [](const ClipCheck& check) {
       return !check.passed && (check.what == kSizeCheck || check.what == kCodecCheck);
     };
@@ -66,9 +76,18 @@ class Verifier {
   }
 
  private:
+  static RecordedClip readWholeClip(const std::filesystem::path& clip,
+                                    const TexturePlace& textures) {
+    video::requireWholeFile(clip);
+    return readRecordedClip(clip, textures);
+  }
+
   void decode(Verification& found) {
-    const std::set<std::int64_t> chosen = chosenFrames(found.range, options_);
-    PictureJudge judge(record_.scene, drawer_, found.wholeCount, reader_.facts().format);
+    const std::set<std::int64_t> chosen = chosenFrames(found.range, motionSum_, options_);
+    FrameDrawer drawer(record_.scene, motion_, options_.device);
+    found.toolsDiffer =
+        differencesOfTools(record_.making, makingOf(record_.scene, motion_, drawer.description()));
+    PictureJudge judge(record_.scene, drawer, found.wholeCount, reader_.facts().format);
     TimeCheck times(reader_.facts(), record_.scene.clip.frameRate, found.range.count());
     for (std::int64_t frame = found.range.first; reader_.next(); ++frame) {
       times.add(reader_.time());
@@ -84,7 +103,7 @@ class Verifier {
   ClipRecord record_;
   video::ClipReader reader_;
   ClipMotion motion_;
-  FrameDrawer drawer_;
+  std::string motionSum_;
 };
 
 }  // namespace

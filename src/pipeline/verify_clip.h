@@ -16,10 +16,9 @@ namespace rotatebook::pipeline {
 
 /// What to verify, and with what.
 struct VerifyOptions {
-  std::filesystem::path
-      sceneFolder{};  ///< From where textures are found; empty: the clip's folder.
-  /// Frames of the whole clip whose pictures are compared; none: six, spread evenly from the first
-  /// to the last.
+  TexturePlace textures{};
+  /// Frames of the whole clip whose pictures are compared; none: one of each sixth of the clip,
+  /// chosen by the motion's checksum.
   std::vector<std::int64_t> frames{};
   bool allFrames = false;
   render::DeviceChoice device{};
@@ -32,7 +31,7 @@ struct Verification {
   ClipRecord record;
   FrameRange range;             ///< The clip's frames.
   std::int64_t wholeCount = 0;  ///< Frames of the whole clip.
-  /// What made the clip and isn't here, so that pixels may differ.
+  /// What made the clip and isn't here, so that pixels may differ. Empty if none were compared.
   std::vector<std::string> toolsDiffer{};
   std::vector<ClipCheck> checks{};
   /// None if the stream isn't what it should be.
@@ -44,8 +43,8 @@ struct Verification {
 };
 
 /// Reads the record of `clip`, an MP4 or WebM, simulates and draws its scene again, and compares.
-/// Throws InputError as readRecordedClip() and video::ClipReader do, and for frames that the clip
-/// hasn't; MachineError if nothing can be drawn.
+/// Throws InputError as video::requireWholeFile(), readRecordedClip() and video::ClipReader do, and
+/// for frames that the clip hasn't; MachineError if nothing can be drawn.
 Verification verifyClip(const std::filesystem::path& clip, const VerifyOptions& options);
 
 }  // namespace rotatebook::pipeline

@@ -1,6 +1,7 @@
 #include "video/clip_reader.h"
 
 #include <cstddef>
+#include <fstream>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -14,6 +15,8 @@ extern "C" {
 
 namespace rotatebook::video {
 namespace {
+
+constexpr const char* kRemedy = "; copy it again, or render it again";
 
 ClipMetadata metadataOf(const ClipInput& input) {
   const VideoFormat format = input.format();
@@ -30,20 +33,48 @@ std::string textOf(const char* text) {
   return text == nullptr ? "unknown" : text;
 }
 
-ClipFacts factsOf(const ClipInput& input) {
+ColourTags coloursOf(const ClipInput& input) {
+  const AVCodecParameters& codec = *input.stream().codecpar;
+  return {.primaries = textOf(av_color_primaries_name(codec.color_primaries)),
+          .transfer = textOf(av_color_transfer_name(codec.color_trc)),
+          .matrix = textOf(av_color_space_name(codec.color_space)),
+          .range = textOf(av_color_range_name(codec.color_range))};
+}
+
+/// Pixels of no shape are shown as squares.
+std::string shapeText(AVRational shape) {
+  if (shape.num == 0) return "1:1";
+  return std::to_string(shape.num) + ":" + std::to_string(shape.den);
+}
+
+std::optional<Mp4Header> headerOf(const ClipInput& input) {
+  if (input.format() != VideoFormat::Mp4) return std::nullopt;
+  std::ifstream file(input.name(), std::ios::binary);
+  return readMp4Header(file);
+}
+
+/// Looks into the pictures' stream only after it was heard what the container says of it, as FFmpeg
+/// keeps one of both.
+ClipFacts factsOf(ClipInput& input) {
+  ClipFacts facts;
+  facts.containerColours = coloursOf(input);
+  input.probe();
   const AVStream& stream = input.stream();
   const AVCodecParameters& codec = *stream.codecpar;
-  ClipFacts facts;
+  if (codec.format == AV_PIX_FMT_NONE) {
+    throw InputError(input.name() + " is damaged: its first pictures can't be decoded" + kRemedy);
+  }
   facts.format = input.format();
   facts.width = codec.width;
   facts.height = codec.height;
   facts.codec = avcodec_get_name(codec.codec_id);
   facts.profile = profileName(codec);
   facts.pixelFormat = textOf(av_get_pix_fmt_name(static_cast<AVPixelFormat>(codec.format)));
-  facts.primaries = textOf(av_color_primaries_name(codec.color_primaries));
-  facts.transfer = textOf(av_color_transfer_name(codec.color_trc));
-  facts.matrix = textOf(av_color_space_name(codec.color_space));
-  facts.range = textOf(av_color_range_name(codec.color_range));
+  facts.colours = coloursOf(input);
+  facts.pixelShape = shapeText(codec.sample_aspect_ratio);
+  facts.containerShape = shapeText(stream.sample_aspect_ratio);
+  facts.display = displayText(stream);
+  facts.mp4 = headerOf(input);
   const std::int64_t duration = input.context().duration;
   if (duration > 0) facts.duration = static_cast<double>(duration) / AV_TIME_BASE;
   return facts;
@@ -101,13 +132,12 @@ ClipMetadata readClipMetadata(std::span<const std::uint8_t> bytes, const std::st
 struct ClipReader::Parts {
   explicit Parts(const std::filesystem::path& path)
       : input(path), packet(owned(av_packet_alloc())), frame(owned(av_frame_alloc())) {
-    input.probe();
     facts = factsOf(input);
     decoder = openDecoder(input);
   }
 
   std::string failure() const {
-    return "can't decode picture " + std::to_string(count) + " of " + input.name();
+    return input.name() + " is damaged: can't decode picture " + std::to_string(count);
   }
 
   /// Whether the decoder had a picture ready.
@@ -122,8 +152,7 @@ struct ClipReader::Parts {
   void send() {
     const int result = av_read_frame(&input.context(), packet.get());
     ended = result == AVERROR_EOF;
-    if (!ended)
-      checkInput(result, "can't read picture " + std::to_string(count) + " of " + input.name());
+    if (!ended) checkInput(result, failure());
     checkInput(avcodec_send_packet(decoder.get(), ended ? nullptr : packet.get()), failure());
     av_packet_unref(packet.get());
   }

@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "video/mp4_header.h"
 #include "video/planes.h"
 #include "video/video_format.h"
 
@@ -25,19 +27,30 @@ ClipMetadata readClipMetadata(const std::filesystem::path& path);
 /// The same of a file's bytes, be they what they may; `name` names it in messages.
 ClipMetadata readClipMetadata(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// What a player learns from the file. Names are FFmpeg's.
+/// What values of pixels mean.
+struct ColourTags {
+  std::string primaries{};  ///< "bt709"
+  std::string transfer{};   ///< "bt709"
+  std::string matrix{};     ///< "bt709"
+  std::string range{};      ///< "tv" is limited, "pc" full.
+};
+
+/// What a player learns from the file. Names are FFmpeg's. The container and the pictures' stream
+/// in it tell some things twice, and players differ in which they obey.
 struct ClipFacts {
   VideoFormat format = VideoFormat::Mp4;
-  int width = 0;              ///< [pixels]
-  int height = 0;             ///< [pixels]
-  std::string codec{};        ///< "h264"
-  std::string profile{};      ///< "High"
-  std::string pixelFormat{};  ///< "yuv420p", also where there is an alpha.
-  std::string primaries{};    ///< "bt709"
-  std::string transfer{};     ///< "bt709"
-  std::string matrix{};       ///< "bt709"
-  std::string range{};        ///< "tv" is limited, "pc" full.
-  double duration = 0;        ///< As the container says; 0 if it doesn't. [s]
+  int width = 0;                  ///< [pixels]
+  int height = 0;                 ///< [pixels]
+  std::string codec{};            ///< "h264"
+  std::string profile{};          ///< "High"
+  std::string pixelFormat{};      ///< "yuv420p", also where there is an alpha.
+  ColourTags colours{};           ///< The stream's; the container's where that doesn't tell.
+  ColourTags containerColours{};  ///< The container's.
+  std::string pixelShape{};      ///< The stream's, width to height: "1:1", also if it doesn't tell.
+  std::string containerShape{};  ///< The container's, likewise.
+  std::string display{};  ///< How pictures are turned or changed; "as stored" if they aren't.
+  double duration = 0;    ///< As the container says; 0 if it doesn't. [s]
+  std::optional<Mp4Header> mp4{};  ///< Of an MP4.
 };
 
 /// Decodes a clip picture by picture.

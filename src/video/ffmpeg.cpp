@@ -5,12 +5,14 @@
 #include <cstdio>
 #include <cstring>
 #include <new>
+#include <span>
 
 extern "C" {
 #include <libavutil/log.h>
 }
 
 #include "base/error.h"
+#include "base/number_text.h"
 
 namespace rotatebook::video {
 namespace {
@@ -45,6 +47,25 @@ std::string nameOfError(int error) {
 /// "`failure`: FFmpeg's name of the error (`words`)"
 std::string failureText(int error, const std::string& failure, const std::string& words) {
   return failure + ": " + nameOfError(error) + (words.empty() ? "" : " (" + words + ")");
+}
+
+/// What the container says beside the stream's data.
+std::span<const AVPacketSideData> sideDataOf(const AVStream& stream) {
+#if LIBAVCODEC_VERSION_INT >= AV_VERSION_INT(60, 31, 0)
+  const AVCodecParameters& codec = *stream.codecpar;
+  return {codec.coded_side_data, static_cast<std::size_t>(codec.nb_coded_side_data)};
+#else
+  return {stream.side_data, static_cast<std::size_t>(stream.nb_side_data)};
+#endif
+}
+
+/// Where a picture's right and down go to.
+std::string matrixText(const AVPacketSideData& data) {
+  std::array<std::int32_t, 9> matrix{};
+  if (data.size < sizeof matrix) return "";
+  std::memcpy(matrix.data(), data.data, sizeof matrix);
+  const auto value = [&](std::size_t i) { return " " + roundedText(matrix[i] / 0x1p16, 6); };
+  return value(0) + value(1) + "," + value(3) + value(4);
 }
 
 }  // namespace
@@ -82,6 +103,18 @@ int checkInput(int result, const std::string& failure) {
 std::string profileName(const AVCodecParameters& stream) {
   const char* name = avcodec_profile_name(stream.codec_id, stream.profile);
   return name == nullptr ? "" : name;
+}
+
+std::string displayText(const AVStream& stream) {
+  std::string text;
+  for (const AVPacketSideData& data : sideDataOf(stream)) {
+    // The encoder's buffer, which no player shows.
+    if (data.type == AV_PKT_DATA_CPB_PROPERTIES) continue;
+    const char* name = av_packet_side_data_name(data.type);
+    text += (text.empty() ? "" : "; ") + std::string(name == nullptr ? "unknown" : name);
+    if (data.type == AV_PKT_DATA_DISPLAYMATRIX) text += matrixText(data);
+  }
+  return text.empty() ? "as stored" : text;
 }
 
 }  // namespace rotatebook::video

@@ -62,6 +62,10 @@ int checkInput(int result, const std::string& failure);
 /// "High", "Profile 0"; empty if the stream doesn't tell.
 std::string profileName(const AVCodecParameters& stream);
 
+/// What the container has players do with the stream's pictures, in FFmpeg's words: "as stored", or
+/// for example "Display Matrix -1 0, 0 -1".
+std::string displayText(const AVStream& stream);
+
 /// profile_idc of H.264 High; FFmpeg's own name for it changed.
 inline constexpr int kProfileHigh = 100;
 

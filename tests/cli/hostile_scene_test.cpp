@@ -102,8 +102,8 @@ TEST_F(HostileScene, IsRefusedByEveryCommandThatDraws) {
 }
 
 TEST_F(HostileScene, IsAllowedOutsideByEveryCommandThatReadsScenes) {
-  for (const char* command :
-       {"render", "simulate", "study", "page", "still", "sheet", "bench", "check", "scene"}) {
+  for (const char* command : {"render", "simulate", "study", "page", "still", "sheet", "bench",
+                              "check", "scene", "verify", "rerun"}) {
     EXPECT_THAT(run({command, "--help"}).output, HasSubstr("--allow-outside")) << command;
   }
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/program_test.h"
+#include "image/png_file.h"
 
 namespace rotatebook::cli::testing {
 namespace {
@@ -69,6 +70,48 @@ TEST_F(RerunCommand, NeverOverwritesTheClip) {
     EXPECT_THAT(result.output, IsEmpty());
   }
   EXPECT_TRUE(read("out/tiny.mp4") == clip);
+}
+
+TEST_F(RerunCommand, ReplacesAnotherScenesClipOnlyIfAsked) {
+  render({"--set", "initial.angular_velocity=[4, 1, 0]"});
+  ASSERT_EQ(run({"render", "tiny.toml", "-o", "other"}).status, 0);
+  fs::create_directories(folder() / "kept");
+  fs::copy(folder() / "other", folder() / "kept", fs::copy_options::recursive);
+  const auto expectRefused = [&](const std::string& file) {
+    const ChildResult result = run({"rerun", "out/tiny.mp4", "-o", "other"});
+    EXPECT_EQ(result.status, 2) << result.output;
+    EXPECT_EQ(result.error, "rotatebook: " + file +
+                                " isn't of the clip's scene and would be lost; name another folder "
+                                "with -o, or replace it with --overwrite\n");
+  };
+  expectRefused("other/tiny.mp4");
+  expectSameFiles("other", "kept");
+  fs::remove(folder() / "other/tiny.mp4");
+  expectRefused("other/tiny/scene.toml");  // Its frames are as dear.
+  write("other/tiny.mp4", "notes");
+  expectRefused("other/tiny.mp4");
+  const ChildResult replaced = run({"rerun", "out/tiny.mp4", "-o", "other", "--overwrite"});
+  EXPECT_EQ(replaced.status, 0) << replaced.output << replaced.error;
+  EXPECT_TRUE(read("other/tiny.mp4") == read("out/tiny.mp4"));
+  EXPECT_EQ(run({"rerun", "out/tiny.mp4", "-o", "other"}).status, 0);  // Its own.
+}
+
+TEST_F(RerunCommand, TakesTexturesFromOutsideOnlyIfAllowed) {
+  const image::Image cover(8, 12, image::PixelFormat::Rgb8);
+  fs::create_directories(folder() / "scenes");
+  writePng(folder() / "cover.png", cover.view());
+  fs::copy_file(folder() / "tiny.toml", folder() / "scenes/tiny.toml");
+  ASSERT_EQ(run({"render", "scenes/tiny.toml", "--no-png", "--set", "book.front=../cover.png",
+                 "--allow-outside"})
+                .status,
+            0);
+  const std::vector<std::string> words{"rerun", "out/tiny.mp4",   "-o",
+                                       "again", "--scene-folder", "scenes"};
+  EXPECT_EQ(run(words).status, 2);
+  std::vector<std::string> allowing = words;
+  allowing.push_back("--allow-outside");
+  const ChildResult allowed = run(allowing);
+  EXPECT_EQ(allowed.status, 0) << allowed.output << allowed.error;
 }
 
 TEST_F(RerunCommand, TellsWhatDiffers) {

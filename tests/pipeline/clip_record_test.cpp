@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/version.h"
+#include "image/png_file.h"
 #include "pipeline/motion_checksum.h"
 #include "pipeline/small_clip.h"
 #include "scene/scene_file.h"
@@ -123,7 +124,7 @@ TEST(SceneRecord, CannotLeadOutOfAFolder) {
 TEST(SceneRecord, OfARenderIsTrue) {
   const fs::path folder = emptyFolder();
   testing::render(smallScene(), {.folder = folder});
-  const RecordedClip clip = readRecordedClip(folder / "small.mp4", "");
+  const RecordedClip clip = readRecordedClip(folder / "small.mp4", {});
   EXPECT_EQ(clip.format, video::VideoFormat::Mp4);
   EXPECT_EQ(clip.record.scene.folder, folder);
   const Making& making = clip.record.making;
@@ -143,9 +144,35 @@ TEST(SceneRecord, NamesTheOptionWhereATextureIsMissing) {
     writer.write(image::Image(64, 36, image::PixelFormat::Rgba8).view());
     writer.finish();
   }
-  EXPECT_THAT(testing::messageOf<InputError>([&] { readRecordedClip(clip, "other"); }),
+  EXPECT_THAT(testing::messageOf<InputError>([&] { readRecordedClip(clip, {"other"}); }),
               AllOf(StartsWith(clip.string() + ":"), HasSubstr("can't read other/cover.png: "),
                     HasSubstr("; say where its scene's folder is with --scene-folder DIR")));
+}
+
+TEST(SceneRecord, NamesTheOptionOnlyWhereATextureIsMissing) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene = smallScene({"book.front=../cover.png"});
+  fs::create_directories(folder / "clips");
+  const fs::path clip = folder / "clips/small.mp4";
+  {
+    video::VideoWriter writer(video::VideoFormat::Mp4, clip,
+                              videoSettings(scene, sceneRecord(scene, kMaking)));
+    writer.write(image::Image(64, 36, image::PixelFormat::Rgba8).view());
+    writer.finish();
+  }
+  image::writePng(folder / "cover.png", image::Image(8, 12, image::PixelFormat::Rgb8).view());
+  EXPECT_THAT(testing::messageOf<InputError>([&] { readRecordedClip(clip, {}); }),
+              ::testing::EndsWith("which --allow-outside allows"));
+  EXPECT_TRUE(readRecordedClip(clip, {.allowOutside = true}).record.scene.allowOutside);
+}
+
+TEST(SceneRecord, IsOfItsSceneAlone) {
+  const scene::Scene scene = smallScene();
+  EXPECT_TRUE(isRecordOf(scene, smallRecord()));
+  EXPECT_TRUE(isRecordOf(scene, recordOfPart(smallRecord(), {3, 5})));
+  EXPECT_FALSE(isRecordOf(smallScene({"video.crf=30"}), smallRecord()));
+  EXPECT_FALSE(isRecordOf(scene, ""));
+  EXPECT_FALSE(isRecordOf(scene, "title = \"Small\"\n"));
 }
 
 TEST(DifferencesOfTools, AreToldOneByOne) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <utility>
@@ -15,6 +16,7 @@
 #include "pipeline/picture_judge.h"
 #include "pipeline/small_clip.h"
 #include "pipeline/stream_checks.h"
+#include "video/forged_mp4.h"
 #include "video/video_writer.h"
 
 namespace rotatebook::pipeline {
@@ -104,7 +106,7 @@ TEST(VerifyClip, ProvesWhatARenderMade) {
     const Verification found = verifyClip(folder / name, {.allFrames = true});
     EXPECT_TRUE(found.proved()) << name;
     EXPECT_THAT(found.toolsDiffer, IsEmpty());
-    EXPECT_EQ(found.checks.size(), 7U);
+    EXPECT_EQ(found.checks.size(), std::string(name) == "small.mp4" ? 12U : 10U);
     EXPECT_EQ(found.pictures.size(), static_cast<std::size_t>(kFrames));
     EXPECT_EQ(found.range, (FrameRange{0, kFrames}));
   }
@@ -156,7 +158,7 @@ TEST(VerifyClip, ProvesPartsAndWhatAssembleMakesOfThem) {
   EXPECT_THROW(verifyClip(part, {.frames = {2}}), InputError);
 }
 
-TEST(VerifyClip, ComparesSixPicturesUnlessAsked) {
+TEST(VerifyClip, ComparesOneOfEachSixthUnlessAsked) {
   const fs::path path = emptyFolder() / "clip.mp4";
   write({.said = smallScene(), .shown = smallScene()}, path);
   const auto framesOf = [&](const VerifyOptions& options) {
@@ -166,7 +168,13 @@ TEST(VerifyClip, ComparesSixPicturesUnlessAsked) {
     }
     return frames;
   };
-  EXPECT_THAT(framesOf({}), ElementsAre(0, 2, 4, 6, 8, 11));
+  const std::vector<std::int64_t> chosen = framesOf({});
+  ASSERT_EQ(chosen.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(chosen[i] / 2, static_cast<std::int64_t>(i));
+  EXPECT_EQ(framesOf({}), chosen);
+  const scene::Scene other = smallScene({"initial.angular_velocity=[5, 3, 2]"});
+  write({.said = other, .shown = other}, path);
+  EXPECT_NE(framesOf({}), chosen);
   EXPECT_THAT(framesOf({.frames = {7, 2, 7}}), ElementsAre(2, 7));
   EXPECT_EQ(testing::messageOf<InputError>([&] {
               framesOf({.frames = {3, 12}});
@@ -230,9 +238,32 @@ TEST(VerifyClip, FindsAnotherRate) {
 
 TEST(VerifyClip, ComparesNoPicturesOfAnotherSize) {
   const Verification found = verified({.said = smallScene()});
-  EXPECT_THAT(failedIn(found), ElementsAre("size"));
+  EXPECT_THAT(failedIn(found), ElementsAre("size", "shown size"));
   EXPECT_THAT(found.pictures, IsEmpty());
   EXPECT_FALSE(found.proved());
+}
+
+// Of these the decoded pictures are true.
+TEST(VerifyClip, FindsWhatPlayersWouldShowOtherwise) {
+  const std::string content = [] {
+    const fs::path path = emptyFolder() / "true.mp4";
+    write({.said = smallScene(), .shown = smallScene()}, path);
+    return testing::bytesOf(path);
+  }();
+  namespace forged = video::testing;
+  const std::vector<std::pair<std::vector<forged::BoxPatch>, std::string>> forgeries{
+      {forged::kTurned, "display"},         {forged::kMirrored, "display"},
+      {forged::kWholeTurned, "display"},    {forged::kStretched, "shown size"},
+      {forged::kWidePixels, "pixel shape"}, {forged::kOtherColours, "container"},
+      {forged::kFullRange, "container"},    {forged::kFastEdit, "speed"},
+      {forged::kFastMovie, "speed"}};
+  const fs::path path = emptyFolder() / "forged.mp4";
+  for (const auto& [patches, check] : forgeries) {
+    std::ofstream(path, std::ios::binary) << forged::forgedMp4(content, patches);
+    EXPECT_THAT(failedIn(verifyClip(path, {})), ElementsAre(check));
+  }
+  std::ofstream(path, std::ios::binary) << forged::forgedMp4(content, {});
+  EXPECT_TRUE(verifyClip(path, {}).proved());
 }
 
 TEST(VerifyClip, NotesOtherTools) {
@@ -244,8 +275,18 @@ TEST(VerifyClip, NotesOtherTools) {
 
 TEST(StreamChecks, KnowTheColoursAndTheCodec) {
   const scene::Scene scene = smallScene();
-  video::ClipFacts facts{VideoFormat::Mp4, 64,      36,      "h264", "High", "yuv420p",
-                         "bt709",          "bt709", "bt709", "tv",   0.5};
+  const video::ColourTags bt709{"bt709", "bt709", "bt709", "tv"};
+  video::ClipFacts facts{.width = 64,
+                         .height = 36,
+                         .codec = "h264",
+                         .profile = "High",
+                         .pixelFormat = "yuv420p",
+                         .colours = bt709,
+                         .containerColours = bt709,
+                         .pixelShape = "1:1",
+                         .containerShape = "1:1",
+                         .display = "as stored",
+                         .duration = 0.5};
   const auto failed = [&](const video::ClipFacts& changed) {
     std::vector<std::string> names;
     for (const ClipCheck& check : checkStream(changed, scene)) {
@@ -254,12 +295,21 @@ TEST(StreamChecks, KnowTheColoursAndTheCodec) {
     return names;
   };
   EXPECT_THAT(failed(facts), IsEmpty());
-  for (std::string video::ClipFacts::*field :
-       {&video::ClipFacts::primaries, &video::ClipFacts::transfer, &video::ClipFacts::matrix,
-        &video::ClipFacts::range}) {
+  for (std::string video::ColourTags::*field :
+       {&video::ColourTags::primaries, &video::ColourTags::transfer, &video::ColourTags::matrix,
+        &video::ColourTags::range}) {
     video::ClipFacts changed = facts;
-    changed.*field = "unknown";
+    changed.colours.*field = "unknown";
     EXPECT_THAT(failed(changed), ElementsAre("colours"));
+    changed = facts;
+    changed.containerColours.*field = "unknown";
+    EXPECT_THAT(failed(changed), ElementsAre("container"));
+  }
+  for (std::string video::ClipFacts::*field :
+       {&video::ClipFacts::pixelShape, &video::ClipFacts::containerShape}) {
+    video::ClipFacts changed = facts;
+    changed.*field = "4:3";
+    EXPECT_THAT(failed(changed), ElementsAre("pixel shape"));
   }
   for (std::string video::ClipFacts::*field :
        {&video::ClipFacts::codec, &video::ClipFacts::profile, &video::ClipFacts::pixelFormat}) {
@@ -285,6 +335,21 @@ TEST(StreamChecks, MeasureTimesAgainstTheRate) {
   EXPECT_THAT(passed({0, 1 / 24.0 + 0.0002, 2 / 24.0}), ElementsAre(true, false, true));
   EXPECT_THAT(passed({0, missing, 2 / 24.0}), ElementsAre(true, false, true));
   EXPECT_THAT(passed({0, 1 / 24.0}), ElementsAre(false, true, true));
+}
+
+TEST(StreamChecks, MeasureTheSpeedOfAnMp4) {
+  const auto passes = [](const video::Mp4Header& header) {
+    const video::ClipFacts facts{.format = VideoFormat::Mp4, .duration = 0.5, .mp4 = header};
+    const ClipCheck last = TimeCheck(facts, {24, 1}, 12).checks().back();
+    EXPECT_EQ(last.what, "speed");
+    return last.passed;
+  };
+  EXPECT_TRUE(passes({64, 36, 1, {{0.5, 1}}}));
+  EXPECT_TRUE(passes({64, 36, 1, {}}));
+  EXPECT_FALSE(passes({64, 36, 2, {{0.5, 1}}}));
+  EXPECT_FALSE(passes({64, 36, 1, {{0.5, 2}}}));
+  EXPECT_FALSE(passes({64, 36, 1, {{0.25, 1}}}));
+  EXPECT_FALSE(passes({64, 36, 1, {{0.25, 1}, {0.25, 1}}}));
 }
 
 TEST(EncodingBound, GrowsWithTheRateFactor) {

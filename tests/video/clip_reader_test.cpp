@@ -14,6 +14,7 @@
 
 #include "base/error.h"
 #include "video/decoded_video.h"
+#include "video/forged_mp4.h"
 #include "video/test_clip.h"
 
 namespace rotatebook::video {
@@ -144,6 +145,14 @@ TEST(ClipMetadata, NeedsOneStreamOfPictures) {
   std::string other = content;
   other.replace(handler, 4, "soun");
   EXPECT_EQ(outcomeOf(other), "the bytes has no pictures; a clip has one stream, of pictures");
+  // The track once more.
+  const std::size_t movie = content.find("moov") - 4, track = content.find("trak") - 4;
+  const std::string again = content.substr(track, testing::bigEndian(content, track));
+  other = content;
+  other.insert(track, again);
+  const auto size = static_cast<std::uint32_t>(testing::bigEndian(content, movie) + again.size());
+  for (std::size_t i = 0; i < 4; ++i) other[movie + i] = static_cast<char>(size >> (24 - 8 * i));
+  EXPECT_EQ(outcomeOf(other), "the bytes has 2 streams; a clip has one stream, of pictures");
 }
 
 TEST(ClipReader, TellsWhatThePlayerLearns) {
@@ -156,11 +165,54 @@ TEST(ClipReader, TellsWhatThePlayerLearns) {
   EXPECT_EQ(facts.codec, "h264");
   EXPECT_EQ(facts.profile, video.profile);
   EXPECT_EQ(facts.pixelFormat, video.pixelFormat);
-  EXPECT_EQ(facts.primaries, video.primaries);
-  EXPECT_EQ(facts.transfer, video.transfer);
-  EXPECT_EQ(facts.matrix, video.matrix);
-  EXPECT_EQ(facts.range, video.range);
+  EXPECT_EQ(facts.colours.primaries, video.primaries);
+  EXPECT_EQ(facts.containerColours.primaries, video.primaries);
+  EXPECT_EQ(facts.colours.transfer, video.transfer);
+  EXPECT_EQ(facts.containerColours.transfer, video.transfer);
+  EXPECT_EQ(facts.colours.matrix, video.matrix);
+  EXPECT_EQ(facts.containerColours.matrix, video.matrix);
+  EXPECT_EQ(facts.colours.range, video.range);
+  EXPECT_EQ(facts.containerColours.range, video.range);
   EXPECT_NEAR(facts.duration, kCount / 60.0, 1e-6);
+  EXPECT_EQ(facts.pixelShape, "1:1");
+  EXPECT_EQ(facts.containerShape, "1:1");
+  EXPECT_EQ(facts.display, "as stored");
+  ASSERT_TRUE(facts.mp4);
+  EXPECT_EQ(facts.mp4->shownWidth, video.width);
+}
+
+TEST(ClipReader, TellsWhatTheContainerSaysOtherwise) {
+  const std::string content = contentOf(writeAs(VideoFormat::Mp4, "true"));
+  const fs::path path = outputFolder() / "reader_forged.mp4";
+  const auto factsOf = [&](const std::vector<testing::BoxPatch>& patches) {
+    std::ofstream(path, std::ios::binary) << testing::forgedMp4(content, patches);
+    return ClipReader(path).facts();
+  };
+  EXPECT_EQ(factsOf(testing::kTurned).display, "Display Matrix -1 0, 0 -1");
+  EXPECT_EQ(factsOf(testing::kMirrored).display, "Display Matrix -1 0, 0 1");
+  EXPECT_EQ(factsOf(testing::kWholeTurned).display, "Display Matrix -1 0, 0 -1");
+  const ClipFacts wide = factsOf(testing::kWidePixels);
+  EXPECT_EQ(wide.containerShape, "3:1");
+  EXPECT_EQ(wide.pixelShape, "1:1");
+  const ClipFacts coloured = factsOf(testing::kOtherColours);
+  EXPECT_EQ(coloured.containerColours.primaries, "bt2020");
+  EXPECT_EQ(coloured.containerColours.transfer, "smpte2084");
+  EXPECT_EQ(coloured.containerColours.matrix, "bt2020nc");
+  EXPECT_EQ(coloured.colours.primaries, "bt709");
+  EXPECT_EQ(factsOf(testing::kFullRange).containerColours.range, "pc");
+}
+
+TEST(ClipReader, TellsWhatAWebMSaysOtherwise) {
+  const fs::path path = writeAs(VideoFormat::WebM, "shape");
+  EXPECT_EQ(ClipReader(path).facts().containerShape, "1:1");
+  EXPECT_EQ(ClipReader(path).facts().containerColours.primaries, "bt709");
+  EXPECT_FALSE(ClipReader(path).facts().mp4);
+  std::string content = contentOf(path);
+  const std::size_t transfer = content.find("\x55\xba\x81");  // Of one byte.
+  ASSERT_NE(transfer, std::string::npos);
+  content[transfer + 3] = 16;
+  std::ofstream(path, std::ios::binary) << content;
+  EXPECT_EQ(ClipReader(path).facts().containerColours.transfer, "smpte2084");
 }
 
 TEST(ClipReader, DecodesThePicturesAndTimesOfTheYardstick) {

@@ -35,6 +35,7 @@ void discard(const fs::path& folder) {
   if (!fs::is_directory(folder)) return;
   // First, so that what is left, if the process is killed, isn't taken for a clip.
   removeFile(folder / kManifestName);
+  removeStaleTemporaries(folder);
   for (const std::int64_t index : framesIn(folder)) removeFile(folder / frameName(index));
   removeFile(folder / kFrameSumsName);
   removeFile(folder / kSceneCopyName);
@@ -186,7 +187,10 @@ void ClipFolder::openWhole(const Settings& settings) {
     return;
   }
   if (!goOn) {
-    requireLosable(files_.frameFolder, finished, settings);
+    // Frames that tell nothing of themselves are no render's of this kind.
+    if (finished || settings.earlier.resume) {
+      requireLosable(files_.frameFolder, finished, settings);
+    }
     requireLosable(files_.partialFrameFolder, partial, settings);
     discard(files_.partialFrameFolder);
   }

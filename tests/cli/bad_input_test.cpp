@@ -199,6 +199,7 @@ class BadFrames : public ProgramTest {
 
 TEST_F(BadFrames, OfDifferingSizes) {
   run({"still", "tiny.toml", "--time", "0", "-o", "out/tiny/frame_00005.png", "--size", "32x18"});
+  std::filesystem::remove(folder() / "out/tiny/frames.xxh128");
   expectRefused({},
                 "frames differ in size: out/tiny/frame_00000.png is 64x36, "
                 "out/tiny/frame_00005.png is 32x18");

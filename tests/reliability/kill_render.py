@@ -68,8 +68,9 @@ def require_whole(out, references):
 
 
 def require_same(out, reference):
-    if files_in(out) != files_in(reference):
-        sys.exit(f"other files in {out} than in {reference}: {files_in(out)}")
+    others = set(files_in(out)) ^ set(files_in(reference))
+    if others:
+        sys.exit(f"other files in {out} than in {reference}: {sorted(map(str, others))}")
     for path in files_in(reference):
         if not same(out / path, reference / path):
             sys.exit(f"{out / path} differs from {reference / path}")

@@ -121,7 +121,7 @@ void requireLosable(const fs::path& folder, const std::optional<Manifest>& there
     throw InputError(start + ": go on with --resume, or render anew with --overwrite");
   }
   throw InputError(start +
-                   (there ? " and had other settings: " +
+                   (there ? (complete ? " of other settings: " : " and had other settings: ") +
                                 differences(folder, *there, settings.made, settings.scene)
                           : " and doesn't tell its settings") +
                    "; render anew with --overwrite, or into another folder with -o");

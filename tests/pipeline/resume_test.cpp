@@ -178,7 +178,7 @@ TEST_F(Resume, RefusesAClipOfOtherSettings) {
   render({});
   EXPECT_EQ(failureOf(kResume, otherScene()),
             (folder_ / "small").string() +
-                " holds the frames of a clip and had other settings: body.mass is 1.0 there, 2.0 "
+                " holds the frames of a clip of other settings: body.mass is 1.0 there, 2.0 "
                 "here; render "
                 "anew with --overwrite, or into another folder with -o");
   EXPECT_TRUE(render(kResume).wasDone) << "the refusal cost the clip";

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 
 #include "base/error.h"
@@ -36,6 +37,14 @@ FileDescriptor createLocked(const std::filesystem::path& path, Lock lock) {
   }
 }
 
+FileDescriptor createMemoryFile(const char* purpose) {
+  FileDescriptor file(memfd_create(purpose, MFD_CLOEXEC));
+  if (!file.isOpen()) {
+    throw MachineError(std::string("can't make a file in memory: ") + std::strerror(errno));
+  }
+  return file;
+}
+
 void writeAll(const FileDescriptor& file, std::string_view content,
               const std::filesystem::path& path) {
   while (!content.empty()) {
@@ -46,17 +55,22 @@ void writeAll(const FileDescriptor& file, std::string_view content,
   }
 }
 
+ssize_t appendBlock(const FileDescriptor& file, std::string& bytes) {
+  std::array<char, 65536> block;
+  ssize_t size = 0;
+  do {
+    size = pread(file.number(), block.data(), block.size(), static_cast<off_t>(bytes.size()));
+  } while (size < 0 && errno == EINTR);
+  if (size > 0) bytes.append(block.data(), static_cast<std::size_t>(size));
+  return size;
+}
+
 std::string readAll(const FileDescriptor& file, const std::filesystem::path& path) {
   std::string bytes;
-  std::array<char, 65536> block;
-  while (true) {
-    const ssize_t size =
-        pread(file.number(), block.data(), block.size(), static_cast<off_t>(bytes.size()));
-    if (size == 0) return bytes;
-    if (size < 0 && errno == EINTR) continue;
-    if (size < 0) throwLastError(path, "read");
-    bytes.append(block.data(), static_cast<std::size_t>(size));
-  }
+  ssize_t size = 0;
+  while ((size = appendBlock(file, bytes)) > 0) continue;
+  if (size < 0) throwLastError(path, "read");
+  return bytes;
 }
 
 void throwLastError(const std::filesystem::path& path, std::string_view action) {

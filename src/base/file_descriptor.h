@@ -41,9 +41,17 @@ bool tryLock(const FileDescriptor& file, Lock lock);
 /// A closed descriptor, and errno, if it can't be opened (its cause) or locked (EWOULDBLOCK).
 FileDescriptor createLocked(const std::filesystem::path& path, Lock lock);
 
+/// A file without a name, for reading and writing, that is gone once nobody has it open. `purpose`
+/// is for who debugs. Throws MachineError.
+FileDescriptor createMemoryFile(const char* purpose);
+
 /// Writes all of `content`. Throws MachineError "can't write `path`: CAUSE".
 void writeAll(const FileDescriptor& file, std::string_view content,
               const std::filesystem::path& path);
+
+/// Appends what the file holds after as many bytes as `bytes` has, or some of that. Returns how
+/// many were read: 0 at the file's end, -1 and errno if it can't be read.
+ssize_t appendBlock(const FileDescriptor& file, std::string& bytes);
 
 /// All that the file holds, from its start, even if it was removed. Throws MachineError "can't read
 /// `path`: CAUSE".

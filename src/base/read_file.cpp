@@ -1,6 +1,5 @@
 #include "base/read_file.h"
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -41,16 +40,12 @@ std::string readFile(const std::filesystem::path& path, std::uintmax_t most) {
   if (!file.isOpen()) fail(errno);
   std::string bytes;
   bytes.reserve(checkedSize(file, most));
-  std::array<char, 65536> block;
-  while (true) {
-    const ssize_t size = read(file.number(), block.data(), block.size());
-    if (size == 0) return bytes;
-    if (size < 0 && errno == EINTR) continue;
+  for (ssize_t size = 0; (size = appendBlock(file, bytes)) != 0;) {
     if (size < 0) fail(errno);
-    bytes.append(block.data(), static_cast<std::size_t>(size));
     // It may grow, and some of the kernel's don't tell their size.
     if (bytes.size() > most) failLong("over " + std::to_string(most), most);
   }
+  return bytes;
 }
 
 std::string readFileOrEmpty(const std::filesystem::path& path, std::uintmax_t most) {

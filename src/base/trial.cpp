@@ -7,13 +7,13 @@
 #include <cstring>
 #include <exception>
 #include <optional>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
+#include "base/crash_signals.h"
 #include "base/error.h"
 #include "base/file_descriptor.h"
 
@@ -28,7 +28,7 @@ constexpr off_t kLongestWords = 400;  // [bytes]
   const rlimit noCore{0, 0};
   setrlimit(RLIMIT_CORE, &noCore);
   // What handles crashes here would say that this process crashed.
-  for (const int crash : {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT}) std::signal(crash, SIG_DFL);
+  for (const int crash : kCrashSignals) std::signal(crash, SIG_DFL);
   dup2(words.number(), STDERR_FILENO);
   try {
     action();
@@ -74,7 +74,7 @@ std::string lastLine(const FileDescriptor& words) {
 }  // namespace
 
 std::string endOfTrial(const std::function<void()>& action, std::chrono::seconds longest) {
-  const FileDescriptor words(memfd_create("words", MFD_CLOEXEC));
+  const FileDescriptor words = createMemoryFile("words");
   const pid_t copy = fork();
   if (copy < 0) throw MachineError(std::string("can't start a process: ") + std::strerror(errno));
   if (copy == 0) runAsCopy(action, words);

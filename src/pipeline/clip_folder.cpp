@@ -101,11 +101,19 @@ void moveFrames(const fs::path& from, const fs::path& to) {
   discard(from);
 }
 
-/// "holds 12 frames of a render that wasn't finished", or of a clip that was.
+/// "out/NAME.partial holds 12 frames of a render that wasn't finished", or of a clip that was.
 std::string contentText(const fs::path& folder, bool complete) {
   if (complete) return folder.string() + " holds the frames of a clip";
   return folder.string() + " holds " + std::to_string(framesIn(folder).size()) +
          " frames of a render that wasn't finished";
+}
+
+/// " of other settings: KEYS", after that.
+std::string differenceText(const fs::path& folder, const std::optional<Manifest>& there,
+                           const ClipFolder::Settings& settings) {
+  if (!there) return " and doesn't tell its settings";
+  return (there->isComplete() ? " of other settings: " : " and had other settings: ") +
+         differences(folder, *there, settings.made, settings.scene);
 }
 
 /// Throws InputError if `folder` holds what isn't to be lost: unfinished frames, or, of a render
@@ -120,10 +128,7 @@ void requireLosable(const fs::path& folder, const std::optional<Manifest>& there
   if (!resume) {
     throw InputError(start + ": go on with --resume, or render anew with --overwrite");
   }
-  throw InputError(start +
-                   (there ? (complete ? " of other settings: " : " and had other settings: ") +
-                                differences(folder, *there, settings.made, settings.scene)
-                          : " and doesn't tell its settings") +
+  throw InputError(start + differenceText(folder, there, settings) +
                    "; render anew with --overwrite, or into another folder with -o");
 }
 

@@ -5,12 +5,12 @@
 #include <cstring>
 #include <spawn.h>
 #include <string_view>
-#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/file_descriptor.h"
 
 namespace rotatebook::pipeline {
 namespace {
@@ -23,43 +23,6 @@ constexpr const char* kSvg =
 constexpr const char* kPng =
     "set terminal pngcairo size 1800,900 enhanced font 'sans,12' fontscale 1.5 linewidth 1.5 "
     "pointscale 1.5 background rgb 'white'\npoint_size = 1\n";
-
-class MemoryFile {
- public:
-  MemoryFile() : number_(memfd_create("gnuplot", MFD_CLOEXEC)) {
-    if (number_ < 0) {
-      throw MachineError(std::string("can't open a memory file: ") + std::strerror(errno));
-    }
-  }
-  MemoryFile(const MemoryFile&) = delete;
-  MemoryFile& operator=(const MemoryFile&) = delete;
-  ~MemoryFile() { close(number_); }
-
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
-void writeAll(const MemoryFile& file, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t size = write(file.number(), text.data(), text.size());
-    if (size < 0 && errno == EINTR) continue;
-    if (size < 0) throw MachineError(std::string("can't pass a plot: ") + std::strerror(errno));
-    text.remove_prefix(static_cast<std::size_t>(size));
-  }
-  lseek(file.number(), 0, SEEK_SET);
-}
-
-std::string readAll(const MemoryFile& file) {
-  std::string text;
-  std::array<char, 4096> block;
-  lseek(file.number(), 0, SEEK_SET);
-  for (ssize_t size = 0; (size = read(file.number(), block.data(), block.size())) > 0;) {
-    text.append(block.data(), static_cast<std::size_t>(size));
-  }
-  return text;
-}
 
 std::string trimmed(std::string text) {
   text.erase(text.find_last_not_of(" \n") + 1);
@@ -113,14 +76,14 @@ struct Format {
 /// A picture's bytes; `path` is where it will be. In memory, so that a full disk is told by whoever
 /// writes the file: gnuplot wouldn't.
 std::string draw(const Format& format, const std::string& commands, const fs::path& path) {
-  const MemoryFile input;
-  const MemoryFile output;
-  const MemoryFile problems;
-  writeAll(input, format.terminal + commands);
+  const FileDescriptor input = createMemoryFile("plot"), output = createMemoryFile("picture"),
+                       problems = createMemoryFile("problems");
+  writeAll(input, format.terminal + commands, "a plot");
+  lseek(input.number(), 0, SEEK_SET);
   const int status = runGnuplot(Streams(input.number(), output.number(), problems.number()));
-  std::string picture = readAll(output);
+  std::string picture = readAll(output, path);
   if (status == 0 && picture.rfind(format.last) != std::string::npos) return picture;
-  const std::string words = trimmed(readAll(problems));
+  const std::string words = trimmed(readAll(problems, path));
   throw MachineError("gnuplot can't draw " + path.string() + " (status " + std::to_string(status) +
                      ")" + (words.empty() ? "" : ": " + words));
 }

@@ -12,11 +12,10 @@ extern "C" {
 
 #include "base/error.h"
 #include "video/clip_input.h"
+#include "video/whole_file.h"
 
 namespace rotatebook::video {
 namespace {
-
-constexpr const char* kRemedy = "; copy it again, or render it again";
 
 ClipMetadata metadataOf(const ClipInput& input) {
   const VideoFormat format = input.format();
@@ -62,7 +61,8 @@ ClipFacts factsOf(ClipInput& input) {
   const AVStream& stream = input.stream();
   const AVCodecParameters& codec = *stream.codecpar;
   if (codec.format == AV_PIX_FMT_NONE) {
-    throw InputError(input.name() + " is damaged: its first pictures can't be decoded" + kRemedy);
+    throw InputError(input.name() + " is damaged: its first pictures can't be decoded" +
+                     kCopyRemedy);
   }
   facts.format = input.format();
   facts.width = codec.width;

@@ -17,8 +17,7 @@ constexpr std::string_view kSegment = "\x18\x53\x80\x67";
 constexpr int kMostParts = 1000;  // Of an MP4; there are four.
 
 [[noreturn]] void throwCut(const std::string& name, const std::string& problem) {
-  throw InputError(name + " ends early, or is damaged: " + problem +
-                   "; copy it again, or render it again");
+  throw InputError(name + " ends early, or is damaged: " + problem + kCopyRemedy);
 }
 
 void requireSize(std::uint64_t size, std::uint64_t told, const std::string& name) {

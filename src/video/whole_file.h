@@ -7,6 +7,9 @@
 
 namespace rotatebook::video {
 
+/// What to do about a clip that isn't as it was written, after the words that say so.
+inline constexpr const char* kCopyRemedy = "; copy it again, or render it again";
+
 /// Throws InputError for an MP4 or WebM that is shorter than its header tells, as a copy that was
 /// broken off is. Says nothing of other files, nor of what can't be read.
 void requireWholeFile(const std::filesystem::path& path);

@@ -195,6 +195,7 @@ class RendersTogether {
   void render(std::size_t i) {
     Render& one = renders_[i];
     one.state = State::Running;
+    one.text.exceptions(std::ios::badbit);  // No part of it may be missing.
     const auto progress = [&one](pipeline::RenderProgress now) {
       one.total = now.total;
       one.done = now.done;

@@ -6,7 +6,10 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
+#include <set>
 #include <unistd.h>
+#include <vector>
 
 namespace rotatebook::faults {
 namespace {
@@ -51,18 +54,34 @@ bool isBelow(std::string path) {
 
 std::atomic<long> count = 0;
 
+/// Where memory was asked for, in the order of the first requests.
+struct Places {
+  std::mutex mutex;
+  std::set<long> known;
+  std::vector<long> inOrder;
+};
+
+Places& places() {
+  // Never destroyed: libraries go on until the end.
+  static auto& all = *new Places;
+  return all;
+}
+
 /// Whether it is this call's turn.
 bool isDue() {
   const long now = ++count;
-  const bool once = fault().call == "memory" || fault().call == "graphics";
-  return once ? now == fault().number : now >= fault().number;
+  return fault().call == "graphics" ? now == fault().number : now >= fault().number;
 }
 
 __attribute__((destructor)) void writeCount() {
   const std::string_view path = variable("ROTATEBOOK_FAULT_COUNT");
   if (path.empty()) return;
   if (std::FILE* file = std::fopen(path.data(), "w")) {
-    std::fprintf(file, "%ld\n", count.load());
+    if (fault().call == "memory") {
+      for (const long place : places().inOrder) std::fprintf(file, "%ld\n", place);
+    } else {
+      std::fprintf(file, "%ld\n", count.load());
+    }
     std::fclose(file);
   }
 }
@@ -80,6 +99,13 @@ bool fails(std::string_view call) {
   if (fault().error <= 0) raise(fault().error == 0 ? SIGKILL : -fault().error);
   errno = fault().error;
   return true;
+}
+
+bool failsAtPlace(long place) {
+  const std::lock_guard lock(places().mutex);
+  if (!places().known.insert(place).second) return false;
+  places().inOrder.push_back(place);
+  return place == fault().number;
 }
 
 bool failsAt(std::string_view call, const std::string& path) {

@@ -5,9 +5,11 @@
 //   open, write, flush, rename, remove, mkdir, any   below the folder ROTATEBOOK_FAULT_BELOW, and
 //                                                    all later ones, too
 //   encode                                           of FFmpeg's encoders and muxers; likewise
-//   memory                                           of the program itself, not of libraries
+//   memory                                           of the program itself, not of libraries; the
+//                                                    NUMBER is a place's, of which the first fails
 //   graphics                                         of EGL and OpenGL, those that tell failures
-// How many there were in all goes to the file ROTATEBOOK_FAULT_COUNT, if it is set.
+// How many there were in all goes to the file ROTATEBOOK_FAULT_COUNT, if it is set; of memory the
+// places, a line for each.
 #pragma once
 
 #include <dlfcn.h>
@@ -20,6 +22,8 @@ namespace rotatebook::faults {
 bool fails(std::string_view call);
 /// The same of a call that changes the file of that path.
 bool failsAt(std::string_view call, const std::string& path);
+/// Whether this request for memory is to fail: the first from that place, if it is the one.
+bool failsAtPlace(long place);
 /// Whether it is asked for at all.
 bool isWanted(std::string_view call);
 

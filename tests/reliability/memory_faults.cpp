@@ -1,31 +1,85 @@
-// Memory that the program itself asks for: what its libraries want comes from elsewhere.
+// Memory that the program itself asks for, by the standard library's containers, too: what its
+// other libraries want comes from elsewhere.
+#include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <execinfo.h>
 #include <link.h>
 #include <new>
+#include <span>
+#include <string_view>
 
 #include "reliability/faults.h"
 
 namespace {
 
+constexpr int kMostFrames = 64;
+
 struct Range {
   std::uintptr_t first = 0, end = 0;
+
+  bool contains(const void* place) const { return offsetOf(place) < end - first; }
+  std::uintptr_t offsetOf(const void* place) const {
+    return reinterpret_cast<std::uintptr_t>(place) - first;
+  }
 };
 
-/// Where the program's code lies; it is the first that the loader tells of.
-Range programRange() {
+/// Where code lies that was loaded.
+struct Code {
+  Range program, standardLibrary;
+};
+
+int addCode(dl_phdr_info* info, std::size_t, void* data) {
+  auto& code = *static_cast<Code*>(data);
   Range range;
-  const auto take = [](dl_phdr_info* info, std::size_t, void* data) {
-    auto& found = *static_cast<Range*>(data);
-    for (int i = 0; i < info->dlpi_phnum; ++i) {
-      const auto& part = info->dlpi_phdr[i];
-      if (part.p_type != PT_LOAD || (part.p_flags & PF_X) == 0) continue;
-      found = {info->dlpi_addr + part.p_vaddr, info->dlpi_addr + part.p_vaddr + part.p_memsz};
-    }
-    return 1;
-  };
-  dl_iterate_phdr(take, &range);
-  return range;
+  for (int i = 0; i < info->dlpi_phnum; ++i) {
+    const auto& part = info->dlpi_phdr[i];
+    if (part.p_type != PT_LOAD || (part.p_flags & PF_X) == 0) continue;
+    range = {info->dlpi_addr + part.p_vaddr, info->dlpi_addr + part.p_vaddr + part.p_memsz};
+  }
+  // The program is the first that the loader tells of.
+  if (code.program.end == 0) code.program = range;
+  if (std::string_view(info->dlpi_name).find("libstdc++.so") != std::string_view::npos) {
+    code.standardLibrary = range;
+  }
+  return 0;
+}
+
+const Code& loadedCode() {
+  static const Code code = [] {
+    Code found;
+    dl_iterate_phdr(addCode, &found);
+    return found;
+  }();
+  return code;
+}
+
+/// Whether it is a function of a stream's: they tell no failure, and leave the rest away.
+bool isOfStream(void* frame) {
+  Dl_info info;
+  if (dladdr(frame, &info) == 0 || info.dli_sname == nullptr) return false;
+  const std::string_view name = info.dli_sname;
+  return name.find("stream") != name.npos || name.find("num_get") != name.npos;
+}
+
+/// What tells a request from others: the calls of the program that led to it, the same in each run.
+/// 0 if it isn't the program's own.
+long placeOfRequest(const void* caller) {
+  const Code& code = loadedCode();
+  std::array<void*, kMostFrames> all;
+  std::span<void*> frames(all.data(), static_cast<std::size_t>(backtrace(all.data(), kMostFrames)));
+  while (!frames.empty() && frames.front() != caller) frames = frames.subspan(1);
+  for (; !frames.empty() && code.standardLibrary.contains(frames.front());
+       frames = frames.subspan(1)) {
+    if (isOfStream(frames.front())) return 0;
+  }
+  if (frames.empty() || !code.program.contains(frames.front())) return 0;
+  std::uint64_t place = 0xcbf29ce484222325;
+  for (void* frame : frames) {
+    if (code.program.contains(frame))
+      place = (place ^ code.program.offsetOf(frame)) * 0x100000001b3;
+  }
+  return static_cast<long>(place >> 1 | 1);
 }
 
 using Main = int(int, char**, char**);
@@ -37,12 +91,17 @@ int startMain(int argc, char** argv, char** environment) {
   return programMain(argc, argv, environment);
 }
 
+[[noreturn]] void fail() {
+  if (const std::new_handler handler = std::get_new_handler()) handler();
+  throw std::bad_alloc();
+}
+
 void* allocate(std::size_t size, const void* caller) {
-  static const Range program = programRange();
-  const auto place = reinterpret_cast<std::uintptr_t>(caller);
   // Before main() are libraries' static objects, CLI11's, where nobody can catch anything.
-  const bool own = started && program.first <= place && place < program.end;
-  if (own && rotatebook::faults::fails("memory")) throw std::bad_alloc();
+  if (started && rotatebook::faults::isWanted("memory")) {
+    const long place = placeOfRequest(caller);
+    if (place != 0 && rotatebook::faults::failsAtPlace(place)) fail();
+  }
   void* memory = std::malloc(size > 0 ? size : 1);
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
@@ -55,6 +114,10 @@ void* operator new(std::size_t size) {
 }
 void* operator new[](std::size_t size) {
   return allocate(size, __builtin_return_address(0));
+}
+// Whoever asks so does without.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return std::malloc(size > 0 ? size : 1);
 }
 void operator delete(void* memory) noexcept {
   std::free(memory);

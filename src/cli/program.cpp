@@ -4,6 +4,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <span>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -80,6 +81,15 @@ int guarded(const Work& work) noexcept {
   }
 }
 
+/// Throws InputError for an empty argument, which means nothing to any command.
+void refuseEmptyArguments(std::span<char* const> arguments) {
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    if (*arguments[i] != '\0') continue;
+    throw InputError("argument " + std::to_string(i) + ", after " + arguments[i - 1] +
+                     ", is empty; is it a variable that isn't set?");
+  }
+}
+
 /// What is wrong with the command line, where CLI11 would only miss a command.
 std::string problemText(const CLI::App& program, const CLI::Error& error) {
   if (!program.get_subcommands().empty()) return error.what();
@@ -104,6 +114,7 @@ int runProgram(int argc, char** argv) {
   // A limit to the size of files is told as an error of writing.
   std::signal(SIGXFSZ, SIG_IGN);
   return guarded([&] {
+    refuseEmptyArguments({argv, static_cast<std::size_t>(argc)});
     CLI::App program(
         "rotatebook renders a spinning book, simulated and checked, to PNG frames and MP4 clips.",
         "rotatebook");

@@ -1,5 +1,6 @@
 // Memory that the program itself asks for, by the standard library's containers, too: what its
 // other libraries want comes from elsewhere.
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdlib>
@@ -69,13 +70,12 @@ long placeOfRequest(const void* caller) {
   std::array<void*, kMostFrames> all;
   std::span<void*> frames(all.data(), static_cast<std::size_t>(backtrace(all.data(), kMostFrames)));
   while (!frames.empty() && frames.front() != caller) frames = frames.subspan(1);
-  for (; !frames.empty() && code.standardLibrary.contains(frames.front());
-       frames = frames.subspan(1)) {
-    if (isOfStream(frames.front())) return 0;
-  }
-  if (frames.empty() || !code.program.contains(frames.front())) return 0;
+  const auto isStandard = [&](void* frame) { return code.standardLibrary.contains(frame); };
+  const auto asker = std::ranges::find_if_not(frames, isStandard);
+  if (asker == frames.end() || !code.program.contains(*asker)) return 0;
   std::uint64_t place = 0xcbf29ce484222325;
   for (void* frame : frames) {
+    if (isStandard(frame) && isOfStream(frame)) return 0;
     if (code.program.contains(frame))
       place = (place ^ code.program.offsetOf(frame)) * 0x100000001b3;
   }

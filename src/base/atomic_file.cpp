@@ -41,6 +41,16 @@ void tidyOnce(const fs::path& folder) {
   if (tidied.insert(folder).second) removeStaleTemporaries(folder.empty() ? "." : folder);
 }
 
+/// createLocked(), where another process may be tidying up: that has it locked for an instant.
+FileDescriptor createLockedSoon(const fs::path& path, Lock lock) {
+  FileDescriptor file = createLocked(path, lock);
+  for (int tries = 1; tries < 5 && !file.isOpen() && errno == EWOULDBLOCK; ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    file = createLocked(path, lock);
+  }
+  return file;
+}
+
 // A rename is only safe against a power cut once the content itself has reached the disk.
 void flushToDisk(const FileDescriptor& file, const fs::path& path) {
   if (fdatasync(file.number()) != 0) throwLastError(path, "flush");
@@ -52,7 +62,7 @@ AtomicFile::AtomicFile(fs::path finalPath)
     : finalPath_(std::move(finalPath)), temporaryPath_(temporaryNameFor(finalPath_, getpid())) {
   requireReplaceable(finalPath_);
   tidyOnce(finalPath_.parent_path());
-  held_ = createLocked(temporaryPath_, Lock::Exclusive);
+  held_ = createLockedSoon(temporaryPath_, Lock::Exclusive);
   if (!held_.isOpen()) throwLastError(finalPath_, "write");
 }
 
@@ -86,13 +96,8 @@ void writeFileAtomically(const fs::path& path, std::string_view content) {
   file.commit();
 }
 
-UseLock::UseLock(const fs::path& path, Lock lock) : path_(temporaryNameFor(path, 0)) {
-  // Who tidies up holds it for an instant.
-  for (int tries = 0; tries < 5 && !file_.isOpen(); ++tries) {
-    if (tries > 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    file_ = createLocked(path_, lock);
-    if (!file_.isOpen() && errno != EWOULDBLOCK) break;
-  }
+UseLock::UseLock(const fs::path& path, Lock lock)
+    : path_(temporaryNameFor(path, 0)), file_(createLockedSoon(path_, lock)) {
   if (file_.isOpen()) return;
   if (errno != EWOULDBLOCK) throwLastError(path, "write");
   throw MachineError("another process is writing " + path.string() + "; wait for it to end");

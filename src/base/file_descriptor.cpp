@@ -13,10 +13,10 @@
 namespace rotatebook {
 namespace {
 
-/// Whether somebody removed it before it was locked.
-bool wasRemoved(const FileDescriptor& file) {
+struct stat statusOf(const FileDescriptor& file) {
   struct stat status {};
-  return fstat(file.number(), &status) == 0 && status.st_nlink == 0;
+  fstat(file.number(), &status);
+  return status;
 }
 
 }  // namespace
@@ -28,10 +28,17 @@ bool tryLock(const FileDescriptor& file, Lock lock) {
 
 FileDescriptor createLocked(const std::filesystem::path& path, Lock lock) {
   while (true) {
-    // Nobody may lead it elsewhere by a link.
-    FileDescriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
-    if (!file.isOpen() || !tryLock(file, lock)) return {};
-    if (wasRemoved(file)) continue;
+    // Nobody may lead it elsewhere by a link, nor have it wait for who reads a pipe.
+    FileDescriptor file(
+        open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666));
+    if (!file.isOpen()) return {};
+    if (!S_ISREG(statusOf(file).st_mode)) {
+      errno = ENXIO;
+      return {};
+    }
+    if (!tryLock(file, lock)) return {};
+    // Somebody may have removed it before it was locked.
+    if (statusOf(file).st_nlink == 0) continue;
     if (ftruncate(file.number(), 0) != 0) return {};
     return file;
   }
@@ -55,21 +62,23 @@ void writeAll(const FileDescriptor& file, std::string_view content,
   }
 }
 
-ssize_t appendBlock(const FileDescriptor& file, std::string& bytes) {
+bool readBlocks(const FileDescriptor& file, const std::function<void(std::string_view)>& take) {
   std::array<char, 65536> block;
-  ssize_t size = 0;
-  do {
-    size = pread(file.number(), block.data(), block.size(), static_cast<off_t>(bytes.size()));
-  } while (size < 0 && errno == EINTR);
-  if (size > 0) bytes.append(block.data(), static_cast<std::size_t>(size));
-  return size;
+  for (off_t at = 0;;) {
+    const ssize_t size = pread(file.number(), block.data(), block.size(), at);
+    if (size == 0) return true;
+    if (size < 0 && errno == EINTR) continue;
+    if (size < 0) return false;
+    take({block.data(), static_cast<std::size_t>(size)});
+    at += size;
+  }
 }
 
 std::string readAll(const FileDescriptor& file, const std::filesystem::path& path) {
   std::string bytes;
-  ssize_t size = 0;
-  while ((size = appendBlock(file, bytes)) > 0) continue;
-  if (size < 0) throwLastError(path, "read");
+  if (!readBlocks(file, [&](std::string_view block) { bytes += block; })) {
+    throwLastError(path, "read");
+  }
   return bytes;
 }
 

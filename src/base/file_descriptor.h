@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <unistd.h>
@@ -38,7 +39,8 @@ enum class Lock { Shared, Exclusive };
 bool tryLock(const FileDescriptor& file, Lock lock);
 
 /// Opens an empty file of that name for writing, new or in the place of an old one, and locks it.
-/// A closed descriptor, and errno, if it can't be opened (its cause) or locked (EWOULDBLOCK).
+/// A closed descriptor, and errno, if it can't be opened (its cause; ENXIO for pipes and devices)
+/// or locked (EWOULDBLOCK).
 FileDescriptor createLocked(const std::filesystem::path& path, Lock lock);
 
 /// A file without a name, for reading and writing, that is gone once nobody has it open. `purpose`
@@ -49,9 +51,9 @@ FileDescriptor createMemoryFile(const char* purpose);
 void writeAll(const FileDescriptor& file, std::string_view content,
               const std::filesystem::path& path);
 
-/// Appends what the file holds after as many bytes as `bytes` has, or some of that. Returns how
-/// many were read: 0 at the file's end, -1 and errno if it can't be read.
-ssize_t appendBlock(const FileDescriptor& file, std::string& bytes);
+/// Gives `take` all that the file holds, from its start, block by block. False, and errno, if it
+/// can't be read.
+bool readBlocks(const FileDescriptor& file, const std::function<void(std::string_view)>& take);
 
 /// All that the file holds, from its start, even if it was removed. Throws MachineError "can't read
 /// `path`: CAUSE".

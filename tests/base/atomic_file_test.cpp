@@ -1,11 +1,14 @@
 #include "base/atomic_file.h"
 
+#include <chrono>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 #include <gmock/gmock.h>
@@ -116,6 +119,31 @@ TEST_F(AtomicFileTest, RefusesToReplaceAPipe) {
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   EXPECT_THROW(AtomicFile file(pipe), MachineError);
   EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST_F(AtomicFileTest, WaitsForNoPipeInThePlaceOfItsOwnFiles) {
+  ASSERT_EQ(mkfifo((folder_ / ".a.txt.rotatebook-0").c_str(), 0600), 0);
+  EXPECT_THROW(UseLock(folder_ / "a.txt", Lock::Shared), MachineError);
+  const std::string own = ".a.txt.rotatebook-" + std::to_string(getpid());
+  writeFileAtomically(folder_ / "b.txt", "");  // Has tidied up.
+  ASSERT_EQ(mkfifo((folder_ / own).c_str(), 0600), 0);
+  const FileDescriptor reader(open((folder_ / own).c_str(), O_RDONLY | O_NONBLOCK));
+  EXPECT_THROW(AtomicFile file(folder_ / "a.txt"), MachineError);
+}
+
+// Who tidies up holds it for an instant.
+TEST_F(AtomicFileTest, IsWrittenThoughAnotherTidiesUp) {
+  const fs::path own = folder_ / (".a.txt.rotatebook-" + std::to_string(getpid()));
+  writeFileAtomically(folder_ / "b.txt", "");
+  FileDescriptor other = createLocked(own, Lock::Exclusive);
+  std::thread tidier([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    fs::remove(own);
+    other = {};
+  });
+  EXPECT_NO_THROW(writeFileAtomically(folder_ / "a.txt", "whole"));
+  tidier.join();
+  EXPECT_EQ(contentOf(folder_ / "a.txt"), "whole");
 }
 
 TEST_F(AtomicFileTest, FoldersStopAtAFileInTheWay) {

@@ -1,5 +1,6 @@
 #include "cli/interrupt.h"
 
+#include <array>
 #include <csignal>
 
 namespace rotatebook::cli {
@@ -9,7 +10,16 @@ std::atomic<bool> interrupted = false;
 std::atomic<int> received = 0;
 static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
 
+constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
+
+// Calls nothing but what a signal handler may.
 extern "C" void onSignal(int signal) {
+  // The next one has its default effect, whichever it is; what is ignored stays so.
+  for (const int next : kSignals) {
+    struct sigaction now {};
+    sigaction(next, nullptr, &now);
+    if (now.sa_handler == onSignal) std::signal(next, SIG_DFL);
+  }
   received = signal;
   interrupted = true;
 }
@@ -19,8 +29,10 @@ extern "C" void onSignal(int signal) {
 const std::atomic<bool>& catchInterrupts() {
   struct sigaction action {};
   action.sa_handler = onSignal;
-  action.sa_flags = SA_RESETHAND | SA_RESTART;  // The second signal has its default effect.
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  action.sa_flags = SA_RESTART;
+  // Of two that come at once the second waits until the first has reset it.
+  for (const int signal : kSignals) sigaddset(&action.sa_mask, signal);
+  for (const int signal : kSignals) {
     struct sigaction before {};
     sigaction(signal, nullptr, &before);
     // nohup and shells have some of them ignored.

@@ -113,6 +113,8 @@ int runProgram(int argc, char** argv) {
   speakBeforeCrashes();
   // A limit to the size of files is told as an error of writing.
   std::signal(SIGXFSZ, SIG_IGN);
+  // Whoever started this may have ignored it, and nobody could hear how a process of ours ended.
+  std::signal(SIGCHLD, SIG_DFL);
   return guarded([&] {
     refuseEmptyArguments({argv, static_cast<std::size_t>(argc)});
     CLI::App program(

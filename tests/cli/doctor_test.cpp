@@ -1,4 +1,5 @@
 // `rotatebook doctor`, and --device and --require-hardware of the commands that draw.
+#include <csignal>
 #include <string>
 #include <vector>
 
@@ -69,6 +70,15 @@ TEST_F(DoctorCommand, LeavesNothingWhereItTriesToWrite) {
   EXPECT_EQ(run({"doctor", "-o", "."}).status, 0);
   EXPECT_EQ(run({"doctor", "-o", "new/folder"}).status, 0);
   EXPECT_THAT(files(), IsEmpty());
+}
+
+// As some that start services have it.
+TEST_F(DoctorCommand, HearsOfProcessesThoughTheirEndWasIgnored) {
+  ChildSettings settings;
+  settings.ignoredSignal = SIGCHLD;
+  const ChildResult result = run({"doctor"}, settings);
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.output, HasSubstr("\nReady to render: "));
 }
 
 TEST_F(DoctorCommand, IsJsonToo) {

@@ -2,10 +2,13 @@
 
 #include <array>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <new>
 #include <xxhash.h>
+
+#include "base/error.h"
+#include "base/file_descriptor.h"
+#include "base/read_file.h"
 
 namespace rotatebook::pipeline {
 namespace {
@@ -47,15 +50,14 @@ std::string Checksum::text() const {
   return hexadecimal(XXH3_128bits_digest(state_->xxh.get()));
 }
 
-std::string checksumOfFile(const std::filesystem::path& path) {
+std::string checksumOfFile(const std::filesystem::path& path) try {
   Checksum sum;
-  std::ifstream stream(path, std::ios::binary);
-  std::array<char, 65'536> block;
-  do {
-    stream.read(block.data(), block.size());
-    sum.add({block.data(), static_cast<std::size_t>(stream.gcount())});
-  } while (stream);
+  if (!readBlocks(openFile(path), [&](std::string_view block) { sum.add(block); })) {
+    throwLastError(path, "read");
+  }
   return sum.text();
+} catch (const InputError& error) {
+  throw MachineError("can't read " + path.string() + ": " + error.what());
 }
 
 }  // namespace rotatebook::pipeline

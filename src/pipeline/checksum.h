@@ -28,7 +28,7 @@ class Checksum {
 /// XXH3 of 128 bits as 32 hexadecimal digits, as xxh128sum prints it. It finds damage, not forgery.
 std::string checksumOf(std::string_view bytes);
 
-/// That of a file's content; of nothing if it isn't there or can't be read.
+/// That of a file's content. Throws MachineError if it can't be read, isn't there or isn't a file.
 std::string checksumOfFile(const std::filesystem::path& path);
 
 }  // namespace rotatebook::pipeline

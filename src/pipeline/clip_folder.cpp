@@ -61,12 +61,13 @@ void discardReplaced(const ClipFiles& files) {
   const Manifest now = readManifest(files.frameFolder).value_or(Manifest{});
   if (const auto old = readManifest(files.replacedFolder)) removeOutdated(files, *old, now);
   discard(files.replacedFolder);
-  std::error_code gone;
-  for (const auto& entry : fs::directory_iterator(files.replacedFolder, gone)) {
+  if (!fs::is_directory(files.replacedFolder)) return;
+  for (const auto& entry : fs::directory_iterator(files.replacedFolder)) {
     const fs::path place = files.frameFolder / entry.path().filename();
     if (!fs::exists(place)) moveTo(entry.path(), place);
   }
-  fs::remove(files.replacedFolder, gone);
+  std::error_code notEmpty;
+  fs::remove(files.replacedFolder, notEmpty);
 }
 
 /// Puts NAME.partial/, which is complete, in the place of NAME/.
@@ -214,7 +215,8 @@ bool ClipFolder::isDone(const std::vector<fs::path>& files,
   if (!manifest_.isComplete()) return false;
   for (const fs::path& file : files) {
     const auto known = manifest_.files.find(file.filename().string());
-    if (known == manifest_.files.end() || known->second != checksumOfFile(file)) return false;
+    if (known == manifest_.files.end() || !fs::is_regular_file(file)) return false;
+    if (checksumOfFile(file) != known->second) return false;
   }
   if (!frames) return true;
   for (std::int64_t frame = frames->first; frame < frames->end; ++frame) {

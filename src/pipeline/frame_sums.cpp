@@ -60,6 +60,7 @@ void FrameSums::add(std::int64_t index, std::string_view bytes) {
 }
 
 void FrameSums::openFile() {
+  requireReplaceable(path_);
   file_ = FileDescriptor(
       open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666));
   if (!file_.isOpen()) throwLastError(path_, "write");

@@ -31,7 +31,8 @@ std::string manifestText(const Manifest& manifest);
 /// Of a manifest's text. Throws InputError where it isn't TOML; what has no meaning is let go.
 Manifest parseManifest(std::string_view text, const std::string& file);
 
-/// That of `folder`; nothing if there is none, or none that can be read.
+/// That of `folder`; nothing if there is none, or what is there is no manifest. Throws MachineError
+/// if the disk fails.
 std::optional<Manifest> readManifest(const std::filesystem::path& folder);
 
 /// Throws MachineError.

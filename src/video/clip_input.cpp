@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/read_file.h"
 
 namespace rotatebook::video {
 namespace {
@@ -25,6 +26,11 @@ bool isNamed(const AVInputFormat& demuxer, std::string_view name) {
 }  // namespace
 
 ClipInput::ClipInput(const std::filesystem::path& path) : name_(path.string()) {
+  try {
+    openFile(path);
+  } catch (const InputError& error) {
+    throw InputError("can't read " + name_ + ": " + error.what());
+  }
   // FFmpeg would take "a:b.mp4" for a protocol named a.
   open(nullptr, "file:" + name_);
 }

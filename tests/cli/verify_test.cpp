@@ -1,6 +1,7 @@
 // `rotatebook verify`.
 #include <filesystem>
 #include <string>
+#include <sys/stat.h>
 #include <vector>
 
 #include "cli/program_test.h"
@@ -83,6 +84,20 @@ TEST_F(VerifyCommand, ComparesTheFramesThatAreNamed) {
   EXPECT_EQ(outside.error, "rotatebook: frame 12 isn't in the clip, which has 0 to 11\n");
   EXPECT_EQ(run({"verify", "out/tiny.mp4", "--frames", "3", "--all"}).status, 2);
   EXPECT_EQ(run({"verify", "out/tiny.mp4", "--frames", "x"}).status, 2);
+  EXPECT_THAT(run({"verify", "out/tiny.mp4", "--frames", "99999999999999999999"}).error,
+              HasSubstr("99999999999999999999 not in range"));
+}
+
+TEST_F(VerifyCommand, WaitsForNoPipe) {
+  ASSERT_EQ(mkfifo((folder() / "clip.mp4").c_str(), 0600), 0);
+  for (const std::vector<std::string>& command :
+       {std::vector<std::string>{"verify"}, {"rerun", "-o", "again"}}) {
+    std::vector<std::string> arguments = command;
+    arguments.emplace_back("clip.mp4");
+    const ChildResult result = run(arguments);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.error, "rotatebook: can't read clip.mp4: it is a pipe, not a file\n");
+  }
 }
 
 TEST_F(VerifyCommand, ProvesWebMAndParts) {
@@ -130,8 +145,8 @@ TEST_F(VerifyCommand, RefusesWhatIsNoClip) {
   expectRefused("out/tiny.gif", "out/tiny.gif is of the format gif, which holds no record");
   expectRefused("out/tiny.apng", "out/tiny.apng is of the format apng, which holds no record");
   expectRefused("tiny.toml", "can't read tiny.toml as MP4 or WebM: ");
-  expectRefused("no.mp4", "can't read no.mp4 as MP4 or WebM: No such file or directory");
-  expectRefused("out", "can't read out as MP4 or WebM: ");
+  expectRefused("no.mp4", "can't read no.mp4: No such file or directory");
+  expectRefused("out", "can't read out: Is a directory");
 }
 
 TEST_F(VerifyCommand, RefusesDamagedRecords) {

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <sys/stat.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -41,6 +42,24 @@ TEST(Checksum, OfAFileIsThatOfItsBytes) {
   const fs::path file = emptyFolder() / "file";
   writeFileAtomically(file, bytes);
   EXPECT_EQ(checksumOfFile(file), checksumOf(bytes));
+}
+
+TEST(Checksum, IsOfNothingThatCannotBeRead) {
+  const fs::path folder = emptyFolder();
+  const std::string start = "can't read " + (folder / "file").string() + ": ";
+  EXPECT_EQ(messageOf<MachineError>([&] { checksumOfFile(folder / "file"); }),
+            start + "No such file or directory");
+  ASSERT_EQ(mkfifo((folder / "file").c_str(), 0600), 0);
+  EXPECT_EQ(messageOf<MachineError>([&] { checksumOfFile(folder / "file"); }),
+            start + "it is a pipe, not a file");
+}
+
+TEST(FrameSums, AreNotWrittenIntoAPipe) {
+  const fs::path folder = emptyFolder();
+  ASSERT_EQ(mkfifo((folder / kFrameSumsName).c_str(), 0600), 0);
+  FrameSums sums(folder);
+  EXPECT_EQ(messageOf<MachineError>([&] { sums.add(0, "abc"); }),
+            "can't write " + (folder / kFrameSumsName).string() + ": it is not a regular file");
 }
 
 TEST(FrameSums, HaveALineForEachFrame) {

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "cli/clip_options.h"
+#include "overlay/text.h"
 #include "pipeline/clip_files.h"
 #include "scene/scene_file.h"
 
@@ -48,6 +49,13 @@ void requireUsable(const std::string& name) {
     throw InputError("the name " + name + " has " + std::to_string(name.size()) +
                      " bytes; the limit is " + std::to_string(kLongestName) +
                      ": rename the scene's file, or shorten the panel's label");
+  }
+  if (name == "." || name == "..") {
+    throw InputError("a scene can't be named " + name + ", as a folder is; rename the file");
+  }
+  if (!overlay::isOneLine(name)) {
+    throw InputError("a scene's name must be a line of UTF-8, which " + name +
+                     " isn't; rename the file");
   }
   for (const char* reserved : {".partial", ".replaced"}) {
     if (!name.ends_with(reserved)) continue;

@@ -185,6 +185,24 @@ TEST_F(BadInput, TexturesThatAreCorruptAreNamed) {
   EXPECT_THAT(files(), ::testing::ElementsAre("cut.png"));
 }
 
+TEST_F(BadScene, HasANameThatNoFileMayHave) {
+  const std::string folders = ", as a folder is; rename the file\n";
+  for (const auto& [file, problem] : std::vector<std::pair<std::string, std::string>>{
+           {"..toml", "a scene can't be named ." + folders},
+           {"...toml", "a scene can't be named .." + folders},
+           {"a\xff.toml",
+            "a scene's name must be a line of UTF-8, which a\xff isn't; rename the file\n"},
+           {"a\nb.toml",
+            "a scene's name must be a line of UTF-8, which a\nb isn't; rename the file\n"}}) {
+    write(file, kTiny);
+    const ChildResult result = run({"render", file});
+    EXPECT_EQ(result.status, 2);
+    EXPECT_TRUE(result.error == "rotatebook: " + problem) << problem;
+    std::filesystem::remove(folder() / file);
+    EXPECT_THAT(files(), IsEmpty());
+  }
+}
+
 class BadFrames : public ProgramTest {
  protected:
   BadFrames() { run({"render", "tiny.toml", "--no-mp4"}); }

@@ -35,7 +35,8 @@ const std::map<std::string, Room> kRooms{
      {{"base", "physics", "scene", "image", "overlay", "render", "video"}, {"Eigen/", "xxhash.h"}}},
     {"page", {{"base", "physics", "scene", "video", "pipeline"}, {"Eigen/"}}},
     {"cli",
-     {{"base", "physics", "scene", "image", "render", "video", "pipeline", "page"}, {"CLI/"}}},
+     {{"base", "physics", "scene", "image", "overlay", "render", "video", "pipeline", "page"},
+      {"CLI/"}}},
 };
 
 // What physics does without, so that it runs in a browser and gives the same bits everywhere.

@@ -2,8 +2,9 @@
 //
 // ROTATEBOOK_FAULT is CALL:NUMBER:FAULT. The CALL of that NUMBER, from 1, has the FAULT:
 // the number of an error, kill (0), or -1 times that of a signal.
-//   open, write, flush, rename, remove, mkdir, any   below the folder ROTATEBOOK_FAULT_BELOW, and
+//   read                                             below the folder ROTATEBOOK_FAULT_BELOW, and
 //                                                    all later ones, too
+//   open, write, flush, rename, remove, mkdir, any   likewise, of what changes files
 //   encode                                           of FFmpeg's encoders and muxers; likewise
 //   memory                                           of the program itself, not of libraries; the
 //                                                    NUMBER is a place's, of which the first fails

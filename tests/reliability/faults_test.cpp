@@ -159,6 +159,29 @@ TEST_F(Faults, FailureOfAnyChangeIsToldAndLosesNothing) {
   }
 }
 
+// Of a render that goes on after its video was removed.
+TEST_F(Faults, FailureOfAnyReadIsToldOrMended) {
+  int failures = 0, number = 1;
+  for (; number < kMostCalls; ++number) {
+    removeOut();
+    std::filesystem::copy(folder() / "whole", folder() / "out",
+                          std::filesystem::copy_options::recursive);
+    std::filesystem::remove(folder() / "out/tiny.mp4");
+    const ChildResult result = renderWithFault("read", number, EIO, {"--resume"});
+    if (std::stoi(read("count")) < number) break;
+    const std::string when = "read " + std::to_string(number) + " fails";
+    if (result.status == 0) {
+      expectSameFiles("whole", "out", when);
+      continue;
+    }
+    ++failures;
+    expectFailure(result, ContainsRegex("rotatebook: [^\n]*: Input/output error"), when);
+    expectResumed(when);
+  }
+  EXPECT_GT(failures, 2) << "the faults don't reach the program";
+  EXPECT_LT(number, kMostCalls);
+}
+
 TEST_F(Faults, FailureOfTheEncoderIsToldAndLosesNothing) {
   int number = 1;
   for (; number < kMostCalls; number += step()) {

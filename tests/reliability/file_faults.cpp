@@ -1,4 +1,4 @@
-// Calls of the operating system that change files.
+// Calls of the operating system that change files, or read them.
 #include <array>
 #include <cstdarg>
 #include <fcntl.h>
@@ -12,6 +12,7 @@
 namespace {
 
 using rotatebook::faults::failsAt;
+using rotatebook::faults::isWanted;
 using rotatebook::faults::next;
 
 std::string pathOf(int descriptor) {
@@ -32,6 +33,11 @@ int openNext(const char* name, const char* path, int flags, mode_t mode) {
   return next<Open>(name)(path, flags, mode);
 }
 
+/// Not one of any change.
+bool readFails(int file) {
+  return isWanted("read") && failsAt("read", pathOf(file));
+}
+
 }  // namespace
 
 extern "C" {
@@ -50,6 +56,21 @@ int open64(const char* path, int flags, ...) {
   const mode_t mode = (flags & O_CREAT) != 0 ? va_arg(arguments, mode_t) : 0;
   va_end(arguments);
   return openNext("open64", path, flags, mode);
+}
+
+ssize_t read(int file, void* bytes, size_t size) {
+  if (readFails(file)) return -1;
+  return next<ssize_t(int, void*, size_t)>("read")(file, bytes, size);
+}
+
+ssize_t pread(int file, void* bytes, size_t size, off_t at) {
+  if (readFails(file)) return -1;
+  return next<ssize_t(int, void*, size_t, off_t)>("pread")(file, bytes, size, at);
+}
+
+ssize_t pread64(int file, void* bytes, size_t size, off_t at) {
+  if (readFails(file)) return -1;
+  return next<ssize_t(int, void*, size_t, off_t)>("pread64")(file, bytes, size, at);
 }
 
 ssize_t write(int file, const void* bytes, size_t size) {

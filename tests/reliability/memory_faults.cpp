@@ -4,17 +4,17 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <execinfo.h>
 #include <link.h>
 #include <new>
 #include <span>
 #include <string_view>
+#include <unwind.h>
 
 #include "reliability/faults.h"
 
 namespace {
 
-constexpr int kMostFrames = 64;
+constexpr std::size_t kMostFrames = 64;
 
 struct Range {
   std::uintptr_t first = 0, end = 0;
@@ -63,12 +63,26 @@ bool isOfStream(void* frame) {
   return name.find("stream") != name.npos || name.find("num_get") != name.npos;
 }
 
+struct Stack {
+  std::array<void*, kMostFrames> frames;
+  std::size_t count = 0;
+};
+
+// Not by backtrace(), which loads a library first.
+_Unwind_Reason_Code addFrame(_Unwind_Context* context, void* data) {
+  auto& stack = *static_cast<Stack*>(data);
+  if (stack.count == kMostFrames) return _URC_END_OF_STACK;
+  stack.frames[stack.count++] = reinterpret_cast<void*>(_Unwind_GetIP(context));
+  return _URC_NO_REASON;
+}
+
 /// What tells a request from others: the calls of the program that led to it, the same in each run.
 /// 0 if it isn't the program's own.
 long placeOfRequest(const void* caller) {
   const Code& code = loadedCode();
-  std::array<void*, kMostFrames> all;
-  std::span<void*> frames(all.data(), static_cast<std::size_t>(backtrace(all.data(), kMostFrames)));
+  Stack stack;
+  _Unwind_Backtrace(addFrame, &stack);
+  std::span<void*> frames(stack.frames.data(), stack.count);
   while (!frames.empty() && frames.front() != caller) frames = frames.subspan(1);
   const auto isStandard = [&](void* frame) { return code.standardLibrary.contains(frame); };
   const auto asker = std::ranges::find_if_not(frames, isStandard);

@@ -190,6 +190,8 @@ void ClipFolder::openWhole(const Settings& settings) {
     manifest_ = *finished;
     begin(files_.frameFolder, settings.record);
     if (goOn) moveFrames(files_.partialFrameFolder, files_.frameFolder);
+    // Of a process that was killed before it had a frame.
+    if (!hasFrames(files_.partialFrameFolder)) discard(files_.partialFrameFolder);
     return;
   }
   if (!goOn) {

@@ -164,6 +164,16 @@ TEST_F(Resume, TakesWhatAWholeAndAPartLeft) {
   EXPECT_FALSE(render({}).wasDone) << "nothing unfinished is left to be asked about";
 }
 
+TEST_F(Resume, TakesAwayWhatWasKilledBeforeItsFirstFrame) {
+  const fs::path begun = folder_ / "small.partial";
+  fs::create_directories(begun);
+  std::ofstream(begun / ".scene.toml.rotatebook-99999999");
+  testing::render(smallScene(), {.folder = folder_, .formats = {}, .frames = FrameRange{3, 8}});
+  render(kResume);
+  expectAsUninterrupted();
+  EXPECT_FALSE(fs::exists(begun));
+}
+
 TEST_F(Resume, LosesNoPartsUnasked) {
   testing::render(smallScene(), {.folder = folder_, .formats = {}, .frames = FrameRange{0, 5}});
   const std::string held =

@@ -11,6 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
@@ -128,7 +129,7 @@ TEST_F(OutputFailure, FullDiskForTheClip) {
   const ChildResult result = runOnFullDisk({"render", "tiny.toml"}, kLessThanAClip);
   EXPECT_EQ(result.status, 3);
   EXPECT_THAT(result.error,
-              AllOf(HasSubstr("rotatebook: can't write out/"),
+              AllOf(ContainsRegex("(^|\n)rotatebook: can't write out/"),
                     HasSubstr(": File too large\n  12 finished frames are kept in "
                               "out/tiny.partial/; go on with the same command and --resume\n")));
   for (const std::string& name : files()) {

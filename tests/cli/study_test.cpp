@@ -100,6 +100,8 @@ TEST_F(StudyCommand, RefusesBadLists) {
   expectRefused({"--steps", "1,,2"}, "--steps 1,,2" + steps);
   expectRefused({"--steps", "0.5"}, "--steps 0.5" + steps);
   expectRefused({"--steps", "1,02"}, "--steps 1,02" + steps);
+  expectRefused({"--steps", ""},
+                "argument 4, after --steps, is empty; is it a variable that isn't set?");
   expectRefused({"--steps", "4,0"},
                 "--steps 4,0: study.steps must be an integer from 1 to 1000000, not 0");
   expectRefused({"--steps", "4,4"}, "--steps 4,4: study.steps has 4 twice");
@@ -115,6 +117,8 @@ TEST_F(StudyCommand, RefusesIntegratorsThatTheModelDoesNotHave) {
                 "--integrators dmv6: " + valid + "\"dmv6\"");
   expectRefused({"--set", particles, "--integrators", "rk4,"},
                 "--integrators rk4,: " + valid + "\"\"");
+  expectRefused({"--set", particles, "--integrators", ""},
+                "argument 6, after --integrators, is empty; is it a variable that isn't set?");
 }
 
 TEST_F(StudyCommand, RefusesScenesWithNothingToVary) {

@@ -21,6 +21,22 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kMark = ".rotatebook-";
 
+/// What is where `path` or a folder above it is to be, and is no folder; empty if nothing is.
+std::string wayBarredTo(const fs::path& path) {
+  fs::path place;
+  for (const fs::path& part : path) {
+    place /= part;
+    std::error_code unknown;
+    if (!fs::exists(fs::symlink_status(place, unknown)) || fs::is_directory(place, unknown)) {
+      continue;
+    }
+    const bool link = fs::is_symlink(place, unknown) && !fs::exists(place, unknown);
+    return place.string() + (link ? " is a link to a place that isn't there" : " is no folder") +
+           "; move it out of the way, or name another place";
+  }
+  return "";
+}
+
 fs::path temporaryNameFor(const fs::path& path, pid_t number) {
   const std::string name = "." + path.filename().string() + std::string(kMark);
   return path.parent_path() / (name + std::to_string(number));
@@ -135,9 +151,10 @@ void removeFile(const fs::path& path) {
 void createFolders(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  if (error) {
-    throw MachineError("can't make the folder " + folder.string() + ": " + error.message());
-  }
+  if (!error) return;
+  const std::string inTheWay = wayBarredTo(folder);
+  throw MachineError("can't make the folder " + folder.string() + ": " +
+                     (inTheWay.empty() ? error.message() : inTheWay));
 }
 
 }  // namespace rotatebook

@@ -41,7 +41,8 @@ void addAssembleCommand(CLI::App& program, Action& action) {
   CLI::App* command =
       program.add_subcommand("assemble", "Make a video from PNG frames on the disk");
   command->add_option("DIR", arguments->folder, "Folder with frame_00000.png ...")->required();
-  command->add_option("-o,--output", arguments->output, "MP4 to write")
+  command
+      ->add_option("-o,--output", arguments->output, "Video to write: .mp4, .webm, .gif or .apng")
       ->type_name("FILE")
       ->required();
   command
@@ -50,8 +51,9 @@ void addAssembleCommand(CLI::App& program, Action& action) {
       ->type_name("RATE");
   command->footer(R"(
 With the scene.toml that a render leaves beside its frames, this makes the very file that the render made.
-A frame that isn't as the render left it, by the checksums in frames.xxh128 beside it, is refused: render
-with --resume, which draws it again, or remove frames.xxh128 to join frames that were changed on purpose.
+A frame that is missing or isn't as the render left it, by the checksums in frames.xxh128 beside it, is
+refused: render with --resume, which draws it again, or remove frames.xxh128 to join what is there on
+purpose. So is a folder into which a render still draws.
 
 Example:
   rotatebook assemble out/starter -o starter.mp4)");

@@ -17,6 +17,7 @@
 #include "pipeline/clip_record.h"
 #include "pipeline/preflight.h"
 #include "video/clip_reader.h"
+#include "video/whole_file.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -67,8 +68,14 @@ void refuseOtherClip(const scene::Scene& scene, const pipeline::ClipFiles& files
   if (fs::exists(copy) && !pipeline::isRecordOf(scene, readFileOrEmpty(copy))) refuse(copy);
 }
 
-/// Why two clips of one record may have other bytes.
-std::vector<std::string> reasons(const pipeline::Making& there, const pipeline::Making& here) {
+/// Why `clip`, which was made `there`, has other bytes than a clip of the same record.
+std::vector<std::string> reasons(const fs::path& clip, const pipeline::Making& there,
+                                 const pipeline::Making& here) {
+  try {
+    video::requireWholeFile(clip);
+  } catch (const InputError& cut) {
+    return {cut.what()};
+  }
   std::vector<std::string> found = pipeline::differencesOfTools(there, here);
   if (there.motion != here.motion) found.push_back("the motion is another than the recorded one");
   if (!found.empty()) return found;
@@ -89,7 +96,8 @@ int compare(const pipeline::RecordedClip& there, const RerunArguments& arguments
             << '\n';
   const pipeline::RecordedClip here = pipeline::readRecordedClip(
       output, {there.record.scene.folder, there.record.scene.allowOutside});
-  for (const std::string& reason : reasons(there.record.making, here.record.making)) {
+  for (const std::string& reason :
+       reasons(arguments.clip, there.record.making, here.record.making)) {
     std::cout << "    " << reason << std::endl;
   }
   return kUnmet;

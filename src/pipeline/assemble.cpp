@@ -1,7 +1,12 @@
 #include "pipeline/assemble.h"
 
+#include <system_error>
+#include <unistd.h>
+
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "image/png_file.h"
+#include "pipeline/checksum.h"
 #include "pipeline/clip_files.h"
 #include "pipeline/clip_record.h"
 #include "pipeline/frame_sums.h"
@@ -55,12 +60,42 @@ video::VideoSettings settingsFor(const fs::path& folder, FrameRange range,
   return settings;
 }
 
-[[noreturn]] void throwChanged(const FrameSums& sums, const fs::path& frame) {
-  const std::string list = (sums.folder() / kFrameSumsName).string();
-  throw InputError(frame.string() + " isn't the picture that was drawn: " + list +
-                   " has another checksum of it; render the scene with --resume, which draws it "
-                   "again, or remove " +
-                   list + " to join frames that were changed on purpose");
+/// A render has an exclusive lock of NAME/ while it fills NAME.partial/.
+fs::path lockedNameOf(const fs::path& folder) {
+  std::error_code error;
+  const fs::path path = fs::canonical(folder, error);
+  return path.extension() == kPartialEnding ? path.parent_path() / path.stem() : path;
+}
+
+/// Keeps renders out of a folder of frames while they are read. Throws MachineError if one is under
+/// way. Where nothing can be written, none is.
+class ReadLock {
+ public:
+  explicit ReadLock(const fs::path& folder) {
+    const fs::path name = lockedNameOf(folder);
+    if (access(name.parent_path().c_str(), W_OK) == 0) lock_.emplace(name, Lock::Shared);
+  }
+
+ private:
+  std::optional<UseLock> lock_;
+};
+
+/// `problem`, which a frame has by the checksums, and what to do about it.
+[[noreturn]] void throwUnlike(const FrameSums& sums, const std::string& problem,
+                              const std::string& purpose) {
+  throw InputError(problem + "; render the scene with --resume, which draws it again, or remove " +
+                   (sums.folder() / kFrameSumsName).string() + " to join " + purpose);
+}
+
+/// Throws if a frame that was drawn isn't among those that are there.
+void requireAllDrawn(const FrameSums& sums, FrameRange range) {
+  for (const std::int64_t index : sums.known()) {
+    if (range.first <= index && index < range.end) continue;
+    throwUnlike(sums,
+                sums.folder().string() + ": " + frameName(index) + " is missing, which " +
+                    kFrameSumsName + " there tells of",
+                "the frames that are there");
+  }
 }
 
 /// Throws for a frame that has a checksum, and isn't as that says.
@@ -68,7 +103,13 @@ image::Image readFrame(const FrameSums& sums, std::int64_t index) {
   const fs::path path = sums.folder() / frameName(index);
   if (!sums.knows(index)) return image::readPng(path);
   const std::optional<std::string> bytes = sums.intact(index);
-  if (!bytes) throwChanged(sums, path);
+  if (!bytes) {
+    checksumOfFile(path);  // Says why, if it can't be read.
+    throwUnlike(sums,
+                path.string() + " isn't the picture that was drawn: " +
+                    (sums.folder() / kFrameSumsName).string() + " has another checksum of it",
+                "frames that were changed on purpose");
+  }
   const auto* first = reinterpret_cast<const std::uint8_t*>(bytes->data());
   return image::decodePng({first, bytes->size()}, path.string());
 }
@@ -84,12 +125,13 @@ void requireSameSize(const fs::path& path, const image::Image& picture, const fs
                    ", " + path.string() + " is " + sizeText(picture));
 }
 
-/// What the file's ending says; else MP4.
+/// What the file's ending says.
 video::VideoFormat formatOf(const fs::path& path) {
   for (const video::VideoFormat format : video::kVideoFormats) {
     if (path.extension() == "." + std::string(nameOf(format))) return format;
   }
-  return video::VideoFormat::Mp4;
+  throw InputError(path.string() +
+                   " names no format of video; let it end in .mp4, .webm, .gif or .apng");
 }
 
 }  // namespace
@@ -97,16 +139,19 @@ video::VideoFormat formatOf(const fs::path& path) {
 std::int64_t assemble(const fs::path& folder, const fs::path& video,
                       std::optional<FrameRate> frameRate,
                       const std::function<void(RenderProgress)>& progress) {
+  const video::VideoFormat format = formatOf(video);
+  const ReadLock lock(folder);
   const FrameRange range = wholeRange(folder);
   video::VideoSettings settings = settingsFor(folder, range, frameRate);
   const FrameSums sums(folder);
+  requireAllDrawn(sums, range);
   const fs::path firstPath = folder / frameName(range.first);
   const image::Image first = readFrame(sums, range.first);
   settings.width = first.width();
   settings.height = first.height();
   const bool hasAlpha = first.format() == image::PixelFormat::Rgba8;
-  if (hasAlpha && keepsTransparency(formatOf(video))) settings.transparent = true;
-  VideoSink sink(formatOf(video), video, settings);
+  if (hasAlpha && keepsTransparency(format)) settings.transparent = true;
+  VideoSink sink(format, video, settings);
   for (std::int64_t index = range.first; index < range.end; ++index) {
     const fs::path path = folder / frameName(index);
     const image::Image picture = readFrame(sums, index);

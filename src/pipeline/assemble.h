@@ -11,11 +11,12 @@
 
 namespace rotatebook::pipeline {
 
-/// Makes `video`, an MP4 unless its ending is another format's, from the frames in `folder`, with
-/// the settings of the scene.toml beside them: the same file, byte for byte, as the render that
+/// Makes `video`, of the format that its ending names, from the frames in `folder`, with the
+/// settings of the scene.toml beside them: the same file, byte for byte, as the render that
 /// drew them, whole or in part. Frames from elsewhere need a `frameRate`; it is an error to give
 /// one where a scene.toml tells. Returns the number of frames. Throws InputError: no frames, one
-/// missing, one with another checksum than frames.xxh128 has for it, differing sizes, no rate.
+/// missing, one with another checksum than frames.xxh128 has for it, differing sizes, no rate, no
+/// format; MachineError if a frame can't be read, or a render of the folder is under way.
 std::int64_t assemble(const std::filesystem::path& folder, const std::filesystem::path& video,
                       std::optional<FrameRate> frameRate,
                       const std::function<void(RenderProgress)>& progress);

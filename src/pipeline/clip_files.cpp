@@ -90,7 +90,7 @@ fs::path ClipFiles::partialVideo(video::VideoFormat format) const {
 ClipFiles clipFiles(const fs::path& folder, const std::string& name) {
   const fs::path frames = folder / name;
   return {.frameFolder = frames,
-          .partialFrameFolder = folder / (name + ".partial"),
+          .partialFrameFolder = folder / (name + kPartialEnding),
           .replacedFolder = folder / (name + ".replaced"),
           .sceneCopy = frames / kSceneCopyName,
           .videoStem = frames,

@@ -39,6 +39,9 @@ std::optional<std::int64_t> frameIndex(const std::string& name);
 /// Indices of the frames in `folder`, ascending. Throws InputError if there is no such folder.
 std::vector<std::int64_t> framesIn(const std::filesystem::path& folder);
 
+/// Of the name of a folder whose frames are still being made.
+inline constexpr const char* kPartialEnding = ".partial";
+
 /// Where a scene's outputs go, below one folder.
 struct ClipFiles {
   std::filesystem::path frameFolder;         ///< NAME/, with the PNGs

@@ -1,6 +1,7 @@
 #include "pipeline/frame_sums.h"
 
 #include <fcntl.h>
+#include <ranges>
 #include <sstream>
 #include <utility>
 
@@ -50,6 +51,11 @@ std::optional<std::string> FrameSums::intact(std::int64_t index) const {
   std::string bytes = readFileOrEmpty(folder_ / frameName(index), image::kLargestFile);
   if (bytes.empty() || checksumOf(bytes) != known->second) return std::nullopt;
   return bytes;
+}
+
+std::vector<std::int64_t> FrameSums::known() const {
+  const auto indices = std::views::keys(sums_);
+  return {indices.begin(), indices.end()};
 }
 
 void FrameSums::add(std::int64_t index, std::string_view bytes) {

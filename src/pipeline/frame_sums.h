@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/file_descriptor.h"
 #include "pipeline/clip_files.h"
@@ -28,6 +29,9 @@ class FrameSums {
   std::optional<std::string> intact(std::int64_t index) const;
   /// Whether frame `index` has a line.
   bool knows(std::int64_t index) const { return sums_.contains(index); }
+
+  /// The frames that have a line, ascending.
+  std::vector<std::int64_t> known() const;
 
   /// Adds that frame `index` was written with these bytes. From any thread, but no line that is
   /// added is known to intact(). Throws MachineError.

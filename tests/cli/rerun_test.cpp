@@ -12,6 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -131,6 +132,21 @@ TEST_F(RerunCommand, TellsWhatDiffers) {
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.output,
               HasSubstr("\n    version, renderer, FFmpeg and motion are those recorded: "));
+}
+
+TEST_F(RerunCommand, TellsThatAClipWasCutOff) {
+  render({});
+  const std::string clip = read("out/tiny.mp4");
+  write("cut.mp4", clip.substr(0, clip.size() - 100));
+  const ChildResult result = run({"rerun", "cut.mp4", "-o", "again"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(
+      result.output,
+      EndsWith("\n  again/tiny.mp4 has OTHER bytes than cut.mp4\n    cut.mp4 ends early, or "
+               "is damaged: it has " +
+               std::to_string(clip.size() - 100) + " of at least " + std::to_string(clip.size()) +
+               " bytes; copy it again, or render it again\n"));
+  EXPECT_TRUE(read("again/tiny.mp4") == clip);
 }
 
 TEST_F(RerunCommand, RefusesWhatHoldsNoRecord) {

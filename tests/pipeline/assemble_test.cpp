@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "image/png_file.h"
 #include "pipeline/small_clip.h"
@@ -72,6 +73,60 @@ TEST_F(Assemble, RefusesAFrameThatIsntAsItWasDrawn) {
     std::ofstream(frame, std::ios::binary) << drawn;
   }
   EXPECT_EQ(assembled(), kFrames);
+}
+
+TEST_F(Assemble, RefusesFramesThatWentMissingAtEitherEnd) {
+  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
+  for (const std::int64_t missing : {std::int64_t{0}, kFrames - 1}) {
+    const fs::path frame = frames_ / frameName(missing);
+    fs::rename(frame, folder_ / "kept.png");
+    EXPECT_EQ(inputError(), frames_.string() + ": " + frameName(missing) +
+                                " is missing, which frames.xxh128 there tells of; render the scene "
+                                "with --resume, which draws it again, or remove " +
+                                (frames_ / "frames.xxh128").string() +
+                                " to join the frames that are there");
+    fs::rename(folder_ / "kept.png", frame);
+  }
+  fs::remove(frames_ / frameName(0));
+  fs::remove(frames_ / "frames.xxh128");
+  EXPECT_EQ(assembled(), kFrames - 1);
+}
+
+TEST_F(Assemble, SaysWhyAFrameCannotBeRead) {
+  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
+  const fs::path frame = frames_ / frameName(5);
+  fs::remove(frame);
+  fs::create_symlink("nowhere", frame);
+  EXPECT_EQ(testing::messageOf<MachineError>([&] { assembled(); }),
+            "can't read " + frame.string() + ": No such file or directory");
+  EXPECT_FALSE(fs::exists(mp4_));
+}
+
+TEST_F(Assemble, TakesNoFramesThatARenderStillMakes) {
+  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
+  const fs::path whole = fs::canonical(frames_);
+  const fs::path partial = folder_ / "small.partial";
+  fs::copy(frames_, partial, fs::copy_options::recursive);
+  for (const fs::path& folder : {frames_, frames_ / "", partial}) {
+    const UseLock lock(frames_, Lock::Exclusive);
+    EXPECT_EQ(testing::messageOf<MachineError>([&] { assemble(folder, mp4_, {}, {}); }),
+              "another process is writing " + whole.string() + "; wait for it to end");
+    EXPECT_FALSE(fs::exists(mp4_));
+  }
+  const UseLock other(frames_, Lock::Shared);
+  EXPECT_EQ(assembled(), kFrames);
+}
+
+TEST_F(Assemble, NeedsAnEndingThatNamesAFormat) {
+  writeFrames(frames_, {0, 1});
+  for (const char* name : {"clip.mkv", "clip", "clip.MP4"}) {
+    const fs::path video = folder_ / name;
+    EXPECT_EQ(testing::messageOf<InputError>([&] { assemble(frames_, video, FrameRate{}, {}); }),
+              video.string() +
+                  " names no format of video; let it end in .mp4, .webm, .gif or "
+                  ".apng");
+    EXPECT_FALSE(fs::exists(video));
+  }
 }
 
 TEST_F(Assemble, TakesChangedFramesWithoutTheirChecksums) {

@@ -53,7 +53,7 @@ void addAssembleCommand(CLI::App& program, Action& action) {
 With the scene.toml that a render leaves beside its frames, this makes the very file that the render made.
 A frame that is missing or isn't as the render left it, by the checksums in frames.xxh128 beside it, is
 refused: render with --resume, which draws it again, or remove frames.xxh128 to join what is there on
-purpose. So is a folder into which a render still draws.
+purpose. So is the folder of a whole clip that is still being rendered.
 
 Example:
   rotatebook assemble out/starter -o starter.mp4)");

@@ -67,8 +67,8 @@ fs::path lockedNameOf(const fs::path& folder) {
   return path.extension() == kPartialEnding ? path.parent_path() / path.stem() : path;
 }
 
-/// Keeps renders out of a folder of frames while they are read. Throws MachineError if one is under
-/// way. Where nothing can be written, none is.
+/// Keeps renders of the whole clip out of a folder of frames while they are read. Throws
+/// MachineError if one is under way. Where nothing can be written, none is.
 class ReadLock {
  public:
   explicit ReadLock(const fs::path& folder) {

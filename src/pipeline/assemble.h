@@ -16,7 +16,7 @@ namespace rotatebook::pipeline {
 /// drew them, whole or in part. Frames from elsewhere need a `frameRate`; it is an error to give
 /// one where a scene.toml tells. Returns the number of frames. Throws InputError: no frames, one
 /// missing, one with another checksum than frames.xxh128 has for it, differing sizes, no rate, no
-/// format; MachineError if a frame can't be read, or a render of the folder is under way.
+/// format; MachineError if a frame can't be read, or the whole clip is being rendered there.
 std::int64_t assemble(const std::filesystem::path& folder, const std::filesystem::path& video,
                       std::optional<FrameRate> frameRate,
                       const std::function<void(RenderProgress)>& progress);

@@ -57,7 +57,7 @@ void requireUsable(const std::string& name) {
     throw InputError("a scene's name must be a line of UTF-8, which " + name +
                      " isn't; rename the file");
   }
-  for (const char* reserved : {".partial", ".replaced"}) {
+  for (const char* reserved : {pipeline::kPartialEnding, pipeline::kReplacedEnding}) {
     if (!name.ends_with(reserved)) continue;
     throw InputError("a scene can't be named " + name + ": " + reserved +
                      " is for what a render leaves while it goes on; rename the file");

@@ -80,11 +80,11 @@ class ReadLock {
   std::optional<UseLock> lock_;
 };
 
-/// `problem`, which a frame has by the checksums, and what to do about it.
+/// Tells the `problem` that a frame has by the checksums, and how it is mended, or `joined` anyway.
 [[noreturn]] void throwUnlike(const FrameSums& sums, const std::string& problem,
-                              const std::string& purpose) {
+                              const std::string& joined) {
   throw InputError(problem + "; render the scene with --resume, which draws it again, or remove " +
-                   (sums.folder() / kFrameSumsName).string() + " to join " + purpose);
+                   (sums.folder() / kFrameSumsName).string() + " to join " + joined);
 }
 
 /// Throws if a frame that was drawn isn't among those that are there.

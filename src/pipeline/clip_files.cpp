@@ -84,14 +84,14 @@ fs::path ClipFiles::video(video::VideoFormat format) const {
 }
 
 fs::path ClipFiles::partialVideo(video::VideoFormat format) const {
-  return videoStem.string() + ".partial." + std::string(nameOf(format));
+  return videoStem.string() + kPartialEnding + "." + std::string(nameOf(format));
 }
 
 ClipFiles clipFiles(const fs::path& folder, const std::string& name) {
   const fs::path frames = folder / name;
   return {.frameFolder = frames,
           .partialFrameFolder = folder / (name + kPartialEnding),
-          .replacedFolder = folder / (name + ".replaced"),
+          .replacedFolder = folder / (name + kReplacedEnding),
           .sceneCopy = frames / kSceneCopyName,
           .videoStem = frames,
           .csv = folder / (name + ".csv"),

@@ -39,8 +39,9 @@ std::optional<std::int64_t> frameIndex(const std::string& name);
 /// Indices of the frames in `folder`, ascending. Throws InputError if there is no such folder.
 std::vector<std::int64_t> framesIn(const std::filesystem::path& folder);
 
-/// Of the name of a folder whose frames are still being made.
+/// What a render puts after a clip's name while it goes on; no scene's name may end so.
 inline constexpr const char* kPartialEnding = ".partial";
+inline constexpr const char* kReplacedEnding = ".replaced";
 
 /// Where a scene's outputs go, below one folder.
 struct ClipFiles {

@@ -79,8 +79,9 @@ TEST(Promises, AreReadWithTheirTests) {
 
 TEST(Promises, AreShownByTestsThatThereAre) {
   const std::set<std::string> tests = allTests();
+  const std::vector<std::string> rows = promises();
   std::vector<std::string> wrong;
-  for (const std::string& promise : promises()) {
+  for (const std::string& promise : rows) {
     const std::vector<std::string> evidence = evidenceOf(promise);
     if (evidence.empty()) wrong.push_back(promise);
     for (const std::string& name : evidence) {
@@ -88,7 +89,7 @@ TEST(Promises, AreShownByTestsThatThereAre) {
     }
   }
   EXPECT_THAT(wrong, IsEmpty());
-  EXPECT_GT(promises().size(), 20U);  // measured 29
+  EXPECT_GT(rows.size(), 20U);  // measured 29
 }
 
 }  // namespace

@@ -98,9 +98,9 @@ class Player extends EventTarget {
   seek(frame) {
     const wanted = Math.min(Math.max(Math.round(frame), 0), this.frames - 1);
     if (this.video.preload === "none") this.video.preload = "auto";
-    // One at a time: a browser that is sent elsewhere again and again may never arrive.
-    if (this.video.seeking) this.next = wanted;
-    else this.video.currentTime = (wanted + 0.5) / this.rate;
+    // One at a time: a browser that is sent elsewhere again and again may never arrive. What waited before is wanted no more.
+    this.next = this.video.seeking ? wanted : null;
+    if (this.next === null) this.video.currentTime = (wanted + 0.5) / this.rate;
     this.show(wanted);
   }
 

@@ -94,6 +94,26 @@ describe("the player", () => {
     await close();
   });
 
+  test("goes where the last key says, also when the video has just arrived elsewhere", async () => {
+    const {page, close} = await open();
+    const clip = await openClip(page, "turns");
+    await clip.locator(".seek").fill("40");
+    await waitForSeek(page, "turns");
+    await page.evaluate(() => new Promise((resolve) => {
+      const press = (key) => document.body.dispatchEvent(new KeyboardEvent("keydown", {key, bubbles: true}));
+      const video = document.querySelector("#turns video");
+      let arrivals = 0;
+      video.addEventListener("seeked", () => { if (++arrivals === 2) resolve(); });
+      // Before the player hears of it: the video no longer seeks, and the second step still waits.
+      window.addEventListener("seeked", () => press(","), {capture: true, once: true});
+      press(".");
+      press(".");
+    }));
+    assert.equal(await frameOf(clip), 41);
+    assert.equal(Math.floor(await timeOf(clip) * 60), 41);
+    await close();
+  });
+
   test("stays within the clip", async () => {
     const {page, close} = await open();
     const clip = await openClip(page, "turns");

@@ -17,20 +17,27 @@ struct AssembleArguments {
   std::string folder, output, frameRate;
 };
 
+/// ": 0:60 of the scene's 90"
+std::string partText(const pipeline::Assembled& made) {
+  return ": " + pipeline::rangeText(made.frames) + " of the scene's " +
+         std::to_string(made.sceneFrames);
+}
+
 int assembleFrames(const AssembleArguments& arguments) {
   const std::optional<FrameRate> rate = parseFrameRate(arguments.frameRate);
   if (!rate && !arguments.frameRate.empty()) {
     throw InputError("--fps " + arguments.frameRate +
                      ": not a frame rate; write for example 60 or 30000/1001");
   }
-  std::int64_t count = 0;
+  pipeline::Assembled made;
   {
     ProgressLine progress(arguments.output);
-    count = pipeline::assemble(
+    made = pipeline::assemble(
         arguments.folder, arguments.output, rate,
         [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); });
   }
-  std::cout << "wrote " << count << " frames to " << arguments.output << '\n';
+  std::cout << "wrote " << made.frames.count() << " frames to " << arguments.output
+            << (made.isWhole() ? "" : partText(made)) << '\n';
   return kDone;
 }
 
@@ -53,7 +60,8 @@ void addAssembleCommand(CLI::App& program, Action& action) {
 With the scene.toml that a render leaves beside its frames, this makes the very file that the render made.
 A frame that is missing or isn't as the render left it, by the checksums in frames.xxh128 beside it, is
 refused: render with --resume, which draws it again, or remove frames.xxh128 to join what is there on
-purpose. So is the folder of a whole clip that is still being rendered.
+purpose. So is the folder of a whole clip that is still being rendered. Where parts of a clip are there
+and others aren't, it says which frames it took.
 
 Example:
   rotatebook assemble out/starter -o starter.mp4)");

@@ -34,14 +34,13 @@ FrameRange wholeRange(const fs::path& folder) {
   return {indices.front(), indices.back() + 1};
 }
 
-/// `record`, that of `scene`, for a video of these frames.
-std::string recordFor(const std::string& record, const scene::Scene& scene, FrameRange range) {
-  const bool whole = range == FrameRange{0, simulateScene(scene).frameCount()};
-  return whole ? record : recordOfPart(record, range);
-}
+/// What tells how the video is to be made.
+struct Source {
+  video::VideoSettings settings;
+  std::int64_t sceneFrames;
+};
 
-video::VideoSettings settingsFor(const fs::path& folder, FrameRange range,
-                                 std::optional<FrameRate> frameRate) {
+Source sourceFor(const fs::path& folder, FrameRange range, std::optional<FrameRate> frameRate) {
   const fs::path sceneCopy = folder / kSceneCopyName;
   if (fs::exists(sceneCopy)) {
     if (frameRate) {
@@ -49,7 +48,9 @@ video::VideoSettings settingsFor(const fs::path& folder, FrameRange range,
     }
     const std::string record = scene::readSceneText(sceneCopy);
     const scene::Scene scene = scene::parseScene(record, sceneCopy);
-    return videoSettings(scene, recordFor(record, scene, range));
+    const std::int64_t frames = simulateScene(scene).frameCount();
+    const bool whole = range == FrameRange{0, frames};
+    return {videoSettings(scene, whole ? record : recordOfPart(record, range)), frames};
   }
   if (!frameRate) {
     throw InputError(folder.string() +
@@ -57,7 +58,7 @@ video::VideoSettings settingsFor(const fs::path& folder, FrameRange range,
   }
   video::VideoSettings settings;
   settings.frameRate = *frameRate;
-  return settings;
+  return {settings, range.count()};
 }
 
 /// A render has an exclusive lock of NAME/ while it fills NAME.partial/.
@@ -136,14 +137,15 @@ video::VideoFormat formatOf(const fs::path& path) {
 
 }  // namespace
 
-std::int64_t assemble(const fs::path& folder, const fs::path& video,
-                      std::optional<FrameRate> frameRate,
-                      const std::function<void(RenderProgress)>& progress) {
+Assembled assemble(const fs::path& folder, const fs::path& video,
+                   std::optional<FrameRate> frameRate,
+                   const std::function<void(RenderProgress)>& progress) {
   const video::VideoFormat format = formatOf(video);
   const ReadLock lock(folder);
-  const FrameRange range = wholeRange(folder);
-  video::VideoSettings settings = settingsFor(folder, range, frameRate);
+  // First: of a part that is being drawn, frames are added meanwhile, each before its checksum.
   const FrameSums sums(folder);
+  const FrameRange range = wholeRange(folder);
+  auto [settings, sceneFrames] = sourceFor(folder, range, frameRate);
   requireAllDrawn(sums, range);
   const fs::path firstPath = folder / frameName(range.first);
   const image::Image first = readFrame(sums, range.first);
@@ -160,7 +162,7 @@ std::int64_t assemble(const fs::path& folder, const fs::path& video,
     if (progress) progress({index - range.first + 1, range.count()});
   }
   sink.finish();
-  return range.count();
+  return {range, sceneFrames};
 }
 
 }  // namespace rotatebook::pipeline

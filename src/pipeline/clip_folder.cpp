@@ -133,6 +133,16 @@ void requireLosable(const fs::path& folder, const std::optional<Manifest>& there
                    "; render anew with --overwrite, or into another folder with -o");
 }
 
+/// Throws InputError if `folder` holds frames of other settings, which a part can't join.
+void requireJoinable(const fs::path& folder, const ClipFolder::Settings& settings) {
+  const std::optional<Manifest> there = readManifest(folder);
+  if (!hasFrames(folder) || isOf(there, settings.made)) return;
+  throw InputError(
+      folder.string() + " holds frames of other settings" +
+      (there ? ": " + differences(folder, *there, settings.made, settings.scene) : "") +
+      "; render into another folder with -o, or remove it");
+}
+
 }  // namespace
 
 ClipFolder::ClipFolder(const ClipFiles& files, const Settings& settings)
@@ -166,17 +176,19 @@ std::size_t ClipFolder::frameCount() const {
   return fs::is_directory(path_) ? framesIn(path_).size() : 0;
 }
 
+std::size_t ClipFolder::resumableFrames() const {
+  // Without it, the folder was emptied from elsewhere meanwhile.
+  return isOf(readManifest(path_), manifest_.made) ? frameCount() : 0;
+}
+
 void ClipFolder::openPart(const Settings& settings) {
-  const std::optional<Manifest> there = readManifest(files_.frameFolder);
-  const bool same = isOf(there, settings.made);
-  if (hasFrames(files_.frameFolder) && !same) {
-    throw InputError(
-        files_.frameFolder.string() + " holds frames of other settings" +
-        (there ? ": " + differences(files_.frameFolder, *there, settings.made, settings.scene)
-               : "") +
-        "; render into another folder with -o, or remove it");
+  // Those that aren't finished would be lost when either is.
+  for (const fs::path& folder : {files_.frameFolder, files_.partialFrameFolder}) {
+    requireJoinable(folder, settings);
   }
-  if (same) manifest_ = *there;
+  if (const auto there = readManifest(files_.frameFolder); isOf(there, settings.made)) {
+    manifest_ = *there;
+  }
   path_ = files_.frameFolder;
   if (settings.png) begin(path_, settings.record);
 }
@@ -194,11 +206,12 @@ void ClipFolder::openWhole(const Settings& settings) {
     if (!hasFrames(files_.partialFrameFolder)) discard(files_.partialFrameFolder);
     return;
   }
+  // Frames that tell nothing of themselves are no render's of this kind. A clip made way when what
+  // goes on was begun; parts didn't.
+  const bool mayBeLost =
+      goOn ? finished && !finished->isComplete() : finished || settings.earlier.resume;
+  if (mayBeLost) requireLosable(files_.frameFolder, finished, settings);
   if (!goOn) {
-    // Frames that tell nothing of themselves are no render's of this kind.
-    if (finished || settings.earlier.resume) {
-      requireLosable(files_.frameFolder, finished, settings);
-    }
     requireLosable(files_.partialFrameFolder, partial, settings);
     discard(files_.partialFrameFolder);
   }

@@ -52,8 +52,8 @@ class ClipFolder {
   FrameSums& sums() { return *sums_; }
   const std::filesystem::path& path() const { return path_; }
 
-  /// How many frames are there, for a render that couldn't go on.
-  std::size_t frameCount() const;
+  /// How many frames a render that couldn't go on leaves to one that resumes it.
+  std::size_t resumableFrames() const;
 
   /// Whether an earlier render finished `files`, and `frames` too, if they are asked for, and all
   /// is as it left them.
@@ -69,6 +69,7 @@ class ClipFolder {
   void openPart(const Settings& settings);
   void openWhole(const Settings& settings);
   void begin(const std::filesystem::path& folder, const std::string& record);
+  std::size_t frameCount() const;
   void discardIfEmpty() const noexcept;
 
   UseLock lock_;

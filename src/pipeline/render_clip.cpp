@@ -104,7 +104,7 @@ class Render {
   }
 
   std::string keptText(const ClipFolder& folder) const {
-    const std::size_t count = options_.png ? folder.frameCount() : 0;
+    const std::size_t count = options_.png ? folder.resumableFrames() : 0;
     if (count == 0) return "";
     return "\n  " + std::to_string(count) +
            (count == 1 ? " finished frame is kept in " : " finished frames are kept in ") +

@@ -25,6 +25,13 @@ TEST_F(AssembleCommand, MakesTheFileOfTheRender) {
   EXPECT_EQ(read("x.mp4"), read("out/tiny.mp4"));
 }
 
+TEST_F(AssembleCommand, SaysWhichFramesItTookOfAClipThatIsNotWhole) {
+  ASSERT_EQ(run({"render", "tiny.toml", "--frames", "2:6", "-o", "part"}).status, 0);
+  const ChildResult result = runWithoutGraphics({"assemble", "part/tiny", "-o", "x.mp4"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_EQ(result.output, "wrote 4 frames to x.mp4: 2:6 of the scene's 12\n");
+}
+
 TEST_F(AssembleCommand, TakesFramesFromElsewhereAtARate) {
   std::filesystem::remove(folder() / "out/tiny/scene.toml");
   EXPECT_EQ(run({"assemble", "out/tiny", "-o", "x.mp4", "--fps", "30000/1001"}).status, 0);

@@ -38,7 +38,7 @@ void writeFrames(const fs::path& folder, const std::vector<std::int64_t>& indice
 class Assemble : public ::testing::Test {
  protected:
   std::int64_t assembled(std::optional<FrameRate> rate = {}) const {
-    return assemble(frames_, mp4_, rate, {});
+    return assemble(frames_, mp4_, rate, {}).frames.count();
   }
 
   std::string inputError(std::optional<FrameRate> rate = {}) const {

@@ -43,7 +43,9 @@ TEST(RenderParts, AssembleToTheWholesBytes) {
   const fs::path parts = folder / "parts";
   testing::render(smallScene(), {.folder = parts, .frames = FrameRange{5, 12}});
   testing::render(smallScene(), {.folder = parts, .formats = {}, .frames = FrameRange{0, 5}});
-  EXPECT_EQ(assemble(parts / "small", parts / "all.mp4", {}, {}), kFrames);
+  const Assembled made = assemble(parts / "small", parts / "all.mp4", {}, {});
+  EXPECT_EQ(made.frames, (FrameRange{0, kFrames}));
+  EXPECT_TRUE(made.isWhole());
   EXPECT_EQ(bytesOf(parts / "all.mp4"), bytesOf(folder / "whole/small.mp4"));
   for (std::int64_t frame = 0; frame < kFrames; ++frame) {
     const std::string name = frameName(frame);
@@ -55,7 +57,10 @@ TEST(RenderParts, AssembleToTheWholesBytes) {
 TEST(RenderParts, AssembleToTheirOwnBytes) {
   const fs::path folder = emptyFolder();
   testing::render(smallScene(), {.folder = folder, .frames = FrameRange{3, 5}});
-  assemble(folder / "small", folder / "part.mp4", {}, {});
+  const Assembled made = assemble(folder / "small", folder / "part.mp4", {}, {});
+  EXPECT_EQ(made.frames, (FrameRange{3, 5}));
+  EXPECT_EQ(made.sceneFrames, kFrames);
+  EXPECT_FALSE(made.isWhole());
   EXPECT_TRUE(bytesOf(folder / "part.mp4") == bytesOf(folder / "small_00003-00005.mp4"));
 }
 
@@ -89,6 +94,21 @@ TEST(RenderParts, RefuseToJoinFramesOfOtherSettings) {
                     HasSubstr("-o")));
   EXPECT_EQ(bytesOf(folder / "small" / frameName(3)), before);
   EXPECT_FALSE(fs::exists(folder / "small" / frameName(7)));
+}
+
+TEST(RenderParts, RefuseToLieBesideUnfinishedFramesOfOtherSettings) {
+  const fs::path folder = emptyFolder();
+  testing::stoppedAfter(4, smallScene(), {.folder = folder});
+  const auto part = [&](const scene::Scene& scene) {
+    testing::render(scene, {.folder = folder, .formats = {}, .frames = FrameRange{3, 12}});
+  };
+  EXPECT_THAT(
+      testing::messageOf<InputError>([&] { part(smallScene({"camera.field_of_view_deg=40"})); }),
+      AllOf(HasSubstr((folder / "small.partial").string() + " holds frames of other settings"),
+            HasSubstr("camera.field_of_view_deg is")));
+  EXPECT_FALSE(fs::exists(folder / "small"));
+  part(smallScene());
+  EXPECT_EQ(framesIn(folder / "small").size(), 9U);
 }
 
 TEST(RenderParts, OfAClipMustBeInIt) {

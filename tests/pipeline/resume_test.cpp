@@ -184,6 +184,20 @@ TEST_F(Resume, LosesNoPartsUnasked) {
   EXPECT_EQ(render(kResume).framesKept, 5) << "the refusals cost frames";
 }
 
+TEST_F(Resume, LosesNoPartsOfOtherSettingsThoughItHasFramesOfItsOwn) {
+  stop(4);
+  // As though the part had been drawn first: it is refused beside frames of other settings.
+  const fs::path elsewhere = folder_.parent_path() / "elsewhere";
+  testing::render(otherScene(), {.folder = elsewhere, .formats = {}, .frames = FrameRange{0, 5}});
+  fs::rename(elsewhere / "small", folder_ / "small");
+  EXPECT_THAT(failureOf(kResume),
+              AllOf(HasSubstr((folder_ / "small").string() + " holds 5 frames of a render"),
+                    HasSubstr("body.mass is 2.0 there, 1.0 here")));
+  EXPECT_EQ(framesIn(folder_ / "small").size(), 5U);
+  EXPECT_EQ(render(kResumeOrOverwrite).framesKept, 4);
+  expectAsUninterrupted();
+}
+
 TEST_F(Resume, RefusesAClipOfOtherSettings) {
   render({});
   EXPECT_EQ(failureOf(kResume, otherScene()),
@@ -205,6 +219,19 @@ TEST_F(Resume, OfARenderWhoseFrameWasRemovedDrawsItAgain) {
                              HasSubstr("\n  11 finished frames are kept in ")));
   EXPECT_EQ(render(kResume).framesKept, 11);
   expectAsUninterrupted();
+}
+
+TEST_F(Resume, IsNotProposedWhereTheFolderWasEmptied) {
+  const fs::path begun = folder_ / "small.partial";
+  const RenderListener listener{{}, [&](RenderProgress) {
+                                  fs::remove(begun / frameName(0));
+                                  fs::remove(begun / kManifestName);
+                                }};
+  const std::string message = messageOf<MachineError>([&] {
+    renderClip(smallScene(), simulateScene(smallScene()), {.folder = folder_}, listener);
+  });
+  EXPECT_EQ(message, (begun / frameName(0)).string() +
+                         " is gone: it was removed while the clip was rendered");
 }
 
 TEST_F(Resume, RefusesFramesOfOtherSettings) {

@@ -84,9 +84,12 @@ AtomicFile::AtomicFile(fs::path finalPath)
 
 void requireReplaceable(const fs::path& path) {
   // A rename would put a plain file in the place of a device or a pipe.
-  if (!fs::exists(path) || fs::is_regular_file(path)) return;
-  throw MachineError("can't write " + path.string() + ": it is " +
-                     (fs::is_directory(path) ? "a folder" : "not a regular file"));
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found || fs::is_regular_file(status)) return;
+  const std::string kind = fs::is_directory(status) ? "a folder" : "not a regular file";
+  throw MachineError("can't write " + path.string() + ": " +
+                     (error ? error.message() : "it is " + kind));
 }
 
 AtomicFile::~AtomicFile() {

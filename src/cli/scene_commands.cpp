@@ -23,7 +23,9 @@ int checkScenes(const std::vector<std::string>& paths, const SceneOptions& optio
   int status = kDone;
   for (const std::string& path : paths) {
     try {
-      pipeline::preflight(options.read(path));
+      const scene::Scene scene = options.read(path);
+      refuseSameNames({scene});
+      pipeline::preflight(scene);
       std::cout << path << ": ok\n";
     } catch (const InputError& error) {
       std::cerr << "rotatebook: " << error.what() << '\n';

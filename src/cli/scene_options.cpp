@@ -10,6 +10,7 @@
 #include "cli/clip_options.h"
 #include "overlay/text.h"
 #include "pipeline/clip_files.h"
+#include "scene/overrides.h"
 #include "scene/scene_file.h"
 
 namespace rotatebook::cli {
@@ -28,7 +29,7 @@ std::string sizeOverride(const std::string& size) {
 /// `message` in the words that the user wrote.
 std::string inUsersWords(const std::string& message, const std::vector<Shorthand>& shorthands) {
   for (const auto& [words, assignment] : shorthands) {
-    const std::string place = "--set " + assignment;
+    const std::string place = scene::overridePlace(assignment);
     if (message.starts_with(place)) return words + message.substr(place.size());
   }
   return message;
@@ -43,12 +44,15 @@ std::set<std::string> stemsOf(const scene::Scene& scene) {
   return stems;
 }
 
-/// A render into the same folder puts its unfinished frames, and those that it replaces, there.
-void requireUsable(const std::string& name) {
+/// Throws InputError for what no output of `scene` can be named after. A render into the same
+/// folder puts its unfinished frames, and those that it replaces, under the endings that are
+/// refused.
+void requireUsable(const std::string& name, const scene::Scene& scene) {
   if (name.size() > kLongestName) {
     throw InputError("the name " + name + " has " + std::to_string(name.size()) +
                      " bytes; the limit is " + std::to_string(kLongestName) +
-                     ": rename the scene's file, or shorten the panel's label");
+                     ": rename the scene's file" +
+                     (name == scene.name ? "" : ", or shorten the panel's label"));
   }
   if (name == "." || name == "..") {
     throw InputError("a scene can't be named " + name + ", as a folder is; rename the file");
@@ -106,7 +110,7 @@ void refuseSameNames(const std::vector<scene::Scene>& scenes) {
   std::map<std::string, std::string> owners;  // of what outputs' names begin with
   for (const scene::Scene& scene : scenes) {
     for (const std::string& stem : stemsOf(scene)) {
-      requireUsable(stem);
+      requireUsable(stem, scene);
       const auto [owner, isNew] = owners.emplace(stem, scene.name);
       if (isNew) continue;
       const std::string both = owner->second == scene.name ? "two scenes are named " + scene.name

@@ -2,20 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <fontconfig/fontconfig.h>
 #include <pango/pangocairo.h>
 #include <pango/pangofc-fontmap.h>
 #include <span>
 #include <string>
-#include <sys/mman.h>
-#include <unistd.h>
 #include <utility>
 
 #include "base/error.h"
+#include "base/file_descriptor.h"
 #include "overlay/cairo_handles.h"
 #include "scene/places.h"
 
@@ -44,21 +41,15 @@ constexpr double kHaloOpacity = 0.8;
 /// A font file in memory, with a path for those who only take paths.
 class FontFile {
  public:
-  FontFile(const std::uint8_t* begin, const std::uint8_t* end)
-      : descriptor_(memfd_create("font", MFD_CLOEXEC)) {
-    const auto size = static_cast<std::size_t>(end - begin);
-    if (descriptor_ < 0 || write(descriptor_, begin, size) != static_cast<ssize_t>(size)) {
-      throw MachineError(std::string("can't hold the font in memory: ") + std::strerror(errno));
-    }
+  FontFile(const std::uint8_t* begin, const std::uint8_t* end) : file_(createMemoryFile("font")) {
+    const auto* bytes = reinterpret_cast<const char*>(begin);
+    writeAll(file_, {bytes, static_cast<std::size_t>(end - begin)}, "the font in memory");
   }
-  FontFile(const FontFile&) = delete;
-  FontFile& operator=(const FontFile&) = delete;
-  ~FontFile() { close(descriptor_); }
 
-  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+  std::string path() const { return "/proc/self/fd/" + std::to_string(file_.number()); }
 
  private:
-  int descriptor_;
+  FileDescriptor file_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "physics/simulator.h"
 #include "physics/trajectory.h"
 #include "pipeline/step_timer.h"
+#include "scene/places.h"
 
 namespace rotatebook::pipeline {
 namespace {
@@ -107,7 +108,8 @@ TiltRow runTilt(const MotionSettings& settings, std::int64_t frames, Stop stop) 
 
 void refuseNothingToVary(const scene::Scene& scene) {
   if (!scene.panels.empty()) {
-    throw InputError(scene.name + ": a study is of one motion, but this scene has panels");
+    throw InputError(scene::placeOf(scene, "panel") +
+                     ": a study is of one motion, but this scene has panels");
   }
   if (scene.simulation.model == physics::Model::Exact) {
     throw InputError(scene.name +

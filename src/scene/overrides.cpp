@@ -33,8 +33,8 @@ Path pathFrom(std::string_view key, const std::string& place) {
     if (path.back().empty()) failAt(place, "the key, or a part of it, is empty");
     begin = end + 1;
   }
-  constexpr std::size_t kLongestPath = 4;  // study.orders.INTEGRATOR.BOUND, panel.0.SECTION.KEY
-  if (path.size() > kLongestPath) failAt(place, "no key of a scene has more than four parts");
+  constexpr std::size_t kLongestPath = 6;  // panel.0.expect.QUANTITY.1.BOUND
+  if (path.size() > kLongestPath) failAt(place, "no key of a scene has more than six parts");
   return path;
 }
 
@@ -80,7 +80,7 @@ void removeOtherSpin(TomlNode& section, std::string_view newKey) {
 }
 
 void applyOverride(TomlNode& root, const std::string& text) {
-  const std::string place = "--set " + text;
+  const std::string place = overridePlace(text);
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) failAt(place, "expected KEY=VALUE");
   const std::string_view key = trimmed(std::string_view(text).substr(0, equals));
@@ -101,6 +101,11 @@ void applyOverride(TomlNode& root, const std::string& text) {
 }
 
 }  // namespace
+
+std::string overridePlace(std::string_view text) {
+  constexpr std::size_t kMostShown = 200;
+  return "--set " + oneLine(text, kMostShown);
+}
 
 void applyOverrides(TomlNode& root, std::span<const std::string> overrides) {
   if (overrides.size() > kMostOverrides) {

@@ -76,6 +76,7 @@ void refuseShared(const ValueReader& panel) {
 std::string labelFrom(const ValueReader& value, const std::vector<Panel>& earlier) {
   std::string label = value.text(kLongestLabel);
   if (label.empty()) value.mismatch("a text that isn't empty");
+  if (label.find_first_of("\n\t") != std::string::npos) value.mismatch("a text on one line");
   for (const Panel& panel : earlier) {
     if (panel.label == label) value.fail("two panels have the label " + tomlString(label));
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -10,9 +11,12 @@
 
 namespace rotatebook::scene {
 
-/// The keys that Scene::places knows, sections before a dot.
+/// The keys that Scene::places knows, sections before a dot, but for those of labelKey().
 inline constexpr std::string_view kPlacedKeys[] = {
     "title", "caption", "panel", "book.front", "book.spine", "book.back", "overlay.font"};
+
+/// "panel.0.label": the key of that panel's label.
+std::string labelKey(std::size_t panel);
 
 /// "FILE:LINE:COLUMN", or "--set KEY=VALUE", where the scene states `key`; its name if it doesn't.
 std::string placeOf(const Scene& scene, std::string_view key);

@@ -68,13 +68,18 @@ void placeCamera(const ValueReader& file, Scene& scene) {
   if (const auto camera = file.find("camera")) checkCamera(*camera, scene.camera);
 }
 
-/// The places of those of kPlacedKeys that the file states.
+/// The places of those of kPlacedKeys that the file states, and of its labels.
 void notePlaces(const ValueReader& file, Scene& scene) {
   for (const std::string_view key : kPlacedKeys) {
     const auto dot = key.find('.');
     auto value = file.find(key.substr(0, dot));
     if (value && dot != key.npos) value = value->find(key.substr(dot + 1));
     if (value) scene.places.emplace(key, value->node().place);
+  }
+  if (scene.panels.empty()) return;
+  std::size_t panel = 0;
+  for (const ValueReader& table : file.find("panel")->tables("")) {
+    scene.places.emplace(labelKey(panel++), table.find("label")->node().place);
   }
 }
 
@@ -90,9 +95,9 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   scene.folder = path.parent_path();
   const ValueReader file(tree, "");
   readSections(file, scene);
-  notePlaces(file, scene);
   if (!file.find("title")) scene.title = scene.name;
   readMotions(file, scene);
+  notePlaces(file, scene);
   placeCamera(file, scene);
   if (const auto overlay = file.find("overlay")) checkOverlays(*overlay, scene);
   if (const auto look = file.find("look")) checkMotionBlur(*look, scene);

@@ -33,18 +33,25 @@ std::optional<Escape> controlEscape(std::string_view text) {
   return Escape{numbered(second), 2};
 }
 
-std::optional<Escape> stringEscape(std::string_view text) {
+std::optional<Escape> lineEscape(std::string_view text) {
   switch (text.front()) {
-    case '"':
-      return Escape{"\\\""};
-    case '\\':
-      return Escape{"\\\\"};
     case '\n':
       return Escape{"\\n"};
     case '\t':
       return Escape{"\\t"};
     default:
       return controlEscape(text);
+  }
+}
+
+std::optional<Escape> stringEscape(std::string_view text) {
+  switch (text.front()) {
+    case '"':
+      return Escape{"\\\""};
+    case '\\':
+      return Escape{"\\\\"};
+    default:
+      return lineEscape(text);
   }
 }
 
@@ -58,6 +65,18 @@ std::string escaped(std::string_view text, std::optional<Escape> (*escapeOf)(std
   return result;
 }
 
+bool beginsLetter(char byte) {
+  return (static_cast<unsigned char>(byte) & 0xc0) != 0x80;
+}
+
+/// Where the letters after the first `count` begin.
+std::size_t endOfLetters(std::string_view text, std::size_t count) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (beginsLetter(text[i]) && count-- == 0) return i;
+  }
+  return text.size();
+}
+
 }  // namespace
 
 std::string tomlString(std::string_view text) {
@@ -68,9 +87,13 @@ std::string printable(std::string_view text) {
   return escaped(text, controlEscape);
 }
 
+std::string oneLine(std::string_view text, std::size_t most) {
+  const std::size_t end = endOfLetters(text, most);
+  return escaped(text.substr(0, end), lineEscape) + (end < text.size() ? "..." : "");
+}
+
 std::size_t letterCount(std::string_view text) {
-  const auto begins = [](char byte) { return (static_cast<unsigned char>(byte) & 0xc0) != 0x80; };
-  return static_cast<std::size_t>(std::ranges::count_if(text, begins));
+  return static_cast<std::size_t>(std::ranges::count_if(text, beginsLetter));
 }
 
 std::string tomlNumber(double value) {

@@ -15,6 +15,10 @@ std::string tomlString(std::string_view text);
 /// doesn't obey it.
 std::string printable(std::string_view text);
 
+/// `text` on one line: as printable(), but tabs and line breaks, too; the first `most` letters and
+/// "..." if it has more.
+std::string oneLine(std::string_view text, std::size_t most);
+
 /// Letters of UTF-8.
 std::size_t letterCount(std::string_view text);
 

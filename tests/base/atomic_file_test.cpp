@@ -114,6 +114,16 @@ TEST_F(AtomicFileTest, RefusesAFolderOfThatName) {
   EXPECT_THROW(AtomicFile file(folder_), MachineError);
 }
 
+TEST_F(AtomicFileTest, SaysWhyANameIsNone) {
+  const fs::path path = folder_ / std::string(300, 'x');
+  try {
+    const AtomicFile file(path);
+    FAIL();
+  } catch (const MachineError& error) {
+    EXPECT_EQ(error.what(), "can't write " + path.string() + ": File name too long");
+  }
+}
+
 TEST_F(AtomicFileTest, RefusesToReplaceAPipe) {
   const fs::path pipe = folder_ / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);

@@ -71,6 +71,25 @@ TEST_F(PanelCommands, CheckFindsWhatIsWrongWithAPanel) {
   EXPECT_THAT(result.error, HasSubstr("a panel has no clip of its own"));
 }
 
+TEST_F(PanelCommands, CheckFindsWhatRenderRefuses) {
+  const auto expectBothRefuse = [&](const std::vector<std::string>& words,
+                                    const std::string& message) {
+    for (std::vector<std::string> arguments : {std::vector<std::string>{"check"}, {"render"}}) {
+      arguments.insert(arguments.end(), words.begin(), words.end());
+      const ChildResult result = run(arguments);
+      EXPECT_EQ(result.status, 2) << arguments.front();
+      EXPECT_THAT(result.error, HasSubstr(message)) << arguments.front();
+    }
+  };
+  write("odd.toml", std::string(kPair) + "[[panel]]\nlabel = \"漢\"\n");
+  expectBothRefuse({"odd.toml"}, "odd.toml:15:9: the font Inter lacks \"漢\"");
+  const std::string longName(190, 'x');
+  write(longName + ".toml", std::string(kPair) + "[[panel]]\nlabel = \"a long label\"\n");
+  expectBothRefuse(
+      {longName + ".toml"},
+      "bytes; the limit is 200: rename the scene's file, or shorten the panel's label");
+}
+
 TEST_F(PanelCommands, StillDrawsAllPanels) {
   const ChildResult result = run({"still", "pair.toml", "--time", "0.1", "-o", "a.png"});
   EXPECT_EQ(result.status, 0) << result.error;
@@ -81,7 +100,7 @@ TEST_F(PanelCommands, StudyHasNoOneMotion) {
   const ChildResult result = runWithoutGraphics({"study", "pair.toml"});
   EXPECT_EQ(result.status, 2);
   EXPECT_EQ(result.error,
-            "rotatebook: pair: a study is of one motion, but this scene has panels\n");
+            "rotatebook: pair.toml:7:1: a study is of one motion, but this scene has panels\n");
 }
 
 // pair writes pair_one.csv for its first panel.

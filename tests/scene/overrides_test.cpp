@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "scene/parse.h"
@@ -101,9 +102,17 @@ TEST(Overrides, RefuseWhatHasNoForm) {
   EXPECT_EQ(errorOf("", {"clip.=3"}), "--set clip.=3: the key, or a part of it, is empty");
   EXPECT_EQ(errorOf("", {".clip=3"}), "--set .clip=3: the key, or a part of it, is empty");
   EXPECT_EQ(errorOf("", {"clip..fps=3"}), "--set clip..fps=3: the key, or a part of it, is empty");
-  EXPECT_EQ(errorOf("", {"a.b.c.d.e=3"}),
-            "--set a.b.c.d.e=3: no key of a scene has more than four parts");
+  EXPECT_EQ(errorOf("", {"a.b.c.d.e.f.g=3"}),
+            "--set a.b.c.d.e.f.g=3: no key of a scene has more than six parts");
   EXPECT_EQ(errorOf("", {"title=\xff"}), "--set title=\xff: the value isn't UTF-8");
+}
+
+TEST(Overrides, AreToldOnALine) {
+  EXPECT_THAT(errorOf("", {"clip.fps=\x1b[31m\n\t"}),
+              ::testing::StartsWith("--set clip.fps=\\u001B[31m\\n\\t: clip.fps must"));
+  const std::string letters(180, 'x');
+  EXPECT_THAT(errorOf("", {"clip.fps=" + letters + letters}),
+              ::testing::StartsWith("--set clip.fps=" + letters + "xxxxxxxxxxx...: clip.fps must"));
 }
 
 TEST(Overrides, AreCounted) {

@@ -146,6 +146,8 @@ TEST(Panels, NeedALabelOfTheirOwn) {
             "a.toml:6:9: panel.label must be a text in quotes, not 3");
   EXPECT_EQ(errorOfText(one + "label = ''"),
             "a.toml:6:9: panel.label must be a text that isn't empty, not \"\"");
+  EXPECT_EQ(errorOfText(one + "label = \"two\\nlines\""),
+            "a.toml:6:9: panel.label must be a text on one line, not \"two\\nlines\"");
   EXPECT_EQ(errorOfText(one + "label = 'one'"), "a.toml:6:9: two panels have the label \"one\"");
 }
 
@@ -185,6 +187,15 @@ TEST(Panels, TakeOverridesByTheirNumber) {
   EXPECT_EQ(scene.panels[1].simulation.model, Model::Quaternion);
   EXPECT_EQ(scene.panels[1].initial.kind, InitialSpin::Kind::AngularVelocity);
   EXPECT_EQ(scene.panels[1].initial.value, Eigen::Vector3d(3, 2, 1));
+  const Scene deep =
+      sceneOf(text + "\n[expect]\nhalf_turns = [{ min = 1 }, { max = 9 }]\n",
+              {"panel.0.initial.angular_velocity=[3, 2, 1]", "panel.0.initial.angular_velocity.0=5",
+               "panel.1.expect.half_turns.min=2", "expect.half_turns.1.max=8"});
+  EXPECT_EQ(deep.panels[0].initial.value, Eigen::Vector3d(5, 2, 1));
+  ASSERT_EQ(deep.panels[0].expectations.size(), 2U);
+  EXPECT_EQ(deep.panels[0].expectations[1].max, 8);
+  ASSERT_EQ(deep.panels[1].expectations.size(), 1U);
+  EXPECT_EQ(deep.panels[1].expectations[0].min, 2);
   EXPECT_EQ(errorOfText(text, {"panel.2.label=x"}),
             "--set panel.2.label=x: panel has 2 elements, numbered from 0, and no \"2\"");
   EXPECT_EQ(errorOfText(text, {"panel.one.label=x"}),

@@ -17,6 +17,12 @@ TEST(Places, AreThoseThatTheFileStates) {
   EXPECT_EQ(placeOf(scene, "overlay.font"), "a.toml:6:8");
 }
 
+TEST(Places, AreThoseOfTheLabels) {
+  const Scene scene = sceneFrom("[[panel]]\nlabel = 'one'\n[[panel]]\nlabel = 'two'\n");
+  EXPECT_EQ(placeOf(scene, labelKey(0)), "a.toml:2:9");
+  EXPECT_EQ(placeOf(scene, labelKey(1)), "a.toml:4:9");
+}
+
 TEST(Places, AreTheScenesNameForDefaults) {
   const Scene scene = sceneFrom("");
   EXPECT_EQ(placeOf(scene, "caption"), scene.name);

@@ -24,6 +24,13 @@ TEST(Printable, LeavesATerminalNothingToObey) {
   EXPECT_EQ(printable("\"é\" \\ two\nlines\t"), "\"é\" \\ two\nlines\t");
 }
 
+TEST(OneLine, HasNoEndsOfLinesAndNoMoreThanItMay) {
+  EXPECT_EQ(oneLine("\"é\" \\ two\nlines\t\x1b", 99), "\"é\" \\ two\\nlines\\t\\u001B");
+  EXPECT_EQ(oneLine("aé本📖", 4), "aé本📖");
+  EXPECT_EQ(oneLine("aé本📖", 3), "aé本...");
+  EXPECT_EQ(oneLine("", 0), "");
+}
+
 TEST(LetterCount, CountsLettersNotBytes) {
   EXPECT_EQ(letterCount(""), 0u);
   EXPECT_EQ(letterCount("aé本📖"), 4u);

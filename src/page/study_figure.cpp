@@ -3,11 +3,13 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <set>
 #include <sstream>
 #include <string_view>
 #include <vector>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "base/read_file.h"
 #include "page/embedded_files.h"
 #include "page/expectation_table.h"
@@ -58,6 +60,52 @@ double numberOf(const Row& row, const std::string& column) {
   return number;
 }
 
+/// The fields of these columns, where there are such, with commas between.
+std::string keyOf(const Row& row, const std::vector<std::string>& columns) {
+  std::string key;
+  for (const std::string& column : columns) {
+    const auto found = row.find(column);
+    key += (key.empty() ? "" : ",") + (found == row.end() ? "" : found->second);
+  }
+  return key;
+}
+
+/// The runs of a study, as the columns of its table name them.
+struct Runs {
+  std::vector<std::string> columns;
+  std::set<std::string> keys;
+};
+
+Runs runsOf(const scene::Scene& scene) {
+  const scene::StudySettings& study = *scene.study;
+  if (study.isOfTilts()) {
+    Runs runs{{"tilt_rad"}, {}};
+    for (const double tilt : study.tilts) runs.keys.insert(shortestText(tilt));
+    return runs;
+  }
+  Runs runs{{"integrator", "h_s", "steps"}, {}};
+  for (const physics::Integrator integrator : study.integrators) {
+    for (const int substeps : study.steps) {
+      runs.keys.insert(std::string(nameOf(scene::kIntegrators, integrator)) + "," +
+                       shortestText(scene.simulation.timePerFrame / substeps) + "," +
+                       std::to_string((scene.clip.frameCount() - 1) * substeps));
+    }
+  }
+  return runs;
+}
+
+/// Throws InputError unless the table is of the runs that the scene's study has.
+void requireRuns(const fs::path& csv, const scene::Scene& scene) {
+  const Runs wanted = runsOf(scene);
+  std::set<std::string> found;
+  for (const Row& row : rowsOf(csv)) found.insert(keyOf(row, wanted.columns));
+  if (found == wanted.keys) return;
+  throw InputError(csv.string() +
+                   " isn't of the runs that the scene's study has; study it again (or give this "
+                   "command the same --set): " +
+                   remedy("study", scene, csv.parent_path()));
+}
+
 Check checkOf(const std::string& subject, const scene::Bounds& bounds, double measured) {
   const physics::Expectation expectation{.min = bounds.min, .max = bounds.max};
   return {subject, expectedText(expectation), measuredText(measured, expectation, kCheckDigits),
@@ -66,7 +114,9 @@ Check checkOf(const std::string& subject, const scene::Bounds& bounds, double me
 
 std::vector<Check> checksOfOrders(const scene::StudySettings& study, const fs::path& csv) {
   std::map<std::string, double> orders;
-  for (const Row& row : rowsOf(csv)) orders[row.at("integrator")] = numberOf(row, "order");
+  for (const Row& row : rowsOf(csv)) {
+    orders[keyOf(row, {"integrator"})] = numberOf(row, "order");
+  }
   std::vector<Check> checks;
   for (const auto& [integrator, bounds] : study.orders) {
     const std::string name(nameOf(scene::kIntegrators, integrator));
@@ -95,6 +145,7 @@ Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
   const bool ofTilts = scene.study->isOfTilts();
   for (const auto& file : {files.csv, files.svg, files.png}) requireFile(file, scene, "study");
   if (!ofTilts) requireFile(files.orders, scene, "study");
+  requireRuns(files.csv, scene);
   const std::vector<Check> checks =
       ofTilts ? checksOfTilts(*scene.study, files.csv) : checksOfOrders(*scene.study, files.orders);
 

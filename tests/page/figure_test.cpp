@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/number_text.h"
 #include "page/made_folder.h"
 
 namespace rotatebook::page {
@@ -137,11 +138,25 @@ void makeStudy(const fs::path& folder, const std::string& table, const std::stri
   if (!orders.empty()) writeFileAtomically(folder / "small-study-orders.csv", orders);
 }
 
+/// The columns that tell which runs a table is of.
+std::string tableOf(const std::vector<std::string>& integrators, const std::vector<int>& substeps,
+                    const scene::Scene& scene) {
+  std::string table = "integrator,h_s,steps\n";
+  for (const std::string& integrator : integrators) {
+    for (const int count : substeps) {
+      table += integrator + "," + shortestText(scene.simulation.timePerFrame / count) + "," +
+               std::to_string((scene.clip.frameCount() - 1) * count) + "\n";
+    }
+  }
+  return table;
+}
+
 TEST(StudyFigure, TakesOrdersFromItsTable) {
   const fs::path folder = emptyFolder();
-  const scene::Scene scene = smallScene({"study.integrators=[\"euler\", \"rk4\"]",
-                                         "study.orders.rk4.min=3.9", "study.orders.euler.max=0.5"});
-  makeStudy(folder, "integrator\n",
+  const scene::Scene scene =
+      smallScene({"study.integrators=[\"euler\", \"rk4\"]", "study.steps=[1, 2]",
+                  "study.orders.rk4.min=3.9", "study.orders.euler.max=0.5"});
+  makeStudy(folder, tableOf({"euler", "rk4"}, {1, 2}, scene),
             "integrator,order,runs,shortest_h_s,longest_h_s\neuler,,0,,\nrk4,4.01,3,0.1,1\n");
   const Figure figure = readFigure(scene, folder);
   EXPECT_EQ(figure.kind, FigureKind::Study);
@@ -167,6 +182,31 @@ TEST(StudyFigure, MeasuresTheLawOfFlips) {
             "");
   EXPECT_THAT(readFigure(scene, folder).section.text,
               HasSubstr("flip_law</th><td>at most 0.3</td><td>0.25</td><td class=\"met\""));
+}
+
+TEST(StudyFigure, RefusesTheTableOfOtherRuns) {
+  const fs::path folder = emptyFolder();
+  const std::vector<std::string> study{"study.integrators=[\"euler\", \"rk4\"]",
+                                       "study.steps=[1, 2]"};
+  const scene::Scene scene = smallScene(study);
+  const std::string right = tableOf({"euler", "rk4"}, {1, 2}, scene);
+  const auto refusalOf = [&](const std::string& table, const scene::Scene& shown) {
+    makeStudy(folder, table, "integrator,order,runs,shortest_h_s,longest_h_s\n");
+    return messageOf(shown, folder);
+  };
+  EXPECT_EQ(refusalOf(right, scene), "no error");
+  const std::string refusal = (folder / "small-study.csv").string() +
+                              " isn't of the runs that the scene's study has; study it again (or "
+                              "give this command the same --set): rotatebook study "
+                              "scenes/small.toml -o " +
+                              folder.string();
+  for (const std::string& table :
+       {tableOf({"euler", "rk4"}, {1, 4}, scene), tableOf({"euler", "heun"}, {1, 2}, scene),
+        tableOf({"euler", "rk4"}, {1}, scene), std::string(), std::string("\0\xff,\n,,\n", 7)}) {
+    EXPECT_EQ(refusalOf(table, scene), refusal) << table;
+  }
+  EXPECT_EQ(refusalOf(right, smallScene({study[0], study[1], "clip.duration=7"})), refusal);
+  EXPECT_EQ(refusalOf(right, smallScene({kFlips[0], kFlips[1], "study.tilts=[0.1]"})), refusal);
 }
 
 TEST(StudyFigure, NamesAMissingFileAndTheRemedy) {

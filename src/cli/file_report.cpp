@@ -16,7 +16,8 @@ void reportFiles(const std::vector<std::string>& things, std::ostream& out) {
   out << (things.empty() ? "nothing" : "") << std::endl;
 }
 
-std::string spaceWarning(const pipeline::DiskSpace& space, const std::filesystem::path& folder) {
+std::string spaceWarning(const pipeline::DiskSpace& space, const std::filesystem::path& folder,
+                         bool pngs) {
   if (space.needed <= space.free) return "";
   const auto sized = [](double bytes) {
     if (bytes < 1e6) return std::to_string(std::llround(bytes / 1e3)) + " kB";
@@ -24,7 +25,8 @@ std::string spaceWarning(const pipeline::DiskSpace& space, const std::filesystem
                        : roundedText(bytes / 1e9, 2) + " GB";
   };
   return "about " + sized(space.needed) + " are needed in " + folder.string() + " and " +
-         sized(space.free) + " are free: make room, or leave PNGs out with --no-png";
+         sized(space.free) + " are free: make room" +
+         (pngs ? ", or leave PNGs out with --no-png" : "");
 }
 
 }  // namespace rotatebook::cli

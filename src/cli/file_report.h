@@ -13,7 +13,9 @@ namespace rotatebook::cli {
 /// Says "  wrote A, B and C", or that it is nothing.
 void reportFiles(const std::vector<std::string>& things, std::ostream& out);
 
-/// "about 12 GB are needed in out and 3.2 GB are free: ..."; empty if there is enough.
-std::string spaceWarning(const pipeline::DiskSpace& space, const std::filesystem::path& folder);
+/// "about 12 GB are needed in out and 3.2 GB are free: ..."; empty if there is enough. `pngs`: they
+/// are written, and could be left out.
+std::string spaceWarning(const pipeline::DiskSpace& space, const std::filesystem::path& folder,
+                         bool pngs);
 
 }  // namespace rotatebook::cli

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <iostream>
 #include <numeric>
@@ -99,7 +100,7 @@ std::optional<Rendered> render(const scene::Scene& scene, const pipeline::Render
   pipeline::RenderListener listener;
   listener.started = [&](const pipeline::RenderStart& start) {
     announce(scene, start, encoderThreads(scene, options.formats), out);
-    const std::string warning = spaceWarning(start.space, options.folder);
+    const std::string warning = spaceWarning(start.space, options.folder, options.png);
     if (!warning.empty()) std::cerr << "rotatebook: " + scene.name + ": " + warning + '\n';
   };
   listener.progress = progress;
@@ -175,6 +176,7 @@ class RendersTogether {
       begunAll = runParallel(all, renderOne, options);
     } catch (...) {
       tellRest();
+      rethrowFirst();
       throw;
     }
     int status = begunAll ? kDone : interruptStatus();
@@ -189,7 +191,8 @@ class RendersTogether {
     std::atomic<std::int64_t> done = 0, total = 0;
     std::ostringstream text;
     int status = kDone;
-    std::atomic<State> state = State::Waiting;  // Finished: text and status stay as they are.
+    std::exception_ptr error;
+    std::atomic<State> state = State::Waiting;  // Once over, the rest stays as it is.
   };
 
   void render(std::size_t i) {
@@ -206,6 +209,7 @@ class RendersTogether {
       one.status = report(scenes_[i], rendered, options_, one.text);
       one.state = State::Finished;
     } catch (...) {
+      one.error = std::current_exception();
       one.state = State::Failed;
       throw;
     }
@@ -247,6 +251,25 @@ class RendersTogether {
     for (; told_ < renders_.size(); ++told_) tellFinished();
     for (const Render& one : renders_) {
       if (one.state == State::Waiting) std::cout << nameOf(one) << ": not begun" << std::endl;
+    }
+  }
+
+  /// Of scenes that failed, the first is told by whoever catches its error; the others here.
+  void rethrowFirst() const {
+    std::exception_ptr first;
+    for (const Render& one : renders_) {
+      if (!one.error) continue;
+      if (first) std::cerr << "rotatebook: " << nameOf(one) << ": " << wordsOf(one.error) << '\n';
+      if (!first) first = one.error;
+    }
+    if (first) std::rethrow_exception(first);
+  }
+
+  static std::string wordsOf(const std::exception_ptr& error) {
+    try {
+      std::rethrow_exception(error);
+    } catch (const std::exception& told) {
+      return told.what();
     }
   }
 

@@ -83,7 +83,10 @@ std::string draw(const Format& format, const std::string& commands, const fs::pa
   const int status = runGnuplot(Streams(input.number(), output.number(), problems.number()));
   std::string picture = readAll(output, path);
   if (status == 0 && picture.rfind(format.last) != std::string::npos) return picture;
-  const std::string words = trimmed(readAll(problems, path));
+  std::string words = trimmed(readAll(problems, path));
+  if (words.empty() && status == 0) {
+    words = "the picture isn't whole; is there a limit of file sizes (ulimit -f)?";
+  }
   throw MachineError("gnuplot can't draw " + path.string() + " (status " + std::to_string(status) +
                      ")" + (words.empty() ? "" : ": " + words));
 }

@@ -36,6 +36,7 @@ class OutputFailure : public ProgramTest {
 constexpr const char* kLostOutput = "rotatebook: can't write to the standard output\n";
 constexpr long kLessThanAFrame = 2300;  // [bytes]; frames have 2500 and more, scene.toml 2100
 constexpr long kLessThanATable = 6000;  // [bytes]; the table has 6519, the clip 4500
+constexpr long kLessThanAPlot = 9000;   // [bytes]; the plot has 19000, its table 270
 constexpr long kLessThanAClip = 4000;   // [bytes]; frames have 2800 at most
 
 TEST_F(OutputFailure, FileInTheWayOfTheFolder) {
@@ -175,6 +176,21 @@ TEST_F(OutputFailure, FullDiskForAssembleAndStill) {
   EXPECT_EQ(still.status, 3);
   EXPECT_EQ(still.error, "rotatebook: can't write x.png: File too large\n");
   EXPECT_EQ(files(), before);
+}
+
+TEST_F(OutputFailure, FilesInMemoryThatMayNotBeLargeEnough) {
+  const ChildResult still = runOnFullDisk(
+      {"still", "tiny.toml", "--time", "0", "-o", "x.png", "--set", "overlay.show=[\"caption\"]"},
+      kLessThanAPlot);
+  EXPECT_EQ(still.status, 3);
+  EXPECT_EQ(still.error, "rotatebook: can't write the font in memory: File too large\n");
+  const ChildResult study = runOnFullDisk(
+      {"study", "tiny.toml", "--steps", "1,2", "--integrators", "rk4"}, kLessThanAPlot);
+  EXPECT_EQ(study.status, 3);
+  EXPECT_EQ(study.error,
+            "rotatebook: tiny: gnuplot can't draw out/tiny-study.svg (status 0): the picture isn't "
+            "whole; is there a limit of file sizes (ulimit -f)?; the table is in "
+            "out/tiny-study.csv\n");
 }
 
 TEST_F(OutputFailure, StandardOutputThatIsFull) {

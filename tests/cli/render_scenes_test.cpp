@@ -61,6 +61,16 @@ TEST_F(RenderScenes, GoOnToTheirEndWhereAnotherFails) {
   EXPECT_TRUE(has("out/panels.mp4"));
 }
 
+TEST_F(RenderScenes, ThatFailAreAllTold) {
+  fs::create_directories(folder() / "out/tiny.mp4");
+  fs::create_directories(folder() / "out/large.mp4");
+  const ChildResult result = run({"render", "tiny.toml", "large.toml", "--jobs", "2"});
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.error,
+              EndsWith("rotatebook: large: can't write out/large.mp4: it is a folder\n"
+                       "rotatebook: can't write out/tiny.mp4: it is a folder\n"));
+}
+
 TEST_F(RenderScenes, AreNotBegunAfterAnotherFailed) {
   fs::create_directories(folder() / "out/tiny.mp4");
   const ChildResult result = run({"render", "tiny.toml", "large.toml", "panels.toml", "--jobs", "2",

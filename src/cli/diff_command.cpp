@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/exit_code.h"
+#include "cli/input_guard.h"
 #include "image/comparison.h"
 #include "image/png_file.h"
 
@@ -23,6 +24,10 @@ void printComparison(const image::Comparison& comparison) {
 }
 
 int diff(const DiffArguments& arguments) {
+  for (const std::string& picture : {arguments.first, arguments.second}) {
+    refuseInput(arguments.output, picture, "one of the pictures to compare, which would be lost",
+                "name another file with -o");
+  }
   const image::Image a = image::readPng(arguments.first);
   const image::Image b = image::readPng(arguments.second);
   const image::Comparison comparison = compare(a.view(), b.view(), arguments.tolerance);

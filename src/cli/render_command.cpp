@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
 #include "cli/expectation_report.h"
+#include "cli/input_guard.h"
 #include "cli/interrupt.h"
 #include "cli/render_scenes.h"
 #include "cli/scene_options.h"
@@ -69,12 +71,27 @@ void refuseOpaque(const scene::Scene& scene, const std::vector<video::VideoForma
   }
 }
 
+/// Throws InputError if a file that is to be made of `scene` is the scene's own, at `path`, or a
+/// texture.
+void refuseLosses(const scene::Scene& scene, const std::string& path,
+                  const RenderArguments& arguments) {
+  const pipeline::ClipFiles files = pipeline::clipFiles(arguments.options.folder, scene.name);
+  std::vector<std::filesystem::path> outputs = pipeline::csvFiles(files.csv, scene);
+  outputs.push_back(files.poster);
+  for (const video::VideoFormat format : formatsOf(arguments))
+    outputs.push_back(files.video(format));
+  for (const auto& output : outputs) {
+    refuseInputs(output, path, scene, "name another folder with -o");
+  }
+}
+
 /// All scenes, read before anything is written, so that a mistake in the last one costs nothing.
 std::vector<scene::Scene> readScenes(const RenderArguments& arguments) {
   std::vector<scene::Scene> scenes;
   for (const std::string& path : arguments.scenes) {
     scenes.push_back(arguments.sceneOptions.read(path));
     pipeline::preflight(scenes.back());
+    refuseLosses(scenes.back(), path, arguments);
   }
   refuseSameNames(scenes);
   for (const scene::Scene& scene : scenes) refuseOpaque(scene, formatsOf(arguments));

@@ -2,7 +2,6 @@
 #include <iostream>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "base/error.h"
@@ -11,6 +10,7 @@
 #include "cli/commands.h"
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
+#include "cli/input_guard.h"
 #include "cli/interrupt.h"
 #include "cli/render_scenes.h"
 #include "pipeline/checksum.h"
@@ -36,14 +36,6 @@ pipeline::ClipFiles filesOf(const pipeline::RecordedClip& clip, const fs::path& 
   const std::string& name = clip.record.scene.name;
   return clip.record.part ? pipeline::clipFiles(folder, name, *clip.record.part)
                           : pipeline::clipFiles(folder, name);
-}
-
-void refuseSameFile(const fs::path& clip, const fs::path& output) {
-  std::error_code missing;
-  if (!fs::equivalent(clip, output, missing)) return;
-  throw InputError(output.string() +
-                   " is the clip itself, which is to be compared with the new one; name another "
-                   "folder with -o");
 }
 
 /// The record in a video; empty if there is none.
@@ -109,7 +101,8 @@ int rerun(const RerunArguments& arguments) {
   pipeline::preflight(clip.record.scene);
   const pipeline::ClipFiles files = filesOf(clip, arguments.folder);
   const fs::path output = files.video(clip.format);
-  refuseSameFile(arguments.clip, output);
+  refuseInput(output, arguments.clip, "the clip itself, which is to be compared with the new one",
+              "name another folder with -o");
   if (!arguments.earlier.overwrite) refuseOtherClip(clip.record.scene, files, output);
   pipeline::RenderOptions options;
   options.folder = arguments.folder;

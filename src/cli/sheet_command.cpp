@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
+#include "cli/input_guard.h"
 #include "cli/scene_options.h"
 #include "image/png_file.h"
 #include "pipeline/clip_files.h"
@@ -28,6 +29,7 @@ int writeSheet(const SheetArguments& arguments) {
   std::vector<scene::Scene> scenes;
   for (const std::string& path : arguments.scenes) {
     scenes.push_back(arguments.sceneOptions.read(path));
+    refuseInputs(arguments.output, path, scenes.back(), "name another file with -o");
     if (arguments.noCaption) std::erase(scenes.back().overlay.show, scene::Overlay::Caption);
   }
   pipeline::SheetOptions options = arguments.options;

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "cli/commands.h"
 #include "cli/expectation_report.h"
+#include "cli/input_guard.h"
 #include "cli/motion_report.h"
 #include "cli/scene_options.h"
 #include "pipeline/clip_files.h"
@@ -34,8 +35,11 @@ int printTable(const scene::Scene& scene) {
 int simulateScene(const SimulateArguments& arguments) {
   const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
   if (arguments.csv == "-") return printTable(scene);
-  const pipeline::ClipMotion motion = pipeline::simulateScene(scene);
   const auto files = pipeline::csvFiles(arguments.csv, scene);
+  for (const auto& file : files) {
+    refuseInputs(file, arguments.scene, scene, "name another file with --csv");
+  }
+  const pipeline::ClipMotion motion = pipeline::simulateScene(scene);
   pipeline::writeTables(files, motion);
   std::cout << scene.name << ": " << scene.title << '\n';
   for (std::size_t i = 0; i < files.size(); ++i) {

@@ -5,6 +5,7 @@
 #include "cli/commands.h"
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
+#include "cli/input_guard.h"
 #include "cli/scene_options.h"
 #include "pipeline/still.h"
 
@@ -21,6 +22,7 @@ struct StillArguments {
 
 int writeStill(const StillArguments& arguments) {
   const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
+  refuseInputs(arguments.output, arguments.scene, scene, "name another file with -o");
   const std::int64_t frame = pipeline::renderStill(scene, arguments.time, arguments.output,
                                                    arguments.deviceOptions.choice());
   std::cout << scene.name << ": wrote frame " << frame << " to " << arguments.output << '\n';

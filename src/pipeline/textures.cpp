@@ -87,6 +87,14 @@ std::map<std::string, std::string> textureChecksums(const scene::Scene& scene) {
   return sums;
 }
 
+std::vector<fs::path> textureFiles(const scene::Scene& scene) {
+  std::vector<fs::path> files;
+  for (const Side& side : {kFront, kSpine, kBack}) {
+    if (!isBuiltin(scene, side)) files.push_back(scene.folder / (scene.book.*side.file));
+  }
+  return files;
+}
+
 void requireTextures(const scene::Scene& scene) {
   for (const Side& side : {kFront, kSpine, kBack}) {
     // The built-in ones are whole, and take a tenth of a render's start.

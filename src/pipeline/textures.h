@@ -1,8 +1,10 @@
 // A scene's cover pictures.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "render/renderer.h"
 #include "scene/scene.h"
@@ -14,6 +16,8 @@ namespace rotatebook::pipeline {
 render::BookTextures loadTextures(const scene::Scene& scene);
 /// What the pictures depend on, by the scene's keys: "built-in", or the checksum of a file.
 std::map<std::string, std::string> textureChecksums(const scene::Scene& scene);
+/// The files of pictures that the scene names, be they there or not.
+std::vector<std::filesystem::path> textureFiles(const scene::Scene& scene);
 /// Throws where loadTextures() would.
 void requireTextures(const scene::Scene& scene);
 

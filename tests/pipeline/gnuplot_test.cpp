@@ -86,13 +86,16 @@ void writeGnuplot(const std::filesystem::path& folder, const std::string& words,
 TEST(Gnuplot, TakesNothingElseForAPicture) {
   const auto folder = emptyFolder();
   const PathVariable path(folder.string());
-  for (const int status : {0, 7}) {
+  const auto messageFor = [&](int status) {
     writeGnuplot(folder, "<svg> no more", status);
-    EXPECT_EQ(
-        messageOf<MachineError>([&] { drawPlot("plot x\n", folder / "a.svg", folder / "a.png"); }),
-        "gnuplot can't draw " + (folder / "a.svg").string() + " (status " + std::to_string(status) +
-            ")");
-  }
+    return messageOf<MachineError>(
+        [&] { drawPlot("plot x\n", folder / "a.svg", folder / "a.png"); });
+  };
+  const std::string start = "gnuplot can't draw " + (folder / "a.svg").string();
+  EXPECT_EQ(messageFor(0), start +
+                               " (status 0): the picture isn't whole; is there a limit of file "
+                               "sizes (ulimit -f)?");
+  EXPECT_EQ(messageFor(7), start + " (status 7)");
   EXPECT_THAT(namesIn(folder), ElementsAre("gnuplot"));
 }
 

@@ -13,6 +13,7 @@
 #include "overlay/polhode_inset.h"
 #include "overlay/springs.h"
 #include "overlay/strip_chart.h"
+#include "scene/places.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -116,7 +117,9 @@ struct Marks::Parts {
     }
     if (!ground.label.empty()) {
       const double room = insetsLeft() - scale.margin - place.x();
-      plates.push_back(labelPlate(context(), ground.label, place, room));
+      plates.push_back(scene::atPlaceOf(scene, ground.labelKey, [&] {
+        return labelPlate(context(), ground.label, place, room);
+      }));
       taken.push_back(plates.back().texts.front());
       place.y() = taken.back().bottom() + 0.3 * scale.letters;
     }

@@ -26,6 +26,7 @@ struct Ground {
   /// Letters are never smaller than this, so that those of a small panel go with the whole
   /// picture's. [pixels]
   double letters = 0;
+  std::string labelKey{};  ///< By which scene::placeOf() knows the label.
 };
 
 /// Draws what the scene's overlay.show asks for on pictures of one motion: the ground's label, and

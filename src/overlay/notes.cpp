@@ -54,16 +54,15 @@ Plate labelPlate(const MarkContext& context, const std::string& words, const Poi
                         .colour = kWhite,
                         .halo = context.scale.halo};
   Canvas canvas(context.scale.width, context.scale.height);
-  const auto draw = [&] {
-    Layer layer = context.type.draw(words, style, static_cast<int>(width));
-    const double most = std::max(kTallestLabel * context.scale.height, kLeastLines * style.size);
-    if (layer.height <= most || context.scene.clip.height < kSmallPicture) return layer;
+  const Layer layer = context.type.draw(words, style, static_cast<int>(width));
+  const double most = std::max(kTallestLabel * context.scale.height, kLeastLines * style.size);
+  if (layer.height > most && context.scene.clip.height >= kSmallPicture) {
     throw InputError("the label \"" + words + "\" takes " + std::to_string(layer.height) +
                      " of its panel's " + std::to_string(context.scale.height) +
                      " rows, which leaves too little for the book; shorten it, or make the "
                      "picture larger (clip.size)");
-  };
-  canvas.write(scene::atPlaceOf(context.scene, "panel", draw), place);
+  }
+  canvas.write(layer, place);
   return canvas.take();
 }
 

@@ -8,7 +8,8 @@
 
 namespace rotatebook::overlay {
 
-/// Words at `place`, no wider than `width` [pixels], with halo.
+/// Words at `place`, no wider than `width` [pixels], with halo. Throws InputError if the font lacks
+/// a letter of them, or they leave too little of the picture.
 Plate labelPlate(const MarkContext& context, const std::string& words, const Point& place,
                  double width);
 

@@ -169,23 +169,11 @@ std::vector<Line> captionLines(const Typesetter& type, const scene::Scene& scene
   return lines;
 }
 
-/// Throws InputError if the font lacks a letter of a panel's label, which is written on its
-/// picture.
-void requireLabels(const Typesetter& type, const scene::Scene& scene, const PageScale& scale) {
-  for (std::size_t i = 0; i < scene.panels.size(); ++i) {
-    const auto draw = [&] {
-      type.draw(scene.panels[i].label, {.bold = true, .colour = kWhite}, scale.width);
-    };
-    scene::atPlaceOf(scene, scene::labelKey(i), draw);
-  }
-}
-
 }  // namespace
 
 struct Words::Parts {
   Parts(const scene::Scene& asked, ClockPlace clockPlace)
       : scene(asked), place(clockPlace), scale(asked.clip), type(Typesetter::of(asked)) {
-    requireLabels(type, scene, scale);
     const bool below = shows(scene, scene::Overlay::Clock) && place == ClockPlace::Bottom;
     if (shows(scene, scene::Overlay::Clock)) clock = clockBox();
     std::vector<Line> lines;

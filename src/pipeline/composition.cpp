@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "pipeline/clip_files.h"
+#include "scene/places.h"
 
 namespace rotatebook::pipeline {
 namespace {
@@ -30,17 +31,20 @@ PanelGrid gridOf(const scene::Scene& scene, const overlay::Words& words) {
 
 std::vector<overlay::Marks> marksOf(const scene::Scene& scene, const ClipMotion& motion,
                                     const PanelGrid& grid, const overlay::Words& words) {
+  const std::vector<scene::Panel> panels = scene::motionsOf(scene);
   std::vector<overlay::Marks> marks;
-  auto trajectory = motion.trajectories().begin();
-  for (const scene::Panel& panel : scene::motionsOf(scene)) {
-    overlay::Ground ground{.width = grid.width, .height = grid.height, .label = panel.label};
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    overlay::Ground ground{.width = grid.width,
+                           .height = grid.height,
+                           .label = panels[i].label,
+                           .labelKey = scene::labelKey(i)};
     if (hasPanels(scene)) {
       ground.letters = kPanelLetters * std::min(scene.clip.width, scene.clip.height);
     } else {
       ground.corner = words.corner();
       ground.bottomRows = words.bottomRows();
     }
-    marks.emplace_back(scene::withMotion(scene, panel), *trajectory++, ground);
+    marks.emplace_back(scene::withMotion(scene, panels[i]), motion.trajectories()[i], ground);
   }
   return marks;
 }

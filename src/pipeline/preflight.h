@@ -5,8 +5,8 @@
 
 namespace rotatebook::pipeline {
 
-/// Reads the scene's textures and sets its words, only to find out before any work whether that can
-/// be done. Throws InputError, as loadTextures() and overlay::Words do.
+/// Reads the scene's textures and sets its words and labels, only to find out before any work
+/// whether that can be done. Throws InputError, as loadTextures() and Composition do.
 void preflight(const scene::Scene& scene);
 
 }  // namespace rotatebook::pipeline

@@ -71,7 +71,7 @@ TEST_F(PanelCommands, CheckFindsWhatIsWrongWithAPanel) {
   EXPECT_THAT(result.error, HasSubstr("a panel has no clip of its own"));
 }
 
-TEST_F(PanelCommands, CheckFindsWhatRenderRefuses) {
+TEST_F(PanelCommands, CheckFindsLabelsThatRenderRefuses) {
   const auto expectBothRefuse = [&](const std::vector<std::string>& words,
                                     const std::string& message) {
     for (std::vector<std::string> arguments : {std::vector<std::string>{"check"}, {"render"}}) {
@@ -83,6 +83,8 @@ TEST_F(PanelCommands, CheckFindsWhatRenderRefuses) {
   };
   write("odd.toml", std::string(kPair) + "[[panel]]\nlabel = \"漢\"\n");
   expectBothRefuse({"odd.toml"}, "odd.toml:15:9: the font Inter lacks \"漢\"");
+  write("tall.toml", std::string(kPair) + "[[panel]]\nlabel = \"" + std::string(100, 'W') + "\"\n");
+  expectBothRefuse({"tall.toml", "--size", "640x360"}, "tall.toml:15:9: the label \"WWW");
   const std::string longName(190, 'x');
   write(longName + ".toml", std::string(kPair) + "[[panel]]\nlabel = \"a long label\"\n");
   expectBothRefuse(

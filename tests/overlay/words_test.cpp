@@ -130,8 +130,6 @@ TEST(Words, NameThePlaceOfALetterOrAFontThatIsMissing) {
   EXPECT_THAT(sceneRefusal(show + "title = '漢'"), StartsWith("a.toml:2:9: the font Inter lacks"));
   EXPECT_THAT(sceneRefusal(show + "caption = '漢'"),
               StartsWith("a.toml:2:11: the font Inter lacks"));
-  EXPECT_THAT(sceneRefusal("[[panel]]\nlabel = 'one'\n[[panel]]\nlabel = '漢'"),
-              StartsWith("a.toml:4:9: the font Inter lacks"));
   EXPECT_THAT(sceneRefusal(show + "overlay.font = 'No Such Font'"),
               StartsWith("a.toml:2:16: no font family \"No Such Font\" is installed"));
 }

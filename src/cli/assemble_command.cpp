@@ -20,7 +20,7 @@ struct AssembleArguments {
 /// ": 0:60 of the scene's 90"
 std::string partText(const pipeline::Assembled& made) {
   return ": " + pipeline::rangeText(made.frames) + " of the scene's " +
-         std::to_string(made.sceneFrames);
+         std::to_string(*made.sceneFrames);
 }
 
 int assembleFrames(const AssembleArguments& arguments) {
@@ -37,7 +37,7 @@ int assembleFrames(const AssembleArguments& arguments) {
         [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); });
   }
   std::cout << "wrote " << made.frames.count() << " frames to " << arguments.output
-            << (made.isWhole() ? "" : partText(made)) << '\n';
+            << (made.isPart() ? partText(made) : "") << '\n';
   return kDone;
 }
 

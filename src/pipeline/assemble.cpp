@@ -37,7 +37,7 @@ FrameRange wholeRange(const fs::path& folder) {
 /// What tells how the video is to be made.
 struct Source {
   video::VideoSettings settings;
-  std::int64_t sceneFrames;
+  Assembled made;
 };
 
 Source sourceFor(const fs::path& folder, FrameRange range, std::optional<FrameRate> frameRate) {
@@ -48,9 +48,8 @@ Source sourceFor(const fs::path& folder, FrameRange range, std::optional<FrameRa
     }
     const std::string record = scene::readSceneText(sceneCopy);
     const scene::Scene scene = scene::parseScene(record, sceneCopy);
-    const std::int64_t frames = simulateScene(scene).frameCount();
-    const bool whole = range == FrameRange{0, frames};
-    return {videoSettings(scene, whole ? record : recordOfPart(record, range)), frames};
+    const Assembled made{range, simulateScene(scene).frameCount()};
+    return {videoSettings(scene, made.isPart() ? recordOfPart(record, range) : record), made};
   }
   if (!frameRate) {
     throw InputError(folder.string() +
@@ -58,7 +57,7 @@ Source sourceFor(const fs::path& folder, FrameRange range, std::optional<FrameRa
   }
   video::VideoSettings settings;
   settings.frameRate = *frameRate;
-  return {settings, range.count()};
+  return {settings, {range}};
 }
 
 /// A render has an exclusive lock of NAME/ while it fills NAME.partial/.
@@ -145,7 +144,7 @@ Assembled assemble(const fs::path& folder, const fs::path& video,
   // First: of a part that is being drawn, frames are added meanwhile, each before its checksum.
   const FrameSums sums(folder);
   const FrameRange range = wholeRange(folder);
-  auto [settings, sceneFrames] = sourceFor(folder, range, frameRate);
+  auto [settings, made] = sourceFor(folder, range, frameRate);
   requireAllDrawn(sums, range);
   const fs::path firstPath = folder / frameName(range.first);
   const image::Image first = readFrame(sums, range.first);
@@ -162,7 +161,7 @@ Assembled assemble(const fs::path& folder, const fs::path& video,
     if (progress) progress({index - range.first + 1, range.count()});
   }
   sink.finish();
-  return {range, sceneFrames};
+  return made;
 }
 
 }  // namespace rotatebook::pipeline

@@ -14,9 +14,10 @@ namespace rotatebook::pipeline {
 /// What a video was made of.
 struct Assembled {
   FrameRange frames;
-  std::int64_t sceneFrames = 0;  ///< How many the scene has; of frames from elsewhere, theirs.
+  std::optional<std::int64_t> sceneFrames{};  ///< How many the scene has; none from elsewhere.
 
-  bool isWhole() const { return frames.count() == sceneFrames; }
+  /// Whether the scene has others, too.
+  bool isPart() const { return sceneFrames && frames != FrameRange{0, *sceneFrames}; }
 };
 
 /// Makes `video`, of the format that its ending names, from the frames in `folder`, with the

@@ -134,13 +134,14 @@ void requireLosable(const fs::path& folder, const std::optional<Manifest>& there
 }
 
 /// Throws InputError if `folder` holds frames of other settings, which a part can't join.
-void requireJoinable(const fs::path& folder, const ClipFolder::Settings& settings) {
+void requireJoinable(const fs::path& folder, const ClipFolder::Settings& settings,
+                     const std::string& remedy) {
   const std::optional<Manifest> there = readManifest(folder);
   if (!hasFrames(folder) || isOf(there, settings.made)) return;
   throw InputError(
       folder.string() + " holds frames of other settings" +
       (there ? ": " + differences(folder, *there, settings.made, settings.scene) : "") +
-      "; render into another folder with -o, or remove it");
+      "; render into another folder with -o, or " + remedy);
 }
 
 }  // namespace
@@ -176,15 +177,20 @@ std::size_t ClipFolder::frameCount() const {
   return fs::is_directory(path_) ? framesIn(path_).size() : 0;
 }
 
-std::size_t ClipFolder::resumableFrames() const {
-  // Without it, the folder was emptied from elsewhere meanwhile.
-  return isOf(readManifest(path_), manifest_.made) ? frameCount() : 0;
+std::size_t ClipFolder::resumableFrames() const noexcept {
+  try {
+    // Without its manifest, the folder was emptied from elsewhere meanwhile.
+    return isOf(readManifest(path_), manifest_.made) ? frameCount() : 0;
+  } catch (const std::exception&) {
+    return 0;  // What can't be read can't be resumed.
+  }
 }
 
 void ClipFolder::openPart(const Settings& settings) {
-  // Those that aren't finished would be lost when either is.
-  for (const fs::path& folder : {files_.frameFolder, files_.partialFrameFolder}) {
-    requireJoinable(folder, settings);
+  requireJoinable(files_.frameFolder, settings, "remove it");
+  // Of a whole clip's unfinished frames and a part, one would take the other's place in the end.
+  if (settings.png) {
+    requireJoinable(files_.partialFrameFolder, settings, "finish that render first, with --resume");
   }
   if (const auto there = readManifest(files_.frameFolder); isOf(there, settings.made)) {
     manifest_ = *there;

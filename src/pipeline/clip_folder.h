@@ -53,7 +53,7 @@ class ClipFolder {
   const std::filesystem::path& path() const { return path_; }
 
   /// How many frames a render that couldn't go on leaves to one that resumes it.
-  std::size_t resumableFrames() const;
+  std::size_t resumableFrames() const noexcept;
 
   /// Whether an earlier render finished `files`, and `frames` too, if they are asked for, and all
   /// is as it left them.

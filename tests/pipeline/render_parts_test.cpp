@@ -45,7 +45,7 @@ TEST(RenderParts, AssembleToTheWholesBytes) {
   testing::render(smallScene(), {.folder = parts, .formats = {}, .frames = FrameRange{0, 5}});
   const Assembled made = assemble(parts / "small", parts / "all.mp4", {}, {});
   EXPECT_EQ(made.frames, (FrameRange{0, kFrames}));
-  EXPECT_TRUE(made.isWhole());
+  EXPECT_FALSE(made.isPart());
   EXPECT_EQ(bytesOf(parts / "all.mp4"), bytesOf(folder / "whole/small.mp4"));
   for (std::int64_t frame = 0; frame < kFrames; ++frame) {
     const std::string name = frameName(frame);
@@ -60,7 +60,7 @@ TEST(RenderParts, AssembleToTheirOwnBytes) {
   const Assembled made = assemble(folder / "small", folder / "part.mp4", {}, {});
   EXPECT_EQ(made.frames, (FrameRange{3, 5}));
   EXPECT_EQ(made.sceneFrames, kFrames);
-  EXPECT_FALSE(made.isWhole());
+  EXPECT_TRUE(made.isPart());
   EXPECT_TRUE(bytesOf(folder / "part.mp4") == bytesOf(folder / "small_00003-00005.mp4"));
 }
 
@@ -107,6 +107,8 @@ TEST(RenderParts, RefuseToLieBesideUnfinishedFramesOfOtherSettings) {
       AllOf(HasSubstr((folder / "small.partial").string() + " holds frames of other settings"),
             HasSubstr("camera.field_of_view_deg is")));
   EXPECT_FALSE(fs::exists(folder / "small"));
+  testing::render(smallScene({"camera.field_of_view_deg=40"}),
+                  {.folder = folder, .png = false, .frames = FrameRange{3, 12}});
   part(smallScene());
   EXPECT_EQ(framesIn(folder / "small").size(), 9U);
 }

@@ -3,16 +3,15 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
-#include <new>
 #include <span>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "base/error.h"
 #include "base/version.h"
 #include "cli/commands.h"
 #include "cli/crash_words.h"
+#include "cli/error_report.h"
 #include "cli/exit_code.h"
 #include "cli/standard_streams.h"
 
@@ -48,15 +47,11 @@ void addCommands(CLI::App& program, Action& action) {
   addDiffCommand(program, action);
 }
 
-int fail(const char* message, int status) {
-  std::cerr << "rotatebook: " << message << '\n';
-  return status;
-}
-
 /// `status`, unless what was printed got lost.
 int afterFlush(int status) {
   std::cout.flush();
-  return std::cout ? status : fail("can't write to the standard output", kMachineFailed);
+  if (std::cout) return status;
+  throw MachineError("can't write to the standard output");
 }
 
 /// The exit status of `work`, or that of what it throws, which is told.
@@ -64,20 +59,8 @@ template <typename Work>
 int guarded(const Work& work) noexcept {
   try {
     return work();
-  } catch (const Error& error) {
-    return fail(error.what(), error.kind() == ErrorKind::Input ? kWrongInput : kMachineFailed);
-  } catch (const std::bad_alloc&) {
-    return fail("out of memory", kMachineFailed);
-  } catch (const std::system_error& error) {
-    if (error.code() != std::errc::resource_unavailable_try_again) {
-      return fail(error.what(), kMachineFailed);
-    }
-    return fail(
-        "can't start a thread: this user or container may have no more of them; raise the "
-        "limit (ulimit -u)",
-        kMachineFailed);
-  } catch (const std::exception& error) {
-    return fail(error.what(), kMachineFailed);
+  } catch (...) {
+    return reportError(std::current_exception());
   }
 }
 

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "cli/error_report.h"
 #include "cli/exit_code.h"
 #include "cli/file_report.h"
 #include "cli/interrupt.h"
@@ -176,8 +177,9 @@ class RendersTogether {
       begunAll = runParallel(all, renderOne, options);
     } catch (...) {
       tellRest();
-      rethrowFirst();
-      throw;
+      const int status = tellErrors();
+      if (status != kDone) return status;
+      throw;  // No scene's, but of whoever runs them.
     }
     int status = begunAll ? kDone : interruptStatus();
     for (const Render& one : renders_) status = std::max(status, one.status);
@@ -254,23 +256,13 @@ class RendersTogether {
     }
   }
 
-  /// Of scenes that failed, the first is told by whoever catches its error; the others here.
-  void rethrowFirst() const {
-    std::exception_ptr first;
+  /// Why scenes failed; returns the highest status, kDone if none did.
+  int tellErrors() const {
+    int status = kDone;
     for (const Render& one : renders_) {
-      if (!one.error) continue;
-      if (first) std::cerr << "rotatebook: " << nameOf(one) << ": " << wordsOf(one.error) << '\n';
-      if (!first) first = one.error;
+      if (one.error) status = std::max(status, reportError(one.error, nameOf(one) + ": "));
     }
-    if (first) std::rethrow_exception(first);
-  }
-
-  static std::string wordsOf(const std::exception_ptr& error) {
-    try {
-      std::rethrow_exception(error);
-    } catch (const std::exception& told) {
-      return told.what();
-    }
+    return status;
   }
 
   static State stateOf(const Render& one) { return one.state; }

@@ -187,10 +187,10 @@ TEST_F(OutputFailure, FilesInMemoryThatMayNotBeLargeEnough) {
   const ChildResult study = runOnFullDisk(
       {"study", "tiny.toml", "--steps", "1,2", "--integrators", "rk4"}, kLessThanAPlot);
   EXPECT_EQ(study.status, 3);
-  EXPECT_EQ(study.error,
-            "rotatebook: tiny: gnuplot can't draw out/tiny-study.svg (status 0): the picture isn't "
-            "whole; is there a limit of file sizes (ulimit -f)?; the table is in "
-            "out/tiny-study.csv\n");
+  // Whether gnuplot itself notices is its own affair.
+  EXPECT_THAT(study.error,
+              AllOf(StartsWith("rotatebook: tiny: gnuplot can't draw out/tiny-study.svg (status "),
+                    EndsWith("; the table is in out/tiny-study.csv\n")));
 }
 
 TEST_F(OutputFailure, StandardOutputThatIsFull) {

@@ -1,0 +1,13 @@
+// What an error is to the user.
+#pragma once
+
+#include <exception>
+#include <string_view>
+
+namespace rotatebook::cli {
+
+/// Says "rotatebook: `subject`MESSAGE" on the standard error; returns the exit status that such an
+/// error gives. Takes no memory, which may be what is wanting.
+int reportError(const std::exception_ptr& error, std::string_view subject = "");
+
+}  // namespace rotatebook::cli

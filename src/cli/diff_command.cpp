@@ -24,10 +24,9 @@ void printComparison(const image::Comparison& comparison) {
 }
 
 int diff(const DiffArguments& arguments) {
-  for (const std::string& picture : {arguments.first, arguments.second}) {
-    refuseInput(arguments.output, picture, "one of the pictures to compare, which would be lost",
-                "name another file with -o");
-  }
+  const std::string what = "one of the pictures to compare";
+  refuseInputs(arguments.output, {{arguments.first, what}, {arguments.second, what}},
+               "name another file with -o");
   const image::Image a = image::readPng(arguments.first);
   const image::Image b = image::readPng(arguments.second);
   const image::Comparison comparison = compare(a.view(), b.view(), arguments.tolerance);

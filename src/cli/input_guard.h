@@ -3,18 +3,30 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "pipeline/render_clip.h"
 #include "scene/scene.h"
 
 namespace rotatebook::cli {
 
-/// Throws InputError "`output` is `what`; `remedy`" if `output` is the file `input`, by whatever
-/// name.
-void refuseInput(const std::filesystem::path& output, const std::filesystem::path& input,
-                 const std::string& what, const std::string& remedy);
+/// A file that is read.
+struct Input {
+  std::filesystem::path path;
+  std::string what;  ///< "the scene itself"
+};
 
-/// The same for what `scene` is read from: its file at `path`, and its textures.
-void refuseInputs(const std::filesystem::path& output, const std::filesystem::path& path,
-                  const scene::Scene& scene, const std::string& remedy);
+/// The pictures that `scene` names.
+std::vector<Input> texturesOf(const scene::Scene& scene);
+/// The same, and the scene's own file, at `path`.
+std::vector<Input> inputsOf(const std::filesystem::path& path, const scene::Scene& scene);
+
+/// Throws InputError "`output` is WHAT; `remedy`" if it is one of `inputs`, by whatever name.
+void refuseInputs(const std::filesystem::path& output, const std::vector<Input>& inputs,
+                  const std::string& remedy);
+
+/// The same for all that a render of `scene` writes, and for the folders that it replaces.
+void refuseInputs(const scene::Scene& scene, const pipeline::RenderOptions& options,
+                  const std::vector<Input>& inputs);
 
 }  // namespace rotatebook::cli

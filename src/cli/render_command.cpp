@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <filesystem>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -71,30 +71,21 @@ void refuseOpaque(const scene::Scene& scene, const std::vector<video::VideoForma
   }
 }
 
-/// Throws InputError if a file that is to be made of `scene` is the scene's own, at `path`, or a
-/// texture.
-void refuseLosses(const scene::Scene& scene, const std::string& path,
-                  const RenderArguments& arguments) {
-  const pipeline::ClipFiles files = pipeline::clipFiles(arguments.options.folder, scene.name);
-  std::vector<std::filesystem::path> outputs = pipeline::csvFiles(files.csv, scene);
-  outputs.push_back(files.poster);
-  for (const video::VideoFormat format : formatsOf(arguments))
-    outputs.push_back(files.video(format));
-  for (const auto& output : outputs) {
-    refuseInputs(output, path, scene, "name another folder with -o");
-  }
-}
-
 /// All scenes, read before anything is written, so that a mistake in the last one costs nothing.
-std::vector<scene::Scene> readScenes(const RenderArguments& arguments) {
+std::vector<scene::Scene> readScenes(const RenderArguments& arguments,
+                                     const pipeline::RenderOptions& options) {
   std::vector<scene::Scene> scenes;
+  std::vector<Input> inputs;
   for (const std::string& path : arguments.scenes) {
     scenes.push_back(arguments.sceneOptions.read(path));
     pipeline::preflight(scenes.back());
-    refuseLosses(scenes.back(), path, arguments);
+    std::ranges::move(inputsOf(path, scenes.back()), std::back_inserter(inputs));
   }
   refuseSameNames(scenes);
-  for (const scene::Scene& scene : scenes) refuseOpaque(scene, formatsOf(arguments));
+  for (const scene::Scene& scene : scenes) {
+    refuseOpaque(scene, options.formats);
+    refuseInputs(scene, options, inputs);
+  }
   return scenes;
 }
 
@@ -104,7 +95,7 @@ int render(const RenderArguments& arguments) {
   options.formats = formatsOf(arguments);
   options.device = arguments.deviceOptions.choice();
   if (!arguments.frames.empty()) options.frames = rangeOf(arguments.frames);
-  const std::vector<scene::Scene> scenes = readScenes(arguments);
+  const std::vector<scene::Scene> scenes = readScenes(arguments, options);
   options.stop = &catchInterrupts();
   const int atATime = arguments.atATime > 0
                           ? arguments.atATime
@@ -140,7 +131,7 @@ void addRenderCommand(CLI::App& program, Action& action) {
                     "Go on where a render stopped, and skip what is done");
   command->add_flag("--overwrite", arguments->options.earlier.overwrite,
                     "Discard frames of a render that wasn't finished; with --resume, only those of "
-                    "other settings");
+                    "other settings; parts (--frames) discard none");
   command
       ->add_option("--png-level", arguments->options.pngOptions.level,
                    "PNG compression, 0 (fastest) to 9 (smallest)")

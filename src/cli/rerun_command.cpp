@@ -101,8 +101,9 @@ int rerun(const RerunArguments& arguments) {
   pipeline::preflight(clip.record.scene);
   const pipeline::ClipFiles files = filesOf(clip, arguments.folder);
   const fs::path output = files.video(clip.format);
-  refuseInput(output, arguments.clip, "the clip itself, which is to be compared with the new one",
-              "name another folder with -o");
+  refuseInputs(output,
+               {{arguments.clip, "the clip itself, which is to be compared with the new one"}},
+               "name another folder with -o");
   if (!arguments.earlier.overwrite) refuseOtherClip(clip.record.scene, files, output);
   pipeline::RenderOptions options;
   options.folder = arguments.folder;
@@ -110,6 +111,7 @@ int rerun(const RerunArguments& arguments) {
   options.earlier = arguments.earlier;
   options.formats = {clip.format};
   options.frames = clip.record.part;
+  refuseInputs(clip.record.scene, options, texturesOf(clip.record.scene));
   options.device = arguments.deviceOptions.choice();
   options.stop = &catchInterrupts();
   // Expectations are told. Whether they were met was the first render's status.

@@ -37,7 +37,7 @@ int simulateScene(const SimulateArguments& arguments) {
   if (arguments.csv == "-") return printTable(scene);
   const auto files = pipeline::csvFiles(arguments.csv, scene);
   for (const auto& file : files) {
-    refuseInputs(file, arguments.scene, scene, "name another file with --csv");
+    refuseInputs(file, inputsOf(arguments.scene, scene), "name another file with --csv");
   }
   const pipeline::ClipMotion motion = pipeline::simulateScene(scene);
   pipeline::writeTables(files, motion);

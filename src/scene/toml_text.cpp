@@ -69,12 +69,14 @@ bool beginsLetter(char byte) {
   return (static_cast<unsigned char>(byte) & 0xc0) != 0x80;
 }
 
-/// Where the letters after the first `count` begin.
+/// Where the letters after the first `count` begin; what isn't UTF-8 may end between two bytes.
 std::size_t endOfLetters(std::string_view text, std::size_t count) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
+  constexpr std::size_t kLongestLetter = 4;
+  const std::size_t most = std::min(text.size(), kLongestLetter * count);
+  for (std::size_t i = 0; i < most; ++i) {
     if (beginsLetter(text[i]) && count-- == 0) return i;
   }
-  return text.size();
+  return most;
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "page/made_folder.h"
+#include "pipeline/study.h"
+#include "pipeline/study_csv.h"
 
 namespace rotatebook::page {
 namespace {
@@ -189,7 +191,8 @@ TEST(StudyFigure, RefusesTheTableOfOtherRuns) {
   const std::vector<std::string> study{"study.integrators=[\"euler\", \"rk4\"]",
                                        "study.steps=[1, 2]"};
   const scene::Scene scene = smallScene(study);
-  const std::string right = tableOf({"euler", "rk4"}, {1, 2}, scene);
+  const std::string right =
+      pipeline::precisionCsv(pipeline::runPrecisionStudy(scene, *scene.study, {}).value());
   const auto refusalOf = [&](const std::string& table, const scene::Scene& shown) {
     makeStudy(folder, table, "integrator,order,runs,shortest_h_s,longest_h_s\n");
     return messageOf(shown, folder);

@@ -29,6 +29,7 @@ TEST(OneLine, HasNoEndsOfLinesAndNoMoreThanItMay) {
   EXPECT_EQ(oneLine("aé本📖", 4), "aé本📖");
   EXPECT_EQ(oneLine("aé本📖", 3), "aé本...");
   EXPECT_EQ(oneLine("", 0), "");
+  EXPECT_EQ(oneLine(std::string(99, '\x80'), 2), std::string(8, '\x80') + "...");
 }
 
 TEST(LetterCount, CountsLettersNotBytes) {

@@ -101,17 +101,16 @@ int rerun(const RerunArguments& arguments) {
   pipeline::preflight(clip.record.scene);
   const pipeline::ClipFiles files = filesOf(clip, arguments.folder);
   const fs::path output = files.video(clip.format);
-  refuseInputs(output,
-               {{arguments.clip, "the clip itself, which is to be compared with the new one"}},
-               "name another folder with -o");
-  if (!arguments.earlier.overwrite) refuseOtherClip(clip.record.scene, files, output);
   pipeline::RenderOptions options;
   options.folder = arguments.folder;
   options.png = arguments.png;
   options.earlier = arguments.earlier;
   options.formats = {clip.format};
   options.frames = clip.record.part;
-  refuseInputs(clip.record.scene, options, texturesOf(clip.record.scene));
+  std::vector<Input> inputs = texturesOf(clip.record.scene);
+  inputs.push_back({arguments.clip, "the clip itself, which is to be compared with the new one"});
+  refuseInputs(clip.record.scene, options, inputs);
+  if (!arguments.earlier.overwrite) refuseOtherClip(clip.record.scene, files, output);
   options.device = arguments.deviceOptions.choice();
   options.stop = &catchInterrupts();
   // Expectations are told. Whether they were met was the first render's status.

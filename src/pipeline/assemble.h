@@ -23,9 +23,9 @@ struct Assembled {
 /// Makes `video`, of the format that its ending names, from the frames in `folder`, with the
 /// settings of the scene.toml beside them: the same file, byte for byte, as the render that
 /// drew them, whole or in part. Frames from elsewhere need a `frameRate`; it is an error to give
-/// one where a scene.toml tells. Throws InputError: no frames, one
-/// missing, one with another checksum than frames.xxh128 has for it, differing sizes, no rate, no
-/// format; MachineError if a frame can't be read, or the whole clip is being rendered there.
+/// one where a scene.toml tells. Throws InputError: no frames, one missing, one with another
+/// checksum than frames.xxh128 has for it, differing sizes, no rate, no format; MachineError if a
+/// frame can't be read, or the whole clip is being rendered there.
 Assembled assemble(const std::filesystem::path& folder, const std::filesystem::path& video,
                    std::optional<FrameRate> frameRate,
                    const std::function<void(RenderProgress)>& progress);

@@ -134,9 +134,8 @@ void requireLosable(const fs::path& folder, const std::optional<Manifest>& there
 }
 
 /// Throws InputError if `folder` holds frames of other settings, which a part can't join.
-void requireJoinable(const fs::path& folder, const ClipFolder::Settings& settings,
-                     const std::string& remedy) {
-  const std::optional<Manifest> there = readManifest(folder);
+void requireJoinable(const fs::path& folder, const std::optional<Manifest>& there,
+                     const ClipFolder::Settings& settings, const std::string& remedy) {
   if (!hasFrames(folder) || isOf(there, settings.made)) return;
   throw InputError(
       folder.string() + " holds frames of other settings" +
@@ -187,14 +186,14 @@ std::size_t ClipFolder::resumableFrames() const noexcept {
 }
 
 void ClipFolder::openPart(const Settings& settings) {
-  requireJoinable(files_.frameFolder, settings, "remove it");
+  const auto there = readManifest(files_.frameFolder);
+  requireJoinable(files_.frameFolder, there, settings, "remove it");
   // Of a whole clip's unfinished frames and a part, one would take the other's place in the end.
   if (settings.png) {
-    requireJoinable(files_.partialFrameFolder, settings, "finish that render first, with --resume");
+    requireJoinable(files_.partialFrameFolder, readManifest(files_.partialFrameFolder), settings,
+                    "finish that render first, with --resume");
   }
-  if (const auto there = readManifest(files_.frameFolder); isOf(there, settings.made)) {
-    manifest_ = *there;
-  }
+  if (isOf(there, settings.made)) manifest_ = *there;
   path_ = files_.frameFolder;
   if (settings.png) begin(path_, settings.record);
 }

@@ -2,14 +2,20 @@
 #pragma once
 
 #include <ostream>
+#include <string>
 
 #include "pipeline/clip_motion.h"
 #include "scene/scene.h"
 
 namespace rotatebook::cli {
 
-/// reportMotion() of each motion of `scene`, those of panels under their labels; the worst of
-/// their statuses.
+/// Says how far a motion of `model` was from the exact one, by the largest Sample::errorDeg:
+/// "within 2e-9 degrees of the exact motion", or "up to 180 degrees from the exact motion; more than
+/// 10 from 3.85 s on". Rounded up, so that it is a bound.
+std::string distanceText(const physics::Trajectory& trajectory, physics::Model model);
+
+/// Prints for each motion of `scene`, those of panels under their labels, its distanceText() and
+/// what reportMotion() says of it; returns the worst of their statuses.
 int reportMotions(const scene::Scene& scene, const pipeline::ClipMotion& motion, std::ostream& out);
 
 }  // namespace rotatebook::cli

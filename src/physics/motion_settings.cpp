@@ -53,6 +53,10 @@ bool isFor(Model model, Integrator integrator) {
   return std::ranges::count(integratorsOf(model), integrator) > 0;
 }
 
+Integrator defaultIntegrator(Model model) {
+  return model == Model::Particles ? Integrator::Euler : Integrator::Rk4;
+}
+
 Eigen::Vector3d InitialSpin::tilted() const {
   if (!tilt) return value;
   const int axis = tilt->axis;

@@ -39,11 +39,15 @@ enum class Integrator {
 std::span<const Integrator> integratorsOf(Model model);
 /// Whether `integrator` is one of them.
 bool isFor(Model model, Integrator integrator);
+/// The integrator of `model` unless a scene states one: Rk4 for the rigid models, which then stay
+/// close to the exact motion; for the particles Euler, the paper's. Model::Exact doesn't use it.
+Integrator defaultIntegrator(Model model);
 
 /// How the motion is simulated.
 struct SimulationSettings {
   Model model = Model::Quaternion;
-  Integrator integrator = Integrator::Euler;  ///< One of integratorsOf(model); else unused.
+  /// One of integratorsOf(model); unused by Model::Exact.
+  Integrator integrator = defaultIntegrator(model);
   /// Undo the integrator's drift after each step: the energy of the particles, the shape of the
   /// rigid models.
   bool normalize = true;

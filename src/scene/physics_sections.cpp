@@ -123,6 +123,7 @@ void readSimulation(const ValueReader& section, physics::SimulationSettings& set
       {"substeps",
        [&](const ValueReader& value) { settings.substeps = value.integer(1, kMostSubsteps); }},
   });
+  if (!section.find("integrator")) settings.integrator = defaultIntegrator(settings.model);
 }
 
 void readInitial(const ValueReader& section, physics::InitialSpin& spin) {

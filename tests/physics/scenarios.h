@@ -16,7 +16,7 @@ namespace rotatebook::physics {
 /// Rate of the spin in every Scenario: one turn a second. [rad/s]
 inline constexpr double kSpinRate = 2 * std::numbers::pi;
 
-/// A motion of the default book in the paper's dimensionless numbers. It starts with an angular
+/// A motion of the default book by explicit Euler, in the paper's dimensionless numbers. It starts with an angular
 /// momentum along (1, slant, slant), the 1 being that of `axis`, and as large as kSpinRate about
 /// that axis makes it.
 struct Scenario {
@@ -33,6 +33,7 @@ struct Scenario {
 inline MotionSettings settingsOf(const Scenario& scenario) {
   MotionSettings settings;
   settings.simulation.model = scenario.model;
+  settings.simulation.integrator = Integrator::Euler;
   settings.simulation.normalize = scenario.normalize;
   settings.simulation.damping = scenario.damping;
   settings.simulation.stiffness = scenario.kappa * settings.body.mass / 8 * kSpinRate * kSpinRate;
@@ -52,10 +53,11 @@ inline Trajectory simulate(const Scenario& scenario, double angle) {
   return simulate(settingsOf(scenario), 1 + static_cast<std::int64_t>(std::ceil(samples)));
 }
 
-/// A book of one kilogram that spins at `angularVelocity` [rad/s] in steps of `h` [s].
+/// A book of one kilogram that spins at `angularVelocity` [rad/s] in Euler's steps of `h` [s].
 inline MotionSettings spinning(Model model, const Eigen::Vector3d& angularVelocity, double h) {
   MotionSettings settings;
   settings.simulation.model = model;
+  settings.simulation.integrator = Integrator::Euler;
   settings.simulation.substeps = 1;
   settings.simulation.timePerFrame = h;
   settings.initial.value = angularVelocity;

@@ -104,6 +104,16 @@ TEST(Panels, MayHaveASpinEachInsteadOfTheScenes) {
             "a.toml:6:1: [initial] needs angular_velocity or angular_momentum");
 }
 
+TEST(Panels, HaveTheIntegratorOfTheSceneElseThatOfTheirModel) {
+  const std::string panels = twoPanels("simulation.model = 'particles'");
+  EXPECT_EQ(sceneOf(panels).panels[0].simulation.integrator, Integrator::Rk4);
+  EXPECT_EQ(sceneOf(panels).panels[1].simulation.integrator, Integrator::Euler);
+  const std::string rk4 = "[simulation]\nintegrator = 'rk4'\n";
+  EXPECT_EQ(sceneOf(rk4 + panels).panels[1].simulation.integrator, Integrator::Rk4);
+  const std::string euler = "[simulation]\nintegrator = 'euler'\n";
+  EXPECT_EQ(sceneOf(euler + panels).panels[0].simulation.integrator, Integrator::Euler);
+}
+
 TEST(Panels, OfTheExactModelHaveNoUseForTheScenesIntegrator) {
   const std::string text =
       "[initial]\nangular_velocity = [0, 0, 6]\n[simulation]\nintegrator = 'rk4'\n"

@@ -111,6 +111,20 @@ TEST(SimulationSection, ReadsEveryIntegrator) {
   EXPECT_EQ(integratorNames(Model::Quaternion).size(), 10u);
 }
 
+TEST(SimulationSection, StepsRigidModelsByRk4AndParticlesByEulerUnlessItSaysOtherwise) {
+  const auto integratorWith = [](const std::string& lines) {
+    return sceneFrom(lines).simulation.integrator;
+  };
+  using physics::Integrator;
+  EXPECT_EQ(integratorWith(""), Integrator::Rk4);
+  EXPECT_EQ(integratorWith("simulation.substeps = 2"), Integrator::Rk4);
+  EXPECT_EQ(integratorWith("simulation.model = 'matrix'"), Integrator::Rk4);
+  EXPECT_EQ(integratorWith("simulation.model = 'particles'"), Integrator::Euler);
+  EXPECT_EQ(integratorWith("simulation.integrator = 'euler'"), Integrator::Euler);
+  EXPECT_EQ(integratorWith("[simulation]\nmodel = 'particles'\nintegrator = 'rk4'"),
+            Integrator::Rk4);
+}
+
 TEST(SimulationSection, RefusesAnIntegratorOfAnotherModel) {
   EXPECT_EQ(errorOf("[simulation]\nmodel = 'particles'\nintegrator = 'dmv4'"),
             "a.toml:3:14: simulation.integrator = \"dmv4\", but the model \"particles\" has "

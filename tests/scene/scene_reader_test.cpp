@@ -30,7 +30,7 @@ TEST(SceneReader, HasTheDocumentedDefaultsOfTheMotion) {
   EXPECT_EQ(scene.body.size, Eigen::Vector3d(0.1878, 0.29085, 0.05));
   EXPECT_EQ(scene.body.mass, 1);
   EXPECT_EQ(scene.simulation.model, Model::Quaternion);
-  EXPECT_EQ(scene.simulation.integrator, Integrator::Euler);
+  EXPECT_EQ(scene.simulation.integrator, Integrator::Rk4);
   EXPECT_TRUE(scene.simulation.normalize);
   EXPECT_EQ(scene.simulation.damping, 1);
   EXPECT_EQ(scene.simulation.stiffness, 2000);

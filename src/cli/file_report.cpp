@@ -7,13 +7,14 @@
 
 namespace rotatebook::cli {
 
-void reportFiles(const std::vector<std::string>& things, std::ostream& out) {
-  out << "  wrote ";
+std::string listed(const std::vector<std::string>& things) {
+  if (things.empty()) return "nothing";
+  std::string text;
   for (std::size_t i = 0; i < things.size(); ++i) {
     const char* separator = i == 0 ? "" : i + 1 == things.size() ? " and " : ", ";
-    out << separator << things[i];
+    text += separator + things[i];
   }
-  out << (things.empty() ? "nothing" : "") << std::endl;
+  return text;
 }
 
 std::string spaceWarning(const pipeline::DiskSpace& space, const std::filesystem::path& folder,

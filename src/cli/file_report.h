@@ -10,8 +10,8 @@
 
 namespace rotatebook::cli {
 
-/// Says "  wrote A, B and C", or that it is nothing.
-void reportFiles(const std::vector<std::string>& things, std::ostream& out);
+/// "A, B and C", or "nothing".
+std::string listed(const std::vector<std::string>& things);
 
 /// "about 12 GB are needed in out and 3.2 GB are free: ..."; empty if there is enough. `pngs`: they
 /// are written, and could be left out.

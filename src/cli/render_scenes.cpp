@@ -126,7 +126,10 @@ int report(const scene::Scene& scene, const std::optional<Rendered>& rendered,
     out << "  interrupted before the first frame; nothing was written" << std::endl;
     return interruptStatus();
   }
-  if (!result.wasDone) reportFiles(writtenThings(result, options), out);
+  if (!result.wasDone) out << "  wrote " << listed(writtenThings(result, options)) << std::endl;
+  if (!result.others.empty()) {
+    out << "  kept " << listed(result.others) << ", made with other settings" << std::endl;
+  }
   if (result.interrupted) {
     out << "  interrupted after " << result.framesWritten << " frames" << howToGoOn(options)
         << std::endl;

@@ -155,7 +155,7 @@ int finish(const Task& task, const Study& result) {
     std::cout << "  interrupted; only the tables were written" << std::endl;
     return interruptStatus();
   }
-  reportFiles(filesOf(task.files, result), std::cout);
+  std::cout << "  wrote " << listed(filesOf(task.files, result)) << std::endl;
   return status;
 }
 

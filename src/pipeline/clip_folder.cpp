@@ -1,5 +1,6 @@
 #include "pipeline/clip_folder.h"
 
+#include <algorithm>
 #include <exception>
 #include <system_error>
 #include <utility>
@@ -18,7 +19,7 @@ bool hasFrames(const fs::path& folder) {
 }
 
 bool isOf(const std::optional<Manifest>& manifest, const Manifest::Entries& made) {
-  return manifest && manifest->made == made;
+  return manifest && manifest->own.made == made;
 }
 
 void moveTo(const fs::path& from, const fs::path& to) {
@@ -43,23 +44,9 @@ void discard(const fs::path& folder) {
   fs::remove(folder, notEmpty);
 }
 
-/// Removes the files of a clip that was replaced, unless they are the new one's, too.
-void removeOutdated(const ClipFiles& files, const Manifest& old, const Manifest& now) {
-  if (old.made == now.made) return;
-  const std::string clip = files.frameFolder.filename().string();
-  for (const auto& [name, sum] : old.files) {
-    // A manifest is a file that anyone may change: it must not lead elsewhere.
-    const bool own = (name.starts_with(clip + '.') || name.starts_with(clip + '_')) &&
-                     fs::path(name).filename() == name;
-    if (own && !now.files.contains(name)) removeFile(files.frameFolder.parent_path() / name);
-  }
-}
-
 /// Ends the life of NAME.replaced/; what isn't a render's goes to NAME/.
 void discardReplaced(const ClipFiles& files) {
   if (!fs::is_directory(files.replacedFolder)) return;
-  const Manifest now = readManifest(files.frameFolder).value_or(Manifest{});
-  if (const auto old = readManifest(files.replacedFolder)) removeOutdated(files, *old, now);
   discard(files.replacedFolder);
   if (!fs::is_directory(files.replacedFolder)) return;
   for (const auto& entry : fs::directory_iterator(files.replacedFolder)) {
@@ -83,7 +70,7 @@ void settle(const ClipFiles& files) {
   const bool hasFinal = fs::exists(files.frameFolder);
   if (hasFinal) discardReplaced(files);
   const std::optional<Manifest> partial = readManifest(files.partialFrameFolder);
-  if (partial && partial->isComplete()) return replaceFolder(files);
+  if (partial && partial->finished) return replaceFolder(files);
   const bool lacksFinal = !hasFinal && fs::exists(files.replacedFolder);
   if (lacksFinal) moveTo(files.replacedFolder, files.frameFolder);
 }
@@ -113,8 +100,8 @@ std::string contentText(const fs::path& folder, bool complete) {
 std::string differenceText(const fs::path& folder, const std::optional<Manifest>& there,
                            const ClipFolder::Settings& settings) {
   if (!there) return " and doesn't tell its settings";
-  return (there->isComplete() ? " of other settings: " : " and had other settings: ") +
-         differences(folder, *there, settings.made, settings.scene);
+  return (there->finished ? " of other settings: " : " and had other settings: ") +
+         differences(folder, there->own.made, settings.made, settings.scene);
 }
 
 /// Throws InputError if `folder` holds what isn't to be lost: unfinished frames, or, of a render
@@ -122,7 +109,7 @@ std::string differenceText(const fs::path& folder, const std::optional<Manifest>
 void requireLosable(const fs::path& folder, const std::optional<Manifest>& there,
                     const ClipFolder::Settings& settings) {
   const bool resume = settings.earlier.resume;
-  const bool complete = there && there->isComplete();
+  const bool complete = there && there->finished;
   const bool worthless = complete ? !resume : !hasFrames(folder);
   if (settings.earlier.overwrite || worthless) return;
   const std::string start = contentText(folder, complete);
@@ -139,7 +126,7 @@ void requireJoinable(const fs::path& folder, const std::optional<Manifest>& ther
   if (!hasFrames(folder) || isOf(there, settings.made)) return;
   throw InputError(
       folder.string() + " holds frames of other settings" +
-      (there ? ": " + differences(folder, *there, settings.made, settings.scene) : "") +
+      (there ? ": " + differences(folder, there->own.made, settings.made, settings.scene) : "") +
       "; render into another folder with -o, or " + remedy);
 }
 
@@ -148,7 +135,7 @@ void requireJoinable(const fs::path& folder, const std::optional<Manifest>& ther
 ClipFolder::ClipFolder(const ClipFiles& files, const Settings& settings)
     : lock_(files.frameFolder, settings.part ? Lock::Shared : Lock::Exclusive),
       files_(files),
-      manifest_{settings.made, {}} {
+      manifest_{.own = {settings.made, {}}} {
   // Better said now than when the folder is to be moved there.
   if (fs::exists(files.frameFolder)) createFolders(files.frameFolder);
   try {
@@ -179,7 +166,7 @@ std::size_t ClipFolder::frameCount() const {
 std::size_t ClipFolder::resumableFrames() const noexcept {
   try {
     // Without its manifest, the folder was emptied from elsewhere meanwhile.
-    return isOf(readManifest(path_), manifest_.made) ? frameCount() : 0;
+    return isOf(readManifest(path_), manifest_.own.made) ? frameCount() : 0;
   } catch (const std::exception&) {
     return 0;  // What can't be read can't be resumed.
   }
@@ -193,7 +180,9 @@ void ClipFolder::openPart(const Settings& settings) {
     requireJoinable(files_.partialFrameFolder, readManifest(files_.partialFrameFolder), settings,
                     "finish that render first, with --resume");
   }
-  if (isOf(there, settings.made)) manifest_ = *there;
+  if (there) manifest_ = *there;
+  manifest_.become(settings.made);
+  manifest_.finished = isOf(there, settings.made) && there->finished;
   path_ = files_.frameFolder;
   if (settings.png) begin(path_, settings.record);
 }
@@ -214,8 +203,11 @@ void ClipFolder::openWhole(const Settings& settings) {
   // Frames that tell nothing of themselves are no render's of this kind. A clip made way when what
   // goes on was begun; parts didn't.
   const bool mayBeLost =
-      goOn ? finished && !finished->isComplete() : finished || settings.earlier.resume;
-  if (mayBeLost) requireLosable(files_.frameFolder, finished, settings);
+      goOn ? finished && !finished->finished : finished || settings.earlier.resume;
+  // Without PNGs those that are there stay. To be gone on with, the clip must be known.
+  const bool isKnown = finished && finished->filesOf(settings.made) != nullptr;
+  const bool asks = settings.png || (settings.earlier.resume && !isKnown);
+  if (mayBeLost && asks) requireLosable(files_.frameFolder, finished, settings);
   if (!goOn) {
     requireLosable(files_.partialFrameFolder, partial, settings);
     discard(files_.partialFrameFolder);
@@ -232,11 +224,13 @@ void ClipFolder::begin(const fs::path& folder, const std::string& record) {
 
 bool ClipFolder::isDone(const std::vector<fs::path>& files,
                         std::optional<FrameRange> frames) const {
-  if (!manifest_.isComplete()) return false;
+  const auto there = readManifest(files_.frameFolder);
+  const auto* known = there ? there->filesOf(manifest_.own.made) : nullptr;
+  if (known == nullptr || (frames && path_ != files_.frameFolder)) return false;
   for (const fs::path& file : files) {
-    const auto known = manifest_.files.find(file.filename().string());
-    if (known == manifest_.files.end() || !fs::is_regular_file(file)) return false;
-    if (checksumOfFile(file) != known->second) return false;
+    const auto sum = known->find(file.filename().string());
+    if (sum == known->end() || !fs::is_regular_file(file)) return false;
+    if (checksumOfFile(file) != sum->second) return false;
   }
   if (!frames) return true;
   for (std::int64_t frame = frames->first; frame < frames->end; ++frame) {
@@ -250,21 +244,45 @@ void ClipFolder::finish(const std::vector<fs::path>& files, std::optional<FrameR
     sums_->requireFiles(*frames);
     sums_->sort(*frames);
   }
-  for (const fs::path& file : files) {
-    manifest_.files[file.filename().string()] = checksumOfFile(file);
-  }
+  Manifest::Entries written;
+  for (const fs::path& file : files) written[file.filename().string()] = checksumOfFile(file);
+  const Manifest::Entries made = manifest_.own.made;
   const std::optional<Manifest> earlier = readManifest(files_.frameFolder);
-  const bool same = isOf(earlier, manifest_.made);
-  // Other formats' videos of the same settings are still true.
-  if (same) manifest_.files.insert(earlier->files.begin(), earlier->files.end());
-  const bool inPlace = path_ == files_.frameFolder;
-  if (inPlace || (same && !frames)) {
-    writeManifest(files_.frameFolder, manifest_);
-    if (!inPlace) discard(path_);
-    return flushFolder(files_.frameFolder.parent_path());
+  const bool isOurs = isOf(earlier, made);
+  const bool keepsFrames = !frames && !isOurs && hasFrames(files_.frameFolder);
+  Manifest next = earlier.value_or(Manifest{});
+  if (!keepsFrames) {
+    next.become(made);
+    next.finished = true;
   }
-  writeManifest(path_, manifest_);
-  replaceFolder(files_);
+  next.add(made, written);
+  const bool inPlace = path_ == files_.frameFolder || keepsFrames || (isOurs && !frames);
+  writeManifest(inPlace ? files_.frameFolder : path_, next);
+  if (!inPlace) return replaceFolder(files_);
+  if (path_ != files_.frameFolder) discard(path_);
+  flushFolder(files_.frameFolder.parent_path());
+}
+
+std::vector<std::string> ClipFolder::keptOfOtherSettings() const {
+  const auto there = readManifest(files_.frameFolder);
+  if (!there) return {};
+  std::vector<std::string> kept;
+  const auto addFiles = [&](const Manifest::Render& render) {
+    if (render.made == manifest_.own.made) return;
+    for (const auto& [name, sum] : render.files) {
+      const fs::path file = files_.frameFolder.parent_path() / name;
+      const bool isPlain = fs::path(name).filename() == name && fs::is_regular_file(file);
+      if (isPlain && checksumOfFile(file) == sum) kept.push_back(file.string());
+    }
+  };
+  addFiles(there->own);
+  std::ranges::for_each(there->others, addFiles);
+  std::ranges::sort(kept);
+  if (!isOf(there, manifest_.own.made) && hasFrames(files_.frameFolder)) {
+    kept.push_back(std::to_string(framesIn(files_.frameFolder).size()) + " frames in " +
+                   files_.frameFolder.string() + '/');
+  }
+  return kept;
 }
 
 }  // namespace rotatebook::pipeline

@@ -61,9 +61,13 @@ class ClipFolder {
               std::optional<FrameRange> frames) const;
 
   /// Brings the clip under its final name. `files` are what was made with it, `frames` those that
-  /// were written, if they were. Removes files of an earlier render with other settings. Throws
+  /// were written, if they were: without them the frames of an earlier render stay in NAME/. Throws
   /// MachineError.
   void finish(const std::vector<std::filesystem::path>& files, std::optional<FrameRange> frames);
+
+  /// What is left of renders of other settings, once this one is finished: "out/a.mp4",
+  /// "720 frames in out/a/".
+  std::vector<std::string> keptOfOtherSettings() const;
 
  private:
   void openPart(const Settings& settings);

@@ -89,9 +89,9 @@ Entries fingerprint(const scene::Scene& scene, const std::string& renderer, int 
   return made;
 }
 
-std::string differences(const fs::path& folder, const Manifest& there, const Entries& made,
+std::string differences(const fs::path& folder, const Entries& there, const Entries& made,
                         const scene::Scene& scene) {
-  Entries old = there.made, now = made;
+  Entries old = there, now = made;
   std::vector<std::string> found;
   if (old["scene"] != now["scene"]) {
     addDifferences(valuesOf(readFileOrEmpty(folder / kSceneCopyName)), valuesOf(sceneText(scene)),

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rotatebook::pipeline {
 
@@ -16,14 +17,33 @@ inline constexpr const char* kManifestName = "frames.manifest";
 struct Manifest {
   using Entries = std::map<std::string, std::string>;
 
-  /// The fingerprint: all that the frames' bytes depend on, checksums where it is long. Frames of
-  /// equal fingerprints are equal.
-  Entries made;
-  /// The checksums of the files that were made with the frames, by their names in the folder
-  /// above: only of a clip that is complete.
-  Entries files;
+  /// What one render made.
+  struct Render {
+    /// The fingerprint: all that the frames' bytes depend on, checksums where it is long. Frames of
+    /// equal fingerprints are equal.
+    Entries made;
+    /// The checksums of the files beside the folder, by their names.
+    Entries files;
 
-  bool isComplete() const { return !files.empty(); }
+    friend bool operator==(const Render&, const Render&) = default;
+  };
+
+  /// The render whose frames and scene.toml are in the folder.
+  Render own;
+  bool finished = false;  ///< Whether that render was: its clip is complete.
+  /// Those of other settings that left files beside the folder, each file of the last one that wrote
+  /// it.
+  std::vector<Render> others{};
+
+  /// The files of the render with this fingerprint; null if there is none.
+  const Entries* filesOf(const Entries& made) const;
+  /// Adds files that the render with this fingerprint wrote; they are no other's any more.
+  void add(const Entries& made, const Entries& files);
+  /// Makes the render with this fingerprint `own`, with what is known of its files; the one before
+  /// goes to `others`.
+  void become(const Entries& made);
+
+  friend bool operator==(const Manifest&, const Manifest&) = default;
 };
 
 std::string manifestText(const Manifest& manifest);

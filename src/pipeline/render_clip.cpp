@@ -87,6 +87,7 @@ class Render {
     try {
       renderInto(folder, record, listener);
       if (!result_.interrupted) finishFolder(folder, files);
+      if (!result_.interrupted) result_.others = folder.keptOfOtherSettings();
     } catch (const MachineError& error) {
       throw MachineError(error.what() + keptText(folder));
     }
@@ -162,9 +163,7 @@ class Render {
                   result_.files.poster);
     }
     for (const auto& video : videos) video->finish();
-    for (const video::VideoFormat format : video::kVideoFormats) {
-      removeFile(result_.files.partialVideo(format));
-    }
+    for (const auto& video : videos) removeFile(result_.files.partialVideo(video->format()));
   }
 
   const scene::Scene& scene_;

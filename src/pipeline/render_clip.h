@@ -56,6 +56,7 @@ struct RenderResult {
   std::vector<std::filesystem::path> csvs;  ///< The tables; none are written if interrupted.
   std::int64_t framesWritten = 0;           ///< Those kept among them.
   std::int64_t framesKept = 0;              ///< Of an earlier run.
+  std::vector<std::string> others;          ///< ClipFolder::keptOfOtherSettings()
   bool wasDone = false;  ///< An earlier run left all of it as it should be: nothing was written.
   /// Stopped from outside: frames are in NAME.partial/ (those of a part in NAME/), videos are
   /// NAME.partial.mp4 and so on, and the files of an earlier render are as they were.

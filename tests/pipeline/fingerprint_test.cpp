@@ -56,12 +56,12 @@ TEST(Differences, NameTheKeysAndBothValues) {
   writeFileAtomically(folder / kSceneCopyName,
                       sceneRecord(there, {.scene = "small", .renderer = "r"}));
   const scene::Scene here = smallScene({"body.mass=2", "camera.position=[0, 0, 2]"});
-  EXPECT_THAT(differences(folder, {madeOf(there), {}}, madeOf(here, "s"), here),
+  EXPECT_THAT(differences(folder, madeOf(there), madeOf(here, "s"), here),
               AllOf(HasSubstr("body.mass is 1.0 there, 2.0 here; "),
                     HasSubstr("camera.position[0] is "), HasSubstr("; and ")));
-  EXPECT_EQ(differences(folder, {madeOf(there), {}}, madeOf(there, "s"), there),
+  EXPECT_EQ(differences(folder, madeOf(there), madeOf(there, "s"), there),
             "renderer is r there, s here");
-  EXPECT_EQ(differences(folder, {{{"renderer", "r"}}, {}}, {{"renderer", "r"}, {"x", "1"}}, there),
+  EXPECT_EQ(differences(folder, {{"renderer", "r"}}, {{"renderer", "r"}, {"x", "1"}}, there),
             "x is missing there, 1 here");
 }
 

@@ -288,11 +288,12 @@ class KilledWhileFinishing : public Resume {
     fs::rename(folder_ / "new", folder_ / "small.partial");
   }
 
-  /// The new clip is there, and the user's file, and nothing of the old one.
+  /// The new clip is there, and the user's file, and of the old one the video of another format.
   void expectSettled(const EarlierFrames& earlier) {
     testing::render(smallScene(), {.folder = folder_, .earlier = earlier});
     EXPECT_EQ(bytesOf(final_ / "notes.txt"), "a user's");
     fs::remove(final_ / "notes.txt");
+    EXPECT_TRUE(fs::remove(folder_ / "small.gif"));
     expectAsUninterrupted();
   }
 
@@ -318,7 +319,6 @@ TEST_F(KilledWhileFinishing, BeforeTheOldFolderIsRemoved) {
 TEST_F(KilledWhileFinishing, WhileTheOldFolderIsRemoved) {
   fs::rename(final_, replaced_);
   fs::rename(folder_ / "small.partial", final_);
-  fs::remove(folder_ / "small.gif");
   fs::remove(replaced_ / kManifestName);
   fs::remove(replaced_ / frameName(0));
   expectSettled({});
@@ -361,21 +361,78 @@ TEST_F(Resume, IsWhatAFailedRenderTellsOf) {
   expectAsUninterrupted();
 }
 
-// A manifest that leads out of its folder removes nothing there.
-TEST_F(Resume, RemovesNothingOutsideItsFolder) {
+// What renders of other settings leave alone.
+class OtherSettings : public Resume {
+ protected:
+  RenderResult renderGif(const EarlierFrames& earlier = {}) {
+    return testing::render(otherScene(), {.folder = folder_,
+                                          .png = false,
+                                          .formats = {video::VideoFormat::Gif},
+                                          .earlier = earlier});
+  }
+  std::string path(const char* name) const { return (folder_ / name).string(); }
+};
+
+TEST_F(OtherSettings, RemoveNoVideoOfAnotherFormat) {
   render({});
-  const fs::path victim = folder_.parent_path() / "victim";
-  std::ofstream(victim) << "kept";
-  Manifest manifest = *readManifest(folder_ / "small");
-  manifest.files["../victim"] = "0";
-  manifest.files[".."] = "0";
-  manifest.files["small"] = "0";
-  manifest.files["smaller.mp4"] = "0";
-  std::ofstream(folder_ / "smaller.mp4") << "another clip's";
-  writeManifest(folder_ / "small", manifest);
-  render({}, otherScene());
-  EXPECT_TRUE(fs::exists(victim));
-  EXPECT_TRUE(fs::exists(folder_ / "smaller.mp4"));
+  const std::string mp4 = bytesOf(folder_ / "small.mp4");
+  const RenderResult result =
+      testing::render(otherScene(), {.folder = folder_, .formats = {video::VideoFormat::Gif}});
+  EXPECT_TRUE(bytesOf(folder_ / "small.mp4") == mp4);
+  EXPECT_THAT(result.others, ElementsAre(path("small.mp4")));
+  EXPECT_THAT(render({}).others, ElementsAre(path("small.gif")));
+}
+
+TEST_F(OtherSettings, WithoutPngsKeepTheFramesWithTheirRecords) {
+  render({});
+  const std::string record = bytesOf(folder_ / "small" / kSceneCopyName);
+  EXPECT_THAT(renderGif().others,
+              ElementsAre(path("small.mp4"), "12 frames in " + path("small") + "/"));
+  EXPECT_EQ(framesIn(folder_ / "small").size(), 12U);
+  EXPECT_EQ(bytesOf(folder_ / "small" / kSceneCopyName), record);
+  EXPECT_FALSE(fs::exists(folder_ / "small.partial"));
+}
+
+TEST_F(OtherSettings, AreEachDoneByTheirRecords) {
+  render({});
+  renderGif();
+  EXPECT_TRUE(renderGif(kResume).wasDone);
+  // Its table and poster have been replaced; its frames are there.
+  const RenderResult again = render(kResume);
+  EXPECT_FALSE(again.wasDone);
+  EXPECT_EQ(again.framesKept, kFrames);
+  EXPECT_THAT(again.others, ElementsAre(path("small.gif")));
+  EXPECT_FALSE(renderGif(kResume).wasDone);
+}
+
+TEST_F(OtherSettings, AreNotGoneOnWithUnasked) {
+  render({});
+  EXPECT_THAT(messageOf<InputError>([&] { renderGif(kResume); }),
+              HasSubstr("holds the frames of a clip of other settings"));
+}
+
+TEST_F(OtherSettings, KeepFramesOfWhichNothingIsKnown) {
+  render({});
+  fs::remove(folder_ / "small" / kManifestName);
+  for (int time = 0; time < 2; ++time) {
+    renderGif();
+    EXPECT_EQ(framesIn(folder_ / "small").size(), 12U);
+  }
+}
+
+TEST_F(OtherSettings, OfAPartForgetNoFile) {
+  testing::render(otherScene(), {.folder = folder_, .png = false});
+  const RenderOptions part{.folder = folder_, .formats = {}, .frames = FrameRange{0, 3}};
+  EXPECT_THAT(testing::render(smallScene(), part).others,
+              ElementsAre(path("small.mp4"), path("small.poster.png")))
+      << "the table was replaced";
+}
+
+TEST_F(OtherSettings, LeaveAnInterruptedVideoOfAnotherFormat) {
+  stoppedAfter(3, smallScene(),
+               {.folder = folder_, .png = false, .formats = {video::VideoFormat::Gif}});
+  render({});
+  EXPECT_TRUE(fs::exists(folder_ / "small.partial.gif"));
 }
 
 }  // namespace

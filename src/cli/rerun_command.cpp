@@ -47,9 +47,10 @@ std::string recordIn(const fs::path& video) {
   }
 }
 
-/// Refuses to write over what another scene's clip left under the same name.
+/// Refuses to write over what another scene's clip left under the same name: its video, and its
+/// frames if there will be `png` ones.
 void refuseOtherClip(const scene::Scene& scene, const pipeline::ClipFiles& files,
-                     const fs::path& output) {
+                     const fs::path& output, bool png) {
   const auto refuse = [](const fs::path& file) {
     throw InputError(file.string() +
                      " isn't of the clip's scene and would be lost; name another folder with -o, "
@@ -57,7 +58,7 @@ void refuseOtherClip(const scene::Scene& scene, const pipeline::ClipFiles& files
   };
   if (fs::exists(output) && !pipeline::isRecordOf(scene, recordIn(output))) refuse(output);
   const fs::path& copy = files.sceneCopy;
-  if (fs::exists(copy) && !pipeline::isRecordOf(scene, readFileOrEmpty(copy))) refuse(copy);
+  if (png && fs::exists(copy) && !pipeline::isRecordOf(scene, readFileOrEmpty(copy))) refuse(copy);
 }
 
 /// Why `clip`, which was made `there`, has other bytes than a clip of the same record.
@@ -110,7 +111,9 @@ int rerun(const RerunArguments& arguments) {
   std::vector<Input> inputs = texturesOf(clip.record.scene);
   inputs.push_back({arguments.clip, "the clip itself, which is to be compared with the new one"});
   refuseInputs(clip.record.scene, options, inputs);
-  if (!arguments.earlier.overwrite) refuseOtherClip(clip.record.scene, files, output);
+  if (!arguments.earlier.overwrite) {
+    refuseOtherClip(clip.record.scene, files, output, options.png);
+  }
   options.device = arguments.deviceOptions.choice();
   options.stop = &catchInterrupts();
   // Expectations are told. Whether they were met was the first render's status.

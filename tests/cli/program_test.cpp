@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <regex>
 
 namespace rotatebook::cli::testing {
 namespace {
@@ -89,6 +90,11 @@ int ProgramTest::expectSameFiles(const std::string& folder, const std::string& o
         << name << " differs " << when;
   }
   return compared;
+}
+
+std::string withoutDistances(const std::string& text) {
+  static const std::regex kDistance("  (within|up to) [^\n]* degrees [^\n]* the exact motion[^\n]*\n");
+  return std::regex_replace(text, kDistance, "");
 }
 
 int countOf(const std::string& part, const std::string& text) {

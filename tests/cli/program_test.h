@@ -56,6 +56,10 @@ class ProgramTest : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
+/// `text` without its lines on how far a motion was from the exact one, whose last digit may be
+/// another on another processor.
+std::string withoutDistances(const std::string& text);
+
 /// How often `part` occurs in `text`.
 int countOf(const std::string& part, const std::string& text);
 

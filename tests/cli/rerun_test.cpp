@@ -79,7 +79,7 @@ TEST_F(RerunCommand, ReplacesAnotherScenesClipOnlyIfAsked) {
   fs::create_directories(folder() / "kept");
   fs::copy(folder() / "other", folder() / "kept", fs::copy_options::recursive);
   const auto expectRefused = [&](const std::string& file) {
-    const ChildResult result = run({"rerun", "out/tiny.mp4", "-o", "other"});
+    const ChildResult result = run({"rerun", "out/tiny.mp4", "-o", "other", "--png"});
     EXPECT_EQ(result.status, 2) << result.output;
     EXPECT_EQ(result.error, "rotatebook: " + file +
                                 " isn't of the clip's scene and would be lost; name another folder "

@@ -11,7 +11,7 @@ export TSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/tsan.supp
 export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0:use_tls=0
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build program figures test test-rooms fuzz coverage gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures clean
+.PHONY: help setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures clean
 
 help:
 	@echo 'make figures             render every figure, comparison and study into $(OUT)/, each checked,'
@@ -37,13 +37,23 @@ help:
 setup:
 	@scripts/setup.sh
 
+setup-test: setup
+	@scripts/setup.sh scripts/packages-test.txt
+
+CONFIGURE = cmake --preset $(PRESET) $(if $(CI),$(if $(filter release dev,$(PRESET)),-DROTATEBOOK_WERROR=ON))
+
+# The program alone is built without what only its tests need. What needs more configures the same folder anew, and all that is
+# built there stays.
 configure: setup
-	@test -f $(BUILD)/build.ninja || cmake --preset $(PRESET) $(if $(CI),$(if $(filter release dev,$(PRESET)),-DROTATEBOOK_WERROR=ON))
+	@test -f $(BUILD)/build.ninja || $(CONFIGURE) -DBUILD_TESTING=OFF
+
+configure-test: setup-test
+	@test -f $(BUILD)/build.ninja && grep -q '^BUILD_TESTING:BOOL=ON' $(BUILD)/CMakeCache.txt || $(CONFIGURE) -DBUILD_TESTING=ON
 
 program: configure
 	@cmake --build $(BUILD) --target rotatebook
 
-build: configure
+build: configure-test
 	@cmake --build $(BUILD)
 
 figures: program
@@ -66,13 +76,13 @@ test: build
 	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j$$(nproc)
 
 # ROOMS="scene image" FILTER='Png*': some rooms' tests, or some of those, each room in one process.
-test-rooms: configure
+test-rooms: configure-test
 	@cmake --build $(BUILD) --target $(ROOMS:%=%_tests)
 	@for room in $(ROOMS); do \
 	  $$(find $(BUILD)/tests -name $${room}_tests -type f) --gtest_brief=1 --gtest_filter='$(or $(FILTER),*)' || exit 1; done
 
 # In a folder of its own, whatever PRESET says: clang's, with sanitizers. What it learns stays in build/fuzz/corpus.
-fuzz: setup
+fuzz: setup-test
 	@scripts/setup.sh scripts/packages-fuzz.txt
 	@cmake --preset fuzz >/dev/null
 	@cmake --build --preset fuzz
@@ -87,7 +97,7 @@ scene-given:
 	  'for example: make render SCENE=scenes/starter.toml' >&2; exit 2; }
 
 # ARGS="--repetitions 5", "--no-plots" and so on: bench/speed.py --help
-bench: program
+bench: program setup-test
 	python3 bench/speed.py --program $(PROGRAM) -o $(OUT)/bench $(ARGS)
 
 # The programs that `make bench` compares with, once each.
@@ -99,12 +109,12 @@ bench-peers: setup
 	/usr/bin/python3 bench/peers/tumbling_box.py raw build/peers/moderngl-raw.mp4
 	build/peers/mujoco_box assets/front.png build/peers/mujoco.mp4
 
-bench-physics: configure
+bench-physics: configure-test
 	@cmake --build $(BUILD) --target rotatebook_physics_bench
 	$(BUILD)/bench/rotatebook_physics_bench
 
 # Optimised whatever PRESET says, and in a folder of its own: no other build looks for engines.
-bench-engines: setup
+bench-engines: setup-test
 	@scripts/setup.sh scripts/packages-engines.txt || \
 	  echo 'make bench-engines: going on with the engines that are installed' >&2
 	@cmake --preset release -B build/engines -DROTATEBOOK_ENGINES=ON >/dev/null

@@ -73,7 +73,9 @@ gallery: program
 test: build
 	@scripts/setup.sh scripts/packages-page.txt || \
 	  echo 'make test: going on; the test of the page will say what it lacks' >&2
-	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j$$(nproc)
+	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j$$(nproc); status=$$?; \
+	  awk '/ Testing: / {test = $$3} /: Skipped$$/ {getline; print "skipped: " test ": " $$0}' \
+	  $(BUILD)/Testing/Temporary/LastTest.log; exit $$status
 
 # ROOMS="scene image" FILTER='Png*': some rooms' tests, or some of those, each room in one process.
 test-rooms: configure-test

@@ -51,6 +51,7 @@ finish() {
     sleep 1
   fi
   rm -rf --one-file-system "${made[@]}"
+  [ -z "$keep" ] || [ ! -d "$folder" ] || say "left in $folder"
   exit "$status"
 }
 trap finish EXIT
@@ -140,5 +141,4 @@ for command in $commands; do
   on_machine "$line"
   [ "$command" != render ] || on_machine "build/release/src/cli/rotatebook doctor"
 done
-[ -z "$keep" ] || say "left in $folder"
 say "passed: $(git -C "$root" rev-parse --short HEAD), make $(echo $commands | sed 's/ /, make /g') in $SECONDS s"

@@ -144,6 +144,7 @@ lint: format-check
 	  --extra-arg=-Wno-unknown-warning-option
 
 textures:
+	@scripts/setup.sh scripts/packages-textures.txt
 	python3 assets/draw_textures.py
 
 clean:

@@ -18,6 +18,7 @@
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 readonly release=bookworm
+PATH=$PATH:/usr/sbin:/sbin
 
 usage() { sed -n '2,/^set/{/^#/s/^# \{0,1\}//p}' "$0"; }
 say() { echo "bare machine: $*"; }

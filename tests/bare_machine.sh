@@ -72,7 +72,7 @@ apart() {
 
 # This machine's Debian sources of the release, "URI SUITE COMPONENT"; none on other systems.
 sources() {
-  apt-get indextargets --format '$(ORIGIN) $(CODENAME) $(REPO_URI) $(COMPONENT)' 'Created-By: Packages' 2>/dev/null |
+  { apt-get indextargets --format '$(ORIGIN) $(CODENAME) $(REPO_URI) $(COMPONENT)' 'Created-By: Packages' 2>/dev/null || true; } |
     sed -nE "s/^Debian ($release[^ ]*) ([^ ]+) ([^ ]+)$/\2 \1 \3/p"
 }
 
@@ -111,14 +111,16 @@ on_machine() {
   say "done in $((SECONDS - began)) s: $1"
 }
 
-# The README's first line of code that begins with `make WORD`, without its comment.
+# The README's first command `make WORD ...`, from its blocks of code.
 readme_command() {
   local line
-  line=$(sed -nE "s/^ *(make $1( [^#]*)?)(#.*)?$/\1/p" "$root/README.md" | head -n 1)
-  [ -n "$line" ] || fail "README.md has no line of code that begins with: make $1"
-  echo "$line" | sed 's/ *$//'
+  line=$(awk -v start="^make $1( |\$)" '/^ *```/ {fenced = !fenced}
+    (fenced || /^    /) {sub(/ *(#.*)?$/, ""); sub(/^ *(\$ )?/, ""); if ($0 ~ start) {print; exit}}' "$root/README.md")
+  [ -n "$line" ] || fail "README.md has no command: make $1"
+  echo "$line"
 }
 
+[ -z "$(git -C "$root" status --porcelain)" ] || say "what isn't committed is left out"
 temporary=$(mktemp -d)
 made+=("$temporary")
 folder=${folder:-$temporary/machine}

@@ -79,8 +79,7 @@ TEST_F(OutputFailure, FolderThatIsReadOnly) {
   const ChildResult result = run({"render", "tiny.toml"}, settings);
   fs::permissions(folder() / "out", fs::perms::owner_all);
   EXPECT_EQ(result.status, 3);
-  EXPECT_EQ(result.error,
-            "rotatebook: can't make the folder out/tiny.partial: Permission denied\n");
+  EXPECT_EQ(result.error, "rotatebook: can't write out/tiny: Permission denied\n");
   EXPECT_THAT(files(), ElementsAre("out/"));
 }
 

@@ -30,7 +30,7 @@ help:
 	@echo 'make lint                check format and run the static analyser'
 	@echo 'make gallery             draw docs/gallery.png, the picture at the top of the README, anew'
 	@echo 'make textures            draw the cover anew (see assets/README.md)'
-	@echo 'make setup               install the packages that are missing'
+	@echo 'make setup               install what the program needs; other targets install what they need, too'
 	@echo 'make clean               remove build/ and $(OUT)/'
 	@echo 'PRESET=dev, asan-ubsan or tsan builds otherwise than optimised.'
 

@@ -1,4 +1,4 @@
-// What a machine may lack, such as terminals: a test that needs it is skipped there and says why.
+// Skips the tests that need what a machine may lack, such as terminals, and says why.
 #pragma once
 
 #include <cstdlib>
@@ -8,7 +8,7 @@
 
 namespace rotatebook::testing {
 
-/// Whether this is a CI run (CI=true), whose machine must have all that the tests need.
+/// Recognises a CI run (CI=true), whose machine must have all that the tests need.
 inline bool inCi() {
   const char* ci = std::getenv("CI");
   return ci != nullptr && std::string(ci) == "true";

@@ -14,7 +14,8 @@
 # read through it, and terminals (/dev/pts) where they can be had; but no /sys, no /dev/shm of its own, no TERM, no locale.
 # All mounts and processes are in namespaces of their own, and end with them.
 #
-# Exit status: 0 all went well; 1 a command failed; 2 wrong arguments; 77 skipped, as no such machine can be made here.
+# Exit status: 0 all went well; 1 a command failed; 2 wrong arguments; 77 skipped, as no such machine can be made here; 129, 130 or
+# 143 interrupted.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
 readonly release=bookworm
@@ -56,9 +57,10 @@ finish() {
   exit "$status"
 }
 trap finish EXIT
-trap 'exit 129' HUP
-trap 'exit 130' INT
-trap 'exit 143' TERM
+interrupted() { say "interrupted"; exit $((128 + $1)); }
+trap 'interrupted 1' HUP
+trap 'interrupted 2' INT
+trap 'interrupted 15' TERM
 
 # Runs a command in namespaces of its own; a signal to this script ends it at once, with all that it started.
 apart() {

@@ -11,7 +11,7 @@ export TSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/tsan.supp
 export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0:use_tls=0
 
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build program figures test test-rooms fuzz coverage gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures clean
+.PHONY: help setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures clean
 
 help:
 	@echo 'make figures             render every figure, comparison and study into $(OUT)/, each checked,'
@@ -30,20 +30,30 @@ help:
 	@echo 'make lint                check format and run the static analyser'
 	@echo 'make gallery             draw docs/gallery.png, the picture at the top of the README, anew'
 	@echo 'make textures            draw the cover anew (see assets/README.md)'
-	@echo 'make setup               install the packages that are missing'
+	@echo 'make setup               install what the program needs; other targets install what they need, too'
 	@echo 'make clean               remove build/ and $(OUT)/'
 	@echo 'PRESET=dev, asan-ubsan or tsan builds otherwise than optimised.'
 
 setup:
 	@scripts/setup.sh
 
+setup-test: setup
+	@scripts/setup.sh scripts/packages-test.txt
+
+CONFIGURE = cmake --preset $(PRESET) $(if $(CI),$(if $(filter release dev,$(PRESET)),-DROTATEBOOK_WERROR=ON))
+
+# The program alone is built without what only its tests need. What needs more configures the same folder anew, and all that is
+# built there stays.
 configure: setup
-	@test -f $(BUILD)/build.ninja || cmake --preset $(PRESET) $(if $(CI),$(if $(filter release dev,$(PRESET)),-DROTATEBOOK_WERROR=ON))
+	@test -f $(BUILD)/build.ninja || $(CONFIGURE) -DBUILD_TESTING=OFF
+
+configure-test: setup-test
+	@test -f $(BUILD)/build.ninja && grep -q '^BUILD_TESTING:BOOL=ON' $(BUILD)/CMakeCache.txt || $(CONFIGURE) -DBUILD_TESTING=ON
 
 program: configure
 	@cmake --build $(BUILD) --target rotatebook
 
-build: configure
+build: configure-test
 	@cmake --build $(BUILD)
 
 figures: program
@@ -63,16 +73,18 @@ gallery: program
 test: build
 	@scripts/setup.sh scripts/packages-page.txt || \
 	  echo 'make test: going on; the test of the page will say what it lacks' >&2
-	ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j$$(nproc)
+	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j$$(nproc); status=$$?; \
+	  awk '/ Testing: / {test = $$3} /: Skipped$$/ {getline; print "skipped: " test ": " $$0}' \
+	  $(BUILD)/Testing/Temporary/LastTest.log; exit $$status
 
 # ROOMS="scene image" FILTER='Png*': some rooms' tests, or some of those, each room in one process.
-test-rooms: configure
+test-rooms: configure-test
 	@cmake --build $(BUILD) --target $(ROOMS:%=%_tests)
 	@for room in $(ROOMS); do \
 	  $$(find $(BUILD)/tests -name $${room}_tests -type f) --gtest_brief=1 --gtest_filter='$(or $(FILTER),*)' || exit 1; done
 
 # In a folder of its own, whatever PRESET says: clang's, with sanitizers. What it learns stays in build/fuzz/corpus.
-fuzz: setup
+fuzz: setup-test
 	@scripts/setup.sh scripts/packages-fuzz.txt
 	@cmake --preset fuzz >/dev/null
 	@cmake --build --preset fuzz
@@ -87,7 +99,7 @@ scene-given:
 	  'for example: make render SCENE=scenes/starter.toml' >&2; exit 2; }
 
 # ARGS="--repetitions 5", "--no-plots" and so on: bench/speed.py --help
-bench: program
+bench: program setup-test
 	python3 bench/speed.py --program $(PROGRAM) -o $(OUT)/bench $(ARGS)
 
 # The programs that `make bench` compares with, once each.
@@ -99,12 +111,12 @@ bench-peers: setup
 	/usr/bin/python3 bench/peers/tumbling_box.py raw build/peers/moderngl-raw.mp4
 	build/peers/mujoco_box assets/front.png build/peers/mujoco.mp4
 
-bench-physics: configure
+bench-physics: configure-test
 	@cmake --build $(BUILD) --target rotatebook_physics_bench
 	$(BUILD)/bench/rotatebook_physics_bench
 
 # Optimised whatever PRESET says, and in a folder of its own: no other build looks for engines.
-bench-engines: setup
+bench-engines: setup-test
 	@scripts/setup.sh scripts/packages-engines.txt || \
 	  echo 'make bench-engines: going on with the engines that are installed' >&2
 	@cmake --preset release -B build/engines -DROTATEBOOK_ENGINES=ON >/dev/null
@@ -132,6 +144,7 @@ lint: format-check
 	  --extra-arg=-Wno-unknown-warning-option
 
 textures:
+	@scripts/setup.sh scripts/packages-textures.txt
 	python3 assets/draw_textures.py
 
 clean:

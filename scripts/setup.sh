@@ -7,7 +7,7 @@ wanted=$(sed -e 's/#.*//' "$list")
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
   echo "setup: not a Debian or Ubuntu machine; install what these packages hold, then run" \
-       "'cmake --preset release' yourself:" $wanted >&2
+       "'cmake --preset release' yourself, for the program alone with -DBUILD_TESTING=OFF:" $wanted >&2
   exit 3
 fi
 

@@ -6,8 +6,10 @@
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
+#include <linux/capability.h>
 #include <poll.h>
 #include <pty.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <system_error>
@@ -88,6 +90,7 @@ void limitFiles(long largest) {
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) signal(number, SIG_DFL);
   if (settings.ignoredSignal != 0) signal(settings.ignoredSignal, SIG_IGN);
   for (const auto& [name, value] : settings.environment) setenv(name.c_str(), value.c_str(), 1);
+  if (settings.obeysPermissions) prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE);
   if (settings.largestFile) limitFiles(*settings.largestFile);
   if (chdir(settings.folder.c_str()) == 0) execv(arguments.front(), arguments.data());
   _exit(kCannotStart);
@@ -156,6 +159,15 @@ void readAll(Descriptor& output, Descriptor& error, const Child& child,
 }
 
 }  // namespace
+
+std::string whyNoTerminal() {
+  try {
+    makeTerminal();
+    return "";
+  } catch (const std::system_error& error) {
+    return std::string("no terminal can be opened: ") + error.what();
+  }
+}
 
 ChildResult runChild(const std::filesystem::path& program,
                      const std::vector<std::string>& arguments, const ChildSettings& settings) {

@@ -17,6 +17,7 @@ struct ChildSettings {
   std::vector<std::pair<std::string, std::string>> environment{};  ///< Added to ours.
   std::string outputFile{};            ///< Where its standard output goes instead of to us.
   bool terminal = false;               ///< Its standard error is a pseudo-terminal.
+  bool obeysPermissions = false;       ///< A file's mode counts even if the superuser runs it.
   std::vector<int> closed{};           ///< Descriptors that are closed from the start.
   int ignoredSignal = 0;               ///< Ignored from the start.
   std::optional<long> largestFile{};   ///< Writing beyond this fails with EFBIG. [bytes]
@@ -31,6 +32,9 @@ struct ChildResult {
   std::string output;  ///< Its standard output.
   std::string error;   ///< Its standard error; line ends of a terminal are "\r\n".
 };
+
+/// Says why this machine has no pseudo-terminal to give; empty if it has.
+std::string whyNoTerminal();
 
 /// Runs `program` with `arguments` to its end. Throws std::system_error if it can't be started.
 ChildResult runChild(const std::filesystem::path& program,

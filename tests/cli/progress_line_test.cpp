@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/program_test.h"
+#include "lacking.h"
 
 namespace rotatebook::cli::testing {
 namespace {
@@ -19,6 +20,7 @@ using ::testing::Not;
 using ProgressOfARender = ProgramTest;
 
 TEST_F(ProgressOfARender, IsABarOnATerminal) {
+  ROTATEBOOK_SKIP_IF_LACKING(whyNoTerminal());
   ChildSettings settings;
   settings.terminal = true;
   const ChildResult result =

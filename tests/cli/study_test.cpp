@@ -3,6 +3,7 @@
 #include <string>
 
 #include "cli/program_test.h"
+#include "lacking.h"
 
 namespace rotatebook::cli::testing {
 namespace {
@@ -170,6 +171,7 @@ TEST_F(StudyCommand, NamesThePackageOfAMissingGnuplot) {
 }
 
 TEST_F(StudyCommand, ShowsABarOnATerminal) {
+  ROTATEBOOK_SKIP_IF_LACKING(whyNoTerminal());
   ChildSettings settings;
   settings.terminal = true;
   const ChildResult result = run({"study", "tiny.toml"}, settings);

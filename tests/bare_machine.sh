@@ -1,0 +1,149 @@
+#!/usr/bin/env bash
+# Follows the README on a bare machine: a minimal Debian 12 in a folder of its own, in which nothing is installed but git, make
+# and ca-certificates. It takes what is committed, and the commands from README.md as they are there. Only root can run it.
+#
+#   tests/bare_machine.sh             make render, make figures and make test: 20 to 60 minutes, 14 GB
+#   tests/bare_machine.sh --quick     make render alone, which is set-up, build and one clip: 3 to 6 minutes, 3 GB
+#
+#   --folder DIR   make the machine in DIR, which mustn't exist yet, instead of in a folder of temporary files
+#   --base DIR     copy Debian's base from DIR; where there is none yet, make it there first, and leave it
+#   --keep         leave the machine when done, to look into it with chroot
+#
+# From this machine it takes Debian's package sources with apt's settings for fetching, http_proxy and the like, how names of
+# hosts are resolved, and the certificates in /usr/local/share/ca-certificates. It has /proc, as every machine does and fonts are
+# read through it, and terminals (/dev/pts) where they can be had; but no /sys, no /dev/shm of its own, no TERM, no locale.
+# All mounts and processes are in namespaces of their own, and end with them.
+#
+# Exit status: 0 all went well; 1 a command failed; 2 wrong arguments; 77 skipped, as no such machine can be made here; 129, 130 or
+# 143 interrupted.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/.." && pwd)
+readonly release=bookworm
+PATH=$PATH:/usr/sbin:/sbin
+
+usage() { sed -n '2,/^set/{/^#/s/^# \{0,1\}//p}' "$0"; }
+say() { echo "bare machine: $*"; }
+fail() { say "failed: $*" >&2; exit 1; }
+skip() { say "skipped: $*"; exit 77; }
+refuse() { say "$*; see --help" >&2; exit 2; }
+
+commands="render figures test" folder= base= keep=
+while [ $# -gt 0 ]; do
+  case $1 in
+    --quick) commands=render ;;
+    --folder | --base) [ $# -gt 1 ] || refuse "$1 needs a folder"; declare "${1#--}=$(realpath -m "$2")"; shift ;;
+    --keep) keep=yes ;;
+    --help) usage; exit 0 ;;
+    *) refuse "what is $1?" ;;
+  esac
+  shift
+done
+[ -z "$folder" ] || [ ! -e "$folder" ] || refuse "$folder exists already"
+[ "$(id -u)" = 0 ] || skip "only root can run it"
+command -v debootstrap >/dev/null || skip "debootstrap isn't installed: apt-get install debootstrap"
+unshare --mount --pid --fork --mount-proc true 2>/dev/null || skip "nothing can be mounted here"
+
+made=() child=  # Files and folders to remove; the process that is waited for.
+finish() {
+  status=$?
+  trap - EXIT
+  if [ -n "$child" ]; then  # What it started dies with it, but not at once.
+    kill -KILL "$child" 2>/dev/null || true
+    wait "$child" 2>/dev/null || true
+    sleep 1
+  fi
+  rm -rf --one-file-system "${made[@]}"
+  [ -z "$keep" ] || [ ! -d "$folder" ] || say "left in $folder"
+  exit "$status"
+}
+trap finish EXIT
+interrupted() { say "interrupted"; exit $((128 + $1)); }
+trap 'interrupted 1' HUP
+trap 'interrupted 2' INT
+trap 'interrupted 15' TERM
+
+# Runs a command in namespaces of its own; a signal to this script ends it at once, with all that it started.
+apart() {
+  unshare --mount --pid --fork --kill-child --mount-proc "$@" &
+  child=$!
+  local status=0
+  wait $child || status=$?
+  child=
+  return $status
+}
+
+# This machine's Debian sources of the release, "URI SUITE COMPONENT"; none on other systems.
+sources() {
+  { apt-get indextargets --format '$(ORIGIN) $(CODENAME) $(REPO_URI) $(COMPONENT)' 'Created-By: Packages' 2>/dev/null || true; } |
+    sed -nE "s/^Debian ($release[^ ]*) ([^ ]+) ([^ ]+)$/\2 \1 \3/p"
+}
+
+# Makes Debian's base in a folder.
+bootstrap() {
+  local mirror log=$temporary/log
+  mirror=$(sources | sed -nE "s/^([^ ]+) $release main$/\1/p" | head -n 1)
+  say "debootstrap --variant=minbase $release $1 $mirror"
+  apart debootstrap --variant=minbase $release "$1" $mirror >"$log" 2>&1 && return
+  tail -n 5 "$log" >&2
+  skip "debootstrap can't get Debian $release"
+}
+
+# Gives the machine what it takes from this one.
+connect() {
+  local etc=$folder/etc certificates=/usr/local/share/ca-certificates
+  if [ -n "$(sources)" ]; then sources | sed 's/^/deb /' >"$etc/apt/sources.list"; fi
+  apt-config dump --format '%F "%v";%n' Acquire | grep -E '^Acquire::(https?|Check-|Retries)' >"$etc/apt/apt.conf.d/90host" || true
+  cp -L /etc/resolv.conf "$etc/"
+  [ ! -e /etc/hosts ] || cp -L /etc/hosts "$etc/"
+  [ ! -d $certificates ] || { mkdir -p "$folder$certificates" && cp -rL $certificates/. "$folder$certificates/"; }
+  git clone --quiet --bare "file://$root" "$folder/root/rotatebook.git"
+}
+
+# Runs a command line on the machine, in the folder of the clone once it is there.
+on_machine() {
+  say "\$ $1"
+  local began=$SECONDS status=0 proxies=() name
+  for name in http_proxy https_proxy no_proxy; do
+    [ -z "${!name:-}" ] || proxies+=("$name=${!name}")
+  done
+  apart sh -c 'mount -t proc proc "$0/proc" && { mount -t devpts -o newinstance,ptmxmode=0666 devpts "$0/dev/pts" || true; } &&
+    exec chroot "$0" env -i "$@"' "$folder" PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin HOME=/root \
+    "${proxies[@]}" sh -c "cd; cd rotatebook 2>/dev/null; $1" </dev/null || status=$?
+  [ $status = 0 ] || fail "$1 (exit status $status)"
+  say "done in $((SECONDS - began)) s: $1"
+}
+
+# The README's first command `make WORD ...`, from its blocks of code.
+readme_command() {
+  local line
+  line=$(awk -v start="^make $1( |\$)" '/^ *```/ {fenced = !fenced}
+    (fenced || /^    /) {sub(/ *(#.*)?$/, ""); sub(/^ *(\$ )?/, ""); if ($0 ~ start) {print; exit}}' "$root/README.md")
+  [ -n "$line" ] || fail "README.md has no command: make $1"
+  echo "$line"
+}
+
+[ -z "$(git -C "$root" status --porcelain)" ] || say "what isn't committed is left out"
+temporary=$(mktemp -d)
+made+=("$temporary")
+folder=${folder:-$temporary/machine}
+if [ -n "$keep" ]; then  # What is kept isn't made in a folder that is removed.
+  [ "$folder" != "$temporary/machine" ] || folder=$(mktemp -d)/machine
+else
+  made+=("$folder")
+fi
+if [ -n "$base" ] && [ ! -d "$base" ]; then
+  made+=("$base.making")
+  bootstrap "$base.making"
+  mv "$base.making" "$base"
+fi
+if [ -n "$base" ]; then cp -a "$base" "$folder"; else bootstrap "$folder"; fi
+connect
+
+on_machine "export DEBIAN_FRONTEND=noninteractive; apt-get update -q && apt-get install -q -y --no-install-recommends git make ca-certificates"
+on_machine "git clone --quiet rotatebook.git rotatebook"
+for command in $commands; do
+  line=$(readme_command "$command")
+  on_machine "$line"
+  [ "$command" != render ] || on_machine "build/release/src/cli/rotatebook doctor"
+done
+say "passed: $(git -C "$root" rev-parse --short HEAD), make $(echo $commands | sed 's/ /, make /g') in $SECONDS s"

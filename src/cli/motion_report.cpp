@@ -28,10 +28,11 @@ std::string roundedUp(double value, int digits) {
 std::string distanceText(const physics::Trajectory& trajectory, physics::Model model) {
   if (model == physics::Model::Exact) return "the exact motion itself, in closed form";
   const auto& samples = trajectory.samples;
-  const double farthest = std::ranges::max_element(samples, {}, &physics::Sample::errorDeg)->errorDeg;
+  const double farthest =
+      std::ranges::max_element(samples, {}, &physics::Sample::errorDeg)->errorDeg;
   if (farthest < 1) return "within " + roundedUp(farthest, 1) + " degrees of the exact motion";
-  const std::string text = "up to " + roundedUp(std::min(farthest, kHalfTurnDeg), 3) +
-                           " degrees from the exact motion";
+  const std::string text =
+      "up to " + roundedUp(std::min(farthest, kHalfTurnDeg), 3) + " degrees from the exact motion";
   if (farthest <= kVisibleDeg) return text;
   const auto visible = std::ranges::find_if(
       samples, [](const physics::Sample& sample) { return sample.errorDeg > kVisibleDeg; });

@@ -148,6 +148,7 @@ void addRenderCommand(CLI::App& program, Action& action) {
 Writes DIR/NAME.mp4 (or other videos, as --format has it), DIR/NAME.csv, DIR/NAME.poster.png and DIR/NAME/frame_00000.png ..., where NAME is
 the scene file's.
 A scene with panels has a table for each, DIR/NAME_LABEL.csv.
+Files that it doesn't write stay as they are, and those of other settings are reported.
 With --frames the MP4 is DIR/NAME_A-B.mp4, and the frames join those of earlier parts.
 A render that stops, whatever stops it, keeps the frames that are done; the same command with
 --resume goes on, and its files are those of a render that never stopped.

@@ -12,8 +12,8 @@ namespace rotatebook::pipeline {
 /// Program, build, renderer, FFmpeg, PNG level, scene and the textures' bytes.
 Manifest::Entries fingerprint(const scene::Scene& scene, const std::string& renderer, int pngLevel);
 
-/// For a message: in what `folder`, which has the fingerprint `there` and a scene.toml, differs from
-/// a render of `scene` with the fingerprint `made`. "clip.duration is 8.0 there, 10.0 here"
+/// For a message: in what `folder`, which has the fingerprint `there` and a scene.toml, differs
+/// from a render of `scene` with the fingerprint `made`. "clip.duration is 8.0 there, 10.0 here"
 std::string differences(const std::filesystem::path& folder, const Manifest::Entries& there,
                         const Manifest::Entries& made, const scene::Scene& scene);
 

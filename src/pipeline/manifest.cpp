@@ -17,7 +17,8 @@ using Entries = Manifest::Entries;
 
 constexpr const char* kHead =
     "# What the frames beside this were made from and with. Their checksums are in frames.xxh128,\n"
-    "# which 'xxh128sum --check' reads; here are those of the files that were made with them, and of\n"
+    "# which 'xxh128sum --check' reads; here are those of the files that were made with them, and "
+    "of\n"
     "# files of the same clip that were made with other settings.\n";
 
 /// The tables of the renders of other settings.

@@ -31,8 +31,8 @@ struct Manifest {
   /// The render whose frames and scene.toml are in the folder.
   Render own;
   bool finished = false;  ///< Whether that render was: its clip is complete.
-  /// Those of other settings that left files beside the folder, each file of the last one that wrote
-  /// it.
+  /// Those of other settings that left files beside the folder, each file of the last one that
+  /// wrote it.
   std::vector<Render> others{};
 
   /// The files of the render with this fingerprint; null if there is none.

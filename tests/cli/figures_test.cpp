@@ -95,8 +95,7 @@ const std::vector<Twin> kTwins{
     {"figures/fig10-matrix-unnormalized", kNormalized},
     {"figures/fig11-quaternion-unnormalized", kNormalized},
     {"figures/fig12-quaternion-pulsating", kNormalized},
-    {"figures/figa-exact",
-     {"simulation.model=\"quaternion\"", "simulation.integrator=\"euler\""}},
+    {"figures/figa-exact", {"simulation.model=\"quaternion\"", "simulation.integrator=\"euler\""}},
     {"figures/figa-normalized-euler", {"simulation.substeps=64"}},
     {"figures/figa-normalized-euler", {"simulation.integrator=\"rk4\""}},
 };

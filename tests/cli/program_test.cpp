@@ -93,7 +93,8 @@ int ProgramTest::expectSameFiles(const std::string& folder, const std::string& o
 }
 
 std::string withoutDistances(const std::string& text) {
-  static const std::regex kDistance("  (within|up to) [^\n]* degrees [^\n]* the exact motion[^\n]*\n");
+  static const std::regex kDistance(
+      "  (within|up to) [^\n]* degrees [^\n]* the exact motion[^\n]*\n");
   return std::regex_replace(text, kDistance, "");
 }
 

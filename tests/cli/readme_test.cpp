@@ -26,7 +26,7 @@ duration = 3
 
 /// Those of the section "Commands", in their order, without the comments.
 std::vector<std::string> commands() {
-  const std::string readme = readFile(fs::path(ROTATEBOOK_SOURCE) / "README.md");
+  const std::string readme = readFileOrEmpty(fs::path(ROTATEBOOK_SOURCE) / "README.md");
   const std::size_t begin = readme.find("\n## Commands\n");
   std::istringstream section(readme.substr(begin, readme.find("\n## ", begin + 1) - begin));
   std::vector<std::string> found;

@@ -41,8 +41,7 @@ TEST(Starter, TurnsOver) {
 class EditedStarter : public ProgramTest, public ::testing::WithParamInterface<std::string> {};
 
 TEST_P(EditedStarter, MeetsItsExpectations) {
-  const ChildResult result =
-      run({"simulate", kStarter, "--csv", "x.csv", "--set", GetParam()});
+  const ChildResult result = run({"simulate", kStarter, "--csv", "x.csv", "--set", GetParam()});
   EXPECT_EQ(result.status, 0) << result.output << result.error;
   EXPECT_THAT(result.output, HasSubstr("\n  met    energy_ratio"));
 }
@@ -59,8 +58,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 // They are no empty words.
 TEST_F(ProgramTest, StarterByEulerFailsItsExpectations) {
-  const ChildResult result = run({"simulate", kStarter, "--csv", "x.csv", "--set",
-                                  "simulation.integrator='euler'"});
+  const ChildResult result =
+      run({"simulate", kStarter, "--csv", "x.csv", "--set", "simulation.integrator='euler'"});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.output, HasSubstr("  up to 180 degrees from the exact motion; more than 10 "
                                        "from 3.85 s on\n  UNMET  energy_ratio: "));

@@ -16,9 +16,9 @@ namespace rotatebook::physics {
 /// Rate of the spin in every Scenario: one turn a second. [rad/s]
 inline constexpr double kSpinRate = 2 * std::numbers::pi;
 
-/// A motion of the default book by explicit Euler, in the paper's dimensionless numbers. It starts with an angular
-/// momentum along (1, slant, slant), the 1 being that of `axis`, and as large as kSpinRate about
-/// that axis makes it.
+/// A motion of the default book by explicit Euler, in the paper's dimensionless numbers. It starts
+/// with an angular momentum along (1, slant, slant), the 1 being that of `axis`, and as large as
+/// kSpinRate about that axis makes it.
 struct Scenario {
   Model model = Model::Quaternion;
   int axis = 0;  ///< 0, 1, 2: x (median moment of inertia), y (smallest), z (largest)

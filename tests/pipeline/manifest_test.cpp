@@ -19,10 +19,9 @@ const Manifest::Entries kOne{{"scene", "1"}}, kTwo{{"scene", "2"}};
 
 TEST(Manifest, IsReadAsItWasWritten) {
   const fs::path folder = emptyFolder();
-  const Manifest written{
-      {{{"renderer", "a \"GPU\"\n\\"}, {"book.front", "x"}}, {{"a.mp4", "12"}}},
-      true,
-      {{kOne, {{"a.gif", "34"}}}, {kTwo, {{"a.webm", "56"}, {"a.apng", "78"}}}}};
+  const Manifest written{{{{"renderer", "a \"GPU\"\n\\"}, {"book.front", "x"}}, {{"a.mp4", "12"}}},
+                         true,
+                         {{kOne, {{"a.gif", "34"}}}, {kTwo, {{"a.webm", "56"}, {"a.apng", "78"}}}}};
   writeManifest(folder, written);
   EXPECT_EQ(readManifest(folder), written);
 }
@@ -41,7 +40,8 @@ TEST(Manifest, HasEachFileWithTheLastRenderThatWroteIt) {
   EXPECT_EQ(*manifest.filesOf(kOne), (Manifest::Entries{{"a.mp4", "1"}}));
   EXPECT_EQ(*manifest.filesOf(kTwo), (Manifest::Entries{{"a.gif", "2"}, {"a.csv", "2"}}));
   manifest.add(kOne, {{"a.csv", "3"}, {"a.gif", "3"}});
-  EXPECT_EQ(manifest.own.files, (Manifest::Entries{{"a.mp4", "1"}, {"a.csv", "3"}, {"a.gif", "3"}}));
+  EXPECT_EQ(manifest.own.files,
+            (Manifest::Entries{{"a.mp4", "1"}, {"a.csv", "3"}, {"a.gif", "3"}}));
   EXPECT_EQ(manifest.filesOf(kTwo), nullptr);
 }
 
@@ -65,7 +65,8 @@ TEST(Manifest, ThatIsMissingOrNoneIsNone) {
 
 TEST(Manifest, TakesNothingButStrings) {
   const fs::path folder = emptyFolder();
-  writeFileAtomically(folder / kManifestName, "files = 1\nother = [1, {}]\n[made]\na = 1\nb = \"x\"\nc = [\"y\"]\n");
+  writeFileAtomically(folder / kManifestName,
+                      "files = 1\nother = [1, {}]\n[made]\na = 1\nb = \"x\"\nc = [\"y\"]\n");
   const auto read = readManifest(folder);
   ASSERT_TRUE(read);
   EXPECT_EQ(read->own.made, (Manifest::Entries{{"b", "x"}}));

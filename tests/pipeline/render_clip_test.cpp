@@ -93,7 +93,8 @@ TEST(RenderClip, StartsWithTheBookAtRest) {
 TEST(RenderClip, RemovesNoVideoThatItDoesNotReplace) {
   using video::VideoFormat;
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder, .formats = {VideoFormat::Gif, VideoFormat::WebM}});
+  testing::render(smallScene(),
+                  {.folder = folder, .formats = {VideoFormat::Gif, VideoFormat::WebM}});
   const std::string gif = bytesOf(folder / "small.gif"), webm = bytesOf(folder / "small.webm");
   const RenderResult result = testing::render(smallScene({"initial.angular_velocity=[1, 2, 3]"}),
                                               {.folder = folder, .formats = {VideoFormat::WebM}});

@@ -3,6 +3,8 @@
 
 const kPlotHeight = 140;  // [CSS pixels]; of .curves in the style, too
 const kSeriesColours = 6;
+// An error that never exceeds this is of rounding alone, as the exact motion's own, and is no sight. [degrees]
+const kLargestNoise = 1e-10;
 
 /** The colour that the page's style calls `name`, as the theme has it, for a canvas. */
 function colourOf(name) {
@@ -41,11 +43,13 @@ function chartsOf(clip) {
   // A rigid body's energy hardly leaves 1, and that it does is what there is to see.
   const energyRange = only.springs && !several ? {from: 0} : {from: 1, least: 0.1};
   const one = (key, label) => several ? each(key) : [{label, values: only[key]}];
-  return [
+  const isNoise = clip.motions.every(({error}) => error.every((value) => value !== null && value <= kLargestNoise));
+  const charts = [
     {title: several ? "Total energy as a share of the start’s" : "Energy as a share of the start’s total", series: several ? each("total") : energies, canBeLog: true, ...energyRange},
     {title: "Tilt of the spun axis [°]", series: one("tilt", "tilt"), from: 0, to: 180},
-    {title: "Error against the exact motion [°]", series: one("error", "error"), from: 0, canBeLog: true},
   ];
+  if (!isNoise) charts.push({title: "Error against the exact motion [°]", series: one("error", "error"), from: 0, canBeLog: true});
+  return charts;
 }
 
 /** The range of an axis that shows `low` to `high` and the chart's own bounds, and no less than its least span. */
@@ -86,7 +90,7 @@ class Plot {
     const button = document.createElement("button");
     button.type = "button";
     button.textContent = "log";
-    button.setAttribute("aria-label", "Logarithmic axis");
+    button.title = "Logarithmic axis";
     button.setAttribute("aria-pressed", "false");
     button.addEventListener("click", () => {
       this.logarithmic = !this.logarithmic;

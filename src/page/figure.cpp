@@ -71,7 +71,8 @@ Html linkItem(const std::string& address, const std::string& words) {
 
 Html sceneDetails(const scene::Scene& scene) {
   return filled(
-      "<details><summary>The scene, every default explicit</summary><pre>{{text}}</pre></details>",
+      "<details><summary>The scene, every default explicit</summary><pre "
+      "tabindex=\"0\">{{text}}</pre></details>",
       {{"text", escaped(sceneText(scene))}});
 }
 

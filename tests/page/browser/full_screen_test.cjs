@@ -10,7 +10,9 @@ before(startBrowser);
 after(closeBrowser);
 
 const inFullScreen = (page) => page.evaluate(() => document.fullscreenElement?.closest(".clip").id ?? null);
-const waitForFullScreen = (page, wanted) => page.waitForFunction((on) => (document.fullscreenElement !== null) === on, wanted);
+/** The player hears of it a moment after the browser. */
+const waitForFullScreen = (page, wanted) => page.waitForFunction((on) => (document.fullscreenElement !== null) === on &&
+  [...document.querySelectorAll(".full")].some((button) => button.getAttribute("aria-label").startsWith("Leave")) === on, wanted);
 
 describe("full screen", () => {
   test("is entered and left by the button, its picture as large as the screen", async () => {

@@ -66,8 +66,8 @@ describe("the page", () => {
     assert.equal(words.match(/[.](\s|$)/g).length, 2, words);
     const [intro, video, controls, overview] = await Promise.all([".intro", ".lead #turns video", "#turns .controls", "#overview"].map(boxOf));
     assert.ok(intro.y + intro.height < video.y && video.y < overview.y);
-    assert.ok(video.width > 900, `${video.width} pixels wide`);  // measured 1088
-    assert.ok(controls.y + controls.height <= 900, `controls down to ${controls.y + controls.height}`);  // measured 887
+    assert.ok(video.width > 900, `${video.width} pixels wide`);  // measured 1031
+    assert.ok(controls.y + controls.height <= 900, `controls down to ${controls.y + controls.height}`);  // measured 858
     await close();
   });
 

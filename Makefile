@@ -60,8 +60,8 @@ figures: program
 	$(PROGRAM) render scenes/comparisons/*.toml scenes/figures/*.toml -o $(OUT) --resume --overwrite
 	$(PROGRAM) study scenes/studies/*.toml -o $(OUT)
 	$(PROGRAM) still scenes/stills/fig01-axes.toml --time 0 -o $(OUT)/fig01-axes.png
-	$(PROGRAM) page scenes/stills/*.toml scenes/figures/*.toml scenes/comparisons/*.toml scenes/studies/*.toml \
-	  -o $(OUT)
+	$(PROGRAM) page scenes/comparisons/axes.toml scenes/stills/*.toml scenes/figures/*.toml scenes/comparisons/*.toml \
+	  scenes/studies/*.toml -o $(OUT)
 
 # The picture at the top of the README: views that say what there is, small enough for a page.
 gallery: program

@@ -6,9 +6,8 @@
   const root = document.documentElement;
   const still = matchMedia("(prefers-reduced-motion: reduce)");
   const darkSystem = matchMedia("(prefers-color-scheme: dark)");
-  root.classList.add("scripted");
   const players = new Map();  // by section
-  const plots = [];
+  const plots = new Map();  // by section
   const visible = new Map();  // share of each clip's <video> that is in the window
   let lastUsed = null;
 
@@ -25,16 +24,18 @@
     const player = new Player(section, clip);
     players.set(section, player);
     player.addEventListener("play", () => pauseOthers(player));
-    plots.push(...makePlots(section, clip, player));
+    plots.set(section, makePlots(section, clip, player));
   }
 
-  // Plots far below the window cost nothing until they come near.
+  // All that takes room is there at once, so that links and the browser find what they look for; only curves far below the
+  // window cost nothing until they come near.
   const sections = [...document.querySelectorAll(".clip")];
+  sections.forEach(build);
   const near = new IntersectionObserver((entries) => {
     for (const entry of entries) {
       if (!entry.isIntersecting) continue;
       near.unobserve(entry.target);
-      build(entry.target);
+      plots.get(entry.target).forEach((plot) => plot.draw());
       entry.target.querySelector("video").preload = "metadata";
       seen.observe(entry.target.querySelector("video"));
     }
@@ -51,8 +52,10 @@
   }, {threshold: [0, 0.1, kMostlyVisible]});
   sections.forEach((section) => near.observe(section));
 
-  /** The player that keys are for: the one with the focus, else the one last used if it can be seen, else the most visible. */
+  /** The player that keys are for: the one in full screen, else the one with the focus, else the one last used if it can be seen, else the most visible. */
   function activePlayer() {
+    const full = players.get(document.fullscreenElement?.closest(".clip"));
+    if (full) return full;
     const focused = players.get(document.activeElement?.closest(".clip"));
     if (focused) return focused;
     if (visible.get(lastUsed) > 0.1) return lastUsed;
@@ -68,6 +71,7 @@
     if (event.key === " " && !takesSpace) player.toggle();
     else if (event.key === ",") player.step(-1);
     else if (event.key === ".") player.step(1);
+    else if (event.key === "f" && player.canFillScreen) player.toggleFullScreen();
     else return;
     event.preventDefault();
   });
@@ -77,7 +81,7 @@
 
   function showTheme() {
     theme.textContent = isDark() ? "Switch to light" : "Switch to dark";
-    plots.forEach((plot) => plot.plot.redraw(false, true));
+    [...plots.values()].flat().forEach((plot) => plot.plot?.redraw(false, true));
   }
   theme.hidden = false;
   theme.addEventListener("click", () => {

@@ -1,12 +1,15 @@
 // A clip's player: a <video> that knows its frames. It tells of each frame by the event "frame".
 "use strict";
 
+const kIdleAfter = 2500;  // [ms]
+
 class Player extends EventTarget {
   /** section: a .clip of the page; clip: its data, {rate: [60, 1], frames: 720, ...}. */
   constructor(section, clip) {
     super();
     this.section = section;
     this.video = section.querySelector("video");
+    this.element = section.querySelector(".player");
     this.frames = clip.frames;
     this.rate = clip.rate[0] / clip.rate[1];
     this.interval = clip.interval;  // simulated, from a frame to the next
@@ -19,6 +22,7 @@ class Player extends EventTarget {
     this.find("").hidden = false;
     this.connectVideo();
     this.connectControls();
+    this.connectFullScreen();
     this.show(0);
   }
 
@@ -70,6 +74,44 @@ class Player extends EventTarget {
       this.find(".speed output").textContent = words;
       speed.setAttribute("aria-valuetext", words);
     });
+  }
+
+  connectFullScreen() {
+    const {element, video} = this;
+    // A phone may know full screen for videos alone, with controls of its own.
+    this.canFillScreen = document.fullscreenEnabled === true || Boolean(video.webkitEnterFullscreen);
+    const button = this.find(".full");
+    button.hidden = !this.canFillScreen;
+    button.addEventListener("click", () => this.toggleFullScreen());
+    element.addEventListener("fullscreenchange", () => {
+      const words = this.fillsScreen() ? "Leave full screen" : "Full screen";
+      button.setAttribute("aria-label", words);
+      button.title = words + " (f)";
+      // So that the space bar plays the clip, and doesn't press this button again.
+      if (this.fillsScreen()) this.find(".play").focus({preventScroll: true});
+      this.stayAwake();
+    });
+    for (const name of ["pointermove", "pointerdown", "keydown"]) element.addEventListener(name, () => this.stayAwake());
+    for (const name of ["play", "pause"]) video.addEventListener(name, () => this.stayAwake());
+  }
+
+  fillsScreen() {
+    return document.fullscreenElement === this.element;
+  }
+
+  toggleFullScreen() {
+    if (this.fillsScreen()) document.exitFullscreen();
+    // Refused without a user's gesture, which is no error.
+    else if (document.fullscreenEnabled) this.element.requestFullscreen().catch(() => {});
+    else this.video.webkitEnterFullscreen();
+  }
+
+  /** In full screen, shows the controls while the clip is paused, and for a while after the user has done something. */
+  stayAwake() {
+    clearTimeout(this.falling);
+    this.element.classList.remove("idle");
+    if (!this.fillsScreen() || this.video.paused) return;
+    this.falling = setTimeout(() => this.element.classList.add("idle"), kIdleAfter);
   }
 
   /** The frame shown at `time` [s]; the millisecond is for times that were rounded. */

@@ -1,8 +1,10 @@
 // A clip's plots: energy, tilt and error over simulated time, on the clock of its player.
 "use strict";
 
-const kPlotHeight = 140;  // [CSS pixels]
+const kPlotHeight = 140;  // [CSS pixels]; of .curves in the style, too
 const kSeriesColours = 6;
+// An error that never exceeds this is of rounding alone, as the exact motion's own, and is no sight. [degrees]
+const kLargestNoise = 1e-10;
 
 /** The colour that the page's style calls `name`, as the theme has it, for a canvas. */
 function colourOf(name) {
@@ -41,11 +43,13 @@ function chartsOf(clip) {
   // A rigid body's energy hardly leaves 1, and that it does is what there is to see.
   const energyRange = only.springs && !several ? {from: 0} : {from: 1, least: 0.1};
   const one = (key, label) => several ? each(key) : [{label, values: only[key]}];
-  return [
-    {title: several ? "Total energy / start" : "Energy / total at the start", series: several ? each("total") : energies, canBeLog: true, ...energyRange},
+  const isNoise = clip.motions.every(({error}) => error.every((value) => value !== null && value <= kLargestNoise));
+  const charts = [
+    {title: several ? "Total energy as a share of the start’s" : "Energy as a share of the start’s total", series: several ? each("total") : energies, canBeLog: true, ...energyRange},
     {title: "Tilt of the spun axis [°]", series: one("tilt", "tilt"), from: 0, to: 180},
-    {title: "Error against the exact motion [°]", series: one("error", "error"), from: 0, canBeLog: true},
   ];
+  if (!isNoise) charts.push({title: "Error against the exact motion [°]", series: one("error", "error"), from: 0, canBeLog: true});
+  return charts;
 }
 
 /** The range of an axis that shows `low` to `high` and the chart's own bounds, and no less than its least span. */
@@ -59,6 +63,7 @@ function rangeOf(chart, low, high) {
   return [bottom, chart.to === undefined ? top + 0.06 * span : top];
 }
 
+/** A plot's heading, legend and place, which don't change when draw() is called, later, for its curves. */
 class Plot {
   constructor(parent, chart, times, clip, player) {
     this.chart = chart;
@@ -71,10 +76,11 @@ class Plot {
     parent.append(this.element);
     this.element.append(this.heading(), this.legend());
     this.canvas = document.createElement("div");
+    this.canvas.className = "curves";
     this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", this.summary());
     this.element.append(this.canvas);
-    this.draw();
+    this.showValues();
   }
 
   heading() {
@@ -84,12 +90,12 @@ class Plot {
     const button = document.createElement("button");
     button.type = "button";
     button.textContent = "log";
-    button.setAttribute("aria-label", "Logarithmic axis");
+    button.title = "Logarithmic axis";
     button.setAttribute("aria-pressed", "false");
     button.addEventListener("click", () => {
       this.logarithmic = !this.logarithmic;
       button.setAttribute("aria-pressed", String(this.logarithmic));
-      this.draw();
+      if (this.plot) this.draw();
     });
     heading.append(button);
     return heading;
@@ -185,6 +191,7 @@ class Plot {
 
   /** Moves the playhead to the player's frame. A clip that holds its last picture has no more samples. */
   follow() {
+    if (!this.plot) return;
     const index = Math.min(this.player.frame, this.times.length - 1);
     const x = this.plot.valToPos(this.times[index], "x");
     this.playhead.style.transform = "translateX(" + x + "px)";
@@ -193,8 +200,7 @@ class Plot {
   }
 
   showValues() {
-    if (!this.plot) return;
-    const hovered = this.plot.cursor.idx;
+    const hovered = this.plot?.cursor.idx;
     const index = hovered ?? Math.min(this.player.frame, this.times.length - 1);
     this.chart.series.forEach(({values}, series) => {
       this.values[series].textContent = numberText(values[index]);
@@ -203,13 +209,13 @@ class Plot {
 
   resize() {
     const width = this.canvas.clientWidth;
-    if (width === 0 || width === this.plot.width) return;
+    if (!this.plot || width === 0 || width === this.plot.width) return;
     this.plot.setSize({width, height: kPlotHeight});
     this.follow();
   }
 }
 
-/** Draws the plots of a clip beside its player; returns them. */
+/** Makes the plots of a clip beside its player, still without their curves; returns them. */
 function makePlots(section, clip, player) {
   const parent = section.querySelector(".plots");
   const longest = Math.max(...clip.motions.map((motion) => motion.tilt.length));

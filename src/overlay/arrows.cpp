@@ -35,6 +35,7 @@ Layer letter(const MarkContext& context, const std::string& text, const Colour& 
 
 void addLabel(const View& view, const MarkContext& context, const Layer& words,
               const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  if (context.scene.wordless) return;
   const auto a = view.projector(from), b = view.projector(to);
   if (a && b) view.labels.add(words, *b, *b - *a, 0.85 * context.scale.letters);
 }

@@ -22,6 +22,9 @@ using scene::Overlay;
 
 constexpr double kSmall = 0.72;  // Size of small letters, of the others.
 
+// Lines of a wordless picture, of the others': it is shown small.
+constexpr double kBold = 2;
+
 /// An inset of fewer pixels shows nothing that could be made out.
 constexpr double kSmallestInset = 24;
 
@@ -40,6 +43,7 @@ struct Marks::Parts {
         canvas(ground.width, ground.height) {
     scale.letters = std::max(scale.letters, ground.letters);
     scale.smallLetters = std::max(scale.smallLetters, kSmall * ground.letters);
+    if (scene.wordless) scale.line *= kBold;
     taken.push_back(ground.corner);
     layout = layOut(scale, wanted(ground));
     addWordsAtTheTop(ground);
@@ -50,7 +54,8 @@ struct Marks::Parts {
     taken.push_back(layout.springs);
     addInWorld();
     addInsets();
-    if (motion.divergedAt) notice = divergenceNotice(context(), *motion.divergedAt, taken);
+    if (motion.divergedAt && !scene.wordless)
+      notice = divergenceNotice(context(), *motion.divergedAt, taken);
   }
 
   MarkContext context() const { return {scene, trajectory, type, scale}; }
@@ -63,7 +68,7 @@ struct Marks::Parts {
     Wanted all;
     all.polhode = shows(Overlay::Polhode);
     all.charts = (shows(Overlay::Energy) ? 1 : 0) + (shows(Overlay::Error) ? 1 : 0);
-    all.springs = shows(Overlay::Springs);
+    all.springs = shows(Overlay::Springs) && !scene.wordless;
     all.bottomRows = ground.bottomRows;
     return all;
   }
@@ -73,7 +78,7 @@ struct Marks::Parts {
     const auto add = [&]<typename T>(Overlay overlay, std::type_identity<T>) {
       if (shows(overlay)) inWorld.push_back(std::make_unique<T>(context()));
     };
-    if (shows(Overlay::Springs) && layout.springs.width > 0) {
+    if (shows(Overlay::Springs) && (scene.wordless || layout.springs.width > 0)) {
       inWorld.push_back(std::make_unique<Springs>(context(), layout.springs));
     }
     add(Overlay::Ghost, std::type_identity<Ghost>());
@@ -115,7 +120,7 @@ struct Marks::Parts {
     if (!ground.corner.empty()) {
       place = {ground.corner.x, ground.corner.bottom() + 0.3 * scale.letters};
     }
-    if (!ground.label.empty()) {
+    if (!ground.label.empty() && !scene.wordless) {
       const double room = insetsLeft() - scale.margin - place.x();
       plates.push_back(scene::atPlaceOf(scene, ground.labelKey, [&] {
         return labelPlate(context(), ground.label, place, room);

@@ -1,17 +1,18 @@
 // A clip: its player, its plots, what was expected of it and measured.
-#include <array>
-#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/read_file.h"
+#include "image/png_file.h"
+#include "page/clip_videos.h"
 #include "page/embedded_files.h"
 #include "page/expectation_table.h"
 #include "page/figure.h"
 #include "page/motion_data.h"
 #include "page/motion_settings_table.h"
 #include "pipeline/clip_files.h"
+#include "pipeline/clip_record.h"
 #include "pipeline/simulate_scene.h"
 #include "pipeline/trajectory_csv.h"
 
@@ -20,11 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::pair<video::VideoFormat, const char*>, 4> kFormats{
-    {{video::VideoFormat::Mp4, "MP4"},
-     {video::VideoFormat::WebM, "WebM"},
-     {video::VideoFormat::Gif, "GIF"},
-     {video::VideoFormat::Apng, "APNG"}}};
 // Of a time for people.
 constexpr int kTimeDigits = 4;
 
@@ -34,32 +30,33 @@ struct Clip {
   std::int64_t frames = 0;
   pipeline::ClipFiles files;
   std::vector<fs::path> csvs;  ///< One a motion.
-  fs::path played;             ///< The video for the player.
+  ClipVideos videos;
+  bool hasRecord = false;  ///< Whether NAME/scene.toml is the scene's.
+  bool hasFrames = false;  ///< Whether there are frames beside it.
 };
 
 /// The plots show what the table beside the clip holds, or nothing.
 void refuseOtherMotion(const fs::path& csv, const physics::Trajectory& trajectory,
                        const scene::Scene& scene) {
   if (readFileOrEmpty(csv) == pipeline::trajectoryCsv(trajectory)) return;
-  throw InputError(csv.string() +
-                   " was made of another scene or with other settings; render it again (or give "
-                   "this command the same --set): " +
-                   remedy("render", scene, csv.parent_path()));
+  throw InputError(csv.string() + " was made of another scene or with other settings; " +
+                   renderAgain(scene, csv.parent_path()));
 }
 
-/// The MP4, which every browser plays; the WebM where there is only that.
-fs::path playedVideo(const pipeline::ClipFiles& files) {
-  const fs::path mp4 = files.video(video::VideoFormat::Mp4);
-  const fs::path webm = files.video(video::VideoFormat::WebM);
-  return !fs::exists(mp4) && fs::exists(webm) ? webm : mp4;
+void refuseOtherSize(const fs::path& poster, const scene::Scene& scene) {
+  const image::Image picture = image::readPng(poster);
+  const std::string difference = otherSizeText({picture.width(), picture.height()}, scene);
+  if (difference.empty()) return;
+  throw InputError(poster.string() + ": " + difference + "; " +
+                   renderAgain(scene, poster.parent_path()));
 }
 
 Clip readClip(const scene::Scene& scene, const fs::path& folder) {
   Clip clip;
   clip.files = pipeline::clipFiles(folder, scene.name);
   clip.csvs = pipeline::csvFiles(clip.files.csv, scene);
-  clip.played = playedVideo(clip.files);
-  for (const auto& file : {clip.played, clip.files.poster}) requireFile(file, scene, "render");
+  clip.hasRecord = pipeline::isRecordOfClip(scene, readFileOrEmpty(clip.files.sceneCopy));
+  clip.hasFrames = clip.hasRecord && !pipeline::framesIn(clip.files.frameFolder).empty();
   const pipeline::ClipMotion motion = pipeline::simulateScene(scene);
   clip.frames = motion.frameCount();
   for (const scene::Panel& panel : scene::motionsOf(scene)) {
@@ -69,6 +66,9 @@ Clip readClip(const scene::Scene& scene, const fs::path& folder) {
     refuseOtherMotion(clip.csvs[index], trajectory, scene);
     clip.motions.push_back({panel, trajectory});
   }
+  clip.videos = videosOf(scene, clip.files);
+  requireFile(clip.files.poster, scene, "render");
+  refuseOtherSize(clip.files.poster, scene);
   return clip;
 }
 
@@ -82,15 +82,11 @@ Html linksOf(const Clip& clip) {
     const std::string& label = clip.motions[i].panel.label;
     links += linkItem(nameOf(clip.csvs[i]), label.empty() ? "CSV" : "CSV: " + label);
   }
-  for (const auto& [format, words] : kFormats) {
-    const fs::path file = clip.files.video(format);
-    if (fs::exists(file)) links += linkItem(nameOf(file), words);
-  }
+  for (const auto& [file, words] : clip.videos.linked) links += linkItem(nameOf(file), words);
   links += linkItem(nameOf(clip.files.poster), "Poster");
-  if (fs::exists(clip.files.sceneCopy)) {
-    links += linkItem(nameOf(clip.files.frameFolder) + "/", "PNG frames");
-    links += linkItem(nameOf(clip.files.frameFolder) + "/" + nameOf(clip.files.sceneCopy), "Scene");
-  }
+  const std::string folder = nameOf(clip.files.frameFolder) + "/";
+  if (clip.hasFrames) links += linkItem(folder, "PNG frames");
+  if (clip.hasRecord) links += linkItem(folder + nameOf(clip.files.sceneCopy), "Scene");
   return links;
 }
 
@@ -103,7 +99,7 @@ std::vector<Check> allChecks(const Clip& clip) {
   return all;
 }
 
-Html checksOfAll(const Clip& clip) {
+Html tablesOf(const Clip& clip) {
   Html tables;
   for (const Motion& motion : clip.motions) {
     const std::string label = motion.panel.label.empty() ? "" : ": " + motion.panel.label;
@@ -131,7 +127,10 @@ Figure clipFigure(const scene::Scene& scene, const fs::path& folder) {
   const Clip clip = readClip(scene, folder);
   const std::string poster = nameOf(clip.files.poster);
   const FigureKind kind = clip.motions.size() > 1 ? FigureKind::Comparison : FigureKind::Clip;
-  Figure figure{kind, scene.name, scene.title, poster, badgeOf(allChecks(clip)), {}};
+  Figure figure{kind, scene.name, scene.title, poster};
+  const std::vector<Check> checks = allChecks(clip);
+  figure.badge = unmetBadge(checks);
+  figure.leftOut = clip.videos.leftOut;
   figure.section =
       filled(clipTemplate(), {{"id", escaped(scene.name)},
                               {"title", escaped(scene.title)},
@@ -141,10 +140,10 @@ Figure clipFigure(const scene::Scene& scene, const fs::path& folder) {
                               {"width", {std::to_string(scene.clip.width)}},
                               {"height", {std::to_string(scene.clip.height)}},
                               {"poster", addressOf(poster)},
-                              {"video", addressOf(nameOf(clip.played))},
+                              {"video", addressOf(nameOf(clip.videos.played))},
                               {"last", {std::to_string(clip.frames - 1)}},
                               {"settings", settingsTable(clip.motions, scene.clip)},
-                              {"checks", checksOfAll(clip)},
+                              {"checks", foldedChecks(checks, tablesOf(clip))},
                               {"links", linksOf(clip)},
                               {"scene", sceneDetails(scene)},
                               {"data", {motionData(clip.motions, scene.clip, clip.frames)}}});

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view kTable = R"(<div class="scroll"><table class="checks">
 <caption>{{caption}}</caption>
-<thead><tr><th scope="col">Quantity</th><th scope="col">Expected</th><th scope="col">Measured</th><th scope="col"></th></tr></thead>
+<thead><tr><th scope="col">Quantity</th><th scope="col">Expected</th><th scope="col">Measured</th><th scope="col">Verdict</th></tr></thead>
 <tbody>
 {{rows}}</tbody></table></div>
 )";
@@ -19,7 +19,23 @@ constexpr std::string_view kRow =
     R"(<tr><th scope="row">{{subject}}</th><td>{{expected}}</td><td>{{measured}}</td><td class="{{class}}">{{verdict}}</td></tr>
 )";
 
-constexpr std::string_view kBadge = R"(<p class="badge {{class}}">{{words}}</p>)";
+constexpr std::string_view kBadge = R"(<p class="badge unmet">{{words}}</p>)";
+
+constexpr std::string_view kFolded = R"(<details class="expectations"{{open}}>
+<summary><span class="badge {{class}}">{{words}}</span></summary>
+{{tables}}</details>
+)";
+
+bool areAllMet(const std::vector<Check>& checks) {
+  return std::ranges::all_of(checks, &Check::met);
+}
+
+/// "4 of 5 expectations met"
+Html countText(const std::vector<Check>& checks) {
+  const auto met = std::ranges::count(checks, true, &Check::met);
+  return escaped(std::to_string(met) + " of " + std::to_string(checks.size()) +
+                 (checks.size() == 1 ? " expectation met" : " expectations met"));
+}
 
 Html rowOf(const Check& check) {
   return filled(kRow, {{"subject", escaped(check.subject)},
@@ -47,19 +63,23 @@ std::vector<Check> checksOf(const Motion& motion) {
 }
 
 Html checksTable(const std::string& caption, const std::vector<Check>& checks) {
+  if (checks.empty()) return {};
   Html rows;
   for (const Check& check : checks) rows += rowOf(check);
-  if (checks.empty()) rows.text = "<tr><td colspan=\"4\">nothing is expected</td></tr>\n";
   return filled(kTable, {{"caption", escaped(caption)}, {"rows", rows}});
 }
 
-Html badgeOf(const std::vector<Check>& checks) {
+Html unmetBadge(const std::vector<Check>& checks) {
+  return areAllMet(checks) ? Html{} : filled(kBadge, {{"words", countText(checks)}});
+}
+
+Html foldedChecks(const std::vector<Check>& checks, const Html& tables) {
   if (checks.empty()) return {};
-  const auto met = std::ranges::count(checks, true, &Check::met);
-  const auto all = static_cast<std::ptrdiff_t>(checks.size());
-  return filled(kBadge, {{"class", {met == all ? "met" : "unmet"}},
-                         {"words", escaped(std::to_string(met) + " of " + std::to_string(all) +
-                                           " expectations met")}});
+  const bool met = areAllMet(checks);
+  return filled(kFolded, {{"open", {met ? "" : " open"}},
+                          {"class", {met ? "met" : "unmet"}},
+                          {"words", countText(checks)},
+                          {"tables", tables}});
 }
 
 }  // namespace rotatebook::page

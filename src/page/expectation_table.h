@@ -24,10 +24,14 @@ struct Check {
 /// expectations.
 std::vector<Check> checksOf(const Motion& motion);
 
-/// The checks as a table with `caption`; a word if there are none.
+/// The checks as a table with `caption`; nothing if there are none.
 Html checksTable(const std::string& caption, const std::vector<Check>& checks);
 
-/// "5 of 5 expectations met" as a badge; nothing if there are none.
-Html badgeOf(const std::vector<Check>& checks);
+/// "4 of 5 expectations met" as a badge; nothing if all are.
+Html unmetBadge(const std::vector<Check>& checks);
+
+/// `tables` to be unfolded below "5 of 5 expectations met"; unfolded if one of `checks`, which are
+/// all that is in them, is unmet. Nothing if there are none.
+Html foldedChecks(const std::vector<Check>& checks, const Html& tables);
 
 }  // namespace rotatebook::page

@@ -110,8 +110,10 @@ Html settingsTable(const std::vector<Motion>& motions, const scene::ClipSettings
                               ", " + clip.frameRate.text() + " frames/s";
   rows += rowHtml("Picture", {"<td colspan=\"" + std::to_string(motions.size()) + "\">" +
                               escaped(picture).text + "</td>"});
-  return {"<div class=\"scroll\"><table class=\"settings\">\n<caption>Settings</caption>\n" +
-          headOf(motions).text + "<tbody>\n" + rows.text + "</tbody></table></div>\n"};
+  return {
+      "<div class=\"scroll\" tabindex=\"0\"><table "
+      "class=\"settings\">\n<caption>Settings</caption>\n" +
+      headOf(motions).text + "<tbody>\n" + rows.text + "</tbody></table></div>\n"};
 }
 
 }  // namespace rotatebook::page

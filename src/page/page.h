@@ -12,7 +12,8 @@ namespace rotatebook::page {
 /// The page's name in its folder.
 inline constexpr const char* kPageName = "index.html";
 
-/// The page: an overview of `figures`, then each of them, in their order. It needs no other file
+/// The page: the first of `figures`, large, what there is to see, an overview, then the others, in
+/// their order. It needs no other file
 /// than the pictures and clips that lie beside it.
 std::string pageText(const std::string& title, const std::vector<Figure>& figures);
 

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/read_file.h"
+#include "page/curves.h"
 #include "page/embedded_files.h"
 #include "page/expectation_table.h"
 #include "page/figure.h"
@@ -25,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A row of a table: its columns by name.
-using Row = std::map<std::string, std::string>;
+using RunRow = std::map<std::string, std::string>;
 
 std::vector<std::string> fieldsOf(const std::string& line) {
   std::vector<std::string> fields;
@@ -35,15 +36,15 @@ std::vector<std::string> fieldsOf(const std::string& line) {
 }
 
 /// The rows of a CSV as `rotatebook study` writes it: no quotes, and no commas within fields.
-std::vector<Row> rowsOf(const fs::path& csv) {
+std::vector<RunRow> rowsOf(const fs::path& csv) {
   std::istringstream stream(readFileOrEmpty(csv));
   std::string line;
   std::getline(stream, line);
   const std::vector<std::string> names = fieldsOf(line);
-  std::vector<Row> rows;
+  std::vector<RunRow> rows;
   while (std::getline(stream, line)) {
     const std::vector<std::string> fields = fieldsOf(line);
-    Row row;
+    RunRow row;
     for (std::size_t i = 0; i < std::min(names.size(), fields.size()); ++i)
       row[names[i]] = fields[i];
     rows.push_back(row);
@@ -51,7 +52,7 @@ std::vector<Row> rowsOf(const fs::path& csv) {
   return rows;
 }
 
-double numberOf(const Row& row, const std::string& column) {
+double fieldOf(const RunRow& row, const std::string& column) {
   double number = pipeline::kNoNumber;
   const auto found = row.find(column);
   if (found == row.end()) return number;
@@ -61,7 +62,7 @@ double numberOf(const Row& row, const std::string& column) {
 }
 
 /// The fields of these columns, where there are such, with commas between.
-std::string keyOf(const Row& row, const std::vector<std::string>& columns) {
+std::string keyOf(const RunRow& row, const std::vector<std::string>& columns) {
   std::string key;
   for (const std::string& column : columns) {
     const auto found = row.find(column);
@@ -98,7 +99,7 @@ Runs runsOf(const scene::Scene& scene) {
 void requireRuns(const fs::path& csv, const scene::Scene& scene) {
   const Runs wanted = runsOf(scene);
   std::set<std::string> found;
-  for (const Row& row : rowsOf(csv)) found.insert(keyOf(row, wanted.columns));
+  for (const RunRow& row : rowsOf(csv)) found.insert(keyOf(row, wanted.columns));
   if (found == wanted.keys) return;
   throw InputError(csv.string() +
                    " isn't of the runs that the scene's study has; study it again (or give this "
@@ -114,8 +115,8 @@ Check checkOf(const std::string& subject, const scene::Bounds& bounds, double me
 
 std::vector<Check> checksOfOrders(const scene::StudySettings& study, const fs::path& csv) {
   std::map<std::string, double> orders;
-  for (const Row& row : rowsOf(csv)) {
-    orders[keyOf(row, {"integrator"})] = numberOf(row, "order");
+  for (const RunRow& row : rowsOf(csv)) {
+    orders[keyOf(row, {"integrator"})] = fieldOf(row, "order");
   }
   std::vector<Check> checks;
   for (const auto& [integrator, bounds] : study.orders) {
@@ -129,13 +130,36 @@ std::vector<Check> checksOfOrders(const scene::StudySettings& study, const fs::p
 std::vector<Check> checksOfTilts(const scene::StudySettings& study, const fs::path& csv) {
   if (!study.flipLaw) return {};
   pipeline::TiltStudy measured;
-  for (const Row& row : rowsOf(csv)) {
+  for (const RunRow& row : rowsOf(csv)) {
     pipeline::TiltRow tilt;
-    tilt.interval = numberOf(row, "interval_s");
-    tilt.law = numberOf(row, "law_s");
+    tilt.interval = fieldOf(row, "interval_s");
+    tilt.law = fieldOf(row, "law_s");
     measured.rows.push_back(tilt);
   }
   return {checkOf("flip_law", *study.flipLaw, measured.greatestDeviation())};
+}
+
+/// Error against step, of each integrator.
+std::vector<Curve> curvesOfOrders(const scene::StudySettings& study, const fs::path& csv) {
+  std::map<std::string, Curve> curves;
+  for (const RunRow& row : rowsOf(csv)) {
+    curves[keyOf(row, {"integrator"})].emplace_back(std::log(fieldOf(row, "h_s")),
+                                                    std::log(fieldOf(row, "error_deg")));
+  }
+  std::vector<Curve> inOrder;
+  for (const physics::Integrator integrator : study.integrators) {
+    inOrder.push_back(curves[std::string(nameOf(scene::kIntegrators, integrator))]);
+  }
+  return inOrder;
+}
+
+/// The time from a flip to the next against the tilt.
+std::vector<Curve> curvesOfTilts(const fs::path& csv) {
+  Curve curve;
+  for (const RunRow& row : rowsOf(csv)) {
+    curve.emplace_back(std::log(fieldOf(row, "tilt_rad")), fieldOf(row, "interval_s"));
+  }
+  return {curve};
 }
 
 }  // namespace
@@ -150,20 +174,24 @@ Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
       ofTilts ? checksOfTilts(*scene.study, files.csv) : checksOfOrders(*scene.study, files.orders);
 
   const std::string svg = files.svg.filename().string();
-  Figure figure{FigureKind::Study, scene.name, scene.title, svg, badgeOf(checks), {}};
+  Figure figure{FigureKind::Study, scene.name, scene.title, svg};
+  figure.curves =
+      curvesSvg(ofTilts ? curvesOfTilts(files.csv) : curvesOfOrders(*scene.study, files.csv));
+  figure.badge = unmetBadge(checks);
   Html links = linkItem(svg, "SVG");
   links += linkItem(files.png.filename().string(), "PNG");
   links += linkItem(files.csv.filename().string(), "CSV");
   if (!ofTilts) links += linkItem(files.orders.filename().string(), "CSV of the orders");
   figure.section =
-      filled(studyTemplate(), {{"id", escaped(scene.name)},
-                               {"title", escaped(scene.title)},
-                               {"badge", figure.badge},
-                               {"plot", addressOf(svg)},
-                               {"caption", escaped(scene.caption)},
-                               {"checks", checksTable("Expected and measured", checks)},
-                               {"links", links},
-                               {"scene", sceneDetails(scene)}});
+      filled(studyTemplate(),
+             {{"id", escaped(scene.name)},
+              {"title", escaped(scene.title)},
+              {"badge", figure.badge},
+              {"plot", addressOf(svg)},
+              {"caption", escaped(scene.caption)},
+              {"checks", foldedChecks(checks, checksTable("Expected and measured", checks))},
+              {"links", links},
+              {"scene", sceneDetails(scene)}});
   return figure;
 }
 

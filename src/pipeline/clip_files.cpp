@@ -95,7 +95,8 @@ ClipFiles clipFiles(const fs::path& folder, const std::string& name) {
           .sceneCopy = frames / kSceneCopyName,
           .videoStem = frames,
           .csv = folder / (name + ".csv"),
-          .poster = folder / (name + ".poster.png")};
+          .poster = folder / (name + ".poster.png"),
+          .thumbnail = folder / (name + ".thumbnail.png")};
 }
 
 ClipFiles clipFiles(const fs::path& folder, const std::string& name, FrameRange part) {

@@ -52,6 +52,7 @@ struct ClipFiles {
   std::filesystem::path videoStem;           ///< NAME, to which video() puts an ending
   std::filesystem::path csv;                 ///< NAME.csv; of panels see csvFiles()
   std::filesystem::path poster;              ///< NAME.poster.png
+  std::filesystem::path thumbnail;           ///< NAME.thumbnail.png
 
   /// NAME.mp4, NAME.webm and so on.
   std::filesystem::path video(video::VideoFormat format) const;

@@ -99,6 +99,14 @@ bool lacksTextures(const scene::Scene& scene) {
   return isMissing(book.front) || isMissing(book.spine) || isMissing(book.back);
 }
 
+/// What the clip of `scene` depends on.
+std::string clipText(scene::Scene scene) {
+  scene.expectations.clear();
+  for (scene::Panel& panel : scene.panels) panel.expectations.clear();
+  scene.study.reset();
+  return sceneText(scene);
+}
+
 }  // namespace
 
 Making makingOf(const scene::Scene& scene, const ClipMotion& motion, const std::string& renderer) {
@@ -148,6 +156,15 @@ ClipRecord parseRecord(const std::string& text, const fs::path& clip, const fs::
 bool isRecordOf(const scene::Scene& scene, const std::string& text) {
   try {
     return sceneText(parseRecord(text, scene.name, scene.folder).scene) == sceneText(scene);
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+bool isRecordOfClip(const scene::Scene& scene, const std::string& text) {
+  try {
+    const ClipRecord record = parseRecord(text, scene.name, scene.folder);
+    return !record.part && clipText(record.scene) == clipText(scene);
   } catch (const InputError&) {
     return false;
   }

@@ -50,6 +50,10 @@ ClipRecord parseRecord(const std::string& text, const std::filesystem::path& cli
 /// Whether `text` is the record of a clip of `scene`, or of a part of one; tools may differ.
 bool isRecordOf(const scene::Scene& scene, const std::string& text);
 
+/// The same of the whole clip alone. What is expected of it, and its study, may differ: no picture
+/// depends on these.
+bool isRecordOfClip(const scene::Scene& scene, const std::string& text);
+
 /// A clip's format and its record.
 struct RecordedClip {
   video::VideoFormat format = video::VideoFormat::Mp4;

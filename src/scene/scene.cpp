@@ -46,7 +46,22 @@ bool isFor(physics::Model model, Overlay overlay) {
   }
 }
 
+bool isOnTheBook(Overlay overlay) {
+  switch (overlay) {
+    case Overlay::Axes:
+    case Overlay::Omega:
+    case Overlay::Momentum:
+    case Overlay::Trail:
+    case Overlay::Springs:
+    case Overlay::Ghost:
+      return true;
+    default:
+      return false;
+  }
+}
+
 bool shows(const Scene& scene, Overlay overlay) {
+  if (scene.wordless && !isOnTheBook(overlay)) return false;
   return std::ranges::count(scene.overlay.show, overlay) > 0;
 }
 

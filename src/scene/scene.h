@@ -120,6 +120,9 @@ struct Scene {
   std::filesystem::path folder;  ///< Where the scene's file lies; textures are found from here.
   /// Whether textures may lie outside of it. Of whoever reads the scene, never of its file.
   bool allowOutside = false;
+  /// Whether its pictures go without words, letters and charts, as thumbnails do. Of whoever draws
+  /// the scene, never of its file.
+  bool wordless = false;
   std::string title;
   std::string caption;
   physics::Cuboid body;
@@ -145,12 +148,16 @@ struct Scene {
   physics::MotionSettings motion() const { return {body, simulation, initial, inertia}; }
 };
 
+/// Whether `overlay` is drawn on or about the book, not beside it.
+bool isOnTheBook(Overlay overlay);
+
 /// All that moves in a scene: its panels, or the scene itself as the only one, without a label.
 std::vector<Panel> motionsOf(const Scene& scene);
 /// `scene` as if `panel` were all that moves in it.
 Scene withMotion(const Scene& scene, const Panel& panel);
 
-/// Whether `overlay` is written over the pictures of `scene`.
+/// Whether `overlay` is drawn over the pictures of `scene`: where they are wordless, only what is
+/// on the book itself.
 bool shows(const Scene& scene, Overlay overlay);
 
 /// The camera position from which a body of this size is seen whole in any attitude. [m]

@@ -129,6 +129,12 @@ ClipMetadata readClipMetadata(std::span<const std::uint8_t> bytes, const std::st
   return metadataOf(ClipInput(bytes, name));
 }
 
+PictureSize readPictureSize(const std::filesystem::path& path) {
+  const ClipInput input(path);
+  const AVCodecParameters& codec = *input.stream().codecpar;
+  return {codec.width, codec.height};
+}
+
 struct ClipReader::Parts {
   explicit Parts(const std::filesystem::path& path)
       : input(path), packet(owned(av_packet_alloc())), frame(owned(av_frame_alloc())) {

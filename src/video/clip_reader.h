@@ -27,6 +27,18 @@ ClipMetadata readClipMetadata(const std::filesystem::path& path);
 /// The same of a file's bytes, be they what they may; `name` names it in messages.
 ClipMetadata readClipMetadata(std::span<const std::uint8_t> bytes, const std::string& name);
 
+/// [pixels]
+struct PictureSize {
+  int width = 0;
+  int height = 0;
+
+  friend bool operator==(const PictureSize&, const PictureSize&) = default;
+};
+
+/// Of the pictures of a clip of any format, as its container says. Throws InputError if it can't be
+/// read or has no pictures.
+PictureSize readPictureSize(const std::filesystem::path& path);
+
 /// What values of pixels mean.
 struct ColourTags {
   std::string primaries{};  ///< "bt709"

@@ -33,7 +33,7 @@ const std::map<std::string, Room> kRooms{
     {"video", {{"base", "image"}, {"libav", "libswscale/"}}},
     {"pipeline",
      {{"base", "physics", "scene", "image", "overlay", "render", "video"}, {"Eigen/", "xxhash.h"}}},
-    {"page", {{"base", "physics", "scene", "video", "pipeline"}, {"Eigen/"}}},
+    {"page", {{"base", "physics", "scene", "image", "video", "pipeline"}, {"Eigen/"}}},
     {"cli",
      {{"base", "physics", "scene", "image", "overlay", "render", "video", "pipeline", "page"},
       {"CLI/"}}},

@@ -45,6 +45,24 @@ TEST(Marks, WriteTheLabelAtTheTop) {
   EXPECT_LT(marks.texts().front().bottom(), 45);
 }
 
+TEST(Marks, OfAWordlessSceneAreOnTheBookAlone) {
+  const auto textsOf = [](scene::Scene scene, bool wordless) {
+    scene.wordless = wordless;
+    const physics::Trajectory trajectory = motionOf(scene);
+    Marks marks(scene, trajectory, {.width = 320, .height = 180, .label = "matrix"});
+    const auto last = static_cast<std::int64_t>(trajectory.samples.size());
+    EXPECT_NE(drawn(marks, scene, last), greyPicture(scene));
+    EXPECT_EQ(marks.bottomRows() > 0, !wordless);
+    return marks.texts().size();
+  };
+  const scene::Scene scene =
+      diverging({kSmall,
+                 "overlay.show=['axes', 'omega', 'momentum', 'trail', 'polhode', 'energy', "
+                 "'error', 'half_turns', 'springs', 'ghost']"});
+  EXPECT_GE(textsOf(scene, false), 8U);  // measured 19
+  EXPECT_EQ(textsOf(scene, true), 0U);
+}
+
 TEST(Marks, CountHalfTurnsAndLightUpWhenOneIsMade) {
   const scene::Scene scene = tumbling({kSmall, "overlay.show=['half_turns']"});
   const physics::Trajectory trajectory = motionOf(scene);

@@ -20,7 +20,10 @@ using ::testing::AllOf;
 using testing::emptyFolder;
 using ::testing::HasSubstr;
 using testing::makeClip;
+using testing::makePicture;
+using testing::makeVideo;
 using ::testing::Not;
+using testing::recordOf;
 using testing::smallScene;
 using testing::touch;
 
@@ -60,14 +63,53 @@ TEST(ClipFigure, TellsExpectedFromMeasured) {
                     HasSubstr("<td class=\"unmet\">✗ unmet</td>")));
 }
 
-TEST(ClipFigure, LinksToFramesOnlyWhereThereAreAny) {
+TEST(ClipFigure, FoldsItsExpectations) {
   const fs::path folder = emptyFolder();
   makeClip(smallScene(), folder);
-  EXPECT_THAT(readFigure(smallScene(), folder).section.text, Not(HasSubstr("href=\"small/\"")));
+  const auto figureOf = [&](const std::vector<std::string>& overrides) {
+    return readFigure(smallScene(overrides), folder);
+  };
+  const Figure unmet = figureOf({});
+  EXPECT_THAT(unmet.section.text,
+              AllOf(HasSubstr("<details class=\"expectations\" open>\n<summary><span class=\"badge "
+                              "unmet\">1 of 2 expectations met</span></summary>"),
+                    HasSubstr(unmet.badge.text)));
+  const Figure met = figureOf({"expect={half_turns.max = 0}"});
+  EXPECT_EQ(met.badge.text, "");
+  EXPECT_THAT(met.section.text,
+              HasSubstr("<details class=\"expectations\">\n<summary><span class=\"badge "
+                        "met\">1 of 1 expectation met</span></summary>"));
+  const Figure none = figureOf({"expect={}"});
+  EXPECT_EQ(none.badge.text, "");
+  EXPECT_THAT(none.section.text,
+              AllOf(Not(HasSubstr("expectations")), Not(HasSubstr("Expected and measured"))));
+}
+
+TEST(ClipFigure, HasNoEmptyHeading) {
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene(), folder);
+  EXPECT_THAT(readFigure(smallScene(), folder).section.text, Not(HasSubstr("></th>")));
+}
+
+TEST(ClipFigure, LinksToFramesOnlyWhereThereAreThoseOfItsScene) {
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene(), folder);
+  const auto links = [&](bool frames, bool record) {
+    const std::string text = readFigure(smallScene(), folder).section.text;
+    EXPECT_EQ(text.find("href=\"small/\"") != text.npos, frames);
+    EXPECT_EQ(text.find("href=\"small/scene.toml\"") != text.npos, record);
+  };
+  links(false, false);
   fs::create_directories(folder / "small");
+  writeFileAtomically(folder / "small" / "scene.toml", recordOf(smallScene()));
+  links(false, true);
+  touch(folder / "small" / "frame_00000.png");
+  links(true, true);
+  writeFileAtomically(folder / "small" / "scene.toml",
+                      recordOf(smallScene({"look.background=stars"})));
+  links(false, false);
   touch(folder / "small" / "scene.toml");
-  EXPECT_THAT(readFigure(smallScene(), folder).section.text,
-              AllOf(HasSubstr("href=\"small/\""), HasSubstr("href=\"small/scene.toml\"")));
+  links(false, false);
 }
 
 TEST(ClipFigure, SaysWhenItsMotionDiverges) {
@@ -103,6 +145,61 @@ TEST(ClipFigure, RefusesTheClipOfAnotherMotion) {
               HasSubstr("small.csv was made of another scene or with other settings; render it"));
 }
 
+/// " ...: rotatebook render" at the end of a refusal.
+std::string remedyIn(const fs::path& folder) {
+  return "; render it again (or give this command the same --size and --set): rotatebook render "
+         "scenes/small.toml -o " +
+         folder.string();
+}
+
+TEST(ClipFigure, RefusesPicturesOfAnotherSize) {
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene({"clip.size=[48, 64]"}), folder);
+  const std::string difference = ": its pictures are 48x64, and the scene's are 64x36";
+  EXPECT_EQ(messageOf(smallScene(), folder),
+            (folder / "small.mp4").string() + difference + remedyIn(folder));
+  makeVideo(smallScene(), folder);
+  EXPECT_EQ(messageOf(smallScene(), folder),
+            (folder / "small.poster.png").string() + difference + remedyIn(folder));
+  makePicture(folder / "small.poster.png", 64, 36);
+  EXPECT_EQ(messageOf(smallScene(), folder), "no error");
+}
+
+TEST(ClipFigure, RefusesAVideoOfOtherSettings) {
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene({"look.background=stars"}), folder);
+  EXPECT_EQ(messageOf(smallScene(), folder),
+            (folder / "small.mp4").string() +
+                ": it was made of another scene or with other settings" + remedyIn(folder));
+  EXPECT_EQ(messageOf(smallScene({"look.background=stars", "expect={}"}), folder), "no error");
+  touch(folder / "small.mp4");
+  EXPECT_THAT(messageOf(smallScene(), folder), ::testing::EndsWith(remedyIn(folder)));
+}
+
+TEST(ClipFigure, LinksToTheVideosOfItsSceneAndSaysWhichAreNot) {
+  using enum video::VideoFormat;
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene(), folder);
+  makeVideo(smallScene({"look.background=stars"}), folder, WebM);
+  makeVideo(smallScene({"clip.size=[32, 18]"}), folder, Gif);
+  makeVideo(smallScene(), folder, Apng);
+  Figure figure = readFigure(smallScene(), folder);
+  EXPECT_THAT(figure.section.text,
+              AllOf(HasSubstr("href=\"small.mp4\""), HasSubstr("href=\"small.apng\""),
+                    Not(HasSubstr("small.webm")), Not(HasSubstr("small.gif"))));
+  EXPECT_THAT(figure.leftOut,
+              ::testing::ElementsAre(
+                  (folder / "small.webm").string() +
+                      " isn't linked: it was made of another scene or with other settings",
+                  (folder / "small.gif").string() +
+                      " isn't linked: its pictures are 32x18, and the scene's are 64x36"));
+  makeVideo(smallScene(), folder, WebM);
+  makeVideo(smallScene({"look.background=stars"}), folder, Mp4);
+  figure = readFigure(smallScene(), folder);
+  EXPECT_THAT(figure.section.text,
+              AllOf(HasSubstr("src=\"small.webm\""), Not(HasSubstr("small.mp4"))));
+}
+
 TEST(ClipFigure, HasAColumnAndATableForEachPanel) {
   const fs::path folder = emptyFolder();
   const scene::Scene scene = scene::parseScene(
@@ -125,10 +222,13 @@ TEST(ClipFigure, HasAColumnAndATableForEachPanel) {
 
 TEST(StillFigure, IsAPictureWithoutAClip) {
   const fs::path folder = emptyFolder();
-  touch(folder / "small.png");
+  makePicture(folder / "small.png", 80, 45);
   const Figure figure = readFigure(smallScene(), folder);
   EXPECT_EQ(figure.kind, FigureKind::Still);
-  EXPECT_THAT(figure.section.text, AllOf(HasSubstr("src=\"small.png\""), Not(HasSubstr("<table"))));
+  EXPECT_EQ(figure.thumbnail, "small.png");
+  EXPECT_THAT(figure.section.text,
+              AllOf(HasSubstr("src=\"small.png\""), HasSubstr("width=\"80\" height=\"45\""),
+                    Not(HasSubstr("<table"))));
   makeClip(smallScene(), folder);
   EXPECT_EQ(readFigure(smallScene(), folder).kind, FigureKind::Clip);
 }
@@ -162,6 +262,7 @@ TEST(StudyFigure, TakesOrdersFromItsTable) {
             "integrator,order,runs,shortest_h_s,longest_h_s\neuler,,0,,\nrk4,4.01,3,0.1,1\n");
   const Figure figure = readFigure(scene, folder);
   EXPECT_EQ(figure.kind, FigureKind::Study);
+  EXPECT_THAT(figure.curves.text, HasSubstr("<svg"));
   EXPECT_THAT(
       figure.section.text,
       AllOf(HasSubstr("order of rk4</th><td>at least 3.9</td><td>4.01</td><td class=\"met\""),

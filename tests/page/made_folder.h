@@ -8,10 +8,13 @@
 #include <gtest/gtest.h>
 
 #include "base/atomic_file.h"
+#include "image/png_file.h"
 #include "pipeline/clip_files.h"
+#include "pipeline/clip_record.h"
 #include "pipeline/simulate_scene.h"
 #include "pipeline/trajectory_csv.h"
 #include "scene/scene_file.h"
+#include "video/video_writer.h"
 
 namespace rotatebook::page::testing {
 
@@ -35,16 +38,37 @@ inline scene::Scene smallScene(const std::vector<std::string>& overrides = {}) {
       "scenes/small.toml", overrides);
 }
 
-/// Stands for pictures and clips.
+/// Stands for files that nobody reads.
 inline void touch(const std::filesystem::path& path) {
   writeFileAtomically(path, "x");
 }
 
-/// Leaves the clip of `scene` in `folder`: its CSV is true, its MP4 and poster are not.
+inline void makePicture(const std::filesystem::path& path, int width, int height) {
+  image::writePng(path, image::Image(width, height, image::PixelFormat::Rgb8).view());
+}
+
+/// The record that a render of `scene` leaves.
+inline std::string recordOf(const scene::Scene& scene) {
+  return pipeline::sceneRecord(scene, {.scene = scene.name, .program = "1"});
+}
+
+/// Leaves a video of black pictures of the scene's size in `folder`, with its record.
+inline void makeVideo(const scene::Scene& scene, const std::filesystem::path& folder,
+                      video::VideoFormat format = video::VideoFormat::Mp4) {
+  const scene::ClipSettings& clip = scene.clip;
+  video::VideoWriter writer(format, pipeline::clipFiles(folder, scene.name).video(format),
+                            pipeline::videoSettings(scene, recordOf(scene)));
+  const image::Image black(clip.width, clip.height, image::PixelFormat::Rgb8);
+  // FFmpeg takes an APNG of one picture for a PNG.
+  for (int i = 0; i < 2; ++i) writer.write(black.view());
+  writer.finish();
+}
+
+/// Leaves the clip of `scene` in `folder`: its CSV is true, its MP4 and poster are black.
 inline void makeClip(const scene::Scene& scene, const std::filesystem::path& folder) {
   const pipeline::ClipFiles files = pipeline::clipFiles(folder, scene.name);
-  touch(files.video(video::VideoFormat::Mp4));
-  touch(files.poster);
+  makeVideo(scene, folder);
+  makePicture(files.poster, scene.clip.width, scene.clip.height);
   pipeline::writeTables(pipeline::csvFiles(files.csv, scene), pipeline::simulateScene(scene));
 }
 

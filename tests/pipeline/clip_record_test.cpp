@@ -175,6 +175,14 @@ TEST(SceneRecord, IsOfItsSceneAlone) {
   EXPECT_FALSE(isRecordOf(scene, "title = \"Small\"\n"));
 }
 
+TEST(SceneRecord, OfAWholeClipMayExpectSomethingElse) {
+  EXPECT_TRUE(isRecordOfClip(smallScene(), smallRecord()));
+  EXPECT_TRUE(isRecordOfClip(smallScene({"expect.half_turns.max=3"}), smallRecord()));
+  EXPECT_FALSE(isRecordOfClip(smallScene(), recordOfPart(smallRecord(), {3, 5})));
+  EXPECT_FALSE(isRecordOfClip(smallScene({"video.crf=30"}), smallRecord()));
+  EXPECT_FALSE(isRecordOfClip(smallScene(), "title = \"Small\"\n"));
+}
+
 TEST(DifferencesOfTools, AreToldOneByOne) {
   Making here = kMaking;
   EXPECT_THAT(differencesOfTools(kMaking, here), IsEmpty());

@@ -102,6 +102,16 @@ TEST(ClipMetadata, IsInNeitherGifNorApng) {
   }
 }
 
+TEST(PictureSizeOfAClip, IsKnownOfEachFormat) {
+  for (const VideoFormat format :
+       {VideoFormat::Mp4, VideoFormat::WebM, VideoFormat::Gif, VideoFormat::Apng}) {
+    EXPECT_EQ(readPictureSize(writeAs(format, "size")),
+              (PictureSize{testing::kWidth, testing::kHeight}))
+        << nameOf(format);
+  }
+  EXPECT_THROW(readPictureSize("no such file.mp4"), InputError);
+}
+
 TEST(ClipMetadata, OfWhatIsNoVideoIsRefused) {
   for (const std::string& content :
        {std::string(), std::string("x"), std::string(100'000, '\0'), std::string(5000, '<'),

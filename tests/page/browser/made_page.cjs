@@ -109,10 +109,14 @@ async function startBrowser() {
 
 const closeBrowser = () => browser?.close();
 
-/** Opens the page; `problems` grows with whatever the browser complains of or asks a network for. */
-async function open(options = {}) {
+/**
+ * Opens the page, at `place` if there is one ("#turns"), after `script` has run in it; `problems` grows with whatever the
+ * browser complains of or asks a network for.
+ */
+async function open(options = {}, {place = "", script = null} = {}) {
   const context = await browser.newContext({viewport: kDesktop, reducedMotion: "reduce", ...options});
   const page = await context.newPage();
+  if (script) await page.addInitScript(script);
   page.setDefaultTimeout(kWait);
   const problems = [];
   page.on("console", (message) => { if (["error", "warning"].includes(message.type())) problems.push(message.text()); });
@@ -122,7 +126,7 @@ async function open(options = {}) {
     if (request.failure()?.errorText !== "net::ERR_ABORTED") problems.push("failed: " + request.url());
   });
   page.on("request", (request) => { if (!/^(file|data):/.test(request.url())) problems.push("network: " + request.url()); });
-  await page.goto(pathToFileURL(path.join(kOut, "index.html")).href);
+  await page.goto(pathToFileURL(path.join(kOut, "index.html")).href + place);
   return {page, problems, close: () => context.close()};
 }
 

@@ -53,8 +53,41 @@ describe("the page", () => {
     assert.match(rows[0], /half_turns\s+at most 3\s+\d\s+✓ met/);
     assert.match(rows[1], /tilt_deg\s+at most 1\s+[\d.]+ to [\d.]+\s+✗ unmet/);
     assert.match(await page.locator("#turns > header").innerText(), /1 of 2 expectations met/);
+    await page.locator("#steps .expectations summary").click();
     assert.match(await page.locator("#steps .checks").innerText(), /order of rk4\s+at least 3\s+[34]\.\d+\s+✓ met/);
     assert.match(await page.locator("#bursts .note").innerText(), /diverges at 0\.\d+ s/);
+    await close();
+  });
+
+  test("begins with two sentences and the first figure, large and whole", async () => {
+    const {page, close} = await open({viewport: {width: 1400, height: 900}});
+    const boxOf = (selector) => page.locator(selector).first().boundingBox();
+    const words = await page.locator(".intro").innerText();
+    assert.equal(words.match(/[.](\s|$)/g).length, 2, words);
+    const [intro, video, controls, overview] = await Promise.all([".intro", ".lead #turns video", "#turns .controls", "#overview"].map(boxOf));
+    assert.ok(intro.y + intro.height < video.y && video.y < overview.y);
+    assert.ok(video.width > 900, `${video.width} pixels wide`);  // measured 1031
+    assert.ok(controls.y + controls.height <= 900, `controls down to ${controls.y + controls.height}`);  // measured 858
+    await close();
+  });
+
+  test("folds expectations away, but not unmet ones", async () => {
+    const {page, close} = await open();
+    const openOnes = await page.locator(".expectations").evaluateAll((all) => all.map((one) => [one.closest(".figure").id, one.open]));
+    assert.deepEqual(openOnes, [["turns", true], ["pair", true], ["steps", false]]);
+    assert.equal(await page.locator("#steps .expectations summary").innerText(), "1 of 1 expectation met");
+    assert.ok(await page.locator("#steps .checks").isHidden());
+    const ofOverview = await page.locator(".sheet .badge").evaluateAll((all) => all.map((one) => [one.closest("li").querySelector(".name").innerText, one.innerText]));
+    assert.deepEqual(ofOverview, [["turns", "1 of 2 expectations met"], ["pair", "1 of 3 expectations met"]]);
+    await close();
+  });
+
+  test("has an overview of pictures without words", async () => {
+    const {page, close} = await open();
+    const sources = await page.locator(".sheet img").evaluateAll((all) => all.map((image) => image.getAttribute("src")));
+    assert.deepEqual(sources, ["turns", "bursts", "book", "pair"].map((id) => id + ".thumbnail.png"));
+    assert.equal(await page.locator(".sheet a[href='#steps'] svg path").count(), 3);
+    assert.equal(await page.locator(".sheet svg text").count(), 0);
     await close();
   });
 

@@ -154,6 +154,17 @@ describe("the player", () => {
     await close();
   });
 
+  test("leaves out the error where there is none but of rounding", async () => {
+    const {page, close} = await open();
+    const titlesOf = (id) => page.locator("#" + id + " .plot h3").evaluateAll((all) => all.map((title) => title.firstChild.data));
+    assert.deepEqual(await titlesOf("turns"), ["Energy as a share of the start’s total", "Tilt of the spun axis [°]", "Error against the exact motion [°]"]);
+    assert.deepEqual(await page.evaluate(() => {
+      const motion = (error) => ({label: "", springs: false, kinetic: [1], potential: [0], total: [1], tilt: [0], error: [error]});
+      return [[4e-14], [2e-9], [4e-14, 1], [null]].map((errors) => chartsOf({motions: errors.map(motion)}).length);
+    }), [2, 3, 3, 3]);
+    await close();
+  });
+
   test("keeps the last sample while a clip that diverged is held", async () => {
     const {page, close} = await open();
     const clip = await openClip(page, "bursts");

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "image/image.h"
+#include "overlay/arrow_labels.h"
 #include "overlay/box.h"
 #include "physics/trajectory.h"
 #include "scene/scene.h"
@@ -50,6 +51,9 @@ class Marks {
 
   /// Where the last draw() has put words, each a box of its own. [pixels]
   const std::vector<Box>& texts() const;
+  /// The arrows that it has drawn, and their letters, in their order.
+  const std::vector<LabelledArrow>& arrows() const;
+  const std::vector<ArrowLabels::Placed>& letters() const;
 
  private:
   struct Parts;

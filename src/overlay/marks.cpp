@@ -54,7 +54,7 @@ struct Marks::Parts {
     taken.push_back(layout.polhode);
     taken.push_back(layout.springs);
     addInWorld();
-    addInsets();
+    addInsets(ground);
     labels = ArrowLabels({0, 0, 1.0 * scale.width, 1.0 * scale.height}, taken,
                          static_cast<std::int64_t>(motion.samples.size()) - 1,
                          scene.clip.frameRate.framesIn(kGlide));
@@ -91,7 +91,7 @@ struct Marks::Parts {
     add(Overlay::Omega, std::type_identity<Omega>());
   }
 
-  void addInsets() {
+  void addInsets(const Ground& ground) {
     if (shows(Overlay::Polhode) && isLargeEnough(layout.polhode)) {
       insets.push_back(std::make_unique<PolhodeInset>(context(), layout.polhode));
     }
@@ -102,7 +102,10 @@ struct Marks::Parts {
         insets.push_back(std::make_unique<StripChart>(context(), box, content));
       }
     };
-    if (shows(Overlay::Energy)) add(energyContent(context()));
+    if (shows(Overlay::Energy)) {
+      const double top = std::max(energyChartTop(trajectory), ground.energyTop);
+      add(energyContent(context(), top));
+    }
     if (shows(Overlay::Error)) add(errorContent(context()));
   }
 

@@ -226,12 +226,8 @@ const std::vector<Box>& Marks::texts() const {
   return parts_->canvas.texts();
 }
 
-const std::vector<LabelledArrow>& Marks::arrows() const {
-  return parts_->labels.arrows();
-}
-
-const std::vector<ArrowLabels::Placed>& Marks::letters() const {
-  return parts_->labels.placed();
+const ArrowLabels& Marks::labels() const {
+  return parts_->labels;
 }
 
 }  // namespace rotatebook::overlay

@@ -9,12 +9,13 @@
 #include <Eigen/Core>
 
 #include "image/image.h"
-#include "overlay/arrow_labels.h"
 #include "overlay/box.h"
 #include "physics/trajectory.h"
 #include "scene/scene.h"
 
 namespace rotatebook::overlay {
+
+class ArrowLabels;
 
 /// The picture that a motion's marks are drawn on: a whole one, or a panel's.
 struct Ground {
@@ -58,9 +59,8 @@ class Marks {
 
   /// Where the last draw() has put words, each a box of its own. [pixels]
   const std::vector<Box>& texts() const;
-  /// The arrows that it has drawn, and their letters, in their order.
-  const std::vector<LabelledArrow>& arrows() const;
-  const std::vector<ArrowLabels::Placed>& letters() const;
+  /// The arrows that it has drawn, and their letters.
+  const ArrowLabels& labels() const;
 
  private:
   struct Parts;

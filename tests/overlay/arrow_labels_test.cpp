@@ -200,7 +200,7 @@ class Clip {
     const Eigen::Matrix4d clip = testing::clipFromWorld(scene_, marks_.bottomRows());
     for (std::size_t n = 0; n < trajectory_.samples.size(); ++n) {
       marks_.draw(static_cast<std::int64_t>(n), clip, picture);
-      Frame frame{marks_.arrows(), marks_.letters()};
+      Frame frame{marks_.labels().arrows(), marks_.labels().placed()};
       add(frame, last, seen);
       last = std::move(frame);
     }

@@ -21,6 +21,11 @@ constexpr double kLargestMomentum = 1.05;
 constexpr double kTrailTime = 4;  // of the clip [s]
 constexpr int kTrailParts = 24;   // with an opacity each
 
+// The letter of L, mostly the longest, has its place; those of arrows that coincide with it are to
+// its left and right.
+constexpr LetterWish kMomentumWish{Side::Right, 0}, kVelocityWish{Side::Right, 1},
+    kAxisWish{Side::Left, 2};
+
 double reachOf(const physics::Cuboid& body) {
   return body.size.norm() / 2;
 }
@@ -31,13 +36,6 @@ Layer letter(const MarkContext& context, const std::string& text, const Colour& 
                         .colour = colour,
                         .halo = context.scale.halo};
   return context.type.draw(text, style, context.scale.width);
-}
-
-void addLabel(const View& view, const MarkContext& context, const Layer& words,
-              const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-  if (context.scene.wordless) return;
-  const auto a = view.projector(from), b = view.projector(to);
-  if (a && b) view.labels.add(words, *b, *b - *a, 0.85 * context.scale.letters);
 }
 
 /// `vector` with a length of `full` where it is as long as `whole`, and no more than `most`.
@@ -56,14 +54,22 @@ double largestVelocity(const physics::Trajectory& trajectory) {
   return std::min(largest, kLargestVelocity * start);
 }
 
-/// An arrow along `vector` [m] from the book's centre, with its letter at the tip.
-void drawVector(const View& view, const MarkContext& context, const Eigen::Vector3d& vector,
-                const Colour& colour, const Layer& words) {
+Eigen::Vector3d centreOf(const physics::Sample& sample) {
+  return sample.corners.rowwise().mean();
+}
+
+/// One along `vector` [m] from the book's centre.
+Arrow vectorArrow(const MarkContext& context, const physics::Sample& sample,
+                  const Eigen::Vector3d& vector, const Colour& colour, const Layer& letter,
+                  const LetterWish& wish) {
+  const Eigen::Vector3d centre = centreOf(sample);
+  const Pen pen{colour, 1.5 * context.scale.line, 1, context.scale.halo};
+  return {centre, centre + vector, pen, &letter, wish};
+}
+
+void drawArrows(const View& view, const MarkContext& context, const std::vector<Arrow>& arrows) {
   const BookBox book(context.scene.body, view.sample.corners);
-  const Eigen::Vector3d tip = book.centre() + vector;
-  drawArrow(view, book, book.centre(), tip,
-            {colour, 1.5 * context.scale.line, 1, context.scale.halo});
-  addLabel(view, context, words, book.centre(), tip);
+  for (const Arrow& arrow : arrows) drawArrow(view, book, arrow.from, arrow.to, arrow.pen);
 }
 
 }  // namespace
@@ -73,21 +79,26 @@ Axes::Axes(const MarkContext& context)
       letters_{letter(context, "x", kAxisColours[0]), letter(context, "y", kAxisColours[1]),
                letter(context, "z", kAxisColours[2])} {}
 
-void Axes::draw(const View& view) {
+std::vector<Arrow> Axes::arrows(const physics::Sample& sample) const {
   const physics::Cuboid& body = context_.scene.body;
-  const BookBox book(body, view.sample.corners);
+  const BookBox book(body, sample.corners);
   const double reach = reachOf(body);
+  std::vector<Arrow> arrows;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
     const double stretch = book.map().col(axis).norm();
     const double length =
         stretch * std::max(body.size[axis] / 2 + kAxisBeyond * reach, kShortestAxis * reach);
     const Eigen::Vector3d tip =
-        book.centre() + length * (view.sample.attitude * Eigen::Vector3d::Unit(axis));
-    drawArrow(view, book, book.centre(), tip,
-              {kAxisColours[i], 0.85 * context_.scale.line, 1, context_.scale.halo});
-    addLabel(view, context_, letters_[i], book.centre(), tip);
+        book.centre() + length * (sample.attitude * Eigen::Vector3d::Unit(axis));
+    const Pen pen{kAxisColours[i], 0.85 * context_.scale.line, 1, context_.scale.halo};
+    arrows.push_back({book.centre(), tip, pen, &letters_[i], kAxisWish});
   }
+  return arrows;
+}
+
+void Axes::draw(const View& view) {
+  drawArrows(view, context_, arrows(view.sample));
 }
 
 ArrowScale::ArrowScale(const MarkContext& context)
@@ -107,17 +118,25 @@ Eigen::Vector3d ArrowScale::momentumTip(const Eigen::Vector3d& angularMomentum) 
 Omega::Omega(const MarkContext& context)
     : context_(context), scale_(context), letter_(letter(context, "ω", kVelocityColour)) {}
 
+std::vector<Arrow> Omega::arrows(const physics::Sample& sample) const {
+  return {vectorArrow(context_, sample, scale_.omegaTip(sample.angularVelocity), kVelocityColour,
+                      letter_, kVelocityWish)};
+}
+
 void Omega::draw(const View& view) {
-  drawVector(view, context_, scale_.omegaTip(view.sample.angularVelocity), kVelocityColour,
-             letter_);
+  drawArrows(view, context_, arrows(view.sample));
 }
 
 Momentum::Momentum(const MarkContext& context)
     : context_(context), scale_(context), letter_(letter(context, "L", kMomentumColour)) {}
 
+std::vector<Arrow> Momentum::arrows(const physics::Sample& sample) const {
+  return {vectorArrow(context_, sample, scale_.momentumTip(sample.angularMomentum), kMomentumColour,
+                      letter_, kMomentumWish)};
+}
+
 void Momentum::draw(const View& view) {
-  drawVector(view, context_, scale_.momentumTip(view.sample.angularMomentum), kMomentumColour,
-             letter_);
+  drawArrows(view, context_, arrows(view.sample));
 }
 
 Trail::Trail(const MarkContext& context)

@@ -16,6 +16,7 @@ class Axes final : public Mark {
  public:
   explicit Axes(const MarkContext& context);
   void draw(const View& view) override;
+  std::vector<Arrow> arrows(const physics::Sample& sample) const override;
 
  private:
   MarkContext context_;
@@ -43,6 +44,7 @@ class Omega final : public Mark {
  public:
   explicit Omega(const MarkContext& context);
   void draw(const View& view) override;
+  std::vector<Arrow> arrows(const physics::Sample& sample) const override;
 
  private:
   MarkContext context_;
@@ -55,6 +57,7 @@ class Momentum final : public Mark {
  public:
   explicit Momentum(const MarkContext& context);
   void draw(const View& view) override;
+  std::vector<Arrow> arrows(const physics::Sample& sample) const override;
 
  private:
   MarkContext context_;

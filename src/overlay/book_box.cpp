@@ -92,18 +92,31 @@ void drawLine(const View& view, const BookBox& book, const Eigen::Vector3d& from
   }
 }
 
+std::optional<ArrowShape> arrowShape(const Projector& projector, const BookBox& book,
+                                     const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                     const Pen& pen) {
+  const auto a = projector(from), b = projector(to);
+  if (!a || !b) return std::nullopt;
+  const Eigen::Vector3d eye = projector.eye();
+  // It begins within the book, which hides nothing of it any more where it has once come out.
+  const Part last =
+      partsOf([&](double t) { return book.hides(from + t * (to - from), eye); }).back();
+  const auto visible = last.hidden ? std::nullopt : projector(from + last.from * (to - from));
+  const double head = std::min(kHeadLength * pen.width, kLongestHead * (*b - *a).norm());
+  return ArrowShape{*a, *b, visible, pen.width, head, head * kHeadWidth / kHeadLength};
+}
+
 void drawArrow(const View& view, const BookBox& book, const Eigen::Vector3d& from,
                const Eigen::Vector3d& to, const Pen& pen) {
-  const auto a = view.projector(from), b = view.projector(to);
-  if (!a || !b) return;
-  const double length = (*b - *a).norm();
-  const double head = std::min(kHeadLength * pen.width, kLongestHead * length);
-  if (head < 0.5) return;
+  const auto shape = arrowShape(view.projector, book, from, to, pen);
+  if (!shape || shape->headLength < 0.5) return;
+  const double length = (shape->tip - shape->from).norm(), head = shape->headLength;
   // The line ends within the head, whose tip is sharp.
   const double share = 1 - 0.8 * head / length;
   drawLine(view, book, from, from + share * (to - from), pen);
   const bool hidden = book.hides(to, view.projector.eye());
-  drawHead(view.canvas, *b, (*b - *a) / length, head, hidden ? hiddenPen(pen) : pen);
+  drawHead(view.canvas, shape->tip, (shape->tip - shape->from) / length, head,
+           hidden ? hiddenPen(pen) : pen);
 }
 
 }  // namespace rotatebook::overlay

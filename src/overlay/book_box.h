@@ -1,6 +1,7 @@
 // The book as something that hides what is behind it. Inside the room only.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -33,7 +34,13 @@ class BookBox {
 void drawLine(const View& view, const BookBox& book, const Eigen::Vector3d& from,
               const Eigen::Vector3d& to, const Pen& pen);
 
-/// The same with an arrow's head at `to`.
+/// How an arrow that begins within the book lies on the picture, unless an end isn't in front of
+/// the camera.
+std::optional<ArrowShape> arrowShape(const Projector& projector, const BookBox& book,
+                                     const Eigen::Vector3d& from, const Eigen::Vector3d& to,
+                                     const Pen& pen);
+
+/// Draws it, faint where the book hides it.
 void drawArrow(const View& view, const BookBox& book, const Eigen::Vector3d& from,
                const Eigen::Vector3d& to, const Pen& pen);
 

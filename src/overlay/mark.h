@@ -5,8 +5,10 @@
 #include <memory>
 #include <vector>
 
+#include <Eigen/Core>
+
+#include "overlay/arrow_labels.h"
 #include "overlay/canvas.h"
-#include "overlay/labels.h"
 #include "overlay/palette.h"
 #include "overlay/projector.h"
 #include "overlay/text.h"
@@ -30,9 +32,16 @@ struct View {
   const physics::Sample& sample;  ///< The same as it is shown, in the camera's frame.
   Projector projector;
   Canvas& canvas;
-  Labels& labels;  ///< Words that move.
   image::Image& picture;
   bool ended = false;  ///< The motion has diverged before; `frame` is its last.
+};
+
+/// An arrow in the camera's frame, and its letter.
+struct Arrow {
+  Eigen::Vector3d from, to;  ///< [m]
+  Pen pen;
+  const Layer* letter;
+  LetterWish wish;
 };
 
 /// Something that is drawn over each picture of a motion.
@@ -44,6 +53,8 @@ class Mark {
   virtual ~Mark() = default;
 
   virtual void draw(const View& view) = 0;
+  /// Those that draw() draws of `sample`, as the camera's frame has it, in whatever frame as many.
+  virtual std::vector<Arrow> arrows(const physics::Sample& /*sample*/) const { return {}; }
 };
 
 }  // namespace rotatebook::overlay

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "overlay/arrows.h"
+#include "overlay/book_box.h"
 #include "overlay/ghost.h"
 #include "overlay/layout.h"
 #include "overlay/mark.h"
@@ -27,6 +28,10 @@ constexpr double kBold = 2;
 
 /// An inset of fewer pixels shows nothing that could be made out.
 constexpr double kSmallestInset = 24;
+
+/// Time of the clip before and after a frame in which letters glide to where they don't meet
+/// another arrow. [s]
+constexpr double kGlide = 0.07;
 
 bool isLargeEnough(const Box& box) {
   return std::min(box.width, box.height) >= kSmallestInset;
@@ -53,7 +58,10 @@ struct Marks::Parts {
     taken.push_back(layout.polhode);
     taken.push_back(layout.springs);
     addInWorld();
-    addInsets();
+    addInsets(ground);
+    labels = ArrowLabels({0, 0, 1.0 * scale.width, 1.0 * scale.height}, taken,
+                         static_cast<std::int64_t>(motion.samples.size()) - 1,
+                         scene.clip.frameRate.framesIn(kGlide));
     if (motion.divergedAt && !scene.wordless)
       notice = divergenceNotice(context(), *motion.divergedAt, taken);
   }
@@ -88,7 +96,7 @@ struct Marks::Parts {
     add(Overlay::Omega, std::type_identity<Omega>());
   }
 
-  void addInsets() {
+  void addInsets(const Ground& ground) {
     if (shows(Overlay::Polhode) && isLargeEnough(layout.polhode)) {
       insets.push_back(std::make_unique<PolhodeInset>(context(), layout.polhode));
     }
@@ -99,7 +107,10 @@ struct Marks::Parts {
         insets.push_back(std::make_unique<StripChart>(context(), box, content));
       }
     };
-    if (shows(Overlay::Energy)) add(energyContent(context()));
+    if (shows(Overlay::Energy)) {
+      const double top = std::max(energyChartTop(trajectory), ground.energyTop);
+      add(energyContent(context(), top));
+    }
     if (shows(Overlay::Error)) add(errorContent(context()));
   }
 
@@ -139,22 +150,52 @@ struct Marks::Parts {
     const std::int64_t last = static_cast<std::int64_t>(trajectory.samples.size()) - 1;
     const bool ended = frame > last;
     frame = std::min(frame, last);
-    const physics::Sample sample =
-        physics::seenFrom(scene.camera.frame, trajectory.samples[static_cast<std::size_t>(frame)]);
-    const View view{frame,  sample, Projector(clipFromWorld, scale.width, scale.height),
-                    canvas, labels, picture,
-                    ended};
+    const physics::Sample sample = sampleAt(frame);
+    const View view{frame,  sample,  Projector(clipFromWorld, scale.width, scale.height),
+                    canvas, picture, ended};
     canvas.forgetTexts();
     for (const auto& mark : inWorld) mark->draw(view);
     for (const Plate& plate : plates) canvas.lay(plate, picture);
     for (const auto& mark : insets) mark->draw(view);
-    std::vector<Box> boxes = taken;
+    std::vector<Box> noticed;
     if (ended && notice) {
       canvas.lay(*notice, picture);
-      boxes.push_back(notice->texts.front());
+      noticed = notice->texts;
     }
-    labels.write(canvas, {0, 0, 1.0 * scale.width, 1.0 * scale.height}, std::move(boxes));
+    if (!scene.wordless) writeLetters(frame, clipFromWorld, noticed);
     canvas.layOver(picture);
+  }
+
+  void writeLetters(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld,
+                    const std::vector<Box>& noticed) {
+    // The camera stands still: only the planes that are nearest and farthest to it move.
+    Eigen::Matrix<double, 3, 4> projection;
+    projection << clipFromWorld.topRows<2>(), clipFromWorld.bottomRows<1>();
+    if (projection != lettersProjection) labels.forget();
+    lettersProjection = projection;
+    const Projector projector(clipFromWorld, scale.width, scale.height);
+    labels.write(
+        canvas, frame, [&](std::int64_t n) { return arrowsAt(n, projector); }, noticed);
+  }
+
+  std::vector<LabelledArrow> arrowsAt(std::int64_t frame, const Projector& projector) const {
+    const physics::Sample sample = sampleAt(frame);
+    const BookBox book(scene.body, sample.corners);
+    std::vector<LabelledArrow> all;
+    for (const auto& mark : inWorld) {
+      for (const Arrow& arrow : mark->arrows(sample)) {
+        const auto shape = arrowShape(projector, book, arrow.from, arrow.to, arrow.pen);
+        all.push_back({shape.value_or(ArrowShape{}), arrow.letter, 0.85 * scale.letters, arrow.wish,
+                       shape.has_value()});
+      }
+    }
+    return all;
+  }
+
+  /// As the camera's frame has it.
+  physics::Sample sampleAt(std::int64_t frame) const {
+    return physics::seenFrom(scene.camera.frame,
+                             trajectory.samples[static_cast<std::size_t>(frame)]);
   }
 
   scene::Scene scene;
@@ -162,7 +203,8 @@ struct Marks::Parts {
   Typesetter type;
   Scale scale;
   Canvas canvas;
-  Labels labels;
+  ArrowLabels labels;
+  Eigen::Matrix<double, 3, 4> lettersProjection = Eigen::Matrix<double, 3, 4>::Zero();
   Layout layout;
   std::vector<Box> taken;     // where no moving words may be
   std::vector<Plate> plates;  // what is the same in every frame
@@ -187,6 +229,10 @@ void Marks::draw(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld, image
 
 const std::vector<Box>& Marks::texts() const {
   return parts_->canvas.texts();
+}
+
+const ArrowLabels& Marks::labels() const {
+  return parts_->labels;
 }
 
 }  // namespace rotatebook::overlay

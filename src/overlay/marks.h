@@ -15,6 +15,8 @@
 
 namespace rotatebook::overlay {
 
+class ArrowLabels;
+
 /// The picture that a motion's marks are drawn on: a whole one, or a panel's.
 struct Ground {
   int width = 0;   ///< > 0 [pixels]
@@ -27,7 +29,14 @@ struct Ground {
   /// picture's. [pixels]
   double letters = 0;
   std::string labelKey{};  ///< By which scene::placeOf() knows the label.
+  /// Where the energy's chart ends at least, so that charts beside each other have one scale: the
+  /// highest energyChartTop() of all. That of the angle to the exact motion ends at 180° in any
+  /// case.
+  double energyTop = 0;
 };
+
+/// Where an energy chart of this motion alone ends, as a share of the start's total energy.
+double energyChartTop(const physics::Trajectory& trajectory);
 
 /// Draws what the scene's overlay.show asks for on pictures of one motion: the ground's label, and
 /// all but caption and clock, which are Words'. A mark that the scene's model doesn't have is left
@@ -50,6 +59,8 @@ class Marks {
 
   /// Where the last draw() has put words, each a box of its own. [pixels]
   const std::vector<Box>& texts() const;
+  /// The arrows that it has drawn, and their letters.
+  const ArrowLabels& labels() const;
 
  private:
   struct Parts;

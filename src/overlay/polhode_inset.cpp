@@ -9,6 +9,7 @@
 
 #include <Eigen/Cholesky>
 
+#include "overlay/labels.h"
 #include "physics/simulator.h"
 
 namespace rotatebook::overlay {

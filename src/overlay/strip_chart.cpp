@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "overlay/marks.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -170,15 +171,21 @@ void StripChart::draw(const View& view) {
   }
 }
 
-ChartContent energyContent(const MarkContext& context) {
-  const auto& samples = context.trajectory.samples;
-  const double start = samples.front().total();
+double energyChartTop(const physics::Trajectory& trajectory) {
+  const double start = trajectory.samples.front().total();
   double highest = 0;
-  for (const physics::Sample& sample : samples) highest = std::max(highest, sample.total() / start);
+  for (const physics::Sample& sample : trajectory.samples) {
+    highest = std::max(highest, sample.total() / start);
+  }
+  return std::clamp(1.06 * highest, 1.15, 1.02 * kHighestEnergy);
+}
+
+ChartContent energyContent(const MarkContext& context, double top) {
+  const double start = context.trajectory.samples.front().total();
   ChartContent content;
   content.title = "Energy / E₀";
   content.shortTitle = "E / E₀";
-  content.high = std::clamp(1.06 * highest, 1.15, 1.02 * kHighestEnergy);
+  content.high = top;
   for (const double level : {1.0, 0.0, 2.0, 3.0}) {
     if (level < content.high) content.ticks.push_back({level, roundedText(level, 1)});
   }

@@ -51,8 +51,8 @@ class StripChart final : public Mark {
   Plate curves_;
 };
 
-/// Kinetic, spring and total energy as shares of the start's total.
-ChartContent energyContent(const MarkContext& context);
+/// Kinetic, spring and total energy as shares of the start's total, from 0 to `top`.
+ChartContent energyContent(const MarkContext& context, double top);
 /// The angle to the exact motion.
 ChartContent errorContent(const MarkContext& context);
 

@@ -27,7 +27,12 @@ double angleDeg(const Eigen::Matrix3d& rotation) {
 
 }  // namespace
 
+bool isBook(double stretchMin, double stretchMax) {
+  return stretchMin >= kLeastBookStretch && stretchMax <= kMostBookStretch;
+}
+
 int HalfTurnCounter::count(double tiltDeg) {
+  if (stopped_) return halfTurns_;
   const Side side = tiltDeg < kNearDeg ? Side::Near : tiltDeg > kFarDeg ? Side::Far : side_;
   if (side_ != Side::None && side != side_) ++halfTurns_;
   side_ = side;
@@ -55,9 +60,10 @@ Sample Measurement::measure(double time, const BodyState& state) {
   sample.potential = state.potential;
   sample.rotational = state.rotational;
   sample.tiltDeg = tiltDeg(polar.rotation, state.angularMomentum);
-  sample.halfTurns = counter_.count(sample.tiltDeg);
   sample.stretchMin = polar.singularValues[2];
   sample.stretchMax = polar.singularValues[0];
+  if (!isBook(sample.stretchMin, sample.stretchMax)) counter_.stop();
+  sample.halfTurns = counter_.count(sample.tiltDeg);
   sample.errorDeg = angleDeg(exact_.at(time).worldFromBody.transpose() * polar.rotation);
   sample.regime = regime(polar.rotation, state.angularVelocity);
   sample.corners = state.corners;

@@ -27,7 +27,9 @@ struct Sample {
   double potential = 0;                      ///< [J]
   double rotational = 0;  ///< Kinetic energy of the best-fitting rigid motion. [J]
   double tiltDeg = 0;     ///< Angle between the spun body axis and the angular momentum. [degrees]
-  int halfTurns = 0;  ///< How often the tilt has gone from under 60 to over 120 degrees or back.
+  /// How often the tilt has gone from under 60 to over 120 degrees or back while the body was no
+  /// farther deformed than isBook() allows. What comes after that isn't counted.
+  int halfTurns = 0;
   double stretchMin = 1;  ///< Smallest singular value of the map that best fits the corners.
   double stretchMax = 1;  ///< Largest one.
   /// Angle of the rotation between the attitude and that of the exact rigid motion from the same

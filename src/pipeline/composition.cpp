@@ -32,12 +32,17 @@ PanelGrid gridOf(const scene::Scene& scene, const overlay::Words& words) {
 std::vector<overlay::Marks> marksOf(const scene::Scene& scene, const ClipMotion& motion,
                                     const PanelGrid& grid, const overlay::Words& words) {
   const std::vector<scene::Panel> panels = scene::motionsOf(scene);
+  double energyTop = 0;
+  for (const physics::Trajectory& trajectory : motion.trajectories()) {
+    energyTop = std::max(energyTop, overlay::energyChartTop(trajectory));
+  }
   std::vector<overlay::Marks> marks;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     overlay::Ground ground{.width = grid.width,
                            .height = grid.height,
                            .label = panels[i].label,
-                           .labelKey = scene::labelKey(i)};
+                           .labelKey = scene::labelKey(i),
+                           .energyTop = energyTop};
     if (hasPanels(scene)) {
       ground.letters = kPanelLetters * std::min(scene.clip.width, scene.clip.height);
     } else {

@@ -150,6 +150,19 @@ TEST(Marks, CanBeDrawnOnTheSmallestPictures) {
   }
 }
 
+TEST(Marks, DrawTheEnergyOnTheScaleOfThoseBesideThem) {
+  const scene::Scene scene = tumbling({"overlay.show=['energy']", "clip.size=[640, 360]"});
+  const physics::Trajectory calm = motionOf(scene), wild = motionOf(diverging());
+  EXPECT_EQ(energyChartTop(calm), 1.15);
+  EXPECT_EQ(energyChartTop(wild), 1.02 * 3);
+  const auto shown = [&](double energyTop) {
+    Marks marks(scene, calm, {.width = 640, .height = 360, .energyTop = energyTop});
+    return drawn(marks, scene, 60);
+  };
+  EXPECT_EQ(shown(energyChartTop(calm)), shown(0));
+  EXPECT_NE(shown(energyChartTop(wild)), shown(0));
+}
+
 std::string labelRefusal(const std::string& label, const std::string& size) {
   const scene::Scene scene = testing::tumbling({"clip.size=[" + size + "]"});
   const physics::Trajectory trajectory = testing::motionOf(scene);

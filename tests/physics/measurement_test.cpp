@@ -74,6 +74,43 @@ TEST(HalfTurnCounter, StartsOnEitherSideOrBetween) {
   EXPECT_EQ(halfTurnsOf({90, 1, 90, 179}), 1);
 }
 
+TEST(HalfTurnCounter, KeepsItsCountOnceStopped) {
+  HalfTurnCounter counter;
+  counter.count(1);
+  EXPECT_EQ(counter.count(179), 1);
+  counter.stop();
+  EXPECT_EQ(counter.count(1), 1);
+  EXPECT_EQ(counter.count(179), 1);
+}
+
+TEST(Measurement, CallsABodyABookUpToTwiceAndDownToHalfItsSize) {
+  EXPECT_TRUE(isBook(1, 1));
+  EXPECT_TRUE(isBook(0.579, 1.378));  // fig06, when its energy is all vibration
+  EXPECT_TRUE(isBook(1, 1.849));      // fig11 at its last half-turn before the burst
+  EXPECT_TRUE(isBook(0.5, 2));
+  EXPECT_FALSE(isBook(0.499, 1));
+  EXPECT_FALSE(isBook(1, 2.001));
+  EXPECT_FALSE(isBook(2.2, 2.3));
+}
+
+// Turned about y by `degrees` and stretched along its own axes, with L along x, which was spun.
+int halfTurnsAt(Measurement& measurement, double degrees, const Vector3d& stretch = {1, 1, 1}) {
+  const Matrix3d turn = AngleAxisd(degrees * kDegree, Vector3d::UnitY()).toRotationMatrix();
+  return measurement.measure(0, stateOf(turn * stretch.asDiagonal(), {1, 0, 0})).halfTurns;
+}
+
+TEST(Measurement, CountsNoHalfTurnsOfWhatIsNoLongerABook) {
+  for (const Vector3d& burst : {Vector3d(1, 1, 2.1), Vector3d(0.4, 1, 1), Vector3d(3, 3, 3)}) {
+    Measurement measurement(spinningAbout(Vector3d::UnitX()));
+    EXPECT_EQ(halfTurnsAt(measurement, 0), 0);
+    EXPECT_EQ(halfTurnsAt(measurement, 180, {1, 1.9, 0.6}), 1);  // deformed, but still a book
+    EXPECT_EQ(halfTurnsAt(measurement, 0, burst), 1);
+    EXPECT_EQ(halfTurnsAt(measurement, 180, burst), 1);
+    EXPECT_EQ(halfTurnsAt(measurement, 0), 1);  // for good, whatever comes back
+    EXPECT_EQ(halfTurnsAt(measurement, 180), 1);
+  }
+}
+
 TEST(Measurement, FindsTheAttitudeOfARotatedBody) {
   const Sample sample = measureOne(someTurn());
   EXPECT_LT((sample.attitude.toRotationMatrix() - someTurn()).norm(), kMeasurementBound);

@@ -90,5 +90,27 @@ TEST(ComparisonGolden, IsNotMatchedByOtherLabelsOrPanels) {
                         kFrame)));
 }
 
+/// The left panel of two with charts of the energy; the right one's motion is stepped as told.
+image::Image calmBeside(const std::string& substeps) {
+  const scene::Scene scene = scene::parseScene(
+      "[initial]\nangular_velocity = [5, 3, 1]\n[clip]\nsize = [640, 360]\nduration = 0.5\n"
+      "[overlay]\nshow = ['energy']\n[[panel]]\nlabel = 'calm'\n"
+      "[[panel]]\nlabel = 'other'\nsimulation.model = 'particles'\nsimulation.damping = 0\n"
+      "simulation.normalize = false\nsimulation.substeps = " +
+          substeps + "\n",
+      "pair.toml");
+  const image::Image picture = drawn(scene, 9);
+  image::Image left(310, 360, image::PixelFormat::Rgba8);
+  for (int y = 0; y < left.height(); ++y) {
+    std::copy_n(picture.row(y), left.stride(), left.row(y));
+  }
+  return left;
+}
+
+TEST(Composition, GivesChartsOfTheEnergyOneScale) {
+  EXPECT_EQ(calmBeside("256"), calmBeside("512"));
+  EXPECT_NE(calmBeside("256"), calmBeside("1"));  // with which the other bursts
+}
+
 }  // namespace
 }  // namespace rotatebook::pipeline

@@ -108,7 +108,7 @@ struct Marks::Parts {
       }
     };
     if (shows(Overlay::Energy)) {
-      const double top = std::max(energyChartTop(trajectory), ground.energyTop);
+      const double top = std::max(energyTop(trajectory), ground.energyTop);
       add(energyContent(context(), top));
     }
     if (shows(Overlay::Error)) add(errorContent(context()));
@@ -229,6 +229,10 @@ void Marks::draw(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld, image
 
 const std::vector<Box>& Marks::texts() const {
   return parts_->canvas.texts();
+}
+
+double energyChartTop(const physics::Trajectory& trajectory) {
+  return energyTop(trajectory);
 }
 
 const ArrowLabels& Marks::labels() const {

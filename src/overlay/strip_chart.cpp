@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/number_text.h"
-#include "overlay/marks.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -171,7 +170,7 @@ void StripChart::draw(const View& view) {
   }
 }
 
-double energyChartTop(const physics::Trajectory& trajectory) {
+double energyTop(const physics::Trajectory& trajectory) {
   const double start = trajectory.samples.front().total();
   double highest = 0;
   for (const physics::Sample& sample : trajectory.samples) {

@@ -51,6 +51,9 @@ class StripChart final : public Mark {
   Plate curves_;
 };
 
+/// Where the chart of this motion's energy ends if it stands alone, as a share of the start's
+/// total.
+double energyTop(const physics::Trajectory& trajectory);
 /// Kinetic, spring and total energy as shares of the start's total, from 0 to `top`.
 ChartContent energyContent(const MarkContext& context, double top);
 /// The angle to the exact motion.

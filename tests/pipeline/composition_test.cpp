@@ -25,6 +25,7 @@ constexpr std::int64_t kFrame = 9;
 scene::Scene comparison(const std::vector<std::string>& overrides = {}) {
   return scene::parseScene(
       "title = 'Four at once'\ncaption = 'The first of them did not last.'\n"
+      "[simulation]\nintegrator = 'euler'\n"
       "[initial]\nangular_velocity = [5, 3, 1]\n"
       "[clip]\nsize = [480, 270]\nfps = 24\nduration = 0.5\n"
       "[camera]\nposition = [0.27, 0.19, 0.65]\n"

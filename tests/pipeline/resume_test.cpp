@@ -11,6 +11,7 @@
 #include "image/image.h"
 #include "image/png_file.h"
 #include "pipeline/manifest.h"
+#include "pipeline/rendered_again.h"
 #include "pipeline/small_clip.h"
 
 namespace rotatebook::pipeline {
@@ -21,55 +22,18 @@ using ::testing::AllOf;
 using testing::bytesOf;
 using ::testing::ElementsAre;
 using testing::emptyFolder;
+using testing::expectSame;
 using ::testing::HasSubstr;
 using testing::kFrames;
+using testing::kOverwrite;
+using testing::kResume;
+using testing::kResumeOrOverwrite;
 using testing::messageOf;
 using testing::namesIn;
+using testing::otherScene;
 using testing::smallScene;
 using testing::stoppedAfter;
-
-constexpr EarlierFrames kResume{.resume = true};
-constexpr EarlierFrames kOverwrite{.overwrite = true};
-constexpr EarlierFrames kResumeOrOverwrite{.resume = true, .overwrite = true};
-
-scene::Scene otherScene() {
-  return smallScene({"body.mass=2"});
-}
-
-/// The same files with the same bytes below both.
-void expectSame(const fs::path& a, const fs::path& b) {
-  ASSERT_EQ(namesIn(a), namesIn(b));
-  for (const std::string& name : namesIn(a)) {
-    if (fs::is_directory(a / name)) {
-      expectSame(a / name, b / name);
-    } else {
-      EXPECT_TRUE(bytesOf(a / name) == bytesOf(b / name)) << name << " differs";
-    }
-  }
-}
-
-class Resume : public ::testing::Test {
- protected:
-  RenderResult render(const EarlierFrames& earlier, const scene::Scene& scene = smallScene()) {
-    return testing::render(scene, {.folder = folder_, .earlier = earlier});
-  }
-  RenderResult stop(std::int64_t frames, const EarlierFrames& earlier = {},
-                    const scene::Scene& scene = smallScene()) {
-    return stoppedAfter(frames, scene, {.folder = folder_, .earlier = earlier});
-  }
-  std::string failureOf(const EarlierFrames& earlier, const scene::Scene& scene = smallScene()) {
-    return messageOf<InputError>([&] { render(earlier, scene); });
-  }
-  /// What an uninterrupted render leaves.
-  void expectAsUninterrupted(RenderOptions options = {}, const scene::Scene& scene = smallScene()) {
-    options.folder = whole_;
-    testing::render(scene, options);
-    expectSame(whole_, folder_);
-  }
-
-  const fs::path folder_ = emptyFolder() / "resumed";
-  const fs::path whole_ = folder_.parent_path() / "whole";
-};
+using Resume = testing::RenderedAgain;
 
 TEST_F(Resume, GivesTheBytesOfAnUninterruptedRender) {
   stop(3);
@@ -359,80 +323,6 @@ TEST_F(Resume, IsWhatAFailedRenderTellsOf) {
   fs::remove_all(folder_ / "small.partial" / frameName(9));
   EXPECT_EQ(render(kResume).framesKept, 9);
   expectAsUninterrupted();
-}
-
-// What renders of other settings leave alone.
-class OtherSettings : public Resume {
- protected:
-  RenderResult renderGif(const EarlierFrames& earlier = {}) {
-    return testing::render(otherScene(), {.folder = folder_,
-                                          .png = false,
-                                          .formats = {video::VideoFormat::Gif},
-                                          .earlier = earlier});
-  }
-  std::string path(const char* name) const { return (folder_ / name).string(); }
-};
-
-TEST_F(OtherSettings, RemoveNoVideoOfAnotherFormat) {
-  render({});
-  const std::string mp4 = bytesOf(folder_ / "small.mp4");
-  const RenderResult result =
-      testing::render(otherScene(), {.folder = folder_, .formats = {video::VideoFormat::Gif}});
-  EXPECT_TRUE(bytesOf(folder_ / "small.mp4") == mp4);
-  EXPECT_THAT(result.others, ElementsAre(path("small.mp4")));
-  EXPECT_THAT(render({}).others, ElementsAre(path("small.gif")));
-}
-
-TEST_F(OtherSettings, WithoutPngsKeepTheFramesWithTheirRecords) {
-  render({});
-  const std::string record = bytesOf(folder_ / "small" / kSceneCopyName);
-  EXPECT_THAT(renderGif().others,
-              ElementsAre(path("small.mp4"), "12 frames in " + path("small") + "/"));
-  EXPECT_EQ(framesIn(folder_ / "small").size(), 12U);
-  EXPECT_EQ(bytesOf(folder_ / "small" / kSceneCopyName), record);
-  EXPECT_FALSE(fs::exists(folder_ / "small.partial"));
-}
-
-TEST_F(OtherSettings, AreEachDoneByTheirRecords) {
-  render({});
-  renderGif();
-  EXPECT_TRUE(renderGif(kResume).wasDone);
-  // Its table and poster have been replaced; its frames are there.
-  const RenderResult again = render(kResume);
-  EXPECT_FALSE(again.wasDone);
-  EXPECT_EQ(again.framesKept, kFrames);
-  EXPECT_THAT(again.others, ElementsAre(path("small.gif")));
-  EXPECT_FALSE(renderGif(kResume).wasDone);
-}
-
-TEST_F(OtherSettings, AreNotGoneOnWithUnasked) {
-  render({});
-  EXPECT_THAT(messageOf<InputError>([&] { renderGif(kResume); }),
-              HasSubstr("holds the frames of a clip of other settings"));
-}
-
-TEST_F(OtherSettings, KeepFramesOfWhichNothingIsKnown) {
-  render({});
-  fs::remove(folder_ / "small" / kManifestName);
-  for (int time = 0; time < 2; ++time) {
-    renderGif();
-    EXPECT_EQ(framesIn(folder_ / "small").size(), 12U);
-  }
-}
-
-TEST_F(OtherSettings, OfAPartForgetNoFile) {
-  testing::render(otherScene(), {.folder = folder_, .png = false});
-  const RenderOptions part{.folder = folder_, .formats = {}, .frames = FrameRange{0, 3}};
-  EXPECT_THAT(testing::render(smallScene(), part).others,
-              ElementsAre(path("small.mp4"), path("small.poster.png")))
-      << "the table was replaced";
-}
-
-TEST_F(OtherSettings, LeaveAnInterruptedVideoOfAnotherFormat) {
-  stoppedAfter(3, smallScene(),
-               {.folder = folder_, .png = false, .formats = {video::VideoFormat::Gif}});
-  render({});
-  EXPECT_TRUE(fs::exists(folder_ / "small.partial.gif"));
 }
 
 }  // namespace

@@ -15,6 +15,8 @@ const kWait = 20000;  // [ms]
 const kScenes = {
   "turns.toml": `title = "A <b>book</b> & \\"its\\" turn"
 caption = "It turns about <script>its</script> middle axis & nothing else."
+[simulation]
+integrator = "euler"
 [initial]
 angular_velocity = [6.0, 0.0, 0.0]
 tilt = [0.1, "z"]
@@ -39,6 +41,8 @@ fps = 24
 duration = 1
 `,
   "pair.toml": `title = "Two models"
+[simulation]
+integrator = "euler"
 [initial]
 angular_velocity = [5.0, 3.0, 1.0]
 [clip]

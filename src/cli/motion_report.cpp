@@ -23,6 +23,12 @@ std::string roundedUp(double value, int digits) {
   return text;
 }
 
+/// To the hundredth, and to the second from 100 s on.
+std::string secondsText(double time) {
+  const double digits = time < 100 ? 100 : 1;
+  return shortestText(std::round(time * digits) / digits);
+}
+
 }  // namespace
 
 std::string distanceText(const physics::Trajectory& trajectory, physics::Model model) {
@@ -30,14 +36,17 @@ std::string distanceText(const physics::Trajectory& trajectory, physics::Model m
   const auto& samples = trajectory.samples;
   const double farthest =
       std::ranges::max_element(samples, {}, &physics::Sample::errorDeg)->errorDeg;
-  if (farthest < 1) return "within " + roundedUp(farthest, 1) + " degrees of the exact motion";
+  if (farthest < 1) {
+    const std::string bound = roundedUp(farthest, 1);
+    return "within " + bound + (bound == "1" ? " degree" : " degrees") + " of the exact motion";
+  }
   const std::string text =
       "up to " + roundedUp(std::min(farthest, kHalfTurnDeg), 3) + " degrees from the exact motion";
   if (farthest <= kVisibleDeg) return text;
   const auto visible = std::ranges::find_if(
       samples, [](const physics::Sample& sample) { return sample.errorDeg > kVisibleDeg; });
-  return text + "; more than " + shortestText(kVisibleDeg) + " from " +
-         roundedText(visible->time, 3) + " s on";
+  return text + "; more than " + shortestText(kVisibleDeg) + " from " + secondsText(visible->time) +
+         " s on";
 }
 
 int reportMotions(const scene::Scene& scene, const pipeline::ClipMotion& motion,

@@ -1,6 +1,7 @@
 #include "overlay/arrow_labels.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -69,9 +70,7 @@ double lengthWithin(const Box& box, const Point& from, const Point& to) {
 
 /// The ends of the head's base.
 std::array<Point, 2> baseOf(const ArrowShape& arrow) {
-  const Point way = arrow.tip - arrow.from;
-  const double length = way.norm();
-  const Point along = length > 1e-9 ? Point(way / length) : Point(0, -1);
+  const Point along = directionOf(arrow);
   const Point middle = arrow.tip - arrow.headLength * along;
   const Point across = Point(-along.y(), along.x()) * arrow.headWidth / 2;
   return {middle + across, middle - across};

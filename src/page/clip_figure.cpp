@@ -1,4 +1,5 @@
 // A clip: its player, its plots, what was expected of it and measured.
+#include <iterator>
 #include <vector>
 
 #include "base/error.h"
@@ -32,7 +33,7 @@ struct Clip {
   std::vector<fs::path> csvs;  ///< One a motion.
   ClipVideos videos;
   bool hasRecord = false;  ///< Whether NAME/scene.toml is the scene's.
-  bool hasFrames = false;  ///< Whether there are frames beside it.
+  bool hasFrames = false;  ///< Whether all frames are beside it.
 };
 
 /// The plots show what the table beside the clip holds, or nothing.
@@ -43,9 +44,13 @@ void refuseOtherMotion(const fs::path& csv, const physics::Trajectory& trajector
                    renderAgain(scene, csv.parent_path()));
 }
 
-void refuseOtherSize(const fs::path& poster, const scene::Scene& scene) {
+void refuseOtherPoster(const Clip& clip, const scene::Scene& scene) {
+  const fs::path& poster = clip.files.poster;
   const image::Image picture = image::readPng(poster);
-  const std::string difference = otherSizeText({picture.width(), picture.height()}, scene);
+  std::string difference = otherSizeText({picture.width(), picture.height()}, scene);
+  if (difference.empty() && areOfOtherScenes(clip.files, clip.videos.played, poster)) {
+    difference = kOtherSettings;
+  }
   if (difference.empty()) return;
   throw InputError(poster.string() + ": " + difference + "; " +
                    renderAgain(scene, poster.parent_path()));
@@ -56,9 +61,10 @@ Clip readClip(const scene::Scene& scene, const fs::path& folder) {
   clip.files = pipeline::clipFiles(folder, scene.name);
   clip.csvs = pipeline::csvFiles(clip.files.csv, scene);
   clip.hasRecord = pipeline::isRecordOfClip(scene, readFileOrEmpty(clip.files.sceneCopy));
-  clip.hasFrames = clip.hasRecord && !pipeline::framesIn(clip.files.frameFolder).empty();
   const pipeline::ClipMotion motion = pipeline::simulateScene(scene);
   clip.frames = motion.frameCount();
+  clip.hasFrames =
+      clip.hasRecord && std::ssize(pipeline::framesIn(clip.files.frameFolder)) == clip.frames;
   for (const scene::Panel& panel : scene::motionsOf(scene)) {
     const std::size_t index = clip.motions.size();
     const physics::Trajectory& trajectory = motion.trajectories()[index];
@@ -68,7 +74,7 @@ Clip readClip(const scene::Scene& scene, const fs::path& folder) {
   }
   clip.videos = videosOf(scene, clip.files);
   requireFile(clip.files.poster, scene, "render");
-  refuseOtherSize(clip.files.poster, scene);
+  refuseOtherPoster(clip, scene);
   return clip;
 }
 

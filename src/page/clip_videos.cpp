@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "page/figure.h"
 #include "pipeline/clip_record.h"
+#include "pipeline/manifest.h"
 #include "video/clip_reader.h"
 
 namespace rotatebook::page {
@@ -23,13 +24,16 @@ bool isPlayable(VideoFormat format) {
   return format == VideoFormat::Mp4 || format == VideoFormat::WebM;
 }
 
-/// Why the file isn't the scene's; empty if it is.
-std::string differenceOf(const fs::path& file, VideoFormat format, const scene::Scene& scene) {
+/// Why the file isn't the scene's; empty if it is. `played` is, if it isn't empty.
+std::string differenceOf(const fs::path& file, VideoFormat format, const scene::Scene& scene,
+                         const pipeline::ClipFiles& files, const fs::path& played) {
   try {
     const std::string size = otherSizeText(video::readPictureSize(file), scene);
-    if (!size.empty() || !isPlayable(format)) return size;
-    const bool same = pipeline::isRecordOfClip(scene, video::readClipMetadata(file).comment);
-    return same ? "" : "it was made of another scene or with other settings";
+    if (!size.empty()) return size;
+    const bool same = isPlayable(format)
+                          ? pipeline::isRecordOfClip(scene, video::readClipMetadata(file).comment)
+                          : played.empty() || !areOfOtherScenes(files, played, file);
+    return same ? "" : kOtherSettings;
   } catch (const InputError& error) {
     return error.what();
   }
@@ -37,13 +41,20 @@ std::string differenceOf(const fs::path& file, VideoFormat format, const scene::
 
 }  // namespace
 
+bool areOfOtherScenes(const pipeline::ClipFiles& files, const fs::path& one,
+                      const fs::path& other) {
+  const std::string first = pipeline::sceneChecksumOf(files.frameFolder, one);
+  const std::string second = pipeline::sceneChecksumOf(files.frameFolder, other);
+  return !first.empty() && !second.empty() && first != second;
+}
+
 ClipVideos videosOf(const scene::Scene& scene, const pipeline::ClipFiles& files) {
   ClipVideos videos;
   std::string problem;
   for (const auto& [format, words] : kFormats) {
     const fs::path file = files.video(format);
     if (!fs::exists(file)) continue;
-    const std::string difference = differenceOf(file, format, scene);
+    const std::string difference = differenceOf(file, format, scene, files, videos.played);
     if (difference.empty()) {
       if (isPlayable(format) && videos.played.empty()) videos.played = file;
       videos.linked.emplace_back(file, words);

@@ -18,9 +18,15 @@ struct ClipVideos {
   std::vector<std::string> leftOut;  ///< As Figure::leftOut.
 };
 
+inline constexpr const char* kOtherSettings = "it was made of another scene or with other settings";
+
+/// Whether two of `files` were made of different scenes, as far as the clip's manifest knows.
+bool areOfOtherScenes(const pipeline::ClipFiles& files, const std::filesystem::path& one,
+                      const std::filesystem::path& other);
+
 /// Those of `files` that are of `scene`: an MP4 or WebM by its record and the size of its pictures,
-/// a GIF or APNG, which holds no record, by the size alone. Throws InputError, with the remedy, if
-/// there is none to be played.
+/// a GIF or APNG, which holds no record, by the size and the clip's manifest. Throws InputError,
+/// with the remedy, if there is none to be played.
 ClipVideos videosOf(const scene::Scene& scene, const pipeline::ClipFiles& files);
 
 }  // namespace rotatebook::page

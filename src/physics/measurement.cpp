@@ -28,7 +28,7 @@ double angleDeg(const Eigen::Matrix3d& rotation) {
 }  // namespace
 
 bool isBook(double stretchMin, double stretchMax) {
-  return stretchMin >= kLeastBookStretch && stretchMax <= kMostBookStretch;
+  return stretchMin >= kMinBookStretch && stretchMax <= kMaxBookStretch;
 }
 
 int HalfTurnCounter::count(double tiltDeg) {

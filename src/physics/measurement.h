@@ -21,7 +21,7 @@ namespace rotatebook::physics {
 /// 1.481. The last that still follows from the ones before comes at 1.849 (fig11), the first of a
 /// burst's at 2.292 (fig10: five within 0.8 s, after none in 15 s); of the particles of fig08 the
 /// last at 1.049, the first of ninety at 1.482, after a stretch of 0.020.
-inline constexpr double kLeastBookStretch = 0.5, kMostBookStretch = 2;
+inline constexpr double kMinBookStretch = 0.5, kMaxBookStretch = 2;
 
 /// Whether a body of these singular values, smallest and largest, is within those bounds.
 bool isBook(double stretchMin, double stretchMax);

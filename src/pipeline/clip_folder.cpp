@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/read_file.h"
 #include "pipeline/checksum.h"
 #include "pipeline/fingerprint.h"
 
@@ -96,10 +97,15 @@ std::string contentText(const fs::path& folder, bool complete) {
          " frames of a render that wasn't finished";
 }
 
+/// Whether the manifest says with what the folder's frames were made.
+bool knowsSettings(const std::optional<Manifest>& manifest) {
+  return manifest && !manifest->own.made.empty();
+}
+
 /// " of other settings: KEYS", after that.
 std::string differenceText(const fs::path& folder, const std::optional<Manifest>& there,
                            const ClipFolder::Settings& settings) {
-  if (!there) return " and doesn't tell its settings";
+  if (!knowsSettings(there)) return " with settings that aren't known";
   return (there->finished ? " of other settings: " : " and had other settings: ") +
          differences(folder, there->own.made, settings.made, settings.scene);
 }
@@ -113,7 +119,7 @@ void requireLosable(const fs::path& folder, const std::optional<Manifest>& there
   const bool worthless = complete ? !resume : !hasFrames(folder);
   if (settings.earlier.overwrite || worthless) return;
   const std::string start = contentText(folder, complete);
-  if (!resume) {
+  if (isOf(there, settings.made)) {
     throw InputError(start + ": go on with --resume, or render anew with --overwrite");
   }
   throw InputError(start + differenceText(folder, there, settings) +
@@ -124,10 +130,11 @@ void requireLosable(const fs::path& folder, const std::optional<Manifest>& there
 void requireJoinable(const fs::path& folder, const std::optional<Manifest>& there,
                      const ClipFolder::Settings& settings, const std::string& remedy) {
   if (!hasFrames(folder) || isOf(there, settings.made)) return;
-  throw InputError(
-      folder.string() + " holds frames of other settings" +
-      (there ? ": " + differences(folder, there->own.made, settings.made, settings.scene) : "") +
-      "; render into another folder with -o, or " + remedy);
+  throw InputError(folder.string() + " holds frames of other settings" +
+                   (knowsSettings(there)
+                        ? ": " + differences(folder, there->own.made, settings.made, settings.scene)
+                        : "") +
+                   "; render into another folder with -o, or " + remedy);
 }
 
 }  // namespace
@@ -246,21 +253,32 @@ void ClipFolder::finish(const std::vector<fs::path>& files, std::optional<FrameR
   }
   Manifest::Entries written;
   for (const fs::path& file : files) written[file.filename().string()] = checksumOfFile(file);
-  const Manifest::Entries made = manifest_.own.made;
-  const std::optional<Manifest> earlier = readManifest(files_.frameFolder);
-  const bool isOurs = isOf(earlier, made);
-  const bool keepsFrames = !frames && !isOurs && hasFrames(files_.frameFolder);
-  Manifest next = earlier.value_or(Manifest{});
-  if (!keepsFrames) {
-    next.become(made);
-    next.finished = true;
-  }
-  next.add(made, written);
-  const bool inPlace = path_ == files_.frameFolder || keepsFrames || (isOurs && !frames);
-  writeManifest(inPlace ? files_.frameFolder : path_, next);
-  if (!inPlace) return replaceFolder(files_);
-  if (path_ != files_.frameFolder) discard(path_);
+  frames ? finishWithFrames(written) : finishWithoutFrames(written);
   flushFolder(files_.frameFolder.parent_path());
+}
+
+void ClipFolder::finishWithFrames(const Manifest::Entries& written) {
+  Manifest next = readManifest(files_.frameFolder).value_or(Manifest{});
+  next.become(manifest_.own.made);
+  next.finished = true;
+  next.add(manifest_.own.made, written);
+  writeManifest(path_, next);
+  if (path_ != files_.frameFolder) replaceFolder(files_);
+}
+
+// Frames stay where they are: those of other settings in NAME/, unfinished ones in NAME.partial/.
+void ClipFolder::finishWithoutFrames(const Manifest::Entries& written) {
+  const std::optional<Manifest> there = readManifest(files_.frameFolder);
+  Manifest next = there.value_or(Manifest{});
+  if (isOf(there, manifest_.own.made) || !hasFrames(files_.frameFolder)) {
+    next.become(manifest_.own.made);
+    next.finished = true;
+    createFolders(files_.frameFolder);
+    writeFileAtomically(files_.sceneCopy, readFileOrEmpty(path_ / kSceneCopyName));
+  }
+  next.add(manifest_.own.made, written);
+  writeManifest(files_.frameFolder, next);
+  discardIfEmpty();
 }
 
 std::vector<std::string> ClipFolder::keptOfOtherSettings() const {
@@ -280,7 +298,8 @@ std::vector<std::string> ClipFolder::keptOfOtherSettings() const {
   std::ranges::sort(kept);
   if (!isOf(there, manifest_.own.made) && hasFrames(files_.frameFolder)) {
     kept.push_back(std::to_string(framesIn(files_.frameFolder).size()) + " frames in " +
-                   files_.frameFolder.string() + '/');
+                   files_.frameFolder.string() + '/' +
+                   (knowsSettings(there) ? "" : " (of unknown settings)"));
   }
   return kept;
 }

@@ -73,6 +73,8 @@ class ClipFolder {
   void openPart(const Settings& settings);
   void openWhole(const Settings& settings);
   void begin(const std::filesystem::path& folder, const std::string& record);
+  void finishWithFrames(const Manifest::Entries& written);
+  void finishWithoutFrames(const Manifest::Entries& written);
   std::size_t frameCount() const;
   void discardIfEmpty() const noexcept;
 

@@ -30,6 +30,7 @@ TEST(DistanceText, BoundsASmallErrorByOneDigit) {
   EXPECT_EQ(distanceOf({0, 1.2e-9, 1e-9}), "within 2e-9 degrees of the exact motion");
   EXPECT_EQ(distanceOf({0, 9.1e-14}), "within 1e-13 degrees of the exact motion");
   EXPECT_EQ(distanceOf({0.41}), "within 0.5 degrees of the exact motion");
+  EXPECT_EQ(distanceOf({0.95}), "within 1 degree of the exact motion");
   EXPECT_EQ(distanceOf({0}), "within 0 degrees of the exact motion");
 }
 
@@ -41,6 +42,10 @@ TEST(DistanceText, SaysHowFarAVisibleErrorWent) {
 TEST(DistanceText, SaysFromWhenOnAnErrorIsLarge) {
   EXPECT_EQ(distanceOf({0, 9, 10.5, 179.93, 4}),
             "up to 180 degrees from the exact motion; more than 10 from 2 s on");
+  std::vector<double> late(1200, 0);
+  late.push_back(11);
+  EXPECT_EQ(distanceOf(late),
+            "up to 11 degrees from the exact motion; more than 10 from 1200 s on");
 }
 
 TEST(DistanceText, OfTheExactModelHasNoNumber) {

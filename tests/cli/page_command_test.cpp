@@ -71,6 +71,28 @@ TEST_F(PageCommand, ShowsASceneOnceHoweverOftenItIsNamed) {
   EXPECT_THAT(page({"in/tiny.toml"}).error, HasSubstr("two scenes are named tiny"));
 }
 
+TEST_F(PageCommand, LeavesOutAGifOfOtherSettings) {
+  const std::vector<std::string> gif{"render",  "tiny.toml", "--no-png", "--size",
+                                     "640x360", "--format",  "gif"};
+  std::vector<std::string> other = gif;
+  other.insert(other.end(), {"--set", "camera.field_of_view_deg=60"});
+  run(other);
+  run({"render", "tiny.toml", "--no-png", "--size", "640x360"});
+  EXPECT_THAT(page().output, HasSubstr("note: out/tiny.gif isn't linked: it was made of another "
+                                       "scene or with other settings\n"));
+  run(gif);
+  EXPECT_EQ(page().output, "wrote out/index.html, 1 figure\n");
+}
+
+TEST_F(PageCommand, RefusesAPosterOfOtherSettings) {
+  run({"render", "tiny.toml", "--no-png", "--size", "640x360", "--no-mp4", "--set",
+       "camera.field_of_view_deg=60"});
+  const ChildResult result = page();
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.error, HasSubstr("out/tiny.poster.png: it was made of another scene or with "
+                                      "other settings; render it again"));
+}
+
 TEST_F(PageCommand, RefusesPicturesOfAnotherSize) {
   const ChildResult result = run({"page", "tiny.toml"});
   EXPECT_EQ(result.status, 2);

@@ -103,7 +103,11 @@ TEST(ClipFigure, LinksToFramesOnlyWhereThereAreThoseOfItsScene) {
   fs::create_directories(folder / "small");
   writeFileAtomically(folder / "small" / "scene.toml", recordOf(smallScene()));
   links(false, true);
-  touch(folder / "small" / "frame_00000.png");
+  for (std::int64_t frame = 0; frame < 11; ++frame) {
+    touch(folder / "small" / pipeline::frameName(frame));
+  }
+  links(false, true);  // One is missing.
+  touch(folder / "small" / pipeline::frameName(11));
   links(true, true);
   writeFileAtomically(folder / "small" / "scene.toml",
                       recordOf(smallScene({"look.background=stars"})));

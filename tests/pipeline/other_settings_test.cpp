@@ -75,9 +75,33 @@ TEST_F(OtherSettings, KeepFramesOfWhichNothingIsKnown) {
   render({});
   fs::remove(folder_ / "small" / kManifestName);
   for (int time = 0; time < 2; ++time) {
-    renderGif();
+    EXPECT_THAT(renderGif().others,
+                ElementsAre("12 frames in " + path("small") + "/ (of unknown settings)"));
     EXPECT_EQ(framesIn(folder_ / "small").size(), 12U);
   }
+  EXPECT_THAT(messageOf<InputError>([&] { render({}); }),
+              HasSubstr("with settings that aren't known; render anew with --overwrite"));
+}
+
+TEST_F(OtherSettings, CostNoUnfinishedFramesWhereVideosAloneGoOn) {
+  render({}, otherScene());
+  stop(5);
+  const RenderOptions videos{.folder = folder_, .png = false, .earlier = kResume};
+  testing::render(smallScene(), videos);
+  EXPECT_EQ(framesIn(folder_ / "small").size(), 12U);
+  EXPECT_EQ(framesIn(folder_ / "small.partial").size(), 5U);
+  EXPECT_EQ(render({.resume = true, .overwrite = true}).framesKept, 5);
+}
+
+TEST_F(OtherSettings, AreNoMatterToVideosThatAreMadeBesideUnfinishedFrames) {
+  stop(5);
+  const RenderOptions videos{.folder = folder_, .png = false, .earlier = kResume};
+  testing::render(smallScene(), videos);
+  EXPECT_TRUE(framesIn(folder_ / "small").empty()) << "unfinished frames aren't a clip's";
+  EXPECT_EQ(framesIn(folder_ / "small.partial").size(), 5U);
+  EXPECT_TRUE(testing::render(smallScene(), videos).wasDone);
+  EXPECT_EQ(render(kResume).framesKept, 5);
+  expectAsUninterrupted();
 }
 
 TEST_F(OtherSettings, OfAPartForgetNoFile) {

@@ -212,7 +212,7 @@ TEST_F(Resume, RefusesFramesOfOtherSettings) {
 TEST_F(Resume, RefusesFramesOfSettingsThatNothingTells) {
   stop(5);
   fs::remove(folder_ / "small.partial" / kManifestName);
-  EXPECT_THAT(failureOf(kResume), HasSubstr("and doesn't tell its settings; render anew"));
+  EXPECT_THAT(failureOf(kResume), HasSubstr("with settings that aren't known; render anew"));
 }
 
 TEST_F(Resume, IsAskedForWhereThereAreUnfinishedFrames) {

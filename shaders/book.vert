@@ -6,6 +6,7 @@ layout(location = 1) in vec3 unitNormal;  // A covector of the same cube.
 layout(location = 2) in vec2 textureCoordinates;
 layout(location = 3) in float openness;   // Share of the surroundings that is seen from here.
 layout(location = 4) in float surface;    // Number of the smooth side that this is a point of.
+layout(location = 5) in vec3 rolledOut;   // Place in the picture of strips; z is 0 elsewhere.
 
 uniform vec3 corners[8];  // World; bit 0 of the index is x, bit 1 y, bit 2 z. [m]
 uniform mat4 clipFromWorld;
@@ -60,5 +61,6 @@ void main() {
   seen = openness;
   onSurface = surface;
   arriving = irradiance(normal) * openness;
-  gl_Position = clipFromWorld * vec4(worldPlace, 1.0);
+  gl_Position = rolledOut.z > 0.0 ? vec4(rolledOut.xy, 0.0, 1.0)
+                                  : clipFromWorld * vec4(worldPlace, 1.0);
 }

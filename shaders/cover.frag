@@ -47,7 +47,8 @@ vec3 bent(vec3 normal, float height) {
   vec3 alongX = cross(acrossY, normal), alongY = cross(normal, acrossX);
   float area = dot(acrossX, alongX);
   vec3 gradient = sign(area) * (dFdx(height) * alongX + dFdy(height) * alongY);
-  return normalize(abs(area) * normal - gradient);
+  // Along the line that a strip is drawn as, nothing is known of what is beside it.
+  return normalize(max(abs(area), 1e-15) * normal - gradient);
 }
 
 // How much of a lobe of this width about `mirrored` a softbox fills.

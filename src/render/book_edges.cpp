@@ -30,18 +30,6 @@ std::vector<std::uint32_t> placeNumbers(const std::vector<BookVertex>& vertices)
   return numbers;
 }
 
-/// Of the trilinear map that takes the unit cube's corners to others.
-Eigen::Matrix<double, 8, 1> sharesOfCorners(const Eigen::Vector3f& place) {
-  Eigen::Matrix<double, 8, 1> shares;
-  for (int i = 0; i < 8; ++i) {
-    shares[i] = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-      shares[i] *= (i & (1 << axis)) != 0 ? place[axis] : 1 - place[axis];
-    }
-  }
-  return shares;
-}
-
 /// How far a point of clip space is in front of the near plane, as a multiple of something.
 double ahead(const Vector4d& point) {
   return point.z() + point.w();
@@ -94,7 +82,8 @@ BookEdges::BookEdges(const BookMesh& mesh) {
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
       triangles_.push_back({{indices[i], indices[i + 1], indices[i + 2]},
                             mesh.vertices[indices[i]].surface,
-                            part == static_cast<std::size_t>(BookPart::Lining)});
+                            part == static_cast<std::size_t>(BookPart::Lining),
+                            mesh.stripOf[part][i / 3]});
     }
   }
   const std::vector<std::uint32_t> numbers = placeNumbers(mesh.vertices);
@@ -116,7 +105,8 @@ BookEdges::BookEdges(const BookMesh& mesh) {
 }
 
 void BookEdges::find(const physics::Corners& corners, const Eigen::Matrix4d& clipFromWorld,
-                     int facing, EdgePixels& pixels, std::vector<SeenTriangle>& triangles) const {
+                     int facing, std::span<const SeenStrip> strips, EdgePixels& pixels,
+                     std::vector<SeenTriangle>& triangles) const {
   const Eigen::Matrix<double, 4, 8> clip = clipFromWorld * corners.colwise().homogeneous();
   std::vector<Vector4d> points;
   points.reserve(shares_.size());
@@ -124,13 +114,13 @@ void BookEdges::find(const physics::Corners& corners, const Eigen::Matrix4d& cli
   std::vector<int> turns;  // of all triangles; 0: isn't drawn
   turns.reserve(triangles_.size());
   for (const Triangle& triangle : triangles_) {
-    turns.push_back(addTriangle(triangle, points, facing, pixels, triangles));
+    turns.push_back(addTriangle(triangle, points, facing, strips, pixels, triangles));
   }
   for (const Edge& edge : edges_) {
     const int first = turns[edge.first], second = edge.second ? turns[*edge.second] : 0;
     if (first == 0 && second == 0) continue;
-    const bool inside =
-        first == second && triangles_[edge.first].surface == triangles_[*edge.second].surface;
+    const bool inside = first == second && surfaceOf(triangles_[edge.first], strips) ==
+                                               surfaceOf(triangles_[*edge.second], strips);
     if (inside) continue;
     const Cut seen = inFront(std::array{points[edge.ends[0]], points[edge.ends[1]]});
     if (seen.count < 2) continue;
@@ -139,8 +129,13 @@ void BookEdges::find(const physics::Corners& corners, const Eigen::Matrix4d& cli
   }
 }
 
+float BookEdges::surfaceOf(const Triangle& triangle, std::span<const SeenStrip> strips) {
+  if (triangle.strip >= strips.size() || !strips[triangle.strip].narrow) return triangle.surface;
+  return static_cast<float>(kMostSurface + 1 + triangle.strip);
+}
+
 int BookEdges::addTriangle(const Triangle& triangle, const std::vector<Vector4d>& points,
-                           int facing, const EdgePixels& pixels,
+                           int facing, std::span<const SeenStrip> strips, const EdgePixels& pixels,
                            std::vector<SeenTriangle>& triangles) {
   if (triangle.lining && facing != 0) return 0;
   const auto& [a, b, c] = triangle.vertices;
@@ -150,7 +145,7 @@ int BookEdges::addTriangle(const Triangle& triangle, const std::vector<Vector4d>
     const SeenTriangle piece{
         {onPicture(seen.corners[0], pixels), onPicture(seen.corners[i - 1], pixels),
          onPicture(seen.corners[i], pixels)},
-        triangle.surface};
+        surfaceOf(triangle, strips)};
     turn = turning(piece);
     if (facing != 0 && turn != facing) return 0;
     triangles.push_back(piece);

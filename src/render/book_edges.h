@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,6 +13,7 @@
 #include "render/book_mesh.h"
 #include "render/edge_pixels.h"
 #include "render/edge_samples.h"
+#include "render/strips.h"
 
 namespace rotatebook::render {
 
@@ -23,15 +25,17 @@ class BookEdges {
   /// Adds the pixels through which an outline of a surface goes or two surfaces meet, hidden ones
   /// among them, and the triangles that are drawn, of the book with these corners in a picture of
   /// the pixels' size; without what reaches behind the camera. `facing`: as drawnFacing()
-  /// has it.
+  /// has it. `strips`, by their numbers: one that is narrow is a surface by itself.
   void find(const physics::Corners& corners, const Eigen::Matrix4d& clipFromWorld, int facing,
-            EdgePixels& pixels, std::vector<SeenTriangle>& triangles) const;
+            std::span<const SeenStrip> strips, EdgePixels& pixels,
+            std::vector<SeenTriangle>& triangles) const;
 
  private:
   struct Triangle {
     std::array<std::uint32_t, 3> vertices;
     float surface;
     bool lining;  // Drawn only where all triangles are.
+    std::uint8_t strip;
   };
   /// A side of one triangle, or of two that share it.
   struct Edge {
@@ -42,8 +46,10 @@ class BookEdges {
 
   /// Adds what is seen of a triangle; returns which way it turns, or 0 if it isn't drawn.
   static int addTriangle(const Triangle& triangle, const std::vector<Eigen::Vector4d>& points,
-                         int facing, const EdgePixels& pixels,
+                         int facing, std::span<const SeenStrip> strips, const EdgePixels& pixels,
                          std::vector<SeenTriangle>& triangles);
+  /// SeenTriangle::surface
+  static float surfaceOf(const Triangle& triangle, std::span<const SeenStrip> strips);
 
   std::vector<Triangle> triangles_;
   std::vector<Edge> edges_;

@@ -10,18 +10,54 @@
 namespace rotatebook::render {
 namespace {
 
+void describeAttribute(GLuint index, GLint size, std::size_t stride, std::size_t offset) {
+  glEnableVertexAttribArray(index);
+  glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                        reinterpret_cast<const void*>(offset));
+}
+
 /// Which vertex attribute is which, as book.vert numbers them.
-void describeVertex() {
-  const auto attribute = [](GLuint index, GLint size, std::size_t offset) {
-    glEnableVertexAttribArray(index);
-    glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, sizeof(BookVertex),
-                          reinterpret_cast<const void*>(offset));
+void describeVertex(std::size_t stride) {
+  const auto attribute = [stride](GLuint index, GLint size, std::size_t offset) {
+    describeAttribute(index, size, stride, offset);
   };
   attribute(0, 3, offsetof(BookVertex, place));
   attribute(1, 3, offsetof(BookVertex, normal));
   attribute(2, 2, offsetof(BookVertex, texture));
   attribute(3, 1, offsetof(BookVertex, openness));
   attribute(4, 1, offsetof(BookVertex, surface));
+}
+
+/// A point of a strip's middle.
+struct StripVertex {
+  BookVertex vertex;
+  Eigen::Vector3f rolledOut;  // In clip space, and 1.
+};
+
+/// How far along the strip a point of its middle is. [0 to 1]
+float shareOf(const BookStrip& strip, const BookVertex& vertex) {
+  const Eigen::Vector3f start = strip.middle.front().place;
+  const Eigen::Vector3f way = strip.middle.back().place - start;
+  return (vertex.place - start).dot(way) / way.squaredNorm();
+}
+
+/// The strip as a row of the picture of strips, from its left side. Of points that are closer than
+/// a pixel only the outer ones are taken: a line within a pixel says nothing of its middle.
+std::vector<StripVertex> rollOut(const BookStrip& strip, float y) {
+  constexpr float kStep = 0.025F;  // Of the strip.
+  std::vector<StripVertex> vertices;
+  float before = 0;
+  for (std::size_t i = 0; i < strip.middle.size(); ++i) {
+    const bool isLast = i + 1 == strip.middle.size();
+    const float share = shareOf(strip, strip.middle[i]);
+    const float after = isLast ? share : shareOf(strip, strip.middle[i + 1]);
+    if (share - before < kStep && after - share < kStep) continue;
+    vertices.push_back({strip.middle[i], {2 * share * strip.length - 1, y, 1}});
+    before = share;
+  }
+  vertices.front().rolledOut.x() = -1;
+  vertices.back().rolledOut.x() = 2 * strip.length - 1;
+  return vertices;
 }
 
 template <typename Element>
@@ -59,7 +95,35 @@ BookGeometry::BookGeometry(const BookMesh& mesh) {
   glBindVertexArray(array_.name());
   upload(GL_ARRAY_BUFFER, vertices_, mesh.vertices);
   upload(GL_ELEMENT_ARRAY_BUFFER, indices_, indices);
-  describeVertex();
+  describeVertex(sizeof(BookVertex));
+  uploadStrips(mesh.strips);
+}
+
+void BookGeometry::uploadStrips(const std::vector<BookStrip>& strips) {
+  std::vector<StripVertex> vertices;
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    const float y = (2 * static_cast<float>(i) + 1) / static_cast<float>(strips.size()) - 1;
+    const std::vector<StripVertex> row = rollOut(strips[i], y);
+    rows_.push_back(
+        {strips[i].part, static_cast<GLint>(vertices.size()), static_cast<GLsizei>(row.size())});
+    vertices.insert(vertices.end(), row.begin(), row.end());
+  }
+  bindStrips();
+  upload(GL_ARRAY_BUFFER, stripVertices_, vertices);
+  describeVertex(sizeof(StripVertex));
+  describeAttribute(5, 3, sizeof(StripVertex), offsetof(StripVertex, rolledOut));
+}
+
+void BookGeometry::drawStrips(BookPart part, const std::vector<SeenStrip>& seen) const {
+  std::vector<GLint> firsts;
+  std::vector<GLsizei> counts;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (rows_[i].part != part || !seen[i].narrow) continue;
+    firsts.push_back(rows_[i].first);
+    counts.push_back(rows_[i].count);
+  }
+  glMultiDrawArrays(GL_LINE_STRIP, firsts.data(), counts.data(),
+                    static_cast<GLsizei>(firsts.size()));
 }
 
 void BookGeometry::draw(BookPart part) const {

@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "physics/cuboid.h"
 #include "render/book_mesh.h"
 #include "render/gl_handles.h"
+#include "render/strips.h"
 
 namespace rotatebook::render {
 
@@ -20,9 +22,24 @@ class BookGeometry {
   /// Draws one part with the program in use.
   void draw(BookPart part) const;
 
+  /// Makes the strips' vertices those that drawStrips() draws.
+  void bindStrips() const { glBindVertexArray(stripArray_.name()); }
+  /// Draws the middles of a part's narrow strips as rows of a picture of all strips.
+  void drawStrips(BookPart part, const std::vector<SeenStrip>& seen) const;
+
  private:
-  GlVertexArray array_;
-  GlBuffer vertices_, indices_;
+  /// A strip among the strips' vertices.
+  struct Row {
+    BookPart part;
+    GLint first;
+    GLsizei count;
+  };
+
+  void uploadStrips(const std::vector<BookStrip>& strips);
+
+  GlVertexArray array_, stripArray_;
+  GlBuffer vertices_, indices_, stripVertices_;
+  std::vector<Row> rows_;
   std::array<std::size_t, kBookPartCount + 1> starts_{};  // of each part among the indices
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <functional>
 #include <map>
 #include <numbers>
@@ -77,15 +78,45 @@ std::vector<Station> outerStations() {
   return all;
 }
 
+/// Which strip a square belongs to: none, or that along a row or a column of its grid. Squares
+/// beside that line may be narrower parts of the strip.
+struct Line {
+  enum class Way { None, Row, Column } way = Way::None;
+  int number = 0;
+
+  friend auto operator<=>(const Line&, const Line&) = default;
+};
+
+constexpr Line kNoLine{};
+constexpr Line row(int i) {
+  return {Line::Way::Row, i};
+}
+constexpr Line column(int j) {
+  return {Line::Way::Column, j};
+}
+
+SidePoint between(const SidePoint& a, const SidePoint& b) {
+  return {(a.place + b.place) / 2, (a.normal + b.normal).normalized(), (a.texture + b.texture) / 2,
+          (a.openness + b.openness) / 2};
+}
+
+BookVertex vertexOf(const SidePoint& point, int surface) {
+  const Vector3f size(kBook.width, kBook.height, kBook.thickness);
+  return {point.place.cwiseQuotient(size), point.normal.cwiseProduct(size).normalized(),
+          point.texture, point.openness, static_cast<float>(surface)};
+}
+
 class MeshBuilder {
  public:
   /// Adds the grid of points (i, j), i < rows, j < columns, whose outer side is that from which
   /// turning from the direction of j to that of i is counter-clockwise; `flipped`: the other one.
-  /// `surface`: of the square whose first point is (i, j).
+  /// `surface` and `line` are of the square whose first point is (i, j).
   void addGrid(BookPart part, int rows, int columns, bool flipped,
                const std::function<SidePoint(int, int)>& at,
-               const std::function<int(int, int)>& surface) {
+               const std::function<int(int, int)>& surface,
+               const std::function<Line(int, int)>& line) {
     std::map<std::array<int, 3>, std::uint32_t> known;
+    std::map<Line, std::uint8_t> strips{{kNoLine, kNoStrip}};
     for (int i = 0; i + 1 < rows; ++i) {
       for (int j = 0; j + 1 < columns; ++j) {
         const int number = surface(i, j);
@@ -96,8 +127,16 @@ class MeshBuilder {
         };
         const auto a = vertex(i, j), b = vertex(i, j + 1), c = vertex(i + 1, j);
         const auto d = vertex(i + 1, j + 1);
-        addTriangle(part, a, flipped ? c : b, flipped ? b : c);
-        addTriangle(part, c, flipped ? d : b, flipped ? b : d);
+        const auto [found, isNew] = strips.try_emplace(line(i, j), nextStrip());
+        const std::uint8_t strip = found->second;
+        if (isNew) mesh_.strips.push_back({part, 0, true, {}, {}});
+        if (line(i, j) == row(i)) {
+          extend(strip, {at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)}, flipped, number);
+        } else if (line(i, j) == column(j)) {
+          extend(strip, {at(i, j + 1), at(i, j), at(i + 1, j + 1), at(i + 1, j)}, flipped, number);
+        }
+        addTriangle(part, strip, a, flipped ? c : b, flipped ? b : c);
+        addTriangle(part, strip, c, flipped ? d : b, flipped ? b : d);
       }
     }
   }
@@ -108,15 +147,34 @@ class MeshBuilder {
   std::uint32_t nextVertex() const { return static_cast<std::uint32_t>(mesh_.vertices.size()); }
 
   void addVertex(const SidePoint& point, int surface) {
-    const Vector3f size(kBook.width, kBook.height, kBook.thickness);
-    mesh_.vertices.push_back({point.place.cwiseQuotient(size),
-                              point.normal.cwiseProduct(size).normalized(), point.texture,
-                              point.openness, static_cast<float>(surface)});
+    mesh_.vertices.push_back(vertexOf(point, surface));
     againstLeaves_.push_back(point.againstLeaves);
   }
 
+  std::uint8_t nextStrip() const { return static_cast<std::uint8_t>(mesh_.strips.size()); }
+
+  /// Adds a square to a strip that ends on its first two corners, if it isn't empty yet, and will
+  /// end on the others.
+  void extend(std::uint8_t number, const std::array<SidePoint, 4>& corners, bool flipped,
+              int surface) {
+    BookStrip& strip = mesh_.strips[number];
+    for (const std::size_t i : {0, 2}) {
+      if (i == 0 && !strip.middle.empty()) continue;
+      const SidePoint middle = between(corners[i], corners[i + 1]);
+      if (i == 2) {
+        strip.length +=
+            (middle.place - between(corners[0], corners[1]).place).norm() / kBook.height;
+      }
+      strip.middle.push_back(vertexOf(middle, surface));
+      strip.flat = strip.flat && corners[i].normal == corners[i + 1].normal;
+      strip.sides[flipped ? 1 : 0].push_back(vertexOf(corners[i], surface).place);
+      strip.sides[flipped ? 0 : 1].push_back(vertexOf(corners[i + 1], surface).place);
+    }
+  }
+
   /// A triangle, unless two of its corners are one point, but for rounding.
-  void addTriangle(BookPart part, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  void addTriangle(BookPart part, std::uint8_t strip, std::uint32_t a, std::uint32_t b,
+                   std::uint32_t c) {
     constexpr float kRounding = 1e-6F;
     const auto distance = [&](std::uint32_t i, std::uint32_t j) {
       return (mesh_.vertices[i].place - mesh_.vertices[j].place).norm();
@@ -125,6 +183,7 @@ class MeshBuilder {
     if (againstLeaves_[a] && againstLeaves_[b] && againstLeaves_[c]) part = BookPart::Lining;
     auto& triangles = mesh_.triangles[static_cast<std::size_t>(part)];
     triangles.insert(triangles.end(), {a, b, c});
+    mesh_.stripOf[static_cast<std::size_t>(part)].push_back(strip);
   }
 
   BookMesh mesh_;
@@ -141,8 +200,9 @@ int sizeOf(const std::vector<ProfilePoint>& profile) {
   return static_cast<int>(profile.size());
 }
 
-std::function<int(int, int)> always(int surface) {
-  return [surface](int, int) { return surface; };
+template <typename Value>
+std::function<Value(int, int)> always(Value value) {
+  return [value](int, int) { return value; };
 }
 
 Vector3f inSpace(const Vector2f& place, float y) {
@@ -177,6 +237,12 @@ void addOuterSide(MeshBuilder& builder, BookPart part, const std::vector<Profile
       },
       [&](int i, int j) {
         return surfaceOf(part, outerKind(point(i), point(i + 1), station(j), station(j + 1)));
+      },
+      [&](int i, int j) {
+        if (station(j).lean != station(j + 1).lean) return column(j);
+        const Kind kind = outerKind(point(i), point(i + 1), station(j), station(j + 1));
+        const bool flat = kind == Kind::Outer && point(i).normal == point(i + 1).normal;
+        return part == BookPart::Spine || flat ? kNoLine : row(i);
       });
 }
 
@@ -194,7 +260,7 @@ void addEnd(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>
                 {0, head ? 1.0F : -1.0F, 0},
                 {textureAcross(part, point.outside), head ? 1 - kRim : kRim}};
       },
-      always(surfaceOf(part, Kind::Rim)));
+      always(surfaceOf(part, Kind::Rim)), always(column(0)));
 }
 
 /// The inner side, of which the rim beyond the leaves is seen.
@@ -216,7 +282,16 @@ void addInnerSide(MeshBuilder& builder, BookPart part, const std::vector<Profile
                 atRim ? kEdgeOpenness : kInsideOpenness,
                 !atRim};
       },
-      always(surfaceOf(part, Kind::Inner)));
+      always(surfaceOf(part, Kind::Inner)),
+      [&](int i, int j) {
+        // Between the edge and the leaves, all but one of the squares are those of the rounding.
+        const int last = static_cast<int>(stations.size()) - 2;
+        if (j <= kRoundingSteps) return column(kRoundingSteps);
+        if (j >= last - kRoundingSteps) return column(last - kRoundingSteps);
+        const auto next = static_cast<std::size_t>(i + 1);
+        const float x = std::min(profile[next - 1].inside.x(), profile[next].inside.x());
+        return x > leaves ? row(i) : kNoLine;
+      });
 }
 
 void addCase(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile) {
@@ -260,7 +335,7 @@ void addForeEdge(MeshBuilder& builder) {
                 {kLeavesPerHeight * along, kLeavesPerThickness * share},
                 opennessAcross(i)};
       },
-      always(kForeEdge));
+      always(kForeEdge), [](int i, int) { return row(i); });
 }
 
 /// The leaves at the foot or the head, from within the spine to the fore edge.
@@ -281,10 +356,21 @@ void addLeafEnds(MeshBuilder& builder, bool head) {
                  kLeavesPerThickness * kAcrossLeaves[i]},
                 nearSpine * opennessAcross(i)};
       },
-      always(head ? kHead : kFoot));
+      always(head ? kHead : kFoot), [](int, int j) { return column(j); });
 }
 
 }  // namespace
+
+Eigen::Matrix<double, 8, 1> sharesOfCorners(const Eigen::Vector3f& place) {
+  Eigen::Matrix<double, 8, 1> shares;
+  for (int i = 0; i < 8; ++i) {
+    shares[i] = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      shares[i] *= (i & (1 << axis)) != 0 ? place[axis] : 1 - place[axis];
+    }
+  }
+  return shares;
+}
 
 BookMesh makeBookMesh() {
   MeshBuilder builder;

@@ -36,12 +36,32 @@ struct BookVertex {
   float surface = 0;        ///< Number of the side that this is a point of, 1 to kMostSurface.
 };
 
+/// A row of squares of a part's roundings, rims or hinges: seldom wider than a pixel, while light
+/// changes much from one to the next.
+struct BookStrip {
+  BookPart part = BookPart::Front;
+  float length = 0;                ///< In heights of the book, up to 1.
+  bool flat = true;                ///< Its normals are the same on both sides.
+  std::vector<BookVertex> middle;  ///< From end to end.
+  /// Both sides at the squares' ends, likewise; (sides[0][0], sides[0][1], sides[1][0]) turns as
+  /// the triangles do.
+  std::array<std::vector<Eigen::Vector3f>, 2> sides;
+};
+
 /// Triangles, grouped by part.
 struct BookMesh {
   std::vector<BookVertex> vertices;
   std::array<std::vector<std::uint32_t>, kBookPartCount>
       triangles;  ///< Vertex indices, three a triangle, by BookPart.
+  std::vector<BookStrip> strips;
+  /// Of each of those triangles the index of its strip, or kNoStrip.
+  std::array<std::vector<std::uint8_t>, kBookPartCount> stripOf;
 };
+
+inline constexpr std::uint8_t kNoStrip = 255;
+
+/// Of the trilinear map that takes the unit cube's corners to others.
+Eigen::Matrix<double, 8, 1> sharesOfCorners(const Eigen::Vector3f& place);
 
 /// A hardback with a rounded spine, hinges, and boards with rounded edges that overlap a page block
 /// with a hollow fore edge. Sides are grids, so that one whose corners leave their plane is still

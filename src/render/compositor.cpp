@@ -1,5 +1,7 @@
 #include "render/compositor.h"
 
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -12,14 +14,17 @@ namespace {
 
 /// Puts what was drawn over the background.
 void layOver(const image::Image& drawn, const PixelRect& band, image::Image& picture) {
-  constexpr std::uint32_t kOpaque = 0xff;
+  // Without branches, pixels as numbers, several go at once.
+  constexpr auto kAlpha = std::bit_cast<std::uint32_t>(std::array<std::uint8_t, 4>{0, 0, 0, 0xff});
   for (int y = band.y; y < band.y + band.height; ++y) {
     const std::uint8_t* from = drawn.row(y) + 4 * static_cast<std::ptrdiff_t>(band.x);
     std::uint8_t* to = picture.row(y) + 4 * static_cast<std::ptrdiff_t>(band.x);
     for (int x = 0; x < band.width; ++x, from += 4, to += 4) {
-      if (from[3] == 0) continue;
-      std::memcpy(to, from, 3);
-      to[3] = kOpaque;
+      std::uint32_t over = 0, under = 0;
+      std::memcpy(&over, from, 4);
+      std::memcpy(&under, to, 4);
+      const std::uint32_t pixel = (over & kAlpha) != 0 ? over | kAlpha : under;
+      std::memcpy(to, &pixel, 4);
     }
   }
 }
@@ -50,9 +55,10 @@ void Compositor::composeLarge(const DrawnBook& book, image::Image& picture) {
   for (const PixelRect& band : book.bands) layOver(book.pixels, band, picture);
   edgePixels_.clear();
   triangles_.clear();
-  edges_.find(book.corners, book.clipFromWorld, book.facing, edgePixels_, triangles_);
+  edges_.find(book.corners, book.clipFromWorld, book.facing, book.strips.seen, edgePixels_,
+              triangles_);
   edgePixels_.number();
-  samples_.smooth(edgePixels_, triangles_, book.pixels, background_, picture);
+  samples_.smooth(edgePixels_, triangles_, book.pixels, book.strips, background_, picture);
 }
 
 }  // namespace rotatebook::render

@@ -8,6 +8,7 @@
 #include "image/image.h"
 #include "physics/cuboid.h"
 #include "render/hull_bands.h"
+#include "render/strips.h"
 
 namespace rotatebook::render {
 
@@ -19,6 +20,7 @@ struct DrawnBook {
   physics::Corners corners{};       ///< World. [m]
   Eigen::Matrix4d clipFromWorld{};  ///< Clip y points down.
   int facing = 0;                   ///< drawnFacing()
+  DrawnStrips strips{};
 };
 
 }  // namespace rotatebook::render

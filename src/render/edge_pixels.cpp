@@ -48,7 +48,7 @@ void EdgePixels::number() {
   count_ = 0;
   for (std::size_t i = 0; i < words_.size(); ++i) {
     numbers_[i] = count_;
-    count_ += static_cast<std::size_t>(std::popcount(words_[i]));
+    count_ += static_cast<std::size_t>(countOf(words_[i]));
   }
 }
 

@@ -40,13 +40,21 @@ class EdgePixels {
       if (bits == 0) continue;
       const std::uint64_t before = all & ((bits & -bits) - 1);
       std::size_t number = numbers_[row + static_cast<std::size_t>(word)] +
-                           static_cast<std::size_t>(std::popcount(before));
+                           static_cast<std::size_t>(countOf(before));
       for (; bits != 0; bits &= bits - 1) each(first + std::countr_zero(bits), number++);
     }
   }
 
  private:
   static constexpr int kBits = 64;
+
+  /// How many bits are set: std::popcount() is a call where the processor may lack the instruction.
+  static constexpr std::uint64_t countOf(std::uint64_t bits) {
+    bits -= bits >> 1 & 0x5555555555555555U;
+    bits = (bits & 0x3333333333333333U) + (bits >> 2 & 0x3333333333333333U);
+    bits = (bits + (bits >> 4)) & 0x0f0f0f0f0f0f0f0fU;
+    return bits * 0x0101010101010101U >> 56;
+  }
 
   void add(int x, int y);
 

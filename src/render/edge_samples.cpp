@@ -27,6 +27,19 @@ constexpr std::array<std::array<float, 2>, kSamples> kPlaces = [] {
   return places;
 }();
 
+using Four [[gnu::vector_size(4 * sizeof(float))]] = float;
+
+/// The same, four by four.
+constexpr std::array<Four, kSamples / 4> placesAlong(std::size_t axis) {
+  std::array<Four, kSamples / 4> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i] = Four{kPlaces[4 * i][axis], kPlaces[4 * i + 1][axis], kPlaces[4 * i + 2][axis],
+                  kPlaces[4 * i + 3][axis]};
+  }
+  return all;
+}
+constexpr auto kAcross = placesAlong(0), kDown = placesAlong(1);
+
 /// A function that is linear over the picture.
 struct Plane {
   float x, y, constant;
@@ -117,42 +130,47 @@ void addOpaque(const std::uint8_t* pixel, std::uint32_t times, image::LightSum& 
   sum.add(opaque.data(), times);
 }
 
-/// How many samples of a pixel show each surface.
-using Counts = std::array<std::uint8_t, kMostSurface + 1>;
+/// Which surfaces a pixel's samples show, and how many of them each.
+struct Counts {
+  void add(int surface) {
+    std::size_t i = 0;
+    while (i < size && shown[i] != surface) ++i;
+    if (i == size) shown[size++] = surface;
+    ++counts[i];
+  }
+
+  std::array<int, kSamples> shown;  // the first `size`
+  std::array<std::uint32_t, kSamples> counts{};
+  std::size_t size = 0;
+};
 
 /// A picture's pixel as the drawn book and what is behind it make it.
 class PixelMixer {
  public:
-  PixelMixer(const EdgePixels& pixels, const image::Image& drawn, const image::Image& background)
-      : drawn_(drawn), background_(background) {
-    std::array<image::LightSum, kMostSurface + 1> sums{};
-    std::array<std::uint32_t, kMostSurface + 1> counts{};
-    for (int y = 0; y < pixels.height(); ++y) {
-      pixels.forEach(y, 0, pixels.width(), [&](int x, std::size_t) {
-        const std::uint8_t here = surface(x, y);
-        if (counts[here]++ < kMostOfMean) addOpaque(pixelAt(x, y), 1, sums[here]);
-      });
-    }
-    for (std::size_t i = 1; i < means_.size(); ++i) {
-      if (counts[i] > 0) sums[i].mean(std::min(counts[i], kMostOfMean), means_[i].data());
-    }
-  }
+  PixelMixer(const EdgePixels& pixels, const image::Image& drawn, const DrawnStrips& strips,
+             const image::Image& background)
+      : pixels_(pixels), drawn_(drawn), strips_(strips), background_(background) {}
 
-  /// Whether the pixel is right as it was drawn, or shows what isn't among the triangles.
-  bool isPlain(int x, int y, const Counts& counts) const {
-    return counts[surface(x, y)] == kSamples || counts[0] == kSamples;
-  }
+  /// Whether the pixel, all of whose samples show this, is right as it was drawn, or shows what
+  /// isn't among the triangles.
+  bool isPlain(int x, int y, int shown) const { return shown == 0 || shown == surface(x, y); }
 
-  void mix(int x, int y, const Counts& counts, std::uint8_t* pixel) const {
+  void mix(int x, int y, const Counts& counts, std::uint8_t* pixel) {
     image::LightSum sum;
-    std::uint32_t found = counts[0];
-    if (found > 0) sum.add(background_.row(y) + 4 * static_cast<std::ptrdiff_t>(x), found);
-    for (std::uint8_t surface = 1; surface < counts.size(); ++surface) {
-      if (counts[surface] == 0) continue;
-      const std::uint8_t* shown = nearest(x, y, surface);
-      if (shown == nullptr) continue;
-      addOpaque(shown, counts[surface], sum);
-      found += counts[surface];
+    std::uint32_t found = 0;
+    for (std::size_t i = 0; i < counts.size; ++i) {
+      const int surface = counts.shown[i];
+      const std::uint32_t count = counts.counts[i];
+      if (surface == 0) {
+        sum.add(background_.row(y) + 4 * static_cast<std::ptrdiff_t>(x), count);
+      } else if (surface > kMostSurface) {
+        addOpaque(ofStrip(x, y, surface - kMostSurface - 1).data(), count, sum);
+      } else if (const std::uint8_t* shown = nearest(x, y, static_cast<std::uint8_t>(surface))) {
+        addOpaque(shown, count, sum);
+      } else {
+        continue;
+      }
+      found += count;
     }
     if (found > 0) sum.mean(found, pixel);
   }
@@ -168,9 +186,27 @@ class PixelMixer {
     return drawn_.row(y) + 4 * static_cast<std::ptrdiff_t>(x);
   }
 
+  /// A strip's colour beside a pixel.
+  std::array<std::uint8_t, 4> ofStrip(int x, int y, int number) const {
+    const SeenStrip& strip = strips_.seen[static_cast<std::size_t>(number)];
+    const float share = strip.shareAt({static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F});
+    // In 256ths of a column, from the middle of the first one.
+    constexpr int kParts = 256;
+    const int last = kParts * (static_cast<int>(strip.columns) - 1);
+    const int there = static_cast<int>(kParts * strip.columns * share) - kParts / 2;
+    const int place = std::clamp(there, 0, last - 1);
+    const std::uint8_t* one = strips_.colours.row(number) + 4 * (place / kParts);
+    std::array<std::uint8_t, 4> colour{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int mixed = one[i] * (kParts - place % kParts) + one[i + 4] * (place % kParts);
+      colour[i] = static_cast<std::uint8_t>((mixed + kParts / 2) / kParts);
+    }
+    return colour;
+  }
+
   /// The nearest pixel that shows a surface; or its mean colour along edges, if none close by does;
   /// or the nearest pixel of the book, if none at all does; null if there is none.
-  const std::uint8_t* nearest(int x, int y, std::uint8_t wanted) const {
+  const std::uint8_t* nearest(int x, int y, std::uint8_t wanted) {
     const std::uint8_t* other = nullptr;
     for (const auto& [dx, dy] : around()) {
       const std::uint8_t there = surface(x + dx, y + dy);
@@ -178,14 +214,33 @@ class PixelMixer {
       if (there == wanted) return pixelAt(x + dx, y + dy);
       other = pixelAt(x + dx, y + dy);
     }
+    if (!hasMeans_) findMeans();
     return means_[wanted][3] > 0 ? means_[wanted].data() : other;
+  }
+
+  void findMeans() {
+    std::array<image::LightSum, kMostSurface + 1> sums{};
+    std::array<std::uint32_t, kMostSurface + 1> counts{};
+    for (int y = 0; y < pixels_.height(); ++y) {
+      pixels_.forEach(y, 0, pixels_.width(), [&](int x, std::size_t) {
+        const std::uint8_t here = surface(x, y);
+        if (counts[here]++ < kMostOfMean) addOpaque(pixelAt(x, y), 1, sums[here]);
+      });
+    }
+    for (std::size_t i = 1; i < means_.size(); ++i) {
+      if (counts[i] > 0) sums[i].mean(std::min(counts[i], kMostOfMean), means_[i].data());
+    }
+    hasMeans_ = true;
   }
 
   static constexpr std::uint8_t kHighest = kMostSurface;
   static constexpr std::uint32_t kMostOfMean = 256;  // pixels, as LightSum takes
 
+  const EdgePixels& pixels_;
   const image::Image& drawn_;
+  const DrawnStrips& strips_;
   const image::Image& background_;
+  bool hasMeans_ = false;                                              // They are seldom needed.
   std::array<std::array<std::uint8_t, 4>, kMostSurface + 1> means_{};  // by surface
 };
 
@@ -202,14 +257,13 @@ void EdgeSamples::cover(const EdgePixels& pixels, const SeenTriangle& triangle) 
   if ((least >= most).any()) return;  // It lies beside the picture.
   const auto& [first, second, third] = cover->edges;
   // By how much each sample's value differs from that in the middle of its pixel.
-  Samples inFirst, inSecond, inThird, inDepth;
-  for (std::size_t i = 0; i < kSamples; ++i) {
-    const auto& [x, y] = kPlaces[i];
-    inFirst[i / 4][i % 4] = first.x * x + first.y * y;
-    inSecond[i / 4][i % 4] = second.x * x + second.y * y;
-    inThird[i / 4][i % 4] = third.x * x + third.y * y;
-    inDepth[i / 4][i % 4] = cover->depth.x * x + cover->depth.y * y;
-  }
+  const auto differences = [](const Plane& plane) {
+    Samples all;
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = plane.x * kAcross[i] + plane.y * kDown[i];
+    return all;
+  };
+  const Samples inFirst = differences(first), inSecond = differences(second);
+  const Samples inThird = differences(third), inDepth = differences(cover->depth);
   const RowSpans spans(cover->edges, least.x(), most.x());
   const Four surface = Four{} + triangle.surface;
   for (int y = static_cast<int>(least.y()); static_cast<float>(y) < most.y(); ++y) {
@@ -231,22 +285,32 @@ void EdgeSamples::cover(const EdgePixels& pixels, const SeenTriangle& triangle) 
   }
 }
 
+bool EdgeSamples::isOne(const Samples& surfaces) {
+  const Four first = Four{} + surfaces[0][0];
+  const auto same = (surfaces[0] == first) & (surfaces[1] == first) & (surfaces[2] == first) &
+                    (surfaces[3] == first);
+  return (same[0] & same[1] & same[2] & same[3]) != 0;
+}
+
 void EdgeSamples::smooth(const EdgePixels& pixels, std::span<const SeenTriangle> triangles,
-                         const image::Image& drawn, const image::Image& background,
-                         image::Image& picture) {
+                         const image::Image& drawn, const DrawnStrips& strips,
+                         const image::Image& background, image::Image& picture) {
   Samples farthest;
   farthest.fill(Four{} + std::numeric_limits<float>::max());
   depths_.assign(pixels.count(), farthest);
   surfaces_.assign(pixels.count(), Samples{});
   for (const SeenTriangle& triangle : triangles) cover(pixels, triangle);
-  const PixelMixer mixer(pixels, drawn, background);
+  PixelMixer mixer(pixels, drawn, strips, background);
   for (int y = 0; y < pixels.height(); ++y) {
     pixels.forEach(y, 0, pixels.width(), [&](int x, std::size_t number) {
-      Counts counts{};
-      for (const Four& four : surfaces_[number]) {
-        for (int i = 0; i < 4; ++i) ++counts[static_cast<std::size_t>(four[i])];
+      Counts counts;
+      if (isOne(surfaces_[number])) {
+        const int surface = static_cast<int>(surfaces_[number][0][0]);
+        if (mixer.isPlain(x, y, surface)) return;
       }
-      if (mixer.isPlain(x, y, counts)) return;
+      for (const Four& four : surfaces_[number]) {
+        for (int i = 0; i < 4; ++i) counts.add(static_cast<int>(four[i]));
+      }
       mixer.mix(x, y, counts, picture.row(y) + 4 * static_cast<std::ptrdiff_t>(x));
     });
   }

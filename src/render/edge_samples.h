@@ -11,13 +11,15 @@
 #include "image/image.h"
 #include "render/book_mesh.h"
 #include "render/edge_pixels.h"
+#include "render/strips.h"
 
 namespace rotatebook::render {
 
 /// A triangle as a picture has it.
 struct SeenTriangle {
   std::array<Eigen::Vector3f, 3> corners;  ///< x and y in pixels, and a depth linear in them.
-  float surface = 0;                       ///< BookVertex::surface
+  /// BookVertex::surface; of a narrow strip kMostSurface + 1 + its number.
+  float surface = 0;
 };
 
 /// Samples along edges only: finds what kSamples places of each of some pixels show, and mixes the
@@ -30,7 +32,8 @@ class EdgeSamples {
   /// the same size, Rgba8, alpha straight, shows it over `background`, which is likewise; its
   /// `pixels` get their mean colours.
   void smooth(const EdgePixels& pixels, std::span<const SeenTriangle> triangles,
-              const image::Image& drawn, const image::Image& background, image::Image& picture);
+              const image::Image& drawn, const DrawnStrips& strips, const image::Image& background,
+              image::Image& picture);
 
  private:
   // Arithmetic with four values at once is one instruction.
@@ -38,6 +41,8 @@ class EdgeSamples {
   using Samples = std::array<Four, kSamples / 4>;
 
   void cover(const EdgePixels& pixels, const SeenTriangle& triangle);
+  /// Whether all samples of a pixel show one surface.
+  static bool isOne(const Samples& surfaces);
 
   std::vector<Samples> depths_, surfaces_;  // by the pixels' numbers
 };

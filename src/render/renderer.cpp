@@ -55,6 +55,8 @@ struct Renderer::Parts {
         paperProgram("paper", bookVertexShader(),
                      {paperFragmentShader(), toneCurveFragmentShader()}),
         geometry(mesh),
+        stripFinder(mesh),
+        stripTarget(DrawnStrips::kColumns, static_cast<int>(stripFinder.count())),
         front(textures.front.view(), TextureWrap::Clamp),
         spine(textures.spine.view(), TextureWrap::Clamp),
         back(textures.back.view(), TextureWrap::Clamp),
@@ -121,6 +123,25 @@ struct Renderer::Parts {
     drawPart(BookPart::Pages, paper);
   }
 
+  /// As drawBook() has left OpenGL.
+  void drawStrips(DrawnBook& drawn) const {
+    image::Image& colours = drawn.strips.colours;
+    const PixelRect all{0, 0, colours.width(), colours.height()};
+    stripTarget.begin(all);
+    geometry.bindStrips();
+    drawStripsOf(BookPart::Pages, paper, drawn);
+    coverProgram.use();
+    drawStripsOf(BookPart::Front, front, drawn);
+    drawStripsOf(BookPart::Spine, spine, drawn);
+    drawStripsOf(BookPart::Back, back, drawn);
+    stripTarget.readBack({&all, 1}, colours);
+  }
+
+  void drawStripsOf(BookPart part, const Texture& texture, const DrawnBook& drawn) const {
+    texture.bind();
+    geometry.drawStrips(part, drawn.strips.seen);
+  }
+
   void use(const ShaderProgram& program, const DrawnBook& drawn) const {
     program.use();
     program.set("corners", Eigen::Matrix<float, 3, 8>(drawn.corners.cast<float>()));
@@ -138,6 +159,8 @@ struct Renderer::Parts {
   FrameTarget target;
   ShaderProgram coverProgram, paperProgram;
   BookGeometry geometry;
+  StripFinder stripFinder;
+  FrameTarget stripTarget;
   Texture front, spine, back, paper;
   Compositor compositor;
   std::optional<DrawnBook> book;  // of draw() to a picture
@@ -150,7 +173,10 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 DrawnBook Renderer::makeBook() const {
-  return {.pixels = {parts_->width, parts_->height, image::PixelFormat::Rgba8}};
+  DrawnBook book{.pixels = {parts_->width, parts_->height, image::PixelFormat::Rgba8}};
+  book.strips.colours = {DrawnStrips::kColumns, static_cast<int>(parts_->stripFinder.count()),
+                         image::PixelFormat::Rgba8};
+  return book;
 }
 
 Compositor& Renderer::compositor() {
@@ -177,9 +203,12 @@ void Renderer::draw(const physics::Corners& corners, DrawnBook& book) {
   book.clipFromWorld = projection.clipFromWorld;
   book.facing = drawnFacing(corners);
   book.bands = std::move(projection.bands);
+  parts_->stripFinder.find(corners, book.clipFromWorld, book.facing,
+                           {parts_->width, parts_->height}, book.strips.seen);
   if (area.width <= 0 || area.height <= 0) return book.bands.clear();
   parts_->target.begin(area);
   parts_->drawBook(book);
+  parts_->drawStrips(book);
   parts_->target.readBack(book.bands, book.pixels);
   requireNoGlError("while drawing a frame");
 }

@@ -27,7 +27,7 @@ struct Found {
         project({{0, 0, 0.76}, {0, 0, 0}, {0, 1, 0}, 30}, corners, {kWidth, kHeight});
     bounds = projection.bounds;
     BookEdges(makeBookMesh())
-        .find(corners, projection.clipFromWorld, drawnFacing(corners), pixels, triangles);
+        .find(corners, projection.clipFromWorld, drawnFacing(corners), {}, pixels, triangles);
     pixels.number();
   }
 

@@ -58,7 +58,7 @@ struct Scene {
           std::ranges::copy(Pixel{pixel[0], pixel[1], pixel[2], 255}, picture.row(y) + 4 * x);
       }
     }
-    EdgeSamples().smooth(pixels, triangles, drawn, background, picture);
+    EdgeSamples().smooth(pixels, triangles, drawn, {}, background, picture);
     return picture;
   }
 
@@ -100,7 +100,7 @@ TEST(EdgeSamples, StayWithinATriangleSeenFromItsSide) {
                            {25.9701672F, 25.7609348F, 0.5F},
                            {25.7684898F, 25.7610703F, 0.5F}},
                           kOne};
-  EdgeSamples().smooth(pixels, {&thin, 1}, drawn, picture, picture);
+  EdgeSamples().smooth(pixels, {&thin, 1}, drawn, {}, picture, picture);
   for (int y = 0; y < kSize; ++y) {
     for (int x = 0; x < kSize; ++x) {
       if (x == 25 && y == 25) continue;

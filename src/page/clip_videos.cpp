@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "page/figure.h"
 #include "pipeline/clip_record.h"
-#include "pipeline/manifest.h"
+#include "pipeline/fingerprint.h"
 #include "video/clip_reader.h"
 
 namespace rotatebook::page {

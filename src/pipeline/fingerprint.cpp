@@ -103,4 +103,18 @@ std::string differences(const fs::path& folder, const Entries& there, const Entr
   return listed(found);
 }
 
+std::string sceneChecksumOf(const fs::path& folder, const fs::path& file) {
+  const auto manifest = readManifest(folder);
+  if (!manifest || !fs::is_regular_file(file)) return "";
+  std::vector<Manifest::Render> renders = manifest->others;
+  renders.push_back(manifest->own);
+  for (const Manifest::Render& render : renders) {
+    const auto known = render.files.find(file.filename().string());
+    const auto scene = render.made.find("scene");
+    if (known == render.files.end() || scene == render.made.end()) continue;
+    return checksumOfFile(file) == known->second ? scene->second : "";
+  }
+  return "";
+}
+
 }  // namespace rotatebook::pipeline

@@ -17,4 +17,8 @@ Manifest::Entries fingerprint(const scene::Scene& scene, const std::string& rend
 std::string differences(const std::filesystem::path& folder, const Manifest::Entries& there,
                         const Manifest::Entries& made, const scene::Scene& scene);
 
+/// The checksum of the scene from which the file in the folder above `folder` was made, if it is as
+/// the manifest in `folder` has it; else empty. Throws MachineError.
+std::string sceneChecksumOf(const std::filesystem::path& folder, const std::filesystem::path& file);
+
 }  // namespace rotatebook::pipeline

@@ -6,7 +6,6 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/read_file.h"
-#include "pipeline/checksum.h"
 #include "scene/toml_text.h"
 #include "scene/toml_tree.h"
 
@@ -106,20 +105,6 @@ std::optional<Manifest> readManifest(const fs::path& folder) {
   } catch (const InputError&) {
     return std::nullopt;
   }
-}
-
-std::string sceneChecksumOf(const fs::path& folder, const fs::path& file) {
-  const auto manifest = readManifest(folder);
-  if (!manifest || !fs::is_regular_file(file)) return "";
-  std::vector<Manifest::Render> renders = manifest->others;
-  renders.push_back(manifest->own);
-  for (const Manifest::Render& render : renders) {
-    const auto known = render.files.find(file.filename().string());
-    const auto scene = render.made.find("scene");
-    if (known == render.files.end() || scene == render.made.end()) continue;
-    return checksumOfFile(file) == known->second ? scene->second : "";
-  }
-  return "";
 }
 
 std::string manifestText(const Manifest& manifest) {

@@ -55,10 +55,6 @@ Manifest parseManifest(std::string_view text, const std::string& file);
 /// if the disk fails.
 std::optional<Manifest> readManifest(const std::filesystem::path& folder);
 
-/// The checksum of the scene from which the file in the folder above `folder` was made, if it is as
-/// the manifest in `folder` has it; else empty. Throws MachineError.
-std::string sceneChecksumOf(const std::filesystem::path& folder, const std::filesystem::path& file);
-
 /// Throws MachineError.
 void writeManifest(const std::filesystem::path& folder, const Manifest& manifest);
 

@@ -103,7 +103,8 @@ TEST_F(Interrupt, FinishedRenderReplacesThePart) {
   EXPECT_TRUE(has("out/tiny.partial.mp4"));
   const ChildResult refused = run({"render", "tiny.toml"});
   EXPECT_EQ(refused.status, 2);
-  EXPECT_THAT(refused.error, HasSubstr("had other settings: clip.duration is 200.0 there, 0.2 here"));
+  EXPECT_THAT(refused.error,
+              HasSubstr("had other settings: clip.duration is 200.0 there, 0.2 here"));
   EXPECT_THAT(refused.error, HasSubstr("; render anew with --overwrite, or into another folder"));
   EXPECT_EQ(run({"render", "tiny.toml", "--overwrite"}).status, 0);
   EXPECT_FALSE(has("out/tiny.partial.mp4"));

@@ -2,7 +2,7 @@
 SHELL := /bin/bash
 PRESET ?= release
 BUILD := build/$(PRESET)
-PROGRAM := $(BUILD)/src/cli/rotatebook
+PROGRAM := $(BUILD)/rotatebook
 OUT ?= out
 FUZZ_TARGETS = $(patsubst tests/fuzz/%_target.cpp,%,$(sort $(wildcard tests/fuzz/*_target.cpp)))
 

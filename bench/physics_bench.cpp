@@ -6,7 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include "base/number_text.h"
-#include "physics/exact_rotation.h"
+#include "physics/exact/exact_rotation.h"
 #include "physics/simulator.h"
 #include "plain_steps.h"
 #include "scene/names.h"

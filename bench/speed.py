@@ -222,7 +222,7 @@ def measure_scaling(options):
 
 def parsed_options():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", default=os.path.join(ROOT, "build/release/src/cli/rotatebook"))
+    parser.add_argument("--program", default=os.path.join(ROOT, "build/release/rotatebook"))
     parser.add_argument("--mujoco", default=os.path.join(ROOT, "build/peers/mujoco_box"), help="the built peer")
     parser.add_argument("-o", "--output", default=os.path.join(ROOT, "out/bench"), help="folder for the plots")
     parser.add_argument("--frames", type=int, default=300, help="of 1280x720, up to 360")

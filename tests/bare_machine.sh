@@ -144,6 +144,6 @@ on_machine "git clone --quiet rotatebook.git rotatebook"
 for command in $commands; do
   line=$(readme_command "$command")
   on_machine "$line"
-  [ "$command" != render ] || on_machine "build/release/src/cli/rotatebook doctor"
+  [ "$command" != render ] || on_machine "build/release/rotatebook doctor"
 done
 say "passed: $(git -C "$root" rev-parse --short HEAD), make $(echo $commands | sed 's/ /, make /g') in $SECONDS s"

@@ -8,8 +8,8 @@
 
 #include <Eigen/Geometry>
 
-#include "physics/exact_motion.h"
-#include "physics/measurement.h"
+#include "physics/exact/exact_motion.h"
+#include "physics/measure/measurement.h"
 
 namespace rotatebook::bench {
 namespace {

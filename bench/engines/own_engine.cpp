@@ -1,7 +1,7 @@
 // This program's own rigid body, with some of its integrators and in closed form.
 #include "engines/engine.h"
-#include "physics/exact_motion.h"
-#include "physics/measurement.h"
+#include "physics/exact/exact_motion.h"
+#include "physics/measure/measurement.h"
 #include "physics/simulator.h"
 
 namespace rotatebook::bench {

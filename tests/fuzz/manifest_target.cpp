@@ -2,17 +2,17 @@
 #include <optional>
 
 #include "fuzz/fuzzing.h"
-#include "pipeline/manifest.h"
 #include "scene/toml_tree.h"
+#include "store/manifest.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace rotatebook;
-  std::optional<pipeline::Manifest> manifest;
+  std::optional<store::Manifest> manifest;
   fuzzing::mayRefuse(
-      [&] { manifest = pipeline::parseManifest(fuzzing::textOf(bytes, size), "manifest"); });
+      [&] { manifest = store::parseManifest(fuzzing::textOf(bytes, size), "manifest"); });
   if (!manifest) return 0;
   const std::string text = manifestText(*manifest);
   if (text.size() > scene::kLongestToml) return 0;
-  fuzzing::require(pipeline::parseManifest(text, "manifest") == *manifest);
+  fuzzing::require(store::parseManifest(text, "manifest") == *manifest);
   return 0;
 }

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "fuzz/fuzzing.h"
-#include "scene/scene_file.h"
+#include "scene/scene_text.h"
 
 namespace rotatebook::fuzzing {
 namespace {

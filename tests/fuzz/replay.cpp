@@ -8,8 +8,8 @@
 #include <sys/resource.h>
 #include <vector>
 
-#include "base/read_file.h"
 #include "fuzz/fuzzing.h"
+#include "system/read_file.h"
 
 namespace {
 
@@ -34,7 +34,7 @@ std::vector<fs::path> filesBelow(const fs::path& folder) {
 
 /// What is wrong with the way an input was taken; "" if nothing.
 std::string problemWith(const fs::path& file) {
-  const std::string bytes = rotatebook::readFileOrEmpty(file);
+  const std::string bytes = rotatebook::system::readFileOrEmpty(file);
   const double start = processorTime();
   try {
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());

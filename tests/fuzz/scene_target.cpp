@@ -3,7 +3,7 @@
 #include <string>
 
 #include "fuzz/fuzzing.h"
-#include "scene/scene_file.h"
+#include "scene/scene_text.h"
 #include "scene/toml_tree.h"
 
 namespace rotatebook::fuzzing {

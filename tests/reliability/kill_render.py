@@ -6,7 +6,7 @@ renders; in the end all must be, byte for byte, what a render leaves that was ne
 second clip takes the place of an older one of other settings; of the others, parts are rendered
 now and then, too.
 
-    tests/reliability/kill_render.py build/release/src/cli/rotatebook
+    tests/reliability/kill_render.py build/release/rotatebook
 """
 import argparse
 import filecmp

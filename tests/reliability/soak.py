@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Renders a clip of an hour and watches memory, open files and processor time a frame, which must be constant.
 
-    tests/reliability/soak.py build/release/src/cli/rotatebook
+    tests/reliability/soak.py build/release/rotatebook
 """
 import argparse
 import os

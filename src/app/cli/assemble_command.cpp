@@ -1,0 +1,72 @@
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/error.h"
+#include "base/frame_rate.h"
+#include "cli/commands.h"
+#include "cli/exit_code.h"
+#include "cli/progress_line.h"
+#include "pipeline/assemble.h"
+
+namespace rotatebook::cli {
+namespace {
+
+struct AssembleArguments {
+  std::string folder, output, frameRate;
+};
+
+/// ": 0:60 of the scene's 90"
+std::string partText(const pipeline::Assembled& made) {
+  return ": " + store::rangeText(made.frames) + " of the scene's " +
+         std::to_string(*made.sceneFrames);
+}
+
+int assembleFrames(const AssembleArguments& arguments) {
+  const std::optional<FrameRate> rate = parseFrameRate(arguments.frameRate);
+  if (!rate && !arguments.frameRate.empty()) {
+    throw InputError("--fps " + arguments.frameRate +
+                     ": not a frame rate; write for example 60 or 30000/1001");
+  }
+  pipeline::Assembled made;
+  {
+    ProgressLine progress(arguments.output);
+    made = pipeline::assemble(
+        arguments.folder, arguments.output, rate,
+        [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); });
+  }
+  std::cout << "wrote " << made.frames.count() << " frames to " << arguments.output
+            << (made.isPart() ? partText(made) : "") << '\n';
+  return kDone;
+}
+
+}  // namespace
+
+void addAssembleCommand(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<AssembleArguments>();
+  CLI::App* command =
+      program.add_subcommand("assemble", "Make a video from PNG frames on the disk");
+  command->add_option("DIR", arguments->folder, "Folder with frame_00000.png ...")->required();
+  command
+      ->add_option("-o,--output", arguments->output, "Video to write: .mp4, .webm, .gif or .apng")
+      ->type_name("FILE")
+      ->required();
+  command
+      ->add_option("--fps", arguments->frameRate,
+                   "Frame rate, e.g. 60 or 30000/1001; only where DIR has no scene.toml")
+      ->type_name("RATE");
+  command->footer(R"(
+With the scene.toml that a render leaves beside its frames, this makes the very file that the render made.
+A frame that is missing or isn't as the render left it, by the checksums in frames.xxh128 beside it, is
+refused: render with --resume, which draws it again, or remove frames.xxh128 to join what is there on
+purpose. So is the folder of a whole clip that is still being rendered. Where parts of a clip are there
+and others aren't, it says which frames it took.
+
+Example:
+  rotatebook assemble out/starter -o starter.mp4)");
+  command->callback(
+      [arguments, &action] { action = [arguments] { return assembleFrames(*arguments); }; });
+}
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,93 @@
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/error.h"
+#include "cli/bench_report.h"
+#include "cli/commands.h"
+#include "cli/device_options.h"
+#include "cli/exit_code.h"
+#include "cli/interrupt.h"
+#include "cli/progress_line.h"
+#include "cli/scene_options.h"
+#include "diagnose/speed.h"
+#include "embedded/cli.h"
+#include "picture/preflight.h"
+#include "store/clip_files.h"
+
+// Figure 5, as it is in scenes/figures.
+namespace rotatebook::cli {
+namespace {
+
+struct BenchArguments {
+  std::string scene;
+  SceneOptions sceneOptions;
+  DeviceOptions deviceOptions;
+  std::int64_t frames = diagnose::SpeedOptions{}.frames;
+  bool json = false;
+};
+
+scene::Scene readScene(const BenchArguments& arguments) {
+  if (!arguments.scene.empty()) return arguments.sceneOptions.read(arguments.scene);
+  return arguments.sceneOptions.parse(benchScene(), "builtin");
+}
+
+void refuseTransparent(const scene::Scene& scene) {
+  if (!scene::isTransparent(scene)) return;
+  throw InputError(scene.name +
+                   ": the MP4 that is measured can't hold the transparent background of "
+                   "look.background; add --set look.background=studio");
+}
+
+int bench(const BenchArguments& arguments) {
+  const scene::Scene scene = readScene(arguments);
+  refuseTransparent(scene);
+  picture::preflight(scene);
+  diagnose::SpeedOptions options{.frames = arguments.frames,
+                                 .device = arguments.deviceOptions.choice()};
+  options.stop = &catchInterrupts();
+  std::optional<diagnose::Speed> speed;
+  {
+    ProgressLine line(scene.name);
+    options.progress = [&line](std::int64_t done, std::int64_t total) { line.update(done, total); };
+    speed = diagnose::measureSpeed(scene, options);
+  }
+  if (!speed) {
+    std::cout << scene.name << ": interrupted; nothing was measured" << std::endl;
+    return interruptStatus();
+  }
+  (arguments.json ? reportSpeedAsJson : reportSpeed)(scene, *speed, std::cout);
+  return kDone;
+}
+
+}  // namespace
+
+void addBenchCommand(CLI::App& program, Action& action) {
+  constexpr std::int64_t kMost = 1'000'000;
+  auto arguments = std::make_shared<BenchArguments>();
+  CLI::App* command =
+      program.add_subcommand("bench", "Measure how fast this machine renders, and what limits it");
+  command->add_option("SCENE", arguments->scene,
+                      "Scene file; by default a built-in one, a tumbling book with overlays");
+  command->add_option("--frames", arguments->frames, "Frames to render, from the first")
+      ->type_name("N")
+      ->check(CLI::Range(std::int64_t{1}, kMost))
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json,
+                    "Print one JSON object: milliseconds a frame, but start_up_s in seconds");
+  arguments->sceneOptions.addTo(*command);
+  arguments->deviceOptions.addTo(*command);
+  command->footer(R"(
+Renders PNGs and MP4 into a folder below TMPDIR that is removed afterwards: once stage by stage, once
+as render does it. Stages are measured alone; "processor" is the time of all cores together.
+
+Examples:
+  rotatebook bench
+  rotatebook bench my.toml --frames 60 --size 1920x1080
+  rotatebook bench --set "overlay.show=['axes']")");
+  command->callback([arguments, &action] { action = [arguments] { return bench(*arguments); }; });
+}
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,18 @@
+#include "cli/clip_options.h"
+
+namespace rotatebook::cli {
+
+void addTextureOptions(CLI::App& command, store::TexturePlace& textures) {
+  command
+      .add_option("--scene-folder", textures.folder,
+                  "Where the scene's textures are found; by default the clip's folder")
+      ->type_name("DIR");
+  addAllowOutside(command, textures.allowOutside);
+}
+
+void addAllowOutside(CLI::App& command, bool& allowOutside) {
+  command.add_flag("--allow-outside", allowOutside,
+                   "Let the scene take textures from outside its folder");
+}
+
+}  // namespace rotatebook::cli

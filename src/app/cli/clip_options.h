@@ -1,0 +1,16 @@
+// Options that every command takes that reads a clip's record.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "store/clip_record.h"
+
+namespace rotatebook::cli {
+
+/// --scene-folder and --allow-outside.
+void addTextureOptions(CLI::App& command, store::TexturePlace& textures);
+
+/// --allow-outside alone, as commands that read scenes have it.
+void addAllowOutside(CLI::App& command, bool& allowOutside);
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,49 @@
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "cli/commands.h"
+#include "cli/doctor_report.h"
+#include "cli/exit_code.h"
+#include "diagnose/checkup.h"
+
+namespace rotatebook::cli {
+namespace {
+
+struct DoctorArguments {
+  std::string folder = "out";
+  bool json = false;
+};
+
+int examine(const DoctorArguments& arguments) {
+  const diagnose::Checkup checkup = diagnose::checkUp(arguments.folder);
+  (arguments.json ? reportCheckupAsJson : reportCheckup)(checkup, std::cout);
+  return checkup.ready() ? kDone : kMachineFailed;
+}
+
+}  // namespace
+
+void addDoctorCommand(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<DoctorArguments>();
+  CLI::App* command = program.add_subcommand(
+      "doctor", "Tell whether this machine can render, and if not, what mends it");
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "Folder for the results: its free space is told, and whether it can be written; "
+                   "nothing is left there")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json, "Print one JSON object");
+  command->footer(R"(
+Lists the EGL devices, whose numbers --device takes, and the other ways to a renderer; draws a small
+frame with each and compares it with a stored picture. Then encoders, font, folder, cores and memory.
+
+Exit status: 0 if render works as it is by default, 3 if it doesn't.
+
+Examples:
+  rotatebook doctor
+  rotatebook doctor --json | python3 -m json.tool)");
+  command->callback([arguments, &action] { action = [arguments] { return examine(*arguments); }; });
+}
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,251 @@
+#include "cli/doctor_report.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <iomanip>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "base/number_text.h"
+#include "base/version.h"
+#include "cli/json_object.h"
+
+namespace rotatebook::cli {
+namespace {
+
+using diagnose::FrameCheck;
+using diagnose::WayCheck;
+
+constexpr int kNameWidth = 21;
+constexpr std::size_t kTextWidth = 92;
+
+std::string gigabytes(double bytes) {
+  return roundedText(bytes / 1e9, 3) + " GB";
+}
+
+void row(const std::string& name, const std::string& text, std::ostream& out) {
+  out << "  " << std::left << std::setw(kNameWidth) << name << text << '\n';
+}
+
+/// `text` in lines that aren't too long, with `first` before the first and as many spaces before
+/// the others. Lines that begin with two spaces stay as they are.
+void printWrapped(const std::string& text, std::string first, std::ostream& out) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string indent(first.size(), ' ');
+    std::string done = first;
+    first = indent;
+    if (line.starts_with("  ")) {
+      out << done << line << '\n';
+      continue;
+    }
+    std::istringstream words(line);
+    for (std::string word; words >> word;) {
+      const bool begins = done.size() == indent.size();
+      if (!begins && done.size() + 1 + word.size() > kTextWidth) {
+        out << done << '\n';
+        done = indent + word;
+      } else {
+        done += (begins ? "" : " ") + word;
+      }
+    }
+    out << done << '\n';
+  }
+}
+
+/// "a, b" of what isn't empty.
+std::string listed(const std::vector<std::string>& texts) {
+  std::string list;
+  for (const std::string& text : texts) {
+    if (!text.empty()) list += (list.empty() ? "" : ", ") + text;
+  }
+  return list;
+}
+
+std::string kindOf(const WayCheck& check) {
+  return check.software ? "software" : "hardware";
+}
+
+std::string frameText(const FrameCheck& frame) {
+  if (!frame.failure.empty()) return "test frame failed";
+  const image::Comparison& found = frame.comparison;
+  return std::string("test frame ") + (found.same ? "right" : "WRONG") + ": off by at most " +
+         std::to_string(found.largest) + " of 255, " + roundedText(found.differingPercent, 2) +
+         " % by over " + std::to_string(frame.tolerance.largest) + " (" +
+         roundedText(frame.tolerance.failPercent, 3) + " % may be)";
+}
+
+void printWay(const WayCheck& check, bool byDefault, std::ostream& out) {
+  const render::Way& way = check.way;
+  const std::string cuda = way.cudaId ? "cuda:" + std::to_string(*way.cudaId) : "";
+  const std::string nodes = listed({way.drmNode, way.renderNode, cuda});
+  if (check.failure) {
+    row(way.name(), check.failure->text(), out);
+    if (!nodes.empty()) row("", nodes, out);
+    return;
+  }
+  row(way.name(), check.renderer + (byDefault ? "; draws by default" : ""), out);
+  row("",
+      listed({kindOf(check), check.vendor, "OpenGL " + check.version,
+              std::to_string(check.samples) + (check.samples == 1 ? " sample" : " samples"),
+              nodes}),
+      out);
+  row("", frameText(check.frame), out);
+}
+
+void printGraphics(const diagnose::GraphicsCheck& graphics, std::ostream& out) {
+  out << "graphics\n";
+  if (graphics.library) row("EGL, OpenGL", graphics.library->text(), out);
+  if (graphics.devices) row("EGL devices", graphics.devices->text(), out);
+  for (std::size_t i = 0; i < graphics.ways.size(); ++i) {
+    printWay(graphics.ways[i], graphics.byDefault == i, out);
+  }
+}
+
+void printRest(const diagnose::Checkup& checkup, std::ostream& out) {
+  out << "\nencoders\n";
+  for (const video::EncoderCheck& check : checkup.encoders) {
+    row(std::string(nameOf(check.format)), check.found.empty() ? "none" : check.found, out);
+  }
+  out << "\nmachine\n";
+  row("font", checkup.fontFailure.empty() ? "the one that ships is loaded" : "fails", out);
+  const diagnose::FolderCheck& folder = checkup.folder;
+  row("output folder",
+      folder.path.string() + ", " +
+          (folder.failure.empty() ? gigabytes(static_cast<double>(folder.freeBytes)) + " free"
+                                  : "can't be written"),
+      out);
+  row("cores", std::to_string(checkup.cores), out);
+  row("memory", gigabytes(checkup.memory), out);
+}
+
+void printProblems(const std::vector<diagnose::Problem>& problems, std::ostream& out) {
+  if (problems.empty()) return;
+  out << "\nproblems\n";
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    printWrapped(problems[i].what, "  " + std::to_string(i + 1) + ". ", out);
+    printWrapped(problems[i].remedy, "     remedy: ", out);
+  }
+}
+
+/// What a render would lack, for people.
+std::string lackText(const diagnose::Checkup& checkup) {
+  const bool encodes = !checkup.encoders.empty() && !checkup.encoders.front().found.empty();
+  return listed({checkup.graphics.draws() ? "" : "nothing draws as it should",
+                 encodes ? "" : "MP4 can't be encoded",
+                 checkup.fontFailure.empty() ? "" : "the font can't be loaded",
+                 checkup.folder.failure.empty() ? "" : "the output folder can't be written"});
+}
+
+std::string verdict(const diagnose::Checkup& checkup) {
+  if (!checkup.ready()) return "NOT READY to render: " + lackText(checkup) + ".";
+  const WayCheck& way = checkup.graphics.ways[*checkup.graphics.byDefault];
+  const std::size_t count = checkup.problems.size();
+  return "Ready to render: " + way.way.name() + " draws (" + kindOf(way) + "), " +
+         checkup.encoders.front().found + " encodes" +
+         (count == 0 ? "."
+                     : "; " + std::to_string(count) +
+                           (count == 1 ? " problem is told above." : " problems are told above."));
+}
+
+std::string json(const FrameCheck& frame) {
+  JsonObject object;
+  object.addBool("passed", frame.passed()).addStringOrNull("error", frame.failure);
+  if (!frame.failure.empty()) return object.text();
+  return object.addNumber("largest", frame.comparison.largest)
+      .addNumber("differing_percent", frame.comparison.differingPercent)
+      .addNumber("bound_largest", frame.tolerance.largest)
+      .addNumber("bound_percent", frame.tolerance.failPercent)
+      .text();
+}
+
+std::string json(const std::optional<render::CallFailure>& failure) {
+  if (!failure) return "null";
+  return JsonObject().addString("call", failure->call).addString("error", failure->error).text();
+}
+
+std::string numberOrNull(bool known, int number) {
+  return known ? std::to_string(number) : "null";
+}
+
+std::string json(const WayCheck& check, bool byDefault) {
+  const render::Way& way = check.way;
+  JsonObject object;
+  object.addString("way", way.name())
+      .add("device", numberOrNull(way.kind == render::Way::Kind::Device, way.index))
+      .addBool("default", byDefault)
+      .addStringOrNull("drm_node", way.drmNode)
+      .addStringOrNull("render_node", way.renderNode)
+      .add("cuda", numberOrNull(way.cudaId.has_value(), way.cudaId.value_or(0)))
+      .add("failure", json(check.failure));
+  if (check.failure) return object.text();
+  return object.addString("vendor", check.vendor)
+      .addString("renderer", check.renderer)
+      .addString("opengl", check.version)
+      .addNumber("samples", check.samples)
+      .addBool("software", check.software)
+      .add("test_frame", json(check.frame))
+      .text();
+}
+
+std::string json(const diagnose::GraphicsCheck& graphics) {
+  std::vector<std::string> ways;
+  for (std::size_t i = 0; i < graphics.ways.size(); ++i) {
+    ways.push_back(json(graphics.ways[i], graphics.byDefault == i));
+  }
+  return JsonObject()
+      .add("library_failure", json(graphics.library))
+      .add("devices_failure", json(graphics.devices))
+      .add("ways", jsonArray(ways))
+      .text();
+}
+
+std::string json(const video::EncoderCheck& check) {
+  return JsonObject()
+      .addString("format", nameOf(check.format))
+      .addStringOrNull("encoder", check.found)
+      .addStringOrNull("error", check.failure)
+      .text();
+}
+
+std::string json(const diagnose::FolderCheck& folder) {
+  return JsonObject()
+      .addString("path", folder.path.string())
+      .add("free_bytes", std::to_string(folder.freeBytes))
+      .addStringOrNull("error", folder.failure)
+      .text();
+}
+
+std::string json(const diagnose::Problem& problem) {
+  return JsonObject().addString("what", problem.what).addString("remedy", problem.remedy).text();
+}
+
+}  // namespace
+
+void reportCheckup(const diagnose::Checkup& checkup, std::ostream& out) {
+  out << "rotatebook " << kVersion << "\n\n";
+  printGraphics(checkup.graphics, out);
+  printRest(checkup, out);
+  printProblems(checkup.problems, out);
+  out << '\n' << verdict(checkup) << '\n';
+}
+
+void reportCheckupAsJson(const diagnose::Checkup& checkup, std::ostream& out) {
+  const auto asJson = [](const auto& part) { return json(part); };
+  out << JsonObject()
+             .addBool("ready", checkup.ready())
+             .addString("version", kVersion)
+             .add("graphics", json(checkup.graphics))
+             .add("encoders", jsonArrayOf(checkup.encoders, asJson))
+             .addStringOrNull("font_error", checkup.fontFailure)
+             .add("folder", json(checkup.folder))
+             .addNumber("cores", checkup.cores)
+             .add("memory_bytes", std::to_string(static_cast<std::int64_t>(checkup.memory)))
+             .add("problems", jsonArrayOf(checkup.problems, asJson))
+             .text()
+      << '\n';
+}
+
+}  // namespace rotatebook::cli

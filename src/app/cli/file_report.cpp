@@ -1,0 +1,33 @@
+#include "cli/file_report.h"
+
+#include <cmath>
+#include <cstddef>
+
+#include "base/number_text.h"
+
+namespace rotatebook::cli {
+
+std::string listed(const std::vector<std::string>& things) {
+  if (things.empty()) return "nothing";
+  std::string text;
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    const char* separator = i == 0 ? "" : i + 1 == things.size() ? " and " : ", ";
+    text += separator + things[i];
+  }
+  return text;
+}
+
+std::string spaceWarning(const store::DiskSpace& space, const std::filesystem::path& folder,
+                         bool pngs) {
+  if (space.needed <= space.free) return "";
+  const auto sized = [](double bytes) {
+    if (bytes < 1e6) return std::to_string(std::llround(bytes / 1e3)) + " kB";
+    return bytes < 1e9 ? std::to_string(std::llround(bytes / 1e6)) + " MB"
+                       : roundedText(bytes / 1e9, 2) + " GB";
+  };
+  return "about " + sized(space.needed) + " are needed in " + folder.string() + " and " +
+         sized(space.free) + " are free: make room" +
+         (pngs ? ", or leave PNGs out with --no-png" : "");
+}
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,21 @@
+// What a command left, in words.
+#pragma once
+
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "store/disk_space.h"
+
+namespace rotatebook::cli {
+
+/// "A, B and C", or "nothing".
+std::string listed(const std::vector<std::string>& things);
+
+/// "about 12 GB are needed in out and 3.2 GB are free: ..."; empty if there is enough. `pngs`: they
+/// are written, and could be left out.
+std::string spaceWarning(const store::DiskSpace& space, const std::filesystem::path& folder,
+                         bool pngs);
+
+}  // namespace rotatebook::cli

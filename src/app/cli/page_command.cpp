@@ -1,0 +1,151 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <set>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "cli/device_options.h"
+#include "cli/exit_code.h"
+#include "cli/input_guard.h"
+#include "cli/scene_options.h"
+#include "image/png_file.h"
+#include "page/page.h"
+#include "picture/thumbnail.h"
+#include "store/clip_files.h"
+#include "system/atomic_file.h"
+
+namespace rotatebook::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSmallestPng = 9;
+
+struct PageArguments {
+  std::vector<std::string> scenes;
+  SceneOptions sceneOptions;
+  DeviceOptions deviceOptions;
+  std::string folder = "out";
+  std::string title = "The unstable rotation of a book";
+  bool noThumbnails = false;
+};
+
+/// Each file once, where it is named first.
+std::vector<std::string> withoutRepeats(const std::vector<std::string>& paths) {
+  std::set<fs::path> seen;
+  std::vector<std::string> once;
+  for (const std::string& path : paths) {
+    std::error_code error;
+    const fs::path file = fs::weakly_canonical(path, error);
+    if (seen.insert(error ? fs::path(path) : file).second) once.push_back(path);
+  }
+  return once;
+}
+
+/// What is shown, and the files that it is read from.
+struct Shown {
+  std::vector<scene::Scene> scenes;
+  std::vector<Input> inputs;
+};
+
+Shown readAll(const PageArguments& arguments) {
+  Shown shown;
+  for (const std::string& path : withoutRepeats(arguments.scenes)) {
+    shown.scenes.push_back(arguments.sceneOptions.read(path));
+    const std::vector<Input> inputs = inputsOf(path, shown.scenes.back());
+    shown.inputs.insert(shown.inputs.end(), inputs.begin(), inputs.end());
+  }
+  refuseSameNames(shown.scenes);
+  return shown;
+}
+
+image::Image drawThumbnail(const scene::Scene& scene, const render::DeviceChoice& device) {
+  try {
+    return picture::drawThumbnail(scene, device);
+  } catch (const MachineError& error) {
+    throw MachineError(std::string(error.what()) +
+                       "\n--no-thumbnails makes the page without drawing: its overview has the "
+                       "posters then");
+  }
+}
+
+/// Whether a picture stands for the figure; studies have their curves.
+bool needsThumbnail(const page::Figure& figure) {
+  return figure.curves.text.empty();
+}
+
+void drawThumbnails(const Shown& shown, const PageArguments& arguments,
+                    std::vector<page::Figure>& figures) {
+  const auto fileOf = [&](std::size_t i) {
+    return store::clipFiles(arguments.folder, shown.scenes[i].name).thumbnail;
+  };
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    if (!needsThumbnail(figures[i])) continue;
+    refuseInputs(fileOf(i), shown.inputs, "name another folder with -o");
+  }
+  const render::DeviceChoice device = arguments.deviceOptions.choice();
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    if (!needsThumbnail(figures[i])) continue;
+    const scene::Scene& scene = shown.scenes[i];
+    image::writePng(fileOf(i), drawThumbnail(scene, device).view(),
+                    {.level = kSmallestPng, .transparent = scene::isTransparent(scene)});
+    figures[i].thumbnail = fileOf(i).filename().string();
+  }
+}
+
+int writePage(const PageArguments& arguments) {
+  const Shown shown = readAll(arguments);
+  std::vector<page::Figure> figures;
+  for (const scene::Scene& scene : shown.scenes) {
+    figures.push_back(page::readFigure(scene, arguments.folder));
+  }
+  if (!arguments.noThumbnails) drawThumbnails(shown, arguments, figures);
+  const auto path = fs::path(arguments.folder) / page::kPageName;
+  system::writeFileAtomically(path, page::pageText(arguments.title, figures));
+  for (const page::Figure& figure : figures) {
+    for (const std::string& words : figure.leftOut) std::cout << "note: " << words << '\n';
+  }
+  std::cout << "wrote " << path.string() << ", " << figures.size()
+            << (figures.size() == 1 ? " figure\n" : " figures\n");
+  return kDone;
+}
+
+}  // namespace
+
+void addPageCommand(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<PageArguments>();
+  CLI::App* command = program.add_subcommand(
+      "page", "Show what was rendered on one page, with players, plots and tables");
+  command
+      ->add_option("SCENE", arguments->scenes,
+                   "Scene files, in the order of the page; the first leads it, and is shown large")
+      ->required();
+  command
+      ->add_option("-o,--output", arguments->folder,
+                   "Folder with the results of render and study; the page goes there, too")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->add_option("--title", arguments->title, "The page's heading")
+      ->type_name("TEXT")
+      ->capture_default_str();
+  command->add_flag("--no-thumbnails", arguments->noThumbnails,
+                    "Show posters in the overview, and draw nothing");
+  arguments->sceneOptions.addTo(*command);
+  arguments->deviceOptions.addTo(*command);
+  command->footer(R"(
+Writes DIR/index.html, which any browser shows without a network or a server. It shows the files that
+render and study left in DIR; --set and --size must be as they were given to these. The motions are
+simulated anew for the plots and for what was expected and measured. For the overview, the posters are
+drawn anew, small and without words, as DIR/NAME.thumbnail.png. A scene named twice is shown once.
+
+Example:
+  rotatebook render scenes/figures/*.toml && rotatebook page scenes/figures/*.toml)");
+  command->callback(
+      [arguments, &action] { action = [arguments] { return writePage(*arguments); }; });
+}
+
+}  // namespace rotatebook::cli

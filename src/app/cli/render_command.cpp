@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "cli/device_options.h"
+#include "cli/exit_code.h"
+#include "cli/expectation_report.h"
+#include "cli/input_guard.h"
+#include "cli/interrupt.h"
+#include "cli/render_scenes.h"
+#include "cli/scene_options.h"
+#include "picture/preflight.h"
+#include "pipeline/render_clip.h"
+#include "scene/nearest_name.h"
+#include "system/machine.h"
+
+namespace rotatebook::cli {
+namespace {
+
+struct RenderArguments {
+  std::vector<std::string> scenes;
+  SceneOptions sceneOptions;
+  DeviceOptions deviceOptions;
+  std::string frames;
+  bool noPng = false;
+  std::vector<std::string> formats{"mp4"};
+  bool noMp4 = false;
+  int atATime = 0;
+  pipeline::RenderOptions options;
+};
+
+store::FrameRange rangeOf(const std::string& text) {
+  if (const auto range = store::parseRange(text)) return *range;
+  throw InputError("--frames " + text +
+                   ": not a range; write first:end, for example 0:60 for the first 60 frames");
+}
+
+video::VideoFormat parseFormat(const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const video::VideoFormat format : video::kVideoFormats) {
+    if (name == nameOf(format)) return format;
+    names.push_back(nameOf(format));
+  }
+  throw InputError("--format " + name + ": unknown; there are " + scene::quotedList(names, "and") +
+                   scene::didYouMean(name, names));
+}
+
+std::vector<video::VideoFormat> formatsOf(const RenderArguments& arguments) {
+  std::vector<video::VideoFormat> formats;
+  for (const std::string& name : arguments.formats) {
+    const video::VideoFormat format = parseFormat(name);
+    const bool left = format == video::VideoFormat::Mp4 && arguments.noMp4;
+    if (!left && std::ranges::count(formats, format) == 0) formats.push_back(format);
+  }
+  return formats;
+}
+
+/// Throws InputError if a video of a scene would lose its transparency.
+void refuseOpaque(const scene::Scene& scene, const std::vector<video::VideoFormat>& formats) {
+  if (!scene::isTransparent(scene)) return;
+  for (const video::VideoFormat format : formats) {
+    if (keepsTransparency(format)) continue;
+    throw InputError(scene.name + ": " + std::string(nameOf(format)) +
+                     " can't hold the transparent background of look.background; take --format "
+                     "webm,apng, or --no-mp4 for PNGs alone");
+  }
+}
+
+/// All scenes, read before anything is written, so that a mistake in the last one costs nothing.
+std::vector<scene::Scene> readScenes(const RenderArguments& arguments,
+                                     const pipeline::RenderOptions& options) {
+  std::vector<scene::Scene> scenes;
+  std::vector<Input> inputs;
+  for (const std::string& path : arguments.scenes) {
+    scenes.push_back(arguments.sceneOptions.read(path));
+    picture::preflight(scenes.back());
+    std::ranges::move(inputsOf(path, scenes.back()), std::back_inserter(inputs));
+  }
+  refuseSameNames(scenes);
+  for (const scene::Scene& scene : scenes) {
+    refuseOpaque(scene, options.formats);
+    refuseInputs(scene, options, inputs);
+  }
+  return scenes;
+}
+
+int render(const RenderArguments& arguments) {
+  pipeline::RenderOptions options = arguments.options;
+  options.png = !arguments.noPng;
+  options.formats = formatsOf(arguments);
+  options.device = arguments.deviceOptions.choice();
+  if (!arguments.frames.empty()) options.frames = rangeOf(arguments.frames);
+  const std::vector<scene::Scene> scenes = readScenes(arguments, options);
+  options.stop = &catchInterrupts();
+  const int atATime = arguments.atATime > 0
+                          ? arguments.atATime
+                          : scenesAtATime(scenes, system::coreCount(), system::memorySize());
+  return sayIfUnmet(renderScenes(scenes, options, atATime));
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<RenderArguments>();
+  CLI::App* command = program.add_subcommand("render", "Render scenes to PNG frames, MP4 and CSV");
+  command->add_option("SCENE", arguments->scenes, "Scene files")->required();
+  command->add_option("-o,--output", arguments->options.folder, "Folder for the results")
+      ->type_name("DIR")
+      ->capture_default_str();
+  arguments->sceneOptions.addTo(*command);
+  arguments->deviceOptions.addTo(*command);
+  command
+      ->add_option("--frames", arguments->frames,
+                   "Only the frames from A up to, but not including, B")
+      ->type_name("A:B");
+  command->add_flag("--no-png", arguments->noPng, "Write no PNG frames");
+  command
+      ->add_option("--format", arguments->formats,
+                   "Videos to make, of mp4, webm, gif and apng, e.g. mp4,gif")
+      ->type_name("NAME,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->capture_default_str();
+  command->add_flag("--no-mp4", arguments->noMp4, "Write no MP4");
+  command->add_flag("--resume", arguments->options.earlier.resume,
+                    "Go on where a render stopped, and skip what is done");
+  command->add_flag("--overwrite", arguments->options.earlier.overwrite,
+                    "Discard frames of a render that wasn't finished; with --resume, only those of "
+                    "other settings; parts (--frames) discard none");
+  command
+      ->add_option("--png-level", arguments->options.pngOptions.level,
+                   "PNG compression, 0 (fastest) to 9 (smallest)")
+      ->check(CLI::Range(0, 9))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "-j,--jobs", arguments->atATime,
+          "Scenes to render at a time; by default one for every 3 cores, as far as a quarter "
+          "of the memory holds them")
+      ->type_name("N")
+      ->check(CLI::Range(1, 64));
+  command->footer(R"(
+Writes DIR/NAME.mp4 (or other videos, as --format has it), DIR/NAME.csv, DIR/NAME.poster.png and DIR/NAME/frame_00000.png ..., where NAME is
+the scene file's.
+A scene with panels has a table for each, DIR/NAME_LABEL.csv.
+Files that it doesn't write stay as they are, and those of other settings are reported.
+With --frames the MP4 is DIR/NAME_A-B.mp4, and the frames join those of earlier parts.
+A render that stops, whatever stops it, keeps the frames that are done; the same command with
+--resume goes on, and its files are those of a render that never stopped.
+
+Examples:
+  rotatebook render scenes/starter.toml
+  rotatebook render scenes/figures/fig05-unstable-x.toml --size 1920x1080 --no-png
+  rotatebook render my.toml -o /tmp/clips --set simulation.model=matrix --set clip.duration=5
+  rotatebook render my.toml --frames 0:60
+  rotatebook render scenes/figures/*.toml --resume
+  rotatebook render my.toml --format gif,apng --size 480x270 --no-png)");
+  command->callback([arguments, &action] { action = [arguments] { return render(*arguments); }; });
+}
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,304 @@
+#include "cli/render_scenes.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <iostream>
+#include <numeric>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "base/number_text.h"
+#include "cli/error_report.h"
+#include "cli/exit_code.h"
+#include "cli/file_report.h"
+#include "cli/interrupt.h"
+#include "cli/motion_report.h"
+#include "cli/progress_line.h"
+#include "system/machine.h"
+#include "system/parallel_runs.h"
+#include "timeline/simulate_scene.h"
+
+namespace rotatebook::cli {
+namespace {
+
+constexpr int kCoresAScene = 3;
+
+/// What one more render takes, about; at 1280x720, 1920x1080 and 3840x2160 it took 155, 326 and
+/// 878 MB. [bytes]
+double memoryOf(const scene::Scene& scene) {
+  constexpr double kBase = 60e6, kPixel = 110;
+  const double supersample = scene.look.supersample;
+  return kBase + kPixel * supersample * supersample * scene.clip.width * scene.clip.height;
+}
+
+using Progress = std::function<void(pipeline::RenderProgress)>;
+
+/// Threads of all encoders.
+int encoderThreads(const scene::Scene& scene, const std::vector<video::VideoFormat>& formats) {
+  int threads = 0;
+  for (const video::VideoFormat format : formats) {
+    threads += format == video::VideoFormat::Mp4 ? scene.video.threads : 1;
+  }
+  return threads;
+}
+
+void announce(const scene::Scene& scene, const pipeline::RenderStart& start, int encoders,
+              std::ostream& out) {
+  out << scene.name << ": " << scene.title << '\n'
+      << "  " << scene.clip.width << "x" << scene.clip.height << " at "
+      << scene.clip.frameRate.text() << " frames/s, " << shortestText(scene.clip.duration)
+      << " s; renderer " << start.renderer
+      << (start.encoders.empty() ? std::string() : "; encoder " + start.encoders) << '\n'
+      << "  threads: 1 draws (a software rasteriser has its own), 1 finishes";
+  if (start.pngThreads > 0) {
+    out << ", " << start.pngThreads << (start.pngThreads == 1 ? " packs" : " pack") << " PNGs";
+  }
+  if (encoders > 0) out << ", " << encoders << (encoders == 1 ? " encodes" : " encode");
+  out << "; cores: " << system::coreCount() << std::endl;
+}
+
+/// The words for each thing that a render left.
+std::vector<std::string> writtenThings(const pipeline::RenderResult& result,
+                                       const pipeline::RenderOptions& options) {
+  const store::ClipFiles& files = result.files;
+  const bool newFolder = result.interrupted && !options.frames;
+  std::vector<std::string> things;
+  for (const video::VideoFormat format : options.formats) {
+    if (result.framesWritten == 0) break;
+    things.push_back(
+        (result.interrupted ? files.partialVideo(format) : files.video(format)).string());
+  }
+  if (!result.interrupted) {
+    for (const auto& csv : result.csvs) things.push_back(csv.string());
+  }
+  if (!result.interrupted && !options.frames) things.push_back(files.poster.string());
+  if (options.png) {
+    things.push_back(std::to_string(result.framesWritten) + " frames in " +
+                     (newFolder ? files.partialFrameFolder : files.frameFolder).string() + '/');
+  }
+  return things;
+}
+
+struct Rendered {
+  timeline::ClipMotion motion;
+  pipeline::RenderResult result;
+};
+
+/// Nothing, and says so, if it was interrupted before there was anything to write.
+std::optional<Rendered> render(const scene::Scene& scene, const pipeline::RenderOptions& options,
+                               const Progress& progress, std::ostream& out) {
+  timeline::ClipMotion motion = timeline::simulateScene(scene, options.stop);
+  if (*options.stop) {
+    out << scene.name << ": interrupted while simulating; nothing was written" << std::endl;
+    return std::nullopt;
+  }
+  pipeline::RenderListener listener;
+  listener.started = [&](const pipeline::RenderStart& start) {
+    announce(scene, start, encoderThreads(scene, options.formats), out);
+    const std::string warning = spaceWarning(start.space, options.folder, options.png);
+    if (!warning.empty()) std::cerr << "rotatebook: " + scene.name + ": " + warning + '\n';
+  };
+  listener.progress = progress;
+  pipeline::RenderResult result = renderClip(scene, motion, options, listener);
+  return Rendered{std::move(motion), std::move(result)};
+}
+
+const char* howToGoOn(const pipeline::RenderOptions& options) {
+  return options.png ? "; go on with the same command and --resume" : "";
+}
+
+/// Says what was rendered; returns its status.
+int report(const scene::Scene& scene, const std::optional<Rendered>& rendered,
+           const pipeline::RenderOptions& options, std::ostream& out) {
+  if (!rendered) return interruptStatus();
+  const auto& [motion, result] = *rendered;
+  if (result.wasDone) out << scene.name << ": was done before" << std::endl;
+  if (result.framesKept > 0) {
+    out << "  kept " << result.framesKept << " frames of an earlier run" << std::endl;
+  }
+  if (result.interrupted && result.framesWritten == 0) {
+    out << "  interrupted before the first frame; nothing was written" << std::endl;
+    return interruptStatus();
+  }
+  if (!result.wasDone) out << "  wrote " << listed(writtenThings(result, options)) << std::endl;
+  if (!result.others.empty()) {
+    out << "  kept " << listed(result.others) << ", made with other settings" << std::endl;
+  }
+  if (result.interrupted) {
+    out << "  interrupted after " << result.framesWritten << " frames" << howToGoOn(options)
+        << std::endl;
+    return interruptStatus();
+  }
+  return reportMotions(scene, motion, out);
+}
+
+int renderInTurn(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options) {
+  int status = kDone;
+  for (const scene::Scene& scene : scenes) {
+    std::optional<Rendered> rendered;
+    {
+      ProgressLine line(scene.name);
+      const auto progress = [&](pipeline::RenderProgress now) { line.update(now.done, now.total); };
+      rendered = render(scene, options, progress, std::cout);
+    }
+    const int outcome = report(scene, rendered, options, std::cout);
+    if (outcome >= kInterrupted) return outcome;
+    status = std::max(status, outcome);
+  }
+  return status;
+}
+
+/// Renders that go on at the same time. What they say is printed on the caller's thread.
+class RendersTogether {
+ public:
+  RendersTogether(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options)
+      : scenes_(scenes),
+        options_(options),
+        renders_(scenes.size()),
+        line_(std::to_string(scenes.size()) + " scenes") {
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      renders_[i].total = options.frames ? options.frames->count() : scenes[i].clip.frameCount();
+    }
+  }
+
+  int run(int atATime) {
+    std::vector<std::size_t> all(scenes_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    system::RunOptions options;
+    options.threads = atATime;
+    options.stop = options_.stop;
+    options.progress = [this](std::size_t, std::size_t) { tell(); };
+    bool begunAll = false;
+    try {
+      const auto renderOne = [this](std::size_t i) { render(i); };
+      begunAll = runParallel(all, renderOne, options);
+    } catch (...) {
+      tellRest();
+      const int status = tellErrors();
+      if (status != kDone) return status;
+      throw;  // No scene's, but of whoever runs them.
+    }
+    int status = begunAll ? kDone : interruptStatus();
+    for (const Render& one : renders_) status = std::max(status, one.status);
+    return status;
+  }
+
+ private:
+  enum class State { Waiting, Running, Failed, Finished };
+
+  struct Render {
+    std::atomic<std::int64_t> done = 0, total = 0;
+    std::ostringstream text;
+    int status = kDone;
+    std::exception_ptr error;
+    std::atomic<State> state = State::Waiting;  // Once over, the rest stays as it is.
+  };
+
+  void render(std::size_t i) {
+    Render& one = renders_[i];
+    one.state = State::Running;
+    one.text.exceptions(std::ios::badbit);  // No part of it may be missing.
+    const auto progress = [&one](pipeline::RenderProgress now) {
+      one.total = now.total;
+      one.done = now.done;
+    };
+    try {
+      const std::optional<Rendered> rendered =
+          cli::render(scenes_[i], options_, progress, one.text);
+      one.status = report(scenes_[i], rendered, options_, one.text);
+      one.state = State::Finished;
+    } catch (...) {
+      one.error = std::current_exception();
+      one.state = State::Failed;
+      throw;
+    }
+  }
+
+  void tell() {
+    tellFailure();
+    std::int64_t done = 0, total = 0;
+    for (const Render& one : renders_) {
+      if (failureTold_ && (one.state == State::Failed || one.state == State::Waiting)) continue;
+      done += one.done;
+      total += one.total;
+    }
+    line_.update(done, total);
+    tellFinished();
+  }
+
+  /// At once, as the others may take long; why is told at the end.
+  void tellFailure() {
+    const auto failed = std::ranges::find(renders_, State::Failed, stateOf);
+    if (failureTold_ || failed == renders_.end()) return;
+    failureTold_ = true;
+    line_.clear();
+    std::cerr << nameOf(*failed) << " failed; no more scenes are begun" << std::endl;
+  }
+
+  /// Those that none is unfinished before.
+  void tellFinished() {
+    for (; told_ < renders_.size() && renders_[told_].state == State::Finished; ++told_) {
+      line_.clear();
+      std::cout << renders_[told_].text.str() << std::flush;
+    }
+  }
+
+  /// After an error.
+  void tellRest() {
+    tellFailure();
+    line_.clear();
+    for (; told_ < renders_.size(); ++told_) tellFinished();
+    for (const Render& one : renders_) {
+      if (one.state == State::Waiting) std::cout << nameOf(one) << ": not begun" << std::endl;
+    }
+  }
+
+  /// Why scenes failed; returns the highest status, kDone if none did.
+  int tellErrors() const {
+    int status = kDone;
+    for (const Render& one : renders_) {
+      if (one.error) status = std::max(status, reportError(one.error, nameOf(one) + ": "));
+    }
+    return status;
+  }
+
+  static State stateOf(const Render& one) { return one.state; }
+
+  const std::string& nameOf(const Render& one) const {
+    return scenes_[static_cast<std::size_t>(&one - renders_.data())].name;
+  }
+
+  const std::vector<scene::Scene>& scenes_;
+  const pipeline::RenderOptions& options_;
+  std::vector<Render> renders_;
+  std::size_t told_ = 0;
+  bool failureTold_ = false;
+  ProgressLine line_;
+};
+
+}  // namespace
+
+int scenesAtATime(const std::vector<scene::Scene>& scenes, int cores, double memory) {
+  double largest = 0;
+  for (const scene::Scene& scene : scenes) largest = std::max(largest, memoryOf(scene));
+  const double held = memory / 4 / largest;
+  return std::max(1, static_cast<int>(std::min(1.0 * cores / kCoresAScene, held)));
+}
+
+int renderScenes(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options,
+                 int atATime) {
+  atATime = std::min(atATime, static_cast<int>(scenes.size()));
+  if (atATime <= 1) return renderInTurn(scenes, options);
+  pipeline::RenderOptions shared = options;
+  shared.pngThreads = pipeline::pngThreads(system::coreCount() / atATime);
+  std::cout << atATime << " scenes at a time" << std::endl;
+  return RendersTogether(scenes, shared).run(atATime);
+}
+
+}  // namespace rotatebook::cli

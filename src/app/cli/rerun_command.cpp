@@ -1,0 +1,155 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "cli/clip_options.h"
+#include "cli/commands.h"
+#include "cli/device_options.h"
+#include "cli/exit_code.h"
+#include "cli/input_guard.h"
+#include "cli/interrupt.h"
+#include "cli/render_scenes.h"
+#include "picture/preflight.h"
+#include "store/clip_record.h"
+#include "system/file_checksum.h"
+#include "system/read_file.h"
+#include "video/clip_reader.h"
+#include "video/whole_file.h"
+
+namespace rotatebook::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RerunArguments {
+  fs::path clip, folder;
+  store::TexturePlace textures;
+  bool png = false;
+  store::EarlierFrames earlier;
+  DeviceOptions deviceOptions;
+};
+
+store::ClipFiles filesOf(const store::RecordedClip& clip, const fs::path& folder) {
+  const std::string& name = clip.record.scene.name;
+  return clip.record.part ? store::clipFiles(folder, name, *clip.record.part)
+                          : store::clipFiles(folder, name);
+}
+
+/// The record in a video; empty if there is none.
+std::string recordIn(const fs::path& video) {
+  try {
+    return video::readClipMetadata(video).comment;
+  } catch (const InputError&) {
+    return "";
+  }
+}
+
+/// Refuses to write over what another scene's clip left under the same name: its video, and its
+/// frames if there will be `png` ones.
+void refuseOtherClip(const scene::Scene& scene, const store::ClipFiles& files,
+                     const fs::path& output, bool png) {
+  const auto refuse = [](const fs::path& file) {
+    throw InputError(file.string() +
+                     " isn't of the clip's scene and would be lost; name another folder with -o, "
+                     "or replace it with --overwrite");
+  };
+  if (fs::exists(output) && !store::isRecordOf(scene, recordIn(output))) refuse(output);
+  const fs::path& copy = files.sceneCopy;
+  if (png && fs::exists(copy) && !store::isRecordOf(scene, system::readFileOrEmpty(copy)))
+    refuse(copy);
+}
+
+/// Why `clip`, which was made `there`, has other bytes than a clip of the same record.
+std::vector<std::string> reasons(const fs::path& clip, const store::Making& there,
+                                 const store::Making& here) {
+  try {
+    video::requireWholeFile(clip);
+  } catch (const InputError& cut) {
+    return {cut.what()};
+  }
+  std::vector<std::string> found = store::differencesOfTools(there, here);
+  if (there.motion != here.motion) found.push_back("the motion is another than the recorded one");
+  if (!found.empty()) return found;
+  return {
+      "version, renderer, FFmpeg and motion are those recorded: the clip was changed, or a "
+      "texture, the font, the video encoder or the build of this program is another"};
+}
+
+/// Says whether both files have the same bytes; returns the status.
+int compare(const store::RecordedClip& there, const RerunArguments& arguments,
+            const fs::path& output) {
+  if (system::checksumOfFile(arguments.clip) == system::checksumOfFile(output)) {
+    std::cout << "  " << output.string() << " has the very bytes of " << arguments.clip.string()
+              << std::endl;
+    return kDone;
+  }
+  std::cout << "  " << output.string() << " has OTHER bytes than " << arguments.clip.string()
+            << '\n';
+  const store::RecordedClip here =
+      store::readRecordedClip(output, {there.record.scene.folder, there.record.scene.allowOutside});
+  for (const std::string& reason :
+       reasons(arguments.clip, there.record.making, here.record.making)) {
+    std::cout << "    " << reason << std::endl;
+  }
+  return kUnmet;
+}
+
+int rerun(const RerunArguments& arguments) {
+  const store::RecordedClip clip = store::readRecordedClip(arguments.clip, arguments.textures);
+  picture::preflight(clip.record.scene);
+  const store::ClipFiles files = filesOf(clip, arguments.folder);
+  const fs::path output = files.video(clip.format);
+  pipeline::RenderOptions options;
+  options.folder = arguments.folder;
+  options.png = arguments.png;
+  options.earlier = arguments.earlier;
+  options.formats = {clip.format};
+  options.frames = clip.record.part;
+  std::vector<Input> inputs = texturesOf(clip.record.scene);
+  inputs.push_back({arguments.clip, "the clip itself, which is to be compared with the new one"});
+  refuseInputs(clip.record.scene, options, inputs);
+  if (!arguments.earlier.overwrite) {
+    refuseOtherClip(clip.record.scene, files, output, options.png);
+  }
+  options.device = arguments.deviceOptions.choice();
+  options.stop = &catchInterrupts();
+  // Expectations are told. Whether they were met was the first render's status.
+  const int status = renderScenes({clip.record.scene}, options, 1);
+  return status >= kInterrupted ? status : compare(clip, arguments, output);
+}
+
+}  // namespace
+
+void addRerunCommand(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<RerunArguments>();
+  CLI::App* command =
+      program.add_subcommand("rerun", "Make a clip again from what it says it was made from");
+  command->add_option("CLIP", arguments->clip, "MP4 or WebM that rotatebook made")->required();
+  command->add_option("-o,--output", arguments->folder, "Folder for the results")
+      ->type_name("DIR")
+      ->required();
+  command->add_flag("--png", arguments->png, "Write PNG frames, too");
+  command->add_flag("--resume", arguments->earlier.resume, "Go on where a rerun stopped");
+  command->add_flag("--overwrite", arguments->earlier.overwrite,
+                    "Replace another scene's clip of the same name, and discard frames of a render "
+                    "that wasn't finished");
+  addTextureOptions(*command, arguments->textures);
+  arguments->deviceOptions.addTo(*command);
+  command->footer(R"(
+Takes scene, name and frames from the clip's metadata, renders them as 'rotatebook render' does, and
+tells whether the new file has the clip's very bytes, and if not, what differs. The clip itself is never
+overwritten, and another scene's clip of that name only with --overwrite.
+
+Exit status: 0 the same bytes, 1 other bytes, whatever becomes of expectations; 2 the file can't be read
+or isn't a clip of rotatebook; 3 the machine can't.
+
+Examples:
+  rotatebook rerun out/starter.mp4 -o again
+  rotatebook rerun clips/cover_00010-00020.webm -o again --png --scene-folder scenes)");
+  command->callback([arguments, &action] { action = [arguments] { return rerun(*arguments); }; });
+}
+
+}  // namespace rotatebook::cli

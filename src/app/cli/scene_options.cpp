@@ -1,0 +1,126 @@
+#include "cli/scene_options.h"
+
+#include <cstddef>
+#include <map>
+#include <regex>
+#include <set>
+#include <utility>
+
+#include "base/error.h"
+#include "cli/clip_options.h"
+#include "overlay/text.h"
+#include "scene/overrides.h"
+#include "scene/scene_text.h"
+#include "store/clip_files.h"
+#include "store/scene_file.h"
+
+namespace rotatebook::cli {
+namespace {
+
+constexpr std::size_t kLongestName = 200;  // Files' have 255 bytes, endings and marks among them.
+
+std::string sizeOverride(const std::string& size) {
+  std::smatch match;
+  if (!std::regex_match(size, match, std::regex("([0-9]{1,6})x([0-9]{1,6})"))) {
+    throw InputError("--size " + size + ": not a size; write width x height, for example 640x360");
+  }
+  return "clip.size=[" + match[1].str() + ", " + match[2].str() + "]";
+}
+
+/// `message` in the words that the user wrote.
+std::string inUsersWords(const std::string& message, const std::vector<Shorthand>& shorthands) {
+  for (const auto& [words, assignment] : shorthands) {
+    const std::string place = scene::overridePlace(assignment);
+    if (message.starts_with(place)) return words + message.substr(place.size());
+  }
+  return message;
+}
+
+/// What the names of a scene's outputs begin with: its own, and those of its panels' tables.
+std::set<std::string> stemsOf(const scene::Scene& scene) {
+  std::set<std::string> stems{scene.name};
+  for (const auto& csv : store::csvFiles(scene.name + ".csv", scene)) {
+    stems.insert(csv.stem().string());
+  }
+  return stems;
+}
+
+/// Throws InputError for what no output of `scene` can be named after. A render into the same
+/// folder puts its unfinished frames, and those that it replaces, under the endings that are
+/// refused.
+void requireUsable(const std::string& name, const scene::Scene& scene) {
+  if (name.size() > kLongestName) {
+    throw InputError("the name " + name + " has " + std::to_string(name.size()) +
+                     " bytes; the limit is " + std::to_string(kLongestName) +
+                     ": rename the scene's file" +
+                     (name == scene.name ? "" : ", or shorten the panel's label"));
+  }
+  if (name == "." || name == "..") {
+    throw InputError("a scene can't be named " + name + ", as a folder is; rename the file");
+  }
+  if (!overlay::isOneLine(name)) {
+    throw InputError("a scene's name must be a line of UTF-8, which " + name +
+                     " isn't; rename the file");
+  }
+  for (const char* reserved : {store::kPartialEnding, store::kReplacedEnding}) {
+    if (!name.ends_with(reserved)) continue;
+    throw InputError("a scene can't be named " + name + ": " + reserved +
+                     " is for what a render leaves while it goes on; rename the file");
+  }
+}
+
+}  // namespace
+
+void SceneOptions::addTo(CLI::App& command) {
+  command
+      .add_option("--set", overrides,
+                  "Override a key of the scene, e.g. --set simulation.substeps=10; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false);
+  command.add_option("--size", size, "Picture size, e.g. 640x360; the same as --set clip.size")
+      ->type_name("WxH");
+  addAllowOutside(command, allowOutside);
+}
+
+scene::Scene SceneOptions::read(const std::string& path, std::vector<Shorthand> shorthands) const {
+  return applied(std::move(shorthands),
+                 [&](std::span<const std::string> all) { return store::readScene(path, all); });
+}
+
+scene::Scene SceneOptions::parse(std::string_view text, const std::string& name) const {
+  return applied(
+      {}, [&](std::span<const std::string> all) { return scene::parseScene(text, name, all); });
+}
+
+scene::Scene SceneOptions::applied(std::vector<Shorthand> shorthands, const Reader& reader) const {
+  if (!size.empty()) shorthands.push_back({"--size " + size, sizeOverride(size)});
+  std::vector<std::string> all = overrides;
+  for (const Shorthand& shorthand : shorthands) all.push_back(shorthand.assignment);
+  try {
+    scene::Scene scene = reader(all);
+    scene.allowOutside = allowOutside;
+    return scene;
+  } catch (const InputError& error) {
+    throw InputError(inUsersWords(error.what(), shorthands));
+  }
+}
+
+void refuseSameNames(const std::vector<scene::Scene>& scenes) {
+  std::map<std::string, std::string> owners;  // of what outputs' names begin with
+  for (const scene::Scene& scene : scenes) {
+    for (const std::string& stem : stemsOf(scene)) {
+      requireUsable(stem, scene);
+      const auto [owner, isNew] = owners.emplace(stem, scene.name);
+      if (isNew) continue;
+      const std::string both = owner->second == scene.name ? "two scenes are named " + scene.name
+                                                           : owner->second + " and " + scene.name +
+                                                                 " both write " + stem + ".csv";
+      throw InputError(both +
+                       "; they would overwrite each other: render them into different folders");
+    }
+  }
+}
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,74 @@
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "cli/expectation_report.h"
+#include "cli/input_guard.h"
+#include "cli/motion_report.h"
+#include "cli/scene_options.h"
+#include "store/clip_files.h"
+#include "store/tables.h"
+#include "timeline/simulate_scene.h"
+#include "timeline/trajectory_csv.h"
+
+namespace rotatebook::cli {
+namespace {
+
+struct SimulateArguments {
+  std::string scene;
+  SceneOptions sceneOptions;
+  std::string csv;
+};
+
+/// The only table, on the standard output.
+int printTable(const scene::Scene& scene) {
+  if (!scene.panels.empty()) {
+    throw InputError("--csv -: " + scene.name +
+                     " has panels, each with a table of its own; name a file");
+  }
+  const timeline::ClipMotion motion = timeline::simulateScene(scene);
+  std::cout << timeline::trajectoryCsv(motion.trajectories().front());
+  return sayIfUnmet(reportMotions(scene, motion, std::cerr));
+}
+
+int simulateScene(const SimulateArguments& arguments) {
+  const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
+  if (arguments.csv == "-") return printTable(scene);
+  const auto files = store::csvFiles(arguments.csv, scene);
+  for (const auto& file : files) {
+    refuseInputs(file, inputsOf(arguments.scene, scene), "name another file with --csv");
+  }
+  const timeline::ClipMotion motion = timeline::simulateScene(scene);
+  store::writeTables(files, motion);
+  std::cout << scene.name << ": " << scene.title << '\n';
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    std::cout << "  wrote " << files[i].string() << ", " << motion.trajectories()[i].samples.size()
+              << " rows\n";
+  }
+  return sayIfUnmet(reportMotions(scene, motion, std::cout));
+}
+
+}  // namespace
+
+void addSimulateCommand(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<SimulateArguments>();
+  CLI::App* command =
+      program.add_subcommand("simulate", "Simulate a scene without drawing it; needs no graphics");
+  command->add_option("SCENE", arguments->scene, "Scene file")->required();
+  command
+      ->add_option("--csv", arguments->csv,
+                   "Table to write, one row a frame; - for the standard output")
+      ->type_name("FILE")
+      ->required();
+  arguments->sceneOptions.addTo(*command);
+  command->footer(R"(
+Examples:
+  rotatebook simulate scenes/starter.toml --csv motion.csv
+  rotatebook simulate scenes/starter.toml --csv - --set simulation.model=particles | head)");
+  command->callback(
+      [arguments, &action] { action = [arguments] { return simulateScene(*arguments); }; });
+}
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "cli/commands.h"
+#include "cli/exit_code.h"
+#include "cli/expectation_report.h"
+#include "cli/file_report.h"
+#include "cli/interrupt.h"
+#include "cli/progress_line.h"
+#include "cli/scene_options.h"
+#include "cli/study_report.h"
+#include "diagnose/study_execution.h"
+#include "picture/gnuplot.h"
+#include "picture/study_plot.h"
+#include "scene/toml_text.h"
+#include "store/study_files.h"
+#include "study/study.h"
+#include "study/study_csv.h"
+#include "system/atomic_file.h"
+
+namespace rotatebook::cli {
+namespace {
+
+struct StudyArguments {
+  std::vector<std::string> scenes;
+  SceneOptions sceneOptions;
+  std::string folder = "out";
+  std::optional<std::string> steps;
+  std::optional<std::string> integrators;
+};
+
+/// A scene, what to study of it, and where the results go.
+struct Task {
+  scene::Scene scene;
+  scene::StudySettings study;
+  store::StudyFiles files;
+};
+
+Shorthand stepsShorthand(const std::string& steps) {
+  static const std::regex kList("(0|[1-9][0-9]{0,8})(,(0|[1-9][0-9]{0,8}))*");
+  if (!std::regex_match(steps, kList)) {
+    throw InputError("--steps " + steps +
+                     ": not a list of whole numbers; write steps a frame, for example 1,2,4,8");
+  }
+  return {"--steps " + steps, "study.steps=[" + steps + "]"};
+}
+
+Shorthand integratorsShorthand(const std::string& integrators) {
+  std::string names;
+  for (std::size_t begin = 0; begin <= integrators.size();) {
+    const std::size_t end = std::min(integrators.find(',', begin), integrators.size());
+    names += (begin == 0 ? "" : ", ") + scene::tomlString(integrators.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return {"--integrators " + integrators, "study.integrators=[" + names + "]"};
+}
+
+std::vector<Shorthand> shorthandsOf(const StudyArguments& arguments) {
+  std::vector<Shorthand> shorthands;
+  if (arguments.steps) shorthands.push_back(stepsShorthand(*arguments.steps));
+  if (arguments.integrators) shorthands.push_back(integratorsShorthand(*arguments.integrators));
+  return shorthands;
+}
+
+/// All scenes, read before anything is written, so that a mistake in the last one costs nothing.
+std::vector<Task> readTasks(const StudyArguments& arguments) {
+  const std::vector<Shorthand> shorthands = shorthandsOf(arguments);
+  std::vector<scene::Scene> scenes;
+  for (const std::string& path : arguments.scenes) {
+    scenes.push_back(arguments.sceneOptions.read(path, shorthands));
+  }
+  refuseSameNames(scenes);
+  std::vector<Task> tasks;
+  for (const scene::Scene& scene : scenes) {
+    tasks.push_back({scene, scene.study.value_or(scene::defaultStudy(scene.simulation.model)),
+                     store::studyFiles(arguments.folder, scene.name)});
+    if (!tasks.back().study.isOfTilts()) study::refuseNothingToVary(scene);
+  }
+  return tasks;
+}
+
+void refuseNoResult(const Task& task, const study::PrecisionStudy& result) {
+  const bool any = std::ranges::any_of(result.rows, [](const study::PrecisionRow& row) {
+    return row.end.kind == study::RunEnd::Kind::Whole;
+  });
+  if (any) return;
+  throw InputError(task.scene.name + ": no run reached its end (" + task.files.csv.string() +
+                   " says why), so that there is nothing to compare; the first: " +
+                   result.rows.front().end.text() +
+                   "; take shorter steps, for example --steps 256,512,1024,2048");
+}
+
+void refuseNoResult(const Task& task, const study::TiltStudy& result) {
+  const bool any = std::ranges::any_of(result.rows, [](const study::TiltRow& row) {
+    return row.end.kind == study::RunEnd::Kind::Whole;
+  });
+  if (any) return;
+  throw InputError(task.scene.name + ": no run shows two flips (" + task.files.csv.string() +
+                   " says why), so that there is no interval to measure; make the motion longer, "
+                   "for example --set clip.duration=60");
+}
+
+void writeTables(const store::StudyFiles& files, const study::PrecisionStudy& result) {
+  system::writeFileAtomically(files.csv, precisionCsv(result));
+  system::writeFileAtomically(files.orders, ordersCsv(result));
+}
+
+void writeTables(const store::StudyFiles& files, const study::TiltStudy& result) {
+  system::writeFileAtomically(files.csv, tiltCsv(result));
+}
+
+std::vector<std::string> filesOf(const store::StudyFiles& files, const study::PrecisionStudy&) {
+  return {files.csv.string(), files.orders.string(), files.svg.string(), files.png.string()};
+}
+
+std::vector<std::string> filesOf(const store::StudyFiles& files, const study::TiltStudy&) {
+  return {files.csv.string(), files.svg.string(), files.png.string()};
+}
+
+std::string plotOf(const Task& task, const study::PrecisionStudy& result) {
+  return picture::precisionPlot(task.scene.title, result);
+}
+
+std::string plotOf(const Task& task, const study::TiltStudy& result) {
+  return picture::tiltPlot(task.scene.title, result);
+}
+
+/// False if the user's interrupt ended gnuplot, too, as it does on a terminal.
+bool draw(const Task& task, const std::string& plot) {
+  try {
+    picture::drawPlot(plot, task.files.svg, task.files.png);
+    return true;
+  } catch (const MachineError& error) {
+    if (interruptStatus() != 0) return false;
+    throw MachineError(task.scene.name + ": " + error.what() + "; the table is in " +
+                       task.files.csv.string());
+  }
+}
+
+template <typename Study>
+int finish(const Task& task, const Study& result) {
+  store::removeFiles(task.files);
+  writeTables(task.files, result);
+  refuseNoResult(task, result);
+  const int status = reportStudy(result, task.study, std::cout);
+  std::cout.flush();
+  if (!draw(task, plotOf(task, result))) {
+    std::cout << "  interrupted; only the tables were written" << std::endl;
+    return interruptStatus();
+  }
+  std::cout << "  wrote " << listed(filesOf(task.files, result)) << std::endl;
+  return status;
+}
+
+template <typename Study>
+using StudyFunction = std::optional<Study> (*)(const scene::Scene&, const scene::StudySettings&,
+                                               const study::Execution&);
+
+template <typename Study>
+int runAndFinish(StudyFunction<Study> run, const Task& task, const std::atomic<bool>& stop) {
+  std::optional<Study> result;
+  {
+    ProgressLine progress(task.scene.name, "runs");
+    system::RunOptions options;
+    options.stop = &stop;
+    options.progress = [&progress](std::size_t done, std::size_t total) {
+      progress.update(static_cast<std::int64_t>(done), static_cast<std::int64_t>(total));
+    };
+    result = run(task.scene, task.study, diagnose::onThisMachine(options));
+  }
+  if (result) return finish(task, *result);
+  std::cout << "  interrupted; nothing was written" << std::endl;
+  return interruptStatus();
+}
+
+int runTask(const Task& task, const std::atomic<bool>& stop) {
+  std::cout << task.scene.name << ": " << task.scene.title << std::endl;
+  return task.study.isOfTilts() ? runAndFinish(&study::runTiltStudy, task, stop)
+                                : runAndFinish(&study::runPrecisionStudy, task, stop);
+}
+
+int study(const StudyArguments& arguments) {
+  const std::vector<Task> tasks = readTasks(arguments);
+  const std::atomic<bool>& stop = catchInterrupts();
+  system::createFolders(arguments.folder);
+  for (const Task& task : tasks) store::refuseUnwritable(task.files);
+  int status = kDone;
+  for (const Task& task : tasks) {
+    const int outcome = runTask(task, stop);
+    if (outcome >= kInterrupted) return outcome;
+    status = std::max(status, outcome);
+  }
+  return sayIfUnmet(status);
+}
+
+}  // namespace
+
+void addStudyCommand(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<StudyArguments>();
+  CLI::App* command = program.add_subcommand(
+      "study", "Compare integrators and steps, or tilts, with the exact motion: tables and plots");
+  command->add_option("SCENE", arguments->scenes, "Scene files")->required();
+  command->add_option("-o,--output", arguments->folder, "Folder for the results")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command
+      ->add_option("--steps", arguments->steps,
+                   "Integration steps a frame to compare, e.g. 1,2,4,8")
+      ->type_name("N,N,...");
+  command
+      ->add_option("--integrators", arguments->integrators,
+                   "Integrators to compare, e.g. euler,rk4")
+      ->type_name("NAME,...");
+  arguments->sceneOptions.addTo(*command);
+  command->footer(R"(
+Runs each integrator with each number of steps, as [study] of the scene has them, by default all of
+the model's with 1, 2, 4 ... 1024; or, where [study] has tilts, the scene's own from each tilt.
+Writes DIR/NAME-study.csv, DIR/NAME-study-orders.csv, DIR/NAME-study.svg and DIR/NAME-study.png.
+The plots are drawn by gnuplot.
+
+Examples:
+  rotatebook study scenes/studies/*.toml
+  rotatebook study scenes/starter.toml --integrators splitting,rk4 --steps 1,2,4,8,16
+  rotatebook study my.toml -o /tmp/studies --set clip.duration=2)");
+  command->callback([arguments, &action] { action = [arguments] { return study(*arguments); }; });
+}
+
+}  // namespace rotatebook::cli

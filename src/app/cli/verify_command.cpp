@@ -1,0 +1,77 @@
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "cli/clip_options.h"
+#include "cli/commands.h"
+#include "cli/device_options.h"
+#include "cli/exit_code.h"
+#include "cli/progress_line.h"
+#include "cli/verify_report.h"
+
+namespace rotatebook::cli {
+namespace {
+
+struct VerifyArguments {
+  std::string clip;
+  verify::VerifyOptions options;
+  DeviceOptions deviceOptions;
+  bool json = false;
+};
+
+int verify(const VerifyArguments& arguments) {
+  verify::VerifyOptions options = arguments.options;
+  options.device = arguments.deviceOptions.choice();
+  verify::Verification found;
+  {
+    ProgressLine progress(arguments.clip);
+    options.progress = [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); };
+    found = verify::verifyClip(arguments.clip, options);
+  }
+  (arguments.json ? reportVerificationAsJson : reportVerification)(arguments.clip, found,
+                                                                   std::cout);
+  return found.proved() ? kDone : kUnmet;
+}
+
+}  // namespace
+
+void addVerifyCommand(CLI::App& program, Action& action) {
+  constexpr std::int64_t kMost = 1'000'000;
+  auto arguments = std::make_shared<VerifyArguments>();
+  CLI::App* command =
+      program.add_subcommand("verify", "Prove that a clip shows what it was made from");
+  command->add_option("CLIP", arguments->clip, "MP4 or WebM that rotatebook made")->required();
+  CLI::Option* frames =
+      command
+          ->add_option("--frames", arguments->options.frames,
+                       "Frames whose pictures are compared, e.g. 0,10,20; by default one of each "
+                       "sixth of the clip, chosen by the motion's checksum")
+          ->type_name("N,...")
+          ->delimiter(',')
+          ->check(CLI::Range(std::int64_t{0}, kMost))
+          ->allow_extra_args(false);
+  command->add_flag("--all", arguments->options.allFrames, "Compare all pictures")
+      ->excludes(frames);
+  addTextureOptions(*command, arguments->options.textures);
+  arguments->deviceOptions.addTo(*command);
+  command->add_flag("--json", arguments->json, "Print one JSON object");
+  command->footer(R"(
+Takes the scene from the clip's metadata, simulates it again and compares the motion, bit by bit; draws
+frames of it again and compares them with the clip's pictures, which must not be liker to the frame
+before or after; looks at size, codec, colours, how players are told to turn, stretch and time the
+pictures, number of frames, time stamps and duration. What is proved is proved of the pictures that were
+compared: all of them with --all.
+Where the clip was made with another renderer, FFmpeg or version, that is told, as pixels may differ then.
+
+Exit status: 0 all is proved, 1 a check failed, 2 the file can't be read, ends early or isn't a clip of
+rotatebook, 3 the machine can't draw.
+
+Examples:
+  rotatebook verify out/starter.mp4
+  rotatebook verify out/starter.mp4 --all --json | python3 -m json.tool
+  rotatebook verify clips/cover.webm --frames 0,60 --scene-folder scenes)");
+  command->callback([arguments, &action] { action = [arguments] { return verify(*arguments); }; });
+}
+
+}  // namespace rotatebook::cli

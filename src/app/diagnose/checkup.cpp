@@ -1,0 +1,113 @@
+#include "diagnose/checkup.h"
+
+#include <system_error>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "overlay/text.h"
+#include "system/atomic_file.h"
+#include "system/machine.h"
+
+namespace rotatebook::diagnose {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kLittle = 500'000'000;  // PNGs of a clip take 100 to 700 MB. [bytes]
+
+/// `folder`, or the nearest of its parents that is there.
+fs::path existingPart(const fs::path& folder) {
+  std::error_code ignored;
+  fs::path part = fs::absolute(folder, ignored).lexically_normal();
+  while (!fs::exists(part, ignored) && part.has_parent_path() && part != part.parent_path()) {
+    part = part.parent_path();
+  }
+  return part;
+}
+
+/// Why no file can be made in `folder`, or empty. Tries it, since not all that forbids it shows in
+/// permissions; nothing is left.
+std::string writeFailure(const fs::path& folder) {
+  try {
+    system::AtomicFile(folder / "rotatebook-doctor").write("x");
+    return "";
+  } catch (const MachineError& error) {
+    return error.what();
+  }
+}
+
+FolderCheck checkFolder(const fs::path& folder) {
+  FolderCheck check{.path = folder};
+  const fs::path part = existingPart(folder);
+  std::error_code error;
+  check.freeBytes = fs::space(part, error).available;
+  if (error) {
+    check.freeBytes = 0;
+    check.failure = part.string() + ": " + error.message();
+  } else if (!fs::is_directory(part, error)) {
+    check.failure = part.string() + " is no folder";
+  } else {
+    check.failure = writeFailure(part);
+  }
+  return check;
+}
+
+std::string checkFont() {
+  try {
+    overlay::Typesetter().measure("rotatebook", {}, 1000);
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+void addEncoderProblems(Checkup& checkup) {
+  for (const video::EncoderCheck& check : checkup.encoders) {
+    if (check.failure.empty()) continue;
+    const std::string instead =
+        check.found.empty() ? "" : "; " + check.found + " encodes in its place";
+    checkup.problems.push_back({std::string(nameOf(check.format)) + ": " + check.failure + instead,
+                                video::encoderOf(check.format).remedy});
+  }
+}
+
+void addOtherProblems(Checkup& checkup) {
+  if (!checkup.fontFailure.empty()) {
+    checkup.problems.push_back(
+        {checkup.fontFailure, "mount /proc: the font is read through /proc/self/fd"});
+  }
+  const FolderCheck& folder = checkup.folder;
+  if (!folder.failure.empty()) {
+    checkup.problems.push_back({folder.failure, "name a folder that you may write, with -o DIR"});
+  } else if (folder.freeBytes < kLittle) {
+    const double megabytes = static_cast<double>(folder.freeBytes) / 1e6;
+    checkup.problems.push_back({folder.path.string() + " has " + roundedText(megabytes, 3) +
+                                    " MB left, and a clip's PNGs may take more",
+                                "free some, render with --no-png, or name another folder, -o DIR"});
+  }
+}
+
+}  // namespace
+
+bool Checkup::ready() const {
+  const bool encodes = !encoders.empty() && !encoders.front().found.empty();
+  return graphics.draws() && encodes && fontFailure.empty() && folder.failure.empty();
+}
+
+Checkup checkUp(const fs::path& folder) {
+  Checkup checkup;
+  checkup.graphics = checkGraphics();
+  checkup.problems = diagnose(checkup.graphics, readGraphicsFacts());
+  for (const video::VideoFormat format : video::kVideoFormats) {
+    checkup.encoders.push_back(video::checkEncoder(format));
+  }
+  checkup.fontFailure = checkFont();
+  checkup.folder = checkFolder(folder);
+  checkup.cores = system::coreCount();
+  checkup.memory = system::memorySize();
+  addEncoderProblems(checkup);
+  addOtherProblems(checkup);
+  return checkup;
+}
+
+}  // namespace rotatebook::diagnose

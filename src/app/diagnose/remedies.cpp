@@ -1,0 +1,258 @@
+#include "diagnose/remedies.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace rotatebook::diagnose {
+namespace {
+
+constexpr const char* kNvidiaLibrary = "libEGL_nvidia";
+constexpr const char* kMesaLibrary = "libEGL_mesa";
+
+constexpr const char* kInstallNvidia =
+    "install the EGL library of NVIDIA's driver, of the kernel driver's version (Debian: apt-get "
+    "install libegl-nvidia0; Ubuntu: libnvidia-gl-VERSION)";
+constexpr const char* kGraphicsCapability =
+    "start the container with NVIDIA_DRIVER_CAPABILITIES=all (or with graphics among them), so "
+    "that "
+    "NVIDIA's EGL library comes into it";
+constexpr const char* kAddVendorFile =
+    "make, as root, the file by which EGL finds NVIDIA's library:\n"
+    "  echo '{\"file_format_version\": \"1.0.0\", \"ICD\": {\"library_path\": "
+    "\"libEGL_nvidia.so.0\"}}' > /usr/share/glvnd/egl_vendor.d/10_nvidia.json";
+constexpr const char* kInstallMesaDrivers =
+    "install Mesa's drivers (Debian, Ubuntu: apt-get install libegl-mesa0 libgl1-mesa-dri)";
+
+bool isOf(const VendorFile& file, const char* library) {
+  return file.library.find(library) != std::string::npos;
+}
+
+bool anyDraws(const GraphicsCheck& check, bool hardware) {
+  return std::ranges::any_of(
+      check.ways, [&](const WayCheck& way) { return way.draws() && (!hardware || !way.software); });
+}
+
+/// Whether NVIDIA's library was kept out of a container.
+bool lacksGraphicsCapability(const GraphicsFacts& facts) {
+  if (facts.nvidiaLibrary || !facts.container) return false;
+  const std::string listed = facts.nvidiaCapabilities.value_or("");
+  return listed.find("all") == std::string::npos && listed.find("graphics") == std::string::npos;
+}
+
+std::string permissionRemedy(const DeviceNode& node) {
+  if (node.group.empty() || node.group == "root") {
+    return "let this user read and write " + node.path;
+  }
+  return "join the group " + node.group + " (sudo usermod -aG " + node.group +
+         " $USER, then log in anew; for a container: --group-add " + node.group + ")";
+}
+
+/// The problem of a file that this process may not open.
+Problem permissionProblem(const std::string& what, const DeviceNode& node) {
+  return {what + ": no permission on " + node.path, permissionRemedy(node)};
+}
+
+/// One that is among `facts`, not permitted, and `path` or, if that is empty, NVIDIA's or not.
+const DeviceNode* forbiddenNode(const GraphicsFacts& facts, const std::string& path, bool nvidia) {
+  const auto found = std::ranges::find_if(facts.nodes, [&](const DeviceNode& node) {
+    const bool fits =
+        path.empty() ? nvidia == node.path.starts_with("/dev/nvidia") : node.path == path;
+    return fits && !node.permitted;
+  });
+  return found == facts.nodes.end() ? nullptr : &*found;
+}
+
+/// Its own render node where EGL tells it; else any of its maker's.
+const DeviceNode* forbiddenNode(const GraphicsFacts& facts, const render::Way& way) {
+  const DeviceNode* own =
+      way.renderNode.empty() && way.nvidia ? nullptr : forbiddenNode(facts, way.renderNode, false);
+  return own == nullptr && way.nvidia ? forbiddenNode(facts, "", true) : own;
+}
+
+/// Of a driver that draws wrongly, or ends the process.
+std::string updateRemedy(bool software) {
+  return software ? "update Mesa (Debian, Ubuntu: apt-get install libgl1-mesa-dri)"
+                  : "update the card's driver; until then --device software";
+}
+
+/// "unset GALLIUM_NOOP (it is 1), LP_X (it is 2); if that doesn't help: `remedy`"; `remedy` alone
+/// where there are no variables.
+std::string unsettingFirst(const std::vector<std::string>& variables, const std::string& remedy) {
+  std::string names;
+  for (const std::string& variable : variables) {
+    const std::size_t end = variable.find('=');
+    names += (names.empty() ? "" : ", ") + variable.substr(0, end) + " (it is " +
+             variable.substr(end + 1) + ")";
+  }
+  return names.empty() ? remedy : "unset " + names + "; if that doesn't help: " + remedy;
+}
+
+class Diagnosis {
+ public:
+  Diagnosis(const GraphicsCheck& check, const GraphicsFacts& facts)
+      : check_(check), facts_(facts) {}
+
+  std::vector<Problem> take() {
+    if (check_.library) {
+      add(check_.library->text(), missingLibraryRemedy());
+      return problems_;
+    }
+    addVendorFiles();
+    addUnlistedNvidia();
+    addDeviceList();
+    for (std::size_t i = 0; i < check_.ways.size(); ++i) {
+      const WayCheck& way = check_.ways[i];
+      if (way.way.kind != render::Way::Kind::Device && check_.byDefault != i) continue;
+      addFailedDevice(way);
+      addWrongFrame(way);
+    }
+    addForbiddenCard();
+    if (problems_.empty() && !check_.draws()) {
+      add("no EGL display gives an OpenGL 3.3 core context" + saidByWays(),
+          unsettingFirst(facts_.mesaVariables, render::kInstallMesa));
+    }
+    return problems_;
+  }
+
+ private:
+  void add(std::string what, std::string remedy) {
+    problems_.push_back({std::move(what), std::move(remedy)});
+  }
+
+  std::string missingLibraryRemedy() const {
+    const bool egl = check_.library->error.find("libEGL") != std::string::npos;
+    return egl ? "install EGL (Debian, Ubuntu: apt-get install libegl1 libegl-mesa0 "
+                 "libgl1-mesa-dri libopengl0)"
+               : "install OpenGL's library (Debian, Ubuntu: apt-get install libopengl0)";
+  }
+
+  void addVendorFiles() {
+    const bool usable = std::ranges::any_of(
+        facts_.vendorFiles, [](const VendorFile& file) { return file.failure.empty(); });
+    if (!usable && !facts_.vendorVariable.empty()) {
+      const std::string name = facts_.vendorVariable.substr(0, facts_.vendorVariable.find('='));
+      return add(facts_.vendorVariable + " names no EGL driver that can be loaded",
+                 "unset " + name + ", so that the system's drivers are found");
+    }
+    if (facts_.vendorFiles.empty()) {
+      // Without glvnd there are none, and EGL draws nonetheless.
+      if (check_.draws()) return;
+      return add(
+          "no EGL driver is installed: /usr/share/glvnd/egl_vendor.d has no file",
+          facts_.hasNvidiaCard() && facts_.nvidiaLibrary ? kAddVendorFile : kInstallMesaDrivers);
+    }
+    for (const VendorFile& file : facts_.vendorFiles) {
+      if (!file.failure.empty()) add(file.path + ": " + file.failure, vendorRemedy(file));
+    }
+  }
+
+  std::string vendorRemedy(const VendorFile& file) const {
+    if (isOf(file, kMesaLibrary)) return kInstallMesaDrivers;
+    if (!isOf(file, kNvidiaLibrary)) return "install " + file.library + ", or remove " + file.path;
+    if (!facts_.hasNvidiaCard()) return "there is no NVIDIA card: remove " + file.path;
+    return lacksGraphicsCapability(facts_) ? kGraphicsCapability : kInstallNvidia;
+  }
+
+  /// NVIDIA's card is there, and EGL knows nothing of it.
+  void addUnlistedNvidia() {
+    const bool listed =
+        std::ranges::any_of(check_.ways, [](const WayCheck& way) { return way.way.nvidia; });
+    // Else it was told of its library, or of the variable, already.
+    const bool named = std::ranges::any_of(facts_.vendorFiles, [](const VendorFile& file) {
+      return isOf(file, kNvidiaLibrary) && !file.failure.empty();
+    });
+    if (!facts_.hasNvidiaCard() || listed || named || !problems_.empty()) return;
+    const std::string what = "NVIDIA's card is there, and EGL doesn't list it";
+    if (const DeviceNode* node = forbiddenNode(facts_, "", true)) {
+      problems_.push_back(permissionProblem(what, *node));
+    } else if (lacksGraphicsCapability(facts_)) {
+      const std::string listedText = facts_.nvidiaCapabilities.value_or("not set");
+      add(what + ": NVIDIA_DRIVER_CAPABILITIES is " + listedText, kGraphicsCapability);
+    } else if (!facts_.nvidiaLibrary) {
+      add(what + ": libEGL_nvidia.so.0 can't be loaded", kInstallNvidia);
+    } else if (isNvidiaNamed()) {
+      add(what + ", though its library is there", kInstallNvidia);
+    } else {
+      add(what + ": no vendor file names libEGL_nvidia.so.0", kAddVendorFile);
+    }
+  }
+
+  bool isNvidiaNamed() const {
+    return std::ranges::any_of(facts_.vendorFiles,
+                               [](const VendorFile& file) { return isOf(file, kNvidiaLibrary); });
+  }
+
+  void addDeviceList() {
+    if (!check_.devices || !problems_.empty()) return;
+    if (isNvidiaNamed() && !facts_.hasNvidiaCard()) {
+      add(check_.devices->text() + ", as where NVIDIA's EGL library is installed without its card",
+          facts_.container ? "start the container with the card (docker run --gpus all)"
+                           : "remove NVIDIA's driver, or its 10_nvidia.json, if the card is gone");
+    } else if (!check_.draws()) {
+      add(check_.devices->text(), unsettingFirst(facts_.mesaVariables, kInstallMesaDrivers));
+    }
+  }
+
+  void addFailedDevice(const WayCheck& check) {
+    if (!check.failure) return;
+    const std::string what = check.way.text() + ": " + check.failure->text();
+    const DeviceNode* node = check.way.software ? nullptr : forbiddenNode(facts_, check.way);
+    if (node != nullptr) return problems_.push_back(permissionProblem(what, *node));
+    add(what, unsettingFirst(variablesOf(check), deviceRemedy(check)));
+  }
+
+  /// Those that may be why it fails.
+  std::vector<std::string> variablesOf(const WayCheck& check) const {
+    return check.way.nvidia ? std::vector<std::string>{} : facts_.mesaVariables;
+  }
+
+  std::string deviceRemedy(const WayCheck& check) const {
+    const bool old =
+        check.failure->call.starts_with("eglCreateContext") || check.failure->error == "missing";
+    if (check.ends) return updateRemedy(check.way.software);
+    if (check.way.software) return kInstallMesaDrivers;
+    if (check.way.nvidia && lacksGraphicsCapability(facts_)) return kGraphicsCapability;
+    if (check.way.nvidia) return kInstallNvidia;
+    return old ? "update the card's driver to one with OpenGL 3.3 core; until then --device "
+                 "software"
+               : kInstallMesaDrivers;
+  }
+
+  void addWrongFrame(const WayCheck& check) {
+    if (check.failure || check.frame.passed()) return;
+    const std::string why = check.frame.failure.empty()
+                                ? "the test frame isn't as it should be"
+                                : "the test frame failed: " + check.frame.failure;
+    add(check.way.text() + ", " + check.renderer + ": " + why,
+        unsettingFirst(variablesOf(check), updateRemedy(check.software)));
+  }
+
+  /// A card that was neither listed nor told of, and may not be opened.
+  void addForbiddenCard() {
+    if (!problems_.empty() || anyDraws(check_, true)) return;
+    if (const DeviceNode* node = forbiddenNode(facts_, "", false)) {
+      problems_.push_back(permissionProblem("a graphics card isn't used", *node));
+    }
+  }
+
+  std::string saidByWays() const {
+    std::string said;
+    for (const WayCheck& way : check_.ways) {
+      if (way.failure) said += "; " + way.way.text() + ": " + way.failure->text();
+    }
+    return said;
+  }
+
+  const GraphicsCheck& check_;
+  const GraphicsFacts& facts_;
+  std::vector<Problem> problems_;
+};
+
+}  // namespace
+
+std::vector<Problem> diagnose(const GraphicsCheck& check, const GraphicsFacts& facts) {
+  return Diagnosis(check, facts).take();
+}
+
+}  // namespace rotatebook::diagnose

@@ -1,0 +1,141 @@
+#include "diagnose/speed_limit.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace rotatebook::diagnose {
+namespace {
+
+constexpr double kWorthSaying = 1.03;
+constexpr int kLeastToHalve = 64;  // The shorter side. [pixels]
+
+WorkTime scaled(const WorkTime& time, double factor) {
+  return {time.wall * factor, time.processor * factor};
+}
+
+/// Collects what helps: a change is tried on the numbers.
+class Adviser {
+ public:
+  explicit Adviser(const Speed& speed)
+      : speed_(speed), limit_(speedLimit(speed.stages, speed.cores)) {}
+
+  const SpeedLimit& limit() const { return limit_; }
+
+  void tryOut(const std::string& change, const std::string& effect, const StageTimes& stages,
+              int cores) {
+    const double gain = limit_.wall / std::max(speedLimit(stages, cores).wall, 1e-9);
+    if (gain >= kWorthSaying) advice_.push_back({change, effect, gain});
+  }
+
+  /// With one stage, or several, changed by `change(stages)`.
+  template <typename Change>
+  void tryOut(const std::string& words, const std::string& effect, const Change& change) {
+    StageTimes stages = speed_.stages;
+    change(stages);
+    tryOut(words, effect, stages, speed_.cores);
+  }
+
+  std::vector<SpeedAdvice> take() {
+    std::ranges::stable_sort(advice_, std::ranges::greater{}, &SpeedAdvice::gain);
+    return std::move(advice_);
+  }
+
+ private:
+  const Speed& speed_;
+  SpeedLimit limit_;
+  std::vector<SpeedAdvice> advice_;
+};
+
+bool isSoftware(const std::string& renderer) {
+  return renderer.find("llvmpipe") != std::string::npos ||
+         renderer.find("softpipe") != std::string::npos;
+}
+
+void adviseOnBook(const scene::Scene& scene, const Speed& speed, Adviser& adviser) {
+  const scene::LookSettings& look = scene.look;
+  if (look.supersample > 1) {
+    adviser.tryOut("--set look.supersample=1", "edges are less smooth", [&](StageTimes& stages) {
+      stages.book = scaled(stages.book, 1.0 / (look.supersample * look.supersample));
+    });
+  }
+  if (look.motionBlur > 1) {
+    adviser.tryOut("--set look.motion_blur=1", "no blur", [&](StageTimes& stages) {
+      stages.book = scaled(stages.book, 1.0 / look.motionBlur);
+    });
+  }
+  if (isSoftware(speed.renderer)) {
+    adviser.tryOut("a graphics card", "if it drew at no cost",
+                   [](StageTimes& stages) { stages.book = {}; });
+  }
+}
+
+void adviseOnVideo(const scene::Scene& scene, const Speed& speed, Adviser& adviser) {
+  if (scene.video.preset != "ultrafast") {
+    adviser.tryOut("a faster video.preset", "larger files; if encoding cost nothing",
+                   [](StageTimes& stages) { stages.video = {}; });
+  }
+  if (!adviser.limit().ofCores && scene.video.threads < speed.cores) {
+    const double share = static_cast<double>(scene.video.threads) / speed.cores;
+    adviser.tryOut("--set video.threads=" + std::to_string(speed.cores),
+                   "another MP4, byte by byte",
+                   [&](StageTimes& stages) { stages.video.wall *= share; });
+  }
+}
+
+/// Half as wide and high; the sides stay even.
+std::string halfSize(const scene::ClipSettings& clip) {
+  return std::to_string(clip.width / 4 * 2) + "x" + std::to_string(clip.height / 4 * 2);
+}
+
+void adviseOnSize(const scene::Scene& scene, Adviser& adviser) {
+  if (std::min(scene.clip.width, scene.clip.height) < kLeastToHalve) return;
+  adviser.tryOut(
+      "--size " + halfSize(scene.clip), "a quarter of the pixels", [](StageTimes& stages) {
+        for (WorkTime* time : {&stages.book, &stages.finish, &stages.png, &stages.video}) {
+          *time = scaled(*time, 0.25);
+        }
+      });
+}
+
+}  // namespace
+
+SpeedLimit speedLimit(const StageTimes& stages, int cores) {
+  const double shared = stages.processorSum() / cores;
+  const double alone = std::max({stages.book.wall, stages.finish.wall, stages.video.wall});
+  // A software rasteriser alone uses all cores, too; then it is they that limit.
+  if (shared >= alone) {
+    const std::array<std::pair<double, Stage>, 5> times{{
+        {stages.simulate.processor, Stage::Simulate},
+        {stages.book.processor, Stage::Book},
+        {stages.finish.processor, Stage::Finish},
+        {stages.png.processor, Stage::Png},
+        {stages.video.processor, Stage::Video},
+    }};
+    return {std::ranges::max_element(times)->second, true, shared};
+  }
+  if (stages.video.wall >= alone) return {Stage::Video, false, alone};
+  return {stages.book.wall >= alone ? Stage::Book : Stage::Finish, false, alone};
+}
+
+std::vector<SpeedAdvice> speedAdvice(const scene::Scene& scene, const Speed& speed) {
+  Adviser adviser(speed);
+  const SpeedLimit& limit = adviser.limit();
+  if (limit.stage == Stage::Book) adviseOnBook(scene, speed, adviser);
+  if (limit.stage == Stage::Finish) {
+    adviser.tryOut("fewer of overlay.show", "if finishing cost nothing",
+                   [](StageTimes& stages) { stages.finish = {}; });
+  }
+  if (limit.stage == Stage::Png) {
+    adviser.tryOut("--no-png", "the MP4 alone", [](StageTimes& stages) { stages.png = {}; });
+  }
+  if (limit.stage == Stage::Video) adviseOnVideo(scene, speed, adviser);
+  if (limit.stage != Stage::Simulate) adviseOnSize(scene, adviser);
+  if (limit.ofCores) {
+    const int more = 2 * speed.cores;
+    adviser.tryOut("more cores", "with " + std::to_string(more), speed.stages, more);
+  }
+  return adviser.take();
+}
+
+}  // namespace rotatebook::diagnose

@@ -1,0 +1,38 @@
+#include "diagnose/test_frame.h"
+
+#include <Eigen/Geometry>
+
+#include "embedded/diagnose.h"
+#include "image/png_file.h"
+
+namespace rotatebook::diagnose {
+
+render::RenderSettings testFrameSettings() {
+  render::RenderSettings settings;
+  settings.width = 96;
+  settings.height = 54;
+  settings.camera.position = {0, 0, 0.62};
+  return settings;
+}
+
+physics::Corners testFrameBook() {
+  const Eigen::AngleAxisd left(0.6, Eigen::Vector3d::UnitY());
+  const Eigen::AngleAxisd forward(0.35, Eigen::Vector3d::UnitX());
+  return (forward * left).toRotationMatrix() * physics::Cuboid{}.corners();
+}
+
+image::Image drawTestFrame(const render::BookTextures& textures,
+                           const render::DeviceChoice& choice) {
+  render::RenderSettings settings = testFrameSettings();
+  settings.device = choice;
+  render::Renderer renderer(settings, textures);
+  image::Image picture = renderer.makePicture();
+  renderer.draw(testFrameBook(), picture);
+  return picture;
+}
+
+image::Image storedTestFrame() {
+  return image::decodePng(testFramePng(), "stored test frame");
+}
+
+}  // namespace rotatebook::diagnose

@@ -1,0 +1,159 @@
+// A clip: its player, its plots, what was expected of it and measured.
+#include <iterator>
+#include <vector>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "embedded/page.h"
+#include "image/png_file.h"
+#include "page/clip_videos.h"
+#include "page/expectation_table.h"
+#include "page/figure.h"
+#include "page/motion_data.h"
+#include "page/motion_settings_table.h"
+#include "store/clip_files.h"
+#include "store/clip_record.h"
+#include "system/read_file.h"
+#include "timeline/simulate_scene.h"
+#include "timeline/trajectory_csv.h"
+
+namespace rotatebook::page {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Of a time for people.
+constexpr int kTimeDigits = 4;
+
+/// A clip's motions, simulated anew, and the files that were made of it.
+struct Clip {
+  std::vector<Motion> motions;
+  std::int64_t frames = 0;
+  store::ClipFiles files;
+  std::vector<fs::path> csvs;  ///< One a motion.
+  ClipVideos videos;
+  bool hasRecord = false;  ///< Whether NAME/scene.toml is the scene's.
+  bool hasFrames = false;  ///< Whether all frames are beside it.
+};
+
+/// The plots show what the table beside the clip holds, or nothing.
+void refuseOtherMotion(const fs::path& csv, const physics::Trajectory& trajectory,
+                       const scene::Scene& scene) {
+  if (system::readFileOrEmpty(csv) == timeline::trajectoryCsv(trajectory)) return;
+  throw InputError(csv.string() + " was made of another scene or with other settings; " +
+                   renderAgain(scene, csv.parent_path()));
+}
+
+void refuseOtherPoster(const Clip& clip, const scene::Scene& scene) {
+  const fs::path& poster = clip.files.poster;
+  const image::Image picture = image::readPng(poster);
+  std::string difference = otherSizeText({picture.width(), picture.height()}, scene);
+  if (difference.empty() && areOfOtherScenes(clip.files, clip.videos.played, poster)) {
+    difference = kOtherSettings;
+  }
+  if (difference.empty()) return;
+  throw InputError(poster.string() + ": " + difference + "; " +
+                   renderAgain(scene, poster.parent_path()));
+}
+
+Clip readClip(const scene::Scene& scene, const fs::path& folder) {
+  Clip clip;
+  clip.files = store::clipFiles(folder, scene.name);
+  clip.csvs = store::csvFiles(clip.files.csv, scene);
+  clip.hasRecord = store::isRecordOfClip(scene, system::readFileOrEmpty(clip.files.sceneCopy));
+  const timeline::ClipMotion motion = timeline::simulateScene(scene);
+  clip.frames = motion.frameCount();
+  clip.hasFrames =
+      clip.hasRecord && std::ssize(store::framesIn(clip.files.frameFolder)) == clip.frames;
+  for (const scene::Panel& panel : scene::motionsOf(scene)) {
+    const std::size_t index = clip.motions.size();
+    const physics::Trajectory& trajectory = motion.trajectories()[index];
+    requireFile(clip.csvs[index], scene, "render");
+    refuseOtherMotion(clip.csvs[index], trajectory, scene);
+    clip.motions.push_back({panel, trajectory});
+  }
+  clip.videos = videosOf(scene, clip.files);
+  requireFile(clip.files.poster, scene, "render");
+  refuseOtherPoster(clip, scene);
+  return clip;
+}
+
+std::string nameOf(const fs::path& file) {
+  return file.filename().string();
+}
+
+Html linksOf(const Clip& clip) {
+  Html links;
+  for (std::size_t i = 0; i < clip.motions.size(); ++i) {
+    const std::string& label = clip.motions[i].panel.label;
+    links += linkItem(nameOf(clip.csvs[i]), label.empty() ? "CSV" : "CSV: " + label);
+  }
+  for (const auto& [file, words] : clip.videos.linked) links += linkItem(nameOf(file), words);
+  links += linkItem(nameOf(clip.files.poster), "Poster");
+  const std::string folder = nameOf(clip.files.frameFolder) + "/";
+  if (clip.hasFrames) links += linkItem(folder, "PNG frames");
+  if (clip.hasRecord) links += linkItem(folder + nameOf(clip.files.sceneCopy), "Scene");
+  return links;
+}
+
+std::vector<Check> allChecks(const Clip& clip) {
+  std::vector<Check> all;
+  for (const Motion& motion : clip.motions) {
+    const std::vector<Check> checks = checksOf(motion);
+    all.insert(all.end(), checks.begin(), checks.end());
+  }
+  return all;
+}
+
+Html tablesOf(const Clip& clip) {
+  Html tables;
+  for (const Motion& motion : clip.motions) {
+    const std::string label = motion.panel.label.empty() ? "" : ": " + motion.panel.label;
+    tables += checksTable("Expected and measured" + label, checksOf(motion));
+  }
+  return tables;
+}
+
+Html divergenceOf(const Clip& clip) {
+  Html notes;
+  for (const Motion& motion : clip.motions) {
+    if (!motion.trajectory.divergedAt) continue;
+    const std::string who = motion.panel.label.empty() ? "The motion" : motion.panel.label;
+    notes += filled(
+        "<p class=\"note\">{{words}}</p>\n",
+        {{"words", escaped(who + " diverges at " +
+                           roundedText(*motion.trajectory.divergedAt, kTimeDigits) + " s.")}});
+  }
+  return notes;
+}
+
+}  // namespace
+
+Figure clipFigure(const scene::Scene& scene, const fs::path& folder) {
+  const Clip clip = readClip(scene, folder);
+  const std::string poster = nameOf(clip.files.poster);
+  const FigureKind kind = clip.motions.size() > 1 ? FigureKind::Comparison : FigureKind::Clip;
+  Figure figure{kind, scene.name, scene.title, poster};
+  const std::vector<Check> checks = allChecks(clip);
+  figure.badge = unmetBadge(checks);
+  figure.leftOut = clip.videos.leftOut;
+  figure.section =
+      filled(clipTemplate(), {{"id", escaped(scene.name)},
+                              {"title", escaped(scene.title)},
+                              {"badge", figure.badge},
+                              {"caption", escaped(scene.caption)},
+                              {"notes", divergenceOf(clip)},
+                              {"width", {std::to_string(scene.clip.width)}},
+                              {"height", {std::to_string(scene.clip.height)}},
+                              {"poster", addressOf(poster)},
+                              {"video", addressOf(nameOf(clip.videos.played))},
+                              {"last", {std::to_string(clip.frames - 1)}},
+                              {"settings", settingsTable(clip.motions, scene.clip)},
+                              {"checks", foldedChecks(checks, tablesOf(clip))},
+                              {"links", linksOf(clip)},
+                              {"scene", sceneDetails(scene)},
+                              {"data", {motionData(clip.motions, scene.clip, clip.frames)}}});
+  return figure;
+}
+
+}  // namespace rotatebook::page

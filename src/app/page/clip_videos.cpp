@@ -1,0 +1,71 @@
+#include "page/clip_videos.h"
+
+#include <array>
+
+#include "base/error.h"
+#include "page/figure.h"
+#include "store/clip_record.h"
+#include "store/fingerprint.h"
+#include "video/clip_reader.h"
+
+namespace rotatebook::page {
+namespace {
+
+namespace fs = std::filesystem;
+using video::VideoFormat;
+
+constexpr std::array<std::pair<VideoFormat, const char*>, 4> kFormats{
+    {{VideoFormat::Mp4, "MP4"},
+     {VideoFormat::WebM, "WebM"},
+     {VideoFormat::Gif, "GIF"},
+     {VideoFormat::Apng, "APNG"}}};
+
+bool isPlayable(VideoFormat format) {
+  return format == VideoFormat::Mp4 || format == VideoFormat::WebM;
+}
+
+/// Why the file isn't the scene's; empty if it is. `played` is, if it isn't empty.
+std::string differenceOf(const fs::path& file, VideoFormat format, const scene::Scene& scene,
+                         const store::ClipFiles& files, const fs::path& played) {
+  try {
+    const std::string size = otherSizeText(video::readPictureSize(file), scene);
+    if (!size.empty()) return size;
+    const bool same = isPlayable(format)
+                          ? store::isRecordOfClip(scene, video::readClipMetadata(file).comment)
+                          : played.empty() || !areOfOtherScenes(files, played, file);
+    return same ? "" : kOtherSettings;
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+}  // namespace
+
+bool areOfOtherScenes(const store::ClipFiles& files, const fs::path& one, const fs::path& other) {
+  const std::string first = store::sceneChecksumOf(files.frameFolder, one);
+  const std::string second = store::sceneChecksumOf(files.frameFolder, other);
+  return !first.empty() && !second.empty() && first != second;
+}
+
+ClipVideos videosOf(const scene::Scene& scene, const store::ClipFiles& files) {
+  ClipVideos videos;
+  std::string problem;
+  for (const auto& [format, words] : kFormats) {
+    const fs::path file = files.video(format);
+    if (!fs::exists(file)) continue;
+    const std::string difference = differenceOf(file, format, scene, files, videos.played);
+    if (difference.empty()) {
+      if (isPlayable(format) && videos.played.empty()) videos.played = file;
+      videos.linked.emplace_back(file, words);
+      continue;
+    }
+    videos.leftOut.push_back(file.string() + " isn't linked: " + difference);
+    if (isPlayable(format) && problem.empty()) problem = file.string() + ": " + difference;
+  }
+  if (!videos.played.empty()) return videos;
+  const fs::path mp4 = files.video(VideoFormat::Mp4);
+  if (problem.empty()) requireFile(mp4, scene, "render");
+  throw InputError(problem + "; " + renderAgain(scene, mp4.parent_path()));
+}
+
+}  // namespace rotatebook::page

@@ -1,0 +1,85 @@
+#include "page/expectation_table.h"
+
+#include <algorithm>
+
+#include "base/number_text.h"
+#include "scene/expectation_text.h"
+
+namespace rotatebook::page {
+namespace {
+
+constexpr std::string_view kTable = R"(<div class="scroll"><table class="checks">
+<caption>{{caption}}</caption>
+<thead><tr><th scope="col">Quantity</th><th scope="col">Expected</th><th scope="col">Measured</th><th scope="col">Verdict</th></tr></thead>
+<tbody>
+{{rows}}</tbody></table></div>
+)";
+
+constexpr std::string_view kRow =
+    R"(<tr><th scope="row">{{subject}}</th><td>{{expected}}</td><td>{{measured}}</td><td class="{{class}}">{{verdict}}</td></tr>
+)";
+
+constexpr std::string_view kBadge = R"(<p class="badge unmet">{{words}}</p>)";
+
+constexpr std::string_view kFolded = R"(<details class="expectations"{{open}}>
+<summary><span class="badge {{class}}">{{words}}</span></summary>
+{{tables}}</details>
+)";
+
+bool areAllMet(const std::vector<Check>& checks) {
+  return std::ranges::all_of(checks, &Check::met);
+}
+
+/// "4 of 5 expectations met"
+Html countText(const std::vector<Check>& checks) {
+  const auto met = std::ranges::count(checks, true, &Check::met);
+  return escaped(std::to_string(met) + " of " + std::to_string(checks.size()) +
+                 (checks.size() == 1 ? " expectation met" : " expectations met"));
+}
+
+Html rowOf(const Check& check) {
+  return filled(kRow, {{"subject", escaped(check.subject)},
+                       {"expected", escaped(check.expected)},
+                       {"measured", escaped(check.measured)},
+                       {"class", {check.met ? "met" : "unmet"}},
+                       {"verdict", {check.met ? "✓ met" : "✗ unmet"}}});
+}
+
+}  // namespace
+
+std::vector<Check> checksOf(const Motion& motion) {
+  std::vector<Check> checks;
+  if (divergesUnexpectedly(motion.trajectory, motion.panel.expectations)) {
+    checks.push_back({"diverges_at", "no divergence",
+                      roundedText(*motion.trajectory.divergedAt, kCheckDigits) + " s", false});
+  }
+  for (const scene::ExpectationResult& result :
+       check(motion.trajectory, motion.panel.expectations)) {
+    checks.push_back(
+        {std::string(nameOf(result.expectation.quantity)) + windowText(result.expectation),
+         expectedText(result.expectation), measuredText(result, kCheckDigits), result.met});
+  }
+  return checks;
+}
+
+Html checksTable(const std::string& caption, const std::vector<Check>& checks) {
+  if (checks.empty()) return {};
+  Html rows;
+  for (const Check& check : checks) rows += rowOf(check);
+  return filled(kTable, {{"caption", escaped(caption)}, {"rows", rows}});
+}
+
+Html unmetBadge(const std::vector<Check>& checks) {
+  return areAllMet(checks) ? Html{} : filled(kBadge, {{"words", countText(checks)}});
+}
+
+Html foldedChecks(const std::vector<Check>& checks, const Html& tables) {
+  if (checks.empty()) return {};
+  const bool met = areAllMet(checks);
+  return filled(kFolded, {{"open", {met ? "" : " open"}},
+                          {"class", {met ? "met" : "unmet"}},
+                          {"words", countText(checks)},
+                          {"tables", tables}});
+}
+
+}  // namespace rotatebook::page

@@ -1,0 +1,79 @@
+#include "page/figure.h"
+
+#include "base/error.h"
+#include "embedded/page.h"
+#include "image/png_file.h"
+#include "scene/scene_text.h"
+#include "store/clip_files.h"
+
+namespace rotatebook::page {
+namespace {
+
+namespace fs = std::filesystem;
+
+Figure stillFigure(const scene::Scene& scene, const fs::path& folder) {
+  const std::string picture = scene.name + ".png";
+  const image::Image pixels = image::readPng(folder / picture);
+  Figure figure{FigureKind::Still, scene.name, scene.title, picture};
+  figure.section = filled(stillTemplate(), {{"id", escaped(scene.name)},
+                                            {"title", escaped(scene.title)},
+                                            {"picture", addressOf(picture)},
+                                            {"width", {std::to_string(pixels.width())}},
+                                            {"height", {std::to_string(pixels.height())}},
+                                            {"caption", escaped(scene.caption)},
+                                            {"links", linkItem(picture, "PNG")},
+                                            {"scene", sceneDetails(scene)}});
+  return figure;
+}
+
+bool isStill(const scene::Scene& scene, const fs::path& folder) {
+  return fs::exists(folder / (scene.name + ".png")) &&
+         !fs::exists(store::clipFiles(folder, scene.name).csv);
+}
+
+}  // namespace
+
+Figure readFigure(const scene::Scene& scene, const fs::path& folder) {
+  if (scene.study) return studyFigure(scene, folder);
+  return isStill(scene, folder) ? stillFigure(scene, folder) : clipFigure(scene, folder);
+}
+
+std::string remedy(const std::string& command, const scene::Scene& scene, const fs::path& folder) {
+  return "rotatebook " + command + " " + (scene.folder / (scene.name + ".toml")).string() + " -o " +
+         folder.string();
+}
+
+std::string renderAgain(const scene::Scene& scene, const fs::path& folder) {
+  return "render it again (or give this command the same --size and --set): " +
+         remedy("render", scene, folder);
+}
+
+std::string otherSizeText(const video::PictureSize& size, const scene::Scene& scene) {
+  const auto text = [](int width, int height) {
+    return std::to_string(width) + "x" + std::to_string(height);
+  };
+  const scene::ClipSettings& clip = scene.clip;
+  if (size.width == clip.width && size.height == clip.height) return "";
+  return "its pictures are " + text(size.width, size.height) + ", and the scene's are " +
+         text(clip.width, clip.height);
+}
+
+void requireFile(const fs::path& path, const scene::Scene& scene, const std::string& command) {
+  if (fs::is_regular_file(path)) return;
+  throw InputError(path.string() + " is missing; the page shows what was made before: " +
+                   remedy(command, scene, path.parent_path()));
+}
+
+Html linkItem(const std::string& address, const std::string& words) {
+  return filled(R"(<li><a href="{{address}}">{{words}}</a></li>)",
+                {{"address", addressOf(address)}, {"words", escaped(words)}});
+}
+
+Html sceneDetails(const scene::Scene& scene) {
+  return filled(
+      "<details><summary>The scene, every default explicit</summary><pre "
+      "tabindex=\"0\">{{text}}</pre></details>",
+      {{"text", escaped(sceneText(scene))}});
+}
+
+}  // namespace rotatebook::page

@@ -1,0 +1,120 @@
+#include "page/motion_settings_table.h"
+
+#include <string>
+
+#include "base/number_text.h"
+#include "scene/names.h"
+
+namespace rotatebook::page {
+namespace {
+
+constexpr int kSettingDigits = 4;
+
+/// One setting of every motion; empty where a motion has none.
+using Row = std::vector<std::string>;
+
+std::string number(double value) {
+  return roundedText(value, kSettingDigits);
+}
+
+std::string vectorText(const Eigen::Vector3d& vector) {
+  return "(" + number(vector.x()) + ", " + number(vector.y()) + ", " + number(vector.z()) + ")";
+}
+
+bool takesSteps(const physics::SimulationSettings& settings) {
+  return settings.model != physics::Model::Exact;
+}
+
+std::string integratorText(const scene::Panel& motion) {
+  if (!takesSteps(motion.simulation)) return "closed form";
+  return std::string(scene::nameOf(scene::kIntegrators, motion.simulation.integrator)) +
+         (motion.simulation.normalize ? ", normalised" : ", not normalised");
+}
+
+std::string stepText(const scene::Panel& motion) {
+  if (!takesSteps(motion.simulation)) return "";
+  return number(1e3 * motion.simulation.timePerFrame / motion.simulation.substeps) + " ms";
+}
+
+std::string springsText(const scene::Panel& motion) {
+  const physics::SimulationSettings& settings = motion.simulation;
+  if (settings.model != physics::Model::Particles) return "";
+  return number(settings.stiffness) + " N/m, " +
+         (settings.damping > 0 ? "damping " + number(settings.damping) : "undamped");
+}
+
+std::string spinText(const scene::Panel& motion) {
+  const physics::InitialSpin& spin = motion.initial;
+  const bool isVelocity = spin.kind == physics::InitialSpin::Kind::AngularVelocity;
+  return (isVelocity ? "ω = " : "L = ") + vectorText(spin.value) +
+         (isVelocity ? " rad/s" : " kg m²/s");
+}
+
+std::string tiltText(const scene::Panel& motion) {
+  const auto& tilt = motion.initial.tilt;
+  if (!tilt) return "none";
+  return number(tilt->angle) + " rad toward " +
+         std::string(scene::nameOf(scene::kAxes, tilt->axis));
+}
+
+std::string bodyText(const scene::Panel& motion) {
+  const Eigen::Vector3d size = 1e3 * motion.body.size;
+  return number(size.x()) + " × " + number(size.y()) + " × " + number(size.z()) + " mm, " +
+         number(motion.body.mass) + " kg" + (motion.inertia ? ", own inertia tensor" : "");
+}
+
+Html cells(const char* tag, const Row& row) {
+  Html html;
+  for (const std::string& text : row) {
+    html.text +=
+        std::string("<") + tag + ">" + escaped(text.empty() ? "–" : text).text + "</" + tag + ">";
+  }
+  return html;
+}
+
+Html rowHtml(const std::string& name, const Html& content) {
+  return {"<tr><th scope=\"row\">" + escaped(name).text + "</th>" + content.text + "</tr>\n"};
+}
+
+/// A row of what `text` says of each motion; none if it says nothing of any.
+template <typename Text>
+Html rowOf(const std::string& name, const std::vector<Motion>& motions, const Text& text) {
+  Row row;
+  bool any = false;
+  for (const Motion& motion : motions) {
+    row.push_back(text(motion.panel));
+    any = any || !row.back().empty();
+  }
+  return any ? rowHtml(name, cells("td", row)) : Html{};
+}
+
+Html headOf(const std::vector<Motion>& motions) {
+  if (motions.size() == 1) return {};
+  Row labels;
+  for (const Motion& motion : motions) labels.push_back(motion.panel.label);
+  return {"<thead><tr><td></td>" + cells("th", labels).text + "</tr></thead>\n"};
+}
+
+}  // namespace
+
+Html settingsTable(const std::vector<Motion>& motions, const scene::ClipSettings& clip) {
+  Html rows = rowOf("Model", motions, [](const scene::Panel& motion) {
+    return std::string(scene::nameOf(scene::kModels, motion.simulation.model));
+  });
+  rows += rowOf("Integrator", motions, &integratorText);
+  rows += rowOf("Step", motions, &stepText);
+  rows += rowOf("Springs", motions, &springsText);
+  rows += rowOf("Spin", motions, &spinText);
+  rows += rowOf("Tilt", motions, &tiltText);
+  rows += rowOf("Book", motions, &bodyText);
+  const std::string picture = std::to_string(clip.width) + " × " + std::to_string(clip.height) +
+                              ", " + clip.frameRate.text() + " frames/s";
+  rows += rowHtml("Picture", {"<td colspan=\"" + std::to_string(motions.size()) + "\">" +
+                              escaped(picture).text + "</td>"});
+  return {
+      "<div class=\"scroll\" tabindex=\"0\"><table "
+      "class=\"settings\">\n<caption>Settings</caption>\n" +
+      headOf(motions).text + "<tbody>\n" + rows.text + "</tbody></table></div>\n"};
+}
+
+}  // namespace rotatebook::page

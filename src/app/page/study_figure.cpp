@@ -1,0 +1,198 @@
+// A study: its plot, and what was expected of it and measured, from its tables.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "embedded/page.h"
+#include "page/curves.h"
+#include "page/expectation_table.h"
+#include "page/figure.h"
+#include "scene/expectation_text.h"
+#include "scene/names.h"
+#include "store/study_files.h"
+#include "study/study.h"
+#include "system/read_file.h"
+
+namespace rotatebook::page {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A row of a table: its columns by name.
+using RunRow = std::map<std::string, std::string>;
+
+std::vector<std::string> fieldsOf(const std::string& line) {
+  std::vector<std::string> fields;
+  std::istringstream stream(line);
+  for (std::string field; std::getline(stream, field, ',');) fields.push_back(field);
+  return fields;
+}
+
+/// The rows of a CSV as `rotatebook study` writes it: no quotes, and no commas within fields.
+std::vector<RunRow> rowsOf(const fs::path& csv) {
+  std::istringstream stream(system::readFileOrEmpty(csv));
+  std::string line;
+  std::getline(stream, line);
+  const std::vector<std::string> names = fieldsOf(line);
+  std::vector<RunRow> rows;
+  while (std::getline(stream, line)) {
+    const std::vector<std::string> fields = fieldsOf(line);
+    RunRow row;
+    for (std::size_t i = 0; i < std::min(names.size(), fields.size()); ++i)
+      row[names[i]] = fields[i];
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+double fieldOf(const RunRow& row, const std::string& column) {
+  double number = study::kNoNumber;
+  const auto found = row.find(column);
+  if (found == row.end()) return number;
+  const std::string& text = found->second;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+/// The fields of these columns, where there are such, with commas between.
+std::string keyOf(const RunRow& row, const std::vector<std::string>& columns) {
+  std::string key;
+  for (const std::string& column : columns) {
+    const auto found = row.find(column);
+    key += (key.empty() ? "" : ",") + (found == row.end() ? "" : found->second);
+  }
+  return key;
+}
+
+/// The runs of a study, as the columns of its table name them.
+struct Runs {
+  std::vector<std::string> columns;
+  std::set<std::string> keys;
+};
+
+Runs runsOf(const scene::Scene& scene) {
+  const scene::StudySettings& study = *scene.study;
+  if (study.isOfTilts()) {
+    Runs runs{{"tilt_rad"}, {}};
+    for (const double tilt : study.tilts) runs.keys.insert(shortestText(tilt));
+    return runs;
+  }
+  Runs runs{{"integrator", "h_s", "steps"}, {}};
+  for (const physics::Integrator integrator : study.integrators) {
+    for (const int substeps : study.steps) {
+      runs.keys.insert(std::string(scene::nameOf(scene::kIntegrators, integrator)) + "," +
+                       shortestText(scene.simulation.timePerFrame / substeps) + "," +
+                       std::to_string((scene.clip.frameCount() - 1) * substeps));
+    }
+  }
+  return runs;
+}
+
+/// Throws InputError unless the table is of the runs that the scene's study has.
+void requireRuns(const fs::path& csv, const scene::Scene& scene) {
+  const Runs wanted = runsOf(scene);
+  std::set<std::string> found;
+  for (const RunRow& row : rowsOf(csv)) found.insert(keyOf(row, wanted.columns));
+  if (found == wanted.keys) return;
+  throw InputError(csv.string() +
+                   " isn't of the runs that the scene's study has; study it again (or give this "
+                   "command the same --set): " +
+                   remedy("study", scene, csv.parent_path()));
+}
+
+Check checkOf(const std::string& subject, const scene::Bounds& bounds, double measured) {
+  const scene::Expectation expectation{.min = bounds.min, .max = bounds.max};
+  return {subject, expectedText(expectation), measuredText(measured, expectation, kCheckDigits),
+          bounds.hold(measured)};
+}
+
+std::vector<Check> checksOfOrders(const scene::StudySettings& study, const fs::path& csv) {
+  std::map<std::string, double> orders;
+  for (const RunRow& row : rowsOf(csv)) {
+    orders[keyOf(row, {"integrator"})] = fieldOf(row, "order");
+  }
+  std::vector<Check> checks;
+  for (const auto& [integrator, bounds] : study.orders) {
+    const std::string name(scene::nameOf(scene::kIntegrators, integrator));
+    checks.push_back(checkOf("order of " + name, bounds,
+                             orders.contains(name) ? orders[name] : study::kNoNumber));
+  }
+  return checks;
+}
+
+std::vector<Check> checksOfTilts(const scene::StudySettings& study, const fs::path& csv) {
+  if (!study.flipLaw) return {};
+  study::TiltStudy measured;
+  for (const RunRow& row : rowsOf(csv)) {
+    study::TiltRow tilt;
+    tilt.interval = fieldOf(row, "interval_s");
+    tilt.law = fieldOf(row, "law_s");
+    measured.rows.push_back(tilt);
+  }
+  return {checkOf("flip_law", *study.flipLaw, measured.greatestDeviation())};
+}
+
+/// Error against step, of each integrator.
+std::vector<Curve> curvesOfOrders(const scene::StudySettings& study, const fs::path& csv) {
+  std::map<std::string, Curve> curves;
+  for (const RunRow& row : rowsOf(csv)) {
+    curves[keyOf(row, {"integrator"})].emplace_back(std::log(fieldOf(row, "h_s")),
+                                                    std::log(fieldOf(row, "error_deg")));
+  }
+  std::vector<Curve> inOrder;
+  for (const physics::Integrator integrator : study.integrators) {
+    inOrder.push_back(curves[std::string(scene::nameOf(scene::kIntegrators, integrator))]);
+  }
+  return inOrder;
+}
+
+/// The time from a flip to the next against the tilt.
+std::vector<Curve> curvesOfTilts(const fs::path& csv) {
+  Curve curve;
+  for (const RunRow& row : rowsOf(csv)) {
+    curve.emplace_back(std::log(fieldOf(row, "tilt_rad")), fieldOf(row, "interval_s"));
+  }
+  return {curve};
+}
+
+}  // namespace
+
+Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
+  const store::StudyFiles files = store::studyFiles(folder, scene.name);
+  const bool ofTilts = scene.study->isOfTilts();
+  for (const auto& file : {files.csv, files.svg, files.png}) requireFile(file, scene, "study");
+  if (!ofTilts) requireFile(files.orders, scene, "study");
+  requireRuns(files.csv, scene);
+  const std::vector<Check> checks =
+      ofTilts ? checksOfTilts(*scene.study, files.csv) : checksOfOrders(*scene.study, files.orders);
+
+  const std::string svg = files.svg.filename().string();
+  Figure figure{FigureKind::Study, scene.name, scene.title, svg};
+  figure.curves =
+      curvesSvg(ofTilts ? curvesOfTilts(files.csv) : curvesOfOrders(*scene.study, files.csv));
+  figure.badge = unmetBadge(checks);
+  Html links = linkItem(svg, "SVG");
+  links += linkItem(files.png.filename().string(), "PNG");
+  links += linkItem(files.csv.filename().string(), "CSV");
+  if (!ofTilts) links += linkItem(files.orders.filename().string(), "CSV of the orders");
+  figure.section =
+      filled(studyTemplate(),
+             {{"id", escaped(scene.name)},
+              {"title", escaped(scene.title)},
+              {"badge", figure.badge},
+              {"plot", addressOf(svg)},
+              {"caption", escaped(scene.caption)},
+              {"checks", foldedChecks(checks, checksTable("Expected and measured", checks))},
+              {"links", links},
+              {"scene", sceneDetails(scene)}});
+  return figure;
+}
+
+}  // namespace rotatebook::page

@@ -1,0 +1,80 @@
+#include "picture/frame_drawer.h"
+
+#include "picture/textures.h"
+
+namespace rotatebook::picture {
+
+// Reading textures and making overlays are half of a render's start: each goes on by itself.
+FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
+                         const render::DeviceChoice& device)
+    : FrameDrawer(scene, motion, device,
+                  std::async(std::launch::async, [&scene] { return loadTextures(scene); })) {}
+
+FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
+                         const render::DeviceChoice& device,
+                         std::future<render::BookTextures> textures)
+    : motion_(&motion),
+      composition_(scene, motion),
+      frame_(scene.camera.frame),
+      camera_(cameraOf(scene, composition_.screen())),
+      renderer_(makeRenderer(scene, composition_.screen(), textures.get(), device)),
+      moments_(scene) {
+  const render::Screen& screen = composition_.screen();
+  if (moments_.count() > 1) mean_.emplace(screen.width, screen.height);
+}
+
+void FrameDrawer::draw(std::int64_t frame, image::Image& picture) {
+  if (!exposure_) exposure_ = makeExposure();
+  expose(frame, *exposure_);
+  finish(*exposure_, picture);
+}
+
+Exposure FrameDrawer::makeExposure() const {
+  Exposure exposure;
+  const std::size_t count = motion_->trajectories().size();
+  if (mean_) {
+    exposure.blurred.assign(count, renderer_.makePicture());
+  } else {
+    exposure.books.assign(count, renderer_.makeBook());
+  }
+  return exposure;
+}
+
+void FrameDrawer::expose(std::int64_t frame, Exposure& exposure) {
+  exposure.frame = frame;
+  for (std::size_t motion = 0; motion < motion_->trajectories().size(); ++motion) {
+    const std::size_t sample = motion_->sampleAt(motion, frame);
+    if (mean_) {
+      exposeBlurred(motion, sample, exposure.blurred[motion]);
+    } else {
+      renderer_.draw(cornersOf(motion, sample), exposure.books[motion]);
+    }
+  }
+}
+
+void FrameDrawer::exposeBlurred(std::size_t motion, std::size_t sample, image::Image& picture) {
+  for (std::size_t i = 0; i < moments_.count(); ++i) {
+    renderer_.draw(physics::seenFrom(frame_, moments_.at(motion, sample, i)).corners, picture);
+    mean_->add(picture.view());
+  }
+  mean_->take(picture);
+}
+
+void FrameDrawer::finish(const Exposure& exposure, image::Image& picture) {
+  const DrawBook showBook = [&](std::size_t motion, std::size_t sample, image::Image& panel) {
+    if (!mean_) {
+      renderer_.compositor().compose(exposure.books[motion], panel);
+      return exposure.books[motion].clipFromWorld;
+    }
+    panel = exposure.blurred[motion];
+    const physics::Corners corners = cornersOf(motion, sample);
+    return render::project(camera_, corners, composition_.screen()).clipFromWorld;
+  };
+  composition_.draw(exposure.frame, showBook, picture);
+}
+
+physics::Corners FrameDrawer::cornersOf(std::size_t motion, std::size_t sample) const {
+  return physics::seenFrom(frame_, motion_->trajectories()[motion].samples[sample]).corners;
+}
+
+}  // namespace rotatebook::picture

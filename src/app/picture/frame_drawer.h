@@ -1,0 +1,73 @@
+// The pictures of a clip, in any order.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <future>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "image/image.h"
+#include "image/light_mean.h"
+#include "physics/reference_frame.h"
+#include "picture/composition.h"
+#include "render/renderer.h"
+#include "scene/scene.h"
+#include "timeline/clip_motion.h"
+#include "timeline/shutter_moments.h"
+
+namespace rotatebook::picture {
+
+/// A frame's books as OpenGL drew them: one, or one in each panel.
+struct Exposure {
+  std::int64_t frame = 0;
+  std::vector<render::DrawnBook> books;
+  std::vector<image::Image> blurred;  ///< Instead of `books`, where a shutter is open for a while.
+};
+
+/// Draws frame n of a scene: the book, or one in each panel, and what is drawn over it. Owns an
+/// OpenGL context; see render::Renderer.
+class FrameDrawer {
+ public:
+  /// `motion`, the scene's, must outlive this. Throws as loadTextures(), Composition and
+  /// render::Renderer do.
+  FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
+              const render::DeviceChoice& device = {});
+
+  /// A picture of the right size and format for draw().
+  image::Image makePicture() const { return composition_.makePicture(); }
+  /// Draws over all of `picture`; `frame` is 0 to below motion.frameCount().
+  void draw(std::int64_t frame, image::Image& picture);
+
+  /// The same in two steps: what needs OpenGL, and the rest, which may be done on another thread
+  /// while this one exposes the next frame.
+  Exposure makeExposure() const;
+  void expose(std::int64_t frame, Exposure& exposure);
+  void finish(const Exposure& exposure, image::Image& picture);
+
+  /// render::Renderer::description()
+  const std::string& description() const { return renderer_.description(); }
+
+ private:
+  /// Takes `textures` as late as it can.
+  FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
+              const render::DeviceChoice& device, std::future<render::BookTextures> textures);
+
+  physics::Corners cornersOf(std::size_t motion, std::size_t sample) const;
+  /// The mean of the moments after sample `sample`.
+  void exposeBlurred(std::size_t motion, std::size_t sample, image::Image& picture);
+
+  const timeline::ClipMotion* motion_;
+  Composition composition_;
+  physics::ReferenceFrame frame_;
+  render::Camera camera_;
+  render::Renderer renderer_;  // of a panel
+  timeline::ShutterMoments moments_;
+  std::optional<image::LightMean> mean_;  // of the pictures of moments_, if there are several
+  std::optional<Exposure> exposure_;      // of draw()
+};
+
+}  // namespace rotatebook::picture

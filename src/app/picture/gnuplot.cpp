@@ -1,0 +1,118 @@
+#include "picture/gnuplot.h"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <spawn.h>
+#include <string_view>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "base/error.h"
+#include "system/atomic_file.h"
+#include "system/file_descriptor.h"
+
+namespace rotatebook::picture {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSvg =
+    "set terminal svg size 1200,600 enhanced font 'sans-serif,12' fontscale 1.3 "
+    "background rgb 'white'\npoint_size = 0.7\n";
+constexpr const char* kPng =
+    "set terminal pngcairo size 1800,900 enhanced font 'sans,12' fontscale 1.5 linewidth 1.5 "
+    "pointscale 1.5 background rgb 'white'\npoint_size = 1\n";
+
+std::string trimmed(std::string text) {
+  text.erase(text.find_last_not_of(" \n") + 1);
+  return text;
+}
+
+/// The standard streams of a process to be started.
+class Streams {
+ public:
+  Streams(int input, int output, int error) {
+    posix_spawn_file_actions_init(&actions_);
+    posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions_, error, STDERR_FILENO);
+  }
+  Streams(const Streams&) = delete;
+  Streams& operator=(const Streams&) = delete;
+  ~Streams() { posix_spawn_file_actions_destroy(&actions_); }
+
+  const posix_spawn_file_actions_t* actions() const { return &actions_; }
+
+ private:
+  posix_spawn_file_actions_t actions_;
+};
+
+/// Exit status of gnuplot, 128 + signal if a signal ended it.
+int runGnuplot(const Streams& streams) {
+  // -d leaves the user's own settings out.
+  std::string name = "gnuplot", option = "-d";
+  const std::array<char*, 3> arguments{name.data(), option.data(), nullptr};
+  pid_t process = 0;
+  const int error =
+      posix_spawnp(&process, "gnuplot", streams.actions(), nullptr, arguments.data(), environ);
+  if (error == ENOENT) {
+    throw MachineError("can't draw the plot: gnuplot isn't installed; apt-get install gnuplot-nox");
+  }
+  if (error != 0) {
+    throw MachineError(std::string("can't start gnuplot: ") + std::strerror(error));
+  }
+  int status = 0;
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+/// A kind of picture, and what comes last in each.
+struct Format {
+  const char* terminal;
+  std::string_view last;
+};
+
+/// A picture's bytes; `path` is where it will be. In memory, so that a full disk is told by whoever
+/// writes the file: gnuplot wouldn't.
+std::string draw(const Format& format, const std::string& commands, const fs::path& path) {
+  const system::FileDescriptor input = system::createMemoryFile("plot"),
+                               output = system::createMemoryFile("picture"),
+                               problems = system::createMemoryFile("problems");
+  system::writeAll(input, format.terminal + commands, "a plot");
+  lseek(input.number(), 0, SEEK_SET);
+  const int status = runGnuplot(Streams(input.number(), output.number(), problems.number()));
+  std::string picture = system::readAll(output, path);
+  if (status == 0 && picture.rfind(format.last) != std::string::npos) return picture;
+  std::string words = trimmed(system::readAll(problems, path));
+  if (words.empty() && status == 0) {
+    words = "the picture isn't whole; is there a limit of file sizes (ulimit -f)?";
+  }
+  throw MachineError("gnuplot can't draw " + path.string() + " (status " + std::to_string(status) +
+                     ")" + (words.empty() ? "" : ": " + words));
+}
+
+}  // namespace
+
+void drawPlot(const std::string& commands, const fs::path& svg, const fs::path& png) {
+  const std::string vectors = draw({kSvg, "</svg>"}, commands, svg);
+  const std::string pixels = draw({kPng, "IEND\xae\x42\x60\x82"}, commands, png);
+  system::writeFileAtomically(svg, vectors);
+  system::writeFileAtomically(png, pixels);
+}
+
+std::string gnuplotString(const std::string& text) {
+  std::string quoted = "'";
+  for (const char letter : text) {
+    const bool control = static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f;
+    // A doubled quote is one for gnuplot, but not where a string begins.
+    if (letter == '\'') {
+      quoted += "’";
+    } else {
+      quoted += control ? ' ' : letter;
+    }
+  }
+  return quoted + "'";
+}
+
+}  // namespace rotatebook::picture

@@ -1,0 +1,160 @@
+#include "picture/sheet.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "image/png_file.h"
+#include "overlay/text.h"
+#include "picture/frame_drawer.h"
+#include "picture/poster.h"
+#include "picture/still.h"
+#include "timeline/simulate_scene.h"
+
+namespace rotatebook::picture {
+namespace {
+
+// Of a picture's height.
+constexpr double kTextSize = 0.05;
+constexpr double kPictureGap = 0.06;
+constexpr double kMostPixels = 2.5e8;  // Twice 4 bytes of each are held.
+constexpr double kSmallestText = 11;   // [pixels]
+
+constexpr std::uint8_t kGround = 22;                // of 255
+constexpr overlay::Colour kText{0.86, 0.86, 0.84};  // contrast to it 12.6
+
+/// One picture and what is written beneath it.
+struct Cell {
+  image::Image picture;
+  overlay::Layer label;
+};
+
+/// The sheet's lengths. [pixels]
+struct Grid {
+  int columns;
+  int rows;
+  int gap;
+  int cellWidth;
+  int cellHeight;  ///< Of the picture and its label.
+
+  int width() const { return columns * (cellWidth + gap) + gap; }
+  int height() const { return rows * (cellHeight + gap) + gap; }
+};
+
+void refuseOtherSizes(const std::vector<scene::Scene>& scenes) {
+  const scene::ClipSettings& first = scenes.front().clip;
+  for (const scene::Scene& scene : scenes) {
+    if (scene.clip.width == first.width && scene.clip.height == first.height) continue;
+    throw InputError(scene.name + " has pictures of another size than " + scenes.front().name +
+                     "; give one for all, for example --size 480x270");
+  }
+}
+
+/// Before anything is drawn: all pictures are kept until the sheet is put together.
+void refuseTooMany(const std::vector<scene::Scene>& scenes, const SheetOptions& options) {
+  const scene::ClipSettings& clip = scenes.front().clip;
+  const std::size_t each =
+      options.times.empty() ? static_cast<std::size_t>(options.count) : options.times.size();
+  const double pixels = static_cast<double>(each * scenes.size()) * clip.width * clip.height;
+  if (pixels <= kMostPixels) return;
+  throw InputError("the sheet would have " + std::to_string(each * scenes.size()) +
+                   " pictures of " + std::to_string(clip.width) + "x" +
+                   std::to_string(clip.height) + ", " + roundedText(pixels / 1e6, 3) +
+                   " million pixels, and may have " + roundedText(kMostPixels / 1e6, 3) +
+                   "; take fewer or smaller pictures, for example --size 480x270");
+}
+
+std::vector<std::int64_t> framesOf(const scene::Scene& scene, const timeline::ClipMotion& motion,
+                                   const SheetOptions& options) {
+  std::vector<std::int64_t> frames;
+  for (const double time : options.times) frames.push_back(frameAt(scene, motion, time));
+  if (!frames.empty()) return frames;
+  const std::int64_t last = motion.frameCount() - 1;
+  if (options.count == 1) return {posterFrame(scene.clip, last + 1)};
+  for (int i = 0; i < options.count; ++i) {
+    frames.push_back(std::llround(static_cast<double>(last) * i / (options.count - 1)));
+  }
+  return frames;
+}
+
+std::string timeText(const scene::Scene& scene, const timeline::ClipMotion& motion,
+                     std::int64_t frame) {
+  std::array<char, 32> text;
+  const double time = static_cast<double>(motion.clockFrame(frame)) * scene.simulation.timePerFrame;
+  std::snprintf(text.data(), text.size(), "%.2f s", time);
+  return text.data();
+}
+
+void addCells(const scene::Scene& scene, const SheetOptions& options, bool named,
+              const overlay::Typesetter& type, std::vector<Cell>& cells) {
+  const timeline::ClipMotion motion = timeline::simulateScene(scene);
+  const std::vector<std::int64_t> frames = framesOf(scene, motion, options);
+  const overlay::TextStyle style{std::max(kSmallestText, kTextSize * scene.clip.height), false,
+                                 kText};
+  FrameDrawer drawer(scene, motion, options.device);
+  for (const std::int64_t frame : frames) {
+    image::Image picture = drawer.makePicture();
+    drawer.draw(frame, picture);
+    std::string label = named ? scene.title : "";
+    if (frames.size() > 1 || !named) {
+      label += (named ? ", " : "") + timeText(scene, motion, frame);
+    }
+    cells.push_back({std::move(picture), type.draw(label, style, scene.clip.width)});
+  }
+}
+
+Grid gridFor(const std::vector<Cell>& cells, int columns) {
+  const auto count = static_cast<int>(cells.size());
+  const image::Image& picture = cells.front().picture;
+  int labelHeight = 0;
+  for (const Cell& cell : cells) labelHeight = std::max(labelHeight, cell.label.height);
+  Grid grid{};
+  grid.columns = columns > 0 ? columns : static_cast<int>(std::ceil(std::sqrt(count)));
+  grid.columns = std::min(grid.columns, count);
+  grid.rows = (count + grid.columns - 1) / grid.columns;
+  grid.gap = std::max(4, static_cast<int>(std::lround(kPictureGap * picture.height())));
+  grid.cellWidth = picture.width();
+  grid.cellHeight = picture.height() + grid.gap / 3 + labelHeight;
+  return grid;
+}
+
+void refuseTooLarge(const Grid& grid) {
+  if (grid.width() <= image::kLargestSide && grid.height() <= image::kLargestSide) return;
+  throw InputError("the sheet would have " + std::to_string(grid.width()) + "x" +
+                   std::to_string(grid.height()) + " pixels, and a side has at most " +
+                   std::to_string(image::kLargestSide) +
+                   ": take fewer or smaller pictures, for example --size 480x270");
+}
+
+}  // namespace
+
+image::Image drawSheet(const std::vector<scene::Scene>& scenes, const SheetOptions& options) {
+  refuseOtherSizes(scenes);
+  refuseTooMany(scenes, options);
+  const overlay::Typesetter type;
+  std::vector<Cell> cells;
+  for (const scene::Scene& scene : scenes) {
+    addCells(scene, options, scenes.size() > 1, type, cells);
+  }
+  const Grid grid = gridFor(cells, options.columns);
+  refuseTooLarge(grid);
+  image::Image sheet(grid.width(), grid.height(), cells.front().picture.format());
+  std::fill_n(sheet.row(0), sheet.stride() * sheet.height(), kGround);
+  for (int i = 0; i < static_cast<int>(cells.size()); ++i) {
+    Cell& cell = cells[static_cast<std::size_t>(i)];
+    const int x = grid.gap + i % grid.columns * (grid.cellWidth + grid.gap);
+    const int y = grid.gap + i / grid.columns * (grid.cellHeight + grid.gap);
+    image::paste(cell.picture.view(), x, y, sheet);
+    cell.label.x = x;
+    cell.label.y = y + cell.picture.height() + grid.gap / 3;
+    blend(cell.label, sheet);
+  }
+  return sheet;
+}
+
+}  // namespace rotatebook::picture

@@ -1,0 +1,35 @@
+#include "picture/still.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "image/png_file.h"
+#include "picture/frame_drawer.h"
+#include "timeline/simulate_scene.h"
+
+namespace rotatebook::picture {
+
+std::int64_t frameAt(const scene::Scene& scene, const timeline::ClipMotion& motion, double time) {
+  const FrameRate& rate = scene.clip.frameRate;
+  const std::int64_t count = motion.frameCount();
+  const bool early = motion.allDiverge();
+  const double end = early ? static_cast<double>(count) * rate.period() : scene.clip.duration;
+  if (time >= 0 && time <= end) return std::min(rate.framesIn(time), count - 1);
+  throw InputError("there is no picture at " + shortestText(time) +
+                   " s: the clip lasts from 0 to " + shortestText(end) + " s" +
+                   (early ? ", a second after its motion diverges" : ""));
+}
+
+std::int64_t renderStill(const scene::Scene& scene, double time, const std::filesystem::path& path,
+                         const render::DeviceChoice& device) {
+  const timeline::ClipMotion motion = timeline::simulateScene(scene);
+  const std::int64_t frame = frameAt(scene, motion, time);
+  FrameDrawer drawer(scene, motion, device);
+  image::Image picture = drawer.makePicture();
+  drawer.draw(frame, picture);
+  image::writePng(path, picture.view(), {.transparent = scene::isTransparent(scene)});
+  return frame;
+}
+
+}  // namespace rotatebook::picture

@@ -1,0 +1,23 @@
+// One picture of a scene.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "image/png_file.h"
+#include "render/device/device.h"
+#include "scene/scene.h"
+#include "timeline/clip_motion.h"
+
+namespace rotatebook::picture {
+
+/// The frame nearest to `time` of video. [s] Throws InputError if the clip doesn't last that long.
+std::int64_t frameAt(const scene::Scene& scene, const timeline::ClipMotion& motion, double time);
+
+/// Draws the frame nearest to `time` (of video, 0 to the clip's end [s]) and writes it to
+/// `path`; returns its index. Throws InputError if there is no such frame, MachineError if it can't
+/// be drawn or written.
+std::int64_t renderStill(const scene::Scene& scene, double time, const std::filesystem::path& path,
+                         const render::DeviceChoice& device = {});
+
+}  // namespace rotatebook::picture

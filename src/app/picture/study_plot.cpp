@@ -1,0 +1,265 @@
+#include "picture/study_plot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <set>
+#include <utility>
+
+#include "base/number_text.h"
+#include "picture/gnuplot.h"
+#include "scene/names.h"
+
+namespace rotatebook::picture {
+namespace {
+
+using physics::Integrator;
+
+/// Colours after Okabe and Ito and after Tol, which the colour-blind can tell apart; no shape comes
+/// twice in one model, so that the plot does without colours, too.
+struct Style {
+  Integrator integrator;
+  const char* colour;
+  int point;  ///< gnuplot's number of the shape
+};
+
+constexpr std::array<Style, 12> kStyles{{
+    {Integrator::Euler, "#000000", 7},
+    {Integrator::LieEuler, "#7f7f7f", 6},
+    {Integrator::Splitting, "#0072b2", 5},
+    {Integrator::Midpoint, "#56b4e9", 4},
+    {Integrator::Dmv2, "#cc79a7", 13},
+    {Integrator::Rk4, "#d55e00", 9},
+    {Integrator::Cf4, "#e69f00", 8},
+    {Integrator::Suzuki4, "#009e73", 11},
+    {Integrator::Dmv4, "#882255", 12},
+    {Integrator::Dmv6, "#332288", 15},
+    {Integrator::SymplecticEuler, "#0072b2", 5},
+    {Integrator::Verlet, "#009e73", 11},
+}};
+
+/// An axis: of positive numbers, from `min` to `max`.
+struct Range {
+  double min = 0;
+  double max = 0;
+};
+
+std::string number(double value) {
+  return shortestText(value);
+}
+
+std::string text(const Range& range) {
+  return "[" + number(range.min) + ":" + number(range.max) + "]";
+}
+
+/// Room for all of `values` that a logarithmic axis can show, at least a decade, so that there is a
+/// power of ten in it.
+Range rangeOf(const std::vector<double>& values) {
+  constexpr double kMargin = 2;
+  Range range{std::numeric_limits<double>::infinity(), 0};
+  for (const double value : values) {
+    if (!(value > 0)) continue;
+    range = {std::min(range.min, value), std::max(range.max, value)};
+  }
+  if (range.max == 0) return {1e-16, 1};
+  const double widening = std::sqrt(std::max(1.0, 10 * range.min / range.max));
+  return {range.min / (kMargin * widening), range.max * kMargin * widening};
+}
+
+/// Position and size of a panel, as fractions of the sheet, and of its axes.
+struct Panel {
+  double left, right;
+  Range x, y;
+};
+
+std::string panelText(const Panel& panel) {
+  return "unset arrow\nunset label\nset lmargin at screen " + number(panel.left) +
+         "\nset rmargin at screen " + number(panel.right) + "\nset xrange " + text(panel.x) +
+         "\nset yrange " + text(panel.y) + "\n";
+}
+
+std::string sheetText() {
+  return "set encoding utf8\n"
+         "set tmargin at screen 0.895\nset bmargin at screen 0.13\n"
+         "set border 31 linecolor rgb '#606060' linewidth 1\n"
+         "set tics textcolor rgb '#303030'\n"
+         "set grid linetype 1 linecolor rgb '#e4e4e4' linewidth 0.8\n"
+         "set key off\nset multiplot\n";
+}
+
+/// The first `count` letters of UTF-8, and three dots if there are more.
+std::string shortened(const std::string& text, std::size_t count) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool begins = (static_cast<unsigned char>(text[i]) & 0xc0) != 0x80;
+    if (begins && count-- == 0) return text.substr(0, i) + "…";
+  }
+  return text;
+}
+
+/// Large if it fits on the sheet so, else small, and no more of it than fits.
+std::string titleText(const std::string& title) {
+  constexpr std::size_t kLarge = 90,
+                        kSmall = 150;  // letters; words of so many fill 0.8 of the sheet
+  const bool fits = shortened(title, kLarge) == title;
+  return "set label 1 " + gnuplotString(shortened(title, kSmall)) +
+         " at screen 0.5,0.95 center noenhanced font '," + (fits ? "17" : "10.5") + "'\n";
+}
+
+std::string seriesStyle(const char* colour, int point) {
+  return std::string(" with linespoints linecolor rgb '") + colour + "' linewidth 1.6 pointtype " +
+         std::to_string(point) + " pointsize point_size";
+}
+
+/// A grey line y ~ x^exponent through the upper corner on the side where it is high.
+std::string slopeLine(const Panel& panel, int exponent) {
+  const double start = exponent > 0 ? panel.x.max : panel.x.min;
+  const double end = exponent > 0 ? panel.x.min : panel.x.max;
+  const double bottom = start * std::pow(panel.y.min / panel.y.max, 1.0 / exponent);
+  const bool leavesBySide = (bottom < end) == (exponent > 0);
+  const double x = leavesBySide ? end : bottom;
+  const double y = panel.y.max * std::pow(x / start, exponent);
+  return "set arrow from " + number(start) + "," + number(panel.y.max) + " to " + number(x) + "," +
+         number(y) + " nohead back linewidth 0.8 linecolor rgb '#a8a8a8'\n";
+}
+
+std::string slopeLines(const Panel& panel, const std::set<int>& slopes, int sign) {
+  std::string lines;
+  for (const int slope : slopes) lines += slopeLine(panel, sign * slope);
+  return lines;
+}
+
+// --- Work and precision ---
+
+std::string blockName(std::size_t index) {
+  return "$runs" + std::to_string(index);
+}
+
+std::string dataBlocks(const study::PrecisionStudy& study) {
+  std::string blocks;
+  for (std::size_t i = 0; i < study.orders.size(); ++i) {
+    blocks += blockName(i) + " << END\n";
+    for (const study::PrecisionRow& row : study.rows) {
+      const bool shown = row.integrator == study.orders[i].integrator &&
+                         row.end.kind == study::RunEnd::Kind::Whole && row.errorDeg > 0;
+      if (!shown) continue;
+      blocks +=
+          number(row.h) + " " + number(row.errorDeg) + " " + number(row.nsPerStep / row.h) + "\n";
+    }
+    blocks += "END\n";
+  }
+  return blocks;
+}
+
+/// The word, and the order that was fitted.
+std::string legendOf(const study::IntegratorOrder& order) {
+  std::array<char, 32> fitted;
+  std::snprintf(fitted.data(), fitted.size(), "%.2f", order.fit.order);
+  return std::string(scene::nameOf(scene::kIntegrators, order.integrator)) + "  " +
+         (std::isnan(order.fit.order) ? "–" : fitted.data());
+}
+
+std::string precisionSeries(const study::PrecisionStudy& study, int xColumn) {
+  std::string series;
+  for (std::size_t i = 0; i < study.orders.size(); ++i) {
+    const auto style = std::ranges::find(kStyles, study.orders[i].integrator, &Style::integrator);
+    series += std::string(series.empty() ? "plot " : ", ") + blockName(i) + " using " +
+              std::to_string(xColumn) + ":2" + seriesStyle(style->colour, style->point) +
+              " title " + gnuplotString(legendOf(study.orders[i]));
+  }
+  return series + "\n";
+}
+
+std::set<int> slopesOf(const study::PrecisionStudy& study) {
+  std::set<int> slopes;
+  for (const auto& [integrator, fit] : study.orders) {
+    if (!std::isnan(fit.order) && fit.order > 0.5) slopes.insert(static_cast<int>(fit.order + 0.5));
+  }
+  return slopes;
+}
+
+/// What the grey lines are, below the legend.
+std::string slopesLabel(const std::set<int>& slopes) {
+  if (slopes.empty()) return "";
+  std::string text;
+  for (const int slope : slopes) text += (text.empty() ? "" : ", ") + std::to_string(slope);
+  return "set label 3 'grey: slopes " + text +
+         "' at screen 0.795,0.14 left textcolor rgb '#808080' font ',11'\n";
+}
+
+/// h, error and time of the runs that are shown.
+std::array<std::vector<double>, 3> shownValues(const study::PrecisionStudy& study) {
+  std::array<std::vector<double>, 3> values;
+  for (const study::PrecisionRow& row : study.rows) {
+    if (row.end.kind != study::RunEnd::Kind::Whole) continue;
+    values[0].push_back(row.h);
+    values[1].push_back(row.errorDeg);
+    values[2].push_back(row.nsPerStep / row.h);
+  }
+  return values;
+}
+
+// --- Tilts ---
+
+std::string tiltData(const study::TiltStudy& study) {
+  std::string block = "$tilts << END\n";
+  for (const study::TiltRow& row : study.rows) {
+    if (std::isnan(row.interval)) continue;
+    block += number(row.tilt) + " " + number(row.interval) + " " + number(row.law) + " " +
+             number(std::fabs(row.ratio() - 1)) + "\n";
+  }
+  return block + "END\n";
+}
+
+std::array<std::vector<double>, 3> tiltValues(const study::TiltStudy& study) {
+  std::array<std::vector<double>, 3> values;
+  for (const study::TiltRow& row : study.rows) {
+    if (std::isnan(row.interval)) continue;
+    values[0].push_back(row.tilt);
+    values[1].insert(values[1].end(), {row.interval, row.law});
+    values[2].push_back(std::fabs(row.ratio() - 1));
+  }
+  return values;
+}
+
+}  // namespace
+
+std::string precisionPlot(const std::string& title, const study::PrecisionStudy& study) {
+  const auto [h, error, time] = shownValues(study);
+  const Panel steps{0.075, 0.415, rangeOf(h), rangeOf(error)};
+  const Panel times{0.44, 0.78, rangeOf(time), rangeOf(error)};
+  const std::set<int> slopes = slopesOf(study);
+  return dataBlocks(study) + sheetText() + "set logscale xy\nset format '10^{%T}'\n" +
+         panelText(steps) + titleText(title) + slopeLines(steps, slopes, 1) +
+         "set xlabel 'step  [s]'\nset ylabel 'largest attitude error  [degrees]'\n" +
+         precisionSeries(study, 1) + panelText(times) + slopeLines(times, slopes, -1) +
+         "set xlabel 'computing time for a second of motion  [ns]'\n"
+         "unset ylabel\nset format y ''\n"
+         "set key at screen 0.79,0.87 left top Left reverse noenhanced spacing 1.5 samplen 2.5 "
+         "font ',12'\n"
+         "set label 2 'with the fitted order' at screen 0.795,0.885 left font ',11'\n" +
+         slopesLabel(slopes) + precisionSeries(study, 3) + "unset multiplot\n";
+}
+
+std::string tiltPlot(const std::string& title, const study::TiltStudy& study) {
+  const auto [tilt, interval, difference] = tiltValues(study);
+  const Panel intervals{
+      0.075, 0.475, rangeOf(tilt), {0, 1.15 * *std::max_element(interval.begin(), interval.end())}};
+  const Panel differences{0.57, 0.97, rangeOf(tilt), rangeOf(difference)};
+  return tiltData(study) + sheetText() + "set logscale x\nset format x '10^{%T}'\n" +
+         panelText(intervals) + titleText(title) +
+         "set xlabel 'tilt  [rad]'\nset ylabel 'time from a flip to the next  [s]'\n"
+         "set key top right Left reverse spacing 1.4 samplen 2.5 font ',12'\n"
+         "plot $tilts using 1:3 smooth unique with lines linewidth 1.6 linecolor rgb '#d55e00' "
+         "title 'logarithmic law', $tilts using 1:2 with points pointtype 7 pointsize "
+         "1.1*point_size "
+         "linecolor rgb '#0072b2' title 'measured'\n" +
+         panelText(differences) + slopeLine(differences, 2) +
+         "set label 'grey: slope 2' at graph 0.04,0.95 left textcolor rgb '#808080' font ',11'\n"
+         "set key off\nset logscale y\nset format y '10^{%T}'\n"
+         "set ylabel '| measured / law − 1 |'\n"
+         "plot $tilts using 1:4 smooth unique" +
+         seriesStyle("#0072b2", 7) + " notitle\nunset multiplot\n";
+}
+
+}  // namespace rotatebook::picture

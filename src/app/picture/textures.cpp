@@ -1,0 +1,137 @@
+#include "picture/textures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <future>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "base/error.h"
+#include "image/png_file.h"
+#include "scene/places.h"
+#include "system/file_checksum.h"
+
+namespace rotatebook::picture {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A side of the case that has a picture.
+struct Side {
+  std::string_view key;  ///< Of the scene.
+  std::string scene::BookSettings::*file;
+  image::Image (*builtin)();
+};
+
+constexpr Side kFront{"book.front", &scene::BookSettings::front, render::builtinFront};
+constexpr Side kSpine{"book.spine", &scene::BookSettings::spine, render::builtinSpine};
+constexpr Side kBack{"book.back", &scene::BookSettings::back, render::builtinBack};
+
+bool isBuiltin(const scene::Scene& scene, const Side& side) {
+  return scene.book.*side.file == scene::kBuiltin;
+}
+
+/// The file of a picture that `scene` names. Throws InputError if that leads outside the scene's
+/// folder, by dots or by links, and isn't allowed to.
+fs::path fileOf(const scene::Scene& scene, const std::string& texture) {
+  fs::path file = scene.folder / texture;
+  if (scene.allowOutside) return file;
+  std::error_code error;
+  const fs::path folder = fs::canonical(scene.folder.empty() ? "." : scene.folder, error);
+  const fs::path real = error ? fs::path() : fs::weakly_canonical(folder / texture, error);
+  if (error) throw InputError("can't read " + file.string() + ": " + error.message());
+  if (std::ranges::mismatch(folder, real).in1 == folder.end()) return file;
+  throw InputError("can't read " + file.string() +
+                   ": it leads outside the scene's folder, which --allow-outside allows");
+}
+
+image::Image load(const scene::Scene& scene, const Side& side) {
+  if (isBuiltin(scene, side)) return side.builtin();
+  return scene::atPlaceOf(scene, side.key,
+                          [&] { return image::readPng(fileOf(scene, scene.book.*side.file)); });
+}
+
+/// [degrees]
+double verticalFieldOfView(const scene::Scene& scene, const render::Screen& screen) {
+  const double angle = scene.camera.fieldOfViewDeg;
+  const double height = screen.height - screen.bottomRows;
+  if (scene.panels.empty() || screen.width >= height) return angle;
+  // Panels have it over their shorter side.
+  constexpr double kHalf = std::numbers::pi / 360;
+  return std::atan(std::tan(angle * kHalf) * height / screen.width) / kHalf;
+}
+
+render::Background backgroundOf(scene::Background background) {
+  switch (background) {
+    case scene::Background::Stars:
+      return render::Background::Stars;
+    case scene::Background::Transparent:
+      return render::Background::Transparent;
+    case scene::Background::Studio:
+      break;
+  }
+  return render::Background::Studio;
+}
+
+}  // namespace
+
+std::map<std::string, std::string> textureChecksums(const scene::Scene& scene) {
+  std::map<std::string, std::string> sums;
+  for (const Side& side : {kFront, kSpine, kBack}) {
+    sums[std::string(side.key)] =
+        isBuiltin(scene, side) ? "built-in"
+                               : system::checksumOfFile(fileOf(scene, scene.book.*side.file));
+  }
+  return sums;
+}
+
+std::vector<fs::path> textureFiles(const scene::Scene& scene) {
+  std::vector<fs::path> files;
+  for (const Side& side : {kFront, kSpine, kBack}) {
+    if (!isBuiltin(scene, side)) files.push_back(scene.folder / (scene.book.*side.file));
+  }
+  return files;
+}
+
+void requireTextures(const scene::Scene& scene) {
+  for (const Side& side : {kFront, kSpine, kBack}) {
+    // The built-in ones are whole, and take a tenth of a render's start.
+    if (!isBuiltin(scene, side)) load(scene, side);
+  }
+}
+
+render::BookTextures loadTextures(const scene::Scene& scene) {
+  const auto start = [&](const Side& side) {
+    return std::async(std::launch::async, [&] { return load(scene, side); });
+  };
+  auto front = start(kFront), spine = start(kSpine), back = start(kBack);
+  return {front.get(), spine.get(), back.get()};
+}
+
+render::Camera cameraOf(const scene::Scene& scene, const render::Screen& screen) {
+  return {scene.camera.position, scene.camera.target, scene.camera.up,
+          verticalFieldOfView(scene, screen)};
+}
+
+render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& screen,
+                              const render::BookTextures& textures,
+                              const render::DeviceChoice& device) {
+  render::RenderSettings settings;
+  settings.width = screen.width;
+  settings.height = screen.height;
+  settings.bottomRows = screen.bottomRows;
+  settings.supersample = scene.look.supersample;
+  settings.background = backgroundOf(scene.look.background);
+  settings.camera = cameraOf(scene, screen);
+  settings.device = device;
+  return {settings, textures};
+}
+
+render::Renderer makeRenderer(const scene::Scene& scene) {
+  return makeRenderer(scene, {scene.clip.width, scene.clip.height, 0}, loadTextures(scene));
+}
+
+}  // namespace rotatebook::picture

@@ -1,0 +1,76 @@
+// Where finished frames go.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <mutex>
+#include <vector>
+
+#include "image/image.h"
+#include "image/png_file.h"
+#include "store/frame_sums.h"
+#include "system/atomic_file.h"
+#include "video/video_writer.h"
+
+namespace rotatebook::pipeline {
+
+/// Takes frames. Without finish() nothing of a sink's unfinished file stays.
+class FrameSink {
+ public:
+  virtual ~FrameSink() = default;
+
+  /// Takes frame `index`; the picture is only borrowed. Throws Error.
+  virtual void write(std::int64_t index, image::ImageView picture) = 0;
+  /// Completes what was written. Throws Error on a failed flush, trailer, close or rename.
+  virtual void finish() = 0;
+};
+
+/// Writes each frame to its own PNG in one folder, and its checksum beside it. write() may be
+/// called from several threads at once, in any order.
+class PngSequenceSink : public FrameSink {
+ public:
+  /// `sums`, of the folder, must outlive this.
+  PngSequenceSink(store::FrameSums& sums, image::PngOptions options);
+
+  void write(std::int64_t index, image::ImageView picture) override;
+  void finish() override {}
+
+ private:
+  image::PngWriter takeWriter();
+
+  store::FrameSums* sums_;
+  image::PngOptions options_;
+  std::mutex mutex_;
+  /// As many as threads have written at once.
+  std::vector<image::PngWriter> idleWriters_;
+};
+
+/// Writes all frames, in order, to a video.
+class VideoSink : public FrameSink {
+ public:
+  /// Throws Error if the file or the encoder can't be opened.
+  VideoSink(video::VideoFormat format, const std::filesystem::path& path,
+            const video::VideoSettings& settings);
+
+  void write(std::int64_t index, image::ImageView picture) override;
+  void finish() override;
+  /// Completes a playable clip of the frames so far, as `path`, instead of finish().
+  void finishAs(const std::filesystem::path& path);
+
+  video::VideoFormat format() const { return format_; }
+  const std::string& encoderName() const { return writer_.encoderName(); }
+
+ private:
+  video::VideoFormat format_;
+  system::AtomicFile file_;
+  video::VideoWriter writer_;
+};
+
+/// Takes frames and keeps nothing: for benchmarks.
+class NullSink : public FrameSink {
+ public:
+  void write(std::int64_t, image::ImageView) override {}
+  void finish() override {}
+};
+
+}  // namespace rotatebook::pipeline

@@ -1,0 +1,28 @@
+// A sink on threads of its own.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "image/image.h"
+#include "pipeline/frame_sink.h"
+#include "system/workers.h"
+
+namespace rotatebook::pipeline {
+
+/// A finished frame, shared by the sinks.
+struct Frame {
+  std::int64_t index = 0;
+  std::shared_ptr<const image::Image> picture;
+};
+
+/// Feeds one sink.
+class FrameWorkers : public system::Workers<Frame> {
+ public:
+  /// More than one thread only for a sink that allows concurrent writes.
+  FrameWorkers(FrameSink& sink, int threadCount, system::FirstError& error)
+      : Workers([&sink](const Frame& frame) { sink.write(frame.index, frame.picture->view()); },
+                threadCount, error) {}
+};
+
+}  // namespace rotatebook::pipeline

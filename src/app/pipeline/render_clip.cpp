@@ -1,0 +1,208 @@
+#include "pipeline/render_clip.h"
+
+#include <algorithm>
+#include <memory>
+#include <vector>
+
+#include "base/error.h"
+#include "picture/poster.h"
+#include "store/clip_record.h"
+#include "store/encoding.h"
+#include "store/fingerprint.h"
+#include "store/tables.h"
+#include "system/atomic_file.h"
+#include "system/machine.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+using VideoSinks = std::vector<std::unique_ptr<VideoSink>>;
+
+VideoSinks openVideos(const store::ClipFiles& files, const video::VideoSettings& settings,
+                      const std::vector<video::VideoFormat>& formats) {
+  VideoSinks videos;
+  for (const video::VideoFormat format : formats) {
+    videos.push_back(std::make_unique<VideoSink>(format, files.video(format), settings));
+  }
+  return videos;
+}
+
+/// "libx264, gif"
+std::string encoderNames(const VideoSinks& videos) {
+  std::string names;
+  for (const auto& video : videos) names += (names.empty() ? "" : ", ") + video->encoderName();
+  return names;
+}
+
+std::vector<SinkThreads> sinksOf(const VideoSinks& videos, PngSequenceSink& png, int pngThreads) {
+  std::vector<SinkThreads> sinks;
+  if (pngThreads > 0) sinks.push_back({png, pngThreads, false});
+  for (const auto& video : videos) sinks.push_back({*video});
+  return sinks;
+}
+
+store::ClipFiles filesOf(const scene::Scene& scene, const RenderOptions& options,
+                         store::FrameRange range) {
+  return options.frames ? store::clipFiles(options.folder, scene.name, range)
+                        : store::clipFiles(options.folder, scene.name);
+}
+
+/// All files of a whole clip but its frames.
+std::vector<std::filesystem::path> allFiles(const RenderResult& result,
+                                            const std::vector<video::VideoFormat>& formats) {
+  std::vector<std::filesystem::path> files = result.csvs;
+  files.push_back(result.files.poster);
+  for (const video::VideoFormat format : formats) files.push_back(result.files.video(format));
+  return files;
+}
+
+/// A render on its way.
+class Render {
+ public:
+  Render(const scene::Scene& scene, const timeline::ClipMotion& motion,
+         const RenderOptions& options)
+      : scene_(scene),
+        motion_(motion),
+        options_(options),
+        range_(framesToRender(motion, options.frames)),
+        drawer_(scene, motion, options.device) {
+    result_.files = filesOf(scene, options, range_);
+    result_.csvs = store::csvFiles(result_.files.csv, scene);
+  }
+
+  RenderResult run(const RenderListener& listener) {
+    system::createFolders(options_.folder);
+    const std::string record =
+        store::sceneRecord(scene_, store::makingOf(scene_, motion_, drawer_.description()));
+    store::ClipFolder folder(
+        result_.files,
+        {.scene = scene_,
+         .record = record,
+         .made = store::fingerprint(scene_, drawer_.description(), options_.pngOptions.level),
+         .earlier = options_.earlier,
+         .part = options_.frames.has_value(),
+         .png = options_.png});
+    const std::vector<std::filesystem::path> files = allFiles(result_, options_.formats);
+    result_.wasDone =
+        !options_.frames && options_.earlier.resume && folder.isDone(files, pngRange());
+    if (result_.wasDone) return result_;
+    // Better said now than when all is drawn.
+    if (!options_.frames) std::ranges::for_each(files, system::requireReplaceable);
+    try {
+      renderInto(folder, record, listener);
+      if (!result_.interrupted) finishFolder(folder, files);
+      if (!result_.interrupted) result_.others = folder.keptOfOtherSettings();
+    } catch (const MachineError& error) {
+      throw MachineError(error.what() + keptText(folder));
+    }
+    return result_;
+  }
+
+ private:
+  std::optional<store::FrameRange> pngRange() const {
+    return options_.png ? std::optional(range_) : std::nullopt;
+  }
+
+  void finishFolder(store::ClipFolder& folder,
+                    const std::vector<std::filesystem::path>& files) const {
+    if (!options_.frames) return folder.finish(files, pngRange());
+    if (options_.png) folder.sums().requireFiles(range_);
+  }
+
+  std::string keptText(const store::ClipFolder& folder) const {
+    const std::size_t count = options_.png ? folder.resumableFrames() : 0;
+    if (count == 0) return "";
+    return "\n  " + std::to_string(count) +
+           (count == 1 ? " finished frame is kept in " : " finished frames are kept in ") +
+           folder.path().string() + "/; go on with the same command and --resume";
+  }
+
+  void renderInto(store::ClipFolder& folder, const std::string& record,
+                  const RenderListener& listener) {
+    const std::string shown = options_.frames ? store::recordOfPart(record, range_) : record;
+    const VideoSinks videos =
+        openVideos(result_.files, store::videoSettings(scene_, shown), options_.formats);
+    drawInto(videos, folder.sums(), listener);
+    result_.interrupted ? finishPartial(videos) : finish(videos);
+  }
+
+  void drawInto(const VideoSinks& videos, store::FrameSums& sums, const RenderListener& listener) {
+    image::PngOptions pngOptions = options_.pngOptions;
+    pngOptions.transparent = scene::isTransparent(scene_);
+    PngSequenceSink png(sums, pngOptions);
+    RenderStart start{drawer_.description(), encoderNames(videos)};
+    if (options_.png) {
+      start.pngThreads =
+          options_.pngThreads > 0 ? options_.pngThreads : pngThreads(system::coreCount());
+    }
+    const store::FrameSums* kept = options_.earlier.resume ? &sums : nullptr;
+    start.space = store::diskSpace(scene_, toWrite(kept), options_.folder);
+    if (listener.started) listener.started(start);
+    const DrawnCount count = drawFrames(drawer_, {range_, kept, options_.stop},
+                                        sinksOf(videos, png, start.pngThreads), listener.progress);
+    result_.framesWritten = count.total();
+    result_.framesKept = count.kept;
+    result_.interrupted = count.total() < range_.count();
+  }
+
+  /// Frames of `kept`, which may be null, aren't written again; videos are, from the first frame.
+  store::FilesToWrite toWrite(const store::FrameSums* kept) const {
+    store::FilesToWrite files{.frames = range_.count(), .formats = options_.formats};
+    if (!options_.png) return files;
+    files.pngs = range_.count();
+    if (kept == nullptr) return files;
+    for (const std::int64_t index : store::framesIn(kept->folder())) {
+      if (range_.first <= index && index < range_.end) --files.pngs;
+    }
+    return files;
+  }
+
+  /// A clip of no frames isn't worth a file.
+  void finishPartial(const VideoSinks& videos) const {
+    if (result_.framesWritten == 0) return;
+    for (const auto& video : videos) video->finishAs(result_.files.partialVideo(video->format()));
+  }
+
+  void finish(const VideoSinks& videos) {
+    store::writeTables(result_.csvs, motion_);
+    if (!options_.frames) {
+      picture::writePoster(drawer_, picture::posterFrame(scene_.clip, range_.count()),
+                           scene::isTransparent(scene_), result_.files.poster);
+    }
+    for (const auto& video : videos) video->finish();
+    for (const auto& video : videos)
+      system::removeFile(result_.files.partialVideo(video->format()));
+  }
+
+  const scene::Scene& scene_;
+  const timeline::ClipMotion& motion_;
+  const RenderOptions& options_;
+  store::FrameRange range_;
+  picture::FrameDrawer drawer_;
+  RenderResult result_;
+};
+
+}  // namespace
+
+// Packing PNGs is the only stage that can be shared out; drawing, finishing and encoding need a
+// core too.
+int pngThreads(int cores) {
+  return std::clamp(cores - 1, 1, 6);
+}
+
+store::FrameRange framesToRender(const timeline::ClipMotion& motion,
+                                 std::optional<store::FrameRange> wanted) {
+  const std::int64_t count = motion.frameCount();
+  const store::FrameRange range = wanted.value_or(store::FrameRange{0, count});
+  if (0 <= range.first && range.first < range.end && range.end <= count) return range;
+  throw InputError("frames " + std::to_string(range.first) + ":" + std::to_string(range.end) +
+                   " don't exist; this clip has 0:" + std::to_string(count) +
+                   (motion.allDiverge() ? ", up to a second after its motion diverges" : ""));
+}
+
+RenderResult renderClip(const scene::Scene& scene, const timeline::ClipMotion& motion,
+                        const RenderOptions& options, const RenderListener& listener) {
+  return Render(scene, motion, options).run(listener);
+}
+
+}  // namespace rotatebook::pipeline

@@ -1,0 +1,123 @@
+#include "store/clip_files.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <optional>
+#include <regex>
+#include <string_view>
+#include <system_error>
+
+#include "base/error.h"
+
+namespace rotatebook::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kPrefix = "frame_";
+constexpr std::string_view kSuffix = ".png";
+
+std::string paddedNumber(std::int64_t number) {
+  std::array<char, 32> buffer;
+  const int length =
+      std::snprintf(buffer.data(), buffer.size(), "%05lld", static_cast<long long>(number));
+  return {buffer.data(), static_cast<std::size_t>(length)};
+}
+
+/// `label` in small letters, figures and hyphens that any file system takes.
+std::string slugOf(const std::string& label) {
+  std::string slug;
+  for (const char letter : label) {
+    const bool plain = ('a' <= letter && letter <= 'z') || ('0' <= letter && letter <= '9');
+    const bool capital = 'A' <= letter && letter <= 'Z';
+    if (plain || capital) {
+      slug += static_cast<char>(capital ? letter - 'A' + 'a' : letter);
+    } else if (!slug.empty() && slug.back() != '-') {
+      slug += '-';
+    }
+  }
+  if (slug.ends_with('-')) slug.pop_back();
+  return slug;
+}
+
+}  // namespace
+
+std::string rangeText(FrameRange range) {
+  return std::to_string(range.first) + ":" + std::to_string(range.end);
+}
+
+std::optional<FrameRange> parseRange(const std::string& text) {
+  std::smatch match;
+  if (!std::regex_match(text, match, std::regex("([0-9]{1,12}):([0-9]{1,12})"))) return {};
+  return FrameRange{std::stoll(match[1]), std::stoll(match[2])};
+}
+
+std::string frameName(std::int64_t index) {
+  return std::string(kPrefix) + paddedNumber(index) + std::string(kSuffix);
+}
+
+std::optional<std::int64_t> frameIndex(const std::string& name) {
+  if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix)) return {};
+  const char* begin = name.data() + kPrefix.size();
+  const char* end = name.data() + name.size() - kSuffix.size();
+  std::int64_t index = 0;
+  const auto [rest, error] = std::from_chars(begin, end, index);
+  if (error != std::errc() || rest != end || index < 0 || name != frameName(index)) return {};
+  return index;
+}
+
+std::vector<std::int64_t> framesIn(const fs::path& folder) {
+  std::error_code error;
+  std::vector<std::int64_t> indices;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (const auto index = frameIndex(entry.path().filename().string())) indices.push_back(*index);
+  }
+  if (error) throw InputError("can't read the folder " + folder.string() + ": " + error.message());
+  std::sort(indices.begin(), indices.end());
+  return indices;
+}
+
+fs::path ClipFiles::video(video::VideoFormat format) const {
+  return videoStem.string() + "." + std::string(nameOf(format));
+}
+
+fs::path ClipFiles::partialVideo(video::VideoFormat format) const {
+  return videoStem.string() + kPartialEnding + "." + std::string(nameOf(format));
+}
+
+ClipFiles clipFiles(const fs::path& folder, const std::string& name) {
+  const fs::path frames = folder / name;
+  return {.frameFolder = frames,
+          .partialFrameFolder = folder / (name + kPartialEnding),
+          .replacedFolder = folder / (name + kReplacedEnding),
+          .sceneCopy = frames / kSceneCopyName,
+          .videoStem = frames,
+          .csv = folder / (name + ".csv"),
+          .poster = folder / (name + ".poster.png"),
+          .thumbnail = folder / (name + ".thumbnail.png")};
+}
+
+ClipFiles clipFiles(const fs::path& folder, const std::string& name, FrameRange part) {
+  ClipFiles files = clipFiles(folder, name);
+  const std::string partName = name + "_" + paddedNumber(part.first) + "-" + paddedNumber(part.end);
+  files.videoStem = folder / partName;
+  return files;
+}
+
+std::vector<fs::path> csvFiles(const fs::path& csv, const scene::Scene& scene) {
+  if (scene.panels.empty()) return {csv};
+  std::vector<fs::path> files;
+  for (std::size_t i = 0; i < scene.panels.size(); ++i) {
+    std::string name = csv.stem().string() + "_" + slugOf(scene.panels[i].label);
+    const auto path = [&] { return csv.parent_path() / (name + csv.extension().string()); };
+    const auto taken = [&] { return std::ranges::count(files, path()) > 0; };
+    if (name.ends_with('_') || taken()) name += std::to_string(i + 1);
+    while (taken()) name += "-" + std::to_string(i + 1);
+    files.push_back(path());
+  }
+  return files;
+}
+
+}  // namespace rotatebook::store

@@ -1,0 +1,190 @@
+#include "store/clip_record.h"
+
+#include <algorithm>
+#include <string_view>
+#include <system_error>
+
+#include "base/error.h"
+#include "base/version.h"
+#include "picture/textures.h"
+#include "scene/scene_text.h"
+#include "timeline/motion_checksum.h"
+#include "video/video_writer.h"
+
+namespace rotatebook::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kMadeBy = "# Made by rotatebook ";
+constexpr std::string_view kFromScene = " from the scene ";
+constexpr std::string_view kRenderer = "# Renderer: ";
+constexpr std::string_view kFfmpeg = "# FFmpeg: ";
+constexpr std::string_view kMotion = "# Motion: ";
+constexpr std::string_view kFrames = "# Frames: ";
+constexpr std::string_view kHeadsEnd = "\n\n";
+
+constexpr std::size_t kLargestRecord = 1 << 20;  // [bytes]; scenes have some thousands.
+
+/// A comment must not end in the middle of what it tells.
+std::string inOneLine(std::string text) {
+  std::ranges::replace_if(
+      text, [](char letter) { return static_cast<unsigned char>(letter) < ' '; }, '?');
+  return text;
+}
+
+std::string line(std::string_view name, const std::string& value) {
+  return std::string(name) + inOneLine(value) + '\n';
+}
+
+/// What comes after `name`, up to the end of its line; empty if `head` hasn't it.
+std::string valueIn(std::string_view head, std::string_view name) {
+  const std::size_t begin = head.starts_with(name) ? 0 : head.find('\n' + std::string(name));
+  if (begin == head.npos) return "";
+  const std::string_view rest = head.substr(begin + name.size() + (begin == 0 ? 0 : 1));
+  return std::string(rest.substr(0, rest.find('\n')));
+}
+
+[[noreturn]] void throwDamaged(const fs::path& clip, const std::string& problem) {
+  throw InputError("the record in " + clip.string() + " is damaged: " + problem);
+}
+
+/// The first line's version and name.
+void readOrigin(std::string_view head, const fs::path& clip, Making& making) {
+  const std::string origin = valueIn(head, kMadeBy);
+  const std::size_t middle = origin.find(kFromScene);
+  if (middle == origin.npos) throwDamaged(clip, "it doesn't name its scene");
+  making.program = origin.substr(0, middle);
+  making.scene = origin.substr(middle + kFromScene.size());
+  // It becomes a file's.
+  const bool isName = fs::path(making.scene).filename() == making.scene && making.scene != "." &&
+                      making.scene != ".." && making.scene == inOneLine(making.scene);
+  if (!isName || making.scene.empty()) throwDamaged(clip, "its scene's name can't be a file's");
+}
+
+std::optional<FrameRange> partIn(std::string_view head, const fs::path& clip) {
+  const std::string text = valueIn(head, kFrames);
+  if (text.empty()) return std::nullopt;
+  const std::optional<FrameRange> part = parseRange(text);
+  if (part && part->first < part->end) return part;
+  throwDamaged(clip, "its frames aren't a range");
+}
+
+scene::Scene sceneIn(const std::string& text, const std::string& name, const fs::path& clip,
+                     const fs::path& folder) {
+  try {
+    scene::Scene scene = scene::parseScene(text, clip);
+    scene.name = name;
+    scene.folder = folder;
+    return scene;
+  } catch (const InputError& error) {
+    throwDamaged(clip, error.what());
+  }
+}
+
+void compareTools(const char* tool, const std::string& there, const std::string& here,
+                  std::vector<std::string>& found) {
+  if (there == here) return;
+  found.push_back(std::string(tool) + " was " + (there.empty() ? "not recorded" : there) +
+                  ", here it is " + here);
+}
+
+/// Whether a picture isn't where the scene says.
+bool lacksTextures(const scene::Scene& scene) {
+  const auto isMissing = [&](const std::string& file) {
+    std::error_code error;
+    return file != scene::kBuiltin && !fs::exists(scene.folder / file, error);
+  };
+  const scene::BookSettings& book = scene.book;
+  return isMissing(book.front) || isMissing(book.spine) || isMissing(book.back);
+}
+
+/// What the clip of `scene` depends on.
+std::string clipText(scene::Scene scene) {
+  scene.expectations.clear();
+  for (scene::Panel& panel : scene.panels) panel.expectations.clear();
+  scene.study.reset();
+  return sceneText(scene);
+}
+
+}  // namespace
+
+Making makingOf(const scene::Scene& scene, const timeline::ClipMotion& motion,
+                const std::string& renderer) {
+  return {.scene = inOneLine(scene.name),
+          .program = kVersion,
+          .renderer = inOneLine(renderer),
+          .ffmpeg = video::ffmpegVersion(),
+          .motion = timeline::motionChecksum(motion)};
+}
+
+std::vector<std::string> differencesOfTools(const Making& there, const Making& here) {
+  std::vector<std::string> found;
+  compareTools("rotatebook", there.program, here.program, found);
+  compareTools("the renderer", there.renderer, here.renderer, found);
+  compareTools("FFmpeg", there.ffmpeg, here.ffmpeg, found);
+  return found;
+}
+
+std::string sceneRecord(const scene::Scene& scene, const Making& making) {
+  return line(kMadeBy, making.program + std::string(kFromScene) + making.scene) +
+         line(kRenderer, making.renderer) + line(kFfmpeg, making.ffmpeg) +
+         line(kMotion, making.motion) + '\n' + sceneText(scene);
+}
+
+std::string recordOfPart(const std::string& record, FrameRange part) {
+  const std::size_t end = record.find(kHeadsEnd);
+  if (!record.starts_with(kMadeBy) || end == record.npos) return record;
+  return record.substr(0, end + 1) + line(kFrames, rangeText(part)) + record.substr(end + 1);
+}
+
+ClipRecord parseRecord(const std::string& text, const fs::path& clip, const fs::path& sceneFolder) {
+  if (!text.starts_with(kMadeBy)) {
+    throw InputError(clip.string() + " isn't a clip of rotatebook: its metadata holds no scene");
+  }
+  if (text.size() > kLargestRecord) throwDamaged(clip, "no scene is that long");
+  const std::string_view head = std::string_view(text).substr(0, text.find(kHeadsEnd));
+  ClipRecord record;
+  readOrigin(head, clip, record.making);
+  record.making.renderer = valueIn(head, kRenderer);
+  record.making.ffmpeg = valueIn(head, kFfmpeg);
+  record.making.motion = valueIn(head, kMotion);
+  record.part = partIn(head, clip);
+  record.scene = sceneIn(text, record.making.scene, clip, sceneFolder);
+  return record;
+}
+
+bool isRecordOf(const scene::Scene& scene, const std::string& text) {
+  try {
+    return sceneText(parseRecord(text, scene.name, scene.folder).scene) == sceneText(scene);
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+bool isRecordOfClip(const scene::Scene& scene, const std::string& text) {
+  try {
+    const ClipRecord record = parseRecord(text, scene.name, scene.folder);
+    return !record.part && clipText(record.scene) == clipText(scene);
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+RecordedClip readRecordedClip(const fs::path& clip, const TexturePlace& textures) {
+  const video::ClipMetadata metadata = video::readClipMetadata(clip);
+  const fs::path folder = textures.folder.empty() ? clip.parent_path() : textures.folder;
+  RecordedClip recorded{metadata.format, parseRecord(metadata.comment, clip, folder)};
+  scene::Scene& scene = recorded.record.scene;
+  scene.allowOutside = textures.allowOutside;
+  try {
+    picture::requireTextures(scene);
+  } catch (const InputError& error) {
+    if (!lacksTextures(scene)) throw;
+    throw InputError(std::string(error.what()) +
+                     "; say where its scene's folder is with --scene-folder DIR");
+  }
+  return recorded;
+}
+
+}  // namespace rotatebook::store

@@ -1,0 +1,121 @@
+#include "store/fingerprint.h"
+
+#include <cstddef>
+#include <variant>
+#include <vector>
+
+#include "base/checksum.h"
+#include "base/error.h"
+#include "base/version.h"
+#include "picture/textures.h"
+#include "scene/scene_text.h"
+#include "scene/toml_tree.h"
+#include "store/clip_files.h"
+#include "system/file_checksum.h"
+#include "system/read_file.h"
+#include "video/video_writer.h"
+
+namespace rotatebook::store {
+namespace {
+
+namespace fs = std::filesystem;
+using Entries = Manifest::Entries;
+
+constexpr std::size_t kMostDifferences = 3;
+
+/// Of the program that runs: a change of its code may change pictures, and its version doesn't
+/// tell.
+const std::string& build() {
+  static const std::string sum = system::checksumOfFile("/proc/self/exe");
+  return sum;
+}
+
+/// All values of a scene by their keys: "clip.duration", "panels[0].label".
+void flatten(const scene::TomlNode& node, const std::string& key, Entries& values) {
+  if (const auto* table = std::get_if<scene::TomlNode::Table>(&node.value)) {
+    for (const scene::TomlEntry& entry : *table) {
+      flatten(entry.node, key.empty() ? entry.key : key + '.' + entry.key, values);
+    }
+  } else if (const auto* array = std::get_if<scene::TomlNode::Array>(&node.value)) {
+    for (std::size_t i = 0; i < array->size(); ++i) {
+      flatten((*array)[i], key + '[' + std::to_string(i) + ']', values);
+    }
+  } else {
+    values[key] = describe(node);
+  }
+}
+
+/// None of what isn't TOML, as somebody's change of the file may leave it.
+Entries valuesOf(const std::string& sceneText) {
+  Entries values;
+  try {
+    flatten(scene::parseToml(sceneText, kSceneCopyName), "", values);
+  } catch (const InputError&) {
+    values.clear();
+  }
+  return values;
+}
+
+void addDifferences(const Entries& there, const Entries& here, std::vector<std::string>& found) {
+  constexpr const char* kNone = "missing";
+  Entries both = there;
+  both.insert(here.begin(), here.end());
+  for (const auto& [key, unused] : both) {
+    const auto a = there.find(key), b = here.find(key);
+    const std::string old = a != there.end() ? a->second : kNone;
+    const std::string now = b != here.end() ? b->second : kNone;
+    if (old != now) found.push_back(key + " is " + old + " there, " + now + " here");
+  }
+}
+
+std::string listed(const std::vector<std::string>& found) {
+  std::string text;
+  for (std::size_t i = 0; i < found.size() && i < kMostDifferences; ++i) {
+    text += (i > 0 ? "; " : "") + found[i];
+  }
+  if (found.size() <= kMostDifferences) return text;
+  return text + "; and " + std::to_string(found.size() - kMostDifferences) + " more";
+}
+
+}  // namespace
+
+Entries fingerprint(const scene::Scene& scene, const std::string& renderer, int pngLevel) {
+  Entries made = picture::textureChecksums(scene);
+  made["program"] = std::string("rotatebook ") + kVersion;
+  made["build"] = build();
+  made["renderer"] = renderer;
+  made["ffmpeg"] = video::ffmpegVersion();
+  made["png_level"] = std::to_string(pngLevel);
+  made["scene"] = checksumOf(sceneText(scene));
+  return made;
+}
+
+std::string differences(const fs::path& folder, const Entries& there, const Entries& made,
+                        const scene::Scene& scene) {
+  Entries old = there, now = made;
+  std::vector<std::string> found;
+  if (old["scene"] != now["scene"]) {
+    addDifferences(valuesOf(system::readFileOrEmpty(folder / kSceneCopyName)),
+                   valuesOf(sceneText(scene)), found);
+    old.erase("scene");
+    now.erase("scene");
+  }
+  addDifferences(old, now, found);
+  return listed(found);
+}
+
+std::string sceneChecksumOf(const fs::path& folder, const fs::path& file) {
+  const auto manifest = readManifest(folder);
+  if (!manifest || !fs::is_regular_file(file)) return "";
+  std::vector<Manifest::Render> renders = manifest->others;
+  renders.push_back(manifest->own);
+  for (const Manifest::Render& render : renders) {
+    const auto known = render.files.find(file.filename().string());
+    const auto scene = render.made.find("scene");
+    if (known == render.files.end() || scene == render.made.end()) continue;
+    return system::checksumOfFile(file) == known->second ? scene->second : "";
+  }
+  return "";
+}
+
+}  // namespace rotatebook::store

@@ -1,0 +1,125 @@
+#include "store/manifest.h"
+
+#include <algorithm>
+#include <variant>
+
+#include "base/error.h"
+#include "scene/toml_text.h"
+#include "scene/toml_tree.h"
+#include "system/atomic_file.h"
+#include "system/read_file.h"
+
+namespace rotatebook::store {
+namespace {
+
+namespace fs = std::filesystem;
+using Entries = Manifest::Entries;
+
+constexpr const char* kHead =
+    "# What the frames beside this were made from and with. Their checksums are in frames.xxh128,\n"
+    "# which 'xxh128sum --check' reads; here are those of the files that were made with them, and "
+    "of\n"
+    "# files of the same clip that were made with other settings.\n";
+
+/// The tables of the renders of other settings.
+constexpr const char* kOther = "other";
+
+std::string tableText(const std::string& name, const Entries& entries) {
+  std::string text = "\n[" + name + "]\n";
+  for (const auto& [key, value] : entries) {
+    text += scene::tomlString(key) + " = " + scene::tomlString(value) + '\n';
+  }
+  return text;
+}
+
+/// The node `name` in a table, if it is of this type; else null.
+template <typename Type>
+const Type* find(const scene::TomlNode& parent, const char* name) {
+  const auto* table = std::get_if<scene::TomlNode::Table>(&parent.value);
+  const scene::TomlEntry* entry = table != nullptr ? scene::find(*table, name) : nullptr;
+  return entry != nullptr ? std::get_if<Type>(&entry->node.value) : nullptr;
+}
+
+/// The strings of the table `name` in `parent`.
+Entries entriesOf(const scene::TomlNode& parent, const char* name) {
+  Entries entries;
+  const auto* rows = find<scene::TomlNode::Table>(parent, name);
+  if (rows == nullptr) return entries;
+  for (const scene::TomlEntry& row : *rows) {
+    const auto* text = std::get_if<std::string>(&row.node.value);
+    if (text != nullptr) entries[row.key] = *text;
+  }
+  return entries;
+}
+
+Manifest::Render renderFrom(const scene::TomlNode& table) {
+  return {entriesOf(table, "made"), entriesOf(table, "files")};
+}
+
+}  // namespace
+
+const Entries* Manifest::filesOf(const Entries& made) const {
+  if (own.made == made) return &own.files;
+  const auto found = std::ranges::find(others, made, &Render::made);
+  return found != others.end() ? &found->files : nullptr;
+}
+
+void Manifest::add(const Entries& made, const Entries& files) {
+  const auto isReplaced = [&](const auto& file) { return files.contains(file.first); };
+  std::erase_if(own.files, isReplaced);
+  for (Render& other : others) std::erase_if(other.files, isReplaced);
+  if (filesOf(made) == nullptr) others.push_back({made, {}});
+  Render& render = own.made == made ? own : *std::ranges::find(others, made, &Render::made);
+  render.files.insert(files.begin(), files.end());
+  std::erase_if(others, [](const Render& other) { return other.files.empty(); });
+}
+
+void Manifest::become(const Entries& made) {
+  if (own.made == made) return;
+  Render now{made, {}};
+  const auto found = std::ranges::find(others, made, &Render::made);
+  if (found != others.end()) {
+    now = *found;
+    others.erase(found);
+  }
+  if (!own.files.empty()) others.push_back(own);
+  own = now;
+}
+
+// A render that was finished has a table of files, which may be empty: others' files may have taken
+// the place of all.
+Manifest parseManifest(std::string_view text, const std::string& file) {
+  const scene::TomlNode root = scene::parseToml(text, file);
+  Manifest manifest{.own = renderFrom(root)};
+  manifest.finished = find<scene::TomlNode::Table>(root, "files") != nullptr;
+  if (const auto* others = find<scene::TomlNode::Array>(root, kOther)) {
+    for (const scene::TomlNode& other : *others) manifest.others.push_back(renderFrom(other));
+  }
+  return manifest;
+}
+
+std::optional<Manifest> readManifest(const fs::path& folder) {
+  const fs::path path = folder / kManifestName;
+  try {
+    return parseManifest(system::readFile(path, scene::kLongestToml), path);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+std::string manifestText(const Manifest& manifest) {
+  std::string text = kHead + tableText("made", manifest.own.made);
+  if (manifest.finished) text += tableText("files", manifest.own.files);
+  for (const Manifest::Render& other : manifest.others) {
+    const std::string table = kOther;
+    text += "\n[[" + table + "]]\n" + tableText(table + ".made", other.made) +
+            tableText(table + ".files", other.files);
+  }
+  return text;
+}
+
+void writeManifest(const fs::path& folder, const Manifest& manifest) {
+  system::writeFileAtomically(folder / kManifestName, manifestText(manifest));
+}
+
+}  // namespace rotatebook::store

@@ -1,0 +1,61 @@
+#include "store/scene_file.h"
+
+#include <algorithm>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "base/error.h"
+#include "scene/nearest_name.h"
+#include "scene/scene_text.h"
+#include "scene/toml_text.h"
+#include "scene/toml_tree.h"
+#include "system/read_file.h"
+
+namespace rotatebook::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> sceneNamesIn(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
+    if (entry.path().extension() == ".toml") names.push_back(entry.path().filename().string());
+  }
+  // The order of a folder is the file system's whim, and of two names as near the first is
+  // suggested.
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+[[noreturn]] void failMissing(const fs::path& path) {
+  const std::vector<std::string> names = sceneNamesIn(path.parent_path());
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  fs::path wanted = path.filename();
+  if (!wanted.has_extension()) wanted += ".toml";
+  const auto nearest = scene::nearestName(wanted.string(), candidates);
+  if (!nearest) scene::failAt(path.string(), "scene not found");
+  const fs::path suggestion = path.parent_path() / *nearest;
+  scene::failAt(path.string(),
+                "scene not found; did you mean " + scene::tomlString(suggestion.string()) + "?");
+}
+
+}  // namespace
+
+std::string readSceneText(const fs::path& path) {
+  try {
+    return system::readFile(path, scene::kLongestToml);
+  } catch (const InputError& error) {
+    scene::failAt(path.string(), std::string("can't be read: ") + error.what());
+  }
+}
+
+scene::Scene readScene(const fs::path& path, std::span<const std::string> overrides) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) scene::failAt(path.string(), "a folder, not a scene");
+  if (!fs::exists(path, ignored)) failMissing(path);
+  return scene::parseScene(readSceneText(path), path, overrides);
+}
+
+}  // namespace rotatebook::store

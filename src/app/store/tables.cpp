@@ -1,0 +1,18 @@
+#include "store/tables.h"
+
+#include "system/atomic_file.h"
+#include "timeline/trajectory_csv.h"
+
+namespace rotatebook::store {
+
+void writeTables(const std::vector<std::filesystem::path>& files,
+                 const timeline::ClipMotion& motion) {
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    system::AtomicFile file(files[i]);
+    timeline::writeCsv(motion.trajectories()[i],
+                       [&file](std::string_view piece) { file.write(piece); });
+    file.commit();
+  }
+}
+
+}  // namespace rotatebook::store

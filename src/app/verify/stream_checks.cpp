@@ -1,0 +1,123 @@
+#include "verify/stream_checks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/number_text.h"
+
+namespace rotatebook::verify {
+namespace {
+
+// WebM counts milliseconds; MP4's clock divides a frame without rest. [s]
+constexpr double kMp4Stamp = 1e-6, kWebmStamp = 0.501e-3;
+// FFmpeg tells it in microseconds. [s]
+constexpr double kMp4Length = 2e-6, kWebmLength = 1.001e-3;
+
+ClipCheck equality(const std::string& what, const std::string& measured,
+                   const std::string& wanted) {
+  return {what, measured, wanted, measured == wanted};
+}
+
+std::string sizeText(int width, int height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
+
+std::string codecText(const video::ClipFacts& facts) {
+  return facts.codec + " " + facts.profile + ", " + facts.pixelFormat;
+}
+
+std::string secondsText(double seconds) {
+  return roundedText(seconds, 6) + " s";
+}
+
+std::string milliseconds(double seconds) {
+  return roundedText(seconds * 1e3, 3) + " ms";
+}
+
+std::string coloursText(const video::ColourTags& tags) {
+  return "primaries " + tags.primaries + ", transfer " + tags.transfer + ", matrix " + tags.matrix +
+         ", range " + tags.range;
+}
+
+std::string shapesText(const std::string& container, const std::string& stream) {
+  return container + " in the container, " + stream + " in the stream";
+}
+
+/// The whole's speed, then what is played of it.
+std::string speedText(const video::Mp4Header& header) {
+  std::string text = "speed " + roundedText(header.speed, 6);
+  for (const auto& [duration, speed] : header.edits) {
+    text += ", " + secondsText(duration) + " at speed " + roundedText(speed, 6);
+  }
+  return text;
+}
+
+/// Whether all of `duration` [s] is played, as fast as it is.
+bool playsAll(const video::Mp4Header& header, double duration) {
+  if (header.speed != 1 || header.edits.size() > 1) return false;
+  const auto isAll = [&](const video::Mp4Header::Edit& edit) {
+    return edit.speed == 1 && std::abs(edit.duration - duration) <= kMp4Length;
+  };
+  return std::ranges::all_of(header.edits, isAll);
+}
+
+std::string shownSizeText(const video::Mp4Header& header) {
+  return roundedText(header.shownWidth, 9) + "x" + roundedText(header.shownHeight, 9);
+}
+
+bool isMp4(const video::ClipFacts& facts) {
+  return facts.format == video::VideoFormat::Mp4;
+}
+
+}  // namespace
+
+std::vector<ClipCheck> checkStream(const video::ClipFacts& facts, const scene::Scene& scene) {
+  const std::string size = sizeText(scene.clip.width, scene.clip.height);
+  const std::string colours = coloursText({"bt709", "bt709", "bt709", "tv"});
+  std::vector<ClipCheck> checks{
+      equality(kSizeCheck, sizeText(facts.width, facts.height), size),
+      equality(kCodecCheck, codecText(facts),
+               isMp4(facts) ? "h264 High, yuv420p" : "vp9 Profile 0, yuv420p"),
+      equality("colours", coloursText(facts.colours), colours),
+      equality("container", coloursText(facts.containerColours), colours),
+      equality("pixel shape", shapesText(facts.containerShape, facts.pixelShape),
+               shapesText("1:1", "1:1")),
+      equality("display", facts.display, "as stored")};
+  if (facts.mp4) checks.push_back(equality("shown size", shownSizeText(*facts.mp4), size));
+  return checks;
+}
+
+TimeCheck::TimeCheck(const video::ClipFacts& facts, FrameRate rate, std::int64_t frames)
+    : facts_(facts), rate_(rate), frames_(frames) {}
+
+double TimeCheck::timeOf(std::int64_t frame) const {
+  return static_cast<double>(frame) * rate_.denominator / rate_.numerator;
+}
+
+void TimeCheck::add(double time) {
+  const double away = std::abs(time - timeOf(count_++));
+  allHaveTimes_ = allHaveTimes_ && std::isfinite(away);
+  if (std::isfinite(away)) farthest_ = std::max(farthest_, away);
+}
+
+std::vector<ClipCheck> TimeCheck::checks() const {
+  const double stamp = isMp4(facts_) ? kMp4Stamp : kWebmStamp;
+  const double length = isMp4(facts_) ? kMp4Length : kWebmLength;
+  const double wanted = timeOf(frames_);
+  std::vector<ClipCheck> checks{
+      equality("frames", std::to_string(count_), std::to_string(frames_)),
+      {"time stamps",
+       allHaveTimes_ ? "off by up to " + milliseconds(farthest_) : "some are missing",
+       "frame n at n/fps within " + milliseconds(stamp), allHaveTimes_ && farthest_ <= stamp},
+      {"duration", secondsText(facts_.duration),
+       secondsText(wanted) + " within " + milliseconds(length),
+       std::abs(facts_.duration - wanted) <= length}};
+  if (facts_.mp4) {
+    checks.push_back({"speed", speedText(*facts_.mp4), "all at speed 1",
+                      playsAll(*facts_.mp4, facts_.duration)});
+  }
+  return checks;
+}
+
+}  // namespace rotatebook::verify

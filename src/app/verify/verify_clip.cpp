@@ -1,0 +1,120 @@
+#include "verify/verify_clip.h"
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+#include "base/error.h"
+#include "pipeline/render_clip.h"
+#include "timeline/motion_checksum.h"
+#include "timeline/simulate_scene.h"
+#include "verify/picture_judge.h"
+#include "verify/stream_checks.h"
+#include "video/clip_reader.h"
+#include "video/whole_file.h"
+
+namespace rotatebook::verify {
+namespace {
+
+constexpr std::int64_t kDefaultFrames = 6;
+
+/// A byte of a checksum in hexadecimal digits.
+std::int64_t byteOf(const std::string& checksum, std::int64_t index) {
+  return std::stoi(checksum.substr(static_cast<std::size_t>(2 * index), 2), nullptr, 16);
+}
+
+/// One frame of each sixth, where the motion's checksum says: nobody knows which before there is a
+/// motion, and everybody chooses the same.
+std::set<std::int64_t> spread(store::FrameRange range, const std::string& motion) {
+  constexpr std::int64_t kSteps = 256;  // of a byte
+  std::set<std::int64_t> frames;
+  for (std::int64_t i = 0; i < kDefaultFrames; ++i) {
+    const std::int64_t step = kSteps * i + byteOf(motion, i);
+    frames.insert(range.first + range.count() * step / (kSteps * kDefaultFrames));
+  }
+  return frames;
+}
+
+std::set<std::int64_t> chosenFrames(store::FrameRange range, const std::string& motion,
+                                    const VerifyOptions& options) {
+  if (options.frames.empty()) return spread(range, motion);
+  for (const std::int64_t frame : options.frames) {
+    if (range.first <= frame && frame < range.end) continue;
+    throw InputError("frame " + std::to_string(frame) + " isn't in the clip, which has " +
+                     std::to_string(range.first) + " to " + std::to_string(range.end - 1));
+  }
+  return {options.frames.begin(), options.frames.end()};
+}
+
+ClipCheck checkMotion(const store::Making& there, const std::string& motion) {
+  return {"motion", motion, there.motion.empty() ? "none is recorded" : there.motion,
+          motion == there.motion};
+}
+
+/// Verifying on its way.
+class Verifier {
+ public:
+  Verifier(const std::filesystem::path& clip, const VerifyOptions& options)
+      : options_(options),
+        record_(readWholeClip(clip, options.textures).record),
+        reader_(clip),
+        motion_(timeline::simulateScene(record_.scene)),
+        motionSum_(timeline::motionChecksum(motion_)) {}
+
+  Verification run() {
+    Verification found{.record = record_,
+                       .range = pipeline::framesToRender(motion_, record_.part),
+                       .wholeCount = motion_.frameCount()};
+    found.checks = checkStream(reader_.facts(), record_.scene);
+    found.checks.push_back(checkMotion(record_.making, motionSum_));
+    // Pictures of other sizes and kinds can't be compared, and to draw them may take gigabytes.
+    const auto isWrong = [](const ClipCheck& check) {
+      return !check.passed && (check.what == kSizeCheck || check.what == kCodecCheck);
+    };
+    if (std::ranges::none_of(found.checks, isWrong)) decode(found);
+    return found;
+  }
+
+ private:
+  static store::RecordedClip readWholeClip(const std::filesystem::path& clip,
+                                           const store::TexturePlace& textures) {
+    video::requireWholeFile(clip);
+    return store::readRecordedClip(clip, textures);
+  }
+
+  void decode(Verification& found) {
+    const std::set<std::int64_t> chosen = chosenFrames(found.range, motionSum_, options_);
+    picture::FrameDrawer drawer(record_.scene, motion_, options_.device);
+    found.toolsDiffer = store::differencesOfTools(
+        record_.making, store::makingOf(record_.scene, motion_, drawer.description()));
+    PictureJudge judge(record_.scene, drawer, found.wholeCount, reader_.facts().format);
+    TimeCheck times(reader_.facts(), record_.scene.clip.frameRate, found.range.count());
+    for (std::int64_t frame = found.range.first; reader_.next(); ++frame) {
+      times.add(reader_.time());
+      const bool wanted = frame < found.range.end && (options_.allFrames || chosen.contains(frame));
+      if (wanted) found.pictures.push_back(judge.judge(frame, reader_.picture()));
+      if (options_.progress)
+        options_.progress({frame + 1 - found.range.first, found.range.count()});
+    }
+    std::ranges::copy(times.checks(), std::back_inserter(found.checks));
+  }
+
+  const VerifyOptions& options_;
+  store::ClipRecord record_;
+  video::ClipReader reader_;
+  timeline::ClipMotion motion_;
+  std::string motionSum_;
+};
+
+}  // namespace
+
+std::int64_t Verification::failures() const {
+  return std::ranges::count(checks, false, &ClipCheck::passed) +
+         std::ranges::count(pictures, false, &PictureCheck::passed);
+}
+
+Verification verifyClip(const std::filesystem::path& clip, const VerifyOptions& options) {
+  return Verifier(clip, options).run();
+}
+
+}  // namespace rotatebook::verify

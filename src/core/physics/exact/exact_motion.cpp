@@ -1,0 +1,93 @@
+#include "physics/exact/exact_motion.h"
+
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Geometry>
+
+#include "physics/rotation.h"
+
+namespace rotatebook::physics {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+struct Turn {
+  double cosine, sine;
+};
+
+constexpr DoubleDouble kWholeTurn{6.283185307179586, 2.4492935982947064e-16};
+
+// Of an angle of many turns, whose lower part counts; it is small once whole turns are taken off.
+Turn turnBy(DoubleDouble angle) {
+  const DoubleDouble rest = angle - kWholeTurn * std::nearbyint(angle.high / kWholeTurn.high);
+  const double cosine = std::cos(rest.high);
+  const double sine = std::sin(rest.high);
+  return {cosine - rest.low * sine, sine + rest.low * cosine};
+}
+
+Matrix3d rotationAboutZ(Turn turn) {
+  Matrix3d rotation;
+  rotation << turn.cosine, -turn.sine, 0, turn.sine, turn.cosine, 0, 0, 0, 1;
+  return rotation;
+}
+
+}  // namespace
+
+ExactMotion::ExactMotion(const Vector3d& inertia, const Vector3d& angularVelocity)
+    : inertia_(inertia),
+      start_(angularVelocity),
+      speed_(hypotenuse(hypotenuse(start_[0], start_[1]), start_[2])),
+      regime_(regimeOf(inertia, angularVelocity)),
+      polhode_(polhodeOf(inertia, angularVelocity)),
+      jacobi_(polhode_ ? polhode_->k1 : 1),
+      thirdKind_(polhode_ ? polhode_->k1 : 1, polhode_ ? polhode_->n : 0) {
+  if (!polhode_) return;
+  inertia_ /= inertia_.maxCoeff();  // only the direction of the angular momentum is asked for
+  const double u = polhode_->start.value();
+  startTurn_ = polhode_->weight.high * thirdKind_.at(u, jacobi_.at(u));
+  worldFromMomentum_ = bodyFromMomentum(start_);
+}
+
+double ExactMotion::flipInterval() const {
+  if (!polhode_ || polhode_->halfPeriod.high == 0) return std::numeric_limits<double>::infinity();
+  return (polhode_->halfPeriod / polhode_->rate).value();
+}
+
+ExactMotion::Moment ExactMotion::at(double time) const {
+  return polhode_ ? polhodeAt(time) : steadyAt(time);
+}
+
+ExactMotion::Moment ExactMotion::steadyAt(double time) const {
+  if (speed_.high == 0) return {start_, Matrix3d::Identity()};
+  const Turn turn = turnBy(speed_ * time);
+  const Vector3d axis = start_ / speed_.high;
+  const Matrix3d cross = crossMatrix(axis);
+  return {start_, Matrix3d::Identity() + turn.sine * cross + (1 - turn.cosine) * cross * cross};
+}
+
+ExactMotion::Moment ExactMotion::polhodeAt(double time) const {
+  const Polhode& p = *polhode_;
+  // Take u to within K of a zero of sn. What the half-periods left out add to the turn is constant.
+  const DoubleDouble phase = p.rate * time + p.start;
+  const double halves = p.halfPeriod.high > 0 ? std::nearbyint(phase.high / p.halfPeriod.high) : 0;
+  const double u = (phase - p.halfPeriod * halves).value();
+  const double sign = std::fmod(halves, 2) == 0 ? 1 : -1;
+  const JacobiValues values = jacobi_.at(u);
+  const Vector3d w = sign * values.cn * p.cosine + sign * values.sn * p.sine + values.dn * p.delta;
+  const double part = p.weight.high * thirdKind_.at(u, values) - startTurn_;
+  const DoubleDouble turn = p.precession * time + p.weightedHalfPeriod * halves + part;
+  return {w, worldFromMomentum_ * rotationAboutZ(turnBy(turn)) * bodyFromMomentum(w).transpose()};
+}
+
+// Columns: two axes across the angular momentum, and its direction.
+Matrix3d ExactMotion::bodyFromMomentum(const Vector3d& angularVelocity) const {
+  Matrix3d frame;
+  const Vector3d direction = (inertia_.cwiseProduct(angularVelocity)).stableNormalized();
+  const Vector3d across = direction.cross(polhode_->frameAxis).normalized();
+  frame << across.cross(direction), across, direction;
+  return frame;
+}
+
+}  // namespace rotatebook::physics

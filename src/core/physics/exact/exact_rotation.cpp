@@ -1,0 +1,17 @@
+#include "physics/exact/exact_rotation.h"
+
+namespace rotatebook::physics {
+
+ExactRotation::ExactRotation(const PrincipalAxes& inertia, const Eigen::Vector3d& angularVelocity)
+    : bodyFromPrincipal_(inertia.bodyFromPrincipal),
+      motion_(inertia.moments, bodyFromPrincipal_.transpose() * angularVelocity) {}
+
+ExactRotation::Moment ExactRotation::at(double time) const {
+  const ExactMotion::Moment moment = motion_.at(time);
+  // The world's axes are the body's at t = 0; the closed form's are the principal ones.
+  const Eigen::Matrix3d worldFromPrincipal = bodyFromPrincipal_ * moment.worldFromBody;
+  return {worldFromPrincipal * bodyFromPrincipal_.transpose(),
+          worldFromPrincipal * moment.angularVelocityBody};
+}
+
+}  // namespace rotatebook::physics

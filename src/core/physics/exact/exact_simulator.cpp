@@ -1,0 +1,30 @@
+#include "physics/exact/exact_simulator.h"
+
+namespace rotatebook::physics {
+
+ExactSimulator::ExactSimulator(const MotionSettings& settings)
+    : corners_(settings.body.corners()),
+      angularMomentum_(modelInertia(settings).angularMomentum(initialAngularVelocity(settings))),
+      rotation_(modelInertia(settings), initialAngularVelocity(settings)) {}
+
+void ExactSimulator::advance(double h, int steps) {
+  if (h != h_) {
+    start_ = time();
+    h_ = h;
+    steps_ = 0;
+  }
+  steps_ += steps;
+}
+
+BodyState ExactSimulator::state() const {
+  const ExactRotation::Moment moment = rotation_.at(time());
+  BodyState result;
+  result.corners = moment.worldFromBody * corners_;
+  result.angularVelocity = moment.angularVelocity;
+  result.angularMomentum = angularMomentum_;
+  result.kinetic = moment.angularVelocity.dot(angularMomentum_) / 2;
+  result.rotational = result.kinetic;
+  return result;
+}
+
+}  // namespace rotatebook::physics

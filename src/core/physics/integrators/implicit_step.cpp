@@ -1,0 +1,16 @@
+#include "physics/integrators/implicit_step.h"
+
+#include <string>
+
+#include "base/number_text.h"
+#include "physics/simulator.h"
+
+namespace rotatebook::physics {
+
+void throwNoConvergence(const char* integrator, double h) {
+  throw NoConvergence(std::string("the integrator ") + integrator +
+                      " finds no solution for a step of " + shortestText(h) +
+                      " s: the iteration doesn't converge; use shorter steps (more substeps)");
+}
+
+}  // namespace rotatebook::physics

@@ -1,0 +1,68 @@
+// Integrators on the rotation group: each step is a product of rotations.
+#pragma once
+
+#include "physics/attitude.h"
+#include "physics/integrators/exponential.h"
+#include "physics/integrators/rigid_state.h"
+
+namespace rotatebook::physics {
+
+/// What they share: the angular momentum L in the world's axes is constant, and an attitude has an
+/// angular velocity w = A I^-1 A^T L. They keep L, and the attitude a rotation, to rounding.
+class LieGroupMethod {
+ public:
+  static constexpr bool kMomentumInBody = false;
+
+  LieGroupMethod(const RigidConstants& body, double h) : body_(body), h_(h) {}
+
+ protected:
+  /// h w. [rad]
+  template <typename Attitude>
+  Eigen::Vector3d turnFrom(const Attitude& attitude, const Eigen::Vector3d& momentum) const {
+    return h_ * angularVelocityInWorld(body_, mapOf(attitude), momentum);
+  }
+
+  template <typename Attitude>
+  static Attitude turned(Attitude attitude, const Eigen::Vector3d& rotation) {
+    turnInWorld(attitude, rotationBy(rotation));
+    return attitude;
+  }
+
+ private:
+  RigidConstants body_;
+  double h_;
+};
+
+/// q <- exp(h w) q. Order 1; one evaluation and one exponential a step. Source: Iserles,
+/// Munthe-Kaas, Norsett, Zanna, Lie-group methods, Acta Numerica 2000.
+class LieEuler : public LieGroupMethod {
+ public:
+  using LieGroupMethod::LieGroupMethod;
+
+  template <typename Attitude>
+  void step(RigidState<Attitude>& state) const {
+    state.attitude = turned(state.attitude, turnFrom(state.attitude, state.momentum));
+  }
+};
+
+/// Commutator-free method of order 4: four evaluations and five exponentials a step. Source:
+/// Celledoni, Marthinsen, Owren, Commutator-free Lie group methods, Future Generation Computer
+/// Systems 19 (2003).
+class CommutatorFree4 : public LieGroupMethod {
+ public:
+  using LieGroupMethod::LieGroupMethod;
+
+  template <typename Attitude>
+  void step(RigidState<Attitude>& state) const {
+    const Attitude& q = state.attitude;
+    const Eigen::Vector3d k1 = turnFrom(q, state.momentum);
+    const Attitude q2 = turned(q, k1 / 2);
+    const Eigen::Vector3d k2 = turnFrom(q2, state.momentum);
+    const Eigen::Vector3d k3 = turnFrom(turned(q, k2 / 2), state.momentum);
+    const Eigen::Vector3d k4 = turnFrom(turned(q2, k3 - k1 / 2), state.momentum);
+    const Attitude inner = turned(q, (3 * k1 + 2 * k2 + 2 * k3 - k4) / 12);
+    state.attitude = turned(inner, (-k1 + 2 * k2 + 2 * k3 + 3 * k4) / 12);
+  }
+};
+
+}  // namespace rotatebook::physics

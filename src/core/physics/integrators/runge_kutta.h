@@ -1,0 +1,47 @@
+// The classical Runge-Kutta method for a rigid body.
+#pragma once
+
+#include "physics/attitude.h"
+#include "physics/integrators/rigid_state.h"
+
+namespace rotatebook::physics {
+
+/// Runge and Kutta's classical method on attitude and body momentum together: M' = M x w with
+/// w = I^-1 M, and q' = q (0, w) / 2 or R' = R [w]x. Order 4; keeps nothing exactly; four
+/// evaluations a step. Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I,
+/// table II.1.2.
+class RungeKutta4 {
+ public:
+  static constexpr bool kMomentumInBody = true;
+
+  RungeKutta4(const RigidConstants& body, double h) : body_(body), h_(h) {}
+
+  template <typename Attitude>
+  void step(RigidState<Attitude>& state) const {
+    const auto k1 = rate(state);
+    const auto k2 = rate(moved(state, h_ / 2, k1));
+    const auto k3 = rate(moved(state, h_ / 2, k2));
+    const auto k4 = rate(moved(state, h_, k3));
+    state = moved(moved(state, h_ / 6, k1), h_ / 3, k2);
+    state = moved(moved(state, h_ / 3, k3), h_ / 6, k4);
+  }
+
+ private:
+  template <typename Attitude>
+  RigidState<Attitude> rate(const RigidState<Attitude>& state) const {
+    const Eigen::Vector3d w = body_.inverseInertia.cwiseProduct(state.momentum);
+    return {rateInBody(state.attitude, w), state.momentum.cross(w)};
+  }
+
+  template <typename Attitude>
+  static RigidState<Attitude> moved(const RigidState<Attitude>& state, double factor,
+                                    const RigidState<Attitude>& rate) {
+    return {physics::moved(state.attitude, factor, rate.attitude),
+            state.momentum + factor * rate.momentum};
+  }
+
+  RigidConstants body_;
+  double h_;
+};
+
+}  // namespace rotatebook::physics

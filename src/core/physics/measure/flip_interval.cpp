@@ -1,0 +1,53 @@
+#include "physics/measure/flip_interval.h"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "physics/measure/regime.h"
+
+namespace rotatebook::physics {
+
+std::vector<double> flipTimes(const Trajectory& trajectory, const PrincipalAxes& inertia) {
+  const Eigen::Vector3d axis = medianAxis(inertia);
+  const auto rateOf = [&axis](const Sample& sample) {
+    return (sample.attitude * axis).dot(sample.angularVelocity);
+  };
+  std::vector<double> times;
+  const std::vector<Sample>& samples = trajectory.samples;
+  double before = rateOf(samples.front());
+  for (std::size_t n = 1; n < samples.size(); ++n) {
+    const double rate = rateOf(samples[n]);
+    if ((before < 0) != (rate < 0)) {
+      times.push_back(samples[n - 1].time + trajectory.interval * before / (before - rate));
+    }
+    before = rate;
+  }
+  return times;
+}
+
+double meanInterval(std::span<const double> times) {
+  if (times.size() < 2) return std::numeric_limits<double>::quiet_NaN();
+  return (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+}
+
+double flipLaw(const PrincipalAxes& inertia, const Eigen::Vector3d& angularVelocity) {
+  const auto axes = axesByInertia(inertia.moments);
+  const double i1 = inertia.moments[axes[0]];
+  const double i2 = inertia.moments[axes[1]];
+  const double i3 = inertia.moments[axes[2]];
+  if (!(i1 < i2 && i2 < i3)) return std::numeric_limits<double>::infinity();
+  const Eigen::Vector3d w = inertia.bodyFromPrincipal.transpose() * angularVelocity;
+  const double spin = w.norm();
+  const double growth = spin * std::sqrt((i2 - i1) * (i3 - i2) / (i1 * i3));
+  const double distance =
+      std::fabs(medianInvariantRoot({i1, i2, i3}, w[axes[0]], w[axes[2]]).value());
+  const double modulus = distance / spin * std::sqrt((i3 - i1) / (i2 * (i2 - i1) * (i3 - i2)));
+  return 2 / growth * std::log(4 / modulus);
+}
+
+Eigen::Vector3d medianAxis(const PrincipalAxes& inertia) {
+  return inertia.bodyFromPrincipal.col(axesByInertia(inertia.moments)[1]);
+}
+
+}  // namespace rotatebook::physics

@@ -1,0 +1,96 @@
+#include "physics/measure/measurement.h"
+
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/LU>
+
+#include "physics/rotation.h"
+
+namespace rotatebook::physics {
+namespace {
+
+constexpr double kNearDeg = 60;
+constexpr double kFarDeg = 120;
+
+int largestComponent(const Eigen::Vector3d& v) {
+  int axis = 0;
+  v.cwiseAbs().maxCoeff(&axis);
+  return axis;
+}
+
+// Of a rotation; to rounding at small angles, too.
+double angleDeg(const Eigen::Matrix3d& rotation) {
+  const Eigen::Quaterniond q(rotation);
+  return 2 * std::atan2(q.vec().norm(), std::abs(q.w())) * 180 / std::numbers::pi;
+}
+
+}  // namespace
+
+bool isBook(double stretchMin, double stretchMax) {
+  return stretchMin >= kMinBookStretch && stretchMax <= kMaxBookStretch;
+}
+
+int HalfTurnCounter::count(double tiltDeg) {
+  if (stopped_) return halfTurns_;
+  const Side side = tiltDeg < kNearDeg ? Side::Near : tiltDeg > kFarDeg ? Side::Far : side_;
+  if (side_ != Side::None && side != side_) ++halfTurns_;
+  side_ = side;
+  return halfTurns_;
+}
+
+Measurement::Measurement(const MotionSettings& settings)
+    : spunAxis_(largestComponent(initialAngularVelocity(settings))),
+      inertia_(modelInertia(settings)),
+      exact_(inertia_, initialAngularVelocity(settings)),
+      isExact_(settings.simulation.model == Model::Exact) {
+  const Corners corners = settings.body.corners();
+  const Eigen::Matrix3d products = corners * corners.transpose();
+  mapFromCorners_ = corners.transpose() * products.inverse();
+}
+
+Sample Measurement::measure(double time, const BodyState& state) {
+  const Polar polar = polarDecomposition(state.corners * mapFromCorners_);
+  Sample sample;
+  sample.time = time;
+  sample.attitude = continuedAttitude(polar.rotation);
+  sample.angularVelocity = state.angularVelocity;
+  sample.angularMomentum = state.angularMomentum;
+  sample.kinetic = state.kinetic;
+  sample.potential = state.potential;
+  sample.rotational = state.rotational;
+  sample.tiltDeg = tiltDeg(polar.rotation, state.angularMomentum);
+  sample.stretchMin = polar.singularValues[2];
+  sample.stretchMax = polar.singularValues[0];
+  if (!isBook(sample.stretchMin, sample.stretchMax)) counter_.stop();
+  sample.halfTurns = counter_.count(sample.tiltDeg);
+  sample.errorDeg = angleDeg(exact_.at(time).worldFromBody.transpose() * polar.rotation);
+  sample.regime = regime(polar.rotation, state.angularVelocity);
+  sample.corners = state.corners;
+  return sample;
+}
+
+Eigen::Quaterniond Measurement::continuedAttitude(const Eigen::Matrix3d& rotation) {
+  Eigen::Quaterniond next(rotation);
+  if (next.dot(attitude_) < 0) next.coeffs() = -next.coeffs();
+  attitude_ = next;
+  return next;
+}
+
+// By atan2, because the arc cosine of a number near 1 loses half the digits of a small angle.
+double Measurement::tiltDeg(const Eigen::Matrix3d& rotation,
+                            const Eigen::Vector3d& momentum) const {
+  const Eigen::Vector3d axis = rotation.col(spunAxis_);
+  return std::atan2(axis.cross(momentum).norm(), axis.dot(momentum)) * 180 / std::numbers::pi;
+}
+
+// Of the exact motion it is a constant, which the rounding of one sample would hide if the spin is
+// less than 1e-8 off the median axis.
+Regime Measurement::regime(const Eigen::Matrix3d& rotation,
+                           const Eigen::Vector3d& angularVelocity) const {
+  if (isExact_) return exact_.regime();
+  const Eigen::Matrix3d principalFromWorld = (rotation * inertia_.bodyFromPrincipal).transpose();
+  return regimeOf(inertia_.moments, principalFromWorld * angularVelocity);
+}
+
+}  // namespace rotatebook::physics

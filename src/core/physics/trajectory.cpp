@@ -1,0 +1,50 @@
+#include "physics/trajectory.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "physics/measure/measurement.h"
+#include "physics/simulator.h"
+
+namespace rotatebook::physics {
+namespace {
+
+bool isFinite(const BodyState& state) {
+  return state.corners.allFinite() && state.angularVelocity.allFinite() &&
+         state.angularMomentum.allFinite() && std::isfinite(state.kinetic) &&
+         std::isfinite(state.potential) && std::isfinite(state.rotational);
+}
+
+bool hasBlownUp(const BodyState& state, double farthest) {
+  return !isFinite(state) || state.corners.colwise().norm().maxCoeff() > farthest;
+}
+
+}  // namespace
+
+Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount,
+                    const std::atomic<bool>* stop) {
+  const auto simulator = makeSimulator(settings);
+  Measurement measurement(settings);
+  const SimulationSettings& stepping = settings.simulation;
+  const double h = stepping.timePerFrame / stepping.substeps;
+  const double farthest = kDivergenceFactor * settings.body.largestDimension();
+
+  Trajectory result;
+  result.interval = stepping.timePerFrame;
+  for (std::int64_t n = 0; n < sampleCount; ++n) {
+    if (n > 0) simulator->advance(h, stepping.substeps);
+    const double time = static_cast<double>(n) * result.interval;
+    const BodyState state = simulator->state();
+    if (hasBlownUp(state, farthest)) {
+      result.divergedAt = time;
+      break;
+    }
+    result.samples.push_back(measurement.measure(time, state));
+    if (stop != nullptr && *stop) break;
+  }
+  if (result.samples.empty())
+    throw InputError("the motion's start is not finite: its numbers are too large");
+  return result;
+}
+
+}  // namespace rotatebook::physics

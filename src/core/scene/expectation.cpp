@@ -1,0 +1,129 @@
+#include "scene/expectation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace rotatebook::scene {
+namespace {
+
+// A window's edge that a person writes, like 0.7, may miss its sample's time by rounding. Fraction
+// of a sample's interval.
+constexpr double kEdge = 1e-6;
+
+constexpr std::array kQuantities{
+    Quantity::HalfTurns,       Quantity::TiltDeg,       Quantity::EnergyRatio,
+    Quantity::RotationalRatio, Quantity::MomentumRatio, Quantity::Stretch,
+    Quantity::ErrorDeg,        Quantity::Regime,        Quantity::DivergesAt};
+
+constexpr std::array<std::string_view, kQuantities.size()> kNames{
+    "half_turns", "tilt_deg",  "energy_ratio", "rotational_ratio", "L_ratio",
+    "stretch",    "error_deg", "regime",       "diverges_at"};
+
+struct Range {
+  double lowest = std::numeric_limits<double>::quiet_NaN();
+  double highest = lowest;
+};
+
+std::span<const physics::Sample> samplesWithin(const physics::Trajectory& trajectory, double from,
+                                               double to) {
+  const double slack = kEdge * trajectory.interval;
+  const auto& samples = trajectory.samples;
+  const auto first = std::ranges::find_if(
+      samples, [&](const physics::Sample& sample) { return sample.time >= from - slack; });
+  const auto last = std::find_if(first, samples.end(), [&](const physics::Sample& sample) {
+    return sample.time > to + slack;
+  });
+  return {first, last};
+}
+
+Range rangeAt(const physics::Sample& sample, const physics::Sample& start, Quantity quantity) {
+  const auto both = [](double value) { return Range{value, value}; };
+  switch (quantity) {
+    case Quantity::TiltDeg:
+      return both(sample.tiltDeg);
+    case Quantity::EnergyRatio:
+      return both(sample.total() / start.total());
+    case Quantity::RotationalRatio:
+      return both(sample.rotational / start.total());
+    case Quantity::MomentumRatio:
+      return both(sample.angularMomentum.norm() / start.angularMomentum.norm());
+    case Quantity::Stretch:
+      return {sample.stretchMin, sample.stretchMax};
+    case Quantity::ErrorDeg:
+      return both(sample.errorDeg);
+    case Quantity::Regime:
+      return both(static_cast<double>(sample.regime));
+    case Quantity::HalfTurns:
+    case Quantity::DivergesAt:
+      break;  // of a whole window, not of one sample
+  }
+  return {};
+}
+
+Range rangeOver(std::span<const physics::Sample> window, const physics::Sample& start,
+                Quantity quantity) {
+  Range result = rangeAt(window.front(), start, quantity);
+  for (const physics::Sample& sample : window) {
+    const Range here = rangeAt(sample, start, quantity);
+    result.lowest = std::min(result.lowest, here.lowest);
+    result.highest = std::max(result.highest, here.highest);
+  }
+  return result;
+}
+
+Range measure(const physics::Trajectory& trajectory, const Expectation& expectation) {
+  const auto window = samplesWithin(trajectory, expectation.from, expectation.to);
+  if (window.empty()) return {};
+  if (expectation.quantity == Quantity::HalfTurns) {
+    const double made = window.back().halfTurns - window.front().halfTurns;
+    return {made, made};
+  }
+  if (expectation.quantity == Quantity::DivergesAt) {
+    const double time = trajectory.divergedAt.value_or(std::numeric_limits<double>::infinity());
+    return {time, time};
+  }
+  return rangeOver(window, trajectory.samples.front(), expectation.quantity);
+}
+
+// Whether min and max speak of moments that the motion did not live to.
+bool outlivesMotion(const physics::Trajectory& trajectory, const Expectation& expectation) {
+  const bool ofSamples =
+      expectation.quantity != Quantity::HalfTurns && expectation.quantity != Quantity::DivergesAt;
+  return ofSamples && (expectation.min || expectation.max) && trajectory.divergedAt &&
+         expectation.to > *trajectory.divergedAt - kEdge * trajectory.interval;
+}
+
+// Comparisons are such that NaN, the range of an empty window, meets no bound.
+bool meets(const Range& range, const Expectation& expectation) {
+  if (!(range.lowest <= range.highest)) return false;
+  if (expectation.quantity == Quantity::DivergesAt && std::isinf(range.lowest)) return false;
+  return (!expectation.min || range.lowest >= *expectation.min) &&
+         (!expectation.max || range.highest <= *expectation.max) &&
+         (!expectation.risesTo || range.highest >= *expectation.risesTo) &&
+         (!expectation.fallsTo || range.lowest <= *expectation.fallsTo);
+}
+
+}  // namespace
+
+std::string_view nameOf(Quantity quantity) {
+  return kNames[static_cast<std::size_t>(quantity)];
+}
+
+std::span<const Quantity> allQuantities() {
+  return kQuantities;
+}
+
+std::vector<ExpectationResult> check(const physics::Trajectory& trajectory,
+                                     std::span<const Expectation> expectations) {
+  std::vector<ExpectationResult> results;
+  for (const Expectation& expectation : expectations) {
+    const Range range = measure(trajectory, expectation);
+    const bool met = meets(range, expectation) && !outlivesMotion(trajectory, expectation);
+    results.push_back({expectation, range.lowest, range.highest, met});
+  }
+  return results;
+}
+
+}  // namespace rotatebook::scene

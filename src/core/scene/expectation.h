@@ -1,0 +1,61 @@
+// Bounds on what a motion must show, and whether it did.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "physics/trajectory.h"
+
+namespace rotatebook::scene {
+
+/// What can be measured of a motion. Ratios are to the value at t = 0.
+enum class Quantity {
+  HalfTurns,        ///< half_turns: made within the window; one number.
+  TiltDeg,          ///< tilt_deg: Sample::tiltDeg.
+  EnergyRatio,      ///< energy_ratio: total energy / its start.
+  RotationalRatio,  ///< rotational_ratio: rotational energy / total energy at the start.
+  MomentumRatio,    ///< L_ratio: |L| / its start.
+  Stretch,          ///< stretch: every singular value of the map from body to drawn corners.
+  ErrorDeg,         ///< error_deg: Sample::errorDeg.
+  Regime,           ///< regime: 1, 0 or -1 as Sample::regime.
+  DivergesAt,  ///< diverges_at: Trajectory::divergedAt; one number, infinite if the motion never
+               ///< diverges. [s]
+};
+
+/// Name of `quantity` in a scene, e.g. "half_turns".
+std::string_view nameOf(Quantity quantity);
+/// All quantities, in the order of the enumeration.
+std::span<const Quantity> allQuantities();
+
+/// Bounds on one quantity over a window of a motion. `min` and `max` promise something of every
+/// moment of the window, so that a motion that diverges before the window's end doesn't keep them,
+/// whatever it did before; half_turns and diverges_at are exempt. A motion that never diverges
+/// meets no expectation on diverges_at.
+struct Expectation {
+  Quantity quantity = Quantity::HalfTurns;
+  std::optional<double> min{};                          ///< Never below this.
+  std::optional<double> max{};                          ///< Never above this.
+  std::optional<double> risesTo{};                      ///< Reaches this or more at some moment.
+  std::optional<double> fallsTo{};                      ///< Reaches this or less at some moment.
+  double from = 0;                                      ///< The window's start. [s]
+  double to = std::numeric_limits<double>::infinity();  ///< The window's end. [s]
+
+  friend bool operator==(const Expectation&, const Expectation&) = default;
+};
+
+/// What was measured for one expectation.
+struct ExpectationResult {
+  Expectation expectation;
+  double lowest = 0;   ///< Over the window; NaN if no sample lies in it.
+  double highest = 0;  ///< Over the window; NaN if no sample lies in it.
+  bool met = false;    ///< Never true for an empty window.
+};
+
+/// Measures `trajectory` against each of `expectations`, in their order.
+std::vector<ExpectationResult> check(const physics::Trajectory& trajectory,
+                                     std::span<const Expectation> expectations);
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,86 @@
+#include "scene/expectation_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "base/number_text.h"
+
+namespace rotatebook::scene {
+namespace {
+
+// Enough to tell any two numbers apart.
+constexpr int kMostDigits = 17;
+
+struct WordedBound {
+  const char* words;
+  std::optional<double> bound;
+};
+
+/// Whether `shown` meets and misses the same of `bounds` as `value` does.
+bool standsAsItWas(double shown, double value, const Expectation& bounds) {
+  const auto below = [&](const std::optional<double>& bound) {
+    return bound && (shown < *bound) != (value < *bound);
+  };
+  const auto above = [&](const std::optional<double>& bound) {
+    return bound && (shown > *bound) != (value > *bound);
+  };
+  return !below(bounds.min) && !below(bounds.risesTo) && !above(bounds.max) &&
+         !above(bounds.fallsTo);
+}
+
+double numberIn(const std::string& text) {
+  double number = 0;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
+}
+
+}  // namespace
+
+std::string expectedText(const Expectation& expectation) {
+  const std::array<WordedBound, 4> bounds{{{"at least ", expectation.min},
+                                           {"at most ", expectation.max},
+                                           {"rises to ", expectation.risesTo},
+                                           {"falls to ", expectation.fallsTo}}};
+  std::string text;
+  for (const auto& [words, bound] : bounds) {
+    if (bound) text += (text.empty() ? "" : ", ") + (words + shortestText(*bound));
+  }
+  return text;
+}
+
+std::string windowText(const Expectation& expectation) {
+  std::string text;
+  if (expectation.from > 0) text += " from " + shortestText(expectation.from) + " s";
+  if (std::isfinite(expectation.to)) text += " to " + shortestText(expectation.to) + " s";
+  return text;
+}
+
+std::string measuredText(const ExpectationResult& result, int digits) {
+  if (std::isnan(result.lowest)) return "nothing: the motion has no sample there";
+  if (std::isinf(result.lowest)) return "no divergence";
+  const std::string lowest = measuredText(result.lowest, result.expectation, digits);
+  const std::string highest = measuredText(result.highest, result.expectation, digits);
+  return lowest == highest ? lowest : lowest + " to " + highest;
+}
+
+std::string measuredText(double value, const Expectation& bounds, int digits) {
+  if (std::isnan(value)) return "nothing";
+  std::string text = roundedText(value, digits);
+  while (digits < kMostDigits && !standsAsItWas(numberIn(text), value, bounds)) {
+    text = roundedText(value, ++digits);
+  }
+  return text;
+}
+
+bool divergesUnexpectedly(const physics::Trajectory& trajectory,
+                          std::span<const Expectation> expectations) {
+  return trajectory.divergedAt && !expectations.empty() &&
+         std::ranges::none_of(expectations, [](const Expectation& expectation) {
+           return expectation.quantity == Quantity::DivergesAt;
+         });
+}
+
+}  // namespace rotatebook::scene

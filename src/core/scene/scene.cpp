@@ -1,0 +1,72 @@
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rotatebook::scene {
+
+std::vector<Panel> motionsOf(const Scene& scene) {
+  if (!scene.panels.empty()) return scene.panels;
+  return {{"", scene.body, scene.inertia, scene.simulation, scene.initial, scene.expectations}};
+}
+
+Scene withMotion(const Scene& scene, const Panel& panel) {
+  Scene single = scene;
+  single.panels.clear();
+  single.body = panel.body;
+  single.inertia = panel.inertia;
+  single.simulation = panel.simulation;
+  single.initial = panel.initial;
+  single.expectations = panel.expectations;
+  return single;
+}
+
+bool isTransparent(const Scene& scene) {
+  return scene.look.background == Background::Transparent;
+}
+
+Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldOfViewDeg, int width,
+                                      int height) {
+  constexpr double kMargin = 1.08;
+  // From the right and a little above: all three kinds of sides show, the cover most of all.
+  const Eigen::Vector3d direction = Eigen::Vector3d(0.42, 0.30, 1).normalized();
+  const double halfHeight = std::tan(fieldOfViewDeg / 2 * std::numbers::pi / 180);
+  const double halfWidth = halfHeight * width / height;
+  const double narrowerHalfAngle = std::atan(std::min(halfHeight, halfWidth));
+  // The sphere that the corners never leave touches the narrower pair of the view's sides.
+  return direction * (kMargin * body.size.norm() / 2 / std::sin(narrowerHalfAngle));
+}
+
+bool isFor(physics::Model model, Overlay overlay) {
+  switch (overlay) {
+    case Overlay::Springs:
+      return model == physics::Model::Particles;
+    case Overlay::Error:
+    case Overlay::Ghost:
+      return model != physics::Model::Exact;
+    default:
+      return true;
+  }
+}
+
+bool isOnTheBook(Overlay overlay) {
+  switch (overlay) {
+    case Overlay::Axes:
+    case Overlay::Omega:
+    case Overlay::Momentum:
+    case Overlay::Trail:
+    case Overlay::Springs:
+    case Overlay::Ghost:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool shows(const Scene& scene, Overlay overlay) {
+  if (scene.wordless && !isOnTheBook(overlay)) return false;
+  return std::ranges::count(scene.overlay.show, overlay) > 0;
+}
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,170 @@
+// A scene: everything a clip depends on, as a plain value.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "base/frame_rate.h"
+#include "physics/motion_settings.h"
+#include "physics/reference_frame.h"
+#include "scene/expectation.h"
+#include "scene/study_settings.h"
+
+namespace rotatebook::scene {
+
+/// [clip]: the video's format.
+struct ClipSettings {
+  int width = 1280;  ///< Even. [pixels]
+  int height = 720;  ///< Even. [pixels]
+  FrameRate frameRate;
+  double duration = 12;  ///< Of video, > 0. [s]
+  /// Where in the video the picture is that stands for it, >= 0; its middle by default, and its
+  /// end if it ends before. [s]
+  std::optional<double> poster{};
+
+  /// Frames of the whole clip, >= 1.
+  std::int64_t frameCount() const { return frameRate.framesIn(duration); }
+};
+
+/// [video]: how the MP4 is encoded.
+struct EncodingSettings {
+  int crf = 18;                 ///< x264's constant rate factor, 1 to 51; smaller is better.
+  std::string preset = "book";  ///< "book", made for it, or x264's "ultrafast" to "placebo".
+  int threads = 1;  ///< Encoder threads, 1 to 64; a different count gives different bytes.
+};
+
+/// [camera]: a perspective camera.
+struct CameraSettings {
+  Eigen::Vector3d position{0, 0, 1};  ///< [m]
+  Eigen::Vector3d target{0, 0, 0};    ///< The point in the middle of the picture. [m]
+  Eigen::Vector3d up{0, 1, 0};
+  /// From the picture's bottom to its top, 1 to 170; in panels over the shorter side. [degrees]
+  double fieldOfViewDeg = 30;
+  /// What the camera turns with; its position, target and up are along these axes.
+  physics::ReferenceFrame frame = physics::ReferenceFrame::World;
+};
+
+/// [book]: picture files, relative to the scene's folder, or kBuiltin.
+struct BookSettings {
+  std::string front = "builtin";
+  std::string spine = "builtin";
+  std::string back = "builtin";
+};
+
+/// What is seen behind the book.
+enum class Background {
+  Studio,       ///< A quiet, dark wall.
+  Stars,        ///< A night sky.
+  Transparent,  ///< Nothing, in pictures that have an alpha channel.
+};
+
+/// [look]: what is around the book, and how finely it is drawn.
+struct LookSettings {
+  Background background = Background::Studio;
+  int supersample = 1;  ///< 1, or 2 to draw with twice as many pixels across and down.
+  /// Moments, a power of two up to 16, of the half frame after each sample whose pictures are
+  /// averaged, as by a shutter that is open half of the time; 1 is a sharp picture.
+  int motionBlur = 1;
+};
+
+/// What can be drawn over the pictures.
+enum class Overlay {
+  Caption,    ///< Title, caption, and how the motion was simulated; at the bottom.
+  Clock,      ///< Simulated time; at the top left.
+  Axes,       ///< The body's axes with their letters.
+  Omega,      ///< An arrow along the angular velocity.
+  Momentum,   ///< An arrow along the angular momentum.
+  Trail,      ///< The path of omega's tip.
+  Polhode,    ///< An inset: the ellipsoid of the energy, the sphere of the momentum, their curve.
+  Energy,     ///< A chart: kinetic, spring and total energy over time.
+  Error,      ///< A chart: the angle to the exact motion. Not of Model::Exact.
+  HalfTurns,  ///< How often the book has turned over; at the top left.
+  Springs,    ///< The springs, coloured by strain. Of Model::Particles only.
+  Ghost,      ///< The exact motion's outline. Not of Model::Exact.
+};
+
+/// Whether a motion of `model` has what `overlay` shows.
+bool isFor(physics::Model model, Overlay overlay);
+
+/// [overlay]: what is written over the pictures.
+struct OverlaySettings {
+  std::vector<Overlay> show;     ///< Each at most once.
+  std::string font = "builtin";  ///< An installed family, or kBuiltin.
+};
+
+/// [[panel]]: one of several motions that a clip shows side by side.
+struct Panel {
+  std::string label{};  ///< Not empty, and unlike the others'.
+  physics::Cuboid body{};
+  std::optional<Eigen::Matrix3d> inertia{};  ///< As Scene::inertia.
+  physics::SimulationSettings simulation{};  ///< With the scene's timePerFrame.
+  physics::InitialSpin initial{};
+  std::vector<Expectation> expectations{};
+
+  physics::MotionSettings motion() const { return {body, simulation, initial, inertia}; }
+};
+
+/// The texture or font that ships with the program.
+inline constexpr const char* kBuiltin = "builtin";
+
+/// A scene with every default made explicit.
+struct Scene {
+  std::string name;              ///< The scene file's stem; outputs are named after it.
+  std::filesystem::path folder;  ///< Where the scene's file lies; textures are found from here.
+  /// Whether textures may lie outside of it. Of whoever reads the scene, never of its file.
+  bool allowOutside = false;
+  /// Whether its pictures go without words, letters and charts, as thumbnails do. Of whoever draws
+  /// the scene, never of its file.
+  bool wordless = false;
+  std::string title;
+  std::string caption;
+  physics::Cuboid body;
+  /// [body] inertia, about the book's axes; else the cuboid's own. [kg m^2]
+  std::optional<Eigen::Matrix3d> inertia;
+  physics::SimulationSettings simulation;
+  physics::InitialSpin initial;
+  ClipSettings clip;
+  EncodingSettings video;
+  CameraSettings camera;
+  BookSettings book;
+  LookSettings look;
+  OverlaySettings overlay;
+  std::vector<Expectation> expectations;
+  /// None, or 2 to 6. They have been read over `body`, `inertia`, `simulation`, `initial` and
+  /// `expectations` above, of which timePerFrame alone is of use then.
+  std::vector<Panel> panels;
+  std::optional<StudySettings> study;
+  /// Where texts stand that can prove wrong only when files and fonts are opened, by key, such as
+  /// "overlay.font"; those that are stated. See scene/places.h.
+  std::map<std::string, std::string, std::less<>> places;
+
+  physics::MotionSettings motion() const { return {body, simulation, initial, inertia}; }
+};
+
+/// Whether the scene's pictures have an alpha that is to be kept.
+bool isTransparent(const Scene& scene);
+
+/// Whether `overlay` is drawn on or about the book, not beside it.
+bool isOnTheBook(Overlay overlay);
+
+/// All that moves in a scene: its panels, or the scene itself as the only one, without a label.
+std::vector<Panel> motionsOf(const Scene& scene);
+/// `scene` as if `panel` were all that moves in it.
+Scene withMotion(const Scene& scene, const Panel& panel);
+
+/// Whether `overlay` is drawn over the pictures of `scene`: where they are wordless, only what is
+/// on the book itself.
+bool shows(const Scene& scene, Overlay overlay);
+
+/// The camera position from which a body of this size is seen whole in any attitude. [m]
+Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldOfViewDeg, int width,
+                                      int height);
+
+}  // namespace rotatebook::scene

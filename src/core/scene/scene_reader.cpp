@@ -1,0 +1,112 @@
+// From TOML to a Scene: the whole file, and the defaults that depend on several sections.
+#include <algorithm>
+#include <string>
+
+#include "scene/overrides.h"
+#include "scene/panel_section.h"
+#include "scene/places.h"
+#include "scene/scene_text.h"
+#include "scene/sections.h"
+#include "scene/study_section.h"
+#include "scene/toml_tree.h"
+#include "scene/value_reader.h"
+
+namespace rotatebook::scene {
+namespace {
+
+void readSections(const ValueReader& file, Scene& scene) {
+  file.readTable({
+      {"title", [&](const ValueReader& value) { scene.title = value.text(kLongestTitle); }},
+      {"caption", [&](const ValueReader& value) { scene.caption = value.text(kLongestCaption); }},
+      {"body", [&](const ValueReader& value) { readBody(value, scene.body, scene.inertia); }},
+      {"simulation", [&](const ValueReader& value) { readSimulation(value, scene.simulation); }},
+      {"initial", [&](const ValueReader& value) { readInitial(value, scene.initial); }},
+      {"clip", [&](const ValueReader& value) { readClip(value, scene.clip); }},
+      {"video", [&](const ValueReader& value) { readVideo(value, scene.video); }},
+      {"camera", [&](const ValueReader& value) { readCamera(value, scene.camera); }},
+      {"book", [&](const ValueReader& value) { readBook(value, scene.book); }},
+      {"look", [&](const ValueReader& value) { readLook(value, scene.look); }},
+      {"overlay", [&](const ValueReader& value) { readOverlay(value, scene.overlay); }},
+      {"expect", [&](const ValueReader& value) { readExpectations(value, scene.expectations); }},
+      // These depend on the others; read when those are.
+      {"panel", [](const ValueReader&) {}},
+      {"study", [](const ValueReader&) {}},
+  });
+}
+
+/// Where the camera stands unless it is told: so that the largest of the bodies is seen whole.
+Eigen::Vector3d cameraPosition(const Scene& scene) {
+  const double angle = scene.camera.fieldOfViewDeg;
+  if (scene.panels.empty()) {
+    return defaultCameraPosition(scene.body, angle, scene.clip.width, scene.clip.height);
+  }
+  const auto diagonal = [](const Panel& panel) { return panel.body.size.norm(); };
+  const Panel& largest = *std::ranges::max_element(scene.panels, {}, diagonal);
+  // The angle is that over a panel's shorter side, so that its shape doesn't matter.
+  return defaultCameraPosition(largest.body, angle, 1, 1);
+}
+
+void readMotions(const ValueReader& file, Scene& scene) {
+  if (!file.find("simulation", "time_per_frame")) {
+    scene.simulation.timePerFrame = scene.clip.frameRate.period();
+  }
+  if (const auto panels = file.find("panel")) {
+    scene.panels = readPanels(*panels, file, scene.simulation.timePerFrame);
+    return;
+  }
+  const auto initial = file.find("initial");
+  if (!initial) file.fail("[initial] is missing; it needs angular_velocity or angular_momentum");
+  requireSpin(*initial);
+  if (const auto body = file.find("body")) checkInertia(*body, scene.simulation.model);
+  if (const auto simulation = file.find("simulation")) {
+    checkIntegrator(*simulation, scene.simulation);
+  }
+}
+
+void placeCamera(const ValueReader& file, Scene& scene) {
+  if (!file.find("camera", "position")) scene.camera.position = cameraPosition(scene);
+  if (const auto camera = file.find("camera")) checkCamera(*camera, scene.camera);
+}
+
+/// The places of those of kPlacedKeys that the file states, and of its labels.
+void notePlaces(const ValueReader& file, Scene& scene) {
+  for (const std::string_view key : kPlacedKeys) {
+    const auto dot = key.find('.');
+    auto value = file.find(key.substr(0, dot));
+    if (value && dot != key.npos) value = value->find(key.substr(dot + 1));
+    if (value) scene.places.emplace(key, value->node().place);
+  }
+  if (scene.panels.empty()) return;
+  std::size_t panel = 0;
+  for (const ValueReader& table : file.find("panel")->tables("")) {
+    scene.places.emplace(labelKey(panel++), table.find("label")->node().place);
+  }
+}
+
+}  // namespace
+
+Scene parseScene(std::string_view text, const std::filesystem::path& path,
+                 std::span<const std::string> overrides) {
+  TomlNode tree = parseToml(text, path.string());
+  applyOverrides(tree, overrides);
+
+  Scene scene;
+  scene.name = path.stem().string();
+  scene.folder = path.parent_path();
+  const ValueReader file(tree, "");
+  readSections(file, scene);
+  if (!file.find("title")) scene.title = scene.name;
+  readMotions(file, scene);
+  notePlaces(file, scene);
+  placeCamera(file, scene);
+  if (const auto overlay = file.find("overlay")) checkOverlays(*overlay, scene);
+  if (const auto look = file.find("look")) checkMotionBlur(*look, scene);
+  if (const auto study = file.find("study")) {
+    if (!scene.panels.empty()) study->fail("[study] is of one motion, but this scene has panels");
+    scene.study = readStudy(*study, scene);
+  }
+  checkSteps(file, scene);
+  return scene;
+}
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,196 @@
+#include "study/study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "physics/measure/flip_interval.h"
+#include "physics/simulator.h"
+#include "physics/trajectory.h"
+#include "scene/places.h"
+
+namespace rotatebook::study {
+namespace {
+
+using physics::MotionSettings;
+using physics::Sample;
+using physics::Trajectory;
+
+using Stop = const std::atomic<bool>*;
+
+bool isSet(Stop stop) {
+  return stop != nullptr && *stop;
+}
+
+/// The whole motion, or nothing, with what became of it in `end`. After a stop it
+/// may be cut short; no row of such a study is used.
+std::optional<Trajectory> wholeMotion(const MotionSettings& settings, std::int64_t frames,
+                                      Stop stop, RunEnd& end) {
+  try {
+    Trajectory trajectory = simulate(settings, frames, stop);
+    if (!trajectory.divergedAt) return trajectory;
+    end = {RunEnd::Kind::Diverged, *trajectory.divergedAt};
+  } catch (const physics::NoConvergence&) {
+    end = {RunEnd::Kind::NoConvergence};
+  }
+  return std::nullopt;
+}
+
+void measure(const Trajectory& trajectory, PrecisionRow& row) {
+  const Sample& start = trajectory.samples.front();
+  const double momentum = start.angularMomentum.norm();
+  row.errorDeg = row.energyDrift = row.momentumDrift = 0;
+  for (const Sample& sample : trajectory.samples) {
+    row.errorDeg = std::max(row.errorDeg, sample.errorDeg);
+    row.energyDrift = std::max(row.energyDrift, std::fabs(sample.total() / start.total() - 1));
+    row.momentumDrift =
+        std::max(row.momentumDrift, std::fabs(sample.angularMomentum.norm() / momentum - 1));
+  }
+  row.finalErrorDeg = trajectory.samples.back().errorDeg;
+  row.halfTurns = trajectory.samples.back().halfTurns;
+}
+
+MotionSettings withStepping(MotionSettings settings, physics::Integrator integrator, int substeps) {
+  settings.simulation.integrator = integrator;
+  settings.simulation.substeps = substeps;
+  return settings;
+}
+
+PrecisionRow runPrecision(const MotionSettings& settings, std::int64_t frames,
+                          const Execution& execution) {
+  PrecisionRow row;
+  row.integrator = settings.simulation.integrator;
+  row.h = settings.simulation.timePerFrame / settings.simulation.substeps;
+  row.steps = (frames - 1) * settings.simulation.substeps;
+  const auto trajectory = wholeMotion(settings, frames, execution.stop, row.end);
+  if (!trajectory || isSet(execution.stop)) return row;
+  measure(*trajectory, row);
+  if (execution.nanosecondsPerStep)
+    row.nsPerStep = execution.nanosecondsPerStep(settings, row.steps);
+  return row;
+}
+
+// The longest first: begun last, they would be waited for alone.
+std::vector<std::size_t> longestFirst(const std::vector<MotionSettings>& runs) {
+  std::vector<std::size_t> indices(runs.size());
+  std::iota(indices.begin(), indices.end(), std::size_t{0});
+  std::ranges::stable_sort(indices, std::ranges::greater{},
+                           [&](std::size_t i) { return runs[i].simulation.substeps; });
+  return indices;
+}
+
+IntegratorOrder orderOf(physics::Integrator integrator, const std::vector<PrecisionRow>& rows) {
+  std::vector<physics::ErrorAtStep> runs;
+  for (const PrecisionRow& row : rows) {
+    const bool counts = row.integrator == integrator && row.end.kind == RunEnd::Kind::Whole;
+    if (counts) runs.push_back({row.h, row.errorDeg});
+  }
+  return {integrator, physics::fitOrder(runs)};
+}
+
+TiltRow runTilt(const MotionSettings& settings, std::int64_t frames, Stop stop) {
+  TiltRow row;
+  row.tilt = settings.initial.tilt->angle;
+  const physics::PrincipalAxes inertia = modelInertia(settings);
+  row.law = flipLaw(inertia, initialAngularVelocity(settings));
+  const auto trajectory = wholeMotion(settings, frames, stop, row.end);
+  if (!trajectory) return row;
+  const std::vector<double> times = flipTimes(*trajectory, inertia);
+  row.flips = static_cast<int>(times.size());
+  row.interval = physics::meanInterval(times);
+  if (times.size() < 2) row.end = {RunEnd::Kind::FewFlips, trajectory->samples.back().time};
+  return row;
+}
+
+/// Makes all runs; false after a stop.
+bool makeRuns(const std::vector<std::size_t>& indices, const Run& run, const Execution& execution) {
+  return execution.runAll(indices, run) && !isSet(execution.stop);
+}
+
+}  // namespace
+
+bool runInTurn(std::span<const std::size_t> indices, const Run& run) {
+  std::ranges::for_each(indices, run);
+  return true;
+}
+
+void refuseNothingToVary(const scene::Scene& scene) {
+  if (!scene.panels.empty()) {
+    throw InputError(scene::placeOf(scene, "panel") +
+                     ": a study is of one motion, but this scene has panels");
+  }
+  if (scene.simulation.model == physics::Model::Exact) {
+    throw InputError(scene.name +
+                     ": the model \"exact\" takes no steps, so that there are no steps to compare; "
+                     "choose another model, e.g. --set simulation.model=quaternion");
+  }
+  if (scene.clip.frameCount() < 2) {
+    throw InputError(scene.name + ": a clip of one frame has no motion to study; make it longer");
+  }
+}
+
+std::string RunEnd::text() const {
+  switch (kind) {
+    case Kind::Diverged:
+      return "diverged at " + roundedText(time, 6) + " s";
+    case Kind::NoConvergence:
+      return "no convergence";
+    case Kind::FewFlips:
+      return "fewer than two flips in " + roundedText(time, 6) + " s";
+    case Kind::Whole:
+      break;
+  }
+  return "ok";
+}
+
+double TiltStudy::greatestDeviation() const {
+  double greatest = 0;
+  for (const TiltRow& row : rows) {
+    const double deviation = std::fabs(row.ratio() - 1);
+    if (!(deviation <= greatest)) greatest = deviation;
+    if (std::isnan(greatest)) break;
+  }
+  return greatest;
+}
+
+std::optional<PrecisionStudy> runPrecisionStudy(const scene::Scene& scene,
+                                                const scene::StudySettings& study,
+                                                const Execution& execution) {
+  refuseNothingToVary(scene);
+  std::vector<MotionSettings> runs;
+  for (const physics::Integrator integrator : study.integrators) {
+    for (const int steps : study.steps) {
+      runs.push_back(withStepping(scene.motion(), integrator, steps));
+    }
+  }
+  PrecisionStudy result;
+  result.rows.resize(runs.size());
+  const auto run = [&](std::size_t i) {
+    result.rows[i] = runPrecision(runs[i], scene.clip.frameCount(), execution);
+  };
+  if (!makeRuns(longestFirst(runs), run, execution)) return std::nullopt;
+  for (const physics::Integrator integrator : study.integrators) {
+    result.orders.push_back(orderOf(integrator, result.rows));
+  }
+  return result;
+}
+
+std::optional<TiltStudy> runTiltStudy(const scene::Scene& scene, const scene::StudySettings& study,
+                                      const Execution& execution) {
+  std::vector<MotionSettings> runs(study.tilts.size(), scene.motion());
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    runs[i].initial.tilt->angle = study.tilts[i];
+  }
+  TiltStudy result;
+  result.rows.resize(runs.size());
+  const auto run = [&](std::size_t i) {
+    result.rows[i] = runTilt(runs[i], scene.clip.frameCount(), execution.stop);
+  };
+  if (!makeRuns(longestFirst(runs), run, execution)) return std::nullopt;
+  return result;
+}
+
+}  // namespace rotatebook::study

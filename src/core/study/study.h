@@ -1,0 +1,116 @@
+// A scene's motion, run again and again: with other integrators and steps, or with other tilts.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "physics/measure/order_fit.h"
+#include "physics/motion_settings.h"
+#include "scene/scene.h"
+#include "scene/study_settings.h"
+
+namespace rotatebook::study {
+
+inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+/// How a run ended.
+struct RunEnd {
+  enum class Kind {
+    Whole,
+    Diverged,       ///< Trajectory::divergedAt
+    NoConvergence,  ///< physics::NoConvergence
+    FewFlips,       ///< Whole, but with fewer than two flips, which make no interval.
+  };
+
+  Kind kind = Kind::Whole;
+  double time = 0;  ///< Of divergence; of FewFlips the motion's length. [s]
+
+  /// "ok", "diverged at 1.2 s", "no convergence", "fewer than two flips in 60 s".
+  std::string text() const;
+};
+
+/// One integrator with one step. The numbers are NaN where the run didn't reach its end; the
+/// largest are those at the frames.
+struct PrecisionRow {
+  physics::Integrator integrator = physics::Integrator::Euler;
+  double h = 0;            ///< Step. [s]
+  std::int64_t steps = 0;  ///< In all.
+  RunEnd end{};
+  double errorDeg = kNoNumber;       ///< Largest Sample::errorDeg. [degrees]
+  double finalErrorDeg = kNoNumber;  ///< The last Sample::errorDeg. [degrees]
+  double energyDrift = kNoNumber;    ///< Largest |E/E0 - 1|.
+  double momentumDrift = kNoNumber;  ///< Largest change of |L| over its start.
+  int halfTurns = 0;                 ///< Of a whole run.
+  double nsPerStep = kNoNumber;      ///< Execution's; measured, all else is computed.
+};
+
+/// What an integrator's rows show.
+struct IntegratorOrder {
+  physics::Integrator integrator = physics::Integrator::Euler;
+  physics::OrderFit fit;
+};
+
+struct PrecisionStudy {
+  std::vector<PrecisionRow> rows;       ///< Integrator by integrator, in the order of the settings.
+  std::vector<IntegratorOrder> orders;  ///< One an integrator.
+};
+
+/// One tilt. The numbers are NaN where there is no interval.
+struct TiltRow {
+  double tilt = 0;  ///< [rad]
+  RunEnd end{};
+  int flips = 0;                ///< physics::flipTimes()
+  double interval = kNoNumber;  ///< Mean time from a flip to the next. [s]
+  double law = 0;               ///< physics::flipLaw() [s]
+
+  double ratio() const { return interval / law; }
+};
+
+struct TiltStudy {
+  std::vector<TiltRow> rows;  ///< In the order of the settings.
+
+  /// Greatest |ratio - 1|; NaN if a row has no interval.
+  double greatestDeviation() const;
+};
+
+/// One run of a study, by its index.
+using Run = std::function<void(std::size_t)>;
+
+/// Makes each of the runs `indices` on the caller's thread, in their order. Returns true.
+bool runInTurn(std::span<const std::size_t> indices, const Run& run);
+
+/// Who makes the runs of a study. The core starts no thread and reads no clock: its caller may.
+struct Execution {
+  /// Calls the run once with each of the indices, begun in their order, possibly several at a time.
+  /// Returns whether all were made; throws the first error that a run threw.
+  std::function<bool(std::span<const std::size_t>, const Run&)> runAll = runInTurn;
+  /// Measures the computing time of one of a motion's first `steps` steps. [ns] Without it
+  /// PrecisionRow::nsPerStep isn't known.
+  std::function<double(const physics::MotionSettings&, std::int64_t steps)> nanosecondsPerStep{};
+  /// Set from outside to stop, which is noticed from frame to frame. May be null.
+  const std::atomic<bool>* stop = nullptr;
+};
+
+/// Throws InputError if the model takes no steps, or if the clip has only one frame.
+void refuseNothingToVary(const scene::Scene& scene);
+
+/// Runs the scene's motion with each integrator and each step of `study`. Nothing after a stop.
+/// Everything but the times is the same however the runs are made. Throws as refuseNothingToVary(),
+/// and as physics::simulate() but for NoConvergence.
+std::optional<PrecisionStudy> runPrecisionStudy(const scene::Scene& scene,
+                                                const scene::StudySettings& study,
+                                                const Execution& execution);
+
+/// Runs the scene's motion from each tilt of `study`. Nothing after a stop. Throws as
+/// physics::simulate() does but for NoConvergence.
+std::optional<TiltStudy> runTiltStudy(const scene::Scene& scene, const scene::StudySettings& study,
+                                      const Execution& execution);
+
+}  // namespace rotatebook::study

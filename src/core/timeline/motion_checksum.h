@@ -1,0 +1,21 @@
+// A motion's bits in one line.
+#pragma once
+
+#include <string>
+
+#include "timeline/clip_motion.h"
+
+namespace rotatebook::timeline {
+
+/// checksumOf() the bits of a clip's motions, one after the other: their number of samples (64-bit
+/// integer), interval, time of divergence (-1 if there is none), and of each sample the time,
+/// attitude (w, x, y, z), angular velocity, angular momentum, kinetic and potential energy,
+/// half-turns (64-bit integer) and corners (x, y, z of each). Numbers are IEEE doubles unless said
+/// otherwise; all are of 8 bytes, the lowest first.
+///
+/// The pictures depend on nothing else of a motion. Left out is what follows from these by
+/// functions of the C library, whose last bits differ between machines: tilt, stretch, error,
+/// regime and rotational energy.
+std::string motionChecksum(const ClipMotion& motion);
+
+}  // namespace rotatebook::timeline

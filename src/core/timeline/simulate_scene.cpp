@@ -1,0 +1,31 @@
+#include "timeline/simulate_scene.h"
+
+#include <utility>
+
+#include "base/error.h"
+
+namespace rotatebook::timeline {
+namespace {
+
+physics::Trajectory simulate(const scene::Scene& scene, const scene::Panel& panel,
+                             const std::atomic<bool>* stop) {
+  try {
+    return physics::simulate(panel.motion(), scene.clip.frameCount(), stop);
+  } catch (const InputError& error) {
+    const std::string file = (scene.folder / (scene.name + ".toml")).string();
+    const std::string place = panel.label.empty() ? "" : "the panel \"" + panel.label + "\": ";
+    throw InputError(file + ": " + place + error.what());
+  }
+}
+
+}  // namespace
+
+ClipMotion simulateScene(const scene::Scene& scene, const std::atomic<bool>* stop) {
+  std::vector<physics::Trajectory> trajectories;
+  for (const scene::Panel& panel : scene::motionsOf(scene)) {
+    trajectories.push_back(simulate(scene, panel, stop));
+  }
+  return {std::move(trajectories), scene.clip.frameRate};
+}
+
+}  // namespace rotatebook::timeline

@@ -1,0 +1,149 @@
+#include <cstring>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "image/png_file.h"
+#include "image/png_guard.h"
+#include "system/read_file.h"
+
+namespace rotatebook::image {
+namespace {
+
+constexpr std::size_t kSignatureSize = 8;
+
+// No deflate stream unpacks to more than 1032 times its size.
+constexpr std::size_t kDeflateLargestRatio = 1032;
+
+// What is left of a PNG in memory.
+struct Remaining {
+  const std::uint8_t* next;
+  std::size_t size;
+};
+
+struct PngHeader {
+  png_uint_32 width = 0;
+  png_uint_32 height = 0;
+  std::size_t rowBytes = 0;  // as stored, before any expansion
+  bool hasAlpha = false;
+};
+
+// libpng's read structure and what its callbacks reach through it.
+class PngDecoder {
+ public:
+  explicit PngDecoder(std::span<const std::uint8_t> bytes)
+      : remaining_{bytes.data(), bytes.size()},
+        png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &words_, jumpWithWords, ignoreWarning)) {
+    if (png_ != nullptr) info_ = png_create_info_struct(png_);
+    if (info_ == nullptr) png_destroy_read_struct(&png_, nullptr, nullptr);
+    if (png_ == nullptr) throw std::bad_alloc();
+    png_set_read_fn(png_, &remaining_, take);
+  }
+  PngDecoder(const PngDecoder&) = delete;
+  PngDecoder& operator=(const PngDecoder&) = delete;
+  ~PngDecoder() { png_destroy_read_struct(&png_, &info_, nullptr); }
+
+  bool readHeader(PngHeader& header) {
+    return guarded(png_, [this, &header] {
+      // libpng's own limits are as high as they go: decodePng names the size that it refuses.
+      png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+      png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
+      // Texts, profiles and the like are passed over: what they unpack to may be gigabytes.
+      png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
+      png_read_info(png_, info_);
+      header.width = png_get_image_width(png_, info_);
+      header.height = png_get_image_height(png_, info_);
+      header.rowBytes = png_get_rowbytes(png_, info_);
+      header.hasAlpha = (png_get_color_type(png_, info_) & PNG_COLOR_MASK_ALPHA) != 0 ||
+                        png_get_valid(png_, info_, PNG_INFO_tRNS) != 0;
+    });
+  }
+
+  // `rows` are the picture's, Rgba8 if the header has alpha, else Rgb8.
+  bool readPixels(png_bytepp rows) {
+    return guarded(png_, [this, rows] {
+      png_set_expand(png_);
+      png_set_gray_to_rgb(png_);
+      png_set_scale_16(png_);
+      png_read_update_info(png_, info_);
+      png_read_image(png_, rows);
+      png_read_end(png_, nullptr);
+    });
+  }
+
+  const char* words() const { return words_.text; }
+
+ private:
+  static void take(png_structp png, png_bytep target, std::size_t size) {
+    auto* remaining = static_cast<Remaining*>(png_get_io_ptr(png));
+    if (remaining->size < size) png_error(png, "the file ends too early");
+    std::memcpy(target, remaining->next, size);
+    remaining->next += size;
+    remaining->size -= size;
+  }
+
+  PngWords words_;
+  Remaining remaining_;
+  png_structp png_;
+  png_infop info_ = nullptr;
+};
+
+[[noreturn]] void refuse(const std::string& name, const std::string& why) {
+  throw InputError("can't read " + name + ": " + why);
+}
+
+// Before a byte is allocated: a header of 33 bytes can claim gigabytes.
+void checkSize(const PngHeader& header, std::size_t fileSize, const std::string& name) {
+  const std::string size = std::to_string(header.width) + "x" + std::to_string(header.height);
+  if (header.width > kLargestSide || header.height > kLargestSide) {
+    refuse(name, size + " pixels; the limit is " + std::to_string(kLargestSide) + " a side");
+  }
+  if (header.rowBytes * header.height / kDeflateLargestRatio > fileSize) {
+    refuse(name, "corrupt PNG: " + std::to_string(fileSize) + " bytes can't hold the " + size +
+                     " pixels that its header claims");
+  }
+  // What few bytes unpack to can still be gigabytes.
+  if (std::int64_t{header.width} * header.height > kMostPixels) {
+    refuse(name, size + " pixels; the limit is " + std::to_string(kMostPixels) + " in all");
+  }
+}
+
+std::vector<png_bytep> rowPointers(Image& image) {
+  std::vector<png_bytep> rows;
+  rows.reserve(static_cast<std::size_t>(image.height()));
+  for (int y = 0; y < image.height(); ++y) rows.push_back(image.row(y));
+  return rows;
+}
+
+}  // namespace
+
+Image decodePng(std::span<const std::uint8_t> bytes, const std::string& name) {
+  if (bytes.size() < kSignatureSize || png_sig_cmp(bytes.data(), 0, kSignatureSize) != 0) {
+    refuse(name, "not a PNG");
+  }
+  PngDecoder decoder(bytes);
+  PngHeader header;
+  if (!decoder.readHeader(header)) refuse(name, "corrupt PNG: " + std::string(decoder.words()));
+  checkSize(header, bytes.size(), name);
+  Image image(static_cast<int>(header.width), static_cast<int>(header.height),
+              header.hasAlpha ? PixelFormat::Rgba8 : PixelFormat::Rgb8);
+  std::vector<png_bytep> rows = rowPointers(image);
+  if (!decoder.readPixels(rows.data())) {
+    refuse(name, "corrupt PNG: " + std::string(decoder.words()));
+  }
+  return image;
+}
+
+Image readPng(const std::filesystem::path& path) {
+  std::string bytes;
+  try {
+    bytes = system::readFile(path, kLargestFile);
+  } catch (const InputError& error) {
+    refuse(path.string(), error.what());
+  }
+  return decodePng({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()},
+                   path.string());
+}
+
+}  // namespace rotatebook::image

@@ -1,0 +1,20 @@
+// The exact motion beside the simulated one. Inside the room only.
+#pragma once
+
+#include "overlay/mark.h"
+#include "physics/exact/exact_rotation.h"
+
+namespace rotatebook::overlay {
+
+/// The book as the exact motion from the same start has it: a translucent outline.
+class Ghost final : public Mark {
+ public:
+  explicit Ghost(const MarkContext& context);
+  void draw(const View& view) override;
+
+ private:
+  MarkContext context_;
+  physics::ExactRotation exact_;
+};
+
+}  // namespace rotatebook::overlay

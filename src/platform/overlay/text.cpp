@@ -1,0 +1,235 @@
+#include "overlay/text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <fontconfig/fontconfig.h>
+#include <pango/pangocairo.h>
+#include <pango/pangofc-fontmap.h>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/error.h"
+#include "embedded/overlay.h"
+#include "overlay/cairo_handles.h"
+#include "scene/places.h"
+#include "system/file_descriptor.h"
+
+namespace rotatebook::overlay {
+namespace {
+
+constexpr const char* kShippedFamily = "Inter";
+
+using FontConfig = std::unique_ptr<FcConfig, Deleter<&FcConfigDestroy>>;
+using FontMap = std::unique_ptr<PangoFontMap, Deleter<&g_object_unref>>;
+using Context = std::unique_ptr<PangoContext, Deleter<&g_object_unref>>;
+using LayoutPointer = std::unique_ptr<PangoLayout, Deleter<&g_object_unref>>;
+using FontOptions = std::unique_ptr<cairo_font_options_t, Deleter<&cairo_font_options_destroy>>;
+using Description = std::unique_ptr<PangoFontDescription, Deleter<&pango_font_description_free>>;
+using LayoutIterator = std::unique_ptr<PangoLayoutIter, Deleter<&pango_layout_iter_free>>;
+using Attributes = std::unique_ptr<PangoAttrList, Deleter<&pango_attr_list_unref>>;
+
+constexpr Colour kHaloColour{0.04, 0.045, 0.06};
+constexpr double kHaloOpacity = 0.8;
+
+/// A font file in memory, with a path for those who only take paths.
+class FontFile {
+ public:
+  explicit FontFile(std::string_view bytes) : file_(system::createMemoryFile("font")) {
+    system::writeAll(file_, bytes, "the font in memory");
+  }
+
+  std::string path() const { return "/proc/self/fd/" + std::to_string(file_.number()); }
+
+ private:
+  system::FileDescriptor file_;
+};
+
+}  // namespace
+
+struct Typesetter::Parts {
+  FontConfig config;
+  FontMap map;
+  Context context;
+  std::string family;
+};
+
+namespace {
+
+/// A configuration that knows the fonts that ship and no other: an installed one of the same name
+/// may be of another version.
+///
+/// The files stay open: Cairo remembers faces by their paths, and would take one for the other
+/// where a descriptor's number comes to be another file's.
+FontConfig shippedFonts() {
+  static const FontFile regular{interRegularFont()};
+  static const FontFile semibold{interSemiBoldFont()};
+  FontConfig config(FcConfigCreate());
+  for (const FontFile* file : {&regular, &semibold}) {
+    const std::string path = file->path();
+    const auto* name = reinterpret_cast<const FcChar8*>(path.c_str());
+    if (!FcConfigAppFontAddFile(config.get(), name)) {
+      throw MachineError("fontconfig can't read the font that ships with the program");
+    }
+  }
+  return config;
+}
+
+Context contextOf(PangoFontMap* map) {
+  Context context(pango_font_map_create_context(map));
+  const FontOptions options(cairo_font_options_create());
+  cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options.get(), CAIRO_HINT_METRICS_OFF);
+  cairo_font_options_set_antialias(options.get(), CAIRO_ANTIALIAS_GRAY);
+  pango_cairo_context_set_font_options(context.get(), options.get());
+  pango_cairo_context_set_resolution(context.get(), 72);
+  pango_context_set_round_glyph_positions(context.get(), FALSE);
+  return context;
+}
+
+bool has(PangoFontMap* map, const std::string& family) {
+  PangoFontFamily** families = nullptr;
+  int count = 0;
+  pango_font_map_list_families(map, &families, &count);
+  bool found = false;
+  for (int i = 0; i < count; ++i) {
+    found =
+        found || g_ascii_strcasecmp(pango_font_family_get_name(families[i]), family.c_str()) == 0;
+  }
+  g_free(families);
+  return found;
+}
+
+Description descriptionOf(const std::string& family, const TextStyle& style) {
+  Description description(pango_font_description_new());
+  pango_font_description_set_family(description.get(), family.c_str());
+  pango_font_description_set_weight(description.get(),
+                                    style.bold ? PANGO_WEIGHT_SEMIBOLD : PANGO_WEIGHT_NORMAL);
+  pango_font_description_set_absolute_size(description.get(), style.size * PANGO_SCALE);
+  return description;
+}
+
+LayoutPointer layoutOf(PangoContext* context, const std::string& family, const std::string& text,
+                       const TextStyle& style, int width) {
+  LayoutPointer layout(pango_layout_new(context));
+  pango_layout_set_font_description(layout.get(), descriptionOf(family, style).get());
+  pango_layout_set_width(layout.get(), width * PANGO_SCALE);
+  pango_layout_set_wrap(layout.get(), PANGO_WRAP_WORD_CHAR);
+  pango_layout_set_text(layout.get(), text.data(), static_cast<int>(text.size()));
+  if (style.tabular) {
+    const Attributes attributes(pango_attr_list_new());
+    pango_attr_list_insert(attributes.get(), pango_attr_font_features_new("tnum=1"));
+    pango_layout_set_attributes(layout.get(), attributes.get());
+  }
+  return layout;
+}
+
+TextSize sizeOf(PangoLayout* layout) {
+  TextSize size;
+  pango_layout_get_pixel_size(layout, &size.width, &size.height);
+  return size;
+}
+
+/// The first letter of the layout that its font doesn't have; one must be there.
+std::string unknownLetter(PangoLayout* layout) {
+  const char* text = pango_layout_get_text(layout);
+  const LayoutIterator iterator(pango_layout_get_iter(layout));
+  do {
+    const PangoLayoutRun* run = pango_layout_iter_get_run_readonly(iterator.get());
+    if (run == nullptr) continue;  // The end of a line.
+    for (int i = 0; i < run->glyphs->num_glyphs; ++i) {
+      if ((run->glyphs->glyphs[i].glyph & PANGO_GLYPH_UNKNOWN_FLAG) == 0) continue;
+      const char* letter = text + run->item->offset + run->glyphs->log_clusters[i];
+      return {letter, static_cast<std::size_t>(g_utf8_next_char(letter) - letter)};
+    }
+  } while (pango_layout_iter_next_run(iterator.get()));
+  return text;
+}
+
+void paint(cairo_t* cairo, PangoLayout* layout, const TextStyle& style) {
+  if (style.halo > 0) {
+    pango_cairo_layout_path(cairo, layout);
+    cairo_set_source_rgba(cairo, kHaloColour.red, kHaloColour.green, kHaloColour.blue,
+                          kHaloOpacity * style.opacity);
+    cairo_set_line_width(cairo, 2 * style.halo);
+    cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+    cairo_stroke(cairo);
+    cairo_move_to(cairo, 0, 0);
+  }
+  const Colour& colour = style.colour;
+  cairo_set_source_rgba(cairo, colour.red, colour.green, colour.blue, style.opacity);
+  pango_cairo_show_layout(cairo, layout);
+}
+
+}  // namespace
+
+bool isOneLine(const std::string& text) {
+  const auto isControl = [](char letter) {
+    return static_cast<unsigned char>(letter) < ' ' || letter == 0x7f;
+  };
+  return std::ranges::none_of(text, isControl) &&
+         g_utf8_validate(text.data(), static_cast<gssize>(text.size()), nullptr) != FALSE;
+}
+
+Typesetter::Typesetter() = default;
+
+const Typesetter::Parts& Typesetter::parts() const {
+  if (parts_) return *parts_;
+  parts_ = std::make_unique<Parts>();
+  parts_->config = shippedFonts();
+  parts_->map.reset(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT));
+  pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(parts_->map.get()), parts_->config.get());
+  parts_->context = contextOf(parts_->map.get());
+  parts_->family = kShippedFamily;
+  return *parts_;
+}
+
+Typesetter::Typesetter(const std::string& family) : parts_(std::make_unique<Parts>()) {
+  parts_->map.reset(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT));
+  if (!has(parts_->map.get(), family)) {
+    throw InputError(
+        "no font family \"" + family +
+        "\" is installed, as overlay.font asks for; fc-list : family lists those that are");
+  }
+  parts_->context = contextOf(parts_->map.get());
+  parts_->family = family;
+}
+
+Typesetter Typesetter::of(const scene::Scene& scene) {
+  const std::string& font = scene.overlay.font;
+  if (font == scene::kBuiltin) return {};
+  return scene::atPlaceOf(scene, "overlay.font", [&] { return Typesetter(font); });
+}
+
+Typesetter::~Typesetter() = default;
+Typesetter::Typesetter(Typesetter&&) noexcept = default;
+Typesetter& Typesetter::operator=(Typesetter&&) noexcept = default;
+
+TextSize Typesetter::measure(const std::string& text, const TextStyle& style, int width) const {
+  return sizeOf(layoutOf(parts().context.get(), parts().family, text, style, width).get());
+}
+
+Layer Typesetter::draw(const std::string& text, const TextStyle& style, int width) const {
+  const LayoutPointer layout = layoutOf(parts().context.get(), parts().family, text, style, width);
+  if (pango_layout_get_unknown_glyphs_count(layout.get()) > 0) {
+    throw InputError("the font " + parts().family + " lacks \"" + unknownLetter(layout.get()) +
+                     "\", which is in \"" + text +
+                     "\"; choose an installed one that has it, overlay.font = \"...\"");
+  }
+  const TextSize size = sizeOf(layout.get());
+  const int margin = static_cast<int>(std::ceil(style.halo));
+  Layer layer{-margin, -margin, size.width + 2 * margin, size.height + 2 * margin, {}};
+  layer.pixels.resize(static_cast<std::size_t>(layer.width) *
+                      static_cast<std::size_t>(layer.height) * 4);
+  const Surface surface(cairo_image_surface_create_for_data(
+      layer.pixels.data(), CAIRO_FORMAT_ARGB32, layer.width, layer.height, layer.width * 4));
+  const Cairo cairo(cairo_create(surface.get()));
+  cairo_translate(cairo.get(), margin, margin);
+  paint(cairo.get(), layout.get(), style);
+  cairo_surface_flush(surface.get());
+  return layer;
+}
+
+}  // namespace rotatebook::overlay

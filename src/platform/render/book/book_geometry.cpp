@@ -1,0 +1,144 @@
+#include "render/book/book_geometry.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <Eigen/LU>
+
+namespace rotatebook::render {
+namespace {
+
+void describeAttribute(GLuint index, GLint size, std::size_t stride, std::size_t offset) {
+  glEnableVertexAttribArray(index);
+  glVertexAttribPointer(index, size, GL_FLOAT, GL_FALSE, static_cast<GLsizei>(stride),
+                        reinterpret_cast<const void*>(offset));
+}
+
+/// Which vertex attribute is which, as book.vert numbers them.
+void describeVertex(std::size_t stride) {
+  const auto attribute = [stride](GLuint index, GLint size, std::size_t offset) {
+    describeAttribute(index, size, stride, offset);
+  };
+  attribute(0, 3, offsetof(BookVertex, place));
+  attribute(1, 3, offsetof(BookVertex, normal));
+  attribute(2, 2, offsetof(BookVertex, texture));
+  attribute(3, 1, offsetof(BookVertex, openness));
+  attribute(4, 1, offsetof(BookVertex, surface));
+}
+
+/// A point of a strip's middle.
+struct StripVertex {
+  BookVertex vertex;
+  Eigen::Vector3f rolledOut;  // In clip space, and 1.
+};
+
+/// How far along the strip a point of its middle is. [0 to 1]
+float shareOf(const BookStrip& strip, const BookVertex& vertex) {
+  const Eigen::Vector3f start = strip.middle.front().place;
+  const Eigen::Vector3f way = strip.middle.back().place - start;
+  return (vertex.place - start).dot(way) / way.squaredNorm();
+}
+
+/// The strip as a row of the picture of strips, from its left side. Of points that are closer than
+/// a pixel only the outer ones are taken: a line within a pixel says nothing of its middle.
+std::vector<StripVertex> rollOut(const BookStrip& strip, float y) {
+  constexpr float kStep = 0.025F;  // Of the strip.
+  std::vector<StripVertex> vertices;
+  float before = 0;
+  for (std::size_t i = 0; i < strip.middle.size(); ++i) {
+    const bool isLast = i + 1 == strip.middle.size();
+    const float share = shareOf(strip, strip.middle[i]);
+    const float after = isLast ? share : shareOf(strip, strip.middle[i + 1]);
+    if (share - before < kStep && after - share < kStep) continue;
+    vertices.push_back({strip.middle[i], {2 * share * strip.length - 1, y, 1}});
+    before = share;
+  }
+  vertices.front().rolledOut.x() = -1;
+  vertices.back().rolledOut.x() = 2 * strip.length - 1;
+  return vertices;
+}
+
+template <typename Element>
+void upload(GLenum target, const GlBuffer& buffer, const std::vector<Element>& elements) {
+  glBindBuffer(target, buffer.name());
+  glBufferData(target, static_cast<GLsizeiptr>(elements.size() * sizeof(Element)), elements.data(),
+               GL_STATIC_DRAW);
+}
+
+/// Signed volume at each corner of the map from the unit cube, as a share of the largest. Negative:
+/// inside out.
+Eigen::Array<double, 8, 1> cornerVolumes(const physics::Corners& corners) {
+  Eigen::Array<double, 8, 1> volumes;
+  for (int i = 0; i < 8; ++i) {
+    Eigen::Matrix3d edges;
+    for (int axis = 0; axis < 3; ++axis) {
+      const int other = i ^ (1 << axis);
+      const double sign = (i & (1 << axis)) != 0 ? 1 : -1;
+      edges.col(axis) = sign * (corners.col(i) - corners.col(other));
+    }
+    volumes[i] = edges.determinant();
+  }
+  return volumes / std::max(volumes.abs().maxCoeff(), std::numeric_limits<double>::min());
+}
+
+}  // namespace
+
+BookGeometry::BookGeometry(const BookMesh& mesh) {
+  std::vector<std::uint32_t> indices;
+  for (std::size_t part = 0; part < kBookPartCount; ++part) {
+    starts_[part] = indices.size();
+    indices.insert(indices.end(), mesh.triangles[part].begin(), mesh.triangles[part].end());
+  }
+  starts_[kBookPartCount] = indices.size();
+  glBindVertexArray(array_.name());
+  upload(GL_ARRAY_BUFFER, vertices_, mesh.vertices);
+  upload(GL_ELEMENT_ARRAY_BUFFER, indices_, indices);
+  describeVertex(sizeof(BookVertex));
+  uploadStrips(mesh.strips);
+}
+
+void BookGeometry::uploadStrips(const std::vector<BookStrip>& strips) {
+  std::vector<StripVertex> vertices;
+  for (std::size_t i = 0; i < strips.size(); ++i) {
+    const float y = (2 * static_cast<float>(i) + 1) / static_cast<float>(strips.size()) - 1;
+    const std::vector<StripVertex> row = rollOut(strips[i], y);
+    rows_.push_back(
+        {strips[i].part, static_cast<GLint>(vertices.size()), static_cast<GLsizei>(row.size())});
+    vertices.insert(vertices.end(), row.begin(), row.end());
+  }
+  bindStrips();
+  upload(GL_ARRAY_BUFFER, stripVertices_, vertices);
+  describeVertex(sizeof(StripVertex));
+  describeAttribute(5, 3, sizeof(StripVertex), offsetof(StripVertex, rolledOut));
+}
+
+void BookGeometry::drawStrips(BookPart part, const std::vector<SeenStrip>& seen) const {
+  std::vector<GLint> firsts;
+  std::vector<GLsizei> counts;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (rows_[i].part != part || !seen[i].narrow) continue;
+    firsts.push_back(rows_[i].first);
+    counts.push_back(rows_[i].count);
+  }
+  glMultiDrawArrays(GL_LINE_STRIP, firsts.data(), counts.data(),
+                    static_cast<GLsizei>(firsts.size()));
+}
+
+void BookGeometry::draw(BookPart part) const {
+  const auto index = static_cast<std::size_t>(part);
+  const std::size_t start = starts_[index], count = starts_[index + 1] - start;
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
+                 reinterpret_cast<const void*>(start * sizeof(std::uint32_t)));
+}
+
+int drawnFacing(const physics::Corners& corners) {
+  constexpr double kClearlyOneWay = 0.2;
+  const Eigen::Array<double, 8, 1> volumes = cornerVolumes(corners);
+  // Clip y points down, which turns every triangle round.
+  if (volumes.minCoeff() > kClearlyOneWay) return -1;
+  return volumes.maxCoeff() < -kClearlyOneWay ? 1 : 0;
+}
+
+}  // namespace rotatebook::render

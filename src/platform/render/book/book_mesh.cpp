@@ -1,0 +1,386 @@
+#include "render/book/book_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <compare>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include <Eigen/Geometry>
+
+#include "render/book/book_profile.h"
+
+namespace rotatebook::render {
+namespace {
+
+using Eigen::Vector2f;
+using Eigen::Vector3f;
+
+constexpr BookDimensions kBook;
+constexpr float kRim = 0.004F;  // Texture coordinate from which the insides take the cloth.
+constexpr float kInsideOpenness = 0.32F;     // Where boards and pages meet.
+constexpr float kEdgeOpenness = 0.8F;        // Of the inner side's rim.
+constexpr float kHollow = 3;                 // How much the fore edge curves inward. [mm]
+constexpr float kLeavesPerThickness = 0.5F;  // Repeats of the paper texture across the page block.
+constexpr float kLeavesPerHeight = 4;        // And along it.
+constexpr int kRoundingSteps = 3;
+
+/// Kinds of surfaces of a part of the case. Where it is only a pixel or two wide, the rounding
+/// looks like a line of its own colour; the shoulder, from the hinge's groove to the spine, hides
+/// the board beyond the groove, or the board it.
+enum class Kind { Outer, Shoulder, Rounding, Rim, Inner };
+
+constexpr int kCaseParts = 3;
+constexpr int kForeEdge = 16, kFoot = 17, kHead = 18;
+
+/// BookVertex::surface
+int surfaceOf(BookPart part, Kind kind) {
+  return 1 + kCaseParts * static_cast<int>(kind) + static_cast<int>(part);
+}
+
+/// A point of a side before it goes into the unit cube.
+struct SidePoint {
+  Vector3f place;   // [mm]
+  Vector3f normal;  // of unit length
+  Vector2f texture{0, 0};
+  float openness = 1;
+  bool againstLeaves = false;
+};
+
+/// Where along y the outer side has its points: the flat part, and the roundings at foot and head,
+/// which lie `inset` inward and lean by `lean` toward the end.
+struct Station {
+  float y;      // [mm]
+  float inset;  // [mm]
+  float lean;   // -1 at the foot to 1 at the head
+};
+
+std::vector<Station> outerStations() {
+  constexpr float kFlatSteps = 4;
+  const float r = kBook.edgeRadius;
+  std::vector<Station> half;
+  for (int i = 0; i <= kRoundingSteps; ++i) {
+    const float angle =
+        std::numbers::pi_v<float> / 2 * (1 - static_cast<float>(i) / kRoundingSteps);
+    half.push_back({r * (1 - std::sin(angle)), r * (1 - std::cos(angle)), -std::sin(angle)});
+  }
+  half.push_back({kBook.headInset, 0, 0});
+  std::vector<Station> all = half;
+  for (float i = 1; i < kFlatSteps; ++i) {
+    all.push_back({r + (kBook.height - 2 * r) * i / kFlatSteps, 0, 0});
+  }
+  for (auto station = half.rbegin(); station != half.rend(); ++station) {
+    all.push_back({kBook.height - station->y, station->inset, -station->lean});
+  }
+  return all;
+}
+
+/// Which strip a square belongs to: none, or that along a row or a column of its grid. Squares
+/// beside that line may be narrower parts of the strip.
+struct GridLine {
+  enum class Way { None, Row, Column } way = Way::None;
+  int number = 0;
+
+  friend auto operator<=>(const GridLine&, const GridLine&) = default;
+};
+
+constexpr GridLine kNoLine{};
+constexpr GridLine row(int i) {
+  return {GridLine::Way::Row, i};
+}
+constexpr GridLine column(int j) {
+  return {GridLine::Way::Column, j};
+}
+
+SidePoint between(const SidePoint& a, const SidePoint& b) {
+  return {(a.place + b.place) / 2, (a.normal + b.normal).normalized(), (a.texture + b.texture) / 2,
+          (a.openness + b.openness) / 2};
+}
+
+BookVertex vertexOf(const SidePoint& point, int surface) {
+  const Vector3f size(kBook.width, kBook.height, kBook.thickness);
+  return {point.place.cwiseQuotient(size), point.normal.cwiseProduct(size).normalized(),
+          point.texture, point.openness, static_cast<float>(surface)};
+}
+
+class MeshBuilder {
+ public:
+  /// Adds the grid of points (i, j), i < rows, j < columns, whose outer side is that from which
+  /// turning from the direction of j to that of i is counter-clockwise; `flipped`: the other one.
+  /// `surface` and `line` are of the square whose first point is (i, j).
+  void addGrid(BookPart part, int rows, int columns, bool flipped,
+               const std::function<SidePoint(int, int)>& at,
+               const std::function<int(int, int)>& surface,
+               const std::function<GridLine(int, int)>& line) {
+    std::map<std::array<int, 3>, std::uint32_t> known;
+    std::map<GridLine, std::uint8_t> strips{{kNoLine, kNoStrip}};
+    for (int i = 0; i + 1 < rows; ++i) {
+      for (int j = 0; j + 1 < columns; ++j) {
+        const int number = surface(i, j);
+        const auto vertex = [&](int row, int column) {
+          const auto [found, isNew] = known.try_emplace({row, column, number}, nextVertex());
+          if (isNew) addVertex(at(row, column), number);
+          return found->second;
+        };
+        const auto a = vertex(i, j), b = vertex(i, j + 1), c = vertex(i + 1, j);
+        const auto d = vertex(i + 1, j + 1);
+        const auto [found, isNew] = strips.try_emplace(line(i, j), nextStrip());
+        const std::uint8_t strip = found->second;
+        if (isNew) mesh_.strips.push_back({part, 0, true, {}, {}});
+        if (line(i, j) == row(i)) {
+          extend(strip, {at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)}, flipped, number);
+        } else if (line(i, j) == column(j)) {
+          extend(strip, {at(i, j + 1), at(i, j), at(i + 1, j + 1), at(i + 1, j)}, flipped, number);
+        }
+        addTriangle(part, strip, a, flipped ? c : b, flipped ? b : c);
+        addTriangle(part, strip, c, flipped ? d : b, flipped ? b : d);
+      }
+    }
+  }
+
+  BookMesh take() { return std::move(mesh_); }
+
+ private:
+  std::uint32_t nextVertex() const { return static_cast<std::uint32_t>(mesh_.vertices.size()); }
+
+  void addVertex(const SidePoint& point, int surface) {
+    mesh_.vertices.push_back(vertexOf(point, surface));
+    againstLeaves_.push_back(point.againstLeaves);
+  }
+
+  std::uint8_t nextStrip() const { return static_cast<std::uint8_t>(mesh_.strips.size()); }
+
+  /// Adds a square to a strip that ends on its first two corners, if it isn't empty yet, and will
+  /// end on the others.
+  void extend(std::uint8_t number, const std::array<SidePoint, 4>& corners, bool flipped,
+              int surface) {
+    BookStrip& strip = mesh_.strips[number];
+    for (const std::size_t i : {0, 2}) {
+      if (i == 0 && !strip.middle.empty()) continue;
+      const SidePoint middle = between(corners[i], corners[i + 1]);
+      if (i == 2) {
+        strip.length +=
+            (middle.place - between(corners[0], corners[1]).place).norm() / kBook.height;
+      }
+      strip.middle.push_back(vertexOf(middle, surface));
+      strip.flat = strip.flat && corners[i].normal == corners[i + 1].normal;
+      strip.sides[flipped ? 1 : 0].push_back(vertexOf(corners[i], surface).place);
+      strip.sides[flipped ? 0 : 1].push_back(vertexOf(corners[i + 1], surface).place);
+    }
+  }
+
+  /// A triangle, unless two of its corners are one point, but for rounding.
+  void addTriangle(BookPart part, std::uint8_t strip, std::uint32_t a, std::uint32_t b,
+                   std::uint32_t c) {
+    constexpr float kRounding = 1e-6F;
+    const auto distance = [&](std::uint32_t i, std::uint32_t j) {
+      return (mesh_.vertices[i].place - mesh_.vertices[j].place).norm();
+    };
+    if (std::min({distance(a, b), distance(b, c), distance(c, a)}) < kRounding) return;
+    if (againstLeaves_[a] && againstLeaves_[b] && againstLeaves_[c]) part = BookPart::Lining;
+    auto& triangles = mesh_.triangles[static_cast<std::size_t>(part)];
+    triangles.insert(triangles.end(), {a, b, c});
+    mesh_.stripOf[static_cast<std::size_t>(part)].push_back(strip);
+  }
+
+  BookMesh mesh_;
+  std::vector<bool> againstLeaves_;  // of the vertices
+};
+
+/// Where a point of the cut lies on its part's picture, from left to right.
+float textureAcross(BookPart part, const Vector2f& place) {
+  const float u = part == BookPart::Spine ? place.y() / kBook.thickness : place.x() / kBook.width;
+  return part == BookPart::Back ? 1 - u : u;
+}
+
+int sizeOf(const std::vector<ProfilePoint>& profile) {
+  return static_cast<int>(profile.size());
+}
+
+template <typename Value>
+std::function<Value(int, int)> always(Value value) {
+  return [value](int, int) { return value; };
+}
+
+Vector3f inSpace(const Vector2f& place, float y) {
+  return {place.x(), y, place.y()};
+}
+
+/// Of the square of the outer side from these points of the profile and stations to the next.
+Kind outerKind(const ProfilePoint& point, const ProfilePoint& next, const Station& station,
+               const Station& following) {
+  if (station.lean != following.lean) return Kind::Rounding;
+  const float middle = (point.outside.x() + next.outside.x()) / 2;
+  if (middle < kBook.hinge) return Kind::Shoulder;
+  const float atForeEdge = kBook.width - 1.001F * kBook.edgeRadius;
+  if (std::min(point.outside.x(), next.outside.x()) < atForeEdge) return Kind::Outer;
+  return point.normal == next.normal ? Kind::Rim : Kind::Rounding;
+}
+
+void addOuterSide(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile) {
+  const std::vector<Station> stations = outerStations();
+  const auto point = [&](int i) { return profile[static_cast<std::size_t>(i)]; };
+  const auto station = [&](int j) { return stations[static_cast<std::size_t>(j)]; };
+  builder.addGrid(
+      part, sizeOf(profile), static_cast<int>(stations.size()), false,
+      [&](int i, int j) -> SidePoint {
+        const float lean = station(j).lean;
+        const Vector2f place =
+            point(i).outside - (point(i).sharp ? 0 : station(j).inset) * point(i).normal;
+        return {inSpace(place, station(j).y),
+                inSpace(std::sqrt(1 - lean * lean) * point(i).normal, lean),
+                {textureAcross(part, point(i).outside), station(j).y / kBook.height},
+                point(i).openness};
+      },
+      [&](int i, int j) {
+        return surfaceOf(part, outerKind(point(i), point(i + 1), station(j), station(j + 1)));
+      },
+      [&](int i, int j) {
+        if (station(j).lean != station(j + 1).lean) return column(j);
+        const Kind kind = outerKind(point(i), point(i + 1), station(j), station(j + 1));
+        const bool flat = kind == Kind::Outer && point(i).normal == point(i + 1).normal;
+        return part == BookPart::Spine || flat ? kNoLine : row(i);
+      });
+}
+
+/// The narrow side at the foot or the head, between the outer and the inner side.
+void addEnd(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile,
+            bool head) {
+  const float y = head ? kBook.height : 0;
+  builder.addGrid(
+      part, sizeOf(profile), 2, head,
+      [&](int i, int j) -> SidePoint {
+        const ProfilePoint& point = profile[static_cast<std::size_t>(i)];
+        const Vector2f rounded =
+            point.outside - (point.sharp ? 0 : kBook.edgeRadius) * point.normal;
+        return {inSpace(j == 1 ? rounded : point.inside, y),
+                {0, head ? 1.0F : -1.0F, 0},
+                {textureAcross(part, point.outside), head ? 1 - kRim : kRim}};
+      },
+      always(surfaceOf(part, Kind::Rim)), always(column(0)));
+}
+
+/// The inner side, of which the rim beyond the leaves is seen.
+void addInnerSide(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile) {
+  const std::vector<Station> stations = outerStations();
+  const float leaves = kBook.width - kBook.foreEdgeInset;
+  builder.addGrid(
+      part, sizeOf(profile), static_cast<int>(stations.size()), true,
+      [&](int i, int j) -> SidePoint {
+        const ProfilePoint& point = profile[static_cast<std::size_t>(i)];
+        const float y = stations[static_cast<std::size_t>(j)].y;
+        const bool atRim =
+            y < kBook.headInset || y > kBook.height - kBook.headInset || point.inside.x() > leaves;
+        const float sign = point.inside.y() > kBook.thickness / 2 ? -1.0F : 1.0F;
+        const bool spine = part == BookPart::Spine;
+        return {inSpace(point.inside, y),
+                spine ? Vector3f(1, 0, 0) : Vector3f(0, 0, sign),
+                {0.5F, kRim},
+                atRim ? kEdgeOpenness : kInsideOpenness,
+                !atRim};
+      },
+      always(surfaceOf(part, Kind::Inner)),
+      [&](int i, int j) {
+        // Between the edge and the leaves, all but one of the squares are those of the rounding.
+        const int last = static_cast<int>(stations.size()) - 2;
+        if (j <= kRoundingSteps) return column(kRoundingSteps);
+        if (j >= last - kRoundingSteps) return column(last - kRoundingSteps);
+        const auto next = static_cast<std::size_t>(i + 1);
+        const float x = std::min(profile[next - 1].inside.x(), profile[next].inside.x());
+        return x > leaves ? row(i) : kNoLine;
+      });
+}
+
+void addCase(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile) {
+  addOuterSide(builder, part, profile);
+  addInnerSide(builder, part, profile);
+  addEnd(builder, part, profile, false);
+  addEnd(builder, part, profile, true);
+}
+
+// Shares of the page block's thickness; next to the boards it is dark.
+constexpr std::array kAcrossLeaves = {0.0F, 0.04F, 0.12F, 0.3F, 0.5F, 0.7F, 0.88F, 0.96F, 1.0F};
+
+float opennessAcross(std::size_t i) {
+  const std::size_t fromEnd = std::min(i, kAcrossLeaves.size() - 1 - i);
+  if (fromEnd == 0) return kInsideOpenness;
+  return fromEnd == 1 ? 0.7F : 1;
+}
+
+float acrossPlace(std::size_t i) {
+  return kBook.board + kAcrossLeaves[i] * (kBook.thickness - 2 * kBook.board);
+}
+
+/// Where the leaves end at this share of the thickness. [mm]
+float foreEdge(float share) {
+  const float fromMiddle = 2 * share - 1;
+  return kBook.width - kBook.foreEdgeInset - kHollow * (1 - fromMiddle * fromMiddle);
+}
+
+void addForeEdge(MeshBuilder& builder) {
+  constexpr std::array kAlong = {0.0F, 0.03F, 0.25F, 0.5F, 0.75F, 0.97F, 1.0F};
+  builder.addGrid(
+      BookPart::Pages, static_cast<int>(kAcrossLeaves.size()), static_cast<int>(kAlong.size()),
+      false,
+      [&](int row, int column) -> SidePoint {
+        const auto i = static_cast<std::size_t>(row);
+        const float share = kAcrossLeaves[i], along = kAlong[static_cast<std::size_t>(column)];
+        const float slope = 4 * kHollow * (2 * share - 1) / (kBook.thickness - 2 * kBook.board);
+        const float y = kBook.headInset + along * (kBook.height - 2 * kBook.headInset);
+        return {{foreEdge(share), y, acrossPlace(i)},
+                Vector3f(1, 0, -slope).normalized(),
+                {kLeavesPerHeight * along, kLeavesPerThickness * share},
+                opennessAcross(i)};
+      },
+      always(kForeEdge), [](int i, int) { return row(i); });
+}
+
+/// The leaves at the foot or the head, from within the spine to the fore edge.
+void addLeafEnds(MeshBuilder& builder, bool head) {
+  constexpr std::array kAlong = {0.0F, 0.05F, 0.3F, 0.6F, 0.97F, 1.0F};
+  const float y = head ? kBook.height - kBook.headInset : kBook.headInset;
+  builder.addGrid(
+      BookPart::Pages, static_cast<int>(kAlong.size()), static_cast<int>(kAcrossLeaves.size()),
+      !head,
+      [&](int row, int column) -> SidePoint {
+        const auto i = static_cast<std::size_t>(column);
+        const float along = kAlong[static_cast<std::size_t>(row)];
+        const float x = kBook.board + along * (foreEdge(kAcrossLeaves[i]) - kBook.board);
+        const float nearSpine = row == 0 ? kInsideOpenness : 1;
+        return {{x, y, acrossPlace(i)},
+                {0, head ? 1.0F : -1.0F, 0},
+                {kLeavesPerHeight * along * kBook.width / kBook.height,
+                 kLeavesPerThickness * kAcrossLeaves[i]},
+                nearSpine * opennessAcross(i)};
+      },
+      always(head ? kHead : kFoot), [](int, int j) { return column(j); });
+}
+
+}  // namespace
+
+Eigen::Matrix<double, 8, 1> sharesOfCorners(const Eigen::Vector3f& place) {
+  Eigen::Matrix<double, 8, 1> shares;
+  for (int i = 0; i < 8; ++i) {
+    shares[i] = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      shares[i] *= (i & (1 << axis)) != 0 ? place[axis] : 1 - place[axis];
+    }
+  }
+  return shares;
+}
+
+BookMesh makeBookMesh() {
+  MeshBuilder builder;
+  addCase(builder, BookPart::Front, frontProfile(kBook));
+  addCase(builder, BookPart::Spine, spineProfile(kBook));
+  addCase(builder, BookPart::Back, backProfile(kBook));
+  addForeEdge(builder);
+  addLeafEnds(builder, false);
+  addLeafEnds(builder, true);
+  return builder.take();
+}
+
+}  // namespace rotatebook::render

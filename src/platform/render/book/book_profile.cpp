@@ -1,0 +1,124 @@
+#include "render/book/book_profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rotatebook::render {
+namespace {
+
+using Eigen::Vector2f;
+
+// Over the spine's 50 mm this rounds it by 3 mm, all of it within the corners.
+constexpr float kSpineRadius = 100;      // [mm]
+constexpr float kShoulderRadius = 2;     // Where boards pass into the spine. [mm]
+constexpr float kHingeHalfWidth = 2.6F;  // [mm]
+constexpr float kHingeDepth = 1.4F;      // [mm]
+constexpr float kHingeOpenness = 0.55F;  // At the groove's ground.
+constexpr int kHingeSteps = 8, kArcSteps = 3, kSpineSteps = 10, kBoardSteps = 5;
+constexpr float kPi = std::numbers::pi_v<float>;
+
+/// The shoulder's centre: its arc touches the board's plane and the spine's arc.
+Vector2f shoulderCentre(const BookDimensions& book) {
+  const float z = book.thickness - kShoulderRadius, up = z - book.thickness / 2;
+  const float reach = kSpineRadius - kShoulderRadius;
+  return {kSpineRadius - std::sqrt(reach * reach - up * up), z};
+}
+
+/// How far the spine has turned from its middle to the shoulder. [rad]
+float spineHalfAngle(const BookDimensions& book) {
+  const Vector2f centre = shoulderCentre(book);
+  return std::atan2(centre.y() - book.thickness / 2, kSpineRadius - centre.x());
+}
+
+/// The inner side is flat up to where the spine's begins.
+Vector2f spineInside(const BookDimensions& book, float angle) {
+  const float reach = kSpineRadius - book.board;
+  const float z = book.thickness / 2 + reach * std::sin(angle);
+  return {kSpineRadius - reach * std::cos(angle),
+          std::clamp(z, book.board, book.thickness - book.board)};
+}
+
+/// The board's rim and its rounded outer edge; the points across lie on the inner side.
+void addForeEdge(const BookDimensions& book, std::vector<ProfilePoint>& points) {
+  const float inner = book.thickness - book.board, r = book.edgeRadius;
+  const Vector2f corner(book.width, inner), centre(book.width - r, book.thickness - r);
+  points.push_back({corner, corner, {1, 0}, 1, true});
+  for (int i = 0; i <= kArcSteps; ++i) {
+    const float angle = kPi / 2 * static_cast<float>(i) / kArcSteps;
+    const Vector2f normal(std::cos(angle), std::sin(angle));
+    const float across = book.width - r * static_cast<float>(i + 1);
+    points.push_back({centre + r * normal, {across, inner}, normal});
+  }
+}
+
+void addBoard(const BookDimensions& book, std::vector<ProfilePoint>& points) {
+  const float from = points.back().inside.x(), to = book.hinge + kHingeHalfWidth;
+  for (int i = 1; i < kBoardSteps; ++i) {
+    const float x = from + (to - from) * static_cast<float>(i) / kBoardSteps;
+    points.push_back({{x, book.thickness}, {x, book.thickness - book.board}, {0, 1}});
+  }
+}
+
+void addHinge(const BookDimensions& book, std::vector<ProfilePoint>& points) {
+  const Vector2f end = spineInside(book, spineHalfAngle(book));
+  for (int i = 0; i <= kHingeSteps; ++i) {
+    const float t = 1 - 2 * static_cast<float>(i) / kHingeSteps;
+    const float depth = kHingeDepth * (0.5F + 0.5F * std::cos(kPi * t));
+    const float slope = kHingeDepth * 0.5F * kPi / kHingeHalfWidth * std::sin(kPi * t);
+    // The way left to the inner spine is shared by the shoulder.
+    const float left = 0.55F + 0.45F * t;
+    const float across = end.x() + left * (book.hinge + kHingeHalfWidth - end.x());
+    points.push_back({{book.hinge + kHingeHalfWidth * t, book.thickness - depth},
+                      {across, book.thickness - book.board},
+                      Vector2f(-slope, 1).normalized(),
+                      1 - (1 - kHingeOpenness) * depth / kHingeDepth});
+  }
+}
+
+void addShoulder(const BookDimensions& book, std::vector<ProfilePoint>& points) {
+  const Vector2f centre = shoulderCentre(book), from = points.back().inside;
+  const Vector2f to = spineInside(book, spineHalfAngle(book));
+  const float turn = kPi / 2 - spineHalfAngle(book);
+  for (int i = 1; i <= kArcSteps; ++i) {
+    const float share = static_cast<float>(i) / kArcSteps, angle = turn * share;
+    const Vector2f normal(-std::sin(angle), std::cos(angle));
+    points.push_back({centre + kShoulderRadius * normal, from + share * (to - from), normal});
+  }
+}
+
+}  // namespace
+
+std::vector<ProfilePoint> frontProfile(const BookDimensions& book) {
+  std::vector<ProfilePoint> points;
+  addForeEdge(book, points);
+  addBoard(book, points);
+  addHinge(book, points);
+  addShoulder(book, points);
+  return points;
+}
+
+std::vector<ProfilePoint> spineProfile(const BookDimensions& book) {
+  std::vector<ProfilePoint> points;
+  const float half = spineHalfAngle(book);
+  for (int i = 0; i <= kSpineSteps; ++i) {
+    const float angle = half * (1 - 2 * static_cast<float>(i) / kSpineSteps);
+    const Vector2f normal(-std::cos(angle), std::sin(angle));
+    points.push_back({Vector2f(kSpineRadius, book.thickness / 2) + kSpineRadius * normal,
+                      spineInside(book, angle), normal});
+  }
+  return points;
+}
+
+std::vector<ProfilePoint> backProfile(const BookDimensions& book) {
+  std::vector<ProfilePoint> points = frontProfile(book);
+  std::reverse(points.begin(), points.end());
+  for (ProfilePoint& point : points) {
+    point.outside.y() = book.thickness - point.outside.y();
+    point.inside.y() = book.thickness - point.inside.y();
+    point.normal.y() = -point.normal.y();
+  }
+  return points;
+}
+
+}  // namespace rotatebook::render

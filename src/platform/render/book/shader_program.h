@@ -1,0 +1,40 @@
+// Vertex and fragment shaders, linked.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include <Eigen/Core>
+
+#include "render/book/gl_handles.h"
+
+namespace rotatebook::render {
+
+/// A linked GL program.
+class ShaderProgram {
+ public:
+  /// `name` is for messages; one of the fragment shaders has main(). Throws MachineError with the
+  /// compiler's or linker's words.
+  ShaderProgram(const std::string& name, std::string_view vertexSource,
+                std::initializer_list<std::string_view> fragmentSources);
+
+  void use() const { glUseProgram(program_.name()); }
+
+  /// Sets a uniform of the program in use; one that the compiler optimised away is passed over.
+  void set(const char* uniform, int value) const;
+  void set(const char* uniform, const Eigen::Vector2f& value) const;
+  void set(const char* uniform, const Eigen::Vector3f& value) const;
+  void set(const char* uniform, const Eigen::Matrix4f& value) const;
+  /// A vec3 array of eight.
+  void set(const char* uniform, const Eigen::Matrix<float, 3, 8>& values) const;
+
+ private:
+  GLint location(const char* uniform) const {
+    return glGetUniformLocation(program_.name(), uniform);
+  }
+
+  GlProgram program_;
+};
+
+}  // namespace rotatebook::render

@@ -1,0 +1,66 @@
+#include "render/book/texture.h"
+
+#include <cstddef>
+#include <cstring>
+#include <string>
+
+#include "base/error.h"
+#include "image/smaller.h"
+
+namespace rotatebook::render {
+namespace {
+
+constexpr float kSharpness =
+    -0.5F;  // Mipmap bias: a tilted title stays readable, a turning one doesn't shimmer.
+
+void refuseOversize(image::ImageView picture) {
+  GLint largest = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  if (picture.width <= largest && picture.height <= largest) return;
+  throw InputError("a texture of " + std::to_string(picture.width) + "x" +
+                   std::to_string(picture.height) + " pixels is too large: this renderer takes " +
+                   std::to_string(largest) + " a side");
+}
+
+// GL's first row is the lowest; ours is the highest.
+image::Image upsideDown(image::ImageView picture) {
+  image::Image turned(picture.width, picture.height, picture.format);
+  for (int y = 0; y < picture.height; ++y) {
+    std::memcpy(turned.row(picture.height - 1 - y), picture.row(y),
+                static_cast<std::size_t>(turned.stride()));
+  }
+  return turned;
+}
+
+void upload(int level, const image::Image& picture) {
+  const GLenum format = picture.format() == image::PixelFormat::Rgb8 ? GL_RGB : GL_RGBA;
+  glTexImage2D(GL_TEXTURE_2D, level, GL_SRGB8_ALPHA8, picture.width(), picture.height(), 0, format,
+               GL_UNSIGNED_BYTE, picture.row(0));
+}
+
+void setFilters(TextureWrap wrap) {
+  const GLint mode = wrap == TextureWrap::Repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, mode);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, mode);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameterf(GL_TEXTURE_2D, GL_TEXTURE_LOD_BIAS, kSharpness);
+}
+
+}  // namespace
+
+Texture::Texture(image::ImageView picture, TextureWrap wrap) {
+  refuseOversize(picture);
+  bind();
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  image::Image level = upsideDown(picture);
+  upload(0, level);
+  // Made here: by the driver it takes a third of a render's start, and comes out as it pleases.
+  for (int i = 1; level.width() > 1 || level.height() > 1; ++i) {
+    level = image::halvedOpaque(level.view());
+    upload(i, level);
+  }
+  setFilters(wrap);
+}
+
+}  // namespace rotatebook::render

@@ -1,0 +1,24 @@
+// Pictures on the graphics side.
+#pragma once
+
+#include "image/image.h"
+#include "render/book/gl_handles.h"
+
+namespace rotatebook::render {
+
+/// How a texture continues beyond its edges.
+enum class TextureWrap { Clamp, Repeat };
+
+/// A mipmapped, trilinearly filtered sRGB texture; its first row is at v = 1.
+class Texture {
+ public:
+  /// Throws InputError if the picture is larger than the driver's limit.
+  Texture(image::ImageView picture, TextureWrap wrap);
+
+  void bind() const { glBindTexture(GL_TEXTURE_2D, texture_.name()); }
+
+ private:
+  GlTexture texture_;
+};
+
+}  // namespace rotatebook::render

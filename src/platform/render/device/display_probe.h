@@ -1,0 +1,43 @@
+// Ways to a renderer, opened one by one: for reports, not for drawing.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "render/device/device.h"
+
+namespace rotatebook::render {
+
+/// What an OpenGL context reports of itself.
+struct ContextInfo {
+  std::string vendor, renderer;
+  std::string version;  ///< Of OpenGL: "4.5"
+  int samples = 0;      ///< GL_MAX_SAMPLES
+};
+
+/// The library that is missing, EGL's or OpenGL's. libepoxy ends the process where it finds none,
+/// so ask before anything else.
+std::optional<CallFailure> missingLibrary();
+
+/// The ways that EGL offers, in the order in which a render tries them.
+class DisplayProbe {
+ public:
+  /// Lists them; missingLibrary() must be nothing.
+  DisplayProbe();
+  DisplayProbe(const DisplayProbe&) = delete;
+  DisplayProbe& operator=(const DisplayProbe&) = delete;
+  ~DisplayProbe();
+
+  const WayList& list() const;
+  /// Makes an OpenGL context on way `index` of the list and ends it again. Nothing, and why in
+  /// `failure`, if there is none. A driver may end the process, or never come back.
+  std::optional<ContextInfo> open(std::size_t index, CallFailure& failure) const;
+
+ private:
+  struct Ways;
+  std::unique_ptr<Ways> ways_;
+};
+
+}  // namespace rotatebook::render

@@ -1,0 +1,29 @@
+// The ways to a display that EGL offers. Include only in this room's sources.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include <epoxy/egl.h>
+
+#include "render/device/device.h"
+#include "render/device/display_probe.h"
+
+namespace rotatebook::render {
+
+/// How a way is opened.
+struct Opener {
+  const char* call;  ///< The function of EGL's that does it, for messages.
+  std::function<EGLDisplay()> open;
+};
+
+struct EglWays {
+  WayList list;
+  std::vector<Opener> openers;  ///< One for each of the list's ways.
+};
+
+/// Every EGL device, then Mesa's surfaceless platform, then the default display.
+EglWays listWays();
+
+}  // namespace rotatebook::render

@@ -1,0 +1,26 @@
+// A book as it comes from OpenGL.
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "image/image.h"
+#include "physics/cuboid.h"
+#include "render/antialias/hull_bands.h"
+#include "render/antialias/strips.h"
+
+namespace rotatebook::render {
+
+/// A book drawn with one sample a pixel and nothing behind it, and what is needed to make a picture
+/// of it.
+struct DrawnBook {
+  image::Image pixels;  ///< Rgba8; alpha: BookVertex::surface, or 0 where nothing was drawn.
+  std::vector<PixelRect> bands{};   ///< Where `pixels` are up to date. [pixels]
+  physics::Corners corners{};       ///< World. [m]
+  Eigen::Matrix4d clipFromWorld{};  ///< Clip y points down.
+  int facing = 0;                   ///< drawnFacing()
+  DrawnStrips strips{};
+};
+
+}  // namespace rotatebook::render

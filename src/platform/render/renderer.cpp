@@ -1,0 +1,220 @@
+#include "render/renderer.h"
+
+#include <optional>
+#include <utility>
+
+#include "base/error.h"
+#include "embedded/render.h"
+#include "image/png_file.h"
+#include "render/book/book_geometry.h"
+#include "render/book/book_mesh.h"
+#include "render/book/frame_target.h"
+#include "render/book/shader_program.h"
+#include "render/book/texture.h"
+#include "render/device/egl_context.h"
+
+namespace rotatebook::render {
+namespace {
+
+void requireNoGlError(const char* when) {
+  const GLenum error = glGetError();
+  if (error == GL_NO_ERROR) return;
+  throw MachineError("can't draw: OpenGL error " + std::to_string(error) + " " + when);
+}
+
+/// A book so close that its front cover is in the middle of pictures of every size.
+DrawnBook closeBook(int width, int height) {
+  const Camera close{.position = {0, 0, 0.1}};
+  DrawnBook book{.pixels = {}, .corners = physics::Cuboid{}.corners()};
+  book.clipFromWorld = project(close, book.corners, {width, height, 0}).clipFromWorld;
+  book.facing = drawnFacing(book.corners);
+  return book;
+}
+
+}  // namespace
+
+image::Image builtinFront() {
+  return image::decodePng(frontPng(), "built-in front cover");
+}
+image::Image builtinSpine() {
+  return image::decodePng(spinePng(), "built-in spine");
+}
+image::Image builtinBack() {
+  return image::decodePng(backPng(), "built-in back cover");
+}
+
+struct Renderer::Parts {
+  Parts(const RenderSettings& renderSettings, const BookTextures& textures, const BookMesh& mesh)
+      : settings(renderSettings),
+        width(settings.supersample * settings.width),
+        height(settings.supersample * settings.height),
+        context(settings.device),
+        target(width, height),
+        coverProgram("cover", bookVertexShader(),
+                     {coverFragmentShader(), toneCurveFragmentShader()}),
+        paperProgram("paper", bookVertexShader(),
+                     {paperFragmentShader(), toneCurveFragmentShader()}),
+        geometry(mesh),
+        stripFinder(mesh),
+        stripTarget(DrawnStrips::kColumns, static_cast<int>(stripFinder.count())),
+        front(textures.front.view(), TextureWrap::Clamp),
+        spine(textures.spine.view(), TextureWrap::Clamp),
+        back(textures.back.view(), TextureWrap::Clamp),
+        paper(image::decodePng(paperPng(), "built-in paper").view(), TextureWrap::Repeat),
+        compositor(background(), settings.supersample, mesh) {
+    requireDrawing();
+    requireNoGlError("while setting up");
+  }
+
+  /// Some drivers draw nothing and report no error. With the frames' own shaders, state and buffer,
+  /// so that all that is compiled for it serves the first frame, too.
+  void requireDrawing() const {
+    const PixelRect middle{width / 2, height / 2, 1, 1};
+    target.begin(middle);
+    drawBook(closeBook(width, height));
+    const int drawn = target.alphaAt(middle.x, middle.y);
+    target.begin(middle);
+    const int cleared = target.alphaAt(middle.x, middle.y);
+    if (drawn != 0 && cleared == 0) return;
+    throw MachineError("can't draw: " + context.description() +
+                       " reports no error and draws nothing: a pixel within the book has alpha " +
+                       std::to_string(drawn) + ", and " + std::to_string(cleared) +
+                       " when it is cleared; --device takes another" + kAskDoctor);
+  }
+
+  image::Image background() const {
+    image::Image picture(width, height, image::PixelFormat::Rgba8);
+    if (settings.background != Background::Transparent) drawBackground(picture);
+    return picture;
+  }
+
+  void drawBackground(image::Image& picture) const {
+    const bool studio = settings.background == Background::Studio;
+    const ShaderProgram backdrop(studio ? "studio" : "stars", wholePictureVertexShader(),
+                                 {studio ? studioFragmentShader() : starsFragmentShader()});
+    const PixelRect everything{0, 0, width, height};
+    target.begin(everything);
+    glDisable(GL_FRAMEBUFFER_SRGB);  // Its colours are encoded already.
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    backdrop.use();
+    const Eigen::Vector2i size(settings.width, settings.height);
+    backdrop.set("pictureSize", Eigen::Vector2f(size.cast<float>()));
+    backdrop.set("supersample", settings.supersample);
+    const GlVertexArray noVertices;
+    glBindVertexArray(noVertices.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    target.readBack({&everything, 1}, picture);
+  }
+
+  void drawBook(const DrawnBook& drawn) const {
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    glEnable(GL_DEPTH_TEST);
+    drawn.facing == 0 ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
+    glFrontFace(drawn.facing < 0 ? GL_CW : GL_CCW);
+    geometry.bind();
+    use(coverProgram, drawn);
+    coverProgram.set("eye", Eigen::Vector3f(settings.camera.position.cast<float>()));
+    drawPart(BookPart::Front, front);
+    drawPart(BookPart::Spine, spine);
+    drawPart(BookPart::Back, back);
+    if (drawn.facing == 0) drawPart(BookPart::Lining, front);
+    use(paperProgram, drawn);
+    drawPart(BookPart::Pages, paper);
+  }
+
+  /// As drawBook() has left OpenGL.
+  void drawStrips(DrawnBook& drawn) const {
+    image::Image& colours = drawn.strips.colours;
+    const PixelRect all{0, 0, colours.width(), colours.height()};
+    stripTarget.begin(all);
+    geometry.bindStrips();
+    drawStripsOf(BookPart::Pages, paper, drawn);
+    coverProgram.use();
+    drawStripsOf(BookPart::Front, front, drawn);
+    drawStripsOf(BookPart::Spine, spine, drawn);
+    drawStripsOf(BookPart::Back, back, drawn);
+    stripTarget.readBack({&all, 1}, colours);
+  }
+
+  void drawStripsOf(BookPart part, const Texture& texture, const DrawnBook& drawn) const {
+    texture.bind();
+    geometry.drawStrips(part, drawn.strips.seen);
+  }
+
+  void use(const ShaderProgram& program, const DrawnBook& drawn) const {
+    program.use();
+    program.set("corners", Eigen::Matrix<float, 3, 8>(drawn.corners.cast<float>()));
+    program.set("clipFromWorld", Eigen::Matrix4f(drawn.clipFromWorld.cast<float>()));
+  }
+
+  void drawPart(BookPart part, const Texture& texture) const {
+    texture.bind();
+    geometry.draw(part);
+  }
+
+  RenderSettings settings;
+  int width, height;   // As it is drawn. [pixels]
+  EglContext context;  // First made, last destroyed of all that needs it.
+  FrameTarget target;
+  ShaderProgram coverProgram, paperProgram;
+  BookGeometry geometry;
+  StripFinder stripFinder;
+  FrameTarget stripTarget;
+  Texture front, spine, back, paper;
+  Compositor compositor;
+  std::optional<DrawnBook> book;  // of draw() to a picture
+};
+
+Renderer::Renderer(const RenderSettings& settings, const BookTextures& textures)
+    : parts_(std::make_unique<Parts>(settings, textures, makeBookMesh())) {}
+Renderer::~Renderer() = default;
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+
+DrawnBook Renderer::makeBook() const {
+  DrawnBook book{.pixels = {parts_->width, parts_->height, image::PixelFormat::Rgba8}};
+  book.strips.colours = {DrawnStrips::kColumns, static_cast<int>(parts_->stripFinder.count()),
+                         image::PixelFormat::Rgba8};
+  return book;
+}
+
+Compositor& Renderer::compositor() {
+  return parts_->compositor;
+}
+
+image::Image Renderer::makePicture() const {
+  return parts_->compositor.makePicture();
+}
+
+void Renderer::draw(const physics::Corners& corners, image::Image& picture) {
+  if (!parts_->book) parts_->book = makeBook();
+  draw(corners, *parts_->book);
+  parts_->compositor.compose(*parts_->book, picture);
+}
+
+void Renderer::draw(const physics::Corners& corners, DrawnBook& book) {
+  const RenderSettings& settings = parts_->settings;
+  Projection projection =
+      project(settings.camera, corners,
+              {parts_->width, parts_->height, settings.supersample * settings.bottomRows});
+  const PixelRect& area = projection.bounds;
+  book.corners = corners;
+  book.clipFromWorld = projection.clipFromWorld;
+  book.facing = drawnFacing(corners);
+  book.bands = std::move(projection.bands);
+  parts_->stripFinder.find(corners, book.clipFromWorld, book.facing,
+                           {parts_->width, parts_->height}, book.strips.seen);
+  if (area.width <= 0 || area.height <= 0) return book.bands.clear();
+  parts_->target.begin(area);
+  parts_->drawBook(book);
+  parts_->drawStrips(book);
+  parts_->target.readBack(book.bands, book.pixels);
+  requireNoGlError("while drawing a frame");
+}
+
+const std::string& Renderer::description() const {
+  return parts_->context.description();
+}
+
+}  // namespace rotatebook::render

@@ -1,0 +1,163 @@
+#include "system/atomic_file.h"
+
+#include <cerrno>
+#include <chrono>
+#include <cstdio>
+#include <fcntl.h>
+#include <mutex>
+#include <set>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <unistd.h>
+#include <utility>
+
+#include "base/error.h"
+
+namespace rotatebook::system {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kMark = ".rotatebook-";
+
+/// What is where `path` or a folder above it is to be, and is no folder; empty if nothing is.
+std::string wayBarredTo(const fs::path& path) {
+  fs::path place;
+  for (const fs::path& part : path) {
+    place /= part;
+    std::error_code unknown;
+    if (!fs::exists(fs::symlink_status(place, unknown)) || fs::is_directory(place, unknown)) {
+      continue;
+    }
+    const bool link = fs::is_symlink(place, unknown) && !fs::exists(place, unknown);
+    return place.string() + (link ? " is a link to a place that isn't there" : " is no folder") +
+           "; move it out of the way, or name another place";
+  }
+  return "";
+}
+
+fs::path temporaryNameFor(const fs::path& path, pid_t number) {
+  const std::string name = "." + path.filename().string() + std::string(kMark);
+  return path.parent_path() / (name + std::to_string(number));
+}
+
+bool isTemporaryName(const std::string& name) {
+  const std::size_t mark = name.rfind(kMark);
+  if (!name.starts_with('.') || mark == std::string::npos) return false;
+  const std::string_view pid = std::string_view(name).substr(mark + kMark.size());
+  return !pid.empty() && pid.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// Tidies up each folder once in the life of the process.
+void tidyOnce(const fs::path& folder) {
+  static std::mutex mutex;
+  static std::set<fs::path> tidied;
+  const std::lock_guard lock(mutex);
+  if (tidied.insert(folder).second) removeStaleTemporaries(folder.empty() ? "." : folder);
+}
+
+/// createLocked(), where another process may be tidying up: that has it locked for an instant.
+FileDescriptor createLockedSoon(const fs::path& path, Lock lock) {
+  FileDescriptor file = createLocked(path, lock);
+  for (int tries = 1; tries < 5 && !file.isOpen() && errno == EWOULDBLOCK; ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    file = createLocked(path, lock);
+  }
+  return file;
+}
+
+// A rename is only safe against a power cut once the content itself has reached the disk.
+void flushToDisk(const FileDescriptor& file, const fs::path& path) {
+  if (fdatasync(file.number()) != 0) throwLastError(path, "flush");
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(fs::path finalPath)
+    : finalPath_(std::move(finalPath)), temporaryPath_(temporaryNameFor(finalPath_, getpid())) {
+  requireReplaceable(finalPath_);
+  tidyOnce(finalPath_.parent_path());
+  held_ = createLockedSoon(temporaryPath_, Lock::Exclusive);
+  if (!held_.isOpen()) throwLastError(finalPath_, "write");
+}
+
+void requireReplaceable(const fs::path& path) {
+  // A rename would put a plain file in the place of a device or a pipe.
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found || fs::is_regular_file(status)) return;
+  const std::string kind = fs::is_directory(status) ? "a folder" : "not a regular file";
+  throw MachineError("can't write " + path.string() + ": " +
+                     (error ? error.message() : "it is " + kind));
+}
+
+AtomicFile::~AtomicFile() {
+  std::error_code ignored;
+  if (!committed_) fs::remove(temporaryPath_, ignored);
+}
+
+void AtomicFile::write(std::string_view content) {
+  writeAll(held_, content, finalPath_);
+}
+
+void AtomicFile::commitAs(const fs::path& path) {
+  flushToDisk(held_, path);
+  if (std::rename(temporaryPath_.c_str(), path.c_str()) != 0) {
+    throwLastError(path, "rename the finished file to");
+  }
+  committed_ = true;
+}
+
+void writeFileAtomically(const fs::path& path, std::string_view content) {
+  AtomicFile file(path);
+  file.write(content);
+  file.commit();
+}
+
+UseLock::UseLock(const fs::path& path, Lock lock)
+    : path_(temporaryNameFor(path, 0)), file_(createLockedSoon(path_, lock)) {
+  if (file_.isOpen()) return;
+  if (errno != EWOULDBLOCK) throwLastError(path, "write");
+  throw MachineError("another process is writing " + path.string() + "; wait for it to end");
+}
+
+UseLock::~UseLock() {
+  // The last one of those that share it takes it away.
+  if (!tryLock(file_, Lock::Exclusive)) return;
+  std::error_code ignored;
+  fs::remove(path_, ignored);
+}
+
+void removeStaleTemporaries(const fs::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (!isTemporaryName(entry.path().filename().string())) continue;
+    const FileDescriptor file(
+        open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
+    if (!file.isOpen() || !tryLock(file, Lock::Exclusive)) continue;
+    fs::remove(entry.path(), ignored);
+  }
+}
+
+void flushFolder(const fs::path& folder) {
+  const FileDescriptor file(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (!file.isOpen() || fsync(file.number()) != 0) throwLastError(folder, "flush the folder");
+}
+
+void removeFile(const fs::path& path) {
+  std::error_code error;
+  fs::remove(path, error);
+  if (error) throw MachineError("can't remove " + path.string() + ": " + error.message());
+}
+
+void createFolders(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error) return;
+  const std::string inTheWay = wayBarredTo(folder);
+  throw MachineError("can't make the folder " + folder.string() + ": " +
+                     (inTheWay.empty() ? error.message() : inTheWay));
+}
+
+}  // namespace rotatebook::system

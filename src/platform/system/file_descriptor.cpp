@@ -1,0 +1,90 @@
+#include "system/file_descriptor.h"
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+
+#include "base/error.h"
+
+namespace rotatebook::system {
+namespace {
+
+struct stat statusOf(const FileDescriptor& file) {
+  struct stat status {};
+  fstat(file.number(), &status);
+  return status;
+}
+
+}  // namespace
+
+bool tryLock(const FileDescriptor& file, Lock lock) {
+  const int operation = lock == Lock::Shared ? LOCK_SH : LOCK_EX;
+  return flock(file.number(), operation | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+}
+
+FileDescriptor createLocked(const std::filesystem::path& path, Lock lock) {
+  while (true) {
+    // Nobody may lead it elsewhere by a link, nor have it wait for who reads a pipe.
+    FileDescriptor file(
+        open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666));
+    if (!file.isOpen()) return {};
+    if (!S_ISREG(statusOf(file).st_mode)) {
+      errno = ENXIO;
+      return {};
+    }
+    if (!tryLock(file, lock)) return {};
+    // Somebody may have removed it before it was locked.
+    if (statusOf(file).st_nlink == 0) continue;
+    if (ftruncate(file.number(), 0) != 0) return {};
+    return file;
+  }
+}
+
+FileDescriptor createMemoryFile(const char* purpose) {
+  FileDescriptor file(memfd_create(purpose, MFD_CLOEXEC));
+  if (!file.isOpen()) {
+    throw MachineError(std::string("can't make a file in memory: ") + std::strerror(errno));
+  }
+  return file;
+}
+
+void writeAll(const FileDescriptor& file, std::string_view content,
+              const std::filesystem::path& path) {
+  while (!content.empty()) {
+    const ssize_t written = ::write(file.number(), content.data(), content.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) throwLastError(path, "write");
+    content.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+bool readBlocks(const FileDescriptor& file, const std::function<void(std::string_view)>& take) {
+  std::array<char, 65536> block;
+  for (off_t at = 0;;) {
+    const ssize_t size = pread(file.number(), block.data(), block.size(), at);
+    if (size == 0) return true;
+    if (size < 0 && errno == EINTR) continue;
+    if (size < 0) return false;
+    take({block.data(), static_cast<std::size_t>(size)});
+    at += size;
+  }
+}
+
+std::string readAll(const FileDescriptor& file, const std::filesystem::path& path) {
+  std::string bytes;
+  if (!readBlocks(file, [&](std::string_view block) { bytes += block; })) {
+    throwLastError(path, "read");
+  }
+  return bytes;
+}
+
+void throwLastError(const std::filesystem::path& path, std::string_view action) {
+  throw MachineError("can't " + std::string(action) + " " + path.string() + ": " +
+                     std::strerror(errno));
+}
+
+}  // namespace rotatebook::system

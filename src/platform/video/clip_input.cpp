@@ -1,0 +1,119 @@
+#include "video/clip_input.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <new>
+#include <string_view>
+#include <utility>
+
+#include "base/error.h"
+#include "system/read_file.h"
+
+namespace rotatebook::video {
+namespace {
+
+constexpr const char* kDemuxers = "mov,matroska,gif,apng";
+constexpr std::size_t kBufferSize = 65'536;
+/// A table of a million frames takes 40 MB, the largest picture 54.
+constexpr std::size_t kLargestPiece = 256'000'000;
+
+bool isNamed(const AVInputFormat& demuxer, std::string_view name) {
+  return ("," + std::string(demuxer.name) + ",").find("," + std::string(name) + ",") !=
+         std::string::npos;
+}
+
+}  // namespace
+
+ClipInput::ClipInput(const std::filesystem::path& path) : name_(path.string()) {
+  try {
+    system::openFile(path);
+  } catch (const InputError& error) {
+    throw InputError("can't read " + name_ + ": " + error.what());
+  }
+  // FFmpeg would take "a:b.mp4" for a protocol named a.
+  open(nullptr, "file:" + name_);
+}
+
+ClipInput::ClipInput(std::span<const std::uint8_t> bytes, std::string name)
+    : name_(std::move(name)), memory_{bytes, 0} {
+  auto* buffer = static_cast<unsigned char*>(av_malloc(kBufferSize));
+  if (buffer == nullptr) throw std::bad_alloc();
+  io_.reset(avio_alloc_context(buffer, kBufferSize, 0, &memory_, readMemory, nullptr, seekMemory));
+  if (!io_) {
+    av_free(buffer);
+    throw std::bad_alloc();
+  }
+  AVFormatContext* context = avformat_alloc_context();
+  if (context == nullptr) throw std::bad_alloc();
+  context->pb = io_.get();
+  open(context, "");
+}
+
+void ClipInput::IoDeleter::operator()(AVIOContext* io) const noexcept {
+  // FFmpeg may have taken another buffer than the one it was given.
+  av_freep(&io->buffer);
+  avio_context_free(&io);
+}
+
+int ClipInput::readMemory(void* memory, std::uint8_t* buffer, int size) {
+  auto& [bytes, at] = *static_cast<Memory*>(memory);
+  const std::size_t count = std::min(bytes.size() - at, static_cast<std::size_t>(size));
+  if (count == 0) return AVERROR_EOF;
+  std::memcpy(buffer, bytes.data() + at, count);
+  at += count;
+  return static_cast<int>(count);
+}
+
+std::int64_t ClipInput::seekMemory(void* memory, std::int64_t offset, int whence) {
+  auto& [bytes, at] = *static_cast<Memory*>(memory);
+  const auto size = static_cast<std::int64_t>(bytes.size());
+  if ((whence & AVSEEK_SIZE) != 0) return size;
+  const std::int64_t from = whence == SEEK_CUR   ? static_cast<std::int64_t>(at)
+                            : whence == SEEK_END ? size
+                                                 : 0;
+  if (offset < -from || offset > size - from) return AVERROR(EINVAL);
+  at = static_cast<std::size_t>(from + offset);
+  return from + offset;
+}
+
+void ClipInput::open(AVFormatContext* context, const std::string& url) {
+  silenceFfmpeg();
+  // A file of some bytes may ask for tables of gigabytes. It holds for the whole process.
+  av_max_alloc(kLargestPiece);
+  Dictionary options;
+  options.set("format_whitelist", kDemuxers);
+  options.set("codec_whitelist", kDecoders);
+  options.set("protocol_whitelist", "file");
+  // Frees `context` where it fails.
+  checkInput(avformat_open_input(&context, url.c_str(), nullptr, options.address()),
+             "can't read " + name_ + " as MP4 or WebM");
+  context_.reset(context);
+}
+
+VideoFormat ClipInput::format() const {
+  if (isNamed(*context_->iformat, "gif")) return VideoFormat::Gif;
+  if (isNamed(*context_->iformat, "apng")) return VideoFormat::Apng;
+  return isNamed(*context_->iformat, "mov") ? VideoFormat::Mp4 : VideoFormat::WebM;
+}
+
+AVStream& ClipInput::stream() const {
+  const bool one = context_->nb_streams == 1;
+  if (one && context_->streams[0]->codecpar->codec_type == AVMEDIA_TYPE_VIDEO) {
+    return *context_->streams[0];
+  }
+  throw InputError(name_ + " has " +
+                   (one ? "no pictures" : std::to_string(context_->nb_streams) + " streams") +
+                   "; a clip has one stream, of pictures");
+}
+
+void ClipInput::probe() {
+  Dictionary options;
+  options.set("max_pixels", std::to_string(kMostPixels));
+  options.set("codec_whitelist", kDecoders);
+  stream();  // There is one, so one set of options is enough.
+  checkInput(avformat_find_stream_info(context_.get(), options.address()),
+             "can't read the pictures of " + name_);
+}
+
+}  // namespace rotatebook::video

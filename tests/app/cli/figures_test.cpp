@@ -1,0 +1,176 @@
+// The scenes that come with the program: each figure shows what it must, and its twin doesn't.
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "cli/program_test.h"
+#include "store/scene_file.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const fs::path kScenes = fs::path(ROTATEBOOK_SOURCE) / "scenes";
+
+constexpr double kShortest = 12;        // [s]
+constexpr double kLongest = 40;         // [s]
+constexpr double kSmallestSide = 0.01;  // Of a real book. [m]
+constexpr double kLargestSide = 0.5;    // [m]
+constexpr double kLightest = 0.1;       // [kg]
+constexpr double kHeaviest = 5;         // [kg]
+
+std::vector<std::string> scenesBelow(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() != ".toml") continue;
+    names.push_back(entry.path().lexically_relative(folder).replace_extension().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string wordFrom(std::string name) {
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char letter) { return !std::isalnum(letter); }, '_');
+  return name;
+}
+
+/// The figures and the comparisons: scenes that are there to show an effect.
+std::vector<std::string> figures() {
+  std::vector<std::string> names;
+  for (const char* folder : {"comparisons", "figures"}) {
+    for (const std::string& name : scenesBelow(kScenes / folder)) {
+      names.push_back(folder + ("/" + name));
+    }
+  }
+  return names;
+}
+
+/// A figure's scene with that changed which makes its effect.
+struct Twin {
+  const char* figure;  ///< Its path from kScenes, without ".toml"
+  std::vector<std::string> overrides;
+};
+
+void PrintTo(const Twin& twin, std::ostream* stream) {
+  *stream << twin.figure;
+}
+
+const std::vector<std::string> kAboutX{"initial.angular_velocity=[4, 0, 0]",
+                                       "initial.tilt=[0.014, \"z\"]"};
+const std::vector<std::string> kAboutZ{"initial.angular_velocity=[0, 0, 4]",
+                                       "initial.tilt=[0.0003, \"x\"]"};
+const std::vector<std::string> kNormalized{"simulation.normalize=true"};
+
+const std::vector<Twin> kTwins{
+    {"comparisons/axes", {"panel.1.initial.angular_velocity=[0, 4, 0]"}},
+    {"comparisons/axes",
+     {"panel.0.initial.angular_velocity=[4, 0, 0]", "panel.0.initial.tilt=[0.014, \"z\"]"}},
+    {"comparisons/axes",
+     {"panel.2.initial.angular_velocity=[4, 0, 0]", "panel.2.initial.tilt=[0.014, \"z\"]"}},
+    {"comparisons/models", {"panel.3.simulation.model=\"quaternion\""}},
+    {"comparisons/models", {"panel.0.simulation.model=\"exact\""}},
+    {"comparisons/models", {"panel.1.simulation.integrator=\"rk4\""}},
+    {"comparisons/models", {"panel.2.simulation.integrator=\"rk4\""}},
+    {"comparisons/normalised", {"panel.0.simulation.normalize=false"}},
+    {"comparisons/normalised", {"panel.1.simulation.normalize=true"}},
+    {"comparisons/steps", {"panel.0.simulation.substeps=1"}},
+    {"comparisons/steps", {"panel.1.simulation.substeps=64"}},
+    {"figures/fig03-stable-z", kAboutX},
+    {"figures/fig04-stable-y", kAboutX},
+    {"figures/fig05-unstable-x", kAboutZ},
+    {"figures/fig05b-rounding-only", {"simulation.model=quaternion"}},
+    {"figures/fig06-undamped", {"simulation.damping=1"}},
+    {"figures/fig07-unnormalized", kNormalized},
+    {"figures/fig08-neither", {"simulation.damping=1"}},
+    {"figures/fig08-neither", kNormalized},
+    {"figures/fig09-matrix", kAboutZ},
+    {"figures/fig09b-matrix-large-step", {"simulation.substeps=100"}},
+    {"figures/fig10-matrix-unnormalized", kNormalized},
+    {"figures/fig11-quaternion-unnormalized", kNormalized},
+    {"figures/fig12-quaternion-pulsating", kNormalized},
+    {"figures/figa-exact", {"simulation.model=\"quaternion\"", "simulation.integrator=\"euler\""}},
+    {"figures/figa-normalized-euler", {"simulation.substeps=64"}},
+    {"figures/figa-normalized-euler", {"simulation.integrator=\"rk4\""}},
+};
+
+TEST(Figures, AreAllThere) {
+  std::vector<std::string> names;
+  for (const Twin& twin : kTwins) {
+    if (names.empty() || names.back() != twin.figure) names.emplace_back(twin.figure);
+  }
+  EXPECT_EQ(figures(), names);
+}
+
+class ShippedScene : public ProgramTest, public ::testing::WithParamInterface<std::string> {};
+
+TEST_P(ShippedScene, PassesTheCheck) {
+  const std::string path = (kScenes / (GetParam() + ".toml")).string();
+  const ChildResult result = runWithoutGraphics({"check", path});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_EQ(result.output, path + ": ok\n");
+}
+
+TEST_P(ShippedScene, ShowsWhatItExpects) {
+  const std::string path = (kScenes / (GetParam() + ".toml")).string();
+  // Of the whole motion, whatever is drawn of it.
+  const ChildResult result =
+      run({"render", path, "--size", "96x54", "--no-png", "--frames", "0:30"});
+  EXPECT_EQ(result.status, 0) << result.output << result.error;
+  EXPECT_THAT(result.output, HasSubstr("\n  met    "));
+  EXPECT_THAT(result.output, Not(HasSubstr("UNMET")));
+  EXPECT_TRUE(has("out/" + fs::path(path).stem().string() + "_00000-00030.mp4"));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ShippedScene, ::testing::ValuesIn(scenesBelow(kScenes)),
+                         [](const auto& scene) { return wordFrom(scene.param); });
+
+class Figure : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(Figure, IsARealBookInRealTime) {
+  const scene::Scene scene = store::readScene(kScenes / (GetParam() + ".toml"));
+  EXPECT_EQ(scene.clip.width, 1280);
+  EXPECT_EQ(scene.clip.height, 720);
+  EXPECT_EQ(scene.clip.frameRate.text(), "60");
+  EXPECT_GE(scene.clip.duration, kShortest);
+  EXPECT_LE(scene.clip.duration, kLongest);
+  EXPECT_EQ(scene.simulation.timePerFrame, 1.0 / 60);
+  EXPECT_FALSE(scene.title.empty());
+  EXPECT_FALSE(scene.caption.empty());
+  for (const scene::Panel& motion : scene::motionsOf(scene)) {
+    EXPECT_GE(motion.body.size.minCoeff(), kSmallestSide);
+    EXPECT_LE(motion.body.size.maxCoeff(), kLargestSide);
+    EXPECT_GE(motion.body.mass, kLightest);
+    EXPECT_LE(motion.body.mass, kHeaviest);
+    EXPECT_FALSE(motion.expectations.empty());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Figure, ::testing::ValuesIn(figures()),
+                         [](const auto& scene) { return wordFrom(scene.param); });
+
+class FigureTwin : public ProgramTest, public ::testing::WithParamInterface<Twin> {};
+
+TEST_P(FigureTwin, FailsTheExpectations) {
+  std::vector<std::string> arguments{"simulate", (kScenes / GetParam().figure).string() + ".toml",
+                                     "--csv", "x.csv"};
+  for (const std::string& change : GetParam().overrides) {
+    arguments.insert(arguments.end(), {"--set", change});
+  }
+  const ChildResult result = run(arguments);
+  EXPECT_EQ(result.status, 1) << result.output << result.error;
+  EXPECT_THAT(result.output, HasSubstr("\n  UNMET  "));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, FigureTwin, ::testing::ValuesIn(kTwins), [](const auto& twin) {
+  return wordFrom(twin.param.figure) + std::to_string(twin.index);
+});
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

@@ -1,0 +1,328 @@
+#include "page/figure.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "page/made_folder.h"
+#include "study/study.h"
+#include "study/study_csv.h"
+
+namespace rotatebook::page {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using testing::emptyFolder;
+using ::testing::HasSubstr;
+using testing::makeClip;
+using testing::makePicture;
+using testing::makeVideo;
+using ::testing::Not;
+using testing::recordOf;
+using testing::smallScene;
+using testing::touch;
+
+std::string messageOf(const scene::Scene& scene, const fs::path& folder) {
+  try {
+    readFigure(scene, folder);
+    return "no error";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(ClipFigure, HasItsWordsItsFilesAndItsData) {
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene(), folder);
+  const Figure figure = readFigure(smallScene(), folder);
+  EXPECT_EQ(figure.kind, FigureKind::Clip);
+  EXPECT_EQ(figure.id, "small");
+  EXPECT_EQ(figure.thumbnail, "small.poster.png");
+  EXPECT_THAT(
+      figure.section.text,
+      AllOf(HasSubstr("Small &amp; &lt;small&gt;"), HasSubstr("It&#39;s &quot;small&quot;."),
+            HasSubstr("src=\"small.mp4\""), HasSubstr("href=\"small.csv\""),
+            HasSubstr("max=\"11\""), HasSubstr("\"rate\":[24,1],\"frames\":12,")));
+  EXPECT_THAT(figure.section.text, Not(HasSubstr("<small>")));
+}
+
+TEST(ClipFigure, TellsExpectedFromMeasured) {
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene(), folder);
+  const Figure figure = readFigure(smallScene(), folder);
+  EXPECT_THAT(figure.badge.text, AllOf(HasSubstr("unmet"), HasSubstr("1 of 2 expectations met")));
+  EXPECT_THAT(figure.section.text,
+              AllOf(HasSubstr("<th scope=\"row\">half_turns</th><td>at most 0</td><td>0</td><td "
+                              "class=\"met\">✓ met</td>"),
+                    HasSubstr("<th scope=\"row\">L_ratio</th><td>at least 2</td>"),
+                    HasSubstr("<td class=\"unmet\">✗ unmet</td>")));
+}
+
+TEST(ClipFigure, FoldsItsExpectations) {
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene(), folder);
+  const auto figureOf = [&](const std::vector<std::string>& overrides) {
+    return readFigure(smallScene(overrides), folder);
+  };
+  const Figure unmet = figureOf({});
+  EXPECT_THAT(unmet.section.text,
+              AllOf(HasSubstr("<details class=\"expectations\" open>\n<summary><span class=\"badge "
+                              "unmet\">1 of 2 expectations met</span></summary>"),
+                    HasSubstr(unmet.badge.text)));
+  const Figure met = figureOf({"expect={half_turns.max = 0}"});
+  EXPECT_EQ(met.badge.text, "");
+  EXPECT_THAT(met.section.text,
+              HasSubstr("<details class=\"expectations\">\n<summary><span class=\"badge "
+                        "met\">1 of 1 expectation met</span></summary>"));
+  const Figure none = figureOf({"expect={}"});
+  EXPECT_EQ(none.badge.text, "");
+  EXPECT_THAT(none.section.text,
+              AllOf(Not(HasSubstr("expectations")), Not(HasSubstr("Expected and measured"))));
+}
+
+TEST(ClipFigure, HasNoEmptyHeading) {
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene(), folder);
+  EXPECT_THAT(readFigure(smallScene(), folder).section.text, Not(HasSubstr("></th>")));
+}
+
+TEST(ClipFigure, LinksToFramesOnlyWhereThereAreThoseOfItsScene) {
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene(), folder);
+  const auto links = [&](bool frames, bool record) {
+    const std::string text = readFigure(smallScene(), folder).section.text;
+    EXPECT_EQ(text.find("href=\"small/\"") != text.npos, frames);
+    EXPECT_EQ(text.find("href=\"small/scene.toml\"") != text.npos, record);
+  };
+  links(false, false);
+  fs::create_directories(folder / "small");
+  system::writeFileAtomically(folder / "small" / "scene.toml", recordOf(smallScene()));
+  links(false, true);
+  for (std::int64_t frame = 0; frame < 11; ++frame) {
+    touch(folder / "small" / store::frameName(frame));
+  }
+  links(false, true);  // One is missing.
+  touch(folder / "small" / store::frameName(11));
+  links(true, true);
+  system::writeFileAtomically(folder / "small" / "scene.toml",
+                              recordOf(smallScene({"look.background=stars"})));
+  links(false, false);
+  touch(folder / "small" / "scene.toml");
+  links(false, false);
+}
+
+TEST(ClipFigure, SaysWhenItsMotionDiverges) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene = smallScene({"simulation.model=particles", "simulation.substeps=1",
+                                         "simulation.normalize=false", "simulation.damping=0"});
+  makeClip(scene, folder);
+  const Figure figure = readFigure(scene, folder);
+  EXPECT_THAT(figure.section.text,
+              AllOf(HasSubstr("The motion diverges at 0.2083 s"),
+                    HasSubstr("<th scope=\"row\">diverges_at</th><td>no divergence</td>"),
+                    HasSubstr("2000 N/m, undamped")));
+}
+
+TEST(ClipFigure, NamesAMissingFileAndTheRemedy) {
+  const fs::path folder = emptyFolder();
+  for (const char* name : {"small.mp4", "small.csv", "small.poster.png"}) {
+    makeClip(smallScene(), folder);
+    fs::remove(folder / name);
+    EXPECT_EQ(messageOf(smallScene(), folder),
+              (folder / name).string() +
+                  " is missing; the page shows what was made before: rotatebook render "
+                  "scenes/small.toml -o " +
+                  folder.string());
+  }
+}
+
+TEST(ClipFigure, RefusesTheClipOfAnotherMotion) {
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene(), folder);
+  EXPECT_EQ(messageOf(smallScene(), folder), "no error");
+  EXPECT_THAT(messageOf(smallScene({"initial.angular_velocity=[5, 3, 2]"}), folder),
+              HasSubstr("small.csv was made of another scene or with other settings; render it"));
+}
+
+/// " ...: rotatebook render" at the end of a refusal.
+std::string remedyIn(const fs::path& folder) {
+  return "; render it again (or give this command the same --size and --set): rotatebook render "
+         "scenes/small.toml -o " +
+         folder.string();
+}
+
+TEST(ClipFigure, RefusesPicturesOfAnotherSize) {
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene({"clip.size=[48, 64]"}), folder);
+  const std::string difference = ": its pictures are 48x64, and the scene's are 64x36";
+  EXPECT_EQ(messageOf(smallScene(), folder),
+            (folder / "small.mp4").string() + difference + remedyIn(folder));
+  makeVideo(smallScene(), folder);
+  EXPECT_EQ(messageOf(smallScene(), folder),
+            (folder / "small.poster.png").string() + difference + remedyIn(folder));
+  makePicture(folder / "small.poster.png", 64, 36);
+  EXPECT_EQ(messageOf(smallScene(), folder), "no error");
+}
+
+TEST(ClipFigure, RefusesAVideoOfOtherSettings) {
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene({"look.background=stars"}), folder);
+  EXPECT_EQ(messageOf(smallScene(), folder),
+            (folder / "small.mp4").string() +
+                ": it was made of another scene or with other settings" + remedyIn(folder));
+  EXPECT_EQ(messageOf(smallScene({"look.background=stars", "expect={}"}), folder), "no error");
+  touch(folder / "small.mp4");
+  EXPECT_THAT(messageOf(smallScene(), folder), ::testing::EndsWith(remedyIn(folder)));
+}
+
+TEST(ClipFigure, LinksToTheVideosOfItsSceneAndSaysWhichAreNot) {
+  using enum video::VideoFormat;
+  const fs::path folder = emptyFolder();
+  makeClip(smallScene(), folder);
+  makeVideo(smallScene({"look.background=stars"}), folder, WebM);
+  makeVideo(smallScene({"clip.size=[32, 18]"}), folder, Gif);
+  makeVideo(smallScene(), folder, Apng);
+  Figure figure = readFigure(smallScene(), folder);
+  EXPECT_THAT(figure.section.text,
+              AllOf(HasSubstr("href=\"small.mp4\""), HasSubstr("href=\"small.apng\""),
+                    Not(HasSubstr("small.webm")), Not(HasSubstr("small.gif"))));
+  EXPECT_THAT(figure.leftOut,
+              ::testing::ElementsAre(
+                  (folder / "small.webm").string() +
+                      " isn't linked: it was made of another scene or with other settings",
+                  (folder / "small.gif").string() +
+                      " isn't linked: its pictures are 32x18, and the scene's are 64x36"));
+  makeVideo(smallScene(), folder, WebM);
+  makeVideo(smallScene({"look.background=stars"}), folder, Mp4);
+  figure = readFigure(smallScene(), folder);
+  EXPECT_THAT(figure.section.text,
+              AllOf(HasSubstr("src=\"small.webm\""), Not(HasSubstr("small.mp4"))));
+}
+
+TEST(ClipFigure, HasAColumnAndATableForEachPanel) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene = scene::parseScene(
+      "title = \"Pair\"\n[clip]\nsize = [64, 36]\nfps = 24\nduration = 0.5\n"
+      "[initial]\nangular_velocity = [5, 3, 1]\n"
+      "[[panel]]\nlabel = \"Euler's\"\nexpect.half_turns.max = 0\n"
+      "[[panel]]\nlabel = \"exact\"\nsimulation.model = \"exact\"\n",
+      "scenes/pair.toml");
+  makeClip(scene, folder);
+  const Figure figure = readFigure(scene, folder);
+  EXPECT_EQ(figure.kind, FigureKind::Comparison);
+  EXPECT_THAT(figure.section.text,
+              AllOf(HasSubstr("<th>Euler&#39;s</th><th>exact</th>"),
+                    HasSubstr("<td>quaternion</td><td>exact</td>"),
+                    HasSubstr("<caption>Expected and measured: Euler&#39;s</caption>"),
+                    HasSubstr("\"label\":\"Euler's\""), HasSubstr("href=\"pair_exact.csv\"")));
+  fs::remove(folder / "pair_exact.csv");
+  EXPECT_THAT(messageOf(scene, folder), HasSubstr("pair_exact.csv is missing"));
+}
+
+TEST(StillFigure, IsAPictureWithoutAClip) {
+  const fs::path folder = emptyFolder();
+  makePicture(folder / "small.png", 80, 45);
+  const Figure figure = readFigure(smallScene(), folder);
+  EXPECT_EQ(figure.kind, FigureKind::Still);
+  EXPECT_EQ(figure.thumbnail, "small.png");
+  EXPECT_THAT(figure.section.text,
+              AllOf(HasSubstr("src=\"small.png\""), HasSubstr("width=\"80\" height=\"45\""),
+                    Not(HasSubstr("<table"))));
+  makeClip(smallScene(), folder);
+  EXPECT_EQ(readFigure(smallScene(), folder).kind, FigureKind::Clip);
+}
+
+/// What `rotatebook study` leaves, with these tables.
+void makeStudy(const fs::path& folder, const std::string& table, const std::string& orders) {
+  for (const char* name : {"small-study.svg", "small-study.png"}) touch(folder / name);
+  system::writeFileAtomically(folder / "small-study.csv", table);
+  if (!orders.empty()) system::writeFileAtomically(folder / "small-study-orders.csv", orders);
+}
+
+/// The columns that tell which runs a table is of.
+std::string tableOf(const std::vector<std::string>& integrators, const std::vector<int>& substeps,
+                    const scene::Scene& scene) {
+  std::string table = "integrator,h_s,steps\n";
+  for (const std::string& integrator : integrators) {
+    for (const int count : substeps) {
+      table += integrator + "," + shortestText(scene.simulation.timePerFrame / count) + "," +
+               std::to_string((scene.clip.frameCount() - 1) * count) + "\n";
+    }
+  }
+  return table;
+}
+
+TEST(StudyFigure, TakesOrdersFromItsTable) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene =
+      smallScene({"study.integrators=[\"euler\", \"rk4\"]", "study.steps=[1, 2]",
+                  "study.orders.rk4.min=3.9", "study.orders.euler.max=0.5"});
+  makeStudy(folder, tableOf({"euler", "rk4"}, {1, 2}, scene),
+            "integrator,order,runs,shortest_h_s,longest_h_s\neuler,,0,,\nrk4,4.01,3,0.1,1\n");
+  const Figure figure = readFigure(scene, folder);
+  EXPECT_EQ(figure.kind, FigureKind::Study);
+  EXPECT_THAT(figure.curves.text, HasSubstr("<svg"));
+  EXPECT_THAT(
+      figure.section.text,
+      AllOf(HasSubstr("order of rk4</th><td>at least 3.9</td><td>4.01</td><td class=\"met\""),
+            HasSubstr("order of euler</th><td>at most 0.5</td><td>nothing</td><td "
+                      "class=\"unmet\""),
+            HasSubstr("src=\"small-study.svg\"")));
+}
+
+// The spin that a study of tilts needs.
+const std::vector<std::string> kFlips{"initial.angular_velocity=[5, 0, 0]",
+                                      "initial.tilt=[0.1, \"z\"]"};
+
+TEST(StudyFigure, MeasuresTheLawOfFlips) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene =
+      smallScene({kFlips[0], kFlips[1], "study.tilts=[0.1, 0.01]", "study.flip_law.max=0.3"});
+  makeStudy(folder,
+            "tilt_rad,flips,interval_s,law_s,ratio,status\n0.1,3,1.5,2,0.75,ok\n"
+            "0.01,3,4,4,1,ok\n",
+            "");
+  EXPECT_THAT(readFigure(scene, folder).section.text,
+              HasSubstr("flip_law</th><td>at most 0.3</td><td>0.25</td><td class=\"met\""));
+}
+
+TEST(StudyFigure, RefusesTheTableOfOtherRuns) {
+  const fs::path folder = emptyFolder();
+  const std::vector<std::string> study{"study.integrators=[\"euler\", \"rk4\"]",
+                                       "study.steps=[1, 2]"};
+  const scene::Scene scene = smallScene(study);
+  const std::string right =
+      study::precisionCsv(study::runPrecisionStudy(scene, *scene.study, {}).value());
+  const auto refusalOf = [&](const std::string& table, const scene::Scene& shown) {
+    makeStudy(folder, table, "integrator,order,runs,shortest_h_s,longest_h_s\n");
+    return messageOf(shown, folder);
+  };
+  EXPECT_EQ(refusalOf(right, scene), "no error");
+  const std::string refusal = (folder / "small-study.csv").string() +
+                              " isn't of the runs that the scene's study has; study it again (or "
+                              "give this command the same --set): rotatebook study "
+                              "scenes/small.toml -o " +
+                              folder.string();
+  for (const std::string& table :
+       {tableOf({"euler", "rk4"}, {1, 4}, scene), tableOf({"euler", "heun"}, {1, 2}, scene),
+        tableOf({"euler", "rk4"}, {1}, scene), std::string(), std::string("\0\xff,\n,,\n", 7)}) {
+    EXPECT_EQ(refusalOf(table, scene), refusal) << table;
+  }
+  EXPECT_EQ(refusalOf(right, smallScene({study[0], study[1], "clip.duration=7"})), refusal);
+  EXPECT_EQ(refusalOf(right, smallScene({kFlips[0], kFlips[1], "study.tilts=[0.1]"})), refusal);
+}
+
+TEST(StudyFigure, NamesAMissingFileAndTheRemedy) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene = smallScene({kFlips[0], kFlips[1], "study.tilts=[0.1]"});
+  EXPECT_THAT(messageOf(scene, folder), AllOf(HasSubstr("small-study.csv is missing"),
+                                              HasSubstr("rotatebook study scenes/small.toml -o ")));
+}
+
+}  // namespace
+}  // namespace rotatebook::page

@@ -1,0 +1,13 @@
+// Whether a book is seen whole, however it is turned.
+#pragma once
+
+#include "picture/textures.h"
+#include "scene/scene.h"
+
+namespace rotatebook::picture::testing {
+
+/// Whether any book on `screen` comes within `margin` pixels of its border, in attitudes all round,
+/// each with a corner turned toward one of many directions.
+bool anyAttitudeTouchesBorder(const scene::Scene& scene, const render::Screen& screen, int margin);
+
+}  // namespace rotatebook::picture::testing

@@ -1,0 +1,117 @@
+// What a comparison clip looks like around its books, over plain grey. See image/golden.h for how
+// the golden is renewed.
+#include "picture/composition.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "image/golden.h"
+#include "picture/textures.h"
+#include "scene/scene_text.h"
+#include "timeline/simulate_scene.h"
+
+namespace rotatebook::picture {
+namespace {
+
+// Letters of other versions of the libraries differ in their edges.
+constexpr image::Tolerance kOtherLibraries{.largest = 24, .failPercent = 0.025};
+// Four panels, the first of which has diverged at 0.21 s; its notice is there, the others go on.
+constexpr std::int64_t kFrame = 9;
+
+scene::Scene comparison(const std::vector<std::string>& overrides = {}) {
+  return scene::parseScene(
+      "title = 'Four at once'\ncaption = 'The first of them did not last.'\n"
+      "[simulation]\nintegrator = 'euler'\n"
+      "[initial]\nangular_velocity = [5, 3, 1]\n"
+      "[clip]\nsize = [480, 270]\nfps = 24\nduration = 0.5\n"
+      "[camera]\nposition = [0.27, 0.19, 0.65]\n"
+      "[overlay]\nshow = ['caption', 'clock', 'axes']\n"
+      "[[panel]]\nlabel = 'bursts'\nsimulation.model = 'particles'\nsimulation.substeps = 1\n"
+      "simulation.normalize = false\nsimulation.damping = 0\n"
+      "[[panel]]\nlabel = 'matrix'\nsimulation.model = 'matrix'\n"
+      "[[panel]]\nlabel = 'faster'\ninitial.angular_velocity = [10, 6, 2]\n"
+      "[[panel]]\nlabel = 'exact'\nsimulation.model = 'exact'\n",
+      "comparison.toml", overrides);
+}
+
+void makeGrey(image::Image& picture) {
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      constexpr std::array<std::uint8_t, 4> kGrey{96, 96, 96, 255};
+      std::ranges::copy(kGrey, picture.row(y) + static_cast<std::ptrdiff_t>(x) * 4);
+    }
+  }
+}
+
+image::Image drawn(const scene::Scene& scene, std::int64_t frame) {
+  const timeline::ClipMotion motion = timeline::simulateScene(scene);
+  Composition composition(scene, motion);
+  const render::Camera camera = cameraOf(scene, composition.screen());
+  image::Image picture = composition.makePicture();
+  const auto drawBook = [&](std::size_t i, std::size_t sample, image::Image& panel) {
+    makeGrey(panel);
+    const physics::Corners& corners = motion.trajectories()[i].samples[sample].corners;
+    return render::project(camera, corners, composition.screen()).clipFromWorld;
+  };
+  composition.draw(frame, drawBook, picture);
+  return picture;
+}
+
+bool isMatchedBy(const image::Image& picture) {
+  const image::Image golden = image::testing::golden("comparison");
+  return image::compare(golden.view(), picture.view(), kOtherLibraries).same;
+}
+
+TEST(ComparisonGolden, IsMatched) {
+  const image::Image picture = drawn(comparison(), kFrame);
+  if (image::testing::updatingGoldens()) {
+    image::testing::updateGolden("comparison", picture.view());
+  }
+  const auto result = image::testing::matchesGolden("comparison", picture.view(), kOtherLibraries);
+  EXPECT_TRUE(result) << result.message();
+}
+
+TEST(ComparisonGolden, IsNotMatchedAtAnotherTime) {
+  EXPECT_FALSE(isMatchedBy(drawn(comparison(), kFrame - 1)));
+}
+
+TEST(ComparisonGolden, IsNotMatchedWithoutTheNoticeOfADivergence) {
+  EXPECT_FALSE(isMatchedBy(drawn(comparison({"panel.0.simulation.damping=1"}), kFrame)));
+}
+
+TEST(ComparisonGolden, IsNotMatchedByOtherLabelsOrPanels) {
+  EXPECT_FALSE(isMatchedBy(drawn(comparison({"panel.3.label=exakt"}), kFrame)));
+  EXPECT_FALSE(
+      isMatchedBy(drawn(comparison({"panel.1.simulation.model=exact", "panel.1.label=exact",
+                                    "panel.3.label=matrix", "panel.3.simulation.model=matrix"}),
+                        kFrame)));
+}
+
+/// The left panel of two with charts of the energy; the right one's motion is stepped as told.
+image::Image calmBeside(const std::string& substeps) {
+  const scene::Scene scene = scene::parseScene(
+      "[initial]\nangular_velocity = [5, 3, 1]\n[clip]\nsize = [640, 360]\nduration = 0.5\n"
+      "[overlay]\nshow = ['energy']\n[[panel]]\nlabel = 'calm'\n"
+      "[[panel]]\nlabel = 'other'\nsimulation.model = 'particles'\nsimulation.damping = 0\n"
+      "simulation.normalize = false\nsimulation.substeps = " +
+          substeps + "\n",
+      "pair.toml");
+  const image::Image picture = drawn(scene, 9);
+  image::Image left(310, 360, image::PixelFormat::Rgba8);
+  for (int y = 0; y < left.height(); ++y) {
+    std::copy_n(picture.row(y), left.stride(), left.row(y));
+  }
+  return left;
+}
+
+TEST(Composition, GivesChartsOfTheEnergyOneScale) {
+  EXPECT_EQ(calmBeside("256"), calmBeside("512"));
+  EXPECT_NE(calmBeside("256"), calmBeside("1"));  // with which the other bursts
+}
+
+}  // namespace
+}  // namespace rotatebook::picture

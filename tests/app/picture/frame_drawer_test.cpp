@@ -1,0 +1,91 @@
+#include "picture/frame_drawer.h"
+
+#include <gtest/gtest.h>
+
+#include "image/comparison.h"
+#include "pipeline/small_clip.h"
+
+namespace rotatebook::picture {
+namespace {
+
+image::Image drawnFrame(const scene::Scene& scene, std::int64_t frame) {
+  const timeline::ClipMotion motion = timeline::simulateScene(scene);
+  FrameDrawer drawer(scene, motion);
+  image::Image picture = drawer.makePicture();
+  drawer.draw(frame, picture);
+  return picture;
+}
+
+scene::Scene sceneWith(const std::string& overlays) {
+  return pipeline::testing::smallScene({"clip.size=[320, 180]", "overlay.show=" + overlays});
+}
+
+TEST(FrameDrawer, DrawsTheBookAloneWithoutOverlays) {
+  const scene::Scene scene = sceneWith("[]");
+  const physics::Trajectory trajectory = pipeline::testing::motionOf(scene);
+  render::Renderer renderer = makeRenderer(scene);
+  image::Image expected = renderer.makePicture();
+  renderer.draw(trajectory.samples[7].corners, expected);
+  EXPECT_EQ(drawnFrame(scene, 7), expected);
+}
+
+TEST(FrameDrawer, WritesOverTheBook) {
+  const image::Image plain = drawnFrame(sceneWith("[]"), 7);
+  const image::Image clock = drawnFrame(sceneWith("['clock']"), 7);
+  const image::Image caption = drawnFrame(sceneWith("['caption']"), 7);
+  EXPECT_NE(clock, plain);
+  EXPECT_NE(caption, plain);
+  EXPECT_NE(caption, clock);
+  EXPECT_EQ(drawnFrame(sceneWith("['clock']"), 7), clock);
+}
+
+TEST(FrameDrawer, TurnsWithTheCamerasFrame) {
+  const auto inFrame = [](const char* frame, std::int64_t n) {
+    return drawnFrame(pipeline::testing::smallScene({"camera.frame=" + std::string(frame)}), n);
+  };
+  EXPECT_NE(inFrame("world", 0), inFrame("world", 9));
+  // The book stands still but for the integrator's drift, which moves single edge pixels.
+  const image::Tolerance edges{.largest = 8, .failPercent = 1};
+  EXPECT_TRUE(image::compare(inFrame("body", 0).view(), inFrame("body", 9).view(), edges).same);
+  EXPECT_FALSE(image::compare(inFrame("body", 0).view(), inFrame("world", 9).view(), edges).same);
+  EXPECT_FALSE(
+      image::compare(inFrame("body", 0).view(), inFrame("momentum", 0).view(), edges).same);
+}
+
+// Blurred or not, the motion is the same to the last bit.
+TEST(ShutterMoments, BeginWithTheSample) {
+  for (const std::string model : {"particles", "matrix", "quaternion", "exact"}) {
+    const scene::Scene scene = pipeline::testing::smallScene(
+        {"simulation.model='" + model + "'", "simulation.substeps=24", "look.motion_blur=4"});
+    const physics::Trajectory trajectory = pipeline::testing::motionOf(scene);
+    const timeline::ShutterMoments moments(scene);
+    ASSERT_EQ(moments.count(), 4U);
+    for (std::size_t i = 0; i < trajectory.samples.size(); ++i) {
+      ASSERT_EQ(moments.at(0, i, 0).corners, trajectory.samples[i].corners) << model << " " << i;
+    }
+    // The shutter closes half a frame later: at the eighth of eight moments less one half.
+    EXPECT_NEAR(moments.at(0, 1, 3).time,
+                trajectory.samples[1].time + 3.0 / 8 * trajectory.interval, 1e-15);
+  }
+}
+
+TEST(FrameDrawer, AveragesTheMomentsOfMotionBlur) {
+  const scene::Scene sharp = sceneWith("[]");
+  const scene::Scene blurred =
+      pipeline::testing::smallScene({"clip.size=[320, 180]", "look.motion_blur=2"});
+  const timeline::ShutterMoments moments(blurred);
+  render::Renderer renderer = makeRenderer(sharp);
+  image::LightMean mean(320, 180);
+  image::Image expected = renderer.makePicture();
+  for (const std::size_t moment : {0U, 1U}) {
+    renderer.draw(moments.at(0, 5, moment).corners, expected);
+    mean.add(expected.view());
+  }
+  mean.take(expected);
+  const image::Image first = drawnFrame(sharp, 5);
+  EXPECT_EQ(drawnFrame(blurred, 5), expected);
+  EXPECT_NE(first, expected);
+}
+
+}  // namespace
+}  // namespace rotatebook::picture

@@ -1,0 +1,42 @@
+#include "picture/poster.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "pipeline/small_clip.h"
+
+namespace rotatebook::picture {
+namespace {
+
+using pipeline::testing::bytesOf;
+using pipeline::testing::smallScene;
+
+TEST(PosterFrame, IsInTheMiddleUnlessTheSceneSaysOtherwise) {
+  scene::ClipSettings clip;
+  EXPECT_EQ(posterFrame(clip, 12), 6);
+  EXPECT_EQ(posterFrame(clip, 1), 0);
+  clip.poster = 0.05;
+  EXPECT_EQ(posterFrame(clip, 12), 3);
+  clip.poster = 99;
+  EXPECT_EQ(posterFrame(clip, 12), 11);
+}
+
+TEST(Poster, IsThatFrameOfTheClip) {
+  const auto folder = pipeline::testing::emptyFolder();
+  pipeline::testing::render(smallScene({"clip.poster=0.125"}), {.folder = folder, .formats = {}});
+  const std::string poster = bytesOf(folder / "small.poster.png");
+  EXPECT_EQ(poster, bytesOf(folder / "small" / store::frameName(3)));
+  EXPECT_NE(poster, bytesOf(folder / "small" / store::frameName(4)));
+}
+
+TEST(Poster, IsNotMadeOfAPartOfTheClip) {
+  const auto folder = pipeline::testing::emptyFolder();
+  pipeline::testing::render(smallScene(),
+                            {.folder = folder, .formats = {}, .frames = store::FrameRange{0, 2}});
+  EXPECT_FALSE(std::filesystem::exists(folder / "small.poster.png"));
+}
+
+}  // namespace
+}  // namespace rotatebook::picture

@@ -1,0 +1,249 @@
+#include "pipeline/assemble.h"
+
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "image/png_file.h"
+#include "pipeline/small_clip.h"
+#include "system/atomic_file.h"
+#include "video/decoded_video.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using testing::bytesOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::kFrames;
+
+// Frames of one colour, from elsewhere.
+void writeFrames(const fs::path& folder, const std::vector<std::int64_t>& indices, int width = 32,
+                 int height = 16) {
+  fs::create_directories(folder);
+  for (const std::int64_t index : indices) {
+    image::writePng(folder / store::frameName(index),
+                    image::Image(width, height, image::PixelFormat::Rgb8).view());
+  }
+}
+
+class Assemble : public ::testing::Test {
+ protected:
+  std::int64_t assembled(std::optional<FrameRate> rate = {}) const {
+    return assemble(frames_, mp4_, rate, {}).frames.count();
+  }
+
+  std::string inputError(std::optional<FrameRate> rate = {}) const {
+    const std::string message = testing::messageOf<InputError>([&] { assembled(rate); });
+    EXPECT_FALSE(fs::exists(mp4_)) << "a file is left after: " << message;
+    return message;
+  }
+
+  const fs::path folder_ = testing::emptyFolder();
+  const fs::path frames_ = folder_ / "small";
+  const fs::path mp4_ = folder_ / "assembled.mp4";
+};
+
+TEST_F(Assemble, MakesTheSameFileAsTheRender) {
+  testing::render(testing::smallScene(), {.folder = folder_});
+  EXPECT_EQ(assembled(), kFrames);
+  EXPECT_EQ(bytesOf(mp4_), bytesOf(folder_ / "small.mp4"));
+}
+
+TEST_F(Assemble, RefusesAFrameThatIsntAsItWasDrawn) {
+  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
+  for (const std::int64_t changed : {0, 5}) {
+    const fs::path frame = frames_ / store::frameName(changed);
+    const std::string drawn = bytesOf(frame);
+    fs::copy_file(frames_ / store::frameName(changed + 1), frame,
+                  fs::copy_options::overwrite_existing);
+    EXPECT_EQ(inputError(), frame.string() + " isn't the picture that was drawn: " +
+                                (frames_ / "frames.xxh128").string() +
+                                " has another checksum of it; render the scene with --resume, "
+                                "which draws it again, or remove " +
+                                (frames_ / "frames.xxh128").string() +
+                                " to join frames that were changed on purpose");
+    std::ofstream(frame, std::ios::binary) << drawn;
+  }
+  EXPECT_EQ(assembled(), kFrames);
+}
+
+TEST_F(Assemble, RefusesFramesThatWentMissingAtEitherEnd) {
+  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
+  for (const std::int64_t missing : {std::int64_t{0}, kFrames - 1}) {
+    const fs::path frame = frames_ / store::frameName(missing);
+    fs::rename(frame, folder_ / "kept.png");
+    EXPECT_EQ(inputError(), frames_.string() + ": " + store::frameName(missing) +
+                                " is missing, which frames.xxh128 there tells of; render the scene "
+                                "with --resume, which draws it again, or remove " +
+                                (frames_ / "frames.xxh128").string() +
+                                " to join the frames that are there");
+    fs::rename(folder_ / "kept.png", frame);
+  }
+  fs::remove(frames_ / store::frameName(0));
+  fs::remove(frames_ / "frames.xxh128");
+  EXPECT_EQ(assembled(), kFrames - 1);
+}
+
+TEST_F(Assemble, SaysWhyAFrameCannotBeRead) {
+  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
+  const fs::path frame = frames_ / store::frameName(5);
+  fs::remove(frame);
+  fs::create_symlink("nowhere", frame);
+  EXPECT_EQ(testing::messageOf<MachineError>([&] { assembled(); }),
+            "can't read " + frame.string() + ": No such file or directory");
+  EXPECT_FALSE(fs::exists(mp4_));
+}
+
+TEST_F(Assemble, TakesNoFramesThatARenderStillMakes) {
+  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
+  const fs::path whole = fs::canonical(frames_);
+  const fs::path partial = folder_ / "small.partial";
+  fs::copy(frames_, partial, fs::copy_options::recursive);
+  for (const fs::path& folder : {frames_, frames_ / "", partial}) {
+    const system::UseLock lock(frames_, system::Lock::Exclusive);
+    EXPECT_EQ(testing::messageOf<MachineError>([&] { assemble(folder, mp4_, {}, {}); }),
+              "another process is writing " + whole.string() + "; wait for it to end");
+    EXPECT_FALSE(fs::exists(mp4_));
+  }
+  const system::UseLock other(frames_, system::Lock::Shared);
+  EXPECT_EQ(assembled(), kFrames);
+}
+
+TEST_F(Assemble, NeedsAnEndingThatNamesAFormat) {
+  writeFrames(frames_, {0, 1});
+  for (const char* name : {"clip.mkv", "clip", "clip.MP4"}) {
+    const fs::path video = folder_ / name;
+    EXPECT_EQ(testing::messageOf<InputError>([&] { assemble(frames_, video, FrameRate{}, {}); }),
+              video.string() +
+                  " names no format of video; let it end in .mp4, .webm, .gif or "
+                  ".apng");
+    EXPECT_FALSE(fs::exists(video));
+  }
+}
+
+TEST_F(Assemble, TakesChangedFramesWithoutTheirChecksums) {
+  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
+  const fs::path frame = frames_ / store::frameName(5);
+  fs::copy_file(frames_ / store::frameName(6), frame, fs::copy_options::overwrite_existing);
+  const fs::path sums = frames_ / "frames.xxh128";
+  std::string lines = bytesOf(sums);
+  const std::size_t name = lines.find("frame_00005.png");
+  ASSERT_NE(name, std::string::npos);
+  std::ofstream(sums) << lines.erase(name - 34, 50);  // Its line.
+  EXPECT_EQ(assembled(), kFrames);
+  fs::remove(sums);
+  EXPECT_EQ(assembled(), kFrames);
+}
+
+TEST_F(Assemble, KeepsTheScenesEncoding) {
+  testing::render(
+      testing::smallScene({"video.crf=35", "clip.fps=\"30000/1001\"", "video.preset=ultrafast"}),
+      {.folder = folder_});
+  assembled();
+  EXPECT_EQ(bytesOf(mp4_), bytesOf(folder_ / "small.mp4"));
+}
+
+TEST_F(Assemble, TakesFramesFromElsewhereAtAGivenRate) {
+  writeFrames(frames_, {0, 1, 2});
+  EXPECT_EQ(assembled(FrameRate{25, 1}), 3);
+  const auto video = video::testing::decodeVideo(mp4_);
+  EXPECT_EQ(video.frames.size(), 3U);
+  EXPECT_EQ(video.containerDurationUs, 120000);
+}
+
+TEST_F(Assemble, TakesFramesThatStartLater) {
+  writeFrames(frames_, {7, 8, 9, 10});
+  EXPECT_EQ(assembled(FrameRate{25, 1}), 4);
+}
+
+TEST_F(Assemble, IgnoresForeignFiles) {
+  writeFrames(frames_, {0, 1});
+  std::ofstream(frames_ / "frame_0002.png") << "not a frame";
+  std::ofstream(frames_ / "notes.txt") << "not a frame";
+  EXPECT_EQ(assembled(FrameRate{25, 1}), 2);
+}
+
+TEST_F(Assemble, TellsItsProgress) {
+  writeFrames(frames_, {3, 4, 5});
+  std::vector<std::int64_t> done;
+  assemble(frames_, mp4_, FrameRate{25, 1}, [&](RenderProgress progress) {
+    done.push_back(progress.done);
+    EXPECT_EQ(progress.total, 3);
+  });
+  ASSERT_FALSE(done.empty());
+  EXPECT_EQ(done.back(), 3);
+}
+
+TEST_F(Assemble, RefusesAMissingFolder) {
+  EXPECT_THAT(inputError(), HasSubstr("can't read the folder " + frames_.string()));
+}
+
+TEST_F(Assemble, RefusesAFolderWithoutFrames) {
+  fs::create_directories(frames_);
+  EXPECT_EQ(inputError(), frames_.string() + " holds no frames named like frame_00000.png");
+}
+
+TEST_F(Assemble, NamesTheFirstFrameThatIsMissing) {
+  writeFrames(frames_, {0, 1, 4, 6});
+  EXPECT_EQ(inputError(FrameRate{25, 1}),
+            frames_.string() + ": frame_00002.png is missing; frame_00004.png comes next");
+}
+
+TEST_F(Assemble, NamesBothFramesOfDifferentSizes) {
+  writeFrames(frames_, {0, 1});
+  writeFrames(frames_, {2}, 48, 16);
+  EXPECT_EQ(inputError(FrameRate{25, 1}),
+            "frames differ in size: " + (frames_ / store::frameName(0)).string() + " is 32x16, " +
+                (frames_ / store::frameName(2)).string() + " is 48x16");
+}
+
+TEST_F(Assemble, NeedsARateForFramesFromElsewhere) {
+  writeFrames(frames_, {0, 1});
+  EXPECT_EQ(inputError(),
+            frames_.string() + " has no scene.toml that tells the frame rate; give it with --fps");
+}
+
+TEST_F(Assemble, RefusesARateWhereTheSceneTells) {
+  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
+  EXPECT_EQ(inputError(FrameRate{25, 1}),
+            (frames_ / "scene.toml").string() + " sets the frame rate already; leave --fps out");
+}
+
+TEST_F(Assemble, NamesAFrameThatIsNoPng) {
+  writeFrames(frames_, {0, 1});
+  std::ofstream(frames_ / store::frameName(2)) << "not a PNG";
+  EXPECT_THAT(inputError(FrameRate{25, 1}), HasSubstr((frames_ / store::frameName(2)).string()));
+}
+
+TEST_F(Assemble, RefusesFramesOfAnOddSize) {
+  writeFrames(frames_, {0, 1}, 33, 17);
+  EXPECT_THAT(inputError(FrameRate{25, 1}), HasSubstr("width 33 is odd"));
+}
+
+TEST_F(Assemble, KeepsAnOlderFileAndNothingElseWhenItFails) {
+  writeFrames(frames_, {0, 1});
+  writeFrames(frames_, {2}, 48, 16);
+  std::ofstream(mp4_) << "older";
+  EXPECT_THROW(assembled(FrameRate{25, 1}), InputError);
+  EXPECT_EQ(bytesOf(mp4_), "older");
+  EXPECT_THAT(testing::namesIn(folder_), ElementsAre("assembled.mp4", "small"));
+}
+
+TEST_F(Assemble, SaysWhereItCannotWrite) {
+  writeFrames(frames_, {0, 1});
+  const fs::path mp4 = folder_ / "missing" / "a.mp4";
+  EXPECT_THAT(testing::messageOf<MachineError>([&] { assemble(frames_, mp4, FrameRate{}, {}); }),
+              HasSubstr(mp4.string()));
+}
+
+}  // namespace
+}  // namespace rotatebook::pipeline

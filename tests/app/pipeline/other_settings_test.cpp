@@ -1,0 +1,123 @@
+// What renders of other settings leave alone, and report.
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pipeline/rendered_again.h"
+#include "store/manifest.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::bytesOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::kFrames;
+using testing::kResume;
+using testing::messageOf;
+using testing::otherScene;
+using testing::smallScene;
+using testing::stoppedAfter;
+
+class OtherSettings : public testing::RenderedAgain {
+ protected:
+  RenderResult renderGif(const store::EarlierFrames& earlier = {}) {
+    return testing::render(otherScene(), {.folder = folder_,
+                                          .png = false,
+                                          .formats = {video::VideoFormat::Gif},
+                                          .earlier = earlier});
+  }
+  std::string path(const char* name) const { return (folder_ / name).string(); }
+};
+
+TEST_F(OtherSettings, RemoveNoVideoOfAnotherFormat) {
+  render({});
+  const std::string mp4 = bytesOf(folder_ / "small.mp4");
+  const RenderResult result =
+      testing::render(otherScene(), {.folder = folder_, .formats = {video::VideoFormat::Gif}});
+  EXPECT_TRUE(bytesOf(folder_ / "small.mp4") == mp4);
+  EXPECT_THAT(result.others, ElementsAre(path("small.mp4")));
+  EXPECT_THAT(render({}).others, ElementsAre(path("small.gif")));
+}
+
+TEST_F(OtherSettings, WithoutPngsKeepTheFramesWithTheirRecords) {
+  render({});
+  const std::string record = bytesOf(folder_ / "small" / store::kSceneCopyName);
+  EXPECT_THAT(renderGif().others,
+              ElementsAre(path("small.mp4"), "12 frames in " + path("small") + "/"));
+  EXPECT_EQ(store::framesIn(folder_ / "small").size(), 12U);
+  EXPECT_EQ(bytesOf(folder_ / "small" / store::kSceneCopyName), record);
+  EXPECT_FALSE(fs::exists(folder_ / "small.partial"));
+}
+
+TEST_F(OtherSettings, AreEachDoneByTheirRecords) {
+  render({});
+  renderGif();
+  EXPECT_TRUE(renderGif(kResume).wasDone);
+  // Its table and poster have been replaced; its frames are there.
+  const RenderResult again = render(kResume);
+  EXPECT_FALSE(again.wasDone);
+  EXPECT_EQ(again.framesKept, kFrames);
+  EXPECT_THAT(again.others, ElementsAre(path("small.gif")));
+  EXPECT_FALSE(renderGif(kResume).wasDone);
+}
+
+TEST_F(OtherSettings, AreNotGoneOnWithUnasked) {
+  render({});
+  EXPECT_THAT(messageOf<InputError>([&] { renderGif(kResume); }),
+              HasSubstr("holds the frames of a clip of other settings"));
+}
+
+TEST_F(OtherSettings, KeepFramesOfWhichNothingIsKnown) {
+  render({});
+  fs::remove(folder_ / "small" / store::kManifestName);
+  for (int time = 0; time < 2; ++time) {
+    EXPECT_THAT(renderGif().others,
+                ElementsAre("12 frames in " + path("small") + "/ (of unknown settings)"));
+    EXPECT_EQ(store::framesIn(folder_ / "small").size(), 12U);
+  }
+  EXPECT_THAT(messageOf<InputError>([&] { render({}); }),
+              HasSubstr("with settings that aren't known; render anew with --overwrite"));
+}
+
+TEST_F(OtherSettings, CostNoUnfinishedFramesWhereVideosAloneGoOn) {
+  render({}, otherScene());
+  stop(5);
+  const RenderOptions videos{.folder = folder_, .png = false, .earlier = kResume};
+  testing::render(smallScene(), videos);
+  EXPECT_EQ(store::framesIn(folder_ / "small").size(), 12U);
+  EXPECT_EQ(store::framesIn(folder_ / "small.partial").size(), 5U);
+  EXPECT_EQ(render({.resume = true, .overwrite = true}).framesKept, 5);
+}
+
+TEST_F(OtherSettings, AreNoMatterToVideosThatAreMadeBesideUnfinishedFrames) {
+  stop(5);
+  const RenderOptions videos{.folder = folder_, .png = false, .earlier = kResume};
+  testing::render(smallScene(), videos);
+  EXPECT_TRUE(store::framesIn(folder_ / "small").empty()) << "unfinished frames aren't a clip's";
+  EXPECT_EQ(store::framesIn(folder_ / "small.partial").size(), 5U);
+  EXPECT_TRUE(testing::render(smallScene(), videos).wasDone);
+  EXPECT_EQ(render(kResume).framesKept, 5);
+  expectAsUninterrupted();
+}
+
+TEST_F(OtherSettings, OfAPartForgetNoFile) {
+  testing::render(otherScene(), {.folder = folder_, .png = false});
+  const RenderOptions part{.folder = folder_, .formats = {}, .frames = store::FrameRange{0, 3}};
+  EXPECT_THAT(testing::render(smallScene(), part).others,
+              ElementsAre(path("small.mp4"), path("small.poster.png")))
+      << "the table was replaced";
+}
+
+TEST_F(OtherSettings, LeaveAnInterruptedVideoOfAnotherFormat) {
+  stoppedAfter(3, smallScene(),
+               {.folder = folder_, .png = false, .formats = {video::VideoFormat::Gif}});
+  render({});
+  EXPECT_TRUE(fs::exists(folder_ / "small.partial.gif"));
+}
+
+}  // namespace
+}  // namespace rotatebook::pipeline

@@ -1,0 +1,143 @@
+// Some frames of a clip, and clips put together from parts.
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "pipeline/assemble.h"
+#include "pipeline/small_clip.h"
+#include "video/decoded_video.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using testing::bytesOf;
+using ::testing::ElementsAre;
+using testing::emptyFolder;
+using ::testing::HasSubstr;
+using testing::kFrames;
+using testing::namesIn;
+using ::testing::Not;
+using testing::smallScene;
+
+TEST(RenderParts, HaveTheFramesAndAVideoOfTheirOwn) {
+  const fs::path folder = emptyFolder();
+  const RenderResult result =
+      testing::render(smallScene(), {.folder = folder, .frames = store::FrameRange{3, 5}});
+  EXPECT_EQ(result.framesWritten, 2);
+  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small_00003-00005.mp4"));
+  EXPECT_THAT(namesIn(folder / "small"),
+              ElementsAre("frame_00003.png", "frame_00004.png", "frames.manifest", "frames.xxh128",
+                          "scene.toml"));
+  EXPECT_EQ(video::testing::decodeVideo(folder / "small_00003-00005.mp4").frames.size(), 2U);
+}
+
+TEST(RenderParts, AssembleToTheWholesBytes) {
+  const fs::path folder = emptyFolder();
+  testing::render(smallScene(), {.folder = folder / "whole"});
+  const fs::path parts = folder / "parts";
+  testing::render(smallScene(), {.folder = parts, .frames = store::FrameRange{5, 12}});
+  testing::render(smallScene(),
+                  {.folder = parts, .formats = {}, .frames = store::FrameRange{0, 5}});
+  const Assembled made = assemble(parts / "small", parts / "all.mp4", {}, {});
+  EXPECT_EQ(made.frames, (store::FrameRange{0, kFrames}));
+  EXPECT_FALSE(made.isPart());
+  EXPECT_EQ(bytesOf(parts / "all.mp4"), bytesOf(folder / "whole/small.mp4"));
+  for (std::int64_t frame = 0; frame < kFrames; ++frame) {
+    const std::string name = store::frameName(frame);
+    EXPECT_TRUE(bytesOf(parts / "small" / name) == bytesOf(folder / "whole/small" / name)) << name;
+  }
+  EXPECT_EQ(bytesOf(parts / "small/scene.toml"), bytesOf(folder / "whole/small/scene.toml"));
+}
+
+TEST(RenderParts, AssembleToTheirOwnBytes) {
+  const fs::path folder = emptyFolder();
+  testing::render(smallScene(), {.folder = folder, .frames = store::FrameRange{3, 5}});
+  const Assembled made = assemble(folder / "small", folder / "part.mp4", {}, {});
+  EXPECT_EQ(made.frames, (store::FrameRange{3, 5}));
+  EXPECT_EQ(made.sceneFrames, kFrames);
+  EXPECT_TRUE(made.isPart());
+  EXPECT_TRUE(bytesOf(folder / "part.mp4") == bytesOf(folder / "small_00003-00005.mp4"));
+}
+
+TEST(RenderParts, TellTheirFramesInTheVideoAlone) {
+  const fs::path folder = emptyFolder();
+  testing::render(smallScene(), {.folder = folder, .frames = store::FrameRange{3, 5}});
+  const auto video = video::testing::decodeVideo(folder / "small_00003-00005.mp4");
+  EXPECT_THAT(video.metadata.at("comment"), HasSubstr("\n# Frames: 3:5\n\n"));
+  EXPECT_THAT(bytesOf(folder / "small/scene.toml"), Not(HasSubstr("# Frames")));
+}
+
+TEST(RenderParts, LeaveTheWholesVideoAlone) {
+  const fs::path folder = emptyFolder();
+  testing::render(smallScene(), {.folder = folder});
+  const std::string whole = bytesOf(folder / "small.mp4");
+  testing::render(smallScene(), {.folder = folder, .frames = store::FrameRange{2, 4}});
+  EXPECT_EQ(bytesOf(folder / "small.mp4"), whole);
+  EXPECT_EQ(store::framesIn(folder / "small").size(), static_cast<std::size_t>(kFrames));
+}
+
+TEST(RenderParts, RefuseToJoinFramesOfOtherSettings) {
+  const fs::path folder = emptyFolder();
+  testing::render(smallScene(), {.folder = folder, .frames = store::FrameRange{0, 5}});
+  const std::string before = bytesOf(folder / "small" / store::frameName(3));
+  const auto join = [&] {
+    testing::render(smallScene({"camera.field_of_view_deg=40"}),
+                    {.folder = folder, .frames = store::FrameRange{3, 12}});
+  };
+  EXPECT_THAT(testing::messageOf<InputError>(join),
+              AllOf(HasSubstr((folder / "small").string() + " holds frames of other settings"),
+                    HasSubstr("-o")));
+  EXPECT_EQ(bytesOf(folder / "small" / store::frameName(3)), before);
+  EXPECT_FALSE(fs::exists(folder / "small" / store::frameName(7)));
+}
+
+TEST(RenderParts, RefuseToLieBesideUnfinishedFramesOfOtherSettings) {
+  const fs::path folder = emptyFolder();
+  testing::stoppedAfter(4, smallScene(), {.folder = folder});
+  const auto part = [&](const scene::Scene& scene) {
+    testing::render(scene, {.folder = folder, .formats = {}, .frames = store::FrameRange{3, 12}});
+  };
+  EXPECT_THAT(
+      testing::messageOf<InputError>([&] { part(smallScene({"camera.field_of_view_deg=40"})); }),
+      AllOf(HasSubstr((folder / "small.partial").string() + " holds frames of other settings"),
+            HasSubstr("camera.field_of_view_deg is")));
+  EXPECT_FALSE(fs::exists(folder / "small"));
+  testing::render(smallScene({"camera.field_of_view_deg=40"}),
+                  {.folder = folder, .png = false, .frames = store::FrameRange{3, 12}});
+  part(smallScene());
+  EXPECT_EQ(store::framesIn(folder / "small").size(), 9U);
+}
+
+TEST(RenderParts, OfAClipMustBeInIt) {
+  const fs::path folder = emptyFolder() / "out";
+  const auto part = [&](store::FrameRange range) {
+    return testing::messageOf<InputError>(
+        [&] { testing::render(smallScene(), {.folder = folder, .frames = range}); });
+  };
+  EXPECT_EQ(part({5, 13}), "frames 5:13 don't exist; this clip has 0:12");
+  EXPECT_EQ(part({-1, 4}), "frames -1:4 don't exist; this clip has 0:12");
+  EXPECT_EQ(part({6, 6}), "frames 6:6 don't exist; this clip has 0:12");
+  EXPECT_EQ(part({9, 3}), "frames 9:3 don't exist; this clip has 0:12");
+  EXPECT_FALSE(fs::exists(folder));
+}
+
+TEST(RenderParts, EndASecondAfterTheMotionDiverges) {
+  const timeline::ClipMotion motion = timeline::simulateScene(testing::divergingScene());
+  const std::int64_t count = motion.frameCount();
+  EXPECT_EQ(framesToRender(motion, {}), (store::FrameRange{0, count}));
+  EXPECT_EQ(framesToRender(motion, store::FrameRange{1, count}), (store::FrameRange{1, count}));
+  EXPECT_EQ(
+      testing::messageOf<InputError>([&] {
+        framesToRender(motion, store::FrameRange{0, count + 1});
+      }),
+      "frames 0:30 don't exist; this clip has 0:29, up to a second after its motion diverges");
+}
+
+}  // namespace
+}  // namespace rotatebook::pipeline

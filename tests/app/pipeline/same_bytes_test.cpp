@@ -1,0 +1,90 @@
+// A render's files are the same in bytes, however its work is shared out.
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "image/png_file.h"
+#include "pipeline/small_clip.h"
+#include "store/encoding.h"
+#include "timeline/trajectory_csv.h"
+#include "video/video_writer.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::bytesOf;
+using testing::emptyFolder;
+using testing::smallScene;
+
+/// Bytes by path within `folder`.
+std::map<std::string, std::string> filesIn(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) {
+      files[entry.path().lexically_relative(folder).string()] = bytesOf(entry.path());
+    }
+  }
+  return files;
+}
+
+/// One after the other on one thread, each step in the plainest way.
+void renderSerially(const scene::Scene& scene, const std::string& record, const fs::path& folder) {
+  const timeline::ClipMotion motion = timeline::simulateScene(scene);
+  picture::FrameDrawer drawer(scene, motion);
+  fs::create_directories(folder / "small");
+  video::VideoWriter writer(video::VideoFormat::Mp4, folder / "small.mp4",
+                            store::videoSettings(scene, record));
+  image::Image picture = drawer.makePicture();
+  for (std::int64_t frame = 0; frame < motion.frameCount(); ++frame) {
+    drawer.draw(frame, picture);
+    image::writePng(folder / "small" / store::frameName(frame), picture.view());
+    writer.write(picture.view());
+  }
+  writer.finish();
+}
+
+void rendersTheSame(const scene::Scene& scene) {
+  const fs::path folder = emptyFolder();
+  const auto rendered = [&](int threads) {
+    const fs::path into = folder / ("threads-" + std::to_string(threads));
+    testing::render(scene, {.folder = into, .pngThreads = threads});
+    return filesIn(into);
+  };
+  const auto one = rendered(1);
+  EXPECT_EQ(one.size(), 18U);  // 12 frames and 3 files that tell of them, clip, poster, table
+  EXPECT_TRUE(rendered(2) == one);
+  EXPECT_TRUE(rendered(7) == one);
+  renderSerially(scene, one.at("small/scene.toml"), folder / "serial");
+  for (const auto& [name, bytes] : filesIn(folder / "serial")) {
+    EXPECT_TRUE(bytes == one.at(name)) << name;
+  }
+}
+
+TEST(SameBytes, WithAnyNumberOfThreads) {
+  rendersTheSame(smallScene());
+}
+
+TEST(SameBytes, OfALargerPictureWithOverlays) {
+  rendersTheSame(smallScene({"clip.size=[640, 360]", "overlay.show=['caption', 'axes', 'energy']",
+                             "camera.position=[0, 0, 0.8]"}));
+}
+
+TEST(SameBytes, WithSupersamplingAndABlurredBook) {
+  rendersTheSame(smallScene({"look.supersample=2", "look.motion_blur=2"}));
+}
+
+TEST(SameBytes, OfAnotherSceneAreOthers) {
+  const fs::path folder = emptyFolder();
+  testing::render(smallScene(), {.folder = folder / "a"});
+  testing::render(smallScene({"initial.angular_velocity=[5, 3, 1.01]"}), {.folder = folder / "b"});
+  const auto a = filesIn(folder / "a"), b = filesIn(folder / "b");
+  for (const char* name : {"small.csv", "small.mp4", "small/frame_00011.png"}) {
+    EXPECT_NE(a.at(name), b.at(name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::pipeline

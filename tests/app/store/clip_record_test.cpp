@@ -1,0 +1,203 @@
+#include "store/clip_record.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "base/version.h"
+#include "image/png_file.h"
+#include "pipeline/small_clip.h"
+#include "scene/scene_text.h"
+#include "store/encoding.h"
+#include "timeline/motion_checksum.h"
+#include "video/decoded_video.h"
+#include "video/video_writer.h"
+
+namespace rotatebook::store {
+namespace {
+
+namespace fs = std::filesystem;
+using pipeline::testing::emptyFolder;
+using pipeline::testing::smallScene;
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+const Making kMaking{"small", "1.2.3", "some renderer", "5.1", "0123"};
+
+std::string smallRecord() {
+  return sceneRecord(smallScene(), kMaking);
+}
+
+/// What reading `text` says.
+std::string problemOf(const std::string& text) {
+  return pipeline::testing::messageOf<InputError>([&] { parseRecord(text, "x/y.mp4", "x"); });
+}
+
+TEST(SceneRecord, IsASceneThatSaysWhatMadeIt) {
+  const std::string record = smallRecord();
+  EXPECT_THAT(record, StartsWith("# Made by rotatebook 1.2.3 from the scene small\n"
+                                 "# Renderer: some renderer\n# FFmpeg: 5.1\n# Motion: 0123\n\n"));
+  const scene::Scene again = scene::parseScene(record, "small.toml");
+  EXPECT_EQ(scene::sceneText(again), scene::sceneText(smallScene()));
+}
+
+TEST(SceneRecord, IsReadBack) {
+  const ClipRecord record = parseRecord(smallRecord(), "x/y.mp4", "textures");
+  EXPECT_EQ(record.making.scene, "small");
+  EXPECT_EQ(record.making.program, "1.2.3");
+  EXPECT_EQ(record.making.renderer, "some renderer");
+  EXPECT_EQ(record.making.ffmpeg, "5.1");
+  EXPECT_EQ(record.making.motion, "0123");
+  EXPECT_FALSE(record.part);
+  EXPECT_EQ(record.scene.name, "small");
+  EXPECT_EQ(record.scene.folder, "textures");
+  EXPECT_EQ(scene::sceneText(record.scene), scene::sceneText(smallScene()));
+}
+
+TEST(SceneRecord, OfAPartTellsItsFrames) {
+  const std::string part = recordOfPart(smallRecord(), {3, 5});
+  EXPECT_THAT(part, HasSubstr("# Motion: 0123\n# Frames: 3:5\n\n"));
+  EXPECT_EQ(parseRecord(part, "x", "").part, (FrameRange{3, 5}));
+  EXPECT_EQ(recordOfPart("title = 'of somebody else'\n", {3, 5}), "title = 'of somebody else'\n");
+}
+
+TEST(SceneRecord, StaysWholeWithNamesOfSeveralLines) {
+  scene::Scene scene = smallScene();
+  scene.name = "a\nb = 1";
+  const Making making = makingOf(scene, timeline::simulateScene(scene), "r\n\nmass = 2");
+  const ClipRecord record = parseRecord(sceneRecord(scene, making), "x", "");
+  EXPECT_EQ(record.making.scene, "a?b = 1");
+  EXPECT_EQ(record.making.renderer, "r??mass = 2");
+}
+
+// TOML's comments have none.
+TEST(SceneRecord, SendsNoControlCharactersToTheTerminal) {
+  for (const char* head : {"1\x1b[2J from the scene x\n", "1 from the scene \x1b]0;x\x07\n",
+                           "1 from the scene x\n# Renderer: \r\x1b[1m\n"}) {
+    EXPECT_THAT(problemOf(std::string("# Made by rotatebook ") + head +
+                          "\ninitial.angular_velocity = [1, 0, 0]\n"),
+                AllOf(StartsWith("the record in x/y.mp4 is damaged: "), Not(HasSubstr("\x1b"))));
+  }
+}
+
+TEST(SceneRecord, OfSomethingElseIsRefused) {
+  for (const char* text : {"", "Made with love", "title = 'x'\n", "#Made by rotatebook 1"}) {
+    EXPECT_EQ(problemOf(text), "x/y.mp4 isn't a clip of rotatebook: its metadata holds no scene");
+  }
+}
+
+TEST(SceneRecord, ThatIsDamagedIsRefused) {
+  const std::string start = "the record in x/y.mp4 is damaged: ";
+  EXPECT_EQ(problemOf("# Made by rotatebook 0.1.0"), start + "it doesn't name its scene");
+  EXPECT_EQ(problemOf(smallRecord() + std::string(2'000'000, '#')),
+            start + "no scene is that long");
+  EXPECT_THAT(problemOf(smallRecord() + "[clip]\n"), StartsWith(start + "x/y.mp4:"));
+  EXPECT_THAT(problemOf("# Made by rotatebook 0.1.0 from the scene x\n\nmaas = 1\n"),
+              AllOf(StartsWith(start + "x/y.mp4:3:1: "), HasSubstr("maas")));
+  EXPECT_THAT(problemOf(smallRecord() + "\"\xff\xfe\" = 1\n"), StartsWith(start));
+  EXPECT_THAT(
+      problemOf("# Made by rotatebook 0.1.0 from the scene x\n\na = " + std::string(100'000, '[')),
+      StartsWith(start));
+  const auto withFrames = [](const std::string& frames) {
+    return problemOf("# Made by rotatebook 1 from the scene x\n# Frames: " + frames + "\n\n");
+  };
+  for (const char* frames : {"x", "5:5", "5:3", "-1:3", "3"}) {
+    EXPECT_EQ(withFrames(frames), start + "its frames aren't a range") << frames;
+  }
+}
+
+TEST(SceneRecord, CannotLeadOutOfAFolder) {
+  for (const char* name : {"", ".", "..", "/", "a/b", "../a", "/etc/passwd", "a/"}) {
+    EXPECT_EQ(problemOf(std::string("# Made by rotatebook 1 from the scene ") + name + "\n\n"),
+              "the record in x/y.mp4 is damaged: its scene's name can't be a file's")
+        << name;
+  }
+}
+
+TEST(SceneRecord, OfARenderIsTrue) {
+  const fs::path folder = emptyFolder();
+  pipeline::testing::render(smallScene(), {.folder = folder});
+  const RecordedClip clip = readRecordedClip(folder / "small.mp4", {});
+  EXPECT_EQ(clip.format, video::VideoFormat::Mp4);
+  EXPECT_EQ(clip.record.scene.folder, folder);
+  const Making& making = clip.record.making;
+  EXPECT_EQ(making.program, kVersion);
+  EXPECT_EQ(making.renderer, picture::makeRenderer(smallScene()).description());
+  EXPECT_EQ(making.ffmpeg, video::ffmpegVersion());
+  EXPECT_EQ(making.motion, timeline::motionChecksum(timeline::simulateScene(smallScene())));
+}
+
+TEST(SceneRecord, NamesTheOptionWhereATextureIsMissing) {
+  const fs::path folder = emptyFolder();
+  scene::Scene scene = smallScene({"book.front=cover.png"});
+  const fs::path clip = folder / "small.mp4";
+  const std::string record = sceneRecord(scene, kMaking);
+  {
+    video::VideoWriter writer(video::VideoFormat::Mp4, clip, videoSettings(scene, record));
+    writer.write(image::Image(64, 36, image::PixelFormat::Rgba8).view());
+    writer.finish();
+  }
+  EXPECT_THAT(pipeline::testing::messageOf<InputError>([&] { readRecordedClip(clip, {"other"}); }),
+              AllOf(StartsWith(clip.string() + ":"), HasSubstr("can't read other/cover.png: "),
+                    HasSubstr("; say where its scene's folder is with --scene-folder DIR")));
+}
+
+TEST(SceneRecord, NamesTheOptionOnlyWhereATextureIsMissing) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene = smallScene({"book.front=../cover.png"});
+  fs::create_directories(folder / "clips");
+  const fs::path clip = folder / "clips/small.mp4";
+  {
+    video::VideoWriter writer(video::VideoFormat::Mp4, clip,
+                              videoSettings(scene, sceneRecord(scene, kMaking)));
+    writer.write(image::Image(64, 36, image::PixelFormat::Rgba8).view());
+    writer.finish();
+  }
+  image::writePng(folder / "cover.png", image::Image(8, 12, image::PixelFormat::Rgb8).view());
+  EXPECT_THAT(pipeline::testing::messageOf<InputError>([&] { readRecordedClip(clip, {}); }),
+              ::testing::EndsWith("which --allow-outside allows"));
+  EXPECT_TRUE(readRecordedClip(clip, {.allowOutside = true}).record.scene.allowOutside);
+}
+
+TEST(SceneRecord, IsOfItsSceneAlone) {
+  const scene::Scene scene = smallScene();
+  EXPECT_TRUE(isRecordOf(scene, smallRecord()));
+  EXPECT_TRUE(isRecordOf(scene, recordOfPart(smallRecord(), {3, 5})));
+  EXPECT_FALSE(isRecordOf(smallScene({"video.crf=30"}), smallRecord()));
+  EXPECT_FALSE(isRecordOf(scene, ""));
+  EXPECT_FALSE(isRecordOf(scene, "title = \"Small\"\n"));
+}
+
+TEST(SceneRecord, OfAWholeClipMayExpectSomethingElse) {
+  EXPECT_TRUE(isRecordOfClip(smallScene(), smallRecord()));
+  EXPECT_TRUE(isRecordOfClip(smallScene({"expect.half_turns.max=3"}), smallRecord()));
+  EXPECT_FALSE(isRecordOfClip(smallScene(), recordOfPart(smallRecord(), {3, 5})));
+  EXPECT_FALSE(isRecordOfClip(smallScene({"video.crf=30"}), smallRecord()));
+  EXPECT_FALSE(isRecordOfClip(smallScene(), "title = \"Small\"\n"));
+}
+
+TEST(DifferencesOfTools, AreToldOneByOne) {
+  Making here = kMaking;
+  EXPECT_THAT(differencesOfTools(kMaking, here), IsEmpty());
+  here.motion = "else";
+  EXPECT_THAT(differencesOfTools(kMaking, here), IsEmpty());
+  here.program = "2";
+  here.ffmpeg = "7";
+  EXPECT_THAT(differencesOfTools(kMaking, here),
+              ElementsAre("rotatebook was 1.2.3, here it is 2", "FFmpeg was 5.1, here it is 7"));
+  EXPECT_THAT(differencesOfTools({}, kMaking),
+              ElementsAre("rotatebook was not recorded, here it is 1.2.3",
+                          "the renderer was not recorded, here it is some renderer",
+                          "FFmpeg was not recorded, here it is 5.1"));
+}
+
+}  // namespace
+}  // namespace rotatebook::store

@@ -1,0 +1,109 @@
+#include "store/disk_space.h"
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "pipeline/small_clip.h"
+
+namespace rotatebook::store {
+namespace {
+
+namespace fs = std::filesystem;
+using pipeline::testing::emptyFolder;
+using pipeline::testing::smallScene;
+using video::VideoFormat;
+
+constexpr double kBlock = 4096;  // [bytes]
+
+/// What the files below `folder` take, in whole blocks. [bytes]
+double takenIn(const fs::path& folder) {
+  double taken = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    taken += kBlock * std::ceil(static_cast<double>(entry.file_size()) / kBlock);
+  }
+  return taken;
+}
+
+/// What a render, with what it begins with, is expected to need, over what it takes.
+double ratio(const scene::Scene& scene, const pipeline::RenderOptions& options) {
+  double needed = 0;
+  const pipeline::RenderListener listener{
+      [&](const pipeline::RenderStart& start) { needed = start.space.needed; }, {}};
+  const double before = takenIn(options.folder);
+  pipeline::renderClip(scene, timeline::simulateScene(scene), options, listener);
+  return needed / (takenIn(options.folder) - before);
+}
+
+TEST(DiskSpace, IsAboutWhatARenderTakes) {
+  constexpr double kLeast = 0.8, kMost = 1.8;  // measured 1.2 to 1.5
+  for (const auto& [size, duration] :
+       {std::pair{"[16, 16]", "0.1"}, {"[96, 54]", "1"}, {"[320, 180]", "0.5"}}) {
+    for (const bool png : {true, false}) {
+      const scene::Scene scene =
+          smallScene({std::string("clip.size=") + size, std::string("clip.duration=") + duration});
+      const double found = ratio(scene, {.folder = emptyFolder(), .png = png});
+      EXPECT_GT(found, kLeast) << size << ", PNGs: " << png;
+      EXPECT_LT(found, kMost) << size << ", PNGs: " << png;
+    }
+  }
+}
+
+TEST(DiskSpace, CountsEveryFormat) {
+  constexpr double kLeast = 0.8, kMost = 1.8;  // measured 1.0 to 1.5
+  for (const VideoFormat format : video::kVideoFormats) {
+    const double found = ratio(smallScene({"clip.size=[320, 180]"}),
+                               {.folder = emptyFolder(), .png = false, .formats = {format}});
+    EXPECT_GT(found, kLeast) << nameOf(format);
+    EXPECT_LT(found, kMost) << nameOf(format);
+  }
+}
+
+// Each panel has a table.
+TEST(DiskSpace, CountsEveryTable) {
+  constexpr double kLeast = 0.8, kMost = 1.8;  // measured 1.1
+  const scene::Scene scene = scene::parseScene(
+      "[initial]\nangular_velocity = [5, 3, 1]\n"
+      "[clip]\nsize = [64, 36]\nfps = 24\nduration = 2\n"
+      "[[panel]]\nlabel = \"a\"\n[[panel]]\nlabel = \"b\"\n[[panel]]\nlabel = \"c\"\n",
+      "panels.toml");
+  const double found = ratio(scene, {.folder = emptyFolder(), .png = false});
+  EXPECT_GT(found, kLeast);
+  EXPECT_LT(found, kMost);
+}
+
+TEST(DiskSpace, CountsNoFramesThatAreKept) {
+  constexpr double kLeast = 0.8, kMost = 1.8;  // measured 1.15
+  const scene::Scene scene = smallScene({"clip.size=[320, 180]"});
+  pipeline::RenderOptions options{.folder = emptyFolder(), .formats = {VideoFormat::Gif}};
+  pipeline::testing::stoppedAfter(9, scene, options);
+  fs::remove(options.folder / "small.partial.gif");
+  options.earlier.resume = true;
+  const double found = ratio(scene, options);
+  EXPECT_GT(found, kLeast);
+  EXPECT_LT(found, kMost);
+}
+
+TEST(DiskSpace, GrowsWithFramesAndFormats) {
+  const auto needed = [](const FilesToWrite& files) {
+    return diskSpace(smallScene(), files, "/").needed;
+  };
+  const double none = needed({});
+  EXPECT_GT(none, 0);
+  EXPECT_DOUBLE_EQ(needed({.pngs = 20}) - none, 2 * (needed({.pngs = 10}) - none));
+  EXPECT_GT(needed({.pngs = 10}), needed({.frames = 10, .formats = {VideoFormat::Gif}}));
+  EXPECT_EQ(needed({.frames = 10}), none);
+}
+
+TEST(DiskSpace, TellsWhatIsFree) {
+  EXPECT_EQ(diskSpace(smallScene(), {.pngs = 1}, "/proc").free, 0);
+  EXPECT_THROW(diskSpace(smallScene(), {.pngs = 1}, "/nonexistent"), MachineError);
+}
+
+}  // namespace
+}  // namespace rotatebook::store

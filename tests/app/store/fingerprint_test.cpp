@@ -1,0 +1,69 @@
+#include "store/fingerprint.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "image/image.h"
+#include "image/png_file.h"
+#include "pipeline/small_clip.h"
+#include "store/clip_files.h"
+#include "store/clip_record.h"
+#include "system/atomic_file.h"
+
+namespace rotatebook::store {
+namespace {
+
+namespace fs = std::filesystem;
+using pipeline::testing::emptyFolder;
+using pipeline::testing::smallScene;
+using ::testing::HasSubstr;
+
+Manifest::Entries madeOf(const scene::Scene& scene, const std::string& renderer = "r",
+                         int pngLevel = 1) {
+  return fingerprint(scene, renderer, pngLevel);
+}
+
+TEST(Fingerprint, ChangesWithAllThatFramesDependOn) {
+  const auto made = madeOf(smallScene());
+  EXPECT_EQ(made, madeOf(smallScene()));
+  EXPECT_NE(made, madeOf(smallScene({"body.mass=2"})));
+  EXPECT_NE(made, madeOf(smallScene(), "another"));
+  EXPECT_NE(made, madeOf(smallScene(), "r", 9));
+  for (const char* key : {"program", "build", "ffmpeg", "renderer", "scene", "book.front"}) {
+    EXPECT_THAT(made.at(key), Not(::testing::IsEmpty())) << key;
+  }
+}
+
+TEST(Fingerprint, ChangesWithATexturesBytes) {
+  const fs::path folder = emptyFolder();
+  scene::Scene scene = smallScene();
+  scene.folder = folder;
+  scene.book.front = "cover.png";
+  image::Image picture(4, 4, image::PixelFormat::Rgb8);
+  image::writePng(folder / "cover.png", picture.view());
+  const auto made = madeOf(scene);
+  picture.row(0)[0] ^= 1;
+  image::writePng(folder / "cover.png", picture.view());
+  EXPECT_NE(madeOf(scene).at("book.front"), made.at("book.front"));
+}
+
+TEST(Differences, NameTheKeysAndBothValues) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene there = smallScene();
+  system::writeFileAtomically(folder / kSceneCopyName,
+                              sceneRecord(there, {.scene = "small", .renderer = "r"}));
+  const scene::Scene here = smallScene({"body.mass=2", "camera.position=[0, 0, 2]"});
+  EXPECT_THAT(differences(folder, madeOf(there), madeOf(here, "s"), here),
+              AllOf(HasSubstr("body.mass is 1.0 there, 2.0 here; "),
+                    HasSubstr("camera.position[0] is "), HasSubstr("; and ")));
+  EXPECT_EQ(differences(folder, madeOf(there), madeOf(there, "s"), there),
+            "renderer is r there, s here");
+  EXPECT_EQ(differences(folder, {{"renderer", "r"}}, {{"renderer", "r"}, {"x", "1"}}, there),
+            "x is missing there, 1 here");
+}
+
+}  // namespace
+}  // namespace rotatebook::store

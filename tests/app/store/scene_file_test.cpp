@@ -1,0 +1,105 @@
+#include "store/scene_file.h"
+
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "scene/parse.h"
+#include "system/atomic_file.h"
+
+namespace rotatebook::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SceneFileTest : public testing::Test {
+ protected:
+  SceneFileTest() {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+
+  fs::path write(const std::string& name, const std::string& content) const {
+    system::writeFileAtomically(folder_ / name, content);
+    return folder_ / name;
+  }
+
+  /// The message without the folder's path, which is the machine's.
+  std::string errorOfFile(const fs::path& path) const {
+    try {
+      readScene(path);
+      return "no error";
+    } catch (const InputError& error) {
+      std::string message = error.what();
+      const std::string prefix = folder_.string() + "/";
+      for (std::size_t at; (at = message.find(prefix)) != std::string::npos;) {
+        message.erase(at, prefix.size());
+      }
+      return message;
+    }
+  }
+
+  const fs::path folder_ = fs::path(ROTATEBOOK_TEST_OUTPUT) / "scene_file";
+};
+
+TEST_F(SceneFileTest, IsReadAndNamedAfterItsFile) {
+  const scene::Scene scene =
+      readScene(write("fig 3.v2.toml", "title = 'T'\n" + std::string(scene::kSpin)));
+  EXPECT_EQ(scene.title, "T");
+  EXPECT_EQ(scene.name, "fig 3.v2");
+  EXPECT_EQ(scene.folder, folder_);
+}
+
+TEST_F(SceneFileTest, TakesOverrides) {
+  const fs::path path = write("a.toml", scene::kSpin);
+  EXPECT_EQ(readScene(path, std::vector<std::string>{"video.crf=3"}).video.crf, 3);
+}
+
+TEST_F(SceneFileTest, NamesTheFileOfAProblem) {
+  EXPECT_EQ(errorOfFile(write("a.toml", "\n  titel = 3\n")),
+            "a.toml:2:3: unknown key \"titel\"; did you mean \"title\"?");
+}
+
+TEST_F(SceneFileTest, SuggestsTheNearestNameForAMissingOne) {
+  write("tumble.toml", scene::kSpin);
+  write("sumble.toml~", scene::kSpin);  // As near as the scene, and earlier in the alphabet.
+  EXPECT_EQ(errorOfFile(folder_ / "sumble.toml"),
+            "sumble.toml: scene not found; did you mean \"tumble.toml\"?");
+  EXPECT_EQ(errorOfFile(folder_ / "tumble"),
+            "tumble: scene not found; did you mean \"tumble.toml\"?");
+  EXPECT_EQ(errorOfFile(folder_ / "spin.toml"), "spin.toml: scene not found");
+  EXPECT_EQ(errorOfFile(folder_ / "missing" / "a.toml"), "missing/a.toml: scene not found");
+}
+
+TEST_F(SceneFileTest, RefusesAFolder) {
+  fs::create_directories(folder_ / "a.toml");
+  EXPECT_EQ(errorOfFile(folder_ / "a.toml"), "a.toml: a folder, not a scene");
+}
+
+TEST_F(SceneFileTest, RefusesAFileThatIsTooLong) {
+  EXPECT_EQ(errorOfFile(write("long.toml", std::string(32'769, '#'))),
+            "long.toml: can't be read: it has 32769 bytes; the limit is 32768");
+  // Without reading it.
+  fs::resize_file(folder_ / "long.toml", 100'000'000);
+  EXPECT_EQ(errorOfFile(folder_ / "long.toml"),
+            "long.toml: can't be read: it has 100000000 bytes; the limit is 32768");
+}
+
+TEST_F(SceneFileTest, RefusesDevicesAndPipes) {
+  EXPECT_EQ(errorOfFile("/dev/zero"), "/dev/zero: can't be read: it is a device, not a file");
+}
+
+TEST_F(SceneFileTest, SaysWhyAFileCannotBeRead) {
+  // A file that even the superuser may open but not read from its beginning.
+  try {
+    readScene("/proc/self/mem");
+    FAIL() << "no error";
+  } catch (const MachineError& error) {
+    EXPECT_STREQ(error.what(), "can't read /proc/self/mem: Input/output error");
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::store

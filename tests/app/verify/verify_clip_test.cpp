@@ -1,0 +1,370 @@
+// Clips that show what they say, and clips that don't.
+#include "verify/verify_clip.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "pipeline/small_clip.h"
+#include "store/encoding.h"
+#include "verify/picture_judge.h"
+#include "verify/stream_checks.h"
+#include "video/forged_mp4.h"
+#include "video/video_writer.h"
+
+namespace rotatebook::verify {
+namespace {
+
+namespace fs = std::filesystem;
+using pipeline::testing::emptyFolder;
+using pipeline::testing::kFrames;
+using pipeline::testing::smallScene;
+using ::testing::ElementsAre;
+using ::testing::Gt;
+using ::testing::IsEmpty;
+using video::VideoFormat;
+
+/// smallScene() in pictures that show a degree.
+scene::Scene shownScene(std::vector<std::string> overrides = {}) {
+  overrides.insert(overrides.begin(), "clip.size=[320, 180]");
+  return smallScene(overrides);
+}
+
+/// A clip that says it is of one scene, and shows another.
+struct Forgery {
+  scene::Scene said = shownScene();
+  scene::Scene shown = shownScene();
+  std::int64_t shift = 0;  ///< Frame n shows frame n + shift, as far as there is one.
+  std::int64_t frames = kFrames;
+  bool swapped = false;  ///< Red and blue.
+  std::function<void(video::VideoSettings&)> change{};
+  std::function<void(store::Making&)> made{};
+};
+
+void swapRedAndBlue(image::Image& picture) {
+  for (int y = 0; y < picture.height(); ++y) {
+    std::uint8_t* row = picture.row(y);
+    for (int x = 0; x < picture.width(); ++x) std::swap(row[4 * x], row[4 * x + 2]);
+  }
+}
+
+void write(const Forgery& forgery, const fs::path& path) {
+  const timeline::ClipMotion motion = timeline::simulateScene(forgery.shown);
+  picture::FrameDrawer drawer(forgery.shown, motion);
+  store::Making making =
+      store::makingOf(forgery.said, timeline::simulateScene(forgery.said), drawer.description());
+  if (forgery.made) forgery.made(making);
+  video::VideoSettings settings =
+      store::videoSettings(forgery.shown, store::sceneRecord(forgery.said, making));
+  if (forgery.change) forgery.change(settings);
+  video::VideoWriter writer(VideoFormat::Mp4, path, settings);
+  image::Image picture = drawer.makePicture();
+  for (std::int64_t n = 0; n < forgery.frames; ++n) {
+    drawer.draw(std::clamp<std::int64_t>(n + forgery.shift, 0, kFrames - 1), picture);
+    if (forgery.swapped) swapRedAndBlue(picture);
+    writer.write(picture.view());
+  }
+  writer.finish();
+}
+
+Verification verified(const Forgery& forgery) {
+  const fs::path path = emptyFolder() / "clip.mp4";
+  write(forgery, path);
+  return verifyClip(path, {.allFrames = true});
+}
+
+std::vector<std::string> failedIn(const Verification& found) {
+  std::vector<std::string> names;
+  for (const ClipCheck& check : found.checks) {
+    if (!check.passed) names.push_back(check.what);
+  }
+  return names;
+}
+
+std::int64_t wrongPictures(const Verification& found) {
+  return std::ranges::count(found.pictures, false, &PictureCheck::passed);
+}
+
+/// Expects that only pictures are wrong, and all of them.
+void expectWrongPictures(const Verification& found) {
+  EXPECT_FALSE(found.proved());
+  EXPECT_THAT(failedIn(found), IsEmpty());
+  EXPECT_EQ(wrongPictures(found), kFrames);
+}
+
+TEST(VerifyClip, ProvesWhatARenderMade) {
+  const fs::path folder = emptyFolder();
+  pipeline::testing::render(
+      shownScene(),
+      {.folder = folder, .png = false, .formats = {VideoFormat::Mp4, VideoFormat::WebM}});
+  for (const char* name : {"small.mp4", "small.webm"}) {
+    const Verification found = verifyClip(folder / name, {.allFrames = true});
+    EXPECT_TRUE(found.proved()) << name;
+    EXPECT_THAT(found.toolsDiffer, IsEmpty());
+    EXPECT_EQ(found.checks.size(), std::string(name) == "small.mp4" ? 12U : 10U);
+    EXPECT_EQ(found.pictures.size(), static_cast<std::size_t>(kFrames));
+    EXPECT_EQ(found.range, (store::FrameRange{0, kFrames}));
+  }
+}
+
+class VerifyClipOf : public ::testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(VerifyClipOf, EverySceneIsProved) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene = shownScene(GetParam());
+  const auto format = scene::isTransparent(scene) ? VideoFormat::WebM : VideoFormat::Mp4;
+  const auto result =
+      pipeline::testing::render(scene, {.folder = folder, .png = false, .formats = {format}});
+  const Verification found = verifyClip(result.files.video(format), {.allFrames = true});
+  EXPECT_TRUE(found.proved());
+  EXPECT_THAT(found.pictures.size(), Gt(10U));
+  for (const PictureCheck& picture : found.pictures) {
+    EXPECT_TRUE(picture.passed()) << picture.frame << ": " << picture.measured.rms << ", "
+                                  << picture.measured.worstPatch;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, VerifyClipOf,
+    ::testing::Values(std::vector<std::string>{"clip.fps=\"30000/1001\""},
+                      std::vector<std::string>{"video.crf=1"},
+                      std::vector<std::string>{"video.crf=30", "video.preset=medium"},
+                      std::vector<std::string>{"video.crf=51"},
+                      std::vector<std::string>{"clip.size=[64, 36]"},
+                      std::vector<std::string>{"look.background=stars",
+                                               "overlay.show=['clock','axes','omega','energy']"},
+                      std::vector<std::string>{"look.background=transparent"},
+                      std::vector<std::string>{"look.motion_blur=4"},
+                      std::vector<std::string>{"initial.angular_velocity=[0.2, 0, 0]"},
+                      std::vector<std::string>{
+                          "simulation.model=particles", "simulation.substeps=1",
+                          "simulation.normalize=false", "simulation.damping=0"}));
+
+TEST(VerifyClip, ProvesPartsAndWhatAssembleMakesOfThem) {
+  const fs::path folder = emptyFolder();
+  pipeline::testing::render(smallScene(), {.folder = folder, .frames = store::FrameRange{3, 9}});
+  const fs::path part = folder / "small_00003-00009.mp4";
+  const Verification found = verifyClip(part, {});
+  EXPECT_TRUE(found.proved());
+  EXPECT_EQ(found.range, (store::FrameRange{3, 9}));
+  EXPECT_EQ(found.wholeCount, kFrames);
+  ASSERT_EQ(found.pictures.size(), 6U);
+  EXPECT_EQ(found.pictures.front().frame, 3);
+  EXPECT_EQ(found.pictures.back().frame, 8);
+  EXPECT_THROW(verifyClip(part, {.frames = {2}}), InputError);
+}
+
+TEST(VerifyClip, ComparesOneOfEachSixthUnlessAsked) {
+  const fs::path path = emptyFolder() / "clip.mp4";
+  write({.said = smallScene(), .shown = smallScene()}, path);
+  const auto framesOf = [&](const VerifyOptions& options) {
+    std::vector<std::int64_t> frames;
+    for (const PictureCheck& check : verifyClip(path, options).pictures) {
+      frames.push_back(check.frame);
+    }
+    return frames;
+  };
+  const std::vector<std::int64_t> chosen = framesOf({});
+  ASSERT_EQ(chosen.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(chosen[i] / 2, static_cast<std::int64_t>(i));
+  EXPECT_EQ(framesOf({}), chosen);
+  const scene::Scene other = smallScene({"initial.angular_velocity=[5, 3, 2]"});
+  write({.said = other, .shown = other}, path);
+  EXPECT_NE(framesOf({}), chosen);
+  EXPECT_THAT(framesOf({.frames = {7, 2, 7}}), ElementsAre(2, 7));
+  EXPECT_EQ(pipeline::testing::messageOf<InputError>([&] {
+              framesOf({.frames = {3, 12}});
+            }),
+            "frame 12 isn't in the clip, which has 0 to 11");
+}
+
+TEST(VerifyClip, NamesTheNeighbourThatAPictureBelongsTo) {
+  for (const std::int64_t shift : {-1, 1, 3}) {
+    const Verification found = verified({.shift = shift});
+    EXPECT_THAT(failedIn(found), IsEmpty());
+    // The ends show what they should: there is none beyond.
+    EXPECT_EQ(wrongPictures(found), kFrames - 1) << shift;
+    for (const PictureCheck& picture : found.pictures) {
+      const auto shown = std::clamp<std::int64_t>(picture.frame + shift, 0, kFrames - 1);
+      if (shown == picture.frame) continue;
+      EXPECT_EQ(picture.likerTo, shown) << picture.frame;
+    }
+  }
+}
+
+TEST(VerifyClip, FindsTheBookTurnedByADegree) {
+  expectWrongPictures(verified({.shown = shownScene({"camera.up=[0.0174524, 0.9998477, 0]"})}));
+}
+
+TEST(VerifyClip, FindsAnotherScenesPictures) {
+  const Verification found =
+      verified({.shown = shownScene({"initial.angular_velocity=[4, 3, 1]"})});
+  EXPECT_THAT(failedIn(found), IsEmpty());
+  EXPECT_EQ(wrongPictures(found), kFrames - 1);  // They start alike.
+  expectWrongPictures(verified({.shown = shownScene({"look.background=stars"})}));
+}
+
+TEST(VerifyClip, FindsSwappedColours) {
+  expectWrongPictures(verified({.swapped = true}));
+}
+
+TEST(VerifyClip, FindsAWorseEncoding) {
+  expectWrongPictures(verified({.shown = shownScene({"video.crf=40"})}));
+}
+
+TEST(VerifyClip, FindsAnotherMotion) {
+  const Verification found =
+      verified({.made = [](store::Making& making) { making.motion.back() ^= 1; }});
+  EXPECT_THAT(failedIn(found), ElementsAre("motion"));
+  EXPECT_EQ(found.failures(), 1);
+  const Verification none =
+      verified({.made = [](store::Making& making) { making.motion.clear(); }});
+  EXPECT_THAT(failedIn(none), ElementsAre("motion"));
+}
+
+TEST(VerifyClip, FindsMissingAndAdditionalFrames) {
+  EXPECT_THAT(failedIn(verified({.frames = kFrames - 1})), ElementsAre("frames", "duration"));
+  EXPECT_THAT(failedIn(verified({.frames = kFrames + 1})), ElementsAre("frames", "duration"));
+}
+
+TEST(VerifyClip, FindsAnotherRate) {
+  const Verification found = verified({.change = [](video::VideoSettings& settings) {
+    settings.frameRate = {25, 1};
+  }});
+  EXPECT_THAT(failedIn(found), ElementsAre("time stamps", "duration"));
+}
+
+TEST(VerifyClip, ComparesNoPicturesOfAnotherSize) {
+  const Verification found = verified({.said = smallScene()});
+  EXPECT_THAT(failedIn(found), ElementsAre("size", "shown size"));
+  EXPECT_THAT(found.pictures, IsEmpty());
+  EXPECT_FALSE(found.proved());
+}
+
+// Of these the decoded pictures are true.
+TEST(VerifyClip, FindsWhatPlayersWouldShowOtherwise) {
+  const std::string content = [] {
+    const fs::path path = emptyFolder() / "true.mp4";
+    write({.said = smallScene(), .shown = smallScene()}, path);
+    return pipeline::testing::bytesOf(path);
+  }();
+  namespace forged = video::testing;
+  const std::vector<std::pair<std::vector<forged::BoxPatch>, std::string>> forgeries{
+      {forged::kTurned, "display"},         {forged::kMirrored, "display"},
+      {forged::kWholeTurned, "display"},    {forged::kStretched, "shown size"},
+      {forged::kWidePixels, "pixel shape"}, {forged::kOtherColours, "container"},
+      {forged::kFullRange, "container"},    {forged::kFastEdit, "speed"},
+      {forged::kFastMovie, "speed"}};
+  const fs::path path = emptyFolder() / "forged.mp4";
+  for (const auto& [patches, check] : forgeries) {
+    std::ofstream(path, std::ios::binary) << forged::forgedMp4(content, patches);
+    EXPECT_THAT(failedIn(verifyClip(path, {})), ElementsAre(check));
+  }
+  std::ofstream(path, std::ios::binary) << forged::forgedMp4(content, {});
+  EXPECT_TRUE(verifyClip(path, {}).proved());
+}
+
+TEST(VerifyClip, NotesOtherTools) {
+  const Verification found =
+      verified({.made = [](store::Making& making) { making.renderer = "a card"; }});
+  EXPECT_TRUE(found.proved());
+  ASSERT_EQ(found.toolsDiffer.size(), 1U);
+  EXPECT_THAT(found.toolsDiffer[0], ::testing::StartsWith("the renderer was a card, here it is "));
+}
+
+TEST(StreamChecks, KnowTheColoursAndTheCodec) {
+  const scene::Scene scene = smallScene();
+  const video::ColourTags bt709{"bt709", "bt709", "bt709", "tv"};
+  video::ClipFacts facts{.width = 64,
+                         .height = 36,
+                         .codec = "h264",
+                         .profile = "High",
+                         .pixelFormat = "yuv420p",
+                         .colours = bt709,
+                         .containerColours = bt709,
+                         .pixelShape = "1:1",
+                         .containerShape = "1:1",
+                         .display = "as stored",
+                         .duration = 0.5};
+  const auto failed = [&](const video::ClipFacts& changed) {
+    std::vector<std::string> names;
+    for (const ClipCheck& check : checkStream(changed, scene)) {
+      if (!check.passed) names.push_back(check.what);
+    }
+    return names;
+  };
+  EXPECT_THAT(failed(facts), IsEmpty());
+  for (std::string video::ColourTags::*field :
+       {&video::ColourTags::primaries, &video::ColourTags::transfer, &video::ColourTags::matrix,
+        &video::ColourTags::range}) {
+    video::ClipFacts changed = facts;
+    changed.colours.*field = "unknown";
+    EXPECT_THAT(failed(changed), ElementsAre("colours"));
+    changed = facts;
+    changed.containerColours.*field = "unknown";
+    EXPECT_THAT(failed(changed), ElementsAre("container"));
+  }
+  for (std::string video::ClipFacts::*field :
+       {&video::ClipFacts::pixelShape, &video::ClipFacts::containerShape}) {
+    video::ClipFacts changed = facts;
+    changed.*field = "4:3";
+    EXPECT_THAT(failed(changed), ElementsAre("pixel shape"));
+  }
+  for (std::string video::ClipFacts::*field :
+       {&video::ClipFacts::codec, &video::ClipFacts::profile, &video::ClipFacts::pixelFormat}) {
+    video::ClipFacts changed = facts;
+    changed.*field = "unknown";
+    EXPECT_THAT(failed(changed), ElementsAre("codec"));
+  }
+  facts.width = 66;
+  EXPECT_THAT(failed(facts), ElementsAre("size"));
+}
+
+TEST(StreamChecks, MeasureTimesAgainstTheRate) {
+  const video::ClipFacts facts{.format = VideoFormat::Mp4, .duration = 3 / 24.0};
+  const auto passed = [&](const std::vector<double>& times) {
+    TimeCheck check(facts, {24, 1}, 3);
+    for (const double time : times) check.add(time);
+    std::vector<bool> results;
+    for (const ClipCheck& one : check.checks()) results.push_back(one.passed);
+    return results;
+  };
+  const double missing = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(passed({0, 1 / 24.0, 2 / 24.0}), ElementsAre(true, true, true));
+  EXPECT_THAT(passed({0, 1 / 24.0 + 0.0002, 2 / 24.0}), ElementsAre(true, false, true));
+  EXPECT_THAT(passed({0, missing, 2 / 24.0}), ElementsAre(true, false, true));
+  EXPECT_THAT(passed({0, 1 / 24.0}), ElementsAre(false, true, true));
+}
+
+TEST(StreamChecks, MeasureTheSpeedOfAnMp4) {
+  const auto passes = [](const video::Mp4Header& header) {
+    const video::ClipFacts facts{.format = VideoFormat::Mp4, .duration = 0.5, .mp4 = header};
+    const ClipCheck last = TimeCheck(facts, {24, 1}, 12).checks().back();
+    EXPECT_EQ(last.what, "speed");
+    return last.passed;
+  };
+  EXPECT_TRUE(passes({64, 36, 1, {{0.5, 1}}}));
+  EXPECT_TRUE(passes({64, 36, 1, {}}));
+  EXPECT_FALSE(passes({64, 36, 2, {{0.5, 1}}}));
+  EXPECT_FALSE(passes({64, 36, 1, {{0.5, 2}}}));
+  EXPECT_FALSE(passes({64, 36, 1, {{0.25, 1}}}));
+  EXPECT_FALSE(passes({64, 36, 1, {{0.25, 1}, {0.25, 1}}}));
+}
+
+TEST(EncodingBound, GrowsWithTheRateFactor) {
+  EXPECT_LT(encodingBound(VideoFormat::Mp4, 1).worstPatch,
+            encodingBound(VideoFormat::Mp4, 18).worstPatch);
+  EXPECT_LT(encodingBound(VideoFormat::Mp4, 18).rms, encodingBound(VideoFormat::Mp4, 30).rms);
+  EXPECT_EQ(encodingBound(VideoFormat::WebM, 1).rms, encodingBound(VideoFormat::WebM, 51).rms);
+}
+
+}  // namespace
+}  // namespace rotatebook::verify

@@ -1,0 +1,74 @@
+#include "physics/exact/exact_simulator.h"
+
+#include <utility>
+
+#include <Eigen/LU>
+#include <gtest/gtest.h>
+
+#include "physics/scenarios.h"
+
+namespace rotatebook::physics {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kExactBound = 1e-14;     // measured 5e-16
+constexpr double kErrorBoundDeg = 1e-12;  // measured 5.4e-14
+
+MotionSettings tumbling(int substeps) {
+  MotionSettings settings = spinning(Model::Exact, {4, 0, 0}, 1.0 / 60);
+  settings.initial.tilt = Tilt{0.01, 2};
+  settings.simulation.substeps = substeps;
+  return settings;
+}
+
+TEST(ExactSimulator, DoesNotDependOnTheSteps) {
+  const Trajectory coarse = simulate(tumbling(1), 1200);
+  const Trajectory fine = simulate(tumbling(64), 1200);
+  const Corners difference = coarse.samples.back().corners - fine.samples.back().corners;
+  EXPECT_LT(difference.norm(), kExactBound);
+}
+
+TEST(ExactSimulator, CountsTheTimeOfStepsOfDifferentLength) {
+  ExactSimulator one(tumbling(1)), two(tumbling(1));
+  one.advance(0.125, 8);
+  one.advance(0.5, 2);
+  two.advance(2, 1);
+  EXPECT_EQ(one.state().corners, two.state().corners);
+}
+
+TEST(ExactSimulator, IsItsOwnYardstickAndKeepsEverything) {
+  const Trajectory trajectory = simulate(tumbling(1), 1200);
+  const Sample& start = trajectory.samples.front();
+  for (const Sample& sample : trajectory.samples) {
+    EXPECT_LT(sample.errorDeg, kErrorBoundDeg);
+    EXPECT_NEAR(sample.total() / start.total(), 1, 100 * kExactBound);
+    EXPECT_EQ(sample.angularMomentum, start.angularMomentum);
+    EXPECT_EQ(sample.regime, Regime::AboutLargest);
+  }
+  EXPECT_GT(trajectory.samples.back().halfTurns, 3);
+}
+
+// However near to the separatrix it starts.
+TEST(ExactSimulator, StaysInTheRegimeOfItsStart) {
+  for (const double tilt : {1e-7, 1e-9, 1e-12, 1e-300}) {
+    for (const auto& [axis, regime] :
+         {std::pair{2, Regime::AboutLargest}, {1, Regime::AboutSmallest}}) {
+      MotionSettings settings = tumbling(1);
+      settings.initial.tilt = Tilt{tilt, axis};
+      for (const Sample& sample : simulate(settings, 1200).samples) {
+        EXPECT_EQ(sample.regime, regime) << tilt << " " << axis << " " << sample.time;
+      }
+    }
+  }
+}
+
+TEST(ExactSimulator, StartsWithTheBookAsItIs) {
+  const MotionSettings settings = tumbling(1);
+  const BodyState state = ExactSimulator(settings).state();
+  EXPECT_LT((state.corners - settings.body.corners()).norm(), kExactBound);
+  EXPECT_LT((state.angularVelocity - initialAngularVelocity(settings)).norm(), kExactBound);
+}
+
+}  // namespace
+}  // namespace rotatebook::physics

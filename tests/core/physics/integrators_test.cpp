@@ -1,0 +1,267 @@
+// What the documentation of each integrator promises: its order, and what it keeps.
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "physics/exact/exact_simulator.h"
+#include "physics/integrator_names.h"
+#include "physics/scenarios.h"
+
+namespace rotatebook::physics {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using ::testing::HasSubstr;
+
+constexpr double kOrderBound = 0.02;        // measured 0.0082 (dmv6, stable spin)
+constexpr double kRoundingDrift = 3e-13;    // relative, in 20,000 steps; measured 7.0e-14
+constexpr double kRealDrift = 1e-9;         // no rounding; measured 4.6e-9 (suzuki4) and more
+constexpr double kOrthogonalBound = 1e-14;  // measured 2.8e-15
+constexpr double kUndoneBound = 2e-12;      // without normalisation; measured 4.2e-13
+constexpr double kDistorted = 1e-8;         // no rounding; measured 3.1e-7 (rk4) and more
+constexpr double kLongStepDrift = 1e-13;    // in ten steps of any length; measured 2.3e-15
+constexpr double kBestOrderBound = 2e-7;    // measured 8.6e-8; reversed 1.1e-6
+constexpr double kModestStep = 0.2;         // [s]; refused from 0.237 on (dmv2)
+constexpr double kDuration = 1;             // [s]
+
+struct Case {
+  Model model;
+  Integrator integrator;
+  int order;
+  int coarseSteps;  ///< A second, in so many steps, is within the asymptotic range.
+};
+
+void PrintTo(const Case& one, std::ostream* stream) {
+  *stream << nameOf(one.model, one.integrator);
+}
+
+// Far from every axis: both momentum and attitude wander.
+MotionSettings genericSpin(const Case& one) {
+  MotionSettings settings = spinning(one.model, {1.1, -2.3, -3.7}, kDuration);
+  settings.body = {{0.15, 0.22, 0.04}, 1};
+  settings.simulation.integrator = one.integrator;
+  return settings;
+}
+
+// About the axis of the largest moment of inertia, a little aslant.
+MotionSettings stableSpin(const Case& one) {
+  MotionSettings settings = genericSpin(one);
+  settings.initial.value = {0.3, 0.2, 6.2};
+  return settings;
+}
+
+// Angle to the exact attitude and distance to the exact angular velocity, in one number.
+double errorAfter(const MotionSettings& settings, int steps) {
+  const auto simulator = makeSimulator(settings);
+  simulator->advance(kDuration / steps, steps);
+  const ExactRotation exact(modelInertia(settings), initialAngularVelocity(settings));
+  const ExactRotation::Moment truth = exact.at(kDuration);
+  const BodyState state = simulator->state();
+  return (state.corners - truth.worldFromBody * settings.body.corners()).norm() +
+         (state.angularVelocity - truth.angularVelocity).norm();
+}
+
+double slopeOf(const MotionSettings& settings, int coarseSteps) {
+  const double coarse = errorAfter(settings, coarseSteps);
+  const double fine = errorAfter(settings, 2 * coarseSteps);
+  return std::log2(coarse / fine);
+}
+
+struct Drift {
+  double energy = 0;    // largest relative change
+  double momentum = 0;  // of the vector L, relative
+  double shape = 0;     // of the map from body to drawn corners, from a rotation
+};
+
+// In 20,000 steps, looked at every 100.
+Drift driftOf(const MotionSettings& settings, double h) {
+  const auto simulator = makeSimulator(settings);
+  const BodyState start = simulator->state();
+  const Matrix3d inverse = Matrix3d(start.corners * start.corners.transpose()).inverse();
+  Drift drift;
+  for (int look = 0; look < 200; ++look) {
+    simulator->advance(h, 100);
+    const BodyState now = simulator->state();
+    const Matrix3d map = now.corners * start.corners.transpose() * inverse;
+    drift.energy = std::max(drift.energy, std::abs(now.kinetic / start.kinetic - 1));
+    drift.momentum = std::max(drift.momentum, (now.angularMomentum - start.angularMomentum).norm() /
+                                                  start.angularMomentum.norm());
+    drift.shape = std::max(drift.shape, (map.transpose() * map - Matrix3d::Identity()).norm());
+  }
+  return drift;
+}
+
+class RigidIntegrator : public testing::TestWithParam<Case> {};
+
+TEST_P(RigidIntegrator, HasItsOrderOnAGenericSpin) {
+  const double slope = slopeOf(genericSpin(GetParam()), GetParam().coarseSteps);
+  EXPECT_NEAR(slope, GetParam().order, kOrderBound);
+}
+
+TEST_P(RigidIntegrator, HasItsOrderOnAStableSpin) {
+  const double slope = slopeOf(stableSpin(GetParam()), GetParam().coarseSteps);
+  EXPECT_NEAR(slope, GetParam().order, kOrderBound);
+}
+
+TEST_P(RigidIntegrator, StaysARotation) {
+  const Drift drift = driftOf(genericSpin(GetParam()), 0.01);
+  EXPECT_LT(drift.shape, kOrthogonalBound);
+}
+
+// All but Euler and Runge-Kutta make steps that are rotations: nothing has to be undone.
+TEST_P(RigidIntegrator, NeedsNoNormalisationIfItsStepsAreRotations) {
+  MotionSettings settings = genericSpin(GetParam());
+  settings.simulation.normalize = false;
+  const Integrator integrator = GetParam().integrator;
+  const bool drifts = integrator == Integrator::Euler || integrator == Integrator::Rk4;
+  const double shape = driftOf(settings, 0.01).shape;
+  if (drifts) {
+    EXPECT_FALSE(shape < kDistorted) << shape;
+  } else {
+    EXPECT_LT(shape, kUndoneBound);
+  }
+}
+
+TEST_P(RigidIntegrator, KeepsTheAngularMomentumUnlessRungeKutta) {
+  const double momentum = driftOf(genericSpin(GetParam()), 0.01).momentum;
+  if (GetParam().integrator == Integrator::Rk4) {
+    EXPECT_GT(momentum, kRealDrift);
+  } else {
+    EXPECT_LT(momentum, kRoundingDrift);
+  }
+}
+
+bool keepsEnergy(Integrator integrator) {
+  switch (integrator) {
+    case Integrator::Midpoint:
+    case Integrator::Dmv2:
+    case Integrator::Dmv4:
+    case Integrator::Dmv6:
+      return true;
+    default:
+      return false;
+  }
+}
+
+TEST_P(RigidIntegrator, KeepsTheEnergyIfItSaysSo) {
+  const double energy = driftOf(genericSpin(GetParam()), 0.02).energy;
+  if (keepsEnergy(GetParam().integrator)) {
+    EXPECT_LT(energy, kRoundingDrift);
+  } else {
+    EXPECT_FALSE(energy < kRealDrift) << energy;
+  }
+}
+
+constexpr Case kRigidCases[]{{Model::Quaternion, Integrator::Euler, 1, 16000},
+                             {Model::Quaternion, Integrator::Rk4, 4, 200},
+                             {Model::Quaternion, Integrator::LieEuler, 1, 16000},
+                             {Model::Quaternion, Integrator::Cf4, 4, 200},
+                             {Model::Quaternion, Integrator::Splitting, 2, 1000},
+                             {Model::Quaternion, Integrator::Suzuki4, 4, 100},
+                             {Model::Quaternion, Integrator::Midpoint, 2, 1000},
+                             {Model::Quaternion, Integrator::Dmv2, 2, 1000},
+                             {Model::Quaternion, Integrator::Dmv4, 4, 100},
+                             {Model::Quaternion, Integrator::Dmv6, 6, 50},
+                             {Model::Matrix, Integrator::Euler, 1, 16000},
+                             {Model::Matrix, Integrator::Rk4, 4, 200},
+                             {Model::Matrix, Integrator::LieEuler, 1, 16000},
+                             {Model::Matrix, Integrator::Cf4, 4, 200},
+                             {Model::Matrix, Integrator::Splitting, 2, 1000},
+                             {Model::Matrix, Integrator::Suzuki4, 4, 100},
+                             {Model::Matrix, Integrator::Midpoint, 2, 1000},
+                             {Model::Matrix, Integrator::Dmv2, 2, 1000},
+                             {Model::Matrix, Integrator::Dmv4, 4, 100},
+                             {Model::Matrix, Integrator::Dmv6, 6, 50}};
+
+INSTANTIATE_TEST_SUITE_P(Each, RigidIntegrator, testing::ValuesIn(kRigidCases),
+                         [](const auto& instance) {
+                           return nameOf(instance.param.model, instance.param.integrator);
+                         });
+
+// Its energy error goes up and down with the motion, and doesn't grow.
+TEST(Splitting, KeepsTheEnergyWithoutDrift) {
+  const Case splitting{Model::Quaternion, Integrator::Splitting, 2, 0};
+  const auto simulator = makeSimulator(genericSpin(splitting));
+  const double start = simulator->state().kinetic;
+  std::vector<double> largest(10, 0);
+  for (double& error : largest) {
+    for (int look = 0; look < 200; ++look) {
+      simulator->advance(0.01, 10);
+      error = std::max(error, std::abs(simulator->state().kinetic / start - 1));
+    }
+  }
+  EXPECT_LT(largest.back(), 1.01 * largest.front());  // measured 1.000
+  EXPECT_GT(largest.front(), 1e-6);                   // measured 5.5e-5
+}
+
+// Of the six orders of the axes: from the smallest moment to the largest and back.
+TEST(Splitting, TurnsAboutTheAxesInTheBestOrder) {
+  MotionSettings settings = genericSpin({Model::Quaternion, Integrator::Splitting, 2, 0});
+  settings.initial.value = {0, 6.275, 0.314};
+  EXPECT_LT(errorAfter(settings, 1000), kBestOrderBound);
+}
+
+constexpr Integrator kImplicit[]{Integrator::Midpoint, Integrator::Dmv2, Integrator::Dmv4,
+                                 Integrator::Dmv6};
+
+MotionSettings withStep(Integrator integrator, double h) {
+  MotionSettings settings = genericSpin({Model::Quaternion, integrator, 0, 0});
+  settings.simulation.timePerFrame = h;
+  return settings;
+}
+
+// However long the step: a solution that keeps the energy, or a word that there is none.
+TEST(ImplicitIntegrators, SolveForAStepOrSayThatTheyDoNot) {
+  for (const Integrator integrator : kImplicit) {
+    int refused = 0;
+    for (double h = 0.01; h < 1e6; h *= 1.3) {
+      const auto simulator = makeSimulator(withStep(integrator, h));
+      const double start = simulator->state().kinetic;
+      try {
+        simulator->advance(h, 10);
+        const double now = simulator->state().kinetic;
+        EXPECT_LT(std::abs(now / start - 1), kLongStepDrift) << nameOf(integrator) << " " << h;
+      } catch (const NoConvergence& error) {
+        ++refused;
+        EXPECT_THAT(error.what(), HasSubstr("use shorter steps"));
+      }
+    }
+    EXPECT_GT(refused, 10) << nameOf(integrator);  // measured 55 and more
+  }
+}
+
+// Nearly a radian in a step is no reason to give up.
+TEST(ImplicitIntegrators, SolveForStepsOfNearlyARadian) {
+  for (const Integrator integrator : kImplicit) {
+    const auto simulator = makeSimulator(withStep(integrator, kModestStep));
+    EXPECT_NO_THROW(simulator->advance(kModestStep, 1000)) << nameOf(integrator);
+  }
+}
+
+// One step, whose numbers may overflow on the way: what isn't finite is no solution.
+TEST(ImplicitIntegrators, EndNoStepInNumbersThatAreNotFinite) {
+  for (const Integrator integrator : kImplicit) {
+    for (double h = 0.01; h < 1e300; h *= 1.3) {
+      const auto simulator = makeSimulator(withStep(integrator, h));
+      try {
+        simulator->advance(h, 1);
+      } catch (const NoConvergence&) {
+        continue;
+      }
+      EXPECT_TRUE(simulator->state().corners.allFinite()) << nameOf(integrator) << " " << h;
+      EXPECT_TRUE(std::isfinite(simulator->state().kinetic)) << nameOf(integrator) << " " << h;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::physics

@@ -1,0 +1,45 @@
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "scene/parse.h"
+
+namespace rotatebook::scene {
+namespace {
+
+TEST(LookSection, ReadsEveryKey) {
+  const Scene plain = sceneFrom("");
+  EXPECT_EQ(plain.look.background, Background::Studio);
+  EXPECT_EQ(plain.look.supersample, 1);
+  EXPECT_EQ(plain.look.motionBlur, 1);
+  const Scene scene = sceneFrom("[look]\nbackground = 'stars'\nsupersample = 2\nmotion_blur = 4");
+  EXPECT_EQ(scene.look.background, Background::Stars);
+  EXPECT_EQ(scene.look.supersample, 2);
+  EXPECT_EQ(scene.look.motionBlur, 4);
+}
+
+TEST(LookSection, RefusesWhatThereIsNot) {
+  EXPECT_EQ(errorOf("[look]\nbackground = 'star'"),
+            "a.toml:2:14: look.background must be \"studio\", \"stars\" or \"transparent\", not "
+            "\"star\"; did you mean \"stars\"?");
+  EXPECT_EQ(errorOf("[look]\nsupersample = 3"),
+            "a.toml:2:15: look.supersample must be an integer from 1 to 2, not 3");
+  EXPECT_EQ(errorOf("[look]\nmotion_blur = 6"),
+            "a.toml:2:15: look.motion_blur must be 1, 2, 4, 8 or 16, not 6");
+  EXPECT_EQ(errorOf("[look]\nmotion_blur = 32"),
+            "a.toml:2:15: look.motion_blur must be an integer from 1 to 16, not 32");
+}
+
+// Moments between the ends of steps would need other steps, and with them another motion.
+TEST(LookSection, NeedsStepsThatEndAtTheMoments) {
+  EXPECT_EQ(errorOf("look.motion_blur = 4\nsimulation.substeps = 20"),
+            "a.toml:1:20: look.motion_blur = 4 needs simulation.substeps to be a multiple of 8, "
+            "not 20; the next is 24");
+  EXPECT_EQ(errorOf("look.motion_blur = 4\nsimulation.substeps = 24"), "no error");
+  EXPECT_EQ(errorOf("look.motion_blur = 1\nsimulation.substeps = 3"), "no error");
+  EXPECT_EQ(errorOf("look.motion_blur = 4\nsimulation.substeps = 3\nsimulation.model = 'exact'"),
+            "no error");
+}
+
+}  // namespace
+}  // namespace rotatebook::scene

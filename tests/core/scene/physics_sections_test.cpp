@@ -1,0 +1,326 @@
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "scene/names.h"
+#include "scene/parse.h"
+#include "scene/scene_text.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using physics::InitialSpin;
+using physics::Model;
+
+TEST(BodySection, ReadsSizeAndMass) {
+  const Scene scene = sceneFrom("[body]\nsize = [1, 2.5, 3]\nmass = 7");
+  EXPECT_EQ(scene.body.size, Eigen::Vector3d(1, 2.5, 3));
+  EXPECT_EQ(scene.body.mass, 7);
+}
+
+TEST(BodySection, RefusesImpossibleSizes) {
+  const std::string must = "body.size must be three lengths from 1e-6 to 1e6 m, not ";
+  EXPECT_EQ(errorOf("[body]\nsize = [1, 0, 3]"), "a.toml:2:12: " + must + "0");
+  EXPECT_EQ(errorOf("[body]\nsize = [1, 2, -3.0]"), "a.toml:2:15: " + must + "-3.0");
+  EXPECT_EQ(errorOf("[body]\nsize = [nan, 2, 3]"), "a.toml:2:9: " + must + "nan");
+  EXPECT_EQ(errorOf("[body]\nsize = [1, +inf, 3]"), "a.toml:2:12: " + must + "inf");
+  EXPECT_EQ(errorOf("[body]\nsize = [1, 2, 1e7]"), "a.toml:2:15: " + must + "1e+07");
+  EXPECT_EQ(errorOf("[body]\nsize = [1, \"2\", 3]"), "a.toml:2:12: " + must + "\"2\"");
+  EXPECT_EQ(errorOf("[body]\nsize = [1, 2]"), "a.toml:2:8: " + must + "[1, 2]");
+  EXPECT_EQ(errorOf("[body]\nsize = 0.2"), "a.toml:2:8: " + must + "0.2");
+}
+
+TEST(BodySection, RefusesImpossibleMasses) {
+  const std::string must = "a.toml:2:8: body.mass must be a mass from 1e-9 to 1e9 kg, not ";
+  EXPECT_EQ(errorOf("[body]\nmass = 0"), must + "0");
+  EXPECT_EQ(errorOf("[body]\nmass = -1"), must + "-1");
+  EXPECT_EQ(errorOf("[body]\nmass = nan"), must + "nan");
+  EXPECT_EQ(errorOf("[body]\nmass = inf"), must + "inf");
+  EXPECT_EQ(errorOf("[body]\nmass = \"1 kg\""), must + "\"1 kg\"");
+}
+
+TEST(SimulationSection, ReadsEveryKey) {
+  const Scene scene = sceneFrom(
+      "[simulation]\nmodel = 'particles'\nintegrator = 'euler'\nnormalize = false\n"
+      "damping = 0\nstiffness = 31.5\ntime_per_frame = 0.001\nsubsteps = 1000000");
+  EXPECT_EQ(scene.simulation.model, Model::Particles);
+  EXPECT_EQ(scene.simulation.integrator, physics::Integrator::Euler);
+  EXPECT_FALSE(scene.simulation.normalize);
+  EXPECT_EQ(scene.simulation.damping, 0);
+  EXPECT_EQ(scene.simulation.stiffness, 31.5);
+  EXPECT_EQ(scene.simulation.timePerFrame, 0.001);
+  EXPECT_EQ(scene.simulation.substeps, 1'000'000);
+}
+
+TEST(BodySection, ReadsMomentsOfInertia) {
+  const Scene scene = sceneFrom("[body]\ninertia = [3, 4, 5.5]");
+  ASSERT_TRUE(scene.inertia);
+  EXPECT_EQ(*scene.inertia, Eigen::Matrix3d(Eigen::Vector3d(3, 4, 5.5).asDiagonal()));
+  EXPECT_EQ(scene.motion().inertia, scene.inertia);
+  EXPECT_FALSE(sceneFrom("").inertia);
+}
+
+TEST(BodySection, ReadsATensorOfInertia) {
+  const Scene scene =
+      sceneFrom("[body]\ninertia = [[3, 0.1, 0.2],\n  [0.1, 4, 0.3],\n  [0.2, 0.3, 5]]");
+  Eigen::Matrix3d expected;
+  expected << 3, 0.1, 0.2, 0.1, 4, 0.3, 0.2, 0.3, 5;
+  EXPECT_EQ(*scene.inertia, expected);
+}
+
+TEST(BodySection, RefusesImpossibleInertia) {
+  EXPECT_EQ(errorOf("[body]\ninertia = [1, 1, 3]"),
+            "a.toml:2:11: no body has this inertia: a principal moment can't exceed the sum of the "
+            "other two, but its principal moments are 1, 1 and 3 kg m^2");
+  EXPECT_EQ(errorOf("[body]\ninertia = [[3, 1, 0], [0, 4, 0], [0, 0, 5]]"),
+            "a.toml:2:11: an inertia tensor must be symmetric, but its xy entries are 1 and 0");
+  EXPECT_EQ(errorOf("[body]\ninertia = [1, 0, 1]"),
+            "a.toml:2:11: an inertia tensor must be positive definite, but its principal moments "
+            "are 1, 0 and 1 kg m^2");
+  EXPECT_EQ(errorOf("[body]\ninertia = [1, 2]"),
+            "a.toml:2:11: body.inertia must be three moments, [Ix, Iy, Iz], or a tensor of three "
+            "rows, [[Ixx, Ixy, Ixz], ...], not [1, 2]");
+  EXPECT_EQ(errorOf("[body]\ninertia = [[1, 2], [3, 4], [5, 6]]"),
+            "a.toml:2:12: body.inertia must be rows of three numbers up to 1e21 kg m^2, not "
+            "[1, 2]");
+  EXPECT_EQ(errorOf("[body]\ninertia = [1, nan, 1]"),
+            "a.toml:2:15: body.inertia must be three moments of inertia up to 1e21 kg m^2, not "
+            "nan");
+}
+
+TEST(BodySection, RefusesInertiaOfParticles) {
+  EXPECT_EQ(errorOf("body.inertia = [3, 4, 5]\nsimulation.model = 'particles'"),
+            "a.toml:1:16: body.inertia is for rigid models, but the model is \"particles\", whose "
+            "inertia follows from where they are; leave it out");
+}
+
+TEST(SimulationSection, ReadsEveryIntegrator) {
+  for (const auto& model : kModels) {
+    for (const std::string_view name : integratorNames(model.value)) {
+      const Scene scene = sceneFrom("simulation = { model = '" + std::string(model.name) +
+                                    "', integrator = '" + std::string(name) + "' }");
+      EXPECT_EQ(nameOf(kIntegrators, scene.simulation.integrator), name);
+    }
+  }
+  EXPECT_EQ(integratorNames(Model::Particles).size(), 4u);
+  EXPECT_EQ(integratorNames(Model::Matrix).size(), 10u);
+  EXPECT_EQ(integratorNames(Model::Quaternion).size(), 10u);
+}
+
+TEST(SimulationSection, StepsRigidModelsByRk4AndParticlesByEulerUnlessItSaysOtherwise) {
+  const auto integratorWith = [](const std::string& lines) {
+    return sceneFrom(lines).simulation.integrator;
+  };
+  using physics::Integrator;
+  EXPECT_EQ(integratorWith(""), Integrator::Rk4);
+  EXPECT_EQ(integratorWith("simulation.substeps = 2"), Integrator::Rk4);
+  EXPECT_EQ(integratorWith("simulation.model = 'matrix'"), Integrator::Rk4);
+  EXPECT_EQ(integratorWith("simulation.model = 'particles'"), Integrator::Euler);
+  EXPECT_EQ(integratorWith("simulation.integrator = 'euler'"), Integrator::Euler);
+  EXPECT_EQ(integratorWith("[simulation]\nmodel = 'particles'\nintegrator = 'rk4'"),
+            Integrator::Rk4);
+}
+
+TEST(SimulationSection, RefusesAnIntegratorOfAnotherModel) {
+  EXPECT_EQ(errorOf("[simulation]\nmodel = 'particles'\nintegrator = 'dmv4'"),
+            "a.toml:3:14: simulation.integrator = \"dmv4\", but the model \"particles\" has "
+            "\"euler\", \"rk4\", \"symplectic-euler\" and \"verlet\"");
+  EXPECT_EQ(errorOf("[simulation]\nintegrator = 'verlet'"),
+            "a.toml:2:14: simulation.integrator = \"verlet\", but the model \"quaternion\" has "
+            "\"euler\", \"rk4\", \"lie-euler\", \"cf4\", \"splitting\", \"suzuki4\", "
+            "\"midpoint\", \"dmv2\", \"dmv4\" and \"dmv6\"");
+  EXPECT_EQ(errorOf("[simulation]\nmodel = 'exact'\nintegrator = 'rk4'"),
+            "a.toml:3:14: simulation.integrator = \"rk4\", but the model \"exact\" takes no steps; "
+            "leave it out");
+  EXPECT_EQ(errorOf("[simulation]\nmodel = 'particles'\nintegrator = 'exact'"),
+            "a.toml:3:14: simulation.integrator can't be \"exact\": the closed form is a model of "
+            "its own, simulation.model = \"exact\", of a rigid body; particles have none");
+}
+
+TEST(SimulationSection, KnowsTheModels) {
+  EXPECT_EQ(sceneFrom("simulation.model = 'particles'").simulation.model, Model::Particles);
+  EXPECT_EQ(sceneFrom("simulation.model = 'matrix'").simulation.model, Model::Matrix);
+  EXPECT_EQ(sceneFrom("simulation.model = 'quaternion'").simulation.model, Model::Quaternion);
+  EXPECT_EQ(sceneFrom("simulation.model = 'exact'").simulation.model, Model::Exact);
+}
+
+TEST(SimulationSection, RefusesUnknownWords) {
+  const std::string must =
+      "a.toml:2:9: simulation.model must be \"particles\", \"matrix\", \"quaternion\" or "
+      "\"exact\", not ";
+  EXPECT_EQ(errorOf("[simulation]\nmodel = 'matrx'"), must + "\"matrx\"; did you mean \"matrix\"?");
+  EXPECT_EQ(errorOf("[simulation]\nmodel = 'rigid'"), must + "\"rigid\"");
+  EXPECT_EQ(errorOf("[simulation]\nmodel = 2"), must + "2");
+  EXPECT_EQ(errorOf("[simulation]\nintegrator = 'Euler'"),
+            "a.toml:2:14: simulation.integrator must be \"euler\", \"rk4\", \"lie-euler\", "
+            "\"cf4\", \"splitting\", \"suzuki4\", \"midpoint\", \"dmv2\", \"dmv4\", "
+            "\"dmv6\", \"symplectic-euler\" or \"verlet\", not \"Euler\"; did you mean "
+            "\"euler\"?");
+}
+
+TEST(SimulationSection, RefusesNumbersOutOfRange) {
+  const std::string substeps = "simulation.substeps must be an integer from 1 to 1000000, not ";
+  EXPECT_EQ(errorOf("[simulation]\nsubsteps = 0"), "a.toml:2:12: " + substeps + "0");
+  EXPECT_EQ(errorOf("[simulation]\nsubsteps = 1000001"), "a.toml:2:12: " + substeps + "1000001");
+  EXPECT_EQ(errorOf("[simulation]\nsubsteps = 10.0"), "a.toml:2:12: " + substeps + "10.0");
+  EXPECT_EQ(errorOf("[simulation]\nsubsteps = 4294967297"),
+            "a.toml:2:12: " + substeps + "4294967297");
+  EXPECT_EQ(errorOf("[simulation]\ndamping = -0.1"),
+            "a.toml:2:11: simulation.damping must be zero or a positive number, not -0.1");
+  EXPECT_EQ(errorOf("[simulation]\ndamping = inf"),
+            "a.toml:2:11: simulation.damping must be zero or a positive number, not inf");
+  EXPECT_EQ(errorOf("[simulation]\nstiffness = 0"),
+            "a.toml:2:13: simulation.stiffness must be a positive number, not 0");
+  EXPECT_EQ(errorOf("[simulation]\nstiffness = nan"),
+            "a.toml:2:13: simulation.stiffness must be a positive number, not nan");
+  EXPECT_EQ(
+      errorOf("[simulation]\ntime_per_frame = 0.0"),
+      "a.toml:2:18: simulation.time_per_frame must be a time from 1e-100 to 1e100 s, not 0.0");
+  EXPECT_EQ(
+      errorOf("[simulation]\ntime_per_frame = inf"),
+      "a.toml:2:18: simulation.time_per_frame must be a time from 1e-100 to 1e100 s, not inf");
+  EXPECT_EQ(errorOf("[simulation]\nnormalize = 1"),
+            "a.toml:2:13: simulation.normalize must be true or false, not 1");
+}
+
+TEST(InitialSection, ReadsEitherSpin) {
+  const Scene velocity = parseScene("[initial]\nangular_velocity = [1, -2, 3.5]", "a.toml");
+  EXPECT_EQ(velocity.initial.kind, InitialSpin::Kind::AngularVelocity);
+  EXPECT_EQ(velocity.initial.value, Eigen::Vector3d(1, -2, 3.5));
+  const Scene momentum = parseScene("[initial]\nangular_momentum = [0, 0.01, 0]", "a.toml");
+  EXPECT_EQ(momentum.initial.kind, InitialSpin::Kind::AngularMomentum);
+  EXPECT_EQ(momentum.initial.value, Eigen::Vector3d(0, 0.01, 0));
+}
+
+TEST(InitialSection, ReadsATiltTowardEachAxis) {
+  const std::string spin = "[initial]\nangular_velocity = [1, 2, 3]\ntilt = ";
+  EXPECT_EQ(parseScene(spin + "[0.5, 'x']", "a.toml").initial.tilt, (physics::Tilt{0.5, 0}));
+  EXPECT_EQ(parseScene(spin + "[-1, 'y']", "a.toml").initial.tilt, (physics::Tilt{-1, 1}));
+  EXPECT_EQ(parseScene(spin + "[0, 'z']", "a.toml").initial.tilt, (physics::Tilt{0, 2}));
+}
+
+TEST(InitialSection, NeedsExactlyOneSpin) {
+  EXPECT_EQ(errorOfText("\n[initial]\ntilt = [0.1, 'x']"),
+            "a.toml:2:1: [initial] needs angular_velocity or angular_momentum");
+  EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, 0, 1]\nangular_momentum = [0, 0, 1]"),
+            "a.toml:1:1: [initial] has both angular_velocity and angular_momentum; keep one of "
+            "them");
+}
+
+TEST(InitialSection, RefusesAVectorThatIsNone) {
+  const std::string must =
+      "initial.angular_velocity must be three numbers from -1e9 to 1e9, not all zero, not ";
+  EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, 0, 0]"),
+            "a.toml:2:20: " + must + "[0, 0, 0]");
+  EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, 0, 1e-200]"),
+            "a.toml:2:20: " + must + "[0, 0, 1e-200]");
+  EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, nan, 0]"),
+            "a.toml:2:24: " + must + "nan");
+  EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, 0, 1e10]"),
+            "a.toml:2:27: " + must + "1e+10");
+  EXPECT_EQ(errorOfText("[initial]\nangular_momentum = [1, 2]"),
+            "a.toml:2:20: initial.angular_momentum must be three numbers from -1e9 to 1e9, not all "
+            "zero, not [1, 2]");
+  EXPECT_EQ(errorOfText("[initial]\nangular_velocty = [1, 2, 3]"),
+            "a.toml:2:1: unknown key \"angular_velocty\" in [initial]; did you mean "
+            "\"angular_velocity\"?");
+}
+
+TEST(InitialSection, RefusesATiltThatIsNone) {
+  const std::string spin = "[initial]\nangular_velocity = [0, 0, 6]\ntilt = ";
+  const std::string form = "an angle and an axis, such as [0.001, \"z\"]";
+  EXPECT_EQ(errorOfText(spin + "0.1"), "a.toml:3:8: initial.tilt must be " + form + ", not 0.1");
+  EXPECT_EQ(errorOfText(spin + "[0.1]"),
+            "a.toml:3:8: initial.tilt must be " + form + ", not [0.1]");
+  EXPECT_EQ(errorOfText(spin + "[inf, 'x']"), "a.toml:3:9: initial.tilt must be a number, not inf");
+  EXPECT_EQ(errorOfText(spin + "[0.1, 'w']"),
+            "a.toml:3:14: initial.tilt must be \"x\", \"y\" or \"z\", not \"w\"");
+  EXPECT_EQ(errorOfText(spin + "[0.1, 'Y']"),
+            "a.toml:3:14: initial.tilt must be \"x\", \"y\" or \"z\", not \"Y\"; did you mean "
+            "\"y\"?");
+  EXPECT_EQ(errorOfText(spin + "[0.1, 'z']"),
+            "a.toml:3:8: can't tilt the initial spin (0, 0, 6) toward z: it points along that axis "
+            "already; tilt it toward another axis");
+}
+
+TEST(ExpectSection, ReadsEveryBound) {
+  const Scene scene = sceneFrom(
+      "[expect]\ntilt_deg = { min = -1, max = 2, rises_to = 1.5, falls_to = 0, from = 3, to = 4 }");
+  ASSERT_EQ(scene.expectations.size(), 1u);
+  EXPECT_EQ(scene.expectations[0], (Expectation{Quantity::TiltDeg, -1, 2, 1.5, 0, 3, 4}));
+}
+
+TEST(ExpectSection, ReadsArraysAndKeepsTheOrder) {
+  const Scene scene = sceneFrom(
+      "[expect]\nstretch = [{ max = 1.01, to = 2 }, { rises_to = 2, from = 2 }]\n"
+      "half_turns.min = 3\n[[expect.energy_ratio]]\nmax = 9");
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const std::vector<Expectation> expected{
+      {Quantity::Stretch, {}, 1.01, {}, {}, 0, 2},
+      {Quantity::Stretch, {}, {}, 2, {}, 2, kInfinity},
+      {Quantity::HalfTurns, 3, {}, {}, {}, 0, kInfinity},
+      {Quantity::EnergyRatio, {}, 9, {}, {}, 0, kInfinity},
+  };
+  EXPECT_EQ(scene.expectations, expected);
+}
+
+TEST(ExpectSection, KnowsEveryQuantity) {
+  for (const Quantity quantity : allQuantities()) {
+    const std::string name(nameOf(quantity));
+    const Scene scene = sceneFrom("expect." + name + ".min = 1");
+    ASSERT_EQ(scene.expectations.size(), 1u) << name;
+    EXPECT_EQ(scene.expectations[0].quantity, quantity) << name;
+  }
+}
+
+TEST(ExpectSection, RefusesUnknownKeys) {
+  EXPECT_EQ(errorOf("[expect]\nhalf_turn = { min = 3 }"),
+            "a.toml:2:1: unknown key \"half_turn\" in [expect]; did you mean \"half_turns\"?");
+  EXPECT_EQ(errorOf("[expect]\nhalf_turns = { mni = 3 }"),
+            "a.toml:2:16: unknown key \"mni\" in [expect.half_turns]; did you mean \"min\"?");
+  EXPECT_EQ(errorOf("[expect]\nhalf_turns = { least = 3 }"),
+            "a.toml:2:16: unknown key \"least\" in [expect.half_turns]; valid are \"min\", "
+            "\"max\", \"rises_to\", \"falls_to\", \"from\" and \"to\"");
+}
+
+TEST(ExpectSection, RefusesBoundsThatBoundNothing) {
+  const std::string needs =
+      ": expect.half_turns needs at least one of min, max, rises_to and falls_to";
+  EXPECT_EQ(errorOf("[expect]\nhalf_turns = {}"), "a.toml:2:14" + needs);
+  EXPECT_EQ(errorOf("[expect]\nhalf_turns = [{ max = 1 }, { from = 1, to = 2 }]"),
+            "a.toml:2:28" + needs);
+  const std::string must =
+      "expect.half_turns must be a table such as { min = 1.0 } or an array of them, not ";
+  EXPECT_EQ(errorOf("[expect]\nhalf_turns = 3"), "a.toml:2:14: " + must + "3");
+  EXPECT_EQ(errorOf("[expect]\nhalf_turns = []"), "a.toml:2:14: " + must + "[]");
+  EXPECT_EQ(errorOf("[expect]\nhalf_turns = [{ min = 1 }, 3]"), "a.toml:2:28: " + must + "3");
+}
+
+TEST(ExpectSection, RefusesBoundsThatCannotBeMet) {
+  EXPECT_EQ(errorOf("[expect]\nstretch = { max = 1, min = 1.5 }"),
+            "a.toml:2:28: expect.stretch.min must be at most max, 1.0, not 1.5");
+  EXPECT_EQ(errorOf("[expect]\nstretch = { max = 1, from = 3, to = 2 }"),
+            "a.toml:2:29: expect.stretch.from must be at most to, 2.0, not 3");
+  EXPECT_EQ(errorOf("[expect]\nstretch = { max = 1, from = -3 }"),
+            "a.toml:2:29: expect.stretch.from must be zero or a positive number, not -3");
+  EXPECT_EQ(errorOf("[expect]\nstretch = { max = 1, to = inf }"),
+            "a.toml:2:27: expect.stretch.to must be zero or a positive number, not inf");
+}
+
+TEST(ExpectSection, RefusesBoundsThatAreNoNumbers) {
+  for (const std::string bound : {"min", "max", "rises_to", "falls_to"}) {
+    const std::string key = "expect.stretch." + bound;
+    const std::string place = "a.toml:1:" + std::to_string(key.size() + 2) + ": ";
+    EXPECT_EQ(errorOf(key + "=nan"), place + key + " must be a number, not nan");
+    EXPECT_EQ(errorOf(key + "=true"), place + key + " must be a number, not true");
+  }
+}
+
+TEST(ExpectSection, TakesBoundsThatMeet) {
+  EXPECT_EQ(errorOf("[expect]\nhalf_turns = { min = 3, max = 3, from = 2, to = 2 }"), "no error");
+}
+
+}  // namespace
+}  // namespace rotatebook::scene

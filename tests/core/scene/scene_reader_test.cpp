@@ -1,0 +1,127 @@
+#include <filesystem>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "scene/parse.h"
+#include "scene/scene_text.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using physics::InitialSpin;
+using physics::Integrator;
+using physics::Model;
+
+TEST(SceneReader, NeedsOnlyASpin) {
+  const Scene scene = parseScene(kSpin, "some/where/tumbling.toml");
+  EXPECT_EQ(scene.name, "tumbling");
+  EXPECT_EQ(scene.folder, std::filesystem::path("some/where"));
+  EXPECT_EQ(scene.title, "tumbling");
+  EXPECT_EQ(scene.caption, "");
+  EXPECT_EQ(scene.initial.kind, InitialSpin::Kind::AngularVelocity);
+  EXPECT_EQ(scene.initial.value, Eigen::Vector3d(0, 0, 6));
+  EXPECT_FALSE(scene.initial.tilt);
+  EXPECT_TRUE(scene.expectations.empty());
+}
+
+TEST(SceneReader, HasTheDocumentedDefaultsOfTheMotion) {
+  const Scene scene = sceneFrom("");
+  EXPECT_EQ(scene.body.size, Eigen::Vector3d(0.1878, 0.29085, 0.05));
+  EXPECT_EQ(scene.body.mass, 1);
+  EXPECT_EQ(scene.simulation.model, Model::Quaternion);
+  EXPECT_EQ(scene.simulation.integrator, Integrator::Rk4);
+  EXPECT_TRUE(scene.simulation.normalize);
+  EXPECT_EQ(scene.simulation.damping, 1);
+  EXPECT_EQ(scene.simulation.stiffness, 2000);
+  EXPECT_EQ(scene.simulation.timePerFrame, 1.0 / 60);
+  EXPECT_EQ(scene.simulation.substeps, 64);
+}
+
+TEST(SceneReader, HasTheDocumentedDefaultsOfThePicture) {
+  const Scene scene = sceneFrom("");
+  EXPECT_EQ(scene.clip.width, 1280);
+  EXPECT_EQ(scene.clip.height, 720);
+  EXPECT_EQ(scene.clip.frameRate, (FrameRate{60, 1}));
+  EXPECT_EQ(scene.clip.duration, 12);
+  EXPECT_EQ(scene.video.crf, 18);
+  EXPECT_EQ(scene.video.preset, "book");
+  EXPECT_EQ(scene.video.threads, 1);
+  EXPECT_EQ(scene.camera.position, defaultCameraPosition(scene.body, 30, 1280, 720));
+  EXPECT_EQ(scene.camera.target, Eigen::Vector3d::Zero());
+  EXPECT_EQ(scene.camera.up, Eigen::Vector3d::UnitY());
+  EXPECT_EQ(scene.camera.fieldOfViewDeg, 30);
+  EXPECT_EQ(scene.book.front, "builtin");
+  EXPECT_EQ(scene.book.spine, "builtin");
+  EXPECT_EQ(scene.book.back, "builtin");
+}
+
+TEST(SceneReader, ReadsTitleAndCaption) {
+  const Scene scene = sceneFrom("title = \"T\"\ncaption = 'C \"c\"'");
+  EXPECT_EQ(scene.title, "T");
+  EXPECT_EQ(scene.caption, "C \"c\"");
+  EXPECT_EQ(scene.name, "a");
+  EXPECT_EQ(sceneFrom("title = ''").title, "");
+}
+
+TEST(SceneReader, SimulatesInRealTimeUnlessToldOtherwise) {
+  EXPECT_EQ(sceneFrom("[clip]\nfps = 25").simulation.timePerFrame, 1.0 / 25);
+  EXPECT_EQ(sceneFrom("[clip]\nfps = '30000/1001'").simulation.timePerFrame, 1001.0 / 30000);
+  EXPECT_EQ(sceneFrom("simulation.time_per_frame = 0.5\nclip.fps = 25").simulation.timePerFrame,
+            0.5);
+}
+
+TEST(SceneReader, PlacesTheCameraByBodyAngleAndPicture) {
+  const Scene scene =
+      sceneFrom("camera.field_of_view_deg = 50\nbody.size = [1, 2, 3]\nclip.size = [320, 640]");
+  EXPECT_EQ(scene.camera.position, defaultCameraPosition(scene.body, 50, 320, 640));
+  EXPECT_EQ(sceneFrom("camera.position = [1, 2, 3]").camera.position, Eigen::Vector3d(1, 2, 3));
+}
+
+TEST(SceneReader, NamesTheNearestSectionOrKey) {
+  EXPECT_EQ(errorOf("titel = \"x\""), "a.toml:1:1: unknown key \"titel\"; did you mean \"title\"?");
+  EXPECT_EQ(errorOf("\n[simulaton]\nsubsteps = 3"),
+            "a.toml:2:2: unknown section \"simulaton\"; did you mean \"simulation\"?");
+  EXPECT_EQ(errorOf("[body]\nsize = [1, 2, 3]\n  maas = 3"),
+            "a.toml:3:3: unknown key \"maas\" in [body]; did you mean \"mass\"?");
+}
+
+TEST(SceneReader, ListsTheValidOnesWhereNoneIsNear) {
+  EXPECT_EQ(errorOf("substeps = 3"),
+            "a.toml:1:1: unknown key \"substeps\"; valid are \"title\", \"caption\", \"body\", "
+            "\"simulation\", \"initial\", \"clip\", \"video\", \"camera\", \"book\", \"look\", "
+            "\"overlay\", "
+            "\"expect\", \"panel\" and \"study\"");
+  EXPECT_EQ(errorOf("[sound]"),
+            "a.toml:1:2: unknown section \"sound\"; valid are \"title\", \"caption\", \"body\", "
+            "\"simulation\", \"initial\", \"clip\", \"video\", \"camera\", \"book\", \"look\", "
+            "\"overlay\", "
+            "\"expect\", \"panel\" and \"study\"");
+  EXPECT_EQ(errorOf("[body]\ncolour = 3"),
+            "a.toml:2:1: unknown key \"colour\" in [body]; valid are \"size\", \"mass\" "
+            "and \"inertia\"");
+}
+
+TEST(SceneReader, ReportsTheFirstProblemOfTheText) {
+  EXPECT_EQ(errorOf("[video]\ncrf = 99\n[body]\nmass = 0"),
+            "a.toml:2:7: video.crf must be an integer from 1 to 51, not 99");
+  EXPECT_EQ(errorOf("[body]\nmass = 0\n[video]\ncrf = 99"),
+            "a.toml:2:8: body.mass must be a mass from 1e-9 to 1e9 kg, not 0");
+}
+
+TEST(SceneReader, RefusesWrongTypes) {
+  EXPECT_EQ(errorOf("title = 3"), "a.toml:1:9: title must be a text in quotes, not 3");
+  EXPECT_EQ(errorOf("caption = true"), "a.toml:1:11: caption must be a text in quotes, not true");
+  EXPECT_EQ(errorOf("body = 5"), "a.toml:1:8: body must be a section, not 5");
+  EXPECT_EQ(errorOf("[[clip]]\nfps = 3"), "a.toml:1:1: clip must be a section, not [a table]");
+}
+
+TEST(SceneReader, NeedsASpin) {
+  EXPECT_EQ(errorOfText("title = \"x\"\n"),
+            "a.toml:1:1: [initial] is missing; it needs angular_velocity or angular_momentum");
+  EXPECT_EQ(errorOfText(""),
+            "a.toml:1:1: [initial] is missing; it needs angular_velocity or angular_momentum");
+}
+
+}  // namespace
+}  // namespace rotatebook::scene

@@ -1,0 +1,104 @@
+// Motions, pictures and views to draw marks on.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+
+#include "image/image.h"
+#include "overlay/marks.h"
+#include "physics/trajectory.h"
+#include "scene/scene_text.h"
+
+namespace rotatebook::overlay::testing {
+
+/// A scene that tumbles; `overrides` as --set takes them.
+inline scene::Scene tumbling(const std::vector<std::string>& overrides = {}) {
+  return scene::parseScene(
+      "title = \"A title\"\n[initial]\nangular_velocity = [6.3, 0, 0]\ntilt = [0.02, 'z']\n"
+      "[simulation]\nintegrator = 'rk4'\n[clip]\nfps = 30\nduration = 6\n",
+      "tumbling.toml", overrides);
+}
+
+/// A scene whose motion diverges within its clip.
+inline scene::Scene diverging(std::vector<std::string> overrides = {}) {
+  for (const char* one :
+       {"simulation.model=particles", "simulation.integrator=euler", "simulation.normalize=false",
+        "simulation.damping=0", "simulation.substeps=8"}) {
+    overrides.emplace_back(one);
+  }
+  return tumbling(overrides);
+}
+
+inline physics::Trajectory motionOf(const scene::Scene& scene) {
+  return physics::simulate(scene.motion(), scene.clip.frameCount());
+}
+
+/// A grey picture of the clip's size.
+inline image::Image greyPicture(const scene::Scene& scene) {
+  image::Image picture(scene.clip.width, scene.clip.height, image::PixelFormat::Rgba8);
+  for (int y = 0; y < picture.height(); ++y) {
+    std::uint8_t* row = picture.row(y);
+    for (int x = 0; x < picture.width(); ++x, row += 4) {
+      row[0] = row[1] = row[2] = 96;
+      row[3] = 255;
+    }
+  }
+  return picture;
+}
+
+/// The projection of the scene's camera onto the rows above `bottomRows`.
+inline Eigen::Matrix4d clipFromWorld(const scene::Scene& scene, int bottomRows) {
+  const scene::CameraSettings& camera = scene.camera;
+  const Eigen::Vector3d back = (camera.position - camera.target).normalized();
+  const Eigen::Vector3d right = camera.up.cross(back).normalized();
+  Eigen::Matrix4d view = Eigen::Matrix4d::Identity();
+  view.topLeftCorner<3, 3>() << right.transpose(), back.cross(right).transpose(), back.transpose();
+  view.topRightCorner<3, 1>() = -view.topLeftCorner<3, 3>() * camera.position;
+  const double share = 1 - static_cast<double>(bottomRows) / scene.clip.height;
+  const double scale = 1 / std::tan(camera.fieldOfViewDeg * 3.14159265358979323846 / 360);
+  Eigen::Matrix4d clip = Eigen::Matrix4d::Zero();
+  clip(0, 0) = scale * share * scene.clip.height / scene.clip.width;
+  clip(1, 1) = -scale * share;
+  clip(1, 2) = 1 - share;  // the upper share of the picture
+  clip(3, 2) = -1;
+  return clip * view;
+}
+
+/// The marks of `scene` on its whole picture, without other words.
+inline Marks marksOf(const scene::Scene& scene, const physics::Trajectory& trajectory) {
+  return {scene, trajectory, {.width = scene.clip.width, .height = scene.clip.height}};
+}
+
+/// What `marks` draw on a grey picture.
+inline image::Image drawn(Marks& marks, const scene::Scene& scene, std::int64_t frame) {
+  image::Image picture = greyPicture(scene);
+  marks.draw(frame, clipFromWorld(scene, marks.bottomRows()), picture);
+  return picture;
+}
+
+/// The same of a scene with nothing else.
+inline image::Image drawn(const scene::Scene& scene, std::int64_t frame) {
+  const physics::Trajectory trajectory = motionOf(scene);
+  Marks marks = marksOf(scene, trajectory);
+  return drawn(marks, scene, frame);
+}
+
+/// The first pair of boxes that meet, if any.
+inline std::string meeting(const std::vector<Box>& boxes) {
+  const auto text = [](const Box& box) {
+    return "(" + std::to_string(box.x) + ", " + std::to_string(box.y) + ") " +
+           std::to_string(box.width) + " x " + std::to_string(box.height);
+  };
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (boxes[i].meets(boxes[j])) return text(boxes[i]) + " meets " + text(boxes[j]);
+    }
+  }
+  return "";
+}
+
+}  // namespace rotatebook::overlay::testing

@@ -1,0 +1,130 @@
+// Words never meet, at any size.
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "overlay/motion.h"
+#include "overlay/words.h"
+#include "scene/shipped_scene.h"
+
+namespace rotatebook::overlay {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kEverything =
+    "'clock', 'axes', 'omega', 'momentum', 'trail', 'polhode', 'energy', 'error', 'half_turns', "
+    "'springs', 'ghost'";
+
+/// The longest of the scenes that ship.
+std::string longestCaption() {
+  std::string longest;
+  const fs::path folder = fs::path(ROTATEBOOK_SOURCE) / "scenes";
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() != ".toml") continue;
+    const fs::path name = entry.path().lexically_relative(folder).replace_extension();
+    const std::string caption = scene::shippedScene(name.string()).caption;
+    if (caption.size() > longest.size()) longest = caption;
+  }
+  return longest;
+}
+
+scene::Scene sceneOf(int width, int height, const std::string& show) {
+  scene::Scene scene = testing::tumbling(
+      {"clip.size=[" + std::to_string(width) + ", " + std::to_string(height) + "]",
+       "simulation.model='particles'", "simulation.integrator='euler'",
+       "overlay.show=[" + show + "]"});
+  static const std::string kLongest = longestCaption();
+  scene.caption = kLongest;
+  scene.title = "Energy not corrected: the book spins up and explodes";
+  return scene;
+}
+
+struct Size {
+  int width, height;
+};
+
+std::string text(const Size& size) {
+  return std::to_string(size.width) + "x" + std::to_string(size.height);
+}
+
+constexpr Size kWhole[] = {{640, 360},   {854, 480},   {1280, 720}, {1920, 1080},
+                           {2560, 1440}, {3840, 2160}, {480, 854},  {1080, 1080}};
+constexpr Size kPanels[] = {{424, 360}, {640, 352}, {320, 720}, {426, 720},
+                            {640, 720}, {318, 178}, {960, 540}, {1278, 1078},
+                            {212, 178}, {212, 130}, {158, 270}, {158, 130}};
+
+void expectApart(const std::vector<Box>& boxes, const Size& size) {
+  EXPECT_EQ(testing::meeting(boxes), "");
+  for (const Box& box : boxes) {
+    EXPECT_TRUE((Box{0, 0, 1.0 * size.width, 1.0 * size.height}.holds(box)))
+        << box.x << ", " << box.y << ", " << box.width << " x " << box.height;
+  }
+}
+
+/// Frames of an ordinary motion, and the last one with the notice.
+void expectNoMeeting(const scene::Scene& scene, Words* words, const Ground& ground) {
+  physics::Trajectory trajectory = testing::motionOf(scene);
+  trajectory.divergedAt = 9999.99;
+  Marks marks(scene, trajectory, ground);
+  image::Image picture = testing::greyPicture(scene);
+  const std::int64_t step = ground.height > 1500 ? 60 : 9;
+  for (std::int64_t frame = 0; frame <= scene.clip.frameCount(); frame += step) {
+    marks.draw(frame, testing::clipFromWorld(scene, marks.bottomRows()), picture);
+    std::vector<Box> boxes = marks.texts();
+    if (words != nullptr) {
+      words->draw(frame, picture);
+      boxes.insert(boxes.end(), words->texts().begin(), words->texts().end());
+    }
+    SCOPED_TRACE(frame);
+    expectApart(boxes, {ground.width, ground.height});
+    if (::testing::Test::HasFailure()) return;
+  }
+}
+
+TEST(Texts, NeverMeetOnAWholePicture) {
+  EXPECT_GT(longestCaption().size(), 280U);
+  for (const Size& size : kWhole) {
+    SCOPED_TRACE(text(size));
+    const scene::Scene scene =
+        sceneOf(size.width, size.height, std::string("'caption', ") + kEverything);
+    Words words(scene);
+    expectNoMeeting(scene, &words,
+                    {size.width, size.height, words.corner(), words.bottomRows(), ""});
+  }
+}
+
+TEST(Texts, NeverMeetOnAPanel) {
+  for (const Size& size : kPanels) {
+    SCOPED_TRACE(text(size));
+    const scene::Scene scene = sceneOf(size.width, size.height, kEverything);
+    // Small ones, and those of a picture twice as wide and high.
+    for (const double letters : {0.0, 0.044 * std::min(size.width, size.height)}) {
+      SCOPED_TRACE(letters);
+      expectNoMeeting(scene, nullptr,
+                      {size.width, size.height, {}, 0, "x: the median moment of inertia", letters});
+    }
+  }
+}
+
+TEST(Texts, OfAClipWithPanelsNeverMeet) {
+  for (const Size& size : kWhole) {
+    for (const char* show : {"'caption', 'clock'", "'clock'"}) {
+      SCOPED_TRACE(text(size) + show);
+      const scene::Scene scene = sceneOf(size.width, size.height, show);
+      Words words(scene, Words::ClockPlace::Bottom);
+      EXPECT_TRUE(words.corner().empty());
+      image::Image picture = testing::greyPicture(scene);
+      words.draw(100, picture);
+      EXPECT_FALSE(words.texts().empty());
+      expectApart(words.texts(), size);
+      for (const Box& box : words.texts()) EXPECT_GE(box.y, size.height - words.bottomRows());
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::overlay

@@ -1,0 +1,168 @@
+#include "render/sampled_book.h"
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "embedded/render.h"
+#include "image/light_sum.h"
+#include "image/png_file.h"
+#include "render/book/book_geometry.h"
+#include "render/book/book_mesh.h"
+#include "render/book/frame_target.h"
+#include "render/book/shader_program.h"
+#include "render/book/texture.h"
+#include "render/device/egl_context.h"
+
+namespace rotatebook::render::testing {
+namespace {
+
+constexpr int kSamples = 4;
+
+constexpr std::string_view kOneSample = R"(#version 330 core
+uniform sampler2DMS samples;
+uniform int number;
+out vec4 colour;
+void main() { colour = texelFetch(samples, ivec2(gl_FragCoord.xy), number); }
+)";
+
+/// A frame buffer of several samples a pixel.
+struct SampledTarget {
+  SampledTarget(int width, int height) {
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, colour.name());
+    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, kSamples, GL_SRGB8_ALPHA8, width, height,
+                            GL_TRUE);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, depth.name());
+    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, kSamples, GL_DEPTH_COMPONENT24, width,
+                            height, GL_TRUE);
+    glBindFramebuffer(GL_FRAMEBUFFER, buffer.name());
+    attach(GL_COLOR_ATTACHMENT0, colour);
+    attach(GL_DEPTH_ATTACHMENT, depth);
+  }
+
+  static void attach(GLenum attachment, const GlTexture& texture) {
+    glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D_MULTISAMPLE, texture.name(),
+                           0);
+  }
+
+  GlTexture colour, depth;
+  GlFramebuffer buffer;
+};
+
+}  // namespace
+
+struct SampledBook::Parts {
+  Parts(const RenderSettings& renderSettings, const BookTextures& textures)
+      : settings(renderSettings),
+        everything{0, 0, settings.width, settings.height},
+        context(settings.device),
+        target(settings.width, settings.height),
+        cover("cover", bookVertexShader(), {coverFragmentShader(), toneCurveFragmentShader()}),
+        paper("paper", bookVertexShader(), {paperFragmentShader(), toneCurveFragmentShader()}),
+        oneSample("sample", wholePictureVertexShader(), {kOneSample}),
+        geometry(makeBookMesh()),
+        front(textures.front.view(), TextureWrap::Clamp),
+        spine(textures.spine.view(), TextureWrap::Clamp),
+        back(textures.back.view(), TextureWrap::Clamp),
+        leaves(image::decodePng(paperPng(), "built-in paper").view(), TextureWrap::Repeat) {}
+
+  void draw(const physics::Corners& corners) const {
+    const Projection projection =
+        project(settings.camera, corners, {settings.width, settings.height, settings.bottomRows});
+    const Eigen::Matrix4d& clipFromWorld = projection.clipFromWorld;
+    const int facing = drawnFacing(corners);
+    glEnable(GL_FRAMEBUFFER_SRGB);
+    glEnable(GL_DEPTH_TEST);
+    facing == 0 ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
+    glFrontFace(facing < 0 ? GL_CW : GL_CCW);
+    geometry.bind();
+    use(cover, corners, clipFromWorld);
+    cover.set("eye", Eigen::Vector3f(settings.camera.position.cast<float>()));
+    drawPart(BookPart::Front, front);
+    drawPart(BookPart::Spine, spine);
+    drawPart(BookPart::Back, back);
+    if (facing == 0) drawPart(BookPart::Lining, front);
+    use(paper, corners, clipFromWorld);
+    drawPart(BookPart::Pages, leaves);
+  }
+
+  static void use(const ShaderProgram& program, const physics::Corners& corners,
+                  const Eigen::Matrix4d& clipFromWorld) {
+    program.use();
+    program.set("corners", Eigen::Matrix<float, 3, 8>(corners.cast<float>()));
+    program.set("clipFromWorld", Eigen::Matrix4f(clipFromWorld.cast<float>()));
+  }
+
+  void drawPart(BookPart part, const Texture& texture) const {
+    texture.bind();
+    geometry.draw(part);
+  }
+
+  image::Image readBack() const {
+    image::Image picture(settings.width, settings.height, image::PixelFormat::Rgba8);
+    target.readBack({&everything, 1}, picture);
+    return picture;
+  }
+
+  RenderSettings settings;
+  PixelRect everything;
+  EglContext context;
+  FrameTarget target;
+  std::optional<SampledTarget> sampled;  // Large; only if it is asked for.
+  ShaderProgram cover, paper, oneSample;
+  BookGeometry geometry;
+  Texture front, spine, back, leaves;
+};
+
+SampledBook::SampledBook(const RenderSettings& settings, const BookTextures& textures)
+    : parts_(std::make_unique<Parts>(settings, textures)) {}
+SampledBook::~SampledBook() = default;
+
+std::vector<image::Image> SampledBook::multisampled(const physics::Corners& corners) {
+  parts_->target.begin(parts_->everything);
+  if (!parts_->sampled) parts_->sampled.emplace(parts_->settings.width, parts_->settings.height);
+  glBindFramebuffer(GL_FRAMEBUFFER, parts_->sampled->buffer.name());
+  glEnable(GL_MULTISAMPLE);
+  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  parts_->draw(corners);
+  std::vector<image::Image> samples;
+  for (int i = 0; i < kSamples; ++i) {
+    parts_->target.begin(parts_->everything);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    parts_->oneSample.use();
+    parts_->oneSample.set("number", i);
+    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, parts_->sampled->colour.name());
+    const GlVertexArray noVertices;
+    glBindVertexArray(noVertices.name());
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    samples.push_back(parts_->readBack());
+  }
+  return samples;
+}
+
+image::Image SampledBook::drawn(const physics::Corners& corners) {
+  parts_->target.begin(parts_->everything);
+  parts_->draw(corners);
+  return parts_->readBack();
+}
+
+image::Image meanLight(const std::vector<image::Image>& samples, const image::Image& background) {
+  image::Image mean = background;
+  for (int y = 0; y < mean.height(); ++y) {
+    for (int x = 0; x < mean.width(); ++x) {
+      image::LightSum sum;
+      for (const image::Image& sample : samples) {
+        const std::uint8_t* pixel = sample.row(y) + 4 * static_cast<std::ptrdiff_t>(x);
+        if (pixel[3] == 0) pixel = background.row(y) + 4 * static_cast<std::ptrdiff_t>(x);
+        const std::array<std::uint8_t, 4> opaque{pixel[0], pixel[1], pixel[2], 255};
+        sum.add(opaque.data(), 1);
+      }
+      sum.mean(static_cast<std::uint32_t>(samples.size()),
+               mean.row(y) + 4 * static_cast<std::ptrdiff_t>(x));
+    }
+  }
+  return mean;
+}
+
+}  // namespace rotatebook::render::testing

@@ -1,0 +1,68 @@
+#include "render/antialias/strips.h"
+
+#include <algorithm>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "render/book/book_geometry.h"
+#include "render/drawing.h"
+
+namespace rotatebook::render {
+namespace {
+
+using testing::book;
+using testing::kX;
+using testing::kY;
+
+std::vector<SeenStrip> stripsAt(int width, int height, const physics::Corners& corners) {
+  const Projection projection =
+      project(testing::settingsOf(width, height).camera, corners, {width, height, 0});
+  std::vector<SeenStrip> seen;
+  StripFinder(makeBookMesh())
+      .find(corners, projection.clipFromWorld, drawnFacing(corners), {width, height}, seen);
+  return seen;
+}
+
+long narrowAt(int width, int height, const physics::Corners& corners) {
+  return std::ranges::count_if(stripsAt(width, height, corners), &SeenStrip::narrow);
+}
+
+TEST(Strips, AreNarrowInSmallPicturesAlone) {
+  const physics::Corners corners = book({{-35, kY}, {20, kX}});
+  EXPECT_GE(narrowAt(320, 180, corners), 30);   // measured 38
+  EXPECT_LE(narrowAt(7680, 4320, corners), 4);  // measured 2
+}
+
+TEST(Strips, AreNotNarrowBehindTheCamera) {
+  EXPECT_EQ(narrowAt(320, 180, testing::explodingBook()), 0);
+}
+
+TEST(Strips, AreFollowedInPerspective) {
+  SeenStrip strip{.narrow = true, .from = {10, 5}, .way = {0.01F, 0}, .distances = {1, 3}};
+  EXPECT_FLOAT_EQ(strip.shareAt({10, 5}), 0);
+  EXPECT_FLOAT_EQ(strip.shareAt({110, 7}), 1);
+  EXPECT_FLOAT_EQ(strip.shareAt({60, 5}), 0.25F);  // The farther half takes less of the picture.
+  EXPECT_FLOAT_EQ(strip.shareAt({-50, 5}), 0);
+}
+
+// Each row is drawn from end to end, and nothing of it is black.
+TEST(Strips, HaveColoursThroughout) {
+  Renderer renderer(testing::settingsOf(320, 180), testing::builtinTextures());
+  DrawnBook drawn = renderer.makeBook();
+  for (const double angle : {0.0, 40.0, 90.0, 170.0, 270.0}) {
+    renderer.draw(book({{angle, kY}, {20, kX}}), drawn);
+    const std::vector<SeenStrip>& seen = drawn.strips.seen;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+      if (!seen[i].narrow) continue;
+      const std::uint8_t* row = drawn.strips.colours.row(static_cast<int>(i));
+      for (int x = 0; x < static_cast<int>(seen[i].columns); ++x) {
+        EXPECT_GT(row[4 * x], 20) << "strip " << i << ", column " << x;  // measured 61
+        EXPECT_NE(row[4 * x + 3], 0) << "strip " << i << ", column " << x;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::render

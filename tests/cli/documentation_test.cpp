@@ -84,7 +84,7 @@ std::string withoutComment(const std::string& line) {
 }
 
 /// The same command with small pictures; what is measured, of few of them.
-std::string small(const std::string& command) {
+std::string madeSmall(const std::string& command) {
   static const std::regex kSize("--size [0-9]+x[0-9]+");
   static const std::regex kFrames(" --frames [0-9]+(?= |$)");
   const std::string result = std::regex_replace(command, kSize, "--size 80x46");
@@ -167,7 +167,7 @@ class ShownCommands : public ProgramTest {
     if (line.starts_with("make ")) {
       addProblemsOfMake(line, problems);
     } else if (line.starts_with("rotatebook ")) {
-      addProblemsOfCommand(small(line), problems);
+      addProblemsOfCommand(madeSmall(line), problems);
     } else if (!line.starts_with("cp ")) {
       problems.push_back(line + "\nis neither a command of rotatebook nor listed as not run");
     } else if (runInShell(line) != 0) {
@@ -200,7 +200,7 @@ class ShownCommands : public ProgramTest {
     }
     const std::string command = programsCommand(read("log.txt"));
     if (!command.empty() && line.starts_with("make render ")) {
-      addProblemsOfCommand(small(command), problems);
+      addProblemsOfCommand(madeSmall(command), problems);
     }
   }
 

@@ -28,7 +28,7 @@ help:
 	@echo 'make bench-physics       measure a step of each integrator'
 	@echo 'make bench-engines       compare with Bullet, ODE, MuJoCo and Simbody: error, drift, speed'
 	@echo 'make lint                check format and run the static analyser'
-	@echo 'make gallery             draw docs/gallery.png, the picture at the top of the README, anew'
+	@echo 'make gallery             draw docs/gallery.png, the picture in docs/figures.md, anew'
 	@echo 'make textures            draw the cover anew (see assets/README.md)'
 	@echo 'make setup               install what the program needs; other targets install what they need, too'
 	@echo 'make clean               remove build/ and $(OUT)/'
@@ -63,7 +63,7 @@ figures: program
 	$(PROGRAM) page scenes/comparisons/axes.toml scenes/stills/*.toml scenes/figures/*.toml scenes/comparisons/*.toml \
 	  scenes/studies/*.toml -o $(OUT)
 
-# The picture at the top of the README: views that say what there is, small enough for a page.
+# The picture at the top of docs/figures.md: views that say what there is, small enough for a page.
 gallery: program
 	$(PROGRAM) sheet scenes/stills/fig01-axes.toml scenes/figures/fig05-unstable-x.toml \
 	  scenes/figures/figa-exact.toml scenes/figures/fig12-quaternion-pulsating.toml \
@@ -123,8 +123,8 @@ bench-engines: setup-test
 	@cmake --build build/engines --target rotatebook_engines_bench
 	build/engines/bench/engines/rotatebook_engines_bench
 
-# How many of the program's lines the tests run; docs/coverage.md tells why which don't. Where a test limits the size of files,
-# counters can't be written, which would be told among the program's own words.
+# How many of the program's lines the tests run; docs/coverage.md says which they don't, and why. Where a test limits the size of
+# files, counters can't be written, which would be reported among the program's own words.
 coverage: setup
 	@scripts/setup.sh scripts/packages-coverage.txt
 	@find build/coverage -name '*.gcda' -delete 2>/dev/null || true

@@ -1,0 +1,64 @@
+#include "cli/markdown.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+namespace rotatebook::cli::testing {
+
+namespace fs = std::filesystem;
+
+std::string readText(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) throw std::runtime_error("can't read " + path.string());
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::vector<CodeBlock> codeBlocksOf(const std::string& page) {
+  std::vector<CodeBlock> blocks;
+  bool isInside = false;
+  for (const std::string& line : linesOf(page)) {
+    if (line.starts_with("```")) {
+      isInside = !isInside;
+      if (isInside) blocks.push_back({line.substr(3), {}});
+    } else if (isInside) {
+      blocks.back().lines.push_back(line);
+    }
+  }
+  return blocks;
+}
+
+std::vector<std::string> proseOf(const std::string& page) {
+  static const std::regex kCode("`[^`]*`");
+  std::vector<std::string> prose;
+  bool isInside = false;
+  for (const std::string& line : linesOf(page)) {
+    const bool isFence = line.starts_with("```");
+    if (isFence) isInside = !isInside;
+    if (!isFence && !isInside) prose.push_back(std::regex_replace(line, kCode, ""));
+  }
+  return prose;
+}
+
+std::vector<std::string> documentationPages() {
+  std::vector<std::string> pages{"CONTRIBUTING.md", "README.md", "assets/README.md"};
+  for (const auto& entry : fs::directory_iterator(fs::path(ROTATEBOOK_SOURCE) / "docs")) {
+    if (entry.path().extension() == ".md") {
+      pages.push_back("docs/" + entry.path().filename().string());
+    }
+  }
+  std::sort(pages.begin(), pages.end());
+  return pages;
+}
+
+}  // namespace rotatebook::cli::testing

@@ -64,16 +64,16 @@ class SinkWorkers {
 
 }  // namespace
 
-DrawnCount drawFrames(FrameDrawer& drawer, const FramesToDraw& frames,
+DrawnCount drawFrames(FramePainter& painter, const FramesToDraw& frames,
                       const std::vector<SinkThreads>& sinks,
                       const std::function<void(RenderProgress)>& progress) {
   FirstError error;
-  PicturePool pictures(drawer.makePicture(), kPicturesInFlight);
-  Pool<Exposure> exposures(drawer.makeExposure(), kExposuresInFlight);
+  PicturePool pictures(painter.makePicture(), kPicturesInFlight);
+  Pool<Exposure> exposures(painter.makeExposure(), kExposuresInFlight);
   SinkWorkers workers(sinks, error);
   const auto finish = [&](const Unfinished& item) {
     const std::shared_ptr<image::Image> picture = pictures.take();
-    item.png ? void(*picture = decoded(item)) : drawer.finish(*item.exposure, *picture);
+    item.png ? void(*picture = decoded(item)) : painter.finish(*item.exposure, *picture);
     workers.submit({item.frame, picture}, item.png.has_value());
   };
   Workers<Unfinished> finisher(finish, 1, error);
@@ -88,7 +88,7 @@ DrawnCount drawFrames(FrameDrawer& drawer, const FramesToDraw& frames,
     Unfinished item{frames.range.first + count.total(), exposure, {}};
     try {
       if (frames.kept != nullptr) item.png = frames.kept->intact(item.frame);
-      if (!item.png) drawer.expose(item.frame, *exposure);
+      if (!item.png) painter.expose(item.frame, *exposure);
     } catch (...) {
       error.set(std::current_exception());
     }

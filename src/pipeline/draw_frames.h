@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pipeline/clip_files.h"
-#include "pipeline/frame_drawer.h"
+#include "pipeline/frame_painter.h"
 #include "pipeline/frame_sink.h"
 #include "pipeline/frame_sums.h"
 
@@ -42,7 +42,7 @@ struct DrawnCount {
 
 /// Draws frames into each of `sinks` on threads of their own; returns how many there were before
 /// `stop`. Sinks are not finished. Throws the first error that drawing or any sink ran into.
-DrawnCount drawFrames(FrameDrawer& drawer, const FramesToDraw& frames,
+DrawnCount drawFrames(FramePainter& painter, const FramesToDraw& frames,
                       const std::vector<SinkThreads>& sinks,
                       const std::function<void(RenderProgress)>& progress);
 

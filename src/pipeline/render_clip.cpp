@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "pipeline/clip_record.h"
 #include "pipeline/fingerprint.h"
+#include "pipeline/frame_drawer.h"
 #include "pipeline/machine.h"
 #include "pipeline/poster.h"
 #include "pipeline/trajectory_csv.h"

@@ -15,6 +15,7 @@
 #include "pipeline/disk_space.h"
 #include "pipeline/draw_frames.h"
 #include "pipeline/frame_sink.h"
+#include "render/device.h"
 #include "scene/scene.h"
 
 namespace rotatebook::pipeline {

@@ -12,6 +12,7 @@
 #include "image/png_file.h"
 #include "pipeline/assemble.h"
 #include "pipeline/fake_sinks.h"
+#include "pipeline/frame_drawer.h"
 #include "pipeline/small_clip.h"
 
 namespace rotatebook::pipeline {

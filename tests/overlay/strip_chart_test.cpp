@@ -28,7 +28,9 @@ Box endLabelOf(const std::vector<std::string>& overrides) {
 
 /// How wide `words` are in a chart's letters. [pixels]
 double widthOf(const std::string& words) {
-  return Typesetter().measure(words, {.size = Scale(kWidth, kHeight).smallLetters}, kWidth).width;
+  TextStyle style;
+  style.size = Scale(kWidth, kHeight).smallLetters;
+  return Typesetter().measure(words, style, kWidth).width;
 }
 
 TEST(StripChart, NamesTheTimeAtWhichItEnds) {

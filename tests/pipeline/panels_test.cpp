@@ -10,6 +10,7 @@
 #include "base/same_bytes.h"
 #include "image/png_file.h"
 #include "pipeline/attitudes.h"
+#include "pipeline/frame_drawer.h"
 #include "pipeline/small_clip.h"
 #include "pipeline/trajectory_csv.h"
 

@@ -43,16 +43,32 @@ const Fault& fault() {
   return wanted;
 }
 
-bool isBelow(std::string path) {
-  if (!path.starts_with('/')) {
-    std::array<char, 4096> folder;
-    if (getcwd(folder.data(), folder.size()) == nullptr) return false;
-    path = std::string(folder.data()) + '/' + path;
-  }
-  return path.starts_with(fault().below);
+/// `path` from the root; empty if that can't be told.
+std::string absolute(const std::string& path) {
+  if (path.starts_with('/')) return path;
+  std::array<char, 4096> folder;
+  if (getcwd(folder.data(), folder.size()) == nullptr) return "";
+  return std::string(folder.data()) + '/' + path;
 }
 
 std::atomic<long> count = 0;
+
+/// What has changed files below the folder.
+struct Changes {
+  std::mutex mutex;
+  std::string lines;
+};
+
+Changes& changes() {
+  // Never destroyed: libraries go on until the end.
+  static auto& all = *new Changes;
+  return all;
+}
+
+void addChange(std::string_view call, const std::string& path) {
+  const std::lock_guard lock(changes().mutex);
+  changes().lines.append(call).append(" ").append(path).append("\n");
+}
 
 /// Where memory was asked for, in the order of the first requests.
 struct Places {
@@ -71,6 +87,15 @@ Places& places() {
 bool isDue() {
   const long now = ++count;
   return fault().call == "graphics" ? now == fault().number : now >= fault().number;
+}
+
+__attribute__((destructor)) void writeChanges() {
+  const std::string_view path = variable("ROTATEBOOK_FAULT_CHANGES");
+  if (path.empty()) return;
+  if (std::FILE* file = std::fopen(path.data(), "w")) {
+    std::fputs(changes().lines.c_str(), file);
+    std::fclose(file);
+  }
 }
 
 __attribute__((destructor)) void writeCount() {
@@ -110,7 +135,10 @@ bool failsAtPlace(long place) {
 
 bool failsAt(std::string_view call, const std::string& path) {
   if (!isWanted(call) && !isWanted("any")) return false;
-  return isBelow(path) && fails(fault().call);
+  const std::string place = absolute(path);
+  if (!place.starts_with(fault().below)) return false;
+  if (isWanted("any") && !variable("ROTATEBOOK_FAULT_CHANGES").empty()) addChange(call, place);
+  return fails(fault().call);
 }
 
 }  // namespace rotatebook::faults

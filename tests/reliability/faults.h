@@ -10,7 +10,9 @@
 //                                                    NUMBER is a place's, of which the first fails
 //   graphics                                         of EGL and OpenGL, those that tell failures
 // How many there were in all goes to the file ROTATEBOOK_FAULT_COUNT, if it is set; of memory the
-// places, a line for each.
+// places, a line for each. What changes files, whether it fails or not, goes to the file
+// ROTATEBOOK_FAULT_CHANGES, if that is set and the CALL is any: "CALL PATH", a line for each, in
+// the order in which they began.
 #pragma once
 
 #include <dlfcn.h>

@@ -4,12 +4,15 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <iterator>
+#include <map>
 #include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/same_bytes.h"
 #include "cli/program_test.h"
 
 namespace rotatebook::cli::testing {
@@ -27,6 +30,7 @@ using ::testing::Not;
 constexpr int kKill = 0, kCrash = -SIGSEGV;
 constexpr long kNowhere = 1;     // No place of a request for memory.
 constexpr int kMostCalls = 400;  // A render of three frames has fewer.
+constexpr long kNever = 1'000'000;
 
 /// AddressSanitizer wants to be loaded before all others, as the faults do, some of which then are
 /// of memory that it gave.
@@ -81,6 +85,22 @@ class Faults : public ProgramTest {
     return render("out", std::move(options), withFault(call, number, error));
   }
 
+  /// What a render without a fault does to the files in out/, in order: calls and paths within the
+  /// test's folder.
+  std::vector<std::pair<std::string, std::string>> changesOfARender() const {
+    removeOut();
+    ChildSettings settings = withFault("any", kNever, kKill);
+    settings.environment.emplace_back("ROTATEBOOK_FAULT_CHANGES", (folder() / "changes").string());
+    const ChildResult result = render("out", {}, std::move(settings));
+    EXPECT_EQ(result.status, 0) << result.error;
+    std::istringstream lines(read("changes"));
+    std::vector<std::pair<std::string, std::string>> changes;
+    for (std::string call, path; lines >> call && std::getline(lines >> std::ws, path);) {
+      changes.emplace_back(call, std::filesystem::relative(path, folder()).string());
+    }
+    return changes;
+  }
+
   /// No file under a final name is half-written: each is that of a render without faults.
   void expectWhole(const std::string& during) const {
     for (const std::string& name : files()) {
@@ -88,7 +108,8 @@ class Faults : public ProgramTest {
       std::string wanted = "whole" + name.substr(3);
       const std::size_t partial = wanted.find("tiny.partial/");
       if (partial != std::string::npos) wanted.replace(partial, 13, "tiny/");
-      EXPECT_TRUE(read(name) == read(wanted)) << name << " is half-written, " << during;
+      EXPECT_TRUE(rotatebook::testing::sameBytes(read(name), read(wanted)))
+          << name << " is half-written, " << during;
     }
   }
 
@@ -130,6 +151,34 @@ TEST_F(Faults, KillAtAnyChangeOfAFileLosesNothing) {
   }
   EXPECT_GT(number, 40) << "the faults don't reach the program";
   EXPECT_LT(number, kMostCalls);
+}
+
+// So that a power cut leaves no file that is there and empty.
+TEST_F(Faults, EveryFileIsOnTheDiskBeforeItGetsItsName) {
+  std::map<std::string, std::string> last;  // call that changed a file
+  int renamed = 0;
+  for (const auto& [call, path] : changesOfARender()) {
+    if (call == "rename" && isTemporary(path)) {
+      EXPECT_EQ(last[path], "flush") << path;
+      ++renamed;
+    }
+    last[path] = call;
+  }
+  EXPECT_GE(renamed, 6) << "three frames, clip, table and poster";
+}
+
+TEST_F(Faults, ARenderEndsWithItsFolderOnTheDisk) {
+  bool flushed = false;
+  int renamed = 0;
+  for (const auto& [call, path] : changesOfARender()) {
+    if (call == "rename") {
+      flushed = false;
+      ++renamed;
+    }
+    flushed = flushed || (call == "flush" && path == "out");
+  }
+  EXPECT_TRUE(flushed) << "after the last of " << renamed << " new names";
+  EXPECT_GE(renamed, 6) << "three frames, clip, table and poster";
 }
 
 TEST_F(Faults, FailureOfAnyChangeIsToldAndLosesNothing) {
@@ -203,7 +252,9 @@ TEST_F(Faults, FailureOfGraphicsIsTold) {
     const ChildResult result = renderWithFault("graphics", number, EIO, {});
     const std::string when = "graphics fail at " + std::to_string(number);
     if (result.status == 0) {
-      EXPECT_TRUE(read("out/tiny/frame_00001.png") == read("whole/tiny/frame_00001.png")) << when;
+      EXPECT_TRUE(rotatebook::testing::sameBytes(read("out/tiny/frame_00001.png"),
+                                                 read("whole/tiny/frame_00001.png")))
+          << when;
       continue;
     }
     ++failures;

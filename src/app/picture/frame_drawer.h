@@ -14,6 +14,7 @@
 #include "image/light_mean.h"
 #include "physics/reference_frame.h"
 #include "picture/composition.h"
+#include "picture/frame_painter.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
 #include "timeline/clip_motion.h"
@@ -21,32 +22,24 @@
 
 namespace rotatebook::picture {
 
-/// A frame's books as OpenGL drew them: one, or one in each panel.
-struct Exposure {
-  std::int64_t frame = 0;
-  std::vector<render::DrawnBook> books;
-  std::vector<image::Image> blurred;  ///< Instead of `books`, where a shutter is open for a while.
-};
-
 /// Draws frame n of a scene: the book, or one in each panel, and what is drawn over it. Owns an
 /// OpenGL context; see render::Renderer.
-class FrameDrawer {
+class FrameDrawer final : public FramePainter {
  public:
   /// `motion`, the scene's, must outlive this. Throws as loadTextures(), Composition and
   /// render::Renderer do.
   FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
               const render::DeviceChoice& device = {});
 
-  /// A picture of the right size and format for draw().
-  image::Image makePicture() const { return composition_.makePicture(); }
+  /// A picture of the right size and format for draw(), too.
+  image::Image makePicture() const override { return composition_.makePicture(); }
   /// Draws over all of `picture`; `frame` is 0 to below motion.frameCount().
   void draw(std::int64_t frame, image::Image& picture);
 
-  /// The same in two steps: what needs OpenGL, and the rest, which may be done on another thread
-  /// while this one exposes the next frame.
-  Exposure makeExposure() const;
-  void expose(std::int64_t frame, Exposure& exposure);
-  void finish(const Exposure& exposure, image::Image& picture);
+  // The same in two steps.
+  Exposure makeExposure() const override;
+  void expose(std::int64_t frame, Exposure& exposure) override;
+  void finish(const Exposure& exposure, image::Image& picture) override;
 
   /// render::Renderer::description()
   const std::string& description() const { return renderer_.description(); }

@@ -65,16 +65,16 @@ class SinkWorkers {
 
 }  // namespace
 
-DrawnCount drawFrames(picture::FrameDrawer& drawer, const FramesToDraw& frames,
+DrawnCount drawFrames(picture::FramePainter& painter, const FramesToDraw& frames,
                       const std::vector<SinkThreads>& sinks,
                       const std::function<void(RenderProgress)>& progress) {
   system::FirstError error;
-  system::Pool<image::Image> pictures(drawer.makePicture(), kPicturesInFlight);
-  system::Pool<picture::Exposure> exposures(drawer.makeExposure(), kExposuresInFlight);
+  system::Pool<image::Image> pictures(painter.makePicture(), kPicturesInFlight);
+  system::Pool<picture::Exposure> exposures(painter.makeExposure(), kExposuresInFlight);
   SinkWorkers workers(sinks, error);
   const auto finish = [&](const Unfinished& item) {
     const std::shared_ptr<image::Image> picture = pictures.take();
-    item.png ? void(*picture = decoded(item)) : drawer.finish(*item.exposure, *picture);
+    item.png ? void(*picture = decoded(item)) : painter.finish(*item.exposure, *picture);
     workers.submit({item.frame, picture}, item.png.has_value());
   };
   system::Workers<Unfinished> finisher(finish, 1, error);
@@ -89,7 +89,7 @@ DrawnCount drawFrames(picture::FrameDrawer& drawer, const FramesToDraw& frames,
     Unfinished item{frames.range.first + count.total(), exposure, {}};
     try {
       if (frames.kept != nullptr) item.png = frames.kept->intact(item.frame);
-      if (!item.png) drawer.expose(item.frame, *exposure);
+      if (!item.png) painter.expose(item.frame, *exposure);
     } catch (...) {
       error.set(std::current_exception());
     }

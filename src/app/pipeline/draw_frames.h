@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "picture/frame_drawer.h"
+#include "picture/frame_painter.h"
 #include "pipeline/frame_sink.h"
 #include "store/clip_files.h"
 #include "store/frame_sums.h"
@@ -42,7 +42,7 @@ struct DrawnCount {
 
 /// Draws frames into each of `sinks` on threads of their own; returns how many there were before
 /// `stop`. Sinks are not finished. Throws the first error that drawing or any sink ran into.
-DrawnCount drawFrames(picture::FrameDrawer& drawer, const FramesToDraw& frames,
+DrawnCount drawFrames(picture::FramePainter& painter, const FramesToDraw& frames,
                       const std::vector<SinkThreads>& sinks,
                       const std::function<void(RenderProgress)>& progress);
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "picture/frame_drawer.h"
 #include "picture/poster.h"
 #include "store/clip_record.h"
 #include "store/encoding.h"

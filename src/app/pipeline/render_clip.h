@@ -11,6 +11,7 @@
 
 #include "pipeline/draw_frames.h"
 #include "pipeline/frame_sink.h"
+#include "render/device/device.h"
 #include "scene/scene.h"
 #include "store/clip_files.h"
 #include "store/clip_folder.h"

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <regex>
 
+#include "base/same_bytes.h"
+
 namespace rotatebook::cli::testing {
 namespace {
 
@@ -86,8 +88,8 @@ int ProgramTest::expectSameFiles(const std::string& folder, const std::string& o
   for (const std::string& name : names) {
     if (name.empty() || name.ends_with('/')) continue;
     ++compared;
-    EXPECT_TRUE(read(folder + "/" + name) == read(other + "/" + name))
-        << name << " differs " << when;
+    EXPECT_TRUE(rotatebook::testing::sameBytes(read(other + "/" + name), read(folder + "/" + name)))
+        << other << '/' << name << ' ' << when;
   }
   return compared;
 }

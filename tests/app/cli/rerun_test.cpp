@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/same_bytes.h"
 #include "cli/program_test.h"
 #include "image/png_file.h"
 
@@ -10,6 +11,7 @@ namespace rotatebook::cli::testing {
 namespace {
 
 namespace fs = std::filesystem;
+using rotatebook::testing::sameBytes;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::EndsWith;
@@ -42,7 +44,7 @@ TEST_F(RerunCommand, MakesTheSameFile) {
   const ChildResult result = run({"rerun", "renamed.mp4", "-o", "again"});
   EXPECT_EQ(result.status, 0) << result.output << result.error;
   EXPECT_THAT(result.output, HasSubstr("\n  again/tiny.mp4 has the very bytes of renamed.mp4\n"));
-  EXPECT_TRUE(read("again/tiny.mp4") == read("renamed.mp4"));
+  EXPECT_TRUE(sameBytes(read("again/tiny.mp4"), read("renamed.mp4")));
   EXPECT_THAT(filesBelow("again/"), Not(::testing::Contains(HasSubstr("frame_"))));
 }
 
@@ -55,7 +57,7 @@ TEST_F(RerunCommand, MakesPartsInTheirFormatWithFramesIfAsked) {
                           "again/tiny/frame_00004.png", "again/tiny/frames.manifest",
                           "again/tiny/frames.xxh128", "again/tiny/scene.toml",
                           "again/tiny_00003-00005.webm"));
-  EXPECT_TRUE(read("again/tiny_00003-00005.webm") == read("out/tiny_00003-00005.webm"));
+  EXPECT_TRUE(sameBytes(read("again/tiny_00003-00005.webm"), read("out/tiny_00003-00005.webm")));
 }
 
 TEST_F(RerunCommand, NeverOverwritesTheClip) {
@@ -70,7 +72,7 @@ TEST_F(RerunCommand, NeverOverwritesTheClip) {
     EXPECT_THAT(result.error, AllOf(HasSubstr("tiny.mp4 is the clip itself"), HasSubstr("-o")));
     EXPECT_THAT(result.output, IsEmpty());
   }
-  EXPECT_TRUE(read("out/tiny.mp4") == clip);
+  EXPECT_TRUE(sameBytes(read("out/tiny.mp4"), clip));
 }
 
 TEST_F(RerunCommand, ReplacesAnotherScenesClipOnlyIfAsked) {
@@ -93,7 +95,7 @@ TEST_F(RerunCommand, ReplacesAnotherScenesClipOnlyIfAsked) {
   expectRefused("other/tiny.mp4");
   const ChildResult replaced = run({"rerun", "out/tiny.mp4", "-o", "other", "--overwrite"});
   EXPECT_EQ(replaced.status, 0) << replaced.output << replaced.error;
-  EXPECT_TRUE(read("other/tiny.mp4") == read("out/tiny.mp4"));
+  EXPECT_TRUE(sameBytes(read("other/tiny.mp4"), read("out/tiny.mp4")));
   EXPECT_EQ(run({"rerun", "out/tiny.mp4", "-o", "other"}).status, 0);  // Its own.
 }
 
@@ -146,7 +148,7 @@ TEST_F(RerunCommand, TellsThatAClipWasCutOff) {
                "is damaged: it has " +
                std::to_string(clip.size() - 100) + " of at least " + std::to_string(clip.size()) +
                " bytes; copy it again, or render it again\n"));
-  EXPECT_TRUE(read("again/tiny.mp4") == clip);
+  EXPECT_TRUE(sameBytes(read("again/tiny.mp4"), clip));
 }
 
 TEST_F(RerunCommand, RefusesWhatHoldsNoRecord) {

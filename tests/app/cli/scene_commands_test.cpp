@@ -9,6 +9,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 class SceneCommandsTest : public ProgramTest {};
 
@@ -27,6 +28,20 @@ TEST_F(SceneCommandsTest, StillAtTheEndIsTheLastFrame) {
   EXPECT_EQ(result.output, "tiny: wrote frame 12 to x.png\n");
   EXPECT_EQ(run({"still", "tiny.toml", "--time", "0.2", "-o", "x.png"}).output,
             "tiny: wrote frame 11 to x.png\n");
+}
+
+// An option of its own says more than one of many keys.
+TEST_F(SceneCommandsTest, SizeWinsOverTheKeyThatItIsShortFor) {
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--size", "96x54", "--set", "clip.size=[32, 18]"},
+        {"--set", "clip.size=[32, 18]", "--size", "96x54"}}) {
+    std::vector<std::string> words{"scene", "--print", "tiny.toml"};
+    words.insert(words.end(), options.begin(), options.end());
+    const ChildResult result = runWithoutGraphics(words);
+    EXPECT_EQ(result.status, 0) << result.error;
+    EXPECT_THAT(result.output, HasSubstr("\nsize = [96, 54]"));
+    EXPECT_THAT(result.output, Not(HasSubstr("[32, 18]")));
+  }
 }
 
 TEST_F(SceneCommandsTest, CheckSaysOkAndWritesNothing) {

@@ -19,6 +19,10 @@ TEST(PosterFrame, IsInTheMiddleUnlessTheSceneSaysOtherwise) {
   EXPECT_EQ(posterFrame(clip, 1), 0);
   clip.poster = 0.05;
   EXPECT_EQ(posterFrame(clip, 12), 3);
+  clip.poster = 0.055;  // 3.3 frames
+  EXPECT_EQ(posterFrame(clip, 12), 3);
+  clip.poster = 0.06;  // 3.6 frames
+  EXPECT_EQ(posterFrame(clip, 12), 4);
   clip.poster = 99;
   EXPECT_EQ(posterFrame(clip, 12), 11);
 }

@@ -58,8 +58,7 @@ TEST(Still, MayBeInTheSecondAfterTheMotionDiverges) {
 }
 
 bool touches(const scene::Scene& scene, int margin) {
-  return testing::anyAttitudeTouchesBorder(
-      scene, {scene.clip.width, scene.clip.height, 0}, margin);
+  return testing::anyAttitudeTouchesBorder(scene, {scene.clip.width, scene.clip.height, 0}, margin);
 }
 
 TEST(DefaultCamera, ShowsAllOfTheBookInAnyAttitude) {

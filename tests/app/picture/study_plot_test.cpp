@@ -1,8 +1,16 @@
 // Plots that gnuplot draws without a word, whatever the study.
 #include "picture/study_plot.h"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
+#include <Eigen/Core>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -43,6 +51,103 @@ std::string drawn(const std::string& plot) {
   return bytesOf(folder / "a.svg");
 }
 
+using Place = Eigen::Vector2d;  // on the sheet, from its top left [pixels]
+
+// Of hundredths of a pixel, as gnuplot writes ticks and points. measured 0.0094
+constexpr double kSheetBound = 0.05;
+
+/// Values that an axis names, and where their ticks are; all others lie in line with them.
+class Axis {
+ public:
+  explicit Axis(bool logarithmic = true) : logarithmic_(logarithmic) {}
+
+  void add(double value, double place) { places_[scaled(value)] = place; }
+  double placeOf(double value) const {
+    if (places_.size() < 2) throw std::runtime_error("an axis names fewer than two values");
+    const auto [low, first] = *places_.begin();
+    const auto [high, last] = *places_.rbegin();
+    return first + (scaled(value) - low) / (high - low) * (last - first);
+  }
+
+ private:
+  double scaled(double value) const { return logarithmic_ ? std::log10(value) : value; }
+
+  bool logarithmic_;
+  std::map<double, double> places_;
+};
+
+/// One of a sheet's panels, between these edges [pixels], as it is read back from the SVG.
+struct DrawnPanel {
+  double left, right;
+  Axis x{}, y{};
+  /// In the order of the legend: the markers of each series, or the corners of its line.
+  std::vector<std::vector<Place>> markers{}, corners{};
+
+  Place placeOf(double across, double up) const { return {x.placeOf(across), y.placeOf(up)}; }
+};
+
+/// The number that words are: "0.5", or 10 to the power that is written small; NaN of others.
+double numberIn(const std::string& words) {
+  static const std::regex kPower(">10</tspan><tspan[^>]*>(-?[0-9]+)</tspan>");
+  static const std::regex kPlain("> *(-?[0-9.]+)</tspan>");
+  std::smatch match;
+  if (std::regex_search(words, match, kPower)) return std::pow(10, std::stod(match[1]));
+  return std::regex_search(words, match, kPlain) ? std::stod(match[1]) : std::nan("");
+}
+
+/// Reads `panel` out of what gnuplot drew.
+void readPanel(const std::string& svg, DrawnPanel& panel) {
+  // A tick, which starts at its axis, and its words, which are on the next line.
+  static const std::regex kTick(
+      "d='M([0-9.]+),([0-9.]+) [^']*'/>\\s*<g .*text-anchor=\"(end|middle)");
+  static const std::regex kMarker("<use [^>]*translate\\(([0-9.]+),([0-9.]+)\\)");
+  static const std::regex kCorner("[ML]([0-9.]+),([0-9.]+)");
+  const auto isAcross = [&](double x) { return panel.left - 1 <= x && x <= panel.right + 1; };
+  std::istringstream lines(svg);
+  bool inSeries = false;
+  const auto add = [&](const std::string& line, const std::regex& pattern,
+                       std::vector<Place>& places) {
+    for (std::sregex_iterator match(line.begin(), line.end(), pattern), end; match != end;
+         ++match) {
+      const Place place(std::stod((*match)[1]), std::stod((*match)[2]));
+      if (isAcross(place.x())) places.push_back(place);
+    }
+  };
+  for (std::string line; std::getline(lines, line);) {
+    std::smatch tick;
+    if (std::regex_search(line, tick, kTick)) {
+      const Place place(std::stod(tick[1]), std::stod(tick[2]));
+      const bool ofX = tick[3] == "middle";
+      std::getline(lines, line);
+      const double value = numberIn(line);
+      if (std::isnan(value)) continue;
+      if (ofX && isAcross(place.x())) panel.x.add(value, place.x());
+      if (!ofX && std::abs(place.x() - panel.left) < 1) panel.y.add(value, place.y());
+    }
+    if (line.find(" Z ") != line.npos) inSeries = false;  // the frame around a panel
+    if (line.find("id=\"gnuplot_plot_") != line.npos) {
+      inSeries = true;
+      panel.markers.emplace_back();
+      panel.corners.emplace_back();
+    }
+    if (!inSeries) continue;
+    add(line, kMarker, panel.markers.back());
+    add(line, kCorner, panel.corners.back());
+  }
+  // Those of the sheet's other panel.
+  std::erase_if(panel.markers, [](const auto& series) { return series.empty(); });
+  std::erase_if(panel.corners, [](const auto& series) { return series.empty(); });
+}
+
+void expectPlaces(const std::vector<Place>& found, const std::vector<Place>& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_LT((found[i] - expected[i]).norm(), kSheetBound)
+        << "point " << i << " is at (" << found[i].transpose() << "), not at ("
+        << expected[i].transpose() << ")";
+  }
+}
+
 TEST(PrecisionPlot, NamesIntegratorsOrdersAndAxes) {
   study::PrecisionStudy study;
   study.rows = {row(Integrator::Rk4, 0.1, 1), row(Integrator::Rk4, 0.01, 1e-4),
@@ -54,6 +159,36 @@ TEST(PrecisionPlot, NamesIntegratorsOrdersAndAxes) {
         "computing time for a second of motion  [ns]", "grey: slopes 4"}) {
     EXPECT_THAT(svg, HasSubstr(words));
   }
+}
+
+// 1200 pixels across: panels from 0.075 to 0.415 and from 0.44 to 0.78 of it.
+TEST(PrecisionPlot, HasEachRunAtItsStepItsTimeAndItsError) {
+  study::PrecisionStudy study;
+  study.rows = {row(Integrator::Rk4, 0.2, 0.3), row(Integrator::Rk4, 0.01, 4e-5),
+                row(Integrator::Midpoint, 0.05, 2), row(Integrator::Midpoint, 0.02, 0.5)};
+  study.rows[3].nsPerStep = 700;
+  study.orders = {{Integrator::Rk4, {}}, {Integrator::Midpoint, {}}};
+  const std::string svg = drawn(precisionPlot("Where", study));
+  DrawnPanel steps{.left = 90, .right = 498}, times{.left = 528, .right = 936};
+  readPanel(svg, steps);
+  readPanel(svg, times);
+  ASSERT_EQ(steps.markers.size(), 2U);
+  ASSERT_EQ(times.markers.size(), 2U);
+  times.y = steps.y;  // Its own has no words.
+  for (std::size_t i : {0U, 1U}) {
+    std::vector<Place> byStep, byTime;
+    for (const std::size_t j : {2 * i, 2 * i + 1}) {
+      const study::PrecisionRow& one = study.rows[j];
+      byStep.push_back(steps.placeOf(one.h, one.errorDeg));
+      byTime.push_back(times.placeOf(one.nsPerStep / one.h, one.errorDeg));
+    }
+    expectPlaces(steps.markers[i], byStep);
+    expectPlaces(steps.corners[i], byStep);
+    expectPlaces(times.markers[i], byTime);
+    expectPlaces(times.corners[i], byTime);
+  }
+  EXPECT_GT(steps.y.placeOf(1e-4), steps.y.placeOf(1)) << "what is more is higher";
+  EXPECT_LT(steps.x.placeOf(0.01), steps.x.placeOf(0.1));
 }
 
 TEST(PrecisionPlot, IsDrawnOfOneRun) {
@@ -117,6 +252,34 @@ TEST(TiltPlot, ShowsMeasuredAndLaw) {
                             "time from a flip to the next  [s]", "| measured / law − 1 |"}) {
     EXPECT_THAT(svg, HasSubstr(words));
   }
+}
+
+TEST(TiltPlot, HasMeasuredAndLawAtTheirTilts) {
+  study::TiltStudy study;
+  study.rows = {{0.2, {}, 4, 2.0, 2.1}, {0.03, {}, 4, 3.5, 3.4}, {0.001, {}, 4, 5.0, 5.001}};
+  const std::string svg = drawn(tiltPlot("Where", study));
+  DrawnPanel intervals{.left = 90, .right = 570}, differences{.left = 684, .right = 1164};
+  intervals.y = Axis(false);
+  readPanel(svg, intervals);
+  readPanel(svg, differences);
+  std::vector<Place> measured, law, difference;
+  for (const study::TiltRow& one : study.rows) {
+    measured.push_back(intervals.placeOf(one.tilt, one.interval));
+    law.push_back(intervals.placeOf(one.tilt, one.law));
+    difference.push_back(differences.placeOf(one.tilt, std::abs(one.interval / one.law - 1)));
+  }
+  // Lines are drawn from left to right; in the legend are two corners and, at the end, a marker.
+  std::ranges::reverse(law);
+  std::vector<Place>& line = intervals.corners.at(0);
+  ASSERT_EQ(line.size(), 2 + 3U);
+  line.erase(line.begin(), line.begin() + 2);
+  expectPlaces(line, law);
+  std::vector<Place>& dots = intervals.markers.at(0);
+  ASSERT_EQ(dots.size(), 3 + 1U);
+  dots.pop_back();
+  expectPlaces(dots, measured);
+  std::ranges::reverse(difference);
+  expectPlaces(differences.markers.at(0), difference);
 }
 
 TEST(TiltPlot, IsDrawnOfOneTiltThatKeepsTheLaw) {

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "image/png_file.h"
+#include "picture/frame_drawer.h"
 #include "pipeline/assemble.h"
 #include "pipeline/fake_sinks.h"
 #include "pipeline/small_clip.h"

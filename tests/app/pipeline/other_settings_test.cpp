@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/same_bytes.h"
 #include "pipeline/rendered_again.h"
 #include "store/manifest.h"
 
@@ -38,7 +39,7 @@ TEST_F(OtherSettings, RemoveNoVideoOfAnotherFormat) {
   const std::string mp4 = bytesOf(folder_ / "small.mp4");
   const RenderResult result =
       testing::render(otherScene(), {.folder = folder_, .formats = {video::VideoFormat::Gif}});
-  EXPECT_TRUE(bytesOf(folder_ / "small.mp4") == mp4);
+  EXPECT_TRUE(rotatebook::testing::sameBytes(bytesOf(folder_ / "small.mp4"), mp4));
   EXPECT_THAT(result.others, ElementsAre(path("small.mp4")));
   EXPECT_THAT(render({}).others, ElementsAre(path("small.gif")));
 }

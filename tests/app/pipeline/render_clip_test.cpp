@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/same_bytes.h"
 #include "image/comparison.h"
 #include "image/png_file.h"
 #include "pipeline/small_clip.h"
@@ -19,6 +20,7 @@ namespace rotatebook::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
+using rotatebook::testing::sameBytes;
 using testing::bytesOf;
 using ::testing::ElementsAre;
 using testing::emptyFolder;
@@ -57,9 +59,12 @@ TEST(RenderClip, LeavesItsFilesAndNoOthers) {
 }
 
 TEST(RenderClip, MakesItsFolders) {
-  const fs::path folder = emptyFolder() / "a" / "b";
-  testing::render(smallScene(), {.folder = folder, .formats = {}});
-  EXPECT_TRUE(fs::exists(folder / "small" / store::frameName(0)));
+  const fs::path start = emptyFolder(), folder = start / "a" / "b";
+  testing::render(smallScene(), {.folder = folder});
+  EXPECT_THAT(namesIn(start), ElementsAre("a"));
+  EXPECT_THAT(namesIn(start / "a"), ElementsAre("b"));
+  EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
+  EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(kFrames));
 }
 
 TEST(RenderClip, DrawsFrameNFromSampleN) {
@@ -98,7 +103,7 @@ TEST(RenderClip, RemovesNoVideoThatItDoesNotReplace) {
   const std::string gif = bytesOf(folder / "small.gif"), webm = bytesOf(folder / "small.webm");
   const RenderResult result = testing::render(smallScene({"initial.angular_velocity=[1, 2, 3]"}),
                                               {.folder = folder, .formats = {VideoFormat::WebM}});
-  EXPECT_TRUE(bytesOf(folder / "small.gif") == gif);
+  EXPECT_TRUE(sameBytes(bytesOf(folder / "small.gif"), gif));
   EXPECT_FALSE(bytesOf(folder / "small.webm") == webm);
   EXPECT_THAT(result.others, ElementsAre((folder / "small.gif").string()));
 }
@@ -167,10 +172,12 @@ TEST(RenderClip, GivesTheSameBytesAgain) {
   const fs::path folder = emptyFolder();
   testing::render(smallScene(), {.folder = folder / "a"});
   testing::render(smallScene(), {.folder = folder / "b"});
-  EXPECT_EQ(bytesOf(folder / "a/small.mp4"), bytesOf(folder / "b/small.mp4"));
-  EXPECT_EQ(bytesOf(folder / "a/small.csv"), bytesOf(folder / "b/small.csv"));
+  for (const char* name : {"small.mp4", "small.csv"}) {
+    EXPECT_TRUE(sameBytes(bytesOf(folder / "a" / name), bytesOf(folder / "b" / name))) << name;
+  }
   for (const std::string& name : frameFolderNames(kFrames)) {
-    EXPECT_EQ(bytesOf(folder / "a/small" / name), bytesOf(folder / "b/small" / name)) << name;
+    EXPECT_TRUE(sameBytes(bytesOf(folder / "a/small" / name), bytesOf(folder / "b/small" / name)))
+        << name;
   }
 }
 

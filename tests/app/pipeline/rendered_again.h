@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "base/same_bytes.h"
 #include "pipeline/small_clip.h"
 
 namespace rotatebook::pipeline::testing {
@@ -26,7 +27,8 @@ inline void expectSame(const std::filesystem::path& a, const std::filesystem::pa
     if (std::filesystem::is_directory(a / name)) {
       expectSame(a / name, b / name);
     } else {
-      EXPECT_TRUE(bytesOf(a / name) == bytesOf(b / name)) << name << " differs";
+      EXPECT_TRUE(rotatebook::testing::sameBytes(bytesOf(a / name), bytesOf(b / name)))
+          << (b / name).string();
     }
   }
 }

@@ -74,7 +74,8 @@ TEST_F(Resume, SkipsWhatIsDone) {
 
 TEST_F(Resume, MakesAgainWhatIsDamaged) {
   render({});
-  for (const char* name : {"small.mp4", "small.csv", "small.poster.png", "small/frame_00003.png"}) {
+  for (const char* name : {"small.mp4", "small.csv", "small.poster.png", "small/frame_00000.png",
+                           "small/frame_00003.png", "small/frame_00011.png"}) {
     std::ofstream(folder_ / name, std::ios::app) << "x";
     EXPECT_FALSE(render(kResume).wasDone) << name;
     EXPECT_TRUE(render(kResume).wasDone) << name;

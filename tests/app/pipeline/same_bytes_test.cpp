@@ -1,11 +1,13 @@
 // A render's files are the same in bytes, however its work is shared out.
+#include "base/same_bytes.h"
+
 #include <filesystem>
-#include <map>
 #include <string>
 
 #include <gtest/gtest.h>
 
 #include "image/png_file.h"
+#include "picture/frame_drawer.h"
 #include "pipeline/small_clip.h"
 #include "store/encoding.h"
 #include "timeline/trajectory_csv.h"
@@ -15,13 +17,16 @@ namespace rotatebook::pipeline {
 namespace {
 
 namespace fs = std::filesystem;
+using rotatebook::testing::Files;
+using rotatebook::testing::sameBytes;
+using rotatebook::testing::sameFiles;
 using testing::bytesOf;
 using testing::emptyFolder;
 using testing::smallScene;
 
 /// Bytes by path within `folder`.
-std::map<std::string, std::string> filesIn(const fs::path& folder) {
-  std::map<std::string, std::string> files;
+Files filesIn(const fs::path& folder) {
+  Files files;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (entry.is_regular_file()) {
       files[entry.path().lexically_relative(folder).string()] = bytesOf(entry.path());
@@ -53,13 +58,13 @@ void rendersTheSame(const scene::Scene& scene) {
     testing::render(scene, {.folder = into, .pngThreads = threads});
     return filesIn(into);
   };
-  const auto one = rendered(1);
+  const Files one = rendered(1);
   EXPECT_EQ(one.size(), 18U);  // 12 frames and 3 files that tell of them, clip, poster, table
-  EXPECT_TRUE(rendered(2) == one);
-  EXPECT_TRUE(rendered(7) == one);
+  EXPECT_TRUE(sameFiles(rendered(2), one));
+  EXPECT_TRUE(sameFiles(rendered(7), one));
   renderSerially(scene, one.at("small/scene.toml"), folder / "serial");
   for (const auto& [name, bytes] : filesIn(folder / "serial")) {
-    EXPECT_TRUE(bytes == one.at(name)) << name;
+    EXPECT_TRUE(sameBytes(bytes, one.at(name))) << name;
   }
 }
 
@@ -84,6 +89,23 @@ TEST(SameBytes, OfAnotherSceneAreOthers) {
   for (const char* name : {"small.csv", "small.mp4", "small/frame_00011.png"}) {
     EXPECT_NE(a.at(name), b.at(name)) << name;
   }
+}
+
+// What a failure of the others says.
+TEST(SameBytes, NameTheFirstDifferenceOfEachFile) {
+  const Files expected{{"a.csv", "t,x\n1,2\n3,4\n"}, {"b.png", {"\0\1\2", 3}}, {"c", "same"}};
+  EXPECT_TRUE(sameFiles(expected, expected));
+  const auto words = [&](const Files& found) {
+    return std::string(sameFiles(found, expected).message());
+  };
+  EXPECT_EQ(words({{"a.csv", "t,x\n1,2\n3,5\n"}, {"b.png", {"\0\1\xff", 3}}, {"c", "same"}}),
+            "files differ:\n  a.csv: line 3 is \"3,5\", not \"3,4\"\n"
+            "  b.png: byte 2 is 0xff, not 0x02");
+  EXPECT_EQ(words({{"a.csv", "t,x\n1,2\n3,4\n"}, {"b.png", {"\0\1", 2}}, {"d", "same"}}),
+            "files differ:\n  b.png: it ends at byte 2 of 3\n  c: it is missing\n"
+            "  d: it shouldn't be there");
+  EXPECT_EQ(words({{"a.csv", "t,x\n1,2\n3,4\n"}, {"b.png", {"\0\1\2\3", 4}}, {"c", "same"}}),
+            "files differ:\n  b.png: it goes on at byte 3, where it should end");
 }
 
 }  // namespace

@@ -89,6 +89,27 @@ TEST(DiskSpace, CountsNoFramesThatAreKept) {
   EXPECT_LT(found, kMost);
 }
 
+TEST(DiskSpace, OfAPartCountsNoFramesBesideIt) {
+  const scene::Scene scene = smallScene();
+  pipeline::RenderOptions options{.folder = emptyFolder(), .formats = {}};
+  const auto neededBy = [&](FrameRange range) {
+    double needed = 0;
+    const pipeline::RenderListener listener{[&](const pipeline::RenderStart& start) { needed = start.space.needed; },
+                                  {}};
+    options.frames = range;
+    pipeline::renderClip(scene, timeline::simulateScene(scene), options, listener);
+    return needed;
+  };
+  const auto neededFor = [&](std::int64_t pngs, std::int64_t frames) {
+    return diskSpace(scene, {.pngs = pngs, .frames = frames}, options.folder).needed;
+  };
+  EXPECT_EQ(neededBy({1, 2}), neededFor(1, 1));
+  EXPECT_EQ(neededBy({5, 6}), neededFor(1, 1));
+  options.earlier.resume = true;
+  EXPECT_EQ(neededBy({2, 5}), neededFor(3, 3));
+  EXPECT_EQ(neededBy({0, 6}), neededFor(1, 6)) << "frame 0 alone is missing";
+}
+
 TEST(DiskSpace, GrowsWithFramesAndFormats) {
   const auto needed = [](const FilesToWrite& files) {
     return diskSpace(smallScene(), files, "/").needed;

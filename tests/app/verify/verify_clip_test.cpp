@@ -45,6 +45,7 @@ struct Forgery {
   std::int64_t shift = 0;  ///< Frame n shows frame n + shift, as far as there is one.
   std::int64_t frames = kFrames;
   bool swapped = false;  ///< Red and blue.
+  int brighter = 0;      ///< By how much each colour of each pixel is. [of 255]
   std::function<void(video::VideoSettings&)> change{};
   std::function<void(store::Making&)> made{};
 };
@@ -53,6 +54,15 @@ void swapRedAndBlue(image::Image& picture) {
   for (int y = 0; y < picture.height(); ++y) {
     std::uint8_t* row = picture.row(y);
     for (int x = 0; x < picture.width(); ++x) std::swap(row[4 * x], row[4 * x + 2]);
+  }
+}
+
+void brighten(image::Image& picture, int by) {
+  for (int y = 0; y < picture.height(); ++y) {
+    std::uint8_t* row = picture.row(y);
+    for (int i = 0; i < 4 * picture.width(); ++i) {
+      if (i % 4 != 3) row[i] = static_cast<std::uint8_t>(std::min(row[i] + by, 255));
+    }
   }
 }
 
@@ -70,6 +80,7 @@ void write(const Forgery& forgery, const fs::path& path) {
   for (std::int64_t n = 0; n < forgery.frames; ++n) {
     drawer.draw(std::clamp<std::int64_t>(n + forgery.shift, 0, kFrames - 1), picture);
     if (forgery.swapped) swapRedAndBlue(picture);
+    if (forgery.brighter > 0) brighten(picture, forgery.brighter);
     writer.write(picture.view());
   }
   writer.finish();
@@ -113,6 +124,24 @@ TEST(VerifyClip, ProvesWhatARenderMade) {
     EXPECT_EQ(found.pictures.size(), static_cast<std::size_t>(kFrames));
     EXPECT_EQ(found.range, (store::FrameRange{0, kFrames}));
   }
+}
+
+double meanRms(const Verification& found) {
+  double sum = 0;
+  for (const PictureCheck& picture : found.pictures) sum += picture.measured.rms;
+  return sum / static_cast<double>(found.pictures.size());
+}
+
+// Of WebM no scene says how good it is: as good as an MP4 whose scene says nothing either.
+TEST(VerifyClip, FindsAWebMAsGoodAsAnMp4) {
+  constexpr double kAsGood = 0.25;  // measured 0.015; 0.54 at a constant quality of 34, not 24
+  const fs::path folder = emptyFolder();
+  pipeline::testing::render(
+      shownScene(),
+      {.folder = folder, .png = false, .formats = {VideoFormat::Mp4, VideoFormat::WebM}});
+  const double mp4 = meanRms(verifyClip(folder / "small.mp4", {.allFrames = true}));
+  const double webm = meanRms(verifyClip(folder / "small.webm", {.allFrames = true}));
+  EXPECT_NEAR(webm / mp4, 1, kAsGood);
 }
 
 class VerifyClipOf : public ::testing::TestWithParam<std::vector<std::string>> {};
@@ -218,6 +247,18 @@ TEST(VerifyClip, FindsSwappedColours) {
 
 TEST(VerifyClip, FindsAWorseEncoding) {
   expectWrongPictures(verified({.shown = shownScene({"video.crf=40"})}));
+}
+
+// No patch of them is farther away than the bound: the whole is.
+TEST(VerifyClip, FindsPicturesThatAreABitTooBright) {
+  const Verification found = verified({.brighter = 7});
+  expectWrongPictures(found);
+  for (const PictureCheck& picture : found.pictures) {
+    EXPECT_LT(picture.measured.rms, 2 * picture.bound.rms);                  // measured 1.4
+    EXPECT_LT(picture.measured.worstPatch, 0.9 * picture.bound.worstPatch);  // measured 0.74
+    EXPECT_FALSE(picture.likerTo.has_value());
+  }
+  EXPECT_TRUE(verified({.brighter = 1}).proved());
 }
 
 TEST(VerifyClip, FindsAnotherMotion) {
@@ -357,6 +398,52 @@ TEST(StreamChecks, MeasureTheSpeedOfAnMp4) {
   EXPECT_FALSE(passes({64, 36, 1, {{0.5, 2}}}));
   EXPECT_FALSE(passes({64, 36, 1, {{0.25, 1}}}));
   EXPECT_FALSE(passes({64, 36, 1, {{0.25, 1}, {0.25, 1}}}));
+}
+
+/// `share` of `a`, and the rest of `b`.
+video::Planes mixture(const video::Planes& a, const video::Planes& b, float share) {
+  video::Planes mixed = a;
+  for (const auto plane : {&video::Planes::y, &video::Planes::u, &video::Planes::v}) {
+    for (std::size_t i = 0; i < (mixed.*plane).size(); ++i) {
+      (mixed.*plane)[i] = share * (a.*plane)[i] + (1 - share) * (b.*plane)[i];
+    }
+  }
+  return mixed;
+}
+
+// A mixture of two frames is away from each as far as the share of the other says.
+TEST(PictureJudge, KnowsAPictureOfTheNextFrameThatIsFarFromBoth) {
+  const scene::Scene scene = smallScene();
+  const timeline::ClipMotion motion = timeline::simulateScene(scene);
+  picture::FrameDrawer drawer(scene, motion);
+  const auto planesAt = [&](std::int64_t frame) {
+    image::Image picture = drawer.makePicture();
+    drawer.draw(frame, picture);
+    return video::planesOf(picture.view(), false);
+  };
+  const video::Planes said = planesAt(5), next = planesAt(6);
+  const auto likerTo = [&](float shareOfNext) {
+    return PictureJudge(scene, drawer, kFrames, VideoFormat::Mp4)
+        .judge(5, mixture(next, said, shareOfNext))
+        .likerTo;
+  };
+  EXPECT_EQ(likerTo(0.9F), 6);             // 0.11 times as far from the next frame as from its own
+  EXPECT_EQ(likerTo(0.65F), 6);            // 0.54 times
+  EXPECT_EQ(likerTo(0.6F), std::nullopt);  // 0.67 times
+  EXPECT_EQ(likerTo(0.0F), std::nullopt);
+}
+
+TEST(EncodingBound, IsThatOfTheMeasurements) {
+  const auto expectBound = [](VideoFormat format, int crf, double rms, double worstPatch) {
+    EXPECT_NEAR(encodingBound(format, crf).rms, rms, 0.05) << nameOf(format) << " " << crf;
+    EXPECT_NEAR(encodingBound(format, crf).worstPatch, worstPatch, 0.05)
+        << nameOf(format) << " " << crf;
+  };
+  expectBound(VideoFormat::Mp4, 0, 1.5, 4);
+  expectBound(VideoFormat::Mp4, 18, 3.8, 10);
+  expectBound(VideoFormat::Mp4, 36, 15.2, 47.6);
+  expectBound(VideoFormat::Mp4, 51, 26, 60);
+  expectBound(VideoFormat::WebM, 0, 3.8, 10);
 }
 
 TEST(EncodingBound, GrowsWithTheRateFactor) {

@@ -142,6 +142,11 @@ TEST(StudySection, RefusesBoundsThatBoundNothing) {
             "\"max\"");
 }
 
+TEST(StudySection, TakesBoundsThatAreOneNumber) {
+  const Scene scene = sceneFrom("[study]\norders.rk4 = { min = 4, max = 4 }");
+  EXPECT_EQ(scene.study->orders, (std::vector<ExpectedOrder>{{Integrator::Rk4, {4.0, 4.0}}}));
+}
+
 TEST(StudySection, RefusesUnknownKeys) {
   EXPECT_EQ(errorOfParticles("step = [1]"),
             "a.toml:4:1: unknown key \"step\" in [study]; did you mean \"steps\"?");

@@ -145,11 +145,16 @@ TEST(PrecisionStudy, RefusesWhatHasNothingToVary) {
             "small: a clip of one frame has no motion to study; make it longer");
 }
 
+// Only steps without a solution are a row's end; what is wrong with the scene is the caller's.
 TEST(PrecisionStudy, PassesOtherErrorsOn) {
-  const scene::Scene scene =
-      smallScene({"initial.angular_velocity=[1e9, 0, 0]", "body.mass=1e9", "study.steps=[1]",
-                  "initial.tilt=[0.1, 'z']", "body.size=[1e6, 1e6, 1e6]"});
-  EXPECT_NO_THROW(precision(scene));
+  scene::Scene scene = twoIntegrators();
+  scene.study->integrators = {Integrator::Rk4, Integrator::Verlet};
+  EXPECT_EQ(messageOf<InputError>([&] { precision(scene); }),
+            "this model doesn't have this integrator");
+  scene = twoIntegrators();
+  scene.initial.value = {1e200, 1e200, 1e200};
+  EXPECT_EQ(messageOf<InputError>([&] { precision(scene); }),
+            "the motion's start is not finite: its numbers are too large");
 }
 
 TEST(PrecisionCsv, HasItsColumns) {
@@ -160,6 +165,32 @@ TEST(PrecisionCsv, HasItsColumns) {
   EXPECT_THAT(ordersCsv(study),
               StartsWith("integrator,order,runs,shortest_h_s,longest_h_s\nsplitting,"));
   EXPECT_THAT(ordersCsv(study), HasSubstr(",5,0.0026041666666666665,0.041666666666666664\n"));
+}
+
+// Values of no motion, all different, so that no two columns can change places unnoticed.
+TEST(PrecisionCsv, HasEachValueInItsColumn) {
+  PrecisionStudy study;
+  study.rows = {{.integrator = Integrator::Cf4,
+                 .h = 0.25,
+                 .steps = 3,
+                 .errorDeg = 4.5,
+                 .finalErrorDeg = 0.5,
+                 .energyDrift = 6e-7,
+                 .momentumDrift = 7e-8,
+                 .halfTurns = 8,
+                 .nsPerStep = 90.1234}};
+  study.orders = {{Integrator::Cf4, {.order = 3.75, .runs = 5, .shortest = 0.125, .longest = 2}}};
+  EXPECT_EQ(precisionCsv(study),
+            "integrator,h_s,steps,error_deg,final_error_deg,energy_drift,L_drift,half_turns,"
+            "ns_per_step,status\ncf4,0.25,3,4.5,0.5,6e-07,7e-08,8,90.1,ok\n");
+  EXPECT_EQ(ordersCsv(study),
+            "integrator,order,runs,shortest_h_s,longest_h_s\ncf4,3.75,5,0.125,2\n");
+}
+
+TEST(TiltCsv, HasEachValueInItsColumn) {
+  TiltStudy study;
+  study.rows = {{.tilt = 0.5, .flips = 2, .interval = 6, .law = 4}};
+  EXPECT_EQ(tiltCsv(study), "tilt_rad,flips,interval_s,law_s,ratio,status\n0.5,2,6,4,1.5,ok\n");
 }
 
 TEST(TiltStudy, MeasuresTheIntervalOfEachTilt) {

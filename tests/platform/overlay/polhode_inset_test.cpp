@@ -1,6 +1,10 @@
 #include "overlay/polhode_inset.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
+
+#include "overlay/motion.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -57,6 +61,39 @@ TEST(MomentumSurfaces, HaveNoPolhodeOfASteadySpinOrABall) {
   for (const Eigen::Vector3d& point : steady.polhode(1, true)) {
     EXPECT_LT((point - Eigen::Vector3d::UnitY()).norm(), 1e-7);
   }
+}
+
+/// How many pixels beside the words of the inset are as bright as the point that shows the present
+/// momentum, where that is on the ellipsoid's near side or on its far side.
+int brightestPixels(bool near) {
+  constexpr int kWidth = 640, kHeight = 360;
+  const scene::Scene scene =
+      testing::tumbling({"clip.size=[640, 360]", "overlay.show=['polhode']"});
+  physics::Trajectory trajectory = testing::motionOf(scene);
+  trajectory.samples.resize(2);
+  // Toward the viewer, or away; the first is elsewhere, so that the inset itself is the same.
+  const Eigen::Vector3d towardViewer(0.78, 0.41, 0.48);
+  trajectory.samples[0].attitude = trajectory.samples[1].attitude.setIdentity();
+  trajectory.samples[0].angularMomentum = {0.3, 0.9, -0.3};
+  trajectory.samples[1].angularMomentum = near ? towardViewer : Eigen::Vector3d(-towardViewer);
+  Marks marks = testing::marksOf(scene, trajectory);
+  const image::Image picture = testing::drawn(marks, scene, 1);
+  int count = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const std::uint8_t* pixel = picture.row(y) + 4 * x;
+      const Box place{1.0 * x, 1.0 * y, 1, 1};
+      const bool words = std::ranges::any_of(
+          marks.texts(), [&](const Box& text) { return text.grown(3).meets(place); });
+      count += !words && std::min({pixel[0], pixel[1], pixel[2]}) >= 236 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+TEST(PolhodeInset, HasItsPointBrightInFrontAndFaintBehind) {
+  EXPECT_GE(brightestPixels(true), 4);
+  EXPECT_EQ(brightestPixels(false), 0);
 }
 
 }  // namespace

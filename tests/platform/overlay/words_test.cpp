@@ -75,6 +75,18 @@ TEST(Words, HaveAClockThatFollowsTheSimulatedTime) {
   EXPECT_EQ(drawn(scene, 1), drawn(slower, 2));
 }
 
+TEST(Words, HaveAClockThatRoundsToHundredths) {
+  const auto clockAt = [](const std::string& seconds) {
+    return drawn(sceneWith({"overlay.show=['clock']", "clip.size=[640, 360]",
+                            "simulation.time_per_frame=" + seconds}),
+                 1);
+  };
+  EXPECT_EQ(clockAt("0.166"), clockAt("0.17"));
+  EXPECT_EQ(clockAt("0.174"), clockAt("0.17"));
+  EXPECT_NE(clockAt("0.164"), clockAt("0.17"));
+  EXPECT_NE(clockAt("0.176"), clockAt("0.17"));
+}
+
 // Clock above, caption below, at every size.
 TEST(Words, NeverPutTextOnText) {
   for (const char* size : {"640, 360", "1280, 720", "1920, 1080", "3840, 2160", "480, 854"}) {

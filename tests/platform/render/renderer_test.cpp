@@ -112,7 +112,10 @@ TEST(Renderer, DrawsNothingFromWithinTheBook) {
   RenderSettings settings = settingsOf(128, 72);
   settings.camera.position = {0, 0, 0.005};
   Renderer renderer(settings, builtinTextures());
-  EXPECT_NO_THROW(drawn(renderer, book()));
+  EXPECT_EQ(drawn(renderer, book()), testing::emptyPicture(renderer));
+  settings.camera.position = {0, 0, 0.05};  // Just above the cover, which fills the picture.
+  Renderer outside(settings, builtinTextures());
+  EXPECT_NE(drawn(outside, book()), testing::emptyPicture(outside));
 }
 
 // What is drawn of a book that reaches behind the camera is only changed along its edges.

@@ -1,0 +1,65 @@
+#include "overlay/strip_chart.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "overlay/motion.h"
+#include "overlay/palette.h"
+#include "overlay/text.h"
+
+namespace rotatebook::overlay {
+namespace {
+
+constexpr int kWidth = 640, kHeight = 360;
+
+/// The lowest words on the chart of the error of this clip: where its time axis ends.
+Box endLabelOf(const std::vector<std::string>& overrides) {
+  std::vector<std::string> all{"clip.size=[640, 360]", "overlay.show=['error']"};
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  const scene::Scene scene = testing::tumbling(all);
+  const physics::Trajectory trajectory = testing::motionOf(scene);
+  Marks marks = testing::marksOf(scene, trajectory);
+  testing::drawn(marks, scene, 0);
+  return *std::ranges::max_element(marks.texts(), {}, &Box::bottom);
+}
+
+/// How wide `words` are in a chart's letters. [pixels]
+double widthOf(const std::string& words) {
+  TextStyle style;
+  style.size = Scale(kWidth, kHeight).smallLetters;
+  return Typesetter().measure(words, style, kWidth).width;
+}
+
+TEST(StripChart, NamesTheTimeAtWhichItEnds) {
+  ASSERT_NE(widthOf("6 s"), widthOf("12 s"));
+  EXPECT_EQ(endLabelOf({}).width, widthOf("6 s"));
+  EXPECT_EQ(endLabelOf({"clip.duration=1.5"}).width, widthOf("1.5 s"));
+  // Of the motion, not of the video.
+  EXPECT_EQ(endLabelOf({"simulation.time_per_frame=0.002"}).width, widthOf("0.36 s"));
+}
+
+/// Where the chart of the energy ends of a motion that reaches `highest` of its start's.
+double energyTopFor(double highest) {
+  physics::Trajectory trajectory;
+  for (const double energy : {1.0, highest, 0.5}) {
+    trajectory.samples.emplace_back().kinetic = 4 * energy;
+  }
+  return energyTop(trajectory);
+}
+
+TEST(EnergyTop, LeavesRoomAboveTheHighestEnergy) {
+  EXPECT_DOUBLE_EQ(energyTopFor(2), 2.12);
+  EXPECT_DOUBLE_EQ(energyTopFor(1.5), 1.59);
+}
+
+TEST(EnergyTop, HasALeastAndALargestValue) {
+  EXPECT_EQ(energyTopFor(1), 1.15);
+  EXPECT_EQ(energyTopFor(1.05), 1.15);
+  EXPECT_EQ(energyTopFor(100), 3.06);
+}
+
+}  // namespace
+}  // namespace rotatebook::overlay

@@ -1,0 +1,90 @@
+// The part of the shaders that all light of the book goes through, number by number.
+#include <array>
+#include <cmath>
+#include <string>
+
+#include <Eigen/Core>
+#include <gtest/gtest.h>
+
+#include "render/device/egl_context.h"
+#include "embedded/render.h"
+#include "render/book/gl_handles.h"
+#include "render/book/shader_program.h"
+
+namespace rotatebook::render {
+namespace {
+
+constexpr double kFloatBound = 1e-5;  // measured 5e-7, most of it digits that are left out here
+
+constexpr const char* kApply =
+    "#version 330 core\n"
+    "uniform vec3 radiance;\n"
+    "out vec4 colour;\n"
+    "vec3 toneMap(vec3 radiance);\n"
+    "void main() { colour = vec4(toneMap(radiance), 1.0); }\n";
+
+/// Applies the tone curve on a picture of one pixel, of floating point.
+class ToneCurve : public ::testing::Test {
+ protected:
+  ToneCurve() {
+    glBindRenderbuffer(GL_RENDERBUFFER, colour_.name());
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, 1, 1);
+    glBindFramebuffer(GL_FRAMEBUFFER, buffer_.name());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER,
+                              colour_.name());
+    glBindVertexArray(vertices_.name());
+    glViewport(0, 0, 1, 1);
+    program_.use();
+    program_.set("pictureSize", Eigen::Vector2f(1, 1));
+  }
+
+  Eigen::Vector3d of(const Eigen::Vector3d& radiance) const {
+    program_.set("radiance", Eigen::Vector3f(radiance.cast<float>()));
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    std::array<float, 4> pixel{};
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, pixel.data());
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+    EXPECT_EQ(pixel[3], 1);
+    return {pixel[0], pixel[1], pixel[2]};
+  }
+  double ofGrey(double radiance) const {
+    const Eigen::Vector3d found = of(Eigen::Vector3d::Constant(radiance));
+    EXPECT_EQ(found.x(), found.y());
+    EXPECT_EQ(found.x(), found.z());
+    return found.x();
+  }
+
+ private:
+  EglContext context_;
+  GlRenderbuffer colour_;
+  GlFramebuffer buffer_;
+  GlVertexArray vertices_;
+  ShaderProgram program_{"trial", wholePictureVertexShader(), {kApply, toneCurveFragmentShader()}};
+};
+
+TEST_F(ToneCurve, KeepsColoursButForTheReflectanceThatIsTakenOff) {
+  EXPECT_EQ(ofGrey(0), 0);
+  EXPECT_NEAR(ofGrey(0.05), 0.015625, kFloatBound);
+  EXPECT_NEAR(ofGrey(0.5), 0.46, kFloatBound);
+  EXPECT_NEAR(ofGrey(0.7), 0.66, kFloatBound);
+  EXPECT_NEAR(ofGrey(0.78), 0.74, kFloatBound);
+  EXPECT_LT((of({0.1, 0.3, 0.6}) - Eigen::Vector3d(0.06, 0.26, 0.56)).norm(), kFloatBound);
+}
+
+// From 0.8 on, where a curve that began at 0.75 would give 0.76 another value in the third digit.
+TEST_F(ToneCurve, CompressesHighlights) {
+  EXPECT_NEAR(ofGrey(0.8), 0.76, kFloatBound);
+  EXPECT_NEAR(ofGrey(1), 0.869091, kFloatBound);
+  EXPECT_NEAR(ofGrey(2), 0.96, kFloatBound);
+  EXPECT_NEAR(ofGrey(100), 0.999421, kFloatBound);
+}
+
+TEST_F(ToneCurve, TakesTheHueFromHighlights) {
+  const Eigen::Vector3d found = of({2, 1, 0.5});
+  EXPECT_NEAR(found.x(), 0.96, kFloatBound);
+  EXPECT_NEAR(found.y(), 0.534091, kFloatBound);
+  EXPECT_NEAR(found.z(), 0.321136, kFloatBound);
+}
+
+}  // namespace
+}  // namespace rotatebook::render

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "physics/elementary.h"
 #include "physics/rotation.h"
 
 namespace rotatebook::physics {
@@ -13,21 +14,14 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-struct Turn {
-  double cosine, sine;
-};
-
 constexpr DoubleDouble kWholeTurn{6.283185307179586, 2.4492935982947064e-16};
 
-// Of an angle of many turns, whose lower part counts; it is small once whole turns are taken off.
-Turn turnBy(DoubleDouble angle) {
-  const DoubleDouble rest = angle - kWholeTurn * std::nearbyint(angle.high / kWholeTurn.high);
-  const double cosine = std::cos(rest.high);
-  const double sine = std::sin(rest.high);
-  return {cosine - rest.low * sine, sine + rest.low * cosine};
+// Of an angle of many turns, whose lower part counts.
+CosineSine turnBy(DoubleDouble angle) {
+  return cosineSine(angle - kWholeTurn * std::nearbyint(angle.high / kWholeTurn.high));
 }
 
-Matrix3d rotationAboutZ(Turn turn) {
+Matrix3d rotationAboutZ(CosineSine turn) {
   Matrix3d rotation;
   rotation << turn.cosine, -turn.sine, 0, turn.sine, turn.cosine, 0, 0, 0, 1;
   return rotation;
@@ -61,7 +55,7 @@ ExactMotion::Moment ExactMotion::at(double time) const {
 
 ExactMotion::Moment ExactMotion::steadyAt(double time) const {
   if (speed_.high == 0) return {start_, Matrix3d::Identity()};
-  const Turn turn = turnBy(speed_ * time);
+  const CosineSine turn = turnBy(speed_ * time);
   const Vector3d axis = start_ / speed_.high;
   const Matrix3d cross = crossMatrix(axis);
   return {start_, Matrix3d::Identity() + turn.sine * cross + (1 - turn.cosine) * cross * cross};

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "physics/elementary.h"
 #include "physics/elliptic.h"
 #include "physics/regime.h"
 
@@ -45,7 +46,7 @@ DoubleDouble distance(double a, double b) {
 // The start of u from sn, |cn| and dn, without an inverse sn, which loses half of the digits where
 // sn is near 1. Past K/2 it is measured from K.
 DoubleDouble startOf(double sn, double cn, double dn, double k1, DoubleDouble k) {
-  if (k1 == 0) return std::asinh(sn / cn);
+  if (k1 == 0) return inverseHyperbolicSine(sn / cn);
   const double size = std::fabs(sn);
   if (cn >= size * dn) return sn * carlsonRF(cn * cn, dn * dn, 1);
   const double a = k1 * size / dn;

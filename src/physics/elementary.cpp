@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace rotatebook::physics {
 namespace {
@@ -14,6 +15,9 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // Under it sine, tangent and their inverses differ from their argument by less than half of its
 // last place.
 constexpr double kTiny = 0x1p-27;
+
+// Of sums and products of pairs near 1.
+constexpr double kPairError = 0x1p-98;
 
 constexpr DoubleDouble kLog2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
 
@@ -32,6 +36,8 @@ constexpr int kOctaveParts = 64;
 constexpr Pieces kOctavePart{{0x1.62e42fcp-7, 0x1.7d1cf78p-34, 0x1.abc9e38p-62},
                              {0x1.9cc01f97b57ap-89, 0x1.e6864ce5316c6p-143}};  // ln(2)/64
 constexpr double kOctavePartsPerUnit = 92.33248261893658;
+
+constexpr int kTangentParts = 256;
 
 // The nearest whole number, of less than 2^51: a function of the C library is slower.
 double nearest(double x) {
@@ -54,6 +60,12 @@ double polynomial(double x, const std::array<double, kCount>& coefficients) {
   double sum = 0;
   for (std::size_t i = kCount; i-- > 0;) sum = coefficients[i] + x * sum;
   return sum;
+}
+
+// high + low, if that is the same for every low within its error.
+std::optional<double> roundedIfSure(double high, double low, double error) {
+  const double above = high + (low + error), below = high + (low - error);
+  return above == below ? std::optional(above) : std::nullopt;
 }
 
 constexpr DoubleDouble inverse(double n) {
@@ -94,6 +106,24 @@ constexpr DoubleDouble powerOf(int part) {
   return power;
 }
 
+// atan(part/256) by Taylor's series, from the part before on: their difference is the arc tangent
+// of a number under 1/256.
+constexpr DoubleDouble arcTangentAfter(DoubleDouble before, int part) {
+  const DoubleDouble x =
+      DoubleDouble(kTangentParts) / (double{kTangentParts} * kTangentParts + part * (part - 1.0));
+  DoubleDouble sum = 0.0;
+  for (int n = 19; n > 0; n -= 2) sum = inverse(n) - x * x * sum;
+  return before + x * sum;
+}
+
+constexpr std::array<DoubleDouble, kTangentParts + 1> arcTangentTable() {
+  std::array<DoubleDouble, kTangentParts + 1> table{};
+  for (std::size_t i = 1; i < table.size(); ++i) {
+    table[i] = arcTangentAfter(table[i - 1], static_cast<int>(i));
+  }
+  return table;
+}
+
 template <typename Value, std::size_t kCount>
 constexpr std::array<Value, kCount> tableOf(Value (*valueOf)(int)) {
   std::array<Value, kCount> table{};
@@ -104,24 +134,24 @@ constexpr std::array<Value, kCount> tableOf(Value (*valueOf)(int)) {
 // Filled by the compiler.
 constexpr auto kTurns = tableOf<Turn, kTurnParts>(turnOf);
 constexpr auto kPowers = tableOf<DoubleDouble, kOctaveParts>(powerOf);
+constexpr auto kArcTangents = arcTangentTable();
 
 constexpr const Turn& turnAt(int part) {
   return kTurns[static_cast<std::size_t>(part & (kTurnParts - 1))];
 }
 
-// cos x - 1 and sin x for |x| <= pi/128: the first two terms of the series in pairs, the rest, which
-// is under 2^-41 of the sum, in doubles.
+// cos x - 1 and sin x for |x| <= pi/128: the first two terms of the series in pairs, the rest,
+// which is under 2^-41 of the sum, in doubles.
 Turn smallTurn(DoubleDouble x) {
   constexpr DoubleDouble kThird = -inverse(6), kFifth = inverse(120);
   constexpr DoubleDouble kFourth = inverse(24);
   const DoubleDouble xx = x * x;
   const double t = xx.high;
-  const double sine = t * polynomial(t, std::array{-1.0 / 5040, 1.0 / 362880, -1.0 / 39916800,
-                                                   1.0 / 6227020800});
-  const double cosine = t * polynomial(t, std::array{-1.0 / 720, 1.0 / 40320, -1.0 / 3628800,
-                                                     1.0 / 479001600});
-  const DoubleDouble sineFactor =
-      xx * dominantSum(kThird, xx * dominantSum(kFifth, sine));
+  const double sine =
+      t * polynomial(t, std::array{-1.0 / 5040, 1.0 / 362880, -1.0 / 39916800, 1.0 / 6227020800});
+  const double cosine =
+      t * polynomial(t, std::array{-1.0 / 720, 1.0 / 40320, -1.0 / 3628800, 1.0 / 479001600});
+  const DoubleDouble sineFactor = xx * dominantSum(kThird, xx * dominantSum(kFifth, sine));
   return {xx * dominantSum(-0.5, xx * dominantSum(kFourth, cosine)),
           dominantSum(x, x * sineFactor)};
 }
@@ -135,23 +165,21 @@ Turn cosineSineOf(DoubleDouble angle) {
           base.sine + base.cosine * small.sine + base.sine * small.cosine};
 }
 
-// The arc tangent of |x| < 0.03; the rest of the series from the fifth term on in doubles.
+// The arc tangent of |x| <= 1/512.
 DoubleDouble smallArcTangent(DoubleDouble x) {
-  constexpr DoubleDouble kThird = -inverse(3), kFifth = inverse(5), kSeventh = -inverse(7);
+  constexpr DoubleDouble kThird = -inverse(3);
   const DoubleDouble xx = x * x;
   const double t = xx.high;
-  const double rest = t * polynomial(t, std::array{1.0 / 9, -1.0 / 11, 1.0 / 13, -1.0 / 15,
-                                                   1.0 / 17, -1.0 / 19, 1.0 / 21});
-  const DoubleDouble inner = dominantSum(kFifth, xx * dominantSum(kSeventh, rest));
-  return dominantSum(x, x * (xx * dominantSum(kThird, xx * inner)));
+  const double rest = t * polynomial(t, std::array{1.0 / 5, -1.0 / 7, 1.0 / 9, -1.0 / 11});
+  return dominantSum(x, x * (xx * dominantSum(kThird, rest)));
 }
 
 // e^x - 1 for |x| <= ln(2)/128.
 DoubleDouble smallExponential(DoubleDouble x) {
   constexpr DoubleDouble kThird = inverse(6), kFourth = inverse(24), kFifth = inverse(120);
   const double t = x.high;
-  const double rest =
-      t * polynomial(t, std::array{1.0 / 720, 1.0 / 5040, 1.0 / 40320, 1.0 / 362880, 1.0 / 3628800});
+  const double rest = t * polynomial(t, std::array{1.0 / 720, 1.0 / 5040, 1.0 / 40320, 1.0 / 362880,
+                                                   1.0 / 3628800});
   const DoubleDouble inner = dominantSum(kFourth, x * dominantSum(kFifth, rest));
   return dominantSum(x, x * x * dominantSum(0.5, x * dominantSum(kThird, x * inner)));
 }
@@ -181,12 +209,32 @@ struct Power {
   int exponent;
 };
 
+constexpr int octaveOf(int part) {
+  return (part - (part & (kOctaveParts - 1))) / kOctaveParts;
+}
+
 Power exponentialOf(double x) {
-  const double part = nearest(x * kOctavePartsPerUnit);
-  const int count = static_cast<int>(part);
-  const DoubleDouble base = kPowers[static_cast<std::size_t>(count & (kOctaveParts - 1))];
-  const DoubleDouble small = smallExponential(reduced(x, part, kOctavePart));
-  return {dominantSum(base, base * small), (count - (count & (kOctaveParts - 1))) / kOctaveParts};
+  const double count = nearest(x * kOctavePartsPerUnit);
+  const int part = static_cast<int>(count);
+  const DoubleDouble& base = kPowers[static_cast<std::size_t>(part & (kOctaveParts - 1))];
+  const DoubleDouble small = smallExponential(reduced(x, count, kOctavePart));
+  return {dominantSum(base, base * small), octaveOf(part)};
+}
+
+// In doubles, where that decides the rounding, which it most often does.
+std::optional<double> quickExponential(double x) {
+  constexpr double kQuickError = 0x1p-57;  // six roundings of |r| < 2^-7.5
+  constexpr double kNormal = 700;
+  if (std::fabs(x) > kNormal) return std::nullopt;
+  const double count = nearest(x * kOctavePartsPerUnit);
+  const int part = static_cast<int>(count);
+  const DoubleDouble& base = kPowers[static_cast<std::size_t>(part & (kOctaveParts - 1))];
+  const auto& [first, second, third] = kOctavePart.first;
+  const double r = ((x - count * first) - count * second) - count * third;
+  const double small =
+      r + r * r * polynomial(r, std::array{1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120, 1.0 / 720});
+  const auto sure = roundedIfSure(base.high, base.low + base.high * small, base.high * kQuickError);
+  return sure ? std::optional(std::ldexp(*sure, octaveOf(part))) : std::nullopt;
 }
 
 // e^x - 1 for |x| < 700, to as many digits near 0.
@@ -211,18 +259,35 @@ DoubleDouble logarithmOf(DoubleDouble x) {
   const DoubleDouble base = kPowers[static_cast<std::size_t>(part)];
   const DoubleDouble fraction = scaled(x, -exponent);
   const double octaves = exponent + 1.0 / kOctaveParts * part;
-  return dominantSum(kLog2 * octaves, smallLogarithm(quickQuotient(fraction - base, fraction + base)));
+  return dominantSum(kLog2 * octaves,
+                     smallLogarithm(quickQuotient(fraction - base, fraction + base)));
 }
 
-// Of y/x, for 0 < y <= x, both near 1 enough that nothing underflows.
-DoubleDouble arcTangentOf(double y, double x) {
-  constexpr double kRough = 0.273;  // atan q is q (pi/4 + 0.273 (1 - q)) to 0.004.
-  const double q = y / x;
-  const double rough = q * (kPi.high / 4 + kRough * (1 - q));
-  const double part = nearest(rough * kTurnPartsPerRadian);
-  const auto& [cosine, sine] = turnAt(static_cast<int>(part));
-  const DoubleDouble t = quickQuotient(cosine * y - sine * x, cosine * x + sine * y);
-  return dominantSum(kPi * (2.0 / kTurnParts * part), smallArcTangent(t));
+// An eighth of the turn: its angles are offset + sign atan(y/x) for 0 <= y <= x.
+struct Octant {
+  DoubleDouble offset;
+  double sign;
+};
+
+// Both numbers are near 1 enough that nothing underflows.
+double angleIn(const Octant& octant, double y, double x) {
+  constexpr double kQuickError = 0x1p-50;  // of t, for five roundings
+  const double part = nearest(y / x * kTangentParts);
+  const double base = part / kTangentParts;
+  const DoubleDouble along = exactProduct(x, base);
+  // Exact, because both numbers are close.
+  const DoubleDouble rise = exactSum(y - along.high, -along.low);
+  const DoubleDouble run = dominantSum(x, exactProduct(y, base));
+  const DoubleDouble start =
+      octant.offset + kArcTangents[static_cast<std::size_t>(part)] * octant.sign;
+
+  // Most often doubles suffice
+  const double t = octant.sign * rise.high / run.high, tt = t * t;
+  const double low = start.low + (t + t * tt * (-1.0 / 3 + tt * 0.2));
+  const auto sure = roundedIfSure(start.high, low, kQuickError * std::fabs(t) + kPairError);
+  if (sure) return *sure;
+
+  return (start + smallArcTangent(quickQuotient(rise, run)) * octant.sign).value();
 }
 
 }  // namespace
@@ -248,6 +313,7 @@ double arcTangent(double x) {
 
 double arcTangent(double y, double x) {
   if (std::isnan(x) || std::isnan(y)) return kNaN;
+  constexpr int kSmallFall = -60;
   double across = std::fabs(y), along = std::fabs(x);
   // What is infinite is far longer than what isn't; of two the same length counts, as of two zeros.
   if (std::isinf(along) || std::isinf(across)) {
@@ -257,24 +323,22 @@ double arcTangent(double y, double x) {
   const bool isSteep = across > along;
   const double small = isSteep ? along : across, large = isSteep ? across : along;
 
-  // The angle to the nearer axis
-  DoubleDouble angle = 0.0;
-  if (small > 0) {
-    const int exponent = std::ilogb(large), fall = std::ilogb(small) - exponent;
-    const double y1 = std::ldexp(small, -exponent - fall), x1 = std::ldexp(large, -exponent);
-    if (fall > -60) {
-      angle = arcTangentOf(std::ldexp(y1, fall), x1);
-    } else {
-      // Hardly less than the ratio, which decides where that is half of the lowest place.
-      const DoubleDouble ratio = DoubleDouble(y1) / x1;
-      const DoubleDouble less = ratio - ratio * 0x1p-106;
-      if (!isSteep && x > 0) return std::copysign(scaledDouble(less, fall), y);
-      angle = scaled(ratio, fall);
-    }
-  }
-  if (isSteep) angle = kPi * 0.5 - angle;
-  if (std::signbit(x)) angle = kPi - angle;
-  return std::copysign(angle.value(), y);
+  const Octant octant{isSteep           ? kPi * 0.5
+                      : std::signbit(x) ? kPi
+                                        : DoubleDouble(0.0),
+                      isSteep == std::signbit(x) ? 1.0 : -1.0};
+  if (small == 0) return std::copysign(octant.offset.value(), y);
+  const int exponent = std::ilogb(large), fall = std::ilogb(small) - exponent;
+  const double y1 = std::ldexp(small, -exponent - fall), x1 = std::ldexp(large, -exponent);
+  if (fall > kSmallFall) return std::copysign(angleIn(octant, std::ldexp(y1, fall), x1), y);
+
+  // The angle is hardly less than the ratio, which decides where that is half of the lowest place
+  const DoubleDouble ratio = DoubleDouble(y1) / x1;
+  const DoubleDouble angle = ratio - ratio * 0x1p-106;
+  return std::copysign(octant.offset.high == 0
+                           ? scaledDouble(angle, fall)
+                           : (octant.offset + scaled(angle, fall) * octant.sign).value(),
+                       y);
 }
 
 double exponential(double x) {
@@ -282,6 +346,7 @@ double exponential(double x) {
   if (std::isnan(x)) return kNaN;
   if (x > kHighest) return kInfinity;
   if (x < kLowest) return 0;
+  if (const auto sure = quickExponential(x)) return *sure;
   const auto [fraction, exponent] = exponentialOf(x);
   return scaledDouble(fraction, exponent);
 }

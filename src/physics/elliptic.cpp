@@ -76,8 +76,8 @@ double carlsonRJ(double x, double y, double z, double p) {
   constexpr double kEnough = 520;  // of the series, whose error is 2^-53
   const double start = (x + y + z + 2 * p) / 5;
   double dx = start - x, dy = start - y, dz = start - z;
-  double distance = kEnough * std::max({std::fabs(dx), std::fabs(dy), std::fabs(dz),
-                                        std::fabs(start - p)});
+  double distance =
+      kEnough * std::max({std::fabs(dx), std::fabs(dy), std::fabs(dz), std::fabs(start - p)});
   double delta = (p - x) * (p - y) * (p - z);
   double mean = start, share = 1, sum = 0;
   while (distance > mean) {

@@ -1,6 +1,7 @@
 // Numbers of twice a double's precision, for the constants of a motion.
 #pragma once
 
+#include <array>
 #include <cmath>
 
 namespace rotatebook::physics {
@@ -20,6 +21,9 @@ struct DoubleDouble {
   /// The nearest double.
   constexpr double value() const { return high + low; }
 };
+
+/// Three along the axes of a frame.
+using DoubleDouble3 = std::array<DoubleDouble, 3>;
 
 /// a + b without error.
 constexpr DoubleDouble exactSum(double a, double b) {
@@ -97,6 +101,13 @@ inline DoubleDouble squareRoot(DoubleDouble a) {
   const double root = std::sqrt(a.high);
   const DoubleDouble rest = a - exactProduct(root, root);
   return exactSum(root, rest.high / (2 * root));
+}
+
+constexpr bool operator<(DoubleDouble a, DoubleDouble b) {
+  return a.high < b.high || (a.high == b.high && a.low < b.low);
+}
+constexpr bool operator==(DoubleDouble a, DoubleDouble b) {
+  return a.high == b.high && a.low == b.low;
 }
 
 inline DoubleDouble absolute(DoubleDouble a) {

@@ -21,6 +21,14 @@ CosineSine turnBy(DoubleDouble angle) {
   return cosineSine(angle - kWholeTurn * std::nearbyint(angle.high / kWholeTurn.high));
 }
 
+DoubleDouble3 pairsOf(const Vector3d& v) {
+  return {v[0], v[1], v[2]};
+}
+
+Vector3d roundedOf(const DoubleDouble3& v) {
+  return {v[0].value(), v[1].value(), v[2].value()};
+}
+
 Matrix3d rotationAboutZ(CosineSine turn) {
   Matrix3d rotation;
   rotation << turn.cosine, -turn.sine, 0, turn.sine, turn.cosine, 0, 0, 0, 1;
@@ -30,11 +38,15 @@ Matrix3d rotationAboutZ(CosineSine turn) {
 }  // namespace
 
 ExactMotion::ExactMotion(const Vector3d& inertia, const Vector3d& angularVelocity)
-    : inertia_(inertia),
-      start_(angularVelocity),
-      speed_(hypotenuse(hypotenuse(start_[0], start_[1]), start_[2])),
-      regime_(regimeOf(inertia, angularVelocity)),
-      polhode_(polhodeOf(inertia, angularVelocity)),
+    : ExactMotion(Start{pairsOf(inertia), pairsOf(angularVelocity)}) {}
+
+ExactMotion::ExactMotion(const Start& start)
+    : inertia_(roundedOf(start.inertia)),
+      start_(roundedOf(start.angularVelocity)),
+      speed_(hypotenuse(hypotenuse(start.angularVelocity[0], start.angularVelocity[1]),
+                        start.angularVelocity[2])),
+      regime_(preciseRegimeOf(start.inertia, start.angularVelocity)),
+      polhode_(polhodeOf(start.inertia, start.angularVelocity)),
       jacobi_(polhode_ ? polhode_->k1 : 1),
       thirdKind_(polhode_ ? polhode_->k1 : 1, polhode_ ? polhode_->n : 0) {
   if (!polhode_) return;

@@ -43,7 +43,7 @@ int HalfTurnCounter::count(double tiltDeg) {
 Measurement::Measurement(const MotionSettings& settings)
     : spunAxis_(largestComponent(initialAngularVelocity(settings))),
       inertia_(modelInertia(settings)),
-      exact_(inertia_, initialAngularVelocity(settings)),
+      exact_(inertia_, settings.initial.alongPrincipal(inertia_)),
       isExact_(settings.simulation.model == Model::Exact) {
   const Corners corners = settings.body.corners();
   const Eigen::Matrix3d products = corners * corners.transpose();

@@ -80,4 +80,12 @@ Eigen::Vector3d InitialSpin::angularVelocity(const PrincipalAxes& inertia) const
   return kind == Kind::AngularVelocity ? tilted() : inertia.angularVelocity(tilted());
 }
 
+DoubleDouble3 InitialSpin::alongPrincipal(const PrincipalAxes& inertia) const {
+  DoubleDouble3 along = inertia.alongPrincipal(tilted());
+  if (kind == Kind::AngularVelocity) return along;
+  const DoubleDouble3 moments = inertia.preciseMoments();
+  for (std::size_t i = 0; i < 3; ++i) along[i] = along[i] / moments[i];
+  return along;
+}
+
 }  // namespace rotatebook::physics

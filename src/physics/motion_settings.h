@@ -79,6 +79,8 @@ struct InitialSpin {
   Eigen::Vector3d tilted() const;
   /// The angular velocity of a body with this inertia. [rad/s]
   Eigen::Vector3d angularVelocity(const PrincipalAxes& inertia) const;
+  /// The same along the principal axes, to twice a double's precision. [rad/s]
+  DoubleDouble3 alongPrincipal(const PrincipalAxes& inertia) const;
 };
 
 /// Everything that a motion depends on.

@@ -200,7 +200,11 @@ double scaledDouble(DoubleDouble value, int exponent) {
   if (std::ilogb(value.high) + exponent >= kLowest) return std::ldexp(value.value(), exponent);
   const DoubleDouble small = scaled(value, exponent - kLowest);
   const DoubleDouble sum = quickSum(1, small.high);
-  return std::ldexp(sum.high + (sum.low + small.low) - 1, kLowest);
+  const DoubleDouble rest = exactSum(sum.low, small.low);
+  // What is cut off decides where the rest is half of the lowest place
+  const double seen =
+      rest.low == 0 ? rest.high : std::nextafter(rest.high, rest.low > 0 ? kInfinity : -kInfinity);
+  return std::ldexp(sum.high + seen - 1, kLowest);
 }
 
 // fraction 2^exponent

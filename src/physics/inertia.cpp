@@ -111,6 +111,18 @@ std::string momentsText(const Eigen::Vector3d& moments) {
          text(moments[2]) + " kg m^2";
 }
 
+// How far rounding may have turned an axis: the farther, the closer its moment is to another. So
+// close that this is more than rounding of a double, they let no spin grow.
+double axisRounding(const Eigen::Vector3d& moments, int axis) {
+  constexpr double kMost = 0x1p-60;
+  double least = moments.maxCoeff();
+  for (int other = 0; other < 3; ++other) {
+    const double gap = std::fabs(moments[other] - moments[axis]);
+    if (gap > 0) least = std::min(least, gap);
+  }
+  return std::min(kMost, kPairRounding * moments.maxCoeff() / least);
+}
+
 }  // namespace
 
 DoubleDouble3 PrincipalAxes::preciseMoments() const {
@@ -120,14 +132,15 @@ DoubleDouble3 PrincipalAxes::preciseMoments() const {
 
 DoubleDouble3 PrincipalAxes::alongPrincipal(const Eigen::Vector3d& v) const {
   if (bodyFromPrincipal.isIdentity(0)) return {v[0], v[1], v[2]};
-  const double least = kPairRounding * v.cwiseAbs().maxCoeff();
+  const double size = v.cwiseAbs().maxCoeff();
   DoubleDouble3 along;
   for (int i = 0; i < 3; ++i) {
     DoubleDouble sum;
     for (int j = 0; j < 3; ++j) {
       sum = sum + DoubleDouble{bodyFromPrincipal(j, i), bodyFromPrincipalLow(j, i)} * v[j];
     }
-    along[static_cast<std::size_t>(i)] = std::fabs(sum.high) < least ? 0.0 : sum;
+    along[static_cast<std::size_t>(i)] =
+        std::fabs(sum.high) < size * axisRounding(moments, i) ? 0.0 : sum;
   }
   return along;
 }

@@ -60,7 +60,7 @@ struct SimulationSettings {
 
 /// Turns a vector by `angle` toward a coordinate axis.
 struct Tilt {
-  double angle = 0;  ///< [rad]
+  double angle = 0;  ///< Of a size up to kLargestAngle. [rad]
   int axis = 0;      ///< 0, 1, 2: x, y, z
 
   friend bool operator==(const Tilt&, const Tilt&) = default;

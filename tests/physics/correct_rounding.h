@@ -5,11 +5,10 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <mpfr.h>
 #include <random>
 #include <string>
 #include <vector>
-
-#include <mpfr.h>
 
 #include "physics/elementary.h"
 
@@ -156,7 +155,8 @@ inline std::vector<RoundedFunction> roundedFunctions() {
       {"cosineSine", [](Point at) { return cosineSine(at.x).sine; },
        [](Reference& reference, Point at) { return reference.of(mpfr_sin, at.x); },
        [angle](Arguments& arguments) { return Point{angle(arguments)}; }},
-      unary("arcTangent", [](double x) { return arcTangent(x); }, mpfr_atan, moderate),
+      unary(
+          "arcTangent", [](double x) { return arcTangent(x); }, mpfr_atan, moderate),
       {"arcTangent of two", [](Point at) { return arcTangent(at.y, at.x); },
        [](Reference& reference, Point at) { return reference.of(mpfr_atan2, at.y, at.x); },
        anyPoint},

@@ -51,7 +51,7 @@ class JacobiFunctions {
   int levels_ = 0;
   std::array<double, kMaxLevels> arithmetic_{};  // means a and b of each level
   std::array<double, kMaxLevels> geometric_{};
-  double limit_ = 1;  // that both means tend to; beside the separatrix K itself
+  double limit_ = 1;       // that both means tend to; beside the separatrix K itself
   double limitDecay_ = 0;  // e^-K, there
 };
 

@@ -19,9 +19,9 @@ struct PrincipalAxes {
 
   /// The moments to twice a double's precision. [kg m^2]
   DoubleDouble3 preciseMoments() const;
-  /// P^T v, to 1e-29 of |v|, and less where moments are close; components under that are 0, unless P
-  /// is the identity, which takes v as it is. So a spin about an axis of a turned tensor stays about
-  /// it.
+  /// P^T v, to 1e-29 of |v|, and less where moments are close; components under that are 0, unless
+  /// P is the identity, which takes v as it is. So a spin about an axis of a turned tensor stays
+  /// about it.
   DoubleDouble3 alongPrincipal(const Eigen::Vector3d& v) const;
 
   /// The angular velocity that belongs to an angular momentum, both along the body's axes.

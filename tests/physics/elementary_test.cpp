@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(Function, Elementary, testing::ValuesIn(roundedFunction
                            return name;
                          });
 
-// A hundredth of a last place is seen, too: the C library's sine is that good.
+// One last place, of a few arguments.
 TEST(WronglyRounded, FindsWhatIsWrong) {
   RoundedFunction function = roundedFunctions().front();
   const auto own = function.own;

@@ -45,8 +45,8 @@ double nearest(double x) {
   return (x + kShift) - kShift;
 }
 
-// x - count part, good to 2^-100 of itself however much cancels: no double under 1e6 is nearer to a
-// multiple of pi/64 than 2^-65.
+// x - count part, good to 2^-90 of itself however much cancels: no double is nearer to a multiple
+// of pi/2 than 2^-61, so to one of pi/64 than 2^-66. (Kahan 1983)
 DoubleDouble reduced(DoubleDouble x, double count, const Pieces& part) {
   if (count == 0) return x;
   const DoubleDouble first = exactSum(x.high - count * part.first[0], -count * part.first[1]);

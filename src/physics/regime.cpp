@@ -87,7 +87,7 @@ DoubleDouble medianInvariantRoot(const DoubleDouble3& moments, DoubleDouble w1, 
 Regime regimeOf(const Eigen::Vector3d& inertia, const Eigen::Vector3d& angularVelocityBody) {
   const Eigen::Vector3d& w = angularVelocityBody;
   return preciseRegimeOf(DoubleDouble3{inertia[0], inertia[1], inertia[2]},
-                  DoubleDouble3{w[0], w[1], w[2]});
+                         DoubleDouble3{w[0], w[1], w[2]});
 }
 
 Regime preciseRegimeOf(const DoubleDouble3& inertia, const DoubleDouble3& angularVelocityBody) {

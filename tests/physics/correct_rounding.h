@@ -122,7 +122,7 @@ inline RoundedFunction unary(std::string name, double (*own)(double), MpfrUnary 
 inline RoundedFunction::Point anyPoint(Arguments& arguments) {
   if (arguments.once(4)) return {arguments.any(), arguments.any()};
   if (arguments.once(4)) {  // whose ratio is a subnormal number of few bits
-    const double size = arguments.ofExponents(0, 20);
+    const double size = std::floor(arguments.between(1, 64));
     return {size, std::ldexp(std::floor(arguments.between(-4e3, 4e3)), -1074)};
   }
   if (arguments.once(2)) return {arguments.ofExponents(-30, 30), arguments.ofExponents(-30, 30)};

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "physics/elementary.h"
 
 namespace rotatebook::physics {
 namespace {
@@ -66,17 +67,25 @@ Eigen::Vector3d InitialSpin::tilted() const {
   // The part across the axis is summed from its own components: 1 - cos^2 would lose them near the
   // axis.
   const double along = direction[axis];
-  const double across = std::hypot(direction[(axis + 1) % 3], direction[(axis + 2) % 3]);
+  const double across = roundedHypotenuse(direction[(axis + 1) % 3], direction[(axis + 2) % 3]);
   if (!(across > kParallel)) throwParallel(value, axis);
 
   // The unit vector square to `direction`, in the plane with the axis and on the axis' side.
   Eigen::Vector3d toward = -along / across * direction;
   toward[axis] = across;
-  return length * (std::cos(tilt->angle) * direction + std::sin(tilt->angle) * toward);
+  return length * (cosine(tilt->angle) * direction + sine(tilt->angle) * toward);
 }
 
 Eigen::Vector3d InitialSpin::angularVelocity(const PrincipalAxes& inertia) const {
   return kind == Kind::AngularVelocity ? tilted() : inertia.angularVelocity(tilted());
+}
+
+DoubleDouble3 InitialSpin::alongPrincipal(const PrincipalAxes& inertia) const {
+  DoubleDouble3 along = inertia.alongPrincipal(tilted());
+  if (kind == Kind::AngularVelocity) return along;
+  const DoubleDouble3 moments = inertia.preciseMoments();
+  for (std::size_t i = 0; i < 3; ++i) along[i] = along[i] / moments[i];
+  return along;
 }
 
 }  // namespace rotatebook::physics

@@ -60,7 +60,7 @@ struct SimulationSettings {
 
 /// Turns a vector by `angle` toward a coordinate axis.
 struct Tilt {
-  double angle = 0;  ///< [rad]
+  double angle = 0;  ///< Of a size up to kLargestAngle. [rad]
   int axis = 0;      ///< 0, 1, 2: x, y, z
 
   friend bool operator==(const Tilt&, const Tilt&) = default;
@@ -79,6 +79,8 @@ struct InitialSpin {
   Eigen::Vector3d tilted() const;
   /// The angular velocity of a body with this inertia. [rad/s]
   Eigen::Vector3d angularVelocity(const PrincipalAxes& inertia) const;
+  /// The same along the principal axes, to twice a double's precision. [rad/s]
+  DoubleDouble3 alongPrincipal(const PrincipalAxes& inertia) const;
 };
 
 /// Everything that a motion depends on.

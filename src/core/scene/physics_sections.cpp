@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "physics/elementary.h"
 #include "scene/names.h"
 #include "scene/nearest_name.h"
 #include "scene/sections.h"
@@ -23,6 +24,8 @@ constexpr NumberRange kRow{"rows of three numbers up to 1e21 kg m^2", -1e21, 1e2
 // Their squares and inverses are numbers, too.
 constexpr NumberRange kStepTimes{"a time from 1e-100 to 1e100 s", 1e-100, 1e100};
 constexpr NumberRange kNumber{"a number", Limits::lowest(), Limits::max()};
+constexpr NumberRange kTilt{"an angle from -1e6 to 1e6 rad", -physics::kLargestAngle,
+                            physics::kLargestAngle};
 constexpr NumberRange kNotNegative{"zero or a positive number", 0, Limits::max()};
 
 // What physics refuses is physics' to say; the place is ours.
@@ -60,7 +63,7 @@ physics::Integrator integratorFrom(const ValueReader& value) {
 
 physics::Tilt tiltFrom(const ValueReader& value) {
   const auto parts = value.elements(2, "an angle and an axis, such as [0.001, \"z\"]");
-  return {parts[0].number(kNumber), parts[1].oneOf(kAxes)};
+  return {parts[0].number(kTilt), parts[1].oneOf(kAxes)};
 }
 
 void checkOrder(const ValueReader& bounds, std::string_view lowKey, double low,

@@ -13,9 +13,8 @@ namespace rotatebook::timeline {
 /// half-turns (64-bit integer) and corners (x, y, z of each). Numbers are IEEE doubles unless said
 /// otherwise; all are of 8 bytes, the lowest first.
 ///
-/// The pictures depend on nothing else of a motion. Left out is what follows from these by
-/// functions of the C library, whose last bits differ between machines: tilt, stretch, error,
-/// regime and rotational energy.
+/// The pictures depend on nothing else of a motion. Left out is what follows from these: tilt,
+/// stretch, error, regime and rotational energy.
 std::string motionChecksum(const ClipMotion& motion);
 
 }  // namespace rotatebook::timeline

@@ -94,8 +94,8 @@ TEST(DiskSpace, OfAPartCountsNoFramesBesideIt) {
   pipeline::RenderOptions options{.folder = emptyFolder(), .formats = {}};
   const auto neededBy = [&](FrameRange range) {
     double needed = 0;
-    const pipeline::RenderListener listener{[&](const pipeline::RenderStart& start) { needed = start.space.needed; },
-                                  {}};
+    const pipeline::RenderListener listener{
+        [&](const pipeline::RenderStart& start) { needed = start.space.needed; }, {}};
     options.frames = range;
     pipeline::renderClip(scene, timeline::simulateScene(scene), options, listener);
     return needed;

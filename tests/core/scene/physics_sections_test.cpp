@@ -234,7 +234,8 @@ TEST(InitialSection, RefusesATiltThatIsNone) {
   EXPECT_EQ(errorOfText(spin + "0.1"), "a.toml:3:8: initial.tilt must be " + form + ", not 0.1");
   EXPECT_EQ(errorOfText(spin + "[0.1]"),
             "a.toml:3:8: initial.tilt must be " + form + ", not [0.1]");
-  EXPECT_EQ(errorOfText(spin + "[inf, 'x']"), "a.toml:3:9: initial.tilt must be a number, not inf");
+  EXPECT_EQ(errorOfText(spin + "[inf, 'x']"),
+            "a.toml:3:9: initial.tilt must be an angle from -1e6 to 1e6 rad, not inf");
   EXPECT_EQ(errorOfText(spin + "[0.1, 'w']"),
             "a.toml:3:14: initial.tilt must be \"x\", \"y\" or \"z\", not \"w\"");
   EXPECT_EQ(errorOfText(spin + "[0.1, 'Y']"),

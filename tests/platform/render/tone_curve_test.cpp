@@ -6,10 +6,10 @@
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 
-#include "render/device/egl_context.h"
 #include "embedded/render.h"
 #include "render/book/gl_handles.h"
 #include "render/book/shader_program.h"
+#include "render/device/egl_context.h"
 
 namespace rotatebook::render {
 namespace {

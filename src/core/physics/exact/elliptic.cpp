@@ -1,27 +1,32 @@
 #include "physics/exact/elliptic.h"
 
-#include <boost/math/special_functions/ellint_rf.hpp>
-#include <boost/math/special_functions/ellint_rj.hpp>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "physics/elementary.h"
 
 namespace rotatebook::physics {
 namespace {
 
-namespace policies = boost::math::policies;
-
-// Neither long doubles, which are another number on every machine, nor exceptions.
-using Policy = policies::policy<
-    policies::promote_double<false>, policies::domain_error<policies::ignore_error>,
-    policies::pole_error<policies::ignore_error>, policies::overflow_error<policies::ignore_error>,
-    policies::underflow_error<policies::ignore_error>,
-    policies::denorm_error<policies::ignore_error>,
-    policies::evaluation_error<policies::ignore_error>>;
-
-constexpr DoubleDouble kPi{3.141592653589793, 1.2246467991473532e-16};
-
 // Under this k1 what is left out of the hyperbolic forms, m1 and its multiples, is rounding.
 constexpr double kHyperbolic = 1e-9;
+
+// Carlson's RC(1, 1 + e), which is atan(sqrt(e)) / sqrt(e), by duplication.
+double carlsonRC(double e) {
+  constexpr double kEnough = 160;  // of the series, whose error is 2^-53
+  double x = 1, y = 1 + e, mean = 1 + e * (2.0 / 3), distance = e / 3;
+  while (kEnough * std::fabs(distance) > mean) {
+    const double lambda = 2 * std::sqrt(x * y) + y;
+    x = (x + lambda) / 4;
+    y = (y + lambda) / 4;
+    mean = (mean + lambda) / 4;
+    distance /= 4;
+  }
+  const double s = distance / mean;
+  const double inner = 3.0 / 8 + s * (9.0 / 22 + s * (159.0 / 208 + s * (9.0 / 8)));
+  return (1 + s * s * (0.3 + s * (1.0 / 7 + s * inner))) / std::sqrt(mean);
+}
 
 }  // namespace
 
@@ -45,11 +50,62 @@ CompleteIntegrals completeIntegrals(DoubleDouble k1, DoubleDouble n) {
 }
 
 double carlsonRF(double x, double y, double z) {
-  return boost::math::ellint_rf(x, y, z, Policy());
+  constexpr double kEnough = 400;  // of the series, whose error is 2^-53
+  const double start = (x + y + z) / 3;
+  double dx = start - x, dy = start - y;
+  double distance = kEnough * std::max({std::fabs(dx), std::fabs(dy), std::fabs(start - z)});
+  double mean = start;
+  while (distance > mean) {
+    const double rx = std::sqrt(x), ry = std::sqrt(y), rz = std::sqrt(z);
+    const double lambda = rx * ry + (rx * rz + ry * rz);
+    x = (x + lambda) / 4;
+    y = (y + lambda) / 4;
+    z = (z + lambda) / 4;
+    mean = (mean + lambda) / 4;
+    distance /= 4;
+    dx /= 4;
+    dy /= 4;
+  }
+  dx /= mean;
+  dy /= mean;
+  const double dz = -(dx + dy), e2 = dx * dy - dz * dz, e3 = dx * dy * dz;
+  return (1 - e2 / 10 + e3 / 14 + e2 * (e2 / 24 - e3 * (3.0 / 44))) / std::sqrt(mean);
 }
 
 double carlsonRJ(double x, double y, double z, double p) {
-  return boost::math::ellint_rj(x, y, z, p, Policy());
+  constexpr double kEnough = 520;  // of the series, whose error is 2^-53
+  const double start = (x + y + z + 2 * p) / 5;
+  double dx = start - x, dy = start - y, dz = start - z;
+  double distance =
+      kEnough * std::max({std::fabs(dx), std::fabs(dy), std::fabs(dz), std::fabs(start - p)});
+  double delta = (p - x) * (p - y) * (p - z);
+  double mean = start, share = 1, sum = 0;
+  while (distance > mean) {
+    const double rx = std::sqrt(x), ry = std::sqrt(y), rz = std::sqrt(z), rp = std::sqrt(p);
+    const double d = (rp + rx) * (rp + ry) * (rp + rz);
+    sum += share / d * carlsonRC(delta / (d * d));
+    const double lambda = rx * ry + (rx * rz + ry * rz);
+    x = (x + lambda) / 4;
+    y = (y + lambda) / 4;
+    z = (z + lambda) / 4;
+    p = (p + lambda) / 4;
+    mean = (mean + lambda) / 4;
+    distance /= 4;
+    delta /= 64;
+    share /= 4;
+  }
+  dx *= share / mean;
+  dy *= share / mean;
+  dz *= share / mean;
+  const double dp = -(dx + dy + dz) / 2;
+  const double xyz = dx * dy * dz, pp = dp * dp;
+  const double e2 = dx * dy + dx * dz + dy * dz - 3 * pp;
+  const double e3 = xyz + 2 * dp * (e2 + 2 * pp);
+  const double e4 = dp * (2 * xyz + dp * (e2 + 3 * pp));
+  const double e5 = xyz * pp;
+  const double series = 1 - e2 * (3.0 / 14 - e2 * (9.0 / 88) + e3 * (9.0 / 52)) + e3 / 6 -
+                        e4 * (3.0 / 22) + e5 * (3.0 / 26);
+  return share * series / (mean * std::sqrt(mean)) + 6 * sum;
 }
 
 JacobiFunctions::JacobiFunctions(double k1) : k1_(k1) {
@@ -57,6 +113,7 @@ JacobiFunctions::JacobiFunctions(double k1) : k1_(k1) {
   if (k1 < kHyperbolic) {
     limit_ =
         k1 > 0 ? completeIntegrals(k1, 0.0).k.value() : std::numeric_limits<double>::infinity();
+    limitDecay_ = exponential(-limit_);
     return;
   }
   double a = 1, g = k1;
@@ -79,8 +136,8 @@ JacobiValues JacobiFunctions::at(double u) const {
 JacobiValues JacobiFunctions::byLanden(double u) const {
   constexpr double kTiny = 1e-100;  // whose square doesn't underflow
   if (std::fabs(u) < kTiny) return {u, 1, 1};
-  const double phase = limit_ * u;
-  double a = std::cos(phase) / std::sin(phase);
+  const auto [cosine, sine] = cosineSine(limit_ * u);
+  double a = cosine / sine;
   double c = limit_ * a;
   double dn = 1;
   for (int i = levels_ - 1; i >= 0; --i) {
@@ -95,17 +152,22 @@ JacobiValues JacobiFunctions::byLanden(double u) const {
 
 // cn and dn are rows of pulses sech(u - 2 j K), of which only the nearest three aren't rounding.
 JacobiValues JacobiFunctions::byPulses(double u) const {
+  constexpr double kNear = 0.5;  // where 1 - e^-2u would cancel
   const auto sech = [](double decay) { return 2 * decay / (1 + decay * decay); };
-  const double here = sech(std::exp(-std::fabs(u)));
-  const double next = sech(std::exp(std::fabs(u) - 2 * limit_));
-  return {std::tanh(u), here - next, here + next};
+  const double decay = exponential(-std::fabs(u));
+  const double fromNext = limitDecay_ > 0 ? limitDecay_ * (limitDecay_ / decay) : 0;
+  const double here = sech(decay), next = sech(fromNext);
+  const double sn = std::fabs(u) < kNear
+                        ? hyperbolicTangent(u)
+                        : std::copysign((1 - decay * decay) / (1 + decay * decay), u);
+  return {sn, here - next, here + next};
 }
 
 ThirdKind::ThirdKind(double k1, double n) : k1_(k1), n_(n), root_(std::sqrt(-n)) {}
 
 double ThirdKind::at(double u, const JacobiValues& values) const {
   const auto [sn, cn, dn] = values;
-  if (k1_ < kHyperbolic) return -std::atan(root_ * sn) / (root_ * (1 - n_));
+  if (k1_ < kHyperbolic) return -arcTangent(root_ * sn) / (root_ * (1 - n_));
   return sn * sn * sn / 3 * carlsonRJ(cn * cn, dn * dn, 1, 1 - n_ * sn * sn) - u / (1 - n_);
 }
 

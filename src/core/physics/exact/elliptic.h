@@ -51,7 +51,8 @@ class JacobiFunctions {
   int levels_ = 0;
   std::array<double, kMaxLevels> arithmetic_{};  // means a and b of each level
   std::array<double, kMaxLevels> geometric_{};
-  double limit_ = 1;  // that both means tend to
+  double limit_ = 1;       // that both means tend to; beside the separatrix K itself
+  double limitDecay_ = 0;  // e^-K, there
 };
 
 /// J(u) - u / (1 - n), where J is the integral of sn^2 / (1 - n sn^2) from 0, for u in [-K, K], or

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include "physics/elementary.h"
 #include "physics/rotation.h"
 
 namespace rotatebook::physics {
@@ -13,21 +14,22 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-struct Turn {
-  double cosine, sine;
-};
-
 constexpr DoubleDouble kWholeTurn{6.283185307179586, 2.4492935982947064e-16};
 
-// Of an angle of many turns, whose lower part counts; it is small once whole turns are taken off.
-Turn turnBy(DoubleDouble angle) {
-  const DoubleDouble rest = angle - kWholeTurn * std::nearbyint(angle.high / kWholeTurn.high);
-  const double cosine = std::cos(rest.high);
-  const double sine = std::sin(rest.high);
-  return {cosine - rest.low * sine, sine + rest.low * cosine};
+// Of an angle of many turns, whose lower part counts.
+CosineSine turnBy(DoubleDouble angle) {
+  return cosineSine(angle - kWholeTurn * std::nearbyint(angle.high / kWholeTurn.high));
 }
 
-Matrix3d rotationAboutZ(Turn turn) {
+DoubleDouble3 pairsOf(const Vector3d& v) {
+  return {v[0], v[1], v[2]};
+}
+
+Vector3d roundedOf(const DoubleDouble3& v) {
+  return {v[0].value(), v[1].value(), v[2].value()};
+}
+
+Matrix3d rotationAboutZ(CosineSine turn) {
   Matrix3d rotation;
   rotation << turn.cosine, -turn.sine, 0, turn.sine, turn.cosine, 0, 0, 0, 1;
   return rotation;
@@ -36,11 +38,15 @@ Matrix3d rotationAboutZ(Turn turn) {
 }  // namespace
 
 ExactMotion::ExactMotion(const Vector3d& inertia, const Vector3d& angularVelocity)
-    : inertia_(inertia),
-      start_(angularVelocity),
-      speed_(hypotenuse(hypotenuse(start_[0], start_[1]), start_[2])),
-      regime_(regimeOf(inertia, angularVelocity)),
-      polhode_(polhodeOf(inertia, angularVelocity)),
+    : ExactMotion(Start{pairsOf(inertia), pairsOf(angularVelocity)}) {}
+
+ExactMotion::ExactMotion(const Start& start)
+    : inertia_(roundedOf(start.inertia)),
+      start_(roundedOf(start.angularVelocity)),
+      speed_(hypotenuse(hypotenuse(start.angularVelocity[0], start.angularVelocity[1]),
+                        start.angularVelocity[2])),
+      regime_(preciseRegimeOf(start.inertia, start.angularVelocity)),
+      polhode_(polhodeOf(start.inertia, start.angularVelocity)),
       jacobi_(polhode_ ? polhode_->k1 : 1),
       thirdKind_(polhode_ ? polhode_->k1 : 1, polhode_ ? polhode_->n : 0) {
   if (!polhode_) return;
@@ -61,7 +67,7 @@ ExactMotion::Moment ExactMotion::at(double time) const {
 
 ExactMotion::Moment ExactMotion::steadyAt(double time) const {
   if (speed_.high == 0) return {start_, Matrix3d::Identity()};
-  const Turn turn = turnBy(speed_ * time);
+  const CosineSine turn = turnBy(speed_ * time);
   const Vector3d axis = start_ / speed_.high;
   const Matrix3d cross = crossMatrix(axis);
   return {start_, Matrix3d::Identity() + turn.sine * cross + (1 - turn.cosine) * cross * cross};

@@ -23,6 +23,11 @@ class ExactMotion {
   /// be zero [rad/s]. Both are taken as they are: near the separatrix a rounding of them makes
   /// quite another motion.
   ExactMotion(const Eigen::Vector3d& inertia, const Eigen::Vector3d& angularVelocity);
+  /// The same of numbers of twice the precision, as those of a turned tensor.
+  struct Start {
+    DoubleDouble3 inertia, angularVelocity;
+  };
+  explicit ExactMotion(const Start& start);
 
   /// The body at one time.
   struct Moment {

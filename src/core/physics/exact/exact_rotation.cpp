@@ -3,8 +3,11 @@
 namespace rotatebook::physics {
 
 ExactRotation::ExactRotation(const PrincipalAxes& inertia, const Eigen::Vector3d& angularVelocity)
+    : ExactRotation(inertia, inertia.alongPrincipal(angularVelocity)) {}
+
+ExactRotation::ExactRotation(const PrincipalAxes& inertia, const DoubleDouble3& alongPrincipal)
     : bodyFromPrincipal_(inertia.bodyFromPrincipal),
-      motion_(inertia.moments, bodyFromPrincipal_.transpose() * angularVelocity) {}
+      motion_({inertia.preciseMoments(), alongPrincipal}) {}
 
 ExactRotation::Moment ExactRotation::at(double time) const {
   const ExactMotion::Moment moment = motion_.at(time);

@@ -14,6 +14,8 @@ class ExactRotation {
  public:
   /// `angularVelocity` at t = 0. [rad/s]
   ExactRotation(const PrincipalAxes& inertia, const Eigen::Vector3d& angularVelocity);
+  /// `alongPrincipal` is the same along the principal axes.
+  ExactRotation(const PrincipalAxes& inertia, const DoubleDouble3& alongPrincipal);
 
   struct Moment {
     Eigen::Matrix3d worldFromBody;

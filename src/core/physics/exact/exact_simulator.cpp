@@ -5,7 +5,7 @@ namespace rotatebook::physics {
 ExactSimulator::ExactSimulator(const MotionSettings& settings)
     : corners_(settings.body.corners()),
       angularMomentum_(modelInertia(settings).angularMomentum(initialAngularVelocity(settings))),
-      rotation_(modelInertia(settings), initialAngularVelocity(settings)) {}
+      rotation_(modelInertia(settings), settings.initial.alongPrincipal(modelInertia(settings))) {}
 
 void ExactSimulator::advance(double h, int steps) {
   if (h != h_) {

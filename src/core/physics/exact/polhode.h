@@ -33,7 +33,7 @@ struct Polhode {
 /// The polhode of a body with these principal moments [kg m^2] and, at t = 0, this angular velocity
 /// along the principal axes [rad/s]; none if the spin is steady, that is w x L = 0, exactly or but
 /// for components under 1e-280 of the largest, of a spin about the median axis under 1e-305.
-std::optional<Polhode> polhodeOf(const Eigen::Vector3d& inertia,
-                                 const Eigen::Vector3d& angularVelocity);
+std::optional<Polhode> polhodeOf(const DoubleDouble3& inertia,
+                                 const DoubleDouble3& angularVelocity);
 
 }  // namespace rotatebook::physics

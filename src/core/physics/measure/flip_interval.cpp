@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "physics/elementary.h"
 #include "physics/measure/regime.h"
 
 namespace rotatebook::physics {
@@ -43,7 +44,7 @@ double flipLaw(const PrincipalAxes& inertia, const Eigen::Vector3d& angularVeloc
   const double distance =
       std::fabs(medianInvariantRoot({i1, i2, i3}, w[axes[0]], w[axes[2]]).value());
   const double modulus = distance / spin * std::sqrt((i3 - i1) / (i2 * (i2 - i1) * (i3 - i2)));
-  return 2 / growth * std::log(4 / modulus);
+  return 2 / growth * logarithm(4 / modulus);
 }
 
 Eigen::Vector3d medianAxis(const PrincipalAxes& inertia) {

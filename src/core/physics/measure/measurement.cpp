@@ -5,6 +5,7 @@
 
 #include <Eigen/LU>
 
+#include "physics/elementary.h"
 #include "physics/rotation.h"
 
 namespace rotatebook::physics {
@@ -22,7 +23,7 @@ int largestComponent(const Eigen::Vector3d& v) {
 // Of a rotation; to rounding at small angles, too.
 double angleDeg(const Eigen::Matrix3d& rotation) {
   const Eigen::Quaterniond q(rotation);
-  return 2 * std::atan2(q.vec().norm(), std::abs(q.w())) * 180 / std::numbers::pi;
+  return 2 * arcTangent(q.vec().norm(), std::abs(q.w())) * 180 / std::numbers::pi;
 }
 
 }  // namespace
@@ -42,7 +43,7 @@ int HalfTurnCounter::count(double tiltDeg) {
 Measurement::Measurement(const MotionSettings& settings)
     : spunAxis_(largestComponent(initialAngularVelocity(settings))),
       inertia_(modelInertia(settings)),
-      exact_(inertia_, initialAngularVelocity(settings)),
+      exact_(inertia_, settings.initial.alongPrincipal(inertia_)),
       isExact_(settings.simulation.model == Model::Exact) {
   const Corners corners = settings.body.corners();
   const Eigen::Matrix3d products = corners * corners.transpose();
@@ -81,7 +82,7 @@ Eigen::Quaterniond Measurement::continuedAttitude(const Eigen::Matrix3d& rotatio
 double Measurement::tiltDeg(const Eigen::Matrix3d& rotation,
                             const Eigen::Vector3d& momentum) const {
   const Eigen::Vector3d axis = rotation.col(spunAxis_);
-  return std::atan2(axis.cross(momentum).norm(), axis.dot(momentum)) * 180 / std::numbers::pi;
+  return arcTangent(axis.cross(momentum).norm(), axis.dot(momentum)) * 180 / std::numbers::pi;
 }
 
 // Of the exact motion it is a constant, which the rounding of one sample would hide if the spin is

@@ -4,13 +4,15 @@
 #include <cmath>
 #include <vector>
 
+#include "physics/elementary.h"
+
 namespace rotatebook::physics {
 namespace {
 
 using Runs = std::vector<ErrorAtStep>;
 
 double slopeBetween(const ErrorAtStep& a, const ErrorAtStep& b) {
-  return std::log(b.errorDeg / a.errorDeg) / std::log(b.h / a.h);
+  return logarithm(b.errorDeg / a.errorDeg) / logarithm(b.h / a.h);
 }
 
 // Shortest step first, without errors of 0 and from the first saturated one on.
@@ -47,8 +49,8 @@ double leastSquaresSlope(const Runs& runs) {
   double x = 0, y = 0, xx = 0, xy = 0;
   for (const ErrorAtStep& run : runs) {
     // From the first run, so that nothing cancels.
-    const double u = std::log(run.h / runs.front().h);
-    const double v = std::log(run.errorDeg / runs.front().errorDeg);
+    const double u = logarithm(run.h / runs.front().h);
+    const double v = logarithm(run.errorDeg / runs.front().errorDeg);
     x += u;
     y += v;
     xx += u * u;

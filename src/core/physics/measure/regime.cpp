@@ -20,14 +20,17 @@ void addTo(ExactTerms& terms, double number) {
   terms.push_back(number);
 }
 
-ExactTerms product(std::array<double, 4> factors) {
-  ExactTerms terms{factors[0]};
-  for (int i = 1; i < 4; ++i) {
+ExactTerms product(const std::array<DoubleDouble, 4>& factors) {
+  ExactTerms terms{1.0};
+  for (const DoubleDouble& factor : factors) {
     ExactTerms longer;
     for (const double term : terms) {
-      const DoubleDouble part = exactProduct(term, factors[i]);
-      addTo(longer, part.low);
-      addTo(longer, part.high);
+      for (const double number : {factor.low, factor.high}) {
+        if (number == 0) continue;
+        const DoubleDouble part = exactProduct(term, number);
+        addTo(longer, part.low);
+        addTo(longer, part.high);
+      }
     }
     terms = std::move(longer);
   }
@@ -37,12 +40,12 @@ ExactTerms product(std::array<double, 4> factors) {
 // Two spins of a smaller ratio aren't near the separatrix; the square of the ratio would underflow.
 constexpr double kNegligibleSpin = 1e-90;
 
-DoubleDouble medianInvariant(const std::array<double, 3>& moments, double w1, double w3) {
+DoubleDouble medianInvariant(const DoubleDouble3& moments, DoubleDouble w1, DoubleDouble w3) {
   const auto [i1, i2, i3] = moments;
-  const std::array<std::array<double, 4>, 4> products{
+  const std::array<std::array<DoubleDouble, 4>, 4> products{
       {{i3, i3, w3, w3}, {-i3, i2, w3, w3}, {i1, i1, w1, w1}, {-i1, i2, w1, w1}}};
   ExactTerms sum;
-  for (const std::array<double, 4>& factors : products) {
+  for (const std::array<DoubleDouble, 4>& factors : products) {
     for (const double term : product(factors)) addTo(sum, term);
   }
   DoubleDouble rounded;
@@ -53,34 +56,53 @@ DoubleDouble medianInvariant(const std::array<double, 3>& moments, double w1, do
 }  // namespace
 
 std::array<int, 3> axesByInertia(const Eigen::Vector3d& inertia) {
+  return axesByInertia(DoubleDouble3{inertia[0], inertia[1], inertia[2]});
+}
+
+std::array<int, 3> axesByInertia(const DoubleDouble3& inertia) {
   std::array<int, 3> axes{0, 1, 2};
-  std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return inertia[a] < inertia[b]; });
+  std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) {
+    return inertia[static_cast<std::size_t>(a)] < inertia[static_cast<std::size_t>(b)];
+  });
   return axes;
 }
 
-DoubleDouble medianInvariantRoot(const std::array<double, 3>& moments, double w1, double w3) {
-  if (moments[0] == moments[1]) w1 = 0;
-  if (moments[2] == moments[1]) w3 = 0;
-  const double larger = std::max(std::fabs(w1), std::fabs(w3));
+DoubleDouble medianInvariantRoot(const DoubleDouble3& moments, DoubleDouble w1, DoubleDouble w3) {
+  if (moments[0] == moments[1]) w1 = 0.0;
+  if (moments[2] == moments[1]) w3 = 0.0;
+  const double larger = std::max(std::fabs(w1.high), std::fabs(w3.high));
   if (larger == 0) return 0.0;
-  const double spin = powerOfTwoBelow(larger);
-  const double inertia = powerOfTwoBelow(moments[2]);
-  const auto ratio = [&](double w) { return std::fabs(w) < kNegligibleSpin * spin ? 0 : w / spin; };
+  const int spin = std::ilogb(larger), inertia = std::ilogb(moments[2].high);
+  const auto ratio = [&](DoubleDouble w) {
+    const DoubleDouble part = scaled(w, -spin);
+    return std::fabs(part.high) < kNegligibleSpin ? 0.0 : part;
+  };
   const DoubleDouble n2 = medianInvariant(
-      {moments[0] / inertia, moments[1] / inertia, moments[2] / inertia}, ratio(w1), ratio(w3));
-  const DoubleDouble root = squareRoot(absolute(n2)) * spin * inertia;
+      {scaled(moments[0], -inertia), scaled(moments[1], -inertia), scaled(moments[2], -inertia)},
+      ratio(w1), ratio(w3));
+  const DoubleDouble root = scaled(squareRoot(absolute(n2)), spin + inertia);
   return n2.high < 0 ? -root : root;
 }
 
 Regime regimeOf(const Eigen::Vector3d& inertia, const Eigen::Vector3d& angularVelocityBody) {
-  const auto [first, second, third] = axesByInertia(inertia);
-  const double w1 = angularVelocityBody[first], w3 = angularVelocityBody[third];
-  const double larger = std::max(std::fabs(w1), std::fabs(w3));
+  const Eigen::Vector3d& w = angularVelocityBody;
+  return preciseRegimeOf(DoubleDouble3{inertia[0], inertia[1], inertia[2]},
+                         DoubleDouble3{w[0], w[1], w[2]});
+}
+
+Regime preciseRegimeOf(const DoubleDouble3& inertia, const DoubleDouble3& angularVelocityBody) {
+  const auto axes = axesByInertia(inertia);
+  const auto sorted = [&axes](const DoubleDouble3& values, std::size_t i) {
+    return values[static_cast<std::size_t>(axes[i])];
+  };
+  const DoubleDouble w1 = sorted(angularVelocityBody, 0), w3 = sorted(angularVelocityBody, 2);
+  const double larger = std::max(std::fabs(w1.high), std::fabs(w3.high));
   if (larger == 0) return Regime::Separatrix;
   // Of the smallest spins the root would underflow.
-  const double spin = powerOfTwoBelow(larger);
+  const int spin = std::ilogb(larger);
   const double root =
-      medianInvariantRoot({inertia[first], inertia[second], inertia[third]}, w1 / spin, w3 / spin)
+      medianInvariantRoot({sorted(inertia, 0), sorted(inertia, 1), sorted(inertia, 2)},
+                          scaled(w1, -spin), scaled(w3, -spin))
           .high;
   return static_cast<Regime>((root > 0) - (root < 0));
 }

@@ -11,7 +11,7 @@ export TSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/tsan.supp
 export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0:use_tls=0
 
 .DEFAULT_GOAL := help
-.PHONY: help setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures clean
+.PHONY: help setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures install clean
 
 help:
 	@echo 'make figures             render every figure, comparison and study into $(OUT)/, each checked,'
@@ -31,6 +31,7 @@ help:
 	@echo 'make gallery             draw docs/gallery.png, the picture in docs/figures.md, anew'
 	@echo 'make textures            draw the cover anew (see assets/README.md)'
 	@echo 'make setup               install what the program needs; other targets install what they need, too'
+	@echo 'make install PREFIX=DIR   install the program, and the core as a CMake package (default /usr/local)'
 	@echo 'make clean               remove build/ and $(OUT)/'
 	@echo 'PRESET=dev, asan-ubsan or tsan builds otherwise than optimised.'
 
@@ -55,6 +56,10 @@ program: configure
 
 build: configure-test
 	@cmake --build $(BUILD)
+
+PREFIX ?= /usr/local
+install: program
+	cmake --install $(BUILD) --prefix $(PREFIX)
 
 figures: program
 	$(PROGRAM) render scenes/comparisons/*.toml scenes/figures/*.toml -o $(OUT) --resume --overwrite

@@ -1,4 +1,4 @@
-// What was measured of the machine's speed, in words and for programs.
+// What was measured of the machine's speed, in words and for programs. Inside the room only.
 #pragma once
 
 #include <ostream>

@@ -1,4 +1,4 @@
-// Options that every command takes that reads a clip's record.
+// Options that every command takes that reads a clip's record. Inside the room only.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,5 @@
 // One function a command: each describes its options to the parser and sets what is to be run.
+// Inside the room only.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Last words of a process that crashes.
+// Last words of a process that crashes. Inside the room only.
 #pragma once
 
 namespace rotatebook::cli {

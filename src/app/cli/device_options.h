@@ -1,4 +1,4 @@
-// Options that every command that draws takes.
+// Options that every command that draws takes. Inside the room only.
 #pragma once
 
 #include <string>

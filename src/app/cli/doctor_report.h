@@ -1,4 +1,4 @@
-// What was found of the machine, in words and for programs.
+// What was found of the machine, in words and for programs. Inside the room only.
 #pragma once
 
 #include <ostream>

@@ -1,4 +1,4 @@
-// What an error is to the user.
+// What an error is to the user. Inside the room only.
 #pragma once
 
 #include <exception>

@@ -1,4 +1,4 @@
-// What the program's exit status means; documented in the README.
+// What the program's exit status means; documented in the README. Inside the room only.
 #pragma once
 
 namespace rotatebook::cli {

@@ -1,4 +1,4 @@
-// Expected against measured, in words.
+// Expected against measured, in words. Inside the room only.
 #pragma once
 
 #include <ostream>

@@ -1,4 +1,4 @@
-// What a command left, in words.
+// What a command left, in words. Inside the room only.
 #pragma once
 
 #include <filesystem>

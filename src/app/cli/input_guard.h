@@ -1,4 +1,4 @@
-// Results that would take the place of what they are made from.
+// Results that would take the place of what they are made from. Inside the room only.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// SIGINT, SIGTERM and SIGHUP as a flag.
+// SIGINT, SIGTERM and SIGHUP as a flag. Inside the room only.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// JSON for programs that read what a command found.
+// JSON for programs that read what a command found. Inside the room only.
 #pragma once
 
 #include <string>

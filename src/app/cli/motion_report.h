@@ -1,4 +1,4 @@
-// What became of a clip's motions, in words.
+// What became of a clip's motions, in words. Inside the room only.
 #pragma once
 
 #include <ostream>

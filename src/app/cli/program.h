@@ -1,4 +1,4 @@
-// The command line.
+// The command line. Inside the room only.
 #pragma once
 
 namespace rotatebook::cli {

@@ -1,4 +1,4 @@
-// How far a command is: a bar on a terminal, plain lines elsewhere.
+// How far a command is: a bar on a terminal, plain lines elsewhere. Inside the room only.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// Rendering scenes, with words on what goes on and what came of it.
+// Rendering scenes, with words on what goes on and what came of it. Inside the room only.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Options that every command with a scene takes.
+// Options that every command with a scene takes. Inside the room only.
 #pragma once
 
 #include <functional>

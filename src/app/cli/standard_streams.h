@@ -1,4 +1,4 @@
-// The descriptors 0, 1 and 2.
+// The descriptors 0, 1 and 2. Inside the room only.
 #pragma once
 
 namespace rotatebook::cli {

@@ -1,4 +1,4 @@
-// What a study found, in words.
+// What a study found, in words. Inside the room only.
 #pragma once
 
 #include <ostream>

@@ -1,4 +1,4 @@
-// What was found of a clip, in words and as JSON.
+// What was found of a clip, in words and as JSON. Inside the room only.
 #pragma once
 
 #include <ostream>

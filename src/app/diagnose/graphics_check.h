@@ -1,4 +1,4 @@
-// What each way to a renderer gives, tried one by one.
+// What each way to a renderer gives, tried one by one. Inside the room only.
 #pragma once
 
 #include <cstddef>

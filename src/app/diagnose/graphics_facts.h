@@ -1,4 +1,5 @@
-// What of a machine decides whether EGL finds its renderers: files, libraries, permissions.
+// What of a machine decides whether EGL finds its renderers: files, libraries, permissions. Inside
+// the room only.
 #pragma once
 
 #include <optional>

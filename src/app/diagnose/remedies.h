@@ -1,4 +1,5 @@
 // From what failed and how the machine is set up to what its user can do. Asks the machine nothing.
+// Inside the room only.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// What a step costs.
+// What a step costs. Inside the room only.
 #pragma once
 
 #include <cstdint>

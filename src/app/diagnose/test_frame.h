@@ -1,4 +1,4 @@
-// One small picture that every renderer must draw alike.
+// One small picture that every renderer must draw alike. Inside the room only.
 #pragma once
 
 #include "image/comparison.h"

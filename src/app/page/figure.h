@@ -1,4 +1,4 @@
-// One scene's part of the page.
+// One scene's part of the page. Inside the room only.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Text into HTML, and HTML into templates.
+// Text into HTML, and HTML into templates. Inside the room only.
 #pragma once
 
 #include <map>

@@ -1,4 +1,4 @@
-// How a clip's picture is put together around its books.
+// How a clip's picture is put together around its books. Inside the room only.
 #pragma once
 
 #include <cstddef>

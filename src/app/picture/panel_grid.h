@@ -1,4 +1,4 @@
-// Where the panels of a picture are.
+// Where the panels of a picture are. Inside the room only.
 #pragma once
 
 #include <vector>

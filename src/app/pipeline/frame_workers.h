@@ -1,4 +1,4 @@
-// A sink on threads of its own.
+// A sink on threads of its own. Inside the room only.
 #pragma once
 
 #include <cstdint>

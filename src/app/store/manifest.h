@@ -1,4 +1,5 @@
 // What a folder's frames were made from and with, so that a render can go on where one stopped.
+// Inside the room only.
 #pragma once
 
 #include <filesystem>

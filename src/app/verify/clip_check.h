@@ -1,4 +1,4 @@
-// What is found where a clip is verified.
+// What is found where a clip is verified. Inside the room only.
 #pragma once
 
 #include <cstdint>

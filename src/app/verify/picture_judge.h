@@ -1,4 +1,4 @@
-// Whether decoded pictures are those of a scene.
+// Whether decoded pictures are those of a scene. Inside the room only.
 #pragma once
 
 #include <cstdint>

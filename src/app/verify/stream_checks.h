@@ -1,4 +1,4 @@
-// What a clip's container tells, beside what its scene asks for.
+// What a clip's container tells, beside what its scene asks for. Inside the room only.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,6 @@
 #include "base/checksum.h"
 
-#include <array>
-#include <cstdio>
+#include <cstdint>
 #include <memory>
 #include <new>
 #include <xxhash.h>
@@ -14,11 +13,12 @@ struct StateDeleter {
 };
 
 std::string hexadecimal(const XXH128_hash_t& hash) {
-  std::array<char, 33> digits;
-  std::snprintf(digits.data(), digits.size(), "%016llx%016llx",
-                static_cast<unsigned long long>(hash.high64),
-                static_cast<unsigned long long>(hash.low64));
-  return digits.data();
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text;
+  for (const std::uint64_t half : {hash.high64, hash.low64}) {
+    for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[half >> shift & 0xf];
+  }
+  return text;
 }
 
 }  // namespace

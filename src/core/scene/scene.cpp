@@ -1,8 +1,9 @@
 #include "scene/scene.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
+
+#include "physics/elementary.h"
 
 namespace rotatebook::scene {
 
@@ -31,11 +32,12 @@ Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldO
   constexpr double kMargin = 1.08;
   // From the right and a little above: all three kinds of sides show, the cover most of all.
   const Eigen::Vector3d direction = Eigen::Vector3d(0.42, 0.30, 1).normalized();
-  const double halfHeight = std::tan(fieldOfViewDeg / 2 * std::numbers::pi / 180);
+  const double halfAngle = fieldOfViewDeg / 2 * std::numbers::pi / 180;
+  const double halfHeight = physics::sine(halfAngle) / physics::cosine(halfAngle);
   const double halfWidth = halfHeight * width / height;
-  const double narrowerHalfAngle = std::atan(std::min(halfHeight, halfWidth));
+  const double narrowerHalfAngle = physics::arcTangent(std::min(halfHeight, halfWidth));
   // The sphere that the corners never leave touches the narrower pair of the view's sides.
-  return direction * (kMargin * body.size.norm() / 2 / std::sin(narrowerHalfAngle));
+  return direction * (kMargin * body.size.norm() / 2 / physics::sine(narrowerHalfAngle));
 }
 
 bool isFor(physics::Model model, Overlay overlay) {

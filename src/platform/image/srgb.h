@@ -1,4 +1,4 @@
-// Between sRGB's numbers and light (IEC 61966-2-1).
+// Between sRGB's numbers and light (IEC 61966-2-1). Inside the room only.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Upright rectangles on a picture.
+// Upright rectangles on a picture. Inside the room only.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Pieces of picture to lay over another.
+// Pieces of picture to lay over another. Inside the room only.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// From a drawn book to a picture of it.
+// From a drawn book to a picture of it. Inside the room only.
 #pragma once
 
 #include <vector>

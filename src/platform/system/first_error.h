@@ -1,4 +1,4 @@
-// Errors of threads.
+// Errors of threads. Inside the room only.
 #pragma once
 
 #include <exception>

@@ -1,4 +1,4 @@
-// What an MP4's header has players do, where FFmpeg doesn't tell.
+// What an MP4's header has players do, where FFmpeg doesn't tell. Inside the room only.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Where the book's picture has edges, and what is seen beside them.
+// Where the book's picture has edges, and what is seen beside them. Inside the room only.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// The pixels that edges pass through.
+// The pixels that edges pass through. Inside the room only.
 #pragma once
 
 #include <bit>

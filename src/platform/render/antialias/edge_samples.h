@@ -1,4 +1,4 @@
-// Smooth edges for a picture that was drawn with one sample a pixel.
+// Smooth edges for a picture that was drawn with one sample a pixel. Inside the room only.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Which pixels a projected book can touch.
+// Which pixels a projected book can touch. Inside the room only.
 #pragma once
 
 #include <vector>

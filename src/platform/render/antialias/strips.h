@@ -1,4 +1,4 @@
-// The book's narrow strips: where they are seen, and their colours.
+// The book's narrow strips: where they are seen, and their colours. Inside the room only.
 #pragma once
 
 #include <array>

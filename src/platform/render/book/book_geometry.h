@@ -1,4 +1,4 @@
-// The book's mesh on the graphics side.
+// The book's mesh on the graphics side. Inside the room only.
 #pragma once
 
 #include <array>

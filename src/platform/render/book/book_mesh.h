@@ -1,4 +1,4 @@
-// The book's surface, in the unit cube that its eight corners span.
+// The book's surface, in the unit cube that its eight corners span. Inside the room only.
 #pragma once
 
 #include <array>

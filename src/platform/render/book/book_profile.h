@@ -1,4 +1,4 @@
-// The case of the book, boards and spine, cut across.
+// The case of the book, boards and spine, cut across. Inside the room only.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
-// Where frames are drawn, and from where they are read back a rectangle at a time.
+// Where frames are drawn, and from where they are read back a rectangle at a time. Inside the room
+// only.
 #pragma once
 
 #include <span>

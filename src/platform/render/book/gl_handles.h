@@ -1,4 +1,4 @@
-// Move-only owners of OpenGL objects. Include only in this room's sources.
+// Move-only owners of OpenGL objects. Inside the room only.
 #pragma once
 
 #include <utility>

@@ -1,4 +1,4 @@
-// Vertex and fragment shaders, linked.
+// Vertex and fragment shaders, linked. Inside the room only.
 #pragma once
 
 #include <initializer_list>

@@ -1,4 +1,4 @@
-// An OpenGL context without a window or a display.
+// An OpenGL context without a window or a display. Inside the room only.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// EGL's error codes by name.
+// EGL's error codes by name. Inside the room only.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The ways to a display that EGL offers. Include only in this room's sources.
+// The ways to a display that EGL offers. Inside the room only.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// A way's display and an OpenGL context on it. Include only in this room's sources.
+// A way's display and an OpenGL context on it. Inside the room only.
 #pragma once
 
 #include <memory>

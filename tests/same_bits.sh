@@ -12,10 +12,10 @@ common="-std=c++20 -ffp-contract=off -fno-math-errno -DEIGEN_DONT_VECTORIZE -w -
 # Each room's sources as one
 rooms() {
   for room in base physics scene; do
-    find src -path "*/$room/*.cpp" ! -name rigid_simulator.cpp | sort | sed 's/.*/#include "&"/' > "$build/$room.cpp"
+    find src -path "*/$room/*.cpp" ! -name integrator_table.cpp | sort | sed 's/.*/#include "&"/' > "$build/$room.cpp"
   done
   {
-    find src -name rigid_simulator.cpp
+    find src -name integrator_table.cpp
     find src -name checksum.cpp
     find src -name clip_motion.cpp
     find src -name motion_checksum.cpp

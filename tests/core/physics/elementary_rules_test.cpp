@@ -51,7 +51,10 @@ bool decidesBits(const fs::path& file) {
   const std::string room = file.parent_path().filename();
   if (std::ranges::count(kPictures, room + "/" + file.filename().string()) > 0) return false;
   const bool isSource = file.extension() == ".h" || file.extension() == ".cpp";
-  return isSource && (std::ranges::count(kRooms, room) > 0 ||
+  const auto isInside = [&](const std::string& folder) {
+    return std::ranges::count(file, fs::path(folder)) > 0;
+  };
+  return isSource && (std::ranges::any_of(kRooms, isInside) ||
                       std::ranges::count(kFiles, file.stem().string()) > 0);
 }
 

@@ -20,5 +20,5 @@ install(FILES ${PROJECT_SOURCE_DIR}/cmake/rotatebookConfig.cmake
               ${PROJECT_BINARY_DIR}/rotatebookConfigVersion.cmake DESTINATION ${package})
 foreach(room ${core})
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/core/${room} DESTINATION include/rotatebook
-          FILES_MATCHING PATTERN "*.h")
+          FILES_MATCHING PATTERN "*.h" PATTERN "*.inc")
 endforeach()

@@ -14,30 +14,37 @@
 namespace rotatebook::picture {
 namespace {
 
-using physics::Integrator;
-
-/// Colours after Okabe and Ito and after Tol, which the colour-blind can tell apart; no shape comes
-/// twice in one model, so that the plot does without colours, too.
+/// The look of a curve.
 struct Style {
-  Integrator integrator;
   const char* colour;
   int point;  ///< gnuplot's number of the shape
 };
 
-constexpr std::array<Style, 12> kStyles{{
-    {Integrator::Euler, "#000000", 7},
-    {Integrator::LieEuler, "#7f7f7f", 6},
-    {Integrator::Splitting, "#0072b2", 5},
-    {Integrator::Midpoint, "#56b4e9", 4},
-    {Integrator::Dmv2, "#cc79a7", 13},
-    {Integrator::Rk4, "#d55e00", 9},
-    {Integrator::Cf4, "#e69f00", 8},
-    {Integrator::Suzuki4, "#009e73", 11},
-    {Integrator::Dmv4, "#882255", 12},
-    {Integrator::Dmv6, "#332288", 15},
-    {Integrator::SymplecticEuler, "#0072b2", 5},
-    {Integrator::Verlet, "#009e73", 11},
+/// Colours after Okabe and Ito and after Tol, which the colour-blind can tell apart; no shape comes
+/// twice in one model, so that the plot does without colours, too. By turns to the integrators, in
+/// the order of their list.
+constexpr std::array<Style, 16> kStyles{{
+    {"#000000", 7},
+    {"#d55e00", 9},
+    {"#7f7f7f", 6},
+    {"#e69f00", 8},
+    {"#0072b2", 5},
+    {"#009e73", 11},
+    {"#56b4e9", 4},
+    {"#cc79a7", 13},
+    {"#882255", 12},
+    {"#332288", 15},
+    {"#0072b2", 5},
+    {"#009e73", 11},
+    {"#aa4499", 2},
+    {"#117733", 14},
+    {"#999933", 10},
+    {"#cc6677", 3},
 }};
+
+const Style& styleOf(physics::Integrator integrator) {
+  return kStyles[static_cast<std::size_t>(integrator) % kStyles.size()];
+}
 
 /// An axis: of positive numbers, from `min` to `max`.
 struct Range {
@@ -162,10 +169,10 @@ std::string legendOf(const study::IntegratorOrder& order) {
 std::string precisionSeries(const study::PrecisionStudy& study, int xColumn) {
   std::string series;
   for (std::size_t i = 0; i < study.orders.size(); ++i) {
-    const auto style = std::ranges::find(kStyles, study.orders[i].integrator, &Style::integrator);
+    const auto& [colour, point] = styleOf(study.orders[i].integrator);
     series += std::string(series.empty() ? "plot " : ", ") + blockName(i) + " using " +
-              std::to_string(xColumn) + ":2" + seriesStyle(style->colour, style->point) +
-              " title " + gnuplotString(legendOf(study.orders[i]));
+              std::to_string(xColumn) + ":2" + seriesStyle(colour, point) + " title " +
+              gnuplotString(legendOf(study.orders[i]));
   }
   return series + "\n";
 }

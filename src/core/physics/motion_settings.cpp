@@ -1,7 +1,5 @@
 #include "physics/motion_settings.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 
@@ -17,14 +15,6 @@ namespace {
 // below this.
 constexpr double kParallel = 1e-12;
 
-constexpr std::array kRigidIntegrators{
-    Integrator::Euler,     Integrator::Rk4,     Integrator::LieEuler, Integrator::Cf4,
-    Integrator::Splitting, Integrator::Suzuki4, Integrator::Midpoint, Integrator::Dmv2,
-    Integrator::Dmv4,      Integrator::Dmv6};
-
-constexpr std::array kParticleIntegrators{Integrator::Euler, Integrator::SymplecticEuler,
-                                          Integrator::Verlet, Integrator::Rk4};
-
 std::string text(const Eigen::Vector3d& v) {
   return "(" + shortestText(v.x()) + ", " + shortestText(v.y()) + ", " + shortestText(v.z()) + ")";
 }
@@ -36,23 +26,6 @@ std::string text(const Eigen::Vector3d& v) {
 }
 
 }  // namespace
-
-std::span<const Integrator> integratorsOf(Model model) {
-  switch (model) {
-    case Model::Particles:
-      return kParticleIntegrators;
-    case Model::Matrix:
-    case Model::Quaternion:
-      return kRigidIntegrators;
-    case Model::Exact:
-      break;
-  }
-  return {};
-}
-
-bool isFor(Model model, Integrator integrator) {
-  return std::ranges::count(integratorsOf(model), integrator) > 0;
-}
 
 Integrator defaultIntegrator(Model model) {
   return model == Model::Particles ? Integrator::Euler : Integrator::Rk4;

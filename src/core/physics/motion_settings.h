@@ -2,12 +2,13 @@
 #pragma once
 
 #include <optional>
-#include <span>
+#include <vector>
 
 #include <Eigen/Core>
 
 #include "physics/cuboid.h"
 #include "physics/inertia.h"
+#include "physics/integrators/integrator.h"
 
 namespace rotatebook::physics {
 
@@ -19,24 +20,8 @@ enum class Model {
   Exact,       ///< A rigid body's motion in closed form, without steps.
 };
 
-/// How a model steps through time. Each is described where it is implemented.
-enum class Integrator {
-  Euler,            ///< Explicit Euler, as the paper has it; order 1.
-  Rk4,              ///< The classical Runge-Kutta method; order 4.
-  LieEuler,         ///< Rigid: Euler on the rotation group; order 1.
-  Cf4,              ///< Rigid: commutator-free method on the rotation group; order 4.
-  Splitting,        ///< Rigid: turns about one axis at a time; order 2.
-  Suzuki4,          ///< Rigid: Suzuki's composition of the splitting; order 4.
-  Midpoint,         ///< Rigid: implicit midpoint rule; order 2.
-  Dmv2,             ///< Rigid: discrete Moser-Veselov; order 2.
-  Dmv4,             ///< Rigid: preprocessed discrete Moser-Veselov; order 4.
-  Dmv6,             ///< Rigid: preprocessed discrete Moser-Veselov; order 6.
-  SymplecticEuler,  ///< Particles: Euler that moves by the new velocities; order 1.
-  Verlet,           ///< Particles: velocity Verlet; order 2.
-};
-
 /// The integrators that `model` has, none for Model::Exact.
-std::span<const Integrator> integratorsOf(Model model);
+std::vector<Integrator> integratorsOf(Model model);
 /// Whether `integrator` is one of them.
 bool isFor(Model model, Integrator integrator);
 /// The integrator of `model` unless a scene states one: Rk4 for the rigid models, which then stay

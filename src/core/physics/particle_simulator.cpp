@@ -9,7 +9,7 @@
 namespace rotatebook::physics {
 namespace {
 
-constexpr std::size_t kParticles = 8;
+constexpr int kParticles = 8;
 // Least kinetic energy that normalisation leaves, as a fraction of the energy at t = 0.
 constexpr double kEnergyFloor = 0.1;
 
@@ -42,13 +42,6 @@ Corners turningVelocities(const Corners& corners, const Eigen::Vector3d& angular
   return velocities;
 }
 
-void subtractMean(Points& points) {
-  for (Octet& components : points) {
-    const double mean = sumOf(components) / kParticles;
-    for (Lanes& lanes : components) lanes -= mean;
-  }
-}
-
 // About the point that `arms` start from.
 Eigen::Matrix3d inertiaTensor(const Corners& arms, double mass) {
   const Eigen::Matrix3d products = arms * arms.transpose();
@@ -61,131 +54,52 @@ Eigen::Vector3d angularMomentumOf(const Corners& arms, const Corners& velocities
   return mass * sum;
 }
 
+ParticleState startOf(const MotionSettings& settings) {
+  const Corners corners = settings.body.corners();
+  const double mass = settings.body.mass / kParticles, stiffness = settings.simulation.stiffness;
+  const Points positions = fromEigen(corners);
+  const SpringNetwork springs(positions, stiffness,
+                              settings.simulation.damping * 2 * std::sqrt(stiffness * mass));
+  return {positions, fromEigen(turningVelocities(corners, initialAngularVelocity(settings))), mass,
+          springs};
+}
+
 }  // namespace
 
-ParticleSimulator::ParticleSimulator(const MotionSettings& settings)
-    : positions_(fromEigen(settings.body.corners())),
-      velocities_(
-          fromEigen(turningVelocities(settings.body.corners(), initialAngularVelocity(settings)))),
-      mass_(settings.body.mass / kParticles),
-      springs_(positions_, settings.simulation.stiffness,
-               settings.simulation.damping * 2 * std::sqrt(settings.simulation.stiffness * mass_)),
-      step_(stepOf(settings.simulation.integrator)),
+ParticleSimulator::ParticleSimulator(const MotionSettings& settings, ParticleStep step)
+    : state_(startOf(settings)),
+      step_(step),
       normalize_(settings.simulation.normalize),
-      energy_(kineticEnergy()) {}
-
-ParticleSimulator::Step ParticleSimulator::stepOf(Integrator integrator) {
-  switch (integrator) {
-    case Integrator::SymplecticEuler:
-      return &ParticleSimulator::stepSymplecticEuler;
-    case Integrator::Verlet:
-      return &ParticleSimulator::stepVerlet;
-    case Integrator::Rk4:
-      return &ParticleSimulator::stepRk4;
-    case Integrator::Euler:
-    case Integrator::LieEuler:
-    case Integrator::Cf4:
-    case Integrator::Splitting:
-    case Integrator::Suzuki4:
-    case Integrator::Midpoint:
-    case Integrator::Dmv2:
-    case Integrator::Dmv4:
-    case Integrator::Dmv6:
-      break;  // All but the first are refused before.
-  }
-  return &ParticleSimulator::stepEuler;
-}
+      energy_(state_.kineticEnergy()) {}
 
 void ParticleSimulator::advance(double h, int steps) {
   for (int step = 0; step < steps; ++step) {
-    (this->*step_)(h);
+    step_(state_, h);
     if (!normalize_) continue;
     restoreEnergy();
-    restoreCentre();
+    state_.restoreCentre();
   }
-}
-
-void ParticleSimulator::stepEuler(double h) {
-  const Points acceleration = accelerations(velocities_);
-  moveTo(plus(positions_, h, velocities_));
-  velocities_ = plus(velocities_, h, acceleration);
-}
-
-void ParticleSimulator::stepSymplecticEuler(double h) {
-  velocities_ = plus(velocities_, h, accelerations(velocities_));
-  moveTo(plus(positions_, h, velocities_));
-}
-
-void ParticleSimulator::stepVerlet(double h) {
-  const Points before = accelerations(velocities_);
-  const Points predicted = plus(velocities_, h, before);
-  velocities_ = plus(velocities_, h / 2, before);
-  moveTo(plus(positions_, h, velocities_));
-  velocities_ = plus(velocities_, h / 2, accelerations(predicted));
-}
-
-void ParticleSimulator::stepRk4(double h) {
-  const Points x = positions_, v1 = velocities_;
-  const Points a1 = accelerations(v1);
-  moveTo(plus(x, h / 2, v1));
-  const Points v2 = plus(v1, h / 2, a1);
-  const Points a2 = accelerations(v2);
-  moveTo(plus(x, h / 2, v2));
-  const Points v3 = plus(v1, h / 2, a2);
-  const Points a3 = accelerations(v3);
-  moveTo(plus(x, h, v3));
-  const Points v4 = plus(v1, h, a3);
-  const Points a4 = accelerations(v4);
-
-  const Points outer = plus(v1, 1, v4), inner = plus(v2, 1, v3);
-  moveTo(plus(plus(x, h / 6, outer), h / 3, inner));
-  velocities_ = plus(velocities_, h / 6, plus(a1, 1, a4));
-  velocities_ = plus(velocities_, h / 3, plus(a2, 1, a3));
-}
-
-Points ParticleSimulator::accelerations(const Points& velocities) const {
-  Points result = springs_.forces(velocities);
-  const double inverse = 1 / mass_;
-  for (Octet& components : result) {
-    for (Lanes& lanes : components) lanes *= inverse;
-  }
-  return result;
-}
-
-void ParticleSimulator::moveTo(const Points& positions) {
-  positions_ = positions;
-  springs_.moveTo(positions_);
-}
-
-double ParticleSimulator::kineticEnergy() const {
-  return mass_ / 2 * squaredNormOf(velocities_);
 }
 
 void ParticleSimulator::restoreEnergy() {
-  const double wanted = std::max(energy_ - springs_.energy(), kEnergyFloor * energy_);
-  const double factor = std::sqrt(wanted / kineticEnergy());
-  for (Octet& components : velocities_) {
+  const double wanted = std::max(energy_ - state_.potentialEnergy(), kEnergyFloor * energy_);
+  const double factor = std::sqrt(wanted / state_.kineticEnergy());
+  for (Octet& components : state_.velocities()) {
     for (Lanes& lanes : components) lanes *= factor;
   }
 }
 
-// The springs needn't know: they depend on differences alone.
-void ParticleSimulator::restoreCentre() {
-  subtractMean(positions_);
-  subtractMean(velocities_);
-}
-
 BodyState ParticleSimulator::state() const {
   BodyState result;
-  result.corners = toEigen(positions_);
+  result.corners = toEigen(state_.positions());
   const Corners arms = result.corners.colwise() - result.corners.rowwise().mean().eval();
-  const Eigen::Matrix3d inertia = inertiaTensor(arms, mass_);
-  result.angularMomentum = angularMomentumOf(arms, toEigen(velocities_), mass_);
+  const Eigen::Matrix3d inertia = inertiaTensor(arms, state_.mass());
+  result.angularMomentum = angularMomentumOf(arms, toEigen(state_.velocities()), state_.mass());
   // The smallest solution, which stays finite where the particles lie on one line and their inertia
   // is singular.
   result.angularVelocity = inertia.completeOrthogonalDecomposition().solve(result.angularMomentum);
-  result.kinetic = kineticEnergy();
-  result.potential = springs_.energy();
+  result.kinetic = state_.kineticEnergy();
+  result.potential = state_.potentialEnergy();
   result.rotational = result.angularVelocity.dot(result.angularMomentum) / 2;
   return result;
 }

@@ -3,15 +3,82 @@
 
 #include <memory>
 
+#include "physics/attitude.h"
+#include "physics/integrators/rigid_state.h"
 #include "physics/motion_settings.h"
 #include "physics/simulator.h"
 
 namespace rotatebook::physics {
 
-/// A free rigid body for Model::Matrix or Model::Quaternion, with any of their integrators. If
-/// normalised, each step ends with the nearest attitude that is orthogonal or of unit norm. Drawn
-/// by the map that the attitude stands for, be it a rotation or not. Throws InputError as
-/// makeSimulator() does.
-std::unique_ptr<Simulator> makeRigidSimulator(const MotionSettings& settings);
+/// Its state at t = 0, when the book's axes are the world's.
+template <typename Attitude, bool kMomentumInBody>
+RigidState<Attitude> startOf(const PrincipalAxes& axes, const Eigen::Vector3d& momentum) {
+  const Eigen::Matrix3d& map = axes.bodyFromPrincipal;
+  return {Attitude(map), kMomentumInBody ? momentum : Eigen::Vector3d(map * momentum)};
+}
+
+/// Its constants, from the angular velocity at t = 0. [rad/s]
+inline RigidConstants constantsOf(const PrincipalAxes& axes,
+                                  const Eigen::Vector3d& angularVelocity) {
+  const Eigen::Vector3d along = axes.bodyFromPrincipal.transpose() * angularVelocity;
+  return {axes.moments, axes.moments.cwiseInverse(), axes.moments.cwiseProduct(along)};
+}
+
+/// A free rigid body whose attitude is an Eigen::Matrix3d or Eigen::Quaterniond. If normalised,
+/// each step ends with the nearest attitude that is orthogonal or of unit norm. Drawn by the map
+/// that the attitude stands for, be it a rotation or not.
+template <typename Attitude, RigidIntegrator Method>
+class RigidSimulator final : public Simulator {
+ public:
+  explicit RigidSimulator(const MotionSettings& settings)
+      : RigidSimulator(settings, modelInertia(settings)) {}
+
+  void advance(double h, int steps) override {
+    const Method method(body_, h);
+    RigidState<Attitude> state = state_;  // in registers
+    for (int step = 0; step < steps; ++step) {
+      method.step(state);
+      if (normalize_) normalize(state.attitude);
+    }
+    state_ = state;
+  }
+
+  BodyState state() const override {
+    const Eigen::Matrix3d map = mapOf(state_.attitude);
+    const Eigen::Vector3d inBody = Method::kMomentumInBody
+                                       ? state_.momentum
+                                       : Eigen::Vector3d(map.transpose() * state_.momentum);
+    const Eigen::Vector3d velocityInBody = body_.inverseInertia.cwiseProduct(inBody);
+    BodyState result;
+    result.corners = map * corners_;
+    result.angularVelocity = map * velocityInBody;
+    result.angularMomentum =
+        Method::kMomentumInBody ? Eigen::Vector3d(map * inBody) : state_.momentum;
+    result.kinetic = velocityInBody.dot(inBody) / 2;
+    result.rotational = result.kinetic;
+    return result;
+  }
+
+ private:
+  RigidSimulator(const MotionSettings& settings, const PrincipalAxes& axes)
+      : body_(constantsOf(axes, initialAngularVelocity(settings))),
+        corners_(axes.bodyFromPrincipal.transpose() * settings.body.corners()),
+        state_(startOf<Attitude, Method::kMomentumInBody>(axes, body_.momentum)),
+        normalize_(settings.simulation.normalize) {}
+
+  RigidConstants body_;
+  Corners corners_;  // along the principal axes
+  RigidState<Attitude> state_;
+  bool normalize_;
+};
+
+/// The simulator for Model::Matrix or Model::Quaternion. Throws InputError as makeSimulator() does.
+template <RigidIntegrator Method>
+std::unique_ptr<Simulator> makeRigidSimulator(const MotionSettings& settings) {
+  if (settings.simulation.model == Model::Matrix) {
+    return std::make_unique<RigidSimulator<Eigen::Matrix3d, Method>>(settings);
+  }
+  return std::make_unique<RigidSimulator<Eigen::Quaterniond, Method>>(settings);
+}
 
 }  // namespace rotatebook::physics

@@ -1,18 +1,9 @@
 #include "physics/simulator.h"
 
 #include "physics/exact/exact_simulator.h"
-#include "physics/particle_simulator.h"
-#include "physics/rigid_simulator.h"
+#include "physics/integrators/integrator_table.h"
 
 namespace rotatebook::physics {
-namespace {
-
-void checkIntegrator(const SimulationSettings& settings) {
-  if (settings.model == Model::Exact || isFor(settings.model, settings.integrator)) return;
-  throw InputError("this model doesn't have this integrator");
-}
-
-}  // namespace
 
 PrincipalAxes modelInertia(const MotionSettings& settings) {
   const bool particles = settings.simulation.model == Model::Particles;
@@ -25,17 +16,10 @@ Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings) {
 }
 
 std::unique_ptr<Simulator> makeSimulator(const MotionSettings& settings) {
-  checkIntegrator(settings.simulation);
-  switch (settings.simulation.model) {
-    case Model::Particles:
-      return std::make_unique<ParticleSimulator>(settings);
-    case Model::Exact:
-      return std::make_unique<ExactSimulator>(settings);
-    case Model::Matrix:
-    case Model::Quaternion:
-      break;
-  }
-  return makeRigidSimulator(settings);
+  if (settings.simulation.model == Model::Exact) return std::make_unique<ExactSimulator>(settings);
+  const Stepping* stepping = steppingOf(settings.simulation.model, settings.simulation.integrator);
+  if (stepping == nullptr) throw InputError("this model doesn't have this integrator");
+  return stepping->make(settings);
 }
 
 }  // namespace rotatebook::physics

@@ -25,20 +25,14 @@ inline constexpr std::array<Named<physics::Model>, 4> kModels{{
     {"exact", physics::Model::Exact},
 }};
 
-inline constexpr std::array<Named<physics::Integrator>, 12> kIntegrators{{
-    {"euler", physics::Integrator::Euler},
-    {"rk4", physics::Integrator::Rk4},
-    {"lie-euler", physics::Integrator::LieEuler},
-    {"cf4", physics::Integrator::Cf4},
-    {"splitting", physics::Integrator::Splitting},
-    {"suzuki4", physics::Integrator::Suzuki4},
-    {"midpoint", physics::Integrator::Midpoint},
-    {"dmv2", physics::Integrator::Dmv2},
-    {"dmv4", physics::Integrator::Dmv4},
-    {"dmv6", physics::Integrator::Dmv6},
-    {"symplectic-euler", physics::Integrator::SymplecticEuler},
-    {"verlet", physics::Integrator::Verlet},
-}};
+/// As their list has them.
+inline constexpr auto kIntegrators = [] {
+  std::array<Named<physics::Integrator>, physics::kIntegratorWords.size()> named{};
+  for (std::size_t i = 0; i < named.size(); ++i) {
+    named[i] = {physics::kIntegratorWords[i], static_cast<physics::Integrator>(i)};
+  }
+  return named;
+}();
 
 /// The keys of [initial] of which a scene has exactly one.
 inline constexpr std::array<Named<physics::InitialSpin::Kind>, 2> kSpinKinds{{

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -229,7 +230,7 @@ TEST(PrecisionPlot, ShortensTitlesThatAreTooLongForTheSheet) {
   EXPECT_THAT(precisionPlot(title + "ü", study), HasSubstr("'" + title + "…'"));
 }
 
-TEST(PrecisionPlot, HasAStyleForEveryIntegratorOfEachModel) {
+TEST(PrecisionPlot, HasAStyleOfItsOwnForEveryIntegratorOfAModel) {
   for (const physics::Model model : {physics::Model::Particles, physics::Model::Quaternion}) {
     study::PrecisionStudy study;
     for (const Integrator integrator : physics::integratorsOf(model)) {
@@ -237,9 +238,15 @@ TEST(PrecisionPlot, HasAStyleForEveryIntegratorOfEachModel) {
       study.orders.push_back({integrator, {}});
     }
     const std::string plot = precisionPlot("All", study);
+    std::set<std::string> colours, points;
     for (std::size_t i = 0; i < study.orders.size(); ++i) {
-      EXPECT_THAT(plot, HasSubstr("$runs" + std::to_string(i) + " using 1:2 with linespoints"));
+      const std::string curve = "$runs" + std::to_string(i) + " using 1:2 with linespoints ";
+      const std::string style = plot.substr(plot.find(curve) + curve.size(), 80);
+      colours.insert(style.substr(style.find("rgb '"), 13));
+      points.insert(style.substr(style.find("pointtype "), 13));
     }
+    EXPECT_EQ(colours.size(), study.orders.size());
+    EXPECT_EQ(points.size(), study.orders.size());
   }
 }
 

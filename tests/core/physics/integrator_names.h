@@ -1,6 +1,7 @@
 // Names for the cases of parameterised tests.
 #pragma once
 
+#include <cctype>
 #include <string>
 
 #include "physics/motion_settings.h"
@@ -21,11 +22,15 @@ inline std::string nameOf(Model model) {
   return "Exact";
 }
 
+/// "LieEuler" for "lie-euler".
 inline std::string nameOf(Integrator integrator) {
-  static const char* const kNames[]{"Euler",     "Rk4",     "LieEuler",        "Cf4",
-                                    "Splitting", "Suzuki4", "Midpoint",        "Dmv2",
-                                    "Dmv4",      "Dmv6",    "SymplecticEuler", "Verlet"};
-  return kNames[static_cast<int>(integrator)];
+  std::string name;
+  bool capital = true;
+  for (const char letter : kIntegratorWords.at(static_cast<std::size_t>(integrator))) {
+    if (letter != '-') name += static_cast<char>(capital ? std::toupper(letter) : letter);
+    capital = letter == '-';
+  }
+  return name;
 }
 
 inline std::string nameOf(Model model, Integrator integrator) {

@@ -66,13 +66,13 @@ double momentumDriftOf(const MotionSettings& settings) {
   return (simulator->state().angularMomentum - start).norm() / start.norm();
 }
 
-class ParticleIntegrator : public testing::TestWithParam<Case> {};
+class EachParticleIntegrator : public testing::TestWithParam<Case> {};
 
-TEST_P(ParticleIntegrator, HasItsOrderWithoutDamping) {
+TEST_P(EachParticleIntegrator, HasItsOrderWithoutDamping) {
   EXPECT_NEAR(slopeOf(GetParam(), 0), GetParam().order, kOrderBound);
 }
 
-TEST_P(ParticleIntegrator, HasItsOrderWithDamping) {
+TEST_P(EachParticleIntegrator, HasItsOrderWithDamping) {
   EXPECT_NEAR(slopeOf(GetParam(), 0.5), GetParam().order, kOrderBound);
 }
 
@@ -80,7 +80,7 @@ bool keepsMomentum(Integrator integrator) {
   return integrator == Integrator::SymplecticEuler || integrator == Integrator::Verlet;
 }
 
-TEST_P(ParticleIntegrator, KeepsTheMomentumIfItSaysSo) {
+TEST_P(EachParticleIntegrator, KeepsTheMomentumIfItSaysSo) {
   for (const double damping : {0.0, 0.5}) {
     const double drift = momentumDriftOf(softBook(GetParam().integrator, damping));
     if (keepsMomentum(GetParam().integrator)) {
@@ -92,7 +92,7 @@ TEST_P(ParticleIntegrator, KeepsTheMomentumIfItSaysSo) {
 }
 
 // Even those that keep it: the velocities are scaled to the energy, and the momentum with them.
-TEST_P(ParticleIntegrator, DoesNotKeepTheMomentumNormalised) {
+TEST_P(EachParticleIntegrator, DoesNotKeepTheMomentumNormalised) {
   MotionSettings settings = softBook(GetParam().integrator, 0.5);
   settings.simulation.normalize = true;
   const double drift = momentumDriftOf(settings);
@@ -104,7 +104,7 @@ constexpr Case kCases[]{{Integrator::Euler, 1, 16000},
                         {Integrator::Verlet, 2, 2000},
                         {Integrator::Rk4, 4, 800}};
 
-INSTANTIATE_TEST_SUITE_P(Each, ParticleIntegrator, testing::ValuesIn(kCases),
+INSTANTIATE_TEST_SUITE_P(All, EachParticleIntegrator, testing::ValuesIn(kCases),
                          [](const auto& instance) { return nameOf(instance.param.integrator); });
 
 struct Limit {

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "physics/integrators/particle_euler.h"
 #include "physics/scenarios.h"
 
 namespace rotatebook::physics {
@@ -106,7 +107,7 @@ void compareWithStepsByHand(bool normalize, double damping) {
   settings.simulation.normalize = normalize;
   settings.simulation.damping = damping;
   settings.simulation.stiffness = 300;
-  ParticleSimulator simulator(settings);
+  ParticleSimulator simulator(settings, &ParticleEuler::step);
   ByHand expected(settings);
   for (int step = 0; step < 20; ++step) {
     simulator.advance(1e-3, 1);
@@ -151,7 +152,7 @@ TEST(ParticleSimulator, MovesByTheOldVelocitiesFirst) {
   MotionSettings settings = spinning(Model::Particles, {0, 0, 2}, 0.5);
   settings.body.size = {2, 4, 6};
   settings.simulation.normalize = false;
-  ParticleSimulator simulator(settings);
+  ParticleSimulator simulator(settings, &ParticleEuler::step);
   simulator.advance(0.5, 1);
   // At rest length no spring pulls: corner 7 at (1, 2, 3) moves by 0.5 (0, 0, 2) x (1, 2, 3).
   EXPECT_EQ(Vector3d(simulator.state().corners.col(7)), Vector3d(-1, 3, 3));
@@ -160,7 +161,7 @@ TEST(ParticleSimulator, MovesByTheOldVelocitiesFirst) {
 TEST(ParticleSimulator, StartsWithTheSpinAndTheEnergyOfEightParticles) {
   MotionSettings settings = spinning(Model::Particles, {1, 2, 3}, 0.1);
   settings.body = {{1, 2, 3}, 12};
-  const BodyState state = ParticleSimulator(settings).state();
+  const BodyState state = ParticleSimulator(settings, &ParticleEuler::step).state();
   EXPECT_LT((state.angularVelocity - Vector3d(1, 2, 3)).norm(), kParticleStepBound);
   EXPECT_LT((state.angularMomentum - Vector3d(39, 60, 45)).norm(), kParticleStepBound * 84);
   EXPECT_NEAR(state.kinetic, 147, kParticleStepBound * 147);
@@ -172,13 +173,13 @@ TEST(ParticleSimulator, TakesAnAngularMomentumForItsOwnInertia) {
   MotionSettings settings = spinning(Model::Particles, {39, 60, 45}, 0.1);
   settings.body = {{1, 2, 3}, 12};
   settings.initial.kind = InitialSpin::Kind::AngularMomentum;
-  const BodyState state = ParticleSimulator(settings).state();
+  const BodyState state = ParticleSimulator(settings, &ParticleEuler::step).state();
   EXPECT_LT((state.angularVelocity - Vector3d(1, 2, 3)).norm(), kParticleStepBound);
 }
 
 TEST(ParticleSimulator, HasTheEnergyOfItsStartAfterEachNormalisedStep) {
   const MotionSettings settings = settingsOf({.model = Model::Particles, .slant = 0.1});
-  ParticleSimulator simulator(settings);
+  ParticleSimulator simulator(settings, &ParticleEuler::step);
   const double start = simulator.state().kinetic;
   double worst = 0, mostInSprings = 0;
   for (int step = 0; step < 2000; ++step) {
@@ -194,7 +195,7 @@ TEST(ParticleSimulator, HasTheEnergyOfItsStartAfterEachNormalisedStep) {
 TEST(ParticleSimulator, LeavesATenthOfItsEnergyWhereSpringsHaveTakenNearlyAll) {
   const MotionSettings settings =
       settingsOf({.model = Model::Particles, .slant = 0.001, .damping = 0});
-  ParticleSimulator simulator(settings);
+  ParticleSimulator simulator(settings, &ParticleEuler::step);
   const double start = simulator.state().kinetic;
   int bites = 0;
   for (int step = 0; step < 2000; ++step) {
@@ -211,7 +212,7 @@ TEST(ParticleSimulator, LeavesATenthOfItsEnergyWhereSpringsHaveTakenNearlyAll) {
 TEST(ParticleSimulator, KeepsItsCentreInTheOriginWhenNormalised) {
   const MotionSettings settings =
       settingsOf({.model = Model::Particles, .slant = 0.3, .damping = 0, .eta = 0.02});
-  ParticleSimulator simulator(settings);
+  ParticleSimulator simulator(settings, &ParticleEuler::step);
   const double h = settings.simulation.timePerFrame / settings.simulation.substeps;
   double farthest = 0;
   for (int step = 0; step < 5000; ++step) {
@@ -246,7 +247,7 @@ TEST(ParticleSimulator, LosesItsVibrationToDamping) {
 TEST(ParticleSimulator, HasAFiniteSpinEvenOfParticlesOnALine) {
   MotionSettings settings = spinning(Model::Particles, {5, 0, 3}, 0.1);
   settings.body.size = {1, 1e-170, 1e-170};
-  const BodyState state = ParticleSimulator(settings).state();
+  const BodyState state = ParticleSimulator(settings, &ParticleEuler::step).state();
   EXPECT_LT((state.angularVelocity - Vector3d(0, 0, 3)).norm(), kParticleStepBound);
 }
 

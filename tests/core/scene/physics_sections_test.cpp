@@ -105,8 +105,8 @@ TEST(SimulationSection, ReadsEveryIntegrator) {
     }
   }
   EXPECT_EQ(integratorNames(Model::Particles).size(), 4u);
-  EXPECT_EQ(integratorNames(Model::Matrix).size(), 10u);
-  EXPECT_EQ(integratorNames(Model::Quaternion).size(), 10u);
+  EXPECT_EQ(integratorNames(Model::Matrix).size(), 14u);
+  EXPECT_EQ(integratorNames(Model::Quaternion).size(), 14u);
 }
 
 TEST(SimulationSection, StepsRigidModelsByRk4AndParticlesByEulerUnlessItSaysOtherwise) {
@@ -130,7 +130,8 @@ TEST(SimulationSection, RefusesAnIntegratorOfAnotherModel) {
   EXPECT_EQ(errorOf("[simulation]\nintegrator = 'verlet'"),
             "a.toml:2:14: simulation.integrator = \"verlet\", but the model \"quaternion\" has "
             "\"euler\", \"rk4\", \"lie-euler\", \"cf4\", \"splitting\", \"suzuki4\", "
-            "\"midpoint\", \"dmv2\", \"dmv4\" and \"dmv6\"");
+            "\"midpoint\", \"dmv2\", \"dmv4\", \"dmv6\", \"no-gyroscopic\", "
+            "\"explicit-gyroscopic\", \"implicit-gyroscopic\" and \"renormalised\"");
   EXPECT_EQ(errorOf("[simulation]\nmodel = 'exact'\nintegrator = 'rk4'"),
             "a.toml:3:14: simulation.integrator = \"rk4\", but the model \"exact\" takes no steps; "
             "leave it out");
@@ -156,8 +157,9 @@ TEST(SimulationSection, RefusesUnknownWords) {
   EXPECT_EQ(errorOf("[simulation]\nintegrator = 'Euler'"),
             "a.toml:2:14: simulation.integrator must be \"euler\", \"rk4\", \"lie-euler\", "
             "\"cf4\", \"splitting\", \"suzuki4\", \"midpoint\", \"dmv2\", \"dmv4\", "
-            "\"dmv6\", \"symplectic-euler\" or \"verlet\", not \"Euler\"; did you mean "
-            "\"euler\"?");
+            "\"dmv6\", \"symplectic-euler\", \"verlet\", \"no-gyroscopic\", "
+            "\"explicit-gyroscopic\", \"implicit-gyroscopic\" or \"renormalised\", not "
+            "\"Euler\"; did you mean \"euler\"?");
 }
 
 TEST(SimulationSection, RefusesNumbersOutOfRange) {

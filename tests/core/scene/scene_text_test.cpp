@@ -132,7 +132,7 @@ mass = 1.0  # kg
 
 [simulation]
 model = "quaternion"  # "particles", "matrix", "quaternion" or "exact"
-integrator = "rk4"  # "euler", "rk4", "lie-euler", "cf4", "splitting", "suzuki4", "midpoint", "dmv2", "dmv4" or "dmv6"
+integrator = "rk4"  # "euler", "rk4", "lie-euler", "cf4", "splitting", "suzuki4", "midpoint", "dmv2", "dmv4", "dmv6", "no-gyroscopic", "explicit-gyroscopic", "implicit-gyroscopic" or "renormalised"
 normalize = true  # undo the integrator's drift after each step
 damping = 1.0  # particles: fraction of critical damping
 stiffness = 2000.0  # particles: N/m, of each spring

@@ -32,11 +32,11 @@ TEST(StudySection, HasEveryIntegratorAndElevenStepsByDefault) {
   const Scene rigid = sceneFrom("[study]");
   ASSERT_TRUE(rigid.study.has_value());
   EXPECT_EQ(*rigid.study, defaultStudy(Model::Quaternion));
-  EXPECT_EQ(rigid.study->integrators.size(), 10U);
+  EXPECT_EQ(rigid.study->integrators.size(), 14U);
   EXPECT_EQ(rigid.study->steps, (std::vector{1, 2, 4, 8, 16, 32, 64, 128, 256, 512, 1024}));
   EXPECT_EQ(sceneFrom("simulation.model = 'particles'\n[study]").study->integrators,
-            (std::vector{Integrator::Euler, Integrator::SymplecticEuler, Integrator::Verlet,
-                         Integrator::Rk4}));
+            (std::vector{Integrator::Euler, Integrator::Rk4, Integrator::SymplecticEuler,
+                         Integrator::Verlet}));
 }
 
 TEST(StudySection, ReadsIntegratorsStepsAndOrders) {
@@ -97,7 +97,7 @@ TEST(StudySection, RefusesIntegratorsThatTheModelDoesNotHave) {
   EXPECT_EQ(errorOfParticles("integrators = [4]"), "a.toml:4:16: " + valid + "4");
   EXPECT_EQ(errorOfParticles("orders.cf4.min = 4"),
             "a.toml:4:8: unknown key \"cf4\" in [study.orders]; valid are \"euler\", "
-            "\"symplectic-euler\", \"verlet\" and \"rk4\"");
+            "\"rk4\", \"symplectic-euler\" and \"verlet\"");
 }
 
 TEST(StudySection, RefusesListsThatAreNone) {

@@ -1,7 +1,10 @@
 // What the integrators of a free rigid body work on.
 #pragma once
 
+#include <concepts>
+
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "physics/inertia.h"
 
@@ -14,15 +17,25 @@ struct RigidConstants {
   Eigen::Vector3d momentum;        ///< Angular momentum at t = 0. [kg m^2/s]
 };
 
-/// Attitude is Eigen::Quaterniond or Eigen::Matrix3d, world from principal axes. An integrator M is
-/// a type that is made from RigidConstants and a step h [s], with
-///   static constexpr bool kMomentumInBody   in which axes it keeps the momentum,
-///   void step(RigidState<Attitude>&) const  one step.
+/// Attitude is Eigen::Quaterniond or Eigen::Matrix3d, world from principal axes.
 template <typename Attitude>
 struct RigidState {
   Attitude attitude;
   Eigen::Vector3d momentum;  ///< Angular momentum, in the world's or the body's axes. [kg m^2/s]
 };
+
+/// An integrator that steps attitudes of this type.
+template <typename Method, typename Attitude>
+concept StepsAttitude = requires(const Method& method, RigidState<Attitude>& state) {
+  { method.step(state) } -> std::same_as<void>;
+};
+
+/// An integrator of a rigid body: made from its constants and the length of a step [s], it says in
+/// which axes it keeps the momentum, and steps both kinds of attitude.
+template <typename Method>
+concept RigidIntegrator = std::constructible_from<Method, const RigidConstants&, double> &&
+    std::same_as<decltype(Method::kMomentumInBody), const bool> &&
+    StepsAttitude<Method, Eigen::Quaterniond> && StepsAttitude<Method, Eigen::Matrix3d>;
 
 /// w = A I^-1 A^T L of the momentum L in the world's axes and the map A. [rad/s]
 inline Eigen::Vector3d angularVelocityInWorld(const RigidConstants& body,

@@ -1,0 +1,37 @@
+#include "physics/integrators/particle_state.h"
+
+namespace rotatebook::physics {
+namespace {
+
+constexpr double kParticleCount = 8;
+
+void subtractMean(Points& points) {
+  for (Octet& components : points) {
+    const double mean = sumOf(components) / kParticleCount;
+    for (Lanes& lanes : components) lanes -= mean;
+  }
+}
+
+}  // namespace
+
+Points ParticleState::accelerations(const Points& velocities) const {
+  Points result = springs_.forces(velocities);
+  const double inverse = 1 / mass_;
+  for (Octet& components : result) {
+    for (Lanes& lanes : components) lanes *= inverse;
+  }
+  return result;
+}
+
+void ParticleState::moveTo(const Points& positions) {
+  positions_ = positions;
+  springs_.moveTo(positions_);
+}
+
+// The springs needn't know: they depend on differences alone.
+void ParticleState::restoreCentre() {
+  subtractMean(positions_);
+  subtractMean(velocities_);
+}
+
+}  // namespace rotatebook::physics

@@ -1,0 +1,22 @@
+// The velocity Verlet method for the particles.
+#pragma once
+
+#include "physics/integrators/particle_state.h"
+
+namespace rotatebook::physics {
+
+/// A half step of v, x += h v, the other half at the new x, with v + h F/m in the dampers. Order 2;
+/// keeps L to rounding. Two evaluations of F. Stable below h = 0.707 sqrt(m/k) without damping,
+/// 0.125 with the paper's. Source: Hairer, Lubich, Wanner, Geometric Numerical Integration,
+/// chapter I.
+struct Verlet {
+  static void step(ParticleState& state, double h) {
+    const Points before = state.accelerations(state.velocities());
+    const Points predicted = plus(state.velocities(), h, before);
+    state.velocities() = plus(state.velocities(), h / 2, before);
+    state.moveTo(plus(state.positions(), h, state.velocities()));
+    state.velocities() = plus(state.velocities(), h / 2, state.accelerations(predicted));
+  }
+};
+
+}  // namespace rotatebook::physics

@@ -1,4 +1,5 @@
-// A key of a scene file as one row, from which it is read, printed and documented.
+// A key of a scene file as one row, from which it is read, printed and documented; for this room
+// alone.
 #pragma once
 
 #include <functional>

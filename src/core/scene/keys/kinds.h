@@ -1,4 +1,4 @@
-// Kinds of values that keys of several sections have.
+// Kinds of values that keys of several sections have; for this room alone.
 #pragma once
 
 #include <array>

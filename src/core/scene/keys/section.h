@@ -1,4 +1,5 @@
-// A section of a scene file: all that its keys need to be read, printed and documented.
+// A section of a scene file: all that its keys need to be read, printed and documented; for this
+// room alone.
 #pragma once
 
 #include <functional>

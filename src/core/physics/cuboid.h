@@ -24,6 +24,8 @@ struct Cuboid {
   Eigen::Vector3d particleInertia() const;
   /// Longest edge. [m]
   double largestDimension() const { return size.maxCoeff(); }
+
+  friend bool operator==(const Cuboid&, const Cuboid&) = default;
 };
 
 }  // namespace rotatebook::physics

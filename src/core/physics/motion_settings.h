@@ -41,6 +41,8 @@ struct SimulationSettings {
   double stiffness = 2000.0;       ///< Particles only: of each spring, > 0. [N/m]
   double timePerFrame = 1.0 / 60;  ///< From a sample of the trajectory to the next, > 0. [s]
   int substeps = 64;               ///< Integration steps from a sample to the next, >= 1.
+
+  friend bool operator==(const SimulationSettings&, const SimulationSettings&) = default;
 };
 
 /// Turns a vector by `angle` toward a coordinate axis.
@@ -66,6 +68,8 @@ struct InitialSpin {
   Eigen::Vector3d angularVelocity(const PrincipalAxes& inertia) const;
   /// The same along the principal axes, to twice a double's precision. [rad/s]
   DoubleDouble3 alongPrincipal(const PrincipalAxes& inertia) const;
+
+  friend bool operator==(const InitialSpin&, const InitialSpin&) = default;
 };
 
 /// Everything that a motion depends on.
@@ -76,6 +80,8 @@ struct MotionSettings {
   /// Tensor about the book's axes, in place of the solid cuboid's. Not for the particles, which
   /// have their own. [kg m^2]
   std::optional<Eigen::Matrix3d> inertia{};
+
+  friend bool operator==(const MotionSettings&, const MotionSettings&) = default;
 };
 
 }  // namespace rotatebook::physics

@@ -12,14 +12,33 @@ namespace {
 // of a sample's interval.
 constexpr double kEdge = 1e-6;
 
-constexpr std::array kQuantities{
-    Quantity::HalfTurns,       Quantity::TiltDeg,       Quantity::EnergyRatio,
-    Quantity::RotationalRatio, Quantity::MomentumRatio, Quantity::Stretch,
-    Quantity::ErrorDeg,        Quantity::Regime,        Quantity::DivergesAt};
+struct QuantityWords {
+  std::string_view name;
+  std::string_view meaning;
+};
 
-constexpr std::array<std::string_view, kQuantities.size()> kNames{
-    "half_turns", "tilt_deg",  "energy_ratio", "rotational_ratio", "L_ratio",
-    "stretch",    "error_deg", "regime",       "diverges_at"};
+/// In the order of the enumeration.
+constexpr std::array<QuantityWords, 9> kWords{{
+    {"half_turns", "how often the axis that the book was spun about turned over"},
+    {"tilt_deg", "that axis's angle to the angular momentum [degrees]"},
+    {"energy_ratio", "total energy / its start"},
+    {"rotational_ratio",
+     "kinetic energy of the best-fitting rigid rotation / total energy at the start"},
+    {"L_ratio", "angular momentum / its start"},
+    {"stretch",
+     "every singular value of the linear map that best fits the drawn corners; 1 is undeformed"},
+    {"error_deg", "angle between the attitude and the exact one [degrees]"},
+    {"regime",
+     "1 or -1: the angular momentum circles the axis of the largest or the smallest moment of "
+     "inertia"},
+    {"diverges_at", "time at which the motion ends [s]"},
+}};
+
+constexpr auto kQuantities = [] {
+  std::array<Quantity, kWords.size()> all{};
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Quantity>(i);
+  return all;
+}();
 
 struct Range {
   double lowest = std::numeric_limits<double>::quiet_NaN();
@@ -108,7 +127,11 @@ bool meets(const Range& range, const Expectation& expectation) {
 }  // namespace
 
 std::string_view nameOf(Quantity quantity) {
-  return kNames[static_cast<std::size_t>(quantity)];
+  return kWords[static_cast<std::size_t>(quantity)].name;
+}
+
+std::string_view meaningOf(Quantity quantity) {
+  return kWords[static_cast<std::size_t>(quantity)].meaning;
 }
 
 std::span<const Quantity> allQuantities() {

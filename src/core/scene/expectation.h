@@ -27,6 +27,8 @@ enum class Quantity {
 
 /// Name of `quantity` in a scene, e.g. "half_turns".
 std::string_view nameOf(Quantity quantity);
+/// What it is, in Markdown.
+std::string_view meaningOf(Quantity quantity);
 /// All quantities, in the order of the enumeration.
 std::span<const Quantity> allQuantities();
 

@@ -1,19 +1,16 @@
 #include "scene/panel_section.h"
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
 
+#include "scene/keys/keys.h"
 #include "scene/sections.h"
 #include "scene/toml_text.h"
 
 namespace rotatebook::scene {
 namespace {
-
-/// The sections of a scene that a panel may have, too.
-constexpr std::array<std::string_view, 4> kSections{"body", "simulation", "initial", "expect"};
 
 const TomlNode::Table* tableOf(const TomlNode& node) {
   return std::get_if<TomlNode::Table>(&node.value);
@@ -52,8 +49,9 @@ void mergeSection(TomlNode::Table& sections, std::string_view name, const TomlNo
 TomlNode mergedPanel(const ValueReader& panel, const ValueReader& file) {
   TomlNode merged = panel.node();
   auto& sections = std::get<TomlNode::Table>(merged.value);
-  for (const std::string_view name : kSections) {
-    if (const auto common = file.find(name)) mergeSection(sections, name, common->node());
+  for (const auto& section : motionSections()) {
+    const auto common = file.find(section.name);
+    if (common) mergeSection(sections, section.name, common->node());
   }
   return merged;
 }
@@ -73,14 +71,12 @@ void refuseShared(const ValueReader& panel) {
   }
 }
 
-std::string labelFrom(const ValueReader& value, const std::vector<Panel>& earlier) {
-  std::string label = value.text(kLongestLabel);
-  if (label.empty()) value.mismatch("a text that isn't empty");
-  if (label.find_first_of("\n\t") != std::string::npos) value.mismatch("a text on one line");
-  for (const Panel& panel : earlier) {
-    if (panel.label == label) value.fail("two panels have the label " + tomlString(label));
+void refuseTwin(const ValueReader& label, const std::vector<Panel>& earlier, const Panel& panel) {
+  for (const Panel& other : earlier) {
+    if (other.label == panel.label) {
+      label.fail("two panels have the label " + tomlString(panel.label));
+    }
   }
-  return label;
 }
 
 void checkPanel(const ValueReader& panel, const ValueReader& merged, const Panel& read) {
@@ -108,13 +104,12 @@ Panel readPanel(const ValueReader& panel, const ValueReader& file, double timePe
   const TomlNode node = mergedPanel(panel, file);
   const ValueReader merged(node, panel.name());
   Panel result;
-  merged.readTable({
-      {"label", [&](const ValueReader& value) { result.label = labelFrom(value, earlier); }},
-      {"body", [&](const ValueReader& value) { readBody(value, result.body, result.inertia); }},
-      {"simulation", [&](const ValueReader& value) { readSimulation(value, result.simulation); }},
-      {"initial", [&](const ValueReader& value) { readInitial(value, result.initial); }},
-      {"expect", [&](const ValueReader& value) { readExpectations(value, result.expectations); }},
+  auto fields = fieldsOf(panelKeys(), [&](const Key<Panel>& key, const ValueReader& value) {
+    key.read(value, result);
+    if (key.name == "label") refuseTwin(value, earlier, result);
   });
+  addFields(fields, motionSections(), result);
+  merged.readTable(fields);
   result.simulation.timePerFrame = timePerFrame;
   checkPanel(panel, merged, result);
   return result;

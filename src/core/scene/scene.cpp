@@ -9,18 +9,13 @@ namespace rotatebook::scene {
 
 std::vector<Panel> motionsOf(const Scene& scene) {
   if (!scene.panels.empty()) return scene.panels;
-  return {{"", scene.body, scene.inertia, scene.simulation, scene.initial, scene.expectations}};
+  return {{{scene}, ""}};
 }
 
-Scene withMotion(const Scene& scene, const Panel& panel) {
-  Scene single = scene;
-  single.panels.clear();
-  single.body = panel.body;
-  single.inertia = panel.inertia;
-  single.simulation = panel.simulation;
-  single.initial = panel.initial;
-  single.expectations = panel.expectations;
-  return single;
+Scene withMotion(Scene scene, const Motion& motion) {
+  scene.panels.clear();
+  static_cast<Motion&>(scene) = motion;
+  return scene;
 }
 
 bool isTransparent(const Scene& scene) {

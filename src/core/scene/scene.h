@@ -31,6 +31,8 @@ struct ClipSettings {
 
   /// Frames of the whole clip, >= 1.
   std::int64_t frameCount() const { return frameRate.framesIn(duration); }
+
+  friend bool operator==(const ClipSettings&, const ClipSettings&) = default;
 };
 
 /// [video]: how the MP4 is encoded.
@@ -38,6 +40,8 @@ struct EncodingSettings {
   int crf = 18;                 ///< x264's constant rate factor, 1 to 51; smaller is better.
   std::string preset = "book";  ///< "book", made for it, or x264's "ultrafast" to "placebo".
   int threads = 1;  ///< Encoder threads, 1 to 64; a different count gives different bytes.
+
+  friend bool operator==(const EncodingSettings&, const EncodingSettings&) = default;
 };
 
 /// [camera]: a perspective camera.
@@ -49,6 +53,8 @@ struct CameraSettings {
   double fieldOfViewDeg = 30;
   /// What the camera turns with; its position, target and up are along these axes.
   physics::ReferenceFrame frame = physics::ReferenceFrame::World;
+
+  friend bool operator==(const CameraSettings&, const CameraSettings&) = default;
 };
 
 /// [book]: picture files, relative to the scene's folder, or kBuiltin.
@@ -56,6 +62,8 @@ struct BookSettings {
   std::string front = "builtin";
   std::string spine = "builtin";
   std::string back = "builtin";
+
+  friend bool operator==(const BookSettings&, const BookSettings&) = default;
 };
 
 /// What is seen behind the book.
@@ -72,6 +80,8 @@ struct LookSettings {
   /// Moments, a power of two up to 16, of the half frame after each sample whose pictures are
   /// averaged, as by a shutter that is open half of the time; 1 is a sharp picture.
   int motionBlur = 1;
+
+  friend bool operator==(const LookSettings&, const LookSettings&) = default;
 };
 
 /// What can be drawn over the pictures.
@@ -97,25 +107,32 @@ bool isFor(physics::Model model, Overlay overlay);
 struct OverlaySettings {
   std::vector<Overlay> show;     ///< Each at most once.
   std::string font = "builtin";  ///< An installed family, or kBuiltin.
+
+  friend bool operator==(const OverlaySettings&, const OverlaySettings&) = default;
 };
 
-/// [[panel]]: one of several motions that a clip shows side by side.
-struct Panel {
-  std::string label{};  ///< Not empty, and unlike the others'.
-  physics::Cuboid body{};
-  std::optional<Eigen::Matrix3d> inertia{};  ///< As Scene::inertia.
-  physics::SimulationSettings simulation{};  ///< With the scene's timePerFrame.
-  physics::InitialSpin initial{};
+/// [body], [simulation], [initial] and [expect]: one motion, and what it must show.
+struct Motion : physics::MotionSettings {
   std::vector<Expectation> expectations{};
 
-  physics::MotionSettings motion() const { return {body, simulation, initial, inertia}; }
+  /// What it is simulated from.
+  const physics::MotionSettings& motion() const { return *this; }
+  friend bool operator==(const Motion&, const Motion&) = default;
+};
+
+/// [[panel]]: one of several motions that a clip shows side by side, with the scene's timePerFrame.
+struct Panel : Motion {
+  std::string label{};  ///< Not empty, and unlike the others'.
+
+  friend bool operator==(const Panel&, const Panel&) = default;
 };
 
 /// The texture or font that ships with the program.
 inline constexpr const char* kBuiltin = "builtin";
 
-/// A scene with every default made explicit.
-struct Scene {
+/// A scene with every default made explicit. With panels, which have been read over the scene's own
+/// motion, of that timePerFrame alone is of use.
+struct Scene : Motion {
   std::string name;              ///< The scene file's stem; outputs are named after it.
   std::filesystem::path folder;  ///< Where the scene's file lies; textures are found from here.
   /// Whether textures may lie outside of it. Of whoever reads the scene, never of its file.
@@ -125,27 +142,19 @@ struct Scene {
   bool wordless = false;
   std::string title;
   std::string caption;
-  physics::Cuboid body;
-  /// [body] inertia, about the book's axes; else the cuboid's own. [kg m^2]
-  std::optional<Eigen::Matrix3d> inertia;
-  physics::SimulationSettings simulation;
-  physics::InitialSpin initial;
   ClipSettings clip;
   EncodingSettings video;
   CameraSettings camera;
   BookSettings book;
   LookSettings look;
   OverlaySettings overlay;
-  std::vector<Expectation> expectations;
-  /// None, or 2 to 6. They have been read over `body`, `inertia`, `simulation`, `initial` and
-  /// `expectations` above, of which timePerFrame alone is of use then.
-  std::vector<Panel> panels;
+  std::vector<Panel> panels;  ///< None, or 2 to 6.
   std::optional<StudySettings> study;
   /// Where texts stand that can prove wrong only when files and fonts are opened, by key, such as
   /// "overlay.font"; those that are stated. See scene/places.h.
   std::map<std::string, std::string, std::less<>> places;
 
-  physics::MotionSettings motion() const { return {body, simulation, initial, inertia}; }
+  friend bool operator==(const Scene&, const Scene&) = default;
 };
 
 /// Whether the scene's pictures have an alpha that is to be kept.
@@ -156,8 +165,8 @@ bool isOnTheBook(Overlay overlay);
 
 /// All that moves in a scene: its panels, or the scene itself as the only one, without a label.
 std::vector<Panel> motionsOf(const Scene& scene);
-/// `scene` as if `panel` were all that moves in it.
-Scene withMotion(const Scene& scene, const Panel& panel);
+/// `scene` as if `motion` were all that moves in it.
+Scene withMotion(Scene scene, const Motion& motion);
 
 /// Whether `overlay` is drawn over the pictures of `scene`: where they are wordless, only what is
 /// on the book itself.

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <string>
 
+#include "scene/keys/keys.h"
 #include "scene/overrides.h"
 #include "scene/panel_section.h"
 #include "scene/places.h"
@@ -15,23 +16,16 @@ namespace rotatebook::scene {
 namespace {
 
 void readSections(const ValueReader& file, Scene& scene) {
-  file.readTable({
-      {"title", [&](const ValueReader& value) { scene.title = value.text(kLongestTitle); }},
-      {"caption", [&](const ValueReader& value) { scene.caption = value.text(kLongestCaption); }},
-      {"body", [&](const ValueReader& value) { readBody(value, scene.body, scene.inertia); }},
-      {"simulation", [&](const ValueReader& value) { readSimulation(value, scene.simulation); }},
-      {"initial", [&](const ValueReader& value) { readInitial(value, scene.initial); }},
-      {"clip", [&](const ValueReader& value) { readClip(value, scene.clip); }},
-      {"video", [&](const ValueReader& value) { readVideo(value, scene.video); }},
-      {"camera", [&](const ValueReader& value) { readCamera(value, scene.camera); }},
-      {"book", [&](const ValueReader& value) { readBook(value, scene.book); }},
-      {"look", [&](const ValueReader& value) { readLook(value, scene.look); }},
-      {"overlay", [&](const ValueReader& value) { readOverlay(value, scene.overlay); }},
-      {"expect", [&](const ValueReader& value) { readExpectations(value, scene.expectations); }},
-      // These depend on the others; read when those are.
-      {"panel", [](const ValueReader&) {}},
-      {"study", [](const ValueReader&) {}},
+  auto fields = fieldsOf(titleKeys(), [&scene](const Key<Scene>& key, const ValueReader& value) {
+    key.read(value, scene);
   });
+  const auto motion = motionSections();
+  addFields(fields, motion.first(motion.size() - 1), scene);
+  addFields(fields, pictureSections(), scene);
+  addFields(fields, motion.last(1), scene);  // [expect]
+  // These depend on the others; read when those are.
+  for (const char* key : {"panel", "study"}) fields.push_back({key, [](const ValueReader&) {}});
+  file.readTable(fields);
 }
 
 /// Where the camera stands unless it is told: so that the largest of the bodies is seen whole.
@@ -103,7 +97,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   if (const auto look = file.find("look")) checkMotionBlur(*look, scene);
   if (const auto study = file.find("study")) {
     if (!scene.panels.empty()) study->fail("[study] is of one motion, but this scene has panels");
-    scene.study = readStudy(*study, scene);
+    readStudy(*study, scene);
   }
   checkSteps(file, scene);
   return scene;

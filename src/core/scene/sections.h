@@ -1,13 +1,12 @@
-// The sections of a scene file: every key and its limits.
+// The sections of a scene file, and what is checked of several keys together.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <vector>
+#include <span>
+#include <string>
 
-#include <Eigen/Core>
-
+#include "scene/keys/section.h"
 #include "scene/scene.h"
 #include "scene/value_reader.h"
 
@@ -25,23 +24,16 @@ inline constexpr int kMostSubsteps = 1'000'000;
 /// Most integration steps that a scene, or its study, takes in all: some hours of computing.
 inline constexpr std::int64_t kMostSteps = 10'000'000'000;
 
-// Each reads one section over the defaults in its second argument. Throws InputError.
+/// Those of a motion, in the order of messages: [body], [simulation], [initial] and, last,
+/// [expect]. Left to the caller are the default of time_per_frame, which depends on [clip], its
+/// line, as panels share it, and whether there is a spin at all.
+std::span<const Section<Motion>> motionSections();
+/// Those of how a scene shows its motions. Left to the caller is the default of camera.position,
+/// which depends on [body] and [clip].
+std::span<const Section<Scene>> pictureSections();
 
-void readBody(const ValueReader& section, physics::Cuboid& body,
-              std::optional<Eigen::Matrix3d>& inertia);
-/// Leaves the default of time_per_frame, which depends on [clip], to the caller.
-void readSimulation(const ValueReader& section, physics::SimulationSettings& settings);
-/// Leaves it to the caller whether there is a spin at all.
-void readInitial(const ValueReader& section, physics::InitialSpin& spin);
-void readExpectations(const ValueReader& section, std::vector<Expectation>& expectations);
-
-void readClip(const ValueReader& section, ClipSettings& clip);
-void readVideo(const ValueReader& section, EncodingSettings& video);
-/// Leaves the default of position, which depends on [body] and [clip], to the caller.
-void readCamera(const ValueReader& section, CameraSettings& camera);
-void readBook(const ValueReader& section, BookSettings& book);
-void readLook(const ValueReader& section, LookSettings& look);
-void readOverlay(const ValueReader& section, OverlaySettings& overlay);
+/// The line of simulation.time_per_frame.
+std::string timePerFrameLine(const physics::SimulationSettings& settings);
 
 /// Refuses [initial] without a spin.
 void requireSpin(const ValueReader& section);

@@ -8,11 +8,12 @@
 
 namespace rotatebook::scene {
 
-/// Reads the section; what it leaves out is as in defaultStudy() of the scene's model. The rest of
-/// `scene` is read already, because what a study may vary depends on it. Throws InputError.
-StudySettings readStudy(const ValueReader& section, const Scene& scene);
+/// Reads the section into `scene`, of which the rest is read already, because what a study may vary
+/// depends on it. What the section leaves out is as in defaultStudy() of the scene's model. Throws
+/// InputError.
+void readStudy(const ValueReader& section, Scene& scene);
 
-/// The section as TOML.
-std::string studyText(const StudySettings& study);
+/// The section as TOML, empty for a scene without a study.
+std::string studyText(const Scene& scene);
 
 }  // namespace rotatebook::scene

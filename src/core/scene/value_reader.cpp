@@ -9,9 +9,6 @@
 namespace rotatebook::scene {
 namespace {
 
-// Wide enough for any book, and narrow enough that no product of squares leaves the range of
-// double.
-constexpr NumberRange kDirections{"three numbers from -1e9 to 1e9, not all zero", -1e9, 1e9};
 constexpr double kShortestDirection = 1e-30;
 
 std::optional<double> numberFrom(const TomlNode& node) {
@@ -23,27 +20,31 @@ std::optional<double> numberFrom(const TomlNode& node) {
 
 }  // namespace
 
+std::string integerWords(int min, int max) {
+  return "an integer from " + std::to_string(min) + " to " + std::to_string(max);
+}
+
+std::string textWords(std::size_t most) {
+  return "a text of at most " + std::to_string(most) + " letters";
+}
+
 std::string ValueReader::text(std::size_t most) const {
   const auto* text = std::get_if<std::string>(&node_->value);
   if (!text) mismatch("a text in quotes");
-  if (letterCount(*text) > most) {
-    mismatch("a text of at most " + std::to_string(most) + " letters");
-  }
+  if (letterCount(*text) > most) mismatch(textWords(most));
   if (printable(*text) != *text) mismatch("a text without control characters");
   return *text;
 }
 
 bool ValueReader::flag() const {
   const auto* flag = std::get_if<bool>(&node_->value);
-  if (!flag) mismatch("true or false");
+  if (!flag) mismatch(std::string(kFlagWords));
   return *flag;
 }
 
 int ValueReader::integer(int min, int max) const {
   const auto* whole = std::get_if<std::int64_t>(&node_->value);
-  if (!whole || *whole < min || *whole > max) {
-    mismatch("an integer from " + std::to_string(min) + " to " + std::to_string(max));
-  }
+  if (!whole || *whole < min || *whole > max) mismatch(integerWords(min, max));
   return static_cast<int>(*whole);
 }
 

@@ -14,6 +14,7 @@
 
 #include <Eigen/Core>
 
+#include "base/error.h"
 #include "scene/names.h"
 #include "scene/toml_tree.h"
 
@@ -29,6 +30,18 @@ struct NumberRange {
 inline constexpr NumberRange kPositive{"a positive number",
                                        std::numeric_limits<double>::denorm_min(),
                                        std::numeric_limits<double>::max()};
+
+inline constexpr NumberRange kNumber{"a number", std::numeric_limits<double>::lowest(),
+                                     std::numeric_limits<double>::max()};
+
+/// Wide enough for any book, and narrow enough that no product of squares leaves the range of
+/// double.
+inline constexpr NumberRange kDirections{"three numbers from -1e9 to 1e9, not all zero", -1e9, 1e9};
+
+// What messages call other values that are allowed.
+inline constexpr std::string_view kFlagWords = "true or false";
+std::string integerWords(int min, int max);
+std::string textWords(std::size_t most);
 
 class ValueReader;
 
@@ -92,5 +105,15 @@ class ValueReader {
   const TomlNode* node_;
   std::string name_;
 };
+
+/// Does what physics may refuse: that is physics' to say; the place is ours.
+template <typename Check>
+void failAtValue(const ValueReader& value, const Check& check) {
+  try {
+    check();
+  } catch (const InputError& error) {
+    value.fail(error.what());
+  }
+}
 
 }  // namespace rotatebook::scene

@@ -1,0 +1,35 @@
+// The keys of a scene file, section by section. A new one is a row here and a field of the struct.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/keys/key.h"
+#include "scene/scene.h"
+
+namespace rotatebook::scene {
+
+/// Outside of all sections.
+const Keys<Scene>& titleKeys();
+
+const Keys<physics::MotionSettings>& bodyKeys();
+const Keys<physics::SimulationSettings>& simulationKeys();
+const Keys<physics::InitialSpin>& initialKeys();
+/// One of each quantity, in the order of the enumeration.
+const Keys<std::vector<Expectation>>& expectKeys();
+/// Of a panel itself, without its sections.
+const Keys<Panel>& panelKeys();
+
+const Keys<ClipSettings>& clipKeys();
+const Keys<EncodingSettings>& videoKeys();
+const Keys<CameraSettings>& cameraKeys();
+const Keys<BookSettings>& bookKeys();
+const Keys<LookSettings>& lookKeys();
+const Keys<OverlaySettings>& overlayKeys();
+
+/// Of Scene::study, which is there; they depend on the scene's model.
+const Keys<Scene>& studyKeys();
+/// The lines of study.orders, one for each integrator.
+std::string ordersText(const StudySettings& study);
+
+}  // namespace rotatebook::scene

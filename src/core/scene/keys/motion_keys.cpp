@@ -1,0 +1,240 @@
+// [body], [simulation], [initial] and [expect]: what moves, and what it must show.
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "physics/elementary.h"
+#include "scene/keys/keys.h"
+#include "scene/keys/kinds.h"
+#include "scene/sections.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using Limits = std::numeric_limits<double>;
+using physics::InitialSpin;
+using physics::MotionSettings;
+using physics::SimulationSettings;
+
+constexpr NumberRange kSizes{"three lengths from 1e-6 to 1e6 m", 1e-6, 1e6};
+constexpr NumberRange kMass{"a mass from 1e-9 to 1e9 kg", 1e-9, 1e9};
+constexpr NumberRange kMoments{"three moments of inertia up to 1e21 kg m^2", -1e21, 1e21};
+constexpr NumberRange kRow{"rows of three numbers up to 1e21 kg m^2", -1e21, 1e21};
+// Their squares and inverses are numbers, too.
+constexpr NumberRange kStepTimes{"a time from 1e-100 to 1e100 s", 1e-100, 1e100};
+constexpr NumberRange kTilt{"an angle from -1e6 to 1e6 rad", -physics::kLargestAngle,
+                            physics::kLargestAngle};
+constexpr const char* kBoundsWords = "a table such as { min = 1.0 } or an array of them";
+constexpr const char* kTiltWords = "an angle and an axis, such as [0.001, \"z\"]";
+constexpr NumberRange kNotNegative{"zero or a positive number", 0, Limits::max()};
+
+Eigen::Matrix3d inertiaFrom(const ValueReader& value) {
+  const auto rows = value.elements(
+      3, "three moments, [Ix, Iy, Iz], or a tensor of three rows, [[Ixx, Ixy, Ixz], ...]");
+  Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
+  if (std::holds_alternative<TomlNode::Array>(rows.front().node().value)) {
+    for (int row = 0; row < 3; ++row) {
+      tensor.row(row) = rows[static_cast<std::size_t>(row)].vector(kRow).transpose();
+    }
+  } else {
+    tensor.diagonal() = value.vector(kMoments);
+  }
+  failAtValue(value, [&] { physics::checkInertia(tensor); });
+  return tensor;
+}
+
+std::string inertiaText(const Eigen::Matrix3d& tensor) {
+  if (tensor.isDiagonal(0)) return vectorText(tensor.diagonal());
+  return "[" +
+         joined({vectorText(tensor.row(0)), vectorText(tensor.row(1)), vectorText(tensor.row(2))}) +
+         "]";
+}
+
+void readIntegrator(const ValueReader& value, SimulationSettings& settings) {
+  if (value.text(kLongestName) == nameOf(kModels, physics::Model::Exact)) {
+    value.fail(value.name() + " can't be \"exact\": the closed form is a model of its own, " +
+               "simulation.model = \"exact\", of a rigid body; particles have none");
+  }
+  settings.integrator = value.oneOf(kIntegrators);
+}
+
+/// With a comment that depends on the model; empty for one without steps.
+std::string integratorText(const SimulationSettings& settings) {
+  const auto names = integratorNames(settings.model);
+  if (names.empty()) return "";
+  return word(kIntegrators, settings.integrator) + "  # " + quotedList(names, "or");
+}
+
+Key<InitialSpin> spinKey(InitialSpin::Kind kind, const std::string& unit, Words words) {
+  words.allowed = direction().allowed;
+  words.comment = unit;
+  return {
+      nameOf(kSpinKinds, kind),
+      [kind](const ValueReader& value, InitialSpin& spin) {
+        spin.kind = kind;
+        spin.value = value.direction();
+      },
+      [kind](const InitialSpin& spin) { return spin.kind == kind ? vectorText(spin.value) : ""; },
+      std::move(words)};
+}
+
+physics::Tilt tiltFrom(const ValueReader& value) {
+  const auto parts = value.elements(2, kTiltWords);
+  return {parts[0].number(kTilt), parts[1].oneOf(kAxes)};
+}
+
+std::string tiltText(const physics::Tilt& tilt) {
+  return "[" + tomlNumber(tilt.angle) + ", " + word(kAxes, tilt.axis) + "]";
+}
+
+const Keys<Expectation>& windowedBoundKeys() {
+  static const Keys<Expectation> keys{
+      key("min", &Expectation::min, number(kNumber)),
+      key("max", &Expectation::max, number(kNumber)),
+      key("rises_to", &Expectation::risesTo, number(kNumber)),
+      key("falls_to", &Expectation::fallsTo, number(kNumber)),
+      key("from", &Expectation::from, number(kNotNegative)),
+      {"to",
+       [](const ValueReader& value, Expectation& bounds) {
+         bounds.to = value.number(kNotNegative);
+       },
+       // A window without an end has no key for it.
+       [](const Expectation& bounds) {
+         return std::isfinite(bounds.to) ? tomlNumber(bounds.to) : "";
+       },
+       {}},
+  };
+  return keys;
+}
+
+void checkOrder(const ValueReader& bounds, std::string_view lowKey, double low,
+                std::string_view highKey, double high) {
+  if (low <= high) return;
+  bounds.find(lowKey)->mismatch("at most " + std::string(highKey) + ", " + tomlNumber(high));
+}
+
+Expectation expectationFrom(Quantity quantity, const ValueReader& bounds) {
+  Expectation expectation;
+  expectation.quantity = quantity;
+  readKeys(bounds, windowedBoundKeys(), expectation);
+  if (!expectation.min && !expectation.max && !expectation.risesTo && !expectation.fallsTo) {
+    bounds.fail(bounds.name() + " needs at least one of min, max, rises_to and falls_to");
+  }
+  if (expectation.min && expectation.max) {
+    checkOrder(bounds, "min", *expectation.min, "max", *expectation.max);
+  }
+  checkOrder(bounds, "from", expectation.from, "to", expectation.to);
+  return expectation;
+}
+
+/// All bounds on a quantity have one key.
+Key<std::vector<Expectation>> quantityKey(Quantity quantity) {
+  return {
+      nameOf(quantity),
+      [quantity](const ValueReader& value, std::vector<Expectation>& expectations) {
+        for (const auto& bounds : value.tables(kBoundsWords)) {
+          expectations.push_back(expectationFrom(quantity, bounds));
+        }
+      },
+      [quantity](const std::vector<Expectation>& expectations) {
+        std::vector<std::string> bounds;
+        for (const Expectation& expectation : expectations) {
+          if (expectation.quantity != quantity) continue;
+          bounds.push_back(inlineTable(windowedBoundKeys(), expectation));
+        }
+        return bounds.size() == 1 ? bounds.front() : "[" + joined(bounds) + "]";
+      },
+      {.meaning = std::string(meaningOf(quantity)), .byDefault = "none", .allowed = kBoundsWords}};
+}
+
+std::string labelFrom(const ValueReader& value) {
+  std::string label = value.text(kLongestLabel);
+  if (label.empty()) value.mismatch("a text that isn't empty");
+  if (label.find_first_of("\n\t") != std::string::npos) value.mismatch("a text on one line");
+  return label;
+}
+
+}  // namespace
+
+const Keys<MotionSettings>& bodyKeys() {
+  static const Keys<MotionSettings> keys{
+      keyAt<MotionSettings>(
+          "size", [](auto& motion) -> auto& { return motion.body.size; }, vector(kSizes),
+          {.comment = "m, along x (from the spine), y (to the top), z (to the cover)",
+           .meaning = "along x, y, z"}),
+      keyAt<MotionSettings>("mass", [](auto& motion) -> auto& { return motion.body.mass; },
+                            number(kMass), {.comment = "kg", .meaning = "[kg]"}),
+      key("inertia", &MotionSettings::inertia, Kind<Eigen::Matrix3d>{inertiaFrom, inertiaText, {}},
+          {.comment = "kg m^2, in place of the solid cuboid's",
+           .meaning = "of rigid models [kg m²]",
+           .byDefault = "the solid cuboid's",
+           .allowed = "three moments, or a symmetric 3x3 tensor"}),
+  };
+  return keys;
+}
+
+const Keys<SimulationSettings>& simulationKeys() {
+  static const Keys<SimulationSettings> keys{
+      key("model", &SimulationSettings::model, oneOf(kModels), {.meaning = "[list](motion.md)"}),
+      {"integrator",
+       readIntegrator,
+       integratorText,
+       {.meaning = "[list](motion.md#integrators)",
+        .byDefault = "`\"rk4\"`; of particles `\"euler\"`",
+        .allowed = "one of the model's"}},
+      key("normalize", &SimulationSettings::normalize, flag(),
+          {.comment = "undo the integrator's drift after each step"}),
+      key("damping", &SimulationSettings::damping, number(kNotNegative),
+          {.comment = "particles: fraction of critical damping",
+           .meaning = "particles: of each spring, as a fraction of 2√(km)"}),
+      key("stiffness", &SimulationSettings::stiffness, number(kPositive),
+          {.comment = "particles: N/m, of each spring",
+           .meaning = "particles: of each spring [N/m]"}),
+      key("time_per_frame", &SimulationSettings::timePerFrame, number(kStepTimes),
+          {.comment = "s simulated for each frame of video",
+           .meaning = "simulated time from a frame to the next",
+           .byDefault = "1/fps"}),
+      key("substeps", &SimulationSettings::substeps, integer(1, kMostSubsteps),
+          {.comment = "integration steps for each frame"}),
+  };
+  return keys;
+}
+
+const Keys<InitialSpin>& initialKeys() {
+  static const Keys<InitialSpin> keys{
+      spinKey(InitialSpin::Kind::AngularVelocity, "rad/s",
+              {.meaning = "[rad/s]", .byDefault = "required, or the next"}),
+      spinKey(InitialSpin::Kind::AngularMomentum, "kg m^2/s",
+              {.meaning = "[kg m²/s]", .byDefault = "required, or the one before"}),
+      key("tilt", &InitialSpin::tilt, Kind<physics::Tilt>{tiltFrom, tiltText, kTiltWords},
+          {.comment = "rad, and the axis toward which the spin is turned",
+           .meaning = "turns that vector toward that axis [rad]",
+           .byDefault = "none"}),
+  };
+  return keys;
+}
+
+const Keys<std::vector<Expectation>>& expectKeys() {
+  static const auto keys = [] {
+    Keys<std::vector<Expectation>> all;
+    for (const Quantity quantity : allQuantities()) all.push_back(quantityKey(quantity));
+    return all;
+  }();
+  return keys;
+}
+
+const Keys<Panel>& panelKeys() {
+  static const Keys<Panel> keys{
+      key("label", &Panel::label,
+          Kind<std::string>{labelFrom, tomlString, textWords(kLongestLabel)},
+          {.meaning = "in the picture, in the report and in the table's name",
+           .byDefault = "required"}),
+  };
+  return keys;
+}
+
+}  // namespace rotatebook::scene

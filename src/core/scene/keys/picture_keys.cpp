@@ -1,0 +1,232 @@
+// The title, [clip], [video], [camera], [book], [look] and [overlay]: how the motion is shown.
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "scene/keys/keys.h"
+#include "scene/keys/kinds.h"
+#include "scene/sections.h"
+
+namespace rotatebook::scene {
+namespace {
+
+constexpr int kSmallestPicture = 16;
+constexpr int kLargestPicture = 16'384;
+constexpr int kMostPixels = 35'651'584;  // The most that H.264's highest level has.
+constexpr int kBestCrf = 1;              // 0 is lossless, which the High profile doesn't have.
+constexpr int kWorstCrf = 51;
+constexpr int kMostThreads = 64;
+constexpr int kMostSupersample = 2;
+constexpr unsigned kMostMoments = 16;  // Of motion blur.
+
+constexpr const char* kPictureSizes = "a width and a height, such as [1280, 720]";
+constexpr const char* kFrameRates =
+    "frames a second from 1 to 1000, an integer or a fraction such as \"30000/1001\"";
+constexpr const char* kPresetWords = "\"book\" or x264's \"ultrafast\" to \"placebo\"";
+constexpr const char* kTextures = "\"builtin\" or a picture's path from the scene's folder";
+constexpr const char* kBlurMoments = "1, 2, 4, 8 or 16";
+
+constexpr NumberRange kPoints{"three numbers from -1e9 to 1e9", -1e9, 1e9};
+constexpr NumberRange kTimes{"a time in the clip, 0 or more seconds", 0, kPositive.max};
+constexpr NumberRange kAngles{"an angle from 1 to 170 degrees", 1, 170};
+
+// H.264 with its colour at half the resolution has no odd sizes.
+int pictureSide(const ValueReader& value) {
+  const int side = value.integer(kSmallestPicture, kLargestPicture);
+  if (side % 2 != 0) {
+    value.fail(value.name() + " must be even, not " + std::to_string(side) +
+               "; the nearest even sizes are " + std::to_string(side - 1) + " and " +
+               std::to_string(side + 1));
+  }
+  return side;
+}
+
+void readPictureSize(const ValueReader& value, ClipSettings& clip) {
+  const auto sides = value.elements(2, kPictureSizes);
+  clip.width = pictureSide(sides[0]);
+  clip.height = pictureSide(sides[1]);
+  const int pixels = clip.width * clip.height;  // Of 16384x16384 they are fewer than 2^31.
+  if (pixels > kMostPixels) {
+    value.fail(value.name() + " has " + std::to_string(pixels) + " pixels; the limit is " +
+               std::to_string(kMostPixels) + ", for example [8192, 4352]");
+  }
+}
+
+std::string pictureSizeText(const ClipSettings& clip) {
+  return "[" + std::to_string(clip.width) + ", " + std::to_string(clip.height) + "]";
+}
+
+FrameRate frameRateFrom(const ValueReader& value) {
+  std::string text;
+  if (const auto* whole = std::get_if<std::int64_t>(&value.node().value)) {
+    text = std::to_string(*whole);
+  } else if (const auto* fraction = std::get_if<std::string>(&value.node().value)) {
+    text = *fraction;
+  }
+  const std::optional<FrameRate> rate = parseFrameRate(text);
+  if (!rate) value.mismatch(kFrameRates);
+  return *rate;
+}
+
+std::string frameRateText(const FrameRate& rate) {
+  return rate.denominator == 1 ? rate.text() : tomlString(rate.text());
+}
+
+std::string presetFrom(const ValueReader& value) {
+  return std::string(kPresets[value.choice(kPresets)]);
+}
+
+// Any texture within reach of the scene's folder, so that a clip names no place of the machine it
+// was made on.
+std::string textureFrom(const ValueReader& value) {
+  std::string texture = value.text(kLongestPath);
+  if (texture.empty() || std::filesystem::path(texture).is_absolute()) {
+    value.mismatch(kTextures);
+  }
+  return texture;
+}
+
+Key<BookSettings> textureKey(std::string_view name, std::string BookSettings::*texture,
+                             const std::string& comment = "") {
+  return key(name, texture, Kind<std::string>{textureFrom, tomlString, kTextures},
+             {.comment = comment, .meaning = "a PNG"});
+}
+
+// A power of two, by which times divide without rounding: blurred or not, the motion is the same.
+int momentsFrom(const ValueReader& value) {
+  const int moments = value.integer(1, kMostMoments);
+  if (!std::has_single_bit(static_cast<unsigned>(moments))) value.mismatch(kBlurMoments);
+  return moments;
+}
+
+std::vector<Overlay> overlaysFrom(const ValueReader& value) {
+  const auto* array = std::get_if<TomlNode::Array>(&value.node().value);
+  if (array == nullptr) value.mismatch("a list of overlays, such as [\"caption\", \"clock\"]");
+  std::vector<Overlay> overlays;
+  for (const ValueReader& element : value.elements(array->size(), "a list of overlays")) {
+    const auto overlay = element.oneOf(kOverlays);
+    if (std::ranges::count(overlays, overlay) > 0) {
+      element.fail(element.name() + " has " + std::string(nameOf(kOverlays, overlay)) + " twice");
+    }
+    overlays.push_back(overlay);
+  }
+  return overlays;
+}
+
+std::string overlaysText(const std::vector<Overlay>& overlays) {
+  return listText(overlays, [](Overlay overlay) { return word(kOverlays, overlay); });
+}
+
+}  // namespace
+
+const Keys<Scene>& titleKeys() {
+  static const Keys<Scene> keys{
+      key("title", &Scene::title, text(kLongestTitle),
+          {.meaning = "stored in the clip, shown by the overlay `caption`",
+           .byDefault = "the file's name"}),
+      key("caption", &Scene::caption, text(kLongestCaption),
+          {.meaning = "likewise", .byDefault = "empty"}),
+  };
+  return keys;
+}
+
+const Keys<ClipSettings>& clipKeys() {
+  static const Keys<ClipSettings> keys{
+      {"size",
+       readPictureSize,
+       pictureSizeText,
+       {.comment = "pixels, width and height, even",
+        .meaning = "each even, 16 to 16384 [pixels]",
+        .allowed = kPictureSizes}},
+      key("fps", &ClipSettings::frameRate,
+          Kind<FrameRate>{frameRateFrom, frameRateText, kFrameRates},
+          {.comment = "frames a second", .meaning = "of video"}),
+      key("duration", &ClipSettings::duration, number(kPositive),
+          {.comment = "s of video", .meaning = "[s]"}),
+      key("poster", &ClipSettings::poster, number(kTimes),
+          {.comment = "s, of the still that stands for it",
+           .meaning = "of the picture that stands for the clip",
+           .byDefault = "the clip's middle"}),
+  };
+  return keys;
+}
+
+const Keys<EncodingSettings>& videoKeys() {
+  static const Keys<EncodingSettings> keys{
+      key("crf", &EncodingSettings::crf, integer(kBestCrf, kWorstCrf),
+          {.comment = "1 to 51, smaller is better and takes more space",
+           .meaning = "x264's quality; smaller is better and larger in bytes"}),
+      key("preset", &EncodingSettings::preset,
+          Kind<std::string>{presetFrom, tomlString, kPresetWords},
+          {.comment = kPresetWords, .meaning = "`\"book\"` is made for these clips"}),
+      key("threads", &EncodingSettings::threads, integer(1, kMostThreads),
+          {.comment = "of the encoder; another number gives other bytes"}),
+  };
+  return keys;
+}
+
+const Keys<CameraSettings>& cameraKeys() {
+  static const Keys<CameraSettings> keys{
+      key("position", &CameraSettings::position, vector(kPoints),
+          {.comment = "m", .meaning = "[m]", .byDefault = "sees the whole book in any attitude"}),
+      key("target", &CameraSettings::target, vector(kPoints),
+          {.comment = "m, the point in the middle of the picture",
+           .meaning = "the point in the middle of the picture [m]",
+           .byDefault = "the origin"}),
+      key("up", &CameraSettings::up, direction(),
+          {.meaning = "which way is up in the picture", .byDefault = "+y"}),
+      key("field_of_view_deg", &CameraSettings::fieldOfViewDeg, number(kAngles),
+          {.comment = "degrees, from bottom to top",
+           .meaning = "from the picture's bottom to its top"}),
+      key("frame", &CameraSettings::frame, oneOf(kFrames),
+          {.meaning = "what the camera turns with"}),
+  };
+  return keys;
+}
+
+const Keys<BookSettings>& bookKeys() {
+  static const Keys<BookSettings> keys{
+      textureKey("front", &BookSettings::front, kTextures),
+      textureKey("spine", &BookSettings::spine),
+      textureKey("back", &BookSettings::back),
+  };
+  return keys;
+}
+
+const Keys<LookSettings>& lookKeys() {
+  static const Keys<LookSettings> keys{
+      key("background", &LookSettings::background, oneOf(kBackgrounds),
+          {.meaning = "transparent: PNGs with alpha"}),
+      key("supersample", &LookSettings::supersample, integer(1, kMostSupersample),
+          {.comment = "1, or 2 to draw with twice as many pixels across and down",
+           .meaning = "2 draws twice as many pixels across and down, in four times the time",
+           .allowed = "1 or 2"}),
+      key("motion_blur", &LookSettings::motionBlur,
+          Kind<int>{momentsFrom, [](int moments) { return std::to_string(moments); }, kBlurMoments},
+          {.comment = "moments averaged in a picture: " + std::string(kBlurMoments),
+           .meaning = "how many moments a picture is the mean of"}),
+  };
+  return keys;
+}
+
+const Keys<OverlaySettings>& overlayKeys() {
+  static const Keys<OverlaySettings> keys{
+      key("show", &OverlaySettings::show,
+          Kind<std::vector<Overlay>>{overlaysFrom, overlaysText, {}},
+          {.comment = "of " + quotedList(namesOf(kOverlays), "and"),
+           .meaning = "drawn over the pictures",
+           .allowed = "a list of [overlays](panels-and-overlays.md#overlays)"}),
+      key("font", &OverlaySettings::font, text(kLongestName),
+          {.comment = "\"builtin\" or an installed family",
+           .meaning = "the one built in is Inter",
+           .allowed = "\"builtin\" or an installed family"}),
+  };
+  return keys;
+}
+
+}  // namespace rotatebook::scene

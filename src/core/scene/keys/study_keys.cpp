@@ -1,0 +1,157 @@
+// [study]: what is run many times, and what must come out.
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "scene/keys/keys.h"
+#include "scene/keys/kinds.h"
+#include "scene/sections.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using physics::Integrator;
+
+constexpr const char* kStepsWords = "a list of steps a frame, such as [1, 2, 4]";
+constexpr const char* kTiltsWords = "a list of angles, such as [0.1, 0.01]";
+constexpr NumberRange kTilts{"an angle over 0 and up to 0.785 rad",
+                             std::numeric_limits<double>::denorm_min(), std::numbers::pi / 4};
+
+const Keys<Bounds>& boundKeys() {
+  static const Keys<Bounds> keys{
+      key("min", &Bounds::min, number(kNumber)),
+      key("max", &Bounds::max, number(kNumber)),
+  };
+  return keys;
+}
+
+Bounds boundsFrom(const ValueReader& value) {
+  Bounds bounds;
+  readKeys(value, boundKeys(), bounds);
+  if (!bounds.min && !bounds.max) value.fail(value.name() + " needs min, max or both");
+  if (bounds.min && bounds.max && *bounds.min > *bounds.max) {
+    value.find("min")->mismatch("at most max, " + tomlNumber(*bounds.max));
+  }
+  return bounds;
+}
+
+std::string boundsText(const Bounds& bounds) {
+  return inlineTable(boundKeys(), bounds);
+}
+
+/// Reads a list whose elements differ from each other.
+template <typename T, typename Read>
+std::vector<T> listFrom(const ValueReader& value, const std::string& expected, const Read& read) {
+  std::vector<T> list;
+  for (const ValueReader& element : value.list(expected)) {
+    const T item = read(element);
+    if (std::ranges::count(list, item) > 0) {
+      element.fail(value.name() + " has " + describe(element.node()) + " twice");
+    }
+    list.push_back(item);
+  }
+  return list;
+}
+
+void readIntegrators(const ValueReader& value, Scene& scene) {
+  scene.study->integrators = listFrom<Integrator>(
+      value, "a list of integrators, such as [\"euler\", \"rk4\"]",
+      [names = integratorNames(scene.simulation.model)](const ValueReader& element) {
+        element.choice(names);
+        return element.oneOf(kIntegrators);
+      });
+}
+
+void readSteps(const ValueReader& value, Scene& scene) {
+  scene.study->steps = listFrom<int>(value, kStepsWords, [](const ValueReader& element) {
+    return element.integer(1, kMostSubsteps);
+  });
+}
+
+void readOrders(const ValueReader& value, Scene& scene) {
+  StudySettings& study = *scene.study;
+  std::vector<Field> fields;
+  for (const Integrator integrator : integratorsOf(scene.simulation.model)) {
+    fields.push_back({nameOf(kIntegrators, integrator), [&, integrator](const ValueReader& bounds) {
+                        study.orders.push_back({integrator, boundsFrom(bounds)});
+                      }});
+  }
+  value.readTable(fields);
+  // An integrator that the command line leaves out has nothing to show.
+  std::erase_if(study.orders, [&](const ExpectedOrder& order) {
+    return std::ranges::count(study.integrators, order.integrator) == 0;
+  });
+}
+
+void readTilts(const ValueReader& value, Scene& scene) {
+  scene.study->tilts = listFrom<double>(
+      value, kTiltsWords, [](const ValueReader& element) { return element.number(kTilts); });
+}
+
+/// The text of a list, none for an empty one.
+template <typename T, typename Text>
+auto listOf(std::vector<T> StudySettings::*list, const Text& text) {
+  return [list, text](const Scene& scene) {
+    const std::vector<T>& values = *scene.study.*list;
+    return values.empty() ? "" : listText(values, text);
+  };
+}
+
+std::string flipLawText(const Scene& scene) {
+  return scene.study->flipLaw ? boundsText(*scene.study->flipLaw) : "";
+}
+
+}  // namespace
+
+const Keys<Scene>& studyKeys() {
+  static const Keys<Scene> keys{
+      {"integrators",
+       readIntegrators,
+       listOf(&StudySettings::integrators, [](Integrator one) { return word(kIntegrators, one); }),
+       {.meaning = "compared; `--integrators` overrides",
+        .byDefault = "all of the model",
+        .allowed = "a list of the model's"}},
+      {"steps",
+       readSteps,
+       listOf(&StudySettings::steps, [](int steps) { return std::to_string(steps); }),
+       {.comment = "integration steps for each frame, in place of simulation.substeps",
+        .meaning = "compared; `--steps` overrides",
+        .byDefault = "1, 2, 4 ... 1024",
+        .allowed = kStepsWords}},
+      // Its lines are ordersText().
+      {"orders",
+       readOrders,
+       [](const Scene&) { return ""; },
+       {.meaning = "of each integrator: `study.orders.rk4`",
+        .byDefault = "none",
+        .allowed = "bounds such as { min = 1.0, max = 2.0 }"}},
+      {"tilts",
+       readTilts,
+       listOf(&StudySettings::tilts, tomlNumber),
+       {.comment = "rad, each in place of that of [initial]",
+        .meaning = "instead: tilts to start with, up to 0.785 [rad]",
+        .byDefault = "none",
+        .allowed = kTiltsWords}},
+      {"flip_law",
+       [](const ValueReader& value, Scene& scene) { scene.study->flipLaw = boundsFrom(value); },
+       flipLawText,
+       {.comment = "greatest |measured interval / law - 1|",
+        .meaning = "with tilts: of \\|measured interval / law - 1\\|",
+        .byDefault = "none",
+        .allowed = "bounds such as { min = 1.0, max = 2.0 }"}},
+  };
+  return keys;
+}
+
+std::string ordersText(const StudySettings& study) {
+  std::string text;
+  for (const auto& [integrator, bounds] : study.orders) {
+    text += "orders." + std::string(nameOf(kIntegrators, integrator)) + " = " + boundsText(bounds) +
+            "\n";
+  }
+  return text;
+}
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,85 @@
+#include "scene/key_rows.h"
+
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scene/parse.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using ::testing::HasSubstr;
+
+bool isOfExpect(const KeyRow& row) {
+  return row.name.starts_with("expect.");
+}
+
+std::string keyTable() {
+  std::string table;
+  for (const KeyRow& row : allKeys()) {
+    if (isOfExpect(row)) continue;
+    table += "| `" + row.name + "` | " + row.byDefault + " | " + row.allowed + " | " + row.meaning +
+             " |\n";
+  }
+  return table;
+}
+
+std::string quantityTable() {
+  std::string table;
+  for (const KeyRow& row : allKeys()) {
+    if (!isOfExpect(row)) continue;
+    table += "| `" + row.name.substr(row.name.find('.') + 1) + "` | " + row.meaning + " |\n";
+  }
+  return table;
+}
+
+/// The rows of the tables in docs/scene.md below the heading `from` and above the heading `to`.
+std::string documentedRows(const std::string& from, const std::string& to) {
+  std::ifstream page(std::string(ROTATEBOOK_SOURCE) + "/docs/scene.md");
+  std::string line, rows;
+  while (std::getline(page, line) && line != from) continue;
+  while (std::getline(page, line) && line != to) {
+    if (line.starts_with("| `")) rows += line + "\n";
+  }
+  return rows;
+}
+
+TEST(KeyRows, AreTheTablesOfTheDocumentation) {
+  EXPECT_EQ(documentedRows("## Keys", "## Expectations"), keyTable())
+      << "The rows in docs/scene.md, under as many headings as you like, are to be:\n\n"
+      << keyTable();
+  EXPECT_EQ(documentedRows("## Expectations", "## Limits"), quantityTable())
+      << "The rows in docs/scene.md are to be:\n\n"
+      << quantityTable();
+}
+
+TEST(KeyRows, AreReadFromTheDocumentation) {
+  EXPECT_THAT(documentedRows("## Keys", "## Expectations"), HasSubstr("| `body.mass` | `1.0` |"));
+  EXPECT_EQ(documentedRows("## No such heading", "## Limits"), "");
+}
+
+TEST(KeyRows, AreInWordsAndEachKeyOnce) {
+  std::set<std::string> names;
+  for (const KeyRow& row : allKeys()) {
+    EXPECT_TRUE(names.insert(row.name).second) << row.name;
+    EXPECT_FALSE(row.byDefault.empty() || row.byDefault == "``") << row.name;
+    EXPECT_FALSE(row.meaning.empty()) << row.name;
+    EXPECT_FALSE(row.allowed.empty()) << row.name;
+  }
+}
+
+TEST(KeyRows, NameKeysThatAreRead) {
+  for (const KeyRow& row : allKeys()) {
+    if (row.name.starts_with("panel.")) continue;
+    EXPECT_THAT(errorOf("", {row.name + "=1979-05-27"}), HasSubstr(": " + row.name + " "));
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::scene

@@ -65,9 +65,11 @@ void refuseOpaque(const scene::Scene& scene, const std::vector<video::VideoForma
   if (!scene::isTransparent(scene)) return;
   for (const video::VideoFormat format : formats) {
     if (keepsTransparency(format)) continue;
-    throw InputError(scene.name + ": " + std::string(nameOf(format)) +
-                     " can't hold the transparent background of look.background; take --format "
-                     "webm,apng, or --no-mp4 for PNGs alone");
+    throw InputError(
+        scene.name + ": " + std::string(nameOf(format)) +
+        " can't hold the transparent background of look.background; take " +
+        listFormats(&video::FormatRow::name, "or", &video::FormatRow::keepsTransparency) +
+        " as --format, or --no-mp4 for PNGs alone");
   }
 }
 
@@ -120,8 +122,9 @@ void addRenderCommand(CLI::App& program, Action& action) {
       ->type_name("A:B");
   command->add_flag("--no-png", arguments->noPng, "Write no PNG frames");
   command
-      ->add_option("--format", arguments->formats,
-                   "Videos to make, of mp4, webm, gif and apng, e.g. mp4,gif")
+      ->add_option(
+          "--format", arguments->formats,
+          "Videos to make, of " + listFormats(&video::FormatRow::name, "and") + ", e.g. mp4,gif")
       ->type_name("NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false)

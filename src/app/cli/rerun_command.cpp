@@ -127,7 +127,7 @@ void addRerunCommand(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<RerunArguments>();
   CLI::App* command =
       program.add_subcommand("rerun", "Make a clip again from what it says it was made from");
-  command->add_option("CLIP", arguments->clip, "MP4 or WebM that rotatebook made")->required();
+  addClip(*command, arguments->clip);
   command->add_option("-o,--output", arguments->folder, "Folder for the results")
       ->type_name("DIR")
       ->required();

@@ -133,11 +133,11 @@ void requireSameSize(const fs::path& path, const image::Image& picture, const fs
 
 /// What the file's ending says.
 video::VideoFormat formatOf(const fs::path& path) {
-  for (const video::VideoFormat format : video::kVideoFormats) {
-    if (path.extension() == "." + std::string(nameOf(format))) return format;
+  for (const video::FormatRow& row : video::kFormatRows) {
+    if (path.extension() == row.ending) return row.format;
   }
-  throw InputError(path.string() +
-                   " names no format of video; let it end in .mp4, .webm, .gif or .apng");
+  throw InputError(path.string() + " names no format of video; let it end in " +
+                   listFormats(&video::FormatRow::ending, "or"));
 }
 
 }  // namespace

@@ -115,7 +115,7 @@ TEST_F(RenderCommand, RefusesVideosThatLoseATransparentBackground) {
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(refused.error,
             "rotatebook: tiny: mp4 can't hold the transparent background of look.background; take "
-            "--format webm,apng, or --no-mp4 for PNGs alone\n");
+            "webm or apng as --format, or --no-mp4 for PNGs alone\n");
   EXPECT_THAT(files(), IsEmpty());
   EXPECT_EQ(run(render + std::vector<std::string>{"--no-png", "--format", "webm"}).status, 0);
 }

@@ -136,11 +136,6 @@ void addRenderCommand(CLI::App& program, Action& action) {
                     "Discard frames of a render that wasn't finished; with --resume, only those of "
                     "other settings; parts (--frames) discard none");
   command
-      ->add_option("--png-level", arguments->options.pngOptions.level,
-                   "PNG compression, 0 (fastest) to 9 (smallest)")
-      ->check(CLI::Range(0, 9))
-      ->capture_default_str();
-  command
       ->add_option(
           "-j,--jobs", arguments->atATime,
           "Scenes to render at a time; by default one for every 3 cores, as far as a quarter "

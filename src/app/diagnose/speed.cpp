@@ -97,7 +97,7 @@ class Stages {
         exposures_(kBatch, drawer_.makeExposure()),
         pictures_(kBatch, drawer_.makePicture()),
         frameSums_(folder),
-        png_(frameSums_, {.transparent = scene::isTransparent(scene)}),
+        png_(frameSums_, scene::isTransparent(scene)),
         video_(video::VideoFormat::Mp4, folder / "stages.mp4", store::videoSettings(scene, "")) {
     drawer_.draw(0, pictures_[0]);  // The first picture compiles what draws the others.
   }

@@ -6,8 +6,8 @@
 
 namespace rotatebook::pipeline {
 
-PngSequenceSink::PngSequenceSink(store::FrameSums& sums, image::PngOptions options)
-    : sums_(&sums), options_(options) {}
+PngSequenceSink::PngSequenceSink(store::FrameSums& sums, bool transparent)
+    : sums_(&sums), transparent_(transparent) {}
 
 void PngSequenceSink::write(std::int64_t index, image::ImageView picture) {
   image::PngWriter writer = takeWriter();
@@ -18,7 +18,7 @@ void PngSequenceSink::write(std::int64_t index, image::ImageView picture) {
 
 image::PngWriter PngSequenceSink::takeWriter() {
   const std::lock_guard lock(mutex_);
-  if (idleWriters_.empty()) return image::PngWriter(options_);
+  if (idleWriters_.empty()) return image::PngWriter(transparent_);
   image::PngWriter writer = std::move(idleWriters_.back());
   idleWriters_.pop_back();
   return writer;

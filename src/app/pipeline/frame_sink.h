@@ -30,7 +30,7 @@ class FrameSink {
 class PngSequenceSink : public FrameSink {
  public:
   /// `sums`, of the folder, must outlive this.
-  PngSequenceSink(store::FrameSums& sums, image::PngOptions options);
+  PngSequenceSink(store::FrameSums& sums, bool transparent);
 
   void write(std::int64_t index, image::ImageView picture) override;
   void finish() override {}
@@ -39,7 +39,7 @@ class PngSequenceSink : public FrameSink {
   image::PngWriter takeWriter();
 
   store::FrameSums* sums_;
-  image::PngOptions options_;
+  bool transparent_;
   std::mutex mutex_;
   /// As many as threads have written at once.
   std::vector<image::PngWriter> idleWriters_;

@@ -75,14 +75,13 @@ class Render {
     system::createFolders(options_.folder);
     const std::string record =
         store::sceneRecord(scene_, store::makingOf(scene_, motion_, drawer_.description()));
-    store::ClipFolder folder(
-        result_.files,
-        {.scene = scene_,
-         .record = record,
-         .made = store::fingerprint(scene_, drawer_.description(), options_.pngOptions.level),
-         .earlier = options_.earlier,
-         .part = options_.frames.has_value(),
-         .png = options_.png});
+    store::ClipFolder folder(result_.files,
+                             {.scene = scene_,
+                              .record = record,
+                              .made = store::fingerprint(scene_, drawer_.description()),
+                              .earlier = options_.earlier,
+                              .part = options_.frames.has_value(),
+                              .png = options_.png});
     const std::vector<std::filesystem::path> files = allFiles(result_, options_.formats);
     result_.wasDone =
         !options_.frames && options_.earlier.resume && folder.isDone(files, pngRange());
@@ -128,9 +127,7 @@ class Render {
   }
 
   void drawInto(const VideoSinks& videos, store::FrameSums& sums, const RenderListener& listener) {
-    image::PngOptions pngOptions = options_.pngOptions;
-    pngOptions.transparent = scene::isTransparent(scene_);
-    PngSequenceSink png(sums, pngOptions);
+    PngSequenceSink png(sums, scene::isTransparent(scene_));
     RenderStart start{drawer_.description(), encoderNames(videos)};
     if (options_.png) {
       start.pngThreads =

@@ -27,7 +27,6 @@ struct RenderOptions {
   std::vector<video::VideoFormat> formats{video::VideoFormat::Mp4};  ///< Each at most once.
   std::optional<store::FrameRange> frames{};  ///< Only these; all by default.
   store::EarlierFrames earlier{};
-  image::PngOptions pngOptions{};
   int pngThreads = 0;  ///< 0: pngThreads() of the machine's cores. The files are the same.
   /// Set from outside, e.g. by a signal handler, to stop after the frame in hand. May be null.
   const std::atomic<bool>* stop = nullptr;

@@ -27,7 +27,7 @@ const std::map<std::string, Room> kRooms{
     {"base", {{}, {}}},
     {"physics", {{"base"}, {"Eigen/", "boost/"}}},
     {"scene", {{"base", "physics"}, {"Eigen/", "toml++/"}}},
-    {"image", {{"base"}, {"isa-l.h", "libdeflate.h", "png.h", "zlib.h"}}},
+    {"image", {{"base"}, {"isa-l.h", "png.h", "zlib.h"}}},
     {"overlay", {{"base", "physics", "scene", "image"}, {"Eigen/", "fontconfig/", "pango/"}}},
     {"render", {{"base", "image", "physics"}, {"Eigen/", "epoxy/"}}},
     {"video", {{"base", "image"}, {"libav", "libswscale/"}}},

@@ -160,14 +160,6 @@ TEST_F(RenderCommand, TakesSizeFolderAndOverrides) {
   EXPECT_EQ(clip.metadata.at("title"), "Other");
 }
 
-TEST_F(RenderCommand, CompressesMoreWhereAsked) {
-  const auto sizeAt = [this](const std::string& level) {
-    run({"render", "tiny.toml", "--no-mp4", "--frames", "0:1", "--png-level", level, "-o", level});
-    return read(level + "/tiny/frame_00000.png").size();
-  };
-  EXPECT_GT(sizeAt("0"), sizeAt("9"));
-}
-
 TEST_F(RenderCommand, RendersSeveralScenes) {
   write("b.toml", kTiny);
   const ChildResult result = run({"render", "tiny.toml", "b.toml", "--no-png"});

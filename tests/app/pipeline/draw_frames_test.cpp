@@ -123,7 +123,7 @@ TEST_F(DrawFrames, DrawsOnlyTheRange) {
 TEST_F(DrawFrames, PaintsNoFrameThatIsKept) {
   const auto folder = emptyFolder();
   store::FrameSums earlier(folder);
-  PngSequenceSink png(earlier, {});
+  PngSequenceSink png(earlier, false);
   draw({3, 5}, {{png, 1}});
   const store::FrameSums sums(folder);
   FakeSink all, fresh;

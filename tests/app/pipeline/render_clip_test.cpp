@@ -192,14 +192,6 @@ TEST(RenderClip, LeavesOutWhatIsNotWanted) {
   EXPECT_EQ(bytesOf(folder / "mp4/small.mp4"), bytesOf(folder / "both/small.mp4"));
 }
 
-TEST(RenderClip, CompressesPngsAsAsked) {
-  const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder / "fast", .formats = {}});
-  testing::render(smallScene(), {.folder = folder / "small", .formats = {}, .pngOptions = {9}});
-  EXPECT_LT(fs::file_size(folder / "small/small" / store::frameName(3)),
-            fs::file_size(folder / "fast/small" / store::frameName(3)));
-}
-
 TEST(RenderClip, RemovesTheFramesOfALongerRenderBefore) {
   const fs::path folder = emptyFolder();
   testing::render(smallScene(), {.folder = folder});

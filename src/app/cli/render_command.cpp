@@ -85,7 +85,7 @@ std::vector<scene::Scene> readScenes(const RenderArguments& arguments,
   }
   refuseSameNames(scenes);
   for (const scene::Scene& scene : scenes) {
-    refuseOpaque(scene, options.formats);
+    refuseOpaque(scene, formatsOf(options.outputs));
     refuseInputs(scene, options, inputs);
   }
   return scenes;
@@ -93,8 +93,7 @@ std::vector<scene::Scene> readScenes(const RenderArguments& arguments,
 
 int render(const RenderArguments& arguments) {
   pipeline::RenderOptions options = arguments.options;
-  options.png = !arguments.noPng;
-  options.formats = formatsOf(arguments);
+  options.outputs = pipeline::outputsOf(!arguments.noPng, formatsOf(arguments));
   options.device = arguments.deviceOptions.choice();
   if (!arguments.frames.empty()) options.frames = rangeOf(arguments.frames);
   const std::vector<scene::Scene> scenes = readScenes(arguments, options);

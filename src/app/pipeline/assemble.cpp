@@ -2,6 +2,7 @@
 
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 #include "base/error.h"
 #include "image/png_file.h"
@@ -74,16 +75,11 @@ fs::path lockedNameOf(const fs::path& folder) {
 
 /// Keeps renders of the whole clip out of a folder of frames while they are read. Throws
 /// MachineError if one is under way. Where nothing can be written, none is.
-class ReadLock {
- public:
-  explicit ReadLock(const fs::path& folder) {
-    const fs::path name = lockedNameOf(folder);
-    if (access(name.parent_path().c_str(), W_OK) == 0) lock_.emplace(name, system::Lock::Shared);
-  }
-
- private:
-  std::optional<system::UseLock> lock_;
-};
+std::optional<system::UseLock> lockForReading(const fs::path& folder) {
+  const fs::path name = lockedNameOf(folder);
+  if (access(name.parent_path().c_str(), W_OK) != 0) return std::nullopt;
+  return std::optional<system::UseLock>(std::in_place, name, system::Lock::Shared);
+}
 
 /// Tells the `problem` that a frame has by the checksums, and how it is mended, or `joined` anyway.
 [[noreturn]] void throwUnlike(const store::FrameSums& sums, const std::string& problem,
@@ -146,7 +142,7 @@ Assembled assemble(const fs::path& folder, const fs::path& video,
                    std::optional<FrameRate> frameRate,
                    const std::function<void(RenderProgress)>& progress) {
   const video::VideoFormat format = formatOf(video);
-  const ReadLock lock(folder);
+  const auto lock = lockForReading(folder);
   // First: of a part that is being drawn, frames are added meanwhile, each before its checksum.
   const store::FrameSums sums(folder);
   const store::FrameRange range = wholeRange(folder);

@@ -49,7 +49,8 @@ void addAssembleCommand(CLI::App& program, Action& action) {
       program.add_subcommand("assemble", "Make a video from PNG frames on the disk");
   command->add_option("DIR", arguments->folder, "Folder with frame_00000.png ...")->required();
   command
-      ->add_option("-o,--output", arguments->output, "Video to write: .mp4, .webm, .gif or .apng")
+      ->add_option("-o,--output", arguments->output,
+                   "Video to write: " + listFormats(&video::FormatRow::ending, "or"))
       ->type_name("FILE")
       ->required();
   command

@@ -81,7 +81,7 @@ void addBenchCommand(CLI::App& program, Action& action) {
   arguments->deviceOptions.addTo(*command);
   command->footer(R"(
 Renders PNGs and MP4 into a folder below TMPDIR that is removed afterwards: once stage by stage, once
-as render does it. Stages are measured alone; "processor" is the time of all cores together.
+as render does it, and once nothing but draws. Stages are measured alone; "processor" is the time of all cores together.
 
 Examples:
   rotatebook bench

@@ -83,6 +83,8 @@ void reportSpeed(const scene::Scene& scene, const diagnose::Speed& speed, std::o
       << formatted(
              "  %.1f frames/s, %.2f ms a frame, %.2f ms of processor time; started in %.2f s\n",
              speed.framesPerSecond(), speed.whole.wall, speed.whole.processor, speed.startUp)
+      << formatted("  drawing alone: %.1f frames/s, %.2f ms a frame, %.2f ms of processor time\n",
+                   1000 / speed.drawing.wall, speed.drawing.wall, speed.drawing.processor)
       << formatted("\n  %-20s %9s %10s %7s\n", "each stage alone", "ms/frame", "processor",
                    "share");
   const double sum = speed.stages.processorSum();
@@ -110,6 +112,7 @@ void reportSpeedAsJson(const scene::Scene& scene, const diagnose::Speed& speed, 
              .addNumber("start_up_s", speed.startUp)
              .addNumber("frames_per_second", speed.framesPerSecond())
              .add("whole", json(speed.whole))
+             .add("drawing", json(speed.drawing))
              .addNumber("limit", limit.wall)
              .addString("limited_by", limit.ofCores ? "cores" : rowOf(limit.stage).key)
              .add("stages", json(speed.stages))

@@ -2,6 +2,12 @@
 
 namespace rotatebook::cli {
 
+void addClip(CLI::App& command, std::filesystem::path& clip) {
+  const std::string kinds =
+      listFormats(&video::FormatRow::title, "or", &video::FormatRow::holdsRecord);
+  command.add_option("CLIP", clip, kinds + " that rotatebook made")->required();
+}
+
 void addTextureOptions(CLI::App& command, store::TexturePlace& textures) {
   command
       .add_option("--scene-folder", textures.folder,

@@ -28,7 +28,9 @@ std::vector<fs::path> filesOf(const scene::Scene& scene, const pipeline::RenderO
       options.frames ? store::clipFiles(options.folder, scene.name, *options.frames) : whole;
   std::vector<fs::path> all = store::csvFiles(files.csv, scene);
   if (!options.frames) all.push_back(files.poster);
-  for (const video::VideoFormat format : options.formats) all.push_back(files.video(format));
+  for (const video::VideoFormat format : formatsOf(options.outputs)) {
+    all.push_back(files.video(format));
+  }
   return all;
 }
 
@@ -60,7 +62,7 @@ void refuseInputs(const scene::Scene& scene, const pipeline::RenderOptions& opti
   const std::string remedy = "name another folder with -o";
   const store::ClipFiles files = store::clipFiles(options.folder, scene.name);
   for (const fs::path& file : filesOf(scene, options, files)) refuseInputs(file, inputs, remedy);
-  if (options.frames && !options.png) return;
+  if (options.frames && !hasPng(options.outputs)) return;
   for (const auto& [path, what] : inputs) {
     if (!isReplacedIn(files.frameFolder, path)) continue;
     throw InputError(path.string() + " is " + what + ", and lies where the render of " +

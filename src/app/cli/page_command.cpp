@@ -23,8 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kSmallestPng = 9;
-
 struct PageArguments {
   std::vector<std::string> scenes;
   SceneOptions sceneOptions;
@@ -91,8 +89,7 @@ void drawThumbnails(const Shown& shown, const PageArguments& arguments,
   for (std::size_t i = 0; i < figures.size(); ++i) {
     if (!needsThumbnail(figures[i])) continue;
     const scene::Scene& scene = shown.scenes[i];
-    image::writePng(fileOf(i), drawThumbnail(scene, device).view(),
-                    {.level = kSmallestPng, .transparent = scene::isTransparent(scene)});
+    image::writePng(fileOf(i), drawThumbnail(scene, device).view(), scene::isTransparent(scene));
     figures[i].thumbnail = fileOf(i).filename().string();
   }
 }

@@ -65,9 +65,11 @@ void refuseOpaque(const scene::Scene& scene, const std::vector<video::VideoForma
   if (!scene::isTransparent(scene)) return;
   for (const video::VideoFormat format : formats) {
     if (keepsTransparency(format)) continue;
-    throw InputError(scene.name + ": " + std::string(nameOf(format)) +
-                     " can't hold the transparent background of look.background; take --format "
-                     "webm,apng, or --no-mp4 for PNGs alone");
+    throw InputError(
+        scene.name + ": " + std::string(nameOf(format)) +
+        " can't hold the transparent background of look.background; take " +
+        listFormats(&video::FormatRow::name, "or", &video::FormatRow::keepsTransparency) +
+        " as --format, or --no-mp4 for PNGs alone");
   }
 }
 
@@ -83,7 +85,7 @@ std::vector<scene::Scene> readScenes(const RenderArguments& arguments,
   }
   refuseSameNames(scenes);
   for (const scene::Scene& scene : scenes) {
-    refuseOpaque(scene, options.formats);
+    refuseOpaque(scene, formatsOf(options.outputs));
     refuseInputs(scene, options, inputs);
   }
   return scenes;
@@ -91,8 +93,7 @@ std::vector<scene::Scene> readScenes(const RenderArguments& arguments,
 
 int render(const RenderArguments& arguments) {
   pipeline::RenderOptions options = arguments.options;
-  options.png = !arguments.noPng;
-  options.formats = formatsOf(arguments);
+  options.outputs = pipeline::outputsOf(!arguments.noPng, formatsOf(arguments));
   options.device = arguments.deviceOptions.choice();
   if (!arguments.frames.empty()) options.frames = rangeOf(arguments.frames);
   const std::vector<scene::Scene> scenes = readScenes(arguments, options);
@@ -120,8 +121,9 @@ void addRenderCommand(CLI::App& program, Action& action) {
       ->type_name("A:B");
   command->add_flag("--no-png", arguments->noPng, "Write no PNG frames");
   command
-      ->add_option("--format", arguments->formats,
-                   "Videos to make, of mp4, webm, gif and apng, e.g. mp4,gif")
+      ->add_option(
+          "--format", arguments->formats,
+          "Videos to make, of " + listFormats(&video::FormatRow::name, "and") + ", e.g. mp4,gif")
       ->type_name("NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -132,11 +134,6 @@ void addRenderCommand(CLI::App& program, Action& action) {
   command->add_flag("--overwrite", arguments->options.earlier.overwrite,
                     "Discard frames of a render that wasn't finished; with --resume, only those of "
                     "other settings; parts (--frames) discard none");
-  command
-      ->add_option("--png-level", arguments->options.pngOptions.level,
-                   "PNG compression, 0 (fastest) to 9 (smallest)")
-      ->check(CLI::Range(0, 9))
-      ->capture_default_str();
   command
       ->add_option(
           "-j,--jobs", arguments->atATime,

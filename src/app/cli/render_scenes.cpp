@@ -69,7 +69,7 @@ std::vector<std::string> writtenThings(const pipeline::RenderResult& result,
   const store::ClipFiles& files = result.files;
   const bool newFolder = result.interrupted && !options.frames;
   std::vector<std::string> things;
-  for (const video::VideoFormat format : options.formats) {
+  for (const video::VideoFormat format : formatsOf(options.outputs)) {
     if (result.framesWritten == 0) break;
     things.push_back(
         (result.interrupted ? files.partialVideo(format) : files.video(format)).string());
@@ -78,7 +78,7 @@ std::vector<std::string> writtenThings(const pipeline::RenderResult& result,
     for (const auto& csv : result.csvs) things.push_back(csv.string());
   }
   if (!result.interrupted && !options.frames) things.push_back(files.poster.string());
-  if (options.png) {
+  if (hasPng(options.outputs)) {
     things.push_back(std::to_string(result.framesWritten) + " frames in " +
                      (newFolder ? files.partialFrameFolder : files.frameFolder).string() + '/');
   }
@@ -100,8 +100,8 @@ std::optional<Rendered> render(const scene::Scene& scene, const pipeline::Render
   }
   pipeline::RenderListener listener;
   listener.started = [&](const pipeline::RenderStart& start) {
-    announce(scene, start, encoderThreads(scene, options.formats), out);
-    const std::string warning = spaceWarning(start.space, options.folder, options.png);
+    announce(scene, start, encoderThreads(scene, formatsOf(options.outputs)), out);
+    const std::string warning = spaceWarning(start.space, options.folder, hasPng(options.outputs));
     if (!warning.empty()) std::cerr << "rotatebook: " + scene.name + ": " + warning + '\n';
   };
   listener.progress = progress;
@@ -110,7 +110,7 @@ std::optional<Rendered> render(const scene::Scene& scene, const pipeline::Render
 }
 
 const char* howToGoOn(const pipeline::RenderOptions& options) {
-  return options.png ? "; go on with the same command and --resume" : "";
+  return hasPng(options.outputs) ? "; go on with the same command and --resume" : "";
 }
 
 /// Says what was rendered; returns its status.
@@ -296,7 +296,9 @@ int renderScenes(const std::vector<scene::Scene>& scenes, const pipeline::Render
   atATime = std::min(atATime, static_cast<int>(scenes.size()));
   if (atATime <= 1) return renderInTurn(scenes, options);
   pipeline::RenderOptions shared = options;
-  shared.pngThreads = pipeline::pngThreads(system::coreCount() / atATime);
+  for (pipeline::RenderOutput& output : shared.outputs) {
+    if (output.png) output.threads = pipeline::pngThreads(system::coreCount() / atATime);
+  }
   std::cout << atATime << " scenes at a time" << std::endl;
   return RendersTogether(scenes, shared).run(atATime);
 }

@@ -104,15 +104,14 @@ int rerun(const RerunArguments& arguments) {
   const fs::path output = files.video(clip.format);
   pipeline::RenderOptions options;
   options.folder = arguments.folder;
-  options.png = arguments.png;
   options.earlier = arguments.earlier;
-  options.formats = {clip.format};
+  options.outputs = pipeline::outputsOf(arguments.png, {clip.format});
   options.frames = clip.record.part;
   std::vector<Input> inputs = texturesOf(clip.record.scene);
   inputs.push_back({arguments.clip, "the clip itself, which is to be compared with the new one"});
   refuseInputs(clip.record.scene, options, inputs);
   if (!arguments.earlier.overwrite) {
-    refuseOtherClip(clip.record.scene, files, output, options.png);
+    refuseOtherClip(clip.record.scene, files, output, arguments.png);
   }
   options.device = arguments.deviceOptions.choice();
   options.stop = &catchInterrupts();
@@ -127,7 +126,7 @@ void addRerunCommand(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<RerunArguments>();
   CLI::App* command =
       program.add_subcommand("rerun", "Make a clip again from what it says it was made from");
-  command->add_option("CLIP", arguments->clip, "MP4 or WebM that rotatebook made")->required();
+  addClip(*command, arguments->clip);
   command->add_option("-o,--output", arguments->folder, "Folder for the results")
       ->type_name("DIR")
       ->required();

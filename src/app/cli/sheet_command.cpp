@@ -36,7 +36,7 @@ int writeSheet(const SheetArguments& arguments) {
   options.device = arguments.deviceOptions.choice();
   const image::Image sheet = picture::drawSheet(scenes, options);
   const bool transparent = std::ranges::any_of(scenes, &scene::isTransparent);
-  image::writePng(arguments.output, sheet.view(), {.transparent = transparent});
+  image::writePng(arguments.output, sheet.view(), transparent);
   std::cout << "wrote " << arguments.output << ", " << sheet.width() << "x" << sheet.height()
             << '\n';
   return kDone;

@@ -1,4 +1,5 @@
 #include <cstdint>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -14,7 +15,7 @@ namespace rotatebook::cli {
 namespace {
 
 struct VerifyArguments {
-  std::string clip;
+  std::filesystem::path clip;
   verify::VerifyOptions options;
   DeviceOptions deviceOptions;
   bool json = false;
@@ -25,7 +26,7 @@ int verify(const VerifyArguments& arguments) {
   options.device = arguments.deviceOptions.choice();
   verify::Verification found;
   {
-    ProgressLine progress(arguments.clip);
+    ProgressLine progress(arguments.clip.string());
     options.progress = [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); };
     found = verify::verifyClip(arguments.clip, options);
   }
@@ -41,7 +42,7 @@ void addVerifyCommand(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<VerifyArguments>();
   CLI::App* command =
       program.add_subcommand("verify", "Prove that a clip shows what it was made from");
-  command->add_option("CLIP", arguments->clip, "MP4 or WebM that rotatebook made")->required();
+  addClip(*command, arguments->clip);
   CLI::Option* frames =
       command
           ->add_option("--frames", arguments->options.frames,

@@ -67,7 +67,7 @@ void addEncoderProblems(Checkup& checkup) {
     const std::string instead =
         check.found.empty() ? "" : "; " + check.found + " encodes in its place";
     checkup.problems.push_back({std::string(nameOf(check.format)) + ": " + check.failure + instead,
-                                video::encoderOf(check.format).remedy});
+                                rowOf(check.format).encoder.remedy});
   }
 }
 

@@ -97,7 +97,7 @@ class Stages {
         exposures_(kBatch, drawer_.makeExposure()),
         pictures_(kBatch, drawer_.makePicture()),
         frameSums_(folder),
-        png_(frameSums_, {.transparent = scene::isTransparent(scene)}),
+        png_(frameSums_, scene::isTransparent(scene)),
         video_(video::VideoFormat::Mp4, folder / "stages.mp4", store::videoSettings(scene, "")) {
     drawer_.draw(0, pictures_[0]);  // The first picture compiles what draws the others.
   }
@@ -120,6 +120,8 @@ class Stages {
     sums_.video +=
         each([&](std::int64_t frame, std::size_t i) { video_.write(frame, pictures_[i].view()); });
   }
+
+  picture::FramePainter& painter() { return drawer_; }
 
   /// Once all `frames` have passed.
   StageTimes finish(std::int64_t frames) {
@@ -145,21 +147,35 @@ class Stages {
 
 using Progress = std::function<void(std::int64_t)>;
 
-/// False if it was stopped.
+/// Drawing and finishing beside each other, as in a render, for a sink that takes no time. False if
+/// it was stopped.
+bool measureDrawing(picture::FramePainter& painter, const SpeedOptions& options,
+                    const Progress& progress, Speed& speed) {
+  pipeline::NullSink sink;
+  const Stopwatch watch;
+  const auto drawn =
+      pipeline::drawFrames(painter, {{0, speed.frames}, nullptr, options.stop}, {{sink}},
+                           [&](pipeline::RenderProgress now) { progress(now.done); });
+  speed.drawing = perFrame(watch.elapsed(), speed.frames);
+  return drawn.total() == speed.frames;
+}
+
+/// Each stage by itself, then drawing. False if it was stopped.
 bool measureStages(const scene::Scene& scene, const timeline::ClipMotion& motion,
-                   const SpeedOptions& options, const Progress& progress, StageTimes& times) {
+                   const SpeedOptions& options, const Progress& progress, Speed& speed) {
   const TemporaryFolder folder;
-  const std::int64_t frames = motion.frameCount();
+  const std::int64_t frames = speed.frames;
   Stages stages(scene, motion, options.device, folder.path());
   for (std::int64_t first = 0; first < frames; first += kBatch) {
     if (options.stop != nullptr && *options.stop) return false;
     stages.pass(first, std::min(first + kBatch, frames));
     progress(std::min(first + kBatch, frames));
   }
-  const WorkTime simulate = times.simulate;
-  times = stages.finish(frames);
-  times.simulate = simulate;
-  return true;
+  const WorkTime simulate = speed.stages.simulate;
+  speed.stages = stages.finish(frames);
+  speed.stages.simulate = simulate;
+  const auto goOn = [&](std::int64_t done) { progress(frames + done); };
+  return measureDrawing(stages.painter(), options, goOn, speed);
 }
 
 /// A render as `rotatebook render` does it. False if it was stopped.
@@ -202,11 +218,11 @@ std::optional<Speed> measureSpeed(const scene::Scene& scene, const SpeedOptions&
   speed.stages.simulate = perFrame(simulated, speed.frames);
   const auto tell = [&](std::int64_t before) {
     return [&options, &speed, before](std::int64_t done) {
-      if (options.progress) options.progress(before + done, 2 * speed.frames);
+      if (options.progress) options.progress(before + done, 3 * speed.frames);
     };
   };
-  if (!measureStages(part, motion, options, tell(0), speed.stages)) return std::nullopt;
-  if (!measureWhole(part, motion, options, tell(speed.frames), speed)) return std::nullopt;
+  if (!measureStages(part, motion, options, tell(0), speed)) return std::nullopt;
+  if (!measureWhole(part, motion, options, tell(2 * speed.frames), speed)) return std::nullopt;
   return speed;
 }
 

@@ -44,6 +44,7 @@ struct Speed {
   int cores = 1;         ///< Processors that this process may use.
   double startUp = 0;    ///< From the simulated motion to the first frame's start. [s]
   WorkTime whole;        ///< Of a render that writes PNGs and MP4, after its start-up.
+  WorkTime drawing;      ///< The same of one that keeps nothing: a frame drawn beside the next.
   std::string renderer;  ///< render::Renderer::description()
   std::string encoder;   ///< For example "libx264".
   StageTimes stages;
@@ -56,14 +57,15 @@ struct SpeedOptions {
   std::int64_t frames = 120;  ///< From the scene's start, >= 1; fewer if the motion diverges.
   /// Set from outside to stop after the frame in hand. May be null.
   const std::atomic<bool>* stop = nullptr;
-  /// Told how many of how many frames are done; each is drawn twice.
+  /// Told how many of how many frames are done; each is drawn three times.
   std::function<void(std::int64_t done, std::int64_t total)> progress{};
   render::DeviceChoice device{};
 };
 
 /// Renders the first frames of `scene` to PNGs and MP4 in a temporary folder, which is gone
-/// afterwards: once stage by stage, once as a render does it. Nothing if it was stopped. Throws as
-/// simulateScene(), FrameDrawer and renderClip() do, and MachineError without a temporary folder.
+/// afterwards: once stage by stage, once as a render does it, and once into nothing. Nothing if it
+/// was stopped. Throws as simulateScene(), FrameDrawer and renderClip() do, and MachineError
+/// without a temporary folder.
 std::optional<Speed> measureSpeed(const scene::Scene& scene, const SpeedOptions& options);
 
 }  // namespace rotatebook::diagnose

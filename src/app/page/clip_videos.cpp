@@ -1,7 +1,5 @@
 #include "page/clip_videos.h"
 
-#include <array>
-
 #include "base/error.h"
 #include "page/figure.h"
 #include "store/clip_record.h"
@@ -12,25 +10,15 @@ namespace rotatebook::page {
 namespace {
 
 namespace fs = std::filesystem;
-using video::VideoFormat;
-
-constexpr std::array<std::pair<VideoFormat, const char*>, 4> kFormats{
-    {{VideoFormat::Mp4, "MP4"},
-     {VideoFormat::WebM, "WebM"},
-     {VideoFormat::Gif, "GIF"},
-     {VideoFormat::Apng, "APNG"}}};
-
-bool isPlayable(VideoFormat format) {
-  return format == VideoFormat::Mp4 || format == VideoFormat::WebM;
-}
+using video::FormatRow;
 
 /// Why the file isn't the scene's; empty if it is. `played` is, if it isn't empty.
-std::string differenceOf(const fs::path& file, VideoFormat format, const scene::Scene& scene,
+std::string differenceOf(const fs::path& file, const FormatRow& format, const scene::Scene& scene,
                          const store::ClipFiles& files, const fs::path& played) {
   try {
     const std::string size = otherSizeText(video::readPictureSize(file), scene);
     if (!size.empty()) return size;
-    const bool same = isPlayable(format)
+    const bool same = format.holdsRecord
                           ? store::isRecordOfClip(scene, video::readClipMetadata(file).comment)
                           : played.empty() || !areOfOtherScenes(files, played, file);
     return same ? "" : kOtherSettings;
@@ -50,20 +38,20 @@ bool areOfOtherScenes(const store::ClipFiles& files, const fs::path& one, const 
 ClipVideos videosOf(const scene::Scene& scene, const store::ClipFiles& files) {
   ClipVideos videos;
   std::string problem;
-  for (const auto& [format, words] : kFormats) {
-    const fs::path file = files.video(format);
+  for (const FormatRow& format : video::kFormatRows) {
+    const fs::path file = files.video(format.format);
     if (!fs::exists(file)) continue;
     const std::string difference = differenceOf(file, format, scene, files, videos.played);
     if (difference.empty()) {
-      if (isPlayable(format) && videos.played.empty()) videos.played = file;
-      videos.linked.emplace_back(file, words);
+      if (format.holdsRecord && videos.played.empty()) videos.played = file;
+      videos.linked.emplace_back(file, format.title);
       continue;
     }
     videos.leftOut.push_back(file.string() + " isn't linked: " + difference);
-    if (isPlayable(format) && problem.empty()) problem = file.string() + ": " + difference;
+    if (format.holdsRecord && problem.empty()) problem = file.string() + ": " + difference;
   }
   if (!videos.played.empty()) return videos;
-  const fs::path mp4 = files.video(VideoFormat::Mp4);
+  const fs::path mp4 = files.video(video::VideoFormat::Mp4);
   if (problem.empty()) requireFile(mp4, scene, "render");
   throw InputError(problem + "; " + renderAgain(scene, mp4.parent_path()));
 }

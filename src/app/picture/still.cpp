@@ -28,7 +28,7 @@ std::int64_t renderStill(const scene::Scene& scene, double time, const std::file
   FrameDrawer drawer(scene, motion, device);
   image::Image picture = drawer.makePicture();
   drawer.draw(frame, picture);
-  image::writePng(path, picture.view(), {.transparent = scene::isTransparent(scene)});
+  image::writePng(path, picture.view(), scene::isTransparent(scene));
   return frame;
 }
 

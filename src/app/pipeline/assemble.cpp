@@ -2,6 +2,7 @@
 
 #include <system_error>
 #include <unistd.h>
+#include <utility>
 
 #include "base/error.h"
 #include "image/png_file.h"
@@ -74,16 +75,11 @@ fs::path lockedNameOf(const fs::path& folder) {
 
 /// Keeps renders of the whole clip out of a folder of frames while they are read. Throws
 /// MachineError if one is under way. Where nothing can be written, none is.
-class ReadLock {
- public:
-  explicit ReadLock(const fs::path& folder) {
-    const fs::path name = lockedNameOf(folder);
-    if (access(name.parent_path().c_str(), W_OK) == 0) lock_.emplace(name, system::Lock::Shared);
-  }
-
- private:
-  std::optional<system::UseLock> lock_;
-};
+std::optional<system::UseLock> lockForReading(const fs::path& folder) {
+  const fs::path name = lockedNameOf(folder);
+  if (access(name.parent_path().c_str(), W_OK) != 0) return std::nullopt;
+  return std::optional<system::UseLock>(std::in_place, name, system::Lock::Shared);
+}
 
 /// Tells the `problem` that a frame has by the checksums, and how it is mended, or `joined` anyway.
 [[noreturn]] void throwUnlike(const store::FrameSums& sums, const std::string& problem,
@@ -133,11 +129,11 @@ void requireSameSize(const fs::path& path, const image::Image& picture, const fs
 
 /// What the file's ending says.
 video::VideoFormat formatOf(const fs::path& path) {
-  for (const video::VideoFormat format : video::kVideoFormats) {
-    if (path.extension() == "." + std::string(nameOf(format))) return format;
+  for (const video::FormatRow& row : video::kFormatRows) {
+    if (path.extension() == row.ending) return row.format;
   }
-  throw InputError(path.string() +
-                   " names no format of video; let it end in .mp4, .webm, .gif or .apng");
+  throw InputError(path.string() + " names no format of video; let it end in " +
+                   listFormats(&video::FormatRow::ending, "or"));
 }
 
 }  // namespace
@@ -146,7 +142,7 @@ Assembled assemble(const fs::path& folder, const fs::path& video,
                    std::optional<FrameRate> frameRate,
                    const std::function<void(RenderProgress)>& progress) {
   const video::VideoFormat format = formatOf(video);
-  const ReadLock lock(folder);
+  const auto lock = lockForReading(folder);
   // First: of a part that is being drawn, frames are added meanwhile, each before its checksum.
   const store::FrameSums sums(folder);
   const store::FrameRange range = wholeRange(folder);

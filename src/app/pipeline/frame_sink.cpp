@@ -2,12 +2,13 @@
 
 #include <utility>
 
+#include "base/checksum.h"
 #include "store/clip_files.h"
 
 namespace rotatebook::pipeline {
 
-PngSequenceSink::PngSequenceSink(store::FrameSums& sums, image::PngOptions options)
-    : sums_(&sums), options_(options) {}
+PngSequenceSink::PngSequenceSink(store::FrameSums& sums, bool transparent)
+    : sums_(&sums), transparent_(transparent) {}
 
 void PngSequenceSink::write(std::int64_t index, image::ImageView picture) {
   image::PngWriter writer = takeWriter();
@@ -18,7 +19,7 @@ void PngSequenceSink::write(std::int64_t index, image::ImageView picture) {
 
 image::PngWriter PngSequenceSink::takeWriter() {
   const std::lock_guard lock(mutex_);
-  if (idleWriters_.empty()) return image::PngWriter(options_);
+  if (idleWriters_.empty()) return image::PngWriter(transparent_);
   image::PngWriter writer = std::move(idleWriters_.back());
   idleWriters_.pop_back();
   return writer;
@@ -26,7 +27,7 @@ image::PngWriter PngSequenceSink::takeWriter() {
 
 VideoSink::VideoSink(video::VideoFormat format, const std::filesystem::path& path,
                      const video::VideoSettings& settings)
-    : format_(format), file_(path), writer_(format, file_.temporaryPath(), settings) {}
+    : file_(path), writer_(format, file_.temporaryPath(), settings) {}
 
 void VideoSink::write(std::int64_t, image::ImageView picture) {
   writer_.write(picture);
@@ -39,6 +40,16 @@ void VideoSink::finish() {
 void VideoSink::finishAs(const std::filesystem::path& path) {
   writer_.finish();
   file_.commitAs(path);
+}
+
+void HashSink::write(std::int64_t index, image::ImageView picture) {
+  const auto size = static_cast<std::size_t>(picture.width * image::bytesPerPixel(picture.format));
+  Checksum pixels;
+  for (int y = 0; y < picture.height; ++y) {
+    pixels.add({reinterpret_cast<const char*>(picture.row(y)), size});
+  }
+  const std::lock_guard lock(mutex_);
+  checksums_[index] = pixels.text();
 }
 
 }  // namespace rotatebook::pipeline

@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "image/image.h"
@@ -23,6 +25,11 @@ class FrameSink {
   virtual void write(std::int64_t index, image::ImageView picture) = 0;
   /// Completes what was written. Throws Error on a failed flush, trailer, close or rename.
   virtual void finish() = 0;
+  /// Completes what was written so far as `partial`, instead of finish(), where a render is
+  /// interrupted. A sink without a file of its own leaves what it has.
+  virtual void finishAs(const std::filesystem::path& /*partial*/) {}
+  /// The encoder in use, for example "libx264"; empty if there is none.
+  virtual std::string encoderName() const { return ""; }
 };
 
 /// Writes each frame to its own PNG in one folder, and its checksum beside it. write() may be
@@ -30,7 +37,7 @@ class FrameSink {
 class PngSequenceSink : public FrameSink {
  public:
   /// `sums`, of the folder, must outlive this.
-  PngSequenceSink(store::FrameSums& sums, image::PngOptions options);
+  PngSequenceSink(store::FrameSums& sums, bool transparent);
 
   void write(std::int64_t index, image::ImageView picture) override;
   void finish() override {}
@@ -39,7 +46,7 @@ class PngSequenceSink : public FrameSink {
   image::PngWriter takeWriter();
 
   store::FrameSums* sums_;
-  image::PngOptions options_;
+  bool transparent_;
   std::mutex mutex_;
   /// As many as threads have written at once.
   std::vector<image::PngWriter> idleWriters_;
@@ -54,23 +61,35 @@ class VideoSink : public FrameSink {
 
   void write(std::int64_t index, image::ImageView picture) override;
   void finish() override;
-  /// Completes a playable clip of the frames so far, as `path`, instead of finish().
-  void finishAs(const std::filesystem::path& path);
-
-  video::VideoFormat format() const { return format_; }
-  const std::string& encoderName() const { return writer_.encoderName(); }
+  /// The clip of the frames so far is playable.
+  void finishAs(const std::filesystem::path& path) override;
+  std::string encoderName() const override { return writer_.encoderName(); }
 
  private:
-  video::VideoFormat format_;
   system::AtomicFile file_;
   video::VideoWriter writer_;
 };
 
-/// Takes frames and keeps nothing: for benchmarks.
+/// Takes frames and keeps nothing: what drawing alone takes.
 class NullSink : public FrameSink {
  public:
-  void write(std::int64_t, image::ImageView) override {}
+  void write(std::int64_t /*index*/, image::ImageView /*picture*/) override {}
   void finish() override {}
+};
+
+/// Keeps a checksum of each frame's pixels. write() may be called from several threads at once, in
+/// any order.
+class HashSink : public FrameSink {
+ public:
+  void write(std::int64_t index, image::ImageView picture) override;
+  void finish() override {}
+
+  /// By frame; to be asked once the writers are done.
+  const std::map<std::int64_t, std::string>& checksums() const { return checksums_; }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::int64_t, std::string> checksums_;
 };
 
 }  // namespace rotatebook::pipeline

@@ -17,29 +17,24 @@
 namespace rotatebook::pipeline {
 namespace {
 
-using VideoSinks = std::vector<std::unique_ptr<VideoSink>>;
-
-VideoSinks openVideos(const store::ClipFiles& files, const video::VideoSettings& settings,
-                      const std::vector<video::VideoFormat>& formats) {
-  VideoSinks videos;
-  for (const video::VideoFormat format : formats) {
-    videos.push_back(std::make_unique<VideoSink>(format, files.video(format), settings));
-  }
-  return videos;
-}
+/// An output and its sink, which is open.
+struct OpenOutput {
+  const RenderOutput* output;
+  std::shared_ptr<FrameSink> sink;
+};
 
 /// "libx264, gif"
-std::string encoderNames(const VideoSinks& videos) {
+std::string encoderNames(const std::vector<OpenOutput>& outputs) {
   std::string names;
-  for (const auto& video : videos) names += (names.empty() ? "" : ", ") + video->encoderName();
+  for (const OpenOutput& open : outputs) {
+    const std::string name = open.sink->encoderName();
+    if (!name.empty()) names += (names.empty() ? "" : ", ") + name;
+  }
   return names;
 }
 
-std::vector<SinkThreads> sinksOf(const VideoSinks& videos, PngSequenceSink& png, int pngThreads) {
-  std::vector<SinkThreads> sinks;
-  if (pngThreads > 0) sinks.push_back({png, pngThreads, false});
-  for (const auto& video : videos) sinks.push_back({*video});
-  return sinks;
+int threadsOf(const RenderOutput& output) {
+  return output.threads > 0 ? output.threads : pngThreads(system::coreCount());
 }
 
 store::ClipFiles filesOf(const scene::Scene& scene, const RenderOptions& options,
@@ -65,6 +60,8 @@ class Render {
       : scene_(scene),
         motion_(motion),
         options_(options),
+        png_(hasPng(options.outputs)),
+        formats_(formatsOf(options.outputs)),
         range_(framesToRender(motion, options.frames)),
         drawer_(scene, motion, options.device) {
     result_.files = filesOf(scene, options, range_);
@@ -75,15 +72,14 @@ class Render {
     system::createFolders(options_.folder);
     const std::string record =
         store::sceneRecord(scene_, store::makingOf(scene_, motion_, drawer_.description()));
-    store::ClipFolder folder(
-        result_.files,
-        {.scene = scene_,
-         .record = record,
-         .made = store::fingerprint(scene_, drawer_.description(), options_.pngOptions.level),
-         .earlier = options_.earlier,
-         .part = options_.frames.has_value(),
-         .png = options_.png});
-    const std::vector<std::filesystem::path> files = allFiles(result_, options_.formats);
+    store::ClipFolder folder(result_.files,
+                             {.scene = scene_,
+                              .record = record,
+                              .made = store::fingerprint(scene_, drawer_.description()),
+                              .earlier = options_.earlier,
+                              .part = options_.frames.has_value(),
+                              .png = png_});
+    const std::vector<std::filesystem::path> files = allFiles(result_, formats_);
     result_.wasDone =
         !options_.frames && options_.earlier.resume && folder.isDone(files, pngRange());
     if (result_.wasDone) return result_;
@@ -101,17 +97,17 @@ class Render {
 
  private:
   std::optional<store::FrameRange> pngRange() const {
-    return options_.png ? std::optional(range_) : std::nullopt;
+    return png_ ? std::optional(range_) : std::nullopt;
   }
 
   void finishFolder(store::ClipFolder& folder,
                     const std::vector<std::filesystem::path>& files) const {
     if (!options_.frames) return folder.finish(files, pngRange());
-    if (options_.png) folder.sums().requireFiles(range_);
+    if (png_) folder.sums().requireFiles(range_);
   }
 
   std::string keptText(const store::ClipFolder& folder) const {
-    const std::size_t count = options_.png ? folder.resumableFrames() : 0;
+    const std::size_t count = png_ ? folder.resumableFrames() : 0;
     if (count == 0) return "";
     return "\n  " + std::to_string(count) +
            (count == 1 ? " finished frame is kept in " : " finished frames are kept in ") +
@@ -121,26 +117,28 @@ class Render {
   void renderInto(store::ClipFolder& folder, const std::string& record,
                   const RenderListener& listener) {
     const std::string shown = options_.frames ? store::recordOfPart(record, range_) : record;
-    const VideoSinks videos =
-        openVideos(result_.files, store::videoSettings(scene_, shown), options_.formats);
-    drawInto(videos, folder.sums(), listener);
-    result_.interrupted ? finishPartial(videos) : finish(videos);
+    const video::VideoSettings video = store::videoSettings(scene_, shown);
+    std::vector<OpenOutput> outputs;
+    for (const RenderOutput& output : options_.outputs) {
+      outputs.push_back({&output, output.open({scene_, result_.files, video, folder.sums()})});
+    }
+    drawInto(outputs, folder.sums(), listener);
+    result_.interrupted ? finishPartial(outputs) : finish(outputs);
   }
 
-  void drawInto(const VideoSinks& videos, store::FrameSums& sums, const RenderListener& listener) {
-    image::PngOptions pngOptions = options_.pngOptions;
-    pngOptions.transparent = scene::isTransparent(scene_);
-    PngSequenceSink png(sums, pngOptions);
-    RenderStart start{drawer_.description(), encoderNames(videos)};
-    if (options_.png) {
-      start.pngThreads =
-          options_.pngThreads > 0 ? options_.pngThreads : pngThreads(system::coreCount());
+  void drawInto(const std::vector<OpenOutput>& outputs, const store::FrameSums& sums,
+                const RenderListener& listener) {
+    RenderStart start{drawer_.description(), encoderNames(outputs)};
+    std::vector<SinkThreads> sinks;
+    for (const auto& [output, sink] : outputs) {
+      sinks.push_back({*sink, threadsOf(*output), !output->png});
+      if (output->png) start.pngThreads = sinks.back().threads;
     }
     const store::FrameSums* kept = options_.earlier.resume ? &sums : nullptr;
     start.space = store::diskSpace(scene_, toWrite(kept), options_.folder);
     if (listener.started) listener.started(start);
-    const DrawnCount count = drawFrames(drawer_, {range_, kept, options_.stop},
-                                        sinksOf(videos, png, start.pngThreads), listener.progress);
+    const DrawnCount count =
+        drawFrames(drawer_, {range_, kept, options_.stop}, sinks, listener.progress);
     result_.framesWritten = count.total();
     result_.framesKept = count.kept;
     result_.interrupted = count.total() < range_.count();
@@ -148,8 +146,8 @@ class Render {
 
   /// Frames of `kept`, which may be null, aren't written again; videos are, from the first frame.
   store::FilesToWrite toWrite(const store::FrameSums* kept) const {
-    store::FilesToWrite files{.frames = range_.count(), .formats = options_.formats};
-    if (!options_.png) return files;
+    store::FilesToWrite files{.frames = range_.count(), .formats = formats_};
+    if (!png_) return files;
     files.pngs = range_.count();
     if (kept == nullptr) return files;
     for (const std::int64_t index : store::framesIn(kept->folder())) {
@@ -159,37 +157,36 @@ class Render {
   }
 
   /// A clip of no frames isn't worth a file.
-  void finishPartial(const VideoSinks& videos) const {
+  void finishPartial(const std::vector<OpenOutput>& outputs) const {
     if (result_.framesWritten == 0) return;
-    for (const auto& video : videos) video->finishAs(result_.files.partialVideo(video->format()));
+    for (const auto& [output, sink] : outputs) {
+      if (output->format) sink->finishAs(result_.files.partialVideo(*output->format));
+    }
   }
 
-  void finish(const VideoSinks& videos) {
+  void finish(const std::vector<OpenOutput>& outputs) {
     store::writeTables(result_.csvs, motion_);
     if (!options_.frames) {
       picture::writePoster(drawer_, picture::posterFrame(scene_.clip, range_.count()),
                            scene::isTransparent(scene_), result_.files.poster);
     }
-    for (const auto& video : videos) video->finish();
-    for (const auto& video : videos)
-      system::removeFile(result_.files.partialVideo(video->format()));
+    for (const OpenOutput& open : outputs) open.sink->finish();
+    for (const video::VideoFormat format : formats_) {
+      system::removeFile(result_.files.partialVideo(format));
+    }
   }
 
   const scene::Scene& scene_;
   const timeline::ClipMotion& motion_;
   const RenderOptions& options_;
+  bool png_;
+  std::vector<video::VideoFormat> formats_;
   store::FrameRange range_;
   picture::FrameDrawer drawer_;
   RenderResult result_;
 };
 
 }  // namespace
-
-// Packing PNGs is the only stage that can be shared out; drawing, finishing and encoding need a
-// core too.
-int pngThreads(int cores) {
-  return std::clamp(cores - 1, 1, 6);
-}
 
 store::FrameRange framesToRender(const timeline::ClipMotion& motion,
                                  std::optional<store::FrameRange> wanted) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "pipeline/draw_frames.h"
-#include "pipeline/frame_sink.h"
+#include "pipeline/render_output.h"
 #include "render/device/device.h"
 #include "scene/scene.h"
 #include "store/clip_files.h"
@@ -23,19 +23,14 @@ namespace rotatebook::pipeline {
 /// What to write, and where.
 struct RenderOptions {
   std::filesystem::path folder = "out";  ///< Made if it isn't there.
-  bool png = true;
-  std::vector<video::VideoFormat> formats{video::VideoFormat::Mp4};  ///< Each at most once.
+  /// Each format at most once.
+  std::vector<RenderOutput> outputs = outputsOf(true, {video::VideoFormat::Mp4});
   std::optional<store::FrameRange> frames{};  ///< Only these; all by default.
   store::EarlierFrames earlier{};
-  image::PngOptions pngOptions{};
-  int pngThreads = 0;  ///< 0: pngThreads() of the machine's cores. The files are the same.
   /// Set from outside, e.g. by a signal handler, to stop after the frame in hand. May be null.
   const std::atomic<bool>* stop = nullptr;
   render::DeviceChoice device{};
 };
-
-/// How many threads pack PNGs where a render has so many cores.
-int pngThreads(int cores);
 
 /// With what a render begins.
 struct RenderStart {
@@ -69,7 +64,7 @@ struct RenderResult {
 store::FrameRange framesToRender(const timeline::ClipMotion& motion,
                                  std::optional<store::FrameRange> wanted);
 
-/// Draws `motion`, that of `scene`, and writes CSV, PNGs, videos and, of a whole clip, poster,
+/// Draws `motion`, that of `scene`, into the outputs, and writes CSV and, of a whole clip, poster,
 /// where ClipFolder has their frames; the files of a render that went on with an earlier one's are
 /// those of one that was never interrupted. Throws Error; files under a final name are whole then,
 /// too, and frames that were finished are kept.

@@ -80,11 +80,11 @@ std::vector<std::int64_t> framesIn(const fs::path& folder) {
 }
 
 fs::path ClipFiles::video(video::VideoFormat format) const {
-  return videoStem.string() + "." + std::string(nameOf(format));
+  return videoStem.string() + std::string(rowOf(format).ending);
 }
 
 fs::path ClipFiles::partialVideo(video::VideoFormat format) const {
-  return videoStem.string() + kPartialEnding + "." + std::string(nameOf(format));
+  return videoStem.string() + kPartialEnding + std::string(rowOf(format).ending);
 }
 
 ClipFiles clipFiles(const fs::path& folder, const std::string& name) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "scene/scene.h"
-#include "video/video_writer.h"
+#include "video/video_format.h"
 
 namespace rotatebook::store {
 

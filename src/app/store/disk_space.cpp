@@ -11,27 +11,13 @@ namespace {
 // The book's edges and letters weigh more in small pictures: bytes go with pixels to this power.
 constexpr double kPower = 0.85;
 // Bytes a frame over pixels to that power, measured from 96x54 to 1280x720 on the starter scene; in
-// brackets on other scenes, with overlays and quicker turns.
-constexpr double kPngWeight = 5;        // measured 3.6 to 3.8 (2.7 to 7.0)
-constexpr double kSmoothWeight = 0.22;  // MP4 and WebM: measured 0.13 to 0.20 (0.10 to 0.26)
-constexpr double kPaletteWeight = 2.5;  // GIF and APNG: measured 1.4 to 1.8 (0.9 to 2.6)
+// brackets on other scenes, with overlays and quicker turns. Those of videos are in their formats.
+constexpr double kPngWeight = 5;     // measured 3.6 to 3.8 (2.7 to 7.0)
 constexpr double kVideoBase = 8192;  // Of a video without its frames: measured 3 to 6 kB. [bytes]
 constexpr double kTableRow = 890;    // Of a table: measured 825 to 888. [bytes]
 constexpr double kSumLine = 50;      // Of frames.xxh128. [bytes]
 constexpr double kFileBlock = 4096;  // To which most file systems round a file up. [bytes]
 constexpr double kSmallFiles = 3 * kFileBlock;  // Scene, manifest, checksums. [bytes]
-
-double perFrame(video::VideoFormat format) {
-  switch (format) {
-    case video::VideoFormat::Mp4:
-    case video::VideoFormat::WebM:
-      return kSmoothWeight;
-    case video::VideoFormat::Gif:
-    case video::VideoFormat::Apng:
-      break;
-  }
-  return kPaletteWeight;
-}
 
 double bytesNeeded(const scene::Scene& scene, const FilesToWrite& files) {
   const double picture =
@@ -42,7 +28,7 @@ double bytesNeeded(const scene::Scene& scene, const FilesToWrite& files) {
   bytes += png;  // the poster
   bytes += static_cast<double>(files.pngs) * (png + kSumLine);
   for (const video::VideoFormat format : files.formats) {
-    bytes += kVideoBase + perFrame(format) * picture * static_cast<double>(files.frames);
+    bytes += kVideoBase + rowOf(format).weight * picture * static_cast<double>(files.frames);
   }
   return bytes;
 }

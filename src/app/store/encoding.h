@@ -4,7 +4,7 @@
 #include <string>
 
 #include "scene/scene.h"
-#include "video/video_writer.h"
+#include "video/video_settings.h"
 
 namespace rotatebook::store {
 

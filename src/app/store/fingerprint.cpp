@@ -79,13 +79,12 @@ std::string listed(const std::vector<std::string>& found) {
 
 }  // namespace
 
-Entries fingerprint(const scene::Scene& scene, const std::string& renderer, int pngLevel) {
+Entries fingerprint(const scene::Scene& scene, const std::string& renderer) {
   Entries made = picture::textureChecksums(scene);
   made["program"] = std::string("rotatebook ") + kVersion;
   made["build"] = build();
   made["renderer"] = renderer;
   made["ffmpeg"] = video::ffmpegVersion();
-  made["png_level"] = std::to_string(pngLevel);
   made["scene"] = checksumOf(sceneText(scene));
   return made;
 }

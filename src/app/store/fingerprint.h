@@ -10,7 +10,7 @@
 namespace rotatebook::store {
 
 /// Program, build, renderer, FFmpeg, PNG level, scene and the textures' bytes.
-Manifest::Entries fingerprint(const scene::Scene& scene, const std::string& renderer, int pngLevel);
+Manifest::Entries fingerprint(const scene::Scene& scene, const std::string& renderer);
 
 /// For a message: in what `folder`, which has the fingerprint `there` and a scene.toml, differs
 /// from a render of `scene` with the fingerprint `made`. "clip.duration is 8.0 there, 10.0 here"

@@ -1,4 +1,4 @@
-// PNG in and out, through libpng, ISA-L and libdeflate.
+// PNG in and out, through libpng and ISA-L.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +11,15 @@
 
 namespace rotatebook::image {
 
-/// How a PNG is written.
-struct PngOptions {
-  /// 0 (none) to 9 (smallest): 1 is ISA-L's and fastest, the others are libdeflate's. The pixels
-  /// stay the same.
-  int level = 1;
-  bool transparent = false;  ///< Keep an alpha channel.
-};
-
-/// Writes `view` as an 8-bit PNG with an sRGB chunk, opaque unless it is to be transparent, whole
-/// or not at all (see AtomicFile). Throws MachineError.
-void writePng(const std::filesystem::path& path, ImageView view, PngOptions options = {});
+/// Writes `view` as an 8-bit PNG with an sRGB chunk, opaque unless it is to be `transparent`,
+/// whole or not at all (see AtomicFile). Throws MachineError.
+void writePng(const std::filesystem::path& path, ImageView view, bool transparent = false);
 
 /// Writes one PNG after the other as writePng() does, with the same bytes, and faster: where a
 /// picture is like the one before, it takes what it made of that one. One thread at a time.
 class PngWriter {
  public:
-  explicit PngWriter(PngOptions options = {});
+  explicit PngWriter(bool transparent = false);
   PngWriter(PngWriter&&) noexcept;
   PngWriter& operator=(PngWriter&&) noexcept;
   ~PngWriter();

@@ -3,19 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <memory>
-#include <new>
+#include <isa-l.h>
 #include <utility>
 #include <zlib.h>
-
-#include <libdeflate.h>
 
 #include "image/row_filter.h"
 
 namespace rotatebook::image {
 namespace {
 
-constexpr int kBandLevel = 1;
 // The fewer, the more bands are the last picture's. Measured with igzip alone at 1280x720: 16 rows
 // take a tenth longer than 48.
 constexpr int kBandRows = 16;
@@ -25,12 +21,6 @@ constexpr std::array<char, 2> kZlibHead = {0x78, 0x01};
 // A last block, with deflate's own codes, that only ends.
 constexpr std::array<char, 2> kLastBlock = {0x03, 0x00};
 constexpr std::uint32_t kEmptyChecksum = 1;
-
-struct FreeCompressor {
-  void operator()(libdeflate_compressor* compressor) const {
-    libdeflate_free_compressor(compressor);
-  }
-};
 
 void append(std::string& stream, const std::vector<std::uint8_t>& bytes) {
   stream.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
@@ -47,7 +37,6 @@ void appendBigEndian(std::string& bytes, std::uint32_t value) {
 }
 
 void PixelPacker::append(const ImageView& view, bool alpha, std::string& stream) {
-  if (level_ != kBandLevel) return appendLibdeflate(view, alpha, stream);
   packBands(view, alpha);
   appendBands(stream);
 }
@@ -67,7 +56,7 @@ void PixelPacker::packBands(const ImageView& view, bool alpha) {
     }
     if (!changed) continue;
     band->size = filterRows(view, alpha, top, bottom);
-    band->checksum = libdeflate_adler32(kEmptyChecksum, filtered_.data(), band->size);
+    band->checksum = isal_adler32(kEmptyChecksum, filtered_.data(), band->size);
     coder_.pack({filtered_.data(), band->size}, band->packed);
   }
   lastIsWhole_ = true;
@@ -107,17 +96,6 @@ void PixelPacker::appendBands(std::string& stream) const {
   }
   stream.append(kLastBlock.data(), kLastBlock.size());
   appendBigEndian(stream, checksum);
-}
-
-void PixelPacker::appendLibdeflate(const ImageView& view, bool alpha, std::string& stream) {
-  const std::unique_ptr<libdeflate_compressor, FreeCompressor> compressor(
-      libdeflate_alloc_compressor(level_));
-  if (!compressor) throw std::bad_alloc();
-  const std::size_t size = filterRows(view, alpha, 0, view.height);
-  std::vector<std::uint8_t> packed(libdeflate_zlib_compress_bound(compressor.get(), size));
-  packed.resize(libdeflate_zlib_compress(compressor.get(), filtered_.data(), size, packed.data(),
-                                         packed.size()));
-  image::append(stream, packed);
 }
 
 }  // namespace rotatebook::image

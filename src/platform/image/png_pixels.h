@@ -16,14 +16,9 @@ void appendBigEndian(std::string& bytes, std::uint32_t value);
 /// Packs pictures into zlib streams. Pictures that follow each other are alike: a band of rows that
 /// is the last picture's is taken as it was packed then. The bytes depend on the picture alone.
 ///
-/// Level 1 takes bands and igzip: for frames of the book at 1280x720 about 40 % of the time of
-/// libdeflate's level 1, at 7 % more bytes, even where nothing stays. Of the filters Up alone is
-/// used, which leaves most of the background zero.
+/// Of the filters Up alone is used, which leaves most of the background zero.
 class PixelPacker {
  public:
-  /// `level`: see PngOptions.
-  explicit PixelPacker(int level) : level_(level) {}
-
   /// Appends the picture as RGB, or if `alpha` as RGBA, which it is then, each row preceded by its
   /// filter's number and stored as the difference to the row above.
   void append(const ImageView& view, bool alpha, std::string& stream);
@@ -41,9 +36,7 @@ class PixelPacker {
   /// Filters rows from `top` until before `bottom` into filtered_; returns their size.
   std::size_t filterRows(const ImageView& view, bool alpha, int top, int bottom);
   void appendBands(std::string& stream) const;
-  void appendLibdeflate(const ImageView& view, bool alpha, std::string& stream);
 
-  int level_;
   BandCoder coder_;
   std::vector<std::uint8_t> filtered_;
   std::vector<Band> bands_;

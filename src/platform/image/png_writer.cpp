@@ -1,10 +1,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <isa-l.h>
 #include <new>
 #include <string>
-
-#include <libdeflate.h>
 
 #include "base/error.h"
 #include "image/png_file.h"
@@ -81,7 +80,8 @@ void appendPixels(PixelPacker& packer, const ImageView& view, bool alpha, std::s
   bytes += "IDAT";
   packer.append(view, alpha, bytes);
   const std::size_t named = bytes.size() - start - 4;
-  const std::uint32_t sum = libdeflate_crc32(0, &bytes[start + 4], named);
+  const auto* chunk = reinterpret_cast<const std::uint8_t*>(&bytes[start + 4]);
+  const std::uint32_t sum = crc32_gzip_refl(0, chunk, named);
   std::string size;
   appendBigEndian(size, static_cast<std::uint32_t>(named - 4));
   bytes.replace(start, size.size(), size);
@@ -91,19 +91,18 @@ void appendPixels(PixelPacker& packer, const ImageView& view, bool alpha, std::s
 }  // namespace
 
 struct PngWriter::Parts {
-  PngOptions options;
-  PixelPacker packer;
-  std::string bytes;
+  bool transparent;
+  PixelPacker packer{};
+  std::string bytes{};
 };
 
-PngWriter::PngWriter(PngOptions options)
-    : parts_(new Parts{options, PixelPacker(options.level), {}}) {}
+PngWriter::PngWriter(bool transparent) : parts_(new Parts{transparent}) {}
 PngWriter::PngWriter(PngWriter&&) noexcept = default;
 PngWriter& PngWriter::operator=(PngWriter&&) noexcept = default;
 PngWriter::~PngWriter() = default;
 
 const std::string& PngWriter::write(const std::filesystem::path& path, ImageView view) {
-  const bool alpha = parts_->options.transparent && view.format == PixelFormat::Rgba8;
+  const bool alpha = parts_->transparent && view.format == PixelFormat::Rgba8;
   std::string& bytes = parts_->bytes;
   bytes.clear();
   PngEncoder encoder(bytes);
@@ -115,8 +114,8 @@ const std::string& PngWriter::write(const std::filesystem::path& path, ImageView
   return bytes;
 }
 
-void writePng(const std::filesystem::path& path, ImageView view, PngOptions options) {
-  PngWriter(options).write(path, view);
+void writePng(const std::filesystem::path& path, ImageView view, bool transparent) {
+  PngWriter(transparent).write(path, view);
 }
 
 }  // namespace rotatebook::image

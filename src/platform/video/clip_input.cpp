@@ -13,7 +13,6 @@
 namespace rotatebook::video {
 namespace {
 
-constexpr const char* kDemuxers = "mov,matroska,gif,apng";
 constexpr std::size_t kBufferSize = 65'536;
 /// A table of a million frames takes 40 MB, the largest picture 54.
 constexpr std::size_t kLargestPiece = 256'000'000;
@@ -21,6 +20,15 @@ constexpr std::size_t kLargestPiece = 256'000'000;
 bool isNamed(const AVInputFormat& demuxer, std::string_view name) {
   return ("," + std::string(demuxer.name) + ",").find("," + std::string(name) + ",") !=
          std::string::npos;
+}
+
+/// FFmpeg's names of what reads our formats, as it takes a list.
+std::string demuxers() {
+  std::string names;
+  for (const FormatRow& row : kFormatRows) {
+    names += (names.empty() ? "" : ",") + std::string(row.demuxer);
+  }
+  return names;
 }
 
 }  // namespace
@@ -82,19 +90,21 @@ void ClipInput::open(AVFormatContext* context, const std::string& url) {
   // A file of some bytes may ask for tables of gigabytes. It holds for the whole process.
   av_max_alloc(kLargestPiece);
   Dictionary options;
-  options.set("format_whitelist", kDemuxers);
+  options.set("format_whitelist", demuxers());
   options.set("codec_whitelist", kDecoders);
   options.set("protocol_whitelist", "file");
   // Frees `context` where it fails.
   checkInput(avformat_open_input(&context, url.c_str(), nullptr, options.address()),
-             "can't read " + name_ + " as MP4 or WebM");
+             "can't read " + name_ + " as " +
+                 listFormats(&FormatRow::title, "or", &FormatRow::holdsRecord));
   context_.reset(context);
 }
 
 VideoFormat ClipInput::format() const {
-  if (isNamed(*context_->iformat, "gif")) return VideoFormat::Gif;
-  if (isNamed(*context_->iformat, "apng")) return VideoFormat::Apng;
-  return isNamed(*context_->iformat, "mov") ? VideoFormat::Mp4 : VideoFormat::WebM;
+  const auto reads = [this](const FormatRow& row) {
+    return isNamed(*context_->iformat, row.demuxer);
+  };
+  return std::ranges::find_if(kFormatRows, reads)->format;
 }
 
 AVStream& ClipInput::stream() const {

@@ -19,9 +19,10 @@ namespace {
 
 ClipMetadata metadataOf(const ClipInput& input) {
   const VideoFormat format = input.format();
-  if (format != VideoFormat::Mp4 && format != VideoFormat::WebM) {
+  if (!rowOf(format).holdsRecord) {
     throw InputError(input.name() + " is of the format " + std::string(nameOf(format)) +
-                     ", which holds no record of the scene; MP4 and WebM do");
+                     ", which holds no record of the scene; " +
+                     listFormats(&FormatRow::title, "and", &FormatRow::holdsRecord) + " do");
   }
   input.stream();
   const AVDictionary* entries = input.context().metadata;

@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "video/encoder_check.h"
 #include "video/ffmpeg.h"
-#include "video/video_writer.h"
+#include "video/video_format.h"
+#include "video/video_settings.h"
 
 namespace rotatebook::video {
 

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "video/ffmpeg.h"
-#include "video/format_parts.h"
+#include "video/stages.h"
 
 namespace rotatebook::video {
 
@@ -11,7 +11,7 @@ EncoderCheck checkEncoder(VideoFormat format) {
   EncoderCheck check{.format = format};
   VideoSettings settings;
   settings.width = settings.height = 64;
-  const char* wanted = encoderOf(format).name;
+  const char* wanted = rowOf(format).encoder.name;
   const bool there = avcodec_find_encoder_by_name(wanted) != nullptr;
   if (!there) check.failure = std::string("FFmpeg's libavcodec has no encoder ") + wanted;
   try {

@@ -1,4 +1,4 @@
-// Which encoder each format wants, and whether it is there.
+// Whether the encoder of a format is there.
 #pragma once
 
 #include <string>
@@ -6,23 +6,6 @@
 #include "video/video_format.h"
 
 namespace rotatebook::video {
-
-/// An encoder by FFmpeg's name, and what to do where FFmpeg was built without.
-struct EncoderNeed {
-  const char* name;
-  const char* remedy;
-};
-
-/// The best encoder for `format`. Of MP4 alone another will do.
-constexpr EncoderNeed encoderOf(VideoFormat format) {
-  constexpr std::array<EncoderNeed, kVideoFormats.size()> kNeeds{{
-      {"libx264", "install a build with libx264 (Debian, Ubuntu: libavcodec-extra)"},
-      {"libvpx-vp9", "install a build with libvpx (Debian, Ubuntu: libavcodec-extra)"},
-      {"gif", "install a build with GIF (Debian, Ubuntu: libavcodec-extra)"},
-      {"apng", "install a build with zlib (Debian, Ubuntu: libavcodec-extra)"},
-  }};
-  return kNeeds[static_cast<std::size_t>(format)];
-}
 
 /// What was found for a format.
 struct EncoderCheck {

@@ -32,37 +32,19 @@ void addMetadata(AVFormatContext& context, const VideoSettings& settings) {
   std::swap(context.metadata, *metadata.address());
 }
 
-void setOptions(Dictionary& options, VideoFormat format, const VideoSettings& settings) {
-  switch (format) {
-    case VideoFormat::Mp4:
-      options.set("movflags", "+faststart");
-      // The default of 1000 couldn't say how long 1/60 s is.
-      options.set("movie_timescale", std::to_string(settings.frameRate.numerator));
-      break;
-    case VideoFormat::WebM:
-      break;
-    case VideoFormat::Gif:
-      options.set("loop", "0");  // for ever
-      break;
-    case VideoFormat::Apng:
-      options.set("plays", "0");  // for ever
-      break;
-  }
-}
-
 }  // namespace
 
-Muxer::Muxer(const std::filesystem::path& path, VideoFormat format, const AVCodecContext& encoder,
+Muxer::Muxer(const std::filesystem::path& path, VideoFormat format, const Stages& stages,
              const VideoSettings& settings)
     : path_(path.string()),
-      encoderTimeBase_(encoder.time_base),
+      encoderTimeBase_(stages.encoder.context().time_base),
       context_(makeContext(path, format)) {
   context_->flags |= AVFMT_FLAG_BITEXACT;
-  addStream(*context_, encoder);
+  addStream(*context_, stages.encoder.context());
   addMetadata(*context_, settings);
   checkFile(avio_open(&context_->pb, context_->url, AVIO_FLAG_WRITE));
   Dictionary options;
-  setOptions(options, format, settings);
+  for (const auto& [name, value] : stages.containerOptions) options.set(name, value);
   checkFile(avformat_write_header(context_.get(), options.address()));
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "video/ffmpeg.h"
-#include "video/video_writer.h"
+#include "video/stages.h"
 
 namespace rotatebook::video {
 
@@ -13,8 +13,8 @@ namespace rotatebook::video {
 /// file; an MP4's index is moved to the front at the end.
 class Muxer {
  public:
-  /// Creates the file and writes its head. `encoder` is open. Throws MachineError.
-  Muxer(const std::filesystem::path& path, VideoFormat format, const AVCodecContext& encoder,
+  /// Creates the file and writes its head, for the packets of `stages`. Throws MachineError.
+  Muxer(const std::filesystem::path& path, VideoFormat format, const Stages& stages,
         const VideoSettings& settings);
 
   /// Writes a packet with times in the encoder's time base, which it takes the content of. Throws

@@ -1,16 +1,14 @@
 #include "video/video_writer.h"
 
 #include "base/error.h"
-#include "video/format_parts.h"
 #include "video/muxer.h"
+#include "video/stages.h"
 
 namespace rotatebook::video {
 
 struct VideoWriter::Parts {
   Parts(VideoFormat format, const std::filesystem::path& file, const VideoSettings& settings)
-      : path(file),
-        stages(makeStages(format, settings)),
-        muxer(path, format, stages.encoder.context(), settings) {}
+      : path(file), stages(makeStages(format, settings)), muxer(path, format, stages, settings) {}
 
   /// Encodes and writes all frames that are ready.
   void encodeReady() {

@@ -5,34 +5,12 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <string_view>
 
-#include "base/frame_rate.h"
 #include "image/image.h"
 #include "video/video_format.h"
+#include "video/video_settings.h"
 
 namespace rotatebook::video {
-
-/// Narrowest and lowest video: one macroblock. [pixels]
-inline constexpr int kSmallestSide = 16;
-
-/// The preset made for clips of the book: pictures at least as like as x264's medium makes them at
-/// the same crf, in a fifth of its time, in files twice as large.
-inline constexpr std::string_view kBookPreset = "book";
-
-/// Everything that the bytes of a video depend on beside its format and pictures.
-struct VideoSettings {
-  int width = 1280;  ///< At least kSmallestSide; even for MP4 and WebM. [pixels]
-  int height = 720;  ///< As `width`. [pixels]
-  FrameRate frameRate;
-  bool transparent = false;         ///< Keep the pictures' alpha; WebM and APNG only.
-  int crf = 18;                     ///< MP4: x264's constant rate factor, 1 (largest file) to 51.
-  std::string preset{kBookPreset};  ///< MP4: x264's preset, or kBookPreset.
-  int threads = 1;    ///< MP4: encoder threads, >= 1. Another count gives other bytes.
-  std::string title;  ///< Stored in the metadata of MP4 and WebM; UTF-8.
-  std::string
-      comment;  ///< Stored in the metadata of MP4 and WebM; UTF-8. rotatebook: the resolved scene.
-};
 
 /// Writes one video. Same pictures, same settings: same bytes. Picture n is shown at n/frame rate,
 /// to the format's own resolution of time.

@@ -13,6 +13,7 @@ diagnose::Speed example() {
   speed.cores = 2;
   speed.startUp = 0.25;
   speed.whole = {50, 95};
+  speed.drawing = {25, 30};
   speed.renderer = "a \"card\"";
   speed.encoder = "libx264";
   speed.stages = {{0, 0}, {22, 24}, {4, 4}, {42, 42}, {20, 20}};
@@ -32,6 +33,7 @@ TEST(BenchReport, TellsStagesLimitAndWhatHelps) {
             "tiny: 120 frames, 1280x720, PNGs and MP4\n"
             "  renderer a \"card\"; encoder libx264; 2 cores\n"
             "  20.0 frames/s, 50.00 ms a frame, 95.00 ms of processor time; started in 0.25 s\n"
+            "  drawing alone: 40.0 frames/s, 25.00 ms a frame, 30.00 ms of processor time\n"
             "\n"
             "  each stage alone      ms/frame  processor   share\n"
             "  simulate                  0.00       0.00     0 %\n"
@@ -68,7 +70,9 @@ TEST(BenchReport, IsJsonToo) {
       out.str(),
       "{\"scene\": \"tiny\", \"frames\": 120, \"width\": 1280, \"height\": 720, \"cores\": 2, "
       "\"renderer\": \"a \\\"card\\\"\", \"encoder\": \"libx264\", \"start_up_s\": 0.25, "
-      "\"frames_per_second\": 20, \"whole\": {\"wall\": 50, \"processor\": 95}, \"limit\": "
+      "\"frames_per_second\": 20, \"whole\": {\"wall\": 50, \"processor\": 95}, \"drawing\": "
+      "{\"wall\": 25, "
+      "\"processor\": 30}, \"limit\": "
       "45, \"limited_by\": \"cores\", \"stages\": {\"simulate\": {\"wall\": 0, "
       "\"processor\": 0}, \"book\": {\"wall\": 22, \"processor\": 24}, \"finish\": "
       "{\"wall\": 4, \"processor\": 4}, \"png\": {\"wall\": 42, \"processor\": 42}, "

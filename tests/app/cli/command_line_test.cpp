@@ -80,8 +80,8 @@ TEST_F(CommandLine, RefusesAnUnknownOption) {
   expectRefused({"render", "tiny.toml", "--sise", "64x36"},
                 "rotatebook: The following argument was not expected: --sise\n" + advice);
   expectRefused({"render"}, "rotatebook: SCENE is required\n" + advice);
-  expectRefused({"render", "tiny.toml", "--png-level", "10"},
-                "rotatebook: --png-level: Value 10 not in range 0 to 9\n" + advice);
+  expectRefused({"render", "tiny.toml", "--jobs", "0"},
+                "rotatebook: --jobs: Value 0 not in range 1 to 64\n" + advice);
 }
 
 TEST_F(CommandLine, RefusesValuesThatAreNoNumbers) {

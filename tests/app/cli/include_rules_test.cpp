@@ -33,7 +33,7 @@ const std::map<std::string, Room> kRooms{
     {"timeline", {"core", {"base", "physics", "scene"}, {"Eigen/"}}},
     {"study", {"core", {"base", "physics", "scene", "timeline"}, {}}},
     {"system", {"platform", {"base"}, {}}},
-    {"image", {"platform", {"base", "system"}, {"isa-l.h", "libdeflate.h", "png.h", "zlib.h"}}},
+    {"image", {"platform", {"base", "system"}, {"isa-l.h", "png.h", "zlib.h"}}},
     {"render", {"platform", {"base", "physics", "image"}, {"Eigen/", "epoxy/"}}},
     {"overlay",
      {"platform",

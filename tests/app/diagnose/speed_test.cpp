@@ -27,7 +27,7 @@ TEST(Speed, HasEachStageAndTheWholeAndLeavesNothing) {
   std::vector<std::int64_t> done;
   SpeedOptions options{.frames = 10};
   options.progress = [&](std::int64_t now, std::int64_t total) {
-    EXPECT_EQ(total, 20);
+    EXPECT_EQ(total, 30);
     done.push_back(now);
   };
   const auto speed =
@@ -39,6 +39,8 @@ TEST(Speed, HasEachStageAndTheWholeAndLeavesNothing) {
   EXPECT_FALSE(speed->renderer.empty());
   EXPECT_GT(speed->startUp, 0);
   EXPECT_GT(speed->whole.wall, 0);
+  EXPECT_GT(speed->drawing.wall, 0);
+  EXPECT_LT(speed->drawing.processor, speed->whole.processor);
   const StageTimes& stages = speed->stages;
   for (const WorkTime& time :
        {stages.simulate, stages.book, stages.finish, stages.png, stages.video}) {
@@ -49,7 +51,7 @@ TEST(Speed, HasEachStageAndTheWholeAndLeavesNothing) {
                                               stages.finish.processor + stages.png.processor +
                                               stages.video.processor);
   EXPECT_EQ(done.front(), 8);
-  EXPECT_EQ(done.back(), 20);
+  EXPECT_EQ(done.back(), 30);
   EXPECT_THAT(pipeline::testing::namesIn(folder), IsEmpty());
 }
 
@@ -67,7 +69,7 @@ TEST(Speed, IsNothingIfStopped) {
   const TemporaryFiles files(folder);
   std::atomic<bool> stop{false};
   SpeedOptions options{.frames = 10, .stop = &stop};
-  for (const std::int64_t when : {8, 12}) {
+  for (const std::int64_t when : {8, 12, 22}) {
     stop = false;
     options.progress = [&](std::int64_t now, std::int64_t) { stop = stop || now >= when; };
     EXPECT_FALSE(measureSpeed(pipeline::testing::smallScene(), options)) << when;

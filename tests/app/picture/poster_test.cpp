@@ -29,7 +29,8 @@ TEST(PosterFrame, IsInTheMiddleUnlessTheSceneSaysOtherwise) {
 
 TEST(Poster, IsThatFrameOfTheClip) {
   const auto folder = pipeline::testing::emptyFolder();
-  pipeline::testing::render(smallScene({"clip.poster=0.125"}), {.folder = folder, .formats = {}});
+  pipeline::testing::render(smallScene({"clip.poster=0.125"}),
+                            {.folder = folder, .outputs = {pipeline::pngOutput()}});
   const std::string poster = bytesOf(folder / "small.poster.png");
   EXPECT_EQ(poster, bytesOf(folder / "small" / store::frameName(3)));
   EXPECT_NE(poster, bytesOf(folder / "small" / store::frameName(4)));
@@ -37,8 +38,9 @@ TEST(Poster, IsThatFrameOfTheClip) {
 
 TEST(Poster, IsNotMadeOfAPartOfTheClip) {
   const auto folder = pipeline::testing::emptyFolder();
-  pipeline::testing::render(smallScene(),
-                            {.folder = folder, .formats = {}, .frames = store::FrameRange{0, 2}});
+  pipeline::testing::render(
+      smallScene(),
+      {.folder = folder, .outputs = {pipeline::pngOutput()}, .frames = store::FrameRange{0, 2}});
   EXPECT_FALSE(std::filesystem::exists(folder / "small.poster.png"));
 }
 

@@ -22,7 +22,7 @@ using ::testing::HasSubstr;
 
 TEST(Still, IsTheClipsFrameNearestToTheTime) {
   const fs::path folder = pipeline::testing::emptyFolder();
-  pipeline::testing::render(smallScene(), {.folder = folder, .formats = {}});
+  pipeline::testing::render(smallScene(), {.folder = folder, .outputs = {pipeline::pngOutput()}});
   const auto still = [&](double frames) {
     return renderStill(smallScene(), frames / 24, folder / "still.png");
   };

@@ -59,7 +59,7 @@ TEST_F(Assemble, MakesTheSameFileAsTheRender) {
 }
 
 TEST_F(Assemble, RefusesAFrameThatIsntAsItWasDrawn) {
-  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
+  testing::render(testing::smallScene(), {.folder = folder_, .outputs = {pngOutput()}});
   for (const std::int64_t changed : {0, 5}) {
     const fs::path frame = frames_ / store::frameName(changed);
     const std::string drawn = bytesOf(frame);
@@ -77,7 +77,7 @@ TEST_F(Assemble, RefusesAFrameThatIsntAsItWasDrawn) {
 }
 
 TEST_F(Assemble, RefusesFramesThatWentMissingAtEitherEnd) {
-  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
+  testing::render(testing::smallScene(), {.folder = folder_, .outputs = {pngOutput()}});
   for (const std::int64_t missing : {std::int64_t{0}, kFrames - 1}) {
     const fs::path frame = frames_ / store::frameName(missing);
     fs::rename(frame, folder_ / "kept.png");
@@ -94,7 +94,7 @@ TEST_F(Assemble, RefusesFramesThatWentMissingAtEitherEnd) {
 }
 
 TEST_F(Assemble, SaysWhyAFrameCannotBeRead) {
-  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
+  testing::render(testing::smallScene(), {.folder = folder_, .outputs = {pngOutput()}});
   const fs::path frame = frames_ / store::frameName(5);
   fs::remove(frame);
   fs::create_symlink("nowhere", frame);
@@ -104,7 +104,7 @@ TEST_F(Assemble, SaysWhyAFrameCannotBeRead) {
 }
 
 TEST_F(Assemble, TakesNoFramesThatARenderStillMakes) {
-  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
+  testing::render(testing::smallScene(), {.folder = folder_, .outputs = {pngOutput()}});
   const fs::path whole = fs::canonical(frames_);
   const fs::path partial = folder_ / "small.partial";
   fs::copy(frames_, partial, fs::copy_options::recursive);
@@ -131,7 +131,7 @@ TEST_F(Assemble, NeedsAnEndingThatNamesAFormat) {
 }
 
 TEST_F(Assemble, TakesChangedFramesWithoutTheirChecksums) {
-  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
+  testing::render(testing::smallScene(), {.folder = folder_, .outputs = {pngOutput()}});
   const fs::path frame = frames_ / store::frameName(5);
   fs::copy_file(frames_ / store::frameName(6), frame, fs::copy_options::overwrite_existing);
   const fs::path sums = frames_ / "frames.xxh128";
@@ -213,7 +213,7 @@ TEST_F(Assemble, NeedsARateForFramesFromElsewhere) {
 }
 
 TEST_F(Assemble, RefusesARateWhereTheSceneTells) {
-  testing::render(testing::smallScene(), {.folder = folder_, .formats = {}});
+  testing::render(testing::smallScene(), {.folder = folder_, .outputs = {pngOutput()}});
   EXPECT_EQ(inputError(FrameRate{25, 1}),
             (frames_ / "scene.toml").string() + " sets the frame rate already; leave --fps out");
 }

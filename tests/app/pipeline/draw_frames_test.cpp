@@ -113,6 +113,13 @@ TEST_F(DrawFrames, GivesASinkWithThreadsEachFrameOnce) {
   EXPECT_EQ(indices, numbers(0, kMany));
 }
 
+TEST_F(DrawFrames, GivesTheSamePicturesToAnyNumberOfThreads) {
+  HashSink one, four;
+  draw({0, kMany}, {{one, 1}, {four, 4}});
+  EXPECT_EQ(one.checksums().size(), static_cast<std::size_t>(kMany));
+  EXPECT_EQ(four.checksums(), one.checksums());
+}
+
 TEST_F(DrawFrames, DrawsOnlyTheRange) {
   FakeSink sink;
   EXPECT_EQ(draw({7, 11}, {{sink, 1}}), 4);
@@ -123,7 +130,7 @@ TEST_F(DrawFrames, DrawsOnlyTheRange) {
 TEST_F(DrawFrames, PaintsNoFrameThatIsKept) {
   const auto folder = emptyFolder();
   store::FrameSums earlier(folder);
-  PngSequenceSink png(earlier, {});
+  PngSequenceSink png(earlier, false);
   draw({3, 5}, {{png, 1}});
   const store::FrameSums sums(folder);
   FakeSink all, fresh;

@@ -56,7 +56,9 @@ TEST(OpenFiles, OfARenderDoNotGrowWithTheClip) {
     const RenderListener listener{{}, [&](RenderProgress) { most = std::max(most, openFiles()); }};
     const scene::Scene scene = clipOf(frames);
     renderClip(scene, timeline::simulateScene(scene),
-               {.folder = testing::emptyFolder(), .pngThreads = 1}, listener);
+               {.folder = testing::emptyFolder(),
+                .outputs = {pngOutput(1), videoOutput(video::VideoFormat::Mp4)}},
+               listener);
     return most;
   };
   const std::ptrdiff_t some = mostOpen(kSome);

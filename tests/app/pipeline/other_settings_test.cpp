@@ -27,8 +27,7 @@ class OtherSettings : public testing::RenderedAgain {
  protected:
   RenderResult renderGif(const store::EarlierFrames& earlier = {}) {
     return testing::render(otherScene(), {.folder = folder_,
-                                          .png = false,
-                                          .formats = {video::VideoFormat::Gif},
+                                          .outputs = outputsOf(false, {video::VideoFormat::Gif}),
                                           .earlier = earlier});
   }
   std::string path(const char* name) const { return (folder_ / name).string(); }
@@ -37,8 +36,8 @@ class OtherSettings : public testing::RenderedAgain {
 TEST_F(OtherSettings, RemoveNoVideoOfAnotherFormat) {
   render({});
   const std::string mp4 = bytesOf(folder_ / "small.mp4");
-  const RenderResult result =
-      testing::render(otherScene(), {.folder = folder_, .formats = {video::VideoFormat::Gif}});
+  const RenderResult result = testing::render(
+      otherScene(), {.folder = folder_, .outputs = outputsOf(true, {video::VideoFormat::Gif})});
   EXPECT_TRUE(rotatebook::testing::sameBytes(bytesOf(folder_ / "small.mp4"), mp4));
   EXPECT_THAT(result.others, ElementsAre(path("small.mp4")));
   EXPECT_THAT(render({}).others, ElementsAre(path("small.gif")));
@@ -87,7 +86,9 @@ TEST_F(OtherSettings, KeepFramesOfWhichNothingIsKnown) {
 TEST_F(OtherSettings, CostNoUnfinishedFramesWhereVideosAloneGoOn) {
   render({}, otherScene());
   stop(5);
-  const RenderOptions videos{.folder = folder_, .png = false, .earlier = kResume};
+  const RenderOptions videos{.folder = folder_,
+                             .outputs = outputsOf(false, {video::VideoFormat::Mp4}),
+                             .earlier = kResume};
   testing::render(smallScene(), videos);
   EXPECT_EQ(store::framesIn(folder_ / "small").size(), 12U);
   EXPECT_EQ(store::framesIn(folder_ / "small.partial").size(), 5U);
@@ -96,7 +97,9 @@ TEST_F(OtherSettings, CostNoUnfinishedFramesWhereVideosAloneGoOn) {
 
 TEST_F(OtherSettings, AreNoMatterToVideosThatAreMadeBesideUnfinishedFrames) {
   stop(5);
-  const RenderOptions videos{.folder = folder_, .png = false, .earlier = kResume};
+  const RenderOptions videos{.folder = folder_,
+                             .outputs = outputsOf(false, {video::VideoFormat::Mp4}),
+                             .earlier = kResume};
   testing::render(smallScene(), videos);
   EXPECT_TRUE(store::framesIn(folder_ / "small").empty()) << "unfinished frames aren't a clip's";
   EXPECT_EQ(store::framesIn(folder_ / "small.partial").size(), 5U);
@@ -106,8 +109,10 @@ TEST_F(OtherSettings, AreNoMatterToVideosThatAreMadeBesideUnfinishedFrames) {
 }
 
 TEST_F(OtherSettings, OfAPartForgetNoFile) {
-  testing::render(otherScene(), {.folder = folder_, .png = false});
-  const RenderOptions part{.folder = folder_, .formats = {}, .frames = store::FrameRange{0, 3}};
+  testing::render(otherScene(),
+                  {.folder = folder_, .outputs = outputsOf(false, {video::VideoFormat::Mp4})});
+  const RenderOptions part{
+      .folder = folder_, .outputs = {pngOutput()}, .frames = store::FrameRange{0, 3}};
   EXPECT_THAT(testing::render(smallScene(), part).others,
               ElementsAre(path("small.mp4"), path("small.poster.png")))
       << "the table was replaced";
@@ -115,7 +120,7 @@ TEST_F(OtherSettings, OfAPartForgetNoFile) {
 
 TEST_F(OtherSettings, LeaveAnInterruptedVideoOfAnotherFormat) {
   stoppedAfter(3, smallScene(),
-               {.folder = folder_, .png = false, .formats = {video::VideoFormat::Gif}});
+               {.folder = folder_, .outputs = outputsOf(false, {video::VideoFormat::Gif})});
   render({});
   EXPECT_TRUE(fs::exists(folder_ / "small.partial.gif"));
 }

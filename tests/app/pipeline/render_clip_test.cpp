@@ -70,7 +70,7 @@ TEST(RenderClip, MakesItsFolders) {
 TEST(RenderClip, DrawsFrameNFromSampleN) {
   const fs::path folder = emptyFolder();
   const scene::Scene scene = smallScene();
-  testing::render(scene, {.folder = folder, .formats = {}});
+  testing::render(scene, {.folder = folder, .outputs = {pngOutput()}});
   const physics::Trajectory trajectory = motionOf(scene);
   render::Renderer renderer = picture::makeRenderer(scene);
   image::Image expected = renderer.makePicture();
@@ -88,7 +88,7 @@ TEST(RenderClip, DrawsFrameNFromSampleN) {
 TEST(RenderClip, StartsWithTheBookAtRest) {
   const fs::path folder = emptyFolder();
   const scene::Scene scene = smallScene();
-  testing::render(scene, {.folder = folder, .formats = {}});
+  testing::render(scene, {.folder = folder, .outputs = {pngOutput()}});
   render::Renderer renderer = picture::makeRenderer(scene);
   image::Image expected = renderer.makePicture();
   renderer.draw(scene.body.corners(), expected);
@@ -98,11 +98,13 @@ TEST(RenderClip, StartsWithTheBookAtRest) {
 TEST(RenderClip, RemovesNoVideoThatItDoesNotReplace) {
   using video::VideoFormat;
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(),
-                  {.folder = folder, .formats = {VideoFormat::Gif, VideoFormat::WebM}});
+  testing::render(
+      smallScene(),
+      {.folder = folder, .outputs = outputsOf(true, {VideoFormat::Gif, VideoFormat::WebM})});
   const std::string gif = bytesOf(folder / "small.gif"), webm = bytesOf(folder / "small.webm");
-  const RenderResult result = testing::render(smallScene({"initial.angular_velocity=[1, 2, 3]"}),
-                                              {.folder = folder, .formats = {VideoFormat::WebM}});
+  const RenderResult result =
+      testing::render(smallScene({"initial.angular_velocity=[1, 2, 3]"}),
+                      {.folder = folder, .outputs = outputsOf(true, {VideoFormat::WebM})});
   EXPECT_TRUE(sameBytes(bytesOf(folder / "small.gif"), gif));
   EXPECT_FALSE(bytesOf(folder / "small.webm") == webm);
   EXPECT_THAT(result.others, ElementsAre((folder / "small.gif").string()));
@@ -110,7 +112,7 @@ TEST(RenderClip, RemovesNoVideoThatItDoesNotReplace) {
 
 TEST(RenderClip, WritesTheMotionAsCsv) {
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder, .png = false, .formats = {}});
+  testing::render(smallScene(), {.folder = folder, .outputs = outputsOf(false, {})});
   EXPECT_EQ(bytesOf(folder / "small.csv"), timeline::trajectoryCsv(motionOf(smallScene())));
 }
 
@@ -183,21 +185,14 @@ TEST(RenderClip, GivesTheSameBytesAgain) {
 
 TEST(RenderClip, LeavesOutWhatIsNotWanted) {
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder / "mp4", .png = false});
+  testing::render(smallScene(), {.folder = folder / "mp4",
+                                 .outputs = outputsOf(false, {video::VideoFormat::Mp4})});
   EXPECT_THAT(namesIn(folder / "mp4"),
               ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
-  testing::render(smallScene(), {.folder = folder / "png", .formats = {}});
+  testing::render(smallScene(), {.folder = folder / "png", .outputs = {pngOutput()}});
   EXPECT_THAT(namesIn(folder / "png"), ElementsAre("small", "small.csv", "small.poster.png"));
   testing::render(smallScene(), {.folder = folder / "both"});
   EXPECT_EQ(bytesOf(folder / "mp4/small.mp4"), bytesOf(folder / "both/small.mp4"));
-}
-
-TEST(RenderClip, CompressesPngsAsAsked) {
-  const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder / "fast", .formats = {}});
-  testing::render(smallScene(), {.folder = folder / "small", .formats = {}, .pngOptions = {9}});
-  EXPECT_LT(fs::file_size(folder / "small/small" / store::frameName(3)),
-            fs::file_size(folder / "fast/small" / store::frameName(3)));
 }
 
 TEST(RenderClip, RemovesTheFramesOfALongerRenderBefore) {
@@ -216,7 +211,8 @@ TEST(RenderClip, TellsRendererEncoderAndProgress) {
   const RenderListener listener{[&](const RenderStart& begun) { start = begun; },
                                 [&](RenderProgress progress) { done.push_back(progress.done); }};
   renderClip(smallScene(), timeline::simulateScene(smallScene()),
-             {.folder = folder, .pngThreads = 3}, listener);
+             {.folder = folder, .outputs = {pngOutput(3), videoOutput(video::VideoFormat::Mp4)}},
+             listener);
   EXPECT_THAT(start.renderer, HasSubstr("OpenGL"));
   EXPECT_FALSE(start.encoders.empty());
   EXPECT_EQ(start.pngThreads, 3);
@@ -256,8 +252,9 @@ TEST(RenderClip, KeepsAllOfAnEarlierRenderWhenStopped) {
 TEST(RenderClip, KeepsWhatTheSameSettingsMadeBefore) {
   const fs::path folder = emptyFolder();
   testing::render(smallScene(), {.folder = folder});
-  testing::render(smallScene(), {.folder = folder, .png = false});
-  testing::render(smallScene(), {.folder = folder, .formats = {}});
+  testing::render(smallScene(),
+                  {.folder = folder, .outputs = outputsOf(false, {video::VideoFormat::Mp4})});
+  testing::render(smallScene(), {.folder = folder, .outputs = {pngOutput()}});
   EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
   EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(kFrames));
 }

@@ -44,8 +44,10 @@ TEST(RenderErrors, NameAFileInPlaceOfTheFrameFolder) {
 TEST(RenderErrors, NameAFolderInPlaceOfTheVideo) {
   const fs::path folder = emptyFolder();
   fs::create_directories(folder / "small.mp4");
-  EXPECT_THAT(errorOf<MachineError>(smallScene(), {.folder = folder, .png = false}),
-              HasSubstr((folder / "small.mp4").string()));
+  EXPECT_THAT(
+      errorOf<MachineError>(
+          smallScene(), {.folder = folder, .outputs = outputsOf(false, {video::VideoFormat::Mp4})}),
+      HasSubstr((folder / "small.mp4").string()));
   EXPECT_THAT(namesIn(folder), ElementsAre("small.mp4"));
 }
 

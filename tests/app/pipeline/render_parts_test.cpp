@@ -44,7 +44,7 @@ TEST(RenderParts, AssembleToTheWholesBytes) {
   const fs::path parts = folder / "parts";
   testing::render(smallScene(), {.folder = parts, .frames = store::FrameRange{5, 12}});
   testing::render(smallScene(),
-                  {.folder = parts, .formats = {}, .frames = store::FrameRange{0, 5}});
+                  {.folder = parts, .outputs = {pngOutput()}, .frames = store::FrameRange{0, 5}});
   const Assembled made = assemble(parts / "small", parts / "all.mp4", {}, {});
   EXPECT_EQ(made.frames, (store::FrameRange{0, kFrames}));
   EXPECT_FALSE(made.isPart());
@@ -105,7 +105,8 @@ TEST(RenderParts, RefuseToLieBesideUnfinishedFramesOfOtherSettings) {
   const fs::path folder = emptyFolder();
   testing::stoppedAfter(4, smallScene(), {.folder = folder});
   const auto part = [&](const scene::Scene& scene) {
-    testing::render(scene, {.folder = folder, .formats = {}, .frames = store::FrameRange{3, 12}});
+    testing::render(
+        scene, {.folder = folder, .outputs = {pngOutput()}, .frames = store::FrameRange{3, 12}});
   };
   EXPECT_THAT(
       testing::messageOf<InputError>([&] { part(smallScene({"camera.field_of_view_deg=40"})); }),
@@ -113,7 +114,9 @@ TEST(RenderParts, RefuseToLieBesideUnfinishedFramesOfOtherSettings) {
             HasSubstr("camera.field_of_view_deg is")));
   EXPECT_FALSE(fs::exists(folder / "small"));
   testing::render(smallScene({"camera.field_of_view_deg=40"}),
-                  {.folder = folder, .png = false, .frames = store::FrameRange{3, 12}});
+                  {.folder = folder,
+                   .outputs = outputsOf(false, {video::VideoFormat::Mp4}),
+                   .frames = store::FrameRange{3, 12}});
   part(smallScene());
   EXPECT_EQ(store::framesIn(folder / "small").size(), 9U);
 }

@@ -47,7 +47,8 @@ TEST_F(Resume, GivesTheBytesOfAnUninterruptedRender) {
 TEST_F(Resume, GivesThemInEveryFormatWithPanelsAndAlpha) {
   using video::VideoFormat;
   const scene::Scene scene = smallScene({"look.background=transparent"});
-  const RenderOptions options{.folder = folder_, .formats = {VideoFormat::WebM, VideoFormat::Apng}};
+  const RenderOptions options{.folder = folder_,
+                              .outputs = outputsOf(true, {VideoFormat::WebM, VideoFormat::Apng})};
   stoppedAfter(5, scene, options);
   RenderOptions resumed = options;
   resumed.earlier = kResume;
@@ -85,26 +86,29 @@ TEST_F(Resume, MakesAgainWhatIsDamaged) {
 
 TEST_F(Resume, MakesAnotherFormatOfFramesThatAreThere) {
   render({});
-  const RenderOptions gif{.folder = folder_,
-                          .formats = {video::VideoFormat::Mp4, video::VideoFormat::Gif},
-                          .earlier = kResume};
+  const RenderOptions gif{
+      .folder = folder_,
+      .outputs = outputsOf(true, {video::VideoFormat::Mp4, video::VideoFormat::Gif}),
+      .earlier = kResume};
   EXPECT_EQ(testing::render(smallScene(), gif).framesKept, kFrames);
-  expectAsUninterrupted({.formats = gif.formats});
+  expectAsUninterrupted({.outputs = gif.outputs});
 }
 
 TEST_F(Resume, OfFramesAloneDrawsWhatIsMissing) {
-  const RenderOptions options{.folder = folder_, .formats = {}, .earlier = kResume};
+  const RenderOptions options{.folder = folder_, .outputs = {pngOutput()}, .earlier = kResume};
   stoppedAfter(4, smallScene(), options);
   EXPECT_EQ(testing::render(smallScene(), options).framesKept, 4);
-  expectAsUninterrupted({.formats = {}});
+  expectAsUninterrupted({.outputs = {pngOutput()}});
 }
 
 TEST_F(Resume, OfVideosAloneSkipsThemOrBeginsAnew) {
-  const RenderOptions options{.folder = folder_, .png = false, .earlier = kResume};
+  const RenderOptions options{.folder = folder_,
+                              .outputs = outputsOf(false, {video::VideoFormat::Mp4}),
+                              .earlier = kResume};
   stoppedAfter(4, smallScene(), options);
   EXPECT_EQ(testing::render(smallScene(), options).framesKept, 0);
   EXPECT_TRUE(testing::render(smallScene(), options).wasDone);
-  expectAsUninterrupted({.png = false});
+  expectAsUninterrupted({.outputs = outputsOf(false, {video::VideoFormat::Mp4})});
 }
 
 TEST_F(Resume, OfAPartKeepsItsFrames) {
@@ -116,7 +120,7 @@ TEST_F(Resume, OfAPartKeepsItsFrames) {
 
 TEST_F(Resume, MakesTheWholeOfParts) {
   for (const store::FrameRange range : {store::FrameRange{5, 12}, store::FrameRange{0, 5}}) {
-    testing::render(smallScene(), {.folder = folder_, .formats = {}, .frames = range});
+    testing::render(smallScene(), {.folder = folder_, .outputs = {pngOutput()}, .frames = range});
   }
   EXPECT_EQ(render(kResume).framesKept, kFrames);
   expectAsUninterrupted();
@@ -125,7 +129,7 @@ TEST_F(Resume, MakesTheWholeOfParts) {
 TEST_F(Resume, TakesWhatAWholeAndAPartLeft) {
   stop(5);
   testing::render(smallScene(),
-                  {.folder = folder_, .formats = {}, .frames = store::FrameRange{3, 8}});
+                  {.folder = folder_, .outputs = {pngOutput()}, .frames = store::FrameRange{3, 8}});
   EXPECT_EQ(render(kResume).framesKept, 8);
   expectAsUninterrupted();
   EXPECT_FALSE(render({}).wasDone) << "nothing unfinished is left to be asked about";
@@ -136,7 +140,7 @@ TEST_F(Resume, TakesAwayWhatWasKilledBeforeItsFirstFrame) {
   fs::create_directories(begun);
   std::ofstream(begun / ".scene.toml.rotatebook-99999999");
   testing::render(smallScene(),
-                  {.folder = folder_, .formats = {}, .frames = store::FrameRange{3, 8}});
+                  {.folder = folder_, .outputs = {pngOutput()}, .frames = store::FrameRange{3, 8}});
   render(kResume);
   expectAsUninterrupted();
   EXPECT_FALSE(fs::exists(begun));
@@ -144,7 +148,7 @@ TEST_F(Resume, TakesAwayWhatWasKilledBeforeItsFirstFrame) {
 
 TEST_F(Resume, LosesNoPartsUnasked) {
   testing::render(smallScene(),
-                  {.folder = folder_, .formats = {}, .frames = store::FrameRange{0, 5}});
+                  {.folder = folder_, .outputs = {pngOutput()}, .frames = store::FrameRange{0, 5}});
   const std::string held =
       (folder_ / "small").string() + " holds 5 frames of a render that wasn't finished";
   EXPECT_EQ(failureOf({}), held + ": go on with --resume, or render anew with --overwrite");
@@ -157,8 +161,9 @@ TEST_F(Resume, LosesNoPartsOfOtherSettingsThoughItHasFramesOfItsOwn) {
   stop(4);
   // As though the part had been drawn first: it is refused beside frames of other settings.
   const fs::path elsewhere = folder_.parent_path() / "elsewhere";
-  testing::render(otherScene(),
-                  {.folder = elsewhere, .formats = {}, .frames = store::FrameRange{0, 5}});
+  testing::render(
+      otherScene(),
+      {.folder = elsewhere, .outputs = {pngOutput()}, .frames = store::FrameRange{0, 5}});
   fs::rename(elsewhere / "small", folder_ / "small");
   EXPECT_THAT(failureOf(kResume),
               AllOf(HasSubstr((folder_ / "small").string() + " holds 5 frames of a render"),
@@ -253,7 +258,8 @@ class KilledWhileFinishing : public Resume {
   KilledWhileFinishing() {
     testing::render(smallScene(), {.folder = folder_});
     fs::rename(final_, folder_ / "new");
-    testing::render(otherScene(), {.folder = folder_, .formats = {video::VideoFormat::Gif}});
+    testing::render(otherScene(),
+                    {.folder = folder_, .outputs = outputsOf(true, {video::VideoFormat::Gif})});
     std::ofstream(final_ / "notes.txt") << "a user's";
     fs::rename(folder_ / "new", folder_ / "small.partial");
   }
@@ -318,7 +324,8 @@ TEST_F(Resume, IsWhatAFailedRenderTellsOf) {
       {}};
   const auto fail = [&] {
     renderClip(smallScene(), timeline::simulateScene(smallScene()),
-               {.folder = folder_, .pngThreads = 1}, listener);
+               {.folder = folder_, .outputs = {pngOutput(1), videoOutput(video::VideoFormat::Mp4)}},
+               listener);
   };
   const std::string partial = (folder_ / "small.partial").string();
   EXPECT_EQ(messageOf<MachineError>(fail),

@@ -2,6 +2,7 @@
 #include "base/same_bytes.h"
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -55,7 +56,8 @@ void rendersTheSame(const scene::Scene& scene) {
   const fs::path folder = emptyFolder();
   const auto rendered = [&](int threads) {
     const fs::path into = folder / ("threads-" + std::to_string(threads));
-    testing::render(scene, {.folder = into, .pngThreads = threads});
+    testing::render(scene, {.folder = into,
+                            .outputs = {pngOutput(threads), videoOutput(video::VideoFormat::Mp4)}});
     return filesIn(into);
   };
   const Files one = rendered(1);
@@ -70,6 +72,28 @@ void rendersTheSame(const scene::Scene& scene) {
 
 TEST(SameBytes, WithAnyNumberOfThreads) {
   rendersTheSame(smallScene());
+}
+
+/// Of the frames that a render hands to its caller's own sink.
+std::map<std::int64_t, std::string> checksumsOf(const scene::Scene& scene, int threads) {
+  HashSink sink;
+  testing::render(scene, {.folder = emptyFolder(), .outputs = {sinkOutput(sink, threads)}});
+  return sink.checksums();
+}
+
+TEST(SameBytes, OfPicturesInTheCallersOwnSink) {
+  const timeline::ClipMotion motion = timeline::simulateScene(smallScene());
+  picture::FrameDrawer drawer(smallScene(), motion);
+  image::Image picture = drawer.makePicture();
+  HashSink serial;
+  for (std::int64_t frame = 0; frame < motion.frameCount(); ++frame) {
+    drawer.draw(frame, picture);
+    serial.write(frame, picture.view());
+  }
+  const auto one = checksumsOf(smallScene(), 1);
+  EXPECT_EQ(one, serial.checksums());
+  EXPECT_EQ(checksumsOf(smallScene(), 4), one);
+  EXPECT_NE(checksumsOf(smallScene({"initial.angular_velocity=[5, 3, 1.01]"}), 1), one);
 }
 
 TEST(SameBytes, OfALargerPictureWithOverlays) {

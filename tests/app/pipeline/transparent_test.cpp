@@ -27,7 +27,7 @@ int alphaAt(const image::Image& picture, int x, int y) {
 
 TEST(Transparent, FramesPosterAndStillKeepTheirAlpha) {
   const auto folder = testing::emptyFolder();
-  testing::render(transparentScene(), {.folder = folder, .formats = {}});
+  testing::render(transparentScene(), {.folder = folder, .outputs = {pngOutput()}});
   picture::renderStill(transparentScene(), 0, folder / "still.png");
   for (const auto& path : {folder / "small" / store::frameName(0), folder / "small.poster.png",
                            folder / "still.png"}) {
@@ -40,7 +40,7 @@ TEST(Transparent, FramesPosterAndStillKeepTheirAlpha) {
 
 TEST(Transparent, PicturesWithABackgroundHaveNoAlpha) {
   const auto folder = testing::emptyFolder();
-  testing::render(smallScene(), {.folder = folder, .formats = {}});
+  testing::render(smallScene(), {.folder = folder, .outputs = {pngOutput()}});
   EXPECT_EQ(image::readPng(folder / "small" / store::frameName(0)).format(),
             image::PixelFormat::Rgb8);
 }
@@ -48,8 +48,9 @@ TEST(Transparent, PicturesWithABackgroundHaveNoAlpha) {
 TEST(Transparent, WebMAndApngKeepTheirAlpha) {
   constexpr int kBound = 8;  // of 255
   const auto folder = testing::emptyFolder();
-  testing::render(transparentScene(),
-                  {.folder = folder, .formats = {VideoFormat::WebM, VideoFormat::Apng}});
+  testing::render(
+      transparentScene(),
+      {.folder = folder, .outputs = outputsOf(true, {VideoFormat::WebM, VideoFormat::Apng})});
   for (const char* name : {"small.webm", "small.apng"}) {
     const auto decoded = decodePictures(folder / name);
     ASSERT_EQ(decoded.pictures.size(), testing::kFrames) << name;
@@ -63,7 +64,8 @@ TEST(Transparent, WebMAndApngKeepTheirAlpha) {
 TEST(Transparent, Mp4AndGifRefuse) {
   const auto folder = testing::emptyFolder();
   for (const VideoFormat format : {VideoFormat::Mp4, VideoFormat::Gif}) {
-    EXPECT_THROW(testing::render(transparentScene(), {.folder = folder, .formats = {format}}),
+    EXPECT_THROW(testing::render(transparentScene(),
+                                 {.folder = folder, .outputs = outputsOf(true, {format})}),
                  InputError);
   }
   EXPECT_TRUE(testing::namesIn(folder).empty());

@@ -47,7 +47,9 @@ TEST(DiskSpace, IsAboutWhatARenderTakes) {
     for (const bool png : {true, false}) {
       const scene::Scene scene =
           smallScene({std::string("clip.size=") + size, std::string("clip.duration=") + duration});
-      const double found = ratio(scene, {.folder = emptyFolder(), .png = png});
+      const double found =
+          ratio(scene, {.folder = emptyFolder(),
+                        .outputs = pipeline::outputsOf(png, {video::VideoFormat::Mp4})});
       EXPECT_GT(found, kLeast) << size << ", PNGs: " << png;
       EXPECT_LT(found, kMost) << size << ", PNGs: " << png;
     }
@@ -57,8 +59,9 @@ TEST(DiskSpace, IsAboutWhatARenderTakes) {
 TEST(DiskSpace, CountsEveryFormat) {
   constexpr double kLeast = 0.8, kMost = 1.8;  // measured 1.0 to 1.5
   for (const VideoFormat format : video::kVideoFormats) {
-    const double found = ratio(smallScene({"clip.size=[320, 180]"}),
-                               {.folder = emptyFolder(), .png = false, .formats = {format}});
+    const double found =
+        ratio(smallScene({"clip.size=[320, 180]"}),
+              {.folder = emptyFolder(), .outputs = pipeline::outputsOf(false, {format})});
     EXPECT_GT(found, kLeast) << nameOf(format);
     EXPECT_LT(found, kMost) << nameOf(format);
   }
@@ -72,7 +75,9 @@ TEST(DiskSpace, CountsEveryTable) {
       "[clip]\nsize = [64, 36]\nfps = 24\nduration = 2\n"
       "[[panel]]\nlabel = \"a\"\n[[panel]]\nlabel = \"b\"\n[[panel]]\nlabel = \"c\"\n",
       "panels.toml");
-  const double found = ratio(scene, {.folder = emptyFolder(), .png = false});
+  const double found = ratio(
+      scene,
+      {.folder = emptyFolder(), .outputs = pipeline::outputsOf(false, {video::VideoFormat::Mp4})});
   EXPECT_GT(found, kLeast);
   EXPECT_LT(found, kMost);
 }
@@ -80,7 +85,8 @@ TEST(DiskSpace, CountsEveryTable) {
 TEST(DiskSpace, CountsNoFramesThatAreKept) {
   constexpr double kLeast = 0.8, kMost = 1.8;  // measured 1.15
   const scene::Scene scene = smallScene({"clip.size=[320, 180]"});
-  pipeline::RenderOptions options{.folder = emptyFolder(), .formats = {VideoFormat::Gif}};
+  pipeline::RenderOptions options{.folder = emptyFolder(),
+                                  .outputs = pipeline::outputsOf(true, {VideoFormat::Gif})};
   pipeline::testing::stoppedAfter(9, scene, options);
   fs::remove(options.folder / "small.partial.gif");
   options.earlier.resume = true;
@@ -91,7 +97,7 @@ TEST(DiskSpace, CountsNoFramesThatAreKept) {
 
 TEST(DiskSpace, OfAPartCountsNoFramesBesideIt) {
   const scene::Scene scene = smallScene();
-  pipeline::RenderOptions options{.folder = emptyFolder(), .formats = {}};
+  pipeline::RenderOptions options{.folder = emptyFolder(), .outputs = {pipeline::pngOutput()}};
   const auto neededBy = [&](FrameRange range) {
     double needed = 0;
     const pipeline::RenderListener listener{

@@ -114,8 +114,8 @@ void expectWrongPictures(const Verification& found) {
 TEST(VerifyClip, ProvesWhatARenderMade) {
   const fs::path folder = emptyFolder();
   pipeline::testing::render(
-      shownScene(),
-      {.folder = folder, .png = false, .formats = {VideoFormat::Mp4, VideoFormat::WebM}});
+      shownScene(), {.folder = folder,
+                     .outputs = pipeline::outputsOf(false, {VideoFormat::Mp4, VideoFormat::WebM})});
   for (const char* name : {"small.mp4", "small.webm"}) {
     const Verification found = verifyClip(folder / name, {.allFrames = true});
     EXPECT_TRUE(found.proved()) << name;
@@ -137,8 +137,8 @@ TEST(VerifyClip, FindsAWebMAsGoodAsAnMp4) {
   constexpr double kAsGood = 0.25;  // measured 0.015; 0.54 at a constant quality of 34, not 24
   const fs::path folder = emptyFolder();
   pipeline::testing::render(
-      shownScene(),
-      {.folder = folder, .png = false, .formats = {VideoFormat::Mp4, VideoFormat::WebM}});
+      shownScene(), {.folder = folder,
+                     .outputs = pipeline::outputsOf(false, {VideoFormat::Mp4, VideoFormat::WebM})});
   const double mp4 = meanRms(verifyClip(folder / "small.mp4", {.allFrames = true}));
   const double webm = meanRms(verifyClip(folder / "small.webm", {.allFrames = true}));
   EXPECT_NEAR(webm / mp4, 1, kAsGood);
@@ -150,8 +150,8 @@ TEST_P(VerifyClipOf, EverySceneIsProved) {
   const fs::path folder = emptyFolder();
   const scene::Scene scene = shownScene(GetParam());
   const auto format = scene::isTransparent(scene) ? VideoFormat::WebM : VideoFormat::Mp4;
-  const auto result =
-      pipeline::testing::render(scene, {.folder = folder, .png = false, .formats = {format}});
+  const auto result = pipeline::testing::render(
+      scene, {.folder = folder, .outputs = pipeline::outputsOf(false, {format})});
   const Verification found = verifyClip(result.files.video(format), {.allFrames = true});
   EXPECT_TRUE(found.proved());
   EXPECT_THAT(found.pictures.size(), Gt(10U));

@@ -26,8 +26,7 @@ bool updatingGoldens() {
 
 void updateGolden(const std::string& name, image::ImageView picture) {
   std::filesystem::create_directories(goldenPath(name).parent_path());
-  constexpr image::PngOptions kSmallest{.level = 9};
-  image::writePng(goldenPath(name), picture, kSmallest);
+  image::writePng(goldenPath(name), picture);
 }
 
 std::filesystem::path leftovers(const std::string& name, const std::string& kind) {

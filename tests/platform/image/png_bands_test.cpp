@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 using testing::Bytes;
 using testing::contentOf;
 
-constexpr PngOptions kTransparent{.transparent = true};
+constexpr bool kTransparent = true;
 
 /// A gradient with the noise of a dither, and a patch of noise whose place is `shift`.
 Image framePicture(int width, int height, PixelFormat format, int shift) {
@@ -39,16 +39,16 @@ class PngBandsTest : public ::testing::Test {
  protected:
   PngBandsTest() { fs::create_directories(path_.parent_path()); }
 
-  Bytes writtenAlone(const Image& picture, PngOptions options) const {
-    writePng(path_, picture.view(), options);
+  Bytes writtenAlone(const Image& picture, bool transparent) const {
+    writePng(path_, picture.view(), transparent);
     return contentOf(path_);
   }
   Bytes writtenBy(PngWriter& writer, const Image& picture) const {
     writer.write(path_, picture.view());
     return contentOf(path_);
   }
-  void expectPixelsBack(const Image& picture, PngOptions options) const {
-    writePng(path_, picture.view(), options);
+  void expectPixelsBack(const Image& picture, bool transparent) const {
+    writePng(path_, picture.view(), transparent);
     EXPECT_EQ(readPng(path_), picture) << picture.width() << "x" << picture.height();
   }
 

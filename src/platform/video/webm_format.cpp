@@ -1,8 +1,8 @@
 // VP9 in WebM.
 #include <algorithm>
 
-#include "video/format_parts.h"
 #include "video/pixel_converter.h"
+#include "video/stages.h"
 
 namespace rotatebook::video {
 namespace {
@@ -14,7 +14,7 @@ constexpr const char* kEffort = "4";
 constexpr double kSecondsBetweenKeyFrames = 2;
 
 Handle<AVCodecContext> describe(const VideoSettings& settings) {
-  const AVCodec& encoder = encoderNamed(encoderOf(VideoFormat::WebM));
+  const AVCodec& encoder = encoderNamed(rowOf(VideoFormat::WebM).encoder);
   Handle<AVCodecContext> context = makeContext(encoder, settings);
   context->pix_fmt = settings.transparent ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P;
   tagBt709(*context);

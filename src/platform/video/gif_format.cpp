@@ -1,6 +1,6 @@
 // Animated GIF.
-#include "video/format_parts.h"
 #include "video/palette_converter.h"
+#include "video/stages.h"
 
 namespace rotatebook::video {
 namespace {
@@ -17,12 +17,14 @@ Stages makeGifStages(const VideoSettings& settings) {
   const int every = takenEvery(settings.frameRate);
   VideoSettings taken = settings;
   taken.frameRate.denominator *= every;
-  Handle<AVCodecContext> context = makeContext(encoderNamed(encoderOf(VideoFormat::Gif)), taken);
+  Handle<AVCodecContext> context =
+      makeContext(encoderNamed(rowOf(VideoFormat::Gif).encoder), taken);
   context->pix_fmt = AV_PIX_FMT_PAL8;
   context->thread_count = 1;
   Dictionary options;
   return {std::make_unique<PaletteConverter>(settings.width, settings.height, every),
-          Encoder("GIF", std::move(context), options)};
+          Encoder("GIF", std::move(context), options),
+          {{"loop", "0"}}};  // for ever
 }
 
 }  // namespace rotatebook::video

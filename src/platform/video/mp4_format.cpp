@@ -6,13 +6,13 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "video/format_parts.h"
 #include "video/pixel_converter.h"
+#include "video/stages.h"
 
 namespace rotatebook::video {
 namespace {
 
-constexpr EncoderNeed kBestEncoder = encoderOf(VideoFormat::Mp4);
+constexpr EncoderNeed kBestEncoder = rowOf(VideoFormat::Mp4).encoder;
 constexpr double kSecondsBetweenKeyFrames = 2;
 constexpr int kSmallestCrf = 1;
 constexpr int kLargestCrf = 51;
@@ -101,7 +101,11 @@ Stages makeMp4Stages(const VideoSettings& settings) {
     setX264Options(settings, options);
   }
   Encoder opened("H.264", describe(encoder, settings), options);
-  return {std::make_unique<PixelConverter>(settings.width, settings.height), std::move(opened)};
+  return {std::make_unique<PixelConverter>(settings.width, settings.height),
+          std::move(opened),
+          {{"movflags", "+faststart"},
+           // The default of 1000 couldn't say how long 1/60 s is.
+           {"movie_timescale", std::to_string(settings.frameRate.numerator)}}};
 }
 
 }  // namespace rotatebook::video

@@ -1,0 +1,21 @@
+#include "video/video_format.h"
+
+#include <vector>
+
+namespace rotatebook::video {
+
+std::string listFormats(std::string_view FormatRow::*words, std::string_view lastWord,
+                        bool FormatRow::*property) {
+  std::vector<std::string_view> listed;
+  for (const FormatRow& row : kFormatRows) {
+    if (property == nullptr || row.*property) listed.push_back(row.*words);
+  }
+  std::string text;
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    if (i > 0) text += i + 1 < listed.size() ? ", " : " " + std::string(lastWord) + " ";
+    text += listed[i];
+  }
+  return text;
+}
+
+}  // namespace rotatebook::video

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string>
 
+#include "base/text.h"
 #include "cli/json_object.h"
 
 namespace rotatebook::cli {
@@ -76,8 +77,8 @@ std::string json(const diagnose::StageTimes& stages) {
 }  // namespace
 
 void reportSpeed(const scene::Scene& scene, const diagnose::Speed& speed, std::ostream& out) {
-  out << scene.name << ": " << speed.frames << " frames, " << scene.clip.width << "x"
-      << scene.clip.height << ", PNGs and MP4\n"
+  out << scene.name << ": " << speed.frames << " frames, "
+      << sizeText(scene.clip.width, scene.clip.height) << ", PNGs and MP4\n"
       << "  renderer " << speed.renderer << "; encoder " << speed.encoder << "; "
       << coresText(speed.cores) << '\n'
       << formatted(

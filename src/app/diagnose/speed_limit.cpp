@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "base/text.h"
+
 namespace rotatebook::diagnose {
 namespace {
 
@@ -85,7 +87,7 @@ void adviseOnVideo(const scene::Scene& scene, const Speed& speed, Adviser& advis
 
 /// Half as wide and high; the sides stay even.
 std::string halfSize(const scene::ClipSettings& clip) {
-  return std::to_string(clip.width / 4 * 2) + "x" + std::to_string(clip.height / 4 * 2);
+  return sizeText(clip.width / 4 * 2, clip.height / 4 * 2);
 }
 
 void adviseOnSize(const scene::Scene& scene, Adviser& adviser) {

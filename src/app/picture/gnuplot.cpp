@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "system/atomic_file.h"
 #include "system/file_descriptor.h"
 
@@ -23,11 +24,6 @@ constexpr const char* kSvg =
 constexpr const char* kPng =
     "set terminal pngcairo size 1800,900 enhanced font 'sans,12' fontscale 1.5 linewidth 1.5 "
     "pointscale 1.5 background rgb 'white'\npoint_size = 1\n";
-
-std::string trimmed(std::string text) {
-  text.erase(text.find_last_not_of(" \n") + 1);
-  return text;
-}
 
 /// The standard streams of a process to be started.
 class Streams {
@@ -84,7 +80,7 @@ std::string draw(const Format& format, const std::string& commands, const fs::pa
   const int status = runGnuplot(Streams(input.number(), output.number(), problems.number()));
   std::string picture = system::readAll(output, path);
   if (status == 0 && picture.rfind(format.last) != std::string::npos) return picture;
-  std::string words = trimmed(system::readAll(problems, path));
+  std::string words(trimmed(system::readAll(problems, path)));
   if (words.empty() && status == 0) {
     words = "the picture isn't whole; is there a limit of file sizes (ulimit -f)?";
   }

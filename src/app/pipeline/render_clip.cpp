@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "picture/frame_drawer.h"
 #include "picture/poster.h"
 #include "store/clip_record.h"
@@ -30,9 +31,7 @@ VideoSinks openVideos(const store::ClipFiles& files, const video::VideoSettings&
 
 /// "libx264, gif"
 std::string encoderNames(const VideoSinks& videos) {
-  std::string names;
-  for (const auto& video : videos) names += (names.empty() ? "" : ", ") + video->encoderName();
-  return names;
+  return joinedOf(videos, [](const auto& video) { return video->encoderName(); });
 }
 
 std::vector<SinkThreads> sinksOf(const VideoSinks& videos, PngSequenceSink& png, int pngThreads) {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "scene/names.h"
 #include "scene/nearest_name.h"
 #include "scene/study_section.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/text.h"
 #include "physics/measure/flip_interval.h"
 #include "physics/simulator.h"
 #include "scene/nearest_name.h"

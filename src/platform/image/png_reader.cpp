@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "image/png_file.h"
 #include "image/png_guard.h"
 #include "system/read_file.h"
@@ -95,7 +96,7 @@ class PngDecoder {
 
 // Before a byte is allocated: a header of 33 bytes can claim gigabytes.
 void checkSize(const PngHeader& header, std::size_t fileSize, const std::string& name) {
-  const std::string size = std::to_string(header.width) + "x" + std::to_string(header.height);
+  const std::string size = sizeText(header.width, header.height);
   if (header.width > kLargestSide || header.height > kLargestSide) {
     refuse(name, size + " pixels; the limit is " + std::to_string(kLargestSide) + " a side");
   }

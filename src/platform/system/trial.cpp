@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "system/crash_signals.h"
 #include "system/file_descriptor.h"
 
@@ -65,9 +66,9 @@ std::string lastLine(const FileDescriptor& words) {
   std::array<char, kLongestWords> end;
   const ssize_t read =
       pread(words.number(), end.data(), end.size(), std::max<off_t>(size - kLongestWords, 0));
-  std::string text(end.data(), read > 0 ? static_cast<std::size_t>(read) : 0);
-  text.erase(text.find_last_not_of(" \n") + 1);
-  const std::string line = text.substr(text.rfind('\n') + 1);
+  const std::string_view text =
+      trimmed({end.data(), read > 0 ? static_cast<std::size_t>(read) : 0});
+  const std::string line(text.substr(text.rfind('\n') + 1));
   return line.empty() ? "" : ": " + line;
 }
 

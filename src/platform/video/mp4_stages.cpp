@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "base/text.h"
 #include "video/format_parts.h"
 #include "video/pixel_converter.h"
 
@@ -23,11 +24,8 @@ constexpr std::array<std::string_view, 11> kPresets = {
 
 void requireKnownPreset(const std::string& preset) {
   if (std::find(kPresets.begin(), kPresets.end(), preset) != kPresets.end()) return;
-  std::string valid;
-  for (const std::string_view name : kPresets) {
-    valid += (valid.empty() ? "" : ", ") + std::string(name);
-  }
-  throw InputError("unknown video preset \"" + preset + "\"; valid are " + valid);
+  throw InputError("unknown video preset \"" + preset + "\"; valid are " +
+                   joined({kPresets.begin(), kPresets.end()}));
 }
 
 void validate(const VideoSettings& settings) {

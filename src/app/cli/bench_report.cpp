@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <string>
 
+#include "base/json.h"
 #include "base/text.h"
-#include "cli/json_object.h"
 
 namespace rotatebook::cli {
 namespace {

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
 #include "base/version.h"
-#include "cli/json_object.h"
 
 namespace rotatebook::cli {
 namespace {

@@ -5,9 +5,9 @@
 #include <ranges>
 #include <vector>
 
+#include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
-#include "cli/json_object.h"
 
 namespace rotatebook::cli {
 namespace {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "render/device/device.h"
 
 namespace rotatebook::diagnose {
 namespace {
@@ -49,11 +50,6 @@ class Adviser {
   std::vector<SpeedAdvice> advice_;
 };
 
-bool isSoftware(const std::string& renderer) {
-  return renderer.find("llvmpipe") != std::string::npos ||
-         renderer.find("softpipe") != std::string::npos;
-}
-
 void adviseOnBook(const scene::Scene& scene, const Speed& speed, Adviser& adviser) {
   const scene::LookSettings& look = scene.look;
   if (look.supersample > 1) {
@@ -66,7 +62,7 @@ void adviseOnBook(const scene::Scene& scene, const Speed& speed, Adviser& advise
       stages.book = scaled(stages.book, 1.0 / look.motionBlur);
     });
   }
-  if (isSoftware(speed.renderer)) {
+  if (render::isSoftwareRenderer(speed.renderer)) {
     adviser.tryOut("a graphics card", "if it drew at no cost",
                    [](StageTimes& stages) { stages.book = {}; });
   }

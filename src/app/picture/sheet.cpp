@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 
+#include "base/clip_limits.h"
 #include "base/error.h"
 #include "base/number_text.h"
 #include "base/text.h"
@@ -125,9 +126,9 @@ Grid gridFor(const std::vector<Cell>& cells, int columns) {
 }
 
 void refuseTooLarge(const Grid& grid) {
-  if (grid.width() <= image::kLargestSide && grid.height() <= image::kLargestSide) return;
+  if (grid.width() <= kMaxPictureSide && grid.height() <= kMaxPictureSide) return;
   throw InputError("the sheet would have " + sizeText(grid.width(), grid.height()) +
-                   " pixels, and a side has at most " + std::to_string(image::kLargestSide) +
+                   " pixels, and a side has at most " + std::to_string(kMaxPictureSide) +
                    ": take fewer or smaller pictures, for example --size 480x270");
 }
 

@@ -80,11 +80,6 @@ inline constexpr std::array<Named<Overlay>, 12> kOverlays{{
     {"ghost", Overlay::Ghost},
 }};
 
-/// The preset that is made for clips of the book, and x264's, fastest first.
-inline constexpr std::array<std::string_view, 11> kPresets{
-    "book",   "ultrafast", "superfast", "veryfast", "faster", "fast",
-    "medium", "slow",      "slower",    "veryslow", "placebo"};
-
 /// The words alone.
 template <typename T, std::size_t N>
 constexpr std::array<std::string_view, N> namesOf(const std::array<Named<T>, N>& choices) {

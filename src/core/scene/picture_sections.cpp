@@ -12,6 +12,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/clip_limits.h"
 #include "scene/names.h"
 #include "scene/sections.h"
 
@@ -19,11 +20,7 @@ namespace rotatebook::scene {
 namespace {
 
 constexpr int kSmallestPicture = 16;
-constexpr int kLargestPicture = 16'384;
-constexpr int kMostPixels = 35'651'584;  // The most that H.264's highest level has.
-constexpr int kMostFrames = 1'000'000;   // Their trajectory takes some 400 MB.
-constexpr int kBestCrf = 1;              // 0 is lossless, which the High profile doesn't have.
-constexpr int kWorstCrf = 51;
+constexpr int kMostFrames = 1'000'000;  // Their trajectory takes some 400 MB.
 constexpr int kMostThreads = 64;
 constexpr int kMostSupersample = 2;
 constexpr unsigned kMostMoments = 16;    // Of motion blur.
@@ -36,7 +33,7 @@ constexpr NumberRange kAngles{"an angle from 1 to 170 degrees", 1, 170};
 
 // H.264 with its colour at half the resolution has no odd sizes.
 int pictureSide(const ValueReader& value) {
-  const int side = value.integer(kSmallestPicture, kLargestPicture);
+  const int side = value.integer(kSmallestPicture, kMaxPictureSide);
   if (side % 2 != 0) {
     value.fail(value.name() + " must be even, not " + std::to_string(side) +
                "; the nearest even sizes are " + std::to_string(side - 1) + " and " +
@@ -50,9 +47,9 @@ void readPictureSize(const ValueReader& value, ClipSettings& clip) {
   clip.width = pictureSide(sides[0]);
   clip.height = pictureSide(sides[1]);
   const int pixels = clip.width * clip.height;  // Of 16384x16384 they are fewer than 2^31.
-  if (pixels > kMostPixels) {
+  if (pixels > kMaxPicturePixels) {
     value.fail(value.name() + " has " + std::to_string(pixels) + " pixels; the limit is " +
-               std::to_string(kMostPixels) + ", for example [8192, 4352]");
+               std::to_string(kMaxPicturePixels) + ", for example [8192, 4352]");
   }
 }
 
@@ -148,7 +145,9 @@ void readVideo(const ValueReader& section, EncodingSettings& video) {
   section.readTable({
       {"crf", [&](const ValueReader& value) { video.crf = value.integer(kBestCrf, kWorstCrf); }},
       {"preset",
-       [&](const ValueReader& value) { video.preset = kPresets[value.choice(kPresets)]; }},
+       [&](const ValueReader& value) {
+         video.preset = kVideoPresets[value.choice(kVideoPresets)];
+       }},
       {"threads",
        [&](const ValueReader& value) { video.threads = value.integer(1, kMostThreads); }},
   });

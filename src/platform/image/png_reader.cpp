@@ -97,16 +97,16 @@ class PngDecoder {
 // Before a byte is allocated: a header of 33 bytes can claim gigabytes.
 void checkSize(const PngHeader& header, std::size_t fileSize, const std::string& name) {
   const std::string size = sizeText(header.width, header.height);
-  if (header.width > kLargestSide || header.height > kLargestSide) {
-    refuse(name, size + " pixels; the limit is " + std::to_string(kLargestSide) + " a side");
+  if (header.width > kMaxPictureSide || header.height > kMaxPictureSide) {
+    refuse(name, size + " pixels; the limit is " + std::to_string(kMaxPictureSide) + " a side");
   }
   if (header.rowBytes * header.height / kDeflateLargestRatio > fileSize) {
     refuse(name, "corrupt PNG: " + std::to_string(fileSize) + " bytes can't hold the " + size +
                      " pixels that its header claims");
   }
   // What few bytes unpack to can still be gigabytes.
-  if (std::int64_t{header.width} * header.height > kMostPixels) {
-    refuse(name, size + " pixels; the limit is " + std::to_string(kMostPixels) + " in all");
+  if (std::int64_t{header.width} * header.height > kMaxPicturePixels) {
+    refuse(name, size + " pixels; the limit is " + std::to_string(kMaxPicturePixels) + " in all");
   }
 }
 

@@ -72,16 +72,17 @@ class Render {
 
   RenderResult run(const RenderListener& listener) {
     system::createFolders(options_.folder);
+    const std::string& renderer = drawer_.description();
+    const picture::TextureChecksums& textures = drawer_.textureChecksums();
     const std::string record =
-        store::sceneRecord(scene_, store::makingOf(scene_, motion_, drawer_.description()));
-    store::ClipFolder folder(
-        result_.files,
-        {.scene = scene_,
-         .record = record,
-         .made = store::fingerprint(scene_, drawer_.description(), options_.pngOptions.level),
-         .earlier = options_.earlier,
-         .part = options_.frames.has_value(),
-         .png = options_.png});
+        store::sceneRecord(scene_, store::makingOf(scene_, motion_, textures, renderer));
+    store::ClipFolder folder(result_.files, {.scene = scene_,
+                                             .record = record,
+                                             .made = store::fingerprint(scene_, textures, renderer,
+                                                                        options_.pngOptions.level),
+                                             .earlier = options_.earlier,
+                                             .part = options_.frames.has_value(),
+                                             .png = options_.png});
     const std::vector<std::filesystem::path> files = allFiles(result_, options_.formats);
     result_.wasDone =
         !options_.frames && options_.earlier.resume && folder.isDone(files, pngRange());

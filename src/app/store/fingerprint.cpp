@@ -9,7 +9,6 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/version.h"
-#include "picture/textures.h"
 #include "scene/scene_text.h"
 #include "scene/toml_tree.h"
 #include "store/clip_files.h"
@@ -82,8 +81,9 @@ std::string shortList(std::vector<std::string> found) {
 
 }  // namespace
 
-Entries fingerprint(const scene::Scene& scene, const std::string& renderer, int pngLevel) {
-  Entries made = picture::textureChecksums(scene);
+Entries fingerprint(const scene::Scene& scene, const Entries& textures, const std::string& renderer,
+                    int pngLevel) {
+  Entries made = textures;
   made["program"] = std::string("rotatebook ") + kVersion;
   made["build"] = build();
   made["renderer"] = renderer;

@@ -47,7 +47,11 @@ class PngWriter {
 /// claims more than its file can hold is refused before memory is taken for it.
 Image readPng(const std::filesystem::path& path);
 
-/// The same from memory; `name` is for messages.
+/// The bytes of a PNG's file, not decoded. Throws InputError as readPng: no such file, or too
+/// large.
+std::string readPngFile(const std::filesystem::path& path);
+
+/// readPng() from memory; `name` is for messages.
 Image decodePng(std::span<const std::uint8_t> bytes, const std::string& name);
 
 /// Longest file that readPng takes: the largest picture, not compressed at all. [bytes]

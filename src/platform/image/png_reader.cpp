@@ -136,13 +136,14 @@ Image decodePng(std::span<const std::uint8_t> bytes, const std::string& name) {
   return image;
 }
 
+std::string readPngFile(const std::filesystem::path& path) try {
+  return system::readFile(path, kLargestFile);
+} catch (const InputError& error) {
+  refuse(path.string(), error.what());
+}
+
 Image readPng(const std::filesystem::path& path) {
-  std::string bytes;
-  try {
-    bytes = system::readFile(path, kLargestFile);
-  } catch (const InputError& error) {
-    refuse(path.string(), error.what());
-  }
+  const std::string bytes = readPngFile(path);
   return decodePng({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()},
                    path.string());
 }

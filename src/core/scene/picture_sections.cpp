@@ -112,7 +112,7 @@ std::vector<Overlay> overlaysFrom(const ValueReader& value) {
 /// Why `scene`, none of whose motions has `overlay`, doesn't have it.
 std::string absence(Overlay overlay, const Scene& scene) {
   const std::string name(nameOf(kOverlays, overlay));
-  if (overlay == Overlay::Springs) {
+  if (rowOf(overlay).models == OverlayModels::Particles) {
     return name + " are only of the particles model; " +
            (scene.panels.empty()
                 ? "this scene's is " + std::string(nameOf(kModels, scene.simulation.model))

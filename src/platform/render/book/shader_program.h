@@ -15,6 +15,7 @@ namespace rotatebook::render {
 /// The source of one shader: a text, or several, of which each continues the one before.
 struct ShaderSource {
   ShaderSource(std::string_view text) : texts{text} {}
+  ShaderSource(const char* text) : texts{text} {}
   ShaderSource(std::initializer_list<std::string_view> all) : texts(all) {}
 
   std::vector<std::string_view> texts;

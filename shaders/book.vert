@@ -1,4 +1,5 @@
-#version 330 core
+// After studio_lights.glsl.
+//
 // Maps the unit cube into the book's eight corners, deformed or not, and gathers the light that
 // matt surfaces scatter, which changes so slowly that the vertices are enough.
 layout(location = 0) in vec3 unitPlace;   // Spine to fore edge, foot to head, back to front.
@@ -18,10 +19,7 @@ out vec3 worldNormal;
 out float seen;        // openness
 flat out float onSurface;
 
-// The studio of cover.frag as a matt surface sees it: toward each light, and its irradiance / pi.
-const vec3 kKeyDirection = vec3(0.4767, 0.5720, 0.6674);
-const vec3 kFillDirection = vec3(-0.8452, 0.0528, 0.5317);
-const vec3 kRimDirection = vec3(-0.3487, 0.6475, -0.6774);
+// The studio of cover.frag as a matt surface sees it: each light's irradiance / pi.
 const vec3 kKeyColour = vec3(1.02, 0.95, 0.85);
 const vec3 kFillColour = vec3(0.36, 0.42, 0.52);
 const vec3 kRimColour = vec3(0.36, 0.40, 0.46);

@@ -1,4 +1,5 @@
-#version 330 core
+// After studio_lights.glsl.
+//
 // Cloth with gold stamping in a photographer's studio. Radiance is linear; the frame buffer encodes
 // sRGB.
 in vec2 texturePlace;
@@ -23,10 +24,7 @@ const float kMostGrazing = 0.25;    // Cosine; fibres keep cloth from mirroring 
 const float kMostSpread = 0.5;  // Of squared GGX widths.
 const float kStampDepth = 1.2e-4;  // How deep gold lies in the cloth. [m]
 
-// Two softboxes and a strip behind: direction, radiance, half width and half height as tangents.
-const vec3 kKeyDirection = vec3(0.4767, 0.5720, 0.6674);
-const vec3 kFillDirection = vec3(-0.8452, 0.0528, 0.5317);
-const vec3 kRimDirection = vec3(-0.3487, 0.6475, -0.6774);
+// Two softboxes and a strip behind: radiance, half width and half height as tangents.
 const vec3 kKeyRadiance = vec3(3.3, 3.05, 2.7);
 const vec3 kFillRadiance = vec3(1.1, 1.35, 1.8);
 const vec3 kRimRadiance = vec3(1.3, 1.45, 1.65);

@@ -43,8 +43,8 @@ void mendChecksums(std::vector<std::uint8_t>& bytes) {
 [[gnu::section("__libfuzzer_extra_counters")]] std::uint8_t complaints[256];
 
 void requireWhole(const image::Image& picture) {
-  require(picture.width() > 0 && picture.width() <= image::kLargestSide);
-  require(picture.height() > 0 && picture.height() <= image::kLargestSide);
+  require(picture.width() > 0 && picture.width() <= kMaxPictureSide);
+  require(picture.height() > 0 && picture.height() <= kMaxPictureSide);
   const std::uint8_t* last = picture.row(picture.height() - 1) + picture.stride() - 1;
   require(last - picture.row(0) + 1 == picture.stride() * picture.height());
 }

@@ -5,7 +5,8 @@
 #include <cstdio>
 #include <string>
 
-#include "cli/json_object.h"
+#include "base/json.h"
+#include "base/text.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -76,8 +77,8 @@ std::string json(const diagnose::StageTimes& stages) {
 }  // namespace
 
 void reportSpeed(const scene::Scene& scene, const diagnose::Speed& speed, std::ostream& out) {
-  out << scene.name << ": " << speed.frames << " frames, " << scene.clip.width << "x"
-      << scene.clip.height << ", PNGs and MP4\n"
+  out << scene.name << ": " << speed.frames << " frames, "
+      << sizeText(scene.clip.width, scene.clip.height) << ", PNGs and MP4\n"
       << "  renderer " << speed.renderer << "; encoder " << speed.encoder << "; "
       << coresText(speed.cores) << '\n'
       << formatted(

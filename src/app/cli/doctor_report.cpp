@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "base/json.h"
 #include "base/number_text.h"
+#include "base/text.h"
 #include "base/version.h"
-#include "cli/json_object.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -55,15 +56,6 @@ void printWrapped(const std::string& text, std::string first, std::ostream& out)
   }
 }
 
-/// "a, b" of what isn't empty.
-std::string listed(const std::vector<std::string>& texts) {
-  std::string list;
-  for (const std::string& text : texts) {
-    if (!text.empty()) list += (list.empty() ? "" : ", ") + text;
-  }
-  return list;
-}
-
 std::string kindOf(const WayCheck& check) {
   return check.software ? "software" : "hardware";
 }
@@ -80,7 +72,7 @@ std::string frameText(const FrameCheck& frame) {
 void printWay(const WayCheck& check, bool byDefault, std::ostream& out) {
   const render::Way& way = check.way;
   const std::string cuda = way.cudaId ? "cuda:" + std::to_string(*way.cudaId) : "";
-  const std::string nodes = listed({way.drmNode, way.renderNode, cuda});
+  const std::string nodes = joined({way.drmNode, way.renderNode, cuda});
   if (check.failure) {
     row(way.name(), check.failure->text(), out);
     if (!nodes.empty()) row("", nodes, out);
@@ -88,7 +80,7 @@ void printWay(const WayCheck& check, bool byDefault, std::ostream& out) {
   }
   row(way.name(), check.renderer + (byDefault ? "; draws by default" : ""), out);
   row("",
-      listed({kindOf(check), check.vendor, "OpenGL " + check.version,
+      joined({kindOf(check), check.vendor, "OpenGL " + check.version,
               std::to_string(check.samples) + (check.samples == 1 ? " sample" : " samples"),
               nodes}),
       out);
@@ -133,7 +125,7 @@ void printProblems(const std::vector<diagnose::Problem>& problems, std::ostream&
 /// What a render would lack, for people.
 std::string lackText(const diagnose::Checkup& checkup) {
   const bool encodes = !checkup.encoders.empty() && !checkup.encoders.front().found.empty();
-  return listed({checkup.graphics.draws() ? "" : "nothing draws as it should",
+  return joined({checkup.graphics.draws() ? "" : "nothing draws as it should",
                  encodes ? "" : "MP4 can't be encoded",
                  checkup.fontFailure.empty() ? "" : "the font can't be loaded",
                  checkup.folder.failure.empty() ? "" : "the output folder can't be written"});

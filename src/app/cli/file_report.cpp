@@ -1,21 +1,10 @@
 #include "cli/file_report.h"
 
 #include <cmath>
-#include <cstddef>
 
 #include "base/number_text.h"
 
 namespace rotatebook::cli {
-
-std::string listed(const std::vector<std::string>& things) {
-  if (things.empty()) return "nothing";
-  std::string text;
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    const char* separator = i == 0 ? "" : i + 1 == things.size() ? " and " : ", ";
-    text += separator + things[i];
-  }
-  return text;
-}
 
 std::string spaceWarning(const store::DiskSpace& space, const std::filesystem::path& folder,
                          bool pngs) {

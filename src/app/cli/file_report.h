@@ -2,16 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <ostream>
 #include <string>
-#include <vector>
 
 #include "store/disk_space.h"
 
 namespace rotatebook::cli {
-
-/// "A, B and C", or "nothing".
-std::string listed(const std::vector<std::string>& things);
 
 /// "about 12 GB are needed in out and 3.2 GB are free: ..."; empty if there is enough. `pngs`: they
 /// are written, and could be left out.

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "base/text.h"
 #include "cli/error_report.h"
 #include "cli/exit_code.h"
 #include "cli/file_report.h"
@@ -51,7 +52,7 @@ int encoderThreads(const scene::Scene& scene, const std::vector<video::VideoForm
 void announce(const scene::Scene& scene, const pipeline::RenderStart& start, int encoders,
               std::ostream& out) {
   out << scene.name << ": " << scene.title << '\n'
-      << "  " << scene.clip.width << "x" << scene.clip.height << " at "
+      << "  " << sizeText(scene.clip.width, scene.clip.height) << " at "
       << scene.clip.frameRate.text() << " frames/s, " << shortestText(scene.clip.duration)
       << " s; renderer " << start.renderer
       << (start.encoders.empty() ? std::string() : "; encoder " + start.encoders) << '\n'

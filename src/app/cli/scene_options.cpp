@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "cli/clip_options.h"
-#include "overlay/text.h"
 #include "scene/overrides.h"
 #include "scene/scene_text.h"
 #include "store/clip_files.h"
@@ -58,7 +58,7 @@ void requireUsable(const std::string& name, const scene::Scene& scene) {
   if (name == "." || name == "..") {
     throw InputError("a scene can't be named " + name + ", as a folder is; rename the file");
   }
-  if (!overlay::isOneLine(name)) {
+  if (!isOneLine(name)) {
     throw InputError("a scene's name must be a line of UTF-8, which " + name +
                      " isn't; rename the file");
   }

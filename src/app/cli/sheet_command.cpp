@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/text.h"
 #include "cli/commands.h"
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
@@ -37,7 +38,7 @@ int writeSheet(const SheetArguments& arguments) {
   const image::Image sheet = picture::drawSheet(scenes, options);
   const bool transparent = std::ranges::any_of(scenes, &scene::isTransparent);
   image::writePng(arguments.output, sheet.view(), transparent);
-  std::cout << "wrote " << arguments.output << ", " << sheet.width() << "x" << sheet.height()
+  std::cout << "wrote " << arguments.output << ", " << sizeText(sheet.width(), sheet.height())
             << '\n';
   return kDone;
 }

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/expectation_report.h"
-#include "cli/file_report.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
@@ -53,13 +53,13 @@ Shorthand stepsShorthand(const std::string& steps) {
 }
 
 Shorthand integratorsShorthand(const std::string& integrators) {
-  std::string names;
+  std::vector<std::string> names;
   for (std::size_t begin = 0; begin <= integrators.size();) {
     const std::size_t end = std::min(integrators.find(',', begin), integrators.size());
-    names += (begin == 0 ? "" : ", ") + scene::tomlString(integrators.substr(begin, end - begin));
+    names.push_back(scene::tomlString(integrators.substr(begin, end - begin)));
     begin = end + 1;
   }
-  return {"--integrators " + integrators, "study.integrators=[" + names + "]"};
+  return {"--integrators " + integrators, "study.integrators=[" + joined(names) + "]"};
 }
 
 std::vector<Shorthand> shorthandsOf(const StudyArguments& arguments) {

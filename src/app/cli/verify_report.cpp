@@ -5,8 +5,9 @@
 #include <ranges>
 #include <vector>
 
+#include "base/json.h"
 #include "base/number_text.h"
-#include "cli/json_object.h"
+#include "base/text.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -50,11 +51,9 @@ std::string framesText(const Verification& found) {
 /// "0, 12, 25", the first of them if they are many.
 std::string framesCompared(const Verification& found) {
   constexpr std::size_t kMostNamed = 12;
-  std::string text;
-  for (const PictureCheck& check : found.pictures | std::views::take(kMostNamed)) {
-    text += (text.empty() ? "" : ", ") + std::to_string(check.frame);
-  }
-  return text + (found.pictures.size() > kMostNamed ? ", ..." : "");
+  return joinedOf(found.pictures | std::views::take(kMostNamed),
+                  [](const PictureCheck& check) { return std::to_string(check.frame); }) +
+         (found.pictures.size() > kMostNamed ? ", ..." : "");
 }
 
 std::string verdict(const Verification& found) {

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "base/text.h"
+
 namespace rotatebook::diagnose {
 namespace {
 
@@ -79,12 +81,10 @@ std::string updateRemedy(bool software) {
 /// "unset GALLIUM_NOOP (it is 1), LP_X (it is 2); if that doesn't help: `remedy`"; `remedy` alone
 /// where there are no variables.
 std::string unsettingFirst(const std::vector<std::string>& variables, const std::string& remedy) {
-  std::string names;
-  for (const std::string& variable : variables) {
+  const std::string names = joinedOf(variables, [](const std::string& variable) {
     const std::size_t end = variable.find('=');
-    names += (names.empty() ? "" : ", ") + variable.substr(0, end) + " (it is " +
-             variable.substr(end + 1) + ")";
-  }
+    return variable.substr(0, end) + " (it is " + variable.substr(end + 1) + ")";
+  });
   return names.empty() ? remedy : "unset " + names + "; if that doesn't help: " + remedy;
 }
 

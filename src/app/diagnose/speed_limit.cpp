@@ -4,6 +4,9 @@
 #include <array>
 #include <utility>
 
+#include "base/text.h"
+#include "render/device/device.h"
+
 namespace rotatebook::diagnose {
 namespace {
 
@@ -47,11 +50,6 @@ class Adviser {
   std::vector<SpeedAdvice> advice_;
 };
 
-bool isSoftware(const std::string& renderer) {
-  return renderer.find("llvmpipe") != std::string::npos ||
-         renderer.find("softpipe") != std::string::npos;
-}
-
 void adviseOnBook(const scene::Scene& scene, const Speed& speed, Adviser& adviser) {
   const scene::LookSettings& look = scene.look;
   if (look.supersample > 1) {
@@ -64,7 +62,7 @@ void adviseOnBook(const scene::Scene& scene, const Speed& speed, Adviser& advise
       stages.book = scaled(stages.book, 1.0 / look.motionBlur);
     });
   }
-  if (isSoftware(speed.renderer)) {
+  if (render::isSoftwareRenderer(speed.renderer)) {
     adviser.tryOut("a graphics card", "if it drew at no cost",
                    [](StageTimes& stages) { stages.book = {}; });
   }
@@ -85,7 +83,7 @@ void adviseOnVideo(const scene::Scene& scene, const Speed& speed, Adviser& advis
 
 /// Half as wide and high; the sides stay even.
 std::string halfSize(const scene::ClipSettings& clip) {
-  return std::to_string(clip.width / 4 * 2) + "x" + std::to_string(clip.height / 4 * 2);
+  return sizeText(clip.width / 4 * 2, clip.height / 4 * 2);
 }
 
 void adviseOnSize(const scene::Scene& scene, Adviser& adviser) {

@@ -1,6 +1,7 @@
 #include "page/figure.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "embedded/page.h"
 #include "image/png_file.h"
 #include "scene/scene_text.h"
@@ -49,13 +50,10 @@ std::string renderAgain(const scene::Scene& scene, const fs::path& folder) {
 }
 
 std::string otherSizeText(const video::PictureSize& size, const scene::Scene& scene) {
-  const auto text = [](int width, int height) {
-    return std::to_string(width) + "x" + std::to_string(height);
-  };
   const scene::ClipSettings& clip = scene.clip;
   if (size.width == clip.width && size.height == clip.height) return "";
-  return "its pictures are " + text(size.width, size.height) + ", and the scene's are " +
-         text(clip.width, clip.height);
+  return "its pictures are " + sizeText(size.width, size.height) + ", and the scene's are " +
+         sizeText(clip.width, clip.height);
 }
 
 void requireFile(const fs::path& path, const scene::Scene& scene, const std::string& command) {

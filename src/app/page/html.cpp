@@ -64,17 +64,6 @@ Html addressOf(const std::string& path) {
   return html;
 }
 
-std::string jsonString(std::string_view text) {
-  std::string json = "\"";
-  for (const char letter : text) {
-    const auto code = static_cast<unsigned char>(letter);
-    // '<' would let "</script>" end the script.
-    const bool special = code < 0x20 || letter == '"' || letter == '\\' || letter == '<';
-    json += special ? formatted("\\u%04x", code) : std::string(1, letter);
-  }
-  return json + '"';
-}
-
 Html filled(std::string_view text, const std::map<std::string, Html>& values) {
   Html html;
   std::set<std::string> used;

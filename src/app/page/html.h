@@ -24,9 +24,6 @@ Html escaped(std::string_view text);
 /// `path`, with '/' between its parts, as a relative address in a quoted attribute.
 Html addressOf(const std::string& path);
 
-/// Words as a JSON string that may stand in a <script>.
-std::string jsonString(std::string_view text);
-
 /// A template with each {{name}} replaced by that value. Throws std::logic_error if the two don't
 /// have the same names.
 Html filled(std::string_view text, const std::map<std::string, Html>& values);

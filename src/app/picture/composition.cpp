@@ -4,6 +4,7 @@
 #include <array>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "scene/places.h"
 
 namespace rotatebook::picture {
@@ -24,7 +25,7 @@ PanelGrid gridOf(const scene::Scene& scene, const overlay::Words& words) {
   const PanelGrid grid = panelGrid(count, scene.clip.width, scene.clip.height - words.bottomRows());
   if (std::min(grid.width, grid.height) >= kSmallestPanel) return grid;
   throw InputError(scene.name + ": " + std::to_string(count) + " panels have no room in " +
-                   std::to_string(scene.clip.width) + "x" + std::to_string(scene.clip.height) +
+                   sizeText(scene.clip.width, scene.clip.height) +
                    " pixels; make the picture larger");
 }
 

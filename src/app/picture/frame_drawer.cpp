@@ -1,6 +1,6 @@
 #include "picture/frame_drawer.h"
 
-#include "picture/textures.h"
+#include <utility>
 
 namespace rotatebook::picture {
 
@@ -11,13 +11,16 @@ FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& 
                   std::async(std::launch::async, [&scene] { return loadTextures(scene); })) {}
 
 FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
-                         const render::DeviceChoice& device,
-                         std::future<render::BookTextures> textures)
+                         const render::DeviceChoice& device, std::future<LoadedTextures> textures)
     : motion_(&motion),
       composition_(scene, motion),
       frame_(scene.camera.frame),
       camera_(cameraOf(scene, composition_.screen())),
-      renderer_(makeRenderer(scene, composition_.screen(), textures.get(), device)),
+      renderer_([&] {
+        LoadedTextures loaded = textures.get();
+        textureChecksums_ = std::move(loaded.checksums);
+        return makeRenderer(scene, composition_.screen(), loaded.pictures, device);
+      }()),
       moments_(scene) {
   const render::Screen& screen = composition_.screen();
   if (moments_.count() > 1) mean_.emplace(screen.width, screen.height);

@@ -15,6 +15,7 @@
 #include "physics/reference_frame.h"
 #include "picture/composition.h"
 #include "picture/frame_painter.h"
+#include "picture/textures.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
 #include "timeline/clip_motion.h"
@@ -43,11 +44,13 @@ class FrameDrawer final : public FramePainter {
 
   /// render::Renderer::description()
   const std::string& description() const { return renderer_.description(); }
+  /// Of the textures that it draws.
+  const TextureChecksums& textureChecksums() const { return textureChecksums_; }
 
  private:
-  /// Takes `textures` as late as it can.
+  /// Takes the textures as late as it can.
   FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
-              const render::DeviceChoice& device, std::future<render::BookTextures> textures);
+              const render::DeviceChoice& device, std::future<LoadedTextures> textures);
 
   physics::Corners cornersOf(std::size_t motion, std::size_t sample) const;
   /// The mean of the moments after sample `sample`.
@@ -57,6 +60,7 @@ class FrameDrawer final : public FramePainter {
   Composition composition_;
   physics::ReferenceFrame frame_;
   render::Camera camera_;
+  TextureChecksums textureChecksums_;
   render::Renderer renderer_;  // of a panel
   timeline::ShutterMoments moments_;
   std::optional<image::LightMean> mean_;  // of the pictures of moments_, if there are several

@@ -1,15 +1,12 @@
 #include "picture/gnuplot.h"
 
-#include <array>
-#include <cerrno>
-#include <cstring>
-#include <spawn.h>
 #include <string_view>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "system/atomic_file.h"
+#include "system/child_process.h"
 #include "system/file_descriptor.h"
 
 namespace rotatebook::picture {
@@ -24,47 +21,15 @@ constexpr const char* kPng =
     "set terminal pngcairo size 1800,900 enhanced font 'sans,12' fontscale 1.5 linewidth 1.5 "
     "pointscale 1.5 background rgb 'white'\npoint_size = 1\n";
 
-std::string trimmed(std::string text) {
-  text.erase(text.find_last_not_of(" \n") + 1);
-  return text;
-}
-
-/// The standard streams of a process to be started.
-class Streams {
- public:
-  Streams(int input, int output, int error) {
-    posix_spawn_file_actions_init(&actions_);
-    posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
-    posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&actions_, error, STDERR_FILENO);
-  }
-  Streams(const Streams&) = delete;
-  Streams& operator=(const Streams&) = delete;
-  ~Streams() { posix_spawn_file_actions_destroy(&actions_); }
-
-  const posix_spawn_file_actions_t* actions() const { return &actions_; }
-
- private:
-  posix_spawn_file_actions_t actions_;
-};
-
 /// Exit status of gnuplot, 128 + signal if a signal ended it.
-int runGnuplot(const Streams& streams) {
+int runGnuplot(const system::StandardStreams& streams) {
   // -d leaves the user's own settings out.
-  std::string name = "gnuplot", option = "-d";
-  const std::array<char*, 3> arguments{name.data(), option.data(), nullptr};
-  pid_t process = 0;
-  const int error =
-      posix_spawnp(&process, "gnuplot", streams.actions(), nullptr, arguments.data(), environ);
-  if (error == ENOENT) {
+  auto gnuplot = system::ChildProcess::start({"gnuplot", "-d"}, streams);
+  if (!gnuplot) {
     throw MachineError("can't draw the plot: gnuplot isn't installed; apt-get install gnuplot-nox");
   }
-  if (error != 0) {
-    throw MachineError(std::string("can't start gnuplot: ") + std::strerror(error));
-  }
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  const system::ProcessEnd end = gnuplot->wait();
+  return end.signal == 0 ? end.status : 128 + end.signal;
 }
 
 /// A kind of picture, and what comes last in each.
@@ -81,10 +46,10 @@ std::string draw(const Format& format, const std::string& commands, const fs::pa
                                problems = system::createMemoryFile("problems");
   system::writeAll(input, format.terminal + commands, "a plot");
   lseek(input.number(), 0, SEEK_SET);
-  const int status = runGnuplot(Streams(input.number(), output.number(), problems.number()));
+  const int status = runGnuplot({input, output, problems});
   std::string picture = system::readAll(output, path);
   if (status == 0 && picture.rfind(format.last) != std::string::npos) return picture;
-  std::string words = trimmed(system::readAll(problems, path));
+  std::string words(trimmed(system::readAll(problems, path)));
   if (words.empty() && status == 0) {
     words = "the picture isn't whole; is there a limit of file sizes (ulimit -f)?";
   }

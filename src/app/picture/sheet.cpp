@@ -7,8 +7,10 @@
 #include <cstdio>
 #include <string>
 
+#include "base/clip_limits.h"
 #include "base/error.h"
 #include "base/number_text.h"
+#include "base/text.h"
 #include "image/png_file.h"
 #include "overlay/text.h"
 #include "picture/frame_drawer.h"
@@ -63,9 +65,9 @@ void refuseTooMany(const std::vector<scene::Scene>& scenes, const SheetOptions& 
   const double pixels = static_cast<double>(each * scenes.size()) * clip.width * clip.height;
   if (pixels <= kMostPixels) return;
   throw InputError("the sheet would have " + std::to_string(each * scenes.size()) +
-                   " pictures of " + std::to_string(clip.width) + "x" +
-                   std::to_string(clip.height) + ", " + roundedText(pixels / 1e6, 3) +
-                   " million pixels, and may have " + roundedText(kMostPixels / 1e6, 3) +
+                   " pictures of " + sizeText(clip.width, clip.height) + ", " +
+                   roundedText(pixels / 1e6, 3) + " million pixels, and may have " +
+                   roundedText(kMostPixels / 1e6, 3) +
                    "; take fewer or smaller pictures, for example --size 480x270");
 }
 
@@ -124,10 +126,9 @@ Grid gridFor(const std::vector<Cell>& cells, int columns) {
 }
 
 void refuseTooLarge(const Grid& grid) {
-  if (grid.width() <= image::kLargestSide && grid.height() <= image::kLargestSide) return;
-  throw InputError("the sheet would have " + std::to_string(grid.width()) + "x" +
-                   std::to_string(grid.height()) + " pixels, and a side has at most " +
-                   std::to_string(image::kLargestSide) +
+  if (grid.width() <= kMaxPictureSide && grid.height() <= kMaxPictureSide) return;
+  throw InputError("the sheet would have " + sizeText(grid.width(), grid.height()) +
+                   " pixels, and a side has at most " + std::to_string(kMaxPictureSide) +
                    ": take fewer or smaller pictures, for example --size 480x270");
 }
 

@@ -23,7 +23,7 @@ struct SheetOptions {
 
 /// Draws the frames, scene by scene, and beneath each its time, its scene's title, or both, as is
 /// needed to tell them apart. Rgba8, opaque. Throws InputError for scenes of differing sizes, for a
-/// time that isn't in the clip, and for a sheet of over image::kLargestSide.
+/// time that isn't in the clip, and for a sheet of over kMaxPictureSide.
 image::Image drawSheet(const std::vector<scene::Scene>& scenes, const SheetOptions& options);
 
 }  // namespace rotatebook::picture

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/number_text.h"
+#include "base/text.h"
 #include "picture/gnuplot.h"
 #include "scene/names.h"
 
@@ -95,13 +96,10 @@ std::string sheetText() {
          "set key off\nset multiplot\n";
 }
 
-/// The first `count` letters of UTF-8, and three dots if there are more.
+/// The first `count` letters, and three dots if there are more.
 std::string shortened(const std::string& text, std::size_t count) {
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const bool begins = (static_cast<unsigned char>(text[i]) & 0xc0) != 0x80;
-    if (begins && count-- == 0) return text.substr(0, i) + "…";
-  }
-  return text;
+  const std::string shown(firstLetters(text, count));
+  return shown.size() < text.size() ? shown + "…" : text;
 }
 
 /// Large if it fits on the sheet so, else small, and no more of it than fits.
@@ -188,9 +186,8 @@ std::set<int> slopesOf(const study::PrecisionStudy& study) {
 /// What the grey lines are, below the legend.
 std::string slopesLabel(const std::set<int>& slopes) {
   if (slopes.empty()) return "";
-  std::string text;
-  for (const int slope : slopes) text += (text.empty() ? "" : ", ") + std::to_string(slope);
-  return "set label 3 'grey: slopes " + text +
+  return "set label 3 'grey: slopes " +
+         joinedOf(slopes, [](int slope) { return std::to_string(slope); }) +
          "' at screen 0.795,0.14 left textcolor rgb '#808080' font ',11'\n";
 }
 

@@ -2,17 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <future>
 #include <numbers>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
+#include "base/checksum.h"
 #include "base/error.h"
 #include "image/png_file.h"
 #include "scene/places.h"
-#include "system/file_checksum.h"
 
 namespace rotatebook::picture {
 namespace {
@@ -48,10 +50,20 @@ fs::path fileOf(const scene::Scene& scene, const std::string& texture) {
                    ": it leads outside the scene's folder, which --allow-outside allows");
 }
 
-image::Image load(const scene::Scene& scene, const Side& side) {
-  if (isBuiltin(scene, side)) return side.builtin();
-  return scene::atPlaceOf(scene, side.key,
-                          [&] { return image::readPng(fileOf(scene, scene.book.*side.file)); });
+/// A side's picture, and the checksum of its file.
+struct LoadedSide {
+  image::Image picture;
+  std::string checksum;
+};
+
+LoadedSide load(const scene::Scene& scene, const Side& side) {
+  if (isBuiltin(scene, side)) return {side.builtin(), kBuiltinTexture};
+  return scene::atPlaceOf(scene, side.key, [&]() -> LoadedSide {
+    const fs::path file = fileOf(scene, scene.book.*side.file);
+    const std::string bytes = image::readPngFile(file);
+    const auto* first = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    return {image::decodePng({first, bytes.size()}, file.string()), checksumOf(bytes)};
+  });
 }
 
 /// [degrees]
@@ -78,16 +90,6 @@ render::Background backgroundOf(scene::Background background) {
 
 }  // namespace
 
-std::map<std::string, std::string> textureChecksums(const scene::Scene& scene) {
-  std::map<std::string, std::string> sums;
-  for (const Side& side : {kFront, kSpine, kBack}) {
-    sums[std::string(side.key)] =
-        isBuiltin(scene, side) ? "built-in"
-                               : system::checksumOfFile(fileOf(scene, scene.book.*side.file));
-  }
-  return sums;
-}
-
 std::vector<fs::path> textureFiles(const scene::Scene& scene) {
   std::vector<fs::path> files;
   for (const Side& side : {kFront, kSpine, kBack}) {
@@ -103,12 +105,16 @@ void requireTextures(const scene::Scene& scene) {
   }
 }
 
-render::BookTextures loadTextures(const scene::Scene& scene) {
+LoadedTextures loadTextures(const scene::Scene& scene) {
   const auto start = [&](const Side& side) {
     return std::async(std::launch::async, [&] { return load(scene, side); });
   };
-  auto front = start(kFront), spine = start(kSpine), back = start(kBack);
-  return {front.get(), spine.get(), back.get()};
+  auto frontLoading = start(kFront), spineLoading = start(kSpine), backLoading = start(kBack);
+  LoadedSide front = frontLoading.get(), spine = spineLoading.get(), back = backLoading.get();
+  return {{std::move(front.picture), std::move(spine.picture), std::move(back.picture)},
+          {{std::string(kFront.key), front.checksum},
+           {std::string(kSpine.key), spine.checksum},
+           {std::string(kBack.key), back.checksum}}};
 }
 
 render::Camera cameraOf(const scene::Scene& scene, const render::Screen& screen) {
@@ -131,7 +137,8 @@ render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& s
 }
 
 render::Renderer makeRenderer(const scene::Scene& scene) {
-  return makeRenderer(scene, {scene.clip.width, scene.clip.height, 0}, loadTextures(scene));
+  return makeRenderer(scene, {scene.clip.width, scene.clip.height, 0},
+                      loadTextures(scene).pictures);
 }
 
 }  // namespace rotatebook::picture

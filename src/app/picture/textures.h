@@ -11,11 +11,23 @@
 
 namespace rotatebook::picture {
 
+/// What a texture that ships with the program has in place of a checksum.
+inline constexpr const char* kBuiltinTexture = "built-in";
+
+/// What pictures were made of, by the scene's keys: kBuiltinTexture, or checksumOf() a file's
+/// bytes.
+using TextureChecksums = std::map<std::string, std::string>;
+
+/// A scene's pictures, and of what they are: each file was read once, so that the checksums are of
+/// the very bytes that are drawn, whatever becomes of the file.
+struct LoadedTextures {
+  render::BookTextures pictures;
+  TextureChecksums checksums;
+};
+
 /// Reads the pictures that the scene names, all at once. Throws InputError for one that is missing
 /// or broken, or that leads outside the scene's folder unless Scene::allowOutside.
-render::BookTextures loadTextures(const scene::Scene& scene);
-/// What the pictures depend on, by the scene's keys: "built-in", or the checksum of a file.
-std::map<std::string, std::string> textureChecksums(const scene::Scene& scene);
+LoadedTextures loadTextures(const scene::Scene& scene);
 /// The files of pictures that the scene names, be they there or not.
 std::vector<std::filesystem::path> textureFiles(const scene::Scene& scene);
 /// Throws where loadTextures() would.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "image/png_file.h"
 #include "scene/scene_text.h"
 #include "store/clip_files.h"
@@ -116,15 +117,12 @@ image::Image readFrame(const store::FrameSums& sums, std::int64_t index) {
   return image::decodePng({first, bytes->size()}, path.string());
 }
 
-std::string sizeText(const image::Image& picture) {
-  return std::to_string(picture.width()) + "x" + std::to_string(picture.height());
-}
-
 void requireSameSize(const fs::path& path, const image::Image& picture, const fs::path& firstPath,
                      const image::Image& first) {
   if (picture.width() == first.width() && picture.height() == first.height()) return;
-  throw InputError("frames differ in size: " + firstPath.string() + " is " + sizeText(first) +
-                   ", " + path.string() + " is " + sizeText(picture));
+  throw InputError("frames differ in size: " + firstPath.string() + " is " +
+                   sizeText(first.width(), first.height()) + ", " + path.string() + " is " +
+                   sizeText(picture.width(), picture.height()));
 }
 
 /// What the file's ending says.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "picture/frame_drawer.h"
 #include "picture/poster.h"
 #include "store/clip_record.h"
@@ -70,15 +71,16 @@ class Render {
 
   RenderResult run(const RenderListener& listener) {
     system::createFolders(options_.folder);
+    const std::string& renderer = drawer_.description();
+    const picture::TextureChecksums& textures = drawer_.textureChecksums();
     const std::string record =
-        store::sceneRecord(scene_, store::makingOf(scene_, motion_, drawer_.description()));
-    store::ClipFolder folder(result_.files,
-                             {.scene = scene_,
-                              .record = record,
-                              .made = store::fingerprint(scene_, drawer_.description()),
-                              .earlier = options_.earlier,
-                              .part = options_.frames.has_value(),
-                              .png = png_});
+        store::sceneRecord(scene_, store::makingOf(scene_, motion_, textures, renderer));
+    store::ClipFolder folder(result_.files, {.scene = scene_,
+                                             .record = record,
+                                             .made = store::fingerprint(scene_, textures, renderer),
+                                             .earlier = options_.earlier,
+                                             .part = options_.frames.has_value(),
+                                             .png = png_});
     const std::vector<std::filesystem::path> files = allFiles(result_, formats_);
     result_.wasDone =
         !options_.frames && options_.earlier.resume && folder.isDone(files, pngRange());

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "base/version.h"
 #include "picture/textures.h"
 #include "scene/scene_text.h"
@@ -21,6 +22,7 @@ constexpr std::string_view kFromScene = " from the scene ";
 constexpr std::string_view kRenderer = "# Renderer: ";
 constexpr std::string_view kFfmpeg = "# FFmpeg: ";
 constexpr std::string_view kMotion = "# Motion: ";
+constexpr std::string_view kTextures = "# Textures: ";
 constexpr std::string_view kFrames = "# Frames: ";
 constexpr std::string_view kHeadsEnd = "\n\n";
 
@@ -110,12 +112,16 @@ std::string clipText(scene::Scene scene) {
 }  // namespace
 
 Making makingOf(const scene::Scene& scene, const timeline::ClipMotion& motion,
-                const std::string& renderer) {
+                const std::map<std::string, std::string>& textures, const std::string& renderer) {
   return {.scene = inOneLine(scene.name),
           .program = kVersion,
           .renderer = inOneLine(renderer),
           .ffmpeg = video::ffmpegVersion(),
-          .motion = timeline::motionChecksum(motion)};
+          .motion = timeline::motionChecksum(motion),
+          .textures = joinedOf(textures, [](const auto& texture) {
+            const auto& [key, sum] = texture;
+            return sum == picture::kBuiltinTexture ? "" : key + " " + sum;
+          })};
 }
 
 std::vector<std::string> differencesOfTools(const Making& there, const Making& here) {
@@ -123,13 +129,18 @@ std::vector<std::string> differencesOfTools(const Making& there, const Making& h
   compareTools("rotatebook", there.program, here.program, found);
   compareTools("the renderer", there.renderer, here.renderer, found);
   compareTools("FFmpeg", there.ffmpeg, here.ffmpeg, found);
+  if (!there.textures.empty() && there.textures != here.textures) {
+    found.push_back("the textures were " + there.textures + ", here they are " + here.textures);
+  }
   return found;
 }
 
 std::string sceneRecord(const scene::Scene& scene, const Making& making) {
   return line(kMadeBy, making.program + std::string(kFromScene) + making.scene) +
          line(kRenderer, making.renderer) + line(kFfmpeg, making.ffmpeg) +
-         line(kMotion, making.motion) + '\n' + sceneText(scene);
+         line(kMotion, making.motion) +
+         (making.textures.empty() ? "" : line(kTextures, making.textures)) + '\n' +
+         sceneText(scene);
 }
 
 std::string recordOfPart(const std::string& record, FrameRange part) {
@@ -149,6 +160,7 @@ ClipRecord parseRecord(const std::string& text, const fs::path& clip, const fs::
   record.making.renderer = valueIn(head, kRenderer);
   record.making.ffmpeg = valueIn(head, kFfmpeg);
   record.making.motion = valueIn(head, kMotion);
+  record.making.textures = valueIn(head, kTextures);
   record.part = partIn(head, clip);
   record.scene = sceneIn(text, record.making.scene, clip, sceneFolder);
   return record;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,13 +21,16 @@ struct Making {
   std::string renderer{};  ///< render::Renderer::description()
   std::string ffmpeg{};    ///< "5.1.6"
   std::string motion{};    ///< motionChecksum()
+  std::string textures{};  ///< "book.front CHECKSUM, ..." of those that aren't built in.
 };
 
-/// That of a clip of `scene`, which moves as `motion`, made here and now with `renderer`.
+/// That of a clip of `scene`, which moves as `motion`, made here and now with `renderer` of
+/// `textures`, as picture::LoadedTextures::checksums has them.
 Making makingOf(const scene::Scene& scene, const timeline::ClipMotion& motion,
-                const std::string& renderer);
+                const std::map<std::string, std::string>& textures, const std::string& renderer);
 
-/// Where the tools differ: "the renderer was A, here it is B". The motions aren't compared.
+/// Where tools and textures differ: "the renderer was A, here it is B". The motions aren't
+/// compared, nor textures of which there is no record.
 std::vector<std::string> differencesOfTools(const Making& there, const Making& here);
 
 /// The scene with every default explicit, headed by comments that tell `making`. It is stored

@@ -1,13 +1,14 @@
 #include "store/fingerprint.h"
 
 #include <cstddef>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "base/checksum.h"
 #include "base/error.h"
+#include "base/text.h"
 #include "base/version.h"
-#include "picture/textures.h"
 #include "scene/scene_text.h"
 #include "scene/toml_tree.h"
 #include "store/clip_files.h"
@@ -68,19 +69,21 @@ void addDifferences(const Entries& there, const Entries& here, std::vector<std::
   }
 }
 
-std::string listed(const std::vector<std::string>& found) {
-  std::string text;
-  for (std::size_t i = 0; i < found.size() && i < kMostDifferences; ++i) {
-    text += (i > 0 ? "; " : "") + found[i];
+/// The first of them, and how many more there are.
+std::string shortList(std::vector<std::string> found) {
+  const std::size_t count = found.size();
+  if (count > kMostDifferences) {
+    found.resize(kMostDifferences);
+    found.push_back("and " + std::to_string(count - kMostDifferences) + " more");
   }
-  if (found.size() <= kMostDifferences) return text;
-  return text + "; and " + std::to_string(found.size() - kMostDifferences) + " more";
+  return joined(found, "; ");
 }
 
 }  // namespace
 
-Entries fingerprint(const scene::Scene& scene, const std::string& renderer) {
-  Entries made = picture::textureChecksums(scene);
+Entries fingerprint(const scene::Scene& scene, const Entries& textures,
+                    const std::string& renderer) {
+  Entries made = textures;
   made["program"] = std::string("rotatebook ") + kVersion;
   made["build"] = build();
   made["renderer"] = renderer;
@@ -100,7 +103,7 @@ std::string differences(const fs::path& folder, const Entries& there, const Entr
     now.erase("scene");
   }
   addDifferences(old, now, found);
-  return listed(found);
+  return shortList(std::move(found));
 }
 
 std::string sceneChecksumOf(const fs::path& folder, const fs::path& file) {

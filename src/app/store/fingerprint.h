@@ -9,8 +9,10 @@
 
 namespace rotatebook::store {
 
-/// Program, build, renderer, FFmpeg, PNG level, scene and the textures' bytes.
-Manifest::Entries fingerprint(const scene::Scene& scene, const std::string& renderer);
+/// Program, build, renderer, FFmpeg, PNG level, scene and the textures that are drawn, as
+/// picture::LoadedTextures::checksums has them.
+Manifest::Entries fingerprint(const scene::Scene& scene, const Manifest::Entries& textures,
+                              const std::string& renderer);
 
 /// For a message: in what `folder`, which has the fingerprint `there` and a scene.toml, differs
 /// from a render of `scene` with the fingerprint `made`. "clip.duration is 8.0 there, 10.0 here"

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/number_text.h"
+#include "base/text.h"
 
 namespace rotatebook::verify {
 namespace {
@@ -17,10 +18,6 @@ constexpr double kMp4Length = 2e-6, kWebmLength = 1.001e-3;
 ClipCheck equality(const std::string& what, const std::string& measured,
                    const std::string& wanted) {
   return {what, measured, wanted, measured == wanted};
-}
-
-std::string sizeText(int width, int height) {
-  return std::to_string(width) + "x" + std::to_string(height);
 }
 
 std::string codecText(const video::ClipFacts& facts) {

@@ -86,7 +86,8 @@ class Verifier {
     const std::set<std::int64_t> chosen = chosenFrames(found.range, motionSum_, options_);
     picture::FrameDrawer drawer(record_.scene, motion_, options_.device);
     found.toolsDiffer = store::differencesOfTools(
-        record_.making, store::makingOf(record_.scene, motion_, drawer.description()));
+        record_.making,
+        store::makingOf(record_.scene, motion_, drawer.textureChecksums(), drawer.description()));
     PictureJudge judge(record_.scene, drawer, found.wholeCount, reader_.facts().format);
     TimeCheck times(reader_.facts(), record_.scene.clip.frameRate, found.range.count());
     for (std::int64_t frame = found.range.first; reader_.next(); ++frame) {

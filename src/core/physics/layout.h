@@ -12,8 +12,8 @@ namespace rotatebook::physics {
 /// The flags on which the layout of the core's types and the bits of its results depend, and the
 /// sizes that they lead to. [bytes]
 struct Layout {
-  bool eigenVectorizes = true;   ///< EIGEN_DONT_VECTORIZE isn't defined.
-  bool fastMath = false;         ///< -ffast-math
+  bool eigenVectorizes = true;     ///< EIGEN_DONT_VECTORIZE isn't defined.
+  bool fastMath = false;           ///< -ffast-math
   bool contractsProducts = false;  ///< a * b + c is rounded once: no -ffp-contract=off.
   std::size_t sample = sizeof(Sample);
   std::size_t trajectory = sizeof(Trajectory);

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/number_text.h"
+#include "base/text.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -44,11 +45,9 @@ std::string expectedText(const Expectation& expectation) {
                                            {"at most ", expectation.max},
                                            {"rises to ", expectation.risesTo},
                                            {"falls to ", expectation.fallsTo}}};
-  std::string text;
-  for (const auto& [words, bound] : bounds) {
-    if (bound) text += (text.empty() ? "" : ", ") + (words + shortestText(*bound));
-  }
-  return text;
+  return joinedOf(bounds, [](const WordedBound& one) {
+    return one.bound ? one.words + shortestText(*one.bound) : "";
+  });
 }
 
 std::string windowText(const Expectation& expectation) {

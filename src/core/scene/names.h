@@ -59,25 +59,13 @@ inline constexpr std::array<Named<Background>, 3> kBackgrounds{{
     {"transparent", Background::Transparent},
 }};
 
-inline constexpr std::array<Named<Overlay>, 12> kOverlays{{
-    {"caption", Overlay::Caption},
-    {"clock", Overlay::Clock},
-    {"axes", Overlay::Axes},
-    {"omega", Overlay::Omega},
-    {"momentum", Overlay::Momentum},
-    {"trail", Overlay::Trail},
-    {"polhode", Overlay::Polhode},
-    {"energy", Overlay::Energy},
-    {"error", Overlay::Error},
-    {"half_turns", Overlay::HalfTurns},
-    {"springs", Overlay::Springs},
-    {"ghost", Overlay::Ghost},
-}};
-
-/// The preset that is made for clips of the book, and x264's, fastest first.
-inline constexpr std::array<std::string_view, 11> kPresets{
-    "book",   "ultrafast", "superfast", "veryfast", "faster", "fast",
-    "medium", "slow",      "slower",    "veryslow", "placebo"};
+inline constexpr auto kOverlays = [] {
+  std::array<Named<Overlay>, kOverlayCount> names{};
+  for (std::size_t i = 0; i < kOverlayCount; ++i) {
+    names[i] = {kOverlayRows[i].name, kOverlayRows[i].overlay};
+  }
+  return names;
+}();
 
 /// The words alone.
 template <typename T, std::size_t N>

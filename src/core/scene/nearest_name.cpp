@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "base/text.h"
 #include "scene/toml_text.h"
 
 namespace rotatebook::scene {
@@ -59,13 +60,9 @@ std::string didYouMean(std::string_view word, std::span<const std::string_view> 
 }
 
 std::string quotedList(std::span<const std::string_view> names, std::string_view lastWord) {
-  std::string list;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const bool last = i + 1 == names.size();
-    if (i > 0) list += last ? " " + std::string(lastWord) + " " : ", ";
-    list += tomlString(names[i]);
-  }
-  return list;
+  std::vector<std::string> all;
+  for (const std::string_view name : names) all.push_back(tomlString(name));
+  return listed(all, lastWord);
 }
 
 }  // namespace rotatebook::scene

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "scene/names.h"
 #include "scene/toml_text.h"
 
@@ -17,13 +18,6 @@ namespace rotatebook::scene {
 namespace {
 
 using Path = std::vector<std::string_view>;
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 Path pathFrom(std::string_view key, const std::string& place) {
   Path path;

@@ -31,7 +31,7 @@ constexpr double kLeastSine = 1e-6;  // Of the angle between two directions that
 /// Why `scene`, none of whose motions has `overlay`, doesn't have it.
 std::string absence(Overlay overlay, const Scene& scene) {
   const std::string name(nameOf(kOverlays, overlay));
-  if (overlay == Overlay::Springs) {
+  if (rowOf(overlay).models == OverlayModels::Particles) {
     return name + " are only of the particles model; " +
            (scene.panels.empty()
                 ? "this scene's is " + std::string(nameOf(kModels, scene.simulation.model))

@@ -35,34 +35,8 @@ Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldO
   return direction * (kMargin * body.size.norm() / 2 / physics::sine(narrowerHalfAngle));
 }
 
-bool isFor(physics::Model model, Overlay overlay) {
-  switch (overlay) {
-    case Overlay::Springs:
-      return model == physics::Model::Particles;
-    case Overlay::Error:
-    case Overlay::Ghost:
-      return model != physics::Model::Exact;
-    default:
-      return true;
-  }
-}
-
-bool isOnTheBook(Overlay overlay) {
-  switch (overlay) {
-    case Overlay::Axes:
-    case Overlay::Omega:
-    case Overlay::Momentum:
-    case Overlay::Trail:
-    case Overlay::Springs:
-    case Overlay::Ghost:
-      return true;
-    default:
-      return false;
-  }
-}
-
 bool shows(const Scene& scene, Overlay overlay) {
-  if (scene.wordless && !isOnTheBook(overlay)) return false;
+  if (scene.wordless && !rowOf(overlay).onTheBook) return false;
   return std::ranges::count(scene.overlay.show, overlay) > 0;
 }
 

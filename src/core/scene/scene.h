@@ -15,6 +15,7 @@
 #include "physics/motion_settings.h"
 #include "physics/reference_frame.h"
 #include "scene/expectation.h"
+#include "scene/overlays.h"
 #include "scene/study_settings.h"
 
 namespace rotatebook::scene {
@@ -84,25 +85,6 @@ struct LookSettings {
   friend bool operator==(const LookSettings&, const LookSettings&) = default;
 };
 
-/// What can be drawn over the pictures.
-enum class Overlay {
-  Caption,    ///< Title, caption, and how the motion was simulated; at the bottom.
-  Clock,      ///< Simulated time; at the top left.
-  Axes,       ///< The body's axes with their letters.
-  Omega,      ///< An arrow along the angular velocity.
-  Momentum,   ///< An arrow along the angular momentum.
-  Trail,      ///< The path of omega's tip.
-  Polhode,    ///< An inset: the ellipsoid of the energy, the sphere of the momentum, their curve.
-  Energy,     ///< A chart: kinetic, spring and total energy over time.
-  Error,      ///< A chart: the angle to the exact motion. Not of Model::Exact.
-  HalfTurns,  ///< How often the book has turned over; at the top left.
-  Springs,    ///< The springs, coloured by strain. Of Model::Particles only.
-  Ghost,      ///< The exact motion's outline. Not of Model::Exact.
-};
-
-/// Whether a motion of `model` has what `overlay` shows.
-bool isFor(physics::Model model, Overlay overlay);
-
 /// [overlay]: what is written over the pictures.
 struct OverlaySettings {
   std::vector<Overlay> show;     ///< Each at most once.
@@ -159,9 +141,6 @@ struct Scene : Motion {
 
 /// Whether the scene's pictures have an alpha that is to be kept.
 bool isTransparent(const Scene& scene);
-
-/// Whether `overlay` is drawn on or about the book, not beside it.
-bool isOnTheBook(Overlay overlay);
 
 /// All that moves in a scene: its panels, or the scene itself as the only one, without a label.
 std::vector<Panel> motionsOf(const Scene& scene);

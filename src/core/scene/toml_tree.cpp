@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "scene/toml_parser.h"
 #include "scene/toml_text.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "base/text.h"
 #include "scene/nearest_name.h"
 #include "scene/toml_text.h"
 

@@ -5,20 +5,17 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/text.h"
 
 namespace rotatebook::image {
 namespace {
 
 constexpr int kColours = 3;
 
-std::string sizeText(ImageView view) {
-  return std::to_string(view.width) + "x" + std::to_string(view.height);
-}
-
 void requireEqualSizes(ImageView a, ImageView b) {
   if (a.width == b.width && a.height == b.height) return;
-  throw InputError("can't compare pictures of different sizes: " + sizeText(a) + " and " +
-                   sizeText(b));
+  throw InputError("can't compare pictures of different sizes: " + sizeText(a.width, a.height) +
+                   " and " + sizeText(b.width, b.height));
 }
 
 // Calls visit(x, y, differences of red, green and blue) for each pixel.

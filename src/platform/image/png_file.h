@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 
+#include "base/clip_limits.h"
 #include "image/image.h"
 
 namespace rotatebook::image {
@@ -34,18 +35,18 @@ class PngWriter {
 
 /// Reads any PNG as 8-bit sRGB: palettes, grey and 16 bits are expanded or reduced; Rgba8 if it has
 /// transparency, else Rgb8. Throws InputError: no such file, not a PNG, corrupt (with libpng's
-/// words), or over one of the limits below. A header that claims more than its file can hold is
-/// refused before memory is taken for it.
+/// words), larger than a clip's pictures can be, or a file of more than kLargestFile. A header that
+/// claims more than its file can hold is refused before memory is taken for it.
 Image readPng(const std::filesystem::path& path);
 
-/// The same from memory; `name` is for messages.
+/// The bytes of a PNG's file, not decoded. Throws InputError as readPng: no such file, or too
+/// large.
+std::string readPngFile(const std::filesystem::path& path);
+
+/// readPng() from memory; `name` is for messages.
 Image decodePng(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// Widest and highest picture that readPng takes. [pixels]
-inline constexpr int kLargestSide = 16384;
-/// Largest picture that readPng takes: as large as the largest clip's. [pixels]
-inline constexpr std::int64_t kMostPixels = 35'651'584;
 /// Longest file that readPng takes: the largest picture, not compressed at all. [bytes]
-inline constexpr std::uintmax_t kLargestFile = 5 * kMostPixels;
+inline constexpr std::uintmax_t kLargestFile = 5 * kMaxPicturePixels;
 
 }  // namespace rotatebook::image

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "image/png_file.h"
 #include "image/png_guard.h"
 #include "system/read_file.h"
@@ -95,17 +96,17 @@ class PngDecoder {
 
 // Before a byte is allocated: a header of 33 bytes can claim gigabytes.
 void checkSize(const PngHeader& header, std::size_t fileSize, const std::string& name) {
-  const std::string size = std::to_string(header.width) + "x" + std::to_string(header.height);
-  if (header.width > kLargestSide || header.height > kLargestSide) {
-    refuse(name, size + " pixels; the limit is " + std::to_string(kLargestSide) + " a side");
+  const std::string size = sizeText(header.width, header.height);
+  if (header.width > kMaxPictureSide || header.height > kMaxPictureSide) {
+    refuse(name, size + " pixels; the limit is " + std::to_string(kMaxPictureSide) + " a side");
   }
   if (header.rowBytes * header.height / kDeflateLargestRatio > fileSize) {
     refuse(name, "corrupt PNG: " + std::to_string(fileSize) + " bytes can't hold the " + size +
                      " pixels that its header claims");
   }
   // What few bytes unpack to can still be gigabytes.
-  if (std::int64_t{header.width} * header.height > kMostPixels) {
-    refuse(name, size + " pixels; the limit is " + std::to_string(kMostPixels) + " in all");
+  if (std::int64_t{header.width} * header.height > kMaxPicturePixels) {
+    refuse(name, size + " pixels; the limit is " + std::to_string(kMaxPicturePixels) + " in all");
   }
 }
 
@@ -135,13 +136,14 @@ Image decodePng(std::span<const std::uint8_t> bytes, const std::string& name) {
   return image;
 }
 
+std::string readPngFile(const std::filesystem::path& path) try {
+  return system::readFile(path, kLargestFile);
+} catch (const InputError& error) {
+  refuse(path.string(), error.what());
+}
+
 Image readPng(const std::filesystem::path& path) {
-  std::string bytes;
-  try {
-    bytes = system::readFile(path, kLargestFile);
-  } catch (const InputError& error) {
-    refuse(path.string(), error.what());
-  }
+  const std::string bytes = readPngFile(path);
   return decodePng({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()},
                    path.string());
 }

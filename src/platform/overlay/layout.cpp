@@ -10,13 +10,13 @@ namespace {
 // what is beside it is this share of the width at least where a column is to fit.
 constexpr double kLeastSide = 0.17;
 constexpr double kWidestColumn = 0.25;  // of the width
-constexpr double kPolhodeShare = 0.42;  // of the column's height
+constexpr double kSquareShare = 0.42;   // of the column's height
 constexpr double kChartAspect = 0.52;   // highest, of the width
 constexpr double kLowestChart = 7;      // letter heights
 constexpr double kLowestInColumn = 5;   // letter heights
 constexpr double kBottomChart = 0.15;   // of the height
 constexpr double kMostCharts = 0.4;     // of the height, that all charts at the bottom take
-constexpr double kCornerPolhode = 0.3;  // of the shorter side
+constexpr double kCornerSquare = 0.3;   // of the shorter side
 constexpr double kLegendWidth = 9.5;    // letter heights
 
 double gapOf(const Scale& scale) {
@@ -28,11 +28,11 @@ void placeColumn(const Scale& scale, const Wanted& wanted, double side, Layout& 
   const double left = scale.width - scale.margin - width, gap = gapOf(scale);
   const double height = scale.height - wanted.bottomRows - 2 * scale.margin;
   double top = scale.margin;
-  if (wanted.polhode) {
-    const double size = std::min(width, kPolhodeShare * height);
+  if (wanted.square) {
+    const double size = std::min(width, kSquareShare * height);
     // As wide as the charts below it.
     const double across = wanted.charts > 0 ? width : size;
-    layout.polhode = {left + width - across, top, across, size};
+    layout.square = {left + width - across, top, across, size};
     top += size + gap;
   }
   const double rest = scale.margin + height - top + gap;
@@ -68,10 +68,10 @@ void placeCharts(const Scale& scale, const Wanted& wanted, Layout& layout) {
 
 void placeAround(const Scale& scale, const Wanted& wanted, Layout& layout) {
   if (wanted.charts > 0) placeCharts(scale, wanted, layout);
-  if (wanted.polhode) {
+  if (wanted.square) {
     const double size =
-        kCornerPolhode * std::min<double>(scale.width, scale.height - layout.bottomRows);
-    layout.polhode = {scale.width - scale.margin - size, scale.margin, size, size};
+        kCornerSquare * std::min<double>(scale.width, scale.height - layout.bottomRows);
+    layout.square = {scale.width - scale.margin - size, scale.margin, size, size};
   }
 }
 
@@ -84,8 +84,8 @@ void placeLegend(const Scale& scale, Layout& layout) {
     if (!chart.empty() && chart.x < scale.width / 2.0)
       below = std::min(below, chart.y - gapOf(scale));
   }
-  layout.springs = {scale.margin, below - height,
-                    std::min(kLegendWidth * scale.letters, scale.width - 2 * scale.margin), height};
+  layout.legend = {scale.margin, below - height,
+                   std::min(kLegendWidth * scale.letters, scale.width - 2 * scale.margin), height};
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ Layout layOut(const Scale& scale, const Wanted& wanted) {
     layout = {.bottomRows = wanted.bottomRows};
     placeAround(scale, wanted, layout);
   }
-  if (wanted.springs) placeLegend(scale, layout);
+  if (wanted.legend) placeLegend(scale, layout);
   return layout;
 }
 

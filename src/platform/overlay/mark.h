@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include "overlay/arrow_labels.h"
+#include "overlay/box.h"
 #include "overlay/canvas.h"
 #include "overlay/palette.h"
 #include "overlay/projector.h"
@@ -24,6 +25,7 @@ struct MarkContext {
   const physics::Trajectory& trajectory;
   const Typesetter& type;
   Scale scale;
+  double energyTop = 0;  ///< Ground::energyTop
 };
 
 /// One picture that marks are drawn on.
@@ -53,6 +55,8 @@ class Mark {
   virtual ~Mark() = default;
 
   virtual void draw(const View& view) = 0;
+  /// What it takes beside the book, where it says so itself; else empty. [pixels]
+  virtual Box box() const { return {}; }
   /// Those that draw() draws of `sample`, as the camera's frame has it, in whatever frame as many.
   virtual std::vector<Arrow> arrows(const physics::Sample& /*sample*/) const { return {}; }
 };

@@ -1,18 +1,15 @@
 #include "overlay/marks.h"
 
 #include <algorithm>
+#include <initializer_list>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
-#include "overlay/arrows.h"
 #include "overlay/book_box.h"
-#include "overlay/ghost.h"
 #include "overlay/layout.h"
 #include "overlay/mark.h"
+#include "overlay/mark_rows.h"
 #include "overlay/notes.h"
-#include "overlay/polhode_inset.h"
-#include "overlay/springs.h"
 #include "overlay/strip_chart.h"
 #include "scene/places.h"
 
@@ -45,6 +42,7 @@ struct Marks::Parts {
         trajectory(motion),
         type(Typesetter::of(asked)),
         scale(ground.width, ground.height),
+        energyTop(ground.energyTop),
         canvas(ground.width, ground.height) {
     scale.letters = std::max(scale.letters, ground.letters);
     scale.smallLetters = std::max(scale.smallLetters, kSmall * ground.letters);
@@ -55,10 +53,10 @@ struct Marks::Parts {
     taken.push_back({0, 1.0 * (ground.height - layout.bottomRows), 1.0 * ground.width,
                      1.0 * layout.bottomRows});
     for (const Box& box : layout.charts) taken.push_back(box);
-    taken.push_back(layout.polhode);
-    taken.push_back(layout.springs);
+    taken.push_back(layout.square);
+    taken.push_back(layout.legend);
     addInWorld();
-    addInsets(ground);
+    addInsets();
     labels = ArrowLabels({0, 0, 1.0 * scale.width, 1.0 * scale.height}, taken,
                          static_cast<std::int64_t>(motion.samples.size()) - 1,
                          scene.clip.frameRate.framesIn(kGlide));
@@ -66,52 +64,44 @@ struct Marks::Parts {
       notice = divergenceNotice(context(), *motion.divergedAt, taken);
   }
 
-  MarkContext context() const { return {scene, trajectory, type, scale}; }
+  MarkContext context() const { return {scene, trajectory, type, scale, energyTop}; }
 
   bool shows(Overlay overlay) const {
     return scene::shows(scene, overlay) && isFor(scene.simulation.model, overlay);
   }
 
-  Wanted wanted(const Ground& ground) const {
-    Wanted all;
-    all.polhode = shows(Overlay::Polhode);
-    all.charts = (shows(Overlay::Energy) ? 1 : 0) + (shows(Overlay::Error) ? 1 : 0);
-    all.springs = shows(Overlay::Springs) && !scene.wordless;
-    all.bottomRows = ground.bottomRows;
-    return all;
-  }
-
-  /// The lowest first.
-  void addInWorld() {
-    const auto add = [&]<typename T>(Overlay overlay, std::type_identity<T>) {
-      if (shows(overlay)) inWorld.push_back(std::make_unique<T>(context()));
-    };
-    if (shows(Overlay::Springs) && (scene.wordless || layout.springs.width > 0)) {
-      inWorld.push_back(std::make_unique<Springs>(context(), layout.springs));
-    }
-    add(Overlay::Ghost, std::type_identity<Ghost>());
-    add(Overlay::Axes, std::type_identity<Axes>());
-    add(Overlay::Trail, std::type_identity<Trail>());
-    add(Overlay::Momentum, std::type_identity<Momentum>());
-    add(Overlay::Omega, std::type_identity<Omega>());
-  }
-
-  void addInsets(const Ground& ground) {
-    if (shows(Overlay::Polhode) && isLargeEnough(layout.polhode)) {
-      insets.push_back(std::make_unique<PolhodeInset>(context(), layout.polhode));
-    }
-    auto place = layout.charts.begin();
-    const auto add = [&](const ChartContent& content) {
-      const Box& box = *place++;
-      if (isLargeEnough(box)) {
-        insets.push_back(std::make_unique<StripChart>(context(), box, content));
+  /// The rows of what is drawn at `placement`, the lowest first.
+  std::vector<MarkRow> shownAt(std::initializer_list<Placement> placements) const {
+    std::vector<MarkRow> rows;
+    for (const MarkRow& row : markRows()) {
+      if (std::ranges::count(placements, row.placement) > 0 && shows(row.overlay)) {
+        rows.push_back(row);
       }
-    };
-    if (shows(Overlay::Energy)) {
-      const double top = std::max(energyTop(trajectory), ground.energyTop);
-      add(energyContent(context(), top));
     }
-    if (shows(Overlay::Error)) add(errorContent(context()));
+    return rows;
+  }
+
+  Wanted wanted(const Ground& ground) const {
+    return {.square = !shownAt({Placement::Square}).empty(),
+            .charts = static_cast<int>(shownAt({Placement::Chart}).size()),
+            .legend = !shownAt({Placement::BookAndLegend}).empty() && !scene.wordless,
+            .bottomRows = ground.bottomRows};
+  }
+
+  void addInWorld() {
+    for (const MarkRow& row : shownAt({Placement::Book, Placement::BookAndLegend})) {
+      const bool lacksLegend =
+          row.placement == Placement::BookAndLegend && layout.legend.width <= 0 && !scene.wordless;
+      if (!lacksLegend) inWorld.push_back(row.make(context(), layout.legend));
+    }
+  }
+
+  void addInsets() {
+    auto chart = layout.charts.begin();
+    for (const MarkRow& row : shownAt({Placement::Square, Placement::Chart})) {
+      const Box& box = row.placement == Placement::Chart ? *chart++ : layout.square;
+      if (isLargeEnough(box)) insets.push_back(row.make(context(), box));
+    }
   }
 
   /// Where the insets at the top right begin; the picture's edge if there are none.
@@ -120,7 +110,7 @@ struct Marks::Parts {
     const auto consider = [&](const Box& box) {
       if (!box.empty() && box.y <= scale.margin) left = std::min(left, box.x);
     };
-    consider(layout.polhode);
+    consider(layout.square);
     for (const Box& chart : layout.charts) consider(chart);
     return left;
   }
@@ -139,10 +129,10 @@ struct Marks::Parts {
       taken.push_back(plates.back().texts.front());
       place.y() = taken.back().bottom() + 0.3 * scale.letters;
     }
-    if (shows(Overlay::HalfTurns)) {
-      auto count = std::make_unique<HalfTurns>(context(), place);
-      taken.push_back(count->box());
-      insets.push_back(std::move(count));
+    for (const MarkRow& row : shownAt({Placement::TopLeft})) {
+      insets.push_back(row.make(context(), {place.x(), place.y(), 0, 0}));
+      taken.push_back(insets.back()->box());
+      place.y() = taken.back().bottom() + 0.3 * scale.letters;
     }
   }
 
@@ -202,6 +192,7 @@ struct Marks::Parts {
   const physics::Trajectory& trajectory;
   Typesetter type;
   Scale scale;
+  double energyTop;
   Canvas canvas;
   ArrowLabels labels;
   Eigen::Matrix<double, 3, 4> lettersProjection = Eigen::Matrix<double, 3, 4>::Zero();

@@ -66,11 +66,11 @@ Plate labelPlate(const MarkContext& context, const std::string& words, const Poi
   return canvas.take();
 }
 
-HalfTurns::HalfTurns(const MarkContext& context, const Point& place) : context_(context) {
+HalfTurns::HalfTurns(const MarkContext& context, const Box& place) : context_(context) {
   const int most = context.trajectory.samples.back().halfTurns;
   const TextSize size =
       context.type.measure(countText(most), countStyle(context.scale, 0), context.scale.width);
-  box_ = {place.x(), place.y(), 1.0 * size.width, 1.0 * size.height};
+  box_ = {place.x, place.y, 1.0 * size.width, 1.0 * size.height};
 }
 
 double HalfTurns::glow(std::int64_t frame) const {

@@ -16,10 +16,10 @@ Plate labelPlate(const MarkContext& context, const std::string& words, const Poi
 /// "Half-turns 3", which lights up when the book turns over.
 class HalfTurns final : public Mark {
  public:
-  HalfTurns(const MarkContext& context, const Point& place);
+  /// Its top left is that of `place`.
+  HalfTurns(const MarkContext& context, const Box& place);
   void draw(const View& view) override;
-  /// What it can take. [pixels]
-  Box box() const { return box_; }
+  Box box() const override { return box_; }
 
  private:
   double glow(std::int64_t frame) const;

@@ -213,4 +213,13 @@ ChartContent errorContent(const MarkContext& context) {
   return content;
 }
 
+std::unique_ptr<Mark> makeEnergyChart(const MarkContext& context, const Box& box) {
+  const double top = std::max(energyTop(context.trajectory), context.energyTop);
+  return std::make_unique<StripChart>(context, box, energyContent(context, top));
+}
+
+std::unique_ptr<Mark> makeErrorChart(const MarkContext& context, const Box& box) {
+  return std::make_unique<StripChart>(context, box, errorContent(context));
+}
+
 }  // namespace rotatebook::overlay

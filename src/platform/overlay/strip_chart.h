@@ -59,4 +59,9 @@ ChartContent energyContent(const MarkContext& context, double top);
 /// The angle to the exact motion.
 ChartContent errorContent(const MarkContext& context);
 
+/// The chart of energyContent(), up to energyTop() or MarkContext::energyTop, whichever is higher.
+std::unique_ptr<Mark> makeEnergyChart(const MarkContext& context, const Box& box);
+/// The chart of errorContent().
+std::unique_ptr<Mark> makeErrorChart(const MarkContext& context, const Box& box);
+
 }  // namespace rotatebook::overlay

@@ -165,14 +165,6 @@ void paint(cairo_t* cairo, PangoLayout* layout, const TextStyle& style) {
 
 }  // namespace
 
-bool isOneLine(const std::string& text) {
-  const auto isControl = [](char letter) {
-    return static_cast<unsigned char>(letter) < ' ' || letter == 0x7f;
-  };
-  return std::ranges::none_of(text, isControl) &&
-         g_utf8_validate(text.data(), static_cast<gssize>(text.size()), nullptr) != FALSE;
-}
-
 Typesetter::Typesetter() = default;
 
 const Typesetter::Parts& Typesetter::parts() const {

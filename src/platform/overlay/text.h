@@ -30,9 +30,6 @@ struct TextSize {
   int height = 0;
 };
 
-/// Whether it is UTF-8 without control characters.
-bool isOneLine(const std::string& text);
-
 /// Sets and draws words in one font family, the same to the last pixel on every machine with these
 /// libraries: the font that ships with the program, no hinting, grey edges. Use one on one thread.
 class Typesetter {

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "base/text.h"
 #include "overlay/canvas.h"
 #include "overlay/layer.h"
 #include "overlay/palette.h"
@@ -76,15 +77,13 @@ std::string settingsText(const scene::Scene& scene) {
   constexpr const char* kExact = "exact solution";
   const auto first = std::ranges::find_if(motions, steps);
   if (first == motions.end()) return kExact;
-  std::string text;
-  for (const std::string& part : settingsOf(first->simulation)) {
-    const bool common = std::ranges::all_of(motions, [&](const scene::Panel& panel) {
+  std::vector<std::string> common = settingsOf(first->simulation);
+  std::erase_if(common, [&](const std::string& part) {
+    return !std::ranges::all_of(motions, [&](const scene::Panel& panel) {
       return !steps(panel) || std::ranges::count(settingsOf(panel.simulation), part) > 0;
     });
-    if (common) text += (text.empty() ? "" : ", ") + part;
-  }
-  if (std::ranges::all_of(motions, steps)) return text;
-  return text + (text.empty() ? "" : "; ") + kExact;
+  });
+  return joined({joined(common), std::ranges::all_of(motions, steps) ? "" : kExact}, "; ");
 }
 
 /// Black, from nothing at the top to kShade at the bottom, softly.

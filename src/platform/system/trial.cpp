@@ -2,61 +2,38 @@
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <exception>
 #include <optional>
+#include <string_view>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <thread>
 #include <unistd.h>
 
-#include "base/error.h"
+#include "base/text.h"
+#include "system/child_process.h"
 #include "system/crash_signals.h"
 #include "system/file_descriptor.h"
 
 namespace rotatebook::system {
 namespace {
 
-constexpr std::chrono::milliseconds kPollInterval{5};
 constexpr off_t kLongestWords = 400;  // [bytes]
 
-[[noreturn]] void runAsCopy(const std::function<void()>& action, const FileDescriptor& words) {
+void runAsCopy(const std::function<void()>& action, const FileDescriptor& words) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const rlimit noCore{0, 0};
   setrlimit(RLIMIT_CORE, &noCore);
   // What handles crashes here would say that this process crashed.
   for (const int crash : kCrashSignals) std::signal(crash, SIG_DFL);
   dup2(words.number(), STDERR_FILENO);
-  try {
-    action();
-  } catch (const std::exception&) {
-    // Whoever runs it in earnest is told.
-  }
-  _exit(0);
+  // What it throws is reported to whoever runs it in earnest.
+  action();
 }
 
-/// Its status, or none if it had to be killed.
-std::optional<int> wait(pid_t copy, std::chrono::seconds longest) {
-  const auto end = std::chrono::steady_clock::now() + longest;
-  int status = 0;
-  for (;;) {
-    const pid_t ended = waitpid(copy, &status, WNOHANG);
-    if (ended == copy) return status;
-    if (ended < 0 && errno != EINTR) throw MachineError("can't wait for another process");
-    if (std::chrono::steady_clock::now() > end) break;
-    std::this_thread::sleep_for(kPollInterval);
-  }
-  kill(copy, SIGKILL);
-  while (waitpid(copy, &status, 0) < 0 && errno == EINTR) continue;
-  return {};
-}
-
-std::string causeOf(int status) {
-  if (WIFSIGNALED(status)) return strsignal(WTERMSIG(status));
-  return "exit status " + std::to_string(WEXITSTATUS(status));
+std::string causeOf(const ProcessEnd& end) {
+  if (end.signal != 0) return strsignal(end.signal);
+  return "exit status " + std::to_string(end.status);
 }
 
 /// The last line of what it wrote, as ": LINE", or empty.
@@ -65,9 +42,9 @@ std::string lastLine(const FileDescriptor& words) {
   std::array<char, kLongestWords> end;
   const ssize_t read =
       pread(words.number(), end.data(), end.size(), std::max<off_t>(size - kLongestWords, 0));
-  std::string text(end.data(), read > 0 ? static_cast<std::size_t>(read) : 0);
-  text.erase(text.find_last_not_of(" \n") + 1);
-  const std::string line = text.substr(text.rfind('\n') + 1);
+  const std::string_view text =
+      trimmed({end.data(), read > 0 ? static_cast<std::size_t>(read) : 0});
+  const std::string line(text.substr(text.rfind('\n') + 1));
   return line.empty() ? "" : ": " + line;
 }
 
@@ -75,13 +52,11 @@ std::string lastLine(const FileDescriptor& words) {
 
 std::string endOfTrial(const std::function<void()>& action, std::chrono::seconds longest) {
   const FileDescriptor words = createMemoryFile("words");
-  const pid_t copy = fork();
-  if (copy < 0) throw MachineError(std::string("can't start a process: ") + std::strerror(errno));
-  if (copy == 0) runAsCopy(action, words);
-  const std::optional<int> status = wait(copy, longest);
-  if (status == 0) return "";
-  return (status ? "ends the process (" + causeOf(*status) + ")"
-                 : "doesn't come back within " + std::to_string(longest.count()) + " s") +
+  ChildProcess copy = ChildProcess::copy([&] { runAsCopy(action, words); });
+  const std::optional<ProcessEnd> end = copy.wait(longest);
+  if (end && end->signal == 0 && end->status == 0) return "";
+  return (end ? "ends the process (" + causeOf(*end) + ")"
+              : "doesn't come back within " + std::to_string(longest.count()) + " s") +
          lastLine(words);
 }
 

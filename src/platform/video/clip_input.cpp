@@ -119,7 +119,7 @@ AVStream& ClipInput::stream() const {
 
 void ClipInput::probe() {
   Dictionary options;
-  options.set("max_pixels", std::to_string(kMostPixels));
+  options.set("max_pixels", std::to_string(kMaxDecodedPixels));
   options.set("codec_whitelist", kDecoders);
   stream();  // There is one, so one set of options is enough.
   checkInput(avformat_find_stream_info(context_.get(), options.address()),

@@ -8,13 +8,15 @@
 #include <span>
 #include <string>
 
+#include "base/clip_limits.h"
 #include "video/ffmpeg.h"
 #include "video/video_format.h"
 
 namespace rotatebook::video {
 
-/// Largest picture that is decoded, that of the largest scene. [pixels]
-inline constexpr std::int64_t kMostPixels = std::int64_t{16'384} * 16'384;
+/// Largest picture that is decoded: the largest clip's, whose sides are whole macroblocks of 16
+/// pixels in the stream. [pixels]
+inline constexpr std::int64_t kMaxDecodedPixels = kMaxPicturePixels + 2 * 15 * kMaxPictureSide;
 
 /// FFmpeg's names of the decoders of our formats that have metadata.
 inline constexpr const char* kDecoders = "h264,vp9,libvpx-vp9";

@@ -104,7 +104,7 @@ Handle<AVCodecContext> openDecoder(const ClipInput& input) {
   const std::string failure = "can't decode " + input.name();
   checkInput(avcodec_parameters_to_context(context.get(), input.stream().codecpar), failure);
   context->err_recognition = AV_EF_EXPLODE;
-  context->max_pixels = kMostPixels;
+  context->max_pixels = kMaxDecodedPixels;
   checkInput(avcodec_open2(context.get(), nullptr, nullptr), failure);
   return context;
 }

@@ -3,15 +3,9 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/text.h"
 
 namespace rotatebook::video {
-namespace {
-
-std::string sizeText(int width, int height) {
-  return std::to_string(width) + "x" + std::to_string(height);
-}
-
-}  // namespace
 
 void requireSize(const image::ImageView& picture, int width, int height) {
   if (picture.width == width && picture.height == height) return;

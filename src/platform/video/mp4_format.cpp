@@ -1,11 +1,12 @@
 // H.264 in MP4.
 #include <algorithm>
-#include <array>
 #include <string_view>
 #include <utility>
 
+#include "base/clip_limits.h"
 #include "base/error.h"
 #include "base/number_text.h"
+#include "base/text.h"
 #include "video/pixel_converter.h"
 #include "video/stages.h"
 
@@ -14,28 +15,19 @@ namespace {
 
 constexpr EncoderNeed kBestEncoder = rowOf(VideoFormat::Mp4).encoder;
 constexpr double kSecondsBetweenKeyFrames = 2;
-constexpr int kSmallestCrf = 1;
-constexpr int kLargestCrf = 51;
-
-constexpr std::array<std::string_view, 11> kPresets = {
-    kBookPreset, "ultrafast", "superfast", "veryfast", "faster", "fast",
-    "medium",    "slow",      "slower",    "veryslow", "placebo"};
 
 void requireKnownPreset(const std::string& preset) {
-  if (std::find(kPresets.begin(), kPresets.end(), preset) != kPresets.end()) return;
-  std::string valid;
-  for (const std::string_view name : kPresets) {
-    valid += (valid.empty() ? "" : ", ") + std::string(name);
-  }
-  throw InputError("unknown video preset \"" + preset + "\"; valid are " + valid);
+  if (std::find(kVideoPresets.begin(), kVideoPresets.end(), preset) != kVideoPresets.end()) return;
+  throw InputError("unknown video preset \"" + preset + "\"; valid are " +
+                   joined({kVideoPresets.begin(), kVideoPresets.end()}));
 }
 
 void validate(const VideoSettings& settings) {
   requireEvenSize(settings, "H.264");
   requireKnownPreset(settings.preset);
-  // crf 0 is lossless, which H.264 has in High 4:4:4 Predictive only: not what browsers play.
-  if (settings.crf < kSmallestCrf || settings.crf > kLargestCrf) {
-    throw InputError("video crf " + std::to_string(settings.crf) + " is outside 1 to 51");
+  if (settings.crf < kBestCrf || settings.crf > kWorstCrf) {
+    throw InputError("video crf " + std::to_string(settings.crf) + " is outside " +
+                     std::to_string(kBestCrf) + " to " + std::to_string(kWorstCrf));
   }
 }
 
@@ -79,8 +71,7 @@ constexpr double kBookCrfOffset = 1.5;
 
 void setX264Options(const VideoSettings& settings, Dictionary& options) {
   const bool book = settings.preset == kBookPreset;
-  const double crf =
-      book ? std::min(settings.crf + kBookCrfOffset, 1.0 * kLargestCrf) : settings.crf;
+  const double crf = book ? std::min(settings.crf + kBookCrfOffset, 1.0 * kWorstCrf) : settings.crf;
   options.set("preset", book ? std::string(kBookBase) : settings.preset);
   options.set("crf", shortestText(crf));
   // cpu-independent: else x264 chooses algorithms by the processor, and the same scene gives other

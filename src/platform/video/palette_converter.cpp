@@ -5,6 +5,8 @@
 extern "C" {
 #include <libavfilter/buffersink.h>
 #include <libavfilter/buffersrc.h>
+
+#include "base/text.h"
 }
 
 namespace rotatebook::video {
@@ -56,7 +58,7 @@ PaletteConverter::PaletteConverter(int width, int height, int every)
       frame_(owned(av_frame_alloc())) {
   if (!graph_) throw std::bad_alloc();
   graph_->nb_threads = 1;
-  const std::string size = std::to_string(width) + "x" + std::to_string(height);
+  const std::string size = sizeText(width, height);
   source_ = addFilter(graph_.get(), "buffer", "in",
                       "video_size=" + size + ":pix_fmt=rgb24:time_base=1/1:pixel_aspect=1/1");
   sink_ = addFilter(graph_.get(), "buffersink", "out", "");

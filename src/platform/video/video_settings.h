@@ -2,8 +2,8 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
+#include "base/clip_limits.h"
 #include "base/frame_rate.h"
 
 namespace rotatebook::video {
@@ -11,18 +11,14 @@ namespace rotatebook::video {
 /// Narrowest and lowest video: one macroblock. [pixels]
 inline constexpr int kSmallestSide = 16;
 
-/// The preset made for clips of the book: pictures at least as like as x264's medium makes them at
-/// the same crf, in a fifth of its time, in files twice as large.
-inline constexpr std::string_view kBookPreset = "book";
-
 /// Everything that the bytes of a video depend on beside its format and pictures.
 struct VideoSettings {
   int width = 1280;  ///< At least kSmallestSide; even for MP4 and WebM. [pixels]
   int height = 720;  ///< As `width`. [pixels]
   FrameRate frameRate;
   bool transparent = false;         ///< Keep the pictures' alpha; WebM and APNG only.
-  int crf = 18;                     ///< MP4: x264's constant rate factor, 1 (largest file) to 51.
-  std::string preset{kBookPreset};  ///< MP4: x264's preset, or kBookPreset.
+  int crf = 18;                     ///< MP4: x264's constant rate factor, kBestCrf to kWorstCrf.
+  std::string preset{kBookPreset};  ///< MP4: One of kVideoPresets.
   int threads = 1;    ///< MP4: encoder threads, >= 1. Another count gives other bytes.
   std::string title;  ///< Stored in the metadata of MP4 and WebM; UTF-8.
   std::string

@@ -5,12 +5,6 @@
 namespace rotatebook::cli {
 namespace {
 
-TEST(Listed, JoinsThingsAsASentenceDoes) {
-  EXPECT_EQ(listed({}), "nothing");
-  EXPECT_EQ(listed({"a"}), "a");
-  EXPECT_EQ(listed({"a", "b", "c"}), "a, b and c");
-}
-
 TEST(SpaceWarning, SaysHowMuchIsMissingAndWhatHelps) {
   EXPECT_EQ(spaceWarning({12.34e9, 321e6}, "out", true),
             "about 12 GB are needed in out and 321 MB are free: make room, or leave PNGs out with "

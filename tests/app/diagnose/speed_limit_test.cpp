@@ -57,6 +57,8 @@ TEST(SpeedAdvice, IsAboutTheStageThatLimits) {
   EXPECT_THAT(changes({}, twoCores()),
               ElementsAre("--size 640x360", "more cores", "a graphics card"));
   Speed speed = twoCores();
+  speed.renderer = "Google SwiftShader";
+  EXPECT_THAT(changes({}, speed), ElementsAre("--size 640x360", "more cores", "a graphics card"));
   speed.stages.png = {60, 60};
   EXPECT_THAT(changes({}, speed), ElementsAre("--size 640x360", "more cores", "--no-png"));
   EXPECT_THAT(changes({}, graphicsCard()),

@@ -47,7 +47,7 @@ TEST(ClipFigure, HasItsWordsItsFilesAndItsData) {
       figure.section.text,
       AllOf(HasSubstr("Small &amp; &lt;small&gt;"), HasSubstr("It&#39;s &quot;small&quot;."),
             HasSubstr("src=\"small.mp4\""), HasSubstr("href=\"small.csv\""),
-            HasSubstr("max=\"11\""), HasSubstr("\"rate\":[24,1],\"frames\":12,")));
+            HasSubstr("max=\"11\""), HasSubstr("\"rate\": [24, 1], \"frames\": 12,")));
   EXPECT_THAT(figure.section.text, Not(HasSubstr("<small>")));
 }
 
@@ -219,7 +219,7 @@ TEST(ClipFigure, HasAColumnAndATableForEachPanel) {
               AllOf(HasSubstr("<th>Euler&#39;s</th><th>exact</th>"),
                     HasSubstr("<td>quaternion</td><td>exact</td>"),
                     HasSubstr("<caption>Expected and measured: Euler&#39;s</caption>"),
-                    HasSubstr("\"label\":\"Euler's\""), HasSubstr("href=\"pair_exact.csv\"")));
+                    HasSubstr("\"label\": \"Euler's\""), HasSubstr("href=\"pair_exact.csv\"")));
   fs::remove(folder / "pair_exact.csv");
   EXPECT_THAT(messageOf(scene, folder), HasSubstr("pair_exact.csv is missing"));
 }

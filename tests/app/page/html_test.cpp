@@ -18,10 +18,6 @@ TEST(AddressOf, EncodesWhatAddressesGiveAMeaning) {
   EXPECT_EQ(addressOf("fig05-unstable_x.mp4").text, "fig05-unstable_x.mp4");
 }
 
-TEST(JsonString, EndsNeitherItselfNorItsScript) {
-  EXPECT_EQ(jsonString("a\"b\\c\n</script>ω"), "\"a\\u0022b\\u005cc\\u000a\\u003c/script>ω\"");
-}
-
 TEST(Filled, PutsEachValueInItsPlaces) {
   EXPECT_EQ(filled("{{a}}-{{b}}-{{a}}.", {{"a", {"1"}}, {"b", {"{{a}}"}}}).text, "1-{{a}}-1.");
   EXPECT_EQ(filled("no names", {}).text, "no names");

@@ -28,17 +28,17 @@ TEST(MotionData, TellsEachSampleOfEachMotion) {
   clip.frameRate = {30000, 1001};
   EXPECT_EQ(
       motionData({motionOf("a"), motionOf("<b>")}, clip, 7),
-      "{\"rate\":[30000,1001],\"frames\":7,\"interval\":0.5,\"motions\":["
-      "{\"label\":\"a\",\"springs\":false,\"kinetic\":[0.75,0.5],\"potential\":[0.25,0],"
-      "\"total\":[1,0.5],\"tilt\":[0,0.333333],\"error\":[0,null]},"
-      "{\"label\":\"\\u003cb>\",\"springs\":false,\"kinetic\":[0.75,0.5],\"potential\":[0.25,0],"
-      "\"total\":[1,0.5],\"tilt\":[0,0.333333],\"error\":[0,null]}]}");
+      R"({"rate": [30000, 1001], "frames": 7, "interval": 0.5, "motions": [)"
+      R"({"label": "a", "springs": false, "kinetic": [0.75,0.5], "potential": [0.25,0], )"
+      R"("total": [1,0.5], "tilt": [0,0.333333], "error": [0,null]}, )"
+      R"({"label": "\u003Cb>", "springs": false, "kinetic": [0.75,0.5], "potential": [0.25,0], )"
+      R"("total": [1,0.5], "tilt": [0,0.333333], "error": [0,null]}]})");
 }
 
 TEST(MotionData, SaysWhetherThereAreSprings) {
   Motion motion = motionOf("");
   motion.panel.simulation.model = physics::Model::Particles;
-  EXPECT_NE(motionData({motion}, {}, 2).find("\"springs\":true"), std::string::npos);
+  EXPECT_NE(motionData({motion}, {}, 2).find("\"springs\": true"), std::string::npos);
 }
 
 }  // namespace

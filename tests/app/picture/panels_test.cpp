@@ -68,7 +68,7 @@ TEST(Panels, EachShowTheirMotionsSample) {
   {
     const PanelGrid grid = panelGrid(2, 128, 72);
     render::Renderer renderer =
-        makeRenderer(scene, {grid.width, grid.height, 0}, loadTextures(scene));
+        makeRenderer(scene, {grid.width, grid.height, 0}, loadTextures(scene).pictures);
     for (const auto& trajectory : motion.trajectories()) {
       expected.push_back(renderer.makePicture());
       renderer.draw(trajectory.samples[3].corners, expected.back());

@@ -13,6 +13,9 @@
 #include "image/comparison.h"
 #include "image/png_file.h"
 #include "pipeline/small_clip.h"
+#include "store/manifest.h"
+#include "system/file_checksum.h"
+#include "timeline/simulate_scene.h"
 #include "timeline/trajectory_csv.h"
 #include "video/decoded_video.h"
 
@@ -257,6 +260,25 @@ TEST(RenderClip, KeepsWhatTheSameSettingsMadeBefore) {
   testing::render(smallScene(), {.folder = folder, .outputs = {pngOutput()}});
   EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
   EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(kFrames));
+}
+
+TEST(RenderClip, NamesTheTexturesThatItDrewThoughTheFileIsReplaced) {
+  const fs::path folder = emptyFolder(), cover = folder / "cover.png";
+  scene::Scene scene = smallScene({"book.front=cover.png"});
+  scene.folder = folder;
+  image::Image picture(4, 4, image::PixelFormat::Rgb8);
+  image::writePng(cover, picture.view());
+  const std::string drawn = system::checksumOfFile(cover);
+  RenderListener listener;
+  listener.started = [&](const RenderStart&) {
+    picture.row(0)[0] ^= 1;
+    image::writePng(cover, picture.view());
+  };
+  renderClip(scene, timeline::simulateScene(scene), {.folder = folder}, listener);
+  EXPECT_NE(system::checksumOfFile(cover), drawn);
+  EXPECT_EQ(store::readManifest(folder / "small")->own.made.at("book.front"), drawn);
+  EXPECT_THAT(bytesOf(folder / "small" / "scene.toml"),
+              HasSubstr("\n# Textures: book.front " + drawn + "\n"));
 }
 
 TEST(RenderClip, RemovesThePartialVideoOnceItIsWhole) {

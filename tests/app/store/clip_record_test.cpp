@@ -62,6 +62,15 @@ TEST(SceneRecord, IsReadBack) {
   EXPECT_EQ(scene::sceneText(record.scene), scene::sceneText(smallScene()));
 }
 
+TEST(SceneRecord, NamesTheTexturesThatAreNotBuiltIn) {
+  const scene::Scene scene = smallScene();
+  const Making making = makingOf(scene, timeline::simulateScene(scene),
+                                 {{"book.front", "abc"}, {"book.spine", "built-in"}}, "r");
+  const std::string record = sceneRecord(scene, making);
+  EXPECT_THAT(record, HasSubstr("\n# Textures: book.front abc\n\n"));
+  EXPECT_EQ(parseRecord(record, "x", "").making.textures, "book.front abc");
+}
+
 TEST(SceneRecord, OfAPartTellsItsFrames) {
   const std::string part = recordOfPart(smallRecord(), {3, 5});
   EXPECT_THAT(part, HasSubstr("# Motion: 0123\n# Frames: 3:5\n\n"));
@@ -72,7 +81,7 @@ TEST(SceneRecord, OfAPartTellsItsFrames) {
 TEST(SceneRecord, StaysWholeWithNamesOfSeveralLines) {
   scene::Scene scene = smallScene();
   scene.name = "a\nb = 1";
-  const Making making = makingOf(scene, timeline::simulateScene(scene), "r\n\nmass = 2");
+  const Making making = makingOf(scene, timeline::simulateScene(scene), {}, "r\n\nmass = 2");
   const ClipRecord record = parseRecord(sceneRecord(scene, making), "x", "");
   EXPECT_EQ(record.making.scene, "a?b = 1");
   EXPECT_EQ(record.making.renderer, "r??mass = 2");
@@ -193,6 +202,13 @@ TEST(DifferencesOfTools, AreToldOneByOne) {
   here.ffmpeg = "7";
   EXPECT_THAT(differencesOfTools(kMaking, here),
               ElementsAre("rotatebook was 1.2.3, here it is 2", "FFmpeg was 5.1, here it is 7"));
+  here = kMaking;
+  here.textures = "book.front b";
+  EXPECT_THAT(differencesOfTools(kMaking, here), IsEmpty());
+  Making there = kMaking;
+  there.textures = "book.front a";
+  EXPECT_THAT(differencesOfTools(there, here),
+              ElementsAre("the textures were book.front a, here they are book.front b"));
   EXPECT_THAT(differencesOfTools({}, kMaking),
               ElementsAre("rotatebook was not recorded, here it is 1.2.3",
                           "the renderer was not recorded, here it is some renderer",

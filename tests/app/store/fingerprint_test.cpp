@@ -8,10 +8,13 @@
 
 #include "image/image.h"
 #include "image/png_file.h"
+#include "picture/frame_drawer.h"
 #include "pipeline/small_clip.h"
 #include "store/clip_files.h"
 #include "store/clip_record.h"
 #include "system/atomic_file.h"
+#include "system/file_checksum.h"
+#include "timeline/simulate_scene.h"
 
 namespace rotatebook::store {
 namespace {
@@ -22,7 +25,7 @@ using pipeline::testing::smallScene;
 using ::testing::HasSubstr;
 
 Manifest::Entries madeOf(const scene::Scene& scene, const std::string& renderer = "r") {
-  return fingerprint(scene, renderer);
+  return fingerprint(scene, picture::loadTextures(scene).checksums, renderer);
 }
 
 TEST(Fingerprint, ChangesWithAllThatFramesDependOn) {
@@ -46,6 +49,25 @@ TEST(Fingerprint, ChangesWithATexturesBytes) {
   picture.row(0)[0] ^= 1;
   image::writePng(folder / "cover.png", picture.view());
   EXPECT_NE(madeOf(scene).at("book.front"), made.at("book.front"));
+}
+
+TEST(Fingerprint, IsOfTheTexturesThatWereDrawn) {
+  const fs::path folder = emptyFolder(), cover = folder / "cover.png";
+  scene::Scene scene = smallScene();
+  scene.folder = folder;
+  scene.book.front = "cover.png";
+  image::Image picture(4, 4, image::PixelFormat::Rgb8);
+  image::writePng(cover, picture.view());
+  const std::string drawn = system::checksumOfFile(cover);
+  const timeline::ClipMotion motion = timeline::simulateScene(scene);
+  const picture::FrameDrawer drawer(scene, motion);
+  picture.row(0)[0] ^= 1;
+  image::writePng(cover, picture.view());
+  EXPECT_NE(system::checksumOfFile(cover), drawn);
+  const auto made = fingerprint(scene, drawer.textureChecksums(), drawer.description(), 1);
+  EXPECT_EQ(made.at("book.front"), drawn);
+  EXPECT_EQ(makingOf(scene, motion, drawer.textureChecksums(), "r").textures,
+            "book.front " + drawn);
 }
 
 TEST(Differences, NameTheKeysAndBothValues) {

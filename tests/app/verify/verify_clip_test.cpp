@@ -69,8 +69,8 @@ void brighten(image::Image& picture, int by) {
 void write(const Forgery& forgery, const fs::path& path) {
   const timeline::ClipMotion motion = timeline::simulateScene(forgery.shown);
   picture::FrameDrawer drawer(forgery.shown, motion);
-  store::Making making =
-      store::makingOf(forgery.said, timeline::simulateScene(forgery.said), drawer.description());
+  store::Making making = store::makingOf(forgery.said, timeline::simulateScene(forgery.said), {},
+                                         drawer.description());
   if (forgery.made) forgery.made(making);
   video::VideoSettings settings =
       store::videoSettings(forgery.shown, store::sceneRecord(forgery.said, making));

@@ -11,13 +11,13 @@ namespace rotatebook::overlay {
 namespace {
 
 Wanted everything(int bottomRows) {
-  return {.polhode = true, .charts = 2, .springs = true, .bottomRows = bottomRows};
+  return {.square = true, .charts = 2, .legend = true, .bottomRows = bottomRows};
 }
 
 std::vector<Box> boxesOf(const Layout& layout) {
   std::vector<Box> boxes = layout.charts;
-  boxes.push_back(layout.polhode);
-  boxes.push_back(layout.springs);
+  boxes.push_back(layout.square);
+  boxes.push_back(layout.legend);
   return boxes;
 }
 

@@ -23,7 +23,7 @@ constexpr std::string_view kVertex =
 constexpr std::string_view kFragment =
     "#version 330 core\nout vec4 colour;\nvoid main() { colour = vec4(1.0); }\n";
 
-std::string messageOf(std::string_view vertex, std::initializer_list<std::string_view> fragments) {
+std::string messageOf(const ShaderSource& vertex, std::initializer_list<ShaderSource> fragments) {
   const EglContext context;
   try {
     const ShaderProgram program("trial", vertex, fragments);
@@ -38,9 +38,11 @@ TEST(ShaderProgram, TakesShadersThatFit) {
 }
 
 TEST(ShaderProgram, TakesTheProgramsOwn) {
-  EXPECT_EQ(messageOf(bookVertexShader(), {coverFragmentShader(), toneCurveFragmentShader()}),
+  EXPECT_EQ(messageOf({studioLights(), bookVertexShader()},
+                      {{studioLights(), coverFragmentShader()}, toneCurveFragmentShader()}),
             "no error");
-  EXPECT_EQ(messageOf(bookVertexShader(), {paperFragmentShader(), toneCurveFragmentShader()}),
+  EXPECT_EQ(messageOf({studioLights(), bookVertexShader()},
+                      {paperFragmentShader(), toneCurveFragmentShader()}),
             "no error");
   EXPECT_EQ(messageOf(wholePictureVertexShader(), {studioFragmentShader()}), "no error");
   EXPECT_EQ(messageOf(wholePictureVertexShader(), {starsFragmentShader()}), "no error");

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/clip_limits.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
 #include "scene/sections.h"
@@ -16,10 +17,6 @@ namespace rotatebook::scene {
 namespace {
 
 constexpr int kSmallestPicture = 16;
-constexpr int kLargestPicture = 16'384;
-constexpr int kMostPixels = 35'651'584;  // The most that H.264's highest level has.
-constexpr int kBestCrf = 1;              // 0 is lossless, which the High profile doesn't have.
-constexpr int kWorstCrf = 51;
 constexpr int kMostThreads = 64;
 constexpr int kMostSupersample = 2;
 constexpr unsigned kMostMoments = 16;  // Of motion blur.
@@ -37,7 +34,7 @@ constexpr NumberRange kAngles{"an angle from 1 to 170 degrees", 1, 170};
 
 // H.264 with its colour at half the resolution has no odd sizes.
 int pictureSide(const ValueReader& value) {
-  const int side = value.integer(kSmallestPicture, kLargestPicture);
+  const int side = value.integer(kSmallestPicture, kMaxPictureSide);
   if (side % 2 != 0) {
     value.fail(value.name() + " must be even, not " + std::to_string(side) +
                "; the nearest even sizes are " + std::to_string(side - 1) + " and " +
@@ -51,9 +48,9 @@ void readPictureSize(const ValueReader& value, ClipSettings& clip) {
   clip.width = pictureSide(sides[0]);
   clip.height = pictureSide(sides[1]);
   const int pixels = clip.width * clip.height;  // Of 16384x16384 they are fewer than 2^31.
-  if (pixels > kMostPixels) {
+  if (pixels > kMaxPicturePixels) {
     value.fail(value.name() + " has " + std::to_string(pixels) + " pixels; the limit is " +
-               std::to_string(kMostPixels) + ", for example [8192, 4352]");
+               std::to_string(kMaxPicturePixels) + ", for example [8192, 4352]");
   }
 }
 
@@ -78,7 +75,7 @@ std::string frameRateText(const FrameRate& rate) {
 }
 
 std::string presetFrom(const ValueReader& value) {
-  return std::string(kPresets[value.choice(kPresets)]);
+  return std::string(kVideoPresets[value.choice(kVideoPresets)]);
 }
 
 // Any texture within reach of the scene's folder, so that a clip names no place of the machine it

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/text.h"
 
 namespace rotatebook::render {
 namespace {
@@ -18,15 +19,11 @@ void attach(GLenum attachment, const GlRenderbuffer& buffer) {
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, buffer.name());
 }
 
-std::string sizeText(int width, int height) {
-  return std::to_string(width) + "x" + std::to_string(height) + " pixels";
-}
-
 void requireComplete(int width, int height) {
   const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
   if (status == GL_FRAMEBUFFER_COMPLETE) return;
   throw MachineError("can't draw: OpenGL refuses a frame buffer of " + sizeText(width, height) +
-                     " (status " + std::to_string(status) +
+                     " pixels (status " + std::to_string(status) +
                      "); make the picture smaller, or leave out look.supersample");
 }
 
@@ -34,7 +31,7 @@ void requireLimit(int width, int height) {
   GLint largestSide = 0;
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largestSide);
   if (width <= largestSide && height <= largestSide) return;
-  throw InputError("a picture of " + std::to_string(width) + "x" + std::to_string(height) +
+  throw InputError("a picture of " + sizeText(width, height) +
                    " is too large: this renderer draws up to " + std::to_string(largestSide) +
                    " pixels a side");
 }

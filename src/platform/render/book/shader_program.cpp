@@ -21,11 +21,15 @@ std::string linkerLog(GLuint program) {
   return log;
 }
 
-void attach(GLuint program, GLenum type, const std::string& name, std::string_view source) {
+void attach(GLuint program, GLenum type, const std::string& name, const ShaderSource& source) {
   const GLuint shader = glCreateShader(type);
-  const char* text = source.data();
-  const auto length = static_cast<GLint>(source.size());
-  glShaderSource(shader, 1, &text, &length);
+  std::vector<const char*> texts;
+  std::vector<GLint> lengths;
+  for (const std::string_view text : source.texts) {
+    texts.push_back(text.data());
+    lengths.push_back(static_cast<GLint>(text.size()));
+  }
+  glShaderSource(shader, static_cast<GLsizei>(texts.size()), texts.data(), lengths.data());
   glCompileShader(shader);
   glAttachShader(program, shader);
   glDeleteShader(shader);  // Lives on as long as the program.
@@ -38,10 +42,10 @@ void attach(GLuint program, GLenum type, const std::string& name, std::string_vi
 
 }  // namespace
 
-ShaderProgram::ShaderProgram(const std::string& name, std::string_view vertexSource,
-                             std::initializer_list<std::string_view> fragmentSources) {
+ShaderProgram::ShaderProgram(const std::string& name, const ShaderSource& vertexSource,
+                             std::initializer_list<ShaderSource> fragmentSources) {
   attach(program_.name(), GL_VERTEX_SHADER, name + ".vert", vertexSource);
-  for (const std::string_view source : fragmentSources) {
+  for (const ShaderSource& source : fragmentSources) {
     attach(program_.name(), GL_FRAGMENT_SHADER, name + ".frag", source);
   }
   glLinkProgram(program_.name());

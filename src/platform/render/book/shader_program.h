@@ -4,6 +4,7 @@
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <Eigen/Core>
 
@@ -11,13 +12,22 @@
 
 namespace rotatebook::render {
 
+/// The source of one shader: a text, or several, of which each continues the one before.
+struct ShaderSource {
+  ShaderSource(std::string_view text) : texts{text} {}
+  ShaderSource(const char* text) : texts{text} {}
+  ShaderSource(std::initializer_list<std::string_view> all) : texts(all) {}
+
+  std::vector<std::string_view> texts;
+};
+
 /// A linked GL program.
 class ShaderProgram {
  public:
   /// `name` is for messages; one of the fragment shaders has main(). Throws MachineError with the
   /// compiler's or linker's words.
-  ShaderProgram(const std::string& name, std::string_view vertexSource,
-                std::initializer_list<std::string_view> fragmentSources);
+  ShaderProgram(const std::string& name, const ShaderSource& vertexSource,
+                std::initializer_list<ShaderSource> fragmentSources);
 
   void use() const { glUseProgram(program_.name()); }
 

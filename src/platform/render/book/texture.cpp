@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "image/smaller.h"
 
 namespace rotatebook::render {
@@ -17,9 +18,9 @@ void refuseOversize(image::ImageView picture) {
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   if (picture.width <= largest && picture.height <= largest) return;
-  throw InputError("a texture of " + std::to_string(picture.width) + "x" +
-                   std::to_string(picture.height) + " pixels is too large: this renderer takes " +
-                   std::to_string(largest) + " a side");
+  throw InputError("a texture of " + sizeText(picture.width, picture.height) +
+                   " pixels is too large: this renderer takes " + std::to_string(largest) +
+                   " a side");
 }
 
 // GL's first row is the lowest; ours is the highest.

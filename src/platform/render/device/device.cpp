@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "base/error.h"
+#include "base/text.h"
 
 namespace rotatebook::render {
 namespace {
@@ -144,12 +145,9 @@ std::string Way::name() const {
 }
 
 std::string Way::text() const {
-  std::string facts = renderNode.empty() ? drmNode : renderNode;
-  const auto add = [&facts](const std::string& fact) {
-    facts += (facts.empty() ? "" : ", ") + fact;
-  };
-  if (cudaId) add("cuda:" + std::to_string(*cudaId));
-  if (software) add("software");
+  const std::string facts =
+      joined({renderNode.empty() ? drmNode : renderNode,
+              cudaId ? "cuda:" + std::to_string(*cudaId) : "", software ? "software" : ""});
   return name() + (facts.empty() ? "" : " (" + facts + ")");
 }
 

@@ -1,32 +1,20 @@
-#include "cli/json_object.h"
-
-#include <array>
-#include <cstdio>
+#include "base/json.h"
 
 #include "base/number_text.h"
+#include "base/text.h"
 
-namespace rotatebook::cli {
+namespace rotatebook {
 
 std::string jsonString(std::string_view text) {
-  std::string quoted = "\"";
-  for (const char letter : text) {
-    const auto code = static_cast<unsigned char>(letter);
-    if (letter == '"' || letter == '\\') quoted += '\\';
-    if (code >= 0x20) {
-      quoted += letter;
-      continue;
-    }
-    std::array<char, 8> escape;
-    std::snprintf(escape.data(), escape.size(), "\\u%04x", static_cast<unsigned>(code));
-    quoted += escape.data();
+  std::string json;
+  for (const char letter : quotedText(text)) {
+    letter == '<' ? json += "\\u003C" : json += letter;
   }
-  return quoted + "\"";
+  return json;
 }
 
 std::string jsonArray(const std::vector<std::string>& values) {
-  std::string text;
-  for (const std::string& value : values) text += (text.empty() ? "" : ", ") + value;
-  return "[" + text + "]";
+  return "[" + joined(values) + "]";
 }
 
 JsonObject& JsonObject::add(std::string_view key, const std::string& json) {
@@ -50,4 +38,4 @@ JsonObject& JsonObject::addBool(std::string_view key, bool value) {
   return add(key, value ? "true" : "false");
 }
 
-}  // namespace rotatebook::cli
+}  // namespace rotatebook

@@ -1,13 +1,14 @@
-// JSON for programs that read what a command found. Inside the room only.
+// JSON, written.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-namespace rotatebook::cli {
+namespace rotatebook {
 
-/// `text` in quotation marks, as JSON has it.
+/// `text` in quotation marks, as JSON has it; also within a <script>, which no "</script>" in it
+/// ends.
 std::string jsonString(std::string_view text);
 
 /// "[a, b]" of values that are JSON.
@@ -40,4 +41,4 @@ class JsonObject {
   std::string members_;
 };
 
-}  // namespace rotatebook::cli
+}  // namespace rotatebook

@@ -1,0 +1,70 @@
+#include "overlay/mark_rows.h"
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+
+#include "overlay/arrows.h"
+#include "overlay/ghost.h"
+#include "overlay/notes.h"
+#include "overlay/polhode_inset.h"
+#include "overlay/springs.h"
+#include "overlay/strip_chart.h"
+
+namespace rotatebook::overlay {
+namespace {
+
+using scene::Overlay;
+
+template <std::derived_from<Mark> T>
+std::unique_ptr<Mark> make(const MarkContext& context, const Box& box) {
+  if constexpr (std::constructible_from<T, const MarkContext&, const Box&>) {
+    return std::make_unique<T>(context, box);
+  } else {
+    return std::make_unique<T>(context);
+  }
+}
+
+constexpr std::array<MarkRow, scene::kOverlayCount> kRows{{
+    {Overlay::Springs, Placement::BookAndLegend, make<Springs>},
+    {Overlay::Ghost, Placement::Book, make<Ghost>},
+    {Overlay::Axes, Placement::Book, make<Axes>},
+    {Overlay::Trail, Placement::Book, make<Trail>},
+    {Overlay::Momentum, Placement::Book, make<Momentum>},
+    {Overlay::Omega, Placement::Book, make<Omega>},
+    {Overlay::HalfTurns, Placement::TopLeft, make<HalfTurns>},
+    {Overlay::Polhode, Placement::Square, make<PolhodeInset>},
+    {Overlay::Energy, Placement::Chart, makeEnergyChart},
+    {Overlay::Error, Placement::Chart, makeErrorChart},
+    {Overlay::Caption, Placement::Words},
+    {Overlay::Clock, Placement::Words},
+}};
+
+constexpr bool isOnTheBook(const MarkRow& row) {
+  return row.placement == Placement::Book || row.placement == Placement::BookAndLegend;
+}
+
+static_assert(std::ranges::all_of(scene::kOverlayRows,
+                                  [](const scene::OverlayRow& overlay) {
+                                    return std::ranges::count(kRows, overlay.overlay,
+                                                              &MarkRow::overlay) == 1;
+                                  }),
+              "an overlay of scene/overlays.h has no row here");
+static_assert(std::ranges::all_of(kRows,
+                                  [](const MarkRow& row) {
+                                    const bool words = row.placement == Placement::Words;
+                                    return words == (row.make == nullptr) &&
+                                           isOnTheBook(row) == rowOf(row.overlay).onTheBook;
+                                  }),
+              "a row has no mark, or is elsewhere than scene/overlays.h says");
+static_assert(std::ranges::count(kRows, Placement::Square, &MarkRow::placement) == 1 &&
+                  std::ranges::count(kRows, Placement::BookAndLegend, &MarkRow::placement) == 1,
+              "layOut() has one place of that kind");
+
+}  // namespace
+
+std::span<const MarkRow> markRows() {
+  return kRows;
+}
+
+}  // namespace rotatebook::overlay

@@ -1,0 +1,89 @@
+#include "base/text.h"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace rotatebook {
+namespace {
+
+TEST(Trimmed, HasNoBlanksAtItsEnds) {
+  EXPECT_EQ(trimmed(" \ta b\r\n"), "a b");
+  EXPECT_EQ(trimmed("a"), "a");
+  EXPECT_EQ(trimmed(" \n"), "");
+}
+
+TEST(Joined, LeavesOutWhatIsEmpty) {
+  EXPECT_EQ(joined({}), "");
+  EXPECT_EQ(joined({"", "a", "", "b", ""}), "a, b");
+  EXPECT_EQ(joined({"a", "b"}, "; "), "a; b");
+  EXPECT_EQ(joinedOf(std::vector{1, 2}, [](int number) { return std::to_string(number); }), "1, 2");
+}
+
+TEST(Listed, JoinsThingsAsASentenceDoes) {
+  EXPECT_EQ(listed({}), "nothing");
+  EXPECT_EQ(listed({"a"}), "a");
+  EXPECT_EQ(listed({"a", "b", "c"}), "a, b and c");
+  EXPECT_EQ(listed({"a", "b"}, "or"), "a or b");
+}
+
+TEST(SizeText, IsWidthAndHeight) {
+  EXPECT_EQ(sizeText(640, 360), "640x360");
+}
+
+TEST(QuotedText, EscapesWhatTomlAndJsonForbid) {
+  EXPECT_EQ(quotedText("plain é"), "\"plain é\"");
+  EXPECT_EQ(quotedText("\"\\\n\t"), R"("\"\\\n\t")");
+  EXPECT_EQ(quotedText(std::string("\x01\x1f\x7f\0", 4)), R"("\u0001\u001F\u007F\u0000")");
+}
+
+TEST(QuotedText, EscapesTheControlCharactersOfLatin1) {
+  EXPECT_EQ(quotedText("\u0080\u009b\u009f\u00a0"), "\"\\u0080\\u009B\\u009F\u00a0\"");
+  EXPECT_EQ(quotedText("\xc2"), "\"\xc2\"");
+}
+
+TEST(Printable, LeavesATerminalNothingToObey) {
+  EXPECT_EQ(printable("a\x1b[31m\u009b\x7f"), "a\\u001B[31m\\u009B\\u007F");
+  EXPECT_EQ(printable("\"é\" \\ two\nlines\t"), "\"é\" \\ two\nlines\t");
+}
+
+TEST(OneLine, HasNoEndsOfLinesAndNoMoreThanItMay) {
+  EXPECT_EQ(oneLine("\"é\" \\ two\nlines\t\x1b", 99), "\"é\" \\ two\\nlines\\t\\u001B");
+  EXPECT_EQ(oneLine("aé本📖", 4), "aé本📖");
+  EXPECT_EQ(oneLine("aé本📖", 3), "aé本...");
+  EXPECT_EQ(oneLine("", 0), "");
+  EXPECT_EQ(oneLine(std::string(99, '\x80'), 2), std::string(8, '\x80') + "...");
+}
+
+TEST(LetterCount, CountsLettersNotBytes) {
+  EXPECT_EQ(letterCount(""), 0u);
+  EXPECT_EQ(letterCount("aé本📖"), 4u);
+}
+
+TEST(FirstLetters, AreNoMoreThanThereAre) {
+  EXPECT_EQ(firstLetters("aé本📖", 3), "aé本");
+  EXPECT_EQ(firstLetters("aé", 3), "aé");
+}
+
+TEST(IsOneLine, TakesEveryLetterOfUnicode) {
+  EXPECT_TRUE(isOneLine(""));
+  EXPECT_TRUE(isOneLine("aé本📖 \u0080\u07ff\u0800\ud7ff\ue000\uffff\U00010000\U0010ffff"));
+}
+
+TEST(IsOneLine, RefusesControlCharactersAndWhatIsNotUtf8) {
+  for (const char* control : {"a\n", "\t", "\x1f", "\x7f"}) EXPECT_FALSE(isOneLine(control));
+  EXPECT_FALSE(isOneLine(std::string(1, '\0')));
+  for (const char* broken :
+       {"\x80", "a\xc3", "\xc3(", "\xe2\x82", "\xe2\x28\xa1", "\xf0\x9f\x93", "\xff"}) {
+    EXPECT_FALSE(isOneLine(broken)) << quotedText(broken);
+  }
+  // Too long a form, half of a surrogate, beyond the last letter.
+  for (const char* forbidden : {"\xc0\xaf", "\xc1\xbf", "\xe0\x9f\xbf", "\xf0\x8f\xbf\xbf",
+                                "\xed\xa0\x80", "\xf4\x90\x80\x80"}) {
+    EXPECT_FALSE(isOneLine(forbidden)) << quotedText(forbidden);
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook

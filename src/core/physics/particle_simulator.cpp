@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 
+#include "physics/motion_start.h"
+
 namespace rotatebook::physics {
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "physics/trajectory.h"
+#include "physics/sample.h"
 
 namespace rotatebook::physics {
 

@@ -8,6 +8,7 @@
 #include "physics/integrators/rigid_state.h"
 #include "physics/integrators/runge_kutta.h"
 #include "physics/integrators/splitting.h"
+#include "physics/motion_start.h"
 
 namespace rotatebook::physics {
 namespace {

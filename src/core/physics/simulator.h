@@ -1,14 +1,9 @@
 // The one interface behind which all models stand.
 #pragma once
 
-#include <memory>
-
 #include <Eigen/Core>
 
-#include "base/error.h"
 #include "physics/cuboid.h"
-#include "physics/inertia.h"
-#include "physics/motion_settings.h"
 
 namespace rotatebook::physics {
 
@@ -32,21 +27,5 @@ class Simulator {
   /// The present state. Once a motion has blown up its numbers need not be finite.
   virtual BodyState state() const = 0;
 };
-
-/// An implicit integrator can't solve the equations of its step, because the step is too long.
-class NoConvergence : public InputError {
- public:
-  using InputError::InputError;
-};
-
-/// The inertia of the model that `settings` ask for: the particles' own, or the rigid body's.
-PrincipalAxes modelInertia(const MotionSettings& settings);
-/// The angular velocity that the motion starts with. Throws InputError as InitialSpin::tilted()
-/// does. [rad/s]
-Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings);
-
-/// The simulator that `settings` ask for, at t = 0. Throws InputError as InitialSpin::tilted()
-/// does, and if the model doesn't have the integrator.
-std::unique_ptr<Simulator> makeSimulator(const MotionSettings& settings);
 
 }  // namespace rotatebook::physics

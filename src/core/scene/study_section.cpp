@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "physics/measure/flip_interval.h"
-#include "physics/simulator.h"
+#include "physics/motion_start.h"
 #include "scene/nearest_name.h"
 #include "scene/sections.h"
 #include "scene/toml_text.h"

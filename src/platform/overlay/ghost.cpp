@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "physics/motion_start.h"
 #include "physics/reference_frame.h"
-#include "physics/simulator.h"
 
 namespace rotatebook::overlay {
 namespace {

@@ -13,6 +13,7 @@
 
 #include "physics/exact/exact_simulator.h"
 #include "physics/integrator_names.h"
+#include "physics/integrators/no_convergence.h"
 #include "physics/scenarios.h"
 
 namespace rotatebook::physics {

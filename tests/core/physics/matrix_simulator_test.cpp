@@ -7,8 +7,8 @@
 #include <Eigen/SVD>
 #include <gtest/gtest.h>
 
+#include "physics/make_simulator.h"
 #include "physics/scenarios.h"
-#include "physics/simulator.h"
 
 namespace rotatebook::physics {
 namespace {

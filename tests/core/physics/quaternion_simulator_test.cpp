@@ -5,8 +5,8 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include "physics/make_simulator.h"
 #include "physics/scenarios.h"
-#include "physics/simulator.h"
 
 namespace rotatebook::physics {
 namespace {

@@ -1,5 +1,7 @@
 #include "physics/exact/exact_simulator.h"
 
+#include "physics/motion_start.h"
+
 namespace rotatebook::physics {
 
 ExactSimulator::ExactSimulator(const MotionSettings& settings)

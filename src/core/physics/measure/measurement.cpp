@@ -6,6 +6,7 @@
 #include <Eigen/LU>
 
 #include "physics/elementary.h"
+#include "physics/motion_start.h"
 #include "physics/rotation.h"
 
 namespace rotatebook::physics {

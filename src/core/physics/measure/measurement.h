@@ -7,8 +7,8 @@
 #include "physics/exact/exact_rotation.h"
 #include "physics/inertia.h"
 #include "physics/motion_settings.h"
+#include "physics/sample.h"
 #include "physics/simulator.h"
-#include "physics/trajectory.h"
 
 namespace rotatebook::physics {
 

@@ -1,10 +1,10 @@
-#include "physics/trajectory.h"
+#include "physics/simulate.h"
 
 #include <cmath>
 
 #include "base/error.h"
+#include "physics/make_simulator.h"
 #include "physics/measure/measurement.h"
-#include "physics/simulator.h"
 
 namespace rotatebook::physics {
 namespace {

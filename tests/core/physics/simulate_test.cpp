@@ -1,4 +1,4 @@
-#include "physics/trajectory.h"
+#include "physics/simulate.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
-#include "physics/simulator.h"
+#include "physics/make_simulator.h"
 
+#include "base/error.h"
 #include "physics/exact/exact_simulator.h"
 #include "physics/particle_simulator.h"
 #include "physics/rigid_simulator.h"
@@ -13,16 +14,6 @@ void checkIntegrator(const SimulationSettings& settings) {
 }
 
 }  // namespace
-
-PrincipalAxes modelInertia(const MotionSettings& settings) {
-  const bool particles = settings.simulation.model == Model::Particles;
-  if (!particles && settings.inertia) return principalAxes(*settings.inertia);
-  return {particles ? settings.body.particleInertia() : settings.body.solidInertia()};
-}
-
-Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings) {
-  return settings.initial.angularVelocity(modelInertia(settings));
-}
 
 std::unique_ptr<Simulator> makeSimulator(const MotionSettings& settings) {
   checkIntegrator(settings.simulation);

@@ -48,10 +48,14 @@ const std::vector<std::string> kFiles{"simulate_scene",  "clip_motion", "traject
 const std::vector<std::string> kPictures{"scene/scene.cpp"};
 
 bool decidesBits(const fs::path& file) {
-  const std::string room = file.parent_path().filename();
-  if (std::ranges::count(kPictures, room + "/" + file.filename().string()) > 0) return false;
+  const std::string path = file.generic_string();
+  const auto isIn = [&](const std::string& room) {
+    return path.find("/src/core/" + room + "/") != std::string::npos;
+  };
+  if (std::ranges::any_of(kPictures, [&](const auto& name) { return path.ends_with(name); }))
+    return false;
   const bool isSource = file.extension() == ".h" || file.extension() == ".cpp";
-  return isSource && (std::ranges::count(kRooms, room) > 0 ||
+  return isSource && (std::ranges::any_of(kRooms, isIn) ||
                       std::ranges::count(kFiles, file.stem().string()) > 0);
 }
 

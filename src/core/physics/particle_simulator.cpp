@@ -74,7 +74,8 @@ ParticleSimulator::ParticleSimulator(const MotionSettings& settings)
                settings.simulation.damping * 2 * std::sqrt(settings.simulation.stiffness * mass_)),
       step_(stepOf(settings.simulation.integrator)),
       normalize_(settings.simulation.normalize),
-      energy_(kineticEnergy()) {}
+      energy_(kineticEnergy()),
+      fit_(settings.body) {}
 
 ParticleSimulator::Step ParticleSimulator::stepOf(Integrator integrator) {
   switch (integrator) {
@@ -179,8 +180,10 @@ void ParticleSimulator::restoreCentre() {
 
 BodyState ParticleSimulator::state() const {
   BodyState result;
-  result.corners = toEigen(positions_);
-  const Corners arms = result.corners.colwise() - result.corners.rowwise().mean().eval();
+  const Corners cage = toEigen(positions_);
+  result.worldFromBody = fit_.worldFromBody(cage);
+  result.cage = cage;
+  const Corners arms = cage.colwise() - cage.rowwise().mean().eval();
   const Eigen::Matrix3d inertia = inertiaTensor(arms, mass_);
   result.angularMomentum = angularMomentumOf(arms, toEigen(velocities_), mass_);
   // The smallest solution, which stays finite where the particles lie on one line and their inertia

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "physics/cage_fit.h"
 #include "physics/motion_settings.h"
 #include "physics/simulator.h"
 #include "physics/spring_network.h"
@@ -61,6 +62,7 @@ class ParticleSimulator final : public Simulator {
   Step step_;
   bool normalize_;
   double energy_ = 0;  // at t = 0
+  CageFit fit_;
 };
 
 }  // namespace rotatebook::physics

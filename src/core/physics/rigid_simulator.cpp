@@ -48,7 +48,7 @@ class RigidSimulator final : public Simulator {
                                        : Eigen::Vector3d(map.transpose() * state_.momentum);
     const Eigen::Vector3d velocityInBody = body_.inverseInertia.cwiseProduct(inBody);
     BodyState result;
-    result.corners = map * corners_;
+    result.worldFromBody = map * principalFromBody_;
     result.angularVelocity = map * velocityInBody;
     result.angularMomentum =
         Method::kMomentumInBody ? Eigen::Vector3d(map * inBody) : state_.momentum;
@@ -60,12 +60,12 @@ class RigidSimulator final : public Simulator {
  private:
   RigidSimulator(const MotionSettings& settings, const PrincipalAxes& axes)
       : body_(constantsOf(axes, initialAngularVelocity(settings))),
-        corners_(axes.bodyFromPrincipal.transpose() * settings.body.corners()),
+        principalFromBody_(axes.bodyFromPrincipal.transpose()),
         state_(startOf<Attitude, Method::kMomentumInBody>(axes, body_.momentum)),
         normalize_(settings.simulation.normalize) {}
 
   RigidConstants body_;
-  Corners corners_;  // along the principal axes
+  Eigen::Matrix3d principalFromBody_;
   RigidState<Attitude> state_;
   bool normalize_;
 };

@@ -12,8 +12,8 @@ namespace rotatebook::physics {
 /// The body at one moment, measured; world axes, SI units unless said otherwise.
 struct Sample {
   double time = 0;  ///< Simulated time. [s]
-  /// World from body; polar rotation of the map that best fits the corners. w >= 0 at the start,
-  /// then of continuous sign.
+  /// World from body; polar rotation of BodyState::worldFromBody. w >= 0 at the start, then of
+  /// continuous sign.
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
   Eigen::Vector3d angularVelocity{0, 0, 0};  ///< [rad/s]
   Eigen::Vector3d angularMomentum{0, 0, 0};  ///< About the centre of mass. [kg m^2/s]
@@ -24,7 +24,7 @@ struct Sample {
   /// How often the tilt has gone from under 60 to over 120 degrees or back while the body was no
   /// farther deformed than isBook() allows. What comes after that isn't counted.
   int halfTurns = 0;
-  double stretchMin = 1;  ///< Smallest singular value of the map that best fits the corners.
+  double stretchMin = 1;  ///< Smallest singular value of BodyState::worldFromBody.
   double stretchMax = 1;  ///< Largest one.
   /// Angle of the rotation between the attitude and that of the exact rigid motion from the same
   /// start. [degrees]

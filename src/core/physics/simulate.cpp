@@ -10,13 +10,15 @@ namespace rotatebook::physics {
 namespace {
 
 bool isFinite(const BodyState& state) {
-  return state.corners.allFinite() && state.angularVelocity.allFinite() &&
-         state.angularMomentum.allFinite() && std::isfinite(state.kinetic) &&
-         std::isfinite(state.potential) && std::isfinite(state.rotational);
+  return state.angularVelocity.allFinite() && state.angularMomentum.allFinite() &&
+         std::isfinite(state.kinetic) && std::isfinite(state.potential) &&
+         std::isfinite(state.rotational);
 }
 
-bool hasBlownUp(const BodyState& state, double farthest) {
-  return !isFinite(state) || state.corners.colwise().norm().maxCoeff() > farthest;
+bool hasBlownUp(const BodyState& state, const Cuboid& body) {
+  const Corners corners = drawnCorners(state, body);
+  return !isFinite(state) || !corners.allFinite() ||
+         corners.colwise().norm().maxCoeff() > kDivergenceFactor * body.largestDimension();
 }
 
 }  // namespace
@@ -27,7 +29,6 @@ Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount,
   Measurement measurement(settings);
   const SimulationSettings& stepping = settings.simulation;
   const double h = stepping.timePerFrame / stepping.substeps;
-  const double farthest = kDivergenceFactor * settings.body.largestDimension();
 
   Trajectory result;
   result.interval = stepping.timePerFrame;
@@ -35,7 +36,7 @@ Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount,
     if (n > 0) simulator->advance(h, stepping.substeps);
     const double time = static_cast<double>(n) * result.interval;
     const BodyState state = simulator->state();
-    if (hasBlownUp(state, farthest)) {
+    if (hasBlownUp(state, settings.body)) {
       result.divergedAt = time;
       break;
     }

@@ -58,7 +58,8 @@ TEST(Simulate, DividesTheIntervalIntoSubsteps) {
     MotionSettings settings = spinning(model, {1, 2, 3}, 0.01);
     settings.simulation.substeps = 7;
     const Trajectory trajectory = simulate(settings, 6);
-    EXPECT_EQ(trajectory.samples[5].corners, stateAtSample(settings, 5).corners);
+    EXPECT_EQ(trajectory.samples[5].corners,
+              drawnCorners(stateAtSample(settings, 5), settings.body));
     settings.simulation.substeps = 8;
     EXPECT_NE(trajectory.samples[5].corners, simulate(settings, 6).samples[5].corners);
   }
@@ -73,7 +74,7 @@ TEST(Simulate, EndsBeforeTheSampleThatLiesTooFarOut) {
   EXPECT_EQ(*trajectory.divergedAt, static_cast<double>(end) * trajectory.interval);
   const double farthest = 20 * settings.body.largestDimension();
   EXPECT_LE(farthestCorner(trajectory.samples.back().corners), farthest);
-  EXPECT_GT(farthestCorner(stateAtSample(settings, end).corners), farthest);
+  EXPECT_GT(farthestCorner(stateAtSample(settings, end).cage.value()), farthest);
 }
 
 TEST(Simulate, EndsBeforeANumberThatIsNotFinite) {
@@ -83,7 +84,7 @@ TEST(Simulate, EndsBeforeANumberThatIsNotFinite) {
   const Trajectory trajectory = simulate(settingsOf(scenario), 9);
   EXPECT_EQ(trajectory.samples.size(), 1U);
   EXPECT_EQ(*trajectory.divergedAt, trajectory.interval);
-  EXPECT_FALSE(stateAtSample(settingsOf(scenario), 1).corners.allFinite());
+  EXPECT_FALSE(stateAtSample(settingsOf(scenario), 1).cage->allFinite());
 }
 
 TEST(Simulate, HasOnlyFiniteSamplesOfEveryExplosion) {

@@ -12,10 +12,10 @@
 
 namespace rotatebook::physics {
 
-/// Bounds of the singular values of the map that best fits the corners, within which a body is
-/// still the book that half-turns are counted of: nowhere squeezed to less than half its size, nor
-/// stretched to more than twice. A rigid model's matrix is no longer anything like a rotation
-/// beyond, particles have passed through each other, and the tilt turns over at random.
+/// Bounds of the singular values of BodyState::worldFromBody within which a body still has the
+/// shape that half-turns are counted of: nowhere squeezed to less than half its size, nor stretched
+/// to more than twice. A rigid model's matrix is no longer anything like a rotation beyond,
+/// particles have passed through each other, and the tilt turns over at random.
 ///
 /// Measured in the scenes that ship: the half-turns of all that hold together come within 0.579 to
 /// 1.481. The last that still follows from the ones before comes at 1.849 (fig11), the first of a
@@ -60,7 +60,7 @@ class Measurement {
   double tiltDeg(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& momentum) const;
   Regime regime(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& angularVelocity) const;
 
-  Eigen::Matrix<double, 8, 3> mapFromCorners_;  // C^T (C C^T)^-1 of the body's corners C
+  Cuboid body_;
   int spunAxis_;
   PrincipalAxes inertia_;
   ExactRotation exact_;

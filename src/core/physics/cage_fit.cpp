@@ -5,7 +5,7 @@
 namespace rotatebook::physics {
 
 CageFit::CageFit(const Cuboid& body) {
-  const Corners corners = body.corners();
+  const Cage corners = body.corners();
   const Eigen::Matrix3d products = corners * corners.transpose();
   mapFromCage_ = corners.transpose() * products.inverse();
 }

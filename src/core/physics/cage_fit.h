@@ -13,7 +13,7 @@ class CageFit {
   explicit CageFit(const Cuboid& body);
 
   /// The linear map of the body that comes nearest to `cage`, wherever its centre is.
-  Eigen::Matrix3d worldFromBody(const Corners& cage) const { return cage * mapFromCage_; }
+  Eigen::Matrix3d worldFromBody(const Cage& cage) const { return cage * mapFromCage_; }
 
  private:
   Eigen::Matrix<double, 8, 3> mapFromCage_;  // C^T (C C^T)^-1 of the body's corners C

@@ -13,7 +13,7 @@
 namespace rotatebook::physics {
 namespace {
 
-// At t = 0 the book's axes are the world's.
+// At t = 0 the body's axes are the world's.
 template <typename Attitude, bool kMomentumInBody>
 RigidState<Attitude> startOf(const PrincipalAxes& axes, const Eigen::Vector3d& momentum) {
   const Eigen::Matrix3d& map = axes.bodyFromPrincipal;

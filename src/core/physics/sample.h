@@ -22,7 +22,7 @@ struct Sample {
   double rotational = 0;  ///< Kinetic energy of the best-fitting rigid motion. [J]
   double tiltDeg = 0;     ///< Angle between the spun body axis and the angular momentum. [degrees]
   /// How often the tilt has gone from under 60 to over 120 degrees or back while the body was no
-  /// farther deformed than isBook() allows. What comes after that isn't counted.
+  /// farther deformed than keepsItsShape() allows. What comes after that isn't counted.
   int halfTurns = 0;
   double stretchMin = 1;  ///< Smallest singular value of BodyState::worldFromBody.
   double stretchMax = 1;  ///< Largest one.
@@ -32,7 +32,7 @@ struct Sample {
   /// The rigid motion that this angular velocity, seen from this attitude, begins; of Model::Exact
   /// that of its start.
   Regime regime = Regime::Separatrix;
-  Corners corners = Corners::Zero();  ///< As drawn. [m]
+  Cage cage = Cage::Zero();  ///< As drawn. [m]
 
   double total() const { return kinetic + potential; }
 };

@@ -16,9 +16,9 @@ bool isFinite(const BodyState& state) {
 }
 
 bool hasBlownUp(const BodyState& state, const Cuboid& body) {
-  const Corners corners = drawnCorners(state, body);
-  return !isFinite(state) || !corners.allFinite() ||
-         corners.colwise().norm().maxCoeff() > kDivergenceFactor * body.largestDimension();
+  const Cage cage = drawnCage(state, body);
+  return !isFinite(state) || !cage.allFinite() ||
+         cage.colwise().norm().maxCoeff() > kDivergenceFactor * body.largestDimension();
 }
 
 }  // namespace

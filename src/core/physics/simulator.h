@@ -16,7 +16,7 @@ struct BodyState {
   /// of one; of a deformed body the map that best fits its cage.
   Eigen::Matrix3d worldFromBody = Eigen::Matrix3d::Identity();
   /// The corners of a deformed body; none where worldFromBody says where they are. [m]
-  std::optional<Corners> cage{};
+  std::optional<Cage> cage{};
   Eigen::Vector3d angularVelocity{0, 0, 0};  ///< [rad/s]
   Eigen::Vector3d angularMomentum{0, 0, 0};  ///< About the centre of mass. [kg m^2/s]
   double kinetic = 0;                        ///< [J]
@@ -25,8 +25,8 @@ struct BodyState {
 };
 
 /// The corners of `body` in this state, as they are drawn. [m]
-inline Corners drawnCorners(const BodyState& state, const Cuboid& body) {
-  return state.cage ? *state.cage : Corners(state.worldFromBody * body.corners());
+inline Cage drawnCage(const BodyState& state, const Cuboid& body) {
+  return state.cage ? *state.cage : Cage(state.worldFromBody * body.corners());
 }
 
 /// A body in motion. Starts at t = 0 with body and world axes equal.

@@ -55,7 +55,7 @@ double largestVelocity(const physics::Trajectory& trajectory) {
 }
 
 Eigen::Vector3d centreOf(const physics::Sample& sample) {
-  return sample.corners.rowwise().mean();
+  return sample.cage.rowwise().mean();
 }
 
 /// One along `vector` [m] from the book's centre.
@@ -68,7 +68,7 @@ Arrow vectorArrow(const MarkContext& context, const physics::Sample& sample,
 }
 
 void drawArrows(const View& view, const MarkContext& context, const std::vector<Arrow>& arrows) {
-  const BookBox book(context.scene.body, view.sample.corners);
+  const BookBox book(context.scene.body, view.sample.cage);
   for (const Arrow& arrow : arrows) drawArrow(view, book, arrow.from, arrow.to, arrow.pen);
 }
 
@@ -81,7 +81,7 @@ Axes::Axes(const MarkContext& context)
 
 std::vector<Arrow> Axes::arrows(const physics::Sample& sample) const {
   const physics::Cuboid& body = context_.scene.body;
-  const BookBox book(body, sample.corners);
+  const BookBox book(body, sample.cage);
   const double reach = reachOf(body);
   std::vector<Arrow> arrows;
   for (std::size_t i = 0; i < 3; ++i) {

@@ -60,9 +60,9 @@ void drawHead(Canvas& canvas, const Point& tip, const Point& along, double lengt
 
 }  // namespace
 
-BookBox::BookBox(const physics::Cuboid& body, const physics::Corners& corners)
+BookBox::BookBox(const physics::Cuboid& body, const physics::Cage& corners)
     : centre_(corners.rowwise().mean()) {
-  const physics::Corners rest = body.corners();
+  const physics::Cage rest = body.corners();
   const Eigen::Vector3d half = body.size / 2;
   const Eigen::Vector3d inverseSquares = half.cwiseAbs2().cwiseInverse() / 8;
   map_ = (corners.colwise() - centre_) * rest.transpose() * inverseSquares.asDiagonal();

@@ -15,7 +15,7 @@ namespace rotatebook::overlay {
 /// The skewed box that fits a deformed book best.
 class BookBox {
  public:
-  BookBox(const physics::Cuboid& body, const physics::Corners& corners);
+  BookBox(const physics::Cuboid& body, const physics::Cage& corners);
 
   /// From the axes of the undeformed book: a rotation where it isn't deformed.
   const Eigen::Matrix3d& map() const { return map_; }

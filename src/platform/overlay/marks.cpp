@@ -180,7 +180,7 @@ struct Marks::Parts {
 
   std::vector<LabelledArrow> arrowsAt(std::int64_t frame, const Projector& projector) const {
     const physics::Sample sample = sampleAt(frame);
-    const BookBox book(scene.body, sample.corners);
+    const BookBox book(scene.body, sample.cage);
     std::vector<LabelledArrow> all;
     for (const auto& mark : inWorld) {
       for (const Arrow& arrow : mark->arrows(sample)) {

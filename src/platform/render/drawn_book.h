@@ -17,7 +17,7 @@ namespace rotatebook::render {
 struct DrawnBook {
   image::Image pixels;  ///< Rgba8; alpha: BookVertex::surface, or 0 where nothing was drawn.
   std::vector<PixelRect> bands{};   ///< Where `pixels` are up to date. [pixels]
-  physics::Corners corners{};       ///< World. [m]
+  physics::Cage corners{};          ///< World. [m]
   Eigen::Matrix4d clipFromWorld{};  ///< Clip y points down.
   int facing = 0;                   ///< drawnFacing()
   DrawnStrips strips{};

@@ -187,13 +187,13 @@ image::Image Renderer::makePicture() const {
   return parts_->compositor.makePicture();
 }
 
-void Renderer::draw(const physics::Corners& corners, image::Image& picture) {
+void Renderer::draw(const physics::Cage& corners, image::Image& picture) {
   if (!parts_->book) parts_->book = makeBook();
   draw(corners, *parts_->book);
   parts_->compositor.compose(*parts_->book, picture);
 }
 
-void Renderer::draw(const physics::Corners& corners, DrawnBook& book) {
+void Renderer::draw(const physics::Cage& corners, DrawnBook& book) {
   const RenderSettings& settings = parts_->settings;
   Projection projection =
       project(settings.camera, corners,

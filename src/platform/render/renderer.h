@@ -61,11 +61,11 @@ class Renderer {
   /// Draws the book whose corners (world) these are, over all of `picture` (from makePicture()).
   /// Alpha is straight, and 255 throughout unless the background is transparent.
   /// Throws MachineError if OpenGL reports an error.
-  void draw(const physics::Corners& corners, image::Image& picture);
+  void draw(const physics::Cage& corners, image::Image& picture);
 
   /// The same in two steps, of which the second, compositor().compose(), may be taken on another
   /// thread while this one draws the next book. `book` comes from makeBook().
-  void draw(const physics::Corners& corners, DrawnBook& book);
+  void draw(const physics::Cage& corners, DrawnBook& book);
   DrawnBook makeBook() const;
   Compositor& compositor();
 

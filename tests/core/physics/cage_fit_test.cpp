@@ -20,18 +20,18 @@ Matrix3d someMap() {
   return turn * Vector3d(1, 0.25, 1.5).asDiagonal();
 }
 
-double distance(const Corners& cage, const Matrix3d& expected) {
+double distance(const Cage& cage, const Matrix3d& expected) {
   return (CageFit(Cuboid()).worldFromBody(cage) - expected).norm();
 }
 
 TEST(CageFit, FindsTheMapWhereverTheBodyIs) {
-  const Corners cage = someMap() * Cuboid().corners();
+  const Cage cage = someMap() * Cuboid().corners();
   EXPECT_LT(distance(cage, someMap()), kFitBound);
   EXPECT_LT(distance(cage.colwise() + Vector3d(0.1, -0.2, 0.3), someMap()), kFitBound);
 }
 
 TEST(CageFit, FitsCornersThatNoLinearMapReaches) {
-  Corners cage = someMap() * Cuboid().corners();
+  Cage cage = someMap() * Cuboid().corners();
   for (int i = 0; i < 8; ++i)
     cage.col(i) += 0.02 * Vector3d(std::sin(i), std::cos(3 * i), std::sin(5 * i));
   // The same least squares by another road: QR of the eight equations of each row of the map.

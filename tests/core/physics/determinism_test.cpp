@@ -25,7 +25,7 @@ std::uint64_t fnv1a(const std::vector<double>& numbers) {
 }
 
 std::vector<double> numbersOf(const BodyState& state, const Cuboid& body) {
-  const Corners corners = drawnCorners(state, body);
+  const Cage corners = drawnCage(state, body);
   std::vector<double> numbers(corners.data(), corners.data() + corners.size());
   numbers.insert(numbers.end(), state.angularVelocity.begin(), state.angularVelocity.end());
   numbers.insert(numbers.end(), state.angularMomentum.begin(), state.angularMomentum.end());

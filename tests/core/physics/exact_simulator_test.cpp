@@ -25,7 +25,7 @@ MotionSettings tumbling(int substeps) {
 TEST(ExactSimulator, DoesNotDependOnTheSteps) {
   const Trajectory coarse = simulate(tumbling(1), 1200);
   const Trajectory fine = simulate(tumbling(64), 1200);
-  const Corners difference = coarse.samples.back().corners - fine.samples.back().corners;
+  const Cage difference = coarse.samples.back().cage - fine.samples.back().cage;
   EXPECT_LT(difference.norm(), kExactBound);
 }
 

@@ -82,13 +82,13 @@ TEST(HalfTurnCounter, KeepsItsCountOnceStopped) {
 }
 
 TEST(Measurement, CallsABodyABookUpToTwiceAndDownToHalfItsSize) {
-  EXPECT_TRUE(isBook(1, 1));
-  EXPECT_TRUE(isBook(0.579, 1.378));  // fig06, when its energy is all vibration
-  EXPECT_TRUE(isBook(1, 1.849));      // fig11 at its last half-turn before the burst
-  EXPECT_TRUE(isBook(0.5, 2));
-  EXPECT_FALSE(isBook(0.499, 1));
-  EXPECT_FALSE(isBook(1, 2.001));
-  EXPECT_FALSE(isBook(2.2, 2.3));
+  EXPECT_TRUE(keepsItsShape(1, 1));
+  EXPECT_TRUE(keepsItsShape(0.579, 1.378));  // fig06, when its energy is all vibration
+  EXPECT_TRUE(keepsItsShape(1, 1.849));      // fig11 at its last half-turn before the burst
+  EXPECT_TRUE(keepsItsShape(0.5, 2));
+  EXPECT_FALSE(keepsItsShape(0.499, 1));
+  EXPECT_FALSE(keepsItsShape(1, 2.001));
+  EXPECT_FALSE(keepsItsShape(2.2, 2.3));
 }
 
 // Turned about y by `degrees` and stretched along its own axes, with L along x, which was spun.
@@ -226,9 +226,9 @@ TEST(Measurement, PassesOnWhatTheSimulatorKnows) {
 TEST(Measurement, HasTheCornersOfTheCageOrOfTheMap) {
   Measurement measurement(spinningAbout(Vector3d::UnitZ()));
   BodyState state = stateOf(someTurn() * Vector3d(1, 0.25, 1.5).asDiagonal());
-  EXPECT_EQ(measurement.measure(0, state).corners, state.worldFromBody * Cuboid().corners());
-  state.cage = Corners::Random();
-  EXPECT_EQ(measurement.measure(0, state).corners, *state.cage);
+  EXPECT_EQ(measurement.measure(0, state).cage, state.worldFromBody * Cuboid().corners());
+  state.cage = Cage::Random();
+  EXPECT_EQ(measurement.measure(0, state).cage, *state.cage);
 }
 
 }  // namespace

@@ -56,13 +56,13 @@ MotionSettings byHand(bool normalize) {
 }
 
 double distance(const BodyState& state, const Quadruple& q, const Cuboid& body) {
-  const Corners start = body.corners();
-  Corners expected;
+  const Cage start = body.corners();
+  Cage expected;
   for (int i = 0; i < 8; ++i) {
     const Triple corner = turned(q, {start(0, i), start(1, i), start(2, i)});
     expected.col(i) = Vector3d(corner[0], corner[1], corner[2]);
   }
-  return (drawnCorners(state, body) - expected).norm();
+  return (drawnCage(state, body) - expected).norm();
 }
 
 void compareWithStepsByHand(bool normalize) {

@@ -22,7 +22,7 @@ struct Found {
   std::vector<SeenTriangle> triangles;
   PixelRect bounds;
 
-  explicit Found(const physics::Corners& corners) {
+  explicit Found(const physics::Cage& corners) {
     const Projection projection =
         project({{0, 0, 0.76}, {0, 0, 0}, {0, 1, 0}, 30}, corners, {kWidth, kHeight});
     bounds = projection.bounds;
@@ -61,7 +61,7 @@ TEST(BookEdges, LeaveOutTrianglesThatLookAway) {
   const BookMesh mesh = makeBookMesh();
   std::size_t all = 0;
   for (const auto& part : mesh.triangles) all += part.size() / 3;
-  physics::Corners pierced = book();  // A corner of the cover has gone through the book.
+  physics::Cage pierced = book();  // A corner of the cover has gone through the book.
   pierced(2, 7) -= 0.2;
   const Found usual(book()), open(pierced);
   EXPECT_LT(usual.triangles.size(), all / 2);
@@ -74,7 +74,7 @@ TEST(BookEdges, LeaveOutTrianglesThatLookAway) {
 }
 
 TEST(BookEdges, LeaveOutWhatReachesBehindTheCamera) {
-  physics::Corners corners = book();
+  physics::Cage corners = book();
   corners.rightCols<4>().row(2).array() += 2;  // The front cover.
   const Found found(corners);
   EXPECT_LT(found.triangles.size(), 2000U);

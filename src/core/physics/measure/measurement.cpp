@@ -27,8 +27,8 @@ double angleDeg(const Eigen::Matrix3d& rotation) {
 
 }  // namespace
 
-bool isBook(double stretchMin, double stretchMax) {
-  return stretchMin >= kMinBookStretch && stretchMax <= kMaxBookStretch;
+bool keepsItsShape(double stretchMin, double stretchMax) {
+  return stretchMin >= kMinStretch && stretchMax <= kMaxStretch;
 }
 
 int HalfTurnCounter::count(double tiltDeg) {
@@ -59,11 +59,11 @@ Sample Measurement::measure(double time, const BodyState& state) {
   sample.tiltDeg = tiltDeg(polar.rotation, state.angularMomentum);
   sample.stretchMin = polar.singularValues[2];
   sample.stretchMax = polar.singularValues[0];
-  if (!isBook(sample.stretchMin, sample.stretchMax)) counter_.stop();
+  if (!keepsItsShape(sample.stretchMin, sample.stretchMax)) counter_.stop();
   sample.halfTurns = counter_.count(sample.tiltDeg);
   sample.errorDeg = angleDeg(exact_.at(time).worldFromBody.transpose() * polar.rotation);
   sample.regime = regime(polar.rotation, state.angularVelocity);
-  sample.corners = drawnCorners(state, body_);
+  sample.cage = drawnCage(state, body_);
   return sample;
 }
 

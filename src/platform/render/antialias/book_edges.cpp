@@ -104,8 +104,8 @@ BookEdges::BookEdges(const BookMesh& mesh) {
   }
 }
 
-void BookEdges::find(const physics::Corners& corners, const Eigen::Matrix4d& clipFromWorld,
-                     int facing, std::span<const SeenStrip> strips, EdgePixels& pixels,
+void BookEdges::find(const physics::Cage& corners, const Eigen::Matrix4d& clipFromWorld, int facing,
+                     std::span<const SeenStrip> strips, EdgePixels& pixels,
                      std::vector<SeenTriangle>& triangles) const {
   const Eigen::Matrix<double, 4, 8> clip = clipFromWorld * corners.colwise().homogeneous();
   std::vector<Vector4d> points;

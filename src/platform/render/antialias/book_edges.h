@@ -26,7 +26,7 @@ class BookEdges {
   /// among them, and the triangles that are drawn, of the book with these corners in a picture of
   /// the pixels' size; without what reaches behind the camera. `facing`: as drawnFacing()
   /// has it. `strips`, by their numbers: one that is narrow is a surface by itself.
-  void find(const physics::Corners& corners, const Eigen::Matrix4d& clipFromWorld, int facing,
+  void find(const physics::Cage& corners, const Eigen::Matrix4d& clipFromWorld, int facing,
             std::span<const SeenStrip> strips, EdgePixels& pixels,
             std::vector<SeenTriangle>& triangles) const;
 

@@ -70,7 +70,7 @@ StripFinder::StripFinder(const BookMesh& mesh) {
   }
 }
 
-void StripFinder::find(const physics::Corners& corners, const Eigen::Matrix4d& clipFromWorld,
+void StripFinder::find(const physics::Cage& corners, const Eigen::Matrix4d& clipFromWorld,
                        int facing, const Eigen::Vector2i& size,
                        std::vector<SeenStrip>& seen) const {
   const Eigen::Matrix<float, 4, 8> clip =

@@ -69,7 +69,7 @@ void upload(GLenum target, const GlBuffer& buffer, const std::vector<Element>& e
 
 /// Signed volume at each corner of the map from the unit cube, as a share of the largest. Negative:
 /// inside out.
-Eigen::Array<double, 8, 1> cornerVolumes(const physics::Corners& corners) {
+Eigen::Array<double, 8, 1> cornerVolumes(const physics::Cage& corners) {
   Eigen::Array<double, 8, 1> volumes;
   for (int i = 0; i < 8; ++i) {
     Eigen::Matrix3d edges;
@@ -133,7 +133,7 @@ void BookGeometry::draw(BookPart part) const {
                  reinterpret_cast<const void*>(start * sizeof(std::uint32_t)));
 }
 
-int drawnFacing(const physics::Corners& corners) {
+int drawnFacing(const physics::Cage& corners) {
   constexpr double kClearlyOneWay = 0.2;
   const Eigen::Array<double, 8, 1> volumes = cornerVolumes(corners);
   // Clip y points down, which turns every triangle round.

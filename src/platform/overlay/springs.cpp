@@ -29,8 +29,8 @@ void forEachSpring(const Action& action) {
   }
 }
 
-double strain(const physics::Cage& rest, const physics::Cage& corners, const Spring& spring) {
-  const double length = (corners.col(spring.a) - corners.col(spring.b)).norm();
+double strain(const physics::Cage& rest, const physics::Cage& cage, const Spring& spring) {
+  const double length = (cage.col(spring.a) - cage.col(spring.b)).norm();
   return length / (rest.col(spring.a) - rest.col(spring.b)).norm() - 1;
 }
 

@@ -35,7 +35,7 @@ Exposure FrameDrawer::makeExposure() const {
   if (mean_) {
     exposure.blurred.assign(count, renderer_.makePicture());
   } else {
-    exposure.books.assign(count, renderer_.makeBook());
+    exposure.books.assign(count, renderer_.makeBody());
   }
   return exposure;
 }

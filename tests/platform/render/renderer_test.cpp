@@ -122,7 +122,7 @@ TEST(Renderer, DrawsNothingFromWithinTheBook) {
 TEST(Renderer, SmoothsABookThatReachesBehindTheCamera) {
   const physics::Cage corners = testing::explodingBook();
   Renderer renderer(settingsOf(256, 144), builtinTextures());
-  DrawnBook raw = renderer.makeBook();
+  DrawnBody raw = renderer.makeBody();
   renderer.draw(corners, raw);
   const image::Image picture = drawn(renderer, corners);
   int shown = 0, changed = 0;

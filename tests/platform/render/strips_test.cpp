@@ -49,7 +49,7 @@ TEST(Strips, AreFollowedInPerspective) {
 // Each row is drawn from end to end, and nothing of it is black.
 TEST(Strips, HaveColoursThroughout) {
   Renderer renderer(testing::settingsOf(320, 180), testing::builtinTextures());
-  DrawnBook drawn = renderer.makeBook();
+  DrawnBody drawn = renderer.makeBody();
   for (const double angle : {0.0, 40.0, 90.0, 170.0, 270.0}) {
     renderer.draw(book({{angle, kY}, {20, kX}}), drawn);
     const std::vector<SeenStrip>& seen = drawn.strips.seen;

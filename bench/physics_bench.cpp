@@ -7,7 +7,8 @@
 
 #include "base/number_text.h"
 #include "physics/exact/exact_rotation.h"
-#include "physics/simulator.h"
+#include "physics/make_simulator.h"
+#include "physics/motion_start.h"
 #include "plain_steps.h"
 #include "scene/names.h"
 

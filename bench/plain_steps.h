@@ -10,7 +10,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
-#include "physics/simulator.h"
+#include "physics/motion_start.h"
 
 namespace rotatebook::bench {
 

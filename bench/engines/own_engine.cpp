@@ -1,8 +1,8 @@
 // This program's own rigid body, with some of its integrators and in closed form.
 #include "engines/engine.h"
 #include "physics/exact/exact_motion.h"
+#include "physics/make_simulator.h"
 #include "physics/measure/measurement.h"
-#include "physics/simulator.h"
 
 namespace rotatebook::bench {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "physics/simulator.h"
+#include "physics/make_simulator.h"
 
 namespace rotatebook::diagnose {
 namespace {

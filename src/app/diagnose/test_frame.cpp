@@ -15,7 +15,7 @@ render::RenderSettings testFrameSettings() {
   return settings;
 }
 
-physics::Corners testFrameBook() {
+physics::Cage testFrameBook() {
   const Eigen::AngleAxisd left(0.6, Eigen::Vector3d::UnitY());
   const Eigen::AngleAxisd forward(0.35, Eigen::Vector3d::UnitX());
   return (forward * left).toRotationMatrix() * physics::Cuboid{}.corners();

@@ -18,7 +18,7 @@ inline constexpr image::Tolerance kHardwareTolerance{.largest = 8, .failPercent 
 /// 96x54 pixels.
 render::RenderSettings testFrameSettings();
 /// A view that shows the front cover, the spine and the pages. [m]
-physics::Corners testFrameBook();
+physics::Cage testFrameBook();
 
 /// Draws them with the covers that ship. Throws as Renderer does.
 image::Image drawTestFrame(const render::BookTextures& textures,

@@ -38,7 +38,7 @@ Exposure FrameDrawer::makeExposure() const {
   if (mean_) {
     exposure.blurred.assign(count, renderer_.makePicture());
   } else {
-    exposure.books.assign(count, renderer_.makeBook());
+    exposure.books.assign(count, renderer_.makeBody());
   }
   return exposure;
 }
@@ -50,14 +50,14 @@ void FrameDrawer::expose(std::int64_t frame, Exposure& exposure) {
     if (mean_) {
       exposeBlurred(motion, sample, exposure.blurred[motion]);
     } else {
-      renderer_.draw(cornersOf(motion, sample), exposure.books[motion]);
+      renderer_.draw(cageOf(motion, sample), exposure.books[motion]);
     }
   }
 }
 
 void FrameDrawer::exposeBlurred(std::size_t motion, std::size_t sample, image::Image& picture) {
   for (std::size_t i = 0; i < moments_.count(); ++i) {
-    renderer_.draw(physics::seenFrom(frame_, moments_.at(motion, sample, i)).corners, picture);
+    renderer_.draw(physics::seenFrom(frame_, moments_.at(motion, sample, i)).cage, picture);
     mean_->add(picture.view());
   }
   mean_->take(picture);
@@ -70,14 +70,14 @@ void FrameDrawer::finish(const Exposure& exposure, image::Image& picture) {
       return exposure.books[motion].clipFromWorld;
     }
     panel = exposure.blurred[motion];
-    const physics::Corners corners = cornersOf(motion, sample);
-    return render::project(camera_, corners, composition_.screen()).clipFromWorld;
+    const physics::Cage cage = cageOf(motion, sample);
+    return render::project(camera_, cage, composition_.screen()).clipFromWorld;
   };
   composition_.draw(exposure.frame, showBook, picture);
 }
 
-physics::Corners FrameDrawer::cornersOf(std::size_t motion, std::size_t sample) const {
-  return physics::seenFrom(frame_, motion_->trajectories()[motion].samples[sample]).corners;
+physics::Cage FrameDrawer::cageOf(std::size_t motion, std::size_t sample) const {
+  return physics::seenFrom(frame_, motion_->trajectories()[motion].samples[sample]).cage;
 }
 
 }  // namespace rotatebook::picture

@@ -52,7 +52,7 @@ class FrameDrawer final : public FramePainter {
   FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
               const render::DeviceChoice& device, std::future<LoadedTextures> textures);
 
-  physics::Corners cornersOf(std::size_t motion, std::size_t sample) const;
+  physics::Cage cageOf(std::size_t motion, std::size_t sample) const;
   /// The mean of the moments after sample `sample`.
   void exposeBlurred(std::size_t motion, std::size_t sample, image::Image& picture);
 

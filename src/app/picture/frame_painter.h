@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "image/image.h"
-#include "render/drawn_book.h"
+#include "render/drawn_body.h"
 
 namespace rotatebook::picture {
 
 /// A frame's books as OpenGL drew them: one, or one in each panel.
 struct Exposure {
   std::int64_t frame = 0;
-  std::vector<render::DrawnBook> books;
+  std::vector<render::DrawnBody> books;
   std::vector<image::Image> blurred;  ///< Instead of `books`, where a shutter is open for a while.
 };
 

@@ -11,8 +11,8 @@ Eigen::Vector3d squaredDistancesFromAxes(const Eigen::Vector3d& size) {
 
 }  // namespace
 
-Corners Cuboid::corners() const {
-  Corners result;
+Cage Cuboid::corners() const {
+  Cage result;
   for (int i = 0; i < 8; ++i) {
     for (int axis = 0; axis < 3; ++axis) {
       const bool positive = (i >> axis & 1) != 0;

@@ -5,9 +5,9 @@
 
 namespace rotatebook::physics {
 
-/// Eight points, one a column. [m] Corner i has the sign of x from bit 0 of i, of y from bit 1, of
-/// z from bit 2.
-using Corners = Eigen::Matrix<double, 3, 8>;
+/// The eight corners of a body, deformed or not, one a column. [m] Corner i has the sign of x from
+/// bit 0 of i, of y from bit 1, of z from bit 2.
+using Cage = Eigen::Matrix<double, 3, 8>;
 
 /// A cuboid with its centre of mass at the origin and its edges along the axes x (spine's
 /// midpoint), y (top) and z (cover), which are its principal axes.
@@ -16,7 +16,7 @@ struct Cuboid {
   double mass = 1.0;                            ///< > 0. [kg]
 
   /// The eight corners in the body frame. [m]
-  Corners corners() const;
+  Cage corners() const;
   /// Principal moments of the solid body, M/12 (b^2+c^2, a^2+c^2, a^2+b^2). [kg m^2]
   Eigen::Vector3d solidInertia() const;
   /// Principal moments of eight particles of mass M/8 at the corners: three times solidInertia().

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "physics/motion_settings.h"
 #include "physics/trajectory.h"
 
 namespace rotatebook::physics {

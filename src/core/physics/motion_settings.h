@@ -77,7 +77,7 @@ struct MotionSettings {
   Cuboid body;
   SimulationSettings simulation;
   InitialSpin initial;
-  /// Tensor about the book's axes, in place of the solid cuboid's. Not for the particles, which
+  /// Tensor about the body's axes, in place of the solid cuboid's. Not for the particles, which
   /// have their own. [kg m^2]
   std::optional<Eigen::Matrix3d> inertia{};
 

@@ -6,6 +6,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 
+#include "physics/motion_start.h"
+
 namespace rotatebook::physics {
 namespace {
 
@@ -13,49 +15,49 @@ constexpr int kParticles = 8;
 // Least kinetic energy that normalisation leaves, as a fraction of the energy at t = 0.
 constexpr double kEnergyFloor = 0.1;
 
-Points fromEigen(const Corners& corners) {
+Points fromEigen(const Cage& cage) {
   Points points;
   for (int axis = 0; axis < 3; ++axis) {
     for (int q = 0; q < 4; ++q) {
-      points.at(axis).at(q) = Lanes{corners(axis, q), corners(axis, q + 4)};
+      points.at(axis).at(q) = Lanes{cage(axis, q), cage(axis, q + 4)};
     }
   }
   return points;
 }
 
-Corners toEigen(const Points& points) {
-  Corners corners;
+Cage toEigen(const Points& points) {
+  Cage cage;
   for (int axis = 0; axis < 3; ++axis) {
     for (int q = 0; q < 4; ++q) {
-      corners(axis, q) = points.at(axis).at(q)[0];
-      corners(axis, q + 4) = points.at(axis).at(q)[1];
+      cage(axis, q) = points.at(axis).at(q)[0];
+      cage(axis, q + 4) = points.at(axis).at(q)[1];
     }
   }
-  return corners;
+  return cage;
 }
 
-Corners turningVelocities(const Corners& corners, const Eigen::Vector3d& angularVelocity) {
-  Corners velocities;
-  for (int i = 0; i < corners.cols(); ++i) {
-    velocities.col(i) = angularVelocity.cross(corners.col(i));
+Cage turningVelocities(const Cage& cage, const Eigen::Vector3d& angularVelocity) {
+  Cage velocities;
+  for (int i = 0; i < cage.cols(); ++i) {
+    velocities.col(i) = angularVelocity.cross(cage.col(i));
   }
   return velocities;
 }
 
 // About the point that `arms` start from.
-Eigen::Matrix3d inertiaTensor(const Corners& arms, double mass) {
+Eigen::Matrix3d inertiaTensor(const Cage& arms, double mass) {
   const Eigen::Matrix3d products = arms * arms.transpose();
   return mass * (products.trace() * Eigen::Matrix3d::Identity() - products);
 }
 
-Eigen::Vector3d angularMomentumOf(const Corners& arms, const Corners& velocities, double mass) {
+Eigen::Vector3d angularMomentumOf(const Cage& arms, const Cage& velocities, double mass) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (int i = 0; i < arms.cols(); ++i) sum += arms.col(i).cross(velocities.col(i));
   return mass * sum;
 }
 
 ParticleState startOf(const MotionSettings& settings) {
-  const Corners corners = settings.body.corners();
+  const Cage corners = settings.body.corners();
   const double mass = settings.body.mass / kParticles, stiffness = settings.simulation.stiffness;
   const Points positions = fromEigen(corners);
   const SpringNetwork springs(positions, stiffness,
@@ -70,7 +72,8 @@ ParticleSimulator::ParticleSimulator(const MotionSettings& settings, ParticleSte
     : state_(startOf(settings)),
       step_(step),
       normalize_(settings.simulation.normalize),
-      energy_(state_.kineticEnergy()) {}
+      energy_(state_.kineticEnergy()),
+      fit_(settings.body) {}
 
 void ParticleSimulator::advance(double h, int steps) {
   for (int step = 0; step < steps; ++step) {
@@ -91,8 +94,10 @@ void ParticleSimulator::restoreEnergy() {
 
 BodyState ParticleSimulator::state() const {
   BodyState result;
-  result.corners = toEigen(state_.positions());
-  const Corners arms = result.corners.colwise() - result.corners.rowwise().mean().eval();
+  const Cage cage = toEigen(state_.positions());
+  result.worldFromBody = fit_.worldFromBody(cage);
+  result.cage = cage;
+  const Cage arms = cage.colwise() - cage.rowwise().mean().eval();
   const Eigen::Matrix3d inertia = inertiaTensor(arms, state_.mass());
   result.angularMomentum = angularMomentumOf(arms, toEigen(state_.velocities()), state_.mass());
   // The smallest solution, which stays finite where the particles lie on one line and their inertia

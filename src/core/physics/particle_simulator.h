@@ -1,6 +1,7 @@
 // The paper's first way: eight particles joined by springs.
 #pragma once
 
+#include "physics/cage_fit.h"
 #include "physics/integrators/particle_state.h"
 #include "physics/motion_settings.h"
 #include "physics/simulator.h"
@@ -36,6 +37,7 @@ class ParticleSimulator final : public Simulator {
   ParticleStep step_;
   bool normalize_;
   double energy_;  // at t = 0
+  CageFit fit_;
 };
 
 }  // namespace rotatebook::physics

@@ -37,7 +37,7 @@ Sample seenFrom(ReferenceFrame frame, const Sample& sample) {
   if (frame == ReferenceFrame::World) return sample;
   const Eigen::Matrix3d turn = frameFromWorld(frame, sample);
   Sample seen = sample;
-  seen.corners = turn * sample.corners;
+  seen.cage = turn * sample.cage;
   seen.attitude = Eigen::Quaterniond(turn) * sample.attitude;
   seen.angularVelocity = turn * sample.angularVelocity;
   seen.angularMomentum = turn * sample.angularMomentum;

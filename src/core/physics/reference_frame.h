@@ -3,14 +3,14 @@
 
 #include <Eigen/Core>
 
-#include "physics/trajectory.h"
+#include "physics/sample.h"
 
 namespace rotatebook::physics {
 
 /// Axes that a motion is described in.
 enum class ReferenceFrame {
   World,     ///< That of the start, which doesn't turn.
-  Body,      ///< Turns with the book's attitude: its axes stand still.
+  Body,      ///< Turns with the body's attitude: its axes stand still.
   Momentum,  ///< Turned so that the angular momentum points along +y; at rest if it is conserved.
 };
 
@@ -18,7 +18,7 @@ enum class ReferenceFrame {
 /// ReferenceFrame::Momentum is the world's; where it points along -y, the turn is about x.
 Eigen::Matrix3d frameFromWorld(ReferenceFrame frame, const Sample& sample);
 
-/// `sample` with corners, attitude, angular velocity and angular momentum along the axes of `frame`
+/// `sample` with cage, attitude, angular velocity and angular momentum along the axes of `frame`
 /// at its moment. What has no direction stays as it is.
 Sample seenFrom(ReferenceFrame frame, const Sample& sample);
 

@@ -6,11 +6,12 @@
 #include "physics/attitude.h"
 #include "physics/integrators/rigid_state.h"
 #include "physics/motion_settings.h"
+#include "physics/motion_start.h"
 #include "physics/simulator.h"
 
 namespace rotatebook::physics {
 
-/// Its state at t = 0, when the book's axes are the world's.
+/// Its state at t = 0, when the body's axes are the world's.
 template <typename Attitude, bool kMomentumInBody>
 RigidState<Attitude> startOf(const PrincipalAxes& axes, const Eigen::Vector3d& momentum) {
   const Eigen::Matrix3d& map = axes.bodyFromPrincipal;
@@ -50,7 +51,7 @@ class RigidSimulator final : public Simulator {
                                        : Eigen::Vector3d(map.transpose() * state_.momentum);
     const Eigen::Vector3d velocityInBody = body_.inverseInertia.cwiseProduct(inBody);
     BodyState result;
-    result.corners = map * corners_;
+    result.worldFromBody = map * principalFromBody_;
     result.angularVelocity = map * velocityInBody;
     result.angularMomentum =
         Method::kMomentumInBody ? Eigen::Vector3d(map * inBody) : state_.momentum;
@@ -62,12 +63,12 @@ class RigidSimulator final : public Simulator {
  private:
   RigidSimulator(const MotionSettings& settings, const PrincipalAxes& axes)
       : body_(constantsOf(axes, initialAngularVelocity(settings))),
-        corners_(axes.bodyFromPrincipal.transpose() * settings.body.corners()),
+        principalFromBody_(axes.bodyFromPrincipal.transpose()),
         state_(startOf<Attitude, Method::kMomentumInBody>(axes, body_.momentum)),
         normalize_(settings.simulation.normalize) {}
 
   RigidConstants body_;
-  Corners corners_;  // along the principal axes
+  Eigen::Matrix3d principalFromBody_;
   RigidState<Attitude> state_;
   bool normalize_;
 };

@@ -10,6 +10,9 @@ namespace {
 
 // The Newton iteration converges quadratically: after a step of size s the error is about s^2 / 2.
 constexpr double kSmallLastStep = 1e-9;
+// Entries of X^T X - 1 up to which X counts as a rotation. Measured 2.5e-15 in 1440 frames of
+// normalised Euler steps, and 1.1e-15 in closed form.
+constexpr double kRounding = 4e-15;
 // From a well-shaped map six steps do; a map that needs more is nearly flat, and the SVD is the
 // better tool.
 constexpr int kMostNewtonSteps = 12;
@@ -18,6 +21,11 @@ using Svd = Eigen::JacobiSVD<Eigen::Matrix3d>;
 
 Svd fullSvd(const Eigen::Matrix3d& map) {
   return Svd(map, Eigen::ComputeFullU | Eigen::ComputeFullV);
+}
+
+bool isRotation(const Eigen::Matrix3d& map) {
+  const Eigen::Matrix3d strain = map.transpose() * map - Eigen::Matrix3d::Identity();
+  return strain.cwiseAbs().maxCoeff() < kRounding && map.determinant() > 0;
 }
 
 // Determinant times inverse, transposed.
@@ -49,6 +57,7 @@ Eigen::Matrix3d polarFactor(const Eigen::Matrix3d& map) {
 }
 
 Polar polarDecomposition(const Eigen::Matrix3d& map) {
+  if (isRotation(map)) return {map, Eigen::Vector3d::Ones()};
   const Svd svd = fullSvd(map);
   Eigen::Matrix3d u = svd.matrixU();
   if ((u * svd.matrixV().transpose()).determinant() < 0) u.col(2) = -u.col(2);

@@ -38,8 +38,9 @@ struct Polar {
   Eigen::Vector3d singularValues;  ///< >= 0, largest first.
 };
 
-/// Takes `map`, which is finite, apart. Where its determinant is negative the direction of the
-/// smallest singular value is taken as turned inside out (Kabsch 1976).
+/// Takes `map`, which is finite, apart; a rotation, to rounding, is returned as it is, with
+/// singular values of 1. Where its determinant is negative the direction of the smallest singular
+/// value is taken as turned inside out (Kabsch 1976).
 Polar polarDecomposition(const Eigen::Matrix3d& map);
 
 }  // namespace rotatebook::physics

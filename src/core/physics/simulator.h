@@ -1,26 +1,33 @@
 // The one interface behind which all models stand.
 #pragma once
 
-#include <memory>
+#include <optional>
 
 #include <Eigen/Core>
 
-#include "base/error.h"
 #include "physics/cuboid.h"
-#include "physics/inertia.h"
-#include "physics/motion_settings.h"
 
 namespace rotatebook::physics {
 
-/// What every model can tell of its body at one moment; world axes, SI units.
+/// The body at one moment, as its model reports it: a pose and, where it is deformed, a cage; world
+/// axes, SI units.
 struct BodyState {
-  Corners corners = Corners::Zero();  ///< The corners as they are drawn, deformed or not. [m]
+  /// The linear map that the model makes of its attitude, be it a rotation or what drift has made
+  /// of one; of a deformed body the map that best fits its cage.
+  Eigen::Matrix3d worldFromBody = Eigen::Matrix3d::Identity();
+  /// The corners of a deformed body; none where worldFromBody says where they are. [m]
+  std::optional<Cage> cage{};
   Eigen::Vector3d angularVelocity{0, 0, 0};  ///< [rad/s]
   Eigen::Vector3d angularMomentum{0, 0, 0};  ///< About the centre of mass. [kg m^2/s]
   double kinetic = 0;                        ///< [J]
   double potential = 0;                      ///< In the springs; 0 for a rigid body. [J]
   double rotational = 0;  ///< Kinetic energy of the best-fitting rigid motion, w.L/2. [J]
 };
+
+/// The corners of `body` in this state, as they are drawn. [m]
+inline Cage drawnCage(const BodyState& state, const Cuboid& body) {
+  return state.cage ? *state.cage : Cage(state.worldFromBody * body.corners());
+}
 
 /// A body in motion. Starts at t = 0 with body and world axes equal.
 class Simulator {
@@ -32,21 +39,5 @@ class Simulator {
   /// The present state. Once a motion has blown up its numbers need not be finite.
   virtual BodyState state() const = 0;
 };
-
-/// An implicit integrator can't solve the equations of its step, because the step is too long.
-class NoConvergence : public InputError {
- public:
-  using InputError::InputError;
-};
-
-/// The inertia of the model that `settings` ask for: the particles' own, or the rigid body's.
-PrincipalAxes modelInertia(const MotionSettings& settings);
-/// The angular velocity that the motion starts with. Throws InputError as InitialSpin::tilted()
-/// does. [rad/s]
-Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings);
-
-/// The simulator that `settings` ask for, at t = 0. Throws InputError as InitialSpin::tilted()
-/// does, and if the model doesn't have the integrator.
-std::unique_ptr<Simulator> makeSimulator(const MotionSettings& settings);
 
 }  // namespace rotatebook::physics

@@ -1,7 +1,7 @@
 #include "scene/study_section.h"
 
 #include "physics/measure/flip_interval.h"
-#include "physics/simulator.h"
+#include "physics/motion_start.h"
 #include "scene/keys/keys.h"
 
 namespace rotatebook::scene {

@@ -7,9 +7,10 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "physics/integrators/no_convergence.h"
 #include "physics/measure/flip_interval.h"
-#include "physics/simulator.h"
-#include "physics/trajectory.h"
+#include "physics/motion_start.h"
+#include "physics/simulate.h"
 #include "scene/places.h"
 
 namespace rotatebook::study {

@@ -34,7 +34,7 @@ std::string bytesOf(const physics::Sample& sample) {
   append(sample.kinetic, bytes);
   append(sample.potential, bytes);
   append(static_cast<std::uint64_t>(sample.halfTurns), bytes);
-  appendAll(sample.corners, bytes);  // Column by column: corner by corner.
+  appendAll(sample.cage, bytes);  // Column by column: corner by corner.
   return bytes;
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "physics/simulate.h"
+
 namespace rotatebook::timeline {
 
 ShutterMoments::ShutterMoments(const scene::Scene& scene)

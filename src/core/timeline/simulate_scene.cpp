@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "physics/simulate.h"
 
 namespace rotatebook::timeline {
 namespace {

@@ -41,7 +41,7 @@ void appendRow(std::string& text, std::size_t frame, const physics::Sample& samp
   text += ',' + std::to_string(sample.halfTurns);
   append(text, sample.stretchMin);
   append(text, sample.stretchMax);
-  appendAll(text, sample.corners);  // Column by column: corner by corner.
+  appendAll(text, sample.cage);  // Column by column: corner by corner.
   append(text, sample.errorDeg);
   append(text, sample.total() / start.total());
   append(text, sample.angularMomentum.norm() / start.angularMomentum.norm());

@@ -14,14 +14,14 @@ namespace rotatebook::overlay {
 /// An arrow as it lies on the picture.
 struct ArrowShape {
   Point from{0, 0}, tip{0, 0};  ///< [pixels]
-  /// Where it comes out of the book, or from behind it; nothing if the book hides all of it.
+  /// Where it comes out of the body, or from behind it; nothing if the body hides all of it.
   std::optional<Point> visibleFrom{};
   double lineWidth = 0;   ///< [pixels]
   double headLength = 0;  ///< [pixels]
   double headWidth = 0;   ///< Where it is widest. [pixels]
 };
 
-/// How many pixels of the arrow's line and of its head's outline, as far as the book doesn't hide
+/// How many pixels of the arrow's line and of its head's outline, as far as the body doesn't hide
 /// them, lie within `box`.
 double lengthWithin(const Box& box, const ArrowShape& arrow);
 

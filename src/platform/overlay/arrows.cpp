@@ -5,13 +5,13 @@
 #include <cstddef>
 #include <string>
 
-#include "overlay/book_box.h"
+#include "overlay/body_box.h"
 #include "physics/reference_frame.h"
 
 namespace rotatebook::overlay {
 namespace {
 
-// In lengths from the book's centre to its corners; what is not over 1 keeps, with its letter,
+// In lengths from the body's centre to its corners; what is not over 1 keeps, with its letter,
 // within the picture.
 constexpr double kAxisBeyond = 0.17, kShortestAxis = 0.75;
 constexpr double kOmegaLength = 0.86, kMomentumLength = 1;
@@ -55,10 +55,10 @@ double largestVelocity(const physics::Trajectory& trajectory) {
 }
 
 Eigen::Vector3d centreOf(const physics::Sample& sample) {
-  return sample.corners.rowwise().mean();
+  return sample.cage.rowwise().mean();
 }
 
-/// One along `vector` [m] from the book's centre.
+/// One along `vector` [m] from the body's centre.
 Arrow vectorArrow(const MarkContext& context, const physics::Sample& sample,
                   const Eigen::Vector3d& vector, const Colour& colour, const Layer& letter,
                   const LetterWish& wish) {
@@ -68,8 +68,8 @@ Arrow vectorArrow(const MarkContext& context, const physics::Sample& sample,
 }
 
 void drawArrows(const View& view, const MarkContext& context, const std::vector<Arrow>& arrows) {
-  const BookBox book(context.scene.body, view.sample.corners);
-  for (const Arrow& arrow : arrows) drawArrow(view, book, arrow.from, arrow.to, arrow.pen);
+  const BodyBox box(context.scene.body, view.sample.cage);
+  for (const Arrow& arrow : arrows) drawArrow(view, box, arrow.from, arrow.to, arrow.pen);
 }
 
 }  // namespace
@@ -81,18 +81,18 @@ Axes::Axes(const MarkContext& context)
 
 std::vector<Arrow> Axes::arrows(const physics::Sample& sample) const {
   const physics::Cuboid& body = context_.scene.body;
-  const BookBox book(body, sample.corners);
+  const BodyBox box(body, sample.cage);
   const double reach = reachOf(body);
   std::vector<Arrow> arrows;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
-    const double stretch = book.map().col(axis).norm();
+    const double stretch = box.map().col(axis).norm();
     const double length =
         stretch * std::max(body.size[axis] / 2 + kAxisBeyond * reach, kShortestAxis * reach);
     const Eigen::Vector3d tip =
-        book.centre() + length * (sample.attitude * Eigen::Vector3d::Unit(axis));
+        box.centre() + length * (sample.attitude * Eigen::Vector3d::Unit(axis));
     const Pen pen{kAxisColours[i], 0.85 * context_.scale.line, 1, context_.scale.halo};
-    arrows.push_back({book.centre(), tip, pen, &letters_[i], kAxisWish});
+    arrows.push_back({box.centre(), tip, pen, &letters_[i], kAxisWish});
   }
   return arrows;
 }

@@ -1,4 +1,4 @@
-// Directions at the book: its axes, the angular velocity, the angular momentum. Inside the room
+// Directions at the body: its axes, the angular velocity, the angular momentum. Inside the room
 // only.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace rotatebook::overlay {
 
-/// The book's axes, from its centre out through its faces.
+/// The body's axes, from its centre out through its faces.
 class Axes final : public Mark {
  public:
   explicit Axes(const MarkContext& context);
@@ -34,7 +34,7 @@ class ArrowScale {
   Eigen::Vector3d momentumTip(const Eigen::Vector3d& angularMomentum) const;
 
  private:
-  double reach_;     // of the book from its centre [m]
+  double reach_;     // of the body from its centre [m]
   double velocity_;  // what has the full length [rad/s]
   double momentum_;  // [kg m^2/s]
 };

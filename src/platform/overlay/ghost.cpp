@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "physics/motion_start.h"
 #include "physics/reference_frame.h"
-#include "physics/simulator.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -15,7 +15,7 @@ struct Side {
   int axis;
   bool upper;
 
-  /// Its corners in a circle, as numbers of physics::Corners.
+  /// Its corners in a circle, as numbers of physics::Cage.
   std::array<Eigen::Index, 4> corners() const {
     const int a = 1 << ((axis + 1) % 3), b = 1 << ((axis + 2) % 3);
     const int base = upper ? 1 << axis : 0;
@@ -31,7 +31,7 @@ struct SeenBox {
   std::vector<Point> corners;  // those in front of the camera
   std::array<bool, 6> faces{};
 
-  SeenBox(const physics::Corners& box, const Projector& projector) {
+  SeenBox(const physics::Cage& box, const Projector& projector) {
     const Eigen::Vector3d eye = projector.eye();
     for (std::size_t i = 0; i < kSides.size(); ++i) faces[i] = isOutside(box, kSides[i], eye);
     for (Eigen::Index i = 0; i < 8; ++i) {
@@ -64,7 +64,7 @@ struct SeenBox {
 
  private:
   /// Whether a camera at `eye` sees the outside of `side`.
-  static bool isOutside(const physics::Corners& box, const Side& side, const Eigen::Vector3d& eye) {
+  static bool isOutside(const physics::Cage& box, const Side& side, const Eigen::Vector3d& eye) {
     const Eigen::Vector3d corner = box.col(side.corners()[0]);
     const Eigen::Vector3d outward = corner - box.col(side.upper ? 0 : 1 << side.axis);
     return outward.dot(eye - corner) > 0;

@@ -6,7 +6,7 @@
 
 namespace rotatebook::overlay {
 
-/// The book as the exact motion from the same start has it: a translucent outline.
+/// The body as the exact motion from the same start has it: a translucent outline.
 class Ghost final : public Mark {
  public:
   explicit Ghost(const MarkContext& context);

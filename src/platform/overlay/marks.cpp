@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "overlay/book_box.h"
+#include "overlay/body_box.h"
 #include "overlay/layout.h"
 #include "overlay/mark.h"
 #include "overlay/mark_rows.h"
@@ -170,11 +170,11 @@ struct Marks::Parts {
 
   std::vector<LabelledArrow> arrowsAt(std::int64_t frame, const Projector& projector) const {
     const physics::Sample sample = sampleAt(frame);
-    const BookBox book(scene.body, sample.corners);
+    const BodyBox box(scene.body, sample.cage);
     std::vector<LabelledArrow> all;
     for (const auto& mark : inWorld) {
       for (const Arrow& arrow : mark->arrows(sample)) {
-        const auto shape = arrowShape(projector, book, arrow.from, arrow.to, arrow.pen);
+        const auto shape = arrowShape(projector, box, arrow.from, arrow.to, arrow.pen);
         all.push_back({shape.value_or(ArrowShape{}), arrow.letter, 0.85 * scale.letters, arrow.wish,
                        shape.has_value()});
       }
@@ -200,7 +200,7 @@ struct Marks::Parts {
   std::vector<Box> taken;     // where no moving words may be
   std::vector<Plate> plates;  // what is the same in every frame
   std::optional<Plate> notice;
-  std::vector<std::unique_ptr<Mark>> inWorld;  // on and about the book, the lowest first
+  std::vector<std::unique_ptr<Mark>> inWorld;  // on and about the body, the lowest first
   std::vector<std::unique_ptr<Mark>> insets;   // above them
 };
 

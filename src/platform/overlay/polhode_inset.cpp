@@ -10,7 +10,7 @@
 #include <Eigen/Cholesky>
 
 #include "overlay/labels.h"
-#include "physics/simulator.h"
+#include "physics/motion_start.h"
 
 namespace rotatebook::overlay {
 namespace {

@@ -29,17 +29,17 @@ void forEachSpring(const Action& action) {
   }
 }
 
-double strain(const physics::Corners& rest, const physics::Corners& corners, const Spring& spring) {
-  const double length = (corners.col(spring.a) - corners.col(spring.b)).norm();
+double strain(const physics::Cage& rest, const physics::Cage& cage, const Spring& spring) {
+  const double length = (cage.col(spring.a) - cage.col(spring.b)).norm();
   return length / (rest.col(spring.a) - rest.col(spring.b)).norm() - 1;
 }
 
 double rangeOf(const MarkContext& context) {
-  const physics::Corners rest = context.scene.body.corners();
+  const physics::Cage rest = context.scene.body.corners();
   std::vector<double> strains;
   for (const physics::Sample& sample : context.trajectory.samples) {
     forEachSpring([&](const Spring& spring) {
-      strains.push_back(std::abs(strain(rest, sample.corners, spring)));
+      strains.push_back(std::abs(strain(rest, sample.cage, spring)));
     });
   }
   const auto shown = strains.begin() +
@@ -102,11 +102,11 @@ Springs::Springs(const MarkContext& context, const Box& legend)
 void Springs::draw(const View& view) {
   std::vector<Point> particles;
   for (Eigen::Index i = 0; i < 8; ++i) {
-    const auto point = view.projector(view.sample.corners.col(i));
+    const auto point = view.projector(view.sample.cage.col(i));
     if (!point) return;
     particles.push_back(*point);
   }
-  const physics::Corners rest = context_.scene.body.corners();
+  const physics::Cage rest = context_.scene.body.corners();
   const Scale& scale = context_.scale;
   std::array<std::vector<Point>, kColours> ofColour;
   forEachSpring([&](const Spring& spring) {
@@ -114,7 +114,7 @@ void Springs::draw(const View& view) {
                                     particles[static_cast<std::size_t>(spring.b)]};
     // One by one: Cairo is slow with many lines that cross.
     view.canvas.line(ends, {kDark, 0.8 * scale.line + 2 * scale.halo, 0.35, 0});
-    auto& others = ofColour[stepOf(strain(rest, view.sample.corners, spring), range_)];
+    auto& others = ofColour[stepOf(strain(rest, view.sample.cage, spring), range_)];
     others.insert(others.end(), ends.begin(), ends.end());
   });
   for (std::size_t i = 0; i < kColours; ++i) {

@@ -49,7 +49,7 @@ Eigen::Matrix4d viewFromWorld(const Camera& camera) {
   return matrix;
 }
 
-Projection project(const Camera& camera, const physics::Corners& points, const Screen& screen) {
+Projection project(const Camera& camera, const physics::Cage& points, const Screen& screen) {
   const Eigen::Matrix4d view = viewFromWorld(camera);
   const Eigen::Matrix<double, 4, 8> viewPoints = view * points.colwise().homogeneous();
   const double near = kNearPlane * (camera.position - camera.target).norm();

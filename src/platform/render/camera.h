@@ -42,6 +42,6 @@ struct Screen {
 };
 
 /// Projects `points` (world) onto `screen`.
-Projection project(const Camera& camera, const physics::Corners& points, const Screen& screen);
+Projection project(const Camera& camera, const physics::Cage& points, const Screen& screen);
 
 }  // namespace rotatebook::render

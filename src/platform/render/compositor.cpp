@@ -44,21 +44,21 @@ image::Image Compositor::makePicture() const {
           image::PixelFormat::Rgba8};
 }
 
-void Compositor::compose(const DrawnBook& book, image::Image& picture) {
-  if (supersample_ == 1) return composeLarge(book, picture);
-  composeLarge(book, large_);
+void Compositor::compose(const DrawnBody& body, image::Image& picture) {
+  if (supersample_ == 1) return composeLarge(body, picture);
+  composeLarge(body, large_);
   image::halve(large_, picture);
 }
 
-void Compositor::composeLarge(const DrawnBook& book, image::Image& picture) {
+void Compositor::composeLarge(const DrawnBody& body, image::Image& picture) {
   picture = background_;
-  for (const PixelRect& band : book.bands) layOver(book.pixels, band, picture);
+  for (const PixelRect& band : body.bands) layOver(body.pixels, band, picture);
   edgePixels_.clear();
   triangles_.clear();
-  edges_.find(book.corners, book.clipFromWorld, book.facing, book.strips.seen, edgePixels_,
+  edges_.find(body.cage, body.clipFromWorld, body.facing, body.strips.seen, edgePixels_,
               triangles_);
   edgePixels_.number();
-  samples_.smooth(edgePixels_, triangles_, book.pixels, book.strips, background_, picture);
+  samples_.smooth(edgePixels_, triangles_, body.pixels, body.strips, background_, picture);
 }
 
 }  // namespace rotatebook::render

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "image/image.h"
-#include "render/antialias/book_edges.h"
+#include "render/antialias/body_edges.h"
 #include "render/antialias/edge_pixels.h"
 #include "render/antialias/edge_samples.h"
 #include "render/book/book_mesh.h"
-#include "render/drawn_book.h"
+#include "render/drawn_body.h"
 
 namespace rotatebook::render {
 
@@ -21,15 +21,15 @@ class Compositor {
 
   /// A picture of the right size and format for compose().
   image::Image makePicture() const;
-  /// Over all of `picture`, from makePicture(). `book` is of the background's size.
-  void compose(const DrawnBook& book, image::Image& picture);
+  /// Over all of `picture`, from makePicture(). `body` is of the background's size.
+  void compose(const DrawnBody& body, image::Image& picture);
 
  private:
-  void composeLarge(const DrawnBook& book, image::Image& picture);
+  void composeLarge(const DrawnBody& body, image::Image& picture);
 
   image::Image background_;
   int supersample_;
-  BookEdges edges_;
+  BodyEdges edges_;
   EdgePixels edgePixels_;
   std::vector<SeenTriangle> triangles_;
   EdgeSamples samples_;

@@ -23,12 +23,12 @@ void requireNoGlError(const char* when) {
 }
 
 /// A book so close that its front cover is in the middle of pictures of every size.
-DrawnBook closeBook(int width, int height) {
+DrawnBody closeBook(int width, int height) {
   const Camera close{.position = {0, 0, 0.1}};
-  DrawnBook book{.pixels = {}, .corners = physics::Cuboid{}.corners()};
-  book.clipFromWorld = project(close, book.corners, {width, height, 0}).clipFromWorld;
-  book.facing = drawnFacing(book.corners);
-  return book;
+  DrawnBody body{.pixels = {}, .cage = physics::Cuboid{}.corners()};
+  body.clipFromWorld = project(close, body.cage, {width, height, 0}).clipFromWorld;
+  body.facing = drawnFacing(body.cage);
+  return body;
 }
 
 }  // namespace
@@ -107,7 +107,7 @@ struct Renderer::Parts {
     target.readBack({&everything, 1}, picture);
   }
 
-  void drawBook(const DrawnBook& drawn) const {
+  void drawBook(const DrawnBody& drawn) const {
     glEnable(GL_FRAMEBUFFER_SRGB);
     glEnable(GL_DEPTH_TEST);
     drawn.facing == 0 ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
@@ -124,7 +124,7 @@ struct Renderer::Parts {
   }
 
   /// As drawBook() has left OpenGL.
-  void drawStrips(DrawnBook& drawn) const {
+  void drawStrips(DrawnBody& drawn) const {
     image::Image& colours = drawn.strips.colours;
     const PixelRect all{0, 0, colours.width(), colours.height()};
     stripTarget.begin(all);
@@ -137,14 +137,14 @@ struct Renderer::Parts {
     stripTarget.readBack({&all, 1}, colours);
   }
 
-  void drawStripsOf(BookPart part, const Texture& texture, const DrawnBook& drawn) const {
+  void drawStripsOf(BookPart part, const Texture& texture, const DrawnBody& drawn) const {
     texture.bind();
     geometry.drawStrips(part, drawn.strips.seen);
   }
 
-  void use(const ShaderProgram& program, const DrawnBook& drawn) const {
+  void use(const ShaderProgram& program, const DrawnBody& drawn) const {
     program.use();
-    program.set("corners", Eigen::Matrix<float, 3, 8>(drawn.corners.cast<float>()));
+    program.set("corners", Eigen::Matrix<float, 3, 8>(drawn.cage.cast<float>()));
     program.set("clipFromWorld", Eigen::Matrix4f(drawn.clipFromWorld.cast<float>()));
   }
 
@@ -163,7 +163,7 @@ struct Renderer::Parts {
   FrameTarget stripTarget;
   Texture front, spine, back, paper;
   Compositor compositor;
-  std::optional<DrawnBook> book;  // of draw() to a picture
+  std::optional<DrawnBody> body;  // of draw() to a picture
 };
 
 Renderer::Renderer(const RenderSettings& settings, const BookTextures& textures)
@@ -172,11 +172,11 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-DrawnBook Renderer::makeBook() const {
-  DrawnBook book{.pixels = {parts_->width, parts_->height, image::PixelFormat::Rgba8}};
-  book.strips.colours = {DrawnStrips::kColumns, static_cast<int>(parts_->stripFinder.count()),
+DrawnBody Renderer::makeBody() const {
+  DrawnBody body{.pixels = {parts_->width, parts_->height, image::PixelFormat::Rgba8}};
+  body.strips.colours = {DrawnStrips::kColumns, static_cast<int>(parts_->stripFinder.count()),
                          image::PixelFormat::Rgba8};
-  return book;
+  return body;
 }
 
 Compositor& Renderer::compositor() {
@@ -187,29 +187,29 @@ image::Image Renderer::makePicture() const {
   return parts_->compositor.makePicture();
 }
 
-void Renderer::draw(const physics::Corners& corners, image::Image& picture) {
-  if (!parts_->book) parts_->book = makeBook();
-  draw(corners, *parts_->book);
-  parts_->compositor.compose(*parts_->book, picture);
+void Renderer::draw(const physics::Cage& cage, image::Image& picture) {
+  if (!parts_->body) parts_->body = makeBody();
+  draw(cage, *parts_->body);
+  parts_->compositor.compose(*parts_->body, picture);
 }
 
-void Renderer::draw(const physics::Corners& corners, DrawnBook& book) {
+void Renderer::draw(const physics::Cage& cage, DrawnBody& body) {
   const RenderSettings& settings = parts_->settings;
   Projection projection =
-      project(settings.camera, corners,
+      project(settings.camera, cage,
               {parts_->width, parts_->height, settings.supersample * settings.bottomRows});
   const PixelRect& area = projection.bounds;
-  book.corners = corners;
-  book.clipFromWorld = projection.clipFromWorld;
-  book.facing = drawnFacing(corners);
-  book.bands = std::move(projection.bands);
-  parts_->stripFinder.find(corners, book.clipFromWorld, book.facing,
-                           {parts_->width, parts_->height}, book.strips.seen);
-  if (area.width <= 0 || area.height <= 0) return book.bands.clear();
+  body.cage = cage;
+  body.clipFromWorld = projection.clipFromWorld;
+  body.facing = drawnFacing(cage);
+  body.bands = std::move(projection.bands);
+  parts_->stripFinder.find(cage, body.clipFromWorld, body.facing, {parts_->width, parts_->height},
+                           body.strips.seen);
+  if (area.width <= 0 || area.height <= 0) return body.bands.clear();
   parts_->target.begin(area);
-  parts_->drawBook(book);
-  parts_->drawStrips(book);
-  parts_->target.readBack(book.bands, book.pixels);
+  parts_->drawBook(body);
+  parts_->drawStrips(body);
+  parts_->target.readBack(body.bands, body.pixels);
   requireNoGlError("while drawing a frame");
 }
 

@@ -1,4 +1,4 @@
-// Draws the book, given its eight corners.
+// Draws the book in its cage of eight corners.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 #include "render/camera.h"
 #include "render/compositor.h"
 #include "render/device/device.h"
-#include "render/drawn_book.h"
+#include "render/drawn_body.h"
 
 namespace rotatebook::render {
 
@@ -45,7 +45,7 @@ image::Image builtinSpine();
 image::Image builtinBack();
 
 /// Owns an OpenGL context; make, use and destroy it on one thread, one at a time in a process. A
-/// picture depends on nothing but the settings, the textures and the corners.
+/// picture depends on nothing but the settings, the textures and the cage.
 class Renderer {
  public:
   /// Throws MachineError where there is no OpenGL 3.3 as settings.device asks for it, or one that
@@ -58,15 +58,15 @@ class Renderer {
 
   /// A picture of the right size and format for draw().
   image::Image makePicture() const;
-  /// Draws the book whose corners (world) these are, over all of `picture` (from makePicture()).
+  /// Draws the book in this cage (world), over all of `picture` (from makePicture()).
   /// Alpha is straight, and 255 throughout unless the background is transparent.
   /// Throws MachineError if OpenGL reports an error.
-  void draw(const physics::Corners& corners, image::Image& picture);
+  void draw(const physics::Cage& cage, image::Image& picture);
 
   /// The same in two steps, of which the second, compositor().compose(), may be taken on another
-  /// thread while this one draws the next book. `book` comes from makeBook().
-  void draw(const physics::Corners& corners, DrawnBook& book);
-  DrawnBook makeBook() const;
+  /// thread while this one draws the next one. `body` comes from makeBody().
+  void draw(const physics::Cage& cage, DrawnBody& body);
+  DrawnBody makeBody() const;
   Compositor& compositor();
 
   /// What draws, e.g. "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5, EGL device 0".

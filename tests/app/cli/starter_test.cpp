@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cli/program_test.h"
-#include "physics/trajectory.h"
+#include "physics/simulate.h"
 #include "store/scene_file.h"
 
 namespace rotatebook::cli::testing {

@@ -54,7 +54,7 @@ image::Image drawn(const scene::Scene& scene, std::int64_t frame) {
   image::Image picture = composition.makePicture();
   const auto drawBook = [&](std::size_t i, std::size_t sample, image::Image& panel) {
     makeGrey(panel);
-    const physics::Corners& corners = motion.trajectories()[i].samples[sample].corners;
+    const physics::Cage& corners = motion.trajectories()[i].samples[sample].cage;
     return render::project(camera, corners, composition.screen()).clipFromWorld;
   };
   composition.draw(frame, drawBook, picture);

@@ -25,7 +25,7 @@ TEST(FrameDrawer, DrawsTheBookAloneWithoutOverlays) {
   const physics::Trajectory trajectory = pipeline::testing::motionOf(scene);
   render::Renderer renderer = makeRenderer(scene);
   image::Image expected = renderer.makePicture();
-  renderer.draw(trajectory.samples[7].corners, expected);
+  renderer.draw(trajectory.samples[7].cage, expected);
   EXPECT_EQ(drawnFrame(scene, 7), expected);
 }
 
@@ -61,7 +61,7 @@ TEST(ShutterMoments, BeginWithTheSample) {
     const timeline::ShutterMoments moments(scene);
     ASSERT_EQ(moments.count(), 4U);
     for (std::size_t i = 0; i < trajectory.samples.size(); ++i) {
-      ASSERT_EQ(moments.at(0, i, 0).corners, trajectory.samples[i].corners) << model << " " << i;
+      ASSERT_EQ(moments.at(0, i, 0).cage, trajectory.samples[i].cage) << model << " " << i;
     }
     // The shutter closes half a frame later: at the eighth of eight moments less one half.
     EXPECT_NEAR(moments.at(0, 1, 3).time,
@@ -78,7 +78,7 @@ TEST(FrameDrawer, AveragesTheMomentsOfMotionBlur) {
   image::LightMean mean(320, 180);
   image::Image expected = renderer.makePicture();
   for (const std::size_t moment : {0U, 1U}) {
-    renderer.draw(moments.at(0, 5, moment).corners, expected);
+    renderer.draw(moments.at(0, 5, moment).cage, expected);
     mean.add(expected.view());
   }
   mean.take(expected);

@@ -71,7 +71,7 @@ TEST(Panels, EachShowTheirMotionsSample) {
         makeRenderer(scene, {grid.width, grid.height, 0}, loadTextures(scene).pictures);
     for (const auto& trajectory : motion.trajectories()) {
       expected.push_back(renderer.makePicture());
-      renderer.draw(trajectory.samples[3].corners, expected.back());
+      renderer.draw(trajectory.samples[3].cage, expected.back());
     }
   }
   const image::Image picture = drawnPair(scene, 3);

@@ -79,7 +79,7 @@ TEST(RenderClip, DrawsFrameNFromSampleN) {
   image::Image expected = renderer.makePicture();
   image::Image before = renderer.makePicture();
   for (std::size_t n = 0; n < trajectory.samples.size(); ++n) {
-    renderer.draw(trajectory.samples[n].corners, expected);
+    renderer.draw(trajectory.samples[n].cage, expected);
     const image::Image read =
         image::readPng(folder / "small" / store::frameName(static_cast<std::int64_t>(n)));
     EXPECT_TRUE(sameColours(read, expected)) << "frame " << n;

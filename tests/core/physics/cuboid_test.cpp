@@ -8,7 +8,7 @@ namespace {
 constexpr double kCuboidBound = 1e-16;  // [kg m^2]; measured 8e-18
 
 TEST(Cuboid, HasCornersSignedByTheBitsOfTheirIndex) {
-  Corners expected;
+  Cage expected;
   expected << -1, 1, -1, 1, -1, 1, -1, 1,  //
       -2, -2, 2, 2, -2, -2, 2, 2,          //
       -3, -3, -3, -3, 3, 3, 3, 3;
@@ -22,7 +22,7 @@ TEST(Cuboid, HasTheSolidInertiaOfATextbook) {
 TEST(Cuboid, HasTheInertiaOfEightParticles) {
   const Cuboid book;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  const Corners corners = book.corners();
+  const Cage corners = book.corners();
   for (const auto& c : corners.colwise()) {
     sum.x() += book.mass / 8 * (c.y() * c.y() + c.z() * c.z());
     sum.y() += book.mass / 8 * (c.z() * c.z() + c.x() * c.x());

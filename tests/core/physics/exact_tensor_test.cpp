@@ -7,7 +7,7 @@
 
 #include "physics/exact/exact_rotation.h"
 #include "physics/inertia.h"
-#include "physics/trajectory.h"
+#include "physics/simulate.h"
 
 namespace rotatebook::physics {
 namespace {

@@ -120,15 +120,15 @@ TEST_P(AnyInertia, MovesAsItDoesAlongItsPrincipalAxes) {
   turned.inertia = turn * diagonal(3, 4, 5) * turn.transpose();
   turned.initial.value = turn * straight.initial.value;
 
-  const Corners corners = straight.body.corners();
+  const Cage corners = straight.body.corners();
   const Sample one = simulate(straight, 2).samples.back();
   const Sample two = simulate(turned, 2).samples.back();
   const Matrix3d expected = turn * one.attitude.toRotationMatrix() * turn.transpose();
-  EXPECT_LT((two.corners - expected * corners).norm(), kSameMotionBound);
+  EXPECT_LT((two.cage - expected * corners).norm(), kSameMotionBound);
   EXPECT_LT((two.angularMomentum - turn * one.angularMomentum).norm(), 4 * kSameMotionBound);
   EXPECT_LT(two.errorDeg, 1e-6);  // measured 3e-10
   EXPECT_EQ(one.regime, two.regime);
-  EXPECT_GT((two.corners - one.corners).norm(), 0.01) << "the tensor isn't looked at";
+  EXPECT_GT((two.cage - one.cage).norm(), 0.01) << "the tensor isn't looked at";
 }
 
 INSTANTIATE_TEST_SUITE_P(OfModel, AnyInertia,

@@ -47,7 +47,7 @@ BodyState stateAfter(const MotionSettings& settings, int steps) {
 // Of places and speeds: the places alone of symplectic Euler are of order 2 where, as here, no
 // spring pulls at the start. [m] plus [J]
 double distance(const BodyState& a, const BodyState& b) {
-  return (a.corners - b.corners).norm() + std::abs(a.kinetic - b.kinetic);
+  return (a.cage.value() - b.cage.value()).norm() + std::abs(a.kinetic - b.kinetic);
 }
 
 // Against Runge-Kutta with a step so short that its error is rounding.

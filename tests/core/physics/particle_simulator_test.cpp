@@ -25,7 +25,7 @@ constexpr double kCentreBound = 1e-16;         // [m]; measured 2.1e-17
 struct ByHand {
   explicit ByHand(const MotionSettings& asked) : settings(asked) {
     const Vector3d spin = initialAngularVelocity(settings);
-    const Corners corners = settings.body.corners();
+    const Cage corners = settings.body.corners();
     for (const auto& corner : corners.colwise()) {
       rest.push_back(corner);
       velocities.push_back(spin.cross(Vector3d(corner)));
@@ -115,7 +115,7 @@ void compareWithStepsByHand(bool normalize, double damping) {
   }
   const BodyState state = simulator.state();
   for (int i = 0; i < 8; ++i) {
-    EXPECT_LT((state.corners.col(i) - expected.positions[static_cast<std::size_t>(i)]).norm(),
+    EXPECT_LT((state.cage->col(i) - expected.positions[static_cast<std::size_t>(i)]).norm(),
               kParticleStepBound);
   }
   EXPECT_NEAR(state.kinetic / expected.kinetic(), 1, kParticleStepBound);
@@ -155,7 +155,7 @@ TEST(ParticleSimulator, MovesByTheOldVelocitiesFirst) {
   ParticleSimulator simulator(settings, &ParticleEuler::step);
   simulator.advance(0.5, 1);
   // At rest length no spring pulls: corner 7 at (1, 2, 3) moves by 0.5 (0, 0, 2) x (1, 2, 3).
-  EXPECT_EQ(Vector3d(simulator.state().corners.col(7)), Vector3d(-1, 3, 3));
+  EXPECT_EQ(Vector3d(simulator.state().cage->col(7)), Vector3d(-1, 3, 3));
 }
 
 TEST(ParticleSimulator, StartsWithTheSpinAndTheEnergyOfEightParticles) {
@@ -218,7 +218,7 @@ TEST(ParticleSimulator, KeepsItsCentreInTheOriginWhenNormalised) {
   for (int step = 0; step < 5000; ++step) {
     simulator.advance(h, 1);
     if (step % 50 == 0) {
-      farthest = std::max(farthest, simulator.state().corners.rowwise().mean().norm());
+      farthest = std::max(farthest, simulator.state().cage->rowwise().mean().norm());
     }
   }
   EXPECT_LT(farthest, kCentreBound);

@@ -17,7 +17,7 @@ constexpr double kFrameBound = 1e-13;  // measured 1e-15
 
 TEST(ReferenceFrame, OfTheWorldChangesNothing) {
   const Sample sample = tumblingSample();
-  EXPECT_EQ(seenFrom(ReferenceFrame::World, sample).corners, sample.corners);
+  EXPECT_EQ(seenFrom(ReferenceFrame::World, sample).cage, sample.cage);
   EXPECT_EQ(frameFromWorld(ReferenceFrame::World, sample), Eigen::Matrix3d::Identity());
 }
 
@@ -25,7 +25,7 @@ TEST(ReferenceFrame, OfTheBodyHoldsItStill) {
   const Sample sample = tumblingSample(), seen = seenFrom(ReferenceFrame::Body, sample);
   EXPECT_GT(sample.attitude.angularDistance(Eigen::Quaterniond::Identity()), 1);
   EXPECT_LT(seen.attitude.angularDistance(Eigen::Quaterniond::Identity()), 1e-7);
-  EXPECT_LT((seen.corners - Cuboid().corners()).cwiseAbs().maxCoeff(), 1e-3);  // Euler's drift
+  EXPECT_LT((seen.cage - Cuboid().corners()).cwiseAbs().maxCoeff(), 1e-3);  // Euler's drift
   EXPECT_LT((seen.angularVelocity - sample.attitude.conjugate() * sample.angularVelocity).norm(),
             1e-12);
 }

@@ -143,6 +143,18 @@ TEST(PolarDecomposition, FindsTheRotationAndTheStretches) {
   }
 }
 
+TEST(PolarDecomposition, LeavesARotationAsItIs) {
+  Random random;
+  for (int i = 0; i < kTries; ++i) {
+    const Matrix3d rotation = random.rotation();
+    const Polar polar = polarDecomposition(rotation);
+    EXPECT_EQ(polar.rotation, rotation);
+    EXPECT_EQ(polar.singularValues, Vector3d::Ones());
+    EXPECT_NEAR(polarDecomposition(-rotation).rotation.determinant(), 1, kRotationBound);
+    EXPECT_GT(polarDecomposition(1.0001 * rotation).singularValues[2], 1.00009);
+  }
+}
+
 TEST(PolarDecomposition, FindsTheRotationOfAMapTurnedInsideOut) {
   Random random;
   for (int i = 0; i < kTries; ++i) {

@@ -7,9 +7,10 @@
 
 #include <Eigen/Core>
 
+#include "physics/make_simulator.h"
 #include "physics/motion_settings.h"
-#include "physics/simulator.h"
-#include "physics/trajectory.h"
+#include "physics/motion_start.h"
+#include "physics/simulate.h"
 
 namespace rotatebook::physics {
 

@@ -46,7 +46,7 @@ double farthestCorner(const physics::Cuboid& body, const View& view) {
   std::mt19937 random(1);
   double farthest = 0;
   for (int i = 0; i < 500; ++i) {
-    const physics::Corners corners = randomAttitude(random).toRotationMatrix() * body.corners();
+    const physics::Cage corners = randomAttitude(random).toRotationMatrix() * body.corners();
     for (int c = 0; c < 8; ++c) {
       farthest = std::max(farthest, projected(corners.col(c), camera, view).maxCoeff());
     }

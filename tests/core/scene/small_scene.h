@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/trajectory.h"
+#include "physics/simulate.h"
 #include "scene/scene_text.h"
 
 namespace rotatebook::scene::testing {

@@ -59,7 +59,7 @@ TEST(MotionChecksum, IsOfTheDocumentedBytes) {
   sample.kinetic = 7;
   sample.potential = 8;
   sample.halfTurns = 3;
-  for (int i = 0; i < 24; ++i) sample.corners.data()[i] = 100 + i;
+  for (int i = 0; i < 24; ++i) sample.cage.data()[i] = 100 + i;
   EXPECT_EQ(sumOf({.interval = 0.5, .samples = {sample}}), checksumOf(bytes));
 }
 
@@ -75,8 +75,8 @@ TEST(MotionChecksum, ChangesWithTheLastBitOfAllThatPicturesDependOn) {
       [&](Sample& s) { next(s.kinetic); },
       [&](Sample& s) { next(s.potential); },
       [&](Sample& s) { ++s.halfTurns; },
-      [&](Sample& s) { next(s.corners(0, 0)); },
-      [&](Sample& s) { next(s.corners(2, 7)); },
+      [&](Sample& s) { next(s.cage(0, 0)); },
+      [&](Sample& s) { next(s.cage(2, 7)); },
       [&](Sample& s) { s.kinetic = -0.0; }};
   for (std::size_t i = 0; i < changes.size(); ++i) EXPECT_NE(sumAfter(changes[i]), sum) << i;
   EXPECT_EQ(sumAfter([](Sample& s) { s.errorDeg = 1; }), sum);

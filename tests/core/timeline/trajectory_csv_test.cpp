@@ -56,7 +56,7 @@ std::vector<double> valuesOf(const physics::Sample& sample, const physics::Sampl
                                 sample.stretchMin,
                                 sample.stretchMax};
   for (int corner = 0; corner < 8; ++corner) {
-    for (int axis = 0; axis < 3; ++axis) values.push_back(sample.corners(axis, corner));
+    for (int axis = 0; axis < 3; ++axis) values.push_back(sample.cage(axis, corner));
   }
   values.push_back(sample.errorDeg);
   values.push_back(sample.total() / start.total());

@@ -10,7 +10,7 @@
 
 #include "image/image.h"
 #include "overlay/marks.h"
-#include "physics/trajectory.h"
+#include "physics/simulate.h"
 #include "scene/scene_text.h"
 
 namespace rotatebook::overlay::testing {

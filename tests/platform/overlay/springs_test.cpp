@@ -14,7 +14,7 @@ double rednessOf(double factor) {
                          "simulation.model='particles'", "simulation.integrator='verlet'"});
   physics::Trajectory trajectory = testing::motionOf(scene);
   trajectory.samples.resize(1);
-  trajectory.samples.front().corners *= factor;
+  trajectory.samples.front().cage *= factor;
   Marks marks = testing::marksOf(scene, trajectory);
   const image::Image picture = testing::drawn(marks, scene, 0);
   double redness = 0;

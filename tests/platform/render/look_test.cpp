@@ -25,7 +25,7 @@ using testing::settingsOf;
 
 constexpr int kLookWidth = 160, kLookHeight = 90;
 
-physics::Corners tilted() {
+physics::Cage tilted() {
   return book({{-35, kY}, {20, kX}});
 }
 

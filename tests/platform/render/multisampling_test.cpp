@@ -29,8 +29,8 @@ BookTextures clothCovers() {
 
 /// From the figures, where hinges, rims or leaves are seen from their sides. models at 1.45 s comes
 /// first, then Figure 5 at 1.45 s, 3 at 8.88 s, and 4 at 9.99, 14.43, 7.35 and 0 s.
-std::vector<physics::Corners> sideViews() {
-  std::vector<physics::Corners> all;
+std::vector<physics::Cage> sideViews() {
+  std::vector<physics::Cage> all;
   for (const auto& [x, y, z] : std::vector<std::array<double, 3>>{{152.3, 179.8, 179.7},
                                                                   {150.9, 179.8, 179.7},
                                                                   {179.7, -179.1, 48.9},
@@ -51,8 +51,7 @@ RenderSettings asInFigures(int width, int height, int bottomRows, double fieldOf
 }
 
 /// 64 samples a pixel, each shaded by itself.
-std::vector<image::Image> samplesOf(const RenderSettings& settings,
-                                    const physics::Corners& corners) {
+std::vector<image::Image> samplesOf(const RenderSettings& settings, const physics::Cage& corners) {
   RenderSettings fine = settings;
   fine.width *= kFine;
   fine.height *= kFine;
@@ -113,7 +112,7 @@ std::vector<Distances> distancesAt(const RenderSettings& settings) {
   }
   std::vector<Distances> all;
   for (std::size_t i = 0; i < ours.size(); ++i) {
-    const physics::Corners corners = sideViews()[i];
+    const physics::Cage corners = sideViews()[i];
     const image::Image reference = testing::meanLight(samplesOf(settings, corners), background);
     const image::Image four =
         testing::meanLight(SampledBook(settings, clothCovers()).multisampled(corners), background);

@@ -23,7 +23,7 @@ using testing::kX;
 using testing::kY;
 using testing::settingsOf;
 
-std::vector<physics::Corners> someShapes() {
+std::vector<physics::Cage> someShapes() {
   return {book({{-35, kY}, {20, kX}}), testing::explodingBook(), book({{180, kY}}),
           testing::insideOutBook(), testing::skewedBook()};
 }
@@ -66,7 +66,7 @@ TEST(Renderer, DrawsTheSamePictureAgain) {
 TEST(Renderer, DrawsTheSamePicturesInAnyOrder) {
   Renderer renderer(settingsOf(128, 72), builtinTextures());
   const std::vector<image::Image> inOrder = drawAll(renderer);
-  const std::vector<physics::Corners> shapes = someShapes();
+  const std::vector<physics::Cage> shapes = someShapes();
   for (const std::size_t i : {4U, 1U, 3U, 0U, 1U, 2U}) {
     EXPECT_EQ(drawn(renderer, shapes[i]), inOrder[i]) << "shape " << i;
   }
@@ -120,9 +120,9 @@ TEST(Renderer, DrawsNothingFromWithinTheBook) {
 
 // What is drawn of a book that reaches behind the camera is only changed along its edges.
 TEST(Renderer, SmoothsABookThatReachesBehindTheCamera) {
-  const physics::Corners corners = testing::explodingBook();
+  const physics::Cage corners = testing::explodingBook();
   Renderer renderer(settingsOf(256, 144), builtinTextures());
-  DrawnBook raw = renderer.makeBook();
+  DrawnBody raw = renderer.makeBody();
   renderer.draw(corners, raw);
   const image::Image picture = drawn(renderer, corners);
   int shown = 0, changed = 0;

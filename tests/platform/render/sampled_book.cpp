@@ -68,7 +68,7 @@ struct SampledBook::Parts {
         back(textures.back.view(), TextureWrap::Clamp),
         leaves(image::decodePng(paperPng(), "built-in paper").view(), TextureWrap::Repeat) {}
 
-  void draw(const physics::Corners& corners) const {
+  void draw(const physics::Cage& corners) const {
     const Projection projection =
         project(settings.camera, corners, {settings.width, settings.height, settings.bottomRows});
     const Eigen::Matrix4d& clipFromWorld = projection.clipFromWorld;
@@ -88,7 +88,7 @@ struct SampledBook::Parts {
     drawPart(BookPart::Pages, leaves);
   }
 
-  static void use(const ShaderProgram& program, const physics::Corners& corners,
+  static void use(const ShaderProgram& program, const physics::Cage& corners,
                   const Eigen::Matrix4d& clipFromWorld) {
     program.use();
     program.set("corners", Eigen::Matrix<float, 3, 8>(corners.cast<float>()));
@@ -120,7 +120,7 @@ SampledBook::SampledBook(const RenderSettings& settings, const BookTextures& tex
     : parts_(std::make_unique<Parts>(settings, textures)) {}
 SampledBook::~SampledBook() = default;
 
-std::vector<image::Image> SampledBook::multisampled(const physics::Corners& corners) {
+std::vector<image::Image> SampledBook::multisampled(const physics::Cage& corners) {
   parts_->target.begin(parts_->everything);
   if (!parts_->sampled) parts_->sampled.emplace(parts_->settings.width, parts_->settings.height);
   glBindFramebuffer(GL_FRAMEBUFFER, parts_->sampled->buffer.name());
@@ -143,7 +143,7 @@ std::vector<image::Image> SampledBook::multisampled(const physics::Corners& corn
   return samples;
 }
 
-image::Image SampledBook::drawn(const physics::Corners& corners) {
+image::Image SampledBook::drawn(const physics::Cage& corners) {
   parts_->target.begin(parts_->everything);
   parts_->draw(corners);
   return parts_->readBack();

@@ -15,7 +15,7 @@ using testing::book;
 using testing::kX;
 using testing::kY;
 
-std::vector<SeenStrip> stripsAt(int width, int height, const physics::Corners& corners) {
+std::vector<SeenStrip> stripsAt(int width, int height, const physics::Cage& corners) {
   const Projection projection =
       project(testing::settingsOf(width, height).camera, corners, {width, height, 0});
   std::vector<SeenStrip> seen;
@@ -24,12 +24,12 @@ std::vector<SeenStrip> stripsAt(int width, int height, const physics::Corners& c
   return seen;
 }
 
-long narrowAt(int width, int height, const physics::Corners& corners) {
+long narrowAt(int width, int height, const physics::Cage& corners) {
   return std::ranges::count_if(stripsAt(width, height, corners), &SeenStrip::narrow);
 }
 
 TEST(Strips, AreNarrowInSmallPicturesAlone) {
-  const physics::Corners corners = book({{-35, kY}, {20, kX}});
+  const physics::Cage corners = book({{-35, kY}, {20, kX}});
   EXPECT_GE(narrowAt(320, 180, corners), 30);   // measured 38
   EXPECT_LE(narrowAt(7680, 4320, corners), 4);  // measured 2
 }
@@ -49,7 +49,7 @@ TEST(Strips, AreFollowedInPerspective) {
 // Each row is drawn from end to end, and nothing of it is black.
 TEST(Strips, HaveColoursThroughout) {
   Renderer renderer(testing::settingsOf(320, 180), testing::builtinTextures());
-  DrawnBook drawn = renderer.makeBook();
+  DrawnBody drawn = renderer.makeBody();
   for (const double angle : {0.0, 40.0, 90.0, 170.0, 270.0}) {
     renderer.draw(book({{angle, kY}, {20, kX}}), drawn);
     const std::vector<SeenStrip>& seen = drawn.strips.seen;

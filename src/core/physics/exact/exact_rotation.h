@@ -1,4 +1,4 @@
-// The exact motion along the book's axes.
+// The exact motion along the body's axes.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,10 +1,11 @@
 #include "physics/exact/exact_simulator.h"
 
+#include "physics/motion_start.h"
+
 namespace rotatebook::physics {
 
 ExactSimulator::ExactSimulator(const MotionSettings& settings)
-    : corners_(settings.body.corners()),
-      angularMomentum_(modelInertia(settings).angularMomentum(initialAngularVelocity(settings))),
+    : angularMomentum_(modelInertia(settings).angularMomentum(initialAngularVelocity(settings))),
       rotation_(modelInertia(settings), settings.initial.alongPrincipal(modelInertia(settings))) {}
 
 void ExactSimulator::advance(double h, int steps) {
@@ -19,7 +20,7 @@ void ExactSimulator::advance(double h, int steps) {
 BodyState ExactSimulator::state() const {
   const ExactRotation::Moment moment = rotation_.at(time());
   BodyState result;
-  result.corners = moment.worldFromBody * corners_;
+  result.worldFromBody = moment.worldFromBody;
   result.angularVelocity = moment.angularVelocity;
   result.angularMomentum = angularMomentum_;
   result.kinetic = moment.angularVelocity.dot(angularMomentum_) / 2;

@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 
-#include "physics/cuboid.h"
 #include "physics/exact/exact_rotation.h"
 #include "physics/motion_settings.h"
 #include "physics/simulator.h"
@@ -24,7 +23,6 @@ class ExactSimulator final : public Simulator {
  private:
   double time() const { return start_ + static_cast<double>(steps_) * h_; }
 
-  Corners corners_;
   Eigen::Vector3d angularMomentum_;
   ExactRotation rotation_;
   // The time is counted, so that it is right to rounding after any number of equal steps.

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "base/number_text.h"
-#include "physics/simulator.h"
+#include "physics/integrators/no_convergence.h"
 
 namespace rotatebook::physics {
 

@@ -1,4 +1,4 @@
-// How long a book spins about its median axis from one flip to the next.
+// How long a body spins about its median axis from one flip to the next.
 #pragma once
 
 #include <span>

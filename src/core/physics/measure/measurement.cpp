@@ -3,9 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include <Eigen/LU>
-
 #include "physics/elementary.h"
+#include "physics/motion_start.h"
 #include "physics/rotation.h"
 
 namespace rotatebook::physics {
@@ -28,8 +27,8 @@ double angleDeg(const Eigen::Matrix3d& rotation) {
 
 }  // namespace
 
-bool isBook(double stretchMin, double stretchMax) {
-  return stretchMin >= kMinBookStretch && stretchMax <= kMaxBookStretch;
+bool keepsItsShape(double stretchMin, double stretchMax) {
+  return stretchMin >= kMinStretch && stretchMax <= kMaxStretch;
 }
 
 int HalfTurnCounter::count(double tiltDeg) {
@@ -41,17 +40,14 @@ int HalfTurnCounter::count(double tiltDeg) {
 }
 
 Measurement::Measurement(const MotionSettings& settings)
-    : spunAxis_(largestComponent(initialAngularVelocity(settings))),
+    : body_(settings.body),
+      spunAxis_(largestComponent(initialAngularVelocity(settings))),
       inertia_(modelInertia(settings)),
       exact_(inertia_, settings.initial.alongPrincipal(inertia_)),
-      isExact_(settings.simulation.model == Model::Exact) {
-  const Corners corners = settings.body.corners();
-  const Eigen::Matrix3d products = corners * corners.transpose();
-  mapFromCorners_ = corners.transpose() * products.inverse();
-}
+      isExact_(settings.simulation.model == Model::Exact) {}
 
 Sample Measurement::measure(double time, const BodyState& state) {
-  const Polar polar = polarDecomposition(state.corners * mapFromCorners_);
+  const Polar polar = polarDecomposition(state.worldFromBody);
   Sample sample;
   sample.time = time;
   sample.attitude = continuedAttitude(polar.rotation);
@@ -63,11 +59,11 @@ Sample Measurement::measure(double time, const BodyState& state) {
   sample.tiltDeg = tiltDeg(polar.rotation, state.angularMomentum);
   sample.stretchMin = polar.singularValues[2];
   sample.stretchMax = polar.singularValues[0];
-  if (!isBook(sample.stretchMin, sample.stretchMax)) counter_.stop();
+  if (!keepsItsShape(sample.stretchMin, sample.stretchMax)) counter_.stop();
   sample.halfTurns = counter_.count(sample.tiltDeg);
   sample.errorDeg = angleDeg(exact_.at(time).worldFromBody.transpose() * polar.rotation);
   sample.regime = regime(polar.rotation, state.angularVelocity);
-  sample.corners = state.corners;
+  sample.cage = drawnCage(state, body_);
   return sample;
 }
 

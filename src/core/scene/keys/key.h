@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "scene/key_rows.h"
 #include "scene/toml_text.h"
 #include "scene/value_reader.h"

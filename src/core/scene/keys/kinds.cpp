@@ -1,3 +1,4 @@
+#include "base/text.h"
 #include "scene/keys/kinds.h"
 
 namespace rotatebook::scene {

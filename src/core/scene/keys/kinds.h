@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include "base/text.h"
 #include "scene/keys/key.h"
 #include "scene/names.h"
 #include "scene/nearest_name.h"

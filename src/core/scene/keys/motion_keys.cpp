@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "physics/elementary.h"
+#include "base/text.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
 #include "scene/sections.h"

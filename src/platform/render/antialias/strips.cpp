@@ -70,11 +70,10 @@ StripFinder::StripFinder(const BookMesh& mesh) {
   }
 }
 
-void StripFinder::find(const physics::Corners& corners, const Eigen::Matrix4d& clipFromWorld,
-                       int facing, const Eigen::Vector2i& size,
-                       std::vector<SeenStrip>& seen) const {
+void StripFinder::find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int facing,
+                       const Eigen::Vector2i& size, std::vector<SeenStrip>& seen) const {
   const Eigen::Matrix<float, 4, 8> clip =
-      (clipFromWorld * corners.colwise().homogeneous()).cast<float>();
+      (clipFromWorld * cage.colwise().homogeneous()).cast<float>();
   const Eigen::Array2f half = size.cast<float>().array() / 2;
   seen.assign(strips_.size(), {});
   // Where a corner is behind the camera, so may be a strip.

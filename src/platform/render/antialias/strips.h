@@ -43,9 +43,9 @@ class StripFinder {
   explicit StripFinder(const BookMesh& mesh);
 
   std::size_t count() const { return strips_.size(); }
-  /// All strips of the book with these corners in a picture of this size. `facing`: as
+  /// All strips of the book in this cage in a picture of this size. `facing`: as
   /// drawnFacing() has it.
-  void find(const physics::Corners& corners, const Eigen::Matrix4d& clipFromWorld, int facing,
+  void find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int facing,
             const Eigen::Vector2i& size, std::vector<SeenStrip>& seen) const;
 
  private:

@@ -69,14 +69,14 @@ void upload(GLenum target, const GlBuffer& buffer, const std::vector<Element>& e
 
 /// Signed volume at each corner of the map from the unit cube, as a share of the largest. Negative:
 /// inside out.
-Eigen::Array<double, 8, 1> cornerVolumes(const physics::Corners& corners) {
+Eigen::Array<double, 8, 1> cornerVolumes(const physics::Cage& cage) {
   Eigen::Array<double, 8, 1> volumes;
   for (int i = 0; i < 8; ++i) {
     Eigen::Matrix3d edges;
     for (int axis = 0; axis < 3; ++axis) {
       const int other = i ^ (1 << axis);
       const double sign = (i & (1 << axis)) != 0 ? 1 : -1;
-      edges.col(axis) = sign * (corners.col(i) - corners.col(other));
+      edges.col(axis) = sign * (cage.col(i) - cage.col(other));
     }
     volumes[i] = edges.determinant();
   }
@@ -133,9 +133,9 @@ void BookGeometry::draw(BookPart part) const {
                  reinterpret_cast<const void*>(start * sizeof(std::uint32_t)));
 }
 
-int drawnFacing(const physics::Corners& corners) {
+int drawnFacing(const physics::Cage& cage) {
   constexpr double kClearlyOneWay = 0.2;
-  const Eigen::Array<double, 8, 1> volumes = cornerVolumes(corners);
+  const Eigen::Array<double, 8, 1> volumes = cornerVolumes(cage);
   // Clip y points down, which turns every triangle round.
   if (volumes.minCoeff() > kClearlyOneWay) return -1;
   return volumes.maxCoeff() < -kClearlyOneWay ? 1 : 0;

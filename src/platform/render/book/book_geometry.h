@@ -46,6 +46,6 @@ class BookGeometry {
 /// Which way triangles turn in the picture, from x to y (1) or from y to x (-1), that are to be
 /// drawn, as those that look away from the eye aren't; 0 if all are, because the book is so
 /// deformed that any may be seen.
-int drawnFacing(const physics::Corners& corners);
+int drawnFacing(const physics::Cage& cage);
 
 }  // namespace rotatebook::render

@@ -1,4 +1,4 @@
-#include "overlay/book_box.h"
+#include "overlay/body_box.h"
 
 #include <gtest/gtest.h>
 
@@ -9,22 +9,22 @@ namespace {
 
 const Eigen::Vector3d kEye(0, 0, 2);
 
-TEST(BookBox, HidesWhatIsInItOrBehindIt) {
+TEST(BodyBox, HidesWhatIsInItOrBehindIt) {
   const physics::Cuboid body{{2, 2, 1}, 1};
-  const BookBox book(body, body.corners());
-  EXPECT_TRUE(book.hides({0, 0, 0}, kEye));
-  EXPECT_TRUE(book.hides({0.5, 0.5, -3}, kEye));
-  EXPECT_FALSE(book.hides({0, 0, 0.6}, kEye));
-  EXPECT_FALSE(book.hides({3, 0, 0}, kEye));
-  EXPECT_FALSE(book.hides({0, 5, -3}, kEye));
+  const BodyBox box(body, body.corners());
+  EXPECT_TRUE(box.hides({0, 0, 0}, kEye));
+  EXPECT_TRUE(box.hides({0.5, 0.5, -3}, kEye));
+  EXPECT_FALSE(box.hides({0, 0, 0.6}, kEye));
+  EXPECT_FALSE(box.hides({3, 0, 0}, kEye));
+  EXPECT_FALSE(box.hides({0, 5, -3}, kEye));
 }
 
-TEST(BookBox, TurnsAndStretchesWithTheBook) {
+TEST(BodyBox, TurnsAndStretchesWithTheBody) {
   const physics::Cuboid body{{2, 2, 1}, 1};
   const Eigen::Vector3d behind(1.3, 0, 0.3);
-  EXPECT_FALSE(BookBox(body, body.corners()).hides(behind, kEye));
+  EXPECT_FALSE(BodyBox(body, body.corners()).hides(behind, kEye));
   const Eigen::Matrix3d stretch = Eigen::Vector3d(1.5, 1, 1).asDiagonal();
-  const BookBox wide(body, stretch * body.corners());
+  const BodyBox wide(body, stretch * body.corners());
   EXPECT_TRUE(wide.hides(behind, kEye));
   EXPECT_LT((wide.map() - stretch).norm(), 1e-12);
 }

@@ -1,4 +1,4 @@
-#include "render/antialias/book_edges.h"
+#include "render/antialias/body_edges.h"
 
 #include <algorithm>
 #include <vector>
@@ -22,11 +22,11 @@ struct Found {
   std::vector<SeenTriangle> triangles;
   PixelRect bounds;
 
-  explicit Found(const physics::Corners& corners) {
+  explicit Found(const physics::Cage& corners) {
     const Projection projection =
         project({{0, 0, 0.76}, {0, 0, 0}, {0, 1, 0}, 30}, corners, {kWidth, kHeight});
     bounds = projection.bounds;
-    BookEdges(makeBookMesh())
+    BodyEdges(makeBookMesh())
         .find(corners, projection.clipFromWorld, drawnFacing(corners), {}, pixels, triangles);
     pixels.number();
   }
@@ -40,7 +40,7 @@ struct Found {
   }
 };
 
-TEST(BookEdges, GoRoundTheBookAndNotThroughItsCover) {
+TEST(BodyEdges, GoRoundTheBookAndNotThroughItsCover) {
   const Found found(book());
   const PixelRect& all = found.bounds;
   EXPECT_EQ(found.countIn({all.x + all.width / 3, all.y + all.height / 3, 20, 20}), 0);
@@ -50,18 +50,18 @@ TEST(BookEdges, GoRoundTheBookAndNotThroughItsCover) {
   EXPECT_GE(found.countIn({all.x + all.width - 12, all.y + all.height / 2, 12, 30}), 30);
 }
 
-TEST(BookEdges, AreFew) {
+TEST(BodyEdges, AreFew) {
   const Found found(book({{-35, kY}, {20, kX}}));
   const int share = 100 * static_cast<int>(found.pixels.count()) / (kWidth * kHeight);
   EXPECT_LE(share, 4);  // measured 2 %
   EXPECT_GE(found.pixels.count(), 1000U);
 }
 
-TEST(BookEdges, LeaveOutTrianglesThatLookAway) {
+TEST(BodyEdges, LeaveOutTrianglesThatLookAway) {
   const BookMesh mesh = makeBookMesh();
   std::size_t all = 0;
   for (const auto& part : mesh.triangles) all += part.size() / 3;
-  physics::Corners pierced = book();  // A corner of the cover has gone through the book.
+  physics::Cage pierced = book();  // A corner of the cover has gone through the book.
   pierced(2, 7) -= 0.2;
   const Found usual(book()), open(pierced);
   EXPECT_LT(usual.triangles.size(), all / 2);
@@ -73,8 +73,8 @@ TEST(BookEdges, LeaveOutTrianglesThatLookAway) {
   EXPECT_EQ(open.triangles.size(), all);
 }
 
-TEST(BookEdges, LeaveOutWhatReachesBehindTheCamera) {
-  physics::Corners corners = book();
+TEST(BodyEdges, LeaveOutWhatReachesBehindTheCamera) {
+  physics::Cage corners = book();
   corners.rightCols<4>().row(2).array() += 2;  // The front cover.
   const Found found(corners);
   EXPECT_LT(found.triangles.size(), 2000U);

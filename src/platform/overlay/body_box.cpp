@@ -1,4 +1,4 @@
-#include "overlay/book_box.h"
+#include "overlay/body_box.h"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,7 @@ Pen hiddenPen(Pen pen) {
   return pen;
 }
 
-/// Where between `low` and `high`, of which the book hides one, it begins or ends to hide.
+/// Where between `low` and `high`, of which the body hides one, it begins or ends to hide.
 template <typename Hides>
 double edgeBetween(double low, double high, const Hides& hides) {
   constexpr int kHalvings = 7;
@@ -60,16 +60,16 @@ void drawHead(Canvas& canvas, const Point& tip, const Point& along, double lengt
 
 }  // namespace
 
-BookBox::BookBox(const physics::Cuboid& body, const physics::Corners& corners)
-    : centre_(corners.rowwise().mean()) {
-  const physics::Corners rest = body.corners();
+BodyBox::BodyBox(const physics::Cuboid& body, const physics::Cage& cage)
+    : centre_(cage.rowwise().mean()) {
+  const physics::Cage rest = body.corners();
   const Eigen::Vector3d half = body.size / 2;
   const Eigen::Vector3d inverseSquares = half.cwiseAbs2().cwiseInverse() / 8;
-  map_ = (corners.colwise() - centre_) * rest.transpose() * inverseSquares.asDiagonal();
+  map_ = (cage.colwise() - centre_) * rest.transpose() * inverseSquares.asDiagonal();
   boxFromWorld_ = (map_ * half.asDiagonal()).inverse();
 }
 
-bool BookBox::hides(const Eigen::Vector3d& point, const Eigen::Vector3d& eye) const {
+bool BodyBox::hides(const Eigen::Vector3d& point, const Eigen::Vector3d& eye) const {
   const Eigen::Array3d start = boxFromWorld_ * (eye - centre_);
   const Eigen::Array3d way = boxFromWorld_ * (point - eye);
   const Eigen::Array3d a = (-1 - start) / way, b = (1 - start) / way;
@@ -78,11 +78,11 @@ bool BookBox::hides(const Eigen::Vector3d& point, const Eigen::Vector3d& eye) co
   return enters > 0 && enters < leaves && enters < 1 - kTouching;
 }
 
-void drawLine(const View& view, const BookBox& book, const Eigen::Vector3d& from,
+void drawLine(const View& view, const BodyBox& box, const Eigen::Vector3d& from,
               const Eigen::Vector3d& to, const Pen& pen) {
   const Eigen::Vector3d eye = view.projector.eye();
   const auto at = [&](double t) { return Eigen::Vector3d(from + t * (to - from)); };
-  const auto parts = partsOf([&](double t) { return book.hides(at(t), eye); });
+  const auto parts = partsOf([&](double t) { return box.hides(at(t), eye); });
   for (const bool hidden : {true, false}) {
     for (const Part& part : parts) {
       if (part.hidden != hidden) continue;
@@ -92,29 +92,29 @@ void drawLine(const View& view, const BookBox& book, const Eigen::Vector3d& from
   }
 }
 
-std::optional<ArrowShape> arrowShape(const Projector& projector, const BookBox& book,
+std::optional<ArrowShape> arrowShape(const Projector& projector, const BodyBox& box,
                                      const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                      const Pen& pen) {
   const auto a = projector(from), b = projector(to);
   if (!a || !b) return std::nullopt;
   const Eigen::Vector3d eye = projector.eye();
-  // It begins within the book, which hides nothing of it any more where it has once come out.
+  // It begins within the body, which hides nothing of it any more where it has once come out.
   const Part last =
-      partsOf([&](double t) { return book.hides(from + t * (to - from), eye); }).back();
+      partsOf([&](double t) { return box.hides(from + t * (to - from), eye); }).back();
   const auto visible = last.hidden ? std::nullopt : projector(from + last.from * (to - from));
   const double head = std::min(kHeadLength * pen.width, kLongestHead * (*b - *a).norm());
   return ArrowShape{*a, *b, visible, pen.width, head, head * kHeadWidth / kHeadLength};
 }
 
-void drawArrow(const View& view, const BookBox& book, const Eigen::Vector3d& from,
+void drawArrow(const View& view, const BodyBox& box, const Eigen::Vector3d& from,
                const Eigen::Vector3d& to, const Pen& pen) {
-  const auto shape = arrowShape(view.projector, book, from, to, pen);
+  const auto shape = arrowShape(view.projector, box, from, to, pen);
   if (!shape || shape->headLength < 0.5) return;
   const double length = (shape->tip - shape->from).norm(), head = shape->headLength;
   // The line ends within the head, whose tip is sharp.
   const double share = 1 - 0.8 * head / length;
-  drawLine(view, book, from, from + share * (to - from), pen);
-  const bool hidden = book.hides(to, view.projector.eye());
+  drawLine(view, box, from, from + share * (to - from), pen);
+  const bool hidden = box.hides(to, view.projector.eye());
   drawHead(view.canvas, shape->tip, (shape->tip - shape->from) / length, head,
            hidden ? hiddenPen(pen) : pen);
 }

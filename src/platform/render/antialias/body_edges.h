@@ -18,15 +18,15 @@
 namespace rotatebook::render {
 
 /// The mesh's triangles, and those of their sides that can be edges of a picture.
-class BookEdges {
+class BodyEdges {
  public:
-  explicit BookEdges(const BookMesh& mesh);
+  explicit BodyEdges(const BookMesh& mesh);
 
   /// Adds the pixels through which an outline of a surface goes or two surfaces meet, hidden ones
-  /// among them, and the triangles that are drawn, of the book with these corners in a picture of
+  /// among them, and the triangles that are drawn, of the body in this cage in a picture of
   /// the pixels' size; without what reaches behind the camera. `facing`: as drawnFacing()
   /// has it. `strips`, by their numbers: one that is narrow is a surface by itself.
-  void find(const physics::Corners& corners, const Eigen::Matrix4d& clipFromWorld, int facing,
+  void find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int facing,
             std::span<const SeenStrip> strips, EdgePixels& pixels,
             std::vector<SeenTriangle>& triangles) const;
 
@@ -53,7 +53,7 @@ class BookEdges {
 
   std::vector<Triangle> triangles_;
   std::vector<Edge> edges_;
-  std::vector<Eigen::Matrix<double, 8, 1>> shares_;  // of the corners in each vertex's place
+  std::vector<Eigen::Matrix<double, 8, 1>> shares_;  // of the cage in each vertex's place
 };
 
 }  // namespace rotatebook::render

@@ -1,4 +1,4 @@
-// A book as it comes from OpenGL.
+// A body as it comes from OpenGL.
 #pragma once
 
 #include <vector>
@@ -12,12 +12,12 @@
 
 namespace rotatebook::render {
 
-/// A book drawn with one sample a pixel and nothing behind it, and what is needed to make a picture
+/// A body drawn with one sample a pixel and nothing behind it, and what is needed to make a picture
 /// of it.
-struct DrawnBook {
+struct DrawnBody {
   image::Image pixels;  ///< Rgba8; alpha: BookVertex::surface, or 0 where nothing was drawn.
   std::vector<PixelRect> bands{};   ///< Where `pixels` are up to date. [pixels]
-  physics::Corners corners{};       ///< World. [m]
+  physics::Cage cage{};             ///< World. [m]
   Eigen::Matrix4d clipFromWorld{};  ///< Clip y points down.
   int facing = 0;                   ///< drawnFacing()
   DrawnStrips strips{};

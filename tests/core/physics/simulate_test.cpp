@@ -1,4 +1,4 @@
-#include "physics/trajectory.h"
+#include "physics/simulate.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ BodyState stateAtSample(const MotionSettings& settings, std::size_t n) {
   return simulator->state();
 }
 
-double farthestCorner(const Corners& corners) {
+double farthestCorner(const Cage& corners) {
   return corners.colwise().norm().maxCoeff();
 }
 
@@ -49,7 +49,7 @@ TEST(Simulate, TakesASampleEachIntervalFromTheStart) {
   EXPECT_FALSE(trajectory.divergedAt);
   for (int n = 0; n < 50; ++n)
     EXPECT_EQ(trajectory.samples[static_cast<std::size_t>(n)].time, n * 0.1);
-  EXPECT_EQ(trajectory.samples.front().corners, settings.body.corners());
+  EXPECT_EQ(trajectory.samples.front().cage, settings.body.corners());
   EXPECT_GE(trajectory.samples.front().attitude.w(), 0);
 }
 
@@ -58,9 +58,9 @@ TEST(Simulate, DividesTheIntervalIntoSubsteps) {
     MotionSettings settings = spinning(model, {1, 2, 3}, 0.01);
     settings.simulation.substeps = 7;
     const Trajectory trajectory = simulate(settings, 6);
-    EXPECT_EQ(trajectory.samples[5].corners, stateAtSample(settings, 5).corners);
+    EXPECT_EQ(trajectory.samples[5].cage, drawnCage(stateAtSample(settings, 5), settings.body));
     settings.simulation.substeps = 8;
-    EXPECT_NE(trajectory.samples[5].corners, simulate(settings, 6).samples[5].corners);
+    EXPECT_NE(trajectory.samples[5].cage, simulate(settings, 6).samples[5].cage);
   }
 }
 
@@ -72,8 +72,8 @@ TEST(Simulate, EndsBeforeTheSampleThatLiesTooFarOut) {
   ASSERT_TRUE(trajectory.divergedAt);
   EXPECT_EQ(*trajectory.divergedAt, static_cast<double>(end) * trajectory.interval);
   const double farthest = 20 * settings.body.largestDimension();
-  EXPECT_LE(farthestCorner(trajectory.samples.back().corners), farthest);
-  EXPECT_GT(farthestCorner(stateAtSample(settings, end).corners), farthest);
+  EXPECT_LE(farthestCorner(trajectory.samples.back().cage), farthest);
+  EXPECT_GT(farthestCorner(stateAtSample(settings, end).cage.value()), farthest);
 }
 
 TEST(Simulate, EndsBeforeANumberThatIsNotFinite) {
@@ -83,7 +83,7 @@ TEST(Simulate, EndsBeforeANumberThatIsNotFinite) {
   const Trajectory trajectory = simulate(settingsOf(scenario), 9);
   EXPECT_EQ(trajectory.samples.size(), 1U);
   EXPECT_EQ(*trajectory.divergedAt, trajectory.interval);
-  EXPECT_FALSE(stateAtSample(settingsOf(scenario), 1).corners.allFinite());
+  EXPECT_FALSE(stateAtSample(settingsOf(scenario), 1).cage->allFinite());
 }
 
 TEST(Simulate, HasOnlyFiniteSamplesOfEveryExplosion) {

@@ -1,4 +1,4 @@
-// The book as something that hides what is behind it. Inside the room only.
+// The body as something that hides what is behind it. Inside the room only.
 #pragma once
 
 #include <optional>
@@ -12,12 +12,12 @@
 
 namespace rotatebook::overlay {
 
-/// The skewed box that fits a deformed book best.
-class BookBox {
+/// The skewed box that fits a deformed body best.
+class BodyBox {
  public:
-  BookBox(const physics::Cuboid& body, const physics::Corners& corners);
+  BodyBox(const physics::Cuboid& body, const physics::Cage& cage);
 
-  /// From the axes of the undeformed book: a rotation where it isn't deformed.
+  /// From the axes of the undeformed body: a rotation where it isn't deformed.
   const Eigen::Matrix3d& map() const { return map_; }
   const Eigen::Vector3d& centre() const { return centre_; }
   /// Whether a camera at `eye` can't see `point` because it is in or behind the box.
@@ -29,19 +29,19 @@ class BookBox {
   Eigen::Matrix3d boxFromWorld_;  // to where the box reaches from -1 to 1
 };
 
-/// A straight line in the world, faint where the book hides it. Ends that aren't in front of the
+/// A straight line in the world, faint where the body hides it. Ends that aren't in front of the
 /// camera draw nothing.
-void drawLine(const View& view, const BookBox& book, const Eigen::Vector3d& from,
+void drawLine(const View& view, const BodyBox& box, const Eigen::Vector3d& from,
               const Eigen::Vector3d& to, const Pen& pen);
 
-/// How an arrow that begins within the book lies on the picture, unless an end isn't in front of
+/// How an arrow that begins within the body lies on the picture, unless an end isn't in front of
 /// the camera.
-std::optional<ArrowShape> arrowShape(const Projector& projector, const BookBox& book,
+std::optional<ArrowShape> arrowShape(const Projector& projector, const BodyBox& box,
                                      const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                      const Pen& pen);
 
-/// Draws it, faint where the book hides it.
-void drawArrow(const View& view, const BookBox& book, const Eigen::Vector3d& from,
+/// Draws it, faint where the body hides it.
+void drawArrow(const View& view, const BodyBox& box, const Eigen::Vector3d& from,
                const Eigen::Vector3d& to, const Pen& pen);
 
 }  // namespace rotatebook::overlay

@@ -1,4 +1,4 @@
-#include "render/antialias/book_edges.h"
+#include "render/antialias/body_edges.h"
 
 #include <array>
 #include <cmath>
@@ -75,7 +75,7 @@ int turning(const SeenTriangle& triangle) {
 
 }  // namespace
 
-BookEdges::BookEdges(const BookMesh& mesh) {
+BodyEdges::BodyEdges(const BookMesh& mesh) {
   for (const BookVertex& vertex : mesh.vertices) shares_.push_back(sharesOfCorners(vertex.place));
   for (std::size_t part = 0; part < kBookPartCount; ++part) {
     const auto& indices = mesh.triangles[part];
@@ -104,10 +104,10 @@ BookEdges::BookEdges(const BookMesh& mesh) {
   }
 }
 
-void BookEdges::find(const physics::Corners& corners, const Eigen::Matrix4d& clipFromWorld,
-                     int facing, std::span<const SeenStrip> strips, EdgePixels& pixels,
+void BodyEdges::find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int facing,
+                     std::span<const SeenStrip> strips, EdgePixels& pixels,
                      std::vector<SeenTriangle>& triangles) const {
-  const Eigen::Matrix<double, 4, 8> clip = clipFromWorld * corners.colwise().homogeneous();
+  const Eigen::Matrix<double, 4, 8> clip = clipFromWorld * cage.colwise().homogeneous();
   std::vector<Vector4d> points;
   points.reserve(shares_.size());
   for (const auto& shares : shares_) points.emplace_back(clip * shares);
@@ -129,12 +129,12 @@ void BookEdges::find(const physics::Corners& corners, const Eigen::Matrix4d& cli
   }
 }
 
-float BookEdges::surfaceOf(const Triangle& triangle, std::span<const SeenStrip> strips) {
+float BodyEdges::surfaceOf(const Triangle& triangle, std::span<const SeenStrip> strips) {
   if (triangle.strip >= strips.size() || !strips[triangle.strip].narrow) return triangle.surface;
   return static_cast<float>(kMostSurface + 1 + triangle.strip);
 }
 
-int BookEdges::addTriangle(const Triangle& triangle, const std::vector<Vector4d>& points,
+int BodyEdges::addTriangle(const Triangle& triangle, const std::vector<Vector4d>& points,
                            int facing, std::span<const SeenStrip> strips, const EdgePixels& pixels,
                            std::vector<SeenTriangle>& triangles) {
   if (triangle.lining && facing != 0) return 0;

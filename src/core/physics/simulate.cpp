@@ -1,22 +1,24 @@
-#include "physics/trajectory.h"
+#include "physics/simulate.h"
 
 #include <cmath>
 
 #include "base/error.h"
+#include "physics/make_simulator.h"
 #include "physics/measure/measurement.h"
-#include "physics/simulator.h"
 
 namespace rotatebook::physics {
 namespace {
 
 bool isFinite(const BodyState& state) {
-  return state.corners.allFinite() && state.angularVelocity.allFinite() &&
-         state.angularMomentum.allFinite() && std::isfinite(state.kinetic) &&
-         std::isfinite(state.potential) && std::isfinite(state.rotational);
+  return state.angularVelocity.allFinite() && state.angularMomentum.allFinite() &&
+         std::isfinite(state.kinetic) && std::isfinite(state.potential) &&
+         std::isfinite(state.rotational);
 }
 
-bool hasBlownUp(const BodyState& state, double farthest) {
-  return !isFinite(state) || state.corners.colwise().norm().maxCoeff() > farthest;
+bool hasBlownUp(const BodyState& state, const Cuboid& body) {
+  const Cage cage = drawnCage(state, body);
+  return !isFinite(state) || !cage.allFinite() ||
+         cage.colwise().norm().maxCoeff() > kDivergenceFactor * body.largestDimension();
 }
 
 }  // namespace
@@ -27,7 +29,6 @@ Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount,
   Measurement measurement(settings);
   const SimulationSettings& stepping = settings.simulation;
   const double h = stepping.timePerFrame / stepping.substeps;
-  const double farthest = kDivergenceFactor * settings.body.largestDimension();
 
   Trajectory result;
   result.interval = stepping.timePerFrame;
@@ -35,7 +36,7 @@ Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount,
     if (n > 0) simulator->advance(h, stepping.substeps);
     const double time = static_cast<double>(n) * result.interval;
     const BodyState state = simulator->state();
-    if (hasBlownUp(state, farthest)) {
+    if (hasBlownUp(state, settings.body)) {
       result.divergedAt = time;
       break;
     }

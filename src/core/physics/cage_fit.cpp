@@ -1,0 +1,13 @@
+#include "physics/cage_fit.h"
+
+#include <Eigen/LU>
+
+namespace rotatebook::physics {
+
+CageFit::CageFit(const Cuboid& body) {
+  const Cage corners = body.corners();
+  const Eigen::Matrix3d products = corners * corners.transpose();
+  mapFromCage_ = corners.transpose() * products.inverse();
+}
+
+}  // namespace rotatebook::physics

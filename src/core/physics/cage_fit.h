@@ -1,0 +1,22 @@
+// The pose of a deformed body.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "physics/cuboid.h"
+
+namespace rotatebook::physics {
+
+/// Fits linear maps to the cages of one body, by least squares over its eight corners.
+class CageFit {
+ public:
+  explicit CageFit(const Cuboid& body);
+
+  /// The linear map of the body that comes nearest to `cage`, wherever its centre is.
+  Eigen::Matrix3d worldFromBody(const Cage& cage) const { return cage * mapFromCage_; }
+
+ private:
+  Eigen::Matrix<double, 8, 3> mapFromCage_;  // C^T (C C^T)^-1 of the body's corners C
+};
+
+}  // namespace rotatebook::physics

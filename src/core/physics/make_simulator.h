@@ -1,0 +1,15 @@
+// From the settings of a motion to its simulator.
+#pragma once
+
+#include <memory>
+
+#include "physics/motion_settings.h"
+#include "physics/simulator.h"
+
+namespace rotatebook::physics {
+
+/// The simulator that `settings` ask for, at t = 0. Throws InputError as InitialSpin::tilted()
+/// does, and if the model doesn't have the integrator.
+std::unique_ptr<Simulator> makeSimulator(const MotionSettings& settings);
+
+}  // namespace rotatebook::physics

@@ -1,0 +1,15 @@
+#include "physics/motion_start.h"
+
+namespace rotatebook::physics {
+
+PrincipalAxes modelInertia(const MotionSettings& settings) {
+  const bool particles = settings.simulation.model == Model::Particles;
+  if (!particles && settings.inertia) return principalAxes(*settings.inertia);
+  return {particles ? settings.body.particleInertia() : settings.body.solidInertia()};
+}
+
+Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings) {
+  return settings.initial.angularVelocity(modelInertia(settings));
+}
+
+}  // namespace rotatebook::physics

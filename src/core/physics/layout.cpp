@@ -11,7 +11,7 @@ void requireSame(bool here, bool there, const std::string& flag) {
   if (here == there) return;
   throw InputError("rotatebook was built " + std::string(here ? "without " : "with ") + flag +
                    ", this program " + (here ? "with" : "without") +
-                   " it; link rotatebook::core by CMake, which passes it on");
+                   " it; link rotatebook::core by CMake, which passes the flags on");
 }
 
 void requireSame(std::size_t here, std::size_t there, const std::string& type) {

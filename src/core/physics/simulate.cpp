@@ -24,7 +24,8 @@ bool hasBlownUp(const BodyState& state, const Cuboid& body) {
 }  // namespace
 
 Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount,
-                    const std::atomic<bool>* stop) {
+                    const std::atomic<bool>* stop, const Layout& caller) {
+  requireSameLayout(caller);
   const auto simulator = makeSimulator(settings);
   Measurement measurement(settings);
   const SimulationSettings& stepping = settings.simulation;

@@ -80,7 +80,8 @@ void notePlaces(const ValueReader& file, Scene& scene) {
 }  // namespace
 
 Scene parseScene(std::string_view text, const std::filesystem::path& path,
-                 std::span<const std::string> overrides) {
+                 std::span<const std::string> overrides, const physics::Layout& caller) {
+  requireSameLayout(caller);
   TomlNode tree = parseToml(text, path.string());
   applyOverrides(tree, overrides);
 

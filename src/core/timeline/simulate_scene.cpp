@@ -21,7 +21,9 @@ physics::Trajectory simulate(const scene::Scene& scene, const scene::Panel& pane
 
 }  // namespace
 
-ClipMotion simulateScene(const scene::Scene& scene, const std::atomic<bool>* stop) {
+ClipMotion simulateScene(const scene::Scene& scene, const std::atomic<bool>* stop,
+                         const physics::Layout& caller) {
+  requireSameLayout(caller);
   std::vector<physics::Trajectory> trajectories;
   for (const scene::Panel& panel : scene::motionsOf(scene)) {
     trajectories.push_back(simulate(scene, panel, stop));

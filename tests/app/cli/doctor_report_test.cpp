@@ -94,7 +94,7 @@ TEST(DoctorReport, IsJsonToo) {
                       "\"drm_node\": null, \"render_node\": \"/dev/dri/renderD128\", \"cuda\": 1, "
                       "\"failure\": {\"call\": \"eglInitialize\", \"error\": "
                       "\"EGL_NOT_INITIALIZED\"}}"),
-            HasSubstr("\"free_bytes\": 12340000000"), HasSubstr("do this:\\u000a  a command")));
+            HasSubstr("\"free_bytes\": 12340000000"), HasSubstr("do this:\\n  a command")));
 }
 
 }  // namespace

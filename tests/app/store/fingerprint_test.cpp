@@ -64,7 +64,7 @@ TEST(Fingerprint, IsOfTheTexturesThatWereDrawn) {
   picture.row(0)[0] ^= 1;
   image::writePng(cover, picture.view());
   EXPECT_NE(system::checksumOfFile(cover), drawn);
-  const auto made = fingerprint(scene, drawer.textureChecksums(), drawer.description(), 1);
+  const auto made = fingerprint(scene, drawer.textureChecksums(), drawer.description());
   EXPECT_EQ(made.at("book.front"), drawn);
   EXPECT_EQ(makingOf(scene, motion, drawer.textureChecksums(), "r").textures,
             "book.front " + drawn);

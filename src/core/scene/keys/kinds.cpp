@@ -1,5 +1,6 @@
-#include "base/text.h"
 #include "scene/keys/kinds.h"
+
+#include "base/text.h"
 
 namespace rotatebook::scene {
 

@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-#include "physics/elementary.h"
 #include "base/text.h"
+#include "physics/elementary.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
 #include "scene/sections.h"

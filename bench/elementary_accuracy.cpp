@@ -4,10 +4,10 @@
 #include <cstdlib>
 #include <iostream>
 
-#include "physics/correct_rounding.h"
+#include "base/correct_rounding.h"
 
 int main(int argc, char** argv) {
-  using namespace rotatebook::physics;
+  using namespace rotatebook;
   const std::int64_t count = argc > 1 ? std::atoll(argv[1]) : 10'000'000;
   std::size_t wrong = 0;
   for (const RoundedFunction& function : roundedFunctions()) {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "base/checksum.h"
-#include "physics/elementary.h"
+#include "base/elementary.h"
 #include "scene/scene_text.h"
 #include "timeline/motion_checksum.h"
 #include "timeline/simulate_scene.h"
@@ -50,11 +50,9 @@ std::string elementaryRow() {
   for (int i = 0; i < 65'536; ++i) {
     const double x = static_cast<double>(bits() >> 11) * 0x1p-49 - 8;  // in [-8, 8)
     const double y = static_cast<double>(bits() >> 11) * 0x1p-49 - 8;
-    for (const double result :
-         {physics::sine(x), physics::cosine(1e4 * y), physics::arcTangent(x),
-          physics::arcTangent(y, x), physics::exponential(80 * x), physics::logarithm(x * x),
-          physics::hyperbolicTangent(x), physics::inverseHyperbolicSine(y),
-          physics::roundedHypotenuse(x, y)}) {
+    for (const double result : {sine(x), cosine(1e4 * y), arcTangent(x), arcTangent(y, x),
+                                exponential(80 * x), logarithm(x * x), hyperbolicTangent(x),
+                                inverseHyperbolicSine(y), roundedHypotenuse(x, y)}) {
       add(result);
     }
   }

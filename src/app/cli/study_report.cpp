@@ -29,11 +29,11 @@ std::string formatted(const char* format, Numbers... numbers) {
 }
 
 std::string orderLine(const study::IntegratorOrder& order) {
-  const physics::OrderFit& fit = order.fit;
+  const study::OrderFit& fit = order.fit;
   std::string line = formatted("%-16s ", name(order.integrator).c_str());
   if (std::isnan(fit.order)) {
     return line + "no order: usable runs are " + std::to_string(fit.runs) + ", needed are " +
-           std::to_string(physics::kFewestRuns);
+           std::to_string(study::kFewestRuns);
   }
   return line + formatted("order %5.2f from %2d runs, steps of %.3g to %.3g s", fit.order, fit.runs,
                           fit.shortest, fit.longest);

@@ -12,11 +12,11 @@
 
 #include "image/image.h"
 #include "image/light_mean.h"
-#include "physics/reference_frame.h"
 #include "picture/composition.h"
 #include "picture/frame_painter.h"
 #include "picture/textures.h"
 #include "render/renderer.h"
+#include "scene/reference_frame.h"
 #include "scene/scene.h"
 #include "timeline/clip_motion.h"
 #include "timeline/shutter_moments.h"
@@ -58,7 +58,7 @@ class FrameDrawer final : public FramePainter {
 
   const timeline::ClipMotion* motion_;
   Composition composition_;
-  physics::ReferenceFrame frame_;
+  scene::ReferenceFrame frame_;
   render::Camera camera_;
   TextureChecksums textureChecksums_;
   render::Renderer renderer_;  // of a panel

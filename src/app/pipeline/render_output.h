@@ -1,4 +1,4 @@
-// What a render is to make of its frames, as its caller hands it in.
+// What a render is to make of its frames, as its caller hands it in. Inside the room only.
 #pragma once
 
 #include <functional>

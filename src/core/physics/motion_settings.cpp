@@ -3,9 +3,9 @@
 #include <cmath>
 #include <string>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/number_text.h"
-#include "physics/elementary.h"
 
 namespace rotatebook::physics {
 namespace {

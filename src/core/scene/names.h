@@ -47,10 +47,10 @@ inline bool isSpin(std::string_view key) {
 
 inline constexpr std::array<Named<int>, 3> kAxes{{{"x", 0}, {"y", 1}, {"z", 2}}};
 
-inline constexpr std::array<Named<physics::ReferenceFrame>, 3> kFrames{{
-    {"world", physics::ReferenceFrame::World},
-    {"body", physics::ReferenceFrame::Body},
-    {"momentum", physics::ReferenceFrame::Momentum},
+inline constexpr std::array<Named<ReferenceFrame>, 3> kFrames{{
+    {"world", ReferenceFrame::World},
+    {"body", ReferenceFrame::Body},
+    {"momentum", ReferenceFrame::Momentum},
 }};
 
 inline constexpr std::array<Named<Background>, 3> kBackgrounds{{

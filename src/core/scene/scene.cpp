@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "physics/elementary.h"
+#include "base/elementary.h"
 
 namespace rotatebook::scene {
 
@@ -28,11 +28,11 @@ Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldO
   // From the right and a little above: all three kinds of sides show, the cover most of all.
   const Eigen::Vector3d direction = Eigen::Vector3d(0.42, 0.30, 1).normalized();
   const double halfAngle = fieldOfViewDeg / 2 * std::numbers::pi / 180;
-  const double halfHeight = physics::sine(halfAngle) / physics::cosine(halfAngle);
+  const double halfHeight = sine(halfAngle) / cosine(halfAngle);
   const double halfWidth = halfHeight * width / height;
-  const double narrowerHalfAngle = physics::arcTangent(std::min(halfHeight, halfWidth));
+  const double narrowerHalfAngle = arcTangent(std::min(halfHeight, halfWidth));
   // The sphere that the corners never leave touches the narrower pair of the view's sides.
-  return direction * (kMargin * body.size.norm() / 2 / physics::sine(narrowerHalfAngle));
+  return direction * (kMargin * body.size.norm() / 2 / sine(narrowerHalfAngle));
 }
 
 bool shows(const Scene& scene, Overlay overlay) {

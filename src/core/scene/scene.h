@@ -13,9 +13,9 @@
 
 #include "base/frame_rate.h"
 #include "physics/motion_settings.h"
-#include "physics/reference_frame.h"
 #include "scene/expectation.h"
 #include "scene/overlays.h"
+#include "scene/reference_frame.h"
 #include "scene/study_settings.h"
 
 namespace rotatebook::scene {
@@ -53,7 +53,7 @@ struct CameraSettings {
   /// From the picture's bottom to its top, 1 to 170; in panels over the shorter side. [degrees]
   double fieldOfViewDeg = 30;
   /// What the camera turns with; its position, target and up are along these axes.
-  physics::ReferenceFrame frame = physics::ReferenceFrame::World;
+  ReferenceFrame frame = ReferenceFrame::World;
 
   friend bool operator==(const CameraSettings&, const CameraSettings&) = default;
 };

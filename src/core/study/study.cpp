@@ -84,12 +84,12 @@ std::vector<std::size_t> longestFirst(const std::vector<MotionSettings>& runs) {
 }
 
 IntegratorOrder orderOf(physics::Integrator integrator, const std::vector<PrecisionRow>& rows) {
-  std::vector<physics::ErrorAtStep> runs;
+  std::vector<ErrorAtStep> runs;
   for (const PrecisionRow& row : rows) {
     const bool counts = row.integrator == integrator && row.end.kind == RunEnd::Kind::Whole;
     if (counts) runs.push_back({row.h, row.errorDeg});
   }
-  return {integrator, physics::fitOrder(runs)};
+  return {integrator, fitOrder(runs)};
 }
 
 TiltRow runTilt(const MotionSettings& settings, std::int64_t frames, Stop stop) {

@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
-#include "physics/measure/order_fit.h"
 #include "physics/motion_settings.h"
 #include "scene/scene.h"
 #include "scene/study_settings.h"
+#include "study/order_fit.h"
 
 namespace rotatebook::study {
 
@@ -54,7 +54,7 @@ struct PrecisionRow {
 /// What an integrator's rows show.
 struct IntegratorOrder {
   physics::Integrator integrator = physics::Integrator::Euler;
-  physics::OrderFit fit;
+  OrderFit fit;
 };
 
 struct PrecisionStudy {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "overlay/body_box.h"
-#include "physics/reference_frame.h"
+#include "scene/reference_frame.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -143,7 +143,7 @@ Trail::Trail(const MarkContext& context)
     : context_(context), length_(context.scene.clip.frameRate.framesIn(kTrailTime)) {
   const ArrowScale scale(context);
   for (const physics::Sample& sample : context.trajectory.samples) {
-    const Eigen::Matrix3d turn = physics::frameFromWorld(context.scene.camera.frame, sample);
+    const Eigen::Matrix3d turn = scene::frameFromWorld(context.scene.camera.frame, sample);
     tips_.push_back(turn * scale.omegaTip(sample.angularVelocity));
   }
 }

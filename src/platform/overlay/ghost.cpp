@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "physics/motion_start.h"
-#include "physics/reference_frame.h"
+#include "scene/reference_frame.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -89,7 +89,7 @@ Ghost::Ghost(const MarkContext& context)
 void Ghost::draw(const View& view) {
   const auto& samples = context_.trajectory.samples;
   const physics::Sample& sample = samples[static_cast<std::size_t>(view.frame)];
-  const Eigen::Matrix3d turn = physics::frameFromWorld(context_.scene.camera.frame, sample) *
+  const Eigen::Matrix3d turn = scene::frameFromWorld(context_.scene.camera.frame, sample) *
                                exact_.at(sample.time).worldFromBody;
   const SeenBox box(turn * context_.scene.body.corners(), view.projector);
   if (box.corners.size() < 8) return;

@@ -13,8 +13,8 @@
 #include "overlay/palette.h"
 #include "overlay/projector.h"
 #include "overlay/text.h"
-#include "physics/reference_frame.h"
 #include "physics/trajectory.h"
+#include "scene/reference_frame.h"
 #include "scene/scene.h"
 
 namespace rotatebook::overlay {

@@ -184,8 +184,7 @@ struct Marks::Parts {
 
   /// As the camera's frame has it.
   physics::Sample sampleAt(std::int64_t frame) const {
-    return physics::seenFrom(scene.camera.frame,
-                             trajectory.samples[static_cast<std::size_t>(frame)]);
+    return scene::seenFrom(scene.camera.frame, trajectory.samples[static_cast<std::size_t>(frame)]);
   }
 
   scene::Scene scene;

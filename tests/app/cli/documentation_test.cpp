@@ -95,7 +95,7 @@ std::string madeSmall(const std::string& command) {
 
 /// The program's command of `make render ...`, as `make -n` prints it; empty if there is none.
 std::string programsCommand(const std::string& printed) {
-  static const std::regex kProgram("(?:^|\n)build/[^/\n]+/src/cli/(rotatebook render [^\n]*)");
+  static const std::regex kProgram("(?:^|\n)build/[^/\n]+/(rotatebook render [^\n]*)");
   std::smatch found;
   return std::regex_search(printed, found, kProgram) ? found[1].str() : "";
 }

@@ -48,7 +48,7 @@ double norm(const Quadruple& q) {
 }
 
 // Inertia (13, 10, 5), spin (1, 2, 3), hence angular momentum (13, 20, 15).
-MotionSettings byHand(bool normalize) {
+MotionSettings quaternionByHand(bool normalize) {
   MotionSettings settings = spinning(Model::Quaternion, {1, 2, 3}, 0.1);
   settings.body = {{1, 2, 3}, 12};
   settings.simulation.normalize = normalize;
@@ -66,7 +66,7 @@ double distance(const BodyState& state, const Quadruple& q, const Cuboid& body) 
 }
 
 void compareWithStepsByHand(bool normalize) {
-  const MotionSettings settings = byHand(normalize);
+  const MotionSettings settings = quaternionByHand(normalize);
   const auto simulator = makeSimulator(settings);
   Quadruple expected{1, 0, 0, 0};
   for (int step = 0; step < 5; ++step) {
@@ -95,7 +95,7 @@ TEST(QuaternionSimulator, DividesByTheNormIfNormalised) {
 }
 
 TEST(QuaternionSimulator, TakesTheFirstStepOfLiteralNumbers) {
-  const MotionSettings settings = byHand(false);
+  const MotionSettings settings = quaternionByHand(false);
   const auto simulator = makeSimulator(settings);
   simulator->advance(0.1, 1);
   const Quadruple expected{1, 0.05, 0.1, 0.15};
@@ -124,7 +124,7 @@ TEST(QuaternionSimulator, GrowsInNormAsExplicitEulerMust) {
 }
 
 TEST(QuaternionSimulator, ReportsTheEnergyAndMomentumOfTheSolidBody) {
-  const BodyState state = makeSimulator(byHand(true))->state();
+  const BodyState state = makeSimulator(quaternionByHand(true))->state();
   EXPECT_LT((state.angularMomentum - Vector3d(13, 20, 15)).norm(), kQuaternionStepBound);
   EXPECT_LT((state.angularVelocity - Vector3d(1, 2, 3)).norm(), kQuaternionStepBound);
   EXPECT_NEAR(state.kinetic, 49, kQuaternionStepBound);  // (13 + 40 + 45) / 2

@@ -131,8 +131,8 @@ TEST(CameraSection, ReadsEveryKey) {
   EXPECT_EQ(scene.camera.target, Eigen::Vector3d(0, 0.5, 0));
   EXPECT_EQ(scene.camera.up, Eigen::Vector3d(1, 0, 0));
   EXPECT_EQ(scene.camera.fieldOfViewDeg, 45);
-  EXPECT_EQ(scene.camera.frame, physics::ReferenceFrame::Momentum);
-  EXPECT_EQ(sceneFrom("").camera.frame, physics::ReferenceFrame::World);
+  EXPECT_EQ(scene.camera.frame, ReferenceFrame::Momentum);
+  EXPECT_EQ(sceneFrom("").camera.frame, ReferenceFrame::World);
 }
 
 TEST(CameraSection, RefusesAnUnknownFrame) {

@@ -30,7 +30,7 @@ Scene unusualScene() {
   scene.initial = {InitialSpin::Kind::AngularMomentum, {-0.0, 1e-20, 0.7}, physics::Tilt{0.1, 1}};
   scene.clip = {640, 362, {30000, 1001}, 2.0 / 3, 0.2};
   scene.video = {7, "slow", 3};
-  scene.camera = {{1.0 / 7, -2, 3}, {0.25, 0, 0}, {0, 0, 1}, 44.4, physics::ReferenceFrame::Body};
+  scene.camera = {{1.0 / 7, -2, 3}, {0.25, 0, 0}, {0, 0, 1}, 44.4, ReferenceFrame::Body};
   scene.book = {"f \"1\".png", "s.png", "../b.png"};
   scene.look = {Background::Stars, 2, 8};
   scene.overlay = {{Overlay::Clock, Overlay::Caption}, "Some \"font\""};

@@ -11,7 +11,7 @@
 #include "overlay/arrows.h"
 #include "overlay/motion.h"
 #include "overlay/words.h"
-#include "physics/reference_frame.h"
+#include "scene/reference_frame.h"
 #include "scene/shipped_scene.h"
 
 namespace rotatebook::overlay {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "physics/elementary.h"
+#include "base/elementary.h"
 
 namespace rotatebook::physics {
 namespace {

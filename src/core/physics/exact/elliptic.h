@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "physics/double_double.h"
+#include "base/double_double.h"
 
 namespace rotatebook::physics {
 

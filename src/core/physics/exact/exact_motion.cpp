@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include "physics/elementary.h"
+#include "base/elementary.h"
 #include "physics/rotation.h"
 
 namespace rotatebook::physics {

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "physics/double_double.h"
+#include "base/double_double.h"
 #include "physics/exact/elliptic.h"
 #include "physics/exact/polhode.h"
 #include "physics/measure/regime.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "physics/elementary.h"
+#include "base/elementary.h"
 #include "physics/exact/elliptic.h"
 #include "physics/measure/regime.h"
 

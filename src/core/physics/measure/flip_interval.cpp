@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "physics/elementary.h"
+#include "base/elementary.h"
 #include "physics/measure/regime.h"
 
 namespace rotatebook::physics {

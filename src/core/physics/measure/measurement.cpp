@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "physics/elementary.h"
+#include "base/elementary.h"
 #include "physics/motion_start.h"
 #include "physics/rotation.h"
 

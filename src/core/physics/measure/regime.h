@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "physics/double_double.h"
+#include "base/double_double.h"
 
 namespace rotatebook::physics {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/text.h"
-#include "scene/key_rows.h"
+#include "scene/keys/key_row.h"
 #include "scene/toml_text.h"
 #include "scene/value_reader.h"
 

@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/text.h"
-#include "physics/elementary.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
 #include "scene/sections.h"
@@ -27,8 +27,7 @@ constexpr NumberRange kMoments{"three moments of inertia up to 1e21 kg m^2", -1e
 constexpr NumberRange kRow{"rows of three numbers up to 1e21 kg m^2", -1e21, 1e21};
 // Their squares and inverses are numbers, too.
 constexpr NumberRange kStepTimes{"a time from 1e-100 to 1e100 s", 1e-100, 1e100};
-constexpr NumberRange kTilt{"an angle from -1e6 to 1e6 rad", -physics::kLargestAngle,
-                            physics::kLargestAngle};
+constexpr NumberRange kTilt{"an angle from -1e6 to 1e6 rad", -kLargestAngle, kLargestAngle};
 constexpr const char* kBoundsWords = "a table such as { min = 1.0 } or an array of them";
 constexpr const char* kTiltWords = "an angle and an axis, such as [0.001, \"z\"]";
 constexpr NumberRange kNotNegative{"zero or a positive number", 0, Limits::max()};

@@ -91,4 +91,8 @@ extern const char* const kInstallMesa;
 /// A line that sends whoever can't draw to the doctor; begins with the end of the line before.
 extern const char* const kAskDoctor;
 
+/// The library that is missing, EGL's or OpenGL's. libepoxy ends the process where it finds none,
+/// so ask before anything else.
+std::optional<CallFailure> missingLibrary();
+
 }  // namespace rotatebook::render

@@ -4,22 +4,11 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <string>
 
+#include "render/device/context_info.h"
 #include "render/device/device.h"
 
 namespace rotatebook::render {
-
-/// What an OpenGL context reports of itself.
-struct ContextInfo {
-  std::string vendor, renderer;
-  std::string version;  ///< Of OpenGL: "4.5"
-  int samples = 0;      ///< GL_MAX_SAMPLES
-};
-
-/// The library that is missing, EGL's or OpenGL's. libepoxy ends the process where it finds none,
-/// so ask before anything else.
-std::optional<CallFailure> missingLibrary();
 
 /// The ways that EGL offers, in the order in which a render tries them.
 class DisplayProbe {

@@ -8,7 +8,6 @@
 #include <epoxy/egl.h>
 
 #include "render/device/device.h"
-#include "render/device/display_probe.h"
 
 namespace rotatebook::render {
 

@@ -6,6 +6,7 @@
 
 #include <epoxy/egl.h>
 
+#include "render/device/context_info.h"
 #include "render/device/egl_ways.h"
 
 namespace rotatebook::render {

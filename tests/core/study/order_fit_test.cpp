@@ -1,4 +1,4 @@
-#include "physics/measure/order_fit.h"
+#include "study/order_fit.h"
 
 #include <cmath>
 #include <functional>
@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rotatebook::physics {
+namespace rotatebook::study {
 namespace {
 
 constexpr double kFitBound = 1e-13;   // measured 2e-15
@@ -98,4 +98,4 @@ TEST(FitOrder, FindsNoneInRoundingAlone) {
 }
 
 }  // namespace
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::study

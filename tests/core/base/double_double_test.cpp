@@ -1,10 +1,10 @@
-#include "physics/double_double.h"
+#include "base/double_double.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-namespace rotatebook::physics {
+namespace rotatebook {
 namespace {
 
 constexpr double kBound = 1e-31;  // relative; measured 9e-33
@@ -41,4 +41,4 @@ TEST(DoubleDouble, FindsTheHypotenuseOfTheSmallest) {
 }
 
 }  // namespace
-}  // namespace rotatebook::physics
+}  // namespace rotatebook

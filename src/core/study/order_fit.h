@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-namespace rotatebook::physics {
+namespace rotatebook::study {
 
 /// The error of one run.
 struct ErrorAtStep {
@@ -36,4 +36,4 @@ inline constexpr double kFloorMargin = 10;
 /// Errors of exactly 0 show nothing.
 OrderFit fitOrder(std::span<const ErrorAtStep> runs);
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::study

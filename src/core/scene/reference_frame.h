@@ -5,7 +5,7 @@
 
 #include "physics/sample.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::scene {
 
 /// Axes that a motion is described in.
 enum class ReferenceFrame {
@@ -16,10 +16,10 @@ enum class ReferenceFrame {
 
 /// The rotation from the world's axes to those of `frame` at this moment. Without angular momentum
 /// ReferenceFrame::Momentum is the world's; where it points along -y, the turn is about x.
-Eigen::Matrix3d frameFromWorld(ReferenceFrame frame, const Sample& sample);
+Eigen::Matrix3d frameFromWorld(ReferenceFrame frame, const physics::Sample& sample);
 
 /// `sample` with cage, attitude, angular velocity and angular momentum along the axes of `frame`
 /// at its moment. What has no direction stays as it is.
-Sample seenFrom(ReferenceFrame frame, const Sample& sample);
+physics::Sample seenFrom(ReferenceFrame frame, const physics::Sample& sample);
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::scene

@@ -1,10 +1,10 @@
-#include "physics/reference_frame.h"
+#include "scene/reference_frame.h"
 
 #include <Eigen/Geometry>
 
 #include "physics/rotation.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::scene {
 namespace {
 
 /// The shortest turn from unit vector `from` to +y.
@@ -13,13 +13,13 @@ Eigen::Matrix3d turnToY(const Eigen::Vector3d& from) {
   const double cosine = from.y();
   if (1 + cosine < kLeast) return Eigen::Vector3d(1, -1, -1).asDiagonal();
   const Eigen::Vector3d axis = from.cross(Eigen::Vector3d::UnitY());  // as long as the sine
-  return cosine * Eigen::Matrix3d::Identity() + crossMatrix(axis) +
+  return cosine * Eigen::Matrix3d::Identity() + physics::crossMatrix(axis) +
          axis * axis.transpose() / (1 + cosine);
 }
 
 }  // namespace
 
-Eigen::Matrix3d frameFromWorld(ReferenceFrame frame, const Sample& sample) {
+Eigen::Matrix3d frameFromWorld(ReferenceFrame frame, const physics::Sample& sample) {
   switch (frame) {
     case ReferenceFrame::World:
       break;
@@ -33,10 +33,10 @@ Eigen::Matrix3d frameFromWorld(ReferenceFrame frame, const Sample& sample) {
   return Eigen::Matrix3d::Identity();
 }
 
-Sample seenFrom(ReferenceFrame frame, const Sample& sample) {
+physics::Sample seenFrom(ReferenceFrame frame, const physics::Sample& sample) {
   if (frame == ReferenceFrame::World) return sample;
   const Eigen::Matrix3d turn = frameFromWorld(frame, sample);
-  Sample seen = sample;
+  physics::Sample seen = sample;
   seen.cage = turn * sample.cage;
   seen.attitude = Eigen::Quaterniond(turn) * sample.attitude;
   seen.angularVelocity = turn * sample.angularVelocity;
@@ -44,4 +44,4 @@ Sample seenFrom(ReferenceFrame frame, const Sample& sample) {
   return seen;
 }
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::scene

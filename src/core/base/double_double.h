@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-namespace rotatebook::physics {
+namespace rotatebook {
 
 /// The unevaluated sum of two doubles, `low` at most half a unit in the last place of `high`: 106
 /// bits, in a double's range. Each operation below is good to a few 1e-32 of its result (Dekker
@@ -134,4 +134,4 @@ inline DoubleDouble hypotenuse(DoubleDouble a, DoubleDouble b) {
   return scaled(squareRoot(x * x + y * y), exponent);
 }
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook

@@ -7,9 +7,9 @@
 // NaN gives NaN; zeros keep their signs and infinities have their limits as in IEEE 754, section 9.
 #pragma once
 
-#include "physics/double_double.h"
+#include "base/double_double.h"
 
-namespace rotatebook::physics {
+namespace rotatebook {
 
 inline constexpr DoubleDouble kPi{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
 
@@ -50,4 +50,4 @@ double inverseHyperbolicSine(double x);
 /// number.
 double roundedHypotenuse(double x, double y);
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook

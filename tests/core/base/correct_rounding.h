@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "physics/elementary.h"
+#include "base/elementary.h"
 
-namespace rotatebook::physics {
+namespace rotatebook {
 
 /// A function of MPFR, of one argument or of two.
 using MpfrUnary = int (*)(mpfr_t, const mpfr_t, mpfr_rnd_t);
@@ -188,4 +188,4 @@ inline std::vector<RoundedFunction::Point> wronglyRounded(const RoundedFunction&
   return wrong;
 }
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook

@@ -1,4 +1,4 @@
-#include "physics/elementary.h"
+#include "base/elementary.h"
 
 #include <bit>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "physics/correct_rounding.h"
+#include "base/correct_rounding.h"
 
-namespace rotatebook::physics {
+namespace rotatebook {
 namespace {
 
 using Limits = std::numeric_limits<double>;
@@ -147,4 +147,4 @@ TEST(CosineSine, TakesAnAngleOfTwoDoubles) {
 }
 
 }  // namespace
-}  // namespace rotatebook::physics
+}  // namespace rotatebook

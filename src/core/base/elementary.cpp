@@ -1,4 +1,4 @@
-#include "physics/elementary.h"
+#include "base/elementary.h"
 
 #include <array>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-namespace rotatebook::physics {
+namespace rotatebook {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -391,4 +391,4 @@ double roundedHypotenuse(double x, double y) {
   return scaledDouble(squareRoot(exactProduct(a, a) + exactProduct(b, b)), exponent);
 }
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook

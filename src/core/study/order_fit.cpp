@@ -1,12 +1,12 @@
-#include "physics/measure/order_fit.h"
+#include "study/order_fit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "physics/elementary.h"
+#include "base/elementary.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::study {
 namespace {
 
 using Runs = std::vector<ErrorAtStep>;
@@ -73,4 +73,4 @@ OrderFit fitOrder(std::span<const ErrorAtStep> all) {
   return fit;
 }
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::study

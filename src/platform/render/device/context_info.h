@@ -1,0 +1,15 @@
+// What an OpenGL context is of.
+#pragma once
+
+#include <string>
+
+namespace rotatebook::render {
+
+/// What an OpenGL context reports of itself.
+struct ContextInfo {
+  std::string vendor, renderer;
+  std::string version;  ///< Of OpenGL: "4.5"
+  int samples = 0;      ///< GL_MAX_SAMPLES
+};
+
+}  // namespace rotatebook::render

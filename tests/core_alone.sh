@@ -23,7 +23,7 @@ throws() {
   [ "$shown" = "$expected" ] || { echo "$1: $shown, not $expected" >&2; exit 1; }
   step "examples/throw, $1: $shown"
 }
-expected="EXPECTED"
+expected="2 half-turns, motion 496a5d3b94ba3d62b27d8e72f7542f28"
 
 configure clang clang++ -DCMAKE_BUILD_TYPE=Release
 cmake --build "$build/clang" >> "$build/clang.log"

@@ -35,7 +35,8 @@ namespace {
 #endif
   // The product is 1 - 2^-60, which one rounding more makes 1.
   const volatile double above = 1 + 0x1p-30, below = 1 - 0x1p-30;
-  layout.contractsProducts = above * below - 1 != 0;
+  const volatile double left = above * below - 1;
+  layout.contractsProducts = left != 0;
   return layout;
 }
 

@@ -1,4 +1,4 @@
-// What an OpenGL context is of.
+// What an OpenGL context is of. Inside the room only.
 #pragma once
 
 #include <string>

@@ -176,7 +176,7 @@ TEST_F(StudyCommand, ShowsABarOnATerminal) {
   settings.terminal = true;
   const ChildResult result = run({"study", "tiny.toml"}, settings);
   EXPECT_EQ(result.status, 0);
-  EXPECT_THAT(result.error, HasSubstr("\rtiny  [################] 100 %  110/110 runs, "));
+  EXPECT_THAT(result.error, HasSubstr("\rtiny  [################] 100 %  154/154 runs, "));
 }
 
 class InterruptedStudy : public ProgramTest, public ::testing::WithParamInterface<int> {};

@@ -92,7 +92,7 @@ void readTilts(const ValueReader& value, Scene& scene) {
 
 /// The text of a list, none for an empty one.
 template <typename T, typename Text>
-auto listOf(std::vector<T> StudySettings::*list, const Text& text) {
+auto listOf(std::vector<T> StudySettings::*list, Text text) {
   return [list, text](const Scene& scene) {
     const std::vector<T>& values = *scene.study.*list;
     return values.empty() ? "" : listText(values, text);

@@ -1,6 +1,8 @@
-// toml++, with a mistake mended: it declares unreachable what letters outside quotes reach, such as
-// the é of `a = 1é`. There they are no blanks. Only for toml_tree.cpp.
+// toml++, with a mistake fixed: it declares unreachable what letters outside quotes reach, such as
+// the é of `a = 1é`. There they aren't blanks. Only for toml_tree.cpp.
 #pragma once
+
+#include <cstdint>  // toml++ forgets it.
 
 #if __has_include(<toml++/impl/preprocessor.h>)
 #include <toml++/impl/preprocessor.h>

@@ -128,7 +128,7 @@ TEST(Panels, AreNamedInWhatIsWrongWithTheirMotion) {
 
 std::vector<fs::path> filesOf(const std::vector<std::string>& labels) {
   scene::Scene scene;
-  for (const std::string& label : labels) scene.panels.push_back({.label = label});
+  for (const std::string& label : labels) scene.panels.emplace_back().label = label;
   return store::csvFiles("out/a.csv", scene);
 }
 

@@ -259,12 +259,12 @@ TEST(ExpectSection, ReadsArraysAndKeepsTheOrder) {
   const Scene scene = sceneFrom(
       "[expect]\nstretch = [{ max = 1.01, to = 2 }, { rises_to = 2, from = 2 }]\n"
       "half_turns.min = 3\n[[expect.energy_ratio]]\nmax = 9");
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kNoEnd = std::numeric_limits<double>::infinity();
   const std::vector<Expectation> expected{
       {Quantity::Stretch, {}, 1.01, {}, {}, 0, 2},
-      {Quantity::Stretch, {}, {}, 2, {}, 2, kInfinity},
-      {Quantity::HalfTurns, 3, {}, {}, {}, 0, kInfinity},
-      {Quantity::EnergyRatio, {}, 9, {}, {}, 0, kInfinity},
+      {Quantity::Stretch, {}, {}, 2, {}, 2, kNoEnd},
+      {Quantity::HalfTurns, 3, {}, {}, {}, 0, kNoEnd},
+      {Quantity::EnergyRatio, {}, 9, {}, {}, 0, kNoEnd},
   };
   EXPECT_EQ(scene.expectations, expected);
 }

@@ -26,7 +26,8 @@ TEST(ReferenceFrame, OfTheBodyHoldsItStill) {
   const physics::Sample sample = tumblingSample(), seen = seenFrom(ReferenceFrame::Body, sample);
   EXPECT_GT(sample.attitude.angularDistance(Eigen::Quaterniond::Identity()), 1);
   EXPECT_LT(seen.attitude.angularDistance(Eigen::Quaterniond::Identity()), 1e-7);
-  EXPECT_LT((seen.cage - physics::Cuboid().corners()).cwiseAbs().maxCoeff(), 1e-3);  // Euler's drift
+  EXPECT_LT((seen.cage - physics::Cuboid().corners()).cwiseAbs().maxCoeff(),
+            1e-3);  // Euler's drift
   EXPECT_LT((seen.angularVelocity - sample.attitude.conjugate() * sample.angularVelocity).norm(),
             1e-12);
 }

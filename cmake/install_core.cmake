@@ -11,6 +11,10 @@ foreach(target core numerics ${core})
   set_target_properties(rotatebook_${target} PROPERTIES EXPORT_NAME ${target})
 endforeach()
 
+if(ROTATEBOOK_SANITIZE)  # What they link isn't installed.
+  return()
+endif()
+
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/rotatebook)
 install(TARGETS rotatebook_core rotatebook_numerics ${targets} EXPORT rotatebook)
 install(EXPORT rotatebook NAMESPACE rotatebook:: DESTINATION ${package} FILE rotatebookTargets.cmake)

@@ -7,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "overlay/mark_rows.h"
 #include "overlay/motion.h"
+#include "scene/names.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -182,6 +184,13 @@ TEST(Marks, RefuseALabelThatWouldHideTheBook) {
   EXPECT_NE(labelRefusal(endless, "1280, 720").find("rows, which leaves too little"),
             std::string::npos);
   EXPECT_EQ(labelRefusal(endless, "320, 180"), "no error");  // For a quick look only.
+}
+
+TEST(MarkRows, HaveAMarkUnlessTheyAreWords) {
+  for (const MarkRow& row : markRows()) {
+    EXPECT_EQ(row.make == nullptr, row.placement == Placement::Words)
+        << scene::nameOf(scene::kOverlays, row.overlay);
+  }
 }
 
 }  // namespace

@@ -58,15 +58,6 @@ Eigen::Vector3d centreOf(const physics::Sample& sample) {
   return sample.cage.rowwise().mean();
 }
 
-/// One along `vector` [m] from the body's centre.
-Arrow vectorArrow(const MarkContext& context, const physics::Sample& sample,
-                  const Eigen::Vector3d& vector, const Colour& colour, const Layer& letter,
-                  const LetterWish& wish) {
-  const Eigen::Vector3d centre = centreOf(sample);
-  const Pen pen{colour, 1.5 * context.scale.line, 1, context.scale.halo};
-  return {centre, centre + vector, pen, &letter, wish};
-}
-
 void drawArrows(const View& view, const MarkContext& context, const std::vector<Arrow>& arrows) {
   const BodyBox box(context.scene.body, view.sample.cage);
   for (const Arrow& arrow : arrows) drawArrow(view, box, arrow.from, arrow.to, arrow.pen);
@@ -115,28 +106,57 @@ Eigen::Vector3d ArrowScale::momentumTip(const Eigen::Vector3d& angularMomentum) 
   return scaledTip(angularMomentum, momentum_, full, kLargestMomentum * full);
 }
 
-Omega::Omega(const MarkContext& context)
-    : context_(context), scale_(context), letter_(letter(context, "ω", kVelocityColour)) {}
+namespace {
 
-std::vector<Arrow> Omega::arrows(const physics::Sample& sample) const {
-  return {vectorArrow(context_, sample, scale_.omegaTip(sample.angularVelocity), kVelocityColour,
-                      letter_, kVelocityWish)};
+/// What a VectorArrow shows.
+struct ShownVector {
+  const char* letter;
+  Colour colour;
+  LetterWish wish;
+  Eigen::Vector3d (*tip)(const ArrowScale& scale, const physics::Sample& sample);  ///< [m]
+};
+
+const ShownVector kOmega{"ω", kVelocityColour, kVelocityWish,
+                         [](const ArrowScale& scale, const physics::Sample& sample) {
+                           return scale.omegaTip(sample.angularVelocity);
+                         }};
+const ShownVector kMomentum{"L", kMomentumColour, kMomentumWish,
+                            [](const ArrowScale& scale, const physics::Sample& sample) {
+                              return scale.momentumTip(sample.angularMomentum);
+                            }};
+
+/// A vector of the motion as an arrow from the body's centre.
+class VectorArrow final : public Mark {
+ public:
+  VectorArrow(const MarkContext& context, const ShownVector& shown)
+      : context_(context),
+        shown_(shown),
+        scale_(context),
+        letter_(letter(context, shown.letter, shown.colour)) {}
+
+  void draw(const View& view) override { drawArrows(view, context_, arrows(view.sample)); }
+
+  std::vector<Arrow> arrows(const physics::Sample& sample) const override {
+    const Eigen::Vector3d centre = centreOf(sample);
+    const Pen pen{shown_.colour, 1.5 * context_.scale.line, 1, context_.scale.halo};
+    return {{centre, centre + shown_.tip(scale_, sample), pen, &letter_, shown_.wish}};
+  }
+
+ private:
+  MarkContext context_;
+  ShownVector shown_;
+  ArrowScale scale_;
+  Layer letter_;
+};
+
+}  // namespace
+
+std::unique_ptr<Mark> makeOmega(const MarkContext& context, const Box&) {
+  return std::make_unique<VectorArrow>(context, kOmega);
 }
 
-void Omega::draw(const View& view) {
-  drawArrows(view, context_, arrows(view.sample));
-}
-
-Momentum::Momentum(const MarkContext& context)
-    : context_(context), scale_(context), letter_(letter(context, "L", kMomentumColour)) {}
-
-std::vector<Arrow> Momentum::arrows(const physics::Sample& sample) const {
-  return {vectorArrow(context_, sample, scale_.momentumTip(sample.angularMomentum), kMomentumColour,
-                      letter_, kMomentumWish)};
-}
-
-void Momentum::draw(const View& view) {
-  drawArrows(view, context_, arrows(view.sample));
+std::unique_ptr<Mark> makeMomentum(const MarkContext& context, const Box&) {
+  return std::make_unique<VectorArrow>(context, kMomentum);
 }
 
 Trail::Trail(const MarkContext& context)

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include "overlay/box.h"
 #include "overlay/mark.h"
 
 namespace rotatebook::overlay {
@@ -39,33 +42,12 @@ class ArrowScale {
   double momentum_;  // [kg m^2/s]
 };
 
-/// The angular velocity.
-class Omega final : public Mark {
- public:
-  explicit Omega(const MarkContext& context);
-  void draw(const View& view) override;
-  std::vector<Arrow> arrows(const physics::Sample& sample) const override;
+/// The angular velocity as an arrow from the body's centre; its place needs no box.
+std::unique_ptr<Mark> makeOmega(const MarkContext& context, const Box& box);
+/// The angular momentum likewise.
+std::unique_ptr<Mark> makeMomentum(const MarkContext& context, const Box& box);
 
- private:
-  MarkContext context_;
-  ArrowScale scale_;
-  Layer letter_;
-};
-
-/// The angular momentum.
-class Momentum final : public Mark {
- public:
-  explicit Momentum(const MarkContext& context);
-  void draw(const View& view) override;
-  std::vector<Arrow> arrows(const physics::Sample& sample) const override;
-
- private:
-  MarkContext context_;
-  ArrowScale scale_;
-  Layer letter_;
-};
-
-/// The path of Omega's tip through the last seconds, as the camera's frame has it.
+/// The path of the angular velocity's tip through the last seconds, as the camera's frame has it.
 class Trail final : public Mark {
  public:
   explicit Trail(const MarkContext& context);

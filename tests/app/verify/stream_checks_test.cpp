@@ -1,0 +1,99 @@
+#include "verify/stream_checks.h"
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scene/small_scene.h"
+
+namespace rotatebook::verify {
+namespace {
+
+using scene::testing::smallScene;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using video::VideoFormat;
+
+TEST(StreamChecks, KnowTheColoursAndTheCodec) {
+  const scene::Scene scene = smallScene();
+  const video::ColourTags bt709{"bt709", "bt709", "bt709", "tv"};
+  video::ClipFacts facts{.width = 64,
+                         .height = 36,
+                         .codec = "h264",
+                         .profile = "High",
+                         .pixelFormat = "yuv420p",
+                         .colours = bt709,
+                         .containerColours = bt709,
+                         .pixelShape = "1:1",
+                         .containerShape = "1:1",
+                         .display = "as stored",
+                         .duration = 0.5};
+  const auto failed = [&](const video::ClipFacts& changed) {
+    std::vector<std::string> names;
+    for (const ClipCheck& check : checkStream(changed, scene)) {
+      if (!check.passed) names.push_back(check.what);
+    }
+    return names;
+  };
+  EXPECT_THAT(failed(facts), IsEmpty());
+  for (std::string video::ColourTags::*field :
+       {&video::ColourTags::primaries, &video::ColourTags::transfer, &video::ColourTags::matrix,
+        &video::ColourTags::range}) {
+    video::ClipFacts changed = facts;
+    changed.colours.*field = "unknown";
+    EXPECT_THAT(failed(changed), ElementsAre("colours"));
+    changed = facts;
+    changed.containerColours.*field = "unknown";
+    EXPECT_THAT(failed(changed), ElementsAre("container"));
+  }
+  for (std::string video::ClipFacts::*field :
+       {&video::ClipFacts::pixelShape, &video::ClipFacts::containerShape}) {
+    video::ClipFacts changed = facts;
+    changed.*field = "4:3";
+    EXPECT_THAT(failed(changed), ElementsAre("pixel shape"));
+  }
+  for (std::string video::ClipFacts::*field :
+       {&video::ClipFacts::codec, &video::ClipFacts::profile, &video::ClipFacts::pixelFormat}) {
+    video::ClipFacts changed = facts;
+    changed.*field = "unknown";
+    EXPECT_THAT(failed(changed), ElementsAre("codec"));
+  }
+  facts.width = 66;
+  EXPECT_THAT(failed(facts), ElementsAre("size"));
+}
+
+TEST(StreamChecks, MeasureTimesAgainstTheRate) {
+  const video::ClipFacts facts{.format = VideoFormat::Mp4, .duration = 3 / 24.0};
+  const auto passed = [&](const std::vector<double>& times) {
+    TimeCheck check(facts, {24, 1}, 3);
+    for (const double time : times) check.add(time);
+    std::vector<bool> results;
+    for (const ClipCheck& one : check.checks()) results.push_back(one.passed);
+    return results;
+  };
+  const double missing = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(passed({0, 1 / 24.0, 2 / 24.0}), ElementsAre(true, true, true));
+  EXPECT_THAT(passed({0, 1 / 24.0 + 0.0002, 2 / 24.0}), ElementsAre(true, false, true));
+  EXPECT_THAT(passed({0, missing, 2 / 24.0}), ElementsAre(true, false, true));
+  EXPECT_THAT(passed({0, 1 / 24.0}), ElementsAre(false, true, true));
+}
+
+TEST(StreamChecks, MeasureTheSpeedOfAnMp4) {
+  const auto passes = [](const video::Mp4Header& header) {
+    const video::ClipFacts facts{.format = VideoFormat::Mp4, .duration = 0.5, .mp4 = header};
+    const ClipCheck last = TimeCheck(facts, {24, 1}, 12).checks().back();
+    EXPECT_EQ(last.what, "speed");
+    return last.passed;
+  };
+  EXPECT_TRUE(passes({64, 36, 1, {{0.5, 1}}}));
+  EXPECT_TRUE(passes({64, 36, 1, {}}));
+  EXPECT_FALSE(passes({64, 36, 2, {{0.5, 1}}}));
+  EXPECT_FALSE(passes({64, 36, 1, {{0.5, 2}}}));
+  EXPECT_FALSE(passes({64, 36, 1, {{0.25, 1}}}));
+  EXPECT_FALSE(passes({64, 36, 1, {{0.25, 1}, {0.25, 1}}}));
+}
+
+}  // namespace
+}  // namespace rotatebook::verify

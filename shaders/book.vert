@@ -2,21 +2,21 @@
 //
 // Maps the unit cube into the book's eight corners, deformed or not, and gathers the light that
 // matt surfaces scatter, which changes so slowly that the vertices are enough.
-layout(location = 0) in vec3 unitPlace;   // Spine to fore edge, foot to head, back to front.
+layout(location = 0) in vec3 unitPosition;   // Spine to fore edge, foot to head, back to front.
 layout(location = 1) in vec3 unitNormal;  // A covector of the same cube.
 layout(location = 2) in vec2 textureCoordinates;
-layout(location = 3) in float openness;   // Share of the surroundings that is seen from here.
+layout(location = 3) in float skyVisibility;   // Share of the surroundings that is seen from here.
 layout(location = 4) in float surface;    // Number of the smooth side that this is a point of.
 layout(location = 5) in vec3 rolledOut;   // Place in the picture of strips; z is 0 elsewhere.
 
 uniform vec3 corners[8];  // World; bit 0 of the index is x, bit 1 y, bit 2 z. [m]
 uniform mat4 clipFromWorld;
 
-out vec2 texturePlace;
-out vec3 arriving;     // Irradiance / pi. Linear.
+out vec2 texCoord;
+out vec3 diffuseLight;     // Irradiance / pi. Linear.
 out vec3 worldPlace;   // [m]
 out vec3 worldNormal;
-out float seen;        // openness
+out float visibility;        // skyVisibility
 flat out float onSurface;
 
 // The studio of cover.frag as a matt surface sees it: each light's irradiance / pi.
@@ -36,7 +36,7 @@ vec3 irradiance(vec3 normal) {
 }
 
 void main() {
-  float x = unitPlace.x, y = unitPlace.y, z = unitPlace.z;
+  float x = unitPosition.x, y = unitPosition.y, z = unitPosition.z;
   // The four edges along x, then the two faces' lines along y: trilinear interpolation.
   vec3 edge00 = mix(corners[0], corners[1], x), edge10 = mix(corners[2], corners[3], x);
   vec3 edge01 = mix(corners[4], corners[5], x), edge11 = mix(corners[6], corners[7], x);
@@ -54,11 +54,11 @@ void main() {
   // Of an inside-out book the side that is seen is lit.
   if (dot(alongX, cross(alongY, alongZ)) < 0.0) normal = -normal;
 
-  texturePlace = textureCoordinates;
+  texCoord = textureCoordinates;
   worldNormal = normal;
-  seen = openness;
+  visibility = skyVisibility;
   onSurface = surface;
-  arriving = irradiance(normal) * openness;
+  diffuseLight = irradiance(normal) * skyVisibility;
   gl_Position = rolledOut.z > 0.0 ? vec4(rolledOut.xy, 0.0, 1.0)
                                   : clipFromWorld * vec4(worldPlace, 1.0);
 }

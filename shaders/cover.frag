@@ -2,11 +2,11 @@
 //
 // Cloth with gold stamping in a photographer's studio. Radiance is linear; the frame buffer encodes
 // sRGB.
-in vec2 texturePlace;
-in vec3 arriving;
+in vec2 texCoord;
+in vec3 diffuseLight;
 in vec3 worldPlace;
 in vec3 worldNormal;
-in float seen;
+in float visibility;
 flat in float onSurface;
 
 uniform sampler2D albedo;
@@ -20,8 +20,8 @@ const float kClothRoughness = 0.45;
 const float kGoldRoughness = 0.26;
 const float kClothSheen = 0.9;     // Of keyHighlight().
 const float kClothReflectance = 0.04;
-const float kMostGrazing = 0.25;    // Cosine; fibres keep cloth from mirroring more.
-const float kMostSpread = 0.5;  // Of squared GGX widths.
+const float kMaxGrazing = 0.25;    // Cosine; fibres keep cloth from mirroring more.
+const float kMaxSpread = 0.5;  // Of squared GGX widths.
 const float kStampDepth = 1.2e-4;  // How deep gold lies in the cloth. [m]
 
 // Two softboxes and a strip behind: radiance, half width and half height as tangents.
@@ -99,24 +99,24 @@ vec3 mirroredShare(vec3 reflectance, float roughness, float nv) {
 // "Improved Geometric Specular Antialiasing", 2019).
 float widened(float roughness, vec3 normal) {
   vec3 x = dFdx(normal), y = dFdy(normal);
-  float spread = min(0.12 * (dot(x, x) + dot(y, y)), kMostSpread);
+  float spread = min(0.12 * (dot(x, x) + dot(y, y)), kMaxSpread);
   float a = roughness * roughness;
   return sqrt(sqrt(a * a + spread));
 }
 
 void main() {
-  vec3 surface = texture(albedo, texturePlace).rgb;
+  vec3 surface = texture(albedo, texCoord).rgb;
   float gold = goldness(surface);
   vec3 toEye = normalize(eye - worldPlace);
   vec3 normal = bent(normalize(worldNormal), -kStampDepth * gold);
   // Between vertices the normal may turn away from the eye where the side hardly does.
-  float nv = clamp(dot(normal, toEye), kMostGrazing, 1.0);
+  float nv = clamp(dot(normal, toEye), kMaxGrazing, 1.0);
   float cloth = widened(kClothRoughness, worldNormal);
   float roughness = mix(cloth, kGoldRoughness, gold);
   vec3 reflectance = mix(vec3(kClothReflectance), surface, gold);
   vec3 mirrored = reflect(-toEye, normal);
   vec3 shine = studio(mirrored, roughness) * mirroredShare(reflectance, roughness, nv);
   shine += (1.0 - gold) * kClothSheen * keyHighlight(normal, toEye, nv, cloth);
-  vec3 radiance = (1.0 - 0.65 * gold) * surface * arriving + seen * shine;
+  vec3 radiance = (1.0 - 0.65 * gold) * surface * diffuseLight + visibility * shine;
   colour = vec4(toneMap(radiance), onSurface / 255.0);
 }

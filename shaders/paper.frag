@@ -1,7 +1,7 @@
 #version 330 core
 // Matt paper. Radiance is linear; the frame buffer encodes sRGB.
-in vec2 texturePlace;
-in vec3 arriving;
+in vec2 texCoord;
+in vec3 diffuseLight;
 flat in float onSurface;
 
 uniform sampler2D albedo;
@@ -11,6 +11,6 @@ out vec4 colour;  // Alpha: the number of the surface, of 255.
 vec3 toneMap(vec3 radiance);
 
 void main() {
-  vec3 radiance = texture(albedo, texturePlace).rgb * arriving;
+  vec3 radiance = texture(albedo, texCoord).rgb * diffuseLight;
   colour = vec4(toneMap(radiance), onSurface / 255.0);
 }

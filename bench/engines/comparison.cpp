@@ -55,11 +55,11 @@ double threadNanoseconds() {
 /// A step's time in the fastest of many runs: what disturbs a run only makes it slower. [ns]
 double nanosecondsAStep(const Mode& mode, const Motion& motion, double step) {
   constexpr double kEnough = 0.2e9;  // [ns]
-  constexpr int kFewestRuns = 3;
+  constexpr int kMinRuns = 3;
   const int steps = stepsIn(kDuration, step);
   double fastest = std::numeric_limits<double>::infinity();
   double total = 0;
-  for (int run = 0; run < kFewestRuns || total < kEnough; ++run) {
+  for (int run = 0; run < kMinRuns || total < kEnough; ++run) {
     const std::unique_ptr<Engine> engine = mode.make(motion, step);
     const double begin = threadNanoseconds();
     engine->advance(steps);

@@ -15,8 +15,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLongest = 1;            // Of one input, in processor time. [s]
-constexpr long kMostMemory = 512 * 1024;  // Of all. [KiB]
+constexpr double kLongest = 1;           // Of one input, in processor time. [s]
+constexpr long kMaxMemory = 512 * 1024;  // Of all. [KiB]
 
 double processorTime() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -65,7 +65,7 @@ int main(int argc, char** argv) {
       failures += problem.empty() ? 0 : 1;
     }
   }
-  const bool frugal = mostMemory() <= kMostMemory;
+  const bool frugal = mostMemory() <= kMaxMemory;
   if (!frugal) std::cout << "FAILED: took " << mostMemory() / 1024 << " MiB\n";
   std::cout << count << " files, " << failures << " failures\n";
   return count > 0 && failures == 0 && frugal ? 0 : 1;

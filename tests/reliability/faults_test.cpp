@@ -28,8 +28,8 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 
 constexpr int kKill = 0, kCrash = -SIGSEGV;
-constexpr long kNowhere = 1;     // No place of a request for memory.
-constexpr int kMostCalls = 400;  // A render of three frames has fewer.
+constexpr long kNowhere = 1;    // No place of a request for memory.
+constexpr int kMaxCalls = 400;  // A render of three frames has fewer.
 constexpr long kNever = 1'000'000;
 
 /// AddressSanitizer wants to be loaded before all others, as the faults do, some of which then are
@@ -140,7 +140,7 @@ class Faults : public ProgramTest {
 
 TEST_F(Faults, KillAtAnyChangeOfAFileLosesNothing) {
   int number = 1;
-  for (; number < kMostCalls; number += step()) {
+  for (; number < kMaxCalls; number += step()) {
     removeOut();
     const int status = renderWithFault("any", number, kKill, {}).status;
     if (status == 0) break;
@@ -150,7 +150,7 @@ TEST_F(Faults, KillAtAnyChangeOfAFileLosesNothing) {
     expectResumed(when);
   }
   EXPECT_GT(number, 40) << "the faults don't reach the program";
-  EXPECT_LT(number, kMostCalls);
+  EXPECT_LT(number, kMaxCalls);
 }
 
 // So that a power cut leaves no file that is there and empty.
@@ -192,7 +192,7 @@ TEST_F(Faults, FailureOfAnyChangeIsToldAndLosesNothing) {
         Case{"rename", EDQUOT, "Disk quota exceeded"}, Case{"open", EROFS, "Read-only file system"},
         Case{"mkdir", ENOSPC, "No space left on device"}}) {
     int number = 1;
-    for (; number < kMostCalls; number += step()) {
+    for (; number < kMaxCalls; number += step()) {
       removeOut();
       const ChildResult result = renderWithFault(fault.call, number, fault.error, {});
       if (result.status == 0) break;
@@ -204,14 +204,14 @@ TEST_F(Faults, FailureOfAnyChangeIsToldAndLosesNothing) {
       expectResumed(when);
     }
     EXPECT_GT(number, 1) << fault.call << ": the faults don't reach the program";
-    EXPECT_LT(number, kMostCalls);
+    EXPECT_LT(number, kMaxCalls);
   }
 }
 
 // Of a render that goes on after its video was removed.
 TEST_F(Faults, FailureOfAnyReadIsToldOrMended) {
   int failures = 0, number = 1;
-  for (; number < kMostCalls; ++number) {
+  for (; number < kMaxCalls; ++number) {
     removeOut();
     std::filesystem::copy(folder() / "whole", folder() / "out",
                           std::filesystem::copy_options::recursive);
@@ -228,12 +228,12 @@ TEST_F(Faults, FailureOfAnyReadIsToldOrMended) {
     expectResumed(when);
   }
   EXPECT_GT(failures, 2) << "the faults don't reach the program";
-  EXPECT_LT(number, kMostCalls);
+  EXPECT_LT(number, kMaxCalls);
 }
 
 TEST_F(Faults, FailureOfTheEncoderIsToldAndLosesNothing) {
   int number = 1;
-  for (; number < kMostCalls; number += step()) {
+  for (; number < kMaxCalls; number += step()) {
     removeOut();
     const ChildResult result = renderWithFault("encode", number, EIO, {});
     if (result.status == 0) break;

@@ -14,7 +14,7 @@
 
 namespace {
 
-constexpr std::size_t kMostFrames = 64;
+constexpr std::size_t kMaxFrames = 64;
 
 struct Range {
   std::uintptr_t first = 0, end = 0;
@@ -64,14 +64,14 @@ bool isOfStream(void* frame) {
 }
 
 struct Stack {
-  std::array<void*, kMostFrames> frames;
+  std::array<void*, kMaxFrames> frames;
   std::size_t count = 0;
 };
 
 // Not by backtrace(), which loads a library first.
 _Unwind_Reason_Code addFrame(_Unwind_Context* context, void* data) {
   auto& stack = *static_cast<Stack*>(data);
-  if (stack.count == kMostFrames) return _URC_END_OF_STACK;
+  if (stack.count == kMaxFrames) return _URC_END_OF_STACK;
   stack.frames[stack.count++] = reinterpret_cast<void*>(_Unwind_GetIP(context));
   return _URC_NO_REASON;
 }

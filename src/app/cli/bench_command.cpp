@@ -12,7 +12,7 @@
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
-#include "diagnose/speed.h"
+#include "diagnose/benchmark.h"
 #include "embedded/cli.h"
 #include "picture/preflight.h"
 #include "store/clip_files.h"
@@ -65,7 +65,7 @@ int bench(const BenchArguments& arguments) {
 }  // namespace
 
 void addBenchCommand(CLI::App& program, Action& action) {
-  constexpr std::int64_t kMost = 1'000'000;
+  constexpr std::int64_t kMax = 1'000'000;
   auto arguments = std::make_shared<BenchArguments>();
   CLI::App* command =
       program.add_subcommand("bench", "Measure how fast this machine renders, and what limits it");
@@ -73,7 +73,7 @@ void addBenchCommand(CLI::App& program, Action& action) {
                       "Scene file; by default a built-in one, a tumbling book with overlays");
   command->add_option("--frames", arguments->frames, "Frames to render, from the first")
       ->type_name("N")
-      ->check(CLI::Range(std::int64_t{1}, kMost))
+      ->check(CLI::Range(std::int64_t{1}, kMax))
       ->capture_default_str();
   command->add_flag("--json", arguments->json,
                     "Print one JSON object: milliseconds a frame, but start_up_s in seconds");

@@ -3,7 +3,7 @@
 
 #include <ostream>
 
-#include "diagnose/speed.h"
+#include "diagnose/benchmark.h"
 #include "diagnose/speed_limit.h"
 #include "scene/scene.h"
 

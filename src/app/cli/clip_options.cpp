@@ -8,7 +8,7 @@ void addClip(CLI::App& command, std::filesystem::path& clip) {
   command.add_option("CLIP", clip, kinds + " that rotatebook made")->required();
 }
 
-void addTextureOptions(CLI::App& command, store::TexturePlace& textures) {
+void addTextureOptions(CLI::App& command, store::TextureLookup& textures) {
   command
       .add_option("--scene-folder", textures.folder,
                   "Where the scene's textures are found; by default the clip's folder")

@@ -13,7 +13,7 @@ namespace rotatebook::cli {
 void addClip(CLI::App& command, std::filesystem::path& clip);
 
 /// --scene-folder and --allow-outside.
-void addTextureOptions(CLI::App& command, store::TexturePlace& textures);
+void addTextureOptions(CLI::App& command, store::TextureLookup& textures);
 
 /// --allow-outside alone, as commands that read scenes have it.
 void addAllowOutside(CLI::App& command, bool& allowOutside);

@@ -16,8 +16,8 @@
 namespace rotatebook::cli {
 namespace {
 
+using diagnose::DisplayCheck;
 using diagnose::FrameCheck;
-using diagnose::WayCheck;
 
 constexpr int kNameWidth = 21;
 constexpr std::size_t kTextWidth = 92;
@@ -56,7 +56,7 @@ void printWrapped(const std::string& text, std::string first, std::ostream& out)
   }
 }
 
-std::string kindOf(const WayCheck& check) {
+std::string kindOf(const DisplayCheck& check) {
   return check.software ? "software" : "hardware";
 }
 
@@ -69,16 +69,16 @@ std::string frameText(const FrameCheck& frame) {
          roundedText(frame.tolerance.failPercent, 3) + " % may be)";
 }
 
-void printWay(const WayCheck& check, bool byDefault, std::ostream& out) {
-  const render::Way& way = check.way;
-  const std::string cuda = way.cudaId ? "cuda:" + std::to_string(*way.cudaId) : "";
-  const std::string nodes = joined({way.drmNode, way.renderNode, cuda});
+void printDisplay(const DisplayCheck& check, bool byDefault, std::ostream& out) {
+  const render::DisplayCandidate& candidate = check.candidate;
+  const std::string cuda = candidate.cudaId ? "cuda:" + std::to_string(*candidate.cudaId) : "";
+  const std::string nodes = joined({candidate.drmNode, candidate.renderNode, cuda});
   if (check.failure) {
-    row(way.name(), check.failure->text(), out);
+    row(candidate.name(), check.failure->text(), out);
     if (!nodes.empty()) row("", nodes, out);
     return;
   }
-  row(way.name(), check.renderer + (byDefault ? "; draws by default" : ""), out);
+  row(candidate.name(), check.renderer + (byDefault ? "; draws by default" : ""), out);
   row("",
       joined({kindOf(check), check.vendor, "OpenGL " + check.version,
               std::to_string(check.samples) + (check.samples == 1 ? " sample" : " samples"),
@@ -91,8 +91,8 @@ void printGraphics(const diagnose::GraphicsCheck& graphics, std::ostream& out) {
   out << "graphics\n";
   if (graphics.library) row("EGL, OpenGL", graphics.library->text(), out);
   if (graphics.devices) row("EGL devices", graphics.devices->text(), out);
-  for (std::size_t i = 0; i < graphics.ways.size(); ++i) {
-    printWay(graphics.ways[i], graphics.byDefault == i, out);
+  for (std::size_t i = 0; i < graphics.candidates.size(); ++i) {
+    printDisplay(graphics.candidates[i], graphics.byDefault == i, out);
   }
 }
 
@@ -133,9 +133,9 @@ std::string lackText(const diagnose::Checkup& checkup) {
 
 std::string verdict(const diagnose::Checkup& checkup) {
   if (!checkup.ready()) return "NOT READY to render: " + lackText(checkup) + ".";
-  const WayCheck& way = checkup.graphics.ways[*checkup.graphics.byDefault];
+  const DisplayCheck& candidate = checkup.graphics.candidates[*checkup.graphics.byDefault];
   const std::size_t count = checkup.problems.size();
-  return "Ready to render: " + way.way.name() + " draws (" + kindOf(way) + "), " +
+  return "Ready to render: " + candidate.candidate.name() + " draws (" + kindOf(candidate) + "), " +
          checkup.encoders.front().found + " encodes" +
          (count == 0 ? "."
                      : "; " + std::to_string(count) +
@@ -162,15 +162,16 @@ std::string numberOrNull(bool known, int number) {
   return known ? std::to_string(number) : "null";
 }
 
-std::string json(const WayCheck& check, bool byDefault) {
-  const render::Way& way = check.way;
+std::string json(const DisplayCheck& check, bool byDefault) {
+  const render::DisplayCandidate& candidate = check.candidate;
   JsonObject object;
-  object.addString("way", way.name())
-      .add("device", numberOrNull(way.kind == render::Way::Kind::Device, way.index))
+  object.addString("name", candidate.name())
+      .add("device",
+           numberOrNull(candidate.kind == render::DisplayCandidate::Kind::Device, candidate.index))
       .addBool("default", byDefault)
-      .addStringOrNull("drm_node", way.drmNode)
-      .addStringOrNull("render_node", way.renderNode)
-      .add("cuda", numberOrNull(way.cudaId.has_value(), way.cudaId.value_or(0)))
+      .addStringOrNull("drm_node", candidate.drmNode)
+      .addStringOrNull("render_node", candidate.renderNode)
+      .add("cuda", numberOrNull(candidate.cudaId.has_value(), candidate.cudaId.value_or(0)))
       .add("failure", json(check.failure));
   if (check.failure) return object.text();
   return object.addString("vendor", check.vendor)
@@ -178,19 +179,19 @@ std::string json(const WayCheck& check, bool byDefault) {
       .addString("opengl", check.version)
       .addNumber("samples", check.samples)
       .addBool("software", check.software)
-      .add("test_frame", json(check.frame))
+      .add("reference_picture", json(check.frame))
       .text();
 }
 
 std::string json(const diagnose::GraphicsCheck& graphics) {
-  std::vector<std::string> ways;
-  for (std::size_t i = 0; i < graphics.ways.size(); ++i) {
-    ways.push_back(json(graphics.ways[i], graphics.byDefault == i));
+  std::vector<std::string> candidates;
+  for (std::size_t i = 0; i < graphics.candidates.size(); ++i) {
+    candidates.push_back(json(graphics.candidates[i], graphics.byDefault == i));
   }
   return JsonObject()
       .add("library_failure", json(graphics.library))
       .add("devices_failure", json(graphics.devices))
-      .add("ways", jsonArray(ways))
+      .add("displays", jsonArray(candidates))
       .text();
 }
 

@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "base/version.h"
 #include "cli/commands.h"
-#include "cli/crash_words.h"
+#include "cli/crash_handler.h"
 #include "cli/error_report.h"
 #include "cli/exit_code.h"
 #include "cli/standard_streams.h"

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 struct RerunArguments {
   fs::path clip, folder;
-  store::TexturePlace textures;
+  store::TextureLookup textures;
   bool png = false;
   store::EarlierFrames earlier;
   DeviceOptions deviceOptions;
@@ -63,8 +63,8 @@ void refuseOtherClip(const scene::Scene& scene, const store::ClipFiles& files,
 }
 
 /// Why `clip`, which was made `there`, has other bytes than a clip of the same record.
-std::vector<std::string> reasons(const fs::path& clip, const store::Making& there,
-                                 const store::Making& here) {
+std::vector<std::string> reasons(const fs::path& clip, const store::Provenance& there,
+                                 const store::Provenance& here) {
   try {
     video::requireWholeFile(clip);
   } catch (const InputError& cut) {
@@ -91,7 +91,7 @@ int compare(const store::RecordedClip& there, const RerunArguments& arguments,
   const store::RecordedClip here =
       store::readRecordedClip(output, {there.record.scene.folder, there.record.scene.allowOutside});
   for (const std::string& reason :
-       reasons(arguments.clip, there.record.making, here.record.making)) {
+       reasons(arguments.clip, there.record.provenance, here.record.provenance)) {
     std::cout << "    " << reason << std::endl;
   }
   return kUnmet;

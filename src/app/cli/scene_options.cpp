@@ -30,7 +30,7 @@ std::string sizeOverride(const std::string& size) {
 /// `message` in the words that the user wrote.
 std::string inUsersWords(const std::string& message, const std::vector<Shorthand>& shorthands) {
   for (const auto& [words, assignment] : shorthands) {
-    const std::string place = scene::overridePlace(assignment);
+    const std::string place = scene::overrideLocation(assignment);
     if (message.starts_with(place)) return words + message.substr(place.size());
   }
   return message;

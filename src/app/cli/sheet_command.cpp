@@ -46,7 +46,7 @@ int writeSheet(const SheetArguments& arguments) {
 }  // namespace
 
 void addSheetCommand(CLI::App& program, Action& action) {
-  constexpr int kMost = 1000;
+  constexpr int kMax = 1000;
   auto arguments = std::make_shared<SheetArguments>();
   picture::SheetOptions& options = arguments->options;
   CLI::App* command =
@@ -59,7 +59,7 @@ void addSheetCommand(CLI::App& program, Action& action) {
       ->add_option("--count", options.count,
                    "Frames of each scene, from its first to its last; 1 takes its poster")
       ->type_name("N")
-      ->check(CLI::Range(1, kMost))
+      ->check(CLI::Range(1, kMax))
       ->capture_default_str();
   command
       ->add_option("--times", options.times, "Times of the frames in the clip, in place of --count")
@@ -69,7 +69,7 @@ void addSheetCommand(CLI::App& program, Action& action) {
       ->excludes("--count");
   command->add_option("--columns", options.columns, "Pictures in a row")
       ->type_name("N")
-      ->check(CLI::Range(1, kMost));
+      ->check(CLI::Range(1, kMax));
   command->add_flag("--no-caption", arguments->noCaption, "Leave the caption out of the pictures");
   arguments->sceneOptions.addTo(*command);
   arguments->deviceOptions.addTo(*command);

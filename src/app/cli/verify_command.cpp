@@ -38,7 +38,7 @@ int verify(const VerifyArguments& arguments) {
 }  // namespace
 
 void addVerifyCommand(CLI::App& program, Action& action) {
-  constexpr std::int64_t kMost = 1'000'000;
+  constexpr std::int64_t kMax = 1'000'000;
   auto arguments = std::make_shared<VerifyArguments>();
   CLI::App* command =
       program.add_subcommand("verify", "Prove that a clip shows what it was made from");
@@ -50,7 +50,7 @@ void addVerifyCommand(CLI::App& program, Action& action) {
                        "sixth of the clip, chosen by the motion's checksum")
           ->type_name("N,...")
           ->delimiter(',')
-          ->check(CLI::Range(std::int64_t{0}, kMost))
+          ->check(CLI::Range(std::int64_t{0}, kMax))
           ->allow_extra_args(false);
   command->add_flag("--all", arguments->options.allFrames, "Compare all pictures")
       ->excludes(frames);

@@ -33,12 +33,12 @@ std::string numberText(double value) {
 /// As a check like the others.
 ClipCheck inWords(const PictureCheck& check) {
   std::string measured = "off by " + numberText(check.measured.rms) + " of 255, " +
-                         numberText(check.measured.worstPatch) + " in the worst patch";
-  if (check.likerTo) {
-    measured += "; it is liker to frame " + std::to_string(*check.likerTo);
+                         numberText(check.measured.worstBlock) + " in the worst block";
+  if (check.closerTo) {
+    measured += "; it is liker to frame " + std::to_string(*check.closerTo);
   }
   return {"frame " + std::to_string(check.frame), measured,
-          "at most " + numberText(check.bound.rms) + " and " + numberText(check.bound.worstPatch),
+          "at most " + numberText(check.bound.rms) + " and " + numberText(check.bound.worstBlock),
           check.passed()};
 }
 
@@ -50,10 +50,10 @@ std::string framesText(const Verification& found) {
 
 /// "0, 12, 25", the first of them if they are many.
 std::string framesCompared(const Verification& found) {
-  constexpr std::size_t kMostNamed = 12;
-  return joinedOf(found.pictures | std::views::take(kMostNamed),
+  constexpr std::size_t kMaxNamed = 12;
+  return joinedOf(found.pictures | std::views::take(kMaxNamed),
                   [](const PictureCheck& check) { return std::to_string(check.frame); }) +
-         (found.pictures.size() > kMostNamed ? ", ..." : "");
+         (found.pictures.size() > kMaxNamed ? ", ..." : "");
 }
 
 std::string verdict(const Verification& found) {
@@ -85,7 +85,7 @@ std::string json(const ClipCheck& check) {
 std::string json(const video::Distance& distance) {
   return JsonObject()
       .addNumber("rms", distance.rms)
-      .addNumber("worst_patch", distance.worstPatch)
+      .addNumber("worst_block", distance.worstBlock)
       .text();
 }
 
@@ -95,16 +95,16 @@ std::string json(const PictureCheck& check) {
       .addBool("passed", check.passed())
       .add("measured", json(check.measured))
       .add("bound", json(check.bound))
-      .add("liker_to", check.likerTo ? std::to_string(*check.likerTo) : "null")
+      .add("closer_to", check.closerTo ? std::to_string(*check.closerTo) : "null")
       .text();
 }
 
-std::string json(const store::Making& making) {
+std::string json(const store::Provenance& provenance) {
   return JsonObject()
-      .addString("scene", making.scene)
-      .addString("version", making.program)
-      .addString("renderer", making.renderer)
-      .addString("ffmpeg", making.ffmpeg)
+      .addString("scene", provenance.scene)
+      .addString("version", provenance.program)
+      .addString("renderer", provenance.renderer)
+      .addString("ffmpeg", provenance.ffmpeg)
       .text();
 }
 
@@ -115,9 +115,9 @@ std::string json(store::FrameRange range) {
 }  // namespace
 
 void reportVerification(const std::string& clip, const Verification& found, std::ostream& out) {
-  const store::Making& making = found.record.making;
-  out << clip << ": says to be " << framesText(found) << " of the scene " << making.scene
-      << ", made by rotatebook " << making.program << '\n';
+  const store::Provenance& provenance = found.record.provenance;
+  out << clip << ": says to be " << framesText(found) << " of the scene " << provenance.scene
+      << ", made by rotatebook " << provenance.program << '\n';
   for (const std::string& difference : found.toolsDiffer) {
     out << "  note    " << difference << "; pixels may differ\n";
   }
@@ -132,7 +132,7 @@ void reportVerificationAsJson(const std::string& clip, const Verification& found
   out << JsonObject()
              .addString("clip", clip)
              .addBool("proved", found.proved())
-             .add("made_with", json(found.record.making))
+             .add("made_with", json(found.record.provenance))
              .add("frames", json(found.range))
              .add("whole_frames", std::to_string(found.wholeCount))
              .add("tools_differ", jsonArrayOf(found.toolsDiffer, jsonString))

@@ -6,26 +6,26 @@
 #include <vector>
 
 #include "base/error.h"
-#include "diagnose/test_frame.h"
+#include "diagnose/reference_picture.h"
 #include "render/device/display_probe.h"
-#include "system/trial.h"
+#include "system/isolated_run.h"
 
 namespace rotatebook::diagnose {
 namespace {
 
-/// Making a context and drawing a small picture takes a second on slow machines.
+/// Provenance a context and drawing a small picture takes a second on slow machines.
 constexpr std::chrono::seconds kLongestTrial{60};
 
-render::DeviceChoice choiceOf(const render::Way& way) {
-  switch (way.kind) {
-    case render::Way::Kind::Surfaceless:
+render::DeviceChoice choiceOf(const render::DisplayCandidate& candidate) {
+  switch (candidate.kind) {
+    case render::DisplayCandidate::Kind::Surfaceless:
       return {.kind = render::DeviceChoice::Kind::Surfaceless};
-    case render::Way::Kind::Default:
+    case render::DisplayCandidate::Kind::Default:
       return {.kind = render::DeviceChoice::Kind::Default};
-    case render::Way::Kind::Device:
+    case render::DisplayCandidate::Kind::Device:
       break;
   }
-  return {.kind = render::DeviceChoice::Kind::Index, .number = way.index};
+  return {.kind = render::DeviceChoice::Kind::Index, .number = candidate.index};
 }
 
 /// What `error` says to one who asks the doctor already.
@@ -36,11 +36,11 @@ std::string failureText(const Error& error) {
   return text;
 }
 
-FrameCheck checkFrame(const WayCheck& check, const render::BookTextures& textures) {
+FrameCheck checkFrame(const DisplayCheck& check, const render::BookTextures& textures) {
   FrameCheck frame;
   frame.tolerance = check.software ? kSoftwareTolerance : kHardwareTolerance;
   try {
-    const image::Image picture = drawTestFrame(textures, choiceOf(check.way));
+    const image::Image picture = drawTestFrame(textures, choiceOf(check.candidate));
     frame.comparison = compare(storedTestFrame().view(), picture.view(), frame.tolerance);
   } catch (const Error& error) {
     frame.failure = failureText(error);
@@ -48,10 +48,10 @@ FrameCheck checkFrame(const WayCheck& check, const render::BookTextures& texture
   return frame;
 }
 
-WayCheck checkWay(const render::DisplayProbe& probe, std::size_t index,
-                  const render::BookTextures& textures) {
-  const render::Way& way = probe.list().ways[index];
-  WayCheck check{.way = way};
+DisplayCheck checkDisplay(const render::DisplayProbe& probe, std::size_t index,
+                          const render::BookTextures& textures) {
+  const render::DisplayCandidate& candidate = probe.list().candidates[index];
+  DisplayCheck check{.candidate = candidate};
   render::CallFailure failure;
   const auto info = probe.open(index, failure);
   if (!info) {
@@ -62,7 +62,7 @@ WayCheck checkWay(const render::DisplayProbe& probe, std::size_t index,
   check.renderer = info->renderer;
   check.version = info->version;
   check.samples = info->samples;
-  check.software = way.software || render::isSoftwareRenderer(check.renderer);
+  check.software = candidate.software || render::isSoftwareRenderer(check.renderer);
   check.frame = checkFrame(check, textures);
   return check;
 }
@@ -71,23 +71,23 @@ WayCheck checkWay(const render::DisplayProbe& probe, std::size_t index,
 std::vector<std::string> tryAll(const render::DisplayProbe& probe,
                                 const render::BookTextures& textures) {
   std::vector<std::string> ends;
-  for (std::size_t i = 0; i < probe.list().ways.size(); ++i) {
-    const auto check = [&] { checkWay(probe, i, textures); };
-    ends.push_back(system::endOfTrial(check, kLongestTrial));
+  for (std::size_t i = 0; i < probe.list().candidates.size(); ++i) {
+    const auto check = [&] { checkDisplay(probe, i, textures); };
+    ends.push_back(system::runIsolated(check, kLongestTrial));
   }
   return ends;
 }
 
-std::optional<std::size_t> defaultOf(const render::WayList& list,
-                                     const std::vector<WayCheck>& checks) {
+std::optional<std::size_t> defaultOf(const render::DisplayCandidates& list,
+                                     const std::vector<DisplayCheck>& checks) {
   try {
-    return render::chooseWay(list, {},
-                             [&](std::size_t i) -> render::Attempt {
-                               if (checks[i].ends)
-                                 throw MachineError("a render would end there, too");
-                               return {checks[i].renderer, checks[i].failure};
-                             })
-        .way;
+    return render::chooseDisplay(list, {},
+                                 [&](std::size_t i) -> render::Attempt {
+                                   if (checks[i].ends)
+                                     throw MachineError("a render would end there, too");
+                                   return {checks[i].renderer, checks[i].failure};
+                                 })
+        .candidate;
   } catch (const Error&) {
     return {};
   }
@@ -105,14 +105,14 @@ GraphicsCheck checkGraphics() {
                                       render::builtinBack()};
   const std::vector<std::string> ends = tryAll(probe, textures);
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    const render::Way& way = probe.list().ways[i];
-    check.ways.push_back(ends[i].empty()
-                             ? checkWay(probe, i, textures)
-                             : WayCheck{.way = way,
-                                        .failure = render::CallFailure{"its driver", ends[i]},
-                                        .ends = true});
+    const render::DisplayCandidate& candidate = probe.list().candidates[i];
+    check.candidates.push_back(
+        ends[i].empty() ? checkDisplay(probe, i, textures)
+                        : DisplayCheck{.candidate = candidate,
+                                       .failure = render::CallFailure{"its driver", ends[i]},
+                                       .ends = true});
   }
-  check.byDefault = defaultOf(probe.list(), check.ways);
+  check.byDefault = defaultOf(probe.list(), check.candidates);
   return check;
 }
 

@@ -21,8 +21,8 @@ struct FrameCheck {
 };
 
 /// What trying a way gave: a context or a failure, and of a context the rest.
-struct WayCheck {
-  render::Way way{};
+struct DisplayCheck {
+  render::DisplayCandidate candidate{};
   std::optional<render::CallFailure> failure{};
   bool ends = false;  ///< The failure ends the process, or never comes back.
   std::string vendor{}, renderer{};
@@ -37,13 +37,13 @@ struct WayCheck {
 struct GraphicsCheck {
   std::optional<render::CallFailure>
       library{};  ///< EGL's or OpenGL's is missing; no way was tried.
-  std::optional<render::CallFailure> devices{};  ///< WayList::failure
-  std::vector<WayCheck> ways{};                  ///< In the order in which a render tries them.
-  /// In `ways`: what a render takes unless it is told otherwise.
+  std::optional<render::CallFailure> devices{};  ///< DisplayCandidates::failure
+  std::vector<DisplayCheck> candidates{};        ///< In the order in which a render tries them.
+  /// In `candidates`: what a render takes unless it is told otherwise.
   std::optional<std::size_t> byDefault{};
 
   /// Whether a render that isn't told otherwise draws as it should.
-  bool draws() const { return byDefault && ways[*byDefault].draws(); }
+  bool draws() const { return byDefault && candidates[*byDefault].draws(); }
 };
 
 /// Makes a context on each way and draws the test frame with it, in a copy of this process first: a

@@ -31,8 +31,9 @@ bool isOf(const VendorFile& file, const char* library) {
 }
 
 bool anyDraws(const GraphicsCheck& check, bool hardware) {
-  return std::ranges::any_of(
-      check.ways, [&](const WayCheck& way) { return way.draws() && (!hardware || !way.software); });
+  return std::ranges::any_of(check.candidates, [&](const DisplayCheck& candidate) {
+    return candidate.draws() && (!hardware || !candidate.software);
+  });
 }
 
 /// Whether NVIDIA's library was kept out of a container.
@@ -66,10 +67,12 @@ const DeviceNode* forbiddenNode(const GraphicsFacts& facts, const std::string& p
 }
 
 /// Its own render node where EGL tells it; else any of its maker's.
-const DeviceNode* forbiddenNode(const GraphicsFacts& facts, const render::Way& way) {
-  const DeviceNode* own =
-      way.renderNode.empty() && way.nvidia ? nullptr : forbiddenNode(facts, way.renderNode, false);
-  return own == nullptr && way.nvidia ? forbiddenNode(facts, "", true) : own;
+const DeviceNode* forbiddenNode(const GraphicsFacts& facts,
+                                const render::DisplayCandidate& candidate) {
+  const DeviceNode* own = candidate.renderNode.empty() && candidate.nvidia
+                              ? nullptr
+                              : forbiddenNode(facts, candidate.renderNode, false);
+  return own == nullptr && candidate.nvidia ? forbiddenNode(facts, "", true) : own;
 }
 
 /// Of a driver that draws wrongly, or ends the process.
@@ -101,11 +104,13 @@ class Diagnosis {
     addVendorFiles();
     addUnlistedNvidia();
     addDeviceList();
-    for (std::size_t i = 0; i < check_.ways.size(); ++i) {
-      const WayCheck& way = check_.ways[i];
-      if (way.way.kind != render::Way::Kind::Device && check_.byDefault != i) continue;
-      addFailedDevice(way);
-      addWrongFrame(way);
+    for (std::size_t i = 0; i < check_.candidates.size(); ++i) {
+      const DisplayCheck& candidate = check_.candidates[i];
+      if (candidate.candidate.kind != render::DisplayCandidate::Kind::Device &&
+          check_.byDefault != i)
+        continue;
+      addFailedDevice(candidate);
+      addWrongFrame(candidate);
     }
     addForbiddenCard();
     if (problems_.empty() && !check_.draws()) {
@@ -156,8 +161,9 @@ class Diagnosis {
 
   /// NVIDIA's card is there, and EGL knows nothing of it.
   void addUnlistedNvidia() {
-    const bool listed =
-        std::ranges::any_of(check_.ways, [](const WayCheck& way) { return way.way.nvidia; });
+    const bool listed = std::ranges::any_of(check_.candidates, [](const DisplayCheck& candidate) {
+      return candidate.candidate.nvidia;
+    });
     // Else it was told of its library, or of the variable, already.
     const bool named = std::ranges::any_of(facts_.vendorFiles, [](const VendorFile& file) {
       return isOf(file, kNvidiaLibrary) && !file.failure.empty();
@@ -194,37 +200,38 @@ class Diagnosis {
     }
   }
 
-  void addFailedDevice(const WayCheck& check) {
+  void addFailedDevice(const DisplayCheck& check) {
     if (!check.failure) return;
-    const std::string what = check.way.text() + ": " + check.failure->text();
-    const DeviceNode* node = check.way.software ? nullptr : forbiddenNode(facts_, check.way);
+    const std::string what = check.candidate.text() + ": " + check.failure->text();
+    const DeviceNode* node =
+        check.candidate.software ? nullptr : forbiddenNode(facts_, check.candidate);
     if (node != nullptr) return problems_.push_back(permissionProblem(what, *node));
     add(what, unsettingFirst(variablesOf(check), deviceRemedy(check)));
   }
 
   /// Those that may be why it fails.
-  std::vector<std::string> variablesOf(const WayCheck& check) const {
-    return check.way.nvidia ? std::vector<std::string>{} : facts_.mesaVariables;
+  std::vector<std::string> variablesOf(const DisplayCheck& check) const {
+    return check.candidate.nvidia ? std::vector<std::string>{} : facts_.mesaVariables;
   }
 
-  std::string deviceRemedy(const WayCheck& check) const {
+  std::string deviceRemedy(const DisplayCheck& check) const {
     const bool old =
         check.failure->call.starts_with("eglCreateContext") || check.failure->error == "missing";
-    if (check.ends) return updateRemedy(check.way.software);
-    if (check.way.software) return kInstallMesaDrivers;
-    if (check.way.nvidia && lacksGraphicsCapability(facts_)) return kGraphicsCapability;
-    if (check.way.nvidia) return kInstallNvidia;
+    if (check.ends) return updateRemedy(check.candidate.software);
+    if (check.candidate.software) return kInstallMesaDrivers;
+    if (check.candidate.nvidia && lacksGraphicsCapability(facts_)) return kGraphicsCapability;
+    if (check.candidate.nvidia) return kInstallNvidia;
     return old ? "update the card's driver to one with OpenGL 3.3 core; until then --device "
                  "software"
                : kInstallMesaDrivers;
   }
 
-  void addWrongFrame(const WayCheck& check) {
+  void addWrongFrame(const DisplayCheck& check) {
     if (check.failure || check.frame.passed()) return;
     const std::string why = check.frame.failure.empty()
                                 ? "the test frame isn't as it should be"
                                 : "the test frame failed: " + check.frame.failure;
-    add(check.way.text() + ", " + check.renderer + ": " + why,
+    add(check.candidate.text() + ", " + check.renderer + ": " + why,
         unsettingFirst(variablesOf(check), updateRemedy(check.software)));
   }
 
@@ -238,8 +245,9 @@ class Diagnosis {
 
   std::string saidByWays() const {
     std::string said;
-    for (const WayCheck& way : check_.ways) {
-      if (way.failure) said += "; " + way.way.text() + ": " + way.failure->text();
+    for (const DisplayCheck& candidate : check_.candidates) {
+      if (candidate.failure)
+        said += "; " + candidate.candidate.text() + ": " + candidate.failure->text();
     }
     return said;
   }

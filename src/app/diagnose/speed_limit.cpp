@@ -11,16 +11,16 @@ namespace rotatebook::diagnose {
 namespace {
 
 constexpr double kWorthSaying = 1.03;
-constexpr int kLeastToHalve = 64;  // The shorter side. [pixels]
+constexpr int kMinToHalve = 64;  // The shorter side. [pixels]
 
 WorkTime scaled(const WorkTime& time, double factor) {
   return {time.wall * factor, time.processor * factor};
 }
 
 /// Collects what helps: a change is tried on the numbers.
-class Adviser {
+class AdviceCollector {
  public:
-  explicit Adviser(const Speed& speed)
+  explicit AdviceCollector(const Speed& speed)
       : speed_(speed), limit_(speedLimit(speed.stages, speed.cores)) {}
 
   const SpeedLimit& limit() const { return limit_; }
@@ -50,34 +50,33 @@ class Adviser {
   std::vector<SpeedAdvice> advice_;
 };
 
-void adviseOnBook(const scene::Scene& scene, const Speed& speed, Adviser& adviser) {
+void adviseOnBook(const scene::Scene& scene, const Speed& speed, AdviceCollector& advice) {
   const scene::LookSettings& look = scene.look;
   if (look.supersample > 1) {
-    adviser.tryOut("--set look.supersample=1", "edges are less smooth", [&](StageTimes& stages) {
+    advice.tryOut("--set look.supersample=1", "edges are less smooth", [&](StageTimes& stages) {
       stages.book = scaled(stages.book, 1.0 / (look.supersample * look.supersample));
     });
   }
   if (look.motionBlur > 1) {
-    adviser.tryOut("--set look.motion_blur=1", "no blur", [&](StageTimes& stages) {
+    advice.tryOut("--set look.motion_blur=1", "no blur", [&](StageTimes& stages) {
       stages.book = scaled(stages.book, 1.0 / look.motionBlur);
     });
   }
   if (render::isSoftwareRenderer(speed.renderer)) {
-    adviser.tryOut("a graphics card", "if it drew at no cost",
-                   [](StageTimes& stages) { stages.book = {}; });
+    advice.tryOut("a graphics card", "if it drew at no cost",
+                  [](StageTimes& stages) { stages.book = {}; });
   }
 }
 
-void adviseOnVideo(const scene::Scene& scene, const Speed& speed, Adviser& adviser) {
+void adviseOnVideo(const scene::Scene& scene, const Speed& speed, AdviceCollector& advice) {
   if (scene.video.preset != "ultrafast") {
-    adviser.tryOut("a faster video.preset", "larger files; if encoding cost nothing",
-                   [](StageTimes& stages) { stages.video = {}; });
+    advice.tryOut("a faster video.preset", "larger files; if encoding cost nothing",
+                  [](StageTimes& stages) { stages.video = {}; });
   }
-  if (!adviser.limit().ofCores && scene.video.threads < speed.cores) {
+  if (!advice.limit().ofCores && scene.video.threads < speed.cores) {
     const double share = static_cast<double>(scene.video.threads) / speed.cores;
-    adviser.tryOut("--set video.threads=" + std::to_string(speed.cores),
-                   "another MP4, byte by byte",
-                   [&](StageTimes& stages) { stages.video.wall *= share; });
+    advice.tryOut("--set video.threads=" + std::to_string(speed.cores), "another MP4, byte by byte",
+                  [&](StageTimes& stages) { stages.video.wall *= share; });
   }
 }
 
@@ -86,9 +85,9 @@ std::string halfSize(const scene::ClipSettings& clip) {
   return sizeText(clip.width / 4 * 2, clip.height / 4 * 2);
 }
 
-void adviseOnSize(const scene::Scene& scene, Adviser& adviser) {
-  if (std::min(scene.clip.width, scene.clip.height) < kLeastToHalve) return;
-  adviser.tryOut(
+void adviseOnSize(const scene::Scene& scene, AdviceCollector& advice) {
+  if (std::min(scene.clip.width, scene.clip.height) < kMinToHalve) return;
+  advice.tryOut(
       "--size " + halfSize(scene.clip), "a quarter of the pixels", [](StageTimes& stages) {
         for (WorkTime* time : {&stages.book, &stages.finish, &stages.png, &stages.video}) {
           *time = scaled(*time, 0.25);
@@ -117,23 +116,23 @@ SpeedLimit speedLimit(const StageTimes& stages, int cores) {
 }
 
 std::vector<SpeedAdvice> speedAdvice(const scene::Scene& scene, const Speed& speed) {
-  Adviser adviser(speed);
-  const SpeedLimit& limit = adviser.limit();
-  if (limit.stage == Stage::Book) adviseOnBook(scene, speed, adviser);
+  AdviceCollector advice(speed);
+  const SpeedLimit& limit = advice.limit();
+  if (limit.stage == Stage::Book) adviseOnBook(scene, speed, advice);
   if (limit.stage == Stage::Finish) {
-    adviser.tryOut("fewer of overlay.show", "if finishing cost nothing",
-                   [](StageTimes& stages) { stages.finish = {}; });
+    advice.tryOut("fewer of overlay.show", "if finishing cost nothing",
+                  [](StageTimes& stages) { stages.finish = {}; });
   }
   if (limit.stage == Stage::Png) {
-    adviser.tryOut("--no-png", "the MP4 alone", [](StageTimes& stages) { stages.png = {}; });
+    advice.tryOut("--no-png", "the MP4 alone", [](StageTimes& stages) { stages.png = {}; });
   }
-  if (limit.stage == Stage::Video) adviseOnVideo(scene, speed, adviser);
-  if (limit.stage != Stage::Simulate) adviseOnSize(scene, adviser);
+  if (limit.stage == Stage::Video) adviseOnVideo(scene, speed, advice);
+  if (limit.stage != Stage::Simulate) adviseOnSize(scene, advice);
   if (limit.ofCores) {
     const int more = 2 * speed.cores;
-    adviser.tryOut("more cores", "with " + std::to_string(more), speed.stages, more);
+    advice.tryOut("more cores", "with " + std::to_string(more), speed.stages, more);
   }
-  return adviser.take();
+  return advice.take();
 }
 
 }  // namespace rotatebook::diagnose

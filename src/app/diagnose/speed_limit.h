@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnose/speed.h"
+#include "diagnose/benchmark.h"
 #include "scene/scene.h"
 
 namespace rotatebook::diagnose {

@@ -12,8 +12,8 @@ namespace {
 
 // A measurement must outlast the clock's own call, a few tenths of a microsecond, by far.
 constexpr std::int64_t kStepsPerMeasurement = 4096;
-constexpr int kFewestMeasurements = 5;
-constexpr int kMostMeasurements = 200;
+constexpr int kMinMeasurements = 5;
+constexpr int kMaxMeasurements = 200;
 constexpr double kEnough = 4e6;  // of all measurements together [ns]
 
 double threadTime() {
@@ -47,8 +47,8 @@ double nanosecondsPerStep(const physics::MotionSettings& settings, std::int64_t 
   const auto stepsEach = static_cast<int>(std::min(steps, kStepsPerMeasurement));
   double best = 0;
   double spent = 0;
-  for (int n = 0; n < kMostMeasurements; ++n) {
-    if (n >= kFewestMeasurements && spent > kEnough) break;
+  for (int n = 0; n < kMaxMeasurements; ++n) {
+    if (n >= kMinMeasurements && spent > kEnough) break;
     const Fleet fleet = makeFleet(settings, stepsEach);
     const double time = timeOnce(fleet, h, stepsEach);
     const double perStep = time / (static_cast<double>(fleet.size()) * stepsEach);

@@ -14,7 +14,7 @@ FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& 
                          const render::DeviceChoice& device, std::future<LoadedTextures> textures)
     : motion_(&motion),
       composition_(scene, motion),
-      frame_(scene.camera.frame),
+      referenceFrame_(scene.camera.frame),
       camera_(cameraOf(scene, composition_.screen())),
       renderer_([&] {
         LoadedTextures loaded = textures.get();
@@ -57,7 +57,7 @@ void FrameDrawer::expose(std::int64_t frame, Exposure& exposure) {
 
 void FrameDrawer::exposeBlurred(std::size_t motion, std::size_t sample, image::Image& picture) {
   for (std::size_t i = 0; i < moments_.count(); ++i) {
-    renderer_.draw(scene::seenFrom(frame_, moments_.at(motion, sample, i)).cage, picture);
+    renderer_.draw(scene::seenFrom(referenceFrame_, moments_.at(motion, sample, i)).cage, picture);
     mean_->add(picture.view());
   }
   mean_->take(picture);
@@ -77,7 +77,7 @@ void FrameDrawer::finish(const Exposure& exposure, image::Image& picture) {
 }
 
 physics::Cage FrameDrawer::cageOf(std::size_t motion, std::size_t sample) const {
-  return scene::seenFrom(frame_, motion_->trajectories()[motion].samples[sample]).cage;
+  return scene::seenFrom(referenceFrame_, motion_->trajectories()[motion].samples[sample]).cage;
 }
 
 }  // namespace rotatebook::picture

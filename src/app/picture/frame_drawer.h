@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 
 #include "image/image.h"
-#include "image/light_mean.h"
+#include "image/linear_mean.h"
 #include "picture/composition.h"
 #include "picture/frame_painter.h"
 #include "picture/textures.h"
@@ -58,13 +58,13 @@ class FrameDrawer final : public FramePainter {
 
   const timeline::ClipMotion* motion_;
   Composition composition_;
-  scene::ReferenceFrame frame_;
+  scene::ReferenceFrame referenceFrame_;
   render::Camera camera_;
   TextureChecksums textureChecksums_;
   render::Renderer renderer_;  // of a panel
   timeline::ShutterMoments moments_;
-  std::optional<image::LightMean> mean_;  // of the pictures of moments_, if there are several
-  std::optional<Exposure> exposure_;      // of draw()
+  std::optional<image::LinearMean> mean_;  // of the pictures of moments_, if there are several
+  std::optional<Exposure> exposure_;       // of draw()
 };
 
 }  // namespace rotatebook::picture

@@ -24,8 +24,8 @@ namespace {
 // Of a picture's height.
 constexpr double kTextSize = 0.05;
 constexpr double kPictureGap = 0.06;
-constexpr double kMostPixels = 2.5e8;  // Twice 4 bytes of each are held.
-constexpr double kSmallestText = 11;   // [pixels]
+constexpr double kMaxPixels = 2.5e8;  // Twice 4 bytes of each are held.
+constexpr double kSmallestText = 11;  // [pixels]
 
 constexpr std::uint8_t kGround = 22;                // of 255
 constexpr overlay::Colour kText{0.86, 0.86, 0.84};  // contrast to it 12.6
@@ -63,11 +63,11 @@ void refuseTooMany(const std::vector<scene::Scene>& scenes, const SheetOptions& 
   const std::size_t each =
       options.times.empty() ? static_cast<std::size_t>(options.count) : options.times.size();
   const double pixels = static_cast<double>(each * scenes.size()) * clip.width * clip.height;
-  if (pixels <= kMostPixels) return;
+  if (pixels <= kMaxPixels) return;
   throw InputError("the sheet would have " + std::to_string(each * scenes.size()) +
                    " pictures of " + sizeText(clip.width, clip.height) + ", " +
                    roundedText(pixels / 1e6, 3) + " million pixels, and may have " +
-                   roundedText(kMostPixels / 1e6, 3) +
+                   roundedText(kMaxPixels / 1e6, 3) +
                    "; take fewer or smaller pictures, for example --size 480x270");
 }
 

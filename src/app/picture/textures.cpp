@@ -14,7 +14,7 @@
 #include "base/checksum.h"
 #include "base/error.h"
 #include "image/png_file.h"
-#include "scene/places.h"
+#include "scene/source_locations.h"
 
 namespace rotatebook::picture {
 namespace {
@@ -58,7 +58,7 @@ struct LoadedSide {
 
 LoadedSide load(const scene::Scene& scene, const Side& side) {
   if (isBuiltin(scene, side)) return {side.builtin(), kBuiltinTexture};
-  return scene::atPlaceOf(scene, side.key, [&]() -> LoadedSide {
+  return scene::atLocationOf(scene, side.key, [&]() -> LoadedSide {
     const fs::path file = fileOf(scene, scene.book.*side.file);
     const std::string bytes = image::readPngFile(file);
     const auto* first = reinterpret_cast<const std::uint8_t*>(bytes.data());

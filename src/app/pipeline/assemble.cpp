@@ -11,7 +11,7 @@
 #include "store/clip_files.h"
 #include "store/clip_record.h"
 #include "store/encoding.h"
-#include "store/frame_sums.h"
+#include "store/frame_checksums.h"
 #include "store/scene_file.h"
 #include "system/atomic_file.h"
 #include "system/file_checksum.h"
@@ -76,21 +76,21 @@ fs::path lockedNameOf(const fs::path& folder) {
 
 /// Keeps renders of the whole clip out of a folder of frames while they are read. Throws
 /// MachineError if one is under way. Where nothing can be written, none is.
-std::optional<system::UseLock> lockForReading(const fs::path& folder) {
+std::optional<system::AdvisoryLock> lockForReading(const fs::path& folder) {
   const fs::path name = lockedNameOf(folder);
   if (access(name.parent_path().c_str(), W_OK) != 0) return std::nullopt;
-  return std::optional<system::UseLock>(std::in_place, name, system::Lock::Shared);
+  return std::optional<system::AdvisoryLock>(std::in_place, name, system::Lock::Shared);
 }
 
 /// Tells the `problem` that a frame has by the checksums, and how it is mended, or `joined` anyway.
-[[noreturn]] void throwUnlike(const store::FrameSums& sums, const std::string& problem,
+[[noreturn]] void throwUnlike(const store::FrameChecksums& sums, const std::string& problem,
                               const std::string& joined) {
   throw InputError(problem + "; render the scene with --resume, which draws it again, or remove " +
                    (sums.folder() / store::kFrameSumsName).string() + " to join " + joined);
 }
 
 /// Throws if a frame that was drawn isn't among those that are there.
-void requireAllDrawn(const store::FrameSums& sums, store::FrameRange range) {
+void requireAllDrawn(const store::FrameChecksums& sums, store::FrameRange range) {
   for (const std::int64_t index : sums.known()) {
     if (range.first <= index && index < range.end) continue;
     throwUnlike(sums,
@@ -101,7 +101,7 @@ void requireAllDrawn(const store::FrameSums& sums, store::FrameRange range) {
 }
 
 /// Throws for a frame that has a checksum, and isn't as that says.
-image::Image readFrame(const store::FrameSums& sums, std::int64_t index) {
+image::Image readFrame(const store::FrameChecksums& sums, std::int64_t index) {
   const fs::path path = sums.folder() / store::frameName(index);
   if (!sums.knows(index)) return image::readPng(path);
   const std::optional<std::string> bytes = sums.intact(index);
@@ -142,7 +142,7 @@ Assembled assemble(const fs::path& folder, const fs::path& video,
   const video::VideoFormat format = formatOf(video);
   const auto lock = lockForReading(folder);
   // First: of a part that is being drawn, frames are added meanwhile, each before its checksum.
-  const store::FrameSums sums(folder);
+  const store::FrameChecksums sums(folder);
   const store::FrameRange range = wholeRange(folder);
   auto [settings, made] = sourceFor(folder, range, frameRate);
   requireAllDrawn(sums, range);

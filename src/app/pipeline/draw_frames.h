@@ -9,7 +9,7 @@
 #include "picture/frame_painter.h"
 #include "pipeline/frame_sink.h"
 #include "store/clip_files.h"
-#include "store/frame_sums.h"
+#include "store/frame_checksums.h"
 
 namespace rotatebook::pipeline {
 
@@ -22,7 +22,7 @@ struct RenderProgress {
 struct FramesToDraw {
   store::FrameRange range;
   /// Frames that are intact there aren't drawn again. May be null.
-  const store::FrameSums* kept = nullptr;
+  const store::FrameChecksums* kept = nullptr;
   /// Set from outside, e.g. by a signal handler, to stop after the frame in hand. May be null.
   const std::atomic<bool>* stop = nullptr;
 };

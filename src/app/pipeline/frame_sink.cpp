@@ -7,7 +7,7 @@
 
 namespace rotatebook::pipeline {
 
-PngSequenceSink::PngSequenceSink(store::FrameSums& sums, bool transparent)
+PngSequenceSink::PngSequenceSink(store::FrameChecksums& sums, bool transparent)
     : sums_(&sums), transparent_(transparent) {}
 
 void PngSequenceSink::write(std::int64_t index, image::ImageView picture) {

@@ -10,7 +10,7 @@
 
 #include "image/image.h"
 #include "image/png_file.h"
-#include "store/frame_sums.h"
+#include "store/frame_checksums.h"
 #include "system/atomic_file.h"
 #include "video/video_writer.h"
 
@@ -37,7 +37,7 @@ class FrameSink {
 class PngSequenceSink : public FrameSink {
  public:
   /// `sums`, of the folder, must outlive this.
-  PngSequenceSink(store::FrameSums& sums, bool transparent);
+  PngSequenceSink(store::FrameChecksums& sums, bool transparent);
 
   void write(std::int64_t index, image::ImageView picture) override;
   void finish() override {}
@@ -45,7 +45,7 @@ class PngSequenceSink : public FrameSink {
  private:
   image::PngWriter takeWriter();
 
-  store::FrameSums* sums_;
+  store::FrameChecksums* sums_;
   bool transparent_;
   std::mutex mutex_;
   /// As many as threads have written at once.

@@ -74,7 +74,7 @@ class Render {
     const std::string& renderer = drawer_.description();
     const picture::TextureChecksums& textures = drawer_.textureChecksums();
     const std::string record =
-        store::sceneRecord(scene_, store::makingOf(scene_, motion_, textures, renderer));
+        store::sceneRecord(scene_, store::provenanceOf(scene_, motion_, textures, renderer));
     store::ClipFolder folder(result_.files, {.scene = scene_,
                                              .record = record,
                                              .made = store::fingerprint(scene_, textures, renderer),
@@ -128,7 +128,7 @@ class Render {
     result_.interrupted ? finishPartial(outputs) : finish(outputs);
   }
 
-  void drawInto(const std::vector<OpenOutput>& outputs, const store::FrameSums& sums,
+  void drawInto(const std::vector<OpenOutput>& outputs, const store::FrameChecksums& sums,
                 const RenderListener& listener) {
     RenderStart start{drawer_.description(), encoderNames(outputs)};
     std::vector<SinkThreads> sinks;
@@ -136,7 +136,7 @@ class Render {
       sinks.push_back({*sink, threadsOf(*output), !output->png});
       if (output->png) start.pngThreads = sinks.back().threads;
     }
-    const store::FrameSums* kept = options_.earlier.resume ? &sums : nullptr;
+    const store::FrameChecksums* kept = options_.earlier.resume ? &sums : nullptr;
     start.space = store::diskSpace(scene_, toWrite(kept), options_.folder);
     if (listener.started) listener.started(start);
     const DrawnCount count =
@@ -147,7 +147,7 @@ class Render {
   }
 
   /// Frames of `kept`, which may be null, aren't written again; videos are, from the first frame.
-  store::FilesToWrite toWrite(const store::FrameSums* kept) const {
+  store::FilesToWrite toWrite(const store::FrameChecksums* kept) const {
     store::FilesToWrite files{.frames = range_.count(), .formats = formats_};
     if (!png_) return files;
     files.pngs = range_.count();

@@ -9,7 +9,7 @@
 #include "pipeline/frame_sink.h"
 #include "scene/scene.h"
 #include "store/clip_files.h"
-#include "store/frame_sums.h"
+#include "store/frame_checksums.h"
 #include "video/video_format.h"
 
 namespace rotatebook::pipeline {
@@ -19,7 +19,7 @@ struct SinkPlace {
   const scene::Scene& scene;
   const store::ClipFiles& files;
   const video::VideoSettings& video;
-  store::FrameSums& sums;  ///< Of the folder of the clip's frames; outlives the sink.
+  store::FrameChecksums& sums;  ///< Of the folder of the clip's frames; outlives the sink.
 };
 
 /// A sink that a render opens, and what it leaves on the disk.

@@ -79,8 +79,8 @@ void settle(const ClipFiles& files) {
 /// Puts the frames that are whole beside those of the same settings in `to`.
 void moveFrames(const fs::path& from, const fs::path& to) {
   if (!fs::is_directory(from)) return;
-  const FrameSums source(from);
-  FrameSums target(to);
+  const FrameChecksums source(from);
+  FrameChecksums target(to);
   for (const std::int64_t frame : framesIn(from)) {
     const auto bytes = source.intact(frame);
     if (!bytes || target.intact(frame)) continue;

@@ -9,7 +9,7 @@
 
 #include "scene/scene.h"
 #include "store/clip_files.h"
-#include "store/frame_sums.h"
+#include "store/frame_checksums.h"
 #include "store/manifest.h"
 #include "system/atomic_file.h"
 
@@ -49,7 +49,7 @@ class ClipFolder {
   ~ClipFolder();
 
   /// Of the frames in path(), those of an earlier run among them.
-  FrameSums& sums() { return *sums_; }
+  FrameChecksums& sums() { return *sums_; }
   const std::filesystem::path& path() const { return path_; }
 
   /// How many frames a render that couldn't go on leaves to one that resumes it.
@@ -78,11 +78,11 @@ class ClipFolder {
   std::size_t frameCount() const;
   void discardIfEmpty() const noexcept;
 
-  system::UseLock lock_;
+  system::AdvisoryLock lock_;
   ClipFiles files_;
   Manifest manifest_;
   std::filesystem::path path_;
-  std::optional<FrameSums> sums_;
+  std::optional<FrameChecksums> sums_;
 };
 
 }  // namespace rotatebook::store

@@ -52,16 +52,17 @@ std::string valueIn(std::string_view head, std::string_view name) {
 }
 
 /// The first line's version and name.
-void readOrigin(std::string_view head, const fs::path& clip, Making& making) {
+void readOrigin(std::string_view head, const fs::path& clip, Provenance& provenance) {
   const std::string origin = valueIn(head, kMadeBy);
   const std::size_t middle = origin.find(kFromScene);
   if (middle == origin.npos) throwDamaged(clip, "it doesn't name its scene");
-  making.program = origin.substr(0, middle);
-  making.scene = origin.substr(middle + kFromScene.size());
+  provenance.program = origin.substr(0, middle);
+  provenance.scene = origin.substr(middle + kFromScene.size());
   // It becomes a file's.
-  const bool isName = fs::path(making.scene).filename() == making.scene && making.scene != "." &&
-                      making.scene != ".." && making.scene == inOneLine(making.scene);
-  if (!isName || making.scene.empty()) throwDamaged(clip, "its scene's name can't be a file's");
+  const bool isName = fs::path(provenance.scene).filename() == provenance.scene &&
+                      provenance.scene != "." && provenance.scene != ".." &&
+                      provenance.scene == inOneLine(provenance.scene);
+  if (!isName || provenance.scene.empty()) throwDamaged(clip, "its scene's name can't be a file's");
 }
 
 std::optional<FrameRange> partIn(std::string_view head, const fs::path& clip) {
@@ -111,8 +112,9 @@ std::string clipText(scene::Scene scene) {
 
 }  // namespace
 
-Making makingOf(const scene::Scene& scene, const timeline::ClipMotion& motion,
-                const std::map<std::string, std::string>& textures, const std::string& renderer) {
+Provenance provenanceOf(const scene::Scene& scene, const timeline::ClipMotion& motion,
+                        const std::map<std::string, std::string>& textures,
+                        const std::string& renderer) {
   return {.scene = inOneLine(scene.name),
           .program = kVersion,
           .renderer = inOneLine(renderer),
@@ -124,7 +126,7 @@ Making makingOf(const scene::Scene& scene, const timeline::ClipMotion& motion,
           })};
 }
 
-std::vector<std::string> differencesOfTools(const Making& there, const Making& here) {
+std::vector<std::string> differencesOfTools(const Provenance& there, const Provenance& here) {
   std::vector<std::string> found;
   compareTools("rotatebook", there.program, here.program, found);
   compareTools("the renderer", there.renderer, here.renderer, found);
@@ -135,11 +137,11 @@ std::vector<std::string> differencesOfTools(const Making& there, const Making& h
   return found;
 }
 
-std::string sceneRecord(const scene::Scene& scene, const Making& making) {
-  return line(kMadeBy, making.program + std::string(kFromScene) + making.scene) +
-         line(kRenderer, making.renderer) + line(kFfmpeg, making.ffmpeg) +
-         line(kMotion, making.motion) +
-         (making.textures.empty() ? "" : line(kTextures, making.textures)) + '\n' +
+std::string sceneRecord(const scene::Scene& scene, const Provenance& provenance) {
+  return line(kMadeBy, provenance.program + std::string(kFromScene) + provenance.scene) +
+         line(kRenderer, provenance.renderer) + line(kFfmpeg, provenance.ffmpeg) +
+         line(kMotion, provenance.motion) +
+         (provenance.textures.empty() ? "" : line(kTextures, provenance.textures)) + '\n' +
          sceneText(scene);
 }
 
@@ -156,13 +158,13 @@ ClipRecord parseRecord(const std::string& text, const fs::path& clip, const fs::
   if (text.size() > kLargestRecord) throwDamaged(clip, "no scene is that long");
   const std::string_view head = std::string_view(text).substr(0, text.find(kHeadsEnd));
   ClipRecord record;
-  readOrigin(head, clip, record.making);
-  record.making.renderer = valueIn(head, kRenderer);
-  record.making.ffmpeg = valueIn(head, kFfmpeg);
-  record.making.motion = valueIn(head, kMotion);
-  record.making.textures = valueIn(head, kTextures);
+  readOrigin(head, clip, record.provenance);
+  record.provenance.renderer = valueIn(head, kRenderer);
+  record.provenance.ffmpeg = valueIn(head, kFfmpeg);
+  record.provenance.motion = valueIn(head, kMotion);
+  record.provenance.textures = valueIn(head, kTextures);
   record.part = partIn(head, clip);
-  record.scene = sceneIn(text, record.making.scene, clip, sceneFolder);
+  record.scene = sceneIn(text, record.provenance.scene, clip, sceneFolder);
   return record;
 }
 
@@ -183,7 +185,7 @@ bool isRecordOfClip(const scene::Scene& scene, const std::string& text) {
   }
 }
 
-RecordedClip readRecordedClip(const fs::path& clip, const TexturePlace& textures) {
+RecordedClip readRecordedClip(const fs::path& clip, const TextureLookup& textures) {
   const video::ClipMetadata metadata = video::readClipMetadata(clip);
   const fs::path folder = textures.folder.empty() ? clip.parent_path() : textures.folder;
   RecordedClip recorded{metadata.format, parseRecord(metadata.comment, clip, folder)};

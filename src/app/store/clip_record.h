@@ -15,7 +15,7 @@
 namespace rotatebook::store {
 
 /// What a clip was made with. As read from a record, each but `scene` may be empty.
-struct Making {
+struct Provenance {
   std::string scene{};     ///< Its name.
   std::string program{};   ///< "0.1.0"
   std::string renderer{};  ///< render::Renderer::description()
@@ -26,22 +26,23 @@ struct Making {
 
 /// That of a clip of `scene`, which moves as `motion`, made here and now with `renderer` of
 /// `textures`, as picture::LoadedTextures::checksums has them.
-Making makingOf(const scene::Scene& scene, const timeline::ClipMotion& motion,
-                const std::map<std::string, std::string>& textures, const std::string& renderer);
+Provenance provenanceOf(const scene::Scene& scene, const timeline::ClipMotion& motion,
+                        const std::map<std::string, std::string>& textures,
+                        const std::string& renderer);
 
 /// Where tools and textures differ: "the renderer was A, here it is B". The motions aren't
 /// compared, nor textures of which there is no record.
-std::vector<std::string> differencesOfTools(const Making& there, const Making& here);
+std::vector<std::string> differencesOfTools(const Provenance& there, const Provenance& here);
 
-/// The scene with every default explicit, headed by comments that tell `making`. It is stored
+/// The scene with every default explicit, headed by comments that tell `provenance`. It is stored
 /// beside the frames and in the videos that can hold it, so that a clip says what it was made from.
-std::string sceneRecord(const scene::Scene& scene, const Making& making);
+std::string sceneRecord(const scene::Scene& scene, const Provenance& provenance);
 /// `record` for a clip of some of the frames. A text that isn't a record comes back as it is.
 std::string recordOfPart(const std::string& record, FrameRange part);
 
 /// A record that was read.
 struct ClipRecord {
-  Making making;
+  Provenance provenance;
   std::optional<FrameRange> part{};  ///< The clip's frames, if they aren't all. first < end.
   scene::Scene scene;
 };
@@ -66,7 +67,7 @@ struct RecordedClip {
 };
 
 /// Where the textures of a recorded scene are.
-struct TexturePlace {
+struct TextureLookup {
   std::filesystem::path folder{};  ///< The scene's; empty: the clip's.
   bool allowOutside = false;       ///< scene::Scene::allowOutside
 };
@@ -74,6 +75,6 @@ struct TexturePlace {
 /// Reads the record of an MP4 or WebM. Throws InputError as video::readClipMetadata() and
 /// parseRecord() do, and for a texture that can't be read, naming --scene-folder where it is
 /// missing.
-RecordedClip readRecordedClip(const std::filesystem::path& clip, const TexturePlace& textures);
+RecordedClip readRecordedClip(const std::filesystem::path& clip, const TextureLookup& textures);
 
 }  // namespace rotatebook::store

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Entries = Manifest::Entries;
 
-constexpr std::size_t kMostDifferences = 3;
+constexpr std::size_t kMaxDifferences = 3;
 
 /// Of the program that runs: a change of its code may change pictures, and its version doesn't
 /// tell.
@@ -72,9 +72,9 @@ void addDifferences(const Entries& there, const Entries& here, std::vector<std::
 /// The first of them, and how many more there are.
 std::string shortList(std::vector<std::string> found) {
   const std::size_t count = found.size();
-  if (count > kMostDifferences) {
-    found.resize(kMostDifferences);
-    found.push_back("and " + std::to_string(count - kMostDifferences) + " more");
+  if (count > kMaxDifferences) {
+    found.resize(kMaxDifferences);
+    found.push_back("and " + std::to_string(count - kMaxDifferences) + " more");
   }
   return joined(found, "; ");
 }

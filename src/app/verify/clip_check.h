@@ -23,10 +23,10 @@ struct PictureCheck {
   video::Distance measured;
   video::Distance bound;
   /// Another frame than `frame` that it is clearly liker to.
-  std::optional<std::int64_t> likerTo{};
+  std::optional<std::int64_t> closerTo{};
 
   bool passed() const {
-    return !likerTo && measured.rms <= bound.rms && measured.worstPatch <= bound.worstPatch;
+    return !closerTo && measured.rms <= bound.rms && measured.worstBlock <= bound.worstBlock;
   }
 };
 

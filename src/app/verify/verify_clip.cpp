@@ -8,7 +8,7 @@
 #include "pipeline/render_clip.h"
 #include "timeline/motion_checksum.h"
 #include "timeline/simulate_scene.h"
-#include "verify/picture_judge.h"
+#include "verify/picture_comparison.h"
 #include "verify/stream_checks.h"
 #include "video/clip_reader.h"
 #include "video/whole_file.h"
@@ -46,7 +46,7 @@ std::set<std::int64_t> chosenFrames(store::FrameRange range, const std::string& 
   return {options.frames.begin(), options.frames.end()};
 }
 
-ClipCheck checkMotion(const store::Making& there, const std::string& motion) {
+ClipCheck checkMotion(const store::Provenance& there, const std::string& motion) {
   return {"motion", motion, there.motion.empty() ? "none is recorded" : there.motion,
           motion == there.motion};
 }
@@ -66,7 +66,7 @@ class Verifier {
                        .range = pipeline::framesToRender(motion_, record_.part),
                        .wholeCount = motion_.frameCount()};
     found.checks = checkStream(reader_.facts(), record_.scene);
-    found.checks.push_back(checkMotion(record_.making, motionSum_));
+    found.checks.push_back(checkMotion(record_.provenance, motionSum_));
     // Pictures of other sizes and kinds can't be compared, and to draw them may take gigabytes.
     const auto isWrong = [](const ClipCheck& check) {
       return !check.passed && (check.what == kSizeCheck || check.what == kCodecCheck);
@@ -77,7 +77,7 @@ class Verifier {
 
  private:
   static store::RecordedClip readWholeClip(const std::filesystem::path& clip,
-                                           const store::TexturePlace& textures) {
+                                           const store::TextureLookup& textures) {
     video::requireWholeFile(clip);
     return store::readRecordedClip(clip, textures);
   }
@@ -86,9 +86,9 @@ class Verifier {
     const std::set<std::int64_t> chosen = chosenFrames(found.range, motionSum_, options_);
     picture::FrameDrawer drawer(record_.scene, motion_, options_.device);
     found.toolsDiffer = store::differencesOfTools(
-        record_.making,
-        store::makingOf(record_.scene, motion_, drawer.textureChecksums(), drawer.description()));
-    PictureJudge judge(record_.scene, drawer, found.wholeCount, reader_.facts().format);
+        record_.provenance, store::provenanceOf(record_.scene, motion_, drawer.textureChecksums(),
+                                                drawer.description()));
+    PictureComparison judge(record_.scene, drawer, found.wholeCount, reader_.facts().format);
     TimeCheck times(reader_.facts(), record_.scene.clip.frameRate, found.range.count());
     for (std::int64_t frame = found.range.first; reader_.next(); ++frame) {
       times.add(reader_.time());

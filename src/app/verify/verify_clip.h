@@ -16,7 +16,7 @@ namespace rotatebook::verify {
 
 /// What to verify, and with what.
 struct VerifyOptions {
-  store::TexturePlace textures{};
+  store::TextureLookup textures{};
   /// Frames of the whole clip whose pictures are compared; none: one of each sixth of the clip,
   /// chosen by the motion's checksum.
   std::vector<std::int64_t> frames{};

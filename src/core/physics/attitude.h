@@ -13,7 +13,7 @@ namespace rotatebook::physics {
 
 /// The map of vectors that the attitude stands for; a rotation, or what drift has made of it.
 inline Eigen::Matrix3d mapOf(const Eigen::Quaterniond& attitude) {
-  return textbookMatrix(attitude);
+  return unnormalisedMatrix(attitude);
 }
 inline const Eigen::Matrix3d& mapOf(const Eigen::Matrix3d& attitude) {
   return attitude;
@@ -24,7 +24,7 @@ inline void turnInWorld(Eigen::Quaterniond& attitude, const Eigen::Quaterniond& 
   attitude = turn * attitude;
 }
 inline void turnInWorld(Eigen::Matrix3d& attitude, const Eigen::Quaterniond& turn) {
-  attitude = textbookMatrix(turn) * attitude;
+  attitude = unnormalisedMatrix(turn) * attitude;
 }
 
 /// Turns by the unit quaternion `turn`, given in the body's axes.
@@ -32,7 +32,7 @@ inline void turnInBody(Eigen::Quaterniond& attitude, const Eigen::Quaterniond& t
   attitude = attitude * turn;
 }
 inline void turnInBody(Eigen::Matrix3d& attitude, const Eigen::Quaterniond& turn) {
-  attitude = attitude * textbookMatrix(turn);
+  attitude = attitude * unnormalisedMatrix(turn);
 }
 
 /// Time derivative, from the angular velocity in the body's axes: q (0, w) / 2 or R [w]x. [1/s]
@@ -45,12 +45,12 @@ inline Eigen::Matrix3d rateInBody(const Eigen::Matrix3d& attitude, const Eigen::
 }
 
 /// attitude + factor * rate, component by component.
-inline Eigen::Quaterniond moved(const Eigen::Quaterniond& attitude, double factor,
-                                const Eigen::Quaterniond& rate) {
+inline Eigen::Quaterniond addScaled(const Eigen::Quaterniond& attitude, double factor,
+                                    const Eigen::Quaterniond& rate) {
   return Eigen::Quaterniond(attitude.coeffs() + factor * rate.coeffs());
 }
-inline Eigen::Matrix3d moved(const Eigen::Matrix3d& attitude, double factor,
-                             const Eigen::Matrix3d& rate) {
+inline Eigen::Matrix3d addScaled(const Eigen::Matrix3d& attitude, double factor,
+                                 const Eigen::Matrix3d& rate) {
   return attitude + factor * rate;
 }
 

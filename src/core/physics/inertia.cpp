@@ -17,7 +17,7 @@ namespace {
 constexpr double kRounding = 1e-12;
 
 // Products of several moments and spins are still normal numbers. [kg m^2]
-constexpr double kLeastMoment = 1e-30;
+constexpr double kMinMoment = 1e-30;
 
 void checkSymmetric(const Eigen::Matrix3d& tensor) {
   const double slack = kRounding * tensor.cwiseAbs().maxCoeff();
@@ -114,13 +114,13 @@ std::string momentsText(const Eigen::Vector3d& moments) {
 // How far rounding may have turned an axis: the farther, the closer its moment is to another. So
 // close that this is more than rounding of a double, they let no spin grow.
 double axisRounding(const Eigen::Vector3d& moments, int axis) {
-  constexpr double kMost = 0x1p-60;
+  constexpr double kMax = 0x1p-60;
   double least = moments.maxCoeff();
   for (int other = 0; other < 3; ++other) {
     const double gap = std::fabs(moments[other] - moments[axis]);
     if (gap > 0) least = std::min(least, gap);
   }
-  return std::min(kMost, kPairRounding * moments.maxCoeff() / least);
+  return std::min(kMax, kPairRounding * moments.maxCoeff() / least);
 }
 
 }  // namespace
@@ -167,7 +167,7 @@ void checkInertia(const Eigen::Matrix3d& tensor) {
         "but " +
         momentsText(moments));
   }
-  if (largest < kLeastMoment) {
+  if (largest < kMinMoment) {
     throw InputError("an inertia tensor must have principal moments of 1e-30 kg m^2 or more, but " +
                      momentsText(moments));
   }

@@ -19,7 +19,7 @@ Points fromEigen(const Cage& cage) {
   Points points;
   for (int axis = 0; axis < 3; ++axis) {
     for (int q = 0; q < 4; ++q) {
-      points.at(axis).at(q) = Lanes{cage(axis, q), cage(axis, q + 4)};
+      points.at(axis).at(q) = DoublePair{cage(axis, q), cage(axis, q + 4)};
     }
   }
   return points;
@@ -87,8 +87,8 @@ void ParticleSimulator::advance(double h, int steps) {
 void ParticleSimulator::restoreEnergy() {
   const double wanted = std::max(energy_ - state_.potentialEnergy(), kEnergyFloor * energy_);
   const double factor = std::sqrt(wanted / state_.kineticEnergy());
-  for (Octet& components : state_.velocities()) {
-    for (Lanes& lanes : components) lanes *= factor;
+  for (EightDoubles& components : state_.velocities()) {
+    for (DoublePair& lanes : components) lanes *= factor;
   }
 }
 

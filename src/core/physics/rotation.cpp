@@ -15,7 +15,7 @@ constexpr double kSmallLastStep = 1e-9;
 constexpr double kRounding = 4e-15;
 // From a well-shaped map six steps do; a map that needs more is nearly flat, and the SVD is the
 // better tool.
-constexpr int kMostNewtonSteps = 12;
+constexpr int kMaxNewtonSteps = 12;
 
 using Svd = Eigen::JacobiSVD<Eigen::Matrix3d>;
 
@@ -43,7 +43,7 @@ Eigen::Matrix3d cofactors(const Eigen::Matrix3d& m) {
 // rotation.
 Eigen::Matrix3d polarFactor(const Eigen::Matrix3d& map) {
   Eigen::Matrix3d x = map;
-  for (int step = 0; step < kMostNewtonSteps; ++step) {
+  for (int step = 0; step < kMaxNewtonSteps; ++step) {
     const Eigen::Matrix3d cofactor = cofactors(x);
     const double determinant = x.col(0).dot(cofactor.col(0));
     const Eigen::Matrix3d change = 0.5 * (cofactor / determinant - x);

@@ -18,7 +18,7 @@ inline Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& w) {
 /// A(q), the textbook conversion of a unit quaternion to a rotation matrix, applied as it stands:
 /// of a quaternion that is not of unit norm it makes a map that isn't a rotation. A(conj q) is its
 /// transpose.
-inline Eigen::Matrix3d textbookMatrix(const Eigen::Quaterniond& q) {
+inline Eigen::Matrix3d unnormalisedMatrix(const Eigen::Quaterniond& q) {
   const double w = q.w(), x = q.x(), y = q.y(), z = q.z();
   Eigen::Matrix3d result;
   result << 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),  //

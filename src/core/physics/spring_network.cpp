@@ -31,38 +31,38 @@ constexpr std::array<Joint, 16> kJoints{{{0, 1, false},
                                          {2, 2, true},
                                          {3, 3, true}}};
 
-inline Lanes crossedIf(bool crossed, Lanes lanes) {
-  return crossed ? Lanes{lanes[1], lanes[0]} : lanes;
+inline DoublePair crossedIf(bool crossed, DoublePair lanes) {
+  return crossed ? DoublePair{lanes[1], lanes[0]} : lanes;
 }
 
 // Partner minus point.
-inline Lanes difference(const Octet& components, const Joint& joint) {
+inline DoublePair difference(const EightDoubles& components, const Joint& joint) {
   return crossedIf(joint.crossed, components[joint.r]) - components[joint.q];
 }
 
-inline std::array<Lanes, 3> difference(const Points& points, const Joint& joint) {
+inline std::array<DoublePair, 3> difference(const Points& points, const Joint& joint) {
   return {difference(points[0], joint), difference(points[1], joint), difference(points[2], joint)};
 }
 
-inline Lanes dot(const std::array<Lanes, 3>& a, const std::array<Lanes, 3>& b) {
+inline DoublePair dot(const std::array<DoublePair, 3>& a, const std::array<DoublePair, 3>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-inline Lanes rootOf(Lanes lanes) {
-  return Lanes{std::sqrt(lanes[0]), std::sqrt(lanes[1])};
+inline DoublePair rootOf(DoublePair lanes) {
+  return DoublePair{std::sqrt(lanes[0]), std::sqrt(lanes[1])};
 }
 
 }  // namespace
 
-double sumOf(const Octet& numbers) {
-  const Lanes sum = (numbers[0] + numbers[1]) + (numbers[2] + numbers[3]);
+double sumOf(const EightDoubles& numbers) {
+  const DoublePair sum = (numbers[0] + numbers[1]) + (numbers[2] + numbers[3]);
   return sum[0] + sum[1];
 }
 
 double squaredNormOf(const Points& points) {
-  Octet squares;
+  EightDoubles squares;
   for (std::size_t q = 0; q < 4; ++q) {
-    const std::array<Lanes, 3> point{points[0][q], points[1][q], points[2][q]};
+    const std::array<DoublePair, 3> point{points[0][q], points[1][q], points[2][q]};
     squares[q] = dot(point, point);
   }
   return sumOf(squares);
@@ -87,9 +87,9 @@ SpringNetwork::SpringNetwork(const Points& positions, double stiffness, double d
 void SpringNetwork::moveTo(const Points& positions) {
 #pragma GCC unroll 16
   for (std::size_t n = 0; n < kCount; ++n) {
-    const std::array<Lanes, 3> arm = difference(positions, kJoints[n]);
-    const Lanes length = rootOf(dot(arm, arm));
-    const Lanes inverse = 1 / length;
+    const std::array<DoublePair, 3> arm = difference(positions, kJoints[n]);
+    const DoublePair length = rootOf(dot(arm, arm));
+    const DoublePair inverse = 1 / length;
     springs_[n].lengths = length;
     springs_[n].directions = {arm[0] * inverse, arm[1] * inverse, arm[2] * inverse};
   }
@@ -101,10 +101,11 @@ Points SpringNetwork::forces(const Points& velocities) const {
   for (std::size_t n = 0; n < kCount; ++n) {
     const Joint& joint = kJoints[n];
     const Springs& springs = springs_[n];
-    const Lanes rate = dot(springs.directions, difference(velocities, joint));
-    const Lanes tension = stiffness_ * (springs.lengths - springs.restLengths) + damping_ * rate;
+    const DoublePair rate = dot(springs.directions, difference(velocities, joint));
+    const DoublePair tension =
+        stiffness_ * (springs.lengths - springs.restLengths) + damping_ * rate;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const Lanes pull = tension * springs.directions[axis];
+      const DoublePair pull = tension * springs.directions[axis];
       sums[axis][joint.q] += pull;
       if (n < kDoublyCounted) sums[axis][joint.r] -= crossedIf(joint.crossed, pull);
     }
@@ -113,12 +114,12 @@ Points SpringNetwork::forces(const Points& velocities) const {
 }
 
 double SpringNetwork::energy() const {
-  Lanes once{}, twice{};
+  DoublePair once{}, twice{};
   for (std::size_t n = 0; n < kCount; ++n) {
-    const Lanes stretch = springs_[n].lengths - springs_[n].restLengths;
+    const DoublePair stretch = springs_[n].lengths - springs_[n].restLengths;
     (n < kDoublyCounted ? once : twice) += stretch * stretch;
   }
-  const Lanes sum = once + twice / 2;
+  const DoublePair sum = once + twice / 2;
   return stiffness_ / 2 * (sum[0] + sum[1]);
 }
 

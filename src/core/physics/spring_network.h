@@ -7,14 +7,14 @@
 namespace rotatebook::physics {
 
 /// The same component of two particles: processors compute both at once, each as if alone.
-using Lanes = double __attribute__((vector_size(16)));
+using DoublePair = double __attribute__((vector_size(16)));
 /// A component of eight particles; element q holds those of q and q + 4.
-using Octet = std::array<Lanes, 4>;
+using EightDoubles = std::array<DoublePair, 4>;
 /// Their x, y and z.
-using Points = std::array<Octet, 3>;
+using Points = std::array<EightDoubles, 3>;
 
 /// Sum of eight numbers, in a fixed order.
-double sumOf(const Octet& numbers);
+double sumOf(const EightDoubles& numbers);
 /// Sum of the squares of all components, in a fixed order.
 double squaredNormOf(const Points& points);
 /// points + factor * others.
@@ -38,9 +38,9 @@ class SpringNetwork {
   // Two springs. Twelve of these join different pairs of points; the last four join q and q + 4, in
   // one lane as seen from q and in the other as seen from q + 4.
   struct Springs {
-    std::array<Lanes, 3> directions{};  // unit vectors from each point to its partner
-    Lanes lengths{};
-    Lanes restLengths{};
+    std::array<DoublePair, 3> directions{};  // unit vectors from each point to its partner
+    DoublePair lengths{};
+    DoublePair restLengths{};
   };
   static constexpr std::size_t kCount = 16;
 

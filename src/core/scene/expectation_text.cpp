@@ -13,7 +13,7 @@ namespace rotatebook::scene {
 namespace {
 
 // Enough to tell any two numbers apart.
-constexpr int kMostDigits = 17;
+constexpr int kMaxDigits = 17;
 
 struct WordedBound {
   const char* words;
@@ -68,7 +68,7 @@ std::string measuredText(const ExpectationResult& result, int digits) {
 std::string measuredText(double value, const Expectation& bounds, int digits) {
   if (std::isnan(value)) return "nothing";
   std::string text = roundedText(value, digits);
-  while (digits < kMostDigits && !standsAsItWas(numberIn(text), value, bounds)) {
+  while (digits < kMaxDigits && !standsAsItWas(numberIn(text), value, bounds)) {
     text = roundedText(value, ++digits);
   }
   return text;

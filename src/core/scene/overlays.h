@@ -42,7 +42,7 @@ struct OverlayRow {
   bool onTheBook = false;  ///< Whether it is drawn on or about the book, not beside it.
 };
 
-/// In the order of Overlay. What draws each is in the rows of overlay/mark_rows.cpp.
+/// In the order of Overlay. What draws each is in the rows of overlay/overlay_rows.cpp.
 inline constexpr std::array<OverlayRow, kOverlayCount> kOverlayRows{{
     {"caption", Overlay::Caption},
     {"clock", Overlay::Clock},

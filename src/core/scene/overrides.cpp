@@ -19,50 +19,50 @@ namespace {
 
 using Path = std::vector<std::string_view>;
 
-Path pathFrom(std::string_view key, const std::string& place) {
+Path pathFrom(std::string_view key, const std::string& location) {
   Path path;
   for (std::size_t begin = 0; begin <= key.size();) {
     const std::size_t end = std::min(key.find('.', begin), key.size());
     path.push_back(key.substr(begin, end - begin));
-    if (path.back().empty()) failAt(place, "the key, or a part of it, is empty");
+    if (path.back().empty()) failAt(location, "the key, or a part of it, is empty");
     begin = end + 1;
   }
   constexpr std::size_t kLongestPath = 6;  // panel.0.expect.QUANTITY.1.BOUND
-  if (path.size() > kLongestPath) failAt(place, "no key of a scene has more than six parts");
+  if (path.size() > kLongestPath) failAt(location, "no key of a scene has more than six parts");
   return path;
 }
 
 // The element that `key`, a number from 0, counts in `array`.
 TomlNode& elementOf(TomlNode::Array& array, std::string_view key, std::string_view name,
-                    const std::string& place) {
+                    const std::string& location) {
   std::size_t index = 0;
   const auto [rest, error] = std::from_chars(key.data(), key.data() + key.size(), index);
   if (error == std::errc() && rest == key.data() + key.size() && index < array.size()) {
     return array[index];
   }
-  failAt(place, std::string(name) + " has " + std::to_string(array.size()) +
-                    (array.size() == 1 ? " element" : " elements") + ", numbered from 0, and no " +
-                    tomlString(key));
+  failAt(location, std::string(name) + " has " + std::to_string(array.size()) +
+                       (array.size() == 1 ? " element" : " elements") +
+                       ", numbered from 0, and no " + tomlString(key));
 }
 
 // The value of `key` in `node`, a new empty table if it isn't there. Messages call `node` by
 // `name`.
 TomlNode& childOf(TomlNode& node, std::string_view key, std::string_view name,
-                  const std::string& place) {
+                  const std::string& location) {
   if (auto* array = std::get_if<TomlNode::Array>(&node.value)) {
-    return elementOf(*array, key, name, place);
+    return elementOf(*array, key, name, location);
   }
   auto* table = std::get_if<TomlNode::Table>(&node.value);
-  if (!table) failAt(place, std::string(name) + " is " + describe(node) + ", which has no keys");
+  if (!table) failAt(location, std::string(name) + " is " + describe(node) + ", which has no keys");
   if (TomlEntry* entry = find(*table, key)) return entry->node;
-  table->push_back({std::string(key), place, {TomlNode::Table{}, place}});
+  table->push_back({std::string(key), location, {TomlNode::Table{}, location}});
   return table->back().node;
 }
 
-TomlNode valueFrom(std::string_view text, const std::string& place) {
-  if (auto value = parseTomlValue(text, place)) return *std::move(value);
-  if (auto bareString = parseTomlValue(tomlString(text), place)) return *std::move(bareString);
-  failAt(place, "the value isn't UTF-8");
+TomlNode valueFrom(std::string_view text, const std::string& location) {
+  if (auto value = parseTomlValue(text, location)) return *std::move(value);
+  if (auto bareString = parseTomlValue(tomlString(text), location)) return *std::move(bareString);
+  failAt(location, "the value isn't UTF-8");
 }
 
 // A scene has one spin, so that the command line's replaces the file's, whichever key either of
@@ -74,12 +74,12 @@ void removeOtherSpin(TomlNode& section, std::string_view newKey) {
 }
 
 void applyOverride(TomlNode& root, const std::string& text) {
-  const std::string place = overridePlace(text);
+  const std::string location = overrideLocation(text);
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos) failAt(place, "expected KEY=VALUE");
+  if (equals == std::string::npos) failAt(location, "expected KEY=VALUE");
   const std::string_view key = trimmed(std::string_view(text).substr(0, equals));
   const std::string_view value = trimmed(std::string_view(text).substr(equals + 1));
-  const Path path = pathFrom(key, place);
+  const Path path = pathFrom(key, location);
 
   TomlNode* parent = &root;
   TomlNode* node = &root;
@@ -87,24 +87,24 @@ void applyOverride(TomlNode& root, const std::string& text) {
     // `part` lies within `key`: what comes before it, less the dot, is the way to `node`.
     const auto wayLength = static_cast<std::size_t>(part.data() - key.data());
     parent = node;
-    node = &childOf(*parent, part, key.substr(0, wayLength - (wayLength > 0 ? 1 : 0)), place);
+    node = &childOf(*parent, part, key.substr(0, wayLength - (wayLength > 0 ? 1 : 0)), location);
   }
-  *node = valueFrom(value, place);
+  *node = valueFrom(value, location);
   const bool inInitial = path.size() >= 2 && path[path.size() - 2] == "initial";
   if (inInitial && isSpin(path.back())) removeOtherSpin(*parent, path.back());
 }
 
 }  // namespace
 
-std::string overridePlace(std::string_view text) {
-  constexpr std::size_t kMostShown = 200;
-  return "--set " + oneLine(text, kMostShown);
+std::string overrideLocation(std::string_view text) {
+  constexpr std::size_t kMaxShown = 200;
+  return "--set " + oneLine(text, kMaxShown);
 }
 
 void applyOverrides(TomlNode& root, std::span<const std::string> overrides) {
-  if (overrides.size() > kMostOverrides) {
+  if (overrides.size() > kMaxOverrides) {
     throw InputError("--set: " + std::to_string(overrides.size()) + " of them; the limit is " +
-                     std::to_string(kMostOverrides) + ": write them into the scene's file");
+                     std::to_string(kMaxOverrides) + ": write them into the scene's file");
   }
   for (const std::string& text : overrides) applyOverride(root, text);
 }

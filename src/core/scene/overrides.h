@@ -10,16 +10,16 @@
 
 namespace rotatebook::scene {
 
-inline constexpr std::size_t kMostOverrides = 1000;
+inline constexpr std::size_t kMaxOverrides = 1000;
 
 /// Puts each "key.path=value" into `root`, a table, in their order. The value is TOML, or else a
 /// bare string. An element of an array has its number from 0 for a key: panel.0.label.
 /// Setting either of initial.angular_velocity and initial.angular_momentum takes the other one out.
 /// Only the form is checked here. Throws InputError "PLACE: PROBLEM", with
-/// overridePlace(), and for more than kMostOverrides.
+/// overrideLocation(), and for more than kMaxOverrides.
 void applyOverrides(TomlNode& root, std::span<const std::string> overrides);
 
-/// What messages call the place of an override: "--set KEY=VALUE", printable and not too long.
-std::string overridePlace(std::string_view text);
+/// What messages call the location of an override: "--set KEY=VALUE", printable and not too long.
+std::string overrideLocation(std::string_view text);
 
 }  // namespace rotatebook::scene

@@ -34,7 +34,7 @@ void mergeSection(TomlNode::Table& sections, std::string_view name, const TomlNo
   const TomlNode::Table* shared = tableOf(common);
   TomlEntry* section = find(sections, name);
   if (section == nullptr) {
-    sections.push_back({std::string(name), common.place, common});
+    sections.push_back({std::string(name), common.location, common});
     return;
   }
   auto* own = std::get_if<TomlNode::Table>(&section->node.value);
@@ -120,9 +120,9 @@ Panel readPanel(const ValueReader& panel, const ValueReader& file, double timePe
 std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file,
                               double timePerFrame) {
   const auto tables = panels.tables("tables with the head [[panel]]");
-  if (tables.size() < kFewestPanels || tables.size() > kMostPanels) {
-    panels.fail("a scene has " + std::to_string(kFewestPanels) + " to " +
-                std::to_string(kMostPanels) + " panels, not " + std::to_string(tables.size()));
+  if (tables.size() < kMinPanels || tables.size() > kMaxPanels) {
+    panels.fail("a scene has " + std::to_string(kMinPanels) + " to " + std::to_string(kMaxPanels) +
+                " panels, not " + std::to_string(tables.size()));
   }
   std::vector<Panel> result;
   for (const ValueReader& table : tables) {

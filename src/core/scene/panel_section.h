@@ -8,8 +8,8 @@
 
 namespace rotatebook::scene {
 
-inline constexpr std::size_t kFewestPanels = 2;
-inline constexpr std::size_t kMostPanels = 6;
+inline constexpr std::size_t kMinPanels = 2;
+inline constexpr std::size_t kMaxPanels = 6;
 
 /// Reads `panels`, each over the sections of `file`, the whole: what a panel leaves out is as the
 /// file has it, or else the default. All have `timePerFrame`. [s] Throws InputError.

@@ -14,9 +14,9 @@
 namespace rotatebook::scene {
 namespace {
 
-constexpr int kMostFrames = 1'000'000;   // Their trajectory takes some 400 MB.
-constexpr double kLeastDistance = 1e-9;  // [m]
-constexpr double kLeastSine = 1e-6;  // Of the angle between two directions that aren't parallel.
+constexpr int kMaxFrames = 1'000'000;  // Their trajectory takes some 400 MB.
+constexpr double kMinDistance = 1e-9;  // [m]
+constexpr double kMinSine = 1e-6;      // Of the angle between two directions that aren't parallel.
 
 // A camera is only ever wrong through one of the keys that are there.
 [[noreturn]] void failAtFirst(const ValueReader& section,
@@ -43,10 +43,10 @@ std::string absence(Overlay overlay, const Scene& scene) {
 void checkFrames(const ValueReader& section, ClipSettings& clip) {
   // framesIn() counts in 64 bits, which an absurd duration would overflow. The default duration is
   // right at any rate, so that a wrong one is in the file.
-  const bool tooMany = clip.duration / clip.frameRate.period() > kMostFrames;
+  const bool tooMany = clip.duration / clip.frameRate.period() > kMaxFrames;
   if (tooMany || clip.frameCount() < 1) {
     section.find("duration")
-        ->mismatch("long enough for 1 frame and short enough for " + std::to_string(kMostFrames) +
+        ->mismatch("long enough for 1 frame and short enough for " + std::to_string(kMaxFrames) +
                    " at " + clip.frameRate.text() + " frames a second");
   }
 }
@@ -93,12 +93,12 @@ void checkOverlays(const ValueReader& section, const Scene& scene) {
 
 void checkCamera(const ValueReader& section, const CameraSettings& camera) {
   const Eigen::Vector3d view = camera.target - camera.position;
-  if (view.norm() < kLeastDistance) {
+  if (view.norm() < kMinDistance) {
     failAtFirst(section, {"position", "target"},
                 "camera.position and camera.target must be different points");
   }
   const double sine = view.stableNormalized().cross(camera.up.stableNormalized()).norm();
-  if (sine < kLeastSine) {
+  if (sine < kMinSine) {
     failAtFirst(
         section, {"up", "position", "target"},
         "camera.up must not be parallel to the direction from camera.position to camera.target");

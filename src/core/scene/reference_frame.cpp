@@ -9,9 +9,9 @@ namespace {
 
 /// The shortest turn from unit vector `from` to +y.
 Eigen::Matrix3d turnToY(const Eigen::Vector3d& from) {
-  constexpr double kLeast = 1e-12;  // of 1 + the angle's cosine
+  constexpr double kMin = 1e-12;  // of 1 + the angle's cosine
   const double cosine = from.y();
-  if (1 + cosine < kLeast) return Eigen::Vector3d(1, -1, -1).asDiagonal();
+  if (1 + cosine < kMin) return Eigen::Vector3d(1, -1, -1).asDiagonal();
   const Eigen::Vector3d axis = from.cross(Eigen::Vector3d::UnitY());  // as long as the sine
   return cosine * Eigen::Matrix3d::Identity() + physics::crossMatrix(axis) +
          axis * axis.transpose() / (1 + cosine);

@@ -133,8 +133,8 @@ struct Scene : Motion {
   std::vector<Panel> panels;  ///< None, or 2 to 6.
   std::optional<StudySettings> study;
   /// Where texts stand that can prove wrong only when files and fonts are opened, by key, such as
-  /// "overlay.font"; those that are stated. See scene/places.h.
-  std::map<std::string, std::string, std::less<>> places;
+  /// "overlay.font"; those that are stated. See scene/source_locations.h.
+  std::map<std::string, std::string, std::less<>> locations;
 
   friend bool operator==(const Scene&, const Scene&) = default;
 };

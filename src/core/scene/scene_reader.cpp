@@ -5,9 +5,9 @@
 #include "scene/keys/keys.h"
 #include "scene/overrides.h"
 #include "scene/panel_section.h"
-#include "scene/places.h"
 #include "scene/scene_text.h"
 #include "scene/sections.h"
+#include "scene/source_locations.h"
 #include "scene/study_section.h"
 #include "scene/toml_tree.h"
 #include "scene/value_reader.h"
@@ -62,18 +62,18 @@ void placeCamera(const ValueReader& file, Scene& scene) {
   if (const auto camera = file.find("camera")) checkCamera(*camera, scene.camera);
 }
 
-/// The places of those of kPlacedKeys that the file states, and of its labels.
-void notePlaces(const ValueReader& file, Scene& scene) {
-  for (const std::string_view key : kPlacedKeys) {
+/// The places of those of kLocatedKeys that the file states, and of its labels.
+void noteLocations(const ValueReader& file, Scene& scene) {
+  for (const std::string_view key : kLocatedKeys) {
     const auto dot = key.find('.');
     auto value = file.find(key.substr(0, dot));
     if (value && dot != key.npos) value = value->find(key.substr(dot + 1));
-    if (value) scene.places.emplace(key, value->node().place);
+    if (value) scene.locations.emplace(key, value->node().location);
   }
   if (scene.panels.empty()) return;
   std::size_t panel = 0;
   for (const ValueReader& table : file.find("panel")->tables("")) {
-    scene.places.emplace(labelKey(panel++), table.find("label")->node().place);
+    scene.locations.emplace(labelKey(panel++), table.find("label")->node().location);
   }
 }
 
@@ -92,7 +92,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   readSections(file, scene);
   if (!file.find("title")) scene.title = scene.name;
   readMotions(file, scene);
-  notePlaces(file, scene);
+  noteLocations(file, scene);
   placeCamera(file, scene);
   if (const auto overlay = file.find("overlay")) checkOverlays(*overlay, scene);
   if (const auto look = file.find("look")) checkMotionBlur(*look, scene);

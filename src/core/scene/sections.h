@@ -20,9 +20,9 @@ inline constexpr std::size_t kLongestName = 100;   ///< Of a font or an integrat
 inline constexpr std::size_t kLongestPath = 1000;  ///< Of a texture.
 
 /// Most integration steps from a frame to the next.
-inline constexpr int kMostSubsteps = 1'000'000;
+inline constexpr int kMaxSubsteps = 1'000'000;
 /// Most integration steps that a scene, or its study, takes in all: some hours of computing.
-inline constexpr std::int64_t kMostSteps = 10'000'000'000;
+inline constexpr std::int64_t kMaxSteps = 10'000'000'000;
 
 /// Those of a motion, in the order of messages: [body], [simulation], [initial] and, last,
 /// [expect]. Left to the caller are the default of time_per_frame, which depends on [clip], its
@@ -46,7 +46,7 @@ void checkOverlays(const ValueReader& section, const Scene& scene);
 /// Refuses moments of motion blur that aren't at the ends of integration steps; `section` is
 /// [look].
 void checkMotionBlur(const ValueReader& section, const Scene& scene);
-/// Refuses a scene, read as a whole, that takes more than kMostSteps; `file` is its whole, too.
+/// Refuses a scene, read as a whole, that takes more than kMaxSteps; `file` is its whole, too.
 void checkSteps(const ValueReader& file, const Scene& scene);
 /// Refuses a complete camera that looks nowhere or has no upper side; `section` is where it came
 /// from.

@@ -41,10 +41,10 @@ ValueReader statedSubsteps(const ValueReader& file) {
 void refuseMany(std::int64_t stepsPerFrame, const Scene& scene, const ValueReader& place,
                 const std::string& remedy) {
   const std::int64_t frames = scene.clip.frameCount();
-  if (stepsPerFrame <= kMostSteps / frames) return;
+  if (stepsPerFrame <= kMaxSteps / frames) return;
   place.fail(std::to_string(frames) + " frames of " + std::to_string(stepsPerFrame) +
              " integration steps are " + std::to_string(stepsPerFrame * frames) +
-             "; the limit is " + std::to_string(kMostSteps) + " in all: " + remedy);
+             "; the limit is " + std::to_string(kMaxSteps) + " in all: " + remedy);
 }
 
 }  // namespace

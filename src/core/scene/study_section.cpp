@@ -9,7 +9,7 @@ namespace {
 
 using physics::Model;
 
-constexpr int kMostDoublings = 10;
+constexpr int kMaxDoublings = 10;
 // Angle between the untilted spin and the median axis up to which there is a law to compare with.
 // [rad]
 constexpr double kAboutMedian = 0.1;
@@ -50,7 +50,7 @@ StudySettings defaultStudy(Model model) {
   const auto integrators = integratorsOf(model);
   study.integrators.assign(integrators.begin(), integrators.end());
   if (study.integrators.empty()) return study;
-  for (int doublings = 0; doublings <= kMostDoublings; ++doublings) {
+  for (int doublings = 0; doublings <= kMaxDoublings; ++doublings) {
     study.steps.push_back(1 << doublings);
   }
   return study;

@@ -12,21 +12,21 @@
 namespace rotatebook::scene {
 namespace {
 
-using PlaceOf = std::function<std::string(const toml::source_region&)>;
+using LocationOf = std::function<std::string(const toml::source_region&)>;
 
 // The deepest value of a scene, a number in a bound in an array in a panel, lies at 6.
 constexpr int kDeepest = 8;
 
-TomlNode nodeFrom(const toml::node& source, const PlaceOf& placeOf, int depth);
+TomlNode nodeFrom(const toml::node& source, const LocationOf& locationOf, int depth);
 
-TomlNode::Array arrayFrom(const toml::array& source, const PlaceOf& placeOf, int depth) {
+TomlNode::Array arrayFrom(const toml::array& source, const LocationOf& locationOf, int depth) {
   TomlNode::Array elements;
-  for (const toml::node& element : source) elements.push_back(nodeFrom(element, placeOf, depth));
+  for (const toml::node& element : source) elements.push_back(nodeFrom(element, locationOf, depth));
   return elements;
 }
 
 // toml++ keeps tables by name; messages are to come in the order of the text.
-TomlNode::Table tableFrom(const toml::table& source, const PlaceOf& placeOf, int depth) {
+TomlNode::Table tableFrom(const toml::table& source, const LocationOf& locationOf, int depth) {
   std::vector<std::pair<const toml::key*, const toml::node*>> sorted;
   for (auto&& [key, node] : source) sorted.emplace_back(&key, &node);
   std::stable_sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
@@ -35,15 +35,15 @@ TomlNode::Table tableFrom(const toml::table& source, const PlaceOf& placeOf, int
 
   TomlNode::Table table;
   for (const auto& [key, node] : sorted) {
-    const std::string place = placeOf(key->source());
-    table.push_back({std::string(key->str()), place, nodeFrom(*node, placeOf, depth)});
+    const std::string location = locationOf(key->source());
+    table.push_back({std::string(key->str()), location, nodeFrom(*node, locationOf, depth)});
   }
   return table;
 }
 
-TomlNode nodeFrom(const toml::node& source, const PlaceOf& placeOf, int depth) {
-  TomlNode node{TomlDate{}, placeOf(source.source())};
-  if (depth > kDeepest) failAt(node.place, "nested deeper than any value of a scene");
+TomlNode nodeFrom(const toml::node& source, const LocationOf& locationOf, int depth) {
+  TomlNode node{TomlDate{}, locationOf(source.source())};
+  if (depth > kDeepest) failAt(node.location, "nested deeper than any value of a scene");
   switch (source.type()) {
     case toml::node_type::boolean:
       node.value = source.as_boolean()->get();
@@ -58,10 +58,10 @@ TomlNode nodeFrom(const toml::node& source, const PlaceOf& placeOf, int depth) {
       node.value = source.as_string()->get();
       break;
     case toml::node_type::array:
-      node.value = arrayFrom(*source.as_array(), placeOf, depth + 1);
+      node.value = arrayFrom(*source.as_array(), locationOf, depth + 1);
       break;
     case toml::node_type::table:
-      node.value = tableFrom(*source.as_table(), placeOf, depth + 1);
+      node.value = tableFrom(*source.as_table(), locationOf, depth + 1);
       break;
     default:
       break;
@@ -73,21 +73,22 @@ std::string positionIn(const std::string& file, const toml::source_region& regio
   return file + ":" + std::to_string(region.begin.line) + ":" + std::to_string(region.begin.column);
 }
 
-void refuseLong(std::string_view text, const std::string& place) {
+void refuseLong(std::string_view text, const std::string& location) {
   if (text.size() <= kLongestToml) return;
-  failAt(place, "longer than " + std::to_string(kLongestToml / 1024) + " KiB, so it is no scene");
+  failAt(location,
+         "longer than " + std::to_string(kLongestToml / 1024) + " KiB, so it is no scene");
 }
 
 std::string describeText(const std::string& text) {
-  constexpr std::size_t kMostShown = 200;
+  constexpr std::size_t kMaxShown = 200;
   const std::size_t letters = letterCount(text);
-  return letters <= kMostShown ? tomlString(text)
-                               : "a text of " + std::to_string(letters) + " letters";
+  return letters <= kMaxShown ? tomlString(text)
+                              : "a text of " + std::to_string(letters) + " letters";
 }
 
 std::string describeArray(const TomlNode::Array& array) {
-  constexpr std::size_t kMostShown = 4;
-  if (array.size() > kMostShown) return "an array of " + std::to_string(array.size()) + " values";
+  constexpr std::size_t kMaxShown = 4;
+  if (array.size() > kMaxShown) return "an array of " + std::to_string(array.size()) + " values";
   std::vector<std::string> parts;
   for (const TomlNode& element : array) parts.push_back(describe(element));
   return "[" + joined(parts) + "]";
@@ -95,28 +96,28 @@ std::string describeArray(const TomlNode::Array& array) {
 
 }  // namespace
 
-void failAt(const std::string& place, const std::string& problem) {
-  throw InputError(place + ": " + problem);
+void failAt(const std::string& location, const std::string& problem) {
+  throw InputError(location + ": " + problem);
 }
 
 TomlNode parseToml(std::string_view text, const std::string& file) {
   refuseLong(text, file);
-  const PlaceOf placeOf = [&file](const auto& region) { return positionIn(file, region); };
+  const LocationOf locationOf = [&file](const auto& region) { return positionIn(file, region); };
   try {
-    return nodeFrom(toml::parse(text, std::string_view(file)), placeOf, 0);
+    return nodeFrom(toml::parse(text, std::string_view(file)), locationOf, 0);
   } catch (const toml::parse_error& error) {
-    failAt(placeOf(error.source()), printable(error.description()));
+    failAt(locationOf(error.source()), printable(error.description()));
   }
 }
 
-std::optional<TomlNode> parseTomlValue(std::string_view text, const std::string& place) {
-  refuseLong(text, place);
-  const PlaceOf placeOf = [&place](const auto&) { return place; };
+std::optional<TomlNode> parseTomlValue(std::string_view text, const std::string& location) {
+  refuseLong(text, location);
+  const LocationOf locationOf = [&location](const auto&) { return location; };
   try {
     const toml::table table = toml::parse("value = " + std::string(text));
     // A line break in `text` could have brought more keys with it.
     if (table.size() != 1) return std::nullopt;
-    return nodeFrom(*table.get("value"), placeOf, 0);
+    return nodeFrom(*table.get("value"), locationOf, 0);
   } catch (const toml::parse_error&) {
     return std::nullopt;
   }

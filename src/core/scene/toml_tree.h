@@ -16,19 +16,19 @@ struct TomlEntry;
 /// A date or a time. No key of a scene takes one, so that its value is of no interest.
 struct TomlDate {};
 
-/// A value and its place.
+/// A value and its location.
 struct TomlNode {
   using Array = std::vector<TomlNode>;
   using Table = std::vector<TomlEntry>;  ///< In the order of the text.
 
   std::variant<bool, std::int64_t, double, std::string, TomlDate, Array, Table> value;
-  std::string place;  ///< "FILE:LINE:COLUMN", or "--set KEY=VALUE".
+  std::string location;  ///< "FILE:LINE:COLUMN", or "--set KEY=VALUE".
 };
 
 /// A key with its value.
 struct TomlEntry {
   std::string key;
-  std::string keyPlace;  ///< As TomlNode::place.
+  std::string keyLocation;  ///< As TomlNode::location.
   TomlNode node;
 };
 
@@ -37,13 +37,13 @@ struct TomlEntry {
 inline constexpr std::size_t kLongestToml = 32'768;
 
 /// Throws InputError "PLACE: PROBLEM".
-[[noreturn]] void failAt(const std::string& place, const std::string& problem);
+[[noreturn]] void failAt(const std::string& location, const std::string& problem);
 
 /// The tree of a whole text; its root is a table. Throws InputError with the parser's words.
 TomlNode parseToml(std::string_view text, const std::string& file);
 
-/// A single value, or nothing if `text` isn't one; `place` is the place of every part of it.
-std::optional<TomlNode> parseTomlValue(std::string_view text, const std::string& place);
+/// A single value, or nothing if `text` isn't one; `location` is the location of every part of it.
+std::optional<TomlNode> parseTomlValue(std::string_view text, const std::string& location);
 
 /// The entry of that key, or null.
 TomlEntry* find(TomlNode::Table& table, std::string_view key);

@@ -132,7 +132,7 @@ void ValueReader::mismatch(const std::string& expected) const {
 }
 
 void ValueReader::fail(const std::string& problem) const {
-  failAt(node_->place, problem);
+  failAt(node_->location, problem);
 }
 
 std::string ValueReader::nameOfKey(std::string_view key) const {
@@ -146,7 +146,7 @@ void ValueReader::refuseKey(const TomlEntry& entry, const std::vector<Field>& fi
   const bool isSection = name_.empty() && std::holds_alternative<TomlNode::Table>(entry.node.value);
   const std::string where = name_.empty() ? "" : " in [" + name_ + "]";
   const std::string suggestion = didYouMean(entry.key, valid);
-  failAt(entry.keyPlace,
+  failAt(entry.keyLocation,
          (isSection ? "unknown section " : "unknown key ") + tomlString(entry.key) + where +
              (suggestion.empty() ? "; valid are " + quotedList(valid, "and") : suggestion));
 }

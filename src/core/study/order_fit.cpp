@@ -69,7 +69,7 @@ OrderFit fitOrder(std::span<const ErrorAtStep> all) {
   fit.runs = static_cast<int>(runs.size());
   fit.shortest = runs.front().h;
   fit.longest = runs.back().h;
-  if (fit.runs >= kFewestRuns) fit.order = leastSquaresSlope(runs);
+  if (fit.runs >= kMinRuns) fit.order = leastSquaresSlope(runs);
   return fit;
 }
 

@@ -21,7 +21,7 @@ struct OrderFit {
 };
 
 /// Fewest runs that an order is fitted to.
-inline constexpr int kFewestRuns = 3;
+inline constexpr int kMinRuns = 3;
 /// Largest error at which the law can hold: a tenth of a radian. An error saturates at half a turn.
 /// [degrees]
 inline constexpr double kLargestErrorDeg = 5.729577951308232;

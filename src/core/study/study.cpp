@@ -11,7 +11,7 @@
 #include "physics/measure/flip_interval.h"
 #include "physics/motion_start.h"
 #include "physics/simulate.h"
-#include "scene/places.h"
+#include "scene/source_locations.h"
 
 namespace rotatebook::study {
 namespace {
@@ -120,7 +120,7 @@ bool runInTurn(std::span<const std::size_t> indices, const Run& run) {
 
 void refuseNothingToVary(const scene::Scene& scene) {
   if (!scene.panels.empty()) {
-    throw InputError(scene::placeOf(scene, "panel") +
+    throw InputError(scene::locationOf(scene, "panel") +
                      ": a study is of one motion, but this scene has panels");
   }
   if (scene.simulation.model == physics::Model::Exact) {

@@ -35,7 +35,8 @@ class PngDecoder {
  public:
   explicit PngDecoder(std::span<const std::uint8_t> bytes)
       : remaining_{bytes.data(), bytes.size()},
-        png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &words_, jumpWithWords, ignoreWarning)) {
+        png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &message_, jumpWithWords,
+                                    ignoreWarning)) {
     if (png_ != nullptr) info_ = png_create_info_struct(png_);
     if (info_ == nullptr) png_destroy_read_struct(&png_, nullptr, nullptr);
     if (png_ == nullptr) throw std::bad_alloc();
@@ -73,7 +74,7 @@ class PngDecoder {
     });
   }
 
-  const char* words() const { return words_.text; }
+  const char* message() const { return message_.text; }
 
  private:
   static void take(png_structp png, png_bytep target, std::size_t size) {
@@ -84,7 +85,7 @@ class PngDecoder {
     remaining->size -= size;
   }
 
-  PngWords words_;
+  PngWords message_;
   Remaining remaining_;
   png_structp png_;
   png_infop info_ = nullptr;
@@ -125,13 +126,13 @@ Image decodePng(std::span<const std::uint8_t> bytes, const std::string& name) {
   }
   PngDecoder decoder(bytes);
   PngHeader header;
-  if (!decoder.readHeader(header)) refuse(name, "corrupt PNG: " + std::string(decoder.words()));
+  if (!decoder.readHeader(header)) refuse(name, "corrupt PNG: " + std::string(decoder.message()));
   checkSize(header, bytes.size(), name);
   Image image(static_cast<int>(header.width), static_cast<int>(header.height),
               header.hasAlpha ? PixelFormat::Rgba8 : PixelFormat::Rgb8);
   std::vector<png_bytep> rows = rowPointers(image);
   if (!decoder.readPixels(rows.data())) {
-    refuse(name, "corrupt PNG: " + std::string(decoder.words()));
+    refuse(name, "corrupt PNG: " + std::string(decoder.message()));
   }
   return image;
 }

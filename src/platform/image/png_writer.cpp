@@ -19,8 +19,8 @@ class PngEncoder {
  public:
   // Appends to `bytes`.
   explicit PngEncoder(std::string& bytes)
-      : png_(
-            png_create_write_struct(PNG_LIBPNG_VER_STRING, &words_, jumpWithWords, ignoreWarning)) {
+      : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, &message_, jumpWithWords,
+                                     ignoreWarning)) {
     if (png_ != nullptr) info_ = png_create_info_struct(png_);
     if (info_ == nullptr) png_destroy_write_struct(&png_, nullptr);
     if (png_ == nullptr) throw std::bad_alloc();
@@ -40,7 +40,7 @@ class PngEncoder {
     });
   }
 
-  const char* words() const { return words_.text; }
+  const char* message() const { return message_.text; }
 
  private:
   static void append(png_structp png, png_bytep data, std::size_t size) {
@@ -68,7 +68,7 @@ class PngEncoder {
     png_write_info(png_, info_);
   }
 
-  PngWords words_;
+  PngWords message_;
   png_structp png_;
   png_infop info_ = nullptr;
 };
@@ -109,7 +109,7 @@ const std::string& PngWriter::write(const std::filesystem::path& path, ImageView
   bool done = encoder.begin(view, alpha);
   if (done) appendPixels(parts_->packer, view, alpha, bytes);
   done = done && encoder.end();
-  if (!done) throw MachineError("can't write " + path.string() + ": libpng: " + encoder.words());
+  if (!done) throw MachineError("can't write " + path.string() + ": libpng: " + encoder.message());
   system::writeFileAtomically(path, bytes);
   return bytes;
 }

@@ -30,7 +30,7 @@ double reachOf(const physics::Cuboid& body) {
   return body.size.norm() / 2;
 }
 
-Layer letter(const MarkContext& context, const std::string& text, const Colour& colour) {
+Layer letter(const OverlayContext& context, const std::string& text, const Colour& colour) {
   const TextStyle style{.size = 1.15 * context.scale.letters,
                         .bold = true,
                         .colour = colour,
@@ -58,14 +58,14 @@ Eigen::Vector3d centreOf(const physics::Sample& sample) {
   return sample.cage.rowwise().mean();
 }
 
-void drawArrows(const View& view, const MarkContext& context, const std::vector<Arrow>& arrows) {
+void drawArrows(const View& view, const OverlayContext& context, const std::vector<Arrow>& arrows) {
   const BodyBox box(context.scene.body, view.sample.cage);
   for (const Arrow& arrow : arrows) drawArrow(view, box, arrow.from, arrow.to, arrow.pen);
 }
 
 }  // namespace
 
-Axes::Axes(const MarkContext& context)
+Axes::Axes(const OverlayContext& context)
     : context_(context),
       letters_{letter(context, "x", kAxisColours[0]), letter(context, "y", kAxisColours[1]),
                letter(context, "z", kAxisColours[2])} {}
@@ -92,7 +92,7 @@ void Axes::draw(const View& view) {
   drawArrows(view, context_, arrows(view.sample));
 }
 
-ArrowScale::ArrowScale(const MarkContext& context)
+ArrowScale::ArrowScale(const OverlayContext& context)
     : reach_(reachOf(context.scene.body)),
       velocity_(largestVelocity(context.trajectory)),
       momentum_(context.trajectory.samples.front().angularMomentum.stableNorm()) {}
@@ -126,9 +126,9 @@ const ShownVector kMomentum{"L", kMomentumColour, kMomentumWish,
                             }};
 
 /// A vector of the motion as an arrow from the body's centre.
-class VectorArrow final : public Mark {
+class VectorArrow final : public DrawnOverlay {
  public:
-  VectorArrow(const MarkContext& context, const ShownVector& shown)
+  VectorArrow(const OverlayContext& context, const ShownVector& shown)
       : context_(context),
         shown_(shown),
         scale_(context),
@@ -143,7 +143,7 @@ class VectorArrow final : public Mark {
   }
 
  private:
-  MarkContext context_;
+  OverlayContext context_;
   ShownVector shown_;
   ArrowScale scale_;
   Layer letter_;
@@ -151,15 +151,15 @@ class VectorArrow final : public Mark {
 
 }  // namespace
 
-std::unique_ptr<Mark> makeOmega(const MarkContext& context, const Box&) {
+std::unique_ptr<DrawnOverlay> makeOmega(const OverlayContext& context, const Box&) {
   return std::make_unique<VectorArrow>(context, kOmega);
 }
 
-std::unique_ptr<Mark> makeMomentum(const MarkContext& context, const Box&) {
+std::unique_ptr<DrawnOverlay> makeMomentum(const OverlayContext& context, const Box&) {
   return std::make_unique<VectorArrow>(context, kMomentum);
 }
 
-Trail::Trail(const MarkContext& context)
+Trail::Trail(const OverlayContext& context)
     : context_(context), length_(context.scene.clip.frameRate.framesIn(kTrailTime)) {
   const ArrowScale scale(context);
   for (const physics::Sample& sample : context.trajectory.samples) {

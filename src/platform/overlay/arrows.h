@@ -10,19 +10,19 @@
 #include <Eigen/Core>
 
 #include "overlay/box.h"
-#include "overlay/mark.h"
+#include "overlay/drawn_overlay.h"
 
 namespace rotatebook::overlay {
 
 /// The body's axes, from its centre out through its faces.
-class Axes final : public Mark {
+class Axes final : public DrawnOverlay {
  public:
-  explicit Axes(const MarkContext& context);
+  explicit Axes(const OverlayContext& context);
   void draw(const View& view) override;
   std::vector<Arrow> arrows(const physics::Sample& sample) const override;
 
  private:
-  MarkContext context_;
+  OverlayContext context_;
   std::array<Layer, 3> letters_;
 };
 
@@ -30,7 +30,7 @@ class Axes final : public Mark {
 /// without limit stop growing.
 class ArrowScale {
  public:
-  explicit ArrowScale(const MarkContext& context);
+  explicit ArrowScale(const OverlayContext& context);
   /// The tip of the arrow for an angular velocity [rad/s]. [m]
   Eigen::Vector3d omegaTip(const Eigen::Vector3d& angularVelocity) const;
   /// That for an angular momentum [kg m^2/s]. [m]
@@ -43,18 +43,18 @@ class ArrowScale {
 };
 
 /// The angular velocity as an arrow from the body's centre; its place needs no box.
-std::unique_ptr<Mark> makeOmega(const MarkContext& context, const Box& box);
+std::unique_ptr<DrawnOverlay> makeOmega(const OverlayContext& context, const Box& box);
 /// The angular momentum likewise.
-std::unique_ptr<Mark> makeMomentum(const MarkContext& context, const Box& box);
+std::unique_ptr<DrawnOverlay> makeMomentum(const OverlayContext& context, const Box& box);
 
 /// The path of the angular velocity's tip through the last seconds, as the camera's frame has it.
-class Trail final : public Mark {
+class Trail final : public DrawnOverlay {
  public:
-  explicit Trail(const MarkContext& context);
+  explicit Trail(const OverlayContext& context);
   void draw(const View& view) override;
 
  private:
-  MarkContext context_;
+  OverlayContext context_;
   std::vector<Eigen::Vector3d> tips_;  // of each sample
   std::int64_t length_;                // in samples
 };

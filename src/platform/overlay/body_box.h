@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include "overlay/canvas.h"
-#include "overlay/mark.h"
+#include "overlay/drawn_overlay.h"
 #include "physics/cuboid.h"
 
 namespace rotatebook::overlay {

@@ -165,7 +165,7 @@ void Canvas::disc(const Point& centre, double radius, const Fill& fill) {
   parts_->fill(Box{centre.x(), centre.y(), 0, 0}.grown(radius), fill);
 }
 
-void Canvas::plate(const Box& box, double radius, const Fill& fill) {
+void Canvas::roundedBox(const Box& box, double radius, const Fill& fill) {
   roundedPath(parts_->cairo.get(), box, radius);
   parts_->fill(box, fill);
 }
@@ -193,25 +193,26 @@ void Canvas::layOver(image::Image& picture) {
   parts_->clear();
 }
 
-void Canvas::lay(const Plate& plate, image::Image& picture) {
+void Canvas::lay(const CachedLayer& cached, image::Image& picture) {
   if (!parts_->touched.empty()) layOver(picture);
-  blend(plate.layer, picture);
-  parts_->texts.insert(parts_->texts.end(), plate.texts.begin(), plate.texts.end());
+  blend(cached.layer, picture);
+  parts_->texts.insert(parts_->texts.end(), cached.texts.begin(), cached.texts.end());
 }
 
-Plate Canvas::take() {
+CachedLayer Canvas::take() {
   cairo_surface_flush(parts_->surface.get());
   Box all;
   for (const Box& box : parts_->touched) all = all.united(box);
   const LayerView part = parts_->view(all);
-  Plate plate{{part.x, part.y, part.width, part.height, {}}, std::exchange(parts_->texts, {})};
+  CachedLayer cached{{part.x, part.y, part.width, part.height, {}},
+                     std::exchange(parts_->texts, {})};
   const auto rowSize = static_cast<std::ptrdiff_t>(part.width) * 4;
   for (int y = 0; y < part.height; ++y) {
     const std::uint8_t* row = part.pixels + y * part.stride;
-    plate.layer.pixels.insert(plate.layer.pixels.end(), row, row + rowSize);
+    cached.layer.pixels.insert(cached.layer.pixels.end(), row, row + rowSize);
   }
   parts_->clear();
-  return plate;
+  return cached;
 }
 
 const std::vector<Box>& Canvas::texts() const {

@@ -45,7 +45,7 @@ class Canvas {
   void area(std::span<const Point> corners, const Fill& fill);
   void disc(const Point& centre, double radius, const Fill& fill);
   /// A rectangle whose corners are round.
-  void plate(const Box& box, double radius, const Fill& fill);
+  void roundedBox(const Box& box, double radius, const Fill& fill);
   /// `words`, with their top left, without halo, at `place`; fractions of a pixel count.
   void write(const Layer& words, const Point& place);
   /// A piece of picture, which has no words; else the same.
@@ -53,10 +53,10 @@ class Canvas {
 
   /// Lays what was drawn over `picture`, which is of this size, and starts afresh.
   void layOver(image::Image& picture);
-  /// Lays `plate` over `picture`, above all that was drawn before.
-  void lay(const Plate& plate, image::Image& picture);
+  /// Lays `cached` over `picture`, above all that was drawn before.
+  void lay(const CachedLayer& cached, image::Image& picture);
   /// What was drawn, words included, as a piece of its own; starts afresh.
-  Plate take();
+  CachedLayer take();
 
   /// Where words were written or laid since forgetTexts().
   const std::vector<Box>& texts() const;

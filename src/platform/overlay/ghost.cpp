@@ -81,7 +81,7 @@ struct SeenBox {
 
 }  // namespace
 
-Ghost::Ghost(const MarkContext& context)
+Ghost::Ghost(const OverlayContext& context)
     : context_(context),
       exact_(physics::modelInertia(context.scene.motion()),
              physics::initialAngularVelocity(context.scene.motion())) {}

@@ -1,19 +1,19 @@
 // The exact motion beside the simulated one. Inside the room only.
 #pragma once
 
-#include "overlay/mark.h"
+#include "overlay/drawn_overlay.h"
 #include "physics/exact/exact_rotation.h"
 
 namespace rotatebook::overlay {
 
 /// The body as the exact motion from the same start has it: a translucent outline.
-class Ghost final : public Mark {
+class Ghost final : public DrawnOverlay {
  public:
-  explicit Ghost(const MarkContext& context);
+  explicit Ghost(const OverlayContext& context);
   void draw(const View& view) override;
 
  private:
-  MarkContext context_;
+  OverlayContext context_;
   physics::ExactRotation exact_;
 };
 

@@ -31,7 +31,7 @@ struct LayerView {
 LayerView viewOf(const Layer& layer);
 
 /// A layer that is the same in each frame, and where on the picture it has words.
-struct Plate {
+struct CachedLayer {
   Layer layer;
   std::vector<Box> texts;
 };

@@ -8,14 +8,14 @@ namespace {
 
 // The book, in any attitude, keeps within a circle about as wide as the camera's picture is high;
 // what is beside it is this share of the width at least where a column is to fit.
-constexpr double kLeastSide = 0.17;
+constexpr double kMinSide = 0.17;
 constexpr double kWidestColumn = 0.25;  // of the width
 constexpr double kSquareShare = 0.42;   // of the column's height
 constexpr double kChartAspect = 0.52;   // highest, of the width
 constexpr double kLowestChart = 7;      // letter heights
 constexpr double kLowestInColumn = 5;   // letter heights
 constexpr double kBottomChart = 0.15;   // of the height
-constexpr double kMostCharts = 0.4;     // of the height, that all charts at the bottom take
+constexpr double kMaxCharts = 0.4;      // of the height, that all charts at the bottom take
 constexpr double kCornerSquare = 0.3;   // of the shorter side
 constexpr double kLegendWidth = 9.5;    // letter heights
 
@@ -49,7 +49,7 @@ void placeCharts(const Scale& scale, const Wanted& wanted, Layout& layout) {
   const double room = scale.width - 2 * scale.margin, gap = gapOf(scale);
   const double height = std::max(kBottomChart * scale.height, kLowestChart * scale.smallLetters);
   const int abreast = room > 40 * scale.smallLetters ? wanted.charts : 1;
-  const int most = static_cast<int>(kMostCharts * scale.height / (height + gap));
+  const int most = static_cast<int>(kMaxCharts * scale.height / (height + gap));
   const int lines = std::min(wanted.charts / abreast, most);
   layout.charts.resize(static_cast<std::size_t>(wanted.charts));
   if (lines == 0) return;
@@ -94,11 +94,11 @@ Layout layOut(const Scale& scale, const Wanted& wanted) {
   Layout layout;
   layout.bottomRows = wanted.bottomRows;
   const double side = (scale.width - (scale.height - wanted.bottomRows)) / 2.0;
-  if (side >= kLeastSide * scale.width) placeColumn(scale, wanted, side, layout);
+  if (side >= kMinSide * scale.width) placeColumn(scale, wanted, side, layout);
   const auto legible = [&](const Box& chart) {
     return chart.height >= kLowestInColumn * scale.smallLetters;
   };
-  if (side < kLeastSide * scale.width || !std::ranges::all_of(layout.charts, legible)) {
+  if (side < kMinSide * scale.width || !std::ranges::all_of(layout.charts, legible)) {
     layout = {.bottomRows = wanted.bottomRows};
     placeAround(scale, wanted, layout);
   }

@@ -13,7 +13,7 @@ inline constexpr Colour kGrey{0.72, 0.72, 0.74};
 inline constexpr Colour kDark{0.04, 0.045, 0.06};
 
 // After Okabe and Ito's palette, which colour-blind people can tell apart, lighter for a dark
-// ground.
+// viewport.
 inline constexpr std::array<Colour, 3> kAxisColours{
     {{0.96, 0.46, 0.33}, {0.28, 0.80, 0.62}, {0.42, 0.69, 0.98}}};
 inline constexpr Colour kVelocityColour{0.98, 0.82, 0.30};

@@ -9,7 +9,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "overlay/labels.h"
+#include "overlay/label_placement.h"
 #include "physics/motion_start.h"
 
 namespace rotatebook::overlay {
@@ -224,7 +224,7 @@ void drawPolhodes(SurfacePainter& painter, const MomentumSurfaces& surfaces, con
 }
 
 /// Titles and letters of the inset: "x" where a half axis ends.
-void writeLetters(Canvas& canvas, const MarkContext& context, const SurfacePainter& painter,
+void writeLetters(Canvas& canvas, const OverlayContext& context, const SurfacePainter& painter,
                   const Box& box, double farthest, bool principal) {
   const Scale& scale = context.scale;
   const TextStyle style{
@@ -234,7 +234,7 @@ void writeLetters(Canvas& canvas, const MarkContext& context, const SurfacePaint
   const Point corner(box.x + padding, box.y + 0.6 * padding);
   const bool titled = box.holds(boxOf(title, corner));
   if (titled) canvas.write(title, corner);
-  Labels letters;
+  LabelPlacement letters;
   std::array<Layer, 3> words;
   for (std::size_t i = 0; i < 3; ++i) {
     TextStyle own = style;
@@ -253,15 +253,15 @@ void writeLetters(Canvas& canvas, const MarkContext& context, const SurfacePaint
 }
 
 /// What the title takes of the inset's height. [pixels]
-double titleRow(const MarkContext& context) {
+double titleRow(const OverlayContext& context) {
   return 1.2 * context.scale.smallLetters;
 }
 
-physics::PrincipalAxes inertiaOf(const MarkContext& context) {
+physics::PrincipalAxes inertiaOf(const OverlayContext& context) {
   return physics::modelInertia(context.scene.motion());
 }
 
-std::vector<Eigen::Vector3d> momentaOf(const MarkContext& context,
+std::vector<Eigen::Vector3d> momentaOf(const OverlayContext& context,
                                        const physics::PrincipalAxes& inertia) {
   const auto& samples = context.trajectory.samples;
   const double start = samples.front().angularMomentum.norm();
@@ -278,19 +278,19 @@ std::vector<Eigen::Vector3d> momentaOf(const MarkContext& context,
 
 }  // namespace
 
-PolhodeInset::PolhodeInset(const MarkContext& context, const Box& box)
+PolhodeInset::PolhodeInset(const OverlayContext& context, const Box& box)
     : context_(context),
       inertia_(inertiaOf(context)),
       momenta_(momentaOf(context, inertia_)),
       surfaces_(inertia_.moments, momenta_.front()),
       middle_(box.x + box.width / 2, box.y + (titleRow(context) + box.height) / 2),
       pixels_(kFilled * std::min(box.width, box.height - titleRow(context)) / surfaces_.farthest()),
-      plate_(stillPart(box)) {}
+      cached_(stillPart(box)) {}
 
-Plate PolhodeInset::stillPart(const Box& box) const {
+CachedLayer PolhodeInset::stillPart(const Box& box) const {
   const Scale& scale = context_.scale;
   Canvas canvas(scale.width, scale.height);
-  canvas.plate(box, 0.5 * scale.smallLetters, {kDark, 0.62});
+  canvas.roundedBox(box, 0.5 * scale.smallLetters, {kDark, 0.62});
   SurfacePainter painter(canvas, surfaces_, middle_, pixels_);
   painter.solids();
   const int axis = surfaces_.roundAxis(1);
@@ -301,7 +301,7 @@ Plate PolhodeInset::stillPart(const Box& box) const {
 }
 
 void PolhodeInset::draw(const View& view) {
-  view.canvas.lay(plate_, view.picture);
+  view.canvas.lay(cached_, view.picture);
   const Scale& scale = context_.scale;
   const auto length = context_.scene.clip.frameRate.framesIn(kTrailTime);
   std::vector<Point> trail;

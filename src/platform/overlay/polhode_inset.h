@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "overlay/mark.h"
+#include "overlay/drawn_overlay.h"
 #include "physics/inertia.h"
 
 namespace rotatebook::overlay {
@@ -34,21 +34,21 @@ class MomentumSurfaces {
 
 /// An inset with both surfaces, their curves, and the angular momentum of the motion moving among
 /// them.
-class PolhodeInset final : public Mark {
+class PolhodeInset final : public DrawnOverlay {
  public:
-  PolhodeInset(const MarkContext& context, const Box& box);
+  PolhodeInset(const OverlayContext& context, const Box& box);
   void draw(const View& view) override;
 
  private:
-  Plate stillPart(const Box& box) const;
+  CachedLayer stillPart(const Box& box) const;
 
-  MarkContext context_;
+  OverlayContext context_;
   physics::PrincipalAxes inertia_;
   std::vector<Eigen::Vector3d> momenta_;  // of each sample, principal axes, that of the start is 1
   MomentumSurfaces surfaces_;
   Point middle_;
   double pixels_;  // of the length 1
-  Plate plate_;
+  CachedLayer cached_;
 };
 
 }  // namespace rotatebook::overlay

@@ -34,7 +34,7 @@ double strain(const physics::Cage& rest, const physics::Cage& cage, const Spring
   return length / (rest.col(spring.a) - rest.col(spring.b)).norm() - 1;
 }
 
-double rangeOf(const MarkContext& context) {
+double rangeOf(const OverlayContext& context) {
   const physics::Cage rest = context.scene.body.corners();
   std::vector<double> strains;
   for (const physics::Sample& sample : context.trajectory.samples) {
@@ -59,12 +59,12 @@ std::size_t stepOf(double strain, double range) {
   return static_cast<std::size_t>(std::lround(t * (kColours - 1)));
 }
 
-Plate legendPlate(const MarkContext& context, const Box& box, double range) {
+CachedLayer legendPlate(const OverlayContext& context, const Box& box, double range) {
   if (context.scene.wordless) return {};
   const Scale& scale = context.scale;
   Canvas canvas(scale.width, scale.height);
   const double barHeight = 0.7 * scale.smallLetters, step = box.width / kColours;
-  canvas.plate(box.grown(0.4 * scale.smallLetters), 0.4 * scale.smallLetters, {kDark, 0.55});
+  canvas.roundedBox(box.grown(0.4 * scale.smallLetters), 0.4 * scale.smallLetters, {kDark, 0.55});
   for (std::size_t i = 0; i < kColours; ++i) {
     const double x = box.x + static_cast<double>(i) * step;
     const std::array<Point, 4> cell{Point(x, box.y), Point(x + step, box.y),
@@ -96,7 +96,7 @@ double roundedUp(double value) {
   return 10 * power;
 }
 
-Springs::Springs(const MarkContext& context, const Box& legend)
+Springs::Springs(const OverlayContext& context, const Box& legend)
     : context_(context), range_(rangeOf(context)), legend_(legendPlate(context, legend, range_)) {}
 
 void Springs::draw(const View& view) {

@@ -28,7 +28,7 @@ double rowOf(const Scale& scale) {
 /// Writes words on a chart if they fit within its box and beside the words before them.
 class ChartWriter {
  public:
-  ChartWriter(const MarkContext& context, Canvas& canvas, const Box& box)
+  ChartWriter(const OverlayContext& context, Canvas& canvas, const Box& box)
       : context_(context), canvas_(canvas), box_(box) {}
 
   Layer set(const std::string& text, const Colour& colour, bool bold = false) const {
@@ -46,7 +46,7 @@ class ChartWriter {
   }
 
  private:
-  const MarkContext& context_;
+  const OverlayContext& context_;
   Canvas& canvas_;
   Box box_;
   std::vector<Box> written_;
@@ -79,11 +79,11 @@ std::vector<Layer> heading(const ChartWriter& writer, const ChartContent& conten
 }
 
 /// The widest tick of all charts, so that their plots are one below the other.
-double widestTick(const MarkContext& context) {
+double widestTick(const OverlayContext& context) {
   return context.type.measure("180°", wordStyle(context.scale, kGrey), context.scale.width).width;
 }
 
-Box plotOf(const MarkContext& context, const Box& box) {
+Box plotOf(const OverlayContext& context, const Box& box) {
   const double padding = paddingOf(context.scale), row = rowOf(context.scale);
   const double left = box.x + 2 * padding + widestTick(context);
   const double top = box.y + padding + 1.35 * row;
@@ -91,7 +91,7 @@ Box plotOf(const MarkContext& context, const Box& box) {
           std::max(1.0, box.bottom() - padding - 0.95 * row - top)};
 }
 
-Series seriesOf(const MarkContext& context, const std::string& name, const std::string& letter,
+Series seriesOf(const OverlayContext& context, const std::string& name, const std::string& letter,
                 const Colour& colour, double unit, double (*value)(const physics::Sample&)) {
   Series series{name, letter, colour, {}};
   for (const physics::Sample& sample : context.trajectory.samples) {
@@ -102,12 +102,12 @@ Series seriesOf(const MarkContext& context, const std::string& name, const std::
 
 }  // namespace
 
-StripChart::StripChart(const MarkContext& context, const Box& box, const ChartContent& content)
+StripChart::StripChart(const OverlayContext& context, const Box& box, const ChartContent& content)
     : context_(context),
       box_(box),
       content_(content),
       plot_(plotOf(context, box)),
-      plate_(stillPart()),
+      cached_(stillPart()),
       curves_(curves()) {}
 
 Point StripChart::placeOf(std::int64_t frame, double value) const {
@@ -118,10 +118,10 @@ Point StripChart::placeOf(std::int64_t frame, double value) const {
   return {plot_.x + t * plot_.width, plot_.bottom() - level * plot_.height};
 }
 
-Plate StripChart::stillPart() const {
+CachedLayer StripChart::stillPart() const {
   const Scale& scale = context_.scale;
   Canvas canvas(scale.width, scale.height);
-  canvas.plate(box_, 0.5 * scale.smallLetters, {kDark, 0.7});
+  canvas.roundedBox(box_, 0.5 * scale.smallLetters, {kDark, 0.7});
   ChartWriter writer(context_, canvas, box_);
   const double padding = paddingOf(scale), gap = 0.7 * scale.smallLetters;
   double x = box_.x + padding;
@@ -143,7 +143,7 @@ Plate StripChart::stillPart() const {
   return canvas.take();
 }
 
-Plate StripChart::curves() const {
+CachedLayer StripChart::curves() const {
   Canvas canvas(context_.scale.width, context_.scale.height);
   for (const Series& one : content_.series) {
     std::vector<Point> points;
@@ -156,7 +156,7 @@ Plate StripChart::curves() const {
 }
 
 void StripChart::draw(const View& view) {
-  view.canvas.lay(plate_, view.picture);
+  view.canvas.lay(cached_, view.picture);
   const double now = placeOf(view.frame, content_.low).x();
   LayerView past = viewOf(curves_.layer);
   past.width = std::clamp(static_cast<int>(std::ceil(now)) - past.x, 0, past.width);
@@ -179,7 +179,7 @@ double energyTop(const physics::Trajectory& trajectory) {
   return std::clamp(1.06 * highest, 1.15, 1.02 * kHighestEnergy);
 }
 
-ChartContent energyContent(const MarkContext& context, double top) {
+ChartContent energyContent(const OverlayContext& context, double top) {
   const double start = context.trajectory.samples.front().total();
   ChartContent content;
   content.title = "Energy / E₀";
@@ -202,7 +202,7 @@ ChartContent energyContent(const MarkContext& context, double top) {
   return content;
 }
 
-ChartContent errorContent(const MarkContext& context) {
+ChartContent errorContent(const OverlayContext& context) {
   ChartContent content;
   content.title = "Angle to the exact motion";
   content.shortTitle = "Error";
@@ -213,12 +213,12 @@ ChartContent errorContent(const MarkContext& context) {
   return content;
 }
 
-std::unique_ptr<Mark> makeEnergyChart(const MarkContext& context, const Box& box) {
+std::unique_ptr<DrawnOverlay> makeEnergyChart(const OverlayContext& context, const Box& box) {
   const double top = std::max(energyTop(context.trajectory), context.energyTop);
   return std::make_unique<StripChart>(context, box, energyContent(context, top));
 }
 
-std::unique_ptr<Mark> makeErrorChart(const MarkContext& context, const Box& box) {
+std::unique_ptr<DrawnOverlay> makeErrorChart(const OverlayContext& context, const Box& box) {
   return std::make_unique<StripChart>(context, box, errorContent(context));
 }
 

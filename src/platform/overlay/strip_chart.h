@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "overlay/mark.h"
+#include "overlay/drawn_overlay.h"
 
 namespace rotatebook::overlay {
 
@@ -33,35 +33,36 @@ struct ChartContent {
 };
 
 /// A chart from the clip's first frame to its last, drawn up to the present one.
-class StripChart final : public Mark {
+class StripChart final : public DrawnOverlay {
  public:
-  StripChart(const MarkContext& context, const Box& box, const ChartContent& content);
+  StripChart(const OverlayContext& context, const Box& box, const ChartContent& content);
   void draw(const View& view) override;
 
  private:
   Point placeOf(std::int64_t frame, double value) const;
-  Plate stillPart() const;
-  Plate curves() const;
+  CachedLayer stillPart() const;
+  CachedLayer curves() const;
 
-  MarkContext context_;
+  OverlayContext context_;
   Box box_;
   ChartContent content_;
   Box plot_;
-  Plate plate_;
-  Plate curves_;
+  CachedLayer cached_;
+  CachedLayer curves_;
 };
 
 /// Where the chart of this motion's energy ends if it stands alone, as a share of the start's
 /// total.
 double energyTop(const physics::Trajectory& trajectory);
 /// Kinetic, spring and total energy as shares of the start's total, from 0 to `top`.
-ChartContent energyContent(const MarkContext& context, double top);
+ChartContent energyContent(const OverlayContext& context, double top);
 /// The angle to the exact motion.
-ChartContent errorContent(const MarkContext& context);
+ChartContent errorContent(const OverlayContext& context);
 
-/// The chart of energyContent(), up to energyTop() or MarkContext::energyTop, whichever is higher.
-std::unique_ptr<Mark> makeEnergyChart(const MarkContext& context, const Box& box);
+/// The chart of energyContent(), up to energyTop() or OverlayContext::energyTop, whichever is
+/// higher.
+std::unique_ptr<DrawnOverlay> makeEnergyChart(const OverlayContext& context, const Box& box);
 /// The chart of errorContent().
-std::unique_ptr<Mark> makeErrorChart(const MarkContext& context, const Box& box);
+std::unique_ptr<DrawnOverlay> makeErrorChart(const OverlayContext& context, const Box& box);
 
 }  // namespace rotatebook::overlay

@@ -14,7 +14,7 @@
 #include "base/error.h"
 #include "embedded/overlay.h"
 #include "overlay/cairo_handles.h"
-#include "scene/places.h"
+#include "scene/source_locations.h"
 #include "system/file_descriptor.h"
 
 namespace rotatebook::overlay {
@@ -192,7 +192,7 @@ Typesetter::Typesetter(const std::string& family) : parts_(std::make_unique<Part
 Typesetter Typesetter::of(const scene::Scene& scene) {
   const std::string& font = scene.overlay.font;
   if (font == scene::kBuiltin) return {};
-  return scene::atPlaceOf(scene, "overlay.font", [&] { return Typesetter(font); });
+  return scene::atLocationOf(scene, "overlay.font", [&] { return Typesetter(font); });
 }
 
 Typesetter::~Typesetter() = default;

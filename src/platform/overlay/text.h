@@ -1,4 +1,4 @@
-// Words on a picture.
+// CaptionAndClock on a picture.
 #pragma once
 
 #include <memory>

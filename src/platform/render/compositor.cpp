@@ -7,7 +7,7 @@
 #include <cstring>
 #include <utility>
 
-#include "image/smaller.h"
+#include "image/downsample.h"
 
 namespace rotatebook::render {
 namespace {
@@ -47,7 +47,7 @@ image::Image Compositor::makePicture() const {
 void Compositor::compose(const DrawnBody& body, image::Image& picture) {
   if (supersample_ == 1) return composeLarge(body, picture);
   composeLarge(body, large_);
-  image::halve(large_, picture);
+  image::downsample(large_, picture);
 }
 
 void Compositor::composeLarge(const DrawnBody& body, image::Image& picture) {
@@ -55,10 +55,10 @@ void Compositor::composeLarge(const DrawnBody& body, image::Image& picture) {
   for (const PixelRect& band : body.bands) layOver(body.pixels, band, picture);
   edgePixels_.clear();
   triangles_.clear();
-  edges_.find(body.cage, body.clipFromWorld, body.facing, body.strips.seen, edgePixels_,
+  edges_.find(body.cage, body.clipFromWorld, body.winding, body.strips.seen, edgePixels_,
               triangles_);
   edgePixels_.number();
-  samples_.smooth(edgePixels_, triangles_, body.pixels, body.strips, background_, picture);
+  samples_.resolve(edgePixels_, triangles_, body.pixels, body.strips, background_, picture);
 }
 
 }  // namespace rotatebook::render

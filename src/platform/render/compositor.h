@@ -31,7 +31,7 @@ class Compositor {
   int supersample_;
   BodyEdges edges_;
   EdgePixels edgePixels_;
-  std::vector<SeenTriangle> triangles_;
+  std::vector<ScreenTriangle> triangles_;
   EdgeSamples samples_;
   image::Image large_;  // before it is made smaller, if it is
 };

@@ -15,11 +15,11 @@ namespace rotatebook::render {
 /// A body drawn with one sample a pixel and nothing behind it, and what is needed to make a picture
 /// of it.
 struct DrawnBody {
-  image::Image pixels;  ///< Rgba8; alpha: BookVertex::surface, or 0 where nothing was drawn.
+  image::Image pixels;  ///< Rgba8; alpha: BookVertex::surfaceId, or 0 where nothing was drawn.
   std::vector<PixelRect> bands{};   ///< Where `pixels` are up to date. [pixels]
   physics::Cage cage{};             ///< World. [m]
   Eigen::Matrix4d clipFromWorld{};  ///< Clip y points down.
-  int facing = 0;                   ///< drawnFacing()
+  int winding = 0;                  ///< windingOf()
   DrawnStrips strips{};
 };
 

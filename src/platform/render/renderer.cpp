@@ -27,7 +27,7 @@ DrawnBody closeBook(int width, int height) {
   const Camera close{.position = {0, 0, 0.1}};
   DrawnBody body{.pixels = {}, .cage = physics::Cuboid{}.corners()};
   body.clipFromWorld = project(close, body.cage, {width, height, 0}).clipFromWorld;
-  body.facing = drawnFacing(body.cage);
+  body.winding = windingOf(body.cage);
   return body;
 }
 
@@ -110,15 +110,15 @@ struct Renderer::Parts {
   void drawBook(const DrawnBody& drawn) const {
     glEnable(GL_FRAMEBUFFER_SRGB);
     glEnable(GL_DEPTH_TEST);
-    drawn.facing == 0 ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
-    glFrontFace(drawn.facing < 0 ? GL_CW : GL_CCW);
+    drawn.winding == 0 ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
+    glFrontFace(drawn.winding < 0 ? GL_CW : GL_CCW);
     geometry.bind();
     use(coverProgram, drawn);
     coverProgram.set("eye", Eigen::Vector3f(settings.camera.position.cast<float>()));
     drawPart(BookPart::Front, front);
     drawPart(BookPart::Spine, spine);
     drawPart(BookPart::Back, back);
-    if (drawn.facing == 0) drawPart(BookPart::Lining, front);
+    if (drawn.winding == 0) drawPart(BookPart::Lining, front);
     use(paperProgram, drawn);
     drawPart(BookPart::Pages, paper);
   }
@@ -201,9 +201,9 @@ void Renderer::draw(const physics::Cage& cage, DrawnBody& body) {
   const PixelRect& area = projection.bounds;
   body.cage = cage;
   body.clipFromWorld = projection.clipFromWorld;
-  body.facing = drawnFacing(cage);
+  body.winding = windingOf(cage);
   body.bands = std::move(projection.bands);
-  parts_->stripFinder.find(cage, body.clipFromWorld, body.facing, {parts_->width, parts_->height},
+  parts_->stripFinder.find(cage, body.clipFromWorld, body.winding, {parts_->width, parts_->height},
                            body.strips.seen);
   if (area.width <= 0 || area.height <= 0) return body.bands.clear();
   parts_->target.begin(area);

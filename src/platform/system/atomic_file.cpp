@@ -115,14 +115,14 @@ void writeFileAtomically(const fs::path& path, std::string_view content) {
   file.commit();
 }
 
-UseLock::UseLock(const fs::path& path, Lock lock)
+AdvisoryLock::AdvisoryLock(const fs::path& path, Lock lock)
     : path_(temporaryNameFor(path, 0)), file_(createLockedSoon(path_, lock)) {
   if (file_.isOpen()) return;
   if (errno != EWOULDBLOCK) throwLastError(path, "write");
   throw MachineError("another process is writing " + path.string() + "; wait for it to end");
 }
 
-UseLock::~UseLock() {
+AdvisoryLock::~AdvisoryLock() {
   // The last one of those that share it takes it away.
   if (!tryLock(file_, Lock::Exclusive)) return;
   std::error_code ignored;

@@ -44,14 +44,14 @@ class AtomicFile {
 
 /// Says to other processes that something is in use, while this lives: by a locked file beside it,
 /// `.NAME.rotatebook-0`. Does nothing where the file system has no locks.
-class UseLock {
+class AdvisoryLock {
  public:
   /// `path` names what is used, which needn't be there, but its folder. Throws MachineError if
   /// another process has an exclusive lock of it, or any lock and this one is to be exclusive.
-  UseLock(const std::filesystem::path& path, Lock lock);
-  UseLock(const UseLock&) = delete;
-  UseLock& operator=(const UseLock&) = delete;
-  ~UseLock();
+  AdvisoryLock(const std::filesystem::path& path, Lock lock);
+  AdvisoryLock(const AdvisoryLock&) = delete;
+  AdvisoryLock& operator=(const AdvisoryLock&) = delete;
+  ~AdvisoryLock();
 
  private:
   std::filesystem::path path_;

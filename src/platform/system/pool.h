@@ -9,44 +9,44 @@
 namespace rotatebook::system {
 
 /// Lends things and takes them back when their last owner lets go. It must outlive what it lends.
-template <typename Thing>
+template <typename T>
 class Pool {
  public:
   /// `count` > 0 copies of `pattern`.
-  Pool(const Thing& pattern, int count) {
+  Pool(const T& pattern, int count) {
     for (int i = 0; i < count; ++i) {
-      things_.push_back(std::make_unique<Thing>(pattern));
-      free_.push_back(things_.back().get());
+      items_.push_back(std::make_unique<T>(pattern));
+      free_.push_back(items_.back().get());
     }
   }
 
-  /// A thing with any content; waits until one is free. This is what slows a stage down to the pace
+  /// A item with any content; waits until one is free. This is what slows a stage down to the pace
   /// of those after it.
-  std::shared_ptr<Thing> take() {
-    Thing* thing = waitForOne();
-    return {thing, [this](Thing* returned) { giveBack(returned); }};
+  std::shared_ptr<T> take() {
+    T* item = waitForOne();
+    return {item, [this](T* returned) { giveBack(returned); }};
   }
 
  private:
-  Thing* waitForOne() {
+  T* waitForOne() {
     std::unique_lock lock(mutex_);
     freed_.wait(lock, [this] { return !free_.empty(); });
-    Thing* thing = free_.back();
+    T* item = free_.back();
     free_.pop_back();
-    return thing;
+    return item;
   }
 
-  void giveBack(Thing* thing) {
+  void giveBack(T* item) {
     // Woken under the lock: whoever waits may destroy this pool as soon as it is let go.
     const std::lock_guard lock(mutex_);
-    free_.push_back(thing);
+    free_.push_back(item);
     freed_.notify_one();
   }
 
-  std::vector<std::unique_ptr<Thing>> things_;
+  std::vector<std::unique_ptr<T>> items_;
   std::mutex mutex_;
   std::condition_variable freed_;
-  std::vector<Thing*> free_;
+  std::vector<T*> free_;
 };
 
 }  // namespace rotatebook::system

@@ -7,7 +7,7 @@ namespace {
 
 /// Of how many pictures one is taken.
 int takenEvery(const FrameRate& rate) {
-  const int most = rate.denominator * kMostGifRate;
+  const int most = rate.denominator * kMaxGifRate;
   return (rate.numerator + most - 1) / most;
 }
 

@@ -7,8 +7,8 @@ namespace rotatebook::video {
 namespace {
 
 constexpr std::uint64_t kHead = 8;  // A box's size and type. [bytes]
-constexpr std::uint64_t kMostEdits = 16;
-constexpr int kMostBoxes = 1000;  // Of one box; there are ten.
+constexpr std::uint64_t kMaxEdits = 16;
+constexpr int kMaxBoxes = 1000;  // Of one box; there are ten.
 
 /// The unsigned number of `count` bytes at `at`; 0 beyond the end.
 std::uint64_t numberAt(std::istream& file, std::uint64_t at, int count) {
@@ -40,7 +40,7 @@ std::optional<Mp4Box> find(std::istream& file, std::initializer_list<std::string
   for (const std::string_view type : path) {
     const std::uint64_t end = box->end;
     box = mp4BoxAt(file, box->content, end);
-    for (int i = 0; i < kMostBoxes && box && box->type != type; ++i) {
+    for (int i = 0; i < kMaxBoxes && box && box->type != type; ++i) {
       box = mp4BoxAt(file, box->end, end);
     }
     if (!box || box->type != type) return std::nullopt;
@@ -75,7 +75,7 @@ void readEdits(std::istream& file, double ticks, Mp4Header& header) {
   if (!box || ticks <= 0) return;
   const int width = isLong(file, *box) ? 8 : 4;
   const auto length = static_cast<std::uint64_t>(2 * width + 4);
-  const std::uint64_t count = std::min(numberAt(file, box->content + 4, 4), kMostEdits);
+  const std::uint64_t count = std::min(numberAt(file, box->content + 4, 4), kMaxEdits);
   for (std::uint64_t i = 0; i < count; ++i) {
     const std::uint64_t at = box->content + kHead + i * length;
     header.edits.push_back(
@@ -96,8 +96,8 @@ std::optional<Mp4Box> mp4BoxAt(std::istream& file, std::uint64_t at, std::uint64
     head += 8;
   }
   if (size == 0) size = end - at;  // The last one may leave it out.
-  constexpr std::uint64_t kMost = std::uint64_t{1} << 62;
-  if (size < head || size > kMost) return std::nullopt;
+  constexpr std::uint64_t kMax = std::uint64_t{1} << 62;
+  if (size < head || size > kMax) return std::nullopt;
   return Mp4Box{type, at + head, at + size};
 }
 

@@ -59,7 +59,7 @@ void addColour(const image::ImageView& picture, Planes& planes) {
 class Patches {
  public:
   Patches(int width, int height)
-      : columns_(std::max(1, width / kPatchSide)), rows_(std::max(1, height / kPatchSide)) {
+      : columns_(std::max(1, width / kBlockSide)), rows_(std::max(1, height / kBlockSide)) {
     squares_.resize(area(columns_, rows_));
     counts_.resize(squares_.size());
   }
@@ -118,13 +118,13 @@ Distance distance(const Planes& a, const Planes& b) {
     throw InputError("can't compare pictures of different sizes");
   }
   Patches patches(a.width, a.height);
-  patches.add(a.y, b.y, a.width, kPatchSide);
-  patches.add(a.u, b.u, a.width / 2, kPatchSide / 2);
-  patches.add(a.v, b.v, a.width / 2, kPatchSide / 2);
+  patches.add(a.y, b.y, a.width, kBlockSide);
+  patches.add(a.u, b.u, a.width / 2, kBlockSide / 2);
+  patches.add(a.v, b.v, a.width / 2, kBlockSide / 2);
   if (!a.alpha.empty() || !b.alpha.empty()) {
     const std::vector<float> opaque(a.y.size(), kOpaque);
     patches.add(a.alpha.empty() ? opaque : a.alpha, b.alpha.empty() ? opaque : b.alpha, a.width,
-                kPatchSide);
+                kBlockSide);
   }
   return patches.distance();
 }

@@ -25,11 +25,11 @@ Planes planesOf(image::ImageView picture, bool transparent);
 /// How far two pictures are apart. [of 255]
 struct Distance {
   double rms = 0;         ///< Root of the mean square over all samples of all planes.
-  double worstPatch = 0;  ///< The largest that it is in a patch of kPatchSide x kPatchSide pixels.
+  double worstBlock = 0;  ///< The largest that it is in a patch of kBlockSide x kBlockSide pixels.
 };
 
 /// Patches that aren't whole belong to their neighbours.
-inline constexpr int kPatchSide = 16;
+inline constexpr int kBlockSide = 16;
 
 /// Where one has alpha and the other hasn't, the other is opaque. Throws InputError if the sizes
 /// differ.

@@ -15,7 +15,7 @@ enum class VideoFormat { Mp4, WebM, Gif, Apng };
 
 /// Players slow down GIFs of more pictures a second. Of a faster clip every second picture is
 /// taken, or every third and so on.
-inline constexpr int kMostGifRate = 50;
+inline constexpr int kMaxGifRate = 50;
 
 /// Makes what converts a format's pictures, and its encoder: see stages.h. Throws InputError for
 /// settings out of range, MachineError where there is no encoder or it doesn't start.
@@ -26,7 +26,7 @@ using MakeStages = Stages(const VideoSettings& settings);
 MakeStages makeMp4Stages;
 /// libvpx's VP9 at constant quality, on one thread.
 MakeStages makeWebmStages;
-/// 255 colours a picture, at most kMostGifRate pictures a second; loops for ever.
+/// 255 colours a picture, at most kMaxGifRate pictures a second; loops for ever.
 MakeStages makeGifStages;
 /// The pictures' very pixels; loops for ever.
 MakeStages makeApngStages;

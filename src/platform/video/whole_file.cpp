@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view kWebmHead = "\x1a\x45\xdf\xa3";
 constexpr std::string_view kSegment = "\x18\x53\x80\x67";
-constexpr int kMostParts = 1000;  // Of an MP4; there are four.
+constexpr int kMaxParts = 1000;  // Of an MP4; there are four.
 
 [[noreturn]] void throwCut(const std::string& name, const std::string& problem) {
   throw InputError(name + " ends early, or is damaged: " + problem + kCopyRemedy);
@@ -39,7 +39,7 @@ void requireWholeMp4(std::istream& file, std::uint64_t size, const std::string& 
   std::uint64_t at = 0;
   // What comes after both hurts nobody.
   for (int i = 0; !header || !pictures; ++i) {
-    const auto box = i < kMostParts ? mp4BoxAt(file, at, size) : std::nullopt;
+    const auto box = i < kMaxParts ? mp4BoxAt(file, at, size) : std::nullopt;
     if (!box) throwCut(name, header ? "it has no pictures" : "it has no header");
     requireSize(size, box->end, name);
     header = header || box->type == "moov";

@@ -15,16 +15,17 @@ using ::testing::HasSubstr;
 /// A card that fails, software in its place, and no VP9.
 diagnose::Checkup lameMachine() {
   diagnose::Checkup checkup;
-  diagnose::WayCheck card{.way = {.index = 0, .renderNode = "/dev/dri/renderD128", .cudaId = 1},
-                          .failure = render::CallFailure{"eglInitialize", "EGL_NOT_INITIALIZED"}};
-  diagnose::WayCheck software{.way = {.index = 1, .software = true},
-                              .vendor = "Mesa",
-                              .renderer = "llvmpipe",
-                              .version = "4.5",
-                              .samples = 4,
-                              .software = true};
+  diagnose::DisplayCheck card{
+      .candidate = {.index = 0, .renderNode = "/dev/dri/renderD128", .cudaId = 1},
+      .failure = render::CallFailure{"eglInitialize", "EGL_NOT_INITIALIZED"}};
+  diagnose::DisplayCheck software{.candidate = {.index = 1, .software = true},
+                                  .vendor = "Mesa",
+                                  .renderer = "llvmpipe",
+                                  .version = "4.5",
+                                  .samples = 4,
+                                  .software = true};
   software.frame.tolerance = {.largest = 3, .failPercent = 0.5};
-  checkup.graphics.ways = {card, software};
+  checkup.graphics.candidates = {card, software};
   checkup.graphics.byDefault = 1;
   checkup.encoders = {{video::VideoFormat::Mp4, "libx264", ""},
                       {video::VideoFormat::WebM, "", "no encoder"}};
@@ -75,7 +76,7 @@ TEST(DoctorReport, TellsEachDeviceAndProblemAndAVerdict) {
 
 TEST(DoctorReport, IsNotReadyWithoutAFrameAnEncoderOrAFolder) {
   diagnose::Checkup checkup = lameMachine();
-  checkup.graphics.ways[1].frame.comparison.same = false;
+  checkup.graphics.candidates[1].frame.comparison.same = false;
   checkup.encoders[0].found.clear();
   checkup.folder.failure = "out can't be written";
   EXPECT_FALSE(checkup.ready());
@@ -90,7 +91,7 @@ TEST(DoctorReport, IsJsonToo) {
   reportCheckupAsJson(lameMachine(), out);
   EXPECT_THAT(
       out.str(),
-      AllOf(HasSubstr("{\"way\": \"EGL device 0\", \"device\": 0, \"default\": false, "
+      AllOf(HasSubstr("{\"name\": \"EGL device 0\", \"device\": 0, \"default\": false, "
                       "\"drm_node\": null, \"render_node\": \"/dev/dri/renderD128\", \"cuda\": 1, "
                       "\"failure\": {\"call\": \"eglInitialize\", \"error\": "
                       "\"EGL_NOT_INITIALIZED\"}}"),

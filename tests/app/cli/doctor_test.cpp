@@ -85,8 +85,8 @@ TEST_F(DoctorCommand, IsJsonToo) {
   const ChildResult result = run({"doctor", "--json"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(result.output, AllOf(StartsWith("{\"ready\": true, \"version\": "),
-                                   HasSubstr("\"way\": \"EGL device 0\", \"device\": 0, "),
-                                   HasSubstr("\"test_frame\": {\"passed\": true, "),
+                                   HasSubstr("\"name\": \"EGL device 0\", \"device\": 0, "),
+                                   HasSubstr("\"reference_picture\": {\"passed\": true, "),
                                    HasSubstr("{\"format\": \"mp4\", \"encoder\": \"libx264\", "),
                                    EndsWith("]}\n")));
   EXPECT_EQ(countOf("\n", result.output), 1);

@@ -118,7 +118,7 @@ TEST_F(VerifyCommand, IsJsonToo) {
                     HasSubstr("\"frames\": [0, 12], \"whole_frames\": 12, "),
                     HasSubstr("{\"check\": \"size\", \"passed\": true, \"measured\": \"64x36\", "),
                     HasSubstr("{\"frame\": 11, \"passed\": true, \"measured\": {\"rms\": "),
-                    EndsWith("\"liker_to\": null}]}\n")));
+                    EndsWith("\"closer_to\": null}]}\n")));
 }
 
 TEST_F(VerifyCommand, FailsForAnotherScene) {

@@ -36,35 +36,37 @@ auto says(const std::string& what, const std::string& remedy) {
   return AllOf(Field(&Problem::what, HasSubstr(what)), Field(&Problem::remedy, HasSubstr(remedy)));
 }
 
-WayCheck drawing(render::Way way, bool software) {
-  way.software = software;
-  return {.way = way, .renderer = software ? "llvmpipe" : "Card", .software = software};
+DisplayCheck drawing(render::DisplayCandidate candidate, bool software) {
+  candidate.software = software;
+  return {.candidate = candidate, .renderer = software ? "llvmpipe" : "Card", .software = software};
 }
 
-WayCheck failing(const render::Way& way, const render::CallFailure& failure) {
-  return {.way = way, .failure = failure};
+DisplayCheck failing(const render::DisplayCandidate& candidate,
+                     const render::CallFailure& failure) {
+  return {.candidate = candidate, .failure = failure};
 }
 
 /// Where llvmpipe draws.
 GraphicsCheck softwareCheck() {
-  return {.ways = {drawing({}, true)}, .byDefault = 0};
+  return {.candidates = {drawing({}, true)}, .byDefault = 0};
 }
 
 /// A card that fails, then llvmpipe.
-GraphicsCheck brokenCard(const render::Way& card, const render::CallFailure& failure = kNotReady) {
-  return {.ways = {failing(card, failure), drawing({.index = 1}, true)}, .byDefault = 1};
+GraphicsCheck brokenCard(const render::DisplayCandidate& card,
+                         const render::CallFailure& failure = kNotReady) {
+  return {.candidates = {failing(card, failure), drawing({.index = 1}, true)}, .byDefault = 1};
 }
 
 GraphicsCheck nothingDraws() {
-  return {.ways = {failing({.kind = render::Way::Kind::Default},
-                           {"eglGetDisplay", "EGL_BAD_PARAMETER"})}};
+  return {.candidates = {failing({.kind = render::DisplayCandidate::Kind::Default},
+                                 {"eglGetDisplay", "EGL_BAD_PARAMETER"})}};
 }
 
 TEST(Remedies, AreNoneWhereThereIsNothingToMend) {
   EXPECT_THAT(diagnose(softwareCheck(), {.vendorFiles = {kMesa}}), IsEmpty());
   GraphicsCheck check = softwareCheck();
-  check.ways.push_back(
-      failing({.kind = render::Way::Kind::Default}, {"eglGetDisplay", "EGL_BAD_PARAMETER"}));
+  check.candidates.push_back(failing({.kind = render::DisplayCandidate::Kind::Default},
+                                     {"eglGetDisplay", "EGL_BAD_PARAMETER"}));
   EXPECT_THAT(diagnose(check, {.vendorFiles = {kMesa}}), IsEmpty());
 }
 
@@ -178,7 +180,7 @@ TEST(Remedies, ExplainTheDeviceListThatFails) {
                                "10_nvidia.json")));
   facts.container = true;
   EXPECT_THAT(diagnose(check, facts), ElementsAre(says("EGL_BAD_ALLOC", "--gpus all")));
-  check.ways.clear();
+  check.candidates.clear();
   check.byDefault.reset();
   EXPECT_THAT(diagnose(check, {.vendorFiles = {kMesa}}),
               ElementsAre(says("eglQueryDevicesEXT: EGL_BAD_ALLOC", "libegl-mesa0")));
@@ -193,7 +195,7 @@ TEST(Remedies, UpdateADriverThatIsTooOld) {
 
 TEST(Remedies, UpdateADriverThatEndsTheProcess) {
   GraphicsCheck check = brokenCard({}, {"its driver", "ends the process (Segmentation fault)"});
-  check.ways[0].ends = true;
+  check.candidates[0].ends = true;
   check.byDefault.reset();
   EXPECT_THAT(diagnose(check, {.vendorFiles = {kMesa}}),
               ElementsAre(says("EGL device 0: its driver: ends the process (Segmentation fault)",
@@ -202,10 +204,10 @@ TEST(Remedies, UpdateADriverThatEndsTheProcess) {
 
 TEST(Remedies, TellOfAWrongTestFrame) {
   GraphicsCheck check = softwareCheck();
-  check.ways[0].frame.comparison.same = false;
+  check.candidates[0].frame.comparison.same = false;
   EXPECT_THAT(diagnose(check, {.vendorFiles = {kMesa}}),
               ElementsAre(says("llvmpipe: the test frame isn't as it should be", "update Mesa")));
-  check.ways[0].software = false;
+  check.candidates[0].software = false;
   EXPECT_THAT(diagnose(check, {.vendorFiles = {kMesa}}),
               ElementsAre(says("the test frame isn't", "until then --device software")));
 }
@@ -217,9 +219,9 @@ TEST(Remedies, BeginWithVariablesThatMayBeTheCause) {
       "unset GALLIUM_NOOP (it is 1), LIBGL_DRIVERS_PATH (it is /x=y); if that doesn't help: ";
   EXPECT_THAT(diagnose(softwareCheck(), facts), IsEmpty());
   GraphicsCheck check = softwareCheck();
-  check.ways[0].frame.comparison.same = false;
+  check.candidates[0].frame.comparison.same = false;
   EXPECT_THAT(diagnose(check, facts), ElementsAre(says("the test frame", unset + "update Mesa")));
-  check.ways[0] = failing({.software = true}, kNotReady);
+  check.candidates[0] = failing({.software = true}, kNotReady);
   EXPECT_THAT(diagnose(check, facts), ElementsAre(says("EGL_NOT_INIT", unset + "install Mesa's")));
   EXPECT_THAT(diagnose(nothingDraws(), facts),
               ElementsAre(says("eglGetDisplay", unset + "Install Mesa's")));

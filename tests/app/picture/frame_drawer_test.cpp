@@ -75,7 +75,7 @@ TEST(FrameDrawer, AveragesTheMomentsOfMotionBlur) {
       pipeline::testing::smallScene({"clip.size=[320, 180]", "look.motion_blur=2"});
   const timeline::ShutterMoments moments(blurred);
   render::Renderer renderer = makeRenderer(sharp);
-  image::LightMean mean(320, 180);
+  image::LinearMean mean(320, 180);
   image::Image expected = renderer.makePicture();
   for (const std::size_t moment : {0U, 1U}) {
     renderer.draw(moments.at(0, 5, moment).cage, expected);

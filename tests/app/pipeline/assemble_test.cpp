@@ -109,12 +109,12 @@ TEST_F(Assemble, TakesNoFramesThatARenderStillMakes) {
   const fs::path partial = folder_ / "small.partial";
   fs::copy(frames_, partial, fs::copy_options::recursive);
   for (const fs::path& folder : {frames_, frames_ / "", partial}) {
-    const system::UseLock lock(frames_, system::Lock::Exclusive);
+    const system::AdvisoryLock lock(frames_, system::Lock::Exclusive);
     EXPECT_EQ(testing::messageOf<MachineError>([&] { assemble(folder, mp4_, {}, {}); }),
               "another process is writing " + whole.string() + "; wait for it to end");
     EXPECT_FALSE(fs::exists(mp4_));
   }
-  const system::UseLock other(frames_, system::Lock::Shared);
+  const system::AdvisoryLock other(frames_, system::Lock::Shared);
   EXPECT_EQ(assembled(), kFrames);
 }
 

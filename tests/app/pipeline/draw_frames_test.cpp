@@ -22,8 +22,8 @@ using testing::messageOf;
 using testing::numbers;
 using testing::SinkFailure;
 
-constexpr std::int64_t kMostInFlight = 8;
-constexpr std::int64_t kMostExposed = 3;
+constexpr std::int64_t kMaxInFlight = 8;
+constexpr std::int64_t kMaxExposed = 3;
 constexpr std::int64_t kMany = 40;
 
 /// Paints frame n in the colour n; fails where it is told to.
@@ -129,10 +129,10 @@ TEST_F(DrawFrames, DrawsOnlyTheRange) {
 
 TEST_F(DrawFrames, PaintsNoFrameThatIsKept) {
   const auto folder = emptyFolder();
-  store::FrameSums earlier(folder);
+  store::FrameChecksums earlier(folder);
   PngSequenceSink png(earlier, false);
   draw({3, 5}, {{png, 1}});
-  const store::FrameSums sums(folder);
+  const store::FrameChecksums sums(folder);
   FakeSink all, fresh;
   const DrawnCount count = drawFrames(painter_, {{2, 7}, &sums}, {{all, 1}, {fresh, 1, false}}, {});
   EXPECT_EQ(count.drawn, 3);
@@ -164,9 +164,9 @@ TEST_F(DrawFrames, KeepsTheNumberOfPicturesInFlight) {
   draw({0, kMany}, {{sink, 1}},
        [&](RenderProgress progress) { most = std::max(most, progress.done - sink.written()); });
   // A frame may be written and its picture back before it is counted, or the other way round.
-  EXPECT_LE(most, kMostInFlight + kMostExposed + 1);
+  EXPECT_LE(most, kMaxInFlight + kMaxExposed + 1);
   EXPECT_GE(most, LaggingSink::kLag) << "the sink is waited for";
-  EXPECT_LE(sink.pictures().size(), static_cast<std::size_t>(kMostInFlight));
+  EXPECT_LE(sink.pictures().size(), static_cast<std::size_t>(kMaxInFlight));
 }
 
 TEST_F(DrawFrames, ThrowsTheErrorOfASink) {

@@ -310,7 +310,7 @@ TEST_F(KilledWhileFinishing, GivesTheOldFolderBackWhereThereIsNoNewOne) {
 
 TEST_F(Resume, IsRefusedWhereAnotherProcessRenders) {
   fs::create_directories(folder_);
-  const system::UseLock other(folder_ / "small", system::Lock::Exclusive);
+  const system::AdvisoryLock other(folder_ / "small", system::Lock::Exclusive);
   EXPECT_EQ(messageOf<MachineError>([&] { render(kResume); }),
             "another process is writing " + (folder_ / "small").string() + "; wait for it to end");
   EXPECT_THAT(namesIn(folder_), ElementsAre(".small.rotatebook-0"));

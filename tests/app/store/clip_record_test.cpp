@@ -30,10 +30,10 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
-const Making kMaking{"small", "1.2.3", "some renderer", "5.1", "0123"};
+const Provenance kProvenance{"small", "1.2.3", "some renderer", "5.1", "0123"};
 
 std::string smallRecord() {
-  return sceneRecord(smallScene(), kMaking);
+  return sceneRecord(smallScene(), kProvenance);
 }
 
 /// What reading `text` says.
@@ -51,11 +51,11 @@ TEST(SceneRecord, IsASceneThatSaysWhatMadeIt) {
 
 TEST(SceneRecord, IsReadBack) {
   const ClipRecord record = parseRecord(smallRecord(), "x/y.mp4", "textures");
-  EXPECT_EQ(record.making.scene, "small");
-  EXPECT_EQ(record.making.program, "1.2.3");
-  EXPECT_EQ(record.making.renderer, "some renderer");
-  EXPECT_EQ(record.making.ffmpeg, "5.1");
-  EXPECT_EQ(record.making.motion, "0123");
+  EXPECT_EQ(record.provenance.scene, "small");
+  EXPECT_EQ(record.provenance.program, "1.2.3");
+  EXPECT_EQ(record.provenance.renderer, "some renderer");
+  EXPECT_EQ(record.provenance.ffmpeg, "5.1");
+  EXPECT_EQ(record.provenance.motion, "0123");
   EXPECT_FALSE(record.part);
   EXPECT_EQ(record.scene.name, "small");
   EXPECT_EQ(record.scene.folder, "textures");
@@ -64,11 +64,12 @@ TEST(SceneRecord, IsReadBack) {
 
 TEST(SceneRecord, NamesTheTexturesThatAreNotBuiltIn) {
   const scene::Scene scene = smallScene();
-  const Making making = makingOf(scene, timeline::simulateScene(scene),
-                                 {{"book.front", "abc"}, {"book.spine", "built-in"}}, "r");
-  const std::string record = sceneRecord(scene, making);
+  const Provenance provenance =
+      provenanceOf(scene, timeline::simulateScene(scene),
+                   {{"book.front", "abc"}, {"book.spine", "built-in"}}, "r");
+  const std::string record = sceneRecord(scene, provenance);
   EXPECT_THAT(record, HasSubstr("\n# Textures: book.front abc\n\n"));
-  EXPECT_EQ(parseRecord(record, "x", "").making.textures, "book.front abc");
+  EXPECT_EQ(parseRecord(record, "x", "").provenance.textures, "book.front abc");
 }
 
 TEST(SceneRecord, OfAPartTellsItsFrames) {
@@ -81,10 +82,11 @@ TEST(SceneRecord, OfAPartTellsItsFrames) {
 TEST(SceneRecord, StaysWholeWithNamesOfSeveralLines) {
   scene::Scene scene = smallScene();
   scene.name = "a\nb = 1";
-  const Making making = makingOf(scene, timeline::simulateScene(scene), {}, "r\n\nmass = 2");
-  const ClipRecord record = parseRecord(sceneRecord(scene, making), "x", "");
-  EXPECT_EQ(record.making.scene, "a?b = 1");
-  EXPECT_EQ(record.making.renderer, "r??mass = 2");
+  const Provenance provenance =
+      provenanceOf(scene, timeline::simulateScene(scene), {}, "r\n\nmass = 2");
+  const ClipRecord record = parseRecord(sceneRecord(scene, provenance), "x", "");
+  EXPECT_EQ(record.provenance.scene, "a?b = 1");
+  EXPECT_EQ(record.provenance.renderer, "r??mass = 2");
 }
 
 // TOML's comments have none.
@@ -137,18 +139,18 @@ TEST(SceneRecord, OfARenderIsTrue) {
   const RecordedClip clip = readRecordedClip(folder / "small.mp4", {});
   EXPECT_EQ(clip.format, video::VideoFormat::Mp4);
   EXPECT_EQ(clip.record.scene.folder, folder);
-  const Making& making = clip.record.making;
-  EXPECT_EQ(making.program, kVersion);
-  EXPECT_EQ(making.renderer, picture::makeRenderer(smallScene()).description());
-  EXPECT_EQ(making.ffmpeg, video::ffmpegVersion());
-  EXPECT_EQ(making.motion, timeline::motionChecksum(timeline::simulateScene(smallScene())));
+  const Provenance& provenance = clip.record.provenance;
+  EXPECT_EQ(provenance.program, kVersion);
+  EXPECT_EQ(provenance.renderer, picture::makeRenderer(smallScene()).description());
+  EXPECT_EQ(provenance.ffmpeg, video::ffmpegVersion());
+  EXPECT_EQ(provenance.motion, timeline::motionChecksum(timeline::simulateScene(smallScene())));
 }
 
 TEST(SceneRecord, NamesTheOptionWhereATextureIsMissing) {
   const fs::path folder = emptyFolder();
   scene::Scene scene = smallScene({"book.front=cover.png"});
   const fs::path clip = folder / "small.mp4";
-  const std::string record = sceneRecord(scene, kMaking);
+  const std::string record = sceneRecord(scene, kProvenance);
   {
     video::VideoWriter writer(video::VideoFormat::Mp4, clip, videoSettings(scene, record));
     writer.write(image::Image(64, 36, image::PixelFormat::Rgba8).view());
@@ -166,7 +168,7 @@ TEST(SceneRecord, NamesTheOptionOnlyWhereATextureIsMissing) {
   const fs::path clip = folder / "clips/small.mp4";
   {
     video::VideoWriter writer(video::VideoFormat::Mp4, clip,
-                              videoSettings(scene, sceneRecord(scene, kMaking)));
+                              videoSettings(scene, sceneRecord(scene, kProvenance)));
     writer.write(image::Image(64, 36, image::PixelFormat::Rgba8).view());
     writer.finish();
   }
@@ -194,22 +196,22 @@ TEST(SceneRecord, OfAWholeClipMayExpectSomethingElse) {
 }
 
 TEST(DifferencesOfTools, AreToldOneByOne) {
-  Making here = kMaking;
-  EXPECT_THAT(differencesOfTools(kMaking, here), IsEmpty());
+  Provenance here = kProvenance;
+  EXPECT_THAT(differencesOfTools(kProvenance, here), IsEmpty());
   here.motion = "else";
-  EXPECT_THAT(differencesOfTools(kMaking, here), IsEmpty());
+  EXPECT_THAT(differencesOfTools(kProvenance, here), IsEmpty());
   here.program = "2";
   here.ffmpeg = "7";
-  EXPECT_THAT(differencesOfTools(kMaking, here),
+  EXPECT_THAT(differencesOfTools(kProvenance, here),
               ElementsAre("rotatebook was 1.2.3, here it is 2", "FFmpeg was 5.1, here it is 7"));
-  here = kMaking;
+  here = kProvenance;
   here.textures = "book.front b";
-  EXPECT_THAT(differencesOfTools(kMaking, here), IsEmpty());
-  Making there = kMaking;
+  EXPECT_THAT(differencesOfTools(kProvenance, here), IsEmpty());
+  Provenance there = kProvenance;
   there.textures = "book.front a";
   EXPECT_THAT(differencesOfTools(there, here),
               ElementsAre("the textures were book.front a, here they are book.front b"));
-  EXPECT_THAT(differencesOfTools({}, kMaking),
+  EXPECT_THAT(differencesOfTools({}, kProvenance),
               ElementsAre("rotatebook was not recorded, here it is 1.2.3",
                           "the renderer was not recorded, here it is some renderer",
                           "FFmpeg was not recorded, here it is 5.1"));

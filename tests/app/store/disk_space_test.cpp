@@ -41,7 +41,7 @@ double ratio(const scene::Scene& scene, const pipeline::RenderOptions& options) 
 }
 
 TEST(DiskSpace, IsAboutWhatARenderTakes) {
-  constexpr double kLeast = 0.8, kMost = 1.8;  // measured 1.2 to 1.5
+  constexpr double kMin = 0.8, kMax = 1.8;  // measured 1.2 to 1.5
   for (const auto& [size, duration] :
        {std::pair{"[16, 16]", "0.1"}, {"[96, 54]", "1"}, {"[320, 180]", "0.5"}}) {
     for (const bool png : {true, false}) {
@@ -50,26 +50,26 @@ TEST(DiskSpace, IsAboutWhatARenderTakes) {
       const double found =
           ratio(scene, {.folder = emptyFolder(),
                         .outputs = pipeline::outputsOf(png, {video::VideoFormat::Mp4})});
-      EXPECT_GT(found, kLeast) << size << ", PNGs: " << png;
-      EXPECT_LT(found, kMost) << size << ", PNGs: " << png;
+      EXPECT_GT(found, kMin) << size << ", PNGs: " << png;
+      EXPECT_LT(found, kMax) << size << ", PNGs: " << png;
     }
   }
 }
 
 TEST(DiskSpace, CountsEveryFormat) {
-  constexpr double kLeast = 0.8, kMost = 1.8;  // measured 1.0 to 1.5
+  constexpr double kMin = 0.8, kMax = 1.8;  // measured 1.0 to 1.5
   for (const VideoFormat format : video::kVideoFormats) {
     const double found =
         ratio(smallScene({"clip.size=[320, 180]"}),
               {.folder = emptyFolder(), .outputs = pipeline::outputsOf(false, {format})});
-    EXPECT_GT(found, kLeast) << nameOf(format);
-    EXPECT_LT(found, kMost) << nameOf(format);
+    EXPECT_GT(found, kMin) << nameOf(format);
+    EXPECT_LT(found, kMax) << nameOf(format);
   }
 }
 
 // Each panel has a table.
 TEST(DiskSpace, CountsEveryTable) {
-  constexpr double kLeast = 0.8, kMost = 1.8;  // measured 1.1
+  constexpr double kMin = 0.8, kMax = 1.8;  // measured 1.1
   const scene::Scene scene = scene::parseScene(
       "[initial]\nangular_velocity = [5, 3, 1]\n"
       "[clip]\nsize = [64, 36]\nfps = 24\nduration = 2\n"
@@ -78,12 +78,12 @@ TEST(DiskSpace, CountsEveryTable) {
   const double found = ratio(
       scene,
       {.folder = emptyFolder(), .outputs = pipeline::outputsOf(false, {video::VideoFormat::Mp4})});
-  EXPECT_GT(found, kLeast);
-  EXPECT_LT(found, kMost);
+  EXPECT_GT(found, kMin);
+  EXPECT_LT(found, kMax);
 }
 
 TEST(DiskSpace, CountsNoFramesThatAreKept) {
-  constexpr double kLeast = 0.8, kMost = 1.8;  // measured 1.15
+  constexpr double kMin = 0.8, kMax = 1.8;  // measured 1.15
   const scene::Scene scene = smallScene({"clip.size=[320, 180]"});
   pipeline::RenderOptions options{.folder = emptyFolder(),
                                   .outputs = pipeline::outputsOf(true, {VideoFormat::Gif})};
@@ -91,8 +91,8 @@ TEST(DiskSpace, CountsNoFramesThatAreKept) {
   fs::remove(options.folder / "small.partial.gif");
   options.earlier.resume = true;
   const double found = ratio(scene, options);
-  EXPECT_GT(found, kLeast);
-  EXPECT_LT(found, kMost);
+  EXPECT_GT(found, kMin);
+  EXPECT_LT(found, kMax);
 }
 
 TEST(DiskSpace, OfAPartCountsNoFramesBesideIt) {

@@ -46,7 +46,7 @@ struct Forgery {
   bool swapped = false;  ///< Red and blue.
   int brighter = 0;      ///< By how much each colour of each pixel is. [of 255]
   std::function<void(video::VideoSettings&)> change{};
-  std::function<void(store::Making&)> made{};
+  std::function<void(store::Provenance&)> made{};
 };
 
 void swapRedAndBlue(image::Image& picture) {
@@ -68,11 +68,11 @@ void brighten(image::Image& picture, int by) {
 void write(const Forgery& forgery, const fs::path& path) {
   const timeline::ClipMotion motion = timeline::simulateScene(forgery.shown);
   picture::FrameDrawer drawer(forgery.shown, motion);
-  store::Making making = store::makingOf(forgery.said, timeline::simulateScene(forgery.said), {},
-                                         drawer.description());
-  if (forgery.made) forgery.made(making);
+  store::Provenance provenance = store::provenanceOf(
+      forgery.said, timeline::simulateScene(forgery.said), {}, drawer.description());
+  if (forgery.made) forgery.made(provenance);
   video::VideoSettings settings =
-      store::videoSettings(forgery.shown, store::sceneRecord(forgery.said, making));
+      store::videoSettings(forgery.shown, store::sceneRecord(forgery.said, provenance));
   if (forgery.change) forgery.change(settings);
   video::VideoWriter writer(VideoFormat::Mp4, path, settings);
   image::Image picture = drawer.makePicture();
@@ -156,7 +156,7 @@ TEST_P(VerifyClipOf, EverySceneIsProved) {
   EXPECT_THAT(found.pictures.size(), Gt(10U));
   for (const PictureCheck& picture : found.pictures) {
     EXPECT_TRUE(picture.passed()) << picture.frame << ": " << picture.measured.rms << ", "
-                                  << picture.measured.worstPatch;
+                                  << picture.measured.worstBlock;
   }
 }
 
@@ -223,7 +223,7 @@ TEST(VerifyClip, NamesTheNeighbourThatAPictureBelongsTo) {
     for (const PictureCheck& picture : found.pictures) {
       const auto shown = std::clamp<std::int64_t>(picture.frame + shift, 0, kFrames - 1);
       if (shown == picture.frame) continue;
-      EXPECT_EQ(picture.likerTo, shown) << picture.frame;
+      EXPECT_EQ(picture.closerTo, shown) << picture.frame;
     }
   }
 }
@@ -254,19 +254,19 @@ TEST(VerifyClip, FindsPicturesThatAreABitTooBright) {
   expectWrongPictures(found);
   for (const PictureCheck& picture : found.pictures) {
     EXPECT_LT(picture.measured.rms, 2 * picture.bound.rms);                  // measured 1.4
-    EXPECT_LT(picture.measured.worstPatch, 0.9 * picture.bound.worstPatch);  // measured 0.74
-    EXPECT_FALSE(picture.likerTo.has_value());
+    EXPECT_LT(picture.measured.worstBlock, 0.9 * picture.bound.worstBlock);  // measured 0.74
+    EXPECT_FALSE(picture.closerTo.has_value());
   }
   EXPECT_TRUE(verified({.brighter = 1}).proved());
 }
 
 TEST(VerifyClip, FindsAnotherMotion) {
   const Verification found =
-      verified({.made = [](store::Making& making) { making.motion.back() ^= 1; }});
+      verified({.made = [](store::Provenance& provenance) { provenance.motion.back() ^= 1; }});
   EXPECT_THAT(failedIn(found), ElementsAre("motion"));
   EXPECT_EQ(found.failures(), 1);
   const Verification none =
-      verified({.made = [](store::Making& making) { making.motion.clear(); }});
+      verified({.made = [](store::Provenance& provenance) { provenance.motion.clear(); }});
   EXPECT_THAT(failedIn(none), ElementsAre("motion"));
 }
 
@@ -314,7 +314,7 @@ TEST(VerifyClip, FindsWhatPlayersWouldShowOtherwise) {
 
 TEST(VerifyClip, NotesOtherTools) {
   const Verification found =
-      verified({.made = [](store::Making& making) { making.renderer = "a card"; }});
+      verified({.made = [](store::Provenance& provenance) { provenance.renderer = "a card"; }});
   EXPECT_TRUE(found.proved());
   ASSERT_EQ(found.toolsDiffer.size(), 1U);
   EXPECT_THAT(found.toolsDiffer[0], ::testing::StartsWith("the renderer was a card, here it is "));

@@ -25,7 +25,7 @@ class Reference {
   ~Reference() {
     mpfr_clears(x_, y_, value_, static_cast<mpfr_ptr>(nullptr));
     mpfr_clear(longer_);
-    mpfr_mp_memory_cleanup();  // Constants that MPFR keeps would count as leaks.
+    mpfr_mp_memory_cleanup();  // PolhodeConstants that MPFR keeps would count as leaks.
   }
   Reference(const Reference&) = delete;
   Reference& operator=(const Reference&) = delete;

@@ -138,7 +138,7 @@ TEST(Carlson, AgreesWithThePublishedValues) {
   EXPECT_NEAR(carlsonRJ(2, 3, 4, 5), 0.14297579667157, kPublished);
 }
 
-TEST(ThirdKind, AgreesWithQuadrature) {
+TEST(EllipticPi, AgreesWithQuadrature) {
   // {u, k1, n, integral at 40 digits}
   constexpr double kCases[][4] = {
       {0.5, 1.0, 0.0, 0.039632253798025873},   {1.2, 0.8, -0.3, 0.35217303445626225},
@@ -147,17 +147,17 @@ TEST(ThirdKind, AgreesWithQuadrature) {
       {3.0, 1e-10, -0.5, 1.4219216780177535},  {20.0, 1e-10, -1.0, 9.6073009183012758},
       {7.0, 0.0, -0.1, 5.4831522086627095}};
   for (const auto& [u, k1, n, integral] : kCases) {
-    const double value = ThirdKind(k1, n).at(u, JacobiFunctions(k1).at(u)) + u / (1 - n);
+    const double value = EllipticPi(k1, n).at(u, JacobiFunctions(k1).at(u)) + u / (1 - n);
     EXPECT_LT(relativeError(value, integral), kIntegralBound) << u << ' ' << k1 << ' ' << n;
   }
 }
 
-TEST(ThirdKind, EndsInTheCompleteIntegral) {
+TEST(EllipticPi, EndsInTheCompleteIntegral) {
   for (const double k1 : {1.0, 0.7, 0.1, 1e-3, 1e-8, 1e-11}) {
     for (const double n : {-1.0, -0.4, -1e-5}) {
       const CompleteIntegrals complete = completeIntegrals(k1, n);
       const double k = complete.k.value();
-      const double incomplete = ThirdKind(k1, n).at(k, JacobiFunctions(k1).at(k)) + k / (1 - n);
+      const double incomplete = EllipticPi(k1, n).at(k, JacobiFunctions(k1).at(k)) + k / (1 - n);
       EXPECT_LT(relativeError(incomplete, complete.j.value()), kIntegralBound) << k1 << ' ' << n;
     }
   }

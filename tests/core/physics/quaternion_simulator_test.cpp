@@ -19,10 +19,10 @@ constexpr double kUnitNormBound = 1e-14;        // measured 0
 constexpr double kNormGrowthBound = 1e-12;      // measured 6e-14
 
 using Quadruple = std::array<double, 4>;  // w, x, y, z
-using Triple = std::array<double, 3>;
+using AxisRoles = std::array<double, 3>;
 
 // (1 - 2 |u|^2) v + 2 (u.v) u + 2 w (u x v), which is A(q) v in other words.
-Triple turned(const Quadruple& q, const Triple& v) {
+AxisRoles turned(const Quadruple& q, const AxisRoles& v) {
   const auto [w, x, y, z] = q;
   const double scale = 1 - 2 * (x * x + y * y + z * z);
   const double along = 2 * (x * v[0] + y * v[1] + z * v[2]);
@@ -32,8 +32,8 @@ Triple turned(const Quadruple& q, const Triple& v) {
 }
 
 // q += h/2 (0, w) q with w = A(q) I^-1 A(conj q) L.
-void stepByHand(Quadruple& q, const Triple& inertia, const Triple& l, double h) {
-  Triple spin = turned({q[0], -q[1], -q[2], -q[3]}, l);
+void stepByHand(Quadruple& q, const AxisRoles& inertia, const AxisRoles& l, double h) {
+  AxisRoles spin = turned({q[0], -q[1], -q[2], -q[3]}, l);
   for (std::size_t i = 0; i < 3; ++i) spin[i] /= inertia[i];
   const auto [a, b, c] = turned(q, spin);
   const auto [w, x, y, z] = q;
@@ -59,7 +59,7 @@ double distance(const BodyState& state, const Quadruple& q, const Cuboid& body) 
   const Cage start = body.corners();
   Cage expected;
   for (int i = 0; i < 8; ++i) {
-    const Triple corner = turned(q, {start(0, i), start(1, i), start(2, i)});
+    const AxisRoles corner = turned(q, {start(0, i), start(1, i), start(2, i)});
     expected.col(i) = Vector3d(corner[0], corner[1], corner[2]);
   }
   return (drawnCage(state, body) - expected).norm();

@@ -60,7 +60,7 @@ TEST(TextbookMatrix, IsTheRotationOfAUnitQuaternion) {
   const Quaterniond q(Eigen::AngleAxisd(0.7, Vector3d(1, 2, 2) / 3));
   const Vector3d v(0.3, -0.4, 0.5);
   EXPECT_LT(
-      (textbookMatrix(q) * v - (q * Quaterniond(0, v.x(), v.y(), v.z()) * q.conjugate()).vec())
+      (unnormalisedMatrix(q) * v - (q * Quaterniond(0, v.x(), v.y(), v.z()) * q.conjugate()).vec())
           .norm(),
       kRotationBound);
 }
@@ -70,7 +70,7 @@ TEST(TextbookMatrix, IsNotDividedByTheNorm) {
   expected << -25, -20, 22,  //
       28, -19, 4,            //
       -10, 20, -9;
-  EXPECT_EQ(textbookMatrix(Quaterniond(4, 1, 2, 3)), expected);
+  EXPECT_EQ(unnormalisedMatrix(Quaterniond(4, 1, 2, 3)), expected);
 }
 
 TEST(PolarFactor, IsThatOfTheSvdOnRandomMaps) {

@@ -45,7 +45,7 @@ Scene unusualScene() {
 /// The scene that `text` gives, without the places where it states things.
 Scene readBack(const std::string& text) {
   Scene scene = parseScene(text, "some/where/unusual.toml");
-  scene.places.clear();
+  scene.locations.clear();
   return scene;
 }
 

@@ -42,29 +42,29 @@ TEST(TomlTree, KeepsTheOrderOfTheText) {
 TEST(TomlTree, KnowsThePlaceOfKeysAndValues) {
   const TomlNode root = parseToml("\n[m]\n  \"é\".b = [1,\n 2]\n", "f");
   const TomlEntry& section = tableOf(root)[0];
-  EXPECT_EQ(section.keyPlace, "f:2:2");
-  EXPECT_EQ(section.node.place, "f:2:1");
+  EXPECT_EQ(section.keyLocation, "f:2:2");
+  EXPECT_EQ(section.node.location, "f:2:1");
   const TomlEntry& dotted = tableOf(section.node)[0];
   EXPECT_EQ(dotted.key, "é");
-  EXPECT_EQ(dotted.keyPlace, "f:3:3");
+  EXPECT_EQ(dotted.keyLocation, "f:3:3");
   const TomlEntry& last = tableOf(dotted.node)[0];
-  EXPECT_EQ(last.keyPlace, "f:3:7");
-  EXPECT_EQ(last.node.place, "f:3:11");
-  EXPECT_EQ(std::get<TomlNode::Array>(last.node.value)[1].place, "f:4:2");
+  EXPECT_EQ(last.keyLocation, "f:3:7");
+  EXPECT_EQ(last.node.location, "f:3:11");
+  EXPECT_EQ(std::get<TomlNode::Array>(last.node.value)[1].location, "f:4:2");
 }
 
 TEST(TomlTree, CountsColumnsInLetters) {
   const TomlNode root = parseToml("a = { b = \"é\", c = [1,\n 2] }\n", "f");
   const TomlEntry& last = tableOf(tableOf(root)[0].node)[1];
-  EXPECT_EQ(last.keyPlace, "f:1:16");
-  EXPECT_EQ(std::get<TomlNode::Array>(last.node.value)[1].place, "f:2:2");
+  EXPECT_EQ(last.keyLocation, "f:1:16");
+  EXPECT_EQ(std::get<TomlNode::Array>(last.node.value)[1].location, "f:2:2");
 }
 
 TEST(TomlTree, GivesAllPartsOfAValueOnePlace) {
   const auto value = parseTomlValue("{ a = [1] }", "--set x={ a = [1] }");
   const TomlEntry& entry = tableOf(*value)[0];
-  EXPECT_EQ(entry.keyPlace, "--set x={ a = [1] }");
-  EXPECT_EQ(std::get<TomlNode::Array>(entry.node.value)[0].place, "--set x={ a = [1] }");
+  EXPECT_EQ(entry.keyLocation, "--set x={ a = [1] }");
+  EXPECT_EQ(std::get<TomlNode::Array>(entry.node.value)[0].location, "--set x={ a = [1] }");
 }
 
 TEST(TomlTree, TakesNothingButOneValue) {

@@ -7,7 +7,7 @@
 namespace rotatebook::image {
 
 /// The light of an sRGB number, 0 to 1.
-inline double linearFromSrgb(std::uint8_t encoded) {
+inline double linearByFormula(std::uint8_t encoded) {
   const double value = encoded / 255.0;
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }

@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "overlay/arrows.h"
+#include "overlay/caption_and_clock.h"
 #include "overlay/motion.h"
-#include "overlay/words.h"
 #include "scene/reference_frame.h"
 #include "scene/shipped_scene.h"
 
@@ -100,13 +100,13 @@ TEST(ArrowLabels, StayOnTheirSideWhileTheArrowsNearlyCoincide) {
 
 TEST(ArrowLabels, ComeIntoTheWayOfNothingStepByStep) {
   // A long arrow nears that of the letter, which moves by no more than this from one to the next.
-  constexpr double kStep = 0.25, kMostMoved = 2.5;  // [pixels]; measured 1.0
+  constexpr double kStep = 0.25, kMaxMoved = 2.5;  // [pixels]; measured 1.0
   Point last(0, 0);
   for (double tip = 30; tip < 104; tip += kStep) {
     const Box box = placed({arrowTo({tip, 20}), arrowTo({100, 50})})[1].box;
     const Point here(box.x, box.y);
     if (tip > 30) {
-      EXPECT_LT((here - last).norm(), kMostMoved) << tip;
+      EXPECT_LT((here - last).norm(), kMaxMoved) << tip;
     }
     last = here;
   }
@@ -137,7 +137,7 @@ TEST(ArrowLabels, AreLeftOutWhereThereIsNoRoom) {
 TEST(ArrowLabels, GlideToTheOtherSideWhileAnArrowPasses) {
   // It passes at once, between frames 9 and 10.
   constexpr std::int64_t kReach = 4;
-  constexpr double kMostMoved = 12;  // [pixels]; measured 9.7, and 48 without its neighbours
+  constexpr double kMaxMoved = 12;  // [pixels]; measured 9.7, and 48 without its neighbours
   const Layer letter = letterOf(10, 12);
   const auto arrowsAt = [&](std::int64_t frame) {
     return labelled({arrowTo({frame < 10 ? 60. : 140., 20}), arrowTo({100, 50})}, letter,
@@ -157,7 +157,7 @@ TEST(ArrowLabels, GlideToTheOtherSideWhileAnArrowPasses) {
   const std::vector<double> path = pathOf(kReach, true);
   EXPECT_EQ(path, pathOf(kReach, false));  // whatever was drawn before
   for (std::size_t i = 1; i < path.size(); ++i) {
-    EXPECT_LT(std::abs(path[i] - path[i - 1]), kMostMoved) << i;
+    EXPECT_LT(std::abs(path[i] - path[i - 1]), kMaxMoved) << i;
   }
   EXPECT_EQ(path.front(), pathOf(0, true).front());
   EXPECT_EQ(path.back(), pathOf(0, true).back());
@@ -187,20 +187,20 @@ class Clip {
         trajectory_(testing::motionOf(scene_)),
         words_(scene_),
         scale_(scene_.clip.width, scene_.clip.height),
-        marks_(scene_, trajectory_,
-               {.width = scene_.clip.width,
-                .height = scene_.clip.height,
-                .corner = words_.corner(),
-                .bottomRows = words_.bottomRows()}) {}
+        overlays_(scene_, trajectory_,
+                  {.width = scene_.clip.width,
+                   .height = scene_.clip.height,
+                   .corner = words_.corner(),
+                   .bottomRows = words_.bottomRows()}) {}
 
   Seen seen() {
     Seen seen;
     Frame last;
     image::Image picture = testing::greyPicture(scene_);
-    const Eigen::Matrix4d clip = testing::clipFromWorld(scene_, marks_.bottomRows());
+    const Eigen::Matrix4d clip = testing::clipFromWorld(scene_, overlays_.bottomRows());
     for (std::size_t n = 0; n < trajectory_.samples.size(); ++n) {
-      marks_.draw(static_cast<std::int64_t>(n), clip, picture);
-      Frame frame{marks_.labels().arrows(), marks_.labels().placed()};
+      overlays_.draw(static_cast<std::int64_t>(n), clip, picture);
+      Frame frame{overlays_.labels().arrows(), overlays_.labels().placed()};
       add(frame, last, seen);
       last = std::move(frame);
     }
@@ -261,9 +261,9 @@ class Clip {
 
   scene::Scene scene_;
   physics::Trajectory trajectory_;
-  Words words_;
+  CaptionAndClock words_;
   Scale scale_;
-  Marks marks_;
+  MotionOverlays overlays_;
   int atAStretch_ = 0;  // frames up to the last in which a letter is crossed
 };
 
@@ -276,7 +276,7 @@ struct Shown {
 
 // While an arrow passes another's letter, which is glided over within a tenth of a second.
 constexpr int kLongestCrossed = 5;       // [frames]; measured 4
-constexpr double kMostCrossed = 0.08;    // of all frames; measured 0.071, in fig05
+constexpr double kMaxCrossed = 0.08;     // of all frames; measured 0.071, in fig05
 constexpr double kFastestLetter = 12.0;  // [pixels a frame]; measured 10.3, in fig03
 
 TEST(ArrowLabels, OfTheFiguresMeetNothing) {
@@ -295,7 +295,7 @@ TEST(ArrowLabels, OfTheFiguresMeetNothing) {
       EXPECT_EQ(seen.missing, 0);
       EXPECT_EQ(seen.meeting, 0);
       EXPECT_LE(seen.longestCrossed, kLongestCrossed);
-      EXPECT_LE(seen.crossed, kMostCrossed * seen.frames);
+      EXPECT_LE(seen.crossed, kMaxCrossed * seen.frames);
       EXPECT_LT(seen.fastest, kFastestLetter);
       EXPECT_GE(seen.plainlyCrossed, one.plainlyCrossed);
     }

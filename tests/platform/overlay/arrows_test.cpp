@@ -7,12 +7,12 @@
 namespace rotatebook::overlay {
 namespace {
 
-/// What marks are made from.
+/// What overlays are made from.
 struct Setting {
   explicit Setting(const scene::Scene& asked)
       : scene(asked), trajectory(testing::motionOf(scene)), type() {}
 
-  MarkContext context() const { return {scene, trajectory, type, Scale(320, 180)}; }
+  OverlayContext context() const { return {scene, trajectory, type, Scale(320, 180)}; }
   double reach() const { return scene.body.size.norm() / 2; }
 
   scene::Scene scene;

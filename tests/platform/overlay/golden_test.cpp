@@ -1,5 +1,5 @@
-// What each mark looks like, over plain grey. ROTATEBOOK_UPDATE_GOLDENS=1 renews the goldens, see
-// image/golden.h.
+// What each overlay looks like, over plain grey. ROTATEBOOK_UPDATE_GOLDENS=1 renews the goldens,
+// see image/golden.h.
 #include "image/golden.h"
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "overlay/caption_and_clock.h"
 #include "overlay/motion.h"
-#include "overlay/words.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -45,7 +45,7 @@ scene::Scene sceneOf(const Case& one) {
 image::Image pictureOf(const Case& one, std::int64_t frame) {
   const scene::Scene scene = sceneOf(one);
   image::Image picture = testing::drawn(scene, frame);
-  Words(scene).draw(frame, picture);
+  CaptionAndClock(scene).draw(frame, picture);
   return picture;
 }
 

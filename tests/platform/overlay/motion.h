@@ -1,4 +1,4 @@
-// Motions, pictures and views to draw marks on.
+// Motions, pictures and views to draw overlays on.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 #include <Eigen/LU>
 
 #include "image/image.h"
-#include "overlay/marks.h"
+#include "overlay/motion_overlays.h"
 #include "physics/simulate.h"
 #include "scene/scene_text.h"
 
@@ -68,23 +68,23 @@ inline Eigen::Matrix4d clipFromWorld(const scene::Scene& scene, int bottomRows) 
   return clip * view;
 }
 
-/// The marks of `scene` on its whole picture, without other words.
-inline Marks marksOf(const scene::Scene& scene, const physics::Trajectory& trajectory) {
+/// The overlays of `scene` on its whole picture, without other words.
+inline MotionOverlays marksOf(const scene::Scene& scene, const physics::Trajectory& trajectory) {
   return {scene, trajectory, {.width = scene.clip.width, .height = scene.clip.height}};
 }
 
-/// What `marks` draw on a grey picture.
-inline image::Image drawn(Marks& marks, const scene::Scene& scene, std::int64_t frame) {
+/// What `overlays` draw on a grey picture.
+inline image::Image drawn(MotionOverlays& overlays, const scene::Scene& scene, std::int64_t frame) {
   image::Image picture = greyPicture(scene);
-  marks.draw(frame, clipFromWorld(scene, marks.bottomRows()), picture);
+  overlays.draw(frame, clipFromWorld(scene, overlays.bottomRows()), picture);
   return picture;
 }
 
 /// The same of a scene with nothing else.
 inline image::Image drawn(const scene::Scene& scene, std::int64_t frame) {
   const physics::Trajectory trajectory = motionOf(scene);
-  Marks marks = marksOf(scene, trajectory);
-  return drawn(marks, scene, frame);
+  MotionOverlays overlays = marksOf(scene, trajectory);
+  return drawn(overlays, scene, frame);
 }
 
 /// The first pair of boxes that meet, if any.

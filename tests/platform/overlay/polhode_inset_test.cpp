@@ -76,15 +76,15 @@ int brightestPixels(bool near) {
   trajectory.samples[0].attitude = trajectory.samples[1].attitude.setIdentity();
   trajectory.samples[0].angularMomentum = {0.3, 0.9, -0.3};
   trajectory.samples[1].angularMomentum = near ? towardViewer : Eigen::Vector3d(-towardViewer);
-  Marks marks = testing::marksOf(scene, trajectory);
-  const image::Image picture = testing::drawn(marks, scene, 1);
+  MotionOverlays overlays = testing::marksOf(scene, trajectory);
+  const image::Image picture = testing::drawn(overlays, scene, 1);
   int count = 0;
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       const std::uint8_t* pixel = picture.row(y) + 4 * x;
       const Box place{1.0 * x, 1.0 * y, 1, 1};
       const bool words = std::ranges::any_of(
-          marks.texts(), [&](const Box& text) { return text.grown(3).meets(place); });
+          overlays.texts(), [&](const Box& text) { return text.grown(3).meets(place); });
       count += !words && std::min({pixel[0], pixel[1], pixel[2]}) >= 236 ? 1 : 0;
     }
   }

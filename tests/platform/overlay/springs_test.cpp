@@ -15,8 +15,8 @@ double rednessOf(double factor) {
   physics::Trajectory trajectory = testing::motionOf(scene);
   trajectory.samples.resize(1);
   trajectory.samples.front().cage *= factor;
-  Marks marks = testing::marksOf(scene, trajectory);
-  const image::Image picture = testing::drawn(marks, scene, 0);
+  MotionOverlays overlays = testing::marksOf(scene, trajectory);
+  const image::Image picture = testing::drawn(overlays, scene, 0);
   double redness = 0;
   for (int y = 0; y < 130; ++y) {
     const std::uint8_t* pixel = picture.row(y);

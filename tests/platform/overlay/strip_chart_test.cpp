@@ -21,9 +21,9 @@ Box endLabelOf(const std::vector<std::string>& overrides) {
   all.insert(all.end(), overrides.begin(), overrides.end());
   const scene::Scene scene = testing::tumbling(all);
   const physics::Trajectory trajectory = testing::motionOf(scene);
-  Marks marks = testing::marksOf(scene, trajectory);
-  testing::drawn(marks, scene, 0);
-  return *std::ranges::max_element(marks.texts(), {}, &Box::bottom);
+  MotionOverlays overlays = testing::marksOf(scene, trajectory);
+  testing::drawn(overlays, scene, 0);
+  return *std::ranges::max_element(overlays.texts(), {}, &Box::bottom);
 }
 
 /// How wide `words` are in a chart's letters. [pixels]

@@ -1,4 +1,4 @@
-// Words never meet, at any size.
+// CaptionAndClock never meet, at any size.
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "overlay/caption_and_clock.h"
 #include "overlay/motion.h"
-#include "overlay/words.h"
 #include "scene/shipped_scene.h"
 
 namespace rotatebook::overlay {
@@ -66,21 +66,21 @@ void expectApart(const std::vector<Box>& boxes, const Size& size) {
 }
 
 /// Frames of an ordinary motion, and the last one with the notice.
-void expectNoMeeting(const scene::Scene& scene, Words* words, const Ground& ground) {
+void expectNoMeeting(const scene::Scene& scene, CaptionAndClock* words, const Viewport& viewport) {
   physics::Trajectory trajectory = testing::motionOf(scene);
   trajectory.divergedAt = 9999.99;
-  Marks marks(scene, trajectory, ground);
+  MotionOverlays overlays(scene, trajectory, viewport);
   image::Image picture = testing::greyPicture(scene);
-  const std::int64_t step = ground.height > 1500 ? 60 : 9;
+  const std::int64_t step = viewport.height > 1500 ? 60 : 9;
   for (std::int64_t frame = 0; frame <= scene.clip.frameCount(); frame += step) {
-    marks.draw(frame, testing::clipFromWorld(scene, marks.bottomRows()), picture);
-    std::vector<Box> boxes = marks.texts();
+    overlays.draw(frame, testing::clipFromWorld(scene, overlays.bottomRows()), picture);
+    std::vector<Box> boxes = overlays.texts();
     if (words != nullptr) {
       words->draw(frame, picture);
       boxes.insert(boxes.end(), words->texts().begin(), words->texts().end());
     }
     SCOPED_TRACE(frame);
-    expectApart(boxes, {ground.width, ground.height});
+    expectApart(boxes, {viewport.width, viewport.height});
     if (::testing::Test::HasFailure()) return;
   }
 }
@@ -91,7 +91,7 @@ TEST(Texts, NeverMeetOnAWholePicture) {
     SCOPED_TRACE(text(size));
     const scene::Scene scene =
         sceneOf(size.width, size.height, std::string("'caption', ") + kEverything);
-    Words words(scene);
+    CaptionAndClock words(scene);
     expectNoMeeting(scene, &words,
                     {size.width, size.height, words.corner(), words.bottomRows(), ""});
   }
@@ -115,7 +115,7 @@ TEST(Texts, OfAClipWithPanelsNeverMeet) {
     for (const char* show : {"'caption', 'clock'", "'clock'"}) {
       SCOPED_TRACE(text(size) + show);
       const scene::Scene scene = sceneOf(size.width, size.height, show);
-      Words words(scene, Words::ClockPlace::Bottom);
+      CaptionAndClock words(scene, CaptionAndClock::ClockPosition::Bottom);
       EXPECT_TRUE(words.corner().empty());
       image::Image picture = testing::greyPicture(scene);
       words.draw(100, picture);

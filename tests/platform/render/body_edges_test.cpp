@@ -19,7 +19,7 @@ constexpr int kWidth = 640, kHeight = 360;
 
 struct Found {
   EdgePixels pixels{kWidth, kHeight};
-  std::vector<SeenTriangle> triangles;
+  std::vector<ScreenTriangle> triangles;
   PixelRect bounds;
 
   explicit Found(const physics::Cage& corners) {
@@ -27,7 +27,7 @@ struct Found {
         project({{0, 0, 0.76}, {0, 0, 0}, {0, 1, 0}, 30}, corners, {kWidth, kHeight});
     bounds = projection.bounds;
     BodyEdges(makeBookMesh())
-        .find(corners, projection.clipFromWorld, drawnFacing(corners), {}, pixels, triangles);
+        .find(corners, projection.clipFromWorld, windingOf(corners), {}, pixels, triangles);
     pixels.number();
   }
 
@@ -65,11 +65,11 @@ TEST(BodyEdges, LeaveOutTrianglesThatLookAway) {
   pierced(2, 7) -= 0.2;
   const Found usual(book()), open(pierced);
   EXPECT_LT(usual.triangles.size(), all / 2);
-  for (const SeenTriangle& triangle : usual.triangles) {
+  for (const ScreenTriangle& triangle : usual.triangles) {
     const auto& [a, b, c] = triangle.corners;
     EXPECT_LE((b - a).x() * (c - a).y() - (b - a).y() * (c - a).x(), 0);
   }
-  ASSERT_EQ(drawnFacing(pierced), 0);
+  ASSERT_EQ(windingOf(pierced), 0);
   EXPECT_EQ(open.triangles.size(), all);
 }
 
@@ -78,7 +78,7 @@ TEST(BodyEdges, LeaveOutWhatReachesBehindTheCamera) {
   corners.rightCols<4>().row(2).array() += 2;  // The front cover.
   const Found found(corners);
   EXPECT_LT(found.triangles.size(), 2000U);
-  for (const SeenTriangle& triangle : found.triangles) {
+  for (const ScreenTriangle& triangle : found.triangles) {
     for (const auto& corner : triangle.corners) EXPECT_TRUE(corner.allFinite());
   }
 }

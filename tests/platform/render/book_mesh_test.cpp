@@ -36,8 +36,8 @@ TEST(BookMesh, HasTrianglesInEachPart) {
 
 TEST(BookMesh, LiesInTheUnitCube) {
   for (const BookVertex& vertex : makeBookMesh().vertices) {
-    EXPECT_GE(vertex.place.minCoeff(), 0);
-    EXPECT_LE(vertex.place.maxCoeff(), 1);
+    EXPECT_GE(vertex.position.minCoeff(), 0);
+    EXPECT_LE(vertex.position.maxCoeff(), 1);
   }
 }
 
@@ -45,8 +45,8 @@ TEST(BookMesh, LiesInTheUnitCube) {
 TEST(BookMesh, TouchesEachSideOfTheCube) {
   Eigen::Vector3f low(1, 1, 1), high(0, 0, 0);
   for (const BookVertex& vertex : makeBookMesh().vertices) {
-    low = low.cwiseMin(vertex.place);
-    high = high.cwiseMax(vertex.place);
+    low = low.cwiseMin(vertex.position);
+    high = high.cwiseMax(vertex.position);
   }
   constexpr float kBound = 1e-6F;  // measured 0, 6e-8
   EXPECT_LT(low.maxCoeff(), kBound);
@@ -55,17 +55,17 @@ TEST(BookMesh, TouchesEachSideOfTheCube) {
 
 TEST(BookMesh, HasTrianglesCounterClockwiseFromOutside) {
   // Where the rounding of the rim runs out a triangle is twisted. measured 0.16
-  constexpr float kLeastCosine = 0.1F;
+  constexpr float kMinCosine = 0.1F;
   const BookMesh mesh = makeBookMesh();
   const Eigen::Vector3f perLength = kBookSize.cwiseInverse();
   for (std::size_t part = 0; part < kBookPartCount; ++part) {
     forEachTriangle(mesh, part, [&](const BookVertex& a, const BookVertex& b, const BookVertex& c) {
       const Eigen::Vector3f across =
-          worldNormal((b.place - a.place).cross(c.place - a.place), perLength);
+          worldNormal((b.position - a.position).cross(c.position - a.position), perLength);
       Eigen::Vector3f mean = Eigen::Vector3f::Zero();
       for (const BookVertex* vertex : {&a, &b, &c}) mean += worldNormal(vertex->normal, perLength);
-      EXPECT_GT(across.dot(mean.normalized()), kLeastCosine)
-          << "part " << part << " at " << a.place.transpose();
+      EXPECT_GT(across.dot(mean.normalized()), kMinCosine)
+          << "part " << part << " at " << a.position.transpose();
     });
   }
 }
@@ -84,8 +84,8 @@ float areaOnSide(const BookMesh& mesh, BookPart part, int axis, int sign) {
   forEachTriangle(mesh, static_cast<std::size_t>(part),
                   [&](const BookVertex& a, const BookVertex& b, const BookVertex& c) {
                     if (a.normal[axis] != static_cast<float>(sign)) return;
-                    if (a.place[axis] != level) return;
-                    area += (b.place - a.place).cross(c.place - a.place).norm() / 2;
+                    if (a.position[axis] != level) return;
+                    area += (b.position - a.position).cross(c.position - a.position).norm() / 2;
                   });
   return area;
 }
@@ -100,10 +100,10 @@ float areaOnSide(const BookMesh& mesh, int axis, int sign) {
 
 // But for hinges and roundings, which lie within the cube.
 TEST(BookMesh, CoversFrontAndBack) {
-  constexpr float kLeast = 0.93F;  // measured 0.936
+  constexpr float kMin = 0.93F;  // measured 0.936
   const BookMesh mesh = makeBookMesh();
-  EXPECT_GT(areaOnSide(mesh, BookPart::Front, 2, 1), kLeast);
-  EXPECT_GT(areaOnSide(mesh, BookPart::Back, 2, -1), kLeast);
+  EXPECT_GT(areaOnSide(mesh, BookPart::Front, 2, 1), kMin);
+  EXPECT_GT(areaOnSide(mesh, BookPart::Back, 2, -1), kMin);
   EXPECT_LE(areaOnSide(mesh, 2, 1), 1);
   EXPECT_LE(areaOnSide(mesh, 2, -1), 1);
 }
@@ -114,7 +114,7 @@ TEST(BookMesh, HasNoTriangleTwice) {
   std::set<std::vector<float>> seen;
   for (std::size_t part = 0; part < kBookPartCount; ++part) {
     forEachTriangle(mesh, part, [&](const BookVertex& a, const BookVertex& b, const BookVertex& c) {
-      const Eigen::Vector3f middle = a.place + b.place + c.place;
+      const Eigen::Vector3f middle = a.position + b.position + c.position;
       EXPECT_TRUE(seen.insert({middle.x(), middle.y(), middle.z()}).second) << middle.transpose();
     });
   }
@@ -125,13 +125,13 @@ TEST(BookMesh, HasItsLiningAgainstTheLeaves) {
   const BookMesh mesh = makeBookMesh();
   Eigen::Vector3f low(1, 1, 1), high(0, 0, 0);
   for (const std::uint32_t index : mesh.triangles[static_cast<std::size_t>(BookPart::Pages)]) {
-    low = low.cwiseMin(mesh.vertices[index].place);
-    high = high.cwiseMax(mesh.vertices[index].place);
+    low = low.cwiseMin(mesh.vertices[index].position);
+    high = high.cwiseMax(mesh.vertices[index].position);
   }
   // Of the leaves, the spine side and the sides on the boards aren't drawn.
   const Eigen::Vector3f room(0.02F, 1e-6F, 1);
   for (const std::uint32_t index : mesh.triangles[static_cast<std::size_t>(BookPart::Lining)]) {
-    const Eigen::Vector3f& place = mesh.vertices[index].place;
+    const Eigen::Vector3f& place = mesh.vertices[index].position;
     EXPECT_TRUE((place.array() >= (low - room).array()).all()) << place.transpose();
     EXPECT_LE(place.x(), high.x() + 1e-6F);
     EXPECT_LE(place.y(), high.y() + 1e-6F);
@@ -145,8 +145,8 @@ TEST(BookMesh, HasAClosedCase) {
   std::map<std::vector<long>, int> edges;
   const auto count = [&](const BookVertex& from, const BookVertex& to) {
     const auto key = [](const BookVertex& a) {
-      return std::vector<long>{std::lround(1e5 * a.place.x()), std::lround(1e5 * a.place.y()),
-                               std::lround(1e5 * a.place.z())};
+      return std::vector<long>{std::lround(1e5 * a.position.x()), std::lround(1e5 * a.position.y()),
+                               std::lround(1e5 * a.position.z())};
     };
     const bool swapped = key(to) < key(from);
     std::vector<long> edge = key(swapped ? to : from);
@@ -169,9 +169,9 @@ TEST(BookMesh, HasAClosedCase) {
 TEST(BookMesh, LightsWhatItSeesOfTheSurroundings) {
   float darkest = 1;
   for (const BookVertex& vertex : makeBookMesh().vertices) {
-    EXPECT_GT(vertex.openness, 0);
-    EXPECT_LE(vertex.openness, 1);
-    darkest = std::min(darkest, vertex.openness);
+    EXPECT_GT(vertex.skyVisibility, 0);
+    EXPECT_LE(vertex.skyVisibility, 1);
+    darkest = std::min(darkest, vertex.skyVisibility);
   }
   EXPECT_LT(darkest, 1) << "nothing is shaded";
 }

@@ -42,7 +42,7 @@ TEST(BookProfile, HasAHingeThatIsShaded) {
   for (const ProfilePoint& point : frontProfile(kBook)) {
     if (point.outside.x() > 12) continue;
     lowest = std::min(lowest, point.outside.y());
-    darkest = std::min(darkest, point.openness);
+    darkest = std::min(darkest, point.skyVisibility);
   }
   EXPECT_LT(lowest, kBook.thickness - 1.3F);
   EXPECT_LT(darkest, 0.6F);

@@ -23,27 +23,27 @@ const CallFailure kNotInitialized{"eglInitialize", "EGL_NOT_INITIALIZED"};
 
 using Kind = DeviceChoice::Kind;
 
-Way nvidia(int index, int cudaId) {
+DisplayCandidate nvidia(int index, int cudaId) {
   return {.index = index,
           .nvidia = true,
           .renderNode = "/dev/dri/renderD" + std::to_string(128 + index),
           .cudaId = cudaId};
 }
 
-Way software(int index) {
+DisplayCandidate software(int index) {
   return {.index = index, .software = true};
 }
 
-const Way kSurfaceless{.kind = Way::Kind::Surfaceless};
-const Way kDefault{.kind = Way::Kind::Default};
+const DisplayCandidate kSurfaceless{.kind = DisplayCandidate::Kind::Surfaceless};
+const DisplayCandidate kDefault{.kind = DisplayCandidate::Kind::Default};
 
 /// Ways, and what each would say.
 struct Machine {
-  WayList list;
+  DisplayCandidates list;
   std::vector<Attempt> attempts;
 
-  void add(const Way& way, const Attempt& attempt) {
-    list.ways.push_back(way);
+  void add(const DisplayCandidate& candidate, const Attempt& attempt) {
+    list.candidates.push_back(candidate);
     attempts.push_back(attempt);
   }
 };
@@ -84,15 +84,15 @@ Machine devicesFail() {
 
 /// What was chosen and which ways were tried.
 struct Outcome {
-  ChosenWay chosen;
+  ChosenDisplay chosen;
   std::vector<std::size_t> tried;
 };
 
 Outcome choose(const Machine& machine, const DeviceChoice& choice) {
   Outcome outcome;
-  outcome.chosen = chooseWay(machine.list, choice, [&](std::size_t way) {
-    outcome.tried.push_back(way);
-    return machine.attempts[way];
+  outcome.chosen = chooseDisplay(machine.list, choice, [&](std::size_t candidate) {
+    outcome.tried.push_back(candidate);
+    return machine.attempts[candidate];
   });
   return outcome;
 }
@@ -101,7 +101,7 @@ Outcome choose(const Machine& machine, const DeviceChoice& choice) {
 template <typename Kind>
 std::string refusal(const Machine& machine, const DeviceChoice& choice) {
   try {
-    return "chosen: " + std::to_string(choose(machine, choice).chosen.way);
+    return "chosen: " + std::to_string(choose(machine, choice).chosen.candidate);
   } catch (const Kind& error) {
     return error.what();
   }
@@ -109,28 +109,28 @@ std::string refusal(const Machine& machine, const DeviceChoice& choice) {
 
 TEST(DeviceChoice, IsTheFirstThatDrawsUnlessToldOtherwise) {
   const Outcome outcome = choose(twoCards(), {});
-  EXPECT_EQ(outcome.chosen.way, 0U);
+  EXPECT_EQ(outcome.chosen.candidate, 0U);
   EXPECT_THAT(outcome.tried, ElementsAre(0U));
   EXPECT_THAT(outcome.chosen.warning, IsEmpty());
 }
 
 TEST(DeviceChoice, TakesTheNumbersOfEglOrOfCuda) {
-  EXPECT_EQ(choose(twoCards(), {.kind = Kind::Index, .number = 1}).chosen.way, 1U);
-  EXPECT_EQ(choose(twoCards(), {.kind = Kind::Cuda, .number = 1}).chosen.way, 0U);
-  EXPECT_EQ(choose(twoCards(), {.kind = Kind::Cuda, .number = 0}).chosen.way, 1U);
+  EXPECT_EQ(choose(twoCards(), {.kind = Kind::Index, .number = 1}).chosen.candidate, 1U);
+  EXPECT_EQ(choose(twoCards(), {.kind = Kind::Cuda, .number = 1}).chosen.candidate, 0U);
+  EXPECT_EQ(choose(twoCards(), {.kind = Kind::Cuda, .number = 0}).chosen.candidate, 1U);
 }
 
 TEST(DeviceChoice, SoftwareNeverOpensACard) {
   const Outcome outcome = choose(twoCards(), {.kind = Kind::Software});
-  EXPECT_EQ(outcome.chosen.way, 2U);
+  EXPECT_EQ(outcome.chosen.candidate, 2U);
   EXPECT_THAT(outcome.tried, ElementsAre(2U));
 }
 
 TEST(DeviceChoice, SoftwareIsFoundWhereDevicesAreNotListed) {
-  EXPECT_EQ(choose(devicesFail(), {.kind = Kind::Software}).chosen.way, 0U);
+  EXPECT_EQ(choose(devicesFail(), {.kind = Kind::Software}).chosen.candidate, 0U);
   Machine cardBehind = devicesFail();
   cardBehind.attempts[0] = {.renderer = "Card A"};
-  EXPECT_EQ(choose(cardBehind, {.kind = Kind::Software}).chosen.way, 1U);
+  EXPECT_EQ(choose(cardBehind, {.kind = Kind::Software}).chosen.candidate, 1U);
   cardBehind.attempts[1] = {.renderer = "Card A"};
   EXPECT_THAT(refusal<MachineError>(cardBehind, {.kind = Kind::Software}),
               AllOf(HasSubstr("can't draw: no software renderer gives"),
@@ -140,13 +140,13 @@ TEST(DeviceChoice, SoftwareIsFoundWhereDevicesAreNotListed) {
 
 TEST(DeviceChoice, GoesOnWhereDevicesAreNotListed) {
   const Outcome outcome = choose(devicesFail(), {});
-  EXPECT_EQ(outcome.chosen.way, 0U);
+  EXPECT_EQ(outcome.chosen.candidate, 0U);
   EXPECT_THAT(outcome.chosen.warning, IsEmpty());
 }
 
 TEST(DeviceChoice, TellsThatSoftwareDrawsInPlaceOfHardware) {
   const Outcome outcome = choose(brokenCard(), {});
-  EXPECT_EQ(outcome.chosen.way, 1U);
+  EXPECT_EQ(outcome.chosen.candidate, 1U);
   EXPECT_EQ(outcome.chosen.warning,
             "software draws (" + kLlvmpipe +
                 ") in place of hardware: EGL device 0 (/dev/dri/renderD128, cuda:0): "
@@ -167,7 +167,7 @@ TEST(DeviceChoice, TellsNothingWhereAnotherCardDraws) {
   Machine machine = twoCards();
   machine.attempts[0] = {.failure = kNotInitialized};
   const Outcome outcome = choose(machine, {});
-  EXPECT_EQ(outcome.chosen.way, 1U);
+  EXPECT_EQ(outcome.chosen.candidate, 1U);
   EXPECT_THAT(outcome.chosen.warning, IsEmpty());
 }
 
@@ -211,14 +211,14 @@ TEST(DeviceChoice, RequiringHardwareRefusesSoftware) {
   EXPECT_THAT(refusal<MachineError>(twoCards(),
                                     {.kind = Kind::Index, .number = 2, .requireHardware = true}),
               HasSubstr("EGL device 2 (software): software"));
-  EXPECT_EQ(choose(twoCards(), hardware).chosen.way, 0U);
+  EXPECT_EQ(choose(twoCards(), hardware).chosen.candidate, 0U);
 }
 
 TEST(DeviceChoice, RequiringHardwareSkipsSoftwareThatComesFirst) {
   Machine machine;
   machine.add(software(0), {.renderer = kLlvmpipe});
   machine.add(nvidia(1, 0), {.renderer = "Card A"});
-  EXPECT_EQ(choose(machine, {}).chosen.way, 0U);
+  EXPECT_EQ(choose(machine, {}).chosen.candidate, 0U);
   const Outcome outcome = choose(machine, {.requireHardware = true});
   EXPECT_THAT(outcome.tried, ElementsAre(1U));
 }

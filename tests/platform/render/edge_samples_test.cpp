@@ -34,7 +34,7 @@ std::uint8_t shareOfWhite(double share) {
 }
 
 /// A triangle that covers what is left of `edge`, at a depth.
-SeenTriangle leftOf(float edge, std::uint8_t surface, float depth = 0.5F) {
+ScreenTriangle leftOf(float edge, std::uint8_t surface, float depth = 0.5F) {
   return {{Eigen::Vector3f(edge, -100, depth), {edge, 100, depth}, {-1000, 0, depth}},
           static_cast<float>(surface)};
 }
@@ -42,10 +42,10 @@ SeenTriangle leftOf(float edge, std::uint8_t surface, float depth = 0.5F) {
 struct Scene {
   image::Image drawn = filled(kNothing);
   image::Image background = filled({0, 0, 0, 255});
-  std::vector<SeenTriangle> triangles;
+  std::vector<ScreenTriangle> triangles;
 
   /// The picture, with all of columns 3 and 4 among the edges.
-  image::Image smooth() {
+  image::Image resolve() {
     EdgePixels pixels(8, 8);
     pixels.addLine({3.5F, 0}, {3.5F, 8});
     pixels.addLine({4.5F, 0}, {4.5F, 8});
@@ -58,7 +58,7 @@ struct Scene {
           std::ranges::copy(Pixel{pixel[0], pixel[1], pixel[2], 255}, picture.row(y) + 4 * x);
       }
     }
-    EdgeSamples().smooth(pixels, triangles, drawn, {}, background, picture);
+    EdgeSamples().resolve(pixels, triangles, drawn, {}, background, picture);
     return picture;
   }
 
@@ -75,7 +75,7 @@ TEST(EdgeSamples, GiveAPixelItsShareOfLight) {
     const float edge = 3 + static_cast<float>(sixteenths) / 16;
     scene.drawColumns(0, sixteenths > 8 ? 4 : 3, kWhite);
     scene.triangles = {leftOf(edge, kOne)};
-    const image::Image picture = scene.smooth();
+    const image::Image picture = scene.resolve();
     const std::uint8_t share = shareOfWhite(sixteenths / 16.0);
     EXPECT_EQ(at(picture, 3, 4), (Pixel{share, share, share, 255})) << sixteenths;
     EXPECT_EQ(at(picture, 2, 4), (Pixel{255, 255, 255, 255}));
@@ -96,11 +96,11 @@ TEST(EdgeSamples, StayWithinATriangleSeenFromItsSide) {
   }
   pixels.number();
   image::Image picture(kSize, kSize, image::PixelFormat::Rgba8);
-  const SeenTriangle thin{{Eigen::Vector3f(25.7919579F, 25.761055F, 0.5F),
-                           {25.9701672F, 25.7609348F, 0.5F},
-                           {25.7684898F, 25.7610703F, 0.5F}},
-                          kOne};
-  EdgeSamples().smooth(pixels, {&thin, 1}, drawn, {}, picture, picture);
+  const ScreenTriangle thin{{Eigen::Vector3f(25.7919579F, 25.761055F, 0.5F),
+                             {25.9701672F, 25.7609348F, 0.5F},
+                             {25.7684898F, 25.7610703F, 0.5F}},
+                            kOne};
+  EdgeSamples().resolve(pixels, {&thin, 1}, drawn, {}, picture, picture);
   for (int y = 0; y < kSize; ++y) {
     for (int x = 0; x < kSize; ++x) {
       if (x == 25 && y == 25) continue;
@@ -114,18 +114,18 @@ TEST(EdgeSamples, GiveTransparentPicturesTheShareAsAlpha) {
   scene.background = filled(kNothing);
   scene.drawColumns(0, 3, kWhite);
   scene.triangles = {leftOf(3.25F, kOne)};
-  EXPECT_EQ(at(scene.smooth(), 3, 4), (Pixel{255, 255, 255, 64}));  // 255 / 4
+  EXPECT_EQ(at(scene.resolve(), 3, 4), (Pixel{255, 255, 255, 64}));  // 255 / 4
 }
 
 TEST(EdgeSamples, SeeTheNearestSurface) {
   Scene scene;
   scene.drawColumns(0, 3, kWhite);
   scene.drawColumns(3, 8, kRed);
-  const SeenTriangle near = leftOf(3.25F, kOne, 0.2F), far = leftOf(100, kTwo, 0.7F);
+  const ScreenTriangle near = leftOf(3.25F, kOne, 0.2F), far = leftOf(100, kTwo, 0.7F);
   const std::uint8_t quarter = shareOfWhite(0.25);
   for (const auto& triangles : {std::vector{near, far}, std::vector{far, near}}) {
     scene.triangles = triangles;
-    EXPECT_EQ(at(scene.smooth(), 3, 4), (Pixel{255, quarter, quarter, 255}));
+    EXPECT_EQ(at(scene.resolve(), 3, 4), (Pixel{255, quarter, quarter, 255}));
   }
 }
 
@@ -138,7 +138,7 @@ TEST(EdgeSamples, FollowDepthThatChangesWithinAPixel) {
       {{Eigen::Vector3f(-96.25F, -100, -1), {103.75F, -100, 1}, {3.75F, 300, 0}}, kOne},
       leftOf(100, kTwo, 0)};
   const std::uint8_t share = shareOfWhite(0.75);
-  EXPECT_EQ(at(scene.smooth(), 3, 4), (Pixel{255, share, share, 255}));
+  EXPECT_EQ(at(scene.resolve(), 3, 4), (Pixel{255, share, share, 255}));
 }
 
 // A strip between the pixels' middles is seen two columns away.
@@ -148,20 +148,20 @@ TEST(EdgeSamples, FindColoursCloseBy) {
   scene.drawColumns(2, 8, kRed);
   scene.triangles = {leftOf(3.25F, kOne, 0.2F), leftOf(100, kTwo)};
   const std::uint8_t quarter = shareOfWhite(0.25);
-  EXPECT_EQ(at(scene.smooth(), 3, 4), (Pixel{255, quarter, quarter, 255}));
+  EXPECT_EQ(at(scene.resolve(), 3, 4), (Pixel{255, quarter, quarter, 255}));
 }
 
 TEST(EdgeSamples, TakeAnotherSurfaceForOneThatIsNowhereDrawn) {
   Scene scene;
   scene.drawColumns(0, 8, kRed);
   scene.triangles = {leftOf(3.25F, kOne, 0.2F), leftOf(100, kTwo)};
-  EXPECT_EQ(at(scene.smooth(), 3, 4), (Pixel{255, 0, 0, 255}));
+  EXPECT_EQ(at(scene.resolve(), 3, 4), (Pixel{255, 0, 0, 255}));
 }
 
 TEST(EdgeSamples, LeavePixelsThatTheTrianglesDoNotExplain) {
   Scene scene;
   scene.drawColumns(0, 8, kRed);
-  EXPECT_EQ(at(scene.smooth(), 3, 4), (Pixel{255, 0, 0, 255}));
+  EXPECT_EQ(at(scene.resolve(), 3, 4), (Pixel{255, 0, 0, 255}));
 }
 
 TEST(EdgeSamples, LeaveOutTrianglesFarBesideThePicture) {
@@ -171,14 +171,14 @@ TEST(EdgeSamples, LeaveOutTrianglesFarBesideThePicture) {
       {{Eigen::Vector3f(0, 3e9F, 0), {10, 3e9F, 0}, {0, 4e9F, 0}}, kOne},
       {{Eigen::Vector3f(3e9F, 0, 0), {4e9F, 8, 0}, {3e9F, 8, 0}}, kOne},
       {{Eigen::Vector3f(-1e10F, -1e10F, 0), {1e10F, -1e10F, 0}, {0, 1e10F, 0}}, kTwo}};
-  EXPECT_EQ(at(scene.smooth(), 3, 4), (Pixel{255, 0, 0, 255}));
+  EXPECT_EQ(at(scene.resolve(), 3, 4), (Pixel{255, 0, 0, 255}));
 }
 
 TEST(EdgeSamples, LeaveAllOtherPixels) {
   Scene scene;
   scene.drawColumns(0, 3, kWhite);
   scene.triangles = {leftOf(5.5F, kOne)};
-  EXPECT_EQ(at(scene.smooth(), 5, 4), (Pixel{0, 0, 0, 255}));
+  EXPECT_EQ(at(scene.resolve(), 5, 4), (Pixel{0, 0, 0, 255}));
 }
 
 }  // namespace

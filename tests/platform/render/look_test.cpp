@@ -55,8 +55,8 @@ TEST(Look, TransparentPicturesLieOverAnyBackground) {
       const double share = alphaAt(clear, x, y) / 255.0;
       mixed += share > 0 && share < 1 ? 1 : 0;
       for (int i = 0; i < 3; ++i) {
-        const double light = share * image::linearFromSrgb(clear.row(y)[4 * x + i]) +
-                             (1 - share) * image::linearFromSrgb(studio.row(y)[4 * x + i]);
+        const double light = share * image::linearByFormula(clear.row(y)[4 * x + i]) +
+                             (1 - share) * image::linearByFormula(studio.row(y)[4 * x + i]);
         const int composed = image::srgbFromLinear(std::min(light, 1.0));
         largest = std::max(largest, std::abs(composed - opaque.row(y)[4 * x + i]));
       }
@@ -105,7 +105,7 @@ testing::Colour meanOfFour(const image::Image& large, int x, int y) {
     double light = 0;
     for (const int dy : {0, 1}) {
       for (const int dx : {0, 1}) {
-        light += image::linearFromSrgb(large.row(2 * y + dy)[4 * (2 * x + dx) + channel]) / 4;
+        light += image::linearByFormula(large.row(2 * y + dy)[4 * (2 * x + dx) + channel]) / 4;
       }
     }
     return static_cast<int>(image::srgbFromLinear(light));

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "embedded/render.h"
-#include "image/light_sum.h"
+#include "image/linear_accumulator.h"
 #include "image/png_file.h"
 #include "render/book/book_geometry.h"
 #include "render/book/book_mesh.h"
@@ -72,18 +72,18 @@ struct SampledBook::Parts {
     const Projection projection =
         project(settings.camera, corners, {settings.width, settings.height, settings.bottomRows});
     const Eigen::Matrix4d& clipFromWorld = projection.clipFromWorld;
-    const int facing = drawnFacing(corners);
+    const int winding = windingOf(corners);
     glEnable(GL_FRAMEBUFFER_SRGB);
     glEnable(GL_DEPTH_TEST);
-    facing == 0 ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
-    glFrontFace(facing < 0 ? GL_CW : GL_CCW);
+    winding == 0 ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
+    glFrontFace(winding < 0 ? GL_CW : GL_CCW);
     geometry.bind();
     use(cover, corners, clipFromWorld);
     cover.set("eye", Eigen::Vector3f(settings.camera.position.cast<float>()));
     drawPart(BookPart::Front, front);
     drawPart(BookPart::Spine, spine);
     drawPart(BookPart::Back, back);
-    if (facing == 0) drawPart(BookPart::Lining, front);
+    if (winding == 0) drawPart(BookPart::Lining, front);
     use(paper, corners, clipFromWorld);
     drawPart(BookPart::Pages, leaves);
   }
@@ -153,7 +153,7 @@ image::Image meanLight(const std::vector<image::Image>& samples, const image::Im
   image::Image mean = background;
   for (int y = 0; y < mean.height(); ++y) {
     for (int x = 0; x < mean.width(); ++x) {
-      image::LightSum sum;
+      image::LinearAccumulator sum;
       for (const image::Image& sample : samples) {
         const std::uint8_t* pixel = sample.row(y) + 4 * static_cast<std::ptrdiff_t>(x);
         if (pixel[3] == 0) pixel = background.row(y) + 4 * static_cast<std::ptrdiff_t>(x);

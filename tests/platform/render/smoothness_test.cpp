@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "image/light_sum.h"
+#include "image/linear_accumulator.h"
 #include "render/drawing.h"
 
 namespace rotatebook::render {
@@ -54,7 +54,7 @@ image::Image meanOf(const image::Image& fine, const std::vector<std::pair<int, i
   image::Image picture(kSmoothWidth, kSmoothHeight, image::PixelFormat::Rgba8);
   for (int y = 0; y < kSmoothHeight; ++y) {
     for (int x = 0; x < kSmoothWidth; ++x) {
-      image::LightSum sum;
+      image::LinearAccumulator sum;
       for (const auto& [dx, dy] : places) {
         sum.add(fine.row(kFineness * y + dy) + 4 * static_cast<std::ptrdiff_t>(kFineness * x + dx),
                 1);

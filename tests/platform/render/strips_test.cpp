@@ -15,17 +15,17 @@ using testing::book;
 using testing::kX;
 using testing::kY;
 
-std::vector<SeenStrip> stripsAt(int width, int height, const physics::Cage& corners) {
+std::vector<ScreenStrip> stripsAt(int width, int height, const physics::Cage& corners) {
   const Projection projection =
       project(testing::settingsOf(width, height).camera, corners, {width, height, 0});
-  std::vector<SeenStrip> seen;
+  std::vector<ScreenStrip> seen;
   StripFinder(makeBookMesh())
-      .find(corners, projection.clipFromWorld, drawnFacing(corners), {width, height}, seen);
+      .find(corners, projection.clipFromWorld, windingOf(corners), {width, height}, seen);
   return seen;
 }
 
 long narrowAt(int width, int height, const physics::Cage& corners) {
-  return std::ranges::count_if(stripsAt(width, height, corners), &SeenStrip::narrow);
+  return std::ranges::count_if(stripsAt(width, height, corners), &ScreenStrip::narrow);
 }
 
 TEST(Strips, AreNarrowInSmallPicturesAlone) {
@@ -39,7 +39,7 @@ TEST(Strips, AreNotNarrowBehindTheCamera) {
 }
 
 TEST(Strips, AreFollowedInPerspective) {
-  SeenStrip strip{.narrow = true, .from = {10, 5}, .way = {0.01F, 0}, .distances = {1, 3}};
+  ScreenStrip strip{.narrow = true, .from = {10, 5}, .way = {0.01F, 0}, .distances = {1, 3}};
   EXPECT_FLOAT_EQ(strip.shareAt({10, 5}), 0);
   EXPECT_FLOAT_EQ(strip.shareAt({110, 7}), 1);
   EXPECT_FLOAT_EQ(strip.shareAt({60, 5}), 0.25F);  // The farther half takes less of the picture.
@@ -52,7 +52,7 @@ TEST(Strips, HaveColoursThroughout) {
   DrawnBody drawn = renderer.makeBody();
   for (const double angle : {0.0, 40.0, 90.0, 170.0, 270.0}) {
     renderer.draw(book({{angle, kY}, {20, kX}}), drawn);
-    const std::vector<SeenStrip>& seen = drawn.strips.seen;
+    const std::vector<ScreenStrip>& seen = drawn.strips.seen;
     for (std::size_t i = 0; i < seen.size(); ++i) {
       if (!seen[i].narrow) continue;
       const std::uint8_t* row = drawn.strips.colours.row(static_cast<int>(i));

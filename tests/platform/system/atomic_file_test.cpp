@@ -88,13 +88,13 @@ TEST_F(AtomicFileTest, NothingElseIsTakenForOneThatWasLeft) {
 TEST_F(AtomicFileTest, UseIsSharedOrNot) {
   const fs::path clip = folder_ / "clip";
   {
-    const system::UseLock one(clip, system::Lock::Shared), other(clip, system::Lock::Shared);
-    EXPECT_THROW(system::UseLock(clip, system::Lock::Exclusive), MachineError);
+    const system::AdvisoryLock one(clip, system::Lock::Shared), other(clip, system::Lock::Shared);
+    EXPECT_THROW(system::AdvisoryLock(clip, system::Lock::Exclusive), MachineError);
   }
   EXPECT_EQ(filesInFolder(), 0);
   {
-    const system::UseLock alone(clip, system::Lock::Exclusive);
-    EXPECT_THROW(system::UseLock(clip, system::Lock::Shared), MachineError);
+    const system::AdvisoryLock alone(clip, system::Lock::Exclusive);
+    EXPECT_THROW(system::AdvisoryLock(clip, system::Lock::Shared), MachineError);
     system::removeStaleTemporaries(folder_);
     EXPECT_EQ(filesInFolder(), 1) << "a lock in use was removed";
   }
@@ -133,7 +133,7 @@ TEST_F(AtomicFileTest, RefusesToReplaceAPipe) {
 
 TEST_F(AtomicFileTest, WaitsForNoPipeInThePlaceOfItsOwnFiles) {
   ASSERT_EQ(mkfifo((folder_ / ".a.txt.rotatebook-0").c_str(), 0600), 0);
-  EXPECT_THROW(system::UseLock(folder_ / "a.txt", system::Lock::Shared), MachineError);
+  EXPECT_THROW(system::AdvisoryLock(folder_ / "a.txt", system::Lock::Shared), MachineError);
   const std::string own = ".a.txt.rotatebook-" + std::to_string(getpid());
   system::writeFileAtomically(folder_ / "b.txt", "");  // Has tidied up.
   ASSERT_EQ(mkfifo((folder_ / own).c_str(), 0600), 0);

@@ -85,7 +85,7 @@ TEST(PlanesDistance, IsZeroForOneselfAndKnowsSwappedColours) {
   const Image picture = flatPicture(32, 32, {200, 100, 50});
   const Planes planes = planesOf(picture.view(), false);
   EXPECT_EQ(distance(planes, planes).rms, 0);
-  EXPECT_EQ(distance(planes, planes).worstPatch, 0);
+  EXPECT_EQ(distance(planes, planes).worstBlock, 0);
   const Planes swapped = planesOf(swappedRedAndBlue(picture).view(), false);
   EXPECT_GT(distance(planes, swapped).rms, 20);  // measured 43
 }
@@ -98,7 +98,7 @@ TEST(PlanesDistance, FindsTheWorstPatch) {
   }
   // A patch has 256 samples of luma and 128 of colour.
   const double expected = 30 * std::sqrt(256.0 / 384);
-  EXPECT_NEAR(distance(a, b).worstPatch, expected, 1e-4);
+  EXPECT_NEAR(distance(a, b).worstBlock, expected, 1e-4);
   EXPECT_NEAR(distance(a, b).rms, expected / std::sqrt(12), 1e-4);
 }
 
@@ -106,7 +106,7 @@ TEST(PlanesDistance, CountsWhatIsLeftOfPatchesToTheirNeighbours) {
   const Planes a = planesOf(flatPicture(34, 18, {0, 0, 0}).view(), false);
   Planes b = a;
   b.y.back() += 100;  // in the second patch, which has 18 x 18 pixels, half as many colours
-  EXPECT_NEAR(distance(a, b).worstPatch, 100 / std::sqrt(18 * 18 * 1.5), 1e-4);
+  EXPECT_NEAR(distance(a, b).worstBlock, 100 / std::sqrt(18 * 18 * 1.5), 1e-4);
   const Planes tiny = planesOf(flatPicture(2, 2, {0, 0, 0}).view(), false);
   EXPECT_EQ(distance(tiny, tiny).rms, 0);
 }

@@ -129,7 +129,7 @@ JacobiFunctions::JacobiFunctions(double k1) : k1_(k1) {
 }
 
 JacobiValues JacobiFunctions::at(double u) const {
-  return k1_ < kHyperbolic ? byPulses(u) : byLanden(u);
+  return k1_ < kHyperbolic ? byHyperbolicSeries(u) : byLanden(u);
 }
 
 // Descending Landen transformation of cn / sn. (Bulirsch 1965, procedure sncndn)
@@ -151,7 +151,7 @@ JacobiValues JacobiFunctions::byLanden(double u) const {
 }
 
 // cn and dn are rows of pulses sech(u - 2 j K), of which only the nearest three aren't rounding.
-JacobiValues JacobiFunctions::byPulses(double u) const {
+JacobiValues JacobiFunctions::byHyperbolicSeries(double u) const {
   constexpr double kNear = 0.5;  // where 1 - e^-2u would cancel
   const auto sech = [](double decay) { return 2 * decay / (1 + decay * decay); };
   const double decay = exponential(-std::fabs(u));
@@ -163,9 +163,9 @@ JacobiValues JacobiFunctions::byPulses(double u) const {
   return {sn, here - next, here + next};
 }
 
-ThirdKind::ThirdKind(double k1, double n) : k1_(k1), n_(n), root_(std::sqrt(-n)) {}
+EllipticPi::EllipticPi(double k1, double n) : k1_(k1), n_(n), root_(std::sqrt(-n)) {}
 
-double ThirdKind::at(double u, const JacobiValues& values) const {
+double EllipticPi::at(double u, const JacobiValues& values) const {
   const auto [sn, cn, dn] = values;
   if (k1_ < kHyperbolic) return -arcTangent(root_ * sn) / (root_ * (1 - n_));
   return sn * sn * sn / 3 * carlsonRJ(cn * cn, dn * dn, 1, 1 - n_ * sn * sn) - u / (1 - n_);

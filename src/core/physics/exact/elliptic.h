@@ -45,7 +45,7 @@ class JacobiFunctions {
   static constexpr int kMaxLevels = 12;
 
   JacobiValues byLanden(double u) const;
-  JacobiValues byPulses(double u) const;
+  JacobiValues byHyperbolicSeries(double u) const;
 
   double k1_;
   int levels_ = 0;
@@ -58,10 +58,10 @@ class JacobiFunctions {
 /// J(u) - u / (1 - n), where J is the integral of sn^2 / (1 - n sn^2) from 0, for u in [-K, K], or
 /// any u where k1 = 0. What is subtracted is the growth of J beside the separatrix, where u may be
 /// large: there the rest is bounded.
-class ThirdKind {
+class EllipticPi {
  public:
   /// k1 = sqrt(1 - m) in [0, 1], n in [-1, 0].
-  ThirdKind(double k1, double n);
+  EllipticPi(double k1, double n);
 
   /// `values` are those at `u`.
   double at(double u, const JacobiValues& values) const;

@@ -54,7 +54,7 @@ class ExactMotion {
   Regime regime_;
   std::optional<Polhode> polhode_;  // none if the spin is steady
   JacobiFunctions jacobi_;
-  ThirdKind thirdKind_;
+  EllipticPi thirdKind_;
   double startTurn_ = 0;  // weight P(start) of the polhode
   Eigen::Matrix3d worldFromMomentum_ = Eigen::Matrix3d::Identity();  // at t = 0
 };

@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 
 // Of each of the body's axes in the motion: c, s and d are those about which w goes as cn, sn, dn.
-struct Triple {
+struct AxisRoles {
   std::size_t c, s, d;
 };
 
@@ -43,13 +43,13 @@ Vector3d unit(std::size_t axis) {
 
 // Where L circles the axis of the largest moment that is the dn axis. About the smallest moment the
 // motion is the same with the names of both axes exchanged.
-Triple axesOfMotion(const DoubleDouble3& inertia, double n2) {
+AxisRoles axesOfMotion(const DoubleDouble3& inertia, double n2) {
   const auto [smallest, median, largest] = ascendingAxes(inertia);
-  return n2 < 0 ? Triple{largest, median, smallest} : Triple{smallest, median, largest};
+  return n2 < 0 ? AxisRoles{largest, median, smallest} : AxisRoles{smallest, median, largest};
 }
 
-// +1 if the axes in the order of their moments are right-handed. Both orders of a Triple are then
-// the same turn, as far as the product of the three amplitudes' signs goes.
+// +1 if the axes in the order of their moments are right-handed. Both orders of a AxisRoles are
+// then the same turn, as far as the product of the three amplitudes' signs goes.
 double handedness(const DoubleDouble3& inertia) {
   const auto [first, second, third] = ascendingAxes(inertia);
   return second == (first + 1) % 3 ? 1 : -1;
@@ -79,9 +79,9 @@ DoubleDouble startOf(double sn, double cn, double dn, double k1, DoubleDouble k)
 }
 
 // What the angular velocity and the attitude both hang on. Inertia and spin are scaled to near 1.
-class Constants {
+class PolhodeConstants {
  public:
-  Constants(const DoubleDouble3& inertia, const DoubleDouble3& w);
+  PolhodeConstants(const DoubleDouble3& inertia, const DoubleDouble3& w);
 
   bool isSteady() const;
   void setAngularVelocity(Polhode& polhode) const;
@@ -98,7 +98,7 @@ class Constants {
   DoubleDouble3 w_;
   double handedness_;
   DoubleDouble medianRoot_;
-  Triple axes_;
+  AxisRoles axes_;
   DoubleDouble ic_, is_, id_;
   DoubleDouble cs_, sd_, toD_;  // |Ic - Is|, |Is - Id|, |Ic - Id|
   DoubleDouble circling_;       // sqrt(N1) where d is the axis of the largest moment
@@ -110,7 +110,7 @@ DoubleDouble medianRootOf(const DoubleDouble3& inertia, const DoubleDouble3& w) 
   return medianInvariantRoot({inertia[first], inertia[second], inertia[third]}, w[first], w[third]);
 }
 
-Constants::Constants(const DoubleDouble3& inertia, const DoubleDouble3& w)
+PolhodeConstants::PolhodeConstants(const DoubleDouble3& inertia, const DoubleDouble3& w)
     : w_(w),
       handedness_(handedness(inertia)),
       medianRoot_(medianRootOf(inertia, w)),
@@ -127,13 +127,13 @@ Constants::Constants(const DoubleDouble3& inertia, const DoubleDouble3& w)
           hypotenuse(squareRoot(toD_ * ic_) * w[axes_.c], squareRoot(sd_ * is_) * w[axes_.s])) {}
 
 // But for what would underflow. The last is a spin about the median axis.
-bool Constants::isSteady() const {
+bool PolhodeConstants::isSteady() const {
   constexpr double kNegligible = 1e-290, kNegligibleTilt = 1e-305;
   const double tilt = std::max(std::fabs(w_[axes_.c].high), std::fabs(w_[axes_.d].high));
   return circling_.high < kNegligible || tilting_.high < kNegligible || tilt < kNegligibleTilt;
 }
 
-void Constants::setAngularVelocity(Polhode& polhode) const {
+void PolhodeConstants::setAngularVelocity(Polhode& polhode) const {
   const DoubleDouble modulus = k1();
   polhode.k1 = std::min(modulus.value(), 1.0);
   const DoubleDouble quarter =
@@ -153,7 +153,7 @@ void Constants::setAngularVelocity(Polhode& polhode) const {
 
 // With M the amplitudes of L, e the frame's axis and o the other of c and d, the frame turns by
 // |L| (Is ws^2 + Io wo^2) / (Ms^2 sn^2 + Lo^2), which is |L|/Io and a multiple of the integrand.
-void Constants::setAttitude(Polhode& polhode) const {
+void PolhodeConstants::setAttitude(Polhode& polhode) const {
   const DoubleDouble momentumC = amplitudeC() * ic_;
   const DoubleDouble momentumD = amplitudeD() * id_;
   const DoubleDouble momentum = hypotenuse(momentumC, momentumD);
@@ -181,7 +181,8 @@ std::optional<Polhode> polhodeOf(const DoubleDouble3& inertia,
   if (isSteady(inertia, angularVelocity)) return std::nullopt;
   // Neither unit matters to the shape of the motion.
   const int spin = exponentOf(angularVelocity);
-  const Constants constants(scaled(inertia, -exponentOf(inertia)), scaled(angularVelocity, -spin));
+  const PolhodeConstants constants(scaled(inertia, -exponentOf(inertia)),
+                                   scaled(angularVelocity, -spin));
   if (constants.isSteady()) return std::nullopt;
   Polhode polhode;
   constants.setAngularVelocity(polhode);

@@ -7,8 +7,8 @@
 namespace rotatebook::physics {
 
 /// Explicit Euler with a constant angular momentum L: w = A I^-1 A^T L, then R += h [w]x R for a
-/// matrix (A = R) or q += h/2 (0, w) q for a quaternion (A = textbookMatrix(q)). Order 1; keeps L,
-/// and nothing else. Not normalised, a step lengthens R by sqrt(1 + (h |w|)^2) in all directions
+/// matrix (A = R) or q += h/2 (0, w) q for a quaternion (A = unnormalisedMatrix(q)). Order 1; keeps
+/// L, and nothing else. Not normalised, a step lengthens R by sqrt(1 + (h |w|)^2) in all directions
 /// across w, and multiplies |q|^2 by 1 + (h |w| / 2)^2. A isn't divided by |q|^2: with the division
 /// the drawn body would stay rigid and the missing normalisation would not show. Normalised, the
 /// energy still grows, dE/dt = (h/2) a.I a with the angular acceleration a, until the body spins

@@ -15,10 +15,10 @@ namespace rotatebook::physics {
 template <typename Next>
 Eigen::Vector3d fixedPoint(const Eigen::Vector3d& start, const Next& next, const char* integrator,
                            double h) {
-  constexpr int kMostIterations = 100;
+  constexpr int kMaxIterations = 100;
   constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
   Eigen::Vector3d x = start;
-  for (int iteration = 0; iteration < kMostIterations; ++iteration) {
+  for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     const Eigen::Vector3d better = next(x);
     const double change = (better - x).cwiseAbs().maxCoeff();
     x = better;

@@ -6,9 +6,9 @@ namespace {
 constexpr double kParticleCount = 8;
 
 void subtractMean(Points& points) {
-  for (Octet& components : points) {
+  for (EightDoubles& components : points) {
     const double mean = sumOf(components) / kParticleCount;
-    for (Lanes& lanes : components) lanes -= mean;
+    for (DoublePair& lanes : components) lanes -= mean;
   }
 }
 
@@ -17,8 +17,8 @@ void subtractMean(Points& points) {
 Points ParticleState::accelerations(const Points& velocities) const {
   Points result = springs_.forces(velocities);
   const double inverse = 1 / mass_;
-  for (Octet& components : result) {
-    for (Lanes& lanes : components) lanes *= inverse;
+  for (EightDoubles& components : result) {
+    for (DoublePair& lanes : components) lanes *= inverse;
   }
   return result;
 }

@@ -19,11 +19,11 @@ class RungeKutta4 {
   template <typename Attitude>
   void step(RigidState<Attitude>& state) const {
     const auto k1 = rate(state);
-    const auto k2 = rate(moved(state, h_ / 2, k1));
-    const auto k3 = rate(moved(state, h_ / 2, k2));
-    const auto k4 = rate(moved(state, h_, k3));
-    state = moved(moved(state, h_ / 6, k1), h_ / 3, k2);
-    state = moved(moved(state, h_ / 3, k3), h_ / 6, k4);
+    const auto k2 = rate(addScaled(state, h_ / 2, k1));
+    const auto k3 = rate(addScaled(state, h_ / 2, k2));
+    const auto k4 = rate(addScaled(state, h_, k3));
+    state = addScaled(addScaled(state, h_ / 6, k1), h_ / 3, k2);
+    state = addScaled(addScaled(state, h_ / 3, k3), h_ / 6, k4);
   }
 
  private:
@@ -34,9 +34,9 @@ class RungeKutta4 {
   }
 
   template <typename Attitude>
-  static RigidState<Attitude> moved(const RigidState<Attitude>& state, double factor,
-                                    const RigidState<Attitude>& rate) {
-    return {physics::moved(state.attitude, factor, rate.attitude),
+  static RigidState<Attitude> addScaled(const RigidState<Attitude>& state, double factor,
+                                        const RigidState<Attitude>& rate) {
+    return {physics::addScaled(state.attitude, factor, rate.attitude),
             state.momentum + factor * rate.momentum};
   }
 

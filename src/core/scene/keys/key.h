@@ -27,7 +27,7 @@ struct Kind {
 };
 
 /// What is said of a key. Comments are printed after values; the others are Markdown.
-struct Words {
+struct KeyText {
   std::string comment{};    ///< Its kind's, if empty.
   std::string meaning{};    ///< The comment, if empty.
   std::string byDefault{};  ///< The text of the default value, if empty.
@@ -41,7 +41,7 @@ struct Key {
   std::function<void(const ValueReader&, S&)> read;  ///< Throws InputError.
   /// The value as TOML; empty if there is none to print.
   std::function<std::string(const S&)> text;
-  Words words;
+  KeyText words;
 };
 
 template <typename S>
@@ -49,7 +49,7 @@ using Keys = std::vector<Key<S>>;
 
 /// The key of a value, or optional value, that `field` finds in an S.
 template <typename S, typename Field, typename T>
-Key<S> keyAt(std::string_view name, Field field, const Kind<T>& kind, Words words = {}) {
+Key<S> keyAt(std::string_view name, Field field, const Kind<T>& kind, KeyText words = {}) {
   if (words.comment.empty()) words.comment = kind.comment;
   if (words.allowed.empty()) words.allowed = kind.allowed;
   return {name,
@@ -69,7 +69,7 @@ Key<S> keyAt(std::string_view name, Field field, const Kind<T>& kind, Words word
 
 /// The same of a member.
 template <typename S, typename Member, typename T>
-Key<S> key(std::string_view name, Member S::*member, const Kind<T>& kind, Words words = {}) {
+Key<S> key(std::string_view name, Member S::*member, const Kind<T>& kind, KeyText words = {}) {
   return keyAt<S>(name, member, kind, std::move(words));
 }
 

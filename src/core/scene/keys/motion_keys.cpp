@@ -69,7 +69,7 @@ std::string integratorText(const SimulationSettings& settings) {
   return word(kIntegrators, settings.integrator) + "  # " + quotedList(names, "or");
 }
 
-Key<InitialSpin> spinKey(InitialSpin::Kind kind, const std::string& unit, Words words) {
+Key<InitialSpin> spinKey(InitialSpin::Kind kind, const std::string& unit, KeyText words) {
   words.allowed = direction().allowed;
   words.comment = unit;
   return {
@@ -198,7 +198,7 @@ const Keys<SimulationSettings>& simulationKeys() {
           {.comment = "s simulated for each frame of video",
            .meaning = "simulated time from a frame to the next",
            .byDefault = "1/fps"}),
-      key("substeps", &SimulationSettings::substeps, integer(1, kMostSubsteps),
+      key("substeps", &SimulationSettings::substeps, integer(1, kMaxSubsteps),
           {.comment = "integration steps for each frame"}),
   };
   return keys;

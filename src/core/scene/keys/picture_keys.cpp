@@ -17,9 +17,9 @@ namespace rotatebook::scene {
 namespace {
 
 constexpr int kSmallestPicture = 16;
-constexpr int kMostThreads = 64;
-constexpr int kMostSupersample = 2;
-constexpr unsigned kMostMoments = 16;  // Of motion blur.
+constexpr int kMaxThreads = 64;
+constexpr int kMaxSupersample = 2;
+constexpr unsigned kMaxMoments = 16;  // Of motion blur.
 
 constexpr const char* kPictureSizes = "a width and a height, such as [1280, 720]";
 constexpr const char* kFrameRates =
@@ -96,7 +96,7 @@ Key<BookSettings> textureKey(std::string_view name, std::string BookSettings::*t
 
 // A power of two, by which times divide without rounding: blurred or not, the motion is the same.
 int momentsFrom(const ValueReader& value) {
-  const int moments = value.integer(1, kMostMoments);
+  const int moments = value.integer(1, kMaxMoments);
   if (!std::has_single_bit(static_cast<unsigned>(moments))) value.mismatch(kBlurMoments);
   return moments;
 }
@@ -161,7 +161,7 @@ const Keys<EncodingSettings>& videoKeys() {
       key("preset", &EncodingSettings::preset,
           Kind<std::string>{presetFrom, tomlString, kPresetWords},
           {.comment = kPresetWords, .meaning = "`\"book\"` is made for these clips"}),
-      key("threads", &EncodingSettings::threads, integer(1, kMostThreads),
+      key("threads", &EncodingSettings::threads, integer(1, kMaxThreads),
           {.comment = "of the encoder; another number gives other bytes"}),
   };
   return keys;
@@ -199,7 +199,7 @@ const Keys<LookSettings>& lookKeys() {
   static const Keys<LookSettings> keys{
       key("background", &LookSettings::background, oneOf(kBackgrounds),
           {.meaning = "transparent: PNGs with alpha"}),
-      key("supersample", &LookSettings::supersample, integer(1, kMostSupersample),
+      key("supersample", &LookSettings::supersample, integer(1, kMaxSupersample),
           {.comment = "1, or 2 to draw with twice as many pixels across and down",
            .meaning = "2 draws twice as many pixels across and down, in four times the time",
            .allowed = "1 or 2"}),

@@ -66,7 +66,7 @@ void readIntegrators(const ValueReader& value, Scene& scene) {
 
 void readSteps(const ValueReader& value, Scene& scene) {
   scene.study->steps = listFrom<int>(value, kStepsWords, [](const ValueReader& element) {
-    return element.integer(1, kMostSubsteps);
+    return element.integer(1, kMaxSubsteps);
   });
 }
 

@@ -22,7 +22,7 @@ std::vector<std::uint32_t> placeNumbers(const std::vector<BookVertex>& vertices)
   for (const BookVertex& vertex : vertices) {
     std::array<long, 3> key{};
     for (std::size_t i = 0; i < 3; ++i) {
-      key[i] = std::lround(kFineness * vertex.place[static_cast<Eigen::Index>(i)]);
+      key[i] = std::lround(kFineness * vertex.position[static_cast<Eigen::Index>(i)]);
     }
     numbers.push_back(
         known.try_emplace(key, static_cast<std::uint32_t>(known.size())).first->second);
@@ -68,7 +68,7 @@ Vector3f onPicture(const Vector4d& point, const EdgePixels& pixels) {
 }
 
 /// Which way the triangle turns: 1 from x to y, else -1.
-int turning(const SeenTriangle& triangle) {
+int windingOf(const ScreenTriangle& triangle) {
   const auto& [a, b, c] = triangle.corners;
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x() > 0 ? 1 : -1;
 }
@@ -76,12 +76,13 @@ int turning(const SeenTriangle& triangle) {
 }  // namespace
 
 BodyEdges::BodyEdges(const BookMesh& mesh) {
-  for (const BookVertex& vertex : mesh.vertices) shares_.push_back(sharesOfCorners(vertex.place));
+  for (const BookVertex& vertex : mesh.vertices)
+    shares_.push_back(sharesOfCorners(vertex.position));
   for (std::size_t part = 0; part < kBookPartCount; ++part) {
     const auto& indices = mesh.triangles[part];
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
       triangles_.push_back({{indices[i], indices[i + 1], indices[i + 2]},
-                            mesh.vertices[indices[i]].surface,
+                            mesh.vertices[indices[i]].surfaceId,
                             part == static_cast<std::size_t>(BookPart::Lining),
                             mesh.stripOf[part][i / 3]});
     }
@@ -104,9 +105,9 @@ BodyEdges::BodyEdges(const BookMesh& mesh) {
   }
 }
 
-void BodyEdges::find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int facing,
-                     std::span<const SeenStrip> strips, EdgePixels& pixels,
-                     std::vector<SeenTriangle>& triangles) const {
+void BodyEdges::find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
+                     std::span<const ScreenStrip> strips, EdgePixels& pixels,
+                     std::vector<ScreenTriangle>& triangles) const {
   const Eigen::Matrix<double, 4, 8> clip = clipFromWorld * cage.colwise().homogeneous();
   std::vector<Vector4d> points;
   points.reserve(shares_.size());
@@ -114,7 +115,7 @@ void BodyEdges::find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromW
   std::vector<int> turns;  // of all triangles; 0: isn't drawn
   turns.reserve(triangles_.size());
   for (const Triangle& triangle : triangles_) {
-    turns.push_back(addTriangle(triangle, points, facing, strips, pixels, triangles));
+    turns.push_back(addTriangle(triangle, points, winding, strips, pixels, triangles));
   }
   for (const Edge& edge : edges_) {
     const int first = turns[edge.first], second = edge.second ? turns[*edge.second] : 0;
@@ -129,25 +130,25 @@ void BodyEdges::find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromW
   }
 }
 
-float BodyEdges::surfaceOf(const Triangle& triangle, std::span<const SeenStrip> strips) {
+float BodyEdges::surfaceOf(const Triangle& triangle, std::span<const ScreenStrip> strips) {
   if (triangle.strip >= strips.size() || !strips[triangle.strip].narrow) return triangle.surface;
-  return static_cast<float>(kMostSurface + 1 + triangle.strip);
+  return static_cast<float>(kMaxSurfaceId + 1 + triangle.strip);
 }
 
 int BodyEdges::addTriangle(const Triangle& triangle, const std::vector<Vector4d>& points,
-                           int facing, std::span<const SeenStrip> strips, const EdgePixels& pixels,
-                           std::vector<SeenTriangle>& triangles) {
-  if (triangle.lining && facing != 0) return 0;
+                           int winding, std::span<const ScreenStrip> strips,
+                           const EdgePixels& pixels, std::vector<ScreenTriangle>& triangles) {
+  if (triangle.lining && winding != 0) return 0;
   const auto& [a, b, c] = triangle.vertices;
   const Cut seen = inFront(std::array{points[a], points[b], points[c]});
   int turn = 0;
   for (std::size_t i = 2; i < seen.count; ++i) {
-    const SeenTriangle piece{
+    const ScreenTriangle piece{
         {onPicture(seen.corners[0], pixels), onPicture(seen.corners[i - 1], pixels),
          onPicture(seen.corners[i], pixels)},
         surfaceOf(triangle, strips)};
-    turn = turning(piece);
-    if (facing != 0 && turn != facing) return 0;
+    turn = windingOf(piece);
+    if (winding != 0 && turn != winding) return 0;
     triangles.push_back(piece);
   }
   return turn;

@@ -24,11 +24,11 @@ class BodyEdges {
 
   /// Adds the pixels through which an outline of a surface goes or two surfaces meet, hidden ones
   /// among them, and the triangles that are drawn, of the body in this cage in a picture of
-  /// the pixels' size; without what reaches behind the camera. `facing`: as drawnFacing()
+  /// the pixels' size; without what reaches behind the camera. `winding`: as windingOf()
   /// has it. `strips`, by their numbers: one that is narrow is a surface by itself.
-  void find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int facing,
-            std::span<const SeenStrip> strips, EdgePixels& pixels,
-            std::vector<SeenTriangle>& triangles) const;
+  void find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
+            std::span<const ScreenStrip> strips, EdgePixels& pixels,
+            std::vector<ScreenTriangle>& triangles) const;
 
  private:
   struct Triangle {
@@ -46,10 +46,10 @@ class BodyEdges {
 
   /// Adds what is seen of a triangle; returns which way it turns, or 0 if it isn't drawn.
   static int addTriangle(const Triangle& triangle, const std::vector<Eigen::Vector4d>& points,
-                         int facing, std::span<const SeenStrip> strips, const EdgePixels& pixels,
-                         std::vector<SeenTriangle>& triangles);
-  /// SeenTriangle::surface
-  static float surfaceOf(const Triangle& triangle, std::span<const SeenStrip> strips);
+                         int winding, std::span<const ScreenStrip> strips, const EdgePixels& pixels,
+                         std::vector<ScreenTriangle>& triangles);
+  /// ScreenTriangle::surface
+  static float surfaceOf(const Triangle& triangle, std::span<const ScreenStrip> strips);
 
   std::vector<Triangle> triangles_;
   std::vector<Edge> edges_;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "image/light_sum.h"
+#include "image/linear_accumulator.h"
 
 namespace rotatebook::render {
 namespace {
@@ -58,12 +58,12 @@ Plane edgePlane(const Vector3f& a, const Vector3f& b, const Vector3f& inner) {
 }
 
 /// A triangle as planes; of none if it is seen from its edge.
-struct Cover {
+struct Coverage {
   std::array<Plane, 3> edges;
   Plane depth;
 };
 
-std::optional<Cover> coverOf(const SeenTriangle& triangle) {
+std::optional<Coverage> coverOf(const ScreenTriangle& triangle) {
   const auto& [a, b, c] = triangle.corners;
   const Vector3f ab = b - a, ac = c - a;
   const float area = ab.x() * ac.y() - ab.y() * ac.x();
@@ -71,7 +71,7 @@ std::optional<Cover> coverOf(const SeenTriangle& triangle) {
   Plane depth{(ab.z() * ac.y() - ab.y() * ac.z()) / area,
               (ab.x() * ac.z() - ab.z() * ac.x()) / area, 0};
   depth.constant = a.z() - depth.at(a.x(), a.y());
-  return Cover{{edgePlane(a, b, c), edgePlane(b, c, a), edgePlane(c, a, b)}, depth};
+  return Coverage{{edgePlane(a, b, c), edgePlane(b, c, a), edgePlane(c, a, b)}, depth};
 }
 
 /// Which pixels of each row can lie in all of some edges, and between `left` and `right`: edges of
@@ -125,7 +125,7 @@ const std::vector<std::array<int, 2>>& around() {
 }
 
 /// Adds a pixel's colour, whatever its alpha says.
-void addOpaque(const std::uint8_t* pixel, std::uint32_t times, image::LightSum& sum) {
+void addOpaque(const std::uint8_t* pixel, std::uint32_t times, image::LinearAccumulator& sum) {
   const std::array<std::uint8_t, 4> opaque{pixel[0], pixel[1], pixel[2], 255};
   sum.add(opaque.data(), times);
 }
@@ -156,15 +156,15 @@ class PixelMixer {
   bool isPlain(int x, int y, int shown) const { return shown == 0 || shown == surface(x, y); }
 
   void mix(int x, int y, const Counts& counts, std::uint8_t* pixel) {
-    image::LightSum sum;
+    image::LinearAccumulator sum;
     std::uint32_t found = 0;
     for (std::size_t i = 0; i < counts.size; ++i) {
       const int surface = counts.shown[i];
       const std::uint32_t count = counts.counts[i];
       if (surface == 0) {
         sum.add(background_.row(y) + 4 * static_cast<std::ptrdiff_t>(x), count);
-      } else if (surface > kMostSurface) {
-        addOpaque(ofStrip(x, y, surface - kMostSurface - 1).data(), count, sum);
+      } else if (surface > kMaxSurfaceId) {
+        addOpaque(ofStrip(x, y, surface - kMaxSurfaceId - 1).data(), count, sum);
       } else if (const std::uint8_t* shown = nearest(x, y, static_cast<std::uint8_t>(surface))) {
         addOpaque(shown, count, sum);
       } else {
@@ -188,7 +188,7 @@ class PixelMixer {
 
   /// A strip's colour beside a pixel.
   std::array<std::uint8_t, 4> ofStrip(int x, int y, int number) const {
-    const SeenStrip& strip = strips_.seen[static_cast<std::size_t>(number)];
+    const ScreenStrip& strip = strips_.seen[static_cast<std::size_t>(number)];
     const float share = strip.shareAt({static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F});
     // In 256ths of a column, from the middle of the first one.
     constexpr int kParts = 256;
@@ -219,35 +219,35 @@ class PixelMixer {
   }
 
   void findMeans() {
-    std::array<image::LightSum, kMostSurface + 1> sums{};
-    std::array<std::uint32_t, kMostSurface + 1> counts{};
+    std::array<image::LinearAccumulator, kMaxSurfaceId + 1> sums{};
+    std::array<std::uint32_t, kMaxSurfaceId + 1> counts{};
     for (int y = 0; y < pixels_.height(); ++y) {
       pixels_.forEach(y, 0, pixels_.width(), [&](int x, std::size_t) {
         const std::uint8_t here = surface(x, y);
-        if (counts[here]++ < kMostOfMean) addOpaque(pixelAt(x, y), 1, sums[here]);
+        if (counts[here]++ < kMaxOfMean) addOpaque(pixelAt(x, y), 1, sums[here]);
       });
     }
     for (std::size_t i = 1; i < means_.size(); ++i) {
-      if (counts[i] > 0) sums[i].mean(std::min(counts[i], kMostOfMean), means_[i].data());
+      if (counts[i] > 0) sums[i].mean(std::min(counts[i], kMaxOfMean), means_[i].data());
     }
     hasMeans_ = true;
   }
 
-  static constexpr std::uint8_t kHighest = kMostSurface;
-  static constexpr std::uint32_t kMostOfMean = 256;  // pixels, as LightSum takes
+  static constexpr std::uint8_t kHighest = kMaxSurfaceId;
+  static constexpr std::uint32_t kMaxOfMean = 256;  // pixels, as LinearAccumulator takes
 
   const EdgePixels& pixels_;
   const image::Image& drawn_;
   const DrawnStrips& strips_;
   const image::Image& background_;
-  bool hasMeans_ = false;                                              // They are seldom needed.
-  std::array<std::array<std::uint8_t, 4>, kMostSurface + 1> means_{};  // by surface
+  bool hasMeans_ = false;                                               // They are seldom needed.
+  std::array<std::array<std::uint8_t, 4>, kMaxSurfaceId + 1> means_{};  // by surface
 };
 
 }  // namespace
 
-void EdgeSamples::cover(const EdgePixels& pixels, const SeenTriangle& triangle) {
-  const std::optional<Cover> cover = coverOf(triangle);
+void EdgeSamples::cover(const EdgePixels& pixels, const ScreenTriangle& triangle) {
+  const std::optional<Coverage> cover = coverOf(triangle);
   if (!cover) return;
   const auto& [a, b, c] = triangle.corners;
   const Eigen::Array2f size(static_cast<float>(pixels.width()),
@@ -265,7 +265,7 @@ void EdgeSamples::cover(const EdgePixels& pixels, const SeenTriangle& triangle) 
   const Samples inFirst = differences(first), inSecond = differences(second);
   const Samples inThird = differences(third), inDepth = differences(cover->depth);
   const RowSpans spans(cover->edges, least.x(), most.x());
-  const Four surface = Four{} + triangle.surface;
+  const Four surface = Four{} + triangle.surfaceId;
   for (int y = static_cast<int>(least.y()); static_cast<float>(y) < most.y(); ++y) {
     const float middle = static_cast<float>(y) + 0.5F;
     const auto [left, right] = spans.at(middle);
@@ -292,14 +292,14 @@ bool EdgeSamples::isOne(const Samples& surfaces) {
   return (same[0] & same[1] & same[2] & same[3]) != 0;
 }
 
-void EdgeSamples::smooth(const EdgePixels& pixels, std::span<const SeenTriangle> triangles,
-                         const image::Image& drawn, const DrawnStrips& strips,
-                         const image::Image& background, image::Image& picture) {
+void EdgeSamples::resolve(const EdgePixels& pixels, std::span<const ScreenTriangle> triangles,
+                          const image::Image& drawn, const DrawnStrips& strips,
+                          const image::Image& background, image::Image& picture) {
   Samples farthest;
   farthest.fill(Four{} + std::numeric_limits<float>::max());
   depths_.assign(pixels.count(), farthest);
   surfaces_.assign(pixels.count(), Samples{});
-  for (const SeenTriangle& triangle : triangles) cover(pixels, triangle);
+  for (const ScreenTriangle& triangle : triangles) cover(pixels, triangle);
   PixelMixer mixer(pixels, drawn, strips, background);
   for (int y = 0; y < pixels.height(); ++y) {
     pixels.forEach(y, 0, pixels.width(), [&](int x, std::size_t number) {

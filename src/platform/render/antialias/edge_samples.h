@@ -16,10 +16,10 @@
 namespace rotatebook::render {
 
 /// A triangle as a picture has it.
-struct SeenTriangle {
+struct ScreenTriangle {
   std::array<Eigen::Vector3f, 3> corners;  ///< x and y in pixels, and a depth linear in them.
-  /// BookVertex::surface; of a narrow strip kMostSurface + 1 + its number.
-  float surface = 0;
+  /// BookVertex::surfaceId; of a narrow strip kMaxSurfaceId + 1 + its number.
+  float surfaceId = 0;
 };
 
 /// Samples along edges only: finds what kSamples places of each of some pixels show, and mixes the
@@ -31,16 +31,16 @@ class EdgeSamples {
   /// `drawn`: Rgba8, alpha is the number of the surface, 0 where nothing was drawn. `picture`, of
   /// the same size, Rgba8, alpha straight, shows it over `background`, which is likewise; its
   /// `pixels` get their mean colours.
-  void smooth(const EdgePixels& pixels, std::span<const SeenTriangle> triangles,
-              const image::Image& drawn, const DrawnStrips& strips, const image::Image& background,
-              image::Image& picture);
+  void resolve(const EdgePixels& pixels, std::span<const ScreenTriangle> triangles,
+               const image::Image& drawn, const DrawnStrips& strips, const image::Image& background,
+               image::Image& picture);
 
  private:
   // Arithmetic with four values at once is one instruction.
   using Four [[gnu::vector_size(4 * sizeof(float))]] = float;
   using Samples = std::array<Four, kSamples / 4>;
 
-  void cover(const EdgePixels& pixels, const SeenTriangle& triangle);
+  void cover(const EdgePixels& pixels, const ScreenTriangle& triangle);
   /// Whether all samples of a pixel show one surface.
   static bool isOne(const Samples& surfaces);
 

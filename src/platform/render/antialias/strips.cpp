@@ -27,11 +27,12 @@ struct Line {
 };
 
 /// Whether a part of the strip turns as triangles do that are drawn.
-bool looksHere(const std::array<Line, kLooks>& lines, int facing) {
+bool looksHere(const std::array<Line, kLooks>& lines, int winding) {
   for (std::size_t i = 0; i + 1 < kLooks; ++i) {
     const Vector2f along = lines[i + 1].one - lines[i].one;
     for (const Line& line : {lines[i], lines[i + 1]}) {
-      if (facing == 0 || cross(along, line.other - lines[i].one) * static_cast<float>(facing) > 0) {
+      if (winding == 0 ||
+          cross(along, line.other - lines[i].one) * static_cast<float>(winding) > 0) {
         return true;
       }
     }
@@ -53,7 +54,7 @@ float widest(const std::array<Line, kLooks>& lines) {
 
 }  // namespace
 
-float SeenStrip::shareAt(const Eigen::Vector2f& place) const {
+float ScreenStrip::shareAt(const Eigen::Vector2f& place) const {
   const float share = std::clamp(way.dot(place - from), 0.0F, 1.0F);
   return share * distances[0] / (share * distances[0] + (1 - share) * distances[1]);
 }
@@ -70,8 +71,8 @@ StripFinder::StripFinder(const BookMesh& mesh) {
   }
 }
 
-void StripFinder::find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int facing,
-                       const Eigen::Vector2i& size, std::vector<SeenStrip>& seen) const {
+void StripFinder::find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
+                       const Eigen::Vector2i& size, std::vector<ScreenStrip>& seen) const {
   const Eigen::Matrix<float, 4, 8> clip =
       (clipFromWorld * cage.colwise().homogeneous()).cast<float>();
   const Eigen::Array2f half = size.cast<float>().array() / 2;
@@ -88,12 +89,12 @@ void StripFinder::find(const physics::Cage& cage, const Eigen::Matrix4d& clipFro
       const Eigen::Vector4f a = clip * one, b = clip * other;
       lines[i] = {place(a), place(b), (a.w() + b.w()) / 2};
     }
-    if (!looksHere(lines, facing) || widest(lines) >= strips_[number].narrow) continue;
+    if (!looksHere(lines, winding) || widest(lines) >= strips_[number].narrow) continue;
     const Vector2f way = lines.back().middle() - lines.front().middle();
-    constexpr float kLeast = 1e-3F;  // Of a strip seen from its end. [squared pixels]
+    constexpr float kMin = 1e-3F;  // Of a strip seen from its end. [squared pixels]
     seen[number] = {true,
                     lines.front().middle(),
-                    way / std::max(way.squaredNorm(), kLeast),
+                    way / std::max(way.squaredNorm(), kMin),
                     {lines.front().distance, lines.back().distance},
                     strips_[number].columns};
   }

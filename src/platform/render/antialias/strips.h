@@ -13,7 +13,7 @@
 namespace rotatebook::render {
 
 /// A BookStrip as a picture has it.
-struct SeenStrip {
+struct ScreenStrip {
   /// So narrow, throughout, that pixels don't show it well; before the camera, and not looking away
   /// from it.
   bool narrow = false;
@@ -33,8 +33,8 @@ struct SeenStrip {
 struct DrawnStrips {
   static constexpr int kColumns = 48;  ///< For a strip as long as the book is high.
 
-  std::vector<SeenStrip> seen;  ///< By the strips' numbers.
-  image::Image colours;         ///< Rgba8; rows of strips that aren't narrow are of no use.
+  std::vector<ScreenStrip> seen;  ///< By the strips' numbers.
+  image::Image colours;           ///< Rgba8; rows of strips that aren't narrow are of no use.
 };
 
 /// Finds which strips are narrow.
@@ -43,10 +43,10 @@ class StripFinder {
   explicit StripFinder(const BookMesh& mesh);
 
   std::size_t count() const { return strips_.size(); }
-  /// All strips of the book in this cage in a picture of this size. `facing`: as
-  /// drawnFacing() has it.
-  void find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int facing,
-            const Eigen::Vector2i& size, std::vector<SeenStrip>& seen) const;
+  /// All strips of the book in this cage in a picture of this size. `winding`: as
+  /// windingOf() has it.
+  void find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
+            const Eigen::Vector2i& size, std::vector<ScreenStrip>& seen) const;
 
  private:
   using Shares = Eigen::Matrix<float, 8, 1>;

@@ -21,11 +21,11 @@ void describeVertex(std::size_t stride) {
   const auto attribute = [stride](GLuint index, GLint size, std::size_t offset) {
     describeAttribute(index, size, stride, offset);
   };
-  attribute(0, 3, offsetof(BookVertex, place));
+  attribute(0, 3, offsetof(BookVertex, position));
   attribute(1, 3, offsetof(BookVertex, normal));
   attribute(2, 2, offsetof(BookVertex, texture));
-  attribute(3, 1, offsetof(BookVertex, openness));
-  attribute(4, 1, offsetof(BookVertex, surface));
+  attribute(3, 1, offsetof(BookVertex, skyVisibility));
+  attribute(4, 1, offsetof(BookVertex, surfaceId));
 }
 
 /// A point of a strip's middle.
@@ -36,9 +36,9 @@ struct StripVertex {
 
 /// How far along the strip a point of its middle is. [0 to 1]
 float shareOf(const BookStrip& strip, const BookVertex& vertex) {
-  const Eigen::Vector3f start = strip.middle.front().place;
-  const Eigen::Vector3f way = strip.middle.back().place - start;
-  return (vertex.place - start).dot(way) / way.squaredNorm();
+  const Eigen::Vector3f start = strip.middle.front().position;
+  const Eigen::Vector3f way = strip.middle.back().position - start;
+  return (vertex.position - start).dot(way) / way.squaredNorm();
 }
 
 /// The strip as a row of the picture of strips, from its left side. Of points that are closer than
@@ -114,7 +114,7 @@ void BookGeometry::uploadStrips(const std::vector<BookStrip>& strips) {
   describeAttribute(5, 3, sizeof(StripVertex), offsetof(StripVertex, rolledOut));
 }
 
-void BookGeometry::drawStrips(BookPart part, const std::vector<SeenStrip>& seen) const {
+void BookGeometry::drawStrips(BookPart part, const std::vector<ScreenStrip>& seen) const {
   std::vector<GLint> firsts;
   std::vector<GLsizei> counts;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -133,7 +133,7 @@ void BookGeometry::draw(BookPart part) const {
                  reinterpret_cast<const void*>(start * sizeof(std::uint32_t)));
 }
 
-int drawnFacing(const physics::Cage& cage) {
+int windingOf(const physics::Cage& cage) {
   constexpr double kClearlyOneWay = 0.2;
   const Eigen::Array<double, 8, 1> volumes = cornerVolumes(cage);
   // Clip y points down, which turns every triangle round.

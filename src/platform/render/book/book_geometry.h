@@ -25,7 +25,7 @@ class BookGeometry {
   /// Makes the strips' vertices those that drawStrips() draws.
   void bindStrips() const { glBindVertexArray(stripArray_.name()); }
   /// Draws the middles of a part's narrow strips as rows of a picture of all strips.
-  void drawStrips(BookPart part, const std::vector<SeenStrip>& seen) const;
+  void drawStrips(BookPart part, const std::vector<ScreenStrip>& seen) const;
 
  private:
   /// A strip among the strips' vertices.
@@ -46,6 +46,6 @@ class BookGeometry {
 /// Which way triangles turn in the picture, from x to y (1) or from y to x (-1), that are to be
 /// drawn, as those that look away from the eye aren't; 0 if all are, because the book is so
 /// deformed that any may be seen.
-int drawnFacing(const physics::Cage& cage);
+int windingOf(const physics::Cage& cage);
 
 }  // namespace rotatebook::render

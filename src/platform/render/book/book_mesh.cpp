@@ -36,7 +36,7 @@ enum class Kind { Outer, Shoulder, Rounding, Rim, Inner };
 constexpr int kCaseParts = 3;
 constexpr int kForeEdge = 16, kFoot = 17, kHead = 18;
 
-/// BookVertex::surface
+/// BookVertex::surfaceId
 int surfaceOf(BookPart part, Kind kind) {
   return 1 + kCaseParts * static_cast<int>(kind) + static_cast<int>(part);
 }
@@ -46,7 +46,7 @@ struct SidePoint {
   Vector3f place;   // [mm]
   Vector3f normal;  // of unit length
   Vector2f texture{0, 0};
-  float openness = 1;
+  float skyVisibility = 1;
   bool againstLeaves = false;
 };
 
@@ -81,7 +81,7 @@ std::vector<Station> outerStations() {
 /// Which strip a square belongs to: none, or that along a row or a column of its grid. Squares
 /// beside that line may be narrower parts of the strip.
 struct GridLine {
-  enum class Way { None, Row, Column } way = Way::None;
+  enum class Direction { None, Row, Column } direction = Direction::None;
   int number = 0;
 
   friend auto operator<=>(const GridLine&, const GridLine&) = default;
@@ -89,21 +89,21 @@ struct GridLine {
 
 constexpr GridLine kNoLine{};
 constexpr GridLine row(int i) {
-  return {GridLine::Way::Row, i};
+  return {GridLine::Direction::Row, i};
 }
 constexpr GridLine column(int j) {
-  return {GridLine::Way::Column, j};
+  return {GridLine::Direction::Column, j};
 }
 
 SidePoint between(const SidePoint& a, const SidePoint& b) {
   return {(a.place + b.place) / 2, (a.normal + b.normal).normalized(), (a.texture + b.texture) / 2,
-          (a.openness + b.openness) / 2};
+          (a.skyVisibility + b.skyVisibility) / 2};
 }
 
 BookVertex vertexOf(const SidePoint& point, int surface) {
   const Vector3f size(kBook.width, kBook.height, kBook.thickness);
   return {point.place.cwiseQuotient(size), point.normal.cwiseProduct(size).normalized(),
-          point.texture, point.openness, static_cast<float>(surface)};
+          point.texture, point.skyVisibility, static_cast<float>(surface)};
 }
 
 class MeshBuilder {
@@ -167,8 +167,8 @@ class MeshBuilder {
       }
       strip.middle.push_back(vertexOf(middle, surface));
       strip.flat = strip.flat && corners[i].normal == corners[i + 1].normal;
-      strip.sides[flipped ? 1 : 0].push_back(vertexOf(corners[i], surface).place);
-      strip.sides[flipped ? 0 : 1].push_back(vertexOf(corners[i + 1], surface).place);
+      strip.sides[flipped ? 1 : 0].push_back(vertexOf(corners[i], surface).position);
+      strip.sides[flipped ? 0 : 1].push_back(vertexOf(corners[i + 1], surface).position);
     }
   }
 
@@ -177,7 +177,7 @@ class MeshBuilder {
                    std::uint32_t c) {
     constexpr float kRounding = 1e-6F;
     const auto distance = [&](std::uint32_t i, std::uint32_t j) {
-      return (mesh_.vertices[i].place - mesh_.vertices[j].place).norm();
+      return (mesh_.vertices[i].position - mesh_.vertices[j].position).norm();
     };
     if (std::min({distance(a, b), distance(b, c), distance(c, a)}) < kRounding) return;
     if (againstLeaves_[a] && againstLeaves_[b] && againstLeaves_[c]) part = BookPart::Lining;
@@ -233,7 +233,7 @@ void addOuterSide(MeshBuilder& builder, BookPart part, const std::vector<Profile
         return {inSpace(place, station(j).y),
                 inSpace(std::sqrt(1 - lean * lean) * point(i).normal, lean),
                 {textureAcross(part, point(i).outside), station(j).y / kBook.height},
-                point(i).openness};
+                point(i).skyVisibility};
       },
       [&](int i, int j) {
         return surfaceOf(part, outerKind(point(i), point(i + 1), station(j), station(j + 1)));
@@ -304,7 +304,7 @@ void addCase(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint
 // Shares of the page block's thickness; next to the boards it is dark.
 constexpr std::array kAcrossLeaves = {0.0F, 0.04F, 0.12F, 0.3F, 0.5F, 0.7F, 0.88F, 0.96F, 1.0F};
 
-float opennessAcross(std::size_t i) {
+float skyVisibilityAcross(std::size_t i) {
   const std::size_t fromEnd = std::min(i, kAcrossLeaves.size() - 1 - i);
   if (fromEnd == 0) return kInsideOpenness;
   return fromEnd == 1 ? 0.7F : 1;
@@ -333,7 +333,7 @@ void addForeEdge(MeshBuilder& builder) {
         return {{foreEdge(share), y, acrossPlace(i)},
                 Vector3f(1, 0, -slope).normalized(),
                 {kLeavesPerHeight * along, kLeavesPerThickness * share},
-                opennessAcross(i)};
+                skyVisibilityAcross(i)};
       },
       always(kForeEdge), [](int i, int) { return row(i); });
 }
@@ -354,7 +354,7 @@ void addLeafEnds(MeshBuilder& builder, bool head) {
                 {0, head ? 1.0F : -1.0F, 0},
                 {kLeavesPerHeight * along * kBook.width / kBook.height,
                  kLeavesPerThickness * kAcrossLeaves[i]},
-                nearSpine * opennessAcross(i)};
+                nearSpine * skyVisibilityAcross(i)};
       },
       always(head ? kHead : kFoot), [](int, int j) { return column(j); });
 }

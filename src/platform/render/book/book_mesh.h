@@ -21,19 +21,19 @@ enum class BookPart {
 
 inline constexpr std::size_t kBookPartCount = 5;
 
-/// Highest BookVertex::surface.
-inline constexpr int kMostSurface = 18;
+/// Highest BookVertex::surfaceId.
+inline constexpr int kMaxSurfaceId = 18;
 
 /// One vertex, laid out as the vertex shader reads it.
 struct BookVertex {
   Eigen::Vector3f
-      place;  ///< In the unit cube: spine to fore edge, foot to head, back to front cover.
+      position;  ///< In the unit cube: spine to fore edge, foot to head, back to front cover.
   /// Outward, as a covector of the cube: the cofactors of the map to the world make the world's
   /// normal of it. Of unit length.
   Eigen::Vector3f normal;
   Eigen::Vector2f texture;  ///< Texture coordinates, v upward.
-  float openness = 1;       ///< Share of the surroundings that lights this place. [0 to 1]
-  float surface = 0;        ///< Number of the side that this is a point of, 1 to kMostSurface.
+  float skyVisibility = 1;  ///< Share of the surroundings that lights this place. [0 to 1]
+  float surfaceId = 0;      ///< Number of the side that this is a point of, 1 to kMaxSurfaceId.
 };
 
 /// A row of squares of a part's roundings, rims or hinges: seldom wider than a pixel, while light

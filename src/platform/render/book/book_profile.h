@@ -22,7 +22,7 @@ struct ProfilePoint {
   Eigen::Vector2f outside{0, 0};  ///< On the cover's outer side.
   Eigen::Vector2f inside{0, 0};   ///< Across from it on the inner side.
   Eigen::Vector2f normal{0, 0};   ///< Outward, of unit length.
-  float openness = 1;             ///< Share of the surroundings that the outer side sees. [0 to 1]
+  float skyVisibility = 1;        ///< Share of the surroundings that the outer side sees. [0 to 1]
   bool sharp = false;             ///< Where the outer and the inner side meet, not rounded.
 };
 

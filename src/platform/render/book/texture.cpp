@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "image/smaller.h"
+#include "image/downsample.h"
 
 namespace rotatebook::render {
 namespace {
@@ -58,7 +58,7 @@ Texture::Texture(image::ImageView picture, TextureWrap wrap) {
   upload(0, level);
   // Made here: by the driver it takes a third of a render's start, and comes out as it pleases.
   for (int i = 1; level.width() > 1 || level.height() > 1; ++i) {
-    level = image::halvedOpaque(level.view());
+    level = image::downsampledOpaque(level.view());
     upload(i, level);
   }
   setFilters(wrap);

@@ -10,19 +10,19 @@
 namespace rotatebook::render {
 namespace {
 
-/// Whether `choice` allows to try `way`. Only a device tells beforehand that it is software.
-bool isAllowed(const Way& way, const DeviceChoice& choice) {
+/// Whether `choice` allows to try `candidate`. Only a device tells beforehand that it is software.
+bool isAllowed(const DisplayCandidate& candidate, const DeviceChoice& choice) {
   switch (choice.kind) {
     case DeviceChoice::Kind::Index:
-      return way.kind == Way::Kind::Device && way.index == choice.number;
+      return candidate.kind == DisplayCandidate::Kind::Device && candidate.index == choice.number;
     case DeviceChoice::Kind::Cuda:
-      return way.cudaId == choice.number;
+      return candidate.cudaId == choice.number;
     case DeviceChoice::Kind::Software:
-      return !way.isHardware();
+      return !candidate.isHardware();
     case DeviceChoice::Kind::Surfaceless:
-      return way.kind == Way::Kind::Surfaceless;
+      return candidate.kind == DisplayCandidate::Kind::Surfaceless;
     case DeviceChoice::Kind::Default:
-      return way.kind == Way::Kind::Default;
+      return candidate.kind == DisplayCandidate::Kind::Default;
     case DeviceChoice::Kind::Any:
       break;
   }
@@ -43,28 +43,28 @@ std::string wordsOf(const DeviceChoice& choice) {
   }
 }
 
-std::string devicesText(const WayList& list) {
+std::string devicesText(const DisplayCandidates& list) {
   std::string text = "\nThere ";
   text += list.hasDevices() ? "are:" : "is no EGL device";
-  for (const Way& way : list.ways) {
-    if (way.kind == Way::Kind::Device) text += "\n  " + way.text();
+  for (const DisplayCandidate& candidate : list.candidates) {
+    if (candidate.kind == DisplayCandidate::Kind::Device) text += "\n  " + candidate.text();
   }
   return text;
 }
 
-std::string devicesFailure(const WayList& list) {
+std::string devicesFailure(const DisplayCandidates& list) {
   if (list.failure) return "\n  EGL devices: " + list.failure->text();
   return list.hasDevices() ? "" : "\n  EGL devices: none";
 }
 
-[[noreturn]] void refuseMissing(const WayList& list, const DeviceChoice& choice) {
+[[noreturn]] void refuseMissing(const DisplayCandidates& list, const DeviceChoice& choice) {
   const std::string message = "can't draw: there is no " + wordsOf(choice);
   if (list.hasDevices()) throw InputError(message + devicesText(list));
   throw MachineError(message + ":" + devicesFailure(list) + kAskDoctor);
 }
 
-/// `said` is a line for each way that was tried.
-[[noreturn]] void refuseAll(const WayList& list, const DeviceChoice& choice,
+/// `said` is a line for each candidate that was tried.
+[[noreturn]] void refuseAll(const DisplayCandidates& list, const DeviceChoice& choice,
                             const std::string& said) {
   std::string message = "can't draw: no " + wordsOf(choice);
   if (choice.requireHardware)
@@ -82,7 +82,7 @@ std::string devicesFailure(const WayList& list) {
   throw MachineError(message + kAskDoctor);
 }
 
-std::string fallWarning(const std::string& renderer, const WayList& list,
+std::string fallWarning(const std::string& renderer, const DisplayCandidates& list,
                         const std::string& hardwareFailure) {
   std::string reason = hardwareFailure;
   if (reason.empty() && !list.unlistedCard.empty())
@@ -92,23 +92,25 @@ std::string fallWarning(const std::string& renderer, const WayList& list,
          "; 'rotatebook doctor' tells what to do";
 }
 
-/// Tries one way after the other and keeps what they said.
-class Trial {
+/// Tries one candidate after the other and keeps what they said.
+class DisplaySelection {
  public:
-  Trial(const WayList& list, const DeviceChoice& choice) : list_(list), choice_(choice) {}
+  DisplaySelection(const DisplayCandidates& list, const DeviceChoice& choice)
+      : list_(list), choice_(choice) {}
 
-  /// Whether `way` will do.
-  bool takes(const Way& way, const std::function<Attempt()>& attempt) {
-    if (choice_.requireHardware && way.software) return say(way, "software");
+  /// Whether `candidate` will do.
+  bool takes(const DisplayCandidate& candidate, const std::function<Attempt()>& attempt) {
+    if (choice_.requireHardware && candidate.software) return say(candidate, "software");
     const Attempt tried = attempt();
     if (tried.failure) {
-      if (way.isHardware() && failed_.empty()) failed_ = way.text() + ": " + tried.failure->text();
-      return say(way, tried.failure->text());
+      if (candidate.isHardware() && failed_.empty())
+        failed_ = candidate.text() + ": " + tried.failure->text();
+      return say(candidate, tried.failure->text());
     }
-    const bool software = way.software || isSoftwareRenderer(tried.renderer);
-    if (choice_.requireHardware && software) return say(way, tried.renderer + ", software");
+    const bool software = candidate.software || isSoftwareRenderer(tried.renderer);
+    if (choice_.requireHardware && software) return say(candidate, tried.renderer + ", software");
     if (choice_.kind == DeviceChoice::Kind::Software && !software) {
-      return say(way, tried.renderer + ", hardware");
+      return say(candidate, tried.renderer + ", hardware");
     }
     if (software && choice_.kind == DeviceChoice::Kind::Any) {
       warning_ = fallWarning(tried.renderer, list_, failed_);
@@ -120,12 +122,12 @@ class Trial {
   const std::string& warning() const { return warning_; }
 
  private:
-  bool say(const Way& way, const std::string& what) {
-    said_ += "\n  " + way.text() + ": " + what;
+  bool say(const DisplayCandidate& candidate, const std::string& what) {
+    said_ += "\n  " + candidate.text() + ": " + what;
     return false;
   }
 
-  const WayList& list_;
+  const DisplayCandidates& list_;
   const DeviceChoice& choice_;
   std::string said_, failed_, warning_;
 };
@@ -139,30 +141,31 @@ const char* const kInstallMesa =
     "/dev/dri/renderD*.";
 const char* const kAskDoctor = "\nRun 'rotatebook doctor' for the cause and what to do.";
 
-std::string Way::name() const {
+std::string DisplayCandidate::name() const {
   if (kind == Kind::Device) return "EGL device " + std::to_string(index);
   return kind == Kind::Surfaceless ? "surfaceless EGL" : "default EGL display";
 }
 
-std::string Way::text() const {
+std::string DisplayCandidate::text() const {
   const std::string facts =
       joined({renderNode.empty() ? drmNode : renderNode,
               cudaId ? "cuda:" + std::to_string(*cudaId) : "", software ? "software" : ""});
   return name() + (facts.empty() ? "" : " (" + facts + ")");
 }
 
-bool WayList::hasDevices() const {
-  return std::ranges::count(ways, Way::Kind::Device, &Way::kind) > 0;
+bool DisplayCandidates::hasDevices() const {
+  return std::ranges::count(candidates, DisplayCandidate::Kind::Device, &DisplayCandidate::kind) >
+         0;
 }
 
-ChosenWay chooseWay(const WayList& list, const DeviceChoice& choice,
-                    const std::function<Attempt(std::size_t way)>& attempt) {
-  Trial trial(list, choice);
+ChosenDisplay chooseDisplay(const DisplayCandidates& list, const DeviceChoice& choice,
+                            const std::function<Attempt(std::size_t candidate)>& attempt) {
+  DisplaySelection trial(list, choice);
   bool any = false;
-  for (std::size_t i = 0; i < list.ways.size(); ++i) {
-    if (!isAllowed(list.ways[i], choice)) continue;
+  for (std::size_t i = 0; i < list.candidates.size(); ++i) {
+    if (!isAllowed(list.candidates[i], choice)) continue;
     any = true;
-    if (trial.takes(list.ways[i], [&] { return attempt(i); })) return {i, trial.warning()};
+    if (trial.takes(list.candidates[i], [&] { return attempt(i); })) return {i, trial.warning()};
   }
   if (!any) refuseMissing(list, choice);
   refuseAll(list, choice, trial.said());

@@ -18,8 +18,8 @@ struct CallFailure {
   std::string text() const { return call + ": " + error; }
 };
 
-/// One way to a display, and what EGL tells of it before it is opened.
-struct Way {
+/// One candidate to a display, and what EGL tells of it before it is opened.
+struct DisplayCandidate {
   enum class Kind { Device, Surfaceless, Default };
 
   Kind kind = Kind::Device;
@@ -37,9 +37,9 @@ struct Way {
   std::string text() const;
 };
 
-/// All ways, in the order in which they are tried.
-struct WayList {
-  std::vector<Way> ways;
+/// All candidates, in the order in which they are tried.
+struct DisplayCandidates {
+  std::vector<DisplayCandidate> candidates;
   std::optional<CallFailure> failure{};  ///< Why devices aren't listed.
   /// A card that none of the devices is, such as "NVIDIA's card (/dev/nvidia0)", or empty.
   std::string unlistedCard{};
@@ -50,12 +50,12 @@ struct WayList {
 /// What the user asks for.
 struct DeviceChoice {
   enum class Kind {
-    Any,          ///< The first way that draws.
+    Any,          ///< The first candidate that draws.
     Index,        ///< The EGL device of this number, and no other.
     Cuda,         ///< The EGL device whose CUDA id this is, and no other.
-    Software,     ///< The first way that is software.
-    Surfaceless,  ///< Way::Kind::Surfaceless alone.
-    Default,      ///< Way::Kind::Default alone.
+    Software,     ///< The first candidate that is software.
+    Surfaceless,  ///< DisplayCandidate::Kind::Surfaceless alone.
+    Default,      ///< DisplayCandidate::Kind::Default alone.
   };
 
   Kind kind = Kind::Any;
@@ -65,23 +65,23 @@ struct DeviceChoice {
   std::function<void(const std::string& line)> warn{};
 };
 
-/// What trying a way gave: a renderer, or a failure.
+/// What trying a candidate gave: a renderer, or a failure.
 struct Attempt {
   std::string renderer{};  ///< OpenGL's own name of it.
   std::optional<CallFailure> failure{};
 };
 
-struct ChosenWay {
-  std::size_t way = 0;    ///< In WayList::ways.
-  std::string warning{};  ///< For DeviceChoice::warn, or empty.
+struct ChosenDisplay {
+  std::size_t candidate = 0;  ///< In DisplayCandidates::candidates.
+  std::string warning{};      ///< For DeviceChoice::warn, or empty.
 };
 
-/// Tries the ways that `choice` allows, in their order, and takes the first that gives what it asks
-/// for. `attempt` is called once with each way that it tries, last with the one that is taken.
-/// Throws InputError, naming what there is, for a device that isn't there, MachineError, saying
-/// what each way said, where none will do.
-ChosenWay chooseWay(const WayList& list, const DeviceChoice& choice,
-                    const std::function<Attempt(std::size_t way)>& attempt);
+/// Tries the candidates that `choice` allows, in their order, and takes the first that gives what
+/// it asks for. `attempt` is called once with each candidate that it tries, last with the one that
+/// is taken. Throws InputError, naming what there is, for a device that isn't there, MachineError,
+/// saying what each candidate said, where none will do.
+ChosenDisplay chooseDisplay(const DisplayCandidates& list, const DeviceChoice& choice,
+                            const std::function<Attempt(std::size_t candidate)>& attempt);
 
 /// Whether OpenGL's name of a renderer is that of one that draws on the processor.
 bool isSoftwareRenderer(std::string_view renderer);

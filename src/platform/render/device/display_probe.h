@@ -1,4 +1,4 @@
-// Ways to a renderer, opened one by one: for reports, not for drawing.
+// Candidates to a renderer, opened one by one: for reports, not for drawing.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace rotatebook::render {
 
-/// The ways that EGL offers, in the order in which a render tries them.
+/// The candidates that EGL offers, in the order in which a render tries them.
 class DisplayProbe {
  public:
   /// Lists them; missingLibrary() must be nothing.
@@ -19,14 +19,14 @@ class DisplayProbe {
   DisplayProbe& operator=(const DisplayProbe&) = delete;
   ~DisplayProbe();
 
-  const WayList& list() const;
-  /// Makes an OpenGL context on way `index` of the list and ends it again. Nothing, and why in
-  /// `failure`, if there is none. A driver may end the process, or never come back.
+  const DisplayCandidates& list() const;
+  /// Makes an OpenGL context on candidate `index` of the list and ends it again. Nothing, and why
+  /// in `failure`, if there is none. A driver may end the process, or never come back.
   std::optional<ContextInfo> open(std::size_t index, CallFailure& failure) const;
 
  private:
-  struct Ways;
-  std::unique_ptr<Ways> ways_;
+  struct Candidates;
+  std::unique_ptr<Candidates> candidates_;
 };
 
 }  // namespace rotatebook::render

@@ -1,7 +1,7 @@
 #include "render/device/egl_context.h"
 
 #include "base/error.h"
-#include "render/device/egl_ways.h"
+#include "render/device/egl_displays.h"
 #include "render/device/open_context.h"
 
 namespace rotatebook::render {
@@ -11,17 +11,18 @@ EglContext::EglContext(const DeviceChoice& choice) {
     throw MachineError("can't draw: EGL or OpenGL is not installed: " + missing->error + "\n" +
                        kInstallMesa);
   }
-  const EglWays ways = listWays();
-  const ChosenWay chosen = chooseWay(ways.list, choice, [&](std::size_t way) -> Attempt {
-    open_.reset();
-    CallFailure failure;
-    open_ = OpenContext::open(ways.openers[way], failure);
-    if (open_ == nullptr) return {.failure = failure};
-    return {.renderer = open_->info().renderer};
-  });
+  const EglDisplays candidates = listDisplays();
+  const ChosenDisplay chosen =
+      chooseDisplay(candidates.list, choice, [&](std::size_t candidate) -> Attempt {
+        open_.reset();
+        CallFailure failure;
+        open_ = OpenContext::open(candidates.openers[candidate], failure);
+        if (open_ == nullptr) return {.failure = failure};
+        return {.renderer = open_->info().renderer};
+      });
   const ContextInfo& info = open_->info();
-  description_ =
-      info.renderer + ", OpenGL " + info.version + ", " + ways.list.ways[chosen.way].name();
+  description_ = info.renderer + ", OpenGL " + info.version + ", " +
+                 candidates.list.candidates[chosen.candidate].name();
   if (choice.warn && !chosen.warning.empty()) choice.warn(chosen.warning);
 }
 

@@ -15,7 +15,7 @@ class OpenContext;
 /// then the default display, as far as the choice allows.
 class EglContext {
  public:
-  /// Throws as chooseWay() does, and MachineError where EGL or OpenGL isn't installed.
+  /// Throws as chooseDisplay() does, and MachineError where EGL or OpenGL isn't installed.
   explicit EglContext(const DeviceChoice& choice = {});
   EglContext(const EglContext&) = delete;
   EglContext& operator=(const EglContext&) = delete;

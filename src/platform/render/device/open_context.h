@@ -1,4 +1,4 @@
-// A way's display and an OpenGL context on it. Inside the room only.
+// A candidate's display and an OpenGL context on it. Inside the room only.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 #include <epoxy/egl.h>
 
 #include "render/device/context_info.h"
-#include "render/device/egl_ways.h"
+#include "render/device/egl_displays.h"
 
 namespace rotatebook::render {
 

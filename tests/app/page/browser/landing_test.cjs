@@ -10,7 +10,7 @@ after(closeBrowser);
 
 const kIds = ["turns", "bursts", "pair", "book", "steps"];
 const kPadding = 16;  // the page's scroll-padding-top [CSS pixels]
-const kMostOff = 2;  // [CSS pixels]; measured 0.5
+const kMaxOff = 2;  // [CSS pixels]; measured 0.5
 const kSettled = 700;  // [ms]; plots that come near the window are drawn sooner
 const kWindows = {
   desktop: {viewport: {width: 1400, height: 900}},
@@ -24,7 +24,7 @@ async function expectLanded(page, id, how) {
   const last = await page.locator("footer").boundingBox();
   const atEnd = last.y + last.height <= page.viewportSize().height + 100;
   const off = y - kPadding;
-  assert.ok(Math.abs(off) <= kMostOff || (atEnd && off > 0), `#${id} is ${off} pixels off, ${how}`);
+  assert.ok(Math.abs(off) <= kMaxOff || (atEnd && off > 0), `#${id} is ${off} pixels off, ${how}`);
 }
 
 for (const [name, window] of Object.entries(kWindows)) {

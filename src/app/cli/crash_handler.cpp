@@ -1,0 +1,69 @@
+#include "cli/crash_handler.h"
+
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <string_view>
+#include <unistd.h>
+
+#include "cli/exit_code.h"
+#include "system/crash_signals.h"
+
+namespace rotatebook::cli {
+namespace {
+
+constexpr std::string_view kCrash =
+    "rotatebook: crashed, in its own code or in a driver; 'rotatebook doctor' tries each driver";
+constexpr std::string_view kWantOfMemory = "rotatebook: out of memory";
+constexpr std::string_view kRemedy =
+    ". What a render had finished is kept: go on with the same command and --resume\n";
+
+// Calls nothing but what a signal handler may.
+void speak(std::string_view problem) {
+  for (const std::string_view words : {problem, kRemedy}) {
+    // If it fails there is nobody to tell.
+    if (write(STDERR_FILENO, words.data(), words.size()) < 0) return;
+  }
+}
+
+extern "C" void onCrash(int signal) {
+  speak(kCrash);
+  raise(signal);  // Its default effect now.
+}
+
+thread_local bool lacksMemory = false;
+std::terminate_handler terminateOtherwise = std::abort;
+
+void onWantOfMemory() {
+  lacksMemory = true;
+  throw std::bad_alloc();
+}
+
+// Libraries have functions that are noexcept and ask for memory.
+[[noreturn]] void onTerminate() {
+  if (!lacksMemory) {
+    terminateOtherwise();
+    std::abort();
+  }
+  speak(kWantOfMemory);
+  _exit(kMachineFailed);
+}
+
+}  // namespace
+
+void speakBeforeCrashes() {
+  std::set_new_handler(onWantOfMemory);
+  terminateOtherwise = std::set_terminate(onTerminate);
+  struct sigaction action {};
+  action.sa_handler = onCrash;
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
+  for (const int signal : system::kCrashSignals) {
+    struct sigaction before {};
+    sigaction(signal, nullptr, &before);
+    // Sanitizers say more.
+    if (before.sa_handler == SIG_DFL) sigaction(signal, &action, nullptr);
+  }
+}
+
+}  // namespace rotatebook::cli

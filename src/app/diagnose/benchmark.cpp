@@ -1,0 +1,229 @@
+#include "diagnose/benchmark.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <vector>
+
+#include "base/error.h"
+#include "picture/frame_drawer.h"
+#include "pipeline/frame_sink.h"
+#include "pipeline/render_clip.h"
+#include "store/clip_files.h"
+#include "store/encoding.h"
+#include "system/machine.h"
+#include "timeline/simulate_scene.h"
+
+namespace rotatebook::diagnose {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Pictures that one stage takes in a row, so that stages take turns and whatever else the machine
+// does meets all of them.
+constexpr std::int64_t kBatch = 8;
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::error_code error;
+    const fs::path parent = fs::temp_directory_path(error);
+    if (error) throw failure("find a folder for temporary files", error.message());
+    std::string pattern = (parent / "rotatebook-bench-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr) {
+      throw failure("make a folder in " + parent.string(), std::strerror(errno));
+    }
+    path_ = pattern;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  static MachineError failure(const std::string& what, const std::string& words) {
+    return MachineError("can't " + what + ": " + words +
+                        "; let TMPDIR name a folder that can be written");
+  }
+
+  fs::path path_;
+};
+
+/// Both clocks from its making on; the processors' is that of the whole process, because a software
+/// rasteriser and an encoder have threads of their own.
+class Stopwatch {
+ public:
+  WorkTime elapsed() const { return {now(CLOCK_MONOTONIC) - wall_, now(kUsed) - processor_}; }
+
+ private:
+  static constexpr clockid_t kUsed = CLOCK_PROCESS_CPUTIME_ID;
+
+  static double now(clockid_t clock) {
+    timespec time{};
+    clock_gettime(clock, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+  }
+
+  double wall_ = now(CLOCK_MONOTONIC);
+  double processor_ = now(kUsed);
+};
+
+template <typename Work>
+WorkTime timed(const Work& work) {
+  const Stopwatch watch;
+  work();
+  return watch.elapsed();
+}
+
+WorkTime perFrame(const WorkTime& all, std::int64_t frames) {
+  const auto count = static_cast<double>(frames);
+  return {all.wall / count, all.processor / count};
+}
+
+/// What one frame after the other goes through, each stage by itself.
+class Stages {
+ public:
+  Stages(const scene::Scene& scene, const timeline::ClipMotion& motion,
+         const render::DeviceChoice& device, const fs::path& folder)
+      : drawer_(scene, motion, device),
+        exposures_(kBatch, drawer_.makeExposure()),
+        pictures_(kBatch, drawer_.makePicture()),
+        frameSums_(folder),
+        png_(frameSums_, scene::isTransparent(scene)),
+        video_(video::VideoFormat::Mp4, folder / "stages.mp4", store::videoSettings(scene, "")) {
+    drawer_.draw(0, pictures_[0]);  // The first picture compiles what draws the others.
+  }
+
+  /// Frames `first` to below `end`, at most kBatch.
+  void pass(std::int64_t first, std::int64_t end) {
+    const auto each = [&](const auto& work) {
+      return timed([&] {
+        for (std::int64_t frame = first; frame < end; ++frame) {
+          work(frame, static_cast<std::size_t>(frame - first));
+        }
+      });
+    };
+    sums_.book +=
+        each([&](std::int64_t frame, std::size_t i) { drawer_.expose(frame, exposures_[i]); });
+    sums_.finish +=
+        each([&](std::int64_t, std::size_t i) { drawer_.finish(exposures_[i], pictures_[i]); });
+    sums_.png +=
+        each([&](std::int64_t frame, std::size_t i) { png_.write(frame, pictures_[i].view()); });
+    sums_.video +=
+        each([&](std::int64_t frame, std::size_t i) { video_.write(frame, pictures_[i].view()); });
+  }
+
+  picture::FramePainter& painter() { return drawer_; }
+
+  /// Once all `frames` have passed.
+  StageTimes finish(std::int64_t frames) {
+    sums_.png += timed([&] { png_.finish(); });
+    sums_.video += timed([&] { video_.finish(); });
+    StageTimes times;
+    times.book = perFrame(sums_.book, frames);
+    times.finish = perFrame(sums_.finish, frames);
+    times.png = perFrame(sums_.png, frames);
+    times.video = perFrame(sums_.video, frames);
+    return times;
+  }
+
+ private:
+  picture::FrameDrawer drawer_;
+  std::vector<picture::Exposure> exposures_;
+  std::vector<image::Image> pictures_;
+  store::FrameChecksums frameSums_;
+  pipeline::PngSequenceSink png_;
+  pipeline::VideoSink video_;
+  StageTimes sums_;
+};
+
+using Progress = std::function<void(std::int64_t)>;
+
+/// Drawing and finishing beside each other, as in a render, for a sink that takes no time. False if
+/// it was stopped.
+bool measureDrawing(picture::FramePainter& painter, const SpeedOptions& options,
+                    const Progress& progress, Speed& speed) {
+  pipeline::NullSink sink;
+  const Stopwatch watch;
+  const auto drawn =
+      pipeline::drawFrames(painter, {{0, speed.frames}, nullptr, options.stop}, {{sink}},
+                           [&](pipeline::RenderProgress now) { progress(now.done); });
+  speed.drawing = perFrame(watch.elapsed(), speed.frames);
+  return drawn.total() == speed.frames;
+}
+
+/// Each stage by itself, then drawing. False if it was stopped.
+bool measureStages(const scene::Scene& scene, const timeline::ClipMotion& motion,
+                   const SpeedOptions& options, const Progress& progress, Speed& speed) {
+  const TemporaryFolder folder;
+  const std::int64_t frames = speed.frames;
+  Stages stages(scene, motion, options.device, folder.path());
+  for (std::int64_t first = 0; first < frames; first += kBatch) {
+    if (options.stop != nullptr && *options.stop) return false;
+    stages.pass(first, std::min(first + kBatch, frames));
+    progress(std::min(first + kBatch, frames));
+  }
+  const WorkTime simulate = speed.stages.simulate;
+  speed.stages = stages.finish(frames);
+  speed.stages.simulate = simulate;
+  const auto goOn = [&](std::int64_t done) { progress(frames + done); };
+  return measureDrawing(stages.painter(), options, goOn, speed);
+}
+
+/// A render as `rotatebook render` does it. False if it was stopped.
+bool measureWhole(const scene::Scene& scene, const timeline::ClipMotion& motion,
+                  const SpeedOptions& options, const Progress& progress, Speed& speed) {
+  const TemporaryFolder folder;
+  std::optional<Stopwatch> watch;
+  pipeline::RenderListener listener;
+  listener.started = [&](const pipeline::RenderStart& begun) {
+    speed.renderer = begun.renderer;
+    speed.encoder = begun.encoders;
+  };
+  const Stopwatch start;
+  listener.progress = [&](pipeline::RenderProgress now) {
+    if (!watch) {
+      speed.startUp = start.elapsed().wall / 1000;
+      watch.emplace();
+    }
+    progress(now.done);
+  };
+  const pipeline::RenderOptions render{
+      .folder = folder.path(), .stop = options.stop, .device = options.device};
+  if (pipeline::renderClip(scene, motion, render, listener).interrupted) return false;
+  speed.whole = perFrame(watch->elapsed(), speed.frames);
+  return true;
+}
+
+}  // namespace
+
+std::optional<Speed> measureSpeed(const scene::Scene& scene, const SpeedOptions& options) {
+  scene::Scene part = scene;
+  part.clip.duration = static_cast<double>(options.frames) * scene.clip.frameRate.period();
+  Speed speed;
+  speed.cores = system::coreCount();
+  const Stopwatch watch;
+  const timeline::ClipMotion motion = timeline::simulateScene(part, options.stop);
+  const WorkTime simulated = watch.elapsed();
+  if (options.stop != nullptr && *options.stop) return std::nullopt;
+  speed.frames = motion.frameCount();
+  speed.stages.simulate = perFrame(simulated, speed.frames);
+  const auto tell = [&](std::int64_t before) {
+    return [&options, &speed, before](std::int64_t done) {
+      if (options.progress) options.progress(before + done, 3 * speed.frames);
+    };
+  };
+  if (!measureStages(part, motion, options, tell(0), speed)) return std::nullopt;
+  if (!measureWhole(part, motion, options, tell(2 * speed.frames), speed)) return std::nullopt;
+  return speed;
+}
+
+}  // namespace rotatebook::diagnose

@@ -1,0 +1,96 @@
+#include "image/downsample.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "image/linear_accumulator.h"
+#include "image/srgb.h"
+
+namespace rotatebook::image {
+namespace {
+
+constexpr std::size_t kChannels = 3;
+
+int half(int length) {
+  return std::max(1, length / 2);
+}
+
+/// The pixels along a side that one pixel of half as many covers.
+struct Covered {
+  std::size_t first = 0;
+  std::size_t count = 0;
+  std::array<std::uint32_t, 3> shares{};  ///< Their sum is the same for all pixels of the side.
+};
+
+/// Of all pixels that a side of `length` is halved to.
+std::vector<Covered> coveredBy(int length) {
+  if (length == 1) return {{0, 1, {1}}};
+  const auto count = static_cast<std::uint32_t>(half(length));
+  std::vector<Covered> all;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (length % 2 == 0) {
+      all.push_back({2 * i, 2, {1, 1}});
+    } else {
+      all.push_back({2 * i, 3, {count - i, count, i + 1}});
+    }
+  }
+  return all;
+}
+
+std::uint32_t sumOfShares(const std::vector<Covered>& side) {
+  return side[0].shares[0] + side[0].shares[1] + side[0].shares[2];
+}
+
+/// Sums up the light of rows, by their shares, in each place of a row.
+void addRows(const ImageView& large, const Covered& rows, std::vector<std::uint32_t>& light) {
+  const int step = bytesPerPixel(large.format);
+  std::ranges::fill(light, 0);
+  for (std::size_t i = 0; i < rows.count; ++i) {
+    const std::uint8_t* pixel = large.row(static_cast<int>(rows.first + i));
+    for (std::size_t at = 0; at < light.size(); at += kChannels, pixel += step) {
+      for (std::size_t channel = 0; channel < kChannels; ++channel) {
+        light[at + channel] += rows.shares[i] * linearFromSrgb(pixel[channel]);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void downsample(const Image& large, Image& picture) {
+  for (int y = 0; y < picture.height(); ++y) {
+    const std::uint8_t *upper = large.row(2 * y), *lower = large.row(2 * y + 1);
+    std::uint8_t* pixel = picture.row(y);
+    for (int x = 0; x < picture.width(); ++x, upper += 8, lower += 8, pixel += 4) {
+      LinearAccumulator sum;
+      for (const std::uint8_t* one : {upper, upper + 4, lower, lower + 4}) sum.add(one, 1);
+      sum.mean(4, pixel);
+    }
+  }
+}
+
+Image downsampledOpaque(const ImageView& large) {
+  Image picture(half(large.width), half(large.height), PixelFormat::Rgb8);
+  const std::vector<Covered> columns = coveredBy(large.width), rows = coveredBy(large.height);
+  const std::uint64_t all = std::uint64_t{sumOfShares(columns)} * sumOfShares(rows);
+  std::vector<std::uint32_t> light(kChannels * static_cast<std::size_t>(large.width));
+  for (int y = 0; y < picture.height(); ++y) {
+    addRows(large, rows[static_cast<std::size_t>(y)], light);
+    std::uint8_t* out = picture.row(y);
+    for (const Covered& column : columns) {
+      for (std::size_t channel = 0; channel < kChannels; ++channel) {
+        std::uint64_t sum = all / 2;
+        for (std::size_t i = 0; i < column.count; ++i) {
+          sum += std::uint64_t{column.shares[i]} * light[kChannels * (column.first + i) + channel];
+        }
+        *out++ = srgbFromLinear(static_cast<std::uint32_t>(sum / all));
+      }
+    }
+  }
+  return picture;
+}
+
+}  // namespace rotatebook::image

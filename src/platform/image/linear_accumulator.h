@@ -1,0 +1,41 @@
+// Light of several pixels together.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "image/srgb.h"
+
+namespace rotatebook::image {
+
+/// Adds up to 256 pixels (Rgba8, alpha straight) as a film does: sRGB's numbers are taken back to
+/// light, and pixels count by their alpha.
+class LinearAccumulator {
+ public:
+  /// Takes `pixel` so many times.
+  void add(const std::uint8_t* pixel, std::uint32_t times) {
+    const std::uint32_t alpha = times * pixel[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      linear_[i] += std::uint64_t{linearFromSrgb(pixel[i])} * alpha;
+    }
+    alpha_ += alpha;
+  }
+
+  /// Writes the mean of `count` pixels to `pixel`.
+  void mean(std::uint32_t count, std::uint8_t* pixel) const {
+    for (std::size_t i = 0; i < 3; ++i) {
+      pixel[i] =
+          alpha_ == 0
+              ? std::uint8_t{0}
+              : srgbFromLinear(static_cast<std::uint32_t>((linear_[i] + alpha_ / 2) / alpha_));
+    }
+    pixel[3] = static_cast<std::uint8_t>((alpha_ + count / 2) / count);
+  }
+
+ private:
+  std::array<std::uint64_t, 3> linear_{};
+  std::uint32_t alpha_ = 0;
+};
+
+}  // namespace rotatebook::image

@@ -1,0 +1,234 @@
+#include "overlay/motion_overlays.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <optional>
+#include <utility>
+
+#include "overlay/body_box.h"
+#include "overlay/drawn_overlay.h"
+#include "overlay/layout.h"
+#include "overlay/motion_text.h"
+#include "overlay/overlay_rows.h"
+#include "overlay/strip_chart.h"
+#include "scene/source_locations.h"
+
+namespace rotatebook::overlay {
+namespace {
+
+using scene::Overlay;
+
+constexpr double kSmall = 0.72;  // Size of small letters, of the others.
+
+// Lines of a wordless picture, of the others': it is shown small.
+constexpr double kBold = 2;
+
+/// An inset of fewer pixels shows nothing that could be made out.
+constexpr double kSmallestInset = 24;
+
+/// Time of the clip before and after a frame in which letters glide to where they don't meet
+/// another arrow. [s]
+constexpr double kGlide = 0.07;
+
+bool isLargeEnough(const Box& box) {
+  return std::min(box.width, box.height) >= kSmallestInset;
+}
+
+}  // namespace
+
+struct MotionOverlays::Parts {
+  Parts(const scene::Scene& asked, const physics::Trajectory& motion, const Viewport& viewport)
+      : scene(asked),
+        trajectory(motion),
+        type(Typesetter::of(asked)),
+        scale(viewport.width, viewport.height),
+        energyTop(viewport.energyTop),
+        canvas(viewport.width, viewport.height) {
+    scale.letters = std::max(scale.letters, viewport.letters);
+    scale.smallLetters = std::max(scale.smallLetters, kSmall * viewport.letters);
+    if (scene.wordless) scale.line *= kBold;
+    taken.push_back(viewport.corner);
+    layout = layOut(scale, wanted(viewport));
+    addWordsAtTheTop(viewport);
+    taken.push_back({0, 1.0 * (viewport.height - layout.bottomRows), 1.0 * viewport.width,
+                     1.0 * layout.bottomRows});
+    for (const Box& box : layout.charts) taken.push_back(box);
+    taken.push_back(layout.square);
+    taken.push_back(layout.legend);
+    addInWorld();
+    addInsets();
+    labels = ArrowLabels({0, 0, 1.0 * scale.width, 1.0 * scale.height}, taken,
+                         static_cast<std::int64_t>(motion.samples.size()) - 1,
+                         scene.clip.frameRate.framesIn(kGlide));
+    if (motion.divergedAt && !scene.wordless)
+      notice = divergenceNotice(context(), *motion.divergedAt, taken);
+  }
+
+  OverlayContext context() const { return {scene, trajectory, type, scale, energyTop}; }
+
+  bool shows(Overlay overlay) const {
+    return scene::shows(scene, overlay) && isFor(scene.simulation.model, overlay);
+  }
+
+  /// The rows of what is drawn at `placement`, the lowest first.
+  std::vector<OverlayRow> shownAt(std::initializer_list<Placement> placements) const {
+    std::vector<OverlayRow> rows;
+    for (const OverlayRow& row : overlayRows()) {
+      if (std::ranges::count(placements, row.placement) > 0 && shows(row.overlay)) {
+        rows.push_back(row);
+      }
+    }
+    return rows;
+  }
+
+  Wanted wanted(const Viewport& viewport) const {
+    return {.square = !shownAt({Placement::Square}).empty(),
+            .charts = static_cast<int>(shownAt({Placement::Chart}).size()),
+            .legend = !shownAt({Placement::BookAndLegend}).empty() && !scene.wordless,
+            .bottomRows = viewport.bottomRows};
+  }
+
+  void addInWorld() {
+    for (const OverlayRow& row : shownAt({Placement::Book, Placement::BookAndLegend})) {
+      const bool lacksLegend =
+          row.placement == Placement::BookAndLegend && layout.legend.width <= 0 && !scene.wordless;
+      if (!lacksLegend) inWorld.push_back(row.make(context(), layout.legend));
+    }
+  }
+
+  void addInsets() {
+    auto chart = layout.charts.begin();
+    for (const OverlayRow& row : shownAt({Placement::Square, Placement::Chart})) {
+      const Box& box = row.placement == Placement::Chart ? *chart++ : layout.square;
+      if (isLargeEnough(box)) insets.push_back(row.make(context(), box));
+    }
+  }
+
+  /// Where the insets at the top right begin; the picture's edge if there are none.
+  double insetsLeft() const {
+    double left = scale.width;
+    const auto consider = [&](const Box& box) {
+      if (!box.empty() && box.y <= scale.margin) left = std::min(left, box.x);
+    };
+    consider(layout.square);
+    for (const Box& chart : layout.charts) consider(chart);
+    return left;
+  }
+
+  /// From the top left: the viewport's other words, its label, the count of half-turns.
+  void addWordsAtTheTop(const Viewport& viewport) {
+    Point place(scale.margin, scale.margin);
+    if (!viewport.corner.empty()) {
+      place = {viewport.corner.x, viewport.corner.bottom() + 0.3 * scale.letters};
+    }
+    if (!viewport.label.empty() && !scene.wordless) {
+      const double room = insetsLeft() - scale.margin - place.x();
+      cachedLayers.push_back(scene::atLocationOf(scene, viewport.labelKey, [&] {
+        return labelLayer(context(), viewport.label, place, room);
+      }));
+      taken.push_back(cachedLayers.back().texts.front());
+      place.y() = taken.back().bottom() + 0.3 * scale.letters;
+    }
+    for (const OverlayRow& row : shownAt({Placement::TopLeft})) {
+      insets.push_back(row.make(context(), {place.x(), place.y(), 0, 0}));
+      taken.push_back(insets.back()->box());
+      place.y() = taken.back().bottom() + 0.3 * scale.letters;
+    }
+  }
+
+  void draw(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld, image::Image& picture) {
+    const std::int64_t last = static_cast<std::int64_t>(trajectory.samples.size()) - 1;
+    const bool ended = frame > last;
+    frame = std::min(frame, last);
+    const physics::Sample sample = sampleAt(frame);
+    const View view{frame,  sample,  Projector(clipFromWorld, scale.width, scale.height),
+                    canvas, picture, ended};
+    canvas.forgetTexts();
+    for (const auto& overlay : inWorld) overlay->draw(view);
+    for (const CachedLayer& cached : cachedLayers) canvas.lay(cached, picture);
+    for (const auto& overlay : insets) overlay->draw(view);
+    std::vector<Box> noticed;
+    if (ended && notice) {
+      canvas.lay(*notice, picture);
+      noticed = notice->texts;
+    }
+    if (!scene.wordless) writeLetters(frame, clipFromWorld, noticed);
+    canvas.layOver(picture);
+  }
+
+  void writeLetters(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld,
+                    const std::vector<Box>& noticed) {
+    // The camera stands still: only the planes that are nearest and farthest to it move.
+    Eigen::Matrix<double, 3, 4> projection;
+    projection << clipFromWorld.topRows<2>(), clipFromWorld.bottomRows<1>();
+    if (projection != lettersProjection) labels.forget();
+    lettersProjection = projection;
+    const Projector projector(clipFromWorld, scale.width, scale.height);
+    labels.write(
+        canvas, frame, [&](std::int64_t n) { return arrowsAt(n, projector); }, noticed);
+  }
+
+  std::vector<LabelledArrow> arrowsAt(std::int64_t frame, const Projector& projector) const {
+    const physics::Sample sample = sampleAt(frame);
+    const BodyBox box(scene.body, sample.cage);
+    std::vector<LabelledArrow> all;
+    for (const auto& overlay : inWorld) {
+      for (const Arrow& arrow : overlay->arrows(sample)) {
+        const auto shape = arrowShape(projector, box, arrow.from, arrow.to, arrow.pen);
+        all.push_back({shape.value_or(ArrowShape{}), arrow.letter, 0.85 * scale.letters, arrow.wish,
+                       shape.has_value()});
+      }
+    }
+    return all;
+  }
+
+  /// As the camera's frame has it.
+  physics::Sample sampleAt(std::int64_t frame) const {
+    return scene::seenFrom(scene.camera.frame, trajectory.samples[static_cast<std::size_t>(frame)]);
+  }
+
+  scene::Scene scene;
+  const physics::Trajectory& trajectory;
+  Typesetter type;
+  Scale scale;
+  double energyTop;
+  Canvas canvas;
+  ArrowLabels labels;
+  Eigen::Matrix<double, 3, 4> lettersProjection = Eigen::Matrix<double, 3, 4>::Zero();
+  Layout layout;
+  std::vector<Box> taken;                 // where no moving words may be
+  std::vector<CachedLayer> cachedLayers;  // what is the same in every frame
+  std::optional<CachedLayer> notice;
+  std::vector<std::unique_ptr<DrawnOverlay>> inWorld;  // on and about the body, the lowest first
+  std::vector<std::unique_ptr<DrawnOverlay>> insets;   // above them
+};
+
+MotionOverlays::MotionOverlays(const scene::Scene& scene, const physics::Trajectory& trajectory,
+                               const Viewport& viewport)
+    : parts_(std::make_unique<Parts>(scene, trajectory, viewport)) {}
+MotionOverlays::~MotionOverlays() = default;
+MotionOverlays::MotionOverlays(MotionOverlays&&) noexcept = default;
+MotionOverlays& MotionOverlays::operator=(MotionOverlays&&) noexcept = default;
+
+int MotionOverlays::bottomRows() const {
+  return parts_->layout.bottomRows;
+}
+
+void MotionOverlays::draw(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld,
+                          image::Image& picture) {
+  parts_->draw(frame, clipFromWorld, picture);
+}
+
+const std::vector<Box>& MotionOverlays::texts() const {
+  return parts_->canvas.texts();
+}
+
+double energyChartTop(const physics::Trajectory& trajectory) {
+  return energyTop(trajectory);
+}
+
+const ArrowLabels& MotionOverlays::labels() const {
+  return parts_->labels;
+}
+
+}  // namespace rotatebook::overlay

@@ -1,0 +1,168 @@
+#include "store/frame_checksums.h"
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <sys/stat.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/checksum.h"
+#include "base/error.h"
+#include "pipeline/small_clip.h"
+#include "store/clip_files.h"
+#include "system/atomic_file.h"
+#include "system/file_checksum.h"
+
+namespace rotatebook::store {
+namespace {
+
+namespace fs = std::filesystem;
+using pipeline::testing::bytesOf;
+using pipeline::testing::emptyFolder;
+using pipeline::testing::messageOf;
+
+// Of "abc", by xxh128sum 0.8.1.
+constexpr const char* kSumOfAbc = "06b05ab6733a618578af5f94892f3950";
+
+void writeFrame(FrameChecksums& sums, std::int64_t index, const std::string& bytes) {
+  system::writeFileAtomically(sums.folder() / frameName(index), bytes);
+  sums.add(index, bytes);
+}
+
+TEST(Checksum, IsThatOfTheStandardTool) {
+  EXPECT_EQ(checksumOf("abc"), kSumOfAbc);
+  const fs::path file = emptyFolder() / "abc";
+  system::writeFileAtomically(file, "abc");
+  EXPECT_EQ(system::checksumOfFile(file), kSumOfAbc);
+}
+
+TEST(Checksum, OfAFileIsThatOfItsBytes) {
+  const std::string bytes(200'001, 'x');  // More than a block.
+  const fs::path file = emptyFolder() / "file";
+  system::writeFileAtomically(file, bytes);
+  EXPECT_EQ(system::checksumOfFile(file), checksumOf(bytes));
+}
+
+TEST(Checksum, IsOfNothingThatCannotBeRead) {
+  const fs::path folder = emptyFolder();
+  const std::string start = "can't read " + (folder / "file").string() + ": ";
+  EXPECT_EQ(messageOf<MachineError>([&] { system::checksumOfFile(folder / "file"); }),
+            start + "No such file or directory");
+  ASSERT_EQ(mkfifo((folder / "file").c_str(), 0600), 0);
+  EXPECT_EQ(messageOf<MachineError>([&] { system::checksumOfFile(folder / "file"); }),
+            start + "it is a pipe, not a file");
+}
+
+TEST(FrameChecksums, AreNotWrittenIntoAPipe) {
+  const fs::path folder = emptyFolder();
+  ASSERT_EQ(mkfifo((folder / kFrameSumsName).c_str(), 0600), 0);
+  FrameChecksums sums(folder);
+  EXPECT_EQ(messageOf<MachineError>([&] { sums.add(0, "abc"); }),
+            "can't write " + (folder / kFrameSumsName).string() + ": it is not a regular file");
+}
+
+TEST(FrameChecksums, HaveALineForEachFrame) {
+  const fs::path folder = emptyFolder();
+  FrameChecksums sums(folder);
+  writeFrame(sums, 7, "abc");
+  EXPECT_EQ(bytesOf(folder / kFrameSumsName), std::string(kSumOfAbc) + "  frame_00007.png\n");
+}
+
+TEST(FrameChecksums, KnowWhatAnEarlierRunWrote) {
+  const fs::path folder = emptyFolder();
+  {
+    FrameChecksums first(folder);
+    writeFrame(first, 0, "zero");
+    writeFrame(first, 1, "one");
+    writeFrame(first, 2, "two");
+  }
+  std::ofstream(folder / frameName(1)) << "onx";
+  fs::remove(folder / frameName(2));
+  const FrameChecksums sums(folder);
+  EXPECT_EQ(sums.intact(0), "zero");
+  EXPECT_EQ(sums.intact(1), std::nullopt) << "a damaged frame";
+  EXPECT_EQ(sums.intact(2), std::nullopt) << "a missing frame";
+  EXPECT_EQ(sums.intact(3), std::nullopt) << "a frame without a line";
+}
+
+TEST(FrameChecksums, TakeTheLastLineOfAFrame) {
+  const fs::path folder = emptyFolder();
+  FrameChecksums first(folder);
+  writeFrame(first, 3, "before");
+  writeFrame(first, 3, "after");
+  EXPECT_EQ(FrameChecksums(folder).intact(3), "after");
+}
+
+TEST(FrameChecksums, OutliveALineThatWasCutOff) {
+  const fs::path folder = emptyFolder();
+  {
+    FrameChecksums first(folder);
+    writeFrame(first, 0, "zero");
+  }
+  std::ofstream(folder / kFrameSumsName, std::ios::app) << "0123456789abcdef0123";
+  {
+    FrameChecksums second(folder);
+    EXPECT_EQ(second.intact(0), "zero");
+    writeFrame(second, 1, "one");
+  }
+  FrameChecksums third(folder);
+  EXPECT_EQ(third.intact(1), "one");
+  third.sort({0, 2});
+  EXPECT_EQ(bytesOf(folder / kFrameSumsName),
+            checksumOf("zero") + "  frame_00000.png\n" + checksumOf("one") + "  frame_00001.png\n");
+}
+
+TEST(FrameChecksums, OutliveAFirstLineThatWasCutOff) {
+  const fs::path folder = emptyFolder();
+  std::ofstream(folder / kFrameSumsName) << "0123456789abcdef0123";
+  FrameChecksums sums(folder);
+  writeFrame(sums, 0, "zero");
+  sums.sort({0, 1});
+  EXPECT_EQ(bytesOf(folder / kFrameSumsName), checksumOf("zero") + "  frame_00000.png\n");
+}
+
+TEST(FrameChecksums, OutliveTheirFile) {
+  const fs::path folder = emptyFolder();
+  FrameChecksums sums(folder);
+  writeFrame(sums, 0, "zero");
+  fs::remove(folder / kFrameSumsName);
+  writeFrame(sums, 1, "one");
+  sums.sort({0, 2});
+  EXPECT_EQ(FrameChecksums(folder).intact(0), "zero");
+}
+
+TEST(FrameChecksums, TellWhichFrameIsMissing) {
+  const fs::path folder = emptyFolder();
+  FrameChecksums sums(folder);
+  writeFrame(sums, 0, "zero");
+  writeFrame(sums, 2, "two");
+  const std::string gone = (folder / "frame_00001.png").string() + " is gone: ";
+  EXPECT_THAT(messageOf<MachineError>([&] { sums.sort({0, 3}); }), ::testing::StartsWith(gone));
+  EXPECT_THAT(messageOf<MachineError>([&] {
+                sums.requireFiles({0, 3});
+              }),
+              ::testing::StartsWith(gone));
+}
+
+TEST(FrameChecksums, AreNotReadWhereTheyAreOfNoClip) {
+  const fs::path folder = emptyFolder();
+  std::ofstream(folder / kFrameSumsName) << "x";
+  fs::resize_file(folder / kFrameSumsName, 300'000'000);  // Sparse.
+  FrameChecksums sums(folder);
+  writeFrame(sums, 0, "zero");
+  EXPECT_LT(fs::file_size(folder / kFrameSumsName), 100U);
+}
+
+TEST(FrameChecksums, IgnoreWhatIsNoLineOfTheirs) {
+  const fs::path folder = emptyFolder();
+  std::ofstream(folder / kFrameSumsName) << "\n# words\n"
+                                         << std::string(32, '0') << "  ../../frame_00001.png\n"
+                                         << std::string(33, '0') << "  frame_00001.png\n";
+  system::writeFileAtomically(folder / frameName(1), "one");
+  EXPECT_EQ(FrameChecksums(folder).intact(1), std::nullopt);
+}
+
+}  // namespace
+}  // namespace rotatebook::store

@@ -1,0 +1,151 @@
+#include "overlay/caption_and_clock.h"
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "scene/scene_text.h"
+
+namespace rotatebook::overlay {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr const char* kLongCaption =
+    "The quaternion is normalised after every step, so the book keeps its shape, and it still goes "
+    "wrong: each step adds a little energy. After a dozen seconds the book has stopped tumbling "
+    "and "
+    "spins fast about its long axis, for good. The exact motion from the same start tumbles on for "
+    "ever.";
+
+scene::Scene sceneWith(const std::vector<std::string>& overrides) {
+  return scene::parseScene("title = \"A title\"\n[initial]\nangular_velocity = [5, 3, 1]\n",
+                           "a.toml", overrides);
+}
+
+image::Image drawn(const scene::Scene& scene, std::int64_t frame) {
+  image::Image picture(scene.clip.width, scene.clip.height, image::PixelFormat::Rgb8);
+  CaptionAndClock(scene).draw(frame, picture);
+  return picture;
+}
+
+// The rows that aren't black, first and one past the last.
+struct Rows {
+  int first = 0, end = 0;
+};
+
+Rows litRows(const image::Image& picture) {
+  Rows rows{picture.height(), 0};
+  for (int y = 0; y < picture.height(); ++y) {
+    const auto* row = picture.row(y);
+    bool lit = false;
+    for (int i = 0; i < 3 * picture.width(); ++i) lit = lit || row[i] > 40;
+    if (lit) rows = {std::min(rows.first, y), y + 1};
+  }
+  return rows;
+}
+
+TEST(CaptionAndClock, LeaveThePictureAloneIfNothingIsShown) {
+  const scene::Scene scene = sceneWith({});
+  EXPECT_EQ(drawn(scene, 3), image::Image(1280, 720, image::PixelFormat::Rgb8));
+  EXPECT_EQ(CaptionAndClock(scene).bottomRows(), 0);
+}
+
+TEST(CaptionAndClock, HaveTheCaptionInTheRowsThatTheySay) {
+  const scene::Scene scene = sceneWith({"overlay.show=['caption']", "caption='Some words.'"});
+  const int rows = CaptionAndClock(scene).bottomRows();
+  const Rows lit = litRows(drawn(scene, 0));
+  EXPECT_GE(lit.first, 720 - rows);
+  EXPECT_LT(lit.end, 720);
+  EXPECT_GT(rows, 60);
+  EXPECT_LT(rows, 200);
+}
+
+TEST(CaptionAndClock, HaveAClockThatFollowsTheSimulatedTime) {
+  const scene::Scene scene = sceneWith({"overlay.show=['clock']", "simulation.time_per_frame=0.5"});
+  EXPECT_LT(litRows(drawn(scene, 0)).end, 72);
+  EXPECT_NE(drawn(scene, 0), drawn(scene, 1));
+  const scene::Scene slower =
+      sceneWith({"overlay.show=['clock']", "simulation.time_per_frame=0.25"});
+  EXPECT_EQ(drawn(scene, 1), drawn(slower, 2));
+}
+
+TEST(CaptionAndClock, HaveAClockThatRoundsToHundredths) {
+  const auto clockAt = [](const std::string& seconds) {
+    return drawn(sceneWith({"overlay.show=['clock']", "clip.size=[640, 360]",
+                            "simulation.time_per_frame=" + seconds}),
+                 1);
+  };
+  EXPECT_EQ(clockAt("0.166"), clockAt("0.17"));
+  EXPECT_EQ(clockAt("0.174"), clockAt("0.17"));
+  EXPECT_NE(clockAt("0.164"), clockAt("0.17"));
+  EXPECT_NE(clockAt("0.176"), clockAt("0.17"));
+}
+
+// Clock above, caption below, at every size.
+TEST(CaptionAndClock, NeverPutTextOnText) {
+  for (const char* size : {"640, 360", "1280, 720", "1920, 1080", "3840, 2160", "480, 854"}) {
+    const std::vector<std::string> common{std::string("clip.size=[") + size + "]",
+                                          std::string("caption='") + kLongCaption + "'"};
+    std::vector<std::string> clock = common, caption = common;
+    clock.emplace_back("overlay.show=['clock']");
+    caption.emplace_back("overlay.show=['caption']");
+    const Rows above = litRows(drawn(sceneWith(clock), 100));
+    const Rows below = litRows(drawn(sceneWith(caption), 100));
+    EXPECT_LT(above.end, below.first) << size;
+    EXPECT_GT(below.first, 0) << size;
+  }
+}
+
+TEST(CaptionAndClock, TellHowTheMotionWasSimulated) {
+  const std::vector<std::string> show{"overlay.show=['caption']"};
+  const image::Image euler = drawn(sceneWith(show), 0);
+  const image::Image exact =
+      drawn(sceneWith({"overlay.show=['caption']", "simulation.model=exact"}), 0);
+  EXPECT_NE(euler, exact);
+}
+
+std::string sceneRefusal(const std::string& text) {
+  try {
+    CaptionAndClock words(
+        scene::parseScene(text + "\n[initial]\nangular_velocity = [5, 3, 1]\n", "a.toml"));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string repeated(const std::string& words, int times) {
+  std::string all;
+  for (int i = 0; i < times; ++i) all += words;
+  return all;
+}
+
+TEST(CaptionAndClock, AreRefusedWhereTheyWouldHideTheBook) {
+  const std::string show = "overlay.show = ['caption']\n";
+  const std::string caption = "caption = '" + repeated("words on words ", 66) + "'\n";
+  EXPECT_THAT(sceneRefusal(show + caption + "clip.size = [128, 720]"),
+              StartsWith("a.toml:2:11: the words take 659 of the picture's 720 rows"));
+  EXPECT_THAT(
+      sceneRefusal(show + "title = '" + repeated("a title ", 25) + "'\nclip.size = [64, 720]"),
+      AllOf(StartsWith("a.toml:2:9: the words take"), HasSubstr("shorten the title")));
+  EXPECT_EQ(sceneRefusal(show + caption), "no error");
+  EXPECT_EQ(sceneRefusal(show + caption + "clip.size = [320, 180]"), "no error");
+}
+
+TEST(CaptionAndClock, NameThePlaceOfALetterOrAFontThatIsMissing) {
+  const std::string show = "overlay.show = ['caption']\n";
+  EXPECT_THAT(sceneRefusal(show + "title = '漢'"), StartsWith("a.toml:2:9: the font Inter lacks"));
+  EXPECT_THAT(sceneRefusal(show + "caption = '漢'"),
+              StartsWith("a.toml:2:11: the font Inter lacks"));
+  EXPECT_THAT(sceneRefusal(show + "overlay.font = 'No Such Font'"),
+              StartsWith("a.toml:2:16: no font family \"No Such Font\" is installed"));
+}
+
+}  // namespace
+}  // namespace rotatebook::overlay

@@ -1,0 +1,198 @@
+#include "overlay/motion_overlays.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "overlay/motion.h"
+#include "overlay/overlay_rows.h"
+#include "scene/names.h"
+
+namespace rotatebook::overlay {
+namespace {
+
+using testing::diverging;
+using testing::drawn;
+using testing::greyPicture;
+using testing::marksOf;
+using testing::motionOf;
+using testing::tumbling;
+
+constexpr const char* kSmall = "clip.size=[320, 180]";
+
+/// The first frame after a half-turn.
+std::int64_t firstTurn(const physics::Trajectory& trajectory) {
+  const auto& samples = trajectory.samples;
+  const auto turned = std::ranges::find_if(
+      samples, [](const physics::Sample& sample) { return sample.halfTurns == 1; });
+  return turned - samples.begin();
+}
+
+TEST(MotionOverlays, LeaveThePictureAloneIfNothingIsShown) {
+  const scene::Scene scene = tumbling({kSmall});
+  EXPECT_EQ(drawn(scene, 3), greyPicture(scene));
+  const physics::Trajectory trajectory = motionOf(scene);
+  EXPECT_EQ(marksOf(scene, trajectory).bottomRows(), 0);
+}
+
+TEST(MotionOverlays, WriteTheLabelAtTheTop) {
+  const scene::Scene scene = tumbling({kSmall});
+  const physics::Trajectory trajectory = motionOf(scene);
+  MotionOverlays overlays(scene, trajectory, {.width = 320, .height = 180, .label = "matrix"});
+  EXPECT_NE(drawn(overlays, scene, 0), greyPicture(scene));
+  ASSERT_EQ(overlays.texts().size(), 1U);
+  EXPECT_LT(overlays.texts().front().bottom(), 45);
+}
+
+TEST(MotionOverlays, OfAWordlessSceneAreOnTheBookAlone) {
+  const auto textsOf = [](scene::Scene scene, bool wordless) {
+    scene.wordless = wordless;
+    const physics::Trajectory trajectory = motionOf(scene);
+    MotionOverlays overlays(scene, trajectory, {.width = 320, .height = 180, .label = "matrix"});
+    const auto last = static_cast<std::int64_t>(trajectory.samples.size());
+    EXPECT_NE(drawn(overlays, scene, last), greyPicture(scene));
+    EXPECT_EQ(overlays.bottomRows() > 0, !wordless);
+    return overlays.texts().size();
+  };
+  const scene::Scene scene =
+      diverging({kSmall,
+                 "overlay.show=['axes', 'omega', 'momentum', 'trail', 'polhode', 'energy', "
+                 "'error', 'half_turns', 'springs', 'ghost']"});
+  EXPECT_GE(textsOf(scene, false), 8U);  // measured 19
+  EXPECT_EQ(textsOf(scene, true), 0U);
+}
+
+TEST(MotionOverlays, CountHalfTurnsAndLightUpWhenOneIsMade) {
+  const scene::Scene scene = tumbling({kSmall, "overlay.show=['half_turns']"});
+  const physics::Trajectory trajectory = motionOf(scene);
+  MotionOverlays overlays = marksOf(scene, trajectory);
+  const std::int64_t turn = firstTurn(trajectory);
+  ASSERT_GT(turn, 40);
+  EXPECT_EQ(drawn(overlays, scene, 0), drawn(overlays, scene, turn - 1));
+  EXPECT_NE(drawn(overlays, scene, turn - 1), drawn(overlays, scene, turn));
+  EXPECT_NE(drawn(overlays, scene, turn), drawn(overlays, scene, turn + 10));
+  EXPECT_EQ(drawn(overlays, scene, turn + 25), drawn(overlays, scene, turn + 30));
+}
+
+TEST(MotionOverlays, SayThatAMotionDivergedOnlyPastItsEnd) {
+  const scene::Scene scene = diverging({kSmall});
+  const physics::Trajectory trajectory = motionOf(scene);
+  ASSERT_TRUE(trajectory.divergedAt);
+  const auto last = static_cast<std::int64_t>(trajectory.samples.size()) - 1;
+  MotionOverlays overlays = marksOf(scene, trajectory);
+  EXPECT_EQ(drawn(overlays, scene, last), greyPicture(scene));
+  EXPECT_TRUE(overlays.texts().empty());
+  EXPECT_NE(drawn(overlays, scene, last + 1), greyPicture(scene));
+  EXPECT_EQ(overlays.texts().size(), 1U);
+  EXPECT_EQ(drawn(overlays, scene, last + 1), drawn(overlays, scene, last + 9));
+}
+
+TEST(MotionOverlays, AreOfThisMotion) {
+  // What each shows, it shows of the sample that is drawn.
+  for (const char* name :
+       {"axes", "omega", "momentum", "trail", "polhode", "energy", "error", "ghost"}) {
+    const scene::Scene scene = tumbling(
+        {kSmall, "overlay.show=['" + std::string(name) + "']", "simulation.integrator=euler"});
+    const physics::Trajectory trajectory = motionOf(scene);
+    MotionOverlays overlays = marksOf(scene, trajectory);
+    EXPECT_NE(drawn(overlays, scene, 60), greyPicture(scene)) << name;
+    EXPECT_NE(drawn(overlays, scene, 60), drawn(overlays, scene, 100)) << name;
+    EXPECT_EQ(drawn(overlays, scene, 60), drawn(overlays, scene, 60)) << name;
+  }
+}
+
+TEST(MotionOverlays, HaveAGhostThatNoIntegratorMoves) {
+  const auto shown = [](const char* overlay, const char* integrator) {
+    return drawn(tumbling({kSmall, "overlay.show=['" + std::string(overlay) + "']",
+                           "simulation.integrator='" + std::string(integrator) + "'"}),
+                 120);
+  };
+  EXPECT_EQ(shown("ghost", "rk4"), shown("ghost", "euler"));
+  EXPECT_NE(shown("omega", "rk4"), shown("omega", "euler"));
+  EXPECT_NE(shown("error", "rk4"), shown("error", "euler"));
+  EXPECT_NE(shown("energy", "rk4"), shown("energy", "euler"));
+}
+
+TEST(MotionOverlays, LeaveOutWhatTheModelHasNot) {
+  scene::Scene scene = tumbling({kSmall});
+  scene.simulation.model = physics::Model::Exact;
+  scene.overlay.show = {scene::Overlay::Springs, scene::Overlay::Error, scene::Overlay::Ghost};
+  EXPECT_EQ(drawn(scene, 30), greyPicture(scene));
+}
+
+TEST(MotionOverlays, TurnWithTheCamerasFrame) {
+  const auto shown = [](const char* overlay, const char* frame, std::int64_t n) {
+    return drawn(tumbling({kSmall, "overlay.show=['" + std::string(overlay) + "']",
+                           "camera.frame='" + std::string(frame) + "'"}),
+                 n);
+  };
+  // The body's axes stand still in the body's frame, the momentum in its own.
+  EXPECT_EQ(shown("axes", "body", 0), shown("axes", "body", 100));
+  EXPECT_NE(shown("axes", "world", 0), shown("axes", "world", 100));
+  EXPECT_NE(shown("momentum", "body", 0), shown("momentum", "body", 100));
+  EXPECT_NE(shown("momentum", "world", 0), shown("momentum", "momentum", 0));
+  EXPECT_NE(shown("trail", "world", 100), shown("trail", "body", 100));
+}
+
+TEST(MotionOverlays, CanBeDrawnOnTheSmallestPictures) {
+  const char* all =
+      "overlay.show=['axes', 'omega', 'momentum', 'trail', 'polhode', 'energy', 'error', "
+      "'half_turns', 'springs', 'ghost']";
+  for (const char* size : {"[16, 16]", "[64, 36]", "[16, 400]", "[400, 16]"}) {
+    const scene::Scene scene = diverging({all, "clip.size=" + std::string(size)});
+    const physics::Trajectory trajectory = motionOf(scene);
+    const Viewport viewport{
+        .width = scene.clip.width, .height = scene.clip.height, .label = "label"};
+    MotionOverlays overlays(scene, trajectory, viewport);
+    EXPECT_LE(overlays.bottomRows(), 2 * scene.clip.height / 3) << size;
+    EXPECT_NO_THROW(drawn(overlays, scene, 3)) << size;
+    EXPECT_NO_THROW(drawn(overlays, scene, scene.clip.frameCount())) << size;
+  }
+}
+
+TEST(MotionOverlays, DrawTheEnergyOnTheScaleOfThoseBesideThem) {
+  const scene::Scene scene = tumbling({"overlay.show=['energy']", "clip.size=[640, 360]"});
+  const physics::Trajectory calm = motionOf(scene), wild = motionOf(diverging());
+  EXPECT_EQ(energyChartTop(calm), 1.15);
+  EXPECT_EQ(energyChartTop(wild), 1.02 * 3);
+  const auto shown = [&](double energyTop) {
+    MotionOverlays overlays(scene, calm, {.width = 640, .height = 360, .energyTop = energyTop});
+    return drawn(overlays, scene, 60);
+  };
+  EXPECT_EQ(shown(energyChartTop(calm)), shown(0));
+  EXPECT_NE(shown(energyChartTop(wild)), shown(0));
+}
+
+std::string labelRefusal(const std::string& label, const std::string& size) {
+  const scene::Scene scene = testing::tumbling({"clip.size=[" + size + "]"});
+  const physics::Trajectory trajectory = testing::motionOf(scene);
+  try {
+    MotionOverlays(scene, trajectory,
+                   {.width = scene.clip.width / 4, .height = scene.clip.height, .label = label});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(MotionOverlays, RefuseALabelThatWouldHideTheBook) {
+  std::string endless;
+  for (int i = 0; i < 200; ++i) endless += "label ";
+  EXPECT_EQ(labelRefusal("a label of two lines in this panel", "1280, 720"), "no error");
+  EXPECT_NE(labelRefusal(endless, "1280, 720").find("rows, which leaves too little"),
+            std::string::npos);
+  EXPECT_EQ(labelRefusal(endless, "320, 180"), "no error");  // For a quick look only.
+}
+
+TEST(MarkRows, HaveAMarkUnlessTheyAreWords) {
+  for (const OverlayRow& row : overlayRows()) {
+    EXPECT_EQ(row.make == nullptr, row.placement == Placement::WholePicture)
+        << scene::nameOf(scene::kOverlays, row.overlay);
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::overlay

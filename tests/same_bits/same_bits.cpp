@@ -1,7 +1,8 @@
 // The motions of all scenes that ship, bit by bit, beside a table of what they ought to be:
 //     same_bits TABLE SCENES
-// prints a row for each scene, the checksum of its motions and that of its tables, and one for the
-// elementary functions; exits with 1 if the table has other rows. What is printed is the new table.
+// prints a row for each scene, with the checksums of its motions, of their tables, and of the
+// tables of its study if it has one, and a row for the elementary functions; exits with 1 if the
+// table has other rows. What is printed is the new table.
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -17,6 +18,8 @@
 #include "base/checksum.h"
 #include "base/elementary.h"
 #include "scene/scene_text.h"
+#include "study/study.h"
+#include "study/study_csv.h"
 #include "timeline/motion_checksum.h"
 #include "timeline/simulate_scene.h"
 #include "timeline/trajectory_csv.h"
@@ -31,12 +34,24 @@ scene::Scene readScene(const fs::path& file) {
   return scene::parseScene(std::string(std::istreambuf_iterator<char>(stream), {}), file);
 }
 
+// A blank and the checksum of the study's tables, empty where the scene has none.
+std::string studyChecksum(const scene::Scene& scene) {
+  if (!scene.study) return "";
+  if (scene.study->isOfTilts()) {
+    return " " + checksumOf(study::tiltCsv(study::runTiltStudy(scene, *scene.study, {}).value()));
+  }
+  const auto precision = study::runPrecisionStudy(scene, *scene.study, {}).value();
+  return " " + checksumOf(study::precisionCsv(precision) + study::ordersCsv(precision));
+}
+
 std::string rowOf(const fs::path& file) {
-  const timeline::ClipMotion motion = timeline::simulateScene(readScene(file), nullptr);
+  const scene::Scene scene = readScene(file);
+  const timeline::ClipMotion motion = timeline::simulateScene(scene, nullptr);
   std::string tables;
   for (const auto& trajectory : motion.trajectories())
     tables += timeline::trajectoryCsv(trajectory);
-  return file.stem().string() + " " + timeline::motionChecksum(motion) + " " + checksumOf(tables);
+  return file.stem().string() + " " + timeline::motionChecksum(motion) + " " + checksumOf(tables) +
+         studyChecksum(scene);
 }
 
 // 65,536 results of each function.

@@ -21,8 +21,8 @@ struct Sample {
   double potential = 0;                      ///< [J]
   double rotational = 0;  ///< Kinetic energy of the best-fitting rigid motion. [J]
   double tiltDeg = 0;     ///< Angle between the spun body axis and the angular momentum. [degrees]
-  /// How often the tilt has gone from under 60 to over 120 degrees or back, counted until the body
-  /// is first deformed beyond what keepsItsShape() allows.
+  /// Number of times that the tilt has gone from under 60 to over 120 degrees or back, before the
+  /// body was first deformed beyond what keepsItsShape() allows.
   int halfTurns = 0;
   double stretchMin = 1;  ///< Smallest singular value of BodyState::worldFromBody.
   double stretchMax = 1;  ///< Largest singular value of it.

@@ -6,7 +6,7 @@
 
 namespace rotatebook::physics {
 
-/// The same component of two particles, which processors compute at once (SIMD), each as if alone.
+/// One component of two particles, which processors compute at once (SIMD), each as if alone.
 using DoublePair = double __attribute__((vector_size(16)));
 /// One component of eight particles; element q holds those of q and q + 4.
 using EightDoubles = std::array<DoublePair, 4>;

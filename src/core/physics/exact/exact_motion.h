@@ -23,7 +23,7 @@ class ExactMotion {
   /// which may be zero [rad/s]. Both are taken as exact: near the separatrix, rounding them gives
   /// quite another motion.
   ExactMotion(const Eigen::Vector3d& inertia, const Eigen::Vector3d& angularVelocity);
-  /// The same numbers in double-double precision, as a rotated tensor gives them.
+  /// Both numbers in double-double precision, as a rotated tensor gives them.
   struct Start {
     DoubleDouble3 inertia, angularVelocity;
   };

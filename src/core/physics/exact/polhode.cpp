@@ -41,8 +41,8 @@ Vector3d unit(std::size_t axis) {
   return Vector3d::Unit(static_cast<Eigen::Index>(axis));
 }
 
-// Returns which axes carry cn, sn and dn: L circles the dn axis, which is that of the largest
-// moment where N2 > 0, else that of the smallest, with the roles of both exchanged.
+// Chooses which axes carry cn, sn and dn. L circles the dn axis: that of the largest moment where
+// N2 > 0, else that of the smallest, with the roles of both exchanged.
 AxisRoles axesOfMotion(const DoubleDouble3& inertia, double n2) {
   const auto [smallest, median, largest] = ascendingAxes(inertia);
   return n2 < 0 ? AxisRoles{largest, median, smallest} : AxisRoles{smallest, median, largest};
@@ -179,6 +179,8 @@ void PolhodeConstants::setAttitude(Polhode& polhode) const {
   // Move the integral's growth into the precession, so that the rest is bounded
   const DoubleDouble growth = DoubleDouble(1.0) / (DoubleDouble(1.0) - n);
   polhode.precession = momentum / io + polhode.weight * rate() * growth;
+
+  // Find by how much half a period turns the frame beyond the precession
   if (polhode.k1 > 0) {
     const auto [k, j] = completeIntegrals(k1(), n);
     polhode.weightedHalfPeriod = polhode.weight * (j - k * growth) * 2.0;

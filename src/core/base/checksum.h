@@ -1,4 +1,4 @@
-// Checksums that show whether bytes are as they were written.
+// Checksums, which reveal bytes that have changed since they were written.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,8 @@
 
 namespace rotatebook {
 
-/// XXH3 of 128 bits of what is added part by part, as checksumOf() has it of the whole.
+/// Computes the 128-bit XXH3 checksum of bytes that arrive in pieces; the result equals
+/// checksumOf() of the whole.
 class Checksum {
  public:
   Checksum();
@@ -16,7 +17,7 @@ class Checksum {
   ~Checksum();
 
   void add(std::string_view bytes);
-  /// Of all so far.
+  /// Returns the checksum of all bytes added so far, as checksumOf() writes it.
   std::string text() const;
 
  private:
@@ -24,7 +25,8 @@ class Checksum {
   std::unique_ptr<State> state_;
 };
 
-/// XXH3 of 128 bits as 32 hexadecimal digits, as xxh128sum prints it. It finds damage, not forgery.
+/// Returns the 128-bit XXH3 checksum of `bytes` as 32 hexadecimal digits, as xxh128sum prints it.
+/// It detects damage, not forgery.
 std::string checksumOf(std::string_view bytes);
 
 }  // namespace rotatebook

@@ -1,4 +1,4 @@
-// Numbers of twice a double's precision, for the constants of a motion.
+// Double-double numbers: twice a double's precision, for the constants of a motion.
 #pragma once
 
 #include <array>
@@ -7,45 +7,45 @@
 namespace rotatebook {
 
 /// The unevaluated sum of two doubles, `low` at most half a unit in the last place of `high`: 106
-/// bits, in a double's range. Each operation below is good to a few 1e-32 of its result (Dekker
-/// 1971; Hida, Li and Bailey 2001), as long as nothing under 1e-290 is rounded.
+/// bits, in a double's range. Each operation below is accurate to a few 1e-32 of its result (Dekker
+/// 1971; Hida, Li and Bailey 2001), as long as nothing below 1e-290 is rounded.
 struct DoubleDouble {
   double high = 0;
   double low = 0;
 
   constexpr DoubleDouble() = default;
-  /// Not explicit: every double is such a number.
+  /// Implicit, because every double is a double-double number.
   constexpr DoubleDouble(double value) : high(value) {}
   constexpr DoubleDouble(double h, double l) : high(h), low(l) {}
 
-  /// The nearest double.
+  /// Returns the nearest double.
   constexpr double value() const { return high + low; }
 };
 
-/// Three along the axes of a frame.
+/// Components along the three axes of a reference frame.
 using DoubleDouble3 = std::array<DoubleDouble, 3>;
 
-/// a + b without error.
+/// Returns a + b without error. (Two-sum; Knuth 1969)
 constexpr DoubleDouble exactSum(double a, double b) {
   const double sum = a + b;
   const double part = sum - a;
   return {sum, (a - (sum - part)) + (b - part)};
 }
 
-/// a + b without error, where a is 0 or |a| >= |b|.
+/// Returns a + b without error, where a is 0 or |a| >= |b|. (Fast two-sum; Dekker 1971)
 constexpr DoubleDouble quickSum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
 
-/// a as the sum of two numbers of 26 bits each, for |a| under 1e300. (Veltkamp 1968)
+/// Splits `a` into two numbers of 26 bits each, for |a| under 1e300. (Veltkamp 1968)
 constexpr DoubleDouble halves(double a) {
   const double shifted = 134217729 * a;  // 2^27 + 1
   const double high = shifted - (shifted - a);
   return {high, a - high};
 }
 
-/// a b without error, where no part of it is under 1e-300. By four products of halves, because not
+/// Returns a b without error, where no part of it is under 1e-300. Multiplies halves, because not
 /// every processor has a fused multiply-add. (Dekker 1971)
 constexpr DoubleDouble exactProduct(double a, double b) {
   const double product = a * b;
@@ -81,13 +81,13 @@ constexpr DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
   return DoubleDouble(first) + (DoubleDouble(second) + third);
 }
 
-/// a + b, in half the time of the operator, where a is 0 or |a| >= 2 |b|.
+/// Returns a + b in half the operator's time, where a is 0 or |a| >= 2 |b|.
 constexpr DoubleDouble dominantSum(DoubleDouble a, DoubleDouble b) {
   const DoubleDouble high = quickSum(a.high, b.high);
   return quickSum(high.high, high.low + (a.low + b.low));
 }
 
-/// a / b to 2^-100 of itself, in half the time of the operator.
+/// Returns a / b to 2^-100 of itself, in half the operator's time.
 constexpr DoubleDouble quickQuotient(DoubleDouble a, DoubleDouble b) {
   const double first = a.high / b.high;
   const DoubleDouble product = exactProduct(first, b.high);
@@ -95,7 +95,7 @@ constexpr DoubleDouble quickQuotient(DoubleDouble a, DoubleDouble b) {
   return quickSum(first, rest / b.high);
 }
 
-/// Root of `a` >= 0.
+/// Returns the square root of `a` >= 0.
 inline DoubleDouble squareRoot(DoubleDouble a) {
   if (a.high <= 0) return 0.0;
   const double root = std::sqrt(a.high);
@@ -114,17 +114,17 @@ inline DoubleDouble absolute(DoubleDouble a) {
   return a.high < 0 ? -a : a;
 }
 
-/// a 2^exponent.
+/// Returns a 2^exponent.
 inline DoubleDouble scaled(DoubleDouble a, int exponent) {
   return {std::ldexp(a.high, exponent), std::ldexp(a.low, exponent)};
 }
 
-/// The largest power of two that is no larger than `number` > 0.
+/// Returns the largest power of two that is no larger than `number` > 0.
 inline double powerOfTwoBelow(double number) {
   return std::ldexp(1, std::ilogb(number));
 }
 
-/// sqrt(a^2 + b^2), also where the squares would underflow.
+/// Returns sqrt(a^2 + b^2), even where the squares would underflow.
 inline DoubleDouble hypotenuse(DoubleDouble a, DoubleDouble b) {
   const double larger = std::fmax(std::fabs(a.high), std::fabs(b.high));
   if (larger == 0) return 0.0;

@@ -12,16 +12,16 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// Under it sine, tangent and their inverses differ from their argument by less than half of its
-// last place.
+// Below this, sine, tangent and their inverses differ from their argument by less than half a unit
+// in its last place.
 constexpr double kTiny = 0x1p-27;
 
-// Of sums and products of pairs near 1.
+// Error of sums and products of double-double numbers near 1.
 constexpr double kPairError = 0x1p-98;
 
 constexpr DoubleDouble kLog2{0x1.62e42fefa39efp-1, 0x1.abc9e3b39803fp-56};
 
-// A number in pieces: the products of the first three with whole numbers under 2^26 are exact.
+// A constant in pieces: the products of the first three with integers under 2^26 are exact.
 struct Pieces {
   std::array<double, 3> first;
   DoubleDouble rest;
@@ -39,14 +39,14 @@ constexpr double kOctavePartsPerUnit = 92.33248261893658;
 
 constexpr int kTangentParts = 256;
 
-// The nearest whole number, of less than 2^51: a function of the C library is slower.
+// Rounds to the nearest integer, for |x| < 2^51, faster than the C library's function.
 double nearest(double x) {
   constexpr double kShift = 0x1.8p52;
   return (x + kShift) - kShift;
 }
 
-// x - count part, good to 2^-90 of itself however much cancels: no double is nearer to a multiple
-// of pi/2 than 2^-61, so to one of pi/64 than 2^-66. (Kahan 1983)
+// Returns x - count part, accurate to 2^-90 of itself however much cancels: no double is closer to
+// a multiple of pi/2 than 2^-61, and so none to a multiple of pi/64 than 2^-66. (Kahan 1983)
 DoubleDouble reduced(DoubleDouble x, double count, const Pieces& part) {
   if (count == 0) return x;
   const DoubleDouble first = exactSum(x.high - count * part.first[0], -count * part.first[1]);
@@ -54,7 +54,7 @@ DoubleDouble reduced(DoubleDouble x, double count, const Pieces& part) {
   return second + (DoubleDouble(x.low) - part.rest * count);
 }
 
-// c0 + x (c1 + x (c2 + ...)) in doubles.
+// Returns c0 + x (c1 + x (c2 + ...)) in doubles.
 template <std::size_t kCount>
 double polynomial(double x, const std::array<double, kCount>& coefficients) {
   double sum = 0;
@@ -62,7 +62,7 @@ double polynomial(double x, const std::array<double, kCount>& coefficients) {
   return sum;
 }
 
-// high + low, if that is the same for every low within its error.
+// Returns high + low, rounded, if the result is the same for every `low` within its error.
 std::optional<double> roundedIfSure(double high, double low, double error) {
   const double above = high + (low + error), below = high + (low - error);
   return above == below ? std::optional(above) : std::nullopt;
@@ -76,7 +76,7 @@ struct Turn {
   DoubleDouble cosine, sine;
 };
 
-// Taylor's series for |x| <= pi/4.
+// Sums Taylor's series of cosine and sine for |x| <= pi/4.
 constexpr Turn taylor(DoubleDouble x) {
   const DoubleDouble xx = x * x;
   Turn turn{1.0, 1.0};
@@ -87,7 +87,8 @@ constexpr Turn taylor(DoubleDouble x) {
   return {turn.cosine, x * turn.sine};
 }
 
-// Of a part of a turn. What isn't within pi/4 of 0 follows by reflection, so that zeros are exact.
+// Returns cosine and sine of `part` 128ths of a turn. Those of angles farther than pi/4 from a
+// quarter turn's start follow by reflection, so that zeros are exact.
 constexpr Turn turnOf(int part) {
   constexpr int kQuarter = kTurnParts / 4;
   const int rest = part % kQuarter;
@@ -98,7 +99,7 @@ constexpr Turn turnOf(int part) {
   return turn;
 }
 
-// 2^(part/64), by the exponential's series.
+// Returns 2^(part/64), from the exponential's series.
 constexpr DoubleDouble powerOf(int part) {
   const DoubleDouble x = kLog2 * (1.0 / kOctaveParts * part);
   DoubleDouble power = 1.0;
@@ -106,8 +107,8 @@ constexpr DoubleDouble powerOf(int part) {
   return power;
 }
 
-// atan(part/256) by Taylor's series, from the part before on: their difference is the arc tangent
-// of a number under 1/256.
+// Returns atan(part/256) from the arc tangent of the part before: their difference is the arc
+// tangent of a number under 1/256, summed by Taylor's series.
 constexpr DoubleDouble arcTangentAfter(DoubleDouble before, int part) {
   const DoubleDouble x =
       DoubleDouble(kTangentParts) / (double{kTangentParts} * kTangentParts + part * (part - 1.0));
@@ -131,7 +132,7 @@ constexpr std::array<Value, kCount> tableOf(Value (*valueOf)(int)) {
   return table;
 }
 
-// Filled by the compiler.
+// Tables that the compiler computes.
 constexpr auto kTurns = tableOf<Turn, kTurnParts>(turnOf);
 constexpr auto kPowers = tableOf<DoubleDouble, kOctaveParts>(powerOf);
 constexpr auto kArcTangents = arcTangentTable();
@@ -140,8 +141,8 @@ constexpr const Turn& turnAt(int part) {
   return kTurns[static_cast<std::size_t>(part & (kTurnParts - 1))];
 }
 
-// cos x - 1 and sin x for |x| <= pi/128: the first two terms of the series in pairs, the rest,
-// which is under 2^-41 of the sum, in doubles.
+// Returns cos x - 1 and sin x for |x| <= pi/128: the first two terms of each series in
+// double-double, the rest, which is under 2^-41 of the sum, in doubles.
 Turn smallTurn(DoubleDouble x) {
   constexpr DoubleDouble kThird = -inverse(6), kFifth = inverse(120);
   constexpr DoubleDouble kFourth = inverse(24);
@@ -156,7 +157,7 @@ Turn smallTurn(DoubleDouble x) {
           dominantSum(x, x * sineFactor)};
 }
 
-// Cosine and sine of an angle within kLargestAngle.
+// Returns cosine and sine of an angle within kLargestAngle.
 Turn cosineSineOf(DoubleDouble angle) {
   const double part = nearest(angle.high * kTurnPartsPerRadian);
   const Turn small = smallTurn(reduced(angle, part, kTurnPart));
@@ -165,7 +166,7 @@ Turn cosineSineOf(DoubleDouble angle) {
           base.sine + base.cosine * small.sine + base.sine * small.cosine};
 }
 
-// The arc tangent of |x| <= 1/512.
+// Returns the arc tangent of |x| <= 1/512.
 DoubleDouble smallArcTangent(DoubleDouble x) {
   constexpr DoubleDouble kThird = -inverse(3);
   const DoubleDouble xx = x * x;
@@ -174,7 +175,7 @@ DoubleDouble smallArcTangent(DoubleDouble x) {
   return dominantSum(x, x * (xx * dominantSum(kThird, rest)));
 }
 
-// e^x - 1 for |x| <= ln(2)/128.
+// Returns e^x - 1 for |x| <= ln(2)/128.
 DoubleDouble smallExponential(DoubleDouble x) {
   constexpr DoubleDouble kThird = inverse(6), kFourth = inverse(24), kFifth = inverse(120);
   const double t = x.high;
@@ -184,7 +185,7 @@ DoubleDouble smallExponential(DoubleDouble x) {
   return dominantSum(x, x * x * dominantSum(0.5, x * dominantSum(kThird, x * inner)));
 }
 
-// 2 artanh(x), which is the logarithm of (1 + x)/(1 - x), for |x| < 0.003.
+// Returns 2 artanh(x), the logarithm of (1 + x)/(1 - x), for |x| < 0.003.
 DoubleDouble smallLogarithm(DoubleDouble x) {
   constexpr DoubleDouble kThird = inverse(3), kFifth = inverse(5);
   const DoubleDouble xx = x * x;
@@ -193,21 +194,21 @@ DoubleDouble smallLogarithm(DoubleDouble x) {
   return dominantSum(x, x * (xx * dominantSum(kThird, xx * dominantSum(kFifth, rest)))) * 2.0;
 }
 
-// value 2^exponent for value > 0, rounded once. Where the result has fewer than 53 bits the rest is
-// rounded off by adding a 1 that stands above them.
+// Returns value 2^exponent for value > 0, rounded once. Where the result has fewer than 53 bits,
+// adding a 1 above them rounds the rest off.
 double scaledDouble(DoubleDouble value, int exponent) {
   constexpr int kLowest = -1022;
   if (std::ilogb(value.high) + exponent >= kLowest) return std::ldexp(value.value(), exponent);
   const DoubleDouble small = scaled(value, exponent - kLowest);
   const DoubleDouble sum = quickSum(1, small.high);
   const DoubleDouble rest = exactSum(sum.low, small.low);
-  // What is cut off decides where the rest is half of the lowest place
-  const double seen =
+  // Let what is cut off decide where the rest is halfway between two results
+  const double nudged =
       rest.low == 0 ? rest.high : std::nextafter(rest.high, rest.low > 0 ? kInfinity : -kInfinity);
-  return std::ldexp(sum.high + seen - 1, kLowest);
+  return std::ldexp(sum.high + nudged - 1, kLowest);
 }
 
-// fraction 2^exponent
+// The number fraction 2^exponent.
 struct Power {
   DoubleDouble fraction;
   int exponent;
@@ -225,7 +226,7 @@ Power exponentialOf(double x) {
   return {dominantSum(base, base * small), octaveOf(part)};
 }
 
-// In doubles, where that decides the rounding, which it most often does.
+// Returns e^x from doubles alone if they decide its rounding, as they usually do; else nullopt.
 std::optional<double> quickExponential(double x) {
   constexpr double kQuickError = 0x1p-57;  // six roundings of |r| < 2^-7.5
   constexpr double kNormal = 700;
@@ -241,20 +242,20 @@ std::optional<double> quickExponential(double x) {
   return sure ? std::optional(std::ldexp(*sure, octaveOf(part))) : std::nullopt;
 }
 
-// e^x - 1 for |x| < 700, to as many digits near 0.
+// Returns e^x - 1 for |x| < 700, without losing digits near 0.
 DoubleDouble exponentialLessOne(double x) {
   if (std::fabs(x) * kOctavePartsPerUnit < 0.5) return smallExponential(x);
   const auto [fraction, exponent] = exponentialOf(x);
   return scaled(fraction, exponent) - DoubleDouble(1.0);
 }
 
-// Of the logarithm to the base 2, for 1 <= x < 2: to 2e-5.
+// Returns the logarithm to base 2 of 1 <= x < 2, to 2e-5.
 double roughLogarithm(double x) {
   const double t = (x - 1) / (x + 1);
   return 2.88539 * t * polynomial(t * t, std::array{1.0, 1.0 / 3, 1.0 / 5, 1.0 / 7});
 }
 
-// Of x > 0.
+// Returns the natural logarithm of x > 0.
 DoubleDouble logarithmOf(DoubleDouble x) {
   int exponent = std::ilogb(x.high);
   const double rough = roughLogarithm(std::ldexp(x.high, -exponent));
@@ -267,25 +268,25 @@ DoubleDouble logarithmOf(DoubleDouble x) {
                      smallLogarithm(quickQuotient(fraction - base, fraction + base)));
 }
 
-// An eighth of the turn: its angles are offset + sign atan(y/x) for 0 <= y <= x.
+// One eighth of a turn: its angles are offset + sign atan(y/x) for 0 <= y <= x.
 struct Octant {
   DoubleDouble offset;
   double sign;
 };
 
-// Both numbers are near 1 enough that nothing underflows.
+// Returns the angle of (x, y) in `octant`; both are close enough to 1 that nothing underflows.
 double angleIn(const Octant& octant, double y, double x) {
   constexpr double kQuickError = 0x1p-50;  // of t, for five roundings
   const double part = nearest(y / x * kTangentParts);
   const double base = part / kTangentParts;
   const DoubleDouble along = exactProduct(x, base);
-  // Exact, because both numbers are close.
+  // Exact, because both numbers are close to each other.
   const DoubleDouble rise = exactSum(y - along.high, -along.low);
   const DoubleDouble run = dominantSum(x, exactProduct(y, base));
   const DoubleDouble start =
       octant.offset + kArcTangents[static_cast<std::size_t>(part)] * octant.sign;
 
-  // Most often doubles suffice
+  // Try doubles first, which usually suffice
   const double t = octant.sign * rise.high / run.high, tt = t * t;
   const double low = start.low + (t + t * tt * (-1.0 / 3 + tt * 0.2));
   const auto sure = roundedIfSure(start.high, low, kQuickError * std::fabs(t) + kPairError);
@@ -319,7 +320,7 @@ double arcTangent(double y, double x) {
   if (std::isnan(x) || std::isnan(y)) return kNaN;
   constexpr int kSmallFall = -60;
   double across = std::fabs(y), along = std::fabs(x);
-  // What is infinite is far longer than what isn't; of two the same length counts, as of two zeros.
+  // An infinite leg dwarfs a finite one; two infinite legs count as equally long, as two zeros do.
   if (std::isinf(along) || std::isinf(across)) {
     along = std::isinf(along) ? 1 : 0;
     across = std::isinf(across) ? 1 : 0;
@@ -336,7 +337,7 @@ double arcTangent(double y, double x) {
   const double y1 = std::ldexp(small, -exponent - fall), x1 = std::ldexp(large, -exponent);
   if (fall > kSmallFall) return std::copysign(angleIn(octant, std::ldexp(y1, fall), x1), y);
 
-  // The angle is hardly less than the ratio, which decides where that is half of the lowest place
+  // The angle is a hair below the ratio, which decides where that is halfway between two results
   const DoubleDouble ratio = DoubleDouble(y1) / x1;
   const DoubleDouble angle = ratio - ratio * 0x1p-106;
   return std::copysign(octant.offset.high == 0
@@ -362,7 +363,7 @@ double logarithm(double x) {
 }
 
 double hyperbolicTangent(double x) {
-  constexpr double kOne = 20;  // where it is 1 to rounding
+  constexpr double kOne = 20;  // above it the result rounds to 1
   const double size = std::fabs(x);
   if (size < kTiny || std::isnan(x)) return x;
   if (size > kOne) return std::copysign(1, x);

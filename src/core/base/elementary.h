@@ -1,10 +1,11 @@
-// The elementary functions, with the same bits on every machine. C libraries compute them by other
-// means from version to version and from processor to processor, and their last digits differ;
-// these use + - * / and the square root alone, which IEEE 754 rounds alike everywhere.
+// The elementary functions, with the same bits on every machine. C libraries compute them by
+// methods that differ from version to version and from processor to processor, and so do their last
+// digits; these use + - * / and the square root alone, which IEEE 754 rounds alike everywhere.
 //
-// Each is computed to twice a double's precision, better than 2^-88 of its value, and rounded once:
-// of ten million arguments each all results are correctly rounded, which is measured, not proven.
-// NaN gives NaN; zeros keep their signs and infinities have their limits as in IEEE 754, section 9.
+// Each result is computed to twice a double's precision, better than 2^-88 of its value, and
+// rounded once: all results for ten million arguments of each function are correctly rounded, which
+// is measured, not proven. NaN gives NaN; zeros keep their signs and infinities have their limits
+// as in IEEE 754, section 9.
 #pragma once
 
 #include "base/double_double.h"
@@ -13,41 +14,41 @@ namespace rotatebook {
 
 inline constexpr DoubleDouble kPi{0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
 
-/// The largest angle, either way, that sine() and cosine() take. [rad]
+/// Largest angle, of either sign, that sine() and cosine() accept. [rad]
 inline constexpr double kLargestAngle = 1e6;
 
-/// The sine of `x` [rad]; NaN where |x| > kLargestAngle. By a table of 128 parts of a turn and
-/// Taylor's series.
+/// Returns the sine of `x` [rad]; NaN if |x| > kLargestAngle. Uses a table of 128 angles around the
+/// circle, and Taylor's series between them.
 double sine(double x);
-/// The cosine of `x` [rad]; NaN where |x| > kLargestAngle. As sine().
+/// Returns the cosine of `x` [rad], computed like sine(); NaN if |x| > kLargestAngle.
 double cosine(double x);
 
 struct CosineSine {
   double cosine, sine;
 };
-/// Both at once, in the time of one, of an angle that is known to twice a double's precision. [rad]
-/// NaN where it is over kLargestAngle.
+/// Returns both, in the time of one, for an angle known to double-double precision [rad]; NaN if
+/// its size exceeds kLargestAngle.
 CosineSine cosineSine(DoubleDouble angle);
 
-/// The arc tangent of any `x`, in [-pi/2, pi/2]. [rad]
+/// Returns the arc tangent of any `x`, in [-pi/2, pi/2]. [rad]
 double arcTangent(double x);
-/// The direction of the point (x, y), in [-pi, pi]; arguments in the order of C's atan2. [rad] From
-/// the nearest of 128 directions on by the arc tangent's series.
+/// Returns the direction of the point (x, y), in [-pi, pi]; arguments in the order of C's atan2.
+/// [rad] Uses a table of 257 angles in each octant, and Taylor's series between them.
 double arcTangent(double y, double x);
 
-/// e^x of any `x`; infinite over 709.78, 0 under -745.13. By a table of 64 parts of a factor of 2
-/// and Taylor's series. (Tang 1989)
+/// Returns e^x of any `x`; infinity above 709.78, 0 below -745.13. Uses a table of 2^(k/64), and
+/// Taylor's series between its rows. (Tang 1989)
 double exponential(double x);
-/// The natural logarithm of `x` >= 0; NaN of negative numbers. From the nearest of 64 parts of a
-/// factor of 2 on by the area tangent's series. (Tang 1990)
+/// Returns the natural logarithm of `x` >= 0; NaN if it is negative. Uses a table of 2^(k/64), and
+/// the series of the inverse hyperbolic tangent between its rows. (Tang 1990)
 double logarithm(double x);
-/// The hyperbolic tangent of any `x`.
+/// Returns the hyperbolic tangent of any `x`.
 double hyperbolicTangent(double x);
-/// The inverse hyperbolic sine of any `x`.
+/// Returns the inverse hyperbolic sine of any `x`.
 double inverseHyperbolicSine(double x);
 
-/// sqrt(x^2 + y^2) of any `x` and `y`; infinite if one of them is, or if it is over the largest
-/// number.
+/// Returns sqrt(x^2 + y^2) of any `x` and `y`; infinity if one of them is infinite or the result
+/// exceeds the largest double.
 double roundedHypotenuse(double x, double y);
 
 }  // namespace rotatebook

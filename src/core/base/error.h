@@ -1,4 +1,4 @@
-// What the library throws: one class, two kinds, one readable message.
+// The exceptions of the library: one class, two kinds, one readable message.
 #pragma once
 
 #include <stdexcept>
@@ -6,14 +6,14 @@
 
 namespace rotatebook {
 
-/// Who can mend it. The command line turns it into its exit code.
+/// Tells who can fix the error; the command line turns it into its exit code.
 enum class ErrorKind {
   Input,    ///< The user's input is wrong: a scene, an option, a picture (exit code 2).
   Machine,  ///< The machine can't: no EGL, no encoder, a full disk (exit code 3).
 };
 
-/// The only exception that rotatebook throws at resource and I/O edges.
-/// The message says who, what, the values, the library's own words, and the remedy if there is one.
+/// The only exception that rotatebook throws at resource and I/O edges. Its message states who,
+/// what, the values, the library's own message, and the remedy if there is one.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
@@ -24,13 +24,13 @@ class Error : public std::runtime_error {
   ErrorKind kind_;
 };
 
-/// The user's input is wrong.
+/// Reports that the user's input is wrong.
 class InputError : public Error {
  public:
   explicit InputError(const std::string& message) : Error(ErrorKind::Input, message) {}
 };
 
-/// The machine can't do what was asked.
+/// Reports that the machine can't do what was requested.
 class MachineError : public Error {
  public:
   explicit MachineError(const std::string& message) : Error(ErrorKind::Machine, message) {}

@@ -7,10 +7,10 @@
 namespace rotatebook {
 namespace {
 
-constexpr int kLargestTerm = 1'000'000;
-constexpr int kHighestRate = 1'000;
+constexpr int kMaxTerm = 1'000'000;
+constexpr int kMaxRate = 1'000;
 
-// All of `text` as a number, nothing if it isn't one.
+// Returns all of `text` as an integer; nullopt if it isn't one.
 std::optional<int> wholeNumber(std::string_view text) {
   int number = 0;
   const char* const end = text.data() + text.size();
@@ -20,8 +20,8 @@ std::optional<int> wholeNumber(std::string_view text) {
 }
 
 bool isRate(int numerator, int denominator) {
-  return denominator >= 1 && denominator <= kLargestTerm && numerator >= denominator &&
-         numerator <= kLargestTerm && numerator <= std::int64_t{kHighestRate} * denominator;
+  return denominator >= 1 && denominator <= kMaxTerm && numerator >= denominator &&
+         numerator <= kMaxTerm && numerator <= std::int64_t{kMaxRate} * denominator;
 }
 
 }  // namespace

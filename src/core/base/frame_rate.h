@@ -1,4 +1,4 @@
-// The rate of a clip as an exact fraction.
+// The frame rate of a clip as an exact fraction.
 #pragma once
 
 #include <cmath>
@@ -9,19 +9,19 @@
 
 namespace rotatebook {
 
-/// Frames a second as a fraction in lowest terms, so that frame n lies at n * denominator /
-/// numerator seconds exactly.
+/// Frames per second as a fraction in lowest terms, so that frame n is shown at exactly n *
+/// denominator / numerator seconds.
 struct FrameRate {
   int numerator = 60;   ///< > 0
   int denominator = 1;  ///< > 0
 
-  /// Length of one frame. [s]
+  /// Returns the duration of one frame. [s]
   double period() const { return static_cast<double>(denominator) / numerator; }
-  /// Number of whole frames within `seconds` (>= 0), rounded to nearest.
+  /// Returns the number of frames in `seconds` >= 0, rounded to the nearest integer.
   std::int64_t framesIn(double seconds) const {
     return std::llround(seconds * numerator / denominator);
   }
-  /// "60" or "30000/1001", as a scene file has it.
+  /// Returns "60" or "30000/1001", as scene files write it.
   std::string text() const {
     const std::string whole = std::to_string(numerator);
     return denominator == 1 ? whole : whole + "/" + std::to_string(denominator);
@@ -30,8 +30,8 @@ struct FrameRate {
   friend bool operator==(const FrameRate&, const FrameRate&) = default;
 };
 
-/// "60" or "30000/1001" in lowest terms; nothing if it isn't a rate from 1 to 1000 with terms up to
-/// a million.
+/// Parses "60" or "30000/1001" into lowest terms; nullopt unless it is a rate from 1 to 1000 with
+/// terms up to a million.
 std::optional<FrameRate> parseFrameRate(std::string_view text);
 
 }  // namespace rotatebook

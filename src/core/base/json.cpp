@@ -7,8 +7,8 @@ namespace rotatebook {
 
 std::string jsonString(std::string_view text) {
   std::string json;
-  for (const char letter : quotedText(text)) {
-    letter == '<' ? json += "\\u003C" : json += letter;
+  for (const char character : quotedText(text)) {
+    character == '<' ? json += "\\u003C" : json += character;
   }
   return json;
 }

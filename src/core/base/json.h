@@ -1,4 +1,4 @@
-// JSON, written.
+// Functions that write JSON.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace rotatebook {
 
-/// `text` in quotation marks, as JSON has it; also within a <script>, which no "</script>" in it
-/// ends.
+/// Returns `text` as a JSON string, in quotation marks. It is safe within a <script>, too: no
+/// "</script>" in it ends the element.
 std::string jsonString(std::string_view text);
 
-/// "[a, b]" of values that are JSON.
+/// Returns "[a, b]" from values that are JSON already.
 std::string jsonArray(const std::vector<std::string>& values);
 
-/// The same of `items`, each of which `asJson` makes JSON of.
+/// Like jsonArray(), from the JSON that `asJson` makes of each of `items`.
 template <typename Items, typename AsJson>
 std::string jsonArrayOf(const Items& items, const AsJson& asJson) {
   std::vector<std::string> values;
@@ -22,19 +22,19 @@ std::string jsonArrayOf(const Items& items, const AsJson& asJson) {
   return jsonArray(values);
 }
 
-/// An object that is put together member by member.
+/// An object that is built member by member.
 class JsonObject {
  public:
-  /// `json` is JSON itself.
+  /// Adds a member whose value `json` is JSON already.
   JsonObject& add(std::string_view key, const std::string& json);
   JsonObject& addString(std::string_view key, std::string_view text);
-  /// null for an empty text.
+  /// Adds null if `text` is empty.
   JsonObject& addStringOrNull(std::string_view key, std::string_view text);
-  /// Finite.
+  /// Adds a number, which must be finite.
   JsonObject& addNumber(std::string_view key, double value);
   JsonObject& addBool(std::string_view key, bool value);
 
-  /// "{...}"
+  /// Returns "{...}".
   std::string text() const { return "{" + members_ + "}"; }
 
  private:

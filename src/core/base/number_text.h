@@ -5,11 +5,12 @@
 
 namespace rotatebook {
 
-/// Shortest decimal text that reads back to exactly `value`. "nan", "inf" and "-inf" where it isn't
-/// finite.
+/// Returns the shortest decimal text that reads back as exactly `value`; "nan", "inf" or "-inf" if
+/// it isn't finite.
 std::string shortestText(double value);
 
-/// `value` rounded to `digits` significant digits, 1 to 17, for people; as printf's "%.*g".
+/// Returns `value` rounded to `digits` significant digits, 1 to 17, for people; like printf's
+/// "%.*g".
 std::string roundedText(double value, int digits);
 
 }  // namespace rotatebook

@@ -8,27 +8,27 @@ namespace {
 
 constexpr std::string_view kDigits = "0123456789ABCDEF";
 
-std::string numbered(unsigned char code) {
+std::string unicodeEscape(unsigned char code) {
   return std::string("\\u00") + kDigits[code >> 4] + kDigits[code & 15];
 }
 
-/// What replaces the letter or the piece of one that `text`, not empty, begins with, if it is to be
-/// escaped: its escape, and its size. [bytes]
+/// An escape sequence, and the size of what it replaces at the beginning of a text. [bytes]
 struct Escape {
   std::string text;
   std::size_t size = 1;
 };
 
-/// Of a control character other than the tab and the line break.
+/// Escapes the control character that `text`, not empty, begins with; nullopt if it begins with
+/// none, or with a tab or line break.
 std::optional<Escape> controlEscape(std::string_view text) {
   const auto code = static_cast<unsigned char>(text.front());
   if (code == '\n' || code == '\t') return std::nullopt;
-  if (code < 0x20 || code == 0x7f) return Escape{numbered(code)};
-  // Some terminals obey those of U+0080 to U+009F, too.
+  if (code < 0x20 || code == 0x7f) return Escape{unicodeEscape(code)};
+  // Some terminals obey the control characters U+0080 to U+009F, too.
   if (code != 0xc2 || text.size() < 2) return std::nullopt;
   const auto second = static_cast<unsigned char>(text[1]);
   if (second < 0x80 || second > 0x9f) return std::nullopt;
-  return Escape{numbered(second), 2};
+  return Escape{unicodeEscape(second), 2};
 }
 
 std::optional<Escape> lineEscape(std::string_view text) {
@@ -67,8 +67,8 @@ bool beginsLetter(char byte) {
   return (static_cast<unsigned char>(byte) & 0xc0) != 0x80;
 }
 
-/// The size of the letter that `text`, not empty, begins with; 0 if it isn't UTF-8 (table 3-7 of
-/// the Unicode Standard). [bytes]
+/// Returns the size of the letter (code point) that `text`, not empty, begins with; 0 if it isn't
+/// UTF-8 (table 3-7 of the Unicode Standard). [bytes]
 std::size_t letterSize(std::string_view text) {
   const auto byte = [&](std::size_t i) -> unsigned {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
@@ -77,7 +77,7 @@ std::size_t letterSize(std::string_view text) {
   if (lead < 0x80) return 1;
   if (lead < 0xc2 || lead > 0xf4) return 0;
   const std::size_t size = lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
-  // Neither a longer form than is needed, nor half of a surrogate, nor beyond U+10FFFF.
+  // Rejects overlong forms, surrogates, and code points above U+10FFFF.
   const unsigned low = lead == 0xe0 ? 0xa0 : lead == 0xf0 ? 0x90 : 0x80;
   const unsigned high = lead == 0xed ? 0x9f : lead == 0xf4 ? 0x8f : 0xbf;
   if (byte(1) < low || byte(1) > high) return 0;
@@ -90,10 +90,10 @@ std::size_t letterSize(std::string_view text) {
 }  // namespace
 
 std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(kBlanks);
+  constexpr std::string_view kWhitespace = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kWhitespace);
   if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+  return text.substr(first, text.find_last_not_of(kWhitespace) - first + 1);
 }
 
 std::string joined(const std::vector<std::string>& parts, std::string_view between) {
@@ -127,8 +127,8 @@ std::string printable(std::string_view text) {
   return escaped(text, controlEscape);
 }
 
-std::string oneLine(std::string_view text, std::size_t most) {
-  const std::string_view shown = firstLetters(text, most);
+std::string oneLine(std::string_view text, std::size_t maxLetters) {
+  const std::string_view shown = firstLetters(text, maxLetters);
   return escaped(shown, lineEscape) + (shown.size() < text.size() ? "..." : "");
 }
 
@@ -147,12 +147,12 @@ std::size_t letterCount(std::string_view text) {
 }
 
 std::string_view firstLetters(std::string_view text, std::size_t count) {
-  constexpr std::size_t kLongestLetter = 4;  // [bytes]
-  const std::size_t most = std::min(text.size(), kLongestLetter * count);
-  for (std::size_t i = 0; i < most; ++i) {
+  constexpr std::size_t kMaxLetterSize = 4;  // [bytes]
+  const std::size_t end = std::min(text.size(), kMaxLetterSize * count);
+  for (std::size_t i = 0; i < end; ++i) {
     if (beginsLetter(text[i]) && count-- == 0) return text.substr(0, i);
   }
-  return text.substr(0, most);
+  return text.substr(0, end);
 }
 
 }  // namespace rotatebook

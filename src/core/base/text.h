@@ -1,4 +1,4 @@
-// Words for people: put together, counted, kept on a line. Text is UTF-8.
+// Functions that join, escape, count and shorten text for people. Text is UTF-8.
 #pragma once
 
 #include <cstddef>
@@ -9,13 +9,13 @@
 
 namespace rotatebook {
 
-/// `text` without blanks, tabs and ends of lines at its beginning and end.
+/// Returns `text` without spaces, tabs and line ends at its beginning and end.
 std::string_view trimmed(std::string_view text);
 
-/// "a, b, c" of the parts that aren't empty.
+/// Returns "a, b, c" from the parts that aren't empty.
 std::string joined(const std::vector<std::string>& parts, std::string_view between = ", ");
 
-/// The same of `items`, each of which `textOf` makes a string of.
+/// Like joined(), from the strings that `textOf` makes of `items`.
 template <typename Items, typename TextOf>
 std::string joinedOf(const Items& items, const TextOf& textOf) {
   std::vector<std::string> parts;
@@ -23,32 +23,32 @@ std::string joinedOf(const Items& items, const TextOf& textOf) {
   return joined(parts);
 }
 
-/// "a, b and c", with the given word before the last; "nothing" of no parts.
+/// Returns "a, b and c", with `lastWord` before the last part; "nothing" if there are no parts.
 std::string listed(const std::vector<std::string>& parts, std::string_view lastWord = "and");
 
-/// "640x360"
+/// Returns a size as "640x360".
 std::string sizeText(std::int64_t width, std::int64_t height);
 
-/// In quotation marks, with escapes for these, backslashes and control characters; both TOML and
-/// JSON read it back.
+/// Returns `text` in quotation marks, with escapes for quotation marks, backslashes and control
+/// characters; both TOML and JSON read it back.
 std::string quotedText(std::string_view text);
 
-/// `text` with an escape for each control character but tab and line break, so that a terminal
-/// doesn't obey it.
+/// Returns `text` with an escape for each control character except tabs and line breaks, so that a
+/// terminal doesn't obey it.
 std::string printable(std::string_view text);
 
-/// `text` on one line: as printable(), but tabs and line breaks, too; the first `most` letters and
-/// "..." if it has more.
-std::string oneLine(std::string_view text, std::size_t most);
+/// Returns `text` on one line: like printable(), but with escapes for tabs and line breaks, too;
+/// cut after `maxLetters` letters, with "..." for the rest.
+std::string oneLine(std::string_view text, std::size_t maxLetters);
 
-/// Whether it is UTF-8 (RFC 3629) without control characters of ASCII.
+/// Returns whether `text` is UTF-8 (RFC 3629) without ASCII control characters.
 bool isOneLine(std::string_view text);
 
-/// How many letters (code points) it has.
+/// Returns the number of letters (code points) in `text`.
 std::size_t letterCount(std::string_view text);
 
-/// Its first `count` letters, all if it has fewer. What isn't UTF-8 may end between two bytes: a
-/// letter has at most four.
+/// Returns the first `count` letters, or all if there are fewer. Text that isn't UTF-8 may be cut
+/// between any two bytes: no letter counts as more than four.
 std::string_view firstLetters(std::string_view text, std::size_t count);
 
 }  // namespace rotatebook

@@ -3,7 +3,7 @@
 
 namespace rotatebook {
 
-/// "MAJOR.MINOR.PATCH", from CMakeLists.txt.
+/// "MAJOR.MINOR.PATCH", as CMakeLists.txt sets it.
 extern const char* const kVersion;
 
 }  // namespace rotatebook

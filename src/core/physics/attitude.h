@@ -1,5 +1,5 @@
-// What every integrator does with an attitude, be it a quaternion or a matrix; world from principal
-// axes.
+// Operations of all integrators on an attitude, be it a quaternion or a matrix; an attitude maps
+// principal axes to the world.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace rotatebook::physics {
 
-/// The map of vectors that the attitude stands for; a rotation, or what drift has made of it.
+/// Returns the linear map that the attitude represents: a rotation, or what drift has made of one.
 inline Eigen::Matrix3d mapOf(const Eigen::Quaterniond& attitude) {
   return unnormalisedMatrix(attitude);
 }
@@ -19,7 +19,7 @@ inline const Eigen::Matrix3d& mapOf(const Eigen::Matrix3d& attitude) {
   return attitude;
 }
 
-/// Turns by the unit quaternion `turn`, given in the world's axes.
+/// Rotates by the unit quaternion `turn`, given in world axes.
 inline void turnInWorld(Eigen::Quaterniond& attitude, const Eigen::Quaterniond& turn) {
   attitude = turn * attitude;
 }
@@ -27,7 +27,7 @@ inline void turnInWorld(Eigen::Matrix3d& attitude, const Eigen::Quaterniond& tur
   attitude = unnormalisedMatrix(turn) * attitude;
 }
 
-/// Turns by the unit quaternion `turn`, given in the body's axes.
+/// Rotates by the unit quaternion `turn`, given in body axes.
 inline void turnInBody(Eigen::Quaterniond& attitude, const Eigen::Quaterniond& turn) {
   attitude = attitude * turn;
 }
@@ -35,7 +35,7 @@ inline void turnInBody(Eigen::Matrix3d& attitude, const Eigen::Quaterniond& turn
   attitude = attitude * unnormalisedMatrix(turn);
 }
 
-/// Time derivative, from the angular velocity in the body's axes: q (0, w) / 2 or R [w]x. [1/s]
+/// Returns the derivative at the angular velocity `w` in body axes: q (0, w) / 2 or R [w]x. [1/s]
 inline Eigen::Quaterniond rateInBody(const Eigen::Quaterniond& attitude, const Eigen::Vector3d& w) {
   const Eigen::Vector3d half = w / 2;
   return attitude * Eigen::Quaterniond(0, half.x(), half.y(), half.z());
@@ -44,7 +44,7 @@ inline Eigen::Matrix3d rateInBody(const Eigen::Matrix3d& attitude, const Eigen::
   return attitude * crossMatrix(w);
 }
 
-/// attitude + factor * rate, component by component.
+/// Returns attitude + factor * rate, component by component.
 inline Eigen::Quaterniond addScaled(const Eigen::Quaterniond& attitude, double factor,
                                     const Eigen::Quaterniond& rate) {
   return Eigen::Quaterniond(attitude.coeffs() + factor * rate.coeffs());
@@ -54,8 +54,8 @@ inline Eigen::Matrix3d addScaled(const Eigen::Matrix3d& attitude, double factor,
   return attitude + factor * rate;
 }
 
-/// 1/sqrt(x), to rounding. Near 1, where an attitude is after a short step, by its series, because
-/// that is done sooner than a root and a division.
+/// Returns 1/sqrt(x), to rounding. Near 1, where the squared norm of an attitude is after a short
+/// step, a series is faster than a root and a division.
 inline double inverseRoot(double x) {
   constexpr double kNearOne = 1e-4;  // The next term of the series is below 3e-17 here.
   const double e = x - 1;
@@ -63,7 +63,7 @@ inline double inverseRoot(double x) {
   return (1 - e / 2) + e * e * (0.375 - 0.3125 * e);
 }
 
-/// Undoes drift: the nearest attitude of unit norm, or the nearest orthogonal matrix.
+/// Undoes drift: takes the nearest quaternion of unit norm, or the nearest orthogonal matrix.
 inline void normalize(Eigen::Quaterniond& attitude) {
   attitude.coeffs() *= inverseRoot(attitude.squaredNorm());
 }

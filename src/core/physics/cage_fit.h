@@ -12,7 +12,7 @@ class CageFit {
  public:
   explicit CageFit(const Cuboid& body);
 
-  /// The linear map of the body that comes nearest to `cage`, wherever its centre is.
+  /// Returns the linear map of the body that is closest to `cage`, wherever its centre is.
   Eigen::Matrix3d worldFromBody(const Cage& cage) const { return cage * mapFromCage_; }
 
  private:

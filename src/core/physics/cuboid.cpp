@@ -3,7 +3,7 @@
 namespace rotatebook::physics {
 namespace {
 
-// The sums b^2+c^2, a^2+c^2, a^2+b^2 that both moments of inertia are made of.
+// Returns b^2+c^2, a^2+c^2, a^2+b^2, to which both kinds of moments are proportional.
 Eigen::Vector3d squaredDistancesFromAxes(const Eigen::Vector3d& size) {
   const Eigen::Vector3d squares = size.cwiseAbs2();
   return {squares.y() + squares.z(), squares.x() + squares.z(), squares.x() + squares.y()};

@@ -13,10 +13,10 @@
 namespace rotatebook::physics {
 namespace {
 
-// Of the largest entry: what rounding leaves in a tensor that a program has computed.
+// Rounding that is allowed in a computed tensor, as a fraction of its largest entry.
 constexpr double kRounding = 1e-12;
 
-// Products of several moments and spins are still normal numbers. [kg m^2]
+// Keeps products of several moments and spins normal numbers. [kg m^2]
 constexpr double kMinMoment = 1e-30;
 
 void checkSymmetric(const Eigen::Matrix3d& tensor) {
@@ -32,13 +32,13 @@ void checkSymmetric(const Eigen::Matrix3d& tensor) {
   }
 }
 
-// Of the largest: what pairs of doubles leave of a number that is 0. [1]
-constexpr double kPairRounding = 0x1p-96;
+// Residue of double-double arithmetic where a number should be 0, as a fraction of the largest.
+constexpr double kResidue = 0x1p-96;
 
 using Matrix = std::array<DoubleDouble3, 3>;  // rows
 
-// One of Jacobi's rotations: makes the symmetric tensor's entry (p, q) 0, and turns the columns of
-// `axes` likewise. (Golub and Van Loan, section 8.5)
+// Applies the Jacobi rotation that makes the symmetric tensor's entry (p, q) 0, and rotates the
+// columns of `axes` likewise. (Golub and Van Loan, section 8.5)
 void annul(std::size_t p, std::size_t q, Matrix& tensor, Matrix& axes) {
   const DoubleDouble entry = tensor[p][q];
   if (entry.high == 0) return;
@@ -62,9 +62,9 @@ void annul(std::size_t p, std::size_t q, Matrix& tensor, Matrix& axes) {
   for (DoubleDouble3& row : axes) turn(row[p], row[q]);
 }
 
-// Turns `tensor` to diagonal form; returns the axes as columns. Its entries are under 2.
+// Diagonalizes `tensor`, whose entries are under 2, in place; returns its axes as columns.
 Matrix diagonalize(Matrix& tensor) {
-  constexpr int kSweeps = 12;  // measured 5: each squares what is left
+  constexpr int kSweeps = 12;  // measured 5: each squares the remainder
   constexpr double kEnough = 1e-33;
   Matrix axes{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
@@ -77,14 +77,14 @@ Matrix diagonalize(Matrix& tensor) {
   return axes;
 }
 
-// Smallest moment first; near-equal moments equal; right-handed.
+// Sorts the moments, smallest first; makes nearly equal ones equal and the axes right-handed.
 PrincipalAxes sorted(DoubleDouble3 moments, const Matrix& columns, double unit) {
   std::array<std::size_t, 3> order{0, 1, 2};
   std::ranges::stable_sort(order, [&](auto a, auto b) { return moments[a] < moments[b]; });
-  const double least = kPairRounding * moments[order[2]].high;
+  const double minGap = kResidue * moments[order[2]].high;
   for (std::size_t i = 1; i < 3; ++i) {
     DoubleDouble &before = moments[order[i - 1]], &here = moments[order[i]];
-    if (std::fabs((here - before).high) < least) here = before;
+    if (std::fabs((here - before).high) < minGap) here = before;
   }
   PrincipalAxes axes;
   for (int i = 0; i < 3; ++i) {
@@ -104,23 +104,24 @@ PrincipalAxes sorted(DoubleDouble3 moments, const Matrix& columns, double unit) 
   return axes;
 }
 
-// Rounded, because what an eigensolver finds is only near a whole number.
+// Rounds the moments for people: an eigensolver comes only near a whole number.
 std::string momentsText(const Eigen::Vector3d& moments) {
   const auto text = [](double moment) { return roundedText(moment, 9); };
   return "its principal moments are " + text(moments[0]) + ", " + text(moments[1]) + " and " +
          text(moments[2]) + " kg m^2";
 }
 
-// How far rounding may have turned an axis: the farther, the closer its moment is to another. So
-// close that this is more than rounding of a double, they let no spin grow.
+// Returns the angle by which rounding may have turned an axis: the larger, the closer its moment is
+// to another. It is capped at the rounding of a double, because moments so close that it would be
+// larger let no spin grow. [rad]
 double axisRounding(const Eigen::Vector3d& moments, int axis) {
   constexpr double kMax = 0x1p-60;
-  double least = moments.maxCoeff();
+  double minGap = moments.maxCoeff();
   for (int other = 0; other < 3; ++other) {
     const double gap = std::fabs(moments[other] - moments[axis]);
-    if (gap > 0) least = std::min(least, gap);
+    if (gap > 0) minGap = std::min(minGap, gap);
   }
-  return std::min(kMax, kPairRounding * moments.maxCoeff() / least);
+  return std::min(kMax, kResidue * moments.maxCoeff() / minGap);
 }
 
 }  // namespace

@@ -7,39 +7,39 @@
 
 namespace rotatebook::physics {
 
-/// An inertia tensor taken apart: P diag(moments) P^T.
+/// The eigendecomposition of an inertia tensor, P diag(moments) P^T.
 struct PrincipalAxes {
   Eigen::Vector3d moments{1, 1, 1};  ///< [kg m^2]
-  /// P, a rotation: its columns are the principal axes in the body's own.
+  /// P, a rotation: its columns are the principal axes in body axes.
   Eigen::Matrix3d bodyFromPrincipal = Eigen::Matrix3d::Identity();
 
-  /// What both lack of twice a double's precision, in which they were computed. [kg m^2]
+  /// The low parts of both, which are double-double numbers. [kg m^2]
   Eigen::Vector3d momentsLow{0, 0, 0};
   Eigen::Matrix3d bodyFromPrincipalLow = Eigen::Matrix3d::Zero();
 
-  /// The moments to twice a double's precision. [kg m^2]
+  /// Returns the moments as double-double numbers. [kg m^2]
   DoubleDouble3 preciseMoments() const;
-  /// P^T v, to 1e-29 of |v|, and less where moments are close; components under that are 0, unless
-  /// P is the identity, which takes v as it is. So a spin about an axis of a turned tensor stays
-  /// about it.
+  /// Returns P^T v, to 1e-29 of |v|, less precisely where moments are close. Components below that
+  /// error are set to 0, so that a spin about a principal axis of a rotated tensor stays about it;
+  /// where P is the identity, v is returned as it is.
   DoubleDouble3 alongPrincipal(const Eigen::Vector3d& v) const;
 
-  /// The angular velocity that belongs to an angular momentum, both along the body's axes.
+  /// Returns the angular velocity that belongs to an angular momentum, both in body axes.
   Eigen::Vector3d angularVelocity(const Eigen::Vector3d& momentum) const;
-  /// The other way round.
+  /// Returns the angular momentum that belongs to an angular velocity, both in body axes.
   Eigen::Vector3d angularMomentum(const Eigen::Vector3d& velocity) const;
 };
 
-/// Throws InputError with the reason if no body can have this inertia tensor [kg m^2]: not
-/// symmetric, not positive definite, or one principal moment larger than the sum of the others.
-/// Rounding in the last digits (1e-12 of the largest entry) is forgiven, and a moment that is no
-/// more than that is refused as 0; so is a body whose moments are all under 1e-30.
+/// Throws InputError with the reason if no body can have this inertia tensor [kg m^2]: it is not
+/// finite, not symmetric, not positive definite, or has a principal moment larger than the sum of
+/// the other two. Rounding in the last digits (1e-12 of the largest entry) is allowed, so a moment
+/// no larger than that is rejected as 0; so is a body whose moments are all under 1e-30.
 void checkInertia(const Eigen::Matrix3d& tensor);
 
-/// The principal axes of a symmetric tensor. One that is diagonal keeps the order of its axes, with
-/// P exactly the identity; else the moments come smallest first, with moments that agree to 1e-29
-/// of the largest made equal. By Jacobi's rotations in pairs of doubles, which take the tensor's
-/// numbers as exact.
+/// Returns the principal axes of a symmetric tensor. A diagonal tensor keeps the order of its axes,
+/// with P exactly the identity; otherwise the moments are sorted, smallest first, and moments that
+/// agree to 1e-29 of the largest are made equal. Uses Jacobi rotations in double-double arithmetic,
+/// which take the tensor's entries as exact.
 PrincipalAxes principalAxes(const Eigen::Matrix3d& tensor);
 
 }  // namespace rotatebook::physics

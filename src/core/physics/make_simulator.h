@@ -1,4 +1,4 @@
-// From the settings of a motion to its simulator.
+// The factory of simulators.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace rotatebook::physics {
 
-/// The simulator that `settings` ask for, at t = 0. Throws InputError as InitialSpin::tilted()
-/// does, and if the model doesn't have the integrator.
+/// Creates the simulator that `settings` specify, at t = 0. Throws InputError as
+/// InitialSpin::tilted() does, and if the model doesn't have the integrator.
 std::unique_ptr<Simulator> makeSimulator(const MotionSettings& settings);
 
 }  // namespace rotatebook::physics

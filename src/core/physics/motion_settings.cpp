@@ -10,7 +10,7 @@
 namespace rotatebook::physics {
 namespace {
 
-// Sine of the angle to the axis below which two directions count as one. Numbers that a person
+// Sine of the angle to the axis below which two directions count as parallel. Numbers that a person
 // writes are either exactly parallel or far from it; rounding in a program that computed them stays
 // below this.
 constexpr double kParallel = 1e-12;
@@ -37,13 +37,13 @@ Eigen::Vector3d InitialSpin::tilted() const {
   const double length = value.norm();
   const Eigen::Vector3d direction = value / length;
 
-  // The part across the axis is summed from its own components: 1 - cos^2 would lose them near the
-  // axis.
+  // Compute the part across the axis from its own components: 1 - cos^2 would lose its digits near
+  // the axis.
   const double along = direction[axis];
   const double across = roundedHypotenuse(direction[(axis + 1) % 3], direction[(axis + 2) % 3]);
   if (!(across > kParallel)) throwParallel(value, axis);
 
-  // The unit vector square to `direction`, in the plane with the axis and on the axis' side.
+  // The unit vector perpendicular to `direction`, in its plane with the axis, on the axis' side.
   Eigen::Vector3d toward = -along / across * direction;
   toward[axis] = across;
   return length * (cosine(tilt->angle) * direction + sine(tilt->angle) * toward);

@@ -1,4 +1,4 @@
-// What a motion is simulated from.
+// The settings from which a motion is simulated.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace rotatebook::physics {
 
-/// The paper's three ways of simulating a book, and the truth.
+/// The paper's three models of a book, and the exact motion.
 enum class Model {
   Particles,   ///< Eight particles joined by 28 damped springs.
   Matrix,      ///< A rigid body whose attitude is a rotation matrix.
@@ -20,53 +20,54 @@ enum class Model {
   Exact,       ///< A rigid body's motion in closed form, without steps.
 };
 
-/// The integrators that `model` has, none for Model::Exact.
+/// Returns the integrators that `model` has; none for Model::Exact.
 std::vector<Integrator> integratorsOf(Model model);
-/// Whether `integrator` is one of them.
+/// Returns whether `model` has `integrator`.
 bool isFor(Model model, Integrator integrator);
-/// The integrator of `model` unless a scene states one: Rk4 for the rigid models, which then stay
-/// close to the exact motion; for the particles Euler, the paper's. Model::Exact doesn't use it.
+/// Returns the integrator that `model` uses if a scene states none: Rk4 for the rigid models, which
+/// stay close to the exact motion with it; for the particles Euler, the paper's. Model::Exact
+/// doesn't use it.
 Integrator defaultIntegrator(Model model);
 
-/// How the motion is simulated.
+/// The model of a motion, and the steps by which it is simulated.
 struct SimulationSettings {
   Model model = Model::Quaternion;
   /// One of integratorsOf(model); unused by Model::Exact.
   Integrator integrator = defaultIntegrator(model);
-  /// Undo the integrator's drift after each step: the energy of the particles, the shape of the
-  /// rigid models.
+  /// Undoes the integrator's drift after each step: in the energy of the particles, in the shape of
+  /// the rigid models.
   bool normalize = true;
   /// Particles only: fraction of the paper's critical damping 2 sqrt(k m), >= 0.
   double damping = 1.0;
-  double stiffness = 2000.0;       ///< Particles only: of each spring, > 0. [N/m]
-  double timePerFrame = 1.0 / 60;  ///< From a sample of the trajectory to the next, > 0. [s]
-  int substeps = 64;               ///< Integration steps from a sample to the next, >= 1.
+  double stiffness = 2000.0;       ///< Particles only: stiffness of each spring, > 0. [N/m]
+  double timePerFrame = 1.0 / 60;  ///< Time between samples of the trajectory, > 0. [s]
+  int substeps = 64;               ///< Integration steps between samples, >= 1.
 
   friend bool operator==(const SimulationSettings&, const SimulationSettings&) = default;
 };
 
-/// Turns a vector by `angle` toward a coordinate axis.
+/// A rotation of a vector by `angle` toward a coordinate axis.
 struct Tilt {
-  double angle = 0;  ///< Of a size up to kLargestAngle. [rad]
+  double angle = 0;  ///< From -kLargestAngle to kLargestAngle. [rad]
   int axis = 0;      ///< 0, 1, 2: x, y, z
 
   friend bool operator==(const Tilt&, const Tilt&) = default;
 };
 
-/// The spin at t = 0, when body and world axes agree.
+/// The spin at t = 0, when body and world axes coincide.
 struct InitialSpin {
   enum class Kind { AngularVelocity, AngularMomentum };
 
   Kind kind = Kind::AngularVelocity;
   Eigen::Vector3d value{0, 0, 0};  ///< Not zero. [rad/s] or [kg m^2/s]
-  std::optional<Tilt> tilt{};      ///< Turns `value` before use.
+  std::optional<Tilt> tilt{};      ///< Applied to `value` before use.
 
-  /// `value` turned by `tilt`. Throws InputError if it points along the tilt's axis, where no turn
-  /// is defined.
+  /// Returns `value` rotated by `tilt`. Throws InputError if it points along the tilt's axis, where
+  /// no rotation is defined.
   Eigen::Vector3d tilted() const;
-  /// The angular velocity of a body with this inertia. [rad/s]
+  /// Returns the angular velocity of a body with this inertia, in body axes. [rad/s]
   Eigen::Vector3d angularVelocity(const PrincipalAxes& inertia) const;
-  /// The same along the principal axes, to twice a double's precision. [rad/s]
+  /// Like angularVelocity(), but along the principal axes and in double-double numbers. [rad/s]
   DoubleDouble3 alongPrincipal(const PrincipalAxes& inertia) const;
 
   friend bool operator==(const InitialSpin&, const InitialSpin&) = default;
@@ -77,7 +78,7 @@ struct MotionSettings {
   Cuboid body;
   SimulationSettings simulation;
   InitialSpin initial;
-  /// Tensor about the body's axes, in place of the solid cuboid's. Not for the particles, which
+  /// Inertia tensor in body axes, which replaces the solid cuboid's. Not for the particles, which
   /// have their own. [kg m^2]
   std::optional<Eigen::Matrix3d> inertia{};
 

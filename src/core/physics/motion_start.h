@@ -8,9 +8,9 @@
 
 namespace rotatebook::physics {
 
-/// The inertia of the model that `settings` ask for: the particles' own, or the rigid body's.
+/// Returns the inertia of the model in `settings`: of the particles, or of the rigid body.
 PrincipalAxes modelInertia(const MotionSettings& settings);
-/// The angular velocity that the motion starts with. Throws InputError as InitialSpin::tilted()
+/// Returns the angular velocity at t = 0, in body axes. Throws InputError as InitialSpin::tilted()
 /// does. [rad/s]
 Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings);
 

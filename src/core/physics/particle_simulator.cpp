@@ -12,7 +12,7 @@ namespace rotatebook::physics {
 namespace {
 
 constexpr int kParticles = 8;
-// Least kinetic energy that normalisation leaves, as a fraction of the energy at t = 0.
+// Minimum kinetic energy after normalisation, as a fraction of the energy at t = 0.
 constexpr double kEnergyFloor = 0.1;
 
 Points fromEigen(const Cage& cage) {
@@ -44,7 +44,7 @@ Cage turningVelocities(const Cage& cage, const Eigen::Vector3d& angularVelocity)
   return velocities;
 }
 
-// About the point that `arms` start from.
+// Returns the inertia tensor about the point from which `arms` start.
 Eigen::Matrix3d inertiaTensor(const Cage& arms, double mass) {
   const Eigen::Matrix3d products = arms * arms.transpose();
   return mass * (products.trace() * Eigen::Matrix3d::Identity() - products);
@@ -100,8 +100,8 @@ BodyState ParticleSimulator::state() const {
   const Cage arms = cage.colwise() - cage.rowwise().mean().eval();
   const Eigen::Matrix3d inertia = inertiaTensor(arms, state_.mass());
   result.angularMomentum = angularMomentumOf(arms, toEigen(state_.velocities()), state_.mass());
-  // The smallest solution, which stays finite where the particles lie on one line and their inertia
-  // is singular.
+  // Take the minimum-norm solution, which stays finite where the particles are collinear and their
+  // inertia is singular.
   result.angularVelocity = inertia.completeOrthogonalDecomposition().solve(result.angularMomentum);
   result.kinetic = state_.kineticEnergy();
   result.potential = state_.potentialEnergy();

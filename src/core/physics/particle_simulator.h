@@ -1,4 +1,4 @@
-// The paper's first way: eight particles joined by springs.
+// The paper's first model: eight particles joined by springs.
 #pragma once
 
 #include "physics/cage_fit.h"
@@ -8,23 +8,23 @@
 
 namespace rotatebook::physics {
 
-/// Particles of mass m = M/8 at the corners, each pair joined by a spring of stiffness k at its
-/// rest length and by a damper along it. The limits of their integrators' steps follow from the
-/// network's largest eigenvalue, 8 k/m.
+/// Simulates particles of mass m = M/8 at the corners, each pair joined by a spring of stiffness k,
+/// at its rest length at t = 0, and by a damper along it. The step limits of the integrators follow
+/// from the network's largest eigenvalue, 8 k/m.
 ///
 /// Damping is given as a fraction of 2 sqrt(k m), which the paper derives for one particle on a
-/// fixed wall. A pair has the reduced mass m/2 and would be critical at sqrt(2 k m): the paper's
+/// fixed wall. A pair has the reduced mass m/2 and is critically damped at sqrt(2 k m): the paper's
 /// setting 1 overdamps a lone pair by sqrt(2).
 ///
-/// Normalisation undoes the energy error of each step by scaling the velocities to the kinetic
-/// energy that is left beside the springs, E - U, and keeps the centre of mass at rest in the
-/// origin. L is scaled with the velocities: normalised, no integrator keeps it. E - U is kept at
-/// E/10 or more, as the paper's published program does: where nearly all energy has gone into
-/// springs its square root would be imaginary. Where this floor bites, that is U > 0.9 E, the
-/// energy after a step is U + E/10, more than E.
+/// Normalisation undoes the energy error of each step: it scales the velocities to the kinetic
+/// energy that the springs leave, E - U, and keeps the centre of mass at rest at the origin. It
+/// scales L with the velocities: normalised, no integrator keeps it. E - U is kept at E/10 or more,
+/// as in the paper's published program: where nearly all energy has gone into springs, its square
+/// root would be imaginary. Where this floor applies, that is U > 0.9 E, the energy after a step is
+/// U + E/10, more than E.
 class ParticleSimulator final : public Simulator {
  public:
-  /// Steps by `step`, whatever integrator the settings name.
+  /// Uses `step`, whatever integrator the settings name.
   ParticleSimulator(const MotionSettings& settings, ParticleStep step);
 
   void advance(double h, int steps) override;

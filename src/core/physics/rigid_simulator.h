@@ -1,4 +1,4 @@
-// The paper's second and third way: a rigid body whose attitude is a matrix or a quaternion.
+// The paper's second and third models: a rigid body whose attitude is a matrix or a quaternion.
 #pragma once
 
 #include <memory>
@@ -11,23 +11,23 @@
 
 namespace rotatebook::physics {
 
-/// Its state at t = 0, when the body's axes are the world's.
+/// Returns a rigid body's state at t = 0, when body and world axes coincide.
 template <typename Attitude, bool kMomentumInBody>
 RigidState<Attitude> startOf(const PrincipalAxes& axes, const Eigen::Vector3d& momentum) {
   const Eigen::Matrix3d& map = axes.bodyFromPrincipal;
   return {Attitude(map), kMomentumInBody ? momentum : Eigen::Vector3d(map * momentum)};
 }
 
-/// Its constants, from the angular velocity at t = 0. [rad/s]
+/// Returns a rigid body's constants, from the angular velocity at t = 0. [rad/s]
 inline RigidConstants constantsOf(const PrincipalAxes& axes,
                                   const Eigen::Vector3d& angularVelocity) {
   const Eigen::Vector3d along = axes.bodyFromPrincipal.transpose() * angularVelocity;
   return {axes.moments, axes.moments.cwiseInverse(), axes.moments.cwiseProduct(along)};
 }
 
-/// A free rigid body whose attitude is an Eigen::Matrix3d or Eigen::Quaterniond. If normalised,
-/// each step ends with the nearest attitude that is orthogonal or of unit norm. Drawn by the map
-/// that the attitude stands for, be it a rotation or not.
+/// Simulates a free rigid body whose attitude is an Eigen::Matrix3d or Eigen::Quaterniond. If
+/// normalised, each step ends with the nearest attitude that is orthogonal or of unit norm. The
+/// body is drawn by the map that the attitude represents, whether or not that is a rotation.
 template <typename Attitude, RigidIntegrator Method>
 class RigidSimulator final : public Simulator {
  public:
@@ -36,7 +36,7 @@ class RigidSimulator final : public Simulator {
 
   void advance(double h, int steps) override {
     const Method method(body_, h);
-    RigidState<Attitude> state = state_;  // in registers
+    RigidState<Attitude> state = state_;  // a copy that stays in registers
     for (int step = 0; step < steps; ++step) {
       method.step(state);
       if (normalize_) normalize(state.attitude);
@@ -73,7 +73,8 @@ class RigidSimulator final : public Simulator {
   bool normalize_;
 };
 
-/// The simulator for Model::Matrix or Model::Quaternion. Throws InputError as makeSimulator() does.
+/// Creates the simulator for Model::Matrix or Model::Quaternion. Throws InputError as
+/// makeSimulator() does.
 template <RigidIntegrator Method>
 std::unique_ptr<Simulator> makeRigidSimulator(const MotionSettings& settings) {
   if (settings.simulation.model == Model::Matrix) {

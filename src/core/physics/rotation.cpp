@@ -10,11 +10,11 @@ namespace {
 
 // The Newton iteration converges quadratically: after a step of size s the error is about s^2 / 2.
 constexpr double kSmallLastStep = 1e-9;
-// Entries of X^T X - 1 up to which X counts as a rotation. Measured 2.5e-15 in 1440 frames of
+// Largest entry of X^T X - 1 for which X counts as a rotation. Measured 2.5e-15 in 1440 frames of
 // normalised Euler steps, and 1.1e-15 in closed form.
 constexpr double kRounding = 4e-15;
-// From a well-shaped map six steps do; a map that needs more is nearly flat, and the SVD is the
-// better tool.
+// Well-conditioned maps need six steps; a map that needs more than twelve is nearly singular, and
+// the SVD handles it better.
 constexpr int kMaxNewtonSteps = 12;
 
 using Svd = Eigen::JacobiSVD<Eigen::Matrix3d>;
@@ -28,7 +28,7 @@ bool isRotation(const Eigen::Matrix3d& map) {
   return strain.cwiseAbs().maxCoeff() < kRounding && map.determinant() > 0;
 }
 
-// Determinant times inverse, transposed.
+// Returns det(m) m^-T.
 Eigen::Matrix3d cofactors(const Eigen::Matrix3d& m) {
   Eigen::Matrix3d result;
   result.col(0) = m.col(1).cross(m.col(2));
@@ -39,8 +39,8 @@ Eigen::Matrix3d cofactors(const Eigen::Matrix3d& m) {
 
 }  // namespace
 
-// Newton's iteration X <- (X + X^-T)/2 (Higham 1986), some twenty times faster than the SVD near a
-// rotation.
+// Uses Newton's iteration X <- (X + X^-T)/2 (Higham 1986), some twenty times faster than the SVD
+// near a rotation.
 Eigen::Matrix3d polarFactor(const Eigen::Matrix3d& map) {
   Eigen::Matrix3d x = map;
   for (int step = 0; step < kMaxNewtonSteps; ++step) {
@@ -50,7 +50,7 @@ Eigen::Matrix3d polarFactor(const Eigen::Matrix3d& map) {
     x += change;
     if (change.cwiseAbs().maxCoeff() < kSmallLastStep) return x;
   }
-  // Of what is not finite the SVD would make the identity, and hide that the motion has blown up.
+  // The SVD would make the identity of a map that isn't finite, and hide that the motion blew up.
   if (!map.allFinite()) return Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
   const Svd svd = fullSvd(map);
   return svd.matrixU() * svd.matrixV().transpose();

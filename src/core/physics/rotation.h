@@ -1,4 +1,4 @@
-// Rotations, and the maps that ought to be rotations.
+// Rotations, and linear maps that should be rotations.
 #pragma once
 
 #include <Eigen/Core>
@@ -6,7 +6,7 @@
 
 namespace rotatebook::physics {
 
-/// The matrix [w]x with [w]x v = w x v.
+/// Returns the matrix [w]x, for which [w]x v = w x v.
 inline Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& w) {
   Eigen::Matrix3d result;
   result << 0, -w.z(), w.y(),  //
@@ -15,9 +15,8 @@ inline Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& w) {
   return result;
 }
 
-/// A(q), the textbook conversion of a unit quaternion to a rotation matrix, applied as it stands:
-/// of a quaternion that is not of unit norm it makes a map that isn't a rotation. A(conj q) is its
-/// transpose.
+/// Returns A(q), the textbook matrix of a unit quaternion, without dividing by |q|^2: for a
+/// quaternion that isn't of unit norm, this map isn't a rotation. A(conj q) is its transpose.
 inline Eigen::Matrix3d unnormalisedMatrix(const Eigen::Quaterniond& q) {
   const double w = q.w(), x = q.x(), y = q.y(), z = q.z();
   Eigen::Matrix3d result;
@@ -27,20 +26,19 @@ inline Eigen::Matrix3d unnormalisedMatrix(const Eigen::Quaterniond& q) {
   return result;
 }
 
-/// The orthogonal matrix nearest to `map`: U V^T where `map` = U S V^T, to 1e-14. Its determinant
-/// has the sign of that of `map`. Not finite if `map` isn't.
+/// Returns the orthogonal matrix closest to `map`: U V^T where `map` = U S V^T, to 1e-14. Its
+/// determinant has the sign of that of `map`. Not finite if `map` isn't.
 Eigen::Matrix3d polarFactor(const Eigen::Matrix3d& map);
 
-/// A linear map taken apart into a rotation and stretches.
+/// A polar decomposition: a linear map as a rotation and stretches.
 struct Polar {
-  Eigen::Matrix3d rotation;  ///< The proper rotation nearest to the map, even where the map turns
-                             ///< it inside out.
+  Eigen::Matrix3d rotation;  ///< The proper rotation closest to the map, even if the map mirrors.
   Eigen::Vector3d singularValues;  ///< >= 0, largest first.
 };
 
-/// Takes `map`, which is finite, apart; a rotation, to rounding, is returned as it is, with
-/// singular values of 1. Where its determinant is negative the direction of the smallest singular
-/// value is taken as turned inside out (Kabsch 1976).
+/// Decomposes `map`, which must be finite. A map that is a rotation, to rounding, is returned as it
+/// is, with singular values of 1. If its determinant is negative, the direction of the smallest
+/// singular value is taken as mirrored (Kabsch 1976).
 Polar polarDecomposition(const Eigen::Matrix3d& map);
 
 }  // namespace rotatebook::physics

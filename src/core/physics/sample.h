@@ -1,4 +1,4 @@
-// A body at one moment, measured.
+// The measured state of a body at one moment.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,11 +9,11 @@
 
 namespace rotatebook::physics {
 
-/// The body at one moment, measured; world axes, SI units unless said otherwise.
+/// The measured state of a body at one moment; world axes, SI units unless stated otherwise.
 struct Sample {
   double time = 0;  ///< Simulated time. [s]
-  /// World from body; polar rotation of BodyState::worldFromBody. w >= 0 at the start, then of
-  /// continuous sign.
+  /// World from body: the rotation in the polar decomposition of BodyState::worldFromBody. w >= 0
+  /// at the start; its sign is continuous after that.
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
   Eigen::Vector3d angularVelocity{0, 0, 0};  ///< [rad/s]
   Eigen::Vector3d angularMomentum{0, 0, 0};  ///< About the centre of mass. [kg m^2/s]
@@ -21,18 +21,18 @@ struct Sample {
   double potential = 0;                      ///< [J]
   double rotational = 0;  ///< Kinetic energy of the best-fitting rigid motion. [J]
   double tiltDeg = 0;     ///< Angle between the spun body axis and the angular momentum. [degrees]
-  /// How often the tilt has gone from under 60 to over 120 degrees or back while the body was no
-  /// farther deformed than keepsItsShape() allows. What comes after that isn't counted.
+  /// Number of times that the tilt has gone from under 60 to over 120 degrees or back, before the
+  /// body was first deformed beyond what keepsItsShape() allows.
   int halfTurns = 0;
   double stretchMin = 1;  ///< Smallest singular value of BodyState::worldFromBody.
-  double stretchMax = 1;  ///< Largest one.
+  double stretchMax = 1;  ///< Largest singular value of it.
   /// Angle of the rotation between the attitude and that of the exact rigid motion from the same
-  /// start. [degrees]
+  /// initial state. [degrees]
   double errorDeg = 0;
-  /// The rigid motion that this angular velocity, seen from this attitude, begins; of Model::Exact
-  /// that of its start.
+  /// Regime of the rigid motion that would start from this attitude and angular velocity; for
+  /// Model::Exact, that of its initial state.
   Regime regime = Regime::Separatrix;
-  Cage cage = Cage::Zero();  ///< As drawn. [m]
+  Cage cage = Cage::Zero();  ///< Corners as drawn. [m]
 
   double total() const { return kinetic + potential; }
 };

@@ -1,4 +1,4 @@
-// From the settings of a motion to its trajectory.
+// Simulation of a whole motion.
 #pragma once
 
 #include <atomic>
@@ -10,11 +10,12 @@
 
 namespace rotatebook::physics {
 
-/// Simulates `sampleCount` >= 1 samples, fewer if the motion diverges. Throws InputError if the
-/// initial spin can't be tilted as asked, or is so large that not even the first sample is finite;
-/// NoConvergence if an implicit integrator finds no solution for its steps. `stop`, if not null and
-/// set from outside, ends it after a sample: what is returned is then of no use. `caller` is left
-/// to its default: a program built with another layout is refused with an InputError.
+/// Simulates `sampleCount` >= 1 samples, or fewer if the motion diverges. Throws InputError as
+/// makeSimulator() does, and if the spin is so large that not even the first sample is finite;
+/// NoConvergence if an implicit integrator finds no solution for its steps. If `stop` isn't null
+/// and another thread sets it, the simulation ends after a sample, and its result must be
+/// discarded. Leave `caller` at its default: it makes the core refuse, with an InputError, a
+/// program that was built with another layout.
 Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount,
                     const std::atomic<bool>* stop = nullptr, const Layout& caller = layoutHere());
 

@@ -1,4 +1,4 @@
-// The one interface behind which all models stand.
+// The interface that all models implement.
 #pragma once
 
 #include <optional>
@@ -9,34 +9,34 @@
 
 namespace rotatebook::physics {
 
-/// The body at one moment, as its model reports it: a pose and, where it is deformed, a cage; world
-/// axes, SI units.
+/// The state of a body at one moment, as its model reports it: a pose and, if the body is deformed,
+/// a cage; world axes, SI units.
 struct BodyState {
-  /// The linear map that the model makes of its attitude, be it a rotation or what drift has made
-  /// of one; of a deformed body the map that best fits its cage.
+  /// The linear map that the model's attitude represents: a rotation, or what drift has made of
+  /// one; for a deformed body, the map that best fits its cage.
   Eigen::Matrix3d worldFromBody = Eigen::Matrix3d::Identity();
-  /// The corners of a deformed body; none where worldFromBody says where they are. [m]
+  /// Corners of a deformed body; nullopt if worldFromBody determines them. [m]
   std::optional<Cage> cage{};
   Eigen::Vector3d angularVelocity{0, 0, 0};  ///< [rad/s]
   Eigen::Vector3d angularMomentum{0, 0, 0};  ///< About the centre of mass. [kg m^2/s]
   double kinetic = 0;                        ///< [J]
-  double potential = 0;                      ///< In the springs; 0 for a rigid body. [J]
+  double potential = 0;                      ///< Energy in the springs; 0 for a rigid body. [J]
   double rotational = 0;  ///< Kinetic energy of the best-fitting rigid motion, w.L/2. [J]
 };
 
-/// The corners of `body` in this state, as they are drawn. [m]
+/// Returns the corners of `body` in this state, as they are drawn. [m]
 inline Cage drawnCage(const BodyState& state, const Cuboid& body) {
   return state.cage ? *state.cage : Cage(state.worldFromBody * body.corners());
 }
 
-/// A body in motion. Starts at t = 0 with body and world axes equal.
+/// A body in motion. Starts at t = 0, when body and world axes coincide.
 class Simulator {
  public:
   virtual ~Simulator() = default;
 
-  /// `steps` integration steps of length `h` > 0. [s] Throws NoConvergence.
+  /// Takes `steps` integration steps of length `h` > 0. [s] Throws NoConvergence.
   virtual void advance(double h, int steps) = 0;
-  /// The present state. Once a motion has blown up its numbers need not be finite.
+  /// Returns the current state. Its numbers need not be finite once a motion has blown up.
   virtual BodyState state() const = 0;
 };
 

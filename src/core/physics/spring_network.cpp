@@ -5,14 +5,14 @@
 namespace rotatebook::physics {
 namespace {
 
-// Which points two springs join: q and q + 4 (the lanes of element `q`) with r and r + 4, or, if
+// The points that two springs join: q and q + 4 (the lanes of element `q`) with r and r + 4 or, if
 // crossed, with r + 4 and r.
 struct Joint {
   std::size_t q, r;
   bool crossed;
 };
 
-constexpr std::size_t kDoublyCounted = 12;  // From here on q and r are the same.
+constexpr std::size_t kDoublyCounted = 12;  // From here on q = r, and both lanes hold one spring.
 
 constexpr std::array<Joint, 16> kJoints{{{0, 1, false},
                                          {0, 2, false},
@@ -35,7 +35,7 @@ inline DoublePair crossedIf(bool crossed, DoublePair lanes) {
   return crossed ? DoublePair{lanes[1], lanes[0]} : lanes;
 }
 
-// Partner minus point.
+// Returns partner minus point.
 inline DoublePair difference(const EightDoubles& components, const Joint& joint) {
   return crossedIf(joint.crossed, components[joint.r]) - components[joint.q];
 }

@@ -1,4 +1,4 @@
-// Eight points, each pair of them joined by a spring and a damper.
+// Eight points, each pair of which is joined by a spring and a damper.
 #pragma once
 
 #include <array>
@@ -6,37 +6,37 @@
 
 namespace rotatebook::physics {
 
-/// The same component of two particles: processors compute both at once, each as if alone.
+/// One component of two particles, which processors compute at once (SIMD), each as if alone.
 using DoublePair = double __attribute__((vector_size(16)));
-/// A component of eight particles; element q holds those of q and q + 4.
+/// One component of eight particles; element q holds those of q and q + 4.
 using EightDoubles = std::array<DoublePair, 4>;
-/// Their x, y and z.
+/// The x, y and z of eight particles.
 using Points = std::array<EightDoubles, 3>;
 
-/// Sum of eight numbers, in a fixed order.
+/// Returns the sum of eight numbers, added in a fixed order.
 double sumOf(const EightDoubles& numbers);
-/// Sum of the squares of all components, in a fixed order.
+/// Returns the sum of the squares of all components, added in a fixed order.
 double squaredNormOf(const Points& points);
-/// points + factor * others.
+/// Returns points + factor * others.
 Points plus(const Points& points, double factor, const Points& others);
 
 /// 28 springs between eight points, and what depends on the points' positions alone: it is computed
-/// once for each position, and serves the energy and the next forces.
+/// once per position, for both the energy and the next forces.
 class SpringNetwork {
  public:
-  /// Springs at rest at `positions` [m], of `stiffness` [N/m], with dampers of `damping` [kg/s].
+  /// Springs of `stiffness` [N/m], at rest at `positions` [m], with dampers of `damping` [kg/s].
   SpringNetwork(const Points& positions, double stiffness, double damping);
 
-  /// Takes the points' new positions. [m]
+  /// Moves the points to `positions`. [m]
   void moveTo(const Points& positions);
-  /// Force on each point at these velocities [m/s]. [N]
+  /// Returns the force on each point at these velocities [m/s]. [N]
   Points forces(const Points& velocities) const;
-  /// Energy in the springs. [J]
+  /// Returns the energy in the springs. [J]
   double energy() const;
 
  private:
-  // Two springs. Twelve of these join different pairs of points; the last four join q and q + 4, in
-  // one lane as seen from q and in the other as seen from q + 4.
+  // Two springs, one per lane. Twelve such pairs join different points; the last four join q and q
+  // + 4, as seen from q in one lane and from q + 4 in the other.
   struct Springs {
     std::array<DoublePair, 3> directions{};  // unit vectors from each point to its partner
     DoublePair lengths{};

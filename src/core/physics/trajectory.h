@@ -10,15 +10,15 @@ namespace rotatebook::physics {
 
 /// A motion: one sample every `interval`, the first at t = 0.
 struct Trajectory {
-  double interval = 0;          ///< [s]
+  double interval = 0;          ///< Time between samples. [s]
   std::vector<Sample> samples;  ///< Never empty.
-  /// Time of the first sample that doesn't exist, because there a corner was farther from the
-  /// origin than kDivergenceFactor times the body's largest dimension, or a number was not finite.
-  /// [s]
+  /// Time of the first missing sample: there a corner was farther from the origin than
+  /// kDivergenceFactor times the body's largest dimension, or a number was not finite. [s]
   std::optional<double> divergedAt{};
 };
 
-/// See Trajectory::divergedAt.
+/// Distance from the origin, in largest dimensions of the body, beyond which a motion counts as
+/// diverged.
 inline constexpr double kDivergenceFactor = 20;
 
 }  // namespace rotatebook::physics

@@ -56,7 +56,7 @@ TEST(CrossMatrix, MultipliesAsTheCrossProduct) {
   EXPECT_EQ(crossMatrix(a) * b, a.cross(b));
 }
 
-TEST(TextbookMatrix, IsTheRotationOfAUnitQuaternion) {
+TEST(UnnormalisedMatrix, IsTheRotationOfAUnitQuaternion) {
   const Quaterniond q(Eigen::AngleAxisd(0.7, Vector3d(1, 2, 2) / 3));
   const Vector3d v(0.3, -0.4, 0.5);
   EXPECT_LT(
@@ -65,7 +65,7 @@ TEST(TextbookMatrix, IsTheRotationOfAUnitQuaternion) {
       kRotationBound);
 }
 
-TEST(TextbookMatrix, IsNotDividedByTheNorm) {
+TEST(UnnormalisedMatrix, IsNotDividedByTheNorm) {
   Matrix3d expected;
   expected << -25, -20, 22,  //
       28, -19, 4,            //

@@ -9,13 +9,15 @@
 namespace rotatebook::physics {
 namespace {
 
-// Under this k1 what is left out of the hyperbolic forms, m1 and its multiples, is rounding.
+// Below this k1, what the hyperbolic forms leave out, m1 and its multiples, is rounding.
 constexpr double kHyperbolic = 1e-9;
 
-// Carlson's RC(1, 1 + e), which is atan(sqrt(e)) / sqrt(e), by duplication.
+// Returns Carlson's RC(1, 1 + e), which is atan(sqrt(e)) / sqrt(e), by duplication.
 double carlsonRC(double e) {
-  constexpr double kEnough = 160;  // of the series, whose error is 2^-53
+  constexpr double kEnough = 160;  // mean / distance, at which the series has an error of 2^-53
   double x = 1, y = 1 + e, mean = 1 + e * (2.0 / 3), distance = e / 3;
+
+  // Duplicate the arguments until they are nearly equal
   while (kEnough * std::fabs(distance) > mean) {
     const double lambda = 2 * std::sqrt(x * y) + y;
     x = (x + lambda) / 4;
@@ -23,6 +25,8 @@ double carlsonRC(double e) {
     mean = (mean + lambda) / 4;
     distance /= 4;
   }
+
+  // Sum the series about their mean
   const double s = distance / mean;
   const double inner = 3.0 / 8 + s * (9.0 / 22 + s * (159.0 / 208 + s * (9.0 / 8)));
   return (1 + s * s * (0.3 + s * (1.0 / 7 + s * inner))) / std::sqrt(mean);
@@ -35,6 +39,7 @@ CompleteIntegrals completeIntegrals(DoubleDouble k1, DoubleDouble n) {
   DoubleDouble a = 1.0, g = k1;
   DoubleDouble p = squareRoot(DoubleDouble(1.0) - n);
   DoubleDouble term = 1.0, sum = 1.0;
+  // Take the mean of a and g, and with it the sum of the third kind's terms
   for (int i = 0; i < 40; ++i) {
     const bool last = std::fabs((a - g).high) <= kEnough && std::fabs(term.high) <= kEnough;
     const DoubleDouble ag = a * g, pp = p * p;
@@ -50,11 +55,13 @@ CompleteIntegrals completeIntegrals(DoubleDouble k1, DoubleDouble n) {
 }
 
 double carlsonRF(double x, double y, double z) {
-  constexpr double kEnough = 400;  // of the series, whose error is 2^-53
+  constexpr double kEnough = 400;  // mean / distance, at which the series has an error of 2^-53
   const double start = (x + y + z) / 3;
   double dx = start - x, dy = start - y;
   double distance = kEnough * std::max({std::fabs(dx), std::fabs(dy), std::fabs(start - z)});
   double mean = start;
+
+  // Duplicate the arguments until they are nearly equal
   while (distance > mean) {
     const double rx = std::sqrt(x), ry = std::sqrt(y), rz = std::sqrt(z);
     const double lambda = rx * ry + (rx * rz + ry * rz);
@@ -66,6 +73,8 @@ double carlsonRF(double x, double y, double z) {
     dx /= 4;
     dy /= 4;
   }
+
+  // Sum the series in the elementary symmetric functions of the deviations from their mean
   dx /= mean;
   dy /= mean;
   const double dz = -(dx + dy), e2 = dx * dy - dz * dz, e3 = dx * dy * dz;
@@ -73,13 +82,15 @@ double carlsonRF(double x, double y, double z) {
 }
 
 double carlsonRJ(double x, double y, double z, double p) {
-  constexpr double kEnough = 520;  // of the series, whose error is 2^-53
+  constexpr double kEnough = 520;  // mean / distance, at which the series has an error of 2^-53
   const double start = (x + y + z + 2 * p) / 5;
   double dx = start - x, dy = start - y, dz = start - z;
   double distance =
       kEnough * std::max({std::fabs(dx), std::fabs(dy), std::fabs(dz), std::fabs(start - p)});
   double delta = (p - x) * (p - y) * (p - z);
   double mean = start, share = 1, sum = 0;
+
+  // Duplicate the arguments until they are nearly equal, adding an RC each time
   while (distance > mean) {
     const double rx = std::sqrt(x), ry = std::sqrt(y), rz = std::sqrt(z), rp = std::sqrt(p);
     const double d = (rp + rx) * (rp + ry) * (rp + rz);
@@ -94,6 +105,8 @@ double carlsonRJ(double x, double y, double z, double p) {
     delta /= 64;
     share /= 4;
   }
+
+  // Sum the series in the elementary symmetric functions of the deviations from their mean
   dx *= share / mean;
   dy *= share / mean;
   dz *= share / mean;
@@ -110,12 +123,15 @@ double carlsonRJ(double x, double y, double z, double p) {
 
 JacobiFunctions::JacobiFunctions(double k1) : k1_(k1) {
   constexpr double kEnough = 1e-8;  // the error left is its square
+  // Near the separatrix the hyperbolic forms need K alone
   if (k1 < kHyperbolic) {
     limit_ =
         k1 > 0 ? completeIntegrals(k1, 0.0).k.value() : std::numeric_limits<double>::infinity();
     limitDecay_ = exponential(-limit_);
     return;
   }
+
+  // Keep the levels of the arithmetic-geometric mean of 1 and k1
   double a = 1, g = k1;
   while (levels_ < kMaxLevels) {
     arithmetic_[levels_] = a;
@@ -132,14 +148,18 @@ JacobiValues JacobiFunctions::at(double u) const {
   return k1_ < kHyperbolic ? byHyperbolicSeries(u) : byLanden(u);
 }
 
-// Descending Landen transformation of cn / sn. (Bulirsch 1965, procedure sncndn)
+// Uses Landen's descending transformation of cn / sn. (Bulirsch 1965, procedure sncndn)
 JacobiValues JacobiFunctions::byLanden(double u) const {
   constexpr double kTiny = 1e-100;  // whose square doesn't underflow
   if (std::fabs(u) < kTiny) return {u, 1, 1};
+
+  // Start from the circular functions at the limit of the means
   const auto [cosine, sine] = cosineSine(limit_ * u);
   double a = cosine / sine;
   double c = limit_ * a;
   double dn = 1;
+
+  // Climb back to the given parameter, level by level
   for (int i = levels_ - 1; i >= 0; --i) {
     a *= c;
     c *= dn;
@@ -150,7 +170,7 @@ JacobiValues JacobiFunctions::byLanden(double u) const {
   return {sn, c * sn, dn};
 }
 
-// cn and dn are rows of pulses sech(u - 2 j K), of which only the nearest three aren't rounding.
+// Sums the rows of pulses sech(u - 2 j K) that cn and dn are; only the nearest two exceed rounding.
 JacobiValues JacobiFunctions::byHyperbolicSeries(double u) const {
   constexpr double kNear = 0.5;  // where 1 - e^-2u would cancel
   const auto sech = [](double decay) { return 2 * decay / (1 + decay * decay); };

@@ -1,5 +1,5 @@
-// Elliptic functions and integrals in the parameter m1 = 1 - m, of which near m = 1 nothing is
-// lost.
+// Elliptic functions and integrals in the complementary parameter m1 = 1 - m, which loses no digits
+// near m = 1.
 #pragma once
 
 #include <array>
@@ -22,23 +22,23 @@ struct CompleteIntegrals {
   DoubleDouble j;
 };
 
-/// Both by the arithmetic-geometric mean to 30 digits; k1 = sqrt(m1) in (0, 1], n <= 0. (DLMF
-/// 19.8.6 to 19.8.9)
+/// Returns both, by the arithmetic-geometric mean to 30 digits; k1 = sqrt(m1) in (0, 1], n <= 0.
+/// (DLMF 19.8.6 to 19.8.9)
 CompleteIntegrals completeIntegrals(DoubleDouble k1, DoubleDouble n);
 
-/// Carlson's RF(x, y, z); none negative, at most one 0. (Carlson 1995)
+/// Returns Carlson's RF(x, y, z) of numbers >= 0, at most one of them 0. (Carlson 1995)
 double carlsonRF(double x, double y, double z);
-/// Carlson's RJ(x, y, z, p); none negative, at most one of x, y, z 0, p > 0. (Carlson 1995)
+/// Returns Carlson's RJ(x, y, z, p); x, y, z >= 0, at most one of them 0; p > 0. (Carlson 1995)
 double carlsonRJ(double x, double y, double z, double p);
 
-/// sn, cn and dn of one parameter, whose constants are computed once. Good to a few 1e-16 of
-/// themselves, but that cn and dn near their zeros feel the rounding of u.
+/// Computes sn, cn and dn of one parameter, whose constants are computed once. Accurate to a few
+/// 1e-16 of the result, except that the rounding of u affects cn and dn near their zeros.
 class JacobiFunctions {
  public:
-  /// k1 = sqrt(m1) in [0, 1]. Of k1 and not of m1, because m1 underflows where k1 doesn't.
+  /// Takes k1 = sqrt(m1) in [0, 1] and not m1, because m1 underflows where k1 doesn't.
   explicit JacobiFunctions(double k1);
 
-  /// At u in [-K, K]; at any u where k1 = 0.
+  /// Returns the functions at u in [-K, K]; at any u if k1 = 0.
   JacobiValues at(double u) const;
 
  private:
@@ -49,21 +49,21 @@ class JacobiFunctions {
 
   double k1_;
   int levels_ = 0;
-  std::array<double, kMaxLevels> arithmetic_{};  // means a and b of each level
+  std::array<double, kMaxLevels> arithmetic_{};  // the means of each level
   std::array<double, kMaxLevels> geometric_{};
-  double limit_ = 1;       // that both means tend to; beside the separatrix K itself
-  double limitDecay_ = 0;  // e^-K, there
+  double limit_ = 1;       // of both means; near the separatrix K itself
+  double limitDecay_ = 0;  // e^-K, near the separatrix
 };
 
-/// J(u) - u / (1 - n), where J is the integral of sn^2 / (1 - n sn^2) from 0, for u in [-K, K], or
-/// any u where k1 = 0. What is subtracted is the growth of J beside the separatrix, where u may be
-/// large: there the rest is bounded.
+/// Computes P(u) = J(u) - u / (1 - n), where J is the integral of sn^2 / (1 - n sn^2) from 0, for u
+/// in [-K, K], or any u if k1 = 0. The subtracted term is the growth of J near the separatrix,
+/// where u may be large: there the rest is bounded.
 class EllipticPi {
  public:
-  /// k1 = sqrt(1 - m) in [0, 1], n in [-1, 0].
+  /// Takes k1 = sqrt(1 - m) in [0, 1] and n in [-1, 0].
   EllipticPi(double k1, double n);
 
-  /// `values` are those at `u`.
+  /// Returns P(u); `values` are the Jacobi functions at `u`.
   double at(double u, const JacobiValues& values) const;
 
  private:

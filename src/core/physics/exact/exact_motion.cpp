@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 constexpr DoubleDouble kWholeTurn{6.283185307179586, 2.4492935982947064e-16};
 
-// Of an angle of many turns, whose lower part counts.
+// Returns cosine and sine of an angle of many turns, whose low double matters.
 CosineSine turnBy(DoubleDouble angle) {
   return cosineSine(angle - kWholeTurn * std::nearbyint(angle.high / kWholeTurn.high));
 }
@@ -48,11 +48,11 @@ ExactMotion::ExactMotion(const Start& start)
       regime_(preciseRegimeOf(start.inertia, start.angularVelocity)),
       polhode_(polhodeOf(start.inertia, start.angularVelocity)),
       jacobi_(polhode_ ? polhode_->k1 : 1),
-      thirdKind_(polhode_ ? polhode_->k1 : 1, polhode_ ? polhode_->n : 0) {
+      ellipticPi_(polhode_ ? polhode_->k1 : 1, polhode_ ? polhode_->n : 0) {
   if (!polhode_) return;
-  inertia_ /= inertia_.maxCoeff();  // only the direction of the angular momentum is asked for
+  inertia_ /= inertia_.maxCoeff();  // only the direction of the angular momentum is needed
   const double u = polhode_->start.value();
-  startTurn_ = polhode_->weight.high * thirdKind_.at(u, jacobi_.at(u));
+  startTurn_ = polhode_->weight.high * ellipticPi_.at(u, jacobi_.at(u));
   worldFromMomentum_ = bodyFromMomentum(start_);
 }
 
@@ -75,19 +75,23 @@ ExactMotion::Moment ExactMotion::steadyAt(double time) const {
 
 ExactMotion::Moment ExactMotion::polhodeAt(double time) const {
   const Polhode& p = *polhode_;
-  // Take u to within K of a zero of sn. What the half-periods left out add to the turn is constant.
+  // Take u to within K of a zero of sn; each half-period left out adds the same turn
   const DoubleDouble phase = p.rate * time + p.start;
   const double halves = p.halfPeriod.high > 0 ? std::nearbyint(phase.high / p.halfPeriod.high) : 0;
   const double u = (phase - p.halfPeriod * halves).value();
   const double sign = std::fmod(halves, 2) == 0 ? 1 : -1;
+
+  // Find the angular velocity at u
   const JacobiValues values = jacobi_.at(u);
   const Vector3d w = sign * values.cn * p.cosine + sign * values.sn * p.sine + values.dn * p.delta;
-  const double part = p.weight.high * thirdKind_.at(u, values) - startTurn_;
+
+  // Turn the angular momentum's frame about it
+  const double part = p.weight.high * ellipticPi_.at(u, values) - startTurn_;
   const DoubleDouble turn = p.precession * time + p.weightedHalfPeriod * halves + part;
   return {w, worldFromMomentum_ * rotationAboutZ(turnBy(turn)) * bodyFromMomentum(w).transpose()};
 }
 
-// Columns: two axes across the angular momentum, and its direction.
+// Returns the momentum's frame as columns: two axes perpendicular to it, and its direction.
 Matrix3d ExactMotion::bodyFromMomentum(const Vector3d& angularVelocity) const {
   Matrix3d frame;
   const Vector3d direction = (inertia_.cwiseProduct(angularVelocity)).stableNormalized();

@@ -11,7 +11,7 @@ ExactRotation::ExactRotation(const PrincipalAxes& inertia, const DoubleDouble3& 
 
 ExactRotation::Moment ExactRotation::at(double time) const {
   const ExactMotion::Moment moment = motion_.at(time);
-  // The world's axes are the body's at t = 0; the closed form's are the principal ones.
+  // World axes are the body's at t = 0; those of the closed form are the principal ones.
   const Eigen::Matrix3d worldFromPrincipal = bodyFromPrincipal_ * moment.worldFromBody;
   return {worldFromPrincipal * bodyFromPrincipal_.transpose(),
           worldFromPrincipal * moment.angularVelocityBody};

@@ -1,4 +1,4 @@
-// The exact motion along the body's axes.
+// The exact motion of a body whose axes need not be principal.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,16 +12,16 @@ namespace rotatebook::physics {
 /// The exact free rotation of a body with any inertia tensor; body and world axes agree at t = 0.
 class ExactRotation {
  public:
-  /// `angularVelocity` at t = 0. [rad/s]
+  /// Takes the angular velocity at t = 0, in body axes. [rad/s]
   ExactRotation(const PrincipalAxes& inertia, const Eigen::Vector3d& angularVelocity);
-  /// `alongPrincipal` is the same along the principal axes.
+  /// Takes the angular velocity at t = 0, along the principal axes. [rad/s]
   ExactRotation(const PrincipalAxes& inertia, const DoubleDouble3& alongPrincipal);
 
   struct Moment {
     Eigen::Matrix3d worldFromBody;
-    Eigen::Vector3d angularVelocity;  ///< In the world's axes. [rad/s]
+    Eigen::Vector3d angularVelocity;  ///< In world axes. [rad/s]
   };
-  /// At any time. [s]
+  /// Returns the body at any time. [s]
   Moment at(double time) const;
 
   Regime regime() const { return motion_.regime(); }

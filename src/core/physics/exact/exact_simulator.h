@@ -1,4 +1,4 @@
-// The truth: a rigid body's motion in closed form.
+// The exact model: a rigid body's motion in closed form.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace rotatebook::physics {
 
-/// A simulator that doesn't step: it evaluates the closed form where the steps would have led. All
-/// constants of the motion are kept to rounding, whatever the step.
+/// A simulator without steps: it evaluates the closed form at the time that steps would have
+/// reached. Keeps all constants of the motion to rounding, whatever the step.
 class ExactSimulator final : public Simulator {
  public:
   explicit ExactSimulator(const MotionSettings& settings);
@@ -25,7 +25,7 @@ class ExactSimulator final : public Simulator {
 
   Eigen::Vector3d angularMomentum_;
   ExactRotation rotation_;
-  // The time is counted, so that it is right to rounding after any number of equal steps.
+  // A count of steps keeps the time accurate to rounding after any number of equal ones.
   double start_ = 0;
   double h_ = 0;
   std::int64_t steps_ = 0;

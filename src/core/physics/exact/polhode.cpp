@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Of each of the body's axes in the motion: c, s and d are those about which w goes as cn, sn, dn.
+// The roles of the body's axes: w goes as cn about c, as sn about s, as dn about d.
 struct AxisRoles {
   std::size_t c, s, d;
 };
@@ -24,7 +24,7 @@ std::array<std::size_t, 3> ascendingAxes(const DoubleDouble3& inertia) {
           static_cast<std::size_t>(third)};
 }
 
-// Of the largest component.
+// Returns the binary exponent of the largest component.
 int exponentOf(const DoubleDouble3& vector) {
   double largest = 0;
   for (const DoubleDouble& component : vector) {
@@ -41,20 +41,21 @@ Vector3d unit(std::size_t axis) {
   return Vector3d::Unit(static_cast<Eigen::Index>(axis));
 }
 
-// Where L circles the axis of the largest moment that is the dn axis. About the smallest moment the
-// motion is the same with the names of both axes exchanged.
+// Chooses which axes carry cn, sn and dn. L circles the dn axis: that of the largest moment where
+// N2 > 0, else that of the smallest, with the roles of both exchanged.
 AxisRoles axesOfMotion(const DoubleDouble3& inertia, double n2) {
   const auto [smallest, median, largest] = ascendingAxes(inertia);
   return n2 < 0 ? AxisRoles{largest, median, smallest} : AxisRoles{smallest, median, largest};
 }
 
-// +1 if the axes in the order of their moments are right-handed. Both orders of a AxisRoles are
-// then the same turn, as far as the product of the three amplitudes' signs goes.
+// Returns +1 if the axes in the order of their moments are right-handed, else -1. It is the product
+// of the three amplitudes' signs, whichever axis L circles.
 double handedness(const DoubleDouble3& inertia) {
   const auto [first, second, third] = ascendingAxes(inertia);
   return second == (first + 1) % 3 ? 1 : -1;
 }
 
+// Returns whether w x L is exactly 0.
 bool isSteady(const DoubleDouble3& inertia, const DoubleDouble3& w) {
   const auto hasTorque = [&](std::size_t i, std::size_t j) {
     return !(inertia[i] == inertia[j]) && w[i].high != 0 && w[j].high != 0;
@@ -66,9 +67,9 @@ DoubleDouble distance(DoubleDouble a, DoubleDouble b) {
   return absolute(a - b);
 }
 
-// The start of u from sn, |cn| and dn, without an inverse sn, which loses half of the digits where
-// sn is near 1. Past K/2 it is measured from K.
-DoubleDouble startOf(double sn, double cn, double dn, double k1, DoubleDouble k) {
+// Returns u at t = 0 from sn, |cn| and dn. An inverse sn would lose half of the digits where sn is
+// near 1; past K/2, u is measured from K.
+DoubleDouble startPhase(double sn, double cn, double dn, double k1, DoubleDouble k) {
   if (k1 == 0) return inverseHyperbolicSine(sn / cn);
   const double size = std::fabs(sn);
   if (cn >= size * dn) return sn * carlsonRF(cn * cn, dn * dn, 1);
@@ -78,7 +79,8 @@ DoubleDouble startOf(double sn, double cn, double dn, double k1, DoubleDouble k)
   return sn < 0 ? -start : start;
 }
 
-// What the angular velocity and the attitude both hang on. Inertia and spin are scaled to near 1.
+// Constants from which both the angular velocity and the attitude follow. Inertia and spin are
+// scaled to near 1.
 class PolhodeConstants {
  public:
   PolhodeConstants(const DoubleDouble3& inertia, const DoubleDouble3& w);
@@ -88,21 +90,21 @@ class PolhodeConstants {
   void setAttitude(Polhode& polhode) const;
 
  private:
-  DoubleDouble amplitudeC() const { return tilting_ / squareRoot(toD_ * ic_); }
-  DoubleDouble amplitudeS() const { return tilting_ / squareRoot(sd_ * is_); }
-  DoubleDouble amplitudeD() const { return circling_ / squareRoot(toD_ * id_); }
-  DoubleDouble k1() const { return squareRoot(toD_ / sd_) * absolute(medianRoot_) / circling_; }
-  DoubleDouble k() const { return squareRoot(cs_ / sd_) * tilting_ / circling_; }
-  DoubleDouble rate() const { return circling_ * squareRoot(sd_ / (ic_ * is_ * id_)); }
+  DoubleDouble amplitudeC() const { return rootD_ / squareRoot(cd_ * ic_); }
+  DoubleDouble amplitudeS() const { return rootD_ / squareRoot(sd_ * is_); }
+  DoubleDouble amplitudeD() const { return rootC_ / squareRoot(cd_ * id_); }
+  DoubleDouble k1() const { return squareRoot(cd_ / sd_) * absolute(rootS_) / rootC_; }
+  DoubleDouble k() const { return squareRoot(cs_ / sd_) * rootD_ / rootC_; }
+  DoubleDouble rate() const { return rootC_ * squareRoot(sd_ / (ic_ * is_ * id_)); }
 
   DoubleDouble3 w_;
   double handedness_;
-  DoubleDouble medianRoot_;
+  DoubleDouble rootS_;  // sqrt|L^2 - 2 T Is|, with its sign
   AxisRoles axes_;
   DoubleDouble ic_, is_, id_;
-  DoubleDouble cs_, sd_, toD_;  // |Ic - Is|, |Is - Id|, |Ic - Id|
-  DoubleDouble circling_;       // sqrt(N1) where d is the axis of the largest moment
-  DoubleDouble tilting_;        // sqrt(N3)
+  DoubleDouble cs_, sd_, cd_;  // |Ic - Is|, |Is - Id|, |Ic - Id|
+  DoubleDouble rootC_;         // sqrt|L^2 - 2 T Ic|, without cancellation
+  DoubleDouble rootD_;         // sqrt|L^2 - 2 T Id|, without cancellation
 };
 
 DoubleDouble medianRootOf(const DoubleDouble3& inertia, const DoubleDouble3& w) {
@@ -113,33 +115,35 @@ DoubleDouble medianRootOf(const DoubleDouble3& inertia, const DoubleDouble3& w) 
 PolhodeConstants::PolhodeConstants(const DoubleDouble3& inertia, const DoubleDouble3& w)
     : w_(w),
       handedness_(handedness(inertia)),
-      medianRoot_(medianRootOf(inertia, w)),
-      axes_(axesOfMotion(inertia, medianRoot_.high)),
+      rootS_(medianRootOf(inertia, w)),
+      axes_(axesOfMotion(inertia, rootS_.high)),
       ic_(inertia[axes_.c]),
       is_(inertia[axes_.s]),
       id_(inertia[axes_.d]),
       cs_(distance(ic_, is_)),
       sd_(distance(is_, id_)),
-      toD_(distance(ic_, id_)),
-      circling_(
-          hypotenuse(squareRoot(cs_ * is_) * w[axes_.s], squareRoot(toD_ * id_) * w[axes_.d])),
-      tilting_(
-          hypotenuse(squareRoot(toD_ * ic_) * w[axes_.c], squareRoot(sd_ * is_) * w[axes_.s])) {}
+      cd_(distance(ic_, id_)),
+      rootC_(hypotenuse(squareRoot(cs_ * is_) * w[axes_.s], squareRoot(cd_ * id_) * w[axes_.d])),
+      rootD_(hypotenuse(squareRoot(cd_ * ic_) * w[axes_.c], squareRoot(sd_ * is_) * w[axes_.s])) {}
 
-// But for what would underflow. The last is a spin about the median axis.
+// Returns whether the spin is steady apart from components that would underflow. The last condition
+// finds a spin about the median axis.
 bool PolhodeConstants::isSteady() const {
   constexpr double kNegligible = 1e-290, kNegligibleTilt = 1e-305;
   const double tilt = std::max(std::fabs(w_[axes_.c].high), std::fabs(w_[axes_.d].high));
-  return circling_.high < kNegligible || tilting_.high < kNegligible || tilt < kNegligibleTilt;
+  return rootC_.high < kNegligible || rootD_.high < kNegligible || tilt < kNegligibleTilt;
 }
 
 void PolhodeConstants::setAngularVelocity(Polhode& polhode) const {
+  // Find the modulus, the period and the pace
   const DoubleDouble modulus = k1();
   polhode.k1 = std::min(modulus.value(), 1.0);
   const DoubleDouble quarter =
       polhode.k1 > 0 ? completeIntegrals(modulus, 0.0).k : DoubleDouble(0.0);
   polhode.halfPeriod = quarter * 2.0;
   polhode.rate = rate();
+
+  // Choose the amplitudes' signs, so that cn and dn start positive
   const double signC = std::copysign(1, w_[axes_.c].high);
   const double signD = std::copysign(1, w_[axes_.d].high);
   const double signS = handedness_ * signC * signD;
@@ -147,27 +151,36 @@ void PolhodeConstants::setAngularVelocity(Polhode& polhode) const {
   polhode.cosine = signC * c * unit(axes_.c);
   polhode.sine = signS * s * unit(axes_.s);
   polhode.delta = signD * d * unit(axes_.d);
-  polhode.start = startOf(signS * w_[axes_.s].high / s, std::fabs(w_[axes_.c].high) / c,
-                          std::fabs(w_[axes_.d].high) / d, polhode.k1, quarter);
+
+  // Find u at t = 0
+  polhode.start = startPhase(signS * w_[axes_.s].high / s, std::fabs(w_[axes_.c].high) / c,
+                             std::fabs(w_[axes_.d].high) / d, polhode.k1, quarter);
 }
 
-// With M the amplitudes of L, e the frame's axis and o the other of c and d, the frame turns by
-// |L| (Is ws^2 + Io wo^2) / (Ms^2 sn^2 + Lo^2), which is |L|/Io and a multiple of the integrand.
+// The frame of L and an axis e, c or d, turns about L by |L| (Is ws^2 + Io wo^2) / (Ls^2 + Lo^2) a
+// second, where o is the other of the two: |L|/Io plus a multiple of the integrand of J.
 void PolhodeConstants::setAttitude(Polhode& polhode) const {
+  // Choose the axis of the frame: c or d, about which L has the smaller amplitude
   const DoubleDouble momentumC = amplitudeC() * ic_;
   const DoubleDouble momentumD = amplitudeD() * id_;
   const DoubleDouble momentum = hypotenuse(momentumC, momentumD);
   const bool frameIsC = momentumC.high <= momentumD.high;
+  polhode.frameAxis = unit(frameIsC ? axes_.c : axes_.d);
+
+  // Find the integral's characteristic n and its weight
   const DoubleDouble io = frameIsC ? id_ : ic_;
   const DoubleDouble momentumO = frameIsC ? momentumD : momentumC;
   const DoubleDouble ratio = frameIsC ? momentumC / momentumD : k() * momentumD / momentumC;
   const DoubleDouble n = -(ratio * ratio);
   const DoubleDouble slope = amplitudeS() * is_ / momentumO;
-  polhode.frameAxis = unit(frameIsC ? axes_.c : axes_.d);
   polhode.n = n.value();
   polhode.weight = momentum * (io - is_) / (io * is_) * slope * slope / rate();
+
+  // Move the integral's growth into the precession, so that the rest is bounded
   const DoubleDouble growth = DoubleDouble(1.0) / (DoubleDouble(1.0) - n);
   polhode.precession = momentum / io + polhode.weight * rate() * growth;
+
+  // Find by how much half a period turns the frame beyond the precession
   if (polhode.k1 > 0) {
     const auto [k, j] = completeIntegrals(k1(), n);
     polhode.weightedHalfPeriod = polhode.weight * (j - k * growth) * 2.0;
@@ -179,20 +192,23 @@ void PolhodeConstants::setAttitude(Polhode& polhode) const {
 std::optional<Polhode> polhodeOf(const DoubleDouble3& inertia,
                                  const DoubleDouble3& angularVelocity) {
   if (isSteady(inertia, angularVelocity)) return std::nullopt;
-  // Neither unit matters to the shape of the motion.
+  // Scale inertia and spin to near 1: neither unit matters to the shape of the motion
   const int spin = exponentOf(angularVelocity);
   const PolhodeConstants constants(scaled(inertia, -exponentOf(inertia)),
                                    scaled(angularVelocity, -spin));
   if (constants.isSteady()) return std::nullopt;
+
   Polhode polhode;
   constants.setAngularVelocity(polhode);
   constants.setAttitude(polhode);
-  const double unit = std::ldexp(1, spin);
-  polhode.cosine *= unit;
-  polhode.sine *= unit;
-  polhode.delta *= unit;
-  polhode.rate = polhode.rate * unit;
-  polhode.precession = polhode.precession * unit;
+
+  // Scale back to the spin's unit
+  const double spinUnit = std::ldexp(1, spin);
+  polhode.cosine *= spinUnit;
+  polhode.sine *= spinUnit;
+  polhode.delta *= spinUnit;
+  polhode.rate = polhode.rate * spinUnit;
+  polhode.precession = polhode.precession * spinUnit;
   return polhode;
 }
 

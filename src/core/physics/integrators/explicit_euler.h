@@ -8,9 +8,9 @@ namespace rotatebook::physics {
 
 /// Explicit Euler with a constant angular momentum L: w = A I^-1 A^T L, then R += h [w]x R for a
 /// matrix (A = R) or q += h/2 (0, w) q for a quaternion (A = unnormalisedMatrix(q)). Order 1; keeps
-/// L, and nothing else. Not normalised, a step lengthens R by sqrt(1 + (h |w|)^2) in all directions
-/// across w, and multiplies |q|^2 by 1 + (h |w| / 2)^2. A isn't divided by |q|^2: with the division
-/// the drawn body would stay rigid and the missing normalisation would not show. Normalised, the
+/// only L. Unless normalised, a step lengthens R by sqrt(1 + (h |w|)^2) in all directions
+/// perpendicular to w, and multiplies |q|^2 by 1 + (h |w| / 2)^2. A isn't divided by |q|^2: with
+/// the division the drawn body would stay rigid and hide the missing normalisation. Normalised, the
 /// energy still grows, dE/dt = (h/2) a.I a with the angular acceleration a, until the body spins
 /// about its axis of smallest inertia. Source: "Simulating the Unstable Rotation of a Book".
 class ExplicitEuler {
@@ -28,7 +28,7 @@ class ExplicitEuler {
   // With q = (s, u) and v = (h/2) I^-1 A^T L, the body's half turn,
   //   A^T L = L - s t + u x t,  t = 2 u x L,  and
   //   (0, A v) q = (-u.v, s v + (2 |q|^2 - 1) u x v),
-  // for every q. Half as many operations as the matrix takes, and half as long a chain of them.
+  // for every q. It takes half as many operations as the matrix, in a chain half as long.
   void step(RigidState<Eigen::Quaterniond>& state) const {
     const double s = state.attitude.w();
     const Eigen::Vector3d u = state.attitude.vec();

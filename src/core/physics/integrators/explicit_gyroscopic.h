@@ -1,4 +1,4 @@
-// The rule of game engines that add the gyroscopic torque as any other.
+// The rule of game engines that add the gyroscopic torque like any other torque.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,15 +9,14 @@
 
 namespace rotatebook::physics {
 
-/// Semi-implicit Euler: M += h M x w with w = I^-1 M, then the body turns by h w with the new w. It
-/// is the same whether an engine keeps w in the world's axes or the body's, as a turn about w
-/// leaves w alone. Order 1; keeps the rotation to rounding; each step adds h^2 |M x w|^2 to |M|^2,
-/// and the energy grows. One exponential a step.
+/// Semi-implicit Euler: M += h M x w with w = I^-1 M, then the body turns by h w with the new w.
+/// The result is the same whether an engine keeps w in world or in body axes, as a turn about w
+/// leaves w unchanged. Order 1; keeps the rotation to rounding; each step adds h^2 |M x w|^2 to
+/// |M|^2, and the energy grows. One exponential per step.
 ///
-/// An emulation of the documented rule, in double precision and without damping: MuJoCo's
-/// integrator Euler (mju_quatIntegrate turns the body); Bullet's
-/// BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT (btRigidBody::computeGyroscopicForceExplicit, of which its
-/// header says that it gains energy).
+/// Emulates the documented rule, in double precision and without damping, of: MuJoCo's integrator
+/// Euler (mju_quatIntegrate turns the body); Bullet's BT_ENABLE_GYROSCOPIC_FORCE_EXPLICIT
+/// (btRigidBody::computeGyroscopicForceExplicit, whose header says that it gains energy).
 class ExplicitGyroscopic {
  public:
   static constexpr bool kMomentumInBody = true;

@@ -1,4 +1,4 @@
-// Rotations from axes and angles. Sine and cosine are summed here from additions and
+// Rotations from an axis and an angle. Sine and cosine are summed here from additions and
 // multiplications alone, because those of C libraries differ in the last digit from machine to
 // machine, and a motion must not.
 #pragma once
@@ -14,7 +14,7 @@ struct CosineSinc {
   double sinc;
 };
 
-/// The Taylor series of both, to 1e-17 for 0 <= `xx` = x^2 <= 1/4.
+/// Sums the Taylor series of both, to 1e-17 for 0 <= `xx` = x^2 <= 1/4.
 inline CosineSinc cosineSinc(double xx) {
   double cosine = 1, sinc = 1;
   for (int n = 16; n > 0; n -= 2) {
@@ -24,8 +24,9 @@ inline CosineSinc cosineSinc(double xx) {
   return {cosine, sinc};
 }
 
-/// The unit quaternion that turns by `rotation`, axis times angle [rad]. For angles over a radian a
-/// part of the rotation is squared: NaN in, NaN out; the error grows with the angle as sine's does.
+/// Returns the unit quaternion that rotates by `rotation`, axis times angle [rad]. For angles over
+/// a radian it squares the quaternion of a fraction of the rotation: NaN gives NaN, and the error
+/// grows with the angle as that of sine does.
 inline Eigen::Quaterniond rotationBy(const Eigen::Vector3d& rotation) {
   Eigen::Vector3d half = rotation / 2;
   int doublings = 0;
@@ -36,7 +37,7 @@ inline Eigen::Quaterniond rotationBy(const Eigen::Vector3d& rotation) {
   const auto [cosine, sinc] = cosineSinc(half.squaredNorm());
   Eigen::Quaterniond result(cosine, sinc * half.x(), sinc * half.y(), sinc * half.z());
   if (doublings == 0) return result;
-  // Squaring doubles the error of the norm.
+  // Normalise, because squaring doubles the error of the norm.
   for (; doublings > 0; --doublings) result = (result * result).normalized();
   return result;
 }

@@ -9,15 +9,14 @@
 
 namespace rotatebook::physics {
 
-/// Implicit Euler in the body's axes, I (w' - w) + h w' x I w' = 0, by one step of Newton's method
-/// from w' = w: w' = w - J^-1 h w x I w with J = I + h ([w]x I - [I w]x). Then the body turns by h
-/// w'. Order 1; keeps the rotation to rounding; loses energy and angular momentum. One exponential
-/// and one system of three equations a step.
+/// Implicit Euler in body axes, I (w' - w) + h w' x I w' = 0, by one step of Newton's method from
+/// w' = w: w' = w - J^-1 h w x I w with J = I + h ([w]x I - [I w]x). Then the body turns by h w'.
+/// Order 1; keeps the rotation to rounding; loses energy and angular momentum. One exponential and
+/// one system of three equations per step.
 ///
-/// An emulation of the documented rule, in double precision and without damping: Erin Catto,
-/// Numerical Methods, Game Developers Conference 2015; Bullet's
-/// BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY (btRigidBody::computeGyroscopicImpulseImplicit_Body),
-/// its default since 2.83.
+/// Emulates the documented rule, in double precision and without damping, of: Erin Catto, Numerical
+/// Methods, Game Developers Conference 2015; Bullet's BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY
+/// (btRigidBody::computeGyroscopicImpulseImplicit_Body), its default since 2.83.
 class ImplicitGyroscopic {
  public:
   static constexpr bool kMomentumInBody = true;
@@ -37,7 +36,7 @@ class ImplicitGyroscopic {
   }
 
  private:
-  // Cramer's rule.
+  // Solves the system by Cramer's rule.
   static Eigen::Vector3d solved(const Eigen::Matrix3d& matrix, const Eigen::Vector3d& right) {
     const Eigen::Vector3d a = matrix.col(0), b = matrix.col(1), c = matrix.col(2);
     const Eigen::Vector3d across = b.cross(c);

@@ -1,4 +1,4 @@
-// How implicit integrators solve for a step.
+// The solver of implicit integrators' steps.
 #pragma once
 
 #include <limits>
@@ -7,11 +7,11 @@
 
 namespace rotatebook::physics {
 
-/// Throws NoConvergence: `integrator` has no solution for a step of `h` [s].
+/// Throws NoConvergence: `integrator` finds no solution for a step of `h` [s].
 [[noreturn]] void throwNoConvergence(const char* integrator, double h);
 
-/// The fixed point of `next`, iterated from `start` until it changes by rounding alone. Throws
-/// NoConvergence after 100 iterations, or where the numbers are not finite.
+/// Returns the fixed point of `next`, iterated from `start` until it changes by rounding alone.
+/// Throws NoConvergence after 100 iterations, or if the numbers are not finite.
 template <typename Next>
 Eigen::Vector3d fixedPoint(const Eigen::Vector3d& start, const Next& next, const char* integrator,
                            double h) {
@@ -22,7 +22,7 @@ Eigen::Vector3d fixedPoint(const Eigen::Vector3d& start, const Next& next, const
     const Eigen::Vector3d better = next(x);
     const double change = (better - x).cwiseAbs().maxCoeff();
     x = better;
-    // An infinite change is no larger than the rounding of an infinite number.
+    // Infinite numbers pass the first condition, because inf <= inf.
     if (change <= kRounding * x.cwiseAbs().maxCoeff() && x.allFinite()) return x;
   }
   throwNoConvergence(integrator, h);

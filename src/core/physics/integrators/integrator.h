@@ -6,15 +6,15 @@
 
 namespace rotatebook::physics {
 
-/// How a model steps through time. integrator_list.inc has a row for each, the header that it names
-/// the formulas.
+/// The rules by which models step through time. Each has a row in integrator_list.inc, and its
+/// formulas in the header of the type that the row names.
 enum class Integrator {
 #define ROTATEBOOK_INTEGRATOR(enumerator, ...) enumerator,
 #include "physics/integrators/integrator_list.inc"
 #undef ROTATEBOOK_INTEGRATOR
 };
 
-/// What scene files call them, in the enumeration's order.
+/// Names of the integrators in scene files, in the order of the enumeration.
 inline constexpr std::array kIntegratorWords{
 #define ROTATEBOOK_INTEGRATOR(enumerator, word, ...) std::string_view(word),
 #include "physics/integrators/integrator_list.inc"

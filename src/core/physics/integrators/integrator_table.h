@@ -1,4 +1,4 @@
-// What is known of each integrator, and how its simulators are made.
+// The table of integrators: their properties and the factories of their simulators.
 #pragma once
 
 #include <array>
@@ -12,28 +12,28 @@ namespace rotatebook::physics {
 
 class Simulator;
 
-/// An integrator's steps of some models.
+/// An implementation of an integrator for some models.
 struct Stepping {
-  std::span<const Model> models;  ///< Those that have it.
-  std::string_view keeps;         ///< What stays as it is but for rounding, in words.
-  int nanoseconds = 0;            ///< About what a step takes. [ns]
-  std::string_view source;        ///< Where it is from.
-  /// The simulator, at t = 0. Throws InputError as makeSimulator() does.
+  std::span<const Model> models;  ///< The models that it serves.
+  std::string_view keeps;         ///< What it keeps to rounding, as text.
+  int nanoseconds = 0;            ///< Approximate time of a step. [ns]
+  std::string_view source;        ///< Its paper, book or engine.
+  /// Creates the simulator, at t = 0. Throws InputError as makeSimulator() does.
   std::unique_ptr<Simulator> (*make)(const MotionSettings& settings) = nullptr;
 };
 
 /// A row of integrator_list.inc.
 struct IntegratorRow {
   Integrator integrator;
-  std::string_view word;              ///< In scene files.
-  int order;                          ///< Of convergence to the exact motion; 0 if there is none.
-  std::array<Stepping, 2> steppings;  ///< Those that it lacks are of no models.
+  std::string_view word;              ///< Its name in scene files.
+  int order;                          ///< Of convergence to the exact motion; 0 if to another.
+  std::array<Stepping, 2> steppings;  ///< An unused one has no models.
 };
 
-/// All rows, in the order of Integrator.
+/// Returns all rows, in the order of Integrator.
 std::span<const IntegratorRow> integratorTable();
 
-/// How `model` steps by `integrator`; null if it doesn't.
+/// Returns the implementation of `integrator` for `model`; null if there is none.
 const Stepping* steppingOf(Model model, Integrator integrator);
 
 }  // namespace rotatebook::physics

@@ -7,8 +7,8 @@
 
 namespace rotatebook::physics {
 
-/// What they share: the angular momentum L in the world's axes is constant, and an attitude has an
-/// angular velocity w = A I^-1 A^T L. They keep L, and the attitude a rotation, to rounding.
+/// Base of these methods: the angular momentum L is constant in world axes, and an attitude has the
+/// angular velocity w = A I^-1 A^T L. Keeps L, and the attitude a rotation, to rounding.
 class LieGroupMethod {
  public:
   static constexpr bool kMomentumInBody = false;
@@ -16,7 +16,7 @@ class LieGroupMethod {
   LieGroupMethod(const RigidConstants& body, double h) : body_(body), h_(h) {}
 
  protected:
-  /// h w. [rad]
+  /// Returns h w. [rad]
   template <typename Attitude>
   Eigen::Vector3d turnFrom(const Attitude& attitude, const Eigen::Vector3d& momentum) const {
     return h_ * angularVelocityInWorld(body_, mapOf(attitude), momentum);
@@ -33,8 +33,8 @@ class LieGroupMethod {
   double h_;
 };
 
-/// q <- exp(h w) q. Order 1; one evaluation and one exponential a step. Source: Iserles,
-/// Munthe-Kaas, Norsett, Zanna, Lie-group methods, Acta Numerica 2000.
+/// Euler's method on the group, q <- exp(h w) q. Order 1; one evaluation and one exponential per
+/// step. Source: Iserles, Munthe-Kaas, Norsett, Zanna, Lie-group methods, Acta Numerica 2000.
 class LieEuler : public LieGroupMethod {
  public:
   using LieGroupMethod::LieGroupMethod;
@@ -45,7 +45,7 @@ class LieEuler : public LieGroupMethod {
   }
 };
 
-/// Commutator-free method of order 4: four evaluations and five exponentials a step. Source:
+/// Commutator-free method of order 4: four evaluations and five exponentials per step. Source:
 /// Celledoni, Marthinsen, Owren, Commutator-free Lie group methods, Future Generation Computer
 /// Systems 19 (2003).
 class CommutatorFree4 : public LieGroupMethod {

@@ -9,8 +9,8 @@ namespace rotatebook::physics {
 
 /// Solves Mm = M + (h/2) Mm x w with w = I^-1 Mm; then M <- 2 Mm - M, and the attitude turns by the
 /// Cayley transform of h w. Order 2; keeps the energy, L and the rotation to rounding, because all
-/// are quadratic; symplectic up to a change of time. Throws NoConvergence. Source: Austin,
-/// Krishnaprasad, Wang, Journal of Computational Physics 107 (1993).
+/// are quadratic; symplectic up to a reparametrisation of time. Throws NoConvergence. Source:
+/// Austin, Krishnaprasad, Wang, Journal of Computational Physics 107 (1993).
 class Midpoint {
  public:
   static constexpr bool kMomentumInBody = true;

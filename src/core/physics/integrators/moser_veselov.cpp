@@ -3,7 +3,7 @@
 namespace rotatebook::physics {
 namespace {
 
-// 1/J = scale/I + shift.
+// The preprocessed inertia J: 1/J = scale/I + shift.
 struct Correction {
   double scale = 1;
   double shift = 0;
@@ -21,7 +21,7 @@ Correction correctionOf(const RigidConstants& body, double h, int order) {
   if (order < 6) return result;
 
   const double s2 = inertia.squaredNorm(), x2 = inverse.squaredNorm();
-  // (I1+I2)/I3 and cyclic, summed.
+  // Sum of (I1+I2)/I3 and its cyclic permutations.
   const double xs = s1 * x1 - 3;
   result.scale += (s2 / d - x1) / (30 * d) * c * c + (1 - xs) / (30 * d) * c * e +
                   (3 * s1 / d + 2 * x2) / 60 * e * e;

@@ -9,15 +9,16 @@
 
 namespace rotatebook::physics {
 
-/// Moments of inertia, changed by terms in h^2 and h^4 so that the discrete Moser-Veselov algorithm
-/// follows the true motion to `order` 2, 4 or 6. They are constants of the motion. Source: Hairer
-/// and Vilmart, Journal of Physics A 39 (2006), after McLachlan and Zanna 2005. [kg m^2]
+/// Returns the moments of inertia, changed by terms in h^2 and h^4 so that the discrete
+/// Moser-Veselov algorithm follows the exact motion to `order` 2, 4 or 6. They are constants of the
+/// motion. Source: Hairer and Vilmart, Journal of Physics A 39 (2006), after McLachlan and Zanna
+/// 2005. [kg m^2]
 Eigen::Vector3d preprocessedInertia(const RigidConstants& body, double h, int order);
 
 /// The discrete Moser-Veselov algorithm in its quaternion form: with J the preprocessed inertia and
 /// a = (h/2) J^-1 M it solves c1 = (1 + |c|^2) a1 + (J2 - J3)/J1 c2 c3 and cyclic; the attitude
 /// turns by (1, c) normalised, and M1 += (4/h) (J2 - J3) c2 c3 / (1 + |c|^2) and cyclic. Order 2, 4
-/// or 6 at the same cost; keeps the energy, L and the rotation to rounding; integrable as the
+/// or 6 at the same cost; keeps the energy, L and the rotation to rounding; integrable like the
 /// motion itself. Throws NoConvergence. Source: as preprocessedInertia().
 template <int kOrder>
 class MoserVeselov {

@@ -5,7 +5,7 @@
 
 namespace rotatebook::physics {
 
-/// An implicit integrator can't solve the equations of its step, because the step is too long.
+/// Reports that an implicit integrator can't solve the equations of its step, which is too long.
 class NoConvergence : public InputError {
  public:
   using InputError::InputError;

@@ -7,13 +7,13 @@
 
 namespace rotatebook::physics {
 
-/// Keeps the angular velocity w as it is in the world's axes, and turns the body about it by h w:
-/// as if no spin needed a torque to stay where it is. A body turns about the axis w for ever,
-/// whatever its inertia, so w is constant in the body's axes, too. Order 0: short steps lead to
-/// this motion, not to the exact one. Keeps the energy, the size of L and the rotation to rounding,
-/// while the direction of L goes round w. One exponential a step.
+/// Keeps the angular velocity w constant in world axes, and turns the body about it by h w, as if
+/// no spin needed a torque to keep its axis. Turning about the axis w for ever, whatever the
+/// inertia, leaves w constant in body axes, too. Order 0: short steps lead to this motion, not to
+/// the exact one. Keeps the energy, the size of L and the rotation to rounding, while L circles w.
+/// One exponential per step.
 ///
-/// An emulation of the documented rule, in double precision and without damping: PhysX without
+/// Emulates the documented rule, in double precision and without damping, of: PhysX without
 /// PxRigidBodyFlag::eENABLE_GYROSCOPIC_FORCES, which is off by default; Jolt without
 /// BodyCreationSettings::mApplyGyroscopicForce, off by default; Bullet's btRigidBody with no flags.
 class NoGyroscopic {

@@ -5,9 +5,9 @@
 
 namespace rotatebook::physics {
 
-/// x += h v, then v += h F(x, v)/m with the x and v before: the paper's. Order 1; L grows with h
-/// w^2. One evaluation of F. Stable with the paper's damping below h = 0.129 sqrt(m/k). Source:
-/// "Simulating the Unstable Rotation of a Book".
+/// The paper's explicit Euler: x += h v, then v += h F(x, v)/m with the old x and v. Order 1; L
+/// grows with h w^2. One evaluation of F. Stable with the paper's damping below h = 0.129
+/// sqrt(m/k). Source: "Simulating the Unstable Rotation of a Book".
 struct ParticleEuler {
   static void step(ParticleState& state, double h) {
     const Points acceleration = state.accelerations(state.velocities());
@@ -16,9 +16,9 @@ struct ParticleEuler {
   }
 };
 
-/// v += h F(x, v)/m, then x += h v. Order 1; keeps L to rounding. One evaluation of F. Stable below
-/// h = 0.707 sqrt(m/k) without damping, 0.121 with the paper's. Source: Hairer, Lubich, Wanner,
-/// Geometric Numerical Integration, chapter I.
+/// Symplectic Euler: v += h F(x, v)/m, then x += h v. Order 1; keeps L to rounding. One evaluation
+/// of F. Stable below h = 0.707 sqrt(m/k) without damping, 0.121 with the paper's. Source: Hairer,
+/// Lubich, Wanner, Geometric Numerical Integration, chapter I.
 struct SymplecticEuler {
   static void step(ParticleState& state, double h) {
     state.velocities() = plus(state.velocities(), h, state.accelerations(state.velocities()));

@@ -28,7 +28,7 @@ void ParticleState::moveTo(const Points& positions) {
   springs_.moveTo(positions_);
 }
 
-// The springs needn't know: they depend on differences alone.
+// Leaves the springs as they are, because they depend on differences of positions alone.
 void ParticleState::restoreCentre() {
   subtractMean(positions_);
   subtractMean(velocities_);

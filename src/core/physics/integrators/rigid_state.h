@@ -1,4 +1,4 @@
-// What the integrators of a free rigid body work on.
+// The state of a free rigid body, on which its integrators work.
 #pragma once
 
 #include <concepts>
@@ -17,11 +17,11 @@ struct RigidConstants {
   Eigen::Vector3d momentum;        ///< Angular momentum at t = 0. [kg m^2/s]
 };
 
-/// Attitude is Eigen::Quaterniond or Eigen::Matrix3d, world from principal axes.
+/// A body's state; Attitude is Eigen::Quaterniond or Eigen::Matrix3d, world from principal axes.
 template <typename Attitude>
 struct RigidState {
   Attitude attitude;
-  Eigen::Vector3d momentum;  ///< Angular momentum, in the world's or the body's axes. [kg m^2/s]
+  Eigen::Vector3d momentum;  ///< Angular momentum, in world or body axes. [kg m^2/s]
 };
 
 /// An integrator that steps attitudes of this type.
@@ -30,14 +30,14 @@ concept StepsAttitude = requires(const Method& method, RigidState<Attitude>& sta
   { method.step(state) } -> std::same_as<void>;
 };
 
-/// An integrator of a rigid body: made from its constants and the length of a step [s], it says in
-/// which axes it keeps the momentum, and steps both kinds of attitude.
+/// An integrator of a rigid body: made from the body's constants and the length of a step [s], it
+/// states in which axes it keeps the momentum, and steps both types of attitude.
 template <typename Method>
 concept RigidIntegrator = std::constructible_from<Method, const RigidConstants&, double> &&
     std::same_as<decltype(Method::kMomentumInBody), const bool> &&
     StepsAttitude<Method, Eigen::Quaterniond> && StepsAttitude<Method, Eigen::Matrix3d>;
 
-/// w = A I^-1 A^T L of the momentum L in the world's axes and the map A. [rad/s]
+/// Returns w = A I^-1 A^T L for the momentum L in world axes and the map A. [rad/s]
 inline Eigen::Vector3d angularVelocityInWorld(const RigidConstants& body,
                                               const Eigen::Matrix3d& map,
                                               const Eigen::Vector3d& momentum) {

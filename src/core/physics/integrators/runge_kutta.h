@@ -8,8 +8,8 @@ namespace rotatebook::physics {
 
 /// Runge and Kutta's classical method on attitude and body momentum together: M' = M x w with
 /// w = I^-1 M, and q' = q (0, w) / 2 or R' = R [w]x. Order 4; keeps nothing exactly; four
-/// evaluations a step. Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I,
-/// table II.1.2.
+/// evaluations per step. Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations
+/// I, table II.1.2.
 class RungeKutta4 {
  public:
   static constexpr bool kMomentumInBody = true;

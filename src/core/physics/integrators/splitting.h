@@ -11,11 +11,11 @@
 
 namespace rotatebook::physics {
 
-/// The energy is a sum of M_k^2 / (2 I_k); the motion of each term alone is a turn by the angle
-/// h M_k / I_k about axis k. Composed symmetrically, from the axis of smallest inertia to that of
-/// the largest and back: for a book this order is up to 18 times more accurate than x, y, z.
-/// Order 2; keeps L and the rotation to rounding, and the energy without drift; symplectic; five
-/// turns a step. Source: McLachlan 1993; Touma and Wisdom 1994; Dullweber, Leimkuhler, McLachlan
+/// Splits the energy into its terms M_k^2 / (2 I_k); the motion of each alone is a turn by h M_k /
+/// I_k about axis k. The turns are composed symmetrically, from the axis of smallest inertia to
+/// that of the largest and back: for a book this order is up to 18 times more accurate than x, y,
+/// z. Order 2; keeps L and the rotation to rounding, and the energy without drift; symplectic; five
+/// turns per step. Source: McLachlan 1993; Touma and Wisdom 1994; Dullweber, Leimkuhler, McLachlan
 /// 1997.
 class Splitting {
  public:
@@ -30,7 +30,7 @@ class Splitting {
     step(state, h_);
   }
 
-  /// A step of another length, which may be negative. [s]
+  /// Takes a step of another length, which may be negative. [s]
   template <typename Attitude>
   void step(RigidState<Attitude>& state, double h) const {
     const auto [smallest, median, largest] = axes_;

@@ -5,10 +5,10 @@
 
 namespace rotatebook::physics {
 
-/// A half step of v, x += h v, the other half at the new x, with v + h F/m in the dampers. Order 2;
-/// keeps L to rounding. Two evaluations of F. Stable below h = 0.707 sqrt(m/k) without damping,
-/// 0.125 with the paper's. Source: Hairer, Lubich, Wanner, Geometric Numerical Integration,
-/// chapter I.
+/// Velocity Verlet: half a step of v, x += h v, then the other half of v at the new x, with dampers
+/// at the velocity v + h F/m. Order 2; keeps L to rounding. Two evaluations of F. Stable below h =
+/// 0.707 sqrt(m/k) without damping, 0.125 with the paper's. Source: Hairer, Lubich, Wanner,
+/// Geometric Numerical Integration, chapter I.
 struct Verlet {
   static void step(ParticleState& state, double h) {
     const Points before = state.accelerations(state.velocities());

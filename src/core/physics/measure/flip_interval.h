@@ -1,4 +1,4 @@
-// How long a body spins about its median axis from one flip to the next.
+// The time between the flips of a body that spins about its median axis.
 #pragma once
 
 #include <span>
@@ -11,26 +11,27 @@
 
 namespace rotatebook::physics {
 
-/// Times at which the angular velocity about the body's median axis changes its sign, ascending.
-/// [s] Between two samples it is taken for a straight line, which it is nearly, as its second
-/// derivative is 0 where it is: the error is below 1e-3 of the sample interval as long as that is
-/// under a tenth of the time in which a deviation grows e-fold.
+/// Returns the times at which the angular velocity about the body's median axis changes sign,
+/// ascending. [s] Interpolates linearly between samples: its second derivative is 0 where it is 0,
+/// so the error is below 1e-3 of the sample interval as long as that is under a tenth of the time
+/// in which a deviation grows e-fold.
 std::vector<double> flipTimes(const Trajectory& trajectory, const PrincipalAxes& inertia);
 
-/// Mean time from one of the ascending `times` to the next; NaN of fewer than two. [s]
+/// Returns the mean time from one of the ascending `times` to the next; NaN of fewer than two. [s]
 double meanInterval(std::span<const double> times);
 
-/// What that interval tends to, for a free rigid body that starts close to the median axis with
-/// this angular velocity along the body's axes [rad/s]:
+/// Returns the limit of the flip interval for a free rigid body that starts close to the median
+/// axis with this angular velocity in body axes [rad/s]:
 ///     (2/lambda) ln(4/sqrt(m1)),  lambda = W sqrt((I2-I1)(I3-I2)/(I1 I3)),
 ///     m1 = (I3-I1) |I3 (I3-I2) w3^2 - I1 (I2-I1) w1^2| / (I2 (I2-I1) (I3-I2) W^2),
-/// where W is its length and I1 <= I2 <= I3. Turned by a small angle eps toward axis 3 that is
-/// m1 = kappa3 eps^2 with kappa3 = I3 (I3-I1)/(I2 (I2-I1)); toward axis 1, kappa1 = I1 (I3-I1)/(I2
-/// (I3-I2)) instead. The relative error falls as eps^2. Between the two directions lies the
-/// separatrix, on which it is infinite, as without any turn, or without three different moments.
+/// where W is the length of the angular velocity and I1 <= I2 <= I3. At a small angle eps from the
+/// median axis toward axis 3, m1 = kappa3 eps^2 with kappa3 = I3 (I3-I1)/(I2 (I2-I1)); toward axis
+/// 1, kappa1 = I1 (I3-I1)/(I2 (I3-I2)) replaces kappa3. The relative error falls as eps^2. The
+/// limit is infinite on the separatrix, which lies between the two directions, on the median axis
+/// itself, and if two moments are equal.
 double flipLaw(const PrincipalAxes& inertia, const Eigen::Vector3d& angularVelocity);
 
-/// The median axis, a unit vector along the body's axes.
+/// Returns the median axis, a unit vector in body axes.
 Eigen::Vector3d medianAxis(const PrincipalAxes& inertia);
 
 }  // namespace rotatebook::physics

@@ -19,7 +19,7 @@ int largestComponent(const Eigen::Vector3d& v) {
   return axis;
 }
 
-// Of a rotation; to rounding at small angles, too.
+// Returns the angle of a rotation, to rounding even if it is small. [degrees]
 double angleDeg(const Eigen::Matrix3d& rotation) {
   const Eigen::Quaterniond q(rotation);
   return 2 * arcTangent(q.vec().norm(), std::abs(q.w())) * 180 / std::numbers::pi;
@@ -74,15 +74,15 @@ Eigen::Quaterniond Measurement::continuedAttitude(const Eigen::Matrix3d& rotatio
   return next;
 }
 
-// By atan2, because the arc cosine of a number near 1 loses half the digits of a small angle.
+// Uses atan2, because the arc cosine of a number near 1 loses half the digits of a small angle.
 double Measurement::tiltDeg(const Eigen::Matrix3d& rotation,
                             const Eigen::Vector3d& momentum) const {
   const Eigen::Vector3d axis = rotation.col(spunAxis_);
   return arcTangent(axis.cross(momentum).norm(), axis.dot(momentum)) * 180 / std::numbers::pi;
 }
 
-// Of the exact motion it is a constant, which the rounding of one sample would hide if the spin is
-// less than 1e-8 off the median axis.
+// The regime of the exact motion is a constant, which the rounding of one sample could change if
+// the spin is less than 1e-8 off the median axis.
 Regime Measurement::regime(const Eigen::Matrix3d& rotation,
                            const Eigen::Vector3d& angularVelocity) const {
   if (isExact_) return exact_.regime();

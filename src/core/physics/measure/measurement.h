@@ -1,4 +1,4 @@
-// From the states of a simulator to the samples of a trajectory.
+// Measurement of a simulator's states, which makes the samples of a trajectory.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,18 +12,19 @@
 
 namespace rotatebook::physics {
 
-/// Bounds of the singular values of BodyState::worldFromBody within which a body still has the
-/// shape that half-turns are counted of: nowhere squeezed to less than half its size, nor stretched
-/// to more than twice. A rigid model's matrix is no longer anything like a rotation beyond,
-/// particles have passed through each other, and the tilt turns over at random.
+/// Bounds on the singular values of BodyState::worldFromBody within which the half-turns of a body
+/// are counted: it is nowhere squeezed to less than half its size, nor stretched to more than
+/// twice. Beyond them a rigid model's matrix is nothing like a rotation, particles have passed
+/// through each other, and the tilt flips at random.
 ///
-/// Measured in the scenes that ship: the half-turns of all that hold together come within 0.579 to
-/// 1.481. The last that still follows from the ones before comes at 1.849 (fig11), the first of a
-/// burst's at 2.292 (fig10: five within 0.8 s, after none in 15 s); of the particles of fig08 the
-/// last at 1.049, the first of ninety at 1.482, after a stretch of 0.020.
+/// Measured in the scenes that ship: bodies that hold together make all their half-turns within
+/// 0.579 to 1.481. The last half-turn that still follows from those before comes at 1.849 (fig11),
+/// the first of a random burst at 2.292 (fig10: five within 0.8 s, after none in 15 s). The
+/// particles of fig08 make their last regular one at 1.049 and the first of ninety random ones at
+/// 1.482, after a stretch of 0.020.
 inline constexpr double kMinStretch = 0.5, kMaxStretch = 2;
 
-/// Whether a body of these singular values, smallest and largest, is within those bounds.
+/// Returns whether these singular values, smallest and largest, are within those bounds.
 bool keepsItsShape(double stretchMin, double stretchMax);
 
 /// Counts how often the tilt goes from under 60 to over 120 degrees or back. The wide gap keeps a
@@ -32,7 +33,7 @@ class HalfTurnCounter {
  public:
   /// Takes the next tilt [degrees]; returns the count so far.
   int count(double tiltDeg);
-  /// Keeps the count as it is from now on, whatever comes.
+  /// Freezes the count for good.
   void stop() { stopped_ = true; }
 
  private:
@@ -43,16 +44,16 @@ class HalfTurnCounter {
   bool stopped_ = false;
 };
 
-/// Measures the states of one motion, in their order: the attitude's sign and the half-turns depend
-/// on what came before. Once a state no longer keepsItsShape() the count of half-turns stays as it
-/// was for good.
+/// Measures the states of one motion, in their order: the sign of the attitude and the half-turns
+/// depend on the states before. Once a state fails keepsItsShape(), the count of half-turns is
+/// frozen.
 class Measurement {
  public:
-  /// The spun body axis is that of the initial angular velocity's largest component. Throws
-  /// InputError as InitialSpin::tilted() does.
+  /// Takes as the spun axis the body axis of the initial angular velocity's largest component.
+  /// Throws InputError as InitialSpin::tilted() does.
   explicit Measurement(const MotionSettings& settings);
 
-  /// The sample at `time` [s] of `state`, whose numbers are finite.
+  /// Returns the sample at `time` [s] of `state`, whose numbers must be finite.
   Sample measure(double time, const BodyState& state);
 
  private:
@@ -64,7 +65,7 @@ class Measurement {
   int spunAxis_;
   PrincipalAxes inertia_;
   ExactRotation exact_;
-  bool isExact_;  // whether it is also what is measured
+  bool isExact_;  // whether the measured motion is itself exact
   Eigen::Quaterniond attitude_ = Eigen::Quaterniond::Identity();  // the last one
   HalfTurnCounter counter_;
 };

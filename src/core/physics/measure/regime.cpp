@@ -8,7 +8,7 @@
 namespace rotatebook::physics {
 namespace {
 
-// A sum that is kept without error: terms that don't overlap, the smallest first (Shewchuk 1997).
+// A sum without error (Shewchuk's expansion, 1997): terms that don't overlap, smallest first.
 using ExactTerms = std::vector<double>;
 
 void addTo(ExactTerms& terms, double number) {
@@ -37,7 +37,7 @@ ExactTerms product(const std::array<DoubleDouble, 4>& factors) {
   return terms;
 }
 
-// Two spins of a smaller ratio aren't near the separatrix; the square of the ratio would underflow.
+// Spins in a smaller ratio are far from the separatrix, and its square would underflow.
 constexpr double kNegligibleSpin = 1e-90;
 
 DoubleDouble medianInvariant(const DoubleDouble3& moments, DoubleDouble w1, DoubleDouble w3) {
@@ -98,7 +98,7 @@ Regime preciseRegimeOf(const DoubleDouble3& inertia, const DoubleDouble3& angula
   const DoubleDouble w1 = sorted(angularVelocityBody, 0), w3 = sorted(angularVelocityBody, 2);
   const double larger = std::max(std::fabs(w1.high), std::fabs(w3.high));
   if (larger == 0) return Regime::Separatrix;
-  // Of the smallest spins the root would underflow.
+  // Scale the spins, because the root would underflow if they were tiny.
   const int spin = std::ilogb(larger);
   const double root =
       medianInvariantRoot({sorted(inertia, 0), sorted(inertia, 1), sorted(inertia, 2)},

@@ -8,34 +8,34 @@
 namespace rotatebook::scene {
 namespace {
 
-// A window's edge that a person writes, like 0.7, may miss its sample's time by rounding. Fraction
-// of a sample's interval.
-constexpr double kEdge = 1e-6;
+// Tolerance for the edges of a window, as a fraction of the sample interval: an edge written as 0.7
+// may miss its sample's time by rounding.
+constexpr double kEdgeTolerance = 1e-6;
 
-struct QuantityWords {
+struct QuantityRow {
   std::string_view name;
   std::string_view meaning;
 };
 
-/// In the order of the enumeration.
-constexpr std::array<QuantityWords, 9> kWords{{
-    {"half_turns", "how often the axis that the book was spun about turned over"},
-    {"tilt_deg", "that axis's angle to the angular momentum [degrees]"},
-    {"energy_ratio", "total energy / its start"},
+/// Rows in the order of the enumeration.
+constexpr std::array<QuantityRow, 9> kQuantityRows{{
+    {"half_turns", "how many times the axis that the book was spun about has turned over"},
+    {"tilt_deg", "angle between that axis and the angular momentum [degrees]"},
+    {"energy_ratio", "total energy / total energy at the start"},
     {"rotational_ratio",
      "kinetic energy of the best-fitting rigid rotation / total energy at the start"},
-    {"L_ratio", "angular momentum / its start"},
+    {"L_ratio", "angular momentum / angular momentum at the start"},
     {"stretch",
      "every singular value of the linear map that best fits the drawn corners; 1 is undeformed"},
-    {"error_deg", "angle between the attitude and the exact one [degrees]"},
+    {"error_deg", "angle between the attitude and the exact motion's [degrees]"},
     {"regime",
      "1 or -1: the angular momentum circles the axis of the largest or the smallest moment of "
      "inertia"},
-    {"diverges_at", "time at which the motion ends [s]"},
+    {"diverges_at", "time at which the motion diverges, and so ends [s]"},
 }};
 
 constexpr auto kQuantities = [] {
-  std::array<Quantity, kWords.size()> all{};
+  std::array<Quantity, kQuantityRows.size()> all{};
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Quantity>(i);
   return all;
 }();
@@ -47,7 +47,7 @@ struct Range {
 
 std::span<const physics::Sample> samplesWithin(const physics::Trajectory& trajectory, double from,
                                                double to) {
-  const double slack = kEdge * trajectory.interval;
+  const double slack = kEdgeTolerance * trajectory.interval;
   const auto& samples = trajectory.samples;
   const auto first = std::ranges::find_if(
       samples, [&](const physics::Sample& sample) { return sample.time >= from - slack; });
@@ -58,25 +58,25 @@ std::span<const physics::Sample> samplesWithin(const physics::Trajectory& trajec
 }
 
 Range rangeAt(const physics::Sample& sample, const physics::Sample& start, Quantity quantity) {
-  const auto both = [](double value) { return Range{value, value}; };
+  const auto one = [](double value) { return Range{value, value}; };
   switch (quantity) {
     case Quantity::TiltDeg:
-      return both(sample.tiltDeg);
+      return one(sample.tiltDeg);
     case Quantity::EnergyRatio:
-      return both(sample.total() / start.total());
+      return one(sample.total() / start.total());
     case Quantity::RotationalRatio:
-      return both(sample.rotational / start.total());
+      return one(sample.rotational / start.total());
     case Quantity::MomentumRatio:
-      return both(sample.angularMomentum.norm() / start.angularMomentum.norm());
+      return one(sample.angularMomentum.norm() / start.angularMomentum.norm());
     case Quantity::Stretch:
       return {sample.stretchMin, sample.stretchMax};
     case Quantity::ErrorDeg:
-      return both(sample.errorDeg);
+      return one(sample.errorDeg);
     case Quantity::Regime:
-      return both(static_cast<double>(sample.regime));
+      return one(static_cast<double>(sample.regime));
     case Quantity::HalfTurns:
     case Quantity::DivergesAt:
-      break;  // of a whole window, not of one sample
+      break;  // measured over a window, not on a sample
   }
   return {};
 }
@@ -106,15 +106,15 @@ Range measure(const physics::Trajectory& trajectory, const Expectation& expectat
   return rangeOver(window, trajectory.samples.front(), expectation.quantity);
 }
 
-// Whether min and max speak of moments that the motion did not live to.
+// Returns whether min or max bounds moments after the motion has diverged.
 bool outlivesMotion(const physics::Trajectory& trajectory, const Expectation& expectation) {
   const bool ofSamples =
       expectation.quantity != Quantity::HalfTurns && expectation.quantity != Quantity::DivergesAt;
   return ofSamples && (expectation.min || expectation.max) && trajectory.divergedAt &&
-         expectation.to > *trajectory.divergedAt - kEdge * trajectory.interval;
+         expectation.to > *trajectory.divergedAt - kEdgeTolerance * trajectory.interval;
 }
 
-// Comparisons are such that NaN, the range of an empty window, meets no bound.
+// The comparisons are written so that NaN, the range of an empty window, meets no bound.
 bool meets(const Range& range, const Expectation& expectation) {
   if (!(range.lowest <= range.highest)) return false;
   if (expectation.quantity == Quantity::DivergesAt && std::isinf(range.lowest)) return false;
@@ -127,11 +127,11 @@ bool meets(const Range& range, const Expectation& expectation) {
 }  // namespace
 
 std::string_view nameOf(Quantity quantity) {
-  return kWords[static_cast<std::size_t>(quantity)].name;
+  return kQuantityRows[static_cast<std::size_t>(quantity)].name;
 }
 
 std::string_view meaningOf(Quantity quantity) {
-  return kWords[static_cast<std::size_t>(quantity)].meaning;
+  return kQuantityRows[static_cast<std::size_t>(quantity)].meaning;
 }
 
 std::span<const Quantity> allQuantities() {

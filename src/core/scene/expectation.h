@@ -1,4 +1,4 @@
-// Bounds on what a motion must show, and whether it did.
+// Bounds on measured quantities of a motion, and the check of a trajectory against them.
 #pragma once
 
 #include <limits>
@@ -11,31 +11,31 @@
 
 namespace rotatebook::scene {
 
-/// What can be measured of a motion. Ratios are to the value at t = 0.
+/// A measurable quantity of a motion. Ratios are to the value at t = 0.
 enum class Quantity {
-  HalfTurns,        ///< half_turns: made within the window; one number.
+  HalfTurns,        ///< half_turns: number made within the window; one number.
   TiltDeg,          ///< tilt_deg: Sample::tiltDeg.
-  EnergyRatio,      ///< energy_ratio: total energy / its start.
+  EnergyRatio,      ///< energy_ratio: total energy / total energy at the start.
   RotationalRatio,  ///< rotational_ratio: rotational energy / total energy at the start.
-  MomentumRatio,    ///< L_ratio: |L| / its start.
+  MomentumRatio,    ///< L_ratio: |L| / |L| at the start.
   Stretch,          ///< stretch: every singular value of the map from body to drawn corners.
   ErrorDeg,         ///< error_deg: Sample::errorDeg.
-  Regime,           ///< regime: 1, 0 or -1 as Sample::regime.
+  Regime,           ///< regime: Sample::regime as 1, 0 or -1.
   DivergesAt,  ///< diverges_at: Trajectory::divergedAt; one number, infinite if the motion never
                ///< diverges. [s]
 };
 
-/// Name of `quantity` in a scene, e.g. "half_turns".
+/// Returns the name of `quantity` in a scene, e.g. "half_turns".
 std::string_view nameOf(Quantity quantity);
-/// What it is, in Markdown.
+/// Returns the meaning of `quantity`, in Markdown.
 std::string_view meaningOf(Quantity quantity);
-/// All quantities, in the order of the enumeration.
+/// Returns all quantities, in the order of the enumeration.
 std::span<const Quantity> allQuantities();
 
-/// Bounds on one quantity over a window of a motion. `min` and `max` promise something of every
-/// moment of the window, so that a motion that diverges before the window's end doesn't keep them,
-/// whatever it did before; half_turns and diverges_at are exempt. A motion that never diverges
-/// meets no expectation on diverges_at.
+/// Bounds on one quantity over a window of a motion. `min` and `max` must hold at every moment of
+/// the window, so that a motion that diverges before the window's end fails them, whatever it did
+/// before; half_turns and diverges_at are exempt. A motion that never diverges meets no expectation
+/// on diverges_at.
 struct Expectation {
   Quantity quantity = Quantity::HalfTurns;
   std::optional<double> min{};                          ///< Never below this.
@@ -48,15 +48,15 @@ struct Expectation {
   friend bool operator==(const Expectation&, const Expectation&) = default;
 };
 
-/// What was measured for one expectation.
+/// The measured range of an expectation's quantity, and whether the bounds are met.
 struct ExpectationResult {
   Expectation expectation;
-  double lowest = 0;   ///< Over the window; NaN if no sample lies in it.
-  double highest = 0;  ///< Over the window; NaN if no sample lies in it.
-  bool met = false;    ///< Never true for an empty window.
+  double lowest = 0;   ///< Lowest value in the window; NaN if it holds no sample.
+  double highest = 0;  ///< Highest value in the window; NaN if it holds no sample.
+  bool met = false;    ///< False for an empty window.
 };
 
-/// Measures `trajectory` against each of `expectations`, in their order.
+/// Checks `trajectory` against each of `expectations`, in their order.
 std::vector<ExpectationResult> check(const physics::Trajectory& trajectory,
                                      std::span<const Expectation> expectations);
 

@@ -12,16 +12,16 @@
 namespace rotatebook::scene {
 namespace {
 
-// Enough to tell any two numbers apart.
+// Enough to distinguish any two doubles.
 constexpr int kMaxDigits = 17;
 
-struct WordedBound {
-  const char* words;
+struct LabelledBound {
+  const char* label;
   std::optional<double> bound;
 };
 
-/// Whether `shown` meets and misses the same of `bounds` as `value` does.
-bool standsAsItWas(double shown, double value, const Expectation& bounds) {
+/// Returns whether `shown` meets and misses the same bounds as `value`.
+bool meetsSameBounds(double shown, double value, const Expectation& bounds) {
   const auto below = [&](const std::optional<double>& bound) {
     return bound && (shown < *bound) != (value < *bound);
   };
@@ -41,12 +41,12 @@ double numberIn(const std::string& text) {
 }  // namespace
 
 std::string expectedText(const Expectation& expectation) {
-  const std::array<WordedBound, 4> bounds{{{"at least ", expectation.min},
-                                           {"at most ", expectation.max},
-                                           {"rises to ", expectation.risesTo},
-                                           {"falls to ", expectation.fallsTo}}};
-  return joinedOf(bounds, [](const WordedBound& one) {
-    return one.bound ? one.words + shortestText(*one.bound) : "";
+  const std::array<LabelledBound, 4> bounds{{{"at least ", expectation.min},
+                                             {"at most ", expectation.max},
+                                             {"rises to ", expectation.risesTo},
+                                             {"falls to ", expectation.fallsTo}}};
+  return joinedOf(bounds, [](const LabelledBound& one) {
+    return one.bound ? one.label + shortestText(*one.bound) : "";
   });
 }
 
@@ -68,7 +68,7 @@ std::string measuredText(const ExpectationResult& result, int digits) {
 std::string measuredText(double value, const Expectation& bounds, int digits) {
   if (std::isnan(value)) return "nothing";
   std::string text = roundedText(value, digits);
-  while (digits < kMaxDigits && !standsAsItWas(numberIn(text), value, bounds)) {
+  while (digits < kMaxDigits && !meetsSameBounds(numberIn(text), value, bounds)) {
     text = roundedText(value, ++digits);
   }
   return text;

@@ -1,4 +1,4 @@
-// Expectations and what was measured for them, in words.
+// Expectations and their measured values as text.
 #pragma once
 
 #include <span>
@@ -9,23 +9,24 @@
 
 namespace rotatebook::scene {
 
-/// "at least 3, at most 4"
+/// Returns the bounds: "at least 3, at most 4".
 std::string expectedText(const Expectation& expectation);
 
-/// " from 3 s to 4.5 s", or empty for the whole motion.
+/// Returns the window, " from 3 s to 4.5 s"; empty for the whole motion.
 std::string windowText(const Expectation& expectation);
 
-/// Significant digits of a measured number, where nothing else is asked for.
+/// Default number of significant digits of a measured value.
 inline constexpr int kMeasuredDigits = 7;
 
-/// "0.02 to 1.31", "no divergence", or why there is nothing to measure. Numbers have `digits`
-/// significant digits at most, or as many more as it takes to stay on their side of each bound.
+/// Returns the measured range: "0.02 to 1.31", "no divergence", or why there is nothing to measure.
+/// Numbers have at most `digits` significant digits, or as many more as they need to stay on their
+/// side of each bound.
 std::string measuredText(const ExpectationResult& result, int digits = kMeasuredDigits);
 
-/// One number that `bounds` are on, in the same way; "nothing" if it is NaN.
+/// Returns one number that `bounds` apply to, rounded in the same way; "nothing" for NaN.
 std::string measuredText(double value, const Expectation& bounds, int digits = kMeasuredDigits);
 
-/// Whether a motion diverges that has expectations, but none of that.
+/// Returns whether the motion diverges although it has expectations, none of them on diverges_at.
 bool divergesUnexpectedly(const physics::Trajectory& trajectory,
                           std::span<const Expectation> expectations);
 

@@ -1,4 +1,4 @@
-// Every key of a scene file in words, as docs/scene.md has them.
+// The documentation of every key of a scene file, as the tables of docs/scene.md have it.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace rotatebook::scene {
 
-/// All keys, section by section, each section's in the order of messages.
+/// Returns all keys, section by section, those of each section in the order of messages.
 std::vector<KeyRow> allKeys();
 
 }  // namespace rotatebook::scene

@@ -1,4 +1,5 @@
-// The words that a scene file has for values of the program: read, printed and suggested from here.
+// The names that scene files use for values of the program: the one source for reading, printing
+// and suggestions.
 #pragma once
 
 #include <array>
@@ -11,7 +12,7 @@
 
 namespace rotatebook::scene {
 
-/// A value and the word that stands for it in a scene file.
+/// A value and its name in a scene file.
 template <typename T>
 struct Named {
   std::string_view name;
@@ -25,7 +26,7 @@ inline constexpr std::array<Named<physics::Model>, 4> kModels{{
     {"exact", physics::Model::Exact},
 }};
 
-/// As their list has them.
+/// The integrators, in the order of physics::kIntegratorWords.
 inline constexpr auto kIntegrators = [] {
   std::array<Named<physics::Integrator>, physics::kIntegratorWords.size()> named{};
   for (std::size_t i = 0; i < named.size(); ++i) {
@@ -34,13 +35,13 @@ inline constexpr auto kIntegrators = [] {
   return named;
 }();
 
-/// The keys of [initial] of which a scene has exactly one.
+/// The keys of [initial] that state the spin; a scene has exactly one of them.
 inline constexpr std::array<Named<physics::InitialSpin::Kind>, 2> kSpinKinds{{
     {"angular_velocity", physics::InitialSpin::Kind::AngularVelocity},
     {"angular_momentum", physics::InitialSpin::Kind::AngularMomentum},
 }};
 
-/// Whether `key` is one of them.
+/// Returns whether `key` is one of kSpinKinds.
 inline bool isSpin(std::string_view key) {
   return key == kSpinKinds[0].name || key == kSpinKinds[1].name;
 }
@@ -67,7 +68,7 @@ inline constexpr auto kOverlays = [] {
   return names;
 }();
 
-/// The words alone.
+/// Returns the names alone.
 template <typename T, std::size_t N>
 constexpr std::array<std::string_view, N> namesOf(const std::array<Named<T>, N>& choices) {
   std::array<std::string_view, N> names;
@@ -75,7 +76,7 @@ constexpr std::array<std::string_view, N> namesOf(const std::array<Named<T>, N>&
   return names;
 }
 
-/// The word for `value`, which is one of `choices`.
+/// Returns the name of `value`, which is one of `choices`.
 template <typename T, std::size_t N>
 constexpr std::string_view nameOf(const std::array<Named<T>, N>& choices, const T& value) {
   for (const Named<T>& choice : choices) {
@@ -84,7 +85,7 @@ constexpr std::string_view nameOf(const std::array<Named<T>, N>& choices, const 
   return {};
 }
 
-/// The words for the integrators that `model` has.
+/// Returns the names of the integrators that `model` has.
 inline std::vector<std::string_view> integratorNames(physics::Model model) {
   std::vector<std::string_view> names;
   for (const auto& [name, integrator] : kIntegrators) {

@@ -18,20 +18,20 @@ bool same(char a, char b) {
   return lowerCase(a) == lowerCase(b);
 }
 
-// Edit distance with swapped neighbours as one slip (optimal string alignment).
-std::size_t slipsBetween(std::string_view a, std::string_view b) {
-  std::vector<std::vector<std::size_t>> slips(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i) slips[i][0] = i;
-  for (std::size_t j = 0; j <= b.size(); ++j) slips[0][j] = j;
+// Returns the edit distance, counting swapped neighbours as one edit (optimal string alignment).
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> edits(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) edits[i][0] = i;
+  for (std::size_t j = 0; j <= b.size(); ++j) edits[0][j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t changed = slips[i - 1][j - 1] + (same(a[i - 1], b[j - 1]) ? 0 : 1);
-      slips[i][j] = std::min({slips[i - 1][j] + 1, slips[i][j - 1] + 1, changed});
+      const std::size_t changed = edits[i - 1][j - 1] + (same(a[i - 1], b[j - 1]) ? 0 : 1);
+      edits[i][j] = std::min({edits[i - 1][j] + 1, edits[i][j - 1] + 1, changed});
       const bool swapped = i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1]);
-      if (swapped) slips[i][j] = std::min(slips[i][j], slips[i - 2][j - 2] + 1);
+      if (swapped) edits[i][j] = std::min(edits[i][j], edits[i - 2][j - 2] + 1);
     }
   }
-  return slips[a.size()][b.size()];
+  return edits[a.size()][b.size()];
 }
 
 }  // namespace
@@ -41,15 +41,15 @@ std::optional<std::string_view> nearestName(std::string_view word,
   std::optional<std::string_view> nearest;
   std::size_t fewest = 0;
   for (const std::string_view candidate : candidates) {
-    // About one slip in three letters: more, and the suggestion would be a guess.
+    // About one edit in three letters: with more, the suggestion would be a guess.
     const std::size_t longer = std::max(word.size(), candidate.size());
     const std::size_t shorter = std::min(word.size(), candidate.size());
     const std::size_t allowed = (longer + 1) / 3;
     if (longer - shorter > allowed) continue;
-    const std::size_t slips = slipsBetween(word, candidate);
-    if (slips > allowed || (nearest && slips >= fewest)) continue;
+    const std::size_t edits = editDistance(word, candidate);
+    if (edits > allowed || (nearest && edits >= fewest)) continue;
     nearest = candidate;
-    fewest = slips;
+    fewest = edits;
   }
   return nearest;
 }

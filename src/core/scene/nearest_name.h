@@ -1,4 +1,4 @@
-// What somebody who misspelt a name probably meant.
+// Suggestions for misspelt names, by edit distance.
 #pragma once
 
 #include <optional>
@@ -8,16 +8,16 @@
 
 namespace rotatebook::scene {
 
-/// The candidate that `word` is most likely a misspelling of, none if all of them are too
-/// different. Upper and lower case count as equal; a slip is a letter added, left out, changed, or
-/// swapped with its neighbour.
+/// Returns the candidate that `word` most likely misspells; none if all are too different. Upper
+/// and lower case count as equal; an edit is a letter added, left out, changed, or swapped with its
+/// neighbour.
 std::optional<std::string_view> nearestName(std::string_view word,
                                             std::span<const std::string_view> candidates);
 
-/// `; did you mean "NEAREST"?`, to end a message with; empty if no candidate is near.
+/// Returns `; did you mean "NEAREST"?`, to end a message with; empty if no candidate is near.
 std::string didYouMean(std::string_view word, std::span<const std::string_view> candidates);
 
-/// `"a", "b" and "c"`, with the given word before the last.
+/// Returns `"a", "b" and "c"`, with `lastWord` before the last name.
 std::string quotedList(std::span<const std::string_view> names, std::string_view lastWord);
 
 }  // namespace rotatebook::scene

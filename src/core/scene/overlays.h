@@ -1,4 +1,4 @@
-// What can be drawn over the pictures, and what scenes call it: a row each.
+// The overlays that can be drawn over the pictures, and their names in scenes: one row each.
 #pragma once
 
 #include <array>
@@ -9,40 +9,40 @@
 
 namespace rotatebook::scene {
 
-/// What can be drawn over the pictures.
+/// An overlay: something drawn over the pictures.
 enum class Overlay {
   Caption,    ///< Title, caption, and how the motion was simulated; at the bottom.
   Clock,      ///< Simulated time; at the top left.
-  Axes,       ///< The body's axes with their letters.
+  Axes,       ///< The body's axes, labelled.
   Omega,      ///< An arrow along the angular velocity.
   Momentum,   ///< An arrow along the angular momentum.
-  Trail,      ///< The path of omega's tip.
-  Polhode,    ///< An inset: the ellipsoid of the energy, the sphere of the momentum, their curve.
+  Trail,      ///< The path of the angular velocity's tip.
+  Polhode,    ///< An inset: the energy ellipsoid, the momentum sphere, and their intersection.
   Energy,     ///< A chart: kinetic, spring and total energy over time.
   Error,      ///< A chart: the angle to the exact motion.
-  HalfTurns,  ///< How often the book has turned over; at the top left.
+  HalfTurns,  ///< The number of half-turns so far; at the top left.
   Springs,    ///< The springs, coloured by strain.
-  Ghost,      ///< The exact motion's outline. The last one.
+  Ghost,      ///< The exact motion's outline. Stays last: kOverlayCount depends on it.
 };
 
 inline constexpr std::size_t kOverlayCount = static_cast<std::size_t>(Overlay::Ghost) + 1;
 
-/// The models whose motions have what an overlay shows.
+/// The models that an overlay applies to.
 enum class OverlayModels {
   All,
   Particles,  ///< Model::Particles alone.
-  Stepwise,   ///< All but Model::Exact: what is shown is the difference to it.
+  Stepwise,   ///< All but Model::Exact: the overlay shows the difference from it.
 };
 
-/// One overlay.
+/// A row of the table of overlays.
 struct OverlayRow {
-  std::string_view name;  ///< In a scene's overlay.show.
+  std::string_view name;  ///< Name in a scene's overlay.show.
   Overlay overlay = Overlay::Caption;
   OverlayModels models = OverlayModels::All;
-  bool onTheBook = false;  ///< Whether it is drawn on or about the book, not beside it.
+  bool onTheBook = false;  ///< Whether it is drawn on or around the book, not beside it.
 };
 
-/// In the order of Overlay. What draws each is in the rows of overlay/overlay_rows.cpp.
+/// The rows, in the order of Overlay. The rows of overlay/overlay_rows.cpp say what draws each.
 inline constexpr std::array<OverlayRow, kOverlayCount> kOverlayRows{{
     {"caption", Overlay::Caption},
     {"clock", Overlay::Clock},
@@ -58,7 +58,7 @@ inline constexpr std::array<OverlayRow, kOverlayCount> kOverlayRows{{
     {"ghost", Overlay::Ghost, OverlayModels::Stepwise, true},
 }};
 
-/// The row of `overlay`.
+/// Returns the row of `overlay`.
 constexpr const OverlayRow& rowOf(Overlay overlay) {
   return kOverlayRows[static_cast<std::size_t>(overlay)];
 }
@@ -73,7 +73,7 @@ static_assert(
     }(),
     "an overlay has no row, or the rows aren't in the order of Overlay");
 
-/// Whether a motion of `model` has what `overlay` shows.
+/// Returns whether motions of `model` have what `overlay` shows.
 constexpr bool isFor(physics::Model model, Overlay overlay) {
   switch (rowOf(overlay).models) {
     case OverlayModels::Particles:

@@ -32,7 +32,7 @@ Path pathFrom(std::string_view key, const std::string& location) {
   return path;
 }
 
-// The element that `key`, a number from 0, counts in `array`.
+// Returns the element of `array` whose number from 0 is `key`.
 TomlNode& elementOf(TomlNode::Array& array, std::string_view key, std::string_view name,
                     const std::string& location) {
   std::size_t index = 0;
@@ -45,8 +45,8 @@ TomlNode& elementOf(TomlNode::Array& array, std::string_view key, std::string_vi
                        ", numbered from 0, and no " + tomlString(key));
 }
 
-// The value of `key` in `node`, a new empty table if it isn't there. Messages call `node` by
-// `name`.
+// Returns the value of `key` in `node`; adds an empty table if there is none. Messages call `node`
+// by `name`.
 TomlNode& childOf(TomlNode& node, std::string_view key, std::string_view name,
                   const std::string& location) {
   if (auto* array = std::get_if<TomlNode::Array>(&node.value)) {
@@ -65,8 +65,7 @@ TomlNode valueFrom(std::string_view text, const std::string& location) {
   failAt(location, "the value isn't UTF-8");
 }
 
-// A scene has one spin, so that the command line's replaces the file's, whichever key either of
-// them has.
+// A scene has one spin, so the command line's replaces the file's, whichever key each of them uses.
 void removeOtherSpin(TomlNode& section, std::string_view newKey) {
   std::erase_if(std::get<TomlNode::Table>(section.value), [newKey](const TomlEntry& entry) {
     return isSpin(entry.key) && entry.key != newKey;
@@ -84,10 +83,10 @@ void applyOverride(TomlNode& root, const std::string& text) {
   TomlNode* parent = &root;
   TomlNode* node = &root;
   for (const std::string_view part : path) {
-    // `part` lies within `key`: what comes before it, less the dot, is the way to `node`.
-    const auto wayLength = static_cast<std::size_t>(part.data() - key.data());
+    // `part` lies within `key`; the text before it, without its last dot, is the path of `node`.
+    const auto before = static_cast<std::size_t>(part.data() - key.data());
     parent = node;
-    node = &childOf(*parent, part, key.substr(0, wayLength - (wayLength > 0 ? 1 : 0)), location);
+    node = &childOf(*parent, part, key.substr(0, before - (before > 0 ? 1 : 0)), location);
   }
   *node = valueFrom(value, location);
   const bool inInitial = path.size() >= 2 && path[path.size() - 2] == "initial";
@@ -103,8 +102,8 @@ std::string overrideLocation(std::string_view text) {
 
 void applyOverrides(TomlNode& root, std::span<const std::string> overrides) {
   if (overrides.size() > kMaxOverrides) {
-    throw InputError("--set: " + std::to_string(overrides.size()) + " of them; the limit is " +
-                     std::to_string(kMaxOverrides) + ": write them into the scene's file");
+    throw InputError("--set: " + std::to_string(overrides.size()) + " options; the limit is " +
+                     std::to_string(kMaxOverrides) + "; write the values into the scene's file");
   }
   for (const std::string& text : overrides) applyOverride(root, text);
 }

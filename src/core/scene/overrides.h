@@ -1,4 +1,4 @@
-// --set: values from the command line in place of those of the scene file.
+// --set: values from the command line that replace those of the scene file.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@ namespace rotatebook::scene {
 
 inline constexpr std::size_t kMaxOverrides = 1000;
 
-/// Puts each "key.path=value" into `root`, a table, in their order. The value is TOML, or else a
-/// bare string. An element of an array has its number from 0 for a key: panel.0.label.
-/// Setting either of initial.angular_velocity and initial.angular_momentum takes the other one out.
-/// Only the form is checked here. Throws InputError "PLACE: PROBLEM", with
-/// overrideLocation(), and for more than kMaxOverrides.
+/// Applies each "key.path=value" to `root`, a table, in order. The value is TOML, or else a bare
+/// string. The key of an array's element is its number from 0: panel.0.label. Setting either of
+/// initial.angular_velocity and initial.angular_momentum removes the other. Only the form is
+/// checked here. Throws InputError "LOCATION: PROBLEM", with overrideLocation(), and for more than
+/// kMaxOverrides.
 void applyOverrides(TomlNode& root, std::span<const std::string> overrides);
 
-/// What messages call the location of an override: "--set KEY=VALUE", printable and not too long.
+/// Returns the location of an override for messages: "--set KEY=VALUE", printable and not too long.
 std::string overrideLocation(std::string_view text);
 
 }  // namespace rotatebook::scene

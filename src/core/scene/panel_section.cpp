@@ -21,31 +21,36 @@ const TomlNode::Table* tableOf(const ValueReader& parent, std::string_view key) 
   return value ? tableOf(value->node()) : nullptr;
 }
 
-/// Whether `own`, a panel's table, takes the place of `entry` in the scene's: of the spins, too, it
-/// has only one.
+/// Returns whether `own`, a panel's table, replaces `entry` of the scene's: with the same key, or
+/// with another spin, of which a panel has only one.
 bool replaces(const TomlNode::Table& own, const TomlEntry& entry) {
   return find(own, entry.key) != nullptr ||
          (isSpin(entry.key) &&
           std::ranges::any_of(own, [](const TomlEntry& mine) { return isSpin(mine.key); }));
 }
 
-/// Adds to a panel's sections what the scene's section of that name has and the panel doesn't.
+/// Adds to a panel's sections what the scene's section `name` has and the panel's doesn't.
 void mergeSection(TomlNode::Table& sections, std::string_view name, const TomlNode& common) {
-  const TomlNode::Table* shared = tableOf(common);
+  // Take the scene's section whole if the panel has none
   TomlEntry* section = find(sections, name);
   if (section == nullptr) {
     sections.push_back({std::string(name), common.location, common});
     return;
   }
+
+  // Leave what isn't a table to the section's reader, which refuses it
+  const TomlNode::Table* shared = tableOf(common);
   auto* own = std::get_if<TomlNode::Table>(&section->node.value);
-  if (own == nullptr || shared == nullptr) return;  // their readers will say so
+  if (own == nullptr || shared == nullptr) return;
+
+  // Append the scene's keys that the panel, as it was written, doesn't replace
   const TomlNode::Table before = *own;
   for (const TomlEntry& entry : *shared) {
     if (!replaces(before, entry)) own->push_back(entry);
   }
 }
 
-/// A panel with all keys that the scene has for it. Every value keeps its place.
+/// Returns a panel with all keys that the scene has for it. Every value keeps its location.
 TomlNode mergedPanel(const ValueReader& panel, const ValueReader& file) {
   TomlNode merged = panel.node();
   auto& sections = std::get<TomlNode::Table>(merged.value);
@@ -56,11 +61,12 @@ TomlNode mergedPanel(const ValueReader& panel, const ValueReader& file) {
   return merged;
 }
 
-/// What panels must not have, because they share it.
+/// Throws InputError if a panel states what all panels share.
 void refuseShared(const ValueReader& panel) {
   if (const auto clip = panel.find("clip")) {
-    clip->fail("a panel has no clip of its own, because all panels share one clock; set clip." +
-               std::string("duration and the others for the whole scene"));
+    clip->fail(
+        "a panel has no clip of its own, because all panels share one clock; set the keys of "
+        "[clip] for the whole scene");
   }
   const auto simulation = panel.find("simulation");
   if (!simulation) return;
@@ -71,7 +77,8 @@ void refuseShared(const ValueReader& panel) {
   }
 }
 
-void refuseTwin(const ValueReader& label, const std::vector<Panel>& earlier, const Panel& panel) {
+void refuseSameLabel(const ValueReader& label, const std::vector<Panel>& earlier,
+                     const Panel& panel) {
   for (const Panel& other : earlier) {
     if (other.label == panel.label) {
       label.fail("two panels have the label " + tomlString(panel.label));
@@ -79,7 +86,9 @@ void refuseTwin(const ValueReader& label, const std::vector<Panel>& earlier, con
   }
 }
 
+/// Checks `read`, a panel read from `merged`, across its sections. Throws InputError.
 void checkPanel(const ValueReader& panel, const ValueReader& merged, const Panel& read) {
+  // Require what has no default: a label and a spin
   if (!panel.find("label")) panel.fail("a panel needs a label");
   const auto initial = merged.find("initial");
   if (!initial) {
@@ -88,28 +97,37 @@ void checkPanel(const ValueReader& panel, const ValueReader& merged, const Panel
                "angular_momentum");
   }
   requireSpin(*initial);
+
+  // Refuse an inertia that the model doesn't take
   if (const auto body = merged.find("body")) checkInertia(*body, read.simulation.model);
-  // An integrator that the scene has for its other panels is no matter for one without steps.
+
+  // Refuse an integrator that the model doesn't have, unless the scene states it for other panels
+  // and this one takes no steps
   const TomlNode::Table* own = tableOf(panel, "simulation");
-  const bool itsOwn = own != nullptr && find(*own, "integrator") != nullptr;
+  const bool isOwn = own != nullptr && find(*own, "integrator") != nullptr;
   if (const auto simulation = merged.find("simulation");
-      simulation && (itsOwn || read.simulation.model != physics::Model::Exact)) {
+      simulation && (isOwn || read.simulation.model != physics::Model::Exact)) {
     checkIntegrator(*simulation, read.simulation);
   }
 }
 
 Panel readPanel(const ValueReader& panel, const ValueReader& file, double timePerFrame,
                 const std::vector<Panel>& earlier) {
+  // Complete the panel's sections from the scene's
   refuseShared(panel);
   const TomlNode node = mergedPanel(panel, file);
   const ValueReader merged(node, panel.name());
+
+  // Read the keys of the panel itself and of its sections
   Panel result;
   auto fields = fieldsOf(panelKeys(), [&](const Key<Panel>& key, const ValueReader& value) {
     key.read(value, result);
-    if (key.name == "label") refuseTwin(value, earlier, result);
+    if (key.name == "label") refuseSameLabel(value, earlier, result);
   });
   addFields(fields, motionSections(), result);
   merged.readTable(fields);
+
+  // Check what several sections decide together
   result.simulation.timePerFrame = timePerFrame;
   checkPanel(panel, merged, result);
   return result;
@@ -119,7 +137,7 @@ Panel readPanel(const ValueReader& panel, const ValueReader& file, double timePe
 
 std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file,
                               double timePerFrame) {
-  const auto tables = panels.tables("tables with the head [[panel]]");
+  const auto tables = panels.tables("tables with the header [[panel]]");
   if (tables.size() < kMinPanels || tables.size() > kMaxPanels) {
     panels.fail("a scene has " + std::to_string(kMinPanels) + " to " + std::to_string(kMaxPanels) +
                 " panels, not " + std::to_string(tables.size()));

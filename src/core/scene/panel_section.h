@@ -1,4 +1,4 @@
-// [[panel]], in and out.
+// Reads [[panel]], the motions that a clip shows side by side.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@ namespace rotatebook::scene {
 inline constexpr std::size_t kMinPanels = 2;
 inline constexpr std::size_t kMaxPanels = 6;
 
-/// Reads `panels`, each over the sections of `file`, the whole: what a panel leaves out is as the
-/// file has it, or else the default. All have `timePerFrame`. [s] Throws InputError.
+/// Reads `panels`. What a panel leaves out is taken from the sections of `file`, the whole scene
+/// file, or else from the defaults. All panels have `timePerFrame`. [s] Throws InputError.
 std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file,
                               double timePerFrame);
 

@@ -1,4 +1,4 @@
-// [body], [simulation], [initial] and [expect]: what moves, and what it must show.
+// The sections [body], [simulation], [initial] and [expect]: what moves, and what it must show.
 #include <algorithm>
 #include <functional>
 #include <string>
@@ -20,7 +20,7 @@ void finishSimulation(const ValueReader& section, physics::SimulationSettings& s
   if (!section.find("integrator")) settings.integrator = defaultIntegrator(settings.model);
 }
 
-/// All but time_per_frame.
+/// Returns the lines of all keys but time_per_frame, which panels share.
 std::string simulationLines(const Motion& motion) {
   std::string lines;
   for (const auto& key : simulationKeys()) {
@@ -39,7 +39,7 @@ void checkSpin(const ValueReader& section, physics::InitialSpin& spin) {
   if (tilt && (hasVelocity || hasMomentum)) failAtValue(*tilt, [&] { spin.tilted(); });
 }
 
-/// The quantities in the order in which they are expected first.
+/// Returns the lines of the quantities, in the order in which they are first expected.
 std::string expectLines(const Motion& motion) {
   const auto& expectations = motion.expectations;
   std::string lines;
@@ -97,7 +97,7 @@ void checkInertia(const ValueReader& section, physics::Model model) {
   if (!inertia || model != physics::Model::Particles) return;
   inertia->fail(inertia->name() +
                 " is for rigid models, but the model is \"particles\", whose inertia follows from "
-                "where they are; leave it out");
+                "their positions; leave it out");
 }
 
 }  // namespace rotatebook::scene

@@ -1,4 +1,4 @@
-// [clip], [video], [camera], [book], [look] and [overlay]: how the motion is shown.
+// The sections [clip], [video], [camera], [book], [look] and [overlay]: how the motion is shown.
 #include <algorithm>
 #include <initializer_list>
 #include <string>
@@ -14,11 +14,11 @@
 namespace rotatebook::scene {
 namespace {
 
-constexpr int kMaxFrames = 1'000'000;  // Their trajectory takes some 400 MB.
+constexpr int kMaxFrames = 1'000'000;  // A trajectory of so many takes some 400 MB.
 constexpr double kMinDistance = 1e-9;  // [m]
-constexpr double kMinSine = 1e-6;      // Of the angle between two directions that aren't parallel.
+constexpr double kMinSine = 1e-6;      // Below this sine of their angle, directions are parallel.
 
-// A camera is only ever wrong through one of the keys that are there.
+// The defaults make a valid camera, so one of the keys that are present is at fault.
 [[noreturn]] void failAtFirst(const ValueReader& section,
                               std::initializer_list<std::string_view> keys,
                               const std::string& problem) {
@@ -28,11 +28,11 @@ constexpr double kMinSine = 1e-6;      // Of the angle between two directions th
   section.fail(problem);
 }
 
-/// Why `scene`, none of whose motions has `overlay`, doesn't have it.
-std::string absence(Overlay overlay, const Scene& scene) {
+/// Returns the reason why no motion of `scene` has `overlay`.
+std::string reasonForAbsence(Overlay overlay, const Scene& scene) {
   const std::string name(nameOf(kOverlays, overlay));
   if (rowOf(overlay).models == OverlayModels::Particles) {
-    return name + " are only of the particles model; " +
+    return name + " exist only in the particles model; " +
            (scene.panels.empty()
                 ? "this scene's is " + std::string(nameOf(kModels, scene.simulation.model))
                 : "no panel of this scene has it");
@@ -42,7 +42,7 @@ std::string absence(Overlay overlay, const Scene& scene) {
 
 void checkFrames(const ValueReader& section, ClipSettings& clip) {
   // framesIn() counts in 64 bits, which an absurd duration would overflow. The default duration is
-  // right at any rate, so that a wrong one is in the file.
+  // valid at any rate, so an invalid one is in the file.
   const bool tooMany = clip.duration / clip.frameRate.period() > kMaxFrames;
   if (tooMany || clip.frameCount() < 1) {
     section.find("duration")
@@ -66,17 +66,17 @@ std::span<const Section<Scene>> pictureSections() {
 }
 
 void checkMotionBlur(const ValueReader& section, const Scene& scene) {
-  const int moments = scene.look.motionBlur, least = 2 * moments;
+  const int moments = scene.look.motionBlur, divisor = 2 * moments;
   if (moments == 1) return;
   for (const Panel& panel : motionsOf(scene)) {
     const int substeps = panel.simulation.substeps;
     const bool exact = panel.simulation.model == physics::Model::Exact;
-    if (exact || substeps % least == 0) continue;
+    if (exact || substeps % divisor == 0) continue;
     section.find("motion_blur")
         ->fail("look.motion_blur = " + std::to_string(moments) +
-               " needs simulation.substeps to be a multiple of " + std::to_string(least) +
+               " needs simulation.substeps to be a multiple of " + std::to_string(divisor) +
                ", not " + std::to_string(substeps) + "; the next is " +
-               std::to_string((substeps / least + 1) * least));
+               std::to_string((substeps / divisor + 1) * divisor));
   }
 }
 
@@ -87,7 +87,7 @@ void checkOverlays(const ValueReader& section, const Scene& scene) {
     const auto hasIt = [&](const Panel& panel) { return isFor(panel.simulation.model, show[i]); };
     if (std::ranges::any_of(motions, hasIt)) continue;
     const auto names = section.find("show")->elements(show.size(), "a list of overlays");
-    names[i].fail(names[i].name() + ": " + absence(show[i], scene));
+    names[i].fail(names[i].name() + ": " + reasonForAbsence(show[i], scene));
   }
 }
 

@@ -7,12 +7,12 @@
 namespace rotatebook::scene {
 namespace {
 
-/// The shortest turn from unit vector `from` to +y.
-Eigen::Matrix3d turnToY(const Eigen::Vector3d& from) {
-  constexpr double kMin = 1e-12;  // of 1 + the angle's cosine
+/// Returns the smallest rotation that takes the unit vector `from` to +y.
+Eigen::Matrix3d rotationToY(const Eigen::Vector3d& from) {
+  constexpr double kMin = 1e-12;  // smallest 1 + cosine to divide by
   const double cosine = from.y();
   if (1 + cosine < kMin) return Eigen::Vector3d(1, -1, -1).asDiagonal();
-  const Eigen::Vector3d axis = from.cross(Eigen::Vector3d::UnitY());  // as long as the sine
+  const Eigen::Vector3d axis = from.cross(Eigen::Vector3d::UnitY());  // its length is the sine
   return cosine * Eigen::Matrix3d::Identity() + physics::crossMatrix(axis) +
          axis * axis.transpose() / (1 + cosine);
 }
@@ -27,7 +27,7 @@ Eigen::Matrix3d frameFromWorld(ReferenceFrame frame, const physics::Sample& samp
       return sample.attitude.toRotationMatrix().transpose();
     case ReferenceFrame::Momentum: {
       const double size = sample.angularMomentum.stableNorm();
-      if (size > 0) return turnToY(sample.angularMomentum / size);
+      if (size > 0) return rotationToY(sample.angularMomentum / size);
     }
   }
   return Eigen::Matrix3d::Identity();
@@ -35,12 +35,12 @@ Eigen::Matrix3d frameFromWorld(ReferenceFrame frame, const physics::Sample& samp
 
 physics::Sample seenFrom(ReferenceFrame frame, const physics::Sample& sample) {
   if (frame == ReferenceFrame::World) return sample;
-  const Eigen::Matrix3d turn = frameFromWorld(frame, sample);
+  const Eigen::Matrix3d rotation = frameFromWorld(frame, sample);
   physics::Sample seen = sample;
-  seen.cage = turn * sample.cage;
-  seen.attitude = Eigen::Quaterniond(turn) * sample.attitude;
-  seen.angularVelocity = turn * sample.angularVelocity;
-  seen.angularMomentum = turn * sample.angularMomentum;
+  seen.cage = rotation * sample.cage;
+  seen.attitude = Eigen::Quaterniond(rotation) * sample.attitude;
+  seen.angularVelocity = rotation * sample.angularVelocity;
+  seen.angularMomentum = rotation * sample.angularMomentum;
   return seen;
 }
 

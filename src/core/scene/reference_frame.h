@@ -1,4 +1,4 @@
-// What a motion is looked at from.
+// Reference frames in which a motion can be viewed.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,19 +7,20 @@
 
 namespace rotatebook::scene {
 
-/// Axes that a motion is described in.
+/// A reference frame: the axes that a motion is described in.
 enum class ReferenceFrame {
-  World,     ///< That of the start, which doesn't turn.
-  Body,      ///< Turns with the body's attitude: its axes stand still.
+  World,     ///< The body's axes at the start; doesn't turn.
+  Body,      ///< Turns with the body's attitude: its axes are at rest.
   Momentum,  ///< Turned so that the angular momentum points along +y; at rest if it is conserved.
 };
 
-/// The rotation from the world's axes to those of `frame` at this moment. Without angular momentum
-/// ReferenceFrame::Momentum is the world's; where it points along -y, the turn is about x.
+/// Returns the rotation from world axes to those of `frame` at this moment. Without angular
+/// momentum, ReferenceFrame::Momentum is the world's; where it points along -y, the rotation is
+/// about x.
 Eigen::Matrix3d frameFromWorld(ReferenceFrame frame, const physics::Sample& sample);
 
-/// `sample` with cage, attitude, angular velocity and angular momentum along the axes of `frame`
-/// at its moment. What has no direction stays as it is.
+/// Returns `sample` with cage, attitude, angular velocity and angular momentum along the axes of
+/// `frame` at its moment. Quantities without a direction are unchanged.
 physics::Sample seenFrom(ReferenceFrame frame, const physics::Sample& sample);
 
 }  // namespace rotatebook::scene

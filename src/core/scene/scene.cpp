@@ -25,13 +25,13 @@ bool isTransparent(const Scene& scene) {
 Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldOfViewDeg, int width,
                                       int height) {
   constexpr double kMargin = 1.08;
-  // From the right and a little above: all three kinds of sides show, the cover most of all.
+  // From the right and a little above: all three kinds of sides are visible, the cover most.
   const Eigen::Vector3d direction = Eigen::Vector3d(0.42, 0.30, 1).normalized();
   const double halfAngle = fieldOfViewDeg / 2 * std::numbers::pi / 180;
   const double halfHeight = sine(halfAngle) / cosine(halfAngle);
   const double halfWidth = halfHeight * width / height;
   const double narrowerHalfAngle = arcTangent(std::min(halfHeight, halfWidth));
-  // The sphere that the corners never leave touches the narrower pair of the view's sides.
+  // The sphere that the corners never leave touches the narrower pair of the view frustum's sides.
   return direction * (kMargin * body.size.norm() / 2 / sine(narrowerHalfAngle));
 }
 

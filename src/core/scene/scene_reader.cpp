@@ -1,4 +1,4 @@
-// From TOML to a Scene: the whole file, and the defaults that depend on several sections.
+// Reads a Scene from TOML: the whole file, and the defaults that depend on several sections.
 #include <algorithm>
 #include <string>
 
@@ -23,12 +23,12 @@ void readSections(const ValueReader& file, Scene& scene) {
   addFields(fields, motion.first(motion.size() - 1), scene);
   addFields(fields, pictureSections(), scene);
   addFields(fields, motion.last(1), scene);  // [expect]
-  // These depend on the others; read when those are.
+  // These depend on the other sections and are read after them.
   for (const char* key : {"panel", "study"}) fields.push_back({key, [](const ValueReader&) {}});
   file.readTable(fields);
 }
 
-/// Where the camera stands unless it is told: so that the largest of the bodies is seen whole.
+/// Returns the default camera position, from which the largest of the bodies is seen whole.
 Eigen::Vector3d cameraPosition(const Scene& scene) {
   const double angle = scene.camera.fieldOfViewDeg;
   if (scene.panels.empty()) {
@@ -36,7 +36,7 @@ Eigen::Vector3d cameraPosition(const Scene& scene) {
   }
   const auto diagonal = [](const Panel& panel) { return panel.body.size.norm(); };
   const Panel& largest = *std::ranges::max_element(scene.panels, {}, diagonal);
-  // The angle is that over a panel's shorter side, so that its shape doesn't matter.
+  // The angle is over a panel's shorter side, so the panel's shape doesn't matter.
   return defaultCameraPosition(largest.body, angle, 1, 1);
 }
 
@@ -62,7 +62,7 @@ void placeCamera(const ValueReader& file, Scene& scene) {
   if (const auto camera = file.find("camera")) checkCamera(*camera, scene.camera);
 }
 
-/// The places of those of kLocatedKeys that the file states, and of its labels.
+/// Notes the locations of those kLocatedKeys that the file states, and of the panels' labels.
 void noteLocations(const ValueReader& file, Scene& scene) {
   for (const std::string_view key : kLocatedKeys) {
     const auto dot = key.find('.');
@@ -97,7 +97,9 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   if (const auto overlay = file.find("overlay")) checkOverlays(*overlay, scene);
   if (const auto look = file.find("look")) checkMotionBlur(*look, scene);
   if (const auto study = file.find("study")) {
-    if (!scene.panels.empty()) study->fail("[study] is of one motion, but this scene has panels");
+    if (!scene.panels.empty()) {
+      study->fail("[study] needs a single motion, but this scene has panels");
+    }
     readStudy(*study, scene);
   }
   checkSteps(file, scene);

@@ -1,4 +1,4 @@
-// A Scene as TOML, every key in a fixed order.
+// Prints a Scene as TOML, every key in a fixed order.
 #include "scene/scene_text.h"
 
 #include <string>

@@ -1,4 +1,4 @@
-// Where a scene states what proves wrong only when files and fonts are opened.
+// Locations in a scene of what can prove wrong only when files and fonts are opened.
 #pragma once
 
 #include <concepts>
@@ -11,18 +11,19 @@
 
 namespace rotatebook::scene {
 
-/// The keys that Scene::locations knows, sections before a dot, but for those of labelKey().
+/// The keys that Scene::locations may have, sections before a dot, besides those of labelKey().
 inline constexpr std::string_view kLocatedKeys[] = {
     "title", "caption", "panel", "book.front", "book.spine", "book.back", "overlay.font"};
 
-/// "panel.0.label": the key of that panel's label.
+/// Returns the key of that panel's label: "panel.0.label".
 std::string labelKey(std::size_t panel);
 
-/// "FILE:LINE:COLUMN", or "--set KEY=VALUE", where the scene states `key`; its name if it doesn't.
+/// Returns the location where the scene states `key`, "FILE:LINE:COLUMN" or "--set KEY=VALUE"; the
+/// scene's name if it doesn't state it.
 std::string locationOf(const Scene& scene, std::string_view key);
 
-/// What `work` returns. An InputError of it is thrown anew as "PLACE: PROBLEM", with the location
-/// of `key`.
+/// Returns what `work` returns. Throws an InputError of it anew as "LOCATION: PROBLEM", with the
+/// location of `key`.
 template <std::invocable Work>
 auto atLocationOf(const Scene& scene, std::string_view key, const Work& work) {
   try {

@@ -1,4 +1,4 @@
-// How much a scene may compute.
+// Limits the integration steps that a scene may take.
 #include <numeric>
 #include <string>
 
@@ -12,14 +12,14 @@ std::int64_t stepsOf(const physics::SimulationSettings& settings) {
   return settings.model == physics::Model::Exact ? 1 : settings.substeps;
 }
 
-/// Of all motions, from a frame to the next.
+/// Returns the steps of all motions from one frame to the next.
 std::int64_t stepsOf(const Scene& scene) {
   std::int64_t steps = 0;
   for (const Panel& panel : motionsOf(scene)) steps += stepsOf(panel.simulation);
   return steps;
 }
 
-/// Of all runs, from a frame to the next.
+/// Returns the steps of all runs of a study from one frame to the next.
 std::int64_t stepsOf(const StudySettings& study, const Scene& scene) {
   const auto sizeOf = [](const auto& list) { return static_cast<std::int64_t>(list.size()); };
   if (study.isOfTilts()) return sizeOf(study.tilts) * stepsOf(scene.simulation);
@@ -27,7 +27,8 @@ std::int64_t stepsOf(const StudySettings& study, const Scene& scene) {
          std::accumulate(study.steps.begin(), study.steps.end(), std::int64_t{0});
 }
 
-/// So many steps aren't the default's: some section states them.
+/// Returns the value of a stated `substeps`. Too many steps aren't the default, so some section
+/// states them.
 ValueReader statedSubsteps(const ValueReader& file) {
   if (const auto common = file.find("simulation", "substeps")) return *common;
   if (const auto panels = file.find("panel")) {
@@ -38,13 +39,13 @@ ValueReader statedSubsteps(const ValueReader& file) {
   return file;
 }
 
-void refuseMany(std::int64_t stepsPerFrame, const Scene& scene, const ValueReader& place,
+void refuseMany(std::int64_t stepsPerFrame, const Scene& scene, const ValueReader& source,
                 const std::string& remedy) {
   const std::int64_t frames = scene.clip.frameCount();
   if (stepsPerFrame <= kMaxSteps / frames) return;
-  place.fail(std::to_string(frames) + " frames of " + std::to_string(stepsPerFrame) +
-             " integration steps are " + std::to_string(stepsPerFrame * frames) +
-             "; the limit is " + std::to_string(kMaxSteps) + " in all: " + remedy);
+  source.fail(std::to_string(frames) + " frames of " + std::to_string(stepsPerFrame) +
+              " integration steps are " + std::to_string(stepsPerFrame * frames) +
+              "; the limit is " + std::to_string(kMaxSteps) + " in all: " + remedy);
 }
 
 }  // namespace
@@ -56,7 +57,7 @@ void checkSteps(const ValueReader& file, const Scene& scene) {
   if (!study) return;
   const auto list = study->find(scene.study->isOfTilts() ? "tilts" : "steps");
   refuseMany(stepsOf(*scene.study, scene), scene, list.value_or(*study),
-             "study less, or lower clip.duration");
+             "make fewer runs, or lower clip.duration");
 }
 
 }  // namespace rotatebook::scene

@@ -10,13 +10,13 @@ namespace {
 using physics::Model;
 
 constexpr int kMaxDoublings = 10;
-// Angle between the untilted spin and the median axis up to which there is a law to compare with.
-// [rad]
-constexpr double kAboutMedian = 0.1;
+// Sine of the largest angle between the untilted spin and the median axis for which there is a law
+// to compare with.
+constexpr double kMaxSineToMedian = 0.1;
 
 void refuseExact(const ValueReader& section) {
   section.fail(
-      "the model \"exact\" takes no steps, so that [study] has no integrators and steps to "
+      "the model \"exact\" takes no steps, so [study] has no integrators and steps to "
       "compare; give it tilts, or choose another model");
 }
 
@@ -28,13 +28,13 @@ void checkTilted(const ValueReader& tilts, const Scene& scene) {
   motion.initial.tilt.reset();
   const Eigen::Vector3d axis = medianAxis(modelInertia(motion));
   const Eigen::Vector3d spin = initialAngularVelocity(motion);
-  if (axis.cross(spin).norm() <= kAboutMedian * spin.norm()) return;
+  if (axis.cross(spin).norm() <= kMaxSineToMedian * spin.norm()) return;
   tilts.fail(tilts.name() +
-             " needs a spin about the axis of the median moment of inertia, about which alone a "
-             "body flips");
+             " needs a spin about the axis of the median moment of inertia, the only one about "
+             "which a body flips");
 }
 
-void refuseMixture(const ValueReader& section) {
+void refuseTiltsWithSteps(const ValueReader& section) {
   for (const char* key : {"integrators", "steps", "orders"}) {
     if (const auto value = section.find(key)) {
       value->fail("[study] has both tilts and " + std::string(key) +
@@ -61,14 +61,14 @@ void readStudy(const ValueReader& section, Scene& scene) {
   section.readTable(fieldsOf(keys, [](const auto&, const ValueReader&) {}));
   const auto tilts = section.find("tilts");
   if (tilts) {
-    refuseMixture(section);
+    refuseTiltsWithSteps(section);
     scene.study.emplace();
   } else {
     if (const auto law = section.find("flip_law")) law->fail(law->name() + " needs study.tilts");
     if (scene.simulation.model == Model::Exact) refuseExact(section);
     scene.study = defaultStudy(scene.simulation.model);
   }
-  // In the order of the keys, as the orders depend on the integrators.
+  // In the order of the keys, because the orders depend on the integrators.
   for (const Key<Scene>& key : keys) {
     if (const auto value = section.find(key.name)) key.read(*value, scene);
   }

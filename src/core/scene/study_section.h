@@ -1,4 +1,4 @@
-// [study], in and out.
+// Reads and prints [study].
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace rotatebook::scene {
 
-/// Reads the section into `scene`, of which the rest is read already, because what a study may vary
-/// depends on it. What the section leaves out is as in defaultStudy() of the scene's model. Throws
-/// InputError.
+/// Reads the section into `scene`, the rest of which must be read already, because it decides what
+/// a study may vary. What the section leaves out is as in defaultStudy() for the scene's model.
+/// Throws InputError.
 void readStudy(const ValueReader& section, Scene& scene);
 
-/// The section as TOML, empty for a scene without a study.
+/// Returns the section as TOML; empty for a scene without a study.
 std::string studyText(const Scene& scene);
 
 }  // namespace rotatebook::scene

@@ -1,4 +1,4 @@
-// Values as TOML writes them.
+// Prints values as TOML.
 #pragma once
 
 #include <string>
@@ -6,10 +6,10 @@
 
 namespace rotatebook::scene {
 
-/// A basic string: in quotes, with escapes where TOML wants them.
+/// Returns a basic string: in quotes, with escapes where TOML requires them.
 std::string tomlString(std::string_view text);
 
-/// A TOML float that reads back to exactly `value`, also where it is whole: "2.0".
+/// Returns a TOML float that reads back to exactly `value`, even if it is whole: "2.0".
 std::string tomlNumber(double value);
 
 }  // namespace rotatebook::scene

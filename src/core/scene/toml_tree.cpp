@@ -14,7 +14,7 @@ namespace {
 
 using LocationOf = std::function<std::string(const toml::source_region&)>;
 
-// The deepest value of a scene, a number in a bound in an array in a panel, lies at 6.
+// The deepest value of a scene, a number in a bound in an array in a panel, is at depth 6.
 constexpr int kDeepest = 8;
 
 TomlNode nodeFrom(const toml::node& source, const LocationOf& locationOf, int depth);
@@ -25,7 +25,7 @@ TomlNode::Array arrayFrom(const toml::array& source, const LocationOf& locationO
   return elements;
 }
 
-// toml++ keeps tables by name; messages are to come in the order of the text.
+// toml++ sorts tables by name; messages are to come in the order of the text.
 TomlNode::Table tableFrom(const toml::table& source, const LocationOf& locationOf, int depth) {
   std::vector<std::pair<const toml::key*, const toml::node*>> sorted;
   for (auto&& [key, node] : source) sorted.emplace_back(&key, &node);
@@ -76,14 +76,14 @@ std::string positionIn(const std::string& file, const toml::source_region& regio
 void refuseLong(std::string_view text, const std::string& location) {
   if (text.size() <= kLongestToml) return;
   failAt(location,
-         "longer than " + std::to_string(kLongestToml / 1024) + " KiB, so it is no scene");
+         "longer than " + std::to_string(kLongestToml / 1024) + " KiB, the limit for a scene");
 }
 
 std::string describeText(const std::string& text) {
   constexpr std::size_t kMaxShown = 200;
-  const std::size_t letters = letterCount(text);
-  return letters <= kMaxShown ? tomlString(text)
-                              : "a text of " + std::to_string(letters) + " letters";
+  const std::size_t characters = letterCount(text);
+  return characters <= kMaxShown ? tomlString(text)
+                                 : "a string of " + std::to_string(characters) + " characters";
 }
 
 std::string describeArray(const TomlNode::Array& array) {
@@ -115,7 +115,7 @@ std::optional<TomlNode> parseTomlValue(std::string_view text, const std::string&
   const LocationOf locationOf = [&location](const auto&) { return location; };
   try {
     const toml::table table = toml::parse("value = " + std::string(text));
-    // A line break in `text` could have brought more keys with it.
+    // A line break in `text` could add more keys.
     if (table.size() != 1) return std::nullopt;
     return nodeFrom(*table.get("value"), locationOf, 0);
   } catch (const toml::parse_error&) {

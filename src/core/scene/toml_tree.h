@@ -1,4 +1,4 @@
-// A TOML text as a tree of plain values, each of which knows where it stands.
+// A TOML text as a tree of plain values, each with its location.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace rotatebook::scene {
 
 struct TomlEntry;
 
-/// A date or a time. No key of a scene takes one, so that its value is of no interest.
+/// A date or a time. No key of a scene takes one, so its value isn't kept.
 struct TomlDate {};
 
 /// A value and its location.
@@ -28,28 +28,30 @@ struct TomlNode {
 /// A key with its value.
 struct TomlEntry {
   std::string key;
-  std::string keyLocation;  ///< As TomlNode::location.
+  std::string keyLocation;  ///< Like TomlNode::location.
   TomlNode node;
 };
 
-/// Longest text that is parsed: ten times what any scene needs. It bounds how deep dotted keys can
-/// nest, and with that the stack that parsing takes, under 2 MB. [bytes]
+/// Longest text that is parsed: ten times what any scene needs. It limits how deep dotted keys can
+/// nest, and so the stack that parsing takes, to under 2 MB. [bytes]
 inline constexpr std::size_t kLongestToml = 32'768;
 
-/// Throws InputError "PLACE: PROBLEM".
+/// Throws InputError "LOCATION: PROBLEM".
 [[noreturn]] void failAt(const std::string& location, const std::string& problem);
 
-/// The tree of a whole text; its root is a table. Throws InputError with the parser's words.
+/// Returns the tree of a whole text; its root is a table. Throws InputError with the parser's
+/// message.
 TomlNode parseToml(std::string_view text, const std::string& file);
 
-/// A single value, or nothing if `text` isn't one; `location` is the location of every part of it.
+/// Returns the single value in `text`, or nothing if it isn't one; every part of it has `location`.
 std::optional<TomlNode> parseTomlValue(std::string_view text, const std::string& location);
 
-/// The entry of that key, or null.
+/// Returns the entry with that key, or null.
 TomlEntry* find(TomlNode::Table& table, std::string_view key);
 const TomlEntry* find(const TomlNode::Table& table, std::string_view key);
 
-/// What a value is, for a message: as TOML writes it where that is short, else in words.
+/// Returns the description of a value for a message: as TOML writes it if that is short, else in
+/// words.
 std::string describe(const TomlNode& node);
 
 }  // namespace rotatebook::scene

@@ -21,31 +21,31 @@ std::optional<double> numberFrom(const TomlNode& node) {
 
 }  // namespace
 
-std::string integerWords(int min, int max) {
+std::string expectedInteger(int min, int max) {
   return "an integer from " + std::to_string(min) + " to " + std::to_string(max);
 }
 
-std::string textWords(std::size_t most) {
-  return "a text of at most " + std::to_string(most) + " letters";
+std::string expectedString(std::size_t most) {
+  return "a string of at most " + std::to_string(most) + " characters";
 }
 
 std::string ValueReader::text(std::size_t most) const {
   const auto* text = std::get_if<std::string>(&node_->value);
-  if (!text) mismatch("a text in quotes");
-  if (letterCount(*text) > most) mismatch(textWords(most));
-  if (printable(*text) != *text) mismatch("a text without control characters");
+  if (!text) mismatch("a string in quotes");
+  if (letterCount(*text) > most) mismatch(expectedString(most));
+  if (printable(*text) != *text) mismatch("a string without control characters");
   return *text;
 }
 
 bool ValueReader::flag() const {
   const auto* flag = std::get_if<bool>(&node_->value);
-  if (!flag) mismatch(std::string(kFlagWords));
+  if (!flag) mismatch(std::string(kExpectedFlag));
   return *flag;
 }
 
 int ValueReader::integer(int min, int max) const {
   const auto* whole = std::get_if<std::int64_t>(&node_->value);
-  if (!whole || *whole < min || *whole > max) mismatch(integerWords(min, max));
+  if (!whole || *whole < min || *whole > max) mismatch(expectedInteger(min, max));
   return static_cast<int>(*whole);
 }
 
@@ -53,14 +53,14 @@ double ValueReader::number(const NumberRange& range) const {
   const std::optional<double> number = numberFrom(*node_);
   // NaN compares false with everything.
   if (!number || !(*number >= range.min && *number <= range.max))
-    mismatch(std::string(range.words));
+    mismatch(std::string(range.expected));
   return *number;
 }
 
 Eigen::Vector3d ValueReader::vector(const NumberRange& range) const {
   Eigen::Vector3d vector;
   Eigen::Index row = 0;
-  for (const ValueReader& element : elements(3, std::string(range.words))) {
+  for (const ValueReader& element : elements(3, std::string(range.expected))) {
     vector[row++] = element.number(range);
   }
   return vector;
@@ -68,7 +68,7 @@ Eigen::Vector3d ValueReader::vector(const NumberRange& range) const {
 
 Eigen::Vector3d ValueReader::direction() const {
   Eigen::Vector3d direction = vector(kDirections);
-  if (direction.norm() < kShortestDirection) mismatch(std::string(kDirections.words));
+  if (direction.norm() < kShortestDirection) mismatch(std::string(kDirections.expected));
   return direction;
 }
 

@@ -1,4 +1,4 @@
-// Values of a scene file on their way into a Scene: typed, checked, and named in messages.
+// Reads typed and checked values of a scene file, and names them in messages.
 #pragma once
 
 #include <array>
@@ -20,11 +20,11 @@
 
 namespace rotatebook::scene {
 
-/// The finite numbers that a value may have, and how a message calls them.
+/// A range of finite numbers that a value may have, and its description in messages.
 struct NumberRange {
-  std::string_view words;  ///< "a positive number"
-  double min;              ///< The least that is allowed.
-  double max;              ///< The greatest that is allowed.
+  std::string_view expected;  ///< "a positive number"
+  double min;                 ///< Smallest allowed number.
+  double max;                 ///< Greatest allowed number.
 };
 
 inline constexpr NumberRange kPositive{"a positive number",
@@ -38,22 +38,22 @@ inline constexpr NumberRange kNumber{"a number", std::numeric_limits<double>::lo
 /// double.
 inline constexpr NumberRange kDirections{"three numbers from -1e9 to 1e9, not all zero", -1e9, 1e9};
 
-// What messages call other values that are allowed.
-inline constexpr std::string_view kFlagWords = "true or false";
-std::string integerWords(int min, int max);
-std::string textWords(std::size_t most);
+// Descriptions of other allowed values in messages.
+inline constexpr std::string_view kExpectedFlag = "true or false";
+std::string expectedInteger(int min, int max);
+std::string expectedString(std::size_t most);
 
 class ValueReader;
 
-/// A key that a table may have, and what to do with its value.
+/// A key that a table may have, and the function that reads its value.
 struct Field {
   std::string_view key;
   std::function<void(const ValueReader&)> read;
 };
 
-/// One value and its name, such as "simulation.substeps". It refers to the tree, which must outlive
-/// it. What a value isn't allowed to be, each member reports as InputError "PLACE: NAME must be
-/// EXPECTED, not FOUND".
+/// Reads one value, which has a name such as "simulation.substeps". It refers to the tree, which
+/// must outlive it. The members throw InputError "LOCATION: NAME must be EXPECTED, not FOUND" for a
+/// value that isn't allowed.
 class ValueReader {
  public:
   /// `name` is empty for the whole file.
@@ -62,40 +62,41 @@ class ValueReader {
   const std::string& name() const { return name_; }
   const TomlNode& node() const { return *node_; }
 
-  /// A text of at most `most` letters without control characters other than tab and line break.
+  /// Returns a string of at most `most` characters, with no control characters but tab and line
+  /// break.
   std::string text(std::size_t most) const;
   bool flag() const;
   int integer(int min, int max) const;
-  /// Whole numbers are numbers too; NaN and infinity are in no range.
+  /// Returns a number. Integers are numbers too; NaN and infinity are in no range.
   double number(const NumberRange& range) const;
-  /// Three numbers, each within `range`, whose words are those for all three.
+  /// Returns three numbers, each within `range`, whose description is that of all three.
   Eigen::Vector3d vector(const NumberRange& range) const;
-  /// Three numbers that aren't all zero.
+  /// Returns three numbers that aren't all zero.
   Eigen::Vector3d direction() const;
-  /// Index of the text in `names`.
+  /// Returns the index of the string in `names`.
   std::size_t choice(std::span<const std::string_view> names) const;
-  /// The value whose name the text is.
+  /// Returns the value whose name the string is.
   template <typename T, std::size_t N>
   T oneOf(const std::array<Named<T>, N>& choices) const {
     return choices[choice(namesOf(choices))].value;
   }
 
-  /// The elements of an array of that length. They keep the array's name.
+  /// Returns the elements of an array of that length. They keep the array's name.
   std::vector<ValueReader> elements(std::size_t count, const std::string& expected) const;
-  /// The elements of an array that isn't empty. They keep the array's name.
+  /// Returns the elements of a non-empty array. They keep the array's name.
   std::vector<ValueReader> list(const std::string& expected) const;
-  /// The tables of an array that isn't empty, or the one table that this is.
+  /// Returns the tables of a non-empty array, or this value if it is a table.
   std::vector<ValueReader> tables(const std::string& expected) const;
   /// Reads a table, in the order of the text, and refuses keys that aren't among `fields`.
   void readTable(const std::vector<Field>& fields) const;
-  /// The value of a key of this table, if it is there.
+  /// Returns the value of a key of this table, if it is present.
   std::optional<ValueReader> find(std::string_view key) const;
-  /// The value of a key of that section of this table, if both are there.
+  /// Returns the value of a key in a section of this table, if both are present.
   std::optional<ValueReader> find(std::string_view section, std::string_view key) const;
 
-  /// Throws "NAME must be EXPECTED, not FOUND".
+  /// Throws InputError "LOCATION: NAME must be EXPECTED, not FOUND".
   [[noreturn]] void mismatch(const std::string& expected) const;
-  /// Throws "PROBLEM", at this value's place.
+  /// Throws InputError "LOCATION: PROBLEM".
   [[noreturn]] void fail(const std::string& problem) const;
 
  private:
@@ -106,7 +107,8 @@ class ValueReader {
   std::string name_;
 };
 
-/// Does what physics may refuse: that is physics' to say; the place is ours.
+/// Runs `check`, and throws an InputError of it anew with the location of `value`: physics knows
+/// the problem, but not the location.
 template <typename Check>
 void failAtValue(const ValueReader& value, const Check& check) {
   try {

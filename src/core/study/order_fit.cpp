@@ -15,12 +15,12 @@ double slopeBetween(const ErrorAtStep& a, const ErrorAtStep& b) {
   return logarithm(b.errorDeg / a.errorDeg) / logarithm(b.h / a.h);
 }
 
-// Shortest step first, without errors of 0 and from the first saturated one on.
+// Returns the runs by step, shortest first, without errors of 0, up to the first saturated one.
 Runs unsaturated(std::span<const ErrorAtStep> all) {
   Runs runs(all.begin(), all.end());
   std::ranges::sort(runs, {}, &ErrorAtStep::h);
   std::erase_if(runs, [](const ErrorAtStep& run) { return run.errorDeg == 0; });
-  // NaN, which is no error to fit, compares false.
+  // NaN, which can't be fitted, compares false.
   const auto saturated = std::ranges::find_if_not(
       runs, [](const ErrorAtStep& run) { return run.errorDeg <= kLargestErrorDeg; });
   runs.erase(saturated, runs.end());
@@ -48,7 +48,7 @@ double leastSquaresSlope(const Runs& runs) {
   const auto count = static_cast<double>(runs.size());
   double x = 0, y = 0, xx = 0, xy = 0;
   for (const ErrorAtStep& run : runs) {
-    // From the first run, so that nothing cancels.
+    // Relative to the first run, to avoid cancellation.
     const double u = logarithm(run.h / runs.front().h);
     const double v = logarithm(run.errorDeg / runs.front().errorDeg);
     x += u;

@@ -26,8 +26,8 @@ bool isSet(Stop stop) {
   return stop != nullptr && *stop;
 }
 
-/// The whole motion, or nothing, with what became of it in `end`. After a stop it
-/// may be cut short; no row of such a study is used.
+/// Returns the whole motion, or nothing, with the reason in `end`. After a stop it may be cut
+/// short; no row of such a study is used.
 std::optional<Trajectory> wholeMotion(const MotionSettings& settings, std::int64_t frames,
                                       Stop stop, RunEnd& end) {
   try {
@@ -74,7 +74,7 @@ PrecisionRow runPrecision(const MotionSettings& settings, std::int64_t frames,
   return row;
 }
 
-// The longest first: begun last, they would be waited for alone.
+// Puts the longest runs first: a long run that starts last keeps all other threads waiting.
 std::vector<std::size_t> longestFirst(const std::vector<MotionSettings>& runs) {
   std::vector<std::size_t> indices(runs.size());
   std::iota(indices.begin(), indices.end(), std::size_t{0});
@@ -106,7 +106,7 @@ TiltRow runTilt(const MotionSettings& settings, std::int64_t frames, Stop stop) 
   return row;
 }
 
-/// Makes all runs; false after a stop.
+/// Makes all runs. Returns false after a stop.
 bool makeRuns(const std::vector<std::size_t>& indices, const Run& run, const Execution& execution) {
   return execution.runAll(indices, run) && !isSet(execution.stop);
 }
@@ -121,11 +121,11 @@ bool runInTurn(std::span<const std::size_t> indices, const Run& run) {
 void refuseNothingToVary(const scene::Scene& scene) {
   if (!scene.panels.empty()) {
     throw InputError(scene::locationOf(scene, "panel") +
-                     ": a study is of one motion, but this scene has panels");
+                     ": a study needs a single motion, but this scene has panels");
   }
   if (scene.simulation.model == physics::Model::Exact) {
     throw InputError(scene.name +
-                     ": the model \"exact\" takes no steps, so that there are no steps to compare; "
+                     ": the model \"exact\" takes no steps, so there are no steps to compare; "
                      "choose another model, e.g. --set simulation.model=quaternion");
   }
   if (scene.clip.frameCount() < 2) {

@@ -1,4 +1,5 @@
-// A scene's motion, run again and again: with other integrators and steps, or with other tilts.
+// Studies: a scene's motion run again and again, with other integrators and steps, or with other
+// tilts.
 #pragma once
 
 #include <atomic>
@@ -20,38 +21,38 @@ namespace rotatebook::study {
 
 inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
-/// How a run ended.
+/// The outcome of a run.
 struct RunEnd {
   enum class Kind {
     Whole,
     Diverged,       ///< Trajectory::divergedAt
     NoConvergence,  ///< physics::NoConvergence
-    FewFlips,       ///< Whole, but with fewer than two flips, which make no interval.
+    FewFlips,       ///< Whole, but with fewer than two flips, so without an interval.
   };
 
   Kind kind = Kind::Whole;
-  double time = 0;  ///< Of divergence; of FewFlips the motion's length. [s]
+  double time = 0;  ///< Time of divergence; for FewFlips, the motion's length. [s]
 
-  /// "ok", "diverged at 1.2 s", "no convergence", "fewer than two flips in 60 s".
+  /// Returns "ok", "diverged at 1.2 s", "no convergence" or "fewer than two flips in 60 s".
   std::string text() const;
 };
 
-/// One integrator with one step. The numbers are NaN where the run didn't reach its end; the
-/// largest are those at the frames.
+/// The results of one integrator with one step. Numbers are NaN if the run didn't reach its end;
+/// the largest ones are over the frames.
 struct PrecisionRow {
   physics::Integrator integrator = physics::Integrator::Euler;
   double h = 0;            ///< Step. [s]
-  std::int64_t steps = 0;  ///< In all.
+  std::int64_t steps = 0;  ///< Total number.
   RunEnd end{};
   double errorDeg = kNoNumber;       ///< Largest Sample::errorDeg. [degrees]
   double finalErrorDeg = kNoNumber;  ///< The last Sample::errorDeg. [degrees]
   double energyDrift = kNoNumber;    ///< Largest |E/E0 - 1|.
-  double momentumDrift = kNoNumber;  ///< Largest change of |L| over its start.
-  int halfTurns = 0;                 ///< Of a whole run.
-  double nsPerStep = kNoNumber;      ///< Execution's; measured, all else is computed.
+  double momentumDrift = kNoNumber;  ///< Largest ||L|/|L0| - 1|.
+  int halfTurns = 0;                 ///< Only of a whole run.
+  double nsPerStep = kNoNumber;      ///< Measured by Execution; all else is computed. [ns]
 };
 
-/// What an integrator's rows show.
+/// The order that an integrator's rows show.
 struct IntegratorOrder {
   physics::Integrator integrator = physics::Integrator::Euler;
   OrderFit fit;
@@ -59,10 +60,10 @@ struct IntegratorOrder {
 
 struct PrecisionStudy {
   std::vector<PrecisionRow> rows;       ///< Integrator by integrator, in the order of the settings.
-  std::vector<IntegratorOrder> orders;  ///< One an integrator.
+  std::vector<IntegratorOrder> orders;  ///< One for each integrator.
 };
 
-/// One tilt. The numbers are NaN where there is no interval.
+/// The results of one tilt. Numbers are NaN if there is no interval.
 struct TiltRow {
   double tilt = 0;  ///< [rad]
   RunEnd end{};
@@ -76,40 +77,42 @@ struct TiltRow {
 struct TiltStudy {
   std::vector<TiltRow> rows;  ///< In the order of the settings.
 
-  /// Greatest |ratio - 1|; NaN if a row has no interval.
+  /// Returns the greatest |ratio - 1|; NaN if a row has no interval.
   double greatestDeviation() const;
 };
 
-/// One run of a study, by its index.
+/// Makes one run of a study, given its index.
 using Run = std::function<void(std::size_t)>;
 
-/// Makes each of the runs `indices` on the caller's thread, in their order. Returns true.
+/// Makes the runs `indices` on the caller's thread, in their order. Returns true.
 bool runInTurn(std::span<const std::size_t> indices, const Run& run);
 
-/// Who makes the runs of a study. The core starts no thread and reads no clock: its caller may.
+/// The functions that make the runs of a study and measure their time. The core starts no thread
+/// and reads no clock; its caller may.
 struct Execution {
-  /// Calls the run once with each of the indices, begun in their order, possibly several at a time.
-  /// Returns whether all were made; throws the first error that a run threw.
+  /// Calls the run once with each of the indices, started in their order, possibly several at a
+  /// time. Returns whether all were made; throws the first error that a run threw.
   std::function<bool(std::span<const std::size_t>, const Run&)> runAll = runInTurn;
-  /// Measures the computing time of one of a motion's first `steps` steps. [ns] Without it
-  /// PrecisionRow::nsPerStep isn't known.
+  /// Measures the computing time of one step within a motion's first `steps` steps. [ns] Without
+  /// it, PrecisionRow::nsPerStep is NaN.
   std::function<double(const physics::MotionSettings&, std::int64_t steps)> nanosecondsPerStep{};
-  /// Set from outside to stop, which is noticed from frame to frame. May be null.
+  /// Stops the study if set from outside; read at every frame. May be null.
   const std::atomic<bool>* stop = nullptr;
 };
 
-/// Throws InputError if the model takes no steps, or if the clip has only one frame.
+/// Throws InputError if the scene has panels, the model takes no steps, or the clip has only one
+/// frame.
 void refuseNothingToVary(const scene::Scene& scene);
 
-/// Runs the scene's motion with each integrator and each step of `study`. Nothing after a stop.
-/// Everything but the times is the same however the runs are made. Throws as refuseNothingToVary(),
-/// and as physics::simulate() but for NoConvergence.
+/// Runs the scene's motion with each integrator and each step of `study`. Returns nothing after a
+/// stop. Everything but the times is the same however the runs are made. Throws like
+/// refuseNothingToVary(), and like physics::simulate() except NoConvergence.
 std::optional<PrecisionStudy> runPrecisionStudy(const scene::Scene& scene,
                                                 const scene::StudySettings& study,
                                                 const Execution& execution);
 
-/// Runs the scene's motion from each tilt of `study`. Nothing after a stop. Throws as
-/// physics::simulate() does but for NoConvergence.
+/// Runs the scene's motion from each tilt of `study`. Returns nothing after a stop. Throws like
+/// physics::simulate() except NoConvergence.
 std::optional<TiltStudy> runTiltStudy(const scene::Scene& scene, const scene::StudySettings& study,
                                       const Execution& execution);
 

@@ -12,21 +12,21 @@ std::string field(double value) {
   return "," + (std::isnan(value) ? "" : shortestText(value));
 }
 
-// Of a measured time the tenth of a nanosecond says more than enough. NaN stays NaN.
-double tenths(double nanoseconds) {
+// Rounds to tenths of a nanosecond, finer than any measurement. NaN stays NaN.
+double roundedToTenths(double nanoseconds) {
   return std::round(nanoseconds * 10) / 10;
 }
 
-std::string word(physics::Integrator integrator) {
+std::string nameOf(physics::Integrator integrator) {
   return std::string(scene::nameOf(scene::kIntegrators, integrator));
 }
 
 std::string precisionLine(const PrecisionRow& row) {
   const bool whole = row.end.kind == RunEnd::Kind::Whole;
-  return word(row.integrator) + field(row.h) + "," + std::to_string(row.steps) +
+  return nameOf(row.integrator) + field(row.h) + "," + std::to_string(row.steps) +
          field(row.errorDeg) + field(row.finalErrorDeg) + field(row.energyDrift) +
          field(row.momentumDrift) + "," + (whole ? std::to_string(row.halfTurns) : "") +
-         field(tenths(row.nsPerStep)) + "," + row.end.text() + "\n";
+         field(roundedToTenths(row.nsPerStep)) + "," + row.end.text() + "\n";
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ std::string ordersCsv(const PrecisionStudy& study) {
   std::string text = "integrator,order,runs,shortest_h_s,longest_h_s\n";
   for (const auto& [integrator, fit] : study.orders) {
     const bool none = fit.runs == 0;
-    text += word(integrator) + field(fit.order) + "," + std::to_string(fit.runs) +
+    text += nameOf(integrator) + field(fit.order) + "," + std::to_string(fit.runs) +
             field(none ? kNoNumber : fit.shortest) + field(none ? kNoNumber : fit.longest) + "\n";
   }
   return text;

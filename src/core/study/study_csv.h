@@ -1,4 +1,4 @@
-// Studies as tables.
+// Studies as CSV tables.
 #pragma once
 
 #include <string>
@@ -7,16 +7,17 @@
 
 namespace rotatebook::study {
 
-// Numbers read back to the same bits; those that a run doesn't have are empty.
+// Numbers read back to the same bits; the field of a number that a run doesn't have is empty.
 
-/// A row a run under a header row: integrator, h_s, steps, error_deg, final_error_deg,
+/// Returns a header row and one row a run: integrator, h_s, steps, error_deg, final_error_deg,
 /// energy_drift, L_drift, half_turns, ns_per_step, status.
 std::string precisionCsv(const PrecisionStudy& study);
 
-/// A row an integrator: integrator, order, runs, shortest_h_s, longest_h_s.
+/// Returns a header row and one row an integrator: integrator, order, runs, shortest_h_s,
+/// longest_h_s.
 std::string ordersCsv(const PrecisionStudy& study);
 
-/// A row a tilt: tilt_rad, flips, interval_s, law_s, ratio, status.
+/// Returns a header row and one row a tilt: tilt_rad, flips, interval_s, law_s, ratio, status.
 std::string tiltCsv(const TiltStudy& study);
 
 }  // namespace rotatebook::study

@@ -10,26 +10,27 @@
 
 namespace rotatebook::timeline {
 
-/// All that moves in a clip. Frame n shows sample n of every motion; of a motion that diverged
-/// before, its last sample. This is where it is known how many frames a clip has.
+/// All motions of a clip. Frame n shows sample n of every motion, or the last sample of a motion
+/// that has diverged before. It decides how many frames a clip has.
 class ClipMotion {
  public:
-  /// `trajectories`, at least one, each have as many samples as the clip is to have frames at
-  /// `rate`, or fewer if they diverge.
+  /// Takes at least one trajectory. Each has as many samples as the clip is to have frames at
+  /// `rate`, or fewer if it diverges.
   ClipMotion(std::vector<physics::Trajectory> trajectories, FrameRate rate);
 
   const std::vector<physics::Trajectory>& trajectories() const { return trajectories_; }
 
-  /// Frames of the clip. Once all motions have diverged it holds its last picture for one second
-  /// and ends, be that before or after the end that was asked for.
+  /// Returns the number of frames of the clip. Once all motions have diverged, the clip holds its
+  /// last picture for one second and ends, be that before or after the requested end.
   std::int64_t frameCount() const;
-  /// Whether all motions have diverged, so that frameCount() isn't what was asked for.
+  /// Returns whether all motions have diverged, so that frameCount() isn't as requested.
   bool allDiverge() const;
-  /// Index of the sample of motion `motion` that `frame` (0 to below frameCount()) shows.
+  /// Returns the index of the sample of motion `motion` that `frame` (0 to below frameCount())
+  /// shows.
   std::size_t sampleAt(std::size_t motion, std::int64_t frame) const;
-  /// Whether `frame` shows a motion that has diverged.
+  /// Returns whether motion `motion` has diverged by `frame`, which shows its last sample.
   bool isHeld(std::size_t motion, std::int64_t frame) const;
-  /// The frame whose time a clock shows at `frame`: it stops with the last motion.
+  /// Returns the frame whose time a clock shows at `frame`: the clock stops with the last motion.
   std::int64_t clockFrame(std::int64_t frame) const;
 
  private:

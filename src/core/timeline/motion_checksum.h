@@ -1,4 +1,4 @@
-// A motion's bits in one line.
+// The checksum of a clip's motions.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace rotatebook::timeline {
 
-/// checksumOf() the bits of a clip's motions, one after the other: their number of samples (64-bit
-/// integer), interval, time of divergence (-1 if there is none), and of each sample the time,
-/// attitude (w, x, y, z), angular velocity, angular momentum, kinetic and potential energy,
-/// half-turns (64-bit integer) and corners (x, y, z of each). Numbers are IEEE doubles unless said
-/// otherwise; all are of 8 bytes, the lowest first.
+/// Returns checksumOf() the bits of a clip's motions, one after the other: their number of samples
+/// (64-bit integer), interval, time of divergence (-1 if there is none), and for each sample the
+/// time, attitude (w, x, y, z), angular velocity, angular momentum, kinetic and potential energy,
+/// half-turns (64-bit integer) and corners (x, y, z of each). Numbers are IEEE doubles unless
+/// stated otherwise; each has 8 bytes, the lowest first.
 ///
-/// The pictures depend on nothing else of a motion. Left out is what follows from these: tilt,
-/// stretch, error, regime and rotational energy.
+/// The pictures depend on nothing else in a motion. Quantities that follow from these are left out:
+/// tilt, stretch, error, regime and rotational energy.
 std::string motionChecksum(const ClipMotion& motion);
 
 }  // namespace rotatebook::timeline

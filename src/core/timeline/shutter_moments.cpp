@@ -12,7 +12,7 @@ ShutterMoments::ShutterMoments(const scene::Scene& scene)
   const int finer = 2 * scene.look.motionBlur;
   for (const scene::Panel& panel : scene::motionsOf(scene)) {
     physics::MotionSettings settings = panel.motion();
-    // Both by a power of two, which leaves the step's length as it is to the last bit.
+    // Divide both by a power of two, which keeps the step's length to the last bit.
     settings.simulation.timePerFrame /= finer;
     settings.simulation.substeps = std::max(1, settings.simulation.substeps / finer);
     motions_.push_back(physics::simulate(settings, finer * scene.clip.frameCount()));

@@ -1,4 +1,4 @@
-// The moments that a picture with motion blur averages.
+// The moments that are averaged in a picture with motion blur.
 #pragma once
 
 #include <cstddef>
@@ -10,16 +10,17 @@
 namespace rotatebook::timeline {
 
 /// Samples of each motion of a scene within the half frame after each of its samples, while a
-/// shutter is open; the first is the sample itself. Taken from the same steps as the motion.
+/// shutter is open; the first is the sample itself. They come from the same integration steps as
+/// the motion.
 class ShutterMoments {
  public:
-  /// Throws as physics::simulate() does.
+  /// Simulates the motions if there is blur. Throws like physics::simulate().
   explicit ShutterMoments(const scene::Scene& scene);
 
-  /// How many there are for a picture, scene::LookSettings::motionBlur.
+  /// Returns the number of moments in a picture, scene::LookSettings::motionBlur.
   std::size_t count() const { return count_; }
-  /// Moment `moment` < count() after sample `sample` of a motion. Where the motion has diverged by
-  /// then it is the last one before.
+  /// Returns moment `moment` < count() after sample `sample` of a motion, or the last moment before
+  /// the motion diverged.
   const physics::Sample& at(std::size_t motion, std::size_t sample, std::size_t moment) const;
 
  private:

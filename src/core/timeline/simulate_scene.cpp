@@ -14,8 +14,8 @@ physics::Trajectory simulate(const scene::Scene& scene, const scene::Panel& pane
     return physics::simulate(panel.motion(), scene.clip.frameCount(), stop);
   } catch (const InputError& error) {
     const std::string file = (scene.folder / (scene.name + ".toml")).string();
-    const std::string place = panel.label.empty() ? "" : "the panel \"" + panel.label + "\": ";
-    throw InputError(file + ": " + place + error.what());
+    const std::string panelName = panel.label.empty() ? "" : "the panel \"" + panel.label + "\": ";
+    throw InputError(file + ": " + panelName + error.what());
   }
 }
 

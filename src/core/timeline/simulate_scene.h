@@ -1,4 +1,4 @@
-// The motions of a scene.
+// Simulates the motions of a scene.
 #pragma once
 
 #include <atomic>
@@ -9,8 +9,9 @@
 
 namespace rotatebook::timeline {
 
-/// All motions of the scene's clip, as scene::motionsOf() has them; `stop` and what is thrown as
-/// physics::simulate() has them, with the scene's file and panel named. `caller` as there.
+/// Simulates all motions of the scene's clip, in the order of scene::motionsOf(). `stop`, `caller`
+/// and what is thrown are as in physics::simulate(); an InputError names the scene's file and
+/// panel, too.
 ClipMotion simulateScene(const scene::Scene& scene, const std::atomic<bool>* stop = nullptr,
                          const physics::Layout& caller = physics::layoutHere());
 

@@ -52,11 +52,11 @@ void appendRow(std::string& text, std::size_t frame, const physics::Sample& samp
 
 void writeCsv(const physics::Trajectory& trajectory,
               const std::function<void(std::string_view)>& take) {
-  constexpr std::size_t kPiece = 65'536;  // bytes
+  constexpr std::size_t kPieceSize = 65'536;  // [bytes]
   std::string text = header();
   for (std::size_t frame = 0; frame < trajectory.samples.size(); ++frame) {
     appendRow(text, frame, trajectory.samples[frame], trajectory.samples.front());
-    if (text.size() < kPiece) continue;
+    if (text.size() < kPieceSize) continue;
     take(text);
     text.clear();
   }

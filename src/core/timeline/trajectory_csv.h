@@ -1,4 +1,4 @@
-// A motion as a table.
+// A motion as a CSV table.
 #pragma once
 
 #include <functional>
@@ -9,14 +9,14 @@
 
 namespace rotatebook::timeline {
 
-/// One row a frame under a header row: frame, time_s, attitude quaternion (qw to qz), angular
+/// Returns a header row and one row a frame: frame, time_s, attitude quaternion (qw to qz), angular
 /// velocity (w) and momentum (L) in world axes, energies, tilt_deg, half_turns, stretch_min,
 /// stretch_max and the eight drawn corners (c0x to c7z); then error_deg, the angle to the exact
-/// attitude, energy_ratio and L_ratio, each to its start, and regime (1, 0 or -1, as Regime). SI
-/// units; numbers read back to the same bits.
+/// attitude, energy_ratio and L_ratio, each relative to the start, and regime (1, 0 or -1, as
+/// Regime). SI units; numbers read back to the same bits.
 std::string trajectoryCsv(const physics::Trajectory& trajectory);
 
-/// Gives the same table to `take` in pieces of some 64 KiB.
+/// Passes the same table to `take` in pieces of some 64 KiB.
 void writeCsv(const physics::Trajectory& trajectory,
               const std::function<void(std::string_view)>& take);
 

@@ -124,7 +124,7 @@ TEST_F(StudyCommand, RefusesIntegratorsThatTheModelDoesNotHave) {
 
 TEST_F(StudyCommand, RefusesScenesWithNothingToVary) {
   expectRefused({"--set", "simulation.model=exact"},
-                "tiny: the model \"exact\" takes no steps, so that there are no steps to compare; "
+                "tiny: the model \"exact\" takes no steps, so there are no steps to compare; "
                 "choose another model, e.g. --set simulation.model=quaternion");
   expectRefused({"--set", "clip.duration=0.01"},
                 "tiny: a clip of one frame has no motion to study; make it longer");

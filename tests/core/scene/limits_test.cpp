@@ -19,9 +19,9 @@ void expectLongest(const std::string& key, int most) {
   EXPECT_EQ(errorOfLong(key, most), "no error") << key;
   const std::string error = errorOfLong(key, most + 1);
   const std::string found =
-      most + 1 > 200 ? "a text of " + std::to_string(most + 1) + " letters" : "";
+      most + 1 > 200 ? "a string of " + std::to_string(most + 1) + " characters" : "";
   const std::string expected =
-      key + " must be a text of at most " + std::to_string(most) + " letters, not " + found;
+      key + " must be a string of at most " + std::to_string(most) + " characters, not " + found;
   EXPECT_NE(error.find(expected), std::string::npos) << key;
 }
 
@@ -34,12 +34,13 @@ TEST(Texts, AreOfLimitedLength) {
 
 TEST(Texts, OfPanelsAreOfLimitedLength) {
   const std::string label(101, 'x');
-  EXPECT_EQ(errorOf("[[panel]]\nlabel = '" + label + "'\n[[panel]]\nlabel = 'b'"),
-            "a.toml:2:9: panel.label must be a text of at most 100 letters, not \"" + label + '"');
+  EXPECT_EQ(
+      errorOf("[[panel]]\nlabel = '" + label + "'\n[[panel]]\nlabel = 'b'"),
+      "a.toml:2:9: panel.label must be a string of at most 100 characters, not \"" + label + '"');
 }
 
 TEST(Texts, HaveNoControlCharacters) {
-  const std::string must = " must be a text without control characters, not ";
+  const std::string must = " must be a string without control characters, not ";
   EXPECT_EQ(errorOf("title = \"a\\u001b]0;x\\u0007\""),
             "a.toml:1:9: title" + must + "\"a\\u001B]0;x\\u0007\"");
   EXPECT_EQ(errorOf("[book]\nfront = \"a.png\\u0000b\""),
@@ -83,12 +84,12 @@ TEST(Steps, OfAStudyCount) {
   EXPECT_EQ(errorOf("clip.fps = 100\nclip.duration = 100\n[study]\nintegrators = ['rk4', 'dmv6']\n"
                     "steps = [1000000]"),
             "a.toml:5:9: 10000 frames of 2000000 integration steps are 20000000000; the limit is "
-            "10000000000 in all: study less, or lower clip.duration");
+            "10000000000 in all: make fewer runs, or lower clip.duration");
   EXPECT_EQ(errorOf("clip.fps = 100\nclip.duration = 100\nsimulation.substeps = 600000\n"
                     "[study]\ntilts = [0.1, 0.01]",
                     {"initial.angular_velocity=[5, 0, 0]", "initial.tilt=[0.1, 'z']"}),
             "a.toml:5:9: 10000 frames of 1200000 integration steps are 12000000000; the limit is "
-            "10000000000 in all: study less, or lower clip.duration");
+            "10000000000 in all: make fewer runs, or lower clip.duration");
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ TEST(Overrides, AreToldOnALine) {
 TEST(Overrides, AreCounted) {
   EXPECT_EQ(errorOf("", std::vector<std::string>(1000, "video.crf=3")), "no error");
   EXPECT_EQ(errorOf("", std::vector<std::string>(1001, "video.crf=3")),
-            "--set: 1001 of them; the limit is 1000: write them into the scene's file");
+            "--set: 1001 options; the limit is 1000; write the values into the scene's file");
 }
 
 TEST(Overrides, RefuseAWayThroughAValue) {

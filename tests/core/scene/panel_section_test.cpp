@@ -145,25 +145,25 @@ TEST(Panels, AreTwoToSix) {
     EXPECT_EQ(errorOfText(text), expected);
   }
   EXPECT_EQ(errorOf("panel = 3"),
-            "a.toml:1:9: panel must be tables with the head [[panel]], not 3");
+            "a.toml:1:9: panel must be tables with the header [[panel]], not 3");
 }
 
 TEST(Panels, NeedALabelOfTheirOwn) {
   const std::string one = std::string(kSpin) + "[[panel]]\nlabel = 'one'\n[[panel]]\n";
   EXPECT_EQ(errorOfText(one), "a.toml:5:1: a panel needs a label");
   EXPECT_EQ(errorOfText(one + "label = 3"),
-            "a.toml:6:9: panel.label must be a text in quotes, not 3");
+            "a.toml:6:9: panel.label must be a string in quotes, not 3");
   EXPECT_EQ(errorOfText(one + "label = ''"),
-            "a.toml:6:9: panel.label must be a text that isn't empty, not \"\"");
+            "a.toml:6:9: panel.label must be a string that isn't empty, not \"\"");
   EXPECT_EQ(errorOfText(one + "label = \"two\\nlines\""),
-            "a.toml:6:9: panel.label must be a text on one line, not \"two\\nlines\"");
+            "a.toml:6:9: panel.label must be a string on one line, not \"two\\nlines\"");
   EXPECT_EQ(errorOfText(one + "label = 'one'"), "a.toml:6:9: two panels have the label \"one\"");
 }
 
 TEST(Panels, ShareOneClock) {
   EXPECT_EQ(errorOfText(twoPanels("clip.duration = 3")),
             "a.toml:7:1: a panel has no clip of its own, because all panels share one clock; set "
-            "clip.duration and the others for the whole scene");
+            "the keys of [clip] for the whole scene");
   EXPECT_EQ(errorOfText(twoPanels("simulation.time_per_frame = 0.01")),
             "a.toml:7:29: a panel has no time_per_frame of its own, because all panels share one "
             "clock; set simulation.time_per_frame for the whole scene");
@@ -185,7 +185,7 @@ TEST(Panels, NameTheNearestKey) {
 
 TEST(Panels, LeaveNothingToStudy) {
   EXPECT_EQ(errorOfText(twoPanels("[study]")),
-            "a.toml:7:1: [study] is of one motion, but this scene has panels");
+            "a.toml:7:1: [study] needs a single motion, but this scene has panels");
 }
 
 TEST(Panels, TakeOverridesByTheirNumber) {

@@ -93,7 +93,7 @@ TEST(BodySection, RefusesImpossibleInertia) {
 TEST(BodySection, RefusesInertiaOfParticles) {
   EXPECT_EQ(errorOf("body.inertia = [3, 4, 5]\nsimulation.model = 'particles'"),
             "a.toml:1:16: body.inertia is for rigid models, but the model is \"particles\", whose "
-            "inertia follows from where they are; leave it out");
+            "inertia follows from their positions; leave it out");
 }
 
 TEST(SimulationSection, ReadsEveryIntegrator) {
@@ -137,7 +137,7 @@ TEST(SimulationSection, RefusesAnIntegratorOfAnotherModel) {
             "leave it out");
   EXPECT_EQ(errorOf("[simulation]\nmodel = 'particles'\nintegrator = 'exact'"),
             "a.toml:3:14: simulation.integrator can't be \"exact\": the closed form is a model of "
-            "its own, simulation.model = \"exact\", of a rigid body; particles have none");
+            "its own, simulation.model = \"exact\", for rigid bodies; particles have none");
 }
 
 TEST(SimulationSection, KnowsTheModels) {

@@ -34,7 +34,7 @@ TEST(ClipSection, ReducesRatesToLowestTerms) {
 
 TEST(ClipSection, RefusesWhatIsNoRate) {
   const std::string must =
-      "a.toml:2:7: clip.fps must be frames a second from 1 to 1000, an integer or a fraction such "
+      "a.toml:2:7: clip.fps must be a frame rate from 1 to 1000, an integer or a fraction such "
       "as \"30000/1001\", not ";
   for (const std::string value :
        {"0", "-30", "1001", "4294967356", "29.97", "nan", "true", "\"30000/\"", "\"/2\"",
@@ -187,11 +187,11 @@ TEST(BookSection, ReadsEveryTexture) {
 }
 
 TEST(BookSection, RefusesPathsThatOnlyOneMachineHas) {
-  const std::string must = " must be \"builtin\" or a picture's path from the scene's folder, not ";
+  const std::string must = " must be \"builtin\" or a path relative to the scene's folder, not ";
   EXPECT_EQ(errorOf("[book]\nfront = '/tmp/a.png'"),
             "a.toml:2:9: book.front" + must + "\"/tmp/a.png\"");
   EXPECT_EQ(errorOf("[book]\nspine = ''"), "a.toml:2:9: book.spine" + must + "\"\"");
-  EXPECT_EQ(errorOf("[book]\nback = 3"), "a.toml:2:8: book.back must be a text in quotes, not 3");
+  EXPECT_EQ(errorOf("[book]\nback = 3"), "a.toml:2:8: book.back must be a string in quotes, not 3");
 }
 
 TEST(OverlaySection, ReadsWhatIsShown) {
@@ -227,7 +227,7 @@ TEST(OverlaySection, RefusesUnknownAndRepeatedOnes) {
 
 TEST(OverlaySection, RefusesWhatTheModelHasNot) {
   const std::string springs =
-      "overlay.show: springs are only of the particles model; this scene's is ";
+      "overlay.show: springs exist only in the particles model; this scene's is ";
   EXPECT_EQ(errorOf("[overlay]\nshow = ['clock', 'springs']"),
             "a.toml:2:18: " + springs + "quaternion");
   EXPECT_EQ(errorOf("overlay.show = ['springs']\nsimulation.model = 'exact'"),

@@ -110,8 +110,8 @@ TEST(SceneReader, ReportsTheFirstProblemOfTheText) {
 }
 
 TEST(SceneReader, RefusesWrongTypes) {
-  EXPECT_EQ(errorOf("title = 3"), "a.toml:1:9: title must be a text in quotes, not 3");
-  EXPECT_EQ(errorOf("caption = true"), "a.toml:1:11: caption must be a text in quotes, not true");
+  EXPECT_EQ(errorOf("title = 3"), "a.toml:1:9: title must be a string in quotes, not 3");
+  EXPECT_EQ(errorOf("caption = true"), "a.toml:1:11: caption must be a string in quotes, not true");
   EXPECT_EQ(errorOf("body = 5"), "a.toml:1:8: body must be a section, not 5");
   EXPECT_EQ(errorOf("[[clip]]\nfps = 3"), "a.toml:1:1: clip must be a section, not [a table]");
 }

@@ -118,7 +118,7 @@ duration = 12.0  # s of video
 [video]
 crf = 18  # 1 to 51, smaller is better and takes more space
 preset = "book"  # "book" or x264's "ultrafast" to "placebo"
-threads = 1  # of the encoder; another number gives other bytes
+threads = 1  # encoder threads; another number gives other bytes
 
 [camera]
 position = [0.0, 0.0, 1.0]  # m
@@ -128,7 +128,7 @@ field_of_view_deg = 30.0  # degrees, from bottom to top
 frame = "world"  # "world", "body" or "momentum"
 
 [book]
-front = "builtin"  # "builtin" or a picture's path from the scene's folder
+front = "builtin"  # "builtin" or a path relative to the scene's folder
 spine = "builtin"
 back = "builtin"
 

@@ -161,7 +161,7 @@ TEST(StudySection, RefusesBothKindsAtOnce) {
 
 TEST(StudySection, RefusesTheExactModelWithoutTilts) {
   EXPECT_EQ(errorOf("simulation.model = 'exact'\n[study]"),
-            "a.toml:2:1: the model \"exact\" takes no steps, so that [study] has no integrators "
+            "a.toml:2:1: the model \"exact\" takes no steps, so [study] has no integrators "
             "and steps to compare; give it tilts, or choose another model");
 }
 
@@ -172,7 +172,7 @@ TEST(StudySection, RefusesTiltsOfASpinThatDoesNotFlip) {
   EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, 5, 0]\ntilt = [0.1, 'z']\n[study]\n"
                         "tilts = [0.1]"),
             "a.toml:5:9: study.tilts needs a spin about the axis of the median moment of inertia, "
-            "about which alone a body flips");
+            "the only one about which a body flips");
 }
 
 TEST(StudySection, ChecksThemForTheAxesOfTheBodysOwnInertia) {

@@ -79,7 +79,7 @@ TEST(TomlTree, DescribesEveryKindOfValue) {
   EXPECT_EQ(descriptionOf("12"), "12");
   EXPECT_EQ(descriptionOf("10.0"), "10.0");
   EXPECT_EQ(descriptionOf("'a\"b'"), R"("a\"b")");
-  EXPECT_EQ(descriptionOf("'" + std::string(201, 'x') + "'"), "a text of 201 letters");
+  EXPECT_EQ(descriptionOf("'" + std::string(201, 'x') + "'"), "a string of 201 characters");
   EXPECT_EQ(descriptionOf("1979-05-27"), "a date or time");
   EXPECT_EQ(descriptionOf("07:32:00"), "a date or time");
   EXPECT_EQ(descriptionOf("{ a = 1 }"), "a table");
@@ -91,9 +91,9 @@ TEST(TomlTree, DescribesEveryKindOfValue) {
 TEST(TomlTree, RefusesATextWithoutEnd) {
   const std::string longest = "#" + std::string(kLongestToml - 1, ' ');
   EXPECT_TRUE(tableOf(parseToml(longest, "a.toml")).empty());
-  EXPECT_EQ(errorOfText(longest + " "), "a.toml: longer than 32 KiB, so it is no scene");
+  EXPECT_EQ(errorOfText(longest + " "), "a.toml: longer than 32 KiB, the limit for a scene");
   EXPECT_THAT(errorOf("", {"title=\"" + longest + '"'}),
-              EndsWith(": longer than 32 KiB, so it is no scene"));
+              EndsWith(": longer than 32 KiB, the limit for a scene"));
 }
 
 // The longest text may not exhaust the stack, however deep it nests.

@@ -1,5 +1,5 @@
-// A key of a scene file as one row, from which it is read, printed and documented; for this room
-// alone.
+// A row for a key of a scene file, from which the key is read, printed and documented; for this
+// room alone.
 #pragma once
 
 #include <functional>
@@ -17,41 +17,41 @@
 
 namespace rotatebook::scene {
 
-/// How values of one sort are read, written as TOML, and described.
+/// The functions that read, print and describe values of one kind.
 template <typename T>
 struct Kind {
   std::function<T(const ValueReader&)> read;  ///< Throws InputError.
-  std::function<std::string(const T&)> text;  ///< As TOML.
-  std::string allowed;                        ///< As messages have it: "a positive number".
-  std::string comment{};                      ///< Of keys without a comment of their own.
+  std::function<std::string(const T&)> text;  ///< Prints as TOML.
+  std::string allowed;                        ///< As in messages: "a positive number".
+  std::string comment{};                      ///< For keys without a comment of their own.
 };
 
-/// What is said of a key. Comments are printed after values; the others are Markdown.
+/// The documentation of a key. Comments are printed after values; the other texts are Markdown.
 struct KeyText {
-  std::string comment{};    ///< Its kind's, if empty.
-  std::string meaning{};    ///< The comment, if empty.
-  std::string byDefault{};  ///< The text of the default value, if empty.
-  std::string allowed{};    ///< Its kind's, if empty.
+  std::string comment{};    ///< If empty, that of its kind.
+  std::string meaning{};    ///< If empty, the comment.
+  std::string byDefault{};  ///< If empty, the default value as TOML.
+  std::string allowed{};    ///< If empty, that of its kind.
 };
 
-/// One key of a section that is read into an S.
+/// A key of a section that is read into an S.
 template <typename S>
 struct Key {
   std::string_view name;
   std::function<void(const ValueReader&, S&)> read;  ///< Throws InputError.
-  /// The value as TOML; empty if there is none to print.
+  /// Prints the value as TOML; empty if there is none to print.
   std::function<std::string(const S&)> text;
-  KeyText words;
+  KeyText documentation;
 };
 
 template <typename S>
 using Keys = std::vector<Key<S>>;
 
-/// The key of a value, or optional value, that `field` finds in an S.
+/// Returns the key of a value, or optional value, that `field` finds in an S.
 template <typename S, typename Field, typename T>
-Key<S> keyAt(std::string_view name, Field field, const Kind<T>& kind, KeyText words = {}) {
-  if (words.comment.empty()) words.comment = kind.comment;
-  if (words.allowed.empty()) words.allowed = kind.allowed;
+Key<S> keyAt(std::string_view name, Field field, const Kind<T>& kind, KeyText documentation = {}) {
+  if (documentation.comment.empty()) documentation.comment = kind.comment;
+  if (documentation.allowed.empty()) documentation.allowed = kind.allowed;
   return {name,
           [field, read = kind.read](const ValueReader& value, S& into) {
             std::invoke(field, into) = read(value);
@@ -64,16 +64,17 @@ Key<S> keyAt(std::string_view name, Field field, const Kind<T>& kind, KeyText wo
               return text(value);
             }
           },
-          std::move(words)};
+          std::move(documentation)};
 }
 
-/// The same of a member.
+/// Like keyAt(), for a member of S.
 template <typename S, typename Member, typename T>
-Key<S> key(std::string_view name, Member S::*member, const Kind<T>& kind, KeyText words = {}) {
-  return keyAt<S>(name, member, kind, std::move(words));
+Key<S> key(std::string_view name, Member S::*member, const Kind<T>& kind,
+           KeyText documentation = {}) {
+  return keyAt<S>(name, member, kind, std::move(documentation));
 }
 
-/// The names of the keys, and what `read(key, value)` does with each.
+/// Returns a field for each key; its value is passed to `read(key, value)`.
 template <typename S, typename Read>
 std::vector<Field> fieldsOf(const Keys<S>& keys, const Read& read) {
   std::vector<Field> fields;
@@ -84,23 +85,24 @@ std::vector<Field> fieldsOf(const Keys<S>& keys, const Read& read) {
   return fields;
 }
 
-/// Reads a section, in the order of the text. Throws InputError.
+/// Reads a section in the order of its text. Throws InputError.
 template <typename S>
 void readKeys(const ValueReader& section, const Keys<S>& keys, S& into) {
   section.readTable(fieldsOf(
       keys, [&into](const Key<S>& key, const ValueReader& value) { key.read(value, into); }));
 }
 
-/// "KEY = VALUE  # COMMENT", empty where there is nothing to print.
+/// Returns "KEY = VALUE  # COMMENT"; empty if there is no value to print.
 template <typename S>
 std::string lineOf(const Key<S>& key, const S& from) {
   const std::string text = key.text(from);
   if (text.empty()) return "";
-  const std::string comment = key.words.comment.empty() ? "" : "  # " + key.words.comment;
+  const std::string comment =
+      key.documentation.comment.empty() ? "" : "  # " + key.documentation.comment;
   return std::string(key.name) + " = " + text + comment + "\n";
 }
 
-/// The lines of all keys.
+/// Returns the lines of all keys.
 template <typename S>
 std::string linesOf(const Keys<S>& keys, const S& from) {
   std::string lines;
@@ -108,7 +110,7 @@ std::string linesOf(const Keys<S>& keys, const S& from) {
   return lines;
 }
 
-/// All keys on one line: "{ KEY = VALUE, ... }".
+/// Returns all keys on one line: "{ KEY = VALUE, ... }".
 template <typename S>
 std::string inlineTable(const Keys<S>& keys, const S& from) {
   std::vector<std::string> parts;
@@ -119,18 +121,19 @@ std::string inlineTable(const Keys<S>& keys, const S& from) {
   return "{ " + joined(parts) + " }";
 }
 
-/// `text` with what is in "quotes" as code of Markdown.
+/// Returns `text` with whatever is in "quotes" as Markdown code.
 std::string quotedAsCode(std::string_view text);
 
-/// What the documentation says of the keys; `section` is empty, or ends in a dot.
+/// Returns the documentation of the keys; `section` is empty, or ends in a dot.
 template <typename S>
 std::vector<KeyRow> rowsOf(std::string_view section, const Keys<S>& keys) {
   std::vector<KeyRow> rows;
-  for (const auto& [name, read, text, words] : keys) {
-    rows.push_back({std::string(section) + std::string(name),
-                    words.byDefault.empty() ? "`" + text(S{}) + "`" : words.byDefault,
-                    quotedAsCode(words.allowed),
-                    words.meaning.empty() ? words.comment : words.meaning});
+  for (const auto& [name, read, text, documentation] : keys) {
+    rows.push_back(
+        {std::string(section) + std::string(name),
+         documentation.byDefault.empty() ? "`" + text(S{}) + "`" : documentation.byDefault,
+         quotedAsCode(documentation.allowed),
+         documentation.meaning.empty() ? documentation.comment : documentation.meaning});
   }
   return rows;
 }

@@ -1,15 +1,15 @@
-// A key of a scene file in words.
+// A row of the documentation of scene files.
 #pragma once
 
 #include <string>
 
 namespace rotatebook::scene {
 
-/// A key in words, all of them Markdown.
+/// The documentation of one key, in Markdown.
 struct KeyRow {
   std::string name;       ///< With its section: "clip.size".
-  std::string byDefault;  ///< The value as TOML, or words for one that depends on others.
-  std::string allowed;    ///< The values it may have, in the words of messages: "a text".
+  std::string byDefault;  ///< The value as TOML, or a description of one that depends on others.
+  std::string allowed;    ///< The allowed values, as in messages: "a number".
   std::string meaning;
 };
 

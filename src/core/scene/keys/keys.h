@@ -1,4 +1,5 @@
-// The keys of a scene file, section by section. A new one is a row here and a field of the struct.
+// The keys of a scene file, section by section. A new key is a row in this folder and a field of
+// the struct.
 #pragma once
 
 #include <string>
@@ -9,15 +10,15 @@
 
 namespace rotatebook::scene {
 
-/// Outside of all sections.
+/// Keys outside all sections.
 const Keys<Scene>& titleKeys();
 
 const Keys<physics::MotionSettings>& bodyKeys();
 const Keys<physics::SimulationSettings>& simulationKeys();
 const Keys<physics::InitialSpin>& initialKeys();
-/// One of each quantity, in the order of the enumeration.
+/// One key for each quantity, in the order of the enumeration.
 const Keys<std::vector<Expectation>>& expectKeys();
-/// Of a panel itself, without its sections.
+/// Keys of a panel itself, without its sections.
 const Keys<Panel>& panelKeys();
 
 const Keys<ClipSettings>& clipKeys();
@@ -27,9 +28,9 @@ const Keys<BookSettings>& bookKeys();
 const Keys<LookSettings>& lookKeys();
 const Keys<OverlaySettings>& overlayKeys();
 
-/// Of Scene::study, which is there; they depend on the scene's model.
+/// Keys of Scene::study, which must be present; they depend on the scene's model.
 const Keys<Scene>& studyKeys();
-/// The lines of study.orders, one for each integrator.
+/// Returns the lines of study.orders, one for each integrator.
 std::string ordersText(const StudySettings& study);
 
 }  // namespace rotatebook::scene

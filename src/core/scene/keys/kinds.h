@@ -1,4 +1,4 @@
-// Kinds of values that keys of several sections have; for this room alone.
+// Kinds of values that keys of several sections share; for this room alone.
 #pragma once
 
 #include <array>
@@ -19,16 +19,16 @@ namespace rotatebook::scene {
 Kind<bool> flag();
 Kind<int> integer(int min, int max);
 Kind<double> number(const NumberRange& range);
-/// Of at most `most` letters.
+/// Strings of at most `most` characters.
 Kind<std::string> text(std::size_t most);
 Kind<Eigen::Vector3d> vector(const NumberRange& range);
-/// A vector that isn't zero.
+/// Vectors that aren't zero.
 Kind<Eigen::Vector3d> direction();
 
-/// "[1.0, 2.0, 3.0]"
+/// Returns "[1.0, 2.0, 3.0]".
 std::string vectorText(const Eigen::Vector3d& vector);
 
-/// "[A, B]", with the text of each value.
+/// Returns "[A, B]", with the text of each value.
 template <typename T, typename Text>
 std::string listText(const std::vector<T>& values, const Text& text) {
   std::vector<std::string> parts;
@@ -36,18 +36,18 @@ std::string listText(const std::vector<T>& values, const Text& text) {
   return "[" + joined(parts) + "]";
 }
 
-/// The word for `value`, in quotes.
+/// Returns the name of `value`, in quotes.
 template <typename T, std::size_t N>
-std::string word(const std::array<Named<T>, N>& choices, const T& value) {
+std::string quotedName(const std::array<Named<T>, N>& choices, const T& value) {
   return tomlString(nameOf(choices, value));
 }
 
-/// One of `choices`, which outlive it. They are the comment, too.
+/// Values that are one of `choices`, which must outlive it. Their names are the comment, too.
 template <typename T, std::size_t N>
 Kind<T> oneOf(const std::array<Named<T>, N>& choices) {
-  const std::string words = quotedList(namesOf(choices), "or");
+  const std::string names = quotedList(namesOf(choices), "or");
   return {[&choices](const ValueReader& value) { return value.oneOf(choices); },
-          [&choices](const T& value) { return word(choices, value); }, words, words};
+          [&choices](const T& value) { return quotedName(choices, value); }, names, names};
 }
 
 }  // namespace rotatebook::scene

@@ -1,4 +1,4 @@
-// [body], [simulation], [initial] and [expect]: what moves, and what it must show.
+// The keys of [body], [simulation], [initial] and [expect]: what moves, and what it must show.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -25,11 +25,11 @@ constexpr NumberRange kSizes{"three lengths from 1e-6 to 1e6 m", 1e-6, 1e6};
 constexpr NumberRange kMass{"a mass from 1e-9 to 1e9 kg", 1e-9, 1e9};
 constexpr NumberRange kMoments{"three moments of inertia up to 1e21 kg m^2", -1e21, 1e21};
 constexpr NumberRange kRow{"rows of three numbers up to 1e21 kg m^2", -1e21, 1e21};
-// Their squares and inverses are numbers, too.
+// Squares and inverses of these are finite, too.
 constexpr NumberRange kStepTimes{"a time from 1e-100 to 1e100 s", 1e-100, 1e100};
 constexpr NumberRange kTilt{"an angle from -1e6 to 1e6 rad", -kLargestAngle, kLargestAngle};
-constexpr const char* kBoundsWords = "a table such as { min = 1.0 } or an array of them";
-constexpr const char* kTiltWords = "an angle and an axis, such as [0.001, \"z\"]";
+constexpr const char* kExpectedBounds = "a table such as { min = 1.0 } or an array of them";
+constexpr const char* kExpectedTilt = "an angle and an axis, such as [0.001, \"z\"]";
 constexpr NumberRange kNotNegative{"zero or a positive number", 0, Limits::max()};
 
 Eigen::Matrix3d inertiaFrom(const ValueReader& value) {
@@ -57,21 +57,21 @@ std::string inertiaText(const Eigen::Matrix3d& tensor) {
 void readIntegrator(const ValueReader& value, SimulationSettings& settings) {
   if (value.text(kLongestName) == nameOf(kModels, physics::Model::Exact)) {
     value.fail(value.name() + " can't be \"exact\": the closed form is a model of its own, " +
-               "simulation.model = \"exact\", of a rigid body; particles have none");
+               "simulation.model = \"exact\", for rigid bodies; particles have none");
   }
   settings.integrator = value.oneOf(kIntegrators);
 }
 
-/// With a comment that depends on the model; empty for one without steps.
+/// Returns the value with a comment that depends on the model; empty for a model without steps.
 std::string integratorText(const SimulationSettings& settings) {
   const auto names = integratorNames(settings.model);
   if (names.empty()) return "";
-  return word(kIntegrators, settings.integrator) + "  # " + quotedList(names, "or");
+  return quotedName(kIntegrators, settings.integrator) + "  # " + quotedList(names, "or");
 }
 
-Key<InitialSpin> spinKey(InitialSpin::Kind kind, const std::string& unit, KeyText words) {
-  words.allowed = direction().allowed;
-  words.comment = unit;
+Key<InitialSpin> spinKey(InitialSpin::Kind kind, const std::string& unit, KeyText documentation) {
+  documentation.allowed = direction().allowed;
+  documentation.comment = unit;
   return {
       nameOf(kSpinKinds, kind),
       [kind](const ValueReader& value, InitialSpin& spin) {
@@ -79,16 +79,16 @@ Key<InitialSpin> spinKey(InitialSpin::Kind kind, const std::string& unit, KeyTex
         spin.value = value.direction();
       },
       [kind](const InitialSpin& spin) { return spin.kind == kind ? vectorText(spin.value) : ""; },
-      std::move(words)};
+      std::move(documentation)};
 }
 
 physics::Tilt tiltFrom(const ValueReader& value) {
-  const auto parts = value.elements(2, kTiltWords);
+  const auto parts = value.elements(2, kExpectedTilt);
   return {parts[0].number(kTilt), parts[1].oneOf(kAxes)};
 }
 
 std::string tiltText(const physics::Tilt& tilt) {
-  return "[" + tomlNumber(tilt.angle) + ", " + word(kAxes, tilt.axis) + "]";
+  return "[" + tomlNumber(tilt.angle) + ", " + quotedName(kAxes, tilt.axis) + "]";
 }
 
 const Keys<Expectation>& windowedBoundKeys() {
@@ -102,7 +102,7 @@ const Keys<Expectation>& windowedBoundKeys() {
        [](const ValueReader& value, Expectation& bounds) {
          bounds.to = value.number(kNotNegative);
        },
-       // A window without an end has no key for it.
+       // A window without an end prints no `to`.
        [](const Expectation& bounds) {
          return std::isfinite(bounds.to) ? tomlNumber(bounds.to) : "";
        },
@@ -131,30 +131,31 @@ Expectation expectationFrom(Quantity quantity, const ValueReader& bounds) {
   return expectation;
 }
 
-/// All bounds on a quantity have one key.
+/// Returns the one key that holds all bounds on a quantity.
 Key<std::vector<Expectation>> quantityKey(Quantity quantity) {
-  return {
-      nameOf(quantity),
-      [quantity](const ValueReader& value, std::vector<Expectation>& expectations) {
-        for (const auto& bounds : value.tables(kBoundsWords)) {
-          expectations.push_back(expectationFrom(quantity, bounds));
-        }
-      },
-      [quantity](const std::vector<Expectation>& expectations) {
-        std::vector<std::string> bounds;
-        for (const Expectation& expectation : expectations) {
-          if (expectation.quantity != quantity) continue;
-          bounds.push_back(inlineTable(windowedBoundKeys(), expectation));
-        }
-        return bounds.size() == 1 ? bounds.front() : "[" + joined(bounds) + "]";
-      },
-      {.meaning = std::string(meaningOf(quantity)), .byDefault = "none", .allowed = kBoundsWords}};
+  return {nameOf(quantity),
+          [quantity](const ValueReader& value, std::vector<Expectation>& expectations) {
+            for (const auto& bounds : value.tables(kExpectedBounds)) {
+              expectations.push_back(expectationFrom(quantity, bounds));
+            }
+          },
+          [quantity](const std::vector<Expectation>& expectations) {
+            std::vector<std::string> bounds;
+            for (const Expectation& expectation : expectations) {
+              if (expectation.quantity != quantity) continue;
+              bounds.push_back(inlineTable(windowedBoundKeys(), expectation));
+            }
+            return bounds.size() == 1 ? bounds.front() : "[" + joined(bounds) + "]";
+          },
+          {.meaning = std::string(meaningOf(quantity)),
+           .byDefault = "none",
+           .allowed = kExpectedBounds}};
 }
 
 std::string labelFrom(const ValueReader& value) {
   std::string label = value.text(kLongestLabel);
-  if (label.empty()) value.mismatch("a text that isn't empty");
-  if (label.find_first_of("\n\t") != std::string::npos) value.mismatch("a text on one line");
+  if (label.empty()) value.mismatch("a string that isn't empty");
+  if (label.find_first_of("\n\t") != std::string::npos) value.mismatch("a string on one line");
   return label;
 }
 
@@ -170,7 +171,7 @@ const Keys<MotionSettings>& bodyKeys() {
                             number(kMass), {.comment = "kg", .meaning = "[kg]"}),
       key("inertia", &MotionSettings::inertia, Kind<Eigen::Matrix3d>{inertiaFrom, inertiaText, {}},
           {.comment = "kg m^2, in place of the solid cuboid's",
-           .meaning = "of rigid models [kg m²]",
+           .meaning = "for rigid models [kg m²]",
            .byDefault = "the solid cuboid's",
            .allowed = "three moments, or a symmetric 3x3 tensor"}),
   };
@@ -179,13 +180,14 @@ const Keys<MotionSettings>& bodyKeys() {
 
 const Keys<SimulationSettings>& simulationKeys() {
   static const Keys<SimulationSettings> keys{
-      key("model", &SimulationSettings::model, oneOf(kModels), {.meaning = "[list](motion.md)"}),
+      key("model", &SimulationSettings::model, oneOf(kModels),
+          {.meaning = "see [models](motion.md)"}),
       {"integrator",
        readIntegrator,
        integratorText,
-       {.meaning = "[list](motion.md#integrators)",
-        .byDefault = "`\"rk4\"`; of particles `\"euler\"`",
-        .allowed = "one of the model's"}},
+       {.meaning = "see [integrators](motion.md#integrators)",
+        .byDefault = "`\"rk4\"`; for particles `\"euler\"`",
+        .allowed = "one of the model's integrators"}},
       key("normalize", &SimulationSettings::normalize, flag(),
           {.comment = "undo the integrator's drift after each step"}),
       key("damping", &SimulationSettings::damping, number(kNotNegative),
@@ -207,12 +209,12 @@ const Keys<SimulationSettings>& simulationKeys() {
 const Keys<InitialSpin>& initialKeys() {
   static const Keys<InitialSpin> keys{
       spinKey(InitialSpin::Kind::AngularVelocity, "rad/s",
-              {.meaning = "[rad/s]", .byDefault = "required, or the next"}),
+              {.meaning = "[rad/s]", .byDefault = "required, unless the next is given"}),
       spinKey(InitialSpin::Kind::AngularMomentum, "kg m^2/s",
-              {.meaning = "[kg m²/s]", .byDefault = "required, or the one before"}),
-      key("tilt", &InitialSpin::tilt, Kind<physics::Tilt>{tiltFrom, tiltText, kTiltWords},
+              {.meaning = "[kg m²/s]", .byDefault = "required, unless the one before is given"}),
+      key("tilt", &InitialSpin::tilt, Kind<physics::Tilt>{tiltFrom, tiltText, kExpectedTilt},
           {.comment = "rad, and the axis toward which the spin is turned",
-           .meaning = "turns that vector toward that axis [rad]",
+           .meaning = "turns the vector given above toward the axis [rad]",
            .byDefault = "none"}),
   };
   return keys;
@@ -230,8 +232,8 @@ const Keys<std::vector<Expectation>>& expectKeys() {
 const Keys<Panel>& panelKeys() {
   static const Keys<Panel> keys{
       key("label", &Panel::label,
-          Kind<std::string>{labelFrom, tomlString, textWords(kLongestLabel)},
-          {.meaning = "in the picture, in the report and in the table's name",
+          Kind<std::string>{labelFrom, tomlString, expectedString(kLongestLabel)},
+          {.meaning = "shown in the picture and the report, and part of the CSV file's name",
            .byDefault = "required"}),
   };
   return keys;

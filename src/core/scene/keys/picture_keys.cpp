@@ -1,4 +1,5 @@
-// The title, [clip], [video], [camera], [book], [look] and [overlay]: how the motion is shown.
+// The keys of the title, [clip], [video], [camera], [book], [look] and [overlay]: how the motion is
+// shown.
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -19,20 +20,20 @@ namespace {
 constexpr int kSmallestPicture = 16;
 constexpr int kMaxThreads = 64;
 constexpr int kMaxSupersample = 2;
-constexpr unsigned kMaxMoments = 16;  // Of motion blur.
+constexpr unsigned kMaxMoments = 16;  // For motion blur.
 
 constexpr const char* kPictureSizes = "a width and a height, such as [1280, 720]";
 constexpr const char* kFrameRates =
-    "frames a second from 1 to 1000, an integer or a fraction such as \"30000/1001\"";
-constexpr const char* kPresetWords = "\"book\" or x264's \"ultrafast\" to \"placebo\"";
-constexpr const char* kTextures = "\"builtin\" or a picture's path from the scene's folder";
+    "a frame rate from 1 to 1000, an integer or a fraction such as \"30000/1001\"";
+constexpr const char* kExpectedPresets = "\"book\" or x264's \"ultrafast\" to \"placebo\"";
+constexpr const char* kTextures = "\"builtin\" or a path relative to the scene's folder";
 constexpr const char* kBlurMoments = "1, 2, 4, 8 or 16";
 
 constexpr NumberRange kPoints{"three numbers from -1e9 to 1e9", -1e9, 1e9};
 constexpr NumberRange kTimes{"a time in the clip, 0 or more seconds", 0, kPositive.max};
 constexpr NumberRange kAngles{"an angle from 1 to 170 degrees", 1, 170};
 
-// H.264 with its colour at half the resolution has no odd sizes.
+// H.264 with 4:2:0 chroma has no odd sizes.
 int pictureSide(const ValueReader& value) {
   const int side = value.integer(kSmallestPicture, kMaxPictureSide);
   if (side % 2 != 0) {
@@ -47,7 +48,7 @@ void readPictureSize(const ValueReader& value, ClipSettings& clip) {
   const auto sides = value.elements(2, kPictureSizes);
   clip.width = pictureSide(sides[0]);
   clip.height = pictureSide(sides[1]);
-  const int pixels = clip.width * clip.height;  // Of 16384x16384 they are fewer than 2^31.
+  const int pixels = clip.width * clip.height;  // At most 16384 * 16384 < 2^31.
   if (pixels > kMaxPicturePixels) {
     value.fail(value.name() + " has " + std::to_string(pixels) + " pixels; the limit is " +
                std::to_string(kMaxPicturePixels) + ", for example [8192, 4352]");
@@ -78,8 +79,7 @@ std::string presetFrom(const ValueReader& value) {
   return std::string(kVideoPresets[value.choice(kVideoPresets)]);
 }
 
-// Any texture within reach of the scene's folder, so that a clip names no place of the machine it
-// was made on.
+// Accepts only relative paths, so that a clip names no folder of the machine it was made on.
 std::string textureFrom(const ValueReader& value) {
   std::string texture = value.text(kLongestPath);
   if (texture.empty() || std::filesystem::path(texture).is_absolute()) {
@@ -94,7 +94,8 @@ Key<BookSettings> textureKey(std::string_view name, std::string BookSettings::*t
              {.comment = comment, .meaning = "a PNG"});
 }
 
-// A power of two, by which times divide without rounding: blurred or not, the motion is the same.
+// Accepts only powers of two, by which times divide without rounding: blurred or not, the motion is
+// the same.
 int momentsFrom(const ValueReader& value) {
   const int moments = value.integer(1, kMaxMoments);
   if (!std::has_single_bit(static_cast<unsigned>(moments))) value.mismatch(kBlurMoments);
@@ -116,7 +117,7 @@ std::vector<Overlay> overlaysFrom(const ValueReader& value) {
 }
 
 std::string overlaysText(const std::vector<Overlay>& overlays) {
-  return listText(overlays, [](Overlay overlay) { return word(kOverlays, overlay); });
+  return listText(overlays, [](Overlay overlay) { return quotedName(kOverlays, overlay); });
 }
 
 }  // namespace
@@ -142,12 +143,12 @@ const Keys<ClipSettings>& clipKeys() {
         .allowed = kPictureSizes}},
       key("fps", &ClipSettings::frameRate,
           Kind<FrameRate>{frameRateFrom, frameRateText, kFrameRates},
-          {.comment = "frames a second", .meaning = "of video"}),
+          {.comment = "frames a second", .meaning = "of the video [frames/s]"}),
       key("duration", &ClipSettings::duration, number(kPositive),
-          {.comment = "s of video", .meaning = "[s]"}),
+          {.comment = "s of video", .meaning = "of the video [s]"}),
       key("poster", &ClipSettings::poster, number(kTimes),
-          {.comment = "s, of the still that stands for it",
-           .meaning = "of the picture that stands for the clip",
+          {.comment = "s, time of the poster in the video",
+           .meaning = "time of the poster, the picture that represents the clip [s]",
            .byDefault = "the clip's middle"}),
   };
   return keys;
@@ -157,12 +158,12 @@ const Keys<EncodingSettings>& videoKeys() {
   static const Keys<EncodingSettings> keys{
       key("crf", &EncodingSettings::crf, integer(kBestCrf, kWorstCrf),
           {.comment = "1 to 51, smaller is better and takes more space",
-           .meaning = "x264's quality; smaller is better and larger in bytes"}),
+           .meaning = "x264's rate factor; smaller is better, in larger files"}),
       key("preset", &EncodingSettings::preset,
-          Kind<std::string>{presetFrom, tomlString, kPresetWords},
-          {.comment = kPresetWords, .meaning = "`\"book\"` is made for these clips"}),
+          Kind<std::string>{presetFrom, tomlString, kExpectedPresets},
+          {.comment = kExpectedPresets, .meaning = "`\"book\"` is made for these clips"}),
       key("threads", &EncodingSettings::threads, integer(1, kMaxThreads),
-          {.comment = "of the encoder; another number gives other bytes"}),
+          {.comment = "encoder threads; another number gives other bytes"}),
   };
   return keys;
 }
@@ -170,18 +171,20 @@ const Keys<EncodingSettings>& videoKeys() {
 const Keys<CameraSettings>& cameraKeys() {
   static const Keys<CameraSettings> keys{
       key("position", &CameraSettings::position, vector(kPoints),
-          {.comment = "m", .meaning = "[m]", .byDefault = "sees the whole book in any attitude"}),
+          {.comment = "m",
+           .meaning = "[m]",
+           .byDefault = "such that the whole book is seen in any attitude"}),
       key("target", &CameraSettings::target, vector(kPoints),
           {.comment = "m, the point in the middle of the picture",
            .meaning = "the point in the middle of the picture [m]",
            .byDefault = "the origin"}),
       key("up", &CameraSettings::up, direction(),
-          {.meaning = "which way is up in the picture", .byDefault = "+y"}),
+          {.meaning = "the direction that is up in the picture", .byDefault = "+y"}),
       key("field_of_view_deg", &CameraSettings::fieldOfViewDeg, number(kAngles),
           {.comment = "degrees, from bottom to top",
            .meaning = "from the picture's bottom to its top"}),
       key("frame", &CameraSettings::frame, oneOf(kFrames),
-          {.meaning = "what the camera turns with"}),
+          {.meaning = "the reference frame that the camera turns with"}),
   };
   return keys;
 }
@@ -198,7 +201,7 @@ const Keys<BookSettings>& bookKeys() {
 const Keys<LookSettings>& lookKeys() {
   static const Keys<LookSettings> keys{
       key("background", &LookSettings::background, oneOf(kBackgrounds),
-          {.meaning = "transparent: PNGs with alpha"}),
+          {.meaning = "transparent: PNGs with an alpha channel"}),
       key("supersample", &LookSettings::supersample, integer(1, kMaxSupersample),
           {.comment = "1, or 2 to draw with twice as many pixels across and down",
            .meaning = "2 draws twice as many pixels across and down, in four times the time",
@@ -206,7 +209,7 @@ const Keys<LookSettings>& lookKeys() {
       key("motion_blur", &LookSettings::motionBlur,
           Kind<int>{momentsFrom, [](int moments) { return std::to_string(moments); }, kBlurMoments},
           {.comment = "moments averaged in a picture: " + std::string(kBlurMoments),
-           .meaning = "how many moments a picture is the mean of"}),
+           .meaning = "number of moments averaged in a picture"}),
   };
   return keys;
 }
@@ -220,7 +223,7 @@ const Keys<OverlaySettings>& overlayKeys() {
            .allowed = "a list of [overlays](panels-and-overlays.md#overlays)"}),
       key("font", &OverlaySettings::font, text(kLongestName),
           {.comment = "\"builtin\" or an installed family",
-           .meaning = "the one built in is Inter",
+           .meaning = "the built-in font is Inter",
            .allowed = "\"builtin\" or an installed family"}),
   };
   return keys;

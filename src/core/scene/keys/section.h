@@ -1,4 +1,4 @@
-// A section of a scene file: all that its keys need to be read, printed and documented; for this
+// A section of a scene file, with all that it takes to read, print and document its keys; for this
 // room alone.
 #pragma once
 
@@ -13,16 +13,16 @@
 
 namespace rotatebook::scene {
 
-/// A section of an Owner: a scene, or a motion of it.
+/// A section of an Owner, which is a scene or one of its motions.
 template <typename Owner>
 struct Section {
   std::string_view name;
   std::function<void(const ValueReader&, Owner&)> read;  ///< Throws InputError.
-  std::function<std::string(const Owner&)> lines;        ///< As TOML, without its head.
+  std::function<std::string(const Owner&)> lines;        ///< Prints as TOML, without the header.
   std::vector<KeyRow> rows;                              ///< For the documentation.
 };
 
-/// The section whose keys are read into what `part` finds in an Owner. `finish` checks them
+/// Returns the section whose keys are read into what `part` finds in an Owner. `finish` checks them
 /// together.
 template <typename Owner, typename S, typename Part>
 Section<Owner> section(std::string_view name, Part part, const Keys<S>& keys,
@@ -40,7 +40,7 @@ Section<Owner> section(std::string_view name, Part part, const Keys<S>& keys,
           rowsOf(std::string(name) + ".", keys)};
 }
 
-/// Adds what reads the sections of `owner`.
+/// Adds the fields that read the sections into `owner`.
 template <typename Owner>
 void addFields(std::vector<Field>& fields, std::span<const Section<Owner>> sections,
                std::type_identity_t<Owner>& owner) {
@@ -49,8 +49,8 @@ void addFields(std::vector<Field>& fields, std::span<const Section<Owner>> secti
   }
 }
 
-/// The sections, each with its head after an empty line; nothing for one without lines. `parent` is
-/// empty, or what comes before their names: "panel.".
+/// Returns the sections as TOML, each with its header after an empty line; sections without lines
+/// are left out. `parent` is empty, or the prefix of their names: "panel.".
 template <typename Owner>
 std::string textOf(std::span<const Section<Owner>> sections,
                    const std::type_identity_t<Owner>& owner, const std::string& parent = "") {

@@ -1,4 +1,4 @@
-// [study]: what is run many times, and what must come out.
+// The keys of [study]: which runs to make, and what must come out.
 #include <algorithm>
 #include <limits>
 #include <numbers>
@@ -14,8 +14,8 @@ namespace {
 
 using physics::Integrator;
 
-constexpr const char* kStepsWords = "a list of steps a frame, such as [1, 2, 4]";
-constexpr const char* kTiltsWords = "a list of angles, such as [0.1, 0.01]";
+constexpr const char* kExpectedSteps = "a list of steps a frame, such as [1, 2, 4]";
+constexpr const char* kExpectedTilts = "a list of angles, such as [0.1, 0.01]";
 constexpr NumberRange kTilts{"an angle over 0 and up to 0.785 rad",
                              std::numeric_limits<double>::denorm_min(), std::numbers::pi / 4};
 
@@ -65,7 +65,7 @@ void readIntegrators(const ValueReader& value, Scene& scene) {
 }
 
 void readSteps(const ValueReader& value, Scene& scene) {
-  scene.study->steps = listFrom<int>(value, kStepsWords, [](const ValueReader& element) {
+  scene.study->steps = listFrom<int>(value, kExpectedSteps, [](const ValueReader& element) {
     return element.integer(1, kMaxSubsteps);
   });
 }
@@ -79,7 +79,7 @@ void readOrders(const ValueReader& value, Scene& scene) {
                       }});
   }
   value.readTable(fields);
-  // An integrator that the command line leaves out has nothing to show.
+  // Without its runs, which the command line may leave out, an integrator has nothing to show.
   std::erase_if(study.orders, [&](const ExpectedOrder& order) {
     return std::ranges::count(study.integrators, order.integrator) == 0;
   });
@@ -87,10 +87,10 @@ void readOrders(const ValueReader& value, Scene& scene) {
 
 void readTilts(const ValueReader& value, Scene& scene) {
   scene.study->tilts = listFrom<double>(
-      value, kTiltsWords, [](const ValueReader& element) { return element.number(kTilts); });
+      value, kExpectedTilts, [](const ValueReader& element) { return element.number(kTilts); });
 }
 
-/// The text of a list, none for an empty one.
+/// Returns a function that prints a list; nothing for an empty one.
 template <typename T, typename Text>
 auto listOf(std::vector<T> StudySettings::*list, Text text) {
   return [list, text](const Scene& scene) {
@@ -109,36 +109,37 @@ const Keys<Scene>& studyKeys() {
   static const Keys<Scene> keys{
       {"integrators",
        readIntegrators,
-       listOf(&StudySettings::integrators, [](Integrator one) { return word(kIntegrators, one); }),
-       {.meaning = "compared; `--integrators` overrides",
-        .byDefault = "all of the model",
-        .allowed = "a list of the model's"}},
+       listOf(&StudySettings::integrators,
+              [](Integrator one) { return quotedName(kIntegrators, one); }),
+       {.meaning = "integrators to compare; `--integrators` overrides",
+        .byDefault = "all of the model's",
+        .allowed = "a list of the model's integrators"}},
       {"steps",
        readSteps,
        listOf(&StudySettings::steps, [](int steps) { return std::to_string(steps); }),
        {.comment = "integration steps for each frame, in place of simulation.substeps",
-        .meaning = "compared; `--steps` overrides",
+        .meaning = "steps to compare; `--steps` overrides",
         .byDefault = "1, 2, 4 ... 1024",
-        .allowed = kStepsWords}},
-      // Its lines are ordersText().
+        .allowed = kExpectedSteps}},
+      // Printed by ordersText().
       {"orders",
        readOrders,
        [](const Scene&) { return ""; },
-       {.meaning = "of each integrator: `study.orders.rk4`",
+       {.meaning = "on the order of each integrator: `study.orders.rk4`",
         .byDefault = "none",
         .allowed = "bounds such as { min = 1.0, max = 2.0 }"}},
       {"tilts",
        readTilts,
        listOf(&StudySettings::tilts, tomlNumber),
-       {.comment = "rad, each in place of that of [initial]",
-        .meaning = "instead: tilts to start with, up to 0.785 [rad]",
+       {.comment = "rad, each in place of the one in [initial]",
+        .meaning = "instead of these: initial tilts to compare, up to 0.785 [rad]",
         .byDefault = "none",
-        .allowed = kTiltsWords}},
+        .allowed = kExpectedTilts}},
       {"flip_law",
        [](const ValueReader& value, Scene& scene) { scene.study->flipLaw = boundsFrom(value); },
        flipLawText,
        {.comment = "greatest |measured interval / law - 1|",
-        .meaning = "with tilts: of \\|measured interval / law - 1\\|",
+        .meaning = "with tilts: on the greatest \\|measured interval / law - 1\\|",
         .byDefault = "none",
         .allowed = "bounds such as { min = 1.0, max = 2.0 }"}},
   };

@@ -22,8 +22,8 @@ int half(int length) {
 struct Covered {
   std::size_t first = 0;
   std::size_t count = 0;
-  std::array<std::uint32_t, 3>
-      shares{};  ///< Weights; their sum is the same for all pixels of the side.
+  /// Weights; their sum is the same for all pixels of the side.
+  std::array<std::uint32_t, 3> shares{};
 };
 
 /// Returns what each pixel of a side covers after `length` pixels are halved.

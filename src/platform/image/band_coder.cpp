@@ -9,13 +9,14 @@ namespace {
 
 constexpr int kLevel = 1;
 
-// ISA-L 2.30 looks a stream's third byte up by a number made of the stream's address in memory, so
-// that one time in some thousand other matches are found. Not if one byte comes before the others:
-// the first beyond those that it keeps back for the next call, more of them where no flush follows.
+// ISA-L 2.30 looks up a stream's third byte by a number that depends on the stream's address in
+// memory, so that one time in some thousand it finds other matches. It doesn't if one byte is
+// packed before the others. For that the first call takes one byte more than ISA-L holds back for
+// the next call; it holds back more where no flush follows.
 constexpr std::size_t kHead = ISAL_LOOK_AHEAD + 1, kFlushedHead = 16 + 1;
 
-/// More than `size` bytes take: stored, with heads of blocks twice as many as need be, and two
-/// empty blocks.
+/// Returns more than `size` bytes can take: stored uncompressed, with twice as many block headers
+/// as needed, and two empty blocks. [bytes]
 std::size_t packedBound(std::size_t size) {
   constexpr std::size_t kBlock = 32'768, kHeads = 10, kRest = 128;
   return size + (size / kBlock + 1) * kHeads + kRest;

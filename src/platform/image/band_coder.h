@@ -1,4 +1,4 @@
-// Deflate for parts of a stream that are made apart. Inside the room only.
+// Deflate for parts of a stream that are compressed separately. Inside the room only.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@ class BandCoder {
  public:
   BandCoder();
 
-  /// Replaces `packed` by blocks (RFC 1951) that depend on `bytes` alone, end with a byte, and
-  /// aren't the stream's last, so that they can be joined with others.
+  /// Replaces `packed` by deflate blocks (RFC 1951) that depend on `bytes` alone, end on a byte
+  /// boundary, and don't include the stream's last, so that they can be joined with others.
   void pack(std::span<const std::uint8_t> bytes, std::vector<std::uint8_t>& packed);
 
  private:

@@ -18,14 +18,15 @@ int half(int length) {
   return std::max(1, length / 2);
 }
 
-/// The pixels along a side that one pixel of half as many covers.
+/// The pixels along a side that one pixel of the halved side covers.
 struct Covered {
   std::size_t first = 0;
   std::size_t count = 0;
-  std::array<std::uint32_t, 3> shares{};  ///< Their sum is the same for all pixels of the side.
+  /// Weights; their sum is the same for all pixels of the side.
+  std::array<std::uint32_t, 3> shares{};
 };
 
-/// Of all pixels that a side of `length` is halved to.
+/// Returns what each pixel of a side covers after `length` pixels are halved.
 std::vector<Covered> coveredBy(int length) {
   if (length == 1) return {{0, 1, {1}}};
   const auto count = static_cast<std::uint32_t>(half(length));
@@ -44,15 +45,15 @@ std::uint32_t sumOfShares(const std::vector<Covered>& side) {
   return side[0].shares[0] + side[0].shares[1] + side[0].shares[2];
 }
 
-/// Sums up the light of rows, by their shares, in each place of a row.
-void addRows(const ImageView& large, const Covered& rows, std::vector<std::uint32_t>& light) {
+/// Sums the covered rows in linear light, weighted by their shares, sample by sample.
+void addRows(const ImageView& large, const Covered& rows, std::vector<std::uint32_t>& linear) {
   const int step = bytesPerPixel(large.format);
-  std::ranges::fill(light, 0);
+  std::ranges::fill(linear, 0);
   for (std::size_t i = 0; i < rows.count; ++i) {
     const std::uint8_t* pixel = large.row(static_cast<int>(rows.first + i));
-    for (std::size_t at = 0; at < light.size(); at += kChannels, pixel += step) {
+    for (std::size_t at = 0; at < linear.size(); at += kChannels, pixel += step) {
       for (std::size_t channel = 0; channel < kChannels; ++channel) {
-        light[at + channel] += rows.shares[i] * linearFromSrgb(pixel[channel]);
+        linear[at + channel] += rows.shares[i] * linearFromSrgb(pixel[channel]);
       }
     }
   }
@@ -76,15 +77,15 @@ Image downsampledOpaque(const ImageView& large) {
   Image picture(half(large.width), half(large.height), PixelFormat::Rgb8);
   const std::vector<Covered> columns = coveredBy(large.width), rows = coveredBy(large.height);
   const std::uint64_t all = std::uint64_t{sumOfShares(columns)} * sumOfShares(rows);
-  std::vector<std::uint32_t> light(kChannels * static_cast<std::size_t>(large.width));
+  std::vector<std::uint32_t> linear(kChannels * static_cast<std::size_t>(large.width));
   for (int y = 0; y < picture.height(); ++y) {
-    addRows(large, rows[static_cast<std::size_t>(y)], light);
+    addRows(large, rows[static_cast<std::size_t>(y)], linear);
     std::uint8_t* out = picture.row(y);
     for (const Covered& column : columns) {
       for (std::size_t channel = 0; channel < kChannels; ++channel) {
         std::uint64_t sum = all / 2;
         for (std::size_t i = 0; i < column.count; ++i) {
-          sum += std::uint64_t{column.shares[i]} * light[kChannels * (column.first + i) + channel];
+          sum += std::uint64_t{column.shares[i]} * linear[kChannels * (column.first + i) + channel];
         }
         *out++ = srgbFromLinear(static_cast<std::uint32_t>(sum / all));
       }

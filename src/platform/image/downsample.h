@@ -1,17 +1,17 @@
-// Pictures of half the size.
+// Halves the size of pictures.
 #pragma once
 
 #include "image/image.h"
 
 namespace rotatebook::image {
 
-/// Writes to each pixel of `picture` the mean, of light, of four pixels of `large`, which count by
-/// their alpha. Both are Rgba8, `large` twice as wide and high.
+/// Writes to each pixel of `picture` the mean in linear light of four pixels of `large`, weighted
+/// by their alpha. Both are Rgba8, `large` twice as wide and high.
 void downsample(const Image& large, Image& picture);
 
-/// The picture (Rgb8, or Rgba8, whose alpha is left out) with half as many pixels a side, rounded
-/// down but at least 1: each is the mean, of light, of those it covers, of which some count in part
-/// where a side is odd. Rgb8.
+/// Returns `large` (Rgb8, or Rgba8, whose alpha is ignored) as Rgb8 with half as many pixels a
+/// side, rounded down but at least 1. Each pixel is the mean in linear light of those it covers,
+/// some of which count in part where a side is odd.
 Image downsampledOpaque(const ImageView& large);
 
 }  // namespace rotatebook::image

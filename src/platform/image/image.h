@@ -7,31 +7,31 @@
 
 namespace rotatebook::image {
 
-/// Bytes of one pixel in order; sRGB-encoded, alpha straight.
+/// Order of the bytes of a pixel; sRGB-encoded, straight alpha.
 enum class PixelFormat { Rgb8, Rgba8 };
 
-/// Bytes a pixel: 3 or 4.
+/// Returns the number of bytes a pixel: 3 or 4.
 constexpr int bytesPerPixel(PixelFormat format) {
   return format == PixelFormat::Rgb8 ? 3 : 4;
 }
 
-/// A picture somebody else owns. A negative stride is a picture stored bottom-up, as GL reads it
-/// back.
+/// A picture that somebody else owns. A negative stride means rows stored bottom-up, as GL reads
+/// them back.
 struct ImageView {
   const std::uint8_t* topRow = nullptr;  ///< First byte of the top left pixel.
   int width = 0;                         ///< [pixels]
   int height = 0;                        ///< [pixels]
-  std::ptrdiff_t stride = 0;             ///< From a row to the one below. [bytes]
+  std::ptrdiff_t stride = 0;             ///< Distance from a row to the one below. [bytes]
   PixelFormat format = PixelFormat::Rgba8;
 
   const std::uint8_t* row(int y) const { return topRow + y * stride; }
 };
 
-/// A picture with its own memory, rows from the top without padding.
+/// A picture that owns its memory: rows from the top, without padding.
 class Image {
  public:
   Image() = default;
-  /// Black, and transparent where there is alpha. `width`, `height` > 0.
+  /// Makes a black picture, transparent if it has alpha. `width`, `height` > 0. [pixels]
   Image(int width, int height, PixelFormat format);
 
   int width() const { return width_; }
@@ -53,8 +53,8 @@ class Image {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Puts `piece` over `picture`, which has its format, so that its top left comes to (x, y); all of
-/// it must lie inside. [pixels]
+/// Copies `piece` into `picture`, which has the same format, with its top left pixel at (x, y). It
+/// must lie inside. [pixels]
 void paste(const ImageView& piece, int x, int y, Image& picture);
 
 }  // namespace rotatebook::image

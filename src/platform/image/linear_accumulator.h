@@ -1,4 +1,4 @@
-// Light of several pixels together.
+// Sum of pixels in linear light.
 #pragma once
 
 #include <array>
@@ -9,11 +9,11 @@
 
 namespace rotatebook::image {
 
-/// Adds up to 256 pixels (Rgba8, alpha straight) as a film does: sRGB's numbers are taken back to
-/// light, and pixels count by their alpha.
+/// Adds up to 256 pixels (Rgba8, straight alpha) as a film does: sRGB values are converted to
+/// linear light, and pixels are weighted by their alpha.
 class LinearAccumulator {
  public:
-  /// Takes `pixel` so many times.
+  /// Adds `pixel`, counted `times` times.
   void add(const std::uint8_t* pixel, std::uint32_t times) {
     const std::uint32_t alpha = times * pixel[3];
     for (std::size_t i = 0; i < 3; ++i) {

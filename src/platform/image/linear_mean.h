@@ -1,4 +1,4 @@
-// The mean of pictures, by their light.
+// The mean of pictures in linear light.
 #pragma once
 
 #include <cstdint>
@@ -9,23 +9,23 @@
 
 namespace rotatebook::image {
 
-/// Averages up to 256 pictures of one size as LinearAccumulator does.
+/// Averages up to 256 pictures of one size, pixel by pixel with LinearAccumulator.
 class LinearMean {
  public:
-  /// Of pictures of this size, > 0. [pixels]
+  /// Averages pictures of this size, > 0. [pixels]
   LinearMean(int width, int height);
 
-  /// Takes one more picture, of the size and Rgba8.
+  /// Adds a picture of that size, Rgba8.
   void add(ImageView picture);
-  /// Writes the mean of the pictures since the last call, of which there is at least one, over all
-  /// of `picture`, of the size and Rgba8, and begins anew.
+  /// Writes the mean of the pictures added since the last call, at least one, over all of
+  /// `picture`, of that size and Rgba8, and starts anew.
   void take(Image& picture);
 
  private:
   int width_;
   int height_;
   std::uint32_t count_ = 0;
-  std::vector<LinearAccumulator> sums_;  // of each pixel, row by row
+  std::vector<LinearAccumulator> sums_;  // one per pixel, row by row
 };
 
 }  // namespace rotatebook::image

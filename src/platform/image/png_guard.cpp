@@ -4,9 +4,9 @@
 
 namespace rotatebook::image {
 
-void jumpWithWords(png_structp png, png_const_charp words) {
-  auto* kept = static_cast<PngWords*>(png_get_error_ptr(png));
-  std::snprintf(kept->text, sizeof kept->text, "%s", words);
+void jumpWithMessage(png_structp png, png_const_charp message) {
+  auto* kept = static_cast<PngMessage*>(png_get_error_ptr(png));
+  std::snprintf(kept->text, sizeof kept->text, "%s", message);
   png_longjmp(png, 1);
 }
 

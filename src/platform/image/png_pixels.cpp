@@ -12,13 +12,13 @@
 namespace rotatebook::image {
 namespace {
 
-// The fewer, the more bands are the last picture's. Measured with igzip alone at 1280x720: 16 rows
-// take a tenth longer than 48.
+// With fewer rows, more bands equal the last picture's. Measured with igzip alone at 1280x720: 16
+// rows take a tenth longer than 48.
 constexpr int kBandRows = 16;
 
-// Deflate with a window of 32 kB, the fastest of four efforts, no dictionary (RFC 1950).
+// Deflate with a window of 32 kB, the fastest of four levels, no dictionary (RFC 1950).
 constexpr std::array<char, 2> kZlibHead = {0x78, 0x01};
-// A last block, with deflate's own codes, that only ends.
+// A last block, empty, with deflate's fixed codes.
 constexpr std::array<char, 2> kLastBlock = {0x03, 0x00};
 constexpr std::uint32_t kEmptyChecksum = 1;
 
@@ -41,7 +41,7 @@ void PixelPacker::append(const ImageView& view, bool alpha, std::string& stream)
   appendBands(stream);
 }
 
-// A band is what it was if its rows and the one above are.
+// A band is unchanged if its rows and the row above are.
 void PixelPacker::packBands(const ImageView& view, bool alpha) {
   prepareFor(view, alpha);
   const bool known = std::exchange(lastIsWhole_, false);
@@ -70,7 +70,7 @@ void PixelPacker::prepareFor(const ImageView& view, bool alpha) {
   bands_.resize(static_cast<std::size_t>((view.height + kBandRows - 1) / kBandRows));
 }
 
-/// True if the row isn't the last picture's, whose place it takes.
+/// Stores row `y` in last_; returns whether it differs from the last picture's.
 bool PixelPacker::keepRow(const ImageView& view, int y) {
   const auto size = static_cast<std::size_t>(last_.stride());
   if (std::memcmp(last_.row(y), view.row(y), size) == 0) return false;

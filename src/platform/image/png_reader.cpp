@@ -17,7 +17,7 @@ constexpr std::size_t kSignatureSize = 8;
 // No deflate stream unpacks to more than 1032 times its size.
 constexpr std::size_t kDeflateLargestRatio = 1032;
 
-// What is left of a PNG in memory.
+// The unread rest of a PNG in memory.
 struct Remaining {
   const std::uint8_t* next;
   std::size_t size;
@@ -30,12 +30,12 @@ struct PngHeader {
   bool hasAlpha = false;
 };
 
-// libpng's read structure and what its callbacks reach through it.
+// libpng's read structure and the state of its callbacks.
 class PngDecoder {
  public:
   explicit PngDecoder(std::span<const std::uint8_t> bytes)
       : remaining_{bytes.data(), bytes.size()},
-        png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &message_, jumpWithWords,
+        png_(png_create_read_struct(PNG_LIBPNG_VER_STRING, &message_, jumpWithMessage,
                                     ignoreWarning)) {
     if (png_ != nullptr) info_ = png_create_info_struct(png_);
     if (info_ == nullptr) png_destroy_read_struct(&png_, nullptr, nullptr);
@@ -48,10 +48,10 @@ class PngDecoder {
 
   bool readHeader(PngHeader& header) {
     return guarded(png_, [this, &header] {
-      // libpng's own limits are as high as they go: decodePng names the size that it refuses.
+      // libpng's own limits are lifted: checkSize() names the size that it refuses.
       png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
       png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
-      // Texts, profiles and the like are passed over: what they unpack to may be gigabytes.
+      // Texts, profiles and the like are skipped: they may unpack to gigabytes.
       png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
       png_read_info(png_, info_);
       header.width = png_get_image_width(png_, info_);
@@ -62,7 +62,7 @@ class PngDecoder {
     });
   }
 
-  // `rows` are the picture's, Rgba8 if the header has alpha, else Rgb8.
+  // `rows` point into a picture that is Rgba8 if the header has alpha, else Rgb8.
   bool readPixels(png_bytepp rows) {
     return guarded(png_, [this, rows] {
       png_set_expand(png_);
@@ -85,7 +85,7 @@ class PngDecoder {
     remaining->size -= size;
   }
 
-  PngWords message_;
+  PngMessage message_;
   Remaining remaining_;
   png_structp png_;
   png_infop info_ = nullptr;
@@ -95,7 +95,7 @@ class PngDecoder {
   throw InputError("can't read " + name + ": " + why);
 }
 
-// Before a byte is allocated: a header of 33 bytes can claim gigabytes.
+// Called before anything is allocated: a header of 33 bytes can claim gigabytes.
 void checkSize(const PngHeader& header, std::size_t fileSize, const std::string& name) {
   const std::string size = sizeText(header.width, header.height);
   if (header.width > kMaxPictureSide || header.height > kMaxPictureSide) {
@@ -105,7 +105,7 @@ void checkSize(const PngHeader& header, std::size_t fileSize, const std::string&
     refuse(name, "corrupt PNG: " + std::to_string(fileSize) + " bytes can't hold the " + size +
                      " pixels that its header claims");
   }
-  // What few bytes unpack to can still be gigabytes.
+  // Few bytes can still unpack to gigabytes.
   if (std::int64_t{header.width} * header.height > kMaxPicturePixels) {
     refuse(name, size + " pixels; the limit is " + std::to_string(kMaxPicturePixels) + " in all");
   }

@@ -14,12 +14,12 @@
 namespace rotatebook::image {
 namespace {
 
-// libpng's write structure and what its callbacks reach through it.
+// libpng's write structure and the state of its callbacks.
 class PngEncoder {
  public:
   // Appends to `bytes`.
   explicit PngEncoder(std::string& bytes)
-      : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, &message_, jumpWithWords,
+      : png_(png_create_write_struct(PNG_LIBPNG_VER_STRING, &message_, jumpWithMessage,
                                      ignoreWarning)) {
     if (png_ != nullptr) info_ = png_create_info_struct(png_);
     if (info_ == nullptr) png_destroy_write_struct(&png_, nullptr);
@@ -30,7 +30,7 @@ class PngEncoder {
   PngEncoder& operator=(const PngEncoder&) = delete;
   ~PngEncoder() { png_destroy_write_struct(&png_, &info_); }
 
-  // Between them goes the IDAT chunk.
+  // The IDAT chunk goes between begin() and end().
   bool begin(const ImageView& view, bool alpha) {
     return guarded(png_, [this, &view, alpha] { describe(view, alpha); });
   }
@@ -49,7 +49,7 @@ class PngEncoder {
     }
   }
 
-  // An exception can't cross libpng's C frames.
+  // An exception must not cross libpng's C frames.
   static bool grow(std::string& bytes, png_const_bytep data, std::size_t size) noexcept {
     try {
       bytes.append(reinterpret_cast<const char*>(data), size);
@@ -68,24 +68,24 @@ class PngEncoder {
     png_write_info(png_, info_);
   }
 
-  PngWords message_;
+  PngMessage message_;
   png_structp png_;
   png_infop info_ = nullptr;
 };
 
-// Not libpng's chunk, for which the pixels would be copied and its sum takes 0.3 ms a frame.
+// Not with libpng's chunk, which would copy the pixels and take 0.3 ms a frame for its checksum.
 void appendPixels(PixelPacker& packer, const ImageView& view, bool alpha, std::string& bytes) {
   const std::size_t start = bytes.size();
   bytes.append(4, '\0');
   bytes += "IDAT";
   packer.append(view, alpha, bytes);
-  const std::size_t named = bytes.size() - start - 4;
+  const std::size_t checkedSize = bytes.size() - start - 4;
   const auto* chunk = reinterpret_cast<const std::uint8_t*>(&bytes[start + 4]);
-  const std::uint32_t sum = crc32_gzip_refl(0, chunk, named);
+  const std::uint32_t checksum = crc32_gzip_refl(0, chunk, checkedSize);
   std::string size;
-  appendBigEndian(size, static_cast<std::uint32_t>(named - 4));
+  appendBigEndian(size, static_cast<std::uint32_t>(checkedSize - 4));
   bytes.replace(start, size.size(), size);
-  appendBigEndian(bytes, sum);
+  appendBigEndian(bytes, checksum);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The filter of a PNG's rows. Inside the room only.
+// Filters the rows of a PNG. Inside the room only.
 #pragma once
 
 #include <cstddef>
@@ -8,13 +8,13 @@
 
 namespace rotatebook::image {
 
-/// Bytes that the filter may write behind a row, to be written over.
+/// Number of bytes that filterRow() may write past its row, for the next row to overwrite.
 inline constexpr std::size_t kFilterOverrun = 8;
 
-/// Bytes of a filtered row.
+/// Returns the size of a filtered row. [bytes]
 std::size_t filteredRowSize(const ImageView& view, bool alpha);
 
-/// Writes row `y` as PNG has it: the number of the filter Up, then the pixels, RGB or with their
+/// Writes row `y` as a PNG stores it: the number of the filter Up, then the pixels, RGB or if
 /// `alpha` RGBA, minus those of the row above. Returns where the next row goes.
 std::uint8_t* filterRow(const ImageView& view, int y, bool alpha, std::uint8_t* out);
 

@@ -7,7 +7,7 @@
 namespace rotatebook::image {
 namespace {
 
-/// The light of a number from 0 to 1.
+/// Returns the linear value of an sRGB value, both 0 to 1.
 double decoded(double value) {
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
 }
@@ -25,13 +25,14 @@ const std::array<std::uint16_t, 256> kLinearOfSrgb = [] {
 
 const std::array<std::uint8_t, kMaxLinear + 1> kSrgbOfLinear = [] {
   std::array<std::uint8_t, kMaxLinear + 1> table{};
-  std::size_t light = 0;
-  // Each number's light ends halfway, as sRGB counts, to the next one's.
+  std::size_t linear = 0;
+  // The range of an sRGB value ends halfway to the next one, measured in sRGB.
   for (std::size_t i = 0; i < 255; ++i) {
     const double end = kMaxLinear * decoded((static_cast<double>(i) + 0.5) / 255);
-    for (; static_cast<double>(light) < end; ++light) table[light] = static_cast<std::uint8_t>(i);
+    for (; static_cast<double>(linear) < end; ++linear)
+      table[linear] = static_cast<std::uint8_t>(i);
   }
-  for (; light < table.size(); ++light) table[light] = 255;
+  for (; linear < table.size(); ++linear) table[linear] = 255;
   return table;
 }();
 

@@ -1,4 +1,4 @@
-// Between sRGB's numbers and light (IEC 61966-2-1). Inside the room only.
+// Conversion between sRGB and linear light (IEC 61966-2-1). Inside the room only.
 #pragma once
 
 #include <array>
@@ -6,20 +6,20 @@
 
 namespace rotatebook::image {
 
-/// White, where light is a whole number: as fine as sRGB is where that is finest.
+/// White in linear light, as an integer: the smallest step of sRGB is 20 of these.
 inline constexpr std::uint32_t kMaxLinear = 65'535;
 
-/// What the two functions below look up.
+/// Lookup tables of the two functions below.
 extern const std::array<std::uint16_t, 256> kLinearOfSrgb;
 extern const std::array<std::uint8_t, kMaxLinear + 1> kSrgbOfLinear;
 
-/// The light of an sRGB number, 0 to kMaxLinear.
+/// Returns the linear light of an sRGB value, 0 to kMaxLinear.
 inline std::uint32_t linearFromSrgb(std::uint8_t encoded) {
   return kLinearOfSrgb[encoded];
 }
-/// The sRGB number nearest to `light`, 0 to kMaxLinear.
-inline std::uint8_t srgbFromLinear(std::uint32_t light) {
-  return kSrgbOfLinear[light];
+/// Returns the sRGB value nearest to `linear`, 0 to kMaxLinear.
+inline std::uint8_t srgbFromLinear(std::uint32_t linear) {
+  return kSrgbOfLinear[linear];
 }
 
 }  // namespace rotatebook::image

@@ -19,37 +19,37 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kMark = ".rotatebook-";
+constexpr std::string_view kTemporaryInfix = ".rotatebook-";
 
-/// What is where `path` or a folder above it is to be, and is no folder; empty if nothing is.
-std::string wayBarredTo(const fs::path& path) {
-  fs::path place;
+/// Names what exists at `path` or above it but is not a folder, with the remedy; else empty.
+std::string obstacleOn(const fs::path& path) {
+  fs::path prefix;
   for (const fs::path& part : path) {
-    place /= part;
+    prefix /= part;
     std::error_code unknown;
-    if (!fs::exists(fs::symlink_status(place, unknown)) || fs::is_directory(place, unknown)) {
+    if (!fs::exists(fs::symlink_status(prefix, unknown)) || fs::is_directory(prefix, unknown)) {
       continue;
     }
-    const bool link = fs::is_symlink(place, unknown) && !fs::exists(place, unknown);
-    return place.string() + (link ? " is a link to a place that isn't there" : " is no folder") +
-           "; move it out of the way, or name another place";
+    const bool link = fs::is_symlink(prefix, unknown) && !fs::exists(prefix, unknown);
+    return prefix.string() + (link ? " is a link whose target doesn't exist" : " is not a folder") +
+           "; move it out of the way, or choose another path";
   }
   return "";
 }
 
 fs::path temporaryNameFor(const fs::path& path, pid_t number) {
-  const std::string name = "." + path.filename().string() + std::string(kMark);
+  const std::string name = "." + path.filename().string() + std::string(kTemporaryInfix);
   return path.parent_path() / (name + std::to_string(number));
 }
 
 bool isTemporaryName(const std::string& name) {
-  const std::size_t mark = name.rfind(kMark);
-  if (!name.starts_with('.') || mark == std::string::npos) return false;
-  const std::string_view pid = std::string_view(name).substr(mark + kMark.size());
+  const std::size_t infix = name.rfind(kTemporaryInfix);
+  if (!name.starts_with('.') || infix == std::string::npos) return false;
+  const std::string_view pid = std::string_view(name).substr(infix + kTemporaryInfix.size());
   return !pid.empty() && pid.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
-/// Tidies up each folder once in the life of the process.
+/// Removes stale temporaries, once per folder in the life of the process.
 void tidyOnce(const fs::path& folder) {
   static std::mutex mutex;
   static std::set<fs::path> tidied;
@@ -57,8 +57,8 @@ void tidyOnce(const fs::path& folder) {
   if (tidied.insert(folder).second) removeStaleTemporaries(folder.empty() ? "." : folder);
 }
 
-/// createLocked(), where another process may be tidying up: that has it locked for an instant.
-FileDescriptor createLockedSoon(const fs::path& path, Lock lock) {
+/// Calls createLocked() with retries: a process that tidies up locks a file for an instant.
+FileDescriptor createLockedWithRetries(const fs::path& path, Lock lock) {
   FileDescriptor file = createLocked(path, lock);
   for (int tries = 1; tries < 5 && !file.isOpen() && errno == EWOULDBLOCK; ++tries) {
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -78,12 +78,12 @@ AtomicFile::AtomicFile(fs::path finalPath)
     : finalPath_(std::move(finalPath)), temporaryPath_(temporaryNameFor(finalPath_, getpid())) {
   requireReplaceable(finalPath_);
   tidyOnce(finalPath_.parent_path());
-  held_ = createLockedSoon(temporaryPath_, Lock::Exclusive);
+  held_ = createLockedWithRetries(temporaryPath_, Lock::Exclusive);
   if (!held_.isOpen()) throwLastError(finalPath_, "write");
 }
 
 void requireReplaceable(const fs::path& path) {
-  // A rename would put a plain file in the place of a device or a pipe.
+  // A rename would replace a device or a pipe by a plain file.
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found || fs::is_regular_file(status)) return;
@@ -116,14 +116,14 @@ void writeFileAtomically(const fs::path& path, std::string_view content) {
 }
 
 AdvisoryLock::AdvisoryLock(const fs::path& path, Lock lock)
-    : path_(temporaryNameFor(path, 0)), file_(createLockedSoon(path_, lock)) {
+    : path_(temporaryNameFor(path, 0)), file_(createLockedWithRetries(path_, lock)) {
   if (file_.isOpen()) return;
   if (errno != EWOULDBLOCK) throwLastError(path, "write");
   throw MachineError("another process is writing " + path.string() + "; wait for it to end");
 }
 
 AdvisoryLock::~AdvisoryLock() {
-  // The last one of those that share it takes it away.
+  // Of the processes that share the lock, the last one removes its file.
   if (!tryLock(file_, Lock::Exclusive)) return;
   std::error_code ignored;
   fs::remove(path_, ignored);
@@ -155,9 +155,9 @@ void createFolders(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (!error) return;
-  const std::string inTheWay = wayBarredTo(folder);
+  const std::string obstacle = obstacleOn(folder);
   throw MachineError("can't make the folder " + folder.string() + ": " +
-                     (inTheWay.empty() ? error.message() : inTheWay));
+                     (obstacle.empty() ? error.message() : obstacle));
 }
 
 }  // namespace rotatebook::system

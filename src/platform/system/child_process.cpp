@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kPollInterval{5};
 
-/// What a new process does before its program begins.
+/// The redirections that a new process makes before its program begins.
 class SpawnActions {
  public:
   explicit SpawnActions(const StandardStreams& streams) {
@@ -39,7 +39,7 @@ class SpawnActions {
 std::optional<ChildProcess> ChildProcess::start(std::vector<std::string> command,
                                                 const StandardStreams& streams) {
   std::vector<char*> arguments;
-  for (std::string& word : command) arguments.push_back(word.data());
+  for (std::string& argument : command) arguments.push_back(argument.data());
   arguments.push_back(nullptr);
   pid_t id = 0;
   const int error = posix_spawnp(&id, arguments.front(), SpawnActions(streams).get(), nullptr,
@@ -58,7 +58,7 @@ ChildProcess ChildProcess::copy(const std::function<void()>& action) {
   try {
     action();
   } catch (...) {
-    // Nothing of the caller's may run twice.
+    // Unwinding further would run the caller's code twice.
   }
   _exit(0);
 }
@@ -86,11 +86,11 @@ ProcessEnd ChildProcess::wait() {
   return *end(0);
 }
 
-std::optional<ProcessEnd> ChildProcess::wait(std::chrono::seconds longest) {
-  const auto last = std::chrono::steady_clock::now() + longest;
+std::optional<ProcessEnd> ChildProcess::wait(std::chrono::seconds timeout) {
+  const auto deadline = std::chrono::steady_clock::now() + timeout;
   for (;;) {
     if (const auto ended = end(WNOHANG)) return ended;
-    if (std::chrono::steady_clock::now() > last) break;
+    if (std::chrono::steady_clock::now() > deadline) break;
     std::this_thread::sleep_for(kPollInterval);
   }
   kill(id_, SIGKILL);

@@ -13,10 +13,10 @@
 
 namespace rotatebook::system {
 
-/// How a process ended.
+/// The end of a process.
 struct ProcessEnd {
-  int status = 0;  ///< What it exited with, 0 to 255.
-  int signal = 0;  ///< The signal that ended it, in place of a status; 0 if none did.
+  int status = 0;  ///< Exit status, 0 to 255.
+  int signal = 0;  ///< Signal that ended it, instead of a status; 0 if none did.
 };
 
 /// The standard streams of a process to be started.
@@ -26,15 +26,15 @@ struct StandardStreams {
   const FileDescriptor& error;
 };
 
-/// A process that was started. One that nobody has waited for is killed.
+/// A process that was started. The destructor kills one that nobody has waited for.
 class ChildProcess {
  public:
-  /// Starts the program that is named first in `command`, found by PATH, with the other words as
-  /// its arguments; none if there is no such program. Throws MachineError.
+  /// Starts the program that is named first in `command`, found by PATH, with the others as its
+  /// arguments; returns nothing if there is no such program. Throws MachineError.
   static std::optional<ChildProcess> start(std::vector<std::string> command,
                                            const StandardStreams& streams);
-  /// Runs `action` in a copy of this process, which ends without cleaning up when that returns. The
-  /// copy has this thread alone. Throws MachineError.
+  /// Runs `action` in a copy of this process (fork), which has the calling thread alone and exits
+  /// without cleaning up when `action` returns or throws. Throws MachineError.
   static ChildProcess copy(const std::function<void()>& action);
 
   ChildProcess(ChildProcess&& other) noexcept : id_(std::exchange(other.id_, 0)) {}
@@ -44,14 +44,14 @@ class ChildProcess {
   }
   ~ChildProcess();
 
-  /// Waits for its end. Once. Throws MachineError.
+  /// Waits for the process to end; to be called once. Throws MachineError.
   ProcessEnd wait();
-  /// The same for so long at most; then it is killed, and nothing is returned.
-  std::optional<ProcessEnd> wait(std::chrono::seconds longest);
+  /// Like wait(), but after `timeout` kills the process and returns nothing.
+  std::optional<ProcessEnd> wait(std::chrono::seconds timeout);
 
  private:
   explicit ChildProcess(pid_t id) : id_(id) {}
-  /// Its end, if it has ended or `options` (of waitpid) wait for that.
+  /// Returns the end, if the process has ended or `options` (of waitpid) wait for that.
   std::optional<ProcessEnd> end(int options);
 
   pid_t id_;  // 0: nothing to wait for.

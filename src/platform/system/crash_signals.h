@@ -1,4 +1,4 @@
-// The signals by which a process ends that its own code, or a driver's, has brought down.
+// Signals that end a process after a crash in its own code or a driver's.
 #pragma once
 
 #include <array>

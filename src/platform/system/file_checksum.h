@@ -6,8 +6,8 @@
 
 namespace rotatebook::system {
 
-/// checksumOf() a file's content. Throws MachineError if it can't be read, isn't there or isn't a
-/// file.
+/// Returns checksumOf() of a file's content. Throws MachineError if it doesn't exist, can't be read
+/// or isn't a regular file.
 std::string checksumOfFile(const std::filesystem::path& path);
 
 }  // namespace rotatebook::system

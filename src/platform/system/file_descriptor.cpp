@@ -28,7 +28,7 @@ bool tryLock(const FileDescriptor& file, Lock lock) {
 
 FileDescriptor createLocked(const std::filesystem::path& path, Lock lock) {
   while (true) {
-    // Nobody may lead it elsewhere by a link, nor have it wait for who reads a pipe.
+    // O_NOFOLLOW: no link may redirect it. O_NONBLOCK: it doesn't wait for a pipe's reader.
     FileDescriptor file(
         open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, 0666));
     if (!file.isOpen()) return {};
@@ -37,7 +37,7 @@ FileDescriptor createLocked(const std::filesystem::path& path, Lock lock) {
       return {};
     }
     if (!tryLock(file, lock)) return {};
-    // Somebody may have removed it before it was locked.
+    // Another process may have removed it before it was locked.
     if (statusOf(file).st_nlink == 0) continue;
     if (ftruncate(file.number(), 0) != 0) return {};
     return file;

@@ -1,4 +1,4 @@
-// Files as the operating system has them.
+// File descriptors: their ownership, locks, reading and writing.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace rotatebook::system {
 
-/// Owns a descriptor, or none, which is -1.
+/// Owns a file descriptor, or none (-1).
 class FileDescriptor {
  public:
   FileDescriptor() = default;
@@ -31,35 +31,34 @@ class FileDescriptor {
   int number_ = -1;
 };
 
-/// Who else may lock a file while it is locked.
+/// Kinds of lock: any number of Shared ones at a time, or one Exclusive.
 enum class Lock { Shared, Exclusive };
 
-/// False if another process, or another descriptor of this one, has a lock that forbids it. True
-/// where the file system has no locks, too.
+/// Returns false if another process, or another descriptor of this one, has a conflicting lock;
+/// true also where the file system has no locks.
 bool tryLock(const FileDescriptor& file, Lock lock);
 
-/// Opens an empty file of that name for writing, new or in the place of an old one, and locks it.
-/// A closed descriptor, and errno, if it can't be opened (its cause; ENXIO for pipes and devices)
-/// or locked (EWOULDBLOCK).
+/// Opens a file for writing, created or emptied, and locks it. Returns a closed descriptor and sets
+/// errno if it can't be opened (the cause; ENXIO for pipes and devices) or locked (EWOULDBLOCK).
 FileDescriptor createLocked(const std::filesystem::path& path, Lock lock);
 
-/// A file without a name, for reading and writing, that is gone once nobody has it open. `purpose`
-/// is for who debugs. Throws MachineError.
+/// Creates a file without a name, for reading and writing, which disappears once nobody has it
+/// open. `purpose` is a label for debugging. Throws MachineError.
 FileDescriptor createMemoryFile(const char* purpose);
 
 /// Writes all of `content`. Throws MachineError "can't write `path`: CAUSE".
 void writeAll(const FileDescriptor& file, std::string_view content,
               const std::filesystem::path& path);
 
-/// Gives `take` all that the file holds, from its start, block by block. False, and errno, if it
-/// can't be read.
+/// Passes the file's content to `take`, from its start, block by block. Returns false and sets
+/// errno if it can't be read.
 bool readBlocks(const FileDescriptor& file, const std::function<void(std::string_view)>& take);
 
-/// All that the file holds, from its start, even if it was removed. Throws MachineError "can't read
-/// `path`: CAUSE".
+/// Returns the file's content, from its start, even if its name was removed. Throws MachineError
+/// "can't read `path`: CAUSE".
 std::string readAll(const FileDescriptor& file, const std::filesystem::path& path);
 
-/// Throws MachineError "can't `action` `path`: CAUSE", the cause being that of errno.
+/// Throws MachineError "can't `action` `path`: CAUSE", with the cause that errno names.
 [[noreturn]] void throwLastError(const std::filesystem::path& path, std::string_view action);
 
 }  // namespace rotatebook::system

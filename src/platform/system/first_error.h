@@ -1,4 +1,4 @@
-// Errors of threads. Inside the room only.
+// The first error of several threads. Inside the room only.
 #pragma once
 
 #include <exception>
@@ -6,13 +6,13 @@
 
 namespace rotatebook::system {
 
-/// Keeps the first of the errors that threads run into.
+/// Keeps the first error that any thread reports.
 class FirstError {
  public:
-  /// Keeps `error` unless there is one already.
+  /// Keeps `error` unless one is kept already.
   void set(std::exception_ptr error);
   bool isSet();
-  /// Throws the error that is kept, if any.
+  /// Throws the kept error, if any.
   void rethrow();
 
  private:

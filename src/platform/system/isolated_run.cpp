@@ -18,16 +18,16 @@
 namespace rotatebook::system {
 namespace {
 
-constexpr off_t kLongestWords = 400;  // [bytes]
+constexpr off_t kMaxTail = 400;  // [bytes]
 
-void runAsCopy(const std::function<void()>& action, const FileDescriptor& words) {
+void runAsCopy(const std::function<void()>& action, const FileDescriptor& output) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   const rlimit noCore{0, 0};
   setrlimit(RLIMIT_CORE, &noCore);
-  // What handles crashes here would say that this process crashed.
+  // The crash handlers of this process would report that it crashed.
   for (const int crash : kCrashSignals) std::signal(crash, SIG_DFL);
-  dup2(words.number(), STDERR_FILENO);
-  // What it throws is reported to whoever runs it in earnest.
+  dup2(output.number(), STDERR_FILENO);
+  // Exceptions aren't reported: they come again where the caller runs the action itself.
   action();
 }
 
@@ -36,12 +36,12 @@ std::string causeOf(const ProcessEnd& end) {
   return "exit status " + std::to_string(end.status);
 }
 
-/// The last line of what it wrote, as ": LINE", or empty.
-std::string lastLine(const FileDescriptor& words) {
-  const off_t size = lseek(words.number(), 0, SEEK_END);
-  std::array<char, kLongestWords> end;
+/// Returns the last line of `output`, as ": LINE", or empty.
+std::string lastLine(const FileDescriptor& output) {
+  const off_t size = lseek(output.number(), 0, SEEK_END);
+  std::array<char, kMaxTail> end;
   const ssize_t read =
-      pread(words.number(), end.data(), end.size(), std::max<off_t>(size - kLongestWords, 0));
+      pread(output.number(), end.data(), end.size(), std::max<off_t>(size - kMaxTail, 0));
   const std::string_view text =
       trimmed({end.data(), read > 0 ? static_cast<std::size_t>(read) : 0});
   const std::string line(text.substr(text.rfind('\n') + 1));
@@ -50,14 +50,14 @@ std::string lastLine(const FileDescriptor& words) {
 
 }  // namespace
 
-std::string runIsolated(const std::function<void()>& action, std::chrono::seconds longest) {
-  const FileDescriptor words = createMemoryFile("words");
-  ChildProcess copy = ChildProcess::copy([&] { runAsCopy(action, words); });
-  const std::optional<ProcessEnd> end = copy.wait(longest);
+std::string runIsolated(const std::function<void()>& action, std::chrono::seconds timeout) {
+  const FileDescriptor output = createMemoryFile("stderr");
+  ChildProcess copy = ChildProcess::copy([&] { runAsCopy(action, output); });
+  const std::optional<ProcessEnd> end = copy.wait(timeout);
   if (end && end->signal == 0 && end->status == 0) return "";
   return (end ? "ends the process (" + causeOf(*end) + ")"
-              : "doesn't come back within " + std::to_string(longest.count()) + " s") +
-         lastLine(words);
+              : "doesn't return within " + std::to_string(timeout.count()) + " s") +
+         lastLine(output);
 }
 
 }  // namespace rotatebook::system

@@ -1,4 +1,4 @@
-// What may end the process is tried in a copy of it first.
+// Runs of code that may crash, in a copy of the process.
 #pragma once
 
 #include <chrono>
@@ -7,11 +7,11 @@
 
 namespace rotatebook::system {
 
-/// Runs `action` in a copy of this process (fork) and tells how that ended: empty if the action
-/// came back or threw; else "ends the process (Segmentation fault)" or "doesn't come back
-/// within 60 s", and what was written last to standard error, which is kept from the terminal.
-/// Call it while the process has no other threads: the copy lacks them.
-/// Throws MachineError if there can't be another process.
-std::string runIsolated(const std::function<void()>& action, std::chrono::seconds longest);
+/// Runs `action` in a copy of this process (fork) and reports how that ended: empty if the action
+/// returned or threw; else "ends the process (Segmentation fault)" or "doesn't return within 60 s",
+/// and the last line of its standard error, which is kept from the terminal. Call it while the
+/// process has no other threads: the copy lacks them. Throws MachineError if no other process can
+/// be started.
+std::string runIsolated(const std::function<void()>& action, std::chrono::seconds timeout);
 
 }  // namespace rotatebook::system

@@ -1,4 +1,4 @@
-// What there is to share out.
+// The resources of the machine.
 #pragma once
 
 #include <algorithm>
@@ -7,12 +7,12 @@
 
 namespace rotatebook::system {
 
-/// The machine's cores, at least 1.
+/// Returns the number of the machine's cores, at least 1.
 inline int coreCount() {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// The machine's memory. [bytes]
+/// Returns the machine's memory. [bytes]
 inline double memorySize() {
   return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
 }

@@ -14,7 +14,7 @@
 namespace rotatebook::system {
 namespace {
 
-// How soon a stop is noticed where runs are long.
+// Longest interval between reports of progress, during long runs too.
 constexpr auto kWatchInterval = std::chrono::milliseconds(50);
 
 class Runs {
@@ -23,7 +23,7 @@ class Runs {
        const RunOptions& options)
       : indices_(indices), run_(run), options_(options) {}
 
-  bool goOn() {
+  bool finishAll() {
     std::vector<std::jthread> threads;
     running_ = threadCount();
     for (int i = running_; i > 0; --i) threads.emplace_back([this] { work(); });
@@ -57,7 +57,7 @@ class Runs {
     changed_.notify_one();
   }
 
-  // Tells of progress, on the caller's thread, until the others are done.
+  // Reports progress, on the caller's thread, until the others are done.
   void watch() {
     std::unique_lock lock(mutex_);
     while (true) {
@@ -78,7 +78,7 @@ class Runs {
   std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::size_t done_ = 0;  // this and the next are guarded by the mutex
+  std::size_t done_ = 0;  // done_ and running_ are guarded by mutex_
   int running_ = 0;
 };
 
@@ -86,7 +86,7 @@ class Runs {
 
 bool runParallel(std::span<const std::size_t> indices, const std::function<void(std::size_t)>& run,
                  const RunOptions& options) {
-  return Runs(indices, run, options).goOn();
+  return Runs(indices, run, options).finishAll();
 }
 
 }  // namespace rotatebook::system

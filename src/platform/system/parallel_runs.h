@@ -1,4 +1,4 @@
-// Independent runs, shared out among threads.
+// Independent runs, distributed over threads.
 #pragma once
 
 #include <atomic>
@@ -8,18 +8,18 @@
 
 namespace rotatebook::system {
 
-/// How runs are made, and who hears of them.
+/// Threads, stop and progress of runParallel().
 struct RunOptions {
-  int threads = 0;  ///< 0 for as many as the machine has cores.
-  /// Set from outside, e.g. by a signal handler, to begin no more runs. May be null.
+  int threads = 0;  ///< Number of threads; 0 for one per core of the machine.
+  /// Once set, for example by a signal handler, no more runs begin. May be null.
   const std::atomic<bool>* stop = nullptr;
-  /// Told on the caller's thread, before the first run and after some of them.
+  /// Called on the caller's thread: at the start, at intervals, and at the end.
   std::function<void(std::size_t done, std::size_t total)> progress{};
 };
 
-/// Calls `run` once with each of `indices`, taken in their order; several calls go on at a time.
-/// Returns whether all were made: not after a stop. Throws the first error that a run threw, and
-/// then makes no more.
+/// Calls `run` once with each of `indices`, begun in their order, several at a time. Returns
+/// whether all runs were made, false after a stop. Throws the first error that a run threw; no more
+/// runs begin after it.
 bool runParallel(std::span<const std::size_t> indices, const std::function<void(std::size_t)>& run,
                  const RunOptions& options);
 

@@ -1,4 +1,4 @@
-// A fixed set of things that go round, so that memory doesn't grow with the clip.
+// A fixed set of items to be reused, so that memory doesn't grow with the clip.
 #pragma once
 
 #include <condition_variable>
@@ -8,11 +8,11 @@
 
 namespace rotatebook::system {
 
-/// Lends things and takes them back when their last owner lets go. It must outlive what it lends.
+/// Lends items and takes each back when its last owner releases it. Must outlive what it lends.
 template <typename T>
 class Pool {
  public:
-  /// `count` > 0 copies of `pattern`.
+  /// Holds `count` > 0 copies of `pattern`.
   Pool(const T& pattern, int count) {
     for (int i = 0; i < count; ++i) {
       items_.push_back(std::make_unique<T>(pattern));
@@ -20,8 +20,8 @@ class Pool {
     }
   }
 
-  /// A item with any content; waits until one is free. This is what slows a stage down to the pace
-  /// of those after it.
+  /// Returns an item with arbitrary content; waits until one is free, which slows a stage down to
+  /// the pace of the stages after it.
   std::shared_ptr<T> take() {
     T* item = waitForOne();
     return {item, [this](T* returned) { giveBack(returned); }};
@@ -37,7 +37,7 @@ class Pool {
   }
 
   void giveBack(T* item) {
-    // Woken under the lock: whoever waits may destroy this pool as soon as it is let go.
+    // Notified under the lock: the waiting thread may destroy this pool once the lock is free.
     const std::lock_guard lock(mutex_);
     free_.push_back(item);
     freed_.notify_one();

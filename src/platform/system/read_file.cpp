@@ -17,14 +17,14 @@ namespace {
   throw InputError(std::strerror(error));
 }
 
-[[noreturn]] void failLong(const std::string& size, std::uintmax_t most) {
-  throw InputError("it has " + size + " bytes; the limit is " + std::to_string(most));
+[[noreturn]] void failLong(const std::string& size, std::uintmax_t limit) {
+  throw InputError("it has " + size + " bytes; the limit is " + std::to_string(limit));
 }
 
 }  // namespace
 
 FileDescriptor openFile(const std::filesystem::path& path) {
-  // A pipe that nobody writes into would be waited for otherwise.
+  // O_NONBLOCK: otherwise opening a pipe waits for its writer.
   FileDescriptor file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   struct stat status {};
   if (!file.isOpen() || fstat(file.number(), &status) != 0) fail(errno);
@@ -34,25 +34,25 @@ FileDescriptor openFile(const std::filesystem::path& path) {
   return file;
 }
 
-std::string readFile(const std::filesystem::path& path, std::uintmax_t most) {
+std::string readFile(const std::filesystem::path& path, std::uintmax_t limit) {
   const FileDescriptor file = openFile(path);
   const auto size =
       static_cast<std::uintmax_t>(std::max<off_t>(lseek(file.number(), 0, SEEK_END), 0));
-  if (size > most) failLong(std::to_string(size), most);
+  if (size > limit) failLong(std::to_string(size), limit);
   std::string bytes;
   bytes.reserve(size);
   const auto take = [&](std::string_view block) {
     bytes += block;
-    // It may grow, and some of the kernel's don't tell their size.
-    if (bytes.size() > most) failLong("over " + std::to_string(most), most);
+    // A file may grow, and some of the kernel's don't report their size.
+    if (bytes.size() > limit) failLong("over " + std::to_string(limit), limit);
   };
   if (!readBlocks(file, take)) throwLastError(path, "read");
   return bytes;
 }
 
-std::string readFileOrEmpty(const std::filesystem::path& path, std::uintmax_t most) {
+std::string readFileOrEmpty(const std::filesystem::path& path, std::uintmax_t limit) {
   try {
-    return readFile(path, most);
+    return readFile(path, limit);
   } catch (const Error&) {
     return {};
   }

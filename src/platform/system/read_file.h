@@ -1,4 +1,4 @@
-// A file's bytes.
+// Reads files whole.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +9,17 @@
 
 namespace rotatebook::system {
 
-/// Opens a file for reading. Throws InputError with nothing but the reason for what isn't there,
-/// and for folders, devices and pipes, without waiting for them.
+/// Opens a file for reading. Throws InputError, with the reason alone, if it doesn't exist or is a
+/// folder, a device or a pipe, for which it doesn't wait.
 FileDescriptor openFile(const std::filesystem::path& path);
 
-/// All bytes of `path`, a file of at most `most`. What is longer is refused without being read.
-/// Throws InputError as openFile(), and MachineError "can't read `path`: CAUSE" if the disk fails.
-std::string readFile(const std::filesystem::path& path, std::uintmax_t most);
+/// Returns all bytes of `path`, a file of at most `limit` bytes. A longer one is refused without
+/// being read. Throws InputError like openFile() or for a longer file, and MachineError "can't read
+/// `path`: CAUSE" if the disk fails.
+std::string readFile(const std::filesystem::path& path, std::uintmax_t limit);
 
-/// All bytes of `path`; empty if it isn't there, isn't a file of at most `most` bytes, or can't be
-/// read.
-std::string readFileOrEmpty(const std::filesystem::path& path, std::uintmax_t most = 1 << 28);
+/// Returns all bytes of `path`; empty if it doesn't exist, isn't a file of at most `limit` bytes,
+/// or can't be read.
+std::string readFileOrEmpty(const std::filesystem::path& path, std::uintmax_t limit = 1 << 28);
 
 }  // namespace rotatebook::system

@@ -14,12 +14,11 @@
 
 namespace rotatebook::system {
 
-/// Works through a queue of items. The queue is as long as there are items in the pool that they
-/// come from.
+/// Works through a queue of items. The pool that the items come from limits its length.
 template <typename Item>
 class Workers {
  public:
-  /// Once `error` is set, by whichever thread, items are let go unworked.
+  /// Starts the threads. Once any thread has set `error`, items are released without work.
   Workers(std::function<void(const Item&)> work, int threadCount, FirstError& error)
       : work_(std::move(work)), error_(error) {
     try {
@@ -31,17 +30,17 @@ class Workers {
   }
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
-  /// Waits for the threads; what is queued is still worked on.
+  /// Waits for the threads, which first work through the queue.
   ~Workers() { drain(); }
 
-  /// Queues an item; one thread takes items in the order of this call.
+  /// Queues an item. Items are taken in the order of these calls.
   void submit(Item item) {
     const std::lock_guard lock(mutex_);
     queue_.push_back(std::move(item));
     changed_.notify_one();
   }
 
-  /// Waits until all items are worked on, or let go after an error.
+  /// Waits until all items are worked on, or released after an error, and ends the threads.
   void drain() {
     {
       const std::lock_guard lock(mutex_);
@@ -53,7 +52,7 @@ class Workers {
   }
 
  private:
-  /// False once the queue is closed and empty.
+  /// Waits for the next item; returns false once the queue is closed and empty.
   bool next(Item& item) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return closed_ || !queue_.empty(); });

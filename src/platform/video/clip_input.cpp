@@ -14,15 +14,16 @@ namespace rotatebook::video {
 namespace {
 
 constexpr std::size_t kBufferSize = 65'536;
-/// A table of a million frames takes 40 MB, the largest picture 54.
-constexpr std::size_t kLargestPiece = 256'000'000;
+/// FFmpeg's largest allocation. A table of a million frames takes 40 MB, the largest picture 54.
+/// [bytes]
+constexpr std::size_t kMaxAllocation = 256'000'000;
 
 bool isNamed(const AVInputFormat& demuxer, std::string_view name) {
   return ("," + std::string(demuxer.name) + ",").find("," + std::string(name) + ",") !=
          std::string::npos;
 }
 
-/// FFmpeg's names of what reads our formats, as it takes a list.
+/// Returns FFmpeg's names of the demuxers of our formats, separated by commas.
 std::string demuxers() {
   std::string names;
   for (const FormatRow& row : kFormatRows) {
@@ -59,7 +60,7 @@ ClipInput::ClipInput(std::span<const std::uint8_t> bytes, std::string name)
 }
 
 void ClipInput::IoDeleter::operator()(AVIOContext* io) const noexcept {
-  // FFmpeg may have taken another buffer than the one it was given.
+  // FFmpeg may have replaced the buffer that it was given.
   av_freep(&io->buffer);
   avio_context_free(&io);
 }
@@ -87,13 +88,13 @@ std::int64_t ClipInput::seekMemory(void* memory, std::int64_t offset, int whence
 
 void ClipInput::open(AVFormatContext* context, const std::string& url) {
   silenceFfmpeg();
-  // A file of some bytes may ask for tables of gigabytes. It holds for the whole process.
-  av_max_alloc(kLargestPiece);
+  // A file of a few bytes may ask for tables of gigabytes. The limit holds for the whole process.
+  av_max_alloc(kMaxAllocation);
   Dictionary options;
   options.set("format_whitelist", demuxers());
   options.set("codec_whitelist", kDecoders);
   options.set("protocol_whitelist", "file");
-  // Frees `context` where it fails.
+  // Frees `context` if it fails.
   checkInput(avformat_open_input(&context, url.c_str(), nullptr, options.address()),
              "can't read " + name_ + " as " +
                  listFormats(&FormatRow::title, "or", &FormatRow::holdsRecord));
@@ -113,15 +114,15 @@ AVStream& ClipInput::stream() const {
     return *context_->streams[0];
   }
   throw InputError(name_ + " has " +
-                   (one ? "no pictures" : std::to_string(context_->nb_streams) + " streams") +
-                   "; a clip has one stream, of pictures");
+                   (one ? "no video stream" : std::to_string(context_->nb_streams) + " streams") +
+                   "; a clip has exactly one stream, of video");
 }
 
 void ClipInput::probe() {
   Dictionary options;
   options.set("max_pixels", std::to_string(kMaxDecodedPixels));
   options.set("codec_whitelist", kDecoders);
-  stream();  // There is one, so one set of options is enough.
+  stream();  // Exactly one stream, so one set of options is enough.
   checkInput(avformat_find_stream_info(context_.get(), options.address()),
              "can't read the pictures of " + name_);
 }

@@ -1,4 +1,4 @@
-// A video file that is opened for reading. Inside the room only.
+// A video file that is open for reading. Inside the room only.
 #pragma once
 
 #include <cstddef>
@@ -14,35 +14,35 @@
 
 namespace rotatebook::video {
 
-/// Largest picture that is decoded: the largest clip's, whose sides are whole macroblocks of 16
-/// pixels in the stream. [pixels]
+/// Largest picture that is decoded: the largest clip's, whose sides are rounded up to macroblocks
+/// of 16 pixels in the stream. [pixels]
 inline constexpr std::int64_t kMaxDecodedPixels = kMaxPicturePixels + 2 * 15 * kMaxPictureSide;
 
-/// FFmpeg's names of the decoders of our formats that have metadata.
+/// FFmpeg's names of the decoders of our formats that hold metadata, separated by commas.
 inline constexpr const char* kDecoders = "h264,vp9,libvpx-vp9";
 
-/// A file of one of our formats. Anybody may have made it: only their demuxers and
-/// decoders read it, which open no other file.
+/// A file in one of our formats. Anybody may have made it, so only the demuxers and decoders of
+/// these formats read it, which open no other file.
 class ClipInput {
  public:
-  /// Throws InputError if the file can't be opened, or isn't of such a format.
+  /// Opens the file. Throws InputError if it can't be opened or isn't in such a format.
   explicit ClipInput(const std::filesystem::path& path);
-  /// From memory that outlives this; `name` names it in messages.
+  /// Reads memory, which must outlive this object; `name` is for messages.
   ClipInput(std::span<const std::uint8_t> bytes, std::string name);
   ClipInput(const ClipInput&) = delete;
   ClipInput& operator=(const ClipInput&) = delete;
 
   VideoFormat format() const;
-  /// The only stream, which must be of pictures. Throws InputError.
+  /// Returns the only stream. Throws InputError unless there is exactly one, of video.
   AVStream& stream() const;
-  /// Looks into the stream for what the container doesn't tell. Throws InputError.
+  /// Reads from the stream what the container doesn't state. Throws InputError.
   void probe();
 
   const std::string& name() const { return name_; }
   AVFormatContext& context() const { return *context_; }
 
  private:
-  /// What is left of the memory to read.
+  /// The memory to read, and the position in it.
   struct Memory {
     std::span<const std::uint8_t> bytes;
     std::size_t at = 0;

@@ -20,7 +20,7 @@ namespace {
 ClipMetadata metadataOf(const ClipInput& input) {
   const VideoFormat format = input.format();
   if (!rowOf(format).holdsRecord) {
-    throw InputError(input.name() + " is of the format " + std::string(nameOf(format)) +
+    throw InputError(input.name() + " is in the format " + std::string(nameOf(format)) +
                      ", which holds no record of the scene; " +
                      listFormats(&FormatRow::title, "and", &FormatRow::holdsRecord) + " do");
   }
@@ -41,7 +41,7 @@ ColourTags coloursOf(const ClipInput& input) {
           .range = textOf(av_color_range_name(codec.color_range))};
 }
 
-/// Pixels of no shape are shown as squares.
+/// Returns the pixel aspect ratio; players show pixels without one as squares.
 std::string shapeText(AVRational shape) {
   if (shape.num == 0) return "1:1";
   return std::to_string(shape.num) + ":" + std::to_string(shape.den);
@@ -53,8 +53,7 @@ std::optional<Mp4Header> headerOf(const ClipInput& input) {
   return readMp4Header(file);
 }
 
-/// Looks into the pictures' stream only after it was heard what the container says of it, as FFmpeg
-/// keeps one of both.
+/// Reads the container's colours before it probes the stream, as FFmpeg keeps only one of the two.
 ClipFacts factsOf(ClipInput& input) {
   ClipFacts facts;
   facts.containerColours = coloursOf(input);
@@ -81,21 +80,21 @@ ClipFacts factsOf(ClipInput& input) {
   return facts;
 }
 
-/// Throws InputError for pictures that aren't H.264 or VP9, MachineError where there is no decoder.
+/// Finds the decoder of H.264 or VP9. Throws InputError for another codec, MachineError if there is
+/// no decoder.
 const AVCodec& decoderFor(const ClipInput& input) {
   const AVStream& stream = input.stream();
   const AVCodecID codec = stream.codecpar->codec_id;
   const std::string name = avcodec_get_name(codec);
   if (codec != AV_CODEC_ID_H264 && codec != AV_CODEC_ID_VP9) {
-    throw InputError("the pictures of " + input.name() + " are of the codec " + name +
-                     "; a clip's are of h264 or vp9");
+    throw InputError("the codec of " + input.name() + " is " + name + "; a clip's is h264 or vp9");
   }
   const AVCodec* decoder = nullptr;
-  // FFmpeg's own decoder of VP9 leaves alpha out.
+  // FFmpeg's own VP9 decoder ignores alpha.
   const bool alpha = Dictionary::valueIn(stream.metadata, "alpha_mode") == "1";
   if (alpha && codec == AV_CODEC_ID_VP9) decoder = avcodec_find_decoder_by_name("libvpx-vp9");
   if (decoder == nullptr) decoder = avcodec_find_decoder(codec);
-  if (decoder == nullptr) throw MachineError("FFmpeg's libavcodec has no decoder of " + name);
+  if (decoder == nullptr) throw MachineError("FFmpeg's libavcodec has no decoder for " + name);
   return *decoder;
 }
 
@@ -147,7 +146,7 @@ struct ClipReader::Parts {
     return input.name() + " is damaged: can't decode picture " + std::to_string(count);
   }
 
-  /// Whether the decoder had a picture ready.
+  /// Returns whether the decoder had a picture ready.
   bool receive() {
     const int result = avcodec_receive_frame(decoder.get(), frame.get());
     if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return false;
@@ -155,7 +154,7 @@ struct ClipReader::Parts {
     return true;
   }
 
-  /// Gives the decoder the next packet, or once says that there are no more.
+  /// Sends the decoder the next packet, or once reports that there are no more.
   void send() {
     const int result = av_read_frame(&input.context(), packet.get());
     ended = result == AVERROR_EOF;
@@ -169,7 +168,7 @@ struct ClipReader::Parts {
   Handle<AVCodecContext> decoder;
   Handle<AVPacket> packet;
   Handle<AVFrame> frame;
-  std::int64_t count = 0;  // pictures so far
+  std::int64_t count = 0;  // pictures decoded so far
   bool ended = false;
 };
 
@@ -190,7 +189,7 @@ bool ClipReader::next() {
   const AVFrame& frame = *parts_->frame;
   if (frame.width != parts_->facts.width || frame.height != parts_->facts.height) {
     throw InputError("picture " + std::to_string(parts_->count) + " of " + parts_->input.name() +
-                     " has another size than the clip");
+                     " isn't of the clip's size");
   }
   ++parts_->count;
   return true;
@@ -200,7 +199,7 @@ double ClipReader::time() const {
   const std::int64_t ticks = parts_->frame->pts;
   if (ticks == AV_NOPTS_VALUE) return std::numeric_limits<double>::quiet_NaN();
   const AVRational unit = parts_->input.stream().time_base;
-  // One rounding: a multiple of the clock that is n / rate gives the double nearest to it.
+  // Rounds once: if n / rate is a multiple of the clock's unit, this is the double nearest to it.
   return static_cast<double>(ticks) * unit.num / unit.den;
 }
 

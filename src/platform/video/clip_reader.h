@@ -1,4 +1,4 @@
-// Videos read back: what they tell of themselves, and their pictures.
+// Reads clips back: their metadata, properties and pictures.
 #pragma once
 
 #include <cstdint>
@@ -14,20 +14,20 @@
 
 namespace rotatebook::video {
 
-/// What VideoWriter stores beside the pictures.
+/// The metadata that VideoWriter stores beside the pictures.
 struct ClipMetadata {
   VideoFormat format = VideoFormat::Mp4;
   std::string title;    ///< Empty if there is none.
-  std::string comment;  ///< As `title`.
+  std::string comment;  ///< Empty if there is none.
 };
 
-/// Of the MP4 or WebM `path`; its pictures aren't looked at. Throws InputError if it can't be read,
-/// has no pictures, or is of a format without metadata.
+/// Reads the metadata of an MP4 or WebM; its pictures aren't decoded. Throws InputError if the file
+/// can't be read, has no pictures, or is in a format without metadata.
 ClipMetadata readClipMetadata(const std::filesystem::path& path);
-/// The same of a file's bytes, be they what they may; `name` names it in messages.
+/// Like readClipMetadata(path), from a file's bytes, which may be anything; `name` is for messages.
 ClipMetadata readClipMetadata(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// [pixels]
+/// Size of a picture. [pixels]
 struct PictureSize {
   int width = 0;
   int height = 0;
@@ -35,41 +35,43 @@ struct PictureSize {
   friend bool operator==(const PictureSize&, const PictureSize&) = default;
 };
 
-/// Of the pictures of a clip of any format, as its container says. Throws InputError if it can't be
-/// read or has no pictures.
+/// Reads the size of a clip's pictures, of any format, as the container states it. Throws
+/// InputError if the file can't be read or has no pictures.
 PictureSize readPictureSize(const std::filesystem::path& path);
 
-/// What values of pixels mean.
+/// Tags that say what pixel values mean, by FFmpeg's names.
 struct ColourTags {
   std::string primaries{};  ///< "bt709"
   std::string transfer{};   ///< "bt709"
   std::string matrix{};     ///< "bt709"
-  std::string range{};      ///< "tv" is limited, "pc" full.
+  std::string range{};      ///< "tv": limited, "pc": full.
 };
 
-/// What a player learns from the file. Names are FFmpeg's. The container and the pictures' stream
-/// in it tell some things twice, and players differ in which they obey.
+/// Properties of a file as players read them, by FFmpeg's names. The container and the video stream
+/// in it both state some of them, and players differ in which they obey.
 struct ClipFacts {
   VideoFormat format = VideoFormat::Mp4;
   int width = 0;                  ///< [pixels]
   int height = 0;                 ///< [pixels]
   std::string codec{};            ///< "h264"
   std::string profile{};          ///< "High"
-  std::string pixelFormat{};      ///< "yuv420p", also where there is an alpha.
-  ColourTags colours{};           ///< The stream's; the container's where that doesn't tell.
+  std::string pixelFormat{};      ///< "yuv420p", also with alpha.
+  ColourTags colours{};           ///< The stream's; the container's where the stream states none.
   ColourTags containerColours{};  ///< The container's.
-  std::string pixelShape{};      ///< The stream's, width to height: "1:1", also if it doesn't tell.
-  std::string containerShape{};  ///< The container's, likewise.
-  std::string display{};  ///< How pictures are turned or changed; "as stored" if they aren't.
-  double duration = 0;    ///< As the container says; 0 if it doesn't. [s]
-  std::optional<Mp4Header> mp4{};  ///< Of an MP4.
+  /// The stream's pixel aspect ratio, width to height: "1:1", also if it states none.
+  std::string pixelShape{};
+  std::string containerShape{};  ///< The container's pixel aspect ratio, likewise.
+  /// Rotation or other change of pictures for display; "as stored" if none.
+  std::string display{};
+  double duration = 0;             ///< As the container states it; 0 if it doesn't. [s]
+  std::optional<Mp4Header> mp4{};  ///< Present for an MP4.
 };
 
 /// Decodes a clip picture by picture.
 class ClipReader {
  public:
-  /// Throws InputError if the file can't be read or hasn't one stream, of pictures; MachineError
-  /// where there is no decoder.
+  /// Opens a clip. Throws InputError if the file can't be read or doesn't have exactly one stream,
+  /// of video; MachineError if there is no decoder.
   explicit ClipReader(const std::filesystem::path& path);
   ClipReader(ClipReader&&) noexcept;
   ClipReader& operator=(ClipReader&&) noexcept;
@@ -77,14 +79,14 @@ class ClipReader {
 
   const ClipFacts& facts() const;
 
-  /// Goes to the next picture, the first at the start; false if there is none. Throws InputError
-  /// for a damaged one, or one of another size than the clip's.
+  /// Decodes the next picture, at first the first; returns false if there is none. Throws
+  /// InputError for a damaged one, or one that isn't of the clip's size.
   bool next();
 
-  /// When the picture is shown, from the file's start; not a number if it doesn't tell. [s]
+  /// Returns when the picture is shown, from the file's start; NaN if the file doesn't say. [s]
   double time() const;
-  /// The picture as it was stored, with alpha where the clip has it. Throws InputError for one that
-  /// isn't yuv420p.
+  /// Returns the picture as stored, with alpha if the clip has it. Throws InputError if it isn't
+  /// yuv420p of an even size.
   Planes picture() const;
 
  private:

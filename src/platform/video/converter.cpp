@@ -10,7 +10,7 @@ namespace rotatebook::video {
 void requireSize(const image::ImageView& picture, int width, int height) {
   if (picture.width == width && picture.height == height) return;
   throw InputError("can't encode a picture of " + sizeText(picture.width, picture.height) +
-                   ": the video has " + sizeText(width, height));
+                   ": the video is " + sizeText(width, height));
 }
 
 Handle<AVFrame> makeFrame(int width, int height, AVPixelFormat format) {

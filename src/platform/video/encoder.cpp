@@ -27,21 +27,21 @@ void requireEven(const char* side, int pixels, const std::string& codec) {
 
 Encoder::Encoder(const std::string& kind, Handle<AVCodecContext> context, Dictionary& options)
     : name_(context->codec->name),
-      words_("the " + kind + " encoder " + name_),
+      label_("the " + kind + " encoder " + name_),
       context_(std::move(context)),
       packet_(owned(av_packet_alloc())) {
-  check(avcodec_open2(context_.get(), nullptr, options.address()), words_ + " doesn't start");
+  check(avcodec_open2(context_.get(), nullptr, options.address()), label_ + " doesn't start");
 }
 
 void Encoder::send(AVFrame* frame) {
-  check(avcodec_send_frame(context_.get(), frame), words_ + " failed");
+  check(avcodec_send_frame(context_.get(), frame), label_ + " failed");
 }
 
 AVPacket* Encoder::receive() {
   const int result = avcodec_receive_packet(context_.get(), packet_.get());
   if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return nullptr;
-  check(result, words_ + " failed");
-  // Not all encoders' packets carry one, and the muxer would have to guess the last one's.
+  check(result, label_ + " failed");
+  // Some encoders don't set it, and the muxer would have to guess that of the last packet.
   packet_->duration = 1;
   return packet_.get();
 }

@@ -12,12 +12,12 @@ EncoderCheck checkEncoder(VideoFormat format) {
   VideoSettings settings;
   settings.width = settings.height = 64;
   const char* wanted = rowOf(format).encoder.name;
-  const bool there = avcodec_find_encoder_by_name(wanted) != nullptr;
-  if (!there) check.failure = std::string("FFmpeg's libavcodec has no encoder ") + wanted;
+  const bool exists = avcodec_find_encoder_by_name(wanted) != nullptr;
+  if (!exists) check.failure = std::string("FFmpeg's libavcodec has no encoder ") + wanted;
   try {
     check.found = makeStages(format, settings).encoder.name();
   } catch (const Error& error) {
-    if (there) check.failure = error.what();
+    if (exists) check.failure = error.what();
   }
   return check;
 }

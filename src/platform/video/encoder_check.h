@@ -1,4 +1,4 @@
-// Whether the encoder of a format is there.
+// Checks that the encoder of a format is available.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace rotatebook::video {
 
-/// What was found for a format.
+/// The result of checking the encoder of a format.
 struct EncoderCheck {
   VideoFormat format = VideoFormat::Mp4;
-  std::string found{};  ///< The encoder that a video is made with; empty if there is none.
-  std::string
-      failure{};  ///< What lacks or failed, or empty; of MP4 also where `found` isn't the best.
+  std::string found{};  ///< Encoder that a video is made with; empty if there is none.
+  /// Missing encoder or its error, else empty; for MP4 set also where `found` isn't the best.
+  std::string failure{};
 };
 
-/// Starts the encoder of `format`, and ends it again. Throws nothing that an encoder does.
+/// Starts the encoder of `format` and stops it again; its errors are returned, not thrown.
 EncoderCheck checkEncoder(VideoFormat format);
 
 }  // namespace rotatebook::video

@@ -17,25 +17,24 @@ extern "C" {
 namespace rotatebook::video {
 namespace {
 
-// What FFmpeg logged since the last check() on this thread. Plain memory: its callback must not
-// throw.
-thread_local std::array<char, 512> loggedWords{};
+// FFmpeg's log since the last check() on this thread. Plain memory, as its callback must not throw.
+thread_local std::array<char, 512> loggedText{};
 
 void keepErrors(void*, int level, const char* format, std::va_list arguments) {
   if (level > AV_LOG_ERROR) return;
-  const std::size_t used = std::strlen(loggedWords.data());
-  std::vsnprintf(loggedWords.data() + used, loggedWords.size() - used, format, arguments);
+  const std::size_t used = std::strlen(loggedText.data());
+  std::vsnprintf(loggedText.data() + used, loggedText.size() - used, format, arguments);
 }
 
-// Takes the words, each line of them joined to the next by a semicolon.
-std::string takeLoggedWords() {
-  std::string words(loggedWords.data());
-  loggedWords.front() = '\0';
-  while (!words.empty() && words.back() == '\n') words.pop_back();
-  for (auto end = words.find('\n'); end != std::string::npos; end = words.find('\n', end)) {
-    words.replace(end, 1, "; ");
+// Takes the log, its lines joined by semicolons.
+std::string takeLoggedText() {
+  std::string logged(loggedText.data());
+  loggedText.front() = '\0';
+  while (!logged.empty() && logged.back() == '\n') logged.pop_back();
+  for (auto end = logged.find('\n'); end != std::string::npos; end = logged.find('\n', end)) {
+    logged.replace(end, 1, "; ");
   }
-  return words;
+  return logged;
 }
 
 std::string nameOfError(int error) {
@@ -44,12 +43,12 @@ std::string nameOfError(int error) {
   return name.data();
 }
 
-/// "`failure`: FFmpeg's name of the error (`words`)"
-std::string failureText(int error, const std::string& failure, const std::string& words) {
-  return failure + ": " + nameOfError(error) + (words.empty() ? "" : " (" + words + ")");
+/// Returns "`failure`: FFmpeg's name of the error (`logged`)".
+std::string failureText(int error, const std::string& failure, const std::string& logged) {
+  return failure + ": " + nameOfError(error) + (logged.empty() ? "" : " (" + logged + ")");
 }
 
-/// What the container says beside the stream's data.
+/// Returns what the container states beside the stream's data.
 std::span<const AVPacketSideData> sideDataOf(const AVStream& stream) {
 #if LIBAVCODEC_VERSION_INT >= AV_VERSION_INT(60, 31, 0)
   const AVCodecParameters& codec = *stream.codecpar;
@@ -59,7 +58,7 @@ std::span<const AVPacketSideData> sideDataOf(const AVStream& stream) {
 #endif
 }
 
-/// Where a picture's right and down go to.
+/// Returns where a display matrix maps a picture's right and down.
 std::string matrixText(const AVPacketSideData& data) {
   std::array<std::int32_t, 9> matrix{};
   if (data.size < sizeof matrix) return "";
@@ -89,15 +88,15 @@ void silenceFfmpeg() {
 }
 
 int check(int result, const std::string& failure) {
-  const std::string words = takeLoggedWords();
+  const std::string logged = takeLoggedText();
   if (result >= 0) return result;
-  throw MachineError(failureText(result, failure, words));
+  throw MachineError(failureText(result, failure, logged));
 }
 
 int checkInput(int result, const std::string& failure) {
-  const std::string words = takeLoggedWords();
+  const std::string logged = takeLoggedText();
   if (result >= 0) return result;
-  throw InputError(failureText(result, failure, words));
+  throw InputError(failureText(result, failure, logged));
 }
 
 std::string profileName(const AVCodecParameters& stream) {
@@ -108,7 +107,7 @@ std::string profileName(const AVCodecParameters& stream) {
 std::string displayText(const AVStream& stream) {
   std::string text;
   for (const AVPacketSideData& data : sideDataOf(stream)) {
-    // The encoder's buffer, which no player shows.
+    // The encoder's buffer size doesn't affect what players show.
     if (data.type == AV_PKT_DATA_CPB_PROPERTIES) continue;
     const char* name = av_packet_side_data_name(data.type);
     text += (text.empty() ? "" : "; ") + std::string(name == nullptr ? "unknown" : name);

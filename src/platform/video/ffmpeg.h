@@ -1,4 +1,4 @@
-// FFmpeg as the room's other files see it: owned handles, and failures as exceptions. Whatever
+// FFmpeg as the room's other files use it: owned handles, and failures as exceptions. Whatever
 // differs between FFmpeg 5, 6, 7 and 8 belongs here. Inside the room only.
 #pragma once
 
@@ -18,14 +18,14 @@ struct FfmpegDeleter {
   void operator()(AVFrame* frame) const noexcept { av_frame_free(&frame); }
   void operator()(AVPacket* packet) const noexcept { av_packet_free(&packet); }
   void operator()(SwsContext* context) const noexcept { sws_freeContext(context); }
-  /// Closes the file too; whoever wants to know whether that worked closes it before.
+  /// Closes the file, too; to learn whether that works, close it before.
   void operator()(AVFormatContext* context) const noexcept;
 };
 
 template <typename T>
 using Handle = std::unique_ptr<T, FfmpegDeleter>;
 
-/// Takes what an FFmpeg function allocated; throws std::bad_alloc for nullptr.
+/// Takes ownership of what an FFmpeg function allocated; throws std::bad_alloc for nullptr.
 template <typename T>
 Handle<T> owned(T* allocated) {
   if (allocated == nullptr) throw std::bad_alloc();
@@ -41,7 +41,7 @@ class Dictionary {
   ~Dictionary() { av_dict_free(&entries_); }
 
   void set(const char* key, const std::string& value);
-  /// The value of `key`, of whatever case, in `entries`; empty if there is none.
+  /// Returns the value of `key`, in any case, in `entries`; empty if there is none.
   static std::string valueIn(const AVDictionary* entries, const char* key);
   AVDictionary** address() { return &entries_; }
 
@@ -49,24 +49,24 @@ class Dictionary {
   AVDictionary* entries_ = nullptr;
 };
 
-/// From here on FFmpeg prints nothing in this process: check() puts its words into the exceptions.
+/// Stops FFmpeg from printing in this process: check() puts its log into exceptions instead.
 void silenceFfmpeg();
 
 /// Returns `result`, an FFmpeg function's return value. If negative, throws MachineError:
-/// "`failure`: FFmpeg's name of the error (the words it logged on this thread)".
+/// "`failure`: FFmpeg's name of the error (its log on this thread)".
 int check(int result, const std::string& failure);
-/// The same of a file that is read, which is to blame, also for asking for too much memory: throws
-/// InputError.
+/// Like check(), for reading a file, which is to blame even for a request of too much memory:
+/// throws InputError.
 int checkInput(int result, const std::string& failure);
 
-/// "High", "Profile 0"; empty if the stream doesn't tell.
+/// Returns the profile, for example "High" or "Profile 0"; empty if the stream states none.
 std::string profileName(const AVCodecParameters& stream);
 
-/// What the container has players do with the stream's pictures, in FFmpeg's words: "as stored", or
-/// for example "Display Matrix -1 0, 0 -1".
+/// Returns, in FFmpeg's terms, how the container has players change the stream's pictures: "as
+/// stored", or for example "Display Matrix -1 0, 0 -1".
 std::string displayText(const AVStream& stream);
 
-/// profile_idc of H.264 High; FFmpeg's own name for it changed.
+/// profile_idc of H.264 High; FFmpeg's own name for it depends on the version.
 inline constexpr int kProfileHigh = 100;
 
 }  // namespace rotatebook::video

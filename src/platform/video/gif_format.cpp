@@ -5,10 +5,10 @@
 namespace rotatebook::video {
 namespace {
 
-/// Of how many pictures one is taken.
+/// Returns n, where taking every n-th picture gives at most kMaxGifRate pictures a second.
 int takenEvery(const FrameRate& rate) {
-  const int most = rate.denominator * kMaxGifRate;
-  return (rate.numerator + most - 1) / most;
+  const int limit = rate.denominator * kMaxGifRate;
+  return (rate.numerator + limit - 1) / limit;
 }
 
 }  // namespace

@@ -51,22 +51,23 @@ Handle<AVCodecContext> describe(const AVCodec& encoder, const VideoSettings& set
   return context;
 }
 
-// The book's own preset starts from the fastest of x264's that searches as it should. No tree of
-// macroblocks, whose look ahead costs a third of the time: most of them don't move. Two B-frames
-// each time and no search for cuts, which there are none of: else they'd take a look ahead, too.
-// Less aq-strength: the quality of veryfast's background goes into the colours of the cover. Whole
-// pixels of motion and codes without arithmetic are as like, in larger files.
+// The book's own preset starts from the fastest of x264's that searches for motion as it should. It
+// has no macroblock tree, whose lookahead costs a third of the time, as most macroblocks don't
+// move. It always takes two B-frames and detects no scene cuts, as there are none: otherwise both
+// would need a lookahead, too. With less aq-strength, quality moves from veryfast's background to
+// the colours of the cover. Motion in whole pixels and no arithmetic coding keep the similarity, in
+// larger files.
 //
 // Measured on frames 120 to 239 of scenes/figures/fig05-unstable-x.toml, fig06-undamped.toml and
-// scenes/comparisons/axes.toml at crf 18, processor time, size and likeness (SSIM of Y and of RGB)
-// to the frames:
+// scenes/comparisons/axes.toml at crf 18, processor time, size and similarity (SSIM of Y and of
+// RGB) to the frames:
 //   veryfast  1         1         0.9944 0.9953 0.9926   0.9853 0.9888 0.9745
 //   medium    2.6       1.0       0.9954 0.9962 0.9933   0.9865 0.9896 0.9765
 //   book      0.4-0.5   1.9-2.3   0.9961 0.9963 0.9941   0.9884 0.9905 0.9783
 constexpr std::string_view kBookBase = "superfast";
 constexpr std::string_view kBookParams =
     ":b-adapt=0:bframes=2:weightp=0:scenecut=0:aq-strength=0.5:subme=0:cabac=0";
-// At the same rate factor it would be likelier still than medium, and larger.
+// At the same rate factor it would be even closer to the frames than medium, and larger.
 constexpr double kBookCrfOffset = 1.5;
 
 void setX264Options(const VideoSettings& settings, Dictionary& options) {
@@ -74,9 +75,9 @@ void setX264Options(const VideoSettings& settings, Dictionary& options) {
   const double crf = book ? std::min(settings.crf + kBookCrfOffset, 1.0 * kWorstCrf) : settings.crf;
   options.set("preset", book ? std::string(kBookBase) : settings.preset);
   options.set("crf", shortestText(crf));
-  // cpu-independent: else x264 chooses algorithms by the processor, and the same scene gives other
-  // bytes elsewhere; costs 2 to 4 %. 8x8dct: else the preset ultrafast makes Baseline of what is
-  // to be High.
+  // cpu-independent: otherwise x264 chooses algorithms by the processor, and the same scene gives
+  // other bytes elsewhere; costs 2 to 4 %. 8x8dct: otherwise the preset ultrafast makes Baseline
+  // instead of High.
   std::string params = "cpu-independent=1:8x8dct=1";
   if (book) params += kBookParams;
   options.set("x264-params", params);
@@ -95,7 +96,7 @@ Stages makeMp4Stages(const VideoSettings& settings) {
   return {std::make_unique<PixelConverter>(settings.width, settings.height),
           std::move(opened),
           {{"movflags", "+faststart"},
-           // The default of 1000 couldn't say how long 1/60 s is.
+           // The default of 1000 can't represent 1/60 s.
            {"movie_timescale", std::to_string(settings.frameRate.numerator)}}};
 }
 

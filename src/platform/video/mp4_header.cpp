@@ -6,11 +6,11 @@
 namespace rotatebook::video {
 namespace {
 
-constexpr std::uint64_t kHead = 8;  // A box's size and type. [bytes]
+constexpr std::uint64_t kHead = 8;  // Of a box's size and type fields. [bytes]
 constexpr std::uint64_t kMaxEdits = 16;
-constexpr int kMaxBoxes = 1000;  // Of one box; there are ten.
+constexpr int kMaxBoxes = 1000;  // Limit within one box; there are ten.
 
-/// The unsigned number of `count` bytes at `at`; 0 beyond the end.
+/// Reads the unsigned number of `count` bytes at offset `at`; 0 beyond the end.
 std::uint64_t numberAt(std::istream& file, std::uint64_t at, int count) {
   file.clear();
   file.seekg(static_cast<std::streamoff>(at));
@@ -23,7 +23,7 @@ std::uint64_t numberAt(std::istream& file, std::uint64_t at, int count) {
   return value;
 }
 
-/// A number with 16 bits behind the point.
+/// Reads the signed 16.16 fixed-point number at offset `at`.
 double fixedAt(std::istream& file, std::uint64_t at) {
   return static_cast<double>(static_cast<std::int32_t>(numberAt(file, at, 4))) / 0x1p16;
 }
@@ -34,7 +34,7 @@ std::uint64_t sizeOf(std::istream& file) {
   return static_cast<std::uint64_t>(std::max<std::streamoff>(file.tellg(), 0));
 }
 
-/// The first box at `path`, from a box of the file to one in it, and so on.
+/// Finds the first box at `path`: a box of the file, then one in it, and so on.
 std::optional<Mp4Box> find(std::istream& file, std::initializer_list<std::string_view> path) {
   std::optional<Mp4Box> box = Mp4Box{"", 0, sizeOf(file)};
   for (const std::string_view type : path) {
@@ -48,7 +48,7 @@ std::optional<Mp4Box> find(std::istream& file, std::initializer_list<std::string
   return box;
 }
 
-/// Whether the box has the longer times of version 1.
+/// Returns whether the box has the longer times of version 1.
 bool isLong(std::istream& file, const Mp4Box& box) {
   return numberAt(file, box.content, 1) == 1;
 }
@@ -61,7 +61,7 @@ void readSize(std::istream& file, Mp4Header& header) {
   header.shownHeight = fixedAt(file, at + 4);
 }
 
-/// Also returns the ticks of the movie's clock a second.
+/// Reads the speed and returns the ticks a second of the movie's clock.
 double readSpeed(std::istream& file, Mp4Header& header) {
   const auto box = find(file, {"moov", "mvhd"});
   if (!box) return 0;
@@ -95,7 +95,7 @@ std::optional<Mp4Box> mp4BoxAt(std::istream& file, std::uint64_t at, std::uint64
     size = numberAt(file, at + kHead, 8);
     head += 8;
   }
-  if (size == 0) size = end - at;  // The last one may leave it out.
+  if (size == 0) size = end - at;  // The last box may omit its size.
   constexpr std::uint64_t kMax = std::uint64_t{1} << 62;
   if (size < head || size > kMax) return std::nullopt;
   return Mp4Box{type, at + head, at + size};

@@ -1,4 +1,4 @@
-// What an MP4's header has players do, where FFmpeg doesn't tell. Inside the room only.
+// Instructions to players in an MP4's header that FFmpeg doesn't report. Inside the room only.
 #pragma once
 
 #include <cstdint>
@@ -10,31 +10,32 @@
 
 namespace rotatebook::video {
 
-/// A part of an MP4; `end` may lie beyond the file's.
+/// A box of an MP4; `end` may lie beyond the file's.
 struct Mp4Box {
   std::string type;           ///< "moov"
-  std::uint64_t content = 0;  ///< Where what it holds begins. [bytes]
-  std::uint64_t end = 0;      ///< [bytes]
+  std::uint64_t content = 0;  ///< Offset of its content. [bytes]
+  std::uint64_t end = 0;      ///< Offset of its end. [bytes]
 };
 
-/// The box at byte `at`, in what ends at byte `end`; nothing where there is none.
+/// Returns the box at offset `at` of a box or file that ends at offset `end`; nothing if there is
+/// none.
 std::optional<Mp4Box> mp4BoxAt(std::istream& file, std::uint64_t at, std::uint64_t end);
 
-/// How the first track is shown, and how fast.
+/// Size and speed at which players show the first track.
 struct Mp4Header {
-  /// A stretch of time that is played.
+  /// A part of the time line that is played.
   struct Edit {
     double duration = 0;  ///< [s]
-    double speed = 0;     ///< 1 as it was recorded.
+    double speed = 0;     ///< 1: as recorded.
   };
 
   double shownWidth = 0;      ///< [pixels]
   double shownHeight = 0;     ///< [pixels]
-  double speed = 0;           ///< Of the whole; 1 as it was recorded.
+  double speed = 0;           ///< Of the whole; 1: as recorded.
   std::vector<Edit> edits{};  ///< The first 16.
 };
 
-/// Reads `file`, be it what it may; what it lacks is 0.
+/// Reads `file`, which may be anything; fields that it lacks are 0.
 Mp4Header readMp4Header(std::istream& file);
 
 }  // namespace rotatebook::video

@@ -1,4 +1,4 @@
-// Packets in, a file out. Inside the room only.
+// Writes packets to a video file. Inside the room only.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +9,15 @@
 
 namespace rotatebook::video {
 
-/// One track in a container of that format. No clock time, no version, no random number in the
-/// file; an MP4's index is moved to the front at the end.
+/// Writes one track to a container. The file has no clock time, version or random number in it; an
+/// MP4's index is moved to the front at the end.
 class Muxer {
  public:
-  /// Creates the file and writes its head, for the packets of `stages`. Throws MachineError.
+  /// Creates the file and writes its header, for the packets of `stages`. Throws MachineError.
   Muxer(const std::filesystem::path& path, VideoFormat format, const Stages& stages,
         const VideoSettings& settings);
 
-  /// Writes a packet with times in the encoder's time base, which it takes the content of. Throws
+  /// Writes a packet, with times in the encoder's time base, and takes over its content. Throws
   /// MachineError.
   void write(AVPacket& packet);
 

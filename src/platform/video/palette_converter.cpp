@@ -39,13 +39,13 @@ AVFilterContext* addFilter(AVFilterGraph* graph, const char* filter, const char*
 }
 
 void parse(AVFilterGraph* graph, AVFilterContext* source, AVFilterContext* sink) {
-  // Seen from the filters' side: what comes out of the source goes in.
+  // FFmpeg names both ends from outside the filters: the source's output is their input "in".
   AVFilterInOut* outputs = makeEnd("in", source).release();
   AVFilterInOut* inputs = makeEnd("out", sink).release();
   const int result = avfilter_graph_parse_ptr(graph, kFilters, &inputs, &outputs, nullptr);
   const InOut left(inputs);
   const InOut leftToo(outputs);
-  check(result, "FFmpeg's libavfilter has no palettes");
+  check(result, "FFmpeg's libavfilter has no palette filters");
   check(avfilter_graph_config(graph, nullptr), "FFmpeg's libavfilter can't make palettes");
 }
 

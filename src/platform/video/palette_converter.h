@@ -1,4 +1,4 @@
-// Pictures in few colours. Inside the room only.
+// Reduces pictures to few colours. Inside the room only.
 #pragma once
 
 #include <memory>
@@ -15,11 +15,11 @@ struct FilterGraphDeleter {
   void operator()(AVFilterGraph* graph) const noexcept { avfilter_graph_free(&graph); }
 };
 
-/// Gives each picture a palette of its own, of 255 colours, and dithers it: FFmpeg's palettegen and
-/// paletteuse. Takes every n-th picture only. Memory doesn't grow with the number of pictures.
+/// Gives each picture its own palette of 255 colours and dithers it, by FFmpeg's palettegen and
+/// paletteuse. Takes only every n-th picture. Memory doesn't grow with the number of pictures.
 class PaletteConverter : public Converter {
  public:
-  /// `every` >= 1.
+  /// Takes one of `every` >= 1 pictures. `width`, `height`: [pixels]
   PaletteConverter(int width, int height, int every);
 
   void send(image::ImageView picture, std::int64_t number) override;

@@ -13,19 +13,19 @@ extern "C" {
 namespace rotatebook::video {
 namespace {
 
-// Measured at 1280x720 on one thread: these 1.95 ms; the usual BICUBIC|ACCURATE_RND 2.84 ms.
+// Measured at 1280x720 on one thread: these take 1.95 ms, the usual BICUBIC|ACCURATE_RND 2.84 ms.
 // FULL_CHR_H_INP is both the faster and the better path: without it every second pixel's colour is
 // dropped. ACCURATE_RND and BITEXACT cost 0.3 ms together and make the bytes independent of the
 // processor.
 constexpr int kScalerFlags = SWS_BILINEAR | SWS_FULL_CHR_H_INP | SWS_ACCURATE_RND | SWS_BITEXACT;
 
-// In 1/256 of a luma pixel: the left of each pair of columns.
+// Chroma position: the left of each pair of columns. [1/256 luma pixel]
 constexpr int kChromaLeft = 0;
 
 // swscale's vector code reads past the end of a row, by up to a register: 64 bytes with AVX-512.
 constexpr std::size_t kScalerOverrun = 64;
 
-// Rows of a slice that swscale takes: those of one chroma row.
+// Rows of a slice that swscale accepts: those of one chroma row.
 constexpr int kSliceRows = 2;
 
 constexpr int kFullRange = 1;
@@ -91,9 +91,9 @@ AVFrame* PixelConverter::receive() {
 AVFrame& PixelConverter::convert(image::ImageView picture) {
   requireSize(picture, frame_->width, frame_->height);
   if (picture.format != scalerFormat_) prepareFor(picture.format);
-  // The encoder may still hold the last one.
+  // The encoder may still hold the last frame.
   check(av_frame_make_writable(frame_.get()), "can't allocate a video frame");
-  // The rows at the end of the picture's memory go through a copy with room behind it.
+  // The rows at the end of the picture's memory are copied to a buffer with room after them.
   const int rest = picture.height - kSliceRows;
   if (picture.stride < 0) {
     scaleCopy(picture, 0);

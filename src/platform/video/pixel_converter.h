@@ -1,4 +1,4 @@
-// RGB pictures into the encoder's YUV. Inside the room only.
+// Converts RGB pictures to the encoder's YUV. Inside the room only.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,18 @@
 namespace rotatebook::video {
 
 /// Converts sRGB pictures of one size to yuv420p, or with their alpha to yuva420p: BT.709 matrix,
-/// limited range, chroma sited left, as H.264 has it unless told otherwise. The same bytes on every
+/// limited range, chroma sited left, which is H.264's default. Gives the same bytes on every
 /// processor. A flat colour is within 0.51 of the exact value.
 class PixelConverter : public Converter {
  public:
-  /// `width` and `height` even, at least kSmallestSide. [pixels]
+  /// Converts pictures of even `width` and `height`, at least kSmallestSide. [pixels]
   PixelConverter(int width, int height, bool transparent = false);
 
   void send(image::ImageView picture, std::int64_t number) override;
   AVFrame* receive() override;
 
   /// Returns the converted picture, tagged; valid until the next call. Reads `picture` in place,
-  /// whatever its stride. Throws InputError for another size.
+  /// with any stride. Throws InputError if its size isn't the converter's.
   AVFrame& convert(image::ImageView picture);
 
  private:

@@ -26,8 +26,8 @@ float luma(const Rgb& rgb) {
   return kRed * rgb[0] + (1 - kRed - kBlue) * rgb[1] + kBlue * rgb[2];
 }
 
-/// The colour that stands for 2 x 2 pixels is that of their left column: mixed from those beside
-/// it, too.
+/// Returns the colour of 2 x 2 pixels, sited at their left column: mixed from it and the columns on
+/// both sides.
 Rgb colourAt(const image::ImageView& picture, int left, int top) {
   constexpr std::array<float, 3> kShares{0.125F, 0.25F, 0.125F};
   Rgb mixed{};
@@ -55,25 +55,25 @@ void addColour(const image::ImageView& picture, Planes& planes) {
   }
 }
 
-/// Sums of squares in patches.
-class Patches {
+/// Sums of squared errors in blocks.
+class BlockErrors {
  public:
-  Patches(int width, int height)
+  BlockErrors(int width, int height)
       : columns_(std::max(1, width / kBlockSide)), rows_(std::max(1, height / kBlockSide)) {
     squares_.resize(area(columns_, rows_));
     counts_.resize(squares_.size());
   }
 
-  /// Takes a plane of `width` samples a row, `side` to a patch's side.
+  /// Adds planes of `width` samples a row, `side` samples to a block's side.
   void add(const std::vector<float>& a, const std::vector<float>& b, int width, int side) {
     for (std::size_t i = 0; i < a.size(); ++i) {
       const auto at = static_cast<int>(i);
       const int row = std::min(at / width / side, rows_ - 1);
       const int column = std::min(at % width / side, columns_ - 1);
-      const std::size_t patch = area(row, columns_) + static_cast<std::size_t>(column);
+      const std::size_t block = area(row, columns_) + static_cast<std::size_t>(column);
       const double difference = a[i] - b[i];
-      squares_[patch] += difference * difference;
-      counts_[patch] += 1;
+      squares_[block] += difference * difference;
+      counts_[block] += 1;
     }
   }
 
@@ -117,16 +117,16 @@ Distance distance(const Planes& a, const Planes& b) {
   if (a.width != b.width || a.height != b.height) {
     throw InputError("can't compare pictures of different sizes");
   }
-  Patches patches(a.width, a.height);
-  patches.add(a.y, b.y, a.width, kBlockSide);
-  patches.add(a.u, b.u, a.width / 2, kBlockSide / 2);
-  patches.add(a.v, b.v, a.width / 2, kBlockSide / 2);
+  BlockErrors errors(a.width, a.height);
+  errors.add(a.y, b.y, a.width, kBlockSide);
+  errors.add(a.u, b.u, a.width / 2, kBlockSide / 2);
+  errors.add(a.v, b.v, a.width / 2, kBlockSide / 2);
   if (!a.alpha.empty() || !b.alpha.empty()) {
     const std::vector<float> opaque(a.y.size(), kOpaque);
-    patches.add(a.alpha.empty() ? opaque : a.alpha, b.alpha.empty() ? opaque : b.alpha, a.width,
-                kBlockSide);
+    errors.add(a.alpha.empty() ? opaque : a.alpha, b.alpha.empty() ? opaque : b.alpha, a.width,
+               kBlockSide);
   }
-  return patches.distance();
+  return errors.distance();
 }
 
 }  // namespace rotatebook::video

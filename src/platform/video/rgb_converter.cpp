@@ -5,7 +5,7 @@
 namespace rotatebook::video {
 namespace {
 
-/// One row into `to` with 3 or 4 bytes a pixel; where there is no alpha the pixels are opaque.
+/// Copies a row to `to`, with 3 or 4 bytes a pixel; pixels without alpha become opaque.
 void copyRow(const std::uint8_t* from, int fromBytes, std::uint8_t* to, int toBytes, int pixels) {
   for (int x = 0; x < pixels; ++x, from += fromBytes, to += toBytes) {
     to[0] = from[0];
@@ -22,7 +22,7 @@ RgbConverter::RgbConverter(int width, int height, bool transparent)
 
 void RgbConverter::send(image::ImageView picture, std::int64_t number) {
   requireSize(picture, frame_->width, frame_->height);
-  // The encoder may still hold the last one.
+  // The encoder may still hold the last frame.
   check(av_frame_make_writable(frame_.get()), "can't allocate a video frame");
   const int bytes = frame_->format == AV_PIX_FMT_RGBA ? 4 : 3;
   for (int y = 0; y < picture.height; ++y) {

@@ -1,4 +1,4 @@
-// Pictures as frames of RGB, unchanged. Inside the room only.
+// Copies pictures to RGB frames, unchanged. Inside the room only.
 #pragma once
 
 #include "video/converter.h"

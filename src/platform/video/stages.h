@@ -1,4 +1,4 @@
-// What each format is made of. Inside the room only.
+// The stages of writing each format. Inside the room only.
 #pragma once
 
 #include <memory>
@@ -16,12 +16,12 @@ namespace rotatebook::video {
 struct Stages {
   std::unique_ptr<Converter> converter;
   Encoder encoder;
-  /// FFmpeg's options of the container.
+  /// FFmpeg's options for the container.
   std::vector<std::pair<const char*, std::string>> containerOptions{};
 };
 
-/// Throws InputError for settings out of range, MachineError where there is no encoder or it
-/// doesn't start.
+/// Makes the stages of `format`. Throws InputError for settings out of range, MachineError if there
+/// is no encoder or it doesn't start.
 Stages makeStages(VideoFormat format, const VideoSettings& settings);
 
 }  // namespace rotatebook::video

@@ -4,15 +4,15 @@
 
 namespace rotatebook::video {
 
-std::string listFormats(std::string_view FormatRow::*words, std::string_view lastWord,
+std::string listFormats(std::string_view FormatRow::*column, std::string_view conjunction,
                         bool FormatRow::*property) {
   std::vector<std::string_view> listed;
   for (const FormatRow& row : kFormatRows) {
-    if (property == nullptr || row.*property) listed.push_back(row.*words);
+    if (property == nullptr || row.*property) listed.push_back(row.*column);
   }
   std::string text;
   for (std::size_t i = 0; i < listed.size(); ++i) {
-    if (i > 0) text += i + 1 < listed.size() ? ", " : " " + std::string(lastWord) + " ";
+    if (i > 0) text += i + 1 < listed.size() ? ", " : " " + std::string(conjunction) + " ";
     text += listed[i];
   }
   return text;

@@ -1,4 +1,4 @@
-// The kinds of video files: all that is known of each stands in one row of a table.
+// The table of video formats, with a row for each.
 #pragma once
 
 #include <array>
@@ -13,44 +13,44 @@ struct Stages;
 
 enum class VideoFormat { Mp4, WebM, Gif, Apng };
 
-/// Players slow down GIFs of more pictures a second. Of a faster clip every second picture is
-/// taken, or every third and so on.
+/// Largest rate of GIFs, as players slow down faster ones. Of a faster clip every second picture is
+/// taken, or every third and so on. [1/s]
 inline constexpr int kMaxGifRate = 50;
 
-/// Makes what converts a format's pictures, and its encoder: see stages.h. Throws InputError for
-/// settings out of range, MachineError where there is no encoder or it doesn't start.
+/// Makes a format's converter and encoder: see stages.h. Throws InputError for settings out of
+/// range, MachineError if there is no encoder or it doesn't start.
 using MakeStages = Stages(const VideoSettings& settings);
 
-/// The best H.264 encoder that FFmpeg was built with: libx264, else the next. High profile,
+/// Uses the best H.264 encoder that FFmpeg was built with: libx264, else the next. High profile,
 /// yuv420p, a key frame every two seconds at most.
 MakeStages makeMp4Stages;
-/// libvpx's VP9 at constant quality, on one thread.
+/// Uses libvpx's VP9 at constant quality, on one thread.
 MakeStages makeWebmStages;
-/// 255 colours a picture, at most kMaxGifRate pictures a second; loops for ever.
+/// Takes 255 colours a picture and at most kMaxGifRate pictures a second; loops for ever.
 MakeStages makeGifStages;
-/// The pictures' very pixels; loops for ever.
+/// Keeps the pictures' exact pixels; loops for ever.
 MakeStages makeApngStages;
 
-/// An encoder by FFmpeg's name, and what to do where FFmpeg was built without.
+/// An encoder by FFmpeg's name, and the remedy if FFmpeg was built without it.
 struct EncoderNeed {
   const char* name;
   const char* remedy;
 };
 
-/// A format's row.
+/// A row of the table of formats.
 struct FormatRow {
   VideoFormat format;
-  std::string_view name;     ///< "mp4": for --format, and FFmpeg's name of what writes the file.
+  std::string_view name;     ///< "mp4": for --format, and FFmpeg's name of the muxer.
   std::string_view ending;   ///< ".mp4"
   std::string_view title;    ///< "MP4"
-  std::string_view demuxer;  ///< FFmpeg's name of what reads the file.
+  std::string_view demuxer;  ///< FFmpeg's name of the demuxer.
   bool keepsTransparency;
-  /// Whether the file has metadata, for the scene that it was made from. Browsers' <video> plays
-  /// these formats.
+  /// True if the file has metadata, which record the scene that it was made from. Browsers' <video>
+  /// plays these formats.
   bool holdsRecord;
-  /// Bytes of a picture over its number of pixels to the power of 0.85, rather more than less.
+  /// Bytes of a picture over its number of pixels to the power of 0.85, rather too large.
   double weight;
-  EncoderNeed encoder;  ///< The best one. Of MP4 alone another will do.
+  EncoderNeed encoder;  ///< The best one. For MP4 alone another will do.
   MakeStages* makeStages;
 };
 
@@ -99,7 +99,7 @@ inline constexpr std::array kFormatRows{
               {"apng", "install a build with zlib (Debian, Ubuntu: libavcodec-extra)"},
               makeApngStages}};
 
-/// The formats of the rows.
+/// All formats, in the order of the rows.
 inline constexpr auto kVideoFormats = [] {
   std::array<VideoFormat, kFormatRows.size()> formats{};
   for (std::size_t i = 0; i < formats.size(); ++i) formats[i] = kFormatRows[i].format;
@@ -117,7 +117,7 @@ static_assert(
       }
       return true;
     }(),
-    "the rows have the enumeration's order");
+    "the rows are in the enumeration's order");
 
 constexpr std::string_view nameOf(VideoFormat format) {
   return rowOf(format).name;
@@ -126,9 +126,9 @@ constexpr bool keepsTransparency(VideoFormat format) {
   return rowOf(format).keepsTransparency;
 }
 
-/// Names formats in a message, those that have the `property` or all: "mp4, webm, gif or apng"
-/// where `words` are their names and `lastWord` is "or".
-std::string listFormats(std::string_view FormatRow::*words, std::string_view lastWord,
+/// Lists formats for a message, those that have the `property` or all: "mp4, webm, gif or apng" if
+/// `column` is FormatRow::name and `conjunction` is "or".
+std::string listFormats(std::string_view FormatRow::*column, std::string_view conjunction,
                         bool FormatRow::*property = nullptr);
 
 }  // namespace rotatebook::video

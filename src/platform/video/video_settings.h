@@ -1,4 +1,4 @@
-// What the bytes of a video depend on.
+// The settings of a video.
 #pragma once
 
 #include <string>
@@ -8,21 +8,21 @@
 
 namespace rotatebook::video {
 
-/// Narrowest and lowest video: one macroblock. [pixels]
+/// Smallest width and height of a video: one macroblock. [pixels]
 inline constexpr int kSmallestSide = 16;
 
 /// Everything that the bytes of a video depend on beside its format and pictures.
 struct VideoSettings {
   int width = 1280;  ///< At least kSmallestSide; even for MP4 and WebM. [pixels]
-  int height = 720;  ///< As `width`. [pixels]
+  int height = 720;  ///< Like `width`. [pixels]
   FrameRate frameRate;
   bool transparent = false;         ///< Keep the pictures' alpha; WebM and APNG only.
   int crf = 18;                     ///< MP4: x264's constant rate factor, kBestCrf to kWorstCrf.
-  std::string preset{kBookPreset};  ///< MP4: One of kVideoPresets.
-  int threads = 1;    ///< MP4: encoder threads, >= 1. Another count gives other bytes.
-  std::string title;  ///< Stored in the metadata of MP4 and WebM; UTF-8.
-  std::string
-      comment;  ///< Stored in the metadata of MP4 and WebM; UTF-8. rotatebook: the resolved scene.
+  std::string preset{kBookPreset};  ///< MP4: one of kVideoPresets.
+  int threads = 1;                  ///< MP4: encoder threads, >= 1. The bytes depend on it.
+  std::string title;                ///< Stored in the metadata of MP4 and WebM; UTF-8.
+  /// Stored in the metadata of MP4 and WebM; UTF-8. rotatebook stores the resolved scene.
+  std::string comment;
 };
 
 }  // namespace rotatebook::video

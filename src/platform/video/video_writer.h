@@ -1,4 +1,4 @@
-// Pictures in, a video out.
+// Writes pictures to a video.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,16 @@
 
 namespace rotatebook::video {
 
-/// Writes one video. Same pictures, same settings: same bytes. Picture n is shown at n/frame rate,
-/// to the format's own resolution of time.
+/// Writes one video. The same pictures and settings give the same bytes. Picture n is shown at
+/// n/frame rate, rounded to the format's resolution of time.
 ///
 /// MP4: H.264 High, yuv420p, BT.709 (converted and tagged, limited range), `avc1`, index first
-/// (faststart). WebM: VP9 of constant quality, yuv420p or yuva420p, BT.709 tagged. GIF: a palette
+/// (faststart). WebM: VP9 at constant quality, yuv420p or yuva420p, BT.709 tagged. GIF: a palette
 /// for each picture, dithered. APNG: lossless.
 class VideoWriter {
  public:
-  /// Opens `path` (the caller's temporary name, whatever its extension). Throws InputError for
-  /// settings out of range, MachineError where there is no such encoder or the file can't be
-  /// written.
+  /// Opens `path` (the caller's temporary name, with any extension). Throws InputError for settings
+  /// out of range, MachineError if there is no such encoder or the file can't be written.
   VideoWriter(VideoFormat format, const std::filesystem::path& path, const VideoSettings& settings);
   VideoWriter(VideoWriter&&) noexcept;
   VideoWriter& operator=(VideoWriter&&) noexcept;
@@ -38,7 +37,7 @@ class VideoWriter {
   /// destructor only frees.
   void finish();
 
-  /// The encoder that was found, for example "libx264".
+  /// Returns the name of the encoder in use, for example "libx264".
   const std::string& encoderName() const;
 
  private:
@@ -46,7 +45,7 @@ class VideoWriter {
   std::unique_ptr<Parts> parts_;
 };
 
-/// That of the FFmpeg libraries in use, for example "5.1.6".
+/// Returns the version of the FFmpeg libraries in use, for example "5.1.6".
 std::string ffmpegVersion();
 
 }  // namespace rotatebook::video

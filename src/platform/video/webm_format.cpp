@@ -9,7 +9,7 @@ namespace {
 
 // libvpx's constant quality, 0 to 63; looks like H.264 at crf 18.
 constexpr const char* kQuality = "24";
-// From 0, the best, to 8, the fastest, at deadline good.
+// libvpx's cpu-used at deadline good: from 0, the best, to 8, the fastest.
 constexpr const char* kEffort = "4";
 constexpr double kSecondsBetweenKeyFrames = 2;
 
@@ -18,7 +18,7 @@ Handle<AVCodecContext> describe(const VideoSettings& settings) {
   Handle<AVCodecContext> context = makeContext(encoder, settings);
   context->pix_fmt = settings.transparent ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P;
   tagBt709(*context);
-  context->thread_count = 1;  // Another count gives other bytes.
+  context->thread_count = 1;  // The bytes depend on it.
   context->gop_size =
       std::max(1, static_cast<int>(settings.frameRate.framesIn(kSecondsBetweenKeyFrames)));
   return context;
@@ -32,8 +32,8 @@ Stages makeWebmStages(const VideoSettings& settings) {
   options.set("deadline", "good");
   options.set("cpu-used", kEffort);
   options.set("crf", kQuality);
-  options.set("b", "0");  // With crf: constant quality, whatever it takes.
-  // The encoder of the alpha knows no frames that aren't shown.
+  options.set("b", "0");  // With crf: constant quality at any bit rate.
+  // The encoder of the alpha doesn't support frames that aren't shown.
   if (settings.transparent) options.set("auto-alt-ref", "0");
   return {std::make_unique<PixelConverter>(settings.width, settings.height, settings.transparent),
           Encoder("VP9", describe(settings), options)};

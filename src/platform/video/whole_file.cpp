@@ -14,20 +14,20 @@ namespace {
 
 constexpr std::string_view kWebmHead = "\x1a\x45\xdf\xa3";
 constexpr std::string_view kSegment = "\x18\x53\x80\x67";
-constexpr int kMaxParts = 1000;  // Of an MP4; there are four.
+constexpr int kMaxFileBoxes = 1000;  // Limit on the outer boxes of an MP4; there are four.
 
-[[noreturn]] void throwCut(const std::string& name, const std::string& problem) {
+[[noreturn]] void throwTruncated(const std::string& name, const std::string& problem) {
   throw InputError(name + " ends early, or is damaged: " + problem + kCopyRemedy);
 }
 
-void requireSize(std::uint64_t size, std::uint64_t told, const std::string& name) {
-  if (size >= told) return;
-  throwCut(name,
-           "it has " + std::to_string(size) + " of at least " + std::to_string(told) + " bytes");
+void requireSize(std::uint64_t size, std::uint64_t stated, const std::string& name) {
+  if (size >= stated) return;
+  throwTruncated(
+      name, "it has " + std::to_string(size) + " of at least " + std::to_string(stated) + " bytes");
 }
 
-/// Whether `file` goes on with `bytes`, which are read.
-bool goesOnWith(std::istream& file, std::string_view bytes) {
+/// Reads on; returns whether `file` continues with `bytes`.
+bool continuesWith(std::istream& file, std::string_view bytes) {
   for (const char byte : bytes) {
     if (file.get() != static_cast<unsigned char>(byte)) return false;
   }
@@ -37,10 +37,10 @@ bool goesOnWith(std::istream& file, std::string_view bytes) {
 void requireWholeMp4(std::istream& file, std::uint64_t size, const std::string& name) {
   bool header = false, pictures = false;
   std::uint64_t at = 0;
-  // What comes after both hurts nobody.
+  // Whatever follows both does no harm.
   for (int i = 0; !header || !pictures; ++i) {
-    const auto box = i < kMaxParts ? mp4BoxAt(file, at, size) : std::nullopt;
-    if (!box) throwCut(name, header ? "it has no pictures" : "it has no header");
+    const auto box = i < kMaxFileBoxes ? mp4BoxAt(file, at, size) : std::nullopt;
+    if (!box) throwTruncated(name, header ? "it has no pictures" : "it has no header");
     requireSize(size, box->end, name);
     header = header || box->type == "moov";
     pictures = pictures || box->type == "mdat";
@@ -48,7 +48,7 @@ void requireWholeMp4(std::istream& file, std::uint64_t size, const std::string& 
   }
 }
 
-/// The length of a WebM element, which is read; nothing if it isn't told.
+/// Reads the length of a WebM element; nothing if it isn't stated.
 std::optional<std::uint64_t> lengthIn(std::istream& file) {
   const int first = file.get();
   if (first <= 0) return std::nullopt;
@@ -65,14 +65,14 @@ std::optional<std::uint64_t> lengthIn(std::istream& file) {
   return unknown ? std::nullopt : std::optional(length);
 }
 
-/// After kWebmHead.
+/// Verifies the rest of a file that begins with kWebmHead.
 void requireWholeWebm(std::istream& file, std::uint64_t size, const std::string& name) {
   const auto head = lengthIn(file);
-  if (!head || *head > size) throwCut(name, "it has no header");
+  if (!head || *head > size) throwTruncated(name, "it has no header");
   file.seekg(static_cast<std::streamoff>(*head), std::ios::cur);
-  if (!goesOnWith(file, kSegment)) throwCut(name, "it has no pictures");
+  if (!continuesWith(file, kSegment)) throwTruncated(name, "it has no pictures");
   const auto length = lengthIn(file);
-  if (!file) throwCut(name, "it has no pictures");
+  if (!file) throwTruncated(name, "it has no pictures");
   if (length) requireSize(size, static_cast<std::uint64_t>(file.tellg()) + *length, name);
 }
 
@@ -89,10 +89,10 @@ void requireWholeFile(std::istream& file, const std::string& name) {
   file.seekg(0, std::ios::end);
   const auto size = static_cast<std::uint64_t>(file.tellg());
   file.seekg(0);
-  if (goesOnWith(file, kWebmHead)) return requireWholeWebm(file, size, name);
+  if (continuesWith(file, kWebmHead)) return requireWholeWebm(file, size, name);
   file.clear();
   file.seekg(4);
-  if (goesOnWith(file, "ftyp")) requireWholeMp4(file, size, name);
+  if (continuesWith(file, "ftyp")) requireWholeMp4(file, size, name);
 }
 
 }  // namespace rotatebook::video

@@ -1,4 +1,4 @@
-// Whether a video file is all there.
+// Verifies that a video file isn't truncated.
 #pragma once
 
 #include <filesystem>
@@ -7,13 +7,13 @@
 
 namespace rotatebook::video {
 
-/// What to do about a clip that isn't as it was written, after the words that say so.
+/// Remedy for a clip that isn't as it was written, the end of a message.
 inline constexpr const char* kCopyRemedy = "; copy it again, or render it again";
 
-/// Throws InputError for an MP4 or WebM that is shorter than its header tells, as a copy that was
-/// broken off is. Says nothing of other files, nor of what can't be read.
+/// Throws InputError for an MP4 or WebM that is shorter than its header states, as an interrupted
+/// copy is. Ignores other files, and those that can't be read.
 void requireWholeFile(const std::filesystem::path& path);
-/// The same of `file`'s bytes, be they what they may; `name` names it in messages.
+/// Like requireWholeFile(path), for a stream whose bytes may be anything; `name` is for messages.
 void requireWholeFile(std::istream& file, const std::string& name);
 
 }  // namespace rotatebook::video

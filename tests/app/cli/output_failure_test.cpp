@@ -42,14 +42,14 @@ TEST_F(OutputFailure, FileInTheWayOfTheFolder) {
   write("file", "");
   const ChildResult result = run({"render", "tiny.toml", "-o", "file"});
   EXPECT_EQ(result.status, 3);
-  const std::string remedy = "; move it out of the way, or name another place\n";
-  EXPECT_EQ(result.error, "rotatebook: can't make the folder file: file is no folder" + remedy);
+  const std::string remedy = "; move it out of the way, or choose another path\n";
+  EXPECT_EQ(result.error, "rotatebook: can't make the folder file: file is not a folder" + remedy);
   EXPECT_EQ(run({"render", "tiny.toml", "-o", "file/below"}).error,
-            "rotatebook: can't make the folder file/below: file is no folder" + remedy);
+            "rotatebook: can't make the folder file/below: file is not a folder" + remedy);
   fs::create_symlink("nowhere", folder() / "link");
-  EXPECT_EQ(run({"render", "tiny.toml", "-o", "link"}).error,
-            "rotatebook: can't make the folder link: link is a link to a place that isn't there" +
-                remedy);
+  EXPECT_EQ(
+      run({"render", "tiny.toml", "-o", "link"}).error,
+      "rotatebook: can't make the folder link: link is a link whose target doesn't exist" + remedy);
   EXPECT_THAT(files(), ElementsAre("file", "link"));
 }
 

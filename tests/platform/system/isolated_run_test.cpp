@@ -13,23 +13,23 @@ namespace {
 
 using std::chrono::seconds;
 
-TEST(Trial, SaysNothingOfWhatComesBack) {
+TEST(IsolatedRun, ReportsNothingIfTheActionReturns) {
   EXPECT_EQ(system::runIsolated([] { std::cerr << "a warning\n"; }, seconds(60)), "");
   EXPECT_EQ(system::runIsolated([] { throw std::runtime_error("told later"); }, seconds(60)), "");
 }
 
-TEST(Trial, ChangesNothingHere) {
+TEST(IsolatedRun, ChangesNothingHere) {
   int value = 1;
   system::runIsolated([&] { value = 2; }, seconds(60));
   EXPECT_EQ(value, 1);
 }
 
-TEST(Trial, TellsWhatEndsTheProcess) {
+TEST(IsolatedRun, NamesWhatEndsTheProcess) {
   EXPECT_EQ(system::runIsolated([] { raise(SIGKILL); }, seconds(60)), "ends the process (Killed)");
   EXPECT_EQ(system::runIsolated([] { _exit(7); }, seconds(60)), "ends the process (exit status 7)");
 }
 
-TEST(Trial, TellsTheLastWords) {
+TEST(IsolatedRun, ReportsTheLastLine) {
   const auto fail = [] {
     std::cerr << "first line\nassertion failed\n";
     raise(SIGKILL);
@@ -37,8 +37,8 @@ TEST(Trial, TellsTheLastWords) {
   EXPECT_EQ(system::runIsolated(fail, seconds(60)), "ends the process (Killed): assertion failed");
 }
 
-TEST(Trial, EndsWhatDoesNotComeBack) {
-  EXPECT_EQ(system::runIsolated([] { pause(); }, seconds(1)), "doesn't come back within 1 s");
+TEST(IsolatedRun, EndsWhatDoesNotReturn) {
+  EXPECT_EQ(system::runIsolated([] { pause(); }, seconds(1)), "doesn't return within 1 s");
 }
 
 }  // namespace

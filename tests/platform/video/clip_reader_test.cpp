@@ -97,7 +97,7 @@ TEST(ClipMetadata, MayBeLong) {
 TEST(ClipMetadata, IsInNeitherGifNorApng) {
   for (const VideoFormat format : {VideoFormat::Gif, VideoFormat::Apng}) {
     const std::string content = contentOf(writeAs(format, "none"));
-    EXPECT_EQ(outcomeOf(content), "the bytes is of the format " + std::string(nameOf(format)) +
+    EXPECT_EQ(outcomeOf(content), "the bytes is in the format " + std::string(nameOf(format)) +
                                       ", which holds no record of the scene; MP4 and WebM do");
   }
 }
@@ -154,7 +154,8 @@ TEST(ClipMetadata, NeedsOneStreamOfPictures) {
   ASSERT_NE(handler, std::string::npos);
   std::string other = content;
   other.replace(handler, 4, "soun");
-  EXPECT_EQ(outcomeOf(other), "the bytes has no pictures; a clip has one stream, of pictures");
+  EXPECT_EQ(outcomeOf(other),
+            "the bytes has no video stream; a clip has exactly one stream, of video");
   // The track once more.
   const std::size_t movie = content.find("moov") - 4, track = content.find("trak") - 4;
   const std::string again = content.substr(track, testing::bigEndian(content, track));
@@ -162,7 +163,7 @@ TEST(ClipMetadata, NeedsOneStreamOfPictures) {
   other.insert(track, again);
   const auto size = static_cast<std::uint32_t>(testing::bigEndian(content, movie) + again.size());
   for (std::size_t i = 0; i < 4; ++i) other[movie + i] = static_cast<char>(size >> (24 - 8 * i));
-  EXPECT_EQ(outcomeOf(other), "the bytes has 2 streams; a clip has one stream, of pictures");
+  EXPECT_EQ(outcomeOf(other), "the bytes has 2 streams; a clip has exactly one stream, of video");
 }
 
 TEST(ClipReader, TellsWhatThePlayerLearns) {

@@ -212,7 +212,7 @@ TEST(PixelConverter, RefusesAnotherSize) {
     converter.convert(Image(20, 32, PixelFormat::Rgba8).view());
     FAIL() << "no error";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "can't encode a picture of 20x32: the video has 32x20");
+    EXPECT_STREQ(error.what(), "can't encode a picture of 20x32: the video is 32x20");
   }
 }
 

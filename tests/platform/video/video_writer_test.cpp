@@ -224,7 +224,7 @@ TEST(Mp4Writer, RefusesAPictureOfAnotherSize) {
   VideoWriter writer(VideoFormat::Mp4, outputFolder() / "size.mp4", smallSettings());
   const image::Image wide(98, 64, image::PixelFormat::Rgba8);
   EXPECT_EQ(messageOf<InputError>([&] { writer.write(wide.view()); }),
-            "can't encode a picture of 98x64: the video has 96x64");
+            "can't encode a picture of 98x64: the video is 96x64");
 }
 
 TEST(Mp4Writer, TakesNoPictureAfterTheEnd) {

@@ -1,25 +1,25 @@
-// After studio_lights.glsl.
+// Follows studio_lights.glsl.
 //
-// Maps the unit cube into the book's eight corners, deformed or not, and gathers the light that
-// matt surfaces scatter, which changes so slowly that the vertices are enough.
-layout(location = 0) in vec3 unitPosition;   // Spine to fore edge, foot to head, back to front.
-layout(location = 1) in vec3 unitNormal;  // A covector of the same cube.
-layout(location = 2) in vec2 textureCoordinates;
-layout(location = 3) in float skyVisibility;   // Share of the surroundings that is seen from here.
-layout(location = 4) in float surface;    // Number of the smooth side that this is a point of.
-layout(location = 5) in vec3 rolledOut;   // Place in the picture of strips; z is 0 elsewhere.
+// Maps the unit cube into the deformation cage and computes the light that matt surfaces scatter,
+// which changes so slowly that once a vertex is enough.
+layout(location = 0) in vec3 unitPosition;  // Spine to fore edge, foot to head, back to front.
+layout(location = 1) in vec3 unitNormal;    // A covector of the same cube.
+layout(location = 2) in vec2 vertexTexCoord;
+layout(location = 3) in float vertexSkyVisibility;  // Share of the surroundings visible from here.
+layout(location = 4) in float vertexSurfaceId;  // Number of the smooth side the vertex belongs to.
+layout(location = 5) in vec3 rolledOut;  // Position in the picture of strips; z is 0 elsewhere.
 
-uniform vec3 corners[8];  // World; bit 0 of the index is x, bit 1 y, bit 2 z. [m]
+uniform vec3 cage[8];  // World; bit 0 of the index is x, bit 1 y, bit 2 z. [m]
 uniform mat4 clipFromWorld;
 
 out vec2 texCoord;
-out vec3 diffuseLight;     // Irradiance / pi. Linear.
-out vec3 worldPlace;   // [m]
+out vec3 diffuseLight;   // Irradiance / pi. Linear.
+out vec3 worldPosition;  // [m]
 out vec3 worldNormal;
-out float visibility;        // skyVisibility
-flat out float onSurface;
+out float skyVisibility;
+flat out float surfaceId;
 
-// The studio of cover.frag as a matt surface sees it: each light's irradiance / pi.
+// The studio of cover.frag as it lights a matt surface: each light's irradiance / pi.
 const vec3 kKeyColour = vec3(1.02, 0.95, 0.85);
 const vec3 kFillColour = vec3(0.36, 0.42, 0.52);
 const vec3 kRimColour = vec3(0.36, 0.40, 0.46);
@@ -36,29 +36,29 @@ vec3 irradiance(vec3 normal) {
 }
 
 void main() {
+  // Interpolate the cage trilinearly: its four edges along x, then two lines along y, then z
   float x = unitPosition.x, y = unitPosition.y, z = unitPosition.z;
-  // The four edges along x, then the two faces' lines along y: trilinear interpolation.
-  vec3 edge00 = mix(corners[0], corners[1], x), edge10 = mix(corners[2], corners[3], x);
-  vec3 edge01 = mix(corners[4], corners[5], x), edge11 = mix(corners[6], corners[7], x);
+  vec3 edge00 = mix(cage[0], cage[1], x), edge10 = mix(cage[2], cage[3], x);
+  vec3 edge01 = mix(cage[4], cage[5], x), edge11 = mix(cage[6], cage[7], x);
   vec3 back = mix(edge00, edge10, y), front = mix(edge01, edge11, y);
-  worldPlace = mix(back, front, z);
+  worldPosition = mix(back, front, z);
 
-  // Its derivatives along the cube's axes; a normal maps by their cofactors.
-  vec3 alongX = mix(mix(corners[1] - corners[0], corners[3] - corners[2], y),
-                    mix(corners[5] - corners[4], corners[7] - corners[6], y), z);
+  // Map the normal by the cofactors of the map's derivatives along the cube's axes
+  vec3 alongX = mix(mix(cage[1] - cage[0], cage[3] - cage[2], y),
+                    mix(cage[5] - cage[4], cage[7] - cage[6], y), z);
   vec3 alongY = mix(edge10 - edge00, edge11 - edge01, z);
   vec3 alongZ = front - back;
   vec3 normal = normalize(unitNormal.x * cross(alongY, alongZ) +
                           unitNormal.y * cross(alongZ, alongX) +
                           unitNormal.z * cross(alongX, alongY));
-  // Of an inside-out book the side that is seen is lit.
+  // Light the visible side of an inside-out book
   if (dot(alongX, cross(alongY, alongZ)) < 0.0) normal = -normal;
 
-  texCoord = textureCoordinates;
+  texCoord = vertexTexCoord;
   worldNormal = normal;
-  visibility = skyVisibility;
-  onSurface = surface;
-  diffuseLight = irradiance(normal) * skyVisibility;
+  skyVisibility = vertexSkyVisibility;
+  surfaceId = vertexSurfaceId;
+  diffuseLight = irradiance(normal) * vertexSkyVisibility;
   gl_Position = rolledOut.z > 0.0 ? vec4(rolledOut.xy, 0.0, 1.0)
-                                  : clipFromWorld * vec4(worldPlace, 1.0);
+                                  : clipFromWorld * vec4(worldPosition, 1.0);
 }

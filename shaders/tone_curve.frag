@@ -1,7 +1,8 @@
 #version 330 core
-// A part of cover.frag and paper.frag.
+// Linked with cover.frag and with paper.frag.
 
-// Khronos' neutral tone curve: base colours stay, highlights are compressed and lose their hue.
+// Applies Khronos' PBR neutral tone curve: base colours stay, highlights are compressed and lose
+// their hue.
 vec3 toneMap(vec3 radiance) {
   const float kStart = 0.8 - 0.04, kDesaturation = 0.15;
   float least = min(radiance.r, min(radiance.g, radiance.b));

@@ -7,7 +7,7 @@
 namespace rotatebook::render {
 namespace {
 
-constexpr double kNearPlane = 0.01;  // Of the distance to the target.
+constexpr double kNearPlane = 0.01;  // Share of the distance to the target.
 
 Eigen::Matrix4d clipFromView(const Camera& camera, double aspect, double near, double far) {
   const double scale = 1 / std::tan(camera.fieldOfViewDeg * std::numbers::pi / 360);
@@ -20,15 +20,15 @@ Eigen::Matrix4d clipFromView(const Camera& camera, double aspect, double near, d
   return matrix;
 }
 
-/// From the whole picture to the upper share of it.
-Eigen::Matrix4d upperShare(double share) {
+/// Returns the transform from the whole picture to its upper share.
+Eigen::Matrix4d toUpperShare(double share) {
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
   matrix(1, 1) = share;
   matrix(1, 3) = share - 1;
   return matrix;
 }
 
-/// Where points that are all in front of the camera are on a picture. [pixels]
+/// Projects clip-space points, all in front of the camera, onto a picture. [pixels]
 PicturePoints onPicture(const Eigen::Matrix<double, 4, 8>& clip, int width, int height) {
   PicturePoints points = clip.topRows<2>().array().rowwise() / clip.row(3).array();
   points.row(0) = (points.row(0).array() + 1) / 2 * width;
@@ -52,20 +52,25 @@ Eigen::Matrix4d viewFromWorld(const Camera& camera) {
 Projection project(const Camera& camera, const physics::Cage& points, const Screen& screen) {
   const Eigen::Matrix4d view = viewFromWorld(camera);
   const Eigen::Matrix<double, 4, 8> viewPoints = view * points.colwise().homogeneous();
+  // Fit the depth range to the points
   const double near = kNearPlane * (camera.position - camera.target).norm();
   const double far = std::max(2 * near, 1.01 * -viewPoints.row(2).minCoeff());
+
+  // Project into the viewport above the bottom rows
   const double share = 1 - static_cast<double>(screen.bottomRows) / screen.height;
   const double aspect = screen.width / (share * screen.height);
   const Eigen::Matrix4d clipFromWorld =
-      upperShare(share) * clipFromView(camera, aspect, near, far) * view;
+      toUpperShare(share) * clipFromView(camera, aspect, near, far) * view;
   const Eigen::Matrix<double, 4, 8> clip = clipFromWorld * points.colwise().homogeneous();
+
+  // Bound the pixels
   if (clip.row(3).minCoeff() <= near) {
     const PixelRect all{0, 0, screen.width, screen.height};
     return {clipFromWorld, all, {all}};
   }
-  const PicturePoints places = onPicture(clip, screen.width, screen.height);
-  const PixelRect bounds = boundsOf(places, screen.width, screen.height);
-  return {clipFromWorld, bounds, hullBands(places, bounds)};
+  const PicturePoints onScreen = onPicture(clip, screen.width, screen.height);
+  const PixelRect bounds = boundsOf(onScreen, screen.width, screen.height);
+  return {clipFromWorld, bounds, hullBands(onScreen, bounds)};
 }
 
 }  // namespace rotatebook::render

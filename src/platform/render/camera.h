@@ -1,4 +1,4 @@
-// From the world to the picture.
+// Projects the world onto the picture.
 #pragma once
 
 #include <vector>
@@ -14,31 +14,31 @@ namespace rotatebook::render {
 /// A perspective camera.
 struct Camera {
   Eigen::Vector3d position{0, 0, 1};  ///< World. [m]
-  Eigen::Vector3d target{0, 0, 0};  ///< The point in the middle of the picture; not `position`. [m]
-  Eigen::Vector3d up{0, 1, 0};      ///< Not along the view.
-  double fieldOfViewDeg = 30;       ///< Vertical, over 0 to under 180. [degrees]
+  Eigen::Vector3d target{0, 0, 0};    ///< Point in the middle of the picture; not `position`. [m]
+  Eigen::Vector3d up{0, 1, 0};        ///< Direction; not parallel to the view.
+  double fieldOfViewDeg = 30;         ///< Vertical, between 0 and 180. [degrees]
 };
 
-/// One frame's projection.
+/// The projection of one frame.
 struct Projection {
-  /// World to clip space. Clip y points down, so that a frame buffer's first row is the picture's
-  /// top.
+  /// Takes the world to clip space. Clip y points down, so that a frame buffer's first row is the
+  /// picture's top.
   Eigen::Matrix4d clipFromWorld;
-  /// The pixels that the hull of the points can touch, with a margin; the whole picture if a point
-  /// is not in front of the camera; empty if the hull is beside the picture.
+  /// The pixels that the points' convex hull can touch, with a margin. The whole picture if a point
+  /// isn't in front of the camera; empty if the hull lies outside the picture.
   PixelRect bounds;
-  /// The same more closely, as rectangles one below the other.
+  /// A closer bound of the same pixels, as rectangles one below the other.
   std::vector<PixelRect> bands;
 };
 
-/// Camera coordinates: x right, y up, z toward the viewer.
+/// Returns the transform to camera coordinates: x right, y up, z toward the viewer.
 Eigen::Matrix4d viewFromWorld(const Camera& camera);
 
-/// A picture, and how much of it the camera has.
+/// The size of a picture, and the part of it that is the camera's viewport.
 struct Screen {
   int width = 0;       ///< > 0 [pixels]
   int height = 0;      ///< > 0 [pixels]
-  int bottomRows = 0;  ///< The camera's picture ends above them; 0 to below `height`. [pixels]
+  int bottomRows = 0;  ///< Below the viewport; 0 to below `height`. [pixels]
 };
 
 /// Projects `points` (world) onto `screen`.

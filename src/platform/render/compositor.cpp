@@ -12,9 +12,9 @@
 namespace rotatebook::render {
 namespace {
 
-/// Puts what was drawn over the background.
-void layOver(const image::Image& drawn, const PixelRect& band, image::Image& picture) {
-  // Without branches, pixels as numbers, several go at once.
+/// Copies the pixels that were drawn, as opaque, within a band.
+void copyDrawn(const image::Image& drawn, const PixelRect& band, image::Image& picture) {
+  // Pixels as integers and no branches: the compiler vectorises the loop.
   constexpr auto kAlpha = std::bit_cast<std::uint32_t>(std::array<std::uint8_t, 4>{0, 0, 0, 0xff});
   for (int y = band.y; y < band.y + band.height; ++y) {
     const std::uint8_t* from = drawn.row(y) + 4 * static_cast<std::ptrdiff_t>(band.x);
@@ -52,10 +52,10 @@ void Compositor::compose(const DrawnBody& body, image::Image& picture) {
 
 void Compositor::composeLarge(const DrawnBody& body, image::Image& picture) {
   picture = background_;
-  for (const PixelRect& band : body.bands) layOver(body.pixels, band, picture);
+  for (const PixelRect& band : body.bands) copyDrawn(body.pixels, band, picture);
   edgePixels_.clear();
   triangles_.clear();
-  edges_.find(body.cage, body.clipFromWorld, body.winding, body.strips.seen, edgePixels_,
+  edges_.find(body.cage, body.clipFromWorld, body.winding, body.strips.onScreen, edgePixels_,
               triangles_);
   edgePixels_.number();
   samples_.resolve(edgePixels_, triangles_, body.pixels, body.strips, background_, picture);

@@ -1,4 +1,4 @@
-// From a drawn book to a picture of it. Inside the room only.
+// Composes a drawn body and the background into a picture. Inside the room only.
 #pragma once
 
 #include <vector>
@@ -12,16 +12,17 @@
 
 namespace rotatebook::render {
 
-/// Lays drawn books over a background, with smooth edges. Needs no OpenGL; one thread at a time.
+/// Composes drawn bodies over a background, with antialiased edges. Needs no OpenGL; one thread at
+/// a time.
 class Compositor {
  public:
-  /// `background`: Rgba8, alpha straight, `supersample` (1 or 2) times as wide and high as pictures
-  /// are to be.
+  /// `background`: Rgba8, straight alpha, `supersample` (1 or 2) times as wide and high as the
+  /// pictures.
   Compositor(image::Image background, int supersample, const BookMesh& mesh);
 
-  /// A picture of the right size and format for compose().
+  /// Returns a picture of the right size and format for compose().
   image::Image makePicture() const;
-  /// Over all of `picture`, from makePicture(). `body` is of the background's size.
+  /// Overwrites all of `picture`, from makePicture(). `body` has the background's size.
   void compose(const DrawnBody& body, image::Image& picture);
 
  private:
@@ -33,7 +34,7 @@ class Compositor {
   EdgePixels edgePixels_;
   std::vector<ScreenTriangle> triangles_;
   EdgeSamples samples_;
-  image::Image large_;  // before it is made smaller, if it is
+  image::Image large_;  // The picture before downsampling, if supersampled.
 };
 
 }  // namespace rotatebook::render

@@ -1,4 +1,4 @@
-// A body as it comes from OpenGL.
+// A body as OpenGL has drawn it.
 #pragma once
 
 #include <vector>
@@ -12,14 +12,14 @@
 
 namespace rotatebook::render {
 
-/// A body drawn with one sample a pixel and nothing behind it, and what is needed to make a picture
-/// of it.
+/// A body drawn with one sample a pixel and nothing behind it, with what is needed to compose a
+/// picture of it.
 struct DrawnBody {
   image::Image pixels;  ///< Rgba8; alpha: BookVertex::surfaceId, or 0 where nothing was drawn.
-  std::vector<PixelRect> bands{};   ///< Where `pixels` are up to date. [pixels]
+  std::vector<PixelRect> bands{};   ///< The valid areas of `pixels`. [pixels]
   physics::Cage cage{};             ///< World. [m]
   Eigen::Matrix4d clipFromWorld{};  ///< Clip y points down.
-  int winding = 0;                  ///< windingOf()
+  int winding = 0;                  ///< From windingOf().
   DrawnStrips strips{};
 };
 

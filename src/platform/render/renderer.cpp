@@ -22,7 +22,7 @@ void requireNoGlError(const char* when) {
   throw MachineError("can't draw: OpenGL error " + std::to_string(error) + " " + when);
 }
 
-/// A book so close that its front cover is in the middle of pictures of every size.
+/// Returns a book so close that its front cover covers the middle of pictures of every size.
 DrawnBody closeBook(int width, int height) {
   const Camera close{.position = {0, 0, 0.1}};
   DrawnBody body{.pixels = {}, .cage = physics::Cuboid{}.corners()};
@@ -66,8 +66,8 @@ struct Renderer::Parts {
     requireNoGlError("while setting up");
   }
 
-  /// Some drivers draw nothing and report no error. With the frames' own shaders, state and buffer,
-  /// so that all that is compiled for it serves the first frame, too.
+  /// Throws MachineError if the driver draws nothing, as some do without an error. Uses the frames'
+  /// own shaders, state and buffer, so that the first frame reuses all that is compiled for it.
   void requireDrawing() const {
     const PixelRect middle{width / 2, height / 2, 1, 1};
     target.begin(middle);
@@ -78,8 +78,8 @@ struct Renderer::Parts {
     if (drawn != 0 && cleared == 0) return;
     throw MachineError("can't draw: " + context.description() +
                        " reports no error and draws nothing: a pixel within the book has alpha " +
-                       std::to_string(drawn) + ", and " + std::to_string(cleared) +
-                       " when it is cleared; --device takes another" + kAskDoctor);
+                       std::to_string(drawn) + " when drawn and " + std::to_string(cleared) +
+                       " when cleared; choose another device with --device" + kAskDoctor);
   }
 
   image::Image background() const {
@@ -94,7 +94,7 @@ struct Renderer::Parts {
                                  {studio ? studioFragmentShader() : starsFragmentShader()});
     const PixelRect everything{0, 0, width, height};
     target.begin(everything);
-    glDisable(GL_FRAMEBUFFER_SRGB);  // Its colours are encoded already.
+    glDisable(GL_FRAMEBUFFER_SRGB);  // The shaders' colours are encoded already.
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     backdrop.use();
@@ -123,7 +123,7 @@ struct Renderer::Parts {
     drawPart(BookPart::Pages, paper);
   }
 
-  /// As drawBook() has left OpenGL.
+  /// Relies on the OpenGL state that drawBook() leaves.
   void drawStrips(DrawnBody& drawn) const {
     image::Image& colours = drawn.strips.colours;
     const PixelRect all{0, 0, colours.width(), colours.height()};
@@ -139,12 +139,12 @@ struct Renderer::Parts {
 
   void drawStripsOf(BookPart part, const Texture& texture, const DrawnBody& drawn) const {
     texture.bind();
-    geometry.drawStrips(part, drawn.strips.seen);
+    geometry.drawStrips(part, drawn.strips.onScreen);
   }
 
   void use(const ShaderProgram& program, const DrawnBody& drawn) const {
     program.use();
-    program.set("corners", Eigen::Matrix<float, 3, 8>(drawn.cage.cast<float>()));
+    program.set("cage", Eigen::Matrix<float, 3, 8>(drawn.cage.cast<float>()));
     program.set("clipFromWorld", Eigen::Matrix4f(drawn.clipFromWorld.cast<float>()));
   }
 
@@ -154,8 +154,8 @@ struct Renderer::Parts {
   }
 
   RenderSettings settings;
-  int width, height;   // As it is drawn. [pixels]
-  EglContext context;  // First made, last destroyed of all that needs it.
+  int width, height;   // Of the drawing. [pixels]
+  EglContext context;  // Before all that needs it, so that it is destroyed last.
   FrameTarget target;
   ShaderProgram coverProgram, paperProgram;
   BookGeometry geometry;
@@ -163,7 +163,7 @@ struct Renderer::Parts {
   FrameTarget stripTarget;
   Texture front, spine, back, paper;
   Compositor compositor;
-  std::optional<DrawnBody> body;  // of draw() to a picture
+  std::optional<DrawnBody> body;  // For draw() to a picture.
 };
 
 Renderer::Renderer(const RenderSettings& settings, const BookTextures& textures)
@@ -204,7 +204,7 @@ void Renderer::draw(const physics::Cage& cage, DrawnBody& body) {
   body.winding = windingOf(cage);
   body.bands = std::move(projection.bands);
   parts_->stripFinder.find(cage, body.clipFromWorld, body.winding, {parts_->width, parts_->height},
-                           body.strips.seen);
+                           body.strips.onScreen);
   if (area.width <= 0 || area.height <= 0) return body.bands.clear();
   parts_->target.begin(area);
   parts_->drawBook(body);

@@ -163,8 +163,9 @@ TEST_F(DeviceOption, NamesWhatThereIs) {
 TEST_F(DeviceOption, RefusesSoftwareWhereHardwareIsRequired) {
   const ChildResult result = draw({"--require-hardware"});
   EXPECT_EQ(result.status, 3);
-  EXPECT_THAT(result.error, AllOf(StartsWith("rotatebook: can't draw: no EGL display is hardware"),
-                                  HasSubstr("Run 'rotatebook doctor'")));
+  EXPECT_THAT(result.error,
+              AllOf(StartsWith("rotatebook: can't draw: no EGL display draws in hardware"),
+                    HasSubstr("Run 'rotatebook doctor'")));
   EXPECT_EQ(draw({"--require-hardware", "--device", "software"}).status, 2);
   EXPECT_FALSE(has("x.png"));
 }

@@ -57,7 +57,7 @@ TEST(BodyEdges, AreFew) {
   EXPECT_GE(found.pixels.count(), 1000U);
 }
 
-TEST(BodyEdges, LeaveOutTrianglesThatLookAway) {
+TEST(BodyEdges, LeaveOutBackFaces) {
   const BookMesh mesh = makeBookMesh();
   std::size_t all = 0;
   for (const auto& part : mesh.triangles) all += part.size() / 3;

@@ -37,7 +37,7 @@ DisplayCandidate software(int index) {
 const DisplayCandidate kSurfaceless{.kind = DisplayCandidate::Kind::Surfaceless};
 const DisplayCandidate kDefault{.kind = DisplayCandidate::Kind::Default};
 
-/// Ways, and what each would say.
+/// Display candidates, and what trying each gives.
 struct Machine {
   DisplayCandidates list;
   std::vector<Attempt> attempts;
@@ -82,7 +82,7 @@ Machine devicesFail() {
   return machine;
 }
 
-/// What was chosen and which ways were tried.
+/// The chosen candidate, and the candidates that were tried.
 struct Outcome {
   ChosenDisplay chosen;
   std::vector<std::size_t> tried;
@@ -144,26 +144,26 @@ TEST(DeviceChoice, GoesOnWhereDevicesAreNotListed) {
   EXPECT_THAT(outcome.chosen.warning, IsEmpty());
 }
 
-TEST(DeviceChoice, TellsThatSoftwareDrawsInPlaceOfHardware) {
+TEST(DeviceChoice, ReportsThatSoftwareDrawsInPlaceOfHardware) {
   const Outcome outcome = choose(brokenCard(), {});
   EXPECT_EQ(outcome.chosen.candidate, 1U);
   EXPECT_EQ(outcome.chosen.warning,
             "software draws (" + kLlvmpipe +
                 ") in place of hardware: EGL device 0 (/dev/dri/renderD128, cuda:0): "
-                "eglInitialize: EGL_NOT_INITIALIZED; 'rotatebook doctor' tells what to do");
+                "eglInitialize: EGL_NOT_INITIALIZED; run 'rotatebook doctor' for the remedy");
   Machine unlisted = softwareAlone();
   unlisted.list.unlistedCard = "NVIDIA's card (/dev/nvidia0)";
   EXPECT_THAT(choose(unlisted, {}).chosen.warning,
               HasSubstr("in place of hardware: EGL doesn't list NVIDIA's card (/dev/nvidia0);"));
 }
 
-TEST(DeviceChoice, TellsNothingWhereSoftwareIsAllThereIsOrWasAskedFor) {
+TEST(DeviceChoice, ReportsNothingWhereSoftwareIsAllThereIsOrWasAskedFor) {
   EXPECT_THAT(choose(softwareAlone(), {}).chosen.warning, IsEmpty());
   EXPECT_THAT(choose(brokenCard(), {.kind = Kind::Software}).chosen.warning, IsEmpty());
   EXPECT_THAT(choose(brokenCard(), {.kind = Kind::Index, .number = 1}).chosen.warning, IsEmpty());
 }
 
-TEST(DeviceChoice, TellsNothingWhereAnotherCardDraws) {
+TEST(DeviceChoice, ReportsNothingWhereAnotherCardDraws) {
   Machine machine = twoCards();
   machine.attempts[0] = {.failure = kNotInitialized};
   const Outcome outcome = choose(machine, {});
@@ -201,12 +201,11 @@ TEST(DeviceChoice, TakesNoOtherInTheFailedDevicesPlace) {
 
 TEST(DeviceChoice, RequiringHardwareRefusesSoftware) {
   const DeviceChoice hardware{.requireHardware = true};
-  EXPECT_THAT(
-      refusal<MachineError>(softwareAlone(), hardware),
-      AllOf(HasSubstr("can't draw: no EGL display is hardware that draws, which is required:"),
-            HasSubstr("\n  EGL device 0 (software): software\n"),
-            HasSubstr("\n  surfaceless EGL: " + kLlvmpipe + ", software\n"),
-            HasSubstr("\nRun 'rotatebook doctor'"), Not(HasSubstr("apt-get"))));
+  EXPECT_THAT(refusal<MachineError>(softwareAlone(), hardware),
+              AllOf(HasSubstr("can't draw: no EGL display draws in hardware, which is required:"),
+                    HasSubstr("\n  EGL device 0 (software): software\n"),
+                    HasSubstr("\n  surfaceless EGL: " + kLlvmpipe + ", software\n"),
+                    HasSubstr("\nRun 'rotatebook doctor'"), Not(HasSubstr("apt-get"))));
   EXPECT_THAT(refusal<MachineError>(brokenCard(), hardware), HasSubstr("EGL_NOT_INITIALIZED"));
   EXPECT_THAT(refusal<MachineError>(twoCards(),
                                     {.kind = Kind::Index, .number = 2, .requireHardware = true}),

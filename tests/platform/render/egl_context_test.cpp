@@ -21,8 +21,8 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-// Prints what is said where the machine has no EGL driver. Runs in a process of its own.
-[[noreturn]] void sayWhatIsMissing() {
+// Prints the message of a machine without an EGL driver. Runs in a process of its own.
+[[noreturn]] void printWhatIsMissing() {
   setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/nonexistent", 1);
   try {
     const EglContext context;
@@ -34,9 +34,9 @@ using ::testing::HasSubstr;
   }
 }
 
-TEST(EglContextDeathTest, NamesEachWayAndTheRemedyWithoutADriver) {
+TEST(EglContextDeathTest, NamesEachCandidateAndTheRemedyWithoutADriver) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
-  EXPECT_EXIT(sayWhatIsMissing(), ::testing::ExitedWithCode(3),
+  EXPECT_EXIT(printWhatIsMissing(), ::testing::ExitedWithCode(3),
               AllOf(HasSubstr("can't draw: no EGL display gives an OpenGL 3.3 core context:"),
                     HasSubstr("\n  EGL devices: "),
                     HasSubstr("\n  default EGL display: eglGetDisplay: EGL_"),
@@ -54,7 +54,7 @@ TEST(EglContext, IsCurrentAndOfVersion33OrLater) {
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
-TEST(EglContext, DescribesRendererVersionAndWay) {
+TEST(EglContext, DescribesRendererVersionAndDisplay) {
   const EglContext context;
   const std::string renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   EXPECT_THAT(context.description(), HasSubstr(renderer + ", OpenGL "));

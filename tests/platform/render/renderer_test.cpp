@@ -159,7 +159,7 @@ TEST(Renderer, RefusesATextureThatIsTooLarge) {
   const std::string message =
       messageOf<InputError>([&] { Renderer(settingsOf(64, 36), textures); });
   EXPECT_THAT(message,
-              HasSubstr("a texture of 131072x1 pixels is too large: this renderer takes "));
+              HasSubstr("a texture of 131072x1 pixels is too large: this renderer takes up to "));
 }
 
 TEST(Renderer, RefusesAPictureThatIsTooLarge) {

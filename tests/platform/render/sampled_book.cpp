@@ -91,7 +91,7 @@ struct SampledBook::Parts {
   static void use(const ShaderProgram& program, const physics::Cage& corners,
                   const Eigen::Matrix4d& clipFromWorld) {
     program.use();
-    program.set("corners", Eigen::Matrix<float, 3, 8>(corners.cast<float>()));
+    program.set("cage", Eigen::Matrix<float, 3, 8>(corners.cast<float>()));
     program.set("clipFromWorld", Eigen::Matrix4f(clipFromWorld.cast<float>()));
   }
 

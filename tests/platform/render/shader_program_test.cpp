@@ -48,7 +48,7 @@ TEST(ShaderProgram, TakesTheProgramsOwn) {
   EXPECT_EQ(messageOf(wholePictureVertexShader(), {starsFragmentShader()}), "no error");
 }
 
-TEST(ShaderProgram, GivesTheCompilersWords) {
+TEST(ShaderProgram, GivesTheCompilersLog) {
   constexpr std::string_view kWrong =
       "#version 330 core\nout vec4 colour;\nvoid main() { colour = vec4(undeclaredName); }\n";
   EXPECT_THAT(
@@ -59,7 +59,7 @@ TEST(ShaderProgram, GivesTheCompilersWords) {
       AllOf(StartsWith("can't compile the shader trial.vert: "), HasSubstr("syntax error")));
 }
 
-TEST(ShaderProgram, GivesTheLinkersWords) {
+TEST(ShaderProgram, GivesTheLinkersLog) {
   constexpr std::string_view kTwo =
       "#version 330 core\nout vec2 handedOver;\n"
       "void main() { handedOver = vec2(1.0); gl_Position = vec4(0.0); }\n";

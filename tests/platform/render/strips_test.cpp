@@ -18,10 +18,10 @@ using testing::kY;
 std::vector<ScreenStrip> stripsAt(int width, int height, const physics::Cage& corners) {
   const Projection projection =
       project(testing::settingsOf(width, height).camera, corners, {width, height, 0});
-  std::vector<ScreenStrip> seen;
+  std::vector<ScreenStrip> onScreen;
   StripFinder(makeBookMesh())
-      .find(corners, projection.clipFromWorld, windingOf(corners), {width, height}, seen);
-  return seen;
+      .find(corners, projection.clipFromWorld, windingOf(corners), {width, height}, onScreen);
+  return onScreen;
 }
 
 long narrowAt(int width, int height, const physics::Cage& corners) {
@@ -39,7 +39,7 @@ TEST(Strips, AreNotNarrowBehindTheCamera) {
 }
 
 TEST(Strips, AreFollowedInPerspective) {
-  ScreenStrip strip{.narrow = true, .from = {10, 5}, .way = {0.01F, 0}, .distances = {1, 3}};
+  ScreenStrip strip{.narrow = true, .from = {10, 5}, .direction = {0.01F, 0}, .distances = {1, 3}};
   EXPECT_FLOAT_EQ(strip.shareAt({10, 5}), 0);
   EXPECT_FLOAT_EQ(strip.shareAt({110, 7}), 1);
   EXPECT_FLOAT_EQ(strip.shareAt({60, 5}), 0.25F);  // The farther half takes less of the picture.
@@ -52,11 +52,11 @@ TEST(Strips, HaveColoursThroughout) {
   DrawnBody drawn = renderer.makeBody();
   for (const double angle : {0.0, 40.0, 90.0, 170.0, 270.0}) {
     renderer.draw(book({{angle, kY}, {20, kX}}), drawn);
-    const std::vector<ScreenStrip>& seen = drawn.strips.seen;
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      if (!seen[i].narrow) continue;
+    const std::vector<ScreenStrip>& onScreen = drawn.strips.onScreen;
+    for (std::size_t i = 0; i < onScreen.size(); ++i) {
+      if (!onScreen[i].narrow) continue;
       const std::uint8_t* row = drawn.strips.colours.row(static_cast<int>(i));
-      for (int x = 0; x < static_cast<int>(seen[i].columns); ++x) {
+      for (int x = 0; x < static_cast<int>(onScreen[i].columns); ++x) {
         EXPECT_GT(row[4 * x], 20) << "strip " << i << ", column " << x;  // measured 61
         EXPECT_NE(row[4 * x + 3], 0) << "strip " << i << ", column " << x;
       }

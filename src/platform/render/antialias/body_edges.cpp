@@ -14,8 +14,9 @@ namespace {
 using Eigen::Vector3f;
 using Eigen::Vector4d;
 
-/// The same for vertices at one place, whatever their normals and texture coordinates.
-std::vector<std::uint32_t> placeNumbers(const std::vector<BookVertex>& vertices) {
+/// Numbers the vertices' positions: vertices at one position share a number, whatever their normals
+/// and texture coordinates.
+std::vector<std::uint32_t> positionNumbers(const std::vector<BookVertex>& vertices) {
   constexpr float kFineness = 1e5F;
   std::map<std::array<long, 3>, std::uint32_t> known;
   std::vector<std::uint32_t> numbers;
@@ -30,44 +31,44 @@ std::vector<std::uint32_t> placeNumbers(const std::vector<BookVertex>& vertices)
   return numbers;
 }
 
-/// How far a point of clip space is in front of the near plane, as a multiple of something.
-double ahead(const Vector4d& point) {
+/// Returns a clip-space point's distance in front of the near plane, up to a constant factor.
+double nearDistance(const Vector4d& point) {
   return point.z() + point.w();
 }
 
-/// Where the line between points on either side of the near plane goes through it.
-Vector4d onNearPlane(const Vector4d& a, const Vector4d& b) {
-  return a + ahead(a) / (ahead(a) - ahead(b)) * (b - a);
+/// Returns where the line between two points on either side of the near plane crosses it.
+Vector4d nearCrossing(const Vector4d& a, const Vector4d& b) {
+  return a + nearDistance(a) / (nearDistance(a) - nearDistance(b)) * (b - a);
 }
 
-/// A triangle, or a line, as the near plane has left it: the first `count` of the corners.
-struct Cut {
+/// A triangle or a line after clipping: the first `count` of the corners.
+struct Clipped {
   std::array<Vector4d, 4> corners;
   std::size_t count = 0;
 };
 
-/// What of a triangle, or of a line given as one of two corners, lies in front of the near plane.
+/// Clips a triangle, or a line given as a polygon of two corners, against the near plane.
 template <std::size_t kCount>
-Cut inFront(const std::array<Vector4d, kCount>& corners) {
-  Cut seen;
+Clipped clipToNearPlane(const std::array<Vector4d, kCount>& corners) {
+  Clipped clipped;
   for (std::size_t i = 0; i < kCount; ++i) {
     const Vector4d &here = corners[i], &next = corners[(i + 1) % kCount];
-    if (ahead(here) > 0) seen.corners[seen.count++] = here;
-    if ((ahead(here) > 0) != (ahead(next) > 0)) {
-      seen.corners[seen.count++] = onNearPlane(here, next);
+    if (nearDistance(here) > 0) clipped.corners[clipped.count++] = here;
+    if ((nearDistance(here) > 0) != (nearDistance(next) > 0)) {
+      clipped.corners[clipped.count++] = nearCrossing(here, next);
     }
   }
-  return seen;
+  return clipped;
 }
 
-/// From clip space to pixels, and a depth.
+/// Projects a clip-space point to pixels and a depth.
 Vector3f onPicture(const Vector4d& point, const EdgePixels& pixels) {
-  const Eigen::Vector3d seen = point.hnormalized();
-  return {static_cast<float>((seen.x() + 1) / 2 * pixels.width()),
-          static_cast<float>((seen.y() + 1) / 2 * pixels.height()), static_cast<float>(seen.z())};
+  const Eigen::Vector3d ndc = point.hnormalized();
+  return {static_cast<float>((ndc.x() + 1) / 2 * pixels.width()),
+          static_cast<float>((ndc.y() + 1) / 2 * pixels.height()), static_cast<float>(ndc.z())};
 }
 
-/// Which way the triangle turns: 1 from x to y, else -1.
+/// Returns the triangle's winding: 1 from x to y, else -1.
 int windingOf(const ScreenTriangle& triangle) {
   const auto& [a, b, c] = triangle.corners;
   return (b - a).x() * (c - a).y() - (b - a).y() * (c - a).x() > 0 ? 1 : -1;
@@ -77,7 +78,9 @@ int windingOf(const ScreenTriangle& triangle) {
 
 BodyEdges::BodyEdges(const BookMesh& mesh) {
   for (const BookVertex& vertex : mesh.vertices)
-    shares_.push_back(sharesOfCorners(vertex.position));
+    cageWeights_.push_back(trilinearWeights(vertex.position));
+
+  // Collect the triangles of all parts
   for (std::size_t part = 0; part < kBookPartCount; ++part) {
     const auto& indices = mesh.triangles[part];
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
@@ -87,7 +90,9 @@ BodyEdges::BodyEdges(const BookMesh& mesh) {
                             mesh.stripOf[part][i / 3]});
     }
   }
-  const std::vector<std::uint32_t> numbers = placeNumbers(mesh.vertices);
+
+  // Pair the triangles that share a side
+  const std::vector<std::uint32_t> numbers = positionNumbers(mesh.vertices);
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> known;
   for (std::uint32_t i = 0; i < triangles_.size(); ++i) {
     for (std::size_t side = 0; side < 3; ++side) {
@@ -95,7 +100,7 @@ BodyEdges::BodyEdges(const BookMesh& mesh) {
       const std::uint32_t b = triangles_[i].vertices[(side + 1) % 3];
       const auto [found, isNew] =
           known.try_emplace(std::minmax(numbers[a], numbers[b]), edges_.size());
-      // A third triangle has its side for itself.
+      // A third triangle on a side gets an edge of its own.
       if (isNew || edges_[found->second].second) {
         edges_.push_back({{a, b}, i, {}});
       } else {
@@ -108,50 +113,61 @@ BodyEdges::BodyEdges(const BookMesh& mesh) {
 void BodyEdges::find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
                      std::span<const ScreenStrip> strips, EdgePixels& pixels,
                      std::vector<ScreenTriangle>& triangles) const {
+  // Transform the vertices to clip space
   const Eigen::Matrix<double, 4, 8> clip = clipFromWorld * cage.colwise().homogeneous();
   std::vector<Vector4d> points;
-  points.reserve(shares_.size());
-  for (const auto& shares : shares_) points.emplace_back(clip * shares);
-  std::vector<int> turns;  // of all triangles; 0: isn't drawn
-  turns.reserve(triangles_.size());
+  points.reserve(cageWeights_.size());
+  for (const auto& weights : cageWeights_) points.emplace_back(clip * weights);
+
+  // Add the triangles that are drawn, and keep the winding of each, 0 if it isn't drawn
+  std::vector<int> windings;
+  windings.reserve(triangles_.size());
   for (const Triangle& triangle : triangles_) {
-    turns.push_back(addTriangle(triangle, points, winding, strips, pixels, triangles));
+    windings.push_back(addTriangle(triangle, points, winding, strips, pixels, triangles));
   }
+
   for (const Edge& edge : edges_) {
-    const int first = turns[edge.first], second = edge.second ? turns[*edge.second] : 0;
+    // Skip edges between two hidden triangles, and edges inside one smooth surface
+    const int first = windings[edge.first], second = edge.second ? windings[*edge.second] : 0;
     if (first == 0 && second == 0) continue;
-    const bool inside = first == second && surfaceOf(triangles_[edge.first], strips) ==
-                                               surfaceOf(triangles_[*edge.second], strips);
+    const bool inside = first == second && surfaceIdOf(triangles_[edge.first], strips) ==
+                                               surfaceIdOf(triangles_[*edge.second], strips);
     if (inside) continue;
-    const Cut seen = inFront(std::array{points[edge.ends[0]], points[edge.ends[1]]});
-    if (seen.count < 2) continue;
-    pixels.addLine(onPicture(seen.corners[0], pixels).head<2>(),
-                   onPicture(seen.corners[1], pixels).head<2>());
+
+    // Clip the edge against the near plane and add the pixels that it crosses
+    const Clipped line = clipToNearPlane(std::array{points[edge.ends[0]], points[edge.ends[1]]});
+    if (line.count < 2) continue;
+    pixels.addLine(onPicture(line.corners[0], pixels).head<2>(),
+                   onPicture(line.corners[1], pixels).head<2>());
   }
 }
 
-float BodyEdges::surfaceOf(const Triangle& triangle, std::span<const ScreenStrip> strips) {
-  if (triangle.strip >= strips.size() || !strips[triangle.strip].narrow) return triangle.surface;
-  return static_cast<float>(kMaxSurfaceId + 1 + triangle.strip);
+float BodyEdges::surfaceIdOf(const Triangle& triangle, std::span<const ScreenStrip> strips) {
+  const bool isNarrow = triangle.strip < strips.size() && strips[triangle.strip].narrow;
+  return isNarrow ? static_cast<float>(kMaxSurfaceId + 1 + triangle.strip) : triangle.surfaceId;
 }
 
 int BodyEdges::addTriangle(const Triangle& triangle, const std::vector<Vector4d>& points,
                            int winding, std::span<const ScreenStrip> strips,
                            const EdgePixels& pixels, std::vector<ScreenTriangle>& triangles) {
   if (triangle.lining && winding != 0) return 0;
+
+  // Clip the triangle against the near plane
   const auto& [a, b, c] = triangle.vertices;
-  const Cut seen = inFront(std::array{points[a], points[b], points[c]});
-  int turn = 0;
-  for (std::size_t i = 2; i < seen.count; ++i) {
+  const Clipped polygon = clipToNearPlane(std::array{points[a], points[b], points[c]});
+
+  // Split the remaining polygon into a fan of triangles, and reject it if it faces away
+  int ownWinding = 0;
+  for (std::size_t i = 2; i < polygon.count; ++i) {
     const ScreenTriangle piece{
-        {onPicture(seen.corners[0], pixels), onPicture(seen.corners[i - 1], pixels),
-         onPicture(seen.corners[i], pixels)},
-        surfaceOf(triangle, strips)};
-    turn = windingOf(piece);
-    if (winding != 0 && turn != winding) return 0;
+        {onPicture(polygon.corners[0], pixels), onPicture(polygon.corners[i - 1], pixels),
+         onPicture(polygon.corners[i], pixels)},
+        surfaceIdOf(triangle, strips)};
+    ownWinding = windingOf(piece);
+    if (winding != 0 && ownWinding != winding) return 0;
     triangles.push_back(piece);
   }
-  return turn;
+  return ownWinding;
 }
 
 }  // namespace rotatebook::render

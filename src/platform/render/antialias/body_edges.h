@@ -1,4 +1,4 @@
-// Where the book's picture has edges, and what is seen beside them. Inside the room only.
+// Finds the edges in a body's picture, and the triangles beside them. Inside the room only.
 #pragma once
 
 #include <array>
@@ -17,15 +17,15 @@
 
 namespace rotatebook::render {
 
-/// The mesh's triangles, and those of their sides that can be edges of a picture.
+/// A mesh's triangles, and those of their sides that can be edges in a picture.
 class BodyEdges {
  public:
   explicit BodyEdges(const BookMesh& mesh);
 
-  /// Adds the pixels through which an outline of a surface goes or two surfaces meet, hidden ones
-  /// among them, and the triangles that are drawn, of the body in this cage in a picture of
-  /// the pixels' size; without what reaches behind the camera. `winding`: as windingOf()
-  /// has it. `strips`, by their numbers: one that is narrow is a surface by itself.
+  /// Projects the body in this cage onto a picture of the size of `pixels`. Adds to `pixels` those
+  /// through which the outline of a surface or the border of two surfaces passes, hidden ones
+  /// included, and to `triangles` all that are drawn. Both are clipped at the near plane.
+  /// `winding`: from windingOf(). `strips`: by strip number; a narrow one is a surface of its own.
   void find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
             std::span<const ScreenStrip> strips, EdgePixels& pixels,
             std::vector<ScreenTriangle>& triangles) const;
@@ -33,27 +33,28 @@ class BodyEdges {
  private:
   struct Triangle {
     std::array<std::uint32_t, 3> vertices;
-    float surface;
+    float surfaceId;
     bool lining;  // Drawn only where all triangles are.
     std::uint8_t strip;
   };
   /// A side of one triangle, or of two that share it.
   struct Edge {
-    std::array<std::uint32_t, 2> ends;  // vertices
-    std::uint32_t first;                // triangles
-    std::optional<std::uint32_t> second;
+    std::array<std::uint32_t, 2> ends;    // Vertex indices.
+    std::uint32_t first;                  // Triangle index.
+    std::optional<std::uint32_t> second;  // Triangle index.
   };
 
-  /// Adds what is seen of a triangle; returns which way it turns, or 0 if it isn't drawn.
+  /// Adds the visible part of a triangle; returns its winding in the picture, 1 from x to y or -1,
+  /// or 0 if it isn't drawn.
   static int addTriangle(const Triangle& triangle, const std::vector<Eigen::Vector4d>& points,
                          int winding, std::span<const ScreenStrip> strips, const EdgePixels& pixels,
                          std::vector<ScreenTriangle>& triangles);
-  /// ScreenTriangle::surface
-  static float surfaceOf(const Triangle& triangle, std::span<const ScreenStrip> strips);
+  /// Returns the triangle's ScreenTriangle::surfaceId.
+  static float surfaceIdOf(const Triangle& triangle, std::span<const ScreenStrip> strips);
 
   std::vector<Triangle> triangles_;
   std::vector<Edge> edges_;
-  std::vector<Eigen::Matrix<double, 8, 1>> shares_;  // of the cage in each vertex's place
+  std::vector<Eigen::Matrix<double, 8, 1>> cageWeights_;  // By vertex.
 };
 
 }  // namespace rotatebook::render

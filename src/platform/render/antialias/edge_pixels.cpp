@@ -24,23 +24,27 @@ void EdgePixels::add(int x, int y) {
 }
 
 void EdgePixels::addLine(const Eigen::Vector2f& from, const Eigen::Vector2f& to) {
-  // Along the longer way, each pixel's step touches two pixels across at most.
-  const Eigen::Vector2f way = to - from;
-  const bool steep = std::abs(way.y()) > std::abs(way.x());
+  // Step along the longer axis u: each step then touches at most two pixels along v
+  const Eigen::Vector2f line = to - from;
+  const bool steep = std::abs(line.y()) > std::abs(line.x());
   const int u = steep ? 1 : 0, v = 1 - u;
+
+  // Clip the line to the picture along u
   float begin = from[u], end = to[u];
   if (begin > end) std::swap(begin, end);
   begin = std::max(begin, 0.0F);
   end = std::min(end, static_cast<float>(steep ? height_ : width_));
-  const float slope = way[u] != 0 ? way[v] / way[u] : 0;
+
+  // Add the pixels at both ends of each step
+  const float slope = line[u] != 0 ? line[v] / line[u] : 0;
   const auto across = [&](float along) {
-    const float place = from[v] + slope * (along - from[u]);
-    return static_cast<int>(std::floor(std::clamp(place, -2.0F, static_cast<float>(1 << 20))));
+    const float position = from[v] + slope * (along - from[u]);
+    return static_cast<int>(std::floor(std::clamp(position, -2.0F, static_cast<float>(1 << 20))));
   };
   for (float along = std::floor(begin); along < end; ++along) {
     const int a = across(std::max(along, begin)), b = across(std::min(along + 1, end));
-    const int place = static_cast<int>(along);
-    for (const int there : {a, b}) steep ? add(there, place) : add(place, there);
+    const int step = static_cast<int>(along);
+    for (const int pixel : {a, b}) steep ? add(pixel, step) : add(step, pixel);
   }
 }
 

@@ -16,17 +16,17 @@ class EdgePixels {
   EdgePixels(int width, int height);
 
   void clear();
-  /// Adds all pixels that the line touches. [pixels]
+  /// Adds all pixels that the line touches. `from`, `to`: [pixels]
   void addLine(const Eigen::Vector2f& from, const Eigen::Vector2f& to);
-  /// Numbers the pixels; call it before what follows.
+  /// Numbers the pixels. Call it after the last addLine(), before count() and forEach().
   void number();
 
   int width() const { return width_; }
   int height() const { return height_; }
   std::size_t count() const { return count_; }
 
-  /// Calls each(x, number) for those of row `y` from `left` to below `right`, all within the
-  /// picture.
+  /// Calls each(x, number) for the set's pixels in row `y` from `left` to below `right`, all within
+  /// the picture.
   template <typename Each>
   void forEach(int y, int left, int right, const Each& each) const {
     if (left >= right) return;
@@ -48,7 +48,8 @@ class EdgePixels {
  private:
   static constexpr int kBits = 64;
 
-  /// How many bits are set: std::popcount() is a call where the processor may lack the instruction.
+  /// Returns the number of bits set: std::popcount() is a function call where the processor may
+  /// lack the instruction.
   static constexpr std::uint64_t countOf(std::uint64_t bits) {
     bits -= bits >> 1 & 0x5555555555555555U;
     bits = (bits & 0x3333333333333333U) + (bits >> 2 & 0x3333333333333333U);
@@ -60,8 +61,8 @@ class EdgePixels {
 
   int width_, height_;
   std::size_t wordsPerRow_, count_ = 0;
-  std::vector<std::uint64_t> words_;  // a bit a pixel, lowest first
-  std::vector<std::size_t> numbers_;  // of each word's first pixel
+  std::vector<std::uint64_t> words_;  // One bit per pixel, lowest first.
+  std::vector<std::size_t> numbers_;  // The number of each word's first pixel.
 };
 
 }  // namespace rotatebook::render

@@ -1,4 +1,4 @@
-// Smooth edges for a picture that was drawn with one sample a pixel. Inside the room only.
+// Antialiases the edges of a picture drawn with one sample a pixel. Inside the room only.
 #pragma once
 
 #include <array>
@@ -15,36 +15,36 @@
 
 namespace rotatebook::render {
 
-/// A triangle as a picture has it.
+/// A triangle projected onto a picture.
 struct ScreenTriangle {
-  std::array<Eigen::Vector3f, 3> corners;  ///< x and y in pixels, and a depth linear in them.
-  /// BookVertex::surfaceId; of a narrow strip kMaxSurfaceId + 1 + its number.
+  std::array<Eigen::Vector3f, 3> corners;  ///< x and y [pixels], and a depth linear in them.
+  /// BookVertex::surfaceId, or kMaxSurfaceId + 1 + the strip's number for a narrow strip.
   float surfaceId = 0;
 };
 
-/// Samples along edges only: finds what kSamples places of each of some pixels show, and mixes the
-/// light of those surfaces as it was drawn there or close by.
+/// Multisamples the pixels along edges only: finds the surface that each of kSamples points of a
+/// pixel shows, and mixes those surfaces' linear light as it was drawn there or close by.
 class EdgeSamples {
  public:
-  static constexpr int kSamples = 16;  ///< A pixel.
+  static constexpr int kSamples = 16;  ///< Per pixel.
 
-  /// `drawn`: Rgba8, alpha is the number of the surface, 0 where nothing was drawn. `picture`, of
-  /// the same size, Rgba8, alpha straight, shows it over `background`, which is likewise; its
-  /// `pixels` get their mean colours.
+  /// Replaces those of `picture`'s pixels that are among `pixels` by the mean of their samples.
+  /// `drawn`: Rgba8, alpha is the surface's number, 0 where nothing was drawn. `picture` shows it
+  /// over `background`; both are of the same size, Rgba8, with straight alpha.
   void resolve(const EdgePixels& pixels, std::span<const ScreenTriangle> triangles,
                const image::Image& drawn, const DrawnStrips& strips, const image::Image& background,
                image::Image& picture);
 
  private:
-  // Arithmetic with four values at once is one instruction.
+  // Four values at once take one instruction.
   using Four [[gnu::vector_size(4 * sizeof(float))]] = float;
   using Samples = std::array<Four, kSamples / 4>;
 
-  void cover(const EdgePixels& pixels, const ScreenTriangle& triangle);
-  /// Whether all samples of a pixel show one surface.
-  static bool isOne(const Samples& surfaces);
+  void rasterise(const EdgePixels& pixels, const ScreenTriangle& triangle);
+  /// Returns whether all samples of a pixel show one surface.
+  static bool isUniform(const Samples& surfaces);
 
-  std::vector<Samples> depths_, surfaces_;  // by the pixels' numbers
+  std::vector<Samples> depths_, surfaces_;  // By pixel number.
 };
 
 }  // namespace rotatebook::render

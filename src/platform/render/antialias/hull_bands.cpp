@@ -7,21 +7,25 @@
 namespace rotatebook::render {
 namespace {
 
-// How far rounding, and EdgeSamples' search for colours, reach beyond the hull. [pixels]
+// Reach of rounding and of EdgeSamples' search for colours beyond the hull. [pixels]
 constexpr int kMargin = 6;
-constexpr int kBandRows = 32;  // Lower bands hold less beside the hull, but each has its price.
+constexpr int kBandRows = 32;  // Lower bands fit the hull more closely, but each has its cost.
 
-/// The pixels from `low` to `high` of `size`, as first and one past the last.
+/// Returns the first pixel and one past the last of those from `low` to `high`, with the margin,
+/// within 0 to `size`.
 std::pair<int, int> pixelSpan(double low, double high, int size) {
-  const auto within = [size](double place) { return std::clamp(place, -1.0 * size, 2.0 * size); };
-  const int first = static_cast<int>(std::floor(within(low))) - kMargin;
-  const int end = static_cast<int>(std::ceil(within(high))) + kMargin;
+  const auto clamped = [size](double position) {
+    return std::clamp(position, -1.0 * size, 2.0 * size);
+  };
+  const int first = static_cast<int>(std::floor(clamped(low))) - kMargin;
+  const int end = static_cast<int>(std::ceil(clamped(high))) + kMargin;
   return {std::clamp(first, 0, size), std::clamp(end, 0, size)};
 }
 
-/// The least and the greatest x of the hull between rows `top` and `bottom`; the first is over the
-/// second if nothing of it is there. Both are reached on a segment between two of the points.
-std::pair<double, double> reachWithin(const PicturePoints& points, double top, double bottom) {
+/// Returns the least and the greatest x of the hull between rows `top` and `bottom`, both of which
+/// lie on segments between two of the points. The first is greater than the second if the hull
+/// doesn't reach these rows.
+std::pair<double, double> spanWithin(const PicturePoints& points, double top, double bottom) {
   double least = HUGE_VAL, greatest = -HUGE_VAL;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     for (Eigen::Index j = 0; j < points.cols(); ++j) {
@@ -51,7 +55,7 @@ std::vector<PixelRect> hullBands(const PicturePoints& points, const PixelRect& b
   const int end = bounds.y + bounds.height, right = bounds.x + bounds.width;
   for (int y = bounds.y; y < end; y += kBandRows) {
     const int rows = std::min(kBandRows, end - y);
-    const auto [least, greatest] = reachWithin(points, y - kMargin, y + rows + kMargin);
+    const auto [least, greatest] = spanWithin(points, y - kMargin, y + rows + kMargin);
     if (least > greatest) continue;
     const auto [first, last] = pixelSpan(least, greatest, right);
     const int x = std::max(first, bounds.x);

@@ -1,4 +1,4 @@
-// Which pixels a projected book can touch. Inside the room only.
+// Bounds the pixels that a projected body can touch. Inside the room only.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace rotatebook::render {
 
-/// Whole pixels, origin at the picture's top left.
+/// A rectangle of whole pixels; the origin is the picture's top left.
 struct PixelRect {
   int x = 0;
   int y = 0;
@@ -20,12 +20,12 @@ struct PixelRect {
 /// Points on a picture, x to the right and y down. [pixels]
 using PicturePoints = Eigen::Matrix<double, 2, 8>;
 
-/// The smallest rectangle that holds the points and a margin for antialiasing, within a picture of
-/// this size; empty if they are all beside it.
+/// Returns the smallest rectangle that holds the points and a margin for antialiasing, within a
+/// picture of this size; empty if all points lie outside it.
 PixelRect boundsOf(const PicturePoints& points, int width, int height);
 
-/// Rectangles one below the other that together hold the points' convex hull and a margin, and
-/// little else; within `bounds`, of boundsOf().
+/// Returns rectangles, one below the other, that together hold the points' convex hull and a
+/// margin, and little else. They lie within `bounds`, from boundsOf().
 std::vector<PixelRect> hullBands(const PicturePoints& points, const PixelRect& bounds);
 
 }  // namespace rotatebook::render

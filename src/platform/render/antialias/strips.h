@@ -1,4 +1,4 @@
-// The book's narrow strips: where they are seen, and their colours. Inside the room only.
+// Finds a book's narrow strips on the screen, and holds their colours. Inside the room only.
 #pragma once
 
 #include <array>
@@ -12,47 +12,49 @@
 
 namespace rotatebook::render {
 
-/// A BookStrip as a picture has it.
+/// A BookStrip projected onto a picture.
 struct ScreenStrip {
-  /// So narrow, throughout, that pixels don't show it well; before the camera, and not looking away
-  /// from it.
+  /// True if the strip is too narrow throughout for pixels to show it well, lies in front of the
+  /// camera and has a front face. The other members are set only then.
   bool narrow = false;
-  Eigen::Vector2f from{0, 0};  ///< One end of its middle. [pixels]
-  Eigen::Vector2f way{0, 0};   ///< To the other end, divided by its squared length. [1/pixels]
-  std::array<float, 2> distances{1,
-                                 1};  ///< Of both ends from the camera, as a multiple of something.
-  float columns = 0;                  ///< Of DrawnStrips::colours, that show the strip.
+  Eigen::Vector2f from{0, 0};  ///< One end of its middle line. [pixels]
+  /// From there to the other end, divided by its squared length. [1/pixels]
+  Eigen::Vector2f direction{0, 0};
+  /// Distances of both ends from the camera, up to a common factor.
+  std::array<float, 2> distances{1, 1};
+  float columns = 0;  ///< Number of columns of DrawnStrips::colours that show the strip.
 
-  /// The share of the strip, from its start, that ends beside this place. [pixels]
-  float shareAt(const Eigen::Vector2f& place) const;
+  /// Returns how far along the strip the point beside `position` [pixels] is. [0 to 1]
+  float shareAt(const Eigen::Vector2f& position) const;
 };
 
-/// Strips whose colours were drawn apart from the book, one a row, from end to end: where a strip
-/// is narrower than a pixel, those pixels that show it as the book is drawn show a part of it that
-/// changes from pixel to pixel.
+/// Strips whose colours were drawn apart from the book, one per row, from end to end. Where a strip
+/// is narrower than a pixel, the pixels that happen to show it in the drawn book show a part of it
+/// that changes from pixel to pixel.
 struct DrawnStrips {
-  static constexpr int kColumns = 48;  ///< For a strip as long as the book is high.
+  static constexpr int kColumns = 48;  ///< Columns of a strip as long as the book is high.
 
-  std::vector<ScreenStrip> seen;  ///< By the strips' numbers.
-  image::Image colours;           ///< Rgba8; rows of strips that aren't narrow are of no use.
+  std::vector<ScreenStrip> onScreen;  ///< By strip number.
+  image::Image colours;  ///< Rgba8, a row per strip; only those of narrow strips are drawn.
 };
 
-/// Finds which strips are narrow.
+/// Finds the strips that are narrow on the screen.
 class StripFinder {
  public:
   explicit StripFinder(const BookMesh& mesh);
 
   std::size_t count() const { return strips_.size(); }
-  /// All strips of the book in this cage in a picture of this size. `winding`: as
-  /// windingOf() has it.
+  /// Sets `onScreen` to all strips of the book in this cage, in a picture of this size. [pixels]
+  /// `winding`: from windingOf().
   void find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
-            const Eigen::Vector2i& size, std::vector<ScreenStrip>& seen) const;
+            const Eigen::Vector2i& size, std::vector<ScreenStrip>& onScreen) const;
 
  private:
-  using Shares = Eigen::Matrix<float, 8, 1>;
+  using Weights = Eigen::Matrix<float, 8, 1>;  // Of the cage's corners.
   struct Strip {
-    std::vector<std::array<Shares, 2>> lines;  // Across it; ends on both sides.
-    float columns, narrow;                     // narrow: what is less than that. [pixels]
+    std::vector<std::array<Weights, 2>> lines;  // Both ends of lines across it.
+    float columns;                              // ScreenStrip::columns
+    float maxNarrowWidth;                       // Narrow if less wide than that. [pixels]
   };
 
   std::vector<Strip> strips_;

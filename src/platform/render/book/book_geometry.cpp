@@ -16,35 +16,35 @@ void describeAttribute(GLuint index, GLint size, std::size_t stride, std::size_t
                         reinterpret_cast<const void*>(offset));
 }
 
-/// Which vertex attribute is which, as book.vert numbers them.
+/// Describes the vertex attributes, numbered as in book.vert.
 void describeVertex(std::size_t stride) {
   const auto attribute = [stride](GLuint index, GLint size, std::size_t offset) {
     describeAttribute(index, size, stride, offset);
   };
   attribute(0, 3, offsetof(BookVertex, position));
   attribute(1, 3, offsetof(BookVertex, normal));
-  attribute(2, 2, offsetof(BookVertex, texture));
+  attribute(2, 2, offsetof(BookVertex, texCoord));
   attribute(3, 1, offsetof(BookVertex, skyVisibility));
   attribute(4, 1, offsetof(BookVertex, surfaceId));
 }
 
-/// A point of a strip's middle.
+/// A point of a strip's middle line.
 struct StripVertex {
   BookVertex vertex;
-  Eigen::Vector3f rolledOut;  // In clip space, and 1.
+  Eigen::Vector3f rolledOut;  // x and y in clip space; z is 1.
 };
 
-/// How far along the strip a point of its middle is. [0 to 1]
+/// Returns how far along the strip a point of its middle line is. [0 to 1]
 float shareOf(const BookStrip& strip, const BookVertex& vertex) {
   const Eigen::Vector3f start = strip.middle.front().position;
-  const Eigen::Vector3f way = strip.middle.back().position - start;
-  return (vertex.position - start).dot(way) / way.squaredNorm();
+  const Eigen::Vector3f line = strip.middle.back().position - start;
+  return (vertex.position - start).dot(line) / line.squaredNorm();
 }
 
-/// The strip as a row of the picture of strips, from its left side. Of points that are closer than
-/// a pixel only the outer ones are taken: a line within a pixel says nothing of its middle.
+/// Returns the strip as a row, from the left, of the picture of strips. Of points closer together
+/// than a pixel, it takes the outer ones only: a line within one pixel may miss the pixel's middle.
 std::vector<StripVertex> rollOut(const BookStrip& strip, float y) {
-  constexpr float kStep = 0.025F;  // Of the strip.
+  constexpr float kStep = 0.025F;  // Share of the strip's length.
   std::vector<StripVertex> vertices;
   float before = 0;
   for (std::size_t i = 0; i < strip.middle.size(); ++i) {
@@ -67,10 +67,10 @@ void upload(GLenum target, const GlBuffer& buffer, const std::vector<Element>& e
                GL_STATIC_DRAW);
 }
 
-/// Signed volume at each corner of the map from the unit cube, as a share of the largest. Negative:
-/// inside out.
-Eigen::Array<double, 8, 1> cornerVolumes(const physics::Cage& cage) {
-  Eigen::Array<double, 8, 1> volumes;
+/// Returns the Jacobian determinant of the map from the unit cube at each corner, as a share of the
+/// largest magnitude. Negative: inside out.
+Eigen::Array<double, 8, 1> cornerDeterminants(const physics::Cage& cage) {
+  Eigen::Array<double, 8, 1> determinants;
   for (int i = 0; i < 8; ++i) {
     Eigen::Matrix3d edges;
     for (int axis = 0; axis < 3; ++axis) {
@@ -78,9 +78,9 @@ Eigen::Array<double, 8, 1> cornerVolumes(const physics::Cage& cage) {
       const double sign = (i & (1 << axis)) != 0 ? 1 : -1;
       edges.col(axis) = sign * (cage.col(i) - cage.col(other));
     }
-    volumes[i] = edges.determinant();
+    determinants[i] = edges.determinant();
   }
-  return volumes / std::max(volumes.abs().maxCoeff(), std::numeric_limits<double>::min());
+  return determinants / std::max(determinants.abs().maxCoeff(), std::numeric_limits<double>::min());
 }
 
 }  // namespace
@@ -114,11 +114,11 @@ void BookGeometry::uploadStrips(const std::vector<BookStrip>& strips) {
   describeAttribute(5, 3, sizeof(StripVertex), offsetof(StripVertex, rolledOut));
 }
 
-void BookGeometry::drawStrips(BookPart part, const std::vector<ScreenStrip>& seen) const {
+void BookGeometry::drawStrips(BookPart part, const std::vector<ScreenStrip>& onScreen) const {
   std::vector<GLint> firsts;
   std::vector<GLsizei> counts;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (rows_[i].part != part || !seen[i].narrow) continue;
+    if (rows_[i].part != part || !onScreen[i].narrow) continue;
     firsts.push_back(rows_[i].first);
     counts.push_back(rows_[i].count);
   }
@@ -134,11 +134,11 @@ void BookGeometry::draw(BookPart part) const {
 }
 
 int windingOf(const physics::Cage& cage) {
-  constexpr double kClearlyOneWay = 0.2;
-  const Eigen::Array<double, 8, 1> volumes = cornerVolumes(cage);
-  // Clip y points down, which turns every triangle round.
-  if (volumes.minCoeff() > kClearlyOneWay) return -1;
-  return volumes.maxCoeff() < -kClearlyOneWay ? 1 : 0;
+  constexpr double kClearlyOriented = 0.2;
+  const Eigen::Array<double, 8, 1> determinants = cornerDeterminants(cage);
+  // Clip y points down, which reverses every triangle's winding.
+  if (determinants.minCoeff() > kClearlyOriented) return -1;
+  return determinants.maxCoeff() < -kClearlyOriented ? 1 : 0;
 }
 
 }  // namespace rotatebook::render

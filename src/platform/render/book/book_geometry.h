@@ -1,4 +1,4 @@
-// The book's mesh on the graphics side. Inside the room only.
+// Uploads the book's mesh to OpenGL and draws it. Inside the room only.
 #pragma once
 
 #include <array>
@@ -12,23 +12,24 @@
 
 namespace rotatebook::render {
 
-/// The vertices and triangles of the mesh, uploaded.
+/// A mesh's vertices and triangles in OpenGL buffers.
 class BookGeometry {
  public:
   explicit BookGeometry(const BookMesh& mesh);
 
-  /// Makes its vertices those that draw() draws.
+  /// Binds the vertices for draw().
   void bind() const { glBindVertexArray(array_.name()); }
   /// Draws one part with the program in use.
   void draw(BookPart part) const;
 
-  /// Makes the strips' vertices those that drawStrips() draws.
+  /// Binds the strips' vertices for drawStrips().
   void bindStrips() const { glBindVertexArray(stripArray_.name()); }
-  /// Draws the middles of a part's narrow strips as rows of a picture of all strips.
-  void drawStrips(BookPart part, const std::vector<ScreenStrip>& seen) const;
+  /// Draws the middle lines of a part's narrow strips as rows of a picture of all strips, with the
+  /// program in use. `onScreen`: by strip number.
+  void drawStrips(BookPart part, const std::vector<ScreenStrip>& onScreen) const;
 
  private:
-  /// A strip among the strips' vertices.
+  /// A strip's range of the strips' vertices.
   struct Row {
     BookPart part;
     GLint first;
@@ -40,12 +41,12 @@ class BookGeometry {
   GlVertexArray array_, stripArray_;
   GlBuffer vertices_, indices_, stripVertices_;
   std::vector<Row> rows_;
-  std::array<std::size_t, kBookPartCount + 1> starts_{};  // of each part among the indices
+  std::array<std::size_t, kBookPartCount + 1> starts_{};  // First index of each part, and the end.
 };
 
-/// Which way triangles turn in the picture, from x to y (1) or from y to x (-1), that are to be
-/// drawn, as those that look away from the eye aren't; 0 if all are, because the book is so
-/// deformed that any may be seen.
+/// Returns the winding that front faces have in the picture, 1 from x to y or -1 from y to x; only
+/// they are to be drawn. Returns 0 if the cage is so deformed that any triangle may be visible: all
+/// are to be drawn.
 int windingOf(const physics::Cage& cage);
 
 }  // namespace rotatebook::render

@@ -20,42 +20,42 @@ using Eigen::Vector2f;
 using Eigen::Vector3f;
 
 constexpr BookDimensions kBook;
-constexpr float kRim = 0.004F;  // Texture coordinate from which the insides take the cloth.
-constexpr float kInsideOpenness = 0.32F;     // Where boards and pages meet.
-constexpr float kEdgeOpenness = 0.8F;        // Of the inner side's rim.
-constexpr float kHollow = 3;                 // How much the fore edge curves inward. [mm]
+constexpr float kRim = 0.004F;  // Texture coordinate whose cloth the inner sides show.
+constexpr float kInsideSkyVisibility = 0.32F;  // Where boards and pages meet.
+constexpr float kEdgeSkyVisibility = 0.8F;     // On the inner side's rim.
+constexpr float kHollow = 3;                   // Depth of the fore edge's inward curve. [mm]
 constexpr float kLeavesPerThickness = 0.5F;  // Repeats of the paper texture across the page block.
-constexpr float kLeavesPerHeight = 4;        // And along it.
+constexpr float kLeavesPerHeight = 4;        // Repeats along it, per height of the book.
 constexpr int kRoundingSteps = 3;
 
-/// Kinds of surfaces of a part of the case. Where it is only a pixel or two wide, the rounding
-/// looks like a line of its own colour; the shoulder, from the hinge's groove to the spine, hides
-/// the board beyond the groove, or the board it.
+/// Kinds of surfaces of a part of the case. A rounding only a pixel or two wide looks like a line
+/// with a colour of its own. The shoulder, from the hinge's groove to the spine, can hide the board
+/// beyond the groove, or be hidden by it.
 enum class Kind { Outer, Shoulder, Rounding, Rim, Inner };
 
 constexpr int kCaseParts = 3;
 constexpr int kForeEdge = 16, kFoot = 17, kHead = 18;
 
-/// BookVertex::surfaceId
-int surfaceOf(BookPart part, Kind kind) {
+/// Returns the BookVertex::surfaceId.
+int surfaceIdOf(BookPart part, Kind kind) {
   return 1 + kCaseParts * static_cast<int>(kind) + static_cast<int>(part);
 }
 
-/// A point of a side before it goes into the unit cube.
+/// A point of a side, not yet scaled to the unit cube.
 struct SidePoint {
-  Vector3f place;   // [mm]
-  Vector3f normal;  // of unit length
-  Vector2f texture{0, 0};
+  Vector3f position;  // [mm]
+  Vector3f normal;    // Of unit length.
+  Vector2f texCoord{0, 0};
   float skyVisibility = 1;
   bool againstLeaves = false;
 };
 
-/// Where along y the outer side has its points: the flat part, and the roundings at foot and head,
-/// which lie `inset` inward and lean by `lean` toward the end.
+/// A row of the outer side's points along y: of the flat part, or of a rounding at the foot or the
+/// head.
 struct Station {
   float y;      // [mm]
-  float inset;  // [mm]
-  float lean;   // -1 at the foot to 1 at the head
+  float inset;  // How far inward the points lie. [mm]
+  float lean;   // The normals' component along y, -1 at the foot to 1 at the head.
 };
 
 std::vector<Station> outerStations() {
@@ -78,8 +78,8 @@ std::vector<Station> outerStations() {
   return all;
 }
 
-/// Which strip a square belongs to: none, or that along a row or a column of its grid. Squares
-/// beside that line may be narrower parts of the strip.
+/// The strip that a square belongs to: none, or the one along a row or a column of its grid.
+/// Squares beside that line may be narrower parts of the strip.
 struct GridLine {
   enum class Direction { None, Row, Column } direction = Direction::None;
   int number = 0;
@@ -95,46 +95,50 @@ constexpr GridLine column(int j) {
   return {GridLine::Direction::Column, j};
 }
 
-SidePoint between(const SidePoint& a, const SidePoint& b) {
-  return {(a.place + b.place) / 2, (a.normal + b.normal).normalized(), (a.texture + b.texture) / 2,
-          (a.skyVisibility + b.skyVisibility) / 2};
+SidePoint midpoint(const SidePoint& a, const SidePoint& b) {
+  return {(a.position + b.position) / 2, (a.normal + b.normal).normalized(),
+          (a.texCoord + b.texCoord) / 2, (a.skyVisibility + b.skyVisibility) / 2};
 }
 
-BookVertex vertexOf(const SidePoint& point, int surface) {
+BookVertex vertexOf(const SidePoint& point, int surfaceId) {
   const Vector3f size(kBook.width, kBook.height, kBook.thickness);
-  return {point.place.cwiseQuotient(size), point.normal.cwiseProduct(size).normalized(),
-          point.texture, point.skyVisibility, static_cast<float>(surface)};
+  return {point.position.cwiseQuotient(size), point.normal.cwiseProduct(size).normalized(),
+          point.texCoord, point.skyVisibility, static_cast<float>(surfaceId)};
 }
 
 class MeshBuilder {
  public:
-  /// Adds the grid of points (i, j), i < rows, j < columns, whose outer side is that from which
-  /// turning from the direction of j to that of i is counter-clockwise; `flipped`: the other one.
-  /// `surface` and `line` are of the square whose first point is (i, j).
+  /// Adds the grid of points at(i, j), i < rows, j < columns. Its front face is the one from which
+  /// the turn from the direction of j to that of i is counter-clockwise; `flipped`: the other one.
+  /// surfaceId(i, j) and line(i, j) describe the square whose first point is (i, j).
   void addGrid(BookPart part, int rows, int columns, bool flipped,
                const std::function<SidePoint(int, int)>& at,
-               const std::function<int(int, int)>& surface,
+               const std::function<int(int, int)>& surfaceId,
                const std::function<GridLine(int, int)>& line) {
     std::map<std::array<int, 3>, std::uint32_t> known;
     std::map<GridLine, std::uint8_t> strips{{kNoLine, kNoStrip}};
     for (int i = 0; i + 1 < rows; ++i) {
       for (int j = 0; j + 1 < columns; ++j) {
-        const int number = surface(i, j);
+        // Share the vertices of neighbouring squares of one surface
+        const int id = surfaceId(i, j);
         const auto vertex = [&](int row, int column) {
-          const auto [found, isNew] = known.try_emplace({row, column, number}, nextVertex());
-          if (isNew) addVertex(at(row, column), number);
+          const auto [found, isNew] = known.try_emplace({row, column, id}, nextVertex());
+          if (isNew) addVertex(at(row, column), id);
           return found->second;
         };
         const auto a = vertex(i, j), b = vertex(i, j + 1), c = vertex(i + 1, j);
         const auto d = vertex(i + 1, j + 1);
+
+        // Extend the square's strip, if it lies on the strip's line
         const auto [found, isNew] = strips.try_emplace(line(i, j), nextStrip());
         const std::uint8_t strip = found->second;
         if (isNew) mesh_.strips.push_back({part, 0, true, {}, {}});
         if (line(i, j) == row(i)) {
-          extend(strip, {at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)}, flipped, number);
+          extend(strip, {at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)}, flipped, id);
         } else if (line(i, j) == column(j)) {
-          extend(strip, {at(i, j + 1), at(i, j), at(i + 1, j + 1), at(i + 1, j)}, flipped, number);
+          extend(strip, {at(i, j + 1), at(i, j), at(i + 1, j + 1), at(i + 1, j)}, flipped, id);
         }
+
         addTriangle(part, strip, a, flipped ? c : b, flipped ? b : c);
         addTriangle(part, strip, c, flipped ? d : b, flipped ? b : d);
       }
@@ -146,33 +150,33 @@ class MeshBuilder {
  private:
   std::uint32_t nextVertex() const { return static_cast<std::uint32_t>(mesh_.vertices.size()); }
 
-  void addVertex(const SidePoint& point, int surface) {
-    mesh_.vertices.push_back(vertexOf(point, surface));
+  void addVertex(const SidePoint& point, int surfaceId) {
+    mesh_.vertices.push_back(vertexOf(point, surfaceId));
     againstLeaves_.push_back(point.againstLeaves);
   }
 
   std::uint8_t nextStrip() const { return static_cast<std::uint8_t>(mesh_.strips.size()); }
 
-  /// Adds a square to a strip that ends on its first two corners, if it isn't empty yet, and will
-  /// end on the others.
+  /// Appends a square to a strip that is empty or ends at the square's first two corners; it then
+  /// ends at the other two.
   void extend(std::uint8_t number, const std::array<SidePoint, 4>& corners, bool flipped,
-              int surface) {
+              int surfaceId) {
     BookStrip& strip = mesh_.strips[number];
     for (const std::size_t i : {0, 2}) {
       if (i == 0 && !strip.middle.empty()) continue;
-      const SidePoint middle = between(corners[i], corners[i + 1]);
+      const SidePoint middle = midpoint(corners[i], corners[i + 1]);
       if (i == 2) {
         strip.length +=
-            (middle.place - between(corners[0], corners[1]).place).norm() / kBook.height;
+            (middle.position - midpoint(corners[0], corners[1]).position).norm() / kBook.height;
       }
-      strip.middle.push_back(vertexOf(middle, surface));
+      strip.middle.push_back(vertexOf(middle, surfaceId));
       strip.flat = strip.flat && corners[i].normal == corners[i + 1].normal;
-      strip.sides[flipped ? 1 : 0].push_back(vertexOf(corners[i], surface).position);
-      strip.sides[flipped ? 0 : 1].push_back(vertexOf(corners[i + 1], surface).position);
+      strip.sides[flipped ? 1 : 0].push_back(vertexOf(corners[i], surfaceId).position);
+      strip.sides[flipped ? 0 : 1].push_back(vertexOf(corners[i + 1], surfaceId).position);
     }
   }
 
-  /// A triangle, unless two of its corners are one point, but for rounding.
+  /// Adds a triangle, unless two of its corners coincide but for rounding.
   void addTriangle(BookPart part, std::uint8_t strip, std::uint32_t a, std::uint32_t b,
                    std::uint32_t c) {
     constexpr float kRounding = 1e-6F;
@@ -187,12 +191,12 @@ class MeshBuilder {
   }
 
   BookMesh mesh_;
-  std::vector<bool> againstLeaves_;  // of the vertices
+  std::vector<bool> againstLeaves_;  // By vertex.
 };
 
-/// Where a point of the cut lies on its part's picture, from left to right.
-float textureAcross(BookPart part, const Vector2f& place) {
-  const float u = part == BookPart::Spine ? place.y() / kBook.thickness : place.x() / kBook.width;
+/// Returns the texture coordinate u of a point (x, z) of the cross-section.
+float texCoordU(BookPart part, const Vector2f& point) {
+  const float u = part == BookPart::Spine ? point.y() / kBook.thickness : point.x() / kBook.width;
   return part == BookPart::Back ? 1 - u : u;
 }
 
@@ -205,11 +209,12 @@ std::function<Value(int, int)> always(Value value) {
   return [value](int, int) { return value; };
 }
 
-Vector3f inSpace(const Vector2f& place, float y) {
-  return {place.x(), y, place.y()};
+/// Adds y to a point or vector (x, z) of the cross-section.
+Vector3f inSpace(const Vector2f& xz, float y) {
+  return {xz.x(), y, xz.y()};
 }
 
-/// Of the square of the outer side from these points of the profile and stations to the next.
+/// Returns the kind of the outer side's square between two profile points and two stations.
 Kind outerKind(const ProfilePoint& point, const ProfilePoint& next, const Station& station,
                const Station& following) {
   if (station.lean != following.lean) return Kind::Rounding;
@@ -228,15 +233,15 @@ void addOuterSide(MeshBuilder& builder, BookPart part, const std::vector<Profile
       part, sizeOf(profile), static_cast<int>(stations.size()), false,
       [&](int i, int j) -> SidePoint {
         const float lean = station(j).lean;
-        const Vector2f place =
+        const Vector2f xz =
             point(i).outside - (point(i).sharp ? 0 : station(j).inset) * point(i).normal;
-        return {inSpace(place, station(j).y),
+        return {inSpace(xz, station(j).y),
                 inSpace(std::sqrt(1 - lean * lean) * point(i).normal, lean),
-                {textureAcross(part, point(i).outside), station(j).y / kBook.height},
+                {texCoordU(part, point(i).outside), station(j).y / kBook.height},
                 point(i).skyVisibility};
       },
       [&](int i, int j) {
-        return surfaceOf(part, outerKind(point(i), point(i + 1), station(j), station(j + 1)));
+        return surfaceIdOf(part, outerKind(point(i), point(i + 1), station(j), station(j + 1)));
       },
       [&](int i, int j) {
         if (station(j).lean != station(j + 1).lean) return column(j);
@@ -246,7 +251,7 @@ void addOuterSide(MeshBuilder& builder, BookPart part, const std::vector<Profile
       });
 }
 
-/// The narrow side at the foot or the head, between the outer and the inner side.
+/// Adds the narrow side at the foot or the head, between the outer and the inner side.
 void addEnd(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile,
             bool head) {
   const float y = head ? kBook.height : 0;
@@ -258,12 +263,12 @@ void addEnd(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>
             point.outside - (point.sharp ? 0 : kBook.edgeRadius) * point.normal;
         return {inSpace(j == 1 ? rounded : point.inside, y),
                 {0, head ? 1.0F : -1.0F, 0},
-                {textureAcross(part, point.outside), head ? 1 - kRim : kRim}};
+                {texCoordU(part, point.outside), head ? 1 - kRim : kRim}};
       },
-      always(surfaceOf(part, Kind::Rim)), always(column(0)));
+      always(surfaceIdOf(part, Kind::Rim)), always(column(0)));
 }
 
-/// The inner side, of which the rim beyond the leaves is seen.
+/// Adds the inner side, of which the rim beyond the leaves is visible.
 void addInnerSide(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile) {
   const std::vector<Station> stations = outerStations();
   const float leaves = kBook.width - kBook.foreEdgeInset;
@@ -279,12 +284,12 @@ void addInnerSide(MeshBuilder& builder, BookPart part, const std::vector<Profile
         return {inSpace(point.inside, y),
                 spine ? Vector3f(1, 0, 0) : Vector3f(0, 0, sign),
                 {0.5F, kRim},
-                atRim ? kEdgeOpenness : kInsideOpenness,
+                atRim ? kEdgeSkyVisibility : kInsideSkyVisibility,
                 !atRim};
       },
-      always(surfaceOf(part, Kind::Inner)),
+      always(surfaceIdOf(part, Kind::Inner)),
       [&](int i, int j) {
-        // Between the edge and the leaves, all but one of the squares are those of the rounding.
+        // Between the edge and the leaves, all squares but one repeat the rounding's stations.
         const int last = static_cast<int>(stations.size()) - 2;
         if (j <= kRoundingSteps) return column(kRoundingSteps);
         if (j >= last - kRoundingSteps) return column(last - kRoundingSteps);
@@ -301,20 +306,21 @@ void addCase(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint
   addEnd(builder, part, profile, true);
 }
 
-// Shares of the page block's thickness; next to the boards it is dark.
+// Grid lines across the page block, as shares of its thickness; it is dark next to the boards.
 constexpr std::array kAcrossLeaves = {0.0F, 0.04F, 0.12F, 0.3F, 0.5F, 0.7F, 0.88F, 0.96F, 1.0F};
 
 float skyVisibilityAcross(std::size_t i) {
   const std::size_t fromEnd = std::min(i, kAcrossLeaves.size() - 1 - i);
-  if (fromEnd == 0) return kInsideOpenness;
+  if (fromEnd == 0) return kInsideSkyVisibility;
   return fromEnd == 1 ? 0.7F : 1;
 }
 
-float acrossPlace(std::size_t i) {
+/// Returns z of a grid line across the page block. [mm]
+float acrossLeaves(std::size_t i) {
   return kBook.board + kAcrossLeaves[i] * (kBook.thickness - 2 * kBook.board);
 }
 
-/// Where the leaves end at this share of the thickness. [mm]
+/// Returns the x where the leaves end at this share of their thickness. [mm]
 float foreEdge(float share) {
   const float fromMiddle = 2 * share - 1;
   return kBook.width - kBook.foreEdgeInset - kHollow * (1 - fromMiddle * fromMiddle);
@@ -330,7 +336,7 @@ void addForeEdge(MeshBuilder& builder) {
         const float share = kAcrossLeaves[i], along = kAlong[static_cast<std::size_t>(column)];
         const float slope = 4 * kHollow * (2 * share - 1) / (kBook.thickness - 2 * kBook.board);
         const float y = kBook.headInset + along * (kBook.height - 2 * kBook.headInset);
-        return {{foreEdge(share), y, acrossPlace(i)},
+        return {{foreEdge(share), y, acrossLeaves(i)},
                 Vector3f(1, 0, -slope).normalized(),
                 {kLeavesPerHeight * along, kLeavesPerThickness * share},
                 skyVisibilityAcross(i)};
@@ -338,7 +344,7 @@ void addForeEdge(MeshBuilder& builder) {
       always(kForeEdge), [](int i, int) { return row(i); });
 }
 
-/// The leaves at the foot or the head, from within the spine to the fore edge.
+/// Adds the leaves' ends at the foot or the head, from the spine's inner side to the fore edge.
 void addLeafEnds(MeshBuilder& builder, bool head) {
   constexpr std::array kAlong = {0.0F, 0.05F, 0.3F, 0.6F, 0.97F, 1.0F};
   const float y = head ? kBook.height - kBook.headInset : kBook.headInset;
@@ -349,8 +355,8 @@ void addLeafEnds(MeshBuilder& builder, bool head) {
         const auto i = static_cast<std::size_t>(column);
         const float along = kAlong[static_cast<std::size_t>(row)];
         const float x = kBook.board + along * (foreEdge(kAcrossLeaves[i]) - kBook.board);
-        const float nearSpine = row == 0 ? kInsideOpenness : 1;
-        return {{x, y, acrossPlace(i)},
+        const float nearSpine = row == 0 ? kInsideSkyVisibility : 1;
+        return {{x, y, acrossLeaves(i)},
                 {0, head ? 1.0F : -1.0F, 0},
                 {kLeavesPerHeight * along * kBook.width / kBook.height,
                  kLeavesPerThickness * kAcrossLeaves[i]},
@@ -361,15 +367,15 @@ void addLeafEnds(MeshBuilder& builder, bool head) {
 
 }  // namespace
 
-Eigen::Matrix<double, 8, 1> sharesOfCorners(const Eigen::Vector3f& place) {
-  Eigen::Matrix<double, 8, 1> shares;
+Eigen::Matrix<double, 8, 1> trilinearWeights(const Eigen::Vector3f& unitPosition) {
+  Eigen::Matrix<double, 8, 1> weights;
   for (int i = 0; i < 8; ++i) {
-    shares[i] = 1;
+    weights[i] = 1;
     for (int axis = 0; axis < 3; ++axis) {
-      shares[i] *= (i & (1 << axis)) != 0 ? place[axis] : 1 - place[axis];
+      weights[i] *= (i & (1 << axis)) != 0 ? unitPosition[axis] : 1 - unitPosition[axis];
     }
   }
-  return shares;
+  return weights;
 }
 
 BookMesh makeBookMesh() {

@@ -9,29 +9,30 @@ namespace {
 
 using Eigen::Vector2f;
 
-// Over the spine's 50 mm this rounds it by 3 mm, all of it within the corners.
-constexpr float kSpineRadius = 100;      // [mm]
-constexpr float kShoulderRadius = 2;     // Where boards pass into the spine. [mm]
-constexpr float kHingeHalfWidth = 2.6F;  // [mm]
-constexpr float kHingeDepth = 1.4F;      // [mm]
-constexpr float kHingeOpenness = 0.55F;  // At the groove's ground.
+// Rounds the 50 mm wide spine by 3 mm, within the cage.
+constexpr float kSpineRadius = 100;           // [mm]
+constexpr float kShoulderRadius = 2;          // Between boards and spine. [mm]
+constexpr float kHingeHalfWidth = 2.6F;       // [mm]
+constexpr float kHingeDepth = 1.4F;           // [mm]
+constexpr float kHingeSkyVisibility = 0.55F;  // At the groove's bottom.
 constexpr int kHingeSteps = 8, kArcSteps = 3, kSpineSteps = 10, kBoardSteps = 5;
 constexpr float kPi = std::numbers::pi_v<float>;
 
-/// The shoulder's centre: its arc touches the board's plane and the spine's arc.
+/// Returns the centre of the shoulder's arc, which is tangent to the board's plane and the spine's
+/// arc.
 Vector2f shoulderCentre(const BookDimensions& book) {
   const float z = book.thickness - kShoulderRadius, up = z - book.thickness / 2;
   const float reach = kSpineRadius - kShoulderRadius;
   return {kSpineRadius - std::sqrt(reach * reach - up * up), z};
 }
 
-/// How far the spine has turned from its middle to the shoulder. [rad]
+/// Returns the angle of the spine's arc from its middle to the shoulder. [rad]
 float spineHalfAngle(const BookDimensions& book) {
   const Vector2f centre = shoulderCentre(book);
   return std::atan2(centre.y() - book.thickness / 2, kSpineRadius - centre.x());
 }
 
-/// The inner side is flat up to where the spine's begins.
+/// Returns a point of the spine's inner side, clamped to the boards' flat inner sides.
 Vector2f spineInside(const BookDimensions& book, float angle) {
   const float reach = kSpineRadius - book.board;
   const float z = book.thickness / 2 + reach * std::sin(angle);
@@ -39,7 +40,7 @@ Vector2f spineInside(const BookDimensions& book, float angle) {
           std::clamp(z, book.board, book.thickness - book.board)};
 }
 
-/// The board's rim and its rounded outer edge; the points across lie on the inner side.
+/// Adds the board's rim and its rounded outer edge; the opposite points lie on the inner side.
 void addForeEdge(const BookDimensions& book, std::vector<ProfilePoint>& points) {
   const float inner = book.thickness - book.board, r = book.edgeRadius;
   const Vector2f corner(book.width, inner), centre(book.width - r, book.thickness - r);
@@ -66,13 +67,13 @@ void addHinge(const BookDimensions& book, std::vector<ProfilePoint>& points) {
     const float t = 1 - 2 * static_cast<float>(i) / kHingeSteps;
     const float depth = kHingeDepth * (0.5F + 0.5F * std::cos(kPi * t));
     const float slope = kHingeDepth * 0.5F * kPi / kHingeHalfWidth * std::sin(kPi * t);
-    // The way left to the inner spine is shared by the shoulder.
-    const float left = 0.55F + 0.45F * t;
-    const float across = end.x() + left * (book.hinge + kHingeHalfWidth - end.x());
+    // The shoulder's inner points take the rest of the distance to the inner spine.
+    const float rest = 0.55F + 0.45F * t;
+    const float across = end.x() + rest * (book.hinge + kHingeHalfWidth - end.x());
     points.push_back({{book.hinge + kHingeHalfWidth * t, book.thickness - depth},
                       {across, book.thickness - book.board},
                       Vector2f(-slope, 1).normalized(),
-                      1 - (1 - kHingeOpenness) * depth / kHingeDepth});
+                      1 - (1 - kHingeSkyVisibility) * depth / kHingeDepth});
   }
 }
 

@@ -1,4 +1,4 @@
-// The case of the book, boards and spine, cut across. Inside the room only.
+// The cross-section of the book's case: boards and spine. Inside the room only.
 #pragma once
 
 #include <vector>
@@ -7,30 +7,31 @@
 
 namespace rotatebook::render {
 
-/// The book that the mesh is drawn after, in the proportions of physics::Cuboid's default: x from
-/// the spine to the fore edge, y from foot to head, z from back to front. [mm]
+/// Dimensions of the book that the mesh models, in the proportions of physics::Cuboid's default. x
+/// runs from the spine to the fore edge, y from foot to head, z from back to front. [mm]
 struct BookDimensions {
   float width = 187.8F, height = 290.85F, thickness = 50;
   float board = 3;                            ///< Thickness of boards and spine.
-  float edgeRadius = 0.8F;                    ///< Of the rounding where sides meet.
-  float hinge = 7.6F;                         ///< Middle of its groove, from the spine.
+  float edgeRadius = 0.8F;                    ///< Radius of the rounding where sides meet.
+  float hinge = 7.6F;                         ///< Distance of the groove's middle from the spine.
   float foreEdgeInset = 3.5F, headInset = 4;  ///< How far the boards overlap the leaves.
 };
 
-/// A point of the cut: x and z. [mm]
+/// A point of the cross-section, as x and z. [mm]
 struct ProfilePoint {
   Eigen::Vector2f outside{0, 0};  ///< On the cover's outer side.
-  Eigen::Vector2f inside{0, 0};   ///< Across from it on the inner side.
+  Eigen::Vector2f inside{0, 0};   ///< Opposite it on the inner side.
   Eigen::Vector2f normal{0, 0};   ///< Outward, of unit length.
-  float skyVisibility = 1;        ///< Share of the surroundings that the outer side sees. [0 to 1]
-  bool sharp = false;             ///< Where the outer and the inner side meet, not rounded.
+  float skyVisibility = 1;  ///< Share of the surroundings visible from the outer side. [0 to 1]
+  bool sharp = false;       ///< True where the outer and inner side meet unrounded.
 };
 
-/// The outer side from the front board's fore edge over the hinge to where the spine begins.
+/// Returns the outer side from the front board's fore edge over the hinge to where the spine
+/// begins.
 std::vector<ProfilePoint> frontProfile(const BookDimensions& book);
-/// The rounded spine, from the front to the back.
+/// Returns the rounded spine, from the front to the back.
 std::vector<ProfilePoint> spineProfile(const BookDimensions& book);
-/// frontProfile() mirrored, from the spine to the back board's fore edge.
+/// Returns frontProfile() mirrored, from the spine to the back board's fore edge.
 std::vector<ProfilePoint> backProfile(const BookDimensions& book);
 
 }  // namespace rotatebook::render

@@ -1,5 +1,4 @@
-// Where frames are drawn, and from where they are read back a rectangle at a time. Inside the room
-// only.
+// A frame buffer to draw frames in and read them back from, by rectangles. Inside the room only.
 #pragma once
 
 #include <span>
@@ -10,17 +9,18 @@
 
 namespace rotatebook::render {
 
-/// An off-screen sRGB frame buffer whose first row is the picture's top (see Projection).
+/// An off-screen sRGB frame buffer. Its first row is the picture's top (see Projection).
 class FrameTarget {
  public:
-  /// Throws InputError if the size is over the driver's limit. [pixels]
+  /// Throws InputError if the size is over the driver's limit, and MachineError if OpenGL refuses
+  /// the frame buffer. [pixels]
   FrameTarget(int width, int height);
 
-  /// Directs drawing to `area`, where it clears colour, alpha and depth.
+  /// Binds the frame buffer, restricts drawing to `area` and clears its colour, alpha and depth.
   void begin(const PixelRect& area) const;
-  /// Copies `areas` to the same places of `picture` (Rgba8, of the width and height given).
+  /// Copies `areas` to the same positions in `picture` (Rgba8, of the frame buffer's size).
   void readBack(std::span<const PixelRect> areas, image::Image& picture) const;
-  /// Of one pixel, 0 to 255.
+  /// Returns the alpha of one pixel, 0 to 255.
   int alphaAt(int x, int y) const;
 
  private:

@@ -7,8 +7,8 @@
 
 namespace rotatebook::render {
 
-/// Owns one GL object name; the moved-from state (name 0) is the only empty one. Made and destroyed
-/// with its context current. `Functions` has static create() and destroy(name).
+/// Owns one GL object name; the moved-from state (name 0) is the only empty one. Construct and
+/// destroy it with its context current. `Functions` has static create() and destroy(name).
 template <typename Functions>
 class GlHandle {
  public:
@@ -30,7 +30,7 @@ class GlHandle {
 
 namespace gl_functions {
 
-/// glGenX and glDeleteX for an object type X.
+/// Wraps glGenX and glDeleteX for an object type X.
 #define ROTATEBOOK_GL_FUNCTIONS(Type, generate, remove)    \
   struct Type {                                            \
     static GLuint create() {                               \

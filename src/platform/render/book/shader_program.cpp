@@ -32,7 +32,7 @@ void attach(GLuint program, GLenum type, const std::string& name, const ShaderSo
   glShaderSource(shader, static_cast<GLsizei>(texts.size()), texts.data(), lengths.data());
   glCompileShader(shader);
   glAttachShader(program, shader);
-  glDeleteShader(shader);  // Lives on as long as the program.
+  glDeleteShader(shader);  // It lives as long as the program.
   GLint compiled = 0;
   glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
   if (compiled == GL_FALSE) {

@@ -1,4 +1,4 @@
-// Vertex and fragment shaders, linked. Inside the room only.
+// Compiles and links vertex and fragment shaders. Inside the room only.
 #pragma once
 
 #include <initializer_list>
@@ -12,7 +12,7 @@
 
 namespace rotatebook::render {
 
-/// The source of one shader: a text, or several, of which each continues the one before.
+/// The source of one shader: one text, or several that are compiled as one, in this order.
 struct ShaderSource {
   ShaderSource(std::string_view text) : texts{text} {}
   ShaderSource(const char* text) : texts{text} {}
@@ -25,18 +25,18 @@ struct ShaderSource {
 class ShaderProgram {
  public:
   /// `name` is for messages; one of the fragment shaders has main(). Throws MachineError with the
-  /// compiler's or linker's words.
+  /// compiler's or linker's log.
   ShaderProgram(const std::string& name, const ShaderSource& vertexSource,
                 std::initializer_list<ShaderSource> fragmentSources);
 
   void use() const { glUseProgram(program_.name()); }
 
-  /// Sets a uniform of the program in use; one that the compiler optimised away is passed over.
+  /// Sets a uniform of the program in use; ignores one that the compiler optimised away.
   void set(const char* uniform, int value) const;
   void set(const char* uniform, const Eigen::Vector2f& value) const;
   void set(const char* uniform, const Eigen::Vector3f& value) const;
   void set(const char* uniform, const Eigen::Matrix4f& value) const;
-  /// A vec3 array of eight.
+  /// Sets an array of eight vec3.
   void set(const char* uniform, const Eigen::Matrix<float, 3, 8>& values) const;
 
  private:

@@ -11,26 +11,26 @@
 namespace rotatebook::render {
 namespace {
 
-constexpr float kSharpness =
-    -0.5F;  // Mipmap bias: a tilted title stays readable, a turning one doesn't shimmer.
+// Mipmap level bias: a tilted title stays readable, and a turning one doesn't shimmer.
+constexpr float kSharpness = -0.5F;
 
 void refuseOversize(image::ImageView picture) {
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   if (picture.width <= largest && picture.height <= largest) return;
   throw InputError("a texture of " + sizeText(picture.width, picture.height) +
-                   " pixels is too large: this renderer takes " + std::to_string(largest) +
+                   " pixels is too large: this renderer takes up to " + std::to_string(largest) +
                    " a side");
 }
 
-// GL's first row is the lowest; ours is the highest.
-image::Image upsideDown(image::ImageView picture) {
-  image::Image turned(picture.width, picture.height, picture.format);
+// OpenGL's first row is the lowest; ours is the highest.
+image::Image flippedVertically(image::ImageView picture) {
+  image::Image flipped(picture.width, picture.height, picture.format);
   for (int y = 0; y < picture.height; ++y) {
-    std::memcpy(turned.row(picture.height - 1 - y), picture.row(y),
-                static_cast<std::size_t>(turned.stride()));
+    std::memcpy(flipped.row(picture.height - 1 - y), picture.row(y),
+                static_cast<std::size_t>(flipped.stride()));
   }
-  return turned;
+  return flipped;
 }
 
 void upload(int level, const image::Image& picture) {
@@ -54,9 +54,10 @@ Texture::Texture(image::ImageView picture, TextureWrap wrap) {
   refuseOversize(picture);
   bind();
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  image::Image level = upsideDown(picture);
+  image::Image level = flippedVertically(picture);
   upload(0, level);
-  // Made here: by the driver it takes a third of a render's start, and comes out as it pleases.
+  // Compute the mipmaps here: by the driver they take a third of a render's start, and differ
+  // between drivers
   for (int i = 1; level.width() > 1 || level.height() > 1; ++i) {
     level = image::downsampledOpaque(level.view());
     upload(i, level);

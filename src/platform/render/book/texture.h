@@ -1,4 +1,4 @@
-// Pictures on the graphics side. Inside the room only.
+// Uploads pictures as OpenGL textures. Inside the room only.
 #pragma once
 
 #include "image/image.h"

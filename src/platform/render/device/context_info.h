@@ -1,14 +1,14 @@
-// What an OpenGL context is of. Inside the room only.
+// Facts about an OpenGL context. Inside the room only.
 #pragma once
 
 #include <string>
 
 namespace rotatebook::render {
 
-/// What an OpenGL context reports of itself.
+/// Facts that an OpenGL context reports about itself.
 struct ContextInfo {
   std::string vendor, renderer;
-  std::string version;  ///< Of OpenGL: "4.5"
+  std::string version;  ///< OpenGL's, such as "4.5".
   int samples = 0;      ///< GL_MAX_SAMPLES
 };
 

@@ -10,7 +10,8 @@
 namespace rotatebook::render {
 namespace {
 
-/// Whether `choice` allows to try `candidate`. Only a device tells beforehand that it is software.
+/// Returns whether `choice` allows trying `candidate`. Only a device reports in advance that it is
+/// software.
 bool isAllowed(const DisplayCandidate& candidate, const DeviceChoice& choice) {
   switch (choice.kind) {
     case DeviceChoice::Kind::Index:
@@ -29,7 +30,7 @@ bool isAllowed(const DisplayCandidate& candidate, const DeviceChoice& choice) {
   return true;
 }
 
-std::string wordsOf(const DeviceChoice& choice) {
+std::string textOf(const DeviceChoice& choice) {
   const std::string number = std::to_string(choice.number);
   switch (choice.kind) {
     case DeviceChoice::Kind::Index:
@@ -58,88 +59,88 @@ std::string devicesFailure(const DisplayCandidates& list) {
 }
 
 [[noreturn]] void refuseMissing(const DisplayCandidates& list, const DeviceChoice& choice) {
-  const std::string message = "can't draw: there is no " + wordsOf(choice);
+  const std::string message = "can't draw: there is no " + textOf(choice);
   if (list.hasDevices()) throw InputError(message + devicesText(list));
   throw MachineError(message + ":" + devicesFailure(list) + kAskDoctor);
 }
 
-/// `said` is a line for each candidate that was tried.
+/// `rejections`: a line for each candidate that was tried.
 [[noreturn]] void refuseAll(const DisplayCandidates& list, const DeviceChoice& choice,
-                            const std::string& said) {
-  std::string message = "can't draw: no " + wordsOf(choice);
+                            const std::string& rejections) {
+  std::string message = "can't draw: no " + textOf(choice);
   if (choice.requireHardware)
-    message += " is hardware that draws, which is required:";
+    message += " draws in hardware, which is required:";
   else
     message += " gives an OpenGL 3.3 core context:";
   if (choice.kind == DeviceChoice::Kind::Any) message += devicesFailure(list);
-  message += said;
-  const bool one =
+  message += rejections;
+  const bool isOneDevice =
       choice.kind == DeviceChoice::Kind::Index || choice.kind == DeviceChoice::Kind::Cuda;
-  if (one)
+  if (isOneDevice)
     message += devicesText(list);
   else if (!choice.requireHardware)
     message += std::string("\n") + kInstallMesa;
   throw MachineError(message + kAskDoctor);
 }
 
-std::string fallWarning(const std::string& renderer, const DisplayCandidates& list,
-                        const std::string& hardwareFailure) {
+std::string fallbackWarning(const std::string& renderer, const DisplayCandidates& list,
+                            const std::string& hardwareFailure) {
   std::string reason = hardwareFailure;
   if (reason.empty() && !list.unlistedCard.empty())
     reason = "EGL doesn't list " + list.unlistedCard;
   if (reason.empty()) return "";
   return "software draws (" + renderer + ") in place of hardware: " + reason +
-         "; 'rotatebook doctor' tells what to do";
+         "; run 'rotatebook doctor' for the remedy";
 }
 
-/// Tries one candidate after the other and keeps what they said.
+/// Tries candidates one after the other and keeps the reasons why they were rejected.
 class DisplaySelection {
  public:
   DisplaySelection(const DisplayCandidates& list, const DeviceChoice& choice)
       : list_(list), choice_(choice) {}
 
-  /// Whether `candidate` will do.
-  bool takes(const DisplayCandidate& candidate, const std::function<Attempt()>& attempt) {
-    if (choice_.requireHardware && candidate.software) return say(candidate, "software");
+  /// Tries `candidate` with attempt() and returns whether it satisfies the choice.
+  bool accepts(const DisplayCandidate& candidate, const std::function<Attempt()>& attempt) {
+    if (choice_.requireHardware && candidate.software) return reject(candidate, "software");
     const Attempt tried = attempt();
     if (tried.failure) {
-      if (candidate.isHardware() && failed_.empty())
-        failed_ = candidate.text() + ": " + tried.failure->text();
-      return say(candidate, tried.failure->text());
+      if (candidate.isHardware() && hardwareFailure_.empty())
+        hardwareFailure_ = candidate.text() + ": " + tried.failure->text();
+      return reject(candidate, tried.failure->text());
     }
     const bool software = candidate.software || isSoftwareRenderer(tried.renderer);
-    if (choice_.requireHardware && software) return say(candidate, tried.renderer + ", software");
+    if (choice_.requireHardware && software)
+      return reject(candidate, tried.renderer + ", software");
     if (choice_.kind == DeviceChoice::Kind::Software && !software) {
-      return say(candidate, tried.renderer + ", hardware");
+      return reject(candidate, tried.renderer + ", hardware");
     }
     if (software && choice_.kind == DeviceChoice::Kind::Any) {
-      warning_ = fallWarning(tried.renderer, list_, failed_);
+      warning_ = fallbackWarning(tried.renderer, list_, hardwareFailure_);
     }
     return true;
   }
 
-  const std::string& said() const { return said_; }
+  const std::string& rejections() const { return rejections_; }
   const std::string& warning() const { return warning_; }
 
  private:
-  bool say(const DisplayCandidate& candidate, const std::string& what) {
-    said_ += "\n  " + candidate.text() + ": " + what;
+  bool reject(const DisplayCandidate& candidate, const std::string& reason) {
+    rejections_ += "\n  " + candidate.text() + ": " + reason;
     return false;
   }
 
   const DisplayCandidates& list_;
   const DeviceChoice& choice_;
-  std::string said_, failed_, warning_;
+  std::string rejections_, hardwareFailure_, warning_;
 };
 
 }  // namespace
 
 const char* const kInstallMesa =
     "Install Mesa's software rasteriser (Debian, Ubuntu: apt-get install libegl1 libegl-mesa0 "
-    "libgl1-mesa-dri libopengl0), or for a graphics card its driver's EGL library, and see that "
-    "you may read "
-    "/dev/dri/renderD*.";
-const char* const kAskDoctor = "\nRun 'rotatebook doctor' for the cause and what to do.";
+    "libgl1-mesa-dri libopengl0), or for a graphics card its driver's EGL library, and make "
+    "sure that you may read /dev/dri/renderD*.";
+const char* const kAskDoctor = "\nRun 'rotatebook doctor' for the cause and the remedy.";
 
 std::string DisplayCandidate::name() const {
   if (kind == Kind::Device) return "EGL device " + std::to_string(index);
@@ -160,15 +161,17 @@ bool DisplayCandidates::hasDevices() const {
 
 ChosenDisplay chooseDisplay(const DisplayCandidates& list, const DeviceChoice& choice,
                             const std::function<Attempt(std::size_t candidate)>& attempt) {
-  DisplaySelection trial(list, choice);
-  bool any = false;
+  DisplaySelection selection(list, choice);
+  bool anyAllowed = false;
   for (std::size_t i = 0; i < list.candidates.size(); ++i) {
     if (!isAllowed(list.candidates[i], choice)) continue;
-    any = true;
-    if (trial.takes(list.candidates[i], [&] { return attempt(i); })) return {i, trial.warning()};
+    anyAllowed = true;
+    if (selection.accepts(list.candidates[i], [&] { return attempt(i); })) {
+      return {i, selection.warning()};
+    }
   }
-  if (!any) refuseMissing(list, choice);
-  refuseAll(list, choice, trial.said());
+  if (!anyAllowed) refuseMissing(list, choice);
+  refuseAll(list, choice, selection.rejections());
 }
 
 bool isSoftwareRenderer(std::string_view renderer) {

@@ -1,4 +1,4 @@
-// Candidates to a renderer, opened one by one: for reports, not for drawing.
+// Opens the display candidates one by one, for reports and not for drawing.
 #pragma once
 
 #include <cstddef>
@@ -10,18 +10,18 @@
 
 namespace rotatebook::render {
 
-/// The candidates that EGL offers, in the order in which a render tries them.
+/// The display candidates that EGL offers, in the order in which a render tries them.
 class DisplayProbe {
  public:
-  /// Lists them; missingLibrary() must be nothing.
+  /// Lists the candidates; missingLibrary() must return nothing.
   DisplayProbe();
   DisplayProbe(const DisplayProbe&) = delete;
   DisplayProbe& operator=(const DisplayProbe&) = delete;
   ~DisplayProbe();
 
   const DisplayCandidates& list() const;
-  /// Makes an OpenGL context on candidate `index` of the list and ends it again. Nothing, and why
-  /// in `failure`, if there is none. A driver may end the process, or never come back.
+  /// Creates an OpenGL context on candidate `index` of the list and destroys it again. Returns
+  /// nothing, and the reason in `failure`, if that fails. A driver may end the process or hang.
   std::optional<ContextInfo> open(std::size_t index, CallFailure& failure) const;
 
  private:

@@ -16,7 +16,7 @@ namespace {
 constexpr EGLint kDrmRenderNode = 0x3377;  // EGL_DRM_RENDER_NODE_FILE_EXT; libepoxy 1.5 lacks it.
 constexpr const char* kNvidiaCard = "/dev/nvidia0";
 
-/// Whether a list of EGL's, divided by spaces, has `word`.
+/// Returns whether an extension list of EGL's, separated by spaces, contains `word`.
 bool hasWord(std::string_view list, std::string_view word) {
   const auto isSpace = [&](std::size_t at) { return at >= list.size() || list[at] == ' '; };
   for (auto at = list.find(word); at != list.npos; at = list.find(word, at + 1)) {
@@ -61,7 +61,7 @@ void addDevices(EglDisplays& candidates) {
   }
   std::array<EGLDeviceEXT, 32> devices;
   EGLint count = 0;
-  // Fails with EGL_BAD_ALLOC where a vendor's library is installed without its card.
+  // Fails with EGL_BAD_ALLOC if a vendor's library is installed without its card.
   if (!eglQueryDevicesEXT(static_cast<EGLint>(devices.size()), devices.data(), &count)) {
     candidates.list.failure = {"eglQueryDevicesEXT", takeEglError()};
     return;

@@ -1,4 +1,4 @@
-// The candidates to a display that EGL offers. Inside the room only.
+// Lists the display candidates that EGL offers. Inside the room only.
 #pragma once
 
 #include <functional>
@@ -11,18 +11,19 @@
 
 namespace rotatebook::render {
 
-/// How a candidate is opened.
+/// A function that opens a candidate.
 struct Opener {
-  const char* call;  ///< The function of EGL's that does it, for messages.
+  const char* call;  ///< EGL's function that it calls, for messages.
   std::function<EGLDisplay()> open;
 };
 
+/// The candidates, with the means to open them.
 struct EglDisplays {
   DisplayCandidates list;
-  std::vector<Opener> openers;  ///< One for each of the list's candidates.
+  std::vector<Opener> openers;  ///< One per candidate of the list.
 };
 
-/// Every EGL device, then Mesa's surfaceless platform, then the default display.
+/// Lists every EGL device, then Mesa's surfaceless platform, then the default display.
 EglDisplays listDisplays();
 
 }  // namespace rotatebook::render

@@ -1,11 +1,11 @@
-// EGL's error codes by name. Inside the room only.
+// Names EGL's error codes. Inside the room only.
 #pragma once
 
 #include <string>
 
 namespace rotatebook::render {
 
-/// Name of the last EGL error of this thread, e.g. "EGL_NOT_INITIALIZED"; clears it.
+/// Returns the name of this thread's last EGL error, e.g. "EGL_NOT_INITIALIZED", and clears it.
 std::string takeEglError();
 
 }  // namespace rotatebook::render

@@ -11,7 +11,8 @@
 namespace rotatebook::render {
 namespace {
 
-/// Nothing but the reason in `failure` if this display has no context for us.
+/// Creates a context and makes it current. Returns EGL_NO_CONTEXT, and the reason in `failure`, if
+/// that fails.
 EGLContext makeCurrentContext(EGLDisplay display, CallFailure& failure) {
   for (const char* extension : {"EGL_KHR_no_config_context", "EGL_KHR_surfaceless_context"}) {
     if (epoxy_has_egl_extension(display, extension)) continue;
@@ -40,21 +41,21 @@ EGLContext makeCurrentContext(EGLDisplay display, CallFailure& failure) {
   return context;
 }
 
-/// How many contexts each display has. EGL doesn't count: whoever ends a display takes the contexts
-/// of all threads from it.
+/// Counts each display's contexts. EGL doesn't: terminating a display ends the contexts of all
+/// threads on it.
 class DisplayUsers {
  public:
   void add(EGLDisplay display) { ++counts_[display]; }
-  /// Ends the display if nobody uses it.
-  void endUnused(EGLDisplay display) {
+  /// Terminates the display if it has no contexts.
+  void terminateUnused(EGLDisplay display) {
     if (counts_[display] == 0) eglTerminate(display);
   }
   void remove(EGLDisplay display) {
     --counts_[display];
-    endUnused(display);
+    terminateUnused(display);
   }
 
-  std::mutex mutex;  // Held while a display begins, gives a context and ends.
+  std::mutex mutex;  // Held while a display is initialised, creates a context or is terminated.
 
  private:
   std::map<EGLDisplay, int> counts_;
@@ -96,7 +97,7 @@ std::unique_ptr<OpenContext> OpenContext::open(const Opener& opener, CallFailure
     displayUsers().add(display);
     return std::unique_ptr<OpenContext>(new OpenContext(display, context));
   }
-  displayUsers().endUnused(display);
+  displayUsers().terminateUnused(display);
   return nullptr;
 }
 

@@ -1,4 +1,4 @@
-// A candidate's display and an OpenGL context on it. Inside the room only.
+// Opens a candidate's display and creates an OpenGL context on it. Inside the room only.
 #pragma once
 
 #include <memory>
@@ -11,10 +11,10 @@
 
 namespace rotatebook::render {
 
-/// A core OpenGL 3.3+ context, current on the thread that made it until it is destroyed there.
+/// A core OpenGL 3.3+ context, current on the thread that created it; destroy it there.
 class OpenContext {
  public:
-  /// Null, and why in `failure`, if there is none.
+  /// Opens a candidate. Returns null, and the reason in `failure`, if that fails.
   static std::unique_ptr<OpenContext> open(const Opener& opener, CallFailure& failure);
   OpenContext(const OpenContext&) = delete;
   OpenContext& operator=(const OpenContext&) = delete;

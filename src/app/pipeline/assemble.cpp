@@ -22,7 +22,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// First and last frame; throws if there is none or a gap.
+/// Returns the range of the frames in `folder`. Throws InputError if there are none or one is
+/// missing.
 store::FrameRange wholeRange(const fs::path& folder) {
   const std::vector<std::int64_t> indices = store::framesIn(folder);
   if (indices.empty()) {
@@ -38,7 +39,7 @@ store::FrameRange wholeRange(const fs::path& folder) {
   return {indices.front(), indices.back() + 1};
 }
 
-/// What tells how the video is to be made.
+/// The settings and the frames of the video.
 struct Source {
   video::VideoSettings settings;
   Assembled made;
@@ -60,58 +61,61 @@ Source sourceFor(const fs::path& folder, store::FrameRange range,
   }
   if (!frameRate) {
     throw InputError(folder.string() +
-                     " has no scene.toml that tells the frame rate; give it with --fps");
+                     " has no scene.toml that sets the frame rate; give it with --fps");
   }
   video::VideoSettings settings;
   settings.frameRate = *frameRate;
   return {settings, {range}};
 }
 
-/// A render has an exclusive lock of NAME/ while it fills NAME.partial/.
+/// Returns the path that a render into `folder` locks: NAME/ also while it fills NAME.partial/.
 fs::path lockedNameOf(const fs::path& folder) {
   std::error_code error;
   const fs::path path = fs::canonical(folder, error);
   return path.extension() == store::kPartialEnding ? path.parent_path() / path.stem() : path;
 }
 
-/// Keeps renders of the whole clip out of a folder of frames while they are read. Throws
-/// MachineError if one is under way. Where nothing can be written, none is.
+/// Locks a folder of frames against renders of the whole clip while the frames are read. Throws
+/// MachineError if one is in progress. A read-only folder needs no lock: nobody renders there.
 std::optional<system::AdvisoryLock> lockForReading(const fs::path& folder) {
   const fs::path name = lockedNameOf(folder);
   if (access(name.parent_path().c_str(), W_OK) != 0) return std::nullopt;
   return std::optional<system::AdvisoryLock>(std::in_place, name, system::Lock::Shared);
 }
 
-/// Tells the `problem` that a frame has by the checksums, and how it is mended, or `joined` anyway.
-[[noreturn]] void throwUnlike(const store::FrameChecksums& sums, const std::string& problem,
-                              const std::string& joined) {
+/// Throws InputError with the `problem` of a frame that doesn't match the checksums, how to fix it,
+/// and how to assemble `joined` anyway.
+[[noreturn]] void throwMismatch(const store::FrameChecksums& checksums, const std::string& problem,
+                                const std::string& joined) {
   throw InputError(problem + "; render the scene with --resume, which draws it again, or remove " +
-                   (sums.folder() / store::kFrameSumsName).string() + " to join " + joined);
+                   (checksums.folder() / store::kFrameChecksumsName).string() + " to join " +
+                   joined);
 }
 
-/// Throws if a frame that was drawn isn't among those that are there.
-void requireAllDrawn(const store::FrameChecksums& sums, store::FrameRange range) {
-  for (const std::int64_t index : sums.known()) {
+/// Throws InputError if a frame that has a checksum isn't in `range`, which has all that exist.
+void requireAllDrawn(const store::FrameChecksums& checksums, store::FrameRange range) {
+  for (const std::int64_t index : checksums.indices()) {
     if (range.first <= index && index < range.end) continue;
-    throwUnlike(sums,
-                sums.folder().string() + ": " + store::frameName(index) + " is missing, which " +
-                    store::kFrameSumsName + " there tells of",
-                "the frames that are there");
+    throwMismatch(checksums,
+                  checksums.folder().string() + ": " + store::frameName(index) +
+                      " is missing, although " + store::kFrameChecksumsName + " lists it",
+                  "the frames that are there");
   }
 }
 
-/// Throws for a frame that has a checksum, and isn't as that says.
-image::Image readFrame(const store::FrameChecksums& sums, std::int64_t index) {
-  const fs::path path = sums.folder() / store::frameName(index);
-  if (!sums.knows(index)) return image::readPng(path);
-  const std::optional<std::string> bytes = sums.intact(index);
+/// Reads frame `index`. Throws InputError if it doesn't match its checksum; one without a checksum
+/// is accepted.
+image::Image readFrame(const store::FrameChecksums& checksums, std::int64_t index) {
+  const fs::path path = checksums.folder() / store::frameName(index);
+  if (!checksums.contains(index)) return image::readPng(path);
+  const std::optional<std::string> bytes = checksums.intact(index);
   if (!bytes) {
-    system::checksumOfFile(path);  // Says why, if it can't be read.
-    throwUnlike(sums,
-                path.string() + " isn't the picture that was drawn: " +
-                    (sums.folder() / store::kFrameSumsName).string() +
-                    " has another checksum of it",
-                "frames that were changed on purpose");
+    system::checksumOfFile(path);  // Throws with the reason if the file can't be read.
+    throwMismatch(checksums,
+                  path.string() + " isn't the picture that was drawn: " +
+                      (checksums.folder() / store::kFrameChecksumsName).string() +
+                      " has another checksum for it",
+                  "frames that were changed on purpose");
   }
   const auto* first = reinterpret_cast<const std::uint8_t*>(bytes->data());
   return image::decodePng({first, bytes->size()}, path.string());
@@ -125,12 +129,12 @@ void requireSameSize(const fs::path& path, const image::Image& picture, const fs
                    sizeText(picture.width(), picture.height()));
 }
 
-/// What the file's ending says.
+/// Returns the format that the ending of `path` names.
 video::VideoFormat formatOf(const fs::path& path) {
   for (const video::FormatRow& row : video::kFormatRows) {
     if (path.extension() == row.ending) return row.format;
   }
-  throw InputError(path.string() + " names no format of video; let it end in " +
+  throw InputError(path.string() + " names no video format; use the ending " +
                    listFormats(&video::FormatRow::ending, "or"));
 }
 
@@ -141,13 +145,14 @@ Assembled assemble(const fs::path& folder, const fs::path& video,
                    const std::function<void(RenderProgress)>& progress) {
   const video::VideoFormat format = formatOf(video);
   const auto lock = lockForReading(folder);
-  // First: of a part that is being drawn, frames are added meanwhile, each before its checksum.
-  const store::FrameChecksums sums(folder);
+  // Read the checksums before the frames: a part that is being rendered adds each frame before its
+  // checksum.
+  const store::FrameChecksums checksums(folder);
   const store::FrameRange range = wholeRange(folder);
   auto [settings, made] = sourceFor(folder, range, frameRate);
-  requireAllDrawn(sums, range);
+  requireAllDrawn(checksums, range);
   const fs::path firstPath = folder / store::frameName(range.first);
-  const image::Image first = readFrame(sums, range.first);
+  const image::Image first = readFrame(checksums, range.first);
   settings.width = first.width();
   settings.height = first.height();
   const bool hasAlpha = first.format() == image::PixelFormat::Rgba8;
@@ -155,7 +160,7 @@ Assembled assemble(const fs::path& folder, const fs::path& video,
   VideoSink sink(format, video, settings);
   for (std::int64_t index = range.first; index < range.end; ++index) {
     const fs::path path = folder / store::frameName(index);
-    const image::Image picture = readFrame(sums, index);
+    const image::Image picture = readFrame(checksums, index);
     requireSameSize(path, picture, firstPath, first);
     sink.write(index, picture.view());
     if (progress) progress({index - range.first + 1, range.count()});

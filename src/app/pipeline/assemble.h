@@ -1,4 +1,4 @@
-// From frames on the disk to a video.
+// Assembly of frames on the disk into a video.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,21 @@
 
 namespace rotatebook::pipeline {
 
-/// What a video was made of.
+/// The frames of which a video was made.
 struct Assembled {
   store::FrameRange frames;
-  std::optional<std::int64_t> sceneFrames{};  ///< How many the scene has; none from elsewhere.
+  std::optional<std::int64_t> sceneFrames{};  ///< The scene's count; none without a scene.
 
-  /// Whether the scene has others, too.
+  /// Returns whether the scene has other frames, too.
   bool isPart() const { return sceneFrames && frames != store::FrameRange{0, *sceneFrames}; }
 };
 
-/// Makes `video`, of the format that its ending names, from the frames in `folder`, with the
-/// settings of the scene.toml beside them: the same file, byte for byte, as the render that
-/// drew them, whole or in part. Frames from elsewhere need a `frameRate`; it is an error to give
-/// one where a scene.toml tells. Throws InputError: no frames, one missing, one with another
-/// checksum than frames.xxh128 has for it, differing sizes, no rate, no format; MachineError if a
-/// frame can't be read, or the whole clip is being rendered there.
+/// Makes `video`, in the format that its ending names, from the frames in `folder`, with the
+/// settings of the scene.toml beside them: byte for byte the file that the render of these frames
+/// would make. Frames without a scene.toml need a `frameRate`, others must have none. Calls
+/// `progress`, which may be empty, after each frame. Throws InputError if there are no frames, one
+/// is missing, differs in size or from its checksum in frames.xxh128, or if rate or format are
+/// missing; MachineError if a frame can't be read or the whole clip is being rendered there.
 Assembled assemble(const std::filesystem::path& folder, const std::filesystem::path& video,
                    std::optional<FrameRate> frameRate,
                    const std::function<void(RenderProgress)>& progress);

@@ -19,11 +19,11 @@ namespace {
 constexpr int kPicturesInFlight = 8;
 constexpr int kExposuresInFlight = 3;
 
-/// What makes a frame's picture: what was exposed, or the PNG of an earlier run.
+/// A frame on its way to its picture: its exposure, or the PNG of an earlier run.
 struct Unfinished {
   std::int64_t frame = 0;
-  std::shared_ptr<const picture::Exposure>
-      exposure;  // If there is a PNG, only so that few are in flight.
+  /// With a PNG, held only to limit the frames in flight.
+  std::shared_ptr<const picture::Exposure> exposure;
   std::optional<std::string> png;
 };
 
@@ -32,7 +32,7 @@ image::Image decoded(const Unfinished& item) {
   return image::decodePng({bytes, item.png->size()}, store::frameName(item.frame));
 }
 
-/// The sinks, each with its threads.
+/// All sinks, each with its threads.
 class SinkWorkers {
  public:
   SinkWorkers(const std::vector<SinkThreads>& sinks, system::FirstError& error) {
@@ -79,11 +79,11 @@ DrawnCount drawFrames(picture::FramePainter& painter, const FramesToDraw& frames
   };
   system::Workers<Unfinished> finisher(finish, 1, error);
   DrawnCount count;
-  const auto tell = [&] {
+  const auto report = [&] {
     if (progress) progress({count.total(), frames.range.count()});
   };
   const auto isStopped = [&] { return frames.stop != nullptr && *frames.stop; };
-  tell();
+  report();
   while (count.total() < frames.range.count() && !isStopped()) {
     const std::shared_ptr<picture::Exposure> exposure = exposures.take();
     Unfinished item{frames.range.first + count.total(), exposure, {}};
@@ -96,7 +96,7 @@ DrawnCount drawFrames(picture::FramePainter& painter, const FramesToDraw& frames
     error.rethrow();
     ++(item.png ? count.kept : count.drawn);
     if (!item.png || workers.wantKept()) finisher.submit(std::move(item));
-    tell();
+    report();
   }
   finisher.drain();
   workers.drain();

@@ -7,12 +7,12 @@
 
 namespace rotatebook::pipeline {
 
-PngSequenceSink::PngSequenceSink(store::FrameChecksums& sums, bool transparent)
-    : sums_(&sums), transparent_(transparent) {}
+PngSequenceSink::PngSequenceSink(store::FrameChecksums& checksums, bool transparent)
+    : checksums_(&checksums), transparent_(transparent) {}
 
 void PngSequenceSink::write(std::int64_t index, image::ImageView picture) {
   image::PngWriter writer = takeWriter();
-  sums_->add(index, writer.write(sums_->folder() / store::frameName(index), picture));
+  checksums_->add(index, writer.write(checksums_->folder() / store::frameName(index), picture));
   const std::lock_guard lock(mutex_);
   idleWriters_.push_back(std::move(writer));
 }

@@ -1,4 +1,4 @@
-// Where finished frames go.
+// Sinks, which take a clip's finished frames: PNG files, videos, checksums.
 #pragma once
 
 #include <cstdint>
@@ -16,28 +16,28 @@
 
 namespace rotatebook::pipeline {
 
-/// Takes frames. Without finish() nothing of a sink's unfinished file stays.
+/// Takes frames. A sink that is destroyed without finish() removes its unfinished file.
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
 
-  /// Takes frame `index`; the picture is only borrowed. Throws Error.
+  /// Takes frame `index`; `picture` is valid during the call only. Throws Error.
   virtual void write(std::int64_t index, image::ImageView picture) = 0;
   /// Completes what was written. Throws Error on a failed flush, trailer, close or rename.
   virtual void finish() = 0;
-  /// Completes what was written so far as `partial`, instead of finish(), where a render is
-  /// interrupted. A sink without a file of its own leaves what it has.
+  /// Completes the file of an interrupted render under the name `partial`, instead of finish(). By
+  /// default does nothing, for sinks without a file of their own.
   virtual void finishAs(const std::filesystem::path& /*partial*/) {}
-  /// The encoder in use, for example "libx264"; empty if there is none.
+  /// Returns the encoder in use, for example "libx264"; empty if there is none.
   virtual std::string encoderName() const { return ""; }
 };
 
-/// Writes each frame to its own PNG in one folder, and its checksum beside it. write() may be
+/// Writes each frame to a PNG of its own in one folder, and its checksum beside it. write() may be
 /// called from several threads at once, in any order.
 class PngSequenceSink : public FrameSink {
  public:
-  /// `sums`, of the folder, must outlive this.
-  PngSequenceSink(store::FrameChecksums& sums, bool transparent);
+  /// Writes into the folder of `checksums`, which must outlive this.
+  PngSequenceSink(store::FrameChecksums& checksums, bool transparent);
 
   void write(std::int64_t index, image::ImageView picture) override;
   void finish() override {}
@@ -45,14 +45,14 @@ class PngSequenceSink : public FrameSink {
  private:
   image::PngWriter takeWriter();
 
-  store::FrameChecksums* sums_;
+  store::FrameChecksums* checksums_;
   bool transparent_;
   std::mutex mutex_;
-  /// As many as threads have written at once.
+  /// Grows to the largest number of threads that wrote at once.
   std::vector<image::PngWriter> idleWriters_;
 };
 
-/// Writes all frames, in order, to a video.
+/// Writes frames to a video, in the order of write().
 class VideoSink : public FrameSink {
  public:
   /// Throws Error if the file or the encoder can't be opened.
@@ -61,7 +61,7 @@ class VideoSink : public FrameSink {
 
   void write(std::int64_t index, image::ImageView picture) override;
   void finish() override;
-  /// The clip of the frames so far is playable.
+  /// Leaves a playable video of the frames so far.
   void finishAs(const std::filesystem::path& path) override;
   std::string encoderName() const override { return writer_.encoderName(); }
 
@@ -70,7 +70,7 @@ class VideoSink : public FrameSink {
   video::VideoWriter writer_;
 };
 
-/// Takes frames and keeps nothing: what drawing alone takes.
+/// Discards frames, to measure drawing alone.
 class NullSink : public FrameSink {
  public:
   void write(std::int64_t /*index*/, image::ImageView /*picture*/) override {}
@@ -84,7 +84,7 @@ class HashSink : public FrameSink {
   void write(std::int64_t index, image::ImageView picture) override;
   void finish() override {}
 
-  /// By frame; to be asked once the writers are done.
+  /// Returns the checksums by frame. Call it once all writers are done.
   const std::map<std::int64_t, std::string>& checksums() const { return checksums_; }
 
  private:

@@ -1,4 +1,4 @@
-// A sink on threads of its own. Inside the room only.
+// Threads that feed frames to a sink. Inside the room only.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ struct Frame {
   std::shared_ptr<const image::Image> picture;
 };
 
-/// Feeds one sink.
+/// Feeds frames to one sink.
 class FrameWorkers : public system::Workers<Frame> {
  public:
-  /// More than one thread only for a sink that allows concurrent writes.
+  /// `threadCount` may exceed 1 only if `sink` allows concurrent writes. `sink` must outlive this.
   FrameWorkers(FrameSink& sink, int threadCount, system::FirstError& error)
       : Workers([&sink](const Frame& frame) { sink.write(frame.index, frame.picture->view()); },
                 threadCount, error) {}

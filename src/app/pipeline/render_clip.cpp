@@ -18,13 +18,13 @@
 namespace rotatebook::pipeline {
 namespace {
 
-/// An output and its sink, which is open.
+/// An output and its open sink.
 struct OpenOutput {
   const RenderOutput* output;
   std::shared_ptr<FrameSink> sink;
 };
 
-/// "libx264, gif"
+/// Returns "libx264, gif".
 std::string encoderNames(const std::vector<OpenOutput>& outputs) {
   std::string names;
   for (const OpenOutput& open : outputs) {
@@ -44,7 +44,7 @@ store::ClipFiles filesOf(const scene::Scene& scene, const RenderOptions& options
                         : store::clipFiles(options.folder, scene.name);
 }
 
-/// All files of a whole clip but its frames.
+/// Returns all files of a whole clip but its frames.
 std::vector<std::filesystem::path> allFiles(const RenderResult& result,
                                             const std::vector<video::VideoFormat>& formats) {
   std::vector<std::filesystem::path> files = result.csvs;
@@ -53,7 +53,7 @@ std::vector<std::filesystem::path> allFiles(const RenderResult& result,
   return files;
 }
 
-/// A render on its way.
+/// A render in progress.
 class Render {
  public:
   Render(const scene::Scene& scene, const timeline::ClipMotion& motion,
@@ -85,7 +85,7 @@ class Render {
     result_.wasDone =
         !options_.frames && options_.earlier.resume && folder.isDone(files, pngRange());
     if (result_.wasDone) return result_;
-    // Better said now than when all is drawn.
+    // Fail now rather than after all is drawn.
     if (!options_.frames) std::ranges::for_each(files, system::requireReplaceable);
     try {
       renderInto(folder, record, listener);
@@ -105,7 +105,7 @@ class Render {
   void finishFolder(store::ClipFolder& folder,
                     const std::vector<std::filesystem::path>& files) const {
     if (!options_.frames) return folder.finish(files, pngRange());
-    if (png_) folder.sums().requireFiles(range_);
+    if (png_) folder.checksums().requireFiles(range_);
   }
 
   std::string keptText(const store::ClipFolder& folder) const {
@@ -122,13 +122,13 @@ class Render {
     const video::VideoSettings video = store::videoSettings(scene_, shown);
     std::vector<OpenOutput> outputs;
     for (const RenderOutput& output : options_.outputs) {
-      outputs.push_back({&output, output.open({scene_, result_.files, video, folder.sums()})});
+      outputs.push_back({&output, output.open({scene_, result_.files, video, folder.checksums()})});
     }
-    drawInto(outputs, folder.sums(), listener);
+    drawInto(outputs, folder.checksums(), listener);
     result_.interrupted ? finishPartial(outputs) : finish(outputs);
   }
 
-  void drawInto(const std::vector<OpenOutput>& outputs, const store::FrameChecksums& sums,
+  void drawInto(const std::vector<OpenOutput>& outputs, const store::FrameChecksums& checksums,
                 const RenderListener& listener) {
     RenderStart start{drawer_.description(), encoderNames(outputs)};
     std::vector<SinkThreads> sinks;
@@ -136,7 +136,7 @@ class Render {
       sinks.push_back({*sink, threadsOf(*output), !output->png});
       if (output->png) start.pngThreads = sinks.back().threads;
     }
-    const store::FrameChecksums* kept = options_.earlier.resume ? &sums : nullptr;
+    const store::FrameChecksums* kept = options_.earlier.resume ? &checksums : nullptr;
     start.space = store::diskSpace(scene_, toWrite(kept), options_.folder);
     if (listener.started) listener.started(start);
     const DrawnCount count =
@@ -146,7 +146,8 @@ class Render {
     result_.interrupted = count.total() < range_.count();
   }
 
-  /// Frames of `kept`, which may be null, aren't written again; videos are, from the first frame.
+  /// Returns the files still to write: PNGs without those of `kept`, which may be null, but videos
+  /// from their first frame.
   store::FilesToWrite toWrite(const store::FrameChecksums* kept) const {
     store::FilesToWrite files{.frames = range_.count(), .formats = formats_};
     if (!png_) return files;
@@ -158,7 +159,7 @@ class Render {
     return files;
   }
 
-  /// A clip of no frames isn't worth a file.
+  /// Completes the videos under their partial names, unless they have no frame.
   void finishPartial(const std::vector<OpenOutput>& outputs) const {
     if (result_.framesWritten == 0) return;
     for (const auto& [output, sink] : outputs) {

@@ -1,4 +1,4 @@
-// From a scene to its files.
+// Rendering of a scene into its files.
 #pragma once
 
 #include <atomic>
@@ -20,54 +20,54 @@
 
 namespace rotatebook::pipeline {
 
-/// What to write, and where.
+/// The outputs of a render, their folder and the device that draws.
 struct RenderOptions {
-  std::filesystem::path folder = "out";  ///< Made if it isn't there.
-  /// Each format at most once.
+  std::filesystem::path folder = "out";  ///< Created if it doesn't exist.
+  /// The files to write and the sinks to feed; each video format at most once.
   std::vector<RenderOutput> outputs = outputsOf(true, {video::VideoFormat::Mp4});
   std::optional<store::FrameRange> frames{};  ///< Only these; all by default.
   store::EarlierFrames earlier{};
-  /// Set from outside, e.g. by a signal handler, to stop after the frame in hand. May be null.
+  /// Set by others, such as a signal handler, to stop after the current frame. May be null.
   const std::atomic<bool>* stop = nullptr;
   render::DeviceChoice device{};
 };
 
-/// With what a render begins.
+/// The state of a render before its first frame.
 struct RenderStart {
-  std::string renderer;
+  std::string renderer;  ///< render::Renderer::description()
   std::string encoders;  ///< "libx264, gif"
   int pngThreads = 0;    ///< 0 if there are no PNGs.
   store::DiskSpace space{};
 };
 
-/// Hears of a render while it goes on; called on the caller's thread.
+/// Callbacks during a render, on the caller's thread. Each may be empty.
 struct RenderListener {
   std::function<void(const RenderStart&)> started;
   std::function<void(RenderProgress)> progress;
 };
 
-/// What a render left.
+/// The result of a render.
 struct RenderResult {
   store::ClipFiles files;
   std::vector<std::filesystem::path> csvs;  ///< The tables; none are written if interrupted.
-  std::int64_t framesWritten = 0;           ///< Those kept among them.
-  std::int64_t framesKept = 0;              ///< Of an earlier run.
+  std::int64_t framesWritten = 0;           ///< Including those kept.
+  std::int64_t framesKept = 0;              ///< From an earlier run.
   std::vector<std::string> others;          ///< ClipFolder::keptOfOtherSettings()
-  bool wasDone = false;  ///< An earlier run left all of it as it should be: nothing was written.
-  /// Stopped from outside: frames are in NAME.partial/ (those of a part in NAME/), videos are
-  /// NAME.partial.mp4 and so on, and the files of an earlier render are as they were.
+  bool wasDone = false;  ///< An earlier run had completed everything: nothing was written.
+  /// RenderOptions::stop was set: frames are in NAME.partial/ (those of a part in NAME/), videos
+  /// are NAME.partial.mp4 and so on, and the files of an earlier render are unchanged.
   bool interrupted = false;
 };
 
-/// The frames of the clip that `wanted` means; all of them by default. Throws InputError,
-/// naming the frames that exist.
+/// Returns `wanted`, or all frames of the clip by default. Throws InputError, naming the frames
+/// that exist, if `wanted` is empty or has others.
 store::FrameRange framesToRender(const timeline::ClipMotion& motion,
                                  std::optional<store::FrameRange> wanted);
 
-/// Draws `motion`, that of `scene`, into the outputs, and writes CSV and, of a whole clip, poster,
-/// where ClipFolder has their frames; the files of a render that went on with an earlier one's are
-/// those of one that was never interrupted. Throws Error; files under a final name are whole then,
-/// too, and frames that were finished are kept.
+/// Draws `motion`, the scene's, into the outputs, and writes the tables and, for a whole clip, the
+/// poster. A resumed render leaves the same files as one that was never interrupted. Throws Error;
+/// then, too, files with a final name are complete, and finished frames are kept. See
+/// store::ClipFolder for the folders.
 RenderResult renderClip(const scene::Scene& scene, const timeline::ClipMotion& motion,
                         const RenderOptions& options, const RenderListener& listener);
 

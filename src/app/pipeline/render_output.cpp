@@ -7,22 +7,23 @@
 namespace rotatebook::pipeline {
 
 RenderOutput pngOutput(int threads) {
-  const auto open = [](const SinkPlace& place) {
-    return std::make_shared<PngSequenceSink>(place.sums, scene::isTransparent(place.scene));
+  const auto open = [](const SinkContext& context) {
+    return std::make_shared<PngSequenceSink>(context.checksums,
+                                             scene::isTransparent(context.scene));
   };
   return {.open = open, .threads = threads, .png = true};
 }
 
 RenderOutput videoOutput(video::VideoFormat format) {
-  const auto open = [format](const SinkPlace& place) {
-    return std::make_shared<VideoSink>(format, place.files.video(format), place.video);
+  const auto open = [format](const SinkContext& context) {
+    return std::make_shared<VideoSink>(format, context.files.video(format), context.video);
   };
   return {.open = open, .format = format};
 }
 
 RenderOutput sinkOutput(FrameSink& sink, int threads) {
   const std::shared_ptr<FrameSink> borrowed(std::shared_ptr<FrameSink>(), &sink);
-  return {.open = [borrowed](const SinkPlace&) { return borrowed; }, .threads = threads};
+  return {.open = [borrowed](const SinkContext&) { return borrowed; }, .threads = threads};
 }
 
 std::vector<RenderOutput> outputsOf(bool png, const std::vector<video::VideoFormat>& formats) {
@@ -44,8 +45,8 @@ std::vector<video::VideoFormat> formatsOf(const std::vector<RenderOutput>& outpu
   return formats;
 }
 
-// Packing PNGs is the only stage that can be shared out; drawing, finishing and encoding need a
-// core too.
+// Compressing PNGs is the only stage that several threads can share; drawing, finishing and
+// encoding need a core, too.
 int pngThreads(int cores) {
   return std::clamp(cores - 1, 1, 6);
 }

@@ -1,4 +1,4 @@
-// What a render is to make of its frames, as its caller hands it in. Inside the room only.
+// Outputs that a caller asks a render for. Inside the room only.
 #pragma once
 
 #include <functional>
@@ -14,40 +14,42 @@
 
 namespace rotatebook::pipeline {
 
-/// What a sink is opened for.
-struct SinkPlace {
+/// The render for which a sink is opened.
+struct SinkContext {
   const scene::Scene& scene;
   const store::ClipFiles& files;
   const video::VideoSettings& video;
-  store::FrameChecksums& sums;  ///< Of the folder of the clip's frames; outlives the sink.
+  store::FrameChecksums& checksums;  ///< Of the frames' folder; outlives the sink.
 };
 
-/// A sink that a render opens, and what it leaves on the disk.
+/// A sink that a render opens, and the files that it leaves.
 struct RenderOutput {
-  /// Opens the sink, once nobody else renders there. Throws Error.
-  std::function<std::shared_ptr<FrameSink>(const SinkPlace&)> open;
-  /// How many write at once: more than one only into a sink that allows it. 0: pngThreads() of the
-  /// machine's cores. The files are the same.
+  /// Opens the sink; called while the clip's folder is locked. Throws Error.
+  std::function<std::shared_ptr<FrameSink>(const SinkContext&)> open;
+  /// The number of threads that write: more than 1 only if the sink allows concurrent writes;
+  /// 0 means pngThreads() of the machine's cores. The files don't depend on it.
   int threads = 1;
-  bool png = false;                            ///< It writes PNGs into the folder of the frames.
-  std::optional<video::VideoFormat> format{};  ///< It writes ClipFiles::video() of that format.
+  bool png = false;                            ///< Whether it writes PNGs to the frames' folder.
+  std::optional<video::VideoFormat> format{};  ///< Set if it writes ClipFiles::video().
 };
 
-/// PNG frames, beside which a render's outputs may have no others.
+/// Returns an output of PNG frames, of which a render may have at most one.
 RenderOutput pngOutput(int threads = 0);
+/// Returns an output of one video.
 RenderOutput videoOutput(video::VideoFormat format);
-/// The caller's own sink, which must outlive the render, and writes nothing where a render does.
+/// Returns an output to the caller's own sink, which must outlive the render and must not write to
+/// the render's files.
 RenderOutput sinkOutput(FrameSink& sink, int threads = 1);
 
-/// PNG frames, if `png`, and the videos.
+/// Returns an output for each of `formats`, after one of PNG frames if `png`.
 std::vector<RenderOutput> outputsOf(bool png, const std::vector<video::VideoFormat>& formats);
 
-/// Whether there are PNG frames among them.
+/// Returns whether one of `outputs` is of PNG frames.
 bool hasPng(const std::vector<RenderOutput>& outputs);
-/// Of the videos among them.
+/// Returns the formats of the videos among `outputs`.
 std::vector<video::VideoFormat> formatsOf(const std::vector<RenderOutput>& outputs);
 
-/// How many threads pack PNGs where a render has so many cores.
+/// Returns how many threads compress PNGs on a machine with `cores` cores.
 int pngThreads(int cores);
 
 }  // namespace rotatebook::pipeline

@@ -26,7 +26,7 @@ std::string paddedNumber(std::int64_t number) {
   return {buffer.data(), static_cast<std::size_t>(length)};
 }
 
-/// `label` in small letters, figures and hyphens that any file system takes.
+/// Returns `label` in lower-case letters, digits and hyphens, which every file system accepts.
 std::string slugOf(const std::string& label) {
   std::string slug;
   for (const char letter : label) {

@@ -1,4 +1,4 @@
-// Names and contents of what a clip leaves on the disk.
+// Names and paths of the files that a clip leaves on the disk.
 #pragma once
 
 #include <cstdint>
@@ -21,53 +21,52 @@ struct FrameRange {
   friend bool operator==(const FrameRange&, const FrameRange&) = default;
 };
 
-/// "3:5"
+/// Returns "3:5".
 std::string rangeText(FrameRange range);
-/// The range that `text` is; nothing if it isn't written so. It may be empty or the wrong way
-/// round.
+/// Parses "3:5"; returns nothing for other text. The range may be empty or reversed.
 std::optional<FrameRange> parseRange(const std::string& text);
 
-/// The resolved scene beside the frames.
+/// The name of the resolved scene's file, beside the frames.
 inline constexpr const char* kSceneCopyName = "scene.toml";
 
-/// "frame_00042.png"
+/// Returns "frame_00042.png".
 std::string frameName(std::int64_t index);
 
-/// The frame that a file's name is of, if it is a frame's.
+/// Returns the index of the frame whose file is named `name`; nothing if it isn't a frame's name.
 std::optional<std::int64_t> frameIndex(const std::string& name);
 
-/// Indices of the frames in `folder`, ascending. Throws InputError if there is no such folder.
+/// Returns the indices of the frames in `folder`, ascending. Throws InputError if it can't be read.
 std::vector<std::int64_t> framesIn(const std::filesystem::path& folder);
 
-/// What a render puts after a clip's name while it goes on; no scene's name may end so.
+/// Endings that a render appends to a clip's name while it runs; no scene's name may end in one.
 inline constexpr const char* kPartialEnding = ".partial";
 inline constexpr const char* kReplacedEnding = ".replaced";
 
-/// Where a scene's outputs go, below one folder.
+/// Paths of a scene's outputs, all below one folder.
 struct ClipFiles {
-  std::filesystem::path frameFolder;         ///< NAME/, with the PNGs
-  std::filesystem::path partialFrameFolder;  ///< NAME.partial/, while they are made
-  std::filesystem::path replacedFolder;      ///< NAME.replaced/, of an earlier render, for a moment
+  std::filesystem::path frameFolder;         ///< NAME/, which holds the PNGs
+  std::filesystem::path partialFrameFolder;  ///< NAME.partial/, while the PNGs are made
+  std::filesystem::path replacedFolder;      ///< NAME.replaced/, an earlier NAME/ being replaced
   std::filesystem::path sceneCopy;           ///< NAME/scene.toml, the resolved scene
-  std::filesystem::path videoStem;           ///< NAME, to which video() puts an ending
-  std::filesystem::path csv;                 ///< NAME.csv; of panels see csvFiles()
+  std::filesystem::path videoStem;           ///< NAME, to which video() appends an ending
+  std::filesystem::path csv;                 ///< NAME.csv; see csvFiles() for panels
   std::filesystem::path poster;              ///< NAME.poster.png
   std::filesystem::path thumbnail;           ///< NAME.thumbnail.png
 
-  /// NAME.mp4, NAME.webm and so on.
+  /// Returns NAME.mp4, NAME.webm and so on.
   std::filesystem::path video(video::VideoFormat format) const;
-  /// NAME.partial.mp4 and so on, where a run was interrupted.
+  /// Returns NAME.partial.mp4 and so on, the video of an interrupted render.
   std::filesystem::path partialVideo(video::VideoFormat format) const;
 };
 
-/// The files of the clip `name` in `folder`.
+/// Returns the paths of the clip `name` in `folder`.
 ClipFiles clipFiles(const std::filesystem::path& folder, const std::string& name);
-/// The same for some of its frames, whose videos must not replace the whole clip's:
-/// NAME_00010-00020.mp4.
+/// Like clipFiles() above, for the frames `part` alone, whose videos must not replace the whole
+/// clip's: NAME_00010-00020.mp4.
 ClipFiles clipFiles(const std::filesystem::path& folder, const std::string& name, FrameRange part);
 
-/// The tables of the scene's motions, in the order of motionsOf(): `csv` itself, or for each panel
-/// one that is named after its label, too, each unlike the others: NAME_particles.csv.
+/// Returns the paths of the motions' tables, in the order of motionsOf(): `csv` itself, or one for
+/// each panel, with its label in a name that no other panel has: NAME_particles.csv.
 std::vector<std::filesystem::path> csvFiles(const std::filesystem::path& csv,
                                             const scene::Scene& scene);
 

@@ -15,11 +15,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Returns whether `folder` exists and holds frames.
 bool hasFrames(const fs::path& folder) {
   return fs::is_directory(folder) && !framesIn(folder).empty();
 }
 
-bool isOf(const std::optional<Manifest>& manifest, const Manifest::Entries& made) {
+/// Returns whether the folder's own frames have the fingerprint `made`.
+bool isMadeWith(const std::optional<Manifest>& manifest, const Manifest::Entries& made) {
   return manifest && manifest->own.made == made;
 }
 
@@ -32,33 +34,42 @@ void moveTo(const fs::path& from, const fs::path& to) {
   }
 }
 
-/// Removes all that a render put into `folder`, and the folder itself if nothing else is in it.
+/// Removes everything that a render wrote into `folder`, and `folder` itself if that empties it.
 void discard(const fs::path& folder) {
   if (!fs::is_directory(folder)) return;
-  // First, so that what is left, if the process is killed, isn't taken for a clip.
+  // Remove the manifest first: if the process is killed, what remains isn't taken for a clip
   system::removeFile(folder / kManifestName);
+
+  // Remove frames, checksums and scene
   system::removeStaleTemporaries(folder);
   for (const std::int64_t index : framesIn(folder)) system::removeFile(folder / frameName(index));
-  system::removeFile(folder / kFrameSumsName);
+  system::removeFile(folder / kFrameChecksumsName);
   system::removeFile(folder / kSceneCopyName);
+
+  // Remove the folder unless it holds other files
   std::error_code notEmpty;
   fs::remove(folder, notEmpty);
 }
 
-/// Ends the life of NAME.replaced/; what isn't a render's goes to NAME/.
+/// Removes NAME.replaced/, after moving files that no render wrote to NAME/.
 void discardReplaced(const ClipFiles& files) {
   if (!fs::is_directory(files.replacedFolder)) return;
   discard(files.replacedFolder);
   if (!fs::is_directory(files.replacedFolder)) return;
+
+  // Move foreign files to NAME/, without replacing any there
   for (const auto& entry : fs::directory_iterator(files.replacedFolder)) {
-    const fs::path place = files.frameFolder / entry.path().filename();
-    if (!fs::exists(place)) moveTo(entry.path(), place);
+    const fs::path target = files.frameFolder / entry.path().filename();
+    if (!fs::exists(target)) moveTo(entry.path(), target);
   }
+
+  // Remove the folder unless such a file remains
   std::error_code notEmpty;
   fs::remove(files.replacedFolder, notEmpty);
 }
 
-/// Puts NAME.partial/, which is complete, in the place of NAME/.
+/// Replaces NAME/ by NAME.partial/, which is complete. If the process is killed on the way,
+/// recover() does the rest.
 void replaceFolder(const ClipFiles& files) {
   if (fs::exists(files.frameFolder)) moveTo(files.frameFolder, files.replacedFolder);
   moveTo(files.partialFrameFolder, files.frameFolder);
@@ -66,17 +77,23 @@ void replaceFolder(const ClipFiles& files) {
   system::flushFolder(files.partialFrameFolder.parent_path());
 }
 
-/// Brings to its end what a process that was killed had begun.
-void settle(const ClipFiles& files) {
+/// Completes or undoes a replacement that a killed process left half done.
+void recover(const ClipFiles& files) {
+  // Discard the replaced clip if another is in its place
   const bool hasFinal = fs::exists(files.frameFolder);
   if (hasFinal) discardReplaced(files);
+
+  // Complete the replacement if the new clip is complete
   const std::optional<Manifest> partial = readManifest(files.partialFrameFolder);
   if (partial && partial->finished) return replaceFolder(files);
+
+  // Move the replaced clip back if no other is in its place
   const bool lacksFinal = !hasFinal && fs::exists(files.replacedFolder);
   if (lacksFinal) moveTo(files.replacedFolder, files.frameFolder);
 }
 
-/// Puts the frames that are whole beside those of the same settings in `to`.
+/// Moves the intact frames of `from` that `to` lacks into `to`, which has the same settings, and
+/// discards `from`.
 void moveFrames(const fs::path& from, const fs::path& to) {
   if (!fs::is_directory(from)) return;
   const FrameChecksums source(from);
@@ -90,47 +107,48 @@ void moveFrames(const fs::path& from, const fs::path& to) {
   discard(from);
 }
 
-/// "out/NAME.partial holds 12 frames of a render that wasn't finished", or of a clip that was.
+/// Returns "out/NAME holds the frames of a clip" if `complete`, else "out/NAME.partial holds 12
+/// frames of a render that wasn't finished".
 std::string contentText(const fs::path& folder, bool complete) {
   if (complete) return folder.string() + " holds the frames of a clip";
   return folder.string() + " holds " + std::to_string(framesIn(folder).size()) +
          " frames of a render that wasn't finished";
 }
 
-/// Whether the manifest says with what the folder's frames were made.
+/// Returns whether the manifest states the settings of the folder's frames.
 bool knowsSettings(const std::optional<Manifest>& manifest) {
   return manifest && !manifest->own.made.empty();
 }
 
-/// " of other settings: KEYS", after that.
+/// Returns what follows contentText(): how the settings of the frames in `folder` differ.
 std::string differenceText(const fs::path& folder, const std::optional<Manifest>& there,
                            const ClipFolder::Settings& settings) {
-  if (!knowsSettings(there)) return " with settings that aren't known";
-  return (there->finished ? " of other settings: " : " and had other settings: ") +
+  if (!knowsSettings(there)) return " with unknown settings";
+  return (there->finished ? " with other settings: " : " and had other settings: ") +
          differences(folder, there->own.made, settings.made, settings.scene);
 }
 
-/// Throws InputError if `folder` holds what isn't to be lost: unfinished frames, or, of a render
-/// that is to go on, a clip of other settings.
-void requireLosable(const fs::path& folder, const std::optional<Manifest>& there,
-                    const ClipFolder::Settings& settings) {
+/// Throws InputError unless the frames in `folder` may be discarded. Unfinished frames may not,
+/// nor, if the render is to resume, a clip; --overwrite allows both.
+void requireDiscardable(const fs::path& folder, const std::optional<Manifest>& there,
+                        const ClipFolder::Settings& settings) {
   const bool resume = settings.earlier.resume;
   const bool complete = there && there->finished;
-  const bool worthless = complete ? !resume : !hasFrames(folder);
-  if (settings.earlier.overwrite || worthless) return;
+  const bool discardable = complete ? !resume : !hasFrames(folder);
+  if (settings.earlier.overwrite || discardable) return;
   const std::string start = contentText(folder, complete);
-  if (isOf(there, settings.made)) {
+  if (isMadeWith(there, settings.made)) {
     throw InputError(start + ": go on with --resume, or render anew with --overwrite");
   }
   throw InputError(start + differenceText(folder, there, settings) +
                    "; render anew with --overwrite, or into another folder with -o");
 }
 
-/// Throws InputError if `folder` holds frames of other settings, which a part can't join.
+/// Throws InputError if `folder` holds frames with other settings, which a part can't join.
 void requireJoinable(const fs::path& folder, const std::optional<Manifest>& there,
                      const ClipFolder::Settings& settings, const std::string& remedy) {
-  if (!hasFrames(folder) || isOf(there, settings.made)) return;
-  throw InputError(folder.string() + " holds frames of other settings" +
+  if (!hasFrames(folder) || isMadeWith(there, settings.made)) return;
+  throw InputError(folder.string() + " holds frames with other settings" +
                    (knowsSettings(there)
                         ? ": " + differences(folder, there->own.made, settings.made, settings.scene)
                         : "") +
@@ -143,11 +161,11 @@ ClipFolder::ClipFolder(const ClipFiles& files, const Settings& settings)
     : lock_(files.frameFolder, settings.part ? system::Lock::Shared : system::Lock::Exclusive),
       files_(files),
       manifest_{.own = {settings.made, {}}} {
-  // Better said now than when the folder is to be moved there.
+  // Fail now, rather than after all is drawn, if NAME/ is no folder
   if (fs::exists(files.frameFolder)) system::createFolders(files.frameFolder);
   try {
     settings.part ? openPart(settings) : openWhole(settings);
-    sums_.emplace(path_);
+    checksums_.emplace(path_);
   } catch (...) {
     discardIfEmpty();
     throw;
@@ -162,7 +180,7 @@ void ClipFolder::discardIfEmpty() const noexcept {
   try {
     if (path_ == files_.partialFrameFolder && frameCount() == 0) discard(path_);
   } catch (const std::exception&) {
-    // What is left hurts nobody.
+    // A folder that remains does no harm.
   }
 }
 
@@ -172,53 +190,69 @@ std::size_t ClipFolder::frameCount() const {
 
 std::size_t ClipFolder::resumableFrames() const noexcept {
   try {
-    // Without its manifest, the folder was emptied from elsewhere meanwhile.
-    return isOf(readManifest(path_), manifest_.own.made) ? frameCount() : 0;
+    // Without its manifest, the folder was emptied by another process meanwhile.
+    return isMadeWith(readManifest(path_), manifest_.own.made) ? frameCount() : 0;
   } catch (const std::exception&) {
-    return 0;  // What can't be read can't be resumed.
+    return 0;  // Frames that can't be read can't be resumed.
   }
 }
 
 void ClipFolder::openPart(const Settings& settings) {
+  // Refuse to mix with frames of other settings in NAME/
   const auto there = readManifest(files_.frameFolder);
   requireJoinable(files_.frameFolder, there, settings, "remove it");
-  // Of a whole clip's unfinished frames and a part, one would take the other's place in the end.
+
+  // Refuse to draw beside unfinished frames of a whole clip with other settings: of these and the
+  // part, one would replace the other in the end
   if (settings.png) {
     requireJoinable(files_.partialFrameFolder, readManifest(files_.partialFrameFolder), settings,
                     "finish that render first, with --resume");
   }
+
+  // Add this render to the manifest of NAME/, and keep the others there
   if (there) manifest_ = *there;
   manifest_.become(settings.made);
-  manifest_.finished = isOf(there, settings.made) && there->finished;
+  manifest_.finished = isMadeWith(there, settings.made) && there->finished;
+
+  // Write scene and manifest where frames will be
   path_ = files_.frameFolder;
   if (settings.png) begin(path_, settings.record);
 }
 
 void ClipFolder::openWhole(const Settings& settings) {
-  settle(files_);
+  recover(files_);
+
+  // Look for earlier frames of the same settings
   const auto finished = readManifest(files_.frameFolder);
   const auto partial = readManifest(files_.partialFrameFolder);
-  const bool goOn = settings.earlier.resume && isOf(partial, settings.made);
-  if (settings.earlier.resume && isOf(finished, settings.made)) {
+  const bool resumesPartial = settings.earlier.resume && isMadeWith(partial, settings.made);
+
+  // Resume in NAME/ if its frames have the same settings
+  if (settings.earlier.resume && isMadeWith(finished, settings.made)) {
     manifest_ = *finished;
     begin(files_.frameFolder, settings.record);
-    if (goOn) moveFrames(files_.partialFrameFolder, files_.frameFolder);
-    // Of a process that was killed before it had a frame.
+    if (resumesPartial) moveFrames(files_.partialFrameFolder, files_.frameFolder);
+    // Remove the folder of a process that was killed before its first frame
     if (!hasFrames(files_.partialFrameFolder)) discard(files_.partialFrameFolder);
     return;
   }
-  // Frames that tell nothing of themselves are no render's of this kind. A clip made way when what
-  // goes on was begun; parts didn't.
-  const bool mayBeLost =
-      goOn ? finished && !finished->finished : finished || settings.earlier.resume;
-  // Without PNGs those that are there stay. To be gone on with, the clip must be known.
+
+  // Refuse to replace a clip or parts in NAME/ that must not be lost. Frames without a manifest are
+  // protected only if --resume is given. When the render to resume began, it was allowed to replace
+  // a finished clip, but not parts.
+  const bool atRisk =
+      resumesPartial ? finished && !finished->finished : finished || settings.earlier.resume;
+  // A render without PNGs leaves NAME/ as it is, but can resume only a clip that has its settings.
   const bool isKnown = finished && finished->filesOf(settings.made) != nullptr;
-  const bool asks = settings.png || (settings.earlier.resume && !isKnown);
-  if (mayBeLost && asks) requireLosable(files_.frameFolder, finished, settings);
-  if (!goOn) {
-    requireLosable(files_.partialFrameFolder, partial, settings);
+  const bool mustCheck = settings.png || (settings.earlier.resume && !isKnown);
+  if (atRisk && mustCheck) requireDiscardable(files_.frameFolder, finished, settings);
+
+  // Discard unfinished frames that aren't resumed, if that is allowed
+  if (!resumesPartial) {
+    requireDiscardable(files_.partialFrameFolder, partial, settings);
     discard(files_.partialFrameFolder);
   }
+
   begin(files_.partialFrameFolder, settings.record);
 }
 
@@ -231,52 +265,69 @@ void ClipFolder::begin(const fs::path& folder, const std::string& record) {
 
 bool ClipFolder::isDone(const std::vector<fs::path>& files,
                         std::optional<FrameRange> frames) const {
+  // Find the earlier render with the same settings
   const auto there = readManifest(files_.frameFolder);
   const auto* known = there ? there->filesOf(manifest_.own.made) : nullptr;
   if (known == nullptr || (frames && path_ != files_.frameFolder)) return false;
+
+  // Compare the files with their checksums
   for (const fs::path& file : files) {
     const auto sum = known->find(file.filename().string());
     if (sum == known->end() || !fs::is_regular_file(file)) return false;
     if (system::checksumOfFile(file) != sum->second) return false;
   }
+
+  // Compare the frames with theirs
   if (!frames) return true;
   for (std::int64_t frame = frames->first; frame < frames->end; ++frame) {
-    if (!sums_->intact(frame)) return false;
+    if (!checksums_->intact(frame)) return false;
   }
   return true;
 }
 
 void ClipFolder::finish(const std::vector<fs::path>& files, std::optional<FrameRange> frames) {
+  // Complete the frames' checksums
   if (frames) {
-    sums_->requireFiles(*frames);
-    sums_->sort(*frames);
+    checksums_->requireFiles(*frames);
+    checksums_->sort(*frames);
   }
+
+  // Take the checksums of the other files
   Manifest::Entries written;
   for (const fs::path& file : files)
     written[file.filename().string()] = system::checksumOfFile(file);
+
+  // Record them in the manifest, and bring the clip under its final name
   frames ? finishWithFrames(written) : finishWithoutFrames(written);
   system::flushFolder(files_.frameFolder.parent_path());
 }
 
 void ClipFolder::finishWithFrames(const Manifest::Entries& written) {
+  // Write the manifest that NAME/ will have, which also lists the renders of its present one
   Manifest next = readManifest(files_.frameFolder).value_or(Manifest{});
   next.become(manifest_.own.made);
   next.finished = true;
   next.add(manifest_.own.made, written);
   writeManifest(path_, next);
+
+  // Move the folder to its final name
   if (path_ != files_.frameFolder) replaceFolder(files_);
 }
 
-// Frames stay where they are: those of other settings in NAME/, unfinished ones in NAME.partial/.
+// Leaves all frames in place: those of other settings in NAME/, unfinished ones in NAME.partial/.
 void ClipFolder::finishWithoutFrames(const Manifest::Entries& written) {
   const std::optional<Manifest> there = readManifest(files_.frameFolder);
   Manifest next = there.value_or(Manifest{});
-  if (isOf(there, manifest_.own.made) || !hasFrames(files_.frameFolder)) {
+
+  // Claim NAME/ unless it holds frames of other settings
+  if (isMadeWith(there, manifest_.own.made) || !hasFrames(files_.frameFolder)) {
     next.become(manifest_.own.made);
     next.finished = true;
     system::createFolders(files_.frameFolder);
     system::writeFileAtomically(files_.sceneCopy, system::readFileOrEmpty(path_ / kSceneCopyName));
   }
+
+  // Record the files
   next.add(manifest_.own.made, written);
   writeManifest(files_.frameFolder, next);
   discardIfEmpty();
@@ -286,6 +337,8 @@ std::vector<std::string> ClipFolder::keptOfOtherSettings() const {
   const auto there = readManifest(files_.frameFolder);
   if (!there) return {};
   std::vector<std::string> kept;
+
+  // Collect the files of other renders that still are as these wrote them
   const auto addFiles = [&](const Manifest::Render& render) {
     if (render.made == manifest_.own.made) return;
     for (const auto& [name, sum] : render.files) {
@@ -297,10 +350,12 @@ std::vector<std::string> ClipFolder::keptOfOtherSettings() const {
   addFiles(there->own);
   std::ranges::for_each(there->others, addFiles);
   std::ranges::sort(kept);
-  if (!isOf(there, manifest_.own.made) && hasFrames(files_.frameFolder)) {
+
+  // Add the frames of another render
+  if (!isMadeWith(there, manifest_.own.made) && hasFrames(files_.frameFolder)) {
     kept.push_back(std::to_string(framesIn(files_.frameFolder).size()) + " frames in " +
                    files_.frameFolder.string() + '/' +
-                   (knowsSettings(there) ? "" : " (of unknown settings)"));
+                   (knowsSettings(there) ? "" : " (with unknown settings)"));
   }
   return kept;
 }

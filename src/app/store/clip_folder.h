@@ -1,5 +1,5 @@
-// The folder of a clip's frames: who has it, what of it may stay, and how it takes the place of an
-// earlier one.
+// Management of the folder of a clip's frames: locks, earlier frames, replacement of an earlier
+// clip.
 #pragma once
 
 #include <filesystem>
@@ -15,58 +15,61 @@
 
 namespace rotatebook::store {
 
-/// What to do with what an earlier render left unfinished. Neither: it is an error if there is
-/// something.
+/// The treatment of frames that an earlier render left unfinished. If neither is set, such frames
+/// are an error.
 struct EarlierFrames {
-  /// Go on with it if its settings are the same, else it is an error, though it were finished.
+  /// Keep the frames if their settings are the same; otherwise they are an error, even those of a
+  /// finished clip.
   bool resume = false;
-  bool overwrite = false;  ///< Discard it; with `resume`, only if its settings differ.
+  bool overwrite = false;  ///< Discard the frames; with `resume`, only if their settings differ.
 };
 
-/// Where a render puts its frames. Those of a whole clip go to NAME.partial/, which takes the place
-/// of NAME/ once all is done, in one step: files of two renders never mix, whenever the process is
-/// killed. What was begun by a process that was killed is brought to its end by the next.
+/// The folder into which a render writes its frames. The frames of a whole clip go to
+/// NAME.partial/, which replaces NAME/ in one step once all is done: files of two renders never
+/// mix, whenever the process is killed. A replacement that a killed process began is completed by
+/// the next one.
 ///
-/// While this lives, other processes may not render the same clip there, but parts of it beside
-/// parts.
+/// While this lives, no other process can render the same clip there; only parts of it may be
+/// rendered side by side.
 class ClipFolder {
  public:
+  /// A render and its treatment of earlier frames.
   struct Settings {
     const scene::Scene& scene;
-    std::string record;  ///< For its scene.toml.
-    Manifest::Entries made;
+    std::string record;      ///< The text of scene.toml.
+    Manifest::Entries made;  ///< The fingerprint of the frames.
     EarlierFrames earlier{};
-    bool part = false;  ///< Some frames, which go to NAME/ beside others of the same settings.
-    bool png = true;    ///< Whether there will be frames; a part without leaves nothing in NAME/.
+    bool part = false;  ///< A range of frames, which go to NAME/ beside others of these settings.
+    bool png = true;    ///< Whether PNGs are written; a part without them leaves nothing in NAME/.
   };
 
-  /// Throws InputError if there are frames that must not be lost or mixed, MachineError if another
-  /// process is rendering into the folder, or it can't be written.
+  /// Throws InputError if the folder has frames that must not be lost or mixed, MachineError if
+  /// another process is rendering into it or it can't be written.
   ClipFolder(const ClipFiles& files, const Settings& settings);
   ClipFolder(const ClipFolder&) = delete;
   ClipFolder& operator=(const ClipFolder&) = delete;
-  /// Takes NAME.partial/ away if it holds no frames.
+  /// Removes NAME.partial/ if it holds no frames.
   ~ClipFolder();
 
-  /// Of the frames in path(), those of an earlier run among them.
-  FrameChecksums& sums() { return *sums_; }
+  /// Checksums of the frames in path(), including those of an earlier run.
+  FrameChecksums& checksums() { return *checksums_; }
   const std::filesystem::path& path() const { return path_; }
 
-  /// How many frames a render that couldn't go on leaves to one that resumes it.
+  /// Returns how many frames a later render could resume from if this one failed now.
   std::size_t resumableFrames() const noexcept;
 
-  /// Whether an earlier render finished `files`, and `frames` too, if they are asked for, and all
-  /// is as it left them.
+  /// Returns whether an earlier render finished `files`, and `frames` if given, and none of them
+  /// has changed since.
   bool isDone(const std::vector<std::filesystem::path>& files,
               std::optional<FrameRange> frames) const;
 
-  /// Brings the clip under its final name. `files` are what was made with it, `frames` those that
-  /// were written, if they were: without them the frames of an earlier render stay in NAME/. Throws
+  /// Moves the clip to its final name. `files` are those made with it, `frames` the range of PNGs
+  /// that were written; without it, the frames of an earlier render stay in NAME/. Throws
   /// MachineError.
   void finish(const std::vector<std::filesystem::path>& files, std::optional<FrameRange> frames);
 
-  /// What is left of renders of other settings, once this one is finished: "out/a.mp4",
-  /// "720 frames in out/a/".
+  /// Returns the outputs that remain from renders with other settings, once this one is finished:
+  /// "out/a.mp4", "720 frames in out/a/".
   std::vector<std::string> keptOfOtherSettings() const;
 
  private:
@@ -82,7 +85,7 @@ class ClipFolder {
   ClipFiles files_;
   Manifest manifest_;
   std::filesystem::path path_;
-  std::optional<FrameChecksums> sums_;
+  std::optional<FrameChecksums> checksums_;
 };
 
 }  // namespace rotatebook::store

@@ -24,11 +24,11 @@ constexpr std::string_view kFfmpeg = "# FFmpeg: ";
 constexpr std::string_view kMotion = "# Motion: ";
 constexpr std::string_view kTextures = "# Textures: ";
 constexpr std::string_view kFrames = "# Frames: ";
-constexpr std::string_view kHeadsEnd = "\n\n";
+constexpr std::string_view kHeaderEnd = "\n\n";
 
-constexpr std::size_t kLargestRecord = 1 << 20;  // [bytes]; scenes have some thousands.
+constexpr std::size_t kLargestRecord = 1 << 20;  // Scenes take a few thousand. [bytes]
 
-/// A comment must not end in the middle of what it tells.
+/// Returns `text` without line breaks and control characters, which would end a comment early.
 std::string inOneLine(std::string text) {
   std::ranges::replace_if(
       text, [](char letter) { return static_cast<unsigned char>(letter) < ' '; }, '?');
@@ -39,11 +39,11 @@ std::string line(std::string_view name, const std::string& value) {
   return std::string(name) + inOneLine(value) + '\n';
 }
 
-/// What comes after `name`, up to the end of its line; empty if `head` hasn't it.
-std::string valueIn(std::string_view head, std::string_view name) {
-  const std::size_t begin = head.starts_with(name) ? 0 : head.find('\n' + std::string(name));
-  if (begin == head.npos) return "";
-  const std::string_view rest = head.substr(begin + name.size() + (begin == 0 ? 0 : 1));
+/// Returns what follows `name` on its line; empty if `header` has no such line.
+std::string valueIn(std::string_view header, std::string_view name) {
+  const std::size_t begin = header.starts_with(name) ? 0 : header.find('\n' + std::string(name));
+  if (begin == header.npos) return "";
+  const std::string_view rest = header.substr(begin + name.size() + (begin == 0 ? 0 : 1));
   return std::string(rest.substr(0, rest.find('\n')));
 }
 
@@ -51,22 +51,23 @@ std::string valueIn(std::string_view head, std::string_view name) {
   throw InputError("the record in " + clip.string() + " is damaged: " + problem);
 }
 
-/// The first line's version and name.
-void readOrigin(std::string_view head, const fs::path& clip, Provenance& provenance) {
-  const std::string origin = valueIn(head, kMadeBy);
+/// Reads the program's version and the scene's name from the first line.
+void readOrigin(std::string_view header, const fs::path& clip, Provenance& provenance) {
+  const std::string origin = valueIn(header, kMadeBy);
   const std::size_t middle = origin.find(kFromScene);
   if (middle == origin.npos) throwDamaged(clip, "it doesn't name its scene");
   provenance.program = origin.substr(0, middle);
   provenance.scene = origin.substr(middle + kFromScene.size());
-  // It becomes a file's.
+  // Outputs are named after the scene, so its name must not lead into another folder.
   const bool isName = fs::path(provenance.scene).filename() == provenance.scene &&
                       provenance.scene != "." && provenance.scene != ".." &&
                       provenance.scene == inOneLine(provenance.scene);
-  if (!isName || provenance.scene.empty()) throwDamaged(clip, "its scene's name can't be a file's");
+  if (!isName || provenance.scene.empty())
+    throwDamaged(clip, "its scene's name can't be a file name");
 }
 
-std::optional<FrameRange> partIn(std::string_view head, const fs::path& clip) {
-  const std::string text = valueIn(head, kFrames);
+std::optional<FrameRange> partIn(std::string_view header, const fs::path& clip) {
+  const std::string text = valueIn(header, kFrames);
   if (text.empty()) return std::nullopt;
   const std::optional<FrameRange> part = parseRange(text);
   if (part && part->first < part->end) return part;
@@ -92,7 +93,7 @@ void compareTools(const char* tool, const std::string& there, const std::string&
                   ", here it is " + here);
 }
 
-/// Whether a picture isn't where the scene says.
+/// Returns whether the file of a texture is missing.
 bool lacksTextures(const scene::Scene& scene) {
   const auto isMissing = [&](const std::string& file) {
     std::error_code error;
@@ -102,7 +103,7 @@ bool lacksTextures(const scene::Scene& scene) {
   return isMissing(book.front) || isMissing(book.spine) || isMissing(book.back);
 }
 
-/// What the clip of `scene` depends on.
+/// Returns the text of all that the clip of `scene` depends on.
 std::string clipText(scene::Scene scene) {
   scene.expectations.clear();
   for (scene::Panel& panel : scene.panels) panel.expectations.clear();
@@ -146,7 +147,7 @@ std::string sceneRecord(const scene::Scene& scene, const Provenance& provenance)
 }
 
 std::string recordOfPart(const std::string& record, FrameRange part) {
-  const std::size_t end = record.find(kHeadsEnd);
+  const std::size_t end = record.find(kHeaderEnd);
   if (!record.starts_with(kMadeBy) || end == record.npos) return record;
   return record.substr(0, end + 1) + line(kFrames, rangeText(part)) + record.substr(end + 1);
 }
@@ -156,14 +157,14 @@ ClipRecord parseRecord(const std::string& text, const fs::path& clip, const fs::
     throw InputError(clip.string() + " isn't a clip of rotatebook: its metadata holds no scene");
   }
   if (text.size() > kLargestRecord) throwDamaged(clip, "no scene is that long");
-  const std::string_view head = std::string_view(text).substr(0, text.find(kHeadsEnd));
+  const std::string_view header = std::string_view(text).substr(0, text.find(kHeaderEnd));
   ClipRecord record;
-  readOrigin(head, clip, record.provenance);
-  record.provenance.renderer = valueIn(head, kRenderer);
-  record.provenance.ffmpeg = valueIn(head, kFfmpeg);
-  record.provenance.motion = valueIn(head, kMotion);
-  record.provenance.textures = valueIn(head, kTextures);
-  record.part = partIn(head, clip);
+  readOrigin(header, clip, record.provenance);
+  record.provenance.renderer = valueIn(header, kRenderer);
+  record.provenance.ffmpeg = valueIn(header, kFfmpeg);
+  record.provenance.motion = valueIn(header, kMotion);
+  record.provenance.textures = valueIn(header, kTextures);
+  record.part = partIn(header, clip);
   record.scene = sceneIn(text, record.provenance.scene, clip, sceneFolder);
   return record;
 }
@@ -196,7 +197,7 @@ RecordedClip readRecordedClip(const fs::path& clip, const TextureLookup& texture
   } catch (const InputError& error) {
     if (!lacksTextures(scene)) throw;
     throw InputError(std::string(error.what()) +
-                     "; say where its scene's folder is with --scene-folder DIR");
+                     "; name its scene's folder with --scene-folder DIR");
   }
   return recorded;
 }

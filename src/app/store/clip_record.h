@@ -1,4 +1,4 @@
-// What a clip says it was made from and with.
+// Records of clips: the scene and the programs that each was made from, stored in the clip.
 #pragma once
 
 #include <filesystem>
@@ -14,50 +14,52 @@
 
 namespace rotatebook::store {
 
-/// What a clip was made with. As read from a record, each but `scene` may be empty.
+/// The provenance of a clip. When read from a record, every field but `scene` may be empty.
 struct Provenance {
-  std::string scene{};     ///< Its name.
+  std::string scene{};     ///< The scene's name.
   std::string program{};   ///< "0.1.0"
   std::string renderer{};  ///< render::Renderer::description()
   std::string ffmpeg{};    ///< "5.1.6"
   std::string motion{};    ///< motionChecksum()
-  std::string textures{};  ///< "book.front CHECKSUM, ..." of those that aren't built in.
+  std::string textures{};  ///< "book.front CHECKSUM, ..."; built-in ones are left out.
 };
 
-/// That of a clip of `scene`, which moves as `motion`, made here and now with `renderer` of
-/// `textures`, as picture::LoadedTextures::checksums has them.
+/// Returns the provenance of a clip of `scene` that this program makes on this machine: `motion` is
+/// the scene's, `textures` are picture::LoadedTextures::checksums, `renderer` is
+/// render::Renderer::description().
 Provenance provenanceOf(const scene::Scene& scene, const timeline::ClipMotion& motion,
                         const std::map<std::string, std::string>& textures,
                         const std::string& renderer);
 
-/// Where tools and textures differ: "the renderer was A, here it is B". The motions aren't
-/// compared, nor textures of which there is no record.
+/// Returns the differences in tools and textures: "the renderer was A, here it is B". Motions
+/// aren't compared, nor textures that weren't recorded.
 std::vector<std::string> differencesOfTools(const Provenance& there, const Provenance& here);
 
-/// The scene with every default explicit, headed by comments that tell `provenance`. It is stored
-/// beside the frames and in the videos that can hold it, so that a clip says what it was made from.
+/// Returns the scene's text with every default explicit, below comments that state `provenance`. It
+/// is stored beside the frames and in every video whose format has metadata.
 std::string sceneRecord(const scene::Scene& scene, const Provenance& provenance);
-/// `record` for a clip of some of the frames. A text that isn't a record comes back as it is.
+/// Returns `record` with a line that names the frames of `part`. Text that isn't a record is
+/// returned unchanged.
 std::string recordOfPart(const std::string& record, FrameRange part);
 
-/// A record that was read.
+/// A record as read from a clip.
 struct ClipRecord {
   Provenance provenance;
-  std::optional<FrameRange> part{};  ///< The clip's frames, if they aren't all. first < end.
+  std::optional<FrameRange> part{};  ///< The clip's frames, first < end; empty if it has all.
   scene::Scene scene;
 };
 
-/// Takes the record of `clip`, which names it in messages, apart. The scene's textures are found
-/// from `sceneFolder`. Throws InputError for a text that isn't a record, or a damaged one: anybody
-/// may have written it.
+/// Parses the record `text`. `clip` names the file in messages; the scene's textures are relative
+/// to `sceneFolder`. Throws InputError if `text` isn't a record or is damaged: it is untrusted
+/// input.
 ClipRecord parseRecord(const std::string& text, const std::filesystem::path& clip,
                        const std::filesystem::path& sceneFolder);
 
-/// Whether `text` is the record of a clip of `scene`, or of a part of one; tools may differ.
+/// Returns whether `text` is the record of a clip of `scene`, whole or in part; tools may differ.
 bool isRecordOf(const scene::Scene& scene, const std::string& text);
 
-/// The same of the whole clip alone. What is expected of it, and its study, may differ: no picture
-/// depends on these.
+/// Like isRecordOf(), for the whole clip alone. Expectations and the study may differ, too: no
+/// picture depends on them.
 bool isRecordOfClip(const scene::Scene& scene, const std::string& text);
 
 /// A clip's format and its record.
@@ -66,15 +68,15 @@ struct RecordedClip {
   ClipRecord record;
 };
 
-/// Where the textures of a recorded scene are.
+/// The location of a recorded scene's textures.
 struct TextureLookup {
-  std::filesystem::path folder{};  ///< The scene's; empty: the clip's.
+  std::filesystem::path folder{};  ///< The scene's folder; if empty, the clip's.
   bool allowOutside = false;       ///< scene::Scene::allowOutside
 };
 
-/// Reads the record of an MP4 or WebM. Throws InputError as video::readClipMetadata() and
-/// parseRecord() do, and for a texture that can't be read, naming --scene-folder where it is
-/// missing.
+/// Reads the record of an MP4 or WebM. Throws InputError where video::readClipMetadata() and
+/// parseRecord() do, and for a texture that can't be read; the message names --scene-folder if a
+/// texture is missing.
 RecordedClip readRecordedClip(const std::filesystem::path& clip, const TextureLookup& textures);
 
 }  // namespace rotatebook::store

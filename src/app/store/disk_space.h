@@ -1,4 +1,4 @@
-// How much room a clip takes on the disk.
+// Disk space that a clip needs.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,22 @@
 
 namespace rotatebook::store {
 
+/// Disk space needed and available.
 struct DiskSpace {
-  double needed = 0;  ///< About, and rather more than less. [bytes]
-  double free = 0;    ///< For this user. [bytes]
+  double needed = 0;  ///< An estimate, rather too high than too low. [bytes]
+  double free = 0;    ///< Available to this user. [bytes]
 };
 
-/// What of a clip is to be written, beside its table and its poster.
+/// The files of a clip that a render will write, besides its tables and its poster.
 struct FilesToWrite {
-  std::int64_t pngs = 0;    ///< PNG frames that aren't there yet.
-  std::int64_t frames = 0;  ///< Of each video.
+  std::int64_t pngs = 0;    ///< PNG frames that don't exist yet.
+  std::int64_t frames = 0;  ///< Frames in each video.
   std::vector<video::VideoFormat> formats{};
 };
 
-/// What these take, from what shipped scenes take, whole blocks of the file system counted; and
-/// what is free in `folder`, which exists. Throws MachineError.
+/// Estimates the space that `files` need, in whole blocks of the file system, from sizes measured
+/// on the shipped scenes; and reads the free space of `folder`, which must exist. Throws
+/// MachineError.
 DiskSpace diskSpace(const scene::Scene& scene, const FilesToWrite& files,
                     const std::filesystem::path& folder);
 

@@ -1,4 +1,4 @@
-// How a scene's videos are encoded.
+// Settings of the encoders of a scene's videos.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace rotatebook::store {
 
-/// Settings of the videos' encoders. `record` goes into the videos' metadata.
+/// Returns the encoder settings that `scene` asks for; `record` becomes the video's comment.
 video::VideoSettings videoSettings(const scene::Scene& scene, const std::string& record);
 
 }  // namespace rotatebook::store

@@ -24,14 +24,15 @@ using Entries = Manifest::Entries;
 
 constexpr std::size_t kMaxDifferences = 3;
 
-/// Of the program that runs: a change of its code may change pictures, and its version doesn't
-/// tell.
-const std::string& build() {
+/// Returns the checksum of the running program: a change of its code may change pictures without
+/// changing its version.
+const std::string& buildChecksum() {
   static const std::string sum = system::checksumOfFile("/proc/self/exe");
   return sum;
 }
 
-/// All values of a scene by their keys: "clip.duration", "panels[0].label".
+/// Adds all values below `node` to `values` under their full keys: "clip.duration",
+/// "panels[0].label".
 void flatten(const scene::TomlNode& node, const std::string& key, Entries& values) {
   if (const auto* table = std::get_if<scene::TomlNode::Table>(&node.value)) {
     for (const scene::TomlEntry& entry : *table) {
@@ -46,7 +47,7 @@ void flatten(const scene::TomlNode& node, const std::string& key, Entries& value
   }
 }
 
-/// None of what isn't TOML, as somebody's change of the file may leave it.
+/// Returns the values in `sceneText` by key; none if it isn't TOML, as an edited file may be.
 Entries valuesOf(const std::string& sceneText) {
   Entries values;
   try {
@@ -57,6 +58,7 @@ Entries valuesOf(const std::string& sceneText) {
   return values;
 }
 
+/// Adds a text to `found` for each key whose values differ.
 void addDifferences(const Entries& there, const Entries& here, std::vector<std::string>& found) {
   constexpr const char* kNone = "missing";
   Entries both = there;
@@ -69,7 +71,7 @@ void addDifferences(const Entries& there, const Entries& here, std::vector<std::
   }
 }
 
-/// The first of them, and how many more there are.
+/// Returns the first kMaxDifferences of `found` and the number of others.
 std::string shortList(std::vector<std::string> found) {
   const std::size_t count = found.size();
   if (count > kMaxDifferences) {
@@ -85,7 +87,7 @@ Entries fingerprint(const scene::Scene& scene, const Entries& textures,
                     const std::string& renderer) {
   Entries made = textures;
   made["program"] = std::string("rotatebook ") + kVersion;
-  made["build"] = build();
+  made["build"] = buildChecksum();
   made["renderer"] = renderer;
   made["ffmpeg"] = video::ffmpegVersion();
   made["scene"] = checksumOf(sceneText(scene));

@@ -1,4 +1,4 @@
-// What a folder's frames depend on.
+// The fingerprint of a folder's frames: everything that their bytes depend on.
 #pragma once
 
 #include <filesystem>
@@ -9,18 +9,20 @@
 
 namespace rotatebook::store {
 
-/// Program, build, renderer, FFmpeg, PNG level, scene and the textures that are drawn, as
-/// picture::LoadedTextures::checksums has them.
+/// Returns program, build, renderer, FFmpeg, the scene's checksum and the drawn `textures`, which
+/// are picture::LoadedTextures::checksums.
 Manifest::Entries fingerprint(const scene::Scene& scene, const Manifest::Entries& textures,
                               const std::string& renderer);
 
-/// For a message: in what `folder`, which has the fingerprint `there` and a scene.toml, differs
-/// from a render of `scene` with the fingerprint `made`. "clip.duration is 8.0 there, 10.0 here"
+/// Returns, for a message, how the frames in `folder`, which have the fingerprint `there` and a
+/// scene.toml, differ from a render of `scene` with the fingerprint `made`: "clip.duration is 8.0
+/// there, 10.0 here". The first few differences, and the number of others.
 std::string differences(const std::filesystem::path& folder, const Manifest::Entries& there,
                         const Manifest::Entries& made, const scene::Scene& scene);
 
-/// The checksum of the scene from which the file in the folder above `folder` was made, if it is as
-/// the manifest in `folder` has it; else empty. Throws MachineError.
+/// Returns the checksum of the scene from which `file`, in the folder above `folder`, was made.
+/// Empty if the manifest in `folder` doesn't list the file or the file has changed. Throws
+/// MachineError.
 std::string sceneChecksumOf(const std::filesystem::path& folder, const std::filesystem::path& file);
 
 }  // namespace rotatebook::store

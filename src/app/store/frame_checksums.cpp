@@ -15,11 +15,11 @@ namespace rotatebook::store {
 namespace {
 
 constexpr std::size_t kDigits = 32;
-constexpr std::string_view kBetween = "  ";
-constexpr off_t kLargestSums = 256'000'000;  // Four times those of the longest clip. [bytes]
+constexpr std::string_view kSeparator = "  ";
+constexpr off_t kMaxFileBytes = 256'000'000;  // Four times the longest clip's. [bytes]
 
 std::string lineOf(std::int64_t index, const std::string& sum) {
-  return sum + std::string(kBetween) + frameName(index) + '\n';
+  return sum + std::string(kSeparator) + frameName(index) + '\n';
 }
 
 [[noreturn]] void failMissing(const std::filesystem::path& folder, std::int64_t frame) {
@@ -31,30 +31,30 @@ std::string lineOf(std::int64_t index, const std::string& sum) {
 
 FrameChecksums::FrameChecksums(std::filesystem::path folder)
     : folder_(std::move(folder)),
-      path_(folder_ / kFrameSumsName),
-      sums_(parse(system::readFileOrEmpty(path_, kLargestSums))) {}
+      path_(folder_ / kFrameChecksumsName),
+      checksums_(parse(system::readFileOrEmpty(path_, kMaxFileBytes))) {}
 
-FrameChecksums::Sums FrameChecksums::parse(const std::string& text) {
-  Sums sums;
+FrameChecksums::Checksums FrameChecksums::parse(const std::string& text) {
+  Checksums checksums;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    if (line.size() < kDigits + kBetween.size()) continue;
-    const auto index = frameIndex(line.substr(kDigits + kBetween.size()));
-    if (index) sums[*index] = line.substr(0, kDigits);
+    if (line.size() < kDigits + kSeparator.size()) continue;
+    const auto index = frameIndex(line.substr(kDigits + kSeparator.size()));
+    if (index) checksums[*index] = line.substr(0, kDigits);
   }
-  return sums;
+  return checksums;
 }
 
 std::optional<std::string> FrameChecksums::intact(std::int64_t index) const {
-  const auto known = sums_.find(index);
-  if (known == sums_.end()) return std::nullopt;
+  const auto known = checksums_.find(index);
+  if (known == checksums_.end()) return std::nullopt;
   std::string bytes = system::readFileOrEmpty(folder_ / frameName(index), image::kLargestFile);
   if (bytes.empty() || checksumOf(bytes) != known->second) return std::nullopt;
   return bytes;
 }
 
-std::vector<std::int64_t> FrameChecksums::known() const {
-  const auto indices = std::views::keys(sums_);
+std::vector<std::int64_t> FrameChecksums::indices() const {
+  const auto indices = std::views::keys(checksums_);
   return {indices.begin(), indices.end()};
 }
 
@@ -71,8 +71,9 @@ void FrameChecksums::openFile() {
       open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_NOFOLLOW | O_CLOEXEC, 0666));
   if (!file_.isOpen()) system::throwLastError(path_, "write");
   const off_t size = lseek(file_.number(), 0, SEEK_END);
-  const bool foreign = size > kLargestSums && ftruncate(file_.number(), 0) == 0;
-  // A line that was cut off mustn't take the next one with it.
+  // Empty a file that is too long to be one of ours
+  const bool foreign = size > kMaxFileBytes && ftruncate(file_.number(), 0) == 0;
+  // End a line that was cut off, so that it doesn't spoil the next one
   if (size > 0 && !foreign) system::writeAll(file_, "\n", path_);
 }
 
@@ -83,12 +84,16 @@ void FrameChecksums::requireFiles(FrameRange frames) const {
 }
 
 void FrameChecksums::sort(FrameRange frames) {
-  if (file_.isOpen()) sums_ = parse(system::readAll(file_, path_));
+  // Read the lines that any process added
+  if (file_.isOpen()) checksums_ = parse(system::readAll(file_, path_));
+
   for (std::int64_t frame = frames.first; frame < frames.end; ++frame) {
-    if (!sums_.contains(frame)) failMissing(folder_, frame);
+    if (!checksums_.contains(frame)) failMissing(folder_, frame);
   }
+
+  // Write one line a frame
   std::string text;
-  for (const auto& [index, sum] : sums_) text += lineOf(index, sum);
+  for (const auto& [index, sum] : checksums_) text += lineOf(index, sum);
   system::writeFileAtomically(path_, text);
   file_ = {};
 }

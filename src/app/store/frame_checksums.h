@@ -1,4 +1,4 @@
-// The checksums of a folder's frames.
+// Checksums of a folder's frames.
 #pragma once
 
 #include <cstdint>
@@ -15,48 +15,48 @@
 
 namespace rotatebook::store {
 
-/// frames.xxh128: a line for each frame, as xxh128sum writes and checks it, added once the frame is
-/// whole. A run that is killed leaves the lines of what it finished.
+/// The file frames.xxh128: one line a frame, in the format of xxh128sum, added once the frame is
+/// complete. A killed run leaves the lines of the frames that it finished.
 class FrameChecksums {
  public:
-  /// Reads the lines that are there; one that was cut off is let go. `folder` exists. Throws
+  /// Reads the existing lines and ignores one that was cut off. `folder` must exist. Throws
   /// MachineError.
   explicit FrameChecksums(std::filesystem::path folder);
 
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// The bytes of frame `index` if its file is there as it was written.
+  /// Returns the bytes of frame `index` if its file still has its checksum.
   std::optional<std::string> intact(std::int64_t index) const;
-  /// Whether frame `index` has a line.
-  bool knows(std::int64_t index) const { return sums_.contains(index); }
+  /// Returns whether frame `index` has a line.
+  bool contains(std::int64_t index) const { return checksums_.contains(index); }
 
-  /// The frames that have a line, ascending.
-  std::vector<std::int64_t> known() const;
+  /// Returns the indices of the frames that have a line, ascending.
+  std::vector<std::int64_t> indices() const;
 
-  /// Adds that frame `index` was written with these bytes. From any thread, but no line that is
-  /// added is known to intact(). Throws MachineError.
+  /// Appends the line of frame `index`, whose file has these bytes. May be called from any thread;
+  /// the other functions don't see the line before sort(). Throws MachineError.
   void add(std::int64_t index, std::string_view bytes);
 
-  /// Throws MachineError, naming the first, if the file of one of these frames is gone.
+  /// Throws MachineError if the file of one of these frames is gone, and names the first.
   void requireFiles(FrameRange frames) const;
 
-  /// Writes the file anew, one line a frame, in order, though it were removed meanwhile. Throws
+  /// Rewrites the file with one line a frame, in order, even if it was removed meanwhile. Throws
   /// MachineError, also if one of these frames has no line.
   void sort(FrameRange frames);
 
  private:
-  using Sums = std::map<std::int64_t, std::string>;
+  using Checksums = std::map<std::int64_t, std::string>;
 
-  static Sums parse(const std::string& text);
+  static Checksums parse(const std::string& text);
   void openFile();
 
   std::filesystem::path folder_, path_;
-  Sums sums_;
+  Checksums checksums_;
   std::mutex mutex_;
-  system::FileDescriptor file_;  // Open once a line was added.
+  system::FileDescriptor file_;  // Open from the first added line until sort().
 };
 
-/// The name of the file.
-inline constexpr const char* kFrameSumsName = "frames.xxh128";
+/// The name of the checksums' file.
+inline constexpr const char* kFrameChecksumsName = "frames.xxh128";
 
 }  // namespace rotatebook::store

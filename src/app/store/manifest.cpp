@@ -16,12 +16,12 @@ namespace fs = std::filesystem;
 using Entries = Manifest::Entries;
 
 constexpr const char* kHead =
-    "# What the frames beside this were made from and with. Their checksums are in frames.xxh128,\n"
-    "# which 'xxh128sum --check' reads; here are those of the files that were made with them, and "
+    "# Provenance of the frames in this folder. Their checksums are in frames.xxh128, which\n"
+    "# 'xxh128sum --check' reads; those below are of the files made with the frames, and of files "
     "of\n"
-    "# files of the same clip that were made with other settings.\n";
+    "# the same clip made with other settings.\n";
 
-/// The tables of the renders of other settings.
+/// The key of the array of renders with other settings.
 constexpr const char* kOther = "other";
 
 std::string tableText(const std::string& name, const Entries& entries) {
@@ -32,7 +32,7 @@ std::string tableText(const std::string& name, const Entries& entries) {
   return text;
 }
 
-/// The node `name` in a table, if it is of this type; else null.
+/// Returns the value `name` of the table `parent` if it has this type; else null.
 template <typename Type>
 const Type* find(const scene::TomlNode& parent, const char* name) {
   const auto* table = std::get_if<scene::TomlNode::Table>(&parent.value);
@@ -40,7 +40,7 @@ const Type* find(const scene::TomlNode& parent, const char* name) {
   return entry != nullptr ? std::get_if<Type>(&entry->node.value) : nullptr;
 }
 
-/// The strings of the table `name` in `parent`.
+/// Returns the strings in the table `name` of `parent`.
 Entries entriesOf(const scene::TomlNode& parent, const char* name) {
   Entries entries;
   const auto* rows = find<scene::TomlNode::Table>(parent, name);
@@ -65,12 +65,17 @@ const Entries* Manifest::filesOf(const Entries& made) const {
 }
 
 void Manifest::add(const Entries& made, const Entries& files) {
+  // Take the files from the renders that wrote them before
   const auto isReplaced = [&](const auto& file) { return files.contains(file.first); };
   std::erase_if(own.files, isReplaced);
   for (Render& other : others) std::erase_if(other.files, isReplaced);
+
+  // Add them to the render that wrote them last
   if (filesOf(made) == nullptr) others.push_back({made, {}});
   Render& render = own.made == made ? own : *std::ranges::find(others, made, &Render::made);
   render.files.insert(files.begin(), files.end());
+
+  // Remove renders of which nothing remains
   std::erase_if(others, [](const Render& other) { return other.files.empty(); });
 }
 
@@ -86,8 +91,8 @@ void Manifest::become(const Entries& made) {
   own = now;
 }
 
-// A render that was finished has a table of files, which may be empty: others' files may have taken
-// the place of all.
+// A finished render has a table of files, which is empty if other renders have replaced all of
+// them.
 Manifest parseManifest(std::string_view text, const std::string& file) {
   const scene::TomlNode root = scene::parseToml(text, file);
   Manifest manifest{.own = renderFrom(root)};

@@ -1,5 +1,5 @@
-// What a folder's frames were made from and with, so that a render can go on where one stopped.
-// Inside the room only.
+// Manifests of folders of frames: their provenance, from which a later render knows whether it can
+// resume. Inside the room only.
 #pragma once
 
 #include <filesystem>
@@ -11,19 +11,19 @@
 
 namespace rotatebook::store {
 
-/// The name of the file; without TOML's ending, as it is no scene.
+/// The name of the manifest's file. It isn't .toml, which is for scenes.
 inline constexpr const char* kManifestName = "frames.manifest";
 
-/// frames.manifest, beside the frames; in TOML.
+/// The content of frames.manifest, a TOML file beside the frames.
 struct Manifest {
   using Entries = std::map<std::string, std::string>;
 
-  /// What one render made.
+  /// The outputs of one render.
   struct Render {
-    /// The fingerprint: all that the frames' bytes depend on, checksums where it is long. Frames of
-    /// equal fingerprints are equal.
+    /// The fingerprint: everything that the frames' bytes depend on, as checksums where it is long.
+    /// Frames of equal fingerprints are equal.
     Entries made;
-    /// The checksums of the files beside the folder, by their names.
+    /// The checksums of the files beside the folder, by file name.
     Entries files;
 
     friend bool operator==(const Render&, const Render&) = default;
@@ -31,32 +31,35 @@ struct Manifest {
 
   /// The render whose frames and scene.toml are in the folder.
   Render own;
-  bool finished = false;  ///< Whether that render was: its clip is complete.
-  /// Those of other settings that left files beside the folder, each file of the last one that
-  /// wrote it.
+  bool finished = false;  ///< Whether `own` is finished: its clip is complete.
+  /// Renders with other settings whose files are still beside the folder. Each file belongs to the
+  /// render that wrote it last.
   std::vector<Render> others{};
 
-  /// The files of the render with this fingerprint; null if there is none.
+  /// Returns the files of the render with the fingerprint `made`; null if there is none.
   const Entries* filesOf(const Entries& made) const;
-  /// Adds files that the render with this fingerprint wrote; they are no other's any more.
+  /// Adds `files`, which the render with the fingerprint `made` wrote, and takes them from the
+  /// others.
   void add(const Entries& made, const Entries& files);
-  /// Makes the render with this fingerprint `own`, with what is known of its files; the one before
-  /// goes to `others`.
+  /// Makes the render with the fingerprint `made` `own`, with its files if it was among `others`,
+  /// to which the former `own` moves if it has files.
   void become(const Entries& made);
 
   friend bool operator==(const Manifest&, const Manifest&) = default;
 };
 
+/// Returns the text that parseManifest() reads.
 std::string manifestText(const Manifest& manifest);
 
-/// Of a manifest's text. Throws InputError where it isn't TOML; what has no meaning is let go.
+/// Parses a manifest; `file` names it in messages. Ignores entries without a meaning. Throws
+/// InputError if the text isn't TOML.
 Manifest parseManifest(std::string_view text, const std::string& file);
 
-/// That of `folder`; nothing if there is none, or what is there is no manifest. Throws MachineError
-/// if the disk fails.
+/// Reads the manifest in `folder`; returns nothing if there is none or it can't be parsed. Throws
+/// MachineError if the disk fails.
 std::optional<Manifest> readManifest(const std::filesystem::path& folder);
 
-/// Throws MachineError.
+/// Replaces the manifest in `folder`. Throws MachineError.
 void writeManifest(const std::filesystem::path& folder, const Manifest& manifest);
 
 }  // namespace rotatebook::store

@@ -23,8 +23,7 @@ std::vector<std::string> sceneNamesIn(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
     if (entry.path().extension() == ".toml") names.push_back(entry.path().filename().string());
   }
-  // The order of a folder is the file system's whim, and of two names as near the first is
-  // suggested.
+  // The first of equally near names is suggested, and the order of a folder is arbitrary.
   std::sort(names.begin(), names.end());
   return names;
 }

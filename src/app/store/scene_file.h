@@ -1,4 +1,4 @@
-// Scenes as files.
+// Reading of scene files.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,13 @@
 
 namespace rotatebook::store {
 
-/// Reads and validates a scene's file, as scene::parseScene(). Throws InputError, for a file that
-/// isn't there with the nearest name that is.
+/// Reads and validates a scene file; see scene::parseScene(). Throws InputError; for a missing
+/// file, the message suggests the nearest existing name.
 scene::Scene readScene(const std::filesystem::path& path,
                        std::span<const std::string> overrides = {});
 
-/// Reads the text of a scene's file, at most 32 KiB, and checks nothing else. Throws InputError.
+/// Reads the text of a scene file without parsing it. Throws InputError if it can't be read or is
+/// longer than scene::kLongestToml.
 std::string readSceneText(const std::filesystem::path& path);
 
 }  // namespace rotatebook::store

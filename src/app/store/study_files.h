@@ -1,4 +1,4 @@
-// Names of what a study leaves on the disk.
+// Names of the files that a study leaves on the disk.
 #pragma once
 
 #include <filesystem>
@@ -6,21 +6,22 @@
 
 namespace rotatebook::store {
 
+/// Paths of a study's outputs, all in one folder.
 struct StudyFiles {
   std::filesystem::path csv;     ///< NAME-study.csv
-  std::filesystem::path orders;  ///< NAME-study-orders.csv, of integrators only
+  std::filesystem::path orders;  ///< NAME-study-orders.csv, only for studies of integrators
   std::filesystem::path svg;     ///< NAME-study.svg
   std::filesystem::path png;     ///< NAME-study.png
 };
 
-/// The files of the study `name` in `folder`.
+/// Returns the paths of the study `name` in `folder`.
 StudyFiles studyFiles(const std::filesystem::path& folder, const std::string& name);
 
-/// Throws MachineError, and leaves everything as it is, if one of them can't be written: better
-/// before a study than after.
+/// Throws MachineError, without changing anything, if one of the files can't be written, so that a
+/// study fails before it runs rather than after.
 void refuseUnwritable(const StudyFiles& files);
 
-/// Removes those of an earlier study, so that files of two never mix. Throws MachineError.
+/// Removes the files of an earlier study, so that two studies never mix. Throws MachineError.
 void removeFiles(const StudyFiles& files);
 
 }  // namespace rotatebook::store

@@ -1,4 +1,4 @@
-// The tables of a clip's motions on the disk.
+// Writing of the tables of a clip's motions.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace rotatebook::store {
 
-/// Writes the table of each motion, timeline::trajectoryCsv(), to the file of the same place in
+/// Writes the table of each motion, see timeline::writeCsv(), to the file with the same index in
 /// `files`. Throws MachineError.
 void writeTables(const std::vector<std::filesystem::path>& files,
                  const timeline::ClipMotion& motion);

@@ -1,4 +1,4 @@
-// What is found where a clip is verified. Inside the room only.
+// Results of single checks of a clip. Inside the room only.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,20 @@
 
 namespace rotatebook::verify {
 
-/// One thing that a clip tells, and what it should be.
+/// A property of a clip, and the value that it should have.
 struct ClipCheck {
-  std::string what;      ///< "size"
+  std::string what;      ///< The property: "size"
   std::string measured;  ///< "640x360"
-  std::string wanted;    ///< The bound, or what it must be.
+  std::string wanted;    ///< The bound, or the value that it must have.
   bool passed = false;
 };
 
-/// A picture of a clip beside the one that is drawn for it.
+/// A picture of a clip, compared with the frame drawn for it.
 struct PictureCheck {
-  std::int64_t frame = 0;  ///< Of the whole clip.
+  std::int64_t frame = 0;  ///< Its index in the whole clip.
   video::Distance measured;
   video::Distance bound;
-  /// Another frame than `frame` that it is clearly liker to.
+  /// Another frame to which the picture is clearly closer than to `frame`.
   std::optional<std::int64_t> closerTo{};
 
   bool passed() const {

@@ -10,10 +10,11 @@
 namespace rotatebook::verify {
 namespace {
 
-// WebM counts milliseconds; MP4's clock divides a frame without rest. [s]
-constexpr double kMp4Stamp = 1e-6, kWebmStamp = 0.501e-3;
-// FFmpeg tells it in microseconds. [s]
-constexpr double kMp4Length = 2e-6, kWebmLength = 1.001e-3;
+// Bounds for time stamps: WebM rounds to milliseconds; in MP4, a frame is a whole number of clock
+// ticks. [s]
+constexpr double kMp4StampBound = 1e-6, kWebmStampBound = 0.501e-3;
+// Bounds for durations, which FFmpeg reports in microseconds. [s]
+constexpr double kMp4LengthBound = 2e-6, kWebmLengthBound = 1.001e-3;
 
 ClipCheck equality(const std::string& what, const std::string& measured,
                    const std::string& wanted) {
@@ -41,7 +42,7 @@ std::string shapesText(const std::string& container, const std::string& stream) 
   return container + " in the container, " + stream + " in the stream";
 }
 
-/// The whole's speed, then what is played of it.
+/// Returns the speed of the whole clip, then duration and speed of each edit.
 std::string speedText(const video::Mp4Header& header) {
   std::string text = "speed " + roundedText(header.speed, 6);
   for (const auto& [duration, speed] : header.edits) {
@@ -50,11 +51,11 @@ std::string speedText(const video::Mp4Header& header) {
   return text;
 }
 
-/// Whether all of `duration` [s] is played, as fast as it is.
+/// Returns whether all of `duration` [s] is played, at normal speed.
 bool playsAll(const video::Mp4Header& header, double duration) {
   if (header.speed != 1 || header.edits.size() > 1) return false;
   const auto isAll = [&](const video::Mp4Header::Edit& edit) {
-    return edit.speed == 1 && std::abs(edit.duration - duration) <= kMp4Length;
+    return edit.speed == 1 && std::abs(edit.duration - duration) <= kMp4LengthBound;
   };
   return std::ranges::all_of(header.edits, isAll);
 }
@@ -93,23 +94,24 @@ double TimeCheck::timeOf(std::int64_t frame) const {
 }
 
 void TimeCheck::add(double time) {
-  const double away = std::abs(time - timeOf(count_++));
-  allHaveTimes_ = allHaveTimes_ && std::isfinite(away);
-  if (std::isfinite(away)) farthest_ = std::max(farthest_, away);
+  const double error = std::abs(time - timeOf(count_++));
+  allHaveTimes_ = allHaveTimes_ && std::isfinite(error);
+  if (std::isfinite(error)) largestError_ = std::max(largestError_, error);
 }
 
 std::vector<ClipCheck> TimeCheck::checks() const {
-  const double stamp = isMp4(facts_) ? kMp4Stamp : kWebmStamp;
-  const double length = isMp4(facts_) ? kMp4Length : kWebmLength;
+  const double stampBound = isMp4(facts_) ? kMp4StampBound : kWebmStampBound;
+  const double lengthBound = isMp4(facts_) ? kMp4LengthBound : kWebmLengthBound;
   const double wanted = timeOf(frames_);
   std::vector<ClipCheck> checks{
       equality("frames", std::to_string(count_), std::to_string(frames_)),
       {"time stamps",
-       allHaveTimes_ ? "off by up to " + milliseconds(farthest_) : "some are missing",
-       "frame n at n/fps within " + milliseconds(stamp), allHaveTimes_ && farthest_ <= stamp},
+       allHaveTimes_ ? "off by up to " + milliseconds(largestError_) : "some are missing",
+       "frame n at n/fps within " + milliseconds(stampBound),
+       allHaveTimes_ && largestError_ <= stampBound},
       {"duration", secondsText(facts_.duration),
-       secondsText(wanted) + " within " + milliseconds(length),
-       std::abs(facts_.duration - wanted) <= length}};
+       secondsText(wanted) + " within " + milliseconds(lengthBound),
+       std::abs(facts_.duration - wanted) <= lengthBound}};
   if (facts_.mp4) {
     checks.push_back({"speed", speedText(*facts_.mp4), "all at speed 1",
                       playsAll(*facts_.mp4, facts_.duration)});

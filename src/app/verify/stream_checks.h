@@ -1,4 +1,4 @@
-// What a clip's container tells, beside what its scene asks for. Inside the room only.
+// Checks of a clip's container and stream against its scene. Inside the room only.
 #pragma once
 
 #include <cstdint>
@@ -10,22 +10,23 @@
 
 namespace rotatebook::verify {
 
-/// Checks without which pictures can't be compared.
+/// Names of the checks that must pass before pictures can be compared.
 inline constexpr const char* kSizeCheck = "size";
 inline constexpr const char* kCodecCheck = "codec";
 
-/// Size, codec and colours, and how players are told to show the pictures.
+/// Checks size, codec, colours, pixel aspect ratio and display transformation.
 std::vector<ClipCheck> checkStream(const video::ClipFacts& facts, const scene::Scene& scene);
 
-/// Takes the times of a clip's pictures, in their order.
+/// Checks the times at which a clip's pictures are shown.
 class TimeCheck {
  public:
-  /// The clip should have `frames` pictures.
+  /// `frames` is the number of pictures that the clip should have.
   TimeCheck(const video::ClipFacts& facts, FrameRate rate, std::int64_t frames);
 
-  /// The next picture is shown at `time` [s], or not a number.
+  /// Adds the next picture's `time` [s]; not a number if it has none.
   void add(double time);
-  /// Number of frames, time stamps, duration and, of an MP4, speed; after the last picture.
+  /// Returns the checks of frame count, time stamps, duration and, for an MP4, speed. Call it after
+  /// the last picture.
   std::vector<ClipCheck> checks() const;
 
  private:
@@ -35,7 +36,7 @@ class TimeCheck {
   FrameRate rate_;
   std::int64_t frames_;
   std::int64_t count_ = 0;
-  double farthest_ = 0;  // [s]
+  double largestError_ = 0;  // Of the times so far. [s]
   bool allHaveTimes_ = true;
 };
 

@@ -18,15 +18,15 @@ namespace {
 
 constexpr std::int64_t kDefaultFrames = 6;
 
-/// A byte of a checksum in hexadecimal digits.
+/// Returns byte `index` of a checksum in hexadecimal digits.
 std::int64_t byteOf(const std::string& checksum, std::int64_t index) {
   return std::stoi(checksum.substr(static_cast<std::size_t>(2 * index), 2), nullptr, 16);
 }
 
-/// One frame of each sixth, where the motion's checksum says: nobody knows which before there is a
-/// motion, and everybody chooses the same.
-std::set<std::int64_t> spread(store::FrameRange range, const std::string& motion) {
-  constexpr std::int64_t kSteps = 256;  // of a byte
+/// Chooses one frame from each sixth of `range` by the motion's checksum: nobody can know which
+/// frames before the motion exists, and everybody chooses the same.
+std::set<std::int64_t> spreadFrames(store::FrameRange range, const std::string& motion) {
+  constexpr std::int64_t kSteps = 256;  // Values of a byte.
   std::set<std::int64_t> frames;
   for (std::int64_t i = 0; i < kDefaultFrames; ++i) {
     const std::int64_t step = kSteps * i + byteOf(motion, i);
@@ -37,7 +37,7 @@ std::set<std::int64_t> spread(store::FrameRange range, const std::string& motion
 
 std::set<std::int64_t> chosenFrames(store::FrameRange range, const std::string& motion,
                                     const VerifyOptions& options) {
-  if (options.frames.empty()) return spread(range, motion);
+  if (options.frames.empty()) return spreadFrames(range, motion);
   for (const std::int64_t frame : options.frames) {
     if (range.first <= frame && frame < range.end) continue;
     throw InputError("frame " + std::to_string(frame) + " isn't in the clip, which has " +
@@ -51,7 +51,7 @@ ClipCheck checkMotion(const store::Provenance& there, const std::string& motion)
           motion == there.motion};
 }
 
-/// Verifying on its way.
+/// A verification in progress.
 class Verifier {
  public:
   Verifier(const std::filesystem::path& clip, const VerifyOptions& options)
@@ -67,7 +67,7 @@ class Verifier {
                        .wholeCount = motion_.frameCount()};
     found.checks = checkStream(reader_.facts(), record_.scene);
     found.checks.push_back(checkMotion(record_.provenance, motionSum_));
-    // Pictures of other sizes and kinds can't be compared, and to draw them may take gigabytes.
+    // Pictures of another size or codec can't be compared, and drawing them may take gigabytes.
     const auto isWrong = [](const ClipCheck& check) {
       return !check.passed && (check.what == kSizeCheck || check.what == kCodecCheck);
     };
@@ -88,12 +88,12 @@ class Verifier {
     found.toolsDiffer = store::differencesOfTools(
         record_.provenance, store::provenanceOf(record_.scene, motion_, drawer.textureChecksums(),
                                                 drawer.description()));
-    PictureComparison judge(record_.scene, drawer, found.wholeCount, reader_.facts().format);
+    PictureComparison comparison(record_.scene, drawer, found.wholeCount, reader_.facts().format);
     TimeCheck times(reader_.facts(), record_.scene.clip.frameRate, found.range.count());
     for (std::int64_t frame = found.range.first; reader_.next(); ++frame) {
       times.add(reader_.time());
       const bool wanted = frame < found.range.end && (options_.allFrames || chosen.contains(frame));
-      if (wanted) found.pictures.push_back(judge.judge(frame, reader_.picture()));
+      if (wanted) found.pictures.push_back(comparison.compare(frame, reader_.picture()));
       if (options_.progress)
         options_.progress({frame + 1 - found.range.first, found.range.count()});
     }

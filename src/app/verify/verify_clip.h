@@ -1,4 +1,4 @@
-// Whether a clip shows what it says it was made from.
+// Verification that a clip shows the scene in its record.
 #pragma once
 
 #include <cstdint>
@@ -14,37 +14,39 @@
 
 namespace rotatebook::verify {
 
-/// What to verify, and with what.
+/// Options of a verification.
 struct VerifyOptions {
   store::TextureLookup textures{};
-  /// Frames of the whole clip whose pictures are compared; none: one of each sixth of the clip,
+  /// Frames to compare, as indices in the whole clip. If empty, one from each sixth of the clip,
   /// chosen by the motion's checksum.
   std::vector<std::int64_t> frames{};
-  bool allFrames = false;
+  bool allFrames = false;  ///< Compare every frame of the clip.
   render::DeviceChoice device{};
-  /// Told after each picture that was decoded. May be empty.
+  /// Called after each decoded picture. May be empty.
   std::function<void(pipeline::RenderProgress)> progress{};
 };
 
-/// What was found.
+/// The result of a verification.
 struct Verification {
   store::ClipRecord record;
-  store::FrameRange range;      ///< The clip's frames.
-  std::int64_t wholeCount = 0;  ///< Frames of the whole clip.
-  /// What made the clip and isn't here, so that pixels may differ. Empty if none were compared.
+  store::FrameRange range;      ///< The frames in the clip.
+  std::int64_t wholeCount = 0;  ///< The number of frames of the whole clip.
+  /// Differences between the tools that made the clip and those here, which may change pixels.
+  /// Empty if no pictures were compared.
   std::vector<std::string> toolsDiffer{};
   std::vector<ClipCheck> checks{};
-  /// None if the stream isn't what it should be.
+  /// Empty if size or codec are wrong.
   std::vector<PictureCheck> pictures{};
 
-  /// How many checks failed, those of pictures among them.
+  /// Returns how many checks failed, including those of pictures.
   std::int64_t failures() const;
   bool proved() const { return failures() == 0; }
 };
 
-/// Reads the record of `clip`, an MP4 or WebM, simulates and draws its scene again, and compares.
-/// Throws InputError as video::requireWholeFile(), readRecordedClip() and video::ClipReader do, and
-/// for frames that the clip hasn't; MachineError if nothing can be drawn.
+/// Reads the record of `clip`, an MP4 or WebM, simulates and draws its scene again, and compares
+/// the clip with that. Throws InputError where video::requireWholeFile(), store::readRecordedClip()
+/// and video::ClipReader do, and for frames that the clip doesn't have; MachineError if nothing can
+/// be drawn.
 Verification verifyClip(const std::filesystem::path& clip, const VerifyOptions& options);
 
 }  // namespace rotatebook::verify

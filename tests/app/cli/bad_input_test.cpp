@@ -238,7 +238,7 @@ TEST_F(BadFrames, OfTwoRates) {
 
 TEST_F(BadFrames, OfNoRate) {
   std::filesystem::remove(folder() / "out/tiny/scene.toml");
-  expectRefused({}, "out/tiny has no scene.toml that tells the frame rate; give it with --fps");
+  expectRefused({}, "out/tiny has no scene.toml that sets the frame rate; give it with --fps");
 }
 
 }  // namespace

@@ -211,7 +211,7 @@ TEST_F(RenderCommand, RefusesToMixFramesOfOtherSettings) {
   EXPECT_EQ(result.status, 2);
   EXPECT_EQ(
       result.error,
-      "rotatebook: out/tiny holds frames of other settings: body.mass is 1.0 there, 2.0 here; "
+      "rotatebook: out/tiny holds frames with other settings: body.mass is 1.0 there, 2.0 here; "
       "render into another folder with -o, or remove it\n");
   EXPECT_FALSE(has("out/tiny/frame_00001.png"));
   EXPECT_EQ(other("1").status, 0);

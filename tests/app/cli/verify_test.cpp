@@ -156,7 +156,7 @@ TEST_F(VerifyCommand, RefusesDamagedRecords) {
   expectRefused("out/tiny.mp4", "out/tiny.mp4 isn't a clip of rotatebook: its metadata holds no");
   write("out/tiny.mp4", whole);
   change("the scene tiny", "the scene ../x");
-  expectRefused("out/tiny.mp4", "is damaged: its scene's name can't be a file's");
+  expectRefused("out/tiny.mp4", "is damaged: its scene's name can't be a file name");
   write("out/tiny.mp4", whole);
   change("\nangular_velocity", "\nangular_velocitx");
   expectRefused("out/tiny.mp4", "the record in out/tiny.mp4 is damaged: out/tiny.mp4:");
@@ -181,9 +181,8 @@ TEST_F(VerifyCommand, FindsTexturesFromTheSceneFolder) {
   ASSERT_EQ(run({"render", "scenes/covered.toml", "--no-png"}).status, 0);
   const ChildResult missing = run({"verify", "out/covered.mp4"});
   EXPECT_EQ(missing.status, 2);
-  EXPECT_THAT(missing.error,
-              AllOf(HasSubstr("can't read out/cover.png: No such file or directory"),
-                    HasSubstr("; say where its scene's folder is with --scene-folder DIR")));
+  EXPECT_THAT(missing.error, AllOf(HasSubstr("can't read out/cover.png: No such file or directory"),
+                                   HasSubstr("; name its scene's folder with --scene-folder DIR")));
   const ChildResult found = run({"verify", "out/covered.mp4", "--scene-folder", "scenes"});
   EXPECT_EQ(found.status, 0) << found.output << found.error;
 }

@@ -67,7 +67,7 @@ TEST_F(Assemble, RefusesAFrameThatIsntAsItWasDrawn) {
                   fs::copy_options::overwrite_existing);
     EXPECT_EQ(inputError(), frame.string() + " isn't the picture that was drawn: " +
                                 (frames_ / "frames.xxh128").string() +
-                                " has another checksum of it; render the scene with --resume, "
+                                " has another checksum for it; render the scene with --resume, "
                                 "which draws it again, or remove " +
                                 (frames_ / "frames.xxh128").string() +
                                 " to join frames that were changed on purpose");
@@ -82,7 +82,7 @@ TEST_F(Assemble, RefusesFramesThatWentMissingAtEitherEnd) {
     const fs::path frame = frames_ / store::frameName(missing);
     fs::rename(frame, folder_ / "kept.png");
     EXPECT_EQ(inputError(), frames_.string() + ": " + store::frameName(missing) +
-                                " is missing, which frames.xxh128 there tells of; render the scene "
+                                " is missing, although frames.xxh128 lists it; render the scene "
                                 "with --resume, which draws it again, or remove " +
                                 (frames_ / "frames.xxh128").string() +
                                 " to join the frames that are there");
@@ -124,7 +124,7 @@ TEST_F(Assemble, NeedsAnEndingThatNamesAFormat) {
     const fs::path video = folder_ / name;
     EXPECT_EQ(testing::messageOf<InputError>([&] { assemble(frames_, video, FrameRate{}, {}); }),
               video.string() +
-                  " names no format of video; let it end in .mp4, .webm, .gif or "
+                  " names no video format; use the ending .mp4, .webm, .gif or "
                   ".apng");
     EXPECT_FALSE(fs::exists(video));
   }
@@ -209,7 +209,7 @@ TEST_F(Assemble, NamesBothFramesOfDifferentSizes) {
 TEST_F(Assemble, NeedsARateForFramesFromElsewhere) {
   writeFrames(frames_, {0, 1});
   EXPECT_EQ(inputError(),
-            frames_.string() + " has no scene.toml that tells the frame rate; give it with --fps");
+            frames_.string() + " has no scene.toml that sets the frame rate; give it with --fps");
 }
 
 TEST_F(Assemble, RefusesARateWhereTheSceneTells) {

@@ -68,7 +68,7 @@ TEST_F(OtherSettings, AreEachDoneByTheirRecords) {
 TEST_F(OtherSettings, AreNotGoneOnWithUnasked) {
   render({});
   EXPECT_THAT(messageOf<InputError>([&] { renderGif(kResume); }),
-              HasSubstr("holds the frames of a clip of other settings"));
+              HasSubstr("holds the frames of a clip with other settings"));
 }
 
 TEST_F(OtherSettings, KeepFramesOfWhichNothingIsKnown) {
@@ -76,11 +76,11 @@ TEST_F(OtherSettings, KeepFramesOfWhichNothingIsKnown) {
   fs::remove(folder_ / "small" / store::kManifestName);
   for (int time = 0; time < 2; ++time) {
     EXPECT_THAT(renderGif().others,
-                ElementsAre("12 frames in " + path("small") + "/ (of unknown settings)"));
+                ElementsAre("12 frames in " + path("small") + "/ (with unknown settings)"));
     EXPECT_EQ(store::framesIn(folder_ / "small").size(), 12U);
   }
   EXPECT_THAT(messageOf<InputError>([&] { render({}); }),
-              HasSubstr("with settings that aren't known; render anew with --overwrite"));
+              HasSubstr("with unknown settings; render anew with --overwrite"));
 }
 
 TEST_F(OtherSettings, CostNoUnfinishedFramesWhereVideosAloneGoOn) {

@@ -95,7 +95,7 @@ TEST(RenderParts, RefuseToJoinFramesOfOtherSettings) {
                     {.folder = folder, .frames = store::FrameRange{3, 12}});
   };
   EXPECT_THAT(testing::messageOf<InputError>(join),
-              AllOf(HasSubstr((folder / "small").string() + " holds frames of other settings"),
+              AllOf(HasSubstr((folder / "small").string() + " holds frames with other settings"),
                     HasSubstr("-o")));
   EXPECT_EQ(bytesOf(folder / "small" / store::frameName(3)), before);
   EXPECT_FALSE(fs::exists(folder / "small" / store::frameName(7)));
@@ -110,7 +110,7 @@ TEST(RenderParts, RefuseToLieBesideUnfinishedFramesOfOtherSettings) {
   };
   EXPECT_THAT(
       testing::messageOf<InputError>([&] { part(smallScene({"camera.field_of_view_deg=40"})); }),
-      AllOf(HasSubstr((folder / "small.partial").string() + " holds frames of other settings"),
+      AllOf(HasSubstr((folder / "small.partial").string() + " holds frames with other settings"),
             HasSubstr("camera.field_of_view_deg is")));
   EXPECT_FALSE(fs::exists(folder / "small"));
   testing::render(smallScene({"camera.field_of_view_deg=40"}),

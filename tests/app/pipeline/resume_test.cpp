@@ -177,7 +177,7 @@ TEST_F(Resume, RefusesAClipOfOtherSettings) {
   render({});
   EXPECT_EQ(failureOf(kResume, otherScene()),
             (folder_ / "small").string() +
-                " holds the frames of a clip of other settings: body.mass is 1.0 there, 2.0 "
+                " holds the frames of a clip with other settings: body.mass is 1.0 there, 2.0 "
                 "here; render "
                 "anew with --overwrite, or into another folder with -o");
   EXPECT_TRUE(render(kResume).wasDone) << "the refusal cost the clip";
@@ -223,7 +223,7 @@ TEST_F(Resume, RefusesFramesOfOtherSettings) {
 TEST_F(Resume, RefusesFramesOfSettingsThatNothingTells) {
   stop(5);
   fs::remove(folder_ / "small.partial" / store::kManifestName);
-  EXPECT_THAT(failureOf(kResume), HasSubstr("with settings that aren't known; render anew"));
+  EXPECT_THAT(failureOf(kResume), HasSubstr("with unknown settings; render anew"));
 }
 
 TEST_F(Resume, IsAskedForWhereThereAreUnfinishedFrames) {

@@ -128,7 +128,7 @@ TEST(SceneRecord, ThatIsDamagedIsRefused) {
 TEST(SceneRecord, CannotLeadOutOfAFolder) {
   for (const char* name : {"", ".", "..", "/", "a/b", "../a", "/etc/passwd", "a/"}) {
     EXPECT_EQ(problemOf(std::string("# Made by rotatebook 1 from the scene ") + name + "\n\n"),
-              "the record in x/y.mp4 is damaged: its scene's name can't be a file's")
+              "the record in x/y.mp4 is damaged: its scene's name can't be a file name")
         << name;
   }
 }
@@ -158,7 +158,7 @@ TEST(SceneRecord, NamesTheOptionWhereATextureIsMissing) {
   }
   EXPECT_THAT(pipeline::testing::messageOf<InputError>([&] { readRecordedClip(clip, {"other"}); }),
               AllOf(StartsWith(clip.string() + ":"), HasSubstr("can't read other/cover.png: "),
-                    HasSubstr("; say where its scene's folder is with --scene-folder DIR")));
+                    HasSubstr("; name its scene's folder with --scene-folder DIR")));
 }
 
 TEST(SceneRecord, NamesTheOptionOnlyWhereATextureIsMissing) {

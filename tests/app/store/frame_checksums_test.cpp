@@ -57,17 +57,18 @@ TEST(Checksum, IsOfNothingThatCannotBeRead) {
 
 TEST(FrameChecksums, AreNotWrittenIntoAPipe) {
   const fs::path folder = emptyFolder();
-  ASSERT_EQ(mkfifo((folder / kFrameSumsName).c_str(), 0600), 0);
+  ASSERT_EQ(mkfifo((folder / kFrameChecksumsName).c_str(), 0600), 0);
   FrameChecksums sums(folder);
-  EXPECT_EQ(messageOf<MachineError>([&] { sums.add(0, "abc"); }),
-            "can't write " + (folder / kFrameSumsName).string() + ": it is not a regular file");
+  EXPECT_EQ(
+      messageOf<MachineError>([&] { sums.add(0, "abc"); }),
+      "can't write " + (folder / kFrameChecksumsName).string() + ": it is not a regular file");
 }
 
 TEST(FrameChecksums, HaveALineForEachFrame) {
   const fs::path folder = emptyFolder();
   FrameChecksums sums(folder);
   writeFrame(sums, 7, "abc");
-  EXPECT_EQ(bytesOf(folder / kFrameSumsName), std::string(kSumOfAbc) + "  frame_00007.png\n");
+  EXPECT_EQ(bytesOf(folder / kFrameChecksumsName), std::string(kSumOfAbc) + "  frame_00007.png\n");
 }
 
 TEST(FrameChecksums, KnowWhatAnEarlierRunWrote) {
@@ -101,7 +102,7 @@ TEST(FrameChecksums, OutliveALineThatWasCutOff) {
     FrameChecksums first(folder);
     writeFrame(first, 0, "zero");
   }
-  std::ofstream(folder / kFrameSumsName, std::ios::app) << "0123456789abcdef0123";
+  std::ofstream(folder / kFrameChecksumsName, std::ios::app) << "0123456789abcdef0123";
   {
     FrameChecksums second(folder);
     EXPECT_EQ(second.intact(0), "zero");
@@ -110,24 +111,24 @@ TEST(FrameChecksums, OutliveALineThatWasCutOff) {
   FrameChecksums third(folder);
   EXPECT_EQ(third.intact(1), "one");
   third.sort({0, 2});
-  EXPECT_EQ(bytesOf(folder / kFrameSumsName),
+  EXPECT_EQ(bytesOf(folder / kFrameChecksumsName),
             checksumOf("zero") + "  frame_00000.png\n" + checksumOf("one") + "  frame_00001.png\n");
 }
 
 TEST(FrameChecksums, OutliveAFirstLineThatWasCutOff) {
   const fs::path folder = emptyFolder();
-  std::ofstream(folder / kFrameSumsName) << "0123456789abcdef0123";
+  std::ofstream(folder / kFrameChecksumsName) << "0123456789abcdef0123";
   FrameChecksums sums(folder);
   writeFrame(sums, 0, "zero");
   sums.sort({0, 1});
-  EXPECT_EQ(bytesOf(folder / kFrameSumsName), checksumOf("zero") + "  frame_00000.png\n");
+  EXPECT_EQ(bytesOf(folder / kFrameChecksumsName), checksumOf("zero") + "  frame_00000.png\n");
 }
 
 TEST(FrameChecksums, OutliveTheirFile) {
   const fs::path folder = emptyFolder();
   FrameChecksums sums(folder);
   writeFrame(sums, 0, "zero");
-  fs::remove(folder / kFrameSumsName);
+  fs::remove(folder / kFrameChecksumsName);
   writeFrame(sums, 1, "one");
   sums.sort({0, 2});
   EXPECT_EQ(FrameChecksums(folder).intact(0), "zero");
@@ -148,18 +149,18 @@ TEST(FrameChecksums, TellWhichFrameIsMissing) {
 
 TEST(FrameChecksums, AreNotReadWhereTheyAreOfNoClip) {
   const fs::path folder = emptyFolder();
-  std::ofstream(folder / kFrameSumsName) << "x";
-  fs::resize_file(folder / kFrameSumsName, 300'000'000);  // Sparse.
+  std::ofstream(folder / kFrameChecksumsName) << "x";
+  fs::resize_file(folder / kFrameChecksumsName, 300'000'000);  // Sparse.
   FrameChecksums sums(folder);
   writeFrame(sums, 0, "zero");
-  EXPECT_LT(fs::file_size(folder / kFrameSumsName), 100U);
+  EXPECT_LT(fs::file_size(folder / kFrameChecksumsName), 100U);
 }
 
 TEST(FrameChecksums, IgnoreWhatIsNoLineOfTheirs) {
   const fs::path folder = emptyFolder();
-  std::ofstream(folder / kFrameSumsName) << "\n# words\n"
-                                         << std::string(32, '0') << "  ../../frame_00001.png\n"
-                                         << std::string(33, '0') << "  frame_00001.png\n";
+  std::ofstream(folder / kFrameChecksumsName) << "\n# words\n"
+                                              << std::string(32, '0') << "  ../../frame_00001.png\n"
+                                              << std::string(33, '0') << "  frame_00001.png\n";
   system::writeFileAtomically(folder / frameName(1), "one");
   EXPECT_EQ(FrameChecksums(folder).intact(1), std::nullopt);
 }

@@ -42,7 +42,7 @@ TEST(PictureComparison, KnowsAPictureOfTheNextFrameThatIsFarFromBoth) {
   const video::Planes said = planesAt(5), next = planesAt(6);
   const auto closerTo = [&](float shareOfNext) {
     return PictureComparison(scene, drawer, kFrames, VideoFormat::Mp4)
-        .judge(5, mixture(next, said, shareOfNext))
+        .compare(5, mixture(next, said, shareOfNext))
         .closerTo;
   };
   EXPECT_EQ(closerTo(0.9F), 6);             // 0.11 times as far from the next frame as from its own

@@ -53,7 +53,7 @@ std::string limitText(const diagnose::SpeedLimit& limit, const diagnose::Speed& 
   const std::string stage = std::string("\"") + rowOf(limit.stage).words + "\"";
   if (limit.ofCores) {
     return bound + "  what limits: the " + coresText(speed.cores) +
-           ", which have most to do with " + stage + "\n";
+           ", which are busiest with " + stage + "\n";
   }
   return bound + "  what limits: " + stage +
          ", for which the other stages wait while cores are idle\n";

@@ -20,7 +20,7 @@ render::DeviceChoice parseDevice(const std::string& text) {
   if (!std::regex_match(text, match, std::regex("(cuda:)?([0-9]{1,4})"))) {
     throw InputError(
         "--device " + text +
-        ": no device; write a number that 'rotatebook doctor' lists, for example 0, or "
+        ": not a device; write a number that 'rotatebook doctor' lists, for example 0, or "
         "cuda:0, or software");
   }
   return {.kind = match[1].matched ? Kind::Cuda : Kind::Index, .number = std::stoi(match[2])};
@@ -37,11 +37,11 @@ void printAside(const std::string& line) {
 void DeviceOptions::addTo(CLI::App& command) {
   command
       .add_option("--device", device,
-                  "What draws: the number of an EGL device ('rotatebook doctor' lists them), the "
-                  "CUDA id of one, or software; by default the first that can")
+                  "Device that draws: the number of an EGL device ('rotatebook doctor' lists them), "
+                  "a CUDA id, or software; by default the first that works")
       ->type_name("N|cuda:N|software");
   command.add_flag("--require-hardware", requireHardware,
-                   "Fail where only a software renderer would draw");
+                   "Fail if only a software renderer can draw");
 }
 
 render::DeviceChoice DeviceOptions::choice() const {

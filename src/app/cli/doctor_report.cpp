@@ -61,12 +61,12 @@ std::string kindOf(const DisplayCheck& check) {
 }
 
 std::string frameText(const FrameCheck& frame) {
-  if (!frame.failure.empty()) return "test frame failed";
+  if (!frame.failure.empty()) return "reference picture failed";
   const image::Comparison& found = frame.comparison;
-  return std::string("test frame ") + (found.same ? "right" : "WRONG") + ": off by at most " +
+  return std::string("reference picture ") + (found.same ? "right" : "WRONG") + ": off by at most " +
          std::to_string(found.largest) + " of 255, " + roundedText(found.differingPercent, 2) +
-         " % by over " + std::to_string(frame.tolerance.largest) + " (" +
-         roundedText(frame.tolerance.failPercent, 3) + " % may be)";
+         " % by more than " + std::to_string(frame.tolerance.largest) + " (" +
+         roundedText(frame.tolerance.failPercent, 3) + " % allowed)";
 }
 
 void printDisplay(const DisplayCheck& check, bool byDefault, std::ostream& out) {
@@ -139,7 +139,7 @@ std::string verdict(const diagnose::Checkup& checkup) {
          checkup.encoders.front().found + " encodes" +
          (count == 0 ? "."
                      : "; " + std::to_string(count) +
-                           (count == 1 ? " problem is told above." : " problems are told above."));
+                           (count == 1 ? " problem is reported above." : " problems are reported above."));
 }
 
 std::string json(const FrameCheck& frame) {

@@ -12,7 +12,7 @@ namespace {
 
 const char* wordsOf(const std::system_error& error) {
   if (error.code() != std::errc::resource_unavailable_try_again) return error.what();
-  return "can't start a thread: this user or container may have no more of them; raise the limit "
+  return "can't start a thread: this user or container has reached its limit; raise it "
          "(ulimit -u)";
 }
 

@@ -56,9 +56,9 @@ void announce(const scene::Scene& scene, const pipeline::RenderStart& start, int
       << scene.clip.frameRate.text() << " frames/s, " << shortestText(scene.clip.duration)
       << " s; renderer " << start.renderer
       << (start.encoders.empty() ? std::string() : "; encoder " + start.encoders) << '\n'
-      << "  threads: 1 draws (a software rasteriser has its own), 1 finishes";
+      << "  threads: 1 draws (a software rasteriser has its own), 1 composes";
   if (start.pngThreads > 0) {
-    out << ", " << start.pngThreads << (start.pngThreads == 1 ? " packs" : " pack") << " PNGs";
+    out << ", " << start.pngThreads << (start.pngThreads == 1 ? " compresses" : " compress") << " PNGs";
   }
   if (encoders > 0) out << ", " << encoders << (encoders == 1 ? " encodes" : " encode");
   out << "; cores: " << system::coreCount() << std::endl;
@@ -119,7 +119,7 @@ int report(const scene::Scene& scene, const std::optional<Rendered>& rendered,
            const pipeline::RenderOptions& options, std::ostream& out) {
   if (!rendered) return interruptStatus();
   const auto& [motion, result] = *rendered;
-  if (result.wasDone) out << scene.name << ": was done before" << std::endl;
+  if (result.wasDone) out << scene.name << ": already done" << std::endl;
   if (result.framesKept > 0) {
     out << "  kept " << result.framesKept << " frames of an earlier run" << std::endl;
   }
@@ -239,7 +239,7 @@ class RendersTogether {
     if (failureTold_ || failed == renders_.end()) return;
     failureTold_ = true;
     line_.clear();
-    std::cerr << nameOf(*failed) << " failed; no more scenes are begun" << std::endl;
+    std::cerr << nameOf(*failed) << " failed; no more scenes are started" << std::endl;
   }
 
   /// Those that none is unfinished before.
@@ -256,7 +256,7 @@ class RendersTogether {
     line_.clear();
     for (; told_ < renders_.size(); ++told_) tellFinished();
     for (const Render& one : renders_) {
-      if (one.state == State::Waiting) std::cout << nameOf(one) << ": not begun" << std::endl;
+      if (one.state == State::Waiting) std::cout << nameOf(one) << ": not started" << std::endl;
     }
   }
 

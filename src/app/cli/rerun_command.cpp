@@ -53,7 +53,7 @@ void refuseOtherClip(const scene::Scene& scene, const store::ClipFiles& files,
                      const fs::path& output, bool png) {
   const auto refuse = [](const fs::path& file) {
     throw InputError(file.string() +
-                     " isn't of the clip's scene and would be lost; name another folder with -o, "
+                     " isn't from the clip's scene and would be lost; name another folder with -o, "
                      "or replace it with --overwrite");
   };
   if (fs::exists(output) && !store::isRecordOf(scene, recordIn(output))) refuse(output);
@@ -71,18 +71,18 @@ std::vector<std::string> reasons(const fs::path& clip, const store::Provenance& 
     return {cut.what()};
   }
   std::vector<std::string> found = store::differencesOfTools(there, here);
-  if (there.motion != here.motion) found.push_back("the motion is another than the recorded one");
+  if (there.motion != here.motion) found.push_back("the motion differs from the recorded one");
   if (!found.empty()) return found;
   return {
       "version, renderer, FFmpeg and motion are those recorded: the clip was changed, or a "
-      "texture, the font, the video encoder or the build of this program is another"};
+      "texture, the font, the video encoder or the build of this program differs"};
 }
 
 /// Says whether both files have the same bytes; returns the status.
 int compare(const store::RecordedClip& there, const RerunArguments& arguments,
             const fs::path& output) {
   if (system::checksumOfFile(arguments.clip) == system::checksumOfFile(output)) {
-    std::cout << "  " << output.string() << " has the very bytes of " << arguments.clip.string()
+    std::cout << "  " << output.string() << " has exactly the bytes of " << arguments.clip.string()
               << std::endl;
     return kDone;
   }
@@ -125,7 +125,7 @@ int rerun(const RerunArguments& arguments) {
 void addRerunCommand(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<RerunArguments>();
   CLI::App* command =
-      program.add_subcommand("rerun", "Make a clip again from what it says it was made from");
+      program.add_subcommand("rerun", "Make a clip again from its own record, and compare the bytes");
   addClip(*command, arguments->clip);
   command->add_option("-o,--output", arguments->folder, "Folder for the results")
       ->type_name("DIR")
@@ -133,17 +133,17 @@ void addRerunCommand(CLI::App& program, Action& action) {
   command->add_flag("--png", arguments->png, "Write PNG frames, too");
   command->add_flag("--resume", arguments->earlier.resume, "Go on where a rerun stopped");
   command->add_flag("--overwrite", arguments->earlier.overwrite,
-                    "Replace another scene's clip of the same name, and discard frames of a render "
-                    "that wasn't finished");
+                    "Replace another scene's clip of the same name, and discard frames of an unfinished "
+                    "render");
   addTextureOptions(*command, arguments->textures);
   arguments->deviceOptions.addTo(*command);
   command->footer(R"(
 Takes scene, name and frames from the clip's metadata, renders them as 'rotatebook render' does, and
-tells whether the new file has the clip's very bytes, and if not, what differs. The clip itself is never
-overwritten, and another scene's clip of that name only with --overwrite.
+reports whether the new file has exactly the clip's bytes, and if not, what differs. The clip itself is
+never overwritten, and another scene's clip of that name only with --overwrite.
 
-Exit status: 0 the same bytes, 1 other bytes, whatever becomes of expectations; 2 the file can't be read
-or isn't a clip of rotatebook; 3 the machine can't.
+Exit status: 0 the same bytes, 1 other bytes, whether or not expectations are met; 2 the file can't be
+read or isn't a clip of rotatebook; 3 the machine can't render.
 
 Examples:
   rotatebook rerun out/starter.mp4 -o again

@@ -65,7 +65,7 @@ void requireUsable(const std::string& name, const scene::Scene& scene) {
   for (const char* reserved : {store::kPartialEnding, store::kReplacedEnding}) {
     if (!name.ends_with(reserved)) continue;
     throw InputError("a scene can't be named " + name + ": " + reserved +
-                     " is for what a render leaves while it goes on; rename the file");
+                     " is the ending of what a running render writes; rename the file");
   }
 }
 

@@ -220,10 +220,10 @@ void addStudyCommand(CLI::App& program, Action& action) {
       ->type_name("NAME,...");
   arguments->sceneOptions.addTo(*command);
   command->footer(R"(
-Runs each integrator with each number of steps, as [study] of the scene has them, by default all of
-the model's with 1, 2, 4 ... 1024; or, where [study] has tilts, the scene's own from each tilt.
-Writes DIR/NAME-study.csv, DIR/NAME-study-orders.csv, DIR/NAME-study.svg and DIR/NAME-study.png.
-The plots are drawn by gnuplot.
+Runs each integrator with each number of steps a frame that [study] of the scene lists, by default all
+of the model's with 1, 2, 4 ... 1024. If [study] lists tilts, the scene's own integrator runs from each.
+Writes DIR/NAME-study.csv, DIR/NAME-study-orders.csv (not of tilts), DIR/NAME-study.svg and
+DIR/NAME-study.png. gnuplot draws the plots.
 
 Examples:
   rotatebook study scenes/studies/*.toml

@@ -32,8 +32,8 @@ std::string orderLine(const study::IntegratorOrder& order) {
   const study::OrderFit& fit = order.fit;
   std::string line = formatted("%-16s ", name(order.integrator).c_str());
   if (std::isnan(fit.order)) {
-    return line + "no order: usable runs are " + std::to_string(fit.runs) + ", needed are " +
-           std::to_string(study::kMinRuns);
+    return line + "no order: " + std::to_string(fit.runs) + " usable runs, " +
+           std::to_string(study::kMinRuns) + " needed";
   }
   return line + formatted("order %5.2f from %2d runs, steps of %.3g to %.3g s", fit.order, fit.runs,
                           fit.shortest, fit.longest);

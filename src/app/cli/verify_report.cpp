@@ -35,7 +35,7 @@ ClipCheck inWords(const PictureCheck& check) {
   std::string measured = "off by " + numberText(check.measured.rms) + " of 255, " +
                          numberText(check.measured.worstBlock) + " in the worst block";
   if (check.closerTo) {
-    measured += "; it is liker to frame " + std::to_string(*check.closerTo);
+    measured += "; it is closer to frame " + std::to_string(*check.closerTo);
   }
   return {"frame " + std::to_string(check.frame), measured,
           "at most " + numberText(check.bound.rms) + " and " + numberText(check.bound.worstBlock),
@@ -116,7 +116,7 @@ std::string json(store::FrameRange range) {
 
 void reportVerification(const std::string& clip, const Verification& found, std::ostream& out) {
   const store::Provenance& provenance = found.record.provenance;
-  out << clip << ": says to be " << framesText(found) << " of the scene " << provenance.scene
+  out << clip << ": claims to be " << framesText(found) << " of the scene " << provenance.scene
       << ", made by rotatebook " << provenance.program << '\n';
   for (const std::string& difference : found.toolsDiffer) {
     out << "  note    " << difference << "; pixels may differ\n";

@@ -83,7 +83,7 @@ void addOtherProblems(Checkup& checkup) {
     const double megabytes = static_cast<double>(folder.freeBytes) / 1e6;
     checkup.problems.push_back({folder.path.string() + " has " + roundedText(megabytes, 3) +
                                     " MB left, and a clip's PNGs may take more",
-                                "free some, render with --no-png, or name another folder, -o DIR"});
+                                "free some space, render with --no-png, or name another folder, -o DIR"});
   }
 }
 

@@ -17,8 +17,7 @@ constexpr const char* kInstallNvidia =
     "install libegl-nvidia0; Ubuntu: libnvidia-gl-VERSION)";
 constexpr const char* kGraphicsCapability =
     "start the container with NVIDIA_DRIVER_CAPABILITIES=all (or with graphics among them), so "
-    "that "
-    "NVIDIA's EGL library comes into it";
+    "that it gets NVIDIA's EGL library";
 constexpr const char* kAddVendorFile =
     "make, as root, the file by which EGL finds NVIDIA's library:\n"
     "  echo '{\"file_format_version\": \"1.0.0\", \"ICD\": {\"library_path\": "
@@ -48,7 +47,7 @@ std::string permissionRemedy(const DeviceNode& node) {
     return "let this user read and write " + node.path;
   }
   return "join the group " + node.group + " (sudo usermod -aG " + node.group +
-         " $USER, then log in anew; for a container: --group-add " + node.group + ")";
+         " $USER, then log in again; for a container: --group-add " + node.group + ")";
 }
 
 /// The problem of a file that this process may not open.
@@ -169,7 +168,7 @@ class Diagnosis {
       return isOf(file, kNvidiaLibrary) && !file.failure.empty();
     });
     if (!facts_.hasNvidiaCard() || listed || named || !problems_.empty()) return;
-    const std::string what = "NVIDIA's card is there, and EGL doesn't list it";
+    const std::string what = "NVIDIA's card is there, but EGL doesn't list it";
     if (const DeviceNode* node = forbiddenNode(facts_, "", true)) {
       problems_.push_back(permissionProblem(what, *node));
     } else if (lacksGraphicsCapability(facts_)) {
@@ -229,8 +228,8 @@ class Diagnosis {
   void addWrongFrame(const DisplayCheck& check) {
     if (check.failure || check.frame.passed()) return;
     const std::string why = check.frame.failure.empty()
-                                ? "the test frame isn't as it should be"
-                                : "the test frame failed: " + check.frame.failure;
+                                ? "the reference picture isn't drawn as it should be"
+                                : "the reference picture failed: " + check.frame.failure;
     add(check.candidate.text() + ", " + check.renderer + ": " + why,
         unsettingFirst(variablesOf(check), updateRemedy(check.software)));
   }

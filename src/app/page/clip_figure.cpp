@@ -40,7 +40,7 @@ struct Clip {
 void refuseOtherMotion(const fs::path& csv, const physics::Trajectory& trajectory,
                        const scene::Scene& scene) {
   if (system::readFileOrEmpty(csv) == timeline::trajectoryCsv(trajectory)) return;
-  throw InputError(csv.string() + " was made of another scene or with other settings; " +
+  throw InputError(csv.string() + " was made from another scene or with other settings; " +
                    renderAgain(scene, csv.parent_path()));
 }
 

@@ -18,7 +18,7 @@ struct ClipVideos {
   std::vector<std::string> leftOut;  ///< As Figure::leftOut.
 };
 
-inline constexpr const char* kOtherSettings = "it was made of another scene or with other settings";
+inline constexpr const char* kOtherSettings = "it was made from another scene or with other settings";
 
 /// Whether two of `files` were made of different scenes, as far as the clip's manifest knows.
 bool areOfOtherScenes(const store::ClipFiles& files, const std::filesystem::path& one,

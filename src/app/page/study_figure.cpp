@@ -102,8 +102,8 @@ void requireRuns(const fs::path& csv, const scene::Scene& scene) {
   for (const RunRow& row : rowsOf(csv)) found.insert(keyOf(row, wanted.columns));
   if (found == wanted.keys) return;
   throw InputError(csv.string() +
-                   " isn't of the runs that the scene's study has; study it again (or give this "
-                   "command the same --set): " +
+                   " doesn't hold the runs of the scene's study; run the study again (or give "
+                   "this command the same --set): " +
                    remedy("study", scene, csv.parent_path()));
 }
 

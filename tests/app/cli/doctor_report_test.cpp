@@ -50,8 +50,8 @@ TEST(DoctorReport, TellsEachDeviceAndProblemAndAVerdict) {
                "                       /dev/dri/renderD128, cuda:1\n"
                "  EGL device 1         llvmpipe; draws by default\n"
                "                       software, Mesa, OpenGL 4.5, 4 samples\n"
-               "                       test frame right: off by at most 0 of 255, 0 % by "
-               "over 3 (0.5 % may be)\n"
+               "                       reference picture right: off by at most 0 of 255, 0 % by "
+               "more than 3 (0.5 % allowed)\n"
                "\n"
                "encoders\n"
                "  mp4                  libx264\n"
@@ -71,7 +71,7 @@ TEST(DoctorReport, TellsEachDeviceAndProblemAndAVerdict) {
                "     remedy: install\n"
                "\n"
                "Ready to render: EGL device 1 draws (software), libx264 encodes; 2 problems "
-               "are told above.\n"));
+               "are reported above.\n"));
 }
 
 TEST(DoctorReport, IsNotReadyWithoutAFrameAnEncoderOrAFolder) {
@@ -81,7 +81,7 @@ TEST(DoctorReport, IsNotReadyWithoutAFrameAnEncoderOrAFolder) {
   checkup.folder.failure = "out can't be written";
   EXPECT_FALSE(checkup.ready());
   EXPECT_THAT(textOf(checkup),
-              AllOf(HasSubstr(" test frame WRONG: "),
+              AllOf(HasSubstr(" reference picture WRONG: "),
                     EndsWith("\nNOT READY to render: nothing draws as it should, MP4 can't be "
                              "encoded, the output folder can't be written.\n")));
 }

@@ -52,7 +52,7 @@ TEST_F(VerifyCommand, ProvesAClipLineByLine) {
   EXPECT_EQ(result.status, 0) << result.output << result.error;
   EXPECT_THAT(
       result.output,
-      AllOf(StartsWith("out/tiny.mp4: says to be 12 frames of the scene tiny, made by rotatebook "),
+      AllOf(StartsWith("out/tiny.mp4: claims to be 12 frames of the scene tiny, made by rotatebook "),
             HasSubstr("\n  ok      size         64x36 (as it must be)\n"),
             HasSubstr("\n  ok      codec        h264 High, yuv420p (as it must be)\n"),
             HasSubstr("\n  ok      frames       12 (as it must be)\n"),
@@ -104,7 +104,7 @@ TEST_F(VerifyCommand, ProvesWebMAndParts) {
   render({"--format", "webm", "--frames", "2:9"});
   const ChildResult result = run({"verify", "out/tiny_00002-00009.webm"});
   EXPECT_EQ(result.status, 0) << result.output << result.error;
-  EXPECT_THAT(result.output, AllOf(HasSubstr(": says to be frames 2:9 of 12 of the scene tiny"),
+  EXPECT_THAT(result.output, AllOf(HasSubstr(": claims to be frames 2:9 of 12 of the scene tiny"),
                                    HasSubstr("\n  ok      frame 8      off by ")));
 }
 

@@ -206,10 +206,10 @@ TEST(Remedies, TellOfAWrongTestFrame) {
   GraphicsCheck check = softwareCheck();
   check.candidates[0].frame.comparison.same = false;
   EXPECT_THAT(diagnose(check, {.vendorFiles = {kMesa}}),
-              ElementsAre(says("llvmpipe: the test frame isn't as it should be", "update Mesa")));
+              ElementsAre(says("llvmpipe: the reference picture isn't drawn as it should be", "update Mesa")));
   check.candidates[0].software = false;
   EXPECT_THAT(diagnose(check, {.vendorFiles = {kMesa}}),
-              ElementsAre(says("the test frame isn't", "until then --device software")));
+              ElementsAre(says("the reference picture isn't", "until then --device software")));
 }
 
 TEST(Remedies, BeginWithVariablesThatMayBeTheCause) {
@@ -220,7 +220,7 @@ TEST(Remedies, BeginWithVariablesThatMayBeTheCause) {
   EXPECT_THAT(diagnose(softwareCheck(), facts), IsEmpty());
   GraphicsCheck check = softwareCheck();
   check.candidates[0].frame.comparison.same = false;
-  EXPECT_THAT(diagnose(check, facts), ElementsAre(says("the test frame", unset + "update Mesa")));
+  EXPECT_THAT(diagnose(check, facts), ElementsAre(says("the reference picture", unset + "update Mesa")));
   check.candidates[0] = failing({.software = true}, kNotReady);
   EXPECT_THAT(diagnose(check, facts), ElementsAre(says("EGL_NOT_INIT", unset + "install Mesa's")));
   EXPECT_THAT(diagnose(nothingDraws(), facts),

@@ -51,8 +51,8 @@ render::DeviceChoice DeviceOptions::choice() const {
     throw InputError("--device software and --require-hardware exclude each other");
   }
   // A clip may have several renderers, on several threads.
-  choice.warn = [told = std::make_shared<std::once_flag>()](const std::string& line) {
-    std::call_once(*told, printAside, line);
+  choice.warn = [once = std::make_shared<std::once_flag>()](const std::string& line) {
+    std::call_once(*once, printAside, line);
   };
   return choice;
 }

@@ -25,6 +25,6 @@ int reportMotion(const physics::Trajectory& trajectory,
                  std::span<const scene::Expectation> expectations, std::ostream& out);
 
 /// Passes `status` on, with a line on the standard error if it is kUnmet.
-int sayIfUnmet(int status);
+int reportIfUnmet(int status);
 
 }  // namespace rotatebook::cli

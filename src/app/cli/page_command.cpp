@@ -104,7 +104,7 @@ int writePage(const PageArguments& arguments) {
   const auto path = fs::path(arguments.folder) / page::kPageName;
   system::writeFileAtomically(path, page::pageText(arguments.title, figures));
   for (const page::Figure& figure : figures) {
-    for (const std::string& words : figure.leftOut) std::cout << "note: " << words << '\n';
+    for (const std::string& note : figure.leftOut) std::cout << "note: " << note << '\n';
   }
   std::cout << "wrote " << path.string() << ", " << figures.size()
             << (figures.size() == 1 ? " figure\n" : " figures\n");

@@ -93,7 +93,7 @@ std::string usageText(const CLI::App* program, const CLI::Error& error) {
 
 int runProgram(int argc, char** argv) {
   keepStandardStreams();
-  speakBeforeCrashes();
+  reportCrashes();
   // A limit to the size of files is told as an error of writing.
   std::signal(SIGXFSZ, SIG_IGN);
   // Whoever started this may have ignored it, and nobody could hear how a process of ours ended.

@@ -101,7 +101,7 @@ int render(const RenderArguments& arguments) {
   const int atATime = arguments.atATime > 0
                           ? arguments.atATime
                           : scenesAtATime(scenes, system::coreCount(), system::memorySize());
-  return sayIfUnmet(renderScenes(scenes, options, atATime));
+  return reportIfUnmet(renderScenes(scenes, options, atATime));
 }
 
 }  // namespace

@@ -65,25 +65,25 @@ void announce(const scene::Scene& scene, const pipeline::RenderStart& start, int
 }
 
 /// The words for each thing that a render left.
-std::vector<std::string> writtenThings(const pipeline::RenderResult& result,
+std::vector<std::string> writtenItems(const pipeline::RenderResult& result,
                                        const pipeline::RenderOptions& options) {
   const store::ClipFiles& files = result.files;
   const bool newFolder = result.interrupted && !options.frames;
-  std::vector<std::string> things;
+  std::vector<std::string> items;
   for (const video::VideoFormat format : formatsOf(options.outputs)) {
     if (result.framesWritten == 0) break;
-    things.push_back(
+    items.push_back(
         (result.interrupted ? files.partialVideo(format) : files.video(format)).string());
   }
   if (!result.interrupted) {
-    for (const auto& csv : result.csvs) things.push_back(csv.string());
+    for (const auto& csv : result.csvs) items.push_back(csv.string());
   }
-  if (!result.interrupted && !options.frames) things.push_back(files.poster.string());
+  if (!result.interrupted && !options.frames) items.push_back(files.poster.string());
   if (hasPng(options.outputs)) {
-    things.push_back(std::to_string(result.framesWritten) + " frames in " +
+    items.push_back(std::to_string(result.framesWritten) + " frames in " +
                      (newFolder ? files.partialFrameFolder : files.frameFolder).string() + '/');
   }
-  return things;
+  return items;
 }
 
 struct Rendered {
@@ -127,7 +127,7 @@ int report(const scene::Scene& scene, const std::optional<Rendered>& rendered,
     out << "  interrupted before the first frame; nothing was written" << std::endl;
     return interruptStatus();
   }
-  if (!result.wasDone) out << "  wrote " << listed(writtenThings(result, options)) << std::endl;
+  if (!result.wasDone) out << "  wrote " << listed(writtenItems(result, options)) << std::endl;
   if (!result.others.empty()) {
     out << "  kept " << listed(result.others) << ", made with other settings" << std::endl;
   }
@@ -156,9 +156,9 @@ int renderInTurn(const std::vector<scene::Scene>& scenes, const pipeline::Render
 }
 
 /// Renders that go on at the same time. What they say is printed on the caller's thread.
-class RendersTogether {
+class ParallelRenders {
  public:
-  RendersTogether(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options)
+  ParallelRenders(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options)
       : scenes_(scenes),
         options_(options),
         renders_(scenes.size()),
@@ -174,14 +174,14 @@ class RendersTogether {
     system::RunOptions options;
     options.threads = atATime;
     options.stop = options_.stop;
-    options.progress = [this](std::size_t, std::size_t) { tell(); };
+    options.progress = [this](std::size_t, std::size_t) { update(); };
     bool begunAll = false;
     try {
       const auto renderOne = [this](std::size_t i) { render(i); };
       begunAll = runParallel(all, renderOne, options);
     } catch (...) {
-      tellRest();
-      const int status = tellErrors();
+      reportRest();
+      const int status = reportErrors();
       if (status != kDone) return status;
       throw;  // No scene's, but of whoever runs them.
     }
@@ -221,47 +221,47 @@ class RendersTogether {
     }
   }
 
-  void tell() {
-    tellFailure();
+  void update() {
+    reportFailure();
     std::int64_t done = 0, total = 0;
     for (const Render& one : renders_) {
-      if (failureTold_ && (one.state == State::Failed || one.state == State::Waiting)) continue;
+      if (failureReported_ && (one.state == State::Failed || one.state == State::Waiting)) continue;
       done += one.done;
       total += one.total;
     }
     line_.update(done, total);
-    tellFinished();
+    reportFinished();
   }
 
   /// At once, as the others may take long; why is told at the end.
-  void tellFailure() {
+  void reportFailure() {
     const auto failed = std::ranges::find(renders_, State::Failed, stateOf);
-    if (failureTold_ || failed == renders_.end()) return;
-    failureTold_ = true;
+    if (failureReported_ || failed == renders_.end()) return;
+    failureReported_ = true;
     line_.clear();
     std::cerr << nameOf(*failed) << " failed; no more scenes are started" << std::endl;
   }
 
   /// Those that none is unfinished before.
-  void tellFinished() {
-    for (; told_ < renders_.size() && renders_[told_].state == State::Finished; ++told_) {
+  void reportFinished() {
+    for (; reported_ < renders_.size() && renders_[reported_].state == State::Finished; ++reported_) {
       line_.clear();
-      std::cout << renders_[told_].text.str() << std::flush;
+      std::cout << renders_[reported_].text.str() << std::flush;
     }
   }
 
   /// After an error.
-  void tellRest() {
-    tellFailure();
+  void reportRest() {
+    reportFailure();
     line_.clear();
-    for (; told_ < renders_.size(); ++told_) tellFinished();
+    for (; reported_ < renders_.size(); ++reported_) reportFinished();
     for (const Render& one : renders_) {
       if (one.state == State::Waiting) std::cout << nameOf(one) << ": not started" << std::endl;
     }
   }
 
   /// Why scenes failed; returns the highest status, kDone if none did.
-  int tellErrors() const {
+  int reportErrors() const {
     int status = kDone;
     for (const Render& one : renders_) {
       if (one.error) status = std::max(status, reportError(one.error, nameOf(one) + ": "));
@@ -278,8 +278,8 @@ class RendersTogether {
   const std::vector<scene::Scene>& scenes_;
   const pipeline::RenderOptions& options_;
   std::vector<Render> renders_;
-  std::size_t told_ = 0;
-  bool failureTold_ = false;
+  std::size_t reported_ = 0;
+  bool failureReported_ = false;
   ProgressLine line_;
 };
 
@@ -301,7 +301,7 @@ int renderScenes(const std::vector<scene::Scene>& scenes, const pipeline::Render
     if (output.png) output.threads = pipeline::pngThreads(system::coreCount() / atATime);
   }
   std::cout << atATime << " scenes at a time" << std::endl;
-  return RendersTogether(scenes, shared).run(atATime);
+  return ParallelRenders(scenes, shared).run(atATime);
 }
 
 }  // namespace rotatebook::cli

@@ -28,10 +28,10 @@ std::string sizeOverride(const std::string& size) {
 }
 
 /// `message` in the words that the user wrote.
-std::string inUsersWords(const std::string& message, const std::vector<Shorthand>& shorthands) {
-  for (const auto& [words, assignment] : shorthands) {
-    const std::string place = scene::overrideLocation(assignment);
-    if (message.starts_with(place)) return words + message.substr(place.size());
+std::string asWritten(const std::string& message, const std::vector<Shorthand>& shorthands) {
+  for (const auto& [option, assignment] : shorthands) {
+    const std::string location = scene::overrideLocation(assignment);
+    if (message.starts_with(location)) return option + message.substr(location.size());
   }
   return message;
 }
@@ -103,7 +103,7 @@ scene::Scene SceneOptions::applied(std::vector<Shorthand> shorthands, const Read
     scene.allowOutside = allowOutside;
     return scene;
   } catch (const InputError& error) {
-    throw InputError(inUsersWords(error.what(), shorthands));
+    throw InputError(asWritten(error.what(), shorthands));
   }
 }
 

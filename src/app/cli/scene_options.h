@@ -15,7 +15,7 @@ namespace rotatebook::cli {
 
 /// An option that stands for an override of the scene.
 struct Shorthand {
-  std::string words;       ///< As the user wrote it: "--size 640x360"; messages name it so.
+  std::string option;      ///< As the user wrote it: "--size 640x360"; messages name it so.
   std::string assignment;  ///< "clip.size=[640, 360]"
 };
 

@@ -197,7 +197,7 @@ int study(const StudyArguments& arguments) {
     if (outcome >= kInterrupted) return outcome;
     status = std::max(status, outcome);
   }
-  return sayIfUnmet(status);
+  return reportIfUnmet(status);
 }
 
 }  // namespace

@@ -41,14 +41,14 @@ std::string orderLine(const study::IntegratorOrder& order) {
 
 /// "euler: 3 of 11 runs diverged", for an integrator that has such runs.
 std::string failureLine(const study::PrecisionStudy& result, physics::Integrator integrator,
-                        RunEnd::Kind kind, const char* words) {
+                        RunEnd::Kind kind, const char* outcome) {
   const auto runs = std::ranges::count(result.rows, integrator, &PrecisionRow::integrator);
   const auto failed = std::ranges::count_if(result.rows, [&](const PrecisionRow& row) {
     return row.integrator == integrator && row.end.kind == kind;
   });
   if (failed == 0) return "";
   return "  " + name(integrator) + ": " + std::to_string(failed) + " of " + std::to_string(runs) +
-         " runs " + words + "\n";
+         " runs " + outcome + "\n";
 }
 
 double orderOf(const study::PrecisionStudy& result, physics::Integrator integrator) {

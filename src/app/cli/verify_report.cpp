@@ -31,7 +31,7 @@ std::string numberText(double value) {
 }
 
 /// As a check like the others.
-ClipCheck inWords(const PictureCheck& check) {
+ClipCheck asClipCheck(const PictureCheck& check) {
   std::string measured = "off by " + numberText(check.measured.rms) + " of 255, " +
                          numberText(check.measured.worstBlock) + " in the worst block";
   if (check.closerTo) {
@@ -122,7 +122,7 @@ void reportVerification(const std::string& clip, const Verification& found, std:
     out << "  note    " << difference << "; pixels may differ\n";
   }
   for (const ClipCheck& check : found.checks) printCheck(check, out);
-  for (const PictureCheck& check : found.pictures) printCheck(inWords(check), out);
+  for (const PictureCheck& check : found.pictures) printCheck(asClipCheck(check), out);
   out << verdict(found) << '\n';
 }
 

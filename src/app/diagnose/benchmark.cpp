@@ -49,8 +49,8 @@ class TemporaryFolder {
   const fs::path& path() const { return path_; }
 
  private:
-  static MachineError failure(const std::string& what, const std::string& words) {
-    return MachineError("can't " + what + ": " + words +
+  static MachineError failure(const std::string& what, const std::string& error) {
+    return MachineError("can't " + what + ": " + error +
                         "; let TMPDIR name a folder that can be written");
   }
 
@@ -96,8 +96,8 @@ class Stages {
       : drawer_(scene, motion, device),
         exposures_(kBatch, drawer_.makeExposure()),
         pictures_(kBatch, drawer_.makePicture()),
-        frameSums_(folder),
-        png_(frameSums_, scene::isTransparent(scene)),
+        checksums_(folder),
+        png_(checksums_, scene::isTransparent(scene)),
         video_(video::VideoFormat::Mp4, folder / "stages.mp4", store::videoSettings(scene, "")) {
     drawer_.draw(0, pictures_[0]);  // The first picture compiles what draws the others.
   }
@@ -139,7 +139,7 @@ class Stages {
   picture::FrameDrawer drawer_;
   std::vector<picture::Exposure> exposures_;
   std::vector<image::Image> pictures_;
-  store::FrameChecksums frameSums_;
+  store::FrameChecksums checksums_;
   pipeline::PngSequenceSink png_;
   pipeline::VideoSink video_;
   StageTimes sums_;
@@ -216,13 +216,13 @@ std::optional<Speed> measureSpeed(const scene::Scene& scene, const SpeedOptions&
   if (options.stop != nullptr && *options.stop) return std::nullopt;
   speed.frames = motion.frameCount();
   speed.stages.simulate = perFrame(simulated, speed.frames);
-  const auto tell = [&](std::int64_t before) {
+  const auto progressAfter = [&](std::int64_t before) {
     return [&options, &speed, before](std::int64_t done) {
       if (options.progress) options.progress(before + done, 3 * speed.frames);
     };
   };
-  if (!measureStages(part, motion, options, tell(0), speed)) return std::nullopt;
-  if (!measureWhole(part, motion, options, tell(2 * speed.frames), speed)) return std::nullopt;
+  if (!measureStages(part, motion, options, progressAfter(0), speed)) return std::nullopt;
+  if (!measureWhole(part, motion, options, progressAfter(2 * speed.frames), speed)) return std::nullopt;
   return speed;
 }
 

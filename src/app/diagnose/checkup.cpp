@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLittle = 500'000'000;  // PNGs of a clip take 100 to 700 MB. [bytes]
+constexpr std::uintmax_t kLowSpace = 500'000'000;  // PNGs of a clip take 100 to 700 MB. [bytes]
 
 /// `folder`, or the nearest of its parents that is there.
 fs::path existingPart(const fs::path& folder) {
@@ -79,7 +79,7 @@ void addOtherProblems(Checkup& checkup) {
   const FolderCheck& folder = checkup.folder;
   if (!folder.failure.empty()) {
     checkup.problems.push_back({folder.failure, "name a folder that you may write, with -o DIR"});
-  } else if (folder.freeBytes < kLittle) {
+  } else if (folder.freeBytes < kLowSpace) {
     const double megabytes = static_cast<double>(folder.freeBytes) / 1e6;
     checkup.problems.push_back({folder.path.string() + " has " + roundedText(megabytes, 3) +
                                     " MB left, and a clip's PNGs may take more",

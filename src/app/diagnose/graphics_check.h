@@ -12,7 +12,7 @@
 namespace rotatebook::diagnose {
 
 /// The test frame as a renderer drew it.
-struct FrameCheck {
+struct ReferenceCheck {
   image::Comparison comparison{};  ///< With the stored one.
   image::Tolerance tolerance{};
   std::string failure{};  ///< Why there is no frame to compare, or empty.
@@ -29,9 +29,9 @@ struct DisplayCheck {
   std::string version{};  ///< Of OpenGL: "4.5"
   int samples = 0;        ///< GL_MAX_SAMPLES
   bool software = false;  ///< The device or the renderer says so.
-  FrameCheck frame{};
+  ReferenceCheck reference{};
 
-  bool draws() const { return !failure && frame.passed(); }
+  bool draws() const { return !failure && reference.passed(); }
 };
 
 struct GraphicsCheck {

@@ -21,7 +21,7 @@ physics::Cage referencePictureBook() {
   return (forward * left).toRotationMatrix() * physics::Cuboid{}.corners();
 }
 
-image::Image drawTestFrame(const render::BookTextures& textures,
+image::Image drawReferencePicture(const render::BookTextures& textures,
                            const render::DeviceChoice& choice) {
   render::RenderSettings settings = referencePictureSettings();
   settings.device = choice;
@@ -31,7 +31,7 @@ image::Image drawTestFrame(const render::BookTextures& textures,
   return picture;
 }
 
-image::Image storedTestFrame() {
+image::Image storedReferencePicture() {
   return image::decodePng(referencePicturePng(), "stored test frame");
 }
 

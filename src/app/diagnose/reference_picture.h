@@ -21,10 +21,10 @@ render::RenderSettings referencePictureSettings();
 physics::Cage referencePictureBook();
 
 /// Draws them with the covers that ship. Throws as Renderer does.
-image::Image drawTestFrame(const render::BookTextures& textures,
+image::Image drawReferencePicture(const render::BookTextures& textures,
                            const render::DeviceChoice& choice = {});
 
 /// The same as it was stored.
-image::Image storedTestFrame();
+image::Image storedReferencePicture();
 
 }  // namespace rotatebook::diagnose

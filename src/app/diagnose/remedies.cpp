@@ -109,11 +109,11 @@ class Diagnosis {
           check_.byDefault != i)
         continue;
       addFailedDevice(candidate);
-      addWrongFrame(candidate);
+      addWrongPicture(candidate);
     }
     addForbiddenCard();
     if (problems_.empty() && !check_.draws()) {
-      add("no EGL display gives an OpenGL 3.3 core context" + saidByWays(),
+      add("no EGL display gives an OpenGL 3.3 core context" + failuresOfDisplays(),
           unsettingFirst(facts_.mesaVariables, render::kInstallMesa));
     }
     return problems_;
@@ -225,11 +225,11 @@ class Diagnosis {
                : kInstallMesaDrivers;
   }
 
-  void addWrongFrame(const DisplayCheck& check) {
-    if (check.failure || check.frame.passed()) return;
-    const std::string why = check.frame.failure.empty()
+  void addWrongPicture(const DisplayCheck& check) {
+    if (check.failure || check.reference.passed()) return;
+    const std::string why = check.reference.failure.empty()
                                 ? "the reference picture isn't drawn as it should be"
-                                : "the reference picture failed: " + check.frame.failure;
+                                : "the reference picture failed: " + check.reference.failure;
     add(check.candidate.text() + ", " + check.renderer + ": " + why,
         unsettingFirst(variablesOf(check), updateRemedy(check.software)));
   }
@@ -242,13 +242,13 @@ class Diagnosis {
     }
   }
 
-  std::string saidByWays() const {
-    std::string said;
+  std::string failuresOfDisplays() const {
+    std::string text;
     for (const DisplayCheck& candidate : check_.candidates) {
       if (candidate.failure)
-        said += "; " + candidate.candidate.text() + ": " + candidate.failure->text();
+        text += "; " + candidate.candidate.text() + ": " + candidate.failure->text();
     }
-    return said;
+    return text;
   }
 
   const GraphicsCheck& check_;

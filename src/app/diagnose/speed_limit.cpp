@@ -10,7 +10,7 @@
 namespace rotatebook::diagnose {
 namespace {
 
-constexpr double kWorthSaying = 1.03;
+constexpr double kMinGain = 1.03;
 constexpr int kMinToHalve = 64;  // The shorter side. [pixels]
 
 WorkTime scaled(const WorkTime& time, double factor) {
@@ -28,15 +28,15 @@ class AdviceCollector {
   void tryOut(const std::string& change, const std::string& effect, const StageTimes& stages,
               int cores) {
     const double gain = limit_.wall / std::max(speedLimit(stages, cores).wall, 1e-9);
-    if (gain >= kWorthSaying) advice_.push_back({change, effect, gain});
+    if (gain >= kMinGain) advice_.push_back({change, effect, gain});
   }
 
   /// With one stage, or several, changed by `change(stages)`.
   template <typename Change>
-  void tryOut(const std::string& words, const std::string& effect, const Change& change) {
+  void tryOut(const std::string& name, const std::string& effect, const Change& change) {
     StageTimes stages = speed_.stages;
     change(stages);
-    tryOut(words, effect, stages, speed_.cores);
+    tryOut(name, effect, stages, speed_.cores);
   }
 
   std::vector<SpeedAdvice> take() {

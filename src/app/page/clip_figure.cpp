@@ -88,7 +88,7 @@ Html linksOf(const Clip& clip) {
     const std::string& label = clip.motions[i].panel.label;
     links += linkItem(nameOf(clip.csvs[i]), label.empty() ? "CSV" : "CSV: " + label);
   }
-  for (const auto& [file, words] : clip.videos.linked) links += linkItem(nameOf(file), words);
+  for (const auto& [file, name] : clip.videos.linked) links += linkItem(nameOf(file), name);
   links += linkItem(nameOf(clip.files.poster), "Poster");
   const std::string folder = nameOf(clip.files.frameFolder) + "/";
   if (clip.hasFrames) links += linkItem(folder, "PNG frames");
@@ -120,8 +120,8 @@ Html divergenceOf(const Clip& clip) {
     if (!motion.trajectory.divergedAt) continue;
     const std::string who = motion.panel.label.empty() ? "The motion" : motion.panel.label;
     notes += filled(
-        "<p class=\"note\">{{words}}</p>\n",
-        {{"words", escaped(who + " diverges at " +
+        "<p class=\"note\">{{text}}</p>\n",
+        {{"text", escaped(who + " diverges at " +
                            roundedText(*motion.trajectory.divergedAt, kTimeDigits) + " s.")}});
   }
   return notes;

@@ -52,7 +52,7 @@ std::string remedy(const std::string& command, const scene::Scene& scene,
                    const std::filesystem::path& folder);
 
 /// A link to a file beside the page, as an item of a list. Inside the room only.
-Html linkItem(const std::string& address, const std::string& words);
+Html linkItem(const std::string& address, const std::string& text);
 /// The scene's text with every default explicit, to be unfolded. Inside the room only.
 Html sceneDetails(const scene::Scene& scene);
 

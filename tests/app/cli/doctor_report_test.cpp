@@ -24,7 +24,7 @@ diagnose::Checkup lameMachine() {
                                   .version = "4.5",
                                   .samples = 4,
                                   .software = true};
-  software.frame.tolerance = {.largest = 3, .failPercent = 0.5};
+  software.reference.tolerance = {.largest = 3, .failPercent = 0.5};
   checkup.graphics.candidates = {card, software};
   checkup.graphics.byDefault = 1;
   checkup.encoders = {{video::VideoFormat::Mp4, "libx264", ""},
@@ -76,7 +76,7 @@ TEST(DoctorReport, TellsEachDeviceAndProblemAndAVerdict) {
 
 TEST(DoctorReport, IsNotReadyWithoutAFrameAnEncoderOrAFolder) {
   diagnose::Checkup checkup = lameMachine();
-  checkup.graphics.candidates[1].frame.comparison.same = false;
+  checkup.graphics.candidates[1].reference.comparison.same = false;
   checkup.encoders[0].found.clear();
   checkup.folder.failure = "out can't be written";
   EXPECT_FALSE(checkup.ready());

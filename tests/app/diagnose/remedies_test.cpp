@@ -202,9 +202,9 @@ TEST(Remedies, UpdateADriverThatEndsTheProcess) {
                                "until then --device software")));
 }
 
-TEST(Remedies, TellOfAWrongTestFrame) {
+TEST(Remedies, TellOfAWrongReferencePicture) {
   GraphicsCheck check = softwareCheck();
-  check.candidates[0].frame.comparison.same = false;
+  check.candidates[0].reference.comparison.same = false;
   EXPECT_THAT(diagnose(check, {.vendorFiles = {kMesa}}),
               ElementsAre(says("llvmpipe: the reference picture isn't drawn as it should be", "update Mesa")));
   check.candidates[0].software = false;
@@ -219,7 +219,7 @@ TEST(Remedies, BeginWithVariablesThatMayBeTheCause) {
       "unset GALLIUM_NOOP (it is 1), LIBGL_DRIVERS_PATH (it is /x=y); if that doesn't help: ";
   EXPECT_THAT(diagnose(softwareCheck(), facts), IsEmpty());
   GraphicsCheck check = softwareCheck();
-  check.candidates[0].frame.comparison.same = false;
+  check.candidates[0].reference.comparison.same = false;
   EXPECT_THAT(diagnose(check, facts), ElementsAre(says("the reference picture", unset + "update Mesa")));
   check.candidates[0] = failing({.software = true}, kNotReady);
   EXPECT_THAT(diagnose(check, facts), ElementsAre(says("EGL_NOT_INIT", unset + "install Mesa's")));

@@ -17,7 +17,7 @@ struct AssembleArguments {
   std::string folder, output, frameRate;
 };
 
-/// ": 0:60 of the scene's 90"
+/// Returns, for example, ": 0:60 of the scene's 90".
 std::string partText(const pipeline::Assembled& made) {
   return ": " + store::rangeText(made.frames) + " of the scene's " +
          std::to_string(*made.sceneFrames);

@@ -21,7 +21,7 @@ std::string formatted(const char* format, Values... values) {
   return text.data();
 }
 
-/// A stage for people and, `key`, for programs.
+/// A stage with its label in the text report and its `key` in the JSON report.
 struct Row {
   Stage stage;
   const char* label;
@@ -52,8 +52,8 @@ std::string limitText(const diagnose::SpeedLimit& limit, const diagnose::Speed& 
                 limit.wall, 1000 / limit.wall, speed.whole.wall / limit.wall);
   const std::string stage = std::string("\"") + rowOf(limit.stage).label + "\"";
   if (limit.ofCores) {
-    return bound + "  what limits: the " + coresText(speed.cores) +
-           ", which are busiest with " + stage + "\n";
+    return bound + "  what limits: the " + coresText(speed.cores) + ", which are busiest with " +
+           stage + "\n";
   }
   return bound + "  what limits: " + stage +
          ", for which the other stages wait while cores are idle\n";

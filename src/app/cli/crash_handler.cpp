@@ -19,17 +19,17 @@ constexpr std::string_view kOutOfMemory = "rotatebook: out of memory";
 constexpr std::string_view kRemedy =
     ". What a render had finished is kept: go on with the same command and --resume\n";
 
-// Calls nothing but what a signal handler may.
+// Calls only functions that are safe in a signal handler.
 void printCrash(std::string_view problem) {
   for (const std::string_view text : {problem, kRemedy}) {
-    // If it fails there is nobody to tell.
+    // A failure can't be reported anywhere.
     if (write(STDERR_FILENO, text.data(), text.size()) < 0) return;
   }
 }
 
 extern "C" void onCrash(int signal) {
   printCrash(kCrash);
-  raise(signal);  // Its default effect now.
+  raise(signal);  // SA_RESETHAND restored its default effect.
 }
 
 thread_local bool memoryRanOut = false;
@@ -40,7 +40,7 @@ void onOutOfMemory() {
   throw std::bad_alloc();
 }
 
-// Libraries have functions that are noexcept and ask for memory.
+// Some library functions are noexcept and allocate memory all the same.
 [[noreturn]] void onTerminate() {
   if (!memoryRanOut) {
     terminateOtherwise();
@@ -61,7 +61,7 @@ void reportCrashes() {
   for (const int signal : system::kCrashSignals) {
     struct sigaction before {};
     sigaction(signal, nullptr, &before);
-    // Sanitizers say more.
+    // Sanitizers, which have handlers of their own, report more.
     if (before.sa_handler == SIG_DFL) sigaction(signal, &action, nullptr);
   }
 }

@@ -26,7 +26,7 @@ render::DeviceChoice parseDevice(const std::string& text) {
   return {.kind = match[1].matched ? Kind::Cuda : Kind::Index, .number = std::stoi(match[2])};
 }
 
-/// Prints to the standard error, in one piece, in the place of a bar that may stand there.
+/// Prints `line` to the standard error, in one piece, over a progress bar that may be there.
 void printAside(const std::string& line) {
   const std::string erase = isatty(STDERR_FILENO) == 1 ? "\r\x1b[K" : "";
   std::cerr << erase + "rotatebook: " + line + "\n" << std::flush;
@@ -36,9 +36,10 @@ void printAside(const std::string& line) {
 
 void DeviceOptions::addTo(CLI::App& command) {
   command
-      .add_option("--device", device,
-                  "Device that draws: the number of an EGL device ('rotatebook doctor' lists them), "
-                  "a CUDA id, or software; by default the first that works")
+      .add_option(
+          "--device", device,
+          "Device that draws: the number of an EGL device ('rotatebook doctor' lists them), "
+          "a CUDA id, or software; by default the first that works")
       ->type_name("N|cuda:N|software");
   command.add_flag("--require-hardware", requireHardware,
                    "Fail if only a software renderer can draw");
@@ -50,7 +51,7 @@ render::DeviceChoice DeviceOptions::choice() const {
   if (requireHardware && choice.kind == Kind::Software) {
     throw InputError("--device software and --require-hardware exclude each other");
   }
-  // A clip may have several renderers, on several threads.
+  // A clip may have several renderers, on several threads; one warning is enough.
   choice.warn = [once = std::make_shared<std::once_flag>()](const std::string& line) {
     std::call_once(*once, printAside, line);
   };

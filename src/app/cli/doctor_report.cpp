@@ -30,8 +30,8 @@ void row(const std::string& name, const std::string& text, std::ostream& out) {
   out << "  " << std::left << std::setw(kNameWidth) << name << text << '\n';
 }
 
-/// `text` in lines that aren't too long, with `first` before the first and as many spaces before
-/// the others. Lines that begin with two spaces stay as they are.
+/// Prints `text` wrapped at kTextWidth, with `first` before the first line and as many spaces
+/// before the others. Lines that begin with two spaces are commands, and aren't wrapped.
 void printWrapped(const std::string& text, std::string first, std::ostream& out) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -63,9 +63,10 @@ std::string kindOf(const DisplayCheck& check) {
 std::string referenceText(const ReferenceCheck& check) {
   if (!check.failure.empty()) return "reference picture failed";
   const image::Comparison& found = check.comparison;
-  return std::string("reference picture ") + (found.same ? "right" : "WRONG") + ": off by at most " +
-         std::to_string(found.largest) + " of 255, " + roundedText(found.differingPercent, 2) +
-         " % by more than " + std::to_string(check.tolerance.largest) + " (" +
+  return std::string("reference picture ") + (found.same ? "right" : "WRONG") +
+         ": off by at most " + std::to_string(found.largest) + " of 255, " +
+         roundedText(found.differingPercent, 2) + " % by more than " +
+         std::to_string(check.tolerance.largest) + " (" +
          roundedText(check.tolerance.failPercent, 3) + " % allowed)";
 }
 
@@ -122,7 +123,7 @@ void printProblems(const std::vector<diagnose::Problem>& problems, std::ostream&
   }
 }
 
-/// What a render would lack, for people.
+/// Lists what a render would lack.
 std::string lackText(const diagnose::Checkup& checkup) {
   const bool encodes = !checkup.encoders.empty() && !checkup.encoders.front().found.empty();
   return joined({checkup.graphics.draws() ? "" : "nothing draws as it should",
@@ -137,9 +138,10 @@ std::string verdict(const diagnose::Checkup& checkup) {
   const std::size_t count = checkup.problems.size();
   return "Ready to render: " + candidate.candidate.name() + " draws (" + kindOf(candidate) + "), " +
          checkup.encoders.front().found + " encodes" +
-         (count == 0 ? "."
-                     : "; " + std::to_string(count) +
-                           (count == 1 ? " problem is reported above." : " problems are reported above."));
+         (count == 0
+              ? "."
+              : "; " + std::to_string(count) +
+                    (count == 1 ? " problem is reported above." : " problems are reported above."));
 }
 
 std::string json(const ReferenceCheck& check) {

@@ -32,7 +32,7 @@ struct PageArguments {
   bool noThumbnails = false;
 };
 
-/// Each file once, where it is named first.
+/// Returns the paths without repeats of a file; the first is kept.
 std::vector<std::string> withoutRepeats(const std::vector<std::string>& paths) {
   std::set<fs::path> seen;
   std::vector<std::string> once;
@@ -44,7 +44,7 @@ std::vector<std::string> withoutRepeats(const std::vector<std::string>& paths) {
   return once;
 }
 
-/// What is shown, and the files that it is read from.
+/// The scenes that are shown, and the files that they are read from.
 struct Shown {
   std::vector<scene::Scene> scenes;
   std::vector<Input> inputs;
@@ -71,7 +71,7 @@ image::Image drawThumbnail(const scene::Scene& scene, const render::DeviceChoice
   }
 }
 
-/// Whether a picture stands for the figure; studies have their curves.
+/// Returns whether the overview shows a picture of the figure; of studies it shows curves.
 bool needsThumbnail(const page::Figure& figure) {
   return figure.curves.text.empty();
 }

@@ -73,7 +73,7 @@ void refuseOpaque(const scene::Scene& scene, const std::vector<video::VideoForma
   }
 }
 
-/// All scenes, read before anything is written, so that a mistake in the last one costs nothing.
+/// Reads all scenes before anything is written, so that a mistake in the last one costs nothing.
 std::vector<scene::Scene> readScenes(const RenderArguments& arguments,
                                      const pipeline::RenderOptions& options) {
   std::vector<scene::Scene> scenes;

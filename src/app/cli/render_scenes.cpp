@@ -30,8 +30,8 @@ namespace {
 
 constexpr int kCoresAScene = 3;
 
-/// What one more render takes, about; at 1280x720, 1920x1080 and 3840x2160 it took 155, 326 and
-/// 878 MB. [bytes]
+/// Estimates the memory that one more render takes. [bytes] Measured at 1280x720, 1920x1080 and
+/// 3840x2160: 155, 326 and 878 MB.
 double memoryOf(const scene::Scene& scene) {
   constexpr double kBase = 60e6, kPixel = 110;
   const double supersample = scene.look.supersample;
@@ -40,7 +40,7 @@ double memoryOf(const scene::Scene& scene) {
 
 using Progress = std::function<void(pipeline::RenderProgress)>;
 
-/// Threads of all encoders.
+/// Returns the number of threads of all encoders.
 int encoderThreads(const scene::Scene& scene, const std::vector<video::VideoFormat>& formats) {
   int threads = 0;
   for (const video::VideoFormat format : formats) {
@@ -58,15 +58,16 @@ void announce(const scene::Scene& scene, const pipeline::RenderStart& start, int
       << (start.encoders.empty() ? std::string() : "; encoder " + start.encoders) << '\n'
       << "  threads: 1 draws (a software rasteriser has its own), 1 composes";
   if (start.pngThreads > 0) {
-    out << ", " << start.pngThreads << (start.pngThreads == 1 ? " compresses" : " compress") << " PNGs";
+    out << ", " << start.pngThreads << (start.pngThreads == 1 ? " compresses" : " compress")
+        << " PNGs";
   }
   if (encoders > 0) out << ", " << encoders << (encoders == 1 ? " encodes" : " encode");
   out << "; cores: " << system::coreCount() << std::endl;
 }
 
-/// The words for each thing that a render left.
+/// Lists the files and folders that a render wrote.
 std::vector<std::string> writtenItems(const pipeline::RenderResult& result,
-                                       const pipeline::RenderOptions& options) {
+                                      const pipeline::RenderOptions& options) {
   const store::ClipFiles& files = result.files;
   const bool newFolder = result.interrupted && !options.frames;
   std::vector<std::string> items;
@@ -81,7 +82,7 @@ std::vector<std::string> writtenItems(const pipeline::RenderResult& result,
   if (!result.interrupted && !options.frames) items.push_back(files.poster.string());
   if (hasPng(options.outputs)) {
     items.push_back(std::to_string(result.framesWritten) + " frames in " +
-                     (newFolder ? files.partialFrameFolder : files.frameFolder).string() + '/');
+                    (newFolder ? files.partialFrameFolder : files.frameFolder).string() + '/');
   }
   return items;
 }
@@ -91,7 +92,8 @@ struct Rendered {
   pipeline::RenderResult result;
 };
 
-/// Nothing, and says so, if it was interrupted before there was anything to write.
+/// Renders one scene. Returns nothing, and reports that, if it was interrupted before there was
+/// anything to write.
 std::optional<Rendered> render(const scene::Scene& scene, const pipeline::RenderOptions& options,
                                const Progress& progress, std::ostream& out) {
   timeline::ClipMotion motion = timeline::simulateScene(scene, options.stop);
@@ -114,7 +116,7 @@ const char* howToGoOn(const pipeline::RenderOptions& options) {
   return hasPng(options.outputs) ? "; go on with the same command and --resume" : "";
 }
 
-/// Says what was rendered; returns its status.
+/// Reports what was rendered; returns the status.
 int report(const scene::Scene& scene, const std::optional<Rendered>& rendered,
            const pipeline::RenderOptions& options, std::ostream& out) {
   if (!rendered) return interruptStatus();
@@ -155,7 +157,7 @@ int renderInTurn(const std::vector<scene::Scene>& scenes, const pipeline::Render
   return status;
 }
 
-/// Renders that go on at the same time. What they say is printed on the caller's thread.
+/// Renders of several scenes at the same time. Their reports are printed on the caller's thread.
 class ParallelRenders {
  public:
   ParallelRenders(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options)
@@ -183,7 +185,7 @@ class ParallelRenders {
       reportRest();
       const int status = reportErrors();
       if (status != kDone) return status;
-      throw;  // No scene's, but of whoever runs them.
+      throw;  // The error isn't a scene's, but of running them.
     }
     int status = begunAll ? kDone : interruptStatus();
     for (const Render& one : renders_) status = std::max(status, one.status);
@@ -198,13 +200,13 @@ class ParallelRenders {
     std::ostringstream text;
     int status = kDone;
     std::exception_ptr error;
-    std::atomic<State> state = State::Waiting;  // Once over, the rest stays as it is.
+    std::atomic<State> state = State::Waiting;  // Once Failed or Finished, nothing changes.
   };
 
   void render(std::size_t i) {
     Render& one = renders_[i];
     one.state = State::Running;
-    one.text.exceptions(std::ios::badbit);  // No part of it may be missing.
+    one.text.exceptions(std::ios::badbit);  // The report must be complete.
     const auto progress = [&one](pipeline::RenderProgress now) {
       one.total = now.total;
       one.done = now.done;
@@ -233,7 +235,8 @@ class ParallelRenders {
     reportFinished();
   }
 
-  /// At once, as the others may take long; why is told at the end.
+  /// Reports a failure at once, as the other renders may take long; the cause is printed at the
+  /// end.
   void reportFailure() {
     const auto failed = std::ranges::find(renders_, State::Failed, stateOf);
     if (failureReported_ || failed == renders_.end()) return;
@@ -242,15 +245,16 @@ class ParallelRenders {
     std::cerr << nameOf(*failed) << " failed; no more scenes are started" << std::endl;
   }
 
-  /// Those that none is unfinished before.
+  /// Prints the reports of finished renders, in the scenes' order, up to the first unfinished one.
   void reportFinished() {
-    for (; reported_ < renders_.size() && renders_[reported_].state == State::Finished; ++reported_) {
+    for (; reported_ < renders_.size() && renders_[reported_].state == State::Finished;
+         ++reported_) {
       line_.clear();
       std::cout << renders_[reported_].text.str() << std::flush;
     }
   }
 
-  /// After an error.
+  /// Prints the remaining reports after an error, and which scenes weren't started.
   void reportRest() {
     reportFailure();
     line_.clear();
@@ -260,7 +264,7 @@ class ParallelRenders {
     }
   }
 
-  /// Why scenes failed; returns the highest status, kDone if none did.
+  /// Prints why scenes failed; returns the highest status, kDone if none failed.
   int reportErrors() const {
     int status = kDone;
     for (const Render& one : renders_) {

@@ -38,7 +38,7 @@ store::ClipFiles filesOf(const store::RecordedClip& clip, const fs::path& folder
                           : store::clipFiles(folder, name);
 }
 
-/// The record in a video; empty if there is none.
+/// Returns the record in a video; empty if there is none.
 std::string recordIn(const fs::path& video) {
   try {
     return video::readClipMetadata(video).comment;
@@ -47,8 +47,8 @@ std::string recordIn(const fs::path& video) {
   }
 }
 
-/// Refuses to write over what another scene's clip left under the same name: its video, and its
-/// frames if there will be `png` ones.
+/// Throws InputError if the rerun would replace what another scene's clip of the same name left:
+/// its video, or, if `png`, its frames.
 void refuseOtherClip(const scene::Scene& scene, const store::ClipFiles& files,
                      const fs::path& output, bool png) {
   const auto refuse = [](const fs::path& file) {
@@ -62,7 +62,8 @@ void refuseOtherClip(const scene::Scene& scene, const store::ClipFiles& files,
     refuse(copy);
 }
 
-/// Why `clip`, which was made `there`, has other bytes than a clip of the same record.
+/// Lists why `clip`, which was made `there`, may have other bytes than the one made `here` from the
+/// same record.
 std::vector<std::string> reasons(const fs::path& clip, const store::Provenance& there,
                                  const store::Provenance& here) {
   try {
@@ -78,7 +79,7 @@ std::vector<std::string> reasons(const fs::path& clip, const store::Provenance& 
       "texture, the font, the video encoder or the build of this program differs"};
 }
 
-/// Says whether both files have the same bytes; returns the status.
+/// Reports whether both files have the same bytes; returns the status.
 int compare(const store::RecordedClip& there, const RerunArguments& arguments,
             const fs::path& output) {
   if (system::checksumOfFile(arguments.clip) == system::checksumOfFile(output)) {
@@ -115,7 +116,7 @@ int rerun(const RerunArguments& arguments) {
   }
   options.device = arguments.deviceOptions.choice();
   options.stop = &catchInterrupts();
-  // Expectations are told. Whether they were met was the first render's status.
+  // Expectations are reported, but decide no status: they decided that of the first render.
   const int status = renderScenes({clip.record.scene}, options, 1);
   return status >= kInterrupted ? status : compare(clip, arguments, output);
 }
@@ -124,17 +125,18 @@ int rerun(const RerunArguments& arguments) {
 
 void addRerunCommand(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<RerunArguments>();
-  CLI::App* command =
-      program.add_subcommand("rerun", "Make a clip again from its own record, and compare the bytes");
+  CLI::App* command = program.add_subcommand(
+      "rerun", "Make a clip again from its own record, and compare the bytes");
   addClip(*command, arguments->clip);
   command->add_option("-o,--output", arguments->folder, "Folder for the results")
       ->type_name("DIR")
       ->required();
   command->add_flag("--png", arguments->png, "Write PNG frames, too");
   command->add_flag("--resume", arguments->earlier.resume, "Go on where a rerun stopped");
-  command->add_flag("--overwrite", arguments->earlier.overwrite,
-                    "Replace another scene's clip of the same name, and discard frames of an unfinished "
-                    "render");
+  command->add_flag(
+      "--overwrite", arguments->earlier.overwrite,
+      "Replace another scene's clip of the same name, and discard frames of an unfinished "
+      "render");
   addTextureOptions(*command, arguments->textures);
   arguments->deviceOptions.addTo(*command);
   command->footer(R"(

@@ -74,7 +74,8 @@ void addSheetCommand(CLI::App& program, Action& action) {
   arguments->sceneOptions.addTo(*command);
   arguments->deviceOptions.addTo(*command);
   command->footer(R"(
---size is the size of each picture. Beneath each are its time and, with several scenes, its title.
+--size is the size of each picture. Beneath each is what tells it apart: its time, its scene's
+title, or both.
 
 Examples:
   rotatebook sheet scenes/starter.toml -o sheet.png --size 480x270

@@ -22,7 +22,7 @@ struct SimulateArguments {
   std::string csv;
 };
 
-/// The only table, on the standard output.
+/// Prints the table of a scene without panels to the standard output.
 int printTable(const scene::Scene& scene) {
   if (!scene.panels.empty()) {
     throw InputError("--csv -: " + scene.name +

@@ -36,7 +36,7 @@ struct StudyArguments {
   std::optional<std::string> integrators;
 };
 
-/// A scene, what to study of it, and where the results go.
+/// A scene, what is studied of it, and the files of the results.
 struct Task {
   scene::Scene scene;
   scene::StudySettings study;
@@ -69,7 +69,7 @@ std::vector<Shorthand> shorthandsOf(const StudyArguments& arguments) {
   return shorthands;
 }
 
-/// All scenes, read before anything is written, so that a mistake in the last one costs nothing.
+/// Reads all scenes before anything is written, so that a mistake in the last one costs nothing.
 std::vector<Task> readTasks(const StudyArguments& arguments) {
   const std::vector<Shorthand> shorthands = shorthandsOf(arguments);
   std::vector<scene::Scene> scenes;
@@ -132,7 +132,7 @@ std::string plotOf(const Task& task, const study::TiltStudy& result) {
   return picture::tiltPlot(task.scene.title, result);
 }
 
-/// False if the user's interrupt ended gnuplot, too, as it does on a terminal.
+/// Draws the plot. Returns false if the user's interrupt ended gnuplot, too, as on a terminal.
 bool draw(const Task& task, const std::string& plot) {
   try {
     picture::drawPlot(plot, task.files.svg, task.files.png);

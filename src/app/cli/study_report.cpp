@@ -39,7 +39,7 @@ std::string orderLine(const study::IntegratorOrder& order) {
                           fit.shortest, fit.longest);
 }
 
-/// "euler: 3 of 11 runs diverged", for an integrator that has such runs.
+/// Returns "euler: 3 of 11 runs diverged"; empty if no run ended like that.
 std::string failureLine(const study::PrecisionStudy& result, physics::Integrator integrator,
                         RunEnd::Kind kind, const char* outcome) {
   const auto runs = std::ranges::count(result.rows, integrator, &PrecisionRow::integrator);

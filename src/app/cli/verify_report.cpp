@@ -30,7 +30,7 @@ std::string numberText(double value) {
   return roundedText(value, 3);
 }
 
-/// As a check like the others.
+/// Converts to a check that is printed like the others.
 ClipCheck asClipCheck(const PictureCheck& check) {
   std::string measured = "off by " + numberText(check.measured.rms) + " of 255, " +
                          numberText(check.measured.worstBlock) + " in the worst block";
@@ -48,7 +48,7 @@ std::string framesText(const Verification& found) {
   return "frames " + rangeText(found.range) + " of " + count;
 }
 
-/// "0, 12, 25", the first of them if they are many.
+/// Returns "0, 12, 25"; of many only the first.
 std::string framesCompared(const Verification& found) {
   constexpr std::size_t kMaxNamed = 12;
   return joinedOf(found.pictures | std::views::take(kMaxNamed),

@@ -13,7 +13,7 @@
 namespace rotatebook::diagnose {
 namespace {
 
-/// Provenance a context and drawing a small picture takes a second on slow machines.
+/// Making a context and drawing a small picture takes a second on slow machines.
 constexpr std::chrono::seconds kTimeLimit{60};
 
 render::DeviceChoice choiceOf(const render::DisplayCandidate& candidate) {
@@ -28,7 +28,7 @@ render::DeviceChoice choiceOf(const render::DisplayCandidate& candidate) {
   return {.kind = render::DeviceChoice::Kind::Index, .number = candidate.index};
 }
 
-/// What `error` says to one who asks the doctor already.
+/// Returns the message of `error` without its advice to run the doctor.
 std::string failureText(const Error& error) {
   std::string text = error.what();
   if (text.ends_with(render::kAskDoctor))
@@ -41,7 +41,8 @@ ReferenceCheck checkReference(const DisplayCheck& check, const render::BookTextu
   reference.tolerance = check.software ? kSoftwareTolerance : kHardwareTolerance;
   try {
     const image::Image picture = drawReferencePicture(textures, choiceOf(check.candidate));
-    reference.comparison = compare(storedReferencePicture().view(), picture.view(), reference.tolerance);
+    reference.comparison =
+        compare(storedReferencePicture().view(), picture.view(), reference.tolerance);
   } catch (const Error& error) {
     reference.failure = failureText(error);
   }
@@ -67,7 +68,7 @@ DisplayCheck checkDisplay(const render::DisplayProbe& probe, std::size_t index,
   return check;
 }
 
-/// How checking each way ends the process, or empty.
+/// Checks each display in a copy of this process; returns how each copy failed, or empty.
 std::vector<std::string> tryAll(const render::DisplayProbe& probe,
                                 const render::BookTextures& textures) {
   std::vector<std::string> ends;

@@ -22,7 +22,7 @@ physics::Cage referencePictureBook() {
 }
 
 image::Image drawReferencePicture(const render::BookTextures& textures,
-                           const render::DeviceChoice& choice) {
+                                  const render::DeviceChoice& choice) {
   render::RenderSettings settings = referencePictureSettings();
   settings.device = choice;
   render::Renderer renderer(settings, textures);
@@ -32,7 +32,7 @@ image::Image drawReferencePicture(const render::BookTextures& textures,
 }
 
 image::Image storedReferencePicture() {
-  return image::decodePng(referencePicturePng(), "stored test frame");
+  return image::decodePng(referencePicturePng(), "stored reference picture");
 }
 
 }  // namespace rotatebook::diagnose

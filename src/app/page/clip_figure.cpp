@@ -1,4 +1,4 @@
-// A clip: its player, its plots, what was expected of it and measured.
+// The figure of a clip: its player, its plots, its expectations and measurements.
 #include <iterator>
 #include <vector>
 
@@ -22,21 +22,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of a time for people.
+// Significant digits of a time.
 constexpr int kTimeDigits = 4;
 
-/// A clip's motions, simulated anew, and the files that were made of it.
+/// A clip's motions, simulated again, and its files.
 struct Clip {
   std::vector<Motion> motions;
   std::int64_t frames = 0;
   store::ClipFiles files;
-  std::vector<fs::path> csvs;  ///< One a motion.
+  std::vector<fs::path> csvs;  ///< One for each motion.
   ClipVideos videos;
-  bool hasRecord = false;  ///< Whether NAME/scene.toml is the scene's.
-  bool hasFrames = false;  ///< Whether all frames are beside it.
+  bool hasRecord = false;  ///< NAME/scene.toml is this scene's.
+  bool hasFrames = false;  ///< All frames are beside it.
 };
 
-/// The plots show what the table beside the clip holds, or nothing.
+/// Throws InputError if the table beside the clip isn't that of the motion that the plots show.
 void refuseOtherMotion(const fs::path& csv, const physics::Trajectory& trajectory,
                        const scene::Scene& scene) {
   if (system::readFileOrEmpty(csv) == timeline::trajectoryCsv(trajectory)) return;
@@ -122,7 +122,7 @@ Html divergenceOf(const Clip& clip) {
     notes += filled(
         "<p class=\"note\">{{text}}</p>\n",
         {{"text", escaped(who + " diverges at " +
-                           roundedText(*motion.trajectory.divergedAt, kTimeDigits) + " s.")}});
+                          roundedText(*motion.trajectory.divergedAt, kTimeDigits) + " s.")}});
   }
   return notes;
 }

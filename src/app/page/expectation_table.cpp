@@ -30,7 +30,7 @@ bool areAllMet(const std::vector<Check>& checks) {
   return std::ranges::all_of(checks, &Check::met);
 }
 
-/// "4 of 5 expectations met"
+/// Returns "4 of 5 expectations met".
 Html countText(const std::vector<Check>& checks) {
   const auto met = std::ranges::count(checks, true, &Check::met);
   return escaped(std::to_string(met) + " of " + std::to_string(checks.size()) +

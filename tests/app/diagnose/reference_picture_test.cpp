@@ -19,7 +19,7 @@ const std::filesystem::path kStored =
 
 TEST(ReferencePicture, IsMatched) {
   const image::Image picture = drawReferencePicture(render::testing::builtinTextures(),
-                                             {.kind = render::DeviceChoice::Kind::Software});
+                                                    {.kind = render::DeviceChoice::Kind::Software});
   if (image::testing::updatingGoldens()) {
     image::writePng(kStored, picture.view());
     GTEST_SKIP() << "renewed " << kStored << "; build again";

@@ -206,7 +206,8 @@ TEST(Remedies, TellOfAWrongReferencePicture) {
   GraphicsCheck check = softwareCheck();
   check.candidates[0].reference.comparison.same = false;
   EXPECT_THAT(diagnose(check, {.vendorFiles = {kMesa}}),
-              ElementsAre(says("llvmpipe: the reference picture isn't drawn as it should be", "update Mesa")));
+              ElementsAre(says("llvmpipe: the reference picture isn't drawn as it should be",
+                               "update Mesa")));
   check.candidates[0].software = false;
   EXPECT_THAT(diagnose(check, {.vendorFiles = {kMesa}}),
               ElementsAre(says("the reference picture isn't", "until then --device software")));
@@ -220,7 +221,8 @@ TEST(Remedies, BeginWithVariablesThatMayBeTheCause) {
   EXPECT_THAT(diagnose(softwareCheck(), facts), IsEmpty());
   GraphicsCheck check = softwareCheck();
   check.candidates[0].reference.comparison.same = false;
-  EXPECT_THAT(diagnose(check, facts), ElementsAre(says("the reference picture", unset + "update Mesa")));
+  EXPECT_THAT(diagnose(check, facts),
+              ElementsAre(says("the reference picture", unset + "update Mesa")));
   check.candidates[0] = failing({.software = true}, kNotReady);
   EXPECT_THAT(diagnose(check, facts), ElementsAre(says("EGL_NOT_INIT", unset + "install Mesa's")));
   EXPECT_THAT(diagnose(nothingDraws(), facts),

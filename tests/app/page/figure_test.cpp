@@ -303,11 +303,12 @@ TEST(StudyFigure, RefusesTheTableOfOtherRuns) {
     return messageOf(shown, folder);
   };
   EXPECT_EQ(refusalOf(right, scene), "no error");
-  const std::string refusal = (folder / "small-study.csv").string() +
-                              " doesn't hold the runs of the scene's study; run the study again (or "
-                              "give this command the same --set): rotatebook study "
-                              "scenes/small.toml -o " +
-                              folder.string();
+  const std::string refusal =
+      (folder / "small-study.csv").string() +
+      " doesn't hold the runs of the scene's study; run the study again (or "
+      "give this command the same --set): rotatebook study "
+      "scenes/small.toml -o " +
+      folder.string();
   for (const std::string& table :
        {tableOf({"euler", "rk4"}, {1, 4}, scene), tableOf({"euler", "heun"}, {1, 2}, scene),
         tableOf({"euler", "rk4"}, {1}, scene), std::string(), std::string("\0\xff,\n,,\n", 7)}) {

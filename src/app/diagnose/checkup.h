@@ -22,9 +22,8 @@ struct FolderCheck {
 /// The results of checkUp().
 struct Checkup {
   GraphicsCheck graphics{};
-  std::vector<video::EncoderCheck>
-      encoders{};             ///< One for each of video::kVideoFormats, in its order.
-  std::string fontFailure{};  ///< Why the shipped font can't be loaded, or empty.
+  std::vector<video::EncoderCheck> encoders{};  ///< In the order of video::kVideoFormats.
+  std::string fontFailure{};                    ///< Why the shipped font can't be loaded, or empty.
   FolderCheck folder{};
   int cores = 1;
   double memory = 0;                ///< [bytes]

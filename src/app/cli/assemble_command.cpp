@@ -17,7 +17,7 @@ struct AssembleArguments {
   std::string folder, output, frameRate;
 };
 
-/// ": 0:60 of the scene's 90"
+/// Returns, for example, ": 0:60 of the scene's 90".
 std::string partText(const pipeline::Assembled& made) {
   return ": " + store::rangeText(made.frames) + " of the scene's " +
          std::to_string(*made.sceneFrames);
@@ -58,11 +58,11 @@ void addAssembleCommand(CLI::App& program, Action& action) {
                    "Frame rate, e.g. 60 or 30000/1001; only where DIR has no scene.toml")
       ->type_name("RATE");
   command->footer(R"(
-With the scene.toml that a render leaves beside its frames, this makes the very file that the render made.
-A frame that is missing or isn't as the render left it, by the checksums in frames.xxh128 beside it, is
-refused: render with --resume, which draws it again, or remove frames.xxh128 to join what is there on
-purpose. So is the folder of a whole clip that is still being rendered. Where parts of a clip are there
-and others aren't, it says which frames it took.
+With the scene.toml that a render leaves beside its frames, this writes the same bytes as the render.
+If a frame is missing or no longer has its checksum in frames.xxh128, nothing is written: render with
+--resume, which draws the frame again, or remove frames.xxh128 to join the frames as they are. The folder
+of a whole clip that is still being rendered is refused, too. If only parts of a clip are there, the
+frames that were joined are reported.
 
 Example:
   rotatebook assemble out/starter -o starter.mp4)");

@@ -17,7 +17,7 @@
 #include "picture/preflight.h"
 #include "store/clip_files.h"
 
-// Figure 5, as it is in scenes/figures.
+// The embedded default scene: Figure 5, as in scenes/figures.
 namespace rotatebook::cli {
 namespace {
 
@@ -75,13 +75,15 @@ void addBenchCommand(CLI::App& program, Action& action) {
       ->type_name("N")
       ->check(CLI::Range(std::int64_t{1}, kMax))
       ->capture_default_str();
-  command->add_flag("--json", arguments->json,
-                    "Print one JSON object: milliseconds a frame, but start_up_s in seconds");
+  command->add_flag(
+      "--json", arguments->json,
+      "Print one JSON object; times are in milliseconds a frame, start_up_s in seconds");
   arguments->sceneOptions.addTo(*command);
   arguments->deviceOptions.addTo(*command);
   command->footer(R"(
-Renders PNGs and MP4 into a folder below TMPDIR that is removed afterwards: once stage by stage, once
-as render does it, and once nothing but draws. Stages are measured alone; "processor" is the time of all cores together.
+Renders the frames three times, into a folder below TMPDIR that is removed afterwards: once stage by
+stage, once drawing alone, and once as render does it, to PNGs and an MP4. Each stage is measured while
+nothing else runs; "processor" is the time of all cores together.
 
 Examples:
   rotatebook bench

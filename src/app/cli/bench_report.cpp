@@ -21,10 +21,10 @@ std::string formatted(const char* format, Values... values) {
   return text.data();
 }
 
-/// A stage for people and, `key`, for programs.
+/// A stage with its label in the text report and its `key` in the JSON report.
 struct Row {
   Stage stage;
-  const char* words;
+  const char* label;
   const char* key;
   WorkTime time;
 };
@@ -50,10 +50,10 @@ std::string limitText(const diagnose::SpeedLimit& limit, const diagnose::Speed& 
   const std::string bound =
       formatted("  limit: %.2f ms a frame, %.1f frames/s; the render took %.2f times that\n",
                 limit.wall, 1000 / limit.wall, speed.whole.wall / limit.wall);
-  const std::string stage = std::string("\"") + rowOf(limit.stage).words + "\"";
+  const std::string stage = std::string("\"") + rowOf(limit.stage).label + "\"";
   if (limit.ofCores) {
-    return bound + "  what limits: the " + coresText(speed.cores) +
-           ", which have most to do with " + stage + "\n";
+    return bound + "  what limits: the " + coresText(speed.cores) + ", which are busiest with " +
+           stage + "\n";
   }
   return bound + "  what limits: " + stage +
          ", for which the other stages wait while cores are idle\n";
@@ -90,7 +90,7 @@ void reportSpeed(const scene::Scene& scene, const diagnose::Speed& speed, std::o
                    "share");
   const double sum = speed.stages.processorSum();
   for (const Row& row : rowsOf(speed.stages)) {
-    out << formatted("  %-20s %9.2f %10.2f %5.0f %%\n", row.words, row.time.wall,
+    out << formatted("  %-20s %9.2f %10.2f %5.0f %%\n", row.label, row.time.wall,
                      row.time.processor, 100 * row.time.processor / sum);
   }
   out << formatted("  %-20s %9s %10.2f\n\n", "all", "", sum);

@@ -1,4 +1,4 @@
-// What was measured of the machine's speed, in words and for programs. Inside the room only.
+// Reports of measureSpeed(), as text and as JSON. Inside the room only.
 #pragma once
 
 #include <ostream>
@@ -9,10 +9,10 @@
 
 namespace rotatebook::cli {
 
-/// The frames a second, a table of stages, what limits and what would help.
+/// Prints the frames a second, a table of stages, what limits the speed and what would help.
 void reportSpeed(const scene::Scene& scene, const diagnose::Speed& speed, std::ostream& out);
 
-/// The same numbers as one JSON object: times a frame in ms, start_up_s in seconds.
+/// Prints the same numbers as one JSON object. Times are in ms a frame, start_up_s in seconds.
 void reportSpeedAsJson(const scene::Scene& scene, const diagnose::Speed& speed, std::ostream& out);
 
 }  // namespace rotatebook::cli

@@ -11,14 +11,14 @@ void addClip(CLI::App& command, std::filesystem::path& clip) {
 void addTextureOptions(CLI::App& command, store::TextureLookup& textures) {
   command
       .add_option("--scene-folder", textures.folder,
-                  "Where the scene's textures are found; by default the clip's folder")
+                  "Folder with the scene's textures; by default the clip's folder")
       ->type_name("DIR");
   addAllowOutside(command, textures.allowOutside);
 }
 
 void addAllowOutside(CLI::App& command, bool& allowOutside) {
   command.add_flag("--allow-outside", allowOutside,
-                   "Let the scene take textures from outside its folder");
+                   "Let the scene read textures from outside its folder");
 }
 
 }  // namespace rotatebook::cli

@@ -1,4 +1,4 @@
-// Options that every command takes that reads a clip's record. Inside the room only.
+// Options of the commands that read a clip's record. Inside the room only.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,13 @@
 
 namespace rotatebook::cli {
 
-/// CLIP, a file that holds a record.
+/// Adds CLIP, a file that holds a record.
 void addClip(CLI::App& command, std::filesystem::path& clip);
 
-/// --scene-folder and --allow-outside.
+/// Adds --scene-folder and --allow-outside.
 void addTextureOptions(CLI::App& command, store::TextureLookup& textures);
 
-/// --allow-outside alone, as commands that read scenes have it.
+/// Adds --allow-outside alone, for commands that read scenes.
 void addAllowOutside(CLI::App& command, bool& allowOutside);
 
 }  // namespace rotatebook::cli

@@ -1,5 +1,5 @@
-// One function a command: each describes its options to the parser and sets what is to be run.
-// Inside the room only.
+// Functions that add the commands, one each: they describe the command's options to the parser, and
+// set `action` if it is chosen. Inside the room only.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace rotatebook::cli {
 
-/// What the chosen command does; returns the exit status, throws Error.
+/// The work of the chosen command. Returns the exit status; throws Error.
 using Action = std::function<int()>;
 
 void addRenderCommand(CLI::App& program, Action& action);

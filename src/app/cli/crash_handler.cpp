@@ -15,45 +15,45 @@ namespace {
 
 constexpr std::string_view kCrash =
     "rotatebook: crashed, in its own code or in a driver; 'rotatebook doctor' tries each driver";
-constexpr std::string_view kWantOfMemory = "rotatebook: out of memory";
+constexpr std::string_view kOutOfMemory = "rotatebook: out of memory";
 constexpr std::string_view kRemedy =
     ". What a render had finished is kept: go on with the same command and --resume\n";
 
-// Calls nothing but what a signal handler may.
-void speak(std::string_view problem) {
-  for (const std::string_view words : {problem, kRemedy}) {
-    // If it fails there is nobody to tell.
-    if (write(STDERR_FILENO, words.data(), words.size()) < 0) return;
+// Calls only functions that are safe in a signal handler.
+void printCrash(std::string_view problem) {
+  for (const std::string_view text : {problem, kRemedy}) {
+    // A failure can't be reported anywhere.
+    if (write(STDERR_FILENO, text.data(), text.size()) < 0) return;
   }
 }
 
 extern "C" void onCrash(int signal) {
-  speak(kCrash);
-  raise(signal);  // Its default effect now.
+  printCrash(kCrash);
+  raise(signal);  // SA_RESETHAND restored its default effect.
 }
 
-thread_local bool lacksMemory = false;
+thread_local bool memoryRanOut = false;
 std::terminate_handler terminateOtherwise = std::abort;
 
-void onWantOfMemory() {
-  lacksMemory = true;
+void onOutOfMemory() {
+  memoryRanOut = true;
   throw std::bad_alloc();
 }
 
-// Libraries have functions that are noexcept and ask for memory.
+// Some library functions are noexcept and allocate memory all the same.
 [[noreturn]] void onTerminate() {
-  if (!lacksMemory) {
+  if (!memoryRanOut) {
     terminateOtherwise();
     std::abort();
   }
-  speak(kWantOfMemory);
+  printCrash(kOutOfMemory);
   _exit(kMachineFailed);
 }
 
 }  // namespace
 
-void speakBeforeCrashes() {
-  std::set_new_handler(onWantOfMemory);
+void reportCrashes() {
+  std::set_new_handler(onOutOfMemory);
   terminateOtherwise = std::set_terminate(onTerminate);
   struct sigaction action {};
   action.sa_handler = onCrash;
@@ -61,7 +61,7 @@ void speakBeforeCrashes() {
   for (const int signal : system::kCrashSignals) {
     struct sigaction before {};
     sigaction(signal, nullptr, &before);
-    // Sanitizers say more.
+    // Sanitizers, which have handlers of their own, report more.
     if (before.sa_handler == SIG_DFL) sigaction(signal, &action, nullptr);
   }
 }

@@ -20,13 +20,13 @@ render::DeviceChoice parseDevice(const std::string& text) {
   if (!std::regex_match(text, match, std::regex("(cuda:)?([0-9]{1,4})"))) {
     throw InputError(
         "--device " + text +
-        ": no device; write a number that 'rotatebook doctor' lists, for example 0, or "
+        ": not a device; write a number that 'rotatebook doctor' lists, for example 0, or "
         "cuda:0, or software");
   }
   return {.kind = match[1].matched ? Kind::Cuda : Kind::Index, .number = std::stoi(match[2])};
 }
 
-/// Prints to the standard error, in one piece, in the place of a bar that may stand there.
+/// Prints `line` to the standard error, in one piece, over a progress bar that may be there.
 void printAside(const std::string& line) {
   const std::string erase = isatty(STDERR_FILENO) == 1 ? "\r\x1b[K" : "";
   std::cerr << erase + "rotatebook: " + line + "\n" << std::flush;
@@ -36,12 +36,13 @@ void printAside(const std::string& line) {
 
 void DeviceOptions::addTo(CLI::App& command) {
   command
-      .add_option("--device", device,
-                  "What draws: the number of an EGL device ('rotatebook doctor' lists them), the "
-                  "CUDA id of one, or software; by default the first that can")
+      .add_option(
+          "--device", device,
+          "Device that draws: the number of an EGL device ('rotatebook doctor' lists them), "
+          "a CUDA id, or software; by default the first that works")
       ->type_name("N|cuda:N|software");
   command.add_flag("--require-hardware", requireHardware,
-                   "Fail where only a software renderer would draw");
+                   "Fail if only a software renderer can draw");
 }
 
 render::DeviceChoice DeviceOptions::choice() const {
@@ -50,9 +51,9 @@ render::DeviceChoice DeviceOptions::choice() const {
   if (requireHardware && choice.kind == Kind::Software) {
     throw InputError("--device software and --require-hardware exclude each other");
   }
-  // A clip may have several renderers, on several threads.
-  choice.warn = [told = std::make_shared<std::once_flag>()](const std::string& line) {
-    std::call_once(*told, printAside, line);
+  // A clip may have several renderers, on several threads; one warning is enough.
+  choice.warn = [once = std::make_shared<std::once_flag>()](const std::string& line) {
+    std::call_once(*once, printAside, line);
   };
   return choice;
 }

@@ -1,4 +1,4 @@
-// Options that every command that draws takes. Inside the room only.
+// Options of the commands that draw. Inside the room only.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace rotatebook::cli {
 
-/// --device and --require-hardware.
+/// The values of --device and --require-hardware.
 struct DeviceOptions {
   std::string device;  ///< "N", "cuda:N", "software" or empty.
   bool requireHardware = false;
 
   void addTo(CLI::App& command);
-  /// What they mean, with a warning that is printed once. Throws InputError.
+  /// Returns the choice that they make; its warning is printed once. Throws InputError.
   render::DeviceChoice choice() const;
 };
 

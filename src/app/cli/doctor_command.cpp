@@ -26,17 +26,17 @@ int examine(const DoctorArguments& arguments) {
 void addDoctorCommand(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<DoctorArguments>();
   CLI::App* command = program.add_subcommand(
-      "doctor", "Tell whether this machine can render, and if not, what mends it");
+      "doctor", "Check whether this machine can render; if not, report why and what helps");
   command
       ->add_option("-o,--output", arguments->folder,
-                   "Folder for the results: its free space is told, and whether it can be written; "
-                   "nothing is left there")
+                   "Folder for the results: its free space is reported, and whether it can be "
+                   "written; nothing is left there")
       ->type_name("DIR")
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print one JSON object");
   command->footer(R"(
-Lists the EGL devices, whose numbers --device takes, and the other ways to a renderer; draws a small
-frame with each and compares it with a stored picture. Then encoders, font, folder, cores and memory.
+Lists the EGL devices, whose numbers --device takes, and the other EGL displays; draws a small picture
+with each and compares it with a stored one. Then checks encoders, font, folder, cores and memory.
 
 Exit status: 0 if render works as it is by default, 3 if it doesn't.
 

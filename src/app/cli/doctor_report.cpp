@@ -17,7 +17,7 @@ namespace rotatebook::cli {
 namespace {
 
 using diagnose::DisplayCheck;
-using diagnose::FrameCheck;
+using diagnose::ReferenceCheck;
 
 constexpr int kNameWidth = 21;
 constexpr std::size_t kTextWidth = 92;
@@ -30,8 +30,8 @@ void row(const std::string& name, const std::string& text, std::ostream& out) {
   out << "  " << std::left << std::setw(kNameWidth) << name << text << '\n';
 }
 
-/// `text` in lines that aren't too long, with `first` before the first and as many spaces before
-/// the others. Lines that begin with two spaces stay as they are.
+/// Prints `text` wrapped at kTextWidth, with `first` before the first line and as many spaces
+/// before the others. Lines that begin with two spaces are commands, and aren't wrapped.
 void printWrapped(const std::string& text, std::string first, std::ostream& out) {
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -60,13 +60,14 @@ std::string kindOf(const DisplayCheck& check) {
   return check.software ? "software" : "hardware";
 }
 
-std::string frameText(const FrameCheck& frame) {
-  if (!frame.failure.empty()) return "test frame failed";
-  const image::Comparison& found = frame.comparison;
-  return std::string("test frame ") + (found.same ? "right" : "WRONG") + ": off by at most " +
-         std::to_string(found.largest) + " of 255, " + roundedText(found.differingPercent, 2) +
-         " % by over " + std::to_string(frame.tolerance.largest) + " (" +
-         roundedText(frame.tolerance.failPercent, 3) + " % may be)";
+std::string referenceText(const ReferenceCheck& check) {
+  if (!check.failure.empty()) return "reference picture failed";
+  const image::Comparison& found = check.comparison;
+  return std::string("reference picture ") + (found.same ? "right" : "WRONG") +
+         ": off by at most " + std::to_string(found.largest) + " of 255, " +
+         roundedText(found.differingPercent, 2) + " % by more than " +
+         std::to_string(check.tolerance.largest) + " (" +
+         roundedText(check.tolerance.failPercent, 3) + " % allowed)";
 }
 
 void printDisplay(const DisplayCheck& check, bool byDefault, std::ostream& out) {
@@ -84,7 +85,7 @@ void printDisplay(const DisplayCheck& check, bool byDefault, std::ostream& out) 
               std::to_string(check.samples) + (check.samples == 1 ? " sample" : " samples"),
               nodes}),
       out);
-  row("", frameText(check.frame), out);
+  row("", referenceText(check.reference), out);
 }
 
 void printGraphics(const diagnose::GraphicsCheck& graphics, std::ostream& out) {
@@ -122,7 +123,7 @@ void printProblems(const std::vector<diagnose::Problem>& problems, std::ostream&
   }
 }
 
-/// What a render would lack, for people.
+/// Lists what a render would lack.
 std::string lackText(const diagnose::Checkup& checkup) {
   const bool encodes = !checkup.encoders.empty() && !checkup.encoders.front().found.empty();
   return joined({checkup.graphics.draws() ? "" : "nothing draws as it should",
@@ -137,19 +138,20 @@ std::string verdict(const diagnose::Checkup& checkup) {
   const std::size_t count = checkup.problems.size();
   return "Ready to render: " + candidate.candidate.name() + " draws (" + kindOf(candidate) + "), " +
          checkup.encoders.front().found + " encodes" +
-         (count == 0 ? "."
-                     : "; " + std::to_string(count) +
-                           (count == 1 ? " problem is told above." : " problems are told above."));
+         (count == 0
+              ? "."
+              : "; " + std::to_string(count) +
+                    (count == 1 ? " problem is reported above." : " problems are reported above."));
 }
 
-std::string json(const FrameCheck& frame) {
+std::string json(const ReferenceCheck& check) {
   JsonObject object;
-  object.addBool("passed", frame.passed()).addStringOrNull("error", frame.failure);
-  if (!frame.failure.empty()) return object.text();
-  return object.addNumber("largest", frame.comparison.largest)
-      .addNumber("differing_percent", frame.comparison.differingPercent)
-      .addNumber("bound_largest", frame.tolerance.largest)
-      .addNumber("bound_percent", frame.tolerance.failPercent)
+  object.addBool("passed", check.passed()).addStringOrNull("error", check.failure);
+  if (!check.failure.empty()) return object.text();
+  return object.addNumber("largest", check.comparison.largest)
+      .addNumber("differing_percent", check.comparison.differingPercent)
+      .addNumber("bound_largest", check.tolerance.largest)
+      .addNumber("bound_percent", check.tolerance.failPercent)
       .text();
 }
 
@@ -179,7 +181,7 @@ std::string json(const DisplayCheck& check, bool byDefault) {
       .addString("opengl", check.version)
       .addNumber("samples", check.samples)
       .addBool("software", check.software)
-      .add("reference_picture", json(check.frame))
+      .add("reference_picture", json(check.reference))
       .text();
 }
 

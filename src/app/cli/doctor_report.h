@@ -1,4 +1,4 @@
-// What was found of the machine, in words and for programs. Inside the room only.
+// Reports of checkUp(), as text and as JSON. Inside the room only.
 #pragma once
 
 #include <ostream>
@@ -7,10 +7,10 @@
 
 namespace rotatebook::cli {
 
-/// A table of the parts, each problem with its remedy, and a last line with the verdict.
+/// Prints a table of the parts, each problem with its remedy, and a last line with the verdict.
 void reportCheckup(const diagnose::Checkup& checkup, std::ostream& out);
 
-/// The same as one JSON object. What isn't known is null.
+/// Prints the same as one JSON object. Unknown values are null.
 void reportCheckupAsJson(const diagnose::Checkup& checkup, std::ostream& out);
 
 }  // namespace rotatebook::cli

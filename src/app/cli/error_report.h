@@ -1,4 +1,4 @@
-// What an error is to the user. Inside the room only.
+// Error messages and the exit statuses that belong to them. Inside the room only.
 #pragma once
 
 #include <exception>
@@ -6,8 +6,8 @@
 
 namespace rotatebook::cli {
 
-/// Says "rotatebook: `subject`MESSAGE" on the standard error; returns the exit status that such an
-/// error gives. Takes no memory, which may be what is wanting.
+/// Prints "rotatebook: `subject`MESSAGE" to the standard error; returns the exit status for such an
+/// error. Allocates no memory, as the error may be that there is none.
 int reportError(const std::exception_ptr& error, std::string_view subject = "");
 
 }  // namespace rotatebook::cli

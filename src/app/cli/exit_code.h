@@ -1,14 +1,14 @@
-// What the program's exit status means; documented in the README. Inside the room only.
+// The program's exit statuses; documented in docs/troubleshooting.md. Inside the room only.
 #pragma once
 
 namespace rotatebook::cli {
 
 enum ExitCode : int {
   kDone = 0,
-  kUnmet = 1,          ///< An expectation or a comparison failed.
+  kUnmet = 1,          ///< An expectation, a comparison or a proof failed.
   kWrongInput = 2,     ///< The user's input is wrong.
-  kMachineFailed = 3,  ///< The machine can't: no EGL, no encoder, disk.
-  kInterrupted = 129,  ///< Least of those after a signal: SIGHUP; SIGINT gives 130, SIGTERM 143.
+  kMachineFailed = 3,  ///< The machine can't do it: no EGL, no encoder, a full disk.
+  kInterrupted = 129,  ///< SIGHUP; SIGINT gives 130, SIGTERM 143. The lowest of the three.
 };
 
 }  // namespace rotatebook::cli

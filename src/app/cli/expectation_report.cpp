@@ -44,7 +44,7 @@ int reportMotion(const physics::Trajectory& trajectory,
   return status;
 }
 
-int sayIfUnmet(int status) {
+int reportIfUnmet(int status) {
   if (status == kUnmet) std::cerr << "rotatebook: expectations are unmet; the files were kept\n";
   return status;
 }

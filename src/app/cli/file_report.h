@@ -1,4 +1,4 @@
-// What a command left, in words. Inside the room only.
+// A warning about disk space. Inside the room only.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace rotatebook::cli {
 
-/// "about 12 GB are needed in out and 3.2 GB are free: ..."; empty if there is enough. `pngs`: they
-/// are written, and could be left out.
+/// Returns "about 12 GB are needed in out and 3.2 GB are free: ..."; empty if there is enough. If
+/// `pngs` are written, it advises to leave them out.
 std::string spaceWarning(const store::DiskSpace& space, const std::filesystem::path& folder,
                          bool pngs);
 

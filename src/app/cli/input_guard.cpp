@@ -15,7 +15,7 @@ bool areSame(const fs::path& one, const fs::path& other) {
   return fs::equivalent(one, other, missing);
 }
 
-/// Whether a render that puts its frames into `folder` takes the file for its own there.
+/// Returns whether a render that puts its frames into `folder` would replace `file` there.
 bool isReplacedIn(const fs::path& folder, const fs::path& file) {
   const std::string name = file.filename().string();
   const bool own = name == store::kSceneCopyName || store::frameIndex(name);

@@ -1,4 +1,4 @@
-// Results that would take the place of what they are made from. Inside the room only.
+// Checks that no result replaces a file that it is made from. Inside the room only.
 #pragma once
 
 #include <filesystem>
@@ -10,22 +10,24 @@
 
 namespace rotatebook::cli {
 
-/// A file that is read.
+/// A file that a command reads.
 struct Input {
   std::filesystem::path path;
-  std::string what;  ///< "the scene itself"
+  std::string what;  ///< Its description in messages: "the scene itself".
 };
 
-/// The pictures that `scene` names.
+/// Returns the textures that `scene` names.
 std::vector<Input> texturesOf(const scene::Scene& scene);
-/// The same, and the scene's own file, at `path`.
+/// Returns the textures and the scene's own file, at `path`.
 std::vector<Input> inputsOf(const std::filesystem::path& path, const scene::Scene& scene);
 
-/// Throws InputError "`output` is WHAT; `remedy`" if it is one of `inputs`, by whatever name.
+/// Throws InputError "`output` is WHAT; `remedy`" if it is the same file as one of `inputs`, under
+/// whatever name.
 void refuseInputs(const std::filesystem::path& output, const std::vector<Input>& inputs,
                   const std::string& remedy);
 
-/// The same for all that a render of `scene` writes, and for the folders that it replaces.
+/// Throws likewise if a render of `scene` would write one of `inputs`, or replace a folder that
+/// holds one.
 void refuseInputs(const scene::Scene& scene, const pipeline::RenderOptions& options,
                   const std::vector<Input>& inputs);
 

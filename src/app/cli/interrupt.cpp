@@ -12,9 +12,9 @@ static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<int>::is_alw
 
 constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
 
-// Calls nothing but what a signal handler may.
+// Calls only functions that are safe in a signal handler.
 extern "C" void onSignal(int signal) {
-  // The next one has its default effect, whichever it is; what is ignored stays so.
+  // The next signal, whichever it is, has its default effect; ignored ones stay ignored.
   for (const int next : kSignals) {
     struct sigaction now {};
     sigaction(next, nullptr, &now);
@@ -30,15 +30,15 @@ const std::atomic<bool>& catchInterrupts() {
   struct sigaction action {};
   action.sa_handler = onSignal;
   action.sa_flags = SA_RESTART;
-  // Of two that come at once the second waits until the first has reset it.
+  // If two arrive at once, the second waits until the first has restored its default effect.
   for (const int signal : kSignals) sigaddset(&action.sa_mask, signal);
   for (const int signal : kSignals) {
     struct sigaction before {};
     sigaction(signal, nullptr, &before);
-    // nohup and shells have some of them ignored.
+    // nohup and shells start programs with some of them ignored.
     if (before.sa_handler != SIG_IGN) sigaction(signal, &action, nullptr);
   }
-  // A render goes on though nobody listens any more, and tells in the end.
+  // A render goes on when its output pipe is closed, and reports that at the end.
   std::signal(SIGPIPE, SIG_IGN);
   return interrupted;
 }

@@ -11,10 +11,10 @@ namespace rotatebook::cli {
 namespace {
 
 constexpr double kHalfTurnDeg = 180;
-// From here on a person sees the difference. [degrees]
+// The smallest difference that a viewer notices. [degrees]
 constexpr double kVisibleDeg = 10;
 
-/// `value` >= 0 with so many significant digits, and not less than it is: "2e-9".
+/// Returns `value` >= 0 rounded up to so many significant digits: "2e-9".
 std::string roundedUp(double value, int digits) {
   if (value == 0) return "0";
   const double unit = std::pow(10, std::floor(std::log10(value)) + 1 - digits);
@@ -23,7 +23,7 @@ std::string roundedUp(double value, int digits) {
   return text;
 }
 
-/// To the hundredth, and to the second from 100 s on.
+/// Rounds to hundredths of a second, from 100 s on to seconds.
 std::string secondsText(double time) {
   const double digits = time < 100 ? 100 : 1;
   return shortestText(std::round(time * digits) / digits);

@@ -32,7 +32,7 @@ struct PageArguments {
   bool noThumbnails = false;
 };
 
-/// Each file once, where it is named first.
+/// Returns the paths without repeats of a file; the first is kept.
 std::vector<std::string> withoutRepeats(const std::vector<std::string>& paths) {
   std::set<fs::path> seen;
   std::vector<std::string> once;
@@ -44,7 +44,7 @@ std::vector<std::string> withoutRepeats(const std::vector<std::string>& paths) {
   return once;
 }
 
-/// What is shown, and the files that it is read from.
+/// The scenes that are shown, and the files that they are read from.
 struct Shown {
   std::vector<scene::Scene> scenes;
   std::vector<Input> inputs;
@@ -66,12 +66,12 @@ image::Image drawThumbnail(const scene::Scene& scene, const render::DeviceChoice
     return picture::drawThumbnail(scene, device);
   } catch (const MachineError& error) {
     throw MachineError(std::string(error.what()) +
-                       "\n--no-thumbnails makes the page without drawing: its overview has the "
+                       "\n--no-thumbnails makes the page without drawing: its overview shows the "
                        "posters then");
   }
 }
 
-/// Whether a picture stands for the figure; studies have their curves.
+/// Returns whether the overview shows a picture of the figure; of studies it shows curves.
 bool needsThumbnail(const page::Figure& figure) {
   return figure.curves.text.empty();
 }
@@ -104,7 +104,7 @@ int writePage(const PageArguments& arguments) {
   const auto path = fs::path(arguments.folder) / page::kPageName;
   system::writeFileAtomically(path, page::pageText(arguments.title, figures));
   for (const page::Figure& figure : figures) {
-    for (const std::string& words : figure.leftOut) std::cout << "note: " << words << '\n';
+    for (const std::string& note : figure.leftOut) std::cout << "note: " << note << '\n';
   }
   std::cout << "wrote " << path.string() << ", " << figures.size()
             << (figures.size() == 1 ? " figure\n" : " figures\n");
@@ -119,7 +119,7 @@ void addPageCommand(CLI::App& program, Action& action) {
       "page", "Show what was rendered on one page, with players, plots and tables");
   command
       ->add_option("SCENE", arguments->scenes,
-                   "Scene files, in the order of the page; the first leads it, and is shown large")
+                   "Scene files, in the order of the page; the first is shown large, at its top")
       ->required();
   command
       ->add_option("-o,--output", arguments->folder,
@@ -130,14 +130,14 @@ void addPageCommand(CLI::App& program, Action& action) {
       ->type_name("TEXT")
       ->capture_default_str();
   command->add_flag("--no-thumbnails", arguments->noThumbnails,
-                    "Show posters in the overview, and draw nothing");
+                    "Draw nothing, and show the posters themselves in the overview");
   arguments->sceneOptions.addTo(*command);
   arguments->deviceOptions.addTo(*command);
   command->footer(R"(
 Writes DIR/index.html, which any browser shows without a network or a server. It shows the files that
-render and study left in DIR; --set and --size must be as they were given to these. The motions are
-simulated anew for the plots and for what was expected and measured. For the overview, the posters are
-drawn anew, small and without words, as DIR/NAME.thumbnail.png. A scene named twice is shown once.
+render and study left in DIR; give --set and --size as they were given to these. The motions are
+simulated again for the plots and for what was expected and measured. For the overview, the posters are
+drawn again, small and without text, as DIR/NAME.thumbnail.png. A scene named twice is shown once.
 
 Example:
   rotatebook render scenes/figures/*.toml && rotatebook page scenes/figures/*.toml)");

@@ -27,7 +27,7 @@ Examples:
   rotatebook COMMAND --help
 
 Exit status: 0 done; 1 an expectation, comparison or proof failed; 2 the input is wrong; 3 the machine
-can't (no EGL, no encoder, no gnuplot, disk); 129, 130 or 143 interrupted.)";
+can't do it (no EGL, encoder or gnuplot; a full disk); 129, 130 or 143 interrupted.)";
 
 void addCommands(CLI::App& program, Action& action) {
   addRenderCommand(program, action);
@@ -47,14 +47,14 @@ void addCommands(CLI::App& program, Action& action) {
   addDiffCommand(program, action);
 }
 
-/// `status`, unless what was printed got lost.
+/// Returns `status`; throws MachineError if what was printed got lost.
 int afterFlush(int status) {
   std::cout.flush();
   if (std::cout) return status;
   throw MachineError("can't write to the standard output");
 }
 
-/// The exit status of `work`, or that of what it throws, which is told.
+/// Returns the exit status of `work`; reports what it throws, and returns the status of that.
 template <typename Work>
 int guarded(const Work& work) noexcept {
   try {
@@ -64,7 +64,7 @@ int guarded(const Work& work) noexcept {
   }
 }
 
-/// Throws InputError for an empty argument, which means nothing to any command.
+/// Throws InputError for an empty argument, which no command has a use for.
 void refuseEmptyArguments(std::span<char* const> arguments) {
   for (std::size_t i = 1; i < arguments.size(); ++i) {
     if (*arguments[i] != '\0') continue;
@@ -73,7 +73,7 @@ void refuseEmptyArguments(std::span<char* const> arguments) {
   }
 }
 
-/// What is wrong with the command line, where CLI11 would only miss a command.
+/// Returns what is wrong with the command line; CLI11 would only report a missing command.
 std::string problemText(const CLI::App& program, const CLI::Error& error) {
   if (!program.get_subcommands().empty()) return error.what();
   const std::vector<std::string> unknown = program.remaining();
@@ -93,10 +93,10 @@ std::string usageText(const CLI::App* program, const CLI::Error& error) {
 
 int runProgram(int argc, char** argv) {
   keepStandardStreams();
-  speakBeforeCrashes();
-  // A limit to the size of files is told as an error of writing.
+  reportCrashes();
+  // Exceeding a limit on the size of files is to be reported as a write error.
   std::signal(SIGXFSZ, SIG_IGN);
-  // Whoever started this may have ignored it, and nobody could hear how a process of ours ended.
+  // If the parent process had it ignored, waitpid() couldn't return the status of our children.
   std::signal(SIGCHLD, SIG_DFL);
   return guarded([&] {
     refuseEmptyArguments({argv, static_cast<std::size_t>(argc)});
@@ -112,8 +112,7 @@ int runProgram(int argc, char** argv) {
     try {
       program.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-      // CLI11 has its own statuses; ours says that the input is wrong. Help and version are not
-      // errors.
+      // CLI11 has statuses of its own: zero after --help and --version, else an error.
       return afterFlush(program.exit(error) == 0 ? kDone : kWrongInput);
     }
     return afterFlush(action());

@@ -27,14 +27,14 @@ std::string bar(std::int64_t done, std::int64_t total) {
   return '[' + std::string(filled, '#') + std::string(kBarWidth - filled, '.') + ']';
 }
 
-/// A line that wraps can't be overwritten.
+/// Returns the terminal's width: a line that wraps couldn't be overwritten.
 std::size_t terminalColumns() {
   winsize size{};
   const bool known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
   return known ? size.ws_col : kUsualColumns;
 }
 
-/// Label and text in at most `columns`; the label gives way first.
+/// Joins label and text in at most `columns`; the label is cut first.
 std::string fitted(const std::string& label, const std::string& text, std::size_t columns) {
   const std::size_t room = columns > text.size() + 2 ? columns - text.size() - 2 : 0;
   return (label.substr(0, room) + "  " + text).substr(0, columns);

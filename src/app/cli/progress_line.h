@@ -1,4 +1,4 @@
-// How far a command is: a bar on a terminal, plain lines elsewhere. Inside the room only.
+// A command's progress: a bar on a terminal, plain lines elsewhere. Inside the room only.
 #pragma once
 
 #include <chrono>
@@ -9,23 +9,23 @@
 
 namespace rotatebook::cli {
 
-/// "[####....]  42 %  126/300 frames, 38.1 frames/s, 5 s left", from what is known now.
-/// `rate` in frames a second, or whatever `unit` calls what is done; 0 while it isn't known.
+/// Returns "[####....]  42 %  126/300 frames, 38.1 frames/s, 5 s left". `rate` is in units a
+/// second, 0 while it isn't known; `unit` is their plural.
 std::string progressText(std::int64_t done, std::int64_t total, double rate,
                          std::string_view unit = "frames");
 
-/// Prints progress to the standard error. The rate is that of the last seconds.
+/// Prints progress to the standard error, with the rate of the last seconds.
 class ProgressLine {
  public:
-  /// `unit` is the plural of what is done.
+  /// `unit` is the plural of what is counted.
   explicit ProgressLine(std::string label, std::string unit = "frames");
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
-  /// Ends the bar's line.
+  /// Ends the line of the bar.
   ~ProgressLine();
 
   void update(std::int64_t done, std::int64_t total);
-  /// Takes the bar away, until the next update(), so that other lines can be printed.
+  /// Erases the bar until the next update(), so that other lines can be printed.
   void clear();
 
  private:

@@ -67,13 +67,13 @@ void refuseOpaque(const scene::Scene& scene, const std::vector<video::VideoForma
     if (keepsTransparency(format)) continue;
     throw InputError(
         scene.name + ": " + std::string(nameOf(format)) +
-        " can't hold the transparent background of look.background; take " +
+        " can't hold the transparent background of look.background; use " +
         listFormats(&video::FormatRow::name, "or", &video::FormatRow::keepsTransparency) +
         " as --format, or --no-mp4 for PNGs alone");
   }
 }
 
-/// All scenes, read before anything is written, so that a mistake in the last one costs nothing.
+/// Reads all scenes before anything is written, so that a mistake in the last one costs nothing.
 std::vector<scene::Scene> readScenes(const RenderArguments& arguments,
                                      const pipeline::RenderOptions& options) {
   std::vector<scene::Scene> scenes;
@@ -101,7 +101,7 @@ int render(const RenderArguments& arguments) {
   const int atATime = arguments.atATime > 0
                           ? arguments.atATime
                           : scenesAtATime(scenes, system::coreCount(), system::memorySize());
-  return sayIfUnmet(renderScenes(scenes, options, atATime));
+  return reportIfUnmet(renderScenes(scenes, options, atATime));
 }
 
 }  // namespace
@@ -132,23 +132,23 @@ void addRenderCommand(CLI::App& program, Action& action) {
   command->add_flag("--resume", arguments->options.earlier.resume,
                     "Go on where a render stopped, and skip what is done");
   command->add_flag("--overwrite", arguments->options.earlier.overwrite,
-                    "Discard frames of a render that wasn't finished; with --resume, only those of "
-                    "other settings; parts (--frames) discard none");
+                    "Discard frames of an unfinished render; with --resume, only those of other "
+                    "settings; with --frames, none");
   command
       ->add_option(
           "-j,--jobs", arguments->atATime,
-          "Scenes to render at a time; by default one for every 3 cores, as far as a quarter "
-          "of the memory holds them")
+          "Scenes to render at a time; by default one for every 3 cores, as many as fit in a "
+          "quarter of the memory")
       ->type_name("N")
       ->check(CLI::Range(1, 64));
   command->footer(R"(
-Writes DIR/NAME.mp4 (or other videos, as --format has it), DIR/NAME.csv, DIR/NAME.poster.png and DIR/NAME/frame_00000.png ..., where NAME is
-the scene file's.
+Writes DIR/NAME.mp4 (or the videos that --format names), DIR/NAME.csv, DIR/NAME.poster.png and
+DIR/NAME/frame_00000.png ..., where NAME is the scene file's.
 A scene with panels has a table for each, DIR/NAME_LABEL.csv.
-Files that it doesn't write stay as they are, and those of other settings are reported.
+Other files stay as they are; those of the clip that were made with other settings are reported.
 With --frames the MP4 is DIR/NAME_A-B.mp4, and the frames join those of earlier parts.
-A render that stops, whatever stops it, keeps the frames that are done; the same command with
---resume goes on, and its files are those of a render that never stopped.
+Whatever stops a render, it keeps the frames that are done; the same command with --resume goes on,
+and its files are those of a render that never stopped.
 
 Examples:
   rotatebook render scenes/starter.toml

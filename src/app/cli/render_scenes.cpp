@@ -30,8 +30,8 @@ namespace {
 
 constexpr int kCoresAScene = 3;
 
-/// What one more render takes, about; at 1280x720, 1920x1080 and 3840x2160 it took 155, 326 and
-/// 878 MB. [bytes]
+/// Estimates the memory that one more render takes. [bytes] Measured at 1280x720, 1920x1080 and
+/// 3840x2160: 155, 326 and 878 MB.
 double memoryOf(const scene::Scene& scene) {
   constexpr double kBase = 60e6, kPixel = 110;
   const double supersample = scene.look.supersample;
@@ -40,7 +40,7 @@ double memoryOf(const scene::Scene& scene) {
 
 using Progress = std::function<void(pipeline::RenderProgress)>;
 
-/// Threads of all encoders.
+/// Returns the number of threads of all encoders.
 int encoderThreads(const scene::Scene& scene, const std::vector<video::VideoFormat>& formats) {
   int threads = 0;
   for (const video::VideoFormat format : formats) {
@@ -56,34 +56,35 @@ void announce(const scene::Scene& scene, const pipeline::RenderStart& start, int
       << scene.clip.frameRate.text() << " frames/s, " << shortestText(scene.clip.duration)
       << " s; renderer " << start.renderer
       << (start.encoders.empty() ? std::string() : "; encoder " + start.encoders) << '\n'
-      << "  threads: 1 draws (a software rasteriser has its own), 1 finishes";
+      << "  threads: 1 draws (a software rasteriser has its own), 1 composes";
   if (start.pngThreads > 0) {
-    out << ", " << start.pngThreads << (start.pngThreads == 1 ? " packs" : " pack") << " PNGs";
+    out << ", " << start.pngThreads << (start.pngThreads == 1 ? " compresses" : " compress")
+        << " PNGs";
   }
   if (encoders > 0) out << ", " << encoders << (encoders == 1 ? " encodes" : " encode");
   out << "; cores: " << system::coreCount() << std::endl;
 }
 
-/// The words for each thing that a render left.
-std::vector<std::string> writtenThings(const pipeline::RenderResult& result,
-                                       const pipeline::RenderOptions& options) {
+/// Lists the files and folders that a render wrote.
+std::vector<std::string> writtenItems(const pipeline::RenderResult& result,
+                                      const pipeline::RenderOptions& options) {
   const store::ClipFiles& files = result.files;
   const bool newFolder = result.interrupted && !options.frames;
-  std::vector<std::string> things;
+  std::vector<std::string> items;
   for (const video::VideoFormat format : formatsOf(options.outputs)) {
     if (result.framesWritten == 0) break;
-    things.push_back(
+    items.push_back(
         (result.interrupted ? files.partialVideo(format) : files.video(format)).string());
   }
   if (!result.interrupted) {
-    for (const auto& csv : result.csvs) things.push_back(csv.string());
+    for (const auto& csv : result.csvs) items.push_back(csv.string());
   }
-  if (!result.interrupted && !options.frames) things.push_back(files.poster.string());
+  if (!result.interrupted && !options.frames) items.push_back(files.poster.string());
   if (hasPng(options.outputs)) {
-    things.push_back(std::to_string(result.framesWritten) + " frames in " +
-                     (newFolder ? files.partialFrameFolder : files.frameFolder).string() + '/');
+    items.push_back(std::to_string(result.framesWritten) + " frames in " +
+                    (newFolder ? files.partialFrameFolder : files.frameFolder).string() + '/');
   }
-  return things;
+  return items;
 }
 
 struct Rendered {
@@ -91,7 +92,8 @@ struct Rendered {
   pipeline::RenderResult result;
 };
 
-/// Nothing, and says so, if it was interrupted before there was anything to write.
+/// Renders one scene. Returns nothing, and reports that, if it was interrupted before there was
+/// anything to write.
 std::optional<Rendered> render(const scene::Scene& scene, const pipeline::RenderOptions& options,
                                const Progress& progress, std::ostream& out) {
   timeline::ClipMotion motion = timeline::simulateScene(scene, options.stop);
@@ -114,12 +116,12 @@ const char* howToGoOn(const pipeline::RenderOptions& options) {
   return hasPng(options.outputs) ? "; go on with the same command and --resume" : "";
 }
 
-/// Says what was rendered; returns its status.
+/// Reports what was rendered; returns the status.
 int report(const scene::Scene& scene, const std::optional<Rendered>& rendered,
            const pipeline::RenderOptions& options, std::ostream& out) {
   if (!rendered) return interruptStatus();
   const auto& [motion, result] = *rendered;
-  if (result.wasDone) out << scene.name << ": was done before" << std::endl;
+  if (result.wasDone) out << scene.name << ": already done" << std::endl;
   if (result.framesKept > 0) {
     out << "  kept " << result.framesKept << " frames of an earlier run" << std::endl;
   }
@@ -127,7 +129,7 @@ int report(const scene::Scene& scene, const std::optional<Rendered>& rendered,
     out << "  interrupted before the first frame; nothing was written" << std::endl;
     return interruptStatus();
   }
-  if (!result.wasDone) out << "  wrote " << listed(writtenThings(result, options)) << std::endl;
+  if (!result.wasDone) out << "  wrote " << listed(writtenItems(result, options)) << std::endl;
   if (!result.others.empty()) {
     out << "  kept " << listed(result.others) << ", made with other settings" << std::endl;
   }
@@ -155,10 +157,10 @@ int renderInTurn(const std::vector<scene::Scene>& scenes, const pipeline::Render
   return status;
 }
 
-/// Renders that go on at the same time. What they say is printed on the caller's thread.
-class RendersTogether {
+/// Renders of several scenes at the same time. Their reports are printed on the caller's thread.
+class ParallelRenders {
  public:
-  RendersTogether(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options)
+  ParallelRenders(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options)
       : scenes_(scenes),
         options_(options),
         renders_(scenes.size()),
@@ -174,16 +176,16 @@ class RendersTogether {
     system::RunOptions options;
     options.threads = atATime;
     options.stop = options_.stop;
-    options.progress = [this](std::size_t, std::size_t) { tell(); };
+    options.progress = [this](std::size_t, std::size_t) { update(); };
     bool begunAll = false;
     try {
       const auto renderOne = [this](std::size_t i) { render(i); };
       begunAll = runParallel(all, renderOne, options);
     } catch (...) {
-      tellRest();
-      const int status = tellErrors();
+      reportRest();
+      const int status = reportErrors();
       if (status != kDone) return status;
-      throw;  // No scene's, but of whoever runs them.
+      throw;  // The error isn't a scene's, but of running them.
     }
     int status = begunAll ? kDone : interruptStatus();
     for (const Render& one : renders_) status = std::max(status, one.status);
@@ -198,13 +200,13 @@ class RendersTogether {
     std::ostringstream text;
     int status = kDone;
     std::exception_ptr error;
-    std::atomic<State> state = State::Waiting;  // Once over, the rest stays as it is.
+    std::atomic<State> state = State::Waiting;  // Once Failed or Finished, nothing changes.
   };
 
   void render(std::size_t i) {
     Render& one = renders_[i];
     one.state = State::Running;
-    one.text.exceptions(std::ios::badbit);  // No part of it may be missing.
+    one.text.exceptions(std::ios::badbit);  // The report must be complete.
     const auto progress = [&one](pipeline::RenderProgress now) {
       one.total = now.total;
       one.done = now.done;
@@ -221,47 +223,49 @@ class RendersTogether {
     }
   }
 
-  void tell() {
-    tellFailure();
+  void update() {
+    reportFailure();
     std::int64_t done = 0, total = 0;
     for (const Render& one : renders_) {
-      if (failureTold_ && (one.state == State::Failed || one.state == State::Waiting)) continue;
+      if (failureReported_ && (one.state == State::Failed || one.state == State::Waiting)) continue;
       done += one.done;
       total += one.total;
     }
     line_.update(done, total);
-    tellFinished();
+    reportFinished();
   }
 
-  /// At once, as the others may take long; why is told at the end.
-  void tellFailure() {
+  /// Reports a failure at once, as the other renders may take long; the cause is printed at the
+  /// end.
+  void reportFailure() {
     const auto failed = std::ranges::find(renders_, State::Failed, stateOf);
-    if (failureTold_ || failed == renders_.end()) return;
-    failureTold_ = true;
+    if (failureReported_ || failed == renders_.end()) return;
+    failureReported_ = true;
     line_.clear();
-    std::cerr << nameOf(*failed) << " failed; no more scenes are begun" << std::endl;
+    std::cerr << nameOf(*failed) << " failed; no more scenes are started" << std::endl;
   }
 
-  /// Those that none is unfinished before.
-  void tellFinished() {
-    for (; told_ < renders_.size() && renders_[told_].state == State::Finished; ++told_) {
+  /// Prints the reports of finished renders, in the scenes' order, up to the first unfinished one.
+  void reportFinished() {
+    for (; reported_ < renders_.size() && renders_[reported_].state == State::Finished;
+         ++reported_) {
       line_.clear();
-      std::cout << renders_[told_].text.str() << std::flush;
+      std::cout << renders_[reported_].text.str() << std::flush;
     }
   }
 
-  /// After an error.
-  void tellRest() {
-    tellFailure();
+  /// Prints the remaining reports after an error, and which scenes weren't started.
+  void reportRest() {
+    reportFailure();
     line_.clear();
-    for (; told_ < renders_.size(); ++told_) tellFinished();
+    for (; reported_ < renders_.size(); ++reported_) reportFinished();
     for (const Render& one : renders_) {
-      if (one.state == State::Waiting) std::cout << nameOf(one) << ": not begun" << std::endl;
+      if (one.state == State::Waiting) std::cout << nameOf(one) << ": not started" << std::endl;
     }
   }
 
-  /// Why scenes failed; returns the highest status, kDone if none did.
-  int tellErrors() const {
+  /// Prints why scenes failed; returns the highest status, kDone if none failed.
+  int reportErrors() const {
     int status = kDone;
     for (const Render& one : renders_) {
       if (one.error) status = std::max(status, reportError(one.error, nameOf(one) + ": "));
@@ -278,8 +282,8 @@ class RendersTogether {
   const std::vector<scene::Scene>& scenes_;
   const pipeline::RenderOptions& options_;
   std::vector<Render> renders_;
-  std::size_t told_ = 0;
-  bool failureTold_ = false;
+  std::size_t reported_ = 0;
+  bool failureReported_ = false;
   ProgressLine line_;
 };
 
@@ -301,7 +305,7 @@ int renderScenes(const std::vector<scene::Scene>& scenes, const pipeline::Render
     if (output.png) output.threads = pipeline::pngThreads(system::coreCount() / atATime);
   }
   std::cout << atATime << " scenes at a time" << std::endl;
-  return RendersTogether(scenes, shared).run(atATime);
+  return ParallelRenders(scenes, shared).run(atATime);
 }
 
 }  // namespace rotatebook::cli

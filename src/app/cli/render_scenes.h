@@ -1,4 +1,4 @@
-// Rendering scenes, with words on what goes on and what came of it. Inside the room only.
+// Rendering of scenes, with progress and reports. Inside the room only.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,15 @@
 
 namespace rotatebook::cli {
 
-/// How many scenes to render at a time on a machine with so many cores, three of which a render
-/// keeps busy, and so much memory [bytes], a quarter of which they may take together. At least 1.
+/// Returns how many scenes to render at a time, at least 1: one for every three of `cores`, as many
+/// as fit in a quarter of `memory`. [bytes]
 int scenesAtATime(const std::vector<scene::Scene>& scenes, int cores, double memory);
 
 /// Renders all scenes, `atATime` of them at a time, and reports each on the standard output, in
-/// their order. `options.stop` must not be null. Returns the worst status, or that of an interrupt,
-/// after which no more scenes are begun. Throws the first error of any scene, after which none are
-/// begun either; those that go on meanwhile are brought to their end.
+/// their order. `options.stop` must not be null. Returns the worst status. After an interrupt it
+/// starts no more scenes and returns the interrupt's status. After a scene's error it starts none
+/// either, completes those that are running, and throws the first error or, of scenes rendered at
+/// the same time, reports the errors and returns the highest of their statuses.
 int renderScenes(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options,
                  int atATime);
 

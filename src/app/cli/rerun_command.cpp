@@ -38,7 +38,7 @@ store::ClipFiles filesOf(const store::RecordedClip& clip, const fs::path& folder
                           : store::clipFiles(folder, name);
 }
 
-/// The record in a video; empty if there is none.
+/// Returns the record in a video; empty if there is none.
 std::string recordIn(const fs::path& video) {
   try {
     return video::readClipMetadata(video).comment;
@@ -47,13 +47,13 @@ std::string recordIn(const fs::path& video) {
   }
 }
 
-/// Refuses to write over what another scene's clip left under the same name: its video, and its
-/// frames if there will be `png` ones.
+/// Throws InputError if the rerun would replace what another scene's clip of the same name left:
+/// its video, or, if `png`, its frames.
 void refuseOtherClip(const scene::Scene& scene, const store::ClipFiles& files,
                      const fs::path& output, bool png) {
   const auto refuse = [](const fs::path& file) {
     throw InputError(file.string() +
-                     " isn't of the clip's scene and would be lost; name another folder with -o, "
+                     " isn't from the clip's scene and would be lost; name another folder with -o, "
                      "or replace it with --overwrite");
   };
   if (fs::exists(output) && !store::isRecordOf(scene, recordIn(output))) refuse(output);
@@ -62,7 +62,8 @@ void refuseOtherClip(const scene::Scene& scene, const store::ClipFiles& files,
     refuse(copy);
 }
 
-/// Why `clip`, which was made `there`, has other bytes than a clip of the same record.
+/// Lists why `clip`, which was made `there`, may have other bytes than the one made `here` from the
+/// same record.
 std::vector<std::string> reasons(const fs::path& clip, const store::Provenance& there,
                                  const store::Provenance& here) {
   try {
@@ -71,18 +72,18 @@ std::vector<std::string> reasons(const fs::path& clip, const store::Provenance& 
     return {cut.what()};
   }
   std::vector<std::string> found = store::differencesOfTools(there, here);
-  if (there.motion != here.motion) found.push_back("the motion is another than the recorded one");
+  if (there.motion != here.motion) found.push_back("the motion differs from the recorded one");
   if (!found.empty()) return found;
   return {
       "version, renderer, FFmpeg and motion are those recorded: the clip was changed, or a "
-      "texture, the font, the video encoder or the build of this program is another"};
+      "texture, the font, the video encoder or the build of this program differs"};
 }
 
-/// Says whether both files have the same bytes; returns the status.
+/// Reports whether both files have the same bytes; returns the status.
 int compare(const store::RecordedClip& there, const RerunArguments& arguments,
             const fs::path& output) {
   if (system::checksumOfFile(arguments.clip) == system::checksumOfFile(output)) {
-    std::cout << "  " << output.string() << " has the very bytes of " << arguments.clip.string()
+    std::cout << "  " << output.string() << " has exactly the bytes of " << arguments.clip.string()
               << std::endl;
     return kDone;
   }
@@ -115,7 +116,7 @@ int rerun(const RerunArguments& arguments) {
   }
   options.device = arguments.deviceOptions.choice();
   options.stop = &catchInterrupts();
-  // Expectations are told. Whether they were met was the first render's status.
+  // Expectations are reported, but decide no status: they decided that of the first render.
   const int status = renderScenes({clip.record.scene}, options, 1);
   return status >= kInterrupted ? status : compare(clip, arguments, output);
 }
@@ -124,26 +125,27 @@ int rerun(const RerunArguments& arguments) {
 
 void addRerunCommand(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<RerunArguments>();
-  CLI::App* command =
-      program.add_subcommand("rerun", "Make a clip again from what it says it was made from");
+  CLI::App* command = program.add_subcommand(
+      "rerun", "Make a clip again from its own record, and compare the bytes");
   addClip(*command, arguments->clip);
   command->add_option("-o,--output", arguments->folder, "Folder for the results")
       ->type_name("DIR")
       ->required();
   command->add_flag("--png", arguments->png, "Write PNG frames, too");
   command->add_flag("--resume", arguments->earlier.resume, "Go on where a rerun stopped");
-  command->add_flag("--overwrite", arguments->earlier.overwrite,
-                    "Replace another scene's clip of the same name, and discard frames of a render "
-                    "that wasn't finished");
+  command->add_flag(
+      "--overwrite", arguments->earlier.overwrite,
+      "Replace another scene's clip of the same name, and discard frames of an unfinished "
+      "render");
   addTextureOptions(*command, arguments->textures);
   arguments->deviceOptions.addTo(*command);
   command->footer(R"(
 Takes scene, name and frames from the clip's metadata, renders them as 'rotatebook render' does, and
-tells whether the new file has the clip's very bytes, and if not, what differs. The clip itself is never
-overwritten, and another scene's clip of that name only with --overwrite.
+reports whether the new file has exactly the clip's bytes, and if not, what differs. The clip itself is
+never overwritten, and another scene's clip of that name only with --overwrite.
 
-Exit status: 0 the same bytes, 1 other bytes, whatever becomes of expectations; 2 the file can't be read
-or isn't a clip of rotatebook; 3 the machine can't.
+Exit status: 0 the same bytes, 1 other bytes, whether or not expectations are met; 2 the file can't be
+read or isn't a clip of rotatebook; 3 the machine can't render.
 
 Examples:
   rotatebook rerun out/starter.mp4 -o again

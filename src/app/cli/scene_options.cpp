@@ -17,7 +17,8 @@
 namespace rotatebook::cli {
 namespace {
 
-constexpr std::size_t kLongestName = 200;  // Files' have 255 bytes, endings and marks among them.
+// Names of files have at most 255 bytes, with endings and temporary prefixes. [bytes]
+constexpr std::size_t kMaxName = 200;
 
 std::string sizeOverride(const std::string& size) {
   std::smatch match;
@@ -27,16 +28,17 @@ std::string sizeOverride(const std::string& size) {
   return "clip.size=[" + match[1].str() + ", " + match[2].str() + "]";
 }
 
-/// `message` in the words that the user wrote.
-std::string inUsersWords(const std::string& message, const std::vector<Shorthand>& shorthands) {
-  for (const auto& [words, assignment] : shorthands) {
-    const std::string place = scene::overrideLocation(assignment);
-    if (message.starts_with(place)) return words + message.substr(place.size());
+/// Returns `message` with an override's location replaced by the option that the user wrote.
+std::string asWritten(const std::string& message, const std::vector<Shorthand>& shorthands) {
+  for (const auto& [option, assignment] : shorthands) {
+    const std::string location = scene::overrideLocation(assignment);
+    if (message.starts_with(location)) return option + message.substr(location.size());
   }
   return message;
 }
 
-/// What the names of a scene's outputs begin with: its own, and those of its panels' tables.
+/// Returns the names of a scene's outputs without endings: its own, and those of its panels'
+/// tables.
 std::set<std::string> stemsOf(const scene::Scene& scene) {
   std::set<std::string> stems{scene.name};
   for (const auto& csv : store::csvFiles(scene.name + ".csv", scene)) {
@@ -45,13 +47,12 @@ std::set<std::string> stemsOf(const scene::Scene& scene) {
   return stems;
 }
 
-/// Throws InputError for what no output of `scene` can be named after. A render into the same
-/// folder puts its unfinished frames, and those that it replaces, under the endings that are
-/// refused.
+/// Throws InputError if no output of `scene` can be named `name`. The reserved endings are those of
+/// the folders in which a render keeps unfinished frames, and frames that it replaces.
 void requireUsable(const std::string& name, const scene::Scene& scene) {
-  if (name.size() > kLongestName) {
+  if (name.size() > kMaxName) {
     throw InputError("the name " + name + " has " + std::to_string(name.size()) +
-                     " bytes; the limit is " + std::to_string(kLongestName) +
+                     " bytes; the limit is " + std::to_string(kMaxName) +
                      ": rename the scene's file" +
                      (name == scene.name ? "" : ", or shorten the panel's label"));
   }
@@ -65,7 +66,7 @@ void requireUsable(const std::string& name, const scene::Scene& scene) {
   for (const char* reserved : {store::kPartialEnding, store::kReplacedEnding}) {
     if (!name.ends_with(reserved)) continue;
     throw InputError("a scene can't be named " + name + ": " + reserved +
-                     " is for what a render leaves while it goes on; rename the file");
+                     " is the ending of what a running render writes; rename the file");
   }
 }
 
@@ -103,12 +104,12 @@ scene::Scene SceneOptions::applied(std::vector<Shorthand> shorthands, const Read
     scene.allowOutside = allowOutside;
     return scene;
   } catch (const InputError& error) {
-    throw InputError(inUsersWords(error.what(), shorthands));
+    throw InputError(asWritten(error.what(), shorthands));
   }
 }
 
 void refuseSameNames(const std::vector<scene::Scene>& scenes) {
-  std::map<std::string, std::string> owners;  // of what outputs' names begin with
+  std::map<std::string, std::string> owners;  // The scene that writes outputs of each stem.
   for (const scene::Scene& scene : scenes) {
     for (const std::string& stem : stemsOf(scene)) {
       requireUsable(stem, scene);

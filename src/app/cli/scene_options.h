@@ -1,4 +1,4 @@
-// Options that every command with a scene takes. Inside the room only.
+// Options of the commands that read scenes. Inside the room only.
 #pragma once
 
 #include <functional>
@@ -13,13 +13,13 @@
 
 namespace rotatebook::cli {
 
-/// An option that stands for an override of the scene.
+/// An option that is short for an override of the scene.
 struct Shorthand {
-  std::string words;       ///< As the user wrote it: "--size 640x360"; messages name it so.
+  std::string option;      ///< As the user wrote it: "--size 640x360"; messages name it so.
   std::string assignment;  ///< "clip.size=[640, 360]"
 };
 
-/// --set, --size and --allow-outside.
+/// The values of --set, --size and --allow-outside.
 struct SceneOptions {
   std::vector<std::string> overrides;
   std::string size;  ///< "WxH" or empty.
@@ -28,7 +28,7 @@ struct SceneOptions {
   void addTo(CLI::App& command);
   /// Reads a scene with these options applied, then `shorthands`. Throws InputError.
   scene::Scene read(const std::string& path, std::vector<Shorthand> shorthands = {}) const;
-  /// The same from text that is called `name`.
+  /// Reads a scene likewise from text; it is named `name`.
   scene::Scene parse(std::string_view text, const std::string& name) const;
 
  private:
@@ -36,8 +36,8 @@ struct SceneOptions {
   scene::Scene applied(std::vector<Shorthand> shorthands, const Reader& reader) const;
 };
 
-/// Throws InputError if two of `scenes` would write the same file, or a name is one that files
-/// can't have: too long, or that of what a render writes while it goes on.
+/// Throws InputError if two of `scenes` would write the same file, or if a name can't be a file's:
+/// too long, not a line of UTF-8, or with an ending that a running render uses.
 void refuseSameNames(const std::vector<scene::Scene>& scenes);
 
 }  // namespace rotatebook::cli

@@ -57,7 +57,7 @@ void addSheetCommand(CLI::App& program, Action& action) {
       ->required();
   command
       ->add_option("--count", options.count,
-                   "Frames of each scene, from its first to its last; 1 takes its poster")
+                   "Frames of each scene, from its first to its last; 1 draws its poster")
       ->type_name("N")
       ->check(CLI::Range(1, kMax))
       ->capture_default_str();
@@ -74,7 +74,8 @@ void addSheetCommand(CLI::App& program, Action& action) {
   arguments->sceneOptions.addTo(*command);
   arguments->deviceOptions.addTo(*command);
   command->footer(R"(
---size is the size of each picture. Beneath it stands its time; with several scenes, their titles.
+--size is the size of each picture. Beneath each is what tells it apart: its time, its scene's
+title, or both.
 
 Examples:
   rotatebook sheet scenes/starter.toml -o sheet.png --size 480x270

@@ -22,7 +22,7 @@ struct SimulateArguments {
   std::string csv;
 };
 
-/// The only table, on the standard output.
+/// Prints the table of a scene without panels to the standard output.
 int printTable(const scene::Scene& scene) {
   if (!scene.panels.empty()) {
     throw InputError("--csv -: " + scene.name +
@@ -30,7 +30,7 @@ int printTable(const scene::Scene& scene) {
   }
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   std::cout << timeline::trajectoryCsv(motion.trajectories().front());
-  return sayIfUnmet(reportMotions(scene, motion, std::cerr));
+  return reportIfUnmet(reportMotions(scene, motion, std::cerr));
 }
 
 int simulateScene(const SimulateArguments& arguments) {
@@ -47,7 +47,7 @@ int simulateScene(const SimulateArguments& arguments) {
     std::cout << "  wrote " << files[i].string() << ", " << motion.trajectories()[i].samples.size()
               << " rows\n";
   }
-  return sayIfUnmet(reportMotions(scene, motion, std::cout));
+  return reportIfUnmet(reportMotions(scene, motion, std::cout));
 }
 
 }  // namespace

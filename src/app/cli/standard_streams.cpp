@@ -9,7 +9,8 @@ namespace rotatebook::cli {
 void keepStandardStreams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) >= 0) continue;
-    // It gets the lowest number that is free, which is this one. Printing must fail, and be told.
+    // open() returns the lowest free descriptor, which is this one. The mode makes printing fail,
+    // so that the failure is reported.
     if (open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY) != stream) return;
   }
 }

@@ -36,7 +36,7 @@ struct StudyArguments {
   std::optional<std::string> integrators;
 };
 
-/// A scene, what to study of it, and where the results go.
+/// A scene, what is studied of it, and the files of the results.
 struct Task {
   scene::Scene scene;
   scene::StudySettings study;
@@ -69,7 +69,7 @@ std::vector<Shorthand> shorthandsOf(const StudyArguments& arguments) {
   return shorthands;
 }
 
-/// All scenes, read before anything is written, so that a mistake in the last one costs nothing.
+/// Reads all scenes before anything is written, so that a mistake in the last one costs nothing.
 std::vector<Task> readTasks(const StudyArguments& arguments) {
   const std::vector<Shorthand> shorthands = shorthandsOf(arguments);
   std::vector<scene::Scene> scenes;
@@ -132,7 +132,7 @@ std::string plotOf(const Task& task, const study::TiltStudy& result) {
   return picture::tiltPlot(task.scene.title, result);
 }
 
-/// False if the user's interrupt ended gnuplot, too, as it does on a terminal.
+/// Draws the plot. Returns false if the user's interrupt ended gnuplot, too, as on a terminal.
 bool draw(const Task& task, const std::string& plot) {
   try {
     picture::drawPlot(plot, task.files.svg, task.files.png);
@@ -197,7 +197,7 @@ int study(const StudyArguments& arguments) {
     if (outcome >= kInterrupted) return outcome;
     status = std::max(status, outcome);
   }
-  return sayIfUnmet(status);
+  return reportIfUnmet(status);
 }
 
 }  // namespace
@@ -220,10 +220,10 @@ void addStudyCommand(CLI::App& program, Action& action) {
       ->type_name("NAME,...");
   arguments->sceneOptions.addTo(*command);
   command->footer(R"(
-Runs each integrator with each number of steps, as [study] of the scene has them, by default all of
-the model's with 1, 2, 4 ... 1024; or, where [study] has tilts, the scene's own from each tilt.
-Writes DIR/NAME-study.csv, DIR/NAME-study-orders.csv, DIR/NAME-study.svg and DIR/NAME-study.png.
-The plots are drawn by gnuplot.
+Runs each integrator with each number of steps a frame that [study] of the scene lists, by default all
+of the model's with 1, 2, 4 ... 1024. If [study] lists tilts, the scene's own integrator runs from each.
+Writes DIR/NAME-study.csv, DIR/NAME-study-orders.csv (not of tilts), DIR/NAME-study.svg and
+DIR/NAME-study.png. gnuplot draws the plots.
 
 Examples:
   rotatebook study scenes/studies/*.toml

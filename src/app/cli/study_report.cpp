@@ -32,23 +32,23 @@ std::string orderLine(const study::IntegratorOrder& order) {
   const study::OrderFit& fit = order.fit;
   std::string line = formatted("%-16s ", name(order.integrator).c_str());
   if (std::isnan(fit.order)) {
-    return line + "no order: usable runs are " + std::to_string(fit.runs) + ", needed are " +
-           std::to_string(study::kMinRuns);
+    return line + "no order: " + std::to_string(fit.runs) + " usable runs, " +
+           std::to_string(study::kMinRuns) + " needed";
   }
   return line + formatted("order %5.2f from %2d runs, steps of %.3g to %.3g s", fit.order, fit.runs,
                           fit.shortest, fit.longest);
 }
 
-/// "euler: 3 of 11 runs diverged", for an integrator that has such runs.
+/// Returns "euler: 3 of 11 runs diverged"; empty if no run ended like that.
 std::string failureLine(const study::PrecisionStudy& result, physics::Integrator integrator,
-                        RunEnd::Kind kind, const char* words) {
+                        RunEnd::Kind kind, const char* outcome) {
   const auto runs = std::ranges::count(result.rows, integrator, &PrecisionRow::integrator);
   const auto failed = std::ranges::count_if(result.rows, [&](const PrecisionRow& row) {
     return row.integrator == integrator && row.end.kind == kind;
   });
   if (failed == 0) return "";
   return "  " + name(integrator) + ": " + std::to_string(failed) + " of " + std::to_string(runs) +
-         " runs " + words + "\n";
+         " runs " + outcome + "\n";
 }
 
 double orderOf(const study::PrecisionStudy& result, physics::Integrator integrator) {

@@ -1,4 +1,4 @@
-// What a study found, in words. Inside the room only.
+// Reports on studies. Inside the room only.
 #pragma once
 
 #include <ostream>
@@ -8,8 +8,8 @@
 
 namespace rotatebook::cli {
 
-// Each prints a line an integrator or tilt to `out`, and one an expectation of `study`; returns
-// kDone if all are met, else kUnmet.
+// Each prints a line for each integrator or tilt and for each expectation of `study` to `out`;
+// returns kDone if all expectations are met, else kUnmet.
 
 int reportStudy(const study::PrecisionStudy& result, const scene::StudySettings& study,
                 std::ostream& out);

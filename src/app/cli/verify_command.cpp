@@ -59,11 +59,11 @@ void addVerifyCommand(CLI::App& program, Action& action) {
   command->add_flag("--json", arguments->json, "Print one JSON object");
   command->footer(R"(
 Takes the scene from the clip's metadata, simulates it again and compares the motion, bit by bit; draws
-frames of it again and compares them with the clip's pictures, which must not be liker to the frame
-before or after; looks at size, codec, colours, how players are told to turn, stretch and time the
-pictures, number of frames, time stamps and duration. What is proved is proved of the pictures that were
-compared: all of them with --all.
-Where the clip was made with another renderer, FFmpeg or version, that is told, as pixels may differ then.
+frames of it again and compares them with the clip's pictures, which must not be closer to the frame
+before or after; checks size, codec, colours, how the file has players turn, stretch and time the
+pictures, number of frames, time stamps and duration. Only the pictures that were compared are proved:
+all of them with --all.
+If the clip was made with another renderer, FFmpeg or version, a note says so, as pixels may differ then.
 
 Exit status: 0 all is proved, 1 a check failed, 2 the file can't be read, ends early or isn't a clip of
 rotatebook, 3 the machine can't draw.

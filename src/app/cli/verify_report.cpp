@@ -30,12 +30,12 @@ std::string numberText(double value) {
   return roundedText(value, 3);
 }
 
-/// As a check like the others.
-ClipCheck inWords(const PictureCheck& check) {
+/// Converts to a check that is printed like the others.
+ClipCheck asClipCheck(const PictureCheck& check) {
   std::string measured = "off by " + numberText(check.measured.rms) + " of 255, " +
                          numberText(check.measured.worstBlock) + " in the worst block";
   if (check.closerTo) {
-    measured += "; it is liker to frame " + std::to_string(*check.closerTo);
+    measured += "; it is closer to frame " + std::to_string(*check.closerTo);
   }
   return {"frame " + std::to_string(check.frame), measured,
           "at most " + numberText(check.bound.rms) + " and " + numberText(check.bound.worstBlock),
@@ -48,7 +48,7 @@ std::string framesText(const Verification& found) {
   return "frames " + rangeText(found.range) + " of " + count;
 }
 
-/// "0, 12, 25", the first of them if they are many.
+/// Returns "0, 12, 25"; of many only the first.
 std::string framesCompared(const Verification& found) {
   constexpr std::size_t kMaxNamed = 12;
   return joinedOf(found.pictures | std::views::take(kMaxNamed),
@@ -116,13 +116,13 @@ std::string json(store::FrameRange range) {
 
 void reportVerification(const std::string& clip, const Verification& found, std::ostream& out) {
   const store::Provenance& provenance = found.record.provenance;
-  out << clip << ": says to be " << framesText(found) << " of the scene " << provenance.scene
+  out << clip << ": claims to be " << framesText(found) << " of the scene " << provenance.scene
       << ", made by rotatebook " << provenance.program << '\n';
   for (const std::string& difference : found.toolsDiffer) {
     out << "  note    " << difference << "; pixels may differ\n";
   }
   for (const ClipCheck& check : found.checks) printCheck(check, out);
-  for (const PictureCheck& check : found.pictures) printCheck(inWords(check), out);
+  for (const PictureCheck& check : found.pictures) printCheck(asClipCheck(check), out);
   out << verdict(found) << '\n';
 }
 

@@ -1,4 +1,4 @@
-// What was found of a clip, in words and as JSON. Inside the room only.
+// Reports on the verification of a clip, as text and as JSON. Inside the room only.
 #pragma once
 
 #include <ostream>
@@ -8,12 +8,12 @@
 
 namespace rotatebook::cli {
 
-/// What made the clip, a line for each check with what was measured beside its bound, and a
+/// Prints what made the clip, a line for each check with what was measured beside its bound, and a
 /// verdict. `clip` is the file's name.
 void reportVerification(const std::string& clip, const verify::Verification& found,
                         std::ostream& out);
 
-/// The same as one JSON object in one line.
+/// Prints the same as one JSON object on one line.
 void reportVerificationAsJson(const std::string& clip, const verify::Verification& found,
                               std::ostream& out);
 

@@ -23,8 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Pictures that one stage takes in a row, so that stages take turns and whatever else the machine
-// does meets all of them.
+// Frames that one stage processes in a row. Stages take turns, so that whatever else the machine
+// does slows all of them alike.
 constexpr std::int64_t kBatch = 8;
 
 class TemporaryFolder {
@@ -49,16 +49,16 @@ class TemporaryFolder {
   const fs::path& path() const { return path_; }
 
  private:
-  static MachineError failure(const std::string& what, const std::string& words) {
-    return MachineError("can't " + what + ": " + words +
+  static MachineError failure(const std::string& what, const std::string& error) {
+    return MachineError("can't " + what + ": " + error +
                         "; let TMPDIR name a folder that can be written");
   }
 
   fs::path path_;
 };
 
-/// Both clocks from its making on; the processors' is that of the whole process, because a software
-/// rasteriser and an encoder have threads of their own.
+/// Measures wall-clock and processor time since its construction. Processor time is the whole
+/// process's, because a software rasteriser and an encoder have threads of their own.
 class Stopwatch {
  public:
   WorkTime elapsed() const { return {now(CLOCK_MONOTONIC) - wall_, now(kUsed) - processor_}; }
@@ -88,7 +88,7 @@ WorkTime perFrame(const WorkTime& all, std::int64_t frames) {
   return {all.wall / count, all.processor / count};
 }
 
-/// What one frame after the other goes through, each stage by itself.
+/// The stages of a render, which frames pass through one stage at a time.
 class Stages {
  public:
   Stages(const scene::Scene& scene, const timeline::ClipMotion& motion,
@@ -96,13 +96,13 @@ class Stages {
       : drawer_(scene, motion, device),
         exposures_(kBatch, drawer_.makeExposure()),
         pictures_(kBatch, drawer_.makePicture()),
-        frameSums_(folder),
-        png_(frameSums_, scene::isTransparent(scene)),
+        checksums_(folder),
+        png_(checksums_, scene::isTransparent(scene)),
         video_(video::VideoFormat::Mp4, folder / "stages.mp4", store::videoSettings(scene, "")) {
-    drawer_.draw(0, pictures_[0]);  // The first picture compiles what draws the others.
+    drawer_.draw(0, pictures_[0]);  // The first picture compiles the shaders.
   }
 
-  /// Frames `first` to below `end`, at most kBatch.
+  /// Passes frames `first` to below `end`, at most kBatch, through all stages.
   void pass(std::int64_t first, std::int64_t end) {
     const auto each = [&](const auto& work) {
       return timed([&] {
@@ -123,7 +123,7 @@ class Stages {
 
   picture::FramePainter& painter() { return drawer_; }
 
-  /// Once all `frames` have passed.
+  /// Finishes the outputs after all `frames`; returns the times a frame.
   StageTimes finish(std::int64_t frames) {
     sums_.png += timed([&] { png_.finish(); });
     sums_.video += timed([&] { video_.finish(); });
@@ -139,7 +139,7 @@ class Stages {
   picture::FrameDrawer drawer_;
   std::vector<picture::Exposure> exposures_;
   std::vector<image::Image> pictures_;
-  store::FrameChecksums frameSums_;
+  store::FrameChecksums checksums_;
   pipeline::PngSequenceSink png_;
   pipeline::VideoSink video_;
   StageTimes sums_;
@@ -147,8 +147,8 @@ class Stages {
 
 using Progress = std::function<void(std::int64_t)>;
 
-/// Drawing and finishing beside each other, as in a render, for a sink that takes no time. False if
-/// it was stopped.
+/// Measures drawing and composing on their threads, as in a render, with a sink that takes no time.
+/// Returns false if it was stopped.
 bool measureDrawing(picture::FramePainter& painter, const SpeedOptions& options,
                     const Progress& progress, Speed& speed) {
   pipeline::NullSink sink;
@@ -160,7 +160,7 @@ bool measureDrawing(picture::FramePainter& painter, const SpeedOptions& options,
   return drawn.total() == speed.frames;
 }
 
-/// Each stage by itself, then drawing. False if it was stopped.
+/// Measures each stage by itself, then drawing. Returns false if it was stopped.
 bool measureStages(const scene::Scene& scene, const timeline::ClipMotion& motion,
                    const SpeedOptions& options, const Progress& progress, Speed& speed) {
   const TemporaryFolder folder;
@@ -178,7 +178,7 @@ bool measureStages(const scene::Scene& scene, const timeline::ClipMotion& motion
   return measureDrawing(stages.painter(), options, goOn, speed);
 }
 
-/// A render as `rotatebook render` does it. False if it was stopped.
+/// Measures a render as `rotatebook render` does it. Returns false if it was stopped.
 bool measureWhole(const scene::Scene& scene, const timeline::ClipMotion& motion,
                   const SpeedOptions& options, const Progress& progress, Speed& speed) {
   const TemporaryFolder folder;
@@ -216,13 +216,14 @@ std::optional<Speed> measureSpeed(const scene::Scene& scene, const SpeedOptions&
   if (options.stop != nullptr && *options.stop) return std::nullopt;
   speed.frames = motion.frameCount();
   speed.stages.simulate = perFrame(simulated, speed.frames);
-  const auto tell = [&](std::int64_t before) {
+  const auto progressAfter = [&](std::int64_t before) {
     return [&options, &speed, before](std::int64_t done) {
       if (options.progress) options.progress(before + done, 3 * speed.frames);
     };
   };
-  if (!measureStages(part, motion, options, tell(0), speed)) return std::nullopt;
-  if (!measureWhole(part, motion, options, tell(2 * speed.frames), speed)) return std::nullopt;
+  if (!measureStages(part, motion, options, progressAfter(0), speed)) return std::nullopt;
+  if (!measureWhole(part, motion, options, progressAfter(2 * speed.frames), speed))
+    return std::nullopt;
   return speed;
 }
 

@@ -1,4 +1,4 @@
-// How fast this machine renders a scene, measured.
+// Measurement of how fast this machine renders a scene.
 #pragma once
 
 #include <atomic>
@@ -12,8 +12,8 @@
 
 namespace rotatebook::diagnose {
 
-/// Time that passed, and time that all processors together spent on it. A frame, unless it says
-/// otherwise. [ms]
+/// Wall-clock time, and processor time of all cores together; of one frame unless stated otherwise.
+/// [ms]
 struct WorkTime {
   double wall = 0;
   double processor = 0;
@@ -25,26 +25,26 @@ struct WorkTime {
   }
 };
 
-/// What each stage takes for a frame while nothing else runs.
+/// The times that each stage takes for a frame while nothing else runs.
 struct StageTimes {
   WorkTime simulate;
-  WorkTime book;    ///< OpenGL's part of the books.
-  WorkTime finish;  ///< Their edges, the background, and what is drawn over.
+  WorkTime book;    ///< Drawing of the books by OpenGL.
+  WorkTime finish;  ///< Composing: antialiased edges, background and overlays.
   WorkTime png;
-  WorkTime video;  ///< Conversion of the colours and encoding.
+  WorkTime video;  ///< Conversion of colours, and encoding.
 
   double processorSum() const {
     return simulate.processor + book.processor + finish.processor + png.processor + video.processor;
   }
 };
 
-/// What measureSpeed() found.
+/// The results of measureSpeed().
 struct Speed {
   std::int64_t frames = 0;
   int cores = 1;         ///< Processors that this process may use.
   double startUp = 0;    ///< From the simulated motion to the first frame's start. [s]
-  WorkTime whole;        ///< Of a render that writes PNGs and MP4, after its start-up.
-  WorkTime drawing;      ///< The same of one that keeps nothing: a frame drawn beside the next.
+  WorkTime whole;        ///< A render to PNGs and MP4, after its start-up.
+  WorkTime drawing;      ///< A render that keeps nothing: drawing and composing, in parallel.
   std::string renderer;  ///< render::Renderer::description()
   std::string encoder;   ///< For example "libx264".
   StageTimes stages;
@@ -52,20 +52,20 @@ struct Speed {
   double framesPerSecond() const { return 1000 / whole.wall; }
 };
 
-/// How measureSpeed() measures.
+/// Options of measureSpeed().
 struct SpeedOptions {
   std::int64_t frames = 120;  ///< From the scene's start, >= 1; fewer if the motion diverges.
-  /// Set from outside to stop after the frame in hand. May be null.
+  /// Set by the caller to stop after the current frame. May be null.
   const std::atomic<bool>* stop = nullptr;
-  /// Told how many of how many frames are done; each is drawn three times.
+  /// Called with the number of frames done; the total counts each frame three times.
   std::function<void(std::int64_t done, std::int64_t total)> progress{};
   render::DeviceChoice device{};
 };
 
-/// Renders the first frames of `scene` to PNGs and MP4 in a temporary folder, which is gone
-/// afterwards: once stage by stage, once as a render does it, and once into nothing. Nothing if it
-/// was stopped. Throws as simulateScene(), FrameDrawer and renderClip() do, and MachineError
-/// without a temporary folder.
+/// Renders the first frames of `scene` three times in a temporary folder, which is removed
+/// afterwards: stage by stage, without keeping anything, and to PNGs and MP4 as a render does it.
+/// Returns nothing if it was stopped. Throws as simulateScene(), FrameDrawer and renderClip() do,
+/// and MachineError without a temporary folder.
 std::optional<Speed> measureSpeed(const scene::Scene& scene, const SpeedOptions& options);
 
 }  // namespace rotatebook::diagnose

@@ -13,9 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kLittle = 500'000'000;  // PNGs of a clip take 100 to 700 MB. [bytes]
+constexpr std::uintmax_t kLowSpace = 500'000'000;  // PNGs of a clip take 100 to 700 MB. [bytes]
 
-/// `folder`, or the nearest of its parents that is there.
+/// Returns `folder`, or the nearest of its parents that exists.
 fs::path existingPart(const fs::path& folder) {
   std::error_code ignored;
   fs::path part = fs::absolute(folder, ignored).lexically_normal();
@@ -25,8 +25,8 @@ fs::path existingPart(const fs::path& folder) {
   return part;
 }
 
-/// Why no file can be made in `folder`, or empty. Tries it, since not all that forbids it shows in
-/// permissions; nothing is left.
+/// Returns why no file can be made in `folder`, or empty. Makes one and removes it, since
+/// permissions don't show every obstacle.
 std::string writeFailure(const fs::path& folder) {
   try {
     system::AtomicFile(folder / "rotatebook-doctor").write("x");
@@ -79,11 +79,12 @@ void addOtherProblems(Checkup& checkup) {
   const FolderCheck& folder = checkup.folder;
   if (!folder.failure.empty()) {
     checkup.problems.push_back({folder.failure, "name a folder that you may write, with -o DIR"});
-  } else if (folder.freeBytes < kLittle) {
+  } else if (folder.freeBytes < kLowSpace) {
     const double megabytes = static_cast<double>(folder.freeBytes) / 1e6;
-    checkup.problems.push_back({folder.path.string() + " has " + roundedText(megabytes, 3) +
-                                    " MB left, and a clip's PNGs may take more",
-                                "free some, render with --no-png, or name another folder, -o DIR"});
+    checkup.problems.push_back(
+        {folder.path.string() + " has " + roundedText(megabytes, 3) +
+             " MB left, and a clip's PNGs may take more",
+         "free some space, render with --no-png, or name another folder, -o DIR"});
   }
 }
 

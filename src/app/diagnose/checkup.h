@@ -1,4 +1,4 @@
-// Whether this machine can render, part by part.
+// A check of whether this machine can render, part by part.
 #pragma once
 
 #include <cstdint>
@@ -12,28 +12,29 @@
 
 namespace rotatebook::diagnose {
 
-/// Where the results would go.
+/// The folder that results would be written to.
 struct FolderCheck {
   std::filesystem::path path{};
-  std::uintmax_t freeBytes = 0;  ///< For this user.
+  std::uintmax_t freeBytes = 0;  ///< Available to this user.
   std::string failure{};         ///< Why nothing can be written there, or empty.
 };
 
-/// What checkUp() found.
+/// The results of checkUp().
 struct Checkup {
   GraphicsCheck graphics{};
-  std::vector<video::EncoderCheck> encoders{};  ///< One a format, in their order.
-  std::string fontFailure{};  ///< Why the font that ships can't be loaded, or empty.
+  std::vector<video::EncoderCheck> encoders{};  ///< In the order of video::kVideoFormats.
+  std::string fontFailure{};                    ///< Why the shipped font can't be loaded, or empty.
   FolderCheck folder{};
   int cores = 1;
   double memory = 0;                ///< [bytes]
   std::vector<Problem> problems{};  ///< Of all parts, the graphics' first.
 
-  /// Whether a render with no options beside its folder would work: PNGs and MP4.
+  /// Returns whether a render to PNGs and MP4 with default options would work.
   bool ready() const;
 };
 
-/// In the folder, or what there is of its path, a file is begun and taken away: nothing is left.
+/// Checks the machine. Creates and removes a file in `folder`, or in the nearest parent that
+/// exists.
 Checkup checkUp(const std::filesystem::path& folder);
 
 }  // namespace rotatebook::diagnose

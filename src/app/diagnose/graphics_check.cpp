@@ -13,8 +13,8 @@
 namespace rotatebook::diagnose {
 namespace {
 
-/// Provenance a context and drawing a small picture takes a second on slow machines.
-constexpr std::chrono::seconds kLongestTrial{60};
+/// Making a context and drawing a small picture takes a second on slow machines.
+constexpr std::chrono::seconds kTimeLimit{60};
 
 render::DeviceChoice choiceOf(const render::DisplayCandidate& candidate) {
   switch (candidate.kind) {
@@ -28,7 +28,7 @@ render::DeviceChoice choiceOf(const render::DisplayCandidate& candidate) {
   return {.kind = render::DeviceChoice::Kind::Index, .number = candidate.index};
 }
 
-/// What `error` says to one who asks the doctor already.
+/// Returns the message of `error` without its advice to run the doctor.
 std::string failureText(const Error& error) {
   std::string text = error.what();
   if (text.ends_with(render::kAskDoctor))
@@ -36,16 +36,17 @@ std::string failureText(const Error& error) {
   return text;
 }
 
-FrameCheck checkFrame(const DisplayCheck& check, const render::BookTextures& textures) {
-  FrameCheck frame;
-  frame.tolerance = check.software ? kSoftwareTolerance : kHardwareTolerance;
+ReferenceCheck checkReference(const DisplayCheck& check, const render::BookTextures& textures) {
+  ReferenceCheck reference;
+  reference.tolerance = check.software ? kSoftwareTolerance : kHardwareTolerance;
   try {
-    const image::Image picture = drawTestFrame(textures, choiceOf(check.candidate));
-    frame.comparison = compare(storedTestFrame().view(), picture.view(), frame.tolerance);
+    const image::Image picture = drawReferencePicture(textures, choiceOf(check.candidate));
+    reference.comparison =
+        compare(storedReferencePicture().view(), picture.view(), reference.tolerance);
   } catch (const Error& error) {
-    frame.failure = failureText(error);
+    reference.failure = failureText(error);
   }
-  return frame;
+  return reference;
 }
 
 DisplayCheck checkDisplay(const render::DisplayProbe& probe, std::size_t index,
@@ -63,17 +64,17 @@ DisplayCheck checkDisplay(const render::DisplayProbe& probe, std::size_t index,
   check.version = info->version;
   check.samples = info->samples;
   check.software = candidate.software || render::isSoftwareRenderer(check.renderer);
-  check.frame = checkFrame(check, textures);
+  check.reference = checkReference(check, textures);
   return check;
 }
 
-/// How checking each way ends the process, or empty.
+/// Checks each display in a copy of this process; returns how each copy failed, or empty.
 std::vector<std::string> tryAll(const render::DisplayProbe& probe,
                                 const render::BookTextures& textures) {
   std::vector<std::string> ends;
   for (std::size_t i = 0; i < probe.list().candidates.size(); ++i) {
     const auto check = [&] { checkDisplay(probe, i, textures); };
-    ends.push_back(system::runIsolated(check, kLongestTrial));
+    ends.push_back(system::runIsolated(check, kTimeLimit));
   }
   return ends;
 }

@@ -1,4 +1,4 @@
-// What each way to a renderer gives, tried one by one. Inside the room only.
+// A check of each display candidate: context, renderer and a picture. Inside the room only.
 #pragma once
 
 #include <cstddef>
@@ -11,44 +11,45 @@
 
 namespace rotatebook::diagnose {
 
-/// The test frame as a renderer drew it.
-struct FrameCheck {
-  image::Comparison comparison{};  ///< With the stored one.
+/// The reference picture as a renderer drew it.
+struct ReferenceCheck {
+  image::Comparison comparison{};  ///< With the stored picture.
   image::Tolerance tolerance{};
-  std::string failure{};  ///< Why there is no frame to compare, or empty.
+  std::string failure{};  ///< Why there is no picture to compare, or empty.
 
   bool passed() const { return failure.empty() && comparison.same; }
 };
 
-/// What trying a way gave: a context or a failure, and of a context the rest.
+/// The result of trying a display candidate: a failure, or a context with the fields after `ends`.
 struct DisplayCheck {
   render::DisplayCandidate candidate{};
   std::optional<render::CallFailure> failure{};
-  bool ends = false;  ///< The failure ends the process, or never comes back.
+  bool ends = false;  ///< The driver ends the process, or never returns.
   std::string vendor{}, renderer{};
-  std::string version{};  ///< Of OpenGL: "4.5"
+  std::string version{};  ///< OpenGL's, for example "4.5".
   int samples = 0;        ///< GL_MAX_SAMPLES
   bool software = false;  ///< The device or the renderer says so.
-  FrameCheck frame{};
+  ReferenceCheck reference{};
 
-  bool draws() const { return !failure && frame.passed(); }
+  bool draws() const { return !failure && reference.passed(); }
 };
 
+/// The results of checkGraphics().
 struct GraphicsCheck {
-  std::optional<render::CallFailure>
-      library{};  ///< EGL's or OpenGL's is missing; no way was tried.
+  /// EGL's or OpenGL's library is missing; no candidate was tried.
+  std::optional<render::CallFailure> library{};
   std::optional<render::CallFailure> devices{};  ///< DisplayCandidates::failure
   std::vector<DisplayCheck> candidates{};        ///< In the order in which a render tries them.
-  /// In `candidates`: what a render takes unless it is told otherwise.
+  /// Index in `candidates` of the one that a render uses by default.
   std::optional<std::size_t> byDefault{};
 
-  /// Whether a render that isn't told otherwise draws as it should.
+  /// Returns whether a render with the default device draws correctly.
   bool draws() const { return byDefault && candidates[*byDefault].draws(); }
 };
 
-/// Makes a context on each way and draws the test frame with it, in a copy of this process first: a
-/// driver may end it. So call it while there are no other threads. Throws nothing that a renderer
-/// does.
+/// Makes a context on each display candidate and draws the reference picture with it, in a copy of
+/// this process first, because a driver may end the process. So call it while there are no other
+/// threads. Reports a renderer's errors in the result, and doesn't throw them.
 GraphicsCheck checkGraphics();
 
 }  // namespace rotatebook::diagnose

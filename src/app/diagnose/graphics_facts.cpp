@@ -29,7 +29,7 @@ std::optional<std::string> variable(const char* name) {
   return value == nullptr ? std::nullopt : std::optional<std::string>(value);
 }
 
-/// All that bear such a name, with their values, sorted.
+/// Lists the environment variables that Mesa reads, with their values, sorted.
 std::vector<std::string> mesaVariables() {
   constexpr std::array<std::string_view, 5> kBeginnings{"MESA_", "GALLIUM_", "LIBGL_", "LP_",
                                                         "EGL_"};
@@ -52,7 +52,7 @@ std::vector<std::string> partsOf(const std::string& paths) {
   return parts;
 }
 
-/// The files of a folder whose names begin and end so, sorted.
+/// Lists the files of a folder whose names begin and end so, sorted.
 std::vector<std::string> filesIn(const std::string& folder, const std::string& beginning,
                                  const std::string& ending) {
   std::vector<std::string> files;
@@ -126,7 +126,7 @@ GraphicsFacts readGraphicsFacts() {
   for (const std::string& path : filesIn("/dev/dri", "renderD", "")) {
     facts.nodes.push_back(readNode(path));
   }
-  // Cards alone: nvidiactl is there in machines without one.
+  // Only nodes with a number are cards: nvidiactl exists on machines without one, too.
   for (const std::string& path : filesIn("/dev", "nvidia", "")) {
     if (std::isdigit(static_cast<unsigned char>(path.back())) != 0) {
       facts.nodes.push_back(readNode(path));

@@ -21,8 +21,8 @@ physics::Cage referencePictureBook() {
   return (forward * left).toRotationMatrix() * physics::Cuboid{}.corners();
 }
 
-image::Image drawTestFrame(const render::BookTextures& textures,
-                           const render::DeviceChoice& choice) {
+image::Image drawReferencePicture(const render::BookTextures& textures,
+                                  const render::DeviceChoice& choice) {
   render::RenderSettings settings = referencePictureSettings();
   settings.device = choice;
   render::Renderer renderer(settings, textures);
@@ -31,8 +31,8 @@ image::Image drawTestFrame(const render::BookTextures& textures,
   return picture;
 }
 
-image::Image storedTestFrame() {
-  return image::decodePng(referencePicturePng(), "stored test frame");
+image::Image storedReferencePicture() {
+  return image::decodePng(referencePicturePng(), "stored reference picture");
 }
 
 }  // namespace rotatebook::diagnose

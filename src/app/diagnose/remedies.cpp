@@ -17,8 +17,7 @@ constexpr const char* kInstallNvidia =
     "install libegl-nvidia0; Ubuntu: libnvidia-gl-VERSION)";
 constexpr const char* kGraphicsCapability =
     "start the container with NVIDIA_DRIVER_CAPABILITIES=all (or with graphics among them), so "
-    "that "
-    "NVIDIA's EGL library comes into it";
+    "that it gets NVIDIA's EGL library";
 constexpr const char* kAddVendorFile =
     "make, as root, the file by which EGL finds NVIDIA's library:\n"
     "  echo '{\"file_format_version\": \"1.0.0\", \"ICD\": {\"library_path\": "
@@ -36,7 +35,7 @@ bool anyDraws(const GraphicsCheck& check, bool hardware) {
   });
 }
 
-/// Whether NVIDIA's library was kept out of a container.
+/// Returns whether this container wasn't given NVIDIA's EGL library.
 bool lacksGraphicsCapability(const GraphicsFacts& facts) {
   if (facts.nvidiaLibrary || !facts.container) return false;
   const std::string listed = facts.nvidiaCapabilities.value_or("");
@@ -48,15 +47,16 @@ std::string permissionRemedy(const DeviceNode& node) {
     return "let this user read and write " + node.path;
   }
   return "join the group " + node.group + " (sudo usermod -aG " + node.group +
-         " $USER, then log in anew; for a container: --group-add " + node.group + ")";
+         " $USER, then log in again; for a container: --group-add " + node.group + ")";
 }
 
-/// The problem of a file that this process may not open.
+/// Returns the problem of a device node that this process may not open.
 Problem permissionProblem(const std::string& what, const DeviceNode& node) {
   return {what + ": no permission on " + node.path, permissionRemedy(node)};
 }
 
-/// One that is among `facts`, not permitted, and `path` or, if that is empty, NVIDIA's or not.
+/// Returns a node that this process may not open: the one at `path` or, if that is empty, any that
+/// is NVIDIA's or, without `nvidia`, isn't. Null if there is none.
 const DeviceNode* forbiddenNode(const GraphicsFacts& facts, const std::string& path, bool nvidia) {
   const auto found = std::ranges::find_if(facts.nodes, [&](const DeviceNode& node) {
     const bool fits =
@@ -66,7 +66,8 @@ const DeviceNode* forbiddenNode(const GraphicsFacts& facts, const std::string& p
   return found == facts.nodes.end() ? nullptr : &*found;
 }
 
-/// Its own render node where EGL tells it; else any of its maker's.
+/// Returns the candidate's own render node, if EGL reports it, or else any node of its maker, if
+/// this process may not open it; else null.
 const DeviceNode* forbiddenNode(const GraphicsFacts& facts,
                                 const render::DisplayCandidate& candidate) {
   const DeviceNode* own = candidate.renderNode.empty() && candidate.nvidia
@@ -75,14 +76,14 @@ const DeviceNode* forbiddenNode(const GraphicsFacts& facts,
   return own == nullptr && candidate.nvidia ? forbiddenNode(facts, "", true) : own;
 }
 
-/// Of a driver that draws wrongly, or ends the process.
+/// Returns the remedy for a driver that draws wrongly, or ends the process.
 std::string updateRemedy(bool software) {
   return software ? "update Mesa (Debian, Ubuntu: apt-get install libgl1-mesa-dri)"
                   : "update the card's driver; until then --device software";
 }
 
-/// "unset GALLIUM_NOOP (it is 1), LP_X (it is 2); if that doesn't help: `remedy`"; `remedy` alone
-/// where there are no variables.
+/// Returns "unset GALLIUM_NOOP (it is 1), LP_X (it is 2); if that doesn't help: `remedy`"; `remedy`
+/// alone if there are no variables.
 std::string unsettingFirst(const std::vector<std::string>& variables, const std::string& remedy) {
   const std::string names = joinedOf(variables, [](const std::string& variable) {
     const std::size_t end = variable.find('=');
@@ -110,11 +111,11 @@ class Diagnosis {
           check_.byDefault != i)
         continue;
       addFailedDevice(candidate);
-      addWrongFrame(candidate);
+      addWrongPicture(candidate);
     }
     addForbiddenCard();
     if (problems_.empty() && !check_.draws()) {
-      add("no EGL display gives an OpenGL 3.3 core context" + saidByWays(),
+      add("no EGL display gives an OpenGL 3.3 core context" + failuresOfDisplays(),
           unsettingFirst(facts_.mesaVariables, render::kInstallMesa));
     }
     return problems_;
@@ -141,7 +142,7 @@ class Diagnosis {
                  "unset " + name + ", so that the system's drivers are found");
     }
     if (facts_.vendorFiles.empty()) {
-      // Without glvnd there are none, and EGL draws nonetheless.
+      // Without glvnd there are no such files, and EGL may draw all the same.
       if (check_.draws()) return;
       return add(
           "no EGL driver is installed: /usr/share/glvnd/egl_vendor.d has no file",
@@ -159,17 +160,17 @@ class Diagnosis {
     return lacksGraphicsCapability(facts_) ? kGraphicsCapability : kInstallNvidia;
   }
 
-  /// NVIDIA's card is there, and EGL knows nothing of it.
+  /// Adds the problem of an NVIDIA card that EGL doesn't list.
   void addUnlistedNvidia() {
     const bool listed = std::ranges::any_of(check_.candidates, [](const DisplayCheck& candidate) {
       return candidate.candidate.nvidia;
     });
-    // Else it was told of its library, or of the variable, already.
+    // A problem of the library, or of the variable, was added before.
     const bool named = std::ranges::any_of(facts_.vendorFiles, [](const VendorFile& file) {
       return isOf(file, kNvidiaLibrary) && !file.failure.empty();
     });
     if (!facts_.hasNvidiaCard() || listed || named || !problems_.empty()) return;
-    const std::string what = "NVIDIA's card is there, and EGL doesn't list it";
+    const std::string what = "NVIDIA's card is there, but EGL doesn't list it";
     if (const DeviceNode* node = forbiddenNode(facts_, "", true)) {
       problems_.push_back(permissionProblem(what, *node));
     } else if (lacksGraphicsCapability(facts_)) {
@@ -209,7 +210,7 @@ class Diagnosis {
     add(what, unsettingFirst(variablesOf(check), deviceRemedy(check)));
   }
 
-  /// Those that may be why it fails.
+  /// Returns the variables that may be why it fails: Mesa's, unless the driver is NVIDIA's.
   std::vector<std::string> variablesOf(const DisplayCheck& check) const {
     return check.candidate.nvidia ? std::vector<std::string>{} : facts_.mesaVariables;
   }
@@ -226,16 +227,16 @@ class Diagnosis {
                : kInstallMesaDrivers;
   }
 
-  void addWrongFrame(const DisplayCheck& check) {
-    if (check.failure || check.frame.passed()) return;
-    const std::string why = check.frame.failure.empty()
-                                ? "the test frame isn't as it should be"
-                                : "the test frame failed: " + check.frame.failure;
+  void addWrongPicture(const DisplayCheck& check) {
+    if (check.failure || check.reference.passed()) return;
+    const std::string why = check.reference.failure.empty()
+                                ? "the reference picture isn't drawn as it should be"
+                                : "the reference picture failed: " + check.reference.failure;
     add(check.candidate.text() + ", " + check.renderer + ": " + why,
         unsettingFirst(variablesOf(check), updateRemedy(check.software)));
   }
 
-  /// A card that was neither listed nor told of, and may not be opened.
+  /// Adds the problem of a card that EGL doesn't list, and that this process may not open.
   void addForbiddenCard() {
     if (!problems_.empty() || anyDraws(check_, true)) return;
     if (const DeviceNode* node = forbiddenNode(facts_, "", false)) {
@@ -243,13 +244,13 @@ class Diagnosis {
     }
   }
 
-  std::string saidByWays() const {
-    std::string said;
+  std::string failuresOfDisplays() const {
+    std::string text;
     for (const DisplayCheck& candidate : check_.candidates) {
       if (candidate.failure)
-        said += "; " + candidate.candidate.text() + ": " + candidate.failure->text();
+        text += "; " + candidate.candidate.text() + ": " + candidate.failure->text();
     }
-    return said;
+    return text;
   }
 
   const GraphicsCheck& check_;

@@ -1,5 +1,5 @@
-// From what failed and how the machine is set up to what its user can do. Asks the machine nothing.
-// Inside the room only.
+// Conclusions from what failed, and from the machine's set-up, to what its user can do. Depends on
+// nothing but its arguments. Inside the room only.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace rotatebook::diagnose {
 
-/// Something that doesn't work, and what mends it.
+/// Something that doesn't work, and how to fix it.
 struct Problem {
-  std::string what;  ///< Who, the call, the error by its name.
-  /// The one that fits the cause. A line that begins with two spaces is a command.
+  std::string what;  ///< The part that fails, the call, and the error's name.
+  /// The fix for this cause. A line that begins with two spaces is a command.
   std::string remedy;
 };
 
-/// What is wrong with the machine's graphics, the deepest cause first. That the surfaceless
-/// platform or the default display fails is none while something draws. Never empty where nothing
-/// does.
+/// Returns the problems of the machine's graphics, the deepest cause first. A failing surfaceless
+/// platform or default display is no problem unless it is the default candidate. Never empty if
+/// nothing draws.
 std::vector<Problem> diagnose(const GraphicsCheck& check, const GraphicsFacts& facts);
 
 }  // namespace rotatebook::diagnose

@@ -10,14 +10,14 @@
 namespace rotatebook::diagnose {
 namespace {
 
-constexpr double kWorthSaying = 1.03;
+constexpr double kMinGain = 1.03;
 constexpr int kMinToHalve = 64;  // The shorter side. [pixels]
 
 WorkTime scaled(const WorkTime& time, double factor) {
   return {time.wall * factor, time.processor * factor};
 }
 
-/// Collects what helps: a change is tried on the numbers.
+/// Collects advice: each change is tried on the measured times, and kept if it gains enough.
 class AdviceCollector {
  public:
   explicit AdviceCollector(const Speed& speed)
@@ -28,15 +28,15 @@ class AdviceCollector {
   void tryOut(const std::string& change, const std::string& effect, const StageTimes& stages,
               int cores) {
     const double gain = limit_.wall / std::max(speedLimit(stages, cores).wall, 1e-9);
-    if (gain >= kWorthSaying) advice_.push_back({change, effect, gain});
+    if (gain >= kMinGain) advice_.push_back({change, effect, gain});
   }
 
-  /// With one stage, or several, changed by `change(stages)`.
+  /// Tries the stages' times as `change(stages)` alters them.
   template <typename Change>
-  void tryOut(const std::string& words, const std::string& effect, const Change& change) {
+  void tryOut(const std::string& name, const std::string& effect, const Change& change) {
     StageTimes stages = speed_.stages;
     change(stages);
-    tryOut(words, effect, stages, speed_.cores);
+    tryOut(name, effect, stages, speed_.cores);
   }
 
   std::vector<SpeedAdvice> take() {
@@ -80,7 +80,7 @@ void adviseOnVideo(const scene::Scene& scene, const Speed& speed, AdviceCollecto
   }
 }
 
-/// Half as wide and high; the sides stay even.
+/// Returns half the width and height; the sides stay even.
 std::string halfSize(const scene::ClipSettings& clip) {
   return sizeText(clip.width / 4 * 2, clip.height / 4 * 2);
 }
@@ -100,7 +100,7 @@ void adviseOnSize(const scene::Scene& scene, AdviceCollector& advice) {
 SpeedLimit speedLimit(const StageTimes& stages, int cores) {
   const double shared = stages.processorSum() / cores;
   const double alone = std::max({stages.book.wall, stages.finish.wall, stages.video.wall});
-  // A software rasteriser alone uses all cores, too; then it is they that limit.
+  // A software rasteriser alone can keep all cores busy, too; then the cores are the limit.
   if (shared >= alone) {
     const std::array<std::pair<double, Stage>, 5> times{{
         {stages.simulate.processor, Stage::Simulate},

@@ -1,4 +1,4 @@
-// Which stage limits the speed of a render, and what would raise it.
+// The stage that limits a render's speed, and what would raise it.
 #pragma once
 
 #include <string>
@@ -9,31 +9,32 @@
 
 namespace rotatebook::diagnose {
 
+/// The stages of a render; Finish composes: edges, background, overlays.
 enum class Stage { Simulate, Book, Finish, Png, Video };
 
-/// What keeps a render from being faster.
+/// The limit of a render's speed.
 struct SpeedLimit {
   Stage stage = Stage::Book;
-  /// Whether all cores are busy, most of all with `stage`; else `stage` alone takes so long, on its
-  /// one thread or its graphics card, that the others wait for it.
+  /// True if all cores are busy, most of all with `stage`; false if `stage`, on its one thread or
+  /// its graphics card, takes so long that the others wait for it.
   bool ofCores = true;
-  double wall = 0;  ///< The least time a frame that these stages allow. [ms]
+  double wall = 0;  ///< The shortest time a frame that the stages allow. [ms]
 };
 
-/// What holds for stages that take turns on `cores` >= 1 cores without ever waiting: no frame takes
-/// less than all processor time shared out, or than the stages that see one frame after the other,
-/// book, finish and video, take alone.
+/// Returns the limit for stages that share `cores` >= 1 cores without ever waiting: a frame takes
+/// at least the stages' processor time divided by `cores`, and at least as long as each of the
+/// stages that take one frame after the other: book, finish and video.
 SpeedLimit speedLimit(const StageTimes& stages, int cores);
 
-/// Something to change, and what comes of it.
+/// A change that would make a render faster.
 struct SpeedAdvice {
   std::string change;  ///< For example "--no-png".
   std::string effect;  ///< What it costs, or why it helps.
-  double gain = 1;     ///< Frames a second, at most, as a multiple of those now.
+  double gain = 1;     ///< Upper bound of the speed-up, as a factor.
 };
 
-/// What would help the stage that limits, with the gain that the measured times let expect; only
-/// what gains at least 3 %, the greatest gain first.
+/// Returns what would help the stage that limits, with the gain calculated from the measured times;
+/// only what gains at least 3 %, the largest gain first.
 std::vector<SpeedAdvice> speedAdvice(const scene::Scene& scene, const Speed& speed);
 
 }  // namespace rotatebook::diagnose

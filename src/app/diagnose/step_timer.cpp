@@ -10,11 +10,11 @@
 namespace rotatebook::diagnose {
 namespace {
 
-// A measurement must outlast the clock's own call, a few tenths of a microsecond, by far.
+// A measurement must take far longer than reading the clock, a few tenths of a microsecond.
 constexpr std::int64_t kStepsPerMeasurement = 4096;
 constexpr int kMinMeasurements = 5;
 constexpr int kMaxMeasurements = 200;
-constexpr double kEnough = 4e6;  // of all measurements together [ns]
+constexpr double kEnough = 4e6;  // Of all measurements together. [ns]
 
 double threadTime() {
   timespec now{};
@@ -24,8 +24,8 @@ double threadTime() {
 
 using Fleet = std::vector<std::unique_ptr<physics::Simulator>>;
 
-// A motion of few steps is made by several simulators, each from the start, because what comes
-// after the motion's end may be another matter.
+// A motion of few steps is simulated several times from the start, because steps beyond its end may
+// cost something else.
 Fleet makeFleet(const physics::MotionSettings& settings, std::int64_t stepsEach) {
   Fleet fleet;
   for (std::int64_t steps = 0; steps < kStepsPerMeasurement; steps += stepsEach) {

@@ -1,4 +1,4 @@
-// What a step costs. Inside the room only.
+// Measurement of the time of an integration step. Inside the room only.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@
 
 namespace rotatebook::diagnose {
 
-/// Computing time of one integration step, the smallest of several measurements. [ns] It is the
-/// running thread's own processor time, so that other programs and threads disturb it little; it
-/// differs from run to run all the same. Steps through no more than the first `steps` >= 1 of the
-/// motion, again and again; takes some milliseconds. Throws NoConvergence.
+/// Returns the computing time of one integration step, the smallest of several measurements. [ns]
+/// It is the calling thread's processor time, which other programs and threads disturb little; it
+/// differs from run to run all the same. Repeats the first `steps` >= 1 steps of the motion, or
+/// fewer; takes some milliseconds. Throws NoConvergence.
 double nanosecondsPerStep(const physics::MotionSettings& settings, std::int64_t steps);
 
 }  // namespace rotatebook::diagnose

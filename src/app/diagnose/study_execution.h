@@ -1,4 +1,4 @@
-// Studies run by this machine.
+// Execution of studies on this machine.
 #pragma once
 
 #include "study/study.h"

@@ -1,4 +1,4 @@
-// A clip: its player, its plots, what was expected of it and measured.
+// The figure of a clip: its player, its plots, its expectations and measurements.
 #include <iterator>
 #include <vector>
 
@@ -22,25 +22,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of a time for people.
+// Significant digits of a time.
 constexpr int kTimeDigits = 4;
 
-/// A clip's motions, simulated anew, and the files that were made of it.
+/// A clip's motions, simulated again, and its files.
 struct Clip {
   std::vector<Motion> motions;
   std::int64_t frames = 0;
   store::ClipFiles files;
-  std::vector<fs::path> csvs;  ///< One a motion.
+  std::vector<fs::path> csvs;  ///< One for each motion.
   ClipVideos videos;
-  bool hasRecord = false;  ///< Whether NAME/scene.toml is the scene's.
-  bool hasFrames = false;  ///< Whether all frames are beside it.
+  bool hasRecord = false;  ///< NAME/scene.toml is this scene's.
+  bool hasFrames = false;  ///< All frames are beside it.
 };
 
-/// The plots show what the table beside the clip holds, or nothing.
+/// Throws InputError if the table beside the clip isn't that of the motion that the plots show.
 void refuseOtherMotion(const fs::path& csv, const physics::Trajectory& trajectory,
                        const scene::Scene& scene) {
   if (system::readFileOrEmpty(csv) == timeline::trajectoryCsv(trajectory)) return;
-  throw InputError(csv.string() + " was made of another scene or with other settings; " +
+  throw InputError(csv.string() + " was made from another scene or with other settings; " +
                    renderAgain(scene, csv.parent_path()));
 }
 
@@ -88,7 +88,7 @@ Html linksOf(const Clip& clip) {
     const std::string& label = clip.motions[i].panel.label;
     links += linkItem(nameOf(clip.csvs[i]), label.empty() ? "CSV" : "CSV: " + label);
   }
-  for (const auto& [file, words] : clip.videos.linked) links += linkItem(nameOf(file), words);
+  for (const auto& [file, name] : clip.videos.linked) links += linkItem(nameOf(file), name);
   links += linkItem(nameOf(clip.files.poster), "Poster");
   const std::string folder = nameOf(clip.files.frameFolder) + "/";
   if (clip.hasFrames) links += linkItem(folder, "PNG frames");
@@ -120,9 +120,9 @@ Html divergenceOf(const Clip& clip) {
     if (!motion.trajectory.divergedAt) continue;
     const std::string who = motion.panel.label.empty() ? "The motion" : motion.panel.label;
     notes += filled(
-        "<p class=\"note\">{{words}}</p>\n",
-        {{"words", escaped(who + " diverges at " +
-                           roundedText(*motion.trajectory.divergedAt, kTimeDigits) + " s.")}});
+        "<p class=\"note\">{{text}}</p>\n",
+        {{"text", escaped(who + " diverges at " +
+                          roundedText(*motion.trajectory.divergedAt, kTimeDigits) + " s.")}});
   }
   return notes;
 }

@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 using video::FormatRow;
 
-/// Why the file isn't the scene's; empty if it is. `played` is, if it isn't empty.
+/// Returns why the file isn't the scene's; empty if it is. `played` is the scene's, unless empty.
 std::string differenceOf(const fs::path& file, const FormatRow& format, const scene::Scene& scene,
                          const store::ClipFiles& files, const fs::path& played) {
   try {

@@ -11,7 +11,7 @@
 namespace rotatebook::page {
 namespace {
 
-// The drawing's lengths, in its own units; it is shown some 230 pixels wide.
+// Lengths in the drawing's units; it is shown some 230 pixels wide.
 constexpr double kWidth = 240, kHeight = 135, kMargin = 18;
 constexpr int kDigits = 4;
 constexpr std::size_t kColours = 6;  // The page's --series-1 and so on.
@@ -30,7 +30,7 @@ struct Range {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  /// 0 at its low end, 1 at its high one.
+  /// Returns 0 for the low end, 1 for the high one.
   double share(double value) const { return high > low ? (value - low) / (high - low) : 0.5; }
 };
 

@@ -1,4 +1,4 @@
-// Curves without words: what a study's plot looks like from afar. Inside the room only.
+// Thumbnails of a study's plot: curves without text. Inside the room only.
 #pragma once
 
 #include <utility>
@@ -11,8 +11,8 @@ namespace rotatebook::page {
 /// Points (x, y) that are joined in their order.
 using Curve = std::vector<std::pair<double, double>>;
 
-/// The curves between two axes, as an <svg> in the page's colours. A curve of no finite point is
-/// left out.
+/// Draws the curves and two axes as an <svg> in the page's colours. Leaves out a curve without
+/// finite points.
 Html curvesSvg(const std::vector<Curve>& curves);
 
 }  // namespace rotatebook::page

@@ -19,10 +19,10 @@ constexpr std::string_view kRow =
     R"(<tr><th scope="row">{{subject}}</th><td>{{expected}}</td><td>{{measured}}</td><td class="{{class}}">{{verdict}}</td></tr>
 )";
 
-constexpr std::string_view kBadge = R"(<p class="badge unmet">{{words}}</p>)";
+constexpr std::string_view kBadge = R"(<p class="badge unmet">{{text}}</p>)";
 
 constexpr std::string_view kFolded = R"(<details class="expectations"{{open}}>
-<summary><span class="badge {{class}}">{{words}}</span></summary>
+<summary><span class="badge {{class}}">{{text}}</span></summary>
 {{tables}}</details>
 )";
 
@@ -30,7 +30,7 @@ bool areAllMet(const std::vector<Check>& checks) {
   return std::ranges::all_of(checks, &Check::met);
 }
 
-/// "4 of 5 expectations met"
+/// Returns "4 of 5 expectations met".
 Html countText(const std::vector<Check>& checks) {
   const auto met = std::ranges::count(checks, true, &Check::met);
   return escaped(std::to_string(met) + " of " + std::to_string(checks.size()) +
@@ -70,7 +70,7 @@ Html checksTable(const std::string& caption, const std::vector<Check>& checks) {
 }
 
 Html unmetBadge(const std::vector<Check>& checks) {
-  return areAllMet(checks) ? Html{} : filled(kBadge, {{"words", countText(checks)}});
+  return areAllMet(checks) ? Html{} : filled(kBadge, {{"text", countText(checks)}});
 }
 
 Html foldedChecks(const std::vector<Check>& checks, const Html& tables) {
@@ -78,7 +78,7 @@ Html foldedChecks(const std::vector<Check>& checks, const Html& tables) {
   const bool met = areAllMet(checks);
   return filled(kFolded, {{"open", {met ? "" : " open"}},
                           {"class", {met ? "met" : "unmet"}},
-                          {"words", countText(checks)},
+                          {"text", countText(checks)},
                           {"tables", tables}});
 }
 

@@ -1,4 +1,4 @@
-// Expected against measured, as a table. Inside the room only.
+// Tables of expected and measured values. Inside the room only.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace rotatebook::page {
 
-/// Of a measured number, unless it takes more to tell it from its bound.
+/// Significant digits of a measured number, unless it takes more to tell it from its bound.
 inline constexpr int kCheckDigits = 4;
 
-/// One row: what was expected of something, what was measured, and whether that is as expected.
+/// A row: a quantity, what was expected and measured of it, and whether that is as expected.
 struct Check {
   std::string subject;
   std::string expected;
@@ -20,18 +20,18 @@ struct Check {
   bool met = false;
 };
 
-/// What became of a motion: its divergence if there was one that nobody expected, and each of its
+/// Returns the rows of a motion: its divergence if that was unexpected, and each of its
 /// expectations.
 std::vector<Check> checksOf(const Motion& motion);
 
-/// The checks as a table with `caption`; nothing if there are none.
+/// Returns the checks as a table with `caption`; empty if there are none.
 Html checksTable(const std::string& caption, const std::vector<Check>& checks);
 
-/// "4 of 5 expectations met" as a badge; nothing if all are.
+/// Returns "4 of 5 expectations met" as a badge; empty if all are met.
 Html unmetBadge(const std::vector<Check>& checks);
 
-/// `tables` to be unfolded below "5 of 5 expectations met"; unfolded if one of `checks`, which are
-/// all that is in them, is unmet. Nothing if there are none.
+/// Returns `tables`, which hold all of `checks`, folded below "5 of 5 expectations met"; unfolded
+/// if a check is unmet. Empty if there are no checks.
 Html foldedChecks(const std::vector<Check>& checks, const Html& tables);
 
 }  // namespace rotatebook::page

@@ -62,9 +62,9 @@ void requireFile(const fs::path& path, const scene::Scene& scene, const std::str
                    remedy(command, scene, path.parent_path()));
 }
 
-Html linkItem(const std::string& address, const std::string& words) {
-  return filled(R"(<li><a href="{{address}}">{{words}}</a></li>)",
-                {{"address", addressOf(address)}, {"words", escaped(words)}});
+Html linkItem(const std::string& address, const std::string& text) {
+  return filled(R"(<li><a href="{{address}}">{{text}}</a></li>)",
+                {{"address", addressOf(address)}, {"text", escaped(text)}});
 }
 
 Html sceneDetails(const scene::Scene& scene) {

@@ -1,4 +1,4 @@
-// Text into HTML, and HTML into templates. Inside the room only.
+// Conversion of text to HTML, and filling of templates. Inside the room only.
 #pragma once
 
 #include <map>
@@ -7,7 +7,7 @@
 
 namespace rotatebook::page {
 
-/// A piece of HTML. Text becomes one through escaped() or filled(), so that no scene's words are
+/// A piece of HTML. Text becomes HTML by escaped() or addressOf() alone, so that no scene's text is
 /// ever read as markup.
 struct Html {
   std::string text;
@@ -18,14 +18,14 @@ struct Html {
   }
 };
 
-/// `text` as content or as the value of a quoted attribute.
+/// Escapes `text` for use as content or as the value of a quoted attribute.
 Html escaped(std::string_view text);
 
-/// `path`, with '/' between its parts, as a relative address in a quoted attribute.
+/// Converts `path`, with '/' between its parts, to a relative address for a quoted attribute.
 Html addressOf(const std::string& path);
 
-/// A template with each {{name}} replaced by that value. Throws std::logic_error if the two don't
-/// have the same names.
+/// Returns the template `text` with each {{name}} replaced by its value. Throws std::logic_error if
+/// the names of `text` and `values` differ.
 Html filled(std::string_view text, const std::map<std::string, Html>& values);
 
 }  // namespace rotatebook::page

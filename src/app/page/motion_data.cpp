@@ -11,10 +11,10 @@ namespace {
 
 using physics::Sample;
 
-// No plot is so large that more would show.
+// More wouldn't show in a plot of any size.
 constexpr int kPlotDigits = 6;
 
-/// Without blanks: there are thousands.
+/// Returns an array of one number for each sample, without spaces, as there are thousands.
 template <typename Value>
 std::string numbers(const physics::Trajectory& trajectory, const Value& value) {
   std::vector<std::string> texts;

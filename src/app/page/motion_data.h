@@ -1,4 +1,4 @@
-// A clip's motions as the page's plots read them. Inside the room only.
+// A clip's motions as JSON for the page's plots. Inside the room only.
 #pragma once
 
 #include <string>
@@ -11,15 +11,14 @@ namespace rotatebook::page {
 
 /// One of the motions that a clip shows.
 struct Motion {
-  scene::Panel panel;  ///< As scene::motionsOf() has it.
+  scene::Panel panel;  ///< From scene::motionsOf().
   physics::Trajectory trajectory;
 };
 
-/// JSON that may stand in a <script>: {"rate": [60, 1], "frames": 720, "interval": 0.0167,
-/// "motions":
-/// [{"label", "springs": whether there are any, "kinetic", "potential", "total", "tilt",
-/// "error"}]}, the last five a number a sample: energies over the total at the start, angles in
-/// degrees.
+/// Returns JSON that is safe in a <script>: {"rate": [60, 1], "frames": 720, "interval": 0.0167,
+/// "motions": [{"label", "springs": whether there are any, "kinetic", "potential", "total", "tilt",
+/// "error"}]}. The last five are arrays with a number for each sample: energies over the total at
+/// the start, angles in degrees.
 std::string motionData(const std::vector<Motion>& motions, const scene::ClipSettings& clip,
                        std::int64_t frames);
 

@@ -76,7 +76,7 @@ Html rowHtml(const std::string& name, const Html& content) {
   return {"<tr><th scope=\"row\">" + escaped(name).text + "</th>" + content.text + "</tr>\n"};
 }
 
-/// A row of what `text` says of each motion; none if it says nothing of any.
+/// Returns a row of the `text` of each motion; no row if all texts are empty.
 template <typename Text>
 Html rowOf(const std::string& name, const std::vector<Motion>& motions, const Text& text) {
   Row row;

@@ -1,4 +1,4 @@
-// How a clip's motions were simulated, as a table. Inside the room only.
+// A table of how a clip's motions were simulated. Inside the room only.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace rotatebook::page {
 
-/// A row a setting, a column a motion; the last rows are the clip's.
+/// Returns a row for each setting, a column for each motion; the last row is the clip's.
 Html settingsTable(const std::vector<Motion>& motions, const scene::ClipSettings& clip);
 
 }  // namespace rotatebook::page

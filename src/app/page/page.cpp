@@ -35,7 +35,7 @@ struct Group {
   std::vector<FigureKind> kinds;
 };
 
-/// Stills alone are few.
+/// Returns the overview's groups. Stills and clips share one, since stills are few.
 std::vector<Group> groupsOf(const std::vector<Figure>& figures) {
   const auto has = [&](FigureKind kind) {
     return std::ranges::count(figures, kind, &Figure::kind) > 0;
@@ -58,13 +58,13 @@ Html itemOf(const Figure& figure) {
               {"badge", figure.badge}});
 }
 
-/// Nothing for a single figure, as is the overview.
+/// Returns a link to the overview; empty for a single figure, which has none.
 Html linkUp(const std::vector<Figure>& figures) {
   if (figures.size() < 2) return {};
   return {"<p class=\"up\"><a href=\"#overview\">↑ Overview</a></p>\n"};
 }
 
-/// Nothing for a single figure.
+/// Returns the overview; empty for a single figure.
 Html overviewOf(const std::vector<Figure>& figures) {
   if (figures.size() < 2) return {};
   Html groups;

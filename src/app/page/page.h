@@ -1,4 +1,4 @@
-// All figures of a folder on one page.
+// The page of all figures in a folder.
 #pragma once
 
 #include <filesystem>
@@ -12,9 +12,8 @@ namespace rotatebook::page {
 /// The page's name in its folder.
 inline constexpr const char* kPageName = "index.html";
 
-/// The page: the first of `figures`, large, what there is to see, an overview, then the others, in
-/// their order. It needs no other file
-/// than the pictures and clips that lie beside it.
+/// Returns the page: the first of `figures`, large; what there is to see; an overview; then the
+/// other figures, in their order. It needs no other files than the pictures and clips beside it.
 std::string pageText(const std::string& title, const std::vector<Figure>& figures);
 
 }  // namespace rotatebook::page

@@ -1,4 +1,4 @@
-// A study: its plot, and what was expected of it and measured, from its tables.
+// The figure of a study: its plot, and from its tables its expectations and measurements.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A row of a table: its columns by name.
+/// A row of a table: its fields by the names of their columns.
 using RunRow = std::map<std::string, std::string>;
 
 std::vector<std::string> fieldsOf(const std::string& line) {
@@ -35,7 +35,7 @@ std::vector<std::string> fieldsOf(const std::string& line) {
   return fields;
 }
 
-/// The rows of a CSV as `rotatebook study` writes it: no quotes, and no commas within fields.
+/// Reads the rows of a CSV as `rotatebook study` writes it: no quotes, and no commas within fields.
 std::vector<RunRow> rowsOf(const fs::path& csv) {
   std::istringstream stream(system::readFileOrEmpty(csv));
   std::string line;
@@ -61,7 +61,7 @@ double fieldOf(const RunRow& row, const std::string& column) {
   return number;
 }
 
-/// The fields of these columns, where there are such, with commas between.
+/// Joins the fields of these columns with commas; a missing field is empty.
 std::string keyOf(const RunRow& row, const std::vector<std::string>& columns) {
   std::string key;
   for (const std::string& column : columns) {
@@ -71,7 +71,7 @@ std::string keyOf(const RunRow& row, const std::vector<std::string>& columns) {
   return key;
 }
 
-/// The runs of a study, as the columns of its table name them.
+/// The runs of a study, each identified by fields of its table.
 struct Runs {
   std::vector<std::string> columns;
   std::set<std::string> keys;
@@ -95,15 +95,15 @@ Runs runsOf(const scene::Scene& scene) {
   return runs;
 }
 
-/// Throws InputError unless the table is of the runs that the scene's study has.
+/// Throws InputError unless the table holds exactly the runs of the scene's study.
 void requireRuns(const fs::path& csv, const scene::Scene& scene) {
   const Runs wanted = runsOf(scene);
   std::set<std::string> found;
   for (const RunRow& row : rowsOf(csv)) found.insert(keyOf(row, wanted.columns));
   if (found == wanted.keys) return;
   throw InputError(csv.string() +
-                   " isn't of the runs that the scene's study has; study it again (or give this "
-                   "command the same --set): " +
+                   " doesn't hold the runs of the scene's study; run the study again (or give "
+                   "this command the same --set): " +
                    remedy("study", scene, csv.parent_path()));
 }
 
@@ -139,7 +139,7 @@ std::vector<Check> checksOfTilts(const scene::StudySettings& study, const fs::pa
   return {checkOf("flip_law", *study.flipLaw, measured.greatestDeviation())};
 }
 
-/// Error against step, of each integrator.
+/// Returns error against step, a curve for each integrator.
 std::vector<Curve> curvesOfOrders(const scene::StudySettings& study, const fs::path& csv) {
   std::map<std::string, Curve> curves;
   for (const RunRow& row : rowsOf(csv)) {
@@ -153,7 +153,7 @@ std::vector<Curve> curvesOfOrders(const scene::StudySettings& study, const fs::p
   return inOrder;
 }
 
-/// The time from a flip to the next against the tilt.
+/// Returns the time from a flip to the next against the tilt.
 std::vector<Curve> curvesOfTilts(const fs::path& csv) {
   Curve curve;
   for (const RunRow& row : rowsOf(csv)) {

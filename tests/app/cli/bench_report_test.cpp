@@ -44,7 +44,7 @@ TEST(BenchReport, TellsStagesLimitAndWhatHelps) {
             "  all                                 90.00\n"
             "\n"
             "  limit: 45.00 ms a frame, 22.2 frames/s; the render took 1.11 times that\n"
-            "  what limits: the 2 cores, which have most to do with \"PNG\"\n"
+            "  what limits: the 2 cores, which are busiest with \"PNG\"\n"
             "  what would help:\n"
             "    --size 640x360           up to 4.00 times as fast, 80 frames/s; a quarter of the "
             "pixels\n"

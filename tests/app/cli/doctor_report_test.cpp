@@ -24,7 +24,7 @@ diagnose::Checkup lameMachine() {
                                   .version = "4.5",
                                   .samples = 4,
                                   .software = true};
-  software.frame.tolerance = {.largest = 3, .failPercent = 0.5};
+  software.reference.tolerance = {.largest = 3, .failPercent = 0.5};
   checkup.graphics.candidates = {card, software};
   checkup.graphics.byDefault = 1;
   checkup.encoders = {{video::VideoFormat::Mp4, "libx264", ""},
@@ -50,8 +50,8 @@ TEST(DoctorReport, TellsEachDeviceAndProblemAndAVerdict) {
                "                       /dev/dri/renderD128, cuda:1\n"
                "  EGL device 1         llvmpipe; draws by default\n"
                "                       software, Mesa, OpenGL 4.5, 4 samples\n"
-               "                       test frame right: off by at most 0 of 255, 0 % by "
-               "over 3 (0.5 % may be)\n"
+               "                       reference picture right: off by at most 0 of 255, 0 % by "
+               "more than 3 (0.5 % allowed)\n"
                "\n"
                "encoders\n"
                "  mp4                  libx264\n"
@@ -71,17 +71,17 @@ TEST(DoctorReport, TellsEachDeviceAndProblemAndAVerdict) {
                "     remedy: install\n"
                "\n"
                "Ready to render: EGL device 1 draws (software), libx264 encodes; 2 problems "
-               "are told above.\n"));
+               "are reported above.\n"));
 }
 
 TEST(DoctorReport, IsNotReadyWithoutAFrameAnEncoderOrAFolder) {
   diagnose::Checkup checkup = lameMachine();
-  checkup.graphics.candidates[1].frame.comparison.same = false;
+  checkup.graphics.candidates[1].reference.comparison.same = false;
   checkup.encoders[0].found.clear();
   checkup.folder.failure = "out can't be written";
   EXPECT_FALSE(checkup.ready());
   EXPECT_THAT(textOf(checkup),
-              AllOf(HasSubstr(" test frame WRONG: "),
+              AllOf(HasSubstr(" reference picture WRONG: "),
                     EndsWith("\nNOT READY to render: nothing draws as it should, MP4 can't be "
                              "encoded, the output folder can't be written.\n")));
 }

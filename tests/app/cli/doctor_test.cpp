@@ -26,7 +26,7 @@ TEST_F(DoctorCommand, FindsThatThisMachineRenders) {
   EXPECT_EQ(result.status, 0) << result.output << result.error;
   EXPECT_THAT(result.output,
               AllOf(StartsWith("rotatebook "), HasSubstr("\ngraphics\n  EGL device 0 "),
-                    HasSubstr("; draws by default\n"), HasSubstr(" test frame right: "),
+                    HasSubstr("; draws by default\n"), HasSubstr(" reference picture right: "),
                     HasSubstr("\n  mp4                  libx264\n"),
                     HasSubstr("\n  output folder        out, "), HasSubstr("\nReady to render: "),
                     Not(HasSubstr("WRONG"))));
@@ -156,7 +156,7 @@ TEST_F(DeviceOption, NamesWhatThereIs) {
   EXPECT_THAT(cuda.error, HasSubstr("there is no EGL device with the CUDA id 31\n"));
   const ChildResult words = draw({"--device", "fast"});
   EXPECT_EQ(words.status, 2);
-  EXPECT_THAT(words.error, StartsWith("rotatebook: --device fast: no device; write a number "));
+  EXPECT_THAT(words.error, StartsWith("rotatebook: --device fast: not a device; write a number "));
   EXPECT_FALSE(has("x.png"));
 }
 

@@ -144,7 +144,7 @@ TEST_F(Killed, RenderThatIsDoneIsSkipped) {
   render("out", {});
   const ChildResult result = render("out", {"--resume"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_EQ(withoutDistances(result.output), "tiny: was done before\n");
+  EXPECT_EQ(withoutDistances(result.output), "tiny: already done\n");
 }
 
 TEST_F(Killed, RenderIsNotContinuedWithOtherSettings) {

@@ -89,7 +89,7 @@ TEST_F(PageCommand, RefusesAPosterOfOtherSettings) {
        "camera.field_of_view_deg=60"});
   const ChildResult result = page();
   EXPECT_EQ(result.status, 2);
-  EXPECT_THAT(result.error, HasSubstr("out/tiny.poster.png: it was made of another scene or with "
+  EXPECT_THAT(result.error, HasSubstr("out/tiny.poster.png: it was made from another scene or with "
                                       "other settings; render it again"));
 }
 

@@ -55,7 +55,7 @@ TEST_F(RenderScenes, GoOnToTheirEndWhereAnotherFails) {
   const ChildResult result = render("3", {});
   EXPECT_EQ(result.status, 3);
   EXPECT_EQ(result.error,
-            "large failed; no more scenes are begun\n"
+            "large failed; no more scenes are started\n"
             "rotatebook: large: can't write out/large.mp4: it is a folder\n");
   EXPECT_THAT(result.output, AllOf(HasSubstr("tiny: Tiny\n"), HasSubstr("panels: Panels\n")));
   EXPECT_TRUE(has("out/tiny.mp4"));
@@ -79,7 +79,7 @@ TEST_F(RenderScenes, AreNotBegunAfterAnotherFailed) {
   const ChildResult result = run({"render", "tiny.toml", "large.toml", "panels.toml", "--jobs", "2",
                                   "--set", "clip.duration=5"});
   EXPECT_EQ(result.status, 3);
-  EXPECT_THAT(result.output, EndsWith("panels: not begun\n"));
+  EXPECT_THAT(result.output, EndsWith("panels: not started\n"));
   EXPECT_TRUE(has("out/large.mp4"));
   EXPECT_FALSE(has("out/panels.mp4"));
 }

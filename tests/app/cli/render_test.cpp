@@ -56,7 +56,7 @@ TEST_F(RenderCommand, SaysWhatItDrawsWithAndWhatItWrote) {
       withoutDistances(result.output),
       AllOf(StartsWith("tiny: Tiny\n  64x36 at 60 frames/s, 0.2 s; renderer "),
             HasSubstr("; encoder libx264\n  threads: 1 draws (a software rasteriser has its own), "
-                      "1 finishes, "),
+                      "1 composes, "),
             HasSubstr(" PNGs, 1 encodes; cores: "),
             EndsWith("  wrote out/tiny.mp4, out/tiny.csv, out/tiny.poster.png and 12 frames in "
                      "out/tiny/\n")));
@@ -114,7 +114,7 @@ TEST_F(RenderCommand, RefusesVideosThatLoseATransparentBackground) {
   const ChildResult refused = run(render);
   EXPECT_EQ(refused.status, 2);
   EXPECT_EQ(refused.error,
-            "rotatebook: tiny: mp4 can't hold the transparent background of look.background; take "
+            "rotatebook: tiny: mp4 can't hold the transparent background of look.background; use "
             "webm or apng as --format, or --no-mp4 for PNGs alone\n");
   EXPECT_THAT(files(), IsEmpty());
   EXPECT_EQ(run(render + std::vector<std::string>{"--no-png", "--format", "webm"}).status, 0);

@@ -43,7 +43,8 @@ TEST_F(RerunCommand, MakesTheSameFile) {
   fs::remove(folder() / "tiny.toml");
   const ChildResult result = run({"rerun", "renamed.mp4", "-o", "again"});
   EXPECT_EQ(result.status, 0) << result.output << result.error;
-  EXPECT_THAT(result.output, HasSubstr("\n  again/tiny.mp4 has the very bytes of renamed.mp4\n"));
+  EXPECT_THAT(result.output,
+              HasSubstr("\n  again/tiny.mp4 has exactly the bytes of renamed.mp4\n"));
   EXPECT_TRUE(sameBytes(read("again/tiny.mp4"), read("renamed.mp4")));
   EXPECT_THAT(filesBelow("again/"), Not(::testing::Contains(HasSubstr("frame_"))));
 }
@@ -83,9 +84,10 @@ TEST_F(RerunCommand, ReplacesAnotherScenesClipOnlyIfAsked) {
   const auto expectRefused = [&](const std::string& file) {
     const ChildResult result = run({"rerun", "out/tiny.mp4", "-o", "other", "--png"});
     EXPECT_EQ(result.status, 2) << result.output;
-    EXPECT_EQ(result.error, "rotatebook: " + file +
-                                " isn't of the clip's scene and would be lost; name another folder "
-                                "with -o, or replace it with --overwrite\n");
+    EXPECT_EQ(result.error,
+              "rotatebook: " + file +
+                  " isn't from the clip's scene and would be lost; name another folder "
+                  "with -o, or replace it with --overwrite\n");
   };
   expectRefused("other/tiny.mp4");
   expectSameFiles("other", "kept");

@@ -33,7 +33,7 @@ TEST(StudyReport, TellsOrdersAndFailures) {
   EXPECT_EQ(reportStudy(exampleStudy(), {}, out), kDone);
   EXPECT_EQ(out.str(),
             "  rk4              order  4.01 from  5 runs, steps of 0.001 to 0.0123 s\n"
-            "  midpoint         no order: usable runs are 0, needed are 3\n"
+            "  midpoint         no order: 0 usable runs, 3 needed\n"
             "  rk4: 1 of 2 runs diverged\n"
             "  midpoint: 1 of 1 runs found no solution for their steps\n");
 }

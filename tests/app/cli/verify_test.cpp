@@ -52,18 +52,19 @@ TEST_F(VerifyCommand, ProvesAClipLineByLine) {
   EXPECT_EQ(result.status, 0) << result.output << result.error;
   EXPECT_THAT(
       result.output,
-      AllOf(StartsWith("out/tiny.mp4: says to be 12 frames of the scene tiny, made by rotatebook "),
-            HasSubstr("\n  ok      size         64x36 (as it must be)\n"),
-            HasSubstr("\n  ok      codec        h264 High, yuv420p (as it must be)\n"),
-            HasSubstr("\n  ok      frames       12 (as it must be)\n"),
-            HasSubstr(
-                "\n  ok      time stamps  off by up to 0 ms (frame n at n/fps within 0.001 ms)\n"),
-            HasSubstr("\n  ok      container    primaries bt709, transfer bt709, matrix bt709, "
-                      "range tv (as it must be)\n"),
-            HasSubstr("\n  ok      display      as stored (as it must be)\n"),
-            HasSubstr("\n  ok      shown size   64x36 (as it must be)\n"),
-            HasSubstr("\n  ok      speed        speed 1, 0.2 s at speed 1 (all at speed 1)\n"),
-            Not(HasSubstr("FAILED")), Not(HasSubstr("note"))));
+      AllOf(
+          StartsWith("out/tiny.mp4: claims to be 12 frames of the scene tiny, made by rotatebook "),
+          HasSubstr("\n  ok      size         64x36 (as it must be)\n"),
+          HasSubstr("\n  ok      codec        h264 High, yuv420p (as it must be)\n"),
+          HasSubstr("\n  ok      frames       12 (as it must be)\n"),
+          HasSubstr(
+              "\n  ok      time stamps  off by up to 0 ms (frame n at n/fps within 0.001 ms)\n"),
+          HasSubstr("\n  ok      container    primaries bt709, transfer bt709, matrix bt709, "
+                    "range tv (as it must be)\n"),
+          HasSubstr("\n  ok      display      as stored (as it must be)\n"),
+          HasSubstr("\n  ok      shown size   64x36 (as it must be)\n"),
+          HasSubstr("\n  ok      speed        speed 1, 0.2 s at speed 1 (all at speed 1)\n"),
+          Not(HasSubstr("FAILED")), Not(HasSubstr("note"))));
   EXPECT_EQ(countOf("\n  ok      frame ", result.output), 6);
   EXPECT_THAT(result.output, ::testing::ContainsRegex(
                                  "\nProved for 6 of 12 pictures \\([01], [23], [45], [67], [89], "
@@ -104,7 +105,7 @@ TEST_F(VerifyCommand, ProvesWebMAndParts) {
   render({"--format", "webm", "--frames", "2:9"});
   const ChildResult result = run({"verify", "out/tiny_00002-00009.webm"});
   EXPECT_EQ(result.status, 0) << result.output << result.error;
-  EXPECT_THAT(result.output, AllOf(HasSubstr(": says to be frames 2:9 of 12 of the scene tiny"),
+  EXPECT_THAT(result.output, AllOf(HasSubstr(": claims to be frames 2:9 of 12 of the scene tiny"),
                                    HasSubstr("\n  ok      frame 8      off by ")));
 }
 

@@ -1,4 +1,4 @@
-// The frame that tells whether a renderer draws right, and what tells right from wrong.
+// The picture that shows whether a renderer draws right, and the bounds that tell right from wrong.
 // ROTATEBOOK_UPDATE_GOLDENS=1 renews the stored picture, which the next build embeds.
 #include "diagnose/reference_picture.h"
 
@@ -17,21 +17,21 @@ namespace {
 const std::filesystem::path kStored =
     std::filesystem::path(ROTATEBOOK_SOURCE) / "assets/reference_picture.png";
 
-TEST(TestFrame, IsMatched) {
-  const image::Image picture = drawTestFrame(render::testing::builtinTextures(),
-                                             {.kind = render::DeviceChoice::Kind::Software});
+TEST(ReferencePicture, IsMatched) {
+  const image::Image picture = drawReferencePicture(render::testing::builtinTextures(),
+                                                    {.kind = render::DeviceChoice::Kind::Software});
   if (image::testing::updatingGoldens()) {
     image::writePng(kStored, picture.view());
-    GTEST_SKIP() << "renewed " << kStored << "; build anew";
+    GTEST_SKIP() << "renewed " << kStored << "; build again";
   }
-  const auto found = compare(storedTestFrame().view(), picture.view(), kSoftwareTolerance);
+  const auto found = compare(storedReferencePicture().view(), picture.view(), kSoftwareTolerance);
   EXPECT_TRUE(found.same) << found.differingPercent << " %, largest " << found.largest;
 }
 
 // The looser bound, too, tells a book apart that is turned by one degree (measured 3.7, 5.4 and 9.2
 // % of the pixels), and colours that are swapped.
-TEST(TestFrame, TellsWrongFromRightOnHardwareToo) {
-  const image::Image stored = storedTestFrame();
+TEST(ReferencePicture, TellsWrongFromRightOnHardwareToo) {
+  const image::Image stored = storedReferencePicture();
   render::Renderer renderer(referencePictureSettings(), render::testing::builtinTextures());
   for (const Eigen::Vector3d& axis :
        {render::testing::kX, render::testing::kY, render::testing::kZ}) {
@@ -40,7 +40,7 @@ TEST(TestFrame, TellsWrongFromRightOnHardwareToo) {
     const auto found = compare(stored.view(), turned.view(), kHardwareTolerance);
     EXPECT_FALSE(found.same) << found.differingPercent << " % about " << axis.transpose();
   }
-  image::Image swapped = storedTestFrame();
+  image::Image swapped = storedReferencePicture();
   const int step = image::bytesPerPixel(swapped.format());
   for (int y = 0; y < swapped.height(); ++y) {
     for (int x = 0; x < swapped.width(); ++x) {

@@ -202,14 +202,15 @@ TEST(Remedies, UpdateADriverThatEndsTheProcess) {
                                "until then --device software")));
 }
 
-TEST(Remedies, TellOfAWrongTestFrame) {
+TEST(Remedies, TellOfAWrongReferencePicture) {
   GraphicsCheck check = softwareCheck();
-  check.candidates[0].frame.comparison.same = false;
+  check.candidates[0].reference.comparison.same = false;
   EXPECT_THAT(diagnose(check, {.vendorFiles = {kMesa}}),
-              ElementsAre(says("llvmpipe: the test frame isn't as it should be", "update Mesa")));
+              ElementsAre(says("llvmpipe: the reference picture isn't drawn as it should be",
+                               "update Mesa")));
   check.candidates[0].software = false;
   EXPECT_THAT(diagnose(check, {.vendorFiles = {kMesa}}),
-              ElementsAre(says("the test frame isn't", "until then --device software")));
+              ElementsAre(says("the reference picture isn't", "until then --device software")));
 }
 
 TEST(Remedies, BeginWithVariablesThatMayBeTheCause) {
@@ -219,8 +220,9 @@ TEST(Remedies, BeginWithVariablesThatMayBeTheCause) {
       "unset GALLIUM_NOOP (it is 1), LIBGL_DRIVERS_PATH (it is /x=y); if that doesn't help: ";
   EXPECT_THAT(diagnose(softwareCheck(), facts), IsEmpty());
   GraphicsCheck check = softwareCheck();
-  check.candidates[0].frame.comparison.same = false;
-  EXPECT_THAT(diagnose(check, facts), ElementsAre(says("the test frame", unset + "update Mesa")));
+  check.candidates[0].reference.comparison.same = false;
+  EXPECT_THAT(diagnose(check, facts),
+              ElementsAre(says("the reference picture", unset + "update Mesa")));
   check.candidates[0] = failing({.software = true}, kNotReady);
   EXPECT_THAT(diagnose(check, facts), ElementsAre(says("EGL_NOT_INIT", unset + "install Mesa's")));
   EXPECT_THAT(diagnose(nothingDraws(), facts),

@@ -146,7 +146,7 @@ TEST(ClipFigure, RefusesTheClipOfAnotherMotion) {
   makeClip(smallScene(), folder);
   EXPECT_EQ(messageOf(smallScene(), folder), "no error");
   EXPECT_THAT(messageOf(smallScene({"initial.angular_velocity=[5, 3, 2]"}), folder),
-              HasSubstr("small.csv was made of another scene or with other settings; render it"));
+              HasSubstr("small.csv was made from another scene or with other settings; render it"));
 }
 
 /// " ...: rotatebook render" at the end of a refusal.
@@ -174,7 +174,7 @@ TEST(ClipFigure, RefusesAVideoOfOtherSettings) {
   makeClip(smallScene({"look.background=stars"}), folder);
   EXPECT_EQ(messageOf(smallScene(), folder),
             (folder / "small.mp4").string() +
-                ": it was made of another scene or with other settings" + remedyIn(folder));
+                ": it was made from another scene or with other settings" + remedyIn(folder));
   EXPECT_EQ(messageOf(smallScene({"look.background=stars", "expect={}"}), folder), "no error");
   touch(folder / "small.mp4");
   EXPECT_THAT(messageOf(smallScene(), folder), ::testing::EndsWith(remedyIn(folder)));
@@ -194,7 +194,7 @@ TEST(ClipFigure, LinksToTheVideosOfItsSceneAndSaysWhichAreNot) {
   EXPECT_THAT(figure.leftOut,
               ::testing::ElementsAre(
                   (folder / "small.webm").string() +
-                      " isn't linked: it was made of another scene or with other settings",
+                      " isn't linked: it was made from another scene or with other settings",
                   (folder / "small.gif").string() +
                       " isn't linked: its pictures are 32x18, and the scene's are 64x36"));
   makeVideo(smallScene(), folder, WebM);
@@ -303,11 +303,12 @@ TEST(StudyFigure, RefusesTheTableOfOtherRuns) {
     return messageOf(shown, folder);
   };
   EXPECT_EQ(refusalOf(right, scene), "no error");
-  const std::string refusal = (folder / "small-study.csv").string() +
-                              " isn't of the runs that the scene's study has; study it again (or "
-                              "give this command the same --set): rotatebook study "
-                              "scenes/small.toml -o " +
-                              folder.string();
+  const std::string refusal =
+      (folder / "small-study.csv").string() +
+      " doesn't hold the runs of the scene's study; run the study again (or "
+      "give this command the same --set): rotatebook study "
+      "scenes/small.toml -o " +
+      folder.string();
   for (const std::string& table :
        {tableOf({"euler", "rk4"}, {1, 4}, scene), tableOf({"euler", "heun"}, {1, 2}, scene),
         tableOf({"euler", "rk4"}, {1}, scene), std::string(), std::string("\0\xff,\n,,\n", 7)}) {

@@ -21,7 +21,7 @@ ROOT = os.path.dirname(HERE)
 SCENE = os.path.join(ROOT, "scenes/figures/fig05-unstable-x.toml")
 PEER = os.path.join(HERE, "peers/tumbling_box.py")
 SIZES = [(640, 360), (1280, 720), (1920, 1080), (2560, 1440), (3840, 2160)]
-STAGES = {"simulate": "simulate", "book": "draw the book", "finish": "edges, overlays", "png": "PNG",
+STAGES = {"simulate": "simulate", "book": "draw the book", "compose": "edges, overlays", "png": "PNG",
           "video": "convert and encode"}
 
 

@@ -32,7 +32,7 @@ struct Row {
 std::array<Row, 5> rowsOf(const diagnose::StageTimes& stages) {
   return {{{Stage::Simulate, "simulate", "simulate", stages.simulate},
            {Stage::Book, "draw the book", "book", stages.book},
-           {Stage::Finish, "edges, overlays", "finish", stages.finish},
+           {Stage::Compose, "edges, overlays", "compose", stages.compose},
            {Stage::Png, "PNG", "png", stages.png},
            {Stage::Video, "convert and encode", "video", stages.video}}};
 }

@@ -81,7 +81,7 @@ std::vector<Task> readTasks(const StudyArguments& arguments) {
   for (const scene::Scene& scene : scenes) {
     tasks.push_back({scene, scene.study.value_or(scene::defaultStudy(scene.simulation.model)),
                      store::studyFiles(arguments.folder, scene.name)});
-    if (!tasks.back().study.isOfTilts()) study::refuseNothingToVary(scene);
+    if (!tasks.back().study.isOfTilts()) study::requireStudyable(scene);
   }
   return tasks;
 }
@@ -190,7 +190,7 @@ int study(const StudyArguments& arguments) {
   const std::vector<Task> tasks = readTasks(arguments);
   const std::atomic<bool>& stop = catchInterrupts();
   system::createFolders(arguments.folder);
-  for (const Task& task : tasks) store::refuseUnwritable(task.files);
+  for (const Task& task : tasks) store::requireWritable(task.files);
   int status = kDone;
   for (const Task& task : tasks) {
     const int outcome = runTask(task, stop);

@@ -113,7 +113,7 @@ class Stages {
     };
     sums_.book +=
         each([&](std::int64_t frame, std::size_t i) { drawer_.expose(frame, exposures_[i]); });
-    sums_.finish +=
+    sums_.compose +=
         each([&](std::int64_t, std::size_t i) { drawer_.finish(exposures_[i], pictures_[i]); });
     sums_.png +=
         each([&](std::int64_t frame, std::size_t i) { png_.write(frame, pictures_[i].view()); });
@@ -129,7 +129,7 @@ class Stages {
     sums_.video += timed([&] { video_.finish(); });
     StageTimes times;
     times.book = perFrame(sums_.book, frames);
-    times.finish = perFrame(sums_.finish, frames);
+    times.compose = perFrame(sums_.compose, frames);
     times.png = perFrame(sums_.png, frames);
     times.video = perFrame(sums_.video, frames);
     return times;

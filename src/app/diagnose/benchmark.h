@@ -29,12 +29,12 @@ struct WorkTime {
 struct StageTimes {
   WorkTime simulate;
   WorkTime book;    ///< Drawing of the books by OpenGL.
-  WorkTime finish;  ///< Composing: antialiased edges, background and overlays.
+  WorkTime compose;  ///< Composing: antialiased edges, background and overlays.
   WorkTime png;
   WorkTime video;  ///< Conversion of colours, and encoding.
 
   double processorSum() const {
-    return simulate.processor + book.processor + finish.processor + png.processor + video.processor;
+    return simulate.processor + book.processor + compose.processor + png.processor + video.processor;
   }
 };
 

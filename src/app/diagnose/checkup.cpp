@@ -45,7 +45,7 @@ FolderCheck checkFolder(const fs::path& folder) {
     check.freeBytes = 0;
     check.failure = part.string() + ": " + error.message();
   } else if (!fs::is_directory(part, error)) {
-    check.failure = part.string() + " is no folder";
+    check.failure = part.string() + " is not a folder";
   } else {
     check.failure = writeFailure(part);
   }

@@ -31,8 +31,8 @@ render::DeviceChoice choiceOf(const render::DisplayCandidate& candidate) {
 /// Returns the message of `error` without its advice to run the doctor.
 std::string failureText(const Error& error) {
   std::string text = error.what();
-  if (text.ends_with(render::kAskDoctor))
-    text.resize(text.size() - std::strlen(render::kAskDoctor));
+  if (text.ends_with(render::kDoctorHint))
+    text.resize(text.size() - std::strlen(render::kDoctorHint));
   return text;
 }
 

@@ -89,7 +89,7 @@ void adviseOnSize(const scene::Scene& scene, AdviceCollector& advice) {
   if (std::min(scene.clip.width, scene.clip.height) < kMinToHalve) return;
   advice.tryOut(
       "--size " + halfSize(scene.clip), "a quarter of the pixels", [](StageTimes& stages) {
-        for (WorkTime* time : {&stages.book, &stages.finish, &stages.png, &stages.video}) {
+        for (WorkTime* time : {&stages.book, &stages.compose, &stages.png, &stages.video}) {
           *time = scaled(*time, 0.25);
         }
       });
@@ -99,29 +99,29 @@ void adviseOnSize(const scene::Scene& scene, AdviceCollector& advice) {
 
 SpeedLimit speedLimit(const StageTimes& stages, int cores) {
   const double shared = stages.processorSum() / cores;
-  const double alone = std::max({stages.book.wall, stages.finish.wall, stages.video.wall});
+  const double alone = std::max({stages.book.wall, stages.compose.wall, stages.video.wall});
   // A software rasteriser alone can keep all cores busy, too; then the cores are the limit.
   if (shared >= alone) {
     const std::array<std::pair<double, Stage>, 5> times{{
         {stages.simulate.processor, Stage::Simulate},
         {stages.book.processor, Stage::Book},
-        {stages.finish.processor, Stage::Finish},
+        {stages.compose.processor, Stage::Compose},
         {stages.png.processor, Stage::Png},
         {stages.video.processor, Stage::Video},
     }};
     return {std::ranges::max_element(times)->second, true, shared};
   }
   if (stages.video.wall >= alone) return {Stage::Video, false, alone};
-  return {stages.book.wall >= alone ? Stage::Book : Stage::Finish, false, alone};
+  return {stages.book.wall >= alone ? Stage::Book : Stage::Compose, false, alone};
 }
 
 std::vector<SpeedAdvice> speedAdvice(const scene::Scene& scene, const Speed& speed) {
   AdviceCollector advice(speed);
   const SpeedLimit& limit = advice.limit();
   if (limit.stage == Stage::Book) adviseOnBook(scene, speed, advice);
-  if (limit.stage == Stage::Finish) {
+  if (limit.stage == Stage::Compose) {
     advice.tryOut("fewer of overlay.show", "if finishing cost nothing",
-                  [](StageTimes& stages) { stages.finish = {}; });
+                  [](StageTimes& stages) { stages.compose = {}; });
   }
   if (limit.stage == Stage::Png) {
     advice.tryOut("--no-png", "the MP4 alone", [](StageTimes& stages) { stages.png = {}; });

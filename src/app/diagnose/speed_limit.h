@@ -9,8 +9,8 @@
 
 namespace rotatebook::diagnose {
 
-/// The stages of a render; Finish composes: edges, background, overlays.
-enum class Stage { Simulate, Book, Finish, Png, Video };
+/// The stages of a render; Compose: edges, background, overlays.
+enum class Stage { Simulate, Book, Compose, Png, Video };
 
 /// The limit of a render's speed.
 struct SpeedLimit {

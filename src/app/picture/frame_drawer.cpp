@@ -57,7 +57,8 @@ void FrameDrawer::expose(std::int64_t frame, Exposure& exposure) {
 
 void FrameDrawer::exposeBlurred(std::size_t motion, std::size_t sample, image::Image& picture) {
   for (std::size_t i = 0; i < moments_.count(); ++i) {
-    renderer_.draw(scene::seenFrom(referenceFrame_, moments_.at(motion, sample, i)).cage, picture);
+    renderer_.draw(scene::inReferenceFrame(referenceFrame_, moments_.at(motion, sample, i)).cage,
+                   picture);
     mean_->add(picture.view());
   }
   mean_->take(picture);
@@ -77,7 +78,8 @@ void FrameDrawer::finish(const Exposure& exposure, image::Image& picture) {
 }
 
 physics::Cage FrameDrawer::cageOf(std::size_t motion, std::size_t sample) const {
-  return scene::seenFrom(referenceFrame_, motion_->trajectories()[motion].samples[sample]).cage;
+  return scene::inReferenceFrame(referenceFrame_, motion_->trajectories()[motion].samples[sample])
+      .cage;
 }
 
 }  // namespace rotatebook::picture

@@ -98,7 +98,7 @@ std::string sheetText() {
 
 /// The first `count` letters, and three dots if there are more.
 std::string shortened(const std::string& text, std::size_t count) {
-  const std::string shown(firstLetters(text, count));
+  const std::string shown(firstCharacters(text, count));
   return shown.size() < text.size() ? shown + "…" : text;
 }
 

@@ -26,7 +26,7 @@ scene::Scene thumbnailScene(const scene::Scene& scene) {
   small.clip.width = evenSide(scale * clip.width);
   small.clip.height = evenSide(scale * clip.height);
   small.look.supersample = 2;  // Thin lines look rough in small pictures.
-  small.wordless = true;
+  small.textless = true;
   return small;
 }
 

@@ -7,7 +7,7 @@
 
 namespace rotatebook::picture {
 
-/// The scene as its thumbnail shows it: wordless, and no larger than 480 pixels wide, unless that
+/// The scene as its thumbnail shows it: textless, and no larger than 480 pixels wide, unless that
 /// would make it lower than 96, or as large as its clip is.
 scene::Scene thumbnailScene(const scene::Scene& scene);
 

@@ -138,10 +138,10 @@ void requireDiscardable(const fs::path& folder, const std::optional<Manifest>& t
   if (settings.earlier.overwrite || discardable) return;
   const std::string start = contentText(folder, complete);
   if (isMadeWith(there, settings.made)) {
-    throw InputError(start + ": go on with --resume, or render anew with --overwrite");
+    throw InputError(start + ": go on with --resume, or render again with --overwrite");
   }
   throw InputError(start + differenceText(folder, there, settings) +
-                   "; render anew with --overwrite, or into another folder with -o");
+                   "; render again with --overwrite, or into another folder with -o");
 }
 
 /// Throws InputError if `folder` holds frames with other settings, which a part can't join.

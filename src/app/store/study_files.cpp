@@ -10,7 +10,7 @@ StudyFiles studyFiles(const std::filesystem::path& folder, const std::string& na
           folder / (stem + ".png")};
 }
 
-void refuseUnwritable(const StudyFiles& files) {
+void requireWritable(const StudyFiles& files) {
   for (const auto& path : {files.csv, files.orders, files.svg, files.png}) {
     const system::AtomicFile unused(path);
   }

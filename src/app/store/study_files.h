@@ -19,7 +19,7 @@ StudyFiles studyFiles(const std::filesystem::path& folder, const std::string& na
 
 /// Throws MachineError, without changing anything, if one of the files can't be written, so that a
 /// study fails before it runs rather than after.
-void refuseUnwritable(const StudyFiles& files);
+void requireWritable(const StudyFiles& files);
 
 /// Removes the files of an earlier study, so that two studies never mix. Throws MachineError.
 void removeFiles(const StudyFiles& files);

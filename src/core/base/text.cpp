@@ -128,7 +128,7 @@ std::string printable(std::string_view text) {
 }
 
 std::string oneLine(std::string_view text, std::size_t maxLetters) {
-  const std::string_view shown = firstLetters(text, maxLetters);
+  const std::string_view shown = firstCharacters(text, maxLetters);
   return escaped(shown, lineEscape) + (shown.size() < text.size() ? "..." : "");
 }
 
@@ -142,11 +142,11 @@ bool isOneLine(std::string_view text) {
   return true;
 }
 
-std::size_t letterCount(std::string_view text) {
+std::size_t characterCount(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, beginsLetter));
 }
 
-std::string_view firstLetters(std::string_view text, std::size_t count) {
+std::string_view firstCharacters(std::string_view text, std::size_t count) {
   constexpr std::size_t kMaxLetterSize = 4;  // [bytes]
   const std::size_t end = std::min(text.size(), kMaxLetterSize * count);
   for (std::size_t i = 0; i < end; ++i) {

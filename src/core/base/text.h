@@ -45,10 +45,10 @@ std::string oneLine(std::string_view text, std::size_t maxLetters);
 bool isOneLine(std::string_view text);
 
 /// Returns the number of letters (code points) in `text`.
-std::size_t letterCount(std::string_view text);
+std::size_t characterCount(std::string_view text);
 
 /// Returns the first `count` letters, or all if there are fewer. Text that isn't UTF-8 may be cut
 /// between any two bytes: no letter counts as more than four.
-std::string_view firstLetters(std::string_view text, std::size_t count);
+std::string_view firstCharacters(std::string_view text, std::size_t count);
 
 }  // namespace rotatebook

@@ -26,11 +26,11 @@ inline constexpr std::array<Named<physics::Model>, 4> kModels{{
     {"exact", physics::Model::Exact},
 }};
 
-/// The integrators, in the order of physics::kIntegratorWords.
+/// The integrators, in the order of physics::kIntegratorNames.
 inline constexpr auto kIntegrators = [] {
-  std::array<Named<physics::Integrator>, physics::kIntegratorWords.size()> named{};
+  std::array<Named<physics::Integrator>, physics::kIntegratorNames.size()> named{};
   for (std::size_t i = 0; i < named.size(); ++i) {
-    named[i] = {physics::kIntegratorWords[i], static_cast<physics::Integrator>(i)};
+    named[i] = {physics::kIntegratorNames[i], static_cast<physics::Integrator>(i)};
   }
   return named;
 }();

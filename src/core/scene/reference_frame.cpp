@@ -33,7 +33,7 @@ Eigen::Matrix3d frameFromWorld(ReferenceFrame frame, const physics::Sample& samp
   return Eigen::Matrix3d::Identity();
 }
 
-physics::Sample seenFrom(ReferenceFrame frame, const physics::Sample& sample) {
+physics::Sample inReferenceFrame(ReferenceFrame frame, const physics::Sample& sample) {
   if (frame == ReferenceFrame::World) return sample;
   const Eigen::Matrix3d rotation = frameFromWorld(frame, sample);
   physics::Sample seen = sample;

@@ -21,6 +21,6 @@ Eigen::Matrix3d frameFromWorld(ReferenceFrame frame, const physics::Sample& samp
 
 /// Returns `sample` with cage, attitude, angular velocity and angular momentum along the axes of
 /// `frame` at its moment. Quantities without a direction are unchanged.
-physics::Sample seenFrom(ReferenceFrame frame, const physics::Sample& sample);
+physics::Sample inReferenceFrame(ReferenceFrame frame, const physics::Sample& sample);
 
 }  // namespace rotatebook::scene

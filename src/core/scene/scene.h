@@ -122,7 +122,7 @@ struct Scene : Motion {
   bool allowOutside = false;
   /// Whether pictures are drawn without text, letters and charts, as thumbnails are. Set by whoever
   /// draws the scene, never by its file.
-  bool wordless = false;
+  bool textless = false;
   std::string title;
   std::string caption;
   ClipSettings clip;
@@ -149,7 +149,7 @@ std::vector<Panel> motionsOf(const Scene& scene);
 /// Returns `scene` with `motion` as its only motion.
 Scene withMotion(Scene scene, const Motion& motion);
 
-/// Returns whether `overlay` is drawn over the pictures of `scene`: on wordless pictures, only if
+/// Returns whether `overlay` is drawn over the pictures of `scene`: on textless pictures, only if
 /// it is on the book itself.
 bool shows(const Scene& scene, Overlay overlay);
 

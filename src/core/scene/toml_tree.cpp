@@ -81,7 +81,7 @@ void refuseLong(std::string_view text, const std::string& location) {
 
 std::string describeText(const std::string& text) {
   constexpr std::size_t kMaxShown = 200;
-  const std::size_t characters = letterCount(text);
+  const std::size_t characters = characterCount(text);
   return characters <= kMaxShown ? tomlString(text)
                                  : "a string of " + std::to_string(characters) + " characters";
 }

@@ -32,7 +32,7 @@ std::string expectedString(std::size_t most) {
 std::string ValueReader::text(std::size_t most) const {
   const auto* text = std::get_if<std::string>(&node_->value);
   if (!text) mismatch("a string in quotes");
-  if (letterCount(*text) > most) mismatch(expectedString(most));
+  if (characterCount(*text) > most) mismatch(expectedString(most));
   if (printable(*text) != *text) mismatch("a string without control characters");
   return *text;
 }

@@ -96,7 +96,7 @@ TiltRow runTilt(const MotionSettings& settings, std::int64_t frames, Stop stop) 
   TiltRow row;
   row.tilt = settings.initial.tilt->angle;
   const physics::PrincipalAxes inertia = modelInertia(settings);
-  row.law = flipLaw(inertia, initialAngularVelocity(settings));
+  row.law = asymptoticFlipInterval(inertia, initialAngularVelocity(settings));
   const auto trajectory = wholeMotion(settings, frames, stop, row.end);
   if (!trajectory) return row;
   const std::vector<double> times = flipTimes(*trajectory, inertia);
@@ -118,7 +118,7 @@ bool runInTurn(std::span<const std::size_t> indices, const Run& run) {
   return true;
 }
 
-void refuseNothingToVary(const scene::Scene& scene) {
+void requireStudyable(const scene::Scene& scene) {
   if (!scene.panels.empty()) {
     throw InputError(scene::locationOf(scene, "panel") +
                      ": a study needs a single motion, but this scene has panels");
@@ -160,7 +160,7 @@ double TiltStudy::greatestDeviation() const {
 std::optional<PrecisionStudy> runPrecisionStudy(const scene::Scene& scene,
                                                 const scene::StudySettings& study,
                                                 const Execution& execution) {
-  refuseNothingToVary(scene);
+  requireStudyable(scene);
   std::vector<MotionSettings> runs;
   for (const physics::Integrator integrator : study.integrators) {
     for (const int steps : study.steps) {

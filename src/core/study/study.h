@@ -69,7 +69,7 @@ struct TiltRow {
   RunEnd end{};
   int flips = 0;                ///< physics::flipTimes()
   double interval = kNoNumber;  ///< Mean time from a flip to the next. [s]
-  double law = 0;               ///< physics::flipLaw() [s]
+  double law = 0;               ///< physics::asymptoticFlipInterval() [s]
 
   double ratio() const { return interval / law; }
 };
@@ -102,11 +102,11 @@ struct Execution {
 
 /// Throws InputError if the scene has panels, the model takes no steps, or the clip has only one
 /// frame.
-void refuseNothingToVary(const scene::Scene& scene);
+void requireStudyable(const scene::Scene& scene);
 
 /// Runs the scene's motion with each integrator and each step of `study`. Returns nothing after a
 /// stop. Everything but the times is the same however the runs are made. Throws like
-/// refuseNothingToVary(), and like physics::simulate() except NoConvergence.
+/// requireStudyable(), and like physics::simulate() except NoConvergence.
 std::optional<PrecisionStudy> runPrecisionStudy(const scene::Scene& scene,
                                                 const scene::StudySettings& study,
                                                 const Execution& execution);

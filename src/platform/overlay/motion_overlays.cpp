@@ -20,7 +20,7 @@ using scene::Overlay;
 
 constexpr double kSmall = 0.72;  // Size of small letters, of the others.
 
-// Lines of a wordless picture, of the others': it is shown small.
+// Lines of a textless picture, of the others': it is shown small.
 constexpr double kBold = 2;
 
 /// An inset of fewer pixels shows nothing that could be made out.
@@ -46,7 +46,7 @@ struct MotionOverlays::Parts {
         canvas(viewport.width, viewport.height) {
     scale.letters = std::max(scale.letters, viewport.letters);
     scale.smallLetters = std::max(scale.smallLetters, kSmall * viewport.letters);
-    if (scene.wordless) scale.line *= kBold;
+    if (scene.textless) scale.line *= kBold;
     taken.push_back(viewport.corner);
     layout = layOut(scale, wanted(viewport));
     addWordsAtTheTop(viewport);
@@ -60,7 +60,7 @@ struct MotionOverlays::Parts {
     labels = ArrowLabels({0, 0, 1.0 * scale.width, 1.0 * scale.height}, taken,
                          static_cast<std::int64_t>(motion.samples.size()) - 1,
                          scene.clip.frameRate.framesIn(kGlide));
-    if (motion.divergedAt && !scene.wordless)
+    if (motion.divergedAt && !scene.textless)
       notice = divergenceNotice(context(), *motion.divergedAt, taken);
   }
 
@@ -84,14 +84,14 @@ struct MotionOverlays::Parts {
   Wanted wanted(const Viewport& viewport) const {
     return {.square = !shownAt({Placement::Square}).empty(),
             .charts = static_cast<int>(shownAt({Placement::Chart}).size()),
-            .legend = !shownAt({Placement::BookAndLegend}).empty() && !scene.wordless,
+            .legend = !shownAt({Placement::BookAndLegend}).empty() && !scene.textless,
             .bottomRows = viewport.bottomRows};
   }
 
   void addInWorld() {
     for (const OverlayRow& row : shownAt({Placement::Book, Placement::BookAndLegend})) {
       const bool lacksLegend =
-          row.placement == Placement::BookAndLegend && layout.legend.width <= 0 && !scene.wordless;
+          row.placement == Placement::BookAndLegend && layout.legend.width <= 0 && !scene.textless;
       if (!lacksLegend) inWorld.push_back(row.make(context(), layout.legend));
     }
   }
@@ -121,7 +121,7 @@ struct MotionOverlays::Parts {
     if (!viewport.corner.empty()) {
       place = {viewport.corner.x, viewport.corner.bottom() + 0.3 * scale.letters};
     }
-    if (!viewport.label.empty() && !scene.wordless) {
+    if (!viewport.label.empty() && !scene.textless) {
       const double room = insetsLeft() - scale.margin - place.x();
       cachedLayers.push_back(scene::atLocationOf(scene, viewport.labelKey, [&] {
         return labelLayer(context(), viewport.label, place, room);
@@ -152,7 +152,7 @@ struct MotionOverlays::Parts {
       canvas.lay(*notice, picture);
       noticed = notice->texts;
     }
-    if (!scene.wordless) writeLetters(frame, clipFromWorld, noticed);
+    if (!scene.textless) writeLetters(frame, clipFromWorld, noticed);
     canvas.layOver(picture);
   }
 
@@ -184,7 +184,8 @@ struct MotionOverlays::Parts {
 
   /// As the camera's frame has it.
   physics::Sample sampleAt(std::int64_t frame) const {
-    return scene::seenFrom(scene.camera.frame, trajectory.samples[static_cast<std::size_t>(frame)]);
+    return scene::inReferenceFrame(scene.camera.frame,
+                                   trajectory.samples[static_cast<std::size_t>(frame)]);
   }
 
   scene::Scene scene;

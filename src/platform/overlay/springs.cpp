@@ -60,7 +60,7 @@ std::size_t stepOf(double strain, double range) {
 }
 
 CachedLayer legendPlate(const OverlayContext& context, const Box& box, double range) {
-  if (context.scene.wordless) return {};
+  if (context.scene.textless) return {};
   const Scale& scale = context.scale;
   Canvas canvas(scale.width, scale.height);
   const double barHeight = 0.7 * scale.smallLetters, step = box.width / kColours;

@@ -19,7 +19,7 @@ struct DrawnBody {
   std::vector<PixelRect> bands{};   ///< The valid areas of `pixels`. [pixels]
   physics::Cage cage{};             ///< World. [m]
   Eigen::Matrix4d clipFromWorld{};  ///< Clip y points down.
-  int winding = 0;                  ///< From windingOf().
+  int winding = 0;                  ///< From frontFaceWinding().
   DrawnStrips strips{};
 };
 

@@ -27,7 +27,7 @@ DrawnBody closeBook(int width, int height) {
   const Camera close{.position = {0, 0, 0.1}};
   DrawnBody body{.pixels = {}, .cage = physics::Cuboid{}.corners()};
   body.clipFromWorld = project(close, body.cage, {width, height, 0}).clipFromWorld;
-  body.winding = windingOf(body.cage);
+  body.winding = frontFaceWinding(body.cage);
   return body;
 }
 
@@ -79,7 +79,7 @@ struct Renderer::Parts {
     throw MachineError("can't draw: " + context.description() +
                        " reports no error and draws nothing: a pixel within the book has alpha " +
                        std::to_string(drawn) + " when drawn and " + std::to_string(cleared) +
-                       " when cleared; choose another device with --device" + kAskDoctor);
+                       " when cleared; choose another device with --device" + kDoctorHint);
   }
 
   image::Image background() const {
@@ -201,7 +201,7 @@ void Renderer::draw(const physics::Cage& cage, DrawnBody& body) {
   const PixelRect& area = projection.bounds;
   body.cage = cage;
   body.clipFromWorld = projection.clipFromWorld;
-  body.winding = windingOf(cage);
+  body.winding = frontFaceWinding(cage);
   body.bands = std::move(projection.bands);
   parts_->stripFinder.find(cage, body.clipFromWorld, body.winding, {parts_->width, parts_->height},
                            body.strips.onScreen);

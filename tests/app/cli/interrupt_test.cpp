@@ -105,7 +105,7 @@ TEST_F(Interrupt, FinishedRenderReplacesThePart) {
   EXPECT_EQ(refused.status, 2);
   EXPECT_THAT(refused.error,
               HasSubstr("had other settings: clip.duration is 200.0 there, 0.2 here"));
-  EXPECT_THAT(refused.error, HasSubstr("; render anew with --overwrite, or into another folder"));
+  EXPECT_THAT(refused.error, HasSubstr("; render again with --overwrite, or into another folder"));
   EXPECT_EQ(run({"render", "tiny.toml", "--overwrite"}).status, 0);
   EXPECT_FALSE(has("out/tiny.partial.mp4"));
   EXPECT_TRUE(has("out/tiny.mp4"));
@@ -152,7 +152,7 @@ TEST_F(Killed, RenderIsNotContinuedWithOtherSettings) {
   const ChildResult result = render("out", {"--resume", "--set", "body.mass=2"});
   EXPECT_EQ(result.status, 2);
   EXPECT_THAT(result.error, HasSubstr("and had other settings: body.mass is 1.0 there, 2.0 here; "
-                                      "render anew with --overwrite"));
+                                      "render again with --overwrite"));
 }
 
 }  // namespace

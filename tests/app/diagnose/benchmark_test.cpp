@@ -43,12 +43,12 @@ TEST(Speed, HasEachStageAndTheWholeAndLeavesNothing) {
   EXPECT_LT(speed->drawing.processor, speed->whole.processor);
   const StageTimes& stages = speed->stages;
   for (const WorkTime& time :
-       {stages.simulate, stages.book, stages.finish, stages.png, stages.video}) {
+       {stages.simulate, stages.book, stages.compose, stages.png, stages.video}) {
     EXPECT_GT(time.wall, 0);
     EXPECT_GT(time.processor, 0);
   }
   EXPECT_DOUBLE_EQ(stages.processorSum(), stages.simulate.processor + stages.book.processor +
-                                              stages.finish.processor + stages.png.processor +
+                                              stages.compose.processor + stages.png.processor +
                                               stages.video.processor);
   EXPECT_EQ(done.front(), 8);
   EXPECT_EQ(done.back(), 30);

@@ -47,9 +47,9 @@ TEST(SpeedLimit, IsTheStageForWhichOthersWait) {
   EXPECT_EQ(video.stage, Stage::Video);
   EXPECT_DOUBLE_EQ(video.wall, 20);
   Speed speed = graphicsCard();
-  speed.stages.finish = {21, 21};
+  speed.stages.compose = {21, 21};
   const SpeedLimit finish = speedLimit(speed.stages, 16);
-  EXPECT_EQ(finish.stage, Stage::Finish);
+  EXPECT_EQ(finish.stage, Stage::Compose);
   EXPECT_DOUBLE_EQ(finish.wall, 21);
 }
 
@@ -88,7 +88,7 @@ TEST(SpeedAdvice, LeavesOutWhatDoesNotHelp) {
   scene.clip.height = 36;
   scene.video.preset = "ultrafast";
   Speed speed = graphicsCard();
-  speed.stages.finish = {19.9, 1};
+  speed.stages.compose = {19.9, 1};
   scene.video.threads = 16;
   EXPECT_THAT(changes(scene, speed), IsEmpty());
 }

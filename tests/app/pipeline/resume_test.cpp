@@ -151,7 +151,7 @@ TEST_F(Resume, LosesNoPartsUnasked) {
                   {.folder = folder_, .outputs = {pngOutput()}, .frames = store::FrameRange{0, 5}});
   const std::string held =
       (folder_ / "small").string() + " holds 5 frames of a render that wasn't finished";
-  EXPECT_EQ(failureOf({}), held + ": go on with --resume, or render anew with --overwrite");
+  EXPECT_EQ(failureOf({}), held + ": go on with --resume, or render again with --overwrite");
   EXPECT_THAT(failureOf(kResume, otherScene()),
               AllOf(HasSubstr(held), HasSubstr("body.mass is 1.0 there, 2.0 here")));
   EXPECT_EQ(render(kResume).framesKept, 5) << "the refusals cost frames";
@@ -215,7 +215,7 @@ TEST_F(Resume, RefusesFramesOfOtherSettings) {
       failureOf(kResume, otherScene()),
       (folder_ / "small.partial").string() +
           " holds 5 frames of a render that wasn't finished and had other settings: body.mass "
-          "is 1.0 there, 2.0 here; render anew with --overwrite, or into another folder with "
+          "is 1.0 there, 2.0 here; render again with --overwrite, or into another folder with "
           "-o");
   EXPECT_EQ(render(kResume).framesKept, 5) << "the refusal cost frames";
 }
@@ -223,14 +223,14 @@ TEST_F(Resume, RefusesFramesOfOtherSettings) {
 TEST_F(Resume, RefusesFramesOfSettingsThatNothingTells) {
   stop(5);
   fs::remove(folder_ / "small.partial" / store::kManifestName);
-  EXPECT_THAT(failureOf(kResume), HasSubstr("with unknown settings; render anew"));
+  EXPECT_THAT(failureOf(kResume), HasSubstr("with unknown settings; render again"));
 }
 
 TEST_F(Resume, IsAskedForWhereThereAreUnfinishedFrames) {
   stop(5);
   EXPECT_EQ(failureOf({}), (folder_ / "small.partial").string() +
                                " holds 5 frames of a render that wasn't finished: go on with "
-                               "--resume, or render anew with --overwrite");
+                               "--resume, or render again with --overwrite");
   EXPECT_EQ(render(kOverwrite).framesKept, 0);
   expectAsUninterrupted();
 }

@@ -57,13 +57,13 @@ TEST(OneLine, HasNoEndsOfLinesAndNoMoreThanItMay) {
 }
 
 TEST(LetterCount, CountsLettersNotBytes) {
-  EXPECT_EQ(letterCount(""), 0u);
-  EXPECT_EQ(letterCount("aé本📖"), 4u);
+  EXPECT_EQ(characterCount(""), 0u);
+  EXPECT_EQ(characterCount("aé本📖"), 4u);
 }
 
 TEST(FirstLetters, AreNoMoreThanThereAre) {
-  EXPECT_EQ(firstLetters("aé本📖", 3), "aé本");
-  EXPECT_EQ(firstLetters("aé", 3), "aé");
+  EXPECT_EQ(firstCharacters("aé本📖", 3), "aé本");
+  EXPECT_EQ(firstCharacters("aé", 3), "aé");
 }
 
 TEST(IsOneLine, TakesEveryLetterOfUnicode) {

@@ -31,7 +31,7 @@ double exactInterval(const MotionSettings& settings) {
 }
 
 double lawOf(const MotionSettings& settings) {
-  return flipLaw(modelInertia(settings), initialAngularVelocity(settings));
+  return asymptoticFlipInterval(modelInertia(settings), initialAngularVelocity(settings));
 }
 
 double deviation(double angle, int axis) {
@@ -78,7 +78,7 @@ TEST(MeanInterval, NeedsTwoFlips) {
   EXPECT_EQ(meanInterval(std::vector{1.0, 2.0, 5.0}), 2);
 }
 
-TEST(FlipLaw, IsTheFormulaOfItsDescription) {
+TEST(AsymptoticFlipInterval, IsTheFormulaOfItsDescription) {
   const double i1 = kMoments[1], i2 = kMoments[0], i3 = kMoments[2];
   ASSERT_TRUE(i1 < i2 && i2 < i3);
   const double eps = 1e-4;
@@ -89,7 +89,7 @@ TEST(FlipLaw, IsTheFormulaOfItsDescription) {
   EXPECT_NEAR(lawOf(tilted(eps, 1)), 2 / lambda * std::log(4 / (std::sqrt(kappa1) * eps)), 1e-8);
 }
 
-TEST(FlipLaw, IsTheLimitOfTheExactIntervalWhicheverWayItTilts) {
+TEST(AsymptoticFlipInterval, IsTheLimitOfTheExactIntervalWhicheverWayItTilts) {
   for (const int axis : {1, 2}) {
     EXPECT_LT(std::fabs(deviation(1e-4, axis)), kTinyTiltBound) << axis;
     // Quadratic: a tenth of the tilt makes about a hundredth of the deviation.
@@ -99,10 +99,11 @@ TEST(FlipLaw, IsTheLimitOfTheExactIntervalWhicheverWayItTilts) {
   }
 }
 
-TEST(FlipLaw, IsInfiniteWhereNothingEverFlips) {
+TEST(AsymptoticFlipInterval, IsInfiniteWhereNothingEverFlips) {
   EXPECT_EQ(lawOf(spinning(Model::Exact, {kSpinRate, 0, 0}, 1)),
             std::numeric_limits<double>::infinity());
-  EXPECT_EQ(flipLaw({{1, 1, 1.5}}, {5, 0.1, 0.2}), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(asymptoticFlipInterval({{1, 1, 1.5}}, {5, 0.1, 0.2}),
+            std::numeric_limits<double>::infinity());
 }
 
 TEST(MedianAxis, IsThatOfTheMedianMoment) {

@@ -26,7 +26,7 @@ inline std::string nameOf(Model model) {
 inline std::string nameOf(Integrator integrator) {
   std::string name;
   bool capital = true;
-  for (const char letter : kIntegratorWords.at(static_cast<std::size_t>(integrator))) {
+  for (const char letter : kIntegratorNames.at(static_cast<std::size_t>(integrator))) {
     if (letter != '-') name += static_cast<char>(capital ? std::toupper(letter) : letter);
     capital = letter == '-';
   }

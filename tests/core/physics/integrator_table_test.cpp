@@ -30,14 +30,14 @@ static_assert(ParticleIntegrator<Verlet> && !ParticleIntegrator<RungeKutta4>);
 static_assert(!RigidIntegrator<NotStepping>);
 
 TEST(IntegratorTable, IsInTheOrderOfTheEnumeration) {
-  ASSERT_EQ(integratorTable().size(), kIntegratorWords.size());
+  ASSERT_EQ(integratorTable().size(), kIntegratorNames.size());
   std::set<std::string_view> words;
   for (std::size_t i = 0; i < integratorTable().size(); ++i) {
     EXPECT_EQ(integratorTable()[i].integrator, static_cast<Integrator>(i));
-    EXPECT_EQ(integratorTable()[i].word, kIntegratorWords[i]);
-    words.insert(kIntegratorWords[i]);
+    EXPECT_EQ(integratorTable()[i].word, kIntegratorNames[i]);
+    words.insert(kIntegratorNames[i]);
   }
-  EXPECT_EQ(words.size(), kIntegratorWords.size());
+  EXPECT_EQ(words.size(), kIntegratorNames.size());
 }
 
 TEST(IntegratorTable, HasTheIntegratorsOfEachModel) {

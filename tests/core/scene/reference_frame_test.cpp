@@ -18,12 +18,13 @@ constexpr double kFrameBound = 1e-13;  // measured 1e-15
 
 TEST(ReferenceFrame, OfTheWorldChangesNothing) {
   const physics::Sample sample = tumblingSample();
-  EXPECT_EQ(seenFrom(ReferenceFrame::World, sample).cage, sample.cage);
+  EXPECT_EQ(inReferenceFrame(ReferenceFrame::World, sample).cage, sample.cage);
   EXPECT_EQ(frameFromWorld(ReferenceFrame::World, sample), Eigen::Matrix3d::Identity());
 }
 
 TEST(ReferenceFrame, OfTheBodyHoldsItStill) {
-  const physics::Sample sample = tumblingSample(), seen = seenFrom(ReferenceFrame::Body, sample);
+  const physics::Sample sample = tumblingSample(),
+                        seen = inReferenceFrame(ReferenceFrame::Body, sample);
   EXPECT_GT(sample.attitude.angularDistance(Eigen::Quaterniond::Identity()), 1);
   EXPECT_LT(seen.attitude.angularDistance(Eigen::Quaterniond::Identity()), 1e-7);
   EXPECT_LT((seen.cage - physics::Cuboid().corners()).cwiseAbs().maxCoeff(),
@@ -34,7 +35,7 @@ TEST(ReferenceFrame, OfTheBodyHoldsItStill) {
 
 TEST(ReferenceFrame, OfTheMomentumHasItUpright) {
   const physics::Sample sample = tumblingSample(),
-                        seen = seenFrom(ReferenceFrame::Momentum, sample);
+                        seen = inReferenceFrame(ReferenceFrame::Momentum, sample);
   const double size = sample.angularMomentum.norm();
   EXPECT_GT((sample.angularMomentum - size * Eigen::Vector3d::UnitY()).norm(), size / 2);
   EXPECT_LT((seen.angularMomentum - size * Eigen::Vector3d::UnitY()).norm(), kFrameBound * size);
@@ -46,7 +47,7 @@ TEST(ReferenceFrame, TurnsAllVectorsAlike) {
     const Eigen::Matrix3d turn = frameFromWorld(frame, sample);
     EXPECT_LT((turn * turn.transpose() - Eigen::Matrix3d::Identity()).norm(), kFrameBound);
     EXPECT_NEAR(turn.determinant(), 1, kFrameBound);
-    const physics::Sample seen = seenFrom(frame, sample);
+    const physics::Sample seen = inReferenceFrame(frame, sample);
     EXPECT_NEAR(seen.angularVelocity.dot(seen.angularMomentum),
                 sample.angularVelocity.dot(sample.angularMomentum), kFrameBound);
     EXPECT_LT((seen.attitude * physics::Cuboid().corners().col(7) -

@@ -137,11 +137,10 @@ TEST(PrecisionStudy, IsNothingAfterAStop) {
 }
 
 TEST(PrecisionStudy, RefusesWhatHasNothingToVary) {
-  EXPECT_EQ(
-      messageOf<InputError>([] { refuseNothingToVary(smallScene({"simulation.model=exact"})); }),
-      "small: the model \"exact\" takes no steps, so there are no steps to compare; "
-      "choose another model, e.g. --set simulation.model=quaternion");
-  EXPECT_EQ(messageOf<InputError>([] { refuseNothingToVary(smallScene({"clip.duration=0.04"})); }),
+  EXPECT_EQ(messageOf<InputError>([] { requireStudyable(smallScene({"simulation.model=exact"})); }),
+            "small: the model \"exact\" takes no steps, so there are no steps to compare; "
+            "choose another model, e.g. --set simulation.model=quaternion");
+  EXPECT_EQ(messageOf<InputError>([] { requireStudyable(smallScene({"clip.duration=0.04"})); }),
             "small: a clip of one frame has no motion to study; make it longer");
 }
 

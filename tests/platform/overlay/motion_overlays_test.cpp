@@ -48,13 +48,13 @@ TEST(MotionOverlays, WriteTheLabelAtTheTop) {
 }
 
 TEST(MotionOverlays, OfAWordlessSceneAreOnTheBookAlone) {
-  const auto textsOf = [](scene::Scene scene, bool wordless) {
-    scene.wordless = wordless;
+  const auto textsOf = [](scene::Scene scene, bool textless) {
+    scene.textless = textless;
     const physics::Trajectory trajectory = motionOf(scene);
     MotionOverlays overlays(scene, trajectory, {.width = 320, .height = 180, .label = "matrix"});
     const auto last = static_cast<std::int64_t>(trajectory.samples.size());
     EXPECT_NE(drawn(overlays, scene, last), greyPicture(scene));
-    EXPECT_EQ(overlays.bottomRows() > 0, !wordless);
+    EXPECT_EQ(overlays.bottomRows() > 0, !textless);
     return overlays.texts().size();
   };
   const scene::Scene scene =

@@ -63,7 +63,7 @@ std::string huesAround(const image::Image& picture, int across, int down) {
 }
 
 // Seen from `direction`, with quadrants on one side and black on the others.
-image::Image seenFrom(const Eigen::Vector3d& direction, const BookTextures& textures) {
+image::Image inReferenceFrame(const Eigen::Vector3d& direction, const BookTextures& textures) {
   RenderSettings settings = testing::settingsOf(kSize, kSize);
   settings.camera.position = 0.9 * direction;
   Renderer renderer(settings, textures);
@@ -72,24 +72,24 @@ image::Image seenFrom(const Eigen::Vector3d& direction, const BookTextures& text
 
 TEST(TextureCoordinates, FrontIsUprightFromTheFront) {
   const BookTextures textures{quadrants(), plain(8, 8, kBlack), plain(8, 8, kBlack)};
-  EXPECT_EQ(huesAround(seenFrom({0, 0, 1}, textures), 12, 20), "red green blue yellow ");
+  EXPECT_EQ(huesAround(inReferenceFrame({0, 0, 1}, textures), 12, 20), "red green blue yellow ");
 }
 
 TEST(TextureCoordinates, BackIsUprightFromBehind) {
   const BookTextures textures{plain(8, 8, kBlack), plain(8, 8, kBlack), quadrants()};
-  EXPECT_EQ(huesAround(seenFrom({0, 0, -1}, textures), 12, 20), "red green blue yellow ");
+  EXPECT_EQ(huesAround(inReferenceFrame({0, 0, -1}, textures), 12, 20), "red green blue yellow ");
 }
 
 TEST(TextureCoordinates, SpineIsUprightFromTheSpine) {
   const BookTextures textures{plain(8, 8, kBlack), quadrants(), plain(8, 8, kBlack)};
-  EXPECT_EQ(huesAround(seenFrom({-1, 0, 0}, textures), 4, 20), "red green blue yellow ");
+  EXPECT_EQ(huesAround(inReferenceFrame({-1, 0, 0}, textures), 4, 20), "red green blue yellow ");
 }
 
 TEST(TextureCoordinates, EachCoverIsOnItsOwnSide) {
   const BookTextures textures{plain(8, 8, kRed), plain(8, 8, kGreen), plain(8, 8, kBlue)};
-  EXPECT_EQ(huesAround(seenFrom({0, 0, 1}, textures), 12, 20), "red red red red ");
-  EXPECT_EQ(huesAround(seenFrom({0, 0, -1}, textures), 12, 20), "blue blue blue blue ");
-  EXPECT_EQ(huesAround(seenFrom({-1, 0, 0}, textures), 4, 20), "green green green green ");
+  EXPECT_EQ(huesAround(inReferenceFrame({0, 0, 1}, textures), 12, 20), "red red red red ");
+  EXPECT_EQ(huesAround(inReferenceFrame({0, 0, -1}, textures), 12, 20), "blue blue blue blue ");
+  EXPECT_EQ(huesAround(inReferenceFrame({-1, 0, 0}, textures), 4, 20), "green green green green ");
 }
 
 TEST(TextureCoordinates, PagesShowOnTheThreeOtherSides) {

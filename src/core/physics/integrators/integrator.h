@@ -15,7 +15,7 @@ enum class Integrator {
 };
 
 /// Names of the integrators in scene files, in the order of the enumeration.
-inline constexpr std::array kIntegratorWords{
+inline constexpr std::array kIntegratorNames{
 #define ROTATEBOOK_INTEGRATOR(enumerator, word, ...) std::string_view(word),
 #include "physics/integrators/integrator_list.inc"
 #undef ROTATEBOOK_INTEGRATOR

@@ -32,7 +32,8 @@ double meanInterval(std::span<const double> times) {
   return (times.back() - times.front()) / static_cast<double>(times.size() - 1);
 }
 
-double flipLaw(const PrincipalAxes& inertia, const Eigen::Vector3d& angularVelocity) {
+double asymptoticFlipInterval(const PrincipalAxes& inertia,
+                              const Eigen::Vector3d& angularVelocity) {
   const auto axes = axesByInertia(inertia.moments);
   const double i1 = inertia.moments[axes[0]];
   const double i2 = inertia.moments[axes[1]];

@@ -29,7 +29,7 @@ double meanInterval(std::span<const double> times);
 /// 1, kappa1 = I1 (I3-I1)/(I2 (I3-I2)) replaces kappa3. The relative error falls as eps^2. The
 /// limit is infinite on the separatrix, which lies between the two directions, on the median axis
 /// itself, and if two moments are equal.
-double flipLaw(const PrincipalAxes& inertia, const Eigen::Vector3d& angularVelocity);
+double asymptoticFlipInterval(const PrincipalAxes& inertia, const Eigen::Vector3d& angularVelocity);
 
 /// Returns the median axis, a unit vector in body axes.
 Eigen::Vector3d medianAxis(const PrincipalAxes& inertia);

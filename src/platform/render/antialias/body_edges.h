@@ -25,7 +25,8 @@ class BodyEdges {
   /// Projects the body in this cage onto a picture of the size of `pixels`. Adds to `pixels` those
   /// through which the outline of a surface or the border of two surfaces passes, hidden ones
   /// included, and to `triangles` all that are drawn. Both are clipped at the near plane.
-  /// `winding`: from windingOf(). `strips`: by strip number; a narrow one is a surface of its own.
+  /// `winding`: from frontFaceWinding(). `strips`: by strip number; a narrow one is a surface of
+  /// its own.
   void find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
             std::span<const ScreenStrip> strips, EdgePixels& pixels,
             std::vector<ScreenTriangle>& triangles) const;

@@ -45,7 +45,7 @@ class StripFinder {
 
   std::size_t count() const { return strips_.size(); }
   /// Sets `onScreen` to all strips of the book in this cage, in a picture of this size. [pixels]
-  /// `winding`: from windingOf().
+  /// `winding`: from frontFaceWinding().
   void find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
             const Eigen::Vector2i& size, std::vector<ScreenStrip>& onScreen) const;
 

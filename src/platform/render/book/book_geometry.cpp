@@ -133,7 +133,7 @@ void BookGeometry::draw(BookPart part) const {
                  reinterpret_cast<const void*>(start * sizeof(std::uint32_t)));
 }
 
-int windingOf(const physics::Cage& cage) {
+int frontFaceWinding(const physics::Cage& cage) {
   constexpr double kClearlyOriented = 0.2;
   const Eigen::Array<double, 8, 1> determinants = cornerDeterminants(cage);
   // Clip y points down, which reverses every triangle's winding.

@@ -47,6 +47,6 @@ class BookGeometry {
 /// Returns the winding that front faces have in the picture, 1 from x to y or -1 from y to x; only
 /// they are to be drawn. Returns 0 if the cage is so deformed that any triangle may be visible: all
 /// are to be drawn.
-int windingOf(const physics::Cage& cage);
+int frontFaceWinding(const physics::Cage& cage);
 
 }  // namespace rotatebook::render

@@ -61,7 +61,7 @@ std::string devicesFailure(const DisplayCandidates& list) {
 [[noreturn]] void refuseMissing(const DisplayCandidates& list, const DeviceChoice& choice) {
   const std::string message = "can't draw: there is no " + textOf(choice);
   if (list.hasDevices()) throw InputError(message + devicesText(list));
-  throw MachineError(message + ":" + devicesFailure(list) + kAskDoctor);
+  throw MachineError(message + ":" + devicesFailure(list) + kDoctorHint);
 }
 
 /// `rejections`: a line for each candidate that was tried.
@@ -80,7 +80,7 @@ std::string devicesFailure(const DisplayCandidates& list) {
     message += devicesText(list);
   else if (!choice.requireHardware)
     message += std::string("\n") + kInstallMesa;
-  throw MachineError(message + kAskDoctor);
+  throw MachineError(message + kDoctorHint);
 }
 
 std::string fallbackWarning(const std::string& renderer, const DisplayCandidates& list,
@@ -140,7 +140,7 @@ const char* const kInstallMesa =
     "Install Mesa's software rasteriser (Debian, Ubuntu: apt-get install libegl1 libegl-mesa0 "
     "libgl1-mesa-dri libopengl0), or for a graphics card its driver's EGL library, and make "
     "sure that you may read /dev/dri/renderD*.";
-const char* const kAskDoctor = "\nRun 'rotatebook doctor' for the cause and the remedy.";
+const char* const kDoctorHint = "\nRun 'rotatebook doctor' for the cause and the remedy.";
 
 std::string DisplayCandidate::name() const {
   if (kind == Kind::Device) return "EGL device " + std::to_string(index);

@@ -90,7 +90,7 @@ bool isSoftwareRenderer(std::string_view renderer);
 /// Advice on what to install if nothing draws.
 extern const char* const kInstallMesa;
 /// A line that refers the user to `rotatebook doctor`; starts with a line feed.
-extern const char* const kAskDoctor;
+extern const char* const kDoctorHint;
 
 /// Returns the failure to load EGL's or OpenGL's library, if one is missing. Call it before any
 /// other function: libepoxy ends the process if it finds no library.

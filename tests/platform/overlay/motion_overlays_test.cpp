@@ -189,7 +189,7 @@ TEST(MotionOverlays, RefuseALabelThatWouldHideTheBook) {
 
 TEST(MarkRows, HaveAMarkUnlessTheyAreWords) {
   for (const OverlayRow& row : overlayRows()) {
-    EXPECT_EQ(row.make == nullptr, row.placement == Placement::WholePicture)
+    EXPECT_EQ(row.make == nullptr, row.placement == Placement::WholeClip)
         << scene::nameOf(scene::kOverlays, row.overlay);
   }
 }

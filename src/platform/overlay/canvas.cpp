@@ -14,7 +14,7 @@ namespace rotatebook::overlay {
 namespace {
 
 constexpr double kHaloOpacity = 0.55;
-// Cairo's fixed-point coordinates overflow not far beyond.
+// Points are clamped to this: Cairo clips only what its fixed-point coordinates can hold. [pixels]
 constexpr double kFarAway = 20'000;
 
 Point within(const Point& point) {

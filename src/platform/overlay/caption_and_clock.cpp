@@ -43,8 +43,8 @@ std::vector<std::string> settingsOf(const physics::SimulationSettings& settings)
   return parts;
 }
 
-/// Lists the settings common to all motions of `scene` that are simulated in steps, and whether a
-/// motion is exact.
+/// Lists the settings that all motions of `scene` in steps have in common, and "exact solution" if
+/// a motion is exact.
 std::string settingsText(const scene::Scene& scene) {
   const std::vector<scene::Panel> motions = scene::motionsOf(scene);
   const auto steps = [](const scene::Panel& panel) {

@@ -43,7 +43,8 @@ void blendRowOverOpaque(const std::uint8_t* over, std::uint8_t* under, int count
   std::memcpy(under, bottom.data(), 4);
 }
 
-/// Blends a pixel over one with straight alpha.
+/// Blends a pixel over one with straight alpha: both colours are weighted by their share of the
+/// sum.
 void blendOverClear(const std::uint8_t* over, std::uint8_t* under) {
   const std::uint32_t share = scaled<std::uint32_t>(under[3], 255U - over[3]);
   const std::uint32_t alpha = over[3] + share;

@@ -19,7 +19,7 @@ namespace rotatebook::overlay {
 namespace {
 
 constexpr int kCurvePoints = 180;
-constexpr double kFilled = 0.44;    // of the box, from its centre to the surfaces' farthest point
+constexpr double kFilled = 0.44;    // share of the box, from its centre to the farthest point
 constexpr double kFarthest = 1.25;  // larger momenta are drawn at this distance
 constexpr double kTrailTime = 1.5;  // of the clip [s]
 constexpr Colour kEllipsoidColour{0.46, 0.54, 0.68};

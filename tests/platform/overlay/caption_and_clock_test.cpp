@@ -112,7 +112,7 @@ TEST(CaptionAndClock, TellHowTheMotionWasSimulated) {
 
 std::string sceneRefusal(const std::string& text) {
   try {
-    CaptionAndClock words(
+    CaptionAndClock captionAndClock(
         scene::parseScene(text + "\n[initial]\nangular_velocity = [5, 3, 1]\n", "a.toml"));
   } catch (const InputError& error) {
     return error.what();
@@ -120,9 +120,9 @@ std::string sceneRefusal(const std::string& text) {
   return "no error";
 }
 
-std::string repeated(const std::string& words, int times) {
+std::string repeated(const std::string& text, int times) {
   std::string all;
-  for (int i = 0; i < times; ++i) all += words;
+  for (int i = 0; i < times; ++i) all += text;
   return all;
 }
 

@@ -105,7 +105,7 @@ std::vector<Eigen::Vector3d> MomentumSurfaces::polhode(double radius, bool posit
 namespace {
 
 /// Returns the angular momenta of all samples along the principal axes, in units of the initial
-/// one.
+/// one and no longer than kFarthest.
 std::vector<Eigen::Vector3d> momentaOf(const OverlayContext& context,
                                        const physics::PrincipalAxes& inertia) {
   const auto& samples = context.trajectory.samples;
@@ -121,6 +121,7 @@ std::vector<Eigen::Vector3d> momentaOf(const OverlayContext& context,
   return momenta;
 }
 
+/// The inset; see makePolhodeInset().
 class PolhodeInset final : public DrawnOverlay {
  public:
   PolhodeInset(const OverlayContext& context, const Box& box)

@@ -114,7 +114,7 @@ class Stages {
     sums_.book +=
         each([&](std::int64_t frame, std::size_t i) { drawer_.expose(frame, exposures_[i]); });
     sums_.compose +=
-        each([&](std::int64_t, std::size_t i) { drawer_.finish(exposures_[i], pictures_[i]); });
+        each([&](std::int64_t, std::size_t i) { drawer_.compose(exposures_[i], pictures_[i]); });
     sums_.png +=
         each([&](std::int64_t frame, std::size_t i) { png_.write(frame, pictures_[i].view()); });
     sums_.video +=

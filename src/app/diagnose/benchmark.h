@@ -28,13 +28,14 @@ struct WorkTime {
 /// The times that each stage takes for a frame while nothing else runs.
 struct StageTimes {
   WorkTime simulate;
-  WorkTime book;    ///< Drawing of the books by OpenGL.
+  WorkTime book;     ///< Drawing of the books by OpenGL.
   WorkTime compose;  ///< Composing: antialiased edges, background and overlays.
   WorkTime png;
   WorkTime video;  ///< Conversion of colours, and encoding.
 
   double processorSum() const {
-    return simulate.processor + book.processor + compose.processor + png.processor + video.processor;
+    return simulate.processor + book.processor + compose.processor + png.processor +
+           video.processor;
   }
 };
 

@@ -10,15 +10,15 @@
 namespace rotatebook::picture {
 namespace {
 
-constexpr int kSmallestPanel = 16;       // The shorter side. [pixels]
-constexpr double kPanelLetters = 0.022;  // Of the picture's shorter side.
+constexpr int kSmallestPanel = 16;       // shorter side [pixels]
+constexpr double kPanelLetters = 0.022;  // letter size, share of the picture's shorter side
 constexpr std::array<std::uint8_t, 4> kBackgroundColour{17, 17, 19, 255};
 
 bool hasPanels(const scene::Scene& scene) {
   return !scene.panels.empty();
 }
 
-/// Panels are above the rows that words take; the picture of a single motion goes on below them.
+/// Arranges the panels above the text; the picture of a single motion continues behind it.
 PanelGrid gridOf(const scene::Scene& scene, const overlay::CaptionAndClock& text) {
   if (!hasPanels(scene)) return panelGrid(1, scene.clip.width, scene.clip.height);
   const auto count = static_cast<int>(scene.panels.size());
@@ -56,8 +56,8 @@ std::vector<overlay::MotionOverlays> overlaysOf(const scene::Scene& scene,
   return overlays;
 }
 
-/// A panel's picture. All leave as many rows to their overlays, so that their books are of one
-/// size.
+/// Returns a panel's screen. All panels leave equally many rows to their overlays, so that their
+/// bodies have the same size.
 render::Screen screenOf(const PanelGrid& grid,
                         const std::vector<overlay::MotionOverlays>& overlays) {
   render::Screen screen{grid.width, grid.height, 0};
@@ -81,8 +81,8 @@ image::Image backgroundOf(const scene::Scene& scene) {
 }  // namespace
 
 overlay::CaptionAndClock captionAndClockOf(const scene::Scene& scene) {
-  using Place = overlay::CaptionAndClock::ClockPosition;
-  return overlay::CaptionAndClock(scene, hasPanels(scene) ? Place::Bottom : Place::TopLeft);
+  using Position = overlay::CaptionAndClock::ClockPosition;
+  return overlay::CaptionAndClock(scene, hasPanels(scene) ? Position::Bottom : Position::TopLeft);
 }
 
 Composition::Composition(const scene::Scene& scene, const timeline::ClipMotion& motion)
@@ -94,22 +94,22 @@ Composition::Composition(const scene::Scene& scene, const timeline::ClipMotion& 
       background_(backgroundOf(scene)),
       panel_(screen_.width, screen_.height, image::PixelFormat::Rgba8) {}
 
-void Composition::draw(std::int64_t frame, const DrawBook& drawBook, image::Image& picture) {
-  if (grid_.places.size() == 1) {
-    drawMotion(0, frame, drawBook, picture);
+void Composition::draw(std::int64_t frame, const DrawBody& drawBody, image::Image& picture) {
+  if (grid_.positions.size() == 1) {
+    drawMotion(0, frame, drawBody, picture);
   } else {
     picture = background_;
-    for (std::size_t i = 0; i < grid_.places.size(); ++i) {
-      drawMotion(i, frame, drawBook, panel_);
-      image::paste(panel_.view(), grid_.places[i].x, grid_.places[i].y, picture);
+    for (std::size_t i = 0; i < grid_.positions.size(); ++i) {
+      drawMotion(i, frame, drawBody, panel_);
+      image::paste(panel_.view(), grid_.positions[i].x, grid_.positions[i].y, picture);
     }
   }
   captionAndClock_.draw(motion_->clockFrame(frame), picture);
 }
 
-void Composition::drawMotion(std::size_t motion, std::int64_t frame, const DrawBook& drawBook,
+void Composition::drawMotion(std::size_t motion, std::int64_t frame, const DrawBody& drawBody,
                              image::Image& picture) {
-  const Eigen::Matrix4d clipFromWorld = drawBook(motion, motion_->sampleAt(motion, frame), picture);
+  const Eigen::Matrix4d clipFromWorld = drawBody(motion, motion_->sampleAt(motion, frame), picture);
   overlays_[motion].draw(frame, clipFromWorld, picture);
 }
 

@@ -1,4 +1,4 @@
-// How a clip's picture is put together around its books. Inside the room only.
+// Composes a clip's picture from its bodies and overlays. Inside the room only.
 #pragma once
 
 #include <cstddef>
@@ -18,32 +18,31 @@
 
 namespace rotatebook::picture {
 
-/// Draws sample `sample` of motion `motion` over all of a picture of its own; returns the
-/// projection, world to clip space, y down.
-using DrawBook =
+/// Draws sample `sample` of motion `motion` over all of `picture`; returns the projection, world to
+/// clip space, y down.
+using DrawBody =
     std::function<Eigen::Matrix4d(std::size_t motion, std::size_t sample, image::Image& picture)>;
 
-/// What is written over the pictures of all motions together. Throws as overlay::CaptionAndClock
-/// does.
+/// Makes the text over the pictures of all motions together. Throws like overlay::CaptionAndClock.
 overlay::CaptionAndClock captionAndClockOf(const scene::Scene& scene);
 
-/// Everything in the pictures of a clip but the books: overlays over each, the panels' places, and
-/// words over the whole. Use it on one thread.
+/// Composes the pictures of a clip: arranges the panels, draws overlays over each body, and text
+/// over the whole. Use it on one thread.
 class Composition {
  public:
-  /// `motion`, the scene's, must outlive this. Throws InputError for more panels than the picture
-  /// has room for, and as overlay::CaptionAndClock does.
+  /// `motion`, the scene's, must outlive this. Throws InputError if the picture has no room for the
+  /// panels, and like overlay::CaptionAndClock.
   Composition(const scene::Scene& scene, const timeline::ClipMotion& motion);
 
-  /// What the picture of each book is drawn on: the whole, or a panel.
+  /// Returns the screen on which each body is drawn: the whole picture, or a panel.
   const render::Screen& screen() const { return screen_; }
-  /// A picture of the clip's size.
+  /// Returns a picture of the clip's size with the background between panels.
   image::Image makePicture() const { return background_; }
   /// Draws over all of `picture`, from makePicture(); `frame` is 0 to below motion.frameCount().
-  void draw(std::int64_t frame, const DrawBook& drawBook, image::Image& picture);
+  void draw(std::int64_t frame, const DrawBody& drawBody, image::Image& picture);
 
  private:
-  void drawMotion(std::size_t motion, std::int64_t frame, const DrawBook& drawBook,
+  void drawMotion(std::size_t motion, std::int64_t frame, const DrawBody& drawBody,
                   image::Image& picture);
 
   const timeline::ClipMotion* motion_;
@@ -51,7 +50,7 @@ class Composition {
   PanelGrid grid_;
   std::vector<overlay::MotionOverlays> overlays_;  // of each motion
   render::Screen screen_;
-  image::Image background_;  // what shows between panels
+  image::Image background_;  // visible between panels
   image::Image panel_;
 };
 

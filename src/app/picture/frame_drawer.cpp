@@ -4,7 +4,8 @@
 
 namespace rotatebook::picture {
 
-// Reading textures and making overlays are half of a render's start: each goes on by itself.
+// Reading textures and making overlays take half of the time in which a render starts: they run in
+// parallel.
 FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
                          const render::DeviceChoice& device)
     : FrameDrawer(scene, motion, device,
@@ -29,7 +30,7 @@ FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& 
 void FrameDrawer::draw(std::int64_t frame, image::Image& picture) {
   if (!exposure_) exposure_ = makeExposure();
   expose(frame, *exposure_);
-  finish(*exposure_, picture);
+  compose(*exposure_, picture);
 }
 
 Exposure FrameDrawer::makeExposure() const {
@@ -38,7 +39,7 @@ Exposure FrameDrawer::makeExposure() const {
   if (mean_) {
     exposure.blurred.assign(count, renderer_.makePicture());
   } else {
-    exposure.books.assign(count, renderer_.makeBody());
+    exposure.bodies.assign(count, renderer_.makeBody());
   }
   return exposure;
 }
@@ -50,7 +51,7 @@ void FrameDrawer::expose(std::int64_t frame, Exposure& exposure) {
     if (mean_) {
       exposeBlurred(motion, sample, exposure.blurred[motion]);
     } else {
-      renderer_.draw(cageOf(motion, sample), exposure.books[motion]);
+      renderer_.draw(cageOf(motion, sample), exposure.bodies[motion]);
     }
   }
 }
@@ -64,17 +65,17 @@ void FrameDrawer::exposeBlurred(std::size_t motion, std::size_t sample, image::I
   mean_->take(picture);
 }
 
-void FrameDrawer::finish(const Exposure& exposure, image::Image& picture) {
-  const DrawBook showBook = [&](std::size_t motion, std::size_t sample, image::Image& panel) {
+void FrameDrawer::compose(const Exposure& exposure, image::Image& picture) {
+  const DrawBody drawBody = [&](std::size_t motion, std::size_t sample, image::Image& panel) {
     if (!mean_) {
-      renderer_.compositor().compose(exposure.books[motion], panel);
-      return exposure.books[motion].clipFromWorld;
+      renderer_.compositor().compose(exposure.bodies[motion], panel);
+      return exposure.bodies[motion].clipFromWorld;
     }
     panel = exposure.blurred[motion];
     const physics::Cage cage = cageOf(motion, sample);
     return render::project(camera_, cage, composition_.screen()).clipFromWorld;
   };
-  composition_.draw(exposure.frame, showBook, picture);
+  composition_.draw(exposure.frame, drawBody, picture);
 }
 
 physics::Cage FrameDrawer::cageOf(std::size_t motion, std::size_t sample) const {

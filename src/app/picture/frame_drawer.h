@@ -1,4 +1,4 @@
-// The pictures of a clip, in any order.
+// Draws the pictures of a clip, in any order.
 #pragma once
 
 #include <cstddef>
@@ -23,37 +23,37 @@
 
 namespace rotatebook::picture {
 
-/// Draws frame n of a scene: the book, or one in each panel, and what is drawn over it. Owns an
-/// OpenGL context; see render::Renderer.
+/// Draws frame n of a scene: the body, or one in each panel, and the overlays. Owns an OpenGL
+/// context; see render::Renderer.
 class FrameDrawer final : public FramePainter {
  public:
-  /// `motion`, the scene's, must outlive this. Throws as loadTextures(), Composition and
-  /// render::Renderer do.
+  /// `motion`, the scene's, must outlive this. Throws like loadTextures(), Composition and
+  /// render::Renderer.
   FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
               const render::DeviceChoice& device = {});
 
-  /// A picture of the right size and format for draw(), too.
+  /// Returns a picture of the right size and format for draw() and compose().
   image::Image makePicture() const override { return composition_.makePicture(); }
   /// Draws over all of `picture`; `frame` is 0 to below motion.frameCount().
   void draw(std::int64_t frame, image::Image& picture);
 
-  // The same in two steps.
+  // The two steps of draw().
   Exposure makeExposure() const override;
   void expose(std::int64_t frame, Exposure& exposure) override;
-  void finish(const Exposure& exposure, image::Image& picture) override;
+  void compose(const Exposure& exposure, image::Image& picture) override;
 
-  /// render::Renderer::description()
+  /// Returns render::Renderer::description().
   const std::string& description() const { return renderer_.description(); }
-  /// Of the textures that it draws.
+  /// Returns the checksums of the textures that it draws.
   const TextureChecksums& textureChecksums() const { return textureChecksums_; }
 
  private:
-  /// Takes the textures as late as it can.
+  /// Waits for the textures only when the renderer needs them.
   FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
               const render::DeviceChoice& device, std::future<LoadedTextures> textures);
 
   physics::Cage cageOf(std::size_t motion, std::size_t sample) const;
-  /// The mean of the moments after sample `sample`.
+  /// Draws the mean of the moments during which the shutter is open after `sample`.
   void exposeBlurred(std::size_t motion, std::size_t sample, image::Image& picture);
 
   const timeline::ClipMotion* motion_;
@@ -64,7 +64,7 @@ class FrameDrawer final : public FramePainter {
   render::Renderer renderer_;  // of a panel
   timeline::ShutterMoments moments_;
   std::optional<image::LinearMean> mean_;  // of the pictures of moments_, if there are several
-  std::optional<Exposure> exposure_;       // of draw()
+  std::optional<Exposure> exposure_;       // used by draw()
 };
 
 }  // namespace rotatebook::picture

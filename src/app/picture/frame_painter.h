@@ -1,4 +1,4 @@
-// The two steps in which a clip's frame is drawn.
+// The interface for drawing a clip's frame in two steps.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace rotatebook::picture {
 
-/// A frame's books as OpenGL drew them: one, or one in each panel.
+/// A frame's bodies as OpenGL drew them: one, or one in each panel.
 struct Exposure {
   std::int64_t frame = 0;
-  std::vector<render::DrawnBody> books;
-  std::vector<image::Image> blurred;  ///< Instead of `books`, where a shutter is open for a while.
+  std::vector<render::DrawnBody> bodies;
+  std::vector<image::Image> blurred;  ///< Replaces `bodies` if there is motion blur.
 };
 
-/// Paints frame n of a clip in two steps: what needs OpenGL, and the rest, which may be done on
-/// another thread while this one exposes the next frame.
+/// Paints frame n of a clip in two steps: one that needs OpenGL, and the rest, which another thread
+/// may do while this one exposes the next frame.
 class FramePainter {
  public:
   FramePainter() = default;
@@ -25,15 +25,15 @@ class FramePainter {
   FramePainter& operator=(const FramePainter&) = delete;
   virtual ~FramePainter() = default;
 
-  /// A picture of the right size and format for finish().
+  /// Returns a picture of the right size and format for compose().
   virtual image::Image makePicture() const = 0;
-  /// An exposure for expose().
+  /// Returns an exposure for expose().
   virtual Exposure makeExposure() const = 0;
 
-  /// Takes the first step of frame `frame`, replacing all of `exposure`.
+  /// Does the first step for frame `frame`, replacing all of `exposure`.
   virtual void expose(std::int64_t frame, Exposure& exposure) = 0;
-  /// Takes the second, painting over all of `picture`.
-  virtual void finish(const Exposure& exposure, image::Image& picture) = 0;
+  /// Does the second step, painting over all of `picture`.
+  virtual void compose(const Exposure& exposure, image::Image& picture) = 0;
 };
 
 }  // namespace rotatebook::picture

@@ -21,9 +21,9 @@ constexpr const char* kPng =
     "set terminal pngcairo size 1800,900 enhanced font 'sans,12' fontscale 1.5 linewidth 1.5 "
     "pointscale 1.5 background rgb 'white'\npoint_size = 1\n";
 
-/// Exit status of gnuplot, 128 + signal if a signal ended it.
+/// Runs gnuplot; returns its exit status, or 128 + signal if a signal ended it.
 int runGnuplot(const system::StandardStreams& streams) {
-  // -d leaves the user's own settings out.
+  // -d ignores the user's own settings.
   auto gnuplot = system::ChildProcess::start({"gnuplot", "-d"}, streams);
   if (!gnuplot) {
     throw MachineError("can't draw the plot: gnuplot isn't installed; apt-get install gnuplot-nox");
@@ -32,14 +32,14 @@ int runGnuplot(const system::StandardStreams& streams) {
   return end.signal == 0 ? end.status : 128 + end.signal;
 }
 
-/// A kind of picture, and what comes last in each.
+/// A file format, and the last bytes of each complete file.
 struct Format {
   const char* terminal;
   std::string_view last;
 };
 
-/// A picture's bytes; `path` is where it will be. In memory, so that a full disk is told by whoever
-/// writes the file: gnuplot wouldn't.
+/// Returns a picture's bytes; `path` is only for messages. Gnuplot writes to memory because it
+/// doesn't report a full disk.
 std::string draw(const Format& format, const std::string& commands, const fs::path& path) {
   const system::FileDescriptor input = system::createMemoryFile("plot"),
                                output = system::createMemoryFile("picture"),
@@ -49,12 +49,12 @@ std::string draw(const Format& format, const std::string& commands, const fs::pa
   const int status = runGnuplot({input, output, problems});
   std::string picture = system::readAll(output, path);
   if (status == 0 && picture.rfind(format.last) != std::string::npos) return picture;
-  std::string words(trimmed(system::readAll(problems, path)));
-  if (words.empty() && status == 0) {
-    words = "the picture isn't whole; is there a limit of file sizes (ulimit -f)?";
+  std::string message(trimmed(system::readAll(problems, path)));
+  if (message.empty() && status == 0) {
+    message = "the picture is incomplete; is the file size limited (ulimit -f)?";
   }
   throw MachineError("gnuplot can't draw " + path.string() + " (status " + std::to_string(status) +
-                     ")" + (words.empty() ? "" : ": " + words));
+                     ")" + (message.empty() ? "" : ": " + message));
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ std::string gnuplotString(const std::string& text) {
   std::string quoted = "'";
   for (const char letter : text) {
     const bool control = static_cast<unsigned char>(letter) < 0x20 || letter == 0x7f;
-    // A doubled quote is one for gnuplot, but not where a string begins.
+    // Doubling a quote would escape it for gnuplot, but not at the start of a string.
     if (letter == '\'') {
       quoted += "’";
     } else {

@@ -1,4 +1,4 @@
-// Pictures of plots, drawn by the program gnuplot.
+// Draws plots with the program gnuplot.
 #pragma once
 
 #include <filesystem>
@@ -6,14 +6,14 @@
 
 namespace rotatebook::picture {
 
-/// Draws `commands`, gnuplot's without a terminal or an output, on a white sheet twice as wide as
-/// high: once as SVG, once as PNG. Its variable point_size is what looks alike in both. Each file
-/// is whole or not there. Throws MachineError if gnuplot isn't installed, naming its package, or
-/// with gnuplot's own words if it fails.
+/// Draws the plot of gnuplot's `commands`, which set neither terminal nor output, on a white page
+/// twice as wide as high, once as SVG and once as PNG. With the variable point_size for points they
+/// look alike in both. Each file is written completely or not at all. Throws MachineError if
+/// gnuplot isn't installed, naming its package, or with gnuplot's message if it fails.
 void drawPlot(const std::string& commands, const std::filesystem::path& svg,
               const std::filesystem::path& png);
 
-/// `text` as gnuplot quotes it, on one line, which runs nothing; with ’ for each '.
+/// Quotes `text` for gnuplot, on one line, such that nothing in it is executed; each ' becomes ’.
 std::string gnuplotString(const std::string& text);
 
 }  // namespace rotatebook::picture

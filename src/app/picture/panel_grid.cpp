@@ -6,10 +6,10 @@
 namespace rotatebook::picture {
 namespace {
 
-constexpr double kPanelGap = 0.004;  // Of the shorter side.
+constexpr double kPanelGap = 0.004;  // share of the shorter side
 constexpr int kSmallestGap = 2;      // [pixels]
 
-/// The side of a panel where so many share `room`. [pixels]
+/// Returns the side of each of `panels` that share `room`. [pixels]
 int shareOf(int room, int panels, int gap) {
   return std::max(1, (room - (panels - 1) * gap) / panels);
 }
@@ -38,7 +38,7 @@ PanelGrid panelGrid(int count, int width, int height) {
     const int row = panel / columns;
     const int inRow = std::min(columns, count - row * columns);
     const int rowWidth = inRow * grid.width + (inRow - 1) * gap;
-    grid.places.push_back(
+    grid.positions.push_back(
         {(width - rowWidth) / 2 + panel % columns * (grid.width + gap), row * (grid.height + gap)});
   }
   return grid;

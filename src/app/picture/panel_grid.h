@@ -1,4 +1,4 @@
-// Where the panels of a picture are. Inside the room only.
+// Arranges the panels of a picture. Inside the room only.
 #pragma once
 
 #include <vector>
@@ -7,19 +7,20 @@ namespace rotatebook::picture {
 
 /// Panels of one size in rows and columns, with thin gaps between them.
 struct PanelGrid {
-  /// Top left of a panel. [pixels]
-  struct Place {
+  /// The top left of a panel. [pixels]
+  struct Position {
     int x = 0;
     int y = 0;
   };
 
-  int width = 0;              ///< Of each panel, > 0. [pixels]
-  int height = 0;             ///< Of each panel, > 0. [pixels]
-  std::vector<Place> places;  ///< In the order of reading; a last row that isn't full is centred.
+  int width = 0;                    ///< Of each panel, > 0. [pixels]
+  int height = 0;                   ///< Of each panel, > 0. [pixels]
+  std::vector<Position> positions;  ///< In reading order; an incomplete last row is centred.
 };
 
-/// The grid of `count` >= 1 panels that fills `width` x `height` pixels best: with the longest
-/// shorter side of a panel, and of those with the fewest rows. A single panel fills all.
+/// Arranges `count` >= 1 panels on `width` x `height` pixels such that a panel's shorter side is as
+/// long as possible, with the fewest empty cells, then the fewest rows among equals. A single panel
+/// fills the picture.
 PanelGrid panelGrid(int count, int width, int height);
 
 }  // namespace rotatebook::picture

@@ -1,4 +1,4 @@
-// The one picture that stands for a clip.
+// Draws the poster, the picture that represents a clip.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,12 @@
 
 namespace rotatebook::picture {
 
-/// The frame at [clip] poster, or else in the middle of the clip's `frames` > 0; the last one if
-/// the clip ends before.
+/// Returns the frame at the time clip.poster, the last one if the clip ends before; without it, the
+/// middle one of the clip's `frames` > 0.
 std::int64_t posterFrame(const scene::ClipSettings& clip, std::int64_t frames);
 
-/// Draws that frame and writes it to `path`, with its alpha if `transparent`. Throws MachineError.
+/// Draws frame `frame` and writes it to `path`, with its alpha if `transparent`. Throws
+/// MachineError.
 void writePoster(FrameDrawer& drawer, std::int64_t frame, bool transparent,
                  const std::filesystem::path& path);
 

@@ -8,7 +8,7 @@ namespace rotatebook::picture {
 
 void preflight(const scene::Scene& scene) {
   requireTextures(scene);
-  // Of one frame, words and labels are those of the whole clip.
+  // A clip of one frame has the text of the whole clip.
   scene::Scene first = scene;
   first.clip.duration = scene.clip.frameRate.period();
   const timeline::ClipMotion motion = timeline::simulateScene(first);

@@ -1,12 +1,12 @@
-// What of a scene proves wrong only when files and fonts are opened.
+// Checks what only shows when a scene's files and fonts are opened.
 #pragma once
 
 #include "scene/scene.h"
 
 namespace rotatebook::picture {
 
-/// Reads the scene's textures and sets its words and labels, only to find out before any work
-/// whether that can be done. Throws InputError, as loadTextures() and Composition do.
+/// Verifies, before any work, that the scene's textures can be read and its text can be set. Throws
+/// InputError like loadTextures() and Composition.
 void preflight(const scene::Scene& scene);
 
 }  // namespace rotatebook::picture

@@ -1,10 +1,8 @@
 #include "picture/sheet.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <string>
 
 #include "base/clip_limits.h"
@@ -21,16 +19,16 @@
 namespace rotatebook::picture {
 namespace {
 
-// Of a picture's height.
+// Shares of a picture's height.
 constexpr double kTextSize = 0.05;
 constexpr double kPictureGap = 0.06;
-constexpr double kMaxPixels = 2.5e8;  // Twice 4 bytes of each are held.
+constexpr double kMaxPixels = 2.5e8;  // each takes twice 4 bytes of memory
 constexpr double kSmallestText = 11;  // [pixels]
 
-constexpr std::uint8_t kGround = 22;                // of 255
-constexpr overlay::Colour kText{0.86, 0.86, 0.84};  // contrast to it 12.6
+constexpr std::uint8_t kBackground = 22;            // 0 to 255
+constexpr overlay::Colour kText{0.86, 0.86, 0.84};  // contrast to the background 12.6
 
-/// One picture and what is written beneath it.
+/// A picture and the label below it.
 struct Cell {
   image::Image picture;
   overlay::Layer label;
@@ -42,7 +40,7 @@ struct Grid {
   int rows;
   int gap;
   int cellWidth;
-  int cellHeight;  ///< Of the picture and its label.
+  int cellHeight;  ///< Of a picture and its label.
 
   int width() const { return columns * (cellWidth + gap) + gap; }
   int height() const { return rows * (cellHeight + gap) + gap; }
@@ -52,12 +50,13 @@ void refuseOtherSizes(const std::vector<scene::Scene>& scenes) {
   const scene::ClipSettings& first = scenes.front().clip;
   for (const scene::Scene& scene : scenes) {
     if (scene.clip.width == first.width && scene.clip.height == first.height) continue;
-    throw InputError(scene.name + " has pictures of another size than " + scenes.front().name +
-                     "; give one for all, for example --size 480x270");
+    throw InputError(scene.name + " differs in size from " + scenes.front().name +
+                     "; set one size for all, for example --size 480x270");
   }
 }
 
-/// Before anything is drawn: all pictures are kept until the sheet is put together.
+/// Throws InputError, before anything is drawn, if the pictures would take too much memory: all are
+/// kept until the sheet is composed.
 void refuseTooMany(const std::vector<scene::Scene>& scenes, const SheetOptions& options) {
   const scene::ClipSettings& clip = scenes.front().clip;
   const std::size_t each =
@@ -66,7 +65,7 @@ void refuseTooMany(const std::vector<scene::Scene>& scenes, const SheetOptions& 
   if (pixels <= kMaxPixels) return;
   throw InputError("the sheet would have " + std::to_string(each * scenes.size()) +
                    " pictures of " + sizeText(clip.width, clip.height) + ", " +
-                   roundedText(pixels / 1e6, 3) + " million pixels, and may have " +
+                   roundedText(pixels / 1e6, 3) + " million pixels, but may have at most " +
                    roundedText(kMaxPixels / 1e6, 3) +
                    "; take fewer or smaller pictures, for example --size 480x270");
 }
@@ -86,10 +85,8 @@ std::vector<std::int64_t> framesOf(const scene::Scene& scene, const timeline::Cl
 
 std::string timeText(const scene::Scene& scene, const timeline::ClipMotion& motion,
                      std::int64_t frame) {
-  std::array<char, 32> text;
-  const double time = static_cast<double>(motion.clockFrame(frame)) * scene.simulation.timePerFrame;
-  std::snprintf(text.data(), text.size(), "%.2f s", time);
-  return text.data();
+  const auto frames = static_cast<double>(motion.clockFrame(frame));
+  return overlay::clockText(frames * scene.simulation.timePerFrame);
 }
 
 void addCells(const scene::Scene& scene, const SheetOptions& options, bool named,
@@ -128,8 +125,8 @@ Grid gridFor(const std::vector<Cell>& cells, int columns) {
 void refuseTooLarge(const Grid& grid) {
   if (grid.width() <= kMaxPictureSide && grid.height() <= kMaxPictureSide) return;
   throw InputError("the sheet would have " + sizeText(grid.width(), grid.height()) +
-                   " pixels, and a side has at most " + std::to_string(kMaxPictureSide) +
-                   ": take fewer or smaller pictures, for example --size 480x270");
+                   " pixels, but a side may have at most " + std::to_string(kMaxPictureSide) +
+                   "; take fewer or smaller pictures, for example --size 480x270");
 }
 
 }  // namespace
@@ -145,7 +142,7 @@ image::Image drawSheet(const std::vector<scene::Scene>& scenes, const SheetOptio
   const Grid grid = gridFor(cells, options.columns);
   refuseTooLarge(grid);
   image::Image sheet(grid.width(), grid.height(), cells.front().picture.format());
-  std::fill_n(sheet.row(0), sheet.stride() * sheet.height(), kGround);
+  std::fill_n(sheet.row(0), sheet.stride() * sheet.height(), kBackground);
   for (int i = 0; i < static_cast<int>(cells.size()); ++i) {
     Cell& cell = cells[static_cast<std::size_t>(i)];
     const int x = grid.gap + i % grid.columns * (grid.cellWidth + grid.gap);

@@ -1,4 +1,4 @@
-// Many pictures on one: a contact sheet.
+// Draws a contact sheet: many frames on one picture.
 #pragma once
 
 #include <filesystem>
@@ -10,20 +10,22 @@
 
 namespace rotatebook::picture {
 
-/// Which frames of each scene, and how they are laid out.
+/// The frames of each scene, and their layout.
 struct SheetOptions {
-  /// Times in the video, in place of `count`. [s]
+  /// Times in the video; they replace `count` unless empty. [s]
   std::vector<double> times{};
-  /// Frames of each scene, >= 1, from its first to its last at equal distances; of 1 its poster.
+  /// Number of frames of each scene, >= 1, evenly spaced from the first to the last; 1 draws the
+  /// poster.
   int count = 12;
-  /// Pictures in a row, >= 1; 0 makes as many rows as columns, or one less.
+  /// Pictures in a row, >= 1; 0 makes as many rows as columns, or one row fewer.
   int columns = 0;
   render::DeviceChoice device{};
 };
 
-/// Draws the frames, scene by scene, and beneath each its time, its scene's title, or both, as is
-/// needed to tell them apart. Rgba8, opaque. Throws InputError for scenes of differing sizes, for a
-/// time that isn't in the clip, and for a sheet of over kMaxPictureSide.
+/// Draws the frames, scene by scene, and below each its time, its scene's title, or both, as
+/// necessary to tell them apart. Returns an opaque Rgba8 picture. Throws InputError if scenes
+/// differ in size, if a time isn't in the clip, and if the frames would have more than 250 million
+/// pixels or a side of the sheet more than kMaxPictureSide.
 image::Image drawSheet(const std::vector<scene::Scene>& scenes, const SheetOptions& options);
 
 }  // namespace rotatebook::picture

@@ -1,4 +1,4 @@
-// One picture of a scene.
+// Draws one picture of a scene.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,11 @@
 
 namespace rotatebook::picture {
 
-/// The frame nearest to `time` of video. [s] Throws InputError if the clip doesn't last that long.
+/// Returns the frame nearest to `time` in the video. [s] Throws InputError if the clip doesn't
+/// contain that time.
 std::int64_t frameAt(const scene::Scene& scene, const timeline::ClipMotion& motion, double time);
 
-/// Draws the frame nearest to `time` (of video, 0 to the clip's end [s]) and writes it to
+/// Draws the frame nearest to `time` in the video (0 to the clip's end [s]) and writes it to
 /// `path`; returns its index. Throws InputError if there is no such frame, MachineError if it can't
 /// be drawn or written.
 std::int64_t renderStill(const scene::Scene& scene, double time, const std::filesystem::path& path,

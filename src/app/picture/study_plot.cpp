@@ -18,12 +18,12 @@ namespace {
 /// The look of a curve.
 struct Style {
   const char* colour;
-  int point;  ///< gnuplot's number of the shape
+  int point;  ///< gnuplot's pointtype
 };
 
-/// Colours after Okabe and Ito and after Tol, which the colour-blind can tell apart; no shape comes
-/// twice in one model, so that the plot does without colours, too. By turns to the integrators, in
-/// the order of their list.
+/// The styles of integrators, by their number modulo the size. The colours are after Okabe and Ito
+/// and after Tol, which colour-blind people can tell apart; each model's integrators have different
+/// point shapes, so that the plot can be read without colours, too.
 constexpr std::array<Style, 16> kStyles{{
     {"#000000", 7},
     {"#d55e00", 9},
@@ -47,7 +47,7 @@ const Style& styleOf(physics::Integrator integrator) {
   return kStyles[static_cast<std::size_t>(integrator) % kStyles.size()];
 }
 
-/// An axis: of positive numbers, from `min` to `max`.
+/// The range of an axis, from `min` to `max`.
 struct Range {
   double min = 0;
   double max = 0;
@@ -61,8 +61,8 @@ std::string text(const Range& range) {
   return "[" + number(range.min) + ":" + number(range.max) + "]";
 }
 
-/// Room for all of `values` that a logarithmic axis can show, at least a decade, so that there is a
-/// power of ten in it.
+/// Returns a range for the positive `values` on a logarithmic axis: at least a decade, so that it
+/// contains a power of ten.
 Range rangeOf(const std::vector<double>& values) {
   constexpr double kMargin = 2;
   Range range{std::numeric_limits<double>::infinity(), 0};
@@ -75,7 +75,7 @@ Range rangeOf(const std::vector<double>& values) {
   return {range.min / (kMargin * widening), range.max * kMargin * widening};
 }
 
-/// Position and size of a panel, as fractions of the sheet, and of its axes.
+/// The left and right edge of a panel, as fractions of the page, and the ranges of its axes.
 struct Panel {
   double left, right;
   Range x, y;
@@ -96,16 +96,15 @@ std::string sheetText() {
          "set key off\nset multiplot\n";
 }
 
-/// The first `count` letters, and three dots if there are more.
+/// Returns the first `count` letters, with an ellipsis if there are more.
 std::string shortened(const std::string& text, std::size_t count) {
   const std::string shown(firstCharacters(text, count));
   return shown.size() < text.size() ? shown + "…" : text;
 }
 
-/// Large if it fits on the sheet so, else small, and no more of it than fits.
+/// Sets the title large if it fits on the page, else small, shortened to what fits.
 std::string titleText(const std::string& title) {
-  constexpr std::size_t kLarge = 90,
-                        kSmall = 150;  // letters; words of so many fill 0.8 of the sheet
+  constexpr std::size_t kLarge = 90, kSmall = 150;  // letters that fill 0.8 of the page
   const bool fits = shortened(title, kLarge) == title;
   return "set label 1 " + gnuplotString(shortened(title, kSmall)) +
          " at screen 0.5,0.95 center noenhanced font '," + (fits ? "17" : "10.5") + "'\n";
@@ -116,7 +115,8 @@ std::string seriesStyle(const char* colour, int point) {
          std::to_string(point) + " pointsize point_size";
 }
 
-/// A grey line y ~ x^exponent through the upper corner on the side where it is high.
+/// Draws a grey line y ~ x^exponent from the panel's upper right corner if it rises, else from the
+/// upper left one.
 std::string slopeLine(const Panel& panel, int exponent) {
   const double start = exponent > 0 ? panel.x.max : panel.x.min;
   const double end = exponent > 0 ? panel.x.min : panel.x.max;
@@ -156,7 +156,7 @@ std::string dataBlocks(const study::PrecisionStudy& study) {
   return blocks;
 }
 
-/// The word, and the order that was fitted.
+/// Returns the integrator's name and its fitted order.
 std::string legendOf(const study::IntegratorOrder& order) {
   std::array<char, 32> fitted;
   std::snprintf(fitted.data(), fitted.size(), "%.2f", order.fit.order);
@@ -183,7 +183,7 @@ std::set<int> slopesOf(const study::PrecisionStudy& study) {
   return slopes;
 }
 
-/// What the grey lines are, below the legend.
+/// Explains the grey lines, below the legend.
 std::string slopesLabel(const std::set<int>& slopes) {
   if (slopes.empty()) return "";
   return "set label 3 'grey: slopes " +
@@ -191,7 +191,7 @@ std::string slopesLabel(const std::set<int>& slopes) {
          "' at screen 0.795,0.14 left textcolor rgb '#808080' font ',11'\n";
 }
 
-/// h, error and time of the runs that are shown.
+/// Returns steps, errors and computing times of the complete runs.
 std::array<std::vector<double>, 3> shownValues(const study::PrecisionStudy& study) {
   std::array<std::vector<double>, 3> values;
   for (const study::PrecisionRow& row : study.rows) {

@@ -1,4 +1,4 @@
-// Studies as pictures.
+// Plots the results of studies.
 #pragma once
 
 #include <string>
@@ -7,15 +7,15 @@
 
 namespace rotatebook::picture {
 
-// What drawPlot() takes.
+// Each function returns commands for drawPlot().
 
-/// Two panels with logarithmic axes: the largest error against the step, and against the computing
-/// time of one second of motion, with grey lines of the slopes that the fitted orders round to.
-/// Runs without an end are left out. At least one run is whole.
+/// Plots on two panels with logarithmic axes the largest error over the step, and over the
+/// computing time of one second of motion, with grey lines whose slopes are the rounded fitted
+/// orders. Runs that didn't complete are left out; at least one run must have.
 std::string precisionPlot(const std::string& title, const study::PrecisionStudy& study);
 
-/// Two panels: the interval measured and by the law, and their relative difference, both against
-/// the tilt. At least one row has an interval.
+/// Plots on two panels over the tilt the flip interval, measured and by the logarithmic law, and
+/// their relative difference. At least one row must have an interval.
 std::string tiltPlot(const std::string& title, const study::TiltStudy& study);
 
 }  // namespace rotatebook::picture

@@ -21,9 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A side of the case that has a picture.
+/// A side of the book cover that has a picture.
 struct Side {
-  std::string_view key;  ///< Of the scene.
+  std::string_view key;  ///< In the scene.
   std::string scene::BookSettings::*file;
   image::Image (*builtin)();
 };
@@ -36,8 +36,8 @@ bool isBuiltin(const scene::Scene& scene, const Side& side) {
   return scene.book.*side.file == scene::kBuiltin;
 }
 
-/// The file of a picture that `scene` names. Throws InputError if that leads outside the scene's
-/// folder, by dots or by links, and isn't allowed to.
+/// Returns the path of a texture of `scene`. Throws InputError if it leads outside the scene's
+/// folder, by ".." or by links, and that isn't allowed.
 fs::path fileOf(const scene::Scene& scene, const std::string& texture) {
   fs::path file = scene.folder / texture;
   if (scene.allowOutside) return file;
@@ -66,12 +66,12 @@ LoadedSide load(const scene::Scene& scene, const Side& side) {
   });
 }
 
-/// [degrees]
+/// Returns the vertical field of view. [degrees]
 double verticalFieldOfView(const scene::Scene& scene, const render::Screen& screen) {
   const double angle = scene.camera.fieldOfViewDeg;
   const double height = screen.height - screen.bottomRows;
   if (scene.panels.empty() || screen.width >= height) return angle;
-  // Panels have it over their shorter side.
+  // In panels the scene's angle is that of the shorter side.
   constexpr double kHalf = std::numbers::pi / 360;
   return std::atan(std::tan(angle * kHalf) * height / screen.width) / kHalf;
 }
@@ -100,7 +100,7 @@ std::vector<fs::path> textureFiles(const scene::Scene& scene) {
 
 void requireTextures(const scene::Scene& scene) {
   for (const Side& side : {kFront, kSpine, kBack}) {
-    // The built-in ones are whole, and take a tenth of a render's start.
+    // Built-in textures are always valid, and loading them takes a tenth of a render's start.
     if (!isBuiltin(scene, side)) load(scene, side);
   }
 }

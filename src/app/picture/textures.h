@@ -1,4 +1,4 @@
-// A scene's cover pictures.
+// Loads the pictures of a scene's book cover, and makes its camera and renderer.
 #pragma once
 
 #include <filesystem>
@@ -11,36 +11,36 @@
 
 namespace rotatebook::picture {
 
-/// What a texture that ships with the program has in place of a checksum.
+/// Replaces the checksum of a texture that ships with the program.
 inline constexpr const char* kBuiltinTexture = "built-in";
 
-/// What pictures were made of, by the scene's keys: kBuiltinTexture, or checksumOf() a file's
-/// bytes.
+/// The checksums of a scene's textures by key, like "book.front": checksumOf() the file's bytes, or
+/// kBuiltinTexture.
 using TextureChecksums = std::map<std::string, std::string>;
 
-/// A scene's pictures, and of what they are: each file was read once, so that the checksums are of
-/// the very bytes that are drawn, whatever becomes of the file.
+/// A scene's textures. Each file is read once, so that the checksums are those of the bytes that
+/// are drawn even if the file changes.
 struct LoadedTextures {
   render::BookTextures pictures;
   TextureChecksums checksums;
 };
 
-/// Reads the pictures that the scene names, all at once. Throws InputError for one that is missing
-/// or broken, or that leads outside the scene's folder unless Scene::allowOutside.
+/// Reads the textures that the scene names, in parallel. Throws InputError if one is missing or
+/// broken, or leads outside the scene's folder without Scene::allowOutside.
 LoadedTextures loadTextures(const scene::Scene& scene);
-/// The files of pictures that the scene names, be they there or not.
+/// Returns the texture files that the scene names, whether they exist or not.
 std::vector<std::filesystem::path> textureFiles(const scene::Scene& scene);
-/// Throws where loadTextures() would.
+/// Throws whenever loadTextures() would.
 void requireTextures(const scene::Scene& scene);
 
-/// The camera that draws the scene on `screen`: its whole picture, or a panel.
+/// Returns the scene's camera for `screen`, the whole picture or a panel.
 render::Camera cameraOf(const scene::Scene& scene, const render::Screen& screen);
 
-/// One with the scene's camera, ready to draw on `screen`, by that device.
+/// Makes a renderer with the scene's settings and the given textures for `screen`.
 render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& screen,
                               const render::BookTextures& textures,
                               const render::DeviceChoice& device = {});
-/// One with the scene's textures, too, ready to draw on the whole picture.
+/// Loads the scene's textures and makes a renderer for the whole picture.
 render::Renderer makeRenderer(const scene::Scene& scene);
 
 }  // namespace rotatebook::picture

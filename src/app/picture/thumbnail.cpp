@@ -11,7 +11,7 @@ namespace rotatebook::picture {
 namespace {
 
 constexpr double kWidth = 480;          // [pixels]
-constexpr double kSmallestHeight = 96;  // Of one that is very wide. [pixels]
+constexpr double kSmallestHeight = 96;  // of a very wide thumbnail [pixels]
 
 int evenSide(double pixels) {
   return 2 * std::max(1, static_cast<int>(std::lround(pixels / 2)));
@@ -25,7 +25,7 @@ scene::Scene thumbnailScene(const scene::Scene& scene) {
   const double scale = std::min(1.0, std::max(kWidth / clip.width, kSmallestHeight / clip.height));
   small.clip.width = evenSide(scale * clip.width);
   small.clip.height = evenSide(scale * clip.height);
-  small.look.supersample = 2;  // Thin lines look rough in small pictures.
+  small.look.supersample = 2;  // thin lines look rough in small pictures
   small.textless = true;
   return small;
 }

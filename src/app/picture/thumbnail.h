@@ -1,4 +1,4 @@
-// The small picture that stands for a clip or a still.
+// Draws the thumbnail of a clip or a still.
 #pragma once
 
 #include "image/image.h"
@@ -7,11 +7,11 @@
 
 namespace rotatebook::picture {
 
-/// The scene as its thumbnail shows it: textless, and no larger than 480 pixels wide, unless that
-/// would make it lower than 96, or as large as its clip is.
+/// Returns the scene of the thumbnail: without text, and at most 480 pixels wide; wider, up to the
+/// clip's size, if it would be less than 96 pixels high.
 scene::Scene thumbnailScene(const scene::Scene& scene);
 
-/// Draws the poster of `scene`, see posterFrame(), so. Throws as FrameDrawer does.
+/// Draws the poster of thumbnailScene(), see posterFrame(). Throws like FrameDrawer.
 image::Image drawThumbnail(const scene::Scene& scene, const render::DeviceChoice& device = {});
 
 }  // namespace rotatebook::picture

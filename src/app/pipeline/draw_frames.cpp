@@ -74,7 +74,7 @@ DrawnCount drawFrames(picture::FramePainter& painter, const FramesToDraw& frames
   SinkWorkers workers(sinks, error);
   const auto finish = [&](const Unfinished& item) {
     const std::shared_ptr<image::Image> picture = pictures.take();
-    item.png ? void(*picture = decoded(item)) : painter.finish(*item.exposure, *picture);
+    item.png ? void(*picture = decoded(item)) : painter.compose(*item.exposure, *picture);
     workers.submit({item.frame, picture}, item.png.has_value());
   };
   system::Workers<Unfinished> finisher(finish, 1, error);

@@ -1,6 +1,7 @@
-// Letters at the tips of arrows that move. Inside the room only.
+// Places letters at the tips of moving arrows. Inside the room only.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -11,68 +12,68 @@
 
 namespace rotatebook::overlay {
 
-/// An arrow as it lies on the picture.
+/// An arrow as it is projected onto the picture.
 struct ArrowShape {
   Point from{0, 0}, tip{0, 0};  ///< [pixels]
   /// Where it comes out of the body, or from behind it; nothing if the body hides all of it.
   std::optional<Point> visibleFrom{};
   double lineWidth = 0;   ///< [pixels]
   double headLength = 0;  ///< [pixels]
-  double headWidth = 0;   ///< Where it is widest. [pixels]
+  double headWidth = 0;   ///< At its base. [pixels]
 };
 
-/// How many pixels of the arrow's line and of its head's outline, as far as the body doesn't hide
-/// them, lie within `box`.
+/// Returns the length of the arrow's line and of its head's outline within `box`, except what the
+/// body hides. [pixels]
 double lengthWithin(const Box& box, const ArrowShape& arrow);
 
-/// A side of an arrow, as one sees it who looks along the arrow.
+/// A side of an arrow, looking along it.
 enum class Side { Left, Right };
 
-/// Where a letter is to go.
+/// The preferences by which a letter is placed.
 struct LetterWish {
-  Side side = Side::Right;  ///< To which it gives way, unless the other is much nearer.
-  int rank = 0;             ///< Letters of the lowest choose first.
+  Side side = Side::Right;  ///< The letter is moved to this side unless the other is much nearer.
+  int rank = 0;             ///< Letters of low rank are placed first.
 };
 
 /// An arrow and the letter at its tip.
 struct LabelledArrow {
   ArrowShape shape;
-  const Layer* letter;  ///< Its size is the same in all frames; must outlive the labels.
+  const Layer* letter;  ///< Of the same size in all frames; must outlive the labels.
   double distance;      ///< From the tip to the letter's middle, if nothing is in its way. [pixels]
   LetterWish wish;
-  bool inFront = true;  ///< Of the camera; an arrow that isn't is not drawn and has no letter.
+  bool inFront = true;  ///< Of the camera; otherwise neither arrow nor letter is drawn.
 };
 
-/// The arrows of a frame of the motion, the same ones in the same order for all frames.
+/// Returns the arrows of a frame of the motion: the same ones in the same order for all frames.
 using ArrowsAt = std::function<std::vector<LabelledArrow>(std::int64_t frame)>;
 
-/// Puts letters at the tips of arrows: straight ahead if nothing is there. Where another arrow or
-/// letter is in its way, a letter goes round the tip and aside, as far as it takes.
+/// Places letters at the tips of arrows: straight ahead if nothing is there. If another arrow or
+/// letter is in the way, the letter moves around the tip and aside, as far as necessary.
 ///
-/// Of the frames around the one that is drawn the mean is taken, weighted less the farther they
-/// are, so that letters glide from one side to the other where arrows pass each other, and keep
-/// their places where one sweeps by. So a frame's letters depend on the motion, and not on which
-/// frames were drawn before. No two letters meet, ever; a letter and another arrow do while one
-/// passes.
+/// Positions are averaged over the frames around the one that is drawn, with weights that fall off
+/// linearly: letters glide from one side to the other when arrows pass each other, and stay where
+/// they are when an arrow only sweeps by. A frame's letters thus depend on the motion, and not on
+/// which frames were drawn before. No two letters ever overlap; a letter and another arrow may
+/// while they pass.
 class ArrowLabels {
  public:
-  /// A letter as it was written; its box as boxOf() has it.
+  /// A letter that was written.
   struct Placed {
-    Box box;
-    Box ink;            ///< What is drawn of it, halo included.
-    std::size_t arrow;  ///< Its index.
+    Box box;            ///< Without the halo, see boxOf().
+    Box ink;            ///< Its visible pixels, halo included.
+    std::size_t arrow;  ///< Index of its arrow.
   };
 
   ArrowLabels() = default;
-  /// For frames 0 to `last`, of which `reach` >= 0 before and after the one that is drawn count, on
-  /// a picture with areas `taken`.
+  /// Takes the bounds of the picture, its areas that are `taken`, the index of the `last` frame,
+  /// and how many frames before and after the drawn one are averaged, `reach` >= 0.
   ArrowLabels(const Box& picture, std::vector<Box> taken, std::int64_t last, std::int64_t reach);
 
-  /// Writes the letters of `frame`, none of them in `alsoTaken`; those that find no place are left
-  /// out. `arrowsAt` is the same for each call until forget().
+  /// Writes the letters of `frame`, none of them in `alsoTaken`; letters without room are left out.
+  /// `arrowsAt` must be the same for each call until forget().
   void write(Canvas& canvas, std::int64_t frame, const ArrowsAt& arrowsAt,
              const std::vector<Box>& alsoTaken = {});
-  /// Forgets what is known of other frames.
+  /// Clears the cached positions of other frames.
   void forget() { best_.clear(); }
 
   /// The arrows of the last frame that was written, and its letters.

@@ -11,18 +11,18 @@
 namespace rotatebook::overlay {
 namespace {
 
-// In lengths from the body's centre to its corners; what is not over 1 keeps, with its letter,
-// within the picture.
+// In units of the distance from the body's centre to its corners; arrows of up to 1 stay, with
+// their letters, within the picture.
 constexpr double kAxisBeyond = 0.17, kShortestAxis = 0.75;
 constexpr double kOmegaLength = 0.86, kMomentumLength = 1;
-// A velocity more than this often that of the start doesn't make all others short.
+// Velocities above this many times the start's don't shorten the arrows of all others.
 constexpr double kLargestVelocity = 2;
 constexpr double kLargestMomentum = 1.05;
 constexpr double kTrailTime = 4;  // of the clip [s]
-constexpr int kTrailParts = 24;   // with an opacity each
+constexpr int kTrailParts = 24;   // each has its own opacity
 
-// The letter of L, mostly the longest, has its place; those of arrows that coincide with it are to
-// its left and right.
+// L's arrow is mostly the longest, and its letter is placed first; the letters of arrows that
+// coincide with it are placed to its left and right.
 constexpr LetterWish kMomentumWish{Side::Right, 0}, kVelocityWish{Side::Right, 1},
     kAxisWish{Side::Left, 2};
 
@@ -38,11 +38,12 @@ Layer letter(const OverlayContext& context, const std::string& text, const Colou
   return context.type.draw(text, style, context.scale.width);
 }
 
-/// `vector` with a length of `full` where it is as long as `whole`, and no more than `most`.
-Eigen::Vector3d scaledTip(const Eigen::Vector3d& vector, double whole, double full, double most) {
+/// Scales `vector` such that the norm `whole` becomes the length `full`, and no length exceeds
+/// `max`.
+Eigen::Vector3d scaledTip(const Eigen::Vector3d& vector, double whole, double full, double max) {
   const double size = vector.stableNorm();
   if (!(size > 0 && whole > 0)) return Eigen::Vector3d::Zero();
-  return vector / size * std::min(size / whole * full, most);
+  return vector / size * std::min(size / whole * full, max);
 }
 
 double largestVelocity(const physics::Trajectory& trajectory) {
@@ -54,13 +55,9 @@ double largestVelocity(const physics::Trajectory& trajectory) {
   return std::min(largest, kLargestVelocity * start);
 }
 
-Eigen::Vector3d centreOf(const physics::Sample& sample) {
-  return sample.cage.rowwise().mean();
-}
-
 void drawArrows(const View& view, const OverlayContext& context, const std::vector<Arrow>& arrows) {
   const BodyBox box(context.scene.body, view.sample.cage);
-  for (const Arrow& arrow : arrows) drawArrow(view, box, arrow.from, arrow.to, arrow.pen);
+  for (const Arrow& arrow : arrows) drawArrow(view, box, arrow);
 }
 
 }  // namespace
@@ -108,7 +105,7 @@ Eigen::Vector3d ArrowScale::momentumTip(const Eigen::Vector3d& angularMomentum) 
 
 namespace {
 
-/// What a VectorArrow shows.
+/// The vector that a VectorArrow shows.
 struct ShownVector {
   const char* letter;
   Colour colour;
@@ -125,7 +122,7 @@ const ShownVector kMomentum{"L", kMomentumColour, kMomentumWish,
                               return scale.momentumTip(sample.angularMomentum);
                             }};
 
-/// A vector of the motion as an arrow from the body's centre.
+/// An arrow from the body's centre along a vector of the motion.
 class VectorArrow final : public DrawnOverlay {
  public:
   VectorArrow(const OverlayContext& context, const ShownVector& shown)
@@ -137,7 +134,7 @@ class VectorArrow final : public DrawnOverlay {
   void draw(const View& view) override { drawArrows(view, context_, arrows(view.sample)); }
 
   std::vector<Arrow> arrows(const physics::Sample& sample) const override {
-    const Eigen::Vector3d centre = centreOf(sample);
+    const Eigen::Vector3d centre = sample.cage.rowwise().mean();
     const Pen pen{shown_.colour, 1.5 * context_.scale.line, 1, context_.scale.halo};
     return {{centre, centre + shown_.tip(scale_, sample), pen, &letter_, shown_.wish}};
   }
@@ -163,15 +160,15 @@ Trail::Trail(const OverlayContext& context)
     : context_(context), length_(context.scene.clip.frameRate.framesIn(kTrailTime)) {
   const ArrowScale scale(context);
   for (const physics::Sample& sample : context.trajectory.samples) {
-    const Eigen::Matrix3d turn = scene::frameFromWorld(context.scene.camera.frame, sample);
-    tips_.push_back(turn * scale.omegaTip(sample.angularVelocity));
+    const Eigen::Matrix3d rotation = scene::frameFromWorld(context.scene.camera.frame, sample);
+    tips_.push_back(rotation * scale.omegaTip(sample.angularVelocity));
   }
 }
 
 void Trail::draw(const View& view) {
   const std::int64_t first = std::max<std::int64_t>(0, view.frame - length_);
   const std::int64_t step = std::max<std::int64_t>(1, length_ / kTrailParts);
-  // Parts keep to multiples of their length, so that they don't crawl along the path.
+  // Parts begin at multiples of their length, so that they don't crawl along the path.
   for (std::int64_t start = first / step * step; start < view.frame; start += step) {
     std::vector<Point> points;
     const std::int64_t end = std::min(start + step, view.frame);

@@ -1,5 +1,4 @@
-// Directions at the body: its axes, the angular velocity, the angular momentum. Inside the room
-// only.
+// Draws the body's axes, the angular velocity and the angular momentum. Inside the room only.
 #pragma once
 
 #include <array>
@@ -26,28 +25,28 @@ class Axes final : public DrawnOverlay {
   std::array<Layer, 3> letters_;
 };
 
-/// Lengths that arrows have in the world, whatever their units: those of a motion that grows
-/// without limit stop growing.
+/// Lengths of arrows in the world. They are limited where a motion grows without limit.
 class ArrowScale {
  public:
   explicit ArrowScale(const OverlayContext& context);
-  /// The tip of the arrow for an angular velocity [rad/s]. [m]
+  /// Returns the tip of the arrow for an angular velocity [rad/s]. [m]
   Eigen::Vector3d omegaTip(const Eigen::Vector3d& angularVelocity) const;
-  /// That for an angular momentum [kg m^2/s]. [m]
+  /// Returns the tip of the arrow for an angular momentum [kg m^2/s]. [m]
   Eigen::Vector3d momentumTip(const Eigen::Vector3d& angularMomentum) const;
 
  private:
   double reach_;     // of the body from its centre [m]
-  double velocity_;  // what has the full length [rad/s]
-  double momentum_;  // [kg m^2/s]
+  double velocity_;  // has the full length [rad/s]
+  double momentum_;  // has the full length [kg m^2/s]
 };
 
-/// The angular velocity as an arrow from the body's centre; its place needs no box.
-std::unique_ptr<DrawnOverlay> makeOmega(const OverlayContext& context, const Box& box);
-/// The angular momentum likewise.
-std::unique_ptr<DrawnOverlay> makeMomentum(const OverlayContext& context, const Box& box);
+/// Makes the angular velocity's arrow from the body's centre.
+std::unique_ptr<DrawnOverlay> makeOmega(const OverlayContext& context, const Box&);
+/// Makes the angular momentum's arrow from the body's centre.
+std::unique_ptr<DrawnOverlay> makeMomentum(const OverlayContext& context, const Box&);
 
-/// The path of the angular velocity's tip through the last seconds, as the camera's frame has it.
+/// The path of the angular velocity's tip during the last seconds, in the camera's frame of
+/// reference.
 class Trail final : public DrawnOverlay {
  public:
   explicit Trail(const OverlayContext& context);

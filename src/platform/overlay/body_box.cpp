@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace rotatebook::overlay {
 namespace {
 
 constexpr double kHiddenOpacity = 0.38;
-constexpr double kHeadLength = 4.2, kHeadWidth = 3.4;  // of an arrow, in widths of its line
-constexpr double kLongestHead = 0.6;                   // of the arrow
+constexpr double kHeadLength = 4.2, kHeadWidth = 3.4;  // of an arrow [line widths]
+constexpr double kLongestHead = 0.6;                   // share of the arrow's length
 
 Pen hiddenPen(Pen pen) {
   pen.opacity *= kHiddenOpacity;
@@ -17,7 +18,7 @@ Pen hiddenPen(Pen pen) {
   return pen;
 }
 
-/// Where between `low` and `high`, of which the body hides one, it begins or ends to hide.
+/// Returns the point between `low` and `high`, one of them hidden, at which hiding begins or ends.
 template <typename Hides>
 double edgeBetween(double low, double high, const Hides& hides) {
   constexpr int kHalvings = 7;
@@ -29,7 +30,7 @@ double edgeBetween(double low, double high, const Hides& hides) {
   return (low + high) / 2;
 }
 
-/// A part of a line, from 0 to 1.
+/// A part of a line, within 0 to 1 of its length.
 struct Part {
   double from, to;
   bool hidden;
@@ -58,26 +59,8 @@ void drawHead(Canvas& canvas, const Point& tip, const Point& along, double lengt
   canvas.area(outline, {pen.colour, pen.opacity});
 }
 
-}  // namespace
-
-BodyBox::BodyBox(const physics::Cuboid& body, const physics::Cage& cage)
-    : centre_(cage.rowwise().mean()) {
-  const physics::Cage rest = body.corners();
-  const Eigen::Vector3d half = body.size / 2;
-  const Eigen::Vector3d inverseSquares = half.cwiseAbs2().cwiseInverse() / 8;
-  map_ = (cage.colwise() - centre_) * rest.transpose() * inverseSquares.asDiagonal();
-  boxFromWorld_ = (map_ * half.asDiagonal()).inverse();
-}
-
-bool BodyBox::hides(const Eigen::Vector3d& point, const Eigen::Vector3d& eye) const {
-  const Eigen::Array3d start = boxFromWorld_ * (eye - centre_);
-  const Eigen::Array3d way = boxFromWorld_ * (point - eye);
-  const Eigen::Array3d a = (-1 - start) / way, b = (1 - start) / way;
-  const double enters = a.min(b).maxCoeff(), leaves = a.max(b).minCoeff();
-  constexpr double kTouching = 1e-6;
-  return enters > 0 && enters < leaves && enters < 1 - kTouching;
-}
-
+/// Draws a straight line in the world, faint where the body hides it; parts that have an end behind
+/// the camera are left out.
 void drawLine(const View& view, const BodyBox& box, const Eigen::Vector3d& from,
               const Eigen::Vector3d& to, const Pen& pen) {
   const Eigen::Vector3d eye = view.projector.eye();
@@ -92,31 +75,49 @@ void drawLine(const View& view, const BodyBox& box, const Eigen::Vector3d& from,
   }
 }
 
-std::optional<ArrowShape> arrowShape(const Projector& projector, const BodyBox& box,
-                                     const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                                     const Pen& pen) {
-  const auto a = projector(from), b = projector(to);
-  if (!a || !b) return std::nullopt;
-  const Eigen::Vector3d eye = projector.eye();
-  // It begins within the body, which hides nothing of it any more where it has once come out.
-  const Part last =
-      partsOf([&](double t) { return box.hides(from + t * (to - from), eye); }).back();
-  const auto visible = last.hidden ? std::nullopt : projector(from + last.from * (to - from));
-  const double head = std::min(kHeadLength * pen.width, kLongestHead * (*b - *a).norm());
-  return ArrowShape{*a, *b, visible, pen.width, head, head * kHeadWidth / kHeadLength};
+}  // namespace
+
+BodyBox::BodyBox(const physics::Cuboid& body, const physics::Cage& cage)
+    : centre_(cage.rowwise().mean()) {
+  const physics::Cage rest = body.corners();
+  const Eigen::Vector3d half = body.size / 2;
+  const Eigen::Vector3d inverseSquares = half.cwiseAbs2().cwiseInverse() / 8;
+  map_ = (cage.colwise() - centre_) * rest.transpose() * inverseSquares.asDiagonal();
+  boxFromWorld_ = (map_ * half.asDiagonal()).inverse();
 }
 
-void drawArrow(const View& view, const BodyBox& box, const Eigen::Vector3d& from,
-               const Eigen::Vector3d& to, const Pen& pen) {
-  const auto shape = arrowShape(view.projector, box, from, to, pen);
+bool BodyBox::hides(const Eigen::Vector3d& point, const Eigen::Vector3d& eye) const {
+  const Eigen::Array3d start = boxFromWorld_ * (eye - centre_);
+  const Eigen::Array3d ray = boxFromWorld_ * (point - eye);
+  const Eigen::Array3d a = (-1 - start) / ray, b = (1 - start) / ray;
+  const double enters = a.min(b).maxCoeff(), leaves = a.max(b).minCoeff();
+  constexpr double kTouching = 1e-6;
+  return enters > 0 && enters < leaves && enters < 1 - kTouching;
+}
+
+std::optional<ArrowShape> arrowShape(const Projector& projector, const BodyBox& box,
+                                     const Arrow& arrow) {
+  const auto a = projector(arrow.from), b = projector(arrow.to);
+  if (!a || !b) return std::nullopt;
+  const Eigen::Vector3d eye = projector.eye(), along = arrow.to - arrow.from;
+  // The body hides nothing of the arrow beyond the point at which it comes out.
+  const Part last =
+      partsOf([&](double t) { return box.hides(arrow.from + t * along, eye); }).back();
+  const auto visible = last.hidden ? std::nullopt : projector(arrow.from + last.from * along);
+  const double head = std::min(kHeadLength * arrow.pen.width, kLongestHead * (*b - *a).norm());
+  return ArrowShape{*a, *b, visible, arrow.pen.width, head, head * kHeadWidth / kHeadLength};
+}
+
+void drawArrow(const View& view, const BodyBox& box, const Arrow& arrow) {
+  const auto shape = arrowShape(view.projector, box, arrow);
   if (!shape || shape->headLength < 0.5) return;
   const double length = (shape->tip - shape->from).norm(), head = shape->headLength;
   // The line ends within the head, whose tip is sharp.
   const double share = 1 - 0.8 * head / length;
-  drawLine(view, box, from, from + share * (to - from), pen);
-  const bool hidden = box.hides(to, view.projector.eye());
+  drawLine(view, box, arrow.from, arrow.from + share * (arrow.to - arrow.from), arrow.pen);
+  const bool hidden = box.hides(arrow.to, view.projector.eye());
   drawHead(view.canvas, shape->tip, (shape->tip - shape->from) / length, head,
-           hidden ? hiddenPen(pen) : pen);
+           hidden ? hiddenPen(arrow.pen) : arrow.pen);
 }
 
 }  // namespace rotatebook::overlay

@@ -1,24 +1,25 @@
-// Upright rectangles on a picture. Inside the room only.
+// Axis-aligned rectangles on a picture. Inside the room only.
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 #include <Eigen/Core>
 
 namespace rotatebook::overlay {
 
-/// A place on a picture, from its top left. [pixels]
+/// A position on a picture, or a distance on it, from the top left, y down. [pixels]
 using Point = Eigen::Vector2d;
 
 /// A rectangle. [pixels]
 struct Box {
-  double x = 0, y = 0;           ///< Its top left.
-  double width = 0, height = 0;  ///< >= 0; nothing meets a box of no size.
+  double x = 0, y = 0;           ///< Its top left corner.
+  double width = 0, height = 0;  ///< >= 0; an empty box meets nothing.
 
   double right() const { return x + width; }
   double bottom() const { return y + height; }
   bool empty() const { return width <= 0 || height <= 0; }
-  /// Whether the two share more than an edge.
+  /// Returns whether the two boxes share more than an edge.
   bool meets(const Box& other) const {
     return !empty() && !other.empty() && x < other.right() && other.x < right() &&
            y < other.bottom() && other.y < bottom();
@@ -26,11 +27,12 @@ struct Box {
   bool holds(const Box& other) const {
     return x <= other.x && y <= other.y && other.right() <= right() && other.bottom() <= bottom();
   }
-  /// Larger by `margin` on each side.
+  /// Returns this box, larger by `margin` on each side.
   Box grown(double margin) const {
     return {x - margin, y - margin, width + 2 * margin, height + 2 * margin};
   }
-  /// The smallest box that holds both; an empty one counts for nothing.
+  Box moved(const Point& by) const { return {x + by.x(), y + by.y(), width, height}; }
+  /// Returns the smallest box that holds both; an empty one counts for nothing.
   Box united(const Box& other) const {
     if (empty()) return other;
     if (other.empty()) return *this;
@@ -39,5 +41,11 @@ struct Box {
             std::max(bottom(), other.bottom()) - top};
   }
 };
+
+/// Returns whether `text` lies within `area`, and at least a pixel from all that is `taken`.
+inline bool isFree(const Box& text, const Box& area, const std::vector<Box>& taken) {
+  return area.holds(text) &&
+         std::ranges::none_of(taken, [&](const Box& other) { return other.grown(1).meets(text); });
+}
 
 }  // namespace rotatebook::overlay

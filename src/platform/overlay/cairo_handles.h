@@ -1,4 +1,4 @@
-// Owners of what Cairo and Pango give out. Inside the room only.
+// Owning handles of Cairo's and Pango's objects. Inside the room only.
 #pragma once
 
 #include <memory>

@@ -14,7 +14,7 @@ namespace rotatebook::overlay {
 namespace {
 
 constexpr double kHaloOpacity = 0.55;
-// Lines to points far outside are cut off by Cairo only within what its fixed numbers hold.
+// Points are clamped to this: Cairo clips only what its fixed-point coordinates can hold. [pixels]
 constexpr double kFarAway = 20'000;
 
 Point within(const Point& point) {
@@ -34,16 +34,6 @@ Box hullOf(std::span<const Point> points) {
   return {low.x(), low.y(), high.x() - low.x(), high.y() - low.y()};
 }
 
-void roundedPath(cairo_t* cairo, const Box& box, double radius) {
-  constexpr double kRight = std::numbers::pi / 2;
-  cairo_new_sub_path(cairo);
-  cairo_arc(cairo, box.right() - radius, box.y + radius, radius, -kRight, 0);
-  cairo_arc(cairo, box.right() - radius, box.bottom() - radius, radius, 0, kRight);
-  cairo_arc(cairo, box.x + radius, box.bottom() - radius, radius, kRight, 2 * kRight);
-  cairo_arc(cairo, box.x + radius, box.y + radius, radius, 2 * kRight, 3 * kRight);
-  cairo_close_path(cairo);
-}
-
 }  // namespace
 
 struct Canvas::Parts {
@@ -58,7 +48,7 @@ struct Canvas::Parts {
     cairo_set_line_join(cairo.get(), CAIRO_LINE_JOIN_ROUND);
   }
 
-  /// Notes that `box` was drawn in. The boxes never meet, so that nothing is laid twice.
+  /// Marks `box` as drawn in. The touched boxes never meet, so that nothing is blended twice.
   void touch(const Box& box) {
     const double left = std::clamp(std::floor(box.x) - 1, 0.0, 1.0 * width);
     const double top = std::clamp(std::floor(box.y) - 1, 0.0, 1.0 * height);
@@ -78,7 +68,7 @@ struct Canvas::Parts {
     touched.push_back(whole);
   }
 
-  LayerView view(const Box& box) {
+  LayerView view(const Box& box) const {
     const auto x = static_cast<int>(box.x), y = static_cast<int>(box.y);
     return {x,
             y,
@@ -131,8 +121,6 @@ struct Canvas::Parts {
 
 Canvas::Canvas(int width, int height) : parts_(std::make_unique<Parts>(width, height)) {}
 Canvas::~Canvas() = default;
-Canvas::Canvas(Canvas&&) noexcept = default;
-Canvas& Canvas::operator=(Canvas&&) noexcept = default;
 
 void Canvas::line(std::span<const Point> points, const Pen& pen) {
   if (points.size() < 2) return;
@@ -166,25 +154,30 @@ void Canvas::disc(const Point& centre, double radius, const Fill& fill) {
 }
 
 void Canvas::roundedBox(const Box& box, double radius, const Fill& fill) {
-  roundedPath(parts_->cairo.get(), box, radius);
+  constexpr double kRight = std::numbers::pi / 2;
+  cairo_t* cairo = parts_->cairo.get();
+  cairo_arc(cairo, box.right() - radius, box.y + radius, radius, -kRight, 0);
+  cairo_arc(cairo, box.right() - radius, box.bottom() - radius, radius, 0, kRight);
+  cairo_arc(cairo, box.x + radius, box.bottom() - radius, radius, kRight, 2 * kRight);
+  cairo_arc(cairo, box.x + radius, box.y + radius, radius, 2 * kRight, 3 * kRight);
   parts_->fill(box, fill);
 }
 
-void Canvas::write(const Layer& words, const Point& place) {
-  paint(words, place);
-  parts_->texts.push_back(boxOf(words, place));
+void Canvas::write(const Layer& text, const Point& position) {
+  paint(text, position);
+  parts_->texts.push_back(boxOf(text, position));
 }
 
-void Canvas::paint(const Layer& piece, const Point& place) {
+void Canvas::paint(const Layer& layer, const Point& position) {
   const Surface source(cairo_image_surface_create_for_data(
       // Cairo only reads from it.
-      const_cast<unsigned char*>(piece.pixels.data()), CAIRO_FORMAT_ARGB32, piece.width,
-      piece.height, piece.width * 4));
-  const double x = place.x() + piece.x, y = place.y() + piece.y;
+      const_cast<unsigned char*>(layer.pixels.data()), CAIRO_FORMAT_ARGB32, layer.width,
+      layer.height, layer.width * 4));
+  const double x = position.x() + layer.x, y = position.y() + layer.y;
   cairo_set_source_surface(parts_->cairo.get(), source.get(), x, y);
   cairo_paint(parts_->cairo.get());
-  parts_->touch({x, y, 1.0 * piece.width, 1.0 * piece.height});
-  setColour(parts_->cairo.get(), kWhite, 1);  // lets go of `source`
+  parts_->touch({x, y, 1.0 * layer.width, 1.0 * layer.height});
+  setColour(parts_->cairo.get(), kWhite, 1);  // releases `source`
 }
 
 void Canvas::layOver(image::Image& picture) {
@@ -223,9 +216,9 @@ void Canvas::forgetTexts() {
   parts_->texts.clear();
 }
 
-Box boxOf(const Layer& words, const Point& place) {
-  return {place.x(), place.y(), 1.0 * (words.width + 2 * words.x),
-          1.0 * (words.height + 2 * words.y)};
+Box boxOf(const Layer& text, const Point& position) {
+  return {position.x(), position.y(), 1.0 * (text.width + 2 * text.x),
+          1.0 * (text.height + 2 * text.y)};
 }
 
 }  // namespace rotatebook::overlay

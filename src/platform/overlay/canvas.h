@@ -1,4 +1,4 @@
-// Lines, areas and words on their way onto a picture. Inside the room only.
+// Draws lines, areas and text to be laid over a picture. Inside the room only.
 #pragma once
 
 #include <memory>
@@ -12,53 +12,53 @@
 
 namespace rotatebook::overlay {
 
-/// How a line looks.
+/// The look of a line.
 struct Pen {
   Colour colour;
   double width = 1;  ///< [pixels]
   double opacity = 1;
-  double halo = 0;  ///< How far a dark edge reaches on both sides. [pixels]
+  double halo = 0;  ///< Width of a dark edge on both sides. [pixels]
 };
 
-/// How an area looks.
+/// The look of an area.
 struct Fill {
   Colour colour;
   double opacity = 1;
 };
 
-/// A transparent sheet as large as the picture. What is drawn on it is laid over the picture at
-/// once, and only where something was drawn. Use it on one thread.
+/// A transparent sheet of the picture's size. It is laid over the picture at once, and only where
+/// something was drawn. Use it on one thread.
 class Canvas {
  public:
-  /// > 0 [pixels]
+  /// Takes the picture's width and height, > 0. [pixels]
   Canvas(int width, int height);
   ~Canvas();
-  Canvas(Canvas&&) noexcept;
-  Canvas& operator=(Canvas&&) noexcept;
 
-  /// A line through two points or more, round at its ends and corners. Points that are far outside
-  /// the picture are fine.
+  /// Strokes a line through two points or more, with round caps and joins. Points far outside the
+  /// picture are fine.
   void line(std::span<const Point> points, const Pen& pen);
-  /// Separate lines, each from one point to the next, in one go: they cover each other's halos.
+  /// Strokes separate lines, each from one point to the next, as one path: the lines cover each
+  /// other's halos.
   void lines(std::span<const Point> pairs, const Pen& pen);
-  /// The area within a polygon.
+  /// Fills a polygon.
   void area(std::span<const Point> corners, const Fill& fill);
   void disc(const Point& centre, double radius, const Fill& fill);
-  /// A rectangle whose corners are round.
+  /// Fills a rectangle with round corners.
   void roundedBox(const Box& box, double radius, const Fill& fill);
-  /// `words`, with their top left, without halo, at `place`; fractions of a pixel count.
-  void write(const Layer& words, const Point& place);
-  /// A piece of picture, which has no words; else the same.
-  void paint(const Layer& piece, const Point& place);
+  /// Draws `text` with its top left, the halo not counted, at `position`, which may be between
+  /// pixels; notes its box in texts().
+  void write(const Layer& text, const Point& position);
+  /// Like write(), for an image without text.
+  void paint(const Layer& layer, const Point& position);
 
-  /// Lays what was drawn over `picture`, which is of this size, and starts afresh.
+  /// Lays the drawing over `picture`, which has the canvas's size, and clears the canvas.
   void layOver(image::Image& picture);
-  /// Lays `cached` over `picture`, above all that was drawn before.
+  /// Lays the drawing, and `cached` above it, over `picture`.
   void lay(const CachedLayer& cached, image::Image& picture);
-  /// What was drawn, words included, as a piece of its own; starts afresh.
+  /// Returns the drawing and its texts() as a layer, and clears the canvas.
   CachedLayer take();
 
-  /// Where words were written or laid since forgetTexts().
+  /// Returns the boxes of all text that was written or laid since forgetTexts().
   const std::vector<Box>& texts() const;
   void forgetTexts();
 
@@ -67,7 +67,7 @@ class Canvas {
   std::unique_ptr<Parts> parts_;
 };
 
-/// The box of `words` as write() puts them, without halo.
-Box boxOf(const Layer& words, const Point& place);
+/// Returns the box of `text` without its halo when write() puts it at `position`.
+Box boxOf(const Layer& text, const Point& position = Point(0, 0));
 
 }  // namespace rotatebook::overlay

@@ -1,10 +1,8 @@
 #include "overlay/caption_and_clock.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,36 +20,14 @@
 namespace rotatebook::overlay {
 namespace {
 
-// Of the picture's height, less where it is narrow, but never so small that letters can't be read.
+// Font sizes: shares of Scale::unit, and the smallest that can be read. [pixels]
 constexpr double kTitleSize = 0.036, kSmallestTitle = 13;
-constexpr double kCaptionSize = 0.0255, kSmallestCaption = 10;
 constexpr double kSettingsSize = 0.0215, kSmallestSettings = 9;
-constexpr double kMargin = 0.045;
 // A line longer than this many letter heights is hard to follow.
 constexpr double kLongestLine = 56;
-constexpr double kShade = 0.6;  // how dark the viewport of the words gets
+constexpr double kShade = 0.6;  // opacity of the shade below the text, at its darkest
 
-/// The lengths that follow from the picture's size. [pixels]
-struct PageScale {
-  explicit PageScale(const scene::ClipSettings& clip)
-      : width(clip.width),
-        height(clip.height),
-        unit(std::min<double>(height, 0.8 * width)),
-        margin(static_cast<int>(std::lround(kMargin * unit))),
-        room(width - 2 * margin) {}
-
-  double size(double share, double least) const { return std::max(share * unit, least); }
-
-  double halo() const { return std::max(1.0, 0.0024 * unit); }
-
-  int width;
-  int height;
-  double unit;  // what letters and margins are shares of
-  int margin;
-  int room;  // between the margins
-};
-
-/// How a motion was simulated in steps: "quaternion", "rk4", "normalised", "step 0.26 ms".
+/// Lists the settings of a motion in steps: "quaternion", "rk4", "normalised", "step 0.26 ms".
 std::vector<std::string> settingsOf(const physics::SimulationSettings& settings) {
   const std::string model(scene::nameOf(scene::kModels, settings.model));
   std::vector<std::string> parts{
@@ -67,8 +43,8 @@ std::vector<std::string> settingsOf(const physics::SimulationSettings& settings)
   return parts;
 }
 
-/// What all motions of `scene` that are simulated in steps have in common, and whether one is
-/// exact.
+/// Lists the settings that all motions of `scene` in steps have in common, and "exact solution" if
+/// a motion is exact.
 std::string settingsText(const scene::Scene& scene) {
   const std::vector<scene::Panel> motions = scene::motionsOf(scene);
   const auto steps = [](const scene::Panel& panel) {
@@ -86,7 +62,7 @@ std::string settingsText(const scene::Scene& scene) {
   return joined({joined(common), std::ranges::all_of(motions, steps) ? "" : kExact}, "; ");
 }
 
-/// Black, from nothing at the top to kShade at the bottom, softly.
+/// Returns a black layer whose opacity rises smoothly from 0 at the top to kShade at the bottom.
 Layer shade(int width, int height, int y) {
   Layer layer{0, y, width, height, {}};
   const auto rowSize = static_cast<std::size_t>(width) * 4;
@@ -100,89 +76,50 @@ Layer shade(int width, int height, int y) {
   return layer;
 }
 
-std::string clockText(double time) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "t = %.2f s", time);
-  return text.data();
-}
-
-TextStyle clockStyle(const PageScale& scale) {
-  return {.size = scale.size(kCaptionSize, kSmallestCaption),
-          .colour = kWhite,
-          .opacity = 0.92,
-          .halo = scale.halo(),
-          .tabular = true};
-}
-
+/// A text and its top on the picture. [pixels]
 struct Line {
-  Layer words;
-  int top;  // on the picture [pixels]
+  Layer text;
+  int top;
 };
 
-/// Throws InputError if the words leave too little of the picture for the book.
+/// Throws InputError if the text leaves too little of the picture for the book.
 void refuseTooMany(const std::vector<Line>& lines, const scene::Scene& scene) {
   const int height = scene.clip.height, rows = height - lines.front().top;
   if (rows <= height / 2 || height < kSmallPicture) return;
   const auto tallest =
-      std::ranges::max_element(lines, {}, [](const Line& line) { return line.words.height; });
+      std::ranges::max_element(lines, {}, [](const Line& line) { return line.text.height; });
   const bool title = tallest == lines.begin();
   throw InputError(
-      scene::locationOf(scene, title ? "title" : "caption") + ": the words take " +
+      scene::locationOf(scene, title ? "title" : "caption") + ": the text takes " +
       std::to_string(rows) + " of the picture's " + std::to_string(height) +
       " rows, which leaves too little for the book; shorten " +
       (title ? "the title" : "the caption") +
       ", make the picture larger (clip.size), or leave \"caption\" out of overlay.show");
 }
 
-/// Title, caption and settings, one below the other, the last above the picture's lower margin; the
-/// first is `narrower` than the others. [pixels]
-std::vector<Line> captionLines(const Typesetter& type, const scene::Scene& scene, int narrower) {
-  const PageScale scale(scene.clip);
-  const double captionSize = scale.size(kCaptionSize, kSmallestCaption);
-  const int room = std::min(scale.room, static_cast<int>(kLongestLine * captionSize));
-  std::vector<Line> lines;
-  const auto add = [&](std::string_view key, const std::string& text, const TextStyle& style) {
-    if (text.empty()) return;
-    const int width = lines.empty() ? std::min(room, scale.room - narrower) : room;
-    const auto draw = [&] { return type.draw(text, style, width); };
-    lines.push_back({scene::atLocationOf(scene, key, draw), 0});
-  };
-  const double halo = scale.halo();
-  add("title", scene.title,
-      {.size = scale.size(kTitleSize, kSmallestTitle),
-       .bold = true,
-       .colour = kWhite,
-       .halo = halo});
-  add("caption", scene.caption,
-      {.size = captionSize, .colour = kWhite, .opacity = 0.95, .halo = halo});
-  add("", settingsText(scene),
-      {.size = scale.size(kSettingsSize, kSmallestSettings), .colour = kGrey, .halo = halo});
-
-  const int gap = static_cast<int>(std::lround(0.45 * captionSize));
-  int bottom = scale.height - scale.margin;
-  for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
-    line->top = bottom - static_cast<int>(boxOf(line->words, Point(0, 0)).height);
-    bottom = line->top - gap;
-  }
-  refuseTooMany(lines, scene);
-  return lines;
-}
-
 }  // namespace
 
 struct CaptionAndClock::Parts {
-  Parts(const scene::Scene& asked, ClockPosition clockPlace)
-      : scene(asked), place(clockPlace), scale(asked.clip), type(Typesetter::of(asked)) {
-    const bool below = shows(scene, scene::Overlay::Clock) && place == ClockPosition::Bottom;
+  Parts(const scene::Scene& asked, ClockPosition clockPosition)
+      : scene(asked),
+        position(clockPosition),
+        scale(asked.clip.width, asked.clip.height),
+        margin(static_cast<int>(std::lround(0.045 * scale.unit))),
+        type(Typesetter::of(asked)),
+        clockStyle{.size = scale.letters,
+                   .colour = kWhite,
+                   .opacity = 0.92,
+                   .halo = scale.halo,
+                   .tabular = true} {
+    const bool below = shows(scene, scene::Overlay::Clock) && position == ClockPosition::Bottom;
     if (shows(scene, scene::Overlay::Clock)) clock = clockBox();
     std::vector<Line> lines;
     if (shows(scene, scene::Overlay::Caption)) {
-      const int narrower = below ? static_cast<int>(clock.width) + scale.margin : 0;
-      lines = captionLines(type, scene, narrower);
+      lines = captionLines(below ? static_cast<int>(clock.width) + margin : 0);
     }
     if (below) {
-      clock.x = scale.width - scale.margin - clock.width;
-      clock.y = lines.empty() ? scale.height - scale.margin - clock.height : lines.front().top;
+      clock.x = scale.width - margin - clock.width;
+      clock.y = lines.empty() ? scale.height - margin - clock.height : lines.front().top;
     }
     if (!lines.empty()) {
       addShade(lines.front().top);
@@ -192,61 +129,92 @@ struct CaptionAndClock::Parts {
     }
   }
 
-  /// A dark viewport for words from row `first` on.
+  /// Sets title, caption and settings, one below the other, down to the picture's lower margin;
+  /// the first is `narrower` than the others. [pixels]
+  std::vector<Line> captionLines(int narrower) const {
+    const int room = std::min(textWidth(), static_cast<int>(kLongestLine * scale.letters));
+    std::vector<Line> lines;
+    const auto add = [&](std::string_view key, const std::string& text, const TextStyle& style) {
+      if (text.empty()) return;
+      const int width = lines.empty() ? std::min(room, textWidth() - narrower) : room;
+      const auto draw = [&] { return type.draw(text, style, width); };
+      lines.push_back({scene::atLocationOf(scene, key, draw), 0});
+    };
+    const double titleSize = std::max(kTitleSize * scale.unit, kSmallestTitle);
+    const double settingsSize = std::max(kSettingsSize * scale.unit, kSmallestSettings);
+    add("title", scene.title,
+        {.size = titleSize, .bold = true, .colour = kWhite, .halo = scale.halo});
+    add("caption", scene.caption,
+        {.size = scale.letters, .colour = kWhite, .opacity = 0.95, .halo = scale.halo});
+    add("", settingsText(scene), {.size = settingsSize, .colour = kGrey, .halo = scale.halo});
+
+    const int gap = static_cast<int>(std::lround(0.45 * scale.letters));
+    int bottom = scale.height - margin;
+    for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
+      line->top = bottom - static_cast<int>(boxOf(line->text).height);
+      bottom = line->top - gap;
+    }
+    refuseTooMany(lines, scene);
+    return lines;
+  }
+
+  /// Adds a dark background for text from row `first` on.
   void addShade(int first) {
-    const int top = std::max(0, first - scale.margin / 2);
+    const int top = std::max(0, first - margin / 2);
     bottomRows = std::min(scale.height - top, scale.height / 2);
-    const int shadeTop = std::max(0, top - scale.margin);
-    viewport = shade(scale.width, scale.height - shadeTop, shadeTop);
+    const int shadeTop = std::max(0, top - margin);
+    background = shade(scale.width, scale.height - shadeTop, shadeTop);
   }
 
   void addLines(const std::vector<Line>& lines) {
     Canvas canvas(scale.width, scale.height);
-    for (const Line& line : lines) canvas.write(line.words, {1.0 * scale.margin, 1.0 * line.top});
-    cached = canvas.take();
+    for (const Line& line : lines) canvas.write(line.text, {1.0 * margin, 1.0 * line.top});
+    caption = canvas.take();
   }
 
-  /// At the top left, wide enough for the last frame's time.
-  Box clockBox() const {
-    const double last =
-        static_cast<double>(scene.clip.frameCount()) * scene.simulation.timePerFrame;
-    const TextSize size = type.measure(clockText(last), clockStyle(scale), scale.room);
-    return {1.0 * scale.margin, 1.0 * scale.margin, 1.0 * size.width, 1.0 * size.height};
+  std::string timeAt(std::int64_t frame) const {
+    return "t = " + clockText(static_cast<double>(frame) * scene.simulation.timePerFrame);
   }
+
+  /// Returns a box at the top left that is wide enough for the last frame's time.
+  Box clockBox() const {
+    const TextSize size = type.measure(timeAt(scene.clip.frameCount()), clockStyle, textWidth());
+    return {1.0 * margin, 1.0 * margin, 1.0 * size.width, 1.0 * size.height};
+  }
+
+  int textWidth() const { return scale.width - 2 * margin; }
 
   scene::Scene scene;
-  ClockPosition place;
-  PageScale scale;
+  ClockPosition position;
+  Scale scale;
+  int margin;  // [pixels]
   Typesetter type;
-  Layer viewport;      // below the words at the bottom
-  CachedLayer cached;  // what is the same in every frame
-  Box clock;           // empty if it isn't shown
+  TextStyle clockStyle;
+  Layer background;     // below the text at the bottom
+  CachedLayer caption;  // the same in every frame
+  Box clock;            // empty if it isn't shown
   int bottomRows = 0;
   std::vector<Box> texts;
 };
 
-CaptionAndClock::CaptionAndClock(const scene::Scene& scene, ClockPosition place)
-    : parts_(std::make_unique<Parts>(scene, place)) {}
+CaptionAndClock::CaptionAndClock(const scene::Scene& scene, ClockPosition position)
+    : parts_(std::make_unique<Parts>(scene, position)) {}
 CaptionAndClock::~CaptionAndClock() = default;
-CaptionAndClock::CaptionAndClock(CaptionAndClock&&) noexcept = default;
-CaptionAndClock& CaptionAndClock::operator=(CaptionAndClock&&) noexcept = default;
 
 int CaptionAndClock::bottomRows() const {
   return parts_->bottomRows;
 }
 
 Box CaptionAndClock::corner() const {
-  return parts_->place == ClockPosition::TopLeft ? parts_->clock : Box{};
+  return parts_->position == ClockPosition::TopLeft ? parts_->clock : Box{};
 }
 
 void CaptionAndClock::draw(std::int64_t frame, image::Image& picture) {
-  blend(parts_->viewport, picture);
-  blend(parts_->cached.layer, picture);
-  parts_->texts = parts_->cached.texts;
+  blend(parts_->background, picture);
+  blend(parts_->caption.layer, picture);
+  parts_->texts = parts_->caption.texts;
   if (parts_->clock.empty()) return;
-  const PageScale& scale = parts_->scale;
-  const double time = static_cast<double>(frame) * parts_->scene.simulation.timePerFrame;
-  Layer clock = parts_->type.draw(clockText(time), clockStyle(scale), scale.room);
+  Layer clock = parts_->type.draw(parts_->timeAt(frame), parts_->clockStyle, parts_->textWidth());
   parts_->texts.push_back(boxOf(clock, {parts_->clock.x, parts_->clock.y}));
   clock.x += static_cast<int>(parts_->clock.x);
   clock.y += static_cast<int>(parts_->clock.y);

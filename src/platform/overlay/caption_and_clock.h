@@ -1,4 +1,4 @@
-// What is written over the pictures of a clip.
+// Draws the caption and the clock over the pictures of a clip.
 #pragma once
 
 #include <cstdint>
@@ -11,32 +11,29 @@
 
 namespace rotatebook::overlay {
 
-/// Writes over the pictures of one clip the caption and the clock, if its scene shows them; what
-/// doesn't change is drawn once. Use it on one thread. Letters are a share of the picture's height,
-/// but never too small to read.
+/// Draws the caption and the clock over the pictures of one clip, if its scene shows them. Use it
+/// on one thread. Letters are a share of the picture's height, but never too small to read.
 class CaptionAndClock {
  public:
-  /// Where the clock is.
   enum class ClockPosition {
     TopLeft,
-    Bottom,  ///< On the right of the caption's first line, for pictures whose top has other words.
+    Bottom,  ///< Right of the caption's first line, for pictures that have other text at the top.
   };
 
-  /// Throws InputError, with the place in the scene, if there is no such font, if it lacks a letter
-  /// of the words, or if they would take more than half of a picture of 360 rows or more.
-  explicit CaptionAndClock(const scene::Scene& scene, ClockPosition place = ClockPosition::TopLeft);
+  /// Throws InputError, with the line of the scene, if its font isn't installed or lacks a letter,
+  /// or if the text would take more than half of a picture of 360 rows or more.
+  explicit CaptionAndClock(const scene::Scene& scene,
+                           ClockPosition position = ClockPosition::TopLeft);
   ~CaptionAndClock();
-  CaptionAndClock(CaptionAndClock&&) noexcept;
-  CaptionAndClock& operator=(CaptionAndClock&&) noexcept;
 
-  /// Rows at the picture's bottom that words take, 0 to half of them. [pixels]
+  /// Returns how many rows at the picture's bottom the text takes, 0 to half of them. [pixels]
   int bottomRows() const;
-  /// What the clock takes of the picture's top left; empty if it isn't there.
+  /// Returns the box of the clock at the top left; empty if it isn't there. [pixels]
   Box corner() const;
   /// Draws over `picture`, of the clip's size, which shows frame `frame`.
   void draw(std::int64_t frame, image::Image& picture);
 
-  /// Where the last draw() has put words, each a box of its own. [pixels]
+  /// Returns a box for each text that the last draw() drew. [pixels]
   const std::vector<Box>& texts() const;
 
  private:

@@ -1,4 +1,4 @@
-// What every overlay of a motion has in common. Inside the room only.
+// The interface of the overlays of one motion. Inside the room only.
 #pragma once
 
 #include <cstdint>
@@ -19,26 +19,26 @@
 
 namespace rotatebook::overlay {
 
-/// What overlays are made from; all of it outlives them.
+/// The data that overlays are made from; all of it outlives them.
 struct OverlayContext {
   const scene::Scene& scene;
   const physics::Trajectory& trajectory;
   const Typesetter& type;
   Scale scale;
-  double energyTop = 0;  ///< Viewport::energyTop
+  double energyTop = 0;  ///< See Viewport::energyTop.
 };
 
-/// One picture that overlays are drawn on.
+/// A picture that overlays are drawn on.
 struct View {
-  std::int64_t frame = 0;         ///< Of the trajectory's samples.
-  const physics::Sample& sample;  ///< The same as it is shown, in the camera's frame.
+  std::int64_t frame = 0;         ///< Index of the trajectory's sample.
+  const physics::Sample& sample;  ///< The sample in the camera's frame of reference.
   Projector projector;
   Canvas& canvas;
   image::Image& picture;
-  bool ended = false;  ///< The motion has diverged before; `frame` is its last.
+  bool ended = false;  ///< True if the motion diverged earlier; `frame` is then its last.
 };
 
-/// An arrow in the camera's frame, and its letter.
+/// An arrow in the camera's frame of reference, and its letter.
 struct Arrow {
   Eigen::Vector3d from, to;  ///< [m]
   Pen pen;
@@ -46,7 +46,7 @@ struct Arrow {
   LetterWish wish;
 };
 
-/// Something that is drawn over each picture of a motion.
+/// An overlay that is drawn over each picture of a motion.
 class DrawnOverlay {
  public:
   DrawnOverlay() = default;
@@ -55,9 +55,10 @@ class DrawnOverlay {
   virtual ~DrawnOverlay() = default;
 
   virtual void draw(const View& view) = 0;
-  /// What it takes beside the book, where it says so itself; else empty. [pixels]
+  /// Returns the area that it takes, if it is at Placement::TopLeft; else empty. [pixels]
   virtual Box box() const { return {}; }
-  /// Those that draw() draws of `sample`, as the camera's frame has it, in whatever frame as many.
+  /// Returns the arrows that draw() draws for `sample`, which is in the camera's frame of
+  /// reference: equally many for each sample.
   virtual std::vector<Arrow> arrows(const physics::Sample& /*sample*/) const { return {}; }
 };
 

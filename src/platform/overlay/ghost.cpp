@@ -10,51 +10,50 @@
 namespace rotatebook::overlay {
 namespace {
 
-/// A side of the box: across `axis`, at its lower or upper end.
-struct Side {
-  int axis;
-  bool upper;
+constexpr std::size_t kSides = 6;
 
-  /// Its corners in a circle, as numbers of physics::Cage.
-  std::array<Eigen::Index, 4> corners() const {
-    const int a = 1 << ((axis + 1) % 3), b = 1 << ((axis + 2) % 3);
-    const int base = upper ? 1 << axis : 0;
-    return {base, base | a, base | a | b, base | b};
-  }
-};
+/// Returns the corners around a side of a box, as columns of physics::Cage. Sides 2 i and 2 i + 1
+/// are the lower and the upper one across axis i.
+std::array<Eigen::Index, 4> cornersOf(std::size_t side) {
+  const auto axis = static_cast<Eigen::Index>(side / 2);
+  const Eigen::Index a = 1 << ((axis + 1) % 3), b = 1 << ((axis + 2) % 3);
+  const Eigen::Index base = side % 2 == 1 ? 1 << axis : 0;
+  return {base, base | a, base | a | b, base | b};
+}
 
-constexpr std::array<Side, 6> kSides{
-    {{0, false}, {0, true}, {1, false}, {1, true}, {2, false}, {2, true}}};
+/// A box on the picture.
+struct ProjectedBox {
+  std::vector<Point> corners;          // those in front of the camera
+  std::array<bool, kSides> isFront{};  // whether the camera sees the side's outside
 
-/// A box on the picture, and which of its sides are seen from outside.
-struct SeenBox {
-  std::vector<Point> corners;  // those in front of the camera
-  std::array<bool, 6> faces{};
-
-  SeenBox(const physics::Cage& box, const Projector& projector) {
+  ProjectedBox(const physics::Cage& box, const Projector& projector) {
     const Eigen::Vector3d eye = projector.eye();
-    for (std::size_t i = 0; i < kSides.size(); ++i) faces[i] = isOutside(box, kSides[i], eye);
+    for (std::size_t side = 0; side < kSides; ++side) {
+      const Eigen::Vector3d corner = box.col(cornersOf(side)[0]);
+      const Eigen::Vector3d outward = corner - box.col(cornersOf(side ^ 1)[0]);
+      isFront[side] = outward.dot(eye - corner) > 0;
+    }
     for (Eigen::Index i = 0; i < 8; ++i) {
       const auto point = projector(box.col(i));
       if (point) corners.push_back(*point);
     }
   }
 
-  std::vector<Point> outline(const Side& side) const {
+  std::vector<Point> outline(std::size_t side) const {
     std::vector<Point> points;
-    for (const Eigen::Index corner : side.corners()) {
+    for (const Eigen::Index corner : cornersOf(side)) {
       points.push_back(corners[static_cast<std::size_t>(corner)]);
     }
     return points;
   }
 
-  /// The ends of all edges of at least one side that is seen, or of the others.
-  std::vector<Point> edges(bool seen) const {
+  /// Returns the ends of the edges that have a front side, or of the others.
+  std::vector<Point> edges(bool front) const {
     std::vector<Point> ends;
     for (std::size_t corner = 0; corner < 8; ++corner) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::size_t other = corner | (std::size_t{1} << axis);
-        if (other == corner || edgeIsSeen(corner, axis) != seen) continue;
+        if (other == corner || hasFront(corner, axis) != front) continue;
         ends.push_back(corners[corner]);
         ends.push_back(corners[other]);
       }
@@ -63,19 +62,13 @@ struct SeenBox {
   }
 
  private:
-  /// Whether a camera at `eye` sees the outside of `side`.
-  static bool isOutside(const physics::Cage& box, const Side& side, const Eigen::Vector3d& eye) {
-    const Eigen::Vector3d corner = box.col(side.corners()[0]);
-    const Eigen::Vector3d outward = corner - box.col(side.upper ? 0 : 1 << side.axis);
-    return outward.dot(eye - corner) > 0;
-  }
-
-  /// Of the edge from `corner` along `axis`: the two sides that meet in it are across the others.
-  bool edgeIsSeen(std::size_t corner, std::size_t axis) const {
-    const auto faceAcross = [&](std::size_t other) {
-      return faces[2 * other + ((corner >> other) & 1)];
+  /// Returns whether the edge from `corner` along `axis`, in which two sides across the other axes
+  /// meet, has a front side.
+  bool hasFront(std::size_t corner, std::size_t axis) const {
+    const auto isFrontAcross = [&](std::size_t other) {
+      return isFront[2 * other + ((corner >> other) & 1)];
     };
-    return faceAcross((axis + 1) % 3) || faceAcross((axis + 2) % 3);
+    return isFrontAcross((axis + 1) % 3) || isFrontAcross((axis + 2) % 3);
   }
 };
 
@@ -89,12 +82,12 @@ Ghost::Ghost(const OverlayContext& context)
 void Ghost::draw(const View& view) {
   const auto& samples = context_.trajectory.samples;
   const physics::Sample& sample = samples[static_cast<std::size_t>(view.frame)];
-  const Eigen::Matrix3d turn = scene::frameFromWorld(context_.scene.camera.frame, sample) *
-                               exact_.at(sample.time).worldFromBody;
-  const SeenBox box(turn * context_.scene.body.corners(), view.projector);
+  const Eigen::Matrix3d frameFromBody = scene::frameFromWorld(context_.scene.camera.frame, sample) *
+                                        exact_.at(sample.time).worldFromBody;
+  const ProjectedBox box(frameFromBody * context_.scene.body.corners(), view.projector);
   if (box.corners.size() < 8) return;
-  for (std::size_t i = 0; i < kSides.size(); ++i) {
-    if (box.faces[i]) view.canvas.area(box.outline(kSides[i]), {kGhostColour, 0.09});
+  for (std::size_t side = 0; side < kSides; ++side) {
+    if (box.isFront[side]) view.canvas.area(box.outline(side), {kGhostColour, 0.09});
   }
   const Scale& scale = context_.scale;
   view.canvas.lines(box.edges(false), {kGhostColour, 0.45 * scale.line, 0.45, 0});

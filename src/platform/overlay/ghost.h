@@ -1,4 +1,4 @@
-// The exact motion beside the simulated one. Inside the room only.
+// Draws the exact motion beside the simulated one. Inside the room only.
 #pragma once
 
 #include "overlay/drawn_overlay.h"
@@ -6,7 +6,7 @@
 
 namespace rotatebook::overlay {
 
-/// The body as the exact motion from the same start has it: a translucent outline.
+/// The body in the exact motion from the same start, as a translucent outline.
 class Ghost final : public DrawnOverlay {
  public:
   explicit Ghost(const OverlayContext& context);

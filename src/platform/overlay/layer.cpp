@@ -7,11 +7,11 @@
 namespace rotatebook::overlay {
 namespace {
 
-// Two pixels, and the same in wider numbers: arithmetic with all eight at once is one instruction.
+// Two pixels as bytes, and as wider numbers: one instruction computes with all eight channels.
 using Bytes [[gnu::vector_size(8)]] = std::uint8_t;
 using Numbers [[gnu::vector_size(16)]] = std::uint16_t;
 
-/// value * factor / 255, rounded.
+/// Returns value * factor / 255, rounded.
 template <typename Number>
 Number scaled(Number value, Number factor) {
   const Number product = value * factor + 128;
@@ -24,7 +24,7 @@ Numbers load(const std::uint8_t* twoPixels) {
   return __builtin_convertvector(bytes, Numbers);
 }
 
-/// Two pixels over two without transparency.
+/// Blends two pixels over two opaque ones.
 void blendTwoOverOpaque(const std::uint8_t* over, std::uint8_t* under) {
   const Numbers top = load(over);
   const Numbers left = 255 - __builtin_shufflevector(top, top, 3, 3, 3, 3, 7, 7, 7, 7);
@@ -43,7 +43,8 @@ void blendRowOverOpaque(const std::uint8_t* over, std::uint8_t* under, int count
   std::memcpy(under, bottom.data(), 4);
 }
 
-/// Over straight alpha, whose colours must be taken by their share.
+/// Blends a pixel over one with straight alpha: both colours are weighted by their share of the
+/// sum.
 void blendOverClear(const std::uint8_t* over, std::uint8_t* under) {
   const std::uint32_t share = scaled<std::uint32_t>(under[3], 255U - over[3]);
   const std::uint32_t alpha = over[3] + share;
@@ -56,9 +57,9 @@ void blendOverClear(const std::uint8_t* over, std::uint8_t* under) {
 }
 
 void blendRowOverRgba(const std::uint8_t* over, std::uint8_t* under, int count) {
-  std::uint8_t least = 255;
-  for (int i = 0; i < count; ++i) least &= under[4 * i + 3];
-  if (least == 255) return blendRowOverOpaque(over, under, count);
+  std::uint8_t alphas = 255;
+  for (int i = 0; i < count; ++i) alphas &= under[4 * i + 3];
+  if (alphas == 255) return blendRowOverOpaque(over, under, count);
   for (int i = 0; i < count; ++i) {
     if (over[4 * i + 3] > 0) blendOverClear(over + 4 * i, under + 4 * i);
   }
@@ -74,7 +75,8 @@ void blendRowOverRgb(const std::uint8_t* over, std::uint8_t* under, int count) {
   }
 }
 
-/// The first pixel from `from` on that is covered; two at a time, as most aren't.
+/// Returns the first pixel from `from` on that isn't transparent, testing two at a time, as most
+/// are.
 int nextCovered(const std::uint8_t* row, int from, int end) {
   constexpr std::uint64_t kAlphas = 0xff000000ff000000;
   for (std::uint64_t two = 0; from + 2 <= end; from += 2) {
@@ -85,7 +87,7 @@ int nextCovered(const std::uint8_t* row, int from, int end) {
   return from;
 }
 
-/// The first pixel from `from` on that isn't covered.
+/// Returns the first pixel from `from` on that is transparent.
 int nextClear(const std::uint8_t* row, int from, int end) {
   while (from < end && row[4 * from + 3] > 0) ++from;
   return from;

@@ -6,18 +6,18 @@
 namespace rotatebook::overlay {
 namespace {
 
-// The book, in any attitude, keeps within a circle about as wide as the camera's picture is high;
-// what is beside it is this share of the width at least where a column is to fit.
+// In any attitude the book stays within a circle about as wide as the camera's picture is high. A
+// column of insets needs at least this share of the width beside it.
 constexpr double kMinSide = 0.17;
-constexpr double kWidestColumn = 0.25;  // of the width
-constexpr double kSquareShare = 0.42;   // of the column's height
-constexpr double kChartAspect = 0.52;   // highest, of the width
-constexpr double kLowestChart = 7;      // letter heights
-constexpr double kLowestInColumn = 5;   // letter heights
-constexpr double kBottomChart = 0.15;   // of the height
-constexpr double kMaxCharts = 0.4;      // of the height, that all charts at the bottom take
-constexpr double kCornerSquare = 0.3;   // of the shorter side
-constexpr double kLegendWidth = 9.5;    // letter heights
+constexpr double kWidestColumn = 0.25;  // share of the width
+constexpr double kSquareShare = 0.42;   // share of the column's height
+constexpr double kChartAspect = 0.52;   // largest height of a chart in a column, per its width
+constexpr double kLowestChart = 7;      // at the bottom [letter heights]
+constexpr double kLowestInColumn = 5;   // [letter heights]
+constexpr double kBottomChart = 0.15;   // share of the height
+constexpr double kMaxCharts = 0.4;      // share of the height that all charts at the bottom take
+constexpr double kCornerSquare = 0.3;   // share of the shorter side
+constexpr double kLegendWidth = 9.5;    // [letter heights]
 
 double gapOf(const Scale& scale) {
   return 0.4 * scale.margin;
@@ -43,14 +43,14 @@ void placeColumn(const Scale& scale, const Wanted& wanted, double side, Layout& 
   }
 }
 
-/// At the bottom, beside each other or one above the other; those for which there is no room are
-/// left empty.
+/// Places the charts at the bottom, side by side or one above the other; those for which there is
+/// no room are left empty.
 void placeCharts(const Scale& scale, const Wanted& wanted, Layout& layout) {
   const double room = scale.width - 2 * scale.margin, gap = gapOf(scale);
   const double height = std::max(kBottomChart * scale.height, kLowestChart * scale.smallLetters);
   const int abreast = room > 40 * scale.smallLetters ? wanted.charts : 1;
-  const int most = static_cast<int>(kMaxCharts * scale.height / (height + gap));
-  const int lines = std::min(wanted.charts / abreast, most);
+  const int max = static_cast<int>(kMaxCharts * scale.height / (height + gap));
+  const int lines = std::min(wanted.charts / abreast, max);
   layout.charts.resize(static_cast<std::size_t>(wanted.charts));
   if (lines == 0) return;
   const double width = (room + gap) / abreast - gap;
@@ -75,7 +75,7 @@ void placeAround(const Scale& scale, const Wanted& wanted, Layout& layout) {
   }
 }
 
-/// At the lower left, above words and charts.
+/// Places the legend at the lower left, above text and charts.
 void placeLegend(const Scale& scale, Layout& layout) {
   const double height = 2.6 * scale.smallLetters;
   double below = scale.height - scale.margin;

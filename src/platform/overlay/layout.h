@@ -1,4 +1,4 @@
-// Where the insets are. Inside the room only.
+// Arranges the insets on a picture. Inside the room only.
 #pragma once
 
 #include <vector>
@@ -8,24 +8,25 @@
 
 namespace rotatebook::overlay {
 
-/// What needs a place.
+/// The insets that need room.
 struct Wanted {
   bool square = false;  ///< An inset as wide as high.
   int charts = 0;       ///< Strip charts, one above the other or side by side.
-  bool legend = false;  ///< Of what is on the book.
-  int bottomRows = 0;   ///< Rows that words take at the bottom. [pixels]
+  bool legend = false;  ///< A legend of what is drawn on the book.
+  int bottomRows = 0;   ///< Rows that text takes at the bottom. [pixels]
 };
 
-/// Boxes that don't meet, within the picture's margins; empty where nothing is wanted. [pixels]
+/// Boxes that don't meet, within the picture's margins; empty if not wanted. [pixels]
 struct Layout {
   Box square{};
   std::vector<Box> charts{};
   Box legend{};
-  int bottomRows = 0;  ///< Those of Wanted, and of what is above them.
+  int bottomRows = 0;  ///< Rows that Wanted::bottomRows and the charts above them take.
 };
 
-/// On a wide picture a column on the right, beside the book; on a narrow one the charts below the
-/// book, as many as leave it most of the picture, and the square in the corner above it.
+/// Arranges the insets: on a wide picture in a column on the right, beside the book; on a narrow
+/// one the charts below the book, as many as leave it most of the picture, and the square in the
+/// corner above it.
 Layout layOut(const Scale& scale, const Wanted& wanted);
 
 }  // namespace rotatebook::overlay

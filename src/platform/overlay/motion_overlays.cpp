@@ -18,21 +18,10 @@ namespace {
 
 using scene::Overlay;
 
-constexpr double kSmall = 0.72;  // Size of small letters, of the others.
-
-// Lines of a textless picture, of the others': it is shown small.
-constexpr double kBold = 2;
-
-/// An inset of fewer pixels shows nothing that could be made out.
-constexpr double kSmallestInset = 24;
-
-/// Time of the clip before and after a frame in which letters glide to where they don't meet
-/// another arrow. [s]
-constexpr double kGlide = 0.07;
-
-bool isLargeEnough(const Box& box) {
-  return std::min(box.width, box.height) >= kSmallestInset;
-}
+constexpr double kSmall = 0.72;  // size of small letters, relative to the others
+constexpr double kBold = 2;      // widens the lines of a textless picture, which is shown small
+constexpr double kSmallestInset = 24;  // a smaller one can't be made out [pixels]
+constexpr double kGlide = 0.07;  // frames this near are averaged, see ArrowLabels [s of the clip]
 
 }  // namespace
 
@@ -49,7 +38,7 @@ struct MotionOverlays::Parts {
     if (scene.textless) scale.line *= kBold;
     taken.push_back(viewport.corner);
     layout = layOut(scale, wanted(viewport));
-    addWordsAtTheTop(viewport);
+    addTextAtTheTop(viewport);
     taken.push_back({0, 1.0 * (viewport.height - layout.bottomRows), 1.0 * viewport.width,
                      1.0 * layout.bottomRows});
     for (const Box& box : layout.charts) taken.push_back(box);
@@ -70,7 +59,7 @@ struct MotionOverlays::Parts {
     return scene::shows(scene, overlay) && isFor(scene.simulation.model, overlay);
   }
 
-  /// The rows of what is drawn at `placement`, the lowest first.
+  /// Returns the rows of the overlays that are drawn at `placements`, in drawing order.
   std::vector<OverlayRow> shownAt(std::initializer_list<Placement> placements) const {
     std::vector<OverlayRow> rows;
     for (const OverlayRow& row : overlayRows()) {
@@ -100,11 +89,13 @@ struct MotionOverlays::Parts {
     auto chart = layout.charts.begin();
     for (const OverlayRow& row : shownAt({Placement::Square, Placement::Chart})) {
       const Box& box = row.placement == Placement::Chart ? *chart++ : layout.square;
-      if (isLargeEnough(box)) insets.push_back(row.make(context(), box));
+      if (std::min(box.width, box.height) < kSmallestInset) continue;
+      insets.push_back(row.make(context(), box));
     }
   }
 
-  /// Where the insets at the top right begin; the picture's edge if there are none.
+  /// Returns the left edge of the insets at the top right; the picture's right edge if there are
+  /// none.
   double insetsLeft() const {
     double left = scale.width;
     const auto consider = [&](const Box& box) {
@@ -115,24 +106,24 @@ struct MotionOverlays::Parts {
     return left;
   }
 
-  /// From the top left: the viewport's other words, its label, the count of half-turns.
-  void addWordsAtTheTop(const Viewport& viewport) {
-    Point place(scale.margin, scale.margin);
+  /// Adds the label and the count of half-turns below the viewport's other text at the top left.
+  void addTextAtTheTop(const Viewport& viewport) {
+    Point position(scale.margin, scale.margin);
     if (!viewport.corner.empty()) {
-      place = {viewport.corner.x, viewport.corner.bottom() + 0.3 * scale.letters};
+      position = {viewport.corner.x, viewport.corner.bottom() + 0.3 * scale.letters};
     }
     if (!viewport.label.empty() && !scene.textless) {
-      const double room = insetsLeft() - scale.margin - place.x();
+      const double room = insetsLeft() - scale.margin - position.x();
       cachedLayers.push_back(scene::atLocationOf(scene, viewport.labelKey, [&] {
-        return labelLayer(context(), viewport.label, place, room);
+        return labelLayer(context(), viewport.label, position, room);
       }));
       taken.push_back(cachedLayers.back().texts.front());
-      place.y() = taken.back().bottom() + 0.3 * scale.letters;
+      position.y() = taken.back().bottom() + 0.3 * scale.letters;
     }
     for (const OverlayRow& row : shownAt({Placement::TopLeft})) {
-      insets.push_back(row.make(context(), {place.x(), place.y(), 0, 0}));
+      insets.push_back(row.make(context(), {position.x(), position.y(), 0, 0}));
       taken.push_back(insets.back()->box());
-      place.y() = taken.back().bottom() + 0.3 * scale.letters;
+      position.y() = taken.back().bottom() + 0.3 * scale.letters;
     }
   }
 
@@ -158,7 +149,7 @@ struct MotionOverlays::Parts {
 
   void writeLetters(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld,
                     const std::vector<Box>& noticed) {
-    // The camera stands still: only the planes that are nearest and farthest to it move.
+    // The camera doesn't move; only its near and far planes do.
     Eigen::Matrix<double, 3, 4> projection;
     projection << clipFromWorld.topRows<2>(), clipFromWorld.bottomRows<1>();
     if (projection != lettersProjection) labels.forget();
@@ -174,7 +165,7 @@ struct MotionOverlays::Parts {
     std::vector<LabelledArrow> all;
     for (const auto& overlay : inWorld) {
       for (const Arrow& arrow : overlay->arrows(sample)) {
-        const auto shape = arrowShape(projector, box, arrow.from, arrow.to, arrow.pen);
+        const auto shape = arrowShape(projector, box, arrow);
         all.push_back({shape.value_or(ArrowShape{}), arrow.letter, 0.85 * scale.letters, arrow.wish,
                        shape.has_value()});
       }
@@ -182,7 +173,7 @@ struct MotionOverlays::Parts {
     return all;
   }
 
-  /// As the camera's frame has it.
+  /// Returns a sample in the camera's frame of reference.
   physics::Sample sampleAt(std::int64_t frame) const {
     return scene::inReferenceFrame(scene.camera.frame,
                                    trajectory.samples[static_cast<std::size_t>(frame)]);
@@ -197,11 +188,11 @@ struct MotionOverlays::Parts {
   ArrowLabels labels;
   Eigen::Matrix<double, 3, 4> lettersProjection = Eigen::Matrix<double, 3, 4>::Zero();
   Layout layout;
-  std::vector<Box> taken;                 // where no moving words may be
-  std::vector<CachedLayer> cachedLayers;  // what is the same in every frame
+  std::vector<Box> taken;                 // areas that moving letters keep out of
+  std::vector<CachedLayer> cachedLayers;  // the same in every frame
   std::optional<CachedLayer> notice;
-  std::vector<std::unique_ptr<DrawnOverlay>> inWorld;  // on and about the body, the lowest first
-  std::vector<std::unique_ptr<DrawnOverlay>> insets;   // above them
+  std::vector<std::unique_ptr<DrawnOverlay>> inWorld;  // on and around the body, in drawing order
+  std::vector<std::unique_ptr<DrawnOverlay>> insets;   // drawn above them
 };
 
 MotionOverlays::MotionOverlays(const scene::Scene& scene, const physics::Trajectory& trajectory,

@@ -1,10 +1,8 @@
 #include "overlay/motion_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <string>
 
 #include "base/error.h"
@@ -13,9 +11,9 @@
 namespace rotatebook::overlay {
 namespace {
 
-constexpr double kTallestLabel = 0.2;  // of its panel
-constexpr double kMinLines = 3;        // that a label may have however low its panel is
-constexpr double kGlowTime = 0.7;      // of the clip, in which the count fades back to white [s]
+constexpr double kTallestLabel = 0.2;  // share of its panel's height
+constexpr double kMinLines = 3;        // a label may have as many however low its panel is
+constexpr double kGlowTime = 0.7;      // in which the count fades back to white [s of the clip]
 
 std::string countText(int count) {
   return "Half-turns " + std::to_string(count);
@@ -29,13 +27,7 @@ TextStyle countStyle(const Scale& scale, double glow) {
           .tabular = true};
 }
 
-std::string noticeText(double time) {
-  std::array<char, 64> text;
-  std::snprintf(text.data(), text.size(), "Diverged at t = %.2f s", time);
-  return text.data();
-}
-
-/// `box`, moved down as far as it takes to meet none of `taken`.
+/// Returns `box`, moved down as far as necessary to keep a `gap` to all that is `taken`.
 Box movedBelow(Box box, const std::vector<Box>& taken, double gap) {
   const auto meets = [&](const Box& other) { return other.grown(gap).meets(box); };
   for (auto met = std::ranges::find_if(taken, meets); met != taken.end();
@@ -47,30 +39,30 @@ Box movedBelow(Box box, const std::vector<Box>& taken, double gap) {
 
 }  // namespace
 
-CachedLayer labelLayer(const OverlayContext& context, const std::string& words, const Point& place,
-                       double width) {
+CachedLayer labelLayer(const OverlayContext& context, const std::string& label,
+                       const Point& position, double width) {
   const TextStyle style{.size = 1.1 * context.scale.letters,
                         .bold = true,
                         .colour = kWhite,
                         .halo = context.scale.halo};
   Canvas canvas(context.scale.width, context.scale.height);
-  const Layer layer = context.type.draw(words, style, static_cast<int>(width));
-  const double most = std::max(kTallestLabel * context.scale.height, kMinLines * style.size);
-  if (layer.height > most && context.scene.clip.height >= kSmallPicture) {
-    throw InputError("the label \"" + words + "\" takes " + std::to_string(layer.height) +
+  const Layer layer = context.type.draw(label, style, static_cast<int>(width));
+  const double max = std::max(kTallestLabel * context.scale.height, kMinLines * style.size);
+  if (layer.height > max && context.scene.clip.height >= kSmallPicture) {
+    throw InputError("the label \"" + label + "\" takes " + std::to_string(layer.height) +
                      " of its panel's " + std::to_string(context.scale.height) +
                      " rows, which leaves too little for the book; shorten it, or make the "
                      "picture larger (clip.size)");
   }
-  canvas.write(layer, place);
+  canvas.write(layer, position);
   return canvas.take();
 }
 
-HalfTurns::HalfTurns(const OverlayContext& context, const Box& place) : context_(context) {
-  const int most = context.trajectory.samples.back().halfTurns;
+HalfTurns::HalfTurns(const OverlayContext& context, const Box& area) : context_(context) {
+  const std::string last = countText(context.trajectory.samples.back().halfTurns);
   const TextSize size =
-      context.type.measure(countText(most), countStyle(context.scale, 0), context.scale.width);
-  box_ = {place.x, place.y, 1.0 * size.width, 1.0 * size.height};
+      context.type.measure(last, countStyle(context.scale, 0), context.scale.width);
+  box_ = {area.x, area.y, 1.0 * size.width, 1.0 * size.height};
 }
 
 double HalfTurns::glow(std::int64_t frame) const {
@@ -87,13 +79,14 @@ double HalfTurns::glow(std::int64_t frame) const {
 }
 
 void HalfTurns::draw(const View& view) {
-  const double light = view.ended ? 0 : glow(view.frame);
-  if (light > 0) {
-    const double growth = (0.25 + 0.35 * light) * context_.scale.letters;
-    view.canvas.roundedBox(box_.grown(growth / 2), growth / 2 + 2, {kVelocityColour, 0.22 * light});
+  const double glowing = view.ended ? 0 : glow(view.frame);
+  if (glowing > 0) {
+    const double growth = (0.25 + 0.35 * glowing) * context_.scale.letters;
+    view.canvas.roundedBox(box_.grown(growth / 2), growth / 2 + 2,
+                           {kVelocityColour, 0.22 * glowing});
   }
   view.canvas.write(context_.type.draw(countText(view.sample.halfTurns),
-                                       countStyle(context_.scale, light), context_.scale.width),
+                                       countStyle(context_.scale, glowing), context_.scale.width),
                     {box_.x, box_.y});
 }
 
@@ -102,17 +95,16 @@ std::optional<CachedLayer> divergenceNotice(const OverlayContext& context, doubl
   const Scale& scale = context.scale;
   const TextStyle style{.size = 1.25 * scale.letters, .bold = true, .colour = kWarningColour};
   const double padding = 0.6 * style.size;
-  const Layer words =
-      context.type.draw(noticeText(time), style, static_cast<int>(scale.width - 2 * (padding + 2)));
-  const Box letters{std::round((scale.width - words.width) / 2.0), scale.margin + padding / 2,
-                    1.0 * words.width, 1.0 * words.height};
-  const Box pill = movedBelow({letters.x - padding, letters.y - padding / 2,
-                               letters.width + 2 * padding, letters.height + padding},
-                              taken, 0.3 * padding);
-  if (pill.bottom() > scale.height) return std::nullopt;
+  const Layer text = context.type.draw("Diverged at t = " + clockText(time), style,
+                                       static_cast<int>(scale.width - 2 * (padding + 2)));
+  const double left = std::round((scale.width - text.width) / 2.0);
+  const Box box =
+      movedBelow({left - padding, scale.margin, text.width + 2 * padding, text.height + padding},
+                 taken, 0.3 * padding);
+  if (box.bottom() > scale.height) return std::nullopt;
   Canvas canvas(scale.width, scale.height);
-  canvas.roundedBox(pill, 0.5 * style.size, {kDark, 0.82});
-  canvas.write(words, {pill.x + padding, std::round(pill.y + padding / 2)});
+  canvas.roundedBox(box, 0.5 * style.size, {kDark, 0.82});
+  canvas.write(text, {box.x + padding, std::round(box.y + padding / 2)});
   return canvas.take();
 }
 

@@ -1,23 +1,25 @@
-// CaptionAndClock of one motion: a panel's label, the count of half-turns, the end of a motion.
+// Text about one motion: a panel's label, the number of half-turns, the notice of divergence.
 // Inside the room only.
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "overlay/drawn_overlay.h"
 
 namespace rotatebook::overlay {
 
-/// CaptionAndClock at `place`, no wider than `width` [pixels], with halo. Throws InputError if the
-/// font lacks a letter of them, or they leave too little of the picture.
-CachedLayer labelLayer(const OverlayContext& context, const std::string& words, const Point& place,
-                       double width);
+/// Sets `label` at `position`, no wider than `width`, with a halo. [pixels] Throws InputError if
+/// the font lacks a letter, or if the label leaves too little of the picture.
+CachedLayer labelLayer(const OverlayContext& context, const std::string& label,
+                       const Point& position, double width);
 
 /// "Half-turns 3", which lights up when the book turns over.
 class HalfTurns final : public DrawnOverlay {
  public:
-  /// Its top left is that of `place`.
-  HalfTurns(const OverlayContext& context, const Box& place);
+  /// Takes the top left of `area`.
+  HalfTurns(const OverlayContext& context, const Box& area);
   void draw(const View& view) override;
   Box box() const override { return box_; }
 
@@ -28,8 +30,8 @@ class HalfTurns final : public DrawnOverlay {
   Box box_;
 };
 
-/// "Diverged at t = 22.53 s", on a dark pill in the middle above, below what is `taken` there;
-/// none if a panel is too small for it.
+/// Sets "Diverged at t = 22.53 s" in a dark box, centred at the top, below what is `taken` there;
+/// nothing if the picture is too small for it.
 std::optional<CachedLayer> divergenceNotice(const OverlayContext& context, double time,
                                             const std::vector<Box>& taken);
 

@@ -33,11 +33,11 @@ constexpr std::array<OverlayRow, scene::kOverlayCount> kRows{{
     {Overlay::Momentum, Placement::Book, makeMomentum},
     {Overlay::Omega, Placement::Book, makeOmega},
     {Overlay::HalfTurns, Placement::TopLeft, make<HalfTurns>},
-    {Overlay::Polhode, Placement::Square, make<PolhodeInset>},
+    {Overlay::Polhode, Placement::Square, makePolhodeInset},
     {Overlay::Energy, Placement::Chart, makeEnergyChart},
     {Overlay::Error, Placement::Chart, makeErrorChart},
-    {Overlay::Caption, Placement::WholePicture},
-    {Overlay::Clock, Placement::WholePicture},
+    {Overlay::Caption, Placement::WholeClip},
+    {Overlay::Clock, Placement::WholeClip},
 }};
 
 constexpr bool isOnTheBook(const OverlayRow& row) {
@@ -54,10 +54,10 @@ static_assert(std::ranges::all_of(kRows,
                                   [](const OverlayRow& row) {
                                     return isOnTheBook(row) == rowOf(row.overlay).onTheBook;
                                   }),
-              "a row is elsewhere than scene/overlays.h says");
+              "a row and scene/overlays.h differ on what is on the book");
 static_assert(std::ranges::count(kRows, Placement::Square, &OverlayRow::placement) == 1 &&
                   std::ranges::count(kRows, Placement::BookAndLegend, &OverlayRow::placement) == 1,
-              "layOut() has one place of that kind");
+              "layOut() has only one box for each of these");
 
 }  // namespace
 

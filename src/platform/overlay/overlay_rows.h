@@ -1,4 +1,4 @@
-// What draws each overlay, and where: a row each. Inside the room only.
+// The table of overlays: where each is drawn, and by what. Inside the room only.
 #pragma once
 
 #include <memory>
@@ -10,29 +10,28 @@
 
 namespace rotatebook::overlay {
 
-/// Where an overlay is drawn.
+/// The part of a picture on which an overlay is drawn.
 enum class Placement {
-  WholePicture,   ///< Over the whole picture of a clip, by overlay::CaptionAndClock.
-  TopLeft,        ///< Below the words at the top left; DrawnOverlay::box() is what it takes there.
-  Book,           ///< On and about the book.
-  BookAndLegend,  ///< The same, with a legend in Layout::legend: one alone.
-  Square,         ///< In Layout::square: one alone.
+  WholeClip,      ///< The whole picture of a clip, once for all motions, by CaptionAndClock.
+  TopLeft,        ///< Below the text at the top left; DrawnOverlay::box() is what it takes there.
+  Book,           ///< On and around the book.
+  BookAndLegend,  ///< Like Book, with a legend in Layout::legend: only one overlay.
+  Square,         ///< In Layout::square: only one overlay.
   Chart,          ///< In one of Layout::charts.
 };
 
-/// Makes a overlay whose place, where it has one, is in that box.
+/// Makes an overlay in a box, if its placement has one.
 using MakeOverlay = std::unique_ptr<DrawnOverlay> (*)(const OverlayContext& context,
                                                       const Box& box);
 
-/// One overlay.
+/// A row of the table.
 struct OverlayRow {
   scene::Overlay overlay;
   Placement placement;
-  MakeOverlay make = nullptr;  ///< None of Placement::WholePicture.
+  MakeOverlay make = nullptr;  ///< Null for Placement::WholeClip.
 };
 
-/// One for each overlay, the lowest first: those on the book in the order in which they are drawn,
-/// then the others likewise.
+/// Returns a row for each overlay in drawing order: first those on the book, then the others.
 std::span<const OverlayRow> overlayRows();
 
 }  // namespace rotatebook::overlay

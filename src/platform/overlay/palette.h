@@ -1,4 +1,4 @@
-// What each thing's colour is, and how large letters and lines are. Inside the room only.
+// Colours of the overlays, and sizes of their letters and lines. Inside the room only.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ inline constexpr Colour kGrey{0.72, 0.72, 0.74};
 inline constexpr Colour kDark{0.04, 0.045, 0.06};
 
 // After Okabe and Ito's palette, which colour-blind people can tell apart, lighter for a dark
-// viewport.
+// background.
 inline constexpr std::array<Colour, 3> kAxisColours{
     {{0.96, 0.46, 0.33}, {0.28, 0.80, 0.62}, {0.42, 0.69, 0.98}}};
 inline constexpr Colour kVelocityColour{0.98, 0.82, 0.30};
@@ -25,16 +25,16 @@ inline constexpr Colour kErrorColour{0.96, 0.55, 0.45};
 inline constexpr Colour kGhostColour{0.72, 0.92, 1.0};
 inline constexpr Colour kWarningColour{0.98, 0.70, 0.30};
 
-/// `a` and `b` mixed, t of the second.
+/// Mixes two colours: `a` at t = 0, `b` at t = 1.
 constexpr Colour mixed(const Colour& a, const Colour& b, double t) {
   return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
           a.blue + t * (b.blue - a.blue)};
 }
 
-/// A picture of fewer rows is for a quick look: in it words may hide the book.
+/// A picture of fewer rows is for a quick look: its text may hide the book.
 inline constexpr int kSmallPicture = 360;
 
-/// Lengths that grow with a picture of this size, but never get so small that nobody can read.
+/// Lengths that grow with the picture, but are never too small to read.
 struct Scale {
   Scale(int pictureWidth, int pictureHeight)
       : width(pictureWidth),
@@ -46,13 +46,13 @@ struct Scale {
         line(std::max(0.0036 * unit, 1.3)),
         halo(std::max(0.0024 * unit, 1.0)) {}
 
-  int width, height;    ///< The picture's. [pixels]
-  double unit;          ///< Its height, or less where it is narrow. [pixels]
+  int width, height;    ///< Of the picture. [pixels]
+  double unit;          ///< The picture's height, or less if it is narrow. [pixels]
   double margin;        ///< [pixels]
-  double letters;       ///< Letter size of labels. [pixels]
+  double letters;       ///< Letter size of captions and labels. [pixels]
   double smallLetters;  ///< Letter size within insets. [pixels]
   double line;          ///< Width of lines. [pixels]
-  double halo;          ///< How far their dark edges reach. [pixels]
+  double halo;          ///< Width of the dark edge of lines and letters. [pixels]
 };
 
 }  // namespace rotatebook::overlay

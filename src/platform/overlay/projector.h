@@ -1,4 +1,4 @@
-// From the world to the picture's pixels. Inside the room only.
+// Projects points of the world to pixels. Inside the room only.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,15 @@
 
 namespace rotatebook::overlay {
 
-/// A perspective view of the world.
+/// A perspective projection from the world onto a picture.
 class Projector {
  public:
-  /// World to clip space, y down; only its rows of x, y and w are used. The picture's size is in
-  /// pixels.
+  /// Takes the matrix from world to clip space, y down, of which only the rows of x, y and w are
+  /// used, and the picture's size. [pixels]
   Projector(const Eigen::Matrix4d& clipFromWorld, int width, int height)
       : clipFromWorld_(clipFromWorld), size_(width, height) {}
 
-  /// Where `point` shows, perhaps outside the picture; nothing if it is not in front of the camera.
+  /// Projects `point`, perhaps to outside the picture; nothing if it isn't in front of the camera.
   std::optional<Point> operator()(const Eigen::Vector3d& point) const {
     const Eigen::Vector4d clip = clipFromWorld_ * point.homogeneous();
     if (!(clip.w() > 1e-6)) return std::nullopt;
@@ -28,7 +28,7 @@ class Projector {
     return ((unit.array() + 1) / 2 * size_.array()).matrix();
   }
 
-  /// Where the camera is: the one point that has no x, y and w.
+  /// Returns the camera's position: the one point whose x, y and w are 0.
   Eigen::Vector3d eye() const {
     Eigen::Matrix3d directions;
     directions << clipFromWorld_.block<2, 3>(0, 0), clipFromWorld_.block<1, 3>(3, 0);

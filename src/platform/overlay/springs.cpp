@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "base/number_text.h"
 
@@ -14,7 +15,7 @@ namespace {
 constexpr Colour kCompressed{0.25, 0.55, 1.0}, kAtRest{0.86, 0.86, 0.86},
     kStretched{1.0, 0.47, 0.16};
 constexpr std::size_t kColours = 25;
-// Of all strains of a motion, so many are within the colours' range.
+// The share of a motion's strains within the range of the colours.
 constexpr double kShown = 0.9;
 constexpr double kSmallestRange = 1e-4, kLargestRange = 0.5;
 
@@ -48,7 +49,7 @@ double rangeOf(const OverlayContext& context) {
   return std::clamp(roundedUp(std::max(*shown, kSmallestRange)), kSmallestRange, kLargestRange);
 }
 
-/// The colour of number `step` of kColours, from compressed to stretched.
+/// Returns colour `step` of kColours, from compressed to stretched.
 Colour colourOf(std::size_t step) {
   const double t = 2 * static_cast<double>(step) / (kColours - 1) - 1;
   return t < 0 ? mixed(kAtRest, kCompressed, -t) : mixed(kAtRest, kStretched, t);
@@ -59,7 +60,7 @@ std::size_t stepOf(double strain, double range) {
   return static_cast<std::size_t>(std::lround(t * (kColours - 1)));
 }
 
-CachedLayer legendPlate(const OverlayContext& context, const Box& box, double range) {
+CachedLayer legendOf(const OverlayContext& context, const Box& box, double range) {
   if (context.scene.textless) return {};
   const Scale& scale = context.scale;
   Canvas canvas(scale.width, scale.height);
@@ -76,9 +77,8 @@ CachedLayer legendPlate(const OverlayContext& context, const Box& box, double ra
   const std::string percent = shortestText(100 * range) + " %";
   const double y = box.y + barHeight + 0.25 * scale.smallLetters;
   const auto write = [&](const std::string& text, double share) {
-    const Layer words = context.type.draw(text, style, scale.width);
-    canvas.write(words,
-                 {std::round(box.x + share * (box.width - boxOf(words, Point(0, 0)).width)), y});
+    const Layer label = context.type.draw(text, style, scale.width);
+    canvas.write(label, {std::round(box.x + share * (box.width - boxOf(label).width)), y});
   };
   write("−" + percent, 0);
   write("strain", 0.5);
@@ -97,7 +97,7 @@ double roundedUp(double value) {
 }
 
 Springs::Springs(const OverlayContext& context, const Box& legend)
-    : context_(context), range_(rangeOf(context)), legend_(legendPlate(context, legend, range_)) {}
+    : context_(context), range_(rangeOf(context)), legend_(legendOf(context, legend, range_)) {}
 
 void Springs::draw(const View& view) {
   std::vector<Point> particles;
@@ -112,7 +112,7 @@ void Springs::draw(const View& view) {
   forEachSpring([&](const Spring& spring) {
     const std::array<Point, 2> ends{particles[static_cast<std::size_t>(spring.a)],
                                     particles[static_cast<std::size_t>(spring.b)]};
-    // One by one: Cairo is slow with many lines that cross.
+    // Each is a path of its own: Cairo is slow with many lines that cross.
     view.canvas.line(ends, {kDark, 0.8 * scale.line + 2 * scale.halo, 0.35, 0});
     auto& others = ofColour[stepOf(strain(rest, view.sample.cage, spring), range_)];
     others.insert(others.end(), ends.begin(), ends.end());

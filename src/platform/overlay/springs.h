@@ -1,27 +1,24 @@
-// The springs between the particles. Inside the room only.
+// Draws the springs between the particles. Inside the room only.
 #pragma once
-
-#include <vector>
 
 #include "overlay/drawn_overlay.h"
 
 namespace rotatebook::overlay {
 
-/// The 28 springs, coloured by how far they are stretched or compressed, the particles, and a
-/// legend. Of Model::Particles only.
+/// The 28 springs, coloured by strain, the particles, and a legend. For Model::Particles only.
 class Springs final : public DrawnOverlay {
  public:
-  /// The legend is within `legend`.
+  /// Takes the box of the legend.
   Springs(const OverlayContext& context, const Box& legend);
   void draw(const View& view) override;
 
  private:
   OverlayContext context_;
-  double range_;  // the strain that has the full colour
+  double range_;  // strain of full colour
   CachedLayer legend_;
 };
 
-/// A number of one digit, 1, 2 or 5 with a power of ten, that is at least `value` > 0.
+/// Rounds `value` > 0 up to 1, 2 or 5 times a power of ten.
 double roundedUp(double value);
 
 }  // namespace rotatebook::overlay

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <fontconfig/fontconfig.h>
 #include <pango/pangocairo.h>
 #include <pango/pangofc-fontmap.h>
@@ -14,6 +15,7 @@
 #include "base/error.h"
 #include "embedded/overlay.h"
 #include "overlay/cairo_handles.h"
+#include "overlay/palette.h"
 #include "scene/source_locations.h"
 #include "system/file_descriptor.h"
 
@@ -31,10 +33,9 @@ using Description = std::unique_ptr<PangoFontDescription, Deleter<&pango_font_de
 using LayoutIterator = std::unique_ptr<PangoLayoutIter, Deleter<&pango_layout_iter_free>>;
 using Attributes = std::unique_ptr<PangoAttrList, Deleter<&pango_attr_list_unref>>;
 
-constexpr Colour kHaloColour{0.04, 0.045, 0.06};
 constexpr double kHaloOpacity = 0.8;
 
-/// A font file in memory, with a path for those who only take paths.
+/// A font file in memory, which has a path because fontconfig takes only paths.
 class FontFile {
  public:
   explicit FontFile(std::string_view bytes) : file_(system::createMemoryFile("font")) {
@@ -47,22 +48,11 @@ class FontFile {
   system::FileDescriptor file_;
 };
 
-}  // namespace
-
-struct Typesetter::Parts {
-  FontConfig config;
-  FontMap map;
-  Context context;
-  std::string family;
-};
-
-namespace {
-
-/// A configuration that knows the fonts that ship and no other: an installed one of the same name
-/// may be of another version.
+/// Returns a configuration with the shipped fonts and no others: an installed font of the same name
+/// may have another version.
 ///
-/// The files stay open: Cairo remembers faces by their paths, and would take one for the other
-/// where a descriptor's number comes to be another file's.
+/// The files stay open: Cairo caches faces by path, and would confuse them if the number of a
+/// closed descriptor were reused.
 FontConfig shippedFonts() {
   static const FontFile regular{interRegularFont()};
   static const FontFile semibold{interSemiBoldFont()};
@@ -132,7 +122,7 @@ TextSize sizeOf(PangoLayout* layout) {
   return size;
 }
 
-/// The first letter of the layout that its font doesn't have; one must be there.
+/// Returns the first letter that the layout's font lacks; there must be one.
 std::string unknownLetter(PangoLayout* layout) {
   const char* text = pango_layout_get_text(layout);
   const LayoutIterator iterator(pango_layout_get_iter(layout));
@@ -151,8 +141,7 @@ std::string unknownLetter(PangoLayout* layout) {
 void paint(cairo_t* cairo, PangoLayout* layout, const TextStyle& style) {
   if (style.halo > 0) {
     pango_cairo_layout_path(cairo, layout);
-    cairo_set_source_rgba(cairo, kHaloColour.red, kHaloColour.green, kHaloColour.blue,
-                          kHaloOpacity * style.opacity);
+    cairo_set_source_rgba(cairo, kDark.red, kDark.green, kDark.blue, kHaloOpacity * style.opacity);
     cairo_set_line_width(cairo, 2 * style.halo);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_stroke(cairo);
@@ -165,28 +154,41 @@ void paint(cairo_t* cairo, PangoLayout* layout, const TextStyle& style) {
 
 }  // namespace
 
-Typesetter::Typesetter() = default;
+std::string clockText(double time) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.2f s", time);
+  return text.data();
+}
+
+struct Typesetter::Parts {
+  /// Takes the installed fonts if `fonts` is empty.
+  Parts(std::string name, FontConfig fonts)
+      : config(std::move(fonts)),
+        map(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT)),
+        family(std::move(name)) {
+    if (config) pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(map.get()), config.get());
+    context = contextOf(map.get());
+  }
+
+  FontConfig config;
+  FontMap map;
+  Context context;
+  std::string family;
+};
 
 const Typesetter::Parts& Typesetter::parts() const {
-  if (parts_) return *parts_;
-  parts_ = std::make_unique<Parts>();
-  parts_->config = shippedFonts();
-  parts_->map.reset(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT));
-  pango_fc_font_map_set_config(PANGO_FC_FONT_MAP(parts_->map.get()), parts_->config.get());
-  parts_->context = contextOf(parts_->map.get());
-  parts_->family = kShippedFamily;
+  if (!parts_) parts_ = std::make_unique<Parts>(kShippedFamily, shippedFonts());
   return *parts_;
 }
 
-Typesetter::Typesetter(const std::string& family) : parts_(std::make_unique<Parts>()) {
-  parts_->map.reset(pango_cairo_font_map_new_for_font_type(CAIRO_FONT_TYPE_FT));
-  if (!has(parts_->map.get(), family)) {
-    throw InputError(
-        "no font family \"" + family +
-        "\" is installed, as overlay.font asks for; fc-list : family lists those that are");
-  }
-  parts_->context = contextOf(parts_->map.get());
-  parts_->family = family;
+Typesetter::Typesetter() = default;
+
+Typesetter::Typesetter(const std::string& family)
+    : parts_(std::make_unique<Parts>(family, nullptr)) {
+  if (has(parts_->map.get(), family)) return;
+  throw InputError("no font family \"" + family +
+                   "\" is installed, which overlay.font names; fc-list : family lists those that "
+                   "are");
 }
 
 Typesetter Typesetter::of(const scene::Scene& scene) {
@@ -196,8 +198,6 @@ Typesetter Typesetter::of(const scene::Scene& scene) {
 }
 
 Typesetter::~Typesetter() = default;
-Typesetter::Typesetter(Typesetter&&) noexcept = default;
-Typesetter& Typesetter::operator=(Typesetter&&) noexcept = default;
 
 TextSize Typesetter::measure(const std::string& text, const TextStyle& style, int width) const {
   return sizeOf(layoutOf(parts().context.get(), parts().family, text, style, width).get());
@@ -208,7 +208,7 @@ Layer Typesetter::draw(const std::string& text, const TextStyle& style, int widt
   if (pango_layout_get_unknown_glyphs_count(layout.get()) > 0) {
     throw InputError("the font " + parts().family + " lacks \"" + unknownLetter(layout.get()) +
                      "\", which is in \"" + text +
-                     "\"; choose an installed one that has it, overlay.font = \"...\"");
+                     "\"; choose an installed font that has it, overlay.font = \"...\"");
   }
   const TextSize size = sizeOf(layout.get());
   const int margin = static_cast<int>(std::ceil(style.halo));

@@ -71,7 +71,7 @@ struct Renderer::Parts {
   void requireDrawing() const {
     const PixelRect middle{width / 2, height / 2, 1, 1};
     target.begin(middle);
-    drawBook(closeBook(width, height));
+    drawBody(closeBook(width, height));
     const int drawn = target.alphaAt(middle.x, middle.y);
     target.begin(middle);
     const int cleared = target.alphaAt(middle.x, middle.y);
@@ -107,7 +107,7 @@ struct Renderer::Parts {
     target.readBack({&everything, 1}, picture);
   }
 
-  void drawBook(const DrawnBody& drawn) const {
+  void drawBody(const DrawnBody& drawn) const {
     glEnable(GL_FRAMEBUFFER_SRGB);
     glEnable(GL_DEPTH_TEST);
     drawn.winding == 0 ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
@@ -123,7 +123,7 @@ struct Renderer::Parts {
     drawPart(BookPart::Pages, paper);
   }
 
-  /// Relies on the OpenGL state that drawBook() leaves.
+  /// Relies on the OpenGL state that drawBody() leaves.
   void drawStrips(DrawnBody& drawn) const {
     image::Image& colours = drawn.strips.colours;
     const PixelRect all{0, 0, colours.width(), colours.height()};
@@ -207,7 +207,7 @@ void Renderer::draw(const physics::Cage& cage, DrawnBody& body) {
                            body.strips.onScreen);
   if (area.width <= 0 || area.height <= 0) return body.bands.clear();
   parts_->target.begin(area);
-  parts_->drawBook(body);
+  parts_->drawBody(body);
   parts_->drawStrips(body);
   parts_->target.readBack(body.bands, body.pixels);
   requireNoGlError("while drawing a frame");

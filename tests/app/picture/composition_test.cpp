@@ -52,12 +52,12 @@ image::Image drawn(const scene::Scene& scene, std::int64_t frame) {
   Composition composition(scene, motion);
   const render::Camera camera = cameraOf(scene, composition.screen());
   image::Image picture = composition.makePicture();
-  const auto drawBook = [&](std::size_t i, std::size_t sample, image::Image& panel) {
+  const auto drawBody = [&](std::size_t i, std::size_t sample, image::Image& panel) {
     makeGrey(panel);
     const physics::Cage& corners = motion.trajectories()[i].samples[sample].cage;
     return render::project(camera, corners, composition.screen()).clipFromWorld;
   };
-  composition.draw(frame, drawBook, picture);
+  composition.draw(frame, drawBody, picture);
   return picture;
 }
 

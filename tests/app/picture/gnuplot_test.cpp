@@ -77,9 +77,10 @@ TEST(Gnuplot, NamesThePackageWhereItIsMissing) {
   EXPECT_THAT(namesIn(folder), IsEmpty());
 }
 
-/// A program of that name which prints `words`.
-void writeGnuplot(const std::filesystem::path& folder, const std::string& words, int status) {
-  std::ofstream(folder / "gnuplot") << "#!/bin/sh\necho '" << words << "'\nexit " << status << "\n";
+/// Writes a program named gnuplot that prints `message`.
+void writeGnuplot(const std::filesystem::path& folder, const std::string& message, int status) {
+  std::ofstream(folder / "gnuplot")
+      << "#!/bin/sh\necho '" << message << "'\nexit " << status << "\n";
   std::filesystem::permissions(folder / "gnuplot", std::filesystem::perms::owner_all);
 }
 
@@ -93,8 +94,8 @@ TEST(Gnuplot, TakesNothingElseForAPicture) {
   };
   const std::string start = "gnuplot can't draw " + (folder / "a.svg").string();
   EXPECT_EQ(messageFor(0), start +
-                               " (status 0): the picture isn't whole; is there a limit of file "
-                               "sizes (ulimit -f)?");
+                               " (status 0): the picture is incomplete; is the file size limited "
+                               "(ulimit -f)?");
   EXPECT_EQ(messageFor(7), start + " (status 7)");
   EXPECT_THAT(namesIn(folder), ElementsAre("gnuplot"));
 }

@@ -8,16 +8,16 @@ namespace rotatebook::picture {
 namespace {
 
 int columnsOf(const PanelGrid& grid) {
-  return static_cast<int>(std::ranges::count(grid.places, 0, &PanelGrid::Place::y));
+  return static_cast<int>(std::ranges::count(grid.positions, 0, &PanelGrid::Position::y));
 }
 
 TEST(PanelGrid, OfOnePanelIsThePicture) {
   const PanelGrid grid = panelGrid(1, 641, 360);
   EXPECT_EQ(grid.width, 641);
   EXPECT_EQ(grid.height, 360);
-  ASSERT_EQ(grid.places.size(), 1U);
-  EXPECT_EQ(grid.places[0].x, 0);
-  EXPECT_EQ(grid.places[0].y, 0);
+  ASSERT_EQ(grid.positions.size(), 1U);
+  EXPECT_EQ(grid.positions[0].x, 0);
+  EXPECT_EQ(grid.positions[0].y, 0);
 }
 
 TEST(PanelGrid, MakesThePanelsShorterSidesLongest) {
@@ -39,16 +39,16 @@ TEST(PanelGrid, KeepsPanelsInThePictureAndApart) {
   for (const auto& [width, height] : kSizes) {
     for (int count = 2; count <= 6; ++count) {
       const PanelGrid grid = panelGrid(count, width, height);
-      ASSERT_EQ(grid.places.size(), static_cast<std::size_t>(count));
-      for (const auto& [x, y] : grid.places) {
+      ASSERT_EQ(grid.positions.size(), static_cast<std::size_t>(count));
+      for (const auto& [x, y] : grid.positions) {
         EXPECT_GE(x, 0);
         EXPECT_GE(y, 0);
         EXPECT_LE(x + grid.width, width);
         EXPECT_LE(y + grid.height, height);
       }
-      for (std::size_t i = 1; i < grid.places.size(); ++i) {
-        const auto& before = grid.places[i - 1];
-        const auto& here = grid.places[i];
+      for (std::size_t i = 1; i < grid.positions.size(); ++i) {
+        const auto& before = grid.positions[i - 1];
+        const auto& here = grid.positions[i];
         const bool below = here.y >= before.y + grid.height + 2;
         const bool beside = here.y == before.y && here.x >= before.x + grid.width + 2;
         EXPECT_TRUE(below || beside) << count << " in " << width << "x" << height;
@@ -59,8 +59,8 @@ TEST(PanelGrid, KeepsPanelsInThePictureAndApart) {
 
 TEST(PanelGrid, CentresARowThatIsNotFull) {
   const PanelGrid grid = panelGrid(5, 1280, 720);
-  const int left = grid.places[3].x;
-  const int right = 1280 - (grid.places[4].x + grid.width);
+  const int left = grid.positions[3].x;
+  const int right = 1280 - (grid.positions[4].x + grid.width);
   EXPECT_GT(left, grid.width / 4);
   EXPECT_NEAR(left, right, 1);
 }

@@ -47,7 +47,8 @@ image::Image panelOf(const image::Image& picture, std::size_t index) {
   const PanelGrid grid = panelGrid(2, picture.width(), picture.height());
   image::Image panel(grid.width, grid.height, picture.format());
   for (int y = 0; y < grid.height; ++y) {
-    const std::uint8_t* row = picture.row(grid.places[index].y + y) + 4 * grid.places[index].x;
+    const std::uint8_t* row =
+        picture.row(grid.positions[index].y + y) + 4 * grid.positions[index].x;
     std::copy_n(row, panel.stride(), panel.row(y));
   }
   return panel;

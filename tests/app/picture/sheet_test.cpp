@@ -29,7 +29,7 @@ bool shows(const image::Image& sheet, int x, int y, const scene::Scene& scene, s
   return true;
 }
 
-/// Pixels of a rectangle that are brighter than the ground.
+/// Pixels of a rectangle that are brighter than the background.
 int lettersIn(const image::Image& sheet, int x, int y, int width, int height) {
   int count = 0;
   for (int row = y; row < y + height; ++row) {
@@ -75,13 +75,13 @@ TEST(Sheet, RefusesWhatItCanNotShow) {
     return pipeline::testing::messageOf<InputError>([&] { drawSheet(scenes, options); });
   };
   EXPECT_EQ(messageOf({smallScene(), smallScene({"clip.size=[64, 38]"})}, {}),
-            "small has pictures of another size than small; give one for all, for example --size "
-            "480x270");
+            "small differs in size from small; set one size for all, for example --size 480x270");
   EXPECT_EQ(messageOf({smallScene()}, {.times = {7}}),
             "there is no picture at 7 s: the clip lasts from 0 to 0.5 s");
-  EXPECT_EQ(messageOf({smallScene()}, {.count = 300, .columns = 300}),
-            "the sheet would have 20404x59 pixels, and a side has at most 16384: take fewer or "
-            "smaller pictures, for example --size 480x270");
+  EXPECT_EQ(
+      messageOf({smallScene()}, {.count = 300, .columns = 300}),
+      "the sheet would have 20404x59 pixels, but a side may have at most 16384; take fewer or "
+      "smaller pictures, for example --size 480x270");
 }
 
 }  // namespace

@@ -87,18 +87,18 @@ struct DrawnPanel {
   Place placeOf(double across, double up) const { return {x.placeOf(across), y.placeOf(up)}; }
 };
 
-/// The number that words are: "0.5", or 10 to the power that is written small; NaN of others.
-double numberIn(const std::string& words) {
+/// Returns the number in `label`: "0.5", or 10 to the power in small type; NaN for others.
+double numberIn(const std::string& label) {
   static const std::regex kPower(">10</tspan><tspan[^>]*>(-?[0-9]+)</tspan>");
   static const std::regex kPlain("> *(-?[0-9.]+)</tspan>");
   std::smatch match;
-  if (std::regex_search(words, match, kPower)) return std::pow(10, std::stod(match[1]));
-  return std::regex_search(words, match, kPlain) ? std::stod(match[1]) : std::nan("");
+  if (std::regex_search(label, match, kPower)) return std::pow(10, std::stod(match[1]));
+  return std::regex_search(label, match, kPlain) ? std::stod(match[1]) : std::nan("");
 }
 
 /// Reads `panel` out of what gnuplot drew.
 void readPanel(const std::string& svg, DrawnPanel& panel) {
-  // A tick, which starts at its axis, and its words, which are on the next line.
+  // A tick, which starts at its axis, and its label, which is on the next line.
   static const std::regex kTick(
       "d='M([0-9.]+),([0-9.]+) [^']*'/>\\s*<g .*text-anchor=\"(end|middle)");
   static const std::regex kMarker("<use [^>]*translate\\(([0-9.]+),([0-9.]+)\\)");
@@ -155,10 +155,10 @@ TEST(PrecisionPlot, NamesIntegratorsOrdersAndAxes) {
                 row(Integrator::Midpoint, 0.1, 2), failed(Integrator::Midpoint, 1)};
   study.orders = {{Integrator::Rk4, {4.0, 2, 0.01, 0.1}}, {Integrator::Midpoint, {}}};
   const std::string svg = drawn(precisionPlot("A title", study));
-  for (const char* words :
+  for (const char* label :
        {"A title", "rk4  4.00", "midpoint  –", "step  [s]", "largest attitude error  [degrees]",
         "computing time for a second of motion  [ns]", "grey: slopes 4"}) {
-    EXPECT_THAT(svg, HasSubstr(words));
+    EXPECT_THAT(svg, HasSubstr(label));
   }
 }
 
@@ -175,7 +175,7 @@ TEST(PrecisionPlot, HasEachRunAtItsStepItsTimeAndItsError) {
   readPanel(svg, times);
   ASSERT_EQ(steps.markers.size(), 2U);
   ASSERT_EQ(times.markers.size(), 2U);
-  times.y = steps.y;  // Its own has no words.
+  times.y = steps.y;  // Its own has no labels.
   for (std::size_t i : {0U, 1U}) {
     std::vector<Place> byStep, byTime;
     for (const std::size_t j : {2 * i, 2 * i + 1}) {
@@ -255,9 +255,9 @@ TEST(TiltPlot, ShowsMeasuredAndLaw) {
   study.rows = {
       {0.1, {}, 4, 2.0, 2.1}, {0.01, {}, 4, 3.0, 3.01}, {0.001, {study::RunEnd::Kind::FewFlips}}};
   const std::string svg = drawn(tiltPlot("Tilts", study));
-  for (const char* words : {"Tilts", "logarithmic law", "measured", "tilt  [rad]",
+  for (const char* label : {"Tilts", "logarithmic law", "measured", "tilt  [rad]",
                             "time from a flip to the next  [s]", "| measured / law − 1 |"}) {
-    EXPECT_THAT(svg, HasSubstr(words));
+    EXPECT_THAT(svg, HasSubstr(label));
   }
 }
 

@@ -29,10 +29,10 @@ TEST(Thumbnail, KeepsTheShapeOfItsClip) {
 TEST(Thumbnail, ShowsThePosterWithoutWords) {
   const std::string size = "clip.size=[320, 180]", poster = "clip.poster=0.25";
   const image::Image plain = drawThumbnail(smallScene({size, poster}));
-  const std::vector<std::string> words{
+  const std::vector<std::string> overrides{
       size, poster, "caption=Words",
       "overlay.show=['caption', 'clock', 'half_turns', 'energy', 'polhode']"};
-  EXPECT_EQ(drawThumbnail(smallScene(words)), plain);
+  EXPECT_EQ(drawThumbnail(smallScene(overrides)), plain);
   EXPECT_NE(drawThumbnail(smallScene({size, "clip.poster=0.5"})), plain);
   EXPECT_NE(drawThumbnail(smallScene({size, poster, "overlay.show=['omega']"})), plain);
 }

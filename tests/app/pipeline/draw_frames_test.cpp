@@ -39,7 +39,7 @@ class FakePainter : public picture::FramePainter {
     exposed_.notify_all();
   }
 
-  void finish(const picture::Exposure& exposure, image::Image& picture) override {
+  void compose(const picture::Exposure& exposure, image::Image& picture) override {
     if (exposure.frame == failToFinish) throw std::runtime_error("no picture");
     for (int y = 0; y < picture.height(); ++y) {
       std::fill_n(picture.row(y), picture.stride(), static_cast<std::uint8_t>(exposure.frame));

@@ -185,13 +185,13 @@ class Clip {
   explicit Clip(const scene::Scene& asked)
       : scene_(asked),
         trajectory_(testing::motionOf(scene_)),
-        words_(scene_),
+        captionAndClock_(scene_),
         scale_(scene_.clip.width, scene_.clip.height),
         overlays_(scene_, trajectory_,
                   {.width = scene_.clip.width,
                    .height = scene_.clip.height,
-                   .corner = words_.corner(),
-                   .bottomRows = words_.bottomRows()}) {}
+                   .corner = captionAndClock_.corner(),
+                   .bottomRows = captionAndClock_.bottomRows()}) {}
 
   Seen seen() {
     Seen seen;
@@ -261,7 +261,7 @@ class Clip {
 
   scene::Scene scene_;
   physics::Trajectory trajectory_;
-  CaptionAndClock words_;
+  CaptionAndClock captionAndClock_;
   Scale scale_;
   MotionOverlays overlays_;
   int atAStretch_ = 0;  // frames up to the last in which a letter is crossed

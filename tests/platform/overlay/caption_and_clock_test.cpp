@@ -112,7 +112,7 @@ TEST(CaptionAndClock, TellHowTheMotionWasSimulated) {
 
 std::string sceneRefusal(const std::string& text) {
   try {
-    CaptionAndClock words(
+    CaptionAndClock captionAndClock(
         scene::parseScene(text + "\n[initial]\nangular_velocity = [5, 3, 1]\n", "a.toml"));
   } catch (const InputError& error) {
     return error.what();
@@ -120,9 +120,9 @@ std::string sceneRefusal(const std::string& text) {
   return "no error";
 }
 
-std::string repeated(const std::string& words, int times) {
+std::string repeated(const std::string& text, int times) {
   std::string all;
-  for (int i = 0; i < times; ++i) all += words;
+  for (int i = 0; i < times; ++i) all += text;
   return all;
 }
 
@@ -130,10 +130,10 @@ TEST(CaptionAndClock, AreRefusedWhereTheyWouldHideTheBook) {
   const std::string show = "overlay.show = ['caption']\n";
   const std::string caption = "caption = '" + repeated("words on words ", 66) + "'\n";
   EXPECT_THAT(sceneRefusal(show + caption + "clip.size = [128, 720]"),
-              StartsWith("a.toml:2:11: the words take 659 of the picture's 720 rows"));
+              StartsWith("a.toml:2:11: the text takes 659 of the picture's 720 rows"));
   EXPECT_THAT(
       sceneRefusal(show + "title = '" + repeated("a title ", 25) + "'\nclip.size = [64, 720]"),
-      AllOf(StartsWith("a.toml:2:9: the words take"), HasSubstr("shorten the title")));
+      AllOf(StartsWith("a.toml:2:9: the text takes"), HasSubstr("shorten the title")));
   EXPECT_EQ(sceneRefusal(show + caption), "no error");
   EXPECT_EQ(sceneRefusal(show + caption + "clip.size = [320, 180]"), "no error");
 }

@@ -7,44 +7,43 @@
 namespace rotatebook::overlay {
 namespace {
 
-Layer words(int width, int height) {
+constexpr Box kArea{0, 0, 200, 100};
+
+Layer labelOf(int width, int height) {
   Layer layer{0, 0, width, height, {}};
   layer.pixels.assign(static_cast<std::size_t>(width * height * 4), 200);
   return layer;
 }
 
-TEST(LabelPlacement, AreBesideTheTipInItsDirection) {
+TEST(WriteBeside, PutsALabelBesideTheTipInItsDirection) {
   Canvas canvas(200, 100);
-  LabelPlacement labels;
-  const Layer letter = words(10, 12);
-  labels.add(letter, {100, 50}, {3, 0}, 15);
-  labels.write(canvas, {0, 0, 200, 100}, {});
+  std::vector<Box> taken;
+  writeBeside(canvas, labelOf(10, 12), {100, 50}, {3, 0}, 15, kArea, taken);
   ASSERT_EQ(canvas.texts().size(), 1U);
   EXPECT_EQ(canvas.texts().front().x, 110);
   EXPECT_EQ(canvas.texts().front().y, 44);
 }
 
-TEST(LabelPlacement, GiveWayToThoseBeforeThemAndToWhatIsTaken) {
+TEST(WriteBeside, KeepsOutOfEarlierLabelsAndOfWhatIsTaken) {
   Canvas canvas(200, 100);
-  LabelPlacement labels;
-  const Layer letter = words(10, 12);
-  for (int i = 0; i < 4; ++i) labels.add(letter, {100, 50}, {1, 0}, 15);
-  const Box taken{95, 20, 10, 20};
-  labels.write(canvas, {0, 0, 200, 100}, {taken});
+  const Layer label = labelOf(10, 12);
+  const Box other{95, 20, 10, 20};
+  std::vector<Box> taken{other};
+  for (int i = 0; i < 4; ++i) {
+    writeBeside(canvas, label, {100, 50}, {1, 0}, 15, kArea, taken);
+  }
   std::vector<Box> all = canvas.texts();
   EXPECT_EQ(all.size(), 4U);
-  all.push_back(taken);
+  all.push_back(other);
   EXPECT_EQ(testing::meeting(all), "");
 }
 
-TEST(LabelPlacement, AreLeftOutWhereThereIsNoRoom) {
+TEST(WriteBeside, LeavesALabelOutIfThereIsNoRoom) {
   Canvas canvas(200, 100);
-  LabelPlacement labels;
-  const Layer letter = words(10, 12);
-  labels.add(letter, {100, 50}, {1, 0}, 15);
-  labels.write(canvas, {0, 0, 200, 100}, {{50, 0, 100, 100}});
-  labels.add(letter, {300, 50}, {1, 0}, 15);
-  labels.write(canvas, {0, 0, 200, 100}, {});
+  const Layer label = labelOf(10, 12);
+  std::vector<Box> taken{{50, 0, 100, 100}}, none;
+  writeBeside(canvas, label, {100, 50}, {1, 0}, 15, kArea, taken);
+  writeBeside(canvas, label, {300, 50}, {1, 0}, 15, kArea, none);
   EXPECT_TRUE(canvas.texts().empty());
 }
 

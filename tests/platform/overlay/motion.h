@@ -68,22 +68,22 @@ inline Eigen::Matrix4d clipFromWorld(const scene::Scene& scene, int bottomRows) 
   return clip * view;
 }
 
-/// The overlays of `scene` on its whole picture, without other words.
-inline MotionOverlays marksOf(const scene::Scene& scene, const physics::Trajectory& trajectory) {
+/// Makes the overlays of `scene` for its whole picture, without other text.
+inline MotionOverlays overlaysOf(const scene::Scene& scene, const physics::Trajectory& trajectory) {
   return {scene, trajectory, {.width = scene.clip.width, .height = scene.clip.height}};
 }
 
-/// What `overlays` draw on a grey picture.
+/// Draws `overlays` on a grey picture.
 inline image::Image drawn(MotionOverlays& overlays, const scene::Scene& scene, std::int64_t frame) {
   image::Image picture = greyPicture(scene);
   overlays.draw(frame, clipFromWorld(scene, overlays.bottomRows()), picture);
   return picture;
 }
 
-/// The same of a scene with nothing else.
+/// Draws the overlays of `scene` on a grey picture.
 inline image::Image drawn(const scene::Scene& scene, std::int64_t frame) {
   const physics::Trajectory trajectory = motionOf(scene);
-  MotionOverlays overlays = marksOf(scene, trajectory);
+  MotionOverlays overlays = overlaysOf(scene, trajectory);
   return drawn(overlays, scene, frame);
 }
 

@@ -17,8 +17,8 @@ namespace {
 using testing::diverging;
 using testing::drawn;
 using testing::greyPicture;
-using testing::marksOf;
 using testing::motionOf;
+using testing::overlaysOf;
 using testing::tumbling;
 
 constexpr const char* kSmall = "clip.size=[320, 180]";
@@ -35,7 +35,7 @@ TEST(MotionOverlays, LeaveThePictureAloneIfNothingIsShown) {
   const scene::Scene scene = tumbling({kSmall});
   EXPECT_EQ(drawn(scene, 3), greyPicture(scene));
   const physics::Trajectory trajectory = motionOf(scene);
-  EXPECT_EQ(marksOf(scene, trajectory).bottomRows(), 0);
+  EXPECT_EQ(overlaysOf(scene, trajectory).bottomRows(), 0);
 }
 
 TEST(MotionOverlays, WriteTheLabelAtTheTop) {
@@ -68,7 +68,7 @@ TEST(MotionOverlays, OfAWordlessSceneAreOnTheBookAlone) {
 TEST(MotionOverlays, CountHalfTurnsAndLightUpWhenOneIsMade) {
   const scene::Scene scene = tumbling({kSmall, "overlay.show=['half_turns']"});
   const physics::Trajectory trajectory = motionOf(scene);
-  MotionOverlays overlays = marksOf(scene, trajectory);
+  MotionOverlays overlays = overlaysOf(scene, trajectory);
   const std::int64_t turn = firstTurn(trajectory);
   ASSERT_GT(turn, 40);
   EXPECT_EQ(drawn(overlays, scene, 0), drawn(overlays, scene, turn - 1));
@@ -82,7 +82,7 @@ TEST(MotionOverlays, SayThatAMotionDivergedOnlyPastItsEnd) {
   const physics::Trajectory trajectory = motionOf(scene);
   ASSERT_TRUE(trajectory.divergedAt);
   const auto last = static_cast<std::int64_t>(trajectory.samples.size()) - 1;
-  MotionOverlays overlays = marksOf(scene, trajectory);
+  MotionOverlays overlays = overlaysOf(scene, trajectory);
   EXPECT_EQ(drawn(overlays, scene, last), greyPicture(scene));
   EXPECT_TRUE(overlays.texts().empty());
   EXPECT_NE(drawn(overlays, scene, last + 1), greyPicture(scene));
@@ -97,7 +97,7 @@ TEST(MotionOverlays, AreOfThisMotion) {
     const scene::Scene scene = tumbling(
         {kSmall, "overlay.show=['" + std::string(name) + "']", "simulation.integrator=euler"});
     const physics::Trajectory trajectory = motionOf(scene);
-    MotionOverlays overlays = marksOf(scene, trajectory);
+    MotionOverlays overlays = overlaysOf(scene, trajectory);
     EXPECT_NE(drawn(overlays, scene, 60), greyPicture(scene)) << name;
     EXPECT_NE(drawn(overlays, scene, 60), drawn(overlays, scene, 100)) << name;
     EXPECT_EQ(drawn(overlays, scene, 60), drawn(overlays, scene, 60)) << name;
@@ -189,7 +189,7 @@ TEST(MotionOverlays, RefuseALabelThatWouldHideTheBook) {
 
 TEST(MarkRows, HaveAMarkUnlessTheyAreWords) {
   for (const OverlayRow& row : overlayRows()) {
-    EXPECT_EQ(row.make == nullptr, row.placement == Placement::WholePicture)
+    EXPECT_EQ(row.make == nullptr, row.placement == Placement::WholeClip)
         << scene::nameOf(scene::kOverlays, row.overlay);
   }
 }

@@ -63,7 +63,7 @@ TEST(MomentumSurfaces, HaveNoPolhodeOfASteadySpinOrABall) {
   }
 }
 
-/// How many pixels beside the words of the inset are as bright as the point that shows the present
+/// How many pixels beside the texts of the inset are as bright as the point that shows the present
 /// momentum, where that is on the ellipsoid's near side or on its far side.
 int brightestPixels(bool near) {
   constexpr int kWidth = 640, kHeight = 360;
@@ -76,16 +76,16 @@ int brightestPixels(bool near) {
   trajectory.samples[0].attitude = trajectory.samples[1].attitude.setIdentity();
   trajectory.samples[0].angularMomentum = {0.3, 0.9, -0.3};
   trajectory.samples[1].angularMomentum = near ? towardViewer : Eigen::Vector3d(-towardViewer);
-  MotionOverlays overlays = testing::marksOf(scene, trajectory);
+  MotionOverlays overlays = testing::overlaysOf(scene, trajectory);
   const image::Image picture = testing::drawn(overlays, scene, 1);
   int count = 0;
   for (int y = 0; y < kHeight; ++y) {
     for (int x = 0; x < kWidth; ++x) {
       const std::uint8_t* pixel = picture.row(y) + 4 * x;
-      const Box place{1.0 * x, 1.0 * y, 1, 1};
-      const bool words = std::ranges::any_of(
-          overlays.texts(), [&](const Box& text) { return text.grown(3).meets(place); });
-      count += !words && std::min({pixel[0], pixel[1], pixel[2]}) >= 236 ? 1 : 0;
+      const Box area{1.0 * x, 1.0 * y, 1, 1};
+      const bool onText = std::ranges::any_of(
+          overlays.texts(), [&](const Box& text) { return text.grown(3).meets(area); });
+      count += !onText && std::min({pixel[0], pixel[1], pixel[2]}) >= 236 ? 1 : 0;
     }
   }
   return count;

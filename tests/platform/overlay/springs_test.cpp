@@ -15,7 +15,7 @@ double rednessOf(double factor) {
   physics::Trajectory trajectory = testing::motionOf(scene);
   trajectory.samples.resize(1);
   trajectory.samples.front().cage *= factor;
-  MotionOverlays overlays = testing::marksOf(scene, trajectory);
+  MotionOverlays overlays = testing::overlaysOf(scene, trajectory);
   const image::Image picture = testing::drawn(overlays, scene, 0);
   double redness = 0;
   for (int y = 0; y < 130; ++y) {

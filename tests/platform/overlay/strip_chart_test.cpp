@@ -15,22 +15,23 @@ namespace {
 
 constexpr int kWidth = 640, kHeight = 360;
 
-/// The lowest words on the chart of the error of this clip: where its time axis ends.
+/// Returns the box of the lowest text on this clip's error chart: the label at the end of its time
+/// axis.
 Box endLabelOf(const std::vector<std::string>& overrides) {
   std::vector<std::string> all{"clip.size=[640, 360]", "overlay.show=['error']"};
   all.insert(all.end(), overrides.begin(), overrides.end());
   const scene::Scene scene = testing::tumbling(all);
   const physics::Trajectory trajectory = testing::motionOf(scene);
-  MotionOverlays overlays = testing::marksOf(scene, trajectory);
+  MotionOverlays overlays = testing::overlaysOf(scene, trajectory);
   testing::drawn(overlays, scene, 0);
   return *std::ranges::max_element(overlays.texts(), {}, &Box::bottom);
 }
 
-/// How wide `words` are in a chart's letters. [pixels]
-double widthOf(const std::string& words) {
+/// Returns the width of `text` in a chart's letters. [pixels]
+double widthOf(const std::string& text) {
   TextStyle style;
   style.size = Scale(kWidth, kHeight).smallLetters;
-  return Typesetter().measure(words, style, kWidth).width;
+  return Typesetter().measure(text, style, kWidth).width;
 }
 
 TEST(StripChart, NamesTheTimeAtWhichItEnds) {

@@ -1,4 +1,4 @@
-// CaptionAndClock never meet, at any size.
+// Verifies that texts never meet, at any size.
 #include <algorithm>
 #include <filesystem>
 #include <string>
@@ -66,7 +66,8 @@ void expectApart(const std::vector<Box>& boxes, const Size& size) {
 }
 
 /// Frames of an ordinary motion, and the last one with the notice.
-void expectNoMeeting(const scene::Scene& scene, CaptionAndClock* words, const Viewport& viewport) {
+void expectNoMeeting(const scene::Scene& scene, CaptionAndClock* captionAndClock,
+                     const Viewport& viewport) {
   physics::Trajectory trajectory = testing::motionOf(scene);
   trajectory.divergedAt = 9999.99;
   MotionOverlays overlays(scene, trajectory, viewport);
@@ -75,9 +76,9 @@ void expectNoMeeting(const scene::Scene& scene, CaptionAndClock* words, const Vi
   for (std::int64_t frame = 0; frame <= scene.clip.frameCount(); frame += step) {
     overlays.draw(frame, testing::clipFromWorld(scene, overlays.bottomRows()), picture);
     std::vector<Box> boxes = overlays.texts();
-    if (words != nullptr) {
-      words->draw(frame, picture);
-      boxes.insert(boxes.end(), words->texts().begin(), words->texts().end());
+    if (captionAndClock != nullptr) {
+      captionAndClock->draw(frame, picture);
+      boxes.insert(boxes.end(), captionAndClock->texts().begin(), captionAndClock->texts().end());
     }
     SCOPED_TRACE(frame);
     expectApart(boxes, {viewport.width, viewport.height});
@@ -91,9 +92,10 @@ TEST(Texts, NeverMeetOnAWholePicture) {
     SCOPED_TRACE(text(size));
     const scene::Scene scene =
         sceneOf(size.width, size.height, std::string("'caption', ") + kEverything);
-    CaptionAndClock words(scene);
-    expectNoMeeting(scene, &words,
-                    {size.width, size.height, words.corner(), words.bottomRows(), ""});
+    CaptionAndClock captionAndClock(scene);
+    expectNoMeeting(
+        scene, &captionAndClock,
+        {size.width, size.height, captionAndClock.corner(), captionAndClock.bottomRows(), ""});
   }
 }
 
@@ -115,13 +117,14 @@ TEST(Texts, OfAClipWithPanelsNeverMeet) {
     for (const char* show : {"'caption', 'clock'", "'clock'"}) {
       SCOPED_TRACE(text(size) + show);
       const scene::Scene scene = sceneOf(size.width, size.height, show);
-      CaptionAndClock words(scene, CaptionAndClock::ClockPosition::Bottom);
-      EXPECT_TRUE(words.corner().empty());
+      CaptionAndClock captionAndClock(scene, CaptionAndClock::ClockPosition::Bottom);
+      EXPECT_TRUE(captionAndClock.corner().empty());
       image::Image picture = testing::greyPicture(scene);
-      words.draw(100, picture);
-      EXPECT_FALSE(words.texts().empty());
-      expectApart(words.texts(), size);
-      for (const Box& box : words.texts()) EXPECT_GE(box.y, size.height - words.bottomRows());
+      captionAndClock.draw(100, picture);
+      EXPECT_FALSE(captionAndClock.texts().empty());
+      expectApart(captionAndClock.texts(), size);
+      for (const Box& box : captionAndClock.texts())
+        EXPECT_GE(box.y, size.height - captionAndClock.bottomRows());
     }
   }
 }

@@ -27,7 +27,7 @@ struct Found {
         project({{0, 0, 0.76}, {0, 0, 0}, {0, 1, 0}, 30}, corners, {kWidth, kHeight});
     bounds = projection.bounds;
     BodyEdges(makeBookMesh())
-        .find(corners, projection.clipFromWorld, windingOf(corners), {}, pixels, triangles);
+        .find(corners, projection.clipFromWorld, frontFaceWinding(corners), {}, pixels, triangles);
     pixels.number();
   }
 
@@ -69,7 +69,7 @@ TEST(BodyEdges, LeaveOutBackFaces) {
     const auto& [a, b, c] = triangle.corners;
     EXPECT_LE((b - a).x() * (c - a).y() - (b - a).y() * (c - a).x(), 0);
   }
-  ASSERT_EQ(windingOf(pierced), 0);
+  ASSERT_EQ(frontFaceWinding(pierced), 0);
   EXPECT_EQ(open.triangles.size(), all);
 }
 

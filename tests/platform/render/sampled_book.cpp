@@ -72,7 +72,7 @@ struct SampledBook::Parts {
     const Projection projection =
         project(settings.camera, corners, {settings.width, settings.height, settings.bottomRows});
     const Eigen::Matrix4d& clipFromWorld = projection.clipFromWorld;
-    const int winding = windingOf(corners);
+    const int winding = frontFaceWinding(corners);
     glEnable(GL_FRAMEBUFFER_SRGB);
     glEnable(GL_DEPTH_TEST);
     winding == 0 ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);

@@ -20,7 +20,8 @@ std::vector<ScreenStrip> stripsAt(int width, int height, const physics::Cage& co
       project(testing::settingsOf(width, height).camera, corners, {width, height, 0});
   std::vector<ScreenStrip> onScreen;
   StripFinder(makeBookMesh())
-      .find(corners, projection.clipFromWorld, windingOf(corners), {width, height}, onScreen);
+      .find(corners, projection.clipFromWorld, frontFaceWinding(corners), {width, height},
+            onScreen);
   return onScreen;
 }
 

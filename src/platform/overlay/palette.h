@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "overlay/text.h"
+#include "overlay/colour.h"
 
 namespace rotatebook::overlay {
 

@@ -4,15 +4,11 @@
 #include <memory>
 #include <string>
 
+#include "overlay/colour.h"
 #include "overlay/layer.h"
 #include "scene/scene.h"
 
 namespace rotatebook::overlay {
-
-/// An opaque colour, sRGB, each channel from 0 to 1.
-struct Colour {
-  double red = 1, green = 1, blue = 1;
-};
 
 /// The look of a text.
 struct TextStyle {

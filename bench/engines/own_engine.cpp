@@ -25,7 +25,7 @@ class OwnEngine final : public Engine {
         step_(step),
         simulator_(physics::makeSimulator(settings_)) {}
 
-  void advance(int steps) override { simulator_->advance(step_, steps); }
+  void advance(int steps) override { simulator_->advance(step_ * steps, steps); }
 
   EngineState state() const override {
     physics::Measurement measurement(settings_);

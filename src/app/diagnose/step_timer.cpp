@@ -36,7 +36,7 @@ Fleet makeFleet(const physics::MotionSettings& settings, std::int64_t stepsEach)
 
 double timeOnce(const Fleet& fleet, double h, int steps) {
   const double start = threadTime();
-  for (const auto& simulator : fleet) simulator->advance(h, steps);
+  for (const auto& simulator : fleet) simulator->advance(h * steps, steps);
   return threadTime() - start;
 }
 

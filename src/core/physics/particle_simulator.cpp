@@ -75,7 +75,8 @@ ParticleSimulator::ParticleSimulator(const MotionSettings& settings, ParticleSte
       energy_(state_.kineticEnergy()),
       fit_(settings.body) {}
 
-void ParticleSimulator::advance(double h, int steps) {
+void ParticleSimulator::advance(double interval, int steps) {
+  const double h = interval / steps;
   for (int step = 0; step < steps; ++step) {
     step_(state_, h);
     if (!normalize_) continue;

@@ -27,7 +27,7 @@ class ParticleSimulator final : public Simulator {
   /// Uses `step`, whatever integrator the settings name.
   ParticleSimulator(const MotionSettings& settings, ParticleStep step);
 
-  void advance(double h, int steps) override;
+  void advance(double interval, int steps) override;
   BodyState state() const override;
 
  private:

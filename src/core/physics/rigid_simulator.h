@@ -34,8 +34,8 @@ class RigidSimulator final : public Simulator {
   explicit RigidSimulator(const MotionSettings& settings)
       : RigidSimulator(settings, modelInertia(settings)) {}
 
-  void advance(double h, int steps) override {
-    const Method method(body_, h);
+  void advance(double interval, int steps) override {
+    const Method method(body_, interval / steps);
     RigidState<Attitude> state = state_;  // a copy that stays in registers
     for (int step = 0; step < steps; ++step) {
       method.step(state);

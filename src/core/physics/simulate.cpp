@@ -29,12 +29,11 @@ Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount,
   const auto simulator = makeSimulator(settings);
   Measurement measurement(settings);
   const SimulationSettings& stepping = settings.simulation;
-  const double h = stepping.timePerFrame / stepping.substeps;
 
   Trajectory result;
   result.interval = stepping.timePerFrame;
   for (std::int64_t n = 0; n < sampleCount; ++n) {
-    if (n > 0) simulator->advance(h, stepping.substeps);
+    if (n > 0) simulator->advance(stepping.timePerFrame, stepping.substeps);
     const double time = static_cast<double>(n) * result.interval;
     const BodyState state = simulator->state();
     if (hasBlownUp(state, settings.body)) {

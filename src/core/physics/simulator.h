@@ -34,8 +34,8 @@ class Simulator {
  public:
   virtual ~Simulator() = default;
 
-  /// Takes `steps` integration steps of length `h` > 0. [s] Throws NoConvergence.
-  virtual void advance(double h, int steps) = 0;
+  /// Advances by `interval` > 0 in `steps` equal integration steps. [s] Throws NoConvergence.
+  virtual void advance(double interval, int steps) = 0;
   /// Returns the current state. Its numbers need not be finite once a motion has blown up.
   virtual BodyState state() const = 0;
 };

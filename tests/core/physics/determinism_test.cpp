@@ -58,7 +58,8 @@ TEST_P(Determinism, GivesTheSameBitsInEveryBuild) {
       settingsOf({.model = golden.model, .slant = 0.1, .normalize = golden.normalize});
   settings.simulation.integrator = golden.integrator;
   const auto simulator = makeSimulator(settings);
-  simulator->advance(settings.simulation.timePerFrame / settings.simulation.substeps, 10000);
+  simulator->advance(10000 * settings.simulation.timePerFrame / settings.simulation.substeps,
+                     10000);
   const std::uint64_t hash = fnv1a(numbersOf(simulator->state(), settings.body));
   std::cout << nameOf(golden) << " 0x" << std::hex << hash << std::dec << '\n';
   EXPECT_EQ(hash, golden.hash);

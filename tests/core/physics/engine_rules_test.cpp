@@ -119,7 +119,7 @@ void compareWithRuleInWorld(Integrator integrator, Vector3d (InWorld::*rule)() c
   InWorld expected{.angularVelocity = settings.initial.value,
                    .inertia = settings.body.solidInertia()};
   for (int step = 0; step < 20; ++step) expected.turnWith((expected.*rule)());
-  simulator->advance(kStep, 20);
+  simulator->advance(20 * kStep, 20);
   const BodyState state = simulator->state();
   EXPECT_LT((state.angularVelocity - expected.angularVelocity).norm(), kStepBound);
   EXPECT_LT((state.worldFromBody - expected.worldFromBody).norm(), kStepBound);

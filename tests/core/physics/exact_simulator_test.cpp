@@ -31,8 +31,8 @@ TEST(ExactSimulator, DoesNotDependOnTheSteps) {
 
 TEST(ExactSimulator, CountsTheTimeOfStepsOfDifferentLength) {
   ExactSimulator one(tumbling(1)), two(tumbling(1));
-  one.advance(0.125, 8);
-  one.advance(0.5, 2);
+  one.advance(1, 8);
+  one.advance(1, 2);
   two.advance(2, 1);
   EXPECT_EQ(one.state().worldFromBody, two.state().worldFromBody);
 }

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include "base/double_double.h"
-#include "physics/exact/elliptic.h"
+#include "base/elliptic.h"
 #include "physics/exact/polhode.h"
 #include "physics/measure/regime.h"
 

@@ -8,13 +8,13 @@ ExactSimulator::ExactSimulator(const MotionSettings& settings)
     : angularMomentum_(modelInertia(settings).angularMomentum(initialAngularVelocity(settings))),
       rotation_(modelInertia(settings), settings.initial.alongPrincipal(modelInertia(settings))) {}
 
-void ExactSimulator::advance(double h, int steps) {
-  if (h != h_) {
+void ExactSimulator::advance(double interval, int /*steps*/) {
+  if (interval != interval_) {
     start_ = time();
-    h_ = h;
-    steps_ = 0;
+    interval_ = interval;
+    count_ = 0;
   }
-  steps_ += steps;
+  ++count_;
 }
 
 BodyState ExactSimulator::state() const {

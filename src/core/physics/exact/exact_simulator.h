@@ -17,18 +17,18 @@ class ExactSimulator final : public Simulator {
  public:
   explicit ExactSimulator(const MotionSettings& settings);
 
-  void advance(double h, int steps) override;
+  void advance(double interval, int steps) override;
   BodyState state() const override;
 
  private:
-  double time() const { return start_ + static_cast<double>(steps_) * h_; }
+  double time() const { return start_ + static_cast<double>(count_) * interval_; }
 
   Eigen::Vector3d angularMomentum_;
   ExactRotation rotation_;
-  // A count of steps keeps the time accurate to rounding after any number of equal ones.
+  // A count of intervals keeps the time accurate to rounding after any number of equal ones.
   double start_ = 0;
-  double h_ = 0;
-  std::int64_t steps_ = 0;
+  double interval_ = 0;
+  std::int64_t count_ = 0;
 };
 
 }  // namespace rotatebook::physics

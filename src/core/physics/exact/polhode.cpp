@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/elementary.h"
-#include "physics/exact/elliptic.h"
+#include "base/elliptic.h"
 #include "physics/measure/regime.h"
 
 namespace rotatebook::physics {

@@ -10,7 +10,7 @@ namespace rotatebook::physics {
 void throwNoConvergence(const char* integrator, double h) {
   throw NoConvergence(std::string("the integrator ") + integrator +
                       " finds no solution for a step of " + shortestText(h) +
-                      " s: the iteration doesn't converge; use shorter steps (more substeps)");
+                      " s; use shorter steps (more substeps)");
 }
 
 }  // namespace rotatebook::physics

@@ -1,9 +1,12 @@
 // The implicit midpoint rule for a rigid body.
 #pragma once
 
+#include <cmath>
+
 #include "physics/attitude.h"
 #include "physics/integrators/implicit_step.h"
 #include "physics/integrators/rigid_state.h"
+#include "physics/rotation.h"
 
 namespace rotatebook::physics {
 
@@ -19,17 +22,32 @@ class Midpoint {
 
   template <typename Attitude>
   void step(RigidState<Attitude>& state) const {
-    const Eigen::Vector3d& momentum = state.momentum;
-    const auto next = [&](const Eigen::Vector3d& middle) -> Eigen::Vector3d {
-      return momentum + h_ / 2 * middle.cross(body_.inverseInertia.cwiseProduct(middle));
-    };
-    const Eigen::Vector3d middle = fixedPoint(momentum, next, "midpoint", h_);
+    const Eigen::Vector3d middle =
+        solveStep(state.momentum, Equation{*this, state.momentum}, "midpoint", h_);
     const Eigen::Vector3d half = h_ / 2 * body_.inverseInertia.cwiseProduct(middle);
+    if (!std::isfinite(half.squaredNorm())) throwNoConvergence("midpoint", h_);
     turnInBody(state.attitude, Eigen::Quaterniond(1, half.x(), half.y(), half.z()).normalized());
-    state.momentum = 2 * middle - momentum;
+    addCompensated(2 * middle.cross(half), state.momentum, state.momentumCarry);
   }
 
  private:
+  /// Mm = M + share (h/2) Mm x w.
+  struct Equation {
+    const Midpoint& rule;
+    const Eigen::Vector3d& momentum;
+
+    const Eigen::Vector3d& solutionAtZero() const { return momentum; }
+    Eigen::Vector3d next(const Eigen::Vector3d& middle, double share) const {
+      return momentum +
+             share * rule.h_ / 2 * middle.cross(rule.body_.inverseInertia.cwiseProduct(middle));
+    }
+    Eigen::Matrix3d derivative(const Eigen::Vector3d& middle, double share) const {
+      const Eigen::Vector3d velocity = rule.body_.inverseInertia.cwiseProduct(middle);
+      return share * rule.h_ / 2 *
+             (crossMatrix(middle) * rule.body_.inverseInertia.asDiagonal() - crossMatrix(velocity));
+    }
+  };
+
   RigidConstants body_;
   double h_;
 };

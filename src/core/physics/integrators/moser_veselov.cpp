@@ -1,7 +1,22 @@
 #include "physics/integrators/moser_veselov.h"
 
+#include <string>
+
+#include "base/number_text.h"
+#include "physics/integrators/no_convergence.h"
+
 namespace rotatebook::physics {
 namespace {
+
+// The series of dmv4 and dmv6 are trusted to change a moment of inertia by no more than this
+// factor.
+constexpr double kMaxRatio = 2;
+
+// Returns the ratio that is farthest out of reach; one below zero is farther than any other.
+double farthest(const Eigen::Array3d& ratios) {
+  const double low = ratios.minCoeff(), high = ratios.maxCoeff();
+  return low * high < 1 ? low : high;
+}
 
 // The preprocessed inertia J: 1/J = scale/I + shift.
 struct Correction {
@@ -34,7 +49,15 @@ Correction correctionOf(const RigidConstants& body, double h, int order) {
 
 Eigen::Vector3d preprocessedInertia(const RigidConstants& body, double h, int order) {
   const auto [scale, shift] = correctionOf(body, h, order);
-  return (scale * body.inverseInertia.array() + shift).inverse().matrix();
+  const Eigen::Array3d inertia = (scale * body.inverseInertia.array() + shift).inverse();
+  const Eigen::Array3d ratios = inertia / body.inertia.array();
+  if (ratios.minCoeff() >= 1 / kMaxRatio && ratios.maxCoeff() <= kMaxRatio) {
+    return inertia.matrix();
+  }
+  throw NoConvergence(
+      "a step of " + shortestText(h) + " s is too long for dmv" + std::to_string(order) +
+      ": its series changes a moment of inertia by the factor " + shortestText(farthest(ratios)) +
+      ", where 1/2 to 2 is its reach; use shorter steps (more substeps)");
 }
 
 }  // namespace rotatebook::physics

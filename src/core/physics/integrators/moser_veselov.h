@@ -11,8 +11,9 @@ namespace rotatebook::physics {
 
 /// Returns the moments of inertia, changed by terms in h^2 and h^4 so that the discrete
 /// Moser-Veselov algorithm follows the exact motion to `order` 2, 4 or 6. They are constants of the
-/// motion. Source: Hairer and Vilmart, Journal of Physics A 39 (2006), after McLachlan and Zanna
-/// 2005. [kg m^2]
+/// motion. [kg m^2] Throws NoConvergence where one of them is less than half or more than twice the
+/// body's: the series in h is then far from its sum. Source: Hairer and Vilmart, Journal of Physics
+/// A 39 (2006), after McLachlan and Zanna 2005.
 Eigen::Vector3d preprocessedInertia(const RigidConstants& body, double h, int order);
 
 /// The discrete Moser-Veselov algorithm in its quaternion form: with J the preprocessed inertia and
@@ -36,15 +37,29 @@ class MoserVeselov {
   template <typename Attitude>
   void step(RigidState<Attitude>& state) const {
     const Eigen::Vector3d a = half_.cwiseProduct(state.momentum);
-    const auto next = [&](const Eigen::Vector3d& c) -> Eigen::Vector3d {
-      return (1 + c.squaredNorm()) * a + ratios_.cwiseProduct(products(c));
-    };
-    const Eigen::Vector3d c = fixedPoint(a, next, kName, h_);
+    const Eigen::Vector3d c = solveStep(a, Equation{a, ratios_}, kName, h_);
     turnInBody(state.attitude, Eigen::Quaterniond(1, c.x(), c.y(), c.z()).normalized());
-    state.momentum += 4 / (h_ * (1 + c.squaredNorm())) * differences_.cwiseProduct(products(c));
+    addCompensated(4 / (h_ * (1 + c.squaredNorm())) * differences_.cwiseProduct(products(c)),
+                   state.momentum, state.momentumCarry);
   }
 
  private:
+  /// The equations of c, with share a for a.
+  struct Equation {
+    const Eigen::Vector3d& a;
+    const Eigen::Vector3d& ratios;
+
+    Eigen::Vector3d solutionAtZero() const { return {0, 0, 0}; }
+    Eigen::Vector3d next(const Eigen::Vector3d& c, double share) const {
+      return (1 + c.squaredNorm()) * share * a + ratios.cwiseProduct(products(c));
+    }
+    Eigen::Matrix3d derivative(const Eigen::Vector3d& c, double share) const {
+      Eigen::Matrix3d ofProducts;
+      ofProducts << 0, c.z(), c.y(), c.z(), 0, c.x(), c.y(), c.x(), 0;
+      return 2 * share * a * c.transpose() + ratios.asDiagonal() * ofProducts;
+    }
+  };
+
   static constexpr std::array kNames{"dmv2", "dmv4", "dmv6"};
   static constexpr const char* kName = kNames[kOrder / 2 - 1];
 

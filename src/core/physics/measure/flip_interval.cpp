@@ -8,6 +8,16 @@
 #include "physics/measure/regime.h"
 
 namespace rotatebook::physics {
+namespace {
+
+// eps / sin(eps), where eps is the angle between `w` and the line of axis `median`.
+double angleBySine(const Eigen::Vector3d& w, int median) {
+  const double along = std::fabs(w[median]);
+  const double across = roundedHypotenuse(w[(median + 1) % 3], w[(median + 2) % 3]);
+  return across == 0 ? 1 : arcTangent(across, along) * w.norm() / across;
+}
+
+}  // namespace
 
 std::vector<double> flipTimes(const Trajectory& trajectory, const PrincipalAxes& inertia) {
   const Eigen::Vector3d axis = medianAxis(inertia);
@@ -45,7 +55,7 @@ double asymptoticFlipInterval(const PrincipalAxes& inertia,
   const double distance =
       std::fabs(medianInvariantRoot({i1, i2, i3}, w[axes[0]], w[axes[2]]).value());
   const double modulus = distance / spin * std::sqrt((i3 - i1) / (i2 * (i2 - i1) * (i3 - i2)));
-  return 2 / growth * logarithm(4 / modulus);
+  return 2 / growth * logarithm(4 / (modulus * angleBySine(w, axes[1])));
 }
 
 Eigen::Vector3d medianAxis(const PrincipalAxes& inertia) {

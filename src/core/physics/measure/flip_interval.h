@@ -23,10 +23,10 @@ double meanInterval(std::span<const double> times);
 /// Returns the limit of the flip interval for a free rigid body that starts close to the median
 /// axis with this angular velocity in body axes [rad/s]:
 ///     (2/lambda) ln(4/sqrt(m1)),  lambda = W sqrt((I2-I1)(I3-I2)/(I1 I3)),
-///     m1 = (I3-I1) |I3 (I3-I2) w3^2 - I1 (I2-I1) w1^2| / (I2 (I2-I1) (I3-I2) W^2),
-/// where W is the length of the angular velocity and I1 <= I2 <= I3. At a small angle eps from the
-/// median axis toward axis 3, m1 = kappa3 eps^2 with kappa3 = I3 (I3-I1)/(I2 (I2-I1)); toward axis
-/// 1, kappa1 = I1 (I3-I1)/(I2 (I3-I2)) replaces kappa3. The relative error falls as eps^2. The
+///     m1 = (eps/sin eps)^2 (I3-I1) |I3 (I3-I2) w3^2 - I1 (I2-I1) w1^2| / (I2 (I2-I1) (I3-I2) W^2),
+/// where W is the length of the angular velocity, eps its angle to the median axis, and
+/// I1 <= I2 <= I3. Toward axis 3, m1 = kappa3 eps^2 with kappa3 = I3 (I3-I1)/(I2 (I2-I1)); toward
+/// axis 1, kappa1 = I1 (I3-I1)/(I2 (I3-I2)) replaces kappa3. The relative error falls as eps^2. The
 /// limit is infinite on the separatrix, which lies between the two directions, on the median axis
 /// itself, and if two moments are equal.
 double asymptoticFlipInterval(const PrincipalAxes& inertia, const Eigen::Vector3d& angularVelocity);

@@ -19,6 +19,15 @@ int largestComponent(const Eigen::Vector3d& v) {
   return axis;
 }
 
+// Returns the principal axis nearest to the axis of the spin, a unit vector in body axes. Of its
+// two directions it is the one along the edge of the body that it is nearest to.
+Eigen::Vector3d spunAxisOf(const MotionSettings& settings, const PrincipalAxes& inertia) {
+  const Eigen::Vector3d spin =
+      inertia.bodyFromPrincipal.transpose() * initialAngularVelocity(settings);
+  const Eigen::Vector3d axis = inertia.bodyFromPrincipal.col(largestComponent(spin));
+  return axis[largestComponent(axis)] < 0 ? Eigen::Vector3d(-axis) : axis;
+}
+
 // Returns the angle of a rotation, to rounding even if it is small. [degrees]
 double angleDeg(const Eigen::Matrix3d& rotation) {
   const Eigen::Quaterniond q(rotation);
@@ -41,8 +50,8 @@ int HalfTurnCounter::count(double tiltDeg) {
 
 Measurement::Measurement(const MotionSettings& settings)
     : body_(settings.body),
-      spunAxis_(largestComponent(initialAngularVelocity(settings))),
       inertia_(modelInertia(settings)),
+      spunAxis_(spunAxisOf(settings, inertia_)),
       exact_(inertia_, settings.initial.alongPrincipal(inertia_)),
       isExact_(settings.simulation.model == Model::Exact) {}
 
@@ -77,7 +86,7 @@ Eigen::Quaterniond Measurement::continuedAttitude(const Eigen::Matrix3d& rotatio
 // Uses atan2, because the arc cosine of a number near 1 loses half the digits of a small angle.
 double Measurement::tiltDeg(const Eigen::Matrix3d& rotation,
                             const Eigen::Vector3d& momentum) const {
-  const Eigen::Vector3d axis = rotation.col(spunAxis_);
+  const Eigen::Vector3d axis = rotation * spunAxis_;
   return arcTangent(axis.cross(momentum).norm(), axis.dot(momentum)) * 180 / std::numbers::pi;
 }
 

@@ -49,8 +49,8 @@ class HalfTurnCounter {
 /// frozen.
 class Measurement {
  public:
-  /// Takes as the spun axis the body axis of the initial angular velocity's largest component.
-  /// Throws InputError as InitialSpin::tilted() does.
+  /// Takes as the spun axis the principal axis along which the initial angular velocity has its
+  /// largest component. Throws InputError as InitialSpin::tilted() does.
   explicit Measurement(const MotionSettings& settings);
 
   /// Returns the sample at `time` [s] of `state`, whose numbers must be finite.
@@ -62,8 +62,8 @@ class Measurement {
   Regime regime(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& angularVelocity) const;
 
   Cuboid body_;
-  int spunAxis_;
   PrincipalAxes inertia_;
+  Eigen::Vector3d spunAxis_;
   ExactRotation exact_;
   bool isExact_;  // whether the measured motion is itself exact
   Eigen::Quaterniond attitude_ = Eigen::Quaterniond::Identity();  // the last one

@@ -1,4 +1,4 @@
-#include "physics/exact/elliptic.h"
+#include "base/elliptic.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "base/elementary.h"
 
-namespace rotatebook::physics {
+namespace rotatebook {
 namespace {
 
 // Below this k1, what the hyperbolic forms leave out, m1 and its multiples, is rounding.
@@ -191,4 +191,4 @@ double EllipticPi::at(double u, const JacobiValues& values) const {
   return sn * sn * sn / 3 * carlsonRJ(cn * cn, dn * dn, 1, 1 - n_ * sn * sn) - u / (1 - n_);
 }
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook

@@ -1,11 +1,11 @@
-#include "physics/exact/elliptic.h"
+#include "base/elliptic.h"
 
 #include <cmath>
 #include <numbers>
 
 #include <gtest/gtest.h>
 
-namespace rotatebook::physics {
+namespace rotatebook {
 namespace {
 
 constexpr double kFunctionBound = 5e-15;  // measured 1.6e-15
@@ -164,4 +164,4 @@ TEST(EllipticPi, EndsInTheCompleteIntegral) {
 }
 
 }  // namespace
-}  // namespace rotatebook::physics
+}  // namespace rotatebook

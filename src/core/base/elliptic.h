@@ -6,7 +6,7 @@
 
 #include "base/double_double.h"
 
-namespace rotatebook::physics {
+namespace rotatebook {
 
 /// Jacobi's sn, cn and dn of one argument.
 struct JacobiValues {
@@ -72,4 +72,4 @@ class EllipticPi {
   double root_;  // sqrt(-n)
 };
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook

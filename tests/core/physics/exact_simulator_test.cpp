@@ -29,9 +29,20 @@ TEST(ExactSimulator, DoesNotDependOnTheSteps) {
   EXPECT_LT(difference.norm(), kExactBound);
 }
 
-TEST(ExactSimulator, CountsTheTimeOfStepsOfDifferentLength) {
+// An angular velocity and frames so long that a time that is off by rounding alone would show.
+TEST(ExactSimulator, IsEvaluatedAtWholeFramesWhateverTheSubsteps) {
+  MotionSettings settings = spinning(Model::Exact, {1.1, -2.3, -3.7}, 100.1);
+  const Cage expected = simulate(settings, 100).samples.back().cage;
+  for (const int substeps : {3, 7, 60}) {
+    settings.simulation.substeps = substeps;
+    EXPECT_EQ(simulate(settings, 100).samples.back().cage, expected) << substeps;
+  }
+}
+
+TEST(ExactSimulator, CountsTheTimeOfIntervalsOfDifferentLength) {
   ExactSimulator one(tumbling(1)), two(tumbling(1));
-  one.advance(1, 8);
+  one.advance(0.5, 8);
+  one.advance(0.5, 8);
   one.advance(1, 2);
   two.advance(2, 1);
   EXPECT_EQ(one.state().worldFromBody, two.state().worldFromBody);

@@ -33,6 +33,7 @@ constexpr double kDistorted = 1e-8;         // no rounding; measured 3.1e-7 (rk4
 constexpr double kLongStepDrift = 1e-13;    // in ten steps of any length; measured 2.3e-15
 constexpr double kBestOrderBound = 2e-7;    // measured 8.6e-8; reversed 1.1e-6
 constexpr double kModestStep = 0.2;         // [s]; refused from 0.237 on (dmv2)
+constexpr double kManyStepsDrift = 2e-13;   // in 1e6 steps; measured 1.0e-13 (dmv6)
 constexpr double kModestDrift = 2e-13;      // relative, in 1000 of them; measured 3.9e-14 (dmv2)
 constexpr double kDuration = 1;             // [s]
 
@@ -250,6 +251,65 @@ TEST(ImplicitIntegrators, SolveForStepsOfNearlyARadian) {
         << nameOf(integrator);
     EXPECT_GT((now.worldFromBody - start.worldFromBody).norm(), 0.1)
         << nameOf(integrator) << " stands still";
+  }
+}
+
+// The sums are compensated, and iterated to the last digit, so that rounding adds up to no drift.
+TEST(ImplicitIntegrators, KeepEnergyAndMomentumOverAMillionSteps) {
+  for (const Integrator integrator : kImplicit) {
+    for (const double h : {0.0066, 0.033}) {
+      const auto simulator = makeSimulator(withStep(integrator, h));
+      const BodyState start = simulator->state();
+      simulator->advance(1e6 * h, 1'000'000);
+      const BodyState now = simulator->state();
+      const double energy = now.kinetic / start.kinetic - 1;
+      const double momentum = now.angularMomentum.norm() / start.angularMomentum.norm() - 1;
+      std::cout << nameOf(integrator) << " " << h << ": " << energy << " " << momentum << '\n';
+      EXPECT_LT(std::max(std::abs(energy), std::abs(momentum)), kManyStepsDrift)
+          << nameOf(integrator) << " " << h;
+    }
+  }
+}
+
+// Fixed-point iteration gives up at a step of about two radians, the solution goes on.
+TEST(ImplicitIntegrators, FindTheSolutionBeyondTheReachOfIteration) {
+  const double longStep = 2.4 / 4.5;  // [s]
+  const auto simulator = makeSimulator(withStep(Integrator::Midpoint, longStep));
+  const BodyState start = simulator->state();
+  simulator->advance(100 * longStep, 100);
+  EXPECT_LT(std::abs(simulator->state().kinetic / start.kinetic - 1), kLongStepDrift);
+}
+
+// A spin of w about a principal axis has c = (1 + c^2) h w / 2, which has no root from h w = 1 on.
+TEST(ImplicitIntegrators, GiveUpWhereThereIsNoSolution) {
+  for (const auto& [rate, isSolved] : {std::pair{0.999, true}, {1.001, false}}) {
+    MotionSettings settings = spinning(Model::Quaternion, {0, 0, rate}, 1);
+    settings.simulation.integrator = Integrator::Dmv2;
+    const auto simulator = makeSimulator(settings);
+    if (isSolved) {
+      EXPECT_NO_THROW(simulator->advance(1, 1));
+    } else {
+      EXPECT_THROW(simulator->advance(1, 1), NoConvergence);
+    }
+  }
+}
+
+// Outside the reach of their series dmv4 and dmv6 would have moments of inertia below zero.
+TEST(ImplicitIntegrators, RefuseStepsOutsideTheReachOfTheirSeries) {
+  for (const Integrator integrator : {Integrator::Dmv4, Integrator::Dmv6}) {
+    for (const double h : {0.48, 0.56, 0.64}) {
+      MotionSettings settings = spinning(Model::Quaternion, {3, 0.4, 4}, h);
+      settings.inertia = Vector3d(0.31, 0.52, 0.67).asDiagonal();
+      settings.simulation.integrator = integrator;
+      const auto simulator = makeSimulator(settings);
+      try {
+        simulator->advance(h, 1);
+        ADD_FAILURE() << nameOf(integrator) << " " << h;
+      } catch (const NoConvergence& error) {
+        EXPECT_THAT(error.what(), HasSubstr(" is too long for dmv"));
+        EXPECT_THAT(error.what(), HasSubstr("where 1/2 to 2 is its reach; use shorter steps"));
+      }
+    }
   }
 }
 

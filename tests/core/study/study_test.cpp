@@ -121,13 +121,13 @@ TEST(PrecisionStudy, MarksRunsThatDiverge) {
 TEST(PrecisionStudy, MarksStepsThatHaveNoSolution) {
   const scene::Scene scene =
       smallScene({"initial.angular_velocity=[50, 30, 10]", "study.steps=[1, 64]",
-                  "study.integrators=['midpoint', 'rk4']"});
+                  "study.integrators=['dmv2', 'rk4']"});
   const PrecisionStudy study = precision(scene);
   EXPECT_EQ(study.rows[0].end.text(), "no convergence");
   EXPECT_EQ(study.rows[1].end.text(), "ok");
   EXPECT_EQ(study.rows[2].end.text(), "ok");
   EXPECT_THAT(precisionCsv(study),
-              HasSubstr("\nmidpoint,0.041666666666666664,11,,,,,,,no convergence\n"));
+              HasSubstr("\ndmv2,0.041666666666666664,11,,,,,,,no convergence\n"));
 }
 
 TEST(PrecisionStudy, IsNothingAfterAStop) {

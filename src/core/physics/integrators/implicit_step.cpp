@@ -8,9 +8,10 @@
 namespace rotatebook::physics {
 
 void throwNoConvergence(const char* integrator, double h) {
-  throw NoConvergence(std::string("the integrator ") + integrator +
-                      " finds no solution for a step of " + shortestText(h) +
-                      " s; use shorter steps (more substeps)");
+  throw NoConvergence(
+      std::string("the integrator ") + integrator + " finds no solution for a step of " +
+      shortestText(h) +
+      " s: the one that short steps have ends before; use shorter steps (more substeps)");
 }
 
 }  // namespace rotatebook::physics

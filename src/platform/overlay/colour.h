@@ -1,4 +1,4 @@
-// Colours of overlays.
+// Colours of overlays. Inside the room only.
 #pragma once
 
 namespace rotatebook::overlay {

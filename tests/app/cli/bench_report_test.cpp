@@ -74,7 +74,7 @@ TEST(BenchReport, IsJsonToo) {
       "{\"wall\": 25, "
       "\"processor\": 30}, \"limit\": "
       "45, \"limited_by\": \"cores\", \"stages\": {\"simulate\": {\"wall\": 0, "
-      "\"processor\": 0}, \"book\": {\"wall\": 22, \"processor\": 24}, \"finish\": "
+      "\"processor\": 0}, \"book\": {\"wall\": 22, \"processor\": 24}, \"compose\": "
       "{\"wall\": 4, \"processor\": 4}, \"png\": {\"wall\": 42, \"processor\": 42}, "
       "\"video\": {\"wall\": 20, \"processor\": 20}}}\n");
 }

@@ -78,7 +78,7 @@ TEST_F(PageCommand, LeavesOutAGifOfOtherSettings) {
   other.insert(other.end(), {"--set", "camera.field_of_view_deg=60"});
   run(other);
   run({"render", "tiny.toml", "--no-png", "--size", "640x360"});
-  EXPECT_THAT(page().output, HasSubstr("note: out/tiny.gif isn't linked: it was made of another "
+  EXPECT_THAT(page().output, HasSubstr("note: out/tiny.gif isn't linked: it was made from another "
                                        "scene or with other settings\n"));
   run(gif);
   EXPECT_EQ(page().output, "wrote out/index.html, 1 figure\n");

@@ -179,7 +179,7 @@ TEST_F(Resume, RefusesAClipOfOtherSettings) {
             (folder_ / "small").string() +
                 " holds the frames of a clip with other settings: body.mass is 1.0 there, 2.0 "
                 "here; render "
-                "anew with --overwrite, or into another folder with -o");
+                "again with --overwrite, or into another folder with -o");
   EXPECT_TRUE(render(kResume).wasDone) << "the refusal cost the clip";
   EXPECT_EQ(render(kResumeOrOverwrite, otherScene()).framesKept, 0);
 }

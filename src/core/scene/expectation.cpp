@@ -106,12 +106,19 @@ Range measure(const physics::Trajectory& trajectory, const Expectation& expectat
   return rangeOver(window, trajectory.samples.front(), expectation.quantity);
 }
 
-// Returns whether min or max bounds moments after the motion has diverged.
-bool outlivesMotion(const physics::Trajectory& trajectory, const Expectation& expectation) {
-  const bool ofSamples =
-      expectation.quantity != Quantity::HalfTurns && expectation.quantity != Quantity::DivergesAt;
-  return ofSamples && (expectation.min || expectation.max) && trajectory.divergedAt &&
-         expectation.to > *trajectory.divergedAt - kEdgeTolerance * trajectory.interval;
+// Returns the end of a motion that min or max outlive. The last frame lasts for an interval, too.
+std::optional<double> earlyEnd(const physics::Trajectory& trajectory,
+                               const Expectation& expectation) {
+  if (expectation.quantity == Quantity::DivergesAt || !(expectation.min || expectation.max)) {
+    return std::nullopt;
+  }
+  const double slack = kEdgeTolerance * trajectory.interval;
+  if (trajectory.divergedAt) {
+    return expectation.to > *trajectory.divergedAt - slack ? trajectory.divergedAt : std::nullopt;
+  }
+  const double end = trajectory.samples.back().time + trajectory.interval;
+  const bool isBeyond = std::isfinite(expectation.to) && expectation.to > end + slack;
+  return isBeyond ? std::optional(end) : std::nullopt;
 }
 
 // The comparisons are written so that NaN, the range of an empty window, meets no bound.
@@ -143,8 +150,9 @@ std::vector<ExpectationResult> check(const physics::Trajectory& trajectory,
   std::vector<ExpectationResult> results;
   for (const Expectation& expectation : expectations) {
     const Range range = measure(trajectory, expectation);
-    const bool met = meets(range, expectation) && !outlivesMotion(trajectory, expectation);
-    results.push_back({expectation, range.lowest, range.highest, met});
+    const std::optional<double> end = earlyEnd(trajectory, expectation);
+    results.push_back(
+        {expectation, range.lowest, range.highest, meets(range, expectation) && !end, end});
   }
   return results;
 }

@@ -32,10 +32,10 @@ std::string_view meaningOf(Quantity quantity);
 /// Returns all quantities, in the order of the enumeration.
 std::span<const Quantity> allQuantities();
 
-/// Bounds on one quantity over a window of a motion. `min` and `max` must hold at every moment of
-/// the window, so that a motion that diverges before the window's end fails them, whatever it did
-/// before; half_turns and diverges_at are exempt. A motion that never diverges meets no expectation
-/// on diverges_at.
+/// Bounds on one quantity over a window of a motion. `min` and `max` must hold until the window's
+/// end, so that a motion that ends before fails them, whatever it did: because it diverges, or
+/// because the clip ends. `risesTo` and `fallsTo` are met once they are reached. diverges_at knows
+/// no window; a motion that never diverges meets no expectation on it.
 struct Expectation {
   Quantity quantity = Quantity::HalfTurns;
   std::optional<double> min{};                          ///< Never below this.
@@ -54,6 +54,8 @@ struct ExpectationResult {
   double lowest = 0;   ///< Lowest value in the window; NaN if it holds no sample.
   double highest = 0;  ///< Highest value in the window; NaN if it holds no sample.
   bool met = false;    ///< False for an empty window.
+  /// The end of the motion, if it comes too early for `min` and `max`. [s]
+  std::optional<double> endsEarly{};
 };
 
 /// Checks `trajectory` against each of `expectations`, in their order.

@@ -62,7 +62,9 @@ std::string measuredText(const ExpectationResult& result, int digits) {
   if (std::isinf(result.lowest)) return "no divergence";
   const std::string lowest = measuredText(result.lowest, result.expectation, digits);
   const std::string highest = measuredText(result.highest, result.expectation, digits);
-  return lowest == highest ? lowest : lowest + " to " + highest;
+  const std::string range = lowest == highest ? lowest : lowest + " to " + highest;
+  if (!result.endsEarly) return range;
+  return range + ", but the motion ends at " + roundedText(*result.endsEarly, digits) + " s";
 }
 
 std::string measuredText(double value, const Expectation& bounds, int digits) {

@@ -9,10 +9,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "scene/expectation_text.h"
+
 namespace rotatebook::scene {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -170,7 +173,20 @@ TEST(Check, DoesNotTakeAMotionsEndForKeepingWithinBounds) {
   EXPECT_FALSE(met(diverging(), {.quantity = kTilt, .max = 100, .to = 0.5}));
   EXPECT_TRUE(met(diverging(), {.quantity = kTilt, .max = 100, .to = 0.4}));
   EXPECT_TRUE(met(diverging(), {.quantity = kTilt, .risesTo = 40, .fallsTo = 0}));
-  EXPECT_TRUE(met(diverging(), {.quantity = Quantity::HalfTurns, .min = 2, .max = 2}));
+  EXPECT_FALSE(met(diverging(), {.quantity = Quantity::HalfTurns, .min = 2, .max = 2}));
+  EXPECT_TRUE(met(diverging(), {.quantity = Quantity::HalfTurns, .max = 2, .to = 0.4}));
+}
+
+// The last of five frames, 0.1 s apart, lasts until 0.5 s.
+TEST(Check, NeedsAClipAsLongAsTheWindow) {
+  for (const Quantity quantity : {Quantity::TiltDeg, Quantity::HalfTurns}) {
+    EXPECT_TRUE(met(example(), {.quantity = quantity, .max = 100, .to = 0.5}));
+    const ExpectationResult result =
+        checkOne(example(), {.quantity = quantity, .max = 100, .to = 0.6});
+    EXPECT_FALSE(result.met);
+    EXPECT_THAT(measuredText(result), HasSubstr(", but the motion ends at 0.5 s"));
+    EXPECT_TRUE(met(example(), {.quantity = quantity, .risesTo = 2, .to = 0.6}));
+  }
 }
 
 TEST(Check, AnswersInTheOrderOfTheQuestions) {

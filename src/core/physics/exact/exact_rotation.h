@@ -25,6 +25,8 @@ class ExactRotation {
   Moment at(double time) const;
 
   Regime regime() const { return motion_.regime(); }
+  /// Like ExactMotion::flipInterval(). [s]
+  double flipInterval() const { return motion_.flipInterval(); }
 
  private:
   Eigen::Matrix3d bodyFromPrincipal_;

@@ -1,0 +1,77 @@
+#include "timeline/notes.h"
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scene/scene_text.h"
+#include "timeline/simulate_scene.h"
+
+namespace rotatebook::timeline {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+scene::Scene sceneWith(const std::string& settings) {
+  return scene::parseScene("title = \"t\"\n" + settings, "s.toml");
+}
+
+std::vector<std::string> notesWith(const std::string& settings) {
+  return notesOn(sceneWith(settings));
+}
+
+TEST(Notes, AreNoneOnAnOrdinaryScene) {
+  EXPECT_THAT(notesWith("initial.angular_velocity = [5, 0, 0]\ninitial.tilt = [0.5, \"z\"]\n"),
+              IsEmpty());
+  // About a stable axis, and particles about any, exactness is no slip.
+  EXPECT_THAT(notesWith("initial.angular_velocity = [0, 0, 5]\n"), IsEmpty());
+  EXPECT_THAT(notesWith("initial.angular_velocity = [5, 0, 0]\nsimulation.model = \"particles\"\n"),
+              IsEmpty());
+}
+
+TEST(Notes, AreMadeOnATiltInDegrees) {
+  EXPECT_THAT(notesWith("initial.angular_velocity = [5, 0, 0]\ninitial.tilt = [1, \"z\"]\n"),
+              ElementsAre("initial.tilt is 57.3 degrees, as angles are in radians; 1 degree is "
+                          "0.01745"));
+}
+
+TEST(Notes, AreMadeOnABodyInCentimetres) {
+  EXPECT_THAT(notesWith("initial.angular_velocity = [0, 0, 5]\nbody.size = [18.78, 29.085, 5]\n"),
+              ElementsAre(StartsWith("the body is 29.1 m long, as lengths are in metres")));
+}
+
+TEST(Notes, AreMadeOnASpinTooFastForTheFrames) {
+  EXPECT_THAT(notesWith("initial.angular_velocity = [500, 0, 0.1]\n"),
+              ElementsAre(HasSubstr("spins by 1.33 turns from frame to frame")));
+  EXPECT_THAT(notesWith("initial.angular_velocity = [150, 0, 90]\n"),
+              ElementsAre(HasSubstr("frames, so that frames, half-turns and expectations miss")));
+}
+
+TEST(Notes, AreMadeOnASpinThatNeverTumbles) {
+  EXPECT_THAT(notesWith("initial.angular_velocity = [5, 0, 0]\n"),
+              ElementsAre(HasSubstr("exactly about the middle axis")));
+}
+
+TEST(Notes, BeginWithThePanelsLabel) {
+  EXPECT_THAT(notesWith("initial.angular_velocity = [5, 0, 0]\n[[panel]]\nlabel = \"A\"\n"
+                        "initial.tilt = [2, \"z\"]\n[[panel]]\nlabel = \"B\"\n"
+                        "initial.angular_velocity = [0, 0, 5]\n"),
+              ElementsAre(StartsWith("A: initial.tilt is 115 degrees")));
+}
+
+TEST(Notes, AreMadeOnARegimeThatChanges) {
+  const std::string spin = "initial.angular_velocity = [5, 0, 0]\ninitial.tilt = [0.01, \"z\"]\n";
+  const scene::Scene euler = sceneWith(spin + "simulation.integrator = \"euler\"\n");
+  EXPECT_THAT(notesOn(euler, simulateScene(euler)),
+              ElementsAre(StartsWith("the regime changes from 1 to -1 at ")));
+  const scene::Scene rk4 = sceneWith(spin);
+  EXPECT_THAT(notesOn(rk4, simulateScene(rk4)), IsEmpty());
+}
+
+}  // namespace
+}  // namespace rotatebook::timeline

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 
 #include "base/number_text.h"
 #include "cli/exit_code.h"
 #include "cli/expectation_report.h"
+#include "timeline/notes.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -13,6 +15,7 @@ namespace {
 constexpr double kHalfTurnDeg = 180;
 // The smallest difference that a viewer notices. [degrees]
 constexpr double kVisibleDeg = 10;
+constexpr double kVisibleChange = 1e-3;  // of the energy
 
 /// Returns `value` >= 0 rounded up to so many significant digits: "2e-9".
 std::string roundedUp(double value, int digits) {
@@ -27,6 +30,11 @@ std::string roundedUp(double value, int digits) {
 std::string secondsText(double time) {
   const double digits = time < 100 ? 100 : 1;
   return shortestText(std::round(time * digits) / digits);
+}
+
+std::string halfTurnsText(const physics::Trajectory& trajectory) {
+  const int made = trajectory.samples.back().halfTurns;
+  return std::to_string(made) + (made == 1 ? " half-turn" : " half-turns");
 }
 
 }  // namespace
@@ -49,14 +57,36 @@ std::string distanceText(const physics::Trajectory& trajectory, physics::Model m
          " s on";
 }
 
+std::string energyText(const physics::Trajectory& trajectory) {
+  const double start = trajectory.samples.front().total();
+  double lowest = 1, highest = 1;
+  for (const physics::Sample& sample : trajectory.samples) {
+    lowest = std::min(lowest, sample.total() / start);
+    highest = std::max(highest, sample.total() / start);
+  }
+  const double change = std::max(1 - lowest, highest - 1);
+  if (change < kVisibleChange) return "energy kept to " + roundedUp(change, 1);
+  return "energy " + roundedText(lowest, 4) + " to " + roundedText(highest, 4) + " of its start";
+}
+
+void printNotes(const scene::Scene& scene) {
+  for (const std::string& note : timeline::notesOn(scene)) {
+    std::cerr << "note: " + scene.name + ": " + note + '\n';
+  }
+}
+
 int reportMotions(const scene::Scene& scene, const timeline::ClipMotion& motion,
                   std::ostream& out) {
   int status = kDone;
   auto trajectory = motion.trajectories().begin();
   for (const scene::Panel& panel : scene::motionsOf(scene)) {
     if (!panel.label.empty()) out << "  " << panel.label << ":\n";
-    out << "  " << distanceText(*trajectory, panel.simulation.model) << '\n';
+    out << "  " << halfTurnsText(*trajectory) << "; " << energyText(*trajectory) << "; "
+        << distanceText(*trajectory, panel.simulation.model) << '\n';
     status = std::max(status, reportMotion(*trajectory++, panel.expectations, out));
+  }
+  for (const std::string& note : timeline::notesOn(scene, motion)) {
+    out << "  note: " << note << '\n';
   }
   return status;
 }

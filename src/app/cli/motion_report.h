@@ -14,8 +14,16 @@ namespace rotatebook::cli {
 /// than 10 from 3.85 s on". Rounded up, so that it is a bound.
 std::string distanceText(const physics::Trajectory& trajectory, physics::Model model);
 
-/// Prints the distanceText() and the reportMotion() of each motion of `scene`, a panel's under its
-/// label; returns the worst of their statuses.
+/// Returns the change of the total energy: "energy kept to 3e-13" while it is below a thousandth,
+/// else "energy 0.7217 to 1 of its start".
+std::string energyText(const physics::Trajectory& trajectory);
+
+/// Prints a note on the standard error for each of timeline::notesOn(scene).
+void printNotes(const scene::Scene& scene);
+
+/// Prints the half-turns, the energyText(), the distanceText() and the reportMotion() of each
+/// motion of `scene`, a panel's under its label, and the notes on its regime; returns the worst
+/// status.
 int reportMotions(const scene::Scene& scene, const timeline::ClipMotion& motion, std::ostream& out);
 
 }  // namespace rotatebook::cli

@@ -298,6 +298,7 @@ int scenesAtATime(const std::vector<scene::Scene>& scenes, int cores, double mem
 
 int renderScenes(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options,
                  int atATime) {
+  for (const scene::Scene& scene : scenes) printNotes(scene);
   atATime = std::min(atATime, static_cast<int>(scenes.size()));
   if (atATime <= 1) return renderInTurn(scenes, options);
   pipeline::RenderOptions shared = options;

@@ -35,6 +35,7 @@ int printTable(const scene::Scene& scene) {
 
 int simulateScene(const SimulateArguments& arguments) {
   const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
+  printNotes(scene);
   if (arguments.csv == "-") return printTable(scene);
   const auto files = store::csvFiles(arguments.csv, scene);
   for (const auto& file : files) {

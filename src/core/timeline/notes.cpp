@@ -98,11 +98,10 @@ std::vector<std::string> notesOn(const scene::Scene& scene, const ClipMotion& mo
     const auto changed = std::ranges::find_if(
         samples, [&](const physics::Sample& sample) { return sample.regime != start; });
     if (start == physics::Regime::Separatrix || changed == samples.end()) continue;
-    notes.push_back(prefixOf(panel) + "the regime changes from " +
-                    std::to_string(static_cast<int>(start)) + " to " +
-                    std::to_string(static_cast<int>(changed->regime)) + " at " +
-                    roundedText(changed->time, kDigits) +
-                    " s: the integrator's error has made it another kind of motion");
+    notes.push_back(
+        prefixOf(panel) + "the regime changes from " + std::to_string(static_cast<int>(start)) +
+        " to " + std::to_string(static_cast<int>(changed->regime)) + " at " +
+        roundedText(changed->time, kDigits) + " s, as that of a free rigid body never does");
   }
   return notes;
 }

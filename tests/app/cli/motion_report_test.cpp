@@ -48,6 +48,16 @@ TEST(DistanceText, SaysFromWhenOnAnErrorIsLarge) {
             "up to 11 degrees from the exact motion; more than 10 from 1200 s on");
 }
 
+TEST(EnergyText, BoundsASmallChangeAndGivesTheRangeOfALargeOne) {
+  physics::Trajectory trajectory = withErrors({0, 0, 0});
+  trajectory.samples[0].kinetic = 2;
+  trajectory.samples[1].kinetic = 2 * (1 - 2.1e-9);
+  trajectory.samples[2].kinetic = 2 * (1 + 1e-9);
+  EXPECT_EQ(energyText(trajectory), "energy kept to 3e-9");
+  trajectory.samples[1].kinetic = 1.5;
+  EXPECT_EQ(energyText(trajectory), "energy 0.75 to 1 of its start");
+}
+
 TEST(DistanceText, OfTheExactModelHasNoNumber) {
   EXPECT_EQ(distanceText(withErrors({0, 5e-14}), Model::Exact),
             "the exact motion itself, in closed form");

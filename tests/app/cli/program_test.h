@@ -16,6 +16,7 @@ namespace rotatebook::cli::testing {
 inline constexpr const char* kTiny = R"(title = "Tiny"
 [initial]
 angular_velocity = [5.0, 0.0, 0.0]
+tilt = [0.001, "z"]
 [clip]
 size = [64, 36]
 duration = 0.2

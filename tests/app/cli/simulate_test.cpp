@@ -25,7 +25,8 @@ TEST_F(SimulateCommand, WritesATableWithoutGraphics) {
   const ChildResult result = runWithoutGraphics({"simulate", "tiny.toml", "--csv", "t.csv"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(result.output, MatchesRegex("tiny: Tiny\n  wrote t.csv, 12 rows\n"
-                                          "  within [0-9]e-1[0-9] degrees of the exact motion\n"));
+                                          "  0 half-turns; energy kept to [0-9]e-1[0-9]; within "
+                                          "[0-9]e-1[0-9] degrees of the exact motion\n"));
   EXPECT_THAT(files(), ElementsAre("t.csv"));
   EXPECT_THAT(read("t.csv"), StartsWith(kHeader));
   EXPECT_EQ(countOf("\n", read("t.csv")), 1 + kTableRows);

@@ -22,7 +22,5 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/rotatebookConfigVersion.c
   COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_SOURCE_DIR}/cmake/rotatebookConfig.cmake
               ${PROJECT_BINARY_DIR}/rotatebookConfigVersion.cmake DESTINATION ${package})
-foreach(room ${core})
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/core/${room} DESTINATION include/rotatebook
-          FILES_MATCHING PATTERN "*.h" PATTERN "*.inc")
-endforeach()
+install(CODE "set(core ${core})\nset(core_source ${PROJECT_SOURCE_DIR}/src/core)")
+install(SCRIPT ${PROJECT_SOURCE_DIR}/cmake/install_headers.cmake)

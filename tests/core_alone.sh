@@ -1,9 +1,15 @@
 #!/usr/bin/env bash
 # The core alone, as other programs take it: built by clang++ and tested; built by g++ without optimisation, where the motions of
 # all scenes must have the same bits; installed and used by examples/, as a package and as a subdirectory, with other flags; and
-# refused with a reason by a program that is built with another layout. tests/core_alone.sh [FOLDER]: three minutes on two cores.
+# refused with a reason by a program that is built with another layout. tests/core_alone.sh [--quick] [FOLDER]: three minutes on
+# two cores; --quick takes one: only the motions' bits by clang++, and a program that uses the installed package.
 set -euo pipefail
 cd "$(dirname "$0")/.."
+quick=
+if [ "${1:-}" = --quick ]; then
+  quick=1
+  shift
+fi
 build=$(realpath -m "${1:-build/core-alone}")
 mkdir -p "$build"
 
@@ -25,17 +31,42 @@ throws() {
 }
 expected="2 half-turns, motion 496a5d3b94ba3d62b27d8e72f7542f28"
 
+# Runs the tests of the build NAME that OPTIONS of ctest choose: tested NAME OPTIONS...
+tested() {
+  ctest --test-dir "$build/$1" -j "$(nproc)" --output-on-failure "${@:2}" > "$build/$1-tests.log" || { tail -40 "$build/$1-tests.log"; exit 1; }
+}
+
+# Installs the build NAME into an empty folder: no header for its room alone, and none that needs one.
+install_build() {
+  local include="$build/prefix/include/rotatebook"
+  rm -rf "$build/prefix"
+  cmake --install "$build/$1" --prefix "$build/prefix" > "$build/install.log"
+  (cd "$include" && find . -name '*.h' -printf '#include "%P"\n') | sort > "$build/headers.cpp"
+  [ "$(wc -l < "$build/headers.cpp")" -gt 40 ] || { echo "headers are missing in $include" >&2; exit 1; }
+  ! grep -rlE "Inside the room|room only\.|toml\+\+/" "$include" || { echo "these aren't for other programs" >&2; exit 1; }
+  g++ -std=c++20 -fsyntax-only -DEIGEN_DONT_VECTORIZE -I"$include" $(pkg-config --cflags eigen3) "$build/headers.cpp"
+  step "installed, with $(wc -l < "$build/headers.cpp") headers"
+}
+
 configure clang clang++ -DCMAKE_BUILD_TYPE=Release
+if [ "$quick" ]; then
+  cmake --build "$build/clang" --target same_bits >> "$build/clang.log"
+  tested clang -R SameBits
+  step "clang++ -O3: the same bits, also without FMA and AVX2"
+  install_build clang
+  throws installed "" -DCMAKE_PREFIX_PATH="$build/prefix"
+  exit
+fi
 cmake --build "$build/clang" >> "$build/clang.log"
-ctest --test-dir "$build/clang" -j "$(nproc)" -E Rooms.HaveHeaders --output-on-failure > "$build/clang-tests.log" || { tail -40 "$build/clang-tests.log"; exit 1; }
+tested clang -E Rooms.HaveHeaders
 step "clang++ -O3: $(grep 'tests passed' "$build/clang-tests.log")"
 
 configure gcc g++ -DCMAKE_CXX_FLAGS=-O0
 cmake --build "$build/gcc" >> "$build/gcc.log"
-ctest --test-dir "$build/gcc" -R SameBits --output-on-failure > "$build/gcc-tests.log" || { tail -40 "$build/gcc-tests.log"; exit 1; }
+tested gcc -R SameBits
 step "g++ -O0: the same bits, also without FMA and AVX2"
 
-cmake --install "$build/gcc" --prefix "$build/prefix" > "$build/install.log"
+install_build gcc
 throws installed "" -DCMAKE_PREFIX_PATH="$build/prefix"
 throws installed-O0 -O0 -DCMAKE_PREFIX_PATH="$build/prefix"
 throws installed-avx2 "-O3 -mavx2 -mfma" -DCMAKE_PREFIX_PATH="$build/prefix"

@@ -1,5 +1,5 @@
 // Operations of all integrators on an attitude, be it a quaternion or a matrix; an attitude maps
-// principal axes to the world.
+// principal axes to the world. Inside the room only.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The pose of a deformed body.
+// The pose of a deformed body. Inside the room only.
 #pragma once
 
 #include <Eigen/Core>

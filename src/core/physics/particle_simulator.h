@@ -1,4 +1,4 @@
-// The paper's first model: eight particles joined by springs.
+// The paper's first model: eight particles joined by springs. Inside the room only.
 #pragma once
 
 #include "physics/cage_fit.h"

@@ -1,4 +1,5 @@
 // The paper's second and third models: a rigid body whose attitude is a matrix or a quaternion.
+// Inside the room only.
 #pragma once
 
 #include <memory>

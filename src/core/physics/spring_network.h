@@ -1,4 +1,4 @@
-// Eight points, each pair of which is joined by a spring and a damper.
+// Eight points, each pair of which is joined by a spring and a damper. Inside the room only.
 #pragma once
 
 #include <array>

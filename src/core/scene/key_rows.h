@@ -1,4 +1,5 @@
-// The documentation of every key of a scene file, as the tables of docs/scene.md have it.
+// The documentation of every key of a scene file, as the tables of docs/scene.md have it. Inside
+// the room only.
 #pragma once
 
 #include <vector>

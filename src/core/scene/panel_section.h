@@ -1,4 +1,4 @@
-// Reads [[panel]], the motions that a clip shows side by side.
+// Reads [[panel]], the motions that a clip shows side by side. Inside the room only.
 #pragma once
 
 #include <vector>

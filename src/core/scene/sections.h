@@ -1,4 +1,4 @@
-// The sections of a scene file, and the checks that involve several keys.
+// The sections of a scene file, and the checks that involve several keys. Inside the room only.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// Reads and prints [study].
+// Reads and prints [study]. Inside the room only.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
 // Includes toml++ with a bug fixed: it declares code unreachable that letters outside quotes reach,
 // such as the é of `a = 1é`. With the fix, that code answers that they aren't blanks. Only for
-// toml_tree.cpp.
+// toml_tree.cpp. Inside the room only.
 #pragma once
 
 #include <cstdint>  // toml++ uses it without including it.

@@ -1,4 +1,4 @@
-// Reads typed and checked values of a scene file, and names them in messages.
+// Reads typed and checked values of a scene file, and names them in messages. Inside the room only.
 #pragma once
 
 #include <array>

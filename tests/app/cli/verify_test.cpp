@@ -72,6 +72,21 @@ TEST_F(VerifyCommand, ProvesAClipLineByLine) {
                                  "compares every picture.\n$"));
 }
 
+// The processor may have other functions of the C library than the one that rendered.
+TEST_F(VerifyCommand, ProvesAClipOfAnotherProcessor) {
+  write("exact.toml",
+        "[simulation]\nmodel = \"exact\"\n[initial]\nangular_velocity = [5.0, 0.01, 0.0]\n"
+        "[clip]\nsize = [160, 90]\nduration = 4.0\n");
+  ASSERT_EQ(run({"render", "exact.toml", "--no-png"}).status, 0);
+  ChildSettings withoutFma;
+  withoutFma.environment = {
+      {"GLIBC_TUNABLES", "glibc.cpu.hwcaps=-AVX2,-AVX2_Usable,-FMA,-FMA_Usable,-FMA4,-AVX512F"}};
+  const ChildResult result = run({"verify", "out/exact.mp4"}, withoutFma);
+  EXPECT_EQ(result.status, 0) << result.output << result.error;
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("\n  ok      motion       "), HasSubstr("\nProved for 6 of ")));
+}
+
 TEST_F(VerifyCommand, ComparesTheFramesThatAreNamed) {
   render();
   const ChildResult result = run({"verify", "out/tiny.mp4", "--frames", "3,7"});

@@ -1,4 +1,4 @@
-// The exact model: a rigid body's motion in closed form.
+// The exact model: a rigid body's motion in closed form. Inside the room only.
 #pragma once
 
 #include <cstdint>

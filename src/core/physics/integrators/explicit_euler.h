@@ -1,4 +1,4 @@
-// The paper's integrator of a rigid body.
+// The paper's integrator of a rigid body. Inside the room only.
 #pragma once
 
 #include "physics/attitude.h"

@@ -1,4 +1,5 @@
-// The rule of game engines that add the gyroscopic torque like any other torque.
+// The rule of game engines that add the gyroscopic torque like any other torque. Inside the room
+// only.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 // Rotations from an axis and an angle. Sine and cosine are summed here from additions and
 // multiplications alone, because those of C libraries differ in the last digit from machine to
-// machine, and a motion must not.
+// machine, and a motion must not. Inside the room only.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,5 @@
-// The rule of game engines that solve for the gyroscopic torque at the end of the step.
+// The rule of game engines that solve for the gyroscopic torque at the end of the step. Inside the
+// room only.
 #pragma once
 
 #include <Eigen/Geometry>

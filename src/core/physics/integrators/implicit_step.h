@@ -1,4 +1,4 @@
-// The solver of implicit integrators' steps.
+// The solver of implicit integrators' steps. Inside the room only.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// The table of integrators: their properties and the factories of their simulators.
+// The table of integrators: their properties and the factories of their simulators. Inside the room
+// only.
 #pragma once
 
 #include <array>

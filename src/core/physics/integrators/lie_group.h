@@ -1,4 +1,4 @@
-// Integrators on the rotation group: each step is a product of rotations.
+// Integrators on the rotation group: each step is a product of rotations. Inside the room only.
 #pragma once
 
 #include "physics/attitude.h"

@@ -1,4 +1,4 @@
-// The implicit midpoint rule for a rigid body.
+// The implicit midpoint rule for a rigid body. Inside the room only.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The discrete Moser-Veselov integrators of a rigid body.
+// The discrete Moser-Veselov integrators of a rigid body. Inside the room only.
 #pragma once
 
 #include <array>

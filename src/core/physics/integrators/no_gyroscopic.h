@@ -1,4 +1,4 @@
-// The rule of game engines that leave the gyroscopic torque out.
+// The rule of game engines that leave the gyroscopic torque out. Inside the room only.
 #pragma once
 
 #include "physics/attitude.h"

@@ -1,4 +1,4 @@
-// Euler's methods for the particles.
+// Euler's methods for the particles. Inside the room only.
 #pragma once
 
 #include "physics/integrators/particle_state.h"

@@ -1,4 +1,4 @@
-// The classical Runge-Kutta method for the particles.
+// The classical Runge-Kutta method for the particles. Inside the room only.
 #pragma once
 
 #include "physics/integrators/particle_state.h"

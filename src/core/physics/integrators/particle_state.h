@@ -1,4 +1,4 @@
-// The state of the particles, on which their integrators work.
+// The state of the particles, on which their integrators work. Inside the room only.
 #pragma once
 
 #include <concepts>

@@ -1,4 +1,5 @@
 // The rule of game engines that add the gyroscopic torque and restore the angular momentum's size.
+// Inside the room only.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// The state of a free rigid body, on which its integrators work.
+// The state of a free rigid body, on which its integrators work. Inside the room only.
 #pragma once
 
 #include <concepts>

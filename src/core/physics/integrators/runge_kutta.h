@@ -1,4 +1,4 @@
-// The classical Runge-Kutta method for a rigid body.
+// The classical Runge-Kutta method for a rigid body. Inside the room only.
 #pragma once
 
 #include "physics/attitude.h"

@@ -1,4 +1,5 @@
-// Splitting methods: a rigid body that turns about one principal axis at a time.
+// Splitting methods: a rigid body that turns about one principal axis at a time. Inside the room
+// only.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The velocity Verlet method for the particles.
+// The velocity Verlet method for the particles. Inside the room only.
 #pragma once
 
 #include "physics/integrators/particle_state.h"

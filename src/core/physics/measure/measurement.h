@@ -1,4 +1,5 @@
-// Measurement of a simulator's states, which makes the samples of a trajectory.
+// Measurement of a simulator's states, which makes the samples of a trajectory. Inside the room
+// only.
 #pragma once
 
 #include <Eigen/Core>

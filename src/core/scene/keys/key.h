@@ -1,5 +1,5 @@
-// A row for a key of a scene file, from which the key is read, printed and documented; for this
-// room alone.
+// A row for a key of a scene file, from which the key is read, printed and documented. Inside the
+// room only.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// A row of the documentation of scene files.
+// A row of the documentation of scene files. Inside the room only.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // The keys of a scene file, section by section. A new key is a row in this folder and a field of
-// the struct.
+// the struct. Inside the room only.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Kinds of values that keys of several sections share; for this room alone.
+// Kinds of values that keys of several sections share. Inside the room only.
 #pragma once
 
 #include <array>

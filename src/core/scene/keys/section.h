@@ -1,5 +1,5 @@
-// A section of a scene file, with all that it takes to read, print and document its keys; for this
-// room alone.
+// A section of a scene file, with all that it takes to read, print and document its keys. Inside
+// the room only.
 #pragma once
 
 #include <functional>

@@ -1,0 +1,15 @@
+# Installs the headers of the core below include/rotatebook, but those that say "Inside the room only."
+# in their first comment. Run by cmake --install, with `core_source` and `core`, the rooms.
+foreach(room ${core})
+  file(GLOB_RECURSE headers RELATIVE ${core_source} ${core_source}/${room}/*.h ${core_source}/${room}/*.inc)
+  foreach(header ${headers})
+    file(READ ${core_source}/${header} text)
+    string(REGEX MATCH "^(//[^\n]*\n)*" comment "${text}")
+    string(REGEX REPLACE "\n//" "" comment "${comment}")
+    if(comment MATCHES "Inside the room only\\.")
+      continue()
+    endif()
+    get_filename_component(folder ${header} DIRECTORY)
+    file(INSTALL ${core_source}/${header} DESTINATION ${CMAKE_INSTALL_PREFIX}/include/rotatebook/${folder})
+  endforeach()
+endforeach()

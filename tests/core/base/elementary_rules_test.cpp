@@ -15,8 +15,8 @@ namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-// What is exact by definition is not among them: sqrt, fabs, floor, fmod, ldexp and their like.
-// Eigen and Boost call the others in what is named last.
+// Functions that are exact by definition are not among them: sqrt, fabs, floor, fmod, ldexp and
+// their like. Eigen and Boost call the others in what is named last.
 const std::regex kInexact(
     R"((^|[^\w.>:]|std::|(^|[^\w:])::)(a?(sin|cos|tan)h?|atan2|sincos|exp(2|10|m1)?|log(2|10|1p|b)?|pow|)"
     R"(cbrt|hypot|erfc?|[tl]gamma)[fl]?\s*\(|<random>|boost/|AngleAxis|angularDistance|slerp|)"

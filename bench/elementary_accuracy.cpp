@@ -1,5 +1,5 @@
-// How many results of the elementary functions aren't correctly rounded, of ten million arguments
-// each or of as many as are asked for.
+// Count of the elementary functions' results that aren't correctly rounded, of ten million
+// arguments each or of as many as are asked for.
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>

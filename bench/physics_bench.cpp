@@ -1,5 +1,5 @@
-// What a step costs, by model and integrator, beside the same step in the plainest words; and what
-// one evaluation of the exact solution does. Single thread, default flags.
+// The cost of a step, by model and integrator, beside the same step in the plainest words; and that
+// of one evaluation of the exact solution. Single thread, default flags.
 #include <memory>
 #include <string>
 

@@ -1,4 +1,4 @@
-// How far an engine strays from the exact motion, and what a step of it costs.
+// An engine's distance from the exact motion, and the cost of a step.
 #pragma once
 
 #include <optional>
@@ -8,18 +8,18 @@
 
 namespace rotatebook::bench {
 
-/// How long every row's motion lasts. [s]
+/// Duration of every row's motion. [s]
 inline constexpr double kDuration = 10;
 /// From a look at the body to the next; a whole number of steps of each length in the table. [s]
 inline constexpr double kInterval = 0.05;
 
-/// What one mode made of the motion at one length of step.
+/// Result of one mode at one length of step.
 struct Row {
   double lastError = 0;      ///< Angle from the exact attitude at kDuration. [rad]
   double largestError = 0;   ///< The largest such angle at any look. [rad]
   double energyDrift = 0;    ///< E/E0 - 1 at kDuration.
   double momentumDrift = 0;  ///< |L|/|L0| - 1 at kDuration.
-  int halfTurns = 0;         ///< How often the spun axis has turned from along L to against it.
+  int halfTurns = 0;         ///< Turns of the spun axis from along L to against it.
   double nanoseconds = 0;    ///< Processor time a step, the fastest of several whole runs. [ns]
   std::optional<int> chosenSteps{};  ///< In all; if the engine chooses.
 };

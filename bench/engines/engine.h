@@ -1,4 +1,4 @@
-// What the table asks of an engine: the book, set spinning once, and where it is after so many
+// The table's questions to an engine: the book, set spinning once, and where it is after so many
 // steps.
 #pragma once
 
@@ -39,7 +39,8 @@ class Engine {
   /// its steps goes on by the same time.
   virtual void advance(int steps) = 0;
   virtual EngineState state() const = 0;
-  /// How many steps the engine has chosen to make so far; nothing if it doesn't choose.
+  /// Returns the number of steps that the engine has chosen to make so far; nothing if it doesn't
+  /// choose.
   virtual std::optional<int> chosenSteps() const { return std::nullopt; }
 };
 
@@ -56,7 +57,7 @@ struct Mode {
 struct Family {
   std::string name;         ///< With the version, if it is installed.
   std::string package;      ///< Debian's name of what to install; empty for our own.
-  std::string note;         ///< What the reader of its rows should know; empty for nothing.
+  std::string note;         ///< Remark for the reader of its rows, or empty.
   std::vector<Mode> modes;  ///< None if it is not installed.
 };
 

@@ -9,7 +9,7 @@ namespace rotatebook::bench {
 namespace {
 
 constexpr std::array kStepsASecond{60, 240, 1000};
-// Where the step doesn't matter the engine is only asked for the looks.
+// Looks are all that an engine is asked for where the step doesn't matter.
 constexpr int kLooksASecond = 20;
 
 void printHead(const Motion& motion) {

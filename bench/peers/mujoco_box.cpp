@@ -111,7 +111,7 @@ Model loadModel(const std::string& coverPath) {
   return model;
 }
 
-/// What MuJoCo draws with.
+/// Handles that MuJoCo draws with.
 struct Scene {
   explicit Scene(const mjModel& model) {
     mjv_defaultCamera(&camera);

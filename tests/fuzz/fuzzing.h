@@ -1,4 +1,4 @@
-// What every fuzz target keeps to.
+// The rules that every fuzz target keeps to.
 #pragma once
 
 #include <concepts>

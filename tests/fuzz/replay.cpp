@@ -32,7 +32,7 @@ std::vector<fs::path> filesBelow(const fs::path& folder) {
   return files;
 }
 
-/// What is wrong with the way an input was taken; "" if nothing.
+/// Returns the problem with the way an input was taken; "" if there is none.
 std::string problemWith(const fs::path& file) {
   const std::string bytes = rotatebook::system::readFileOrEmpty(file);
   const double start = processorTime();

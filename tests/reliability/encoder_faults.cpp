@@ -10,7 +10,7 @@ extern "C" {
 
 namespace {
 
-/// What the call gives, or an error of FFmpeg's.
+/// Returns the result of the call, or an error of FFmpeg's.
 template <typename Function, typename... Arguments>
 int unlessFails(const char* name, Arguments... arguments) {
   if (rotatebook::faults::fails("encode")) return AVERROR(errno);

@@ -53,7 +53,7 @@ std::string absolute(const std::string& path) {
 
 std::atomic<long> count = 0;
 
-/// What has changed files below the folder.
+/// Calls that have changed files below the folder.
 struct Changes {
   std::mutex mutex;
   std::string lines;
@@ -70,7 +70,7 @@ void addChange(std::string_view call, const std::string& path) {
   changes().lines.append(call).append(" ").append(path).append("\n");
 }
 
-/// Where memory was asked for, in the order of the first requests.
+/// Places at which memory was asked for, in the order of the first requests.
 struct Places {
   std::mutex mutex;
   std::set<long> known;
@@ -83,7 +83,7 @@ Places& places() {
   return all;
 }
 
-/// Whether it is this call's turn.
+/// Returns whether it is this call's turn.
 bool isDue() {
   const long now = ++count;
   return fault().call == "graphics" ? now == fault().number : now >= fault().number;

@@ -9,8 +9,8 @@
 //   memory                                           of the program itself, not of libraries; the
 //                                                    NUMBER is a place's, of which the first fails
 //   graphics                                         of EGL and OpenGL, those that tell failures
-// How many there were in all goes to the file ROTATEBOOK_FAULT_COUNT, if it is set; of memory the
-// places, a line for each. What changes files, whether it fails or not, goes to the file
+// The number of all goes to the file ROTATEBOOK_FAULT_COUNT, if it is set; of memory the places, a
+// line for each. Calls that change files, whether they fail or not, go to the file
 // ROTATEBOOK_FAULT_CHANGES, if that is set and the CALL is any: "CALL PATH", a line for each, in
 // the order in which they began.
 #pragma once
@@ -21,13 +21,14 @@
 
 namespace rotatebook::faults {
 
-/// Whether this call is to fail; sets errno then. Doesn't return if the process is to be killed.
+/// Returns whether this call is to fail; sets errno then. Doesn't return if the process is to be
+/// killed.
 bool fails(std::string_view call);
-/// The same of a call that changes the file of that path.
+/// Like fails(), for a call that changes the file of that path.
 bool failsAt(std::string_view call, const std::string& path);
-/// Whether this request for memory is to fail: the first from that place, if it is the one.
+/// Returns whether this request for memory is to fail: the first from that place, if it is the one.
 bool failsAtPlace(long place);
-/// Whether it is asked for at all.
+/// Returns whether it is asked for at all.
 bool isWanted(std::string_view call);
 
 /// The function that would have been called.

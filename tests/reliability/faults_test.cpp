@@ -37,7 +37,7 @@ constexpr long kNever = 1'000'000;
 const std::pair<std::string, std::string> kSanitizerMayBeLater{
     "ASAN_OPTIONS", "verify_asan_link_order=0:alloc_dealloc_mismatch=0"};
 
-/// Whether each call is to fail once, not only every third.
+/// Returns whether each call is to fail once, not only every third.
 bool all() {
   return std::getenv("ROTATEBOOK_ALL_FAULTS") != nullptr;
 }
@@ -46,7 +46,7 @@ int step() {
   return all() ? 1 : 3;
 }
 
-/// What stands for a frame, a clip or a table, as opposed to what is on its way.
+/// Returns whether it is the name of a frame, a clip or a table, as opposed to one on its way.
 bool isFinal(const std::string& name) {
   return !name.ends_with('/') && name.find(".rotatebook-") == std::string::npos &&
          name.find("frames.") == std::string::npos &&
@@ -85,8 +85,8 @@ class Faults : public ProgramTest {
     return render("out", std::move(options), withFault(call, number, error));
   }
 
-  /// What a render without a fault does to the files in out/, in order: calls and paths within the
-  /// test's folder.
+  /// Returns the changes of files in out/ by a render without a fault, in order: calls and paths
+  /// within the test's folder.
   std::vector<std::pair<std::string, std::string>> changesOfARender() const {
     removeOut();
     ChildSettings settings = withFault("any", kNever, kKill);
@@ -113,7 +113,8 @@ class Faults : public ProgramTest {
     }
   }
 
-  /// Where the last run with a fault of memory asked for some, in the order of the first requests.
+  /// Returns the places at which the last run with a fault of memory asked for some, in the order
+  /// of the first requests.
   std::vector<long> countedPlaces() const {
     std::istringstream lines(read("count"));
     return {std::istream_iterator<long>(lines), {}};
@@ -313,7 +314,7 @@ TEST_F(Faults, FailureOfAnyRequestForMemoryIsTold) {
     EXPECT_EQ(result.status, 3) << when << result.error;
     EXPECT_THAT(result.error, HasSubstr("rotatebook: ")) << when;
     expectWhole(when);
-    // Where no exception may pass, the process ends without cleaning up.
+    // The process ends without cleaning up where no exception may pass.
     if (std::ranges::any_of(files(), isTemporary)) expectResumed(when);
   }
   EXPECT_GT(failures, 20) << "the faults don't reach the program";

@@ -71,7 +71,7 @@ void* instead(void* found, Function*& keep, Function* replacement) {
   return reinterpret_cast<void*>(replacement);
 }
 
-/// What stands for a function of this name, or the function itself.
+/// Returns the replacement of a function of this name, or the function itself.
 void* replaced(const char* name, void* found) {
   const auto is = [name](const char* other) { return std::strcmp(name, other) == 0; };
   if (is("glGetError")) return instead(found, nextGetError, getError);
@@ -98,7 +98,7 @@ __eglMustCastToProperFunctionPointerType getProcAddress(const char* name) {
 
 extern "C" void* dlsym(void* library, const char* name) {
   Dlsym* const system = systemDlsym();
-  // What comes next depends on who calls: this must be a jump, see CMakeLists.txt.
+  // RTLD_NEXT depends on who calls: this must be a jump, see CMakeLists.txt.
   if (library == RTLD_NEXT) return system(library, name);
   void* found = system(library, name);
   if (found == nullptr || !rotatebook::faults::isWanted("graphics")) return found;

@@ -25,7 +25,7 @@ struct Range {
   }
 };
 
-/// Where code lies that was loaded.
+/// Addresses of code that was loaded.
 struct Code {
   Range program, standardLibrary;
 };
@@ -55,7 +55,7 @@ const Code& loadedCode() {
   return code;
 }
 
-/// Whether it is a function of a stream's: they tell no failure, and leave the rest away.
+/// Returns whether it is a function of a stream: they report no failure, and leave the rest out.
 bool isOfStream(void* frame) {
   Dl_info info;
   if (dladdr(frame, &info) == 0 || info.dli_sname == nullptr) return false;
@@ -76,8 +76,8 @@ _Unwind_Reason_Code addFrame(_Unwind_Context* context, void* data) {
   return _URC_NO_REASON;
 }
 
-/// What tells a request from others: the calls of the program that led to it, the same in each run.
-/// 0 if it isn't the program's own.
+/// Identifies a request by the calls of the program that led to it, the same in each run. 0 if it
+/// isn't the program's own.
 long placeOfRequest(const void* caller) {
   const Code& code = loadedCode();
   Stack stack;

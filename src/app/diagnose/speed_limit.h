@@ -29,7 +29,7 @@ SpeedLimit speedLimit(const StageTimes& stages, int cores);
 /// A change that would make a render faster.
 struct SpeedAdvice {
   std::string change;  ///< For example "--no-png".
-  std::string effect;  ///< What it costs, or why it helps.
+  std::string effect;  ///< Its cost, or why it helps.
   double gain = 1;     ///< Upper bound of the speed-up, as a factor.
 };
 

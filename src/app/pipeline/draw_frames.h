@@ -32,7 +32,7 @@ struct FramesToDraw {
 struct SinkThreads {
   FrameSink& sink;
   int threads = 1;
-  bool wantsKept = true;  ///< Whether it also takes frames that aren't drawn again.
+  bool wantsKept = true;  ///< True if it also takes frames that aren't drawn again.
 };
 
 /// Numbers of frames that were drawn, and kept from an earlier run.

@@ -29,7 +29,7 @@ struct RenderOutput {
   /// The number of threads that write: more than 1 only if the sink allows concurrent writes;
   /// 0 means pngThreads() of the machine's cores. The files don't depend on it.
   int threads = 1;
-  bool png = false;                            ///< Whether it writes PNGs to the frames' folder.
+  bool png = false;                            ///< Set if it writes PNGs to the frames' folder.
   std::optional<video::VideoFormat> format{};  ///< Set if it writes ClipFiles::video().
 };
 

@@ -40,7 +40,7 @@ class ClipFolder {
     Manifest::Entries made;  ///< The fingerprint of the frames.
     EarlierFrames earlier{};
     bool part = false;  ///< A range of frames, which go to NAME/ beside others of these settings.
-    bool png = true;    ///< Whether PNGs are written; a part without them leaves nothing in NAME/.
+    bool png = true;    ///< PNGs are written; a part without them leaves nothing in NAME/.
   };
 
   /// Throws InputError if the folder has frames that must not be lost or mixed, MachineError if

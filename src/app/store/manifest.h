@@ -31,7 +31,7 @@ struct Manifest {
 
   /// The render whose frames and scene.toml are in the folder.
   Render own;
-  bool finished = false;  ///< Whether `own` is finished: its clip is complete.
+  bool finished = false;  ///< True if `own` is finished: its clip is complete.
   /// Renders with other settings whose files are still beside the folder. Each file belongs to the
   /// render that wrote it last.
   std::vector<Render> others{};

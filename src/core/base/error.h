@@ -6,7 +6,7 @@
 
 namespace rotatebook {
 
-/// Tells who can fix the error; the command line turns it into its exit code.
+/// Names who can fix the error; the command line turns it into its exit code.
 enum class ErrorKind {
   Input,    ///< The user's input is wrong: a scene, an option, a picture (exit code 2).
   Machine,  ///< The machine can't: no EGL, no encoder, a full disk (exit code 3).

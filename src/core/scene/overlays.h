@@ -39,7 +39,7 @@ struct OverlayRow {
   std::string_view name;  ///< Name in a scene's overlay.show.
   Overlay overlay = Overlay::Caption;
   OverlayModels models = OverlayModels::All;
-  bool onTheBook = false;  ///< Whether it is drawn on or around the book, not beside it.
+  bool onTheBook = false;  ///< True if it is drawn on or around the book, not beside it.
 };
 
 /// The rows, in the order of Overlay. The rows of overlay/overlay_rows.cpp say what draws each.

@@ -117,11 +117,11 @@ inline constexpr const char* kBuiltin = "builtin";
 /// the scene's own motion, only the timePerFrame of that motion is used.
 struct Scene : Motion {
   std::string name;              ///< The scene file's stem; outputs are named after it.
-  std::filesystem::path folder;  ///< Where the scene's file lies; textures are found from here.
-  /// Whether textures may lie outside `folder`. Set by whoever reads the scene, never by its file.
+  std::filesystem::path folder;  ///< Folder of the scene's file; textures are found from here.
+  /// Allows textures outside `folder`. Set by whoever reads the scene, never by its file.
   bool allowOutside = false;
-  /// Whether pictures are drawn without text, letters and charts, as thumbnails are. Set by whoever
-  /// draws the scene, never by its file.
+  /// Draws pictures without text, letters and charts, as thumbnails are. Set by whoever draws the
+  /// scene, never by its file.
   bool textless = false;
   std::string title;
   std::string caption;

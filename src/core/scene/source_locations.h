@@ -22,7 +22,7 @@ std::string labelKey(std::size_t panel);
 /// scene's name if it doesn't state it.
 std::string locationOf(const Scene& scene, std::string_view key);
 
-/// Returns what `work` returns. Throws an InputError of it anew as "LOCATION: PROBLEM", with the
+/// Returns what `work` returns. Throws an InputError of it again as "LOCATION: PROBLEM", with the
 /// location of `key`.
 template <std::invocable Work>
 auto atLocationOf(const Scene& scene, std::string_view key, const Work& work) {

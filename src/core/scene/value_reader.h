@@ -107,7 +107,7 @@ class ValueReader {
   std::string name_;
 };
 
-/// Runs `check`, and throws an InputError of it anew with the location of `value`: physics knows
+/// Runs `check`, and throws an InputError of it again with the location of `value`: physics knows
 /// the problem, but not the location.
 template <typename Check>
 void failAtValue(const ValueReader& value, const Check& check) {

@@ -25,7 +25,7 @@ inline constexpr int kMinRuns = 3;
 /// Largest error at which the law can hold: a tenth of a radian. Errors saturate at half a turn.
 /// [degrees]
 inline constexpr double kLargestErrorDeg = 5.729577951308232;
-/// Where the errors end in a floor, only those at least this many times the smallest count.
+/// Fewest times the smallest error that an error counts from, if the errors end in a floor.
 inline constexpr double kFloorMargin = 10;
 
 /// Fits log error to log h by least squares. `runs` are in any order; only those count that show

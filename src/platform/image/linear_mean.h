@@ -18,7 +18,7 @@ class LinearMean {
   /// Adds a picture of that size, Rgba8.
   void add(ImageView picture);
   /// Writes the mean of the pictures added since the last call, at least one, over all of
-  /// `picture`, of that size and Rgba8, and starts anew.
+  /// `picture`, of that size and Rgba8, and starts again.
   void take(Image& picture);
 
  private:

@@ -17,11 +17,12 @@ constexpr double kArrowGap = 2;  // between letters and arrows [pixels]
 // The path along which a letter is moved: around the tip, then straight aside; and its steps. The
 // unit is the letter's distance from the tip when nothing is in the way.
 constexpr double kRound = std::numbers::pi / 2, kAside = 1.8, kStep = 0.06;
-// How much shorter a path to the other side must be. Arrows that nearly coincide pass each other
-// often: their letters stay.
+// Factor by which a path to the other side must be shorter. Arrows that nearly coincide pass each
+// other often: their letters stay.
 constexpr double kOtherSide = 1.2;
 
-// How far from the mean position, and in how many directions, room for a letter is sought. [pixels]
+// Largest distance from the mean position at which room for a letter is sought [pixels], and the
+// number of directions.
 constexpr int kFarthestOff = 48, kDirections = 24;
 
 /// Returns the position of a letter's middle after a `path` to `side`, relative to its arrow's tip:

@@ -15,7 +15,7 @@ namespace rotatebook::overlay {
 /// An arrow as it is projected onto the picture.
 struct ArrowShape {
   Point from{0, 0}, tip{0, 0};  ///< [pixels]
-  /// Where it comes out of the body, or from behind it; nothing if the body hides all of it.
+  /// Point where it comes out of the body, or from behind it; nothing if the body hides all of it.
   std::optional<Point> visibleFrom{};
   double lineWidth = 0;   ///< [pixels]
   double headLength = 0;  ///< [pixels]

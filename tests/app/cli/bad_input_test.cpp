@@ -147,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(Overrides, BadInput, ::testing::ValuesIn(kOverrides), n
 INSTANTIATE_TEST_SUITE_P(Options, BadInput, ::testing::ValuesIn(kOptions), nameOfCase);
 INSTANTIATE_TEST_SUITE_P(Commands, BadInput, ::testing::ValuesIn(kCommands), nameOfCase);
 
-/// What a scene file that is wrong in itself leads to.
+/// Tests of scene files that are wrong in themselves.
 class BadScene : public ProgramTest {
  protected:
   void expectRefused(const std::string& scene, const std::string& message) const {

@@ -48,7 +48,7 @@ class Descriptor {
   int number_ = -1;
 };
 
-// Where the child writes, and where we read it.
+// A pipe or pseudo-terminal: the end that the child writes to, and the one that we read.
 struct Channel {
   Descriptor read, write;
 };

@@ -11,11 +11,11 @@
 
 namespace rotatebook::cli::testing {
 
-/// What a program finds when it starts.
+/// Circumstances in which a program starts.
 struct ChildSettings {
   std::filesystem::path folder;                                    ///< Its working folder; exists.
   std::vector<std::pair<std::string, std::string>> environment{};  ///< Added to ours.
-  std::string outputFile{};            ///< Where its standard output goes instead of to us.
+  std::string outputFile{};            ///< Takes its standard output instead of us.
   bool terminal = false;               ///< Its standard error is a pseudo-terminal.
   bool obeysPermissions = false;       ///< A file's mode counts even if the superuser runs it.
   std::vector<int> closed{};           ///< Descriptors that are closed from the start.
@@ -26,7 +26,7 @@ struct ChildSettings {
   std::chrono::seconds timeout{120};   ///< After which it is killed.
 };
 
-/// What became of it.
+/// Result of a program's run.
 struct ChildResult {
   int status = -1;     ///< Exit status; 128 + signal if a signal ended it, 137 after the timeout.
   std::string output;  ///< Its standard output.

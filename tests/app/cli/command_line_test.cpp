@@ -1,4 +1,4 @@
-// What is said of the command line itself: version, help, and words that mean nothing.
+// Answers about the command line itself: version, help, and words that mean nothing.
 #include <string>
 #include <vector>
 

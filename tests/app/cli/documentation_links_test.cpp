@@ -1,4 +1,4 @@
-// The documentation's links, and the length of its lines.
+// The documentation's links, the files that it names, and the length of its lines.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -54,7 +54,7 @@ std::set<std::string> anchorsIn(const std::string& page) {
   return anchors;
 }
 
-/// What the page's links lead to, as they are written, without those to other sites.
+/// Returns the targets of the page's links, as they are written, without those on other sites.
 std::vector<std::string> linksIn(const std::string& page) {
   static const std::regex kLink(R"(\]\(([^)\s]+)\))");
   std::vector<std::string> links;
@@ -79,6 +79,50 @@ bool leadsSomewhere(const std::string& link, const std::string& name) {
   const std::size_t hash = link.find('#');
   if (hash == std::string::npos) return true;
   return anchorsIn(readText(kRoot / file)).contains(link.substr(hash + 1));
+}
+
+/// Files that pages name but commands write, or readers.
+const std::set<std::string> kNotShipped{"diff.png", "my.toml", "scene.toml"};
+
+/// Returns the files and folders of the repository, each as "/PATH".
+std::vector<std::string> shippedPaths() {
+  std::vector<std::string> paths;
+  for (const char* top : {"assets", "bench", "cmake", "docs", "examples", "scenes", "scripts",
+                          "shaders", "src", "tests"}) {
+    paths.push_back(std::string("/") + top);
+    for (const auto& entry : fs::recursive_directory_iterator(kRoot / top)) {
+      paths.push_back('/' + entry.path().lexically_relative(kRoot).string());
+    }
+  }
+  return paths;
+}
+
+/// Returns whether a text between backticks names a file or folder of the repository: it ends in a
+/// slash or as sources do, or begins with one of the folders. NAME and the like are placeholders.
+bool namesShippedFile(const std::string& span) {
+  static const std::regex kName(
+      R"((assets|bench|cmake|docs|examples|scenes|scripts|shaders|src|tests)/[\w./-]+|)"
+      R"([\w./-]+(/|\.(c?js|cpp|frag|h|html|inc|md|png|py|sh|svg|toml|txt|vert|webp)))");
+  static const std::regex kPlaceholder(R"((.*/)?[A-Z]{4,}([/_.-].*)?)");
+  static const std::regex kMade("(out|build)/.*|/.*");
+  return std::regex_match(span, kName) && !std::regex_match(span, kMade) &&
+         (!std::regex_match(span, kPlaceholder) || span.ends_with("README.md")) &&
+         !kNotShipped.contains(span);
+}
+
+/// Returns the files that the page names and the repository lacks. A name may leave out folders.
+std::vector<std::string> missingFilesIn(const std::string& page) {
+  static const std::vector<std::string> kPaths = shippedPaths();
+  std::vector<std::string> missing;
+  for (const std::string& span : codeSpansOf(page)) {
+    if (!namesShippedFile(span)) continue;
+    const std::string ending = '/' + span.substr(0, span.find_last_not_of('/') + 1);
+    const bool isThere = std::any_of(kPaths.begin(), kPaths.end(), [&](const std::string& path) {
+      return path.ends_with(ending);
+    });
+    if (!isThere) missing.push_back(span);
+  }
+  return missing;
 }
 
 std::size_t columnsOf(const std::string& line) {
@@ -141,6 +185,24 @@ TEST(DocumentationLinks, ReachEveryPageFromTheReadme) {
     if (!reached.contains(name)) missed.push_back(name);
   }
   EXPECT_THAT(missed, IsEmpty());
+}
+
+TEST(DocumentationFiles, AreNoticedWhereThereAreNone) {
+  EXPECT_THAT(missingFilesIn("`no_such_test.cpp`, `tests/no_such_folder`, `no_such/`\n"
+                             "```sh\nrotatebook check `no_such.h`\n```\n"
+                             "`scene/no_such.h`, `test_frame.png`"),
+              ElementsAre("no_such_test.cpp", "tests/no_such_folder", "no_such/", "scene/no_such.h",
+                          "test_frame.png"));
+  EXPECT_THAT(missingFilesIn("`reference_picture.png`, `scene/scene.h`, `measure/`, `docs/page.md`,"
+                             "`NAME.png`, `NAME/scene.toml`, `out/index.html`, `body.inertia`,"
+                             "`src/core`, `tests/fuzz/NAME_target.cpp`, `assets/README.md`"),
+              IsEmpty());
+}
+
+TEST(DocumentationFiles, AreThere) {
+  for (const std::string& name : documentationPages()) {
+    EXPECT_THAT(missingFilesIn(readText(kRoot / name)), IsEmpty()) << name;
+  }
 }
 
 TEST(DocumentationLines, AreShortEnough) {

@@ -1,4 +1,5 @@
-// Every command that the documentation shows, as it is written, with small scenes and sizes.
+// Every command that the documentation shows, as it is written, with small scenes and sizes; those
+// within sentences are checked for their options alone.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -57,8 +58,8 @@ integrators = ["rk4", "dmv6"]
 steps = [1, 2, 4]
 )";
 
-/// Later figures are left out of the folder, which saves half of the time; pages show no command
-/// with them.
+/// Later figures are left out of the folder, which saves half of the time, but for those that the
+/// Makefile names; pages show no command with others.
 constexpr std::string_view kLastFigure = "scenes/figures/fig06";
 
 /// A line that begins so isn't run here.
@@ -83,7 +84,7 @@ std::string withoutComment(const std::string& line) {
   return command.substr(0, command.find_last_not_of(' ') + 1);
 }
 
-/// The same command with small pictures; what is measured, of few of them.
+/// Returns `command` with small pictures; one that measures, with few of them.
 std::string madeSmall(const std::string& command) {
   static const std::regex kSize("--size [0-9]+x[0-9]+");
   static const std::regex kFrames(" --frames [0-9]+(?= |$)");
@@ -93,11 +94,26 @@ std::string madeSmall(const std::string& command) {
   return std::regex_replace(result, kFrames, "") + size + " --frames 4";
 }
 
-/// The program's command of `make render ...`, as `make -n` prints it; empty if there is none.
-std::string programsCommand(const std::string& printed) {
-  static const std::regex kProgram("(?:^|\n)build/[^/\n]+/(rotatebook render [^\n]*)");
-  std::smatch found;
-  return std::regex_search(printed, found, kProgram) ? found[1].str() : "";
+/// Returns the program's commands among those that `make -n` prints, each on one line.
+std::vector<std::string> programsCommands(const std::string& printed) {
+  static const std::regex kContinuation(R"(\\\n\s*)");
+  static const std::regex kProgram("build/[^/]+/(rotatebook .*)");
+  std::vector<std::string> commands;
+  for (const std::string& line : linesOf(std::regex_replace(printed, kContinuation, ""))) {
+    std::smatch found;
+    if (std::regex_match(line, found, kProgram)) commands.push_back(found[1]);
+  }
+  return commands;
+}
+
+/// Returns the options that a command's words have, without their values.
+std::vector<std::string> optionsIn(const std::string& command) {
+  static const std::regex kOption(R"((?:^| )(--[a-z][a-z0-9-]*|-[a-z])(?![\w-]))");
+  std::vector<std::string> options;
+  for (std::sregex_iterator it(command.begin(), command.end(), kOption), end; it != end; ++it) {
+    options.push_back((*it)[1]);
+  }
+  return options;
 }
 
 class ShownCommands : public ProgramTest {
@@ -107,16 +123,19 @@ class ShownCommands : public ProgramTest {
   ShownCommands() {
     write("my.toml", kSmall);
     const fs::path root = ROTATEBOOK_SOURCE;
+    const std::string makefile = readText(root / "Makefile");
     for (const char* below : {"scenes", "docs"}) {
       for (const auto& entry : fs::recursive_directory_iterator(root / below)) {
         const std::string name = fs::relative(entry.path(), root).string();
-        const bool isLaterFigure = name.starts_with("scenes/figures/") && name > kLastFigure;
+        const bool isLaterFigure = name.starts_with("scenes/figures/") && name > kLastFigure &&
+                                   makefile.find(name) == std::string::npos;
         if (name.ends_with(".toml") && !isLaterFigure) write(name, smallSceneFor(name));
       }
     }
   }
 
-  /// What is wrong with the commands and scenes that `page` shows. It may ask for the first clip.
+  /// Returns the problems of the commands and scenes that `page` shows. It may ask for the first
+  /// clip.
   std::vector<std::string> problemsOf(const std::string& page) {
     std::vector<std::string> problems;
     if (page.find("out/starter") != std::string::npos && !has("out/starter.mp4")) {
@@ -133,6 +152,7 @@ class ShownCommands : public ProgramTest {
     for (const std::string& line : proseOf(page)) {
       if (std::regex_match(line, kCommand)) problems.push_back(line + "\nis in no block of sh");
     }
+    for (const std::string& span : codeSpansOf(page)) addProblemsOfSpan(span, problems);
     return problems;
   }
 
@@ -198,9 +218,36 @@ class ShownCommands : public ProgramTest {
       problems.push_back(line + '\n' + read("log.txt"));
       return;
     }
-    const std::string command = programsCommand(read("log.txt"));
-    if (!command.empty() && line.starts_with("make render ")) {
+    for (const std::string& command : programsCommands(read("log.txt"))) {
       addProblemsOfCommand(madeSmall(command), problems);
+    }
+  }
+
+  /// Returns the help of a command; "" if there is no such command. `command` may be COMMAND.
+  const std::string& helpOf(const std::string& command) {
+    const auto [known, isNew] = helps_.try_emplace(command);
+    if (!isNew) return known->second;
+    const std::string words = command == "COMMAND" ? "" : command + ' ';
+    runInShell("rotatebook " + words + "--help");
+    const std::string help = read("log.txt");
+    if (help.find("Usage: rotatebook " + words) != std::string::npos) known->second = help;
+    return known->second;
+  }
+
+  /// Checks command and options of a text between backticks: "rotatebook render my.toml", or
+  /// "render --resume".
+  void addProblemsOfSpan(const std::string& span, std::vector<std::string>& problems) {
+    static const std::regex kCommand("(rotatebook )?([a-z]+|COMMAND)( .*)?");
+    std::smatch found;
+    if (!std::regex_match(span, found, kCommand) || span == "rotatebook") return;
+    const std::vector<std::string> options = optionsIn(found[3]);
+    if (!found[1].matched && options.empty()) return;
+    const std::string& help = helpOf(found[2]);
+    if (help.empty() && found[1].matched) problems.push_back(span + "\nis no command");
+    if (help.empty()) return;
+    for (const std::string& option : options) {
+      const std::regex isListed("[ ,]" + option + "(?![\\w-])");
+      if (!std::regex_search(help, isListed)) problems.push_back(span + "\nhas no " + option);
     }
   }
 
@@ -215,6 +262,8 @@ class ShownCommands : public ProgramTest {
     if (runInShell("rotatebook check block.toml") != 0) problems.push_back(text + read("log.txt"));
     fs::remove(folder() / "block.toml");
   }
+
+  std::map<std::string, std::string> helps_;  ///< By command.
 };
 
 class Documentation : public ShownCommands, public ::testing::WithParamInterface<std::string> {};
@@ -223,15 +272,7 @@ TEST_P(Documentation, ShowsCommandsThatWorkAndDestroyNothing) {
   EXPECT_THAT(problemsOf(readText(fs::path(ROTATEBOOK_SOURCE) / GetParam())), IsEmpty());
 }
 
-std::vector<std::string> pagesWithBlocks() {
-  std::vector<std::string> pages;
-  for (const std::string& page : documentationPages()) {
-    if (!codeBlocksOf(readText(fs::path(ROTATEBOOK_SOURCE) / page)).empty()) pages.push_back(page);
-  }
-  return pages;
-}
-
-INSTANTIATE_TEST_SUITE_P(Pages, Documentation, ::testing::ValuesIn(pagesWithBlocks()),
+INSTANTIATE_TEST_SUITE_P(Pages, Documentation, ::testing::ValuesIn(documentationPages()),
                          [](const auto& page) {
                            std::string name = page.param.substr(0, page.param.rfind('.'));
                            std::erase_if(name, [](unsigned char c) { return !std::isalnum(c); });
@@ -262,7 +303,28 @@ TEST_F(WrongDocumentation, IsNoticed) {
   expectProblem("```toml\n[clip]\nsizes = [32, 18]\n```\n", "did you mean \"size\"?");
   expectProblem("```sh\nrotatebook still my.toml --time 0 -o out/starter.poster.png\n```\n",
                 "changes out/starter.poster.png");
+  expectProblem("```sh\nmake gallery PROGRAM='build/x/rotatebook no-such-command'\n```\n",
+                "no-such-command");
   EXPECT_THAT(problemsOf("```sh\nrotatebook check my.toml    # fine\n```\n"), IsEmpty());
+}
+
+TEST_F(ShownCommands, AreThoseThatMakeRuns) {
+  EXPECT_THAT(problemsOf("```sh\nmake figures OUT=made\n```\n"), IsEmpty());
+  for (const char* name : {"made/axes.mp4", "made/figb-flip-interval-study.csv",
+                           "made/fig01-axes.png", "made/index.html"}) {
+    EXPECT_TRUE(has(name)) << name;
+  }
+}
+
+TEST_F(WrongDocumentation, IsNoticedWithinSentences) {
+  expectProblem("Compare with `rotatebook dif A B --max 8`.\n", "is no command");
+  expectProblem("Compare with `rotatebook diff A B --maximum 8`.\n", "has no --maximum");
+  expectProblem("`render --resum`\n", "has no --resum");
+  expectProblem("`rotatebook\nrender -x`\n", "has no -x");
+  EXPECT_THAT(
+      problemsOf("`rotatebook diff A B --max 8 -o C`, `render --resume`, `cmake --preset a`,"
+                 "`rotatebook COMMAND --help`, `rotatebook`, `render`, `rotatebook::Error`"),
+      IsEmpty());
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ struct Room {
   std::set<std::string> thirdParty;  ///< Beginnings of the other headers that it may include.
 };
 
-// What CONTRIBUTING.md says of the rooms, in the order in which they stand on each other.
+// The rooms as CONTRIBUTING.md lists them, each after those that it is built on.
 const std::map<std::string, Room> kRooms{
     {"base", {"core", {}, {"xxhash.h"}}},
     {"physics", {"core", {"base"}, {"Eigen/"}}},

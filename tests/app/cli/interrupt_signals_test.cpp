@@ -1,4 +1,4 @@
-// What signals do to this very process.
+// The effect of signals on this very process.
 #include <csignal>
 #include <unistd.h>
 

@@ -38,16 +38,37 @@ std::vector<CodeBlock> codeBlocksOf(const std::string& page) {
   return blocks;
 }
 
-std::vector<std::string> proseOf(const std::string& page) {
-  static const std::regex kCode("`[^`]*`");
-  std::vector<std::string> prose;
+namespace {
+
+std::vector<std::string> linesOutsideOfBlocks(const std::string& page) {
+  std::vector<std::string> lines;
   bool isInside = false;
   for (const std::string& line : linesOf(page)) {
     const bool isFence = line.starts_with("```");
     if (isFence) isInside = !isInside;
-    if (!isFence && !isInside) prose.push_back(std::regex_replace(line, kCode, ""));
+    if (!isFence && !isInside) lines.push_back(line);
   }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<std::string> proseOf(const std::string& page) {
+  static const std::regex kCode("`[^`]*`");
+  std::vector<std::string> prose = linesOutsideOfBlocks(page);
+  for (std::string& line : prose) line = std::regex_replace(line, kCode, "");
   return prose;
+}
+
+std::vector<std::string> codeSpansOf(const std::string& page) {
+  static const std::regex kCode("`([^`]+)`");
+  std::string text;
+  for (const std::string& line : linesOutsideOfBlocks(page)) text += line + ' ';
+  std::vector<std::string> spans;
+  for (std::sregex_iterator it(text.begin(), text.end(), kCode), end; it != end; ++it) {
+    spans.push_back((*it)[1]);
+  }
+  return spans;
 }
 
 std::vector<std::string> documentationPages() {

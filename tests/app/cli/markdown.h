@@ -23,6 +23,9 @@ std::vector<CodeBlock> codeBlocksOf(const std::string& page);
 /// The lines outside of code blocks, and without what is between backticks.
 std::vector<std::string> proseOf(const std::string& page);
 
+/// The texts between backticks outside of code blocks; one that is broken has a space there.
+std::vector<std::string> codeSpansOf(const std::string& page);
+
 /// README.md, CONTRIBUTING.md, docs/*.md and assets/README.md, relative to the root and sorted.
 std::vector<std::string> documentationPages();
 

@@ -1,4 +1,4 @@
-// Where the machine can't: no place to write, no graphics. Exit status 3, and nothing half-written.
+// Failures of the machine: no place to write, no graphics. Exit status 3, and nothing half-written.
 #include <string>
 #include <vector>
 
@@ -186,7 +186,7 @@ TEST_F(OutputFailure, FilesInMemoryThatMayNotBeLargeEnough) {
   const ChildResult study = runOnFullDisk(
       {"study", "tiny.toml", "--steps", "1,2", "--integrators", "rk4"}, kLessThanAPlot);
   EXPECT_EQ(study.status, 3);
-  // Whether gnuplot itself notices is its own affair.
+  // Gnuplot itself may notice or not.
   EXPECT_THAT(study.error,
               AllOf(StartsWith("rotatebook: tiny: gnuplot can't draw out/tiny-study.svg (status "),
                     EndsWith("; the table is in out/tiny-study.csv\n")));

@@ -28,7 +28,7 @@ class PageCommand : public ProgramTest {
 
 constexpr const char* kThumbnail = "out/tiny.thumbnail.png";
 
-/// The same clip with words all over it.
+/// Override that covers the clip with words.
 const std::string kWordy = "overlay.show=['caption', 'clock', 'half_turns', 'energy']";
 
 TEST_F(PageCommand, DrawsThumbnailsWithoutWords) {

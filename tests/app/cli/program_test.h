@@ -34,7 +34,7 @@ class ProgramTest : public ::testing::Test {
   /// Runs the program in the folder.
   ChildResult run(const std::vector<std::string>& arguments) const;
   ChildResult run(const std::vector<std::string>& arguments, ChildSettings settings) const;
-  /// The same without graphics.
+  /// Runs the program in the folder, without graphics.
   ChildResult runWithoutGraphics(const std::vector<std::string>& arguments) const;
 
   void write(const std::string& name, const std::string& content) const;
@@ -61,7 +61,7 @@ class ProgramTest : public ::testing::Test {
 /// another on another processor.
 std::string withoutDistances(const std::string& text);
 
-/// How often `part` occurs in `text`.
+/// Counts how often `part` occurs in `text`.
 int countOf(const std::string& part, const std::string& text);
 
 }  // namespace rotatebook::cli::testing

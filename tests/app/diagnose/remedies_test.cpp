@@ -46,7 +46,7 @@ DisplayCheck failing(const render::DisplayCandidate& candidate,
   return {.candidate = candidate, .failure = failure};
 }
 
-/// Where llvmpipe draws.
+/// Returns the check of a machine on which llvmpipe draws.
 GraphicsCheck softwareCheck() {
   return {.candidates = {drawing({}, true)}, .byDefault = 0};
 }
@@ -241,7 +241,7 @@ TEST(Remedies, BlameNoVariableOfMesaForNvidia) {
       ElementsAre(Field(&Problem::remedy, StartsWith("install the EGL library of NVIDIA"))));
 }
 
-// What must not stay set for the rest of the tests.
+// Unsets variables that must not stay set for the rest of the tests.
 class GraphicsFactsOf : public ::testing::Test {
  protected:
   ~GraphicsFactsOf() override {

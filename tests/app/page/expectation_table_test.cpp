@@ -11,7 +11,7 @@ namespace {
 using scene::Expectation;
 using scene::Quantity;
 
-/// What the table says of a motion with these tilts, and bounds on them.
+/// Returns the table's row about a motion with these tilts, and bounds on them.
 Check checkOf(const std::vector<double>& tilts, Expectation bounds) {
   Motion motion;
   for (const double tilt : tilts) motion.trajectory.samples.emplace_back().tiltDeg = tilt;

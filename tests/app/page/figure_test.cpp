@@ -237,7 +237,7 @@ TEST(StillFigure, IsAPictureWithoutAClip) {
   EXPECT_EQ(readFigure(smallScene(), folder).kind, FigureKind::Clip);
 }
 
-/// What `rotatebook study` leaves, with these tables.
+/// Writes the files that `rotatebook study` leaves, with these tables.
 void makeStudy(const fs::path& folder, const std::string& table, const std::string& orders) {
   for (const char* name : {"small-study.svg", "small-study.png"}) touch(folder / name);
   system::writeFileAtomically(folder / "small-study.csv", table);

@@ -1,4 +1,4 @@
-// Whether a book is seen whole, however it is turned.
+// A check that a book is seen whole, however it is turned.
 #pragma once
 
 #include "picture/textures.h"
@@ -6,8 +6,8 @@
 
 namespace rotatebook::picture::testing {
 
-/// Whether any book on `screen` comes within `margin` pixels of its border, in attitudes all round,
-/// each with a corner turned toward one of many directions.
+/// Returns whether any book on `screen` comes within `margin` pixels of its border, in attitudes
+/// all round, each with a corner turned toward one of many directions.
 bool anyAttitudeTouchesBorder(const scene::Scene& scene, const render::Screen& screen, int margin);
 
 }  // namespace rotatebook::picture::testing

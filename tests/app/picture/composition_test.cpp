@@ -1,5 +1,5 @@
-// What a comparison clip looks like around its books, over plain grey. See image/golden.h for how
-// the golden is renewed.
+// Pictures of a comparison clip around its books, over plain grey. image/golden.h says how the
+// golden is renewed.
 #include "picture/composition.h"
 
 #include <algorithm>

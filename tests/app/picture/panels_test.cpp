@@ -54,7 +54,7 @@ image::Image panelOf(const image::Image& picture, std::size_t index) {
   return panel;
 }
 
-// What of a panel its label can't reach.
+// Returns the part of a panel that its label can't reach.
 image::Image belowLabel(const image::Image& panel) {
   const int top = panel.height() / 2;
   image::Image below(panel.width(), panel.height() - top, panel.format());

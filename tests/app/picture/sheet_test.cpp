@@ -16,7 +16,7 @@ namespace {
 
 using pipeline::testing::smallScene;
 
-/// Whether `sheet` shows `frame` of `scene` with its top left at (x, y).
+/// Returns whether `sheet` shows `frame` of `scene` with its top left at (x, y).
 bool shows(const image::Image& sheet, int x, int y, const scene::Scene& scene, std::int64_t frame) {
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   FrameDrawer drawer(scene, motion);

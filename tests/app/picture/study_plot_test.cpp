@@ -135,7 +135,7 @@ void readPanel(const std::string& svg, DrawnPanel& panel) {
     add(line, kMarker, panel.markers.back());
     add(line, kCorner, panel.corners.back());
   }
-  // Those of the sheet's other panel.
+  // Remove those of the sheet's other panel.
   std::erase_if(panel.markers, [](const auto& series) { return series.empty(); });
   std::erase_if(panel.corners, [](const auto& series) { return series.empty(); });
 }

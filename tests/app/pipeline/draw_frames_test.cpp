@@ -46,7 +46,7 @@ class FakePainter : public picture::FramePainter {
     }
   }
 
-  /// How many frames so far.
+  /// Returns the number of frames so far.
   std::int64_t exposed() const { return exposed_; }
   /// Waits until there are `count`.
   void waitForExposed(std::int64_t count) const {

@@ -17,7 +17,7 @@
 
 namespace rotatebook::pipeline::testing {
 
-/// What a fake sink throws.
+/// Exception that a fake sink throws.
 struct SinkFailure : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

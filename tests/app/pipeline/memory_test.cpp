@@ -45,7 +45,7 @@ TEST(Memory, OfARenderDoesNotGrowWithTheClip) {
   EXPECT_LT(peakMemory() - before, allPictures / 2);  // measured 0.18 of all
 }
 
-/// How many files this process has open.
+/// Counts the files that this process has open.
 std::ptrdiff_t openFiles() {
   return std::distance(fs::directory_iterator("/proc/self/fd"), fs::directory_iterator());
 }

@@ -1,4 +1,4 @@
-// What renders of other settings leave alone, and report.
+// Renders of other settings: files that they leave alone, and report.
 #include <filesystem>
 #include <string>
 

@@ -1,4 +1,4 @@
-// What a render says, and leaves, when it can't be done.
+// Renders that can't be done: their messages, and the files that they leave.
 #include <filesystem>
 #include <fstream>
 #include <string>

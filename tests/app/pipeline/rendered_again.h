@@ -47,7 +47,7 @@ class RenderedAgain : public ::testing::Test {
                         const scene::Scene& scene = smallScene()) {
     return messageOf<InputError>([&] { render(earlier, scene); });
   }
-  /// What an uninterrupted render leaves.
+  /// Expects the files that an uninterrupted render leaves.
   void expectAsUninterrupted(RenderOptions options = {}, const scene::Scene& scene = smallScene()) {
     options.folder = whole_;
     testing::render(scene, options);

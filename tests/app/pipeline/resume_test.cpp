@@ -250,7 +250,7 @@ TEST_F(Resume, LeavesAnUnfinishedRenderOfOtherSettingsAloneWhereItsOwnIsDone) {
   expectAsUninterrupted({}, otherScene());
 }
 
-// What a kill between any two steps of finishing leaves.
+// Leaves the files of a kill between any two steps of finishing.
 class KilledWhileFinishing : public Resume {
  protected:
   /// A finished render of otherScene() lies in small/, and one of smallScene() that lacks but the

@@ -115,7 +115,7 @@ TEST(SameBytes, OfAnotherSceneAreOthers) {
   }
 }
 
-// What a failure of the others says.
+// Checks the message of a failure of the others.
 TEST(SameBytes, NameTheFirstDifferenceOfEachFile) {
   const Files expected{{"a.csv", "t,x\n1,2\n3,4\n"}, {"b.png", {"\0\1\2", 3}}, {"c", "same"}};
   EXPECT_TRUE(sameFiles(expected, expected));

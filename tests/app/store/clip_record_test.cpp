@@ -36,7 +36,7 @@ std::string smallRecord() {
   return sceneRecord(smallScene(), kProvenance);
 }
 
-/// What reading `text` says.
+/// Returns the error of reading `text`.
 std::string problemOf(const std::string& text) {
   return pipeline::testing::messageOf<InputError>([&] { parseRecord(text, "x/y.mp4", "x"); });
 }

@@ -20,7 +20,7 @@ using video::VideoFormat;
 
 constexpr double kBlock = 4096;  // [bytes]
 
-/// What the files below `folder` take, in whole blocks. [bytes]
+/// Returns the space that the files below `folder` take, in whole blocks. [bytes]
 double takenIn(const fs::path& folder) {
   double taken = 0;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -30,7 +30,8 @@ double takenIn(const fs::path& folder) {
   return taken;
 }
 
-/// What a render, with what it begins with, is expected to need, over what it takes.
+/// Returns the space that a render is expected to need, with the files that it begins with, over
+/// the space that it takes.
 double ratio(const scene::Scene& scene, const pipeline::RenderOptions& options) {
   double needed = 0;
   const pipeline::RenderListener listener{

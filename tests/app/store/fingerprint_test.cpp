@@ -1,6 +1,10 @@
 #include "store/fingerprint.h"
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -36,6 +40,27 @@ TEST(Fingerprint, ChangesWithAllThatFramesDependOn) {
   for (const char* key : {"program", "build", "ffmpeg", "renderer", "scene", "book.front"}) {
     EXPECT_THAT(made.at(key), Not(::testing::IsEmpty())) << key;
   }
+}
+
+/// Returns the words of docs/reliability.md for what frames.manifest holds about the frames.
+std::set<std::string> documentedEntries() {
+  std::ifstream file(fs::path(ROTATEBOOK_SOURCE) / "docs/reliability.md");
+  const std::string page{std::istreambuf_iterator<char>(file), {}};
+  const std::string beginning = "`frames.manifest`, what the frames were made with: ";
+  const std::size_t begin = page.find(beginning) + beginning.size();
+  std::istringstream list(page.substr(begin, page.find(';', begin) - begin));
+  std::set<std::string> words;
+  for (std::string word; std::getline(list >> std::ws, word, ',');) words.insert(word);
+  return words;
+}
+
+TEST(Fingerprint, HoldsWhatTheDocumentationSays) {
+  std::set<std::string> entries;
+  for (const auto& [key, value] : madeOf(smallScene())) {
+    const bool isTexture = key.starts_with("book.");
+    entries.insert(isTexture ? "textures" : key == "ffmpeg" ? "FFmpeg" : key);
+  }
+  EXPECT_EQ(documentedEntries(), entries);
 }
 
 TEST(Fingerprint, ChangesWithATexturesBytes) {

@@ -43,7 +43,7 @@ class Reference {
  private:
   static constexpr int kBits = 200;
 
-  // What was cut off becomes one bit more, so that it decides where the bits end half way.
+  // Make one more bit of what was cut off, so that it decides where the bits end half way.
   double rounded(int inexact) {
     mpfr_set(longer_, value_, MPFR_RNDN);
     if (inexact != 0) mpfr_sgn(longer_) > 0 ? mpfr_nextabove(longer_) : mpfr_nextbelow(longer_);

@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-// What is exact by definition is not among them: sqrt, fabs, floor, fmod, ldexp and their like.
+// Functions that are exact by definition are not among them: sqrt, fabs, floor, fmod, ldexp and
+// their like.
 const std::string kFunction =
     R"((a?(sin|cos|tan)h?|atan2|sincos|exp(2|10|m1)?|log(2|10|1p|b)?|powi?|cbrt|hypot|erfc?|[tl]gamma|)"
     R"(polar|arg|beta|expint|riemann_zeta|hermite|laguerre|legendre|(comp_)?ellint_\w+|)"

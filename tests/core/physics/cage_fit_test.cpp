@@ -34,7 +34,7 @@ TEST(CageFit, FitsCornersThatNoLinearMapReaches) {
   Cage cage = someMap() * Cuboid().corners();
   for (int i = 0; i < 8; ++i)
     cage.col(i) += 0.02 * Vector3d(std::sin(i), std::cos(3 * i), std::sin(5 * i));
-  // The same least squares by another road: QR of the eight equations of each row of the map.
+  // Solve the least squares by another road: QR of the eight equations of each row of the map.
   const Eigen::Matrix<double, 8, 3> equations = Cuboid().corners().transpose();
   const Matrix3d expected = equations.householderQr().solve(cage.transpose()).transpose();
   EXPECT_LT(distance(cage, expected), kFitBound);

@@ -1,4 +1,4 @@
-// The same motion, bit by bit, from every build: debug, optimised, with sanitizers.
+// Motions are the same, bit by bit, from every build: debug, optimised, with sanitizers.
 #include <array>
 #include <cstddef>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// What the update rules of game engines make of one throw, and that each is the rule that its
+// Motions of one throw by the update rules of game engines, each of which is the rule that its
 // engine documents.
 #include <cmath>
 #include <numbers>
@@ -70,7 +70,7 @@ TEST_P(EngineRule, ImplicitLosesAQuarterOfItsEnergy) {
   EXPECT_NEAR(momentumOf(motion), 0.850, 0.001);  // measured 0.8498
 }
 
-// Where flips come ever more rarely.
+// Flips come ever more rarely as the energy approaches that of a spin about the middle axis.
 TEST_P(EngineRule, RenormalisedCreepsToTheEnergyOfTheMiddleAxis) {
   const Trajectory motion = thrownBy(Integrator::Renormalised);
   const Sample &start = motion.samples.front(), &end = motion.samples.back();

@@ -213,7 +213,7 @@ TEST(ExactMotion, TurnsByItsAngularVelocity) {
   }
 }
 
-// Where no rounding of a start makes another motion, the motion from any moment is the same motion.
+// The motion from any moment is the same motion where no rounding of a start makes another.
 TEST(ExactMotion, Composes) {
   for (const auto& [inertia, w] :
        {Start{kBook, {1.1, -2.3, -3.7}}, Start{kBook, {-1, 4, 0.5}},

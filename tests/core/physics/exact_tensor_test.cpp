@@ -34,8 +34,8 @@ Matrix3d turnedTensor(const Vector3d& ninths) {
   return threeAxes() * ninths.asDiagonal() * threeAxes().transpose();
 }
 
-// The same body twice: along its principal axes, and turned within its own. Moments that are far
-// apart or close together are as hard as its eigenvalues.
+// Two descriptions of one body: along its principal axes, and turned within its own. Moments that
+// are far apart or close together are as hard as its eigenvalues.
 TEST(ExactTensor, MovesAsTheSameBodyAlongItsPrincipalAxes) {
   const Matrix3d bodyFromPrincipal = threeAxes() / 3;
   for (const Vector3d& ninths : {Vector3d(0.125, 1, 1.0625),

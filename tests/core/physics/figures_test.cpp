@@ -1,5 +1,5 @@
-// What the paper's figures show, as numbers of the plain motions behind them. Angles are spin rate
-// * time.
+// The effects that the paper's figures show, as numbers of the plain motions behind them. Angles
+// are spin rate * time.
 #include <algorithm>
 #include <cmath>
 #include <limits>

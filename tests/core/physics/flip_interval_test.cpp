@@ -61,7 +61,7 @@ TEST(FlipTimes, AreNoneOfASpinAboutAnotherAxis) {
 TEST(FlipTimes, FollowTheBodysOwnAxes) {
   MotionSettings settings = tilted(0.05, 2);
   const auto plain = flipTimes(simulate(settings, 600), modelInertia(settings));
-  // The same body and spin, described along axes that are turned by an eighth of a turn about z.
+  // Describe body and spin along axes that are turned by an eighth of a turn about z.
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(std::atan(1.0), Vector3d::UnitZ()).toRotationMatrix();
   const Vector3d velocity = initialAngularVelocity(settings);

@@ -108,7 +108,7 @@ TEST(CheckInertia, RefusesAsymmetryAndNamesTheEntries) {
 
 class AnyInertia : public testing::TestWithParam<Model> {};
 
-// The same body twice: along its principal axes, and turned within its own.
+// Two descriptions of one body: along its principal axes, and turned within its own.
 TEST_P(AnyInertia, MovesAsItDoesAlongItsPrincipalAxes) {
   MotionSettings straight = spinning(GetParam(), {1, 2, 3}, 0.5);
   straight.simulation.substeps = 500;

@@ -1,4 +1,4 @@
-// What the documentation of each integrator promises: its order, and what it keeps.
+// The promises of each integrator's documentation: its order, and what it keeps.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -46,7 +46,7 @@ const IntegratorRow& rowOf(const Case& one) {
   return integratorTable()[static_cast<std::size_t>(one.integrator)];
 }
 
-/// Whether its row says that it keeps `what`.
+/// Returns whether its row says that it keeps `what`.
 bool keeps(const Case& one, const std::string& what) {
   const std::string all(steppingOf(one.model, one.integrator)->keeps);
   return (", " + all.substr(0, all.find(';')) + ", ").find(", " + what + ", ") != std::string::npos;

@@ -193,14 +193,14 @@ TEST(Measurement, TellsTheRegimeFromTheBodysAxes) {
   EXPECT_EQ(regime(book, {5, 0, 0.01}), Regime::AboutLargest);
   EXPECT_EQ(regime(book, {5, 0.01, 0}), Regime::AboutSmallest);
 
-  // The same body, its axes of largest and smallest moment exchanged by a tensor.
+  // Exchange the axes of largest and smallest moment by a tensor.
   MotionSettings turned = book;
   const Vector3d moments = book.body.solidInertia();
   turned.inertia = Vector3d(moments[0], moments[2], moments[1]).asDiagonal();
   EXPECT_EQ(regime(turned, {5, 0, 0.01}), Regime::AboutSmallest);
   EXPECT_EQ(regime(turned, {5, 0.01, 0}), Regime::AboutLargest);
 
-  // The same body, its axes turned away from the book's.
+  // Turn the body's axes away from the book's.
   const Matrix3d axes = AngleAxisd(1.1, Vector3d(2, 2, -1) / 3).toRotationMatrix();
   turned.inertia = axes * moments.asDiagonal() * axes.transpose();
   EXPECT_EQ(regime(turned, axes * Vector3d(5, 0, 0.01)), Regime::AboutLargest);

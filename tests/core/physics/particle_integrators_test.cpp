@@ -1,4 +1,4 @@
-// What the documentation of the particles' integrators promises: order, momentum, limits of the
+// The promises of the documentation of the particles' integrators: order, momentum, limits of the
 // step.
 #include <algorithm>
 #include <cmath>
@@ -129,8 +129,8 @@ TEST(SymplecticEuler, PushesBeforeItMoves) {
 
 class StepLimit : public testing::TestWithParam<Limit> {};
 
-// Whether a book that hardly turns stays in one piece; every mode of the springs starts from
-// rounding.
+// Returns whether a book that hardly turns stays in one piece; every mode of the springs starts
+// from rounding.
 bool holdsTogether(const Limit& limit, double factor) {
   MotionSettings settings = softBook(limit.integrator, limit.damping);
   settings.initial.value = {0.01, 0.02, 0.03};

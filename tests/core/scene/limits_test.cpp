@@ -1,4 +1,4 @@
-// What a scene may ask for: the length of its texts, and how much is computed for it.
+// The limits of a scene: the length of its texts, and how much is computed for it.
 #include <string>
 
 #include <gtest/gtest.h>

@@ -31,7 +31,7 @@ inline physics::Trajectory motionOf(const Scene& scene) {
   return physics::simulate(scene.motion(), scene.clip.frameCount());
 }
 
-/// What `action` says when it throws an `Expected`; "no error" if it doesn't throw.
+/// Returns the message with which `action` throws an `Expected`; "no error" if it doesn't throw.
 template <typename Expected, typename Action>
 std::string messageOf(const Action& action) {
   try {

@@ -112,7 +112,7 @@ TEST(TomlTree, RefusesDeepNesting) {
             "a.toml:1:20: nested deeper than any value of a scene");
 }
 
-// What a terminal would obey comes from quoted keys, too.
+// Characters that a terminal would obey come from quoted keys, too.
 TEST(TomlTree, RepeatsNoControlCharacters) {
   EXPECT_THAT(errorOfText("\"\\u001b[31m\" = 1\n\"\\u001b[31m\" = 2\n"),
               AllOf(StartsWith("a.toml:2:"), Not(HasSubstr("\x1b"))));

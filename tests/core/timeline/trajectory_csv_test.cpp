@@ -32,7 +32,7 @@ physics::Trajectory particleMotion() {
       scene::testing::smallScene({"simulation.model=particles", "simulation.damping=0.2"}));
 }
 
-// What a row must hold, in the header's order; the frame's number comes before it.
+// Returns the numbers that a row must hold, in the header's order; the frame's comes before them.
 std::vector<double> valuesOf(const physics::Sample& sample, const physics::Sample& start) {
   const Eigen::Quaterniond& q = sample.attitude;
   const Eigen::Vector3d& w = sample.angularVelocity;

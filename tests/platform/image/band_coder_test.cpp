@@ -16,7 +16,7 @@ namespace {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// What a row of a picture begins with where it is as the one above, and much that is like it.
+/// Makes bytes with the beginning of a picture's row that is as the one above, and much like it.
 Bytes band(std::size_t size) {
   Bytes bytes(size);
   bytes[0] = 2;

@@ -21,8 +21,8 @@ bool updatingGoldens();
 /// Replaces golden NAME by `picture` in the source tree.
 void updateGolden(const std::string& name, image::ImageView picture);
 
-/// Where a failed comparison leaves NAME.actual.png and NAME.difference.png (16 times the
-/// difference).
+/// Returns the path at which a failed comparison leaves NAME.actual.png or NAME.difference.png (16
+/// times the difference).
 std::filesystem::path leftovers(const std::string& name, const std::string& kind);
 
 /// Success if `picture` is golden NAME within `tolerance`; else the numbers and what to look at.

@@ -1,4 +1,4 @@
-// What a PngWriter makes of pictures one after the other, and the pixels that come back.
+// The bytes that a PngWriter makes of pictures one after the other, and the pixels that come back.
 #include <algorithm>
 #include <filesystem>
 #include <random>

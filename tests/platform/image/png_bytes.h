@@ -42,7 +42,7 @@ Bytes joined(std::initializer_list<Bytes> parts);
 /// A whole file: signature, IHDR, `extra` chunks, IDAT, IEND.
 Bytes pngFile(const Header& header, const Bytes& rows, const Bytes& extra = {});
 
-/// What a file holds.
+/// Returns the content of a file.
 Bytes contentOf(const std::filesystem::path& path);
 
 /// A picture's rows.

@@ -43,8 +43,7 @@ std::vector<LabelledArrow> labelled(const std::vector<ArrowShape>& shapes, const
   return arrows;
 }
 
-/// Where letters of 10 x 12 pixels are put, 15 pixels ahead of the arrows; all give way to the
-/// right.
+/// Places letters of 10 x 12 pixels, 15 pixels ahead of the arrows; all give way to the right.
 std::vector<ArrowLabels::Placed> placed(const std::vector<ArrowShape>& arrows,
                                         const std::vector<Box>& taken = {},
                                         Side side = Side::Right) {
@@ -163,7 +162,7 @@ TEST(ArrowLabels, GlideToTheOtherSideWhileAnArrowPasses) {
   EXPECT_EQ(path.back(), pathOf(0, true).back());
 }
 
-/// What the letters of a clip do, over all its frames.
+/// Measures of a clip's letters, over all its frames.
 struct Seen {
   int frames = 0;
   int missing = 0;         // letters that found no place

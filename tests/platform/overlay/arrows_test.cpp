@@ -7,7 +7,7 @@
 namespace rotatebook::overlay {
 namespace {
 
-/// What overlays are made from.
+/// Values that overlays are made from.
 struct Setting {
   explicit Setting(const scene::Scene& asked)
       : scene(asked), trajectory(testing::motionOf(scene)), type() {}

@@ -1,4 +1,4 @@
-// What each overlay looks like, over plain grey. ROTATEBOOK_UPDATE_GOLDENS=1 renews the goldens,
+// Pictures of each overlay over plain grey. ROTATEBOOK_UPDATE_GOLDENS=1 renews the goldens,
 // see image/golden.h.
 #include "image/golden.h"
 
@@ -19,7 +19,7 @@ namespace {
 // 38 pixels of these pictures; the twin that differs least does in 63, that of the momentum.
 constexpr image::Tolerance kOtherLibraries{.largest = 24, .failPercent = 0.05};
 
-// Where insets are larger than on a wide picture of as many pixels.
+// Insets are larger there than on a wide picture of as many pixels.
 constexpr const char* kPortrait = "clip.size=[240, 320]";
 
 /// A frame that is compared, and one that must differ.
@@ -91,7 +91,7 @@ std::string nameOf(const ::testing::TestParamInfo<Case>& test) {
   return test.param.name;
 }
 
-// The same at all times.
+// Overlays that look the same at all times.
 INSTANTIATE_TEST_SUITE_P(
     Still, OverlayGolden,
     ::testing::Values(Case{

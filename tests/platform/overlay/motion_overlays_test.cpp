@@ -91,7 +91,7 @@ TEST(MotionOverlays, SayThatAMotionDivergedOnlyPastItsEnd) {
 }
 
 TEST(MotionOverlays, AreOfThisMotion) {
-  // What each shows, it shows of the sample that is drawn.
+  // Each shows the sample that is drawn.
   for (const char* name :
        {"axes", "omega", "momentum", "trail", "polhode", "energy", "error", "ghost"}) {
     const scene::Scene scene = tumbling(

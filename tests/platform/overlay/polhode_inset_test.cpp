@@ -11,7 +11,7 @@ namespace {
 
 const Eigen::Vector3d kMoments(7.3e-3, 3.2e-3, 9.9e-3);  // about x, y, z; those of a book
 
-/// How far the curve is from the ellipsoid, at most.
+/// Returns the largest distance of the curve from the ellipsoid.
 double distanceFromEllipsoid(const MomentumSurfaces& surfaces,
                              const std::vector<Eigen::Vector3d>& curve) {
   double farthest = 0;
@@ -63,8 +63,8 @@ TEST(MomentumSurfaces, HaveNoPolhodeOfASteadySpinOrABall) {
   }
 }
 
-/// How many pixels beside the texts of the inset are as bright as the point that shows the present
-/// momentum, where that is on the ellipsoid's near side or on its far side.
+/// Counts the pixels beside the texts of the inset that are as bright as the point that shows the
+/// present momentum, where that is on the ellipsoid's near side or on its far side.
 int brightestPixels(bool near) {
   constexpr int kWidth = 640, kHeight = 360;
   const scene::Scene scene =

@@ -7,7 +7,8 @@
 namespace rotatebook::overlay {
 namespace {
 
-/// How much more red than blue is on the picture of a book scaled by `factor`, without its legend.
+/// Returns the surplus of red over blue on the picture of a book scaled by `factor`, without its
+/// legend.
 double rednessOf(double factor) {
   const scene::Scene scene =
       testing::tumbling({"clip.size=[320, 180]", "overlay.show=['springs']",

@@ -42,7 +42,7 @@ TEST(StripChart, NamesTheTimeAtWhichItEnds) {
   EXPECT_EQ(endLabelOf({"simulation.time_per_frame=0.002"}).width, widthOf("0.36 s"));
 }
 
-/// Where the chart of the energy ends of a motion that reaches `highest` of its start's.
+/// Returns the top of the energy's chart for a motion that reaches `highest` of its start's.
 double energyTopFor(double highest) {
   physics::Trajectory trajectory;
   for (const double energy : {1.0, highest, 0.5}) {

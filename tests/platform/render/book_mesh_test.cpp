@@ -54,7 +54,7 @@ TEST(BookMesh, TouchesEachSideOfTheCube) {
 }
 
 TEST(BookMesh, HasTrianglesCounterClockwiseFromOutside) {
-  // Where the rounding of the rim runs out a triangle is twisted. measured 0.16
+  // A triangle is twisted where the rounding of the rim runs out. measured 0.16
   constexpr float kMinCosine = 0.1F;
   const BookMesh mesh = makeBookMesh();
   const Eigen::Vector3f perLength = kBookSize.cwiseInverse();
@@ -108,7 +108,7 @@ TEST(BookMesh, CoversFrontAndBack) {
   EXPECT_LE(areaOnSide(mesh, 2, -1), 1);
 }
 
-// Which one of two faces in one place is seen would be up to rounding.
+// Rounding would decide which one of two faces in one place is seen.
 TEST(BookMesh, HasNoTriangleTwice) {
   const BookMesh mesh = makeBookMesh();
   std::set<std::vector<float>> seen;

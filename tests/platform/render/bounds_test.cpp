@@ -43,7 +43,7 @@ bool inside(const std::vector<PixelRect>& areas, int x, int y) {
   return std::ranges::any_of(areas, [&](const PixelRect& area) { return inside(area, x, y); });
 }
 
-/// Whether the pixel and those beside it within the picture are all in the areas.
+/// Returns whether the pixel and those beside it within the picture are all in the areas.
 bool wellInside(const std::vector<PixelRect>& areas, int x, int y) {
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {

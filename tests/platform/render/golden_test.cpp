@@ -1,4 +1,4 @@
-// What the book looks like. ROTATEBOOK_UPDATE_GOLDENS=1 renews the goldens, see golden.h.
+// Pictures of the book. ROTATEBOOK_UPDATE_GOLDENS=1 renews the goldens, see golden.h.
 #include "image/golden.h"
 
 #include <filesystem>

@@ -150,7 +150,7 @@ TEST(Look, SupersamplingLeavesTheBackground) {
   }
 }
 
-/// How unsteadily pixels of the title change while the book turns: the root mean square, over
+/// Returns the unsteadiness of the title's pixels while the book turns: the root mean square, over
 /// pixels and frames, of each value's second difference in time. [of 255]
 double shimmer(const std::vector<image::Image>& frames, const PixelRect& area) {
   double sum = 0;

@@ -1,4 +1,4 @@
-// Whether the book is anywhere farther from 64 samples a pixel than OpenGL's four samples are.
+// The book's distance from 64 samples a pixel, which is nowhere larger than that of OpenGL's four.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -69,7 +69,7 @@ std::vector<image::Image> samplesOf(const RenderSettings& settings, const physic
   return samples;
 }
 
-/// How far a picture is from another one, of 255.
+/// Distance of a picture from another one, of 255.
 struct Distance {
   int largest = 0;    // of a channel
   int brightest = 0;  // of a channel that is brighter than it should be

@@ -34,7 +34,7 @@ std::vector<image::Image> drawAll(Renderer& renderer) {
   return pictures;
 }
 
-/// What `make` says when it throws an `Expected`.
+/// Returns the message with which `make` throws an `Expected`.
 template <typename Expected, typename Make>
 std::string messageOf(const Make& make) {
   try {
@@ -118,7 +118,7 @@ TEST(Renderer, DrawsNothingFromWithinTheBook) {
   EXPECT_NE(drawn(outside, book()), testing::emptyPicture(outside));
 }
 
-// What is drawn of a book that reaches behind the camera is only changed along its edges.
+// The picture of a book that reaches behind the camera is only changed along its edges.
 TEST(Renderer, SmoothsABookThatReachesBehindTheCamera) {
   const physics::Cage corners = testing::explodingBook();
   Renderer renderer(settingsOf(256, 144), builtinTextures());

@@ -15,8 +15,8 @@ class SampledBook {
   SampledBook(const RenderSettings& settings, const BookTextures& textures);
   ~SampledBook();
 
-  /// What each of OpenGL's four samples a pixel has; alpha is 0 where the book isn't. A triangle is
-  /// shaded once a pixel for all of the samples that it covers.
+  /// Returns the colours of OpenGL's four samples a pixel; alpha is 0 where the book isn't. A
+  /// triangle is shaded once a pixel for all of the samples that it covers.
   std::vector<image::Image> multisampled(const physics::Cage& corners);
   /// One sample a pixel, likewise.
   image::Image drawn(const physics::Cage& corners);

@@ -1,4 +1,4 @@
-// How close to many samples a pixel the book's edges come, beside four samples.
+// Closeness of the book's edges to many samples a pixel, beside four samples.
 #include <algorithm>
 #include <array>
 #include <cmath>

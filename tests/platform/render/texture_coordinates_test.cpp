@@ -1,4 +1,4 @@
-// Where on the screen the cover's pictures come out.
+// Positions of the cover's pictures on the screen.
 #include <cmath>
 #include <string>
 #include <vector>
@@ -129,7 +129,7 @@ image::Image split(double share) {
 
 constexpr int kWide = 512;
 
-// Where along row `y` red gives way to blue. [pixels]
+// Returns the position along row `y` at which red gives way to blue. [pixels]
 double splitInRow(const image::Image& picture, int y) {
   for (int x = 1; x < picture.width(); ++x) {
     const Colour left = colourAt(picture, x - 1, y), right = colourAt(picture, x, y);

@@ -47,7 +47,7 @@ std::span<const std::uint8_t> bytesOf(const std::string& content) {
   return {reinterpret_cast<const std::uint8_t*>(content.data()), content.size()};
 }
 
-/// What reading the metadata says; "read" if it could.
+/// Returns the error of reading the metadata; "read" if there was none.
 std::string outcomeOf(const std::string& content) {
   try {
     readClipMetadata(bytesOf(content), "the bytes");

@@ -17,7 +17,7 @@ struct DecodedFrame {
   std::vector<std::uint8_t> v;
 };
 
-/// What a player learns from the file. Names are FFmpeg's.
+/// Properties that a player learns from the file. Names are FFmpeg's.
 struct DecodedVideo {
   int width = 0;
   int height = 0;

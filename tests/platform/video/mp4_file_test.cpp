@@ -1,4 +1,4 @@
-// What the finished file says about itself.
+// The finished file's statements about itself.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

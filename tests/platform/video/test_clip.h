@@ -21,7 +21,7 @@ inline VideoSettings smallSettings() {
   return settings;
 }
 
-/// Where the tests of this room write; exists.
+/// Returns the folder that the tests of this room write to; exists.
 inline std::filesystem::path outputFolder() {
   const auto folder = std::filesystem::path(ROTATEBOOK_TEST_OUTPUT) / "video";
   std::filesystem::create_directories(folder);

@@ -23,7 +23,7 @@ std::string wholeClip(VideoFormat format) {
   return testing::contentOf(path);
 }
 
-/// What is said of the bytes; "whole" if nothing.
+/// Returns the judgement of the bytes; "whole" if there is none.
 std::string judgementOf(const std::string& content) {
   try {
     std::istringstream file(content);

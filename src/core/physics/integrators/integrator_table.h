@@ -16,7 +16,7 @@ class Simulator;
 /// An implementation of an integrator for some models.
 struct Stepping {
   std::span<const Model> models;  ///< The models that it serves.
-  std::string_view keeps;         ///< What it keeps to rounding, as text.
+  std::string_view keeps;         ///< Quantities that it keeps to rounding, as text.
   int nanoseconds = 0;            ///< Approximate time of a step. [ns]
   std::string_view source;        ///< Its paper, book or engine.
   /// Creates the simulator, at t = 0. Throws InputError as makeSimulator() does.

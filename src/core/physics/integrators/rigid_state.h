@@ -22,7 +22,7 @@ template <typename Attitude>
 struct RigidState {
   Attitude attitude;
   Eigen::Vector3d momentum;  ///< Angular momentum, in world or body axes. [kg m^2/s]
-  /// What rounding has left of it, for integrators whose sums are compensated. [kg m^2/s]
+  /// Rest of it that rounding has cut off, for integrators whose sums are compensated. [kg m^2/s]
   Eigen::Vector3d momentumCarry{0, 0, 0};
 };
 

@@ -14,7 +14,7 @@ struct BookDimensions {
   float board = 3;                            ///< Thickness of boards and spine.
   float edgeRadius = 0.8F;                    ///< Radius of the rounding where sides meet.
   float hinge = 7.6F;                         ///< Distance of the groove's middle from the spine.
-  float foreEdgeInset = 3.5F, headInset = 4;  ///< How far the boards overlap the leaves.
+  float foreEdgeInset = 3.5F, headInset = 4;  ///< Overlap of boards over leaves.
 };
 
 /// A point of the cross-section, as x and z. [mm]

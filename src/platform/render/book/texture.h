@@ -6,7 +6,7 @@
 
 namespace rotatebook::render {
 
-/// How a texture continues beyond its edges.
+/// Continuation of a texture beyond its edges.
 enum class TextureWrap { Clamp, Repeat };
 
 /// A mipmapped, trilinearly filtered sRGB texture; its first row is at v = 1.

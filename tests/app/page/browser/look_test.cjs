@@ -1,4 +1,4 @@
-// How the page looks, in a real browser. Screenshots are left in the output folder.
+// The look of the page, in a real browser. Screenshots are left in the output folder.
 "use strict";
 
 const assert = require("node:assert/strict");

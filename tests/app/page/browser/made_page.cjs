@@ -1,4 +1,4 @@
-// What the page's tests look at: two clips, one of which diverges, a comparison, a still and a study on one page.
+// The page that tests look at: two clips, one of which diverges, a comparison, a still and a study.
 "use strict";
 
 const assert = require("node:assert/strict");

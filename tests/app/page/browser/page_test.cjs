@@ -1,4 +1,4 @@
-// What the page says, in a real browser.
+// The words of the page, in a real browser.
 "use strict";
 
 const assert = require("node:assert/strict");

@@ -1,0 +1,60 @@
+// The opening words of the source's comments.
+#include <filesystem>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/markdown.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// Returns the comments in `text` that begin with a subordinate clause or a pointer to their
+/// neighbours, in place of a verb or noun that can be searched for.
+std::vector<std::string> wrongOpeningsIn(const std::string& text) {
+  static const std::regex kComment(R"(^\s*//.*)");
+  static const std::regex kWrong(
+      R"((^\s*///?|///<) (What|Where|Which|Whether|How|The same|That of|Those|Tells?)\b.*)");
+  std::vector<std::string> wrong;
+  bool isContinued = false;
+  for (const std::string& line : linesOf(text)) {
+    const bool isComment = std::regex_match(line, kComment);
+    if (!(isComment && isContinued) && std::regex_search(line, kWrong)) wrong.push_back(line);
+    isContinued = isComment;
+  }
+  return wrong;
+}
+
+TEST(ProseRules, TellRightFromWrong) {
+  for (const std::string line :
+       {"// What the book looks like.", "  /// Whether it is drawn.", "int a;  ///< How many.",
+        "/// The same without graphics.", "/// Tells who can fix it."}) {
+    EXPECT_THAT(wrongOpeningsIn(line), ElementsAre(line));
+  }
+  for (const std::string line :
+       {"/// Returns what it costs.", "// Whatever is drawn.", "f(\"What\");  // Where it is.",
+        "/// Draws the book, blurred\n/// Where it turns.", "bool a;  ///< True if it is drawn."}) {
+    EXPECT_THAT(wrongOpeningsIn(line), IsEmpty()) << line;
+  }
+}
+
+TEST(ProseRules, HoldInAllOfTheSource) {
+  std::size_t seen = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(ROTATEBOOK_SOURCE) / "src")) {
+    const std::string extension = entry.path().extension();
+    if (extension != ".h" && extension != ".cpp" && extension != ".inc") continue;
+    EXPECT_THAT(wrongOpeningsIn(readText(entry.path())), IsEmpty()) << entry.path();
+    ++seen;
+  }
+  EXPECT_GT(seen, 400U);
+}
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

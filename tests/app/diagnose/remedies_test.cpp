@@ -62,7 +62,7 @@ GraphicsCheck nothingDraws() {
                                  {"eglGetDisplay", "EGL_BAD_PARAMETER"})}};
 }
 
-TEST(Remedies, AreNoneWhereThereIsNothingToMend) {
+TEST(Remedies, AreNoneWhereThereIsNothingToFix) {
   EXPECT_THAT(diagnose(softwareCheck(), {.vendorFiles = {kMesa}}), IsEmpty());
   GraphicsCheck check = softwareCheck();
   check.candidates.push_back(failing({.kind = render::DisplayCandidate::Kind::Default},

@@ -59,7 +59,7 @@ TEST(SceneText, ReadsBackToTheSameScene) {
   EXPECT_TRUE(std::signbit(back.initial.value.x()));
 }
 
-TEST(SceneText, TellsScenesApart) {
+TEST(SceneText, DistinguishesScenes) {
   const Scene scene = unusualScene();
   EXPECT_TRUE(readBack(sceneText(scene)) != scene);  // in the order of the expectations alone
   Scene other = scene;

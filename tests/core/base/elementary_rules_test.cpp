@@ -39,7 +39,7 @@ std::string textOf(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-TEST(ElementaryRules, TellRightFromWrong) {
+TEST(ElementaryRules, DistinguishRightFromWrong) {
   EXPECT_THAT(inexactIn("x = std::sin(y);\n"), ElementsAre("x = std::sin(y);"));
   for (const std::string line :
        {"::cosf (x)", "return -exp(x);", "a * pow(2, 3)", "std::hypot(x, y)", "std::log1p(x)",

@@ -166,7 +166,7 @@ TEST(ClipMetadata, NeedsOneStreamOfPictures) {
   EXPECT_EQ(outcomeOf(other), "the bytes has 2 streams; a clip has exactly one stream, of video");
 }
 
-TEST(ClipReader, ReportsWhatThePlayerLearns) {
+TEST(ClipReader, ReportsWhatThePlayerReads) {
   const fs::path path = writeAs(VideoFormat::Mp4, "facts");
   const ClipFacts facts = ClipReader(path).facts();
   const DecodedVideo video = testing::decodeVideo(path);

@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     for (const fs::path& file : filesBelow(argv[i])) {
       ++count;
-      // Told first: what ends the program can't tell which file it was.
+      // Printed first: what ends the program can't tell which file it was.
       std::cout << file.string() << std::endl;
       const std::string problem = problemWith(file);
       if (!problem.empty()) std::cout << "  FAILED: " << problem << '\n';

@@ -182,7 +182,7 @@ TEST_F(Faults, ARenderEndsWithItsFolderOnTheDisk) {
   EXPECT_GE(renamed, 6) << "three frames, clip, table and poster";
 }
 
-TEST_F(Faults, FailureOfAnyChangeIsToldAndLosesNothing) {
+TEST_F(Faults, FailureOfAnyChangeIsReportedAndLosesNothing) {
   struct Case {
     const char* call;
     int error;
@@ -210,7 +210,7 @@ TEST_F(Faults, FailureOfAnyChangeIsToldAndLosesNothing) {
 }
 
 // Of a render that goes on after its video was removed.
-TEST_F(Faults, FailureOfAnyReadIsToldOrMended) {
+TEST_F(Faults, FailureOfAnyReadIsReportedOrRepaired) {
   int failures = 0, number = 1;
   for (; number < kMaxCalls; ++number) {
     removeOut();
@@ -232,7 +232,7 @@ TEST_F(Faults, FailureOfAnyReadIsToldOrMended) {
   EXPECT_LT(number, kMaxCalls);
 }
 
-TEST_F(Faults, FailureOfTheEncoderIsToldAndLosesNothing) {
+TEST_F(Faults, FailureOfTheEncoderIsReportedAndLosesNothing) {
   int number = 1;
   for (; number < kMaxCalls; number += step()) {
     removeOut();
@@ -246,7 +246,7 @@ TEST_F(Faults, FailureOfTheEncoderIsToldAndLosesNothing) {
 }
 
 // A device that fails leaves others to try: a render may end well, then with the same pictures.
-TEST_F(Faults, FailureOfGraphicsIsTold) {
+TEST_F(Faults, FailureOfGraphicsIsReported) {
   int failures = 0;
   for (int number = 1; number < 40; number += step()) {
     removeOut();
@@ -266,7 +266,7 @@ TEST_F(Faults, FailureOfGraphicsIsTold) {
 }
 
 // Sanitizers say it in their own words.
-TEST_F(Faults, CrashOfADriverIsToldAndLosesNothing) {
+TEST_F(Faults, CrashOfADriverIsReportedAndLosesNothing) {
   int crashes = 0;
   for (int number = 1; number < 40; number += 2 * step()) {
     removeOut();
@@ -295,7 +295,7 @@ TEST_F(Faults, DoctorOutlivesDriversThatCrash) {
 }
 
 // Each place, told by the calls that lead there, at which a render asks for memory.
-TEST_F(Faults, FailureOfAnyRequestForMemoryIsTold) {
+TEST_F(Faults, FailureOfAnyRequestForMemoryIsReported) {
   renderWithFault("memory", kNowhere, ENOMEM, {});
   const std::vector<long> places = countedPlaces();
   ASSERT_GT(places.size(), 500U) << "the faults don't reach the program";

@@ -70,11 +70,12 @@ ProgressLine::~ProgressLine() {
   if (lineOpen_) std::cerr << '\n';
 }
 
-double ProgressLine::rateAfter(Mark now) {
-  marks_.push_back(now);
-  while (marks_.size() > 2 && now.time - marks_.front().time > kRateWindow) marks_.pop_front();
-  const double elapsed = duration<double>(now.time - marks_.front().time).count();
-  return elapsed > 0 ? static_cast<double>(now.done - marks_.front().done) / elapsed : 0;
+double ProgressLine::rateAfter(const Update& now) {
+  updates_.push_back(now);
+  while (updates_.size() > 2 && now.time - updates_.front().time > kRateWindow)
+    updates_.pop_front();
+  const double elapsed = duration<double>(now.time - updates_.front().time).count();
+  return elapsed > 0 ? static_cast<double>(now.done - updates_.front().done) / elapsed : 0;
 }
 
 void ProgressLine::clear() {

@@ -30,18 +30,18 @@ class ProgressLine {
 
  private:
   using Clock = std::chrono::steady_clock;
-  struct Mark {
+  struct Update {
     Clock::time_point time;
     std::int64_t done;
   };
 
-  double rateAfter(Mark now);
+  double rateAfter(const Update& now);
 
   std::string label_;
   std::string unit_;
   bool terminal_;
   bool lineOpen_ = false;
-  std::deque<Mark> marks_;
+  std::deque<Update> updates_;
   Clock::time_point lastPrint_;
 };
 

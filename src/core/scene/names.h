@@ -61,8 +61,8 @@ inline constexpr std::array<Named<Background>, 3> kBackgrounds{{
 }};
 
 inline constexpr auto kOverlays = [] {
-  std::array<Named<Overlay>, kOverlayCount> names{};
-  for (std::size_t i = 0; i < kOverlayCount; ++i) {
+  std::array<Named<Overlay>, kOverlayRows.size()> names{};
+  for (std::size_t i = 0; i < names.size(); ++i) {
     names[i] = {kOverlayRows[i].name, kOverlayRows[i].overlay};
   }
   return names;

@@ -36,7 +36,7 @@ Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldO
 }
 
 bool shows(const Scene& scene, Overlay overlay) {
-  if (scene.textless && !rowOf(overlay).onTheBook) return false;
+  if (scene.textless && !onTheBody(overlay)) return false;
   return std::ranges::count(scene.overlay.show, overlay) > 0;
 }
 

@@ -150,7 +150,7 @@ std::vector<Panel> motionsOf(const Scene& scene);
 Scene withMotion(Scene scene, const Motion& motion);
 
 /// Returns whether `overlay` is drawn over the pictures of `scene`: on textless pictures, only if
-/// it is on the book itself.
+/// it is on the body.
 bool shows(const Scene& scene, Overlay overlay);
 
 /// Returns the camera position from which a body of this size is seen whole in any attitude. [m]

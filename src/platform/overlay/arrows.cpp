@@ -1,9 +1,13 @@
 #include "overlay/arrows.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include "overlay/body_box.h"
 #include "scene/reference_frame.h"
@@ -60,7 +64,17 @@ void drawArrows(const View& view, const OverlayContext& context, const std::vect
   for (const Arrow& arrow : arrows) drawArrow(view, box, arrow);
 }
 
-}  // namespace
+/// The body's axes, from its centre out through its faces.
+class Axes final : public DrawnOverlay {
+ public:
+  explicit Axes(const OverlayContext& context);
+  void draw(const View& view) override;
+  std::vector<Arrow> arrows(const physics::Sample& sample) const override;
+
+ private:
+  OverlayContext context_;
+  std::array<Layer, 3> letters_;
+};
 
 Axes::Axes(const OverlayContext& context)
     : context_(context),
@@ -88,6 +102,8 @@ std::vector<Arrow> Axes::arrows(const physics::Sample& sample) const {
 void Axes::draw(const View& view) {
   drawArrows(view, context_, arrows(view.sample));
 }
+
+}  // namespace
 
 ArrowScale::ArrowScale(const OverlayContext& context)
     : reach_(reachOf(context.scene.body)),
@@ -146,15 +162,18 @@ class VectorArrow final : public DrawnOverlay {
   Layer letter_;
 };
 
-}  // namespace
+/// The path of the angular velocity's tip during the last seconds, in the camera's frame of
+/// reference.
+class Trail final : public DrawnOverlay {
+ public:
+  explicit Trail(const OverlayContext& context);
+  void draw(const View& view) override;
 
-std::unique_ptr<DrawnOverlay> makeOmega(const OverlayContext& context, const Box&) {
-  return std::make_unique<VectorArrow>(context, kOmega);
-}
-
-std::unique_ptr<DrawnOverlay> makeMomentum(const OverlayContext& context, const Box&) {
-  return std::make_unique<VectorArrow>(context, kMomentum);
-}
+ private:
+  OverlayContext context_;
+  std::vector<Eigen::Vector3d> tips_;  // of each sample
+  std::int64_t length_;                // in samples
+};
 
 Trail::Trail(const OverlayContext& context)
     : context_(context), length_(context.scene.clip.frameRate.framesIn(kTrailTime)) {
@@ -181,6 +200,24 @@ void Trail::draw(const View& view) {
     view.canvas.line(points, {kVelocityColour, 0.75 * context_.scale.line, 0.9 * (1 - age),
                               0.6 * context_.scale.halo});
   }
+}
+
+}  // namespace
+
+std::unique_ptr<DrawnOverlay> makeAxes(const OverlayContext& context, const Box&) {
+  return std::make_unique<Axes>(context);
+}
+
+std::unique_ptr<DrawnOverlay> makeOmega(const OverlayContext& context, const Box&) {
+  return std::make_unique<VectorArrow>(context, kOmega);
+}
+
+std::unique_ptr<DrawnOverlay> makeMomentum(const OverlayContext& context, const Box&) {
+  return std::make_unique<VectorArrow>(context, kMomentum);
+}
+
+std::unique_ptr<DrawnOverlay> makeTrail(const OverlayContext& context, const Box&) {
+  return std::make_unique<Trail>(context);
 }
 
 }  // namespace rotatebook::overlay

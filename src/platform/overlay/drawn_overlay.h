@@ -1,4 +1,4 @@
-// The interface of the overlays of one motion. Inside the room only.
+// The overlays of one motion: their interface and their factories. Inside the room only.
 #pragma once
 
 #include <cstdint>
@@ -14,6 +14,7 @@
 #include "overlay/projector.h"
 #include "overlay/text.h"
 #include "physics/trajectory.h"
+#include "scene/overlays.h"
 #include "scene/reference_frame.h"
 #include "scene/scene.h"
 
@@ -55,11 +56,21 @@ class DrawnOverlay {
   virtual ~DrawnOverlay() = default;
 
   virtual void draw(const View& view) = 0;
-  /// Returns the area that it takes, if it is at Placement::TopLeft; else empty. [pixels]
+  /// Returns the area that it takes, if it is at scene::Placement::TopLeft; else empty. [pixels]
   virtual Box box() const { return {}; }
   /// Returns the arrows that draw() draws for `sample`, which is in the camera's frame of
   /// reference: equally many for each sample.
   virtual std::vector<Arrow> arrows(const physics::Sample& /*sample*/) const { return {}; }
 };
+
+/// Makes the overlay of that name; each is defined in its overlay's file.
+#define ROTATEBOOK_OVERLAY(enumerator, ...) \
+  std::unique_ptr<DrawnOverlay> make##enumerator(const OverlayContext& context, const Box& box);
+#include "scene/overlay_list.inc"
+#undef ROTATEBOOK_OVERLAY
+
+/// Makes `overlay` in a box, if its placement has one. Returns null for Placement::WholeClip.
+std::unique_ptr<DrawnOverlay> makeOverlay(scene::Overlay overlay, const OverlayContext& context,
+                                          const Box& box);
 
 }  // namespace rotatebook::overlay

@@ -1,9 +1,10 @@
-#include "overlay/ghost.h"
-
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
+#include "overlay/drawn_overlay.h"
+#include "physics/exact/exact_rotation.h"
 #include "physics/motion_start.h"
 #include "scene/reference_frame.h"
 
@@ -72,7 +73,16 @@ struct ProjectedBox {
   }
 };
 
-}  // namespace
+/// The body in the exact motion from the same start, as a translucent outline.
+class Ghost final : public DrawnOverlay {
+ public:
+  explicit Ghost(const OverlayContext& context);
+  void draw(const View& view) override;
+
+ private:
+  OverlayContext context_;
+  physics::ExactRotation exact_;
+};
 
 Ghost::Ghost(const OverlayContext& context)
     : context_(context),
@@ -92,6 +102,12 @@ void Ghost::draw(const View& view) {
   const Scale& scale = context_.scale;
   view.canvas.lines(box.edges(false), {kGhostColour, 0.45 * scale.line, 0.45, 0});
   view.canvas.lines(box.edges(true), {kGhostColour, 0.8 * scale.line, 0.95, 0.8 * scale.halo});
+}
+
+}  // namespace
+
+std::unique_ptr<DrawnOverlay> makeGhost(const OverlayContext& context, const Box&) {
+  return std::make_unique<Ghost>(context);
 }
 
 }  // namespace rotatebook::overlay

@@ -9,7 +9,6 @@
 #include "overlay/drawn_overlay.h"
 #include "overlay/layout.h"
 #include "overlay/motion_text.h"
-#include "overlay/overlay_rows.h"
 #include "overlay/strip_chart.h"
 #include "scene/source_locations.h"
 
@@ -17,11 +16,20 @@ namespace rotatebook::overlay {
 namespace {
 
 using scene::Overlay;
+using scene::OverlayRow;
+using scene::Placement;
 
 constexpr double kSmall = 0.72;  // size of small letters, relative to the others
 constexpr double kBold = 2;      // widens the lines of a textless picture, which is shown small
 constexpr double kSmallestInset = 24;  // a smaller one can't be made out [pixels]
 constexpr double kGlide = 0.07;  // frames this near are averaged, see ArrowLabels [s of the clip]
+
+constexpr auto rowsAt(Placement placement) {
+  return std::ranges::count(scene::kOverlayRows, placement, &OverlayRow::placement);
+}
+
+static_assert(rowsAt(Placement::Square) == 1 && rowsAt(Placement::BodyAndLegend) == 1,
+              "layOut() has only one box for each of these");
 
 }  // namespace
 
@@ -62,7 +70,7 @@ struct MotionOverlays::Parts {
   /// Returns the rows of the overlays that are drawn at `placements`, in drawing order.
   std::vector<OverlayRow> shownAt(std::initializer_list<Placement> placements) const {
     std::vector<OverlayRow> rows;
-    for (const OverlayRow& row : overlayRows()) {
+    for (const OverlayRow& row : scene::kOverlayRows) {
       if (std::ranges::count(placements, row.placement) > 0 && shows(row.overlay)) {
         rows.push_back(row);
       }
@@ -73,15 +81,15 @@ struct MotionOverlays::Parts {
   Wanted wanted(const Viewport& viewport) const {
     return {.square = !shownAt({Placement::Square}).empty(),
             .charts = static_cast<int>(shownAt({Placement::Chart}).size()),
-            .legend = !shownAt({Placement::BookAndLegend}).empty() && !scene.textless,
+            .legend = !shownAt({Placement::BodyAndLegend}).empty() && !scene.textless,
             .bottomRows = viewport.bottomRows};
   }
 
   void addInWorld() {
-    for (const OverlayRow& row : shownAt({Placement::Book, Placement::BookAndLegend})) {
+    for (const OverlayRow& row : shownAt({Placement::Body, Placement::BodyAndLegend})) {
       const bool lacksLegend =
-          row.placement == Placement::BookAndLegend && layout.legend.width <= 0 && !scene.textless;
-      if (!lacksLegend) inWorld.push_back(row.make(context(), layout.legend));
+          row.placement == Placement::BodyAndLegend && layout.legend.width <= 0 && !scene.textless;
+      if (!lacksLegend) inWorld.push_back(makeOverlay(row.overlay, context(), layout.legend));
     }
   }
 
@@ -90,7 +98,7 @@ struct MotionOverlays::Parts {
     for (const OverlayRow& row : shownAt({Placement::Square, Placement::Chart})) {
       const Box& box = row.placement == Placement::Chart ? *chart++ : layout.square;
       if (std::min(box.width, box.height) < kSmallestInset) continue;
-      insets.push_back(row.make(context(), box));
+      insets.push_back(makeOverlay(row.overlay, context(), box));
     }
   }
 
@@ -121,7 +129,7 @@ struct MotionOverlays::Parts {
       position.y() = taken.back().bottom() + 0.3 * scale.letters;
     }
     for (const OverlayRow& row : shownAt({Placement::TopLeft})) {
-      insets.push_back(row.make(context(), {position.x(), position.y(), 0, 0}));
+      insets.push_back(makeOverlay(row.overlay, context(), {position.x(), position.y(), 0, 0}));
       taken.push_back(insets.back()->box());
       position.y() = taken.back().bottom() + 0.3 * scale.letters;
     }

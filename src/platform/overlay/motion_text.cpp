@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <string>
 
 #include "base/error.h"
@@ -58,6 +59,23 @@ CachedLayer labelLayer(const OverlayContext& context, const std::string& label,
   return canvas.take();
 }
 
+namespace {
+
+/// "Half-turns 3", which lights up when the book turns over.
+class HalfTurns final : public DrawnOverlay {
+ public:
+  /// Takes the top left of `area`.
+  HalfTurns(const OverlayContext& context, const Box& area);
+  void draw(const View& view) override;
+  Box box() const override { return box_; }
+
+ private:
+  double glow(std::int64_t frame) const;
+
+  OverlayContext context_;
+  Box box_;
+};
+
 HalfTurns::HalfTurns(const OverlayContext& context, const Box& area) : context_(context) {
   const std::string last = countText(context.trajectory.samples.back().halfTurns);
   const TextSize size =
@@ -88,6 +106,12 @@ void HalfTurns::draw(const View& view) {
   view.canvas.write(context_.type.draw(countText(view.sample.halfTurns),
                                        countStyle(context_.scale, glowing), context_.scale.width),
                     {box_.x, box_.y});
+}
+
+}  // namespace
+
+std::unique_ptr<DrawnOverlay> makeHalfTurns(const OverlayContext& context, const Box& area) {
+  return std::make_unique<HalfTurns>(context, area);
 }
 
 std::optional<CachedLayer> divergenceNotice(const OverlayContext& context, double time,

@@ -1,5 +1,4 @@
-// Text about one motion: a panel's label, the number of half-turns, the notice of divergence.
-// Inside the room only.
+// Text about one motion: a panel's label, the notice of divergence. Inside the room only.
 #pragma once
 
 #include <optional>
@@ -14,21 +13,6 @@ namespace rotatebook::overlay {
 /// the font lacks a letter, or if the label leaves too little of the picture.
 CachedLayer labelLayer(const OverlayContext& context, const std::string& label,
                        const Point& position, double width);
-
-/// "Half-turns 3", which lights up when the book turns over.
-class HalfTurns final : public DrawnOverlay {
- public:
-  /// Takes the top left of `area`.
-  HalfTurns(const OverlayContext& context, const Box& area);
-  void draw(const View& view) override;
-  Box box() const override { return box_; }
-
- private:
-  double glow(std::int64_t frame) const;
-
-  OverlayContext context_;
-  Box box_;
-};
 
 /// Sets "Diverged at t = 22.53 s" in a dark box, centred at the top, below what is `taken` there;
 /// nothing if the picture is too small for it.

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <string>
 
 #include <Eigen/Cholesky>
 
+#include "overlay/drawn_overlay.h"
 #include "overlay/label_placement.h"
 #include "physics/inertia.h"
 #include "physics/motion_start.h"
@@ -121,7 +123,7 @@ std::vector<Eigen::Vector3d> momentaOf(const OverlayContext& context,
   return momenta;
 }
 
-/// The inset; see makePolhodeInset().
+/// An inset with both surfaces, their curves, and the present angular momentum among them.
 class PolhodeInset final : public DrawnOverlay {
  public:
   PolhodeInset(const OverlayContext& context, const Box& box)
@@ -297,7 +299,7 @@ class PolhodeInset final : public DrawnOverlay {
 
 }  // namespace
 
-std::unique_ptr<DrawnOverlay> makePolhodeInset(const OverlayContext& context, const Box& box) {
+std::unique_ptr<DrawnOverlay> makePolhode(const OverlayContext& context, const Box& box) {
   return std::make_unique<PolhodeInset>(context, box);
 }
 

@@ -1,12 +1,9 @@
 // Draws the path of the angular momentum in the body. Inside the room only.
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
-
-#include "overlay/drawn_overlay.h"
 
 namespace rotatebook::overlay {
 
@@ -30,8 +27,5 @@ class MomentumSurfaces {
  private:
   Eigen::Vector3d halfAxes_;
 };
-
-/// Makes an inset with both surfaces, their curves, and the present angular momentum among them.
-std::unique_ptr<DrawnOverlay> makePolhodeInset(const OverlayContext& context, const Box& box);
 
 }  // namespace rotatebook::overlay

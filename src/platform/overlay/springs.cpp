@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "base/number_text.h"
+#include "overlay/drawn_overlay.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -96,6 +98,21 @@ double roundedUp(double value) {
   return 10 * power;
 }
 
+namespace {
+
+/// The 28 springs, coloured by strain, the particles, and a legend. For Model::Particles only.
+class Springs final : public DrawnOverlay {
+ public:
+  /// Takes the box of the legend.
+  Springs(const OverlayContext& context, const Box& legend);
+  void draw(const View& view) override;
+
+ private:
+  OverlayContext context_;
+  double range_;  // strain of full colour
+  CachedLayer legend_;
+};
+
 Springs::Springs(const OverlayContext& context, const Box& legend)
     : context_(context), range_(rangeOf(context)), legend_(legendOf(context, legend, range_)) {}
 
@@ -128,6 +145,12 @@ void Springs::draw(const View& view) {
     view.canvas.disc(particle, 1.9 * scale.line, {kWhite, 1});
   }
   view.canvas.lay(legend_, view.picture);
+}
+
+}  // namespace
+
+std::unique_ptr<DrawnOverlay> makeSprings(const OverlayContext& context, const Box& legend) {
+  return std::make_unique<Springs>(context, legend);
 }
 
 }  // namespace rotatebook::overlay

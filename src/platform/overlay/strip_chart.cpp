@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -208,7 +209,9 @@ double energyTop(const physics::Trajectory& trajectory) {
   return std::clamp(1.06 * highest, 1.15, 1.02 * kHighestEnergy);
 }
 
-std::unique_ptr<DrawnOverlay> makeEnergyChart(const OverlayContext& context, const Box& box) {
+/// A chart of the kinetic, spring and total energy as shares of the initial total, from 0 to
+/// energyTop() or OverlayContext::energyTop, whichever is higher.
+std::unique_ptr<DrawnOverlay> makeEnergy(const OverlayContext& context, const Box& box) {
   const double start = context.trajectory.samples.front().total();
   ChartContent content;
   content.title = "Energy / E₀";
@@ -231,7 +234,8 @@ std::unique_ptr<DrawnOverlay> makeEnergyChart(const OverlayContext& context, con
   return std::make_unique<StripChart>(context, box, content);
 }
 
-std::unique_ptr<DrawnOverlay> makeErrorChart(const OverlayContext& context, const Box& box) {
+/// A chart of the angle to the exact motion.
+std::unique_ptr<DrawnOverlay> makeError(const OverlayContext& context, const Box& box) {
   ChartContent content;
   content.title = "Angle to the exact motion";
   content.shortTitle = "Error";

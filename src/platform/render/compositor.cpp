@@ -31,7 +31,7 @@ void copyDrawn(const image::Image& drawn, const PixelRect& band, image::Image& p
 
 }  // namespace
 
-Compositor::Compositor(image::Image background, int supersample, const BookMesh& mesh)
+Compositor::Compositor(image::Image background, int supersample, const Mesh& mesh)
     : background_(std::move(background)),
       supersample_(supersample),
       edges_(mesh),

@@ -15,7 +15,7 @@ namespace rotatebook::render {
 /// A body drawn with one sample a pixel and nothing behind it, with what is needed to compose a
 /// picture of it.
 struct DrawnBody {
-  image::Image pixels;  ///< Rgba8; alpha: BookVertex::surfaceId, or 0 where nothing was drawn.
+  image::Image pixels;  ///< Rgba8; alpha: MeshVertex::surfaceId, or 0 where nothing was drawn.
   std::vector<PixelRect> bands{};   ///< The valid areas of `pixels`. [pixels]
   physics::Cage cage{};             ///< World. [m]
   Eigen::Matrix4d clipFromWorld{};  ///< Clip y points down.

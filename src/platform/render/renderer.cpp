@@ -44,7 +44,7 @@ image::Image builtinBack() {
 }
 
 struct Renderer::Parts {
-  Parts(const RenderSettings& renderSettings, const BookTextures& textures, const BookMesh& mesh)
+  Parts(const RenderSettings& renderSettings, const BookTextures& textures, const Mesh& mesh)
       : settings(renderSettings),
         width(settings.supersample * settings.width),
         height(settings.supersample * settings.height),

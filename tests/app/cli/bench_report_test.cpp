@@ -26,7 +26,7 @@ scene::Scene named() {
   return scene;
 }
 
-TEST(BenchReport, TellsStagesLimitAndWhatHelps) {
+TEST(BenchReport, ReportsStagesLimitAndWhatHelps) {
   std::ostringstream out;
   reportSpeed(named(), example(), out);
   EXPECT_EQ(out.str(),

@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(Commands, HelpText,
                                            "rerun"),
                          [](const auto& command) { return std::string(command.param); });
 
-TEST_F(CommandLine, TellsTheVersion) {
+TEST_F(CommandLine, PrintsTheVersion) {
   const ChildResult result = run({"--version"});
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(result.output, "rotatebook " + std::string(kVersion) + "\n");

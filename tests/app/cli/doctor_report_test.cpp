@@ -42,7 +42,7 @@ std::string textOf(const diagnose::Checkup& checkup) {
   return out.str();
 }
 
-TEST(DoctorReport, TellsEachDeviceAndProblemAndAVerdict) {
+TEST(DoctorReport, ReportsEachDeviceAndProblemAndAVerdict) {
   EXPECT_THAT(
       textOf(lameMachine()),
       EndsWith("graphics\n"

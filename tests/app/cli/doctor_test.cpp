@@ -34,7 +34,7 @@ TEST_F(DoctorCommand, FindsThatThisMachineRenders) {
   EXPECT_THAT(files(), IsEmpty());
 }
 
-TEST_F(DoctorCommand, TellsTheCauseAndTheRemedyWithoutGraphics) {
+TEST_F(DoctorCommand, ReportsTheCauseAndTheRemedyWithoutGraphics) {
   const ChildResult result = runWithoutGraphics({"doctor"});
   EXPECT_EQ(result.status, 3);
   EXPECT_THAT(
@@ -94,7 +94,7 @@ TEST_F(DoctorCommand, IsJsonToo) {
               AllOf(StartsWith("{\"ready\": false, "), HasSubstr("\"remedy\": \"unset ")));
 }
 
-TEST_F(DoctorCommand, TellsOfAFolderThatCannotBe) {
+TEST_F(DoctorCommand, ReportsAFolderThatCannotBe) {
   const ChildResult result = run({"doctor", "-o", "tiny.toml/out"});
   EXPECT_EQ(result.status, 3);
   EXPECT_THAT(result.output,

@@ -136,7 +136,7 @@ std::string roomOf(const fs::path& file) {
   return std::next(file.lexically_relative(kSource).begin())->string();
 }
 
-TEST(IncludeRules, TellRightFromWrong) {
+TEST(IncludeRules, DistinguishRightFromWrong) {
   EXPECT_TRUE(isAllowed({"physics", "Eigen/Core", false}));
   EXPECT_TRUE(isAllowed({"physics", "vector", false}));
   EXPECT_TRUE(isAllowed({"physics", "physics/cuboid.h", true}));
@@ -177,6 +177,18 @@ TEST(IncludeRules, HoldInEveryFile) {
   }
   EXPECT_THAT(wrong, IsEmpty());
   EXPECT_EQ(seen.size(), kRooms.size());
+}
+
+// It takes the mesh of any body.
+TEST(IncludeRules, AntialiasingKnowsNoBook) {
+  std::size_t seen = 0;
+  for (const fs::path& file : filesBelow(kSource / "platform/render/antialias")) {
+    for (const Include& include : includesOf(file, "render")) {
+      EXPECT_FALSE(include.header.starts_with("render/book/")) << file << ": " << include.header;
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 40U);  // measured 60
 }
 
 // Eigen alone may show in headers: whoever includes one of ours needs nothing else.

@@ -123,7 +123,7 @@ TEST_F(OutputFailure, ClosedStandardStreams) {
   }
 }
 
-TEST_F(OutputFailure, FolderInTheWayIsToldBeforeAnythingIsDrawn) {
+TEST_F(OutputFailure, FolderInTheWayIsReportedBeforeAnythingIsDrawn) {
   fs::create_directories(folder() / "out/tiny.poster.png");
   const ChildResult result = run({"render", "tiny.toml"});
   EXPECT_EQ(result.status, 3);

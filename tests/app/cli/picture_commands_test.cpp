@@ -54,7 +54,7 @@ TEST_F(AssembleCommand, RefusesASwappedFrame) {
 
 using SheetCommand = ProgramTest;
 
-TEST_F(SheetCommand, WritesAPictureOfTheSizeItTells) {
+TEST_F(SheetCommand, WritesAPictureOfTheSizeItReports) {
   const ChildResult result =
       run({"sheet", "tiny.toml", "-o", "x.png", "--count", "3", "--columns", "2"});
   EXPECT_EQ(result.status, 0) << result.error;

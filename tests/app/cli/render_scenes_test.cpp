@@ -62,7 +62,7 @@ TEST_F(RenderScenes, GoOnToTheirEndWhereAnotherFails) {
   EXPECT_TRUE(has("out/panels.mp4"));
 }
 
-TEST_F(RenderScenes, ThatFailAreEachTold) {
+TEST_F(RenderScenes, ThatFailAreEachReported) {
   fs::create_directories(folder() / "out/tiny.mp4");
   fs::create_directories(folder() / "out/large.mp4");
   // Simulating takes a second, so that both are begun before either fails.

@@ -119,7 +119,7 @@ TEST_F(RerunCommand, TakesTexturesFromOutsideOnlyIfAllowed) {
   EXPECT_EQ(allowed.status, 0) << allowed.output << allowed.error;
 }
 
-TEST_F(RerunCommand, TellsWhatDiffers) {
+TEST_F(RerunCommand, ReportsWhatDiffers) {
   render({});
   std::string clip = read("out/tiny.mp4");
   const std::string whole = clip;
@@ -138,7 +138,7 @@ TEST_F(RerunCommand, TellsWhatDiffers) {
               HasSubstr("\n    version, renderer, FFmpeg and motion are those recorded: "));
 }
 
-TEST_F(RerunCommand, TellsThatAClipWasCutOff) {
+TEST_F(RerunCommand, ReportsThatAClipWasCutOff) {
   render({});
   const std::string clip = read("out/tiny.mp4");
   write("cut.mp4", clip.substr(0, clip.size() - 100));

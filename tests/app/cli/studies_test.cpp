@@ -52,7 +52,7 @@ TEST_F(ShippedStudy, OfTheFlipIntervalFindsNoLawInEulersMotion) {
   EXPECT_THAT(result.output, HasSubstr("\n  UNMET  flip_law: "));
 }
 
-TEST_F(ShippedStudy, OfTheSpringsEndsWhereTheyGiveWay) {
+TEST_F(ShippedStudy, OfTheSpringsEndsWhereTheyStretch) {
   const ChildResult result = study("particles");
   EXPECT_EQ(result.status, 0) << result.output << result.error;
   EXPECT_THAT(result.output, HasSubstr("\n  verlet           no order"));

@@ -28,7 +28,7 @@ study::PrecisionStudy exampleStudy() {
   return study;
 }
 
-TEST(StudyReport, TellsOrdersAndFailures) {
+TEST(StudyReport, ReportsOrdersAndFailures) {
   std::ostringstream out;
   EXPECT_EQ(reportStudy(exampleStudy(), {}, out), kDone);
   EXPECT_EQ(out.str(),
@@ -53,7 +53,7 @@ TEST(StudyReport, ComparesOrdersWithWhatIsExpected) {
             std::string::npos);
 }
 
-TEST(StudyReport, TellsIntervals) {
+TEST(StudyReport, ReportsIntervals) {
   study::TiltStudy study;
   study.rows = {{0.1, {}, 7, 2.0, 2.5}, {1e-8, {RunEnd::Kind::FewFlips, 12}, 1}};
   scene::StudySettings settings;

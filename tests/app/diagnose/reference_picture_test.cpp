@@ -30,7 +30,7 @@ TEST(ReferencePicture, IsMatched) {
 
 // The looser bound, too, tells a book apart that is turned by one degree (measured 3.7, 5.4 and 9.2
 // % of the pixels), and colours that are swapped.
-TEST(ReferencePicture, TellsWrongFromRightOnHardwareToo) {
+TEST(ReferencePicture, DistinguishesWrongFromRightOnHardwareToo) {
   const image::Image stored = storedReferencePicture();
   render::Renderer renderer(referencePictureSettings(), render::testing::builtinTextures());
   for (const Eigen::Vector3d& axis :

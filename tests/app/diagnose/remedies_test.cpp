@@ -62,7 +62,7 @@ GraphicsCheck nothingDraws() {
                                  {"eglGetDisplay", "EGL_BAD_PARAMETER"})}};
 }
 
-TEST(Remedies, AreNoneWhereThereIsNothingToMend) {
+TEST(Remedies, AreNoneWhereThereIsNothingToFix) {
   EXPECT_THAT(diagnose(softwareCheck(), {.vendorFiles = {kMesa}}), IsEmpty());
   GraphicsCheck check = softwareCheck();
   check.candidates.push_back(failing({.kind = render::DisplayCandidate::Kind::Default},
@@ -160,7 +160,7 @@ TEST(Remedies, BlameNoNodeOfAnotherDevice) {
               ElementsAre(says("EGL device 0 ", "install Mesa's drivers")));
 }
 
-TEST(Remedies, TellNvidiasNodesToo) {
+TEST(Remedies, NameNvidiasNodesToo) {
   GraphicsFacts facts{.vendorFiles = {kNvidia, kMesa}, .nodes = {kCard}, .nvidiaLibrary = true};
   facts.nodes[0].permitted = false;
   EXPECT_THAT(diagnose(brokenCard({.nvidia = true}), facts),
@@ -202,7 +202,7 @@ TEST(Remedies, UpdateADriverThatEndsTheProcess) {
                                "until then --device software")));
 }
 
-TEST(Remedies, TellOfAWrongReferencePicture) {
+TEST(Remedies, ReportAWrongReferencePicture) {
   GraphicsCheck check = softwareCheck();
   check.candidates[0].reference.comparison.same = false;
   EXPECT_THAT(diagnose(check, {.vendorFiles = {kMesa}}),

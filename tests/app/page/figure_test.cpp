@@ -51,7 +51,7 @@ TEST(ClipFigure, HasItsWordsItsFilesAndItsData) {
   EXPECT_THAT(figure.section.text, Not(HasSubstr("<small>")));
 }
 
-TEST(ClipFigure, TellsExpectedFromMeasured) {
+TEST(ClipFigure, DistinguishesExpectedFromMeasured) {
   const fs::path folder = emptyFolder();
   makeClip(smallScene(), folder);
   const Figure figure = readFigure(smallScene(), folder);

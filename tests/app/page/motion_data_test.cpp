@@ -23,7 +23,7 @@ Motion motionOf(const std::string& label) {
   return motion;
 }
 
-TEST(MotionData, TellsEachSampleOfEachMotion) {
+TEST(MotionData, HoldsEachSampleOfEachMotion) {
   scene::ClipSettings clip;
   clip.frameRate = {30000, 1001};
   EXPECT_EQ(

@@ -172,7 +172,7 @@ TEST_F(Assemble, IgnoresForeignFiles) {
   EXPECT_EQ(assembled(FrameRate{25, 1}), 2);
 }
 
-TEST_F(Assemble, TellsItsProgress) {
+TEST_F(Assemble, ReportsItsProgress) {
   writeFrames(frames_, {3, 4, 5});
   std::vector<std::int64_t> done;
   assemble(frames_, mp4_, FrameRate{25, 1}, [&](RenderProgress progress) {
@@ -212,7 +212,7 @@ TEST_F(Assemble, NeedsARateForFramesFromElsewhere) {
             frames_.string() + " has no scene.toml that sets the frame rate; give it with --fps");
 }
 
-TEST_F(Assemble, RefusesARateWhereTheSceneTells) {
+TEST_F(Assemble, RefusesARateWhereTheSceneStatesIt) {
   testing::render(testing::smallScene(), {.folder = folder_, .outputs = {pngOutput()}});
   EXPECT_EQ(inputError(FrameRate{25, 1}),
             (frames_ / "scene.toml").string() + " sets the frame rate already; leave --fps out");

@@ -148,7 +148,7 @@ TEST_F(DrawFrames, LeavesFinishingToTheCaller) {
   EXPECT_FALSE(sink.finished());
 }
 
-TEST_F(DrawFrames, TellsItsProgressFromNoneToAll) {
+TEST_F(DrawFrames, ReportsItsProgressFromNoneToAll) {
   FakeSink sink;
   std::vector<std::int64_t> done;
   draw({2, 6}, {{sink, 1}}, [&](RenderProgress progress) {

@@ -130,7 +130,7 @@ TEST(RenderClip, MakesAVideoOfTheRightLength) {
   EXPECT_EQ(video.containerDurationUs, 500000);
 }
 
-TEST(RenderClip, TellsInTheVideoWhatItWasMadeFrom) {
+TEST(RenderClip, RecordsInTheVideoWhatItWasMadeFrom) {
   const fs::path folder = emptyFolder();
   testing::render(smallScene(), {.folder = folder});
   const DecodedVideo video = decodeVideo(folder / "small.mp4");
@@ -207,7 +207,7 @@ TEST(RenderClip, RemovesTheFramesOfALongerRenderBefore) {
   EXPECT_EQ(decodeVideo(folder / "small.mp4").frames.size(), 6U);
 }
 
-TEST(RenderClip, TellsRendererEncoderAndProgress) {
+TEST(RenderClip, ReportsRendererEncoderAndProgress) {
   const fs::path folder = emptyFolder();
   RenderStart start;
   std::vector<std::int64_t> done;

@@ -69,7 +69,7 @@ TEST(RenderParts, AssembleToTheirOwnBytes) {
                                              bytesOf(folder / "small_00003-00005.mp4")));
 }
 
-TEST(RenderParts, TellTheirFramesInTheVideoAlone) {
+TEST(RenderParts, RecordTheirFramesInTheVideoAlone) {
   const fs::path folder = emptyFolder();
   testing::render(smallScene(), {.folder = folder, .frames = store::FrameRange{3, 5}});
   const auto video = video::testing::decodeVideo(folder / "small_00003-00005.mp4");

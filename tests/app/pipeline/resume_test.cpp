@@ -220,7 +220,7 @@ TEST_F(Resume, RefusesFramesOfOtherSettings) {
   EXPECT_EQ(render(kResume).framesKept, 5) << "the refusal cost frames";
 }
 
-TEST_F(Resume, RefusesFramesOfSettingsThatNothingTells) {
+TEST_F(Resume, RefusesFramesOfSettingsThatNothingStates) {
   stop(5);
   fs::remove(folder_ / "small.partial" / store::kManifestName);
   EXPECT_THAT(failureOf(kResume), HasSubstr("with unknown settings; render again"));
@@ -316,7 +316,7 @@ TEST_F(Resume, IsRefusedWhereAnotherProcessRenders) {
   EXPECT_THAT(namesIn(folder_), ElementsAre(".small.rotatebook-0"));
 }
 
-TEST_F(Resume, IsWhatAFailedRenderTellsOf) {
+TEST_F(Resume, IsWhatAFailedRenderReports) {
   const RenderListener listener{
       [&](const RenderStart&) {
         fs::create_directories(folder_ / "small.partial" / store::frameName(9) / "in the way");

@@ -72,7 +72,7 @@ TEST(SceneRecord, NamesTheTexturesThatAreNotBuiltIn) {
   EXPECT_EQ(parseRecord(record, "x", "").provenance.textures, "book.front abc");
 }
 
-TEST(SceneRecord, OfAPartTellsItsFrames) {
+TEST(SceneRecord, OfAPartNamesItsFrames) {
   const std::string part = recordOfPart(smallRecord(), {3, 5});
   EXPECT_THAT(part, HasSubstr("# Motion: 0123\n# Frames: 3:5\n\n"));
   EXPECT_EQ(parseRecord(part, "x", "").part, (FrameRange{3, 5}));
@@ -195,7 +195,7 @@ TEST(SceneRecord, OfAWholeClipMayExpectSomethingElse) {
   EXPECT_FALSE(isRecordOfClip(smallScene(), "title = \"Small\"\n"));
 }
 
-TEST(DifferencesOfTools, AreToldOneByOne) {
+TEST(DifferencesOfTools, AreReportedOneByOne) {
   Provenance here = kProvenance;
   EXPECT_THAT(differencesOfTools(kProvenance, here), IsEmpty());
   here.motion = "else";

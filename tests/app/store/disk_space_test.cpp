@@ -128,7 +128,7 @@ TEST(DiskSpace, GrowsWithFramesAndFormats) {
   EXPECT_EQ(needed({.frames = 10}), none);
 }
 
-TEST(DiskSpace, TellsWhatIsFree) {
+TEST(DiskSpace, ReportsWhatIsFree) {
   EXPECT_EQ(diskSpace(smallScene(), {.pngs = 1}, "/proc").free, 0);
   EXPECT_THROW(diskSpace(smallScene(), {.pngs = 1}, "/nonexistent"), MachineError);
 }

@@ -134,7 +134,7 @@ TEST(FrameChecksums, OutliveTheirFile) {
   EXPECT_EQ(FrameChecksums(folder).intact(0), "zero");
 }
 
-TEST(FrameChecksums, TellWhichFrameIsMissing) {
+TEST(FrameChecksums, NameTheFrameThatIsMissing) {
   const fs::path folder = emptyFolder();
   FrameChecksums sums(folder);
   writeFrame(sums, 0, "zero");

@@ -159,7 +159,7 @@ TEST(ExactMotion, TakesItsNumbersAsTheyAre) {
   EXPECT_GT((on.at(100).angularVelocityBody - beside.at(100).angularVelocityBody).norm(), 0.1);
 }
 
-TEST(ExactMotion, StartsAsItIsTold) {
+TEST(ExactMotion, StartsAsAsked) {
   for (const Start& start : starts()) {
     const ExactMotion::Moment moment = ExactMotion(start.inertia, start.angularVelocity).at(0);
     EXPECT_LT((moment.angularVelocityBody - start.angularVelocity).stableNorm(),

@@ -168,7 +168,7 @@ TEST(Measurement, KeepsTheDigitsOfATinyTilt) {
 }
 
 // About z the exact book turns by w t; here it has turned 1e-7, then 30 and 180 degrees more.
-TEST(Measurement, TellsTheAngleToTheExactAttitude) {
+TEST(Measurement, MeasuresTheAngleToTheExactAttitude) {
   const auto errorDeg = [](double extra, const Vector3d& axis) {
     const Matrix3d exact = AngleAxisd(3 * 0.5, Vector3d::UnitZ()).toRotationMatrix();
     const Matrix3d turn = exact * AngleAxisd(extra * kDegree, axis).toRotationMatrix();
@@ -182,7 +182,7 @@ TEST(Measurement, TellsTheAngleToTheExactAttitude) {
   EXPECT_NEAR(errorDeg(-170, Vector3d(1, -2, 2) / 3), 170, kDegreesBound);
 }
 
-TEST(Measurement, TellsTheRegimeFromTheBodysAxes) {
+TEST(Measurement, DerivesTheRegimeFromTheBodysAxes) {
   const Matrix3d turn = someTurn();
   const auto regime = [&](const MotionSettings& settings, const Vector3d& inBody) {
     BodyState state = stateOf(turn);

@@ -49,7 +49,7 @@ TEST(Regime, IsExactBesideTheSeparatrix) {
 
 // 3 w3^2 - w1^2 of the moments 1, 2, 3 can't be 0 in doubles, but as near to it as 1e-32: in plain
 // doubles, and from L^2 - 2 T I2, the sign is a matter of luck.
-TEST(Regime, IsExactWhereDoublesCannotTell) {
+TEST(Regime, IsExactWhereDoublesAreNot) {
   int differ = 0;
   for (int i = 1; i <= 200; ++i) {
     const double w3 = 1 + i / 1024.0;

@@ -50,6 +50,21 @@ std::string documentedRows(const std::string& from, const std::string& to) {
   return rows;
 }
 
+TEST(FuzzDictionary, HasTheWordsOfAScene) {
+  const std::string file = std::string(ROTATEBOOK_SOURCE) + "/tests/fuzz/scene.dict";
+  std::ifstream stream(file);
+  std::set<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.insert(line);
+  const auto expectWord = [&](const std::string& word) {
+    EXPECT_TRUE(lines.contains('"' + word + '"') || lines.contains("\"\\\"" + word + "\\\"\""))
+        << file << " lacks the line \"\\\"" << word << "\\\"\"";
+  };
+  for (const physics::IntegratorRow& row : physics::integratorTable())
+    expectWord(std::string(row.word));
+  for (const OverlayRow& row : kOverlayRows) expectWord(std::string(row.name));
+  for (const KeyRow& row : allKeys()) expectWord(row.name.substr(row.name.rfind('.') + 1));
+}
+
 TEST(KeyRows, AreTheTablesOfTheDocumentation) {
   EXPECT_EQ(documentedRows("## Keys", "## Expectations"), keyTable())
       << "The rows in docs/scene.md, under as many headings as you like, are to be:\n\n"

@@ -107,7 +107,7 @@ TEST(Overrides, RefuseWhatHasNoForm) {
   EXPECT_EQ(errorOf("", {"title=\xff"}), "--set title=\xff: the value isn't UTF-8");
 }
 
-TEST(Overrides, AreToldOnALine) {
+TEST(Overrides, ArePrintedOnALine) {
   EXPECT_THAT(errorOf("", {"clip.fps=\x1b[31m\n\t"}),
               ::testing::StartsWith("--set clip.fps=\\u001B[31m\\n\\t: clip.fps must"));
   const std::string letters(180, 'x');

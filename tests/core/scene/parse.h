@@ -1,10 +1,15 @@
 // Scenes from a few lines, and what is said of wrong ones.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/error.h"
+#include "physics/integrators/integrator_table.h"
+#include "scene/nearest_name.h"
+#include "scene/overlays.h"
 #include "scene/scene_text.h"
 
 namespace rotatebook::scene {
@@ -32,6 +37,23 @@ inline std::string errorOfText(const std::string& text,
 inline std::string errorOf(const std::string& lines,
                            const std::vector<std::string>& overrides = {}) {
   return errorOfText(lines + "\n" + kSpin, overrides);
+}
+
+/// The integrators of `model`, or all, as messages list them.
+inline std::string listOfIntegrators(std::string_view lastWord,
+                                     std::optional<physics::Model> model = {}) {
+  std::vector<std::string_view> words;
+  for (const physics::IntegratorRow& row : physics::integratorTable()) {
+    if (!model || physics::steppingOf(*model, row.integrator)) words.push_back(row.word);
+  }
+  return quotedList(words, lastWord);
+}
+
+/// The overlays as messages list them.
+inline std::string listOfOverlays(std::string_view lastWord) {
+  std::vector<std::string_view> words;
+  for (const OverlayRow& row : kOverlayRows) words.push_back(row.name);
+  return quotedList(words, lastWord);
 }
 
 }  // namespace rotatebook::scene

@@ -104,9 +104,20 @@ TEST(SimulationSection, ReadsEveryIntegrator) {
       EXPECT_EQ(nameOf(kIntegrators, scene.simulation.integrator), name);
     }
   }
-  EXPECT_EQ(integratorNames(Model::Particles).size(), 4u);
-  EXPECT_EQ(integratorNames(Model::Matrix).size(), 14u);
-  EXPECT_EQ(integratorNames(Model::Quaternion).size(), 14u);
+  EXPECT_TRUE(integratorNames(Model::Exact).empty());
+}
+
+TEST(SimulationSection, KeepsTheWordsOfTheIntegrators) {
+  // Written out, as scenes have them: renamed, they would no longer be read.
+  for (const std::string word :
+       {"euler", "rk4", "lie-euler", "cf4", "splitting", "suzuki4", "midpoint", "dmv2", "dmv4",
+        "dmv6", "no-gyroscopic", "explicit-gyroscopic", "implicit-gyroscopic", "renormalised"}) {
+    EXPECT_EQ(errorOf("simulation.integrator = '" + word + "'"), "no error");
+  }
+  for (const std::string word : {"euler", "rk4", "symplectic-euler", "verlet"}) {
+    EXPECT_EQ(errorOf("simulation = { model = 'particles', integrator = '" + word + "' }"),
+              "no error");
+  }
 }
 
 TEST(SimulationSection, StepsRigidModelsByRk4AndParticlesByEulerUnlessItSaysOtherwise) {
@@ -125,13 +136,11 @@ TEST(SimulationSection, StepsRigidModelsByRk4AndParticlesByEulerUnlessItSaysOthe
 
 TEST(SimulationSection, RefusesAnIntegratorOfAnotherModel) {
   EXPECT_EQ(errorOf("[simulation]\nmodel = 'particles'\nintegrator = 'dmv4'"),
-            "a.toml:3:14: simulation.integrator = \"dmv4\", but the model \"particles\" has "
-            "\"euler\", \"rk4\", \"symplectic-euler\" and \"verlet\"");
+            "a.toml:3:14: simulation.integrator = \"dmv4\", but the model \"particles\" has " +
+                listOfIntegrators("and", Model::Particles));
   EXPECT_EQ(errorOf("[simulation]\nintegrator = 'verlet'"),
-            "a.toml:2:14: simulation.integrator = \"verlet\", but the model \"quaternion\" has "
-            "\"euler\", \"rk4\", \"lie-euler\", \"cf4\", \"splitting\", \"suzuki4\", "
-            "\"midpoint\", \"dmv2\", \"dmv4\", \"dmv6\", \"no-gyroscopic\", "
-            "\"explicit-gyroscopic\", \"implicit-gyroscopic\" and \"renormalised\"");
+            "a.toml:2:14: simulation.integrator = \"verlet\", but the model \"quaternion\" has " +
+                listOfIntegrators("and", Model::Quaternion));
   EXPECT_EQ(errorOf("[simulation]\nmodel = 'exact'\nintegrator = 'rk4'"),
             "a.toml:3:14: simulation.integrator = \"rk4\", but the model \"exact\" takes no steps; "
             "leave it out");
@@ -155,11 +164,8 @@ TEST(SimulationSection, RefusesUnknownWords) {
   EXPECT_EQ(errorOf("[simulation]\nmodel = 'rigid'"), must + "\"rigid\"");
   EXPECT_EQ(errorOf("[simulation]\nmodel = 2"), must + "2");
   EXPECT_EQ(errorOf("[simulation]\nintegrator = 'Euler'"),
-            "a.toml:2:14: simulation.integrator must be \"euler\", \"rk4\", \"lie-euler\", "
-            "\"cf4\", \"splitting\", \"suzuki4\", \"midpoint\", \"dmv2\", \"dmv4\", "
-            "\"dmv6\", \"symplectic-euler\", \"verlet\", \"no-gyroscopic\", "
-            "\"explicit-gyroscopic\", \"implicit-gyroscopic\" or \"renormalised\", not "
-            "\"Euler\"; did you mean \"euler\"?");
+            "a.toml:2:14: simulation.integrator must be " + listOfIntegrators("or") +
+                ", not \"Euler\"; did you mean \"euler\"?");
 }
 
 TEST(SimulationSection, RefusesNumbersOutOfRange) {

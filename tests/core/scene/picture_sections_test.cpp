@@ -203,20 +203,19 @@ TEST(OverlaySection, ReadsWhatIsShown) {
   EXPECT_TRUE(sceneFrom("overlay.show = []").overlay.show.empty());
 }
 
-TEST(OverlaySection, KnowsEachOverlay) {
+TEST(OverlaySection, KeepsTheWordsOfTheOverlays) {
+  // Written out, as scenes have them: renamed, they would no longer be read.
   const Scene scene = sceneFrom(
       "simulation.model = 'particles'\n[overlay]\nshow = ['caption', 'clock', 'axes', 'omega', "
       "'momentum', 'trail', 'polhode', 'energy', 'error', 'half_turns', 'springs', 'ghost']");
-  EXPECT_EQ(scene.overlay.show.size(), kOverlays.size());
   EXPECT_TRUE(shows(scene, Overlay::Ghost));
   EXPECT_FALSE(shows(sceneFrom(""), Overlay::Caption));
 }
 
 TEST(OverlaySection, RefusesUnknownAndRepeatedOnes) {
   EXPECT_EQ(errorOf("[overlay]\nshow = ['caption', 'clok']"),
-            "a.toml:2:20: overlay.show must be \"caption\", \"clock\", \"axes\", \"omega\", "
-            "\"momentum\", \"trail\", \"polhode\", \"energy\", \"error\", \"half_turns\", "
-            "\"springs\" or \"ghost\", not \"clok\"; did you mean \"clock\"?");
+            "a.toml:2:20: overlay.show must be " + listOfOverlays("or") +
+                ", not \"clok\"; did you mean \"clock\"?");
   EXPECT_EQ(errorOf("[overlay]\nshow = ['clock', 'clock']"),
             "a.toml:2:18: overlay.show has clock twice");
   EXPECT_EQ(

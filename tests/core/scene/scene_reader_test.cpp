@@ -64,7 +64,7 @@ TEST(SceneReader, ReadsTitleAndCaption) {
   EXPECT_EQ(sceneFrom("title = ''").title, "");
 }
 
-TEST(SceneReader, SimulatesInRealTimeUnlessToldOtherwise) {
+TEST(SceneReader, SimulatesInRealTimeUnlessTheSceneSaysOtherwise) {
   EXPECT_EQ(sceneFrom("[clip]\nfps = 25").simulation.timePerFrame, 1.0 / 25);
   EXPECT_EQ(sceneFrom("[clip]\nfps = '30000/1001'").simulation.timePerFrame, 1001.0 / 30000);
   EXPECT_EQ(sceneFrom("simulation.time_per_frame = 0.5\nclip.fps = 25").simulation.timePerFrame,

@@ -68,7 +68,7 @@ TEST(DefaultCamera, ShowsAllOfTheBodyInAnyAttitudeAndLarge) {
   }
 }
 
-TEST(DefaultCamera, StandsToTheRightAndAboveTheCover) {
+TEST(DefaultCamera, IsToTheRightAndAboveTheCover) {
   const Eigen::Vector3d position = defaultCameraPosition({}, 30, 1280, 720);
   EXPECT_TRUE(position.normalized().isApprox(Eigen::Vector3d(0.42, 0.30, 1).normalized()));
 }

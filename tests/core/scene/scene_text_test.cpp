@@ -59,7 +59,7 @@ TEST(SceneText, ReadsBackToTheSameScene) {
   EXPECT_TRUE(std::signbit(back.initial.value.x()));
 }
 
-TEST(SceneText, TellsScenesApart) {
+TEST(SceneText, DistinguishesScenes) {
   const Scene scene = unusualScene();
   EXPECT_TRUE(readBack(sceneText(scene)) != scene);  // in the order of the expectations alone
   Scene other = scene;
@@ -100,7 +100,8 @@ mass = 1.0  # kg
 
 [simulation]
 model = "quaternion"  # "particles", "matrix", "quaternion" or "exact"
-integrator = "rk4"  # "euler", "rk4", "lie-euler", "cf4", "splitting", "suzuki4", "midpoint", "dmv2", "dmv4", "dmv6", "no-gyroscopic", "explicit-gyroscopic", "implicit-gyroscopic" or "renormalised"
+integrator = "rk4"  # )" + listOfIntegrators("or", Model::Quaternion) +
+                                  R"(
 normalize = true  # undo the integrator's drift after each step
 damping = 1.0  # particles: fraction of critical damping
 stiffness = 2000.0  # particles: N/m, of each spring
@@ -138,7 +139,8 @@ supersample = 1  # 1, or 2 to draw with twice as many pixels across and down
 motion_blur = 1  # moments averaged in a picture: 1, 2, 4, 8 or 16
 
 [overlay]
-show = []  # of "caption", "clock", "axes", "omega", "momentum", "trail", "polhode", "energy", "error", "half_turns", "springs" and "ghost"
+show = []  # of )" + listOfOverlays("and") +
+                                  R"(
 font = "builtin"  # "builtin" or an installed family
 
 [expect]

@@ -105,7 +105,7 @@ TEST(PngReader, ReadsInterlacedPictures) {
   EXPECT_EQ(pixelsOf(picture), (Bytes{10, 10, 10, 20, 20, 20, 30, 30, 30, 40, 40, 40}));
 }
 
-TEST(PngReader, SaysNothingAboutWhatItCanMend) {
+TEST(PngReader, SaysNothingAboutWhatItCanRepair) {
   const Bytes wrongLength = chunk("gAMA", {1, 2, 3});
   ::testing::internal::CaptureStderr();
   const Image picture = decodePng(pngFile({1, 1}, kRedRow, wrongLength), "a");

@@ -55,7 +55,7 @@ TEST_F(PngWriterTest, KeepsEveryPixel) {
   EXPECT_EQ(pixelsOf(read), kTwoByTwo);
 }
 
-TEST_F(PngWriterTest, KeepsAlphaIfTold) {
+TEST_F(PngWriterTest, KeepsAlphaIfAsked) {
   Image picture(3, 2, PixelFormat::Rgba8);
   for (int i = 0; i < 24; ++i) picture.row(0)[i] = static_cast<std::uint8_t>(i * 37);
   EXPECT_EQ(writtenAndRead(picture.view(), true), picture);

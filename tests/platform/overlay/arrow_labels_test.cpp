@@ -76,7 +76,7 @@ TEST(ArrowLabels, AreAheadOfTheirArrows) {
   EXPECT_EQ(all[1].box.y, 29);
 }
 
-TEST(ArrowLabels, GiveWayToAnArrowThatIsLonger) {
+TEST(ArrowLabels, MakeRoomForAnArrowThatIsLonger) {
   const std::vector<ArrowShape> arrows{arrowTo({100, 20}), arrowTo({100, 50})};
   for (const Side side : {Side::Right, Side::Left}) {
     const auto all = placed(arrows, {}, side);
@@ -111,7 +111,7 @@ TEST(ArrowLabels, ComeIntoTheWayOfNothingStepByStep) {
   }
 }
 
-TEST(ArrowLabels, GiveWayToThoseAfterThemAndToWhatIsTaken) {
+TEST(ArrowLabels, MakeRoomForThoseAfterThemAndForWhatIsTaken) {
   const Box taken{90, 20, 20, 20};
   const auto all = placed(std::vector<ArrowShape>(4, arrowTo({100, 50})), {taken});
   std::vector<Box> boxes{taken};

@@ -102,7 +102,7 @@ TEST(CaptionAndClock, NeverPutTextOnText) {
   }
 }
 
-TEST(CaptionAndClock, TellHowTheMotionWasSimulated) {
+TEST(CaptionAndClock, SayHowTheMotionWasSimulated) {
   const std::vector<std::string> show{"overlay.show=['caption']"};
   const image::Image euler = drawn(sceneWith(show), 0);
   const image::Image exact =

@@ -33,6 +33,16 @@ inline scene::Scene diverging(std::vector<std::string> overrides = {}) {
   return tumbling(overrides);
 }
 
+/// The names of all overlays of one motion, as overlay.show takes them.
+inline std::string namesOfMotionOverlays() {
+  std::string names;
+  for (const scene::OverlayRow& row : scene::kOverlayRows) {
+    if (row.placement == scene::Placement::WholeClip) continue;
+    names += (names.empty() ? "'" : ", '") + std::string(row.name) + "'";
+  }
+  return names;
+}
+
 inline physics::Trajectory motionOf(const scene::Scene& scene) {
   return physics::simulate(scene.motion(), scene.clip.frameCount());
 }

@@ -7,9 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "overlay/drawn_overlay.h"
 #include "overlay/motion.h"
-#include "overlay/overlay_rows.h"
-#include "scene/names.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -47,7 +46,7 @@ TEST(MotionOverlays, WriteTheLabelAtTheTop) {
   EXPECT_LT(overlays.texts().front().bottom(), 45);
 }
 
-TEST(MotionOverlays, OfAWordlessSceneAreOnTheBookAlone) {
+TEST(MotionOverlays, OfATextlessSceneAreOnTheBodyAlone) {
   const auto textsOf = [](scene::Scene scene, bool textless) {
     scene.textless = textless;
     const physics::Trajectory trajectory = motionOf(scene);
@@ -58,9 +57,7 @@ TEST(MotionOverlays, OfAWordlessSceneAreOnTheBookAlone) {
     return overlays.texts().size();
   };
   const scene::Scene scene =
-      diverging({kSmall,
-                 "overlay.show=['axes', 'omega', 'momentum', 'trail', 'polhode', 'energy', "
-                 "'error', 'half_turns', 'springs', 'ghost']"});
+      diverging({kSmall, "overlay.show=[" + testing::namesOfMotionOverlays() + "]"});
   EXPECT_GE(textsOf(scene, false), 8U);  // measured 19
   EXPECT_EQ(textsOf(scene, true), 0U);
 }
@@ -138,9 +135,7 @@ TEST(MotionOverlays, TurnWithTheCamerasFrame) {
 }
 
 TEST(MotionOverlays, CanBeDrawnOnTheSmallestPictures) {
-  const char* all =
-      "overlay.show=['axes', 'omega', 'momentum', 'trail', 'polhode', 'energy', 'error', "
-      "'half_turns', 'springs', 'ghost']";
+  const std::string all = "overlay.show=[" + testing::namesOfMotionOverlays() + "]";
   for (const char* size : {"[16, 16]", "[64, 36]", "[16, 400]", "[400, 16]"}) {
     const scene::Scene scene = diverging({all, "clip.size=" + std::string(size)});
     const physics::Trajectory trajectory = motionOf(scene);
@@ -187,11 +182,26 @@ TEST(MotionOverlays, RefuseALabelThatWouldHideTheBook) {
   EXPECT_EQ(labelRefusal(endless, "320, 180"), "no error");  // For a quick look only.
 }
 
-TEST(MarkRows, HaveAMarkUnlessTheyAreWords) {
-  for (const OverlayRow& row : overlayRows()) {
-    EXPECT_EQ(row.make == nullptr, row.placement == Placement::WholeClip)
-        << scene::nameOf(scene::kOverlays, row.overlay);
+TEST(OverlayList, HasAFactoryForEachOverlayOfOneMotion) {
+  const scene::Scene scene = diverging({kSmall});
+  const physics::Trajectory trajectory = motionOf(scene);
+  const Typesetter type;
+  const OverlayContext context{scene, trajectory, type, Scale(320, 180)};
+  for (const scene::OverlayRow& row : scene::kOverlayRows) {
+    ASSERT_TRUE(isFor(scene.simulation.model, row.overlay)) << row.name;
+    EXPECT_EQ(makeOverlay(row.overlay, context, {0, 0, 80, 60}) == nullptr,
+              row.placement == scene::Placement::WholeClip)
+        << row.name;
   }
+}
+
+TEST(OverlayList, IsInDrawingOrder) {
+  // Where they meet, later ones hide earlier ones.
+  EXPECT_LT(scene::Overlay::Springs, scene::Overlay::Ghost);
+  EXPECT_LT(scene::Overlay::Ghost, scene::Overlay::Axes);
+  EXPECT_LT(scene::Overlay::Axes, scene::Overlay::Trail);
+  EXPECT_LT(scene::Overlay::Trail, scene::Overlay::Momentum);
+  EXPECT_LT(scene::Overlay::Momentum, scene::Overlay::Omega);
 }
 
 }  // namespace

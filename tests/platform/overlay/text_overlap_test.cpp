@@ -15,9 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kEverything =
-    "'clock', 'axes', 'omega', 'momentum', 'trail', 'polhode', 'energy', 'error', 'half_turns', "
-    "'springs', 'ghost'";
+const std::string kEverything = "'clock', " + testing::namesOfMotionOverlays();
 
 /// The longest of the scenes that ship.
 std::string longestCaption() {
@@ -90,8 +88,7 @@ TEST(Texts, NeverMeetOnAWholePicture) {
   EXPECT_GT(longestCaption().size(), 280U);
   for (const Size& size : kWhole) {
     SCOPED_TRACE(text(size));
-    const scene::Scene scene =
-        sceneOf(size.width, size.height, std::string("'caption', ") + kEverything);
+    const scene::Scene scene = sceneOf(size.width, size.height, "'caption', " + kEverything);
     CaptionAndClock captionAndClock(scene);
     expectNoMeeting(
         scene, &captionAndClock,

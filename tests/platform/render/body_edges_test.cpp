@@ -58,9 +58,9 @@ TEST(BodyEdges, AreFew) {
 }
 
 TEST(BodyEdges, LeaveOutBackFaces) {
-  const BookMesh mesh = makeBookMesh();
+  const Mesh mesh = makeBookMesh();
   std::size_t all = 0;
-  for (const auto& part : mesh.triangles) all += part.size() / 3;
+  for (const MeshPart& part : mesh.parts) all += part.triangles.size() / 3;
   physics::Cage pierced = book();  // A corner of the cover has gone through the book.
   pierced(2, 7) -= 0.2;
   const Found usual(book()), open(pierced);

@@ -14,8 +14,8 @@ namespace {
 
 // Calls check(a, b, c) with the vertices of each triangle of `part`.
 template <typename Check>
-void forEachTriangle(const BookMesh& mesh, std::size_t part, const Check& check) {
-  const std::vector<std::uint32_t>& indices = mesh.triangles[part];
+void forEachTriangle(const Mesh& mesh, std::size_t part, const Check& check) {
+  const std::vector<std::uint32_t>& indices = mesh.parts[part].triangles;
   ASSERT_EQ(indices.size() % 3, 0U);
   for (std::size_t i = 0; i < indices.size(); i += 3) {
     check(mesh.vertices.at(indices[i]), mesh.vertices.at(indices[i + 1]),
@@ -31,11 +31,11 @@ Eigen::Vector3f worldNormal(const Eigen::Vector3f& covector, const Eigen::Vector
 }
 
 TEST(BookMesh, HasTrianglesInEachPart) {
-  for (const auto& triangles : makeBookMesh().triangles) EXPECT_FALSE(triangles.empty());
+  for (const MeshPart& part : makeBookMesh().parts) EXPECT_FALSE(part.triangles.empty());
 }
 
 TEST(BookMesh, LiesInTheUnitCube) {
-  for (const BookVertex& vertex : makeBookMesh().vertices) {
+  for (const MeshVertex& vertex : makeBookMesh().vertices) {
     EXPECT_GE(vertex.position.minCoeff(), 0);
     EXPECT_LE(vertex.position.maxCoeff(), 1);
   }
@@ -44,7 +44,7 @@ TEST(BookMesh, LiesInTheUnitCube) {
 // So that it's as large as its corners say.
 TEST(BookMesh, TouchesEachSideOfTheCube) {
   Eigen::Vector3f low(1, 1, 1), high(0, 0, 0);
-  for (const BookVertex& vertex : makeBookMesh().vertices) {
+  for (const MeshVertex& vertex : makeBookMesh().vertices) {
     low = low.cwiseMin(vertex.position);
     high = high.cwiseMax(vertex.position);
   }
@@ -56,14 +56,14 @@ TEST(BookMesh, TouchesEachSideOfTheCube) {
 TEST(BookMesh, HasTrianglesCounterClockwiseFromOutside) {
   // A triangle is twisted where the rounding of the rim runs out. measured 0.16
   constexpr float kMinCosine = 0.1F;
-  const BookMesh mesh = makeBookMesh();
+  const Mesh mesh = makeBookMesh();
   const Eigen::Vector3f perLength = kBookSize.cwiseInverse();
   for (std::size_t part = 0; part < kBookPartCount; ++part) {
-    forEachTriangle(mesh, part, [&](const BookVertex& a, const BookVertex& b, const BookVertex& c) {
+    forEachTriangle(mesh, part, [&](const MeshVertex& a, const MeshVertex& b, const MeshVertex& c) {
       const Eigen::Vector3f across =
           worldNormal((b.position - a.position).cross(c.position - a.position), perLength);
       Eigen::Vector3f mean = Eigen::Vector3f::Zero();
-      for (const BookVertex* vertex : {&a, &b, &c}) mean += worldNormal(vertex->normal, perLength);
+      for (const MeshVertex* vertex : {&a, &b, &c}) mean += worldNormal(vertex->normal, perLength);
       EXPECT_GT(across.dot(mean.normalized()), kMinCosine)
           << "part " << part << " at " << a.position.transpose();
     });
@@ -72,17 +72,17 @@ TEST(BookMesh, HasTrianglesCounterClockwiseFromOutside) {
 
 TEST(BookMesh, HasNormalsOfUnitLength) {
   constexpr float kBound = 1e-6F;  // measured 1.2e-7
-  for (const BookVertex& vertex : makeBookMesh().vertices) {
+  for (const MeshVertex& vertex : makeBookMesh().vertices) {
     EXPECT_NEAR(vertex.normal.norm(), 1, kBound);
   }
 }
 
 // Area of `part`'s triangles that lie in the cube's side `sign` along `axis`.
-float areaOnSide(const BookMesh& mesh, BookPart part, int axis, int sign) {
+float areaOnSide(const Mesh& mesh, BookPart part, int axis, int sign) {
   float area = 0;
   const float level = sign > 0 ? 1.0F : 0.0F;
   forEachTriangle(mesh, static_cast<std::size_t>(part),
-                  [&](const BookVertex& a, const BookVertex& b, const BookVertex& c) {
+                  [&](const MeshVertex& a, const MeshVertex& b, const MeshVertex& c) {
                     if (a.normal[axis] != static_cast<float>(sign)) return;
                     if (a.position[axis] != level) return;
                     area += (b.position - a.position).cross(c.position - a.position).norm() / 2;
@@ -90,7 +90,7 @@ float areaOnSide(const BookMesh& mesh, BookPart part, int axis, int sign) {
   return area;
 }
 
-float areaOnSide(const BookMesh& mesh, int axis, int sign) {
+float areaOnSide(const Mesh& mesh, int axis, int sign) {
   float area = 0;
   for (std::size_t part = 0; part < kBookPartCount; ++part) {
     area += areaOnSide(mesh, static_cast<BookPart>(part), axis, sign);
@@ -101,7 +101,7 @@ float areaOnSide(const BookMesh& mesh, int axis, int sign) {
 // But for hinges and roundings, which lie within the cube.
 TEST(BookMesh, CoversFrontAndBack) {
   constexpr float kMin = 0.93F;  // measured 0.936
-  const BookMesh mesh = makeBookMesh();
+  const Mesh mesh = makeBookMesh();
   EXPECT_GT(areaOnSide(mesh, BookPart::Front, 2, 1), kMin);
   EXPECT_GT(areaOnSide(mesh, BookPart::Back, 2, -1), kMin);
   EXPECT_LE(areaOnSide(mesh, 2, 1), 1);
@@ -110,10 +110,10 @@ TEST(BookMesh, CoversFrontAndBack) {
 
 // Rounding would decide which one of two faces in one place is seen.
 TEST(BookMesh, HasNoTriangleTwice) {
-  const BookMesh mesh = makeBookMesh();
+  const Mesh mesh = makeBookMesh();
   std::set<std::vector<float>> seen;
   for (std::size_t part = 0; part < kBookPartCount; ++part) {
-    forEachTriangle(mesh, part, [&](const BookVertex& a, const BookVertex& b, const BookVertex& c) {
+    forEachTriangle(mesh, part, [&](const MeshVertex& a, const MeshVertex& b, const MeshVertex& c) {
       const Eigen::Vector3f middle = a.position + b.position + c.position;
       EXPECT_TRUE(seen.insert({middle.x(), middle.y(), middle.z()}).second) << middle.transpose();
     });
@@ -122,15 +122,17 @@ TEST(BookMesh, HasNoTriangleTwice) {
 
 // It isn't drawn where the leaves hide it: none of it may be beyond them.
 TEST(BookMesh, HasItsLiningAgainstTheLeaves) {
-  const BookMesh mesh = makeBookMesh();
+  const Mesh mesh = makeBookMesh();
   Eigen::Vector3f low(1, 1, 1), high(0, 0, 0);
-  for (const std::uint32_t index : mesh.triangles[static_cast<std::size_t>(BookPart::Pages)]) {
+  for (const std::uint32_t index :
+       mesh.parts[static_cast<std::size_t>(BookPart::Pages)].triangles) {
     low = low.cwiseMin(mesh.vertices[index].position);
     high = high.cwiseMax(mesh.vertices[index].position);
   }
   // Of the leaves, the spine side and the sides on the boards aren't drawn.
   const Eigen::Vector3f room(0.02F, 1e-6F, 1);
-  for (const std::uint32_t index : mesh.triangles[static_cast<std::size_t>(BookPart::Lining)]) {
+  for (const std::uint32_t index :
+       mesh.parts[static_cast<std::size_t>(BookPart::Lining)].triangles) {
     const Eigen::Vector3f& place = mesh.vertices[index].position;
     EXPECT_TRUE((place.array() >= (low - room).array()).all()) << place.transpose();
     EXPECT_LE(place.x(), high.x() + 1e-6F);
@@ -141,10 +143,10 @@ TEST(BookMesh, HasItsLiningAgainstTheLeaves) {
 // Light must not fall through the case: but for the open sides of the page block every edge of its
 // surface has a triangle on either side.
 TEST(BookMesh, HasAClosedCase) {
-  const BookMesh mesh = makeBookMesh();
+  const Mesh mesh = makeBookMesh();
   std::map<std::vector<long>, int> edges;
-  const auto count = [&](const BookVertex& from, const BookVertex& to) {
-    const auto key = [](const BookVertex& a) {
+  const auto count = [&](const MeshVertex& from, const MeshVertex& to) {
+    const auto key = [](const MeshVertex& a) {
       return std::vector<long>{std::lround(1e5 * a.position.x()), std::lround(1e5 * a.position.y()),
                                std::lround(1e5 * a.position.z())};
     };
@@ -155,7 +157,7 @@ TEST(BookMesh, HasAClosedCase) {
   };
   for (const BookPart part : {BookPart::Front, BookPart::Spine, BookPart::Back, BookPart::Lining}) {
     forEachTriangle(mesh, static_cast<std::size_t>(part),
-                    [&](const BookVertex& a, const BookVertex& b, const BookVertex& c) {
+                    [&](const MeshVertex& a, const MeshVertex& b, const MeshVertex& c) {
                       count(a, b);
                       count(b, c);
                       count(c, a);
@@ -168,7 +170,7 @@ TEST(BookMesh, HasAClosedCase) {
 
 TEST(BookMesh, LightsWhatItSeesOfTheSurroundings) {
   float darkest = 1;
-  for (const BookVertex& vertex : makeBookMesh().vertices) {
+  for (const MeshVertex& vertex : makeBookMesh().vertices) {
     EXPECT_GT(vertex.skyVisibility, 0);
     EXPECT_LE(vertex.skyVisibility, 1);
     darkest = std::min(darkest, vertex.skyVisibility);

@@ -107,7 +107,7 @@ std::string refusal(const Machine& machine, const DeviceChoice& choice) {
   }
 }
 
-TEST(DeviceChoice, IsTheFirstThatDrawsUnlessToldOtherwise) {
+TEST(DeviceChoice, IsTheFirstThatDrawsUnlessAskedOtherwise) {
   const Outcome outcome = choose(twoCards(), {});
   EXPECT_EQ(outcome.chosen.candidate, 0U);
   EXPECT_THAT(outcome.tried, ElementsAre(0U));

@@ -32,7 +32,7 @@ TEST_P(ParallelRuns, MakesEachOnce) {
   for (const auto& count : made) EXPECT_EQ(count, 1);
 }
 
-TEST_P(ParallelRuns, TellHowFarTheyAre) {
+TEST_P(ParallelRuns, ReportTheirProgress) {
   std::vector<std::size_t> heard;
   RunOptions options{GetParam()};
   const auto caller = std::this_thread::get_id();

@@ -166,7 +166,7 @@ TEST(ClipMetadata, NeedsOneStreamOfPictures) {
   EXPECT_EQ(outcomeOf(other), "the bytes has 2 streams; a clip has exactly one stream, of video");
 }
 
-TEST(ClipReader, TellsWhatThePlayerLearns) {
+TEST(ClipReader, ReportsWhatThePlayerReads) {
   const fs::path path = writeAs(VideoFormat::Mp4, "facts");
   const ClipFacts facts = ClipReader(path).facts();
   const DecodedVideo video = testing::decodeVideo(path);
@@ -192,7 +192,7 @@ TEST(ClipReader, TellsWhatThePlayerLearns) {
   EXPECT_EQ(facts.mp4->shownWidth, video.width);
 }
 
-TEST(ClipReader, TellsWhatTheContainerSaysOtherwise) {
+TEST(ClipReader, ReportsWhatTheContainerSaysOtherwise) {
   const std::string content = contentOf(writeAs(VideoFormat::Mp4, "true"));
   const fs::path path = outputFolder() / "reader_forged.mp4";
   const auto factsOf = [&](const std::vector<testing::BoxPatch>& patches) {
@@ -213,7 +213,7 @@ TEST(ClipReader, TellsWhatTheContainerSaysOtherwise) {
   EXPECT_EQ(factsOf(testing::kFullRange).containerColours.range, "pc");
 }
 
-TEST(ClipReader, TellsWhatAWebMSaysOtherwise) {
+TEST(ClipReader, ReportsWhatAWebMSaysOtherwise) {
   const fs::path path = writeAs(VideoFormat::WebM, "shape");
   EXPECT_EQ(ClipReader(path).facts().containerShape, "1:1");
   EXPECT_EQ(ClipReader(path).facts().containerColours.primaries, "bt709");

@@ -143,7 +143,7 @@ TEST(WebMAndApng, KeepTransparency) {
   }
 }
 
-TEST(WebMAndApng, AreOpaqueUnlessTold) {
+TEST(WebMAndApng, AreOpaqueUnlessAsked) {
   for (const VideoFormat format : {VideoFormat::WebM, VideoFormat::Apng}) {
     const DecodedPictures decoded = decodePictures(write(format, settingsAt({30, 1}), "opaque", 0));
     EXPECT_EQ(decoded.pictures[5].picture.row(30)[4 * 80 + 3], 255) << nameOf(format);

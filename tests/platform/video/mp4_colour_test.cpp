@@ -15,15 +15,15 @@ namespace {
 
 using image::Image;
 using image::PixelFormat;
+using testing::Colour;
 using testing::DecodedFrame;
 using testing::DecodedVideo;
 using testing::decodeVideo;
 using testing::Matrix;
-using testing::Triple;
 
 constexpr int kPatch = 48;  // [pixels]
 
-constexpr std::array<Triple, 6> kChart = {
+constexpr std::array<Colour, 6> kChart = {
     {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {128, 128, 128}, {255, 255, 255}, {0, 0, 0}}};
 
 // Errors of a flat patch after the encoder, of 255.
@@ -54,7 +54,7 @@ DecodedVideo decodedChart() {
   return decodeVideo(path);
 }
 
-Triple middleOfPatch(const DecodedFrame& frame, std::size_t patch) {
+Colour middleOfPatch(const DecodedFrame& frame, std::size_t patch) {
   const int width = kPatch * static_cast<int>(kChart.size());
   const int x = kPatch * static_cast<int>(patch) + kPatch / 2;
   const int y = kPatch / 2;
@@ -63,7 +63,7 @@ Triple middleOfPatch(const DecodedFrame& frame, std::size_t patch) {
   return {double(frame.y.at(luma)), double(frame.u.at(colour)), double(frame.v.at(colour))};
 }
 
-double distance(const Triple& a, const Triple& b) {
+double distance(const Colour& a, const Colour& b) {
   return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
 }
 
@@ -72,7 +72,7 @@ double rgbError(const DecodedVideo& video, Matrix matrix) {
   double largest = 0;
   for (const DecodedFrame& frame : video.frames) {
     for (std::size_t patch = 0; patch < kChart.size(); ++patch) {
-      const Triple rgb = testing::rgbFromYuv(middleOfPatch(frame, patch), matrix);
+      const Colour rgb = testing::rgbFromYuv(middleOfPatch(frame, patch), matrix);
       largest = std::max(largest, distance(rgb, kChart[patch]));
     }
   }
@@ -85,7 +85,7 @@ TEST(Mp4Colour, IsBt709InTheDecodedVideo) {
   double largest = 0;
   for (const DecodedFrame& frame : video.frames) {
     for (std::size_t patch = 0; patch < kChart.size(); ++patch) {
-      const Triple exact = testing::yuvFromRgb(kChart[patch]);
+      const Colour exact = testing::yuvFromRgb(kChart[patch]);
       largest = std::max(largest, distance(middleOfPatch(frame, patch), exact));
     }
   }

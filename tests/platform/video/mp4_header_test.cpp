@@ -41,7 +41,7 @@ TEST(Mp4Header, IsThatOfTheClip) {
   EXPECT_EQ(header.edits[0].speed, 1);
 }
 
-TEST(Mp4Header, TellsWhatWasForged) {
+TEST(Mp4Header, ReportsWhatWasForged) {
   EXPECT_EQ(headerOf(forgedMp4(headedClip(), testing::kStretched)).shownWidth, 100);
   EXPECT_EQ(headerOf(forgedMp4(headedClip(), testing::kFastMovie)).speed, 2);
   EXPECT_EQ(headerOf(forgedMp4(headedClip(), testing::kFastEdit)).edits.at(0).speed, 2);

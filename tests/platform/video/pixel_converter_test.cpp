@@ -21,7 +21,7 @@ namespace {
 using image::Image;
 using image::ImageView;
 using image::PixelFormat;
-using testing::Triple;
+using testing::Colour;
 using testing::yuvFromRgb;
 
 // Largest distance of a sample from the exact value; correct rounding alone gives 0.5.
@@ -32,7 +32,7 @@ std::uint8_t sampleAt(const AVFrame& frame, int plane, int x, int y) {
   return frame.data[plane][static_cast<std::ptrdiff_t>(y) * frame.linesize[plane] + x];
 }
 
-Image flatPicture(int width, int height, const Triple& rgb, PixelFormat format) {
+Image flatPicture(int width, int height, const Colour& rgb, PixelFormat format) {
   Image picture(width, height, format);
   const int step = image::bytesPerPixel(format);
   for (int y = 0; y < height; ++y) {
@@ -76,10 +76,10 @@ TEST(PixelConverter, IsExactForFlatColours) {
   for (int red = 0; red < 256; red += 15) {
     for (int green = 0; green < 256; green += 15) {
       for (int blue = 0; blue < 256; blue += 15) {
-        const Triple rgb = {double(red), double(green), double(blue)};
+        const Colour rgb = {double(red), double(green), double(blue)};
         const AVFrame& frame =
             converter.convert(flatPicture(16, 16, rgb, PixelFormat::Rgba8).view());
-        const Triple exact = yuvFromRgb(rgb);
+        const Colour exact = yuvFromRgb(rgb);
         largest = std::max({largest, std::abs(sampleAt(frame, 0, 9, 9) - exact[0]),
                             std::abs(sampleAt(frame, 1, 4, 4) - exact[1]),
                             std::abs(sampleAt(frame, 2, 4, 4) - exact[2])});
@@ -101,10 +101,10 @@ TEST(PixelConverter, GivesPureRedTheLumaOfBt709) {
 
 // Colour at (x, y) of the half-size plane: sited left, so [1 2 1]/4 about column 2x, and between
 // the rows 2y and 2y+1, [1 3 3 1]/8.
-Triple filteredColour(const Image& picture, int x, int y) {
+Colour filteredColour(const Image& picture, int x, int y) {
   constexpr std::array<double, 3> kAcross = {1 / 4.0, 2 / 4.0, 1 / 4.0};
   constexpr std::array<double, 4> kDown = {1 / 8.0, 3 / 8.0, 3 / 8.0, 1 / 8.0};
-  Triple rgb = {0, 0, 0};
+  Colour rgb = {0, 0, 0};
   for (int row = 0; row < 4; ++row) {
     for (int column = 0; column < 3; ++column) {
       const std::uint8_t* pixel = picture.row(2 * y - 1 + row) + 4 * (2 * x - 1 + column);
@@ -122,7 +122,7 @@ TEST(PixelConverter, PutsColourWhereH264ExpectsIt) {
   double largest = 0;
   for (int y = 1; y < 23; ++y) {
     for (int x = 1; x < 31; ++x) {
-      const Triple exact = filteredColour(picture, x, y);
+      const Colour exact = filteredColour(picture, x, y);
       largest = std::max({largest, std::abs(sampleAt(frame, 1, x, y) - exact[1]),
                           std::abs(sampleAt(frame, 2, x, y) - exact[2])});
     }

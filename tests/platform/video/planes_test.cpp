@@ -18,9 +18,9 @@ namespace {
 using image::Image;
 using image::PixelFormat;
 using testing::barPicture;
-using testing::Triple;
+using testing::Colour;
 
-Image flatPicture(int width, int height, const Triple& rgb, int alpha = 255) {
+Image flatPicture(int width, int height, const Colour& rgb, int alpha = 255) {
   Image picture(width, height, PixelFormat::Rgba8);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
@@ -44,10 +44,10 @@ Image swappedRedAndBlue(Image picture) {
 
 TEST(Planes, AreBt709OfFlatColours) {
   constexpr double kBound = 1e-3;  // measured 4e-5
-  for (const Triple& rgb :
-       {Triple{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 255}, {0, 0, 0}, {10, 200, 90}}) {
+  for (const Colour& rgb :
+       {Colour{255, 0, 0}, {0, 255, 0}, {0, 0, 255}, {255, 255, 255}, {0, 0, 0}, {10, 200, 90}}) {
     const Planes planes = planesOf(flatPicture(6, 4, rgb).view(), false);
-    const Triple yuv = testing::yuvFromRgb(rgb);
+    const Colour yuv = testing::yuvFromRgb(rgb);
     ASSERT_EQ(planes.y.size(), 24U);
     ASSERT_EQ(planes.u.size(), 6U);
     ASSERT_EQ(planes.v.size(), 6U);

@@ -244,7 +244,7 @@ TEST(Mp4Writer, MovesWithItsFile) {
   EXPECT_EQ(decodeVideo(path).frames.size(), 2U);
 }
 
-TEST(Mp4Writer, EncodesOnAsManyThreadsAsItIsTold) {
+TEST(Mp4Writer, EncodesOnAsManyThreadsAsAsked) {
   for (const int threads : {1, 3}) {
     VideoSettings settings = smallSettings();
     settings.threads = threads;

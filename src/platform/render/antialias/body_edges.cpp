@@ -16,11 +16,11 @@ using Eigen::Vector4d;
 
 /// Numbers the vertices' positions: vertices at one position share a number, whatever their normals
 /// and texture coordinates.
-std::vector<std::uint32_t> positionNumbers(const std::vector<BookVertex>& vertices) {
+std::vector<std::uint32_t> positionNumbers(const std::vector<MeshVertex>& vertices) {
   constexpr float kFineness = 1e5F;
   std::map<std::array<long, 3>, std::uint32_t> known;
   std::vector<std::uint32_t> numbers;
-  for (const BookVertex& vertex : vertices) {
+  for (const MeshVertex& vertex : vertices) {
     std::array<long, 3> key{};
     for (std::size_t i = 0; i < 3; ++i) {
       key[i] = std::lround(kFineness * vertex.position[static_cast<Eigen::Index>(i)]);
@@ -76,18 +76,18 @@ int windingOf(const ScreenTriangle& triangle) {
 
 }  // namespace
 
-BodyEdges::BodyEdges(const BookMesh& mesh) {
-  for (const BookVertex& vertex : mesh.vertices)
+BodyEdges::BodyEdges(const Mesh& mesh) {
+  for (const MeshVertex& vertex : mesh.vertices)
     cageWeights_.push_back(trilinearWeights(vertex.position));
 
   // Collect the triangles of all parts
-  for (std::size_t part = 0; part < kBookPartCount; ++part) {
-    const auto& indices = mesh.triangles[part];
+  for (const MeshPart& part : mesh.parts) {
+    const auto& indices = part.triangles;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
       triangles_.push_back({{indices[i], indices[i + 1], indices[i + 2]},
                             mesh.vertices[indices[i]].surfaceId,
-                            part == static_cast<std::size_t>(BookPart::Lining),
-                            mesh.stripOf[part][i / 3]});
+                            part.hidden,
+                            part.stripOf[i / 3]});
     }
   }
 
@@ -150,7 +150,7 @@ float BodyEdges::surfaceIdOf(const Triangle& triangle, std::span<const ScreenStr
 int BodyEdges::addTriangle(const Triangle& triangle, const std::vector<Vector4d>& points,
                            int winding, std::span<const ScreenStrip> strips,
                            const EdgePixels& pixels, std::vector<ScreenTriangle>& triangles) {
-  if (triangle.lining && winding != 0) return 0;
+  if (triangle.hidden && winding != 0) return 0;
 
   // Clip the triangle against the near plane
   const auto& [a, b, c] = triangle.vertices;

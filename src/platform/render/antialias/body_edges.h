@@ -13,14 +13,14 @@
 #include "render/antialias/edge_pixels.h"
 #include "render/antialias/edge_samples.h"
 #include "render/antialias/strips.h"
-#include "render/book/book_mesh.h"
+#include "render/mesh.h"
 
 namespace rotatebook::render {
 
 /// A mesh's triangles, and those of their sides that can be edges in a picture.
 class BodyEdges {
  public:
-  explicit BodyEdges(const BookMesh& mesh);
+  explicit BodyEdges(const Mesh& mesh);
 
   /// Projects the body in this cage onto a picture of the size of `pixels`. Adds to `pixels` those
   /// through which the outline of a surface or the border of two surfaces passes, hidden ones
@@ -35,7 +35,7 @@ class BodyEdges {
   struct Triangle {
     std::array<std::uint32_t, 3> vertices;
     float surfaceId;
-    bool lining;  // Drawn only where all triangles are.
+    bool hidden;  // Drawn only where all triangles are.
     std::uint8_t strip;
   };
   /// A side of one triangle, or of two that share it.

@@ -11,14 +11,14 @@
 #include "image/image.h"
 #include "render/antialias/edge_pixels.h"
 #include "render/antialias/strips.h"
-#include "render/book/book_mesh.h"
+#include "render/mesh.h"
 
 namespace rotatebook::render {
 
 /// A triangle projected onto a picture.
 struct ScreenTriangle {
   std::array<Eigen::Vector3f, 3> corners;  ///< x and y [pixels], and a depth linear in them.
-  /// BookVertex::surfaceId, or kMaxSurfaceId + 1 + the strip's number for a narrow strip.
+  /// MeshVertex::surfaceId, or kMaxSurfaceId + 1 + the strip's number for a narrow strip.
   float surfaceId = 0;
 };
 

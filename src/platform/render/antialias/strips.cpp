@@ -61,8 +61,8 @@ float ScreenStrip::shareAt(const Eigen::Vector2f& position) const {
   return share * distances[0] / (share * distances[0] + (1 - share) * distances[1]);
 }
 
-StripFinder::StripFinder(const BookMesh& mesh) {
-  for (const BookStrip& strip : mesh.strips) {
+StripFinder::StripFinder(const Mesh& mesh) {
+  for (const MeshStrip& strip : mesh.strips) {
     Strip measured{{}, DrawnStrips::kColumns * strip.length, strip.flat ? kNarrowFlat : kNarrow};
     for (std::size_t i = 0; i < kLines; ++i) {
       const std::size_t end = i * (strip.middle.size() - 1) / (kLines - 1);

@@ -1,4 +1,4 @@
-// Finds a book's narrow strips on the screen, and holds their colours. Inside the room only.
+// Finds a body's narrow strips on the screen, and holds their colours. Inside the room only.
 #pragma once
 
 #include <array>
@@ -8,11 +8,11 @@
 
 #include "image/image.h"
 #include "physics/cuboid.h"
-#include "render/book/book_mesh.h"
+#include "render/mesh.h"
 
 namespace rotatebook::render {
 
-/// A BookStrip projected onto a picture.
+/// A MeshStrip projected onto a picture.
 struct ScreenStrip {
   /// True if the strip is too narrow throughout for pixels to show it well, lies in front of the
   /// camera and has a front face. The other members are set only then.
@@ -28,11 +28,11 @@ struct ScreenStrip {
   float shareAt(const Eigen::Vector2f& position) const;
 };
 
-/// Strips whose colours were drawn apart from the book, one per row, from end to end. Where a strip
-/// is narrower than a pixel, the pixels that happen to show it in the drawn book show a part of it
+/// Strips whose colours were drawn apart from the body, one per row, from end to end. Where a strip
+/// is narrower than a pixel, the pixels that happen to show it in the drawn body show a part of it
 /// that changes from pixel to pixel.
 struct DrawnStrips {
-  static constexpr int kColumns = 48;  ///< Columns of a strip as long as the book is high.
+  static constexpr int kColumns = 48;  ///< Columns of a strip as long as the body is high.
 
   std::vector<ScreenStrip> onScreen;  ///< By strip number.
   image::Image colours;  ///< Rgba8, a row per strip; only those of narrow strips are drawn.
@@ -41,10 +41,10 @@ struct DrawnStrips {
 /// Finds the strips that are narrow on the screen.
 class StripFinder {
  public:
-  explicit StripFinder(const BookMesh& mesh);
+  explicit StripFinder(const Mesh& mesh);
 
   std::size_t count() const { return strips_.size(); }
-  /// Sets `onScreen` to all strips of the book in this cage, in a picture of this size. [pixels]
+  /// Sets `onScreen` to all strips of the body in this cage, in a picture of this size. [pixels]
   /// `winding`: from frontFaceWinding().
   void find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromWorld, int winding,
             const Eigen::Vector2i& size, std::vector<ScreenStrip>& onScreen) const;

@@ -21,21 +21,21 @@ void describeVertex(std::size_t stride) {
   const auto attribute = [stride](GLuint index, GLint size, std::size_t offset) {
     describeAttribute(index, size, stride, offset);
   };
-  attribute(0, 3, offsetof(BookVertex, position));
-  attribute(1, 3, offsetof(BookVertex, normal));
-  attribute(2, 2, offsetof(BookVertex, texCoord));
-  attribute(3, 1, offsetof(BookVertex, skyVisibility));
-  attribute(4, 1, offsetof(BookVertex, surfaceId));
+  attribute(0, 3, offsetof(MeshVertex, position));
+  attribute(1, 3, offsetof(MeshVertex, normal));
+  attribute(2, 2, offsetof(MeshVertex, texCoord));
+  attribute(3, 1, offsetof(MeshVertex, skyVisibility));
+  attribute(4, 1, offsetof(MeshVertex, surfaceId));
 }
 
 /// A point of a strip's middle line.
 struct StripVertex {
-  BookVertex vertex;
+  MeshVertex vertex;
   Eigen::Vector3f rolledOut;  // x and y in clip space; z is 1.
 };
 
 /// Returns how far along the strip a point of its middle line is. [0 to 1]
-float shareOf(const BookStrip& strip, const BookVertex& vertex) {
+float shareOf(const MeshStrip& strip, const MeshVertex& vertex) {
   const Eigen::Vector3f start = strip.middle.front().position;
   const Eigen::Vector3f line = strip.middle.back().position - start;
   return (vertex.position - start).dot(line) / line.squaredNorm();
@@ -43,7 +43,7 @@ float shareOf(const BookStrip& strip, const BookVertex& vertex) {
 
 /// Returns the strip as a row, from the left, of the picture of strips. Of points closer together
 /// than a pixel, it takes the outer ones only: a line within one pixel may miss the pixel's middle.
-std::vector<StripVertex> rollOut(const BookStrip& strip, float y) {
+std::vector<StripVertex> rollOut(const MeshStrip& strip, float y) {
   constexpr float kStep = 0.025F;  // Share of the strip's length.
   std::vector<StripVertex> vertices;
   float before = 0;
@@ -85,27 +85,28 @@ Eigen::Array<double, 8, 1> cornerDeterminants(const physics::Cage& cage) {
 
 }  // namespace
 
-BookGeometry::BookGeometry(const BookMesh& mesh) {
+BookGeometry::BookGeometry(const Mesh& mesh) {
   std::vector<std::uint32_t> indices;
   for (std::size_t part = 0; part < kBookPartCount; ++part) {
     starts_[part] = indices.size();
-    indices.insert(indices.end(), mesh.triangles[part].begin(), mesh.triangles[part].end());
+    const std::vector<std::uint32_t>& triangles = mesh.parts[part].triangles;
+    indices.insert(indices.end(), triangles.begin(), triangles.end());
   }
   starts_[kBookPartCount] = indices.size();
   glBindVertexArray(array_.name());
   upload(GL_ARRAY_BUFFER, vertices_, mesh.vertices);
   upload(GL_ELEMENT_ARRAY_BUFFER, indices_, indices);
-  describeVertex(sizeof(BookVertex));
+  describeVertex(sizeof(MeshVertex));
   uploadStrips(mesh.strips);
 }
 
-void BookGeometry::uploadStrips(const std::vector<BookStrip>& strips) {
+void BookGeometry::uploadStrips(const std::vector<MeshStrip>& strips) {
   std::vector<StripVertex> vertices;
   for (std::size_t i = 0; i < strips.size(); ++i) {
     const float y = (2 * static_cast<float>(i) + 1) / static_cast<float>(strips.size()) - 1;
     const std::vector<StripVertex> row = rollOut(strips[i], y);
-    rows_.push_back(
-        {strips[i].part, static_cast<GLint>(vertices.size()), static_cast<GLsizei>(row.size())});
+    rows_.push_back({static_cast<BookPart>(strips[i].part), static_cast<GLint>(vertices.size()),
+                     static_cast<GLsizei>(row.size())});
     vertices.insert(vertices.end(), row.begin(), row.end());
   }
   bindStrips();

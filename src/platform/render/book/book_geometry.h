@@ -15,7 +15,7 @@ namespace rotatebook::render {
 /// A mesh's vertices and triangles in OpenGL buffers.
 class BookGeometry {
  public:
-  explicit BookGeometry(const BookMesh& mesh);
+  explicit BookGeometry(const Mesh& mesh);
 
   /// Binds the vertices for draw().
   void bind() const { glBindVertexArray(array_.name()); }
@@ -36,7 +36,7 @@ class BookGeometry {
     GLsizei count;
   };
 
-  void uploadStrips(const std::vector<BookStrip>& strips);
+  void uploadStrips(const std::vector<MeshStrip>& strips);
 
   GlVertexArray array_, stripArray_;
   GlBuffer vertices_, indices_, stripVertices_;

@@ -36,7 +36,7 @@ enum class Kind { Outer, Shoulder, Rounding, Rim, Inner };
 constexpr int kCaseParts = 3;
 constexpr int kForeEdge = 16, kFoot = 17, kHead = 18;
 
-/// Returns the BookVertex::surfaceId.
+/// Returns the MeshVertex::surfaceId.
 int surfaceIdOf(BookPart part, Kind kind) {
   return 1 + kCaseParts * static_cast<int>(kind) + static_cast<int>(part);
 }
@@ -100,7 +100,7 @@ SidePoint midpoint(const SidePoint& a, const SidePoint& b) {
           (a.texCoord + b.texCoord) / 2, (a.skyVisibility + b.skyVisibility) / 2};
 }
 
-BookVertex vertexOf(const SidePoint& point, int surfaceId) {
+MeshVertex vertexOf(const SidePoint& point, int surfaceId) {
   const Vector3f size(kBook.width, kBook.height, kBook.thickness);
   return {point.position.cwiseQuotient(size), point.normal.cwiseProduct(size).normalized(),
           point.texCoord, point.skyVisibility, static_cast<float>(surfaceId)};
@@ -108,6 +108,11 @@ BookVertex vertexOf(const SidePoint& point, int surfaceId) {
 
 class MeshBuilder {
  public:
+  MeshBuilder() {
+    mesh_.parts.resize(kBookPartCount);
+    mesh_.parts[static_cast<std::size_t>(BookPart::Lining)].hidden = true;
+  }
+
   /// Adds the grid of points at(i, j), i < rows, j < columns. Its front face is the one from which
   /// the turn from the direction of j to that of i is counter-clockwise; `flipped`: the other one.
   /// surfaceId(i, j) and line(i, j) describe the square whose first point is (i, j).
@@ -132,7 +137,7 @@ class MeshBuilder {
         // Extend the square's strip, if it lies on the strip's line
         const auto [found, isNew] = strips.try_emplace(line(i, j), nextStrip());
         const std::uint8_t strip = found->second;
-        if (isNew) mesh_.strips.push_back({part, 0, true, {}, {}});
+        if (isNew) mesh_.strips.push_back({static_cast<std::size_t>(part), 0, true, {}, {}});
         if (line(i, j) == row(i)) {
           extend(strip, {at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)}, flipped, id);
         } else if (line(i, j) == column(j)) {
@@ -145,7 +150,7 @@ class MeshBuilder {
     }
   }
 
-  BookMesh take() { return std::move(mesh_); }
+  Mesh take() { return std::move(mesh_); }
 
  private:
   std::uint32_t nextVertex() const { return static_cast<std::uint32_t>(mesh_.vertices.size()); }
@@ -161,7 +166,7 @@ class MeshBuilder {
   /// ends at the other two.
   void extend(std::uint8_t number, const std::array<SidePoint, 4>& corners, bool flipped,
               int surfaceId) {
-    BookStrip& strip = mesh_.strips[number];
+    MeshStrip& strip = mesh_.strips[number];
     for (const std::size_t i : {0, 2}) {
       if (i == 0 && !strip.middle.empty()) continue;
       const SidePoint middle = midpoint(corners[i], corners[i + 1]);
@@ -185,12 +190,12 @@ class MeshBuilder {
     };
     if (std::min({distance(a, b), distance(b, c), distance(c, a)}) < kRounding) return;
     if (againstLeaves_[a] && againstLeaves_[b] && againstLeaves_[c]) part = BookPart::Lining;
-    auto& triangles = mesh_.triangles[static_cast<std::size_t>(part)];
-    triangles.insert(triangles.end(), {a, b, c});
-    mesh_.stripOf[static_cast<std::size_t>(part)].push_back(strip);
+    MeshPart& added = mesh_.parts[static_cast<std::size_t>(part)];
+    added.triangles.insert(added.triangles.end(), {a, b, c});
+    added.stripOf.push_back(strip);
   }
 
-  BookMesh mesh_;
+  Mesh mesh_;
   std::vector<bool> againstLeaves_;  // By vertex.
 };
 
@@ -367,18 +372,7 @@ void addLeafEnds(MeshBuilder& builder, bool head) {
 
 }  // namespace
 
-Eigen::Matrix<double, 8, 1> trilinearWeights(const Eigen::Vector3f& unitPosition) {
-  Eigen::Matrix<double, 8, 1> weights;
-  for (int i = 0; i < 8; ++i) {
-    weights[i] = 1;
-    for (int axis = 0; axis < 3; ++axis) {
-      weights[i] *= (i & (1 << axis)) != 0 ? unitPosition[axis] : 1 - unitPosition[axis];
-    }
-  }
-  return weights;
-}
-
-BookMesh makeBookMesh() {
+Mesh makeBookMesh() {
   MeshBuilder builder;
   addCase(builder, BookPart::Front, frontProfile(kBook));
   addCase(builder, BookPart::Spine, spineProfile(kBook));

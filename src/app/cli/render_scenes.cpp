@@ -44,7 +44,7 @@ using Progress = std::function<void(pipeline::RenderProgress)>;
 int encoderThreads(const scene::Scene& scene, const std::vector<video::VideoFormat>& formats) {
   int threads = 0;
   for (const video::VideoFormat format : formats) {
-    threads += format == video::VideoFormat::Mp4 ? scene.video.threads : 1;
+    threads += rowOf(format).usesThreads ? scene.video.threads : 1;
   }
   return threads;
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/error.h"
 #include "cli/bench_report.h"
@@ -44,9 +45,10 @@ void refuseTransparent(const scene::Scene& scene) {
 int bench(const BenchArguments& arguments) {
   const scene::Scene scene = readScene(arguments);
   refuseTransparent(scene);
-  picture::preflight(scene);
+  picture::TextureFiles textures = picture::preflight(scene);
   diagnose::SpeedOptions options{.frames = arguments.frames,
-                                 .device = arguments.deviceOptions.choice()};
+                                 .device = arguments.deviceOptions.choice(),
+                                 .textures = std::move(textures)};
   options.stop = &catchInterrupts();
   std::optional<diagnose::Speed> speed;
   {

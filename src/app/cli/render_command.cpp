@@ -74,13 +74,14 @@ void refuseOpaque(const scene::Scene& scene, const std::vector<video::VideoForma
 }
 
 /// Reads all scenes before anything is written, so that a mistake in the last one costs nothing.
-std::vector<scene::Scene> readScenes(const RenderArguments& arguments,
-                                     const pipeline::RenderOptions& options) {
+std::vector<SceneToRender> readScenes(const RenderArguments& arguments,
+                                      const pipeline::RenderOptions& options) {
+  std::vector<SceneToRender> read;
   std::vector<scene::Scene> scenes;
   std::vector<Input> inputs;
   for (const std::string& path : arguments.scenes) {
     scenes.push_back(arguments.sceneOptions.read(path));
-    picture::preflight(scenes.back());
+    read.push_back({scenes.back(), picture::preflight(scenes.back())});
     std::ranges::move(inputsOf(path, scenes.back()), std::back_inserter(inputs));
   }
   refuseSameNames(scenes);
@@ -88,7 +89,7 @@ std::vector<scene::Scene> readScenes(const RenderArguments& arguments,
     refuseOpaque(scene, formatsOf(options.outputs));
     refuseInputs(scene, options, inputs);
   }
-  return scenes;
+  return read;
 }
 
 int render(const RenderArguments& arguments) {
@@ -96,7 +97,7 @@ int render(const RenderArguments& arguments) {
   options.outputs = pipeline::outputsOf(!arguments.noPng, formatsOf(arguments));
   options.device = arguments.deviceOptions.choice();
   if (!arguments.frames.empty()) options.frames = rangeOf(arguments.frames);
-  const std::vector<scene::Scene> scenes = readScenes(arguments, options);
+  const std::vector<SceneToRender> scenes = readScenes(arguments, options);
   options.stop = &catchInterrupts();
   const int atATime = arguments.atATime > 0
                           ? arguments.atATime

@@ -44,7 +44,7 @@ using Progress = std::function<void(pipeline::RenderProgress)>;
 int encoderThreads(const scene::Scene& scene, const std::vector<video::VideoFormat>& formats) {
   int threads = 0;
   for (const video::VideoFormat format : formats) {
-    threads += format == video::VideoFormat::Mp4 ? scene.video.threads : 1;
+    threads += rowOf(format).usesThreads ? scene.video.threads : 1;
   }
   return threads;
 }
@@ -94,8 +94,9 @@ struct Rendered {
 
 /// Renders one scene. Returns nothing, and reports that, if it was interrupted before there was
 /// anything to write.
-std::optional<Rendered> render(const scene::Scene& scene, const pipeline::RenderOptions& options,
+std::optional<Rendered> render(const SceneToRender& one, const pipeline::RenderOptions& options,
                                const Progress& progress, std::ostream& out) {
+  const scene::Scene& scene = one.scene;
   timeline::ClipMotion motion = timeline::simulateScene(scene, options.stop);
   if (*options.stop) {
     out << scene.name << ": interrupted while simulating; nothing was written" << std::endl;
@@ -108,7 +109,7 @@ std::optional<Rendered> render(const scene::Scene& scene, const pipeline::Render
     if (!warning.empty()) std::cerr << "rotatebook: " + scene.name + ": " + warning + '\n';
   };
   listener.progress = progress;
-  pipeline::RenderResult result = renderClip(scene, motion, options, listener);
+  pipeline::RenderResult result = renderClip(scene, motion, options, listener, one.textures);
   return Rendered{std::move(motion), std::move(result)};
 }
 
@@ -141,14 +142,15 @@ int report(const scene::Scene& scene, const std::optional<Rendered>& rendered,
   return reportMotions(scene, motion, out);
 }
 
-int renderInTurn(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options) {
+int renderInTurn(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options) {
   int status = kDone;
-  for (const scene::Scene& scene : scenes) {
+  for (const SceneToRender& one : scenes) {
+    const scene::Scene& scene = one.scene;
     std::optional<Rendered> rendered;
     {
       ProgressLine line(scene.name);
       const auto progress = [&](pipeline::RenderProgress now) { line.update(now.done, now.total); };
-      rendered = render(scene, options, progress, std::cout);
+      rendered = render(one, options, progress, std::cout);
     }
     const int outcome = report(scene, rendered, options, std::cout);
     if (outcome >= kInterrupted) return outcome;
@@ -160,13 +162,14 @@ int renderInTurn(const std::vector<scene::Scene>& scenes, const pipeline::Render
 /// Renders of several scenes at the same time. Their reports are printed on the caller's thread.
 class ParallelRenders {
  public:
-  ParallelRenders(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options)
+  ParallelRenders(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options)
       : scenes_(scenes),
         options_(options),
         renders_(scenes.size()),
         line_(std::to_string(scenes.size()) + " scenes") {
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-      renders_[i].total = options.frames ? options.frames->count() : scenes[i].clip.frameCount();
+      renders_[i].total =
+          options.frames ? options.frames->count() : scenes[i].scene.clip.frameCount();
     }
   }
 
@@ -214,7 +217,7 @@ class ParallelRenders {
     try {
       const std::optional<Rendered> rendered =
           cli::render(scenes_[i], options_, progress, one.text);
-      one.status = report(scenes_[i], rendered, options_, one.text);
+      one.status = report(scenes_[i].scene, rendered, options_, one.text);
       one.state = State::Finished;
     } catch (...) {
       one.error = std::current_exception();
@@ -276,10 +279,10 @@ class ParallelRenders {
   static State stateOf(const Render& one) { return one.state; }
 
   const std::string& nameOf(const Render& one) const {
-    return scenes_[static_cast<std::size_t>(&one - renders_.data())].name;
+    return scenes_[static_cast<std::size_t>(&one - renders_.data())].scene.name;
   }
 
-  const std::vector<scene::Scene>& scenes_;
+  const std::vector<SceneToRender>& scenes_;
   const pipeline::RenderOptions& options_;
   std::vector<Render> renders_;
   std::size_t reported_ = 0;
@@ -289,14 +292,14 @@ class ParallelRenders {
 
 }  // namespace
 
-int scenesAtATime(const std::vector<scene::Scene>& scenes, int cores, double memory) {
+int scenesAtATime(const std::vector<SceneToRender>& scenes, int cores, double memory) {
   double largest = 0;
-  for (const scene::Scene& scene : scenes) largest = std::max(largest, memoryOf(scene));
+  for (const SceneToRender& one : scenes) largest = std::max(largest, memoryOf(one.scene));
   const double held = memory / 4 / largest;
   return std::max(1, static_cast<int>(std::min(1.0 * cores / kCoresAScene, held)));
 }
 
-int renderScenes(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options,
+int renderScenes(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
                  int atATime) {
   for (const scene::Scene& scene : scenes) printNotes(scene);
   atATime = std::min(atATime, static_cast<int>(scenes.size()));

@@ -3,21 +3,28 @@
 
 #include <vector>
 
+#include "picture/textures.h"
 #include "pipeline/render_clip.h"
 #include "scene/scene.h"
 
 namespace rotatebook::cli {
 
+/// A scene, and its textures as far as they were read already.
+struct SceneToRender {
+  scene::Scene scene;
+  picture::TextureFiles textures{};
+};
+
 /// Returns how many scenes to render at a time, at least 1: one for every three of `cores`, as many
 /// as fit in a quarter of `memory`. [bytes]
-int scenesAtATime(const std::vector<scene::Scene>& scenes, int cores, double memory);
+int scenesAtATime(const std::vector<SceneToRender>& scenes, int cores, double memory);
 
 /// Renders all scenes, `atATime` of them at a time, and reports each on the standard output, in
 /// their order. `options.stop` must not be null. Returns the worst status. After an interrupt it
 /// starts no more scenes and returns the interrupt's status. After a scene's error it starts none
 /// either, completes those that are running, and throws the first error or, of scenes rendered at
 /// the same time, reports the errors and returns the highest of their statuses.
-int renderScenes(const std::vector<scene::Scene>& scenes, const pipeline::RenderOptions& options,
+int renderScenes(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
                  int atATime);
 
 }  // namespace rotatebook::cli

@@ -89,10 +89,10 @@ int compare(const store::RecordedClip& there, const RerunArguments& arguments,
   }
   std::cout << "  " << output.string() << " has OTHER bytes than " << arguments.clip.string()
             << '\n';
-  const store::RecordedClip here =
-      store::readRecordedClip(output, {there.record.scene.folder, there.record.scene.allowOutside});
+  const store::ClipRecord here = store::parseRecord(video::readClipMetadata(output).comment, output,
+                                                    there.record.scene.folder);
   for (const std::string& reason :
-       reasons(arguments.clip, there.record.provenance, here.record.provenance)) {
+       reasons(arguments.clip, there.record.provenance, here.provenance)) {
     std::cout << "    " << reason << std::endl;
   }
   return kUnmet;
@@ -100,7 +100,7 @@ int compare(const store::RecordedClip& there, const RerunArguments& arguments,
 
 int rerun(const RerunArguments& arguments) {
   const store::RecordedClip clip = store::readRecordedClip(arguments.clip, arguments.textures);
-  picture::preflight(clip.record.scene);
+  picture::requireText(clip.record.scene);
   const store::ClipFiles files = filesOf(clip, arguments.folder);
   const fs::path output = files.video(clip.format);
   pipeline::RenderOptions options;
@@ -117,7 +117,7 @@ int rerun(const RerunArguments& arguments) {
   options.device = arguments.deviceOptions.choice();
   options.stop = &catchInterrupts();
   // Expectations are reported, but decide no status: they decided that of the first render.
-  const int status = renderScenes({clip.record.scene}, options, 1);
+  const int status = renderScenes({{clip.record.scene, clip.textures}}, options, 1);
   return status >= kInterrupted ? status : compare(clip, arguments, output);
 }
 

@@ -91,9 +91,9 @@ WorkTime perFrame(const WorkTime& all, std::int64_t frames) {
 /// The stages of a render, which frames pass through one stage at a time.
 class Stages {
  public:
-  Stages(const scene::Scene& scene, const timeline::ClipMotion& motion,
-         const render::DeviceChoice& device, const fs::path& folder)
-      : drawer_(scene, motion, device),
+  Stages(const scene::Scene& scene, const timeline::ClipMotion& motion, const SpeedOptions& options,
+         const fs::path& folder)
+      : drawer_(scene, motion, options.device, options.textures),
         exposures_(kBatch, drawer_.makeExposure()),
         pictures_(kBatch, drawer_.makePicture()),
         checksums_(folder),
@@ -165,7 +165,7 @@ bool measureStages(const scene::Scene& scene, const timeline::ClipMotion& motion
                    const SpeedOptions& options, const Progress& progress, Speed& speed) {
   const TemporaryFolder folder;
   const std::int64_t frames = speed.frames;
-  Stages stages(scene, motion, options.device, folder.path());
+  Stages stages(scene, motion, options, folder.path());
   for (std::int64_t first = 0; first < frames; first += kBatch) {
     if (options.stop != nullptr && *options.stop) return false;
     stages.pass(first, std::min(first + kBatch, frames));
@@ -197,8 +197,12 @@ bool measureWhole(const scene::Scene& scene, const timeline::ClipMotion& motion,
     progress(now.done);
   };
   const pipeline::RenderOptions render{
-      .folder = folder.path(), .stop = options.stop, .device = options.device};
-  if (pipeline::renderClip(scene, motion, render, listener).interrupted) return false;
+      .folder = folder.path(),
+      .outputs = pipeline::outputsOf(true, {video::VideoFormat::Mp4}),
+      .stop = options.stop,
+      .device = options.device};
+  if (pipeline::renderClip(scene, motion, render, listener, options.textures).interrupted)
+    return false;
   speed.whole = perFrame(watch->elapsed(), speed.frames);
   return true;
 }

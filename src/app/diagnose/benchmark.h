@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -61,6 +62,8 @@ struct SpeedOptions {
   /// Called with the number of frames done; the total counts each frame three times.
   std::function<void(std::int64_t done, std::int64_t total)> progress{};
   render::DeviceChoice device{};
+  /// The scene's picture::TextureFiles, as far as they were read already.
+  std::map<std::string, std::string> textures{};
 };
 
 /// Renders the first frames of `scene` three times in a temporary folder, which is removed

@@ -58,8 +58,8 @@ std::string otherSizeText(const video::PictureSize& size, const scene::Scene& sc
 
 void requireFile(const fs::path& path, const scene::Scene& scene, const std::string& command) {
   if (fs::is_regular_file(path)) return;
-  throw InputError(path.string() + " is missing; the page shows what was made before: " +
-                   remedy(command, scene, path.parent_path()));
+  throw InputError(path.string() + " is missing; " + (command == "render" ? "render" : "make") +
+                   " it first: " + remedy(command, scene, path.parent_path()));
 }
 
 Html linkItem(const std::string& address, const std::string& text) {

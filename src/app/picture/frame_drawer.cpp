@@ -7,9 +7,10 @@ namespace rotatebook::picture {
 // Reading textures and making overlays take half of the time in which a render starts: they run in
 // parallel.
 FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
-                         const render::DeviceChoice& device)
-    : FrameDrawer(scene, motion, device,
-                  std::async(std::launch::async, [&scene] { return loadTextures(scene); })) {}
+                         const render::DeviceChoice& device, const TextureFiles& files)
+    : FrameDrawer(scene, motion, device, std::async(std::launch::async, [&scene, &files] {
+                    return loadTextures(scene, files);
+                  })) {}
 
 FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
                          const render::DeviceChoice& device, std::future<LoadedTextures> textures)

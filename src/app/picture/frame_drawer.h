@@ -27,10 +27,10 @@ namespace rotatebook::picture {
 /// context; see render::Renderer.
 class FrameDrawer final : public FramePainter {
  public:
-  /// `motion`, the scene's, must outlive this. Throws like loadTextures(), Composition and
-  /// render::Renderer.
+  /// `motion`, the scene's, must outlive this; `files` are the scene's textures as far as they were
+  /// read already. Throws like loadTextures(), Composition and render::Renderer.
   FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
-              const render::DeviceChoice& device = {});
+              const render::DeviceChoice& device = {}, const TextureFiles& files = {});
 
   /// Returns a picture of the right size and format for draw() and compose().
   image::Image makePicture() const override { return composition_.makePicture(); }

@@ -1,13 +1,17 @@
 #include "picture/preflight.h"
 
 #include "picture/composition.h"
-#include "picture/textures.h"
 #include "timeline/simulate_scene.h"
 
 namespace rotatebook::picture {
 
-void preflight(const scene::Scene& scene) {
-  requireTextures(scene);
+TextureFiles preflight(const scene::Scene& scene) {
+  TextureFiles files = readTextures(scene);
+  requireText(scene);
+  return files;
+}
+
+void requireText(const scene::Scene& scene) {
   // A clip of one frame has the text of the whole clip.
   scene::Scene first = scene;
   first.clip.duration = scene.clip.frameRate.period();

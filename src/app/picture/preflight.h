@@ -1,12 +1,16 @@
 // Checks what only shows when a scene's files and fonts are opened.
 #pragma once
 
+#include "picture/textures.h"
 #include "scene/scene.h"
 
 namespace rotatebook::picture {
 
-/// Verifies, before any work, that the scene's textures can be read and its text can be set. Throws
-/// InputError like loadTextures() and Composition.
-void preflight(const scene::Scene& scene);
+/// Verifies, before any work, that the scene's textures can be read and its text can be set.
+/// Returns the texture files, for whoever draws the scene. Throws InputError like readTextures()
+/// and Composition.
+TextureFiles preflight(const scene::Scene& scene);
+/// Verifies that the scene's text can be set. Throws InputError like Composition.
+void requireText(const scene::Scene& scene);
 
 }  // namespace rotatebook::picture

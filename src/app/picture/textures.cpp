@@ -56,14 +56,24 @@ struct LoadedSide {
   std::string checksum;
 };
 
-LoadedSide load(const scene::Scene& scene, const Side& side) {
-  if (isBuiltin(scene, side)) return {side.builtin(), kBuiltinTexture};
-  return scene::atLocationOf(scene, side.key, [&]() -> LoadedSide {
-    const fs::path file = fileOf(scene, scene.book.*side.file);
-    const std::string bytes = image::readPngFile(file);
+std::string read(const scene::Scene& scene, const Side& side) {
+  return scene::atLocationOf(
+      scene, side.key, [&] { return image::readPngFile(fileOf(scene, scene.book.*side.file)); });
+}
+
+image::Image decode(const scene::Scene& scene, const Side& side, const std::string& bytes) {
+  return scene::atLocationOf(scene, side.key, [&] {
     const auto* first = reinterpret_cast<const std::uint8_t*>(bytes.data());
-    return {image::decodePng({first, bytes.size()}, file.string()), checksumOf(bytes)};
+    const fs::path file = scene.folder / (scene.book.*side.file);
+    return image::decodePng({first, bytes.size()}, file.string());
   });
+}
+
+LoadedSide load(const scene::Scene& scene, const Side& side, const TextureFiles& files) {
+  if (isBuiltin(scene, side)) return {side.builtin(), kBuiltinTexture};
+  const auto known = files.find(std::string(side.key));
+  const std::string bytes = known == files.end() ? read(scene, side) : known->second;
+  return {decode(scene, side, bytes), checksumOf(bytes)};
 }
 
 /// Returns the vertical field of view. [degrees]
@@ -98,16 +108,20 @@ std::vector<fs::path> textureFiles(const scene::Scene& scene) {
   return files;
 }
 
-void requireTextures(const scene::Scene& scene) {
+TextureFiles readTextures(const scene::Scene& scene) {
+  TextureFiles files;
   for (const Side& side : {kFront, kSpine, kBack}) {
     // Built-in textures are always valid, and loading them takes a tenth of a render's start.
-    if (!isBuiltin(scene, side)) load(scene, side);
+    if (isBuiltin(scene, side)) continue;
+    std::string& bytes = files[std::string(side.key)] = read(scene, side);
+    decode(scene, side, bytes);
   }
+  return files;
 }
 
-LoadedTextures loadTextures(const scene::Scene& scene) {
+LoadedTextures loadTextures(const scene::Scene& scene, const TextureFiles& files) {
   const auto start = [&](const Side& side) {
-    return std::async(std::launch::async, [&] { return load(scene, side); });
+    return std::async(std::launch::async, [&] { return load(scene, side, files); });
   };
   auto frontLoading = start(kFront), spineLoading = start(kSpine), backLoading = start(kBack);
   LoadedSide front = frontLoading.get(), spine = spineLoading.get(), back = backLoading.get();

@@ -18,20 +18,23 @@ inline constexpr const char* kBuiltinTexture = "built-in";
 /// kBuiltinTexture.
 using TextureChecksums = std::map<std::string, std::string>;
 
-/// A scene's textures. Each file is read once, so that the checksums are those of the bytes that
-/// are drawn even if the file changes.
+/// The bytes of a scene's texture files by key; built-in textures have none.
+using TextureFiles = std::map<std::string, std::string>;
+
+/// A scene's textures. The checksums are those of the bytes that are drawn, even if a file changes.
 struct LoadedTextures {
   render::BookTextures pictures;
   TextureChecksums checksums;
 };
 
-/// Reads the textures that the scene names, in parallel. Throws InputError if one is missing or
-/// broken, or leads outside the scene's folder without Scene::allowOutside.
-LoadedTextures loadTextures(const scene::Scene& scene);
+/// Reads the texture files that the scene names. Throws InputError if one is missing or broken, or
+/// leads outside the scene's folder without Scene::allowOutside.
+TextureFiles readTextures(const scene::Scene& scene);
+/// Decodes the scene's textures in parallel: the bytes of `files`, or else of the files themselves.
+/// Throws as readTextures() does.
+LoadedTextures loadTextures(const scene::Scene& scene, const TextureFiles& files = {});
 /// Returns the texture files that the scene names, whether they exist or not.
 std::vector<std::filesystem::path> textureFiles(const scene::Scene& scene);
-/// Throws whenever loadTextures() would.
-void requireTextures(const scene::Scene& scene);
 
 /// Returns the scene's camera for `screen`, the whole picture or a panel.
 render::Camera cameraOf(const scene::Scene& scene, const render::Screen& screen);

@@ -57,14 +57,14 @@ std::vector<std::filesystem::path> allFiles(const RenderResult& result,
 class Render {
  public:
   Render(const scene::Scene& scene, const timeline::ClipMotion& motion,
-         const RenderOptions& options)
+         const RenderOptions& options, const picture::TextureFiles& textures)
       : scene_(scene),
         motion_(motion),
         options_(options),
         png_(hasPng(options.outputs)),
         formats_(formatsOf(options.outputs)),
         range_(framesToRender(motion, options.frames)),
-        drawer_(scene, motion, options.device) {
+        drawer_(scene, motion, options.device, textures) {
     result_.files = filesOf(scene, options, range_);
     result_.csvs = store::csvFiles(result_.files.csv, scene);
   }
@@ -202,8 +202,9 @@ store::FrameRange framesToRender(const timeline::ClipMotion& motion,
 }
 
 RenderResult renderClip(const scene::Scene& scene, const timeline::ClipMotion& motion,
-                        const RenderOptions& options, const RenderListener& listener) {
-  return Render(scene, motion, options).run(listener);
+                        const RenderOptions& options, const RenderListener& listener,
+                        const picture::TextureFiles& textures) {
+  return Render(scene, motion, options, textures).run(listener);
 }
 
 }  // namespace rotatebook::pipeline

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "picture/textures.h"
 #include "pipeline/draw_frames.h"
 #include "pipeline/render_output.h"
 #include "render/device/device.h"
@@ -23,8 +24,9 @@ namespace rotatebook::pipeline {
 /// The outputs of a render, their folder and the device that draws.
 struct RenderOptions {
   std::filesystem::path folder = "out";  ///< Created if it doesn't exist.
-  /// The files to write and the sinks to feed; each video format at most once.
-  std::vector<RenderOutput> outputs = outputsOf(true, {video::VideoFormat::Mp4});
+  /// The files to write and the sinks to feed, each video format at most once, besides tables and
+  /// poster, which every render of a whole clip leaves.
+  std::vector<RenderOutput> outputs;
   std::optional<store::FrameRange> frames{};  ///< Only these; all by default.
   store::EarlierFrames earlier{};
   /// Set by others, such as a signal handler, to stop after the current frame. May be null.
@@ -67,8 +69,9 @@ store::FrameRange framesToRender(const timeline::ClipMotion& motion,
 /// Draws `motion`, the scene's, into the outputs, and writes the tables and, for a whole clip, the
 /// poster. A resumed render leaves the same files as one that was never interrupted. Throws Error;
 /// then, too, files with a final name are complete, and finished frames are kept. See
-/// store::ClipFolder for the folders.
+/// store::ClipFolder for the folders. `textures` are the scene's as far as they were read already.
 RenderResult renderClip(const scene::Scene& scene, const timeline::ClipMotion& motion,
-                        const RenderOptions& options, const RenderListener& listener);
+                        const RenderOptions& options, const RenderListener& listener,
+                        const picture::TextureFiles& textures = {});
 
 }  // namespace rotatebook::pipeline

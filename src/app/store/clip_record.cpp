@@ -193,7 +193,7 @@ RecordedClip readRecordedClip(const fs::path& clip, const TextureLookup& texture
   scene::Scene& scene = recorded.record.scene;
   scene.allowOutside = textures.allowOutside;
   try {
-    picture::requireTextures(scene);
+    recorded.textures = picture::readTextures(scene);
   } catch (const InputError& error) {
     if (!lacksTextures(scene)) throw;
     throw InputError(std::string(error.what()) +

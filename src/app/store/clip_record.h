@@ -62,10 +62,11 @@ bool isRecordOf(const scene::Scene& scene, const std::string& text);
 /// picture depends on them.
 bool isRecordOfClip(const scene::Scene& scene, const std::string& text);
 
-/// A clip's format and its record.
+/// A clip's format, its record, and its scene's textures.
 struct RecordedClip {
   video::VideoFormat format = video::VideoFormat::Mp4;
   ClipRecord record;
+  std::map<std::string, std::string> textures{};  ///< picture::TextureFiles
 };
 
 /// The location of a recorded scene's textures.

@@ -17,8 +17,6 @@ constexpr std::int64_t kFarReach = 5;
 // 42; 2.6 at crf 18), at most 0.38 in clips that are off by a frame, at crf 18.
 constexpr double kCloserRatio = 0.6;
 
-constexpr int kWebmCrf = 18;  // The crf of MP4 whose bounds fit WebM's constant quality.
-
 }  // namespace
 
 // Measured on 24 frames of scenes/starter.toml: the largest rms and rms of the worst block from
@@ -34,7 +32,7 @@ constexpr int kWebmCrf = 18;  // The crf of MP4 whose bounds fit WebM's constant
 //   WebM    2.2   4.7   3.2 19    3.8 47
 // The largest on five scenes of figures and comparisons, at 640x360 and crf 18: 2.1 and 7.1.
 video::Distance encodingBound(video::VideoFormat format, int crf) {
-  const double step = (format == video::VideoFormat::Mp4 ? crf : kWebmCrf) - 18;
+  const double step = rowOf(format).recorded.lossesOfCrf.value_or(crf) - 18;
   return {.rms = std::clamp(3.8 * std::exp2(step / 9), 1.5, 26.0),
           .worstBlock = std::clamp(10 * std::exp2(step / 8), 4.0, 60.0)};
 }

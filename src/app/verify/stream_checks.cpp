@@ -10,12 +10,6 @@
 namespace rotatebook::verify {
 namespace {
 
-// Bounds for time stamps: WebM rounds to milliseconds; in MP4, a frame is a whole number of clock
-// ticks. [s]
-constexpr double kMp4StampBound = 1e-6, kWebmStampBound = 0.501e-3;
-// Bounds for durations, which FFmpeg reports in microseconds. [s]
-constexpr double kMp4LengthBound = 2e-6, kWebmLengthBound = 1.001e-3;
-
 ClipCheck equality(const std::string& what, const std::string& measured,
                    const std::string& wanted) {
   return {what, measured, wanted, measured == wanted};
@@ -23,6 +17,10 @@ ClipCheck equality(const std::string& what, const std::string& measured,
 
 std::string codecText(const video::ClipFacts& facts) {
   return facts.codec + " " + facts.profile + ", " + facts.pixelFormat;
+}
+
+std::string codecText(const video::FormatRow& format) {
+  return std::string(format.codec) + " " + std::string(format.recorded.profile);
 }
 
 std::string secondsText(double seconds) {
@@ -51,11 +49,11 @@ std::string speedText(const video::Mp4Header& header) {
   return text;
 }
 
-/// Returns whether all of `duration` [s] is played, at normal speed.
-bool playsAll(const video::Mp4Header& header, double duration) {
+/// Returns whether all of `duration` [s] is played within `bound` [s], at normal speed.
+bool playsAll(const video::Mp4Header& header, double duration, double bound) {
   if (header.speed != 1 || header.edits.size() > 1) return false;
   const auto isAll = [&](const video::Mp4Header::Edit& edit) {
-    return edit.speed == 1 && std::abs(edit.duration - duration) <= kMp4LengthBound;
+    return edit.speed == 1 && std::abs(edit.duration - duration) <= bound;
   };
   return std::ranges::all_of(header.edits, isAll);
 }
@@ -64,8 +62,8 @@ std::string shownSizeText(const video::Mp4Header& header) {
   return roundedText(header.shownWidth, 9) + "x" + roundedText(header.shownHeight, 9);
 }
 
-bool isMp4(const video::ClipFacts& facts) {
-  return facts.format == video::VideoFormat::Mp4;
+const video::RecordedStream& wantedOf(const video::ClipFacts& facts) {
+  return rowOf(facts.format).recorded;
 }
 
 }  // namespace
@@ -75,8 +73,7 @@ std::vector<ClipCheck> checkStream(const video::ClipFacts& facts, const scene::S
   const std::string colours = coloursText({"bt709", "bt709", "bt709", "tv"});
   std::vector<ClipCheck> checks{
       equality(kSizeCheck, sizeText(facts.width, facts.height), size),
-      equality(kCodecCheck, codecText(facts),
-               isMp4(facts) ? "h264 High, yuv420p" : "vp9 Profile 0, yuv420p"),
+      equality(kCodecCheck, codecText(facts), codecText(rowOf(facts.format))),
       equality("colours", coloursText(facts.colours), colours),
       equality("container", coloursText(facts.containerColours), colours),
       equality("pixel shape", shapesText(facts.containerShape, facts.pixelShape),
@@ -100,8 +97,8 @@ void TimeCheck::add(double time) {
 }
 
 std::vector<ClipCheck> TimeCheck::checks() const {
-  const double stampBound = isMp4(facts_) ? kMp4StampBound : kWebmStampBound;
-  const double lengthBound = isMp4(facts_) ? kMp4LengthBound : kWebmLengthBound;
+  const double stampBound = wantedOf(facts_).stampBound;
+  const double lengthBound = wantedOf(facts_).lengthBound;
   const double wanted = timeOf(frames_);
   std::vector<ClipCheck> checks{
       equality("frames", std::to_string(count_), std::to_string(frames_)),
@@ -114,7 +111,7 @@ std::vector<ClipCheck> TimeCheck::checks() const {
        std::abs(facts_.duration - wanted) <= lengthBound}};
   if (facts_.mp4) {
     checks.push_back({"speed", speedText(*facts_.mp4), "all at speed 1",
-                      playsAll(*facts_.mp4, facts_.duration)});
+                      playsAll(*facts_.mp4, facts_.duration, lengthBound)});
   }
   return checks;
 }

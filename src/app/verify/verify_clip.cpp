@@ -56,7 +56,7 @@ class Verifier {
  public:
   Verifier(const std::filesystem::path& clip, const VerifyOptions& options)
       : options_(options),
-        record_(readWholeClip(clip, options.textures).record),
+        clip_(readWholeClip(clip, options.textures)),
         reader_(clip),
         motion_(timeline::simulateScene(record_.scene)),
         motionSum_(timeline::motionChecksum(motion_)) {}
@@ -84,7 +84,7 @@ class Verifier {
 
   void decode(Verification& found) {
     const std::set<std::int64_t> chosen = chosenFrames(found.range, motionSum_, options_);
-    picture::FrameDrawer drawer(record_.scene, motion_, options_.device);
+    picture::FrameDrawer drawer(record_.scene, motion_, options_.device, clip_.textures);
     found.toolsDiffer = store::differencesOfTools(
         record_.provenance, store::provenanceOf(record_.scene, motion_, drawer.textureChecksums(),
                                                 drawer.description()));
@@ -101,7 +101,8 @@ class Verifier {
   }
 
   const VerifyOptions& options_;
-  store::ClipRecord record_;
+  const store::RecordedClip clip_;
+  const store::ClipRecord& record_ = clip_.record;
   video::ClipReader reader_;
   timeline::ClipMotion motion_;
   std::string motionSum_;

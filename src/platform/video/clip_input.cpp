@@ -1,14 +1,18 @@
 #include "video/clip_input.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <new>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
 #include "base/error.h"
 #include "system/read_file.h"
+#include "video/whole_file.h"
 
 namespace rotatebook::video {
 namespace {
@@ -18,30 +22,29 @@ constexpr std::size_t kBufferSize = 65'536;
 /// [bytes]
 constexpr std::size_t kMaxAllocation = 256'000'000;
 
+constexpr std::size_t kHeadSize = 8;  // Bytes by which MP4s and WebMs are known.
+
+/// Returns whether FFmpeg may have failed because the file is in none of our formats.
+bool isOfNoFormat(int result) {
+  return result == AVERROR(EINVAL) || result == AVERROR_INVALIDDATA || result == AVERROR_EOF;
+}
+
 bool isNamed(const AVInputFormat& demuxer, std::string_view name) {
   return ("," + std::string(demuxer.name) + ",").find("," + std::string(name) + ",") !=
          std::string::npos;
 }
 
-/// Returns FFmpeg's names of the demuxers of our formats, separated by commas.
-std::string demuxers() {
-  std::string names;
-  for (const FormatRow& row : kFormatRows) {
-    names += (names.empty() ? "" : ",") + std::string(row.demuxer);
-  }
-  return names;
-}
-
 }  // namespace
 
-ClipInput::ClipInput(const std::filesystem::path& path) : name_(path.string()) {
+ClipInput::ClipInput(const std::filesystem::path& path, bool FormatRow::*wanted)
+    : name_(path.string()) {
   try {
     system::openFile(path);
   } catch (const InputError& error) {
     throw InputError("can't read " + name_ + ": " + error.what());
   }
   // FFmpeg would take "a:b.mp4" for a protocol named a.
-  open(nullptr, "file:" + name_);
+  open(nullptr, "file:" + name_, wanted);
 }
 
 ClipInput::ClipInput(std::span<const std::uint8_t> bytes, std::string name)
@@ -56,7 +59,7 @@ ClipInput::ClipInput(std::span<const std::uint8_t> bytes, std::string name)
   AVFormatContext* context = avformat_alloc_context();
   if (context == nullptr) throw std::bad_alloc();
   context->pb = io_.get();
-  open(context, "");
+  open(context, "", &FormatRow::holdsRecord);
 }
 
 void ClipInput::IoDeleter::operator()(AVIOContext* io) const noexcept {
@@ -86,18 +89,30 @@ std::int64_t ClipInput::seekMemory(void* memory, std::int64_t offset, int whence
   return from + offset;
 }
 
-void ClipInput::open(AVFormatContext* context, const std::string& url) {
+bool ClipInput::beginsAsClip() const {
+  if (io_) {
+    const auto* bytes = reinterpret_cast<const char*>(memory_.bytes.data());
+    std::istringstream head(std::string(bytes, std::min(memory_.bytes.size(), kHeadSize)));
+    return video::beginsAsClip(head);
+  }
+  std::ifstream file(name_, std::ios::binary);
+  return video::beginsAsClip(file);
+}
+
+void ClipInput::open(AVFormatContext* context, const std::string& url, bool FormatRow::*wanted) {
   silenceFfmpeg();
   // A file of a few bytes may ask for tables of gigabytes. The limit holds for the whole process.
   av_max_alloc(kMaxAllocation);
   Dictionary options;
   options.set("format_whitelist", demuxers());
-  options.set("codec_whitelist", kDecoders);
+  options.set("codec_whitelist", decoders());
   options.set("protocol_whitelist", "file");
   // Frees `context` if it fails.
-  checkInput(avformat_open_input(&context, url.c_str(), nullptr, options.address()),
-             "can't read " + name_ + " as " +
-                 listFormats(&FormatRow::title, "or", &FormatRow::holdsRecord));
+  const int result = avformat_open_input(&context, url.c_str(), nullptr, options.address());
+  if (isOfNoFormat(result) && !beginsAsClip()) {
+    throw InputError(name_ + " isn't an " + listFormats(&FormatRow::title, "or", wanted));
+  }
+  checkInput(result, "can't read " + name_);
   context_.reset(context);
 }
 
@@ -121,7 +136,7 @@ AVStream& ClipInput::stream() const {
 void ClipInput::probe() {
   Dictionary options;
   options.set("max_pixels", std::to_string(kMaxDecodedPixels));
-  options.set("codec_whitelist", kDecoders);
+  options.set("codec_whitelist", decoders());
   stream();  // Exactly one stream, so one set of options is enough.
   checkInput(avformat_find_stream_info(context_.get(), options.address()),
              "can't read the pictures of " + name_);

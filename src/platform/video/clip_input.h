@@ -18,15 +18,14 @@ namespace rotatebook::video {
 /// of 16 pixels in the stream. [pixels]
 inline constexpr std::int64_t kMaxDecodedPixels = kMaxPicturePixels + 2 * 15 * kMaxPictureSide;
 
-/// FFmpeg's names of the decoders of our formats that hold metadata, separated by commas.
-inline constexpr const char* kDecoders = "h264,vp9,libvpx-vp9";
-
 /// A file in one of our formats. Anybody may have made it, so only the demuxers and decoders of
 /// these formats read it, which open no other file.
 class ClipInput {
  public:
-  /// Opens the file. Throws InputError if it can't be opened or isn't in such a format.
-  explicit ClipInput(const std::filesystem::path& path);
+  /// Opens the file. Throws InputError if it can't be opened or isn't in such a format; the message
+  /// lists those that have the property `wanted`, or all.
+  explicit ClipInput(const std::filesystem::path& path,
+                     bool FormatRow::*wanted = &FormatRow::holdsRecord);
   /// Reads memory, which must outlive this object; `name` is for messages.
   ClipInput(std::span<const std::uint8_t> bytes, std::string name);
   ClipInput(const ClipInput&) = delete;
@@ -56,7 +55,8 @@ class ClipInput {
 
   static int readMemory(void* memory, std::uint8_t* buffer, int size);
   static std::int64_t seekMemory(void* memory, std::int64_t offset, int whence);
-  void open(AVFormatContext* context, const std::string& url);
+  void open(AVFormatContext* context, const std::string& url, bool FormatRow::*wanted);
+  bool beginsAsClip() const;
 
   std::string name_;
   Memory memory_;

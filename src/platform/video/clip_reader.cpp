@@ -1,5 +1,6 @@
 #include "video/clip_reader.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <fstream>
 #include <limits>
@@ -48,7 +49,7 @@ std::string shapeText(AVRational shape) {
 }
 
 std::optional<Mp4Header> headerOf(const ClipInput& input) {
-  if (input.format() != VideoFormat::Mp4) return std::nullopt;
+  if (!rowOf(input.format()).recorded.hasMp4Header) return std::nullopt;
   std::ifstream file(input.name(), std::ios::binary);
   return readMp4Header(file);
 }
@@ -80,14 +81,20 @@ ClipFacts factsOf(ClipInput& input) {
   return facts;
 }
 
-/// Finds the decoder of H.264 or VP9. Throws InputError for another codec, MachineError if there is
-/// no decoder.
+bool isOfClips(const std::string& codec) {
+  return std::ranges::any_of(
+      kFormatRows, [&](const FormatRow& row) { return row.holdsRecord && row.codec == codec; });
+}
+
+/// Finds the decoder of a format that holds a record. Throws InputError for another codec,
+/// MachineError if there is no decoder.
 const AVCodec& decoderFor(const ClipInput& input) {
   const AVStream& stream = input.stream();
   const AVCodecID codec = stream.codecpar->codec_id;
   const std::string name = avcodec_get_name(codec);
-  if (codec != AV_CODEC_ID_H264 && codec != AV_CODEC_ID_VP9) {
-    throw InputError("the codec of " + input.name() + " is " + name + "; a clip's is h264 or vp9");
+  if (!isOfClips(name)) {
+    throw InputError("the codec of " + input.name() + " is " + name + "; a clip's is " +
+                     listFormats(&FormatRow::codec, "or", &FormatRow::holdsRecord));
   }
   const AVCodec* decoder = nullptr;
   // FFmpeg's own VP9 decoder ignores alpha.
@@ -130,7 +137,7 @@ ClipMetadata readClipMetadata(std::span<const std::uint8_t> bytes, const std::st
 }
 
 PictureSize readPictureSize(const std::filesystem::path& path) {
-  const ClipInput input(path);
+  const ClipInput input(path, nullptr);
   const AVCodecParameters& codec = *input.stream().codecpar;
   return {codec.width, codec.height};
 }

@@ -4,6 +4,23 @@
 
 namespace rotatebook::video {
 
+std::string demuxers() {
+  std::string names;
+  for (const FormatRow& row : kFormatRows) {
+    names += (names.empty() ? "" : ",") + std::string(row.demuxer);
+  }
+  return names;
+}
+
+std::string decoders() {
+  std::string names;
+  for (const FormatRow& row : kFormatRows) {
+    if (!row.holdsRecord) continue;
+    names += (names.empty() ? "" : ",") + std::string(row.recorded.decoders);
+  }
+  return names;
+}
+
 std::string listFormats(std::string_view FormatRow::*column, std::string_view conjunction,
                         bool FormatRow::*property) {
   std::vector<std::string_view> listed;

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -37,6 +38,17 @@ struct EncoderNeed {
   const char* remedy;
 };
 
+/// The stream of a clip in a format that holds a record, as its encoder leaves it.
+struct RecordedStream {
+  std::string_view profile{};   ///< FFmpeg's names of it and the pixels: "High, yuv420p"
+  std::string_view decoders{};  ///< FFmpeg's names, separated by commas.
+  double stampBound = 0;        ///< Largest error of a time stamp. [s]
+  double lengthBound = 0;       ///< Largest error of the duration, which is in microseconds. [s]
+  /// The crf of MP4 whose losses the format has; none if it is encoded with VideoSettings::crf.
+  std::optional<int> lossesOfCrf{};
+  bool hasMp4Header = false;  ///< Whether the container is an MP4's: see Mp4Header.
+};
+
 /// A row of the table of formats.
 struct FormatRow {
   VideoFormat format;
@@ -44,60 +56,83 @@ struct FormatRow {
   std::string_view ending;   ///< ".mp4"
   std::string_view title;    ///< "MP4"
   std::string_view demuxer;  ///< FFmpeg's name of the demuxer.
+  std::string_view codec;    ///< FFmpeg's name of the codec.
   bool keepsTransparency;
   /// True if the file has metadata, which record the scene that it was made from. Browsers' <video>
   /// plays these formats.
   bool holdsRecord;
+  bool usesThreads;  ///< Whether VideoSettings::threads encode it, or else one thread.
   /// Bytes of a picture over its number of pixels to the power of 0.85, rather too large.
   double weight;
   EncoderNeed encoder;  ///< The best one. For MP4 alone another will do.
   MakeStages* makeStages;
+  RecordedStream recorded{};  ///< If it holdsRecord.
 };
 
 /// All formats, in the order of the enumeration. Weights were measured as 0.13 to 0.20 for MP4 and
 /// WebM (0.10 to 0.26 on scenes with overlays and quicker turns), 1.4 to 1.8 for GIF and APNG (0.9
-/// to 2.6).
+/// to 2.6). WebM rounds times to milliseconds; in MP4, a frame is a whole number of clock ticks.
 inline constexpr std::array kFormatRows{
-    FormatRow{VideoFormat::Mp4,
-              "mp4",
-              ".mp4",
-              "MP4",
-              "mov",
-              false,
-              true,
-              0.22,
-              {"libx264", "install a build with libx264 (Debian, Ubuntu: libavcodec-extra)"},
-              makeMp4Stages},
-    FormatRow{VideoFormat::WebM,
-              "webm",
-              ".webm",
-              "WebM",
-              "matroska",
-              true,
-              true,
-              0.22,
-              {"libvpx-vp9", "install a build with libvpx (Debian, Ubuntu: libavcodec-extra)"},
-              makeWebmStages},
-    FormatRow{VideoFormat::Gif,
-              "gif",
-              ".gif",
-              "GIF",
-              "gif",
-              false,
-              false,
-              2.5,
-              {"gif", "install a build with GIF (Debian, Ubuntu: libavcodec-extra)"},
-              makeGifStages},
-    FormatRow{VideoFormat::Apng,
-              "apng",
-              ".apng",
-              "APNG",
-              "apng",
-              true,
-              false,
-              2.5,
-              {"apng", "install a build with zlib (Debian, Ubuntu: libavcodec-extra)"},
-              makeApngStages}};
+    FormatRow{
+        .format = VideoFormat::Mp4,
+        .name = "mp4",
+        .ending = ".mp4",
+        .title = "MP4",
+        .demuxer = "mov",
+        .codec = "h264",
+        .keepsTransparency = false,
+        .holdsRecord = true,
+        .usesThreads = true,
+        .weight = 0.22,
+        .encoder = {"libx264", "install a build with libx264 (Debian, Ubuntu: libavcodec-extra)"},
+        .makeStages = makeMp4Stages,
+        .recorded = {.profile = "High, yuv420p",
+                     .decoders = "h264",
+                     .stampBound = 1e-6,
+                     .lengthBound = 2e-6,
+                     .hasMp4Header = true}},
+    FormatRow{
+        .format = VideoFormat::WebM,
+        .name = "webm",
+        .ending = ".webm",
+        .title = "WebM",
+        .demuxer = "matroska",
+        .codec = "vp9",
+        .keepsTransparency = true,
+        .holdsRecord = true,
+        .usesThreads = false,
+        .weight = 0.22,
+        .encoder = {"libvpx-vp9", "install a build with libvpx (Debian, Ubuntu: libavcodec-extra)"},
+        .makeStages = makeWebmStages,
+        .recorded = {.profile = "Profile 0, yuv420p",
+                     .decoders = "vp9,libvpx-vp9",
+                     .stampBound = 0.501e-3,
+                     .lengthBound = 1.001e-3,
+                     .lossesOfCrf = 18}},
+    FormatRow{.format = VideoFormat::Gif,
+              .name = "gif",
+              .ending = ".gif",
+              .title = "GIF",
+              .demuxer = "gif",
+              .codec = "gif",
+              .keepsTransparency = false,
+              .holdsRecord = false,
+              .usesThreads = false,
+              .weight = 2.5,
+              .encoder = {"gif", "install a build with GIF (Debian, Ubuntu: libavcodec-extra)"},
+              .makeStages = makeGifStages},
+    FormatRow{.format = VideoFormat::Apng,
+              .name = "apng",
+              .ending = ".apng",
+              .title = "APNG",
+              .demuxer = "apng",
+              .codec = "apng",
+              .keepsTransparency = true,
+              .holdsRecord = false,
+              .usesThreads = false,
+              .weight = 2.5,
+              .encoder = {"apng", "install a build with zlib (Debian, Ubuntu: libavcodec-extra)"},
+              .makeStages = makeApngStages}};
 
 /// All formats, in the order of the rows.
 inline constexpr auto kVideoFormats = [] {
@@ -125,6 +160,11 @@ constexpr std::string_view nameOf(VideoFormat format) {
 constexpr bool keepsTransparency(VideoFormat format) {
   return rowOf(format).keepsTransparency;
 }
+
+/// Returns FFmpeg's names of the demuxers of all formats, separated by commas.
+std::string demuxers();
+/// Returns FFmpeg's names of the decoders of the formats that hold a record, likewise.
+std::string decoders();
 
 /// Lists formats for a message, those that have the `property` or all: "mp4, webm, gif or apng" if
 /// `column` is FormatRow::name and `conjunction` is "or".

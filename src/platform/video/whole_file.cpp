@@ -34,6 +34,19 @@ bool continuesWith(std::istream& file, std::string_view bytes) {
   return true;
 }
 
+/// Returns whether `file` begins with kWebmHead, and leaves it after that.
+bool beginsAsWebm(std::istream& file) {
+  file.clear();
+  file.seekg(0);
+  return continuesWith(file, kWebmHead);
+}
+
+bool beginsAsMp4(std::istream& file) {
+  file.clear();
+  file.seekg(4);
+  return continuesWith(file, "ftyp");
+}
+
 void requireWholeMp4(std::istream& file, std::uint64_t size, const std::string& name) {
   bool header = false, pictures = false;
   std::uint64_t at = 0;
@@ -88,11 +101,12 @@ void requireWholeFile(std::istream& file, const std::string& name) {
   file.clear();
   file.seekg(0, std::ios::end);
   const auto size = static_cast<std::uint64_t>(file.tellg());
-  file.seekg(0);
-  if (continuesWith(file, kWebmHead)) return requireWholeWebm(file, size, name);
-  file.clear();
-  file.seekg(4);
-  if (continuesWith(file, "ftyp")) requireWholeMp4(file, size, name);
+  if (beginsAsWebm(file)) return requireWholeWebm(file, size, name);
+  if (beginsAsMp4(file)) requireWholeMp4(file, size, name);
+}
+
+bool beginsAsClip(std::istream& file) {
+  return beginsAsWebm(file) || beginsAsMp4(file);
 }
 
 }  // namespace rotatebook::video

@@ -160,7 +160,8 @@ TEST_F(VerifyCommand, RefusesWhatIsNoClip) {
   render({"--format", "gif,apng"});
   expectRefused("out/tiny.gif", "out/tiny.gif is in the format gif, which holds no record");
   expectRefused("out/tiny.apng", "out/tiny.apng is in the format apng, which holds no record");
-  expectRefused("tiny.toml", "can't read tiny.toml as MP4 or WebM: ");
+  expectRefused("tiny.toml", "tiny.toml isn't an MP4 or WebM\n");
+  expectRefused("out/tiny.poster.png", "out/tiny.poster.png isn't an MP4 or WebM\n");
   expectRefused("no.mp4", "can't read no.mp4: No such file or directory");
   expectRefused("out", "can't read out: Is a directory");
 }

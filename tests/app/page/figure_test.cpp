@@ -135,8 +135,7 @@ TEST(ClipFigure, NamesAMissingFileAndTheRemedy) {
     fs::remove(folder / name);
     EXPECT_EQ(messageOf(smallScene(), folder),
               (folder / name).string() +
-                  " is missing; the page shows what was made before: rotatebook render "
-                  "scenes/small.toml -o " +
+                  " is missing; render it first: rotatebook render scenes/small.toml -o " +
                   folder.string());
   }
 }

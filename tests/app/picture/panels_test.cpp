@@ -93,7 +93,8 @@ TEST(Panels, HoldTheLastPictureOfAMotionThatDivergesWhileOthersGoOn) {
 
 TEST(Panels, HaveATableEach) {
   const fs::path folder = pipeline::testing::emptyFolder();
-  const pipeline::RenderResult result = pipeline::testing::render(pair(), {.folder = folder});
+  const pipeline::RenderResult result =
+      pipeline::testing::render(pair(), pipeline::testing::pngAndMp4(folder));
   EXPECT_THAT(
       pipeline::testing::namesIn(folder),
       ElementsAre("pair", "pair.mp4", "pair.poster.png", "pair_bursts.csv", "pair_goes-on.csv"));
@@ -106,8 +107,8 @@ TEST(Panels, HaveATableEach) {
 
 TEST(Panels, GiveTheSameBytesAgain) {
   const fs::path folder = pipeline::testing::emptyFolder();
-  pipeline::testing::render(pair(), {.folder = folder / "a"});
-  pipeline::testing::render(pair(), {.folder = folder / "b"});
+  pipeline::testing::render(pair(), pipeline::testing::pngAndMp4(folder / "a"));
+  pipeline::testing::render(pair(), pipeline::testing::pngAndMp4(folder / "b"));
   EXPECT_TRUE(rotatebook::testing::sameBytes(bytesOf(folder / "a/pair.mp4"),
                                              bytesOf(folder / "b/pair.mp4")));
 }

@@ -24,6 +24,7 @@ using testing::bytesOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using testing::kFrames;
+using testing::pngAndMp4;
 
 // Frames of one colour, from elsewhere.
 void writeFrames(const fs::path& folder, const std::vector<std::int64_t>& indices, int width = 32,
@@ -53,7 +54,7 @@ class Assemble : public ::testing::Test {
 };
 
 TEST_F(Assemble, MakesTheSameFileAsTheRender) {
-  testing::render(testing::smallScene(), {.folder = folder_});
+  testing::render(testing::smallScene(), pngAndMp4(folder_));
   EXPECT_EQ(assembled(), kFrames);
   EXPECT_EQ(bytesOf(mp4_), bytesOf(folder_ / "small.mp4"));
 }
@@ -147,7 +148,7 @@ TEST_F(Assemble, TakesChangedFramesWithoutTheirChecksums) {
 TEST_F(Assemble, KeepsTheScenesEncoding) {
   testing::render(
       testing::smallScene({"video.crf=35", "clip.fps=\"30000/1001\"", "video.preset=ultrafast"}),
-      {.folder = folder_});
+      pngAndMp4(folder_));
   assembled();
   EXPECT_EQ(bytesOf(mp4_), bytesOf(folder_ / "small.mp4"));
 }

@@ -39,9 +39,9 @@ TEST(Memory, OfARenderDoesNotGrowWithTheClip) {
   const long allPictures = 9 * kSome * kPictureKib;  // What keeping the added ones would take.
   const fs::path folder = testing::emptyFolder();
   // The allocator of each thread takes a while to have all that it needs.
-  for (int i = 0; i < 3; ++i) testing::render(clipOf(kSome), {.folder = folder});
+  for (int i = 0; i < 3; ++i) testing::render(clipOf(kSome), testing::pngAndMp4(folder));
   const long before = peakMemory();
-  testing::render(clipOf(10 * kSome), {.folder = folder});
+  testing::render(clipOf(10 * kSome), testing::pngAndMp4(folder));
   EXPECT_LT(peakMemory() - before, allPictures / 2);  // measured 0.18 of all
 }
 

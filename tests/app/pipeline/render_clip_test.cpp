@@ -32,6 +32,7 @@ using ::testing::IsEmpty;
 using testing::kFrames;
 using testing::motionOf;
 using testing::namesIn;
+using testing::pngAndMp4;
 using testing::smallScene;
 using testing::stoppedAfter;
 using video::testing::DecodedVideo;
@@ -51,7 +52,7 @@ bool sameColours(const image::Image& a, const image::Image& b) {
 
 TEST(RenderClip, LeavesItsFilesAndNoOthers) {
   const fs::path folder = emptyFolder();
-  const RenderResult result = testing::render(smallScene(), {.folder = folder});
+  const RenderResult result = testing::render(smallScene(), pngAndMp4(folder));
   EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
   EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(kFrames));
   EXPECT_EQ(result.framesWritten, kFrames);
@@ -63,7 +64,7 @@ TEST(RenderClip, LeavesItsFilesAndNoOthers) {
 
 TEST(RenderClip, MakesItsFolders) {
   const fs::path start = emptyFolder(), folder = start / "a" / "b";
-  testing::render(smallScene(), {.folder = folder});
+  testing::render(smallScene(), pngAndMp4(folder));
   EXPECT_THAT(namesIn(start), ElementsAre("a"));
   EXPECT_THAT(namesIn(start / "a"), ElementsAre("b"));
   EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
@@ -121,7 +122,7 @@ TEST(RenderClip, WritesTheMotionAsCsv) {
 
 TEST(RenderClip, MakesAVideoOfTheRightLength) {
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder});
+  testing::render(smallScene(), pngAndMp4(folder));
   const DecodedVideo video = decodeVideo(folder / "small.mp4");
   EXPECT_EQ(video.width, 64);
   EXPECT_EQ(video.height, 36);
@@ -132,7 +133,7 @@ TEST(RenderClip, MakesAVideoOfTheRightLength) {
 
 TEST(RenderClip, RecordsInTheVideoWhatItWasMadeFrom) {
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder});
+  testing::render(smallScene(), pngAndMp4(folder));
   const DecodedVideo video = decodeVideo(folder / "small.mp4");
   EXPECT_EQ(video.metadata.at("title"), "Small · clip");
   const std::string record = bytesOf(folder / "small" / "scene.toml");
@@ -161,7 +162,7 @@ TEST(RenderClip, MakesTheVideoOfThePngsPictures) {
   constexpr double kAlike = 1;      // measured 0.44 at crf 1
   constexpr double kDifferent = 3;  // measured 5.3 between neighbours, at least
   const fs::path folder = emptyFolder();
-  testing::render(smallScene({"video.crf=1"}), {.folder = folder});
+  testing::render(smallScene({"video.crf=1"}), pngAndMp4(folder));
   const DecodedVideo video = decodeVideo(folder / "small.mp4");
   ASSERT_EQ(video.frames.size(), static_cast<std::size_t>(kFrames));
   for (std::size_t n = 0; n < video.frames.size(); ++n) {
@@ -175,8 +176,8 @@ TEST(RenderClip, MakesTheVideoOfThePngsPictures) {
 
 TEST(RenderClip, GivesTheSameBytesAgain) {
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder / "a"});
-  testing::render(smallScene(), {.folder = folder / "b"});
+  testing::render(smallScene(), pngAndMp4(folder / "a"));
+  testing::render(smallScene(), pngAndMp4(folder / "b"));
   for (const char* name : {"small.mp4", "small.csv"}) {
     EXPECT_TRUE(sameBytes(bytesOf(folder / "a" / name), bytesOf(folder / "b" / name))) << name;
   }
@@ -194,15 +195,15 @@ TEST(RenderClip, LeavesOutWhatIsNotWanted) {
               ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
   testing::render(smallScene(), {.folder = folder / "png", .outputs = {pngOutput()}});
   EXPECT_THAT(namesIn(folder / "png"), ElementsAre("small", "small.csv", "small.poster.png"));
-  testing::render(smallScene(), {.folder = folder / "both"});
+  testing::render(smallScene(), pngAndMp4(folder / "both"));
   EXPECT_EQ(bytesOf(folder / "mp4/small.mp4"), bytesOf(folder / "both/small.mp4"));
 }
 
 TEST(RenderClip, RemovesTheFramesOfALongerRenderBefore) {
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder});
+  testing::render(smallScene(), pngAndMp4(folder));
   const scene::Scene shorter = smallScene({"clip.duration=0.25"});
-  testing::render(shorter, {.folder = folder});
+  testing::render(shorter, pngAndMp4(folder));
   EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(6));
   EXPECT_EQ(decodeVideo(folder / "small.mp4").frames.size(), 6U);
 }
@@ -226,7 +227,7 @@ TEST(RenderClip, ReportsRendererEncoderAndProgress) {
 
 TEST(RenderClip, LeavesAPlayablePartialVideoWhenStopped) {
   const fs::path folder = emptyFolder();
-  const RenderResult result = stoppedAfter(5, smallScene(), {.folder = folder});
+  const RenderResult result = stoppedAfter(5, smallScene(), pngAndMp4(folder));
   EXPECT_TRUE(result.interrupted);
   EXPECT_EQ(result.framesWritten, 5);
   EXPECT_THAT(namesIn(folder), ElementsAre("small.partial", "small.partial.mp4"));
@@ -236,17 +237,17 @@ TEST(RenderClip, LeavesAPlayablePartialVideoWhenStopped) {
 
 TEST(RenderClip, LeavesNoVideoWhenStoppedBeforeTheFirstFrame) {
   const fs::path folder = emptyFolder();
-  const RenderResult result = stoppedAfter(0, smallScene(), {.folder = folder});
+  const RenderResult result = stoppedAfter(0, smallScene(), pngAndMp4(folder));
   EXPECT_TRUE(result.interrupted);
   EXPECT_THAT(namesIn(folder), IsEmpty());
 }
 
 TEST(RenderClip, KeepsAllOfAnEarlierRenderWhenStopped) {
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder});
+  testing::render(smallScene(), pngAndMp4(folder));
   const std::string video = bytesOf(folder / "small.mp4");
   const std::string table = bytesOf(folder / "small.csv");
-  stoppedAfter(5, smallScene(), {.folder = folder});
+  stoppedAfter(5, smallScene(), pngAndMp4(folder));
   EXPECT_EQ(bytesOf(folder / "small.mp4"), video);
   EXPECT_EQ(bytesOf(folder / "small.csv"), table);
   EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(kFrames));
@@ -254,7 +255,7 @@ TEST(RenderClip, KeepsAllOfAnEarlierRenderWhenStopped) {
 
 TEST(RenderClip, KeepsWhatTheSameSettingsMadeBefore) {
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder});
+  testing::render(smallScene(), pngAndMp4(folder));
   testing::render(smallScene(),
                   {.folder = folder, .outputs = outputsOf(false, {video::VideoFormat::Mp4})});
   testing::render(smallScene(), {.folder = folder, .outputs = {pngOutput()}});
@@ -274,7 +275,7 @@ TEST(RenderClip, NamesTheTexturesThatItDrewThoughTheFileIsReplaced) {
     picture.row(0)[0] ^= 1;
     image::writePng(cover, picture.view());
   };
-  renderClip(scene, timeline::simulateScene(scene), {.folder = folder}, listener);
+  renderClip(scene, timeline::simulateScene(scene), pngAndMp4(folder), listener);
   EXPECT_NE(system::checksumOfFile(cover), drawn);
   EXPECT_EQ(store::readManifest(folder / "small")->own.made.at("book.front"), drawn);
   EXPECT_THAT(bytesOf(folder / "small" / "scene.toml"),
@@ -283,8 +284,8 @@ TEST(RenderClip, NamesTheTexturesThatItDrewThoughTheFileIsReplaced) {
 
 TEST(RenderClip, RemovesThePartialVideoOnceItIsWhole) {
   const fs::path folder = emptyFolder();
-  stoppedAfter(5, smallScene(), {.folder = folder});
-  testing::render(smallScene(), {.folder = folder, .earlier = {.overwrite = true}});
+  stoppedAfter(5, smallScene(), pngAndMp4(folder));
+  testing::render(smallScene(), pngAndMp4(folder, {.overwrite = true}));
   EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small.mp4", "small.poster.png"));
 }
 
@@ -297,7 +298,7 @@ TEST(RenderClip, HoldsItsLastPictureForASecondAfterTheMotionDiverges) {
   ASSERT_LT(count, kFrames);
   ASSERT_GT(count, 1);
   const std::int64_t frames = count + 24;
-  EXPECT_EQ(testing::render(scene, {.folder = folder}).framesWritten, frames);
+  EXPECT_EQ(testing::render(scene, pngAndMp4(folder)).framesWritten, frames);
   EXPECT_EQ(namesIn(folder / "small"), frameFolderNames(frames));
   EXPECT_EQ(decodeVideo(folder / "small.mp4").frameCount, frames);
   const auto frame = [&](std::int64_t n) {

@@ -18,6 +18,7 @@ using ::testing::ElementsAre;
 using testing::emptyFolder;
 using ::testing::HasSubstr;
 using testing::namesIn;
+using testing::pngAndMp4;
 using testing::smallScene;
 
 template <typename Expected>
@@ -28,7 +29,7 @@ std::string errorOf(const scene::Scene& scene, const RenderOptions& options) {
 TEST(RenderErrors, NameAFileInPlaceOfTheOutputFolder) {
   const fs::path folder = emptyFolder();
   std::ofstream(folder / "out") << "a file";
-  EXPECT_THAT(errorOf<MachineError>(smallScene(), {.folder = folder / "out"}),
+  EXPECT_THAT(errorOf<MachineError>(smallScene(), pngAndMp4(folder / "out")),
               HasSubstr((folder / "out").string()));
   EXPECT_THAT(namesIn(folder), ElementsAre("out"));
 }
@@ -36,7 +37,7 @@ TEST(RenderErrors, NameAFileInPlaceOfTheOutputFolder) {
 TEST(RenderErrors, NameAFileInPlaceOfTheFrameFolder) {
   const fs::path folder = emptyFolder();
   std::ofstream(folder / "small") << "a file";
-  EXPECT_THAT(errorOf<MachineError>(smallScene(), {.folder = folder}),
+  EXPECT_THAT(errorOf<MachineError>(smallScene(), pngAndMp4(folder)),
               HasSubstr((folder / "small").string()));
   EXPECT_THAT(namesIn(folder), ElementsAre("small"));
 }
@@ -59,7 +60,7 @@ TEST(RenderErrors, NameAFrameThatCannotBeWritten) {
       },
       {}};
   const auto render = [&] {
-    renderClip(smallScene(), timeline::simulateScene(smallScene()), {.folder = folder}, listener);
+    renderClip(smallScene(), timeline::simulateScene(smallScene()), pngAndMp4(folder), listener);
   };
   EXPECT_THAT(testing::messageOf<MachineError>(render), HasSubstr(store::frameName(4)));
   EXPECT_FALSE(fs::exists(folder / "small.mp4"));
@@ -69,14 +70,14 @@ TEST(RenderErrors, NameAFrameThatCannotBeWritten) {
 TEST(RenderErrors, NameAFolderInPlaceOfAnOlderFrame) {
   const fs::path folder = emptyFolder();
   fs::create_directories(folder / "small" / store::frameName(4) / "in the way");
-  EXPECT_THAT(errorOf<MachineError>(smallScene(), {.folder = folder}),
+  EXPECT_THAT(errorOf<MachineError>(smallScene(), pngAndMp4(folder)),
               HasSubstr(store::frameName(4)));
 }
 
 TEST(RenderErrors, NameATextureThatIsMissing) {
   const fs::path folder = emptyFolder();
   const scene::Scene scene = smallScene({"book.spine=nowhere.png"});
-  EXPECT_THAT(errorOf<InputError>(scene, {.folder = folder}), HasSubstr("nowhere.png"));
+  EXPECT_THAT(errorOf<InputError>(scene, pngAndMp4(folder)), HasSubstr("nowhere.png"));
   EXPECT_TRUE(namesIn(folder).empty());
 }
 
@@ -85,7 +86,7 @@ TEST(RenderErrors, NameATextureThatIsBroken) {
   std::ofstream(folder / "broken.png") << "\x89PNG no more";
   scene::Scene scene = smallScene({"book.back=broken.png"});
   scene.folder = folder;
-  EXPECT_THAT(errorOf<InputError>(scene, {.folder = folder / "out"}),
+  EXPECT_THAT(errorOf<InputError>(scene, pngAndMp4(folder / "out")),
               HasSubstr((folder / "broken.png").string()));
   EXPECT_FALSE(fs::exists(folder / "out"));
 }

@@ -24,12 +24,13 @@ using ::testing::HasSubstr;
 using testing::kFrames;
 using testing::namesIn;
 using ::testing::Not;
+using testing::pngAndMp4;
 using testing::smallScene;
 
 TEST(RenderParts, HaveTheFramesAndAVideoOfTheirOwn) {
   const fs::path folder = emptyFolder();
   const RenderResult result =
-      testing::render(smallScene(), {.folder = folder, .frames = store::FrameRange{3, 5}});
+      testing::render(smallScene(), pngAndMp4(folder, {}, store::FrameRange{3, 5}));
   EXPECT_EQ(result.framesWritten, 2);
   EXPECT_THAT(namesIn(folder), ElementsAre("small", "small.csv", "small_00003-00005.mp4"));
   EXPECT_THAT(namesIn(folder / "small"),
@@ -40,9 +41,9 @@ TEST(RenderParts, HaveTheFramesAndAVideoOfTheirOwn) {
 
 TEST(RenderParts, AssembleToTheWholesBytes) {
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder / "whole"});
+  testing::render(smallScene(), pngAndMp4(folder / "whole"));
   const fs::path parts = folder / "parts";
-  testing::render(smallScene(), {.folder = parts, .frames = store::FrameRange{5, 12}});
+  testing::render(smallScene(), pngAndMp4(parts, {}, store::FrameRange{5, 12}));
   testing::render(smallScene(),
                   {.folder = parts, .outputs = {pngOutput()}, .frames = store::FrameRange{0, 5}});
   const Assembled made = assemble(parts / "small", parts / "all.mp4", {}, {});
@@ -60,7 +61,7 @@ TEST(RenderParts, AssembleToTheWholesBytes) {
 
 TEST(RenderParts, AssembleToTheirOwnBytes) {
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder, .frames = store::FrameRange{3, 5}});
+  testing::render(smallScene(), pngAndMp4(folder, {}, store::FrameRange{3, 5}));
   const Assembled made = assemble(folder / "small", folder / "part.mp4", {}, {});
   EXPECT_EQ(made.frames, (store::FrameRange{3, 5}));
   EXPECT_EQ(made.sceneFrames, kFrames);
@@ -71,7 +72,7 @@ TEST(RenderParts, AssembleToTheirOwnBytes) {
 
 TEST(RenderParts, RecordTheirFramesInTheVideoAlone) {
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder, .frames = store::FrameRange{3, 5}});
+  testing::render(smallScene(), pngAndMp4(folder, {}, store::FrameRange{3, 5}));
   const auto video = video::testing::decodeVideo(folder / "small_00003-00005.mp4");
   EXPECT_THAT(video.metadata.at("comment"), HasSubstr("\n# Frames: 3:5\n\n"));
   EXPECT_THAT(bytesOf(folder / "small/scene.toml"), Not(HasSubstr("# Frames")));
@@ -79,20 +80,20 @@ TEST(RenderParts, RecordTheirFramesInTheVideoAlone) {
 
 TEST(RenderParts, LeaveTheWholesVideoAlone) {
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder});
+  testing::render(smallScene(), pngAndMp4(folder));
   const std::string whole = bytesOf(folder / "small.mp4");
-  testing::render(smallScene(), {.folder = folder, .frames = store::FrameRange{2, 4}});
+  testing::render(smallScene(), pngAndMp4(folder, {}, store::FrameRange{2, 4}));
   EXPECT_EQ(bytesOf(folder / "small.mp4"), whole);
   EXPECT_EQ(store::framesIn(folder / "small").size(), static_cast<std::size_t>(kFrames));
 }
 
 TEST(RenderParts, RefuseToJoinFramesOfOtherSettings) {
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder, .frames = store::FrameRange{0, 5}});
+  testing::render(smallScene(), pngAndMp4(folder, {}, store::FrameRange{0, 5}));
   const std::string before = bytesOf(folder / "small" / store::frameName(3));
   const auto join = [&] {
     testing::render(smallScene({"camera.field_of_view_deg=40"}),
-                    {.folder = folder, .frames = store::FrameRange{3, 12}});
+                    pngAndMp4(folder, {}, store::FrameRange{3, 12}));
   };
   EXPECT_THAT(testing::messageOf<InputError>(join),
               AllOf(HasSubstr((folder / "small").string() + " holds frames with other settings"),
@@ -103,7 +104,7 @@ TEST(RenderParts, RefuseToJoinFramesOfOtherSettings) {
 
 TEST(RenderParts, RefuseToLieBesideUnfinishedFramesOfOtherSettings) {
   const fs::path folder = emptyFolder();
-  testing::stoppedAfter(4, smallScene(), {.folder = folder});
+  testing::stoppedAfter(4, smallScene(), pngAndMp4(folder));
   const auto part = [&](const scene::Scene& scene) {
     testing::render(
         scene, {.folder = folder, .outputs = {pngOutput()}, .frames = store::FrameRange{3, 12}});
@@ -125,7 +126,7 @@ TEST(RenderParts, OfAClipMustBeInIt) {
   const fs::path folder = emptyFolder() / "out";
   const auto part = [&](store::FrameRange range) {
     return testing::messageOf<InputError>(
-        [&] { testing::render(smallScene(), {.folder = folder, .frames = range}); });
+        [&] { testing::render(smallScene(), pngAndMp4(folder, {}, range)); });
   };
   EXPECT_EQ(part({5, 13}), "frames 5:13 don't exist; this clip has 0:12");
   EXPECT_EQ(part({-1, 4}), "frames -1:4 don't exist; this clip has 0:12");

@@ -37,18 +37,19 @@ class RenderedAgain : public ::testing::Test {
  protected:
   RenderResult render(const store::EarlierFrames& earlier,
                       const scene::Scene& scene = smallScene()) {
-    return testing::render(scene, {.folder = folder_, .earlier = earlier});
+    return testing::render(scene, pngAndMp4(folder_, earlier));
   }
   RenderResult stop(std::int64_t frames, const store::EarlierFrames& earlier = {},
                     const scene::Scene& scene = smallScene()) {
-    return stoppedAfter(frames, scene, {.folder = folder_, .earlier = earlier});
+    return stoppedAfter(frames, scene, pngAndMp4(folder_, earlier));
   }
   std::string failureOf(const store::EarlierFrames& earlier,
                         const scene::Scene& scene = smallScene()) {
     return messageOf<InputError>([&] { render(earlier, scene); });
   }
   /// Expects the files that an uninterrupted render leaves.
-  void expectAsUninterrupted(RenderOptions options = {}, const scene::Scene& scene = smallScene()) {
+  void expectAsUninterrupted(RenderOptions options = pngAndMp4({}),
+                             const scene::Scene& scene = smallScene()) {
     options.folder = whole_;
     testing::render(scene, options);
     expectSame(whole_, folder_);

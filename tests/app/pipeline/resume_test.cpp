@@ -31,6 +31,7 @@ using testing::kResumeOrOverwrite;
 using testing::messageOf;
 using testing::namesIn;
 using testing::otherScene;
+using testing::pngAndMp4;
 using testing::smallScene;
 using testing::stoppedAfter;
 using Resume = testing::RenderedAgain;
@@ -112,8 +113,7 @@ TEST_F(Resume, OfVideosAloneSkipsThemOrBeginsAnew) {
 }
 
 TEST_F(Resume, OfAPartKeepsItsFrames) {
-  const RenderOptions part{
-      .folder = folder_, .frames = store::FrameRange{2, 8}, .earlier = kResume};
+  const RenderOptions part = pngAndMp4(folder_, kResume, store::FrameRange{2, 8});
   stoppedAfter(3, smallScene(), part);
   EXPECT_EQ(testing::render(smallScene(), part).framesKept, 3);
 }
@@ -188,7 +188,7 @@ TEST_F(Resume, OfARenderWhoseFrameWasRemovedDrawsItAgain) {
   const fs::path victim = folder_ / "small.partial" / store::frameName(0);
   const RenderListener listener{{}, [&](RenderProgress) { fs::remove(victim); }};
   const std::string message = messageOf<MachineError>([&] {
-    renderClip(smallScene(), timeline::simulateScene(smallScene()), {.folder = folder_}, listener);
+    renderClip(smallScene(), timeline::simulateScene(smallScene()), pngAndMp4(folder_), listener);
   });
   EXPECT_THAT(message, AllOf(HasSubstr(victim.string() + " is gone: it was removed while"),
                              HasSubstr("\n  11 finished frames are kept in ")));
@@ -203,7 +203,7 @@ TEST_F(Resume, IsNotProposedWhereTheFolderWasEmptied) {
                                   fs::remove(begun / store::kManifestName);
                                 }};
   const std::string message = messageOf<MachineError>([&] {
-    renderClip(smallScene(), timeline::simulateScene(smallScene()), {.folder = folder_}, listener);
+    renderClip(smallScene(), timeline::simulateScene(smallScene()), pngAndMp4(folder_), listener);
   });
   EXPECT_EQ(message, (begun / store::frameName(0)).string() +
                          " is gone: it was removed while the clip was rendered");
@@ -239,7 +239,7 @@ TEST_F(Resume, OverwritesOnlyOtherSettingsIfBothAreAskedFor) {
   stop(5);
   stop(7, kResumeOrOverwrite);
   EXPECT_EQ(render(kResumeOrOverwrite, otherScene()).framesKept, 0);
-  expectAsUninterrupted({}, otherScene());
+  expectAsUninterrupted(pngAndMp4({}), otherScene());
 }
 
 TEST_F(Resume, LeavesAnUnfinishedRenderOfOtherSettingsAloneWhereItsOwnIsDone) {
@@ -247,7 +247,7 @@ TEST_F(Resume, LeavesAnUnfinishedRenderOfOtherSettingsAloneWhereItsOwnIsDone) {
   stop(5, {}, otherScene());
   EXPECT_TRUE(render(kResume).wasDone);
   EXPECT_EQ(render(kResume, otherScene()).framesKept, 5);
-  expectAsUninterrupted({}, otherScene());
+  expectAsUninterrupted(pngAndMp4({}), otherScene());
 }
 
 // Leaves the files of a kill between any two steps of finishing.
@@ -256,7 +256,7 @@ class KilledWhileFinishing : public Resume {
   /// A finished render of otherScene() lies in small/, and one of smallScene() that lacks but the
   /// last step in small.partial/.
   KilledWhileFinishing() {
-    testing::render(smallScene(), {.folder = folder_});
+    testing::render(smallScene(), pngAndMp4(folder_));
     fs::rename(final_, folder_ / "new");
     testing::render(otherScene(),
                     {.folder = folder_, .outputs = outputsOf(true, {video::VideoFormat::Gif})});
@@ -266,7 +266,7 @@ class KilledWhileFinishing : public Resume {
 
   /// The new clip is there, and the user's file, and of the old one the video of another format.
   void expectSettled(const store::EarlierFrames& earlier) {
-    testing::render(smallScene(), {.folder = folder_, .earlier = earlier});
+    testing::render(smallScene(), pngAndMp4(folder_, earlier));
     EXPECT_EQ(bytesOf(final_ / "notes.txt"), "a user's");
     fs::remove(final_ / "notes.txt");
     EXPECT_TRUE(fs::remove(folder_ / "small.gif"));

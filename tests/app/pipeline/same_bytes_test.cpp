@@ -23,6 +23,7 @@ using rotatebook::testing::sameBytes;
 using rotatebook::testing::sameFiles;
 using testing::bytesOf;
 using testing::emptyFolder;
+using testing::pngAndMp4;
 using testing::smallScene;
 
 /// Bytes by path within `folder`.
@@ -107,8 +108,8 @@ TEST(SameBytes, WithSupersamplingAndABlurredBook) {
 
 TEST(SameBytes, OfAnotherSceneAreOthers) {
   const fs::path folder = emptyFolder();
-  testing::render(smallScene(), {.folder = folder / "a"});
-  testing::render(smallScene({"initial.angular_velocity=[5, 3, 1.01]"}), {.folder = folder / "b"});
+  testing::render(smallScene(), pngAndMp4(folder / "a"));
+  testing::render(smallScene({"initial.angular_velocity=[5, 3, 1.01]"}), pngAndMp4(folder / "b"));
   const auto a = filesIn(folder / "a"), b = filesIn(folder / "b");
   for (const char* name : {"small.csv", "small.mp4", "small/frame_00011.png"}) {
     EXPECT_NE(a.at(name), b.at(name)) << name;

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,6 +52,16 @@ inline std::vector<std::string> namesIn(const std::filesystem::path& folder) {
   }
   std::sort(names.begin(), names.end());
   return names;
+}
+
+/// PNG frames and an MP4 in `folder`.
+inline RenderOptions pngAndMp4(const std::filesystem::path& folder,
+                               const store::EarlierFrames& earlier = {},
+                               std::optional<store::FrameRange> frames = {}) {
+  return {.folder = folder,
+          .outputs = outputsOf(true, {video::VideoFormat::Mp4}),
+          .frames = frames,
+          .earlier = earlier};
 }
 
 /// Renders `scene` into `options.folder`.

@@ -135,7 +135,7 @@ TEST(SceneRecord, CannotLeadOutOfAFolder) {
 
 TEST(SceneRecord, OfARenderIsTrue) {
   const fs::path folder = emptyFolder();
-  pipeline::testing::render(smallScene(), {.folder = folder});
+  pipeline::testing::render(smallScene(), pipeline::testing::pngAndMp4(folder));
   const RecordedClip clip = readRecordedClip(folder / "small.mp4", {});
   EXPECT_EQ(clip.format, video::VideoFormat::Mp4);
   EXPECT_EQ(clip.record.scene.folder, folder);

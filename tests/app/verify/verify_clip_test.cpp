@@ -178,7 +178,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(VerifyClip, ProvesPartsAndWhatAssembleMakesOfThem) {
   const fs::path folder = emptyFolder();
-  pipeline::testing::render(smallScene(), {.folder = folder, .frames = store::FrameRange{3, 9}});
+  pipeline::testing::render(smallScene(),
+                            pipeline::testing::pngAndMp4(folder, {}, store::FrameRange{3, 9}));
   const fs::path part = folder / "small_00003-00009.mp4";
   const Verification found = verifyClip(part, {});
   EXPECT_TRUE(found.proved());

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include "physics/cage_fit.h"
 #include "physics/rotation.h"
 #include "physics/scenarios.h"
 
@@ -127,6 +128,23 @@ TEST(Measurement, FindsAProperRotationOfABodyTurnedInsideOut) {
   const Sample sample = measureOne(someTurn() * Vector3d(1, -0.25, 1.5).asDiagonal());
   EXPECT_LT((sample.attitude.toRotationMatrix() - someTurn()).norm(), kMeasurementBound);
   EXPECT_NEAR(sample.stretchMin, 0.25, kMeasurementBound);
+}
+
+// Particles drift: their map is fitted to corners that lie anywhere.
+TEST(Measurement, DoesNotMindWhereTheBodyIs) {
+  const auto measured = [](const Cage& cage) {
+    BodyState state = stateOf(CageFit(Cuboid()).worldFromBody(cage));
+    state.cage = cage;
+    return Measurement(spinningAbout(Vector3d::UnitZ())).measure(0, state);
+  };
+  const Cage cage = someTurn() * Vector3d(1, 0.25, 1.5).asDiagonal() * Cuboid().corners();
+  const Sample there = measured(cage.colwise() + Vector3d(0.1, -0.2, 0.3)), here = measured(cage);
+  EXPECT_LT(there.attitude.angularDistance(here.attitude), kMeasurementBound);
+  EXPECT_NEAR(there.stretchMin, here.stretchMin, kMeasurementBound);
+  EXPECT_NEAR(there.stretchMax, here.stretchMax, kMeasurementBound);
+  EXPECT_NEAR(there.stretchMin, 0.25, kMeasurementBound);
+  EXPECT_NEAR(there.tiltDeg, here.tiltDeg, kDegreesBound);
+  EXPECT_NEAR(there.errorDeg, here.errorDeg, kDegreesBound);
 }
 
 TEST(Measurement, ContinuesTheSignOfTheAttitude) {

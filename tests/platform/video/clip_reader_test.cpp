@@ -28,6 +28,7 @@ using testing::DecodedVideo;
 using ::testing::HasSubstr;
 using testing::outputFolder;
 using testing::smallSettings;
+using ::testing::StartsWith;
 
 constexpr int kCount = 7;
 
@@ -116,11 +117,17 @@ TEST(ClipMetadata, OfWhatIsNoVideoIsRefused) {
   for (const std::string& content :
        {std::string(), std::string("x"), std::string(100'000, '\0'), std::string(5000, '<'),
         std::string("#EXTM3U\nfile:///etc/passwd\n"),
+        std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x8\6\0\0\0", 29),
         std::string("ffconcat version 1.0\nfile 'a'\n")}) {
-    EXPECT_THAT(outcomeOf(content), HasSubstr("can't read the bytes as MP4 or WebM: "));
+    EXPECT_EQ(outcomeOf(content), "the bytes isn't an MP4 or WebM");
   }
   EXPECT_THROW(readClipMetadata("no such file.mp4"), InputError);
   EXPECT_THROW(readClipMetadata(outputFolder()), InputError);
+}
+
+TEST(ClipMetadata, OfADamagedWebmIsSaidToBeUnreadable) {
+  const std::string content = contentOf(writeAs(VideoFormat::WebM, "head")).substr(0, 20);
+  EXPECT_THAT(outcomeOf(content), StartsWith("can't read the bytes: "));
 }
 
 TEST(ClipMetadata, OfFilesCutOffAnywhereIsReadOrRefused) {

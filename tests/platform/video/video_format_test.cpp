@@ -20,5 +20,19 @@ TEST(VideoFormat, HasAnEndingThatIsItsName) {
   }
 }
 
+TEST(VideoFormat, NamesWhatReadsIt) {
+  EXPECT_EQ(demuxers(), "mov,matroska,gif,apng");
+  EXPECT_EQ(decoders(), "h264,vp9,libvpx-vp9");
+}
+
+TEST(VideoFormat, SaysWhatVerificationExpectsIfItHoldsARecord) {
+  for (const FormatRow& row : kFormatRows) {
+    const RecordedStream& recorded = row.recorded;
+    EXPECT_EQ(row.holdsRecord, !recorded.profile.empty()) << row.name;
+    EXPECT_EQ(row.holdsRecord, !recorded.decoders.empty()) << row.name;
+    EXPECT_EQ(row.holdsRecord, recorded.stampBound > 0 && recorded.lengthBound > 0) << row.name;
+  }
+}
+
 }  // namespace
 }  // namespace rotatebook::video

@@ -75,11 +75,39 @@ throws subdirectory "-O1 -mavx2 -mfma" -DROTATEBOOK_SOURCE="$PWD"
 # Without CMake nobody passes the flags on.
 libraries=$(printf -- '-lrotatebook_%s ' study timeline scene physics base)
 library=$(dirname "$(find "$build/prefix" -name librotatebook_base.a)")
-refused() {
-  g++ -std=c++20 -I"$build/prefix/include/rotatebook" $(pkg-config --cflags eigen3) $1 examples/throw.cpp -L"$library" $libraries -o "$build/other"
-  local words
-  words=$("$build/other" 2>&1) && { echo "no difference is noticed with $1" >&2; exit 1; }
-  case $words in *"$2"*) step "refused: ${words##*what():  }" ;; *) echo "$words" >&2; exit 1 ;; esac
+# A program that takes no scene and simulates by itself.
+cat > "$build/simulator.cpp" << 'END'
+#include <iostream>
+
+#include "physics/make_simulator.h"
+
+int main() {
+  rotatebook::physics::MotionSettings settings;
+  settings.initial.value = {5, 0.01, 0};
+  const auto simulator = rotatebook::physics::makeSimulator(settings);
+  simulator->advance(1.0 / 60, 64);
+  std::cout << simulator->state().angularVelocity.transpose() << '\n';
 }
-refused "-O2" "with -DEIGEN_DONT_VECTORIZE, this program without it"
-refused "-O2 -mfma -DEIGEN_DONT_VECTORIZE" "with -ffp-contract=off, this program without it"
+END
+
+# other PROGRAM FLAGS: builds it without CMake.
+other() {
+  g++ -std=c++20 -I"$build/prefix/include/rotatebook" $(pkg-config --cflags eigen3) $2 "$1" -L"$library" $libraries -o "$build/other"
+}
+# refused PROGRAM FLAGS WORDS
+refused() {
+  other "$1" "$2"
+  local words
+  words=$("$build/other" 2>&1) && { echo "no difference is noticed with $2" >&2; exit 1; }
+  case $words in *"$3"*) step "refused: ${words##*what():  }" ;; *) echo "$words" >&2; exit 1 ;; esac
+}
+same="-DEIGEN_DONT_VECTORIZE -ffp-contract=off"
+for program in examples/throw.cpp "$build/simulator.cpp"; do
+  other "$program" "-O2 $same"
+  "$build/other" > /dev/null
+  refused "$program" "-O2" "with -DEIGEN_DONT_VECTORIZE, this program without it"
+  refused "$program" "-O2 -mavx2" "with -DEIGEN_DONT_VECTORIZE, this program without it"
+  refused "$program" "-O2 -mfma -DEIGEN_DONT_VECTORIZE" "with -ffp-contract=off, this program without it"
+  refused "$program" "-O2 $same -DEIGEN_DEFAULT_TO_ROW_MAJOR" "without -DEIGEN_DEFAULT_TO_ROW_MAJOR, this program with it"
+  refused "$program" "-O2 $same -funsafe-math-optimizations" "without -fassociative-math, this program with it"
+done

@@ -3,7 +3,7 @@
 #include <system_error>
 
 #include "base/error.h"
-#include "picture/textures.h"
+#include "picture/texture_files.h"
 
 namespace rotatebook::cli {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "picture/composition.h"
+
 namespace rotatebook::picture {
 
 // Reading textures and making overlays take half of the time in which a render starts: they run in
@@ -15,17 +17,23 @@ FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& 
 FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
                          const render::DeviceChoice& device, std::future<LoadedTextures> textures)
     : motion_(&motion),
-      composition_(scene, motion),
+      composition_(std::make_unique<Composition>(scene, motion)),
       referenceFrame_(scene.camera.frame),
-      camera_(cameraOf(scene, composition_.screen())),
+      camera_(cameraOf(scene, composition_->screen())),
       renderer_([&] {
         LoadedTextures loaded = textures.get();
         textureChecksums_ = std::move(loaded.checksums);
-        return makeRenderer(scene, composition_.screen(), loaded.pictures, device);
+        return makeRenderer(scene, composition_->screen(), loaded.pictures, device);
       }()),
       moments_(scene) {
-  const render::Screen& screen = composition_.screen();
+  const render::Screen& screen = composition_->screen();
   if (moments_.count() > 1) mean_.emplace(screen.width, screen.height);
+}
+
+FrameDrawer::~FrameDrawer() = default;
+
+image::Image FrameDrawer::makePicture() const {
+  return composition_->makePicture();
 }
 
 void FrameDrawer::draw(std::int64_t frame, image::Image& picture) {
@@ -74,9 +82,9 @@ void FrameDrawer::compose(const Exposure& exposure, image::Image& picture) {
     }
     panel = exposure.blurred[motion];
     const physics::Cage cage = cageOf(motion, sample);
-    return render::project(camera_, cage, composition_.screen()).clipFromWorld;
+    return render::project(camera_, cage, composition_->screen()).clipFromWorld;
   };
-  composition_.draw(exposure.frame, drawBody, picture);
+  composition_->draw(exposure.frame, drawBody, picture);
 }
 
 physics::Cage FrameDrawer::cageOf(std::size_t motion, std::size_t sample) const {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <future>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,7 +13,6 @@
 
 #include "image/image.h"
 #include "image/linear_mean.h"
-#include "picture/composition.h"
 #include "picture/frame_painter.h"
 #include "picture/textures.h"
 #include "render/renderer.h"
@@ -23,6 +23,8 @@
 
 namespace rotatebook::picture {
 
+class Composition;
+
 /// Draws frame n of a scene: the body, or one in each panel, and the overlays. Owns an OpenGL
 /// context; see render::Renderer.
 class FrameDrawer final : public FramePainter {
@@ -31,9 +33,10 @@ class FrameDrawer final : public FramePainter {
   /// read already. Throws like loadTextures(), Composition and render::Renderer.
   FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
               const render::DeviceChoice& device = {}, const TextureFiles& files = {});
+  ~FrameDrawer() override;
 
   /// Returns a picture of the right size and format for draw() and compose().
-  image::Image makePicture() const override { return composition_.makePicture(); }
+  image::Image makePicture() const override;
   /// Draws over all of `picture`; `frame` is 0 to below motion.frameCount().
   void draw(std::int64_t frame, image::Image& picture);
 
@@ -57,7 +60,7 @@ class FrameDrawer final : public FramePainter {
   void exposeBlurred(std::size_t motion, std::size_t sample, image::Image& picture);
 
   const timeline::ClipMotion* motion_;
-  Composition composition_;
+  std::unique_ptr<Composition> composition_;
   scene::ReferenceFrame referenceFrame_;
   render::Camera camera_;
   TextureChecksums textureChecksums_;

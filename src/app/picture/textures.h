@@ -1,25 +1,12 @@
-// Loads the pictures of a scene's book cover, and makes its camera and renderer.
+// Loads the pictures of a scene's book cover, and makes its camera and renderer. Inside the room
+// only.
 #pragma once
 
-#include <filesystem>
-#include <map>
-#include <string>
-#include <vector>
-
+#include "picture/texture_files.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
 
 namespace rotatebook::picture {
-
-/// Replaces the checksum of a texture that ships with the program.
-inline constexpr const char* kBuiltinTexture = "built-in";
-
-/// The checksums of a scene's textures by key, like "book.front": checksumOf() the file's bytes, or
-/// kBuiltinTexture.
-using TextureChecksums = std::map<std::string, std::string>;
-
-/// The bytes of a scene's texture files by key; built-in textures have none.
-using TextureFiles = std::map<std::string, std::string>;
 
 /// A scene's textures. The checksums are those of the bytes that are drawn, even if a file changes.
 struct LoadedTextures {
@@ -27,14 +14,9 @@ struct LoadedTextures {
   TextureChecksums checksums;
 };
 
-/// Reads the texture files that the scene names. Throws InputError if one is missing or broken, or
-/// leads outside the scene's folder without Scene::allowOutside.
-TextureFiles readTextures(const scene::Scene& scene);
 /// Decodes the scene's textures in parallel: the bytes of `files`, or else of the files themselves.
 /// Throws as readTextures() does.
 LoadedTextures loadTextures(const scene::Scene& scene, const TextureFiles& files = {});
-/// Returns the texture files that the scene names, whether they exist or not.
-std::vector<std::filesystem::path> textureFiles(const scene::Scene& scene);
 
 /// Returns the scene's camera for `screen`, the whole picture or a panel.
 render::Camera cameraOf(const scene::Scene& scene, const render::Screen& screen);

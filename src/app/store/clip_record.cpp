@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/version.h"
-#include "picture/textures.h"
+#include "picture/texture_files.h"
 #include "scene/scene_text.h"
 #include "timeline/motion_checksum.h"
 #include "video/video_writer.h"

@@ -1,7 +1,10 @@
 #include "base/version.h"
 
+#include <string_view>
+
 namespace rotatebook {
 
-const char* const kVersion = ROTATEBOOK_VERSION;
+static_assert(std::string_view(kVersion) == ROTATEBOOK_VERSION,
+              "base/version.h has another version than CMakeLists.txt: change both");
 
 }  // namespace rotatebook

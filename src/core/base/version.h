@@ -3,7 +3,8 @@
 
 namespace rotatebook {
 
-/// "MAJOR.MINOR.PATCH", as CMakeLists.txt sets it.
-extern const char* const kVersion;
+/// "MAJOR.MINOR.PATCH", the same as in CMakeLists.txt. Each source has its own copy: so the core
+/// notices if a program was built with another version's headers.
+constexpr const char* kVersion = "0.1.0";
 
 }  // namespace rotatebook

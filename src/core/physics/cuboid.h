@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "physics/layout.h"
+
 namespace rotatebook::physics {
 
 /// The eight corners of a body, deformed or not, one per column. [m] Corner i has the sign of x

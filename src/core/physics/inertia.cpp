@@ -180,6 +180,7 @@ void checkInertia(const Eigen::Matrix3d& tensor) {
 }
 
 PrincipalAxes principalAxes(const Eigen::Matrix3d& tensor) {
+  requireSameLayout();
   if (tensor.isDiagonal(0)) return {tensor.diagonal(), Eigen::Matrix3d::Identity()};
   const double unit = powerOfTwoBelow(tensor.cwiseAbs().maxCoeff());
   Matrix entries;

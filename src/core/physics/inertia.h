@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 
 #include "base/double_double.h"
+#include "physics/layout.h"
 
 namespace rotatebook::physics {
 

@@ -3,10 +3,12 @@
 #include "base/error.h"
 #include "physics/exact/exact_simulator.h"
 #include "physics/integrators/integrator_table.h"
+#include "physics/layout.h"
 
 namespace rotatebook::physics {
 
 std::unique_ptr<Simulator> makeSimulator(const MotionSettings& settings) {
+  requireSameLayout();
   if (settings.simulation.model == Model::Exact) return std::make_unique<ExactSimulator>(settings);
   const Stepping* stepping = steppingOf(settings.simulation.model, settings.simulation.integrator);
   if (stepping == nullptr) throw InputError("this model doesn't have this integrator");

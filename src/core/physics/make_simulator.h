@@ -9,7 +9,7 @@
 namespace rotatebook::physics {
 
 /// Creates the simulator that `settings` specify, at t = 0. Throws InputError as
-/// InitialSpin::tilted() does, and if the model doesn't have the integrator.
+/// InitialSpin::tilted() and requireSameLayout() do, and if the model doesn't have the integrator.
 std::unique_ptr<Simulator> makeSimulator(const MotionSettings& settings);
 
 }  // namespace rotatebook::physics

@@ -9,6 +9,7 @@
 #include "physics/cuboid.h"
 #include "physics/inertia.h"
 #include "physics/integrators/integrator.h"
+#include "physics/layout.h"
 
 namespace rotatebook::physics {
 
@@ -84,5 +85,12 @@ struct MotionSettings {
 
   friend bool operator==(const MotionSettings&, const MotionSettings&) = default;
 };
+
+template <>
+bool noteSizeOf<MotionSettings>(std::size_t caller) noexcept;
+
+namespace {
+[[maybe_unused]] const bool kMotionSettingsSizeIsSame = noteSizeOf<MotionSettings>();
+}  // namespace
 
 }  // namespace rotatebook::physics

@@ -3,6 +3,7 @@
 namespace rotatebook::physics {
 
 PrincipalAxes modelInertia(const MotionSettings& settings) {
+  requireSameLayout();
   const bool particles = settings.simulation.model == Model::Particles;
   if (!particles && settings.inertia) return principalAxes(*settings.inertia);
   return {particles ? settings.body.particleInertia() : settings.body.solidInertia()};

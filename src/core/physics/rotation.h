@@ -4,6 +4,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "physics/layout.h"
+
 namespace rotatebook::physics {
 
 /// Returns the matrix [w]x, for which [w]x v = w x v.

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include "physics/cuboid.h"
+#include "physics/layout.h"
 #include "physics/measure/regime.h"
 
 namespace rotatebook::physics {
@@ -36,5 +37,12 @@ struct Sample {
 
   double total() const { return kinetic + potential; }
 };
+
+template <>
+bool noteSizeOf<Sample>(std::size_t caller) noexcept;
+
+namespace {
+[[maybe_unused]] const bool kSampleSizeIsSame = noteSizeOf<Sample>();
+}  // namespace
 
 }  // namespace rotatebook::physics

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "physics/layout.h"
 #include "physics/make_simulator.h"
 #include "physics/measure/measurement.h"
 
@@ -24,8 +25,8 @@ bool hasBlownUp(const BodyState& state, const Cuboid& body) {
 }  // namespace
 
 Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount,
-                    const std::atomic<bool>* stop, const Layout& caller) {
-  requireSameLayout(caller);
+                    const std::atomic<bool>* stop) {
+  requireSameLayout();
   const auto simulator = makeSimulator(settings);
   Measurement measurement(settings);
   const SimulationSettings& stepping = settings.simulation;

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cstdint>
 
-#include "physics/layout.h"
 #include "physics/motion_settings.h"
 #include "physics/trajectory.h"
 
@@ -14,9 +13,8 @@ namespace rotatebook::physics {
 /// makeSimulator() does, and if the spin is so large that not even the first sample is finite;
 /// NoConvergence if an implicit integrator finds no solution for its steps. If `stop` isn't null
 /// and another thread sets it, the simulation ends after a sample, and its result must be
-/// discarded. Leave `caller` at its default: it makes the core refuse, with an InputError, a
-/// program that was built with another layout.
+/// discarded.
 Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount,
-                    const std::atomic<bool>* stop = nullptr, const Layout& caller = layoutHere());
+                    const std::atomic<bool>* stop = nullptr);
 
 }  // namespace rotatebook::physics

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "physics/cuboid.h"
+#include "physics/layout.h"
 
 namespace rotatebook::physics {
 
@@ -39,5 +40,12 @@ class Simulator {
   /// Returns the current state. Its numbers need not be finite once a motion has blown up.
   virtual BodyState state() const = 0;
 };
+
+template <>
+bool noteSizeOf<BodyState>(std::size_t caller) noexcept;
+
+namespace {
+[[maybe_unused]] const bool kBodyStateSizeIsSame = noteSizeOf<BodyState>();
+}  // namespace
 
 }  // namespace rotatebook::physics

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "physics/layout.h"
 #include "physics/sample.h"
 
 namespace rotatebook::physics {
@@ -20,5 +21,12 @@ struct Trajectory {
 /// Distance from the origin, in largest dimensions of the body, beyond which a motion counts as
 /// diverged.
 inline constexpr double kDivergenceFactor = 20;
+
+template <>
+bool noteSizeOf<Trajectory>(std::size_t caller) noexcept;
+
+namespace {
+[[maybe_unused]] const bool kTrajectorySizeIsSame = noteSizeOf<Trajectory>();
+}  // namespace
 
 }  // namespace rotatebook::physics

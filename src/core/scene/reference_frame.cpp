@@ -34,6 +34,7 @@ Eigen::Matrix3d frameFromWorld(ReferenceFrame frame, const physics::Sample& samp
 }
 
 physics::Sample inReferenceFrame(ReferenceFrame frame, const physics::Sample& sample) {
+  physics::requireSameLayout();
   if (frame == ReferenceFrame::World) return sample;
   const Eigen::Matrix3d rotation = frameFromWorld(frame, sample);
   physics::Sample seen = sample;

@@ -8,6 +8,7 @@
 namespace rotatebook::scene {
 
 std::vector<Panel> motionsOf(const Scene& scene) {
+  physics::requireSameLayout();
   if (!scene.panels.empty()) return scene.panels;
   return {{{scene}, ""}};
 }
@@ -41,3 +42,12 @@ bool shows(const Scene& scene, Overlay overlay) {
 }
 
 }  // namespace rotatebook::scene
+
+namespace rotatebook::physics {
+
+template <>
+bool noteSizeOf<scene::Scene>(std::size_t caller) noexcept {
+  return noteSize("scene::Scene", sizeof(scene::Scene), caller);
+}
+
+}  // namespace rotatebook::physics

@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 
 #include "base/frame_rate.h"
+#include "physics/layout.h"
 #include "physics/motion_settings.h"
 #include "scene/expectation.h"
 #include "scene/overlays.h"
@@ -158,3 +159,14 @@ Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldO
                                       int height);
 
 }  // namespace rotatebook::scene
+
+namespace rotatebook::physics {
+
+template <>
+bool noteSizeOf<scene::Scene>(std::size_t caller) noexcept;
+
+namespace {
+[[maybe_unused]] const bool kSceneSizeIsSame = noteSizeOf<scene::Scene>();
+}  // namespace
+
+}  // namespace rotatebook::physics

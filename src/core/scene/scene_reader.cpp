@@ -80,8 +80,8 @@ void noteLocations(const ValueReader& file, Scene& scene) {
 }  // namespace
 
 Scene parseScene(std::string_view text, const std::filesystem::path& path,
-                 std::span<const std::string> overrides, const physics::Layout& caller) {
-  requireSameLayout(caller);
+                 std::span<const std::string> overrides) {
+  physics::requireSameLayout();
   TomlNode tree = parseToml(text, path.string());
   applyOverrides(tree, overrides);
 

@@ -6,7 +6,6 @@
 #include <string>
 #include <string_view>
 
-#include "physics/layout.h"
 #include "scene/scene.h"
 
 namespace rotatebook::scene {
@@ -17,11 +16,9 @@ namespace rotatebook::scene {
 ///
 /// `overrides` are "key.path=value" as --set takes them: the value is TOML, or else a bare string.
 /// They count as part of the file; messages give their location as "--set KEY=VALUE". Setting one
-/// of initial.angular_velocity and initial.angular_momentum removes the other. `caller` is as in
-/// physics::simulate().
+/// of initial.angular_velocity and initial.angular_momentum removes the other.
 Scene parseScene(std::string_view text, const std::filesystem::path& path,
-                 std::span<const std::string> overrides = {},
-                 const physics::Layout& caller = physics::layoutHere());
+                 std::span<const std::string> overrides = {});
 
 /// Returns the scene as TOML with every default explicit. Reading it back gives an equal scene.
 std::string sceneText(const Scene& scene);

@@ -119,6 +119,7 @@ bool runInTurn(std::span<const std::size_t> indices, const Run& run) {
 }
 
 void requireStudyable(const scene::Scene& scene) {
+  physics::requireSameLayout();
   if (!scene.panels.empty()) {
     throw InputError(scene::locationOf(scene, "panel") +
                      ": a study needs a single motion, but this scene has panels");
@@ -181,6 +182,7 @@ std::optional<PrecisionStudy> runPrecisionStudy(const scene::Scene& scene,
 
 std::optional<TiltStudy> runTiltStudy(const scene::Scene& scene, const scene::StudySettings& study,
                                       const Execution& execution) {
+  physics::requireSameLayout();
   std::vector<MotionSettings> runs(study.tilts.size(), scene.motion());
   for (std::size_t i = 0; i < runs.size(); ++i) {
     runs[i].initial.tilt->angle = study.tilts[i];

@@ -45,3 +45,12 @@ std::int64_t ClipMotion::longest() const {
 }
 
 }  // namespace rotatebook::timeline
+
+namespace rotatebook::physics {
+
+template <>
+bool noteSizeOf<timeline::ClipMotion>(std::size_t caller) noexcept {
+  return noteSize("timeline::ClipMotion", sizeof(timeline::ClipMotion), caller);
+}
+
+}  // namespace rotatebook::physics

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/frame_rate.h"
+#include "physics/layout.h"
 #include "physics/trajectory.h"
 
 namespace rotatebook::timeline {
@@ -41,3 +42,14 @@ class ClipMotion {
 };
 
 }  // namespace rotatebook::timeline
+
+namespace rotatebook::physics {
+
+template <>
+bool noteSizeOf<timeline::ClipMotion>(std::size_t caller) noexcept;
+
+namespace {
+[[maybe_unused]] const bool kClipMotionSizeIsSame = noteSizeOf<timeline::ClipMotion>();
+}  // namespace
+
+}  // namespace rotatebook::physics

@@ -21,9 +21,8 @@ physics::Trajectory simulate(const scene::Scene& scene, const scene::Panel& pane
 
 }  // namespace
 
-ClipMotion simulateScene(const scene::Scene& scene, const std::atomic<bool>* stop,
-                         const physics::Layout& caller) {
-  requireSameLayout(caller);
+ClipMotion simulateScene(const scene::Scene& scene, const std::atomic<bool>* stop) {
+  physics::requireSameLayout();
   std::vector<physics::Trajectory> trajectories;
   for (const scene::Panel& panel : scene::motionsOf(scene)) {
     trajectories.push_back(simulate(scene, panel, stop));

@@ -3,16 +3,14 @@
 
 #include <atomic>
 
-#include "physics/layout.h"
 #include "scene/scene.h"
 #include "timeline/clip_motion.h"
 
 namespace rotatebook::timeline {
 
-/// Simulates all motions of the scene's clip, in the order of scene::motionsOf(). `stop`, `caller`
-/// and what is thrown are as in physics::simulate(); an InputError names the scene's file and
+/// Simulates all motions of the scene's clip, in the order of scene::motionsOf(). `stop` and
+/// what is thrown are as in physics::simulate(); an InputError names the scene's file and
 /// panel, too.
-ClipMotion simulateScene(const scene::Scene& scene, const std::atomic<bool>* stop = nullptr,
-                         const physics::Layout& caller = physics::layoutHere());
+ClipMotion simulateScene(const scene::Scene& scene, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace rotatebook::timeline

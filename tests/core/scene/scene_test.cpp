@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
 #include <numbers>
 #include <random>
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "scene/scene_text.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -71,6 +76,21 @@ TEST(DefaultCamera, ShowsAllOfTheBodyInAnyAttitudeAndLarge) {
 TEST(DefaultCamera, IsToTheRightAndAboveTheCover) {
   const Eigen::Vector3d position = defaultCameraPosition({}, 30, 1280, 720);
   EXPECT_TRUE(position.normalized().isApprox(Eigen::Vector3d(0.42, 0.30, 1).normalized()));
+}
+
+TEST(SceneDeathTest, OfAnotherSizeInAProgramIsRefused) {
+  EXPECT_EXIT(
+      {
+        physics::noteSizeOf<Scene>(sizeof(Scene) + 16);
+        try {
+          sceneText({});
+        } catch (const InputError& error) {
+          std::cerr << error.what();
+          std::exit(1);
+        }
+        std::exit(0);
+      },
+      testing::ExitedWithCode(1), "rotatebook was built with a scene::Scene of ");
 }
 
 }  // namespace

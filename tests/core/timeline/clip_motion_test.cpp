@@ -1,7 +1,11 @@
 #include "timeline/clip_motion.h"
 
+#include <cstdlib>
+#include <iostream>
+
 #include <gtest/gtest.h>
 
+#include "base/error.h"
 #include "scene/small_scene.h"
 #include "timeline/simulate_scene.h"
 
@@ -66,6 +70,21 @@ TEST(ClipMotion, OfASceneHasTheClipsFrames) {
   const ClipMotion diverging = simulateScene(scene::testing::divergingScene());
   EXPECT_EQ(diverging.frameCount(), 5 + 24);
   EXPECT_EQ(diverging.trajectories().front().samples.size(), 5U);
+}
+
+TEST(ClipMotionDeathTest, OfAnotherSizeInAProgramIsRefused) {
+  EXPECT_EXIT(
+      {
+        physics::noteSizeOf<ClipMotion>(sizeof(ClipMotion) + 16);
+        try {
+          simulateScene({});
+        } catch (const InputError& error) {
+          std::cerr << error.what();
+          std::exit(1);
+        }
+        std::exit(0);
+      },
+      testing::ExitedWithCode(1), "rotatebook was built with a timeline::ClipMotion of ");
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ ExactMotion::ExactMotion(const Vector3d& inertia, const Vector3d& angularVelocit
     : ExactMotion(Start{pairsOf(inertia), pairsOf(angularVelocity)}) {}
 
 ExactMotion::ExactMotion(const Start& start)
-    : inertia_(roundedOf(start.inertia)),
+    : inertia_(roundedOf(withSameLayout(start).inertia)),
       start_(roundedOf(start.angularVelocity)),
       speed_(hypotenuse(hypotenuse(start.angularVelocity[0], start.angularVelocity[1]),
                         start.angularVelocity[2])),

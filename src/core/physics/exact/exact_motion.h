@@ -8,6 +8,7 @@
 #include "base/double_double.h"
 #include "base/elliptic.h"
 #include "physics/exact/polhode.h"
+#include "physics/layout.h"
 #include "physics/measure/regime.h"
 
 namespace rotatebook::physics {

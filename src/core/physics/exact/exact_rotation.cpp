@@ -3,10 +3,10 @@
 namespace rotatebook::physics {
 
 ExactRotation::ExactRotation(const PrincipalAxes& inertia, const Eigen::Vector3d& angularVelocity)
-    : ExactRotation(inertia, inertia.alongPrincipal(angularVelocity)) {}
+    : ExactRotation(inertia, withSameLayout(inertia).alongPrincipal(angularVelocity)) {}
 
 ExactRotation::ExactRotation(const PrincipalAxes& inertia, const DoubleDouble3& alongPrincipal)
-    : bodyFromPrincipal_(inertia.bodyFromPrincipal),
+    : bodyFromPrincipal_(withSameLayout(inertia).bodyFromPrincipal),
       motion_({inertia.preciseMoments(), alongPrincipal}) {}
 
 ExactRotation::Moment ExactRotation::at(double time) const {

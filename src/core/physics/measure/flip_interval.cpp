@@ -20,6 +20,7 @@ double angleBySine(const Eigen::Vector3d& w, int median) {
 }  // namespace
 
 std::vector<double> flipTimes(const Trajectory& trajectory, const PrincipalAxes& inertia) {
+  requireSameLayout();
   const Eigen::Vector3d axis = medianAxis(inertia);
   const auto rateOf = [&axis](const Sample& sample) {
     return (sample.attitude * axis).dot(sample.angularVelocity);

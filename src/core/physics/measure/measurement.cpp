@@ -49,7 +49,7 @@ int HalfTurnCounter::count(double tiltDeg) {
 }
 
 Measurement::Measurement(const MotionSettings& settings)
-    : body_(settings.body),
+    : body_(withSameLayout(settings).body),
       inertia_(modelInertia(settings)),
       spunAxis_(spunAxisOf(settings, inertia_)),
       exact_(inertia_, settings.initial.alongPrincipal(inertia_)),

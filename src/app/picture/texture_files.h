@@ -1,0 +1,29 @@
+// The files that a scene's textures come from.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace rotatebook::picture {
+
+/// Replaces the checksum of a texture that ships with the program.
+inline constexpr const char* kBuiltinTexture = "built-in";
+
+/// The checksums of a scene's textures by key, like "book.front": checksumOf() the file's bytes, or
+/// kBuiltinTexture.
+using TextureChecksums = std::map<std::string, std::string>;
+
+/// The bytes of a scene's texture files by key; built-in textures have none.
+using TextureFiles = std::map<std::string, std::string>;
+
+/// Reads the texture files that the scene names. Throws InputError if one is missing or broken, or
+/// leads outside the scene's folder without Scene::allowOutside.
+TextureFiles readTextures(const scene::Scene& scene);
+/// Returns the texture files that the scene names, whether they exist or not.
+std::vector<std::filesystem::path> textureFiles(const scene::Scene& scene);
+
+}  // namespace rotatebook::picture

@@ -301,7 +301,7 @@ int scenesAtATime(const std::vector<SceneToRender>& scenes, int cores, double me
 
 int renderScenes(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
                  int atATime) {
-  for (const scene::Scene& scene : scenes) printNotes(scene);
+  for (const SceneToRender& one : scenes) printNotes(one.scene);
   atATime = std::min(atATime, static_cast<int>(scenes.size()));
   if (atATime <= 1) return renderInTurn(scenes, options);
   pipeline::RenderOptions shared = options;

@@ -5,10 +5,6 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "physics/motion_settings.h"
-#include "physics/sample.h"
-#include "physics/simulator.h"
-#include "physics/trajectory.h"
 
 namespace rotatebook::physics {
 namespace {
@@ -72,26 +68,6 @@ bool noteSize(const char* type, std::size_t here, std::size_t caller) noexcept {
   static const SizeDifference first{type, here, caller};
   otherSize = &first;
   return false;
-}
-
-template <>
-bool noteSizeOf<Sample>(std::size_t caller) noexcept {
-  return noteSize("physics::Sample", sizeof(Sample), caller);
-}
-
-template <>
-bool noteSizeOf<Trajectory>(std::size_t caller) noexcept {
-  return noteSize("physics::Trajectory", sizeof(Trajectory), caller);
-}
-
-template <>
-bool noteSizeOf<MotionSettings>(std::size_t caller) noexcept {
-  return noteSize("physics::MotionSettings", sizeof(MotionSettings), caller);
-}
-
-template <>
-bool noteSizeOf<BodyState>(std::size_t caller) noexcept {
-  return noteSize("physics::BodyState", sizeof(BodyState), caller);
 }
 
 void requireSameLayout() {

@@ -30,9 +30,6 @@ struct Layout {
 bool noteLayout(const Layout& caller) noexcept;
 /// Remembers the sizes of `type` in the core and a source, and returns whether they are equal.
 bool noteSize(const char* type, std::size_t here, std::size_t caller) noexcept;
-/// Like noteSize(), for a type of the core, whose header declares it.
-template <typename T>
-bool noteSizeOf(std::size_t caller = sizeof(T)) noexcept;
 
 /// Throws InputError, naming the version, flag or size that differs, if a source of the program was
 /// built with another layout. Every function by which a program enters the core calls it.

@@ -8,6 +8,9 @@
 #include "base/number_text.h"
 
 namespace rotatebook::physics {
+
+const std::size_t kMotionSettingsSize = sizeof(MotionSettings);
+
 namespace {
 
 // Sine of the angle to the axis below which two directions count as parallel. Numbers that a person

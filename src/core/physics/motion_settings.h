@@ -86,11 +86,10 @@ struct MotionSettings {
   friend bool operator==(const MotionSettings&, const MotionSettings&) = default;
 };
 
-template <>
-bool noteSizeOf<MotionSettings>(std::size_t caller) noexcept;
-
+extern const std::size_t kMotionSettingsSize;  // in the library
 namespace {
-[[maybe_unused]] const bool kMotionSettingsSizeIsSame = noteSizeOf<MotionSettings>();
+[[maybe_unused]] const bool kMotionSettingsIsSame =
+    noteSize("physics::MotionSettings", kMotionSettingsSize, sizeof(MotionSettings));
 }  // namespace
 
 }  // namespace rotatebook::physics

@@ -38,11 +38,10 @@ struct Sample {
   double total() const { return kinetic + potential; }
 };
 
-template <>
-bool noteSizeOf<Sample>(std::size_t caller) noexcept;
-
+extern const std::size_t kSampleSize;  // in the library
 namespace {
-[[maybe_unused]] const bool kSampleSizeIsSame = noteSizeOf<Sample>();
+[[maybe_unused]] const bool kSampleIsSame =
+    noteSize("physics::Sample", kSampleSize, sizeof(Sample));
 }  // namespace
 
 }  // namespace rotatebook::physics

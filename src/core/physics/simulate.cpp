@@ -8,6 +8,11 @@
 #include "physics/measure/measurement.h"
 
 namespace rotatebook::physics {
+
+const std::size_t kSampleSize = sizeof(Sample);
+const std::size_t kTrajectorySize = sizeof(Trajectory);
+const std::size_t kBodyStateSize = sizeof(BodyState);
+
 namespace {
 
 bool isFinite(const BodyState& state) {

@@ -41,11 +41,10 @@ class Simulator {
   virtual BodyState state() const = 0;
 };
 
-template <>
-bool noteSizeOf<BodyState>(std::size_t caller) noexcept;
-
+extern const std::size_t kBodyStateSize;  // in the library
 namespace {
-[[maybe_unused]] const bool kBodyStateSizeIsSame = noteSizeOf<BodyState>();
+[[maybe_unused]] const bool kBodyStateIsSame =
+    noteSize("physics::BodyState", kBodyStateSize, sizeof(BodyState));
 }  // namespace
 
 }  // namespace rotatebook::physics

@@ -22,11 +22,10 @@ struct Trajectory {
 /// diverged.
 inline constexpr double kDivergenceFactor = 20;
 
-template <>
-bool noteSizeOf<Trajectory>(std::size_t caller) noexcept;
-
+extern const std::size_t kTrajectorySize;  // in the library
 namespace {
-[[maybe_unused]] const bool kTrajectorySizeIsSame = noteSizeOf<Trajectory>();
+[[maybe_unused]] const bool kTrajectoryIsSame =
+    noteSize("physics::Trajectory", kTrajectorySize, sizeof(Trajectory));
 }  // namespace
 
 }  // namespace rotatebook::physics

@@ -7,6 +7,8 @@
 
 namespace rotatebook::scene {
 
+const std::size_t kSceneSize = sizeof(Scene);
+
 std::vector<Panel> motionsOf(const Scene& scene) {
   physics::requireSameLayout();
   if (!scene.panels.empty()) return scene.panels;
@@ -42,12 +44,3 @@ bool shows(const Scene& scene, Overlay overlay) {
 }
 
 }  // namespace rotatebook::scene
-
-namespace rotatebook::physics {
-
-template <>
-bool noteSizeOf<scene::Scene>(std::size_t caller) noexcept {
-  return noteSize("scene::Scene", sizeof(scene::Scene), caller);
-}
-
-}  // namespace rotatebook::physics

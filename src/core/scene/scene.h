@@ -158,15 +158,10 @@ bool shows(const Scene& scene, Overlay overlay);
 Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldOfViewDeg, int width,
                                       int height);
 
-}  // namespace rotatebook::scene
-
-namespace rotatebook::physics {
-
-template <>
-bool noteSizeOf<scene::Scene>(std::size_t caller) noexcept;
-
+extern const std::size_t kSceneSize;  // in the library
 namespace {
-[[maybe_unused]] const bool kSceneSizeIsSame = noteSizeOf<scene::Scene>();
+[[maybe_unused]] const bool kSceneIsSame =
+    physics::noteSize("scene::Scene", kSceneSize, sizeof(Scene));
 }  // namespace
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::scene

@@ -4,6 +4,8 @@
 #include <utility>
 
 namespace rotatebook::timeline {
+
+const std::size_t kClipMotionSize = sizeof(ClipMotion);
 namespace {
 
 constexpr double kHold = 1;  // [s] of video
@@ -45,12 +47,3 @@ std::int64_t ClipMotion::longest() const {
 }
 
 }  // namespace rotatebook::timeline
-
-namespace rotatebook::physics {
-
-template <>
-bool noteSizeOf<timeline::ClipMotion>(std::size_t caller) noexcept {
-  return noteSize("timeline::ClipMotion", sizeof(timeline::ClipMotion), caller);
-}
-
-}  // namespace rotatebook::physics

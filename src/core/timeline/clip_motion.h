@@ -41,15 +41,10 @@ class ClipMotion {
   FrameRate rate_;
 };
 
-}  // namespace rotatebook::timeline
-
-namespace rotatebook::physics {
-
-template <>
-bool noteSizeOf<timeline::ClipMotion>(std::size_t caller) noexcept;
-
+extern const std::size_t kClipMotionSize;  // in the library
 namespace {
-[[maybe_unused]] const bool kClipMotionSizeIsSame = noteSizeOf<timeline::ClipMotion>();
+[[maybe_unused]] const bool kClipMotionIsSame =
+    physics::noteSize("timeline::ClipMotion", kClipMotionSize, sizeof(ClipMotion));
 }  // namespace
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::timeline

@@ -121,10 +121,10 @@ TEST(Panels, NeedRoom) {
 
 TEST(Panels, AreNamedInWhatIsWrongWithTheirMotion) {
   const scene::Scene scene =
-      pair({"panel.1.simulation.model=quaternion", "panel.1.simulation.integrator=midpoint",
+      pair({"panel.1.simulation.model=quaternion", "panel.1.simulation.integrator=dmv2",
             "simulation.time_per_frame=2", "panel.1.initial.tilt=[0.3, 'z']"});
   EXPECT_THAT(pipeline::testing::messageOf<InputError>([&] { timeline::simulateScene(scene); }),
-              HasSubstr("pair.toml: the panel \"Bursts\": the integrator midpoint finds no "
+              HasSubstr("pair.toml: the panel \"Bursts\": the integrator dmv2 finds no "
                         "solution"));
 }
 

@@ -95,10 +95,11 @@ TEST(LayoutDeathTest, IsCheckedByWhicheverCallComesFirst) {
               kRowMajor);
 }
 
-/// Notes another size of T, and returns the message of the next call to exit with.
+/// Notes that T has 16 bytes more in the program than `here` in the library, and exits with the
+/// message of the next call.
 template <typename T>
-[[noreturn]] void callWithOtherSize() {
-  if (!noteSizeOf<T>() || noteSizeOf<T>(sizeof(T) + 16)) std::exit(2);
+[[noreturn]] void callWithOtherSize(const char* name, std::size_t here) {
+  if (!noteSize(name, here, sizeof(T)) || noteSize(name, here, sizeof(T) + 16)) std::exit(2);
   try {
     makeSimulator({});
   } catch (const InputError& error) {
@@ -117,12 +118,14 @@ std::string aboutSize(const std::string& name) {
 }
 
 TEST(LayoutDeathTest, TypesOfAnotherSizeAreRefused) {
-  EXPECT_EXIT(callWithOtherSize<Sample>(), kExits, aboutSize<Sample>("physics::Sample"));
-  EXPECT_EXIT(callWithOtherSize<Trajectory>(), kExits,
+  EXPECT_EXIT(callWithOtherSize<Sample>("physics::Sample", kSampleSize), kExits,
+              aboutSize<Sample>("physics::Sample"));
+  EXPECT_EXIT(callWithOtherSize<Trajectory>("physics::Trajectory", kTrajectorySize), kExits,
               aboutSize<Trajectory>("physics::Trajectory"));
-  EXPECT_EXIT(callWithOtherSize<BodyState>(), kExits, aboutSize<BodyState>("physics::BodyState"));
-  EXPECT_EXIT(callWithOtherSize<MotionSettings>(), kExits,
-              aboutSize<MotionSettings>("physics::MotionSettings"));
+  EXPECT_EXIT(callWithOtherSize<BodyState>("physics::BodyState", kBodyStateSize), kExits,
+              aboutSize<BodyState>("physics::BodyState"));
+  EXPECT_EXIT(callWithOtherSize<MotionSettings>("physics::MotionSettings", kMotionSettingsSize),
+              kExits, aboutSize<MotionSettings>("physics::MotionSettings"));
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST(ClipMotion, OfASceneHasTheClipsFrames) {
 TEST(ClipMotionDeathTest, OfAnotherSizeInAProgramIsRefused) {
   EXPECT_EXIT(
       {
-        physics::noteSizeOf<ClipMotion>(sizeof(ClipMotion) + 16);
+        physics::noteSize("timeline::ClipMotion", kClipMotionSize, sizeof(ClipMotion) + 16);
         try {
           simulateScene({});
         } catch (const InputError& error) {

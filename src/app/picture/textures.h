@@ -1,5 +1,4 @@
-// Loads the pictures of a scene's book cover, and makes its camera and renderer. Inside the room
-// only.
+// Loads the pictures of a scene's book cover, and makes its camera and renderer.
 #pragma once
 
 #include "picture/texture_files.h"

@@ -33,7 +33,8 @@ struct SizeDifference {
   std::size_t here, caller;
 };
 
-// What was noted first. Initialised before any source of the program can note anything.
+// The first differences that were noted. Initialised before any source of the program can note
+// anything.
 constinit std::atomic<const Layout*> otherLayout{nullptr};
 constinit std::atomic<const SizeDifference*> otherSize{nullptr};
 

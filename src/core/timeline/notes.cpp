@@ -40,7 +40,7 @@ void addSpeedNotes(const scene::Motion& motion, std::vector<std::string>& notes)
   if (turn > kFastTurn) {
     notes.push_back("the body spins by " + roundedText(turn / (2 * pi), kDigits) +
                     " turns from frame to frame, which no eye can follow; choose a shorter "
-                    "clip.time_per_frame");
+                    "simulation.time_per_frame");
     return;
   }
   const physics::PrincipalAxes inertia = modelInertia(motion);
@@ -50,7 +50,7 @@ void addSpeedNotes(const scene::Motion& motion, std::vector<std::string>& notes)
   notes.push_back(
       "the body flips every " + roundedText(frames, kDigits) +
       " frames, so that frames, half-turns and expectations miss flips; choose a shorter "
-      "clip.time_per_frame");
+      "simulation.time_per_frame");
 }
 
 // Particles tumble by their rounding.

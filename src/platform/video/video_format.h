@@ -46,7 +46,7 @@ struct RecordedStream {
   double lengthBound = 0;       ///< Largest error of the duration, which is in microseconds. [s]
   /// The crf of MP4 whose losses the format has; none if it is encoded with VideoSettings::crf.
   std::optional<int> lossesOfCrf{};
-  bool hasMp4Header = false;  ///< Whether the container is an MP4's: see Mp4Header.
+  bool hasMp4Header = false;  ///< True if the container is an MP4's: see Mp4Header.
 };
 
 /// A row of the table of formats.
@@ -61,7 +61,7 @@ struct FormatRow {
   /// True if the file has metadata, which record the scene that it was made from. Browsers' <video>
   /// plays these formats.
   bool holdsRecord;
-  bool usesThreads;  ///< Whether VideoSettings::threads encode it, or else one thread.
+  bool usesThreads;  ///< True if VideoSettings::threads encode it, else one does.
   /// Bytes of a picture over its number of pixels to the power of 0.85, rather too large.
   double weight;
   EncoderNeed encoder;  ///< The best one. For MP4 alone another will do.

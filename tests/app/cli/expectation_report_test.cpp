@@ -81,9 +81,10 @@ TEST(ReportMotion, DivergenceThatNobodyExpectsIsUnmet) {
   const std::vector<Expectation> expectations{{.quantity = Quantity::HalfTurns, .min = 2}};
   std::ostringstream out;
   EXPECT_EQ(reportMotion(trajectory, expectations, out), kUnmet);
-  EXPECT_EQ(out.str(),
-            "  UNMET  no divergence is expected; the motion diverges at 1.25 s, after 2 frames\n"
-            "  met    half_turns: expected at least 2; measured 2\n");
+  EXPECT_EQ(
+      out.str(),
+      "  UNMET  no divergence is expected; the motion diverges at 1.25 s, after 2 frames\n"
+      "  UNMET  half_turns: expected at least 2; measured 2, but the motion ends at 1.25 s\n");
 }
 
 TEST(ReportMotion, DivergenceIsDoneIfItIsExpectedOrNothingIs) {

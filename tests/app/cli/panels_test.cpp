@@ -15,7 +15,7 @@ using ::testing::IsSupersetOf;
 
 constexpr const char* kPair = R"(title = "Pair"
 [initial]
-angular_velocity = [5.0, 0.0, 0.0]
+angular_velocity = [5.0, 0.0, 0.005]
 [clip]
 size = [96, 54]
 duration = 0.2

@@ -15,8 +15,7 @@ namespace rotatebook::cli::testing {
 /// 12 frames of 64x36 pixels that expect nothing.
 inline constexpr const char* kTiny = R"(title = "Tiny"
 [initial]
-angular_velocity = [5.0, 0.0, 0.0]
-tilt = [0.001, "z"]
+angular_velocity = [5.0, 0.0, 0.005]
 [clip]
 size = [64, 36]
 duration = 0.2

@@ -21,7 +21,7 @@ class RenderScenes : public ProgramTest {
     write("large.toml", std::string(kTiny) + "[look]\nsupersample = 2\n");
     write("panels.toml",
           "title = \"Panels\"\n[clip]\nsize = [128, 36]\nduration = 0.2\n"
-          "[[panel]]\nlabel = \"a\"\ninitial.angular_velocity = [5.0, 0.0, 0.0]\n"
+          "[[panel]]\nlabel = \"a\"\ninitial.angular_velocity = [5.0, 0.0, 0.005]\n"
           "[[panel]]\nlabel = \"b\"\ninitial.angular_velocity = [0.0, 5.0, 0.0]\n");
   }
 

@@ -61,7 +61,7 @@ TEST_F(ProgramTest, StarterByEulerFailsItsExpectations) {
   const ChildResult result =
       run({"simulate", kStarter, "--csv", "x.csv", "--set", "simulation.integrator='euler'"});
   EXPECT_EQ(result.status, 1);
-  EXPECT_THAT(result.output, HasSubstr("  up to 180 degrees from the exact motion; more than 10 "
+  EXPECT_THAT(result.output, HasSubstr("; up to 180 degrees from the exact motion; more than 10 "
                                        "from 3.85 s on\n  UNMET  energy_ratio: "));
 }
 

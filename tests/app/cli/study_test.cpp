@@ -66,7 +66,7 @@ TEST_F(StudyCommand, StudiesTiltsWhereTheSceneHasThem) {
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(result.output,
               AllOf(HasSubstr("\n  tilt 0.1 "),
-                    HasSubstr("\n  met    flip_law: expected at most 0.001; measured 0.000"),
+                    HasSubstr("\n  met    flip_law: expected at most 0.001; measured 2.4"),
                     EndsWith("\n  wrote x/flips-study.csv, x/flips-study.svg and "
                              "x/flips-study.png\n")));
   EXPECT_THAT(files(), ElementsAre("flips.toml", "x/", "x/flips-study.csv", "x/flips-study.png",

@@ -111,4 +111,8 @@ Checkup checkUp(const fs::path& folder) {
   return checkup;
 }
 
+std::optional<Problem> explainCrash(const render::DeviceChoice& choice) {
+  return diagnoseCrash(checkGraphics(), readGraphicsFacts(), choice);
+}
+
 }  // namespace rotatebook::diagnose

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,5 +37,9 @@ struct Checkup {
 /// Checks the machine. Creates and removes a file in `folder`, or in the nearest parent that
 /// exists.
 Checkup checkUp(const std::filesystem::path& folder);
+
+/// Checks the drivers after a process that drew with `choice` crashed. Returns the problem of the
+/// driver that it used, if that one ends a process. Throws what checkGraphics() throws.
+std::optional<Problem> explainCrash(const render::DeviceChoice& choice);
 
 }  // namespace rotatebook::diagnose

@@ -79,22 +79,25 @@ std::vector<std::string> tryAll(const render::DisplayProbe& probe,
   return ends;
 }
 
-std::optional<std::size_t> defaultOf(const render::DisplayCandidates& list,
-                                     const std::vector<DisplayCheck>& checks) {
-  try {
-    return render::chooseDisplay(list, {},
-                                 [&](std::size_t i) -> render::Attempt {
-                                   if (checks[i].ends)
-                                     throw MachineError("a render would end there, too");
-                                   return {checks[i].renderer, checks[i].failure};
-                                 })
-        .candidate;
-  } catch (const Error&) {
-    return {};
-  }
-}
-
 }  // namespace
+
+std::optional<std::size_t> lastTried(const std::vector<DisplayCheck>& checks,
+                                     const render::DeviceChoice& choice) {
+  render::DisplayCandidates list;
+  for (const DisplayCheck& check : checks) list.candidates.push_back(check.candidate);
+  std::optional<std::size_t> last;
+  const auto attempt = [&](std::size_t i) -> render::Attempt {
+    if (!checks[i].ends) return {checks[i].renderer, checks[i].failure};
+    last = i;
+    throw MachineError("a render would end there, too");
+  };
+  try {
+    last = render::chooseDisplay(list, choice, attempt).candidate;
+  } catch (const Error&) {
+    // It refuses them all, or ended at `last`.
+  }
+  return last;
+}
 
 GraphicsCheck checkGraphics() {
   GraphicsCheck check;
@@ -113,7 +116,8 @@ GraphicsCheck checkGraphics() {
                                        .failure = render::CallFailure{"its driver", ends[i]},
                                        .ends = true});
   }
-  check.byDefault = defaultOf(probe.list(), check.candidates);
+  const std::optional<std::size_t> last = lastTried(check.candidates, {});
+  if (last && !check.candidates[*last].ends) check.byDefault = last;
   return check;
 }
 

@@ -47,6 +47,11 @@ struct GraphicsCheck {
   bool draws() const { return byDefault && candidates[*byDefault].draws(); }
 };
 
+/// Returns the index of the last candidate that a render with `choice` tries: the one that it draws
+/// with, or whose driver ends it. Returns nothing if each fails, or the choice allows none.
+std::optional<std::size_t> lastTried(const std::vector<DisplayCheck>& checks,
+                                     const render::DeviceChoice& choice);
+
 /// Makes a context on each display candidate and draws the reference picture with it, in a copy of
 /// this process first, because a driver may end the process. So call it while there are no other
 /// threads. Reports a renderer's errors in the result, and doesn't throw them.

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "system/read_file.h"
+#include "system/resource_limits.h"
 
 namespace rotatebook::diagnose {
 namespace {
@@ -120,6 +121,7 @@ GraphicsFacts readGraphicsFacts() {
     if (const auto value = variable(name)) facts.vendorVariable = name + ("=" + *value);
   }
   facts.mesaVariables = mesaVariables();
+  facts.memoryLimits = system::memoryLimits();
   for (const std::string& path : vendorPaths(facts)) {
     facts.vendorFiles.push_back(readVendorFile(path));
   }

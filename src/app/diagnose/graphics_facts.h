@@ -31,8 +31,9 @@ struct GraphicsFacts {
   /// Variables that are set and change what Mesa and its EGL do, sorted:
   /// "MESA_GL_VERSION_OVERRIDE=2.1"
   std::vector<std::string> mesaVariables{};
-  std::vector<DeviceNode> nodes{};  ///< /dev/dri/renderD* and /dev/nvidia*
-  bool nvidiaLibrary = false;       ///< libEGL_nvidia.so.0 can be loaded.
+  std::vector<std::string> memoryLimits{};  ///< system::memoryLimits()
+  std::vector<DeviceNode> nodes{};          ///< /dev/dri/renderD* and /dev/nvidia*
+  bool nvidiaLibrary = false;               ///< libEGL_nvidia.so.0 can be loaded.
   bool container = false;
   std::optional<std::string> nvidiaCapabilities{};  ///< NVIDIA_DRIVER_CAPABILITIES
 

@@ -82,6 +82,16 @@ std::string updateRemedy(bool software) {
                   : "update the card's driver; until then --device software";
 }
 
+std::string first(const std::string& attempt, const std::string& remedy) {
+  return attempt + "; if that doesn't help: " + remedy;
+}
+
+/// Returns "raise ulimit -d (it is 100000 kB); if that doesn't help: `remedy`"; `remedy` alone if
+/// there are no limits.
+std::string raisingFirst(const std::vector<std::string>& limits, const std::string& remedy) {
+  return limits.empty() ? remedy : first("raise " + joined(limits), remedy);
+}
+
 /// Returns "unset GALLIUM_NOOP (it is 1), LP_X (it is 2); if that doesn't help: `remedy`"; `remedy`
 /// alone if there are no variables.
 std::string unsettingFirst(const std::vector<std::string>& variables, const std::string& remedy) {
@@ -89,7 +99,7 @@ std::string unsettingFirst(const std::vector<std::string>& variables, const std:
     const std::size_t end = variable.find('=');
     return variable.substr(0, end) + " (it is " + variable.substr(end + 1) + ")";
   });
-  return names.empty() ? remedy : "unset " + names + "; if that doesn't help: " + remedy;
+  return names.empty() ? remedy : first("unset " + names, remedy);
 }
 
 class Diagnosis {
@@ -119,6 +129,15 @@ class Diagnosis {
           unsettingFirst(facts_.mesaVariables, render::kInstallMesa));
     }
     return problems_;
+  }
+
+  /// `check`: one with a failure.
+  Problem failureProblem(const DisplayCheck& check) const {
+    const std::string what = check.candidate.text() + ": " + check.failure->text();
+    const DeviceNode* node =
+        check.candidate.software ? nullptr : forbiddenNode(facts_, check.candidate);
+    if (node != nullptr) return permissionProblem(what, *node);
+    return {what, unsettingFirst(variablesOf(check), deviceRemedy(check))};
   }
 
  private:
@@ -202,12 +221,7 @@ class Diagnosis {
   }
 
   void addFailedDevice(const DisplayCheck& check) {
-    if (!check.failure) return;
-    const std::string what = check.candidate.text() + ": " + check.failure->text();
-    const DeviceNode* node =
-        check.candidate.software ? nullptr : forbiddenNode(facts_, check.candidate);
-    if (node != nullptr) return problems_.push_back(permissionProblem(what, *node));
-    add(what, unsettingFirst(variablesOf(check), deviceRemedy(check)));
+    if (check.failure) problems_.push_back(failureProblem(check));
   }
 
   /// Returns the variables that may be why it fails: Mesa's, unless the driver is NVIDIA's.
@@ -218,7 +232,8 @@ class Diagnosis {
   std::string deviceRemedy(const DisplayCheck& check) const {
     const bool old =
         check.failure->call.starts_with("eglCreateContext") || check.failure->error == "missing";
-    if (check.ends) return updateRemedy(check.candidate.software);
+    if (check.ends)
+      return raisingFirst(facts_.memoryLimits, updateRemedy(check.candidate.software));
     if (check.candidate.software) return kInstallMesaDrivers;
     if (check.candidate.nvidia && lacksGraphicsCapability(facts_)) return kGraphicsCapability;
     if (check.candidate.nvidia) return kInstallNvidia;
@@ -262,6 +277,13 @@ class Diagnosis {
 
 std::vector<Problem> diagnose(const GraphicsCheck& check, const GraphicsFacts& facts) {
   return Diagnosis(check, facts).take();
+}
+
+std::optional<Problem> diagnoseCrash(const GraphicsCheck& check, const GraphicsFacts& facts,
+                                     const render::DeviceChoice& choice) {
+  const std::optional<std::size_t> last = lastTried(check.candidates, choice);
+  if (!last || !check.candidates[*last].ends) return std::nullopt;
+  return Diagnosis(check, facts).failureProblem(check.candidates[*last]);
 }
 
 }  // namespace rotatebook::diagnose

@@ -2,6 +2,7 @@
 // nothing but its arguments. Inside the room only.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,5 +22,10 @@ struct Problem {
 /// platform or default display is no problem unless it is the default candidate. Never empty if
 /// nothing draws.
 std::vector<Problem> diagnose(const GraphicsCheck& check, const GraphicsFacts& facts);
+
+/// Returns the problem of the candidate that a render with `choice` comes to, if its driver ends
+/// the process.
+std::optional<Problem> diagnoseCrash(const GraphicsCheck& check, const GraphicsFacts& facts,
+                                     const render::DeviceChoice& choice);
 
 }  // namespace rotatebook::diagnose

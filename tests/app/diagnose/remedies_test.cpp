@@ -25,6 +25,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::IsSupersetOf;
 using ::testing::Not;
+using ::testing::Optional;
 using ::testing::StartsWith;
 
 const render::CallFailure kNotReady{"eglInitialize", "EGL_NOT_INITIALIZED"};
@@ -239,6 +240,38 @@ TEST(Remedies, BlameNoVariableOfMesaForNvidia) {
   EXPECT_THAT(
       diagnose(brokenCard({.nvidia = true}), facts),
       ElementsAre(Field(&Problem::remedy, StartsWith("install the EGL library of NVIDIA"))));
+}
+
+DisplayCheck ending(const render::DisplayCandidate& candidate) {
+  DisplayCheck check = failing(candidate, {"its driver", "ends the process (Segmentation fault)"});
+  check.ends = true;
+  return check;
+}
+
+// A crash of a render comes from the driver only if the render used the one that ends a process.
+TEST(Remedies, ExplainACrashByTheDriverThatWasUsed) {
+  using Kind = render::DeviceChoice::Kind;
+  const GraphicsCheck check{
+      .candidates = {failing({}, kNotReady), ending({.index = 1}), drawing({.index = 2}, true)}};
+  const auto explained = [&](const render::DeviceChoice& choice) {
+    return diagnoseCrash(check, {.vendorFiles = {kMesa}}, choice);
+  };
+  for (const render::DeviceChoice& choice :
+       {render::DeviceChoice{}, {.kind = Kind::Index, .number = 1}, {.requireHardware = true}}) {
+    EXPECT_THAT(explained(choice), Optional(says("EGL device 1: its driver: ends the process (Seg",
+                                                 "update the card's driver; until then --device")));
+  }
+  EXPECT_EQ(explained({.kind = Kind::Software}), std::nullopt);
+  EXPECT_EQ(explained({.kind = Kind::Index, .number = 0}), std::nullopt);
+  EXPECT_EQ(explained({.kind = Kind::Index, .number = 7}), std::nullopt);
+  EXPECT_EQ(diagnoseCrash(softwareCheck(), {}, {}), std::nullopt);
+}
+
+TEST(Remedies, RaiseTheLimitsThatMayEndTheProcess) {
+  const GraphicsFacts facts{.memoryLimits = {"ulimit -d (it is 100000 kB)"}};
+  EXPECT_THAT(diagnoseCrash({.candidates = {ending({.software = true})}}, facts, {}),
+              Optional(says("EGL device 0",
+                            "raise ulimit -d (it is 100000 kB); if that doesn't help: update")));
 }
 
 // Unsets variables that must not stay set for the rest of the tests.

@@ -27,4 +27,8 @@ void addCheckCommand(CLI::App& program, Action& action);
 void addSceneCommand(CLI::App& program, Action& action);
 void addListCommand(CLI::App& program, Action& action);
 
+/// The name of a command that isn't for users: a process that crashes while it draws becomes it.
+inline constexpr const char* kAfterCrash = "after-crash";
+void addAfterCrashCommand(CLI::App& program, Action& action);
+
 }  // namespace rotatebook::cli

@@ -1,14 +1,16 @@
 #include "cli/crash_handler.h"
 
+#include <array>
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <new>
-#include <string_view>
 #include <unistd.h>
 
 #include "cli/exit_code.h"
 #include "system/crash_signals.h"
+#include "system/crash_successor.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -16,20 +18,31 @@ namespace {
 constexpr std::string_view kCrash =
     "rotatebook: crashed, in its own code or in a driver; 'rotatebook doctor' tries each driver";
 constexpr std::string_view kOutOfMemory = "rotatebook: out of memory";
-constexpr std::string_view kRemedy =
-    ". What a render had finished is kept: go on with the same command and --resume\n";
 
 // Calls only functions that are safe in a signal handler.
 void printCrash(std::string_view problem) {
-  for (const std::string_view text : {problem, kRemedy}) {
+  for (const std::string_view text : {problem, std::string_view(". "), kWhatIsKept}) {
     // A failure can't be reported anywhere.
     if (write(STDERR_FILENO, text.data(), text.size()) < 0) return;
   }
 }
 
+std::atomic<bool> crashed = false;
+
 extern "C" void onCrash(int signal) {
+  // A driver's threads may crash at the same time; the first one ends the process.
+  while (crashed.exchange(true)) pause();
+  system::becomeCrashSuccessor(signal);
   printCrash(kCrash);
-  raise(signal);  // SA_RESETHAND restored its default effect.
+  std::signal(signal, SIG_DFL);
+  raise(signal);
+}
+
+/// Gives the handlers a stack of their own on this thread, since one that overflowed has no room.
+void useSignalStack() {
+  static std::array<char, 65536> memory;
+  const stack_t stack{.ss_sp = memory.data(), .ss_flags = 0, .ss_size = memory.size()};
+  sigaltstack(&stack, nullptr);
 }
 
 thread_local bool memoryRanOut = false;
@@ -57,7 +70,10 @@ void reportCrashes() {
   terminateOtherwise = std::set_terminate(onTerminate);
   struct sigaction action {};
   action.sa_handler = onCrash;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
+  action.sa_flags = SA_ONSTACK;
+  // A crash of the handler itself ends the process.
+  for (const int signal : system::kCrashSignals) sigaddset(&action.sa_mask, signal);
+  useSignalStack();
   for (const int signal : system::kCrashSignals) {
     struct sigaction before {};
     sigaction(signal, nullptr, &before);

@@ -1,10 +1,16 @@
 // A message from a process that crashes. Inside the room only.
 #pragma once
 
+#include <string_view>
+
 namespace rotatebook::cli {
+
+inline constexpr std::string_view kWhatIsKept =
+    "What a render had finished is kept: go on with the same command and --resume\n";
 
 /// Installs handlers that print one line, with what to do, when SIGSEGV, SIGBUS, SIGILL, SIGFPE or
 /// SIGABRT arrives and nobody else handles it; the signal then ends the process as it would have.
+/// In place of that line, a process that draws starts the command `after-crash`, if it can.
 /// Running out of memory where no exception may pass is reported, too, and exits with
 /// kMachineFailed.
 void reportCrashes();

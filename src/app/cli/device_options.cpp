@@ -5,8 +5,12 @@
 #include <mutex>
 #include <regex>
 #include <unistd.h>
+#include <utility>
+#include <vector>
 
 #include "base/error.h"
+#include "cli/commands.h"
+#include "system/crash_successor.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -45,12 +49,21 @@ void DeviceOptions::addTo(CLI::App& command) {
                    "Fail if only a software renderer can draw");
 }
 
-render::DeviceChoice DeviceOptions::choice() const {
+render::DeviceChoice DeviceOptions::parsed() const {
   render::DeviceChoice choice = parseDevice(device);
   choice.requireHardware = requireHardware;
   if (requireHardware && choice.kind == Kind::Software) {
     throw InputError("--device software and --require-hardware exclude each other");
   }
+  return choice;
+}
+
+render::DeviceChoice DeviceOptions::choice() const {
+  render::DeviceChoice choice = parsed();
+  std::vector<std::string> successor{"rotatebook", kAfterCrash};
+  if (!device.empty()) successor.push_back("--device=" + device);
+  if (requireHardware) successor.emplace_back("--require-hardware");
+  system::setCrashSuccessor(std::move(successor));
   // A clip may have several renderers, on several threads; one warning is enough.
   choice.warn = [once = std::make_shared<std::once_flag>()](const std::string& line) {
     std::call_once(*once, printAside, line);

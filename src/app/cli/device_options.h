@@ -15,7 +15,10 @@ struct DeviceOptions {
   bool requireHardware = false;
 
   void addTo(CLI::App& command);
-  /// Returns the choice that they make; its warning is printed once. Throws InputError.
+  /// Returns the choice that they make. Throws InputError.
+  render::DeviceChoice parsed() const;
+  /// Returns parsed(), for drawing with it: its warning is printed once, and from now on a crash of
+  /// this process starts the command `after-crash` in its place.
   render::DeviceChoice choice() const;
 };
 

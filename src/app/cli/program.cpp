@@ -14,6 +14,7 @@
 #include "cli/error_report.h"
 #include "cli/exit_code.h"
 #include "cli/standard_streams.h"
+#include "system/resource_limits.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -45,6 +46,7 @@ void addCommands(CLI::App& program, Action& action) {
   addVerifyCommand(program, action);
   addRerunCommand(program, action);
   addDiffCommand(program, action);
+  addAfterCrashCommand(program, action);
 }
 
 /// Returns `status`; throws MachineError if what was printed got lost.
@@ -99,6 +101,7 @@ int runProgram(int argc, char** argv) {
   // If the parent process had it ignored, waitpid() couldn't return the status of our children.
   std::signal(SIGCHLD, SIG_DFL);
   return guarded([&] {
+    system::requireStack();
     refuseEmptyArguments({argv, static_cast<std::size_t>(argc)});
     CLI::App program(
         "rotatebook renders a spinning book, simulated and checked, to PNG frames and MP4 clips.",

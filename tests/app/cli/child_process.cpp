@@ -75,9 +75,9 @@ Channel openFile(const std::string& path) {
   return channel;
 }
 
-void limitFiles(long largest) {
-  const rlimit limit{static_cast<rlim_t>(largest), static_cast<rlim_t>(largest)};
-  setrlimit(RLIMIT_FSIZE, &limit);
+void limit(decltype(RLIMIT_FSIZE) resource, long most) {
+  const rlimit limit{static_cast<rlim_t>(most), static_cast<rlim_t>(most)};
+  setrlimit(resource, &limit);
 }
 
 // Only what is safe between fork and exec of a process without threads.
@@ -91,7 +91,8 @@ void limitFiles(long largest) {
   if (settings.ignoredSignal != 0) signal(settings.ignoredSignal, SIG_IGN);
   for (const auto& [name, value] : settings.environment) setenv(name.c_str(), value.c_str(), 1);
   if (settings.obeysPermissions) prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE);
-  if (settings.largestFile) limitFiles(*settings.largestFile);
+  if (settings.largestFile) limit(RLIMIT_FSIZE, *settings.largestFile);
+  if (settings.stack) limit(RLIMIT_STACK, *settings.stack);
   if (chdir(settings.folder.c_str()) == 0) execv(arguments.front(), arguments.data());
   _exit(kCannotStart);
 }

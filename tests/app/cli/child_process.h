@@ -21,6 +21,7 @@ struct ChildSettings {
   std::vector<int> closed{};           ///< Descriptors that are closed from the start.
   int ignoredSignal = 0;               ///< Ignored from the start.
   std::optional<long> largestFile{};   ///< Writing beyond this fails with EFBIG. [bytes]
+  std::optional<long> stack{};         ///< Growing beyond this ends it. [bytes]
   std::function<bool()> signalWhen{};  ///< Asked again and again until it says yes, ...
   int signal = 0;                      ///< ... which sends this signal.
   std::chrono::seconds timeout{120};   ///< After which it is killed.

@@ -146,6 +146,81 @@ TEST_F(DeviceOption, IsRefusedWhereItDrawsNothing) {
   }
 }
 
+class DriverCrash : public ProgramTest {
+ protected:
+  /// Runs with a driver of OpenGL 4.5 that lacks the entry points of `extension`.
+  ChildResult runWithout(const std::string& extension,
+                         const std::vector<std::string>& words) const {
+    ChildSettings settings;
+    settings.environment = {kMesaAlone, {"MESA_EXTENSION_OVERRIDE", "-" + extension}};
+    return run(words, settings);
+  }
+};
+
+constexpr const char* kFramebuffers = "GL_ARB_framebuffer_object";
+constexpr const char* kSanitizer = "Sanitizer";  // They report a crash in their own words.
+
+TEST_F(DriverCrash, IsExplainedAsByTheDoctor) {
+  for (const std::string extension :
+       {kFramebuffers, "GL_ARB_map_buffer_range", "GL_ARB_uniform_buffer_object"}) {
+    for (const auto& words : std::vector<std::vector<std::string>>{
+             {"render", "tiny.toml"},
+             {"still", "tiny.toml", "--time", "0", "-o", "x.png", "--device", "software"}}) {
+      const ChildResult result = runWithout(extension, words);
+      if (result.error.find(kSanitizer) != std::string::npos) GTEST_SKIP();
+      EXPECT_EQ(result.status, 3) << extension;
+      EXPECT_THAT(
+          result.error,
+          AllOf(StartsWith("rotatebook: can't draw: EGL device 0 (software): its driver: ends the "
+                           "process (Segmentation fault)\n  remedy: unset MESA_EXTENSION_OVERRIDE "
+                           "(it is -" +
+                           extension + "); if that doesn't help: update Mesa "),
+                EndsWith("the same command and --resume\n")));
+      EXPECT_THAT(result.output, IsEmpty());
+      EXPECT_THAT(files(), IsEmpty()) << extension;
+    }
+  }
+}
+
+TEST_F(DriverCrash, IsExplainedByEveryCommandThatDraws) {
+  ASSERT_EQ(run({"render", "tiny.toml"}).status, 0);
+  const std::vector<std::string> before = files();
+  for (const auto& words :
+       std::vector<std::vector<std::string>>{{"verify", "out/tiny.mp4", "--json"},
+                                             {"rerun", "out/tiny.mp4", "-o", "again"},
+                                             {"sheet", "tiny.toml", "-o", "x.png"},
+                                             {"page", "tiny.toml"},
+                                             {"bench", "tiny.toml"}}) {
+    const ChildResult result = runWithout(kFramebuffers, words);
+    if (result.error.find(kSanitizer) != std::string::npos) GTEST_SKIP();
+    EXPECT_EQ(result.status, 3) << words[0];
+    EXPECT_THAT(result.error, HasSubstr("\n  remedy: unset MESA_EXTENSION_OVERRIDE ")) << words[0];
+    EXPECT_EQ(files(), before) << words[0];
+  }
+}
+
+TEST_F(DriverCrash, IsToldFromOneOfTheProgram) {
+  ChildSettings settings;
+  settings.environment.emplace_back(kMesaAlone);
+  settings.signalWhen = [this] { return has("out/tiny.partial/frame_00002.png"); };
+  settings.signal = SIGSEGV;
+  const std::vector<std::string> render{"render", "tiny.toml", "--set", "clip.duration=20"};
+  const ChildResult result = run(render, settings);
+  if (result.error.find(kSanitizer) != std::string::npos) GTEST_SKIP();
+  EXPECT_EQ(result.status, 128 + SIGSEGV);
+  EXPECT_THAT(result.error, HasSubstr("rotatebook: crashed, in its own code or in a driver"));
+}
+
+TEST_F(DriverCrash, OfTheStackIsPrevented) {
+  ChildSettings settings;
+  settings.stack = 100 << 10;
+  const ChildResult result = run({"still", "tiny.toml", "--time", "0", "-o", "x.png"}, settings);
+  EXPECT_EQ(result.status, 3);
+  EXPECT_EQ(result.error,
+            "rotatebook: the stack is limited to 100 kB, and 256 kB are needed: raise the limit, "
+            "ulimit -s 8192\n");
+}
+
 TEST_F(DeviceOption, NamesWhatThereIs) {
   const ChildResult index = draw({"--device", "31"});
   EXPECT_EQ(index.status, 2);

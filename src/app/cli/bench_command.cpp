@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "cli/bench_report.h"
 #include "cli/commands.h"
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
@@ -16,6 +15,7 @@
 #include "diagnose/benchmark.h"
 #include "embedded/cli.h"
 #include "picture/preflight.h"
+#include "report/bench_report.h"
 #include "store/clip_files.h"
 
 // The embedded default scene: Figure 5, as in scenes/figures.
@@ -60,7 +60,7 @@ int bench(const BenchArguments& arguments) {
     std::cout << scene.name << ": interrupted; nothing was measured" << std::endl;
     return interruptStatus();
   }
-  (arguments.json ? reportSpeedAsJson : reportSpeed)(scene, *speed, std::cout);
+  (arguments.json ? report::reportSpeedAsJson : report::reportSpeed)(scene, *speed, std::cout);
   return kDone;
 }
 

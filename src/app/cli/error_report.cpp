@@ -36,4 +36,9 @@ int reportError(const std::exception_ptr& error, std::string_view subject) {
   }
 }
 
+int reportIfUnmet(int status) {
+  if (status == kUnmet) std::cerr << "rotatebook: expectations are unmet; the files were kept\n";
+  return status;
+}
+
 }  // namespace rotatebook::cli

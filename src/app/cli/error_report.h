@@ -10,4 +10,7 @@ namespace rotatebook::cli {
 /// error. Allocates no memory, as the error may be that there is none.
 int reportError(const std::exception_ptr& error, std::string_view subject = "");
 
+/// Returns `status`; if it is kUnmet, prints a line to the standard error first.
+int reportIfUnmet(int status);
+
 }  // namespace rotatebook::cli

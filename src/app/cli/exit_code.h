@@ -11,4 +11,9 @@ enum ExitCode : int {
   kInterrupted = 129,  ///< SIGHUP; SIGINT gives 130, SIGTERM 143. The lowest of the three.
 };
 
+/// Returns the status of a command whose expectations or comparisons are `met`, or not.
+constexpr int statusOf(bool met) {
+  return met ? kDone : kUnmet;
+}
+
 }  // namespace rotatebook::cli

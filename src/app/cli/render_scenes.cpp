@@ -17,10 +17,10 @@
 #include "base/text.h"
 #include "cli/error_report.h"
 #include "cli/exit_code.h"
-#include "cli/file_report.h"
 #include "cli/interrupt.h"
-#include "cli/motion_report.h"
 #include "cli/progress_line.h"
+#include "report/file_report.h"
+#include "report/motion_report.h"
 #include "system/machine.h"
 #include "system/parallel_runs.h"
 #include "timeline/simulate_scene.h"
@@ -105,7 +105,8 @@ std::optional<Rendered> render(const SceneToRender& one, const pipeline::RenderO
   pipeline::RenderListener listener;
   listener.started = [&](const pipeline::RenderStart& start) {
     announce(scene, start, encoderThreads(scene, formatsOf(options.outputs)), out);
-    const std::string warning = spaceWarning(start.space, options.folder, hasPng(options.outputs));
+    const std::string warning =
+        report::spaceWarning(start.space, options.folder, hasPng(options.outputs));
     if (!warning.empty()) std::cerr << "rotatebook: " + scene.name + ": " + warning + '\n';
   };
   listener.progress = progress;
@@ -139,7 +140,7 @@ int report(const scene::Scene& scene, const std::optional<Rendered>& rendered,
         << std::endl;
     return interruptStatus();
   }
-  return reportMotions(scene, motion, out);
+  return statusOf(report::reportMotions(scene, motion, out));
 }
 
 int renderInTurn(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options) {
@@ -301,7 +302,7 @@ int scenesAtATime(const std::vector<SceneToRender>& scenes, int cores, double me
 
 int renderScenes(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
                  int atATime) {
-  for (const SceneToRender& one : scenes) printNotes(one.scene);
+  for (const SceneToRender& one : scenes) report::reportNotes(one.scene, std::cerr);
   atATime = std::min(atATime, static_cast<int>(scenes.size()));
   if (atATime <= 1) return renderInTurn(scenes, options);
   pipeline::RenderOptions shared = options;

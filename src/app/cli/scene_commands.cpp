@@ -10,9 +10,9 @@
 #include "base/number_text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
-#include "cli/motion_report.h"
 #include "cli/scene_options.h"
 #include "picture/preflight.h"
+#include "report/motion_report.h"
 #include "scene/scene_text.h"
 #include "store/scene_file.h"
 
@@ -28,7 +28,7 @@ int checkScenes(const std::vector<std::string>& paths, const SceneOptions& optio
       const scene::Scene scene = options.read(path);
       refuseSameNames({scene});
       picture::preflight(scene);
-      printNotes(scene);
+      report::reportNotes(scene, std::cerr);
       std::cout << path << ": ok\n";
     } catch (const InputError& error) {
       std::cerr << "rotatebook: " << error.what() << '\n';

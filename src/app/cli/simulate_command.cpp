@@ -4,10 +4,11 @@
 
 #include "base/error.h"
 #include "cli/commands.h"
-#include "cli/expectation_report.h"
+#include "cli/error_report.h"
+#include "cli/exit_code.h"
 #include "cli/input_guard.h"
-#include "cli/motion_report.h"
 #include "cli/scene_options.h"
+#include "report/motion_report.h"
 #include "store/clip_files.h"
 #include "store/tables.h"
 #include "timeline/simulate_scene.h"
@@ -30,12 +31,12 @@ int printTable(const scene::Scene& scene) {
   }
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   std::cout << timeline::trajectoryCsv(motion.trajectories().front());
-  return reportIfUnmet(reportMotions(scene, motion, std::cerr));
+  return reportIfUnmet(statusOf(report::reportMotions(scene, motion, std::cerr)));
 }
 
 int simulateScene(const SimulateArguments& arguments) {
   const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
-  printNotes(scene);
+  report::reportNotes(scene, std::cerr);
   if (arguments.csv == "-") return printTable(scene);
   const auto files = store::csvFiles(arguments.csv, scene);
   for (const auto& file : files) {
@@ -48,7 +49,7 @@ int simulateScene(const SimulateArguments& arguments) {
     std::cout << "  wrote " << files[i].string() << ", " << motion.trajectories()[i].samples.size()
               << " rows\n";
   }
-  return reportIfUnmet(reportMotions(scene, motion, std::cout));
+  return reportIfUnmet(statusOf(report::reportMotions(scene, motion, std::cout)));
 }
 
 }  // namespace

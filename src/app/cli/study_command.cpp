@@ -10,15 +10,15 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/commands.h"
+#include "cli/error_report.h"
 #include "cli/exit_code.h"
-#include "cli/expectation_report.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
-#include "cli/study_report.h"
 #include "diagnose/study_execution.h"
 #include "picture/gnuplot.h"
 #include "picture/study_plot.h"
+#include "report/study_report.h"
 #include "scene/toml_text.h"
 #include "store/study_files.h"
 #include "study/study.h"
@@ -149,7 +149,7 @@ int finish(const Task& task, const Study& result) {
   store::removeFiles(task.files);
   writeTables(task.files, result);
   refuseNoResult(task, result);
-  const int status = reportStudy(result, task.study, std::cout);
+  const int status = statusOf(report::reportStudy(result, task.study, std::cout));
   std::cout.flush();
   if (!draw(task, plotOf(task, result))) {
     std::cout << "  interrupted; only the tables were written" << std::endl;

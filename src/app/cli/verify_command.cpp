@@ -9,7 +9,7 @@
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
 #include "cli/progress_line.h"
-#include "cli/verify_report.h"
+#include "report/verify_report.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -30,8 +30,8 @@ int verify(const VerifyArguments& arguments) {
     options.progress = [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); };
     found = verify::verifyClip(arguments.clip, options);
   }
-  (arguments.json ? reportVerificationAsJson : reportVerification)(arguments.clip, found,
-                                                                   std::cout);
+  (arguments.json ? report::reportVerificationAsJson : report::reportVerification)(
+      arguments.clip, found, std::cout);
   return found.proved() ? kDone : kUnmet;
 }
 

@@ -71,6 +71,11 @@ const std::map<std::string, Room> kRooms{
       {"base", "physics", "scene", "timeline", "study", "system", "image", "render", "overlay",
        "video", "picture", "store", "pipeline"},
       {"Eigen/"}}},
+    {"report",
+     {"app",
+      {"base", "physics", "scene", "timeline", "study", "store", "verify", "diagnose"},
+      {},
+      {"system", "image", "render", "video", "picture", "pipeline"}}},
     {"page",
      {"app",
       {"base", "physics", "scene", "timeline", "study", "system", "image", "video", "picture",
@@ -79,7 +84,7 @@ const std::map<std::string, Room> kRooms{
     {"cli",
      {"app",
       {"base", "physics", "scene", "timeline", "study", "system", "image", "render", "overlay",
-       "video", "picture", "store", "pipeline", "verify", "diagnose", "page"},
+       "video", "picture", "store", "pipeline", "verify", "diagnose", "report", "page"},
       {"CLI/"}}}};
 
 // Headers of the standard that the core may include, so that it runs in a browser and gives the

@@ -1,10 +1,10 @@
-#include "cli/file_report.h"
+#include "report/file_report.h"
 
 #include <cmath>
 
 #include "base/number_text.h"
 
-namespace rotatebook::cli {
+namespace rotatebook::report {
 
 std::string spaceWarning(const store::DiskSpace& space, const std::filesystem::path& folder,
                          bool pngs) {
@@ -19,4 +19,4 @@ std::string spaceWarning(const store::DiskSpace& space, const std::filesystem::p
          (pngs ? ", or leave PNGs out with --no-png" : "");
 }
 
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::report

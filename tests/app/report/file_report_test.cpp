@@ -1,8 +1,8 @@
-#include "cli/file_report.h"
+#include "report/file_report.h"
 
 #include <gtest/gtest.h>
 
-namespace rotatebook::cli {
+namespace rotatebook::report {
 namespace {
 
 TEST(SpaceWarning, SaysHowMuchIsMissingAndWhatHelps) {
@@ -18,4 +18,4 @@ TEST(SpaceWarning, IsNoneWhereThereIsEnough) {
 }
 
 }  // namespace
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::report

@@ -1,15 +1,13 @@
-#include "cli/motion_report.h"
+#include "report/motion_report.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 #include "base/number_text.h"
-#include "cli/exit_code.h"
-#include "cli/expectation_report.h"
+#include "report/expectation_report.h"
 #include "timeline/notes.h"
 
-namespace rotatebook::cli {
+namespace rotatebook::report {
 namespace {
 
 constexpr double kHalfTurnDeg = 180;
@@ -69,26 +67,26 @@ std::string energyText(const physics::Trajectory& trajectory) {
   return "energy " + roundedText(lowest, 4) + " to " + roundedText(highest, 4) + " of its start";
 }
 
-void printNotes(const scene::Scene& scene) {
+void reportNotes(const scene::Scene& scene, std::ostream& out) {
   for (const std::string& note : timeline::notesOn(scene)) {
-    std::cerr << "note: " + scene.name + ": " + note + '\n';
+    out << "note: " + scene.name + ": " + note + '\n';
   }
 }
 
-int reportMotions(const scene::Scene& scene, const timeline::ClipMotion& motion,
-                  std::ostream& out) {
-  int status = kDone;
+bool reportMotions(const scene::Scene& scene, const timeline::ClipMotion& motion,
+                   std::ostream& out) {
+  bool met = true;
   auto trajectory = motion.trajectories().begin();
   for (const scene::Panel& panel : scene::motionsOf(scene)) {
     if (!panel.label.empty()) out << "  " << panel.label << ":\n";
     out << "  " << halfTurnsText(*trajectory) << "; " << energyText(*trajectory) << "; "
         << distanceText(*trajectory, panel.simulation.model) << '\n';
-    status = std::max(status, reportMotion(*trajectory++, panel.expectations, out));
+    met &= reportMotion(*trajectory++, panel.expectations, out);
   }
   for (const std::string& note : timeline::notesOn(scene, motion)) {
     out << "  note: " << note << '\n';
   }
-  return status;
+  return met;
 }
 
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::report

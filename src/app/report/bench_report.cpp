@@ -1,25 +1,18 @@
-#include "cli/bench_report.h"
+#include "report/bench_report.h"
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <string>
 
 #include "base/json.h"
 #include "base/text.h"
+#include "report/formatted.h"
 
-namespace rotatebook::cli {
+namespace rotatebook::report {
 namespace {
 
 using diagnose::Stage;
 using diagnose::WorkTime;
-
-template <typename... Values>
-std::string formatted(const char* format, Values... values) {
-  std::array<char, 200> text;
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 /// A stage with its label in the text report and its `key` in the JSON report.
 struct Row {
@@ -121,4 +114,4 @@ void reportSpeedAsJson(const scene::Scene& scene, const diagnose::Speed& speed, 
       << '\n';
 }
 
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::report

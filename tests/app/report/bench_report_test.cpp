@@ -1,10 +1,10 @@
-#include "cli/bench_report.h"
+#include "report/bench_report.h"
 
 #include <sstream>
 
 #include <gtest/gtest.h>
 
-namespace rotatebook::cli {
+namespace rotatebook::report {
 namespace {
 
 diagnose::Speed example() {
@@ -80,4 +80,4 @@ TEST(BenchReport, IsJsonToo) {
 }
 
 }  // namespace
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::report

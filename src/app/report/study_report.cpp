@@ -1,17 +1,15 @@
-#include "cli/study_report.h"
+#include "report/study_report.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "base/number_text.h"
-#include "cli/exit_code.h"
-#include "cli/expectation_report.h"
+#include "report/expectation_report.h"
+#include "report/formatted.h"
 #include "scene/names.h"
 
-namespace rotatebook::cli {
+namespace rotatebook::report {
 namespace {
 
 using study::PrecisionRow;
@@ -19,13 +17,6 @@ using study::RunEnd;
 
 std::string name(physics::Integrator integrator) {
   return std::string(scene::nameOf(scene::kIntegrators, integrator));
-}
-
-template <typename... Numbers>
-std::string formatted(const char* format, Numbers... numbers) {
-  std::array<char, 128> text;
-  std::snprintf(text.data(), text.size(), format, numbers...);
-  return text.data();
 }
 
 std::string orderLine(const study::IntegratorOrder& order) {
@@ -64,36 +55,35 @@ std::string tiltLine(const study::TiltRow& row) {
                            row.interval, row.law);
 }
 
-/// Prints the line of an expectation; returns its status.
-int reportBounds(const std::string& subject, const scene::Bounds& bounds, double measured,
-                 std::ostream& out) {
+/// Prints the line of an expectation; returns whether it is met.
+bool reportBounds(const std::string& subject, const scene::Bounds& bounds, double measured,
+                  std::ostream& out) {
   out << "  " << reportLine(subject, bounds, measured) << '\n';
-  return bounds.hold(measured) ? kDone : kUnmet;
+  return bounds.hold(measured);
 }
 
 }  // namespace
 
-int reportStudy(const study::PrecisionStudy& result, const scene::StudySettings& study,
-                std::ostream& out) {
+bool reportStudy(const study::PrecisionStudy& result, const scene::StudySettings& study,
+                 std::ostream& out) {
   for (const study::IntegratorOrder& order : result.orders) out << "  " << orderLine(order) << '\n';
   for (const study::IntegratorOrder& order : result.orders) {
     out << failureLine(result, order.integrator, RunEnd::Kind::Diverged, "diverged")
         << failureLine(result, order.integrator, RunEnd::Kind::NoConvergence,
                        "found no solution for their steps");
   }
-  int status = kDone;
+  bool met = true;
   for (const auto& [integrator, bounds] : study.orders) {
-    status = std::max(status, reportBounds("order of " + name(integrator), bounds,
-                                           orderOf(result, integrator), out));
+    met &= reportBounds("order of " + name(integrator), bounds, orderOf(result, integrator), out);
   }
-  return status;
+  return met;
 }
 
-int reportStudy(const study::TiltStudy& result, const scene::StudySettings& study,
-                std::ostream& out) {
+bool reportStudy(const study::TiltStudy& result, const scene::StudySettings& study,
+                 std::ostream& out) {
   for (const study::TiltRow& row : result.rows) out << "  " << tiltLine(row) << '\n';
-  if (!study.flipLaw) return kDone;
+  if (!study.flipLaw) return true;
   return reportBounds("flip_law", *study.flipLaw, result.greatestDeviation(), out);
 }
 
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::report

@@ -1,4 +1,4 @@
-#include "cli/doctor_report.h"
+#include "report/doctor_report.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +13,7 @@
 #include "base/text.h"
 #include "base/version.h"
 
-namespace rotatebook::cli {
+namespace rotatebook::report {
 namespace {
 
 using diagnose::DisplayCheck;
@@ -243,4 +243,4 @@ void reportCheckupAsJson(const diagnose::Checkup& checkup, std::ostream& out) {
       << '\n';
 }
 
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::report

@@ -1,4 +1,4 @@
-// Reports on a clip's motions. Inside the room only.
+// Reports on a clip's motions.
 #pragma once
 
 #include <ostream>
@@ -7,7 +7,7 @@
 #include "scene/scene.h"
 #include "timeline/clip_motion.h"
 
-namespace rotatebook::cli {
+namespace rotatebook::report {
 
 /// Returns how far a motion of `model` was from the exact one, by the largest Sample::errorDeg:
 /// "within 2e-9 degrees of the exact motion", or "up to 180 degrees from the exact motion; more
@@ -18,12 +18,13 @@ std::string distanceText(const physics::Trajectory& trajectory, physics::Model m
 /// else "energy 0.7217 to 1 of its start".
 std::string energyText(const physics::Trajectory& trajectory);
 
-/// Prints a note on the standard error for each of timeline::notesOn(scene).
-void printNotes(const scene::Scene& scene);
+/// Prints a line "note: NAME: ..." to `out` for each of timeline::notesOn(scene).
+void reportNotes(const scene::Scene& scene, std::ostream& out);
 
 /// Prints the half-turns, the energyText(), the distanceText() and the reportMotion() of each
-/// motion of `scene`, a panel's under its label, and the notes on its regime; returns the worst
-/// status.
-int reportMotions(const scene::Scene& scene, const timeline::ClipMotion& motion, std::ostream& out);
+/// motion of `scene`, a panel's under its label, and the notes on its regime. Returns
+/// whether all expectations are met.
+bool reportMotions(const scene::Scene& scene, const timeline::ClipMotion& motion,
+                   std::ostream& out);
 
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::report

@@ -1,10 +1,10 @@
-#include "cli/motion_report.h"
+#include "report/motion_report.h"
 
 #include <vector>
 
 #include <gtest/gtest.h>
 
-namespace rotatebook::cli {
+namespace rotatebook::report {
 namespace {
 
 using physics::Model;
@@ -64,4 +64,4 @@ TEST(DistanceText, OfTheExactModelHasNoNumber) {
 }
 
 }  // namespace
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::report

@@ -1,11 +1,11 @@
-// Reports of checkUp(), as text and as JSON. Inside the room only.
+// Reports of checkUp(), as text and as JSON.
 #pragma once
 
 #include <ostream>
 
 #include "diagnose/checkup.h"
 
-namespace rotatebook::cli {
+namespace rotatebook::report {
 
 /// Prints a table of the parts, each problem with its remedy, and a last line with the verdict.
 void reportCheckup(const diagnose::Checkup& checkup, std::ostream& out);
@@ -13,4 +13,4 @@ void reportCheckup(const diagnose::Checkup& checkup, std::ostream& out);
 /// Prints the same as one JSON object. Unknown values are null.
 void reportCheckupAsJson(const diagnose::Checkup& checkup, std::ostream& out);
 
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::report

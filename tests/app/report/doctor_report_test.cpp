@@ -1,11 +1,11 @@
-#include "cli/doctor_report.h"
+#include "report/doctor_report.h"
 
 #include <sstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace rotatebook::cli {
+namespace rotatebook::report {
 namespace {
 
 using ::testing::AllOf;
@@ -99,4 +99,4 @@ TEST(DoctorReport, IsJsonToo) {
 }
 
 }  // namespace
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::report

@@ -1,4 +1,4 @@
-// Reports of measureSpeed(), as text and as JSON. Inside the room only.
+// Reports of measureSpeed(), as text and as JSON.
 #pragma once
 
 #include <ostream>
@@ -7,7 +7,7 @@
 #include "diagnose/speed_limit.h"
 #include "scene/scene.h"
 
-namespace rotatebook::cli {
+namespace rotatebook::report {
 
 /// Prints the frames a second, a table of stages, what limits the speed and what would help.
 void reportSpeed(const scene::Scene& scene, const diagnose::Speed& speed, std::ostream& out);
@@ -15,4 +15,4 @@ void reportSpeed(const scene::Scene& scene, const diagnose::Speed& speed, std::o
 /// Prints the same numbers as one JSON object. Times are in ms a frame, start_up_s in seconds.
 void reportSpeedAsJson(const scene::Scene& scene, const diagnose::Speed& speed, std::ostream& out);
 
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::report

@@ -1,12 +1,9 @@
-#include "cli/expectation_report.h"
-
-#include <iostream>
+#include "report/expectation_report.h"
 
 #include "base/number_text.h"
-#include "cli/exit_code.h"
 #include "scene/expectation_text.h"
 
-namespace rotatebook::cli {
+namespace rotatebook::report {
 namespace {
 
 const char* verdict(bool met) {
@@ -27,26 +24,21 @@ std::string reportLine(const std::string& subject, const scene::Bounds& bounds, 
          "; measured " + measuredText(measured, expectation);
 }
 
-int reportMotion(const physics::Trajectory& trajectory,
-                 std::span<const scene::Expectation> expectations, std::ostream& out) {
-  int status = kDone;
+bool reportMotion(const physics::Trajectory& trajectory,
+                  std::span<const scene::Expectation> expectations, std::ostream& out) {
+  bool met = true;
   if (trajectory.divergedAt) {
     const bool unexpected = divergesUnexpectedly(trajectory, expectations);
     out << (unexpected ? "  UNMET  no divergence is expected; " : "  ") << "the motion diverges at "
         << shortestText(*trajectory.divergedAt) << " s, after " << trajectory.samples.size()
         << " frames\n";
-    if (unexpected) status = kUnmet;
+    met = !unexpected;
   }
   for (const scene::ExpectationResult& result : check(trajectory, expectations)) {
     out << "  " << reportLine(result) << '\n';
-    if (!result.met) status = kUnmet;
+    met = met && result.met;
   }
-  return status;
+  return met;
 }
 
-int reportIfUnmet(int status) {
-  if (status == kUnmet) std::cerr << "rotatebook: expectations are unmet; the files were kept\n";
-  return status;
-}
-
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::report

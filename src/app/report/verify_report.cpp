@@ -1,4 +1,4 @@
-#include "cli/verify_report.h"
+#include "report/verify_report.h"
 
 #include <cstdint>
 #include <iomanip>
@@ -9,7 +9,7 @@
 #include "base/number_text.h"
 #include "base/text.h"
 
-namespace rotatebook::cli {
+namespace rotatebook::report {
 namespace {
 
 using verify::ClipCheck;
@@ -142,4 +142,4 @@ void reportVerificationAsJson(const std::string& clip, const Verification& found
       << '\n';
 }
 
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::report

@@ -9,7 +9,7 @@
 #include "scene/expectation.h"
 #include "scene/study_settings.h"
 
-namespace rotatebook::cli {
+namespace rotatebook::report {
 
 /// Returns one line: "met    tilt_deg: expected at most 1.5; measured 0.02 to 1.31".
 std::string reportLine(const scene::ExpectationResult& result);
@@ -19,12 +19,8 @@ std::string reportLine(const scene::ExpectationResult& result);
 std::string reportLine(const std::string& subject, const scene::Bounds& bounds, double measured);
 
 /// Prints a motion's divergence, if any, and a line for each of its expectations to `out`. Returns
-/// kDone if all are met, else kUnmet; also kUnmet if the motion diverges and has expectations, but
-/// none of that.
-int reportMotion(const physics::Trajectory& trajectory,
-                 std::span<const scene::Expectation> expectations, std::ostream& out);
+/// whether all are met; also false if the motion diverges and has expectations, but none of that.
+bool reportMotion(const physics::Trajectory& trajectory,
+                  std::span<const scene::Expectation> expectations, std::ostream& out);
 
-/// Returns `status`; if it is kUnmet, prints a line to the standard error first.
-int reportIfUnmet(int status);
-
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::report

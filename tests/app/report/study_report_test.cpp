@@ -1,12 +1,10 @@
-#include "cli/study_report.h"
+#include "report/study_report.h"
 
 #include <sstream>
 
 #include <gtest/gtest.h>
 
-#include "cli/exit_code.h"
-
-namespace rotatebook::cli {
+namespace rotatebook::report {
 namespace {
 
 using physics::Integrator;
@@ -30,7 +28,7 @@ study::PrecisionStudy exampleStudy() {
 
 TEST(StudyReport, ReportsOrdersAndFailures) {
   std::ostringstream out;
-  EXPECT_EQ(reportStudy(exampleStudy(), {}, out), kDone);
+  EXPECT_TRUE(reportStudy(exampleStudy(), {}, out));
   EXPECT_EQ(out.str(),
             "  rk4              order  4.01 from  5 runs, steps of 0.001 to 0.0123 s\n"
             "  midpoint         no order: 0 usable runs, 3 needed\n"
@@ -42,11 +40,11 @@ TEST(StudyReport, ComparesOrdersWithWhatIsExpected) {
   scene::StudySettings settings;
   settings.orders = {{Integrator::Rk4, {3.9, {}}}};
   std::ostringstream out;
-  EXPECT_EQ(reportStudy(exampleStudy(), settings, out), kDone);
+  EXPECT_TRUE(reportStudy(exampleStudy(), settings, out));
   EXPECT_NE(out.str().find("\n  met    order of rk4: expected at least 3.9; measured 4.012346\n"),
             std::string::npos);
   settings.orders = {{Integrator::Rk4, {3.9, 4}}, {Integrator::Midpoint, {2, {}}}};
-  EXPECT_EQ(reportStudy(exampleStudy(), settings, out), kUnmet);
+  EXPECT_FALSE(reportStudy(exampleStudy(), settings, out));
   EXPECT_NE(out.str().find("\n  UNMET  order of rk4: expected at least 3.9, at most 4; measured "
                            "4.012346\n  UNMET  order of midpoint: expected at least 2; measured "
                            "nothing\n"),
@@ -59,15 +57,15 @@ TEST(StudyReport, ReportsIntervals) {
   scene::StudySettings settings;
   settings.flipLaw = scene::Bounds{{}, 0.1};
   std::ostringstream out;
-  EXPECT_EQ(reportStudy(study, settings, out), kUnmet);
+  EXPECT_FALSE(reportStudy(study, settings, out));
   EXPECT_EQ(out.str(),
             "  tilt 0.1       7 flips, one every 2 s; the law says 2.5 s\n"
             "  tilt 1e-08   fewer than two flips in 12 s\n"
             "  UNMET  flip_law: expected at most 0.1; measured nothing\n");
   study.rows.pop_back();
   settings.flipLaw = scene::Bounds{0.1, 0.3};
-  EXPECT_EQ(reportStudy(study, settings, out), kDone);
+  EXPECT_TRUE(reportStudy(study, settings, out));
 }
 
 }  // namespace
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::report

@@ -1,4 +1,4 @@
-// Reports on the verification of a clip, as text and as JSON. Inside the room only.
+// Reports on the verification of a clip, as text and as JSON.
 #pragma once
 
 #include <ostream>
@@ -6,7 +6,7 @@
 
 #include "verify/verify_clip.h"
 
-namespace rotatebook::cli {
+namespace rotatebook::report {
 
 /// Prints what made the clip, a line for each check with what was measured beside its bound, and a
 /// verdict. `clip` is the file's name.
@@ -17,4 +17,4 @@ void reportVerification(const std::string& clip, const verify::Verification& fou
 void reportVerificationAsJson(const std::string& clip, const verify::Verification& found,
                               std::ostream& out);
 
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::report

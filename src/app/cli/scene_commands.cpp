@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "base/text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/motion_report.h"
@@ -29,7 +30,7 @@ int checkScenes(const std::vector<std::string>& paths, const SceneOptions& optio
       refuseSameNames({scene});
       picture::preflight(scene);
       printNotes(scene);
-      std::cout << path << ": ok\n";
+      std::cout << oneLine(path) << ": ok\n";
     } catch (const InputError& error) {
       std::cerr << "rotatebook: " << error.what() << '\n';
       status = kWrongInput;

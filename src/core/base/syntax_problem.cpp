@@ -20,20 +20,25 @@ constexpr Remedy kRemedies[] = {
     {"utf-8", "not UTF-8; save the file as UTF-8"},
     {"end-of-file", "the file ends within a value"},
     {"redefine", "stated above already; keep one of them, and each section in one piece"},
-    {"value type", "% isn't a value; text must be in quotes, as in title = \"Book\""},
+    {"value type", "% isn't a value; text is in \"quotes\", a list in [brackets]"},
     {"expected 'true'", "% isn't a value; true is written in small letters"},
     {"expected 'false'", "% isn't a value; false is written in small letters"},
     {"expected '='", "% where = should be: lines are KEY = VALUE, or headers such as [clip]"},
     {"expected value", "a value is missing after ="},
-    {"comment or whitespace", "% after the end of a value or header; comments begin with #"},
+    {"comment or whitespace",
+     "% after the end of a value or header; lists are in [brackets], comments begin with #"},
     {"closing ']'", "a comma or the closing ] is missing before %"},
     {"closing '}'", "a comma or the closing } is missing before %"},
     {"expected ']'", "a header's closing ] is missing before %"},
     {"leading zero", "a number can't begin with a needless zero"},
+    {"could not be interpreted", "a number beyond the range of numbers"},
+    {"nested value depth", "values are nested too deep"},
+    {"blank", "a header needs a name"},
+    {"expected keys", "% where a key or header should begin"},
     {"64 bits", "too great an integer"},
     {"decimal digit", "a number needs a digit on each side of its point"},
-    {"expected digit", "% within a number; units aren't written"},
-    {"escape sequence", "% is no escape; a backslash in quotes is written \\\\"},
+    {"expected digit", "% isn't part of a number; units aren't written"},
+    {"escape sequence", "an unknown escape; a backslash in quotes is written \\\\"},
     {"control characters", "a control character; in quotes, write it as an escape: \\u001B"},
 };
 
@@ -88,13 +93,16 @@ std::string syntaxProblem(std::string_view text, std::size_t line, std::size_t c
   if (rest.empty() && message.find("control characters") != message.npos) {
     return "a string doesn't end on its line; its closing quote is missing";
   }
-  const std::string_view word = rest.substr(0, rest.find_first_of(" \t", 1));
-  const std::string shown = rest.empty() ? "the end of the line" : "\"" + std::string(word) + "\"";
+  std::string word = oneLine(rest.substr(0, rest.find_first_of(" \t", 1)), 20);
+  if (word.empty())
+    word = "the end of the line";
+  else if (word.find('"') == word.npos)
+    word = '"' + word + '"';
   const auto remedy = std::ranges::find_if(
       kRemedies, [&](const Remedy& one) { return message.find(one.part) != message.npos; });
-  if (remedy == std::end(kRemedies)) return shown + " isn't TOML: " + std::string(message);
+  if (remedy == std::end(kRemedies)) return word + " isn't TOML: " + std::string(message);
   std::string problem(remedy->text);
-  if (const auto at = problem.find('%'); at != problem.npos) problem.replace(at, 1, shown);
+  if (const auto at = problem.find('%'); at != problem.npos) problem.replace(at, 1, word);
   return problem;
 }
 

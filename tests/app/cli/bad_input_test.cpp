@@ -85,7 +85,8 @@ const std::vector<BadCase> kOptions{
      "--set book.front=no.png: can't read no.png: No such file or directory"},
     {"TextureThatIsNoPicture",
      {"--set", "book.back=tiny.toml"},
-     "--set book.back=tiny.toml: can't read tiny.toml: not a PNG"},
+     "--set book.back=tiny.toml: can't read tiny.toml: not a PNG; convert it to PNG, "
+     "e.g. with ImageMagick's convert"},
 };
 
 const std::vector<BadCase> kCommands{

@@ -87,7 +87,7 @@ bool survives(const std::string& text, const std::string& override) {
   }
 }
 
-// measured: 1.5 s with AddressSanitizer
+// 12,103 overrides; measured 2 to 3 s on two busy cores.
 TEST(HostileValues, MakeAWholeSceneOrAPlainRefusal) {
   int scenes = 0, refusals = 0;
   for (const bool ofPanels : {false, true}) {

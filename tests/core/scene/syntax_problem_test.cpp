@@ -39,7 +39,7 @@ TEST(SyntaxProblem, GuessesADecimalComma) {
 // The exact column is toml++'s, and may change with its version.
 TEST(SyntaxProblem, IsToldInPlainWordsAtItsPlace) {
   for (const auto& [text, problem] : std::vector<std::pair<std::string, std::string>>{
-           {"title = Book", "1:9: \"Book\" isn't a value; text must be in quotes"},
+           {"title = Book", "1:9: \"Book\" isn't a value; text is in \"quotes\""},
            {"title = \"Book\n", "1:14: a string doesn't end on its line; its closing quote is"},
            {"caption = \"\"\"a\nb", ": the file ends within a value"},
            {"title: \"Book\"", "1:6: \":\" where = should be: lines are KEY = VALUE"},
@@ -52,9 +52,15 @@ TEST(SyntaxProblem, IsToldInPlainWordsAtItsPlace) {
            {"clip.duration = 1.5 s", "1:21: \"s\" after the end of a value or header"},
            {"clip.duration = .5", "1:17: a number needs a digit on each side of its point"},
            {"clip.duration = 05", ": a number can't begin with a needless zero"},
-           {"clip.fps = 30/1001", "1:14: \"/1001\" within a number; units aren't written"},
+           {"clip.fps = 30/1001", "1:14: \"/1001\" isn't part of a number; units aren't written"},
            {"body.normalize = True", "1:18: \"True\" isn't a value; true is written in small"},
-           {"title = \"a\\q\"", ": \"q\"\" is no escape; a backslash in quotes is written"},
+           {"title = \"a\\q\"", ": an unknown escape; a backslash in quotes is written"},
+           {"clip.duration = 1e400", "a number beyond the range of numbers"},
+           {"x = " + std::string(3000, '['), "values are nested too deep"},
+           {"angular_velocity = 5, 0, 0",
+            "1:21: \",\" after the end of a value or header; lists are"},
+           {"angular_velocity = (5, 0, 0)",
+            "1:20: \"(5,\" isn't a value; text is in \"quotes\", a list"},
            {"# \x01", ": a control character; in quotes, write it as an escape"},
            {"\n\ntitle = \"\xff\"\n", "3:9: not UTF-8; save the file as UTF-8"},
            {std::string("a = 1\0", 6), "a.toml:1:"}}) {

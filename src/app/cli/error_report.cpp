@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "cli/exit_code.h"
 
 namespace rotatebook::cli {
@@ -20,7 +21,7 @@ const char* messageOf(const std::system_error& error) {
 
 int reportError(const std::exception_ptr& error, std::string_view subject) {
   const auto print = [subject](const char* message, int status) {
-    std::cerr << "rotatebook: " << subject << message << '\n';
+    std::cerr << "rotatebook: " << subject << messageText(message) << '\n';
     return status;
   };
   try {

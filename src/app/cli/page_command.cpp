@@ -66,7 +66,7 @@ image::Image drawThumbnail(const scene::Scene& scene, const render::DeviceChoice
     return picture::drawThumbnail(scene, device);
   } catch (const MachineError& error) {
     throw MachineError(std::string(error.what()) +
-                       "\n--no-thumbnails makes the page without drawing: its overview shows the "
+                       "\n  --no-thumbnails makes the page without drawing: its overview shows the "
                        "posters then");
   }
 }

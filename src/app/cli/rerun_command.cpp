@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "cli/clip_options.h"
 #include "cli/commands.h"
 #include "cli/device_options.h"
@@ -82,13 +83,12 @@ std::vector<std::string> reasons(const fs::path& clip, const store::Provenance& 
 /// Reports whether both files have the same bytes; returns the status.
 int compare(const store::RecordedClip& there, const RerunArguments& arguments,
             const fs::path& output) {
+  const std::string clip = oneLine(arguments.clip.string());
   if (system::checksumOfFile(arguments.clip) == system::checksumOfFile(output)) {
-    std::cout << "  " << output.string() << " has exactly the bytes of " << arguments.clip.string()
-              << std::endl;
+    std::cout << "  " << output.string() << " has exactly the bytes of " << clip << std::endl;
     return kDone;
   }
-  std::cout << "  " << output.string() << " has OTHER bytes than " << arguments.clip.string()
-            << '\n';
+  std::cout << "  " << output.string() << " has OTHER bytes than " << clip << '\n';
   const store::ClipRecord here = store::parseRecord(video::readClipMetadata(output).comment, output,
                                                     there.record.scene.folder);
   for (const std::string& reason :

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "base/text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
@@ -29,7 +30,8 @@ int checkScenes(const std::vector<std::string>& paths, const SceneOptions& optio
       refuseSameNames({scene});
       picture::preflight(scene);
       report::reportNotes(scene, std::cerr);
-      std::cout << path << ": ok\n";
+      std::cout << oneLine(path) << ": ok
+";
     } catch (const InputError& error) {
       std::cerr << "rotatebook: " << error.what() << '\n';
       status = kWrongInput;

@@ -1,6 +1,5 @@
 #include "cli/scene_options.h"
 
-#include <cstddef>
 #include <map>
 #include <regex>
 #include <set>
@@ -13,12 +12,10 @@
 #include "scene/scene_text.h"
 #include "store/clip_files.h"
 #include "store/scene_file.h"
+#include "store/scene_name.h"
 
 namespace rotatebook::cli {
 namespace {
-
-// Names of files have at most 255 bytes, with endings and temporary prefixes. [bytes]
-constexpr std::size_t kMaxName = 200;
 
 std::string sizeOverride(const std::string& size) {
   std::smatch match;
@@ -28,11 +25,14 @@ std::string sizeOverride(const std::string& size) {
   return "clip.size=[" + match[1].str() + ", " + match[2].str() + "]";
 }
 
-/// Returns `message` with an override's location replaced by the option that the user wrote.
-std::string asWritten(const std::string& message, const std::vector<Shorthand>& shorthands) {
+/// Returns `message` with the locations of overrides replaced by the options that the user wrote.
+std::string asWritten(std::string message, const std::vector<Shorthand>& shorthands) {
   for (const auto& [option, assignment] : shorthands) {
-    const std::string location = scene::overrideLocation(assignment);
-    if (message.starts_with(location)) return option + message.substr(location.size());
+    const std::string location = scene::overrideLocation(assignment) + ": ";
+    for (std::size_t at = 0; (at = message.find(location, at)) != message.npos;) {
+      message.replace(at, location.size(), option + ": ");
+      at += option.size();
+    }
   }
   return message;
 }
@@ -47,27 +47,12 @@ std::set<std::string> stemsOf(const scene::Scene& scene) {
   return stems;
 }
 
-/// Throws InputError if no output of `scene` can be named `name`. The reserved endings are those of
-/// the folders in which a render keeps unfinished frames, and frames that it replaces.
+/// Throws InputError if no output of `scene` can be named `name`.
 void requireUsable(const std::string& name, const scene::Scene& scene) {
-  if (name.size() > kMaxName) {
-    throw InputError("the name " + name + " has " + std::to_string(name.size()) +
-                     " bytes; the limit is " + std::to_string(kMaxName) +
-                     ": rename the scene's file" +
-                     (name == scene.name ? "" : ", or shorten the panel's label"));
-  }
-  if (name == "." || name == "..") {
-    throw InputError("a scene can't be named " + name + ", as a folder is; rename the file");
-  }
-  if (!isOneLine(name)) {
-    throw InputError("a scene's name must be a line of UTF-8, which " + name +
-                     " isn't; rename the file");
-  }
-  for (const char* reserved : {store::kPartialEnding, store::kReplacedEnding}) {
-    if (!name.ends_with(reserved)) continue;
-    throw InputError("a scene can't be named " + name + ": " + reserved +
-                     " is the ending of what a running render writes; rename the file");
-  }
+  const std::string problem = store::problemOfName(name);
+  if (problem.empty()) return;
+  throw InputError("the name " + quotedText(name) + " " + problem + ": rename the scene's file" +
+                   (name == scene.name ? "" : ", or shorten the panel's label"));
 }
 
 }  // namespace

@@ -36,8 +36,8 @@ struct SceneOptions {
   scene::Scene applied(std::vector<Shorthand> shorthands, const Reader& reader) const;
 };
 
-/// Throws InputError if two of `scenes` would write the same file, or if a name can't be a file's:
-/// too long, not a line of UTF-8, or with an ending that a running render uses.
+/// Throws InputError if two of `scenes` would write the same file, or if
+/// store::problemOfName() refuses a name.
 void refuseSameNames(const std::vector<scene::Scene>& scenes);
 
 }  // namespace rotatebook::cli

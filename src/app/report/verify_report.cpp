@@ -116,8 +116,8 @@ std::string json(store::FrameRange range) {
 
 void reportVerification(const std::string& clip, const Verification& found, std::ostream& out) {
   const store::Provenance& provenance = found.record.provenance;
-  out << clip << ": claims to be " << framesText(found) << " of the scene " << provenance.scene
-      << ", made by rotatebook " << provenance.program << '\n';
+  out << oneLine(clip) << ": claims to be " << framesText(found) << " of the scene "
+      << provenance.scene << ", made by rotatebook " << provenance.program << '\n';
   for (const std::string& difference : found.toolsDiffer) {
     out << "  note    " << difference << "; pixels may differ\n";
   }

@@ -1,6 +1,6 @@
 #include "store/clip_record.h"
 
-#include <algorithm>
+#include <ranges>
 #include <string_view>
 #include <system_error>
 
@@ -9,6 +9,7 @@
 #include "base/version.h"
 #include "picture/texture_files.h"
 #include "scene/scene_text.h"
+#include "store/scene_name.h"
 #include "timeline/motion_checksum.h"
 #include "video/video_writer.h"
 
@@ -28,15 +29,8 @@ constexpr std::string_view kHeaderEnd = "\n\n";
 
 constexpr std::size_t kLargestRecord = 1 << 20;  // Scenes take a few thousand. [bytes]
 
-/// Returns `text` without line breaks and control characters, which would end a comment early.
-std::string inOneLine(std::string text) {
-  std::ranges::replace_if(
-      text, [](char letter) { return static_cast<unsigned char>(letter) < ' '; }, '?');
-  return text;
-}
-
 std::string line(std::string_view name, const std::string& value) {
-  return std::string(name) + inOneLine(value) + '\n';
+  return std::string(name) + oneLine(value) + '\n';
 }
 
 /// Returns what follows `name` on its line; empty if `header` has no such line.
@@ -58,12 +52,17 @@ void readOrigin(std::string_view header, const fs::path& clip, Provenance& prove
   if (middle == origin.npos) throwDamaged(clip, "it doesn't name its scene");
   provenance.program = origin.substr(0, middle);
   provenance.scene = origin.substr(middle + kFromScene.size());
-  // Outputs are named after the scene, so its name must not lead into another folder.
-  const bool isName = fs::path(provenance.scene).filename() == provenance.scene &&
-                      provenance.scene != "." && provenance.scene != ".." &&
-                      provenance.scene == inOneLine(provenance.scene);
-  if (!isName || provenance.scene.empty())
-    throwDamaged(clip, "its scene's name can't be a file name");
+  if (const std::string problem = problemOfName(provenance.scene); !problem.empty()) {
+    throwDamaged(clip, "its scene's name " + quotedText(provenance.scene) + " " + problem);
+  }
+}
+
+/// Refuses a head that isn't safe to print.
+void checkHeader(std::string_view header, const fs::path& clip) {
+  for (const auto line : std::views::split(header, '\n')) {
+    if (isOneLine({line.begin(), line.end()})) continue;
+    throwDamaged(clip, "its head holds control characters, or isn't UTF-8");
+  }
 }
 
 std::optional<FrameRange> partIn(std::string_view header, const fs::path& clip) {
@@ -116,9 +115,9 @@ std::string clipText(scene::Scene scene) {
 Provenance provenanceOf(const scene::Scene& scene, const timeline::ClipMotion& motion,
                         const std::map<std::string, std::string>& textures,
                         const std::string& renderer) {
-  return {.scene = inOneLine(scene.name),
+  return {.scene = oneLine(scene.name),
           .program = kVersion,
-          .renderer = inOneLine(renderer),
+          .renderer = oneLine(renderer),
           .ffmpeg = video::ffmpegVersion(),
           .motion = timeline::motionChecksum(motion),
           .textures = joinedOf(textures, [](const auto& texture) {
@@ -158,6 +157,7 @@ ClipRecord parseRecord(const std::string& text, const fs::path& clip, const fs::
   }
   if (text.size() > kLargestRecord) throwDamaged(clip, "no scene is that long");
   const std::string_view header = std::string_view(text).substr(0, text.find(kHeaderEnd));
+  checkHeader(header, clip);
   ClipRecord record;
   readOrigin(header, clip, record.provenance);
   record.provenance.renderer = valueIn(header, kRenderer);

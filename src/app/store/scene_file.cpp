@@ -10,6 +10,7 @@
 #include "scene/scene_text.h"
 #include "scene/toml_text.h"
 #include "scene/toml_tree.h"
+#include "store/scene_name.h"
 #include "system/read_file.h"
 
 namespace rotatebook::store {
@@ -54,6 +55,11 @@ scene::Scene readScene(const fs::path& path, std::span<const std::string> overri
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) scene::failAt(path.string(), "a folder, not a scene");
   if (!fs::exists(path, ignored)) failMissing(path);
+  const std::string name = path.stem().string();
+  if (const std::string problem = problemOfName(name); !problem.empty()) {
+    scene::failAt(path.string(), "the scene's name " + scene::tomlString(name) + " " + problem +
+                                     "; rename the file");
+  }
   return scene::parseScene(readSceneText(path), path, overrides);
 }
 

@@ -9,8 +9,9 @@
 
 namespace rotatebook::store {
 
-/// Reads and validates a scene file; see scene::parseScene(). Throws InputError; for a missing
-/// file, the message suggests the nearest existing name.
+/// Reads and validates a scene file; see scene::parseScene(). Throws InputError, also
+/// for a name that problemOfName() refuses; for a missing file, the message suggests the nearest
+/// existing name.
 scene::Scene readScene(const std::filesystem::path& path,
                        std::span<const std::string> overrides = {});
 

@@ -13,10 +13,11 @@ enum class ErrorKind {
 };
 
 /// The only exception that rotatebook throws at resource and I/O edges. Its message states who,
-/// what, the values, the library's own message, and the remedy if there is one.
+/// what, the values, the library's own message, and the remedy if there is one. Whatever it quotes,
+/// it is safe to print, and on one line but for those that kNextLine begins; see messageText().
 class Error : public std::runtime_error {
  public:
-  Error(ErrorKind kind, const std::string& message) : std::runtime_error(message), kind_(kind) {}
+  Error(ErrorKind kind, const std::string& message);
 
   ErrorKind kind() const noexcept { return kind_; }
 

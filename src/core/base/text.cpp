@@ -8,61 +8,6 @@ namespace {
 
 constexpr std::string_view kDigits = "0123456789ABCDEF";
 
-std::string unicodeEscape(unsigned char code) {
-  return std::string("\\u00") + kDigits[code >> 4] + kDigits[code & 15];
-}
-
-/// An escape sequence, and the size of what it replaces at the beginning of a text. [bytes]
-struct Escape {
-  std::string text;
-  std::size_t size = 1;
-};
-
-/// Escapes the control character that `text`, not empty, begins with; nullopt if it begins with
-/// none, or with a tab or line break.
-std::optional<Escape> controlEscape(std::string_view text) {
-  const auto code = static_cast<unsigned char>(text.front());
-  if (code == '\n' || code == '\t') return std::nullopt;
-  if (code < 0x20 || code == 0x7f) return Escape{unicodeEscape(code)};
-  // Some terminals obey the control characters U+0080 to U+009F, too.
-  if (code != 0xc2 || text.size() < 2) return std::nullopt;
-  const auto second = static_cast<unsigned char>(text[1]);
-  if (second < 0x80 || second > 0x9f) return std::nullopt;
-  return Escape{unicodeEscape(second), 2};
-}
-
-std::optional<Escape> lineEscape(std::string_view text) {
-  switch (text.front()) {
-    case '\n':
-      return Escape{"\\n"};
-    case '\t':
-      return Escape{"\\t"};
-    default:
-      return controlEscape(text);
-  }
-}
-
-std::optional<Escape> stringEscape(std::string_view text) {
-  switch (text.front()) {
-    case '"':
-      return Escape{"\\\""};
-    case '\\':
-      return Escape{"\\\\"};
-    default:
-      return lineEscape(text);
-  }
-}
-
-std::string escaped(std::string_view text, std::optional<Escape> (*escapeOf)(std::string_view)) {
-  std::string result;
-  while (!text.empty()) {
-    const Escape next = escapeOf(text).value_or(Escape{std::string(text.substr(0, 1))});
-    result += next.text;
-    text.remove_prefix(next.size);
-  }
-  return result;
-}
-
 bool beginsLetter(char byte) {
   return (static_cast<unsigned char>(byte) & 0xc0) != 0x80;
 }
@@ -85,6 +30,74 @@ std::size_t letterSize(std::string_view text) {
     if (byte(i) < 0x80 || byte(i) > 0xbf) return 0;
   }
   return size;
+}
+
+/// Returns the code point of `letter`, one whole letter.
+char32_t codePoint(std::string_view letter) {
+  constexpr unsigned kLeadBits[] = {0x7f, 0x7f, 0x1f, 0x0f, 0x07};
+  char32_t code = static_cast<unsigned char>(letter.front()) & kLeadBits[letter.size()];
+  for (const char byte : letter.substr(1)) code = code << 6 | (static_cast<unsigned>(byte) & 0x3f);
+  return code;
+}
+
+/// Returns whether a terminal may obey the code point, break the line at it, or turn the direction
+/// of writing: control characters (C0, DEL, C1), separators of lines, and bidirectional marks.
+bool isControl(char32_t code) {
+  return code < 0x20 || (code >= 0x7f && code <= 0x9f) || code == 0x61c || code == 0x200e ||
+         code == 0x200f || (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+}
+
+std::string unicodeEscape(char32_t code) {
+  std::string escape = "\\u";
+  for (const int shift : {12, 8, 4, 0}) escape += kDigits[code >> shift & 15];
+  return escape;
+}
+
+/// Returns what to write in place of the beginning of a text, or nullopt to keep its first letter.
+using Escape = std::optional<std::string> (*)(std::string_view);
+
+std::optional<std::string> controlEscape(std::string_view text) {
+  if (text.front() == '\n' || text.front() == '\t') return std::nullopt;
+  const std::size_t size = letterSize(text);
+  if (size == 0) return "\uFFFD";  // a byte that isn't UTF-8
+  const char32_t code = codePoint(text.substr(0, size));
+  return isControl(code) ? std::optional(unicodeEscape(code)) : std::nullopt;
+}
+
+std::optional<std::string> lineEscape(std::string_view text) {
+  switch (text.front()) {
+    case '\n':
+      return "\\n";
+    case '\t':
+      return "\\t";
+    default:
+      return controlEscape(text);
+  }
+}
+
+std::optional<std::string> stringEscape(std::string_view text) {
+  switch (text.front()) {
+    case '"':
+      return "\\\"";
+    case '\\':
+      return "\\\\";
+    default:
+      return letterSize(text) == 0 ? std::nullopt : lineEscape(text);
+  }
+}
+
+std::optional<std::string> messageEscape(std::string_view text) {
+  return text.starts_with(kNextLine) ? std::nullopt : lineEscape(text);
+}
+
+std::string escaped(std::string_view text, Escape escapeOf) {
+  std::string result;
+  while (!text.empty()) {
+    const std::string_view letter = text.substr(0, std::max<std::size_t>(letterSize(text), 1));
+    result += escapeOf(text).value_or(std::string(letter));
+    text.remove_prefix(letter.size());
+  }
+  return result;
 }
 
 }  // namespace
@@ -132,11 +145,14 @@ std::string oneLine(std::string_view text, std::size_t maxLetters) {
   return escaped(shown, lineEscape) + (shown.size() < text.size() ? "..." : "");
 }
 
+std::string messageText(std::string_view text) {
+  return escaped(text, messageEscape);
+}
+
 bool isOneLine(std::string_view text) {
   while (!text.empty()) {
     const std::size_t size = letterSize(text);
-    const bool control = static_cast<unsigned char>(text.front()) < ' ' || text.front() == 0x7f;
-    if (size == 0 || control) return false;
+    if (size == 0 || isControl(codePoint(text.substr(0, size)))) return false;
     text.remove_prefix(size);
   }
   return true;

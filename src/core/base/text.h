@@ -9,6 +9,8 @@
 
 namespace rotatebook {
 
+inline constexpr std::size_t kWholeText = 1 << 28;  ///< More letters than any text has.
+
 /// Returns `text` without spaces, tabs and line ends at its beginning and end.
 std::string_view trimmed(std::string_view text);
 
@@ -29,19 +31,27 @@ std::string listed(const std::vector<std::string>& parts, std::string_view lastW
 /// Returns a size as "640x360".
 std::string sizeText(std::int64_t width, std::int64_t height);
 
-/// Returns `text` in quotation marks, with escapes for quotation marks, backslashes and control
-/// characters; both TOML and JSON read it back.
+/// Returns `text` in quotation marks, with escapes for quotation marks, backslashes, and whatever
+/// isOneLine() refuses in UTF-8; both TOML and JSON read it back.
 std::string quotedText(std::string_view text);
 
-/// Returns `text` with an escape for each control character except tabs and line breaks, so that a
-/// terminal doesn't obey it.
+/// Returns `text` with an escape for whatever isOneLine() refuses, but for tabs and line breaks, so
+/// that a terminal doesn't obey it. Bytes that aren't UTF-8 become U+FFFD.
 std::string printable(std::string_view text);
 
 /// Returns `text` on one line: like printable(), but with escapes for tabs and line breaks, too;
 /// cut after `maxLetters` letters, with "..." for the rest.
-std::string oneLine(std::string_view text, std::size_t maxLetters);
+std::string oneLine(std::string_view text, std::size_t maxLetters = kWholeText);
 
-/// Returns whether `text` is UTF-8 (RFC 3629) without ASCII control characters.
+/// Begins each further line of an error's message.
+inline constexpr std::string_view kNextLine = "\n  ";
+
+/// Returns the text of an error's message: on one line, but for the lines that kNextLine begins.
+std::string messageText(std::string_view text);
+
+/// Returns whether `text` is a line of UTF-8 (RFC 3629) that is safe to print: without control
+/// characters (C0, DEL, C1), U+2028, U+2029 and bidirectional marks (U+061C, U+200E, U+200F, U+202A
+/// to U+202E, U+2066 to U+2069).
 bool isOneLine(std::string_view text);
 
 /// Returns the number of letters (code points) in `text`.

@@ -1,5 +1,6 @@
 #include "scene/key_rows.h"
 
+#include "base/text.h"
 #include "scene/keys/keys.h"
 #include "scene/sections.h"
 
@@ -15,6 +16,19 @@ std::vector<KeyRow> allKeys() {
   add(rowsOf("panel.N.", panelKeys()));
   add(rowsOf("study.", studyKeys()));
   return all;
+}
+
+std::string sectionsOf(std::string_view key) {
+  static const std::vector<KeyRow> rows = allKeys();
+  std::vector<std::string> sections;
+  for (const KeyRow& row : rows) {
+    const std::size_t dot = row.name.rfind('.');
+    if (std::string_view(row.name).substr(dot + 1) != key) continue;  // npos + 1 is 0
+    if (dot == row.name.npos) return "before the first [section]";
+    const std::string section = row.name.substr(0, dot);
+    sections.push_back(section == "panel.N" ? "[[panel]]" : "[" + section + "]");
+  }
+  return sections.empty() ? "" : "under " + listed(sections, "or");
 }
 
 }  // namespace rotatebook::scene

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "scene/names.h"
+#include "scene/problems.h"
 #include "scene/toml_text.h"
 
 namespace rotatebook::scene {
@@ -105,7 +106,9 @@ void applyOverrides(TomlNode& root, std::span<const std::string> overrides) {
     throw InputError("--set: " + std::to_string(overrides.size()) + " options; the limit is " +
                      std::to_string(kMaxOverrides) + "; write the values into the scene's file");
   }
-  for (const std::string& text : overrides) applyOverride(root, text);
+  Problems problems;
+  for (const std::string& text : overrides) problems.note([&] { applyOverride(root, text); });
+  problems.throwIfAny();
 }
 
 }  // namespace rotatebook::scene

@@ -15,8 +15,8 @@ inline constexpr std::size_t kMaxOverrides = 1000;
 /// Applies each "key.path=value" to `root`, a table, in order. The value is TOML, or else a bare
 /// string. The key of an array's element is its number from 0: panel.0.label. Setting either of
 /// initial.angular_velocity and initial.angular_momentum removes the other. Only the form is
-/// checked here. Throws InputError "LOCATION: PROBLEM", with overrideLocation(), and for more than
-/// kMaxOverrides.
+/// checked here. Goes on after one that is wrong, and throws SceneError in the end, with
+/// overrideLocation(); InputError for more than kMaxOverrides.
 void applyOverrides(TomlNode& root, std::span<const std::string> overrides);
 
 /// Returns the location of an override for messages: "--set KEY=VALUE", printable and not too long.

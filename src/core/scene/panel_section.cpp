@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "scene/keys/keys.h"
+#include "scene/problems.h"
 #include "scene/sections.h"
 #include "scene/toml_text.h"
 
@@ -143,9 +144,11 @@ std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file
                 " panels, not " + std::to_string(tables.size()));
   }
   std::vector<Panel> result;
+  Problems problems;
   for (const ValueReader& table : tables) {
-    result.push_back(readPanel(table, file, timePerFrame, result));
+    problems.note([&] { result.push_back(readPanel(table, file, timePerFrame, result)); });
   }
+  problems.throwIfAny();
   return result;
 }
 

@@ -2,9 +2,12 @@
 #include <algorithm>
 #include <string>
 
+#include "base/text.h"
+#include "scene/key_rows.h"
 #include "scene/keys/keys.h"
 #include "scene/overrides.h"
 #include "scene/panel_section.h"
+#include "scene/problems.h"
 #include "scene/scene_text.h"
 #include "scene/sections.h"
 #include "scene/source_locations.h"
@@ -46,8 +49,11 @@ void readMotions(const ValueReader& file, Scene& scene) {
   }
   if (const auto panels = file.find("panel")) {
     scene.panels = readPanels(*panels, file, scene.simulation.timePerFrame);
-    return;
   }
+}
+
+/// Checks the motion of a scene without panels across its sections.
+void checkMotion(const ValueReader& file, const Scene& scene) {
   const auto initial = file.find("initial");
   if (!initial) file.fail("[initial] is missing; it needs angular_velocity or angular_momentum");
   requireSpin(*initial);
@@ -82,26 +88,34 @@ void noteLocations(const ValueReader& file, Scene& scene) {
 Scene parseScene(std::string_view text, const std::filesystem::path& path,
                  std::span<const std::string> overrides) {
   physics::requireSameLayout();
-  TomlNode tree = parseToml(text, path.string());
-  applyOverrides(tree, overrides);
+  TomlNode tree = parseToml(text, oneLine(path.string()));
+  Problems problems;
+  problems.note([&] { applyOverrides(tree, overrides); });
 
+  // Read all keys
   Scene scene;
   scene.name = path.stem().string();
   scene.folder = path.parent_path();
   const ValueReader file(tree, "");
-  readSections(file, scene);
-  if (!file.find("title")) scene.title = scene.name;
-  readMotions(file, scene);
-  noteLocations(file, scene);
-  placeCamera(file, scene);
-  if (const auto overlay = file.find("overlay")) checkOverlays(*overlay, scene);
-  if (const auto look = file.find("look")) checkMotionBlur(*look, scene);
-  if (const auto study = file.find("study")) {
-    if (!scene.panels.empty()) {
-      study->fail("[study] needs a single motion, but this scene has panels");
-    }
-    readStudy(*study, scene);
+  problems.note([&] { readSections(file, scene); });
+  problems.note([&] { readMotions(file, scene); });
+  for (Problem& problem : problems.all()) {
+    const std::string sections = sectionsOf(problem.unknownKey);
+    if (!sections.empty()) problem.remedy = "; it belongs " + sections;
   }
+  problems.throwIfAny();
+  if (!file.find("title")) scene.title = oneLine(scene.name);
+  noteLocations(file, scene);
+
+  // Check across sections, and read what depends on several of them
+  if (scene.panels.empty()) problems.note([&] { checkMotion(file, scene); });
+  problems.note([&] { placeCamera(file, scene); });
+  if (const auto overlay = file.find("overlay")) {
+    problems.note([&] { checkOverlays(*overlay, scene); });
+  }
+  if (const auto look = file.find("look")) problems.note([&] { checkMotionBlur(*look, scene); });
+  if (const auto study = file.find("study")) problems.note([&] { readStudy(*study, scene); });
+  problems.throwIfAny();
   checkSteps(file, scene);
   return scene;
 }

@@ -11,8 +11,9 @@
 namespace rotatebook::scene {
 
 /// Reads and validates the text of a scene. `path` names it in messages and gives Scene::name and
-/// Scene::folder; it isn't opened. Throws InputError "FILE:LINE:COLUMN: PROBLEM" about the first
-/// problem, with the nearest valid key or value.
+/// Scene::folder; it isn't opened. Throws InputError with a line
+/// "FILE:LINE:COLUMN: PROBLEM" for each problem, in the order of the file, with the nearest valid
+/// key or value; of more than 20 problems the first ones.
 ///
 /// `overrides` are "key.path=value" as --set takes them: the value is TOML, or else a bare string.
 /// They count as part of the file; messages give their location as "--set KEY=VALUE". Setting one

@@ -3,6 +3,7 @@
 #include "physics/measure/flip_interval.h"
 #include "physics/motion_start.h"
 #include "scene/keys/keys.h"
+#include "scene/problems.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -57,6 +58,9 @@ StudySettings defaultStudy(Model model) {
 }
 
 void readStudy(const ValueReader& section, Scene& scene) {
+  if (!scene.panels.empty()) {
+    section.fail("[study] needs a single motion, but this scene has panels");
+  }
   const auto& keys = studyKeys();
   section.readTable(fieldsOf(keys, [](const auto&, const ValueReader&) {}));
   const auto tilts = section.find("tilts");
@@ -69,9 +73,12 @@ void readStudy(const ValueReader& section, Scene& scene) {
     scene.study = defaultStudy(scene.simulation.model);
   }
   // In the order of the keys, because the orders depend on the integrators.
+  Problems problems;
   for (const Key<Scene>& key : keys) {
-    if (const auto value = section.find(key.name)) key.read(*value, scene);
+    const auto value = section.find(key.name);
+    if (value) problems.note([&] { key.read(*value, scene); });
   }
+  problems.throwIfAny();
   if (tilts) checkTilted(*tilts, scene);
 }
 

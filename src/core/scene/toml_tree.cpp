@@ -4,8 +4,9 @@
 #include <functional>
 #include <utility>
 
-#include "base/error.h"
+#include "base/syntax_problem.h"
 #include "base/text.h"
+#include "scene/problems.h"
 #include "scene/toml_parser.h"
 #include "scene/toml_text.h"
 
@@ -97,7 +98,7 @@ std::string describeArray(const TomlNode::Array& array) {
 }  // namespace
 
 void failAt(const std::string& location, const std::string& problem) {
-  throw InputError(location + ": " + problem);
+  throw SceneError({{location, problem, {}, {}}});
 }
 
 TomlNode parseToml(std::string_view text, const std::string& file) {
@@ -106,7 +107,9 @@ TomlNode parseToml(std::string_view text, const std::string& file) {
   try {
     return nodeFrom(toml::parse(text, std::string_view(file)), locationOf, 0);
   } catch (const toml::parse_error& error) {
-    failAt(locationOf(error.source()), printable(error.description()));
+    const toml::source_position& place = error.source().begin;
+    failAt(locationOf(error.source()),
+           syntaxProblem(text, place.line, place.column, error.description()));
   }
 }
 

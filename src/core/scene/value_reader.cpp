@@ -5,6 +5,7 @@
 
 #include "base/text.h"
 #include "scene/nearest_name.h"
+#include "scene/problems.h"
 #include "scene/toml_text.h"
 
 namespace rotatebook::scene {
@@ -30,6 +31,12 @@ std::string expectedString(std::size_t most) {
 }
 
 std::string ValueReader::text(std::size_t most) const {
+  const std::string text = lines(most);
+  if (!isOneLine(text)) mismatch("a string on one line, without control characters");
+  return text;
+}
+
+std::string ValueReader::lines(std::size_t most) const {
   const auto* text = std::get_if<std::string>(&node_->value);
   if (!text) mismatch("a string in quotes");
   if (characterCount(*text) > most) mismatch(expectedString(most));
@@ -68,7 +75,10 @@ Eigen::Vector3d ValueReader::vector(const NumberRange& range) const {
 
 Eigen::Vector3d ValueReader::direction() const {
   Eigen::Vector3d direction = vector(kDirections);
-  if (direction.norm() < kShortestDirection) mismatch(std::string(kDirections.expected));
+  if (direction.isZero(0)) mismatch(std::string(kDirections.expected));
+  if (direction.stableNorm() < kShortestDirection) {
+    mismatch("at least " + tomlNumber(kShortestDirection) + " long");
+  }
   return direction;
 }
 
@@ -108,11 +118,15 @@ std::vector<ValueReader> ValueReader::tables(const std::string& expected) const 
 void ValueReader::readTable(const std::vector<Field>& fields) const {
   const auto* table = std::get_if<TomlNode::Table>(&node_->value);
   if (!table) mismatch("a section");
+  Problems problems;
   for (const TomlEntry& entry : *table) {
-    const auto field = std::ranges::find(fields, entry.key, &Field::key);
-    if (field == fields.end()) refuseKey(entry, fields);
-    field->read(ValueReader(entry.node, nameOfKey(entry.key)));
+    problems.note([&] {
+      const auto field = std::ranges::find(fields, entry.key, &Field::key);
+      if (field == fields.end()) refuseKey(entry, fields);
+      field->read(ValueReader(entry.node, nameOfKey(entry.key)));
+    });
   }
+  problems.throwIfAny();
 }
 
 std::optional<ValueReader> ValueReader::find(std::string_view key) const {
@@ -145,10 +159,12 @@ void ValueReader::refuseKey(const TomlEntry& entry, const std::vector<Field>& fi
   for (const Field& field : fields) valid.push_back(field.key);
   const bool isSection = name_.empty() && std::holds_alternative<TomlNode::Table>(entry.node.value);
   const std::string where = name_.empty() ? "" : " in [" + name_ + "]";
-  const std::string suggestion = didYouMean(entry.key, valid);
-  failAt(entry.keyLocation,
-         (isSection ? "unknown section " : "unknown key ") + tomlString(entry.key) + where +
-             (suggestion.empty() ? "; valid are " + quotedList(valid, "and") : suggestion));
+  std::string remedy = didYouMean(entry.key, valid);
+  if (remedy.empty()) remedy = "; valid are " + quotedList(valid, "and");
+  throw SceneError(
+      {{entry.keyLocation,
+        (isSection ? "unknown section " : "unknown key ") + tomlString(entry.key) + where, remedy,
+        isSection ? "" : entry.key}});
 }
 
 }  // namespace rotatebook::scene

@@ -62,16 +62,17 @@ class ValueReader {
   const std::string& name() const { return name_; }
   const TomlNode& node() const { return *node_; }
 
-  /// Returns a string of at most `most` characters, with no control characters but tab and line
-  /// break.
+  /// Returns a string of at most `most` characters that isOneLine().
   std::string text(std::size_t most) const;
+  /// Returns a string likewise that may have tabs and line ends.
+  std::string lines(std::size_t most) const;
   bool flag() const;
   int integer(int min, int max) const;
   /// Returns a number. Integers are numbers too; NaN and infinity are in no range.
   double number(const NumberRange& range) const;
   /// Returns three numbers, each within `range`, whose description is that of all three.
   Eigen::Vector3d vector(const NumberRange& range) const;
-  /// Returns three numbers that aren't all zero.
+  /// Returns three numbers that aren't all zero, at least 1e-30 long.
   Eigen::Vector3d direction() const;
   /// Returns the index of the string in `names`.
   std::size_t choice(std::span<const std::string_view> names) const;
@@ -87,7 +88,8 @@ class ValueReader {
   std::vector<ValueReader> list(const std::string& expected) const;
   /// Returns the tables of a non-empty array, or this value if it is a table.
   std::vector<ValueReader> tables(const std::string& expected) const;
-  /// Reads a table, in the order of the text, and refuses keys that aren't among `fields`.
+  /// Reads a table, in the order of the text, and refuses keys that aren't among `fields`. Goes on
+  /// after a problem, and throws all of them in the end.
   void readTable(const std::vector<Field>& fields) const;
   /// Returns the value of a key of this table, if it is present.
   std::optional<ValueReader> find(std::string_view key) const;

@@ -122,7 +122,10 @@ std::vector<png_bytep> rowPointers(Image& image) {
 
 Image decodePng(std::span<const std::uint8_t> bytes, const std::string& name) {
   if (bytes.size() < kSignatureSize || png_sig_cmp(bytes.data(), 0, kSignatureSize) != 0) {
-    refuse(name, "not a PNG");
+    const bool isJpeg =
+        bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8 && bytes[2] == 0xff;
+    refuse(name, std::string(isJpeg ? "a JPEG" : "not a PNG") +
+                     "; convert it to PNG, e.g. with ImageMagick's convert");
   }
   PngDecoder decoder(bytes);
   PngHeader header;

@@ -85,7 +85,8 @@ const std::vector<BadCase> kOptions{
      "--set book.front=no.png: can't read no.png: No such file or directory"},
     {"TextureThatIsNoPicture",
      {"--set", "book.back=tiny.toml"},
-     "--set book.back=tiny.toml: can't read tiny.toml: not a PNG"},
+     "--set book.back=tiny.toml: can't read tiny.toml: not a PNG; convert it to PNG, "
+     "e.g. with ImageMagick's convert"},
 };
 
 const std::vector<BadCase> kCommands{
@@ -186,18 +187,19 @@ TEST_F(BadInput, TexturesThatAreCorruptAreNamed) {
 }
 
 TEST_F(BadScene, HasANameThatNoFileMayHave) {
-  const std::string folders = ", as a folder is; rename the file\n";
+  const std::string dot = " begins with a dot, as names of hidden files do; rename the file\n";
+  const std::string line = " isn't a line of UTF-8 without control characters; rename the file\n";
   for (const auto& [file, problem] : std::vector<std::pair<std::string, std::string>>{
-           {"..toml", "a scene can't be named ." + folders},
-           {"...toml", "a scene can't be named .." + folders},
-           {"a\xff.toml",
-            "a scene's name must be a line of UTF-8, which a\xff isn't; rename the file\n"},
-           {"a\nb.toml",
-            "a scene's name must be a line of UTF-8, which a\nb isn't; rename the file\n"}}) {
+           {"..toml", "..toml: the scene's name \".\"" + dot},
+           {".bashrc.toml", ".bashrc.toml: the scene's name \".bashrc\"" + dot},
+           {"a\xff.toml", "a\uFFFD.toml: the scene's name \"a\uFFFD\"" + line},
+           {"a\nb.toml", "a\\nb.toml: the scene's name \"a\\nb\"" + line},
+           {"a\u009b2Kb.toml", "a\\u009B2Kb.toml: the scene's name \"a\\u009B2Kb\"" + line},
+           {"a\u202eb.toml", "a\\u202Eb.toml: the scene's name \"a\\u202Eb\"" + line}}) {
     write(file, kTiny);
     const ChildResult result = run({"render", file});
     EXPECT_EQ(result.status, 2);
-    EXPECT_TRUE(result.error == "rotatebook: " + problem) << problem;
+    EXPECT_EQ(result.error, "rotatebook: " + problem);
     std::filesystem::remove(folder() / file);
     EXPECT_THAT(files(), IsEmpty());
   }

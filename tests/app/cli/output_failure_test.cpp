@@ -225,7 +225,7 @@ TEST_F(OutputFailure, NoGraphicsSaysWhatToInstall) {
     EXPECT_THAT(result.error, StartsWith("rotatebook: can't draw: no EGL display gives an OpenGL "
                                          "3.3 core context:\n"));
     EXPECT_THAT(result.error,
-                HasSubstr("\nInstall Mesa's software rasteriser (Debian, Ubuntu: apt-get install "
+                HasSubstr("\n  Install Mesa's software rasteriser (Debian, Ubuntu: apt-get install "
                           "libegl1 libegl-mesa0 libgl1-mesa-dri libopengl0)"));
     EXPECT_THAT(files(), IsEmpty());
   }

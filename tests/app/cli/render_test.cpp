@@ -183,9 +183,9 @@ TEST_F(RenderCommand, RefusesTwoScenesOfOneName) {
 TEST_F(RenderCommand, RefusesNamesThatItsOwnFilesHave) {
   const std::string longest(201, 'a');
   for (const auto& [name, words] :
-       {std::pair<std::string, std::string>{"x.partial", "a scene can't be named x.partial: "},
-        {"x.replaced", "a scene can't be named x.replaced: "},
-        {longest, "has 201 bytes; the limit is 200: rename the scene's file"}}) {
+       {std::pair<std::string, std::string>{"x.partial", "name \"x.partial\" ends in .partial, "},
+        {"x.replaced", "name \"x.replaced\" ends in .replaced, "},
+        {longest, "has 201 bytes; the limit is 200; rename the file"}}) {
     write(name + ".toml", kTiny);
     const ChildResult result = run({"render", name + ".toml"});
     EXPECT_EQ(result.status, 2);

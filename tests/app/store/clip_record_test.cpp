@@ -85,17 +85,21 @@ TEST(SceneRecord, StaysWholeWithNamesOfSeveralLines) {
   const Provenance provenance =
       provenanceOf(scene, timeline::simulateScene(scene), {}, "r\n\nmass = 2");
   const ClipRecord record = parseRecord(sceneRecord(scene, provenance), "x", "");
-  EXPECT_EQ(record.provenance.scene, "a?b = 1");
-  EXPECT_EQ(record.provenance.renderer, "r??mass = 2");
+  EXPECT_EQ(record.provenance.scene, "a\\nb = 1");
+  EXPECT_EQ(record.provenance.renderer, "r\\n\\nmass = 2");
 }
 
 // TOML's comments have none.
 TEST(SceneRecord, SendsNoControlCharactersToTheTerminal) {
-  for (const char* head : {"1\x1b[2J from the scene x\n", "1 from the scene \x1b]0;x\x07\n",
-                           "1 from the scene x\n# Renderer: \r\x1b[1m\n"}) {
+  for (const char* head :
+       {"1\x1b[2J from the scene x\n", "1 from the scene \x1b]0;x\x07\n",
+        "1 from the scene x\n# Renderer: \r\x1b[1m\n", "1 from the scene x\n# Renderer: \u009b1m\n",
+        "1 from the scene a\u202eb\n", "1\u009b2K from the scene x\n",
+        "1 from the scene x\n# FFmpeg: \xff\n"}) {
     EXPECT_THAT(problemOf(std::string("# Made by rotatebook ") + head +
                           "\ninitial.angular_velocity = [1, 0, 0]\n"),
-                AllOf(StartsWith("the record in x/y.mp4 is damaged: "), Not(HasSubstr("\x1b"))));
+                AllOf(StartsWith("the record in x/y.mp4 is damaged: "), Not(HasSubstr("\x1b")),
+                      Not(HasSubstr("\u009b")), Not(HasSubstr("\u202e"))));
   }
 }
 
@@ -125,12 +129,25 @@ TEST(SceneRecord, ThatIsDamagedIsRefused) {
   }
 }
 
-TEST(SceneRecord, CannotLeadOutOfAFolder) {
-  for (const char* name : {"", ".", "..", "/", "a/b", "../a", "/etc/passwd", "a/"}) {
-    EXPECT_EQ(problemOf(std::string("# Made by rotatebook 1 from the scene ") + name + "\n\n"),
-              "the record in x/y.mp4 is damaged: its scene's name can't be a file name")
-        << name;
+TEST(SceneRecord, HasANameThatAScenesFileMayHave) {
+  const auto withName = [](const std::string& name) {
+    return problemOf("# Made by rotatebook 1 from the scene " + name +
+                     "\n\ninitial.angular_velocity = [1, 0, 0]\n");
+  };
+  const std::string start = "the record in x/y.mp4 is damaged: its scene's name \"";
+  for (const char* name : {".", "..", ".bashrc", ".v.rotatebook-1"}) {
+    EXPECT_EQ(withName(name), start + name + "\" begins with a dot, as names of hidden files do");
   }
+  for (const char* name : {"/", "a/b", "/etc/passwd", "a/"}) {
+    EXPECT_EQ(withName(name), start + name + "\" holds a slash, as paths do");
+  }
+  EXPECT_EQ(withName(""), start + "\" is empty");
+  EXPECT_EQ(withName("v.partial"),
+            start + "v.partial\" ends in .partial, as what a running render writes does");
+  EXPECT_EQ(withName("v.replaced"),
+            start + "v.replaced\" ends in .replaced, as what a running render writes does");
+  EXPECT_THAT(withName(std::string(201, 'a')), HasSubstr("\" has 201 bytes; the limit is 200"));
+  EXPECT_EQ(withName(std::string(200, 'a')), "no error");
 }
 
 TEST(SceneRecord, OfARenderIsTrue) {

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/error.h"
+
 namespace rotatebook {
 namespace {
 
@@ -53,7 +55,7 @@ TEST(OneLine, HasNoEndsOfLinesAndNoMoreThanItMay) {
   EXPECT_EQ(oneLine("aé本📖", 4), "aé本📖");
   EXPECT_EQ(oneLine("aé本📖", 3), "aé本...");
   EXPECT_EQ(oneLine("", 0), "");
-  EXPECT_EQ(oneLine(std::string(99, '\x80'), 2), std::string(8, '\x80') + "...");
+  EXPECT_EQ(oneLine(std::string(99, '\x80'), 2), "\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD...");
 }
 
 TEST(LetterCount, CountsLettersNotBytes) {
@@ -68,11 +70,13 @@ TEST(FirstLetters, AreNoMoreThanThereAre) {
 
 TEST(IsOneLine, TakesEveryLetterOfUnicode) {
   EXPECT_TRUE(isOneLine(""));
-  EXPECT_TRUE(isOneLine("aé本📖 \u0080\u07ff\u0800\ud7ff\ue000\uffff\U00010000\U0010ffff"));
+  EXPECT_TRUE(isOneLine("aé本📖 \u00a0\u07ff\u0800\ud7ff\ue000\uffff\U00010000\U0010ffff"));
 }
 
 TEST(IsOneLine, RefusesControlCharactersAndWhatIsNotUtf8) {
-  for (const char* control : {"a\n", "\t", "\x1f", "\x7f"}) EXPECT_FALSE(isOneLine(control));
+  for (const char* control : {"a\n", "\t", "\x1f", "\x7f", "\u0080", "a\u009bb", "\u009f"}) {
+    EXPECT_FALSE(isOneLine(control)) << quotedText(control);
+  }
   EXPECT_FALSE(isOneLine(std::string(1, '\0')));
   for (const char* broken :
        {"\x80", "a\xc3", "\xc3(", "\xe2\x82", "\xe2\x28\xa1", "\xf0\x9f\x93", "\xff"}) {
@@ -83,6 +87,25 @@ TEST(IsOneLine, RefusesControlCharactersAndWhatIsNotUtf8) {
                                 "\xed\xa0\x80", "\xf4\x90\x80\x80"}) {
     EXPECT_FALSE(isOneLine(forbidden)) << quotedText(forbidden);
   }
+}
+
+TEST(IsOneLine, RefusesSeparatorsAndMarksOfDirection) {
+  for (const char* mark : {"\u061c", "\u200e", "\u200f", "\u2028", "\u2029", "\u202a", "\u202e",
+                           "\u2066", "a\u2069b"}) {
+    EXPECT_FALSE(isOneLine(mark)) << quotedText(mark);
+    EXPECT_TRUE(isOneLine(printable(mark)));
+  }
+  EXPECT_EQ(quotedText("\u202eb"), "\"\\u202Eb\"");
+  EXPECT_TRUE(isOneLine("\u061b\u200d\u2010\u2027\u202f\u2065\u206a"));
+}
+
+TEST(Error, IsOnOneLineAndSafeToPrint) {
+  EXPECT_STREQ(InputError("can't read a\nb\t\x1b[2J\u009b\u202e\xff.png").what(),
+               "can't read a\\nb\\t\\u001B[2J\\u009B\\u202E\uFFFD.png");
+  EXPECT_STREQ(MachineError("disk full\n  12 frames are kept").what(),
+               "disk full\n  12 frames are kept");
+  const std::string once = messageText("a\nb \"\\\" \u009b");
+  EXPECT_EQ(messageText(once), once);
 }
 
 }  // namespace

@@ -45,8 +45,18 @@ TEST(Texts, HaveNoControlCharacters) {
             "a.toml:1:9: title" + must + "\"a\\u001B]0;x\\u0007\"");
   EXPECT_EQ(errorOf("[book]\nfront = \"a.png\\u0000b\""),
             "a.toml:2:9: book.front" + must + "\"a.png\\u0000b\"");
-  EXPECT_EQ(errorOf("caption = \"\\u009b31m\""), "a.toml:1:11: caption" + must + "\"\\u009B31m\"");
-  EXPECT_EQ(errorOf("title = \"two\\nlines\\tand a tab\""), "no error");
+  for (const char* text : {"\\u009B31m", "\\u202Eb", "a\\u2028b"}) {
+    const std::string quoted = std::string("\"") + text + '"';
+    EXPECT_EQ(errorOf("caption = " + quoted), "a.toml:1:11: caption" + must + quoted);
+    EXPECT_EQ(errorOf("[overlay]\nfont = " + quoted), "a.toml:2:8: overlay.font" + must + quoted);
+  }
+}
+
+TEST(Texts, AreOnOneLineButForTheCaption) {
+  const std::string must = " must be a string on one line, without control characters, not ";
+  EXPECT_EQ(errorOf("title = \"two\\nlines\""), "a.toml:1:9: title" + must + "\"two\\nlines\"");
+  EXPECT_EQ(errorOf("[book]\nfront = \"a\\tb\""), "a.toml:2:9: book.front" + must + "\"a\\tb\"");
+  EXPECT_EQ(errorOf("caption = \"two\\nlines\\tand a tab\""), "no error");
 }
 
 constexpr const char* kManySteps = "simulation.substeps = 1000000\n";

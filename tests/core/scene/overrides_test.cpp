@@ -104,7 +104,7 @@ TEST(Overrides, RefuseWhatHasNoForm) {
   EXPECT_EQ(errorOf("", {"clip..fps=3"}), "--set clip..fps=3: the key, or a part of it, is empty");
   EXPECT_EQ(errorOf("", {"a.b.c.d.e.f.g=3"}),
             "--set a.b.c.d.e.f.g=3: no key of a scene has more than six parts");
-  EXPECT_EQ(errorOf("", {"title=\xff"}), "--set title=\xff: the value isn't UTF-8");
+  EXPECT_EQ(errorOf("", {"title=\xff"}), "--set title=\uFFFD: the value isn't UTF-8");
 }
 
 TEST(Overrides, ArePrintedOnALine) {

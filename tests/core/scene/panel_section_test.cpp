@@ -156,7 +156,8 @@ TEST(Panels, NeedALabelOfTheirOwn) {
   EXPECT_EQ(errorOfText(one + "label = ''"),
             "a.toml:6:9: panel.label must be a string that isn't empty, not \"\"");
   EXPECT_EQ(errorOfText(one + "label = \"two\\nlines\""),
-            "a.toml:6:9: panel.label must be a string on one line, not \"two\\nlines\"");
+            "a.toml:6:9: panel.label must be a string on one line, without control characters, "
+            "not \"two\\nlines\"");
   EXPECT_EQ(errorOfText(one + "label = 'one'"), "a.toml:6:9: two panels have the label \"one\"");
 }
 

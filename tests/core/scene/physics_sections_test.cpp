@@ -1,7 +1,9 @@
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "scene/names.h"
@@ -209,6 +211,18 @@ TEST(InitialSection, ReadsATiltTowardEachAxis) {
   EXPECT_EQ(parseScene(spin + "[0, 'z']", "a.toml").initial.tilt, (physics::Tilt{0, 2}));
 }
 
+TEST(InitialSection, ReadsATiltInDegreesAndPrintsRadians) {
+  const std::string spin = "[initial]\nangular_velocity = [1, 2, 3]\ntilt = ";
+  const auto angleOf = [&](const std::string& tilt) {
+    return parseScene(spin + tilt, "a.toml").initial.tilt->angle;
+  };
+  EXPECT_EQ(angleOf("['180 deg', 'x']"), std::numbers::pi);
+  EXPECT_EQ(angleOf("['-1.5deg', 'x']"), -1.5 * (std::numbers::pi / 180));
+  EXPECT_EQ(angleOf("['0.02 rad', 'x']"), 0.02);
+  EXPECT_THAT(sceneText(parseScene(spin + "['1 deg', 'z']", "a.toml")),
+              testing::HasSubstr("\ntilt = [0.017453292519943295, \"z\"]"));
+}
+
 TEST(InitialSection, NeedsExactlyOneSpin) {
   EXPECT_EQ(errorOfText("\n[initial]\ntilt = [0.1, 'x']"),
             "a.toml:2:1: [initial] needs angular_velocity or angular_momentum");
@@ -223,7 +237,11 @@ TEST(InitialSection, RefusesAVectorThatIsNone) {
   EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, 0, 0]"),
             "a.toml:2:20: " + must + "[0, 0, 0]");
   EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, 0, 1e-200]"),
-            "a.toml:2:20: " + must + "[0, 0, 1e-200]");
+            "a.toml:2:20: initial.angular_velocity must be at least 1e-30 long, not "
+            "[0, 0, 1e-200]");
+  EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [1e-101, 2e-100, 2e-101]"),
+            "a.toml:2:20: initial.angular_velocity must be at least 1e-30 long, not "
+            "[1e-101, 2e-100, 2e-101]");
   EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, nan, 0]"),
             "a.toml:2:24: " + must + "nan");
   EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, 0, 1e10]"),
@@ -238,12 +256,20 @@ TEST(InitialSection, RefusesAVectorThatIsNone) {
 
 TEST(InitialSection, RefusesATiltThatIsNone) {
   const std::string spin = "[initial]\nangular_velocity = [0, 0, 6]\ntilt = ";
-  const std::string form = "an angle and an axis, such as [0.001, \"z\"]";
+  const std::string form = "an angle and an axis, such as [0.02, \"z\"] or [\"1 deg\", \"z\"]";
   EXPECT_EQ(errorOfText(spin + "0.1"), "a.toml:3:8: initial.tilt must be " + form + ", not 0.1");
   EXPECT_EQ(errorOfText(spin + "[0.1]"),
             "a.toml:3:8: initial.tilt must be " + form + ", not [0.1]");
   EXPECT_EQ(errorOfText(spin + "[inf, 'x']"),
             "a.toml:3:9: initial.tilt must be an angle from -1e6 to 1e6 rad, not inf");
+  EXPECT_EQ(errorOfText(spin + "['1e300 deg', 'x']"),
+            "a.toml:3:9: initial.tilt must be an angle from -1e6 to 1e6 rad, not "
+            "\"1e300 deg\"");
+  for (const char* angle : {"", "1", "deg", "1 degree", "1 deg deg", "x rad", "1,5 deg"}) {
+    EXPECT_EQ(errorOfText(spin + "['" + angle + "', 'x']"),
+              std::string("a.toml:3:9: initial.tilt must be an angle such as 0.02, in radians, ") +
+                  "\"0.02 rad\" or \"1 deg\", not \"" + angle + "\"");
+  }
   EXPECT_EQ(errorOfText(spin + "[0.1, 'w']"),
             "a.toml:3:14: initial.tilt must be \"x\", \"y\" or \"z\", not \"w\"");
   EXPECT_EQ(errorOfText(spin + "[0.1, 'Y']"),

@@ -23,8 +23,8 @@ Scene unusualScene() {
   Scene scene;
   scene.name = "unusual";
   scene.folder = "some/where";
-  scene.title = "\"Quoted\" \\ and\nbroken é \t";
-  scene.caption = "# no comment";
+  scene.title = "\"Quoted\" \\ é";
+  scene.caption = "# no comment\nbut broken \t";
   scene.body = {{0.1, 1.0 / 3, 2e-5}, 7};
   scene.simulation = {Model::Particles, physics::Integrator::Euler, false, 0.3, 1e15, 0.1 / 3, 992};
   scene.initial = {InitialSpin::Kind::AngularMomentum, {-0.0, 1e-20, 0.7}, physics::Tilt{0.1, 1}};

@@ -103,9 +103,9 @@ TEST(TomlTree, RefusesDeepNesting) {
   EXPECT_EQ(errorOfText(key + " = 1"), "a.toml:1:17: nested deeper than any value of a scene");
   EXPECT_EQ(errorOfText("[" + key + "]"), "a.toml:1:1: nested deeper than any value of a scene");
   EXPECT_THAT(errorOfText("a = " + std::string(30'000, '[')),
-              AllOf(StartsWith("a.toml:1:"), HasSubstr("maximum nested value depth")));
+              AllOf(StartsWith("a.toml:1:"), HasSubstr("nested too deep")));
   EXPECT_THAT(errorOfText("a = " + repeated("{a=", 300)),
-              AllOf(StartsWith("a.toml:1:"), HasSubstr("maximum nested value depth")));
+              AllOf(StartsWith("a.toml:1:"), HasSubstr("nested too deep")));
   // Each as deep as it may be, and keys with dots in them.
   EXPECT_EQ(errorOfText("a = " + repeated("{a" + repeated(".a", 50) + "=", 250) + "1" +
                         std::string(250, '}')),
@@ -123,18 +123,6 @@ TEST(TomlTree, RefusesLettersOutsideOfQuotes) {
     EXPECT_THAT(errorOfText(std::string("a = ") + value + "\n"), StartsWith("a.toml:1:")) << value;
   }
   EXPECT_EQ(describe(parseToml("a = \"\"\"\\\n  é\"\"\"", "f")), "a table");
-}
-
-// The words are toml++'s, and so is the exact column; both may change with its version.
-TEST(TomlTree, RepeatsTheParsersWordsAtThePlace) {
-  EXPECT_THAT(errorOfText("\ntitle = \n"),
-              AllOf(StartsWith("a.toml:2:"), HasSubstr("expected value")));
-  EXPECT_THAT(errorOfText("[clip]\nfps = 30\nfps = 60\n"),
-              AllOf(StartsWith("a.toml:3:"), HasSubstr("cannot redefine existing integer 'fps'")));
-  EXPECT_THAT(errorOfText("[clip\n"), AllOf(StartsWith("a.toml:1:"), HasSubstr("expected ']'")));
-  EXPECT_THAT(errorOfText("\n\ntitle = \"\xff\"\n"),
-              AllOf(StartsWith("a.toml:3:"), HasSubstr("invalid utf-8")));
-  EXPECT_THAT(errorOfText(std::string("a = 1\0", 6)), StartsWith("a.toml:1:"));
 }
 
 TEST(TomlTree, TakesAByteOrderMarkAndForeignLineEnds) {

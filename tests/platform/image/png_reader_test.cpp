@@ -114,9 +114,11 @@ TEST(PngReader, SaysNothingAboutWhatItCanRepair) {
 }
 
 TEST(PngReader, RefusesWhatIsNoPng) {
-  EXPECT_EQ(refusalOf({}), "can't read bad.png: not a PNG");
-  EXPECT_EQ(refusalOf({0x89, 'P', 'N', 'G'}), "can't read bad.png: not a PNG");
-  EXPECT_EQ(refusalOf(Bytes(100, 'x')), "can't read bad.png: not a PNG");
+  const std::string remedy = "; convert it to PNG, e.g. with ImageMagick's convert";
+  EXPECT_EQ(refusalOf({}), "can't read bad.png: not a PNG" + remedy);
+  EXPECT_EQ(refusalOf({0x89, 'P', 'N', 'G'}), "can't read bad.png: not a PNG" + remedy);
+  EXPECT_EQ(refusalOf(Bytes(100, 'x')), "can't read bad.png: not a PNG" + remedy);
+  EXPECT_EQ(refusalOf({0xff, 0xd8, 0xff, 0xe0}), "can't read bad.png: a JPEG" + remedy);
 }
 
 TEST(PngReader, RefusesEveryTruncation) {

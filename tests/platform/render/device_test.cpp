@@ -195,7 +195,7 @@ TEST(DeviceChoice, TakesNoOtherInTheFailedDevicesPlace) {
     EXPECT_THAT(refusal<MachineError>(brokenCard(), {.kind = kind}),
                 AllOf(HasSubstr("\n  EGL device 0 (/dev/dri/renderD128, cuda:0): eglInitialize: "
                                 "EGL_NOT_INITIALIZED\n"),
-                      HasSubstr("\nThere are:\n"), HasSubstr("\n  EGL device 1 (software)\n")));
+                      HasSubstr("\n  There are:\n"), HasSubstr("\n  EGL device 1 (software)\n")));
   }
 }
 
@@ -205,7 +205,7 @@ TEST(DeviceChoice, RequiringHardwareRefusesSoftware) {
               AllOf(HasSubstr("can't draw: no EGL display draws in hardware, which is required:"),
                     HasSubstr("\n  EGL device 0 (software): software\n"),
                     HasSubstr("\n  surfaceless EGL: " + kLlvmpipe + ", software\n"),
-                    HasSubstr("\nRun 'rotatebook doctor'"), Not(HasSubstr("apt-get"))));
+                    HasSubstr("\n  Run 'rotatebook doctor'"), Not(HasSubstr("apt-get"))));
   EXPECT_THAT(refusal<MachineError>(brokenCard(), hardware), HasSubstr("EGL_NOT_INITIALIZED"));
   EXPECT_THAT(refusal<MachineError>(twoCards(),
                                     {.kind = Kind::Index, .number = 2, .requireHardware = true}),

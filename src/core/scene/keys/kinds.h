@@ -19,8 +19,12 @@ namespace rotatebook::scene {
 Kind<bool> flag();
 Kind<int> integer(int min, int max);
 Kind<double> number(const NumberRange& range);
-/// Strings of at most `most` characters.
+/// Strings of at most `most` characters, on one line.
 Kind<std::string> text(std::size_t most);
+/// Strings of at most `most` characters, on several lines.
+Kind<std::string> lines(std::size_t most);
+/// Returns an angle within `range`, which is a number or a string such as "1 deg". [rad]
+double angleFrom(const ValueReader& value, const NumberRange& range);
 Kind<Eigen::Vector3d> vector(const NumberRange& range);
 /// Vectors that aren't zero.
 Kind<Eigen::Vector3d> direction();

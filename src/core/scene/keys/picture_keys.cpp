@@ -127,7 +127,7 @@ const Keys<Scene>& titleKeys() {
       key("title", &Scene::title, text(kLongestTitle),
           {.meaning = "stored in the clip, shown by the overlay `caption`",
            .byDefault = "the file's name"}),
-      key("caption", &Scene::caption, text(kLongestCaption),
+      key("caption", &Scene::caption, lines(kLongestCaption),
           {.meaning = "likewise", .byDefault = "empty"}),
   };
   return keys;

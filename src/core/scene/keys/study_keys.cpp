@@ -87,7 +87,7 @@ void readOrders(const ValueReader& value, Scene& scene) {
 
 void readTilts(const ValueReader& value, Scene& scene) {
   scene.study->tilts = listFrom<double>(
-      value, kExpectedTilts, [](const ValueReader& element) { return element.number(kTilts); });
+      value, kExpectedTilts, [](const ValueReader& element) { return angleFrom(element, kTilts); });
 }
 
 /// Returns a function that prints a list; nothing for an empty one.

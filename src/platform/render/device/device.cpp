@@ -45,7 +45,7 @@ std::string textOf(const DeviceChoice& choice) {
 }
 
 std::string devicesText(const DisplayCandidates& list) {
-  std::string text = "\nThere ";
+  std::string text = "\n  There ";
   text += list.hasDevices() ? "are:" : "is no EGL device";
   for (const DisplayCandidate& candidate : list.candidates) {
     if (candidate.kind == DisplayCandidate::Kind::Device) text += "\n  " + candidate.text();
@@ -79,7 +79,7 @@ std::string devicesFailure(const DisplayCandidates& list) {
   if (isOneDevice)
     message += devicesText(list);
   else if (!choice.requireHardware)
-    message += std::string("\n") + kInstallMesa;
+    message += std::string(kNextLine) + kInstallMesa;
   throw MachineError(message + kDoctorHint);
 }
 
@@ -140,7 +140,7 @@ const char* const kInstallMesa =
     "Install Mesa's software rasteriser (Debian, Ubuntu: apt-get install libegl1 libegl-mesa0 "
     "libgl1-mesa-dri libopengl0), or for a graphics card its driver's EGL library, and make "
     "sure that you may read /dev/dri/renderD*.";
-const char* const kDoctorHint = "\nRun 'rotatebook doctor' for the cause and the remedy.";
+const char* const kDoctorHint = "\n  Run 'rotatebook doctor' for the cause and the remedy.";
 
 std::string DisplayCandidate::name() const {
   if (kind == Kind::Device) return "EGL device " + std::to_string(index);

@@ -8,7 +8,7 @@ namespace rotatebook::render {
 
 EglContext::EglContext(const DeviceChoice& choice) {
   if (const auto missing = missingLibrary()) {
-    throw MachineError("can't draw: EGL or OpenGL is not installed: " + missing->error + "\n" +
+    throw MachineError("can't draw: EGL or OpenGL is not installed: " + missing->error + "\n  " +
                        kInstallMesa);
   }
   const EglDisplays candidates = listDisplays();

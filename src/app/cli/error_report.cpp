@@ -18,9 +18,13 @@ const char* messageOf(const std::system_error& error) {
 
 }  // namespace
 
+void printError(std::string_view message, std::string_view subject) {
+  std::cerr << "rotatebook: " << subject << message << '\n';
+}
+
 int reportError(const std::exception_ptr& error, std::string_view subject) {
   const auto print = [subject](const char* message, int status) {
-    std::cerr << "rotatebook: " << subject << message << '\n';
+    printError(message, subject);
     return status;
   };
   try {
@@ -36,8 +40,11 @@ int reportError(const std::exception_ptr& error, std::string_view subject) {
   }
 }
 
-int reportIfUnmet(int status) {
-  if (status == kUnmet) std::cerr << "rotatebook: expectations are unmet; the files were kept\n";
+int reportIfUnmet(int status, bool wroteFiles) {
+  if (status == kUnmet) {
+    printError(wroteFiles ? "expectations are unmet; the files were kept"
+                          : "expectations are unmet");
+  }
   return status;
 }
 

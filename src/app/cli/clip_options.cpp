@@ -16,9 +16,9 @@ void addTextureOptions(CLI::App& command, store::TextureLookup& textures) {
   addAllowOutside(command, textures.allowOutside);
 }
 
-void addAllowOutside(CLI::App& command, bool& allowOutside) {
-  command.add_flag("--allow-outside", allowOutside,
-                   "Let the scene read textures from outside its folder");
+CLI::Option* addAllowOutside(CLI::App& command, bool& allowOutside) {
+  return command.add_flag("--allow-outside", allowOutside,
+                          "Let the scene read textures from outside its folder");
 }
 
 }  // namespace rotatebook::cli

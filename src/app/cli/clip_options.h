@@ -16,6 +16,6 @@ void addClip(CLI::App& command, std::filesystem::path& clip);
 void addTextureOptions(CLI::App& command, store::TextureLookup& textures);
 
 /// Adds --allow-outside alone, for commands that read scenes.
-void addAllowOutside(CLI::App& command, bool& allowOutside);
+CLI::Option* addAllowOutside(CLI::App& command, bool& allowOutside);
 
 }  // namespace rotatebook::cli

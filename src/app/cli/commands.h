@@ -26,6 +26,8 @@ void addDoctorCommand(CLI::App& program, Action& action);
 void addCheckCommand(CLI::App& program, Action& action);
 void addSceneCommand(CLI::App& program, Action& action);
 void addListCommand(CLI::App& program, Action& action);
+void addHelpCommand(CLI::App& program, Action& action);
+void addVersionCommand(CLI::App& program, Action& action);
 
 /// The name of a command that isn't for users: a process that crashes while it draws becomes it.
 inline constexpr const char* kAfterCrash = "after-crash";

@@ -39,14 +39,17 @@ void printAside(const std::string& line) {
 }  // namespace
 
 void DeviceOptions::addTo(CLI::App& command) {
+  constexpr const char* kGroup = "Device";
   command
       .add_option(
           "--device", device,
           "Device that draws: the number of an EGL device ('rotatebook doctor' lists them), "
           "a CUDA id, or software; by default the first that works")
-      ->type_name("N|cuda:N|software");
-  command.add_flag("--require-hardware", requireHardware,
-                   "Fail if only a software renderer can draw");
+      ->type_name("N|cuda:N|software")
+      ->group(kGroup);
+  command
+      .add_flag("--require-hardware", requireHardware, "Fail if only a software renderer can draw")
+      ->group(kGroup);
 }
 
 render::DeviceChoice DeviceOptions::parsed() const {

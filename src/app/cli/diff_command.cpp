@@ -1,3 +1,4 @@
+#include <array>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -18,9 +19,12 @@ struct DiffArguments {
 };
 
 void printComparison(const image::Comparison& comparison) {
-  std::printf("%s: largest difference %d of 255, mean %.4f, %lld pixels (%.4f %%) over the bound\n",
-              comparison.same ? "same" : "different", comparison.largest, comparison.mean,
-              static_cast<long long>(comparison.differingPixels), comparison.differingPercent);
+  std::array<char, 160> text;
+  std::snprintf(text.data(), text.size(),
+                "%s: largest difference %d of 255, mean %.4f, %lld pixels (%.4f %%) over the bound",
+                comparison.same ? "same" : "different", comparison.largest, comparison.mean,
+                static_cast<long long>(comparison.differingPixels), comparison.differingPercent);
+  std::cout << text.data() << '\n';
 }
 
 int diff(const DiffArguments& arguments) {

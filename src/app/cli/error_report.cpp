@@ -19,9 +19,13 @@ const char* messageOf(const std::system_error& error) {
 
 }  // namespace
 
+void printError(std::string_view message, std::string_view subject) {
+  std::cerr << "rotatebook: " << subject << message << '\n';
+}
+
 int reportError(const std::exception_ptr& error, std::string_view subject) {
   const auto print = [subject](const char* message, int status) {
-    std::cerr << "rotatebook: " << subject << messageText(message) << '\n';
+    printError(message, subject);
     return status;
   };
   try {
@@ -31,14 +35,17 @@ int reportError(const std::exception_ptr& error, std::string_view subject) {
   } catch (const std::bad_alloc&) {
     return print("out of memory", kMachineFailed);
   } catch (const std::system_error& system) {
-    return print(messageOf(system), kMachineFailed);
+    return print(messageText(messageOf(system)).c_str(), kMachineFailed);
   } catch (const std::exception& other) {
-    return print(other.what(), kMachineFailed);
+    return print(messageText(other.what()).c_str(), kMachineFailed);
   }
 }
 
-int reportIfUnmet(int status) {
-  if (status == kUnmet) std::cerr << "rotatebook: expectations are unmet; the files were kept\n";
+int reportIfUnmet(int status, bool wroteFiles) {
+  if (status == kUnmet) {
+    printError(wroteFiles ? "expectations are unmet; the files were kept"
+                          : "expectations are unmet");
+  }
   return status;
 }
 

@@ -6,11 +6,15 @@
 
 namespace rotatebook::cli {
 
+/// Prints "rotatebook: `subject``message`" to the standard error.
+void printError(std::string_view message, std::string_view subject = "");
+
 /// Prints "rotatebook: `subject`MESSAGE" to the standard error; returns the exit status for such an
 /// error. Allocates no memory, as the error may be that there is none.
 int reportError(const std::exception_ptr& error, std::string_view subject = "");
 
-/// Returns `status`; if it is kUnmet, prints a line to the standard error first.
-int reportIfUnmet(int status);
+/// Returns `status`; if it is kUnmet, prints a line to the standard error first: about files, too,
+/// if the command wrote any.
+int reportIfUnmet(int status, bool wroteFiles = true);
 
 }  // namespace rotatebook::cli

@@ -3,9 +3,10 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <span>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "base/error.h"
 #include "base/version.h"
@@ -13,7 +14,9 @@
 #include "cli/crash_handler.h"
 #include "cli/error_report.h"
 #include "cli/exit_code.h"
+#include "cli/quiet.h"
 #include "cli/standard_streams.h"
+#include "cli/usage.h"
 #include "system/resource_limits.h"
 
 namespace rotatebook::cli {
@@ -25,7 +28,7 @@ Examples:
   rotatebook render scenes/figures/*.toml -o out --size 640x360
   rotatebook simulate scenes/starter.toml --csv - | head
   rotatebook study scenes/starter.toml --integrators euler,rk4
-  rotatebook COMMAND --help
+  rotatebook help render
 
 Exit status: 0 done; 1 an expectation, comparison or proof failed; 2 the input is wrong; 3 the machine
 can't do it (no EGL, encoder or gnuplot; a full disk); 129, 130 or 143 interrupted.)";
@@ -47,6 +50,8 @@ void addCommands(CLI::App& program, Action& action) {
   addRerunCommand(program, action);
   addDiffCommand(program, action);
   addAfterCrashCommand(program, action);
+  addHelpCommand(program, action);
+  addVersionCommand(program, action);
 }
 
 /// Returns `status`; throws MachineError if what was printed got lost.
@@ -75,20 +80,74 @@ void refuseEmptyArguments(std::span<char* const> arguments) {
   }
 }
 
-/// Returns what is wrong with the command line; CLI11 would only report a missing command.
-std::string problemText(const CLI::App& program, const CLI::Error& error) {
-  if (!program.get_subcommands().empty()) return error.what();
-  const std::vector<std::string> unknown = program.remaining();
-  if (unknown.empty()) return "a command is needed, for example render";
-  return (unknown.front().starts_with('-') ? "unknown option: " : "unknown command: ") +
-         unknown.front();
+/// Prints help with one empty line between groups, where CLI11 puts two.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  std::string make_help(const CLI::App* app, std::string name,
+                        CLI::AppFormatMode mode) const override {
+    const std::string help = CLI::Formatter::make_help(app, std::move(name), mode);
+    return CLI::detail::find_and_replace(help, "\n\n\n", "\n\n");
+  }
+};
+
+/// Adds to each command what all have in common, at the end of its help.
+void addCommonOptions(CLI::App& program, bool& quiet) {
+  constexpr const char* kGroup = "Every command";
+  for (CLI::App* command : program.get_subcommands({})) {
+    command->set_help_flag();
+    command->set_help_flag("-h,--help", "Print this help and exit")->group(kGroup);
+    command->add_flag("-q,--quiet", quiet, "Print only results, and what is wrong")->group(kGroup);
+  }
 }
 
-std::string usageText(const CLI::App* program, const CLI::Error& error) {
-  std::string command = "rotatebook";
-  for (const CLI::App* used : program->get_subcommands()) command += ' ' + used->get_name();
-  return "rotatebook: " + problemText(*program, error) + "\nRun '" + command +
-         " --help' for more information.\n";
+/// Returns whether `command` was asked for something on the standard output, not for a report.
+bool printsResult(const CLI::App& command) {
+  const std::string& name = command.get_name();
+  if (name == "scene" || name == "list" || name == "help" || name == "version") return true;
+  const CLI::Option* json = command.get_option_no_throw("--json");
+  if (json != nullptr && json->count() > 0) return true;
+  const CLI::Option* csv = command.get_option_no_throw("--csv");
+  return csv != nullptr && csv->count() > 0 && csv->results().back() == "-";
+}
+
+/// Does the work of `command` without printing its reports; returns the status.
+int runQuietly(const CLI::App& command, const Action& action) {
+  HeldReports held(printsResult(command));
+  const int status = action();
+  // The reason of another status may be in the report alone, as that of an unmet expectation is.
+  if (status == kDone || status == kWrongInput) held.discard();
+  return status;
+}
+
+/// Reads the command line and does what it asks for; returns the status.
+int run(int argc, char** argv) {
+  CLI::App program(
+      "rotatebook renders a spinning book, simulated and checked, to PNG frames and MP4 clips.",
+      "rotatebook");
+  bool quiet = false;
+  Action action;
+  program.set_help_flag("-h,--help", "Print this help and exit");
+  program.set_version_flag("-v,-V,--version", std::string("rotatebook ") + kVersion,
+                           "Print the version and exit");
+  program.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  program.formatter(std::make_shared<HelpFormatter>());
+  program.get_formatter()->label("SUBCOMMAND", "COMMAND");
+  program.group("Commands");
+  program.require_subcommand(1);
+  program.footer(kFooter);
+  addCommands(program, action);
+  addCommonOptions(program, quiet);
+  program.add_flag("-q,--quiet", quiet, "Print only results, and what is wrong");
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    program.exit(help);
+    return kDone;
+  } catch (const CLI::ParseError& error) {
+    printError(usageText(program, error, {argv + 1, static_cast<std::size_t>(argc - 1)}));
+    return kWrongInput;
+  }
+  return quiet ? runQuietly(*program.get_subcommands().front(), action) : action();
 }
 
 }  // namespace
@@ -103,22 +162,7 @@ int runProgram(int argc, char** argv) {
   return guarded([&] {
     system::requireStack();
     refuseEmptyArguments({argv, static_cast<std::size_t>(argc)});
-    CLI::App program(
-        "rotatebook renders a spinning book, simulated and checked, to PNG frames and MP4 clips.",
-        "rotatebook");
-    program.set_version_flag("--version", std::string("rotatebook ") + kVersion);
-    program.require_subcommand(1);
-    program.footer(kFooter);
-    program.failure_message(usageText);
-    Action action;
-    addCommands(program, action);
-    try {
-      program.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-      // CLI11 has statuses of its own: zero after --help and --version, else an error.
-      return afterFlush(program.exit(error) == 0 ? kDone : kWrongInput);
-    }
-    return afterFlush(action());
+    return afterFlush(run(argc, argv));
   });
 }
 

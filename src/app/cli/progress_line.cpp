@@ -9,6 +9,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include "cli/quiet.h"
+
 namespace rotatebook::cli {
 namespace {
 
@@ -84,6 +86,7 @@ void ProgressLine::clear() {
 }
 
 void ProgressLine::update(std::int64_t done, std::int64_t total) {
+  if (isQuiet()) return;
   const Clock::time_point now = Clock::now();
   const double rate = rateAfter({now, done});
   const bool due = now - lastPrint_ >=

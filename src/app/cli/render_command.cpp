@@ -108,19 +108,19 @@ int render(const RenderArguments& arguments) {
 }  // namespace
 
 void addRenderCommand(CLI::App& program, Action& action) {
+  constexpr const char* kClip = "Clip";
   auto arguments = std::make_shared<RenderArguments>();
   CLI::App* command = program.add_subcommand("render", "Render scenes to PNG frames, MP4 and CSV");
   command->add_option("SCENE", arguments->scenes, "Scene files")->required();
   command->add_option("-o,--output", arguments->options.folder, "Folder for the results")
       ->type_name("DIR")
       ->capture_default_str();
-  arguments->sceneOptions.addTo(*command);
-  arguments->deviceOptions.addTo(*command);
   command
       ->add_option("--frames", arguments->frames,
                    "Only the frames from A up to, but not including, B")
-      ->type_name("A:B");
-  command->add_flag("--no-png", arguments->noPng, "Write no PNG frames");
+      ->type_name("A:B")
+      ->group(kClip);
+  command->add_flag("--no-png", arguments->noPng, "Write no PNG frames")->group(kClip);
   command
       ->add_option(
           "--format", arguments->formats,
@@ -128,8 +128,9 @@ void addRenderCommand(CLI::App& program, Action& action) {
       ->type_name("NAME,...")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->capture_default_str();
-  command->add_flag("--no-mp4", arguments->noMp4, "Write no MP4");
+      ->capture_default_str()
+      ->group(kClip);
+  command->add_flag("--no-mp4", arguments->noMp4, "Write no MP4")->group(kClip);
   command->add_flag("--resume", arguments->options.earlier.resume,
                     "Go on where a render stopped, and skip what is done");
   command->add_flag("--overwrite", arguments->options.earlier.overwrite,
@@ -142,6 +143,8 @@ void addRenderCommand(CLI::App& program, Action& action) {
           "quarter of the memory")
       ->type_name("N")
       ->check(CLI::Range(1, 64));
+  arguments->sceneOptions.addTo(*command);
+  arguments->deviceOptions.addTo(*command);
   command->footer(R"(
 Writes DIR/NAME.mp4 (or the videos that --format names), DIR/NAME.csv, DIR/NAME.poster.png and
 DIR/NAME/frame_00000.png ..., where NAME is the scene file's.

@@ -10,8 +10,10 @@
 #include "base/number_text.h"
 #include "base/text.h"
 #include "cli/commands.h"
+#include "cli/error_report.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
+#include "cli/scene_search.h"
 #include "picture/preflight.h"
 #include "report/motion_report.h"
 #include "scene/scene_text.h"
@@ -33,32 +35,20 @@ int checkScenes(const std::vector<std::string>& paths, const SceneOptions& optio
       std::cout << oneLine(path) << ": ok
 ";
     } catch (const InputError& error) {
-      std::cerr << "rotatebook: " << error.what() << '\n';
+      printError(error.what());
       status = kWrongInput;
     }
   }
   return status;
 }
 
-std::vector<fs::path> scenesBelow(const fs::path& folder) {
-  std::vector<fs::path> paths;
-  std::error_code error;
-  for (const auto& entry : fs::recursive_directory_iterator(folder, error)) {
-    if (entry.path().extension() == ".toml") paths.push_back(entry.path());
-  }
-  if (error)
-    throw InputError("can't list the scenes in " + folder.string() + ": " + error.message() +
-                     "; name a folder that holds scenes: rotatebook list DIR");
-  if (paths.empty()) throw InputError(folder.string() + " holds no scenes (*.toml)");
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
-
 int listScenes(const std::string& folder) {
-  const std::vector<fs::path> paths = scenesBelow(folder);
+  const auto [paths, problems] = scenesBelow(folder);
+  for (const std::string& problem : problems) printError(problem);
+  if (paths.empty() && problems.empty()) throw InputError(folder + " holds no scenes (*.toml)");
   std::size_t width = 0;
   for (const fs::path& path : paths) width = std::max(width, path.string().size());
-  int status = kDone;
+  int status = problems.empty() ? kDone : kWrongInput;
   for (const fs::path& path : paths) {
     try {
       const scene::Scene scene = store::readScene(path);
@@ -66,7 +56,7 @@ int listScenes(const std::string& folder) {
                 << std::right << std::setw(4) << shortestText(scene.clip.duration) << " s  "
                 << scene.title << '\n';
     } catch (const InputError& error) {
-      std::cerr << "rotatebook: " << error.what() << '\n';
+      printError(error.what());
       status = kWrongInput;
     }
   }
@@ -91,9 +81,10 @@ void addSceneCommand(CLI::App& program, Action& action) {
   auto path = std::make_shared<std::string>();
   auto options = std::make_shared<SceneOptions>();
   CLI::App* command = program.add_subcommand("scene", "Show a scene with every default explicit");
-  command->add_option("--print", *path, "Scene file")->type_name("FILE")->required();
+  command->add_option("FILE", *path, "Scene file")->required();
+  command->add_flag("--print")->group("");  // Needless; scripts of earlier versions have it.
   options->addTo(*command);
-  command->footer("\nExample:\n  rotatebook scene --print scenes/starter.toml > full.toml");
+  command->footer("\nExample:\n  rotatebook scene scenes/starter.toml > full.toml");
   command->callback([path, options, &action] {
     action = [path, options] {
       std::cout << scene::sceneText(options->read(*path));

@@ -57,17 +57,21 @@ void requireUsable(const std::string& name, const scene::Scene& scene) {
 
 }  // namespace
 
-void SceneOptions::addTo(CLI::App& command) {
+void SceneOptions::addTo(CLI::App& command, bool draws) {
+  constexpr const char* kGroup = "Scene";
+  const char* pictures = draws ? kGroup : "";
   command
       .add_option("--set", overrides,
                   "Override a key of the scene, e.g. --set simulation.substeps=10; may be repeated")
       ->type_name("KEY=VALUE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->group(kGroup);
   command.add_option("--size", size, "Picture size, e.g. 640x360; the same as --set clip.size")
-      ->type_name("WxH");
-  addAllowOutside(command, allowOutside);
+      ->type_name("WxH")
+      ->group(pictures);
+  addAllowOutside(command, allowOutside)->group(pictures);
 }
 
 scene::Scene SceneOptions::read(const std::string& path, std::vector<Shorthand> shorthands) const {

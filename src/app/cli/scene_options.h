@@ -25,7 +25,9 @@ struct SceneOptions {
   std::string size;  ///< "WxH" or empty.
   bool allowOutside = false;
 
-  void addTo(CLI::App& command);
+  /// Adds the options. Those of pictures are left out of the help of a command that `draws` none,
+  /// but taken there, too, as scripts pass the same options to several commands.
+  void addTo(CLI::App& command, bool draws = true);
   /// Reads a scene with these options applied, then `shorthands`. Throws InputError.
   scene::Scene read(const std::string& path, std::vector<Shorthand> shorthands = {}) const;
   /// Reads a scene likewise from text; it is named `name`.

@@ -1,6 +1,8 @@
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "cli/commands.h"
@@ -31,25 +33,26 @@ int printTable(const scene::Scene& scene) {
   }
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   std::cout << timeline::trajectoryCsv(motion.trajectories().front());
-  return reportIfUnmet(statusOf(report::reportMotions(scene, motion, std::cerr)));
+  return reportIfUnmet(statusOf(report::reportMotions(scene, motion, std::clog)), false);
 }
 
 int simulateScene(const SimulateArguments& arguments) {
   const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
   report::reportNotes(scene, std::cerr);
   if (arguments.csv == "-") return printTable(scene);
-  const auto files = store::csvFiles(arguments.csv, scene);
+  std::vector<std::filesystem::path> files;
+  if (!arguments.csv.empty()) files = store::csvFiles(arguments.csv, scene);
   for (const auto& file : files) {
     refuseInputs(file, inputsOf(arguments.scene, scene), "name another file with --csv");
   }
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
-  store::writeTables(files, motion);
+  if (!files.empty()) store::writeTables(files, motion);
   std::cout << scene.name << ": " << scene.title << '\n';
   for (std::size_t i = 0; i < files.size(); ++i) {
     std::cout << "  wrote " << files[i].string() << ", " << motion.trajectories()[i].samples.size()
               << " rows\n";
   }
-  return reportIfUnmet(statusOf(report::reportMotions(scene, motion, std::cout)));
+  return reportIfUnmet(statusOf(report::reportMotions(scene, motion, std::cout)), !files.empty());
 }
 
 }  // namespace
@@ -62,11 +65,13 @@ void addSimulateCommand(CLI::App& program, Action& action) {
   command
       ->add_option("--csv", arguments->csv,
                    "Table to write, one row a frame; - for the standard output")
-      ->type_name("FILE")
-      ->required();
-  arguments->sceneOptions.addTo(*command);
+      ->type_name("FILE");
+  arguments->sceneOptions.addTo(*command, /*draws=*/false);
   command->footer(R"(
+Reports half-turns, energy, distance to the exact motion, and what was expected.
+
 Examples:
+  rotatebook simulate scenes/starter.toml
   rotatebook simulate scenes/starter.toml --csv motion.csv
   rotatebook simulate scenes/starter.toml --csv - --set simulation.model=particles | head)");
   command->callback(

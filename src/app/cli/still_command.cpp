@@ -1,5 +1,6 @@
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "cli/commands.h"
@@ -16,16 +17,18 @@ struct StillArguments {
   std::string scene;
   SceneOptions sceneOptions;
   DeviceOptions deviceOptions;
-  double time = 0;
+  std::optional<double> time;
   std::string output;
 };
 
 int writeStill(const StillArguments& arguments) {
   const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
-  refuseInputs(arguments.output, inputsOf(arguments.scene, scene), "name another file with -o");
-  const std::int64_t frame = picture::renderStill(scene, arguments.time, arguments.output,
-                                                  arguments.deviceOptions.choice());
-  std::cout << scene.name << ": wrote frame " << frame << " to " << arguments.output << '\n';
+  const std::string output = arguments.output.empty() ? scene.name + ".png" : arguments.output;
+  if (arguments.output.empty()) refuseSameNames({scene});
+  refuseInputs(output, inputsOf(arguments.scene, scene), "name another file with -o");
+  const std::int64_t frame =
+      picture::renderStill(scene, arguments.time, output, arguments.deviceOptions.choice());
+  std::cout << scene.name << ": wrote frame " << frame << " to " << output << '\n';
   return kDone;
 }
 
@@ -35,16 +38,19 @@ void addStillCommand(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<StillArguments>();
   CLI::App* command = program.add_subcommand("still", "Draw one picture of a scene");
   command->add_option("SCENE", arguments->scene, "Scene file")->required();
-  command->add_option("--time", arguments->time, "Time in the clip; the nearest frame is drawn")
-      ->type_name("SECONDS")
-      ->required();
-  command->add_option("-o,--output", arguments->output, "PNG to write")
-      ->type_name("FILE")
-      ->required();
+  command
+      ->add_option("--time", arguments->time,
+                   "Time in the clip, whose nearest frame is drawn; by default the poster's")
+      ->type_name("SECONDS");
+  command
+      ->add_option("-o,--output", arguments->output,
+                   "PNG to write; by default NAME.png, in the folder where you are")
+      ->type_name("FILE");
   arguments->sceneOptions.addTo(*command);
   arguments->deviceOptions.addTo(*command);
   command->footer(R"(
-Example:
+Examples:
+  rotatebook still scenes/starter.toml
   rotatebook still scenes/starter.toml --time 2.5 -o book.png --size 1920x1080)");
   command->callback(
       [arguments, &action] { action = [arguments] { return writeStill(*arguments); }; });

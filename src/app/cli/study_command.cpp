@@ -218,7 +218,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
       ->add_option("--integrators", arguments->integrators,
                    "Integrators to compare, e.g. euler,rk4")
       ->type_name("NAME,...");
-  arguments->sceneOptions.addTo(*command);
+  arguments->sceneOptions.addTo(*command, /*draws=*/false);
   command->footer(R"(
 Runs each integrator with each number of steps a frame that [study] of the scene lists, by default all
 of the model's with 1, 2, 4 ... 1024. If [study] lists tilts, the scene's own integrator runs from each.

@@ -6,6 +6,7 @@
 #include "base/number_text.h"
 #include "image/png_file.h"
 #include "picture/frame_drawer.h"
+#include "picture/poster.h"
 #include "timeline/simulate_scene.h"
 
 namespace rotatebook::picture {
@@ -21,10 +22,11 @@ std::int64_t frameAt(const scene::Scene& scene, const timeline::ClipMotion& moti
                    (early ? ", a second after its motion diverges" : ""));
 }
 
-std::int64_t renderStill(const scene::Scene& scene, double time, const std::filesystem::path& path,
-                         const render::DeviceChoice& device) {
+std::int64_t renderStill(const scene::Scene& scene, std::optional<double> time,
+                         const std::filesystem::path& path, const render::DeviceChoice& device) {
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
-  const std::int64_t frame = frameAt(scene, motion, time);
+  const std::int64_t frame =
+      time ? frameAt(scene, motion, *time) : posterFrame(scene.clip, motion.frameCount());
   FrameDrawer drawer(scene, motion, device);
   image::Image picture = drawer.makePicture();
   drawer.draw(frame, picture);

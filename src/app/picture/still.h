@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "image/png_file.h"
 #include "render/device/device.h"
@@ -15,10 +16,11 @@ namespace rotatebook::picture {
 /// contain that time.
 std::int64_t frameAt(const scene::Scene& scene, const timeline::ClipMotion& motion, double time);
 
-/// Draws the frame nearest to `time` in the video (0 to the clip's end [s]) and writes it to
-/// `path`; returns its index. Throws InputError if there is no such frame, MachineError if it can't
-/// be drawn or written.
-std::int64_t renderStill(const scene::Scene& scene, double time, const std::filesystem::path& path,
+/// Draws the frame nearest to `time` in the video (0 to the clip's end [s]), without it the
+/// poster's, and writes it to `path`; returns its index. Throws InputError if there is no such
+/// frame, MachineError if it can't be drawn or written.
+std::int64_t renderStill(const scene::Scene& scene, std::optional<double> time,
+                         const std::filesystem::path& path,
                          const render::DeviceChoice& device = {});
 
 }  // namespace rotatebook::picture

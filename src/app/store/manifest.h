@@ -1,5 +1,5 @@
 // Manifests of folders of frames: their provenance, from which a later render knows whether it can
-// resume. Inside the room only.
+// resume.
 #pragma once
 
 #include <filesystem>

@@ -90,7 +90,10 @@ void limit(decltype(RLIMIT_FSIZE) resource, long most) {
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGXFSZ}) signal(number, SIG_DFL);
   if (settings.ignoredSignal != 0) signal(settings.ignoredSignal, SIG_IGN);
   for (const auto& [name, value] : settings.environment) setenv(name.c_str(), value.c_str(), 1);
-  if (settings.obeysPermissions) prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE);
+  if (settings.obeysPermissions) {
+    prctl(PR_CAPBSET_DROP, CAP_DAC_OVERRIDE);
+    prctl(PR_CAPBSET_DROP, CAP_DAC_READ_SEARCH);
+  }
   if (settings.largestFile) limit(RLIMIT_FSIZE, *settings.largestFile);
   if (settings.stack) limit(RLIMIT_STACK, *settings.stack);
   if (chdir(settings.folder.c_str()) == 0) execv(arguments.front(), arguments.data());

@@ -9,9 +9,11 @@ namespace rotatebook::cli::testing {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 class CommandLine : public ProgramTest {
@@ -34,19 +36,27 @@ TEST_P(HelpText, ShowsAnExampleOfTheCommand) {
   EXPECT_EQ(result.status, 0);
   EXPECT_THAT(result.error, IsEmpty());
   EXPECT_THAT(result.output, HasSubstr("\nUsage: rotatebook " + command + " "));
-  EXPECT_THAT(result.output, HasSubstr("\n  rotatebook " + command + " "));
+  EXPECT_THAT(result.output, ContainsRegex("\n  rotatebook " + command + "[ \n]"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, HelpText,
                          ::testing::Values("render", "simulate", "study", "still", "diff", "check",
-                                           "scene", "assemble", "list", "doctor", "verify",
-                                           "rerun"),
+                                           "scene", "assemble", "list", "doctor", "verify", "rerun",
+                                           "help", "version"),
                          [](const auto& command) { return std::string(command.param); });
 
-TEST_F(CommandLine, PrintsTheVersion) {
-  const ChildResult result = run({"--version"});
+TEST_P(HelpText, IsThatOfTheCommandHelp) {
+  const ChildResult result = run({"help", GetParam()});
   EXPECT_EQ(result.status, 0);
-  EXPECT_EQ(result.output, "rotatebook " + std::string(kVersion) + "\n");
+  EXPECT_EQ(result.output, run({GetParam(), "--help"}).output);
+}
+
+TEST_F(CommandLine, PrintsTheVersion) {
+  for (const char* way : {"version", "--version", "-v", "-V"}) {
+    const ChildResult result = run({way});
+    EXPECT_EQ(result.status, 0) << way;
+    EXPECT_EQ(result.output, "rotatebook " + std::string(kVersion) + "\n") << way;
+  }
 }
 
 TEST_F(CommandLine, HelpNamesCommandsExamplesAndExitStatus) {
@@ -58,49 +68,161 @@ TEST_F(CommandLine, HelpNamesCommandsExamplesAndExitStatus) {
   }
   EXPECT_THAT(result.output, AllOf(HasSubstr("\n  rotatebook render scenes/starter.toml\n"),
                                    HasSubstr("\nExit status: 0 done; 1 ")));
+  EXPECT_EQ(run({"help"}).output, result.output);
+}
+
+TEST_F(CommandLine, HelpHasGroups) {
+  const std::string render = run({"help", "render"}).output;
+  std::size_t last = 0;
+  for (const char* group : {"\n\nOptions:\n", "\n\nClip:\n  --frames", "\n\nScene:\n  --set",
+                            "\n\nDevice:\n  --device", "\n\nEvery command:\n  -h,--help"}) {
+    const std::size_t at = render.find(group);
+    ASSERT_NE(at, std::string::npos) << group;
+    EXPECT_GE(at, last) << group;
+    last = at;
+  }
+  EXPECT_THAT(render, Not(HasSubstr("\n\n\n")));
+}
+
+TEST_F(CommandLine, OptionsOfPicturesAreHiddenWhereNothingIsDrawn) {
+  for (const char* command : {"simulate", "study"}) {
+    EXPECT_THAT(run({"help", command}).output, AllOf(HasSubstr("--set"), Not(HasSubstr("--size")),
+                                                     Not(HasSubstr("--allow-outside"))));
+  }
+  EXPECT_THAT(run({"help", "check"}).output,
+              AllOf(HasSubstr("--size"), HasSubstr("--allow-outside")));
+  EXPECT_EQ(run({"simulate", "tiny.toml", "--size", "32x18", "--allow-outside"}).status, 0);
 }
 
 TEST_F(CommandLine, NeedsACommand) {
-  expectRefused({},
-                "rotatebook: a command is needed, for example render\n"
-                "Run 'rotatebook --help' for more information.\n");
+  const ChildResult result = run({});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.error,
+              AllOf(StartsWith("rotatebook: a command is needed, for example: rotatebook render "),
+                    HasSubstr("\nCommands: render, simulate, "),
+                    HasSubstr("\nRun 'rotatebook --help' for more information.\n")));
+  EXPECT_THAT(result.output, IsEmpty());
 }
 
-TEST_F(CommandLine, RefusesAnUnknownCommand) {
-  expectRefused({"rendr", "tiny.toml"},
-                "rotatebook: unknown command: rendr\n"
-                "Run 'rotatebook --help' for more information.\n");
-  expectRefused({"--sise", "3"},
-                "rotatebook: unknown option: --sise\n"
-                "Run 'rotatebook --help' for more information.\n");
+TEST_F(CommandLine, SuggestsTheNearestCommand) {
+  const std::string advice = "\nRun 'rotatebook --help' for more information.\n";
+  expectRefused({"redner", "tiny.toml"},
+                "rotatebook: unknown command: redner; did you mean \"render\"?" + advice);
+  expectRefused({"xyz"}, "rotatebook: unknown command: xyz" + advice);
+  expectRefused({"tiny.toml"},
+                "rotatebook: unknown command: tiny.toml; it is a scene: rotatebook render "
+                "tiny.toml" +
+                    advice);
+  expectRefused({"a\nb\x1b[2J"}, "rotatebook: unknown command: a\\nb\\u001B[2J" + advice);
+  expectRefused({"help", "stil"}, "rotatebook: unknown command: stil; did you mean \"still\"?\n");
 }
 
-TEST_F(CommandLine, RefusesAnUnknownOption) {
-  const std::string advice = "Run 'rotatebook render --help' for more information.\n";
-  expectRefused({"render", "tiny.toml", "--sise", "64x36"},
-                "rotatebook: The following argument was not expected: --sise\n" + advice);
-  expectRefused({"render"}, "rotatebook: SCENE is required\n" + advice);
-  expectRefused({"render", "tiny.toml", "--jobs", "0"},
-                "rotatebook: --jobs: Value 0 not in range 1 to 64\n" + advice);
+/// A wrong command line, and what the program says about it.
+struct WrongOption {
+  std::string name;
+  std::vector<std::string> arguments;
+  std::string message;
+};
+
+class UnknownOption : public CommandLine, public ::testing::WithParamInterface<WrongOption> {};
+
+TEST_P(UnknownOption, IsNamedWithTheNearest) {
+  const auto& [name, arguments, message] = GetParam();
+  // " of render: --sise" names the command.
+  const std::size_t colon = message.find(':');
+  const std::string command = colon > 0 ? message.substr(4, colon - 4) + ' ' : "";
+  expectRefused(arguments, "rotatebook: unknown option" + message + "\nRun 'rotatebook " + command +
+                               "--help' for more information.\n");
 }
 
-TEST_F(CommandLine, RefusesValuesThatAreNoNumbers) {
+INSTANTIATE_TEST_SUITE_P(
+    Cases, UnknownOption,
+    ::testing::Values(
+        WrongOption{"OfTheCommand",
+                    {"render", "tiny.toml", "--sise", "64x36"},
+                    " of render: --sise; did you mean \"--size\"?"},
+        WrongOption{"WithItsValue",
+                    {"render", "tiny.toml", "--sise=64x36"},
+                    " of render: --sise; did you mean \"--size\"?"},
+        WrongOption{"WithOneDash",
+                    {"render", "-size", "64x36", "tiny.toml"},
+                    " of render: -size; did you mean \"--size\"?"},
+        WrongOption{"RatherThanAMissingOne",
+                    {"sheet", "tiny.toml", "--ouput", "x.png"},
+                    " of sheet: --ouput; did you mean \"--output\"?"},
+        WrongOption{"OfAnotherCommand",
+                    {"still", "tiny.toml", "--no-png"},
+                    " of still: --no-png; it is an option of render"},
+        WrongOption{"NearAnotherCommands",
+                    {"still", "tiny.toml", "--no-pgn"},
+                    " of still: --no-pgn; --no-png is an option of render"},
+        WrongOption{"OfTheProgram",
+                    {"render", "--version"},
+                    " of render: --version; it takes no command: rotatebook --version"},
+        WrongOption{"BeforeTheCommand",
+                    {"--size", "64x36", "render", "tiny.toml"},
+                    " of render: --size; it comes after the command: rotatebook render ... --size"},
+        WrongOption{"WithoutACommand", {"--sise"}, ": --sise; --size is an option of render"},
+        WrongOption{"OneLetter", {"render", "tiny.toml", "-z"}, " of render: -z"},
+        WrongOption{"NothingNear", {"render", "tiny.toml", "--xyz"}, " of render: --xyz"},
+        WrongOption{
+            "Unprintable", {"render", "tiny.toml", "--x\x1b[2J"}, " of render: --x\\u001B[2J"},
+        WrongOption{"AFile",
+                    {"render", "-x.toml"},
+                    " of render: -x.toml; a file whose name begins with a dash is written "
+                    "./-x.toml"}),
+    [](const auto& one) { return one.param.name; });
+
+TEST_F(CommandLine, HintsAtAFileThatIsTakenForAnOption) {
+  write("-o.toml", kTiny);
+  EXPECT_THAT(run({"check", "-o.toml"}).error,
+              HasSubstr("; a file whose name begins with a dash is written ./-o.toml\n"));
+  EXPECT_EQ(run({"check", "./-o.toml"}).status, 0);
+}
+
+TEST_F(CommandLine, RefusesWhatIsTooMuchOrMissing) {
+  const std::string advice = " --help' for more information.\n";
+  expectRefused({"render"}, "rotatebook: SCENE is required\nRun 'rotatebook render" + advice);
+  expectRefused({"still", "tiny.toml", "b.toml"},
+                "rotatebook: unexpected argument: b.toml; still takes SCENE alone\n"
+                "Run 'rotatebook still" +
+                    advice);
+  expectRefused({"doctor", "x"},
+                "rotatebook: unexpected argument: x; doctor takes options alone\n"
+                "Run 'rotatebook doctor" +
+                    advice);
+  expectRefused({"render", "tiny.toml", "--size"},
+                "rotatebook: --size needs a value: WxH\nRun 'rotatebook render" + advice);
+  expectRefused({"sheet", "tiny.toml"},
+                "rotatebook: --output is required\nRun 'rotatebook sheet" + advice);
+}
+
+TEST_F(CommandLine, RefusesWrongNumbers) {
   expectRefused({"still", "tiny.toml", "--time", "noon", "-o", "x.png"},
-                "rotatebook: Could not convert: --time = noon\n"
+                "rotatebook: --time noon: not a number\n"
                 "Run 'rotatebook still --help' for more information.\n");
+  expectRefused({"render", "tiny.toml", "--jobs", "0"},
+                "rotatebook: --jobs: Value 0 not in range 1 to 64\n"
+                "Run 'rotatebook render --help' for more information.\n");
   expectRefused({"diff", "a.png", "b.png", "--max", "256"},
                 "rotatebook: --max: Value 256 not in range 0 to 255\n"
                 "Run 'rotatebook diff --help' for more information.\n");
 }
 
-TEST_F(CommandLine, RefusesMissingOptions) {
-  expectRefused({"simulate", "tiny.toml"},
-                "rotatebook: --csv is required\n"
-                "Run 'rotatebook simulate --help' for more "
-                "information.\n");
-  expectRefused({"still", "tiny.toml", "--time", "0"},
-                "rotatebook: --output is required\n"
-                "Run 'rotatebook still --help' for more information.\n");
+TEST_F(CommandLine, TheLastOfARepeatedOptionWins) {
+  const std::vector<std::string> words{"scene", "tiny.toml", "--size", "64x64", "--size", "32x18"};
+  EXPECT_THAT(run(words).output, HasSubstr("\nsize = [32, 18]"));
+  EXPECT_EQ(
+      run({"still", "tiny.toml", "--time", "0", "--time", "0.1", "-o", "a.png", "-o", "b.png"})
+          .output,
+      "tiny: wrote frame 6 to b.png\n");
+  EXPECT_THAT(files(), ElementsAre("b.png"));
+}
+
+TEST_F(CommandLine, RepeatedOverridesAllCount) {
+  const ChildResult result = run({"scene", "tiny.toml", "--set", "body.mass=2", "--set",
+                                  "clip.duration=0.3", "--set", "body.mass=3"});
+  EXPECT_THAT(result.output, AllOf(HasSubstr("\nmass = 3.0"), HasSubstr("\nduration = 0.3")));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // `rotatebook still`, `check`, `scene` and `list`.
+#include <filesystem>
 #include <string>
 
 #include "cli/program_test.h"
@@ -6,6 +7,7 @@
 namespace rotatebook::cli::testing {
 namespace {
 
+namespace fs = std::filesystem;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -28,6 +30,26 @@ TEST_F(SceneCommandsTest, StillAtTheEndIsTheLastFrame) {
   EXPECT_EQ(result.output, "tiny: wrote frame 12 to x.png\n");
   EXPECT_EQ(run({"still", "tiny.toml", "--time", "0.2", "-o", "x.png"}).output,
             "tiny: wrote frame 11 to x.png\n");
+}
+
+TEST_F(SceneCommandsTest, StillIsThePosterInItsFolderByDefault) {
+  run({"render", "tiny.toml", "--no-mp4"});
+  const ChildResult result = run({"still", "tiny.toml"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_EQ(result.output, "tiny: wrote frame 6 to tiny.png\n");
+  EXPECT_EQ(read("tiny.png"), read("out/tiny.poster.png"));
+  EXPECT_EQ(run({"still", "out/../tiny.toml", "--set", "clip.poster=0.05"}).output,
+            "tiny: wrote frame 3 to tiny.png\n");
+}
+
+TEST_F(SceneCommandsTest, StillByDefaultReplacesNoInput) {
+  run({"still", "tiny.toml"});
+  const std::string before = read("tiny.png");
+  const ChildResult result = run({"still", "tiny.toml", "--set", "book.front=tiny.png"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.error,
+            "rotatebook: tiny.png is a texture of the scene tiny; name another file with -o\n");
+  EXPECT_EQ(read("tiny.png"), before);
 }
 
 // An option of its own says more than one of many keys.
@@ -99,6 +121,12 @@ TEST_F(SceneCommandsTest, PrintedSceneRendersTheSame) {
   EXPECT_EQ(read("a/tiny/frame_00011.png"), read("b/tiny/frame_00011.png"));
 }
 
+TEST_F(SceneCommandsTest, PrintMayBeLeftOut) {
+  const std::string printed = run({"scene", "--print", "tiny.toml"}).output;
+  EXPECT_THAT(printed, HasSubstr("\nsubsteps = "));
+  EXPECT_EQ(run({"scene", "tiny.toml"}).output, printed);
+}
+
 TEST_F(SceneCommandsTest, ListNamesScenesWithLengthAndTitle) {
   write("more/longer-name.toml", kTiny);
   write("more/note.txt", "no scene");
@@ -116,6 +144,36 @@ TEST_F(SceneCommandsTest, ListShowsWrongScenesAndGoesOn) {
   EXPECT_EQ(result.output, "./tiny.toml   0.2 s  Tiny\n");
   EXPECT_EQ(result.error,
             "rotatebook: ./a.toml:1:1: unknown key \"titel\"; did you mean \"title\"?\n");
+}
+
+TEST_F(SceneCommandsTest, ListNamesWhatItCannotReadAndGoesOn) {
+  write("a/closed/b.toml", kTiny);
+  write("a/hidden.toml", kTiny);
+  fs::permissions(folder() / "a/closed", fs::perms::none);
+  fs::permissions(folder() / "a/hidden.toml", fs::perms::none);
+  ChildSettings settings;
+  settings.obeysPermissions = true;
+  const ChildResult result = run({"list", "."}, settings);
+  fs::permissions(folder() / "a/closed", fs::perms::owner_all);
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.output, "./tiny.toml       0.2 s  Tiny\n");
+  EXPECT_EQ(result.error,
+            "rotatebook: can't list ./a/closed: Permission denied\n"
+            "rotatebook: ./a/hidden.toml: can't be read: Permission denied\n");
+}
+
+TEST_F(SceneCommandsTest, ListLeavesOutWhatRendersLeave) {
+  run({"render", "tiny.toml"});
+  for (const char* name :
+       {"out/x.partial/scene.toml", "out/x.replaced/scene.toml", "out/mine/scene.toml"}) {
+    write(name, kTiny);
+  }
+  ASSERT_TRUE(has("out/tiny/scene.toml"));
+  EXPECT_EQ(run({"list", "."}).output,
+            "./out/mine/scene.toml   0.2 s  Tiny\n"
+            "./tiny.toml             0.2 s  Tiny\n");
+  fs::create_directory_symlink(folder(), folder() / "out/mine/back");
+  EXPECT_EQ(run({"list", "out"}).output, "out/mine/scene.toml   0.2 s  Tiny\n");
 }
 
 TEST_F(SceneCommandsTest, ListIsOfTheFolderScenesByDefault) {

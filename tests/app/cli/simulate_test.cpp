@@ -33,6 +33,17 @@ TEST_F(SimulateCommand, WritesATableWithoutGraphics) {
   EXPECT_EQ(countOf(",", read("t.csv")), (1 + kTableRows) * (kColumns - 1));
 }
 
+TEST_F(SimulateCommand, ReportsAloneWithoutATable) {
+  const ChildResult result = runWithoutGraphics({"simulate", "tiny.toml"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.output, MatchesRegex("tiny: Tiny\n  0 half-turns; energy kept to [^\n]*\n"));
+  EXPECT_THAT(files(), IsEmpty());
+  const ChildResult unmet =
+      run({"simulate", "tiny.toml", "--set", "expect.half_turns={ min = 3 }"});
+  EXPECT_EQ(unmet.status, 1);
+  EXPECT_EQ(unmet.error, "rotatebook: expectations are unmet\n");
+}
+
 TEST_F(SimulateCommand, PrintsNothingButTheTableForADash) {
   run({"simulate", "tiny.toml", "--csv", "t.csv"});
   const ChildResult result = runWithoutGraphics({"simulate", "tiny.toml", "--csv", "-"});
@@ -50,7 +61,7 @@ TEST_F(SimulateCommand, PrintsExpectationsBesideTheTable) {
   EXPECT_EQ(countOf("\n", result.output), 1 + kTableRows);
   EXPECT_EQ(withoutDistances(result.error),
             "  UNMET  half_turns: expected at least 1; measured 0\n"
-            "rotatebook: expectations are unmet; the files were kept\n");
+            "rotatebook: expectations are unmet\n");
 }
 
 TEST_F(SimulateCommand, KeepsTheTableOfAnUnmetExpectation) {

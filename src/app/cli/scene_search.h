@@ -1,0 +1,20 @@
+// Search for scenes on the disk. Inside the room only.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace rotatebook::cli {
+
+/// The scenes below a folder.
+struct FoundScenes {
+  std::vector<std::filesystem::path> paths;  ///< Sorted.
+  std::vector<std::string> problems;         ///< "can't list FOLDER: WHY", one for each folder.
+};
+
+/// Finds the scenes below `folder`, without the records that renders leave. Throws InputError if
+/// `folder` itself can't be listed.
+FoundScenes scenesBelow(const std::filesystem::path& folder);
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,160 @@
+#include "cli/usage.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <regex>
+#include <system_error>
+
+#include "base/text.h"
+#include "scene/nearest_name.h"
+
+namespace rotatebook::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestEcho = 200;  // [letters]
+
+std::string echoed(std::string_view argument) {
+  return oneLine(argument, kLongestEcho);
+}
+
+/// Returns the command that was chosen, or the program itself.
+const CLI::App& chosen(const CLI::App& program) {
+  const auto commands = program.get_subcommands();
+  return commands.empty() ? program : *commands.front();
+}
+
+/// Returns "--size" and so on; hidden ones, too. One letter is as near to any other.
+std::vector<std::string> longOptions(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::vector<std::string_view> viewsOf(const std::vector<std::string>& texts) {
+  return {texts.begin(), texts.end()};
+}
+
+/// Returns "; `subject` is an option of COMMAND", of the first that has `option`; empty if none
+/// has.
+std::string ownerText(const CLI::App& program, const std::string& option,
+                      const std::string& subject) {
+  if (program.get_option_no_throw(option) != nullptr) {
+    return "; " + subject + " takes no command: rotatebook " + option;
+  }
+  for (const CLI::App* command : program.get_subcommands({})) {
+    if (command->get_option_no_throw(option) == nullptr) continue;
+    return "; " + subject + " is an option of " + command->get_name();
+  }
+  return "";
+}
+
+/// Returns how the unknown option `name` may have been meant; empty if nothing is near.
+std::string optionHint(const CLI::App& program, const std::string& name) {
+  const CLI::App& command = chosen(program);
+  if (command.get_option_no_throw(name) != nullptr) {
+    return "; it comes after the command: rotatebook " + command.get_name() + " ... " + name;
+  }
+  const std::string elsewhere = ownerText(program, name, "it");
+  if (!elsewhere.empty() || name.size() == 2) return elsewhere;
+  const std::string wanted = name.starts_with("--") ? name : "-" + name;
+  const std::string own = scene::didYouMean(wanted, viewsOf(longOptions(command)));
+  if (!own.empty()) return own;
+  std::vector<std::string> others;
+  for (const CLI::App* other : program.get_subcommands({})) {
+    std::ranges::move(longOptions(*other), std::back_inserter(others));
+  }
+  const auto nearest = scene::nearestName(wanted, viewsOf(others));
+  return nearest ? ownerText(program, std::string(*nearest), std::string(*nearest)) : "";
+}
+
+std::string unknownOptionText(const CLI::App& program, const std::string& word) {
+  const std::string name = word.substr(0, word.find('='));
+  const CLI::App& command = chosen(program);
+  const std::string where = &command == &program ? "" : " of " + command.get_name();
+  return "unknown option" + where + ": " + echoed(name) + optionHint(program, name);
+}
+
+/// Returns what is wrong where `words` are too many: "unexpected argument: b.png; still takes
+/// SCENE".
+std::string unexpectedText(const CLI::App& command, const std::vector<std::string>& words) {
+  std::vector<std::string> taken;
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_positional()) taken.push_back(option->get_name(true));
+  }
+  return "unexpected argument: " + echoed(words.front()) + "; " + command.get_name() + " takes " +
+         (taken.empty() ? "options alone" : listed(taken) + " alone");
+}
+
+/// Returns the message of CLI11, in our words where its own are hard to read.
+std::string parserText(const CLI::Error& error) {
+  static const std::regex kMissing("(.*): 1 required (.*) missing");
+  static const std::regex kNoNumber("Could not convert: (.*) = (.*)");
+  const std::string text = echoed(error.what());
+  return std::regex_replace(std::regex_replace(text, kMissing, "$1 needs a value: $2"), kNoNumber,
+                            "$1 $2: not a number");
+}
+
+std::string missingCommandText(const CLI::App& program) {
+  return "a command is needed, for example: rotatebook render scenes/starter.toml\n"
+         "Commands: " +
+         joined(commandNames(program));
+}
+
+/// Returns what is wrong with the command line.
+std::string problemText(const CLI::App& program, const CLI::Error& error) {
+  std::vector<std::string> unknown = program.remaining(true);
+  std::erase(unknown, "--");
+  const auto option =
+      std::ranges::find_if(unknown, [](const std::string& word) { return word.starts_with('-'); });
+  if (option != unknown.end()) return unknownOptionText(program, *option);
+  const CLI::App& command = chosen(program);
+  if (&command != &program) {
+    return unknown.empty() ? parserText(error) : unexpectedText(command, unknown);
+  }
+  return unknown.empty() ? missingCommandText(program)
+                         : unknownCommandText(program, unknown.front());
+}
+
+/// Returns the remedy where a file was taken for an option; else nothing.
+std::string dashHint(std::span<char* const> arguments) {
+  for (const char* word : arguments) {
+    const std::string argument = word;
+    std::error_code ignored;
+    const bool isFile = argument.ends_with(".toml") || fs::is_regular_file(argument, ignored);
+    if (!argument.starts_with('-') || argument.find('=') != std::string::npos || !isFile) continue;
+    return "; a file whose name begins with a dash is written ./" + echoed(argument);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<std::string> commandNames(const CLI::App& program) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+std::string unknownCommandText(const CLI::App& program, std::string_view name) {
+  const std::string text = "unknown command: " + echoed(name);
+  if (name.ends_with(".toml")) {
+    return text + "; it is a scene: rotatebook render " + echoed(name);
+  }
+  const std::vector<std::string> names = commandNames(program);
+  return text + scene::didYouMean(name, std::vector<std::string_view>(names.begin(), names.end()));
+}
+
+std::string usageText(const CLI::App& program, const CLI::Error& error,
+                      std::span<char* const> arguments) {
+  const CLI::App& command = chosen(program);
+  const std::string name = &command == &program ? "" : command.get_name() + ' ';
+  return problemText(program, error) + dashHint(arguments) + "\nRun 'rotatebook " + name +
+         "--help' for more information.";
+}
+
+}  // namespace rotatebook::cli

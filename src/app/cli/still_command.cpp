@@ -22,7 +22,7 @@ struct StillArguments {
 
 int writeStill(const StillArguments& arguments) {
   const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
-  refuseInputs(arguments.output, inputsOf(arguments.scene, scene), "name another file with -o");
+  refuseInputs(arguments.output, inputsOf(arguments.scene, scene));
   const std::int64_t frame = picture::renderStill(scene, arguments.time, arguments.output,
                                                   arguments.deviceOptions.choice());
   std::cout << scene.name << ": wrote frame " << frame << " to " << arguments.output << '\n';

@@ -44,15 +44,6 @@ store::ClipFiles filesOf(const scene::Scene& scene, const RenderOptions& options
                         : store::clipFiles(options.folder, scene.name);
 }
 
-/// Returns all files of a whole clip but its frames.
-std::vector<std::filesystem::path> allFiles(const RenderResult& result,
-                                            const std::vector<video::VideoFormat>& formats) {
-  std::vector<std::filesystem::path> files = result.csvs;
-  files.push_back(result.files.poster);
-  for (const video::VideoFormat format : formats) files.push_back(result.files.video(format));
-  return files;
-}
-
 /// A render in progress.
 class Render {
  public:
@@ -81,7 +72,7 @@ class Render {
                                              .earlier = options_.earlier,
                                              .part = options_.frames.has_value(),
                                              .png = png_});
-    const std::vector<std::filesystem::path> files = allFiles(result_, formats_);
+    const std::vector<std::filesystem::path> files = outputFiles(result_.files, scene_, formats_);
     result_.wasDone =
         !options_.frames && options_.earlier.resume && folder.isDone(files, pngRange());
     if (result_.wasDone) return result_;

@@ -103,6 +103,7 @@ ClipFiles clipFiles(const fs::path& folder, const std::string& name, FrameRange 
   ClipFiles files = clipFiles(folder, name);
   const std::string partName = name + "_" + paddedNumber(part.first) + "-" + paddedNumber(part.end);
   files.videoStem = folder / partName;
+  files.poster.clear();
   return files;
 }
 
@@ -118,6 +119,19 @@ std::vector<fs::path> csvFiles(const fs::path& csv, const scene::Scene& scene) {
     files.push_back(path());
   }
   return files;
+}
+
+std::vector<fs::path> outputFiles(const ClipFiles& files, const scene::Scene& scene,
+                                  const std::vector<video::VideoFormat>& formats) {
+  std::vector<fs::path> outputs = csvFiles(files.csv, scene);
+  if (!files.poster.empty()) outputs.push_back(files.poster);
+  for (const video::VideoFormat format : formats) outputs.push_back(files.video(format));
+  return outputs;
+}
+
+bool isNameInFrameFolder(const std::string& name) {
+  return name == kSceneCopyName || name == kManifestName || name == kFrameChecksumsName ||
+         frameIndex(name);
 }
 
 }  // namespace rotatebook::store

@@ -56,7 +56,4 @@ class FrameChecksums {
   system::FileDescriptor file_;  // Open from the first added line until sort().
 };
 
-/// The name of the checksums' file.
-inline constexpr const char* kFrameChecksumsName = "frames.xxh128";
-
 }  // namespace rotatebook::store

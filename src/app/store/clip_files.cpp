@@ -79,6 +79,14 @@ std::vector<std::int64_t> framesIn(const fs::path& folder) {
   return indices;
 }
 
+bool hasFrames(const fs::path& folder) {
+  return fs::is_directory(folder) && !framesIn(folder).empty();
+}
+
+std::string framesText(std::int64_t count) {
+  return std::to_string(count) + (count == 1 ? " frame" : " frames");
+}
+
 fs::path ClipFiles::video(video::VideoFormat format) const {
   return videoStem.string() + std::string(rowOf(format).ending);
 }

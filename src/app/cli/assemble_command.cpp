@@ -1,12 +1,15 @@
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "base/frame_rate.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
+#include "cli/input_guard.h"
 #include "cli/progress_line.h"
 #include "pipeline/assemble.h"
 
@@ -16,6 +19,18 @@ namespace {
 struct AssembleArguments {
   std::string folder, output, frameRate;
 };
+
+/// Throws InputError if the video would replace what it is made from.
+void refuseFrames(const AssembleArguments& arguments) {
+  const std::filesystem::path folder = arguments.folder;
+  if (!std::filesystem::is_directory(folder)) return;
+  std::vector<Input> inputs{{folder / store::kSceneCopyName, "the frames' record"},
+                            {folder / store::kFrameChecksumsName, "the frames' checksums"}};
+  for (const std::int64_t frame : store::framesIn(folder)) {
+    inputs.push_back({folder / store::frameName(frame), "one of the frames"});
+  }
+  refuseInputs(arguments.output, inputs);
+}
 
 /// Returns, for example, ": 0:60 of the scene's 90".
 std::string partText(const pipeline::Assembled& made) {
@@ -29,6 +44,7 @@ int assembleFrames(const AssembleArguments& arguments) {
     throw InputError("--fps " + arguments.frameRate +
                      ": not a frame rate; write for example 60 or 30000/1001");
   }
+  refuseFrames(arguments);
   pipeline::Assembled made;
   {
     ProgressLine progress(arguments.output);

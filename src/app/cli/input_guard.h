@@ -7,6 +7,7 @@
 
 #include "pipeline/render_clip.h"
 #include "scene/scene.h"
+#include "store/footprint.h"
 
 namespace rotatebook::cli {
 
@@ -21,14 +22,16 @@ std::vector<Input> texturesOf(const scene::Scene& scene);
 /// Returns the textures and the scene's own file, at `path`.
 std::vector<Input> inputsOf(const std::filesystem::path& path, const scene::Scene& scene);
 
-/// Throws InputError "`output` is WHAT; `remedy`" if it is the same file as one of `inputs`, under
-/// whatever name.
-void refuseInputs(const std::filesystem::path& output, const std::vector<Input>& inputs,
-                  const std::string& remedy);
+/// Returns the names that a render of `scene` writes, moves or removes.
+store::Footprint footprintOf(const scene::Scene& scene, const pipeline::RenderOptions& options);
 
-/// Throws likewise if a render of `scene` would write one of `inputs`, or replace a folder that
-/// holds one.
-void refuseInputs(const scene::Scene& scene, const pipeline::RenderOptions& options,
-                  const std::vector<Input>& inputs);
+/// Throws InputError "INPUT is WHAT and would be replaced; `remedy`" if the command with
+/// `footprint` would write, move or remove one of `inputs`, under whatever name.
+void refuseInputs(const store::Footprint& footprint, const std::vector<Input>& inputs,
+                  const std::string& remedy = "name another folder with -o");
+
+/// Throws likewise if the single file `output` is one of `inputs`.
+void refuseInputs(const std::filesystem::path& output, const std::vector<Input>& inputs,
+                  const std::string& remedy = "name another file with -o");
 
 }  // namespace rotatebook::cli

@@ -32,6 +32,8 @@ struct PageArguments {
   bool noThumbnails = false;
 };
 
+constexpr const char* kOtherFolder = "name another folder with -o";
+
 /// Returns the paths without repeats of a file; the first is kept.
 std::vector<std::string> withoutRepeats(const std::vector<std::string>& paths) {
   std::set<fs::path> seen;
@@ -83,7 +85,7 @@ void drawThumbnails(const Shown& shown, const PageArguments& arguments,
   };
   for (std::size_t i = 0; i < figures.size(); ++i) {
     if (!needsThumbnail(figures[i])) continue;
-    refuseInputs(fileOf(i), shown.inputs, "name another folder with -o");
+    refuseInputs(fileOf(i), shown.inputs, kOtherFolder);
   }
   const render::DeviceChoice device = arguments.deviceOptions.choice();
   for (std::size_t i = 0; i < figures.size(); ++i) {
@@ -96,12 +98,13 @@ void drawThumbnails(const Shown& shown, const PageArguments& arguments,
 
 int writePage(const PageArguments& arguments) {
   const Shown shown = readAll(arguments);
+  const auto path = fs::path(arguments.folder) / page::kPageName;
+  refuseInputs(path, shown.inputs, kOtherFolder);
   std::vector<page::Figure> figures;
   for (const scene::Scene& scene : shown.scenes) {
     figures.push_back(page::readFigure(scene, arguments.folder));
   }
   if (!arguments.noThumbnails) drawThumbnails(shown, arguments, figures);
-  const auto path = fs::path(arguments.folder) / page::kPageName;
   system::writeFileAtomically(path, page::pageText(arguments.title, figures));
   for (const page::Figure& figure : figures) {
     for (const std::string& note : figure.leftOut) std::cout << "note: " << note << '\n';

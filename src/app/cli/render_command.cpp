@@ -87,7 +87,7 @@ std::vector<SceneToRender> readScenes(const RenderArguments& arguments,
   refuseSameNames(scenes);
   for (const scene::Scene& scene : scenes) {
     refuseOpaque(scene, formatsOf(options.outputs));
-    refuseInputs(scene, options, inputs);
+    refuseInputs(footprintOf(scene, options), inputs);
   }
   return read;
 }

@@ -81,7 +81,7 @@ std::vector<std::string> writtenItems(const pipeline::RenderResult& result,
   }
   if (!result.interrupted && !options.frames) items.push_back(files.poster.string());
   if (hasPng(options.outputs)) {
-    items.push_back(std::to_string(result.framesWritten) + " frames in " +
+    items.push_back(store::framesText(result.framesWritten) + " in " +
                     (newFolder ? files.partialFrameFolder : files.frameFolder).string() + '/');
   }
   return items;
@@ -125,18 +125,22 @@ int report(const scene::Scene& scene, const std::optional<Rendered>& rendered,
   const auto& [motion, result] = *rendered;
   if (result.wasDone) out << scene.name << ": already done" << std::endl;
   if (result.framesKept > 0) {
-    out << "  kept " << result.framesKept << " frames of an earlier run" << std::endl;
+    out << "  kept " << store::framesText(result.framesKept) << " of an earlier run" << std::endl;
   }
   if (result.interrupted && result.framesWritten == 0) {
     out << "  interrupted before the first frame; nothing was written" << std::endl;
     return interruptStatus();
   }
   if (!result.wasDone) out << "  wrote " << listed(writtenItems(result, options)) << std::endl;
+  if (!result.replaced.empty()) {
+    out << "  replaced " << listed(result.replaced) << ", made with other settings" << std::endl;
+  }
   if (!result.others.empty()) {
     out << "  kept " << listed(result.others) << ", made with other settings" << std::endl;
   }
+  if (!result.remainder.empty()) out << "  note: " << result.remainder << std::endl;
   if (result.interrupted) {
-    out << "  interrupted after " << result.framesWritten << " frames" << howToGoOn(options)
+    out << "  interrupted after " << store::framesText(result.framesWritten) << howToGoOn(options)
         << std::endl;
     return interruptStatus();
   }

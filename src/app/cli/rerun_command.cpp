@@ -110,7 +110,7 @@ int rerun(const RerunArguments& arguments) {
   options.frames = clip.record.part;
   std::vector<Input> inputs = texturesOf(clip.record.scene);
   inputs.push_back({arguments.clip, "the clip itself, which is to be compared with the new one"});
-  refuseInputs(clip.record.scene, options, inputs);
+  refuseInputs(footprintOf(clip.record.scene, options), inputs);
   if (!arguments.earlier.overwrite) {
     refuseOtherClip(clip.record.scene, files, output, arguments.png);
   }

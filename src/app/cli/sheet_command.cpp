@@ -30,7 +30,7 @@ int writeSheet(const SheetArguments& arguments) {
   std::vector<scene::Scene> scenes;
   for (const std::string& path : arguments.scenes) {
     scenes.push_back(arguments.sceneOptions.read(path));
-    refuseInputs(arguments.output, inputsOf(path, scenes.back()), "name another file with -o");
+    refuseInputs(arguments.output, inputsOf(path, scenes.back()));
     if (arguments.noCaption) std::erase(scenes.back().overlay.show, scene::Overlay::Caption);
   }
   picture::SheetOptions options = arguments.options;

@@ -25,7 +25,7 @@ int writeStill(const StillArguments& arguments) {
   const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
   const std::string output = arguments.output.empty() ? scene.name + ".png" : arguments.output;
   if (arguments.output.empty()) refuseSameNames({scene});
-  refuseInputs(output, inputsOf(arguments.scene, scene), "name another file with -o");
+  refuseInputs(output, inputsOf(arguments.scene, scene));
   const std::int64_t frame =
       picture::renderStill(scene, arguments.time, output, arguments.deviceOptions.choice());
   std::cout << scene.name << ": wrote frame " << frame << " to " << output << '\n';

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <regex>
@@ -12,6 +13,7 @@
 #include "cli/commands.h"
 #include "cli/error_report.h"
 #include "cli/exit_code.h"
+#include "cli/input_guard.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
@@ -73,8 +75,10 @@ std::vector<Shorthand> shorthandsOf(const StudyArguments& arguments) {
 std::vector<Task> readTasks(const StudyArguments& arguments) {
   const std::vector<Shorthand> shorthands = shorthandsOf(arguments);
   std::vector<scene::Scene> scenes;
+  std::vector<Input> inputs;
   for (const std::string& path : arguments.scenes) {
     scenes.push_back(arguments.sceneOptions.read(path, shorthands));
+    std::ranges::move(inputsOf(path, scenes.back()), std::back_inserter(inputs));
   }
   refuseSameNames(scenes);
   std::vector<Task> tasks;
@@ -82,6 +86,9 @@ std::vector<Task> readTasks(const StudyArguments& arguments) {
     tasks.push_back({scene, scene.study.value_or(scene::defaultStudy(scene.simulation.model)),
                      store::studyFiles(arguments.folder, scene.name)});
     if (!tasks.back().study.isOfTilts()) study::requireStudyable(scene);
+    store::Footprint footprint;
+    footprint.addStudy(tasks.back().files);
+    refuseInputs(footprint, inputs);
   }
   return tasks;
 }

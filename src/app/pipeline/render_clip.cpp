@@ -44,15 +44,6 @@ store::ClipFiles filesOf(const scene::Scene& scene, const RenderOptions& options
                         : store::clipFiles(options.folder, scene.name);
 }
 
-/// Returns all files of a whole clip but its frames.
-std::vector<std::filesystem::path> allFiles(const RenderResult& result,
-                                            const std::vector<video::VideoFormat>& formats) {
-  std::vector<std::filesystem::path> files = result.csvs;
-  files.push_back(result.files.poster);
-  for (const video::VideoFormat format : formats) files.push_back(result.files.video(format));
-  return files;
-}
-
 /// A render in progress.
 class Render {
  public:
@@ -75,22 +66,22 @@ class Render {
     const picture::TextureChecksums& textures = drawer_.textureChecksums();
     const std::string record =
         store::sceneRecord(scene_, store::provenanceOf(scene_, motion_, textures, renderer));
+    const std::vector<std::filesystem::path> files = outputFiles(result_.files, scene_, formats_);
     store::ClipFolder folder(result_.files, {.scene = scene_,
                                              .record = record,
                                              .made = store::fingerprint(scene_, textures, renderer),
+                                             .outputs = files,
                                              .earlier = options_.earlier,
                                              .part = options_.frames.has_value(),
                                              .png = png_});
-    const std::vector<std::filesystem::path> files = allFiles(result_, formats_);
-    result_.wasDone =
-        !options_.frames && options_.earlier.resume && folder.isDone(files, pngRange());
+    result_.remainder = folder.remainder();
+    result_.wasDone = !options_.frames && options_.earlier.resume && folder.isDone(pngRange());
     if (result_.wasDone) return result_;
     // Fail now rather than after all is drawn.
     if (!options_.frames) std::ranges::for_each(files, system::requireReplaceable);
     try {
       renderInto(folder, record, listener);
-      if (!result_.interrupted) finishFolder(folder, files);
-      if (!result_.interrupted) result_.others = folder.keptOfOtherSettings();
+      if (!result_.interrupted) finishFolder(folder);
     } catch (const MachineError& error) {
       throw MachineError(error.what() + keptText(folder));
     }
@@ -102,10 +93,15 @@ class Render {
     return png_ ? std::optional(range_) : std::nullopt;
   }
 
-  void finishFolder(store::ClipFolder& folder,
-                    const std::vector<std::filesystem::path>& files) const {
-    if (!options_.frames) return folder.finish(files, pngRange());
-    if (png_) folder.checksums().requireFiles(range_);
+  void finishFolder(store::ClipFolder& folder) {
+    if (!options_.frames) {
+      folder.finish(pngRange());
+    } else if (png_) {
+      folder.finishPart(range_);
+    }
+    result_.others = folder.keptOfOtherSettings();
+    result_.replaced = folder.replacedOfOtherSettings();
+    result_.remainder = folder.remainder();
   }
 
   std::string keptText(const store::ClipFolder& folder) const {

@@ -55,6 +55,8 @@ struct RenderResult {
   std::int64_t framesWritten = 0;           ///< Including those kept.
   std::int64_t framesKept = 0;              ///< From an earlier run.
   std::vector<std::string> others;          ///< ClipFolder::keptOfOtherSettings()
+  std::vector<std::string> replaced;        ///< ClipFolder::replacedOfOtherSettings()
+  std::string remainder;                    ///< ClipFolder::remainder()
   bool wasDone = false;  ///< An earlier run had completed everything: nothing was written.
   /// RenderOptions::stop was set: frames are in NAME.partial/ (those of a part in NAME/), videos
   /// are NAME.partial.mp4 and so on, and the files of an earlier render are unchanged.

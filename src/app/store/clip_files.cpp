@@ -79,6 +79,14 @@ std::vector<std::int64_t> framesIn(const fs::path& folder) {
   return indices;
 }
 
+bool hasFrames(const fs::path& folder) {
+  return fs::is_directory(folder) && !framesIn(folder).empty();
+}
+
+std::string framesText(std::int64_t count) {
+  return std::to_string(count) + (count == 1 ? " frame" : " frames");
+}
+
 fs::path ClipFiles::video(video::VideoFormat format) const {
   return videoStem.string() + std::string(rowOf(format).ending);
 }
@@ -103,6 +111,7 @@ ClipFiles clipFiles(const fs::path& folder, const std::string& name, FrameRange 
   ClipFiles files = clipFiles(folder, name);
   const std::string partName = name + "_" + paddedNumber(part.first) + "-" + paddedNumber(part.end);
   files.videoStem = folder / partName;
+  files.poster.clear();
   return files;
 }
 
@@ -118,6 +127,19 @@ std::vector<fs::path> csvFiles(const fs::path& csv, const scene::Scene& scene) {
     files.push_back(path());
   }
   return files;
+}
+
+std::vector<fs::path> outputFiles(const ClipFiles& files, const scene::Scene& scene,
+                                  const std::vector<video::VideoFormat>& formats) {
+  std::vector<fs::path> outputs = csvFiles(files.csv, scene);
+  if (!files.poster.empty()) outputs.push_back(files.poster);
+  for (const video::VideoFormat format : formats) outputs.push_back(files.video(format));
+  return outputs;
+}
+
+bool isNameInFrameFolder(const std::string& name) {
+  return name == kSceneCopyName || name == kManifestName || name == kFrameChecksumsName ||
+         frameIndex(name);
 }
 
 }  // namespace rotatebook::store

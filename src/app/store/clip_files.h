@@ -29,6 +29,11 @@ std::optional<FrameRange> parseRange(const std::string& text);
 /// The name of the resolved scene's file, beside the frames.
 inline constexpr const char* kSceneCopyName = "scene.toml";
 
+/// The names of the manifest and of the frames' checksums, beside the frames. The manifest isn't
+/// .toml, which is for scenes.
+inline constexpr const char* kManifestName = "frames.manifest";
+inline constexpr const char* kFrameChecksumsName = "frames.xxh128";
+
 /// Returns "frame_00042.png".
 std::string frameName(std::int64_t index);
 
@@ -37,6 +42,12 @@ std::optional<std::int64_t> frameIndex(const std::string& name);
 
 /// Returns the indices of the frames in `folder`, ascending. Throws InputError if it can't be read.
 std::vector<std::int64_t> framesIn(const std::filesystem::path& folder);
+
+/// Returns whether `folder` exists and holds frames. Throws InputError if it can't be read.
+bool hasFrames(const std::filesystem::path& folder);
+
+/// Returns "1 frame", "720 frames".
+std::string framesText(std::int64_t count);
 
 /// Endings that a render appends to a clip's name while it runs; no scene's name may end in one.
 inline constexpr const char* kPartialEnding = ".partial";
@@ -50,7 +61,7 @@ struct ClipFiles {
   std::filesystem::path sceneCopy;           ///< NAME/scene.toml, the resolved scene
   std::filesystem::path videoStem;           ///< NAME, to which video() appends an ending
   std::filesystem::path csv;                 ///< NAME.csv; see csvFiles() for panels
-  std::filesystem::path poster;              ///< NAME.poster.png
+  std::filesystem::path poster;              ///< NAME.poster.png; empty for a part
   std::filesystem::path thumbnail;           ///< NAME.thumbnail.png
 
   /// Returns NAME.mp4, NAME.webm and so on.
@@ -69,5 +80,14 @@ ClipFiles clipFiles(const std::filesystem::path& folder, const std::string& name
 /// each panel, with its label in a name that no other panel has: NAME_particles.csv.
 std::vector<std::filesystem::path> csvFiles(const std::filesystem::path& csv,
                                             const scene::Scene& scene);
+
+/// Returns the files that a render of `scene` leaves beside the frames: the tables, the videos and,
+/// of a whole clip, the poster.
+std::vector<std::filesystem::path> outputFiles(const ClipFiles& files, const scene::Scene& scene,
+                                               const std::vector<video::VideoFormat>& formats);
+
+/// Returns whether the program owns the name `name` in a folder of frames: that of a frame, of the
+/// record, the manifest or the checksums.
+bool isNameInFrameFolder(const std::string& name);
 
 }  // namespace rotatebook::store

@@ -2,28 +2,21 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <system_error>
 #include <utility>
 
 #include "base/error.h"
+#include "store/clip_record.h"
 #include "store/fingerprint.h"
 #include "system/file_checksum.h"
 #include "system/read_file.h"
+#include "system/removal.h"
 
 namespace rotatebook::store {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Returns whether `folder` exists and holds frames.
-bool hasFrames(const fs::path& folder) {
-  return fs::is_directory(folder) && !framesIn(folder).empty();
-}
-
-/// Returns whether the folder's own frames have the fingerprint `made`.
-bool isMadeWith(const std::optional<Manifest>& manifest, const Manifest::Entries& made) {
-  return manifest && manifest->own.made == made;
-}
 
 void moveTo(const fs::path& from, const fs::path& to) {
   std::error_code error;
@@ -51,6 +44,19 @@ void discard(const fs::path& folder) {
   fs::remove(folder, notEmpty);
 }
 
+/// Returns whether `folder` has a scene.toml that no render of this program left there.
+bool hasForeignRecord(const fs::path& folder) {
+  const fs::path file = folder / kSceneCopyName;
+  return fs::exists(file) && !looksLikeRecord(system::readFileOrEmpty(file));
+}
+
+/// Returns whether NAME.replaced/ may hold what no render of this program left. One whose removal
+/// was cut short has no manifest, but its checksums are removed after its frames.
+bool isForeign(const fs::path& replaced) {
+  if (readManifest(replaced) || fs::exists(replaced / kFrameChecksumsName)) return false;
+  return hasFrames(replaced) || hasForeignRecord(replaced);
+}
+
 /// Removes NAME.replaced/, after moving files that no render wrote to NAME/.
 void discardReplaced(const ClipFiles& files) {
   if (!fs::is_directory(files.replacedFolder)) return;
@@ -68,17 +74,34 @@ void discardReplaced(const ClipFiles& files) {
   fs::remove(files.replacedFolder, notEmpty);
 }
 
+/// Returns why NAME.replaced/ can't be removed; empty if it can or there is none.
+std::string obstacleToDiscarding(const ClipFiles& files) {
+  const fs::path& folder = files.replacedFolder;
+  if (!fs::is_directory(folder)) return "";
+  std::string obstacle = system::obstacleToRemoval(folder);
+  if (obstacle.empty()) obstacle = system::obstacleToEmptying(folder);
+  if (obstacle.empty()) return "";
+  return "the earlier clip in " + folder.string() + "/ can't be removed: " + obstacle +
+         "; have its owner remove it";
+}
+
 /// Replaces NAME/ by NAME.partial/, which is complete. If the process is killed on the way,
 /// recover() does the rest.
 void replaceFolder(const ClipFiles& files) {
   if (fs::exists(files.frameFolder)) moveTo(files.frameFolder, files.replacedFolder);
   moveTo(files.partialFrameFolder, files.frameFolder);
-  discardReplaced(files);
+  if (obstacleToDiscarding(files).empty()) discardReplaced(files);
   system::flushFolder(files.partialFrameFolder.parent_path());
 }
 
-/// Completes or undoes a replacement that a killed process left half done.
-void recover(const ClipFiles& files) {
+/// Completes or undoes a replacement that a killed process left half done, unless NAME.replaced/
+/// can't be removed.
+void recover(const ClipFiles& files, const EarlierFrames& earlier) {
+  if (!earlier.overwrite && isForeign(files.replacedFolder)) {
+    throw InputError(files.replacedFolder.string() +
+                     " holds files that this program's renders didn't leave, and would be removed; "
+                     "rename it, or remove it with --overwrite");
+  }
   // Discard the replaced clip if another is in its place
   const bool hasFinal = fs::exists(files.frameFolder);
   if (hasFinal) discardReplaced(files);
@@ -111,18 +134,15 @@ void moveFrames(const fs::path& from, const fs::path& to) {
 /// frames of a render that wasn't finished".
 std::string contentText(const fs::path& folder, bool complete) {
   if (complete) return folder.string() + " holds the frames of a clip";
-  return folder.string() + " holds " + std::to_string(framesIn(folder).size()) +
-         " frames of a render that wasn't finished";
-}
-
-/// Returns whether the manifest states the settings of the folder's frames.
-bool knowsSettings(const std::optional<Manifest>& manifest) {
-  return manifest && !manifest->own.made.empty();
+  if (!hasFrames(folder)) return folder.string() + " holds a scene.toml that no render left there";
+  return folder.string() + " holds " + framesText(std::ssize(framesIn(folder))) +
+         " of a render that wasn't finished";
 }
 
 /// Returns what follows contentText(): how the settings of the frames in `folder` differ.
 std::string differenceText(const fs::path& folder, const std::optional<Manifest>& there,
                            const ClipFolder::Settings& settings) {
+  if (!hasFrames(folder)) return "";
   if (!knowsSettings(there)) return " with unknown settings";
   return (there->finished ? " with other settings: " : " and had other settings: ") +
          differences(folder, there->own.made, settings.made, settings.scene);
@@ -134,7 +154,8 @@ void requireDiscardable(const fs::path& folder, const std::optional<Manifest>& t
                         const ClipFolder::Settings& settings) {
   const bool resume = settings.earlier.resume;
   const bool complete = there && there->finished;
-  const bool discardable = complete ? !resume : !hasFrames(folder);
+  const bool foreign = !knowsSettings(there) && hasForeignRecord(folder);
+  const bool discardable = complete ? !resume : !hasFrames(folder) && !foreign;
   if (settings.earlier.overwrite || discardable) return;
   const std::string start = contentText(folder, complete);
   if (isMadeWith(there, settings.made)) {
@@ -147,6 +168,8 @@ void requireDiscardable(const fs::path& folder, const std::optional<Manifest>& t
 /// Throws InputError if `folder` holds frames with other settings, which a part can't join.
 void requireJoinable(const fs::path& folder, const std::optional<Manifest>& there,
                      const ClipFolder::Settings& settings, const std::string& remedy) {
+  if (!there && hasForeignRecord(folder))
+    throw InputError(contentText(folder, false) + "; " + remedy);
   if (!hasFrames(folder) || isMadeWith(there, settings.made)) return;
   throw InputError(folder.string() + " holds frames with other settings" +
                    (knowsSettings(there)
@@ -160,12 +183,15 @@ void requireJoinable(const fs::path& folder, const std::optional<Manifest>& ther
 ClipFolder::ClipFolder(const ClipFiles& files, const Settings& settings)
     : lock_(files.frameFolder, settings.part ? system::Lock::Shared : system::Lock::Exclusive),
       files_(files),
+      outputs_(settings.outputs),
       manifest_{.own = {settings.made, {}}} {
   // Fail now, rather than after all is drawn, if NAME/ is no folder
   if (fs::exists(files.frameFolder)) system::createFolders(files.frameFolder);
+  if (!settings.earlier.overwrite) refuseFilesOfOtherClips(files, outputs_);
   try {
     settings.part ? openPart(settings) : openWhole(settings);
     checksums_.emplace(path_);
+    replaced_.emplace(files_, settings.made, outputs_, settings.png && path_ != files_.frameFolder);
   } catch (...) {
     discardIfEmpty();
     throw;
@@ -220,7 +246,11 @@ void ClipFolder::openPart(const Settings& settings) {
 }
 
 void ClipFolder::openWhole(const Settings& settings) {
-  recover(files_);
+  remainder_ = obstacleToDiscarding(files_);
+  if (remainder_.empty()) {
+    recover(files_, settings.earlier);
+    remainder_ = obstacleToDiscarding(files_);
+  }
 
   // Look for earlier frames of the same settings
   const auto finished = readManifest(files_.frameFolder);
@@ -237,14 +267,15 @@ void ClipFolder::openWhole(const Settings& settings) {
     return;
   }
 
-  // Refuse to replace a clip or parts in NAME/ that must not be lost. Frames without a manifest are
-  // protected only if --resume is given. When the render to resume began, it was allowed to replace
-  // a finished clip, but not parts.
-  const bool atRisk =
-      resumesPartial ? finished && !finished->finished : finished || settings.earlier.resume;
+  requireReplaceableFolder(settings.png);
+
+  // Refuse to replace a clip or parts in NAME/ that must not be lost, or of which nothing is known.
+  // When the render to resume began, it was allowed to replace a finished clip, but not parts.
+  const bool atRisk = !resumesPartial || !finished || !finished->finished;
   // A render without PNGs leaves NAME/ as it is, but can resume only a clip that has its settings.
   const bool isKnown = finished && finished->filesOf(settings.made) != nullptr;
-  const bool mustCheck = settings.png || (settings.earlier.resume && !isKnown);
+  const bool claims = settings.png || (!knowsSettings(finished) && !hasFrames(files_.frameFolder));
+  const bool mustCheck = claims || (settings.earlier.resume && !isKnown);
   if (atRisk && mustCheck) requireDiscardable(files_.frameFolder, finished, settings);
 
   // Discard unfinished frames that aren't resumed, if that is allowed
@@ -256,6 +287,19 @@ void ClipFolder::openWhole(const Settings& settings) {
   begin(files_.partialFrameFolder, settings.record);
 }
 
+// A clip that nobody may move or remove in the end is better found before its first frame is drawn.
+void ClipFolder::requireReplaceableFolder(bool png) const {
+  if (!fs::exists(files_.frameFolder)) return;
+  if (png && !remainder_.empty()) {
+    throw MachineError(remainder_ + ", or render into another folder with -o");
+  }
+  std::string obstacle = system::obstacleToEmptying(files_.frameFolder);
+  if (png && obstacle.empty()) obstacle = system::obstacleToRemoval(files_.frameFolder);
+  if (obstacle.empty()) return;
+  throw MachineError("can't replace the clip in " + files_.frameFolder.string() + "/: " + obstacle +
+                     "; have its owner remove it, or render into another folder with -o");
+}
+
 void ClipFolder::begin(const fs::path& folder, const std::string& record) {
   path_ = folder;
   system::createFolders(folder);
@@ -263,15 +307,14 @@ void ClipFolder::begin(const fs::path& folder, const std::string& record) {
   writeManifest(folder, manifest_);
 }
 
-bool ClipFolder::isDone(const std::vector<fs::path>& files,
-                        std::optional<FrameRange> frames) const {
+bool ClipFolder::isDone(std::optional<FrameRange> frames) const {
   // Find the earlier render with the same settings
   const auto there = readManifest(files_.frameFolder);
   const auto* known = there ? there->filesOf(manifest_.own.made) : nullptr;
   if (known == nullptr || (frames && path_ != files_.frameFolder)) return false;
 
   // Compare the files with their checksums
-  for (const fs::path& file : files) {
+  for (const fs::path& file : outputs_) {
     const auto sum = known->find(file.filename().string());
     if (sum == known->end() || !fs::is_regular_file(file)) return false;
     if (system::checksumOfFile(file) != sum->second) return false;
@@ -285,16 +328,21 @@ bool ClipFolder::isDone(const std::vector<fs::path>& files,
   return true;
 }
 
-void ClipFolder::finish(const std::vector<fs::path>& files, std::optional<FrameRange> frames) {
+void ClipFolder::finishPart(FrameRange frames) {
+  checksums_->requireUnchanged(frames);
+  system::flushFolder(path_);
+}
+
+void ClipFolder::finish(std::optional<FrameRange> frames) {
   // Complete the frames' checksums
   if (frames) {
-    checksums_->requireFiles(*frames);
+    checksums_->requireUnchanged(*frames);
     checksums_->sort(*frames);
   }
 
   // Take the checksums of the other files
   Manifest::Entries written;
-  for (const fs::path& file : files)
+  for (const fs::path& file : outputs_)
     written[file.filename().string()] = system::checksumOfFile(file);
 
   // Record them in the manifest, and bring the clip under its final name
@@ -309,9 +357,11 @@ void ClipFolder::finishWithFrames(const Manifest::Entries& written) {
   next.finished = true;
   next.add(manifest_.own.made, written);
   writeManifest(path_, next);
+  system::flushFolder(path_);
 
   // Move the folder to its final name
   if (path_ != files_.frameFolder) replaceFolder(files_);
+  remainder_ = obstacleToDiscarding(files_);
 }
 
 // Leaves all frames in place: those of other settings in NAME/, unfinished ones in NAME.partial/.
@@ -330,34 +380,16 @@ void ClipFolder::finishWithoutFrames(const Manifest::Entries& written) {
   // Record the files
   next.add(manifest_.own.made, written);
   writeManifest(files_.frameFolder, next);
+  system::flushFolder(files_.frameFolder);
   discardIfEmpty();
 }
 
 std::vector<std::string> ClipFolder::keptOfOtherSettings() const {
-  const auto there = readManifest(files_.frameFolder);
-  if (!there) return {};
-  std::vector<std::string> kept;
+  return store::keptOfOtherSettings(files_, manifest_.own.made);
+}
 
-  // Collect the files of other renders that still are as these wrote them
-  const auto addFiles = [&](const Manifest::Render& render) {
-    if (render.made == manifest_.own.made) return;
-    for (const auto& [name, sum] : render.files) {
-      const fs::path file = files_.frameFolder.parent_path() / name;
-      const bool isPlain = fs::path(name).filename() == name && fs::is_regular_file(file);
-      if (isPlain && system::checksumOfFile(file) == sum) kept.push_back(file.string());
-    }
-  };
-  addFiles(there->own);
-  std::ranges::for_each(there->others, addFiles);
-  std::ranges::sort(kept);
-
-  // Add the frames of another render
-  if (!isMadeWith(there, manifest_.own.made) && hasFrames(files_.frameFolder)) {
-    kept.push_back(std::to_string(framesIn(files_.frameFolder).size()) + " frames in " +
-                   files_.frameFolder.string() + '/' +
-                   (knowsSettings(there) ? "" : " (with unknown settings)"));
-  }
-  return kept;
+std::vector<std::string> ClipFolder::replacedOfOtherSettings() const {
+  return replaced_->items();
 }
 
 }  // namespace rotatebook::store

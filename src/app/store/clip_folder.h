@@ -11,6 +11,7 @@
 #include "store/clip_files.h"
 #include "store/frame_checksums.h"
 #include "store/manifest.h"
+#include "store/other_settings.h"
 #include "system/atomic_file.h"
 
 namespace rotatebook::store {
@@ -38,13 +39,16 @@ class ClipFolder {
     const scene::Scene& scene;
     std::string record;      ///< The text of scene.toml.
     Manifest::Entries made;  ///< The fingerprint of the frames.
+    /// The files beside the frames that the render will write.
+    std::vector<std::filesystem::path> outputs{};
     EarlierFrames earlier{};
     bool part = false;  ///< A range of frames, which go to NAME/ beside others of these settings.
     bool png = true;    ///< PNGs are written; a part without them leaves nothing in NAME/.
   };
 
-  /// Throws InputError if the folder has frames that must not be lost or mixed, MachineError if
-  /// another process is rendering into it or it can't be written.
+  /// Throws InputError if there are frames that must not be lost or mixed, or another clip's file
+  /// under the name of an output; MachineError if another process is rendering into the folder, or
+  /// it can't be written, or not be replaced in the end.
   ClipFolder(const ClipFiles& files, const Settings& settings);
   ClipFolder(const ClipFolder&) = delete;
   ClipFolder& operator=(const ClipFolder&) = delete;
@@ -58,24 +62,30 @@ class ClipFolder {
   /// Returns how many frames a later render could resume from if this one failed now.
   std::size_t resumableFrames() const noexcept;
 
-  /// Returns whether an earlier render finished `files`, and `frames` if given, and none of them
-  /// has changed since.
-  bool isDone(const std::vector<std::filesystem::path>& files,
-              std::optional<FrameRange> frames) const;
+  /// Returns whether an earlier render finished the outputs, and `frames` if given, and none of
+  /// them has changed since.
+  bool isDone(std::optional<FrameRange> frames) const;
 
-  /// Moves the clip to its final name. `files` are those made with it, `frames` the range of PNGs
-  /// that were written; without it, the frames of an earlier render stay in NAME/. Throws
-  /// MachineError.
-  void finish(const std::vector<std::filesystem::path>& files, std::optional<FrameRange> frames);
+  /// Moves the clip to its final name. `frames` is the range of PNGs that were written; without it,
+  /// the frames of an earlier render stay in NAME/. Throws MachineError, also if a frame was
+  /// removed or changed since it was written.
+  void finish(std::optional<FrameRange> frames);
+  /// Finishes a part, whose frames stay where they are. Throws likewise.
+  void finishPart(FrameRange frames);
 
   /// Returns the outputs that remain from renders with other settings, once this one is finished:
   /// "out/a.mp4", "720 frames in out/a/".
   std::vector<std::string> keptOfOtherSettings() const;
+  /// Returns those that this render, which is finished, replaced.
+  std::vector<std::string> replacedOfOtherSettings() const;
+  /// Returns why the clip that an earlier render replaced couldn't be removed; empty if it could.
+  const std::string& remainder() const { return remainder_; }
 
  private:
   void openPart(const Settings& settings);
   void openWhole(const Settings& settings);
   void begin(const std::filesystem::path& folder, const std::string& record);
+  void requireReplaceableFolder(bool png) const;
   void finishWithFrames(const Manifest::Entries& written);
   void finishWithoutFrames(const Manifest::Entries& written);
   std::size_t frameCount() const;
@@ -83,9 +93,12 @@ class ClipFolder {
 
   system::AdvisoryLock lock_;
   ClipFiles files_;
+  std::vector<std::filesystem::path> outputs_;
+  std::string remainder_;
   Manifest manifest_;
   std::filesystem::path path_;
   std::optional<FrameChecksums> checksums_;
+  std::optional<ReplacedOutputs> replaced_;
 };
 
 }  // namespace rotatebook::store

@@ -169,6 +169,10 @@ ClipRecord parseRecord(const std::string& text, const fs::path& clip, const fs::
   return record;
 }
 
+bool looksLikeRecord(const std::string& text) {
+  return text.starts_with(kMadeBy);
+}
+
 bool isRecordOf(const scene::Scene& scene, const std::string& text) {
   try {
     return sceneText(parseRecord(text, scene.name, scene.folder).scene) == sceneText(scene);

@@ -42,6 +42,9 @@ std::string sceneRecord(const scene::Scene& scene, const Provenance& provenance)
 /// returned unchanged.
 std::string recordOfPart(const std::string& record, FrameRange part);
 
+/// Returns whether `text` begins as every record does.
+bool looksLikeRecord(const std::string& text);
+
 /// A record as read from a clip.
 struct ClipRecord {
   Provenance provenance;

@@ -3,12 +3,14 @@
 #include <fcntl.h>
 #include <ranges>
 #include <sstream>
+#include <sys/stat.h>
 #include <utility>
 
 #include "base/checksum.h"
 #include "base/error.h"
 #include "image/png_file.h"
 #include "system/atomic_file.h"
+#include "system/file_checksum.h"
 #include "system/read_file.h"
 
 namespace rotatebook::store {
@@ -25,6 +27,10 @@ std::string lineOf(std::int64_t index, const std::string& sum) {
 [[noreturn]] void failMissing(const std::filesystem::path& folder, std::int64_t frame) {
   throw MachineError((folder / frameName(frame)).string() +
                      " is gone: it was removed while the clip was rendered");
+}
+
+std::int64_t nanoseconds(const timespec& time) {
+  return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
 
 }  // namespace
@@ -48,8 +54,12 @@ FrameChecksums::Checksums FrameChecksums::parse(const std::string& text) {
 std::optional<std::string> FrameChecksums::intact(std::int64_t index) const {
   const auto known = checksums_.find(index);
   if (known == checksums_.end()) return std::nullopt;
-  std::string bytes = system::readFileOrEmpty(folder_ / frameName(index), image::kLargestFile);
+  const std::filesystem::path file = folder_ / frameName(index);
+  const Stamp stamp = stampOf(file);
+  std::string bytes = system::readFileOrEmpty(file, image::kLargestFile);
   if (bytes.empty() || checksumOf(bytes) != known->second) return std::nullopt;
+  const std::lock_guard lock(mutex_);
+  keepStamp(index, stamp);
   return bytes;
 }
 
@@ -59,10 +69,16 @@ std::vector<std::int64_t> FrameChecksums::indices() const {
 }
 
 void FrameChecksums::add(std::int64_t index, std::string_view bytes) {
-  const std::string line = lineOf(index, checksumOf(bytes));
+  const std::string sum = checksumOf(bytes);
+  const Stamp stamp = stampOf(folder_ / frameName(index));
   const std::lock_guard lock(mutex_);
+  // A file that isn't these bytes any more is read at the end
+  const bool same = stamp.size == static_cast<std::int64_t>(bytes.size());
+  keepStamp(index, same ? stamp : Stamp{});
+  const auto known = checksums_.find(index);
+  if (known != checksums_.end() && known->second == sum) return;
   if (!file_.isOpen()) openFile();
-  system::writeAll(file_, line, path_);
+  system::writeAll(file_, lineOf(index, sum), path_);
 }
 
 void FrameChecksums::openFile() {
@@ -77,15 +93,47 @@ void FrameChecksums::openFile() {
   if (size > 0 && !foreign) system::writeAll(file_, "\n", path_);
 }
 
-void FrameChecksums::requireFiles(FrameRange frames) const {
+FrameChecksums::Stamp FrameChecksums::stampOf(const std::filesystem::path& file) {
+  struct stat status {};
+  if (stat(file.c_str(), &status) != 0) return {};
+  return {status.st_ino, status.st_size, nanoseconds(status.st_mtim), nanoseconds(status.st_ctim)};
+}
+
+void FrameChecksums::keepStamp(std::int64_t index, const Stamp& stamp) const {
+  const auto place = static_cast<std::size_t>(index);
+  if (stamps_.size() <= place) stamps_.resize(place + 1);
+  stamps_[place] = stamp;
+}
+
+FrameChecksums::Checksums FrameChecksums::present() const {
+  Checksums all = checksums_;
+  if (!file_.isOpen()) return all;
+  for (const auto& [index, sum] : parse(system::readAll(file_, path_))) all[index] = sum;
+  return all;
+}
+
+void FrameChecksums::requireUnchanged(FrameRange frames) const {
+  std::optional<Checksums> sums;
   for (std::int64_t frame = frames.first; frame < frames.end; ++frame) {
-    if (!std::filesystem::exists(folder_ / frameName(frame))) failMissing(folder_, frame);
+    const std::filesystem::path file = folder_ / frameName(frame);
+    const Stamp now = stampOf(file);
+    if (now == Stamp{}) failMissing(folder_, frame);
+
+    // Read the file only if somebody may have written to it
+    const auto place = static_cast<std::size_t>(frame);
+    if (place < stamps_.size() && stamps_[place] == now) continue;
+    if (!sums) sums = present();
+    const auto sum = sums->find(frame);
+    if (sum == sums->end() || system::checksumOfFile(file) == sum->second) continue;
+    throw MachineError(file.string() +
+                       " isn't the picture that was drawn: it was changed while the clip was "
+                       "rendered");
   }
 }
 
 void FrameChecksums::sort(FrameRange frames) {
   // Read the lines that any process added
-  if (file_.isOpen()) checksums_ = parse(system::readAll(file_, path_));
+  checksums_ = present();
 
   for (std::int64_t frame = frames.first; frame < frames.end; ++frame) {
     if (!checksums_.contains(frame)) failMissing(folder_, frame);

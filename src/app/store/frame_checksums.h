@@ -33,12 +33,15 @@ class FrameChecksums {
   /// Returns the indices of the frames that have a line, ascending.
   std::vector<std::int64_t> indices() const;
 
-  /// Appends the line of frame `index`, whose file has these bytes. May be called from any thread;
-  /// the other functions don't see the line before sort(). Throws MachineError.
+  /// Appends the line of frame `index`, whose file has just been written with these bytes, unless
+  /// the line was there from the start. May be called from any thread; the other functions don't
+  /// see the line before sort(). Throws MachineError.
   void add(std::int64_t index, std::string_view bytes);
 
-  /// Throws MachineError if the file of one of these frames is gone, and names the first.
-  void requireFiles(FrameRange frames) const;
+  /// Throws MachineError if the file of one of these frames is gone, or has other bytes than were
+  /// passed to add() or found by intact(), and names the first. Reads only files whose size, times
+  /// or inode changed since.
+  void requireUnchanged(FrameRange frames) const;
 
   /// Rewrites the file with one line a frame, in order, even if it was removed meanwhile. Throws
   /// MachineError, also if one of these frames has no line.
@@ -47,16 +50,25 @@ class FrameChecksums {
  private:
   using Checksums = std::map<std::int64_t, std::string>;
 
+  /// The state of a file that changes whenever somebody writes to it.
+  struct Stamp {
+    std::uint64_t inode = 0;  ///< 0 where there is no file.
+    std::int64_t size = 0, modified = 0, changed = 0;
+
+    friend bool operator==(const Stamp&, const Stamp&) = default;
+  };
+
   static Checksums parse(const std::string& text);
+  static Stamp stampOf(const std::filesystem::path& file);
+  void keepStamp(std::int64_t index, const Stamp& stamp) const;
   void openFile();
+  Checksums present() const;
 
   std::filesystem::path folder_, path_;
   Checksums checksums_;
-  std::mutex mutex_;
-  system::FileDescriptor file_;  // Open from the first added line until sort().
+  mutable std::mutex mutex_;
+  mutable std::vector<Stamp> stamps_;  // By frame, of those that were written or found intact.
+  system::FileDescriptor file_;        // Open from the first added line until sort().
 };
-
-/// The name of the checksums' file.
-inline constexpr const char* kFrameChecksumsName = "frames.xxh128";
 
 }  // namespace rotatebook::store

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "scene/toml_text.h"
 #include "scene/toml_tree.h"
+#include "store/clip_files.h"
 #include "system/atomic_file.h"
 #include "system/read_file.h"
 

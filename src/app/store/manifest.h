@@ -11,9 +11,6 @@
 
 namespace rotatebook::store {
 
-/// The name of the manifest's file. It isn't .toml, which is for scenes.
-inline constexpr const char* kManifestName = "frames.manifest";
-
 /// The content of frames.manifest, a TOML file beside the frames.
 struct Manifest {
   using Entries = std::map<std::string, std::string>;

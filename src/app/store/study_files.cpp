@@ -10,14 +10,18 @@ StudyFiles studyFiles(const std::filesystem::path& folder, const std::string& na
           folder / (stem + ".png")};
 }
 
+std::vector<std::filesystem::path> allOf(const StudyFiles& files) {
+  return {files.csv, files.orders, files.svg, files.png};
+}
+
 void requireWritable(const StudyFiles& files) {
-  for (const auto& path : {files.csv, files.orders, files.svg, files.png}) {
+  for (const auto& path : allOf(files)) {
     const system::AtomicFile unused(path);
   }
 }
 
 void removeFiles(const StudyFiles& files) {
-  for (const auto& path : {files.csv, files.orders, files.svg, files.png}) system::removeFile(path);
+  for (const auto& path : allOf(files)) system::removeFile(path);
 }
 
 }  // namespace rotatebook::store

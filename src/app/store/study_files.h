@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace rotatebook::store {
 
@@ -16,6 +17,9 @@ struct StudyFiles {
 
 /// Returns the paths of the study `name` in `folder`.
 StudyFiles studyFiles(const std::filesystem::path& folder, const std::string& name);
+
+/// Returns all of `files`.
+std::vector<std::filesystem::path> allOf(const StudyFiles& files);
 
 /// Throws MachineError, without changing anything, if one of the files can't be written, so that a
 /// study fails before it runs rather than after.

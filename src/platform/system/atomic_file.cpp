@@ -42,13 +42,6 @@ fs::path temporaryNameFor(const fs::path& path, pid_t number) {
   return path.parent_path() / (name + std::to_string(number));
 }
 
-bool isTemporaryName(const std::string& name) {
-  const std::size_t infix = name.rfind(kTemporaryInfix);
-  if (!name.starts_with('.') || infix == std::string::npos) return false;
-  const std::string_view pid = std::string_view(name).substr(infix + kTemporaryInfix.size());
-  return !pid.empty() && pid.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
 /// Removes stale temporaries, once per folder in the life of the process.
 void tidyOnce(const fs::path& folder) {
   static std::mutex mutex;
@@ -127,6 +120,13 @@ AdvisoryLock::~AdvisoryLock() {
   if (!tryLock(file_, Lock::Exclusive)) return;
   std::error_code ignored;
   fs::remove(path_, ignored);
+}
+
+bool isTemporaryName(const std::string& name) {
+  const std::size_t infix = name.rfind(kTemporaryInfix);
+  if (!name.starts_with('.') || infix == std::string::npos) return false;
+  const std::string_view pid = std::string_view(name).substr(infix + kTemporaryInfix.size());
+  return !pid.empty() && pid.find_first_not_of("0123456789") == std::string_view::npos;
 }
 
 void removeStaleTemporaries(const fs::path& folder) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "system/file_descriptor.h"
@@ -57,6 +58,9 @@ class AdvisoryLock {
   std::filesystem::path path_;
   FileDescriptor file_;
 };
+
+/// Returns whether `name` is one that an AtomicFile or an AdvisoryLock gives: `.NAME.rotatebook-N`.
+bool isTemporaryName(const std::string& name);
 
 /// Removes the temporary files in `folder` whose writers are dead. Files that can't be removed
 /// stay, which does no harm. Does nothing if there is no such folder.

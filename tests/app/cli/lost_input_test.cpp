@@ -82,6 +82,83 @@ TEST_F(LostInput, IsNoTextureThatLiesWhereARenderWrites) {
   EXPECT_EQ(part.status, 0) << part.error;
 }
 
+// Whatever a render writes, moves or removes: unfinished videos, folders that it fills and
+// replaces, their records, and temporary files that it takes for stale ones.
+TEST_F(LostInput, IsNoTextureUnderAnyNameOfARender) {
+  makeCover();
+  for (const std::string name :
+       {"covered.partial.mp4", "covered.partial.gif", "covered.gif", "covered/frames.manifest",
+        "covered/frames.xxh128", "covered.replaced/frame_00000.png", "covered.replaced/cover.png",
+        "covered.partial/frame_00000.png", "covered.partial/more/cover.png",
+        "covered/.x.rotatebook-1", ".covered.mp4.rotatebook-99999"}) {
+    fs::create_directories((folder() / name).parent_path());
+    fs::copy_file(folder() / "book.png", folder() / name);
+    expectKept(name, "a texture of the scene covered",
+               {"render", "covered.toml", "-o", ".", "--overwrite", "--format", "mp4,gif", "--set",
+                "book.back=" + name});
+    fs::remove(folder() / name);
+  }
+}
+
+TEST_F(LostInput, IsNoTextureBehindALink) {
+  makeCover();
+  fs::create_directory(folder() / "covered.partial");
+  fs::copy_file(folder() / "book.png", folder() / "covered.partial/frame_00000.png");
+  fs::create_symlink("covered.partial", folder() / "folder");
+  fs::create_symlink("folder/frame_00000.png", folder() / "first.png");
+  fs::create_symlink("first.png", folder() / "second.png");
+  for (const char* name : {"folder/frame_00000.png", "second.png"}) {
+    expectKept(name, "a texture of the scene covered",
+               {"render", "covered.toml", "-o", ".", "--overwrite", "--set",
+                std::string("book.back=") + name});
+  }
+}
+
+TEST_F(LostInput, IsNoSceneUnderAnyNameOfARender) {
+  for (const char* name : {"scene.partial/scene.toml", "scene.replaced/scene.toml",
+                           "tiny.partial/tiny.toml", ".tiny.rotatebook-1"}) {
+    write(name, kTiny);
+    expectKept(name, "the scene itself", {"render", name, "-o", "."});
+  }
+}
+
+TEST_F(LostInput, MayLieBesideTheFrames) {
+  makeCover();
+  fs::create_directory(folder() / "covered");
+  fs::copy_file(folder() / "book.png", folder() / "covered/cover.png");
+  for (int time = 0; time < 2; ++time) {
+    const ChildResult result =
+        run({"render", "covered.toml", "-o", ".", "--set", "book.back=covered/cover.png"});
+    EXPECT_EQ(result.status, 0) << result.error;
+    EXPECT_TRUE(read("covered/cover.png") == read("book.png"));
+  }
+}
+
+TEST_F(LostInput, IsNoPartOfAStudyOrAPage) {
+  makeCover();
+  fs::copy_file(folder() / "book.png", folder() / "covered-study.png");
+  expectKept(
+      "covered-study.png", "a texture of the scene covered",
+      {"study", "covered.toml", "tiny.toml", "-o", ".", "--set", "book.back=covered-study.png"});
+  write("index.html", kTiny);
+  expectKept("index.html", "the scene itself", {"page", "index.html", "-o", "."});
+}
+
+TEST_F(LostInput, IsNoClipThatWasInterrupted) {
+  ASSERT_EQ(run({"render", "tiny.toml", "-o", ".", "--no-png"}).status, 0);
+  fs::rename(folder() / "tiny.mp4", folder() / "tiny.partial.mp4");
+  for (const char* flag : {"--overwrite", "--resume", "--png"}) {
+    expectKept("tiny.partial.mp4", "the clip itself",
+               {"rerun", "tiny.partial.mp4", "-o", ".", flag});
+  }
+}
+
+TEST_F(LostInput, IsNoFrameToAssemble) {
+  ASSERT_EQ(run({"render", "tiny.toml", "-o", ".", "--no-mp4"}).status, 0);
+  fs::create_symlink("tiny/frame_00003.png", folder() / "tiny.apng");
+  expectKept("tiny/frame_00003.png", "one of the frames", {"assemble", "tiny", "-o", "tiny.apng"});
+}
+
 TEST_F(LostInput, IsNoTextureOfAnotherScene) {
   makeCover();
   fs::rename(folder() / "book.png", folder() / "tiny.poster.png");

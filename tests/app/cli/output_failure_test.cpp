@@ -83,6 +83,51 @@ TEST_F(OutputFailure, FolderThatIsReadOnly) {
   EXPECT_THAT(files(), ElementsAre("out/"));
 }
 
+// Found before the first frame, as nothing could be put in its place.
+TEST_F(OutputFailure, ClipThatMayNotBeRemoved) {
+  ASSERT_EQ(run({"render", "tiny.toml"}).status, 0);
+  const std::vector<std::string> before = files();
+  const std::string video = read("out/tiny.mp4");
+  fs::permissions(folder() / "out/tiny", fs::perms::owner_read | fs::perms::owner_exec);
+  ChildSettings settings;
+  settings.obeysPermissions = true;
+  for (const char* flag : {"--overwrite", "--no-png"}) {
+    const ChildResult result = run({"render", "tiny.toml", "--set", "body.mass=2", flag}, settings);
+    EXPECT_EQ(result.status, 3);
+    EXPECT_THAT(
+        result.error,
+        HasSubstr("can't replace the clip in out/tiny/: Permission denied; out/tiny belongs "
+                  "to "));
+    EXPECT_THAT(result.error, HasSubstr("have its owner remove it, or render into another folder"));
+    EXPECT_THAT(result.output, IsEmpty());
+  }
+  fs::permissions(folder() / "out/tiny", fs::perms::owner_all);
+  EXPECT_EQ(files(), before);
+  EXPECT_TRUE(read("out/tiny.mp4") == video);
+}
+
+TEST_F(OutputFailure, ReplacedClipThatMayNotBeRemovedStopsNoOtherRender) {
+  ASSERT_EQ(run({"render", "tiny.toml"}).status, 0);
+  fs::copy(folder() / "out/tiny", folder() / "out/tiny.replaced");
+  fs::permissions(folder() / "out/tiny.replaced", fs::perms::owner_read | fs::perms::owner_exec);
+  ChildSettings settings;
+  settings.obeysPermissions = true;
+  const std::string remainder =
+      "the earlier clip in out/tiny.replaced/ can't be removed: Permission denied; "
+      "out/tiny.replaced belongs to ";
+  for (const char* flag : {"--resume", "--no-png"}) {
+    const ChildResult result = run({"render", "tiny.toml", flag}, settings);
+    EXPECT_EQ(result.status, 0) << result.error;
+    EXPECT_THAT(result.output, HasSubstr("  note: " + remainder));
+  }
+  const ChildResult result = run({"render", "tiny.toml"}, settings);
+  fs::permissions(folder() / "out/tiny.replaced", fs::perms::owner_all);
+  EXPECT_EQ(result.status, 3);
+  EXPECT_THAT(result.error, HasSubstr(remainder));
+  EXPECT_EQ(run({"render", "tiny.toml"}).status, 0);
+  EXPECT_FALSE(has("out/tiny.replaced"));
+}
+
 TEST_F(OutputFailure, PlaceWhereNobodyMayWrite) {
   const ChildResult result = run({"render", "tiny.toml", "-o", "/proc/clips"});
   EXPECT_EQ(result.status, 3);

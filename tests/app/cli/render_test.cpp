@@ -127,7 +127,7 @@ TEST_F(RenderCommand, LeavesTheClipOut) {
                                    "out/tiny/frames.manifest", "out/tiny/frames.xxh128",
                                    "out/tiny/scene.toml"));
   EXPECT_THAT(withoutDistances(result.output),
-              EndsWith("  wrote out/tiny.csv and 1 frames in out/tiny/\n"));
+              EndsWith("  wrote out/tiny.csv and 1 frame in out/tiny/\n"));
 }
 
 TEST_F(RenderCommand, DrawsARangeThatIsTheSameAsInTheWholeClip) {

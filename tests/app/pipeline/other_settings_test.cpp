@@ -1,5 +1,6 @@
 // Renders of other settings: files that they leave alone, and report.
 #include <filesystem>
+#include <fstream>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -116,6 +117,71 @@ TEST_F(OtherSettings, OfAPartForgetNoFile) {
   EXPECT_THAT(testing::render(smallScene(), part).others,
               ElementsAre(path("small.mp4"), path("small.poster.png")))
       << "the table was replaced";
+}
+
+TEST_F(OtherSettings, AreReportedWhereTheyAreReplaced) {
+  EXPECT_TRUE(render({}).replaced.empty());
+  EXPECT_TRUE(render({}).replaced.empty()) << "the same settings";
+  // The poster is the same: it has no text.
+  EXPECT_THAT(
+      render({}, otherScene()).replaced,
+      ElementsAre(path("small.csv"), path("small.mp4"), "12 frames in " + path("small") + "/"));
+  EXPECT_TRUE(renderGif().replaced.empty());
+  EXPECT_TRUE(render(kResume, otherScene()).replaced.empty());
+  std::ofstream(folder_ / "small.webm") << "somebody's";
+  const RenderResult webm = testing::render(
+      otherScene(), {.folder = folder_, .outputs = outputsOf(false, {video::VideoFormat::WebM})});
+  EXPECT_THAT(webm.replaced, ElementsAre(path("small.webm") + " (with unknown settings)"));
+}
+
+TEST_F(OtherSettings, AreReportedWhereAPartReplacesThem) {
+  const RenderOptions whole{.folder = folder_,
+                            .outputs = outputsOf(false, {video::VideoFormat::Mp4})};
+  RenderOptions part = whole;
+  part.frames = store::FrameRange{0, 3};
+  testing::render(smallScene(), whole);
+  EXPECT_TRUE(testing::render(smallScene(), part).replaced.empty());
+  EXPECT_THAT(
+      testing::render(otherScene(), part).replaced,
+      ElementsAre(path("small.csv"), path("small_00000-00003.mp4") + " (with unknown settings)"));
+}
+
+TEST_F(OtherSettings, LeaveTheTableOfAnotherClip) {
+  const auto sceneNamed = [](const char* name, const std::string& panels) {
+    return scene::parseScene(
+        "[initial]\nangular_velocity = [5, 3, 1]\n[clip]\n"
+        "size = [64, 36]\nduration = 0.1\n" +
+            panels,
+        name);
+  };
+  const scene::Scene alone = sceneNamed("s_exact.toml", "");
+  const std::string panels =
+      "[[panel]]\nlabel = \"Exact\"\nbody.mass = 2\n[[panel]]\nlabel = \"b\"\n";
+  const scene::Scene both = sceneNamed("s.toml", panels);
+  const RenderOptions options{.folder = folder_, .outputs = {pngOutput()}};
+  testing::render(alone, options);
+  const std::string table = bytesOf(folder_ / "s_exact.csv");
+  EXPECT_THAT(
+      messageOf<InputError>([&] { testing::render(both, options); }),
+      HasSubstr(path("s_exact.csv") + " belongs to the clip s_exact, and the render of s "));
+  EXPECT_EQ(bytesOf(folder_ / "s_exact.csv"), table);
+  EXPECT_FALSE(fs::exists(folder_ / "s.partial"));
+
+  // It may be replaced on purpose; then it is the other's
+  RenderOptions overwriting = options;
+  overwriting.earlier.overwrite = true;
+  testing::render(both, overwriting);
+  EXPECT_NE(bytesOf(folder_ / "s_exact.csv"), table);
+  testing::render(both, options);
+  EXPECT_THAT(messageOf<InputError>([&] { testing::render(alone, options); }),
+              HasSubstr("belongs to the clip s, and the render of s_exact "));
+}
+
+TEST_F(OtherSettings, AreNoMatterInAFolderThatWasRenamed) {
+  render({});
+  fs::rename(folder_ / "small", folder_ / "kept");
+  EXPECT_NO_THROW(render({}, otherScene()));
+  EXPECT_EQ(store::framesIn(folder_ / "kept").size(), 12U);
 }
 
 TEST_F(OtherSettings, LeaveAnInterruptedVideoOfAnotherFormat) {

@@ -70,7 +70,7 @@ TEST(RenderErrors, NameAFrameThatCannotBeWritten) {
 TEST(RenderErrors, NameAFolderInPlaceOfAnOlderFrame) {
   const fs::path folder = emptyFolder();
   fs::create_directories(folder / "small" / store::frameName(4) / "in the way");
-  EXPECT_THAT(errorOf<MachineError>(smallScene(), pngAndMp4(folder)),
+  EXPECT_THAT(errorOf<MachineError>(smallScene(), pngAndMp4(folder, {.overwrite = true})),
               HasSubstr(store::frameName(4)));
 }
 

@@ -87,6 +87,14 @@ TEST(RenderParts, LeaveTheWholesVideoAlone) {
   EXPECT_EQ(store::framesIn(folder / "small").size(), static_cast<std::size_t>(kFrames));
 }
 
+TEST(RenderParts, DrawnAgainOverTheWholeChangeNoChecksum) {
+  const fs::path folder = emptyFolder();
+  testing::render(smallScene(), pngAndMp4(folder));
+  const std::string sums = bytesOf(folder / "small" / store::kFrameChecksumsName);
+  testing::render(smallScene(), pngAndMp4(folder, {}, store::FrameRange{2, 5}));
+  EXPECT_EQ(bytesOf(folder / "small" / store::kFrameChecksumsName), sums);
+}
+
 TEST(RenderParts, RefuseToJoinFramesOfOtherSettings) {
   const fs::path folder = emptyFolder();
   testing::render(smallScene(), pngAndMp4(folder, {}, store::FrameRange{0, 5}));

@@ -20,6 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::AllOf;
 using testing::bytesOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using testing::emptyFolder;
 using testing::expectSame;
@@ -194,6 +195,52 @@ TEST_F(Resume, OfARenderWhoseFrameWasRemovedDrawsItAgain) {
                              HasSubstr("\n  11 finished frames are kept in ")));
   EXPECT_EQ(render(kResume).framesKept, 11);
   expectAsUninterrupted();
+}
+
+TEST_F(Resume, OfARenderWhoseFrameWasChangedDrawsItAgain) {
+  const fs::path victim = folder_ / "small.partial" / store::frameName(0);
+  const RenderListener listener{
+      {}, [&](RenderProgress) { fs::exists(victim) ? fs::resize_file(victim, 0) : void(); }};
+  const std::string message = messageOf<MachineError>([&] {
+    renderClip(smallScene(), timeline::simulateScene(smallScene()), pngAndMp4(folder_), listener);
+  });
+  EXPECT_THAT(message, AllOf(HasSubstr(victim.string() + " isn't the picture that was drawn"),
+                             HasSubstr(" finished frames are kept in ")));
+  EXPECT_EQ(render(kResume).framesKept, 11);
+  expectAsUninterrupted();
+}
+
+// Nobody else's frames are removed, nor those of which nothing is known any more.
+TEST_F(Resume, AloneKeepsFramesOfADamagedManifest) {
+  testing::render(otherScene(), pngAndMp4(folder_, {}, store::FrameRange{0, 5}));
+  const fs::path manifest = folder_ / "small" / store::kManifestName;
+  const std::string whole = bytesOf(manifest);
+  for (const std::string& text : {std::string(), whole.substr(0, 300), std::string("\x01\xff[")}) {
+    std::ofstream(manifest) << text;
+    EXPECT_THAT(failureOf({}), HasSubstr("with unknown settings; render again with --overwrite"));
+    EXPECT_EQ(store::framesIn(folder_ / "small").size(), 5U);
+    const RenderResult gif = testing::render(
+        smallScene(), {.folder = folder_, .outputs = outputsOf(false, {video::VideoFormat::Gif})});
+    EXPECT_THAT(gif.others, Contains(HasSubstr("(with unknown settings)")));
+    EXPECT_EQ(store::framesIn(folder_ / "small").size(), 5U);
+  }
+  EXPECT_EQ(render(kOverwrite).framesKept, 0);
+}
+
+TEST_F(Resume, KeepsARecordThatNoRenderLeft) {
+  for (const char* name : {"small", "small.partial", "small.replaced"}) {
+    const fs::path record = folder_ / name / store::kSceneCopyName;
+    fs::create_directories(record.parent_path());
+    std::ofstream(record) << "title = \"mine\"\n";
+    for (const bool png : {true, false}) {
+      RenderOptions options = pngAndMp4(folder_);
+      if (!png) options.outputs = outputsOf(false, {video::VideoFormat::Mp4});
+      EXPECT_THAT(messageOf<InputError>([&] { testing::render(smallScene(), options); }),
+                  HasSubstr(record.parent_path().string() + " holds "));
+    }
+    EXPECT_EQ(bytesOf(record), "title = \"mine\"\n");
+    fs::remove_all(record.parent_path());
+  }
 }
 
 TEST_F(Resume, IsNotProposedWhereTheFolderWasEmptied) {

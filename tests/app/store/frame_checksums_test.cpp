@@ -142,9 +142,58 @@ TEST(FrameChecksums, NameTheFrameThatIsMissing) {
   const std::string gone = (folder / "frame_00001.png").string() + " is gone: ";
   EXPECT_THAT(messageOf<MachineError>([&] { sums.sort({0, 3}); }), ::testing::StartsWith(gone));
   EXPECT_THAT(messageOf<MachineError>([&] {
-                sums.requireFiles({0, 3});
+                sums.requireUnchanged({0, 3});
               }),
               ::testing::StartsWith(gone));
+}
+
+// As fast as it may happen, and with the size that it had.
+TEST(FrameChecksums, NameTheFrameThatWasChanged) {
+  const fs::path folder = emptyFolder();
+  FrameChecksums sums(folder);
+  for (std::int64_t frame = 0; frame < 3; ++frame) writeFrame(sums, frame, "picture");
+  EXPECT_NO_THROW(sums.requireUnchanged({0, 3}));
+  const auto expectNamed = [&](const FrameChecksums& checked, const std::string& bytes) {
+    std::ofstream(folder / frameName(1)) << bytes;
+    EXPECT_THAT(messageOf<MachineError>([&] {
+                  checked.requireUnchanged({0, 3});
+                }),
+                ::testing::StartsWith((folder / frameName(1)).string() +
+                                      " isn't the picture that was drawn: "));
+    EXPECT_NO_THROW(checked.requireUnchanged({2, 3}));
+  };
+  expectNamed(sums, "");
+  expectNamed(sums, "a longer one");
+  system::writeFileAtomically(folder / frameName(1), "another");
+  expectNamed(sums, "another");
+  // Frames of an earlier run
+  writeFrame(sums, 1, "picture");
+  const FrameChecksums later(folder);
+  for (std::int64_t frame = 0; frame < 3; ++frame) EXPECT_TRUE(later.intact(frame));
+  expectNamed(later, "another");
+}
+
+TEST(FrameChecksums, AcceptAFileThatWasTouchedOrReplacedByItsCopy) {
+  const fs::path folder = emptyFolder();
+  FrameChecksums sums(folder);
+  writeFrame(sums, 0, "picture");
+  system::writeFileAtomically(folder / frameName(0), "picture");
+  EXPECT_NO_THROW(sums.requireUnchanged({0, 1}));
+}
+
+TEST(FrameChecksums, TakeNoSecondLineForTheSameBytes) {
+  const fs::path folder = emptyFolder();
+  {
+    FrameChecksums first(folder);
+    writeFrame(first, 0, "zero");
+    writeFrame(first, 1, "one");
+  }
+  const std::string before = bytesOf(folder / kFrameChecksumsName);
+  FrameChecksums second(folder);
+  writeFrame(second, 0, "zero");
+  EXPECT_EQ(bytesOf(folder / kFrameChecksumsName), before);
+  writeFrame(second, 1, "other");
+  EXPECT_EQ(FrameChecksums(folder).intact(1), "other");
 }
 
 TEST(FrameChecksums, AreNotReadWhereTheyAreOfNoClip) {

@@ -1,0 +1,137 @@
+#include "store/other_settings.h"
+
+#include <algorithm>
+#include <iterator>
+#include <system_error>
+
+#include "base/error.h"
+#include "system/file_checksum.h"
+
+namespace rotatebook::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kUnknown = " (with unknown settings)";
+
+/// Returns whether the file at `path` is as a manifest lists it.
+bool isIntact(const fs::path& path, const std::string& checksum) {
+  return fs::is_regular_file(path) && system::checksumOfFile(path) == checksum;
+}
+
+/// Returns all renders that a manifest lists.
+std::vector<Manifest::Render> rendersOf(const Manifest& manifest) {
+  std::vector<Manifest::Render> renders = manifest.others;
+  renders.push_back(manifest.own);
+  return renders;
+}
+
+/// Returns "720 frames in out/a/" if NAME/ holds frames of other settings; else empty.
+std::string framesOfOtherSettings(const ClipFiles& files, const std::optional<Manifest>& there,
+                                  const Manifest::Entries& made) {
+  if (isMadeWith(there, made) || !hasFrames(files.frameFolder)) return "";
+  return framesText(std::ssize(framesIn(files.frameFolder))) + " in " + files.frameFolder.string() +
+         '/' + (knowsSettings(there) ? "" : kUnknown);
+}
+
+/// Returns whether a render of the clip `clip` gives `file` its name: NAME.csv, NAME_LABEL.csv.
+bool isNamedAfter(const std::string& clip, const fs::path& file) {
+  const std::string name = file.filename().string();
+  return name.starts_with(clip + '.') || name.starts_with(clip + '_');
+}
+
+/// Returns whether one of the renders that `manifest` lists left `file` as it is.
+bool isLeftBy(const Manifest& manifest, const fs::path& file) {
+  for (const Manifest::Render& render : rendersOf(manifest)) {
+    const auto entry = render.files.find(file.filename().string());
+    if (entry != render.files.end() && isIntact(file, entry->second)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool isMadeWith(const std::optional<Manifest>& manifest, const Manifest::Entries& made) {
+  return manifest && manifest->own.made == made;
+}
+
+bool knowsSettings(const std::optional<Manifest>& manifest) {
+  return manifest && !manifest->own.made.empty();
+}
+
+std::vector<std::string> keptOfOtherSettings(const ClipFiles& files,
+                                             const Manifest::Entries& made) {
+  const auto there = readManifest(files.frameFolder);
+  if (!there) return {};
+
+  // Collect the files of other renders that still are as these wrote them
+  std::vector<std::string> kept;
+  for (const Manifest::Render& render : rendersOf(*there)) {
+    if (render.made == made) continue;
+    for (const auto& [name, sum] : render.files) {
+      const fs::path file = files.frameFolder.parent_path() / name;
+      if (fs::path(name).filename() == name && isIntact(file, sum)) kept.push_back(file.string());
+    }
+  }
+  std::ranges::sort(kept);
+
+  // Add the frames of another render
+  const std::string frames = framesOfOtherSettings(files, there, made);
+  if (!frames.empty()) kept.push_back(frames);
+  return kept;
+}
+
+void refuseFilesOfOtherClips(const ClipFiles& files, const std::vector<fs::path>& outputs) {
+  const fs::path folder = files.frameFolder.parent_path();
+  const auto own = readManifest(files.frameFolder);
+  const std::string name = files.frameFolder.filename().string();
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, error)) {
+    const std::string other = entry.path().filename().string();
+    const auto manifest = other != name ? readManifest(entry.path()) : std::nullopt;
+    if (!manifest) continue;
+    for (const fs::path& output : outputs) {
+      if (!isNamedAfter(other, output) || !isLeftBy(*manifest, output)) continue;
+      // The same table of both is no matter
+      if (own && isLeftBy(*own, output)) continue;
+      throw InputError(output.string() + " belongs to the clip " + other + ", and the render of " +
+                       name +
+                       " would replace it; rename the scene or its panel, render into another "
+                       "folder with -o, or replace it with --overwrite");
+    }
+  }
+}
+
+ReplacedOutputs::ReplacedOutputs(const ClipFiles& files, const Manifest::Entries& made,
+                                 const std::vector<fs::path>& outputs, bool frames) {
+  const auto there = readManifest(files.frameFolder);
+  for (const fs::path& file : outputs) {
+    if (!fs::is_regular_file(file)) continue;
+    Output output{file, "", false};
+
+    // Find the render that left it
+    for (const Manifest::Render& render : rendersOf(there.value_or(Manifest{}))) {
+      const auto entry = render.files.find(file.filename().string());
+      if (entry == render.files.end()) continue;
+      output = {file, entry->second, true};
+      if (render.made == made) output.checksum.clear();
+    }
+
+    // Note it unless it is of these settings
+    if (!output.isKnown) output.checksum = system::checksumOfFile(file);
+    if (!output.checksum.empty()) outputs_.push_back(output);
+  }
+  if (frames) frames_ = framesOfOtherSettings(files, there, made);
+}
+
+std::vector<std::string> ReplacedOutputs::items() const {
+  std::vector<std::string> items;
+  for (const Output& output : outputs_) {
+    if (isIntact(output.file, output.checksum)) continue;
+    items.push_back(output.file.string() + (output.isKnown ? "" : kUnknown));
+  }
+  if (!frames_.empty()) items.push_back(frames_);
+  return items;
+}
+
+}  // namespace rotatebook::store

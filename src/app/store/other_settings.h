@@ -1,0 +1,50 @@
+// Outputs of renders with other settings, and of other clips, beside a clip. Inside the room only.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "store/clip_files.h"
+#include "store/manifest.h"
+
+namespace rotatebook::store {
+
+/// Returns whether the folder's own frames have the fingerprint `made`.
+bool isMadeWith(const std::optional<Manifest>& manifest, const Manifest::Entries& made);
+/// Returns whether the manifest states the settings of the folder's frames.
+bool knowsSettings(const std::optional<Manifest>& manifest);
+
+/// Returns the outputs that remain from renders with other settings than `made`, once the render
+/// with these is finished: "out/a.mp4", "720 frames in out/a/".
+std::vector<std::string> keptOfOtherSettings(const ClipFiles& files, const Manifest::Entries& made);
+
+/// Throws InputError if one of `outputs` was left by another clip in the same folder: if that
+/// clip's manifest lists it, and it still has its checksum.
+void refuseFilesOfOtherClips(const ClipFiles& files,
+                             const std::vector<std::filesystem::path>& outputs);
+
+/// The outputs that a render finds and is going to replace.
+class ReplacedOutputs {
+ public:
+  /// Notes those of `outputs` that renders with the fingerprint `made` didn't leave; and, if
+  /// `frames`, the frames of other settings. Throws MachineError if one can't be read.
+  ReplacedOutputs(const ClipFiles& files, const Manifest::Entries& made,
+                  const std::vector<std::filesystem::path>& outputs, bool frames);
+
+  /// Returns those that have other bytes now, like keptOfOtherSettings(). Throws MachineError.
+  std::vector<std::string> items() const;
+
+ private:
+  struct Output {
+    std::filesystem::path file;
+    std::string checksum;
+    bool isKnown = false;  ///< A manifest lists it.
+  };
+
+  std::vector<Output> outputs_;
+  std::string frames_;  ///< Empty if no frames are replaced.
+};
+
+}  // namespace rotatebook::store

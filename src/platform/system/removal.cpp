@@ -1,0 +1,68 @@
+#include "system/removal.h"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <optional>
+#include <pwd.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace rotatebook::system {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Returns the name of the user with this number, or the number.
+std::string userName(uid_t user) {
+  const passwd* entry = getpwuid(user);
+  return entry != nullptr ? entry->pw_name : "user " + std::to_string(user);
+}
+
+std::optional<struct stat> statusOf(const fs::path& path) {
+  struct stat status {};
+  if (lstat(path.c_str(), &status) != 0) return std::nullopt;
+  return status;
+}
+
+/// Returns why this user can't change the names in `folder`.
+std::string obstacleIn(const fs::path& folder) {
+  if (faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) == 0) return "";
+  const std::string cause = std::generic_category().message(errno);
+  struct stat status {};
+  if (stat(folder.c_str(), &status) != 0) return cause;
+  return cause + "; " + folder.string() + " belongs to " + userName(status.st_uid);
+}
+
+/// Returns why this user can't remove the file at `path` from `folder`, whose names they may
+/// change.
+std::string obstacleByOwner(const fs::path& folder, const fs::path& path) {
+  struct stat above {};
+  const auto own = statusOf(path);
+  if (!own || stat(folder.c_str(), &above) != 0 || (above.st_mode & S_ISVTX) == 0) return "";
+  const uid_t user = geteuid();
+  if (user == 0 || user == above.st_uid || user == own->st_uid) return "";
+  return path.string() + " belongs to " + userName(own->st_uid) + ", and " + folder.string() +
+         " lets users remove only their own files";
+}
+
+}  // namespace
+
+std::string obstacleToRemoval(const fs::path& path) {
+  if (!statusOf(path)) return "";
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const std::string obstacle = obstacleIn(folder);
+  return obstacle.empty() ? obstacleByOwner(folder, path) : obstacle;
+}
+
+std::string obstacleToEmptying(const fs::path& folder) {
+  std::string obstacle = obstacleIn(folder);
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (!obstacle.empty()) break;
+    obstacle = obstacleByOwner(folder, entry.path());
+  }
+  return error ? error.message() : obstacle;
+}
+
+}  // namespace rotatebook::system

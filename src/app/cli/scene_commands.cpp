@@ -32,8 +32,7 @@ int checkScenes(const std::vector<std::string>& paths, const SceneOptions& optio
       refuseSameNames({scene});
       picture::preflight(scene);
       report::reportNotes(scene, std::cerr);
-      std::cout << oneLine(path) << ": ok
-";
+      std::cout << oneLine(path) << ": ok\n";
     } catch (const InputError& error) {
       printError(error.what());
       status = kWrongInput;

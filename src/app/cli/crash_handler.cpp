@@ -27,11 +27,13 @@ void printCrash(std::string_view problem) {
   }
 }
 
-std::atomic<bool> crashed = false;
+std::atomic<pid_t> crashedThread = 0;
 
 extern "C" void onCrash(int signal) {
   // A driver's threads may crash at the same time; the first one ends the process.
-  while (crashed.exchange(true)) pause();
+  pid_t first = 0;
+  const bool isFirst = crashedThread.compare_exchange_strong(first, gettid());
+  while (!isFirst && first != gettid()) pause();
   system::becomeCrashSuccessor(signal);
   printCrash(kCrash);
   std::signal(signal, SIG_DFL);
@@ -42,7 +44,10 @@ extern "C" void onCrash(int signal) {
 void useSignalStack() {
   static std::array<char, 65536> memory;
   const stack_t stack{.ss_sp = memory.data(), .ss_flags = 0, .ss_size = memory.size()};
-  sigaltstack(&stack, nullptr);
+  stack_t before{};
+  sigaltstack(nullptr, &before);
+  // Sanitizers have one, which they give back.
+  if ((before.ss_flags & SS_DISABLE) != 0) sigaltstack(&stack, nullptr);
 }
 
 thread_local bool memoryRanOut = false;

@@ -45,9 +45,10 @@ void checkFrames(const ValueReader& section, ClipSettings& clip) {
   // valid at any rate, so an invalid one is in the file.
   const bool tooMany = clip.duration / clip.frameRate.period() > kMaxFrames;
   if (tooMany || clip.frameCount() < 1) {
+    const std::string rate = clip.frameRate.text();
     section.find("duration")
         ->mismatch("long enough for 1 frame and short enough for " + std::to_string(kMaxFrames) +
-                   " at " + clip.frameRate.text() + " frames a second");
+                   " at " + rate + (rate == "1" ? " frame" : " frames") + " a second");
   }
 }
 

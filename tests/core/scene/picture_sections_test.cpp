@@ -83,7 +83,7 @@ TEST(ClipSection, RefusesDurationsWithoutAFrameOrWithoutEnd) {
   EXPECT_EQ(errorOf("[clip]\nduration = 1e300\nfps = '30000/1001'"),
             "a.toml:2:12: " + frames + "30000/1001 frames a second, not 1e+300");
   EXPECT_EQ(errorOf("[clip]\nfps = 1\nduration = 1000001"),
-            "a.toml:3:12: " + frames + "1 frames a second, not 1000001");
+            "a.toml:3:12: " + frames + "1 frame a second, not 1000001");
   EXPECT_EQ(sceneFrom("clip.duration = 0.009").clip.frameCount(), 1);
   EXPECT_EQ(sceneFrom("clip.duration = 1000000\nclip.fps = 1").clip.frameCount(), 1'000'000);
 }

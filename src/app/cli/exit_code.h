@@ -8,6 +8,7 @@ enum ExitCode : int {
   kUnmet = 1,          ///< An expectation, a comparison or a proof failed.
   kWrongInput = 2,     ///< The user's input is wrong.
   kMachineFailed = 3,  ///< The machine can't do it: no EGL, no encoder, a full disk.
+  kCoarse = 4,         ///< A clip is consistent with its scene, but too coarse to prove it.
   kInterrupted = 129,  ///< SIGHUP; SIGINT gives 130, SIGTERM 143. The lowest of the three.
 };
 

@@ -31,7 +31,8 @@ Examples:
   rotatebook help render
 
 Exit status: 0 done; 1 an expectation, comparison or proof failed; 2 the input is wrong; 3 the machine
-can't do it (no EGL, encoder or gnuplot; a full disk); 129, 130 or 143 interrupted.)";
+can't do it (no EGL, encoder or gnuplot; a full disk); 4 a clip is too coarse to be proved; 129, 130 or
+143 interrupted.)";
 
 void addCommands(CLI::App& program, Action& action) {
   addRenderCommand(program, action);

@@ -21,6 +21,18 @@ struct VerifyArguments {
   bool json = false;
 };
 
+int statusOf(verify::Verdict verdict) {
+  switch (verdict) {
+    case verify::Verdict::Proved:
+      return kDone;
+    case verify::Verdict::Coarse:
+      return kCoarse;
+    case verify::Verdict::NotProved:
+      return kUnmet;
+  }
+  return kUnmet;
+}
+
 int verify(const VerifyArguments& arguments) {
   verify::VerifyOptions options = arguments.options;
   options.device = arguments.deviceOptions.choice();
@@ -32,7 +44,7 @@ int verify(const VerifyArguments& arguments) {
   }
   (arguments.json ? report::reportVerificationAsJson : report::reportVerification)(
       arguments.clip, found, std::cout);
-  return found.proved() ? kDone : kUnmet;
+  return statusOf(found.verdict());
 }
 
 }  // namespace
@@ -60,13 +72,14 @@ void addVerifyCommand(CLI::App& program, Action& action) {
   command->footer(R"(
 Takes the scene from the clip's metadata, simulates it again and compares the motion, bit by bit; draws
 frames of it again and compares them with the clip's pictures, which must not be closer to the frame
-before or after; checks size, codec, colours, how the file has players turn, stretch and time the
-pictures, number of frames, time stamps and duration. Only the pictures that were compared are proved:
-all of them with --all.
+before or after; checks size, codec, colours, how the file has players crop, turn, stretch, deinterlace
+and time the pictures, number of frames, time stamps and duration. Only the pictures that were compared
+are proved: all of them with --all. How closely they must agree follows from the stream's quantisers; one
+that is coded coarsely is consistent at best. The last line says what the proof is worth.
 If the clip was made with another renderer, FFmpeg or version, a note says so, as pixels may differ then.
 
 Exit status: 0 all is proved, 1 a check failed, 2 the file can't be read, ends early or isn't a clip of
-rotatebook, 3 the machine can't draw.
+rotatebook, 3 the machine can't draw, 4 nothing fails, but the stream is too coarse to prove it.
 
 Examples:
   rotatebook verify out/starter.mp4

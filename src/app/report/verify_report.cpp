@@ -14,10 +14,12 @@ namespace {
 
 using verify::ClipCheck;
 using verify::PictureCheck;
+using verify::Verdict;
 using verify::Verification;
 
 constexpr int kVerdictWidth = 8;
 constexpr int kCheckWidth = 13;
+constexpr int kAlwaysShown = 2;  // Of the measures: these have their place in each line.
 
 void printCheck(const ClipCheck& check, std::ostream& out) {
   out << "  " << std::left << std::setw(kVerdictWidth) << (check.passed ? "ok" : "FAILED")
@@ -30,10 +32,23 @@ std::string numberText(double value) {
   return roundedText(value, 3);
 }
 
+/// Returns "brightness or contrast changed by 1.1 (at most 0.4)", and whatever else is too large.
+std::string excessOf(const PictureCheck& check) {
+  std::string text;
+  for (const verify::MeasureRow& row : verify::kMeasures | std::views::drop(kAlwaysShown)) {
+    const double measured = check.measured.*row.value, bound = check.bound.*row.value;
+    if (measured <= bound) continue;
+    text += "; " + std::string(row.text) + " by " + numberText(measured) + " (at most " +
+            numberText(bound) + ")";
+  }
+  return text;
+}
+
 /// Converts to a check that is printed like the others.
 ClipCheck asClipCheck(const PictureCheck& check) {
   std::string measured = "off by " + numberText(check.measured.rms) + " of 255, " +
-                         numberText(check.measured.worstBlock) + " in the worst block";
+                         numberText(check.measured.worstBlock) + " in the worst block" +
+                         excessOf(check);
   if (check.closerTo) {
     measured += "; it is closer to frame " + std::to_string(*check.closerTo);
   }
@@ -56,21 +71,71 @@ std::string framesCompared(const Verification& found) {
          (found.pictures.size() > kMaxNamed ? ", ..." : "");
 }
 
-std::string verdict(const Verification& found) {
-  const auto compared = static_cast<std::int64_t>(found.pictures.size());
-  const bool all = compared == found.range.count();
-  const std::string pictures =
-      std::to_string(compared) + " of " + std::to_string(found.range.count()) + " pictures";
-  if (!found.proved()) {
-    const std::int64_t count = found.failures();
-    return "NOT PROVED: " + std::to_string(count) + (count == 1 ? " check" : " checks") +
-           " failed; " + pictures + " were compared.";
-  }
-  if (all)
-    return "Proved: the motion and all " + std::to_string(compared) +
+std::string picturesCompared(const Verification& found) {
+  return std::to_string(found.pictures.size()) + " of " + std::to_string(found.range.count()) +
+         " pictures";
+}
+
+bool comparesAll(const Verification& found) {
+  return static_cast<std::int64_t>(found.pictures.size()) == found.range.count();
+}
+
+std::string failureText(const Verification& found) {
+  const std::int64_t count = found.failures();
+  return "NOT PROVED: " + std::to_string(count) + (count == 1 ? " check" : " checks") +
+         " failed; " + picturesCompared(found) + " were compared.";
+}
+
+std::string proofText(const Verification& found) {
+  if (comparesAll(found)) {
+    return "Proved: the motion and all " + std::to_string(found.pictures.size()) +
            " pictures are those of the scene.";
-  return "Proved for " + pictures + " (" + framesCompared(found) +
+  }
+  return "Proved for " + picturesCompared(found) + " (" + framesCompared(found) +
          "): they and the motion are those of the scene; --all compares every picture.";
+}
+
+std::string coarseText(const Verification& found) {
+  return "Consistent, coarsely: the motion is that of the scene, and " + picturesCompared(found) +
+         " may be, but the stream is coded too coarsely to prove it.";
+}
+
+/// Returns how well the stream is coded, and the smallest changes that are noticed for sure.
+std::string worthText(const Verification& found) {
+  const verify::Deviation bound = found.unnoticed();
+  const std::string quantiser =
+      found.quantiser ? "at a mean quantiser of " + numberText(*found.quantiser) + " of 51" +
+                            (found.verdict() == Verdict::Coarse
+                                 ? ", above " + numberText(verify::kCoarsestProof)
+                                 : "")
+                      : "as finely as a WebM of rotatebook";
+  return "Worth: coded " + quantiser + "; changes of up to " + numberText(bound.brightness) +
+         " in brightness, " + numberText(bound.colour) + " in colour and " +
+         numberText(bound.lumaPatch) + " in 32x32 pixels (of 255) may pass unnoticed.";
+}
+
+std::string verdictText(const Verification& found) {
+  switch (found.verdict()) {
+    case Verdict::Proved:
+      return proofText(found) + "\n" + worthText(found);
+    case Verdict::Coarse:
+      return coarseText(found) + "\n" + worthText(found);
+    case Verdict::NotProved:
+      return failureText(found);
+  }
+  return "";
+}
+
+const char* nameOf(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::Proved:
+      return "proved";
+    case Verdict::Coarse:
+      return "consistent, coarsely";
+    case Verdict::NotProved:
+      return "not proved";
+  }
+  return "";
 }
 
 std::string json(const ClipCheck& check) {
@@ -82,17 +147,19 @@ std::string json(const ClipCheck& check) {
       .text();
 }
 
-std::string json(const video::Distance& distance) {
-  return JsonObject()
-      .addNumber("rms", distance.rms)
-      .addNumber("worst_block", distance.worstBlock)
-      .text();
+std::string json(const verify::Deviation& deviation) {
+  JsonObject object;
+  for (const verify::MeasureRow& row : verify::kMeasures) {
+    object.addNumber(row.name, deviation.*row.value);
+  }
+  return object.text();
 }
 
 std::string json(const PictureCheck& check) {
   return JsonObject()
       .add("frame", std::to_string(check.frame))
       .addBool("passed", check.passed())
+      .addNumber("quantiser", check.quantiser)
       .add("measured", json(check.measured))
       .add("bound", json(check.bound))
       .add("closer_to", check.closerTo ? std::to_string(*check.closerTo) : "null")
@@ -123,7 +190,7 @@ void reportVerification(const std::string& clip, const Verification& found, std:
   }
   for (const ClipCheck& check : found.checks) printCheck(check, out);
   for (const PictureCheck& check : found.pictures) printCheck(asClipCheck(check), out);
-  out << verdict(found) << '\n';
+  out << verdictText(found) << '\n';
 }
 
 void reportVerificationAsJson(const std::string& clip, const Verification& found,
@@ -131,7 +198,9 @@ void reportVerificationAsJson(const std::string& clip, const Verification& found
   const auto asJson = [](const auto& check) { return json(check); };
   out << JsonObject()
              .addString("clip", clip)
-             .addBool("proved", found.proved())
+             .addBool("proved", found.verdict() == Verdict::Proved)
+             .addString("verdict", nameOf(found.verdict()))
+             .add("quantiser", found.quantiser ? shortestText(*found.quantiser) : "null")
              .add("made_with", json(found.record.provenance))
              .add("frames", json(found.range))
              .add("whole_frames", std::to_string(found.wholeCount))

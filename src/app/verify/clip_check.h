@@ -5,9 +5,13 @@
 #include <optional>
 #include <string>
 
-#include "video/planes.h"
+#include "verify/deviation.h"
 
 namespace rotatebook::verify {
+
+/// The largest mean quantiser of a clip that can be proved, in the scale of video::PictureFacts. In
+/// a coarser one the noise of encoding hides changes that people see.
+inline constexpr double kCoarsestProof = 32;
 
 /// A property of a clip, and the value that it should have.
 struct ClipCheck {
@@ -20,14 +24,13 @@ struct ClipCheck {
 /// A picture of a clip, compared with the frame drawn for it.
 struct PictureCheck {
   std::int64_t frame = 0;  ///< Its index in the whole clip.
-  video::Distance measured;
-  video::Distance bound;
+  double quantiser = 0;    ///< With which it is coded: video::PictureFacts::quantiser.
+  Deviation measured{};
+  Deviation bound{};  ///< The largest that encoding explains.
   /// Another frame to which the picture is clearly closer than to `frame`.
   std::optional<std::int64_t> closerTo{};
 
-  bool passed() const {
-    return !closerTo && measured.rms <= bound.rms && measured.worstBlock <= bound.worstBlock;
-  }
+  bool passed() const { return !closerTo && isWithin(measured, bound); }
 };
 
 }  // namespace rotatebook::verify

@@ -1,6 +1,7 @@
 #include "verify/picture_comparison.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "store/clip_files.h"
@@ -17,38 +18,76 @@ constexpr std::int64_t kFarReach = 5;
 // 42; 2.6 at crf 18), at most 0.38 in clips that are off by a frame, at crf 18.
 constexpr double kCloserRatio = 0.6;
 
+// A WebM's largest, as this program encodes them: libvpx decodes transparent ones, and reports
+// none.
+constexpr double kUnreportedQuantiser = 26;
+
+/// A measure's bound.
+struct BoundRow {
+  double Deviation::*value;
+  double noise;     ///< The bound at quantiser 20.
+  double doubling;  ///< Steps of the quantiser that double it.
+  double smallest;  ///< For conversion, rounding and another rasteriser's edges.
+  double largest;   ///< Beyond it not even a coarse clip is consistent.
+  bool averages;    ///< A mean over the whole picture: smaller in larger pictures.
+};
+
+// Beyond kCoarsestProof bounds double with fewer steps, as whole blocks lose their gradients; all
+// that averages doubles with a sixteenth of kCalibratedPixels.
+constexpr double kCoarseDoubling = 5;
+constexpr double kCalibratedPixels = 640 * 360;
+
+// Measured on 24 frames of all scenes, figures and comparisons at 64x36 to 640x360 and of six
+// scenes at 1280x720, at crf 1, 18, 24 and 30 and as WebM, also with other presets, stars, motion
+// blur and transparency: the largest share of the bound in clips that can be proved, and at 320x180
+// and crf 18, quantisers 15 to 25, the values in honest clips and with brightness + 2 %, hue + 10
+// degrees, the picture a pixel aside and 10 % white letters:
+//   rms          0.68  0.7-1.5    1.2-1.8  0.8-1.7    3.6-5.9   1.7-2.4
+//   worst block  0.74  2.2-4.9    3.4-5.2  2.9-5.4    17-31     8.4-11
+//   brightness   0.76  0.04-0.18  1.0-1.2  0.2-0.3    0.3-1.0   0.2-0.4
+//   colour       0.73  0.20-0.56  0.2-0.6  0.9-2.4    0.2-0.6   0.2-0.6
+//   shift        0.50  0.00-0.04  0-0.02   0-0.03     0.9-1.0   0-0.03
+//   luma patch   0.76  0.3-0.9    2.4-3.6  0.4-1.1    2.7-4.9   4.6-5.7
+//   chroma patch 0.75  0.5-1.1    0.6-1.2  2.2-6.5    0.9-1.5   0.6-1.1
+constexpr std::array<BoundRow, 7> kBounds{{{&Deviation::rms, 2.8, 8, 1.2, 26, true},
+                                           {&Deviation::worstBlock, 10.7, 8, 4.5, 100, false},
+                                           {&Deviation::brightness, 0.53, 7, 0.2, 30, true},
+                                           {&Deviation::colour, 1.2, 10, 0.75, 15, true},
+                                           {&Deviation::shift, 0.08, 8, 0.03, 0.8, true},
+                                           {&Deviation::lumaPatch, 2.05, 7, 0.56, 45, false},
+                                           {&Deviation::chromaPatch, 1.8, 9, 0.86, 25, false}}};
+
 }  // namespace
 
-// Measured on 24 frames of scenes/starter.toml: the largest rms and rms of the worst block from
-// 64x36 to 1280x720, then the smallest with the book turned by a degree, at 320x180 and at
-// 1280x720:
-//   crf 1   0.8   2.0   3.1 19    3.8 47
-//   crf 18  2.5   6.0   3.1 19    3.8 47
-//   crf 24  4.0  10.5   3.2 19    3.8 47
-//   crf 30  6.3  16     3.5 18    3.7 47
-//   crf 36 10    28     3.8 21    3.8 48
-//   crf 42 15    42     4.3 19    3.9 48
-//   crf 51 19    42     5.2 22    4.5 50
-//   WebM    2.2   4.7   3.2 19    3.8 47
-// The largest on five scenes of figures and comparisons, at 640x360 and crf 18: 2.1 and 7.1.
-video::Distance encodingBound(video::VideoFormat format, int crf) {
-  const double step = rowOf(format).recorded.lossesOfCrf.value_or(crf) - 18;
-  return {.rms = std::clamp(3.8 * std::exp2(step / 9), 1.5, 26.0),
-          .worstBlock = std::clamp(10 * std::exp2(step / 8), 4.0, 60.0)};
+Deviation encodingBound(double quantiser, int width, int height) {
+  const double fine = std::min(quantiser, kCoarsestProof) - 20;
+  const double coarse = std::max(quantiser - kCoarsestProof, 0.0) / kCoarseDoubling;
+  const double size = std::pow(kCalibratedPixels / (1.0 * width * height), 0.25);
+  Deviation bound;
+  for (const BoundRow& row : kBounds) {
+    const double noise = row.noise * std::exp2(fine / row.doubling + coarse);
+    const double value = std::clamp(noise, row.smallest, row.largest);
+    bound.*row.value = row.averages ? value * size : value;
+  }
+  return bound;
 }
 
 PictureComparison::PictureComparison(const scene::Scene& scene, picture::FrameDrawer& drawer,
-                                     std::int64_t frames, video::VideoFormat format)
+                                     std::int64_t frames)
     : drawer_(&drawer),
       frames_(frames),
       transparent_(scene::isTransparent(scene)),
-      bound_(encodingBound(format, scene.video.crf)),
       picture_(drawer.makePicture()) {}
 
-PictureCheck PictureComparison::compare(std::int64_t frame, const video::Planes& picture) {
+PictureCheck PictureComparison::compare(std::int64_t frame, const video::Planes& picture,
+                                        std::optional<double> quantiser) {
   // Forget frames that ascending comparisons don't need again
   drawn_.erase(drawn_.begin(), drawn_.lower_bound(frame - kReach));
-  PictureCheck check{frame, video::distance(picture, drawn(frame)), bound_};
+  PictureCheck check{.frame = frame,
+                     .quantiser = quantiser.value_or(kUnreportedQuantiser),
+                     .measured = deviation(picture, drawn(frame))};
+  check.bound =
+      encodingBound(std::min(check.quantiser, kCoarsestProof), picture.width, picture.height);
   const double rms = check.measured.rms;
   check.closerTo = closerFrame(frame, picture, rms, kReach);
   if (!check.passed()) check.closerTo = closerFrame(frame, picture, rms, kFarReach);

@@ -3,29 +3,30 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 
 #include "image/image.h"
 #include "picture/frame_drawer.h"
 #include "scene/scene.h"
 #include "verify/clip_check.h"
 #include "video/planes.h"
-#include "video/video_format.h"
 
 namespace rotatebook::verify {
 
-/// Returns the largest distance between a drawn frame and its decoded picture that encoding
-/// explains.
-video::Distance encodingBound(video::VideoFormat format, int crf);
+/// Returns the largest deviation of a decoded picture from the drawn one that encoding with
+/// `quantiser` explains, in pictures of `width` x `height` pixels.
+Deviation encodingBound(double quantiser, int width, int height);
 
 /// Draws the frames of a scene and compares them with decoded ones.
 class PictureComparison {
  public:
   /// `drawer` draws `scene`, whose clip has `frames` frames, and must outlive this.
-  PictureComparison(const scene::Scene& scene, picture::FrameDrawer& drawer, std::int64_t frames,
-                    video::VideoFormat format);
+  PictureComparison(const scene::Scene& scene, picture::FrameDrawer& drawer, std::int64_t frames);
 
   /// Compares `picture` with frame `frame` and with its neighbours. Fastest with ascending frames.
-  PictureCheck compare(std::int64_t frame, const video::Planes& picture);
+  /// The bound is that of `quantiser`, if that is reported, but at most that of kCoarsestProof.
+  PictureCheck compare(std::int64_t frame, const video::Planes& picture,
+                       std::optional<double> quantiser);
 
  private:
   const video::Planes& drawn(std::int64_t frame);
@@ -37,7 +38,6 @@ class PictureComparison {
   picture::FrameDrawer* drawer_;
   std::int64_t frames_;
   bool transparent_;
-  video::Distance bound_;
   image::Image picture_;
   std::map<std::int64_t, video::Planes> drawn_;  // The last few.
 };

@@ -1,6 +1,7 @@
 #include "verify/stream_checks.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -62,6 +63,21 @@ std::string shownSizeText(const video::Mp4Header& header) {
   return roundedText(header.shownWidth, 9) + "x" + roundedText(header.shownHeight, 9);
 }
 
+/// Returns a text of the pixels cut off at left, top, right and bottom; empty if they only fill up
+/// the last macroblocks.
+std::string cropText(const std::array<std::int64_t, 4>& crop) {
+  constexpr std::int64_t kMacroblock = 16;
+  const auto [left, top, right, bottom] = crop;
+  if (left == 0 && top == 0 && right < kMacroblock && bottom < kMacroblock) return "";
+  return std::to_string(left) + ", " + std::to_string(top) + ", " + std::to_string(right) +
+         " and " + std::to_string(bottom) + " pixels at left, top, right and bottom";
+}
+
+ClipCheck titleCheck(const std::string& title, const std::string& wanted) {
+  constexpr std::size_t kMaxLetters = 200;
+  return {"title", oneLine(title, kMaxLetters), oneLine(wanted, kMaxLetters), title == wanted};
+}
+
 const video::RecordedStream& wantedOf(const video::ClipFacts& facts) {
   return rowOf(facts.format).recorded;
 }
@@ -78,9 +94,30 @@ std::vector<ClipCheck> checkStream(const video::ClipFacts& facts, const scene::S
       equality("container", coloursText(facts.containerColours), colours),
       equality("pixel shape", shapesText(facts.containerShape, facts.pixelShape),
                shapesText("1:1", "1:1")),
-      equality("display", facts.display, "as stored")};
+      equality("display", facts.display, "as stored"),
+      equality("crop", facts.crop, "none"),
+      titleCheck(facts.title, scene.title)};
   if (facts.mp4) checks.push_back(equality("shown size", shownSizeText(*facts.mp4), size));
   return checks;
+}
+
+void DisplayCheck::add(const video::PictureFacts& picture) {
+  const std::string where = " in picture " + std::to_string(count_++);
+  const auto keepFirst = [&](std::string& kept, const std::string& text) {
+    if (kept.empty() && !text.empty()) kept = text + where;
+  };
+  keepFirst(interlaced_, picture.interlaced ? "interlaced" : "");
+  keepFirst(cropped_, cropText(picture.crop));
+  keepFirst(messages_, picture.messages);
+}
+
+std::vector<ClipCheck> DisplayCheck::checks(const video::ClipFacts& facts) const {
+  const auto orElse = [](const std::string& text, const std::string& other) {
+    return text.empty() ? other : text;
+  };
+  return {equality("scan", orElse(interlaced_, facts.scan), "progressive"),
+          equality("coded crop", orElse(cropped_, "none"), "none"),
+          equality("messages", orElse(messages_, "none"), "none")};
 }
 
 TimeCheck::TimeCheck(const video::ClipFacts& facts, FrameRate rate, std::int64_t frames)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "scene/scene.h"
@@ -14,8 +15,22 @@ namespace rotatebook::verify {
 inline constexpr const char* kSizeCheck = "size";
 inline constexpr const char* kCodecCheck = "codec";
 
-/// Checks size, codec, colours, pixel aspect ratio and display transformation.
+/// Checks size, codec, colours, pixel aspect ratio, display transformation, crop and title.
 std::vector<ClipCheck> checkStream(const video::ClipFacts& facts, const scene::Scene& scene);
+
+/// Checks what the stream has players do with its pictures.
+class DisplayCheck {
+ public:
+  /// Adds the next picture's facts.
+  void add(const video::PictureFacts& picture);
+  /// Returns the checks of scan, coded crop and messages, each of the first picture that fails it.
+  /// Call it after the last picture.
+  std::vector<ClipCheck> checks(const video::ClipFacts& facts) const;
+
+ private:
+  std::int64_t count_ = 0;
+  std::string interlaced_, cropped_, messages_;  // Empty as long as there are none.
+};
 
 /// Checks the times at which a clip's pictures are shown.
 class TimeCheck {

@@ -51,6 +51,10 @@ ClipCheck checkMotion(const store::Provenance& there, const std::string& motion)
           motion == there.motion};
 }
 
+bool isCoarse(const Verification& found) {
+  return found.quantiser.value_or(0) > kCoarsestProof;
+}
+
 /// A verification in progress.
 class Verifier {
  public:
@@ -88,16 +92,36 @@ class Verifier {
     found.toolsDiffer = store::differencesOfTools(
         record_.provenance, store::provenanceOf(record_.scene, motion_, drawer.textureChecksums(),
                                                 drawer.description()));
-    PictureComparison comparison(record_.scene, drawer, found.wholeCount, reader_.facts().format);
+    PictureComparison comparison(record_.scene, drawer, found.wholeCount);
+    DisplayCheck display;
+    double quantisers = 0;  // The sum of those reported
+    std::int64_t reported = 0;
     TimeCheck times(reader_.facts(), record_.scene.clip.frameRate, found.range.count());
     for (std::int64_t frame = found.range.first; reader_.next(); ++frame) {
       times.add(reader_.time());
       const bool wanted = frame < found.range.end && (options_.allFrames || chosen.contains(frame));
-      if (wanted) found.pictures.push_back(comparison.compare(frame, reader_.picture()));
+      const video::PictureFacts& facts = reader_.pictureFacts();
+      display.add(facts);
+      quantisers += facts.quantiser.value_or(0);
+      reported += facts.quantiser ? 1 : 0;
+      if (wanted) {
+        found.pictures.push_back(comparison.compare(frame, reader_.picture(), facts.quantiser));
+      }
       if (options_.progress)
         options_.progress({frame + 1 - found.range.first, found.range.count()});
     }
     std::ranges::copy(times.checks(), std::back_inserter(found.checks));
+    std::ranges::copy(display.checks(reader_.facts()), std::back_inserter(found.checks));
+    if (reported > 0) found.quantiser = quantisers / static_cast<double>(reported);
+    if (isCoarse(found)) allowNoise(found);
+  }
+
+  /// Sets the bounds of a coarse stream's pictures, which can't be proved, to their quantisers'.
+  void allowNoise(Verification& found) const {
+    const video::ClipFacts& facts = reader_.facts();
+    for (PictureCheck& check : found.pictures) {
+      check.bound = encodingBound(check.quantiser, facts.width, facts.height);
+    }
   }
 
   const VerifyOptions& options_;
@@ -113,6 +137,21 @@ class Verifier {
 std::int64_t Verification::failures() const {
   return std::ranges::count(checks, false, &ClipCheck::passed) +
          std::ranges::count(pictures, false, &PictureCheck::passed);
+}
+
+Verdict Verification::verdict() const {
+  if (failures() > 0) return Verdict::NotProved;
+  return isCoarse(*this) ? Verdict::Coarse : Verdict::Proved;
+}
+
+Deviation Verification::unnoticed() const {
+  Deviation largest;
+  for (const PictureCheck& check : pictures) {
+    for (const MeasureRow& row : kMeasures) {
+      largest.*row.value = std::max(largest.*row.value, check.bound.*row.value);
+    }
+  }
+  return largest;
 }
 
 Verification verifyClip(const std::filesystem::path& clip, const VerifyOptions& options) {

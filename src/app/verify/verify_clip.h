@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,13 @@ struct VerifyOptions {
   std::function<void(pipeline::RenderProgress)> progress{};
 };
 
+/// The conclusion of a verification.
+enum class Verdict {
+  Proved,
+  Coarse,  ///< Nothing fails, but the stream is coded too coarsely to prove the pictures.
+  NotProved,
+};
+
 /// The result of a verification.
 struct Verification {
   store::ClipRecord record;
@@ -37,10 +45,15 @@ struct Verification {
   std::vector<ClipCheck> checks{};
   /// Empty if size or codec are wrong.
   std::vector<PictureCheck> pictures{};
+  /// Mean quantiser of all pictures of the stream, see video::PictureFacts; none if the decoder
+  /// reports none, or size or codec are wrong.
+  std::optional<double> quantiser{};
 
   /// Returns how many checks failed, including those of pictures.
   std::int64_t failures() const;
-  bool proved() const { return failures() == 0; }
+  Verdict verdict() const;
+  /// Returns the loosest bounds that pictures were held to: smaller changes go unnoticed.
+  Deviation unnoticed() const;
 };
 
 /// Reads the record of `clip`, an MP4 or WebM, simulates and draws its scene again, and compares

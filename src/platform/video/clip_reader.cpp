@@ -13,6 +13,8 @@ extern "C" {
 
 #include "base/error.h"
 #include "video/clip_input.h"
+#include "video/quantiser.h"
+#include "video/webm_header.h"
 #include "video/whole_file.h"
 
 namespace rotatebook::video {
@@ -54,10 +56,48 @@ std::optional<Mp4Header> headerOf(const ClipInput& input) {
   return readMp4Header(file);
 }
 
+std::string cropOf(const ClipInput& input, const ClipFacts& facts) {
+  if (facts.mp4) return facts.mp4->crop;
+  std::ifstream file(input.name(), std::ios::binary);
+  return webmCropText(file);
+}
+
+/// Returns FFmpeg's names of what the stream says beside a picture, but for notes of the encoder.
+std::string messagesOf(const AVFrame& frame) {
+  std::string text;
+  for (int i = 0; i < frame.nb_side_data; ++i) {
+    const AVFrameSideDataType type = frame.side_data[i]->type;
+    if (type == AV_FRAME_DATA_VIDEO_ENC_PARAMS || type == AV_FRAME_DATA_SEI_UNREGISTERED) continue;
+    const char* name = av_frame_side_data_name(type);
+    text += (text.empty() ? "" : "; ") + std::string(name == nullptr ? "unknown" : name);
+  }
+  return text;
+}
+
+PictureFacts factsOf(const AVFrame& frame) {
+  const auto pixels = [](std::size_t count) { return static_cast<std::int64_t>(count); };
+  return {.interlaced = isInterlaced(frame),
+          .crop = {pixels(frame.crop_left), pixels(frame.crop_top), pixels(frame.crop_right),
+                   pixels(frame.crop_bottom)},
+          .messages = messagesOf(frame),
+          .quantiser = quantiserOf(frame)};
+}
+
+/// Throws InputError if the codec is none of a clip's.
+void requireCodecOfClips(const ClipInput& input) {
+  const std::string codec = avcodec_get_name(input.stream().codecpar->codec_id);
+  const auto has = [&](const FormatRow& row) { return row.holdsRecord && row.codec == codec; };
+  if (std::ranges::any_of(kFormatRows, has)) return;
+  throw InputError("the codec of " + input.name() + " is " + codec + "; a clip's is " +
+                   listFormats(&FormatRow::codec, "or", &FormatRow::holdsRecord));
+}
+
 /// Reads the container's colours before it probes the stream, as FFmpeg keeps only one of the two.
 ClipFacts factsOf(ClipInput& input) {
   ClipFacts facts;
   facts.containerColours = coloursOf(input);
+  requireCodecOfClips(input);
+  const std::string containerScan = scanText(*input.stream().codecpar);
   input.probe();
   const AVStream& stream = input.stream();
   const AVCodecParameters& codec = *stream.codecpar;
@@ -66,6 +106,7 @@ ClipFacts factsOf(ClipInput& input) {
                      kCopyRemedy);
   }
   facts.format = input.format();
+  facts.title = Dictionary::valueIn(input.context().metadata, "title");
   facts.width = codec.width;
   facts.height = codec.height;
   facts.codec = avcodec_get_name(codec.codec_id);
@@ -75,33 +116,26 @@ ClipFacts factsOf(ClipInput& input) {
   facts.pixelShape = shapeText(codec.sample_aspect_ratio);
   facts.containerShape = shapeText(stream.sample_aspect_ratio);
   facts.display = displayText(stream);
+  facts.scan = containerScan == kProgressive ? scanText(codec) : containerScan;
   facts.mp4 = headerOf(input);
+  facts.crop = cropOf(input, facts);
   const std::int64_t duration = input.context().duration;
   if (duration > 0) facts.duration = static_cast<double>(duration) / AV_TIME_BASE;
   return facts;
 }
 
-bool isOfClips(const std::string& codec) {
-  return std::ranges::any_of(
-      kFormatRows, [&](const FormatRow& row) { return row.holdsRecord && row.codec == codec; });
-}
-
-/// Finds the decoder of a format that holds a record. Throws InputError for another codec,
-/// MachineError if there is no decoder.
+/// Finds the decoder of a format that holds a record. Throws MachineError if there is none.
 const AVCodec& decoderFor(const ClipInput& input) {
   const AVStream& stream = input.stream();
   const AVCodecID codec = stream.codecpar->codec_id;
-  const std::string name = avcodec_get_name(codec);
-  if (!isOfClips(name)) {
-    throw InputError("the codec of " + input.name() + " is " + name + "; a clip's is " +
-                     listFormats(&FormatRow::codec, "or", &FormatRow::holdsRecord));
-  }
   const AVCodec* decoder = nullptr;
   // FFmpeg's own VP9 decoder ignores alpha.
   const bool alpha = Dictionary::valueIn(stream.metadata, "alpha_mode") == "1";
   if (alpha && codec == AV_CODEC_ID_VP9) decoder = avcodec_find_decoder_by_name("libvpx-vp9");
   if (decoder == nullptr) decoder = avcodec_find_decoder(codec);
-  if (decoder == nullptr) throw MachineError("FFmpeg's libavcodec has no decoder for " + name);
+  if (decoder == nullptr)
+    throw MachineError("FFmpeg's libavcodec has no decoder for " +
+                       std::string(avcodec_get_name(codec)));
   return *decoder;
 }
 
@@ -111,6 +145,8 @@ Handle<AVCodecContext> openDecoder(const ClipInput& input) {
   checkInput(avcodec_parameters_to_context(context.get(), input.stream().codecpar), failure);
   context->err_recognition = AV_EF_EXPLODE;
   context->max_pixels = kMaxDecodedPixels;
+  context->export_side_data |= AV_CODEC_EXPORT_DATA_VIDEO_ENC_PARAMS;
+  context->apply_cropping = 0;  // ClipReader::next() does, after it has read what is cut off.
   checkInput(avcodec_open2(context.get(), nullptr, nullptr), failure);
   return context;
 }
@@ -175,6 +211,7 @@ struct ClipReader::Parts {
   Handle<AVCodecContext> decoder;
   Handle<AVPacket> packet;
   Handle<AVFrame> frame;
+  PictureFacts picture;    // of `frame`
   std::int64_t count = 0;  // pictures decoded so far
   bool ended = false;
 };
@@ -193,13 +230,19 @@ bool ClipReader::next() {
     if (parts_->ended) return false;
     parts_->send();
   }
-  const AVFrame& frame = *parts_->frame;
+  AVFrame& frame = *parts_->frame;
+  parts_->picture = factsOf(frame);
+  checkInput(av_frame_apply_cropping(&frame, AV_FRAME_CROP_UNALIGNED), parts_->failure());
   if (frame.width != parts_->facts.width || frame.height != parts_->facts.height) {
     throw InputError("picture " + std::to_string(parts_->count) + " of " + parts_->input.name() +
                      " isn't of the clip's size");
   }
   ++parts_->count;
   return true;
+}
+
+const PictureFacts& ClipReader::pictureFacts() const {
+  return parts_->picture;
 }
 
 double ClipReader::time() const {

@@ -1,6 +1,7 @@
 // Reads clips back: their metadata, properties and pictures.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -51,6 +52,7 @@ struct ColourTags {
 /// in it both state some of them, and players differ in which they obey.
 struct ClipFacts {
   VideoFormat format = VideoFormat::Mp4;
+  std::string title{};            ///< Of the metadata; empty if there is none.
   int width = 0;                  ///< [pixels]
   int height = 0;                 ///< [pixels]
   std::string codec{};            ///< "h264"
@@ -63,8 +65,27 @@ struct ClipFacts {
   std::string containerShape{};  ///< The container's pixel aspect ratio, likewise.
   /// Rotation or other change of pictures for display; "as stored" if none.
   std::string display{};
+  /// "progressive", also if nothing is stated, or what the container or the stream states.
+  std::string scan{};
+  /// Pixels that the container has players cut off: "none", "clean aperture", "2 pixels at the
+  /// left", or "unknown".
+  std::string crop{};
   double duration = 0;             ///< As the container states it; 0 if it doesn't. [s]
   std::optional<Mp4Header> mp4{};  ///< Present for an MP4.
+};
+
+/// Properties of a decoded picture.
+struct PictureFacts {
+  bool interlaced = false;
+  /// Pixels that the stream has players cut off at left, top, right and bottom.
+  std::array<std::int64_t, 4> crop{};
+  /// Messages between the pictures that change how players show this one, by FFmpeg's names; empty
+  /// if there are none.
+  std::string messages{};
+  /// The quantiser whose step is the root mean square of those of the luma's blocks, in H.264's
+  /// scale, 0 to 51, where 6 more double the step. None if the decoder doesn't report it: that of
+  /// transparent clips.
+  std::optional<double> quantiser{};
 };
 
 /// Decodes a clip picture by picture.
@@ -83,6 +104,8 @@ class ClipReader {
   /// InputError for a damaged one, or one that isn't of the clip's size.
   bool next();
 
+  /// Returns what the stream says about the picture.
+  const PictureFacts& pictureFacts() const;
   /// Returns when the picture is shown, from the file's start; NaN if the file doesn't say. [s]
   double time() const;
   /// Returns the picture as stored, with alpha if the clip has it. Throws InputError if it isn't

@@ -104,6 +104,19 @@ std::string profileName(const AVCodecParameters& stream) {
   return name == nullptr ? "" : name;
 }
 
+std::string scanText(const AVCodecParameters& stream) {
+  const bool known = stream.field_order != AV_FIELD_UNKNOWN;
+  return known && stream.field_order != AV_FIELD_PROGRESSIVE ? "interlaced" : kProgressive;
+}
+
+bool isInterlaced(const AVFrame& frame) {
+#if LIBAVUTIL_VERSION_INT >= AV_VERSION_INT(58, 7, 100)
+  return (frame.flags & AV_FRAME_FLAG_INTERLACED) != 0;
+#else
+  return frame.interlaced_frame != 0;
+#endif
+}
+
 std::string displayText(const AVStream& stream) {
   std::string text;
   for (const AVPacketSideData& data : sideDataOf(stream)) {

@@ -62,6 +62,13 @@ int checkInput(int result, const std::string& failure);
 /// Returns the profile, for example "High" or "Profile 0"; empty if the stream states none.
 std::string profileName(const AVCodecParameters& stream);
 
+inline constexpr const char* kProgressive = "progressive";
+/// Returns how lines of the pictures are scanned: kProgressive, also if that isn't stated, or
+/// "interlaced".
+std::string scanText(const AVCodecParameters& stream);
+/// Returns whether the picture is marked as two fields, which players may interpolate.
+bool isInterlaced(const AVFrame& frame);
+
 /// Returns, in FFmpeg's terms, how the container has players change the stream's pictures: "as
 /// stored", or for example "Display Matrix -1 0, 0 -1".
 std::string displayText(const AVStream& stream);

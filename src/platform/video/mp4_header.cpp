@@ -83,6 +83,30 @@ void readEdits(std::istream& file, double ticks, Mp4Header& header) {
   }
 }
 
+/// Returns whether a box of that type lies from offset `at` to `end`.
+bool holds(std::istream& file, std::uint64_t at, std::uint64_t end, std::string_view type) {
+  std::optional<Mp4Box> box = mp4BoxAt(file, at, end);
+  for (int i = 0; i < kMaxBoxes && box && box->type != type; ++i) {
+    box = mp4BoxAt(file, box->end, end);
+  }
+  return box && box->type == type;
+}
+
+/// Looks for a clean aperture in all descriptions of the pictures.
+void readCrop(std::istream& file, Mp4Header& header) {
+  constexpr std::uint64_t kDescription = 78;  // Its fields before the boxes in it. [bytes]
+  const auto box = find(file, {"moov", "trak", "mdia", "minf", "stbl", "stsd"});
+  if (!box) return;
+  header.crop = "none";
+  std::optional<Mp4Box> entry = mp4BoxAt(file, box->content + kHead, box->end);
+  for (int i = 0; i < kMaxBoxes && entry; ++i) {
+    if (holds(file, entry->content + kDescription, entry->end, "clap")) {
+      header.crop = "clean aperture";
+    }
+    entry = mp4BoxAt(file, entry->end, box->end);
+  }
+}
+
 }  // namespace
 
 std::optional<Mp4Box> mp4BoxAt(std::istream& file, std::uint64_t at, std::uint64_t end) {
@@ -105,6 +129,7 @@ Mp4Header readMp4Header(std::istream& file) {
   Mp4Header header;
   readSize(file, header);
   readEdits(file, readSpeed(file, header), header);
+  readCrop(file, header);
   return header;
 }
 

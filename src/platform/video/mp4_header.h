@@ -33,6 +33,8 @@ struct Mp4Header {
   double shownHeight = 0;     ///< [pixels]
   double speed = 0;           ///< Of the whole; 1: as recorded.
   std::vector<Edit> edits{};  ///< The first 16.
+  /// "none", "clean aperture" if that has players cut off margins, or "unknown".
+  std::string crop = "unknown";
 };
 
 /// Reads `file`, which may be anything; fields that it lacks are 0.

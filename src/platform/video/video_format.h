@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -44,9 +43,7 @@ struct RecordedStream {
   std::string_view decoders{};  ///< FFmpeg's names, separated by commas.
   double stampBound = 0;        ///< Largest error of a time stamp. [s]
   double lengthBound = 0;       ///< Largest error of the duration, which is in microseconds. [s]
-  /// The crf of MP4 whose losses the format has; none if it is encoded with VideoSettings::crf.
-  std::optional<int> lossesOfCrf{};
-  bool hasMp4Header = false;  ///< True if the container is an MP4's: see Mp4Header.
+  bool hasMp4Header = false;    ///< True if the container is an MP4's: see Mp4Header.
 };
 
 /// A row of the table of formats.
@@ -107,8 +104,7 @@ inline constexpr std::array kFormatRows{
         .recorded = {.profile = "Profile 0, yuv420p",
                      .decoders = "vp9,libvpx-vp9",
                      .stampBound = 0.501e-3,
-                     .lengthBound = 1.001e-3,
-                     .lossesOfCrf = 18}},
+                     .lengthBound = 1.001e-3}},
     FormatRow{.format = VideoFormat::Gif,
               .name = "gif",
               .ending = ".gif",

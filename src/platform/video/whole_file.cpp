@@ -1,6 +1,5 @@
 #include "video/whole_file.h"
 
-#include <bit>
 #include <cstdint>
 #include <fstream>
 #include <optional>
@@ -8,6 +7,7 @@
 
 #include "base/error.h"
 #include "video/mp4_header.h"
+#include "video/webm_header.h"
 
 namespace rotatebook::video {
 namespace {
@@ -61,30 +61,13 @@ void requireWholeMp4(std::istream& file, std::uint64_t size, const std::string& 
   }
 }
 
-/// Reads the length of a WebM element; nothing if it isn't stated.
-std::optional<std::uint64_t> lengthIn(std::istream& file) {
-  const int first = file.get();
-  if (first <= 0) return std::nullopt;
-  const int more = std::countl_zero(static_cast<std::uint8_t>(first));
-  const auto mask = static_cast<std::uint64_t>(0x7f >> more);
-  std::uint64_t length = static_cast<std::uint64_t>(first) & mask;
-  bool unknown = length == mask;
-  for (int i = 0; i < more; ++i) {
-    const int byte = file.get();
-    if (byte < 0) return std::nullopt;
-    length = length << 8 | static_cast<std::uint64_t>(byte);
-    unknown = unknown && byte == 0xff;
-  }
-  return unknown ? std::nullopt : std::optional(length);
-}
-
 /// Verifies the rest of a file that begins with kWebmHead.
 void requireWholeWebm(std::istream& file, std::uint64_t size, const std::string& name) {
-  const auto head = lengthIn(file);
+  const auto head = webmLengthIn(file);
   if (!head || *head > size) throwTruncated(name, "it has no header");
   file.seekg(static_cast<std::streamoff>(*head), std::ios::cur);
   if (!continuesWith(file, kSegment)) throwTruncated(name, "it has no pictures");
-  const auto length = lengthIn(file);
+  const auto length = webmLengthIn(file);
   if (!file) throwTruncated(name, "it has no pictures");
   if (length) requireSize(size, static_cast<std::uint64_t>(file.tellg()) + *length, name);
 }

@@ -69,7 +69,8 @@ TEST_F(VerifyCommand, ProvesAClipLineByLine) {
   EXPECT_THAT(result.output, ::testing::ContainsRegex(
                                  "\nProved for 6 of 12 pictures \\([01], [23], [45], [67], [89], "
                                  "1[01]\\): they and the motion are those of the scene; --all "
-                                 "compares every picture.\n$"));
+                                 "compares every picture.\nWorth: coded at a mean quantiser of "
+                                 "[0-9.]+ of 51; changes of up to [^\n]* may pass unnoticed.\n$"));
 }
 
 // The processor may have other functions of the C library than the one that rendered.
@@ -94,7 +95,7 @@ TEST_F(VerifyCommand, ComparesTheFramesThatAreNamed) {
   EXPECT_THAT(result.output, HasSubstr("\nProved for 2 of 12 pictures (3, 7): "));
   EXPECT_EQ(countOf("\n  ok      frame ", result.output), 2);
   EXPECT_THAT(run({"verify", "out/tiny.mp4", "--all"}).output,
-              EndsWith("\nProved: the motion and all 12 pictures are those of the scene.\n"));
+              HasSubstr("\nProved: the motion and all 12 pictures are those of the scene.\n"));
   const ChildResult outside = run({"verify", "out/tiny.mp4", "--frames", "3,12"});
   EXPECT_EQ(outside.status, 2);
   EXPECT_EQ(outside.error, "rotatebook: frame 12 isn't in the clip, which has 0 to 11\n");
@@ -130,10 +131,12 @@ TEST_F(VerifyCommand, IsJsonToo) {
   EXPECT_EQ(result.status, 0);
   EXPECT_EQ(countOf("\n", result.output), 1);
   EXPECT_THAT(result.output,
-              AllOf(StartsWith("{\"clip\": \"out/tiny.mp4\", \"proved\": true, "),
+              AllOf(StartsWith("{\"clip\": \"out/tiny.mp4\", \"proved\": true, "
+                               "\"verdict\": \"proved\", \"quantiser\": "),
                     HasSubstr("\"frames\": [0, 12], \"whole_frames\": 12, "),
                     HasSubstr("{\"check\": \"size\", \"passed\": true, \"measured\": \"64x36\", "),
-                    HasSubstr("{\"frame\": 11, \"passed\": true, \"measured\": {\"rms\": "),
+                    HasSubstr("{\"frame\": 11, \"passed\": true, \"quantiser\": "),
+                    HasSubstr(", \"measured\": {\"rms\": "), HasSubstr(", \"brightness\": "),
                     EndsWith("\"closer_to\": null}]}\n")));
 }
 
@@ -146,6 +149,17 @@ TEST_F(VerifyCommand, FailsForAnotherScene) {
               AllOf(HasSubstr("\n  FAILED  motion       "), HasSubstr("\n  FAILED  frame 11     "),
                     HasSubstr("\nNOT PROVED: ")));
   EXPECT_THAT(run({"verify", "out/tiny.mp4", "--json"}).output, HasSubstr("\"proved\": false"));
+}
+
+TEST_F(VerifyCommand, ProvesNoCoarseClip) {
+  render({"--set", "video.crf=45"});
+  const ChildResult result = run({"verify", "out/tiny.mp4"});
+  EXPECT_EQ(result.status, 4) << result.output << result.error;
+  EXPECT_THAT(result.output, AllOf(HasSubstr("\nConsistent, coarsely: "),
+                                   HasSubstr(", above 32; changes of up to "),
+                                   Not(HasSubstr("FAILED")), Not(HasSubstr("Proved"))));
+  EXPECT_THAT(run({"verify", "out/tiny.mp4", "--json"}).output,
+              HasSubstr("\"proved\": false, \"verdict\": \"consistent, coarsely\", "));
 }
 
 TEST_F(VerifyCommand, NotesOtherToolsWithoutFailing) {

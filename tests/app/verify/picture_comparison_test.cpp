@@ -16,7 +16,6 @@ namespace {
 
 using scene::testing::kFrames;
 using scene::testing::smallScene;
-using video::VideoFormat;
 
 /// `share` of `a`, and the rest of `b`.
 video::Planes mixture(const video::Planes& a, const video::Planes& b, float share) {
@@ -41,8 +40,8 @@ TEST(PictureComparison, KnowsAPictureOfTheNextFrameThatIsFarFromBoth) {
   };
   const video::Planes said = planesAt(5), next = planesAt(6);
   const auto closerTo = [&](float shareOfNext) {
-    return PictureComparison(scene, drawer, kFrames, VideoFormat::Mp4)
-        .compare(5, mixture(next, said, shareOfNext))
+    return PictureComparison(scene, drawer, kFrames)
+        .compare(5, mixture(next, said, shareOfNext), {})
         .closerTo;
   };
   EXPECT_EQ(closerTo(0.9F), 6);             // 0.11 times as far from the next frame as from its own
@@ -51,24 +50,38 @@ TEST(PictureComparison, KnowsAPictureOfTheNextFrameThatIsFarFromBoth) {
   EXPECT_EQ(closerTo(0.0F), std::nullopt);
 }
 
-TEST(EncodingBound, IsThatOfTheMeasurements) {
-  const auto expectBound = [](VideoFormat format, int crf, double rms, double worstBlock) {
-    EXPECT_NEAR(encodingBound(format, crf).rms, rms, 0.05) << nameOf(format) << " " << crf;
-    EXPECT_NEAR(encodingBound(format, crf).worstBlock, worstBlock, 0.05)
-        << nameOf(format) << " " << crf;
-  };
-  expectBound(VideoFormat::Mp4, 0, 1.5, 4);
-  expectBound(VideoFormat::Mp4, 18, 3.8, 10);
-  expectBound(VideoFormat::Mp4, 36, 15.2, 47.6);
-  expectBound(VideoFormat::Mp4, 51, 26, 60);
-  expectBound(VideoFormat::WebM, 0, 3.8, 10);
+TEST(EncodingBound, GrowsWithTheQuantiser) {
+  for (const MeasureRow& row : kMeasures) {
+    const auto bound = [&](double quantiser) {
+      return encodingBound(quantiser, 640, 360).*row.value;
+    };
+    EXPECT_GT(bound(0), 0) << row.name;
+    EXPECT_LT(bound(0), bound(20)) << row.name;
+    EXPECT_LT(bound(20), bound(32)) << row.name;
+    EXPECT_LT(2 * bound(32), bound(51)) << row.name;
+  }
 }
 
-TEST(EncodingBound, GrowsWithTheRateFactor) {
-  EXPECT_LT(encodingBound(VideoFormat::Mp4, 1).worstBlock,
-            encodingBound(VideoFormat::Mp4, 18).worstBlock);
-  EXPECT_LT(encodingBound(VideoFormat::Mp4, 18).rms, encodingBound(VideoFormat::Mp4, 30).rms);
-  EXPECT_EQ(encodingBound(VideoFormat::WebM, 1).rms, encodingBound(VideoFormat::WebM, 51).rms);
+TEST(EncodingBound, IsSmallerWhereMoreIsAveraged) {
+  const Deviation small = encodingBound(20, 320, 180), large = encodingBound(20, 1280, 720);
+  EXPECT_NEAR(small.brightness / large.brightness, 2, 1e-12);
+  EXPECT_EQ(small.lumaPatch, large.lumaPatch);
+}
+
+// Whoever codes a few pictures coarsely in a fine clip gains nothing.
+TEST(PictureComparison, BoundsACoarsePictureByTheCoarsestProof) {
+  const scene::Scene scene = smallScene();
+  const timeline::ClipMotion motion = timeline::simulateScene(scene);
+  picture::FrameDrawer drawer(scene, motion);
+  image::Image picture = drawer.makePicture();
+  drawer.draw(5, picture);
+  const video::Planes planes = video::planesOf(picture.view(), false);
+  const auto boundAt = [&](std::optional<double> quantiser) {
+    return PictureComparison(scene, drawer, kFrames).compare(5, planes, quantiser).bound.rms;
+  };
+  EXPECT_EQ(boundAt(51), boundAt(kCoarsestProof));
+  EXPECT_LT(boundAt(20), boundAt(kCoarsestProof));
+  EXPECT_LT(boundAt(std::nullopt), boundAt(kCoarsestProof));
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ using video::VideoFormat;
 TEST(StreamChecks, KnowTheColoursAndTheCodec) {
   const scene::Scene scene = smallScene();
   const video::ColourTags bt709{"bt709", "bt709", "bt709", "tv"};
-  video::ClipFacts facts{.width = 64,
+  video::ClipFacts facts{.title = scene.title,
+                         .width = 64,
                          .height = 36,
                          .codec = "h264",
                          .profile = "High",
@@ -29,6 +30,7 @@ TEST(StreamChecks, KnowTheColoursAndTheCodec) {
                          .pixelShape = "1:1",
                          .containerShape = "1:1",
                          .display = "as stored",
+                         .crop = "none",
                          .duration = 0.5};
   const auto failed = [&](const video::ClipFacts& changed) {
     std::vector<std::string> names;
@@ -60,8 +62,37 @@ TEST(StreamChecks, KnowTheColoursAndTheCodec) {
     changed.*field = "unknown";
     EXPECT_THAT(failed(changed), ElementsAre("codec"));
   }
+  for (std::string video::ClipFacts::*field :
+       {&video::ClipFacts::crop, &video::ClipFacts::title, &video::ClipFacts::display}) {
+    video::ClipFacts changed = facts;
+    changed.*field = "another";
+    EXPECT_EQ(failed(changed).size(), 1U);
+  }
   facts.width = 66;
   EXPECT_THAT(failed(facts), ElementsAre("size"));
+}
+
+TEST(DisplayCheck, NamesTheFirstPictureThatPlayersChange) {
+  const auto failed = [](const video::PictureFacts& second, const std::string& scan) {
+    DisplayCheck check;
+    check.add({.crop = {0, 0, 0, 12}});  // Up to the macroblock's end.
+    check.add(second);
+    check.add(second);
+    std::vector<std::string> texts;
+    for (const ClipCheck& one : check.checks({.scan = scan})) {
+      if (!one.passed) texts.push_back(one.what + ": " + one.measured);
+    }
+    return texts;
+  };
+  EXPECT_THAT(failed({}, "progressive"), IsEmpty());
+  EXPECT_THAT(failed({}, "interlaced"), ElementsAre("scan: interlaced"));
+  EXPECT_THAT(failed({.interlaced = true}, "progressive"),
+              ElementsAre("scan: interlaced in picture 1"));
+  EXPECT_THAT(failed({.messages = "Display Matrix"}, "progressive"),
+              ElementsAre("messages: Display Matrix in picture 1"));
+  EXPECT_THAT(failed({.crop = {16, 0, 0, 0}}, "progressive"),
+              ElementsAre("coded crop: 16, 0, 0 and 0 pixels at left, top, right and bottom in "
+                          "picture 1"));
 }
 
 TEST(StreamChecks, MeasureTimesAgainstTheRate) {

@@ -16,6 +16,7 @@
 #include "picture/frame_drawer.h"
 #include "pipeline/small_clip.h"
 #include "store/encoding.h"
+#include "verify/picture_comparison.h"
 #include "video/forged_mp4.h"
 #include "video/video_writer.h"
 
@@ -91,6 +92,10 @@ Verification verified(const Forgery& forgery) {
   return verifyClip(path, {.allFrames = true});
 }
 
+bool proved(const Verification& found) {
+  return found.verdict() == Verdict::Proved;
+}
+
 std::vector<std::string> failedIn(const Verification& found) {
   std::vector<std::string> names;
   for (const ClipCheck& check : found.checks) {
@@ -105,7 +110,7 @@ std::int64_t wrongPictures(const Verification& found) {
 
 /// Expects that only pictures are wrong, and all of them.
 void expectWrongPictures(const Verification& found) {
-  EXPECT_FALSE(found.proved());
+  EXPECT_FALSE(proved(found));
   EXPECT_THAT(failedIn(found), IsEmpty());
   EXPECT_EQ(wrongPictures(found), kFrames);
 }
@@ -117,9 +122,9 @@ TEST(VerifyClip, ProvesWhatARenderMade) {
                      .outputs = pipeline::outputsOf(false, {VideoFormat::Mp4, VideoFormat::WebM})});
   for (const char* name : {"small.mp4", "small.webm"}) {
     const Verification found = verifyClip(folder / name, {.allFrames = true});
-    EXPECT_TRUE(found.proved()) << name;
+    EXPECT_TRUE(proved(found)) << name;
     EXPECT_THAT(found.toolsDiffer, IsEmpty());
-    EXPECT_EQ(found.checks.size(), std::string(name) == "small.mp4" ? 12U : 10U);
+    EXPECT_EQ(found.checks.size(), std::string(name) == "small.mp4" ? 17U : 15U);
     EXPECT_EQ(found.pictures.size(), static_cast<std::size_t>(kFrames));
     EXPECT_EQ(found.range, (store::FrameRange{0, kFrames}));
   }
@@ -152,7 +157,7 @@ TEST_P(VerifyClipOf, EverySceneIsProved) {
   const auto result = pipeline::testing::render(
       scene, {.folder = folder, .outputs = pipeline::outputsOf(false, {format})});
   const Verification found = verifyClip(result.files.video(format), {.allFrames = true});
-  EXPECT_TRUE(found.proved());
+  EXPECT_TRUE(proved(found));
   EXPECT_THAT(found.pictures.size(), Gt(10U));
   for (const PictureCheck& picture : found.pictures) {
     EXPECT_TRUE(picture.passed()) << picture.frame << ": " << picture.measured.rms << ", "
@@ -164,8 +169,7 @@ INSTANTIATE_TEST_SUITE_P(
     Scenes, VerifyClipOf,
     ::testing::Values(std::vector<std::string>{"clip.fps=\"30000/1001\""},
                       std::vector<std::string>{"video.crf=1"},
-                      std::vector<std::string>{"video.crf=30", "video.preset=medium"},
-                      std::vector<std::string>{"video.crf=51"},
+                      std::vector<std::string>{"video.crf=24", "video.preset=medium"},
                       std::vector<std::string>{"clip.size=[64, 36]"},
                       std::vector<std::string>{"look.background=stars",
                                                "overlay.show=['clock','axes','omega','energy']"},
@@ -176,13 +180,29 @@ INSTANTIATE_TEST_SUITE_P(
                           "simulation.model=particles", "simulation.substeps=1",
                           "simulation.normalize=false", "simulation.damping=0"}));
 
+class VerifyCoarseClipOf : public ::testing::TestWithParam<std::vector<std::string>> {};
+
+TEST_P(VerifyCoarseClipOf, EachIsConsistent) {
+  const fs::path folder = emptyFolder();
+  const auto result = pipeline::testing::render(
+      shownScene(GetParam()),
+      {.folder = folder, .outputs = pipeline::outputsOf(false, {VideoFormat::Mp4})});
+  const Verification found = verifyClip(result.files.video(VideoFormat::Mp4), {.allFrames = true});
+  EXPECT_EQ(found.verdict(), Verdict::Coarse);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, VerifyCoarseClipOf,
+                         ::testing::Values(std::vector<std::string>{"video.crf=30",
+                                                                    "video.preset=medium"},
+                                           std::vector<std::string>{"video.crf=51"}));
+
 TEST(VerifyClip, ProvesPartsAndWhatAssembleMakesOfThem) {
   const fs::path folder = emptyFolder();
   pipeline::testing::render(smallScene(),
                             pipeline::testing::pngAndMp4(folder, {}, store::FrameRange{3, 9}));
   const fs::path part = folder / "small_00003-00009.mp4";
   const Verification found = verifyClip(part, {});
-  EXPECT_TRUE(found.proved());
+  EXPECT_TRUE(proved(found));
   EXPECT_EQ(found.range, (store::FrameRange{3, 9}));
   EXPECT_EQ(found.wholeCount, kFrames);
   ASSERT_EQ(found.pictures.size(), 6U);
@@ -245,20 +265,33 @@ TEST(VerifyClip, FindsSwappedColours) {
   expectWrongPictures(verified({.swapped = true}));
 }
 
-TEST(VerifyClip, FindsAWorseEncoding) {
-  expectWrongPictures(verified({.shown = shownScene({"video.crf=40"})}));
+// The record says 18: how well the stream is coded is measured.
+TEST(VerifyClip, ProvesNoCoarseStream) {
+  const Verification found = verified({.shown = shownScene({"video.crf=40"})});
+  EXPECT_EQ(found.failures(), 0);
+  EXPECT_EQ(found.verdict(), Verdict::Coarse);
+  EXPECT_GT(found.quantiser, kCoarsestProof);  // measured 44
+  EXPECT_GT(found.unnoticed().rms, encodingBound(kCoarsestProof, 320, 180).rms);
 }
 
-// No patch of them is farther away than the bound: the whole is.
-TEST(VerifyClip, FindsPicturesThatAreABitTooBright) {
-  const Verification found = verified({.brighter = 7});
+// The record's rate factor is the forger's.
+TEST(VerifyClip, HoldsAFineStreamToItsOwnBounds) {
+  const scene::Scene said = shownScene({"video.crf=51"});
+  EXPECT_TRUE(proved(verified({.said = said})));
+  expectWrongPictures(verified({.said = said, .brighter = 7}));
+  expectWrongPictures(verified({.said = said, .swapped = true}));
+}
+
+// Neither the whole nor any patch of them is farther away than encoding explains: the mean is.
+TEST(VerifyClip, FindsPicturesThatAreATouchTooBright) {
+  const Verification found = verified({.brighter = 2});
   expectWrongPictures(found);
   for (const PictureCheck& picture : found.pictures) {
-    EXPECT_LT(picture.measured.rms, 2 * picture.bound.rms);                  // measured 1.4
-    EXPECT_LT(picture.measured.worstBlock, 0.9 * picture.bound.worstBlock);  // measured 0.74
+    EXPECT_LT(picture.measured.rms, 0.8 * picture.bound.rms);                // measured 0.58
+    EXPECT_LT(picture.measured.worstBlock, 0.8 * picture.bound.worstBlock);  // measured 0.38
+    EXPECT_GT(picture.measured.brightness, picture.bound.brightness);
     EXPECT_FALSE(picture.closerTo.has_value());
   }
-  EXPECT_TRUE(verified({.brighter = 1}).proved());
 }
 
 TEST(VerifyClip, FindsAnotherMotion) {
@@ -287,7 +320,7 @@ TEST(VerifyClip, ComparesNoPicturesOfAnotherSize) {
   const Verification found = verified({.said = smallScene()});
   EXPECT_THAT(failedIn(found), ElementsAre("size", "shown size"));
   EXPECT_THAT(found.pictures, IsEmpty());
-  EXPECT_FALSE(found.proved());
+  EXPECT_FALSE(proved(found));
 }
 
 // Of these the decoded pictures are true.
@@ -310,13 +343,13 @@ TEST(VerifyClip, FindsWhatPlayersWouldShowOtherwise) {
     EXPECT_THAT(failedIn(verifyClip(path, {})), ElementsAre(check));
   }
   std::ofstream(path, std::ios::binary) << forged::forgedMp4(content, {});
-  EXPECT_TRUE(verifyClip(path, {}).proved());
+  EXPECT_TRUE(proved(verifyClip(path, {})));
 }
 
 TEST(VerifyClip, NotesOtherTools) {
   const Verification found =
       verified({.made = [](store::Provenance& provenance) { provenance.renderer = "a card"; }});
-  EXPECT_TRUE(found.proved());
+  EXPECT_TRUE(proved(found));
   ASSERT_EQ(found.toolsDiffer.size(), 1U);
   EXPECT_THAT(found.toolsDiffer[0], ::testing::StartsWith("the renderer was a card, here it is "));
 }

@@ -1,0 +1,142 @@
+#include "verify/deviation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace rotatebook::verify {
+namespace {
+
+using Samples = std::vector<float>;
+using Colour = std::complex<double>;
+
+constexpr int kPatchSide = 32;  // [pixels]
+
+Samples differences(const Samples& a, const Samples& b) {
+  Samples result(a.size());
+  std::ranges::transform(a, b, result.begin(), std::minus<>{});
+  return result;
+}
+
+/// Fits, by least squares, the change gain * value + offset to samples' changes.
+class LinearFit {
+ public:
+  void add(Colour value, Colour change) {
+    ++count_;
+    values_ += value;
+    changes_ += change;
+    squares_ += std::norm(value);
+    products_ += std::conj(value) * change;
+  }
+
+  /// Returns the root mean square of the fitted change.
+  double rms() const {
+    const Colour value = values_ / count_, change = changes_ / count_;
+    const double variance = squares_ / count_ - std::norm(value);
+    const Colour covariance = products_ / count_ - std::conj(value) * change;
+    constexpr double kFlat = 1e-9;  // Below it there is nothing to fit a gain to.
+    const double fitted = variance > kFlat ? std::norm(covariance) / variance : 0;
+    return std::sqrt(std::norm(change) + fitted);
+  }
+
+ private:
+  double count_ = 0;
+  double squares_ = 0;
+  Colour values_, changes_, products_;
+};
+
+double brightnessChange(const Samples& drawn, const Samples& change) {
+  LinearFit fit;
+  for (std::size_t i = 0; i < drawn.size(); ++i) fit.add(drawn[i], change[i]);
+  return fit.rms();
+}
+
+/// A complex gain turns the hue by its angle and scales the saturation by its length.
+double colourChange(const video::Planes& drawn, const Samples& u, const Samples& v) {
+  LinearFit fit;
+  for (std::size_t i = 0; i < u.size(); ++i) fit.add({drawn.u[i], drawn.v[i]}, {u[i], v[i]});
+  return fit.rms();
+}
+
+/// Returns the length of one step of Lucas and Kanade's method over the whole picture (Lucas and
+/// Kanade 1981: An iterative image registration technique).
+double shiftOf(const Samples& drawn, const Samples& change, int width, int height) {
+  double xx = 0, xy = 0, yy = 0, xt = 0, yt = 0;
+  for (int y = 1; y + 1 < height; ++y) {
+    const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+    for (std::size_t i = row + 1; i + 1 < row + static_cast<std::size_t>(width); ++i) {
+      const double dx = (drawn[i + 1] - drawn[i - 1]) / 2;
+      const double dy = (drawn[i + static_cast<std::size_t>(width)] -
+                         drawn[i - static_cast<std::size_t>(width)]) /
+                        2;
+      xx += dx * dx;
+      xy += dx * dy;
+      yy += dy * dy;
+      xt += dx * change[i];
+      yt += dy * change[i];
+    }
+  }
+  const double determinant = xx * yy - xy * xy;
+  constexpr double kSingular = 1e-3;  // Nearly all edges are parallel: one direction is unknown.
+  if (determinant <= kSingular * xx * yy) return 0;
+  return std::hypot(yy * xt - xy * yt, xx * yt - xy * xt) / determinant;
+}
+
+/// Returns the starts of windows of `size` in `length`: every half window, and at the end.
+std::vector<std::size_t> windowsIn(std::size_t length, std::size_t size) {
+  std::vector<std::size_t> starts;
+  for (std::size_t at = 0; at + size < length; at += size / 2) starts.push_back(at);
+  starts.push_back(length - size);
+  return starts;
+}
+
+/// Returns the largest mean, either way, of `side` x `side` samples.
+double largestMean(const Samples& change, int width, int height, int side) {
+  // Sums over all samples above and left of each
+  const auto stride = static_cast<std::size_t>(width) + 1;
+  std::vector<double> sums(stride * (static_cast<std::size_t>(height) + 1));
+  for (std::size_t i = 0, at = stride; at < sums.size(); ++at) {
+    if (at % stride == 0) continue;
+    sums[at] = change[i++] + sums[at - 1] + sums[at - stride] - sums[at - stride - 1];
+  }
+  const auto columns = static_cast<std::size_t>(std::min(side, width));
+  const auto rows = static_cast<std::size_t>(std::min(side, height));
+  double largest = 0;
+  for (const std::size_t top : windowsIn(static_cast<std::size_t>(height), rows)) {
+    for (const std::size_t left : windowsIn(stride - 1, columns)) {
+      const double* above = &sums[top * stride + left];
+      const double* below = above + rows * stride;
+      largest = std::max(largest, std::abs(below[columns] - below[0] - above[columns] + above[0]));
+    }
+  }
+  return largest / static_cast<double>(rows * columns);
+}
+
+}  // namespace
+
+bool isWithin(const Deviation& measured, const Deviation& bound) {
+  return std::ranges::all_of(
+      kMeasures, [&](const MeasureRow& row) { return measured.*row.value <= bound.*row.value; });
+}
+
+Deviation deviation(const video::Planes& picture, const video::Planes& drawn) {
+  const video::Distance distance = video::distance(picture, drawn);
+  const Samples y = differences(picture.y, drawn.y);
+  const Samples u = differences(picture.u, drawn.u), v = differences(picture.v, drawn.v);
+  const int width = drawn.width, height = drawn.height;
+  const auto chroma = [&](const Samples& change) {
+    return largestMean(change, width / 2, height / 2, kPatchSide / 2);
+  };
+  return {.rms = distance.rms,
+          .worstBlock = distance.worstBlock,
+          .brightness = brightnessChange(drawn.y, y),
+          .colour = colourChange(drawn, u, v),
+          .shift = shiftOf(drawn.y, y, width, height),
+          .lumaPatch = largestMean(y, width, height, kPatchSide),
+          .chromaPatch = std::max(chroma(u), chroma(v))};
+}
+
+}  // namespace rotatebook::verify

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "base/version.h"
 #include "cli/commands.h"
 #include "cli/crash_handler.h"
@@ -85,7 +86,7 @@ std::string problemText(const CLI::App& program, const CLI::Error& error) {
 std::string usageText(const CLI::App* program, const CLI::Error& error) {
   std::string command = "rotatebook";
   for (const CLI::App* used : program->get_subcommands()) command += ' ' + used->get_name();
-  return "rotatebook: " + problemText(*program, error) + "\nRun '" + command +
+  return "rotatebook: " + messageText(problemText(*program, error)) + "\nRun '" + command +
          " --help' for more information.\n";
 }
 

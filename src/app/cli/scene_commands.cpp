@@ -51,7 +51,7 @@ int listScenes(const std::string& folder) {
   for (const fs::path& path : paths) {
     try {
       const scene::Scene scene = store::readScene(path);
-      std::cout << std::left << std::setw(static_cast<int>(width)) << path.string() << "  "
+      std::cout << std::left << std::setw(static_cast<int>(width)) << oneLine(path.string()) << "  "
                 << std::right << std::setw(4) << shortestText(scene.clip.duration) << " s  "
                 << scene.title << '\n';
     } catch (const InputError& error) {

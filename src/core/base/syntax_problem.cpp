@@ -9,6 +9,7 @@ namespace rotatebook {
 namespace {
 
 constexpr std::string_view kDigits = "0123456789";
+constexpr std::string_view kNumberBegins = "0123456789+-.,";
 
 /// A part of a message of toml++, and what is said in its place; % is the wrong word.
 struct Remedy {
@@ -61,14 +62,16 @@ bool isOfCurlyQuotes(std::string_view before, std::string_view rest) {
   return !before.empty();
 }
 
-/// Returns the number with a decimal comma at the end of `before`, or between it and `rest`.
+/// Returns the number with a decimal comma that ends `before`, and that `rest` continues or that
+/// another number follows; empty if there is none.
 std::string_view commaNumber(std::string_view before, std::string_view rest) {
+  if (rest.empty() || kNumberBegins.find(rest.front()) == rest.npos) return {};
   const std::string_view line(before.data(), before.size() + rest.size());
   std::size_t end = before.find_last_not_of(' ') + 1;
-  if (rest.starts_with(',')) end += std::min(rest.find_first_not_of(kDigits, 1), rest.size());
+  if (rest.front() == ',') end += std::min(rest.find_first_not_of(kDigits, 1), rest.size());
+  if (end == 0 || line.substr(end).starts_with(',')) return {};
   const std::size_t begin = line.find_last_not_of("0123456789,", end - 1) + 1;
   const std::string_view number = line.substr(begin, end - begin);
-  if (line.substr(end).starts_with(',')) return {};
   const bool isOne =
       std::ranges::count(number, ',') == 1 && number.front() != ',' && number.back() != ',';
   return isOne ? number : std::string_view();

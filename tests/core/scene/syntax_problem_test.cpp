@@ -48,6 +48,8 @@ TEST(SyntaxProblem, IsToldInPlainWordsAtItsPlace) {
            {"[clip]\nfps = 30\nfps = 60\n", "3:7: stated above already; keep one of them"},
            {"[clip]\n[body]\n[clip]\n", "3:1: stated above already"},
            {"[clip\n", "1:6: a header's closing ] is missing before the end of the line"},
+           {"camera.up = [1,2", ": the file ends within a value"},
+           {"5,0 = 1", "1:2: "},
            {"camera.up = [5 0 0]", "1:16: a comma or the closing ] is missing before \"0\""},
            {"clip.duration = 1.5 s", "1:21: \"s\" after the end of a value or header"},
            {"clip.duration = .5", "1:17: a number needs a digit on each side of its point"},

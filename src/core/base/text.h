@@ -41,6 +41,9 @@ std::string printable(std::string_view text);
 /// cut after `maxLetters` letters, with "..." for the rest.
 std::string oneLine(std::string_view text, std::size_t maxLetters);
 
+/// Returns `text` with U+FFFD in place of each byte that isn't part of UTF-8 (RFC 3629).
+std::string validUtf8(std::string_view text);
+
 /// Returns whether `text` is UTF-8 (RFC 3629) without ASCII control characters.
 bool isOneLine(std::string_view text);
 

@@ -31,6 +31,7 @@ struct RenderArguments {
   std::vector<std::string> formats{"mp4"};
   bool noMp4 = false;
   int atATime = 0;
+  bool json = false;
   pipeline::RenderOptions options;
 };
 
@@ -102,7 +103,8 @@ int render(const RenderArguments& arguments) {
   const int atATime = arguments.atATime > 0
                           ? arguments.atATime
                           : scenesAtATime(scenes, system::coreCount(), system::memorySize());
-  return reportIfUnmet(renderScenes(scenes, options, atATime));
+  const auto renderEach = arguments.json ? renderScenesAsJson : renderScenes;
+  return reportIfUnmet(renderEach(scenes, options, atATime));
 }
 
 }  // namespace
@@ -142,6 +144,7 @@ void addRenderCommand(CLI::App& program, Action& action) {
           "quarter of the memory")
       ->type_name("N")
       ->check(CLI::Range(1, 64));
+  command->add_flag("--json", arguments->json, "Print one JSON object: what was made and measured");
   command->footer(R"(
 Writes DIR/NAME.mp4 (or the videos that --format names), DIR/NAME.csv, DIR/NAME.poster.png and
 DIR/NAME/frame_00000.png ..., where NAME is the scene file's.

@@ -266,12 +266,8 @@ int renderScenesAsJson(const std::vector<SceneToRender>& scenes,
                        const pipeline::RenderOptions& options, int atATime) {
   auto rendered = notYetRendered(scenes);
   std::ostream nowhere(nullptr);
-  int status = kDone;
-  try {
-    status = renderAll(scenes, options, atATime, nowhere, rendered);
-  } catch (...) {
-    status = reportError(std::current_exception());
-  }
+  const int status =
+      guarded([&] { return renderAll(scenes, options, atATime, nowhere, rendered); });
   report::reportRendersAsJson(rendered, options, status >= kInterrupted, std::cout);
   return status;
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -219,12 +220,7 @@ int runTasks(const std::vector<Task>& tasks, const std::atomic<bool>& stop,
 int runTasksAsJson(const std::vector<Task>& tasks, const std::atomic<bool>& stop,
                    std::vector<StudiedScene>& studied) {
   std::ostream nowhere(nullptr);
-  int status = kDone;
-  try {
-    status = runTasks(tasks, stop, studied, nowhere);
-  } catch (...) {
-    status = reportError(std::current_exception());
-  }
+  const int status = guarded([&] { return runTasks(tasks, stop, studied, nowhere); });
   report::reportStudiesAsJson(studied, status >= kInterrupted, std::cout);
   return status;
 }

@@ -18,7 +18,6 @@ using ::testing::StartsWith;
 class Json : public ProgramTest {
  protected:
   Json() {
-    // In the file's TOML: "Größe \"x\" \\ 書", three expectations of which one is unmet.
     write("b.toml",
           "title = \"Größe \\\"x\\\" \\\\ 書\"\n[initial]\nangular_velocity = [5.0, 0.0, 0.005]\n"
           "[clip]\nsize = [64, 36]\nduration = 0.2\n[expect]\nhalf_turns = { max = 3, min = 1 }\n");
@@ -125,6 +124,21 @@ TEST_F(Json, OfStudyHoldsWhatWasDoneBeforeAnError) {
   expectKeys(result.output, "interrupted studies");
   EXPECT_THAT(result.output, HasSubstr(R"("error": "tiny: no run reached its end)"));
   EXPECT_THAT(result.output, HasSubstr(R"("error": null, "files": [], "runs": 0)"));
+}
+
+TEST_F(Json, OfStudyIsPrintedAfterAnInterrupt) {
+  ChildSettings settings;
+  settings.signal = SIGINT;
+  settings.signalWhen = [this] { return has("out"); };
+  // Ten minutes, were it not for the signal.
+  const ChildResult result = run({"study", "tiny.toml", "--set", "clip.duration=100", "--steps",
+                                  "1000000", "--integrators", "rk4", "--json"},
+                                 settings);
+  EXPECT_EQ(result.status, 130);
+  expectKeys(result.output, "interrupted studies");
+  EXPECT_THAT(result.output,
+              AllOf(StartsWith(R"({"interrupted": true, "studies": [{"name": "tiny", )"),
+                    HasSubstr(R"("interrupted": true, "error": null, "files": [], "runs": 0)")));
 }
 
 TEST_F(Json, OfRenderHasTheScenesInTheirOrderHoweverManyGoOnAtATime) {

@@ -1,7 +1,6 @@
 #include "cli/program.h"
 
 #include <csignal>
-#include <exception>
 #include <iostream>
 #include <memory>
 #include <span>
@@ -60,16 +59,6 @@ int afterFlush(int status) {
   std::cout.flush();
   if (std::cout) return status;
   throw MachineError("can't write to the standard output");
-}
-
-/// Returns the exit status of `work`; reports what it throws, and returns the status of that.
-template <typename Work>
-int guarded(const Work& work) noexcept {
-  try {
-    return work();
-  } catch (...) {
-    return reportError(std::current_exception());
-  }
 }
 
 /// Throws InputError for an empty argument, which no command has a use for.

@@ -31,6 +31,7 @@ struct RenderArguments {
   std::vector<std::string> formats{"mp4"};
   bool noMp4 = false;
   int atATime = 0;
+  bool json = false;
   pipeline::RenderOptions options;
 };
 
@@ -102,7 +103,8 @@ int render(const RenderArguments& arguments) {
   const int atATime = arguments.atATime > 0
                           ? arguments.atATime
                           : scenesAtATime(scenes, system::coreCount(), system::memorySize());
-  return reportIfUnmet(renderScenes(scenes, options, atATime));
+  const auto renderEach = arguments.json ? renderScenesAsJson : renderScenes;
+  return reportIfUnmet(renderEach(scenes, options, atATime));
 }
 
 }  // namespace
@@ -143,6 +145,7 @@ void addRenderCommand(CLI::App& program, Action& action) {
           "quarter of the memory")
       ->type_name("N")
       ->check(CLI::Range(1, 64));
+  command->add_flag("--json", arguments->json, "Print one JSON object: what was made and measured");
   arguments->sceneOptions.addTo(*command);
   arguments->deviceOptions.addTo(*command);
   command->footer(R"(

@@ -8,19 +8,16 @@
 #include <functional>
 #include <iostream>
 #include <numeric>
-#include <optional>
 #include <sstream>
 #include <string>
-#include <utility>
 
-#include "base/number_text.h"
-#include "base/text.h"
 #include "cli/error_report.h"
 #include "cli/exit_code.h"
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "report/file_report.h"
 #include "report/motion_report.h"
+#include "report/render_report.h"
 #include "system/machine.h"
 #include "system/parallel_runs.h"
 #include "timeline/simulate_scene.h"
@@ -40,124 +37,54 @@ double memoryOf(const scene::Scene& scene) {
 
 using Progress = std::function<void(pipeline::RenderProgress)>;
 
-/// Returns the number of threads of all encoders.
-int encoderThreads(const scene::Scene& scene, const std::vector<video::VideoFormat>& formats) {
-  int threads = 0;
-  for (const video::VideoFormat format : formats) {
-    threads += rowOf(format).usesThreads ? scene.video.threads : 1;
-  }
-  return threads;
-}
-
-void announce(const scene::Scene& scene, const pipeline::RenderStart& start, int encoders,
-              std::ostream& out) {
-  out << scene.name << ": " << scene.title << '\n'
-      << "  " << sizeText(scene.clip.width, scene.clip.height) << " at "
-      << scene.clip.frameRate.text() << " frames/s, " << shortestText(scene.clip.duration)
-      << " s; renderer " << start.renderer
-      << (start.encoders.empty() ? std::string() : "; encoder " + start.encoders) << '\n'
-      << "  threads: 1 draws (a software rasteriser has its own), 1 composes";
-  if (start.pngThreads > 0) {
-    out << ", " << start.pngThreads << (start.pngThreads == 1 ? " compresses" : " compress")
-        << " PNGs";
-  }
-  if (encoders > 0) out << ", " << encoders << (encoders == 1 ? " encodes" : " encode");
-  out << "; cores: " << system::coreCount() << std::endl;
-}
-
-/// Lists the files and folders that a render wrote.
-std::vector<std::string> writtenItems(const pipeline::RenderResult& result,
-                                      const pipeline::RenderOptions& options) {
-  const store::ClipFiles& files = result.files;
-  const bool newFolder = result.interrupted && !options.frames;
-  std::vector<std::string> items;
-  for (const video::VideoFormat format : formatsOf(options.outputs)) {
-    if (result.framesWritten == 0) break;
-    items.push_back(
-        (result.interrupted ? files.partialVideo(format) : files.video(format)).string());
-  }
-  if (!result.interrupted) {
-    for (const auto& csv : result.csvs) items.push_back(csv.string());
-  }
-  if (!result.interrupted && !options.frames) items.push_back(files.poster.string());
-  if (hasPng(options.outputs)) {
-    items.push_back(store::framesText(result.framesWritten) + " in " +
-                    (newFolder ? files.partialFrameFolder : files.frameFolder).string() + '/');
-  }
-  return items;
-}
-
-struct Rendered {
-  timeline::ClipMotion motion;
-  pipeline::RenderResult result;
-};
-
-/// Renders one scene. Returns nothing, and reports that, if it was interrupted before there was
-/// anything to write.
-std::optional<Rendered> render(const SceneToRender& one, const pipeline::RenderOptions& options,
-                               const Progress& progress, std::ostream& out) {
+/// Renders a scene into `rendered`, which has what was done also after an error.
+void render(const SceneToRender& one, const pipeline::RenderOptions& options,
+            const Progress& progress, std::ostream& out, report::RenderedScene& rendered) {
   const scene::Scene& scene = one.scene;
-  timeline::ClipMotion motion = timeline::simulateScene(scene, options.stop);
-  if (*options.stop) {
-    out << scene.name << ": interrupted while simulating; nothing was written" << std::endl;
-    return std::nullopt;
-  }
+  const timeline::ClipMotion motion = timeline::simulateScene(scene, options.stop);
+  rendered.interrupted = *options.stop;
+  if (rendered.interrupted) return;
+  rendered.motions = timeline::summarize(scene, motion);
   pipeline::RenderListener listener;
   listener.started = [&](const pipeline::RenderStart& start) {
-    announce(scene, start, encoderThreads(scene, formatsOf(options.outputs)), out);
+    rendered.start = start;
+    report::reportStart(rendered, options, out);
     const std::string warning =
         report::spaceWarning(start.space, options.folder, hasPng(options.outputs));
     if (!warning.empty()) std::cerr << "rotatebook: " + scene.name + ": " + warning + '\n';
   };
   listener.progress = progress;
-  pipeline::RenderResult result = renderClip(scene, motion, options, listener, one.textures);
-  return Rendered{std::move(motion), std::move(result)};
+  rendered.result = renderClip(scene, motion, options, listener, one.textures);
+  rendered.interrupted = rendered.result->interrupted;
 }
 
-const char* howToGoOn(const pipeline::RenderOptions& options) {
-  return hasPng(options.outputs) ? "; go on with the same command and --resume" : "";
+/// Renders a scene likewise, and keeps the message of an error that is thrown.
+void renderOrNoteError(const SceneToRender& one, const pipeline::RenderOptions& options,
+                       const Progress& progress, std::ostream& out,
+                       report::RenderedScene& rendered) {
+  try {
+    render(one, options, progress, out, rendered);
+  } catch (const std::exception& error) {
+    rendered.error = error.what();
+    throw;
+  }
 }
 
-/// Reports what was rendered; returns the status.
-int report(const scene::Scene& scene, const std::optional<Rendered>& rendered,
-           const pipeline::RenderOptions& options, std::ostream& out) {
-  if (!rendered) return interruptStatus();
-  const auto& [motion, result] = *rendered;
-  if (result.wasDone) out << scene.name << ": already done" << std::endl;
-  if (result.framesKept > 0) {
-    out << "  kept " << store::framesText(result.framesKept) << " of an earlier run" << std::endl;
-  }
-  if (result.interrupted && result.framesWritten == 0) {
-    out << "  interrupted before the first frame; nothing was written" << std::endl;
-    return interruptStatus();
-  }
-  if (!result.wasDone) out << "  wrote " << listed(writtenItems(result, options)) << std::endl;
-  if (!result.replaced.empty()) {
-    out << "  replaced " << listed(result.replaced) << ", made with other settings" << std::endl;
-  }
-  if (!result.others.empty()) {
-    out << "  kept " << listed(result.others) << ", made with other settings" << std::endl;
-  }
-  if (!result.remainder.empty()) out << "  note: " << result.remainder << std::endl;
-  if (result.interrupted) {
-    out << "  interrupted after " << store::framesText(result.framesWritten) << howToGoOn(options)
-        << std::endl;
-    return interruptStatus();
-  }
-  return statusOf(report::reportMotions(scene, motion, out));
+int outcomeOf(const report::RenderedScene& rendered) {
+  return rendered.interrupted ? interruptStatus() : statusOf(timeline::allMet(rendered.motions));
 }
 
-int renderInTurn(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options) {
+int renderInTurn(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
+                 std::ostream& out, std::vector<report::RenderedScene>& rendered) {
   int status = kDone;
-  for (const SceneToRender& one : scenes) {
-    const scene::Scene& scene = one.scene;
-    std::optional<Rendered> rendered;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
     {
-      ProgressLine line(scene.name);
+      ProgressLine line(scenes[i].scene.name);
       const auto progress = [&](pipeline::RenderProgress now) { line.update(now.done, now.total); };
-      rendered = render(one, options, progress, std::cout);
+      renderOrNoteError(scenes[i], options, progress, out, rendered[i]);
     }
-    const int outcome = report(scene, rendered, options, std::cout);
+    report::reportRender(rendered[i], options, out);
+    const int outcome = outcomeOf(rendered[i]);
     if (outcome >= kInterrupted) return outcome;
     status = std::max(status, outcome);
   }
@@ -167,9 +94,12 @@ int renderInTurn(const std::vector<SceneToRender>& scenes, const pipeline::Rende
 /// Renders of several scenes at the same time. Their reports are printed on the caller's thread.
 class ParallelRenders {
  public:
-  ParallelRenders(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options)
+  ParallelRenders(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
+                  std::ostream& out, std::vector<report::RenderedScene>& rendered)
       : scenes_(scenes),
         options_(options),
+        out_(out),
+        rendered_(rendered),
         renders_(scenes.size()),
         line_(std::to_string(scenes.size()) + " scenes") {
     for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -220,9 +150,9 @@ class ParallelRenders {
       one.done = now.done;
     };
     try {
-      const std::optional<Rendered> rendered =
-          cli::render(scenes_[i], options_, progress, one.text);
-      one.status = report(scenes_[i].scene, rendered, options_, one.text);
+      renderOrNoteError(scenes_[i], options_, progress, one.text, rendered_[i]);
+      report::reportRender(rendered_[i], options_, one.text);
+      one.status = outcomeOf(rendered_[i]);
       one.state = State::Finished;
     } catch (...) {
       one.error = std::current_exception();
@@ -258,7 +188,7 @@ class ParallelRenders {
     for (; reported_ < renders_.size() && renders_[reported_].state == State::Finished;
          ++reported_) {
       line_.clear();
-      std::cout << renders_[reported_].text.str() << std::flush;
+      out_ << renders_[reported_].text.str() << std::flush;
     }
   }
 
@@ -268,7 +198,7 @@ class ParallelRenders {
     line_.clear();
     for (; reported_ < renders_.size(); ++reported_) reportFinished();
     for (const Render& one : renders_) {
-      if (one.state == State::Waiting) std::cout << nameOf(one) << ": not started" << std::endl;
+      if (one.state == State::Waiting) out_ << nameOf(one) << ": not started" << std::endl;
     }
   }
 
@@ -289,11 +219,33 @@ class ParallelRenders {
 
   const std::vector<SceneToRender>& scenes_;
   const pipeline::RenderOptions& options_;
+  std::ostream& out_;
+  std::vector<report::RenderedScene>& rendered_;  // Each is written by its render alone.
   std::vector<Render> renders_;
   std::size_t reported_ = 0;
   bool failureReported_ = false;
   ProgressLine line_;
 };
+
+/// Renders all scenes as renderScenes() does, with its reports on `out`.
+int renderAll(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
+              int atATime, std::ostream& out, std::vector<report::RenderedScene>& rendered) {
+  for (const SceneToRender& one : scenes) report::reportNotes(one.scene, std::cerr);
+  atATime = std::min(atATime, static_cast<int>(scenes.size()));
+  if (atATime <= 1) return renderInTurn(scenes, options, out, rendered);
+  pipeline::RenderOptions shared = options;
+  for (pipeline::RenderOutput& output : shared.outputs) {
+    if (output.png) output.threads = pipeline::pngThreads(system::coreCount() / atATime);
+  }
+  out << atATime << " scenes at a time" << std::endl;
+  return ParallelRenders(scenes, shared, out, rendered).run(atATime);
+}
+
+std::vector<report::RenderedScene> notYetRendered(const std::vector<SceneToRender>& scenes) {
+  std::vector<report::RenderedScene> rendered;
+  for (const SceneToRender& one : scenes) rendered.push_back({one.scene});
+  return rendered;
+}
 
 }  // namespace
 
@@ -306,15 +258,18 @@ int scenesAtATime(const std::vector<SceneToRender>& scenes, int cores, double me
 
 int renderScenes(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
                  int atATime) {
-  for (const SceneToRender& one : scenes) report::reportNotes(one.scene, std::cerr);
-  atATime = std::min(atATime, static_cast<int>(scenes.size()));
-  if (atATime <= 1) return renderInTurn(scenes, options);
-  pipeline::RenderOptions shared = options;
-  for (pipeline::RenderOutput& output : shared.outputs) {
-    if (output.png) output.threads = pipeline::pngThreads(system::coreCount() / atATime);
-  }
-  std::cout << atATime << " scenes at a time" << std::endl;
-  return ParallelRenders(scenes, shared).run(atATime);
+  auto rendered = notYetRendered(scenes);
+  return renderAll(scenes, options, atATime, std::cout, rendered);
+}
+
+int renderScenesAsJson(const std::vector<SceneToRender>& scenes,
+                       const pipeline::RenderOptions& options, int atATime) {
+  auto rendered = notYetRendered(scenes);
+  std::ostream nowhere(nullptr);
+  const int status =
+      guarded([&] { return renderAll(scenes, options, atATime, nowhere, rendered); });
+  report::reportRendersAsJson(rendered, options, status >= kInterrupted, std::cout);
+  return status;
 }
 
 }  // namespace rotatebook::cli

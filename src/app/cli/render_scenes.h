@@ -27,4 +27,8 @@ int scenesAtATime(const std::vector<SceneToRender>& scenes, int cores, double me
 int renderScenes(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
                  int atATime);
 
+/// Renders likewise, but prints one JSON object at the end, also after an error, which it reports.
+int renderScenesAsJson(const std::vector<SceneToRender>& scenes,
+                       const pipeline::RenderOptions& options, int atATime);
+
 }  // namespace rotatebook::cli

@@ -16,6 +16,7 @@
 #include "cli/scene_search.h"
 #include "picture/preflight.h"
 #include "report/motion_report.h"
+#include "report/scene_report.h"
 #include "scene/scene_text.h"
 #include "store/scene_file.h"
 
@@ -24,56 +25,86 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int checkScenes(const std::vector<std::string>& paths, const SceneOptions& options) {
-  int status = kDone;
-  for (const std::string& path : paths) {
-    try {
-      const scene::Scene scene = options.read(path);
-      refuseSameNames({scene});
-      picture::preflight(scene);
-      report::reportNotes(scene, std::cerr);
-      std::cout << oneLine(path) << ": ok\n";
-    } catch (const InputError& error) {
-      printError(error.what());
-      status = kWrongInput;
-    }
+/// Reads a file by `read`; reports and keeps the message if it is wrong.
+template <typename Read>
+report::SceneFile readFile(const fs::path& path, const Read& read) {
+  report::SceneFile file{path};
+  try {
+    file.scene = read(path);
+  } catch (const InputError& error) {
+    printError(error.what());
+    file.errors.emplace_back(error.what());
   }
-  return status;
+  return file;
 }
 
-int listScenes(const std::string& folder) {
-  const auto [paths, problems] = scenesBelow(folder);
-  for (const std::string& problem : problems) printError(problem);
-  if (paths.empty() && problems.empty()) throw InputError(folder + " holds no scenes (*.toml)");
-  std::size_t width = 0;
-  for (const fs::path& path : paths) width = std::max(width, path.string().size());
-  int status = problems.empty() ? kDone : kWrongInput;
-  for (const fs::path& path : paths) {
-    try {
-      const scene::Scene scene = store::readScene(path);
-      std::cout << std::left << std::setw(static_cast<int>(width)) << oneLine(path.string()) << "  "
-                << std::right << std::setw(4) << shortestText(scene.clip.duration) << " s  "
-                << scene.title << '\n';
-    } catch (const InputError& error) {
-      printError(error.what());
-      status = kWrongInput;
-    }
+int statusOfAll(const std::vector<report::SceneFile>& files) {
+  const bool ok =
+      std::ranges::all_of(files, [](const report::SceneFile& file) { return file.errors.empty(); });
+  return ok ? kDone : kWrongInput;
+}
+
+struct CheckArguments {
+  std::vector<std::string> paths;
+  SceneOptions sceneOptions;
+  bool json = false;
+};
+
+int checkScenes(const CheckArguments& arguments) {
+  const auto check = [&](const fs::path& path) {
+    const scene::Scene scene = arguments.sceneOptions.read(path);
+    refuseSameNames({scene});
+    picture::preflight(scene);
+    report::reportNotes(scene, std::cerr);
+    return scene;
+  };
+  std::vector<report::SceneFile> files;
+  for (const std::string& path : arguments.paths) {
+    files.push_back(readFile(path, check));
+    if (!arguments.json && files.back().errors.empty()) std::cout << oneLine(path) << ": ok\n";
   }
-  return status;
+  if (arguments.json) report::reportChecksAsJson(files, std::cout);
+  return statusOfAll(files);
+}
+
+void printList(const std::vector<report::SceneFile>& files) {
+  std::size_t width = 0;
+  for (const report::SceneFile& file : files) width = std::max(width, file.path.string().size());
+  for (const report::SceneFile& file : files) {
+    if (!file.scene) continue;
+    std::cout << std::left << std::setw(static_cast<int>(width)) << oneLine(file.path.string())
+              << "  " << std::right << std::setw(4) << shortestText(file.scene->clip.duration)
+              << " s  " << file.scene->title << '\n';
+  }
+}
+
+int listScenes(const std::string& folder, bool json) {
+  const auto [paths, problems] = scenesBelow(folder);
+  if (paths.empty() && problems.empty()) throw InputError(folder + " holds no scenes (*.toml)");
+  std::vector<report::SceneFile> files;
+  for (const auto& [path, message] : problems) {
+    printError(message);
+    files.push_back({.path = path, .errors = {message}});
+  }
+  for (const fs::path& path : paths) {
+    files.push_back(readFile(path, [](const fs::path& file) { return store::readScene(file); }));
+  }
+  json ? report::reportListAsJson(files, std::cout) : printList(files);
+  return statusOfAll(files);
 }
 
 }  // namespace
 
 void addCheckCommand(CLI::App& program, Action& action) {
-  auto paths = std::make_shared<std::vector<std::string>>();
-  auto options = std::make_shared<SceneOptions>();
+  auto arguments = std::make_shared<CheckArguments>();
   CLI::App* command = program.add_subcommand("check", "Validate scenes; writes nothing");
-  command->add_option("FILE", *paths, "Scene files")->required();
-  options->addTo(*command);
+  command->add_option("FILE", arguments->paths, "Scene files")->required();
+  command->add_flag("--json", arguments->json,
+                    "Print one JSON object: each file's errors and notes");
+  arguments->sceneOptions.addTo(*command);
   command->footer("\nExample:\n  rotatebook check scenes/*.toml");
-  command->callback([paths, options, &action] {
-    action = [paths, options] { return checkScenes(*paths, *options); };
-  });
+  command->callback(
+      [arguments, &action] { action = [arguments] { return checkScenes(*arguments); }; });
 }
 
 void addSceneCommand(CLI::App& program, Action& action) {
@@ -95,9 +126,12 @@ void addSceneCommand(CLI::App& program, Action& action) {
 void addListCommand(CLI::App& program, Action& action) {
   auto folder = std::make_shared<std::string>("scenes");
   CLI::App* command = program.add_subcommand("list", "List the scenes below a folder");
+  auto json = std::make_shared<bool>(false);
   command->add_option("DIR", *folder, "Folder")->capture_default_str();
+  command->add_flag("--json", *json, "Print one JSON object: each scene's title, length and size");
   command->footer("\nExample:\n  rotatebook list scenes/figures");
-  command->callback([folder, &action] { action = [folder] { return listScenes(*folder); }; });
+  command->callback(
+      [folder, json, &action] { action = [folder, json] { return listScenes(*folder, *json); }; });
 }
 
 }  // namespace rotatebook::cli

@@ -38,7 +38,9 @@ void search(const fs::path& folder, FoundScenes& found, std::vector<fs::path>& l
       found.paths.push_back(path);
     }
   }
-  if (error) found.problems.push_back("can't list " + folder.string() + ": " + error.message());
+  if (error) {
+    found.problems.emplace_back(folder, "can't list " + folder.string() + ": " + error.message());
+  }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace rotatebook::cli {
@@ -10,7 +11,8 @@ namespace rotatebook::cli {
 /// The scenes below a folder.
 struct FoundScenes {
   std::vector<std::filesystem::path> paths;  ///< Sorted.
-  std::vector<std::string> problems;         ///< "can't list FOLDER: WHY", one for each folder.
+  /// Folders that can't be listed, with "can't list FOLDER: WHY"; sorted.
+  std::vector<std::pair<std::filesystem::path, std::string>> problems;
 };
 
 /// Finds the scenes below `folder`, without the records that renders leave. Throws InputError if

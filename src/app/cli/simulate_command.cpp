@@ -23,6 +23,7 @@ struct SimulateArguments {
   std::string scene;
   SceneOptions sceneOptions;
   std::string csv;
+  bool json = false;
 };
 
 /// Prints the table of a scene without panels to the standard output.
@@ -33,10 +34,25 @@ int printTable(const scene::Scene& scene) {
   }
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   std::cout << timeline::trajectoryCsv(motion.trajectories().front());
-  return reportIfUnmet(statusOf(report::reportMotions(scene, motion, std::clog)), false);
+  const std::vector<timeline::MotionSummary> motions = timeline::summarize(scene, motion);
+  report::reportMotions(motions, std::clog);
+  return reportIfUnmet(statusOf(timeline::allMet(motions)), false);
+}
+
+void reportAsText(const scene::Scene& scene, const std::vector<std::filesystem::path>& tables,
+                  const std::vector<timeline::MotionSummary>& motions, std::ostream& out) {
+  out << scene.name << ": " << scene.title << '\n';
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    out << "  wrote " << tables[i].string() << ", " << motions[i].frames << " rows\n";
+  }
+  report::reportMotions(motions, out);
 }
 
 int simulateScene(const SimulateArguments& arguments) {
+  if (arguments.csv == "-" && arguments.json) {
+    throw InputError(
+        "--csv - and --json both print to the standard output; name a file with --csv");
+  }
   const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
   report::reportNotes(scene, std::cerr);
   if (arguments.csv == "-") return printTable(scene);
@@ -47,12 +63,10 @@ int simulateScene(const SimulateArguments& arguments) {
   }
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   if (!files.empty()) store::writeTables(files, motion);
-  std::cout << scene.name << ": " << scene.title << '\n';
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    std::cout << "  wrote " << files[i].string() << ", " << motion.trajectories()[i].samples.size()
-              << " rows\n";
-  }
-  return reportIfUnmet(statusOf(report::reportMotions(scene, motion, std::cout)), !files.empty());
+  const std::vector<timeline::MotionSummary> motions = timeline::summarize(scene, motion);
+  (arguments.json ? report::reportSimulationAsJson : reportAsText)(scene, files, motions,
+                                                                   std::cout);
+  return reportIfUnmet(statusOf(timeline::allMet(motions)), !files.empty());
 }
 
 }  // namespace
@@ -66,6 +80,7 @@ void addSimulateCommand(CLI::App& program, Action& action) {
       ->add_option("--csv", arguments->csv,
                    "Table to write, one row a frame; - for the standard output")
       ->type_name("FILE");
+  command->add_flag("--json", arguments->json, "Print one JSON object: what was measured");
   arguments->sceneOptions.addTo(*command, /*draws=*/false);
   command->footer(R"(
 Reports half-turns, energy, distance to the exact motion, and what was expected.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <iterator>
@@ -36,6 +37,7 @@ struct StudyArguments {
   std::string folder = "out";
   std::optional<std::string> steps;
   std::optional<std::string> integrators;
+  bool json = false;
 };
 
 /// A scene, what is studied of it, and the files of the results.
@@ -44,6 +46,8 @@ struct Task {
   scene::StudySettings study;
   store::StudyFiles files;
 };
+
+using report::StudiedScene;
 
 Shorthand stepsShorthand(const std::string& steps) {
   static const std::regex kList("(0|[1-9][0-9]{0,8})(,(0|[1-9][0-9]{0,8}))*");
@@ -123,12 +127,12 @@ void writeTables(const store::StudyFiles& files, const study::TiltStudy& result)
   system::writeFileAtomically(files.csv, tiltCsv(result));
 }
 
-std::vector<std::string> filesOf(const store::StudyFiles& files, const study::PrecisionStudy&) {
-  return {files.csv.string(), files.orders.string(), files.svg.string(), files.png.string()};
+std::vector<std::string> tablesOf(const store::StudyFiles& files, const study::PrecisionStudy&) {
+  return {files.csv.string(), files.orders.string()};
 }
 
-std::vector<std::string> filesOf(const store::StudyFiles& files, const study::TiltStudy&) {
-  return {files.csv.string(), files.svg.string(), files.png.string()};
+std::vector<std::string> tablesOf(const store::StudyFiles& files, const study::TiltStudy&) {
+  return {files.csv.string()};
 }
 
 std::string plotOf(const Task& task, const study::PrecisionStudy& result) {
@@ -151,18 +155,24 @@ bool draw(const Task& task, const std::string& plot) {
   }
 }
 
+/// Writes and reports the results, which `studied` then holds.
 template <typename Study>
-int finish(const Task& task, const Study& result) {
+int finish(const Task& task, const Study& result, StudiedScene& studied, std::ostream& out) {
   store::removeFiles(task.files);
   writeTables(task.files, result);
+  studied.result = result;
+  studied.files = tablesOf(task.files, result);
   refuseNoResult(task, result);
-  const int status = statusOf(report::reportStudy(result, task.study, std::cout));
-  std::cout.flush();
+  const int status = statusOf(report::reportStudy(result, task.study, out));
+  out.flush();
   if (!draw(task, plotOf(task, result))) {
-    std::cout << "  interrupted; only the tables were written" << std::endl;
+    out << "  interrupted; only the tables were written" << std::endl;
+    studied.interrupted = true;
     return interruptStatus();
   }
-  std::cout << "  wrote " << listed(filesOf(task.files, result)) << std::endl;
+  studied.files.push_back(task.files.svg.string());
+  studied.files.push_back(task.files.png.string());
+  out << "  wrote " << listed(studied.files) << std::endl;
   return status;
 }
 
@@ -171,7 +181,8 @@ using StudyFunction = std::optional<Study> (*)(const scene::Scene&, const scene:
                                                const study::Execution&);
 
 template <typename Study>
-int runAndFinish(StudyFunction<Study> run, const Task& task, const std::atomic<bool>& stop) {
+int runAndFinish(StudyFunction<Study> run, const Task& task, const std::atomic<bool>& stop,
+                 StudiedScene& studied, std::ostream& out) {
   std::optional<Study> result;
   {
     ProgressLine progress(task.scene.name, "runs");
@@ -182,29 +193,56 @@ int runAndFinish(StudyFunction<Study> run, const Task& task, const std::atomic<b
     };
     result = run(task.scene, task.study, diagnose::onThisMachine(options));
   }
-  if (result) return finish(task, *result);
-  std::cout << "  interrupted; nothing was written" << std::endl;
+  if (result) return finish(task, *result, studied, out);
+  out << "  interrupted; nothing was written" << std::endl;
+  studied.interrupted = true;
   return interruptStatus();
 }
 
-int runTask(const Task& task, const std::atomic<bool>& stop) {
-  std::cout << task.scene.name << ": " << task.scene.title << std::endl;
-  return task.study.isOfTilts() ? runAndFinish(&study::runTiltStudy, task, stop)
-                                : runAndFinish(&study::runPrecisionStudy, task, stop);
+int runTask(const Task& task, const std::atomic<bool>& stop, StudiedScene& studied,
+            std::ostream& out) {
+  out << task.scene.name << ": " << task.scene.title << std::endl;
+  try {
+    return task.study.isOfTilts()
+               ? runAndFinish(&study::runTiltStudy, task, stop, studied, out)
+               : runAndFinish(&study::runPrecisionStudy, task, stop, studied, out);
+  } catch (const std::exception& error) {
+    studied.error = error.what();
+    throw;
+  }
+}
+
+int runTasks(const std::vector<Task>& tasks, const std::atomic<bool>& stop,
+             std::vector<StudiedScene>& studied, std::ostream& out) {
+  int status = kDone;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const int outcome = runTask(tasks[i], stop, studied[i], out);
+    if (outcome >= kInterrupted) return outcome;
+    status = std::max(status, outcome);
+  }
+  return status;
+}
+
+/// Prints one JSON object at the end, also after an error, which it reports.
+int runTasksAsJson(const std::vector<Task>& tasks, const std::atomic<bool>& stop,
+                   std::vector<StudiedScene>& studied) {
+  std::ostream nowhere(nullptr);
+  const int status = guarded([&] { return runTasks(tasks, stop, studied, nowhere); });
+  report::reportStudiesAsJson(studied, status >= kInterrupted, std::cout);
+  return status;
 }
 
 int study(const StudyArguments& arguments) {
   const std::vector<Task> tasks = readTasks(arguments);
   const std::atomic<bool>& stop = catchInterrupts();
   system::createFolders(arguments.folder);
-  for (const Task& task : tasks) store::requireWritable(task.files);
-  int status = kDone;
+  std::vector<StudiedScene> studied;
   for (const Task& task : tasks) {
-    const int outcome = runTask(task, stop);
-    if (outcome >= kInterrupted) return outcome;
-    status = std::max(status, outcome);
+    store::requireWritable(task.files);
+    studied.push_back({task.scene, task.study});
   }
-  return reportIfUnmet(status);
+  return reportIfUnmet(arguments.json ? runTasksAsJson(tasks, stop, studied)
+                                      : runTasks(tasks, stop, studied, std::cout));
 }
 
 }  // namespace
@@ -225,6 +263,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
       ->add_option("--integrators", arguments->integrators,
                    "Integrators to compare, e.g. euler,rk4")
       ->type_name("NAME,...");
+  command->add_flag("--json", arguments->json, "Print one JSON object: what was measured");
   arguments->sceneOptions.addTo(*command, /*draws=*/false);
   command->footer(R"(
 Runs each integrator with each number of steps a frame that [study] of the scene lists, by default all

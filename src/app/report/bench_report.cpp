@@ -97,7 +97,7 @@ void reportSpeedAsJson(const scene::Scene& scene, const diagnose::Speed& speed, 
   const diagnose::SpeedLimit limit = speedLimit(speed.stages, speed.cores);
   out << JsonObject()
              .addString("scene", scene.name)
-             .addNumber("frames", static_cast<double>(speed.frames))
+             .addInteger("frames", speed.frames)
              .addNumber("width", scene.clip.width)
              .addNumber("height", scene.clip.height)
              .addNumber("cores", speed.cores)

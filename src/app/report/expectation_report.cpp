@@ -1,5 +1,6 @@
 #include "report/expectation_report.h"
 
+#include "base/json.h"
 #include "base/number_text.h"
 #include "scene/expectation_text.h"
 
@@ -24,21 +25,32 @@ std::string reportLine(const std::string& subject, const scene::Bounds& bounds, 
          "; measured " + measuredText(measured, expectation);
 }
 
-bool reportMotion(const physics::Trajectory& trajectory,
-                  std::span<const scene::Expectation> expectations, std::ostream& out) {
-  bool met = true;
-  if (trajectory.divergedAt) {
-    const bool unexpected = divergesUnexpectedly(trajectory, expectations);
-    out << (unexpected ? "  UNMET  no divergence is expected; " : "  ") << "the motion diverges at "
-        << shortestText(*trajectory.divergedAt) << " s, after " << trajectory.samples.size()
-        << " frames\n";
-    met = !unexpected;
+void reportExpectations(const timeline::MotionSummary& summary, std::ostream& out) {
+  if (summary.divergedAt) {
+    out << (summary.divergesUnexpectedly ? "  UNMET  no divergence is expected; " : "  ")
+        << "the motion diverges at " << shortestText(*summary.divergedAt) << " s, after "
+        << summary.frames << " frames\n";
   }
-  for (const scene::ExpectationResult& result : check(trajectory, expectations)) {
+  for (const scene::ExpectationResult& result : summary.expectations) {
     out << "  " << reportLine(result) << '\n';
-    met = met && result.met;
   }
-  return met;
+}
+
+std::string expectationJson(const scene::ExpectationResult& result) {
+  const scene::Expectation& expectation = result.expectation;
+  return JsonObject()
+      .addString("quantity", nameOf(expectation.quantity))
+      .addNumber("from_s", expectation.from)
+      .addNumber("to_s", expectation.to)
+      .addNumberOrNull("min", expectation.min)
+      .addNumberOrNull("max", expectation.max)
+      .addNumberOrNull("rises_to", expectation.risesTo)
+      .addNumberOrNull("falls_to", expectation.fallsTo)
+      .addNumber("lowest", result.lowest)
+      .addNumber("highest", result.highest)
+      .addBool("met", result.met)
+      .addNumberOrNull("ends_early_s", result.endsEarly)
+      .text();
 }
 
 }  // namespace rotatebook::report

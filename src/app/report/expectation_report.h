@@ -1,13 +1,12 @@
-// Lines that report expected and measured values. Inside the room only.
+// Reports of expected and measured values, as text and as JSON. Inside the room only.
 #pragma once
 
 #include <ostream>
-#include <span>
 #include <string>
 
-#include "physics/trajectory.h"
 #include "scene/expectation.h"
 #include "scene/study_settings.h"
+#include "timeline/motion_summary.h"
 
 namespace rotatebook::report {
 
@@ -18,9 +17,10 @@ std::string reportLine(const scene::ExpectationResult& result);
 /// A NaN is printed as "nothing".
 std::string reportLine(const std::string& subject, const scene::Bounds& bounds, double measured);
 
-/// Prints a motion's divergence, if any, and a line for each of its expectations to `out`. Returns
-/// whether all are met; also false if the motion diverges and has expectations, but none of that.
-bool reportMotion(const physics::Trajectory& trajectory,
-                  std::span<const scene::Expectation> expectations, std::ostream& out);
+/// Prints a motion's divergence, if any, and a line for each of its expectations to `out`.
+void reportExpectations(const timeline::MotionSummary& summary, std::ostream& out);
+
+/// Returns an expectation as a JSON object: its bounds, what was measured, and whether it is met.
+std::string expectationJson(const scene::ExpectationResult& result);
 
 }  // namespace rotatebook::report

@@ -2,17 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
+#include "base/json.h"
 #include "base/number_text.h"
 #include "report/expectation_report.h"
+#include "scene/names.h"
 #include "timeline/notes.h"
 
 namespace rotatebook::report {
 namespace {
 
+using timeline::MotionSummary;
+
 constexpr double kHalfTurnDeg = 180;
-// The smallest difference that a viewer notices. [degrees]
-constexpr double kVisibleDeg = 10;
 constexpr double kVisibleChange = 1e-3;  // of the energy
 
 /// Returns `value` >= 0 rounded up to so many significant digits: "2e-9".
@@ -30,38 +33,57 @@ std::string secondsText(double time) {
   return shortestText(std::round(time * digits) / digits);
 }
 
-std::string halfTurnsText(const physics::Trajectory& trajectory) {
-  const int made = trajectory.samples.back().halfTurns;
+std::string halfTurnsText(int made) {
   return std::to_string(made) + (made == 1 ? " half-turn" : " half-turns");
+}
+
+std::string energyJson(const MotionSummary& summary) {
+  return JsonObject()
+      .addNumber("lowest", summary.lowestEnergy)
+      .addNumber("highest", summary.highestEnergy)
+      .text();
+}
+
+std::string motionJson(const MotionSummary& summary) {
+  const auto& [model, integrator] =
+      std::pair(summary.motion.simulation.model, summary.motion.simulation.integrator);
+  std::vector<std::string> notes = timeline::notesOn(summary.motion);
+  notes.insert(notes.end(), summary.notes.begin(), summary.notes.end());
+  return JsonObject()
+      .addStringOrNull("label", summary.motion.label)
+      .addString("model", nameOf(scene::kModels, model))
+      .addStringOrNull("integrator", model == physics::Model::Exact
+                                         ? std::string_view()
+                                         : nameOf(scene::kIntegrators, integrator))
+      .addInteger("half_turns", summary.halfTurns)
+      .add("energy_ratio", energyJson(summary))
+      .addNumberOrNull("error_deg", summary.errorDeg)
+      .addNumberOrNull("visible_from_s", summary.visibleFrom)
+      .addNumberOrNull("diverged_at_s", summary.divergedAt)
+      .addBool("met", summary.met())
+      .add("expectations", jsonArrayOf(summary.expectations, expectationJson))
+      .add("notes", jsonArrayOf(notes, jsonString))
+      .text();
 }
 
 }  // namespace
 
-std::string distanceText(const physics::Trajectory& trajectory, physics::Model model) {
-  if (model == physics::Model::Exact) return "the exact motion itself, in closed form";
-  const auto& samples = trajectory.samples;
-  const double farthest =
-      std::ranges::max_element(samples, {}, &physics::Sample::errorDeg)->errorDeg;
+std::string distanceText(const MotionSummary& summary) {
+  if (!summary.errorDeg) return "the exact motion itself, in closed form";
+  const double farthest = *summary.errorDeg;
   if (farthest < 1) {
     const std::string bound = roundedUp(farthest, 1);
     return "within " + bound + (bound == "1" ? " degree" : " degrees") + " of the exact motion";
   }
   const std::string text =
       "up to " + roundedUp(std::min(farthest, kHalfTurnDeg), 3) + " degrees from the exact motion";
-  if (farthest <= kVisibleDeg) return text;
-  const auto visible = std::ranges::find_if(
-      samples, [](const physics::Sample& sample) { return sample.errorDeg > kVisibleDeg; });
-  return text + "; more than " + shortestText(kVisibleDeg) + " from " + secondsText(visible->time) +
-         " s on";
+  if (!summary.visibleFrom) return text;
+  return text + "; more than " + shortestText(timeline::kVisibleErrorDeg) + " from " +
+         secondsText(*summary.visibleFrom) + " s on";
 }
 
-std::string energyText(const physics::Trajectory& trajectory) {
-  const double start = trajectory.samples.front().total();
-  double lowest = 1, highest = 1;
-  for (const physics::Sample& sample : trajectory.samples) {
-    lowest = std::min(lowest, sample.total() / start);
-    highest = std::max(highest, sample.total() / start);
-  }
+std::string energyText(const MotionSummary& summary) {
+  const double lowest = summary.lowestEnergy, highest = summary.highestEnergy;
   const double change = std::max(1 - lowest, highest - 1);
   if (change < kVisibleChange) return "energy kept to " + roundedUp(change, 1);
   return "energy " + roundedText(lowest, 4) + " to " + roundedText(highest, 4) + " of its start";
@@ -73,20 +95,37 @@ void reportNotes(const scene::Scene& scene, std::ostream& out) {
   }
 }
 
-bool reportMotions(const scene::Scene& scene, const timeline::ClipMotion& motion,
-                   std::ostream& out) {
-  bool met = true;
-  auto trajectory = motion.trajectories().begin();
-  for (const scene::Panel& panel : scene::motionsOf(scene)) {
-    if (!panel.label.empty()) out << "  " << panel.label << ":\n";
-    out << "  " << halfTurnsText(*trajectory) << "; " << energyText(*trajectory) << "; "
-        << distanceText(*trajectory, panel.simulation.model) << '\n';
-    met &= reportMotion(*trajectory++, panel.expectations, out);
+void reportMotions(const std::vector<MotionSummary>& motions, std::ostream& out) {
+  for (const MotionSummary& summary : motions) {
+    if (!summary.motion.label.empty()) out << "  " << summary.motion.label << ":\n";
+    out << "  " << halfTurnsText(summary.halfTurns) << "; " << energyText(summary) << "; "
+        << distanceText(summary) << '\n';
+    reportExpectations(summary, out);
+    for (const std::string& note : summary.notes) out << "  note: " << note << '\n';
   }
-  for (const std::string& note : timeline::notesOn(scene, motion)) {
-    out << "  note: " << note << '\n';
+}
+
+std::string motionsJson(const std::vector<MotionSummary>& motions) {
+  return jsonArrayOf(motions, motionJson);
+}
+
+void reportSimulationAsJson(const scene::Scene& scene,
+                            const std::vector<std::filesystem::path>& tables,
+                            const std::vector<MotionSummary>& motions, std::ostream& out) {
+  std::vector<std::string> written;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    written.push_back(JsonObject()
+                          .addString("path", tables[i].string())
+                          .addInteger("rows", static_cast<std::int64_t>(motions[i].frames))
+                          .text());
   }
-  return met;
+  out << JsonObject()
+             .addString("name", scene.name)
+             .addString("title", scene.title)
+             .add("tables", jsonArray(written))
+             .add("motions", motionsJson(motions))
+             .text()
+      << '\n';
 }
 
 }  // namespace rotatebook::report

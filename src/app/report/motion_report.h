@@ -1,30 +1,39 @@
-// Reports on a clip's motions.
+// Reports on a clip's motions, as text and as JSON.
 #pragma once
 
+#include <filesystem>
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "scene/scene.h"
-#include "timeline/clip_motion.h"
+#include "timeline/motion_summary.h"
 
 namespace rotatebook::report {
 
-/// Returns how far a motion of `model` was from the exact one, by the largest Sample::errorDeg:
-/// "within 2e-9 degrees of the exact motion", or "up to 180 degrees from the exact motion; more
-/// than 10 from 3.85 s on". Rounded up, so that it is a bound.
-std::string distanceText(const physics::Trajectory& trajectory, physics::Model model);
+/// Returns how far a motion was from the exact one: "within 2e-9 degrees of the exact motion", or
+/// "up to 180 degrees from the exact motion; more than 10 from 3.85 s on". Rounded up, so that it
+/// is a bound.
+std::string distanceText(const timeline::MotionSummary& summary);
 
 /// Returns the change of the total energy: "energy kept to 3e-13" while it is below a thousandth,
 /// else "energy 0.7217 to 1 of its start".
-std::string energyText(const physics::Trajectory& trajectory);
+std::string energyText(const timeline::MotionSummary& summary);
 
 /// Prints a line "note: NAME: ..." to `out` for each of timeline::notesOn(scene).
 void reportNotes(const scene::Scene& scene, std::ostream& out);
 
-/// Prints the half-turns, the energyText(), the distanceText() and the reportMotion() of each
-/// motion of `scene`, a panel's under its label, and the notes on its regime. Returns
-/// whether all expectations are met.
-bool reportMotions(const scene::Scene& scene, const timeline::ClipMotion& motion,
-                   std::ostream& out);
+/// Prints the half-turns, the energyText(), the distanceText(), divergence, expectations and notes
+/// of each of `motions`, a panel's under its label.
+void reportMotions(const std::vector<timeline::MotionSummary>& motions, std::ostream& out);
+
+/// Returns the same as a JSON array. Unknown values are null.
+std::string motionsJson(const std::vector<timeline::MotionSummary>& motions);
+
+/// Prints the JSON object of a simulation of `scene`, which left a table of each motion in the file
+/// of `tables` with the same index.
+void reportSimulationAsJson(const scene::Scene& scene,
+                            const std::vector<std::filesystem::path>& tables,
+                            const std::vector<timeline::MotionSummary>& motions, std::ostream& out);
 
 }  // namespace rotatebook::report

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <string>
 
-#include "base/number_text.h"
+#include "base/json.h"
 #include "report/expectation_report.h"
 #include "report/formatted.h"
 #include "scene/names.h"
@@ -55,11 +56,133 @@ std::string tiltLine(const study::TiltRow& row) {
                            row.interval, row.law);
 }
 
-/// Prints the line of an expectation; returns whether it is met.
-bool reportBounds(const std::string& subject, const scene::Bounds& bounds, double measured,
-                  std::ostream& out) {
-  out << "  " << reportLine(subject, bounds, measured) << '\n';
-  return bounds.hold(measured);
+/// A number that is expected of a study.
+struct Expected {
+  std::string quantity;
+  std::string integrator;  ///< Empty in a study of tilts.
+  scene::Bounds bounds;
+  double measured = 0;
+};
+
+std::vector<Expected> expectedOf(const study::PrecisionStudy& result,
+                                 const scene::StudySettings& study) {
+  std::vector<Expected> all;
+  for (const auto& [integrator, bounds] : study.orders) {
+    all.push_back({"order", name(integrator), bounds, orderOf(result, integrator)});
+  }
+  return all;
+}
+
+std::vector<Expected> expectedOf(const study::TiltStudy& result,
+                                 const scene::StudySettings& study) {
+  if (!study.flipLaw) return {};
+  return {{"flip_law", "", *study.flipLaw, result.greatestDeviation()}};
+}
+
+/// Prints a line for each; returns whether all are met.
+bool reportExpected(const std::vector<Expected>& all, std::ostream& out) {
+  bool met = true;
+  for (const auto& [quantity, integrator, bounds, measured] : all) {
+    const std::string subject = integrator.empty() ? quantity : quantity + " of " + integrator;
+    out << "  " << reportLine(subject, bounds, measured) << '\n';
+    met &= bounds.hold(measured);
+  }
+  return met;
+}
+
+std::string expectedJson(const Expected& expected) {
+  return JsonObject()
+      .addString("quantity", expected.quantity)
+      .addStringOrNull("integrator", expected.integrator)
+      .addNumberOrNull("min", expected.bounds.min)
+      .addNumberOrNull("max", expected.bounds.max)
+      .addNumber("measured", expected.measured)
+      .addBool("met", expected.bounds.hold(expected.measured))
+      .text();
+}
+
+std::string orderJson(const study::IntegratorOrder& order) {
+  const study::OrderFit& fit = order.fit;
+  const bool known = !std::isnan(fit.order);
+  return JsonObject()
+      .addString("integrator", name(order.integrator))
+      .addNumber("order", fit.order)
+      .addInteger("runs", fit.runs)
+      .addNumber("shortest_h_s", known ? fit.shortest : fit.order)
+      .addNumber("longest_h_s", known ? fit.longest : fit.order)
+      .text();
+}
+
+std::string tiltJson(const study::TiltRow& row) {
+  return JsonObject()
+      .addNumber("tilt_rad", row.tilt)
+      .addInteger("flips", row.flips)
+      .addNumber("interval_s", row.interval)
+      .addNumber("law_s", row.law)
+      .addNumber("ratio", row.ratio())
+      .text();
+}
+
+std::string failureJson(const PrecisionRow& row) {
+  return JsonObject()
+      .addString("integrator", name(row.integrator))
+      .addNumber("h_s", row.h)
+      .addString("status", row.end.text())
+      .text();
+}
+
+std::string failureJson(const study::TiltRow& row) {
+  return JsonObject().addNumber("tilt_rad", row.tilt).addString("status", row.end.text()).text();
+}
+
+template <typename Row>
+std::string failuresJson(const std::vector<Row>& rows) {
+  std::vector<std::string> failures;
+  for (const Row& row : rows) {
+    if (row.end.kind != RunEnd::Kind::Whole) failures.push_back(failureJson(row));
+  }
+  return jsonArray(failures);
+}
+
+std::string ordersJson(const study::PrecisionStudy& result) {
+  return jsonArrayOf(result.orders, orderJson);
+}
+std::string ordersJson(const study::TiltStudy&) {
+  return "[]";
+}
+
+std::string tiltsJson(const study::PrecisionStudy&) {
+  return "[]";
+}
+std::string tiltsJson(const study::TiltStudy& result) {
+  return jsonArrayOf(result.rows, tiltJson);
+}
+
+template <typename Study>
+void addStudy(const Study& result, const scene::StudySettings& study, JsonObject& object) {
+  object.addInteger("runs", static_cast<std::int64_t>(result.rows.size()))
+      .add("failures", failuresJson(result.rows))
+      .add("orders", ordersJson(result))
+      .add("tilts", tiltsJson(result))
+      .add("expectations", jsonArrayOf(expectedOf(result, study), expectedJson));
+}
+
+std::string studyJson(const StudiedScene& studied) {
+  JsonObject object;
+  object.addString("name", studied.scene.name)
+      .addString("title", studied.scene.title)
+      .addString("kind", studied.study.isOfTilts() ? "tilts" : "integrators")
+      .addBool("interrupted", studied.interrupted)
+      .addStringOrNull("error", studied.error)
+      .add("files", jsonArrayOf(studied.files, jsonString));
+  if (const auto* result = std::get_if<study::TiltStudy>(&studied.result)) {
+    addStudy(*result, studied.study, object);
+  } else if (const auto* other = std::get_if<study::PrecisionStudy>(&studied.result)) {
+    addStudy(*other, studied.study, object);
+  } else {
+    addStudy(study::PrecisionStudy(), scene::StudySettings(), object);
+  }
+  return object.text();
 }
 
 }  // namespace
@@ -72,18 +195,22 @@ bool reportStudy(const study::PrecisionStudy& result, const scene::StudySettings
         << failureLine(result, order.integrator, RunEnd::Kind::NoConvergence,
                        "found no solution for their steps");
   }
-  bool met = true;
-  for (const auto& [integrator, bounds] : study.orders) {
-    met &= reportBounds("order of " + name(integrator), bounds, orderOf(result, integrator), out);
-  }
-  return met;
+  return reportExpected(expectedOf(result, study), out);
 }
 
 bool reportStudy(const study::TiltStudy& result, const scene::StudySettings& study,
                  std::ostream& out) {
   for (const study::TiltRow& row : result.rows) out << "  " << tiltLine(row) << '\n';
-  if (!study.flipLaw) return true;
-  return reportBounds("flip_law", *study.flipLaw, result.greatestDeviation(), out);
+  return reportExpected(expectedOf(result, study), out);
+}
+
+void reportStudiesAsJson(const std::vector<StudiedScene>& studies, bool interrupted,
+                         std::ostream& out) {
+  out << JsonObject()
+             .addBool("interrupted", interrupted)
+             .add("studies", jsonArrayOf(studies, studyJson))
+             .text()
+      << '\n';
 }
 
 }  // namespace rotatebook::report

@@ -1,8 +1,12 @@
-// Reports on studies.
+// Reports on studies, as text and as JSON.
 #pragma once
 
 #include <ostream>
+#include <string>
+#include <variant>
+#include <vector>
 
+#include "scene/scene.h"
 #include "scene/study_settings.h"
 #include "study/study.h"
 
@@ -15,5 +19,19 @@ bool reportStudy(const study::PrecisionStudy& result, const scene::StudySettings
                  std::ostream& out);
 bool reportStudy(const study::TiltStudy& result, const scene::StudySettings& study,
                  std::ostream& out);
+
+/// A scene, and as much of its study's outcome as there is.
+struct StudiedScene {
+  scene::Scene scene;
+  scene::StudySettings study;
+  std::variant<std::monostate, study::PrecisionStudy, study::TiltStudy> result{};
+  std::vector<std::string> files{};  ///< Tables and plots that were written.
+  bool interrupted = false;
+  std::string error{};  ///< Empty if there was none.
+};
+
+/// Prints all as one JSON object. `interrupted` says that scenes were left out or undone.
+void reportStudiesAsJson(const std::vector<StudiedScene>& studies, bool interrupted,
+                         std::ostream& out);
 
 }  // namespace rotatebook::report

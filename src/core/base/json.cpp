@@ -1,5 +1,7 @@
 #include "base/json.h"
 
+#include <cmath>
+
 #include "base/number_text.h"
 #include "base/text.h"
 
@@ -7,7 +9,7 @@ namespace rotatebook {
 
 std::string jsonString(std::string_view text) {
   std::string json;
-  for (const char character : quotedText(text)) {
+  for (const char character : quotedText(validUtf8(text))) {
     character == '<' ? json += "\\u003C" : json += character;
   }
   return json;
@@ -31,7 +33,15 @@ JsonObject& JsonObject::addStringOrNull(std::string_view key, std::string_view t
 }
 
 JsonObject& JsonObject::addNumber(std::string_view key, double value) {
-  return add(key, shortestText(value));
+  return add(key, std::isfinite(value) ? shortestText(value) : "null");
+}
+
+JsonObject& JsonObject::addNumberOrNull(std::string_view key, const std::optional<double>& value) {
+  return value ? addNumber(key, *value) : add(key, "null");
+}
+
+JsonObject& JsonObject::addInteger(std::string_view key, std::int64_t value) {
+  return add(key, std::to_string(value));
 }
 
 JsonObject& JsonObject::addBool(std::string_view key, bool value) {

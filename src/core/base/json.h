@@ -1,14 +1,16 @@
 // Functions that write JSON.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace rotatebook {
 
-/// Returns `text` as a JSON string, in quotation marks. It is safe within a <script>, too: no
-/// "</script>" in it ends the element.
+/// Returns `text` as a JSON string, in quotation marks; bytes that aren't UTF-8 become U+FFFD. It
+/// is safe within a <script>, too: no "</script>" in it ends the element.
 std::string jsonString(std::string_view text);
 
 /// Returns "[a, b]" from values that are JSON already.
@@ -30,8 +32,11 @@ class JsonObject {
   JsonObject& addString(std::string_view key, std::string_view text);
   /// Adds null if `text` is empty.
   JsonObject& addStringOrNull(std::string_view key, std::string_view text);
-  /// Adds a number, which must be finite.
+  /// Adds a number, which reads back as exactly `value`; null unless it is finite.
   JsonObject& addNumber(std::string_view key, double value);
+  /// Adds null for no number.
+  JsonObject& addNumberOrNull(std::string_view key, const std::optional<double>& value);
+  JsonObject& addInteger(std::string_view key, std::int64_t value);
   JsonObject& addBool(std::string_view key, bool value);
 
   /// Returns "{...}".

@@ -149,6 +149,16 @@ std::string messageText(std::string_view text) {
   return escaped(text, messageEscape);
 }
 
+std::string validUtf8(std::string_view text) {
+  std::string valid;
+  while (!text.empty()) {
+    const std::size_t size = letterSize(text);
+    valid += size > 0 ? text.substr(0, size) : "\uFFFD";
+    text.remove_prefix(std::max<std::size_t>(size, 1));
+  }
+  return valid;
+}
+
 bool isOneLine(std::string_view text) {
   while (!text.empty()) {
     const std::size_t size = letterSize(text);

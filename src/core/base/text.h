@@ -49,6 +49,9 @@ inline constexpr std::string_view kNextLine = "\n  ";
 /// Returns the text of an error's message: on one line, but for the lines that kNextLine begins.
 std::string messageText(std::string_view text);
 
+/// Returns `text` with U+FFFD in place of each byte that isn't part of UTF-8 (RFC 3629).
+std::string validUtf8(std::string_view text);
+
 /// Returns whether `text` is a line of UTF-8 (RFC 3629) that is safe to print: without control
 /// characters (C0, DEL, C1), U+2028, U+2029 and bidirectional marks (U+061C, U+200E, U+200F, U+202A
 /// to U+202E, U+2066 to U+2069).

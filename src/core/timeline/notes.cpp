@@ -15,7 +15,6 @@ using std::numbers::pi;
 
 constexpr double kLargeTilt = 0.5;  // [rad]
 constexpr double kLargeBody = 3;    // [m]
-constexpr double kFastTurn = pi;    // between two frames [rad]
 constexpr double kFewFramesBetweenFlips = 4;
 constexpr int kDigits = 3;
 
@@ -34,18 +33,17 @@ void addSizeNote(const scene::Motion& motion, std::vector<std::string>& notes) {
                   " m long, as lengths are in metres; 1 cm is 0.01");
 }
 
-void addSpeedNotes(const scene::Motion& motion, std::vector<std::string>& notes) {
+void addSpeedNote(const scene::Motion& motion, const physics::PrincipalAxes& inertia,
+                  const DoubleDouble3& spin, std::vector<std::string>& notes) {
   const double interval = motion.simulation.timePerFrame;
   const double turn = initialAngularVelocity(motion).norm() * interval;
-  if (turn > kFastTurn) {
+  if (turn > pi) {
     notes.push_back("the body spins by " + roundedText(turn / (2 * pi), kDigits) +
                     " turns from frame to frame, which no eye can follow; choose a shorter "
                     "simulation.time_per_frame");
     return;
   }
-  const physics::PrincipalAxes inertia = modelInertia(motion);
-  const physics::ExactRotation exact(inertia, motion.initial.alongPrincipal(inertia));
-  const double frames = exact.flipInterval() / interval;
+  const double frames = physics::ExactRotation(inertia, spin).flipInterval() / interval;
   if (frames >= kFewFramesBetweenFlips) return;
   notes.push_back(
       "the body flips every " + roundedText(frames, kDigits) +
@@ -53,11 +51,8 @@ void addSpeedNotes(const scene::Motion& motion, std::vector<std::string>& notes)
       "simulation.time_per_frame");
 }
 
-// Particles tumble by their rounding.
-void addSteadyNote(const scene::Motion& motion, std::vector<std::string>& notes) {
-  if (motion.simulation.model == physics::Model::Particles) return;
-  const physics::PrincipalAxes inertia = modelInertia(motion);
-  const DoubleDouble3 spin = motion.initial.alongPrincipal(inertia);
+void addSteadyNote(const physics::PrincipalAxes& inertia, const DoubleDouble3& spin,
+                   std::vector<std::string>& notes) {
   const auto [smallest, median, largest] = physics::axesByInertia(inertia.moments);
   const auto at = [&spin](int axis) { return spin[static_cast<std::size_t>(axis)].high; };
   if (at(median) == 0 || at(smallest) != 0 || at(largest) != 0) return;
@@ -70,40 +65,37 @@ void addSteadyNote(const scene::Motion& motion, std::vector<std::string>& notes)
       "add initial.tilt, for example [0.001, \"z\"]");
 }
 
-std::string prefixOf(const scene::Panel& panel) {
-  return panel.label.empty() ? "" : panel.label + ": ";
-}
-
 }  // namespace
+
+std::vector<std::string> notesOn(const scene::Panel& panel) {
+  std::vector<std::string> notes;
+  addTiltNote(panel, notes);
+  addSizeNote(panel, notes);
+  const physics::PrincipalAxes inertia = modelInertia(panel);
+  const DoubleDouble3 spin = panel.initial.alongPrincipal(inertia);
+  addSpeedNote(panel, inertia, spin, notes);
+  // Particles tumble by their rounding.
+  if (panel.simulation.model != physics::Model::Particles) addSteadyNote(inertia, spin, notes);
+  return notes;
+}
 
 std::vector<std::string> notesOn(const scene::Scene& scene) {
   std::vector<std::string> all;
   for (const scene::Panel& panel : scene::motionsOf(scene)) {
-    std::vector<std::string> notes;
-    addTiltNote(panel, notes);
-    addSizeNote(panel, notes);
-    addSpeedNotes(panel, notes);
-    addSteadyNote(panel, notes);
-    for (const std::string& note : notes) all.push_back(prefixOf(panel) + note);
+    const std::string prefix = panel.label.empty() ? "" : panel.label + ": ";
+    for (const std::string& note : notesOn(panel)) all.push_back(prefix + note);
   }
   return all;
 }
 
-std::vector<std::string> notesOn(const scene::Scene& scene, const ClipMotion& motion) {
-  std::vector<std::string> notes;
-  auto trajectory = motion.trajectories().begin();
-  for (const scene::Panel& panel : scene::motionsOf(scene)) {
-    const std::vector<physics::Sample>& samples = (trajectory++)->samples;
-    const physics::Regime start = samples.front().regime;
-    const auto changed = std::ranges::find_if(
-        samples, [&](const physics::Sample& sample) { return sample.regime != start; });
-    if (start == physics::Regime::Separatrix || changed == samples.end()) continue;
-    notes.push_back(
-        prefixOf(panel) + "the regime changes from " + std::to_string(static_cast<int>(start)) +
-        " to " + std::to_string(static_cast<int>(changed->regime)) + " at " +
-        roundedText(changed->time, kDigits) + " s, as that of a free rigid body never does");
-  }
-  return notes;
+std::string regimeNote(const physics::Trajectory& trajectory) {
+  const physics::Regime start = trajectory.samples.front().regime;
+  const auto changed = std::ranges::find_if(
+      trajectory.samples, [&](const physics::Sample& sample) { return sample.regime != start; });
+  if (start == physics::Regime::Separatrix || changed == trajectory.samples.end()) return "";
+  return "the regime changes from " + std::to_string(static_cast<int>(start)) + " to " +
+         std::to_string(static_cast<int>(changed->regime)) + " at " +
+         roundedText(changed->time, kDigits) + " s, as that of a free rigid body never does";
 }
 
 }  // namespace rotatebook::timeline

@@ -4,19 +4,21 @@
 #include <string>
 #include <vector>
 
+#include "physics/trajectory.h"
 #include "scene/scene.h"
-#include "timeline/clip_motion.h"
 
 namespace rotatebook::timeline {
 
-/// Returns a sentence for each setting that is likely a slip: a tilt that looks like degrees, a
-/// body that looks like centimetres, a spin or flips too fast for the frame rate, and a spin
-/// exactly about the median axis, which never tumbles. One of a panel begins with the panel's
-/// label.
+/// Returns a sentence for each setting of `panel` that is likely a slip: a tilt that looks like
+/// degrees, a body that looks like centimetres, a spin or flips too fast for the frame rate, and a
+/// spin exactly about the median axis, which never tumbles.
+std::vector<std::string> notesOn(const scene::Panel& panel);
+
+/// Returns those on all motions of `scene`; one of a panel begins with the panel's label.
 std::vector<std::string> notesOn(const scene::Scene& scene);
 
-/// Returns a sentence for each motion of `scene` whose regime changes, which no free body's does,
-/// with the time at which it first does.
-std::vector<std::string> notesOn(const scene::Scene& scene, const ClipMotion& motion);
+/// Returns a sentence with the time at which the motion's regime first changes, which no free
+/// body's does; empty if it never does.
+std::string regimeNote(const physics::Trajectory& trajectory);
 
 }  // namespace rotatebook::timeline

@@ -56,46 +56,57 @@ physics::Trajectory twoTurns() {
   return trajectory;
 }
 
-TEST(ReportMotion, IsDoneIfAllIsMet) {
-  std::ostringstream out;
-  const std::vector<Expectation> expectations{{.quantity = Quantity::HalfTurns, .min = 2}};
-  EXPECT_TRUE(reportMotion(twoTurns(), expectations, out));
-  EXPECT_EQ(out.str(), "  met    half_turns: expected at least 2; measured 2\n");
+timeline::MotionSummary summaryOf(const physics::Trajectory& trajectory,
+                                  const std::vector<Expectation>& expectations) {
+  scene::Panel motion;
+  motion.expectations = expectations;
+  return timeline::summarize(motion, trajectory);
 }
 
-TEST(ReportMotion, IsUnmetIfOneOfThemIs) {
+std::string reportOf(const timeline::MotionSummary& summary) {
   std::ostringstream out;
-  const std::vector<Expectation> expectations{{.quantity = Quantity::HalfTurns, .min = 3},
-                                              {.quantity = Quantity::HalfTurns, .min = 2}};
-  EXPECT_FALSE(reportMotion(twoTurns(), expectations, out));
-  EXPECT_EQ(out.str(),
+  reportExpectations(summary, out);
+  return out.str();
+}
+
+TEST(ReportExpectations, HasALineForEach) {
+  const auto summary = summaryOf(twoTurns(), {{.quantity = Quantity::HalfTurns, .min = 3},
+                                              {.quantity = Quantity::HalfTurns, .min = 2}});
+  EXPECT_FALSE(summary.met());
+  EXPECT_EQ(reportOf(summary),
             "  UNMET  half_turns: expected at least 3; measured 2\n"
             "  met    half_turns: expected at least 2; measured 2\n");
 }
 
-TEST(ReportMotion, DivergenceThatNobodyExpectsIsUnmet) {
+TEST(ReportExpectations, CallsADivergenceThatNobodyExpectsUnmet) {
   physics::Trajectory trajectory = twoTurns();
   trajectory.divergedAt = 1.25;
-  const std::vector<Expectation> expectations{{.quantity = Quantity::HalfTurns, .min = 2}};
-  std::ostringstream out;
-  EXPECT_FALSE(reportMotion(trajectory, expectations, out));
   EXPECT_EQ(
-      out.str(),
+      reportOf(summaryOf(trajectory, {{.quantity = Quantity::HalfTurns, .min = 2}})),
       "  UNMET  no divergence is expected; the motion diverges at 1.25 s, after 2 frames\n"
       "  UNMET  half_turns: expected at least 2; measured 2, but the motion ends at 1.25 s\n");
 }
 
-TEST(ReportMotion, DivergenceIsDoneIfItIsExpectedOrNothingIs) {
+TEST(ReportExpectations, SaysWhenAMotionDivergesAsExpectedOrWithoutExpectations) {
   physics::Trajectory trajectory = twoTurns();
   trajectory.divergedAt = 1.25;
-  const std::vector<Expectation> expectations{{.quantity = Quantity::DivergesAt, .min = 1}};
-  std::ostringstream out;
-  EXPECT_TRUE(reportMotion(trajectory, expectations, out));
-  EXPECT_TRUE(reportMotion(trajectory, {}, out));
-  EXPECT_EQ(out.str(),
+  EXPECT_EQ(reportOf(summaryOf(trajectory, {{.quantity = Quantity::DivergesAt, .min = 1}})),
             "  the motion diverges at 1.25 s, after 2 frames\n"
-            "  met    diverges_at: expected at least 1; measured 1.25\n"
+            "  met    diverges_at: expected at least 1; measured 1.25\n");
+  EXPECT_EQ(reportOf(summaryOf(trajectory, {})),
             "  the motion diverges at 1.25 s, after 2 frames\n");
+}
+
+TEST(ExpectationJson, HoldsBoundsAndMeasuredValues) {
+  EXPECT_EQ(expectationJson({{Quantity::Stretch, 0.5, {}, 1.25, {}, 3, 4.5}, 0.1, 1.3, false, 4}),
+            R"({"quantity": "stretch", "from_s": 3, "to_s": 4.5, "min": 0.5, "max": null, )"
+            R"("rises_to": 1.25, "falls_to": null, "lowest": 0.1, "highest": 1.3, "met": false, )"
+            R"("ends_early_s": 4})");
+  EXPECT_EQ(
+      expectationJson({{.quantity = Quantity::DivergesAt, .max = 2}, kInfinity, kInfinity, false}),
+      R"({"quantity": "diverges_at", "from_s": 0, "to_s": null, "min": null, "max": 2, )"
+      R"("rises_to": null, "falls_to": null, "lowest": null, "highest": null, )"
+      R"("met": false, "ends_early_s": null})");
 }
 
 }  // namespace

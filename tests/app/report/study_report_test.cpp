@@ -67,5 +67,58 @@ TEST(StudyReport, ReportsIntervals) {
   EXPECT_TRUE(reportStudy(study, settings, out));
 }
 
+StudiedScene studiedScene() {
+  StudiedScene studied;
+  studied.scene.name = "s";
+  studied.scene.title = "\"S\"";
+  return studied;
+}
+
+TEST(StudyReport, IsJsonToo) {
+  StudiedScene studied = studiedScene();
+  studied.study.orders = {{Integrator::Rk4, {3.9, 4}}};
+  studied.result = exampleStudy();
+  studied.files = {"out/s-study.csv"};
+  std::ostringstream out;
+  reportStudiesAsJson({studied}, false, out);
+  EXPECT_EQ(
+      out.str(),
+      R"({"interrupted": false, "studies": [{"name": "s", "title": "\"S\"", )"
+      R"("kind": "integrators", "interrupted": false, "error": null, )"
+      R"("files": ["out/s-study.csv"], "runs": 3, )"
+      R"("failures": [{"integrator": "rk4", "h_s": 0, "status": "diverged at 0 s"}, )"
+      R"({"integrator": "midpoint", "h_s": 0, "status": "no convergence"}], )"
+      R"("orders": [{"integrator": "rk4", "order": 4.0123456, "runs": 5, "shortest_h_s": 0.001, )"
+      R"("longest_h_s": 0.0123456}, {"integrator": "midpoint", "order": null, "runs": 0, )"
+      R"("shortest_h_s": null, "longest_h_s": null}], "tilts": [], )"
+      R"("expectations": [{"quantity": "order", "integrator": "rk4", "min": 3.9, "max": 4, )"
+      R"("measured": 4.0123456, "met": false}]}]})"
+      "\n");
+}
+
+TEST(StudyReport, IsJsonForTiltsAndWhatWasNotStudied) {
+  StudiedScene studied = studiedScene(), failed = studiedScene();
+  studied.study.tilts = failed.study.tilts = {0.1, 1e-8};
+  studied.study.flipLaw = failed.study.flipLaw = scene::Bounds{{}, 0.1};
+  studied.result =
+      study::TiltStudy{{{0.1, {}, 7, 2.0, 2.5}, {1e-8, {RunEnd::Kind::FewFlips, 12}, 1}}};
+  failed.error = "no gnuplot";
+  std::ostringstream out;
+  reportStudiesAsJson({studied, failed}, true, out);
+  EXPECT_EQ(
+      out.str(),
+      R"({"interrupted": true, "studies": [{"name": "s", "title": "\"S\"", "kind": "tilts", )"
+      R"("interrupted": false, "error": null, "files": [], "runs": 2, )"
+      R"("failures": [{"tilt_rad": 1e-08, "status": "fewer than two flips in 12 s"}], )"
+      R"("orders": [], "tilts": [{"tilt_rad": 0.1, "flips": 7, "interval_s": 2, "law_s": 2.5, )"
+      R"("ratio": 0.8}, {"tilt_rad": 1e-08, "flips": 1, "interval_s": null, "law_s": 0, )"
+      R"("ratio": null}], "expectations": [{"quantity": "flip_law", "integrator": null, )"
+      R"("min": null, "max": 0.1, "measured": null, "met": false}]}, {"name": "s", )"
+      R"("title": "\"S\"", "kind": "tilts", "interrupted": false, "error": "no gnuplot", )"
+      R"("files": [], "runs": 0, "failures": [], "orders": [], "tilts": [], )"
+      R"("expectations": []}]})"
+      "\n");
+}
+
 }  // namespace
 }  // namespace rotatebook::report

@@ -65,12 +65,14 @@ TEST(Notes, BeginWithThePanelsLabel) {
 }
 
 TEST(Notes, AreMadeOnARegimeThatChanges) {
-  const std::string spin = "initial.angular_velocity = [5, 0, 0]\ninitial.tilt = [0.01, \"z\"]\n";
-  const scene::Scene euler = sceneWith(spin + "simulation.integrator = \"euler\"\n");
-  EXPECT_THAT(notesOn(euler, simulateScene(euler)),
-              ElementsAre(StartsWith("the regime changes from 1 to -1 at ")));
-  const scene::Scene rk4 = sceneWith(spin);
-  EXPECT_THAT(notesOn(rk4, simulateScene(rk4)), IsEmpty());
+  const auto noteWith = [](const std::string& settings) {
+    const scene::Scene scene = sceneWith(
+        "initial.angular_velocity = [5, 0, 0]\ninitial.tilt = [0.01, \"z\"]\n" + settings);
+    return regimeNote(simulateScene(scene).trajectories().front());
+  };
+  EXPECT_THAT(noteWith("simulation.integrator = \"euler\"\n"),
+              StartsWith("the regime changes from 1 to -1 at "));
+  EXPECT_EQ(noteWith(""), "");
 }
 
 }  // namespace

@@ -1,0 +1,53 @@
+#include "report/scene_report.h"
+
+#include "base/json.h"
+#include "timeline/notes.h"
+
+namespace rotatebook::report {
+namespace {
+
+JsonObject fileObject(const SceneFile& file) {
+  JsonObject object;
+  object.addString("path", file.path.string())
+      .addBool("ok", file.errors.empty())
+      .add("errors", jsonArrayOf(file.errors, jsonString));
+  return object;
+}
+
+std::string checkJson(const SceneFile& file) {
+  const auto notes = file.scene ? timeline::notesOn(*file.scene) : std::vector<std::string>();
+  return fileObject(file).add("notes", jsonArrayOf(notes, jsonString)).text();
+}
+
+std::string listJson(const SceneFile& file) {
+  JsonObject object = fileObject(file);
+  if (!file.scene) return object.text();
+  const scene::Scene& scene = *file.scene;
+  return object.addString("name", scene.name)
+      .addString("title", scene.title)
+      .addNumber("duration_s", scene.clip.duration)
+      .addInteger("width", scene.clip.width)
+      .addInteger("height", scene.clip.height)
+      .addInteger("frames", scene.clip.frameCount())
+      .add("panels", jsonArrayOf(scene.panels,
+                                 [](const scene::Panel& panel) { return jsonString(panel.label); }))
+      .addBool("has_study", scene.study.has_value())
+      .text();
+}
+
+void printFiles(const std::vector<SceneFile>& files, std::string (*asJson)(const SceneFile&),
+                std::ostream& out) {
+  out << JsonObject().add("scenes", jsonArrayOf(files, asJson)).text() << '\n';
+}
+
+}  // namespace
+
+void reportChecksAsJson(const std::vector<SceneFile>& files, std::ostream& out) {
+  printFiles(files, checkJson, out);
+}
+
+void reportListAsJson(const std::vector<SceneFile>& files, std::ostream& out) {
+  printFiles(files, listJson, out);
+}
+
+}  // namespace rotatebook::report

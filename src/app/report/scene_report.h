@@ -1,0 +1,27 @@
+// JSON reports on scene files.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace rotatebook::report {
+
+/// A scene file that was read.
+struct SceneFile {
+  std::filesystem::path path;
+  std::optional<scene::Scene> scene{};  ///< Nothing if it can't be read.
+  std::vector<std::string> errors{};    ///< Why the scene isn't usable; empty if it is.
+};
+
+/// Prints one JSON object: for each file whether it can be used, errors and timeline::notesOn().
+void reportChecksAsJson(const std::vector<SceneFile>& files, std::ostream& out);
+
+/// Prints one JSON object: for each file errors, name, title, length and size of the clip.
+void reportListAsJson(const std::vector<SceneFile>& files, std::ostream& out);
+
+}  // namespace rotatebook::report

@@ -1,0 +1,55 @@
+#include "timeline/motion_summary.h"
+
+#include <algorithm>
+
+#include "scene/expectation_text.h"
+#include "timeline/notes.h"
+
+namespace rotatebook::timeline {
+
+using physics::Sample;
+
+bool MotionSummary::met() const {
+  return !divergesUnexpectedly && std::ranges::all_of(expectations, &scene::ExpectationResult::met);
+}
+
+MotionSummary summarize(const scene::Panel& motion, const physics::Trajectory& trajectory) {
+  const std::vector<Sample>& samples = trajectory.samples;
+  MotionSummary summary{
+      .motion = motion,
+      .frames = samples.size(),
+      .halfTurns = samples.back().halfTurns,
+      .divergedAt = trajectory.divergedAt,
+      .divergesUnexpectedly = divergesUnexpectedly(trajectory, motion.expectations),
+      .expectations = check(trajectory, motion.expectations)};
+  for (const Sample& sample : samples) {
+    const double energy = sample.total() / samples.front().total();
+    summary.lowestEnergy = std::min(summary.lowestEnergy, energy);
+    summary.highestEnergy = std::max(summary.highestEnergy, energy);
+  }
+  if (motion.simulation.model != physics::Model::Exact) {
+    summary.errorDeg = std::ranges::max(samples, {}, &Sample::errorDeg).errorDeg;
+    const auto visible = std::ranges::find_if(
+        samples, [](const Sample& sample) { return sample.errorDeg > kVisibleErrorDeg; });
+    if (visible != samples.end()) summary.visibleFrom = visible->time;
+  }
+  if (std::string note = regimeNote(trajectory); !note.empty()) {
+    summary.notes.push_back(std::move(note));
+  }
+  return summary;
+}
+
+std::vector<MotionSummary> summarize(const scene::Scene& scene, const ClipMotion& motion) {
+  std::vector<MotionSummary> summaries;
+  auto trajectory = motion.trajectories().begin();
+  for (const scene::Panel& panel : scene::motionsOf(scene)) {
+    summaries.push_back(summarize(panel, *trajectory++));
+  }
+  return summaries;
+}
+
+bool allMet(const std::vector<MotionSummary>& motions) {
+  return std::ranges::all_of(motions, &MotionSummary::met);
+}
+
+}  // namespace rotatebook::timeline

@@ -1,0 +1,210 @@
+// --json of the commands that render, simulate, study, check and list.
+#include <csignal>
+#include <string>
+#include <vector>
+
+#include "cli/program_test.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+class Json : public ProgramTest {
+ protected:
+  Json() {
+    write("b.toml",
+          "title = \"Größe \\\"x\\\" \\\\ 書\"\n[initial]\nangular_velocity = [5.0, 0.0, 0.005]\n"
+          "[clip]\nsize = [64, 36]\nduration = 0.2\n[expect]\nhalf_turns = { max = 3, min = 1 }\n");
+    write("wrong.toml", "titel = 'T'\n");
+  }
+
+  /// Expects that `text` is a line that Python's parser reads back as one object with these keys.
+  void expectKeys(const std::string& text, const std::string& keys) const {
+    EXPECT_EQ(countOf("\n", text), 1) << text;
+    write("printed.json", text);
+    ChildSettings settings;
+    settings.folder = folder();
+    const ChildResult read = runChild(
+        "/usr/bin/env",
+        {"python3", "-c", "import json; print(*json.load(open('printed.json', encoding='utf-8')))"},
+        settings);
+    EXPECT_EQ(read.output, keys + '\n') << read.error << text;
+  }
+};
+
+constexpr const char* kWrong = "wrong.toml:1:1: unknown key \"titel\"; did you mean \"title\"?";
+constexpr const char* kWrongInJson =
+    R"("ok": false, "errors": ["wrong.toml:1:1: unknown key \"titel\"; did you mean \"title\"?"])";
+constexpr const char* kTitleInJson = R"("title": "Größe \"x\" \\ 書")";
+constexpr const char* kUnmet = "rotatebook: expectations are unmet; the files were kept\n";
+
+TEST_F(Json, OfCheckHasEachFile) {
+  const ChildResult result = runWithoutGraphics(
+      {"check", "tiny.toml", "wrong.toml", "b.toml", "--json", "--set", "body.size=[0.1, 0.2, 9]"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.error, AllOf(HasSubstr(std::string("rotatebook: ") + kWrong + '\n'),
+                                  HasSubstr("note: tiny: the body is 9 m long")));
+  expectKeys(result.output, "scenes");
+  EXPECT_EQ(countOf("\"ok\": true", result.output), 2);
+  EXPECT_THAT(result.output,
+              StartsWith(R"({"scenes": [{"path": "tiny.toml", "ok": true, "errors": [], )"
+                         R"("notes": ["the body is 9 m long)"));
+  EXPECT_THAT(result.output, HasSubstr(kWrongInJson));
+}
+
+TEST_F(Json, OfListHasEachSceneBelowTheFolder) {
+  write("more/panels.toml",
+        "title = \"Panels\"\n[[panel]]\nlabel = \"one\"\n"
+        "initial.angular_velocity = [5, 0, 0.005]\n[[panel]]\nlabel = \"two\"\n"
+        "initial.angular_velocity = [0, 5, 0]\n");
+  write("more/wrong.toml", "titel = 'T'\n");
+  const ChildResult result = runWithoutGraphics({"list", "more", "--json"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.error, std::string("rotatebook: more/") + kWrong + '\n');
+  expectKeys(result.output, "scenes");
+  EXPECT_EQ(result.output,
+            R"({"scenes": [{"path": "more/panels.toml", "ok": true, "errors": [], )"
+            R"("name": "panels", "title": "Panels", "duration_s": 12, "width": 1280, )"
+            R"("height": 720, "frames": 720, "panels": ["one", "two"], "has_study": false}, )"
+            R"({"path": "more/wrong.toml", "ok": false, "errors": ["more/wrong.toml:1:1: )"
+            R"(unknown key \"titel\"; did you mean \"title\"?"]}]})"
+            "\n");
+}
+
+TEST_F(Json, OfSimulateHasWhatWasMeasured) {
+  const ChildResult result = runWithoutGraphics({"simulate", "b.toml", "--csv", "t.csv", "--json"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_EQ(result.error, kUnmet);
+  expectKeys(result.output, "name title tables motions");
+  EXPECT_THAT(
+      result.output,
+      AllOf(HasSubstr(kTitleInJson), HasSubstr(R"("tables": [{"path": "t.csv", "rows": 12})"),
+            HasSubstr(R"("label": null, "model": "quaternion", "integrator": "rk4", )"
+                      R"("half_turns": 0, "energy_ratio": {"lowest": )"),
+            HasSubstr(R"("visible_from_s": null, "diverged_at_s": null, "met": false, )"
+                      R"("expectations": [{"quantity": "half_turns", "from_s": 0, )"
+                      R"("to_s": null, "min": 1, "max": 3, )")));
+}
+
+TEST_F(Json, OfSimulateIsRefusedWhereTheTableIsPrinted) {
+  const ChildResult result = runWithoutGraphics({"simulate", "b.toml", "--csv", "-", "--json"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.error,
+            "rotatebook: --csv - and --json both print to the standard output; name a file with "
+            "--csv\n");
+  EXPECT_THAT(result.output, IsEmpty());
+}
+
+TEST_F(Json, OfStudyHasOrdersAndFiles) {
+  const ChildResult result =
+      runWithoutGraphics({"study", "b.toml", "--steps", "1,2,4", "--integrators", "rk4", "--json"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.error, IsEmpty());
+  expectKeys(result.output, "interrupted studies");
+  EXPECT_THAT(
+      result.output,
+      AllOf(HasSubstr(kTitleInJson), HasSubstr(R"("kind": "integrators", )"),
+            HasSubstr(R"("files": ["out/b-study.csv", "out/b-study-orders.csv", )"
+                      R"("out/b-study.svg", "out/b-study.png"], "runs": 3, "failures": [])"),
+            HasSubstr(R"("orders": [{"integrator": "rk4", "order": 3.9)")));
+}
+
+TEST_F(Json, OfStudyHoldsWhatWasDoneBeforeAnError) {
+  const ChildResult result =
+      runWithoutGraphics({"study", "tiny.toml", "b.toml", "--steps", "1", "--integrators", "rk4",
+                          "--json", "--set", "initial.angular_velocity=[1e4, 0, 1]"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.error, HasSubstr("rotatebook: tiny: no run reached its end"));
+  expectKeys(result.output, "interrupted studies");
+  EXPECT_THAT(result.output, HasSubstr(R"("error": "tiny: no run reached its end)"));
+  EXPECT_THAT(result.output, HasSubstr(R"("error": null, "files": [], "runs": 0)"));
+}
+
+TEST_F(Json, OfStudyIsPrintedAfterAnInterrupt) {
+  ChildSettings settings;
+  settings.signal = SIGINT;
+  settings.signalWhen = [this] { return has("out"); };
+  // Ten minutes, were it not for the signal.
+  const ChildResult result = run({"study", "tiny.toml", "--set", "clip.duration=100", "--steps",
+                                  "1000000", "--integrators", "rk4", "--json"},
+                                 settings);
+  EXPECT_EQ(result.status, 130);
+  expectKeys(result.output, "interrupted studies");
+  EXPECT_THAT(result.output,
+              AllOf(StartsWith(R"({"interrupted": true, "studies": [{"name": "tiny", )"),
+                    HasSubstr(R"("interrupted": true, "error": null, "files": [], "runs": 0)")));
+}
+
+TEST_F(Json, OfRenderHasTheScenesInTheirOrderHoweverManyGoOnAtATime) {
+  std::vector<std::string> outputs;
+  for (const char* jobs : {"1", "2"}) {
+    const ChildResult result = run({"render", "b.toml", "tiny.toml", "--json", "--jobs", jobs});
+    EXPECT_EQ(result.status, 1);
+    EXPECT_EQ(result.error, kUnmet);
+    outputs.push_back(result.output);
+  }
+  EXPECT_EQ(outputs[0], outputs[1]);
+  expectKeys(outputs[0], "interrupted scenes");
+  EXPECT_THAT(
+      outputs[0],
+      AllOf(StartsWith(R"({"interrupted": false, "scenes": [{"name": "b", )"),
+            HasSubstr(R"({"name": "tiny", "title": "Tiny", "width": 64, "height": 36, )"
+                      R"("frames_per_second": 60, "duration_s": 0.2, "renderer": ")"),
+            HasSubstr(R"("already_done": false, "interrupted": false, "error": null, )"
+                      R"("frames_written": 12, "frames_kept": 0, "files": ["out/tiny.mp4", )"
+                      R"("out/tiny.csv", "out/tiny.poster.png"], "frame_folder": "out/tiny/", )"
+                      R"("kept_of_other_settings": [], "motions": [{"label": null, )")));
+  EXPECT_THAT(outputs[0], HasSubstr(kTitleInJson));
+  const ChildResult again = run({"render", "tiny.toml", "--json", "--resume"});
+  EXPECT_THAT(again.output, HasSubstr(R"("already_done": true, )"));
+  EXPECT_THAT(again.output, HasSubstr(R"("motions": [{"label": null, )"));
+}
+
+TEST_F(Json, OfRenderHoldsWhatWasDoneBeforeAnError) {
+  fs::create_directories(folder() / "out/b.mp4");
+  for (const char* jobs : {"1", "2"}) {
+    const ChildResult result =
+        run({"render", "b.toml", "tiny.toml", "--overwrite", "--json", "--jobs", jobs});
+    EXPECT_EQ(result.status, 3);
+    EXPECT_THAT(result.error, EndsWith("can't write out/b.mp4: it is a folder\n"));
+    expectKeys(result.output, "interrupted scenes");
+    EXPECT_THAT(result.output, HasSubstr(R"("error": "can't write out/b.mp4: it is a folder", )"));
+    EXPECT_THAT(result.output, HasSubstr(R"("name": "tiny", )"));
+  }
+}
+
+TEST_F(Json, OfRenderIsPrintedAfterAnInterrupt) {
+  ChildSettings settings;
+  settings.signal = SIGINT;
+  settings.signalWhen = [this] { return has("out/tiny.partial/frame_00002.png"); };
+  const ChildResult result = run({"render", "tiny.toml", "b.toml", "--json", "--jobs", "1", "--set",
+                                  "clip.duration=200", "--set", "simulation.substeps=1"},
+                                 settings);
+  EXPECT_EQ(result.status, 130) << result.error;
+  expectKeys(result.output, "interrupted scenes");
+  EXPECT_THAT(result.output, StartsWith(R"({"interrupted": true, "scenes": [{"name": "tiny", )"));
+  EXPECT_THAT(result.output,
+              HasSubstr(R"("interrupted": true, "error": null, "frames_written": )"));
+  EXPECT_THAT(result.output, HasSubstr(R"("files": ["out/tiny.partial.mp4"], )"
+                                       R"("frame_folder": "out/tiny.partial/")"));
+  EXPECT_THAT(result.output,
+              HasSubstr(R"("renderer": null, "encoders": null, "already_done": false, )"
+                        R"("interrupted": false, "error": null, "frames_written": 0, )"));
+  EXPECT_FALSE(has("out/b.partial"));
+}
+
+TEST_F(Json, IsUtf8WhateverTheNameOfAFile) {
+  const ChildResult result = run({"check", "no\xff.toml", "--json"});
+  EXPECT_EQ(result.status, 2);
+  expectKeys(result.output, "scenes");
+  EXPECT_THAT(result.output, HasSubstr("\"path\": \"no\uFFFD.toml\""));
+}
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

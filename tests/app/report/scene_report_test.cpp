@@ -1,0 +1,46 @@
+#include "report/scene_report.h"
+
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace rotatebook::report {
+namespace {
+
+/// A scene, and one that can't be read.
+std::vector<SceneFile> exampleFiles() {
+  scene::Scene scene;
+  scene.name = "a";
+  scene.title = "Ω \"x\"";
+  scene.panels.resize(2);
+  scene.panels[0].label = "first";
+  scene.panels[1].label = "second";
+  scene.panels[1].body.size = {0.1, 20, 0.1};
+  return {{"dir/a.toml", scene}, {"dir/b.toml", {}, {"dir/b.toml:1:1: unknown key \"x\""}}};
+}
+
+TEST(SceneReport, HasErrorsAndNotesOfEachCheckedFile) {
+  std::ostringstream out;
+  reportChecksAsJson(exampleFiles(), out);
+  EXPECT_EQ(out.str(),
+            R"({"scenes": [{"path": "dir/a.toml", "ok": true, "errors": [], "notes": ["second: )"
+            R"(the body is 20 m long, as lengths are in metres; 1 cm is 0.01"]}, )"
+            R"({"path": "dir/b.toml", "ok": false, )"
+            R"("errors": ["dir/b.toml:1:1: unknown key \"x\""], "notes": []}]})"
+            "\n");
+}
+
+TEST(SceneReport, ListsWhatScenesShow) {
+  std::ostringstream out;
+  reportListAsJson(exampleFiles(), out);
+  EXPECT_EQ(out.str(),
+            R"({"scenes": [{"path": "dir/a.toml", "ok": true, "errors": [], "name": "a", )"
+            R"("title": "Ω \"x\"", "duration_s": 12, "width": 1280, "height": 720, "frames": 720, )"
+            R"("panels": ["first", "second"], "has_study": false}, {"path": "dir/b.toml", )"
+            R"("ok": false, "errors": ["dir/b.toml:1:1: unknown key \"x\""]}]})"
+            "\n");
+}
+
+}  // namespace
+}  // namespace rotatebook::report

@@ -132,7 +132,7 @@ int report(const scene::Scene& scene, const std::optional<Rendered>& rendered,
   }
   if (!result.wasDone) out << "  wrote " << listed(writtenItems(result, options)) << std::endl;
   if (!result.others.empty()) {
-    out << "  kept " << listed(result.others) << ", made with other settings" << std::endl;
+    out << "  kept " << oneLine(listed(result.others)) << ", made with other settings" << std::endl;
   }
   if (result.interrupted) {
     out << "  interrupted after " << result.framesWritten << " frames" << howToGoOn(options)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "cli/commands.h"
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
@@ -107,7 +108,7 @@ int writePage(const PageArguments& arguments) {
   if (!arguments.noThumbnails) drawThumbnails(shown, arguments, figures);
   system::writeFileAtomically(path, page::pageText(arguments.title, figures));
   for (const page::Figure& figure : figures) {
-    for (const std::string& note : figure.leftOut) std::cout << "note: " << note << '\n';
+    for (const std::string& note : figure.leftOut) std::cout << "note: " << oneLine(note) << '\n';
   }
   std::cout << "wrote " << path.string() << ", " << figures.size()
             << (figures.size() == 1 ? " figure\n" : " figures\n");

@@ -126,12 +126,12 @@ void reportRender(const RenderedScene& rendered, const pipeline::RenderOptions& 
     out << "  interrupted before the first frame; nothing was written" << std::endl;
     return;
   }
-  if (!result.wasDone) out << "  wrote " << writtenText(result, options) << std::endl;
+  if (!result.wasDone) out << "  wrote " << oneLine(writtenText(result, options)) << std::endl;
   if (!result.replaced.empty()) {
-    out << "  replaced " << listed(result.replaced) << ", made with other settings" << std::endl;
+    out << "  replaced " << oneLine(listed(result.replaced)) << ", made with other settings" << std::endl;
   }
   if (!result.others.empty()) {
-    out << "  kept " << listed(result.others) << ", made with other settings" << std::endl;
+    out << "  kept " << oneLine(listed(result.others)) << ", made with other settings" << std::endl;
   }
   if (!result.remainder.empty()) out << "  note: " << result.remainder << std::endl;
   if (!result.interrupted) return reportMotions(rendered.motions, out);

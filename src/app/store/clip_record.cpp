@@ -1,6 +1,6 @@
 #include "store/clip_record.h"
 
-#include <ranges>
+#include <algorithm>
 #include <string_view>
 #include <system_error>
 
@@ -59,8 +59,9 @@ void readOrigin(std::string_view header, const fs::path& clip, Provenance& prove
 
 /// Refuses a head that isn't safe to print.
 void checkHeader(std::string_view header, const fs::path& clip) {
-  for (const auto line : std::views::split(header, '\n')) {
-    if (isOneLine({line.begin(), line.end()})) continue;
+  std::string lines(header);
+  std::ranges::replace(lines, '\n', ' ');
+  if (!isOneLine(lines)) {
     throwDamaged(clip, "its head holds control characters, or isn't UTF-8");
   }
 }

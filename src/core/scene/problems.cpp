@@ -43,7 +43,9 @@ SceneError::SceneError(std::vector<Problem> all)
 
 void Problems::throwIfAny() {
   if (noted_.empty()) return;
-  const auto position = [](const Problem& problem) { return positionOf(problem.location); };
+  const auto position = [](const Problem& problem) {
+    return std::pair(positionOf(problem.location), std::string_view(problem.location));
+  };
   std::ranges::stable_sort(noted_, {}, position);
   // A panel repeats the problems of what it takes from the scene.
   const auto repeated = std::ranges::unique(noted_, {}, &Problem::location);

@@ -43,8 +43,8 @@ class Problems {
   /// Returns what was noted so far.
   std::vector<Problem>& all() { return noted_; }
 
-  /// Throws SceneError with what was noted, if anything was: in the order of the file, overrides
-  /// last, and only the first at each location.
+  /// Throws SceneError with what was noted, if anything was: in the order of the file, then
+  /// overrides by their text, and only the first at each location.
   void throwIfAny();
 
  private:

@@ -51,11 +51,11 @@ const std::vector<BadCase> kOverrides{
     {"NoKey", {"--set", "substeps"}, "--set substeps: expected KEY=VALUE"},
     {"Several",
      {"--set", "x", "--size", "65x36", "--set", "video.crf=0", "--set", "title=\"a\u009b\u202eb\""},
-     "--set x: expected KEY=VALUE\n"
-     "  --set video.crf=0: video.crf must be an integer from 1 to 51, not 0\n"
+     "--size 65x36: clip.size must be even, not 65; the nearest even sizes are 64 and 66\n"
      "  --set title=\"a\\u009B\\u202Eb\": title must be a string without control characters, not "
      "\"a\\u009B\\u202Eb\"\n"
-     "  --size 65x36: clip.size must be even, not 65; the nearest even sizes are 64 and 66"},
+     "  --set video.crf=0: video.crf must be an integer from 1 to 51, not 0\n"
+     "  --set x: expected KEY=VALUE"},
     {"UnknownModel",
      {"--set", "simulation.model=matrx"},
      "--set simulation.model=matrx: simulation.model must be \"particles\", \"matrix\", "

@@ -55,7 +55,8 @@ TEST(OneLine, HasNoEndsOfLinesAndNoMoreThanItMay) {
   EXPECT_EQ(oneLine("aé本📖", 4), "aé本📖");
   EXPECT_EQ(oneLine("aé本📖", 3), "aé本...");
   EXPECT_EQ(oneLine("", 0), "");
-  EXPECT_EQ(oneLine(std::string(99, '\x80'), 2), "\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD...");
+  EXPECT_EQ(oneLine(std::string(99, '\x80'), 2),
+            "\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD\uFFFD...");
 }
 
 TEST(LetterCount, CountsLettersNotBytes) {

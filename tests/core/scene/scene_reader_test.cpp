@@ -123,9 +123,9 @@ TEST(SceneReader, ReportsAllProblemsInTheOrderOfTheText) {
             "  a.toml:2:12: clip.fps must be a frame rate from 1 to 1000, an integer or a fraction "
             "such as \"30000/1001\", not 0\n"
             "  a.toml:3:13: body.size must be three lengths from 1e-6 to 1e6 m, not 1\n"
-            "  --set x: expected KEY=VALUE\n"
             "  --set title=5: title must be a string in quotes, not 5\n"
-            "  --set video.crf=0: video.crf must be an integer from 1 to 51, not 0");
+            "  --set video.crf=0: video.crf must be an integer from 1 to 51, not 0\n"
+            "  --set x: expected KEY=VALUE");
   // What is wrong across sections is found when each is right.
   EXPECT_EQ(
       errorOf("[camera]\nup = [0, 0, 1]\nposition = [0, 0, 1]\n[look]\nmotion_blur = 16\n"
@@ -140,6 +140,11 @@ TEST(SceneReader, ReportsAProblemThatPanelsShareOnce) {
   EXPECT_EQ(errorOf("[body]\nmass = 0\n[[panel]]\nlabel = 'a'\n[[panel]]\nlabel = 3"),
             "a.toml:2:8: body.mass must be a mass from 1e-9 to 1e9 kg, not 0\n"
             "  a.toml:6:9: panel.label must be a string in quotes, not 3");
+  EXPECT_EQ(errorOf("[[panel]]\nlabel = 'a'\n[[panel]]\nlabel = 'b'",
+                    {"simulation.substeps=0", "body.mass=0"}),
+            "--set body.mass=0: body.mass must be a mass from 1e-9 to 1e9 kg, not 0\n"
+            "  --set simulation.substeps=0: simulation.substeps must be an integer from 1 to "
+            "1000000, not 0");
 }
 
 TEST(SceneReader, ReportsTheFirstTwentyOfManyProblems) {

@@ -174,7 +174,7 @@ TEST(DeviceChoice, ReportsNothingWhereAnotherCardDraws) {
 TEST(DeviceChoice, RefusesADeviceThatIsNotThereAndNamesThoseThatAre) {
   EXPECT_EQ(refusal<InputError>(twoCards(), {.kind = Kind::Index, .number = 3}),
             "can't draw: there is no EGL device 3\n"
-            "There are:\n"
+            "  There are:\n"
             "  EGL device 0 (/dev/dri/renderD128, cuda:1)\n"
             "  EGL device 1 (/dev/dri/renderD129, cuda:0)\n"
             "  EGL device 2 (software)");

@@ -1,10 +1,12 @@
 #include "cli/usage.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iterator>
 #include <regex>
 #include <system_error>
+#include <utility>
 
 #include "base/text.h"
 #include "scene/nearest_name.h"
@@ -92,11 +94,14 @@ std::string unexpectedText(const CLI::App& command, const std::vector<std::strin
 
 /// Returns the message of CLI11, in our words where its own are hard to read.
 std::string parserText(const CLI::Error& error) {
-  static const std::regex kMissing("(.*): 1 required (.*) missing");
-  static const std::regex kNoNumber("Could not convert: (.*) = (.*)");
-  const std::string text = echoed(error.what());
-  return std::regex_replace(std::regex_replace(text, kMissing, "$1 needs a value: $2"), kNoNumber,
-                            "$1 $2: not a number");
+  static const std::array<std::pair<std::regex, const char*>, 3> kWords{{
+      {std::regex("(.*): 1 required (.*) missing"), "$1 needs a value: $2"},
+      {std::regex("Could not convert: (.*) = (.*)"), "$1 $2: not a number"},
+      {std::regex("^(--[^ ]+) excludes (--[^ ]+)$"), "$1 and $2 exclude each other"},
+  }};
+  std::string text = echoed(error.what());
+  for (const auto& [theirs, ours] : kWords) text = std::regex_replace(text, theirs, ours);
+  return text;
 }
 
 std::string missingCommandText(const CLI::App& program) {

@@ -162,6 +162,14 @@ TEST_F(SceneCommandsTest, ListNamesWhatItCannotReadAndGoesOn) {
             "rotatebook: ./a/hidden.toml: can't be read: Permission denied\n");
 }
 
+TEST_F(SceneCommandsTest, ListNamesLinksToNothing) {
+  fs::create_symlink("nowhere", folder() / "far-away.toml");
+  const ChildResult result = run({"list", "."});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.output, "./tiny.toml       0.2 s  Tiny\n");
+  EXPECT_EQ(result.error, "rotatebook: ./far-away.toml: scene not found\n");
+}
+
 TEST_F(SceneCommandsTest, ListLeavesOutWhatRendersLeave) {
   run({"render", "tiny.toml"});
   for (const char* name :

@@ -150,7 +150,8 @@ int run(int argc, char** argv) {
     program.exit(help);
     return kDone;
   } catch (const CLI::ParseError& error) {
-    printError(usageText(program, error, {argv, static_cast<std::size_t>(argc)}));
+    printError(problemText(program, error, {argv, static_cast<std::size_t>(argc)}));
+    std::cerr << adviceText(program);
     return kWrongInput;
   }
   return quiet ? runQuietly(*program.get_subcommands().front(), action) : action();

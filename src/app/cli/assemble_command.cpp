@@ -52,7 +52,8 @@ int assembleFrames(const AssembleArguments& arguments) {
         arguments.folder, arguments.output, rate,
         [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); });
   }
-  std::cout << "wrote " << made.frames.count() << " frames to " << arguments.output
+  std::cout << "wrote " << made.frames.count()
+            << (made.frames.count() == 1 ? " frame to " : " frames to ") << arguments.output
             << (made.isPart() ? partText(made) : "") << '\n';
   return kDone;
 }

@@ -80,6 +80,12 @@ class HelpFormatter : public CLI::Formatter {
   }
 };
 
+/// Returns why `path` can't be the value of --output; empty if it can.
+std::string outputProblem(const std::string& path) {
+  if (path != "-") return "";
+  return "nothing is written to the standard output; a file or folder named - is written ./-";
+}
+
 /// Adds to each command what all have in common, at the end of its help.
 void addCommonOptions(CLI::App& program, bool& quiet) {
   constexpr const char* kGroup = "Every command";
@@ -87,6 +93,8 @@ void addCommonOptions(CLI::App& program, bool& quiet) {
     command->set_help_flag();
     command->set_help_flag("-h,--help", "Print this help and exit")->group(kGroup);
     command->add_flag("-q,--quiet", quiet, "Print only results, and what is wrong")->group(kGroup);
+    CLI::Option* output = command->get_option_no_throw("--output");
+    if (output != nullptr) output->check(outputProblem);
   }
 }
 
@@ -134,7 +142,8 @@ int run(int argc, char** argv) {
     program.exit(help);
     return kDone;
   } catch (const CLI::ParseError& error) {
-    printError(usageText(program, error, {argv + 1, static_cast<std::size_t>(argc - 1)}));
+    printError(problemText(program, error, {argv, static_cast<std::size_t>(argc)}));
+    std::cerr << adviceText(program);
     return kWrongInput;
   }
   return quiet ? runQuietly(*program.get_subcommands().front(), action) : action();

@@ -1,7 +1,9 @@
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 
 #include "cli/commands.h"
 #include "cli/device_options.h"
@@ -26,9 +28,12 @@ int writeStill(const StillArguments& arguments) {
   const std::string output = arguments.output.empty() ? scene.name + ".png" : arguments.output;
   if (arguments.output.empty()) refuseSameNames({scene});
   refuseInputs(output, inputsOf(arguments.scene, scene));
+  std::error_code ignored;
+  const bool replaces = arguments.output.empty() && std::filesystem::exists(output, ignored);
   const std::int64_t frame =
       picture::renderStill(scene, arguments.time, output, arguments.deviceOptions.choice());
-  std::cout << scene.name << ": wrote frame " << frame << " to " << output << '\n';
+  std::cout << scene.name << ": wrote frame " << frame << " to " << output
+            << (replaces ? ", in place of what was there\n" : "\n");
   return kDone;
 }
 

@@ -1,10 +1,12 @@
 #include "cli/usage.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iterator>
 #include <regex>
 #include <system_error>
+#include <utility>
 
 #include "base/text.h"
 #include "scene/nearest_name.h"
@@ -24,6 +26,17 @@ std::string echoed(std::string_view argument) {
 const CLI::App& chosen(const CLI::App& program) {
   const auto commands = program.get_subcommands();
   return commands.empty() ? program : *commands.front();
+}
+
+/// Returns the commands that help shows.
+std::vector<const CLI::App*> shownCommands(const CLI::App& program) {
+  return program.get_subcommands([](const CLI::App* one) { return !one->get_group().empty(); });
+}
+
+std::vector<std::string> commandNames(const CLI::App& program) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : shownCommands(program)) names.push_back(command->get_name());
+  return names;
 }
 
 /// Returns "--size" and so on; hidden ones, too. One letter is as near to any other.
@@ -46,7 +59,7 @@ std::string ownerText(const CLI::App& program, const std::string& option,
   if (program.get_option_no_throw(option) != nullptr) {
     return "; " + subject + " takes no command: rotatebook " + option;
   }
-  for (const CLI::App* command : program.get_subcommands({})) {
+  for (const CLI::App* command : shownCommands(program)) {
     if (command->get_option_no_throw(option) == nullptr) continue;
     return "; " + subject + " is an option of " + command->get_name();
   }
@@ -65,7 +78,7 @@ std::string optionHint(const CLI::App& program, const std::string& name) {
   const std::string own = scene::didYouMean(wanted, viewsOf(longOptions(command)));
   if (!own.empty()) return own;
   std::vector<std::string> others;
-  for (const CLI::App* other : program.get_subcommands({})) {
+  for (const CLI::App* other : shownCommands(program)) {
     std::ranges::move(longOptions(*other), std::back_inserter(others));
   }
   const auto nearest = scene::nearestName(wanted, viewsOf(others));
@@ -92,21 +105,18 @@ std::string unexpectedText(const CLI::App& command, const std::vector<std::strin
 
 /// Returns the message of CLI11, in our words where its own are hard to read.
 std::string parserText(const CLI::Error& error) {
-  static const std::regex kMissing("(.*): 1 required (.*) missing");
-  static const std::regex kNoNumber("Could not convert: (.*) = (.*)");
-  const std::string text = echoed(error.what());
-  return std::regex_replace(std::regex_replace(text, kMissing, "$1 needs a value: $2"), kNoNumber,
-                            "$1 $2: not a number");
-}
-
-std::string missingCommandText(const CLI::App& program) {
-  return "a command is needed, for example: rotatebook render scenes/starter.toml\n"
-         "Commands: " +
-         joined(commandNames(program));
+  static const std::array<std::pair<std::regex, const char*>, 3> kWords{{
+      {std::regex("(.*): 1 required (.*) missing"), "$1 needs a value: $2"},
+      {std::regex("Could not convert: (.*) = (.*)"), "$1 $2: not a number"},
+      {std::regex("^(--[^ ]+) excludes (--[^ ]+)$"), "$1 and $2 exclude each other"},
+  }};
+  std::string text = echoed(error.what());
+  for (const auto& [theirs, ours] : kWords) text = std::regex_replace(text, theirs, ours);
+  return text;
 }
 
 /// Returns what is wrong with the command line.
-std::string problemText(const CLI::App& program, const CLI::Error& error) {
+std::string wrongPart(const CLI::App& program, const CLI::Error& error) {
   std::vector<std::string> unknown = program.remaining(true);
   std::erase(unknown, "--");
   const auto option =
@@ -116,8 +126,8 @@ std::string problemText(const CLI::App& program, const CLI::Error& error) {
   if (&command != &program) {
     return unknown.empty() ? parserText(error) : unexpectedText(command, unknown);
   }
-  return unknown.empty() ? missingCommandText(program)
-                         : unknownCommandText(program, unknown.front());
+  if (!unknown.empty()) return unknownCommandText(program, unknown.front());
+  return "a command is needed, for example: rotatebook render scenes/starter.toml";
 }
 
 /// Returns the remedy where a file was taken for an option; else nothing.
@@ -134,12 +144,6 @@ std::string dashHint(std::span<char* const> arguments) {
 
 }  // namespace
 
-std::vector<std::string> commandNames(const CLI::App& program) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
-  return names;
-}
-
 std::string unknownCommandText(const CLI::App& program, std::string_view name) {
   const std::string text = "unknown command: " + echoed(name);
   if (name.ends_with(".toml")) {
@@ -149,12 +153,19 @@ std::string unknownCommandText(const CLI::App& program, std::string_view name) {
   return text + scene::didYouMean(name, std::vector<std::string_view>(names.begin(), names.end()));
 }
 
-std::string usageText(const CLI::App& program, const CLI::Error& error,
-                      std::span<char* const> arguments) {
+std::string problemText(const CLI::App& program, const CLI::Error& error,
+                        std::span<char* const> arguments) {
+  return wrongPart(program, error) + dashHint(arguments);
+}
+
+std::string adviceText(const CLI::App& program) {
   const CLI::App& command = chosen(program);
-  const std::string name = &command == &program ? "" : command.get_name() + ' ';
-  return problemText(program, error) + dashHint(arguments) + "\nRun 'rotatebook " + name +
-         "--help' for more information.";
+  const bool none = &command == &program;
+  const std::string names = none && program.remaining().empty()
+                                ? "Commands: " + joined(commandNames(program)) + '\n'
+                                : "";
+  return names + "Run 'rotatebook " + (none ? "" : command.get_name() + ' ') +
+         "--help' for more information.\n";
 }
 
 }  // namespace rotatebook::cli

@@ -22,7 +22,9 @@ std::vector<std::string> sceneNamesIn(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().filename().string());
+    // A link to nothing isn't there, either.
+    if (entry.path().extension() == ".toml" && entry.exists(ignored))
+      names.push_back(entry.path().filename().string());
   }
   // The first of equally near names is suggested, and the order of a folder is arbitrary.
   std::sort(names.begin(), names.end());

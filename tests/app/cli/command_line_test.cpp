@@ -42,7 +42,7 @@ TEST_P(HelpText, ShowsAnExampleOfTheCommand) {
 INSTANTIATE_TEST_SUITE_P(Commands, HelpText,
                          ::testing::Values("render", "simulate", "study", "still", "diff", "check",
                                            "scene", "assemble", "list", "doctor", "verify", "rerun",
-                                           "help", "version"),
+                                           "help", "version", "sheet", "bench"),
                          [](const auto& command) { return std::string(command.param); });
 
 TEST_P(HelpText, IsThatOfTheCommandHelp) {
@@ -193,8 +193,21 @@ TEST_F(CommandLine, RefusesWhatIsTooMuchOrMissing) {
                     advice);
   expectRefused({"render", "tiny.toml", "--size"},
                 "rotatebook: --size needs a value: WxH\nRun 'rotatebook render" + advice);
+  expectRefused({"verify", "x.mp4", "--all", "--frames", "0"},
+                "rotatebook: --frames and --all exclude each other\n"
+                "Run 'rotatebook verify" +
+                    advice);
   expectRefused({"sheet", "tiny.toml"},
                 "rotatebook: --output is required\nRun 'rotatebook sheet" + advice);
+}
+
+TEST_F(CommandLine, WritesNoResultToTheStandardOutput) {
+  for (const std::string command : {"still", "render"}) {
+    expectRefused({command, "tiny.toml", "-o", "-"},
+                  "rotatebook: --output: nothing is written to the standard output; a file or "
+                  "folder named - is written ./-\nRun 'rotatebook " +
+                      command + " --help' for more information.\n");
+  }
 }
 
 TEST_F(CommandLine, RefusesWrongNumbers) {

@@ -39,7 +39,7 @@ TEST_F(SceneCommandsTest, StillIsThePosterInItsFolderByDefault) {
   EXPECT_EQ(result.output, "tiny: wrote frame 6 to tiny.png\n");
   EXPECT_EQ(read("tiny.png"), read("out/tiny.poster.png"));
   EXPECT_EQ(run({"still", "out/../tiny.toml", "--set", "clip.poster=0.05"}).output,
-            "tiny: wrote frame 3 to tiny.png\n");
+            "tiny: wrote frame 3 to tiny.png, in place of what was there\n");
 }
 
 TEST_F(SceneCommandsTest, StillByDefaultReplacesNoInput) {
@@ -160,6 +160,14 @@ TEST_F(SceneCommandsTest, ListNamesWhatItCannotReadAndGoesOn) {
   EXPECT_EQ(result.error,
             "rotatebook: can't list ./a/closed: Permission denied\n"
             "rotatebook: ./a/hidden.toml: can't be read: Permission denied\n");
+}
+
+TEST_F(SceneCommandsTest, ListNamesLinksToNothing) {
+  fs::create_symlink("nowhere", folder() / "far-away.toml");
+  const ChildResult result = run({"list", "."});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_EQ(result.output, "./tiny.toml       0.2 s  Tiny\n");
+  EXPECT_EQ(result.error, "rotatebook: ./far-away.toml: scene not found\n");
 }
 
 TEST_F(SceneCommandsTest, ListLeavesOutWhatRendersLeave) {

@@ -50,16 +50,17 @@ std::string shapeText(AVRational shape) {
   return std::to_string(shape.num) + ":" + std::to_string(shape.den);
 }
 
-std::optional<Mp4Header> headerOf(const ClipInput& input) {
-  if (!rowOf(input.format()).recorded.hasMp4Header) return std::nullopt;
+/// Sets what FFmpeg doesn't report of the container.
+void addHeader(const ClipInput& input, ClipFacts& facts) {
   std::ifstream file(input.name(), std::ios::binary);
-  return readMp4Header(file);
-}
-
-std::string cropOf(const ClipInput& input, const ClipFacts& facts) {
-  if (facts.mp4) return facts.mp4->crop;
-  std::ifstream file(input.name(), std::ios::binary);
-  return webmCropText(file);
+  if (rowOf(input.format()).recorded.hasMp4Header) {
+    facts.mp4 = readMp4Header(file);
+    facts.crop = facts.mp4->crop;
+    return;
+  }
+  const WebmHeader header = readWebmHeader(file);
+  facts.crop = header.crop;
+  if (header.interlaced) facts.scan = kInterlaced;
 }
 
 /// Returns FFmpeg's names of what the stream says beside a picture, but for notes of the encoder.
@@ -117,8 +118,7 @@ ClipFacts factsOf(ClipInput& input) {
   facts.containerShape = shapeText(stream.sample_aspect_ratio);
   facts.display = displayText(stream);
   facts.scan = containerScan == kProgressive ? scanText(codec) : containerScan;
-  facts.mp4 = headerOf(input);
-  facts.crop = cropOf(input, facts);
+  addHeader(input, facts);
   const std::int64_t duration = input.context().duration;
   if (duration > 0) facts.duration = static_cast<double>(duration) / AV_TIME_BASE;
   return facts;

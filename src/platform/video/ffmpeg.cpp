@@ -106,7 +106,7 @@ std::string profileName(const AVCodecParameters& stream) {
 
 std::string scanText(const AVCodecParameters& stream) {
   const bool known = stream.field_order != AV_FIELD_UNKNOWN;
-  return known && stream.field_order != AV_FIELD_PROGRESSIVE ? "interlaced" : kProgressive;
+  return known && stream.field_order != AV_FIELD_PROGRESSIVE ? kInterlaced : kProgressive;
 }
 
 bool isInterlaced(const AVFrame& frame) {

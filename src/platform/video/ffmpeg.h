@@ -63,8 +63,9 @@ int checkInput(int result, const std::string& failure);
 std::string profileName(const AVCodecParameters& stream);
 
 inline constexpr const char* kProgressive = "progressive";
+inline constexpr const char* kInterlaced = "interlaced";
 /// Returns how lines of the pictures are scanned: kProgressive, also if that isn't stated, or
-/// "interlaced".
+/// kInterlaced.
 std::string scanText(const AVCodecParameters& stream);
 /// Returns whether the picture is marked as two fields, which players may interpolate.
 bool isInterlaced(const AVFrame& frame);

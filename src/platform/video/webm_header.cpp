@@ -11,6 +11,7 @@ constexpr std::uint64_t kSegmentId = 0x18538067, kTracksId = 0x1654AE6B;
 constexpr std::uint64_t kTrackId = 0xAE, kVideoId = 0xE0;
 constexpr std::uint64_t kCropBottomId = 0x54AA, kCropTopId = 0x54BB, kCropLeftId = 0x54CC,
                         kCropRightId = 0x54DD;
+constexpr std::uint64_t kInterlacedId = 0x9A;
 constexpr int kMaxElements = 10'000;  // Limit of a search; the tracks are among the first ten.
 constexpr int kMaxNumber = 8;         // Of a number. [bytes]
 
@@ -78,22 +79,26 @@ std::string sideOf(std::uint64_t id) {
   }
 }
 
-/// Adds what `element`, of the tracks' or in one of them, has players cut off.
-void addCrop(std::istream& file, const Element& element, std::string& text) {
+/// Adds the instructions of `element`, of the tracks' or in one of them.
+void addTo(WebmHeader& header, std::istream& file, const Element& element) {
   if (element.id == kTrackId || element.id == kVideoId) {
     firstIn(file, element, [&](const Element& inner) {
-      addCrop(file, inner, text);
+      addTo(header, file, inner);
       return false;
     });
   }
   const std::string side = sideOf(element.id);
   const std::uint64_t count = element.end - element.content;
-  if (side.empty() || count > kMaxNumber) return;
+  if ((side.empty() && element.id != kInterlacedId) || count > kMaxNumber) return;
   file.clear();
   file.seekg(static_cast<std::streamoff>(element.content));
-  const std::uint64_t pixels = numberIn(file, count);
-  if (pixels == 0) return;
-  text += (text.empty() ? "" : ", ") + std::to_string(pixels) + " pixels at the " + side;
+  const std::uint64_t number = numberIn(file, count);
+  if (element.id == kInterlacedId) {
+    header.interlaced = header.interlaced || number == 1;
+  } else if (number > 0) {
+    const std::string before = header.crop == "none" ? "" : header.crop + ", ";
+    header.crop = before + std::to_string(number) + " pixels at the " + side;
+  }
 }
 
 }  // namespace
@@ -114,19 +119,20 @@ std::optional<std::uint64_t> webmLengthIn(std::istream& file) {
   return unknown ? std::nullopt : std::optional(length);
 }
 
-std::string webmCropText(std::istream& file) {
+WebmHeader readWebmHeader(std::istream& file) {
+  WebmHeader header;
   file.clear();
   file.seekg(0, std::ios::end);
   const Element whole{0, 0, static_cast<std::uint64_t>(std::max<std::streamoff>(file.tellg(), 0))};
   const auto segment = find(file, whole, kSegmentId);
   const auto tracks = segment ? find(file, *segment, kTracksId) : std::nullopt;
-  if (!tracks) return "unknown";
-  std::string text;
+  if (!tracks) return header;
+  header.crop = "none";
   firstIn(file, *tracks, [&](const Element& element) {
-    addCrop(file, element, text);
+    addTo(header, file, element);
     return false;
   });
-  return text.empty() ? "none" : text;
+  return header;
 }
 
 }  // namespace rotatebook::video

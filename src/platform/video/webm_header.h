@@ -12,8 +12,15 @@ namespace rotatebook::video {
 /// Reads the length of an element's content; nothing if it isn't stated. [bytes]
 std::optional<std::uint64_t> webmLengthIn(std::istream& file);
 
-/// Returns what the header has players cut off the pictures (PixelCropLeft and so on): "none", or
-/// for example "2 pixels at the left"; "unknown" if `file`, which may be anything, has no header.
-std::string webmCropText(std::istream& file);
+/// Instructions to players in a WebM's header.
+struct WebmHeader {
+  /// Pixels to cut off (PixelCropLeft and so on): "none", for example "2 pixels at the left", or
+  /// "unknown".
+  std::string crop = "unknown";
+  bool interlaced = false;  ///< As FlagInterlaced says.
+};
+
+/// Reads `file`, which may be anything.
+WebmHeader readWebmHeader(std::istream& file);
 
 }  // namespace rotatebook::video

@@ -280,6 +280,7 @@ TEST(VerifyClip, HoldsAFineStreamToItsOwnBounds) {
   EXPECT_TRUE(proved(verified({.said = said})));
   expectWrongPictures(verified({.said = said, .brighter = 7}));
   expectWrongPictures(verified({.said = said, .swapped = true}));
+  EXPECT_FALSE(proved(verified({.said = said, .shown = said, .brighter = 7})));
 }
 
 // Neither the whole nor any patch of them is farther away than encoding explains: the mean is.
@@ -332,11 +333,17 @@ TEST(VerifyClip, FindsWhatPlayersWouldShowOtherwise) {
   }();
   namespace forged = video::testing;
   const std::vector<std::pair<std::vector<forged::BoxPatch>, std::string>> forgeries{
-      {forged::kTurned, "display"},         {forged::kMirrored, "display"},
-      {forged::kWholeTurned, "display"},    {forged::kStretched, "shown size"},
-      {forged::kWidePixels, "pixel shape"}, {forged::kOtherColours, "container"},
-      {forged::kFullRange, "container"},    {forged::kFastEdit, "speed"},
-      {forged::kFastMovie, "speed"}};
+      {forged::kTurned, "display"},
+      {forged::kMirrored, "display"},
+      {forged::kWholeTurned, "display"},
+      {forged::kStretched, "shown size"},
+      {forged::kWidePixels, "pixel shape"},
+      {forged::kOtherColours, "container"},
+      {forged::kFullRange, "container"},
+      {forged::kFastEdit, "speed"},
+      {forged::kFastMovie, "speed"},
+      {forged::kCleanAperture, "crop"},
+      {forged::kFields, "scan"}};
   const fs::path path = emptyFolder() / "forged.mp4";
   for (const auto& [patches, check] : forgeries) {
     std::ofstream(path, std::ios::binary) << forged::forgedMp4(content, patches);
@@ -344,6 +351,12 @@ TEST(VerifyClip, FindsWhatPlayersWouldShowOtherwise) {
   }
   std::ofstream(path, std::ios::binary) << forged::forgedMp4(content, {});
   EXPECT_TRUE(proved(verifyClip(path, {})));
+}
+
+TEST(VerifyClip, FindsAnotherTitle) {
+  const Verification found =
+      verified({.change = [](video::VideoSettings& settings) { settings.title = "Another"; }});
+  EXPECT_THAT(failedIn(found), ElementsAre("title"));
 }
 
 TEST(VerifyClip, NotesOtherTools) {

@@ -43,5 +43,9 @@ inline const std::vector<BoxPatch> kOtherColours{
 inline const std::vector<BoxPatch> kFullRange{{"colr", 10, "\x80"}};
 inline const std::vector<BoxPatch> kFastEdit{{"elst", 16, kTwo}};
 inline const std::vector<BoxPatch> kFastMovie{{"mvhd", 20, kTwo}};
+/// A clean aperture, or two fields a picture, in place of the pixels' shape.
+inline const std::vector<BoxPatch> kCleanAperture{{"pasp", std::size_t{0} - 4, "clap"}};
+inline const std::vector<BoxPatch> kFields{{"pasp", 0, "\x02\x01"},
+                                           {"pasp", std::size_t{0} - 4, "fiel"}};
 
 }  // namespace rotatebook::video::testing

@@ -1,0 +1,142 @@
+// The table in docs/verify.md of what is noticed, and what isn't.
+#include "verify/forgeries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "picture/frame_drawer.h"
+#include "pipeline/small_clip.h"
+#include "store/encoding.h"
+#include "verify/picture_comparison.h"
+#include "video/clip_reader.h"
+#include "video/video_writer.h"
+
+namespace rotatebook::verify {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::PictureForgery;
+
+constexpr const char* kHead =
+    "| change | 320x180, crf 18 | 640x360, crf 18 | 640x360, WebM |\n"
+    "|---|---|---|---|\n";
+
+/// The measures of a forged clip's pictures over their bounds; above 1 a picture is refused.
+struct Excess {
+  double smallest = 0;  ///< Of any picture; of each the largest measure counts.
+  double largest = 0;
+};
+
+/// The pictures of a clip, which forgeries are made from.
+class ForgedClips {
+ public:
+  explicit ForgedClips(const std::string& size)
+      : scene_(scene::testing::smallScene({"clip.size=" + size})) {
+    const timeline::ClipMotion motion = timeline::simulateScene(scene_);
+    picture::FrameDrawer drawer(scene_, motion);
+    for (std::int64_t frame = 0; frame < motion.frameCount(); ++frame) {
+      pictures_.push_back(drawer.makePicture());
+      drawer.draw(frame, pictures_.back());
+      drawn_.push_back(video::planesOf(pictures_.back().view(), false));
+    }
+  }
+
+  Excess excess(const PictureForgery& forgery, video::VideoFormat format) const {
+    const fs::path path = fs::path(ROTATEBOOK_TEST_OUTPUT) / "forged.video";
+    write(forgery, format, path);
+    video::ClipReader reader(path);
+    Excess excess{.smallest = std::numeric_limits<double>::infinity()};
+    for (std::size_t frame = 0; reader.next(); ++frame) {
+      const video::Planes picture = reader.picture();
+      const Deviation measured = deviation(picture, drawn_.at(frame));
+      const double quantiser = std::min(*reader.pictureFacts().quantiser, kCoarsestProof);
+      const Deviation bound = encodingBound(quantiser, picture.width, picture.height);
+      double largest = 0;
+      for (const MeasureRow& row : kMeasures) {
+        largest = std::max(largest, measured.*row.value / bound.*row.value);
+      }
+      excess.smallest = std::min(excess.smallest, largest);
+      excess.largest = std::max(excess.largest, largest);
+    }
+    return excess;
+  }
+
+ private:
+  void write(const PictureForgery& forgery, video::VideoFormat format, const fs::path& path) const {
+    video::VideoWriter writer(format, path, store::videoSettings(scene_, ""));
+    for (const image::Image& picture : pictures_) {
+      image::Image forged = picture;
+      forgery.apply(forged);
+      writer.write(forged.view());
+    }
+    writer.finish();
+  }
+
+  scene::Scene scene_;
+  std::vector<image::Image> pictures_;
+  std::vector<video::Planes> drawn_;  // Of `pictures_`.
+};
+
+std::string documentation() {
+  std::ostringstream text;
+  text << std::ifstream(fs::path(ROTATEBOOK_SOURCE) / "docs/verify.md").rdbuf();
+  return text.str();
+}
+
+/// Returns the table's cell: `known`, the document's, if the excess is too close to 1 to be the
+/// same with another rasteriser or encoder.
+std::string cellOf(const Excess& excess, const std::string& known) {
+  constexpr double kClose = 0.1;
+  const auto isClose = [](double value) { return std::abs(value - 1) < kClose; };
+  if (!known.empty() && (isClose(excess.smallest) || isClose(excess.largest))) return known;
+  if (excess.smallest > 1) return "in each picture";
+  return excess.largest > 1 ? "in some" : "no";
+}
+
+/// Returns the cells after the row's name in the document; empty ones if there is no such row.
+std::vector<std::string> documentedCells(const std::string& text, const std::string& name) {
+  std::vector<std::string> cells(3);
+  const std::size_t at = text.find("\n| " + name + " | ");
+  if (at == std::string::npos) return cells;
+  std::istringstream rest(text.substr(at + name.size() + 6));
+  for (std::string& cell : cells) {
+    std::getline(rest, cell, '|');
+    cell = cell.substr(0, cell.find_last_not_of(' ') + 1);
+    rest.get();
+  }
+  return cells;
+}
+
+TEST(Forgeries, AreNoticedAsTheDocumentationSays) {
+  const std::string text = documentation();
+  const ForgedClips small("[320, 180]"), large("[640, 360]");
+  std::string table = kHead, shares;
+  for (const PictureForgery& forgery : testing::forgeries()) {
+    const std::vector<std::string> known = documentedCells(text, forgery.name);
+    const std::vector<Excess> excesses{small.excess(forgery, video::VideoFormat::Mp4),
+                                       large.excess(forgery, video::VideoFormat::Mp4),
+                                       large.excess(forgery, video::VideoFormat::WebM)};
+    table += "| " + forgery.name + " |";
+    for (std::size_t i = 0; i < excesses.size(); ++i) {
+      table += " " + cellOf(excesses[i], known[i]) + " |";
+      shares += std::to_string(excesses[i].smallest) + " to " +
+                std::to_string(excesses[i].largest) + "; ";
+    }
+    table += "\n";
+    shares += forgery.name + "\n";
+  }
+  EXPECT_NE(text.find(table), std::string::npos) << "docs/verify.md is to have\n"
+                                                 << table << "measured over bound:\n"
+                                                 << shares;
+}
+
+}  // namespace
+}  // namespace rotatebook::verify

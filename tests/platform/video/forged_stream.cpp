@@ -1,0 +1,70 @@
+#include "video/forged_stream.h"
+
+#include <memory>
+#include <utility>
+
+extern "C" {
+#include <libavcodec/bsf.h>
+}
+
+#include "video/muxer.h"
+#include "video/pixel_converter.h"
+#include "video/test_clip.h"
+
+namespace rotatebook::video::testing {
+namespace {
+
+struct FilterCloser {
+  void operator()(AVBSFContext* context) const noexcept { av_bsf_free(&context); }
+};
+using Filter = std::unique_ptr<AVBSFContext, FilterCloser>;
+
+Encoder openEncoder(const VideoSettings& settings, const std::string& x264Params) {
+  Handle<AVCodecContext> context = makeContext(encoderNamed({"libx264", ""}), settings);
+  context->pix_fmt = AV_PIX_FMT_YUV420P;
+  context->profile = kProfileHigh;
+  tagBt709(*context);
+  Dictionary options;
+  options.set("x264-params", x264Params);
+  return {"H.264", std::move(context), options};
+}
+
+Filter openFilter(const std::string& text, const AVCodecContext& encoder) {
+  AVBSFContext* context = nullptr;
+  check(av_bsf_list_parse_str(text.c_str(), &context), "no filter " + text);
+  Filter filter(context);
+  check(avcodec_parameters_from_context(context->par_in, &encoder), "can't describe the stream");
+  context->time_base_in = encoder.time_base;
+  check(av_bsf_init(context), "can't open " + text);
+  return filter;
+}
+
+}  // namespace
+
+void writeForgedStream(const std::filesystem::path& path, const std::string& x264Params,
+                       const std::string& filterText) {
+  constexpr int kPictures = 5;
+  const VideoSettings settings = smallSettings();
+  PixelConverter converter(settings.width, settings.height);
+  Stages stages{nullptr, openEncoder(settings, x264Params)};
+  const Filter filter = openFilter(filterText, stages.encoder.context());
+  Muxer muxer(path, VideoFormat::Mp4, stages, settings);
+  const auto drain = [&] {
+    while (AVPacket* packet = stages.encoder.receive()) {
+      check(av_bsf_send_packet(filter.get(), packet), "can't filter");
+      check(av_bsf_receive_packet(filter.get(), packet), "can't filter");
+      muxer.write(*packet);
+    }
+  };
+  for (int n = 0; n < kPictures; ++n) {
+    AVFrame& frame = converter.convert(barPicture(n).view());
+    frame.pts = n;
+    stages.encoder.send(&frame);
+    drain();
+  }
+  stages.encoder.send(nullptr);
+  drain();
+  muxer.finish();
+}
+
+}  // namespace rotatebook::video::testing

@@ -1,0 +1,146 @@
+// Instructions to players that a clip's container or stream may hold, and its quantisers.
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "video/clip_reader.h"
+#include "video/decoded_video.h"
+#include "video/forged_mp4.h"
+#include "video/forged_stream.h"
+#include "video/quantiser.h"
+#include "video/test_clip.h"
+#include "video/webm_header.h"
+
+namespace rotatebook::video {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// The bytes of a clip in `format`, encoded at `crf` if that applies.
+std::string clipIn(VideoFormat format, int crf = 18, bool transparent = false) {
+  VideoSettings settings = testing::smallSettings();
+  settings.crf = crf;
+  settings.transparent = transparent;
+  const fs::path path = testing::outputFolder() / "instructions.video";
+  VideoWriter writer(format, path, settings);
+  for (int n = 0; n < 3; ++n) writer.write(testing::barPicture(n).view());
+  writer.finish();
+  return testing::contentOf(path);
+}
+
+ClipReader readerOf(const std::string& content) {
+  const fs::path path = testing::outputFolder() / "instructions_forged.video";
+  std::ofstream(path, std::ios::binary) << content;
+  return ClipReader(path);
+}
+
+PictureFacts firstPictureOf(ClipReader reader) {
+  EXPECT_TRUE(reader.next());
+  return reader.pictureFacts();
+}
+
+std::string replaced(std::string content, const std::string& what, const std::string& with) {
+  const std::size_t at = content.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return content.replace(at, with.size(), with);
+}
+
+TEST(Quantiser, OfAClipIsThatOfItsStream) {
+  const auto quantiserOf = [](const std::string& content) {
+    return firstPictureOf(readerOf(content)).quantiser;
+  };
+  const double fine = quantiserOf(clipIn(VideoFormat::Mp4, 1)).value();
+  const double coarse = quantiserOf(clipIn(VideoFormat::Mp4, 40)).value();
+  EXPECT_LT(fine, 10);
+  EXPECT_GT(coarse, 30);
+  EXPECT_NEAR(quantiserOf(clipIn(VideoFormat::WebM)).value(), 20, 7);  // measured 14.3
+  EXPECT_FALSE(quantiserOf(clipIn(VideoFormat::WebM, 18, true)));
+}
+
+// VP9's table has AC steps of 8, 102, 155, 412 and 1828 eighths there.
+TEST(Quantiser, OfVp9HasTheSameStepInH264) {
+  EXPECT_NEAR(quantiserOfVp9(1), 6 * std::log2(8 / 5.0), 1e-9);
+  EXPECT_NEAR(quantiserOfVp9(95), 6 * std::log2(102 / 5.0), 1e-9);
+  EXPECT_LT(quantiserOfVp9(-5), 4);
+  EXPECT_NEAR(quantiserOfVp9(255), 51, 1e-9);
+  EXPECT_NEAR(quantiserOfVp9(1000), 51, 1e-9);
+}
+
+TEST(PictureFacts, OfAClipAskNothingOfPlayers) {
+  for (const VideoFormat format : {VideoFormat::Mp4, VideoFormat::WebM}) {
+    const ClipReader reader = readerOf(clipIn(format));
+    EXPECT_EQ(reader.facts().scan, "progressive");
+    EXPECT_EQ(reader.facts().crop, "none");
+    const PictureFacts picture = firstPictureOf(readerOf(clipIn(format)));
+    EXPECT_FALSE(picture.interlaced);
+    EXPECT_THAT(picture.messages, IsEmpty());
+    EXPECT_EQ(picture.crop[0] + picture.crop[1] + picture.crop[2] + picture.crop[3], 0);
+  }
+}
+
+TEST(PictureFacts, ReportFieldsAndMessages) {
+  const fs::path path = testing::outputFolder() / "instructions_stream.mp4";
+  testing::writeForgedStream(path, "tff=1", "null");
+  EXPECT_EQ(ClipReader(path).facts().scan, "interlaced");
+  EXPECT_TRUE(firstPictureOf(ClipReader(path)).interlaced);
+  testing::writeForgedStream(path, "bframes=0",
+                             "h264_metadata=display_orientation=insert:rotate=180");
+  EXPECT_THAT(firstPictureOf(ClipReader(path)).messages, HasSubstr("displaymatrix"));
+  testing::writeForgedStream(path, "bframes=0", "null");
+  EXPECT_THAT(firstPictureOf(ClipReader(path)).messages, IsEmpty());
+}
+
+TEST(ClipFacts, ReportFieldsAndCropOfTheContainer) {
+  const std::string mp4 = clipIn(VideoFormat::Mp4), webm = clipIn(VideoFormat::WebM);
+  EXPECT_EQ(readerOf(testing::forgedMp4(mp4, testing::kCleanAperture)).facts().crop,
+            "clean aperture");
+  EXPECT_EQ(readerOf(testing::forgedMp4(mp4, testing::kFields)).facts().scan, "interlaced");
+  // In place of the colours, which then are empty space.
+  EXPECT_EQ(readerOf(replaced(webm, "\x55\xb0\x98", "\x9a\x81\x01\xec\x96")).facts().scan,
+            "interlaced");
+  EXPECT_EQ(readerOf(replaced(webm, "\x55\xb0\x98", "\x54\xcc\x81\x08\xec\x95")).facts().crop,
+            "8 pixels at the left");
+}
+
+TEST(ClipFacts, OfAnotherCodecAreRefusedByItsName) {
+  std::string other = clipIn(VideoFormat::Mp4);
+  // The brand, then the description.
+  for (int i = 0; i < 2; ++i) other = replaced(other, "avc1", "hvc1");
+  try {
+    readerOf(replaced(other, "avcC", "hvcC"));
+    ADD_FAILURE() << "read";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr(" is hevc; a clip's is h264 or vp9"));
+  }
+}
+
+TEST(WebmHeader, OfAnyBytesIsRead) {
+  const std::string content = clipIn(VideoFormat::WebM);
+  const auto textOf = [](const std::string& bytes) {
+    std::istringstream file(bytes);
+    return readWebmHeader(file).crop;
+  };
+  EXPECT_EQ(textOf(content), "none");
+  EXPECT_EQ(textOf(""), "unknown");
+  EXPECT_EQ(textOf(std::string(100'000, '\x01')), "unknown");
+  for (std::size_t size = 0; size < content.size(); size += 7) textOf(content.substr(0, size));
+  for (std::size_t at = 0; at < content.size() && at < 600; ++at) {
+    for (const char value : {'\x00', '\x01', '\xff'}) {
+      std::string damaged = content;
+      damaged[at] = value;
+      textOf(damaged);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::video

@@ -182,6 +182,20 @@ TEST_F(Faults, ARenderEndsWithItsFolderOnTheDisk) {
   EXPECT_GE(renamed, 6) << "three frames, clip, table and poster";
 }
 
+TEST_F(Faults, FramesFolderIsOnTheDiskBeforeItGetsItsName) {
+  std::string last;  // change of a name in it
+  bool moved = false;
+  for (const auto& [call, path] : changesOfARender()) {
+    if (call == "rename" && path.ends_with(".partial")) {
+      EXPECT_EQ(last, "flush");
+      moved = true;
+    }
+    const bool within = path.find(".partial/") != std::string::npos && call == "rename";
+    if (within || path.ends_with(".partial")) last = call;
+  }
+  EXPECT_TRUE(moved);
+}
+
 TEST_F(Faults, FailureOfAnyChangeIsReportedAndLosesNothing) {
   struct Case {
     const char* call;

@@ -1,9 +1,11 @@
 #include "store/disk_space.h"
 
+#include <algorithm>
 #include <cmath>
 #include <system_error>
 
 #include "base/error.h"
+#include "base/text.h"
 
 namespace rotatebook::store {
 namespace {
@@ -13,17 +15,27 @@ namespace {
 constexpr double kPower = 0.85;
 // Bytes a frame over pixels to that power, measured from 96x54 to 1280x720 on the starter scene; in
 // brackets on other scenes, with overlays and faster rotation. FormatRow::weight is that of videos.
-constexpr double kPngWeight = 5;      // measured 3.6 to 3.8 (2.7 to 7.0)
-constexpr double kVideoBase = 8192;   // A video without its frames: measured 3 to 6 kB. [bytes]
-constexpr double kTableRow = 890;     // A row of a table: measured 825 to 888. [bytes]
-constexpr double kChecksumLine = 50;  // A line of frames.xxh128. [bytes]
-constexpr double kFileBlock = 4096;   // Most file systems round up to this. [bytes]
+constexpr double kPngWeight = 4;  // measured 3.6 to 4.0, without a caption
+// Each letter of the caption adds, up to so many bytes: it fills more of a small picture.
+constexpr double kLetterWeight = 0.018;  // measured 0.016 to 0.018
+constexpr double kLargestLetter = 125;   // measured 119 to 122. [bytes]
+constexpr double kVideoBase = 8192;      // A video without its frames: measured 3 to 6 kB. [bytes]
+constexpr double kTableRow = 890;        // A row of a table: measured 825 to 888. [bytes]
+constexpr double kChecksumLine = 50;     // A line of frames.xxh128. [bytes]
+constexpr double kFileBlock = 4096;      // Most file systems round up to this. [bytes]
 constexpr double kSmallFiles = 3 * kFileBlock;  // Scene, manifest, checksums. [bytes]
+
+/// Returns the bytes that the caption adds to a PNG.
+double captionBytes(const scene::Scene& scene, double picture) {
+  if (!scene::shows(scene, scene::Overlay::Caption)) return 0;
+  return static_cast<double>(characterCount(scene.caption)) *
+         std::min(kLetterWeight * picture, kLargestLetter);
+}
 
 double bytesNeeded(const scene::Scene& scene, const FilesToWrite& files) {
   const double picture =
       std::pow(static_cast<double>(scene.clip.width) * scene.clip.height, kPower);
-  const double png = kPngWeight * picture + kFileBlock;
+  const double png = kPngWeight * picture + captionBytes(scene, picture) + kFileBlock;
   const double table = kTableRow * static_cast<double>(scene.clip.frameCount()) + kFileBlock;
   double bytes = kSmallFiles + table * static_cast<double>(motionsOf(scene).size());
   bytes += png;  // the poster

@@ -92,7 +92,7 @@ void refuseFilesOfOtherClips(const ClipFiles& files, const std::vector<fs::path>
     if (!manifest) continue;
     for (const fs::path& output : outputs) {
       if (!isNamedAfter(other, output) || !isLeftBy(*manifest, output)) continue;
-      // The same table of both is no matter
+      // An equal table of both is no matter
       if (own && isLeftBy(*own, output)) continue;
       throw InputError(output.string() + " belongs to the clip " + other + ", and the render of " +
                        name +

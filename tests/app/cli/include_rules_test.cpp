@@ -115,7 +115,7 @@ bool isStandard(const std::string& header) {
 }
 
 bool isOperatingSystem(const std::string& header) {
-  static const std::set<std::string> kHeaders{"unistd.h", "fcntl.h", "grp.h",
+  static const std::set<std::string> kHeaders{"unistd.h", "fcntl.h", "grp.h", "pwd.h",
                                               "dlfcn.h",  "spawn.h", "sys/"};
   return startsWithOneOf(header, kHeaders);
 }

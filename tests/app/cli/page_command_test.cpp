@@ -121,8 +121,9 @@ TEST_F(PageCommand, KeepsTexturesOfTheNamesOfThumbnails) {
   run({"render", "covered.toml", "--no-png", "--size", "640x360"});
   const ChildResult result = page({"covered.toml"});
   EXPECT_EQ(result.status, 2);
-  EXPECT_THAT(result.error, HasSubstr("out/tiny.thumbnail.png is a texture of the scene covered; "
-                                      "name another folder with -o"));
+  EXPECT_THAT(result.error,
+              HasSubstr("out/tiny.thumbnail.png is a texture of the scene covered and "
+                        "would be replaced; name another folder with -o"));
   EXPECT_THAT(result.output, IsEmpty());
   EXPECT_TRUE(read(kThumbnail) == before);
 }

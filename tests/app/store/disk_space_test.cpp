@@ -57,6 +57,23 @@ TEST(DiskSpace, IsAboutWhatARenderTakes) {
   }
 }
 
+TEST(DiskSpace, CountsTheCaption) {
+  constexpr double kMin = 0.8, kMax = 1.4;  // measured 0.85 to 1.31
+  for (const std::size_t letters : {0, 200}) {
+    std::string caption;
+    while (caption.size() < letters) caption += "A book turns ";
+    for (const char* size : {"[96, 54]", "[160, 90]", "[320, 180]"}) {
+      scene::Scene scene = smallScene({std::string("clip.size=") + size, "clip.duration=1",
+                                       "overlay.show=['caption', 'clock']"});
+      scene.caption = caption;
+      const double found = ratio(scene, {.folder = emptyFolder(),
+                                         .outputs = pipeline::outputsOf(true, {VideoFormat::Mp4})});
+      EXPECT_GT(found, kMin) << size << ' ' << letters;
+      EXPECT_LT(found, kMax) << size << ' ' << letters;
+    }
+  }
+}
+
 TEST(DiskSpace, CountsEveryFormat) {
   constexpr double kMin = 0.8, kMax = 1.8;  // measured 1.0 to 1.5
   for (const VideoFormat format : video::kVideoFormats) {

@@ -32,7 +32,9 @@ TEST(SyntaxProblem, GuessesADecimalComma) {
   for (const char* other : {"[5 0 0]", "5, 0, 0", "5,0,0", "[5, 0,0 0]", "5,", ",5"}) {
     const std::string message = errorOf("[camera]\nup = " + std::string(other));
     EXPECT_THAT(message, StartsWith("a.toml:2:")) << other;
-    if (other != std::string("[5, 0,0 0]")) EXPECT_THAT(message, Not(HasSubstr("write"))) << other;
+    if (other != std::string("[5, 0,0 0]")) {
+      EXPECT_THAT(message, Not(HasSubstr("write"))) << other;
+    }
   }
 }
 

@@ -159,7 +159,8 @@ TEST_F(Json, OfRenderHasTheScenesInTheirOrderHoweverManyGoOnAtATime) {
             HasSubstr(R"("already_done": false, "interrupted": false, "error": null, )"
                       R"("frames_written": 12, "frames_kept": 0, "files": ["out/tiny.mp4", )"
                       R"("out/tiny.csv", "out/tiny.poster.png"], "frame_folder": "out/tiny/", )"
-                      R"("kept_of_other_settings": [], "motions": [{"label": null, )")));
+                      R"("replaced": [], "kept_of_other_settings": [], "note": null, )"
+                      R"("motions": [{"label": null, )")));
   EXPECT_THAT(outputs[0], HasSubstr(kTitleInJson));
   const ChildResult again = run({"render", "tiny.toml", "--json", "--resume"});
   EXPECT_THAT(again.output, HasSubstr(R"("already_done": true, )"));

@@ -47,8 +47,10 @@ TEST_F(SceneCommandsTest, StillByDefaultReplacesNoInput) {
   const std::string before = read("tiny.png");
   const ChildResult result = run({"still", "tiny.toml", "--set", "book.front=tiny.png"});
   EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(result.error,
-            "rotatebook: tiny.png is a texture of the scene tiny; name another file with -o\n");
+  EXPECT_EQ(
+      result.error,
+      "rotatebook: tiny.png is a texture of the scene tiny and would be replaced; name another "
+      "file with -o\n");
   EXPECT_EQ(read("tiny.png"), before);
 }
 

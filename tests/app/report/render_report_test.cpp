@@ -54,7 +54,8 @@ TEST(RenderReport, IsJson) {
       R"("encoders": "libx264", "already_done": false, "interrupted": false, )"
       R"("error": null, "frames_written": 100000, "frames_kept": 5, )"
       R"("files": ["out/tiny.mp4", "out/tiny.csv", "out/tiny.poster.png"], )"
-      R"("frame_folder": "out/tiny/", "kept_of_other_settings": ["out/tiny.gif"], )"
+      R"("frame_folder": "out/tiny/", "replaced": [], )"
+      R"("kept_of_other_settings": ["out/tiny.gif"], "note": null, )"
       R"("motions": []}]})"
       "\n");
 }
@@ -64,11 +65,13 @@ TEST(RenderReport, HasTheSameFieldsForScenesThatFailedOrWereNotBegun) {
   failed.error = "can't write \"out\"";
   const std::string json = jsonOf({exampleRender(), failed, waiting}, true);
   EXPECT_THAT(json, HasSubstr(R"("interrupted": true, "scenes": [)"));
-  EXPECT_THAT(json, HasSubstr(R"("renderer": null, "encoders": null, "already_done": false, )"
-                              R"("interrupted": false, "error": "can't write \"out\"", )"
-                              R"("frames_written": 0, "frames_kept": 0, "files": [], )"
-                              R"("frame_folder": null, "kept_of_other_settings": [], )"
-                              R"("motions": []}, {"name": "tiny")"));
+  EXPECT_THAT(json,
+              HasSubstr(R"("renderer": null, "encoders": null, "already_done": false, )"
+                        R"("interrupted": false, "error": "can't write \"out\"", )"
+                        R"("frames_written": 0, "frames_kept": 0, "files": [], )"
+                        R"("frame_folder": null, "replaced": [], "kept_of_other_settings": [], )"
+                        R"("note": null, )"
+                        R"("motions": []}, {"name": "tiny")"));
 }
 
 TEST(RenderReport, NamesTheUnfinishedFilesOfAnInterruptedRender) {

@@ -47,7 +47,8 @@ void Footprint::addFile(const fs::path& file) {
   addFolder(tidied_, parentOf(file));
 }
 
-void Footprint::addVideos(const ClipFiles& files, const std::vector<video::VideoFormat>& formats) {
+void Footprint::addPartialVideos(const ClipFiles& files,
+                                 const std::vector<video::VideoFormat>& formats) {
   for (const video::VideoFormat format : formats) addFile(files.partialVideo(format));
 }
 
@@ -55,7 +56,7 @@ void Footprint::addClip(const fs::path& folder, const scene::Scene& scene,
                         const std::vector<video::VideoFormat>& formats) {
   const ClipFiles files = clipFiles(folder, scene.name);
   for (const fs::path& file : outputFiles(files, scene, formats)) addFile(file);
-  addVideos(files, formats);
+  addPartialVideos(files, formats);
   addFolder(frames_, files.frameFolder);
   addFolder(tidied_, files.frameFolder);
   addFolder(moved_, files.partialFrameFolder);
@@ -66,7 +67,7 @@ void Footprint::addPart(const fs::path& folder, const scene::Scene& scene, Frame
                         const std::vector<video::VideoFormat>& formats, bool png) {
   const ClipFiles files = clipFiles(folder, scene.name, part);
   for (const fs::path& file : outputFiles(files, scene, formats)) addFile(file);
-  addVideos(files, formats);
+  addPartialVideos(files, formats);
   if (!png) return;
   addFolder(frames_, files.frameFolder);
   addFolder(tidied_, files.frameFolder);

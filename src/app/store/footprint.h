@@ -47,7 +47,7 @@ class Footprint {
   };
 
   static std::optional<Identity> identityOf(const std::filesystem::path& path);
-  void addVideos(const ClipFiles& files, const std::vector<video::VideoFormat>& formats);
+  void addPartialVideos(const ClipFiles& files, const std::vector<video::VideoFormat>& formats);
   void addFolder(std::set<Identity>& folders, const std::filesystem::path& folder);
   std::optional<std::string> fateOfName(const std::filesystem::path& path) const;
 

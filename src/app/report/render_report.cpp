@@ -128,7 +128,8 @@ void reportRender(const RenderedScene& rendered, const pipeline::RenderOptions& 
   }
   if (!result.wasDone) out << "  wrote " << oneLine(writtenText(result, options)) << std::endl;
   if (!result.replaced.empty()) {
-    out << "  replaced " << oneLine(listed(result.replaced)) << ", made with other settings" << std::endl;
+    out << "  replaced " << oneLine(listed(result.replaced)) << ", made with other settings"
+        << std::endl;
   }
   if (!result.others.empty()) {
     out << "  kept " << oneLine(listed(result.others)) << ", made with other settings" << std::endl;

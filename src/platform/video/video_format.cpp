@@ -1,38 +1,39 @@
 #include "video/video_format.h"
 
+#include <string>
 #include <vector>
 
+#include "base/text.h"
+
 namespace rotatebook::video {
+namespace {
+
+/// Returns a column of those rows that have `property`; of all, if that is null.
+std::vector<std::string> columnOf(std::string_view FormatRow::*column, bool FormatRow::*property) {
+  std::vector<std::string> cells;
+  for (const FormatRow& row : kFormatRows) {
+    if (property == nullptr || row.*property) cells.emplace_back(row.*column);
+  }
+  return cells;
+}
+
+}  // namespace
 
 std::string demuxers() {
-  std::string names;
-  for (const FormatRow& row : kFormatRows) {
-    names += (names.empty() ? "" : ",") + std::string(row.demuxer);
-  }
-  return names;
+  return joined(columnOf(&FormatRow::demuxer, nullptr), ",");
 }
 
 std::string decoders() {
-  std::string names;
+  std::vector<std::string> names;
   for (const FormatRow& row : kFormatRows) {
-    if (!row.holdsRecord) continue;
-    names += (names.empty() ? "" : ",") + std::string(row.recorded.decoders);
+    if (row.holdsRecord) names.emplace_back(row.recorded.decoders);
   }
-  return names;
+  return joined(names, ",");
 }
 
 std::string listFormats(std::string_view FormatRow::*column, std::string_view conjunction,
                         bool FormatRow::*property) {
-  std::vector<std::string_view> listed;
-  for (const FormatRow& row : kFormatRows) {
-    if (property == nullptr || row.*property) listed.push_back(row.*column);
-  }
-  std::string text;
-  for (std::size_t i = 0; i < listed.size(); ++i) {
-    if (i > 0) text += i + 1 < listed.size() ? ", " : " " + std::string(conjunction) + " ";
-    text += listed[i];
-  }
-  return text;
+  return listed(columnOf(column, property), conjunction);
 }
 
 }  // namespace rotatebook::video

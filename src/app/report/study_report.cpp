@@ -193,7 +193,9 @@ bool reportStudy(const study::PrecisionStudy& result, const scene::StudySettings
   for (const study::IntegratorOrder& order : result.orders) {
     out << failureLine(result, order.integrator, RunEnd::Kind::Diverged, "diverged")
         << failureLine(result, order.integrator, RunEnd::Kind::NoConvergence,
-                       "found no solution for their steps");
+                       "found no solution for their steps")
+        << failureLine(result, order.integrator, RunEnd::Kind::StepTooLong,
+                       "had steps too long for their series");
   }
   return reportExpected(expectedOf(result, study), out);
 }

@@ -11,9 +11,8 @@ namespace rotatebook::physics {
 
 /// Simulates `sampleCount` >= 1 samples, or fewer if the motion diverges. Throws InputError as
 /// makeSimulator() does, and if the spin is so large that not even the first sample is finite;
-/// NoConvergence if an implicit integrator finds no solution for its steps. If `stop` isn't null
-/// and another thread sets it, the simulation ends after a sample, and its result must be
-/// discarded.
+/// StepError if an integrator can't make its steps. If `stop` isn't null and another thread sets
+/// it, the simulation ends after a sample, and its result must be discarded.
 Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount,
                     const std::atomic<bool>* stop = nullptr);
 

@@ -35,7 +35,7 @@ class Simulator {
  public:
   virtual ~Simulator() = default;
 
-  /// Advances by `interval` > 0 in `steps` equal integration steps. [s] Throws NoConvergence.
+  /// Advances by `interval` > 0 in `steps` equal integration steps. [s] Throws StepError.
   virtual void advance(double interval, int steps) = 0;
   /// Returns the current state. Its numbers need not be finite once a motion has blown up.
   virtual BodyState state() const = 0;

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "physics/integrators/no_convergence.h"
+#include "physics/integrators/step_error.h"
 #include "physics/measure/flip_interval.h"
 #include "physics/motion_start.h"
 #include "physics/simulate.h"
@@ -36,6 +36,8 @@ std::optional<Trajectory> wholeMotion(const MotionSettings& settings, std::int64
     end = {RunEnd::Kind::Diverged, *trajectory.divergedAt};
   } catch (const physics::NoConvergence&) {
     end = {RunEnd::Kind::NoConvergence};
+  } catch (const physics::StepTooLong&) {
+    end = {RunEnd::Kind::StepTooLong};
   }
   return std::nullopt;
 }
@@ -140,6 +142,8 @@ std::string RunEnd::text() const {
       return "diverged at " + roundedText(time, 6) + " s";
     case Kind::NoConvergence:
       return "no convergence";
+    case Kind::StepTooLong:
+      return "step too long for its series";
     case Kind::FewFlips:
       return "fewer than two flips in " + roundedText(time, 6) + " s";
     case Kind::Whole:

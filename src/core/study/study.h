@@ -27,13 +27,15 @@ struct RunEnd {
     Whole,
     Diverged,       ///< Trajectory::divergedAt
     NoConvergence,  ///< physics::NoConvergence
+    StepTooLong,    ///< physics::StepTooLong
     FewFlips,       ///< Whole, but with fewer than two flips, so without an interval.
   };
 
   Kind kind = Kind::Whole;
   double time = 0;  ///< Time of divergence; for FewFlips, the motion's length. [s]
 
-  /// Returns "ok", "diverged at 1.2 s", "no convergence" or "fewer than two flips in 60 s".
+  /// Returns "ok", "diverged at 1.2 s", "no convergence", "step too long for its series" or "fewer
+  /// than two flips in 60 s".
   std::string text() const;
 };
 
@@ -106,13 +108,13 @@ void requireStudyable(const scene::Scene& scene);
 
 /// Runs the scene's motion with each integrator and each step of `study`. Returns nothing after a
 /// stop. Everything but the times is the same however the runs are made. Throws like
-/// requireStudyable(), and like physics::simulate() except NoConvergence.
+/// requireStudyable(), and like physics::simulate() except StepError.
 std::optional<PrecisionStudy> runPrecisionStudy(const scene::Scene& scene,
                                                 const scene::StudySettings& study,
                                                 const Execution& execution);
 
 /// Runs the scene's motion from each tilt of `study`. Returns nothing after a stop. Throws like
-/// physics::simulate() except NoConvergence.
+/// physics::simulate() except StepError.
 std::optional<TiltStudy> runTiltStudy(const scene::Scene& scene, const scene::StudySettings& study,
                                       const Execution& execution);
 

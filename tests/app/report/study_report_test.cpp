@@ -36,6 +36,17 @@ TEST(StudyReport, ReportsOrdersAndFailures) {
             "  midpoint: 1 of 1 runs found no solution for their steps\n");
 }
 
+TEST(StudyReport, SaysNoSolutionOnlyWhereNoneWasFound) {
+  study::PrecisionStudy study;
+  study.rows = {rowOf(Integrator::Dmv4, RunEnd::Kind::StepTooLong)};
+  study.orders = {{Integrator::Dmv4, {}}};
+  std::ostringstream out;
+  EXPECT_TRUE(reportStudy(study, {}, out));
+  EXPECT_EQ(out.str(),
+            "  dmv4             no order: 0 usable runs, 3 needed\n"
+            "  dmv4: 1 of 1 runs had steps too long for their series\n");
+}
+
 TEST(StudyReport, ComparesOrdersWithWhatIsExpected) {
   scene::StudySettings settings;
   settings.orders = {{Integrator::Rk4, {3.9, {}}}};

@@ -14,7 +14,7 @@
 #include "physics/exact/exact_simulator.h"
 #include "physics/integrator_names.h"
 #include "physics/integrators/integrator_table.h"
-#include "physics/integrators/no_convergence.h"
+#include "physics/integrators/step_error.h"
 #include "physics/scenarios.h"
 
 namespace rotatebook::physics {
@@ -23,6 +23,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
+using ::testing::Not;
 
 constexpr double kOrderBound = 0.02;        // measured 0.0082 (dmv6, stable spin)
 constexpr double kRoundingDrift = 3e-13;    // relative, in 20,000 steps; measured 7.0e-14
@@ -228,7 +230,7 @@ TEST(ImplicitIntegrators, SolveForAStepOrSayThatTheyDoNot) {
         simulator->advance(10 * h, 10);
         const double now = simulator->state().kinetic;
         EXPECT_LT(std::abs(now / start - 1), kLongStepDrift) << nameOf(integrator) << " " << h;
-      } catch (const NoConvergence& error) {
+      } catch (const StepError& error) {
         ++refused;
         EXPECT_THAT(error.what(), HasSubstr("use shorter steps"));
       }
@@ -305,10 +307,28 @@ TEST(ImplicitIntegrators, RefuseStepsOutsideTheReachOfTheirSeries) {
       try {
         simulator->advance(h, 1);
         ADD_FAILURE() << nameOf(integrator) << " " << h;
-      } catch (const NoConvergence& error) {
+      } catch (const StepTooLong& error) {
         EXPECT_THAT(error.what(), HasSubstr(" is too long for dmv"));
         EXPECT_THAT(error.what(), HasSubstr("where 1/2 to 2 is its reach; use shorter steps"));
       }
+    }
+  }
+}
+
+TEST(ImplicitIntegrators, RoundTheNumbersOfMessages) {
+  for (const auto& [integrator, words] :
+       {std::pair{Integrator::Dmv4,
+                  "a step of 0.28 s is too long for dmv4: its series changes a "
+                  "moment of inertia by the factor "},
+        {Integrator::Dmv2, "finds no solution for a step of 0.28 s: "}}) {
+    MotionSettings settings = spinning(Model::Quaternion, {0, 0, 30}, 1);
+    settings.simulation.integrator = integrator;
+    try {
+      makeSimulator(settings)->advance(0.27999999999999997, 1);
+      ADD_FAILURE() << nameOf(integrator);
+    } catch (const StepError& error) {
+      EXPECT_THAT(error.what(), HasSubstr(words));
+      EXPECT_THAT(error.what(), Not(MatchesRegex(".*[0-9][0-9][0-9][0-9][0-9][0-9].*")));
     }
   }
 }
@@ -320,7 +340,7 @@ TEST(ImplicitIntegrators, EndNoStepInNumbersThatAreNotFinite) {
       const auto simulator = makeSimulator(withStep(integrator, h));
       try {
         simulator->advance(h, 1);
-      } catch (const NoConvergence&) {
+      } catch (const StepError&) {
         continue;
       }
       EXPECT_TRUE(simulator->state().worldFromBody.allFinite()) << nameOf(integrator) << " " << h;

@@ -130,6 +130,17 @@ TEST(PrecisionStudy, MarksStepsThatHaveNoSolution) {
               HasSubstr("\ndmv2,0.041666666666666664,11,,,,,,,no convergence\n"));
 }
 
+TEST(PrecisionStudy, MarksStepsOutsideTheReachOfTheirSeries) {
+  const scene::Scene scene = smallScene(
+      {"simulation.time_per_frame=1", "study.steps=[1, 64]", "study.integrators=['dmv4', 'dmv6']"});
+  const PrecisionStudy study = precision(scene);
+  for (const std::size_t i : {0U, 2U}) {
+    EXPECT_EQ(study.rows[i].end.text(), "step too long for its series");
+    EXPECT_EQ(study.rows[i + 1].end.text(), "ok");
+  }
+  EXPECT_THAT(precisionCsv(study), HasSubstr("\ndmv4,1,11,,,,,,,step too long for its series\n"));
+}
+
 TEST(PrecisionStudy, IsNothingAfterAStop) {
   const std::atomic<bool> stop = true;
   const scene::Scene scene = twoIntegrators();

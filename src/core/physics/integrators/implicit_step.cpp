@@ -3,14 +3,14 @@
 #include <string>
 
 #include "base/number_text.h"
-#include "physics/integrators/no_convergence.h"
+#include "physics/integrators/step_error.h"
 
 namespace rotatebook::physics {
 
 void throwNoConvergence(const char* integrator, double h) {
   throw NoConvergence(
       std::string("the integrator ") + integrator + " finds no solution for a step of " +
-      shortestText(h) +
+      roundedText(h, 4) +
       " s: the one that short steps have ends before; use shorter steps (more substeps)");
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "base/number_text.h"
-#include "physics/integrators/no_convergence.h"
+#include "physics/integrators/step_error.h"
 
 namespace rotatebook::physics {
 namespace {
@@ -11,6 +11,8 @@ namespace {
 // The series of dmv4 and dmv6 are trusted to change a moment of inertia by no more than this
 // factor.
 constexpr double kMaxRatio = 2;
+
+constexpr int kDigits = 4;  // of numbers in messages
 
 // Returns the ratio that is farthest out of reach; one below zero is farther than any other.
 double farthest(const Eigen::Array3d& ratios) {
@@ -54,10 +56,11 @@ Eigen::Vector3d preprocessedInertia(const RigidConstants& body, double h, int or
   if (ratios.minCoeff() >= 1 / kMaxRatio && ratios.maxCoeff() <= kMaxRatio) {
     return inertia.matrix();
   }
-  throw NoConvergence(
-      "a step of " + shortestText(h) + " s is too long for dmv" + std::to_string(order) +
-      ": its series changes a moment of inertia by the factor " + shortestText(farthest(ratios)) +
-      ", where 1/2 to 2 is its reach; use shorter steps (more substeps)");
+  throw StepTooLong("a step of " + roundedText(h, kDigits) + " s is too long for dmv" +
+                    std::to_string(order) +
+                    ": its series changes a moment of inertia by the factor " +
+                    roundedText(farthest(ratios), kDigits) +
+                    ", where 1/2 to 2 is its reach; use shorter steps (more substeps)");
 }
 
 }  // namespace rotatebook::physics

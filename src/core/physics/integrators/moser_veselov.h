@@ -11,7 +11,7 @@ namespace rotatebook::physics {
 
 /// Returns the moments of inertia, changed by terms in h^2 and h^4 so that the discrete
 /// Moser-Veselov algorithm follows the exact motion to `order` 2, 4 or 6. They are constants of the
-/// motion. [kg m^2] Throws NoConvergence where one of them is less than half or more than twice the
+/// motion. [kg m^2] Throws StepTooLong where one of them is less than half or more than twice the
 /// body's: the series in h is then far from its sum. Source: Hairer and Vilmart, Journal of Physics
 /// A 39 (2006), after McLachlan and Zanna 2005.
 Eigen::Vector3d preprocessedInertia(const RigidConstants& body, double h, int order);
@@ -20,7 +20,7 @@ Eigen::Vector3d preprocessedInertia(const RigidConstants& body, double h, int or
 /// a = (h/2) J^-1 M it solves c1 = (1 + |c|^2) a1 + (J2 - J3)/J1 c2 c3 and cyclic; the attitude
 /// turns by (1, c) normalised, and M1 += (4/h) (J2 - J3) c2 c3 / (1 + |c|^2) and cyclic. Order 2, 4
 /// or 6 at the same cost; keeps the energy, L and the rotation to rounding; integrable like the
-/// motion itself. Throws NoConvergence. Source: as preprocessedInertia().
+/// motion itself. Throws StepError. Source: as preprocessedInertia().
 template <int kOrder>
 class MoserVeselov {
  public:

@@ -51,18 +51,35 @@ void addSpeedNote(const scene::Motion& motion, const physics::PrincipalAxes& ine
       "simulation.time_per_frame");
 }
 
-void addSteadyNote(const physics::PrincipalAxes& inertia, const DoubleDouble3& spin,
-                   std::vector<std::string>& notes) {
+/// Returns "x" or "z": an axis of the body that `spin` isn't near.
+std::string axisAcross(const Eigen::Vector3d& spin) {
+  Eigen::Index nearest = 0;
+  spin.cwiseAbs().maxCoeff(&nearest);
+  return nearest == 0 ? "\"z\"" : "\"x\"";
+}
+
+void addSteadyNote(const scene::Motion& motion, const physics::PrincipalAxes& inertia,
+                   const DoubleDouble3& spin, std::vector<std::string>& notes) {
   const auto [smallest, median, largest] = physics::axesByInertia(inertia.moments);
-  const auto at = [&spin](int axis) { return spin[static_cast<std::size_t>(axis)].high; };
-  if (at(median) == 0 || at(smallest) != 0 || at(largest) != 0) return;
   if (inertia.moments[smallest] == inertia.moments[median] ||
       inertia.moments[median] == inertia.moments[largest]) {
+    return;  // It tumbles about no axis.
+  }
+  const auto turns = [&spin](int axis) { return spin[static_cast<std::size_t>(axis)].high != 0; };
+  if (turns(smallest) + turns(median) + turns(largest) != 1) return;
+  const std::string across = axisAcross(motion.initial.tilted());
+  if (turns(median)) {
+    notes.push_back(
+        "the spin is exactly about the middle axis, where nothing starts the tumbling; "
+        "add initial.tilt, for example [0.001, " +
+        across + "]");
     return;
   }
-  notes.emplace_back(
-      "the spin is exactly about the middle axis, where nothing starts the tumbling; "
-      "add initial.tilt, for example [0.001, \"z\"]");
+  notes.push_back("the spin is exactly about the axis of the " +
+                  std::string(turns(largest) ? "largest" : "smallest") +
+                  " moment of inertia, so the body turns steadily and shows nothing else; add "
+                  "initial.tilt, for example [0.0175, " +
+                  across + "], one degree, to see that it only wobbles");
 }
 
 }  // namespace
@@ -75,7 +92,9 @@ std::vector<std::string> notesOn(const scene::Panel& panel) {
   const DoubleDouble3 spin = panel.initial.alongPrincipal(inertia);
   addSpeedNote(panel, inertia, spin, notes);
   // Particles tumble by their rounding.
-  if (panel.simulation.model != physics::Model::Particles) addSteadyNote(inertia, spin, notes);
+  if (panel.simulation.model != physics::Model::Particles) {
+    addSteadyNote(panel, inertia, spin, notes);
+  }
   return notes;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/nearest_name.h"
 #include "cli/commands.h"
 #include "cli/device_options.h"
 #include "cli/error_report.h"
@@ -16,7 +17,6 @@
 #include "cli/scene_options.h"
 #include "picture/preflight.h"
 #include "pipeline/render_clip.h"
-#include "scene/nearest_name.h"
 #include "system/machine.h"
 
 namespace rotatebook::cli {
@@ -47,8 +47,8 @@ video::VideoFormat parseFormat(const std::string& name) {
     if (name == nameOf(format)) return format;
     names.push_back(nameOf(format));
   }
-  throw InputError("--format " + name + ": unknown; there are " + scene::quotedList(names, "and") +
-                   scene::didYouMean(name, names));
+  throw InputError("--format " + name + ": unknown; there are " + quotedList(names, "and") +
+                   didYouMean(name, names));
 }
 
 std::vector<video::VideoFormat> formatsOf(const RenderArguments& arguments) {

@@ -8,8 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include "base/nearest_name.h"
 #include "base/text.h"
-#include "scene/nearest_name.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -75,13 +75,13 @@ std::string optionHint(const CLI::App& program, const std::string& name) {
   const std::string elsewhere = ownerText(program, name, "it");
   if (!elsewhere.empty() || name.size() == 2) return elsewhere;
   const std::string wanted = name.starts_with("--") ? name : "-" + name;
-  const std::string own = scene::didYouMean(wanted, viewsOf(longOptions(command)));
+  const std::string own = didYouMean(wanted, viewsOf(longOptions(command)));
   if (!own.empty()) return own;
   std::vector<std::string> others;
   for (const CLI::App* other : shownCommands(program)) {
     std::ranges::move(longOptions(*other), std::back_inserter(others));
   }
-  const auto nearest = scene::nearestName(wanted, viewsOf(others));
+  const auto nearest = nearestName(wanted, viewsOf(others));
   return nearest ? ownerText(program, std::string(*nearest), std::string(*nearest)) : "";
 }
 
@@ -150,7 +150,7 @@ std::string unknownCommandText(const CLI::App& program, std::string_view name) {
     return text + "; it is a scene: rotatebook render " + echoed(name);
   }
   const std::vector<std::string> names = commandNames(program);
-  return text + scene::didYouMean(name, std::vector<std::string_view>(names.begin(), names.end()));
+  return text + didYouMean(name, std::vector<std::string_view>(names.begin(), names.end()));
 }
 
 std::string problemText(const CLI::App& program, const CLI::Error& error,

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "scene/nearest_name.h"
+#include "base/nearest_name.h"
 #include "scene/scene_text.h"
 #include "scene/toml_text.h"
 #include "scene/toml_tree.h"
@@ -36,7 +36,7 @@ std::vector<std::string> sceneNamesIn(const fs::path& folder) {
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   fs::path wanted = path.filename();
   if (!wanted.has_extension()) wanted += ".toml";
-  const auto nearest = scene::nearestName(wanted.string(), candidates);
+  const auto nearest = nearestName(wanted.string(), candidates);
   if (!nearest) scene::failAt(path.string(), "scene not found");
   const fs::path suggestion = path.parent_path() / *nearest;
   scene::failAt(path.string(),

@@ -1,5 +1,4 @@
-#include "scene/panel_section.h"
-
+// Reads [[panel]], the motions that a clip shows side by side.
 #include <algorithm>
 #include <string>
 #include <string_view>

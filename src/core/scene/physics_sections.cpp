@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "base/nearest_name.h"
 #include "scene/keys/keys.h"
 #include "scene/names.h"
-#include "scene/nearest_name.h"
 #include "scene/sections.h"
 
 namespace rotatebook::scene {

@@ -6,12 +6,10 @@
 #include "scene/key_rows.h"
 #include "scene/keys/keys.h"
 #include "scene/overrides.h"
-#include "scene/panel_section.h"
 #include "scene/problems.h"
 #include "scene/scene_text.h"
 #include "scene/sections.h"
 #include "scene/source_locations.h"
-#include "scene/study_section.h"
 #include "scene/toml_tree.h"
 #include "scene/value_reader.h"
 

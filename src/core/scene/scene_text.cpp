@@ -5,7 +5,6 @@
 
 #include "scene/keys/keys.h"
 #include "scene/sections.h"
-#include "scene/study_section.h"
 
 namespace rotatebook::scene {
 namespace {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "scene/keys/section.h"
 #include "scene/scene.h"
@@ -18,6 +19,9 @@ inline constexpr std::size_t kLongestCaption = 1000;
 inline constexpr std::size_t kLongestLabel = 100;  ///< Label of a panel; part of a file's name.
 inline constexpr std::size_t kLongestName = 100;   ///< Name of a font or an integrator.
 inline constexpr std::size_t kLongestPath = 1000;  ///< Path of a texture.
+
+inline constexpr std::size_t kMinPanels = 2;
+inline constexpr std::size_t kMaxPanels = 6;
 
 /// Most integration steps from one frame to the next.
 inline constexpr int kMaxSubsteps = 1'000'000;
@@ -34,6 +38,19 @@ std::span<const Section<Scene>> pictureSections();
 
 /// Returns the line of simulation.time_per_frame.
 std::string timePerFrameLine(const physics::SimulationSettings& settings);
+
+/// Reads `panels`, [[panel]], the motions that a clip shows side by side. What a panel leaves out
+/// is taken from the sections of `file`, the whole scene file, or else from the defaults. All
+/// panels have `timePerFrame`. [s] Throws InputError.
+std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file,
+                              double timePerFrame);
+
+/// Reads `section`, [study], into `scene`, the rest of which must be read already, because it
+/// decides what a study may vary. What the section leaves out is as in defaultStudy() for the
+/// scene's model. Throws InputError.
+void readStudy(const ValueReader& section, Scene& scene);
+/// Returns [study] as TOML; empty for a scene without a study.
+std::string studyText(const Scene& scene);
 
 /// Throws InputError if `section`, [initial], has no spin.
 void requireSpin(const ValueReader& section);

@@ -16,11 +16,16 @@ inline constexpr std::string_view kLocatedKeys[] = {
     "title", "caption", "panel", "book.front", "book.spine", "book.back", "overlay.font"};
 
 /// Returns the key of that panel's label: "panel.0.label".
-std::string labelKey(std::size_t panel);
+inline std::string labelKey(std::size_t panel) {
+  return "panel." + std::to_string(panel) + ".label";
+}
 
 /// Returns the location where the scene states `key`, "FILE:LINE:COLUMN" or "--set KEY=VALUE"; the
 /// scene's name if it doesn't state it.
-std::string locationOf(const Scene& scene, std::string_view key);
+inline std::string locationOf(const Scene& scene, std::string_view key) {
+  const auto location = scene.locations.find(key);
+  return location == scene.locations.end() ? scene.name : location->second;
+}
 
 /// Returns what `work` returns. Throws an InputError of it again as "LOCATION: PROBLEM", with the
 /// location of `key`.

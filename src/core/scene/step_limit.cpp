@@ -2,7 +2,6 @@
 #include <numeric>
 #include <string>
 
-#include "scene/panel_section.h"
 #include "scene/sections.h"
 
 namespace rotatebook::scene {

@@ -1,9 +1,9 @@
-#include "scene/study_section.h"
-
+// Reads and prints [study].
 #include "physics/measure/flip_interval.h"
 #include "physics/motion_start.h"
 #include "scene/keys/keys.h"
 #include "scene/problems.h"
+#include "scene/sections.h"
 
 namespace rotatebook::scene {
 namespace {

@@ -4,9 +4,9 @@
 #include <functional>
 #include <utility>
 
-#include "base/syntax_problem.h"
 #include "base/text.h"
 #include "scene/problems.h"
+#include "scene/syntax_problem.h"
 #include "scene/toml_parser.h"
 #include "scene/toml_text.h"
 

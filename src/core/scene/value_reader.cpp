@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "base/nearest_name.h"
 #include "base/text.h"
-#include "scene/nearest_name.h"
 #include "scene/problems.h"
 #include "scene/toml_text.h"
 
@@ -67,6 +67,11 @@ double ValueReader::number(const NumberRange& range) const {
 Eigen::Vector3d ValueReader::vector(const NumberRange& range) const {
   Eigen::Vector3d vector;
   Eigen::Index row = 0;
+  if (const auto* array = std::get_if<TomlNode::Array>(&node_->value);
+      array && array->size() == 6) {
+    fail(name_ + " must be " + std::string(range.expected) + ", not " + describe(*node_) +
+         "; a comma separates values, so write a decimal point: 5.0, not 5,0");
+  }
   for (const ValueReader& element : elements(3, std::string(range.expected))) {
     vector[row++] = element.number(range);
   }

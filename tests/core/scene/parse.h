@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/nearest_name.h"
 #include "physics/integrators/integrator_table.h"
-#include "scene/nearest_name.h"
 #include "scene/overlays.h"
 #include "scene/scene_text.h"
 

@@ -38,41 +38,60 @@ TEST(SyntaxProblem, GuessesADecimalComma) {
   }
 }
 
+// These are six values to TOML.
+TEST(SyntaxProblem, GuessesADecimalCommaInEachOfThreeNumbers) {
+  EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [5,0, 0,0, 0,0]"),
+            "a.toml:2:20: initial.angular_velocity must be three numbers from -1e9 to 1e9, not all "
+            "zero, not an array of 6 values; a comma separates values, so write a decimal point: "
+            "5.0, not 5,0");
+}
+
 // The exact column is toml++'s, and may change with its version.
 TEST(SyntaxProblem, IsToldInPlainWordsAtItsPlace) {
   for (const auto& [text, problem] : std::vector<std::pair<std::string, std::string>>{
            {"title = Book", "1:9: \"Book\" isn't a value; text is in \"quotes\""},
            {"title = \"Book\n", "1:14: a string doesn't end on its line; its closing quote is"},
-           {"caption = \"\"\"a\nb", ": the file ends within a value"},
+           {"caption = \"\"\"a\nb", ": the file ends within a value or header; a quote or bracket"},
            {"title: \"Book\"", "1:6: \":\" where = should be: lines are KEY = VALUE"},
+           {"x\n", "1:2: the end of the line where = should be: lines are KEY = VALUE"},
+           {"x", "1:2: a key needs = VALUE, but the file ends here"},
+           {"x =", "1:4: a key needs = VALUE, but the file ends here"},
            {"\ntitle = \n", "2:9: a value is missing after ="},
            {"title = 'a' caption = 'b'", "1:13: \"caption\" after the end of a value or header"},
            {"[clip]\nfps = 30\nfps = 60\n", "3:7: stated above already; keep one of them"},
            {"[clip]\n[body]\n[clip]\n", "3:1: stated above already"},
-           {"[clip\n", "1:6: a header's closing ] is missing before the end of the line"},
-           {"camera.up = [1,2", ": the file ends within a value"},
+           {"camera.up = [1,2", ": the file ends within a value or header"},
            {"5,0 = 1", "1:2: "},
-           {"camera.up = [5 0 0]", "1:16: a comma or the closing ] is missing before \"0\""},
            {"clip.duration = 1.5 s", "1:21: \"s\" after the end of a value or header"},
-           {"clip.duration = .5", "1:17: a number needs a digit on each side of its point"},
-           {"clip.duration = 05", ": a number can't begin with a needless zero"},
-           {"clip.fps = 30/1001", "1:14: \"/1001\" isn't part of a number; units aren't written"},
-           {"body.normalize = True", "1:18: \"True\" isn't a value; true is written in small"},
-           {"title = \"a\\q\"", ": an unknown escape; a backslash in quotes is written"},
-           {"clip.duration = 1e400", "a number beyond the range of numbers"},
-           {"x = " + std::string(3000, '['), "values are nested too deep"},
+           {"clip.duration = .5", "1:17: \".5\" can't be read as a number; write one such as"},
+           {"simulation.time_per_frame = 1/60",
+            "1:30: \"/60\" can't be read as a number; write one such as 0.0167, without a unit or"},
+           {"camera.up = [5;0;0]", "1:15: a comma separates values, not a semicolon"},
            {"angular_velocity = 5, 0, 0",
             "1:21: \",\" after the end of a value or header; lists are"},
            {"angular_velocity = (5, 0, 0)",
             "1:20: \"(5,\" isn't a value; text is in \"quotes\", a list"},
-           {"# \x01", ": a control character; in quotes, write it as an escape"},
-           {"\n\ntitle = \"\xff\"\n", "3:9: not UTF-8; save the file as UTF-8"},
            {std::string("a = 1\0", 6), "a.toml:1:"}}) {
     const std::string message = errorOfText(text);
     EXPECT_THAT(message, HasSubstr(problem));
     EXPECT_THAT(message, StartsWith("a.toml:"));
     EXPECT_THAT(message, Not(HasSubstr("Error while parsing")));
     EXPECT_THAT(message, Not(HasSubstr("\n")));
+  }
+}
+
+// Of rare mistakes, the place, and the parser's own words.
+TEST(SyntaxProblem, NamesThePlaceOfOthers) {
+  for (const auto& [text, place] : std::vector<std::pair<std::string, std::string>>{
+           {"[clip\n", "a.toml:1:6: the end of the line isn't TOML: expected ']'"},
+           {"camera.up = [5 0 0]", "a.toml:1:16: \"0\" isn't TOML: expected comma or closing ']'"},
+           {"body.normalize = True", "a.toml:1:18: \"True\" isn't TOML: expected 'true'"},
+           {"title = \"a\\q\"", "a.toml:1:"},
+           {"clip.duration = 05", "a.toml:1:"},
+           {"x = " + std::string(3000, '['), "a.toml:1:"},
+           {"# \x01", "a.toml:1:"},
+           {"\n\ntitle = \"\xff\"\n", "a.toml:3:9: "}}) {
+    EXPECT_THAT(errorOfText(text), StartsWith(place));
   }
 }
 

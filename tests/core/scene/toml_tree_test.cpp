@@ -103,9 +103,9 @@ TEST(TomlTree, RefusesDeepNesting) {
   EXPECT_EQ(errorOfText(key + " = 1"), "a.toml:1:17: nested deeper than any value of a scene");
   EXPECT_EQ(errorOfText("[" + key + "]"), "a.toml:1:1: nested deeper than any value of a scene");
   EXPECT_THAT(errorOfText("a = " + std::string(30'000, '[')),
-              AllOf(StartsWith("a.toml:1:"), HasSubstr("nested too deep")));
+              AllOf(StartsWith("a.toml:1:"), HasSubstr("nested value depth")));
   EXPECT_THAT(errorOfText("a = " + repeated("{a=", 300)),
-              AllOf(StartsWith("a.toml:1:"), HasSubstr("nested too deep")));
+              AllOf(StartsWith("a.toml:1:"), HasSubstr("nested value depth")));
   // Each as deep as it may be, and keys with dots in them.
   EXPECT_EQ(errorOfText("a = " + repeated("{a" + repeated(".a", 50) + "=", 250) + "1" +
                         std::string(250, '}')),

@@ -6,20 +6,17 @@
 namespace rotatebook::physics {
 
 /// Reports that an integrator can't make its step, which is too long.
-class StepError : public InputError {
- public:
+struct StepError : InputError {
   using InputError::InputError;
 };
 
 /// Reports that an implicit integrator finds no solution for its step.
-class NoConvergence : public StepError {
- public:
+struct NoConvergence : StepError {
   using StepError::StepError;
 };
 
 /// Reports a step outside the reach of its integrator's series.
-class StepTooLong : public StepError {
- public:
+struct StepTooLong : StepError {
   using StepError::StepError;
 };
 

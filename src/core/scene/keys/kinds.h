@@ -8,10 +8,10 @@
 
 #include <Eigen/Core>
 
+#include "base/nearest_name.h"
 #include "base/text.h"
 #include "scene/keys/key.h"
 #include "scene/names.h"
-#include "scene/nearest_name.h"
 #include "scene/toml_text.h"
 
 namespace rotatebook::scene {

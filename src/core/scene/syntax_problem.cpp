@@ -1,46 +1,32 @@
-#include "base/syntax_problem.h"
+#include "scene/syntax_problem.h"
 
 #include <algorithm>
 #include <array>
 
 #include "base/text.h"
 
-namespace rotatebook {
+namespace rotatebook::scene {
 namespace {
 
 constexpr std::string_view kDigits = "0123456789";
 constexpr std::string_view kNumberBegins = "0123456789+-.,";
 
-/// A part of a message of toml++, and what is said in its place; % is the wrong word.
+/// A part of a message of toml++, and the text in its place; % is the wrong word.
 struct Remedy {
   std::string_view part;
   std::string_view text;
 };
 
 constexpr Remedy kRemedies[] = {
-    {"utf-8", "not UTF-8; save the file as UTF-8"},
-    {"end-of-file", "the file ends within a value"},
     {"redefine", "stated above already; keep one of them, and each section in one piece"},
     {"value type", "% isn't a value; text is in \"quotes\", a list in [brackets]"},
-    {"expected 'true'", "% isn't a value; true is written in small letters"},
-    {"expected 'false'", "% isn't a value; false is written in small letters"},
     {"expected '='", "% where = should be: lines are KEY = VALUE, or headers such as [clip]"},
     {"expected value", "a value is missing after ="},
+    {"pair: encountered end", "a key needs = VALUE, but the file ends here"},
+    {"end-of-file", "the file ends within a value or header; a quote or bracket isn't closed"},
     {"comment or whitespace",
      "% after the end of a value or header; lists are in [brackets], comments begin with #"},
-    {"closing ']'", "a comma or the closing ] is missing before %"},
-    {"closing '}'", "a comma or the closing } is missing before %"},
-    {"expected ']'", "a header's closing ] is missing before %"},
-    {"leading zero", "a number can't begin with a needless zero"},
-    {"could not be interpreted", "a number beyond the range of numbers"},
-    {"nested value depth", "values are nested too deep"},
-    {"blank", "a header needs a name"},
-    {"expected keys", "% where a key or header should begin"},
-    {"64 bits", "too great an integer"},
-    {"decimal digit", "a number needs a digit on each side of its point"},
-    {"expected digit", "% isn't part of a number; units aren't written"},
-    {"escape sequence", "an unknown escape; a backslash in quotes is written \\\\"},
-    {"control characters", "a control character; in quotes, write it as an escape: \\u001B"},
+    {"digit", "% can't be read as a number; write one such as 0.0167, without a unit or fraction"},
 };
 
 /// Returns that line, from 1, without its end.
@@ -93,6 +79,7 @@ std::string syntaxProblem(std::string_view text, std::size_t line, std::size_t c
     return "a comma separates values; write " + std::string(number) + " as " + point +
            " if that is one number";
   }
+  if (rest.starts_with(';')) return "a comma separates values, not a semicolon";
   if (rest.empty() && message.find("control characters") != message.npos) {
     return "a string doesn't end on its line; its closing quote is missing";
   }
@@ -103,10 +90,13 @@ std::string syntaxProblem(std::string_view text, std::size_t line, std::size_t c
     word = '"' + word + '"';
   const auto remedy = std::ranges::find_if(
       kRemedies, [&](const Remedy& one) { return message.find(one.part) != message.npos; });
-  if (remedy == std::end(kRemedies)) return word + " isn't TOML: " + std::string(message);
+  if (remedy == std::end(kRemedies)) {
+    // Leave out what the parser was about: "Error while parsing array: "
+    return word + " isn't TOML: " + std::string(message.substr(message.find(": ") + 2));
+  }
   std::string problem(remedy->text);
   if (const auto at = problem.find('%'); at != problem.npos) problem.replace(at, 1, word);
   return problem;
 }
 
-}  // namespace rotatebook
+}  // namespace rotatebook::scene

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace rotatebook::scene {
+namespace rotatebook {
 
 /// Returns the candidate that `word` most likely misspells; none if all are too different. Upper
 /// and lower case count as equal; an edit is a letter added, left out, changed, or swapped with its
@@ -20,4 +20,4 @@ std::string didYouMean(std::string_view word, std::span<const std::string_view> 
 /// Returns `"a", "b" and "c"`, with `lastWord` before the last name.
 std::string quotedList(std::span<const std::string_view> names, std::string_view lastWord);
 
-}  // namespace rotatebook::scene
+}  // namespace rotatebook

@@ -1,4 +1,4 @@
-#include "scene/nearest_name.h"
+#include "base/nearest_name.h"
 
 #include <array>
 #include <string>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace rotatebook::scene {
+namespace rotatebook {
 namespace {
 
 constexpr std::array<std::string_view, 4> kNames{"substeps", "stiffness", "fps", "x"};
@@ -58,4 +58,4 @@ TEST(QuotedList, JoinsWithCommasAndAWord) {
 }
 
 }  // namespace
-}  // namespace rotatebook::scene
+}  // namespace rotatebook

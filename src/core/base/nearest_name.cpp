@@ -1,13 +1,12 @@
-#include "scene/nearest_name.h"
+#include "base/nearest_name.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "base/text.h"
-#include "scene/toml_text.h"
 
-namespace rotatebook::scene {
+namespace rotatebook {
 namespace {
 
 char lowerCase(char letter) {
@@ -56,13 +55,13 @@ std::optional<std::string_view> nearestName(std::string_view word,
 
 std::string didYouMean(std::string_view word, std::span<const std::string_view> candidates) {
   const auto nearest = nearestName(word, candidates);
-  return nearest ? "; did you mean " + tomlString(*nearest) + "?" : "";
+  return nearest ? "; did you mean " + quotedText(*nearest) + "?" : "";
 }
 
 std::string quotedList(std::span<const std::string_view> names, std::string_view lastWord) {
   std::vector<std::string> all;
-  for (const std::string_view name : names) all.push_back(tomlString(name));
+  for (const std::string_view name : names) all.push_back(quotedText(name));
   return listed(all, lastWord);
 }
 
-}  // namespace rotatebook::scene
+}  // namespace rotatebook

@@ -58,7 +58,7 @@ std::string axisAcross(const Eigen::Vector3d& spin) {
   return nearest == 0 ? "\"z\"" : "\"x\"";
 }
 
-void addSteadyNote(const scene::Motion& motion, const physics::PrincipalAxes& inertia,
+void addSteadyNote(const scene::Panel& panel, const physics::PrincipalAxes& inertia,
                    const DoubleDouble3& spin, std::vector<std::string>& notes) {
   const auto [smallest, median, largest] = physics::axesByInertia(inertia.moments);
   if (inertia.moments[smallest] == inertia.moments[median] ||
@@ -67,7 +67,7 @@ void addSteadyNote(const scene::Motion& motion, const physics::PrincipalAxes& in
   }
   const auto turns = [&spin](int axis) { return spin[static_cast<std::size_t>(axis)].high != 0; };
   if (turns(smallest) + turns(median) + turns(largest) != 1) return;
-  const std::string across = axisAcross(motion.initial.tilted());
+  const std::string across = axisAcross(panel.initial.tilted());
   if (turns(median)) {
     notes.push_back(
         "the spin is exactly about the middle axis, where nothing starts the tumbling; "
@@ -75,6 +75,7 @@ void addSteadyNote(const scene::Motion& motion, const physics::PrincipalAxes& in
         across + "]");
     return;
   }
+  if (!panel.label.empty()) return;  // In a comparison, steady turning is one of the cases.
   notes.push_back("the spin is exactly about the axis of the " +
                   std::string(turns(largest) ? "largest" : "smallest") +
                   " moment of inertia, so the body turns steadily and shows nothing else; add "

@@ -82,7 +82,7 @@ TEST(Notes, TiltTowardAnAxisAcrossTheSpin) {
 TEST(Notes, BeginWithThePanelsLabel) {
   EXPECT_THAT(notesWith("initial.angular_velocity = [5, 0, 0]\n[[panel]]\nlabel = \"A\"\n"
                         "initial.tilt = [2, \"z\"]\n[[panel]]\nlabel = \"B\"\n"
-                        "initial.angular_velocity = [0, 1, 5]\n"),
+                        "initial.angular_velocity = [0, 0, 5]\n"),
               ElementsAre(StartsWith("A: initial.tilt is 115 degrees")));
 }
 

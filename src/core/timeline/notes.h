@@ -11,7 +11,8 @@ namespace rotatebook::timeline {
 
 /// Returns a sentence for each setting of `panel` that is likely a slip: a tilt that looks like
 /// degrees, a body that looks like centimetres, a spin or flips too fast for the frame rate, and a
-/// spin exactly about the median axis, which never tumbles.
+/// spin exactly about a principal axis, which never tumbles; about a stable one only without a
+/// label, as in a comparison it is one of the cases.
 std::vector<std::string> notesOn(const scene::Panel& panel);
 
 /// Returns those on all motions of `scene`; one of a panel begins with the panel's label.

@@ -61,6 +61,7 @@ int simulateScene(const SimulateArguments& arguments) {
   for (const auto& file : files) {
     refuseInputs(file, inputsOf(arguments.scene, scene), "name another file with --csv");
   }
+  if (!files.empty()) store::refuseLostTables(arguments.csv, files);
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   if (!files.empty()) store::writeTables(files, motion);
   const std::vector<timeline::MotionSummary> motions = timeline::summarize(scene, motion);

@@ -76,9 +76,12 @@ class Render {
                                              .png = png_});
     result_.remainder = folder.remainder();
     result_.wasDone = !options_.frames && options_.earlier.resume && folder.isDone(pngRange());
-    if (result_.wasDone) return result_;
-    // Fail now rather than after all is drawn.
-    if (!options_.frames) std::ranges::for_each(files, system::requireReplaceable);
+    if (result_.wasDone) {
+      // A killed render may have left some after its last file
+      system::removeStaleTemporaries(options_.folder);
+      return result_;
+    }
+    folder.requireReplaceableOutputs(partialVideos());
     try {
       renderInto(folder, record, listener);
       if (!result_.interrupted) finishFolder(folder);
@@ -91,6 +94,13 @@ class Render {
  private:
   std::optional<store::FrameRange> pngRange() const {
     return png_ ? std::optional(range_) : std::nullopt;
+  }
+
+  std::vector<std::filesystem::path> partialVideos() const {
+    std::vector<std::filesystem::path> videos;
+    for (const video::VideoFormat format : formats_)
+      videos.push_back(result_.files.partialVideo(format));
+    return videos;
   }
 
   void finishFolder(store::ClipFolder& folder) {
@@ -170,9 +180,7 @@ class Render {
                            scene::isTransparent(scene_), result_.files.poster);
     }
     for (const OpenOutput& open : outputs) open.sink->finish();
-    for (const video::VideoFormat format : formats_) {
-      system::removeFile(result_.files.partialVideo(format));
-    }
+    std::ranges::for_each(partialVideos(), system::removeFile);
   }
 
   const scene::Scene& scene_;

@@ -1,11 +1,13 @@
 #include "report/render_report.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
 #include "report/motion_report.h"
+#include "store/clip_folder.h"
 #include "system/machine.h"
 
 namespace rotatebook::report {
@@ -53,6 +55,22 @@ std::string writtenText(const pipeline::RenderResult& result,
     items.push_back(store::framesText(result.framesWritten) + " in " + folder);
   }
   return listed(items);
+}
+
+/// Reports what became of the outputs `items` of other settings; of those with unknown ones, the
+/// items say so themselves.
+void reportOtherSettings(const char* verb, std::vector<std::string> items, std::ostream& out) {
+  const auto isKnown = [](const std::string& item) {
+    return !item.ends_with(store::kUnknownSettings);
+  };
+  const auto unknown = std::stable_partition(items.begin(), items.end(), isKnown);
+  const std::vector<std::string> known(items.begin(), unknown);
+  const std::vector<std::string> others(unknown, items.end());
+  if (!known.empty()) {
+    out << "  " << verb << ' ' << oneLine(listed(known)) << ", made with other settings"
+        << std::endl;
+  }
+  if (!others.empty()) out << "  " << verb << ' ' << oneLine(listed(others)) << std::endl;
 }
 
 void addResult(const pipeline::RenderResult& result, const pipeline::RenderOptions& options,
@@ -127,13 +145,8 @@ void reportRender(const RenderedScene& rendered, const pipeline::RenderOptions& 
     return;
   }
   if (!result.wasDone) out << "  wrote " << oneLine(writtenText(result, options)) << std::endl;
-  if (!result.replaced.empty()) {
-    out << "  replaced " << oneLine(listed(result.replaced)) << ", made with other settings"
-        << std::endl;
-  }
-  if (!result.others.empty()) {
-    out << "  kept " << oneLine(listed(result.others)) << ", made with other settings" << std::endl;
-  }
+  reportOtherSettings("replaced", result.replaced, out);
+  reportOtherSettings("kept", result.others, out);
   if (!result.remainder.empty()) out << "  note: " << result.remainder << std::endl;
   if (!result.interrupted) return reportMotions(rendered.motions, out);
   out << "  interrupted after " << store::framesText(result.framesWritten)

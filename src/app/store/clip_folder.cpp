@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "store/clip_record.h"
-#include "store/fingerprint.h"
+#include "store/clip_replacement.h"
+#include "store/folder_guard.h"
 #include "system/file_checksum.h"
 #include "system/read_file.h"
 #include "system/removal.h"
@@ -18,164 +18,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void moveTo(const fs::path& from, const fs::path& to) {
-  std::error_code error;
-  fs::rename(from, to, error);
-  if (error) {
-    throw MachineError("can't move " + from.string() + " to " + to.string() + ": " +
-                       error.message());
-  }
-}
-
-/// Removes everything that a render wrote into `folder`, and `folder` itself if that empties it.
-void discard(const fs::path& folder) {
-  if (!fs::is_directory(folder)) return;
-  // Remove the manifest first: if the process is killed, what remains isn't taken for a clip
-  system::removeFile(folder / kManifestName);
-
-  // Remove frames, checksums and scene
-  system::removeStaleTemporaries(folder);
-  for (const std::int64_t index : framesIn(folder)) system::removeFile(folder / frameName(index));
-  system::removeFile(folder / kFrameChecksumsName);
-  system::removeFile(folder / kSceneCopyName);
-
-  // Remove the folder unless it holds other files
-  std::error_code notEmpty;
-  fs::remove(folder, notEmpty);
-}
-
-/// Returns whether `folder` has a scene.toml that no render of this program left there.
-bool hasForeignRecord(const fs::path& folder) {
-  const fs::path file = folder / kSceneCopyName;
-  return fs::exists(file) && !looksLikeRecord(system::readFileOrEmpty(file));
-}
-
-/// Returns whether NAME.replaced/ may hold what no render of this program left. One whose removal
-/// was cut short has no manifest, but its checksums are removed after its frames.
-bool isForeign(const fs::path& replaced) {
-  if (readManifest(replaced) || fs::exists(replaced / kFrameChecksumsName)) return false;
-  return hasFrames(replaced) || hasForeignRecord(replaced);
-}
-
-/// Removes NAME.replaced/, after moving files that no render wrote to NAME/.
-void discardReplaced(const ClipFiles& files) {
-  if (!fs::is_directory(files.replacedFolder)) return;
-  discard(files.replacedFolder);
-  if (!fs::is_directory(files.replacedFolder)) return;
-
-  // Move foreign files to NAME/, without replacing any there
-  for (const auto& entry : fs::directory_iterator(files.replacedFolder)) {
-    const fs::path target = files.frameFolder / entry.path().filename();
-    if (!fs::exists(target)) moveTo(entry.path(), target);
-  }
-
-  // Remove the folder unless such a file remains
-  std::error_code notEmpty;
-  fs::remove(files.replacedFolder, notEmpty);
-}
-
-/// Returns why NAME.replaced/ can't be removed; empty if it can or there is none.
-std::string obstacleToDiscarding(const ClipFiles& files) {
-  const fs::path& folder = files.replacedFolder;
-  if (!fs::is_directory(folder)) return "";
-  std::string obstacle = system::obstacleToRemoval(folder);
-  if (obstacle.empty()) obstacle = system::obstacleToEmptying(folder);
-  if (obstacle.empty()) return "";
-  return "the earlier clip in " + folder.string() + "/ can't be removed: " + obstacle +
-         "; have its owner remove it";
-}
-
-/// Replaces NAME/ by NAME.partial/, which is complete. If the process is killed on the way,
-/// recover() does the rest.
-void replaceFolder(const ClipFiles& files) {
-  if (fs::exists(files.frameFolder)) moveTo(files.frameFolder, files.replacedFolder);
-  moveTo(files.partialFrameFolder, files.frameFolder);
-  if (obstacleToDiscarding(files).empty()) discardReplaced(files);
-  system::flushFolder(files.partialFrameFolder.parent_path());
-}
-
-/// Completes or undoes a replacement that a killed process left half done, unless NAME.replaced/
-/// can't be removed.
-void recover(const ClipFiles& files, const EarlierFrames& earlier) {
-  if (!earlier.overwrite && isForeign(files.replacedFolder)) {
-    throw InputError(files.replacedFolder.string() +
-                     " holds files that this program's renders didn't leave, and would be removed; "
-                     "rename it, or remove it with --overwrite");
-  }
-  // Discard the replaced clip if another is in its place
-  const bool hasFinal = fs::exists(files.frameFolder);
-  if (hasFinal) discardReplaced(files);
-
-  // Complete the replacement if the new clip is complete
-  const std::optional<Manifest> partial = readManifest(files.partialFrameFolder);
-  if (partial && partial->finished) return replaceFolder(files);
-
-  // Move the replaced clip back if no other is in its place
-  const bool lacksFinal = !hasFinal && fs::exists(files.replacedFolder);
-  if (lacksFinal) moveTo(files.replacedFolder, files.frameFolder);
-}
-
-/// Moves the intact frames of `from` that `to` lacks into `to`, which has the same settings, and
-/// discards `from`.
-void moveFrames(const fs::path& from, const fs::path& to) {
-  if (!fs::is_directory(from)) return;
-  const FrameChecksums source(from);
-  FrameChecksums target(to);
-  for (const std::int64_t frame : framesIn(from)) {
-    const auto bytes = source.intact(frame);
-    if (!bytes || target.intact(frame)) continue;
-    moveTo(from / frameName(frame), to / frameName(frame));
-    target.add(frame, *bytes);
-  }
-  discard(from);
-}
-
-/// Returns "out/NAME holds the frames of a clip" if `complete`, else "out/NAME.partial holds 12
-/// frames of a render that wasn't finished".
-std::string contentText(const fs::path& folder, bool complete) {
-  if (complete) return folder.string() + " holds the frames of a clip";
-  if (!hasFrames(folder)) return folder.string() + " holds a scene.toml that no render left there";
-  return folder.string() + " holds " + framesText(std::ssize(framesIn(folder))) +
-         " of a render that wasn't finished";
-}
-
-/// Returns what follows contentText(): how the settings of the frames in `folder` differ.
-std::string differenceText(const fs::path& folder, const std::optional<Manifest>& there,
-                           const ClipFolder::Settings& settings) {
-  if (!hasFrames(folder)) return "";
-  if (!knowsSettings(there)) return " with unknown settings";
-  return (there->finished ? " with other settings: " : " and had other settings: ") +
-         differences(folder, there->own.made, settings.made, settings.scene);
-}
-
-/// Throws InputError unless the frames in `folder` may be discarded. Unfinished frames may not,
-/// nor, if the render is to resume, a clip; --overwrite allows both.
-void requireDiscardable(const fs::path& folder, const std::optional<Manifest>& there,
-                        const ClipFolder::Settings& settings) {
-  const bool resume = settings.earlier.resume;
-  const bool complete = there && there->finished;
-  const bool foreign = !knowsSettings(there) && hasForeignRecord(folder);
-  const bool discardable = complete ? !resume : !hasFrames(folder) && !foreign;
-  if (settings.earlier.overwrite || discardable) return;
-  const std::string start = contentText(folder, complete);
-  if (isMadeWith(there, settings.made)) {
-    throw InputError(start + ": go on with --resume, or render again with --overwrite");
-  }
-  throw InputError(start + differenceText(folder, there, settings) +
-                   "; render again with --overwrite, or into another folder with -o");
-}
-
-/// Throws InputError if `folder` holds frames with other settings, which a part can't join.
-void requireJoinable(const fs::path& folder, const std::optional<Manifest>& there,
-                     const ClipFolder::Settings& settings, const std::string& remedy) {
-  if (!there && hasForeignRecord(folder))
-    throw InputError(contentText(folder, false) + "; " + remedy);
-  if (!hasFrames(folder) || isMadeWith(there, settings.made)) return;
-  throw InputError(folder.string() + " holds frames with other settings" +
-                   (knowsSettings(there)
-                        ? ": " + differences(folder, there->own.made, settings.made, settings.scene)
-                        : "") +
-                   "; render into another folder with -o, or " + remedy);
+/// Returns whether `folder` exists and holds no frames and no manifest: its render was killed when
+/// it had just begun, which it was allowed to.
+bool isEmptyFolder(const fs::path& folder) {
+  return fs::is_directory(folder) && !fs::exists(folder / kManifestName) && !hasFrames(folder);
 }
 
 }  // namespace
@@ -187,7 +33,15 @@ ClipFolder::ClipFolder(const ClipFiles& files, const Settings& settings)
       manifest_{.own = {settings.made, {}}} {
   // Fail now, rather than after all is drawn, if NAME/ is no folder
   if (fs::exists(files.frameFolder)) system::createFolders(files.frameFolder);
-  if (!settings.earlier.overwrite) refuseFilesOfOtherClips(files, outputs_);
+  // Hold the files, too: a clip whose name begins otherwise may have a table of the same name
+  for (const fs::path& output : outputs_)
+    locks_.emplace_back(output, settings.part ? system::Lock::Shared : system::Lock::Exclusive);
+  if (!settings.earlier.overwrite) {
+    refuseFilesOfOtherClips(files, outputs_,
+                            "the render of " + settings.scene.name +
+                                " would replace it; rename the scene or its panel, render into "
+                                "another folder with -o, or replace it with --overwrite");
+  }
   try {
     settings.part ? openPart(settings) : openWhole(settings);
     checksums_.emplace(path_);
@@ -233,12 +87,15 @@ void ClipFolder::openPart(const Settings& settings) {
   if (settings.png) {
     requireJoinable(files_.partialFrameFolder, readManifest(files_.partialFrameFolder), settings,
                     "finish that render first, with --resume");
+    refuseForeignFiles(files_.frameFolder, there, settings);
   }
 
-  // Add this render to the manifest of NAME/, and keep the others there
+  // Add this render to the manifest of NAME/, and keep the others there. Where a render without
+  // PNGs was finished, the frames begin now.
   if (there) manifest_ = *there;
   manifest_.become(settings.made);
-  manifest_.finished = isMadeWith(there, settings.made) && there->finished;
+  manifest_.finished =
+      isMadeWith(there, settings.made) && there->finished && hasFrames(files_.frameFolder);
 
   // Write scene and manifest where frames will be
   path_ = files_.frameFolder;
@@ -248,18 +105,27 @@ void ClipFolder::openPart(const Settings& settings) {
 void ClipFolder::openWhole(const Settings& settings) {
   remainder_ = obstacleToDiscarding(files_);
   if (remainder_.empty()) {
-    recover(files_, settings.earlier);
+    recover(files_, settings.earlier.overwrite);
     remainder_ = obstacleToDiscarding(files_);
   }
 
   // Look for earlier frames of the same settings
   const auto finished = readManifest(files_.frameFolder);
   const auto partial = readManifest(files_.partialFrameFolder);
-  const bool resumesPartial = settings.earlier.resume && isMadeWith(partial, settings.made);
+  const bool resumesPartial = settings.earlier.resume && (isMadeWith(partial, settings.made) ||
+                                                          isEmptyFolder(files_.partialFrameFolder));
+
+  // Refuse to replace somebody's files
+  const bool ownsFrames = isMadeWith(finished, settings.made);
+  if (settings.png || ownsFrames || !hasFrames(files_.frameFolder))
+    refuseForeignFiles(files_.frameFolder, finished, settings);
+  if (resumesPartial) refuseForeignFiles(files_.partialFrameFolder, partial, settings);
 
   // Resume in NAME/ if its frames have the same settings
-  if (settings.earlier.resume && isMadeWith(finished, settings.made)) {
+  if (settings.earlier.resume && ownsFrames) {
     manifest_ = *finished;
+    // After a render without PNGs, the frames begin now
+    if (settings.png && !hasFrames(files_.frameFolder)) manifest_.finished = false;
     begin(files_.frameFolder, settings.record);
     if (resumesPartial) moveFrames(files_.partialFrameFolder, files_.frameFolder);
     // Remove the folder of a process that was killed before its first frame
@@ -290,6 +156,7 @@ void ClipFolder::openWhole(const Settings& settings) {
 // A clip that nobody may move or remove in the end is better found before its first frame is drawn.
 void ClipFolder::requireReplaceableFolder(bool png) const {
   if (!fs::exists(files_.frameFolder)) return;
+  system::requireReplaceable(files_.frameFolder / kManifestName);
   if (png && !remainder_.empty()) {
     throw MachineError(remainder_ + ", or render into another folder with -o");
   }
@@ -316,8 +183,7 @@ bool ClipFolder::isDone(std::optional<FrameRange> frames) const {
   // Compare the files with their checksums
   for (const fs::path& file : outputs_) {
     const auto sum = known->find(file.filename().string());
-    if (sum == known->end() || !fs::is_regular_file(file)) return false;
-    if (system::checksumOfFile(file) != sum->second) return false;
+    if (sum == known->end() || !isIntact(file, sum->second)) return false;
   }
 
   // Compare the frames with theirs
@@ -326,6 +192,11 @@ bool ClipFolder::isDone(std::optional<FrameRange> frames) const {
     if (!checksums_->intact(frame)) return false;
   }
   return true;
+}
+
+void ClipFolder::requireReplaceableOutputs(const std::vector<fs::path>& more) const {
+  requireReplaceableFiles(outputs_);
+  requireReplaceableFiles(more);
 }
 
 void ClipFolder::finishPart(FrameRange frames) {
@@ -369,10 +240,12 @@ void ClipFolder::finishWithoutFrames(const Manifest::Entries& written) {
   const std::optional<Manifest> there = readManifest(files_.frameFolder);
   Manifest next = there.value_or(Manifest{});
 
-  // Claim NAME/ unless it holds frames of other settings
-  if (isMadeWith(there, manifest_.own.made) || !hasFrames(files_.frameFolder)) {
+  // Claim NAME/ unless it holds frames of other settings. Unfinished ones of these stay unfinished.
+  const bool isOwn = isMadeWith(there, manifest_.own.made);
+  const bool holdsFrames = hasFrames(files_.frameFolder);
+  if (isOwn || !holdsFrames) {
     next.become(manifest_.own.made);
-    next.finished = true;
+    next.finished = !holdsFrames || there->finished;
     system::createFolders(files_.frameFolder);
     system::writeFileAtomically(files_.sceneCopy, system::readFileOrEmpty(path_ / kSceneCopyName));
   }

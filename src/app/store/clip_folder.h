@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,10 @@
 #include "system/atomic_file.h"
 
 namespace rotatebook::store {
+
+/// The end of the names of outputs that no manifest lists, in
+/// ClipFolder::replacedOfOtherSettings().
+inline constexpr const char* kUnknownSettings = " (with unknown settings)";
 
 /// The treatment of frames that an earlier render left unfinished. If neither is set, such frames
 /// are an error.
@@ -66,6 +71,10 @@ class ClipFolder {
   /// them has changed since.
   bool isDone(std::optional<FrameRange> frames) const;
 
+  /// Throws MachineError if an output, or one of `more` files that will be removed, can't be
+  /// replaced: before the first frame rather than after all is drawn.
+  void requireReplaceableOutputs(const std::vector<std::filesystem::path>& more) const;
+
   /// Moves the clip to its final name. `frames` is the range of PNGs that were written; without it,
   /// the frames of an earlier render stay in NAME/. Throws MachineError, also if a frame was
   /// removed or changed since it was written.
@@ -92,6 +101,7 @@ class ClipFolder {
   void discardIfEmpty() const noexcept;
 
   system::AdvisoryLock lock_;
+  std::list<system::AdvisoryLock> locks_;  ///< Of the outputs.
   ClipFiles files_;
   std::vector<std::filesystem::path> outputs_;
   std::string remainder_;

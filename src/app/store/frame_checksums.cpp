@@ -68,6 +68,17 @@ std::vector<std::int64_t> FrameChecksums::indices() const {
   return {indices.begin(), indices.end()};
 }
 
+std::vector<std::int64_t> FrameChecksums::foreignFrames(bool changed) const {
+  // A file's change time can't be set, and is later if another file was moved to its name
+  const std::int64_t listed = stampOf(path_).modified;
+  std::vector<std::int64_t> foreign;
+  for (const std::int64_t index : framesIn(folder_)) {
+    const bool mayDiffer = changed && stampOf(folder_ / frameName(index)).changed >= listed;
+    if (!contains(index) || (mayDiffer && !intact(index))) foreign.push_back(index);
+  }
+  return foreign;
+}
+
 void FrameChecksums::add(std::int64_t index, std::string_view bytes) {
   const std::string sum = checksumOf(bytes);
   const Stamp stamp = stampOf(folder_ / frameName(index));

@@ -33,6 +33,11 @@ class FrameChecksums {
   /// Returns the indices of the frames that have a line, ascending.
   std::vector<std::int64_t> indices() const;
 
+  /// Returns the frames in folder() that have no line and, if `changed`, those that have other
+  /// bytes than were listed, ascending. Reads only files that were written or moved since the lines
+  /// were.
+  std::vector<std::int64_t> foreignFrames(bool changed) const;
+
   /// Appends the line of frame `index`, whose file has just been written with these bytes, unless
   /// the line was there from the start. May be called from any thread; the other functions don't
   /// see the line before sort(). Throws MachineError.

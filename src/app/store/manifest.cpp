@@ -22,6 +22,9 @@ constexpr const char* kHead =
     "of\n"
     "# the same clip made with other settings.\n";
 
+/// The key that is true if the frames beside finished files aren't a whole clip.
+constexpr const char* kUnfinished = "unfinished";
+
 /// The key of the array of renders with other settings.
 constexpr const char* kOther = "other";
 
@@ -93,11 +96,13 @@ void Manifest::become(const Entries& made) {
 }
 
 // A finished render has a table of files, which is empty if other renders have replaced all of
-// them.
+// them. One without PNGs has it, too, beside unfinished frames.
 Manifest parseManifest(std::string_view text, const std::string& file) {
   const scene::TomlNode root = scene::parseToml(text, file);
   Manifest manifest{.own = renderFrom(root)};
-  manifest.finished = find<scene::TomlNode::Table>(root, "files") != nullptr;
+  const bool* unfinished = find<bool>(root, kUnfinished);
+  manifest.finished = find<scene::TomlNode::Table>(root, "files") != nullptr &&
+                      (unfinished == nullptr || !*unfinished);
   if (const auto* others = find<scene::TomlNode::Array>(root, kOther)) {
     for (const scene::TomlNode& other : *others) manifest.others.push_back(renderFrom(other));
   }
@@ -114,8 +119,11 @@ std::optional<Manifest> readManifest(const fs::path& folder) {
 }
 
 std::string manifestText(const Manifest& manifest) {
-  std::string text = kHead + tableText("made", manifest.own.made);
-  if (manifest.finished) text += tableText("files", manifest.own.files);
+  const bool hasFiles = manifest.finished || !manifest.own.files.empty();
+  std::string text = kHead;
+  if (hasFiles && !manifest.finished) text += std::string(kUnfinished) + " = true\n";
+  text += tableText("made", manifest.own.made);
+  if (hasFiles) text += tableText("files", manifest.own.files);
   for (const Manifest::Render& other : manifest.others) {
     const std::string table = kOther;
     text += "\n[[" + table + "]]\n" + tableText(table + ".made", other.made) +

@@ -28,7 +28,9 @@ struct Manifest {
 
   /// The render whose frames and scene.toml are in the folder.
   Render own;
-  bool finished = false;  ///< True if `own` is finished: its clip is complete.
+  /// True if `own` is finished: its clip is complete, and so are its frames if there are any. The
+  /// files of a render without PNGs may be complete beside unfinished frames.
+  bool finished = false;
   /// Renders with other settings whose files are still beside the folder. Each file belongs to the
   /// render that wrote it last.
   std::vector<Render> others{};

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "base/error.h"
+#include "store/clip_folder.h"
 #include "system/file_checksum.h"
 
 namespace rotatebook::store {
@@ -12,11 +13,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kUnknown = " (with unknown settings)";
-
-/// Returns whether the file at `path` is as a manifest lists it.
-bool isIntact(const fs::path& path, const std::string& checksum) {
-  return fs::is_regular_file(path) && system::checksumOfFile(path) == checksum;
+/// Returns the checksum of the file at `path`; empty if it isn't there or can't be read, so that
+/// nothing is known about it.
+std::string checksumOrEmpty(const fs::path& path) {
+  try {
+    return fs::is_regular_file(path) ? system::checksumOfFile(path) : "";
+  } catch (const MachineError&) {
+    return "";
+  }
 }
 
 /// Returns all renders that a manifest lists.
@@ -31,7 +35,7 @@ std::string framesOfOtherSettings(const ClipFiles& files, const std::optional<Ma
                                   const Manifest::Entries& made) {
   if (isMadeWith(there, made) || !hasFrames(files.frameFolder)) return "";
   return framesText(std::ssize(framesIn(files.frameFolder))) + " in " + files.frameFolder.string() +
-         '/' + (knowsSettings(there) ? "" : kUnknown);
+         '/' + (knowsSettings(there) ? "" : kUnknownSettings);
 }
 
 /// Returns whether a render of the clip `clip` gives `file` its name: NAME.csv, NAME_LABEL.csv.
@@ -50,6 +54,10 @@ bool isLeftBy(const Manifest& manifest, const fs::path& file) {
 }
 
 }  // namespace
+
+bool isIntact(const fs::path& path, const std::string& checksum) {
+  return !checksum.empty() && checksumOrEmpty(path) == checksum;
+}
 
 bool isMadeWith(const std::optional<Manifest>& manifest, const Manifest::Entries& made) {
   return manifest && manifest->own.made == made;
@@ -81,7 +89,8 @@ std::vector<std::string> keptOfOtherSettings(const ClipFiles& files,
   return kept;
 }
 
-void refuseFilesOfOtherClips(const ClipFiles& files, const std::vector<fs::path>& outputs) {
+void refuseFilesOfOtherClips(const ClipFiles& files, const std::vector<fs::path>& outputs,
+                             const std::string& remedy) {
   const fs::path folder = files.frameFolder.parent_path();
   const auto own = readManifest(files.frameFolder);
   const std::string name = files.frameFolder.filename().string();
@@ -94,10 +103,7 @@ void refuseFilesOfOtherClips(const ClipFiles& files, const std::vector<fs::path>
       if (!isNamedAfter(other, output) || !isLeftBy(*manifest, output)) continue;
       // An equal table of both is no matter
       if (own && isLeftBy(*own, output)) continue;
-      throw InputError(output.string() + " belongs to the clip " + other + ", and the render of " +
-                       name +
-                       " would replace it; rename the scene or its panel, render into another "
-                       "folder with -o, or replace it with --overwrite");
+      throw InputError(output.string() + " belongs to the clip " + other + ", and " + remedy);
     }
   }
 }
@@ -107,19 +113,17 @@ ReplacedOutputs::ReplacedOutputs(const ClipFiles& files, const Manifest::Entries
   const auto there = readManifest(files.frameFolder);
   for (const fs::path& file : outputs) {
     if (!fs::is_regular_file(file)) continue;
-    Output output{file, "", false};
+    Output output{file, checksumOrEmpty(file)};
 
-    // Find the render that left it
+    // Find the render that left it, and note it unless that had these settings
+    bool isOwn = false;
     for (const Manifest::Render& render : rendersOf(there.value_or(Manifest{}))) {
       const auto entry = render.files.find(file.filename().string());
-      if (entry == render.files.end()) continue;
-      output = {file, entry->second, true};
-      if (render.made == made) output.checksum.clear();
+      if (entry == render.files.end() || entry->second != output.checksum) continue;
+      output.isKnown = true;
+      isOwn = render.made == made;
     }
-
-    // Note it unless it is of these settings
-    if (!output.isKnown) output.checksum = system::checksumOfFile(file);
-    if (!output.checksum.empty()) outputs_.push_back(output);
+    if (!isOwn) outputs_.push_back(output);
   }
   if (frames) frames_ = framesOfOtherSettings(files, there, made);
 }
@@ -128,7 +132,7 @@ std::vector<std::string> ReplacedOutputs::items() const {
   std::vector<std::string> items;
   for (const Output& output : outputs_) {
     if (isIntact(output.file, output.checksum)) continue;
-    items.push_back(output.file.string() + (output.isKnown ? "" : kUnknown));
+    items.push_back(output.file.string() + (output.isKnown ? "" : kUnknownSettings));
   }
   if (!frames_.empty()) items.push_back(frames_);
   return items;

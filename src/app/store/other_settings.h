@@ -16,31 +16,36 @@ bool isMadeWith(const std::optional<Manifest>& manifest, const Manifest::Entries
 /// Returns whether the manifest states the settings of the folder's frames.
 bool knowsSettings(const std::optional<Manifest>& manifest);
 
+/// Returns whether the file at `path` has this checksum; false if it can't be read.
+bool isIntact(const std::filesystem::path& path, const std::string& checksum);
+
 /// Returns the outputs that remain from renders with other settings than `made`, once the render
 /// with these is finished: "out/a.mp4", "720 frames in out/a/".
 std::vector<std::string> keptOfOtherSettings(const ClipFiles& files, const Manifest::Entries& made);
 
 /// Throws InputError if one of `outputs` was left by another clip in the same folder: if that
-/// clip's manifest lists it, and it still has its checksum.
+/// clip's manifest lists it, and it still has its checksum. The message ends with `remedy`, which
+/// also says what would replace it.
 void refuseFilesOfOtherClips(const ClipFiles& files,
-                             const std::vector<std::filesystem::path>& outputs);
+                             const std::vector<std::filesystem::path>& outputs,
+                             const std::string& remedy);
 
 /// The outputs that a render finds and is going to replace.
 class ReplacedOutputs {
  public:
-  /// Notes those of `outputs` that renders with the fingerprint `made` didn't leave; and, if
-  /// `frames`, the frames of other settings. Throws MachineError if one can't be read.
+  /// Notes those of `outputs` that renders with the fingerprint `made` didn't leave, or that were
+  /// changed since or can't be read; and, if `frames`, the frames of other settings.
   ReplacedOutputs(const ClipFiles& files, const Manifest::Entries& made,
                   const std::vector<std::filesystem::path>& outputs, bool frames);
 
-  /// Returns those that have other bytes now, like keptOfOtherSettings(). Throws MachineError.
+  /// Returns those that have other bytes now, like keptOfOtherSettings().
   std::vector<std::string> items() const;
 
  private:
   struct Output {
     std::filesystem::path file;
-    std::string checksum;
-    bool isKnown = false;  ///< A manifest lists it.
+    std::string checksum;  ///< Empty if it can't be read.
+    bool isKnown = false;  ///< A manifest lists it with this checksum.
   };
 
   std::vector<Output> outputs_;

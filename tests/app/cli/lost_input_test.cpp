@@ -186,5 +186,25 @@ TEST_F(LostInput, IsNoPictureToCompare) {
   }
 }
 
+TEST_F(LostInput, IsNoTableOfAnotherClipNorAFileOfAnotherKind) {
+  write("tiny_exact.toml", kTiny);
+  const std::string panel = std::string(kTiny) + "[[panel]]\nlabel = \"Exact\"\nbody.mass = 2\n";
+  write("panels.toml", panel + "[[panel]]\nlabel = \"b\"\n");
+  const ChildResult scene = run({"simulate", "panels.toml", "--csv", "tiny.toml"});
+  EXPECT_EQ(scene.status, 2);
+  EXPECT_THAT(scene.error, HasSubstr("tiny_exact.toml is no table"));
+  EXPECT_EQ(read("tiny_exact.toml"), kTiny);
+
+  ASSERT_EQ(run({"render", "tiny_exact.toml", "--no-png", "--no-mp4"}).status, 0);
+  const std::string table = read("out/tiny_exact.csv");
+  const ChildResult other = run({"simulate", "panels.toml", "--csv", "out/tiny.csv"});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_THAT(other.error, HasSubstr("out/tiny_exact.csv belongs to the clip tiny_exact, and the "
+                                     "table would replace it; name another file with --csv"));
+  EXPECT_TRUE(read("out/tiny_exact.csv") == table);
+  EXPECT_EQ(run({"simulate", "panels.toml", "--csv", "t.csv"}).status, 0);
+  EXPECT_EQ(run({"simulate", "panels.toml", "--csv", "t.csv"}).status, 0) << "its own tables";
+}
+
 }  // namespace
 }  // namespace rotatebook::cli::testing

@@ -106,6 +106,19 @@ TEST_F(OutputFailure, ClipThatMayNotBeRemoved) {
   EXPECT_TRUE(read("out/tiny.mp4") == video);
 }
 
+TEST_F(OutputFailure, IsNoFileThatMayNotBeRead) {
+  ASSERT_EQ(run({"render", "tiny.toml"}).status, 0);
+  ChildSettings settings;
+  settings.obeysPermissions = true;
+  for (const char* flag : {"--overwrite", "--resume"}) {
+    fs::permissions(folder() / "out/tiny.csv", fs::perms::owner_write);
+    const ChildResult result = run({"render", "tiny.toml", flag}, settings);
+    EXPECT_EQ(result.status, 0) << result.error;
+    EXPECT_THAT(result.output, HasSubstr("  replaced out/tiny.csv (with unknown settings)\n"));
+  }
+  EXPECT_THAT(read("out/tiny.csv"), StartsWith("frame,"));
+}
+
 TEST_F(OutputFailure, ReplacedClipThatMayNotBeRemovedStopsNoOtherRender) {
   ASSERT_EQ(run({"render", "tiny.toml"}).status, 0);
   fs::copy(folder() / "out/tiny", folder() / "out/tiny.replaced");

@@ -81,7 +81,7 @@ TEST_F(OtherSettings, KeepFramesOfWhichNothingIsKnown) {
     EXPECT_EQ(store::framesIn(folder_ / "small").size(), 12U);
   }
   EXPECT_THAT(messageOf<InputError>([&] { render({}); }),
-              HasSubstr("with unknown settings; render again with --overwrite"));
+              HasSubstr("of unknown origin; render again with --overwrite"));
 }
 
 TEST_F(OtherSettings, CostNoUnfinishedFramesWhereVideosAloneGoOn) {

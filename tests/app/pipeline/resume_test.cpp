@@ -217,7 +217,7 @@ TEST_F(Resume, AloneKeepsFramesOfADamagedManifest) {
   const std::string whole = bytesOf(manifest);
   for (const std::string& text : {std::string(), whole.substr(0, 300), std::string("\x01\xff[")}) {
     std::ofstream(manifest) << text;
-    EXPECT_THAT(failureOf({}), HasSubstr("with unknown settings; render again with --overwrite"));
+    EXPECT_THAT(failureOf({}), HasSubstr("of unknown origin; render again with --overwrite"));
     EXPECT_EQ(store::framesIn(folder_ / "small").size(), 5U);
     const RenderResult gif = testing::render(
         smallScene(), {.folder = folder_, .outputs = outputsOf(false, {video::VideoFormat::Gif})});
@@ -270,7 +270,7 @@ TEST_F(Resume, RefusesFramesOfOtherSettings) {
 TEST_F(Resume, RefusesFramesOfSettingsThatNothingStates) {
   stop(5);
   fs::remove(folder_ / "small.partial" / store::kManifestName);
-  EXPECT_THAT(failureOf(kResume), HasSubstr("with unknown settings; render again"));
+  EXPECT_THAT(failureOf(kResume), HasSubstr("of unknown origin; render again"));
 }
 
 TEST_F(Resume, IsAskedForWhereThereAreUnfinishedFrames) {

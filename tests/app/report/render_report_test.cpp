@@ -107,6 +107,10 @@ TEST(RenderReport, ListsWhatWasWrittenAndKept) {
             "  wrote out/tiny.mp4, out/tiny.csv, out/tiny.poster.png and 100000 frames in "
             "out/tiny/\n"
             "  kept out/tiny.gif, made with other settings\n");
+  RenderedScene replacing = exampleRender();
+  replacing.result->replaced = {"out/a.webm (with unknown settings)", "out/tiny.csv"};
+  EXPECT_THAT(textOf(replacing), HasSubstr("  replaced out/tiny.csv, made with other settings\n"
+                                           "  replaced out/a.webm (with unknown settings)\n"));
   RenderedScene none{exampleRender().scene};
   none.interrupted = true;
   EXPECT_EQ(textOf(none), "tiny: interrupted while simulating; nothing was written\n");

@@ -74,5 +74,12 @@ TEST(Manifest, TakesNothingButStrings) {
   EXPECT_FALSE(read->finished);
 }
 
+TEST(Manifest, ListsTheFilesBesideUnfinishedFrames) {
+  Manifest manifest{.own = {{{"program", "1"}}, {{"a.mp4", "0123"}}}};
+  EXPECT_EQ(parseManifest(manifestText(manifest), "text"), manifest);
+  manifest.finished = true;
+  EXPECT_EQ(parseManifest(manifestText(manifest), "text"), manifest);
+}
+
 }  // namespace
 }  // namespace rotatebook::store

@@ -1,0 +1,158 @@
+// Frames, records and files that a render finds and must not lose.
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pipeline/rendered_again.h"
+#include "store/manifest.h"
+#include "system/atomic_file.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::bytesOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using testing::kFrames;
+using testing::kOverwrite;
+using testing::kResume;
+using testing::messageOf;
+using testing::otherScene;
+using testing::smallScene;
+
+class ForeignFiles : public testing::RenderedAgain {
+ protected:
+  RenderResult renderVideo(const store::EarlierFrames& earlier = {}) {
+    return testing::render(smallScene(), {.folder = folder_,
+                                          .outputs = outputsOf(false, {video::VideoFormat::Mp4}),
+                                          .earlier = earlier});
+  }
+  RenderResult renderPart(store::FrameRange range) {
+    return testing::render(smallScene(),
+                           {.folder = folder_, .outputs = {pngOutput()}, .frames = range});
+  }
+  fs::path write(const std::string& name) const {
+    std::ofstream(folder_ / name) << "mine";
+    return folder_ / name;
+  }
+  /// Expects that the part's five frames are neither discarded nor drawn again unasked.
+  void expectPartsKept() {
+    EXPECT_THAT(failureOf({}), HasSubstr("go on with --resume"));
+    EXPECT_THAT(failureOf({}, otherScene()), HasSubstr("of a render that wasn't finished"));
+    EXPECT_EQ(render(kResume).framesKept, 5);
+    expectAsUninterrupted();
+  }
+};
+
+TEST_F(ForeignFiles, LeavePartsUnfinishedBesideAVideoAlone) {
+  renderPart({0, 5});
+  renderVideo();
+  EXPECT_TRUE(renderVideo(kResume).wasDone);
+  expectPartsKept();
+}
+
+TEST_F(ForeignFiles, LeavePartsUnfinishedAfterAVideoAlone) {
+  renderVideo();
+  renderPart({0, 5});
+  expectPartsKept();
+}
+
+TEST_F(ForeignFiles, LeaveFramesUnfinishedThatGoOnAfterAVideoAlone) {
+  renderVideo();
+  stop(5, kResume);
+  expectPartsKept();
+}
+
+TEST_F(ForeignFiles, AreFramesBesideTheManifestOfAVideoAlone) {
+  renderVideo();
+  const fs::path frame = write("small/frame_00001.png");
+  for (const auto& earlier : {store::EarlierFrames{}, kResume})
+    EXPECT_THAT(failureOf(earlier), HasSubstr(frame.string() + " was added or changed after "));
+  EXPECT_THAT(messageOf<InputError>([&] { renderPart({0, 3}); }), HasSubstr("was added"));
+  renderVideo();
+  EXPECT_EQ(bytesOf(frame), "mine");
+  render(kOverwrite);
+  expectAsUninterrupted();
+}
+
+TEST_F(ForeignFiles, AreFramesThatWereAddedOrChanged) {
+  render({});
+  const fs::path added = write("small/frame_00077.png");
+  EXPECT_THAT(failureOf({}, otherScene()), HasSubstr(added.string() + " was added"));
+  fs::remove(added);
+  const fs::path changed = write("small/frame_00005.png");
+  EXPECT_THAT(failureOf({}), HasSubstr(changed.string() + " was added or changed"));
+  EXPECT_EQ(bytesOf(changed), "mine");
+  EXPECT_EQ(render(kResume).framesKept, kFrames - 1) << "it was asked to go on";
+  expectAsUninterrupted();
+}
+
+TEST_F(ForeignFiles, AreRecordsBesideAManifest) {
+  render({});
+  const fs::path record = write("small/scene.toml");
+  const std::string problem = "holds a scene.toml that no render left there";
+  EXPECT_THAT(failureOf({}), HasSubstr(problem));
+  EXPECT_THAT(failureOf(kResume), HasSubstr(problem));
+  EXPECT_THAT(failureOf({}, otherScene()), HasSubstr(problem));
+  EXPECT_THAT(messageOf<InputError>([&] { renderVideo(); }), HasSubstr(problem));
+  EXPECT_THAT(messageOf<InputError>([&] { renderPart({0, 3}); }), HasSubstr(problem));
+  EXPECT_EQ(bytesOf(record), "mine");
+  render(kOverwrite);
+  expectAsUninterrupted();
+}
+
+TEST_F(ForeignFiles, AreOfUnknownOriginWithoutAManifest) {
+  fs::create_directories(folder_ / "small");
+  write("small/frame_00000.png");
+  EXPECT_THAT(failureOf({}), HasSubstr("holds 1 frame of unknown origin; render again with"));
+}
+
+TEST_F(ForeignFiles, AreAFileInThePlaceOfTheReplacedFolder) {
+  fs::create_directories(folder_);
+  const fs::path file = write("small.replaced");
+  EXPECT_THAT(failureOf(kOverwrite), HasSubstr(file.string() + " is no folder"));
+  EXPECT_EQ(bytesOf(file), "mine");
+  EXPECT_THAT(testing::namesIn(folder_), ElementsAre("small.replaced"));
+}
+
+TEST_F(ForeignFiles, AreReportedWhereTheyReplacedAnOutput) {
+  render({});
+  write("small.csv");
+  EXPECT_THAT(render({}).replaced,
+              ElementsAre((folder_ / "small.csv").string() + store::kUnknownSettings));
+}
+
+TEST_F(ForeignFiles, AreFoldersInTheWayFoundBeforeTheFirstFrame) {
+  const auto failure = [&] { return messageOf<MachineError>([&] { renderVideo(); }); };
+  fs::create_directories(folder_ / "small.partial.mp4/more");
+  EXPECT_THAT(failure(), HasSubstr("small.partial.mp4: it is a folder"));
+  fs::remove_all(folder_ / "small.partial.mp4");
+  fs::create_directories(folder_ / "small" / store::kManifestName);
+  EXPECT_THAT(failure(), HasSubstr("frames.manifest: it is a folder"));
+  EXPECT_FALSE(fs::exists(folder_ / "small.csv"));
+}
+
+// Two clips may have a table of the same name.
+TEST_F(ForeignFiles, AreNotWrittenByTwoRendersAtOnce) {
+  fs::create_directories(folder_);
+  const system::AdvisoryLock other(folder_ / "small.csv", system::Lock::Exclusive);
+  EXPECT_THAT(messageOf<MachineError>([&] { render({}); }),
+              HasSubstr("another process is writing " + (folder_ / "small.csv").string()));
+}
+
+TEST_F(ForeignFiles, ArentWhatAKilledRenderLeft) {
+  render({}, otherScene());
+  fs::create_directory(folder_ / "small.partial");
+  render(kResume);
+  expectAsUninterrupted();
+  write(".small.mp4.rotatebook-99999");
+  EXPECT_TRUE(render(kResume).wasDone);
+  expectAsUninterrupted();
+}
+
+}  // namespace
+}  // namespace rotatebook::pipeline

@@ -129,7 +129,9 @@ void ClipFolder::openWhole(const Settings& settings) {
     begin(files_.frameFolder, settings.record);
     if (resumesPartial) moveFrames(files_.partialFrameFolder, files_.frameFolder);
     // Remove the folder of a process that was killed before its first frame
-    if (!hasFrames(files_.partialFrameFolder)) discard(files_.partialFrameFolder);
+    const bool holdsOthers =
+        hasFrames(files_.partialFrameFolder) || hasForeignRecord(files_.partialFrameFolder);
+    if (!holdsOthers) discard(files_.partialFrameFolder);
     return;
   }
 

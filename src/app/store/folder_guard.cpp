@@ -39,7 +39,12 @@ constexpr const char* kForeignRemedy = "; move it away, or replace it with --ove
 
 bool hasForeignRecord(const fs::path& folder) {
   const fs::path file = folder / kSceneCopyName;
-  return fs::exists(file) && !looksLikeRecord(system::readFileOrEmpty(file));
+  if (!fs::exists(file)) return false;
+  try {
+    return !looksLikeRecord(system::readFile(file, 1 << 28));
+  } catch (const InputError&) {
+    return true;
+  }
 }
 
 void refuseForeignFiles(const fs::path& folder, const std::optional<Manifest>& there,

@@ -24,6 +24,16 @@ std::string lineOf(std::int64_t index, const std::string& sum) {
   return sum + std::string(kSeparator) + frameName(index) + '\n';
 }
 
+/// Returns the text of `file`; empty if it isn't there or can't be one of ours. Throws MachineError
+/// if the disk fails.
+std::string textOf(const std::filesystem::path& file) {
+  try {
+    return system::readFile(file, kMaxFileBytes);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
 [[noreturn]] void failMissing(const std::filesystem::path& folder, std::int64_t frame) {
   throw MachineError((folder / frameName(frame)).string() +
                      " is gone: it was removed while the clip was rendered");
@@ -38,7 +48,7 @@ std::int64_t nanoseconds(const timespec& time) {
 FrameChecksums::FrameChecksums(std::filesystem::path folder)
     : folder_(std::move(folder)),
       path_(folder_ / kFrameChecksumsName),
-      checksums_(parse(system::readFileOrEmpty(path_, kMaxFileBytes))) {}
+      checksums_(parse(textOf(path_))) {}
 
 FrameChecksums::Checksums FrameChecksums::parse(const std::string& text) {
   Checksums checksums;

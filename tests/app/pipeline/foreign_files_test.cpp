@@ -105,6 +105,15 @@ TEST_F(ForeignFiles, AreRecordsBesideAManifest) {
   expectAsUninterrupted();
 }
 
+TEST_F(ForeignFiles, AreRecordsInAFolderThatIsNotNeeded) {
+  render({});
+  fs::create_directories(folder_ / "small.partial");
+  const fs::path record = write("small.partial/scene.toml");
+  write("small.partial/frames.manifest");
+  EXPECT_TRUE(render(kResume).wasDone);
+  EXPECT_EQ(bytesOf(record), "mine");
+}
+
 TEST_F(ForeignFiles, AreOfUnknownOriginWithoutAManifest) {
   fs::create_directories(folder_ / "small");
   write("small/frame_00000.png");

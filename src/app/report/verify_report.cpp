@@ -1,5 +1,7 @@
 #include "report/verify_report.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <iomanip>
 #include <ranges>
@@ -103,15 +105,21 @@ std::string coarseText(const Verification& found) {
 /// Returns how well the stream is coded, and the smallest changes that are noticed for sure.
 std::string worthText(const Verification& found) {
   const verify::Deviation bound = found.unnoticed();
-  const std::string quantiser =
-      found.quantiser ? "at a mean quantiser of " + numberText(*found.quantiser) + " of 51" +
-                            (found.verdict() == Verdict::Coarse
-                                 ? ", above " + numberText(verify::kCoarsestProof)
-                                 : "")
-                      : "as finely as a WebM of rotatebook";
-  return "Worth: coded " + quantiser + "; changes of up to " + numberText(bound.brightness) +
-         " in brightness, " + numberText(bound.colour) + " in colour and " +
-         numberText(bound.lumaPatch) + " in 32x32 pixels (of 255) may pass unnoticed.";
+  // As many digits as show on which side of the limit it is.
+  const bool isNear = std::abs(found.quantiser.value_or(0) - verify::kCoarsestProof) < 1;
+  const int digits = isNear ? 5 : 3;
+  const std::string quantiser = found.quantiser
+                                    ? "coded at a mean quantiser of " +
+                                          roundedText(*found.quantiser, digits) + " of 51" +
+                                          (found.verdict() == Verdict::Coarse
+                                               ? ", above " + numberText(verify::kCoarsestProof)
+                                               : "")
+                                    : "its quantiser isn't measured";
+  return "Worth: " + quantiser + "; changes of up to " + numberText(bound.worstBlock) +
+         " in 16x16 pixels, " + numberText(std::max(bound.lumaPatch, bound.chromaPatch)) +
+         " on average in 32x32, " + numberText(bound.brightness) + " in brightness and " +
+         numberText(bound.colour) + " in colour (of 255), and shifts of " +
+         numberText(bound.shift) + " pixels may pass unnoticed.";
 }
 
 std::string verdictText(const Verification& found) {

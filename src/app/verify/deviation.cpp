@@ -115,7 +115,53 @@ double largestMean(const Samples& change, int width, int height, int side) {
   return largest / static_cast<double>(rows * columns);
 }
 
+/// Sums over a block of 16x16 pixels.
+struct BlockSums {
+  double values = 0, squares = 0;  ///< Of drawn luma.
+  double errors = 0;               ///< Of the squares of the errors.
+
+  void add(double value, double error) {
+    values += value;
+    squares += value * value;
+    errors += error * error;
+  }
+  bool showsTexture() const {
+    constexpr double kTexture = 3;  // Standard deviation of luma: flat areas cost no bits. [of 255]
+    return squares / kArea - values * values / (kArea * kArea) > kTexture * kTexture;
+  }
+  double rms() const { return std::sqrt(errors / kArea); }
+
+  static constexpr double kArea = video::kBlockSide * video::kBlockSide;
+};
+
+BlockSums sumsAt(const video::Planes& picture, const video::Planes& drawn, int left, int top) {
+  BlockSums sums;
+  for (int y = top; y < top + video::kBlockSide; ++y) {
+    for (int x = left; x < left + video::kBlockSide; ++x) {
+      const auto i = static_cast<std::size_t>(y) * static_cast<std::size_t>(drawn.width) +
+                     static_cast<std::size_t>(x);
+      sums.add(drawn.y[i], picture.y[i] - drawn.y[i]);
+    }
+  }
+  return sums;
+}
+
 }  // namespace
+
+std::optional<double> codingNoise(const video::Planes& picture, const video::Planes& drawn) {
+  constexpr std::size_t kFewest = 16;  // Blocks of which a quartile says something.
+  std::vector<double> errors;
+  for (int top = 0; top + video::kBlockSide <= drawn.height; top += video::kBlockSide) {
+    for (int left = 0; left + video::kBlockSide <= drawn.width; left += video::kBlockSide) {
+      const BlockSums sums = sumsAt(picture, drawn, left, top);
+      if (sums.showsTexture()) errors.push_back(sums.rms());
+    }
+  }
+  if (errors.size() < kFewest) return std::nullopt;
+  const auto quartile = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() * 3 / 4);
+  std::ranges::nth_element(errors, quartile);
+  return *quartile;
+}
 
 bool isWithin(const Deviation& measured, const Deviation& bound) {
   return std::ranges::all_of(

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "video/planes.h"
 
@@ -36,6 +37,11 @@ inline constexpr std::array<MeasureRow, 7> kMeasures{{
     {"luma_patch", "luma changed in 32x32 pixels", &Deviation::lumaPatch},
     {"chroma_patch", "chroma changed in 32x32 pixels", &Deviation::chromaPatch},
 }};
+
+/// Measures the noise of encoding in `picture`: the upper quartile of the root mean square of
+/// luma's error in the blocks of 16x16 pixels that show texture in `drawn`. [of 255] A change of
+/// fewer than a quarter of these leaves it. None if too few blocks show texture.
+std::optional<double> codingNoise(const video::Planes& picture, const video::Planes& drawn);
 
 /// Returns whether no measure of `measured` is above that of `bound`.
 bool isWithin(const Deviation& measured, const Deviation& bound);

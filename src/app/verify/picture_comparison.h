@@ -17,14 +17,19 @@ namespace rotatebook::verify {
 /// `quantiser` explains, in pictures of `width` x `height` pixels.
 Deviation encodingBound(double quantiser, int width, int height);
 
+/// Compares `picture` with `drawn`, its frame `frame`. The bound is that of `quantiser`, if that is
+/// reported, but at most that of kCoarsestProof, and no larger than codingNoise() explains.
+PictureCheck compareWith(const video::Planes& drawn, std::int64_t frame,
+                         const video::Planes& picture, std::optional<double> quantiser);
+
 /// Draws the frames of a scene and compares them with decoded ones.
 class PictureComparison {
  public:
   /// `drawer` draws `scene`, whose clip has `frames` frames, and must outlive this.
   PictureComparison(const scene::Scene& scene, picture::FrameDrawer& drawer, std::int64_t frames);
 
-  /// Compares `picture` with frame `frame` and with its neighbours. Fastest with ascending frames.
-  /// The bound is that of `quantiser`, if that is reported, but at most that of kCoarsestProof.
+  /// Compares `picture` with frame `frame`, as compareWith() does, and with its neighbours. Fastest
+  /// with ascending frames.
   PictureCheck compare(std::int64_t frame, const video::Planes& picture,
                        std::optional<double> quantiser);
 

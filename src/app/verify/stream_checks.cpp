@@ -11,6 +11,8 @@
 namespace rotatebook::verify {
 namespace {
 
+const video::ColourTags kColours{"bt709", "bt709", "bt709", "tv"};
+
 ClipCheck equality(const std::string& what, const std::string& measured,
                    const std::string& wanted) {
   return {what, measured, wanted, measured == wanted};
@@ -35,6 +37,11 @@ std::string milliseconds(double seconds) {
 std::string coloursText(const video::ColourTags& tags) {
   return "primaries " + tags.primaries + ", transfer " + tags.transfer + ", matrix " + tags.matrix +
          ", range " + tags.range;
+}
+
+/// Returns the colours and pixel aspect ratio that are valid for a picture.
+std::string tagsText(const video::ColourTags& colours, const std::string& shape) {
+  return coloursText(colours) + ", pixels " + shape;
 }
 
 std::string shapesText(const std::string& container, const std::string& stream) {
@@ -86,7 +93,7 @@ const video::RecordedStream& wantedOf(const video::ClipFacts& facts) {
 
 std::vector<ClipCheck> checkStream(const video::ClipFacts& facts, const scene::Scene& scene) {
   const std::string size = sizeText(scene.clip.width, scene.clip.height);
-  const std::string colours = coloursText({"bt709", "bt709", "bt709", "tv"});
+  const std::string colours = coloursText(kColours);
   std::vector<ClipCheck> checks{
       equality(kSizeCheck, sizeText(facts.width, facts.height), size),
       equality(kCodecCheck, codecText(facts), codecText(rowOf(facts.format))),
@@ -106,6 +113,9 @@ void DisplayCheck::add(const video::PictureFacts& picture) {
   const auto keepFirst = [&](std::string& kept, const std::string& text) {
     if (kept.empty() && !text.empty()) kept = text + where;
   };
+  const std::string tags = tagsText(picture.colours, picture.pixelShape);
+  keepFirst(tags_, tags == tagsText(kColours, "1:1") ? "" : tags);
+  keepFirst(alpha_, picture.alpha && !transparent_ ? "some" : "");
   keepFirst(interlaced_, picture.interlaced ? "interlaced" : "");
   keepFirst(cropped_, cropText(picture.crop));
   keepFirst(messages_, picture.messages);
@@ -115,7 +125,11 @@ std::vector<ClipCheck> DisplayCheck::checks(const video::ClipFacts& facts) const
   const auto orElse = [](const std::string& text, const std::string& other) {
     return text.empty() ? other : text;
   };
-  return {equality("scan", orElse(interlaced_, facts.scan), "progressive"),
+  const std::string tags = tagsText(kColours, "1:1");
+  return {equality("tags", orElse(tags_, tags), tags),
+          equality("alpha", orElse(alpha_, transparent_ ? "the scene's" : "none"),
+                   transparent_ ? "the scene's" : "none"),
+          equality("scan", orElse(interlaced_, facts.scan), "progressive"),
           equality("coded crop", orElse(cropped_, "none"), "none"),
           equality("messages", orElse(messages_, "none"), "none")};
 }

@@ -21,15 +21,19 @@ std::vector<ClipCheck> checkStream(const video::ClipFacts& facts, const scene::S
 /// Checks what the stream has players do with its pictures.
 class DisplayCheck {
  public:
+  /// If not `transparent`, the pictures may have no alpha.
+  explicit DisplayCheck(bool transparent) : transparent_(transparent) {}
+
   /// Adds the next picture's facts.
   void add(const video::PictureFacts& picture);
-  /// Returns the checks of scan, coded crop and messages, each of the first picture that fails it.
-  /// Call it after the last picture.
+  /// Returns the checks of tags, alpha, scan, coded crop and messages, each of the first picture
+  /// that fails it. Call it after the last picture.
   std::vector<ClipCheck> checks(const video::ClipFacts& facts) const;
 
  private:
+  bool transparent_;
   std::int64_t count_ = 0;
-  std::string interlaced_, cropped_, messages_;  // Empty as long as there are none.
+  std::string tags_, alpha_, interlaced_, cropped_, messages_;  // Empty as long as there are none.
 };
 
 /// Checks the times at which a clip's pictures are shown.

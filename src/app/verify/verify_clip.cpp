@@ -93,7 +93,7 @@ class Verifier {
         record_.provenance, store::provenanceOf(record_.scene, motion_, drawer.textureChecksums(),
                                                 drawer.description()));
     PictureComparison comparison(record_.scene, drawer, found.wholeCount);
-    DisplayCheck display;
+    DisplayCheck display(scene::isTransparent(record_.scene));
     double quantisers = 0;  // The sum of those reported
     std::int64_t reported = 0;
     TimeCheck times(reader_.facts(), record_.scene.clip.frameRate, found.range.count());

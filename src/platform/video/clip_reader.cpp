@@ -36,12 +36,17 @@ std::string textOf(const char* text) {
   return text == nullptr ? "unknown" : text;
 }
 
+ColourTags coloursOf(AVColorPrimaries primaries, AVColorTransferCharacteristic transfer,
+                     AVColorSpace matrix, AVColorRange range) {
+  return {.primaries = textOf(av_color_primaries_name(primaries)),
+          .transfer = textOf(av_color_transfer_name(transfer)),
+          .matrix = textOf(av_color_space_name(matrix)),
+          .range = textOf(av_color_range_name(range))};
+}
+
 ColourTags coloursOf(const ClipInput& input) {
   const AVCodecParameters& codec = *input.stream().codecpar;
-  return {.primaries = textOf(av_color_primaries_name(codec.color_primaries)),
-          .transfer = textOf(av_color_transfer_name(codec.color_trc)),
-          .matrix = textOf(av_color_space_name(codec.color_space)),
-          .range = textOf(av_color_range_name(codec.color_range))};
+  return coloursOf(codec.color_primaries, codec.color_trc, codec.color_space, codec.color_range);
 }
 
 /// Returns the pixel aspect ratio; players show pixels without one as squares.
@@ -78,6 +83,10 @@ std::string messagesOf(const AVFrame& frame) {
 PictureFacts factsOf(const AVFrame& frame) {
   const auto pixels = [](std::size_t count) { return static_cast<std::int64_t>(count); };
   return {.interlaced = isInterlaced(frame),
+          .alpha = frame.format == AV_PIX_FMT_YUVA420P,
+          .colours = coloursOf(frame.color_primaries, frame.color_trc, frame.colorspace,
+                               frame.color_range),
+          .pixelShape = shapeText(frame.sample_aspect_ratio),
           .crop = {pixels(frame.crop_left), pixels(frame.crop_top), pixels(frame.crop_right),
                    pixels(frame.crop_bottom)},
           .messages = messagesOf(frame),
@@ -124,13 +133,16 @@ ClipFacts factsOf(ClipInput& input) {
   return facts;
 }
 
-/// Finds the decoder of a format that holds a record. Throws MachineError if there is none.
-const AVCodec& decoderFor(const ClipInput& input) {
-  const AVStream& stream = input.stream();
-  const AVCodecID codec = stream.codecpar->codec_id;
+bool statesAlpha(const ClipInput& input) {
+  return Dictionary::valueIn(input.stream().metadata, "alpha_mode") == "1";
+}
+
+/// Finds the decoder of a format that holds a record, if `alpha` one that decodes alpha, too.
+/// Throws MachineError if there is none.
+const AVCodec& decoderFor(const ClipInput& input, bool alpha) {
+  const AVCodecID codec = input.stream().codecpar->codec_id;
   const AVCodec* decoder = nullptr;
   // FFmpeg's own VP9 decoder ignores alpha.
-  const bool alpha = Dictionary::valueIn(stream.metadata, "alpha_mode") == "1";
   if (alpha && codec == AV_CODEC_ID_VP9) decoder = avcodec_find_decoder_by_name("libvpx-vp9");
   if (decoder == nullptr) decoder = avcodec_find_decoder(codec);
   if (decoder == nullptr)
@@ -139,8 +151,8 @@ const AVCodec& decoderFor(const ClipInput& input) {
   return *decoder;
 }
 
-Handle<AVCodecContext> openDecoder(const ClipInput& input) {
-  Handle<AVCodecContext> context = owned(avcodec_alloc_context3(&decoderFor(input)));
+Handle<AVCodecContext> openDecoder(const ClipInput& input, bool alpha) {
+  Handle<AVCodecContext> context = owned(avcodec_alloc_context3(&decoderFor(input, alpha)));
   const std::string failure = "can't decode " + input.name();
   checkInput(avcodec_parameters_to_context(context.get(), input.stream().codecpar), failure);
   context->err_recognition = AV_EF_EXPLODE;
@@ -149,6 +161,11 @@ Handle<AVCodecContext> openDecoder(const ClipInput& input) {
   context->apply_cropping = 0;  // ClipReader::next() does, after it has read what is cut off.
   checkInput(avcodec_open2(context.get(), nullptr, nullptr), failure);
   return context;
+}
+
+/// Returns whether a WebM's packet holds alpha beside its picture.
+bool hasAdditions(const AVPacket& packet) {
+  return av_packet_get_side_data(&packet, AV_PKT_DATA_MATROSKA_BLOCKADDITIONAL, nullptr) != nullptr;
 }
 
 std::vector<float> planeOf(const AVFrame& frame, int plane, int width, int height) {
@@ -182,7 +199,9 @@ struct ClipReader::Parts {
   explicit Parts(const std::filesystem::path& path)
       : input(path), packet(owned(av_packet_alloc())), frame(owned(av_frame_alloc())) {
     facts = factsOf(input);
-    decoder = openDecoder(input);
+    hasAlpha = statesAlpha(input);
+    decoder = openDecoder(input, hasAlpha);
+    if (hasAlpha) colourDecoder = openDecoder(input, false);
   }
 
   std::string failure() const {
@@ -194,6 +213,11 @@ struct ClipReader::Parts {
     const int result = avcodec_receive_frame(decoder.get(), frame.get());
     if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return false;
     checkInput(result, failure());
+    picture = factsOf(*frame);
+    picture.alpha = picture.alpha || hasAlpha;
+    if (colourDecoder && avcodec_receive_frame(colourDecoder.get(), colours.get()) == 0) {
+      picture.quantiser = quantiserOf(*colours);
+    }
     return true;
   }
 
@@ -202,17 +226,23 @@ struct ClipReader::Parts {
     const int result = av_read_frame(&input.context(), packet.get());
     ended = result == AVERROR_EOF;
     if (!ended) checkInput(result, failure());
-    checkInput(avcodec_send_packet(decoder.get(), ended ? nullptr : packet.get()), failure());
+    const AVPacket* next = ended ? nullptr : packet.get();
+    if (!ended && hasAdditions(*packet)) hasAlpha = true;
+    checkInput(avcodec_send_packet(decoder.get(), next), failure());
+    if (colourDecoder) checkInput(avcodec_send_packet(colourDecoder.get(), next), failure());
     av_packet_unref(packet.get());
   }
 
   ClipInput input;
   ClipFacts facts;
   Handle<AVCodecContext> decoder;
+  Handle<AVCodecContext> colourDecoder;  // Reports quantisers where `decoder`, of alpha, doesn't.
+  bool hasAlpha = false;                 // As stated, or found so far.
   Handle<AVPacket> packet;
   Handle<AVFrame> frame;
-  PictureFacts picture;    // of `frame`
-  std::int64_t count = 0;  // pictures decoded so far
+  Handle<AVFrame> colours = owned(av_frame_alloc());  // of `colourDecoder`
+  PictureFacts picture;                               // of `frame`
+  std::int64_t count = 0;                             // pictures decoded so far
   bool ended = false;
 };
 
@@ -231,7 +261,6 @@ bool ClipReader::next() {
     parts_->send();
   }
   AVFrame& frame = *parts_->frame;
-  parts_->picture = factsOf(frame);
   checkInput(av_frame_apply_cropping(&frame, AV_FRAME_CROP_UNALIGNED), parts_->failure());
   if (frame.width != parts_->facts.width || frame.height != parts_->facts.height) {
     throw InputError("picture " + std::to_string(parts_->count) + " of " + parts_->input.name() +

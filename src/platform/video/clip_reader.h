@@ -77,14 +77,17 @@ struct ClipFacts {
 /// Properties of a decoded picture.
 struct PictureFacts {
   bool interlaced = false;
+  bool alpha = false;        ///< True if the stream holds alpha, or the container states some.
+  ColourTags colours{};      ///< As valid for this picture.
+  std::string pixelShape{};  ///< Pixel aspect ratio, likewise: "1:1", also if none is stated.
   /// Pixels that the stream has players cut off at left, top, right and bottom.
   std::array<std::int64_t, 4> crop{};
   /// Messages between the pictures that change how players show this one, by FFmpeg's names; empty
   /// if there are none.
   std::string messages{};
   /// The quantiser whose step is the root mean square of those of the luma's blocks, in H.264's
-  /// scale, 0 to 51, where 6 more double the step. None if the decoder doesn't report it: that of
-  /// transparent clips.
+  /// scale, 0 to 51, where 6 more double the step. Of the colours only, where there is
+  /// alpha. None if the decoder doesn't report it.
   std::optional<double> quantiser{};
 };
 

@@ -79,14 +79,17 @@ std::string sideOf(std::uint64_t id) {
   }
 }
 
-/// Adds the instructions of `element`, of the tracks' or in one of them.
+/// Calls `action` with each element in `outer` whose identifier is `id`.
+template <typename Action>
+void forEach(std::istream& file, const Element& outer, std::uint64_t id, const Action& action) {
+  firstIn(file, outer, [&](const Element& element) {
+    if (element.id == id) action(element);
+    return false;
+  });
+}
+
+/// Adds the instruction of `element`, of a track's video, if it is one.
 void addTo(WebmHeader& header, std::istream& file, const Element& element) {
-  if (element.id == kTrackId || element.id == kVideoId) {
-    firstIn(file, element, [&](const Element& inner) {
-      addTo(header, file, inner);
-      return false;
-    });
-  }
   const std::string side = sideOf(element.id);
   const std::uint64_t count = element.end - element.content;
   if ((side.empty() && element.id != kInterlacedId) || count > kMaxNumber) return;
@@ -128,9 +131,13 @@ WebmHeader readWebmHeader(std::istream& file) {
   const auto tracks = segment ? find(file, *segment, kTracksId) : std::nullopt;
   if (!tracks) return header;
   header.crop = "none";
-  firstIn(file, *tracks, [&](const Element& element) {
-    addTo(header, file, element);
-    return false;
+  forEach(file, *tracks, kTrackId, [&](const Element& track) {
+    forEach(file, track, kVideoId, [&](const Element& video) {
+      firstIn(file, video, [&](const Element& element) {
+        addTo(header, file, element);
+        return false;
+      });
+    });
   });
   return header;
 }

@@ -96,7 +96,7 @@ void writeForged(image::Image& picture, double white) {
 }
 
 PictureForgery lettered(int percent) {
-  return {"\"FORGED\" over a third, " + std::to_string(percent) + " % white",
+  return {"\"FORGED\", " + std::to_string(percent) + " % white",
           [percent](image::Image& picture) { writeForged(picture, 0.01 * percent); }};
 }
 

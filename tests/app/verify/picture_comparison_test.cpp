@@ -84,5 +84,26 @@ TEST(PictureComparison, BoundsACoarsePictureByTheCoarsestProof) {
   EXPECT_LT(boundAt(std::nullopt), boundAt(kCoarsestProof));
 }
 
+// Presets that skip blocks report coarse quantisers of pictures with little noise.
+TEST(PictureComparison, BoundsAFinePictureOfCoarseQuantisersByItsNoise) {
+  const scene::Scene scene = smallScene({"clip.size=[320, 180]"});
+  const timeline::ClipMotion motion = timeline::simulateScene(scene);
+  picture::FrameDrawer drawer(scene, motion);
+  image::Image picture = drawer.makePicture();
+  drawer.draw(5, picture);
+  const video::Planes drawn = video::planesOf(picture.view(), false);
+  const auto boundAt = [&](float noise, double quantiser) {
+    video::Planes noisy = drawn;
+    for (std::size_t i = 0; i < noisy.y.size(); ++i) noisy.y[i] += i % 2 == 0 ? noise : -noise;
+    EXPECT_NEAR(codingNoise(noisy, drawn).value(), noise, 1e-4);
+    return compareWith(drawn, 5, noisy, quantiser).bound;
+  };
+  EXPECT_LT(boundAt(1, 30).lumaPatch, boundAt(2, 30).lumaPatch);
+  EXPECT_LT(boundAt(2, 30).worstBlock, encodingBound(30, 320, 180).worstBlock);
+  EXPECT_EQ(boundAt(2, 30).chromaPatch, encodingBound(30, 320, 180).chromaPatch);
+  // Noise never allows more than the quantiser.
+  EXPECT_EQ(boundAt(9, 20).lumaPatch, encodingBound(20, 320, 180).lumaPatch);
+}
+
 }  // namespace
 }  // namespace rotatebook::verify

@@ -72,12 +72,52 @@ TEST(StreamChecks, KnowTheColoursAndTheCodec) {
   EXPECT_THAT(failed(facts), ElementsAre("size"));
 }
 
+/// Adds what each picture of a clip of this program states to `facts`.
+video::PictureFacts tagged(video::PictureFacts facts) {
+  facts.colours = {"bt709", "bt709", "bt709", "tv"};
+  facts.pixelShape = "1:1";
+  return facts;
+}
+
+TEST(DisplayCheck, KnowsTagsThatChangeInMidClip) {
+  const auto failureOf = [](const video::PictureFacts& second) {
+    DisplayCheck check(false);
+    check.add(tagged({}));
+    check.add(second);
+    const ClipCheck tags = check.checks({.scan = "progressive"}).front();
+    EXPECT_EQ(tags.what, "tags");
+    return tags.passed ? "" : tags.measured;
+  };
+  EXPECT_EQ(failureOf(tagged({})), "");
+  for (std::string video::ColourTags::*field :
+       {&video::ColourTags::primaries, &video::ColourTags::transfer, &video::ColourTags::matrix,
+        &video::ColourTags::range}) {
+    video::PictureFacts changed = tagged({});
+    changed.colours.*field = "another";
+    EXPECT_THAT(failureOf(changed), ::testing::HasSubstr("another"));
+  }
+  video::PictureFacts wide = tagged({});
+  wide.pixelShape = "1:4";
+  EXPECT_EQ(failureOf(wide),
+            "primaries bt709, transfer bt709, matrix bt709, range tv, pixels 1:4 in picture 1");
+}
+
+TEST(DisplayCheck, RefusesAlphaWhereTheSceneHasNone) {
+  for (const bool transparent : {false, true}) {
+    DisplayCheck check(transparent);
+    check.add(tagged({.alpha = true}));
+    const ClipCheck alpha = check.checks({.scan = "progressive"}).at(1);
+    EXPECT_EQ(alpha.what, "alpha");
+    EXPECT_EQ(alpha.passed, transparent);
+  }
+}
+
 TEST(DisplayCheck, NamesTheFirstPictureThatPlayersChange) {
   const auto failed = [](const video::PictureFacts& second, const std::string& scan) {
-    DisplayCheck check;
-    check.add({.crop = {0, 0, 0, 12}});  // Up to the macroblock's end.
-    check.add(second);
-    check.add(second);
+    DisplayCheck check(false);
+    check.add(tagged({.crop = {0, 0, 0, 12}}));  // Up to the macroblock's end.
+    check.add(tagged(second));
+    check.add(tagged(second));
     std::vector<std::string> texts;
     for (const ClipCheck& one : check.checks({.scan = scan})) {
       if (!one.passed) texts.push_back(one.what + ": " + one.measured);

@@ -42,15 +42,19 @@ Filter openFilter(const std::string& text, const AVCodecContext& encoder) {
 }  // namespace
 
 void writeForgedStream(const std::filesystem::path& path, const std::string& x264Params,
-                       const std::string& filterText) {
+                       const std::string& filterText, const std::string& laterFilter) {
   constexpr int kPictures = 5;
   const VideoSettings settings = smallSettings();
   PixelConverter converter(settings.width, settings.height);
   Stages stages{nullptr, openEncoder(settings, x264Params)};
-  const Filter filter = openFilter(filterText, stages.encoder.context());
+  Filter filter = openFilter(filterText, stages.encoder.context());
   Muxer muxer(path, VideoFormat::Mp4, stages, settings);
   const auto drain = [&] {
     while (AVPacket* packet = stages.encoder.receive()) {
+      const bool isLater = packet->pts > 0 && (packet->flags & AV_PKT_FLAG_KEY) != 0;
+      if (isLater && !laterFilter.empty()) {
+        filter = openFilter(laterFilter, stages.encoder.context());
+      }
       check(av_bsf_send_packet(filter.get(), packet), "can't filter");
       check(av_bsf_receive_packet(filter.get(), packet), "can't filter");
       muxer.write(*packet);

@@ -7,8 +7,9 @@
 namespace rotatebook::video::testing {
 
 /// Writes a few pictures, encoded with `x264Params` ("tff=1" marks them as interlaced) and passed
-/// through FFmpeg's `filter` of packets: "null", or one that adds messages. Throws MachineError.
+/// through FFmpeg's `filter` of packets: "null", or one that adds messages; from the second key
+/// frame on through `laterFilter`, if there is one. Throws MachineError.
 void writeForgedStream(const std::filesystem::path& path, const std::string& x264Params,
-                       const std::string& filter);
+                       const std::string& filter, const std::string& laterFilter = "");
 
 }  // namespace rotatebook::video::testing

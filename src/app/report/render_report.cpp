@@ -127,17 +127,23 @@ void reportRender(const RenderedScene& rendered, const pipeline::RenderOptions& 
     return;
   }
   if (!result.wasDone) out << "  wrote " << oneLine(writtenText(result, options)) << std::endl;
-  if (!result.replaced.empty()) {
-    out << "  replaced " << oneLine(listed(result.replaced)) << ", made with other settings"
-        << std::endl;
-  }
-  if (!result.others.empty()) {
-    out << "  kept " << oneLine(listed(result.others)) << ", made with other settings" << std::endl;
-  }
-  if (!result.remainder.empty()) out << "  note: " << result.remainder << std::endl;
   if (!result.interrupted) return reportMotions(rendered.motions, out);
   out << "  interrupted after " << store::framesText(result.framesWritten)
       << (hasPng(options.outputs) ? "; go on with the same command and --resume" : "") << std::endl;
+}
+
+void reportRenderNotes(const RenderedScene& rendered, std::ostream& out) {
+  if (!rendered.result) return;
+  const pipeline::RenderResult& result = *rendered.result;
+  const std::string start = "note: " + rendered.scene.name + ": ";
+  const auto print = [&](const char* verb, const std::vector<std::string>& files) {
+    if (files.empty()) return;
+    out << start + verb + oneLine(listed(files)) + ", made with other settings\n";
+  };
+  print("replaced ", result.replaced);
+  print("kept ", result.others);
+  if (!result.remainder.empty()) out << start + result.remainder + '\n';
+  if (!result.interrupted) reportNotes(rendered.scene, rendered.motions, out);
 }
 
 void reportRendersAsJson(const std::vector<RenderedScene>& scenes,

@@ -16,16 +16,17 @@ namespace {
 
 struct CrashArguments {
   DeviceOptions deviceOptions;
+  bool resumable = false;
   int signal = SIGABRT;
 };
 
 /// Reports the driver that crashed. If none did, ends as the process that crashed would have.
 int explain(const CrashArguments& arguments) {
+  if (arguments.resumable) adviseResume();
   try {
     if (const auto problem = diagnose::explainCrash(arguments.deviceOptions.parsed())) {
       std::cerr << "rotatebook: can't draw: " << problem->what << "\n  remedy: " << problem->remedy
-                << ".\n"
-                << kWhatIsKept;
+                << crashAdvice();
       return kMachineFailed;
     }
   } catch (...) {
@@ -41,6 +42,7 @@ void addAfterCrashCommand(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand(kAfterCrash, "Explain the crash of a command");
   command->group("");  // Hidden.
   arguments->deviceOptions.addTo(*command);
+  command->add_flag(kResumable, arguments->resumable);
   command->add_option("SIGNAL", arguments->signal)->required();
   command->callback([arguments, &action] { action = [arguments] { return explain(*arguments); }; });
 }

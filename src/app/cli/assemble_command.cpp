@@ -7,11 +7,13 @@
 
 #include "base/error.h"
 #include "base/frame_rate.h"
+#include "base/text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
 #include "cli/progress_line.h"
 #include "pipeline/assemble.h"
+#include "store/clip_files.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -52,9 +54,8 @@ int assembleFrames(const AssembleArguments& arguments) {
         arguments.folder, arguments.output, rate,
         [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); });
   }
-  std::cout << "wrote " << made.frames.count()
-            << (made.frames.count() == 1 ? " frame to " : " frames to ") << arguments.output
-            << (made.isPart() ? partText(made) : "") << '\n';
+  std::cout << "wrote " << store::framesText(made.frames.count()) << " to "
+            << oneLine(arguments.output) << (made.isPart() ? partText(made) : "") << '\n';
   return kDone;
 }
 

@@ -31,6 +31,7 @@ void addVersionCommand(CLI::App& program, Action& action);
 
 /// The name of a command that isn't for users: a process that crashes while it draws becomes it.
 inline constexpr const char* kAfterCrash = "after-crash";
+inline constexpr const char* kResumable = "--resumable";  ///< Its flag: the other had --resume.
 void addAfterCrashCommand(CLI::App& program, Action& action);
 
 }  // namespace rotatebook::cli

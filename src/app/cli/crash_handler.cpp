@@ -17,11 +17,15 @@ namespace {
 
 constexpr std::string_view kCrash =
     "rotatebook: crashed, in its own code or in a driver; 'rotatebook doctor' tries each driver";
+constexpr std::string_view kResume =
+    ".\nWhat the render had finished is kept: go on with the same command and --resume\n";
 constexpr std::string_view kOutOfMemory = "rotatebook: out of memory";
+
+std::atomic<bool> mayResume = false;
 
 // Calls only functions that are safe in a signal handler.
 void printCrash(std::string_view problem) {
-  for (const std::string_view text : {problem, std::string_view(". "), kWhatIsKept}) {
+  for (const std::string_view text : {problem, crashAdvice()}) {
     // A failure can't be reported anywhere.
     if (write(STDERR_FILENO, text.data(), text.size()) < 0) return;
   }
@@ -69,6 +73,14 @@ void onOutOfMemory() {
 }
 
 }  // namespace
+
+void adviseResume() {
+  mayResume = true;
+}
+
+std::string_view crashAdvice() {
+  return mayResume ? kResume : std::string_view("\n");
+}
 
 void reportCrashes() {
   std::set_new_handler(onOutOfMemory);

@@ -5,8 +5,11 @@
 
 namespace rotatebook::cli {
 
-inline constexpr std::string_view kWhatIsKept =
-    "What a render had finished is kept: go on with the same command and --resume\n";
+/// Has the message advise --resume from now on, as the command is one that has it.
+void adviseResume();
+
+/// Returns the end of the message: the advice if it was asked for, and a line end.
+std::string_view crashAdvice();
 
 /// Installs handlers that print one line, with what to do, when SIGSEGV, SIGBUS, SIGILL, SIGFPE or
 /// SIGABRT arrives and nobody else handles it; the signal then ends the process as it would have.

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "cli/commands.h"
+#include "cli/crash_handler.h"
 #include "system/crash_successor.h"
 
 namespace rotatebook::cli {
@@ -61,11 +62,15 @@ render::DeviceChoice DeviceOptions::parsed() const {
   return choice;
 }
 
-render::DeviceChoice DeviceOptions::choice() const {
+render::DeviceChoice DeviceOptions::choice(bool resumable) const {
   render::DeviceChoice choice = parsed();
   std::vector<std::string> successor{"rotatebook", kAfterCrash};
   if (!device.empty()) successor.push_back("--device=" + device);
   if (requireHardware) successor.emplace_back("--require-hardware");
+  if (resumable) {
+    adviseResume();
+    successor.emplace_back(kResumable);
+  }
   system::setCrashSuccessor(std::move(successor));
   // A clip may have several renderers, on several threads; one warning is enough.
   choice.warn = [once = std::make_shared<std::once_flag>()](const std::string& line) {

@@ -19,7 +19,8 @@ struct DeviceOptions {
   render::DeviceChoice parsed() const;
   /// Returns parsed(), for drawing with it: its warning is printed once, and from now on a crash of
   /// this process starts the command `after-crash` in its place.
-  render::DeviceChoice choice() const;
+  /// If that can be `resumable`, the message says so.
+  render::DeviceChoice choice(bool resumable = false) const;
 };
 
 }  // namespace rotatebook::cli

@@ -47,4 +47,9 @@ void refuseInputs(const fs::path& output, const std::vector<Input>& inputs,
   refuseInputs(footprint, inputs, remedy);
 }
 
+void requireEnding(const fs::path& output, const std::string& ending, const std::string& option) {
+  if (output.extension() == ending) return;
+  throw InputError(option + " " + output.string() + ": the name of the file must end in " + ending);
+}
+
 }  // namespace rotatebook::cli

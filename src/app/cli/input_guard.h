@@ -34,4 +34,9 @@ void refuseInputs(const store::Footprint& footprint, const std::vector<Input>& i
 void refuseInputs(const std::filesystem::path& output, const std::vector<Input>& inputs,
                   const std::string& remedy = "name another file with -o");
 
+/// Throws InputError if `output`, the value of `option`, hasn't the ending of its format: a clip,
+/// for example, isn't to be replaced by a picture.
+void requireEnding(const std::filesystem::path& output, const std::string& ending,
+                   const std::string& option = "-o");
+
 }  // namespace rotatebook::cli

@@ -18,6 +18,7 @@
 #include "picture/thumbnail.h"
 #include "store/clip_files.h"
 #include "system/atomic_file.h"
+#include "system/read_file.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -74,12 +75,19 @@ image::Image drawThumbnail(const scene::Scene& scene, const render::DeviceChoice
   }
 }
 
+/// Prints a note that `file` was replaced.
+void noteReplaced(const fs::path& file) {
+  std::cerr << "note: replaced " << oneLine(file.string())
+            << ", which wasn't of this folder's page\n";
+}
+
 /// Returns whether the overview shows a picture of the figure; of studies it shows curves.
 bool needsThumbnail(const page::Figure& figure) {
   return figure.curves.text.empty();
 }
 
-void drawThumbnails(const Shown& shown, const PageArguments& arguments,
+/// Draws the thumbnails; notes which replaced a file, unless the folder `hasPage` of ours.
+void drawThumbnails(const Shown& shown, const PageArguments& arguments, bool hasPage,
                     std::vector<page::Figure>& figures) {
   const auto fileOf = [&](std::size_t i) {
     return store::clipFiles(arguments.folder, shown.scenes[i].name).thumbnail;
@@ -92,8 +100,11 @@ void drawThumbnails(const Shown& shown, const PageArguments& arguments,
   for (std::size_t i = 0; i < figures.size(); ++i) {
     if (!needsThumbnail(figures[i])) continue;
     const scene::Scene& scene = shown.scenes[i];
-    image::writePng(fileOf(i), drawThumbnail(scene, device).view(), scene::isTransparent(scene));
+    const image::Image picture = drawThumbnail(scene, device);
     figures[i].thumbnail = fileOf(i).filename().string();
+    const bool isForeign = !hasPage && fs::exists(fileOf(i));
+    image::writePng(fileOf(i), picture.view(), scene::isTransparent(scene));
+    if (isForeign) noteReplaced(fileOf(i));
   }
 }
 
@@ -105,12 +116,15 @@ int writePage(const PageArguments& arguments) {
   for (const scene::Scene& scene : shown.scenes) {
     figures.push_back(page::readFigure(scene, arguments.folder));
   }
-  if (!arguments.noThumbnails) drawThumbnails(shown, arguments, figures);
+  const bool replaces = fs::exists(path);
+  const bool hasPage = page::isPage(system::readFileOrEmpty(path));
+  if (!arguments.noThumbnails) drawThumbnails(shown, arguments, hasPage, figures);
   system::writeFileAtomically(path, page::pageText(arguments.title, figures));
+  if (replaces && !hasPage) noteReplaced(path);
   for (const page::Figure& figure : figures) {
-    for (const std::string& note : figure.leftOut) std::cout << "note: " << oneLine(note) << '\n';
+    for (const std::string& note : figure.leftOut) std::cerr << "note: " << oneLine(note) << '\n';
   }
-  std::cout << "wrote " << path.string() << ", " << figures.size()
+  std::cout << "wrote " << oneLine(path.string()) << ", " << figures.size()
             << (figures.size() == 1 ? " figure\n" : " figures\n");
   return kDone;
 }

@@ -86,6 +86,15 @@ std::string outputProblem(const std::string& path) {
   return "nothing is written to the standard output; a file or folder named - is written ./-";
 }
 
+/// Has the checks of `option`, which takes one value, look at its last one alone: that one counts.
+void checkLastAlone(CLI::Option& option) {
+  try {
+    for (int i = 0;; ++i) option.get_validator(i)->application_index(0);
+  } catch (const CLI::OptionNotFound&) {
+    return;  // There is no other way to learn how many checks it has.
+  }
+}
+
 /// Adds to each command what all have in common, at the end of its help.
 void addCommonOptions(CLI::App& program, bool& quiet) {
   constexpr const char* kGroup = "Every command";
@@ -95,6 +104,9 @@ void addCommonOptions(CLI::App& program, bool& quiet) {
     command->add_flag("-q,--quiet", quiet, "Print only results, and what is wrong")->group(kGroup);
     CLI::Option* output = command->get_option_no_throw("--output");
     if (output != nullptr) output->check(outputProblem);
+    for (CLI::Option* option : command->get_options()) {
+      if (option->get_expected_max() == 1) checkLastAlone(*option);
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include <unistd.h>
 #include <utility>
 
+#include "base/text.h"
 #include "cli/quiet.h"
 
 namespace rotatebook::cli {
@@ -62,8 +63,8 @@ std::string progressText(std::int64_t done, std::int64_t total, double rate,
   return line;
 }
 
-ProgressLine::ProgressLine(std::string label, std::string unit)
-    : label_(std::move(label)),
+ProgressLine::ProgressLine(std::string_view label, std::string unit)
+    : label_(oneLine(label)),
       unit_(std::move(unit)),
       terminal_(isatty(STDERR_FILENO) == 1),
       lastPrint_(Clock::now()) {}

@@ -18,7 +18,7 @@ std::string progressText(std::int64_t done, std::int64_t total, double rate,
 class ProgressLine {
  public:
   /// `unit` is the plural of what is counted.
-  explicit ProgressLine(std::string label, std::string unit = "frames");
+  explicit ProgressLine(std::string_view label, std::string unit = "frames");
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
   /// Ends the line of the bar.

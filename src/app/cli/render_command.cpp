@@ -96,7 +96,7 @@ std::vector<SceneToRender> readScenes(const RenderArguments& arguments,
 int render(const RenderArguments& arguments) {
   pipeline::RenderOptions options = arguments.options;
   options.outputs = pipeline::outputsOf(!arguments.noPng, formatsOf(arguments));
-  options.device = arguments.deviceOptions.choice();
+  options.device = arguments.deviceOptions.choice(/*resumable=*/true);
   if (!arguments.frames.empty()) options.frames = rangeOf(arguments.frames);
   const std::vector<SceneToRender> scenes = readScenes(arguments, options);
   options.stop = &catchInterrupts();

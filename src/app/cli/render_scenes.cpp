@@ -84,6 +84,7 @@ int renderInTurn(const std::vector<SceneToRender>& scenes, const pipeline::Rende
       renderOrNoteError(scenes[i], options, progress, out, rendered[i]);
     }
     report::reportRender(rendered[i], options, out);
+    report::reportRenderNotes(rendered[i], std::cerr);
     const int outcome = outcomeOf(rendered[i]);
     if (outcome >= kInterrupted) return outcome;
     status = std::max(status, outcome);
@@ -135,7 +136,7 @@ class ParallelRenders {
 
   struct Render {
     std::atomic<std::int64_t> done = 0, total = 0;
-    std::ostringstream text;
+    std::ostringstream text, notes;
     int status = kDone;
     std::exception_ptr error;
     std::atomic<State> state = State::Waiting;  // Once Failed or Finished, nothing changes.
@@ -144,7 +145,8 @@ class ParallelRenders {
   void render(std::size_t i) {
     Render& one = renders_[i];
     one.state = State::Running;
-    one.text.exceptions(std::ios::badbit);  // The report must be complete.
+    // The report must be complete.
+    for (std::ostringstream* part : {&one.text, &one.notes}) part->exceptions(std::ios::badbit);
     const auto progress = [&one](pipeline::RenderProgress now) {
       one.total = now.total;
       one.done = now.done;
@@ -152,6 +154,7 @@ class ParallelRenders {
     try {
       renderOrNoteError(scenes_[i], options_, progress, one.text, rendered_[i]);
       report::reportRender(rendered_[i], options_, one.text);
+      report::reportRenderNotes(rendered_[i], one.notes);
       one.status = outcomeOf(rendered_[i]);
       one.state = State::Finished;
     } catch (...) {
@@ -189,6 +192,7 @@ class ParallelRenders {
          ++reported_) {
       line_.clear();
       out_ << renders_[reported_].text.str() << std::flush;
+      std::cerr << renders_[reported_].notes.str() << std::flush;
     }
   }
 

@@ -84,16 +84,17 @@ std::vector<std::string> reasons(const fs::path& clip, const store::Provenance& 
 int compare(const store::RecordedClip& there, const RerunArguments& arguments,
             const fs::path& output) {
   const std::string clip = oneLine(arguments.clip.string());
+  const std::string made = oneLine(output.string());
   if (system::checksumOfFile(arguments.clip) == system::checksumOfFile(output)) {
-    std::cout << "  " << output.string() << " has exactly the bytes of " << clip << std::endl;
+    std::cout << "  " << made << " has exactly the bytes of " << clip << std::endl;
     return kDone;
   }
-  std::cout << "  " << output.string() << " has OTHER bytes than " << clip << '\n';
+  std::cout << "  " << made << " has OTHER bytes than " << clip << '\n';
   const store::ClipRecord here = store::parseRecord(video::readClipMetadata(output).comment, output,
                                                     there.record.scene.folder);
   for (const std::string& reason :
        reasons(arguments.clip, there.record.provenance, here.provenance)) {
-    std::cout << "    " << reason << std::endl;
+    std::cout << "    " << oneLine(reason) << std::endl;
   }
   return kUnmet;
 }
@@ -114,7 +115,7 @@ int rerun(const RerunArguments& arguments) {
   if (!arguments.earlier.overwrite) {
     refuseOtherClip(clip.record.scene, files, output, arguments.png);
   }
-  options.device = arguments.deviceOptions.choice();
+  options.device = arguments.deviceOptions.choice(/*resumable=*/true);
   options.stop = &catchInterrupts();
   // Expectations are reported, but decide no status: they decided that of the first render.
   const int status = renderScenes({{clip.record.scene, clip.textures}}, options, 1);

@@ -112,7 +112,7 @@ void addSceneCommand(CLI::App& program, Action& action) {
   auto options = std::make_shared<SceneOptions>();
   CLI::App* command = program.add_subcommand("scene", "Show a scene with every default explicit");
   command->add_option("FILE", *path, "Scene file")->required();
-  command->add_flag("--print")->group("");  // Needless; scripts of earlier versions have it.
+  command->add_flag("--print")->group("");  // Changes nothing; older scripts have it.
   options->addTo(*command);
   command->footer("\nExample:\n  rotatebook scene scenes/starter.toml > full.toml");
   command->callback([path, options, &action] {

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "store/clip_files.h"
 #include "store/manifest.h"
 
@@ -39,7 +40,8 @@ void search(const fs::path& folder, FoundScenes& found, std::vector<fs::path>& l
     }
   }
   if (error) {
-    found.problems.emplace_back(folder, "can't list " + folder.string() + ": " + error.message());
+    found.problems.emplace_back(folder,
+                                oneLine("can't list " + folder.string() + ": " + error.message()));
   }
 }
 

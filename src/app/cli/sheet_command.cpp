@@ -33,13 +33,14 @@ int writeSheet(const SheetArguments& arguments) {
     refuseInputs(arguments.output, inputsOf(path, scenes.back()));
     if (arguments.noCaption) std::erase(scenes.back().overlay.show, scene::Overlay::Caption);
   }
+  requireEnding(arguments.output, ".png");
   picture::SheetOptions options = arguments.options;
   options.device = arguments.deviceOptions.choice();
   const image::Image sheet = picture::drawSheet(scenes, options);
   const bool transparent = std::ranges::any_of(scenes, &scene::isTransparent);
   image::writePng(arguments.output, sheet.view(), transparent);
-  std::cout << "wrote " << arguments.output << ", " << sizeText(sheet.width(), sheet.height())
-            << '\n';
+  std::cout << "wrote " << oneLine(arguments.output) << ", "
+            << sizeText(sheet.width(), sheet.height()) << '\n';
   return kDone;
 }
 

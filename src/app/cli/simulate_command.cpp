@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/text.h"
 #include "cli/commands.h"
 #include "cli/error_report.h"
 #include "cli/exit_code.h"
@@ -36,6 +37,7 @@ int printTable(const scene::Scene& scene) {
   std::cout << timeline::trajectoryCsv(motion.trajectories().front());
   const std::vector<timeline::MotionSummary> motions = timeline::summarize(scene, motion);
   report::reportMotions(motions, std::clog);
+  report::reportNotes(scene, motions, std::cerr);
   return reportIfUnmet(statusOf(timeline::allMet(motions)), false);
 }
 
@@ -43,7 +45,7 @@ void reportAsText(const scene::Scene& scene, const std::vector<std::filesystem::
                   const std::vector<timeline::MotionSummary>& motions, std::ostream& out) {
   out << scene.name << ": " << scene.title << '\n';
   for (std::size_t i = 0; i < tables.size(); ++i) {
-    out << "  wrote " << tables[i].string() << ", " << motions[i].frames << " rows\n";
+    out << "  wrote " << oneLine(tables[i].string()) << ", " << motions[i].frames << " rows\n";
   }
   report::reportMotions(motions, out);
 }
@@ -60,6 +62,7 @@ int simulateScene(const SimulateArguments& arguments) {
   if (!arguments.csv.empty()) files = store::csvFiles(arguments.csv, scene);
   for (const auto& file : files) {
     refuseInputs(file, inputsOf(arguments.scene, scene), "name another file with --csv");
+    requireEnding(file, ".csv", "--csv");
   }
   if (!files.empty()) store::refuseLostTables(arguments.csv, files);
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
@@ -67,6 +70,7 @@ int simulateScene(const SimulateArguments& arguments) {
   const std::vector<timeline::MotionSummary> motions = timeline::summarize(scene, motion);
   (arguments.json ? report::reportSimulationAsJson : reportAsText)(scene, files, motions,
                                                                    std::cout);
+  report::reportNotes(scene, motions, std::cerr);
   return reportIfUnmet(statusOf(timeline::allMet(motions)), !files.empty());
 }
 

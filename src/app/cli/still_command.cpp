@@ -5,6 +5,7 @@
 #include <string>
 #include <system_error>
 
+#include "base/text.h"
 #include "cli/commands.h"
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
@@ -28,12 +29,15 @@ int writeStill(const StillArguments& arguments) {
   const std::string output = arguments.output.empty() ? scene.name + ".png" : arguments.output;
   if (arguments.output.empty()) refuseSameNames({scene});
   refuseInputs(output, inputsOf(arguments.scene, scene));
+  requireEnding(output, ".png");
   std::error_code ignored;
   const bool replaces = arguments.output.empty() && std::filesystem::exists(output, ignored);
   const std::int64_t frame =
       picture::renderStill(scene, arguments.time, output, arguments.deviceOptions.choice());
-  std::cout << scene.name << ": wrote frame " << frame << " to " << output
-            << (replaces ? ", in place of what was there\n" : "\n");
+  std::cout << scene.name << ": wrote frame " << frame << " to " << oneLine(output) << '\n';
+  if (replaces) {
+    std::cerr << "note: " << scene.name << ": replaced " << oneLine(output) << '\n';
+  }
   return kDone;
 }
 

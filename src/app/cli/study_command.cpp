@@ -172,7 +172,7 @@ int finish(const Task& task, const Study& result, StudiedScene& studied, std::os
   }
   studied.files.push_back(task.files.svg.string());
   studied.files.push_back(task.files.png.string());
-  out << "  wrote " << listed(studied.files) << std::endl;
+  out << "  wrote " << oneLine(listed(studied.files)) << std::endl;
   return status;
 }
 
@@ -199,24 +199,35 @@ int runAndFinish(StudyFunction<Study> run, const Task& task, const std::atomic<b
   return interruptStatus();
 }
 
-int runTask(const Task& task, const std::atomic<bool>& stop, StudiedScene& studied,
-            std::ostream& out) {
-  out << task.scene.name << ": " << task.scene.title << std::endl;
+/// Returns the result of `work` for a scene; `studied` has the message of an error that is thrown.
+template <typename Work>
+auto noted(StudiedScene& studied, const Work& work) {
   try {
-    return task.study.isOfTilts()
-               ? runAndFinish(&study::runTiltStudy, task, stop, studied, out)
-               : runAndFinish(&study::runPrecisionStudy, task, stop, studied, out);
+    return work();
   } catch (const std::exception& error) {
     studied.error = error.what();
     throw;
   }
 }
 
+int runTask(const Task& task, const std::atomic<bool>& stop, StudiedScene& studied,
+            std::ostream& out) {
+  out << task.scene.name << ": " << task.scene.title << std::endl;
+  return task.study.isOfTilts() ? runAndFinish(&study::runTiltStudy, task, stop, studied, out)
+                                : runAndFinish(&study::runPrecisionStudy, task, stop, studied, out);
+}
+
 int runTasks(const std::vector<Task>& tasks, const std::atomic<bool>& stop,
              std::vector<StudiedScene>& studied, std::ostream& out) {
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    noted(studied[i], [&] {
+      system::createFolders(tasks[i].files.csv.parent_path());
+      store::requireWritable(tasks[i].files);
+    });
+  }
   int status = kDone;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    const int outcome = runTask(tasks[i], stop, studied[i], out);
+    const int outcome = noted(studied[i], [&] { return runTask(tasks[i], stop, studied[i], out); });
     if (outcome >= kInterrupted) return outcome;
     status = std::max(status, outcome);
   }
@@ -235,12 +246,8 @@ int runTasksAsJson(const std::vector<Task>& tasks, const std::atomic<bool>& stop
 int study(const StudyArguments& arguments) {
   const std::vector<Task> tasks = readTasks(arguments);
   const std::atomic<bool>& stop = catchInterrupts();
-  system::createFolders(arguments.folder);
   std::vector<StudiedScene> studied;
-  for (const Task& task : tasks) {
-    store::requireWritable(task.files);
-    studied.push_back({task.scene, task.study});
-  }
+  for (const Task& task : tasks) studied.push_back({task.scene, task.study});
   return reportIfUnmet(arguments.json ? runTasksAsJson(tasks, stop, studied)
                                       : runTasks(tasks, stop, studied, std::cout));
 }

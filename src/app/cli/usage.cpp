@@ -10,6 +10,7 @@
 
 #include "base/nearest_name.h"
 #include "base/text.h"
+#include "video/video_format.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -85,22 +86,36 @@ std::string optionHint(const CLI::App& program, const std::string& name) {
   return nearest ? ownerText(program, std::string(*nearest), std::string(*nearest)) : "";
 }
 
+/// Returns whether `argument`, which begins with a dash, is likely a file: it is there, or ends as
+/// the files of this program do.
+bool isFile(const std::string& argument) {
+  std::error_code ignored;
+  if (!argument.starts_with('-') || argument.find('=') != std::string::npos) return false;
+  if (fs::is_regular_file(argument, ignored)) return true;
+  const std::string ending = fs::path(argument).extension().string();
+  return ending == ".toml" || ending == ".png" ||
+         std::ranges::any_of(video::kVideoFormats, [&](video::VideoFormat format) {
+           return ending == rowOf(format).ending;
+         });
+}
+
 std::string unknownOptionText(const CLI::App& program, const std::string& word) {
   const std::string name = word.substr(0, word.find('='));
   const CLI::App& command = chosen(program);
   const std::string where = &command == &program ? "" : " of " + command.get_name();
-  return "unknown option" + where + ": " + echoed(name) + optionHint(program, name);
+  return "unknown option" + where + ": " + echoed(name) +
+         (isFile(word) ? "" : optionHint(program, name));
 }
 
 /// Returns what is wrong where `words` are too many: "unexpected argument: b.png; still takes
-/// SCENE".
+/// only SCENE".
 std::string unexpectedText(const CLI::App& command, const std::vector<std::string>& words) {
   std::vector<std::string> taken;
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_positional()) taken.push_back(option->get_name(true));
   }
   return "unexpected argument: " + echoed(words.front()) + "; " + command.get_name() + " takes " +
-         (taken.empty() ? "options alone" : listed(taken) + " alone");
+         (taken.empty() ? "only options" : "only " + listed(taken));
 }
 
 /// Returns the message of CLI11, in our words where its own are hard to read.
@@ -132,14 +147,9 @@ std::string wrongPart(const CLI::App& program, const CLI::Error& error) {
 
 /// Returns the remedy where a file was taken for an option; else nothing.
 std::string dashHint(std::span<char* const> arguments) {
-  for (const char* word : arguments) {
-    const std::string argument = word;
-    std::error_code ignored;
-    const bool isFile = argument.ends_with(".toml") || fs::is_regular_file(argument, ignored);
-    if (!argument.starts_with('-') || argument.find('=') != std::string::npos || !isFile) continue;
-    return "; a file whose name begins with a dash is written ./" + echoed(argument);
-  }
-  return "";
+  const auto file = std::ranges::find_if(arguments, isFile);
+  if (file == arguments.end()) return "";
+  return "; a file whose name begins with a dash is written ./" + echoed(*file);
 }
 
 }  // namespace
@@ -149,8 +159,7 @@ std::string unknownCommandText(const CLI::App& program, std::string_view name) {
   if (name.ends_with(".toml")) {
     return text + "; it is a scene: rotatebook render " + echoed(name);
   }
-  const std::vector<std::string> names = commandNames(program);
-  return text + didYouMean(name, std::vector<std::string_view>(names.begin(), names.end()));
+  return text + didYouMean(name, viewsOf(commandNames(program)));
 }
 
 std::string problemText(const CLI::App& program, const CLI::Error& error,

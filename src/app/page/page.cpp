@@ -105,4 +105,8 @@ std::string pageText(const std::string& title, const std::vector<Figure>& figure
       .text;
 }
 
+bool isPage(std::string_view html) {
+  return html.find(R"(<meta name="generator" content="rotatebook )") != std::string_view::npos;
+}
+
 }  // namespace rotatebook::page

@@ -106,7 +106,7 @@ void printRest(const diagnose::Checkup& checkup, std::ostream& out) {
   row("font", checkup.fontFailure.empty() ? "the one that ships is loaded" : "fails", out);
   const diagnose::FolderCheck& folder = checkup.folder;
   row("output folder",
-      folder.path.string() + ", " +
+      oneLine(folder.path.string()) + ", " +
           (folder.failure.empty() ? gigabytes(static_cast<double>(folder.freeBytes)) + " free"
                                   : "can't be written"),
       out);
@@ -160,20 +160,16 @@ std::string json(const std::optional<render::CallFailure>& failure) {
   return JsonObject().addString("call", failure->call).addString("error", failure->error).text();
 }
 
-std::string numberOrNull(bool known, int number) {
-  return known ? std::to_string(number) : "null";
-}
-
 std::string json(const DisplayCheck& check, bool byDefault) {
   const render::DisplayCandidate& candidate = check.candidate;
+  const bool isDevice = candidate.kind == render::DisplayCandidate::Kind::Device;
   JsonObject object;
   object.addString("name", candidate.name())
-      .add("device",
-           numberOrNull(candidate.kind == render::DisplayCandidate::Kind::Device, candidate.index))
+      .addNumberOrNull("device", isDevice ? std::optional<double>(candidate.index) : std::nullopt)
       .addBool("default", byDefault)
       .addStringOrNull("drm_node", candidate.drmNode)
       .addStringOrNull("render_node", candidate.renderNode)
-      .add("cuda", numberOrNull(candidate.cudaId.has_value(), candidate.cudaId.value_or(0)))
+      .addNumberOrNull("cuda", candidate.cudaId)
       .add("failure", json(check.failure));
   if (check.failure) return object.text();
   return object.addString("vendor", check.vendor)
@@ -208,7 +204,7 @@ std::string json(const video::EncoderCheck& check) {
 std::string json(const diagnose::FolderCheck& folder) {
   return JsonObject()
       .addString("path", folder.path.string())
-      .add("free_bytes", std::to_string(folder.freeBytes))
+      .addInteger("free_bytes", static_cast<std::int64_t>(folder.freeBytes))
       .addStringOrNull("error", folder.failure)
       .text();
 }
@@ -237,7 +233,7 @@ void reportCheckupAsJson(const diagnose::Checkup& checkup, std::ostream& out) {
              .addStringOrNull("font_error", checkup.fontFailure)
              .add("folder", json(checkup.folder))
              .addNumber("cores", checkup.cores)
-             .add("memory_bytes", std::to_string(static_cast<std::int64_t>(checkup.memory)))
+             .addInteger("memory_bytes", static_cast<std::int64_t>(checkup.memory))
              .add("problems", jsonArrayOf(checkup.problems, asJson))
              .text()
       << '\n';

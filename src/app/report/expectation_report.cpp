@@ -1,5 +1,7 @@
 #include "report/expectation_report.h"
 
+#include <cmath>
+
 #include "base/json.h"
 #include "base/number_text.h"
 #include "scene/expectation_text.h"
@@ -28,8 +30,8 @@ std::string reportLine(const std::string& subject, const scene::Bounds& bounds, 
 void reportExpectations(const timeline::MotionSummary& summary, std::ostream& out) {
   if (summary.divergedAt) {
     out << (summary.divergesUnexpectedly ? "  UNMET  no divergence is expected; " : "  ")
-        << "the motion diverges at " << shortestText(*summary.divergedAt) << " s, after "
-        << summary.frames << " frames\n";
+        << "the motion diverges at " << shortestText(std::round(*summary.divergedAt * 1e4) / 1e4)
+        << " s, after " << summary.frames << " frames\n";
   }
   for (const scene::ExpectationResult& result : summary.expectations) {
     out << "  " << reportLine(result) << '\n';

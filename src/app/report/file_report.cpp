@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/number_text.h"
+#include "base/text.h"
 
 namespace rotatebook::report {
 
@@ -14,7 +15,7 @@ std::string spaceWarning(const store::DiskSpace& space, const std::filesystem::p
     return bytes < 1e9 ? std::to_string(std::llround(bytes / 1e6)) + " MB"
                        : roundedText(bytes / 1e9, 2) + " GB";
   };
-  return "about " + sized(space.needed) + " are needed in " + folder.string() + " and " +
+  return "about " + sized(space.needed) + " are needed in " + oneLine(folder.string()) + " and " +
          sized(space.free) + " are free: make room" +
          (pngs ? ", or leave PNGs out with --no-png" : "");
 }

@@ -6,6 +6,7 @@
 
 #include "base/json.h"
 #include "base/number_text.h"
+#include "base/text.h"
 #include "report/expectation_report.h"
 #include "scene/names.h"
 #include "timeline/notes.h"
@@ -45,16 +46,15 @@ std::string energyJson(const MotionSummary& summary) {
 }
 
 std::string motionJson(const MotionSummary& summary) {
-  const auto& [model, integrator] =
-      std::pair(summary.motion.simulation.model, summary.motion.simulation.integrator);
+  const auto& simulation = summary.motion.simulation;
   std::vector<std::string> notes = timeline::notesOn(summary.motion);
   notes.insert(notes.end(), summary.notes.begin(), summary.notes.end());
   return JsonObject()
       .addStringOrNull("label", summary.motion.label)
-      .addString("model", nameOf(scene::kModels, model))
-      .addStringOrNull("integrator", model == physics::Model::Exact
+      .addString("model", nameOf(scene::kModels, simulation.model))
+      .addStringOrNull("integrator", simulation.model == physics::Model::Exact
                                          ? std::string_view()
-                                         : nameOf(scene::kIntegrators, integrator))
+                                         : nameOf(scene::kIntegrators, simulation.integrator))
       .addInteger("half_turns", summary.halfTurns)
       .add("energy_ratio", energyJson(summary))
       .addNumberOrNull("error_deg", summary.errorDeg)
@@ -85,6 +85,7 @@ std::string distanceText(const MotionSummary& summary) {
 std::string energyText(const MotionSummary& summary) {
   const double lowest = summary.lowestEnergy, highest = summary.highestEnergy;
   const double change = std::max(1 - lowest, highest - 1);
+  if (change == 0) return "energy kept exactly";
   if (change < kVisibleChange) return "energy kept to " + roundedUp(change, 1);
   return "energy " + roundedText(lowest, 4) + " to " + roundedText(highest, 4) + " of its start";
 }
@@ -95,13 +96,21 @@ void reportNotes(const scene::Scene& scene, std::ostream& out) {
   }
 }
 
+void reportNotes(const scene::Scene& scene, const std::vector<MotionSummary>& motions,
+                 std::ostream& out) {
+  for (const MotionSummary& summary : motions) {
+    for (const std::string& note : summary.notes) {
+      out << "note: " + joined({scene.name, summary.motion.label}) + ": " + note + '\n';
+    }
+  }
+}
+
 void reportMotions(const std::vector<MotionSummary>& motions, std::ostream& out) {
   for (const MotionSummary& summary : motions) {
     if (!summary.motion.label.empty()) out << "  " << summary.motion.label << ":\n";
     out << "  " << halfTurnsText(summary.halfTurns) << "; " << energyText(summary) << "; "
         << distanceText(summary) << '\n';
     reportExpectations(summary, out);
-    for (const std::string& note : summary.notes) out << "  note: " << note << '\n';
   }
 }
 

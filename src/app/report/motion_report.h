@@ -23,8 +23,13 @@ std::string energyText(const timeline::MotionSummary& summary);
 /// Prints a line "note: NAME: ..." to `out` for each of timeline::notesOn(scene).
 void reportNotes(const scene::Scene& scene, std::ostream& out);
 
-/// Prints the half-turns, the energyText(), the distanceText(), divergence, expectations and notes
-/// of each of `motions`, a panel's under its label.
+/// Prints a line "note: NAME: ..." likewise, or "note: NAME, LABEL: ..." of a panel, for each note
+/// on `motions`, those of `scene`.
+void reportNotes(const scene::Scene& scene, const std::vector<timeline::MotionSummary>& motions,
+                 std::ostream& out);
+
+/// Prints the half-turns, the energyText(), the distanceText(), divergence and expectations of each
+/// of `motions`, a panel's under its label.
 void reportMotions(const std::vector<timeline::MotionSummary>& motions, std::ostream& out);
 
 /// Returns the same as a JSON array. Unknown values are null.

@@ -57,20 +57,18 @@ std::string writtenText(const pipeline::RenderResult& result,
   return listed(items);
 }
 
-/// Reports what became of the outputs `items` of other settings; of those with unknown ones, the
-/// items say so themselves.
-void reportOtherSettings(const char* verb, std::vector<std::string> items, std::ostream& out) {
+/// Notes what became of the outputs `items` of other settings; of those with unknown ones, the
+/// items say so themselves. `start` begins each line: "note: tiny: kept ".
+void noteOtherSettings(const std::string& start, std::vector<std::string> items,
+                       std::ostream& out) {
   const auto isKnown = [](const std::string& item) {
     return !item.ends_with(store::kUnknownSettings);
   };
   const auto unknown = std::stable_partition(items.begin(), items.end(), isKnown);
   const std::vector<std::string> known(items.begin(), unknown);
   const std::vector<std::string> others(unknown, items.end());
-  if (!known.empty()) {
-    out << "  " << verb << ' ' << oneLine(listed(known)) << ", made with other settings"
-        << std::endl;
-  }
-  if (!others.empty()) out << "  " << verb << ' ' << oneLine(listed(others)) << std::endl;
+  if (!known.empty()) out << start + oneLine(listed(known)) + ", made with other settings\n";
+  if (!others.empty()) out << start + oneLine(listed(others)) + '\n';
 }
 
 void addResult(const pipeline::RenderResult& result, const pipeline::RenderOptions& options,
@@ -145,12 +143,19 @@ void reportRender(const RenderedScene& rendered, const pipeline::RenderOptions& 
     return;
   }
   if (!result.wasDone) out << "  wrote " << oneLine(writtenText(result, options)) << std::endl;
-  reportOtherSettings("replaced", result.replaced, out);
-  reportOtherSettings("kept", result.others, out);
-  if (!result.remainder.empty()) out << "  note: " << result.remainder << std::endl;
   if (!result.interrupted) return reportMotions(rendered.motions, out);
   out << "  interrupted after " << store::framesText(result.framesWritten)
       << (hasPng(options.outputs) ? "; go on with the same command and --resume" : "") << std::endl;
+}
+
+void reportRenderNotes(const RenderedScene& rendered, std::ostream& out) {
+  if (!rendered.result) return;
+  const pipeline::RenderResult& result = *rendered.result;
+  const std::string start = "note: " + rendered.scene.name + ": ";
+  noteOtherSettings(start + "replaced ", result.replaced, out);
+  noteOtherSettings(start + "kept ", result.others, out);
+  if (!result.remainder.empty()) out << start + result.remainder + '\n';
+  if (!result.interrupted) reportNotes(rendered.scene, rendered.motions, out);
 }
 
 void reportRendersAsJson(const std::vector<RenderedScene>& scenes,

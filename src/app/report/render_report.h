@@ -32,6 +32,10 @@ void reportStart(const RenderedScene& rendered, const pipeline::RenderOptions& o
 void reportRender(const RenderedScene& rendered, const pipeline::RenderOptions& options,
                   std::ostream& out);
 
+/// Prints the notes on such a render, a line "note: NAME: ..." each: what it replaced, what stays
+/// though it was made with other settings, what couldn't be removed, and notes on its motions.
+void reportRenderNotes(const RenderedScene& rendered, std::ostream& out);
+
 /// Prints all as one JSON object. `interrupted` says that scenes were left out or undone.
 void reportRendersAsJson(const std::vector<RenderedScene>& scenes,
                          const pipeline::RenderOptions& options, bool interrupted,

@@ -18,13 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Returns the names of the scenes in `folder`, without their ending.
 std::vector<std::string> sceneNamesIn(const fs::path& folder) {
   std::vector<std::string> names;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored)) {
     // A link to nothing isn't there, either.
     if (entry.path().extension() == ".toml" && entry.exists(ignored))
-      names.push_back(entry.path().filename().string());
+      names.push_back(entry.path().stem().string());
   }
   // The first of equally near names is suggested, and the order of a folder is arbitrary.
   std::sort(names.begin(), names.end());
@@ -34,11 +35,9 @@ std::vector<std::string> sceneNamesIn(const fs::path& folder) {
 [[noreturn]] void failMissing(const fs::path& path) {
   const std::vector<std::string> names = sceneNamesIn(path.parent_path());
   const std::vector<std::string_view> candidates(names.begin(), names.end());
-  fs::path wanted = path.filename();
-  if (!wanted.has_extension()) wanted += ".toml";
-  const auto nearest = nearestName(wanted.string(), candidates);
+  const auto nearest = nearestName(path.stem().string(), candidates);
   if (!nearest) scene::failAt(path.string(), "scene not found");
-  const fs::path suggestion = path.parent_path() / *nearest;
+  const fs::path suggestion = path.parent_path() / (std::string(*nearest) + ".toml");
   scene::failAt(path.string(),
                 "scene not found; did you mean " + scene::tomlString(suggestion.string()) + "?");
 }

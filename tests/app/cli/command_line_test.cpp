@@ -104,6 +104,20 @@ TEST_F(CommandLine, NeedsACommand) {
   EXPECT_THAT(result.output, IsEmpty());
 }
 
+TEST_F(CommandLine, OnlyTheLastOfARepeatedOptionCounts) {
+  const std::vector<std::vector<std::string>> wrongFirst{
+      {"sheet", "tiny.toml", "-o", "-", "-o", "s.png", "--count", "x", "--count", "1"},
+      {"diff", "s.png", "s.png", "--max", "x", "--max", "300", "--max", "2"},
+      {"render", "tiny.toml", "--no-png", "--jobs", "x", "-j", "0", "--jobs", "1"},
+      {"still", "tiny.toml", "-o", "t.png", "--time", "noon", "--time", "0"}};
+  for (const std::vector<std::string>& arguments : wrongFirst) {
+    EXPECT_EQ(run(arguments).status, 0) << run(arguments).error;
+  }
+  const ChildResult wrongLast = run({"render", "tiny.toml", "--jobs", "1", "--jobs", "65"});
+  EXPECT_EQ(wrongLast.status, 2);
+  EXPECT_THAT(wrongLast.error, HasSubstr("--jobs"));
+}
+
 TEST_F(CommandLine, SuggestsTheNearestCommand) {
   const std::string advice = "\nRun 'rotatebook --help' for more information.\n";
   expectRefused({"redner", "tiny.toml"},
@@ -170,7 +184,15 @@ INSTANTIATE_TEST_SUITE_P(
         WrongOption{"AFile",
                     {"render", "-x.toml"},
                     " of render: -x.toml; a file whose name begins with a dash is written "
-                    "./-x.toml"}),
+                    "./-x.toml"},
+        WrongOption{"AClip",
+                    {"verify", "-x.mp4"},
+                    " of verify: -x.mp4; a file whose name begins with a dash is written "
+                    "./-x.mp4"},
+        WrongOption{"APicture",
+                    {"diff", "-x.png", "y.png"},
+                    " of diff: -x.png; a file whose name begins with a dash is written "
+                    "./-x.png"}),
     [](const auto& one) { return one.param.name; });
 
 TEST_F(CommandLine, HintsAtAFileThatIsTakenForAnOption) {
@@ -184,11 +206,11 @@ TEST_F(CommandLine, RefusesWhatIsTooMuchOrMissing) {
   const std::string advice = " --help' for more information.\n";
   expectRefused({"render"}, "rotatebook: SCENE is required\nRun 'rotatebook render" + advice);
   expectRefused({"still", "tiny.toml", "b.toml"},
-                "rotatebook: unexpected argument: b.toml; still takes SCENE alone\n"
+                "rotatebook: unexpected argument: b.toml; still takes only SCENE\n"
                 "Run 'rotatebook still" +
                     advice);
   expectRefused({"doctor", "x"},
-                "rotatebook: unexpected argument: x; doctor takes options alone\n"
+                "rotatebook: unexpected argument: x; doctor takes only options\n"
                 "Run 'rotatebook doctor" +
                     advice);
   expectRefused({"render", "tiny.toml", "--size"},

@@ -44,6 +44,19 @@ constexpr const char* kWrongInJson =
 constexpr const char* kTitleInJson = R"("title": "Größe \"x\" \\ 書")";
 constexpr const char* kUnmet = "rotatebook: expectations are unmet; the files were kept\n";
 
+TEST_F(Json, OfAStudyThatCantBeWrittenHasTheError) {
+  fs::create_directories(folder() / "out/b-study.csv");
+  for (const std::string output : {"/proc/x", "out"}) {
+    const ChildResult result =
+        runWithoutGraphics({"study", "tiny.toml", "b.toml", "--json", "-o", output});
+    EXPECT_EQ(result.status, 3) << output;
+    expectKeys(result.output, "interrupted studies");
+    EXPECT_EQ(countOf("\"name\": ", result.output), 2);
+    EXPECT_EQ(countOf("\"error\": null", result.output), 1);
+    EXPECT_THAT(result.error, StartsWith("rotatebook: ")) << output;
+  }
+}
+
 TEST_F(Json, OfCheckHasEachFile) {
   const ChildResult result = runWithoutGraphics(
       {"check", "tiny.toml", "wrong.toml", "b.toml", "--json", "--set", "body.size=[0.1, 0.2, 9]"});

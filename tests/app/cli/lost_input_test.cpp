@@ -51,6 +51,23 @@ TEST_F(LostInput, IsNoScene) {
   EXPECT_FALSE(has("tiny.mp4"));
 }
 
+TEST_F(LostInput, IsNoFileOfAnotherFormat) {
+  write("clip.mp4", "a clip");
+  const auto expectRefused = [this](const std::vector<std::string>& arguments,
+                                    const std::string& message) {
+    const ChildResult result = run(arguments);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_EQ(result.error, "rotatebook: " + message + '\n');
+    EXPECT_EQ(read("clip.mp4"), "a clip");
+  };
+  const std::string png = "-o clip.mp4: the name of the file must end in .png";
+  expectRefused({"still", "tiny.toml", "-o", "clip.mp4"}, png);
+  expectRefused({"sheet", "tiny.toml", "-o", "clip.mp4"}, png);
+  expectRefused({"diff", "a.png", "b.png", "-o", "clip.mp4"}, png);
+  expectRefused({"simulate", "tiny.toml", "--csv", "clip.mp4"},
+                "--csv clip.mp4: the name of the file must end in .csv");
+}
+
 TEST_F(LostInput, IsNoTexture) {
   makeCover();
   fs::create_symlink("book.png", folder() / "link.png");

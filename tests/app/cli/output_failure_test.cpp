@@ -131,7 +131,7 @@ TEST_F(OutputFailure, ReplacedClipThatMayNotBeRemovedStopsNoOtherRender) {
   for (const char* flag : {"--resume", "--no-png"}) {
     const ChildResult result = run({"render", "tiny.toml", flag}, settings);
     EXPECT_EQ(result.status, 0) << result.error;
-    EXPECT_THAT(result.output, HasSubstr("  note: " + remainder));
+    EXPECT_THAT(result.error, HasSubstr("note: tiny: " + remainder));
   }
   const ChildResult result = run({"render", "tiny.toml"}, settings);
   fs::permissions(folder() / "out/tiny.replaced", fs::perms::owner_all);

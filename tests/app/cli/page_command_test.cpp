@@ -78,10 +78,20 @@ TEST_F(PageCommand, LeavesOutAGifOfOtherSettings) {
   other.insert(other.end(), {"--set", "camera.field_of_view_deg=60"});
   run(other);
   run({"render", "tiny.toml", "--no-png", "--size", "640x360"});
-  EXPECT_THAT(page().output, HasSubstr("note: out/tiny.gif isn't linked: it was made from another "
-                                       "scene or with other settings\n"));
+  EXPECT_THAT(page().error, HasSubstr("note: out/tiny.gif isn't linked: it was made from another "
+                                      "scene or with other settings\n"));
   run(gif);
   EXPECT_EQ(page().output, "wrote out/index.html, 1 figure\n");
+}
+
+TEST_F(PageCommand, NotesWhatItReplacesOfOthers) {
+  const std::string of = ", which wasn't of this folder's page\n";
+  EXPECT_THAT(page().error, IsEmpty());
+  EXPECT_THAT(page().error, IsEmpty());
+  write("out/index.html", "<html>mine</html>");
+  EXPECT_EQ(page({"tiny.toml", "-q"}).error, "note: replaced " + std::string(kThumbnail) + of +
+                                                 "note: replaced out/index.html" + of);
+  EXPECT_THAT(page().error, IsEmpty());
 }
 
 TEST_F(PageCommand, RefusesAPosterOfOtherSettings) {
@@ -108,9 +118,10 @@ TEST_F(PageCommand, SaysWhichVideosAreNotTheScenes) {
   fs::copy_file(folder() / "small/tiny.gif", folder() / "out/tiny.gif");
   const ChildResult result = page();
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_EQ(result.output,
-            "note: out/tiny.gif isn't linked: its pictures are 64x36, and the scene's are 640x360\n"
-            "wrote out/index.html, 1 figure\n");
+  EXPECT_EQ(result.error,
+            "note: out/tiny.gif isn't linked: its pictures are 64x36, and the scene's are "
+            "640x360\n");
+  EXPECT_EQ(result.output, "wrote out/index.html, 1 figure\n");
   EXPECT_THAT(read("out/index.html"), Not(HasSubstr("tiny.gif")));
 }
 

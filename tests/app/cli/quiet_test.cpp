@@ -13,6 +13,9 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::StartsWith;
 
+const std::string kUnnormalized =
+    std::string(ROTATEBOOK_SOURCE) + "/scenes/figures/fig07-unnormalized.toml";
+
 class Quiet : public ProgramTest {
  protected:
   /// Expects that the command succeeds, and prints nothing with --quiet, wherever it is.
@@ -38,7 +41,7 @@ TEST_F(Quiet, ReportsArentPrinted) {
   expectSilent({"render", "tiny.toml"});
   expectSilent({"check", "tiny.toml"});
   expectSilent({"simulate", "tiny.toml", "--csv", "x.csv"});
-  expectSilent({"still", "tiny.toml"});
+  expectSilent({"still", "tiny.toml", "-o", "tiny.png"});
   expectSilent({"sheet", "tiny.toml", "--count", "1", "-o", "sheet.png"});
   expectSilent({"diff", "tiny.png", "tiny.png"});
   expectSilent({"verify", "out/tiny.mp4"});
@@ -82,11 +85,25 @@ TEST_F(Quiet, TheReasonOfAFailureIsPrinted) {
   EXPECT_THAT(different.error, HasSubstr("different: largest difference "));
 }
 
+TEST_F(Quiet, WhatIsLostAndWhatStaysIsPrinted) {
+  run({"render", "tiny.toml", "--format", "mp4,gif", "--no-png"});
+  const ChildResult result =
+      run({"render", "tiny.toml", "--no-png", "-q", "--set", "clip.duration=0.1"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.error,
+              AllOf(HasSubstr("note: tiny: replaced out/tiny.csv"),
+                    HasSubstr("note: tiny: kept out/tiny.gif, made with other settings\n")));
+  EXPECT_THAT(result.output, IsEmpty());
+}
+
 TEST_F(Quiet, NotesAndErrorsArePrinted) {
   const ChildResult noted =
       run({"check", "tiny.toml", "-q", "--set", "initial.angular_velocity=[500.0, 0, 0.1]"});
   EXPECT_EQ(noted.status, 0);
   EXPECT_THAT(noted.error, HasSubstr("note: tiny: "));
+  const ChildResult changed = run({"simulate", kUnnormalized, "-q"});
+  EXPECT_EQ(changed.status, 0);
+  EXPECT_THAT(changed.error, AllOf(StartsWith("note: fig07-unnormalized: "), HasSubstr("regime")));
   const ChildResult wrong = run({"check", "tiny.toml", "other.toml", "-q"});
   EXPECT_EQ(wrong.status, 2);
   EXPECT_EQ(wrong.error, "rotatebook: other.toml: scene not found\n");

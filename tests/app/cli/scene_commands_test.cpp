@@ -39,7 +39,7 @@ TEST_F(SceneCommandsTest, StillIsThePosterInItsFolderByDefault) {
   EXPECT_EQ(result.output, "tiny: wrote frame 6 to tiny.png\n");
   EXPECT_EQ(read("tiny.png"), read("out/tiny.poster.png"));
   EXPECT_EQ(run({"still", "out/../tiny.toml", "--set", "clip.poster=0.05"}).output,
-            "tiny: wrote frame 3 to tiny.png, in place of what was there\n");
+            "tiny: wrote frame 3 to tiny.png\n");
 }
 
 TEST_F(SceneCommandsTest, StillByDefaultReplacesNoInput) {

@@ -65,7 +65,7 @@ std::vector<MotionSummary> exampleMotions() {
   euler.highestEnergy = 2.5;
   euler.errorDeg = 179.96;
   euler.visibleFrom = 0.1 + 0.2;
-  euler.divergedAt = 1.5;
+  euler.divergedAt = 22.53333333333333;
   euler.notes = {"the regime changes"};
   return {exact, euler};
 }
@@ -75,12 +75,19 @@ TEST(MotionReport, HasALineForEachPanelUnderItsLabel) {
   reportMotions(exampleMotions(), out);
   EXPECT_EQ(out.str(),
             "  Exact \"one\":\n"
-            "  1 half-turn; energy kept to 0; the exact motion itself, in closed form\n"
+            "  1 half-turn; energy kept exactly; the exact motion itself, in closed form\n"
             "  Euler:\n"
             "  7 half-turns; energy 1 to 2.5 of its start; up to 180 degrees from the exact "
             "motion; more than 10 from 0.3 s on\n"
-            "  the motion diverges at 1.5 s, after 90 frames\n"
-            "  note: the regime changes\n");
+            "  the motion diverges at 22.5333 s, after 90 frames\n");
+}
+
+TEST(MotionReport, NamesSceneAndPanelInNotes) {
+  scene::Scene scene;
+  scene.name = "s";
+  std::ostringstream out;
+  reportNotes(scene, exampleMotions(), out);
+  EXPECT_EQ(out.str(), "note: s, Euler: the regime changes\n");
 }
 
 TEST(MotionReport, IsJsonToo) {
@@ -92,7 +99,7 @@ TEST(MotionReport, IsJsonToo) {
       R"(long, as lengths are in metres; 1 cm is 0.01"]}, )"
       R"({"label": "Euler", "model": "quaternion", "integrator": "euler", "half_turns": 7, )"
       R"("energy_ratio": {"lowest": 1, "highest": 2.5}, "error_deg": 179.96, )"
-      R"("visible_from_s": 0.30000000000000004, "diverged_at_s": 1.5, "met": true, )"
+      R"("visible_from_s": 0.30000000000000004, "diverged_at_s": 22.53333333333333, "met": true, )"
       R"("expectations": [], "notes": ["the regime changes"]}])");
 }
 

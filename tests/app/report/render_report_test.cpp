@@ -101,16 +101,37 @@ TEST(RenderReport, NamesTheFilesThatAnEarlierRunMade) {
                         R"("frames_written": 0, "frames_kept": 0, "files": ["out/tiny.mp4", )"));
 }
 
+TEST(RenderReport, HasNotesOnWhatIsLostAndWhatStays) {
+  RenderedScene rendered = exampleRender();
+  rendered.result->replaced = {"out/tiny.mp4", "out/ti\nny.csv"};
+  rendered.result->remainder = "the earlier clip stays";
+  rendered.motions.resize(1);
+  rendered.motions[0].notes = {"the regime changes"};
+  std::ostringstream out;
+  reportRenderNotes(rendered, out);
+  EXPECT_EQ(out.str(),
+            "note: tiny: replaced out/tiny.mp4 and out/ti\\nny.csv, made with other settings\n"
+            "note: tiny: kept out/tiny.gif, made with other settings\n"
+            "note: tiny: the earlier clip stays\n"
+            "note: tiny: the regime changes\n");
+}
+
+TEST(RenderReport, SaysOnceThatSettingsAreUnknown) {
+  RenderedScene rendered = exampleRender();
+  rendered.result->replaced = {"out/a.webm (with unknown settings)", "out/tiny.csv"};
+  rendered.result->others.clear();
+  std::ostringstream out;
+  reportRenderNotes(rendered, out);
+  EXPECT_EQ(out.str(),
+            "note: tiny: replaced out/tiny.csv, made with other settings\n"
+            "note: tiny: replaced out/a.webm (with unknown settings)\n");
+}
+
 TEST(RenderReport, ListsWhatWasWrittenAndKept) {
   EXPECT_EQ(textOf(exampleRender()),
             "  kept 5 frames of an earlier run\n"
             "  wrote out/tiny.mp4, out/tiny.csv, out/tiny.poster.png and 100000 frames in "
-            "out/tiny/\n"
-            "  kept out/tiny.gif, made with other settings\n");
-  RenderedScene replacing = exampleRender();
-  replacing.result->replaced = {"out/a.webm (with unknown settings)", "out/tiny.csv"};
-  EXPECT_THAT(textOf(replacing), HasSubstr("  replaced out/tiny.csv, made with other settings\n"
-                                           "  replaced out/a.webm (with unknown settings)\n"));
+            "out/tiny/\n");
   RenderedScene none{exampleRender().scene};
   none.interrupted = true;
   EXPECT_EQ(textOf(none), "tiny: interrupted while simulating; nothing was written\n");

@@ -69,6 +69,8 @@ TEST_F(SceneFileTest, SuggestsTheNearestNameForAMissingOne) {
             "sumble.toml: scene not found; did you mean \"tumble.toml\"?");
   EXPECT_EQ(errorOfFile(folder_ / "tumble"),
             "tumble: scene not found; did you mean \"tumble.toml\"?");
+  write("s.toml", scene::kSpin);
+  EXPECT_EQ(errorOfFile(folder_ / "q"), "q: scene not found");
   EXPECT_EQ(errorOfFile(folder_ / "spin.toml"), "spin.toml: scene not found");
   EXPECT_EQ(errorOfFile(folder_ / "missing" / "a.toml"), "missing/a.toml: scene not found");
 }

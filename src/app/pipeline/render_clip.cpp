@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "picture/frame_drawer.h"
 #include "picture/poster.h"
+#include "store/clip_folder.h"
 #include "store/clip_record.h"
 #include "store/encoding.h"
 #include "store/fingerprint.h"

@@ -15,7 +15,7 @@
 #include "render/device/device.h"
 #include "scene/scene.h"
 #include "store/clip_files.h"
-#include "store/clip_folder.h"
+#include "store/clip_settings.h"
 #include "store/disk_space.h"
 #include "timeline/clip_motion.h"
 

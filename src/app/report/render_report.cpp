@@ -7,7 +7,7 @@
 #include "base/number_text.h"
 #include "base/text.h"
 #include "report/motion_report.h"
-#include "store/clip_folder.h"
+#include "store/other_settings.h"
 #include "system/machine.h"
 
 namespace rotatebook::report {

@@ -8,27 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "scene/scene.h"
 #include "store/clip_files.h"
+#include "store/clip_settings.h"
 #include "store/frame_checksums.h"
 #include "store/manifest.h"
 #include "store/other_settings.h"
 #include "system/atomic_file.h"
 
 namespace rotatebook::store {
-
-/// The end of the names of outputs that no manifest lists, in
-/// ClipFolder::replacedOfOtherSettings().
-inline constexpr const char* kUnknownSettings = " (with unknown settings)";
-
-/// The treatment of frames that an earlier render left unfinished. If neither is set, such frames
-/// are an error.
-struct EarlierFrames {
-  /// Keep the frames if their settings are the same; otherwise they are an error, even those of a
-  /// finished clip.
-  bool resume = false;
-  bool overwrite = false;  ///< Discard the frames; with `resume`, only if their settings differ.
-};
 
 /// The folder into which a render writes its frames. The frames of a whole clip go to
 /// NAME.partial/, which replaces NAME/ in one step once all is done: files of two renders never
@@ -39,17 +26,7 @@ struct EarlierFrames {
 /// rendered side by side.
 class ClipFolder {
  public:
-  /// A render and its treatment of earlier frames.
-  struct Settings {
-    const scene::Scene& scene;
-    std::string record;      ///< The text of scene.toml.
-    Manifest::Entries made;  ///< The fingerprint of the frames.
-    /// The files beside the frames that the render will write.
-    std::vector<std::filesystem::path> outputs{};
-    EarlierFrames earlier{};
-    bool part = false;  ///< A range of frames, which go to NAME/ beside others of these settings.
-    bool png = true;    ///< PNGs are written; a part without them leaves nothing in NAME/.
-  };
+  using Settings = ClipSettings;
 
   /// Throws InputError if there are frames that must not be lost or mixed, or another clip's file
   /// under the name of an output; MachineError if another process is rendering into the folder, or

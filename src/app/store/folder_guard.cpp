@@ -27,7 +27,7 @@ std::string contentText(const fs::path& folder, const std::optional<Manifest>& t
 
 /// Returns what follows contentText(): how the settings of the frames in `folder` differ.
 std::string differenceText(const fs::path& folder, const std::optional<Manifest>& there,
-                           const ClipFolder::Settings& settings) {
+                           const ClipSettings& settings) {
   if (!hasFrames(folder) || !knowsSettings(there)) return "";
   return (there->finished ? " with other settings: " : " and had other settings: ") +
          differences(folder, there->own.made, settings.made, settings.scene);
@@ -48,7 +48,7 @@ bool hasForeignRecord(const fs::path& folder) {
 }
 
 void refuseForeignFiles(const fs::path& folder, const std::optional<Manifest>& there,
-                        const ClipFolder::Settings& settings) {
+                        const ClipSettings& settings) {
   if (settings.earlier.overwrite) return;
   if (hasForeignRecord(folder)) {
     throw InputError(folder.string() + " holds a scene.toml that no render left there" +
@@ -65,7 +65,7 @@ void refuseForeignFiles(const fs::path& folder, const std::optional<Manifest>& t
 }
 
 void requireDiscardable(const fs::path& folder, const std::optional<Manifest>& there,
-                        const ClipFolder::Settings& settings) {
+                        const ClipSettings& settings) {
   const bool resume = settings.earlier.resume;
   const bool complete = there && there->finished;
   const bool discardable = complete ? !resume : !hasFrames(folder) && !hasForeignRecord(folder);
@@ -79,7 +79,7 @@ void requireDiscardable(const fs::path& folder, const std::optional<Manifest>& t
 }
 
 void requireJoinable(const fs::path& folder, const std::optional<Manifest>& there,
-                     const ClipFolder::Settings& settings, const std::string& remedy) {
+                     const ClipSettings& settings, const std::string& remedy) {
   if (!hasFrames(folder) || isMadeWith(there, settings.made)) return;
   throw InputError(folder.string() + " holds frames with other settings" +
                    (knowsSettings(there)

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "store/clip_folder.h"
+#include "store/clip_settings.h"
 #include "store/manifest.h"
 
 namespace rotatebook::store {
@@ -19,16 +19,16 @@ bool hasForeignRecord(const std::filesystem::path& folder);
 /// that no render left there, unless --overwrite allows to replace them. Frames that were changed
 /// since count, too, unless the render goes on with that clip, which draws them again.
 void refuseForeignFiles(const std::filesystem::path& folder, const std::optional<Manifest>& there,
-                        const ClipFolder::Settings& settings);
+                        const ClipSettings& settings);
 
 /// Throws InputError unless the frames in `folder` may be discarded. Unfinished frames may not,
 /// nor, if the render is to resume, a clip; --overwrite allows both.
 void requireDiscardable(const std::filesystem::path& folder, const std::optional<Manifest>& there,
-                        const ClipFolder::Settings& settings);
+                        const ClipSettings& settings);
 
 /// Throws InputError if `folder` holds frames with other settings, which a part can't join.
 void requireJoinable(const std::filesystem::path& folder, const std::optional<Manifest>& there,
-                     const ClipFolder::Settings& settings, const std::string& remedy);
+                     const ClipSettings& settings, const std::string& remedy);
 
 /// Throws MachineError, with the remedy, if one of `files` can't be replaced or removed: it is a
 /// folder, or this user may not.

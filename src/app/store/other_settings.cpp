@@ -5,7 +5,6 @@
 #include <system_error>
 
 #include "base/error.h"
-#include "store/clip_folder.h"
 #include "system/file_checksum.h"
 
 namespace rotatebook::store {

@@ -1,4 +1,4 @@
-// Outputs of renders with other settings, and of other clips, beside a clip. Inside the room only.
+// Outputs of renders with other settings, and of other clips, beside a clip.
 #pragma once
 
 #include <filesystem>
@@ -10,6 +10,9 @@
 #include "store/manifest.h"
 
 namespace rotatebook::store {
+
+/// The end of the names of outputs that no manifest lists, in ReplacedOutputs::items().
+inline constexpr const char* kUnknownSettings = " (with unknown settings)";
 
 /// Returns whether the folder's own frames have the fingerprint `made`.
 bool isMadeWith(const std::optional<Manifest>& manifest, const Manifest::Entries& made);

@@ -1,12 +1,8 @@
 #include "store/tables.h"
 
-#include <system_error>
-
-#include "base/error.h"
 #include "store/clip_files.h"
 #include "store/other_settings.h"
 #include "system/atomic_file.h"
-#include "system/read_file.h"
 #include "timeline/trajectory_csv.h"
 
 namespace rotatebook::store {
@@ -23,15 +19,6 @@ void writeTables(const std::vector<std::filesystem::path>& files,
 
 void refuseLostTables(const std::filesystem::path& csv,
                       const std::vector<std::filesystem::path>& files) {
-  constexpr std::string_view kHead = "frame,";
-  for (const std::filesystem::path& file : files) {
-    std::error_code error;
-    if (file == csv || !std::filesystem::is_regular_file(file, error)) continue;
-    if (system::readFileOrEmpty(file).starts_with(kHead)) continue;
-    throw InputError(file.string() +
-                     " is no table, and the table of a panel would replace it; name another file "
-                     "with --csv");
-  }
   refuseFilesOfOtherClips(clipFiles(csv.parent_path(), csv.stem()), files,
                           "the table would replace it; name another file with --csv");
 }

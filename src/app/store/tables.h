@@ -14,7 +14,7 @@ void writeTables(const std::vector<std::filesystem::path>& files,
                  const timeline::ClipMotion& motion);
 
 /// Throws InputError if one of `files`, the tables of a scene that are named after `csv`, belongs
-/// to another clip in its folder, or has a name of its own and is no table.
+/// to another clip in its folder.
 void refuseLostTables(const std::filesystem::path& csv,
                       const std::vector<std::filesystem::path>& files);
 

@@ -209,7 +209,7 @@ TEST_F(LostInput, IsNoTableOfAnotherClipNorAFileOfAnotherKind) {
   write("panels.toml", panel + "[[panel]]\nlabel = \"b\"\n");
   const ChildResult scene = run({"simulate", "panels.toml", "--csv", "tiny.toml"});
   EXPECT_EQ(scene.status, 2);
-  EXPECT_THAT(scene.error, HasSubstr("tiny_exact.toml is no table"));
+  EXPECT_THAT(scene.error, HasSubstr("tiny_exact.toml: the name of the file must end in .csv"));
   EXPECT_EQ(read("tiny_exact.toml"), kTiny);
 
   ASSERT_EQ(run({"render", "tiny_exact.toml", "--no-png", "--no-mp4"}).status, 0);

@@ -114,7 +114,7 @@ TEST_F(OutputFailure, IsNoFileThatMayNotBeRead) {
     fs::permissions(folder() / "out/tiny.csv", fs::perms::owner_write);
     const ChildResult result = run({"render", "tiny.toml", flag}, settings);
     EXPECT_EQ(result.status, 0) << result.error;
-    EXPECT_THAT(result.output, HasSubstr("  replaced out/tiny.csv (with unknown settings)\n"));
+    EXPECT_THAT(result.error, HasSubstr("replaced out/tiny.csv (with unknown settings)\n"));
   }
   EXPECT_THAT(read("out/tiny.csv"), StartsWith("frame,"));
 }

@@ -80,8 +80,8 @@ TEST_F(RenderCommand, SaysWhatItKeptOfOtherSettings) {
   run({"render", "tiny.toml"});
   const ChildResult result =
       run({"render", "tiny.toml", "--format", "gif", "--no-png", "--set", "body.mass=2"});
-  EXPECT_THAT(result.output,
-              HasSubstr("\n  kept out/tiny.mp4 and 12 frames in out/tiny/, made with "
+  EXPECT_THAT(result.error,
+              HasSubstr("note: tiny: kept out/tiny.mp4 and 12 frames in out/tiny/, made with "
                         "other settings\n"));
   EXPECT_TRUE(has("out/tiny.mp4"));
   EXPECT_TRUE(has("out/tiny/frame_00011.png"));

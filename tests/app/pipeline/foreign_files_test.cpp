@@ -8,6 +8,7 @@
 
 #include "pipeline/rendered_again.h"
 #include "store/manifest.h"
+#include "store/other_settings.h"
 #include "system/atomic_file.h"
 
 namespace rotatebook::pipeline {

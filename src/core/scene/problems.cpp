@@ -48,8 +48,11 @@ void Problems::throwIfAny() {
   };
   std::ranges::stable_sort(noted_, {}, position);
   // A panel repeats the problems of what it takes from the scene.
-  const auto repeated = std::ranges::unique(noted_, {}, &Problem::location);
-  noted_.erase(repeated.begin(), repeated.end());
+  const auto isSame = [](const Problem& one, const Problem& other) {
+    return one.location == other.location;
+  };
+  const auto repeated = std::unique(noted_.begin(), noted_.end(), isSame);
+  noted_.erase(repeated, noted_.end());
   throw SceneError(noted_);
 }
 

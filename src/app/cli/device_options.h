@@ -18,8 +18,8 @@ struct DeviceOptions {
   /// Returns the choice that they make. Throws InputError.
   render::DeviceChoice parsed() const;
   /// Returns parsed(), for drawing with it: its warning is printed once, and from now on a crash of
-  /// this process starts the command `after-crash` in its place.
-  /// If that can be `resumable`, the message says so.
+  /// this process starts the command `after-crash` in its place, which advises --resume if the
+  /// command is `resumable`.
   render::DeviceChoice choice(bool resumable = false) const;
 };
 

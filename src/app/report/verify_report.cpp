@@ -165,7 +165,7 @@ std::string json(const verify::Deviation& deviation) {
 
 std::string json(const PictureCheck& check) {
   return JsonObject()
-      .add("frame", std::to_string(check.frame))
+      .addInteger("frame", check.frame)
       .addBool("passed", check.passed())
       .addNumber("quantiser", check.quantiser)
       .add("measured", json(check.measured))
@@ -211,7 +211,7 @@ void reportVerificationAsJson(const std::string& clip, const Verification& found
              .add("quantiser", found.quantiser ? shortestText(*found.quantiser) : "null")
              .add("made_with", json(found.record.provenance))
              .add("frames", json(found.range))
-             .add("whole_frames", std::to_string(found.wholeCount))
+             .addInteger("whole_frames", found.wholeCount)
              .add("tools_differ", jsonArrayOf(found.toolsDiffer, jsonString))
              .add("checks", jsonArrayOf(found.checks, asJson))
              .add("pictures", jsonArrayOf(found.pictures, asJson))

@@ -149,7 +149,7 @@ BlockSums sumsAt(const video::Planes& picture, const video::Planes& drawn, int l
 }  // namespace
 
 std::optional<double> codingNoise(const video::Planes& picture, const video::Planes& drawn) {
-  constexpr std::size_t kFewest = 16;  // Blocks of which a quartile says something.
+  constexpr std::size_t kMinBlocks = 16;  // Fewer make no reliable quartile.
   std::vector<double> errors;
   for (int top = 0; top + video::kBlockSide <= drawn.height; top += video::kBlockSide) {
     for (int left = 0; left + video::kBlockSide <= drawn.width; left += video::kBlockSide) {
@@ -157,7 +157,7 @@ std::optional<double> codingNoise(const video::Planes& picture, const video::Pla
       if (sums.showsTexture()) errors.push_back(sums.rms());
     }
   }
-  if (errors.size() < kFewest) return std::nullopt;
+  if (errors.size() < kMinBlocks) return std::nullopt;
   const auto quartile = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() * 3 / 4);
   std::ranges::nth_element(errors, quartile);
   return *quartile;

@@ -28,9 +28,7 @@ using testing::smallScene;
 class ForeignFiles : public testing::RenderedAgain {
  protected:
   RenderResult renderVideo(const store::EarlierFrames& earlier = {}) {
-    return testing::render(smallScene(), {.folder = folder_,
-                                          .outputs = outputsOf(false, {video::VideoFormat::Mp4}),
-                                          .earlier = earlier});
+    return RenderedAgain::renderVideo(video::VideoFormat::Mp4, earlier, smallScene());
   }
   RenderResult renderPart(store::FrameRange range) {
     return testing::render(smallScene(),

@@ -27,9 +27,7 @@ using testing::stoppedAfter;
 class OtherSettings : public testing::RenderedAgain {
  protected:
   RenderResult renderGif(const store::EarlierFrames& earlier = {}) {
-    return testing::render(otherScene(), {.folder = folder_,
-                                          .outputs = outputsOf(false, {video::VideoFormat::Gif}),
-                                          .earlier = earlier});
+    return renderVideo(video::VideoFormat::Gif, earlier, otherScene());
   }
   std::string path(const char* name) const { return (folder_ / name).string(); }
 };

@@ -43,6 +43,12 @@ class RenderedAgain : public ::testing::Test {
                     const scene::Scene& scene = smallScene()) {
     return stoppedAfter(frames, scene, pngAndMp4(folder_, earlier));
   }
+  /// Renders a video alone.
+  RenderResult renderVideo(video::VideoFormat format, const store::EarlierFrames& earlier,
+                           const scene::Scene& scene) {
+    return testing::render(
+        scene, {.folder = folder_, .outputs = outputsOf(false, {format}), .earlier = earlier});
+  }
   std::string failureOf(const store::EarlierFrames& earlier,
                         const scene::Scene& scene = smallScene()) {
     return messageOf<InputError>([&] { render(earlier, scene); });

@@ -27,7 +27,7 @@ help:
 	@echo 'make bench-peers         install and run the programs that make bench compares with'
 	@echo 'make bench-physics       measure a step of each integrator'
 	@echo 'make bench-engines       compare with Bullet, ODE, MuJoCo and Simbody: error, drift, speed'
-	@echo 'make lint                check format and run the static analyser'
+	@echo 'make lint                check format, compile each header alone and run the static analyser'
 	@echo 'make gallery             draw docs/gallery.png, the picture in docs/figures.md, anew'
 	@echo 'make textures            draw the cover anew (see assets/README.md)'
 	@echo 'make setup               install what the program needs; other targets install what they need, too'
@@ -144,7 +144,8 @@ format-check:
 
 # By the commands of a build that compiles each file by itself.
 lint: format-check
-	@$(MAKE) --no-print-directory configure PRESET=dev
+	@$(MAKE) --no-print-directory configure-test PRESET=dev
+	@cmake --build build/dev --target headers_alone
 	git ls-files 'src/*.cpp' | xargs -P2 -n4 clang-tidy --quiet -p build/dev \
 	  --extra-arg=-Wno-unknown-warning-option
 

@@ -3,6 +3,8 @@
 #include <string>
 
 #include "base/number_text.h"
+#include "base/text.h"
+#include "scene/correction_text.h"
 #include "scene/names.h"
 
 namespace rotatebook::page {
@@ -27,8 +29,8 @@ bool takesSteps(const physics::SimulationSettings& settings) {
 
 std::string integratorText(const scene::Panel& motion) {
   if (!takesSteps(motion.simulation)) return "closed form";
-  return std::string(scene::nameOf(scene::kIntegrators, motion.simulation.integrator)) +
-         (motion.simulation.normalize ? ", normalised" : ", not normalised");
+  return joined({std::string(scene::nameOf(scene::kIntegrators, motion.simulation.integrator)),
+                 joined(scene::correctionTexts(motion.simulation))});
 }
 
 std::string stepText(const scene::Panel& motion) {

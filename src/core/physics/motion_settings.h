@@ -35,14 +35,24 @@ struct SimulationSettings {
   Model model = Model::Quaternion;
   /// One of integratorsOf(model); unused by Model::Exact.
   Integrator integrator = defaultIntegrator(model);
-  /// Undoes the integrator's drift after each step: in the energy of the particles, in the shape of
-  /// the rigid models.
-  bool normalize = true;
+  /// Steps from one undoing of the integrator's drift to the next, counted from the start; 0 for
+  /// none. Of the shape of the rigid models; of the particles' energy and centre, unless the two
+  /// below say otherwise.
+  int normalizeEvery = 1;
+  /// Particles only: likewise, of the energy alone.
+  std::optional<int> normalizeEnergyEvery{};
+  /// Particles only: likewise, of the position and velocity of the centre of mass alone.
+  std::optional<int> removeDriftEvery{};
   /// Particles only: fraction of the paper's critical damping 2 sqrt(k m), >= 0.
   double damping = 1.0;
   double stiffness = 2000.0;       ///< Particles only: stiffness of each spring, > 0. [N/m]
   double timePerFrame = 1.0 / 60;  ///< Time between samples of the trajectory, > 0. [s]
   int substeps = 64;               ///< Integration steps between samples, >= 1.
+
+  /// Returns the steps from one normalisation of the particles' energy to the next; 0 for none.
+  int energyEvery() const { return normalizeEnergyEvery.value_or(normalizeEvery); }
+  /// Returns the steps from one removal of the particles' drift to the next; 0 for none.
+  int driftEvery() const { return removeDriftEvery.value_or(normalizeEvery); }
 
   friend bool operator==(const SimulationSettings&, const SimulationSettings&) = default;
 };

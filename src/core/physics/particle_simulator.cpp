@@ -71,7 +71,8 @@ ParticleState startOf(const MotionSettings& settings) {
 ParticleSimulator::ParticleSimulator(const MotionSettings& settings, ParticleStep step)
     : state_(startOf(settings)),
       step_(step),
-      normalize_(settings.simulation.normalize),
+      energyNormalization_(settings.simulation.energyEvery()),
+      driftRemoval_(settings.simulation.driftEvery()),
       energy_(state_.kineticEnergy()),
       fit_(settings.body) {}
 
@@ -79,9 +80,8 @@ void ParticleSimulator::advance(double interval, int steps) {
   const double h = interval / steps;
   for (int step = 0; step < steps; ++step) {
     step_(state_, h);
-    if (!normalize_) continue;
-    restoreEnergy();
-    state_.restoreCentre();
+    if (energyNormalization_.isDue()) restoreEnergy();
+    if (driftRemoval_.isDue()) state_.restoreCentre();
   }
 }
 

@@ -1,6 +1,7 @@
 // The paper's first model: eight particles joined by springs. Inside the room only.
 #pragma once
 
+#include "physics/cadence.h"
 #include "physics/cage_fit.h"
 #include "physics/integrators/particle_state.h"
 #include "physics/motion_settings.h"
@@ -16,12 +17,12 @@ namespace rotatebook::physics {
 /// fixed wall. A pair has the reduced mass m/2 and is critically damped at sqrt(2 k m): the paper's
 /// setting 1 overdamps a lone pair by sqrt(2).
 ///
-/// Normalisation undoes the energy error of each step: it scales the velocities to the kinetic
-/// energy that the springs leave, E - U, and keeps the centre of mass at rest at the origin. It
-/// scales L with the velocities: normalised, no integrator keeps it. E - U is kept at E/10 or more,
+/// Normalising the energy undoes the error of the steps since the last time: it scales the
+/// velocities to the kinetic energy that the springs leave, E - U. It scales L with the velocities:
+/// normalised, no integrator keeps it. E - U is kept at E/10 or more,
 /// as in the paper's published program: where nearly all energy has gone into springs, its square
-/// root would be imaginary. Where this floor applies, that is U > 0.9 E, the energy after a step is
-/// U + E/10, more than E.
+/// root would be imaginary. Where this floor applies, that is U > 0.9 E, the energy is then U +
+/// E/10, more than E. Removing the drift brings the centre of mass to rest at the origin.
 class ParticleSimulator final : public Simulator {
  public:
   /// Uses `step`, whatever integrator the settings name.
@@ -35,7 +36,7 @@ class ParticleSimulator final : public Simulator {
 
   ParticleState state_;
   ParticleStep step_;
-  bool normalize_;
+  Cadence energyNormalization_, driftRemoval_;
   double energy_;  // at t = 0
   CageFit fit_;
 };

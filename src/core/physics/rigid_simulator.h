@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "physics/attitude.h"
+#include "physics/cadence.h"
 #include "physics/integrators/rigid_state.h"
 #include "physics/motion_settings.h"
 #include "physics/motion_start.h"
@@ -26,9 +27,10 @@ inline RigidConstants constantsOf(const PrincipalAxes& axes,
   return {axes.moments, axes.moments.cwiseInverse(), axes.moments.cwiseProduct(along)};
 }
 
-/// Simulates a free rigid body whose attitude is an Eigen::Matrix3d or Eigen::Quaterniond. If
-/// normalised, each step ends with the nearest attitude that is orthogonal or of unit norm. The
-/// body is drawn by the map that the attitude represents, whether or not that is a rotation.
+/// Simulates a free rigid body whose attitude is an Eigen::Matrix3d or Eigen::Quaterniond. A
+/// step after which a normalisation is due ends with the nearest attitude that is orthogonal or of
+/// unit norm. The body is drawn by the map that the attitude represents, whether or not that is a
+/// rotation.
 template <typename Attitude, RigidIntegrator Method>
 class RigidSimulator final : public Simulator {
  public:
@@ -37,12 +39,15 @@ class RigidSimulator final : public Simulator {
 
   void advance(double interval, int steps) override {
     const Method method(body_, interval / steps);
-    RigidState<Attitude> state = state_;  // a copy that stays in registers
+    // Copies that stay in registers.
+    RigidState<Attitude> state = state_;
+    Cadence normalization = normalization_;
     for (int step = 0; step < steps; ++step) {
       method.step(state);
-      if (normalize_) normalize(state.attitude);
+      if (normalization.isDue()) normalize(state.attitude);
     }
     state_ = state;
+    normalization_ = normalization;
   }
 
   BodyState state() const override {
@@ -66,12 +71,12 @@ class RigidSimulator final : public Simulator {
       : body_(constantsOf(axes, initialAngularVelocity(settings))),
         principalFromBody_(axes.bodyFromPrincipal.transpose()),
         state_(startOf<Attitude, Method::kMomentumInBody>(axes, body_.momentum)),
-        normalize_(settings.simulation.normalize) {}
+        normalization_(settings.simulation.normalizeEvery) {}
 
   RigidConstants body_;
   Eigen::Matrix3d principalFromBody_;
   RigidState<Attitude> state_;
-  bool normalize_;
+  Cadence normalization_;
 };
 
 /// Creates the simulator for Model::Matrix or Model::Quaternion. Throws InputError as

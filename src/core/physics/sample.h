@@ -36,6 +36,13 @@ struct Sample {
   Cage cage = Cage::Zero();  ///< Corners as drawn. [m]
 
   double total() const { return kinetic + potential; }
+  /// Returns the distance of the centre of mass from the origin, where it starts at rest. Corners
+  /// that lie opposite to each other are added first, which for a rigid body gives 0. [m]
+  double centreDrift() const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int i = 0; i < 4; ++i) sum += cage.col(i) + cage.col(7 - i);
+    return sum.norm() / 8;
+  }
 };
 
 extern const std::size_t kSampleSize;  // in the library

@@ -18,7 +18,7 @@ struct QuantityRow {
 };
 
 /// Rows in the order of the enumeration.
-constexpr std::array<QuantityRow, 9> kQuantityRows{{
+constexpr std::array<QuantityRow, 10> kQuantityRows{{
     {"half_turns", "how many times the axis that the book was spun about has turned over"},
     {"tilt_deg", "angle between that axis and the angular momentum [degrees]"},
     {"energy_ratio", "total energy / total energy at the start"},
@@ -31,6 +31,7 @@ constexpr std::array<QuantityRow, 9> kQuantityRows{{
     {"regime",
      "1 or -1: the angular momentum circles the axis of the largest or the smallest moment of "
      "inertia"},
+    {"centre_drift", "distance of the centre of mass from where it started [m]"},
     {"diverges_at", "time at which the motion diverges, and so ends [s]"},
 }};
 
@@ -74,6 +75,8 @@ Range rangeAt(const physics::Sample& sample, const physics::Sample& start, Quant
       return one(sample.errorDeg);
     case Quantity::Regime:
       return one(static_cast<double>(sample.regime));
+    case Quantity::CentreDrift:
+      return one(sample.centreDrift());
     case Quantity::HalfTurns:
     case Quantity::DivergesAt:
       break;  // measured over a window, not on a sample

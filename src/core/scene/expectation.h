@@ -21,6 +21,7 @@ enum class Quantity {
   Stretch,          ///< stretch: every singular value of the map from body to drawn corners.
   ErrorDeg,         ///< error_deg: Sample::errorDeg.
   Regime,           ///< regime: Sample::regime as 1, 0 or -1.
+  CentreDrift,      ///< centre_drift: Sample::centreDrift(). [m]
   DivergesAt,  ///< diverges_at: Trajectory::divergedAt; one number, infinite if the motion never
                ///< diverges. [s]
 };

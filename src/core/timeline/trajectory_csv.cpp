@@ -14,7 +14,7 @@ std::string header() {
       text += ",c" + std::to_string(corner) + axis;
     }
   }
-  return text + ",error_deg,energy_ratio,L_ratio,regime\n";
+  return text + ",error_deg,energy_ratio,L_ratio,regime,centre_drift_m\n";
 }
 
 void append(std::string& row, double value) {
@@ -45,7 +45,9 @@ void appendRow(std::string& text, std::size_t frame, const physics::Sample& samp
   append(text, sample.errorDeg);
   append(text, sample.total() / start.total());
   append(text, sample.angularMomentum.norm() / start.angularMomentum.norm());
-  text += ',' + std::to_string(static_cast<int>(sample.regime)) + '\n';
+  text += ',' + std::to_string(static_cast<int>(sample.regime));
+  append(text, sample.centreDrift());
+  text += '\n';
 }
 
 }  // namespace

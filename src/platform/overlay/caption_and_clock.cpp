@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "overlay/layer.h"
 #include "overlay/palette.h"
 #include "overlay/text.h"
+#include "scene/correction_text.h"
 #include "scene/names.h"
 #include "scene/source_locations.h"
 
@@ -31,8 +33,8 @@ constexpr double kShade = 0.6;  // opacity of the shade below the text, at its d
 std::vector<std::string> settingsOf(const physics::SimulationSettings& settings) {
   const std::string model(scene::nameOf(scene::kModels, settings.model));
   std::vector<std::string> parts{
-      model, std::string(scene::nameOf(scene::kIntegrators, settings.integrator)),
-      settings.normalize ? "normalised" : "not normalised"};
+      model, std::string(scene::nameOf(scene::kIntegrators, settings.integrator))};
+  std::ranges::copy(scene::correctionTexts(settings), std::back_inserter(parts));
   if (settings.model == physics::Model::Particles) {
     parts.push_back(settings.damping > 0 ? "damping " + shortestText(settings.damping)
                                          : "undamped");

@@ -30,7 +30,8 @@ const std::vector<BadCase> kOverrides{
      "--set bdy.mass=3: unknown section \"bdy\"; did you mean \"body\"?"},
     {"WrongType",
      {"--set", "simulation.normalize=3"},
-     "--set simulation.normalize=3: simulation.normalize must be true or false, not 3"},
+     "--set simulation.normalize=3: simulation.normalize must be true, false or a table such as { "
+     "every = 100 }, not 3"},
     {"NotANumberAsSize",
      {"--set", "body.size=[nan, 1, 1]"},
      "--set body.size=[nan, 1, 1]: body.size must be three lengths from 1e-6 to 1e6 m, not nan"},

@@ -21,7 +21,7 @@ Motion particles() {
   panel.simulation.integrator = Integrator::Verlet;
   panel.simulation.substeps = 8;
   panel.simulation.timePerFrame = 0.02;
-  panel.simulation.normalize = false;
+  panel.simulation.normalizeEvery = 0;
   panel.simulation.stiffness = 3456;
   panel.simulation.damping = 0.7;
   panel.initial.value = {5, 0.25, -1};

@@ -150,7 +150,7 @@ TEST_P(EachRigidIntegrator, StaysARotation) {
 
 TEST_P(EachRigidIntegrator, NeedsNoNormalisationIfItSaysSo) {
   MotionSettings settings = genericSpin(GetParam());
-  settings.simulation.normalize = false;
+  settings.simulation.normalizeEvery = 0;
   const double shape = driftOf(settings, 0.01).shape;
   if (keeps(GetParam(), "rotation")) {
     EXPECT_LT(shape, kUndoneBound);

@@ -54,7 +54,7 @@ Matrix3d asMatrix(const Rows& rows) {
 MotionSettings byHand(bool normalize) {
   MotionSettings settings = spinning(Model::Matrix, {1, 2, 3}, 0.1);
   settings.body = {{1, 2, 3}, 12};
-  settings.simulation.normalize = normalize;
+  settings.simulation.normalizeEvery = normalize ? 1 : 0;
   return settings;
 }
 
@@ -99,7 +99,7 @@ TEST(MatrixSimulator, StaysOrthogonalForManySteps) {
 
 TEST(MatrixSimulator, LengthensAcrossTheSpinWithoutNormalisation) {
   MotionSettings settings = spinning(Model::Matrix, {0, 0, 5}, 0.01);
-  settings.simulation.normalize = false;
+  settings.simulation.normalizeEvery = 0;
   const auto simulator = makeSimulator(settings);
   simulator->advance(0.01, 1);
   const Matrix3d map = simulator->state().worldFromBody;

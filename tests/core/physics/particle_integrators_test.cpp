@@ -32,7 +32,7 @@ void PrintTo(const Case& one, std::ostream* stream) {
 MotionSettings softBook(Integrator integrator, double damping) {
   MotionSettings settings = spinning(Model::Particles, {1.1, -2.3, -3.7}, kDuration);
   settings.simulation.integrator = integrator;
-  settings.simulation.normalize = false;
+  settings.simulation.normalizeEvery = 0;
   settings.simulation.stiffness = 50;
   settings.simulation.damping = damping;
   return settings;
@@ -94,7 +94,7 @@ TEST_P(EachParticleIntegrator, KeepsTheMomentumIfItSaysSo) {
 // Even those that keep it: the velocities are scaled to the energy, and the momentum with them.
 TEST_P(EachParticleIntegrator, DoesNotKeepTheMomentumNormalised) {
   MotionSettings settings = softBook(GetParam().integrator, 0.5);
-  settings.simulation.normalize = true;
+  settings.simulation.normalizeEvery = 1;
   const double drift = momentumDriftOf(settings);
   EXPECT_FALSE(drift < kNormalisedDrift) << drift;
 }

@@ -48,10 +48,10 @@ double norm(const Quadruple& q) {
 }
 
 // Inertia (13, 10, 5), spin (1, 2, 3), hence angular momentum (13, 20, 15).
-MotionSettings quaternionByHand(bool normalize) {
+MotionSettings quaternionByHand(int normalizeEvery) {
   MotionSettings settings = spinning(Model::Quaternion, {1, 2, 3}, 0.1);
   settings.body = {{1, 2, 3}, 12};
-  settings.simulation.normalize = normalize;
+  settings.simulation.normalizeEvery = normalizeEvery;
   return settings;
 }
 
@@ -65,14 +65,15 @@ double distance(const BodyState& state, const Quadruple& q, const Cuboid& body) 
   return (drawnCage(state, body) - expected).norm();
 }
 
-void compareWithStepsByHand(bool normalize) {
-  const MotionSettings settings = quaternionByHand(normalize);
+void compareWithStepsByHand(int normalizeEvery) {
+  const MotionSettings settings = quaternionByHand(normalizeEvery);
   const auto simulator = makeSimulator(settings);
   Quadruple expected{1, 0, 0, 0};
-  for (int step = 0; step < 5; ++step) {
+  for (int step = 1; step <= 5; ++step) {
     simulator->advance(0.1, 1);
     stepByHand(expected, {13, 10, 5}, {13, 20, 15}, 0.1);
-    const double divisor = normalize ? norm(expected) : 1;
+    const bool isDue = normalizeEvery > 0 && step % normalizeEvery == 0;
+    const double divisor = isDue ? norm(expected) : 1;
     for (double& part : expected) part /= divisor;
     EXPECT_LT(distance(simulator->state(), expected, settings.body), kQuaternionStepBound) << step;
   }
@@ -87,15 +88,20 @@ double squaredNorm(const BodyState& state) {
 }
 
 TEST(QuaternionSimulator, StepsAsByHand) {
-  compareWithStepsByHand(false);
+  compareWithStepsByHand(0);
 }
 
 TEST(QuaternionSimulator, DividesByTheNormIfNormalised) {
-  compareWithStepsByHand(true);
+  compareWithStepsByHand(1);
+}
+
+// The steps are counted from the start, not from the last frame.
+TEST(QuaternionSimulator, IsNormalisedAfterEachSecondStep) {
+  compareWithStepsByHand(2);
 }
 
 TEST(QuaternionSimulator, TakesTheFirstStepOfLiteralNumbers) {
-  const MotionSettings settings = quaternionByHand(false);
+  const MotionSettings settings = quaternionByHand(0);
   const auto simulator = makeSimulator(settings);
   simulator->advance(0.1, 1);
   const Quadruple expected{1, 0.05, 0.1, 0.15};
@@ -111,7 +117,7 @@ TEST(QuaternionSimulator, KeepsUnitNorm) {
 
 TEST(QuaternionSimulator, GrowsInNormAsExplicitEulerMust) {
   MotionSettings settings = spinning(Model::Quaternion, {1, 2, 3}, 0.02);
-  settings.simulation.normalize = false;
+  settings.simulation.normalizeEvery = 0;
   const auto simulator = makeSimulator(settings);
   simulator->advance(0.02, 1);
   for (int step = 0; step < 10; ++step) {
@@ -124,7 +130,7 @@ TEST(QuaternionSimulator, GrowsInNormAsExplicitEulerMust) {
 }
 
 TEST(QuaternionSimulator, ReportsTheEnergyAndMomentumOfTheSolidBody) {
-  const BodyState state = makeSimulator(quaternionByHand(true))->state();
+  const BodyState state = makeSimulator(quaternionByHand(1))->state();
   EXPECT_LT((state.angularMomentum - Vector3d(13, 20, 15)).norm(), kQuaternionStepBound);
   EXPECT_LT((state.angularVelocity - Vector3d(1, 2, 3)).norm(), kQuaternionStepBound);
   EXPECT_NEAR(state.kinetic, 49, kQuaternionStepBound);  // (13 + 40 + 45) / 2

@@ -35,7 +35,7 @@ inline MotionSettings settingsOf(const Scenario& scenario) {
   MotionSettings settings;
   settings.simulation.model = scenario.model;
   settings.simulation.integrator = Integrator::Euler;
-  settings.simulation.normalize = scenario.normalize;
+  settings.simulation.normalizeEvery = scenario.normalize ? 1 : 0;
   settings.simulation.damping = scenario.damping;
   settings.simulation.stiffness = scenario.kappa * settings.body.mass / 8 * kSpinRate * kSpinRate;
   settings.simulation.substeps = scenario.substeps;

@@ -62,8 +62,9 @@ void expectRange(const Expectation& expectation, double lowest, double highest) 
 TEST(Quantities, HaveTheNamesOfAScene) {
   std::vector<std::string_view> names;
   for (const Quantity quantity : allQuantities()) names.push_back(nameOf(quantity));
-  EXPECT_THAT(names, ElementsAre("half_turns", "tilt_deg", "energy_ratio", "rotational_ratio",
-                                 "L_ratio", "stretch", "error_deg", "regime", "diverges_at"));
+  EXPECT_THAT(names,
+              ElementsAre("half_turns", "tilt_deg", "energy_ratio", "rotational_ratio", "L_ratio",
+                          "stretch", "error_deg", "regime", "centre_drift", "diverges_at"));
 }
 
 TEST(Quantities, AreNamedEachByItsOwn) {

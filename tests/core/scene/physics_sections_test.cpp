@@ -49,11 +49,34 @@ TEST(SimulationSection, ReadsEveryKey) {
       "damping = 0\nstiffness = 31.5\ntime_per_frame = 0.001\nsubsteps = 1000000");
   EXPECT_EQ(scene.simulation.model, Model::Particles);
   EXPECT_EQ(scene.simulation.integrator, physics::Integrator::Euler);
-  EXPECT_FALSE(scene.simulation.normalize);
+  EXPECT_EQ(scene.simulation.normalizeEvery, 0);
   EXPECT_EQ(scene.simulation.damping, 0);
   EXPECT_EQ(scene.simulation.stiffness, 31.5);
   EXPECT_EQ(scene.simulation.timePerFrame, 0.001);
   EXPECT_EQ(scene.simulation.substeps, 1'000'000);
+}
+
+TEST(SimulationSection, ReadsHowOftenAMotionIsNormalised) {
+  const auto simulationFrom = [](const std::string& keys) {
+    return sceneFrom("[simulation]\nmodel = 'particles'\n" + keys).simulation;
+  };
+  EXPECT_EQ(simulationFrom("normalize = true").normalizeEvery, 1);
+  EXPECT_EQ(simulationFrom("normalize = { every = 100 }").normalizeEvery, 100);
+  const auto both = simulationFrom("normalize = { every = 7 }");
+  EXPECT_EQ(both.energyEvery(), 7);
+  EXPECT_EQ(both.driftEvery(), 7);
+  const auto apart = simulationFrom("normalize_energy = false\nremove_drift = { every = 3 }");
+  EXPECT_EQ(apart.energyEvery(), 0);
+  EXPECT_EQ(apart.driftEvery(), 3);
+}
+
+TEST(SimulationSection, RefusesOtherIntervals) {
+  EXPECT_EQ(
+      errorOf("[simulation]\nnormalize = { every = 0 }"),
+      "a.toml:2:23: simulation.normalize.every must be an integer from 1 to 1000000000, not 0");
+  EXPECT_EQ(errorOf("[simulation]\nnormalize = { each = 3 }"),
+            "a.toml:2:13: simulation.normalize must be true, false or a table such as "
+            "{ every = 100 }, not a table");
 }
 
 TEST(BodySection, ReadsMomentsOfInertia) {
@@ -192,7 +215,8 @@ TEST(SimulationSection, RefusesNumbersOutOfRange) {
       errorOf("[simulation]\ntime_per_frame = inf"),
       "a.toml:2:18: simulation.time_per_frame must be a time from 1e-100 to 1e100 s, not inf");
   EXPECT_EQ(errorOf("[simulation]\nnormalize = 1"),
-            "a.toml:2:13: simulation.normalize must be true or false, not 1");
+            "a.toml:2:13: simulation.normalize must be true, false or a table such as { every = "
+            "100 }, not 1");
 }
 
 TEST(InitialSection, ReadsEitherSpin) {

@@ -33,7 +33,7 @@ TEST(SceneReader, HasTheDocumentedDefaultsOfTheMotion) {
   EXPECT_EQ(scene.body.mass, 1);
   EXPECT_EQ(scene.simulation.model, Model::Quaternion);
   EXPECT_EQ(scene.simulation.integrator, Integrator::Rk4);
-  EXPECT_TRUE(scene.simulation.normalize);
+  EXPECT_EQ(scene.simulation.normalizeEvery, 1);
   EXPECT_EQ(scene.simulation.damping, 1);
   EXPECT_EQ(scene.simulation.stiffness, 2000);
   EXPECT_EQ(scene.simulation.timePerFrame, 1.0 / 60);

@@ -26,7 +26,8 @@ Scene unusualScene() {
   scene.title = "\"Quoted\" \\ é";
   scene.caption = "# no comment\nbut broken \t";
   scene.body = {{0.1, 1.0 / 3, 2e-5}, 7};
-  scene.simulation = {Model::Particles, physics::Integrator::Euler, false, 0.3, 1e15, 0.1 / 3, 992};
+  scene.simulation = {
+      Model::Particles, physics::Integrator::Euler, 50, 1, 0, 0.3, 1e15, 0.1 / 3, 992};
   scene.initial = {InitialSpin::Kind::AngularMomentum, {-0.0, 1e-20, 0.7}, physics::Tilt{0.1, 1}};
   scene.clip = {640, 362, {30000, 1001}, 2.0 / 3, 0.2};
   scene.video = {7, "slow", 3};
@@ -102,7 +103,7 @@ mass = 1.0  # kg
 model = "quaternion"  # "particles", "matrix", "quaternion" or "exact"
 integrator = "rk4"  # )" + listOfIntegrators("or", Model::Quaternion) +
                                   R"(
-normalize = true  # undo the integrator's drift after each step
+normalize = true  # undo the integrator's drift after each step, or after each n-th
 damping = 1.0  # particles: fraction of critical damping
 stiffness = 2000.0  # particles: N/m, of each spring
 substeps = 64  # integration steps for each frame

@@ -23,12 +23,6 @@ std::string quotedAsCode(std::string_view text) {
   return result;
 }
 
-Kind<bool> flag() {
-  return {[](const ValueReader& value) { return value.flag(); },
-          [](bool value) { return std::string(value ? "true" : "false"); },
-          std::string(kExpectedFlag)};
-}
-
 Kind<int> integer(int min, int max) {
   return {[=](const ValueReader& value) { return value.integer(min, max); },
           [](int value) { return std::to_string(value); }, expectedInteger(min, max)};

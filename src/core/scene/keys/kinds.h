@@ -16,7 +16,6 @@
 
 namespace rotatebook::scene {
 
-Kind<bool> flag();
 Kind<int> integer(int min, int max);
 Kind<double> number(const NumberRange& range);
 /// Strings of at most `most` characters, on one line.

@@ -29,6 +29,8 @@ constexpr NumberRange kRow{"rows of three numbers up to 1e21 kg m^2", -1e21, 1e2
 constexpr NumberRange kStepTimes{"a time from 1e-100 to 1e100 s", 1e-100, 1e100};
 constexpr NumberRange kTilt{"an angle from -1e6 to 1e6 rad", -kLargestAngle, kLargestAngle};
 constexpr const char* kExpectedBounds = "a table such as { min = 1.0 } or an array of them";
+constexpr int kMaxInterval = 1'000'000'000;
+constexpr const char* kExpectedEvery = "true, false or a table such as { every = 100 }";
 constexpr const char* kExpectedTilt =
     "an angle and an axis, such as [0.02, \"z\"] or [\"1 deg\", \"z\"]";
 constexpr NumberRange kNotNegative{"zero or a positive number", 0, Limits::max()};
@@ -68,6 +70,25 @@ std::string integratorText(const SimulationSettings& settings) {
   const auto names = integratorNames(settings.model);
   if (names.empty()) return "";
   return quotedName(kIntegrators, settings.integrator) + "  # " + quotedList(names, "or");
+}
+
+int everyStepFrom(const ValueReader& value) {
+  if (const bool* flag = std::get_if<bool>(&value.node().value)) return *flag ? 1 : 0;
+  if (!value.find("every")) value.mismatch(kExpectedEvery);
+  int every = 0;
+  value.readTable(
+      {{"every", [&every](const ValueReader& steps) { every = steps.integer(1, kMaxInterval); }}});
+  return every;
+}
+
+/// Numbers of steps from one correction to the next; 0 for none.
+Kind<int> everyStep() {
+  return {everyStepFrom,
+          [](int every) -> std::string {
+            if (every > 1) return "{ every = " + std::to_string(every) + " }";
+            return every == 1 ? "true" : "false";
+          },
+          kExpectedEvery};
 }
 
 Key<InitialSpin> spinKey(InitialSpin::Kind kind, const std::string& unit, KeyText documentation) {
@@ -188,8 +209,15 @@ const Keys<SimulationSettings>& simulationKeys() {
        {.meaning = "see [integrators](motion.md#integrators)",
         .byDefault = "`\"rk4\"`; for particles `\"euler\"`",
         .allowed = "one of the model's integrators"}},
-      key("normalize", &SimulationSettings::normalize, flag(),
-          {.comment = "undo the integrator's drift after each step"}),
+      key("normalize", &SimulationSettings::normalizeEvery, everyStep(),
+          {.comment = "undo the integrator's drift after each step, or after each n-th",
+           .meaning = "undo the integrator's drift, see [normalising](motion.md#normalising)"}),
+      key("normalize_energy", &SimulationSettings::normalizeEnergyEvery, everyStep(),
+          {.meaning = "particles: scale the velocities to the energy at the start",
+           .byDefault = "as `normalize`"}),
+      key("remove_drift", &SimulationSettings::removeDriftEvery, everyStep(),
+          {.meaning = "particles: bring the centre of mass to rest at the origin",
+           .byDefault = "as `normalize`"}),
       key("damping", &SimulationSettings::damping, number(kNotNegative),
           {.comment = "particles: fraction of critical damping",
            .meaning = "particles: of each spring, as a fraction of 2√(km)"}),

@@ -2,9 +2,9 @@
 #include <optional>
 #include <string>
 
+#include "document/toml_tree.h"
 #include "fuzz/fuzzing.h"
 #include "scene/scene_text.h"
-#include "scene/toml_tree.h"
 
 namespace rotatebook::fuzzing {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 // No exception is caught here: what sceneText() writes must be read.
 void requireReadBack(const scene::Scene& scene) {
   const std::string text = scene::sceneText(scene);
-  if (text.size() > scene::kLongestToml) return;
+  if (text.size() > document::kLongestToml) return;
   require(scene::sceneText(scene::parseScene(text, scene.name + ".toml")) == text);
 }
 

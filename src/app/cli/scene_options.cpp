@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/clip_options.h"
-#include "scene/overrides.h"
+#include "document/overrides.h"
 #include "scene/scene_text.h"
 #include "store/clip_files.h"
 #include "store/scene_file.h"
@@ -28,7 +28,7 @@ std::string sizeOverride(const std::string& size) {
 /// Returns `message` with the locations of overrides replaced by the options that the user wrote.
 std::string asWritten(std::string message, const std::vector<Shorthand>& shorthands) {
   for (const auto& [option, assignment] : shorthands) {
-    const std::string location = scene::overrideLocation(assignment) + ": ";
+    const std::string location = document::overrideLocation(assignment) + ": ";
     for (std::size_t at = 0; (at = message.find(location, at)) != message.npos;) {
       message.replace(at, location.size(), option + ": ");
       at += option.size();

@@ -19,10 +19,10 @@
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
 #include "diagnose/study_execution.h"
+#include "document/toml_text.h"
 #include "picture/gnuplot.h"
 #include "picture/study_plot.h"
 #include "report/study_report.h"
-#include "scene/toml_text.h"
 #include "store/study_files.h"
 #include "study/study.h"
 #include "study/study_csv.h"
@@ -62,7 +62,7 @@ Shorthand integratorsShorthand(const std::string& integrators) {
   std::vector<std::string> names;
   for (std::size_t begin = 0; begin <= integrators.size();) {
     const std::size_t end = std::min(integrators.find(',', begin), integrators.size());
-    names.push_back(scene::tomlString(integrators.substr(begin, end - begin)));
+    names.push_back(document::tomlString(integrators.substr(begin, end - begin)));
     begin = end + 1;
   }
   return {"--integrators " + integrators, "study.integrators=[" + joined(names) + "]"};

@@ -9,8 +9,8 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/version.h"
+#include "document/toml_tree.h"
 #include "scene/scene_text.h"
-#include "scene/toml_tree.h"
 #include "store/clip_files.h"
 #include "system/file_checksum.h"
 #include "system/read_file.h"
@@ -33,12 +33,12 @@ const std::string& buildChecksum() {
 
 /// Adds all values below `node` to `values` under their full keys: "clip.duration",
 /// "panels[0].label".
-void flatten(const scene::TomlNode& node, const std::string& key, Entries& values) {
-  if (const auto* table = std::get_if<scene::TomlNode::Table>(&node.value)) {
-    for (const scene::TomlEntry& entry : *table) {
+void flatten(const document::TomlNode& node, const std::string& key, Entries& values) {
+  if (const auto* table = std::get_if<document::TomlNode::Table>(&node.value)) {
+    for (const document::TomlEntry& entry : *table) {
       flatten(entry.node, key.empty() ? entry.key : key + '.' + entry.key, values);
     }
-  } else if (const auto* array = std::get_if<scene::TomlNode::Array>(&node.value)) {
+  } else if (const auto* array = std::get_if<document::TomlNode::Array>(&node.value)) {
     for (std::size_t i = 0; i < array->size(); ++i) {
       flatten((*array)[i], key + '[' + std::to_string(i) + ']', values);
     }
@@ -51,7 +51,7 @@ void flatten(const scene::TomlNode& node, const std::string& key, Entries& value
 Entries valuesOf(const std::string& sceneText) {
   Entries values;
   try {
-    flatten(scene::parseToml(sceneText, kSceneCopyName), "", values);
+    flatten(document::parseToml(sceneText, kSceneCopyName), "", values);
   } catch (const InputError&) {
     values.clear();
   }

@@ -4,8 +4,8 @@
 #include <variant>
 
 #include "base/error.h"
-#include "scene/toml_text.h"
-#include "scene/toml_tree.h"
+#include "document/toml_text.h"
+#include "document/toml_tree.h"
 #include "store/clip_files.h"
 #include "system/atomic_file.h"
 #include "system/read_file.h"
@@ -31,32 +31,32 @@ constexpr const char* kOther = "other";
 std::string tableText(const std::string& name, const Entries& entries) {
   std::string text = "\n[" + name + "]\n";
   for (const auto& [key, value] : entries) {
-    text += scene::tomlString(key) + " = " + scene::tomlString(value) + '\n';
+    text += document::tomlString(key) + " = " + document::tomlString(value) + '\n';
   }
   return text;
 }
 
 /// Returns the value `name` of the table `parent` if it has this type; else null.
 template <typename Type>
-const Type* find(const scene::TomlNode& parent, const char* name) {
-  const auto* table = std::get_if<scene::TomlNode::Table>(&parent.value);
-  const scene::TomlEntry* entry = table != nullptr ? scene::find(*table, name) : nullptr;
+const Type* find(const document::TomlNode& parent, const char* name) {
+  const auto* table = std::get_if<document::TomlNode::Table>(&parent.value);
+  const document::TomlEntry* entry = table != nullptr ? document::find(*table, name) : nullptr;
   return entry != nullptr ? std::get_if<Type>(&entry->node.value) : nullptr;
 }
 
 /// Returns the strings in the table `name` of `parent`.
-Entries entriesOf(const scene::TomlNode& parent, const char* name) {
+Entries entriesOf(const document::TomlNode& parent, const char* name) {
   Entries entries;
-  const auto* rows = find<scene::TomlNode::Table>(parent, name);
+  const auto* rows = find<document::TomlNode::Table>(parent, name);
   if (rows == nullptr) return entries;
-  for (const scene::TomlEntry& row : *rows) {
+  for (const document::TomlEntry& row : *rows) {
     const auto* text = std::get_if<std::string>(&row.node.value);
     if (text != nullptr) entries[row.key] = *text;
   }
   return entries;
 }
 
-Manifest::Render renderFrom(const scene::TomlNode& table) {
+Manifest::Render renderFrom(const document::TomlNode& table) {
   return {entriesOf(table, "made"), entriesOf(table, "files")};
 }
 
@@ -98,13 +98,13 @@ void Manifest::become(const Entries& made) {
 // A finished render has a table of files, which is empty if other renders have replaced all of
 // them. One without PNGs has it, too, beside unfinished frames.
 Manifest parseManifest(std::string_view text, const std::string& file) {
-  const scene::TomlNode root = scene::parseToml(text, file);
+  const document::TomlNode root = document::parseToml(text, file);
   Manifest manifest{.own = renderFrom(root)};
   const bool* unfinished = find<bool>(root, kUnfinished);
-  manifest.finished = find<scene::TomlNode::Table>(root, "files") != nullptr &&
+  manifest.finished = find<document::TomlNode::Table>(root, "files") != nullptr &&
                       (unfinished == nullptr || !*unfinished);
-  if (const auto* others = find<scene::TomlNode::Array>(root, kOther)) {
-    for (const scene::TomlNode& other : *others) manifest.others.push_back(renderFrom(other));
+  if (const auto* others = find<document::TomlNode::Array>(root, kOther)) {
+    for (const document::TomlNode& other : *others) manifest.others.push_back(renderFrom(other));
   }
   return manifest;
 }
@@ -112,7 +112,7 @@ Manifest parseManifest(std::string_view text, const std::string& file) {
 std::optional<Manifest> readManifest(const fs::path& folder) {
   const fs::path path = folder / kManifestName;
   try {
-    return parseManifest(system::readFile(path, scene::kLongestToml), path);
+    return parseManifest(system::readFile(path, document::kLongestToml), path);
   } catch (const InputError&) {
     return std::nullopt;
   }

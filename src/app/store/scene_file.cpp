@@ -7,9 +7,9 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "document/toml_text.h"
+#include "document/toml_tree.h"
 #include "scene/scene_text.h"
-#include "scene/toml_text.h"
-#include "scene/toml_tree.h"
 #include "store/scene_name.h"
 #include "system/read_file.h"
 
@@ -36,30 +36,30 @@ std::vector<std::string> sceneNamesIn(const fs::path& folder) {
   const std::vector<std::string> names = sceneNamesIn(path.parent_path());
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   const auto nearest = nearestName(path.stem().string(), candidates);
-  if (!nearest) scene::failAt(path.string(), "scene not found");
+  if (!nearest) document::failAt(path.string(), "scene not found");
   const fs::path suggestion = path.parent_path() / (std::string(*nearest) + ".toml");
-  scene::failAt(path.string(),
-                "scene not found; did you mean " + scene::tomlString(suggestion.string()) + "?");
+  document::failAt(path.string(), "scene not found; did you mean " +
+                                      document::tomlString(suggestion.string()) + "?");
 }
 
 }  // namespace
 
 std::string readSceneText(const fs::path& path) {
   try {
-    return system::readFile(path, scene::kLongestToml);
+    return system::readFile(path, document::kLongestToml);
   } catch (const InputError& error) {
-    scene::failAt(path.string(), std::string("can't be read: ") + error.what());
+    document::failAt(path.string(), std::string("can't be read: ") + error.what());
   }
 }
 
 scene::Scene readScene(const fs::path& path, std::span<const std::string> overrides) {
   std::error_code ignored;
-  if (fs::is_directory(path, ignored)) scene::failAt(path.string(), "a folder, not a scene");
+  if (fs::is_directory(path, ignored)) document::failAt(path.string(), "a folder, not a scene");
   if (!fs::exists(path, ignored)) failMissing(path);
   const std::string name = path.stem().string();
   if (const std::string problem = problemOfName(name); !problem.empty()) {
-    scene::failAt(path.string(), "the scene's name " + scene::tomlString(name) + " " + problem +
-                                     "; rename the file");
+    document::failAt(path.string(), "the scene's name " + document::tomlString(name) + " " +
+                                        problem + "; rename the file");
   }
   return scene::parseScene(readSceneText(path), path, overrides);
 }

@@ -16,7 +16,7 @@ scene::Scene readScene(const std::filesystem::path& path,
                        std::span<const std::string> overrides = {});
 
 /// Reads the text of a scene file without parsing it. Throws InputError if it can't be read or is
-/// longer than scene::kLongestToml.
+/// longer than document::kLongestToml.
 std::string readSceneText(const std::filesystem::path& path);
 
 }  // namespace rotatebook::store

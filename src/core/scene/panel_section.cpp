@@ -4,13 +4,17 @@
 #include <string_view>
 #include <utility>
 
+#include "document/problems.h"
+#include "document/toml_text.h"
 #include "scene/keys/keys.h"
-#include "scene/problems.h"
+#include "scene/names.h"
 #include "scene/sections.h"
-#include "scene/toml_text.h"
 
 namespace rotatebook::scene {
 namespace {
+
+using document::TomlEntry;
+using document::TomlNode;
 
 const TomlNode::Table* tableOf(const TomlNode& node) {
   return std::get_if<TomlNode::Table>(&node.value);
@@ -143,7 +147,7 @@ std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file
                 " panels, not " + std::to_string(tables.size()));
   }
   std::vector<Panel> result;
-  Problems problems;
+  document::Problems problems;
   for (const ValueReader& table : tables) {
     problems.note([&] { result.push_back(readPanel(table, file, timePerFrame, result)); });
   }

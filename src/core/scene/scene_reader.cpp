@@ -3,18 +3,23 @@
 #include <string>
 
 #include "base/text.h"
+#include "document/overrides.h"
+#include "document/problems.h"
+#include "document/toml_tree.h"
+#include "document/value_reader.h"
 #include "scene/key_rows.h"
 #include "scene/keys/keys.h"
-#include "scene/overrides.h"
-#include "scene/problems.h"
+#include "scene/names.h"
 #include "scene/scene_text.h"
 #include "scene/sections.h"
 #include "scene/source_locations.h"
-#include "scene/toml_tree.h"
-#include "scene/value_reader.h"
 
 namespace rotatebook::scene {
 namespace {
+
+// A scene has one spin, so the command line's replaces the file's, whichever key each of them uses.
+constexpr auto kSpinKeys = namesOf(kSpinKinds);
+constexpr document::Alternatives kSpins{"initial", kSpinKeys};
 
 void readSections(const ValueReader& file, Scene& scene) {
   auto fields = fieldsOf(titleKeys(), [&scene](const Key<Scene>& key, const ValueReader& value) {
@@ -86,9 +91,9 @@ void noteLocations(const ValueReader& file, Scene& scene) {
 Scene parseScene(std::string_view text, const std::filesystem::path& path,
                  std::span<const std::string> overrides) {
   physics::requireSameLayout();
-  TomlNode tree = parseToml(text, oneLine(path.string()));
-  Problems problems;
-  problems.note([&] { applyOverrides(tree, overrides); });
+  document::TomlNode tree = document::parseToml(text, oneLine(path.string()));
+  document::Problems problems;
+  problems.note([&] { applyOverrides(tree, overrides, kSpins); });
 
   // Read all keys
   Scene scene;
@@ -97,7 +102,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   const ValueReader file(tree, "");
   problems.note([&] { readSections(file, scene); });
   problems.note([&] { readMotions(file, scene); });
-  for (Problem& problem : problems.all()) {
+  for (document::Problem& problem : problems.all()) {
     const std::string sections = sectionsOf(problem.unknownKey);
     if (!sections.empty()) problem.remedy = "; it belongs " + sections;
   }

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "document/value_reader.h"
 #include "scene/keys/section.h"
 #include "scene/scene.h"
-#include "scene/value_reader.h"
 
 namespace rotatebook::scene {
 

@@ -1,8 +1,8 @@
 // Reads and prints [study].
+#include "document/problems.h"
 #include "physics/measure/flip_interval.h"
 #include "physics/motion_start.h"
 #include "scene/keys/keys.h"
-#include "scene/problems.h"
 #include "scene/sections.h"
 
 namespace rotatebook::scene {
@@ -73,7 +73,7 @@ void readStudy(const ValueReader& section, Scene& scene) {
     scene.study = defaultStudy(scene.simulation.model);
   }
   // In the order of the keys, because the orders depend on the integrators.
-  Problems problems;
+  document::Problems problems;
   for (const Key<Scene>& key : keys) {
     const auto value = section.find(key.name);
     if (value) problems.note([&] { key.read(*value, scene); });

@@ -1,5 +1,4 @@
-#include "scene/overrides.h"
-
+// --set: what overrides make of a scene.
 #include <string>
 #include <vector>
 
@@ -95,38 +94,12 @@ TEST(Overrides, AreThePlaceOfTheirProblems) {
             "--set video.crf=1O: video.crf must be an integer from 1 to 51, not \"1O\"");
 }
 
-TEST(Overrides, RefuseWhatHasNoForm) {
-  EXPECT_EQ(errorOf("", {"simulation.substeps"}), "--set simulation.substeps: expected KEY=VALUE");
-  EXPECT_EQ(errorOf("", {""}), "--set : expected KEY=VALUE");
-  EXPECT_EQ(errorOf("", {"=3"}), "--set =3: the key, or a part of it, is empty");
-  EXPECT_EQ(errorOf("", {"clip.=3"}), "--set clip.=3: the key, or a part of it, is empty");
-  EXPECT_EQ(errorOf("", {".clip=3"}), "--set .clip=3: the key, or a part of it, is empty");
-  EXPECT_EQ(errorOf("", {"clip..fps=3"}), "--set clip..fps=3: the key, or a part of it, is empty");
-  EXPECT_EQ(errorOf("", {"a.b.c.d.e.f.g=3"}),
-            "--set a.b.c.d.e.f.g=3: no key of a scene has more than six parts");
-  EXPECT_EQ(errorOf("", {"title=\xff"}), "--set title=\uFFFD: the value isn't UTF-8");
-}
-
 TEST(Overrides, ArePrintedOnALine) {
   EXPECT_THAT(errorOf("", {"clip.fps=\x1b[31m\n\t"}),
               ::testing::StartsWith("--set clip.fps=\\u001B[31m\\n\\t: clip.fps must"));
   const std::string letters(180, 'x');
   EXPECT_THAT(errorOf("", {"clip.fps=" + letters + letters}),
               ::testing::StartsWith("--set clip.fps=" + letters + "xxxxxxxxxxx...: clip.fps must"));
-}
-
-TEST(Overrides, AreCounted) {
-  EXPECT_EQ(errorOf("", std::vector<std::string>(1000, "video.crf=3")), "no error");
-  EXPECT_EQ(errorOf("", std::vector<std::string>(1001, "video.crf=3")),
-            "--set: 1001 options; the limit is 1000; write the values into the scene's file");
-}
-
-TEST(Overrides, RefuseAWayThroughAValue) {
-  EXPECT_EQ(errorOf("title = \"x\"", {"title.size=3"}),
-            "--set title.size=3: title is \"x\", which has no keys");
-  EXPECT_EQ(errorOf("expect.half_turns = [{ min = 1 }]", {"expect.half_turns.min=3"}),
-            "--set expect.half_turns.min=3: expect.half_turns has 1 element, numbered from 0, and "
-            "no \"min\"");
 }
 
 }  // namespace

@@ -278,6 +278,14 @@ TEST(InitialSection, RefusesAVectorThatIsNone) {
             "\"angular_velocity\"?");
 }
 
+// These are six values to TOML.
+TEST(InitialSection, GuessesADecimalCommaInEachOfThreeNumbers) {
+  EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [5,0, 0,0, 0,0]"),
+            "a.toml:2:20: initial.angular_velocity must be three numbers from -1e9 to 1e9, not all "
+            "zero, not an array of 6 values; a comma separates values, so write a decimal point: "
+            "5.0, not 5,0");
+}
+
 TEST(InitialSection, RefusesATiltThatIsNone) {
   const std::string spin = "[initial]\nangular_velocity = [0, 0, 6]\ntilt = ";
   const std::string form = "an angle and an axis, such as [0.02, \"z\"] or [\"1 deg\", \"z\"]";

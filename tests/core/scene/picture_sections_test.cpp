@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "document/toml_text.h"
 #include "scene/names.h"
 #include "scene/parse.h"
-#include "scene/toml_text.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -163,8 +163,8 @@ TEST(CameraSection, RefusesToLookNowhere) {
   EXPECT_EQ(errorOf("[camera]\ntarget = [1, 2, 3]\nposition = [1, 2, 3]"), "a.toml:3:12" + must);
   // The default position, as the file's target.
   const Eigen::Vector3d p = sceneFrom("").camera.position;
-  const std::string target =
-      "[" + tomlNumber(p.x()) + ", " + tomlNumber(p.y()) + ", " + tomlNumber(p.z()) + "]";
+  const std::string target = "[" + document::tomlNumber(p.x()) + ", " +
+                             document::tomlNumber(p.y()) + ", " + document::tomlNumber(p.z()) + "]";
   EXPECT_EQ(errorOf("[camera]\ntarget = " + target), "a.toml:2:10" + must);
 }
 

@@ -11,11 +11,17 @@
 #include <vector>
 
 #include "base/text.h"
+#include "document/toml_text.h"
+#include "document/value_reader.h"
 #include "scene/keys/key_row.h"
-#include "scene/toml_text.h"
-#include "scene/value_reader.h"
 
 namespace rotatebook::scene {
+
+using document::Field;
+using document::NumberRange;
+using document::tomlNumber;
+using document::tomlString;
+using document::ValueReader;
 
 /// The functions that read, print and describe values of one kind.
 template <typename T>

@@ -8,6 +8,16 @@
 #include "base/text.h"
 
 namespace rotatebook::scene {
+namespace {
+
+using document::TomlNode;
+
+// Wide enough for any book, and narrow enough that no product of squares leaves the range of
+// double.
+constexpr NumberRange kDirections{"three numbers from -1e9 to 1e9, not all zero", -1e9, 1e9};
+constexpr double kShortestDirection = 1e-30;
+
+}  // namespace
 
 std::string quotedAsCode(std::string_view text) {
   std::string result;
@@ -25,7 +35,7 @@ std::string quotedAsCode(std::string_view text) {
 
 Kind<int> integer(int min, int max) {
   return {[=](const ValueReader& value) { return value.integer(min, max); },
-          [](int value) { return std::to_string(value); }, expectedInteger(min, max)};
+          [](int value) { return std::to_string(value); }, document::expectedInteger(min, max)};
 }
 
 Kind<double> number(const NumberRange& range) {
@@ -35,12 +45,12 @@ Kind<double> number(const NumberRange& range) {
 
 Kind<std::string> text(std::size_t most) {
   return {[most](const ValueReader& value) { return value.text(most); }, tomlString,
-          expectedString(most)};
+          document::expectedString(most)};
 }
 
 Kind<std::string> lines(std::size_t most) {
   return {[most](const ValueReader& value) { return value.lines(most); }, tomlString,
-          expectedString(most)};
+          document::expectedString(most)};
 }
 
 double angleFrom(const ValueReader& value, const NumberRange& range) {
@@ -57,14 +67,37 @@ double angleFrom(const ValueReader& value, const NumberRange& range) {
   return angle;
 }
 
+Eigen::Vector3d vectorFrom(const ValueReader& value, const NumberRange& range) {
+  const std::string expected(range.expected);
+  if (const auto* array = std::get_if<TomlNode::Array>(&value.node().value);
+      array && array->size() == 6) {
+    value.fail(value.name() + " must be " + expected + ", not " + describe(value.node()) +
+               "; a comma separates values, so write a decimal point: 5.0, not 5,0");
+  }
+  Eigen::Vector3d vector;
+  Eigen::Index row = 0;
+  for (const ValueReader& element : value.elements(3, expected)) {
+    vector[row++] = element.number(range);
+  }
+  return vector;
+}
+
+Eigen::Vector3d directionFrom(const ValueReader& value) {
+  const Eigen::Vector3d direction = vectorFrom(value, kDirections);
+  if (direction.isZero(0)) value.mismatch(std::string(kDirections.expected));
+  if (direction.stableNorm() < kShortestDirection) {
+    value.mismatch("at least " + tomlNumber(kShortestDirection) + " long");
+  }
+  return direction;
+}
+
 Kind<Eigen::Vector3d> vector(const NumberRange& range) {
-  return {[range](const ValueReader& value) { return value.vector(range); }, vectorText,
+  return {[range](const ValueReader& value) { return vectorFrom(value, range); }, vectorText,
           std::string(range.expected)};
 }
 
 Kind<Eigen::Vector3d> direction() {
-  return {[](const ValueReader& value) { return value.direction(); }, vectorText,
-          std::string(kDirections.expected)};
+  return {directionFrom, vectorText, std::string(kDirections.expected)};
 }
 
 std::string vectorText(const Eigen::Vector3d& vector) {

@@ -10,9 +10,9 @@
 
 #include "base/nearest_name.h"
 #include "base/text.h"
+#include "document/toml_text.h"
 #include "scene/keys/key.h"
 #include "scene/names.h"
-#include "scene/toml_text.h"
 
 namespace rotatebook::scene {
 
@@ -24,6 +24,15 @@ Kind<std::string> text(std::size_t most);
 Kind<std::string> lines(std::size_t most);
 /// Returns an angle within `range`, which is a number or a string such as "1 deg". [rad]
 double angleFrom(const ValueReader& value, const NumberRange& range);
+/// Returns three numbers, each within `range`, whose description is that of all three.
+Eigen::Vector3d vectorFrom(const ValueReader& value, const NumberRange& range);
+/// Returns three numbers that aren't all zero, at least 1e-30 long.
+Eigen::Vector3d directionFrom(const ValueReader& value);
+/// Returns the one of `choices` whose name the value is.
+template <typename T, std::size_t N>
+T choiceFrom(const ValueReader& value, const std::array<Named<T>, N>& choices) {
+  return choices[value.choice(namesOf(choices))].value;
+}
 Kind<Eigen::Vector3d> vector(const NumberRange& range);
 /// Vectors that aren't zero.
 Kind<Eigen::Vector3d> direction();
@@ -49,7 +58,7 @@ std::string quotedName(const std::array<Named<T>, N>& choices, const T& value) {
 template <typename T, std::size_t N>
 Kind<T> oneOf(const std::array<Named<T>, N>& choices) {
   const std::string names = quotedList(namesOf(choices), "or");
-  return {[&choices](const ValueReader& value) { return value.oneOf(choices); },
+  return {[&choices](const ValueReader& value) { return choiceFrom(value, choices); },
           [&choices](const T& value) { return quotedName(choices, value); }, names, names};
 }
 

@@ -17,6 +17,9 @@ namespace rotatebook::scene {
 namespace {
 
 using Limits = std::numeric_limits<double>;
+using document::kNumber;
+using document::kPositive;
+using document::TomlNode;
 using physics::InitialSpin;
 using physics::MotionSettings;
 using physics::SimulationSettings;
@@ -41,10 +44,10 @@ Eigen::Matrix3d inertiaFrom(const ValueReader& value) {
   Eigen::Matrix3d tensor = Eigen::Matrix3d::Zero();
   if (std::holds_alternative<TomlNode::Array>(rows.front().node().value)) {
     for (int row = 0; row < 3; ++row) {
-      tensor.row(row) = rows[static_cast<std::size_t>(row)].vector(kRow).transpose();
+      tensor.row(row) = vectorFrom(rows[static_cast<std::size_t>(row)], kRow).transpose();
     }
   } else {
-    tensor.diagonal() = value.vector(kMoments);
+    tensor.diagonal() = vectorFrom(value, kMoments);
   }
   failAtValue(value, [&] { physics::checkInertia(tensor); });
   return tensor;
@@ -62,7 +65,7 @@ void readIntegrator(const ValueReader& value, SimulationSettings& settings) {
     value.fail(value.name() + " can't be \"exact\": the closed form is a model of its own, " +
                "simulation.model = \"exact\", for rigid bodies; particles have none");
   }
-  settings.integrator = value.oneOf(kIntegrators);
+  settings.integrator = choiceFrom(value, kIntegrators);
 }
 
 /// Returns the value with a comment that depends on the model; empty for a model without steps.
@@ -98,7 +101,7 @@ Key<InitialSpin> spinKey(InitialSpin::Kind kind, const std::string& unit, KeyTex
       nameOf(kSpinKinds, kind),
       [kind](const ValueReader& value, InitialSpin& spin) {
         spin.kind = kind;
-        spin.value = value.direction();
+        spin.value = directionFrom(value);
       },
       [kind](const InitialSpin& spin) { return spin.kind == kind ? vectorText(spin.value) : ""; },
       std::move(documentation)};
@@ -106,7 +109,7 @@ Key<InitialSpin> spinKey(InitialSpin::Kind kind, const std::string& unit, KeyTex
 
 physics::Tilt tiltFrom(const ValueReader& value) {
   const auto parts = value.elements(2, kExpectedTilt);
-  return {angleFrom(parts[0], kTilt), parts[1].oneOf(kAxes)};
+  return {angleFrom(parts[0], kTilt), choiceFrom(parts[1], kAxes)};
 }
 
 std::string tiltText(const physics::Tilt& tilt) {
@@ -260,7 +263,7 @@ const Keys<std::vector<Expectation>>& expectKeys() {
 const Keys<Panel>& panelKeys() {
   static const Keys<Panel> keys{
       key("label", &Panel::label,
-          Kind<std::string>{labelFrom, tomlString, expectedString(kLongestLabel)},
+          Kind<std::string>{labelFrom, tomlString, document::expectedString(kLongestLabel)},
           {.meaning = "shown in the picture and the report, and part of the CSV file's name",
            .byDefault = "required"}),
   };

@@ -17,6 +17,9 @@
 namespace rotatebook::scene {
 namespace {
 
+using document::kPositive;
+using document::TomlNode;
+
 constexpr int kSmallestPicture = 16;
 constexpr int kMaxThreads = 64;
 constexpr int kMaxSupersample = 2;
@@ -107,7 +110,7 @@ std::vector<Overlay> overlaysFrom(const ValueReader& value) {
   if (array == nullptr) value.mismatch("a list of overlays, such as [\"caption\", \"clock\"]");
   std::vector<Overlay> overlays;
   for (const ValueReader& element : value.elements(array->size(), "a list of overlays")) {
-    const auto overlay = element.oneOf(kOverlays);
+    const auto overlay = choiceFrom(element, kOverlays);
     if (std::ranges::count(overlays, overlay) > 0) {
       element.fail(element.name() + " has " + std::string(nameOf(kOverlays, overlay)) + " twice");
     }

@@ -12,6 +12,7 @@
 namespace rotatebook::scene {
 namespace {
 
+using document::kNumber;
 using physics::Integrator;
 
 constexpr const char* kExpectedSteps = "a list of steps a frame, such as [1, 2, 4]";
@@ -60,7 +61,7 @@ void readIntegrators(const ValueReader& value, Scene& scene) {
       value, "a list of integrators, such as [\"euler\", \"rk4\"]",
       [names = integratorNames(scene.simulation.model)](const ValueReader& element) {
         element.choice(names);
-        return element.oneOf(kIntegrators);
+        return choiceFrom(element, kIntegrators);
       });
 }
 

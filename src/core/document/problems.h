@@ -1,4 +1,4 @@
-// Collects the problems of a scene, so that all are reported at once. Inside the room only.
+// Collects the problems of a document, so that all are reported at once.
 #pragma once
 
 #include <string>
@@ -6,9 +6,9 @@
 
 #include "base/error.h"
 
-namespace rotatebook::scene {
+namespace rotatebook::document {
 
-/// One problem of a scene.
+/// One problem of a document.
 struct Problem {
   std::string location;  ///< As TomlNode has it.
   std::string text;
@@ -17,9 +17,9 @@ struct Problem {
 };
 
 /// Reports problems, one on each line of the message: "LOCATION: PROBLEM".
-class SceneError : public InputError {
+class DocumentError : public InputError {
  public:
-  explicit SceneError(std::vector<Problem> all);
+  explicit DocumentError(std::vector<Problem> all);
 
   const std::vector<Problem>& problems() const { return problems_; }
 
@@ -30,12 +30,12 @@ class SceneError : public InputError {
 /// Problems of work that goes on after the first of them.
 class Problems {
  public:
-  /// Runs `work`, and notes the problems of a SceneError of it.
+  /// Runs `work`, and notes the problems of a DocumentError of it.
   template <typename Work>
   void note(const Work& work) {
     try {
       work();
-    } catch (const SceneError& error) {
+    } catch (const DocumentError& error) {
       noted_.insert(noted_.end(), error.problems().begin(), error.problems().end());
     }
   }
@@ -43,7 +43,7 @@ class Problems {
   /// Returns what was noted so far.
   std::vector<Problem>& all() { return noted_; }
 
-  /// Throws SceneError with what was noted, if anything was: in the order of the file, then
+  /// Throws DocumentError with what was noted, if anything was: in the order of the file, then
   /// overrides by their text, and only the first at each location.
   void throwIfAny();
 
@@ -51,4 +51,4 @@ class Problems {
   std::vector<Problem> noted_;
 };
 
-}  // namespace rotatebook::scene
+}  // namespace rotatebook::document

@@ -7,7 +7,7 @@
 #include "base/number_text.h"
 #include "base/text.h"
 
-namespace rotatebook::scene {
+namespace rotatebook::document {
 
 /// Returns a basic string: in quotes, with escapes where TOML requires them.
 inline std::string tomlString(std::string_view text) {
@@ -21,4 +21,4 @@ inline std::string tomlNumber(double value) {
   return looksWhole ? text + ".0" : text;
 }
 
-}  // namespace rotatebook::scene
+}  // namespace rotatebook::document

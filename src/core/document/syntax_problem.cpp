@@ -1,11 +1,11 @@
-#include "scene/syntax_problem.h"
+#include "document/syntax_problem.h"
 
 #include <algorithm>
 #include <array>
 
 #include "base/text.h"
 
-namespace rotatebook::scene {
+namespace rotatebook::document {
 namespace {
 
 constexpr std::string_view kDigits = "0123456789";
@@ -99,4 +99,4 @@ std::string syntaxProblem(std::string_view text, std::size_t line, std::size_t c
   return problem;
 }
 
-}  // namespace rotatebook::scene
+}  // namespace rotatebook::document

@@ -1,7 +1,6 @@
-// Reads typed and checked values of a scene file, and names them in messages. Inside the room only.
+// Reads typed and checked values of a TOML document, and names them in messages.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <limits>
@@ -12,13 +11,10 @@
 #include <utility>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "base/error.h"
-#include "scene/names.h"
-#include "scene/toml_tree.h"
+#include "document/toml_tree.h"
 
-namespace rotatebook::scene {
+namespace rotatebook::document {
 
 /// A range of finite numbers that a value may have, and its description in messages.
 struct NumberRange {
@@ -34,12 +30,7 @@ inline constexpr NumberRange kPositive{"a positive number",
 inline constexpr NumberRange kNumber{"a number", std::numeric_limits<double>::lowest(),
                                      std::numeric_limits<double>::max()};
 
-/// Wide enough for any book, and narrow enough that no product of squares leaves the range of
-/// double.
-inline constexpr NumberRange kDirections{"three numbers from -1e9 to 1e9, not all zero", -1e9, 1e9};
-
 // Descriptions of other allowed values in messages.
-inline constexpr std::string_view kExpectedFlag = "true or false";
 std::string expectedInteger(int min, int max);
 std::string expectedString(std::size_t most);
 
@@ -66,21 +57,11 @@ class ValueReader {
   std::string text(std::size_t most) const;
   /// Returns a string likewise that may have tabs and line ends.
   std::string lines(std::size_t most) const;
-  bool flag() const;
   int integer(int min, int max) const;
   /// Returns a number. Integers are numbers too; NaN and infinity are in no range.
   double number(const NumberRange& range) const;
-  /// Returns three numbers, each within `range`, whose description is that of all three.
-  Eigen::Vector3d vector(const NumberRange& range) const;
-  /// Returns three numbers that aren't all zero, at least 1e-30 long.
-  Eigen::Vector3d direction() const;
   /// Returns the index of the string in `names`.
   std::size_t choice(std::span<const std::string_view> names) const;
-  /// Returns the value whose name the string is.
-  template <typename T, std::size_t N>
-  T oneOf(const std::array<Named<T>, N>& choices) const {
-    return choices[choice(namesOf(choices))].value;
-  }
 
   /// Returns the elements of an array of that length. They keep the array's name.
   std::vector<ValueReader> elements(std::size_t count, const std::string& expected) const;
@@ -109,8 +90,8 @@ class ValueReader {
   std::string name_;
 };
 
-/// Runs `check`, and throws an InputError of it again with the location of `value`: physics knows
-/// the problem, but not the location.
+/// Runs `check`, and throws an InputError of it again with the location of `value`: who checks
+/// knows the problem, but not the location.
 template <typename Check>
 void failAtValue(const ValueReader& value, const Check& check) {
   try {
@@ -120,4 +101,4 @@ void failAtValue(const ValueReader& value, const Check& check) {
   }
 }
 
-}  // namespace rotatebook::scene
+}  // namespace rotatebook::document

@@ -1,17 +1,15 @@
-#include "scene/value_reader.h"
+#include "document/value_reader.h"
 
 #include <algorithm>
 #include <variant>
 
 #include "base/nearest_name.h"
 #include "base/text.h"
-#include "scene/problems.h"
-#include "scene/toml_text.h"
+#include "document/problems.h"
+#include "document/toml_text.h"
 
-namespace rotatebook::scene {
+namespace rotatebook::document {
 namespace {
-
-constexpr double kShortestDirection = 1e-30;
 
 std::optional<double> numberFrom(const TomlNode& node) {
   if (const auto* real = std::get_if<double>(&node.value)) return *real;
@@ -44,12 +42,6 @@ std::string ValueReader::lines(std::size_t most) const {
   return *text;
 }
 
-bool ValueReader::flag() const {
-  const auto* flag = std::get_if<bool>(&node_->value);
-  if (!flag) mismatch(std::string(kExpectedFlag));
-  return *flag;
-}
-
 int ValueReader::integer(int min, int max) const {
   const auto* whole = std::get_if<std::int64_t>(&node_->value);
   if (!whole || *whole < min || *whole > max) mismatch(expectedInteger(min, max));
@@ -62,29 +54,6 @@ double ValueReader::number(const NumberRange& range) const {
   if (!number || !(*number >= range.min && *number <= range.max))
     mismatch(std::string(range.expected));
   return *number;
-}
-
-Eigen::Vector3d ValueReader::vector(const NumberRange& range) const {
-  Eigen::Vector3d vector;
-  Eigen::Index row = 0;
-  if (const auto* array = std::get_if<TomlNode::Array>(&node_->value);
-      array && array->size() == 6) {
-    fail(name_ + " must be " + std::string(range.expected) + ", not " + describe(*node_) +
-         "; a comma separates values, so write a decimal point: 5.0, not 5,0");
-  }
-  for (const ValueReader& element : elements(3, std::string(range.expected))) {
-    vector[row++] = element.number(range);
-  }
-  return vector;
-}
-
-Eigen::Vector3d ValueReader::direction() const {
-  Eigen::Vector3d direction = vector(kDirections);
-  if (direction.isZero(0)) mismatch(std::string(kDirections.expected));
-  if (direction.stableNorm() < kShortestDirection) {
-    mismatch("at least " + tomlNumber(kShortestDirection) + " long");
-  }
-  return direction;
 }
 
 std::size_t ValueReader::choice(std::span<const std::string_view> names) const {
@@ -136,7 +105,7 @@ void ValueReader::readTable(const std::vector<Field>& fields) const {
 
 std::optional<ValueReader> ValueReader::find(std::string_view key) const {
   const auto* table = std::get_if<TomlNode::Table>(&node_->value);
-  const TomlEntry* entry = table ? scene::find(*table, key) : nullptr;
+  const TomlEntry* entry = table ? document::find(*table, key) : nullptr;
   if (!entry) return std::nullopt;
   return ValueReader(entry->node, nameOfKey(key));
 }
@@ -166,10 +135,10 @@ void ValueReader::refuseKey(const TomlEntry& entry, const std::vector<Field>& fi
   const std::string where = name_.empty() ? "" : " in [" + name_ + "]";
   std::string remedy = didYouMean(entry.key, valid);
   if (remedy.empty()) remedy = "; valid are " + quotedList(valid, "and");
-  throw SceneError(
+  throw DocumentError(
       {{entry.keyLocation,
         (isSection ? "unknown section " : "unknown key ") + tomlString(entry.key) + where, remedy,
         isSection ? "" : entry.key}});
 }
 
-}  // namespace rotatebook::scene
+}  // namespace rotatebook::document

@@ -1,16 +1,16 @@
-#include "scene/toml_tree.h"
+#include "document/toml_tree.h"
 
 #include <algorithm>
 #include <functional>
 #include <utility>
 
 #include "base/text.h"
-#include "scene/problems.h"
-#include "scene/syntax_problem.h"
-#include "scene/toml_parser.h"
-#include "scene/toml_text.h"
+#include "document/problems.h"
+#include "document/syntax_problem.h"
+#include "document/toml_parser.h"
+#include "document/toml_text.h"
 
-namespace rotatebook::scene {
+namespace rotatebook::document {
 namespace {
 
 using LocationOf = std::function<std::string(const toml::source_region&)>;
@@ -98,7 +98,7 @@ std::string describeArray(const TomlNode::Array& array) {
 }  // namespace
 
 void failAt(const std::string& location, const std::string& problem) {
-  throw SceneError({{location, problem, {}, {}}});
+  throw DocumentError({{location, problem, {}, {}}});
 }
 
 TomlNode parseToml(std::string_view text, const std::string& file) {
@@ -149,4 +149,4 @@ std::string describe(const TomlNode& node) {
   return std::visit(Describer{}, node.value);
 }
 
-}  // namespace rotatebook::scene
+}  // namespace rotatebook::document

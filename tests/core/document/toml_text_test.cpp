@@ -1,11 +1,11 @@
-#include "scene/toml_text.h"
+#include "document/toml_text.h"
 
 #include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
 
-namespace rotatebook::scene {
+namespace rotatebook::document {
 namespace {
 
 TEST(TomlNumber, IsAlwaysAFloat) {
@@ -23,4 +23,4 @@ TEST(TomlNumber, NamesWhatIsNotFinite) {
 }
 
 }  // namespace
-}  // namespace rotatebook::scene
+}  // namespace rotatebook::document

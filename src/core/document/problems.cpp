@@ -1,4 +1,4 @@
-#include "scene/problems.h"
+#include "document/problems.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,7 +8,7 @@
 
 #include "base/text.h"
 
-namespace rotatebook::scene {
+namespace rotatebook::document {
 namespace {
 
 constexpr std::size_t kMaxShown = 20;
@@ -38,7 +38,7 @@ std::string messageOf(const std::vector<Problem>& problems) {
 
 }  // namespace
 
-SceneError::SceneError(std::vector<Problem> all)
+DocumentError::DocumentError(std::vector<Problem> all)
     : InputError(messageOf(all)), problems_(std::move(all)) {}
 
 void Problems::throwIfAny() {
@@ -53,7 +53,7 @@ void Problems::throwIfAny() {
   };
   const auto repeated = std::unique(noted_.begin(), noted_.end(), isSame);
   noted_.erase(repeated, noted_.end());
-  throw SceneError(noted_);
+  throw DocumentError(noted_);
 }
 
-}  // namespace rotatebook::scene
+}  // namespace rotatebook::document

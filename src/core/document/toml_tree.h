@@ -1,4 +1,4 @@
-// A TOML text as a tree of plain values, each with its location.
+// A TOML document as a tree of plain values, each with its location.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace rotatebook::scene {
+namespace rotatebook::document {
 
 struct TomlEntry;
 
@@ -39,11 +39,12 @@ inline constexpr std::size_t kLongestToml = 32'768;
 /// Throws InputError "LOCATION: PROBLEM".
 [[noreturn]] void failAt(const std::string& location, const std::string& problem);
 
-/// Returns the tree of a whole text; its root is a table. Throws InputError with the parser's
-/// message.
+/// Returns the tree of a whole text; its root is a table. Throws InputError with the position and a
+/// remedy for what isn't TOML; also for what is longer than kLongestToml or nested too deeply.
 TomlNode parseToml(std::string_view text, const std::string& file);
 
 /// Returns the single value in `text`, or nothing if it isn't one; every part of it has `location`.
+/// Throws InputError if it is longer than kLongestToml or nested too deeply.
 std::optional<TomlNode> parseTomlValue(std::string_view text, const std::string& location);
 
 /// Returns the entry with that key, or null.
@@ -54,4 +55,4 @@ const TomlEntry* find(const TomlNode::Table& table, std::string_view key);
 /// words.
 std::string describe(const TomlNode& node);
 
-}  // namespace rotatebook::scene
+}  // namespace rotatebook::document

@@ -1,4 +1,4 @@
-#include "scene/overrides.h"
+#include "document/overrides.h"
 
 #include <algorithm>
 #include <charconv>
@@ -11,11 +11,10 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "scene/names.h"
-#include "scene/problems.h"
-#include "scene/toml_text.h"
+#include "document/problems.h"
+#include "document/toml_text.h"
 
-namespace rotatebook::scene {
+namespace rotatebook::document {
 namespace {
 
 using Path = std::vector<std::string_view>;
@@ -66,14 +65,18 @@ TomlNode valueFrom(std::string_view text, const std::string& location) {
   failAt(location, "the value isn't UTF-8");
 }
 
-// A scene has one spin, so the command line's replaces the file's, whichever key each of them uses.
-void removeOtherSpin(TomlNode& section, std::string_view newKey) {
-  std::erase_if(std::get<TomlNode::Table>(section.value), [newKey](const TomlEntry& entry) {
-    return isSpin(entry.key) && entry.key != newKey;
+bool isAmong(std::span<const std::string_view> keys, std::string_view key) {
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+void removeOthers(TomlNode& section, std::span<const std::string_view> keys,
+                  std::string_view newKey) {
+  std::erase_if(std::get<TomlNode::Table>(section.value), [&](const TomlEntry& entry) {
+    return isAmong(keys, entry.key) && entry.key != newKey;
   });
 }
 
-void applyOverride(TomlNode& root, const std::string& text) {
+void applyOverride(TomlNode& root, const std::string& text, const Alternatives& alternatives) {
   const std::string location = overrideLocation(text);
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) failAt(location, "expected KEY=VALUE");
@@ -90,8 +93,10 @@ void applyOverride(TomlNode& root, const std::string& text) {
     node = &childOf(*parent, part, key.substr(0, before - (before > 0 ? 1 : 0)), location);
   }
   *node = valueFrom(value, location);
-  const bool inInitial = path.size() >= 2 && path[path.size() - 2] == "initial";
-  if (inInitial && isSpin(path.back())) removeOtherSpin(*parent, path.back());
+  const bool isInside = path.size() >= 2 && path[path.size() - 2] == alternatives.section;
+  if (isInside && isAmong(alternatives.keys, path.back())) {
+    removeOthers(*parent, alternatives.keys, path.back());
+  }
 }
 
 }  // namespace
@@ -101,14 +106,17 @@ std::string overrideLocation(std::string_view text) {
   return "--set " + oneLine(text, kMaxShown);
 }
 
-void applyOverrides(TomlNode& root, std::span<const std::string> overrides) {
+void applyOverrides(TomlNode& root, std::span<const std::string> overrides,
+                    const Alternatives& alternatives) {
   if (overrides.size() > kMaxOverrides) {
     throw InputError("--set: " + std::to_string(overrides.size()) + " options; the limit is " +
                      std::to_string(kMaxOverrides) + "; write the values into the scene's file");
   }
   Problems problems;
-  for (const std::string& text : overrides) problems.note([&] { applyOverride(root, text); });
+  for (const std::string& text : overrides) {
+    problems.note([&] { applyOverride(root, text, alternatives); });
+  }
   problems.throwIfAny();
 }
 
-}  // namespace rotatebook::scene
+}  // namespace rotatebook::document

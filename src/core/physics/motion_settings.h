@@ -10,6 +10,7 @@
 #include "physics/inertia.h"
 #include "physics/integrators/integrator.h"
 #include "physics/layout.h"
+#include "physics/nudge.h"
 
 namespace rotatebook::physics {
 
@@ -92,6 +93,7 @@ struct MotionSettings {
   /// Inertia tensor in body axes, which replaces the solid cuboid's. Not for the particles, which
   /// have their own. [kg m^2]
   std::optional<Eigen::Matrix3d> inertia{};
+  std::vector<Nudge> nudges{};  ///< In the order of their times.
 
   friend bool operator==(const MotionSettings&, const MotionSettings&) = default;
 };

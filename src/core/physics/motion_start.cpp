@@ -13,4 +13,11 @@ Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings) {
   return settings.initial.angularVelocity(modelInertia(settings));
 }
 
+NudgedRotation exactRotation(const MotionSettings& settings) {
+  const PrincipalAxes inertia = modelInertia(settings);
+  return NudgedRotation({inertia, settings.initial.alongPrincipal(inertia),
+                         inertia.angularMomentum(initialAngularVelocity(settings))},
+                        settings.nudges);
+}
+
 }  // namespace rotatebook::physics

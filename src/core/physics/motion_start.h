@@ -5,6 +5,7 @@
 
 #include "physics/inertia.h"
 #include "physics/motion_settings.h"
+#include "physics/nudged_rotation.h"
 
 namespace rotatebook::physics {
 
@@ -13,5 +14,8 @@ PrincipalAxes modelInertia(const MotionSettings& settings);
 /// Returns the angular velocity at t = 0, in body axes. Throws InputError as InitialSpin::tilted()
 /// does. [rad/s]
 Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings);
+/// Returns the exact motion of the model's body if it were rigid, with all nudges. Throws
+/// InputError likewise.
+NudgedRotation exactRotation(const MotionSettings& settings);
 
 }  // namespace rotatebook::physics

@@ -7,6 +7,7 @@
 #include <Eigen/QR>
 
 #include "physics/motion_start.h"
+#include "physics/rotation.h"
 
 namespace rotatebook::physics {
 namespace {
@@ -91,6 +92,21 @@ void ParticleSimulator::restoreEnergy() {
   for (EightDoubles& components : state_.velocities()) {
     for (DoublePair& lanes : components) lanes *= factor;
   }
+}
+
+void ParticleSimulator::nudge(const Nudge& nudge) {
+  const Cage cage = toEigen(state_.positions());
+  const Cage arms = cage.colwise() - cage.rowwise().mean().eval();
+  Eigen::Vector3d change = nudge.value;
+  if (nudge.axes == Nudge::Axes::Body) {
+    change = polarDecomposition(fit_.worldFromBody(cage)).rotation * change;
+  }
+  if (nudge.kind == Nudge::Kind::AngularMomentum) {
+    change = inertiaTensor(arms, state_.mass()).completeOrthogonalDecomposition().solve(change);
+  }
+  const double before = state_.kineticEnergy();
+  state_.velocities() = fromEigen(toEigen(state_.velocities()) + turningVelocities(arms, change));
+  energy_ += state_.kineticEnergy() - before;
 }
 
 BodyState ParticleSimulator::state() const {

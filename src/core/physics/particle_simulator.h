@@ -29,6 +29,8 @@ class ParticleSimulator final : public Simulator {
   ParticleSimulator(const MotionSettings& settings, ParticleStep step);
 
   void advance(double interval, int steps) override;
+  /// The energy that normalising restores changes by that of the nudge.
+  void nudge(const Nudge& nudge) override;
   BodyState state() const override;
 
  private:
@@ -37,7 +39,7 @@ class ParticleSimulator final : public Simulator {
   ParticleState state_;
   ParticleStep step_;
   Cadence energyNormalization_, driftRemoval_;
-  double energy_;  // at t = 0
+  double energy_;  // at t = 0, and what nudges have added
   CageFit fit_;
 };
 

@@ -50,6 +50,18 @@ class RigidSimulator final : public Simulator {
     normalization_ = normalization;
   }
 
+  void nudge(const Nudge& nudge) override {
+    const Eigen::Matrix3d map = mapOf(state_.attitude);
+    const bool isInBody = nudge.axes == Nudge::Axes::Body;
+    const Eigen::Vector3d along =
+        (isInBody ? principalFromBody_ : Eigen::Matrix3d(map.transpose())) * nudge.value;
+    const bool isVelocity = nudge.kind == Nudge::Kind::AngularVelocity;
+    const Eigen::Vector3d change = isVelocity ? body_.inertia.cwiseProduct(along) : along;
+    state_.momentum += Method::kMomentumInBody ? change : Eigen::Vector3d(map * change);
+    body_.momentum = Method::kMomentumInBody ? state_.momentum
+                                             : Eigen::Vector3d(map.transpose() * state_.momentum);
+  }
+
   BodyState state() const override {
     const Eigen::Matrix3d map = mapOf(state_.attitude);
     const Eigen::Vector3d inBody = Method::kMomentumInBody

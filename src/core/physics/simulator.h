@@ -7,6 +7,7 @@
 
 #include "physics/cuboid.h"
 #include "physics/layout.h"
+#include "physics/nudge.h"
 
 namespace rotatebook::physics {
 
@@ -37,6 +38,8 @@ class Simulator {
 
   /// Advances by `interval` > 0 in `steps` equal integration steps. [s] Throws StepError.
   virtual void advance(double interval, int steps) = 0;
+  /// Adds a nudge's change to the spin of the body as it is now, whatever the time of the nudge.
+  virtual void nudge(const Nudge& nudge) = 0;
   /// Returns the current state. Its numbers need not be finite once a motion has blown up.
   virtual BodyState state() const = 0;
 };

@@ -5,8 +5,7 @@
 namespace rotatebook::physics {
 
 ExactSimulator::ExactSimulator(const MotionSettings& settings)
-    : angularMomentum_(modelInertia(settings).angularMomentum(initialAngularVelocity(settings))),
-      rotation_(modelInertia(settings), settings.initial.alongPrincipal(modelInertia(settings))) {}
+    : rotation_(exactRotation(settings)) {}
 
 void ExactSimulator::advance(double interval, int /*steps*/) {
   if (interval != interval_) {
@@ -18,12 +17,12 @@ void ExactSimulator::advance(double interval, int /*steps*/) {
 }
 
 BodyState ExactSimulator::state() const {
-  const ExactRotation::Moment moment = rotation_.at(time());
+  const NudgedRotation::Moment moment = rotation_.at(time());
   BodyState result;
   result.worldFromBody = moment.worldFromBody;
   result.angularVelocity = moment.angularVelocity;
-  result.angularMomentum = angularMomentum_;
-  result.kinetic = moment.angularVelocity.dot(angularMomentum_) / 2;
+  result.angularMomentum = moment.angularMomentum;
+  result.kinetic = moment.angularVelocity.dot(moment.angularMomentum) / 2;
   result.rotational = result.kinetic;
   return result;
 }

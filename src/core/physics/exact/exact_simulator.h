@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
-#include "physics/exact/exact_rotation.h"
 #include "physics/motion_settings.h"
+#include "physics/nudged_rotation.h"
 #include "physics/simulator.h"
 
 namespace rotatebook::physics {
@@ -18,13 +18,14 @@ class ExactSimulator final : public Simulator {
   explicit ExactSimulator(const MotionSettings& settings);
 
   void advance(double interval, int steps) override;
+  /// Does nothing: the closed form knows all nudges and their times.
+  void nudge(const Nudge& /*nudge*/) override {}
   BodyState state() const override;
 
  private:
   double time() const { return start_ + static_cast<double>(count_) * interval_; }
 
-  Eigen::Vector3d angularMomentum_;
-  ExactRotation rotation_;
+  NudgedRotation rotation_;
   // A count of intervals keeps the time accurate to rounding after any number of equal ones.
   double start_ = 0;
   double interval_ = 0;

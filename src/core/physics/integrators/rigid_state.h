@@ -14,7 +14,8 @@ namespace rotatebook::physics {
 struct RigidConstants {
   Eigen::Vector3d inertia;         ///< [kg m^2]
   Eigen::Vector3d inverseInertia;  ///< [1/(kg m^2)]
-  Eigen::Vector3d momentum;        ///< Angular momentum at t = 0. [kg m^2/s]
+  /// Angular momentum at t = 0, or just after the last nudge. [kg m^2/s]
+  Eigen::Vector3d momentum;
 };
 
 /// A body's state; Attitude is Eigen::Quaterniond or Eigen::Matrix3d, world from principal axes.

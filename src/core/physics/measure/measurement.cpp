@@ -52,7 +52,7 @@ Measurement::Measurement(const MotionSettings& settings)
     : body_(withSameLayout(settings).body),
       inertia_(modelInertia(settings)),
       spunAxis_(spunAxisOf(settings, inertia_)),
-      exact_(inertia_, settings.initial.alongPrincipal(inertia_)),
+      exact_(exactRotation(settings)),
       isExact_(settings.simulation.model == Model::Exact) {}
 
 Sample Measurement::measure(double time, const BodyState& state) {
@@ -70,8 +70,9 @@ Sample Measurement::measure(double time, const BodyState& state) {
   sample.stretchMax = polar.singularValues[0];
   if (!keepsItsShape(sample.stretchMin, sample.stretchMax)) counter_.stop();
   sample.halfTurns = counter_.count(sample.tiltDeg);
-  sample.errorDeg = angleDeg(exact_.at(time).worldFromBody.transpose() * polar.rotation);
-  sample.regime = regime(polar.rotation, state.angularVelocity);
+  const NudgedRotation::Moment exact = exact_.at(time);
+  sample.errorDeg = angleDeg(exact.worldFromBody.transpose() * polar.rotation);
+  sample.regime = regime(polar.rotation, state.angularVelocity, exact.regime);
   sample.cage = drawnCage(state, body_);
   return sample;
 }
@@ -90,11 +91,11 @@ double Measurement::tiltDeg(const Eigen::Matrix3d& rotation,
   return arcTangent(axis.cross(momentum).norm(), axis.dot(momentum)) * 180 / std::numbers::pi;
 }
 
-// The regime of the exact motion is a constant, which the rounding of one sample could change if
-// the spin is less than 1e-8 off the median axis.
-Regime Measurement::regime(const Eigen::Matrix3d& rotation,
-                           const Eigen::Vector3d& angularVelocity) const {
-  if (isExact_) return exact_.regime();
+// The regime of the exact motion is constant between nudges, which the rounding of one sample could
+// change if the spin is less than 1e-8 off the median axis.
+Regime Measurement::regime(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& angularVelocity,
+                           Regime exact) const {
+  if (isExact_) return exact;
   const Eigen::Matrix3d principalFromWorld = (rotation * inertia_.bodyFromPrincipal).transpose();
   return regimeOf(inertia_.moments, principalFromWorld * angularVelocity);
 }

@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "physics/exact/exact_rotation.h"
 #include "physics/inertia.h"
 #include "physics/motion_settings.h"
+#include "physics/nudged_rotation.h"
 #include "physics/sample.h"
 #include "physics/simulator.h"
 
@@ -60,12 +60,13 @@ class Measurement {
  private:
   Eigen::Quaterniond continuedAttitude(const Eigen::Matrix3d& rotation);
   double tiltDeg(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& momentum) const;
-  Regime regime(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& angularVelocity) const;
+  Regime regime(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& angularVelocity,
+                Regime exact) const;
 
   Cuboid body_;
   PrincipalAxes inertia_;
   Eigen::Vector3d spunAxis_;
-  ExactRotation exact_;
+  NudgedRotation exact_;
   bool isExact_;  // whether the measured motion is itself exact
   Eigen::Quaterniond attitude_ = Eigen::Quaterniond::Identity();  // the last one
   HalfTurnCounter counter_;

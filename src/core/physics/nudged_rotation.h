@@ -1,0 +1,51 @@
+// The exact motion of a body that is nudged on the way.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "physics/exact/exact_rotation.h"
+#include "physics/inertia.h"
+#include "physics/nudge.h"
+
+namespace rotatebook::physics {
+
+/// The exact rotation of a body, free from one nudge to the next; body and world axes agree at t =
+/// 0. Each piece starts anew from the attitude, to 1e-13, that the one before has led to.
+class NudgedRotation {
+ public:
+  /// The body at t = 0.
+  struct Start {
+    PrincipalAxes inertia;
+    DoubleDouble3 alongPrincipal;  ///< Angular velocity along the principal axes. [rad/s]
+    Eigen::Vector3d momentum;      ///< The same spin's angular momentum. [kg m^2/s]
+  };
+  /// Takes nudges in the order of their times.
+  NudgedRotation(const Start& start, std::span<const Nudge> nudges);
+
+  struct Moment {
+    Eigen::Matrix3d worldFromBody;
+    Eigen::Vector3d angularVelocity;  ///< In world axes. [rad/s]
+    Eigen::Vector3d angularMomentum;  ///< In world axes. [kg m^2/s]
+    Regime regime;
+  };
+  /// Returns the body at any time; at that of a nudge, just after it. [s]
+  Moment at(double time) const;
+
+ private:
+  struct Piece {
+    double start;                   // [s]
+    Eigen::Matrix3d worldFromBody;  // at the start
+    ExactRotation rotation;         // from there on
+    Eigen::Vector3d momentum;       // in world axes [kg m^2/s]
+  };
+
+  void add(const Nudge& nudge);
+
+  PrincipalAxes inertia_;
+  std::vector<Piece> pieces_;  // in the order of their starts; never empty
+};
+
+}  // namespace rotatebook::physics

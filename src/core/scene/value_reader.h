@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 
 #include "base/error.h"
+#include "base/units.h"
 #include "scene/names.h"
 #include "scene/toml_tree.h"
 
@@ -25,6 +26,8 @@ struct NumberRange {
   std::string_view expected;  ///< "a positive number"
   double min;                 ///< Smallest allowed number.
   double max;                 ///< Greatest allowed number.
+  /// Of the values, which are in SI units then, or texts with a unit of their own.
+  std::optional<Dimension> dimension{};
 };
 
 inline constexpr NumberRange kPositive{"a positive number",
@@ -68,12 +71,13 @@ class ValueReader {
   std::string lines(std::size_t most) const;
   bool flag() const;
   int integer(int min, int max) const;
-  /// Returns a number. Integers are numbers too; NaN and infinity are in no range.
+  /// Returns a number, or the SI value of a text such as "1 deg" if the range has a dimension.
+  /// Integers are numbers too; NaN and infinity are in no range.
   double number(const NumberRange& range) const;
   /// Returns three numbers, each within `range`, whose description is that of all three.
   Eigen::Vector3d vector(const NumberRange& range) const;
-  /// Returns three numbers that aren't all zero, at least 1e-30 long.
-  Eigen::Vector3d direction() const;
+  /// Returns three numbers likewise that aren't all zero, at least 1e-30 long.
+  Eigen::Vector3d direction(const NumberRange& range = kDirections) const;
   /// Returns the index of the string in `names`.
   std::size_t choice(std::span<const std::string_view> names) const;
   /// Returns the value whose name the string is.

@@ -1,10 +1,5 @@
 #include "scene/keys/kinds.h"
 
-#include <charconv>
-#include <numbers>
-#include <system_error>
-#include <variant>
-
 #include "base/text.h"
 
 namespace rotatebook::scene {
@@ -47,20 +42,6 @@ Kind<std::string> text(std::size_t most) {
 Kind<std::string> lines(std::size_t most) {
   return {[most](const ValueReader& value) { return value.lines(most); }, tomlString,
           expectedString(most)};
-}
-
-double angleFrom(const ValueReader& value, const NumberRange& range) {
-  const auto* text = std::get_if<std::string>(&value.node().value);
-  if (text == nullptr) return value.number(range);
-  double angle = 0;
-  const auto [rest, error] = std::from_chars(text->data(), text->data() + text->size(), angle);
-  const std::string_view unit = trimmed({rest, text->data() + text->size()});
-  if (error != std::errc() || (unit != "deg" && unit != "rad")) {
-    value.mismatch("an angle such as 0.02, in radians, \"0.02 rad\" or \"1 deg\"");
-  }
-  if (unit == "deg") angle *= std::numbers::pi / 180;
-  if (!(angle >= range.min && angle <= range.max)) value.mismatch(std::string(range.expected));
-  return angle;
 }
 
 Kind<Eigen::Vector3d> vector(const NumberRange& range) {

@@ -23,8 +23,6 @@ Kind<double> number(const NumberRange& range);
 Kind<std::string> text(std::size_t most);
 /// Strings of at most `most` characters, on several lines.
 Kind<std::string> lines(std::size_t most);
-/// Returns an angle within `range`, which is a number or a string such as "1 deg". [rad]
-double angleFrom(const ValueReader& value, const NumberRange& range);
 Kind<Eigen::Vector3d> vector(const NumberRange& range);
 /// Vectors that aren't zero.
 Kind<Eigen::Vector3d> direction();

@@ -21,17 +21,19 @@ using physics::InitialSpin;
 using physics::MotionSettings;
 using physics::SimulationSettings;
 
-constexpr NumberRange kSizes{"three lengths from 1e-6 to 1e6 m", 1e-6, 1e6};
-constexpr NumberRange kMass{"a mass from 1e-9 to 1e9 kg", 1e-9, 1e9};
+constexpr NumberRange kSizes{"three lengths from 1e-6 to 1e6 m", 1e-6, 1e6, Dimension::Length};
+constexpr NumberRange kMass{"a mass from 1e-9 to 1e9 kg", 1e-9, 1e9, Dimension::Mass};
 constexpr NumberRange kMoments{"three moments of inertia up to 1e21 kg m^2", -1e21, 1e21};
 constexpr NumberRange kRow{"rows of three numbers up to 1e21 kg m^2", -1e21, 1e21};
 // Squares and inverses of these are finite, too.
-constexpr NumberRange kStepTimes{"a time from 1e-100 to 1e100 s", 1e-100, 1e100};
-constexpr NumberRange kTilt{"an angle from -1e6 to 1e6 rad", -kLargestAngle, kLargestAngle};
+constexpr NumberRange kStepTimes{"a time from 1e-100 to 1e100 s", 1e-100, 1e100, Dimension::Time};
+constexpr NumberRange kTilt{"an angle from -1e6 to 1e6 rad", -kLargestAngle, kLargestAngle,
+                            Dimension::Angle};
 constexpr const char* kExpectedBounds = "a table such as { min = 1.0 } or an array of them";
 constexpr const char* kExpectedTilt =
     "an angle and an axis, such as [0.02, \"z\"] or [\"1 deg\", \"z\"]";
 constexpr NumberRange kNotNegative{"zero or a positive number", 0, Limits::max()};
+constexpr NumberRange kWindowTimes{kNotNegative.expected, 0, kNotNegative.max, Dimension::Time};
 
 Eigen::Matrix3d inertiaFrom(const ValueReader& value) {
   const auto rows = value.elements(
@@ -77,7 +79,10 @@ Key<InitialSpin> spinKey(InitialSpin::Kind kind, const std::string& unit, KeyTex
       nameOf(kSpinKinds, kind),
       [kind](const ValueReader& value, InitialSpin& spin) {
         spin.kind = kind;
-        spin.value = value.direction();
+        NumberRange range = kDirections;
+        if (kind == InitialSpin::Kind::AngularVelocity)
+          range.dimension = Dimension::AngularVelocity;
+        spin.value = value.direction(range);
       },
       [kind](const InitialSpin& spin) { return spin.kind == kind ? vectorText(spin.value) : ""; },
       std::move(documentation)};
@@ -85,7 +90,7 @@ Key<InitialSpin> spinKey(InitialSpin::Kind kind, const std::string& unit, KeyTex
 
 physics::Tilt tiltFrom(const ValueReader& value) {
   const auto parts = value.elements(2, kExpectedTilt);
-  return {angleFrom(parts[0], kTilt), parts[1].oneOf(kAxes)};
+  return {parts[0].number(kTilt), parts[1].oneOf(kAxes)};
 }
 
 std::string tiltText(const physics::Tilt& tilt) {
@@ -98,10 +103,10 @@ const Keys<Expectation>& windowedBoundKeys() {
       key("max", &Expectation::max, number(kNumber)),
       key("rises_to", &Expectation::risesTo, number(kNumber)),
       key("falls_to", &Expectation::fallsTo, number(kNumber)),
-      key("from", &Expectation::from, number(kNotNegative)),
+      key("from", &Expectation::from, number(kWindowTimes)),
       {"to",
        [](const ValueReader& value, Expectation& bounds) {
-         bounds.to = value.number(kNotNegative);
+         bounds.to = value.number(kWindowTimes);
        },
        // A window without an end prints no `to`.
        [](const Expectation& bounds) {

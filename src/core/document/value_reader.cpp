@@ -5,6 +5,7 @@
 
 #include "base/nearest_name.h"
 #include "base/text.h"
+#include "base/units.h"
 #include "document/problems.h"
 #include "document/toml_text.h"
 
@@ -49,7 +50,16 @@ int ValueReader::integer(int min, int max) const {
 }
 
 double ValueReader::number(const NumberRange& range) const {
-  const std::optional<double> number = numberFrom(*node_);
+  const auto* text = std::get_if<std::string>(&node_->value);
+  const bool isQuantity = text != nullptr && range.dimension;
+  const std::optional<double> number =
+      isQuantity ? parseQuantity(*text, *range.dimension) : numberFrom(*node_);
+  if (isQuantity && !number) {
+    const std::vector<std::string_view> units = unitsOf(*range.dimension);
+    fail(name_ + " must be " + std::string(range.expected) + ", not " + describe(*node_) +
+         "; a text is a number and a unit, " + quotedList(units, "or") + ", such as \"1.5 " +
+         std::string(units[0]) + "\"");
+  }
   // NaN compares false with everything.
   if (!number || !(*number >= range.min && *number <= range.max))
     mismatch(std::string(range.expected));

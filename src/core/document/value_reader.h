@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/units.h"
 #include "document/toml_tree.h"
 
 namespace rotatebook::document {
@@ -21,6 +22,8 @@ struct NumberRange {
   std::string_view expected;  ///< "a positive number"
   double min;                 ///< Smallest allowed number.
   double max;                 ///< Greatest allowed number.
+  /// Of the values, which are in SI units then, or texts with a unit of their own.
+  std::optional<Dimension> dimension{};
 };
 
 inline constexpr NumberRange kPositive{"a positive number",
@@ -58,7 +61,8 @@ class ValueReader {
   /// Returns a string likewise that may have tabs and line ends.
   std::string lines(std::size_t most) const;
   int integer(int min, int max) const;
-  /// Returns a number. Integers are numbers too; NaN and infinity are in no range.
+  /// Returns a number, or the SI value of a text such as "1 deg" if the range has a dimension.
+  /// Integers are numbers too; NaN and infinity are in no range.
   double number(const NumberRange& range) const;
   /// Returns the index of the string in `names`.
   std::size_t choice(std::span<const std::string_view> names) const;

@@ -68,7 +68,7 @@ struct Tilt {
 
 /// The spin at t = 0, when body and world axes coincide.
 struct InitialSpin {
-  enum class Kind { AngularVelocity, AngularMomentum };
+  using Kind = SpinKind;
 
   Kind kind = Kind::AngularVelocity;
   Eigen::Vector3d value{0, 0, 0};  ///< Not zero. [rad/s] or [kg m^2/s]

@@ -5,13 +5,15 @@
 
 namespace rotatebook::physics {
 
+/// The quantity by which a spin is given.
+enum class SpinKind { AngularVelocity, AngularMomentum };
+
 /// A change of a body's angular velocity or momentum at one moment, in which it doesn't turn.
 struct Nudge {
-  enum class Kind { AngularVelocity, AngularMomentum };
   enum class Axes { Body, World };
 
   double at = 0;  ///< Time of the nudge, > 0. [s]
-  Kind kind = Kind::AngularMomentum;
+  SpinKind kind = SpinKind::AngularVelocity;
   Eigen::Vector3d value{0, 0, 0};  ///< What is added. [rad/s] or [kg m^2/s]
   Axes axes = Axes::Body;          ///< The axes that `value` is along, at that moment.
 

@@ -30,7 +30,7 @@ void NudgedRotation::add(const Nudge& nudge) {
   const Moment before = at(nudge.at);
   const Eigen::Matrix3d& worldFromBody = before.worldFromBody;
   Eigen::Vector3d change = nudge.value;
-  if (nudge.kind == Nudge::Kind::AngularVelocity) {
+  if (nudge.kind == SpinKind::AngularVelocity) {
     const bool isInBody = nudge.axes == Nudge::Axes::Body;
     change = inertia_.angularMomentum(isInBody ? change : worldFromBody.transpose() * change);
     change = worldFromBody * change;

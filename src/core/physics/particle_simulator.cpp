@@ -101,7 +101,7 @@ void ParticleSimulator::nudge(const Nudge& nudge) {
   if (nudge.axes == Nudge::Axes::Body) {
     change = polarDecomposition(fit_.worldFromBody(cage)).rotation * change;
   }
-  if (nudge.kind == Nudge::Kind::AngularMomentum) {
+  if (nudge.kind == SpinKind::AngularMomentum) {
     change = inertiaTensor(arms, state_.mass()).completeOrthogonalDecomposition().solve(change);
   }
   const double before = state_.kineticEnergy();

@@ -55,7 +55,7 @@ class RigidSimulator final : public Simulator {
     const bool isInBody = nudge.axes == Nudge::Axes::Body;
     const Eigen::Vector3d along =
         (isInBody ? principalFromBody_ : Eigen::Matrix3d(map.transpose())) * nudge.value;
-    const bool isVelocity = nudge.kind == Nudge::Kind::AngularVelocity;
+    const bool isVelocity = nudge.kind == SpinKind::AngularVelocity;
     const Eigen::Vector3d change = isVelocity ? body_.inertia.cwiseProduct(along) : along;
     state_.momentum += Method::kMomentumInBody ? change : Eigen::Vector3d(map * change);
     body_.momentum = Method::kMomentumInBody ? state_.momentum

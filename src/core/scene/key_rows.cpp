@@ -26,7 +26,9 @@ std::string sectionsOf(std::string_view key) {
     if (std::string_view(row.name).substr(dot + 1) != key) continue;  // npos + 1 is 0
     if (dot == row.name.npos) return "before the first [section]";
     const std::string section = row.name.substr(0, dot);
-    sections.push_back(section == "panel.N" ? "[[panel]]" : "[" + section + "]");
+    const bool isArray = section.ends_with(".N");
+    sections.push_back(isArray ? "[[" + section.substr(0, section.size() - 2) + "]]"
+                               : "[" + section + "]");
   }
   return sections.empty() ? "" : "under " + listed(sections, "or");
 }

@@ -35,10 +35,15 @@ inline constexpr auto kIntegrators = [] {
   return named;
 }();
 
-/// The keys of [initial] that state the spin; a scene has exactly one of them.
-inline constexpr std::array<Named<physics::InitialSpin::Kind>, 2> kSpinKinds{{
-    {"angular_velocity", physics::InitialSpin::Kind::AngularVelocity},
-    {"angular_momentum", physics::InitialSpin::Kind::AngularMomentum},
+/// The keys of [initial] and [[nudge]] that state a spin; each has exactly one of them.
+inline constexpr std::array<Named<physics::SpinKind>, 2> kSpinKinds{{
+    {"angular_velocity", physics::SpinKind::AngularVelocity},
+    {"angular_momentum", physics::SpinKind::AngularMomentum},
+}};
+
+inline constexpr std::array<Named<physics::Nudge::Axes>, 2> kNudgeAxes{{
+    {"body", physics::Nudge::Axes::Body},
+    {"world", physics::Nudge::Axes::World},
 }};
 
 /// Returns whether `key` is one of kSpinKinds.

@@ -1,10 +1,11 @@
-// The sections [body], [simulation], [initial] and [expect]: what moves, and what it must show.
+// The sections [body], [simulation], [initial], [[nudge]] and [expect]: what moves, and what it must show.
 #include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "base/nearest_name.h"
+#include "document/problems.h"
 #include "scene/keys/keys.h"
 #include "scene/names.h"
 #include "scene/sections.h"
@@ -29,14 +30,51 @@ std::string simulationLines(const Motion& motion) {
   return lines;
 }
 
-void checkSpin(const ValueReader& section, physics::InitialSpin& spin) {
+/// Returns whether the section states a spin. Throws InputError if it states two.
+bool hasSpin(const ValueReader& section, const std::string& name) {
   const bool hasVelocity = section.find("angular_velocity").has_value();
   const bool hasMomentum = section.find("angular_momentum").has_value();
   if (hasVelocity && hasMomentum) {
-    section.fail("[initial] has both angular_velocity and angular_momentum; keep one of them");
+    section.fail(name + " has both angular_velocity and angular_momentum; keep one of them");
   }
+  return hasVelocity || hasMomentum;
+}
+
+void checkSpin(const ValueReader& section, physics::InitialSpin& spin) {
+  const bool isStated = hasSpin(section, "[initial]");
   const auto tilt = section.find("tilt");
-  if (tilt && (hasVelocity || hasMomentum)) failAtValue(*tilt, [&] { spin.tilted(); });
+  if (tilt && isStated) failAtValue(*tilt, [&] { spin.tilted(); });
+}
+
+physics::Nudge nudgeFrom(const ValueReader& table) {
+  physics::Nudge nudge;
+  readKeys(table, nudgeKeys(), nudge);
+  if (!table.find("at")) table.fail("[[nudge]] needs at, its time in s");
+  if (!hasSpin(table, "[[nudge]]")) {
+    table.fail("[[nudge]] needs angular_velocity or angular_momentum, what it adds to the spin");
+  }
+  return nudge;
+}
+
+void readNudges(const ValueReader& value, Motion& motion) {
+  const auto tables = value.tables("tables with the header [[nudge]]");
+  if (tables.size() > kMaxNudges) {
+    value.fail("a motion has up to " + std::to_string(kMaxNudges) + " nudges, not " +
+               std::to_string(tables.size()));
+  }
+  motion.nudges.clear();
+  document::Problems problems;
+  for (const ValueReader& table : tables) {
+    problems.note([&] { motion.nudges.push_back(nudgeFrom(table)); });
+  }
+  problems.throwIfAny();
+  std::ranges::stable_sort(motion.nudges, {}, &physics::Nudge::at);
+}
+
+std::vector<std::string> nudgeTables(const Motion& motion) {
+  std::vector<std::string> tables;
+  for (const physics::Nudge& nudge : motion.nudges) tables.push_back(linesOf(nudgeKeys(), nudge));
+  return tables;
 }
 
 /// Returns the lines of the quantities, in the order in which they are first expected.
@@ -62,6 +100,7 @@ std::span<const Section<Motion>> motionSections() {
         section<Motion>("body", std::identity(), bodyKeys()),
         {simulation.name, simulation.read, simulationLines, simulation.rows},
         section<Motion>("initial", &Motion::initial, initialKeys(), checkSpin),
+        {"nudge", readNudges, {}, rowsOf("nudge.N.", nudgeKeys()), nudgeTables},
         {expect.name, expect.read, expectLines, expect.rows},
     };
   }();

@@ -27,7 +27,7 @@ std::string sceneText(const Scene& scene) {
   std::string text = linesOf(titleKeys(), scene);
   text += alone ? textOf(sections.first(2), scene) : "\n[simulation]\n";
   text += timePerFrameLine(scene.simulation);
-  if (alone) text += textOf(sections.subspan(2, 1), scene);  // [initial]
+  if (alone) text += textOf(sections.subspan(2, 2), scene);  // [initial] and [[nudge]]
   text += textOf(pictureSections(), scene);
   text += alone ? textOf(sections.last(1), scene) : panelsText(scene.panels);
   return text + studyText(scene);

@@ -20,6 +20,8 @@ inline constexpr std::size_t kLongestLabel = 100;  ///< Label of a panel; part o
 inline constexpr std::size_t kLongestName = 100;   ///< Name of a font or an integrator.
 inline constexpr std::size_t kLongestPath = 1000;  ///< Path of a texture.
 
+inline constexpr std::size_t kMaxNudges = 100;  ///< Of one motion.
+
 inline constexpr std::size_t kMinPanels = 2;
 inline constexpr std::size_t kMaxPanels = 6;
 
@@ -28,8 +30,8 @@ inline constexpr int kMaxSubsteps = 1'000'000;
 /// Most integration steps that a scene, or its study, takes in all: some hours of computing.
 inline constexpr std::int64_t kMaxSteps = 10'000'000'000;
 
-/// Returns the sections of a motion, in the order of messages: [body], [simulation], [initial] and,
-/// last, [expect]. Left to the caller are the default of time_per_frame, which depends on [clip];
+/// Returns the sections of a motion, in the order of messages: [body], [simulation], [initial],
+/// [[nudge]] and, last, [expect]. Left to the caller are the default of time_per_frame, which depends on [clip];
 /// its line, as panels share it; and whether there is a spin at all.
 std::span<const Section<Motion>> motionSections();
 /// Returns the sections about how a scene shows its motions. Left to the caller is the default of

@@ -23,14 +23,14 @@ void addTiltNote(const scene::Motion& motion, std::vector<std::string>& notes) {
   const double angle = std::fabs(motion.initial.tilt->angle);
   if (angle <= kLargeTilt) return;
   notes.push_back("initial.tilt is " + roundedText(angle * 180 / pi, kDigits) +
-                  " degrees, as angles are in radians; 1 degree is 0.01745");
+                  " degrees; numbers without a unit are in radians: one degree is \"1 deg\"");
 }
 
 void addSizeNote(const scene::Motion& motion, std::vector<std::string>& notes) {
   const double size = motion.body.largestDimension();
   if (size <= kLargeBody) return;
   notes.push_back("the body is " + roundedText(size, kDigits) +
-                  " m long, as lengths are in metres; 1 cm is 0.01");
+                  " m long; numbers without a unit are in metres: a centimetre is \"1 cm\"");
 }
 
 void addSpeedNote(const scene::Motion& motion, const physics::PrincipalAxes& inertia,
@@ -79,8 +79,8 @@ void addSteadyNote(const scene::Panel& panel, const physics::PrincipalAxes& iner
   notes.push_back("the spin is exactly about the axis of the " +
                   std::string(turns(largest) ? "largest" : "smallest") +
                   " moment of inertia, so the body turns steadily and shows nothing else; add "
-                  "initial.tilt, for example [0.0175, " +
-                  across + "], one degree, to see that it only wobbles");
+                  "initial.tilt, for example [\"1 deg\", " +
+                  across + "], to see that it only wobbles");
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ TEST(MotionReport, IsJsonToo) {
       R"([{"label": "Exact \"one\"", "model": "exact", "integrator": null, "half_turns": 1, )"
       R"("energy_ratio": {"lowest": 1, "highest": 1}, "error_deg": null, "visible_from_s": null, )"
       R"("diverged_at_s": null, "met": true, "expectations": [], "notes": ["the body is 20 m )"
-      R"(long, as lengths are in metres; 1 cm is 0.01"]}, )"
+      R"(long; numbers without a unit are in metres: a centimetre is \"1 cm\""]}, )"
       R"({"label": "Euler", "model": "quaternion", "integrator": "euler", "half_turns": 7, )"
       R"("energy_ratio": {"lowest": 1, "highest": 2.5}, "error_deg": 179.96, )"
       R"("visible_from_s": 0.30000000000000004, "diverged_at_s": 22.53333333333333, "met": true, )"

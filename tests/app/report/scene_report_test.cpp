@@ -23,12 +23,13 @@ std::vector<SceneFile> exampleFiles() {
 TEST(SceneReport, HasErrorsAndNotesOfEachCheckedFile) {
   std::ostringstream out;
   reportChecksAsJson(exampleFiles(), out);
-  EXPECT_EQ(out.str(),
-            R"({"scenes": [{"path": "dir/a.toml", "ok": true, "errors": [], "notes": ["second: )"
-            R"(the body is 20 m long, as lengths are in metres; 1 cm is 0.01"]}, )"
-            R"({"path": "dir/b.toml", "ok": false, )"
-            R"("errors": ["dir/b.toml:1:1: unknown key \"x\""], "notes": []}]})"
-            "\n");
+  EXPECT_EQ(
+      out.str(),
+      R"({"scenes": [{"path": "dir/a.toml", "ok": true, "errors": [], "notes": ["second: )"
+      R"(the body is 20 m long; numbers without a unit are in metres: a centimetre is \"1 cm\""]}, )"
+      R"({"path": "dir/b.toml", "ok": false, )"
+      R"("errors": ["dir/b.toml:1:1: unknown key \"x\""], "notes": []}]})"
+      "\n");
 }
 
 TEST(SceneReport, ListsWhatScenesShow) {

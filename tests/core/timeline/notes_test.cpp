@@ -37,14 +37,16 @@ TEST(Notes, AreNoneOnAnOrdinaryScene) {
 }
 
 TEST(Notes, AreMadeOnATiltInDegrees) {
-  EXPECT_THAT(notesWith("initial.angular_velocity = [5, 0, 0]\ninitial.tilt = [1, \"z\"]\n"),
-              ElementsAre("initial.tilt is 57.3 degrees, as angles are in radians; 1 degree is "
-                          "0.01745"));
+  EXPECT_THAT(
+      notesWith("initial.angular_velocity = [5, 0, 0]\ninitial.tilt = [1, \"z\"]\n"),
+      ElementsAre("initial.tilt is 57.3 degrees; numbers without a unit are in radians: one "
+                  "degree is \"1 deg\""));
 }
 
 TEST(Notes, AreMadeOnABodyInCentimetres) {
-  EXPECT_THAT(notesWith("initial.angular_velocity = [0, 1, 5]\nbody.size = [18.78, 29.085, 5]\n"),
-              ElementsAre(StartsWith("the body is 29.1 m long, as lengths are in metres")));
+  EXPECT_THAT(
+      notesWith("initial.angular_velocity = [0, 1, 5]\nbody.size = [18.78, 29.085, 5]\n"),
+      ElementsAre(StartsWith("the body is 29.1 m long; numbers without a unit are in metres")));
 }
 
 TEST(Notes, AreMadeOnASpinTooFastForTheFrames) {
@@ -63,7 +65,7 @@ TEST(Notes, AreMadeOnASpinThatOnlyTurns) {
   const auto note = [](const std::string& moment) {
     return "the spin is exactly about the axis of the " + moment +
            " moment of inertia, so the body turns steadily and shows nothing else; add "
-           "initial.tilt, for example [0.0175, \"x\"], one degree, to see that it only wobbles";
+           "initial.tilt, for example [\"1 deg\", \"x\"], to see that it only wobbles";
   };
   EXPECT_THAT(notesWith("initial.angular_velocity = [0, 5, 0]\n"), ElementsAre(note("smallest")));
   EXPECT_THAT(notesWith("initial.angular_velocity = [0, 0, 5]\n"), ElementsAre(note("largest")));
@@ -74,7 +76,7 @@ TEST(Notes, AreMadeOnASpinThatOnlyTurns) {
 // A tilt toward the axis of the spin would be none.
 TEST(Notes, TiltTowardAnAxisAcrossTheSpin) {
   EXPECT_THAT(notesWith("initial.angular_velocity = [5, 0, 0]\nbody.size = [0.3, 0.2, 0.1]\n"),
-              ElementsAre(HasSubstr("initial.tilt, for example [0.0175, \"z\"]")));
+              ElementsAre(HasSubstr("initial.tilt, for example [\"1 deg\", \"z\"]")));
   EXPECT_THAT(notesWith("initial.angular_velocity = [0, 0, 5]\nbody.size = [0.3, 0.1, 0.2]\n"),
               ElementsAre(HasSubstr("initial.tilt, for example [0.001, \"x\"]")));
 }

@@ -16,6 +16,7 @@ const Keys<Scene>& titleKeys();
 const Keys<physics::MotionSettings>& bodyKeys();
 const Keys<physics::SimulationSettings>& simulationKeys();
 const Keys<physics::InitialSpin>& initialKeys();
+const Keys<physics::Nudge>& nudgeKeys();
 /// One key for each quantity, in the order of the enumeration.
 const Keys<std::vector<Expectation>>& expectKeys();
 /// Keys of a panel itself, without its sections.

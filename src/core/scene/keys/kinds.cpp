@@ -1,10 +1,5 @@
 #include "scene/keys/kinds.h"
 
-#include <charconv>
-#include <numbers>
-#include <system_error>
-#include <variant>
-
 #include "base/text.h"
 
 namespace rotatebook::scene {
@@ -12,9 +7,6 @@ namespace {
 
 using document::TomlNode;
 
-// Wide enough for any book, and narrow enough that no product of squares leaves the range of
-// double.
-constexpr NumberRange kDirections{"three numbers from -1e9 to 1e9, not all zero", -1e9, 1e9};
 constexpr double kShortestDirection = 1e-30;
 
 }  // namespace
@@ -53,20 +45,6 @@ Kind<std::string> lines(std::size_t most) {
           document::expectedString(most)};
 }
 
-double angleFrom(const ValueReader& value, const NumberRange& range) {
-  const auto* text = std::get_if<std::string>(&value.node().value);
-  if (text == nullptr) return value.number(range);
-  double angle = 0;
-  const auto [rest, error] = std::from_chars(text->data(), text->data() + text->size(), angle);
-  const std::string_view unit = trimmed({rest, text->data() + text->size()});
-  if (error != std::errc() || (unit != "deg" && unit != "rad")) {
-    value.mismatch("an angle such as 0.02, in radians, \"0.02 rad\" or \"1 deg\"");
-  }
-  if (unit == "deg") angle *= std::numbers::pi / 180;
-  if (!(angle >= range.min && angle <= range.max)) value.mismatch(std::string(range.expected));
-  return angle;
-}
-
 Eigen::Vector3d vectorFrom(const ValueReader& value, const NumberRange& range) {
   const std::string expected(range.expected);
   if (const auto* array = std::get_if<TomlNode::Array>(&value.node().value);
@@ -82,9 +60,9 @@ Eigen::Vector3d vectorFrom(const ValueReader& value, const NumberRange& range) {
   return vector;
 }
 
-Eigen::Vector3d directionFrom(const ValueReader& value) {
-  const Eigen::Vector3d direction = vectorFrom(value, kDirections);
-  if (direction.isZero(0)) value.mismatch(std::string(kDirections.expected));
+Eigen::Vector3d directionFrom(const ValueReader& value, const NumberRange& range) {
+  const Eigen::Vector3d direction = vectorFrom(value, range);
+  if (direction.isZero(0)) value.mismatch(std::string(range.expected));
   if (direction.stableNorm() < kShortestDirection) {
     value.mismatch("at least " + tomlNumber(kShortestDirection) + " long");
   }
@@ -97,7 +75,7 @@ Kind<Eigen::Vector3d> vector(const NumberRange& range) {
 }
 
 Kind<Eigen::Vector3d> direction() {
-  return {directionFrom, vectorText, std::string(kDirections.expected)};
+  return {[](const ValueReader& value) { return directionFrom(value); }, vectorText, std::string(kDirections.expected)};
 }
 
 std::string vectorText(const Eigen::Vector3d& vector) {

@@ -16,18 +16,20 @@
 
 namespace rotatebook::scene {
 
+/// Wide enough for any book, and narrow enough that no product of squares leaves the range of
+/// double.
+inline constexpr NumberRange kDirections{"three numbers from -1e9 to 1e9, not all zero", -1e9, 1e9};
+
 Kind<int> integer(int min, int max);
 Kind<double> number(const NumberRange& range);
 /// Strings of at most `most` characters, on one line.
 Kind<std::string> text(std::size_t most);
 /// Strings of at most `most` characters, on several lines.
 Kind<std::string> lines(std::size_t most);
-/// Returns an angle within `range`, which is a number or a string such as "1 deg". [rad]
-double angleFrom(const ValueReader& value, const NumberRange& range);
 /// Returns three numbers, each within `range`, whose description is that of all three.
 Eigen::Vector3d vectorFrom(const ValueReader& value, const NumberRange& range);
-/// Returns three numbers that aren't all zero, at least 1e-30 long.
-Eigen::Vector3d directionFrom(const ValueReader& value);
+/// Returns three numbers likewise that aren't all zero, at least 1e-30 long.
+Eigen::Vector3d directionFrom(const ValueReader& value, const NumberRange& range = kDirections);
 /// Returns the one of `choices` whose name the value is.
 template <typename T, std::size_t N>
 T choiceFrom(const ValueReader& value, const std::array<Named<T>, N>& choices) {

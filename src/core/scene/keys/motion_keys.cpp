@@ -1,4 +1,4 @@
-// The keys of [body], [simulation], [initial] and [expect]: what moves, and what it must show.
+// The keys of [body], [simulation], [initial], [[nudge]] and [expect]: what moves, and what it must show.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -24,19 +24,23 @@ using physics::InitialSpin;
 using physics::MotionSettings;
 using physics::SimulationSettings;
 
-constexpr NumberRange kSizes{"three lengths from 1e-6 to 1e6 m", 1e-6, 1e6};
-constexpr NumberRange kMass{"a mass from 1e-9 to 1e9 kg", 1e-9, 1e9};
+constexpr NumberRange kSizes{"three lengths from 1e-6 to 1e6 m", 1e-6, 1e6, Dimension::Length};
+constexpr NumberRange kMass{"a mass from 1e-9 to 1e9 kg", 1e-9, 1e9, Dimension::Mass};
 constexpr NumberRange kMoments{"three moments of inertia up to 1e21 kg m^2", -1e21, 1e21};
 constexpr NumberRange kRow{"rows of three numbers up to 1e21 kg m^2", -1e21, 1e21};
 // Squares and inverses of these are finite, too.
-constexpr NumberRange kStepTimes{"a time from 1e-100 to 1e100 s", 1e-100, 1e100};
-constexpr NumberRange kTilt{"an angle from -1e6 to 1e6 rad", -kLargestAngle, kLargestAngle};
+constexpr NumberRange kStepTimes{"a time from 1e-100 to 1e100 s", 1e-100, 1e100, Dimension::Time};
+constexpr NumberRange kTilt{"an angle from -1e6 to 1e6 rad", -kLargestAngle, kLargestAngle,
+                            Dimension::Angle};
+constexpr NumberRange kNudgeTimes{"a time over 0 and up to 1e100 s", Limits::denorm_min(), 1e100,
+                                  Dimension::Time};
 constexpr const char* kExpectedBounds = "a table such as { min = 1.0 } or an array of them";
 constexpr int kMaxInterval = 1'000'000'000;
 constexpr const char* kExpectedEvery = "true, false or a table such as { every = 100 }";
 constexpr const char* kExpectedTilt =
     "an angle and an axis, such as [0.02, \"z\"] or [\"1 deg\", \"z\"]";
 constexpr NumberRange kNotNegative{"zero or a positive number", 0, Limits::max()};
+constexpr NumberRange kWindowTimes{kNotNegative.expected, 0, kNotNegative.max, Dimension::Time};
 
 Eigen::Matrix3d inertiaFrom(const ValueReader& value) {
   const auto rows = value.elements(
@@ -94,22 +98,27 @@ Kind<int> everyStep() {
           kExpectedEvery};
 }
 
-Key<InitialSpin> spinKey(InitialSpin::Kind kind, const std::string& unit, KeyText documentation) {
+/// Returns a key of one of the kinds in which the spin S is given.
+template <typename S>
+Key<S> spinKey(physics::SpinKind kind, const std::string& unit, KeyText documentation) {
   documentation.allowed = direction().allowed;
   documentation.comment = unit;
   return {
       nameOf(kSpinKinds, kind),
-      [kind](const ValueReader& value, InitialSpin& spin) {
+      [kind](const ValueReader& value, S& spin) {
         spin.kind = kind;
-        spin.value = directionFrom(value);
+        NumberRange range = kDirections;
+        if (kind == physics::SpinKind::AngularVelocity)
+          range.dimension = Dimension::AngularVelocity;
+        spin.value = directionFrom(value, range);
       },
-      [kind](const InitialSpin& spin) { return spin.kind == kind ? vectorText(spin.value) : ""; },
+      [kind](const S& spin) { return spin.kind == kind ? vectorText(spin.value) : ""; },
       std::move(documentation)};
 }
 
 physics::Tilt tiltFrom(const ValueReader& value) {
   const auto parts = value.elements(2, kExpectedTilt);
-  return {angleFrom(parts[0], kTilt), choiceFrom(parts[1], kAxes)};
+  return {parts[0].number(kTilt), choiceFrom(parts[1], kAxes)};
 }
 
 std::string tiltText(const physics::Tilt& tilt) {
@@ -122,10 +131,10 @@ const Keys<Expectation>& windowedBoundKeys() {
       key("max", &Expectation::max, number(kNumber)),
       key("rises_to", &Expectation::risesTo, number(kNumber)),
       key("falls_to", &Expectation::fallsTo, number(kNumber)),
-      key("from", &Expectation::from, number(kNotNegative)),
+      key("from", &Expectation::from, number(kWindowTimes)),
       {"to",
        [](const ValueReader& value, Expectation& bounds) {
-         bounds.to = value.number(kNotNegative);
+         bounds.to = value.number(kWindowTimes);
        },
        // A window without an end prints no `to`.
        [](const Expectation& bounds) {
@@ -239,14 +248,34 @@ const Keys<SimulationSettings>& simulationKeys() {
 
 const Keys<InitialSpin>& initialKeys() {
   static const Keys<InitialSpin> keys{
-      spinKey(InitialSpin::Kind::AngularVelocity, "rad/s",
+      spinKey<InitialSpin>(physics::SpinKind::AngularVelocity, "rad/s",
               {.meaning = "[rad/s]", .byDefault = "required, unless the next is given"}),
-      spinKey(InitialSpin::Kind::AngularMomentum, "kg m^2/s",
+      spinKey<InitialSpin>(physics::SpinKind::AngularMomentum, "kg m^2/s",
               {.meaning = "[kg m²/s]", .byDefault = "required, unless the one before is given"}),
       key("tilt", &InitialSpin::tilt, Kind<physics::Tilt>{tiltFrom, tiltText, kExpectedTilt},
           {.comment = "rad, and the axis toward which the spin is turned",
            .meaning = "turns the vector given above toward the axis [rad]",
            .byDefault = "none"}),
+  };
+  return keys;
+}
+
+const Keys<physics::Nudge>& nudgeKeys() {
+  static const Keys<physics::Nudge> keys{
+      key("at", &physics::Nudge::at, number(kNudgeTimes),
+          {.comment = "s, of simulated time",
+           .meaning = "when, of simulated time [s]",
+           .byDefault = "required"}),
+      spinKey<physics::Nudge>(
+          physics::SpinKind::AngularVelocity, "rad/s",
+          {.meaning = "what is added to the spin [rad/s]",
+           .byDefault = "required, unless the next is given"}),
+      spinKey<physics::Nudge>(
+          physics::SpinKind::AngularMomentum, "kg m^2/s",
+          {.meaning = "what is added to it [kg m²/s]",
+           .byDefault = "required, unless the one before is given"}),
+      key("axes", &physics::Nudge::axes, oneOf(kNudgeAxes),
+          {.meaning = "the axes that it is along, at that moment"}),
   };
   return keys;
 }

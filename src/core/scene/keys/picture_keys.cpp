@@ -32,8 +32,10 @@ constexpr const char* kExpectedPresets = "\"book\" or x264's \"ultrafast\" to \"
 constexpr const char* kTextures = "\"builtin\" or a path relative to the scene's folder";
 constexpr const char* kBlurMoments = "1, 2, 4, 8 or 16";
 
-constexpr NumberRange kPoints{"three numbers from -1e9 to 1e9", -1e9, 1e9};
-constexpr NumberRange kTimes{"a time in the clip, 0 or more seconds", 0, kPositive.max};
+constexpr NumberRange kPoints{"three numbers from -1e9 to 1e9", -1e9, 1e9, Dimension::Length};
+constexpr NumberRange kTimes{"a time in the clip, 0 or more seconds", 0, kPositive.max,
+                             Dimension::Time};
+constexpr NumberRange kDurations{kPositive.expected, kPositive.min, kPositive.max, Dimension::Time};
 constexpr NumberRange kAngles{"an angle from 1 to 170 degrees", 1, 170};
 
 // H.264 with 4:2:0 chroma has no odd sizes.
@@ -147,7 +149,7 @@ const Keys<ClipSettings>& clipKeys() {
       key("fps", &ClipSettings::frameRate,
           Kind<FrameRate>{frameRateFrom, frameRateText, kFrameRates},
           {.comment = "frames a second", .meaning = "of the video [frames/s]"}),
-      key("duration", &ClipSettings::duration, number(kPositive),
+      key("duration", &ClipSettings::duration, number(kDurations),
           {.comment = "s of video", .meaning = "of the video [s]"}),
       key("poster", &ClipSettings::poster, number(kTimes),
           {.comment = "s, time of the poster in the video",

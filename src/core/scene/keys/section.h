@@ -20,6 +20,8 @@ struct Section {
   std::function<void(const ValueReader&, Owner&)> read;  ///< Throws InputError.
   std::function<std::string(const Owner&)> lines;        ///< Prints as TOML, without the header.
   std::vector<KeyRow> rows;                              ///< For the documentation.
+  /// Prints each table of an array of tables, likewise, in place of `lines`.
+  std::function<std::vector<std::string>(const Owner&)> tables{};
 };
 
 /// Returns the section whose keys are read into what `part` finds in an Owner. `finish` checks them
@@ -56,8 +58,13 @@ std::string textOf(std::span<const Section<Owner>> sections,
                    const std::type_identity_t<Owner>& owner, const std::string& parent = "") {
   std::string text;
   for (const Section<Owner>& one : sections) {
+    const std::string name = parent + std::string(one.name);
+    if (one.tables) {
+      for (const std::string& table : one.tables(owner)) text += "\n[[" + name + "]]\n" + table;
+      continue;
+    }
     const std::string lines = one.lines(owner);
-    if (!lines.empty()) text += "\n[" + parent + std::string(one.name) + "]\n" + lines;
+    if (!lines.empty()) text += "\n[" + name + "]\n" + lines;
   }
   return text;
 }

@@ -18,7 +18,8 @@ using physics::Integrator;
 constexpr const char* kExpectedSteps = "a list of steps a frame, such as [1, 2, 4]";
 constexpr const char* kExpectedTilts = "a list of angles, such as [0.1, 0.01]";
 constexpr NumberRange kTilts{"an angle over 0 and up to 0.785 rad",
-                             std::numeric_limits<double>::denorm_min(), std::numbers::pi / 4};
+                             std::numeric_limits<double>::denorm_min(), std::numbers::pi / 4,
+                             Dimension::Angle};
 
 const Keys<Bounds>& boundKeys() {
   static const Keys<Bounds> keys{
@@ -88,7 +89,7 @@ void readOrders(const ValueReader& value, Scene& scene) {
 
 void readTilts(const ValueReader& value, Scene& scene) {
   scene.study->tilts = listFrom<double>(
-      value, kExpectedTilts, [](const ValueReader& element) { return angleFrom(element, kTilts); });
+      value, kExpectedTilts, [](const ValueReader& element) { return element.number(kTilts); });
 }
 
 /// Returns a function that prints a list; nothing for an empty one.

@@ -64,7 +64,8 @@ int simulateScene(const SimulateArguments& arguments) {
     refuseInputs(file, inputsOf(arguments.scene, scene), "name another file with --csv");
     requireEnding(file, ".csv", "--csv");
   }
-  if (!files.empty()) store::refuseLostTables(arguments.csv, files);
+  store::refuseLostTables(std::filesystem::path(arguments.csv).parent_path(), scene.name, files,
+                          "the table would replace it; name another file with --csv");
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   if (!files.empty()) store::writeTables(files, motion);
   const std::vector<timeline::MotionSummary> motions = timeline::summarize(scene, motion);

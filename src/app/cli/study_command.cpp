@@ -24,6 +24,7 @@
 #include "picture/study_plot.h"
 #include "report/study_report.h"
 #include "store/study_files.h"
+#include "store/tables.h"
 #include "study/study.h"
 #include "study/study_csv.h"
 #include "system/atomic_file.h"
@@ -93,6 +94,9 @@ std::vector<Task> readTasks(const StudyArguments& arguments) {
     store::Footprint footprint;
     footprint.addStudy(tasks.back().files);
     refuseInputs(footprint, inputs);
+    store::refuseLostTables(
+        arguments.folder, scene.name, allOf(tasks.back().files),
+        "the study of " + scene.name + " would replace it; name another folder with -o");
   }
   return tasks;
 }

@@ -1,7 +1,9 @@
 #include "pipeline/render_clip.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "base/error.h"
@@ -12,9 +14,11 @@
 #include "store/clip_record.h"
 #include "store/encoding.h"
 #include "store/fingerprint.h"
+#include "store/other_settings.h"
 #include "store/tables.h"
 #include "system/atomic_file.h"
 #include "system/machine.h"
+#include "video/clip_reader.h"
 
 namespace rotatebook::pipeline {
 namespace {
@@ -33,6 +37,15 @@ std::string encoderNames(const std::vector<OpenOutput>& outputs) {
     if (!name.empty()) names += (names.empty() ? "" : ", ") + name;
   }
   return names;
+}
+
+/// Returns the record in a video; empty if there is none.
+std::string recordIn(const std::filesystem::path& video) {
+  try {
+    return video::readClipMetadata(video).comment;
+  } catch (const InputError&) {
+    return "";
+  }
 }
 
 int threadsOf(const RenderOutput& output) {
@@ -112,6 +125,7 @@ class Render {
     }
     result_.others = folder.keptOfOtherSettings();
     result_.replaced = folder.replacedOfOtherSettings();
+    std::ranges::copy(removedVideos_, std::back_inserter(result_.replaced));
     result_.remainder = folder.remainder();
   }
 
@@ -181,7 +195,20 @@ class Render {
                            scene::isTransparent(scene_), result_.files.poster);
     }
     for (const OpenOutput& open : outputs) open.sink->finish();
-    std::ranges::for_each(partialVideos(), system::removeFile);
+    for (const video::VideoFormat format : formats_) removePartialVideo(format);
+  }
+
+  /// Removes what an interrupted render left, and notes it unless that was this one.
+  void removePartialVideo(video::VideoFormat format) {
+    const std::filesystem::path video = result_.files.partialVideo(format);
+    if (!std::filesystem::is_regular_file(video)) return;
+    const std::string record = rowOf(format).holdsRecord ? recordIn(video) : "";
+    const bool isOwn = record.empty() ? !rowOf(format).holdsRecord && options_.earlier.resume
+                                      : store::isRecordOf(scene_, record);
+    if (!isOwn) {
+      removedVideos_.push_back(video.string() + (record.empty() ? store::kUnknownSettings : ""));
+    }
+    system::removeFile(video);
   }
 
   const scene::Scene& scene_;
@@ -192,6 +219,7 @@ class Render {
   store::FrameRange range_;
   picture::FrameDrawer drawer_;
   RenderResult result_;
+  std::vector<std::string> removedVideos_;  // Of interrupted renders of other settings.
 };
 
 }  // namespace

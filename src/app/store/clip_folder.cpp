@@ -163,6 +163,7 @@ void ClipFolder::requireReplaceableFolder(bool png) const {
     throw MachineError(remainder_ + ", or render into another folder with -o");
   }
   std::string obstacle = system::obstacleToEmptying(files_.frameFolder);
+  if (png && obstacle.empty()) obstacle = system::obstacleToMovingFolders(files_.frameFolder);
   if (png && obstacle.empty()) obstacle = system::obstacleToRemoval(files_.frameFolder);
   if (obstacle.empty()) return;
   throw MachineError("can't replace the clip in " + files_.frameFolder.string() + "/: " + obstacle +

@@ -70,6 +70,7 @@ std::string obstacleToDiscarding(const ClipFiles& files) {
   if (!fs::is_directory(folder)) return "";
   std::string obstacle = system::obstacleToRemoval(folder);
   if (obstacle.empty()) obstacle = system::obstacleToEmptying(folder);
+  if (obstacle.empty()) obstacle = system::obstacleToMovingFolders(folder);
   if (obstacle.empty()) return "";
   return "the earlier clip in " + folder.string() + "/ can't be removed: " + obstacle +
          "; have its owner remove it";

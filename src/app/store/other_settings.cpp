@@ -52,6 +52,12 @@ bool isLeftBy(const Manifest& manifest, const fs::path& file) {
   return false;
 }
 
+/// Returns whether `output` is the table of a part of `clip`, whose manifest lists a whole clip's
+/// files alone.
+bool isTableOfPart(const std::string& clip, const Manifest& manifest, const fs::path& output) {
+  return !manifest.finished && output.filename() == clip + ".csv" && fs::exists(output);
+}
+
 }  // namespace
 
 bool isIntact(const fs::path& path, const std::string& checksum) {
@@ -99,7 +105,8 @@ void refuseFilesOfOtherClips(const ClipFiles& files, const std::vector<fs::path>
     const auto manifest = other != name ? readManifest(entry.path()) : std::nullopt;
     if (!manifest) continue;
     for (const fs::path& output : outputs) {
-      if (!isNamedAfter(other, output) || !isLeftBy(*manifest, output)) continue;
+      if (!isNamedAfter(other, output)) continue;
+      if (!isLeftBy(*manifest, output) && !isTableOfPart(other, *manifest, output)) continue;
       // An equal table of both is no matter
       if (own && isLeftBy(*own, output)) continue;
       throw InputError(output.string() + " belongs to the clip " + other + ", and " + remedy);

@@ -27,8 +27,8 @@ bool isIntact(const std::filesystem::path& path, const std::string& checksum);
 std::vector<std::string> keptOfOtherSettings(const ClipFiles& files, const Manifest::Entries& made);
 
 /// Throws InputError if one of `outputs` was left by another clip in the same folder: if that
-/// clip's manifest lists it, and it still has its checksum. The message ends with `remedy`, which
-/// also says what would replace it.
+/// clip's manifest lists it, and it still has its checksum, or it is a part's table. The message
+/// ends with `remedy`, which also says what would replace it.
 void refuseFilesOfOtherClips(const ClipFiles& files,
                              const std::vector<std::filesystem::path>& outputs,
                              const std::string& remedy);

@@ -1,6 +1,8 @@
 #include "store/study_files.h"
 
+#include "base/error.h"
 #include "system/atomic_file.h"
+#include "system/removal.h"
 
 namespace rotatebook::store {
 
@@ -17,6 +19,10 @@ std::vector<std::filesystem::path> allOf(const StudyFiles& files) {
 void requireWritable(const StudyFiles& files) {
   for (const auto& path : allOf(files)) {
     const system::AtomicFile unused(path);
+    const std::string obstacle = system::obstacleToRemoval(path);
+    if (obstacle.empty()) continue;
+    throw MachineError("can't replace " + path.string() + ": " + obstacle +
+                       "; have its owner remove it, or name another folder with -o");
   }
 }
 

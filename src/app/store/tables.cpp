@@ -17,10 +17,9 @@ void writeTables(const std::vector<std::filesystem::path>& files,
   }
 }
 
-void refuseLostTables(const std::filesystem::path& csv,
-                      const std::vector<std::filesystem::path>& files) {
-  refuseFilesOfOtherClips(clipFiles(csv.parent_path(), csv.stem()), files,
-                          "the table would replace it; name another file with --csv");
+void refuseLostTables(const std::filesystem::path& folder, const std::string& clip,
+                      const std::vector<std::filesystem::path>& files, const std::string& remedy) {
+  refuseFilesOfOtherClips(clipFiles(folder, clip), files, remedy);
 }
 
 }  // namespace rotatebook::store

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "timeline/clip_motion.h"
@@ -13,9 +14,9 @@ namespace rotatebook::store {
 void writeTables(const std::vector<std::filesystem::path>& files,
                  const timeline::ClipMotion& motion);
 
-/// Throws InputError if one of `files`, the tables of a scene that are named after `csv`, belongs
-/// to another clip in its folder.
-void refuseLostTables(const std::filesystem::path& csv,
-                      const std::vector<std::filesystem::path>& files);
+/// Throws InputError if one of `files`, which all lie in `folder`, belongs to a clip there other
+/// than `clip`. The message ends with `remedy`, which also says what would replace it.
+void refuseLostTables(const std::filesystem::path& folder, const std::string& clip,
+                      const std::vector<std::filesystem::path>& files, const std::string& remedy);
 
 }  // namespace rotatebook::store

@@ -116,11 +116,13 @@ class Verifier {
     if (isCoarse(found)) allowNoise(found);
   }
 
-  /// Sets the bounds of a coarse stream's pictures, which can't be proved, to their quantisers'.
+  /// Sets the bounds of a coarse stream's pictures, which can't be proved, to their quantisers', or
+  /// to the stream's: pictures take over noise of others.
   void allowNoise(Verification& found) const {
     const video::ClipFacts& facts = reader_.facts();
     for (PictureCheck& check : found.pictures) {
-      check.bound = encodingBound(check.quantiser, facts.width, facts.height);
+      const double quantiser = std::max(check.quantiser, *found.quantiser);
+      check.bound = encodingBound(quantiser, facts.width, facts.height);
     }
   }
 

@@ -65,4 +65,15 @@ std::string obstacleToEmptying(const fs::path& folder) {
   return error ? error.message() : obstacle;
 }
 
+// A folder that moves to another one changes, as it names the folder that it is in.
+std::string obstacleToMovingFolders(const fs::path& folder) {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    if (entry.symlink_status(error).type() != fs::file_type::directory) continue;
+    const std::string obstacle = obstacleIn(entry.path());
+    if (!obstacle.empty()) return obstacle;
+  }
+  return error ? error.message() : "";
+}
+
 }  // namespace rotatebook::system

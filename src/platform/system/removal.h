@@ -13,4 +13,7 @@ std::string obstacleToRemoval(const std::filesystem::path& path);
 /// Returns likewise why this user can't remove the files in `folder`; empty if they can.
 std::string obstacleToEmptying(const std::filesystem::path& folder);
 
+/// Returns likewise why this user can't move one of the folders in `folder` to another folder.
+std::string obstacleToMovingFolders(const std::filesystem::path& folder);
+
 }  // namespace rotatebook::system

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <initializer_list>
 
+#include "base/error.h"
+
 namespace rotatebook::video {
 namespace {
 
@@ -34,16 +36,30 @@ std::uint64_t sizeOf(std::istream& file) {
   return static_cast<std::uint64_t>(std::max<std::streamoff>(file.tellg(), 0));
 }
 
-/// Finds the first box at `path`: a box of the file, then one in it, and so on.
+/// Calls `action` with each box from offset `at` to `end`. Throws InputError if there are too many:
+/// an instruction could hide behind them.
+template <typename Action>
+void forEachBox(std::istream& file, std::uint64_t at, std::uint64_t end, const Action& action) {
+  int count = 0;
+  for (auto box = mp4BoxAt(file, at, end); box; box = mp4BoxAt(file, box->end, end)) {
+    if (++count > kMaxBoxes) throw InputError("too many boxes");
+    action(*box);
+  }
+}
+
+/// Finds the box at `path`: a box of the file, then one in it, and so on. Throws InputError if
+/// there is another one, which players may obey in its place.
 std::optional<Mp4Box> find(std::istream& file, std::initializer_list<std::string_view> path) {
   std::optional<Mp4Box> box = Mp4Box{"", 0, sizeOf(file)};
   for (const std::string_view type : path) {
-    const std::uint64_t end = box->end;
-    box = mp4BoxAt(file, box->content, end);
-    for (int i = 0; i < kMaxBoxes && box && box->type != type; ++i) {
-      box = mp4BoxAt(file, box->end, end);
-    }
-    if (!box || box->type != type) return std::nullopt;
+    std::optional<Mp4Box> found;
+    forEachBox(file, box->content, box->end, [&](const Mp4Box& inner) {
+      if (inner.type != type) return;
+      if (found) throw InputError("two boxes of one type");
+      found = inner;
+    });
+    if (!found) return std::nullopt;
+    box = found;
   }
   return box;
 }
@@ -83,28 +99,17 @@ void readEdits(std::istream& file, double ticks, Mp4Header& header) {
   }
 }
 
-/// Returns whether a box of that type lies from offset `at` to `end`.
-bool holds(std::istream& file, std::uint64_t at, std::uint64_t end, std::string_view type) {
-  std::optional<Mp4Box> box = mp4BoxAt(file, at, end);
-  for (int i = 0; i < kMaxBoxes && box && box->type != type; ++i) {
-    box = mp4BoxAt(file, box->end, end);
-  }
-  return box && box->type == type;
-}
-
 /// Looks for a clean aperture in all descriptions of the pictures.
 void readCrop(std::istream& file, Mp4Header& header) {
   constexpr std::uint64_t kDescription = 78;  // Its fields before the boxes in it. [bytes]
   const auto box = find(file, {"moov", "trak", "mdia", "minf", "stbl", "stsd"});
   if (!box) return;
   header.crop = "none";
-  std::optional<Mp4Box> entry = mp4BoxAt(file, box->content + kHead, box->end);
-  for (int i = 0; i < kMaxBoxes && entry; ++i) {
-    if (holds(file, entry->content + kDescription, entry->end, "clap")) {
-      header.crop = "clean aperture";
-    }
-    entry = mp4BoxAt(file, entry->end, box->end);
-  }
+  forEachBox(file, box->content + kHead, box->end, [&](const Mp4Box& entry) {
+    forEachBox(file, entry.content + kDescription, entry.end, [&](const Mp4Box& inner) {
+      if (inner.type == "clap") header.crop = "clean aperture";
+    });
+  });
 }
 
 }  // namespace
@@ -125,12 +130,14 @@ std::optional<Mp4Box> mp4BoxAt(std::istream& file, std::uint64_t at, std::uint64
   return Mp4Box{type, at + head, at + size};
 }
 
-Mp4Header readMp4Header(std::istream& file) {
+Mp4Header readMp4Header(std::istream& file) try {
   Mp4Header header;
   readSize(file, header);
   readEdits(file, readSpeed(file, header), header);
   readCrop(file, header);
   return header;
+} catch (const InputError&) {
+  return {};
 }
 
 }  // namespace rotatebook::video

@@ -37,7 +37,8 @@ struct Mp4Header {
   std::string crop = "unknown";
 };
 
-/// Reads `file`, which may be anything; fields that it lacks are 0.
+/// Reads `file`, which may be anything; fields that it lacks are 0. So are all if it has more boxes
+/// than any clip, or two of a type that may be there once.
 Mp4Header readMp4Header(std::istream& file);
 
 }  // namespace rotatebook::video

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/error.h"
+
 namespace rotatebook::video {
 namespace {
 
@@ -49,11 +51,12 @@ std::optional<Element> elementAt(std::istream& file, std::uint64_t at, std::uint
 }
 
 /// Calls `action` with each element in `outer`, up to the first for which it returns true, and
-/// returns that.
+/// returns that. Throws InputError if there are too many: an instruction could hide behind them.
 template <typename Action>
 std::optional<Element> firstIn(std::istream& file, const Element& outer, const Action& action) {
   std::optional<Element> element = elementAt(file, outer.content, outer.end);
-  for (int i = 0; i < kMaxElements && element; ++i) {
+  for (int i = 0; element; ++i) {
+    if (i == kMaxElements) throw InputError("too many elements");
     if (action(*element)) return element;
     element = elementAt(file, element->end, outer.end);
   }
@@ -122,7 +125,7 @@ std::optional<std::uint64_t> webmLengthIn(std::istream& file) {
   return unknown ? std::nullopt : std::optional(length);
 }
 
-WebmHeader readWebmHeader(std::istream& file) {
+WebmHeader readWebmHeader(std::istream& file) try {
   WebmHeader header;
   file.clear();
   file.seekg(0, std::ios::end);
@@ -140,6 +143,8 @@ WebmHeader readWebmHeader(std::istream& file) {
     });
   });
   return header;
+} catch (const InputError&) {
+  return {};
 }
 
 }  // namespace rotatebook::video

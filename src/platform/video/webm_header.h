@@ -20,7 +20,7 @@ struct WebmHeader {
   bool interlaced = false;  ///< As FlagInterlaced says.
 };
 
-/// Reads `file`, which may be anything.
+/// Reads `file`, which may be anything. The crop is unknown if it has more elements than any clip.
 WebmHeader readWebmHeader(std::istream& file);
 
 }  // namespace rotatebook::video

@@ -223,5 +223,22 @@ TEST_F(LostInput, IsNoTableOfAnotherClipNorAFileOfAnotherKind) {
   EXPECT_EQ(run({"simulate", "panels.toml", "--csv", "t.csv"}).status, 0) << "its own tables";
 }
 
+TEST_F(LostInput, IsNoTableUnderTheNameOfAnotherClip) {
+  const std::string name = "tiny-study";
+  write(name + ".toml", kTiny);
+  ASSERT_EQ(run({"render", name + ".toml", "--no-png", "--no-mp4"}).status, 0);
+  const std::string table = read("out/" + name + ".csv");
+  const std::string problem = "out/tiny-study.csv belongs to the clip tiny-study, and the ";
+  const ChildResult study = run({"study", "tiny.toml", "--steps", "1,2", "--integrators", "rk4"});
+  EXPECT_EQ(study.status, 2);
+  EXPECT_THAT(study.error, HasSubstr(problem + "study of tiny would replace it; name another"));
+  const ChildResult other = run({"simulate", "tiny.toml", "--csv", "out/tiny-study.csv"});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_THAT(other.error, HasSubstr(problem + "table would replace it; name another file"));
+  EXPECT_TRUE(read("out/" + name + ".csv") == table);
+  EXPECT_EQ(run({"simulate", name + ".toml", "--csv", "out/tiny-study.csv"}).status, 0)
+      << "its own";
+}
+
 }  // namespace
 }  // namespace rotatebook::cli::testing

@@ -182,6 +182,32 @@ TEST_F(OtherSettings, AreNoMatterInAFolderThatWasRenamed) {
   EXPECT_EQ(store::framesIn(folder_ / "kept").size(), 12U);
 }
 
+TEST_F(OtherSettings, LeaveTheTableOfAPartOfAnotherClip) {
+  const std::string motion =
+      "[initial]\nangular_velocity = [5, 3, 1]\n[clip]\nsize = [64, 36]\nduration = 0.1\n";
+  testing::render(scene::parseScene(motion, "s_b.toml"),
+                  {.folder = folder_, .outputs = {pngOutput()}, .frames = store::FrameRange{0, 2}});
+  const scene::Scene both =
+      scene::parseScene(motion + "[[panel]]\nlabel = \"a\"\n[[panel]]\nlabel = \"b\"\n", "s.toml");
+  EXPECT_THAT(messageOf<InputError>(
+                  [&] { testing::render(both, {.folder = folder_, .outputs = {pngOutput()}}); }),
+              HasSubstr(path("s_b.csv") + " belongs to the clip s_b, and the render of s "));
+}
+
+TEST_F(OtherSettings, AreReportedWhereAnInterruptedVideoIsRemoved) {
+  const RenderOptions options{.folder = folder_,
+                              .outputs = outputsOf(false, {video::VideoFormat::Mp4})};
+  stoppedAfter(3, smallScene(), options);
+  EXPECT_TRUE(testing::render(smallScene(), options).replaced.empty()) << "its own";
+  stoppedAfter(3, smallScene(), options);
+  const RenderResult other = testing::render(otherScene(), options);
+  EXPECT_THAT(other.replaced, ::testing::Contains(path("small.partial.mp4")));
+  EXPECT_FALSE(fs::exists(folder_ / "small.partial.mp4"));
+  std::ofstream(folder_ / "small.partial.mp4") << "mine";
+  EXPECT_THAT(testing::render(otherScene(), options).replaced,
+              ElementsAre(path("small.partial.mp4") + " (with unknown settings)"));
+}
+
 TEST_F(OtherSettings, LeaveAnInterruptedVideoOfAnotherFormat) {
   stoppedAfter(3, smallScene(),
                {.folder = folder_, .outputs = outputsOf(false, {video::VideoFormat::Gif})});

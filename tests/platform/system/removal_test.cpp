@@ -62,6 +62,19 @@ TEST_F(Removal, FromAFolderThatMayNotBeChangedIsNotPossible) {
               "\\[" + obstacle + "\\|" + obstacle + "\\]");
 }
 
+TEST_F(Removal, OfAFolderThatMayNotBeChangedIsPossibleWhereItStays) {
+  fs::create_directory(folder_ / "inner");
+  chmod((folder_ / "inner").c_str(), 0555);
+  chmod(folder_.c_str(), 0777);
+  const auto obstacles = [&] {
+    return obstacleToEmptying(folder_) + "|" + obstacleToMovingFolders(folder_);
+  };
+  EXPECT_EXIT(printAsUser(obstacles), ::testing::ExitedWithCode(0),
+              "\\[\\|Permission denied; .*inner belongs to .*\\]");
+  chmod((folder_ / "inner").c_str(), 0777);
+  EXPECT_EQ(obstacleToMovingFolders(folder_), "");
+}
+
 TEST_F(Removal, OfAnotherUsersFileFromAStickyFolderIsNotPossible) {
   if (geteuid() != 0) GTEST_SKIP() << "there is no other user";
   chmod(folder_.c_str(), 01777);

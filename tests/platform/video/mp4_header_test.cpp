@@ -52,6 +52,26 @@ TEST(Mp4Header, TakesTheFirstEditsOnly) {
   EXPECT_THAT(headerOf(forgedMp4(headedClip(), {{"elst", 4, many}})).edits, SizeIs(16));
 }
 
+// Players may find what this program doesn't.
+TEST(Mp4Header, IsUnknownWhereAnInstructionMayHide) {
+  const auto isUnknown = [](const std::string& content) {
+    const Mp4Header header = headerOf(content);
+    return header.crop == "unknown" && header.shownWidth == 0 && header.speed == 0;
+  };
+  const std::string content = headedClip(), empty(
+                                                "\0\0\0\x08"
+                                                "free",
+                                                8);
+  std::string many = content;
+  for (int i = 0; i < 900; ++i) many += empty;
+  EXPECT_FALSE(isUnknown(many));
+  for (int i = 0; i < 200; ++i) many += empty;
+  EXPECT_TRUE(isUnknown(many));
+  EXPECT_TRUE(isUnknown(content + std::string("\0\0\0\x08"
+                                              "moov",
+                                              8)));
+}
+
 TEST(Mp4Header, OfAnyBytesIsRead) {
   const std::string content = headedClip();
   for (std::size_t size = 0; size < content.size(); size += 7) headerOf(content.substr(0, size));

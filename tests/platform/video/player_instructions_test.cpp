@@ -185,5 +185,16 @@ TEST(WebmHeader, OfNestedTracksIsRead) {
   EXPECT_EQ(readWebmHeader(file).crop, "none");
 }
 
+TEST(WebmHeader, IsUnknownWhereAnInstructionMayHide) {
+  const auto cropBehind = [](int count) {
+    std::string content = "\x18\x53\x80\x67\xff\x16\x54\xae\x6b\xff\xae\xff\xe0\xff";
+    for (int i = 0; i < count; ++i) content += "\xec\x80";
+    std::istringstream file(content + "\x54\xcc\x81\x08");
+    return readWebmHeader(file).crop;
+  };
+  EXPECT_EQ(cropBehind(9'000), "8 pixels at the left");
+  EXPECT_EQ(cropBehind(11'000), "unknown");
+}
+
 }  // namespace
 }  // namespace rotatebook::video

@@ -2,10 +2,10 @@
 
 namespace rotatebook::physics {
 
-PrincipalAxes modelInertia(const MotionSettings& settings) {
+rigid::PrincipalAxes modelInertia(const MotionSettings& settings) {
   requireSameLayout();
   const bool particles = settings.simulation.model == Model::Particles;
-  if (!particles && settings.inertia) return principalAxes(*settings.inertia);
+  if (!particles && settings.inertia) return rigid::principalAxes(*settings.inertia);
   return {particles ? settings.body.particleInertia() : settings.body.solidInertia()};
 }
 

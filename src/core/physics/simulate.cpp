@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "physics/layout.h"
+#include "base/layout.h"
 #include "physics/make_simulator.h"
 #include "physics/measure/measurement.h"
 

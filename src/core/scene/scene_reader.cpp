@@ -85,7 +85,7 @@ void noteLocations(const ValueReader& file, Scene& scene) {
 
 Scene parseScene(std::string_view text, const std::filesystem::path& path,
                  std::span<const std::string> overrides) {
-  physics::requireSameLayout();
+  requireSameLayout();
   TomlNode tree = parseToml(text, oneLine(path.string()));
   Problems problems;
   problems.note([&] { applyOverrides(tree, overrides); });

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "base/number_text.h"
-#include "physics/exact/exact_rotation.h"
 #include "physics/motion_start.h"
+#include "rigid/exact_rotation.h"
 
 namespace rotatebook::timeline {
 namespace {
@@ -33,7 +33,7 @@ void addSizeNote(const scene::Motion& motion, std::vector<std::string>& notes) {
                   " m long, as lengths are in metres; 1 cm is 0.01");
 }
 
-void addSpeedNote(const scene::Motion& motion, const physics::PrincipalAxes& inertia,
+void addSpeedNote(const scene::Motion& motion, const rigid::PrincipalAxes& inertia,
                   const DoubleDouble3& spin, std::vector<std::string>& notes) {
   const double interval = motion.simulation.timePerFrame;
   const double turn = initialAngularVelocity(motion).norm() * interval;
@@ -43,7 +43,7 @@ void addSpeedNote(const scene::Motion& motion, const physics::PrincipalAxes& ine
                     "simulation.time_per_frame");
     return;
   }
-  const double frames = physics::ExactRotation(inertia, spin).flipInterval() / interval;
+  const double frames = rigid::ExactRotation(inertia, spin).flipInterval() / interval;
   if (frames >= kFewFramesBetweenFlips) return;
   notes.push_back(
       "the body flips every " + roundedText(frames, kDigits) +
@@ -58,9 +58,9 @@ std::string axisAcross(const Eigen::Vector3d& spin) {
   return nearest == 0 ? "\"z\"" : "\"x\"";
 }
 
-void addSteadyNote(const scene::Panel& panel, const physics::PrincipalAxes& inertia,
+void addSteadyNote(const scene::Panel& panel, const rigid::PrincipalAxes& inertia,
                    const DoubleDouble3& spin, std::vector<std::string>& notes) {
-  const auto [smallest, median, largest] = physics::axesByInertia(inertia.moments);
+  const auto [smallest, median, largest] = rigid::axesByInertia(inertia.moments);
   if (inertia.moments[smallest] == inertia.moments[median] ||
       inertia.moments[median] == inertia.moments[largest]) {
     return;  // It tumbles about no axis.
@@ -89,7 +89,7 @@ std::vector<std::string> notesOn(const scene::Panel& panel) {
   std::vector<std::string> notes;
   addTiltNote(panel, notes);
   addSizeNote(panel, notes);
-  const physics::PrincipalAxes inertia = modelInertia(panel);
+  const rigid::PrincipalAxes inertia = modelInertia(panel);
   const DoubleDouble3 spin = panel.initial.alongPrincipal(inertia);
   addSpeedNote(panel, inertia, spin, notes);
   // Particles tumble by their rounding.
@@ -109,10 +109,10 @@ std::vector<std::string> notesOn(const scene::Scene& scene) {
 }
 
 std::string regimeNote(const physics::Trajectory& trajectory) {
-  const physics::Regime start = trajectory.samples.front().regime;
+  const rigid::Regime start = trajectory.samples.front().regime;
   const auto changed = std::ranges::find_if(
       trajectory.samples, [&](const physics::Sample& sample) { return sample.regime != start; });
-  if (start == physics::Regime::Separatrix || changed == trajectory.samples.end()) return "";
+  if (start == rigid::Regime::Separatrix || changed == trajectory.samples.end()) return "";
   return "the regime changes from " + std::to_string(static_cast<int>(start)) + " to " +
          std::to_string(static_cast<int>(changed->regime)) + " at " +
          roundedText(changed->time, kDigits) + " s, as that of a free rigid body never does";

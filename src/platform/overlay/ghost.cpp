@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "overlay/drawn_overlay.h"
-#include "physics/exact/exact_rotation.h"
 #include "physics/motion_start.h"
+#include "rigid/exact_rotation.h"
 #include "scene/reference_frame.h"
 
 namespace rotatebook::overlay {
@@ -81,7 +81,7 @@ class Ghost final : public DrawnOverlay {
 
  private:
   OverlayContext context_;
-  physics::ExactRotation exact_;
+  rigid::ExactRotation exact_;
 };
 
 Ghost::Ghost(const OverlayContext& context)

@@ -5,11 +5,11 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "physics/exact/exact_rotation.h"
-#include "physics/inertia.h"
 #include "physics/motion_settings.h"
 #include "physics/sample.h"
 #include "physics/simulator.h"
+#include "rigid/exact_rotation.h"
+#include "rigid/inertia.h"
 
 namespace rotatebook::physics {
 
@@ -60,12 +60,13 @@ class Measurement {
  private:
   Eigen::Quaterniond continuedAttitude(const Eigen::Matrix3d& rotation);
   double tiltDeg(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& momentum) const;
-  Regime regime(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& angularVelocity) const;
+  rigid::Regime regime(const Eigen::Matrix3d& rotation,
+                       const Eigen::Vector3d& angularVelocity) const;
 
   Cuboid body_;
-  PrincipalAxes inertia_;
+  rigid::PrincipalAxes inertia_;
   Eigen::Vector3d spunAxis_;
-  ExactRotation exact_;
+  rigid::ExactRotation exact_;
   bool isExact_;  // whether the measured motion is itself exact
   Eigen::Quaterniond attitude_ = Eigen::Quaterniond::Identity();  // the last one
   HalfTurnCounter counter_;

@@ -5,9 +5,9 @@
 
 #include <Eigen/Core>
 
-#include "physics/exact/exact_rotation.h"
 #include "physics/motion_settings.h"
 #include "physics/simulator.h"
+#include "rigid/exact_rotation.h"
 
 namespace rotatebook::physics {
 
@@ -24,7 +24,7 @@ class ExactSimulator final : public Simulator {
   double time() const { return start_ + static_cast<double>(count_) * interval_; }
 
   Eigen::Vector3d angularMomentum_;
-  ExactRotation rotation_;
+  rigid::ExactRotation rotation_;
   // A count of intervals keeps the time accurate to rounding after any number of equal ones.
   double start_ = 0;
   double interval_ = 0;

@@ -1,4 +1,4 @@
-#include "physics/exact/exact_simulator.h"
+#include "physics/exact_simulator.h"
 
 #include "physics/motion_start.h"
 
@@ -18,7 +18,7 @@ void ExactSimulator::advance(double interval, int /*steps*/) {
 }
 
 BodyState ExactSimulator::state() const {
-  const ExactRotation::Moment moment = rotation_.at(time());
+  const rigid::ExactRotation::Moment moment = rotation_.at(time());
   BodyState result;
   result.worldFromBody = moment.worldFromBody;
   result.angularVelocity = moment.angularVelocity;

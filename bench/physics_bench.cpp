@@ -6,10 +6,10 @@
 #include <benchmark/benchmark.h>
 
 #include "base/number_text.h"
-#include "physics/exact/exact_rotation.h"
 #include "physics/make_simulator.h"
 #include "physics/motion_start.h"
 #include "plain_steps.h"
+#include "rigid/exact_rotation.h"
 #include "scene/names.h"
 
 namespace rotatebook::bench {
@@ -57,7 +57,7 @@ void plainStep(benchmark::State& state, Model model) {
 void exactEvaluation(benchmark::State& state, double tilt) {
   MotionSettings settings = tumbling(Model::Exact, Integrator::Euler);
   settings.initial.tilt->angle = tilt;
-  const physics::ExactRotation rotation(modelInertia(settings), initialAngularVelocity(settings));
+  const rigid::ExactRotation rotation(modelInertia(settings), initialAngularVelocity(settings));
   double time = 0;
   for (auto _ : state) {
     for (int i = 0; i < kSteps; ++i) benchmark::DoNotOptimize(rotation.at(time += 0.01));

@@ -8,8 +8,8 @@
 
 #include <Eigen/Geometry>
 
-#include "physics/exact/exact_motion.h"
 #include "physics/measure/measurement.h"
+#include "rigid/exact_motion.h"
 
 namespace rotatebook::bench {
 namespace {
@@ -18,7 +18,7 @@ constexpr int kLooks = 200;  // kDuration / kInterval
 static_assert(kLooks * kInterval == kDuration);
 
 std::vector<EngineState> exactLooks(const Motion& motion) {
-  const physics::ExactMotion exact(motion.book.solidInertia(), motion.angularVelocity);
+  const rigid::ExactMotion exact(motion.book.solidInertia(), motion.angularVelocity);
   std::vector<EngineState> looks;
   for (int i = 1; i <= kLooks; ++i) {
     const auto moment = exact.at(i * kInterval);

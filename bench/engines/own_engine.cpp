@@ -1,8 +1,8 @@
 // This program's own rigid body, with some of its integrators and in closed form.
 #include "engines/engine.h"
-#include "physics/exact/exact_motion.h"
 #include "physics/make_simulator.h"
 #include "physics/measure/measurement.h"
+#include "rigid/exact_motion.h"
 
 namespace rotatebook::bench {
 namespace {
@@ -55,9 +55,9 @@ class ExactEngine final : public Engine {
 
  private:
   double step_;  // [s]
-  physics::ExactMotion motion_;
+  rigid::ExactMotion motion_;
   int done_ = 0;
-  physics::ExactMotion::Moment moment_ = motion_.at(0);
+  rigid::ExactMotion::Moment moment_ = motion_.at(0);
 };
 
 Mode mode(const char* name, Integrator integrator) {

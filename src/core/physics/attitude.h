@@ -7,13 +7,13 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "physics/rotation.h"
+#include "rigid/rotation.h"
 
 namespace rotatebook::physics {
 
 /// Returns the linear map that the attitude represents: a rotation, or what drift has made of one.
 inline Eigen::Matrix3d mapOf(const Eigen::Quaterniond& attitude) {
-  return unnormalisedMatrix(attitude);
+  return rigid::unnormalisedMatrix(attitude);
 }
 inline const Eigen::Matrix3d& mapOf(const Eigen::Matrix3d& attitude) {
   return attitude;
@@ -24,7 +24,7 @@ inline void turnInWorld(Eigen::Quaterniond& attitude, const Eigen::Quaterniond& 
   attitude = turn * attitude;
 }
 inline void turnInWorld(Eigen::Matrix3d& attitude, const Eigen::Quaterniond& turn) {
-  attitude = unnormalisedMatrix(turn) * attitude;
+  attitude = rigid::unnormalisedMatrix(turn) * attitude;
 }
 
 /// Rotates by the unit quaternion `turn`, given in body axes.
@@ -32,7 +32,7 @@ inline void turnInBody(Eigen::Quaterniond& attitude, const Eigen::Quaterniond& t
   attitude = attitude * turn;
 }
 inline void turnInBody(Eigen::Matrix3d& attitude, const Eigen::Quaterniond& turn) {
-  attitude = attitude * unnormalisedMatrix(turn);
+  attitude = attitude * rigid::unnormalisedMatrix(turn);
 }
 
 /// Returns the derivative at the angular velocity `w` in body axes: q (0, w) / 2 or R [w]x. [1/s]
@@ -41,7 +41,7 @@ inline Eigen::Quaterniond rateInBody(const Eigen::Quaterniond& attitude, const E
   return attitude * Eigen::Quaterniond(0, half.x(), half.y(), half.z());
 }
 inline Eigen::Matrix3d rateInBody(const Eigen::Matrix3d& attitude, const Eigen::Vector3d& w) {
-  return attitude * crossMatrix(w);
+  return attitude * rigid::crossMatrix(w);
 }
 
 /// Returns attitude + factor * rate, component by component.
@@ -68,7 +68,7 @@ inline void normalize(Eigen::Quaterniond& attitude) {
   attitude.coeffs() *= inverseRoot(attitude.squaredNorm());
 }
 inline void normalize(Eigen::Matrix3d& attitude) {
-  attitude = polarFactor(attitude);
+  attitude = rigid::polarFactor(attitude);
 }
 
 }  // namespace rotatebook::physics

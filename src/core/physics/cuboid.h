@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "physics/layout.h"
+#include "base/layout.h"
 
 namespace rotatebook::physics {
 

@@ -1,9 +1,9 @@
 #include "physics/make_simulator.h"
 
 #include "base/error.h"
-#include "physics/exact/exact_simulator.h"
+#include "base/layout.h"
+#include "physics/exact_simulator.h"
 #include "physics/integrators/integrator_table.h"
-#include "physics/layout.h"
 
 namespace rotatebook::physics {
 

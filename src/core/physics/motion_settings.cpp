@@ -52,11 +52,11 @@ Eigen::Vector3d InitialSpin::tilted() const {
   return length * (cosine(tilt->angle) * direction + sine(tilt->angle) * toward);
 }
 
-Eigen::Vector3d InitialSpin::angularVelocity(const PrincipalAxes& inertia) const {
+Eigen::Vector3d InitialSpin::angularVelocity(const rigid::PrincipalAxes& inertia) const {
   return kind == Kind::AngularVelocity ? tilted() : inertia.angularVelocity(tilted());
 }
 
-DoubleDouble3 InitialSpin::alongPrincipal(const PrincipalAxes& inertia) const {
+DoubleDouble3 InitialSpin::alongPrincipal(const rigid::PrincipalAxes& inertia) const {
   DoubleDouble3 along = inertia.alongPrincipal(tilted());
   if (kind == Kind::AngularVelocity) return along;
   const DoubleDouble3 moments = inertia.preciseMoments();

@@ -6,11 +6,11 @@
 
 #include <Eigen/Core>
 
+#include "base/layout.h"
 #include "physics/cuboid.h"
-#include "physics/inertia.h"
 #include "physics/integrators/integrator.h"
-#include "physics/layout.h"
 #include "physics/nudge.h"
+#include "rigid/inertia.h"
 
 namespace rotatebook::physics {
 
@@ -78,9 +78,9 @@ struct InitialSpin {
   /// no rotation is defined.
   Eigen::Vector3d tilted() const;
   /// Returns the angular velocity of a body with this inertia, in body axes. [rad/s]
-  Eigen::Vector3d angularVelocity(const PrincipalAxes& inertia) const;
+  Eigen::Vector3d angularVelocity(const rigid::PrincipalAxes& inertia) const;
   /// Like angularVelocity(), but along the principal axes and in double-double numbers. [rad/s]
-  DoubleDouble3 alongPrincipal(const PrincipalAxes& inertia) const;
+  DoubleDouble3 alongPrincipal(const rigid::PrincipalAxes& inertia) const;
 
   friend bool operator==(const InitialSpin&, const InitialSpin&) = default;
 };

@@ -2,10 +2,10 @@
 
 namespace rotatebook::physics {
 
-PrincipalAxes modelInertia(const MotionSettings& settings) {
+rigid::PrincipalAxes modelInertia(const MotionSettings& settings) {
   requireSameLayout();
   const bool particles = settings.simulation.model == Model::Particles;
-  if (!particles && settings.inertia) return principalAxes(*settings.inertia);
+  if (!particles && settings.inertia) return rigid::principalAxes(*settings.inertia);
   return {particles ? settings.body.particleInertia() : settings.body.solidInertia()};
 }
 
@@ -14,7 +14,7 @@ Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings) {
 }
 
 NudgedRotation exactRotation(const MotionSettings& settings) {
-  const PrincipalAxes inertia = modelInertia(settings);
+  const rigid::PrincipalAxes inertia = modelInertia(settings);
   return NudgedRotation({inertia, settings.initial.alongPrincipal(inertia),
                          inertia.angularMomentum(initialAngularVelocity(settings))},
                         settings.nudges);

@@ -3,14 +3,14 @@
 
 #include <Eigen/Core>
 
-#include "physics/inertia.h"
 #include "physics/motion_settings.h"
 #include "physics/nudged_rotation.h"
+#include "rigid/inertia.h"
 
 namespace rotatebook::physics {
 
 /// Returns the inertia of the model in `settings`: of the particles, or of the rigid body.
-PrincipalAxes modelInertia(const MotionSettings& settings);
+rigid::PrincipalAxes modelInertia(const MotionSettings& settings);
 /// Returns the angular velocity at t = 0, in body axes. Throws InputError as InitialSpin::tilted()
 /// does. [rad/s]
 Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings);

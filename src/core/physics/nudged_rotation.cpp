@@ -7,7 +7,7 @@ namespace rotatebook::physics {
 NudgedRotation::NudgedRotation(const Start& start, std::span<const Nudge> nudges)
     : inertia_(start.inertia) {
   pieces_.push_back({0, Eigen::Matrix3d::Identity(),
-                     ExactRotation(start.inertia, start.alongPrincipal), start.momentum});
+                     rigid::ExactRotation(start.inertia, start.alongPrincipal), start.momentum});
   for (const Nudge& nudge : nudges) add(nudge);
 }
 
@@ -17,8 +17,8 @@ NudgedRotation::Moment NudgedRotation::at(double time) const {
                                  [&](const Piece& piece) { return piece.start > time; });
   const Piece& piece = *(next - 1);
 
-  const ExactRotation::Moment moment = piece.rotation.at(time - piece.start);
-  const Regime regime = piece.rotation.regime();
+  const rigid::ExactRotation::Moment moment = piece.rotation.at(time - piece.start);
+  const rigid::Regime regime = piece.rotation.regime();
   if (next == pieces_.begin() + 1) {
     return {moment.worldFromBody, moment.angularVelocity, piece.momentum, regime};
   }
@@ -39,7 +39,7 @@ void NudgedRotation::add(const Nudge& nudge) {
   }
   const Eigen::Vector3d momentum = before.angularMomentum + change;
   const Eigen::Vector3d velocity = inertia_.angularVelocity(worldFromBody.transpose() * momentum);
-  pieces_.push_back({nudge.at, worldFromBody, ExactRotation(inertia_, velocity), momentum});
+  pieces_.push_back({nudge.at, worldFromBody, rigid::ExactRotation(inertia_, velocity), momentum});
 }
 
 }  // namespace rotatebook::physics

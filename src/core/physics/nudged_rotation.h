@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "physics/exact/exact_rotation.h"
-#include "physics/inertia.h"
+#include "rigid/exact_rotation.h"
+#include "rigid/inertia.h"
 #include "physics/nudge.h"
 
 namespace rotatebook::physics {
@@ -18,7 +18,7 @@ class NudgedRotation {
  public:
   /// The body at t = 0.
   struct Start {
-    PrincipalAxes inertia;
+    rigid::PrincipalAxes inertia;
     DoubleDouble3 alongPrincipal;  ///< Angular velocity along the principal axes. [rad/s]
     Eigen::Vector3d momentum;      ///< The same spin's angular momentum. [kg m^2/s]
   };
@@ -29,7 +29,7 @@ class NudgedRotation {
     Eigen::Matrix3d worldFromBody;
     Eigen::Vector3d angularVelocity;  ///< In world axes. [rad/s]
     Eigen::Vector3d angularMomentum;  ///< In world axes. [kg m^2/s]
-    Regime regime;
+    rigid::Regime regime;
   };
   /// Returns the body at any time; at that of a nudge, just after it. [s]
   Moment at(double time) const;
@@ -38,13 +38,13 @@ class NudgedRotation {
   struct Piece {
     double start;                   // [s]
     Eigen::Matrix3d worldFromBody;  // at the start
-    ExactRotation rotation;         // from there on
+    rigid::ExactRotation rotation;         // from there on
     Eigen::Vector3d momentum;       // in world axes [kg m^2/s]
   };
 
   void add(const Nudge& nudge);
 
-  PrincipalAxes inertia_;
+  rigid::PrincipalAxes inertia_;
   std::vector<Piece> pieces_;  // in the order of their starts; never empty
 };
 

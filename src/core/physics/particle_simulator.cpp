@@ -7,7 +7,7 @@
 #include <Eigen/QR>
 
 #include "physics/motion_start.h"
-#include "physics/rotation.h"
+#include "rigid/rotation.h"
 
 namespace rotatebook::physics {
 namespace {
@@ -99,7 +99,7 @@ void ParticleSimulator::nudge(const Nudge& nudge) {
   const Cage arms = cage.colwise() - cage.rowwise().mean().eval();
   Eigen::Vector3d change = nudge.value;
   if (nudge.axes == Nudge::Axes::Body) {
-    change = polarDecomposition(fit_.worldFromBody(cage)).rotation * change;
+    change = rigid::polarDecomposition(fit_.worldFromBody(cage)).rotation * change;
   }
   if (nudge.kind == SpinKind::AngularMomentum) {
     change = inertiaTensor(arms, state_.mass()).completeOrthogonalDecomposition().solve(change);

@@ -15,13 +15,13 @@ namespace rotatebook::physics {
 
 /// Returns a rigid body's state at t = 0, when body and world axes coincide.
 template <typename Attitude, bool kMomentumInBody>
-RigidState<Attitude> startOf(const PrincipalAxes& axes, const Eigen::Vector3d& momentum) {
+RigidState<Attitude> startOf(const rigid::PrincipalAxes& axes, const Eigen::Vector3d& momentum) {
   const Eigen::Matrix3d& map = axes.bodyFromPrincipal;
   return {Attitude(map), kMomentumInBody ? momentum : Eigen::Vector3d(map * momentum)};
 }
 
 /// Returns a rigid body's constants, from the angular velocity at t = 0. [rad/s]
-inline RigidConstants constantsOf(const PrincipalAxes& axes,
+inline RigidConstants constantsOf(const rigid::PrincipalAxes& axes,
                                   const Eigen::Vector3d& angularVelocity) {
   const Eigen::Vector3d along = axes.bodyFromPrincipal.transpose() * angularVelocity;
   return {axes.moments, axes.moments.cwiseInverse(), axes.moments.cwiseProduct(along)};
@@ -79,7 +79,7 @@ class RigidSimulator final : public Simulator {
   }
 
  private:
-  RigidSimulator(const MotionSettings& settings, const PrincipalAxes& axes)
+  RigidSimulator(const MotionSettings& settings, const rigid::PrincipalAxes& axes)
       : body_(constantsOf(axes, initialAngularVelocity(settings))),
         principalFromBody_(axes.bodyFromPrincipal.transpose()),
         state_(startOf<Attitude, Method::kMomentumInBody>(axes, body_.momentum)),

@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "base/layout.h"
 #include "physics/cuboid.h"
-#include "physics/layout.h"
-#include "physics/measure/regime.h"
+#include "rigid/regime.h"
 
 namespace rotatebook::physics {
 
@@ -32,7 +32,7 @@ struct Sample {
   double errorDeg = 0;
   /// Regime of the rigid motion that would start from this attitude and angular velocity; for
   /// Model::Exact, that of its initial state.
-  Regime regime = Regime::Separatrix;
+  rigid::Regime regime = rigid::Regime::Separatrix;
   Cage cage = Cage::Zero();  ///< Corners as drawn. [m]
 
   double total() const { return kinetic + potential; }

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "base/error.h"
-#include "physics/layout.h"
+#include "base/layout.h"
 #include "physics/make_simulator.h"
 #include "physics/measure/measurement.h"
 

@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
+#include "base/layout.h"
 #include "physics/cuboid.h"
-#include "physics/layout.h"
 #include "physics/nudge.h"
 
 namespace rotatebook::physics {

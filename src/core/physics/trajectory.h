@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "physics/layout.h"
+#include "base/layout.h"
 #include "physics/sample.h"
 
 namespace rotatebook::physics {

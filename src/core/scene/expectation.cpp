@@ -150,7 +150,7 @@ std::span<const Quantity> allQuantities() {
 
 std::vector<ExpectationResult> check(const physics::Trajectory& trajectory,
                                      std::span<const Expectation> expectations) {
-  physics::requireSameLayout();
+  requireSameLayout();
   std::vector<ExpectationResult> results;
   for (const Expectation& expectation : expectations) {
     const Range range = measure(trajectory, expectation);

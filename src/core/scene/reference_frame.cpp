@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "physics/rotation.h"
+#include "rigid/rotation.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -13,7 +13,7 @@ Eigen::Matrix3d rotationToY(const Eigen::Vector3d& from) {
   const double cosine = from.y();
   if (1 + cosine < kMin) return Eigen::Vector3d(1, -1, -1).asDiagonal();
   const Eigen::Vector3d axis = from.cross(Eigen::Vector3d::UnitY());  // its length is the sine
-  return cosine * Eigen::Matrix3d::Identity() + physics::crossMatrix(axis) +
+  return cosine * Eigen::Matrix3d::Identity() + rigid::crossMatrix(axis) +
          axis * axis.transpose() / (1 + cosine);
 }
 
@@ -34,7 +34,7 @@ Eigen::Matrix3d frameFromWorld(ReferenceFrame frame, const physics::Sample& samp
 }
 
 physics::Sample inReferenceFrame(ReferenceFrame frame, const physics::Sample& sample) {
-  physics::requireSameLayout();
+  requireSameLayout();
   if (frame == ReferenceFrame::World) return sample;
   const Eigen::Matrix3d rotation = frameFromWorld(frame, sample);
   physics::Sample seen = sample;

@@ -10,7 +10,7 @@ namespace rotatebook::scene {
 const std::size_t kSceneSize = sizeof(Scene);
 
 std::vector<Panel> motionsOf(const Scene& scene) {
-  physics::requireSameLayout();
+  requireSameLayout();
   if (!scene.panels.empty()) return scene.panels;
   return {{{scene}, ""}};
 }

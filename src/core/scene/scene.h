@@ -12,7 +12,7 @@
 #include <Eigen/Core>
 
 #include "base/frame_rate.h"
-#include "physics/layout.h"
+#include "base/layout.h"
 #include "physics/motion_settings.h"
 #include "scene/expectation.h"
 #include "scene/overlays.h"
@@ -160,8 +160,7 @@ Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldO
 
 extern const std::size_t kSceneSize;  // in the library
 namespace {
-[[maybe_unused]] const bool kSceneIsSame =
-    physics::noteSize("scene::Scene", kSceneSize, sizeof(Scene));
+[[maybe_unused]] const bool kSceneIsSame = noteSize("scene::Scene", kSceneSize, sizeof(Scene));
 }  // namespace
 
 }  // namespace rotatebook::scene

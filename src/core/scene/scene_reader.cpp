@@ -90,7 +90,7 @@ void noteLocations(const ValueReader& file, Scene& scene) {
 
 Scene parseScene(std::string_view text, const std::filesystem::path& path,
                  std::span<const std::string> overrides) {
-  physics::requireSameLayout();
+  requireSameLayout();
   document::TomlNode tree = document::parseToml(text, oneLine(path.string()));
   document::Problems problems;
   problems.note([&] { applyOverrides(tree, overrides, kSpins); });

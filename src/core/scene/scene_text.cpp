@@ -21,7 +21,7 @@ std::string panelsText(const std::vector<Panel>& panels) {
 }  // namespace
 
 std::string sceneText(const Scene& scene) {
-  physics::requireSameLayout();
+  requireSameLayout();
   const auto sections = motionSections();
   const bool alone = scene.panels.empty();
   std::string text = linesOf(titleKeys(), scene);

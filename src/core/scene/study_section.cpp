@@ -27,7 +27,7 @@ void checkTilted(const ValueReader& tilts, const Scene& scene) {
   }
   physics::MotionSettings motion = scene.motion();
   motion.initial.tilt.reset();
-  const Eigen::Vector3d axis = medianAxis(modelInertia(motion));
+  const Eigen::Vector3d axis = physics::medianAxis(modelInertia(motion));
   const Eigen::Vector3d spin = initialAngularVelocity(motion);
   if (axis.cross(spin).norm() <= kMaxSineToMedian * spin.norm()) return;
   tilts.fail(tilts.name() +

@@ -11,6 +11,7 @@
 #include "physics/measure/flip_interval.h"
 #include "physics/motion_start.h"
 #include "physics/simulate.h"
+#include "rigid/inertia.h"
 #include "scene/source_locations.h"
 
 namespace rotatebook::study {
@@ -97,8 +98,8 @@ IntegratorOrder orderOf(physics::Integrator integrator, const std::vector<Precis
 TiltRow runTilt(const MotionSettings& settings, std::int64_t frames, Stop stop) {
   TiltRow row;
   row.tilt = settings.initial.tilt->angle;
-  const physics::PrincipalAxes inertia = modelInertia(settings);
-  row.law = asymptoticFlipInterval(inertia, initialAngularVelocity(settings));
+  const rigid::PrincipalAxes inertia = modelInertia(settings);
+  row.law = physics::asymptoticFlipInterval(inertia, initialAngularVelocity(settings));
   const auto trajectory = wholeMotion(settings, frames, stop, row.end);
   if (!trajectory) return row;
   const std::vector<double> times = flipTimes(*trajectory, inertia);
@@ -121,7 +122,7 @@ bool runInTurn(std::span<const std::size_t> indices, const Run& run) {
 }
 
 void requireStudyable(const scene::Scene& scene) {
-  physics::requireSameLayout();
+  requireSameLayout();
   if (!scene.panels.empty()) {
     throw InputError(scene::locationOf(scene, "panel") +
                      ": a study needs a single motion, but this scene has panels");
@@ -186,7 +187,7 @@ std::optional<PrecisionStudy> runPrecisionStudy(const scene::Scene& scene,
 
 std::optional<TiltStudy> runTiltStudy(const scene::Scene& scene, const scene::StudySettings& study,
                                       const Execution& execution) {
-  physics::requireSameLayout();
+  requireSameLayout();
   std::vector<MotionSettings> runs(study.tilts.size(), scene.motion());
   for (std::size_t i = 0; i < runs.size(); ++i) {
     runs[i].initial.tilt->angle = study.tilts[i];

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/frame_rate.h"
-#include "physics/layout.h"
+#include "base/layout.h"
 #include "physics/trajectory.h"
 
 namespace rotatebook::timeline {
@@ -44,7 +44,7 @@ class ClipMotion {
 extern const std::size_t kClipMotionSize;  // in the library
 namespace {
 [[maybe_unused]] const bool kClipMotionIsSame =
-    physics::noteSize("timeline::ClipMotion", kClipMotionSize, sizeof(ClipMotion));
+    noteSize("timeline::ClipMotion", kClipMotionSize, sizeof(ClipMotion));
 }  // namespace
 
 }  // namespace rotatebook::timeline

@@ -49,7 +49,7 @@ std::string headOf(const physics::Trajectory& trajectory) {
 }  // namespace
 
 std::string motionChecksum(const ClipMotion& motion) {
-  physics::requireSameLayout();
+  requireSameLayout();
   Checksum sum;
   for (const physics::Trajectory& trajectory : motion.trajectories()) {
     sum.add(headOf(trajectory));

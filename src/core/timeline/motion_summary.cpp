@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "scene/expectation_text.h"
+#include "timeline/free_pieces.h"
 #include "timeline/notes.h"
 
 namespace rotatebook::timeline {
@@ -22,10 +23,12 @@ MotionSummary summarize(const scene::Panel& motion, const physics::Trajectory& t
       .divergedAt = trajectory.divergedAt,
       .divergesUnexpectedly = divergesUnexpectedly(trajectory, motion.expectations),
       .expectations = check(trajectory, motion.expectations)};
-  for (const Sample& sample : samples) {
-    const double energy = sample.total() / samples.front().total();
-    summary.lowestEnergy = std::min(summary.lowestEnergy, energy);
-    summary.highestEnergy = std::max(summary.highestEnergy, energy);
+  for (const std::span<const Sample> piece : freePieces(trajectory, motion.nudges)) {
+    for (const Sample& sample : piece) {
+      const double energy = sample.total() / piece.front().total();
+      summary.lowestEnergy = std::min(summary.lowestEnergy, energy);
+      summary.highestEnergy = std::max(summary.highestEnergy, energy);
+    }
   }
   if (motion.simulation.model != physics::Model::Exact) {
     summary.errorDeg = std::ranges::max(samples, {}, &Sample::errorDeg).errorDeg;
@@ -33,7 +36,7 @@ MotionSummary summarize(const scene::Panel& motion, const physics::Trajectory& t
         samples, [](const Sample& sample) { return sample.errorDeg > kVisibleErrorDeg; });
     if (visible != samples.end()) summary.visibleFrom = visible->time;
   }
-  if (std::string note = regimeNote(trajectory); !note.empty()) {
+  if (std::string note = regimeNote(trajectory, motion.nudges); !note.empty()) {
     summary.notes.push_back(std::move(note));
   }
   return summary;

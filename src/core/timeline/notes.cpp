@@ -5,8 +5,9 @@
 #include <numbers>
 
 #include "base/number_text.h"
-#include "physics/exact/exact_rotation.h"
 #include "physics/motion_start.h"
+#include "timeline/free_pieces.h"
+#include "rigid/exact_rotation.h"
 
 namespace rotatebook::timeline {
 namespace {
@@ -33,7 +34,7 @@ void addSizeNote(const scene::Motion& motion, std::vector<std::string>& notes) {
                   " m long; numbers without a unit are in metres: a centimetre is \"1 cm\"");
 }
 
-void addSpeedNote(const scene::Motion& motion, const physics::PrincipalAxes& inertia,
+void addSpeedNote(const scene::Motion& motion, const rigid::PrincipalAxes& inertia,
                   const DoubleDouble3& spin, std::vector<std::string>& notes) {
   const double interval = motion.simulation.timePerFrame;
   const double turn = initialAngularVelocity(motion).norm() * interval;
@@ -43,7 +44,7 @@ void addSpeedNote(const scene::Motion& motion, const physics::PrincipalAxes& ine
                     "simulation.time_per_frame");
     return;
   }
-  const double frames = physics::ExactRotation(inertia, spin).flipInterval() / interval;
+  const double frames = rigid::ExactRotation(inertia, spin).flipInterval() / interval;
   if (frames >= kFewFramesBetweenFlips) return;
   notes.push_back(
       "the body flips every " + roundedText(frames, kDigits) +
@@ -58,9 +59,9 @@ std::string axisAcross(const Eigen::Vector3d& spin) {
   return nearest == 0 ? "\"z\"" : "\"x\"";
 }
 
-void addSteadyNote(const scene::Panel& panel, const physics::PrincipalAxes& inertia,
+void addSteadyNote(const scene::Panel& panel, const rigid::PrincipalAxes& inertia,
                    const DoubleDouble3& spin, std::vector<std::string>& notes) {
-  const auto [smallest, median, largest] = physics::axesByInertia(inertia.moments);
+  const auto [smallest, median, largest] = rigid::axesByInertia(inertia.moments);
   if (inertia.moments[smallest] == inertia.moments[median] ||
       inertia.moments[median] == inertia.moments[largest]) {
     return;  // It tumbles about no axis.
@@ -89,11 +90,11 @@ std::vector<std::string> notesOn(const scene::Panel& panel) {
   std::vector<std::string> notes;
   addTiltNote(panel, notes);
   addSizeNote(panel, notes);
-  const physics::PrincipalAxes inertia = modelInertia(panel);
+  const rigid::PrincipalAxes inertia = modelInertia(panel);
   const DoubleDouble3 spin = panel.initial.alongPrincipal(inertia);
   addSpeedNote(panel, inertia, spin, notes);
-  // Particles tumble by their rounding.
-  if (panel.simulation.model != physics::Model::Particles) {
+  // Particles tumble by their rounding, and a nudge starts what the spin doesn't.
+  if (panel.simulation.model != physics::Model::Particles && panel.nudges.empty()) {
     addSteadyNote(panel, inertia, spin, notes);
   }
   return notes;
@@ -104,18 +105,30 @@ std::vector<std::string> notesOn(const scene::Scene& scene) {
   for (const scene::Panel& panel : scene::motionsOf(scene)) {
     const std::string prefix = panel.label.empty() ? "" : panel.label + ": ";
     for (const std::string& note : notesOn(panel)) all.push_back(prefix + note);
+    const double end =
+        static_cast<double>(scene.clip.frameCount() - 1) * panel.simulation.timePerFrame;
+    for (const physics::Nudge& nudge : panel.nudges) {
+      if (nudge.at <= end) continue;
+      all.push_back(prefix + "the nudge at " + roundedText(nudge.at, kDigits) +
+                    " s comes after the end of the motion, which lasts " +
+                    roundedText(end, kDigits) + " s");
+    }
   }
   return all;
 }
 
-std::string regimeNote(const physics::Trajectory& trajectory) {
-  const physics::Regime start = trajectory.samples.front().regime;
-  const auto changed = std::ranges::find_if(
-      trajectory.samples, [&](const physics::Sample& sample) { return sample.regime != start; });
-  if (start == physics::Regime::Separatrix || changed == trajectory.samples.end()) return "";
-  return "the regime changes from " + std::to_string(static_cast<int>(start)) + " to " +
-         std::to_string(static_cast<int>(changed->regime)) + " at " +
-         roundedText(changed->time, kDigits) + " s, as that of a free rigid body never does";
+std::string regimeNote(const physics::Trajectory& trajectory,
+                       std::span<const physics::Nudge> nudges) {
+  for (const std::span<const physics::Sample> piece : freePieces(trajectory, nudges)) {
+    const rigid::Regime start = piece.front().regime;
+    const auto changed = std::ranges::find_if(
+        piece, [&](const physics::Sample& sample) { return sample.regime != start; });
+    if (start == rigid::Regime::Separatrix || changed == piece.end()) continue;
+    return "the regime changes from " + std::to_string(static_cast<int>(start)) + " to " +
+           std::to_string(static_cast<int>(changed->regime)) + " at " +
+           roundedText(changed->time, kDigits) + " s, as that of a free rigid body never does";
+  }
+  return "";
 }
 
 }  // namespace rotatebook::timeline

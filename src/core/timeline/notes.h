@@ -1,6 +1,7 @@
 // Notes on scenes that are valid, but perhaps not meant.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,11 +16,13 @@ namespace rotatebook::timeline {
 /// label, as in a comparison it is one of the cases.
 std::vector<std::string> notesOn(const scene::Panel& panel);
 
-/// Returns those on all motions of `scene`; one of a panel begins with the panel's label.
+/// Returns those on all motions of `scene`, and on nudges after the clip's end; one of a panel
+/// begins with the panel's label.
 std::vector<std::string> notesOn(const scene::Scene& scene);
 
 /// Returns a sentence with the time at which the motion's regime first changes, which no free
-/// body's does; empty if it never does.
-std::string regimeNote(const physics::Trajectory& trajectory);
+/// body's does from one nudge to the next; empty if it never does.
+std::string regimeNote(const physics::Trajectory& trajectory,
+                       std::span<const physics::Nudge> nudges);
 
 }  // namespace rotatebook::timeline

@@ -22,7 +22,7 @@ physics::Trajectory simulate(const scene::Scene& scene, const scene::Panel& pane
 }  // namespace
 
 ClipMotion simulateScene(const scene::Scene& scene, const std::atomic<bool>* stop) {
-  physics::requireSameLayout();
+  requireSameLayout();
   std::vector<physics::Trajectory> trajectories;
   for (const scene::Panel& panel : scene::motionsOf(scene)) {
     trajectories.push_back(simulate(scene, panel, stop));

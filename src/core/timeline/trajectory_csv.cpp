@@ -54,7 +54,7 @@ void appendRow(std::string& text, std::size_t frame, const physics::Sample& samp
 
 void writeCsv(const physics::Trajectory& trajectory,
               const std::function<void(std::string_view)>& take) {
-  physics::requireSameLayout();
+  requireSameLayout();
   constexpr std::size_t kPieceSize = 65'536;  // [bytes]
   std::string text = header();
   for (std::size_t frame = 0; frame < trajectory.samples.size(); ++frame) {

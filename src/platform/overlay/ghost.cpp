@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "overlay/drawn_overlay.h"
-#include "physics/exact/exact_rotation.h"
 #include "physics/motion_start.h"
 #include "scene/reference_frame.h"
 
@@ -81,13 +80,12 @@ class Ghost final : public DrawnOverlay {
 
  private:
   OverlayContext context_;
-  physics::ExactRotation exact_;
+  physics::NudgedRotation exact_;
 };
 
 Ghost::Ghost(const OverlayContext& context)
     : context_(context),
-      exact_(physics::modelInertia(context.scene.motion()),
-             physics::initialAngularVelocity(context.scene.motion())) {}
+      exact_(physics::exactRotation(context.scene.motion())) {}
 
 void Ghost::draw(const View& view) {
   const auto& samples = context_.trajectory.samples;

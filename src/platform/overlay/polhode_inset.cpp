@@ -14,8 +14,8 @@
 
 #include "overlay/drawn_overlay.h"
 #include "overlay/label_placement.h"
-#include "physics/inertia.h"
 #include "physics/motion_start.h"
+#include "rigid/inertia.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -109,7 +109,7 @@ namespace {
 /// Returns the angular momenta of all samples along the principal axes, in units of the initial
 /// one and no longer than kFarthest.
 std::vector<Eigen::Vector3d> momentaOf(const OverlayContext& context,
-                                       const physics::PrincipalAxes& inertia) {
+                                       const rigid::PrincipalAxes& inertia) {
   const auto& samples = context.trajectory.samples;
   const double start = samples.front().angularMomentum.norm();
   std::vector<Eigen::Vector3d> momenta;
@@ -288,7 +288,7 @@ class PolhodeInset final : public DrawnOverlay {
   }
 
   OverlayContext context_;
-  physics::PrincipalAxes inertia_;
+  rigid::PrincipalAxes inertia_;
   std::vector<Eigen::Vector3d> momenta_;  // of each sample, see momentaOf()
   MomentumSurfaces surfaces_;
   Eigen::Matrix3d ellipsoid_;  // see quadricOf()

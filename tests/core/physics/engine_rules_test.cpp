@@ -8,8 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "physics/integrator_names.h"
-#include "physics/rotation.h"
 #include "physics/scenarios.h"
+#include "rigid/rotation.h"
 
 namespace rotatebook::physics {
 namespace {
@@ -98,8 +98,8 @@ struct InWorld {
   Vector3d impulse() const { return kStep * angularVelocity.cross(tensor() * angularVelocity); }
   Vector3d explicitly() const { return angularVelocity - tensor().inverse() * impulse(); }
   Vector3d implicitly() const {
-    const Matrix3d jacobian = tensor() + kStep * (crossMatrix(angularVelocity) * tensor() -
-                                                  crossMatrix(tensor() * angularVelocity));
+    const Matrix3d jacobian = tensor() + kStep * (rigid::crossMatrix(angularVelocity) * tensor() -
+                                                  rigid::crossMatrix(tensor() * angularVelocity));
     return angularVelocity - jacobian.fullPivLu().solve(impulse());
   }
   Vector3d renormalised() const {

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "physics/exact/exact_motion.h"
 #include "physics/scenarios.h"
+#include "rigid/exact_motion.h"
 
 namespace rotatebook::physics {
 namespace {
@@ -27,7 +27,7 @@ MotionSettings tilted(double angle, int axis) {
 }
 
 double exactInterval(const MotionSettings& settings) {
-  return ExactMotion(modelInertia(settings).moments, initialAngularVelocity(settings))
+  return rigid::ExactMotion(modelInertia(settings).moments, initialAngularVelocity(settings))
       .flipInterval();
 }
 
@@ -53,7 +53,7 @@ TEST(FlipTimes, AreThoseOfTheExactMotion) {
 
 TEST(FlipTimes, AreNoneOfASpinAboutAnotherAxis) {
   const MotionSettings settings = spinning(Model::Exact, {0.01, kSpinRate, 0.01}, 1.0 / 60);
-  PrincipalAxes other = modelInertia(settings);
+  rigid::PrincipalAxes other = modelInertia(settings);
   std::swap(other.moments[0], other.moments[1]);  // so that y is called the median axis
   EXPECT_TRUE(flipTimes(simulate(settings, 600), other).empty());
 }

@@ -11,7 +11,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "physics/exact/exact_simulator.h"
+#include "physics/exact_simulator.h"
 #include "physics/integrator_names.h"
 #include "physics/integrators/integrator_table.h"
 #include "physics/integrators/step_error.h"
@@ -92,8 +92,8 @@ MotionSettings stableSpin(const Case& one) {
 double errorAfter(const MotionSettings& settings, int steps) {
   const auto simulator = makeSimulator(settings);
   simulator->advance(kDuration, steps);
-  const ExactRotation exact(modelInertia(settings), initialAngularVelocity(settings));
-  const ExactRotation::Moment truth = exact.at(kDuration);
+  const rigid::ExactRotation exact(modelInertia(settings), initialAngularVelocity(settings));
+  const rigid::ExactRotation::Moment truth = exact.at(kDuration);
   const BodyState state = simulator->state();
   return ((state.worldFromBody - truth.worldFromBody) * settings.body.corners()).norm() +
          (state.angularVelocity - truth.angularVelocity).norm();

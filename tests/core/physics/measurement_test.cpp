@@ -9,8 +9,8 @@
 #include <gtest/gtest.h>
 
 #include "physics/cage_fit.h"
-#include "physics/rotation.h"
 #include "physics/scenarios.h"
+#include "rigid/rotation.h"
 
 namespace rotatebook::physics {
 namespace {
@@ -208,21 +208,21 @@ TEST(Measurement, DerivesTheRegimeFromTheBodysAxes) {
     return Measurement(settings).measure(0, state).regime;
   };
   const MotionSettings book = spinningAbout({1, 0, 0});
-  EXPECT_EQ(regime(book, {5, 0, 0.01}), Regime::AboutLargest);
-  EXPECT_EQ(regime(book, {5, 0.01, 0}), Regime::AboutSmallest);
+  EXPECT_EQ(regime(book, {5, 0, 0.01}), rigid::Regime::AboutLargest);
+  EXPECT_EQ(regime(book, {5, 0.01, 0}), rigid::Regime::AboutSmallest);
 
   // Exchange the axes of largest and smallest moment by a tensor.
   MotionSettings turned = book;
   const Vector3d moments = book.body.solidInertia();
   turned.inertia = Vector3d(moments[0], moments[2], moments[1]).asDiagonal();
-  EXPECT_EQ(regime(turned, {5, 0, 0.01}), Regime::AboutSmallest);
-  EXPECT_EQ(regime(turned, {5, 0.01, 0}), Regime::AboutLargest);
+  EXPECT_EQ(regime(turned, {5, 0, 0.01}), rigid::Regime::AboutSmallest);
+  EXPECT_EQ(regime(turned, {5, 0.01, 0}), rigid::Regime::AboutLargest);
 
   // Turn the body's axes away from the book's.
   const Matrix3d axes = AngleAxisd(1.1, Vector3d(2, 2, -1) / 3).toRotationMatrix();
   turned.inertia = axes * moments.asDiagonal() * axes.transpose();
-  EXPECT_EQ(regime(turned, axes * Vector3d(5, 0, 0.01)), Regime::AboutLargest);
-  EXPECT_EQ(regime(turned, axes * Vector3d(5, 0.01, 0)), Regime::AboutSmallest);
+  EXPECT_EQ(regime(turned, axes * Vector3d(5, 0, 0.01)), rigid::Regime::AboutLargest);
+  EXPECT_EQ(regime(turned, axes * Vector3d(5, 0.01, 0)), rigid::Regime::AboutSmallest);
 }
 
 TEST(Measurement, PassesOnWhatTheSimulatorKnows) {

@@ -67,13 +67,13 @@ TEST(InitialSpin, IsItselfWithoutTilt) {
 
 TEST(InitialSpin, GivesTheSameAngularVelocityToEveryInertia) {
   const InitialSpin spin{.value = {1, 2, 3}};
-  EXPECT_EQ(spin.angularVelocity(PrincipalAxes{{7, 8, 9}}), Vector3d(1, 2, 3));
+  EXPECT_EQ(spin.angularVelocity(rigid::PrincipalAxes{{7, 8, 9}}), Vector3d(1, 2, 3));
 }
 
 TEST(InitialSpin, DividesAnAngularMomentumByTheInertiaAfterTilting) {
   const InitialSpin spin{
       .kind = InitialSpin::Kind::AngularMomentum, .value = {8, 0, 0}, .tilt = Tilt{kPi / 2, 1}};
-  EXPECT_LT((spin.angularVelocity(PrincipalAxes{{2, 4, 8}}) - Vector3d(0, 2, 0)).norm(),
+  EXPECT_LT((spin.angularVelocity(rigid::PrincipalAxes{{2, 4, 8}}) - Vector3d(0, 2, 0)).norm(),
             kSettingsBound);
 }
 

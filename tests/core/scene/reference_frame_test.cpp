@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "physics/rotation.h"
 #include "physics/simulate.h"
+#include "rigid/rotation.h"
 
 namespace rotatebook::scene {
 namespace {

@@ -81,7 +81,7 @@ TEST(DefaultCamera, IsToTheRightAndAboveTheCover) {
 TEST(SceneDeathTest, OfAnotherSizeInAProgramIsRefused) {
   EXPECT_EXIT(
       {
-        physics::noteSize("scene::Scene", kSceneSize, sizeof(Scene) + 16);
+        noteSize("scene::Scene", kSceneSize, sizeof(Scene) + 16);
         try {
           sceneText({});
         } catch (const InputError& error) {

@@ -75,7 +75,7 @@ TEST(ClipMotion, OfASceneHasTheClipsFrames) {
 TEST(ClipMotionDeathTest, OfAnotherSizeInAProgramIsRefused) {
   EXPECT_EXIT(
       {
-        physics::noteSize("timeline::ClipMotion", kClipMotionSize, sizeof(ClipMotion) + 16);
+        noteSize("timeline::ClipMotion", kClipMotionSize, sizeof(ClipMotion) + 16);
         try {
           simulateScene({});
         } catch (const InputError& error) {

@@ -92,7 +92,7 @@ TEST(Notes, AreMadeOnARegimeThatChanges) {
   const auto noteWith = [](const std::string& settings) {
     const scene::Scene scene = sceneWith(
         "initial.angular_velocity = [5, 0, 0]\ninitial.tilt = [0.01, \"z\"]\n" + settings);
-    return regimeNote(simulateScene(scene).trajectories().front());
+    return regimeNote(simulateScene(scene).trajectories().front(), scene.nudges);
   };
   EXPECT_THAT(noteWith("simulation.integrator = \"euler\"\n"),
               StartsWith("the regime changes from 1 to -1 at "));

@@ -22,7 +22,7 @@ class ExplicitEuler {
 
   void step(RigidState<Eigen::Matrix3d>& state) const {
     const Eigen::Vector3d w = angularVelocityInWorld(body_, state.attitude, state.momentum);
-    state.attitude += h_ * (crossMatrix(w) * state.attitude);
+    state.attitude += h_ * (rigid::crossMatrix(w) * state.attitude);
   }
 
   // With q = (s, u) and v = (h/2) I^-1 A^T L, the body's half turn,

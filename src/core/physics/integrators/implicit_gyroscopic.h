@@ -29,7 +29,7 @@ class ImplicitGyroscopic {
     const Eigen::Vector3d& before = state.momentum;
     const Eigen::Vector3d w = body_.inverseInertia.cwiseProduct(before);
     Eigen::Matrix3d jacobian =
-        h_ * (crossMatrix(w) * body_.inertia.asDiagonal() - crossMatrix(before));
+        h_ * (rigid::crossMatrix(w) * body_.inertia.asDiagonal() - rigid::crossMatrix(before));
     jacobian.diagonal() += body_.inertia;
     const Eigen::Vector3d after = w - solved(jacobian, h_ * w.cross(before));
     state.momentum = body_.inertia.cwiseProduct(after);

@@ -6,7 +6,7 @@
 #include "physics/attitude.h"
 #include "physics/integrators/implicit_step.h"
 #include "physics/integrators/rigid_state.h"
-#include "physics/rotation.h"
+#include "rigid/rotation.h"
 
 namespace rotatebook::physics {
 
@@ -44,7 +44,8 @@ class Midpoint {
     Eigen::Matrix3d derivative(const Eigen::Vector3d& middle, double share) const {
       const Eigen::Vector3d velocity = rule.body_.inverseInertia.cwiseProduct(middle);
       return share * rule.h_ / 2 *
-             (crossMatrix(middle) * rule.body_.inverseInertia.asDiagonal() - crossMatrix(velocity));
+             (rigid::crossMatrix(middle) * rule.body_.inverseInertia.asDiagonal() -
+              rigid::crossMatrix(velocity));
     }
   };
 

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "physics/inertia.h"
+#include "rigid/inertia.h"
 
 namespace rotatebook::physics {
 

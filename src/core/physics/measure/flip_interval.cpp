@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/elementary.h"
-#include "physics/measure/regime.h"
+#include "rigid/regime.h"
 
 namespace rotatebook::physics {
 namespace {
@@ -19,7 +19,7 @@ double angleBySine(const Eigen::Vector3d& w, int median) {
 
 }  // namespace
 
-std::vector<double> flipTimes(const Trajectory& trajectory, const PrincipalAxes& inertia) {
+std::vector<double> flipTimes(const Trajectory& trajectory, const rigid::PrincipalAxes& inertia) {
   requireSameLayout();
   const Eigen::Vector3d axis = medianAxis(inertia);
   const auto rateOf = [&axis](const Sample& sample) {
@@ -43,9 +43,9 @@ double meanInterval(std::span<const double> times) {
   return (times.back() - times.front()) / static_cast<double>(times.size() - 1);
 }
 
-double asymptoticFlipInterval(const PrincipalAxes& inertia,
+double asymptoticFlipInterval(const rigid::PrincipalAxes& inertia,
                               const Eigen::Vector3d& angularVelocity) {
-  const auto axes = axesByInertia(inertia.moments);
+  const auto axes = rigid::axesByInertia(inertia.moments);
   const double i1 = inertia.moments[axes[0]];
   const double i2 = inertia.moments[axes[1]];
   const double i3 = inertia.moments[axes[2]];
@@ -54,13 +54,13 @@ double asymptoticFlipInterval(const PrincipalAxes& inertia,
   const double spin = w.norm();
   const double growth = spin * std::sqrt((i2 - i1) * (i3 - i2) / (i1 * i3));
   const double distance =
-      std::fabs(medianInvariantRoot({i1, i2, i3}, w[axes[0]], w[axes[2]]).value());
+      std::fabs(rigid::medianInvariantRoot({i1, i2, i3}, w[axes[0]], w[axes[2]]).value());
   const double modulus = distance / spin * std::sqrt((i3 - i1) / (i2 * (i2 - i1) * (i3 - i2)));
   return 2 / growth * logarithm(4 / (modulus * angleBySine(w, axes[1])));
 }
 
-Eigen::Vector3d medianAxis(const PrincipalAxes& inertia) {
-  return inertia.bodyFromPrincipal.col(axesByInertia(inertia.moments)[1]);
+Eigen::Vector3d medianAxis(const rigid::PrincipalAxes& inertia) {
+  return inertia.bodyFromPrincipal.col(rigid::axesByInertia(inertia.moments)[1]);
 }
 
 }  // namespace rotatebook::physics

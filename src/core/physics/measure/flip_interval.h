@@ -6,8 +6,8 @@
 
 #include <Eigen/Core>
 
-#include "physics/inertia.h"
 #include "physics/trajectory.h"
+#include "rigid/inertia.h"
 
 namespace rotatebook::physics {
 
@@ -15,7 +15,7 @@ namespace rotatebook::physics {
 /// ascending. [s] Interpolates linearly between samples: its second derivative is 0 where it is 0,
 /// so the error is below 1e-3 of the sample interval as long as that is under a tenth of the time
 /// in which a deviation grows e-fold.
-std::vector<double> flipTimes(const Trajectory& trajectory, const PrincipalAxes& inertia);
+std::vector<double> flipTimes(const Trajectory& trajectory, const rigid::PrincipalAxes& inertia);
 
 /// Returns the mean time from one of the ascending `times` to the next; NaN of fewer than two. [s]
 double meanInterval(std::span<const double> times);
@@ -29,9 +29,10 @@ double meanInterval(std::span<const double> times);
 /// axis 1, kappa1 = I1 (I3-I1)/(I2 (I3-I2)) replaces kappa3. The relative error falls as eps^2. The
 /// limit is infinite on the separatrix, which lies between the two directions, on the median axis
 /// itself, and if two moments are equal.
-double asymptoticFlipInterval(const PrincipalAxes& inertia, const Eigen::Vector3d& angularVelocity);
+double asymptoticFlipInterval(const rigid::PrincipalAxes& inertia,
+                              const Eigen::Vector3d& angularVelocity);
 
 /// Returns the median axis, a unit vector in body axes.
-Eigen::Vector3d medianAxis(const PrincipalAxes& inertia);
+Eigen::Vector3d medianAxis(const rigid::PrincipalAxes& inertia);
 
 }  // namespace rotatebook::physics

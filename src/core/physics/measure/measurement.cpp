@@ -5,7 +5,7 @@
 
 #include "base/elementary.h"
 #include "physics/motion_start.h"
-#include "physics/rotation.h"
+#include "rigid/rotation.h"
 
 namespace rotatebook::physics {
 namespace {
@@ -21,7 +21,7 @@ int largestComponent(const Eigen::Vector3d& v) {
 
 // Returns the principal axis nearest to the axis of the spin, a unit vector in body axes. Of its
 // two directions it is the one along the edge of the body that it is nearest to.
-Eigen::Vector3d spunAxisOf(const MotionSettings& settings, const PrincipalAxes& inertia) {
+Eigen::Vector3d spunAxisOf(const MotionSettings& settings, const rigid::PrincipalAxes& inertia) {
   const Eigen::Vector3d spin =
       inertia.bodyFromPrincipal.transpose() * initialAngularVelocity(settings);
   const Eigen::Vector3d axis = inertia.bodyFromPrincipal.col(largestComponent(spin));
@@ -56,7 +56,7 @@ Measurement::Measurement(const MotionSettings& settings)
       isExact_(settings.simulation.model == Model::Exact) {}
 
 Sample Measurement::measure(double time, const BodyState& state) {
-  const Polar polar = polarDecomposition(state.worldFromBody);
+  const rigid::Polar polar = rigid::polarDecomposition(state.worldFromBody);
   Sample sample;
   sample.time = time;
   sample.attitude = continuedAttitude(polar.rotation);
@@ -93,11 +93,11 @@ double Measurement::tiltDeg(const Eigen::Matrix3d& rotation,
 
 // The regime of the exact motion is constant between nudges, which the rounding of one sample could
 // change if the spin is less than 1e-8 off the median axis.
-Regime Measurement::regime(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& angularVelocity,
-                           Regime exact) const {
+rigid::Regime Measurement::regime(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& angularVelocity,
+                           rigid::Regime exact) const {
   if (isExact_) return exact;
   const Eigen::Matrix3d principalFromWorld = (rotation * inertia_.bodyFromPrincipal).transpose();
-  return regimeOf(inertia_.moments, principalFromWorld * angularVelocity);
+  return rigid::regimeOf(inertia_.moments, principalFromWorld * angularVelocity);
 }
 
 }  // namespace rotatebook::physics

@@ -5,11 +5,12 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "physics/inertia.h"
 #include "physics/motion_settings.h"
 #include "physics/nudged_rotation.h"
 #include "physics/sample.h"
 #include "physics/simulator.h"
+#include "rigid/exact_rotation.h"
+#include "rigid/inertia.h"
 
 namespace rotatebook::physics {
 
@@ -60,11 +61,11 @@ class Measurement {
  private:
   Eigen::Quaterniond continuedAttitude(const Eigen::Matrix3d& rotation);
   double tiltDeg(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& momentum) const;
-  Regime regime(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& angularVelocity,
-                Regime exact) const;
+  rigid::Regime regime(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& angularVelocity,
+                rigid::Regime exact) const;
 
   Cuboid body_;
-  PrincipalAxes inertia_;
+  rigid::PrincipalAxes inertia_;
   Eigen::Vector3d spunAxis_;
   NudgedRotation exact_;
   bool isExact_;  // whether the measured motion is itself exact

@@ -9,6 +9,7 @@
 
 #include "base/elementary.h"
 #include "base/text.h"
+#include "rigid/inertia.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
 #include "scene/sections.h"
@@ -53,7 +54,7 @@ Eigen::Matrix3d inertiaFrom(const ValueReader& value) {
   } else {
     tensor.diagonal() = vectorFrom(value, kMoments);
   }
-  failAtValue(value, [&] { physics::checkInertia(tensor); });
+  failAtValue(value, [&] { rigid::checkInertia(tensor); });
   return tensor;
 }
 

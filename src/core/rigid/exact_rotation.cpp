@@ -1,6 +1,6 @@
-#include "physics/exact/exact_rotation.h"
+#include "rigid/exact_rotation.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 
 ExactRotation::ExactRotation(const PrincipalAxes& inertia, const Eigen::Vector3d& angularVelocity)
     : ExactRotation(inertia, withSameLayout(inertia).alongPrincipal(angularVelocity)) {}
@@ -17,4 +17,4 @@ ExactRotation::Moment ExactRotation::at(double time) const {
           worldFromPrincipal * moment.angularVelocityBody};
 }
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

@@ -1,18 +1,18 @@
-#include "physics/rotation.h"
+#include "rigid/rotation.h"
 
 #include <limits>
 
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 namespace {
 
 // The Newton iteration converges quadratically: after a step of size s the error is about s^2 / 2.
 constexpr double kSmallLastStep = 1e-9;
 // Largest entry of X^T X - 1 for which X counts as a rotation. Measured 2.5e-15 in 1440 frames of
 // normalised Euler steps, and 1.1e-15 in closed form.
-constexpr double kRounding = 4e-15;
+constexpr double kMaxStrain = 4e-15;
 // Well-conditioned maps need six steps; a map that needs more than twelve is nearly singular, and
 // the SVD handles it better.
 constexpr int kMaxNewtonSteps = 12;
@@ -25,7 +25,7 @@ Svd fullSvd(const Eigen::Matrix3d& map) {
 
 bool isRotation(const Eigen::Matrix3d& map) {
   const Eigen::Matrix3d strain = map.transpose() * map - Eigen::Matrix3d::Identity();
-  return strain.cwiseAbs().maxCoeff() < kRounding && map.determinant() > 0;
+  return strain.cwiseAbs().maxCoeff() < kMaxStrain && map.determinant() > 0;
 }
 
 // Returns det(m) m^-T.
@@ -64,4 +64,4 @@ Polar polarDecomposition(const Eigen::Matrix3d& map) {
   return {u * svd.matrixV().transpose(), svd.singularValues()};
 }
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

@@ -8,6 +8,7 @@
 #include "physics/motion_settings.h"
 #include "physics/nudged_rotation.h"
 #include "physics/simulator.h"
+#include "rigid/exact_rotation.h"
 
 namespace rotatebook::physics {
 

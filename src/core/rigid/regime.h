@@ -7,7 +7,7 @@
 
 #include "base/double_double.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 
 /// The axis that the angular momentum circles in the body frame: of the smallest or of the largest
 /// moment of inertia. The separatrix between them contains the spin about the median axis.
@@ -31,4 +31,4 @@ Regime regimeOf(const Eigen::Vector3d& inertia, const Eigen::Vector3d& angularVe
 /// Like regimeOf(), for double-double numbers.
 Regime preciseRegimeOf(const DoubleDouble3& inertia, const DoubleDouble3& angularVelocityBody);
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "physics/free_rigid_body.h"
+#include "rigid/free_rigid_body.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 
 // clang-format off
 inline const std::vector<FreeRigidBodyMotion> kExactMotionValues{
@@ -395,4 +395,4 @@ inline const std::vector<FreeRigidBodyMotion> kExactMotionValues{
 };
 // clang-format on
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

@@ -7,7 +7,7 @@
 
 #include "base/double_double.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 
 /// The curve that a torque-free angular velocity w follows in the body frame, and the pace of the
 /// motion. About one body axis w goes as cn u, about the others as sn u and dn u; the angular
@@ -38,4 +38,4 @@ struct Polhode {
 std::optional<Polhode> polhodeOf(const DoubleDouble3& inertia,
                                  const DoubleDouble3& angularVelocity);
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

@@ -1,4 +1,4 @@
-#include "physics/inertia.h"
+#include "rigid/inertia.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 namespace {
 
 // Rounding that is allowed in a computed tensor, as a fraction of its largest entry.
@@ -194,4 +194,4 @@ PrincipalAxes principalAxes(const Eigen::Matrix3d& tensor) {
   return sorted({entries[0][0], entries[1][1], entries[2][2]}, columns, unit);
 }
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

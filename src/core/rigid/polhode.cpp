@@ -1,4 +1,4 @@
-#include "physics/exact/polhode.h"
+#include "rigid/polhode.h"
 
 #include <algorithm>
 #include <array>
@@ -6,9 +6,9 @@
 
 #include "base/elementary.h"
 #include "base/elliptic.h"
-#include "physics/measure/regime.h"
+#include "rigid/regime.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 namespace {
 
 using Eigen::Vector3d;
@@ -212,4 +212,4 @@ std::optional<Polhode> polhodeOf(const DoubleDouble3& inertia,
   return polhode;
 }
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

@@ -1,4 +1,4 @@
-#include "physics/exact/exact_motion.h"
+#include "rigid/exact_motion.h"
 
 #include <cmath>
 #include <limits>
@@ -6,9 +6,9 @@
 #include <Eigen/Geometry>
 
 #include "base/elementary.h"
-#include "physics/rotation.h"
+#include "rigid/rotation.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 namespace {
 
 using Eigen::Matrix3d;
@@ -100,4 +100,4 @@ Matrix3d ExactMotion::bodyFromMomentum(const Vector3d& angularVelocity) const {
   return frame;
 }
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

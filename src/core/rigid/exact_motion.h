@@ -7,11 +7,11 @@
 
 #include "base/double_double.h"
 #include "base/elliptic.h"
-#include "physics/exact/polhode.h"
-#include "physics/layout.h"
-#include "physics/measure/regime.h"
+#include "base/layout.h"
+#include "rigid/polhode.h"
+#include "rigid/regime.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 
 /// Computes the torque-free motion in closed form: Jacobi functions for the angular velocity
 /// (Landau and Lifshitz, Mechanics, section 37), an elliptic integral of the third kind for the
@@ -60,4 +60,4 @@ class ExactMotion {
   Eigen::Matrix3d worldFromMomentum_ = Eigen::Matrix3d::Identity();  // at t = 0
 };
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

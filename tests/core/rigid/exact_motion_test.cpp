@@ -1,4 +1,4 @@
-#include "physics/exact/exact_motion.h"
+#include "rigid/exact_motion.h"
 
 #include <algorithm>
 #include <array>
@@ -12,11 +12,11 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
-#include "physics/exact_motion_values.h"
-#include "physics/free_rigid_body.h"
-#include "physics/rotation.h"
+#include "rigid/exact_motion_values.h"
+#include "rigid/free_rigid_body.h"
+#include "rigid/rotation.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 namespace {
 
 using Eigen::Matrix3d;
@@ -300,4 +300,4 @@ TEST(ExactMotion, HasNoScale) {
 }
 
 }  // namespace
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

@@ -1,11 +1,11 @@
-#include "physics/measure/regime.h"
+#include "rigid/regime.h"
 
 #include <cmath>
 #include <limits>
 
 #include <gtest/gtest.h>
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 namespace {
 
 using Eigen::Vector3d;
@@ -97,4 +97,4 @@ TEST(MedianInvariantRoot, HasTheSignAndSizeOfTheInvariant) {
 }
 
 }  // namespace
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

@@ -5,11 +5,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include <Eigen/Core>
-
 #include "base/version.h"
 
-namespace rotatebook::physics {
+namespace rotatebook {
 
 /// The version and the compiler flags on which the layout of the core's types and the bits of its
 /// results depend. Has no constructor, as the linker keeps one copy of those for all sources.
@@ -54,7 +52,9 @@ namespace {
 #ifdef EIGEN_DONT_VECTORIZE
   layout.eigenDoesNotVectorize = true;
 #endif
-  layout.eigenIsRowMajor = Eigen::Matrix3d::IsRowMajor != 0;
+#ifdef EIGEN_DEFAULT_TO_ROW_MAJOR
+  layout.eigenIsRowMajor = true;
+#endif
   // The exact product is 1 - 2^-60; rounded before the subtraction it is 1.
   const volatile double above = 1 + 0x1p-30, below = 1 - 0x1p-30;
   layout.contractionIsOff = above * below - 1 == 0;
@@ -85,4 +85,4 @@ const Layout kLayoutHere = layoutHere();
 [[maybe_unused]] const bool kLayoutIsSame = noteLayout(kLayoutHere);
 
 }  // namespace
-}  // namespace rotatebook::physics
+}  // namespace rotatebook

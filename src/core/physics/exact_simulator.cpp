@@ -1,4 +1,4 @@
-#include "physics/exact/exact_simulator.h"
+#include "physics/exact_simulator.h"
 
 #include "physics/motion_start.h"
 

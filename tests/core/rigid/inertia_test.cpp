@@ -1,4 +1,4 @@
-#include "physics/inertia.h"
+#include "rigid/inertia.h"
 
 #include <string>
 
@@ -8,9 +8,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "physics/scenarios.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -18,8 +17,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using ::testing::HasSubstr;
 
-constexpr double kInertiaBound = 1e-14;     // relative; measured 1.4e-15
-constexpr double kSameMotionBound = 1e-13;  // [m]; measured 5.5e-16
+constexpr double kInertiaBound = 1e-14;  // relative; measured 1.4e-15
 
 Matrix3d diagonal(double x, double y, double z) {
   return Vector3d(x, y, z).asDiagonal();
@@ -106,50 +104,5 @@ TEST(CheckInertia, RefusesAsymmetryAndNamesTheEntries) {
   EXPECT_THAT(refusalOf(tensor), HasSubstr("must be symmetric, but its xz entries are 0.1 and 0"));
 }
 
-class AnyInertia : public testing::TestWithParam<Model> {};
-
-// Two descriptions of one body: along its principal axes, and turned within its own.
-TEST_P(AnyInertia, MovesAsItDoesAlongItsPrincipalAxes) {
-  MotionSettings straight = spinning(GetParam(), {1, 2, 3}, 0.5);
-  straight.simulation.substeps = 500;
-  straight.simulation.integrator = Integrator::Rk4;
-  straight.inertia = diagonal(3, 4, 5);
-
-  const Matrix3d turn = someRotation();
-  MotionSettings turned = straight;
-  turned.inertia = turn * diagonal(3, 4, 5) * turn.transpose();
-  turned.initial.value = turn * straight.initial.value;
-
-  const Cage corners = straight.body.corners();
-  const Sample one = simulate(straight, 2).samples.back();
-  const Sample two = simulate(turned, 2).samples.back();
-  const Matrix3d expected = turn * one.attitude.toRotationMatrix() * turn.transpose();
-  EXPECT_LT((two.cage - expected * corners).norm(), kSameMotionBound);
-  EXPECT_LT((two.angularMomentum - turn * one.angularMomentum).norm(), 4 * kSameMotionBound);
-  EXPECT_LT(two.errorDeg, 1e-6);  // measured 3e-10
-  EXPECT_EQ(one.regime, two.regime);
-  EXPECT_GT((two.cage - one.cage).norm(), 0.01) << "the tensor isn't looked at";
-}
-
-INSTANTIATE_TEST_SUITE_P(OfModel, AnyInertia,
-                         testing::Values(Model::Matrix, Model::Quaternion, Model::Exact),
-                         [](const auto& instance) {
-                           return std::string(instance.param == Model::Matrix       ? "Matrix"
-                                              : instance.param == Model::Quaternion ? "Quaternion"
-                                                                                    : "Exact");
-                         });
-
-TEST(AnyInertia, GivesTheVelocityOfAMomentum) {
-  MotionSettings settings = spinning(Model::Exact, {3, 8, 15}, 1);
-  settings.initial.kind = InitialSpin::Kind::AngularMomentum;
-  settings.inertia = diagonal(3, 4, 5);
-  EXPECT_LT((initialAngularVelocity(settings) - Vector3d(1, 2, 3)).norm(), kInertiaBound);
-
-  const Matrix3d tensor = someRotation() * diagonal(3, 4, 5) * someRotation().transpose();
-  settings.inertia = tensor;
-  settings.initial.value = tensor * Vector3d(1, 2, 3);
-  EXPECT_LT((initialAngularVelocity(settings) - Vector3d(1, 2, 3)).norm(), 10 * kInertiaBound);
-}
-
 }  // namespace
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

@@ -5,7 +5,7 @@
 #include <array>
 #include <vector>
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 
 /// A body at one time; its attitude at t = 0 is the identity.
 struct FreeRigidBodySample {
@@ -238,4 +238,4 @@ inline const std::vector<FreeRigidBodyMotion> kFreeRigidBodyMotions{
 };
 // clang-format on
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "physics/layout.h"
+#include "base/layout.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 
 /// Returns the matrix [w]x, for which [w]x v = w x v.
 inline Eigen::Matrix3d crossMatrix(const Eigen::Vector3d& w) {
@@ -43,4 +43,4 @@ struct Polar {
 /// singular value is taken as mirrored (Kabsch 1976).
 Polar polarDecomposition(const Eigen::Matrix3d& map);
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

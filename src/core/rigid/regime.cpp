@@ -1,11 +1,11 @@
-#include "physics/measure/regime.h"
+#include "rigid/regime.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 namespace {
 
 // A sum without error (Shewchuk's expansion, 1997): terms that don't overlap, smallest first.
@@ -107,4 +107,4 @@ Regime preciseRegimeOf(const DoubleDouble3& inertia, const DoubleDouble3& angula
   return static_cast<Regime>((root > 0) - (root < 0));
 }
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

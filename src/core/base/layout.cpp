@@ -1,4 +1,4 @@
-#include "physics/layout.h"
+#include "base/layout.h"
 
 #include <atomic>
 #include <string>
@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 
-namespace rotatebook::physics {
+namespace rotatebook {
 namespace {
 
 constexpr const char* kByCMake = "link rotatebook::core by CMake, which passes the flags on";
@@ -93,4 +93,4 @@ void requireSameLayout(const Layout& caller) {
                    ", this program " + (here ? "without" : "with") + " it; " + flag->remedy);
 }
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook

@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 
 #include "base/double_double.h"
-#include "physics/layout.h"
+#include "base/layout.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 
 /// The eigendecomposition of an inertia tensor, P diag(moments) P^T.
 struct PrincipalAxes {
@@ -43,4 +43,4 @@ void checkInertia(const Eigen::Matrix3d& tensor);
 /// which take the tensor's entries as exact.
 PrincipalAxes principalAxes(const Eigen::Matrix3d& tensor);
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

@@ -1,4 +1,4 @@
-#include "physics/rotation.h"
+#include "rigid/rotation.h"
 
 #include <cmath>
 #include <random>
@@ -7,7 +7,7 @@
 #include <Eigen/SVD>
 #include <gtest/gtest.h>
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 namespace {
 
 using Eigen::Matrix3d;
@@ -176,4 +176,4 @@ TEST(PolarDecomposition, FindsAProperRotationOfAFlatMap) {
 }
 
 }  // namespace
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

@@ -3,11 +3,11 @@
 
 #include <Eigen/Core>
 
-#include "physics/exact/exact_motion.h"
-#include "physics/inertia.h"
-#include "physics/measure/regime.h"
+#include "rigid/exact_motion.h"
+#include "rigid/inertia.h"
+#include "rigid/regime.h"
 
-namespace rotatebook::physics {
+namespace rotatebook::rigid {
 
 /// The exact free rotation of a body with any inertia tensor; body and world axes agree at t = 0.
 class ExactRotation {
@@ -33,4 +33,4 @@ class ExactRotation {
   ExactMotion motion_;
 };
 
-}  // namespace rotatebook::physics
+}  // namespace rotatebook::rigid

@@ -91,7 +91,7 @@ TEST(KeyRows, AreInWordsAndEachKeyOnce) {
 
 TEST(KeyRows, NameKeysThatAreRead) {
   for (const KeyRow& row : allKeys()) {
-    if (row.name.starts_with("panel.")) continue;
+    if (row.name.find(".N.") != std::string::npos) continue;  // Of arrays of tables.
     EXPECT_THAT(errorOf("", {row.name + "=1979-05-27"}), HasSubstr(": " + row.name + " "));
   }
 }

@@ -180,7 +180,7 @@ TEST(Panels, NameTheNearestKey) {
             "\"quaternion\" or \"exact\", not \"exakt\"; did you mean \"exact\"?");
   EXPECT_EQ(errorOfText(twoPanels("camera.target = [0, 0, 0]")),
             "a.toml:7:1: unknown key \"camera\" in [panel]; valid are \"label\", \"body\", "
-            "\"simulation\", \"initial\" and \"expect\"");
+            "\"simulation\", \"initial\", \"nudge\" and \"expect\"");
   EXPECT_EQ(errorOfText(twoPanels("body = 5")), "a.toml:7:8: panel.body must be a section, not 5");
 }
 

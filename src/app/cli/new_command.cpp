@@ -10,7 +10,6 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
-#include "cli/input_guard.h"
 #include "embedded/cli.h"
 #include "scene/scene_text.h"
 #include "scene/toml_text.h"
@@ -41,7 +40,10 @@ std::string starterWith(const std::string& title) {
 
 /// Throws InputError if no scene can be written to `path`.
 void requireNew(const fs::path& path) {
-  requireEnding(path, ".toml", "FILE");
+  if (path.extension() != ".toml") {
+    throw InputError(path.string() + ": the name of a scene's file ends in .toml, as " +
+                     path.stem().string() + ".toml does");
+  }
   const std::string name = path.stem().string();
   if (const std::string problem = store::problemOfName(name); !problem.empty()) {
     throw InputError(path.string() + ": the scene's name " + quotedText(name) + " " + problem +

@@ -40,7 +40,7 @@ bool keeps(physics::Regime regime, const physics::MotionSettings& settings, std:
 std::optional<EulerSteps> eulerStepsFor(const physics::MotionSettings& settings,
                                         std::int64_t frames) {
   const Spin spin = spinOf(settings);
-  if (!spin.period || spin.equal != EqualMoments::None) return std::nullopt;
+  if (frames < 2 || !spin.period || spin.equal != EqualMoments::None) return std::nullopt;
   physics::MotionSettings run = byEuler(settings);
   EulerSteps result;
   for (int substeps = 1; substeps <= kMaxSubsteps && substeps * frames <= kMaxSteps;

@@ -20,7 +20,7 @@ struct EulerSteps {
 /// Returns the steps that the motion of `settings` needs over so many frames, found by simulating
 /// it with 1, 2, 4 ... steps a frame; at most 2^26 in a run, and 2^19 a frame. Particles are taken
 /// as a rigid body with their moments. Nothing for a motion that has no regime to lose: on the
-/// separatrix, steady, or of a body with equal moments. Throws InputError as
+/// separatrix, steady, of a body with equal moments, or in a single frame. Throws InputError as
 /// InitialSpin::tilted() does.
 std::optional<EulerSteps> eulerStepsFor(const physics::MotionSettings& settings,
                                         std::int64_t frames);

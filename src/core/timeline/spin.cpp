@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "base/double_double.h"
 #include "base/elementary.h"
@@ -14,7 +15,7 @@ namespace {
 using physics::PrincipalAxes;
 using physics::Regime;
 
-const DoubleDouble kTurn = kPi * 2.0;
+constexpr DoubleDouble kTurn = kPi * 2.0;
 
 /// Moments and angular velocity along the principal axes, those of the smallest moment first.
 struct Sorted {
@@ -71,7 +72,7 @@ std::optional<SpinPeriod> periodOf(const PrincipalAxes& inertia, const DoubleDou
 /// Sets what is about the axis nearest to the spin.
 void setSpunAxis(const Sorted& sorted, Spin& spin) {
   const auto size = [&](std::size_t i) { return std::fabs(sorted.spin[i].high); };
-  for (const std::size_t i : {1, 2}) {
+  for (std::size_t i = 1; i < 3; ++i) {
     if (size(i) > size(spin.spunAxis)) spin.spunAxis = i;
   }
   const std::size_t axis = spin.spunAxis, one = (axis + 1) % 3, other = (axis + 2) % 3;

@@ -69,8 +69,8 @@ TEST_F(New, OverwritesNothing) {
 }
 
 TEST_F(New, RefusesNamesThatNoSceneCanHave) {
-  expectRefused("my", "FILE my: the name of the file must end in .toml");
-  expectRefused("my.txt", "FILE my.txt: the name of the file must end in .toml");
+  expectRefused("my", "my: the name of a scene's file ends in .toml, as my.toml does");
+  expectRefused("my.txt", "my.txt: the name of a scene's file ends in .toml, as my.toml does");
   expectRefused(
       ".my.toml",
       ".my.toml: the scene's name \".my\" begins with a dot, as names of hidden files do; "

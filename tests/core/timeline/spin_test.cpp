@@ -281,6 +281,7 @@ TEST(EulerSteps, AreBounded) {
 TEST(EulerSteps, AreOfNoUseWithoutARegime) {
   EXPECT_FALSE(eulerStepsFor(bookWith("angular_velocity = [5, 0, 0]"), 100));
   EXPECT_FALSE(eulerStepsFor(motionOf({1, 1, 2}, {0.1, 0, 5}), 100));
+  EXPECT_FALSE(eulerStepsFor(motionOf({1, 2, 2.5}, {0.1, 0, 5}), 1));
 }
 
 }  // namespace

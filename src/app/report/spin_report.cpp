@@ -56,9 +56,9 @@ std::string momentsText(const Spin& spin) {
 
 std::string spinText(const Spin& spin) {
   const double speed = spin.angularVelocity.norm();
-  const std::string pace = text(speed) + " rad/s (" + text(speed / (2 * pi)) + " turns a second)";
-  if (spin.equal == EqualMoments::All) return pace;
-  return pace + ", " + degrees(spin.offAxis) + " degrees from " + axisText(spin, spin.spunAxis) +
+  std::string line = text(speed) + " rad/s (" + text(speed / (2 * pi)) + " turns a second)";
+  if (spin.equal == EqualMoments::All) return line;
+  return line + ", " + degrees(spin.offAxis) + " degrees from " + axisText(spin, spin.spunAxis) +
          (spin.equal == EqualMoments::None ? ", " + std::string(kAxes[spin.spunAxis]) : "");
 }
 

@@ -1,6 +1,7 @@
 // The numbers of a spin: against values computed at 50 digits, and against simulated motions.
 #include "timeline/spin.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>

@@ -11,7 +11,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "physics/motion_start.h"
 #include "physics/simulate.h"
 #include "scene/scene_text.h"
 #include "timeline/euler_steps.h"

@@ -26,6 +26,8 @@ void addDoctorCommand(CLI::App& program, Action& action);
 void addCheckCommand(CLI::App& program, Action& action);
 void addSceneCommand(CLI::App& program, Action& action);
 void addListCommand(CLI::App& program, Action& action);
+void addNewCommand(CLI::App& program, Action& action);
+void addSpinCommand(CLI::App& program, Action& action);
 void addHelpCommand(CLI::App& program, Action& action);
 void addVersionCommand(CLI::App& program, Action& action);
 

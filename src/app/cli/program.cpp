@@ -37,11 +37,13 @@ void addCommands(CLI::App& program, Action& action) {
   addRenderCommand(program, action);
   addSimulateCommand(program, action);
   addStudyCommand(program, action);
+  addSpinCommand(program, action);
   addPageCommand(program, action);
   addStillCommand(program, action);
   addSheetCommand(program, action);
   addBenchCommand(program, action);
   addDoctorCommand(program, action);
+  addNewCommand(program, action);
   addCheckCommand(program, action);
   addSceneCommand(program, action);
   addListCommand(program, action);
@@ -113,7 +115,9 @@ void addCommonOptions(CLI::App& program, bool& quiet) {
 /// Returns whether `command` was asked for something on the standard output, not for a report.
 bool printsResult(const CLI::App& command) {
   const std::string& name = command.get_name();
-  if (name == "scene" || name == "list" || name == "help" || name == "version") return true;
+  for (const char* one : {"scene", "list", "spin", "help", "version"}) {
+    if (name == one) return true;
+  }
   const CLI::Option* json = command.get_option_no_throw("--json");
   if (json != nullptr && json->count() > 0) return true;
   const CLI::Option* csv = command.get_option_no_throw("--csv");

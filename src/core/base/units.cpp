@@ -99,7 +99,8 @@ std::optional<double> parseQuantity(std::string_view text, Dimension dimension) 
   if (unit->divisorOfPi == 0) {
     return scaledDecimal(text.substr(0, length), unit->multiplier, unit->exponent);
   }
-  return (kPi * number * unit->multiplier / unit->divisorOfPi).value();
+  const double value = (kPi * unit->multiplier / unit->divisorOfPi * number).value();
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
 std::vector<std::string_view> unitsOf(Dimension dimension) {

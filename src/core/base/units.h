@@ -11,9 +11,9 @@ namespace rotatebook {
 enum class Dimension { Length, Mass, Time, Angle, AngularVelocity };
 
 /// Returns the SI value [m, kg, s, rad or rad/s] of a decimal number and a unit, with or without
-/// spaces between them; nothing if `text` isn't a finite number with a unit of that dimension. The
-/// conversion is of the decimal number and rounded once: "18.8 cm" gives the double that 0.188 is.
-/// Only where it involves pi is the decimal number rounded before.
+/// spaces between them; nothing if `text` isn't a number with a unit of that dimension, or the
+/// value isn't finite. The conversion is of the decimal number and rounded once: "18.8 cm" gives
+/// the double that 0.188 is. Only where it involves pi is the decimal number rounded before.
 std::optional<double> parseQuantity(std::string_view text, Dimension dimension);
 
 /// Returns the names of the units of `dimension`, that of the SI first.

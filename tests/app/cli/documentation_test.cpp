@@ -62,6 +62,9 @@ steps = [1, 2, 4]
 /// Makefile names; pages show no command with others.
 constexpr std::string_view kLastFigure = "scenes/figures/fig06";
 
+/// Writes a scene that isn't small: it is replaced, and one of that name makes room before.
+constexpr std::string_view kNew = "rotatebook new ";
+
 /// A line that begins so isn't run here.
 struct NotRun {
   std::string_view beginning;
@@ -197,9 +200,12 @@ class ShownCommands : public ProgramTest {
 
   /// Runs a command, which must succeed and destroy nothing.
   void addProblemsOfCommand(const std::string& command, std::vector<std::string>& problems) {
+    const bool isNew = command.starts_with(kNew);
+    if (isNew) fs::remove(folder() / command.substr(kNew.size()));
     const auto before = results();
     if (runInShell(command) != 0) problems.push_back(command + '\n' + read("log.txt"));
     const auto after = results();
+    if (isNew) write(command.substr(kNew.size()), kSmall);
     for (const auto& [name, bytes] : before) {
       const auto now = after.find(name);
       if (now == after.end()) problems.push_back(command + "\nremoves " + name);

@@ -1,4 +1,4 @@
-// --json of the commands that render, simulate, study, check and list.
+// --json of the commands that render, simulate, study, check and list scenes, or print a spin.
 #include <csignal>
 #include <string>
 #include <vector>
@@ -112,6 +112,15 @@ TEST_F(Json, OfSimulateIsRefusedWhereTheTableIsPrinted) {
             "rotatebook: --csv - and --json both print to the standard output; name a file with "
             "--csv\n");
   EXPECT_THAT(result.output, IsEmpty());
+}
+
+TEST_F(Json, OfSpinHasItsNumbers) {
+  const ChildResult result = runWithoutGraphics({"spin", "b.toml", "--json"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.error, IsEmpty());
+  expectKeys(result.output, "name title motions");
+  EXPECT_THAT(result.output, AllOf(HasSubstr(kTitleInJson), HasSubstr(R"("spun_axis": "median", )"),
+                                   HasSubstr(R"("euler": {"substeps": )")));
 }
 
 TEST_F(Json, OfStudyHasOrdersAndFiles) {

@@ -52,6 +52,7 @@ TEST_F(Quiet, ReportsArentPrinted) {
 
 TEST_F(Quiet, ResultsArePrinted) {
   EXPECT_EQ(run({"scene", "tiny.toml", "-q"}).output, run({"scene", "tiny.toml"}).output);
+  EXPECT_EQ(run({"spin", "tiny.toml", "-q"}).output, run({"spin", "tiny.toml"}).output);
   EXPECT_EQ(run({"list", ".", "-q"}).output, "./tiny.toml   0.2 s  Tiny\n");
   const std::vector<std::string> table{"simulate", "tiny.toml", "--csv", "-"};
   const ChildResult loud = run(table);

@@ -48,10 +48,11 @@ TEST_P(EditedStarter, MeetsItsExpectations) {
 
 INSTANTIATE_TEST_SUITE_P(
     OnOneNumber, EditedStarter,
-    ::testing::Values("clip.duration=6", "clip.duration=1", "clip.duration=30",
+    ::testing::Values("clip.duration=6", "clip.duration=5 s", "clip.duration=1", "clip.duration=30",
                       "initial.angular_velocity=[0, 5, 0]", "initial.angular_velocity=[8, 0, 0]",
                       "initial.angular_velocity=[1, 2, 3]", "initial.tilt=[0.1, 'y']",
-                      "body.size=[0.07, 0.15, 0.008]", "body.mass=0.2", "clip.fps=30",
+                      "body.size=[0.07, 0.15, 0.008]", "body.mass=0.2", "body.mass=800 g",
+                      "initial.angular_velocity=['90 rpm', 0, 0]", "clip.fps=30",
                       "simulation.substeps=20", "simulation.model='matrix'",
                       "simulation.model='particles'", "simulation.model='exact'",
                       "simulation.normalize=false", "simulation.time_per_frame=0.004"));

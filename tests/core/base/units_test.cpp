@@ -54,6 +54,7 @@ TEST(Units, ConvertAnyFormOfANumber) {
   }
   EXPECT_EQ(parseQuantity("0e99999999999 cm", Dimension::Length), std::nullopt);
   EXPECT_EQ(parseQuantity("1e308 min", Dimension::Time), std::nullopt);
+  EXPECT_EQ(parseQuantity("1e308 turn", Dimension::Angle), std::nullopt);
   EXPECT_EQ(parseQuantity("0." + std::string(500, '0') + "1e501 m", Dimension::Length), 1);
 }
 

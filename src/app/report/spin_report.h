@@ -1,0 +1,37 @@
+// Reports on the numbers of a scene's spin, as text and as JSON.
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+#include "timeline/euler_steps.h"
+#include "timeline/spin.h"
+
+namespace rotatebook::report {
+
+/// The numbers of one motion's spin.
+struct SpinNumbers {
+  scene::Panel motion;  ///< The settings; without a label if the scene has no panels.
+  timeline::Spin spin;
+  std::optional<timeline::EulerSteps> euler{};
+  double duration = 0;  ///< Simulated time for which Euler was tried. [s]
+};
+
+/// Returns the numbers of each motion of `scene`, in the order of scene::motionsOf().
+std::vector<SpinNumbers> spinNumbersOf(const scene::Scene& scene);
+
+/// Returns a sentence for each number that this spin hasn't, or whose meaning differs: of a steady
+/// spin, of equal moments, on the separatrix, of particles.
+std::vector<std::string> remarksOn(const SpinNumbers& numbers);
+
+/// Prints the numbers of each motion of `scene`, a panel's under its label, and the remarks.
+void reportSpins(const scene::Scene& scene, const std::vector<SpinNumbers>& all, std::ostream& out);
+
+/// Prints the same as one JSON object. Unknown values are null.
+void reportSpinsAsJson(const scene::Scene& scene, const std::vector<SpinNumbers>& all,
+                       std::ostream& out);
+
+}  // namespace rotatebook::report

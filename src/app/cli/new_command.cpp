@@ -10,9 +10,9 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
+#include "document/toml_text.h"
 #include "embedded/cli.h"
 #include "scene/scene_text.h"
-#include "scene/toml_text.h"
 #include "store/scene_name.h"
 #include "system/atomic_file.h"
 
@@ -34,7 +34,7 @@ std::string starterWith(const std::string& title) {
   constexpr std::string_view kTitle = "title = ";
   std::string text(starterScene());
   const std::size_t begin = text.find(kTitle) + kTitle.size();
-  text.replace(begin, text.find('\n', begin) - begin, scene::tomlString(title));
+  text.replace(begin, text.find('\n', begin) - begin, document::tomlString(title));
   return text;
 }
 

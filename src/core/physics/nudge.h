@@ -14,7 +14,7 @@ struct Nudge {
 
   double at = 0;  ///< Time of the nudge, > 0. [s]
   SpinKind kind = SpinKind::AngularVelocity;
-  Eigen::Vector3d value{0, 0, 0};  ///< What is added. [rad/s] or [kg m^2/s]
+  Eigen::Vector3d value{0, 0, 0};  ///< Added to the spin. [rad/s] or [kg m^2/s]
   Axes axes = Axes::Body;          ///< The axes that `value` is along, at that moment.
 
   friend bool operator==(const Nudge&, const Nudge&) = default;

@@ -20,7 +20,7 @@ class NudgedRotation {
   struct Start {
     rigid::PrincipalAxes inertia;
     DoubleDouble3 alongPrincipal;  ///< Angular velocity along the principal axes. [rad/s]
-    Eigen::Vector3d momentum;      ///< The same spin's angular momentum. [kg m^2/s]
+    Eigen::Vector3d momentum;      ///< Angular momentum of this spin. [kg m^2/s]
   };
   /// Takes nudges in the order of their times.
   NudgedRotation(const Start& start, std::span<const Nudge> nudges);

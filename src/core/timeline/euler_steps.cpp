@@ -17,7 +17,7 @@ physics::MotionSettings byEuler(physics::MotionSettings settings) {
   if (isParticles) settings.inertia = inertia.moments.asDiagonal();
   settings.simulation.model = physics::Model::Quaternion;
   settings.simulation.integrator = physics::Integrator::Euler;
-  settings.simulation.normalize = true;
+  settings.simulation.normalizeEvery = 1;
   return settings;
 }
 

@@ -19,14 +19,13 @@ std::string errorIn(const std::string& text, const Read& read) {
 }
 
 TEST(ValueReader, ReadsEachKindOfValue) {
-  const TomlNode root = parseToml("a = 1\nb = 2.5\nc = 'x'\nd = true\n[s]\ne = [1, 2]", "f");
+  const TomlNode root = parseToml("a = 1\nb = 2.5\nc = 'x'\n[s]\ne = [1, 2]", "f");
   const ValueReader file(root, "");
   EXPECT_EQ(file.find("a")->integer(0, 1), 1);
   EXPECT_EQ(file.find("a")->number(kPositive), 1);
   EXPECT_EQ(file.find("b")->number(kNumber), 2.5);
   EXPECT_EQ(file.find("c")->text(1), "x");
   EXPECT_EQ(file.find("c")->choice(std::vector<std::string_view>{"w", "x"}), 1U);
-  EXPECT_TRUE(file.find("d")->flag());
   EXPECT_EQ(file.find("s", "e")->elements(2, "a pair")[1].integer(0, 9), 2);
   EXPECT_FALSE(file.find("s", "f"));
   EXPECT_FALSE(file.find("t", "e"));
@@ -37,8 +36,6 @@ TEST(ValueReader, NamesWhatIsExpectedAndWhatIsFound) {
   EXPECT_EQ(errorIn("s.a = -1", number), "f:1:7: s.a must be a positive number, not -1");
   EXPECT_EQ(errorIn("s.a = nan", number), "f:1:7: s.a must be a positive number, not nan");
   EXPECT_EQ(errorIn("s.a = 'x'", number), "f:1:7: s.a must be a positive number, not \"x\"");
-  const auto flag = [](const ValueReader& file) { file.find("a")->flag(); };
-  EXPECT_EQ(errorIn("a = 1", flag), "f:1:5: a must be true or false, not 1");
   const auto choice = [](const ValueReader& file) {
     file.find("a")->choice(std::vector<std::string_view>{"matrix", "exact"});
   };

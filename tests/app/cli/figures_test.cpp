@@ -66,6 +66,7 @@ const std::vector<std::string> kAboutX{"initial.angular_velocity=[4, 0, 0]",
                                        "initial.tilt=[0.014, \"z\"]"};
 const std::vector<std::string> kAboutZ{"initial.angular_velocity=[0, 0, 4]",
                                        "initial.tilt=[0.0003, \"x\"]"};
+const std::vector<std::string> kNeverNudged{"nudge.0.at=1000", "nudge.1.at=1000"};
 const std::vector<std::string> kNormalized{"simulation.normalize=true"};
 
 const std::vector<Twin> kTwins{
@@ -87,9 +88,12 @@ const std::vector<Twin> kTwins{
     {"comparisons/steps", {"panel.0.simulation.substeps=1"}},
     {"comparisons/steps", {"panel.1.simulation.substeps=64"}},
     {"figures/fig03-stable-z", kAboutX},
+    {"figures/fig03b-jiggled-z", kNeverNudged},
     {"figures/fig04-stable-y", kAboutX},
+    {"figures/fig04b-jiggled-y", kNeverNudged},
     {"figures/fig05-unstable-x", kAboutZ},
     {"figures/fig05b-rounding-only", {"simulation.model=quaternion"}},
+    {"figures/fig05c-nudged-x", {"nudge.0.at=1000"}},
     {"figures/fig06-undamped", {"simulation.damping=1"}},
     {"figures/fig07-unnormalized", kNormalized},
     {"figures/fig08-neither", {"simulation.damping=1"}},

@@ -99,5 +99,21 @@ TEST(Notes, AreMadeOnARegimeThatChanges) {
   EXPECT_EQ(noteWith(""), "");
 }
 
+TEST(Notes, TakeARegimeThatANudgeChangesForWhatItIs) {
+  const scene::Scene scene = sceneWith(
+      "initial.angular_velocity = [5, 0, 0]\ninitial.tilt = [0.001, \"y\"]\n"
+      "[[nudge]]\nat = 1\nangular_velocity = [0, 0, 0.5]\n");
+  const physics::Trajectory trajectory = simulateScene(scene).trajectories().front();
+  EXPECT_NE(trajectory.samples.front().regime, trajectory.samples.back().regime);
+  EXPECT_EQ(regimeNote(trajectory, scene.nudges), "");
+  EXPECT_NE(regimeNote(trajectory, {}), "");
+}
+
+TEST(Notes, AreMadeOnANudgeAfterTheEnd) {
+  EXPECT_THAT(notesWith("initial.angular_velocity = [5, 0, 0]\n"
+                        "[[nudge]]\nat = 30\nangular_velocity = [0, 0, 1]\n"),
+              ElementsAre(StartsWith("the nudge at 30 s comes after the end")));
+}
+
 }  // namespace
 }  // namespace rotatebook::timeline

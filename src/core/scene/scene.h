@@ -30,6 +30,9 @@ struct ClipSettings {
   /// Time of the poster, the picture that represents the video, >= 0; the middle by default, and
   /// the end of a video that ends before. [s]
   std::optional<double> poster{};
+  /// Simulated time over time of video, > 0, if a scene states it in place of
+  /// SimulationSettings::timePerFrame, which follows from it then: 0.25 shows slow motion.
+  std::optional<double> speed{};
 
   /// Returns the number of frames of the whole clip, >= 1.
   std::int64_t frameCount() const { return frameRate.framesIn(duration); }

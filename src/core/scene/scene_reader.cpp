@@ -47,8 +47,14 @@ Eigen::Vector3d cameraPosition(const Scene& scene) {
 }
 
 void readMotions(const ValueReader& file, Scene& scene) {
-  if (!file.find("simulation", "time_per_frame")) {
-    scene.simulation.timePerFrame = scene.clip.frameRate.period();
+  const auto timePerFrame = file.find("simulation", "time_per_frame");
+  if (timePerFrame && scene.clip.speed) {
+    timePerFrame->fail(
+        "both simulation.time_per_frame and clip.speed say how fast time goes; "
+        "keep one of them");
+  }
+  if (!timePerFrame) {
+    scene.simulation.timePerFrame = scene.clip.frameRate.period() * scene.clip.speed.value_or(1);
   }
   if (const auto panels = file.find("panel")) {
     scene.panels = readPanels(*panels, file, scene.simulation.timePerFrame);

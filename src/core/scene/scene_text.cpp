@@ -25,8 +25,11 @@ std::string sceneText(const Scene& scene) {
   const auto sections = motionSections();
   const bool alone = scene.panels.empty();
   std::string text = linesOf(titleKeys(), scene);
-  text += alone ? textOf(sections.first(2), scene) : "\n[simulation]\n";
-  text += timePerFrameLine(scene.simulation);
+  if (alone) text += textOf(sections.first(2), scene);
+  if (!scene.clip.speed) {
+    if (!alone) text += "\n[simulation]\n";
+    text += timePerFrameLine(scene.simulation);
+  }
   if (alone) text += textOf(sections.subspan(2, 2), scene);  // [initial] and [[nudge]]
   text += textOf(pictureSections(), scene);
   text += alone ? textOf(sections.last(1), scene) : panelsText(scene.panels);

@@ -5,6 +5,7 @@
 #include "document/toml_text.h"
 #include "scene/names.h"
 #include "scene/parse.h"
+#include "scene/scene_text.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -16,6 +17,27 @@ TEST(ClipSection, ReadsEveryKey) {
   EXPECT_EQ(scene.clip.frameRate, (FrameRate{25, 1}));
   EXPECT_EQ(scene.clip.duration, 1.5);
   EXPECT_EQ(scene.clip.frameCount(), 38);
+}
+
+TEST(ClipSection, ReadsTheSpeedOfTheMotion) {
+  EXPECT_EQ(sceneFrom("").simulation.timePerFrame, 1.0 / 60);
+  const Scene slow = sceneFrom("clip.speed = 0.25\nclip.fps = 30");
+  EXPECT_EQ(slow.simulation.timePerFrame, 1.0 / 120);
+  EXPECT_EQ(parseScene(sceneText(slow), "a.toml").simulation.timePerFrame, 1.0 / 120);
+  EXPECT_EQ(errorOf("[clip]\nspeed = 0"),
+            "a.toml:2:9: clip.speed must be a number from 1e-6 to 1e6, not 0");
+  EXPECT_EQ(errorOf("[simulation]\ntime_per_frame = 1\n[clip]\nspeed = 2"),
+            "a.toml:2:18: both simulation.time_per_frame and clip.speed say how fast time goes; "
+            "keep one of them");
+}
+
+TEST(ClipSection, IsOfAllPanels) {
+  const Scene scene = parseScene(
+      "[initial]\nangular_velocity = [0, 0, 6]\n[clip]\nspeed = 0.5\n[[panel]]\nlabel = 'one'\n"
+      "[[panel]]\nlabel = 'two'\n",
+      "a.toml");
+  EXPECT_EQ(scene.panels[1].simulation.timePerFrame, 1.0 / 120);
+  EXPECT_EQ(parseScene(sceneText(scene), "a.toml").panels, scene.panels);
 }
 
 TEST(ClipSection, TakesAnyTimeForThePoster) {

@@ -36,6 +36,7 @@ constexpr NumberRange kPoints{"three numbers from -1e9 to 1e9", -1e9, 1e9, Dimen
 constexpr NumberRange kTimes{"a time in the clip, 0 or more seconds", 0, kPositive.max,
                              Dimension::Time};
 constexpr NumberRange kDurations{kPositive.expected, kPositive.min, kPositive.max, Dimension::Time};
+constexpr NumberRange kSpeeds{"a number from 1e-6 to 1e6", 1e-6, 1e6};
 constexpr NumberRange kAngles{"an angle from 1 to 170 degrees", 1, 170};
 
 // H.264 with 4:2:0 chroma has no odd sizes.
@@ -155,6 +156,10 @@ const Keys<ClipSettings>& clipKeys() {
           {.comment = "s, time of the poster in the video",
            .meaning = "time of the poster, the picture that represents the clip [s]",
            .byDefault = "the clip's middle"}),
+      key("speed", &ClipSettings::speed, number(kSpeeds),
+          {.comment = "of the motion in the video; 0.25 is slow motion",
+           .meaning = "of the motion in the video: 0.25 is slow motion, four times as long",
+           .byDefault = "as `time_per_frame` says"}),
   };
   return keys;
 }

@@ -25,7 +25,7 @@ constexpr std::size_t kMaxLines = 150;
 constexpr std::size_t kMaxColumns = 120;
 
 /// Pages whose tables have long cells, which Markdown can't break.
-const std::set<std::string> kWideTables{"CONTRIBUTING.md", "docs/coverage.md",
+const std::set<std::string> kWideTables{"CONTRIBUTING.md", "docs/coverage.md", "docs/paper.md",
                                         "docs/reliability.md", "docs/scene.md"};
 
 /// The name by which a link reaches a heading: small letters, digits, hyphens for spaces.
@@ -212,7 +212,7 @@ TEST(DocumentationLines, AreShortEnough) {
   for (const std::string& name : documentationPages()) {
     EXPECT_THAT(longLinesIn(readText(kRoot / name), kWideTables.contains(name)), IsEmpty()) << name;
   }
-  EXPECT_LE(linesOf(readText(kRoot / "README.md")).size(), kMaxLines);  // measured 96
+  EXPECT_LE(linesOf(readText(kRoot / "README.md")).size(), kMaxLines);  // measured 98
 }
 
 }  // namespace

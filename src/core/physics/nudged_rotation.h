@@ -6,9 +6,9 @@
 
 #include <Eigen/Core>
 
+#include "physics/nudge.h"
 #include "rigid/exact_rotation.h"
 #include "rigid/inertia.h"
-#include "physics/nudge.h"
 
 namespace rotatebook::physics {
 
@@ -38,7 +38,7 @@ class NudgedRotation {
   struct Piece {
     double start;                   // [s]
     Eigen::Matrix3d worldFromBody;  // at the start
-    rigid::ExactRotation rotation;         // from there on
+    rigid::ExactRotation rotation;  // from there on
     Eigen::Vector3d momentum;       // in world axes [kg m^2/s]
   };
 

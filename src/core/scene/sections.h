@@ -31,8 +31,8 @@ inline constexpr int kMaxSubsteps = 1'000'000;
 inline constexpr std::int64_t kMaxSteps = 10'000'000'000;
 
 /// Returns the sections of a motion, in the order of messages: [body], [simulation], [initial],
-/// [[nudge]] and, last, [expect]. Left to the caller are the default of time_per_frame, which depends on [clip];
-/// its line, as panels share it; and whether there is a spin at all.
+/// [[nudge]] and, last, [expect]. Left to the caller are the default of time_per_frame, which
+/// depends on [clip]; its line, as panels share it; and whether there is a spin at all.
 std::span<const Section<Motion>> motionSections();
 /// Returns the sections about how a scene shows its motions. Left to the caller is the default of
 /// camera.position, which depends on [body] and [clip].

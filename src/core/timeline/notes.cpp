@@ -6,8 +6,8 @@
 
 #include "base/number_text.h"
 #include "physics/motion_start.h"
-#include "timeline/free_pieces.h"
 #include "rigid/exact_rotation.h"
+#include "timeline/free_pieces.h"
 
 namespace rotatebook::timeline {
 namespace {

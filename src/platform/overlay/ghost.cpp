@@ -84,8 +84,7 @@ class Ghost final : public DrawnOverlay {
 };
 
 Ghost::Ghost(const OverlayContext& context)
-    : context_(context),
-      exact_(physics::exactRotation(context.scene.motion())) {}
+    : context_(context), exact_(physics::exactRotation(context.scene.motion())) {}
 
 void Ghost::draw(const View& view) {
   const auto& samples = context_.trajectory.samples;

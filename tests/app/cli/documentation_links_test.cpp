@@ -212,7 +212,7 @@ TEST(DocumentationLines, AreShortEnough) {
   for (const std::string& name : documentationPages()) {
     EXPECT_THAT(longLinesIn(readText(kRoot / name), kWideTables.contains(name)), IsEmpty()) << name;
   }
-  EXPECT_LE(linesOf(readText(kRoot / "README.md")).size(), kMaxLines);  // measured 98
+  EXPECT_LE(linesOf(readText(kRoot / "README.md")).size(), kMaxLines);  // measured 101
 }
 
 }  // namespace

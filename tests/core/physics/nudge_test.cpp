@@ -126,8 +126,7 @@ TEST(Nudge, ChangesTheEnergyThatNormalisingRestores) {
   settings.simulation.stiffness = 5000;
   settings.nudges = {{1, SpinKind::AngularVelocity, {0, 0, 2}, Nudge::Axes::Body}};
   const Trajectory trajectory = simulate(settings, kFrames);
-  const double ratio =
-      trajectory.samples.back().total() / trajectory.samples.front().total();
+  const double ratio = trajectory.samples.back().total() / trajectory.samples.front().total();
   EXPECT_NEAR(ratio, std::pow(7.0 / 5, 2), 0.02);  // measured 0.0054, as the springs give way
 }
 

@@ -15,8 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
 const std::string kLate = "[[nudge]]\nat = '5 s'\nangular_velocity = ['60 deg/s', 0, 0]\n";
-const std::string kEarly =
-    "[[nudge]]\nat = 2.5\nangular_momentum = [0, 0.01, 0]\naxes = 'world'\n";
+const std::string kEarly = "[[nudge]]\nat = 2.5\nangular_momentum = [0, 0.01, 0]\naxes = 'world'\n";
 
 std::vector<Nudge> nudgesFrom(const std::string& text) {
   return sceneFrom(text).nudges;
@@ -29,8 +28,7 @@ TEST(Nudges, AreNoneUnlessStated) {
 TEST(Nudges, AreReadInTheOrderOfTheirTimes) {
   const std::vector<Nudge> nudges = nudgesFrom(kLate + kEarly);
   ASSERT_EQ(nudges.size(), 2U);
-  EXPECT_EQ(nudges[0],
-            (Nudge{2.5, SpinKind::AngularMomentum, {0, 0.01, 0}, Nudge::Axes::World}));
+  EXPECT_EQ(nudges[0], (Nudge{2.5, SpinKind::AngularMomentum, {0, 0.01, 0}, Nudge::Axes::World}));
   EXPECT_EQ(nudges[1].at, 5);
   EXPECT_EQ(nudges[1].kind, SpinKind::AngularVelocity);
   EXPECT_NEAR(nudges[1].value.x(), 1.0471975511965976, 1e-15);
@@ -44,11 +42,11 @@ TEST(Nudges, ArePrintedSoThatTheyAreReadAgain) {
 }
 
 TEST(Nudges, OfThePanelsAreTheScenesOrTheirOwn) {
-  const Scene scene = parseScene(
-      "[initial]\nangular_velocity = [0, 0, 6]\n" + kEarly +
-          "[[panel]]\nlabel = 'one'\n[[panel]]\nlabel = 'two'\n[[panel.nudge]]\nat = 7\n"
-          "angular_velocity = [0, 0, 1]\n",
-      "a.toml");
+  const Scene scene =
+      parseScene("[initial]\nangular_velocity = [0, 0, 6]\n" + kEarly +
+                     "[[panel]]\nlabel = 'one'\n[[panel]]\nlabel = 'two'\n[[panel.nudge]]\nat = 7\n"
+                     "angular_velocity = [0, 0, 1]\n",
+                 "a.toml");
   EXPECT_EQ(scene.panels[0].nudges, nudgesFrom(kEarly));
   ASSERT_EQ(scene.panels[1].nudges.size(), 1U);
   EXPECT_EQ(scene.panels[1].nudges[0].at, 7);

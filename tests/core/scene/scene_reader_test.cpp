@@ -91,7 +91,8 @@ TEST(SceneReader, NamesTheNearestSectionOrKey) {
 TEST(SceneReader, ListsTheValidOnesWhereNoneIsNear) {
   EXPECT_EQ(errorOf("[sound]"),
             "a.toml:1:2: unknown section \"sound\"; valid are \"title\", \"caption\", \"body\", "
-            "\"simulation\", \"initial\", \"nudge\", \"clip\", \"video\", \"camera\", \"book\", \"look\", "
+            "\"simulation\", \"initial\", \"nudge\", \"clip\", \"video\", \"camera\", \"book\", "
+            "\"look\", "
             "\"overlay\", "
             "\"expect\", \"panel\" and \"study\"");
   EXPECT_EQ(errorOf("[body]\ncolour = 3"),
@@ -100,8 +101,9 @@ TEST(SceneReader, ListsTheValidOnesWhereNoneIsNear) {
 }
 
 TEST(SceneReader, NamesTheSectionToWhichAKeyBelongs) {
-  EXPECT_EQ(errorOf("angular_velocity = [1, 0, 0]"),
-            "a.toml:1:1: unknown key \"angular_velocity\"; it belongs under [initial] or [[nudge]]");
+  EXPECT_EQ(
+      errorOf("angular_velocity = [1, 0, 0]"),
+      "a.toml:1:1: unknown key \"angular_velocity\"; it belongs under [initial] or [[nudge]]");
   EXPECT_EQ(errorOf("[body]\ntitle = 'x'"),
             "a.toml:2:1: unknown key \"title\" in [body]; it belongs before the first [section]");
   EXPECT_EQ(errorOf("size = [1, 2, 3]"),

@@ -93,8 +93,9 @@ double Measurement::tiltDeg(const Eigen::Matrix3d& rotation,
 
 // The regime of the exact motion is constant between nudges, which the rounding of one sample could
 // change if the spin is less than 1e-8 off the median axis.
-rigid::Regime Measurement::regime(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& angularVelocity,
-                           rigid::Regime exact) const {
+rigid::Regime Measurement::regime(const Eigen::Matrix3d& rotation,
+                                  const Eigen::Vector3d& angularVelocity,
+                                  rigid::Regime exact) const {
   if (isExact_) return exact;
   const Eigen::Matrix3d principalFromWorld = (rotation * inertia_.bodyFromPrincipal).transpose();
   return rigid::regimeOf(inertia_.moments, principalFromWorld * angularVelocity);

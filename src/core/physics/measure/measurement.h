@@ -62,7 +62,7 @@ class Measurement {
   Eigen::Quaterniond continuedAttitude(const Eigen::Matrix3d& rotation);
   double tiltDeg(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& momentum) const;
   rigid::Regime regime(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& angularVelocity,
-                rigid::Regime exact) const;
+                       rigid::Regime exact) const;
 
   Cuboid body_;
   rigid::PrincipalAxes inertia_;

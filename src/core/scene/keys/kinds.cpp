@@ -75,7 +75,8 @@ Kind<Eigen::Vector3d> vector(const NumberRange& range) {
 }
 
 Kind<Eigen::Vector3d> direction() {
-  return {[](const ValueReader& value) { return directionFrom(value); }, vectorText, std::string(kDirections.expected)};
+  return {[](const ValueReader& value) { return directionFrom(value); }, vectorText,
+          std::string(kDirections.expected)};
 }
 
 std::string vectorText(const Eigen::Vector3d& vector) {

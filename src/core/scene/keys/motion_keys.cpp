@@ -1,4 +1,5 @@
-// The keys of [body], [simulation], [initial], [[nudge]] and [expect]: what moves, and what it must show.
+// The keys of [body], [simulation], [initial], [[nudge]] and [expect]: what moves, and what it must
+// show.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -104,17 +105,16 @@ template <typename S>
 Key<S> spinKey(physics::SpinKind kind, const std::string& unit, KeyText documentation) {
   documentation.allowed = direction().allowed;
   documentation.comment = unit;
-  return {
-      nameOf(kSpinKinds, kind),
-      [kind](const ValueReader& value, S& spin) {
-        spin.kind = kind;
-        NumberRange range = kDirections;
-        if (kind == physics::SpinKind::AngularVelocity)
-          range.dimension = Dimension::AngularVelocity;
-        spin.value = directionFrom(value, range);
-      },
-      [kind](const S& spin) { return spin.kind == kind ? vectorText(spin.value) : ""; },
-      std::move(documentation)};
+  return {nameOf(kSpinKinds, kind),
+          [kind](const ValueReader& value, S& spin) {
+            spin.kind = kind;
+            NumberRange range = kDirections;
+            if (kind == physics::SpinKind::AngularVelocity)
+              range.dimension = Dimension::AngularVelocity;
+            spin.value = directionFrom(value, range);
+          },
+          [kind](const S& spin) { return spin.kind == kind ? vectorText(spin.value) : ""; },
+          std::move(documentation)};
 }
 
 physics::Tilt tiltFrom(const ValueReader& value) {
@@ -249,10 +249,12 @@ const Keys<SimulationSettings>& simulationKeys() {
 
 const Keys<InitialSpin>& initialKeys() {
   static const Keys<InitialSpin> keys{
-      spinKey<InitialSpin>(physics::SpinKind::AngularVelocity, "rad/s",
-              {.meaning = "[rad/s]", .byDefault = "required, unless the next is given"}),
-      spinKey<InitialSpin>(physics::SpinKind::AngularMomentum, "kg m^2/s",
-              {.meaning = "[kg m²/s]", .byDefault = "required, unless the one before is given"}),
+      spinKey<InitialSpin>(
+          physics::SpinKind::AngularVelocity, "rad/s",
+          {.meaning = "[rad/s]", .byDefault = "required, unless the next is given"}),
+      spinKey<InitialSpin>(
+          physics::SpinKind::AngularMomentum, "kg m^2/s",
+          {.meaning = "[kg m²/s]", .byDefault = "required, unless the one before is given"}),
       key("tilt", &InitialSpin::tilt, Kind<physics::Tilt>{tiltFrom, tiltText, kExpectedTilt},
           {.comment = "rad, and the axis toward which the spin is turned",
            .meaning = "turns the vector given above toward the axis [rad]",
@@ -267,14 +269,12 @@ const Keys<physics::Nudge>& nudgeKeys() {
           {.comment = "s, of simulated time",
            .meaning = "when, of simulated time [s]",
            .byDefault = "required"}),
-      spinKey<physics::Nudge>(
-          physics::SpinKind::AngularVelocity, "rad/s",
-          {.meaning = "what is added to the spin [rad/s]",
-           .byDefault = "required, unless the next is given"}),
-      spinKey<physics::Nudge>(
-          physics::SpinKind::AngularMomentum, "kg m^2/s",
-          {.meaning = "what is added to it [kg m²/s]",
-           .byDefault = "required, unless the one before is given"}),
+      spinKey<physics::Nudge>(physics::SpinKind::AngularVelocity, "rad/s",
+                              {.meaning = "what is added to the spin [rad/s]",
+                               .byDefault = "required, unless the next is given"}),
+      spinKey<physics::Nudge>(physics::SpinKind::AngularMomentum, "kg m^2/s",
+                              {.meaning = "what is added to it [kg m²/s]",
+                               .byDefault = "required, unless the one before is given"}),
       key("axes", &physics::Nudge::axes, oneOf(kNudgeAxes),
           {.meaning = "the axes that it is along, at that moment"}),
   };

@@ -13,7 +13,7 @@
 
 #include "base/checksum.h"
 #include "base/error.h"
-#include "image/png_file.h"
+#include "image/picture_file.h"
 #include "scene/source_locations.h"
 
 namespace rotatebook::picture {
@@ -58,14 +58,14 @@ struct LoadedSide {
 
 std::string read(const scene::Scene& scene, const Side& side) {
   return scene::atLocationOf(
-      scene, side.key, [&] { return image::readPngFile(fileOf(scene, scene.book.*side.file)); });
+      scene, side.key, [&] { return image::readPictureFile(fileOf(scene, scene.book.*side.file)); });
 }
 
 image::Image decode(const scene::Scene& scene, const Side& side, const std::string& bytes) {
   return scene::atLocationOf(scene, side.key, [&] {
     const auto* first = reinterpret_cast<const std::uint8_t*>(bytes.data());
     const fs::path file = scene.folder / (scene.book.*side.file);
-    return image::decodePng({first, bytes.size()}, file.string());
+    return image::decodePicture({first, bytes.size()}, file.string());
   });
 }
 

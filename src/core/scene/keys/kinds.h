@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "base/nearest_name.h"
+#include "base/rgb.h"
 #include "base/text.h"
 #include "scene/keys/key.h"
 #include "scene/names.h"
@@ -28,6 +29,8 @@ double angleFrom(const ValueReader& value, const NumberRange& range);
 Kind<Eigen::Vector3d> vector(const NumberRange& range);
 /// Vectors that aren't zero.
 Kind<Eigen::Vector3d> direction();
+
+Kind<Rgb> colour();
 
 /// Returns "[1.0, 2.0, 3.0]".
 std::string vectorText(const Eigen::Vector3d& vector);

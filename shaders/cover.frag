@@ -11,6 +11,7 @@ flat in float surfaceId;
 
 uniform sampler2D albedo;
 uniform vec3 eye;  // World. [m]
+uniform int plainCloth;  // 1 for cloth in which no gold is stamped, else 0.
 
 out vec4 colour;  // Alpha: surfaceId / 255.
 
@@ -110,7 +111,7 @@ float widenedRoughness(float roughness, vec3 normal) {
 
 void main() {
   vec3 base = texture(albedo, texCoord).rgb;
-  float gold = goldness(base);
+  float gold = float(1 - plainCloth) * goldness(base);
   vec3 toEye = normalize(eye - worldPosition);
   vec3 normal = bumpedNormal(normalize(worldNormal), -kStampDepth * gold);
   // An interpolated normal may point away from the eye where the side hardly does.

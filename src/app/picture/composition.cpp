@@ -70,9 +70,14 @@ render::Screen screenOf(const PanelGrid& grid,
 image::Image backgroundOf(const scene::Scene& scene) {
   image::Image background(scene.clip.width, scene.clip.height, image::PixelFormat::Rgba8);
   if (scene::isTransparent(scene)) return background;
+  std::array<std::uint8_t, 4> colour = kBackgroundColour;
+  if (scene.look.background == scene::Background::Plain) {
+    const auto& [red, green, blue] = scene.look.plainColour;
+    colour = {red, green, blue, 255};
+  }
   for (int y = 0; y < background.height(); ++y) {
     for (int x = 0; x < background.width(); ++x) {
-      std::ranges::copy(kBackgroundColour, background.row(y) + static_cast<std::ptrdiff_t>(x) * 4);
+      std::ranges::copy(colour, background.row(y) + static_cast<std::ptrdiff_t>(x) * 4);
     }
   }
   return background;

@@ -13,7 +13,7 @@
 
 #include "base/checksum.h"
 #include "base/error.h"
-#include "image/png_file.h"
+#include "image/picture_file.h"
 #include "scene/source_locations.h"
 
 namespace rotatebook::picture {
@@ -57,20 +57,26 @@ struct LoadedSide {
 };
 
 std::string read(const scene::Scene& scene, const Side& side) {
-  return scene::atLocationOf(
-      scene, side.key, [&] { return image::readPngFile(fileOf(scene, scene.book.*side.file)); });
+  return scene::atLocationOf(scene, side.key, [&] {
+    return image::readPictureFile(fileOf(scene, scene.book.*side.file));
+  });
 }
 
 image::Image decode(const scene::Scene& scene, const Side& side, const std::string& bytes) {
   return scene::atLocationOf(scene, side.key, [&] {
     const auto* first = reinterpret_cast<const std::uint8_t*>(bytes.data());
     const fs::path file = scene.folder / (scene.book.*side.file);
-    return image::decodePng({first, bytes.size()}, file.string());
+    return image::decodePicture({first, bytes.size()}, file.string());
   });
 }
 
+/// Returns the picture of a side that the scene names no file for.
+image::Image builtinPicture(const scene::Scene& scene, const Side& side) {
+  return scene.book.colour ? render::plainCloth(*scene.book.colour) : side.builtin();
+}
+
 LoadedSide load(const scene::Scene& scene, const Side& side, const TextureFiles& files) {
-  if (isBuiltin(scene, side)) return {side.builtin(), kBuiltinTexture};
+  if (isBuiltin(scene, side)) return {builtinPicture(scene, side), kBuiltinTexture};
   const auto known = files.find(std::string(side.key));
   const std::string bytes = known == files.end() ? read(scene, side) : known->second;
   return {decode(scene, side, bytes), checksumOf(bytes)};
@@ -92,6 +98,8 @@ render::Background backgroundOf(scene::Background background) {
       return render::Background::Stars;
     case scene::Background::Transparent:
       return render::Background::Transparent;
+    case scene::Background::Plain:
+      return render::Background::Plain;
     case scene::Background::Studio:
       break;
   }
@@ -145,6 +153,7 @@ render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& s
   settings.bottomRows = screen.bottomRows;
   settings.supersample = scene.look.supersample;
   settings.background = backgroundOf(scene.look.background);
+  settings.plainColour = scene.look.plainColour;
   settings.camera = cameraOf(scene, screen);
   settings.device = device;
   return {settings, textures};

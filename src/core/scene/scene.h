@@ -13,6 +13,7 @@
 
 #include "base/frame_rate.h"
 #include "base/layout.h"
+#include "base/rgb.h"
 #include "physics/motion_settings.h"
 #include "scene/expectation.h"
 #include "scene/overlays.h"
@@ -63,11 +64,13 @@ struct CameraSettings {
   friend bool operator==(const CameraSettings&, const CameraSettings&) = default;
 };
 
-/// [book]: texture files, relative to the scene's folder, or kBuiltin.
+/// [book]: texture files, relative to the scene's folder, or kBuiltin; and the cloth's colour.
 struct BookSettings {
   std::string front = "builtin";
   std::string spine = "builtin";
   std::string back = "builtin";
+  /// Of plain cloth on the sides that are kBuiltin; without it they have the built-in textures.
+  std::optional<Rgb> colour{};
 
   friend bool operator==(const BookSettings&, const BookSettings&) = default;
 };
@@ -77,6 +80,7 @@ enum class Background {
   Studio,       ///< A quiet, dark wall.
   Stars,        ///< A night sky.
   Transparent,  ///< None, in pictures with an alpha channel.
+  Plain,        ///< LookSettings::plainColour throughout.
 };
 
 /// [look]: the background, and the quality of drawing.
@@ -86,6 +90,7 @@ struct LookSettings {
   /// Number of moments averaged in a picture, a power of two up to 16; they lie in the half frame
   /// after each sample, as for a shutter that is open half of the time. 1 gives a sharp picture.
   int motionBlur = 1;
+  Rgb plainColour{};  ///< For Background::Plain.
 
   friend bool operator==(const LookSettings&, const LookSettings&) = default;
 };

@@ -39,14 +39,10 @@ class PngWriter {
 /// bytes. A header that claims more than its file can hold is refused before memory is allocated.
 Image readPng(const std::filesystem::path& path);
 
-/// Returns the bytes of a PNG file, not decoded. Throws InputError if it doesn't exist or has more
-/// than kLargestFile bytes.
-std::string readPngFile(const std::filesystem::path& path);
-
 /// Like readPng(), from memory; `name` is for messages.
 Image decodePng(std::span<const std::uint8_t> bytes, const std::string& name);
 
-/// Longest file that readPng() accepts: the largest picture, uncompressed. [bytes]
+/// Longest file of a picture that is read: the largest picture, uncompressed. [bytes]
 inline constexpr std::uintmax_t kLargestFile = 5 * kMaxPicturePixels;
 
 }  // namespace rotatebook::image

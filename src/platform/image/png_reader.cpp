@@ -3,11 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "base/error.h"
-#include "base/text.h"
+#include "image/picture_decoders.h"
+#include "image/picture_file.h"
 #include "image/png_file.h"
 #include "image/png_guard.h"
-#include "system/read_file.h"
 
 namespace rotatebook::image {
 namespace {
@@ -91,26 +90,6 @@ class PngDecoder {
   png_infop info_ = nullptr;
 };
 
-[[noreturn]] void refuse(const std::string& name, const std::string& why) {
-  throw InputError("can't read " + name + ": " + why);
-}
-
-// Called before anything is allocated: a header of 33 bytes can claim gigabytes.
-void checkSize(const PngHeader& header, std::size_t fileSize, const std::string& name) {
-  const std::string size = sizeText(header.width, header.height);
-  if (header.width > kMaxPictureSide || header.height > kMaxPictureSide) {
-    refuse(name, size + " pixels; the limit is " + std::to_string(kMaxPictureSide) + " a side");
-  }
-  if (header.rowBytes * header.height / kDeflateLargestRatio > fileSize) {
-    refuse(name, "corrupt PNG: " + std::to_string(fileSize) + " bytes can't hold the " + size +
-                     " pixels that its header claims");
-  }
-  // Few bytes can still unpack to gigabytes.
-  if (std::int64_t{header.width} * header.height > kMaxPicturePixels) {
-    refuse(name, size + " pixels; the limit is " + std::to_string(kMaxPicturePixels) + " in all");
-  }
-}
-
 std::vector<png_bytep> rowPointers(Image& image) {
   std::vector<png_bytep> rows;
   rows.reserve(static_cast<std::size_t>(image.height()));
@@ -124,30 +103,26 @@ Image decodePng(std::span<const std::uint8_t> bytes, const std::string& name) {
   if (bytes.size() < kSignatureSize || png_sig_cmp(bytes.data(), 0, kSignatureSize) != 0) {
     const bool isJpeg =
         bytes.size() >= 3 && bytes[0] == 0xff && bytes[1] == 0xd8 && bytes[2] == 0xff;
-    refuse(name, std::string(isJpeg ? "a JPEG" : "not a PNG") +
-                     "; convert it to PNG, e.g. with ImageMagick's convert");
+    refusePicture(name, std::string(isJpeg ? "a JPEG" : "not a PNG") +
+                            "; convert it to PNG, e.g. with ImageMagick's convert");
   }
   PngDecoder decoder(bytes);
   PngHeader header;
-  if (!decoder.readHeader(header)) refuse(name, "corrupt PNG: " + std::string(decoder.message()));
-  checkSize(header, bytes.size(), name);
+  if (!decoder.readHeader(header))
+    refusePicture(name, "corrupt PNG: " + std::string(decoder.message()));
+  const std::uint64_t least = header.rowBytes * header.height / kDeflateLargestRatio;
+  requirePossible({header.width, header.height, least}, bytes.size(), "PNG", name);
   Image image(static_cast<int>(header.width), static_cast<int>(header.height),
               header.hasAlpha ? PixelFormat::Rgba8 : PixelFormat::Rgb8);
   std::vector<png_bytep> rows = rowPointers(image);
   if (!decoder.readPixels(rows.data())) {
-    refuse(name, "corrupt PNG: " + std::string(decoder.message()));
+    refusePicture(name, "corrupt PNG: " + std::string(decoder.message()));
   }
   return image;
 }
 
-std::string readPngFile(const std::filesystem::path& path) try {
-  return system::readFile(path, kLargestFile);
-} catch (const InputError& error) {
-  refuse(path.string(), error.what());
-}
-
 Image readPng(const std::filesystem::path& path) {
-  const std::string bytes = readPngFile(path);
+  const std::string bytes = readPictureFile(path);
   return decodePng({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()},
                    path.string());
 }

@@ -37,9 +37,10 @@ Box hullOf(std::span<const Point> points) {
 }  // namespace
 
 struct Canvas::Parts {
-  Parts(int w, int h)
+  Parts(int w, int h, const Ink& colours)
       : width(w),
         height(h),
+        ink(colours),
         pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 4),
         surface(
             cairo_image_surface_create_for_data(pixels.data(), CAIRO_FORMAT_ARGB32, w, h, w * 4)),
@@ -96,22 +97,23 @@ struct Canvas::Parts {
   void stroke(const Box& hull, const Pen& pen) {
     touch(hull.grown(pen.width / 2 + pen.halo));
     if (pen.halo > 0) {
-      setColour(cairo.get(), kDark, kHaloOpacity * pen.opacity);
+      setColour(cairo.get(), ink(kDark), kHaloOpacity * pen.opacity);
       cairo_set_line_width(cairo.get(), pen.width + 2 * pen.halo);
       cairo_stroke_preserve(cairo.get());
     }
-    setColour(cairo.get(), pen.colour, pen.opacity);
+    setColour(cairo.get(), ink(pen.colour), pen.opacity);
     cairo_set_line_width(cairo.get(), pen.width);
     cairo_stroke(cairo.get());
   }
 
   void fill(const Box& hull, const Fill& fill) {
     touch(hull);
-    setColour(cairo.get(), fill.colour, fill.opacity);
+    setColour(cairo.get(), ink(fill.colour), fill.opacity);
     cairo_fill(cairo.get());
   }
 
   int width, height;
+  Ink ink;
   std::vector<std::uint8_t> pixels;
   Surface surface;
   Cairo cairo;
@@ -119,7 +121,8 @@ struct Canvas::Parts {
   std::vector<Box> texts;
 };
 
-Canvas::Canvas(int width, int height) : parts_(std::make_unique<Parts>(width, height)) {}
+Canvas::Canvas(int width, int height, const Ink& ink)
+    : parts_(std::make_unique<Parts>(width, height, ink)) {}
 Canvas::~Canvas() = default;
 
 void Canvas::line(std::span<const Point> points, const Pen& pen) {

@@ -7,6 +7,7 @@
 
 #include "image/image.h"
 #include "overlay/box.h"
+#include "overlay/ink.h"
 #include "overlay/layer.h"
 #include "overlay/text.h"
 
@@ -30,8 +31,9 @@ struct Fill {
 /// something was drawn. Use it on one thread.
 class Canvas {
  public:
-  /// Takes the picture's width and height, > 0. [pixels]
-  Canvas(int width, int height);
+  /// Takes the picture's width and height, > 0 [pixels], and what turns the colours of lines and
+  /// areas into those that are drawn.
+  Canvas(int width, int height, const Ink& ink = {});
   ~Canvas();
 
   /// Strokes a line through two points or more, with round caps and joins. Points far outside the

@@ -160,16 +160,18 @@ struct CaptionAndClock::Parts {
     return lines;
   }
 
-  /// Adds a dark background for text from row `first` on.
+  /// Leaves room for text from row `first` on, and adds a dark background unless the picture's has
+  /// a colour to keep.
   void addShade(int first) {
     const int top = std::max(0, first - margin / 2);
     bottomRows = std::min(scale.height - top, scale.height / 2);
+    if (scene.look.background == scene::Background::Plain) return;
     const int shadeTop = std::max(0, top - margin);
     background = shade(scale.width, scale.height - shadeTop, shadeTop);
   }
 
   void addLines(const std::vector<Line>& lines) {
-    Canvas canvas(scale.width, scale.height);
+    Canvas canvas(scale.width, scale.height, Ink(scene));
     for (const Line& line : lines) canvas.write(line.text, {1.0 * margin, 1.0 * line.top});
     caption = canvas.take();
   }

@@ -27,6 +27,9 @@ struct OverlayContext {
   const Typesetter& type;
   Scale scale;
   double energyTop = 0;  ///< See Viewport::energyTop.
+
+  /// Returns an empty canvas of the picture's size.
+  Canvas canvas() const { return Canvas(scale.width, scale.height, Ink(scene)); }
 };
 
 /// A picture that overlays are drawn on.

@@ -40,7 +40,7 @@ struct MotionOverlays::Parts {
         type(Typesetter::of(asked)),
         scale(viewport.width, viewport.height),
         energyTop(viewport.energyTop),
-        canvas(viewport.width, viewport.height) {
+        canvas(viewport.width, viewport.height, Ink(asked)) {
     scale.letters = std::max(scale.letters, viewport.letters);
     scale.smallLetters = std::max(scale.smallLetters, kSmall * viewport.letters);
     if (scene.textless) scale.line *= kBold;

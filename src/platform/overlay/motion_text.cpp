@@ -46,7 +46,7 @@ CachedLayer labelLayer(const OverlayContext& context, const std::string& label,
                         .bold = true,
                         .colour = kWhite,
                         .halo = context.scale.halo};
-  Canvas canvas(context.scale.width, context.scale.height);
+  Canvas canvas = context.canvas();
   const Layer layer = context.type.draw(label, style, static_cast<int>(width));
   const double max = std::max(kTallestLabel * context.scale.height, kMinLines * style.size);
   if (layer.height > max && context.scene.clip.height >= kSmallPicture) {
@@ -126,7 +126,7 @@ std::optional<CachedLayer> divergenceNotice(const OverlayContext& context, doubl
       movedBelow({left - padding, scale.margin, text.width + 2 * padding, text.height + padding},
                  taken, 0.3 * padding);
   if (box.bottom() > scale.height) return std::nullopt;
-  Canvas canvas(scale.width, scale.height);
+  Canvas canvas = context.canvas();
   canvas.roundedBox(box, 0.5 * style.size, {kDark, 0.82});
   canvas.write(text, {box.x + padding, std::round(box.y + padding / 2)});
   return canvas.take();

@@ -168,7 +168,7 @@ class PolhodeInset final : public DrawnOverlay {
 
   CachedLayer background(const Box& box) const {
     const Scale& scale = context_.scale;
-    Canvas canvas(scale.width, scale.height);
+    Canvas canvas = context_.canvas();
     canvas.roundedBox(box, 0.5 * scale.smallLetters, {kDark, 0.62});
     drawSolids(canvas);
     drawPolhodes(canvas);

@@ -65,7 +65,7 @@ std::size_t stepOf(double strain, double range) {
 CachedLayer legendOf(const OverlayContext& context, const Box& box, double range) {
   if (context.scene.textless) return {};
   const Scale& scale = context.scale;
-  Canvas canvas(scale.width, scale.height);
+  Canvas canvas = context.canvas();
   const double barHeight = 0.7 * scale.smallLetters, step = box.width / kColours;
   canvas.roundedBox(box.grown(0.4 * scale.smallLetters), 0.4 * scale.smallLetters, {kDark, 0.55});
   for (std::size_t i = 0; i < kColours; ++i) {

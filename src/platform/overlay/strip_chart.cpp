@@ -146,7 +146,7 @@ class StripChart final : public DrawnOverlay {
 
   CachedLayer background() const {
     const Scale& scale = context_.scale;
-    Canvas canvas(scale.width, scale.height);
+    Canvas canvas = context_.canvas();
     canvas.roundedBox(box_, 0.5 * scale.smallLetters, {kDark, 0.7});
     ChartWriter writer(context_, canvas, box_);
     const double padding = paddingOf(scale), gap = 0.7 * scale.smallLetters;
@@ -170,7 +170,7 @@ class StripChart final : public DrawnOverlay {
   }
 
   CachedLayer curves() const {
-    Canvas canvas(context_.scale.width, context_.scale.height);
+    Canvas canvas = context_.canvas();
     for (const Series& one : content_.series) {
       std::vector<Point> points;
       for (std::size_t i = 0; i < one.values.size(); ++i) {

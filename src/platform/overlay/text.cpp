@@ -138,16 +138,17 @@ std::string unknownLetter(PangoLayout* layout) {
   return text;
 }
 
-void paint(cairo_t* cairo, PangoLayout* layout, const TextStyle& style) {
+void paint(cairo_t* cairo, PangoLayout* layout, const TextStyle& style, const Ink& ink) {
   if (style.halo > 0) {
     pango_cairo_layout_path(cairo, layout);
-    cairo_set_source_rgba(cairo, kDark.red, kDark.green, kDark.blue, kHaloOpacity * style.opacity);
+    const Colour edge = ink(kDark);
+    cairo_set_source_rgba(cairo, edge.red, edge.green, edge.blue, kHaloOpacity * style.opacity);
     cairo_set_line_width(cairo, 2 * style.halo);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_stroke(cairo);
     cairo_move_to(cairo, 0, 0);
   }
-  const Colour& colour = style.colour;
+  const Colour colour = ink(style.colour);
   cairo_set_source_rgba(cairo, colour.red, colour.green, colour.blue, style.opacity);
   pango_cairo_show_layout(cairo, layout);
 }
@@ -193,10 +194,14 @@ Typesetter::Typesetter(const std::string& family)
 
 Typesetter Typesetter::of(const scene::Scene& scene) {
   const std::string& font = scene.overlay.font;
-  if (font == scene::kBuiltin) return {};
-  return scene::atLocationOf(scene, "overlay.font", [&] { return Typesetter(font); });
+  Typesetter type = font == scene::kBuiltin ? Typesetter()
+                                            : scene::atLocationOf(scene, "overlay.font",
+                                                                  [&] { return Typesetter(font); });
+  type.ink_ = Ink(scene);
+  return type;
 }
 
+Typesetter::Typesetter(Typesetter&&) noexcept = default;
 Typesetter::~Typesetter() = default;
 
 TextSize Typesetter::measure(const std::string& text, const TextStyle& style, int width) const {
@@ -219,7 +224,7 @@ Layer Typesetter::draw(const std::string& text, const TextStyle& style, int widt
       layer.pixels.data(), CAIRO_FORMAT_ARGB32, layer.width, layer.height, layer.width * 4));
   const Cairo cairo(cairo_create(surface.get()));
   cairo_translate(cairo.get(), margin, margin);
-  paint(cairo.get(), layout.get(), style);
+  paint(cairo.get(), layout.get(), style, ink_);
   cairo_surface_flush(surface.get());
   return layer;
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "overlay/colour.h"
+#include "overlay/ink.h"
 #include "overlay/layer.h"
 #include "scene/scene.h"
 
@@ -38,9 +39,11 @@ class Typesetter {
   Typesetter();
   /// Takes an installed font family. Throws InputError if there is none of that name.
   explicit Typesetter(const std::string& family);
-  /// Takes the font that a scene's overlay.font names: a family, or scene::kBuiltin. Throws
-  /// InputError with the line of the scene if there is no such family.
+  /// Takes the font that a scene's overlay.font names, a family or scene::kBuiltin, and turns
+  /// colours into those for its background. Throws InputError with the line of the scene if there
+  /// is no such family.
   static Typesetter of(const scene::Scene& scene);
+  Typesetter(Typesetter&&) noexcept;
   ~Typesetter();
 
   /// Returns the size of UTF-8 `text`, wrapped at word boundaries to lines of at most `width`
@@ -56,6 +59,7 @@ class Typesetter {
   const Parts& parts() const;
 
   mutable std::unique_ptr<Parts> parts_;
+  Ink ink_;
 };
 
 }  // namespace rotatebook::overlay

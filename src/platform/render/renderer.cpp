@@ -1,5 +1,9 @@
 #include "render/renderer.h"
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
@@ -31,6 +35,17 @@ DrawnBody closeBook(int width, int height) {
   return body;
 }
 
+/// Fills an opaque picture.
+void paint(const Rgb& colour, image::Image& picture) {
+  const std::array<std::uint8_t, 4> pixel{colour.red, colour.green, colour.blue, 255};
+  const auto size = static_cast<std::ptrdiff_t>(image::bytesPerPixel(picture.format()));
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      std::copy_n(pixel.begin(), size, picture.row(y) + size * x);
+    }
+  }
+}
+
 }  // namespace
 
 image::Image builtinFront() {
@@ -41,6 +56,12 @@ image::Image builtinSpine() {
 }
 image::Image builtinBack() {
   return image::decodePng(backPng(), "built-in back cover");
+}
+
+image::Image plainCloth(const Rgb& colour) {
+  image::Image pixel(1, 1, image::PixelFormat::Rgb8);
+  paint(colour, pixel);
+  return pixel;
 }
 
 struct Renderer::Parts {
@@ -84,7 +105,11 @@ struct Renderer::Parts {
 
   image::Image background() const {
     image::Image picture(width, height, image::PixelFormat::Rgba8);
-    if (settings.background != Background::Transparent) drawBackground(picture);
+    if (settings.background == Background::Plain) {
+      paint(settings.plainColour, picture);
+    } else if (settings.background != Background::Transparent) {
+      drawBackground(picture);
+    }
     return picture;
   }
 
@@ -115,10 +140,10 @@ struct Renderer::Parts {
     geometry.bind();
     use(coverProgram, drawn);
     coverProgram.set("eye", Eigen::Vector3f(settings.camera.position.cast<float>()));
-    drawPart(BookPart::Front, front);
-    drawPart(BookPart::Spine, spine);
-    drawPart(BookPart::Back, back);
-    if (drawn.winding == 0) drawPart(BookPart::Lining, front);
+    drawCover(BookPart::Front, front);
+    drawCover(BookPart::Spine, spine);
+    drawCover(BookPart::Back, back);
+    if (drawn.winding == 0) drawCover(BookPart::Lining, front);
     use(paperProgram, drawn);
     drawPart(BookPart::Pages, paper);
   }
@@ -131,9 +156,9 @@ struct Renderer::Parts {
     geometry.bindStrips();
     drawStripsOf(BookPart::Pages, paper, drawn);
     coverProgram.use();
-    drawStripsOf(BookPart::Front, front, drawn);
-    drawStripsOf(BookPart::Spine, spine, drawn);
-    drawStripsOf(BookPart::Back, back, drawn);
+    drawCoverStrips(BookPart::Front, front, drawn);
+    drawCoverStrips(BookPart::Spine, spine, drawn);
+    drawCoverStrips(BookPart::Back, back, drawn);
     stripTarget.readBack({&all, 1}, colours);
   }
 
@@ -142,10 +167,20 @@ struct Renderer::Parts {
     geometry.drawStrips(part, drawn.strips.onScreen);
   }
 
+  void drawCoverStrips(BookPart part, const Texture& texture, const DrawnBody& drawn) const {
+    coverProgram.set("plainCloth", texture.isPlain() ? 1 : 0);
+    drawStripsOf(part, texture, drawn);
+  }
+
   void use(const ShaderProgram& program, const DrawnBody& drawn) const {
     program.use();
     program.set("cage", Eigen::Matrix<float, 3, 8>(drawn.cage.cast<float>()));
     program.set("clipFromWorld", Eigen::Matrix4f(drawn.clipFromWorld.cast<float>()));
+  }
+
+  void drawCover(BookPart part, const Texture& texture) const {
+    coverProgram.set("plainCloth", texture.isPlain() ? 1 : 0);
+    drawPart(part, texture);
   }
 
   void drawPart(BookPart part, const Texture& texture) const {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "base/rgb.h"
 #include "image/image.h"
 #include "physics/cuboid.h"
 #include "render/camera.h"
@@ -18,6 +19,7 @@ enum class Background {
   Studio,       ///< A quiet, dark wall, brightest behind the book.
   Stars,        ///< A night sky.
   Transparent,  ///< Nothing: alpha is the pixel coverage of the book.
+  Plain,        ///< RenderSettings::plainColour throughout.
 };
 
 /// Settings of a Renderer.
@@ -28,13 +30,15 @@ struct RenderSettings {
   /// mean of its pixels in linear light.
   int supersample = 1;
   Background background = Background::Studio;
+  Rgb plainColour{};  ///< For Background::Plain.
   /// Rows at the bottom that the camera's view leaves free. 0 to below `height`. [pixels]
   int bottomRows = 0;
   Camera camera;
   DeviceChoice device{};
 };
 
-/// The pictures on the book's cover, each upright to a viewer of its side.
+/// The pictures on the book's cover, each upright to a viewer of its side. One of a single pixel is
+/// plain cloth, in which no gold is stamped, whatever its colour.
 struct BookTextures {
   image::Image front, spine, back;
 };
@@ -43,6 +47,8 @@ struct BookTextures {
 image::Image builtinFront();
 image::Image builtinSpine();
 image::Image builtinBack();
+/// Returns the picture of a side of plain cloth.
+image::Image plainCloth(const Rgb& colour);
 
 /// Owns an OpenGL context. Create, use and destroy it on one thread, one at a time in a process. A
 /// picture depends on nothing but the settings, the textures and the cage.

@@ -18,10 +18,20 @@ TEST(LookSection, ReadsEveryKey) {
   EXPECT_EQ(scene.look.motionBlur, 4);
 }
 
+TEST(LookSection, MayHaveABackgroundOfOneColour) {
+  const LookSettings white = sceneFrom("look.background = 'white'").look;
+  EXPECT_EQ(white.background, Background::Plain);
+  EXPECT_EQ(white.plainColour, (Rgb{255, 255, 255}));
+  EXPECT_EQ(sceneFrom("look.background = '#0102ff'").look.plainColour, (Rgb{1, 2, 255}));
+  EXPECT_EQ(sceneFrom("look.background = 'white'", {"look.background=stars"}).look.background,
+            Background::Stars);
+}
+
 TEST(LookSection, RefusesWhatThereIsNot) {
-  EXPECT_EQ(errorOf("[look]\nbackground = 'star'"),
-            "a.toml:2:14: look.background must be \"studio\", \"stars\" or \"transparent\", not "
-            "\"star\"; did you mean \"stars\"?");
+  EXPECT_EQ(
+      errorOf("[look]\nbackground = 'star'"),
+      "a.toml:2:14: look.background must be \"studio\", \"stars\", \"transparent\", \"white\", "
+      "\"black\" or a colour such as \"#2b5d8a\", not \"star\"; did you mean \"stars\"?");
   EXPECT_EQ(errorOf("[look]\nsupersample = 3"),
             "a.toml:2:15: look.supersample must be an integer from 1 to 2, not 3");
   EXPECT_EQ(errorOf("[look]\nmotion_blur = 6"),

@@ -208,6 +208,17 @@ TEST(BookSection, ReadsEveryTexture) {
   EXPECT_EQ(scene.book.back, kBuiltin);
 }
 
+TEST(BookSection, MayHaveAColour) {
+  EXPECT_FALSE(sceneFrom("").book.colour);
+  EXPECT_EQ(sceneFrom("book.color = '#2b5d8a'").book.colour, (Rgb{0x2b, 0x5d, 0x8a}));
+  EXPECT_EQ(errorOf("book.color = 'blue'"),
+            "a.toml:1:14: book.color must be \"white\", \"black\" or a colour such as \"#2b5d8a\", "
+            "not \"blue\"");
+  EXPECT_EQ(errorOf("book.color = 0x2b5d8a"),
+            "a.toml:1:14: book.color must be \"white\", \"black\" or a colour such as \"#2b5d8a\", "
+            "not 2841994");
+}
+
 TEST(BookSection, RefusesPathsThatOnlyOneMachineHas) {
   const std::string must = " must be \"builtin\" or a path relative to the scene's folder, not ";
   EXPECT_EQ(errorOf("[book]\nfront = '/tmp/a.png'"),

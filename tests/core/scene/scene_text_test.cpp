@@ -32,8 +32,8 @@ Scene unusualScene() {
   scene.clip = {640, 362, {30000, 1001}, 2.0 / 3, 0.2};
   scene.video = {7, "slow", 3};
   scene.camera = {{1.0 / 7, -2, 3}, {0.25, 0, 0}, {0, 0, 1}, 44.4, ReferenceFrame::Body};
-  scene.book = {"f \"1\".png", "s.png", "../b.png"};
-  scene.look = {Background::Stars, 2, 8};
+  scene.book = {"f \"1\".png", "s.png", "../b.png", Rgb{1, 0xab, 255}};
+  scene.look = {Background::Plain, 2, 8, {0x2b, 0, 9}};
   scene.overlay = {{Overlay::Clock, Overlay::Caption}, "Some \"font\""};
   scene.expectations = {
       {Quantity::Stretch, 0.5, 1.0 / 3 + 1, 1.1, 0.9, 0.1, 2},
@@ -135,7 +135,7 @@ spine = "builtin"
 back = "builtin"
 
 [look]
-background = "studio"  # "studio", "stars" or "transparent"
+background = "studio"  # "studio", "stars", "transparent", "white", "black" or a colour such as "#2b5d8a"
 supersample = 1  # 1, or 2 to draw with twice as many pixels across and down
 motion_blur = 1  # moments averaged in a picture: 1, 2, 4, 8 or 16
 

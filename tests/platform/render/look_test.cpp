@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,42 @@ TEST(Look, OtherPicturesAreOpaque) {
       for (int x = 0; x < kLookWidth; ++x) ASSERT_EQ(alphaAt(picture, x, y), 255);
     }
   }
+}
+
+TEST(Look, PlainBackgroundsHaveTheirColourExactly) {
+  for (const int supersample : {1, 2}) {
+    RenderSettings settings = settingsOf(kLookWidth, kLookHeight);
+    settings.background = Background::Plain;
+    settings.supersample = supersample;
+    for (const Rgb& colour : {Rgb{255, 255, 255}, Rgb{0x2b, 0x5d, 0x8a}, Rgb{1, 128, 254}}) {
+      settings.plainColour = colour;
+      Renderer renderer(settings, builtinTextures());
+      const image::Image picture = drawn(renderer, tilted());
+      for (const int x : {0, kLookWidth - 1}) {
+        for (const int y : {0, kLookHeight - 1}) {
+          EXPECT_EQ(colourAt(picture, x, y),
+                    (testing::Colour{colour.red, colour.green, colour.blue}));
+          EXPECT_EQ(alphaAt(picture, x, y), 255);
+        }
+      }
+      EXPECT_EQ(alphaAt(picture, kLookWidth / 2, kLookHeight / 2), 255);
+    }
+  }
+}
+
+// The colour of the stamped gold would be metal in a picture.
+TEST(Look, PlainClothIsNeverGold) {
+  const Rgb gold{0xdc, 0xb2, 0x5c};
+  const image::Image stamped = plain(8, 8, {gold.red, gold.green, gold.blue});
+  const image::Image cloth = plainCloth(gold);
+  const auto middleOf = [&](const image::Image& side) {
+    Renderer renderer(settingsOf(kLookWidth, kLookHeight), {side, side, side});
+    return colourAt(drawn(renderer, book({{20, kY}})), kLookWidth / 2, kLookHeight / 2);
+  };
+  const testing::Colour seen = middleOf(cloth), metal = middleOf(stamped);
+  EXPECT_GT(std::abs(seen.red - metal.red) + std::abs(seen.blue - metal.blue), 5);  // measured 10
+  EXPECT_GT(seen.red, seen.green);
+  EXPECT_GT(seen.green, seen.blue);
 }
 
 TEST(Look, StarsAreFewAndBright) {

@@ -79,6 +79,17 @@ Kind<Eigen::Vector3d> direction() {
           std::string(kDirections.expected)};
 }
 
+Kind<Rgb> colour() {
+  constexpr const char* kColours = "\"white\", \"black\" or a colour such as \"#2b5d8a\"";
+  return {[](const ValueReader& value) {
+            const auto* text = std::get_if<std::string>(&value.node().value);
+            const std::optional<Rgb> colour = text ? parseRgb(*text) : std::nullopt;
+            if (!colour) value.mismatch(kColours);
+            return *colour;
+          },
+          [](const Rgb& colour) { return tomlString(textOf(colour)); }, kColours};
+}
+
 std::string vectorText(const Eigen::Vector3d& vector) {
   return "[" + joined({tomlNumber(vector.x()), tomlNumber(vector.y()), tomlNumber(vector.z())}) +
          "]";

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include "base/nearest_name.h"
+#include "base/rgb.h"
 #include "base/text.h"
 #include "document/toml_text.h"
 #include "scene/keys/key.h"
@@ -38,6 +39,8 @@ T choiceFrom(const ValueReader& value, const std::array<Named<T>, N>& choices) {
 Kind<Eigen::Vector3d> vector(const NumberRange& range);
 /// Vectors that aren't zero.
 Kind<Eigen::Vector3d> direction();
+
+Kind<Rgb> colour();
 
 /// Returns "[1.0, 2.0, 3.0]".
 std::string vectorText(const Eigen::Vector3d& vector);

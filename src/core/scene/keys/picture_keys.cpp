@@ -30,6 +30,8 @@ constexpr const char* kFrameRates =
     "a frame rate from 1 to 1000, an integer or a fraction such as \"30000/1001\"";
 constexpr const char* kExpectedPresets = "\"book\" or x264's \"ultrafast\" to \"placebo\"";
 constexpr const char* kTextures = "\"builtin\" or a path relative to the scene's folder";
+constexpr const char* kBackgroundTexts =
+    "\"studio\", \"stars\", \"transparent\", \"white\", \"black\" or a colour such as \"#2b5d8a\"";
 constexpr const char* kBlurMoments = "1, 2, 4, 8 or 16";
 
 constexpr NumberRange kPoints{"three numbers from -1e9 to 1e9", -1e9, 1e9, Dimension::Length};
@@ -97,7 +99,28 @@ std::string textureFrom(const ValueReader& value) {
 Key<BookSettings> textureKey(std::string_view name, std::string BookSettings::*texture,
                              const std::string& comment = "") {
   return key(name, texture, Kind<std::string>{textureFrom, tomlString, kTextures},
-             {.comment = comment, .meaning = "a PNG"});
+             {.comment = comment, .meaning = "a PNG, JPEG or WebP"});
+}
+
+void readBackground(const ValueReader& value, LookSettings& look) {
+  const auto* text = std::get_if<std::string>(&value.node().value);
+  if (text == nullptr) value.mismatch(kBackgroundTexts);
+  if (const std::optional<Rgb> colour = parseRgb(*text)) {
+    look.background = Background::Plain;
+    look.plainColour = *colour;
+    return;
+  }
+  const auto named = std::ranges::find(kBackgrounds, *text, &Named<Background>::name);
+  if (named == kBackgrounds.end()) {
+    value.fail(value.name() + " must be " + kBackgroundTexts + ", not " + describe(value.node()) +
+               didYouMean(*text, namesOf(kBackgrounds)));
+  }
+  look.background = named->value;
+}
+
+std::string backgroundText(const LookSettings& look) {
+  if (look.background == Background::Plain) return tomlString(textOf(look.plainColour));
+  return quotedName(kBackgrounds, look.background);
 }
 
 // Accepts only powers of two, by which times divide without rounding: blurred or not, the motion is
@@ -204,14 +227,22 @@ const Keys<BookSettings>& bookKeys() {
       textureKey("front", &BookSettings::front, kTextures),
       textureKey("spine", &BookSettings::spine),
       textureKey("back", &BookSettings::back),
+      key("color", &BookSettings::colour, colour(),
+          {.comment = "of plain cloth on the sides that are \"builtin\"",
+           .meaning = "of plain cloth on the sides that are `\"builtin\"`",
+           .byDefault = "that of the built-in pictures"}),
   };
   return keys;
 }
 
 const Keys<LookSettings>& lookKeys() {
   static const Keys<LookSettings> keys{
-      key("background", &LookSettings::background, oneOf(kBackgrounds),
-          {.meaning = "transparent: PNGs with an alpha channel"}),
+      {"background",
+       readBackground,
+       backgroundText,
+       {.comment = kBackgroundTexts,
+        .meaning = "transparent: PNGs with an alpha channel; of a colour: flat",
+        .allowed = kBackgroundTexts}},
       key("supersample", &LookSettings::supersample, integer(1, kMaxSupersample),
           {.comment = "1, or 2 to draw with twice as many pixels across and down",
            .meaning = "2 draws twice as many pixels across and down, in four times the time",

@@ -50,7 +50,8 @@ void setFilters(TextureWrap wrap) {
 
 }  // namespace
 
-Texture::Texture(image::ImageView picture, TextureWrap wrap) {
+Texture::Texture(image::ImageView picture, TextureWrap wrap)
+    : plain_(picture.width == 1 && picture.height == 1) {
   refuseOversize(picture);
   bind();
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);

@@ -15,10 +15,13 @@ class Texture {
   /// Throws InputError if the picture is larger than the driver's limit.
   Texture(image::ImageView picture, TextureWrap wrap);
 
+  /// Returns whether it has the same colour throughout.
+  bool isPlain() const { return plain_; }
   void bind() const { glBindTexture(GL_TEXTURE_2D, texture_.name()); }
 
  private:
   GlTexture texture_;
+  bool plain_;
 };
 
 }  // namespace rotatebook::render

@@ -93,8 +93,8 @@ const std::vector<BadCase> kOptions{
      "--set book.front=no.png: can't read no.png: No such file or directory"},
     {"TextureThatIsNoPicture",
      {"--set", "book.back=tiny.toml"},
-     "--set book.back=tiny.toml: can't read tiny.toml: not a PNG; convert it to PNG, "
-     "e.g. with ImageMagick's convert"},
+     "--set book.back=tiny.toml: can't read tiny.toml: neither PNG, JPEG nor WebP; "
+     "convert it to one of them, e.g. with ImageMagick's convert"},
 };
 
 const std::vector<BadCase> kCommands{
@@ -173,8 +173,10 @@ class BadScene : public ProgramTest {
 TEST_F(BadScene, NamesLineAndColumn) {
   expectRefused(std::string(kTiny) + "[body]\n  mas = 2\n",
                 ":8:3: unknown key \"mas\" in [body]; did you mean \"mass\"?");
-  expectRefused(std::string(kTiny) + "[body]\nmass = 'heavy'\n",
-                ":8:8: body.mass must be a mass from 1e-9 to 1e9 kg, not \"heavy\"");
+  expectRefused(
+      std::string(kTiny) + "[body]\nmass = 'heavy'\n",
+      ":8:8: body.mass must be a mass from 1e-9 to 1e9 kg, not \"heavy\"; a text is a number and a "
+      "unit, \"kg\" or \"g\", such as \"1.5 kg\"");
 }
 
 TEST_F(BadScene, NeedsExactlyOneSpin) {

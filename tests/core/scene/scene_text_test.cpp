@@ -128,6 +128,7 @@ target = [0.0, 0.0, 0.0]  # m, the point in the middle of the picture
 up = [0.0, 1.0, 0.0]
 field_of_view_deg = 30.0  # degrees, from bottom to top
 frame = "world"  # "world", "body" or "momentum"
+follow = "none"  # "none" or "size"
 
 [book]
 front = "builtin"  # "builtin" or a path relative to the scene's folder
@@ -143,6 +144,7 @@ motion_blur = 1  # moments averaged in a picture: 1, 2, 4, 8 or 16
 show = []  # of )" + listOfOverlays("and") +
                                   R"(
 font = "builtin"  # "builtin" or an installed family
+scale = 1.0
 
 [expect]
 half_turns = { min = 3.0, from = 0.0 }

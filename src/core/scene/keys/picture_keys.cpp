@@ -36,6 +36,7 @@ constexpr NumberRange kPoints{"three numbers from -1e9 to 1e9", -1e9, 1e9, Dimen
 constexpr NumberRange kTimes{"a time in the clip, 0 or more seconds", 0, kPositive.max,
                              Dimension::Time};
 constexpr NumberRange kDurations{kPositive.expected, kPositive.min, kPositive.max, Dimension::Time};
+constexpr NumberRange kOverlayScales{"a number from 0.5 to 3", 0.5, 3};
 constexpr NumberRange kAngles{"an angle from 1 to 170 degrees", 1, 170};
 
 // H.264 with 4:2:0 chroma has no odd sizes.
@@ -190,6 +191,8 @@ const Keys<CameraSettings>& cameraKeys() {
            .meaning = "from the picture's bottom to its top"}),
       key("frame", &CameraSettings::frame, oneOf(kFrames),
           {.meaning = "the reference frame that the camera turns with"}),
+      key("follow", &CameraSettings::follow, oneOf(kFollows),
+          {.meaning = "size: the camera draws back when the body grows"}),
   };
   return keys;
 }
@@ -230,6 +233,8 @@ const Keys<OverlaySettings>& overlayKeys() {
           {.comment = "\"builtin\" or an installed family",
            .meaning = "the built-in font is Inter",
            .allowed = "\"builtin\" or an installed family"}),
+      key("scale", &OverlaySettings::scale, number(kOverlayScales),
+          {.meaning = "size of letters, lines and charts; 1 is the usual one"}),
   };
   return keys;
 }

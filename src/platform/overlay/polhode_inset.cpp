@@ -169,7 +169,7 @@ class PolhodeInset final : public DrawnOverlay {
   CachedLayer background(const Box& box) const {
     const Scale& scale = context_.scale;
     Canvas canvas(scale.width, scale.height);
-    canvas.roundedBox(box, 0.5 * scale.smallLetters, {kDark, 0.62});
+    canvas.roundedBox(box, 0.5 * scale.smallLetters, {kDark, kBacking});
     drawSolids(canvas);
     drawPolhodes(canvas);
     writeTexts(canvas, box);
@@ -267,7 +267,7 @@ class PolhodeInset final : public DrawnOverlay {
     std::vector<Box> taken;
     if (box.holds(boxOf(title, corner))) {
       canvas.write(title, corner);
-      taken.push_back(boxOf(title, corner));
+      taken.push_back(boxOf(title, corner).grown(padding));
     }
     const auto tipOf = [&](std::size_t axis) {
       return Eigen::Vector3d(Eigen::Vector3d::Unit(static_cast<Eigen::Index>(axis)) *

@@ -67,7 +67,8 @@ CachedLayer legendOf(const OverlayContext& context, const Box& box, double range
   const Scale& scale = context.scale;
   Canvas canvas(scale.width, scale.height);
   const double barHeight = 0.7 * scale.smallLetters, step = box.width / kColours;
-  canvas.roundedBox(box.grown(0.4 * scale.smallLetters), 0.4 * scale.smallLetters, {kDark, 0.55});
+  canvas.roundedBox(box.grown(0.4 * scale.smallLetters), 0.4 * scale.smallLetters,
+                    {kDark, kBacking});
   for (std::size_t i = 0; i < kColours; ++i) {
     const double x = box.x + static_cast<double>(i) * step;
     const std::array<Point, 4> cell{Point(x, box.y), Point(x + step, box.y),

@@ -147,7 +147,7 @@ class StripChart final : public DrawnOverlay {
   CachedLayer background() const {
     const Scale& scale = context_.scale;
     Canvas canvas(scale.width, scale.height);
-    canvas.roundedBox(box_, 0.5 * scale.smallLetters, {kDark, 0.7});
+    canvas.roundedBox(box_, 0.5 * scale.smallLetters, {kDark, kBacking});
     ChartWriter writer(context_, canvas, box_);
     const double padding = paddingOf(scale), gap = 0.7 * scale.smallLetters;
     double x = box_.x + padding;

@@ -31,7 +31,7 @@ scene::Scene comparison(const std::vector<std::string>& overrides = {}) {
       "[camera]\nposition = [0.27, 0.19, 0.65]\n"
       "[overlay]\nshow = ['caption', 'clock', 'axes']\n"
       "[[panel]]\nlabel = 'bursts'\nsimulation.model = 'particles'\nsimulation.substeps = 1\n"
-      "simulation.normalizeEvery = 0\nsimulation.damping = 0\n"
+      "simulation.normalize = false\nsimulation.damping = 0\n"
       "[[panel]]\nlabel = 'matrix'\nsimulation.model = 'matrix'\n"
       "[[panel]]\nlabel = 'faster'\ninitial.angular_velocity = [10, 6, 2]\n"
       "[[panel]]\nlabel = 'exact'\nsimulation.model = 'exact'\n",
@@ -97,7 +97,7 @@ image::Image calmBeside(const std::string& substeps) {
       "[initial]\nangular_velocity = [5, 3, 1]\n[clip]\nsize = [640, 360]\nduration = 0.5\n"
       "[overlay]\nshow = ['energy']\n[[panel]]\nlabel = 'calm'\n"
       "[[panel]]\nlabel = 'other'\nsimulation.model = 'particles'\nsimulation.damping = 0\n"
-      "simulation.normalizeEvery = 0\nsimulation.substeps = " +
+      "simulation.normalize = false\nsimulation.substeps = " +
           substeps + "\n",
       "pair.toml");
   const image::Image picture = drawn(scene, 9);

@@ -30,7 +30,7 @@ scene::Scene pair(const std::vector<std::string>& overrides = {}) {
       "[clip]\nsize = [128, 72]\nfps = 24\nduration = 0.5\n"
       "[[panel]]\nlabel = 'Goes on'\n"
       "[[panel]]\nlabel = 'Bursts'\nsimulation.model = 'particles'\nsimulation.substeps = 1\n"
-      "simulation.normalizeEvery = 0\nsimulation.damping = 0\n",
+      "simulation.normalize = false\nsimulation.damping = 0\n",
       "pair.toml", overrides);
 }
 

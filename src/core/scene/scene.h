@@ -18,6 +18,7 @@
 #include "scene/overlays.h"
 #include "scene/reference_frame.h"
 #include "scene/study_settings.h"
+#include "scene/words.h"
 
 namespace rotatebook::scene {
 
@@ -99,6 +100,7 @@ struct OverlaySettings {
   std::vector<Overlay> show;     ///< Overlays to draw, each at most once.
   std::string font = "builtin";  ///< An installed family, or kBuiltin.
   double scale = 1;              ///< Size of letters, lines and charts, 0.5 to 3.
+  Words words;                   ///< Of the pictures, in one language.
 
   friend bool operator==(const OverlaySettings&, const OverlaySettings&) = default;
 };

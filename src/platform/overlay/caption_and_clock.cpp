@@ -22,6 +22,8 @@
 namespace rotatebook::overlay {
 namespace {
 
+using scene::Word;
+
 // Font sizes: shares of Scale::unit, and the smallest that can be read. [pixels]
 constexpr double kTitleSize = 0.046, kSmallestTitle = 13;
 constexpr double kSettingsSize = 0.0255, kSmallestSettings = 9;
@@ -30,19 +32,35 @@ constexpr double kLongestLine = 56;
 // Opacity of the shade below the text: over a white page, letters have 4.5 times its light.
 constexpr double kShade = 0.64;
 
+Word wordOf(physics::Model model) {
+  switch (model) {
+    case physics::Model::Particles:
+      return Word::Particles;
+    case physics::Model::Matrix:
+      return Word::Matrix;
+    case physics::Model::Quaternion:
+      return Word::Quaternion;
+    case physics::Model::Exact:
+      break;
+  }
+  return Word::ExactSolution;
+}
+
 /// Lists the settings of a motion in steps: "quaternion", "rk4", "normalised", "step 0.26 ms".
-std::vector<std::string> settingsOf(const physics::SimulationSettings& settings) {
-  const std::string model(scene::nameOf(scene::kModels, settings.model));
+std::vector<std::string> settingsOf(const physics::SimulationSettings& settings,
+                                    const scene::Words& words) {
   std::vector<std::string> parts{
-      model, std::string(scene::nameOf(scene::kIntegrators, settings.integrator))};
-  std::ranges::copy(scene::correctionTexts(settings), std::back_inserter(parts));
+      words[wordOf(settings.model)],
+      std::string(scene::nameOf(scene::kIntegrators, settings.integrator))};
+  std::ranges::copy(scene::correctionTexts(settings, words), std::back_inserter(parts));
   if (settings.model == physics::Model::Particles) {
-    parts.push_back(settings.damping > 0 ? "damping " + shortestText(settings.damping)
-                                         : "undamped");
-    parts.push_back("k = " + shortestText(settings.stiffness) + " N/m");
+    parts.push_back(settings.damping > 0
+                        ? words[Word::Damping] + " " + words.number(shortestText(settings.damping))
+                        : words[Word::Undamped]);
+    parts.push_back("k = " + words.number(shortestText(settings.stiffness)) + " N/m");
   }
   const double step = 1e3 * settings.timePerFrame / settings.substeps;
-  parts.push_back("step " + roundedText(step, 3) + " ms");
+  parts.push_back(words[Word::Step] + " " + words.number(roundedText(step, 3)) + " ms");
   return parts;
 }
 
@@ -53,16 +71,17 @@ std::string settingsText(const scene::Scene& scene) {
   const auto steps = [](const scene::Panel& panel) {
     return panel.simulation.model != physics::Model::Exact;
   };
-  constexpr const char* kExact = "exact solution";
+  const scene::Words& words = scene.overlay.words;
+  const std::string& exact = words[Word::ExactSolution];
   const auto first = std::ranges::find_if(motions, steps);
-  if (first == motions.end()) return kExact;
-  std::vector<std::string> common = settingsOf(first->simulation);
+  if (first == motions.end()) return exact;
+  std::vector<std::string> common = settingsOf(first->simulation, words);
   std::erase_if(common, [&](const std::string& part) {
     return !std::ranges::all_of(motions, [&](const scene::Panel& panel) {
-      return !steps(panel) || std::ranges::count(settingsOf(panel.simulation), part) > 0;
+      return !steps(panel) || std::ranges::count(settingsOf(panel.simulation, words), part) > 0;
     });
   });
-  return joined({joined(common), std::ranges::all_of(motions, steps) ? "" : kExact}, "; ");
+  return joined({joined(common), std::ranges::all_of(motions, steps) ? "" : exact}, "; ");
 }
 
 /// Returns a black layer whose opacity rises smoothly from 0 at the top to kShade in `rise` rows.
@@ -171,7 +190,7 @@ struct CaptionAndClock::Parts {
   void addShade(int first) {
     const int top = std::max(0, first - margin / 2);
     bottomRows = std::min(scale.height - top, scale.height / 2);
-    const int shadeTop = std::max(0, top - 2 * margin);
+    const int shadeTop = std::max(0, top - 5 * margin / 4);
     background = shade(scale.width, scale.height - shadeTop, shadeTop, std::max(1, top - shadeTop));
   }
 
@@ -182,7 +201,8 @@ struct CaptionAndClock::Parts {
   }
 
   std::string timeAt(std::int64_t frame) const {
-    return "t = " + clockText(static_cast<double>(frame) * scene.simulation.timePerFrame);
+    const double time = static_cast<double>(frame) * scene.simulation.timePerFrame;
+    return "t = " + scene.overlay.words.number(clockText(time));
   }
 
   /// Returns a box at the top left that is wide enough for the last frame's time.

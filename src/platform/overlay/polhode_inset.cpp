@@ -261,7 +261,8 @@ class PolhodeInset final : public DrawnOverlay {
   void writeTexts(Canvas& canvas, const Box& box) const {
     const Scale& scale = context_.scale;
     TextStyle style{.size = scale.smallLetters, .bold = true, .colour = kWhite, .halo = scale.halo};
-    const Layer title = context_.type.draw("Polhode", style, scale.width);
+    const Layer title =
+        context_.type.draw(context_.scene.overlay.words[scene::Word::Polhode], style, scale.width);
     const double padding = 0.5 * scale.smallLetters;
     const Point corner(box.x + padding, box.y + 0.6 * padding);
     std::vector<Box> taken;

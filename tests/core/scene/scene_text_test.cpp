@@ -34,7 +34,7 @@ Scene unusualScene() {
   scene.camera = {{1.0 / 7, -2, 3}, {0.25, 0, 0}, {0, 0, 1}, 44.4, ReferenceFrame::Body};
   scene.book = {"f \"1\".png", "s.png", "../b.png"};
   scene.look = {Background::Stars, 2, 8};
-  scene.overlay = {{Overlay::Clock, Overlay::Caption}, "Some \"font\""};
+  scene.overlay = {{Overlay::Clock, Overlay::Caption}, "Some \"font\"", 1.5, germanWords()};
   scene.expectations = {
       {Quantity::Stretch, 0.5, 1.0 / 3 + 1, 1.1, 0.9, 0.1, 2},
       {Quantity::DivergesAt, {}, {}, {}, 12, 0, std::numeric_limits<double>::infinity()},
@@ -145,6 +145,7 @@ show = []  # of )" + listOfOverlays("and") +
                                   R"(
 font = "builtin"  # "builtin" or an installed family
 scale = 1.0
+words = "english"  # "english", "german" or a table
 
 [expect]
 half_turns = { min = 3.0, from = 0.0 }

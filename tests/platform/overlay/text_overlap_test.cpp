@@ -113,6 +113,18 @@ TEST(Texts, NeverMeetAtAnyScale) {
   }
 }
 
+TEST(Texts, NeverMeetInGerman) {
+  for (const Size& size : {Size{640, 360}, Size{1280, 720}, Size{480, 854}}) {
+    SCOPED_TRACE(text(size));
+    scene::Scene scene = sceneOf(size.width, size.height, "'settings', " + kEverything);
+    scene.overlay.words = scene::germanWords();
+    CaptionAndClock captionAndClock(scene);
+    expectNoMeeting(
+        scene, &captionAndClock,
+        {size.width, size.height, captionAndClock.corner(), captionAndClock.bottomRows(), ""});
+  }
+}
+
 TEST(Texts, NeverMeetOnAPanel) {
   for (const Size& size : kPanels) {
     SCOPED_TRACE(text(size));

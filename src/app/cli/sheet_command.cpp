@@ -31,7 +31,10 @@ int writeSheet(const SheetArguments& arguments) {
   for (const std::string& path : arguments.scenes) {
     scenes.push_back(arguments.sceneOptions.read(path));
     refuseInputs(arguments.output, inputsOf(path, scenes.back()));
-    if (arguments.noCaption) std::erase(scenes.back().overlay.show, scene::Overlay::Caption);
+    if (!arguments.noCaption) continue;
+    std::erase_if(scenes.back().overlay.show, [](scene::Overlay overlay) {
+      return overlay == scene::Overlay::Caption || overlay == scene::Overlay::Settings;
+    });
   }
   requireEnding(arguments.output, ".png");
   picture::SheetOptions options = arguments.options;

@@ -11,7 +11,7 @@ namespace rotatebook::picture {
 namespace {
 
 constexpr int kSmallestPanel = 16;       // shorter side [pixels]
-constexpr double kPanelLetters = 0.022;  // letter size, share of the picture's shorter side
+constexpr double kPanelLetters = 0.028;  // letter size, share of the picture's shorter side
 constexpr std::array<std::uint8_t, 4> kBackgroundColour{17, 17, 19, 255};
 
 bool hasPanels(const scene::Scene& scene) {
@@ -46,7 +46,8 @@ std::vector<overlay::MotionOverlays> overlaysOf(const scene::Scene& scene,
                                .labelKey = scene::labelKey(i),
                                .energyTop = energyTop};
     if (hasPanels(scene)) {
-      viewport.letters = kPanelLetters * std::min(scene.clip.width, scene.clip.height);
+      viewport.letters =
+          kPanelLetters * scene.overlay.scale * std::min(scene.clip.width, scene.clip.height);
     } else {
       viewport.corner = text.corner();
       viewport.bottomRows = text.bottomRows();

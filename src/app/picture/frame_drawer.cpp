@@ -20,6 +20,7 @@ FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& 
       composition_(std::make_unique<Composition>(scene, motion)),
       referenceFrame_(scene.camera.frame),
       camera_(cameraOf(scene, composition_->screen())),
+      distances_(scene, motion),
       renderer_([&] {
         LoadedTextures loaded = textures.get();
         textureChecksums_ = std::move(loaded.checksums);
@@ -57,6 +58,7 @@ void FrameDrawer::expose(std::int64_t frame, Exposure& exposure) {
   exposure.frame = frame;
   for (std::size_t motion = 0; motion < motion_->trajectories().size(); ++motion) {
     const std::size_t sample = motion_->sampleAt(motion, frame);
+    renderer_.setCamera(cameraAt(motion, frame));
     if (mean_) {
       exposeBlurred(motion, sample, exposure.blurred[motion]);
     } else {
@@ -82,9 +84,18 @@ void FrameDrawer::compose(const Exposure& exposure, image::Image& picture) {
     }
     panel = exposure.blurred[motion];
     const physics::Cage cage = cageOf(motion, sample);
-    return render::project(camera_, cage, composition_->screen()).clipFromWorld;
+    const render::Camera camera = cameraAt(motion, exposure.frame);
+    return render::project(camera, cage, composition_->screen()).clipFromWorld;
   };
   composition_->draw(exposure.frame, drawBody, picture);
+}
+
+render::Camera FrameDrawer::cameraAt(std::size_t motion, std::int64_t frame) const {
+  render::Camera camera = camera_;
+  const double multiple = distances_.at(motion, frame);
+  // A camera that stays must keep its bits, which the detour by the target would round.
+  if (multiple > 1) camera.position = camera.target + multiple * (camera.position - camera.target);
+  return camera;
 }
 
 physics::Cage FrameDrawer::cageOf(std::size_t motion, std::size_t sample) const {

@@ -16,9 +16,10 @@ constexpr double kPower = 0.85;
 // Bytes a frame over pixels to that power, measured from 96x54 to 1280x720 on the starter scene; in
 // brackets on other scenes, with overlays and faster rotation. FormatRow::weight is that of videos.
 constexpr double kPngWeight = 4;  // measured 3.6 to 4.0, without a caption
-// Each letter of the caption adds, up to so many bytes: it fills more of a small picture.
-constexpr double kLetterWeight = 0.018;  // measured 0.016 to 0.018
-constexpr double kLargestLetter = 125;   // measured 119 to 122. [bytes]
+// Each letter of the caption adds, up to so many bytes: it fills more of a small picture, and makes
+// the book smaller on a large one.
+constexpr double kLetterWeight = 0.009;  // measured 0.001 to 0.0088
+constexpr double kLargestLetter = 35;    // measured 18 to 32. [bytes]
 constexpr double kVideoBase = 8192;      // A video without its frames: measured 3 to 6 kB. [bytes]
 constexpr double kTableRow = 890;        // A row of a table: measured 825 to 888. [bytes]
 constexpr double kChecksumLine = 50;     // A line of frames.xxh128. [bytes]

@@ -59,6 +59,11 @@ inline constexpr std::array<Named<ReferenceFrame>, 3> kFrames{{
     {"momentum", ReferenceFrame::Momentum},
 }};
 
+inline constexpr std::array<Named<Follow>, 2> kFollows{{
+    {"none", Follow::None},
+    {"size", Follow::Size},
+}};
+
 inline constexpr std::array<Named<Background>, 3> kBackgrounds{{
     {"studio", Background::Studio},
     {"stars", Background::Stars},

@@ -25,17 +25,30 @@ bool isTransparent(const Scene& scene) {
   return scene.look.background == Background::Transparent;
 }
 
-Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldOfViewDeg, int width,
-                                      int height) {
-  constexpr double kMargin = 1.08;
-  // From the right and a little above: all three kinds of sides are visible, the cover most.
-  const Eigen::Vector3d direction = Eigen::Vector3d(0.42, 0.30, 1).normalized();
+namespace {
+
+/// Returns the sine of half the angle of view over the picture's shorter side.
+double sineOfView(double fieldOfViewDeg, int width, int height) {
   const double halfAngle = fieldOfViewDeg / 2 * std::numbers::pi / 180;
   const double halfHeight = sine(halfAngle) / cosine(halfAngle);
   const double halfWidth = halfHeight * width / height;
-  const double narrowerHalfAngle = arcTangent(std::min(halfHeight, halfWidth));
+  return sine(arcTangent(std::min(halfHeight, halfWidth)));
+}
+
+}  // namespace
+
+double radiusInView(const CameraSettings& camera, int width, int height) {
+  return (camera.position - camera.target).norm() *
+         sineOfView(camera.fieldOfViewDeg, width, height);
+}
+
+Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldOfViewDeg, int width,
+                                      int height) {
+  // From the right and a little above: all three kinds of sides are visible, the cover most.
+  const Eigen::Vector3d direction = Eigen::Vector3d(0.42, 0.30, 1).normalized();
   // The sphere that the corners never leave touches the narrower pair of the view frustum's sides.
-  return direction * (kMargin * body.size.norm() / 2 / sine(narrowerHalfAngle));
+  return direction *
+         (kRoomAround * body.size.norm() / 2 / sineOfView(fieldOfViewDeg, width, height));
 }
 
 bool shows(const Scene& scene, Overlay overlay) {

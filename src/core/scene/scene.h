@@ -19,6 +19,7 @@
 #include "scene/overlays.h"
 #include "scene/reference_frame.h"
 #include "scene/study_settings.h"
+#include "scene/words.h"
 
 namespace rotatebook::scene {
 
@@ -50,6 +51,12 @@ struct EncodingSettings {
   friend bool operator==(const EncodingSettings&, const EncodingSettings&) = default;
 };
 
+/// The change of the body that the camera follows.
+enum class Follow {
+  None,  ///< The camera keeps its distance.
+  Size,  ///< It draws back when the body grows; see timeline::CameraDistances.
+};
+
 /// [camera]: a perspective camera.
 struct CameraSettings {
   Eigen::Vector3d position{0, 0, 1};  ///< [m]
@@ -60,6 +67,7 @@ struct CameraSettings {
   double fieldOfViewDeg = 30;
   /// The reference frame that the camera turns with; position, target and up are along its axes.
   ReferenceFrame frame = ReferenceFrame::World;
+  Follow follow = Follow::None;
 
   friend bool operator==(const CameraSettings&, const CameraSettings&) = default;
 };
@@ -99,6 +107,8 @@ struct LookSettings {
 struct OverlaySettings {
   std::vector<Overlay> show;     ///< Overlays to draw, each at most once.
   std::string font = "builtin";  ///< An installed family, or kBuiltin.
+  double scale = 1;              ///< Size of letters, lines and charts, 0.5 to 3.
+  Words words;                   ///< Of the pictures, in one language.
 
   friend bool operator==(const OverlaySettings&, const OverlaySettings&) = default;
 };
@@ -162,6 +172,12 @@ Scene withMotion(Scene scene, const Motion& motion);
 /// it is on the body.
 bool shows(const Scene& scene, Overlay overlay);
 
+/// Returns the radius of the largest sphere around the camera's target that a picture of this shape
+/// shows whole. [m]
+double radiusInView(const CameraSettings& camera, int width, int height);
+
+/// The size of what the default camera shows around a body, in sizes of the body.
+inline constexpr double kRoomAround = 1.08;
 /// Returns the camera position from which a body of this size is seen whole in any attitude. [m]
 Eigen::Vector3d defaultCameraPosition(const physics::Cuboid& body, double fieldOfViewDeg, int width,
                                       int height);

@@ -35,7 +35,7 @@ double reachOf(const physics::Cuboid& body) {
 }
 
 Layer letter(const OverlayContext& context, const std::string& text, const Colour& colour) {
-  const TextStyle style{.size = 1.15 * context.scale.letters,
+  const TextStyle style{.size = 1.15 * context.scale.arrowLetters,
                         .bold = true,
                         .colour = colour,
                         .halo = context.scale.halo};

@@ -22,26 +22,45 @@
 namespace rotatebook::overlay {
 namespace {
 
+using scene::Word;
+
 // Font sizes: shares of Scale::unit, and the smallest that can be read. [pixels]
-constexpr double kTitleSize = 0.036, kSmallestTitle = 13;
-constexpr double kSettingsSize = 0.0215, kSmallestSettings = 9;
+constexpr double kTitleSize = 0.046, kSmallestTitle = 13;
+constexpr double kSettingsSize = 0.0255, kSmallestSettings = 9;
 // A line longer than this many letter heights is hard to follow.
 constexpr double kLongestLine = 56;
-constexpr double kShade = 0.6;  // opacity of the shade below the text, at its darkest
+// Opacity of the shade below the text: over a white page, letters have 4.5 times its light.
+constexpr double kShade = 0.64;
+
+Word wordOf(physics::Model model) {
+  switch (model) {
+    case physics::Model::Particles:
+      return Word::Particles;
+    case physics::Model::Matrix:
+      return Word::Matrix;
+    case physics::Model::Quaternion:
+      return Word::Quaternion;
+    case physics::Model::Exact:
+      break;
+  }
+  return Word::ExactSolution;
+}
 
 /// Lists the settings of a motion in steps: "quaternion", "rk4", "normalised", "step 0.26 ms".
-std::vector<std::string> settingsOf(const physics::SimulationSettings& settings) {
-  const std::string model(scene::nameOf(scene::kModels, settings.model));
+std::vector<std::string> settingsOf(const physics::SimulationSettings& settings,
+                                    const scene::Words& words) {
   std::vector<std::string> parts{
-      model, std::string(scene::nameOf(scene::kIntegrators, settings.integrator))};
-  std::ranges::copy(scene::correctionTexts(settings), std::back_inserter(parts));
+      words[wordOf(settings.model)],
+      std::string(scene::nameOf(scene::kIntegrators, settings.integrator))};
+  std::ranges::copy(scene::correctionTexts(settings, words), std::back_inserter(parts));
   if (settings.model == physics::Model::Particles) {
-    parts.push_back(settings.damping > 0 ? "damping " + shortestText(settings.damping)
-                                         : "undamped");
-    parts.push_back("k = " + shortestText(settings.stiffness) + " N/m");
+    parts.push_back(settings.damping > 0
+                        ? words[Word::Damping] + " " + words.number(shortestText(settings.damping))
+                        : words[Word::Undamped]);
+    parts.push_back("k = " + words.number(shortestText(settings.stiffness)) + " N/m");
   }
   const double step = 1e3 * settings.timePerFrame / settings.substeps;
-  parts.push_back("step " + roundedText(step, 3) + " ms");
+  parts.push_back(words[Word::Step] + " " + words.number(roundedText(step, 3)) + " ms");
   return parts;
 }
 
@@ -52,25 +71,26 @@ std::string settingsText(const scene::Scene& scene) {
   const auto steps = [](const scene::Panel& panel) {
     return panel.simulation.model != physics::Model::Exact;
   };
-  constexpr const char* kExact = "exact solution";
+  const scene::Words& words = scene.overlay.words;
+  const std::string& exact = words[Word::ExactSolution];
   const auto first = std::ranges::find_if(motions, steps);
-  if (first == motions.end()) return kExact;
-  std::vector<std::string> common = settingsOf(first->simulation);
+  if (first == motions.end()) return exact;
+  std::vector<std::string> common = settingsOf(first->simulation, words);
   std::erase_if(common, [&](const std::string& part) {
     return !std::ranges::all_of(motions, [&](const scene::Panel& panel) {
-      return !steps(panel) || std::ranges::count(settingsOf(panel.simulation), part) > 0;
+      return !steps(panel) || std::ranges::count(settingsOf(panel.simulation, words), part) > 0;
     });
   });
-  return joined({joined(common), std::ranges::all_of(motions, steps) ? "" : kExact}, "; ");
+  return joined({joined(common), std::ranges::all_of(motions, steps) ? "" : exact}, "; ");
 }
 
-/// Returns a black layer whose opacity rises smoothly from 0 at the top to kShade at the bottom.
-Layer shade(int width, int height, int y) {
+/// Returns a black layer whose opacity rises smoothly from 0 at the top to kShade in `rise` rows.
+Layer shade(int width, int height, int y, int rise) {
   Layer layer{0, y, width, height, {}};
   const auto rowSize = static_cast<std::size_t>(width) * 4;
   layer.pixels.resize(rowSize * static_cast<std::size_t>(height));
   for (int row = 0; row < height; ++row) {
-    const double t = (row + 0.5) / height;
+    const double t = std::min(1.0, (row + 0.5) / rise);
     const auto opacity = static_cast<std::uint8_t>(std::lround(255 * kShade * t * t * (3 - 2 * t)));
     std::uint8_t* pixels = layer.pixels.data() + static_cast<std::size_t>(row) * rowSize;
     for (std::size_t alpha = 3; alpha < rowSize; alpha += 4) pixels[alpha] = opacity;
@@ -96,7 +116,8 @@ void refuseTooMany(const std::vector<Line>& lines, const scene::Scene& scene) {
       std::to_string(rows) + " of the picture's " + std::to_string(height) +
       " rows, which leaves too little for the book; shorten " +
       (title ? "the title" : "the caption") +
-      ", make the picture larger (clip.size), or leave \"caption\" out of overlay.show");
+      ", make the picture wider (clip.size) or the letters smaller (overlay.scale), or leave "
+      "\"caption\" out of overlay.show");
 }
 
 }  // namespace
@@ -105,8 +126,8 @@ struct CaptionAndClock::Parts {
   Parts(const scene::Scene& asked, ClockPosition clockPosition)
       : scene(asked),
         position(clockPosition),
-        scale(asked.clip.width, asked.clip.height),
-        margin(static_cast<int>(std::lround(0.045 * scale.unit))),
+        scale(asked.clip.width, asked.clip.height, asked.overlay.scale),
+        margin(static_cast<int>(std::lround(scale.margin))),
         type(Typesetter::of(asked)),
         clockStyle{.size = scale.letters,
                    .colour = kWhite,
@@ -116,7 +137,7 @@ struct CaptionAndClock::Parts {
     const bool below = shows(scene, scene::Overlay::Clock) && position == ClockPosition::Bottom;
     if (shows(scene, scene::Overlay::Clock)) clock = clockBox();
     std::vector<Line> lines;
-    if (shows(scene, scene::Overlay::Caption)) {
+    if (shows(scene, scene::Overlay::Caption) || shows(scene, scene::Overlay::Settings)) {
       lines = captionLines(below ? static_cast<int>(clock.width) + margin : 0);
     }
     if (below) {
@@ -144,11 +165,16 @@ struct CaptionAndClock::Parts {
     };
     const double titleSize = std::max(kTitleSize * scale.unit, kSmallestTitle);
     const double settingsSize = std::max(kSettingsSize * scale.unit, kSmallestSettings);
-    add("title", scene.title,
-        {.size = titleSize, .bold = true, .colour = kWhite, .halo = scale.halo});
-    add("caption", scene.caption,
-        {.size = scale.letters, .colour = kWhite, .opacity = 0.95, .halo = scale.halo});
-    add("", settingsText(scene), {.size = settingsSize, .colour = kGrey, .halo = scale.halo});
+    if (shows(scene, scene::Overlay::Caption)) {
+      add("title", scene.title,
+          {.size = titleSize, .bold = true, .colour = kWhite, .halo = scale.halo});
+      add("caption", scene.caption,
+          {.size = scale.letters, .colour = kWhite, .opacity = 0.95, .halo = scale.halo});
+    }
+    if (shows(scene, scene::Overlay::Settings)) {
+      add("", settingsText(scene),
+          {.size = settingsSize, .colour = kWhite, .opacity = 0.85, .halo = scale.halo});
+    }
 
     const int gap = static_cast<int>(std::lround(0.45 * scale.letters));
     int bottom = scale.height - margin;
@@ -166,8 +192,8 @@ struct CaptionAndClock::Parts {
     const int top = std::max(0, first - margin / 2);
     bottomRows = std::min(scale.height - top, scale.height / 2);
     if (scene.look.background == scene::Background::Plain) return;
-    const int shadeTop = std::max(0, top - margin);
-    background = shade(scale.width, scale.height - shadeTop, shadeTop);
+    const int shadeTop = std::max(0, top - 5 * margin / 4);
+    background = shade(scale.width, scale.height - shadeTop, shadeTop, std::max(1, top - shadeTop));
   }
 
   void addLines(const std::vector<Line>& lines) {
@@ -177,7 +203,8 @@ struct CaptionAndClock::Parts {
   }
 
   std::string timeAt(std::int64_t frame) const {
-    return "t = " + clockText(static_cast<double>(frame) * scene.simulation.timePerFrame);
+    const double time = static_cast<double>(frame) * scene.simulation.timePerFrame;
+    return "t = " + scene.overlay.words.number(clockText(time));
   }
 
   /// Returns a box at the top left that is wide enough for the last frame's time.

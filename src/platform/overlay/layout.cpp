@@ -10,26 +10,31 @@ namespace {
 // column of insets needs at least this share of the width beside it.
 constexpr double kMinSide = 0.17;
 constexpr double kWidestColumn = 0.25;  // share of the width
-constexpr double kSquareShare = 0.42;   // share of the column's height
-constexpr double kChartAspect = 0.52;   // largest height of a chart in a column, per its width
-constexpr double kLowestChart = 7;      // at the bottom [letter heights]
-constexpr double kLowestInColumn = 5;   // [letter heights]
-constexpr double kBottomChart = 0.15;   // share of the height
-constexpr double kMaxCharts = 0.4;      // share of the height that all charts at the bottom take
-constexpr double kCornerSquare = 0.3;   // share of the shorter side
-constexpr double kLegendWidth = 9.5;    // [letter heights]
+// Share of the column's height, with charts and alone.
+constexpr double kSquareShare = 0.42, kLoneSquare = 0.55;
+constexpr double kChartAspect = 0.52;  // largest height of a chart in a column, per its width
+constexpr double kLowestChart = 6.5;   // at the bottom [letter heights]
+constexpr double kLowestInColumn = 5;  // [letter heights]
+constexpr double kBottomChart = 0.15;  // share of the height
+constexpr double kMaxCharts = 0.4;     // share of the height that all charts at the bottom take
+constexpr double kAboveCharts = 0.2;   // share of the height above them, which other text needs,
+constexpr double kLinesAbove = 4;      // and as many letter heights at least
+constexpr double kCornerSquare = 0.3;  // share of the shorter side
+constexpr double kWidestSquare = 0.5;  // likewise, however large the overlays are
+constexpr double kLegendWidth = 9.5;   // [letter heights]
 
 double gapOf(const Scale& scale) {
   return 0.4 * scale.margin;
 }
 
 void placeColumn(const Scale& scale, const Wanted& wanted, double side, Layout& layout) {
-  const double width = std::min(kWidestColumn * scale.width, side - scale.margin);
+  const double width = std::min(scale.factor * kWidestColumn * scale.width, side - scale.margin);
   const double left = scale.width - scale.margin - width, gap = gapOf(scale);
   const double height = scale.height - wanted.bottomRows - 2 * scale.margin;
   double top = scale.margin;
   if (wanted.square) {
-    const double size = std::min(width, kSquareShare * height);
+    const double share = wanted.charts > 0 ? kSquareShare : kLoneSquare;
+    const double size = std::min(width, share * height);
     // As wide as the charts below it.
     const double across = wanted.charts > 0 ? width : size;
     layout.square = {left + width - across, top, across, size};
@@ -47,15 +52,19 @@ void placeColumn(const Scale& scale, const Wanted& wanted, double side, Layout& 
 /// no room are left empty.
 void placeCharts(const Scale& scale, const Wanted& wanted, Layout& layout) {
   const double room = scale.width - 2 * scale.margin, gap = gapOf(scale);
-  const double height = std::max(kBottomChart * scale.height, kLowestChart * scale.smallLetters);
+  const double height =
+      std::max(scale.factor * kBottomChart * scale.height, kLowestChart * scale.smallLetters);
   const int abreast = room > 40 * scale.smallLetters ? wanted.charts : 1;
-  const int max = static_cast<int>(kMaxCharts * scale.height / (height + gap));
-  const int lines = std::min(wanted.charts / abreast, max);
-  layout.charts.resize(static_cast<std::size_t>(wanted.charts));
-  if (lines == 0) return;
   const double width = (room + gap) / abreast - gap;
   const double lowest =
       scale.height - (wanted.bottomRows > 0 ? wanted.bottomRows : scale.margin) - gap;
+  const double above =
+      std::max(kAboveCharts * scale.height, scale.margin + kLinesAbove * scale.letters);
+  const double most = std::min(kMaxCharts * scale.height, lowest - above);
+  const int max = std::max(0, static_cast<int>(most / (height + gap)));
+  const int lines = std::min(wanted.charts / abreast, max);
+  layout.charts.resize(static_cast<std::size_t>(wanted.charts));
+  if (lines == 0) return;
   const double top = lowest - lines * (height + gap) + gap;
   for (int i = 0; i < lines * abreast; ++i) {
     layout.charts[static_cast<std::size_t>(i)] = {scale.margin + (i % abreast) * (width + gap),
@@ -69,8 +78,8 @@ void placeCharts(const Scale& scale, const Wanted& wanted, Layout& layout) {
 void placeAround(const Scale& scale, const Wanted& wanted, Layout& layout) {
   if (wanted.charts > 0) placeCharts(scale, wanted, layout);
   if (wanted.square) {
-    const double size =
-        kCornerSquare * std::min<double>(scale.width, scale.height - layout.bottomRows);
+    const double side = std::min<double>(scale.width, scale.height - layout.bottomRows);
+    const double size = std::min(scale.factor * kCornerSquare, kWidestSquare) * side;
     layout.square = {scale.width - scale.margin - size, scale.margin, size, size};
   }
 }

@@ -38,15 +38,18 @@ struct MotionOverlays::Parts {
       : scene(asked),
         trajectory(motion),
         type(Typesetter::of(asked)),
-        scale(viewport.width, viewport.height),
+        scale(viewport.width, viewport.height, asked.overlay.scale),
         energyTop(viewport.energyTop),
         canvas(viewport.width, viewport.height, Ink(asked)) {
     scale.letters = std::max(scale.letters, viewport.letters);
     scale.smallLetters = std::max(scale.smallLetters, kSmall * viewport.letters);
+    scale.arrowLetters = std::max(scale.arrowLetters, kSmall * viewport.letters);
     if (scene.textless) scale.line *= kBold;
     taken.push_back(viewport.corner);
     layout = layOut(scale, wanted(viewport));
     addTextAtTheTop(viewport);
+    const auto meetsText = [&](const Box& text) { return text.meets(layout.square); };
+    if (std::ranges::any_of(taken, meetsText)) layout.square = {};
     taken.push_back({0, 1.0 * (viewport.height - layout.bottomRows), 1.0 * viewport.width,
                      1.0 * layout.bottomRows});
     for (const Box& box : layout.charts) taken.push_back(box);
@@ -157,7 +160,7 @@ struct MotionOverlays::Parts {
 
   void writeLetters(std::int64_t frame, const Eigen::Matrix4d& clipFromWorld,
                     const std::vector<Box>& noticed) {
-    // The camera doesn't move; only its near and far planes do.
+    // The near and far planes follow the body; the rest changes only if the camera does.
     Eigen::Matrix<double, 3, 4> projection;
     projection << clipFromWorld.topRows<2>(), clipFromWorld.bottomRows<1>();
     if (projection != lettersProjection) labels.forget();
@@ -174,8 +177,8 @@ struct MotionOverlays::Parts {
     for (const auto& overlay : inWorld) {
       for (const Arrow& arrow : overlay->arrows(sample)) {
         const auto shape = arrowShape(projector, box, arrow);
-        all.push_back({shape.value_or(ArrowShape{}), arrow.letter, 0.85 * scale.letters, arrow.wish,
-                       shape.has_value()});
+        all.push_back({shape.value_or(ArrowShape{}), arrow.letter, 0.85 * scale.arrowLetters,
+                       arrow.wish, shape.has_value()});
       }
     }
     return all;

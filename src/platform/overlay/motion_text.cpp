@@ -16,8 +16,8 @@ constexpr double kTallestLabel = 0.2;  // share of its panel's height
 constexpr double kMinLines = 3;        // a label may have as many however low its panel is
 constexpr double kGlowTime = 0.7;      // in which the count fades back to white [s of the clip]
 
-std::string countText(int count) {
-  return "Half-turns " + std::to_string(count);
+std::string countText(const OverlayContext& context, int count) {
+  return context.scene.overlay.words[scene::Word::HalfTurns] + " " + std::to_string(count);
 }
 
 TextStyle countStyle(const Scale& scale, double glow) {
@@ -77,7 +77,7 @@ class HalfTurns final : public DrawnOverlay {
 };
 
 HalfTurns::HalfTurns(const OverlayContext& context, const Box& area) : context_(context) {
-  const std::string last = countText(context.trajectory.samples.back().halfTurns);
+  const std::string last = countText(context, context.trajectory.samples.back().halfTurns);
   const TextSize size =
       context.type.measure(last, countStyle(context.scale, 0), context.scale.width);
   box_ = {area.x, area.y, 1.0 * size.width, 1.0 * size.height};
@@ -103,7 +103,7 @@ void HalfTurns::draw(const View& view) {
     view.canvas.roundedBox(box_.grown(growth / 2), growth / 2 + 2,
                            {kVelocityColour, 0.22 * glowing});
   }
-  view.canvas.write(context_.type.draw(countText(view.sample.halfTurns),
+  view.canvas.write(context_.type.draw(countText(context_, view.sample.halfTurns),
                                        countStyle(context_.scale, glowing), context_.scale.width),
                     {box_.x, box_.y});
 }
@@ -119,8 +119,11 @@ std::optional<CachedLayer> divergenceNotice(const OverlayContext& context, doubl
   const Scale& scale = context.scale;
   const TextStyle style{.size = 1.25 * scale.letters, .bold = true, .colour = kWarningColour};
   const double padding = 0.6 * style.size;
-  const Layer text = context.type.draw("Diverged at t = " + clockText(time), style,
-                                       static_cast<int>(scale.width - 2 * (padding + 2)));
+  const scene::Words& words = context.scene.overlay.words;
+  const std::string notice =
+      words[scene::Word::DivergedAt] + " t = " + words.number(clockText(time));
+  const Layer text =
+      context.type.draw(notice, style, static_cast<int>(scale.width - 2 * (padding + 2)));
   const double left = std::round((scale.width - text.width) / 2.0);
   const Box box =
       movedBelow({left - padding, scale.margin, text.width + 2 * padding, text.height + padding},

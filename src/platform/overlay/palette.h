@@ -25,6 +25,9 @@ inline constexpr Colour kErrorColour{0.96, 0.55, 0.45};
 inline constexpr Colour kGhostColour{0.72, 0.92, 1.0};
 inline constexpr Colour kWarningColour{0.98, 0.70, 0.30};
 
+/// Opacity of the dark boxes of charts: over a white page, letters have 4.5 times their light.
+inline constexpr double kBacking = 0.82;
+
 /// Mixes two colours: `a` at t = 0, `b` at t = 1.
 constexpr Colour mixed(const Colour& a, const Colour& b, double t) {
   return {a.red + t * (b.red - a.red), a.green + t * (b.green - a.green),
@@ -36,21 +39,26 @@ inline constexpr int kSmallPicture = 360;
 
 /// Lengths that grow with the picture, but are never too small to read.
 struct Scale {
-  Scale(int pictureWidth, int pictureHeight)
+  /// Takes the picture's size [pixels] and scene::OverlaySettings::scale.
+  Scale(int pictureWidth, int pictureHeight, double overlayScale = 1)
       : width(pictureWidth),
         height(pictureHeight),
-        unit(std::min<double>(height, 0.8 * width)),
-        margin(std::max(0.045 * unit, 8.0)),
-        letters(std::max(0.0255 * unit, 10.0)),
-        smallLetters(std::max(0.0195 * unit, 9.0)),
+        factor(overlayScale),
+        unit(factor * std::min(height, width)),
+        margin(std::max(0.045 * unit / factor, 8.0)),
+        letters(std::max(0.035 * unit, 10.0)),
+        smallLetters(std::max(0.0255 * unit, 9.0)),
+        arrowLetters(std::max(0.0255 * unit, 10.0)),
         line(std::max(0.0036 * unit, 1.3)),
         halo(std::max(0.0024 * unit, 1.0)) {}
 
   int width, height;    ///< Of the picture. [pixels]
-  double unit;          ///< The picture's height, or less if it is narrow. [pixels]
+  double factor;        ///< scene::OverlaySettings::scale
+  double unit;          ///< The picture's shorter side, times `factor`. [pixels]
   double margin;        ///< [pixels]
   double letters;       ///< Letter size of captions and labels. [pixels]
   double smallLetters;  ///< Letter size within insets. [pixels]
+  double arrowLetters;  ///< Likewise at arrows, where letters are in the way. [pixels]
   double line;          ///< Width of lines. [pixels]
   double halo;          ///< Width of the dark edge of lines and letters. [pixels]
 };

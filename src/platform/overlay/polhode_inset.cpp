@@ -169,7 +169,7 @@ class PolhodeInset final : public DrawnOverlay {
   CachedLayer background(const Box& box) const {
     const Scale& scale = context_.scale;
     Canvas canvas = context_.canvas();
-    canvas.roundedBox(box, 0.5 * scale.smallLetters, {kDark, 0.62});
+    canvas.roundedBox(box, 0.5 * scale.smallLetters, {kDark, kBacking});
     drawSolids(canvas);
     drawPolhodes(canvas);
     writeTexts(canvas, box);
@@ -261,13 +261,14 @@ class PolhodeInset final : public DrawnOverlay {
   void writeTexts(Canvas& canvas, const Box& box) const {
     const Scale& scale = context_.scale;
     TextStyle style{.size = scale.smallLetters, .bold = true, .colour = kWhite, .halo = scale.halo};
-    const Layer title = context_.type.draw("Polhode", style, scale.width);
+    const Layer title =
+        context_.type.draw(context_.scene.overlay.words[scene::Word::Polhode], style, scale.width);
     const double padding = 0.5 * scale.smallLetters;
     const Point corner(box.x + padding, box.y + 0.6 * padding);
     std::vector<Box> taken;
     if (box.holds(boxOf(title, corner))) {
       canvas.write(title, corner);
-      taken.push_back(boxOf(title, corner));
+      taken.push_back(boxOf(title, corner).grown(padding));
     }
     const auto tipOf = [&](std::size_t axis) {
       return Eigen::Vector3d(Eigen::Vector3d::Unit(static_cast<Eigen::Index>(axis)) *

@@ -67,7 +67,8 @@ CachedLayer legendOf(const OverlayContext& context, const Box& box, double range
   const Scale& scale = context.scale;
   Canvas canvas = context.canvas();
   const double barHeight = 0.7 * scale.smallLetters, step = box.width / kColours;
-  canvas.roundedBox(box.grown(0.4 * scale.smallLetters), 0.4 * scale.smallLetters, {kDark, 0.55});
+  canvas.roundedBox(box.grown(0.4 * scale.smallLetters), 0.4 * scale.smallLetters,
+                    {kDark, kBacking});
   for (std::size_t i = 0; i < kColours; ++i) {
     const double x = box.x + static_cast<double>(i) * step;
     const std::array<Point, 4> cell{Point(x, box.y), Point(x + step, box.y),
@@ -76,14 +77,15 @@ CachedLayer legendOf(const OverlayContext& context, const Box& box, double range
     canvas.area(cell, {colourOf(i), 1});
   }
   const TextStyle style{.size = scale.smallLetters, .colour = kWhite, .halo = scale.halo};
-  const std::string percent = shortestText(100 * range) + " %";
+  const scene::Words& words = context.scene.overlay.words;
+  const std::string percent = words.number(shortestText(100 * range)) + " %";
   const double y = box.y + barHeight + 0.25 * scale.smallLetters;
   const auto write = [&](const std::string& text, double share) {
     const Layer label = context.type.draw(text, style, scale.width);
     canvas.write(label, {std::round(box.x + share * (box.width - boxOf(label).width)), y});
   };
   write("−" + percent, 0);
-  write("strain", 0.5);
+  write(words[scene::Word::Strain], 0.5);
   write("+" + percent, 1);
   return canvas.take();
 }

@@ -147,7 +147,7 @@ class StripChart final : public DrawnOverlay {
   CachedLayer background() const {
     const Scale& scale = context_.scale;
     Canvas canvas = context_.canvas();
-    canvas.roundedBox(box_, 0.5 * scale.smallLetters, {kDark, 0.7});
+    canvas.roundedBox(box_, 0.5 * scale.smallLetters, {kDark, kBacking});
     ChartWriter writer(context_, canvas, box_);
     const double padding = paddingOf(scale), gap = 0.7 * scale.smallLetters;
     double x = box_.x + padding;
@@ -164,7 +164,8 @@ class StripChart final : public DrawnOverlay {
     const double end = static_cast<double>(context_.scene.clip.frameCount()) *
                        context_.scene.simulation.timePerFrame;
     const double y = std::round(plot_.bottom() + 0.15 * padding);
-    const Layer last = writer.set(roundedText(end, 3) + " s", kGrey);
+    const Layer last =
+        writer.set(context_.scene.overlay.words.number(roundedText(end, 3)) + " s", kGrey);
     writer.write(last, {plot_.right() - last.width, y});
     return canvas.take();
   }
@@ -213,8 +214,9 @@ double energyTop(const physics::Trajectory& trajectory) {
 /// energyTop() or OverlayContext::energyTop, whichever is higher.
 std::unique_ptr<DrawnOverlay> makeEnergy(const OverlayContext& context, const Box& box) {
   const double start = context.trajectory.samples.front().total();
+  const scene::Words& words = context.scene.overlay.words;
   ChartContent content;
-  content.title = "Energy / E₀";
+  content.title = words[scene::Word::Energy] + " / E₀";
   content.shortTitle = "E / E₀";
   content.high = std::max(energyTop(context.trajectory), context.energyTop);
   for (const double level : {1.0, 0.0, 2.0, 3.0}) {
@@ -223,13 +225,15 @@ std::unique_ptr<DrawnOverlay> makeEnergy(const OverlayContext& context, const Bo
   const auto total = [](const physics::Sample& sample) { return sample.total(); };
   if (context.scene.simulation.model == physics::Model::Particles) {
     // If book and springs tremble, both curves are bands; the springs' band is the narrower.
-    content.series = {seriesOf(context, "kinetic", "T", kKineticColour, start,
-                               [](const physics::Sample& sample) { return sample.kinetic; }),
-                      seriesOf(context, "springs", "U", kSpringColour, start,
-                               [](const physics::Sample& sample) { return sample.potential; }),
-                      seriesOf(context, "total", "E", kTotalColour, start, total)};
+    content.series = {
+        seriesOf(context, words[scene::Word::Kinetic], "T", kKineticColour, start,
+                 [](const physics::Sample& sample) { return sample.kinetic; }),
+        seriesOf(context, words[scene::Word::Springs], "U", kSpringColour, start,
+                 [](const physics::Sample& sample) { return sample.potential; }),
+        seriesOf(context, words[scene::Word::Total], "E", kTotalColour, start, total)};
   } else {
-    content.series = {seriesOf(context, "kinetic", "T", kKineticColour, start, total)};
+    content.series = {
+        seriesOf(context, words[scene::Word::Kinetic], "T", kKineticColour, start, total)};
   }
   return std::make_unique<StripChart>(context, box, content);
 }
@@ -237,8 +241,8 @@ std::unique_ptr<DrawnOverlay> makeEnergy(const OverlayContext& context, const Bo
 /// A chart of the angle to the exact motion.
 std::unique_ptr<DrawnOverlay> makeError(const OverlayContext& context, const Box& box) {
   ChartContent content;
-  content.title = "Angle to the exact motion";
-  content.shortTitle = "Error";
+  content.title = context.scene.overlay.words[scene::Word::AngleToExact];
+  content.shortTitle = context.scene.overlay.words[scene::Word::Error];
   content.high = 180;
   content.ticks = {{0, "0°"}, {180, "180°"}, {90, "90°"}};
   content.series = {seriesOf(context, "", "", kErrorColour, 1,

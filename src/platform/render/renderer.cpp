@@ -207,6 +207,10 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
+void Renderer::setCamera(const Camera& camera) {
+  parts_->settings.camera = camera;
+}
+
 DrawnBody Renderer::makeBody() const {
   DrawnBody body{.pixels = {parts_->width, parts_->height, image::PixelFormat::Rgba8}};
   body.strips.colours = {DrawnStrips::kColumns, static_cast<int>(parts_->stripFinder.count()),

@@ -61,6 +61,9 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
+  /// Replaces the camera of the settings from the next draw() on.
+  void setCamera(const Camera& camera);
+
   /// Returns a picture of the right size and format for draw().
   image::Image makePicture() const;
   /// Draws the book in this cage (world [m]) and the background over all of `picture`, from

@@ -52,6 +52,19 @@ TEST(FrameDrawer, TurnsWithTheCamerasFrame) {
       image::compare(inFrame("body", 0).view(), inFrame("momentum", 0).view(), edges).same);
 }
 
+TEST(FrameDrawer, DrawsBackFromABodyThatGrows) {
+  const auto burst = [](const std::string& follow, std::int64_t n) {
+    return drawnFrame(
+        pipeline::testing::smallScene({"simulation.model=particles", "simulation.normalize=false",
+                                       "simulation.damping=0", "simulation.integrator=euler",
+                                       "simulation.substeps=2", "camera.follow=" + follow}),
+        n);
+  };
+  EXPECT_NE(burst("size", 9), burst("none", 9));
+  EXPECT_EQ(drawnFrame(pipeline::testing::smallScene({"camera.follow=size"}), 9),
+            drawnFrame(pipeline::testing::smallScene(), 9));
+}
+
 // Blurred or not, the motion is the same to the last bit.
 TEST(ShutterMoments, BeginWithTheSample) {
   for (const std::string model : {"particles", "matrix", "quaternion", "exact"}) {

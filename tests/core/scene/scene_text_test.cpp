@@ -34,7 +34,7 @@ Scene unusualScene() {
   scene.camera = {{1.0 / 7, -2, 3}, {0.25, 0, 0}, {0, 0, 1}, 44.4, ReferenceFrame::Body};
   scene.book = {"f \"1\".png", "s.png", "../b.png", Rgb{1, 0xab, 255}};
   scene.look = {Background::Plain, 2, 8, {0x2b, 0, 9}};
-  scene.overlay = {{Overlay::Clock, Overlay::Caption}, "Some \"font\""};
+  scene.overlay = {{Overlay::Clock, Overlay::Caption}, "Some \"font\"", 1.5, germanWords()};
   scene.expectations = {
       {Quantity::Stretch, 0.5, 1.0 / 3 + 1, 1.1, 0.9, 0.1, 2},
       {Quantity::DivergesAt, {}, {}, {}, 12, 0, std::numeric_limits<double>::infinity()},
@@ -128,6 +128,7 @@ target = [0.0, 0.0, 0.0]  # m, the point in the middle of the picture
 up = [0.0, 1.0, 0.0]
 field_of_view_deg = 30.0  # degrees, from bottom to top
 frame = "world"  # "world", "body" or "momentum"
+follow = "none"  # "none" or "size"
 
 [book]
 front = "builtin"  # "builtin" or a path relative to the scene's folder
@@ -143,6 +144,8 @@ motion_blur = 1  # moments averaged in a picture: 1, 2, 4, 8 or 16
 show = []  # of )" + listOfOverlays("and") +
                                   R"(
 font = "builtin"  # "builtin" or an installed family
+scale = 1.0
+words = "english"  # "english", "german" or a table
 
 [expect]
 half_turns = { min = 3.0, from = 0.0 }

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "overlay/motion.h"
 #include "scene/scene_text.h"
 
 namespace rotatebook::overlay {
@@ -102,12 +103,57 @@ TEST(CaptionAndClock, NeverPutTextOnText) {
   }
 }
 
-TEST(CaptionAndClock, SayHowTheMotionWasSimulated) {
-  const std::vector<std::string> show{"overlay.show=['caption']"};
-  const image::Image euler = drawn(sceneWith(show), 0);
-  const image::Image exact =
-      drawn(sceneWith({"overlay.show=['caption']", "simulation.model=exact"}), 0);
-  EXPECT_NE(euler, exact);
+TEST(CaptionAndClock, SayHowTheMotionWasSimulatedIfAsked) {
+  const auto seen = [](const std::string& show, const std::string& model) {
+    return drawn(sceneWith({"overlay.show=[" + show + "]", "simulation.model=" + model}), 0);
+  };
+  EXPECT_EQ(seen("'caption'", "quaternion"), seen("'caption'", "exact"));
+  EXPECT_NE(seen("'settings'", "quaternion"), seen("'settings'", "exact"));
+  EXPECT_NE(seen("'caption', 'settings'", "exact"), seen("'caption'", "exact"));
+}
+
+/// Returns the heights of the texts of a caption in one line at this size. [pixels]
+std::vector<double> heightsOf(const std::string& size, const std::string& scale) {
+  const scene::Scene scene =
+      sceneWith({"overlay.show=['caption', 'settings']", "caption='Some words.'",
+                 "clip.size=" + size, "overlay.scale=" + scale});
+  CaptionAndClock captionAndClock(scene);
+  image::Image picture(scene.clip.width, scene.clip.height, image::PixelFormat::Rgb8);
+  captionAndClock.draw(0, picture);
+  std::vector<double> heights;
+  for (const Box& box : captionAndClock.texts()) heights.push_back(box.height);
+  return heights;
+}
+
+// Inter's lines are 1.21 times as high as its letter size.
+TEST(CaptionAndClock, HaveLettersThatAreLargeEnoughToRead) {
+  for (const int rows : {360, 720, 2160}) {
+    const auto size = "[" + std::to_string(rows / 9 * 16) + ", " + std::to_string(rows) + "]";
+    const std::vector<double> heights = heightsOf(size, "1");
+    ASSERT_EQ(heights.size(), 3U);
+    EXPECT_GE(heights[0], 1.21 * 0.045 * rows - 1) << "title";
+    EXPECT_GE(heights[1], 1.21 * 0.035 * rows - 1) << "caption";
+    EXPECT_GE(heights[2], 1.21 * 0.022 * rows - 1) << "settings";
+  }
+}
+
+TEST(CaptionAndClock, HaveLettersOfTheScale) {
+  const std::vector<double> usual = heightsOf("[1280, 720]", "1");
+  const std::vector<double> large = heightsOf("[1280, 720]", "2");
+  for (std::size_t i = 0; i < usual.size(); ++i) EXPECT_NEAR(large[i], 2 * usual[i], 1.5) << i;
+}
+
+// Over a white page, as behind a book that has burst.
+TEST(CaptionAndClock, CanBeReadOverWhite) {
+  const scene::Scene scene = sceneWith(
+      {"overlay.show=['caption', 'settings']", std::string("caption='") + kLongCaption + "'"});
+  CaptionAndClock captionAndClock(scene);
+  image::Image picture = testing::plainPicture(scene, 255);
+  captionAndClock.draw(0, picture);
+  ASSERT_EQ(captionAndClock.texts().size(), 3U);
+  for (const Box& box : captionAndClock.texts()) {
+    EXPECT_GE(testing::contrastOf(box, picture), 4.5);  // measured 5.0 to 6.9
+  }
 }
 
 std::string sceneRefusal(const std::string& text) {
@@ -130,11 +176,12 @@ TEST(CaptionAndClock, AreRefusedWhereTheyWouldHideTheBook) {
   const std::string show = "overlay.show = ['caption']\n";
   const std::string caption = "caption = '" + repeated("words on words ", 66) + "'\n";
   EXPECT_THAT(sceneRefusal(show + caption + "clip.size = [128, 720]"),
-              StartsWith("a.toml:2:11: the text takes 659 of the picture's 720 rows"));
+              StartsWith("a.toml:2:11: the text takes 635 of the picture's 720 rows"));
   EXPECT_THAT(
       sceneRefusal(show + "title = '" + repeated("a title ", 25) + "'\nclip.size = [64, 720]"),
       AllOf(StartsWith("a.toml:2:9: the text takes"), HasSubstr("shorten the title")));
-  EXPECT_EQ(sceneRefusal(show + caption), "no error");
+  EXPECT_EQ(sceneRefusal(show + caption + "overlay.scale = 0.8"), "no error");
+  EXPECT_THAT(sceneRefusal(show + caption), HasSubstr("or the letters smaller (overlay.scale)"));
   EXPECT_EQ(sceneRefusal(show + caption + "clip.size = [320, 180]"), "no error");
 }
 

@@ -94,11 +94,12 @@ std::string nameOf(const ::testing::TestParamInfo<Case>& test) {
 // Overlays that look the same at all times.
 INSTANTIATE_TEST_SUITE_P(
     Still, OverlayGolden,
-    ::testing::Values(Case{
-        "caption",
-        70,
-        70,
-        {"caption='In two lines, if it is long enough for them, as this one is.'"}}),
+    ::testing::Values(
+        Case{"caption",
+             70,
+             70,
+             {"caption='In two lines, if it is long enough for them, as this one is.'"}},
+        Case{"settings", 70, 70}),
     nameOf);
 
 const auto kMoving =

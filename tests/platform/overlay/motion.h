@@ -1,6 +1,8 @@
 // Motions, pictures and views to draw overlays on.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,17 +49,42 @@ inline physics::Trajectory motionOf(const scene::Scene& scene) {
   return physics::simulate(scene.motion(), scene.clip.frameCount());
 }
 
-/// A grey picture of the clip's size.
-inline image::Image greyPicture(const scene::Scene& scene) {
+/// A picture of the clip's size in one grey, 0 to 255.
+inline image::Image plainPicture(const scene::Scene& scene, std::uint8_t grey) {
   image::Image picture(scene.clip.width, scene.clip.height, image::PixelFormat::Rgba8);
   for (int y = 0; y < picture.height(); ++y) {
     std::uint8_t* row = picture.row(y);
     for (int x = 0; x < picture.width(); ++x, row += 4) {
-      row[0] = row[1] = row[2] = 96;
+      row[0] = row[1] = row[2] = grey;
       row[3] = 255;
     }
   }
   return picture;
+}
+
+inline image::Image greyPicture(const scene::Scene& scene) {
+  return plainPicture(scene, 96);
+}
+
+/// Returns the contrast ratio of WCAG 2.1 between the brightest pixel of a text, on a picture of
+/// four channels, and the pixel left of its top left, which is its background.
+inline double contrastOf(const Box& text, const image::Image& picture) {
+  const auto luminance = [&](int x, int y) {
+    const std::uint8_t* pixel = picture.row(y) + static_cast<std::ptrdiff_t>(x) * 4;
+    const auto linear = [](double value) {
+      return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(pixel[0] / 255.0) + 0.7152 * linear(pixel[1] / 255.0) +
+           0.0722 * linear(pixel[2] / 255.0);
+  };
+  const int left = static_cast<int>(text.x), top = static_cast<int>(text.y);
+  double brightest = 0;
+  for (int y = top; y < static_cast<int>(text.bottom()); ++y) {
+    for (int x = left; x < static_cast<int>(text.right()); ++x) {
+      brightest = std::max(brightest, luminance(x, y));
+    }
+  }
+  return (brightest + 0.05) / (luminance(left - 4, top) + 0.05);
 }
 
 /// The projection of the scene's camera onto the rows above `bottomRows`.

@@ -42,6 +42,19 @@ TEST(StripChart, NamesTheTimeAtWhichItEnds) {
   EXPECT_EQ(endLabelOf({"simulation.time_per_frame=0.002"}).width, widthOf("0.36 s"));
 }
 
+TEST(StripChart, CanBeReadOverWhite) {
+  const scene::Scene scene =
+      testing::tumbling({"simulation.model=particles", "overlay.show=['energy', 'error']"});
+  const physics::Trajectory trajectory = testing::motionOf(scene);
+  MotionOverlays overlays = testing::overlaysOf(scene, trajectory);
+  image::Image picture = testing::plainPicture(scene, 255);
+  overlays.draw(0, testing::clipFromWorld(scene, 0), picture);
+  ASSERT_GT(overlays.texts().size(), 8U);
+  for (const Box& box : overlays.texts()) {
+    EXPECT_GE(testing::contrastOf(box, picture), 4.5) << box.x << ", " << box.y;
+  }
+}
+
 /// Returns the top of the energy's chart for a motion that reaches `highest` of its start's.
 double energyTopFor(double highest) {
   physics::Trajectory trajectory;

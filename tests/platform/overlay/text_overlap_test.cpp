@@ -88,7 +88,36 @@ TEST(Texts, NeverMeetOnAWholePicture) {
   EXPECT_GT(longestCaption().size(), 280U);
   for (const Size& size : kWhole) {
     SCOPED_TRACE(text(size));
-    const scene::Scene scene = sceneOf(size.width, size.height, "'caption', " + kEverything);
+    const scene::Scene scene =
+        sceneOf(size.width, size.height, "'caption', 'settings', " + kEverything);
+    CaptionAndClock captionAndClock(scene);
+    expectNoMeeting(
+        scene, &captionAndClock,
+        {size.width, size.height, captionAndClock.corner(), captionAndClock.bottomRows(), ""});
+  }
+}
+
+TEST(Texts, NeverMeetAtAnyScale) {
+  for (const Size& size : {Size{640, 360}, Size{1280, 720}, Size{480, 854}, Size{1080, 1080}}) {
+    for (const double scale : {0.5, 1.5, 2.0, 3.0}) {
+      SCOPED_TRACE(text(size) + " " + std::to_string(scale));
+      scene::Scene scene = sceneOf(size.width, size.height, "'caption', " + kEverything);
+      scene.overlay.scale = scale;
+      scene.caption.clear();
+      scene.title = "A title";
+      CaptionAndClock captionAndClock(scene);
+      expectNoMeeting(
+          scene, &captionAndClock,
+          {size.width, size.height, captionAndClock.corner(), captionAndClock.bottomRows(), ""});
+    }
+  }
+}
+
+TEST(Texts, NeverMeetInGerman) {
+  for (const Size& size : {Size{640, 360}, Size{1280, 720}, Size{480, 854}}) {
+    SCOPED_TRACE(text(size));
+    scene::Scene scene = sceneOf(size.width, size.height, "'settings', " + kEverything);
+    scene.overlay.words = scene::germanWords();
     CaptionAndClock captionAndClock(scene);
     expectNoMeeting(
         scene, &captionAndClock,

@@ -1,6 +1,7 @@
 // The keys of the title, [clip], [video], [camera], [book], [look] and [overlay]: how the motion is
 // shown.
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <filesystem>
@@ -39,6 +40,7 @@ constexpr NumberRange kTimes{"a time in the clip, 0 or more seconds", 0, kPositi
                              Dimension::Time};
 constexpr NumberRange kDurations{kPositive.expected, kPositive.min, kPositive.max, Dimension::Time};
 constexpr NumberRange kSpeeds{"a number from 1e-6 to 1e6", 1e-6, 1e6};
+constexpr NumberRange kOverlayScales{"a number from 0.5 to 3", 0.5, 3};
 constexpr NumberRange kAngles{"an angle from 1 to 170 degrees", 1, 170};
 
 // H.264 with 4:2:0 chroma has no odd sizes.
@@ -149,6 +151,42 @@ std::string overlaysText(const std::vector<Overlay>& overlays) {
   return listText(overlays, [](Overlay overlay) { return quotedName(kOverlays, overlay); });
 }
 
+constexpr std::array<std::string_view, 2> kLanguages{"english", "german"};
+constexpr std::string_view kDecimalMark = "decimal_mark";
+constexpr const char* kExpectedWords =
+    "\"english\", \"german\" or a table of words, such as { \"Half-turns\" = \"Demi-tours\" }";
+constexpr std::size_t kLongestWord = 60;
+
+Words wordsFrom(const ValueReader& value) {
+  if (std::holds_alternative<std::string>(value.node().value)) {
+    return value.choice(kLanguages) == 0 ? Words{} : germanWords();
+  }
+  if (!std::holds_alternative<TomlNode::Table>(value.node().value)) value.mismatch(kExpectedWords);
+  Words words;
+  const auto fieldOf = [](std::string_view key, std::string& into) {
+    return document::Field{key,
+                           [&into](const ValueReader& word) { into = word.text(kLongestWord); }};
+  };
+  std::vector<document::Field> fields{fieldOf(kDecimalMark, words.decimalMark)};
+  for (std::size_t i = 0; i < kEnglishWords.size(); ++i) {
+    fields.push_back(fieldOf(kEnglishWords[i], words.texts[i]));
+  }
+  value.readTable(fields);
+  return words;
+}
+
+std::string wordsText(const Words& words) {
+  if (words == Words{}) return tomlString(kLanguages[0]);
+  if (words == germanWords()) return tomlString(kLanguages[1]);
+  std::vector<std::string> entries{std::string(kDecimalMark) + " = " +
+                                   tomlString(words.decimalMark)};
+  for (std::size_t i = 0; i < kEnglishWords.size(); ++i) {
+    if (words.texts[i] == kEnglishWords[i]) continue;
+    entries.push_back(tomlString(kEnglishWords[i]) + " = " + tomlString(words.texts[i]));
+  }
+  return "{ " + joined(entries) + " }";
+}
+
 }  // namespace
 
 const Keys<Scene>& titleKeys() {
@@ -218,6 +256,8 @@ const Keys<CameraSettings>& cameraKeys() {
            .meaning = "from the picture's bottom to its top"}),
       key("frame", &CameraSettings::frame, oneOf(kFrames),
           {.meaning = "the reference frame that the camera turns with"}),
+      key("follow", &CameraSettings::follow, oneOf(kFollows),
+          {.meaning = "size: the camera draws back when the body grows"}),
   };
   return keys;
 }
@@ -266,6 +306,11 @@ const Keys<OverlaySettings>& overlayKeys() {
           {.comment = "\"builtin\" or an installed family",
            .meaning = "the built-in font is Inter",
            .allowed = "\"builtin\" or an installed family"}),
+      key("scale", &OverlaySettings::scale, number(kOverlayScales),
+          {.meaning = "size of letters, lines and charts; 1 is the usual one"}),
+      key("words", &OverlaySettings::words, Kind<Words>{wordsFrom, wordsText, kExpectedWords},
+          {.comment = "\"english\", \"german\" or a table",
+           .meaning = "the words that pictures show, and their `decimal_mark`"}),
   };
   return keys;
 }

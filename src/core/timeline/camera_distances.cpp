@@ -1,0 +1,79 @@
+#include "timeline/camera_distances.h"
+
+#include <algorithm>
+
+#include "base/elementary.h"
+
+namespace rotatebook::timeline {
+namespace {
+
+constexpr double kEase = 0.4;  // frames this near are averaged [s of the clip]
+
+constexpr double kHalving =
+    3;  // in which the camera, if it may, comes back by half [s of the clip]
+
+/// Returns the distance from the origin of the farthest corner. [m]
+double reachOf(const physics::Cage& cage) {
+  return cage.colwise().norm().maxCoeff();
+}
+
+/// Returns how large a body may become before the camera draws back: up to the edge of the picture,
+/// and at least as the default camera leaves room. [m]
+double roomFor(const scene::Scene& scene, const physics::Cuboid& body, double targetDistance) {
+  // In panels the angle of view is over the shorter side.
+  const bool panels = !scene.panels.empty();
+  const double inView =
+      radiusInView(scene.camera, panels ? 1 : scene.clip.width, panels ? 1 : scene.clip.height);
+  return std::max(inView, scene::kRoomAround * (targetDistance + reachOf(body.corners())));
+}
+
+/// Returns, for each frame, the logarithm of the multiple that keeps the body in view, which comes
+/// back slowly after a body that shrinks; 0 as long as it has room.
+std::vector<double> neededLogarithms(const scene::Scene& scene, const scene::Panel& panel,
+                                     const ClipMotion& motion, std::size_t index) {
+  const auto& samples = motion.trajectories()[index].samples;
+  const double targetDistance = scene.camera.target.norm();
+  const double room = roomFor(scene, panel.body, targetDistance);
+  const double comesBack = logarithm(2) * scene.clip.frameRate.period() / kHalving;
+  std::vector<double> needed;
+  double before = 0;
+  for (std::int64_t frame = 0; frame < motion.frameCount(); ++frame) {
+    const physics::Cage& cage = samples[motion.sampleAt(index, frame)].cage;
+    const double growth = (targetDistance + reachOf(cage)) / room;
+    before = std::max({0.0, before - comesBack, growth > 1 ? logarithm(growth) : 0});
+    needed.push_back(before);
+  }
+  return needed;
+}
+
+/// Returns the exponentials of the weighted means of `logarithms` up to `reach` frames before and
+/// after, which follow an exponential growth without delay. The weights are whole numbers, so that
+/// the mean of zeros is zero.
+std::vector<double> eased(const std::vector<double>& logarithms, std::int64_t reach) {
+  const auto last = static_cast<std::int64_t>(logarithms.size()) - 1;
+  std::vector<double> multiples;
+  for (std::int64_t frame = 0; frame <= last; ++frame) {
+    double sum = 0, weights = 0;
+    for (std::int64_t off = -reach; off <= reach; ++off) {
+      const auto weight = static_cast<double>(reach + 1 - std::max(off, -off));
+      const auto near = std::clamp<std::int64_t>(frame + off, 0, last);
+      sum += weight * logarithms[static_cast<std::size_t>(near)];
+      weights += weight;
+    }
+    multiples.push_back(exponential(sum / weights));
+  }
+  return multiples;
+}
+
+}  // namespace
+
+CameraDistances::CameraDistances(const scene::Scene& scene, const ClipMotion& motion) {
+  if (scene.camera.follow == scene::Follow::None) return;
+  const std::vector<scene::Panel> panels = scene::motionsOf(scene);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    multiples_.push_back(
+        eased(neededLogarithms(scene, panels[i], motion, i), scene.clip.frameRate.framesIn(kEase)));
+  }
+}
+
+}  // namespace rotatebook::timeline

@@ -1,0 +1,75 @@
+#include "scene/words.h"
+
+#include <algorithm>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "scene/scene_text.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using ::testing::HasSubstr;
+
+Scene sceneWithWords(const std::string& words) {
+  return parseScene("[initial]\nangular_velocity = [5, 3, 1]\n[overlay]\nwords = " + words + "\n",
+                    "a.toml");
+}
+
+TEST(Words, AreEnglishByDefault) {
+  const Words words;
+  EXPECT_EQ(words[Word::HalfTurns], "Half-turns");
+  EXPECT_EQ(words.number("1.5 s"), "1.5 s");
+  EXPECT_EQ(sceneWithWords("'english'").overlay.words, words);
+}
+
+TEST(Words, OfTheListAreAllDifferentAndTranslated) {
+  for (std::size_t i = 0; i < kEnglishWords.size(); ++i) {
+    EXPECT_EQ(std::ranges::count(kEnglishWords, kEnglishWords[i]), 1) << kEnglishWords[i];
+    EXPECT_FALSE(kGermanWords[i].empty()) << kEnglishWords[i];
+  }
+}
+
+TEST(Words, ShipInGerman) {
+  const Words words = sceneWithWords("'german'").overlay.words;
+  EXPECT_EQ(words[Word::HalfTurns], "Halbe Drehungen");
+  EXPECT_EQ(words.number("1.5 s"), "1,5 s");
+  EXPECT_EQ(words.number("12 s"), "12 s");
+}
+
+TEST(Words, OfATableReplaceThoseInEnglish) {
+  const Words words = sceneWithWords("{ 'Half-turns' = 'Demi-tours' }").overlay.words;
+  EXPECT_EQ(words[Word::HalfTurns], "Demi-tours");
+  EXPECT_EQ(words[Word::Energy], "Energy");
+}
+
+TEST(Words, AreThoseOfTheScenesText) {
+  for (const char* words :
+       {"'english'", "'german'", "{ 'Half-turns' = 'Demi-tours', decimal_mark = ',' }"}) {
+    const Scene scene = sceneWithWords(words);
+    EXPECT_EQ(parseScene(sceneText(scene), "a.toml").overlay.words, scene.overlay.words) << words;
+  }
+}
+
+std::string refusalOf(const std::string& words) {
+  try {
+    sceneWithWords(words);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Words, ThatAreUnknownAreRefused) {
+  EXPECT_THAT(refusalOf("{ 'Half-turn' = 'Demi-tours' }"),
+              HasSubstr("did you mean \"Half-turns\""));
+  EXPECT_THAT(refusalOf("'germann'"), HasSubstr("did you mean \"german\""));
+  EXPECT_THAT(refusalOf("3"),
+              HasSubstr("overlay.words must be \"english\", \"german\" or a table"));
+}
+
+}  // namespace
+}  // namespace rotatebook::scene

@@ -87,7 +87,7 @@ int darkest(const scene::Scene& scene) {
 }
 
 TEST(Ink, IsWhatTextsAreWrittenWith) {
-  EXPECT_LT(darkest(sceneOn("white")), 45);  // measured 35
+  EXPECT_LT(darkest(sceneOn("white")), 45);   // measured 35
   EXPECT_GT(darkest(sceneOn("studio")), 60);  // measured 78
 }
 

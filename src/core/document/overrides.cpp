@@ -82,6 +82,13 @@ void applyOverride(TomlNode& root, const std::string& text, const Alternatives& 
   if (equals == std::string::npos) failAt(location, "expected KEY=VALUE");
   const std::string_view key = trimmed(std::string_view(text).substr(0, equals));
   const std::string_view value = trimmed(std::string_view(text).substr(equals + 1));
+  putValue(root, key, valueFrom(value, location), location, alternatives);
+}
+
+}  // namespace
+
+void putValue(TomlNode& root, std::string_view key, TomlNode value, const std::string& location,
+              const Alternatives& alternatives) {
   const Path path = pathFrom(key, location);
 
   TomlNode* parent = &root;
@@ -92,14 +99,12 @@ void applyOverride(TomlNode& root, const std::string& text, const Alternatives& 
     parent = node;
     node = &childOf(*parent, part, key.substr(0, before - (before > 0 ? 1 : 0)), location);
   }
-  *node = valueFrom(value, location);
+  *node = std::move(value);
   const bool isInside = path.size() >= 2 && path[path.size() - 2] == alternatives.section;
   if (isInside && isAmong(alternatives.keys, path.back())) {
     removeOthers(*parent, alternatives.keys, path.back());
   }
 }
-
-}  // namespace
 
 std::string overrideLocation(std::string_view text) {
   constexpr std::size_t kMaxShown = 200;

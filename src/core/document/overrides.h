@@ -26,6 +26,11 @@ struct Alternatives {
 void applyOverrides(TomlNode& root, std::span<const std::string> overrides,
                     const Alternatives& alternatives = {});
 
+/// Puts `value` in place of the one of `key`, such as "section.key", as applyOverrides() does.
+/// Problems with the key have `location`. Throws DocumentError.
+void putValue(TomlNode& root, std::string_view key, TomlNode value, const std::string& location,
+              const Alternatives& alternatives = {});
+
 /// Returns the location of an override for messages: "--set KEY=VALUE", printable and not too long.
 std::string overrideLocation(std::string_view text);
 

@@ -136,6 +136,26 @@ const TomlEntry* find(const TomlNode::Table& table, std::string_view key) {
   return found == table.end() ? nullptr : &*found;
 }
 
+std::string tomlText(const TomlNode& node) {
+  struct Printer {
+    std::string operator()(bool value) const { return value ? "true" : "false"; }
+    std::string operator()(std::int64_t value) const { return std::to_string(value); }
+    std::string operator()(double value) const { return tomlNumber(value); }
+    std::string operator()(const std::string& value) const { return tomlString(value); }
+    std::string operator()(const TomlDate&) const { return ""; }
+    std::string operator()(const TomlNode::Array& array) const {
+      return "[" + joinedOf(array, tomlText) + "]";
+    }
+    std::string operator()(const TomlNode::Table& table) const {
+      const auto entryText = [](const TomlEntry& entry) {
+        return tomlString(entry.key) + " = " + tomlText(entry.node);
+      };
+      return "{ " + joinedOf(table, entryText) + " }";
+    }
+  };
+  return std::visit(Printer{}, node.value);
+}
+
 std::string describe(const TomlNode& node) {
   struct Describer {
     std::string operator()(bool value) const { return value ? "true" : "false"; }

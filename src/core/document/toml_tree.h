@@ -51,6 +51,10 @@ std::optional<TomlNode> parseTomlValue(std::string_view text, const std::string&
 TomlEntry* find(TomlNode::Table& table, std::string_view key);
 const TomlEntry* find(const TomlNode::Table& table, std::string_view key);
 
+/// Returns a value as TOML on one line, with tables inline; it reads back to the same value. Dates
+/// have no text.
+std::string tomlText(const TomlNode& node);
+
 /// Returns the description of a value for a message: as TOML writes it if that is short, else in
 /// words.
 std::string describe(const TomlNode& node);

@@ -15,6 +15,7 @@ std::vector<KeyRow> allKeys() {
   for (const auto& section : pictureSections()) add(section.rows);
   add(rowsOf("panel.N.", panelKeys()));
   add(rowsOf("study.", studyKeys()));
+  add(rowsOf("study.", sweepKeys()));
   return all;
 }
 

@@ -86,6 +86,9 @@ constexpr std::array<std::string_view, N> namesOf(const std::array<Named<T>, N>&
   return names;
 }
 
+/// The names of kSpinKinds.
+inline constexpr auto kSpinKeys = namesOf(kSpinKinds);
+
 /// Returns the name of `value`, which is one of `choices`.
 template <typename T, std::size_t N>
 constexpr std::string_view nameOf(const std::array<Named<T>, N>& choices, const T& value) {

@@ -132,6 +132,14 @@ void checkIntegrator(const ValueReader& section, const physics::SimulationSettin
                    quotedList(integratorNames(settings.model), "and"));
 }
 
+void checkMotion(const ValueReader& file, const physics::SimulationSettings& settings) {
+  const auto initial = file.find("initial");
+  if (!initial) file.fail("[initial] is missing; it needs angular_velocity or angular_momentum");
+  requireSpin(*initial);
+  if (const auto body = file.find("body")) checkInertia(*body, settings.model);
+  if (const auto simulation = file.find("simulation")) checkIntegrator(*simulation, settings);
+}
+
 void checkInertia(const ValueReader& section, physics::Model model) {
   const auto inertia = section.find("inertia");
   if (!inertia || model != physics::Model::Particles) return;

@@ -18,7 +18,6 @@ namespace rotatebook::scene {
 namespace {
 
 // A scene has one spin, so the command line's replaces the file's, whichever key each of them uses.
-constexpr auto kSpinKeys = namesOf(kSpinKinds);
 constexpr document::Alternatives kSpins{"initial", kSpinKeys};
 
 void readSections(const ValueReader& file, Scene& scene) {
@@ -58,17 +57,6 @@ void readMotions(const ValueReader& file, Scene& scene) {
   }
   if (const auto panels = file.find("panel")) {
     scene.panels = readPanels(*panels, file, scene.simulation.timePerFrame);
-  }
-}
-
-/// Checks the motion of a scene without panels across its sections.
-void checkMotion(const ValueReader& file, const Scene& scene) {
-  const auto initial = file.find("initial");
-  if (!initial) file.fail("[initial] is missing; it needs angular_velocity or angular_momentum");
-  requireSpin(*initial);
-  if (const auto body = file.find("body")) checkInertia(*body, scene.simulation.model);
-  if (const auto simulation = file.find("simulation")) {
-    checkIntegrator(*simulation, scene.simulation);
   }
 }
 
@@ -117,13 +105,13 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   noteLocations(file, scene);
 
   // Check across sections, and read what depends on several of them
-  if (scene.panels.empty()) problems.note([&] { checkMotion(file, scene); });
+  if (scene.panels.empty()) problems.note([&] { checkMotion(file, scene.simulation); });
   problems.note([&] { placeCamera(file, scene); });
   if (const auto overlay = file.find("overlay")) {
     problems.note([&] { checkOverlays(*overlay, scene); });
   }
   if (const auto look = file.find("look")) problems.note([&] { checkMotionBlur(*look, scene); });
-  if (const auto study = file.find("study")) problems.note([&] { readStudy(*study, scene); });
+  if (const auto study = file.find("study")) problems.note([&] { readStudy(*study, file, scene); });
   problems.throwIfAny();
   checkSteps(file, scene);
   return scene;

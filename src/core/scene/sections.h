@@ -25,6 +25,10 @@ inline constexpr std::size_t kMaxNudges = 100;  ///< Of one motion.
 inline constexpr std::size_t kMinPanels = 2;
 inline constexpr std::size_t kMaxPanels = 6;
 
+/// Most runs of a sweep, and most quantities that it measures.
+inline constexpr std::size_t kMaxRuns = 1000;
+inline constexpr std::size_t kMaxMeasures = 3;
+
 /// Most integration steps from one frame to the next.
 inline constexpr int kMaxSubsteps = 1'000'000;
 /// Most integration steps that a scene, or its study, takes in all: some hours of computing.
@@ -47,15 +51,20 @@ std::string timePerFrameLine(const physics::SimulationSettings& settings);
 std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file,
                               double timePerFrame);
 
-/// Reads `section`, [study], into `scene`, the rest of which must be read already, because it
-/// decides what a study may vary. What the section leaves out is as in defaultStudy() for the
+/// Reads `section`, [study] of `file`, into `scene`, the rest of which must be read already, because
+/// it decides what a study may vary. What the section leaves out is as in defaultStudy() for the
 /// scene's model. Throws InputError.
-void readStudy(const ValueReader& section, Scene& scene);
+void readStudy(const ValueReader& section, const ValueReader& file, Scene& scene);
+/// Reads a sweep likewise, into `scene.study`; `section` has `over`. Throws InputError.
+void readSweep(const ValueReader& section, const ValueReader& file, Scene& scene);
 /// Returns [study] as TOML; empty for a scene without a study.
 std::string studyText(const Scene& scene);
 
 /// Throws InputError if `section`, [initial], has no spin.
 void requireSpin(const ValueReader& section);
+/// Checks across its sections the motion of a scene without panels; `file` has all of them. Throws
+/// InputError.
+void checkMotion(const ValueReader& file, const physics::SimulationSettings& settings);
 /// Throws InputError if `section`, [simulation], states an integrator that the model doesn't have.
 void checkIntegrator(const ValueReader& section, const physics::SimulationSettings& settings);
 /// Throws InputError if `section`, [body], states an inertia for a model that has its own.

@@ -21,6 +21,12 @@ std::int64_t stepsOf(const Scene& scene) {
 /// Returns the steps of all runs of a study from one frame to the next.
 std::int64_t stepsOf(const StudySettings& study, const Scene& scene) {
   const auto sizeOf = [](const auto& list) { return static_cast<std::int64_t>(list.size()); };
+  if (study.sweep) {
+    return std::accumulate(study.sweep->runs.begin(), study.sweep->runs.end(), std::int64_t{0},
+                           [](std::int64_t sum, const SweepRun& run) {
+                             return sum + stepsOf(run.motion.simulation);
+                           });
+  }
   if (study.isOfTilts()) return sizeOf(study.tilts) * stepsOf(scene.simulation);
   return sizeOf(study.integrators) *
          std::accumulate(study.steps.begin(), study.steps.end(), std::int64_t{0});
@@ -54,7 +60,8 @@ void checkSteps(const ValueReader& file, const Scene& scene) {
              "lower simulation.substeps or clip.duration");
   const auto study = file.find("study");
   if (!study) return;
-  const auto list = study->find(scene.study->isOfTilts() ? "tilts" : "steps");
+  const bool isOfTilts = scene.study->isOfTilts();
+  const auto list = study->find(scene.study->sweep ? "values" : isOfTilts ? "tilts" : "steps");
   refuseMany(stepsOf(*scene.study, scene), scene, list.value_or(*study),
              "make fewer runs, or lower clip.duration");
 }

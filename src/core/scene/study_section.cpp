@@ -1,4 +1,7 @@
 // Reads and prints [study].
+#include <algorithm>
+#include <iterator>
+
 #include "document/problems.h"
 #include "physics/measure/flip_interval.h"
 #include "physics/motion_start.h"
@@ -44,6 +47,12 @@ void refuseTiltsWithSteps(const ValueReader& section) {
   }
 }
 
+void refuseWithoutOver(const ValueReader& section) {
+  for (const Key<Scene>& key : sweepKeys()) {
+    if (const auto value = section.find(key.name)) value->fail(value->name() + " needs study.over");
+  }
+}
+
 }  // namespace
 
 StudySettings defaultStudy(Model model) {
@@ -57,12 +66,17 @@ StudySettings defaultStudy(Model model) {
   return study;
 }
 
-void readStudy(const ValueReader& section, Scene& scene) {
+void readStudy(const ValueReader& section, const ValueReader& file, Scene& scene) {
   if (!scene.panels.empty()) {
     section.fail("[study] needs a single motion, but this scene has panels");
   }
   const auto& keys = studyKeys();
-  section.readTable(fieldsOf(keys, [](const auto&, const ValueReader&) {}));
+  const auto ignore = [](const auto&, const ValueReader&) {};
+  auto fields = fieldsOf(keys, ignore);
+  std::ranges::move(fieldsOf(sweepKeys(), ignore), std::back_inserter(fields));
+  section.readTable(fields);
+  if (section.find("over")) return readSweep(section, file, scene);
+  refuseWithoutOver(section);
   const auto tilts = section.find("tilts");
   if (tilts) {
     refuseTiltsWithSteps(section);
@@ -84,7 +98,8 @@ void readStudy(const ValueReader& section, Scene& scene) {
 
 std::string studyText(const Scene& scene) {
   if (!scene.study) return "";
-  return "\n[study]\n" + linesOf(studyKeys(), scene) + ordersText(*scene.study);
+  return "\n[study]\n" + linesOf(studyKeys(), scene) + ordersText(*scene.study) +
+         linesOf(sweepKeys(), scene);
 }
 
 }  // namespace rotatebook::scene

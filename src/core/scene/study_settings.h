@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "physics/motion_settings.h"
+#include "scene/expectation.h"
 
 namespace rotatebook::scene {
 
@@ -28,12 +30,59 @@ struct ExpectedOrder {
   friend bool operator==(const ExpectedOrder&, const ExpectedOrder&) = default;
 };
 
-/// Either a study of integrators and steps, or one of tilts.
+/// A value that a sweep gives to a key.
+struct SweepValue {
+  std::string toml;                ///< As a scene states it, with its label if that is stated.
+  std::string label;               ///< The number or the word, or what is stated.
+  std::optional<double> number{};  ///< The value, if it is a number without a label.
+
+  friend bool operator==(const SweepValue&, const SweepValue&) = default;
+};
+
+/// A key of a motion, "section.key", and the values that it gets.
+struct SweepKey {
+  std::string key;
+  std::vector<SweepValue> values;  ///< At least one, each with another label.
+
+  friend bool operator==(const SweepKey&, const SweepKey&) = default;
+};
+
+/// Bounds on a measured quantity of some of a sweep's runs.
+struct SweepExpectation {
+  Quantity quantity = Quantity::HalfTurns;  ///< One of Sweep::measures.
+  std::optional<std::string> at{};          ///< The label of a value; without it, all.
+  std::optional<std::string> curve{};       ///< The label of a curve; without it, all.
+  Bounds bounds{};
+
+  friend bool operator==(const SweepExpectation&, const SweepExpectation&) = default;
+};
+
+/// A run of a sweep.
+struct SweepRun {
+  std::string value;  ///< The label of the value.
+  std::string curve;  ///< The label of the curve; empty if there is no second key.
+  physics::MotionSettings motion;
+
+  friend bool operator==(const SweepRun&, const SweepRun&) = default;
+};
+
+/// Runs of the scene's motion with other values of one key, or of two.
+struct Sweep {
+  SweepKey over;
+  std::optional<SweepKey> curves{};  ///< A second key: one curve for each of its values.
+  std::vector<Quantity> measures{};  ///< At least one, each once.
+  std::vector<SweepExpectation> expected{};
+  std::vector<SweepRun> runs{};  ///< Curve by curve, each in the order of the values.
+
+  friend bool operator==(const Sweep&, const Sweep&) = default;
+};
+
+/// A study of integrators and steps, or of tilts, or of any key.
 struct StudySettings {
-  /// Integrators of the scene's model, each once; empty in a study of tilts.
+  /// Integrators of the scene's model, each once; empty in other studies.
   std::vector<physics::Integrator> integrators{};
   /// Integration steps from one frame to the next, in place of SimulationSettings::substeps; each
-  /// once, 1 to a million; empty in a study of tilts.
+  /// once, 1 to a million; empty in other studies.
   std::vector<int> steps{};
   std::vector<ExpectedOrder> orders{};  ///< For some of `integrators`.
 
@@ -41,6 +90,8 @@ struct StudySettings {
   std::vector<double> tilts{};
   /// Bounds on the greatest |measured interval / law - 1|.
   std::optional<Bounds> flipLaw{};
+
+  std::optional<Sweep> sweep{};
 
   bool isOfTilts() const { return !tilts.empty(); }
   friend bool operator==(const StudySettings&, const StudySettings&) = default;

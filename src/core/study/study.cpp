@@ -13,6 +13,7 @@
 #include "physics/simulate.h"
 #include "rigid/inertia.h"
 #include "scene/source_locations.h"
+#include "study/whole_motion.h"
 
 namespace rotatebook::study {
 namespace {
@@ -25,22 +26,6 @@ using Stop = const std::atomic<bool>*;
 
 bool isSet(Stop stop) {
   return stop != nullptr && *stop;
-}
-
-/// Returns the whole motion, or nothing, with the reason in `end`. After a stop it may be cut
-/// short; no row of such a study is used.
-std::optional<Trajectory> wholeMotion(const MotionSettings& settings, std::int64_t frames,
-                                      Stop stop, RunEnd& end) {
-  try {
-    Trajectory trajectory = simulate(settings, frames, stop);
-    if (!trajectory.divergedAt) return trajectory;
-    end = {RunEnd::Kind::Diverged, *trajectory.divergedAt};
-  } catch (const physics::NoConvergence&) {
-    end = {RunEnd::Kind::NoConvergence};
-  } catch (const physics::StepTooLong&) {
-    end = {RunEnd::Kind::StepTooLong};
-  }
-  return std::nullopt;
 }
 
 void measure(const Trajectory& trajectory, PrecisionRow& row) {
@@ -109,12 +94,26 @@ TiltRow runTilt(const MotionSettings& settings, std::int64_t frames, Stop stop) 
   return row;
 }
 
-/// Makes all runs. Returns false after a stop.
-bool makeRuns(const std::vector<std::size_t>& indices, const Run& run, const Execution& execution) {
-  return execution.runAll(indices, run) && !isSet(execution.stop);
+}  // namespace
+
+std::optional<Trajectory> wholeMotion(const MotionSettings& settings, std::int64_t frames,
+                                      Stop stop, RunEnd& end) {
+  try {
+    Trajectory trajectory = simulate(settings, frames, stop);
+    if (!trajectory.divergedAt) return trajectory;
+    end = {RunEnd::Kind::Diverged, *trajectory.divergedAt};
+  } catch (const physics::NoConvergence&) {
+    end = {RunEnd::Kind::NoConvergence};
+  } catch (const physics::StepTooLong&) {
+    end = {RunEnd::Kind::StepTooLong};
+  }
+  return std::nullopt;
 }
 
-}  // namespace
+bool makeRuns(const std::vector<MotionSettings>& settings, const Run& run,
+              const Execution& execution) {
+  return execution.runAll(longestFirst(settings), run) && !isSet(execution.stop);
+}
 
 bool runInTurn(std::span<const std::size_t> indices, const Run& run) {
   std::ranges::for_each(indices, run);
@@ -178,7 +177,7 @@ std::optional<PrecisionStudy> runPrecisionStudy(const scene::Scene& scene,
   const auto run = [&](std::size_t i) {
     result.rows[i] = runPrecision(runs[i], scene.clip.frameCount(), execution);
   };
-  if (!makeRuns(longestFirst(runs), run, execution)) return std::nullopt;
+  if (!makeRuns(runs, run, execution)) return std::nullopt;
   for (const physics::Integrator integrator : study.integrators) {
     result.orders.push_back(orderOf(integrator, result.rows));
   }
@@ -197,7 +196,7 @@ std::optional<TiltStudy> runTiltStudy(const scene::Scene& scene, const scene::St
   const auto run = [&](std::size_t i) {
     result.rows[i] = runTilt(runs[i], scene.clip.frameCount(), execution.stop);
   };
-  if (!makeRuns(longestFirst(runs), run, execution)) return std::nullopt;
+  if (!makeRuns(runs, run, execution)) return std::nullopt;
   return result;
 }
 

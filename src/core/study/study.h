@@ -1,5 +1,5 @@
 // Studies: a scene's motion run again and again, with other integrators and steps, or with other
-// tilts.
+// tilts. Those over any key are in study/sweep.h.
 #pragma once
 
 #include <atomic>

@@ -4,13 +4,10 @@
 
 #include "base/number_text.h"
 #include "scene/names.h"
+#include "study/whole_motion.h"
 
 namespace rotatebook::study {
 namespace {
-
-std::string field(double value) {
-  return "," + (std::isnan(value) ? "" : shortestText(value));
-}
 
 // Rounds to tenths of a nanosecond, finer than any measurement. NaN stays NaN.
 double roundedToTenths(double nanoseconds) {
@@ -30,6 +27,10 @@ std::string precisionLine(const PrecisionRow& row) {
 }
 
 }  // namespace
+
+std::string field(double value) {
+  return "," + (std::isnan(value) ? "" : shortestText(value));
+}
 
 std::string precisionCsv(const PrecisionStudy& study) {
   std::string text =

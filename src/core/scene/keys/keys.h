@@ -29,8 +29,16 @@ const Keys<BookSettings>& bookKeys();
 const Keys<LookSettings>& lookKeys();
 const Keys<OverlaySettings>& overlayKeys();
 
-/// Keys of Scene::study, which must be present; they depend on the scene's model.
+/// Keys of Scene::study, which must be present, but for its sweep; they depend on the scene's model.
 const Keys<Scene>& studyKeys();
+/// The keys of Scene::study's sweep; to read them, it must be present.
+const Keys<Scene>& sweepKeys();
+
+/// Keys of bounds on a number.
+const Keys<Bounds>& boundKeys();
+/// Throws InputError if `bounds`, read from `value`, are none, or in the wrong order.
+void checkBounds(const ValueReader& value, const Bounds& bounds);
+
 /// Returns the lines of study.orders, one for each integrator.
 std::string ordersText(const StudySettings& study);
 

@@ -21,21 +21,10 @@ constexpr NumberRange kTilts{"an angle over 0 and up to 0.785 rad",
                              std::numeric_limits<double>::denorm_min(), std::numbers::pi / 4,
                              Dimension::Angle};
 
-const Keys<Bounds>& boundKeys() {
-  static const Keys<Bounds> keys{
-      key("min", &Bounds::min, number(kNumber)),
-      key("max", &Bounds::max, number(kNumber)),
-  };
-  return keys;
-}
-
 Bounds boundsFrom(const ValueReader& value) {
   Bounds bounds;
   readKeys(value, boundKeys(), bounds);
-  if (!bounds.min && !bounds.max) value.fail(value.name() + " needs min, max or both");
-  if (bounds.min && bounds.max && *bounds.min > *bounds.max) {
-    value.find("min")->mismatch("at most max, " + tomlNumber(*bounds.max));
-  }
+  checkBounds(value, bounds);
   return bounds;
 }
 
@@ -106,6 +95,21 @@ std::string flipLawText(const Scene& scene) {
 }
 
 }  // namespace
+
+const Keys<Bounds>& boundKeys() {
+  static const Keys<Bounds> keys{
+      key("min", &Bounds::min, number(kNumber)),
+      key("max", &Bounds::max, number(kNumber)),
+  };
+  return keys;
+}
+
+void checkBounds(const ValueReader& value, const Bounds& bounds) {
+  if (!bounds.min && !bounds.max) value.fail(value.name() + " needs min, max or both");
+  if (bounds.min && bounds.max && *bounds.min > *bounds.max) {
+    value.find("min")->mismatch("at most max, " + tomlNumber(*bounds.max));
+  }
+}
 
 const Keys<Scene>& studyKeys() {
   static const Keys<Scene> keys{

@@ -1,0 +1,166 @@
+// Reads a sweep, a study over any key: its keys, and the motion of each run.
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "document/overrides.h"
+#include "document/problems.h"
+#include "scene/keys/keys.h"
+#include "scene/keys/sweep_values.h"
+#include "scene/names.h"
+#include "scene/sections.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using document::TomlNode;
+
+constexpr document::Alternatives kSpins{"initial", kSpinKeys};
+
+/// Returns the sections that settle a motion, which are those but [expect].
+std::span<const Section<Motion>> physicsSections() {
+  return motionSections().first(motionSections().size() - 1);
+}
+
+/// A key, the reader of its name, and its values.
+struct Axis {
+  ValueReader key;
+  std::vector<StatedValue> values;
+};
+
+void requireMotionKey(const ValueReader& key) {
+  const std::string text = key.text(kLongestPath);
+  std::vector<std::string_view> names;
+  for (const auto& section : physicsSections()) names.push_back(section.name);
+  const std::string first = text.substr(0, text.find('.'));
+  if (std::ranges::count(names, first) > 0 && first != text) return;
+  key.fail(key.name() + " must be a key of " + quotedList(names, "or") +
+           ", such as \"simulation.substeps\", not " + describe(key.node()) +
+           didYouMean(first, names));
+}
+
+Axis axisFrom(const ValueReader& table) {
+  const ValueReader key = *table.find("over");
+  requireMotionKey(key);
+  return {key, statedValues(*table.find("values"))};
+}
+
+/// Returns the sections of a motion that `file` has.
+TomlNode motionPart(const ValueReader& file) {
+  TomlNode::Table sections;
+  for (const auto& section : physicsSections()) {
+    const auto* table = std::get_if<TomlNode::Table>(&file.node().value);
+    if (const auto* entry = find(*table, section.name)) sections.push_back(*entry);
+  }
+  return {std::move(sections), file.node().location};
+}
+
+void put(TomlNode& sections, const Axis& axis, const StatedValue& value) {
+  putValue(sections, axis.key.text(kLongestPath), value.node, axis.key.node().location, kSpins);
+}
+
+/// Reads the motion of a run from its `sections`. The time from a frame to the next is
+/// `timePerFrame` unless they state it.
+physics::MotionSettings motionFrom(const TomlNode& sections, double timePerFrame) {
+  const ValueReader file(sections, "");
+  Motion motion;
+  motion.simulation.timePerFrame = timePerFrame;
+  std::vector<Field> fields;
+  addFields(fields, physicsSections(), motion);
+  file.readTable(fields);
+  checkMotion(file, motion.simulation);
+  return motion;
+}
+
+void addCurve(const TomlNode& sections, const Axis& over, const std::string& curve, Scene& scene) {
+  document::Problems problems;
+  for (const StatedValue& value : over.values) {
+    problems.note([&] {
+      TomlNode varied = sections;
+      put(varied, over, value);
+      scene.study->sweep->runs.push_back(
+          {value.value.label, curve, motionFrom(varied, scene.simulation.timePerFrame)});
+    });
+  }
+  problems.throwIfAny();
+}
+
+void refuseManyRuns(const ValueReader& section, const Sweep& sweep) {
+  const std::size_t curves = sweep.curves ? sweep.curves->values.size() : 1;
+  const std::size_t runs = sweep.over.values.size() * curves;
+  if (runs <= kMaxRuns) return;
+  section.fail("[study] has " + std::to_string(runs) + " runs; the limit is " +
+               std::to_string(kMaxRuns));
+}
+
+void makeRuns(const ValueReader& section, const ValueReader& file, Scene& scene) {
+  refuseManyRuns(section, *scene.study->sweep);
+  const Axis over = axisFrom(section);
+  const TomlNode sections = motionPart(file);
+  const auto curves = section.find("curves");
+  if (!curves) return addCurve(sections, over, "", scene);
+  const Axis second = axisFrom(*curves);
+  if (second.key.text(kLongestPath) == over.key.text(kLongestPath)) {
+    second.key.fail(second.key.name() + " is study.over, too; name another key");
+  }
+  document::Problems problems;
+  for (const StatedValue& value : second.values) {
+    problems.note([&] {
+      TomlNode varied = sections;
+      put(varied, second, value);
+      addCurve(varied, over, value.value.label, scene);
+    });
+  }
+  problems.throwIfAny();
+}
+
+void requireLabel(const ValueReader& value, const std::string& label,
+                  const std::vector<SweepValue>& values) {
+  std::vector<std::string_view> labels;
+  for (const SweepValue& one : values) labels.push_back(one.label);
+  if (std::ranges::count(labels, label) > 0) return;
+  value.fail(value.name() + " = " + label + " is no value of the study" +
+             didYouMean(label, labels));
+}
+
+/// Throws InputError if something is expected that isn't measured, or of runs that aren't made.
+void checkExpected(const ValueReader& tables, const Sweep& sweep) {
+  std::size_t i = 0;
+  for (const ValueReader& table : tables.tables("")) {
+    const SweepExpectation& one = sweep.expected[i++];
+    if (std::ranges::count(sweep.measures, one.quantity) == 0) {
+      table.find("measure")->fail(std::string(nameOf(one.quantity)) + " isn't in study.measure");
+    }
+    if (one.at) requireLabel(*table.find("at"), *one.at, sweep.over.values);
+    if (!one.curve) continue;
+    const ValueReader curve = *table.find("curve");
+    if (!sweep.curves) curve.fail(curve.name() + " needs study.curves");
+    requireLabel(curve, *one.curve, sweep.curves->values);
+  }
+}
+
+void refuseOthers(const ValueReader& section) {
+  for (const Key<Scene>& key : studyKeys()) {
+    const auto value = section.find(key.name);
+    if (!value) continue;
+    value->fail("[study] has both over and " + std::string(key.name) +
+                "; it varies either that key, or integrators and steps, or tilts");
+  }
+}
+
+}  // namespace
+
+void readSweep(const ValueReader& section, const ValueReader& file, Scene& scene) {
+  refuseOthers(section);
+  for (const char* key : {"values", "measure"}) {
+    if (!section.find(key)) section.fail("[study] has over, so it needs " + std::string(key));
+  }
+  Sweep& sweep = scene.study.emplace().sweep.emplace();
+  readKeys(section, sweepKeys(), scene);
+  makeRuns(section, file, scene);
+  if (!sweep.expected.empty()) checkExpected(*section.find("expect"), sweep);
+}
+
+}  // namespace rotatebook::scene

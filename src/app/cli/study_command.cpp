@@ -27,6 +27,7 @@
 #include "store/tables.h"
 #include "study/study.h"
 #include "study/study_csv.h"
+#include "study/sweep.h"
 #include "system/atomic_file.h"
 
 namespace rotatebook::cli {
@@ -90,7 +91,8 @@ std::vector<Task> readTasks(const StudyArguments& arguments) {
   for (const scene::Scene& scene : scenes) {
     tasks.push_back({scene, scene.study.value_or(scene::defaultStudy(scene.simulation.model)),
                      store::studyFiles(arguments.folder, scene.name)});
-    if (!tasks.back().study.isOfTilts()) study::requireStudyable(scene);
+    const scene::StudySettings& settings = tasks.back().study;
+    if (!settings.isOfTilts() && !settings.sweep) study::requireStudyable(scene);
     store::Footprint footprint;
     footprint.addStudy(tasks.back().files);
     refuseInputs(footprint, inputs);
@@ -122,20 +124,31 @@ void refuseNoResult(const Task& task, const study::TiltStudy& result) {
                    "for example --set clip.duration=60");
 }
 
-void writeTables(const store::StudyFiles& files, const study::PrecisionStudy& result) {
+// Runs that end early are results of a sweep.
+void refuseNoResult(const Task&, const study::SweepStudy&) {}
+
+void writeTables(const store::StudyFiles& files, const scene::StudySettings&,
+                 const study::PrecisionStudy& result) {
   system::writeFileAtomically(files.csv, precisionCsv(result));
   system::writeFileAtomically(files.orders, ordersCsv(result));
 }
 
-void writeTables(const store::StudyFiles& files, const study::TiltStudy& result) {
+void writeTables(const store::StudyFiles& files, const scene::StudySettings&,
+                 const study::TiltStudy& result) {
   system::writeFileAtomically(files.csv, tiltCsv(result));
+}
+
+void writeTables(const store::StudyFiles& files, const scene::StudySettings& study,
+                 const study::SweepStudy& result) {
+  system::writeFileAtomically(files.csv, sweepCsv(result, *study.sweep));
 }
 
 std::vector<std::string> tablesOf(const store::StudyFiles& files, const study::PrecisionStudy&) {
   return {files.csv.string(), files.orders.string()};
 }
 
-std::vector<std::string> tablesOf(const store::StudyFiles& files, const study::TiltStudy&) {
+template <typename Study>
+std::vector<std::string> tablesOf(const store::StudyFiles& files, const Study&) {
   return {files.csv.string()};
 }
 
@@ -145,6 +158,10 @@ std::string plotOf(const Task& task, const study::PrecisionStudy& result) {
 
 std::string plotOf(const Task& task, const study::TiltStudy& result) {
   return picture::tiltPlot(task.scene.title, result);
+}
+
+std::string plotOf(const Task& task, const study::SweepStudy& result) {
+  return picture::sweepPlot(task.scene.title, result, *task.study.sweep);
 }
 
 /// Draws the plot. Returns false if the user's interrupt ended gnuplot, too, as on a terminal.
@@ -163,7 +180,7 @@ bool draw(const Task& task, const std::string& plot) {
 template <typename Study>
 int finish(const Task& task, const Study& result, StudiedScene& studied, std::ostream& out) {
   store::removeFiles(task.files);
-  writeTables(task.files, result);
+  writeTables(task.files, task.study, result);
   studied.result = result;
   studied.files = tablesOf(task.files, result);
   refuseNoResult(task, result);
@@ -217,6 +234,7 @@ auto noted(StudiedScene& studied, const Work& work) {
 int runTask(const Task& task, const std::atomic<bool>& stop, StudiedScene& studied,
             std::ostream& out) {
   out << task.scene.name << ": " << task.scene.title << std::endl;
+  if (task.study.sweep) return runAndFinish(&study::runSweep, task, stop, studied, out);
   return task.study.isOfTilts() ? runAndFinish(&study::runTiltStudy, task, stop, studied, out)
                                 : runAndFinish(&study::runPrecisionStudy, task, stop, studied, out);
 }
@@ -261,7 +279,7 @@ int study(const StudyArguments& arguments) {
 void addStudyCommand(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<StudyArguments>();
   CLI::App* command = program.add_subcommand(
-      "study", "Compare integrators and steps, or tilts, with the exact motion: tables and plots");
+      "study", "Compare integrators and steps, tilts, or values of any key: tables and plots");
   command->add_option("SCENE", arguments->scenes, "Scene files")->required();
   command->add_option("-o,--output", arguments->folder, "Folder for the results")
       ->type_name("DIR")
@@ -278,8 +296,9 @@ void addStudyCommand(CLI::App& program, Action& action) {
   arguments->sceneOptions.addTo(*command, /*draws=*/false);
   command->footer(R"(
 Runs each integrator with each number of steps a frame that [study] of the scene lists, by default all
-of the model's with 1, 2, 4 ... 1024. If [study] lists tilts, the scene's own integrator runs from each.
-Writes DIR/NAME-study.csv, DIR/NAME-study-orders.csv (not of tilts), DIR/NAME-study.svg and
+of the model's with 1, 2, 4 ... 1024. If [study] lists tilts, the scene's own integrator runs from each;
+with study.over, the scene runs with each value of that key, and what study.measure lists is measured.
+Writes DIR/NAME-study.csv, DIR/NAME-study-orders.csv (of integrators), DIR/NAME-study.svg and
 DIR/NAME-study.png. gnuplot draws the plots.
 
 Examples:

@@ -18,6 +18,7 @@
 #include "scene/names.h"
 #include "store/study_files.h"
 #include "study/study.h"
+#include "study/sweep.h"
 #include "system/read_file.h"
 
 namespace rotatebook::page {
@@ -84,6 +85,15 @@ Runs runsOf(const scene::Scene& scene) {
     for (const double tilt : study.tilts) runs.keys.insert(shortestText(tilt));
     return runs;
   }
+  if (study.sweep) {
+    const scene::Sweep& sweep = *study.sweep;
+    Runs runs{{sweep.over.key}, {}};
+    if (sweep.curves) runs.columns.push_back(sweep.curves->key);
+    for (const scene::SweepRun& run : sweep.runs) {
+      runs.keys.insert(run.value + (sweep.curves ? "," + run.curve : ""));
+    }
+    return runs;
+  }
   Runs runs{{"integrator", "h_s", "steps"}, {}};
   for (const physics::Integrator integrator : study.integrators) {
     for (const int substeps : study.steps) {
@@ -139,6 +149,40 @@ std::vector<Check> checksOfTilts(const scene::StudySettings& study, const fs::pa
   return {checkOf("flip_law", *study.flipLaw, measured.greatestDeviation())};
 }
 
+/// Reads the results of a sweep from its table, as far as they are measured.
+study::SweepStudy sweepFrom(const scene::Sweep& sweep, const fs::path& csv) {
+  study::SweepStudy study;
+  for (const RunRow& row : rowsOf(csv)) {
+    study::SweepRow run{keyOf(row, {sweep.over.key}),
+                        sweep.curves ? keyOf(row, {sweep.curves->key}) : ""};
+    for (const scene::Quantity quantity : sweep.measures) {
+      run.measured.push_back(fieldOf(row, std::string(nameOf(quantity))));
+    }
+    study.rows.push_back(run);
+  }
+  return study;
+}
+
+std::vector<Check> checksOfSweep(const scene::Sweep& sweep, const fs::path& csv) {
+  std::vector<Check> checks;
+  for (const study::ExpectedOfRun& one : expectedOf(sweepFrom(sweep, csv), sweep)) {
+    checks.push_back(checkOf(one.subject(), one.expectation.bounds, one.measured));
+  }
+  return checks;
+}
+
+/// Returns the first measured quantity over the rank of the value.
+std::vector<Curve> curvesOfSweep(const scene::Sweep& sweep, const fs::path& csv) {
+  std::map<std::string, Curve> curves;
+  for (const study::SweepRow& row : sweepFrom(sweep, csv).rows) {
+    Curve& curve = curves[row.curve];
+    curve.emplace_back(static_cast<double>(curve.size()), row.measured.front());
+  }
+  std::vector<Curve> all;
+  for (const auto& [label, curve] : curves) all.push_back(curve);
+  return all;
+}
+
 /// Returns error against step, a curve for each integrator.
 std::vector<Curve> curvesOfOrders(const scene::StudySettings& study, const fs::path& csv) {
   std::map<std::string, Curve> curves;
@@ -162,26 +206,34 @@ std::vector<Curve> curvesOfTilts(const fs::path& csv) {
   return {curve};
 }
 
+std::vector<Check> checksOf(const scene::StudySettings& study, const store::StudyFiles& files) {
+  if (study.sweep) return checksOfSweep(*study.sweep, files.csv);
+  return study.isOfTilts() ? checksOfTilts(study, files.csv) : checksOfOrders(study, files.orders);
+}
+
+std::vector<Curve> curvesOf(const scene::StudySettings& study, const store::StudyFiles& files) {
+  if (study.sweep) return curvesOfSweep(*study.sweep, files.csv);
+  return study.isOfTilts() ? curvesOfTilts(files.csv) : curvesOfOrders(study, files.csv);
+}
+
 }  // namespace
 
 Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
   const store::StudyFiles files = store::studyFiles(folder, scene.name);
-  const bool ofTilts = scene.study->isOfTilts();
+  const bool hasOrders = !scene.study->isOfTilts() && !scene.study->sweep;
   for (const auto& file : {files.csv, files.svg, files.png}) requireFile(file, scene, "study");
-  if (!ofTilts) requireFile(files.orders, scene, "study");
+  if (hasOrders) requireFile(files.orders, scene, "study");
   requireRuns(files.csv, scene);
-  const std::vector<Check> checks =
-      ofTilts ? checksOfTilts(*scene.study, files.csv) : checksOfOrders(*scene.study, files.orders);
+  const std::vector<Check> checks = checksOf(*scene.study, files);
 
   const std::string svg = files.svg.filename().string();
   Figure figure{FigureKind::Study, scene.name, scene.title, svg};
-  figure.curves =
-      curvesSvg(ofTilts ? curvesOfTilts(files.csv) : curvesOfOrders(*scene.study, files.csv));
+  figure.curves = curvesSvg(curvesOf(*scene.study, files));
   figure.badge = unmetBadge(checks);
   Html links = linkItem(svg, "SVG");
   links += linkItem(files.png.filename().string(), "PNG");
   links += linkItem(files.csv.filename().string(), "CSV");
-  if (!ofTilts) links += linkItem(files.orders.filename().string(), "CSV of the orders");
+  if (hasOrders) links += linkItem(files.orders.filename().string(), "CSV of the orders");
   figure.section =
       filled(studyTemplate(),
              {{"id", escaped(scene.name)},

@@ -10,114 +10,23 @@
 #include "base/number_text.h"
 #include "base/text.h"
 #include "picture/gnuplot.h"
+#include "picture/plot_sheet.h"
 #include "scene/names.h"
 
 namespace rotatebook::picture {
 namespace {
 
-/// The look of a curve.
-struct Style {
-  const char* colour;
-  int point;  ///< gnuplot's pointtype
-};
-
-/// The styles of integrators, by their number modulo the size. The colours are after Okabe and Ito
-/// and after Tol, which colour-blind people can tell apart; each model's integrators have different
-/// point shapes, so that the plot can be read without colours, too.
-constexpr std::array<Style, 16> kStyles{{
-    {"#000000", 7},
-    {"#d55e00", 9},
-    {"#7f7f7f", 6},
-    {"#e69f00", 8},
-    {"#0072b2", 5},
-    {"#009e73", 11},
-    {"#56b4e9", 4},
-    {"#cc79a7", 13},
-    {"#882255", 12},
-    {"#332288", 15},
-    {"#0072b2", 5},
-    {"#009e73", 11},
-    {"#aa4499", 2},
-    {"#117733", 14},
-    {"#999933", 10},
-    {"#cc6677", 3},
-}};
-
-const Style& styleOf(physics::Integrator integrator) {
-  return kStyles[static_cast<std::size_t>(integrator) % kStyles.size()];
+const PlotStyle& styleOf(physics::Integrator integrator) {
+  return plotStyle(static_cast<std::size_t>(integrator));
 }
-
-/// The range of an axis, from `min` to `max`.
-struct Range {
-  double min = 0;
-  double max = 0;
-};
 
 std::string number(double value) {
   return shortestText(value);
 }
 
-std::string text(const Range& range) {
-  return "[" + number(range.min) + ":" + number(range.max) + "]";
-}
-
-/// Returns a range for the positive `values` on a logarithmic axis: at least a decade, so that it
-/// contains a power of ten.
-Range rangeOf(const std::vector<double>& values) {
-  constexpr double kMargin = 2;
-  Range range{std::numeric_limits<double>::infinity(), 0};
-  for (const double value : values) {
-    if (!(value > 0)) continue;
-    range = {std::min(range.min, value), std::max(range.max, value)};
-  }
-  if (range.max == 0) return {1e-16, 1};
-  const double widening = std::sqrt(std::max(1.0, 10 * range.min / range.max));
-  return {range.min / (kMargin * widening), range.max * kMargin * widening};
-}
-
-/// The left and right edge of a panel, as fractions of the page, and the ranges of its axes.
-struct Panel {
-  double left, right;
-  Range x, y;
-};
-
-std::string panelText(const Panel& panel) {
-  return "unset arrow\nunset label\nset lmargin at screen " + number(panel.left) +
-         "\nset rmargin at screen " + number(panel.right) + "\nset xrange " + text(panel.x) +
-         "\nset yrange " + text(panel.y) + "\n";
-}
-
-std::string sheetText() {
-  return "set encoding utf8\n"
-         "set tmargin at screen 0.895\nset bmargin at screen 0.13\n"
-         "set border 31 linecolor rgb '#606060' linewidth 1\n"
-         "set tics textcolor rgb '#303030'\n"
-         "set grid linetype 1 linecolor rgb '#e4e4e4' linewidth 0.8\n"
-         "set key off\nset multiplot\n";
-}
-
-/// Returns the first `count` letters, with an ellipsis if there are more.
-std::string shortened(const std::string& text, std::size_t count) {
-  const std::string shown(firstCharacters(text, count));
-  return shown.size() < text.size() ? shown + "…" : text;
-}
-
-/// Sets the title large if it fits on the page, else small, shortened to what fits.
-std::string titleText(const std::string& title) {
-  constexpr std::size_t kLarge = 90, kSmall = 150;  // letters that fill 0.8 of the page
-  const bool fits = shortened(title, kLarge) == title;
-  return "set label 1 " + gnuplotString(shortened(title, kSmall)) +
-         " at screen 0.5,0.95 center noenhanced font '," + (fits ? "17" : "10.5") + "'\n";
-}
-
-std::string seriesStyle(const char* colour, int point) {
-  return std::string(" with linespoints linecolor rgb '") + colour + "' linewidth 1.6 pointtype " +
-         std::to_string(point) + " pointsize point_size";
-}
-
 /// Draws a grey line y ~ x^exponent from the panel's upper right corner if it rises, else from the
 /// upper left one.
-std::string slopeLine(const Panel& panel, int exponent) {
+std::string slopeLine(const PlotPanel& panel, int exponent) {
   const double start = exponent > 0 ? panel.x.max : panel.x.min;
   const double end = exponent > 0 ? panel.x.min : panel.x.max;
   const double bottom = start * std::pow(panel.y.min / panel.y.max, 1.0 / exponent);
@@ -128,7 +37,7 @@ std::string slopeLine(const Panel& panel, int exponent) {
          number(y) + " nohead back linewidth 0.8 linecolor rgb '#a8a8a8'\n";
 }
 
-std::string slopeLines(const Panel& panel, const std::set<int>& slopes, int sign) {
+std::string slopeLines(const PlotPanel& panel, const std::set<int>& slopes, int sign) {
   std::string lines;
   for (const int slope : slopes) lines += slopeLine(panel, sign * slope);
   return lines;
@@ -230,8 +139,8 @@ std::array<std::vector<double>, 3> tiltValues(const study::TiltStudy& study) {
 
 std::string precisionPlot(const std::string& title, const study::PrecisionStudy& study) {
   const auto [h, error, time] = shownValues(study);
-  const Panel steps{0.075, 0.415, rangeOf(h), rangeOf(error)};
-  const Panel times{0.44, 0.78, rangeOf(time), rangeOf(error)};
+  const PlotPanel steps{{0.075, 0.415}, logarithmicRange(h), logarithmicRange(error)};
+  const PlotPanel times{{0.44, 0.78}, logarithmicRange(time), logarithmicRange(error)};
   const std::set<int> slopes = slopesOf(study);
   return dataBlocks(study) + sheetText() + "set logscale xy\nset format '10^{%T}'\n" +
          panelText(steps) + titleText(title) + slopeLines(steps, slopes, 1) +
@@ -247,9 +156,10 @@ std::string precisionPlot(const std::string& title, const study::PrecisionStudy&
 
 std::string tiltPlot(const std::string& title, const study::TiltStudy& study) {
   const auto [tilt, interval, difference] = tiltValues(study);
-  const Panel intervals{
-      0.075, 0.475, rangeOf(tilt), {0, 1.15 * *std::max_element(interval.begin(), interval.end())}};
-  const Panel differences{0.57, 0.97, rangeOf(tilt), rangeOf(difference)};
+  const PlotPanel intervals{{0.075, 0.475},
+                            logarithmicRange(tilt),
+                            {0, 1.15 * *std::max_element(interval.begin(), interval.end())}};
+  const PlotPanel differences{{0.57, 0.97}, logarithmicRange(tilt), logarithmicRange(difference)};
   return tiltData(study) + sheetText() + "set logscale x\nset format x '10^{%T}'\n" +
          panelText(intervals) + titleText(title) +
          "set xlabel 'tilt  [rad]'\nset ylabel 'time from a flip to the next  [s]'\n"

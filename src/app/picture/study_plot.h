@@ -4,6 +4,7 @@
 #include <string>
 
 #include "study/study.h"
+#include "study/sweep.h"
 
 namespace rotatebook::picture {
 
@@ -17,5 +18,11 @@ std::string precisionPlot(const std::string& title, const study::PrecisionStudy&
 /// Plots on two panels over the tilt the flip interval, measured and by the logarithmic law, and
 /// their relative difference. At least one row must have an interval.
 std::string tiltPlot(const std::string& title, const study::TiltStudy& study);
+
+/// Plots each measured quantity on a panel over the key that is varied, one curve for each value of
+/// the second key. Axes over wide spans are logarithmic; a motion that doesn't diverge is an open
+/// triangle at the end of its run.
+std::string sweepPlot(const std::string& title, const study::SweepStudy& study,
+                      const scene::Sweep& sweep);
 
 }  // namespace rotatebook::picture

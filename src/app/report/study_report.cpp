@@ -4,8 +4,11 @@
 #include <cmath>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 
 #include "base/json.h"
+#include "base/number_text.h"
+#include "base/text.h"
 #include "report/expectation_report.h"
 #include "report/formatted.h"
 #include "scene/names.h"
@@ -79,6 +82,29 @@ std::vector<Expected> expectedOf(const study::TiltStudy& result,
   return {{"flip_law", "", *study.flipLaw, result.greatestDeviation()}};
 }
 
+std::vector<Expected> expectedOf(const study::SweepStudy& result,
+                                 const scene::StudySettings& study) {
+  std::vector<Expected> all;
+  for (const study::ExpectedOfRun& one : study::expectedOf(result, *study.sweep)) {
+    all.push_back({one.subject(), "", one.expectation.bounds, one.measured});
+  }
+  return all;
+}
+
+/// Returns "matrix, 10: diverges_at 4.5, half_turns 2; diverged at 4.5 s".
+std::string sweepLine(const study::SweepRow& row, const scene::Sweep& sweep) {
+  std::vector<std::string> numbers;
+  for (std::size_t i = 0; i < sweep.measures.size(); ++i) {
+    const double value = row.measured[i];
+    const std::string text = std::isnan(value)   ? "–"
+                             : std::isinf(value) ? "not within " + roundedText(row.length, 4) + " s"
+                                                 : roundedText(value, 4);
+    numbers.push_back(std::string(scene::nameOf(sweep.measures[i])) + " " + text);
+  }
+  const std::string end = row.end.kind == RunEnd::Kind::Whole ? "" : "; " + row.end.text();
+  return joined({row.curve, row.value}) + ": " + joined(numbers) + end;
+}
+
 /// Prints a line for each; returns whether all are met.
 bool reportExpected(const std::vector<Expected>& all, std::ostream& out) {
   bool met = true;
@@ -135,6 +161,23 @@ std::string failureJson(const study::TiltRow& row) {
   return JsonObject().addNumber("tilt_rad", row.tilt).addString("status", row.end.text()).text();
 }
 
+std::string failureJson(const study::SweepRow& row) {
+  return JsonObject()
+      .addString("value", row.value)
+      .addString("curve", row.curve)
+      .addString("status", row.end.text())
+      .text();
+}
+
+std::string sweepJson(const study::SweepRow& row, const scene::Sweep& sweep) {
+  JsonObject object;
+  object.addString("value", row.value).addString("curve", row.curve);
+  for (std::size_t i = 0; i < sweep.measures.size(); ++i) {
+    object.addNumber(std::string(scene::nameOf(sweep.measures[i])), row.measured[i]);
+  }
+  return object.text();
+}
+
 template <typename Row>
 std::string failuresJson(const std::vector<Row>& rows) {
   std::vector<std::string> failures;
@@ -144,39 +187,42 @@ std::string failuresJson(const std::vector<Row>& rows) {
   return jsonArray(failures);
 }
 
-std::string ordersJson(const study::PrecisionStudy& result) {
-  return jsonArrayOf(result.orders, orderJson);
-}
-std::string ordersJson(const study::TiltStudy&) {
-  return "[]";
-}
-
-std::string tiltsJson(const study::PrecisionStudy&) {
-  return "[]";
-}
-std::string tiltsJson(const study::TiltStudy& result) {
-  return jsonArrayOf(result.rows, tiltJson);
-}
-
 template <typename Study>
 void addStudy(const Study& result, const scene::StudySettings& study, JsonObject& object) {
+  std::string orders = "[]", tilts = "[]", sweep = "[]";
+  if constexpr (std::is_same_v<Study, study::PrecisionStudy>) {
+    orders = jsonArrayOf(result.orders, orderJson);
+  } else if constexpr (std::is_same_v<Study, study::TiltStudy>) {
+    tilts = jsonArrayOf(result.rows, tiltJson);
+  } else {
+    sweep = jsonArrayOf(result.rows,
+                        [&](const study::SweepRow& row) { return sweepJson(row, *study.sweep); });
+  }
   object.addInteger("runs", static_cast<std::int64_t>(result.rows.size()))
       .add("failures", failuresJson(result.rows))
-      .add("orders", ordersJson(result))
-      .add("tilts", tiltsJson(result))
+      .add("orders", orders)
+      .add("tilts", tilts)
+      .add("sweep", sweep)
       .add("expectations", jsonArrayOf(expectedOf(result, study), expectedJson));
+}
+
+std::string kindOf(const scene::StudySettings& study) {
+  if (study.sweep) return "sweep";
+  return study.isOfTilts() ? "tilts" : "integrators";
 }
 
 std::string studyJson(const StudiedScene& studied) {
   JsonObject object;
   object.addString("name", studied.scene.name)
       .addString("title", studied.scene.title)
-      .addString("kind", studied.study.isOfTilts() ? "tilts" : "integrators")
+      .addString("kind", kindOf(studied.study))
       .addBool("interrupted", studied.interrupted)
       .addStringOrNull("error", studied.error)
       .add("files", jsonArrayOf(studied.files, jsonString));
   if (const auto* result = std::get_if<study::TiltStudy>(&studied.result)) {
     addStudy(*result, studied.study, object);
+  } else if (const auto* sweep = std::get_if<study::SweepStudy>(&studied.result)) {
+    addStudy(*sweep, studied.study, object);
   } else if (const auto* other = std::get_if<study::PrecisionStudy>(&studied.result)) {
     addStudy(*other, studied.study, object);
   } else {
@@ -203,6 +249,14 @@ bool reportStudy(const study::PrecisionStudy& result, const scene::StudySettings
 bool reportStudy(const study::TiltStudy& result, const scene::StudySettings& study,
                  std::ostream& out) {
   for (const study::TiltRow& row : result.rows) out << "  " << tiltLine(row) << '\n';
+  return reportExpected(expectedOf(result, study), out);
+}
+
+bool reportStudy(const study::SweepStudy& result, const scene::StudySettings& study,
+                 std::ostream& out) {
+  for (const study::SweepRow& row : result.rows) {
+    out << "  " << sweepLine(row, *study.sweep) << '\n';
+  }
   return reportExpected(expectedOf(result, study), out);
 }
 

@@ -154,11 +154,11 @@ void refuseOthers(const ValueReader& section) {
 
 void readSweep(const ValueReader& section, const ValueReader& file, Scene& scene) {
   refuseOthers(section);
+  Sweep& sweep = scene.study.emplace().sweep.emplace();
+  readKeys(section, sweepKeys(), scene);
   for (const char* key : {"values", "measure"}) {
     if (!section.find(key)) section.fail("[study] has over, so it needs " + std::string(key));
   }
-  Sweep& sweep = scene.study.emplace().sweep.emplace();
-  readKeys(section, sweepKeys(), scene);
   makeRuns(section, file, scene);
   if (!sweep.expected.empty()) checkExpected(*section.find("expect"), sweep);
 }

@@ -59,5 +59,34 @@ TEST_F(ShippedStudy, OfTheSpringsEndsWhereTheyStretch) {
   EXPECT_THAT(result.output, Not(HasSubstr("found no solution")));
 }
 
+/// A study, and a change without which it doesn't find what it expects.
+struct SweepTwin {
+  const char* name;
+  const char* change;
+};
+
+void PrintTo(const SweepTwin& twin, std::ostream* stream) {
+  *stream << twin.name;
+}
+
+class ShippedSweep : public ShippedStudy, public ::testing::WithParamInterface<SweepTwin> {};
+
+TEST_P(ShippedSweep, FindsWhatItExpectsAndItsTwinDoesNot) {
+  const ChildResult result = study(GetParam().name);
+  EXPECT_EQ(result.status, 0) << result.output << result.error;
+  EXPECT_THAT(result.output, HasSubstr("\n  met    "));
+  const ChildResult twin = study(GetParam().name, {GetParam().change});
+  EXPECT_EQ(twin.status, 1) << twin.output << twin.error;
+  EXPECT_THAT(twin.output, HasSubstr("\n  UNMET  "));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, ShippedSweep,
+    ::testing::Values(SweepTwin{"figd-substeps", "simulation.normalize=true"},
+                      SweepTwin{"fige-stiffness", "simulation.damping=1"},
+                      SweepTwin{"fige2-stretch", "initial.angular_velocity=[0.2, 0.3, -0.4]"},
+                      SweepTwin{"figf-matrix-quaternion", "simulation.normalize=true"},
+                      SweepTwin{"figg-normalizing", "simulation.substeps=512"}));
+
 }  // namespace
 }  // namespace rotatebook::cli::testing

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <regex>
 #include <set>
@@ -293,6 +294,46 @@ TEST(TiltPlot, IsDrawnOfOneTiltThatKeepsTheLaw) {
   study::TiltStudy study;
   study.rows = {{0.1, {}, 4, 2.0, 2.0}};
   EXPECT_THAT(drawn(tiltPlot("One", study)), HasSubstr("measured"));
+}
+
+TEST(SweepPlot, HasACurveForEachValueAndMarksMotionsThatHold) {
+  scene::Sweep sweep;
+  sweep.over = {"simulation.substeps", {{"1", "1", 1}, {"100", "100", 100}}};
+  sweep.curves = {"simulation.model", {{"", "matrix"}, {"", "quaternion"}}};
+  sweep.measures = {scene::Quantity::DivergesAt, scene::Quantity::ErrorDeg};
+  study::SweepStudy study;
+  for (const char* model : {"matrix", "quaternion"}) {
+    study.rows.push_back(
+        {"1", model, {study::RunEnd::Kind::Diverged, 2}, 20, {2, study::kNoNumber}});
+    study.rows.push_back({"100", model, {}, 20, {std::numeric_limits<double>::infinity(), 3}});
+  }
+  const std::string plot = sweepPlot("Which holds?", study, sweep);
+  EXPECT_THAT(plot, HasSubstr("$m0_0_open << END\n100 20\nEND"));
+  const std::string svg = drawn(plot);
+  for (const char* words : {"Which holds?", "matrix", "quaternion", "simulation.substeps",
+                            "not within the run", "diverges at"}) {
+    EXPECT_THAT(svg, HasSubstr(words));
+  }
+}
+
+TEST(SweepPlot, HasAPlaceForEachWord) {
+  scene::Sweep sweep;
+  sweep.over = {"simulation.model", {{"", "matrix"}, {"", "exact"}}};
+  sweep.measures = {scene::Quantity::Stretch};
+  study::SweepStudy study;
+  study.rows = {{"matrix", "", {}, 20, {0.5}}, {"exact", "", {}, 20, {0.0}}};
+  const std::string svg = drawn(sweepPlot("Words", study, sweep));
+  EXPECT_THAT(svg, HasSubstr("matrix"));
+  EXPECT_THAT(svg, HasSubstr("exact"));
+}
+
+TEST(SweepPlot, IsDrawnWithoutAnyResult) {
+  scene::Sweep sweep;
+  sweep.over = {"simulation.substeps", {{"1", "1", 1}}};
+  sweep.measures = {scene::Quantity::Stretch};
+  study::SweepStudy study;
+  study.rows = {{"1", "", {study::RunEnd::Kind::Diverged, 2}, 20, {study::kNoNumber}}};
+  EXPECT_THAT(drawn(sweepPlot("None", study, sweep)), HasSubstr("None"));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "report/study_report.h"
 
+#include <limits>
 #include <sstream>
+#include <variant>
 
 #include <gtest/gtest.h>
 
@@ -101,7 +103,7 @@ TEST(StudyReport, IsJsonToo) {
       R"({"integrator": "midpoint", "h_s": 0, "status": "no convergence"}], )"
       R"("orders": [{"integrator": "rk4", "order": 4.0123456, "runs": 5, "shortest_h_s": 0.001, )"
       R"("longest_h_s": 0.0123456}, {"integrator": "midpoint", "order": null, "runs": 0, )"
-      R"("shortest_h_s": null, "longest_h_s": null}], "tilts": [], )"
+      R"("shortest_h_s": null, "longest_h_s": null}], "tilts": [], "sweep": [], )"
       R"("expectations": [{"quantity": "order", "integrator": "rk4", "min": 3.9, "max": 4, )"
       R"("measured": 4.0123456, "met": false}]}]})"
       "\n");
@@ -123,12 +125,52 @@ TEST(StudyReport, IsJsonForTiltsAndWhatWasNotStudied) {
       R"("failures": [{"tilt_rad": 1e-08, "status": "fewer than two flips in 12 s"}], )"
       R"("orders": [], "tilts": [{"tilt_rad": 0.1, "flips": 7, "interval_s": 2, "law_s": 2.5, )"
       R"("ratio": 0.8}, {"tilt_rad": 1e-08, "flips": 1, "interval_s": null, "law_s": 0, )"
-      R"("ratio": null}], "expectations": [{"quantity": "flip_law", "integrator": null, )"
+      R"("ratio": null}], "sweep": [], "expectations": [{"quantity": "flip_law", "integrator": null, )"
       R"("min": null, "max": 0.1, "measured": null, "met": false}]}, {"name": "s", )"
       R"("title": "\"S\"", "kind": "tilts", "interrupted": false, "error": "no gnuplot", )"
       R"("files": [], "runs": 0, "failures": [], "orders": [], "tilts": [], )"
-      R"("expectations": []}]})"
+      R"("sweep": [], "expectations": []}]})"
       "\n");
+}
+
+/// A sweep over steps of two models; the matrix diverges.
+StudiedScene sweptScene() {
+  StudiedScene studied = studiedScene();
+  scene::Sweep& sweep = studied.study.sweep.emplace();
+  sweep.over = {"simulation.substeps", {{"10", "10", 10}}};
+  sweep.curves = {"simulation.model", {{"", "matrix"}, {"", "quaternion"}}};
+  sweep.measures = {scene::Quantity::DivergesAt, scene::Quantity::Stretch};
+  sweep.expected = {{scene::Quantity::DivergesAt, {}, "matrix", {{}, 4}}};
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  studied.result = study::SweepStudy{
+      {{"10", "matrix", {RunEnd::Kind::Diverged, 4.5}, 20, {4.5, study::kNoNumber}},
+       {"10", "quaternion", {}, 20, {kNever, 0.25}}}};
+  return studied;
+}
+
+TEST(StudyReport, HasALineForEachRunOfASweep) {
+  const StudiedScene studied = sweptScene();
+  std::ostringstream out;
+  EXPECT_FALSE(reportStudy(std::get<study::SweepStudy>(studied.result), studied.study, out));
+  EXPECT_EQ(out.str(),
+            "  matrix, 10: diverges_at 4.5, stretch –; diverged at 4.5 s\n"
+            "  quaternion, 10: diverges_at not within 20 s, stretch 0.25\n"
+            "  UNMET  diverges_at at 10, matrix: expected at most 4; measured 4.5\n");
+}
+
+TEST(StudyReport, IsJsonForASweep) {
+  std::ostringstream out;
+  reportStudiesAsJson({sweptScene()}, false, out);
+  EXPECT_EQ(out.str(),
+            R"({"interrupted": false, "studies": [{"name": "s", "title": "\"S\"", )"
+            R"("kind": "sweep", "interrupted": false, "error": null, "files": [], "runs": 2, )"
+            R"("failures": [{"value": "10", "curve": "matrix", "status": "diverged at 4.5 s"}], )"
+            R"("orders": [], "tilts": [], "sweep": [{"value": "10", "curve": "matrix", )"
+            R"("diverges_at": 4.5, "stretch": null}, {"value": "10", "curve": "quaternion", )"
+            R"("diverges_at": null, "stretch": 0.25}], "expectations": [{"quantity": )"
+            R"("diverges_at at 10, matrix", "integrator": null, "min": null, "max": 4, )"
+            R"("measured": 4.5, "met": false}]}]})"
+            "\n");
 }
 
 }  // namespace

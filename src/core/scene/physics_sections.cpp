@@ -1,4 +1,5 @@
-// The sections [body], [simulation], [initial], [[nudge]] and [expect]: what moves, and what it must show.
+// The sections [body], [simulation], [initial], [[nudge]] and [expect]: what moves, and what it
+// must show.
 #include <algorithm>
 #include <functional>
 #include <string>

@@ -35,8 +35,8 @@ inline constexpr int kMaxSubsteps = 1'000'000;
 inline constexpr std::int64_t kMaxSteps = 10'000'000'000;
 
 /// Returns the sections of a motion, in the order of messages: [body], [simulation], [initial],
-/// [[nudge]] and, last, [expect]. Left to the caller are the default of time_per_frame, which depends on [clip];
-/// its line, as panels share it; and whether there is a spin at all.
+/// [[nudge]] and, last, [expect]. Left to the caller are the default of time_per_frame, which
+/// depends on [clip]; its line, as panels share it; and whether there is a spin at all.
 std::span<const Section<Motion>> motionSections();
 /// Returns the sections about how a scene shows its motions. Left to the caller is the default of
 /// camera.position, which depends on [body] and [clip].
@@ -51,9 +51,9 @@ std::string timePerFrameLine(const physics::SimulationSettings& settings);
 std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file,
                               double timePerFrame);
 
-/// Reads `section`, [study] of `file`, into `scene`, the rest of which must be read already, because
-/// it decides what a study may vary. What the section leaves out is as in defaultStudy() for the
-/// scene's model. Throws InputError.
+/// Reads `section`, [study] of `file`, into `scene`, the rest of which must be read already,
+/// because it decides what a study may vary. What the section leaves out is as in defaultStudy()
+/// for the scene's model. Throws InputError.
 void readStudy(const ValueReader& section, const ValueReader& file, Scene& scene);
 /// Reads a sweep likewise, into `scene.study`; `section` has `over`. Throws InputError.
 void readSweep(const ValueReader& section, const ValueReader& file, Scene& scene);

@@ -22,10 +22,9 @@ std::int64_t stepsOf(const Scene& scene) {
 std::int64_t stepsOf(const StudySettings& study, const Scene& scene) {
   const auto sizeOf = [](const auto& list) { return static_cast<std::int64_t>(list.size()); };
   if (study.sweep) {
-    return std::accumulate(study.sweep->runs.begin(), study.sweep->runs.end(), std::int64_t{0},
-                           [](std::int64_t sum, const SweepRun& run) {
-                             return sum + stepsOf(run.motion.simulation);
-                           });
+    return std::accumulate(
+        study.sweep->runs.begin(), study.sweep->runs.end(), std::int64_t{0},
+        [](std::int64_t sum, const SweepRun& run) { return sum + stepsOf(run.motion.simulation); });
   }
   if (study.isOfTilts()) return sizeOf(study.tilts) * stepsOf(scene.simulation);
   return sizeOf(study.integrators) *

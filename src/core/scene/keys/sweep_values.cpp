@@ -104,8 +104,8 @@ StatedValue labelled(const ValueReader& table) {
       {{"label", [&](const ValueReader& label) { stated.value.label = labelOf(label); }},
        {"value", [&](const ValueReader& value) { stated.node = value.node(); }}});
   if (!table.find("label") || !table.find("value")) table.mismatch(kExpectedLabelled);
-  stated.value.toml = "{ label = " + tomlString(stated.value.label) +
-                      ", value = " + tomlText(stated.node) + " }";
+  stated.value.toml =
+      "{ label = " + tomlString(stated.value.label) + ", value = " + tomlText(stated.node) + " }";
   return stated;
 }
 
@@ -151,9 +151,8 @@ std::vector<StatedValue> statedValues(const ValueReader& values) {
   std::vector<StatedValue> stated;
   for (const ValueReader& element : elements) {
     StatedValue one = statedValue(element);
-    const bool isTwice = std::ranges::any_of(stated, [&](const StatedValue& other) {
-      return other.value.label == one.value.label;
-    });
+    const bool isTwice = std::ranges::any_of(
+        stated, [&](const StatedValue& other) { return other.value.label == one.value.label; });
     if (isTwice) element.fail(values.name() + " has " + one.value.label + " twice");
     stated.push_back(std::move(one));
   }

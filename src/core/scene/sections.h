@@ -51,9 +51,9 @@ std::string timePerFrameLine(const physics::SimulationSettings& settings);
 std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file,
                               double timePerFrame);
 
-/// Reads `section`, [study] of `file`, into `scene`, the rest of which must be read already, because
-/// it decides what a study may vary. What the section leaves out is as in defaultStudy() for the
-/// scene's model. Throws InputError.
+/// Reads `section`, [study] of `file`, into `scene`, the rest of which must be read already,
+/// because it decides what a study may vary. What the section leaves out is as in defaultStudy()
+/// for the scene's model. Throws InputError.
 void readStudy(const ValueReader& section, const ValueReader& file, Scene& scene);
 /// Reads a sweep likewise, into `scene.study`; `section` has `over`. Throws InputError.
 void readSweep(const ValueReader& section, const ValueReader& file, Scene& scene);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/nearest_name.h"
 #include "document/overrides.h"
 #include "document/problems.h"
 #include "scene/keys/keys.h"
@@ -121,8 +122,9 @@ void requireLabel(const ValueReader& value, const std::string& label,
   std::vector<std::string_view> labels;
   for (const SweepValue& one : values) labels.push_back(one.label);
   if (std::ranges::count(labels, label) > 0) return;
+  const bool isWord = std::holds_alternative<std::string>(value.node().value);
   value.fail(value.name() + " = " + label + " is no value of the study" +
-             didYouMean(label, labels));
+             (isWord ? didYouMean(label, labels) : ""));
 }
 
 /// Throws InputError if something is expected that isn't measured, or of runs that aren't made.

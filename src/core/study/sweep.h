@@ -16,7 +16,7 @@ struct SweepRow {
   std::string value;  ///< As in scene::SweepRun.
   std::string curve;  ///< As in scene::SweepRun.
   RunEnd end{};
-  double length = 0;              ///< Simulated time of a run that doesn't end early. [s]
+  double length = 0;               ///< Simulated time of a run that doesn't end early. [s]
   std::vector<double> measured{};  ///< In the order of scene::Sweep::measures.
 };
 

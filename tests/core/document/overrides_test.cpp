@@ -60,6 +60,16 @@ TEST(Overrides, RefuseWhatHasNoForm) {
   EXPECT_EQ(errorWith("", {"title=\xff"}), "--set title=\uFFFD: the value isn't UTF-8");
 }
 
+TEST(Overrides, PutAValueWithALocationOfItsOwn) {
+  TomlNode root = parseToml("[a]\nb = 1\n", "f");
+  putValue(root, "a.c.d", {std::int64_t{2}, "f:9:9"}, "f:8:8");
+  EXPECT_EQ(tomlText(root), "{ \"a\" = { \"b\" = 1, \"c\" = { \"d\" = 2 } } }");
+  EXPECT_EQ(errorOf([&] {
+              putValue(root, "a.b.d", {std::int64_t{2}, "f:9:9"}, "f:8:8");
+            }),
+            "f:8:8: a.b is 1, which has no keys");
+}
+
 TEST(Overrides, AreCounted) {
   EXPECT_EQ(errorWith("", std::vector<std::string>(1000, "a=3")), "no error");
   EXPECT_EQ(errorWith("", std::vector<std::string>(1001, "a=3")),

@@ -129,5 +129,11 @@ TEST(TomlTree, TakesAByteOrderMarkAndForeignLineEnds) {
             "no error");
 }
 
+TEST(TomlTree, IsPrintedToReadBackTheSame) {
+  for (const char* text : {"[1, 2.0, \"a \\\"b\\\"\", true, [0.1]]", "{ \"every\" = 100 }", "-3"}) {
+    EXPECT_EQ(tomlText(parseTomlValue(text, "f").value()), text);
+  }
+}
+
 }  // namespace
 }  // namespace rotatebook::document

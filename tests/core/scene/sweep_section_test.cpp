@@ -1,3 +1,4 @@
+// [study] over any key: what is read, what each run's motion is, and what is refused.
 #include <string>
 #include <vector>
 
@@ -10,97 +11,168 @@
 namespace rotatebook::scene {
 namespace {
 
+using physics::Model;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
-const std::string kSpin = "[initial]\nangular_velocity = [0, 0, 6]\n";
+constexpr const char* kOverSubsteps = "over = 'simulation.substeps'\n";
 
-Sweep sweepFrom(const std::string& study) {
-  return *parseScene(kSpin + "[study]\n" + study, "a.toml").study->sweep;
+Sweep sweepOf(const std::string& lines, const std::vector<std::string>& overrides = {}) {
+  return *sceneFrom("[study]\n" + lines, overrides).study->sweep;
 }
 
-std::string problemIn(const std::string& study) {
-  try {
-    parseScene("[study]\n" + study + kSpin, "a.toml");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+std::vector<std::string> labelsOf(const SweepKey& key) {
+  std::vector<std::string> labels;
+  for (const SweepValue& value : key.values) labels.push_back(value.label);
+  return labels;
 }
 
-std::vector<int> substepsOf(const Sweep& sweep) {
-  std::vector<int> steps;
-  for (const SweepRun& run : sweep.runs) steps.push_back(run.motion.simulation.substeps);
-  return steps;
+/// The labels of the values of a stiffness, in a list or a range.
+std::vector<std::string> stiffnesses(const std::string& values) {
+  return labelsOf(
+      sweepOf("over = 'simulation.stiffness'\nmeasure = ['stretch']\nvalues = " + values).over);
 }
 
-const std::string kMeasure = "measure = ['diverges_at']\n";
-
-TEST(Sweep, HasARunForEachValue) {
-  const Sweep sweep = sweepFrom("over = 'simulation.substeps'\nvalues = [10, 30]\n" + kMeasure);
-  EXPECT_THAT(substepsOf(sweep), ElementsAre(10, 30));
-  EXPECT_EQ(sweep.runs[1].value, "30");
-  EXPECT_EQ(sweep.runs[1].motion.initial.value, Eigen::Vector3d(0, 0, 6));
-  EXPECT_THAT(sweep.measures, ElementsAre(Quantity::DivergesAt));
+/// The message about [study] over substeps with these lines, in the fourth line and on.
+std::string errorOfSweep(const std::string& lines) {
+  return errorOf(std::string("[study]\n") + kOverSubsteps + "measure = ['error_deg']\n" + lines);
 }
 
-TEST(Sweep, TakesRangesOfNumbers) {
-  const std::string over = "over = 'simulation.substeps'\n" + kMeasure;
-  EXPECT_THAT(substepsOf(sweepFrom(over + "values = { from = 1, to = 7, count = 4 }\n")),
-              ElementsAre(1, 3, 5, 7));
-  EXPECT_THAT(substepsOf(sweepFrom(over + "values = { from = 1, to = 1000, count = 4, spacing = "
-                                          "'logarithmic' }\n")),
-              ElementsAre(1, 10, 100, 1000));
+TEST(SweepSection, HasAMotionForEachValue) {
+  const Sweep sweep = sweepOf(std::string(kOverSubsteps) +
+                              "values = [10, 1000]\nmeasure = ['diverges_at', 'half_turns']");
+  ASSERT_EQ(sweep.runs.size(), 2U);
+  EXPECT_EQ(sweep.runs[0].value, "10");
+  EXPECT_EQ(sweep.runs[0].motion.simulation.substeps, 10);
+  EXPECT_EQ(sweep.runs[1].motion.simulation.substeps, 1000);
+  physics::MotionSettings rest = sceneFrom("").motion();
+  rest.simulation.substeps = 1000;
+  EXPECT_EQ(sweep.runs[1].motion, rest);
+  EXPECT_THAT(sweep.measures, ElementsAre(Quantity::DivergesAt, Quantity::HalfTurns));
+  EXPECT_EQ(sweep.over.values[0].number, 10.0);
 }
 
-TEST(Sweep, HasACurveForEachValueOfASecondKey) {
+TEST(SweepSection, HasThemForEachCurve) {
   const Sweep sweep =
-      sweepFrom("over = 'simulation.normalize.every'\nvalues = [1, 8]\n" + kMeasure +
-                "curves = { over = 'simulation.model', values = ['matrix', 'quaternion'] }\n");
+      sweepOf(std::string(kOverSubsteps) +
+              "values = [1, 2]\nmeasure = ['error_deg']\n"
+              "curves = { over = 'simulation.model', values = ['matrix', 'exact'] }");
   ASSERT_EQ(sweep.runs.size(), 4U);
   EXPECT_EQ(sweep.runs[1].curve, "matrix");
-  EXPECT_EQ(sweep.runs[1].motion.simulation.normalizeEvery, 8);
-  EXPECT_EQ(sweep.runs[2].motion.simulation.model, physics::Model::Quaternion);
+  EXPECT_EQ(sweep.runs[1].value, "2");
+  EXPECT_EQ(sweep.runs[2].curve, "exact");
+  EXPECT_EQ(sweep.runs[2].motion.simulation.model, Model::Exact);
+  EXPECT_EQ(sweep.runs[2].motion.simulation.substeps, 1);
 }
 
-TEST(Sweep, TakesValuesWithLabels) {
-  const Sweep sweep = sweepFrom(
-      "over = 'initial.angular_momentum'\n"
-      "values = [{ label = 'x', value = [1, 0, 0] }, { label = 'y', value = [0, 1, 0] }]\n" +
-      kMeasure);
-  EXPECT_EQ(sweep.runs[1].value, "y");
-  EXPECT_EQ(sweep.runs[1].motion.initial.kind, physics::SpinKind::AngularMomentum);
-  EXPECT_EQ(sweep.runs[1].motion.initial.value, Eigen::Vector3d(0, 1, 0));
+TEST(SweepSection, TakesRanges) {
+  EXPECT_THAT(stiffnesses("{ from = 10, to = 1000, count = 3, spacing = 'logarithmic' }"),
+              ElementsAre("10", "100", "1000"));
+  EXPECT_THAT(stiffnesses("{ from = 1.0, to = 2, count = 3 }"), ElementsAre("1", "1.5", "2"));
+  EXPECT_THAT(stiffnesses("{ from = 1, to = 4, count = 3 }"), ElementsAre("1", "3", "4"))
+      << "whole, as its ends are";
+  EXPECT_THAT(stiffnesses("{ from = 1.0, to = 100.0, count = 4, spacing = 'logarithmic' }"),
+              ElementsAre("1", "4.64159", "21.5443", "100"));
 }
 
-TEST(Sweep, IsPrintedSoThatItIsReadAgain) {
-  const Scene scene = parseScene(
-      kSpin + "[study]\nover = 'simulation.substeps'\nvalues = { from = 1, to = 9, count = 3 }\n" +
-          "measure = ['stretch', 'error_deg']\n"
-          "curves = { over = 'body.mass', values = [1, 2.5] }\n"
-          "expect = [{ measure = 'stretch', at = 5, curve = '2.5', max = 0.1 }]\n",
-      "a.toml");
-  EXPECT_EQ(parseScene(sceneText(scene), "a.toml").study, scene.study);
+TEST(SweepSection, TakesAnyValueWithALabel) {
+  const Sweep sweep = sweepOf(
+      "over = 'initial.angular_velocity'\nmeasure = ['error_deg']\n"
+      "values = [{ label = 'x', value = [4, 0, 0] }, { label = 'y', value = [0, 4, 0] }]");
+  EXPECT_THAT(labelsOf(sweep.over), ElementsAre("x", "y"));
+  EXPECT_EQ(sweep.runs[1].motion.initial.value, Eigen::Vector3d(0, 4, 0));
+  EXPECT_FALSE(sweep.over.values[0].number.has_value());
 }
 
-TEST(Sweep, IsRefusedWithThePlaceOfTheMistake) {
-  EXPECT_EQ(problemIn("over = 'clip.fps'\nvalues = [1]\n" + kMeasure),
-            "a.toml:2:8: study.over must be a key of \"body\", \"simulation\", \"initial\" or "
-            "\"nudge\", such as \"simulation.substeps\", not \"clip.fps\"");
-  EXPECT_EQ(problemIn("over = 'simulation.substeps'\nvalues = [0]\n" + kMeasure),
-            "a.toml:3:11: simulation.substeps must be an integer from 1 to 1000000, not 0");
-  EXPECT_EQ(problemIn("over = 'simulation.substep'\nvalues = [1]\n" + kMeasure),
+TEST(SweepSection, ReplacesOneSpinByTheOther) {
+  const Sweep sweep = sweepOf(
+      "over = 'initial.angular_momentum'\nmeasure = ['error_deg']\n"
+      "values = [{ label = 'x', value = [0.1, 0, 0] }]");
+  EXPECT_EQ(sweep.runs[0].motion.initial.kind, physics::SpinKind::AngularMomentum);
+}
+
+TEST(SweepSection, ReachesIntoTablesArraysAndNudges) {
+  const Sweep every = *sceneFrom(
+                           "[simulation]\nnormalize = { every = 1 }\n[study]\n"
+                           "over = 'simulation.normalize.every'\nvalues = [1, 50]\n"
+                           "measure = ['error_deg']")
+                           .study->sweep;
+  EXPECT_EQ(every.runs[1].motion.simulation.normalizeEvery, 50);
+  const Scene nudged = sceneFrom(
+      "[[nudge]]\nat = 1\nangular_velocity = [0, 1, 0]\n[study]\nover = 'nudge.0.at'\n"
+      "values = [2, 3.5]\nmeasure = ['half_turns']");
+  EXPECT_EQ(nudged.study->sweep->runs[1].motion.nudges.at(0).at, 3.5);
+}
+
+TEST(SweepSection, ReadsBackTheSameFromItsText) {
+  const Scene scene = sceneFrom(
+      "[study]\nover = 'initial.angular_velocity'\nmeasure = ['diverges_at', 'stretch']\n"
+      "values = [{ label = 'x', value = [4.5, 0, 0] }, { label = 'the y', value = [0, 4, 0] }]\n"
+      "curves = { over = 'simulation.normalize', values = [true, { label = 'seldom', value = "
+      "{ every = 9 } }] }\n"
+      "expect = [{ measure = 'stretch', at = 'x', curve = 'seldom', max = 2 }]");
+  EXPECT_EQ(scene.study->sweep->runs[3].motion.simulation.normalizeEvery, 9);
+  EXPECT_EQ(*parseScene(sceneText(scene), "a.toml").study, *scene.study);
+}
+
+TEST(SweepSection, NamesTheKeyThatIsNone) {
+  const auto errorOver = [](const std::string& key) {
+    return errorOf("[study]\nover = '" + key + "'\nvalues = [1]\nmeasure = ['error_deg']");
+  };
+  EXPECT_EQ(errorOver("simulation.substep"),
             "a.toml:2:8: unknown key \"substep\" in [simulation]; did you mean \"substeps\"?");
-  EXPECT_EQ(problemIn("over = 'simulation.substeps'\nvalues = [1, 1]\n" + kMeasure),
-            "a.toml:3:14: study.values has 1 twice");
-  EXPECT_EQ(problemIn("over = 'simulation.substeps'\nvalues = [1]\n"),
-            "a.toml:1:1: [study] has over, so it needs measure");
-  EXPECT_EQ(problemIn("over = 'simulation.substeps'\nvalues = [1]\nsteps = [1]\n" + kMeasure),
-            "a.toml:4:9: [study] has both over and steps; it varies either that key, or "
-            "integrators and steps, or tilts");
-  EXPECT_EQ(problemIn("values = [1]\n"), "a.toml:2:10: study.values needs study.over");
-  EXPECT_EQ(problemIn("over = 'simulation.substeps'\nvalues = [1]\n" + kMeasure +
-                      "expect = [{ measure = 'stretch', max = 1 }]\n"),
+  EXPECT_THAT(errorOver("simulatio.substeps"),
+              AllOf(HasSubstr("a.toml:2:8: study.over must be a key of "),
+                    HasSubstr("did you mean \"simulation\"?")));
+  EXPECT_THAT(errorOver("clip.fps"), HasSubstr("study.over must be a key of "));
+  EXPECT_THAT(errorOver("body"), HasSubstr("study.over must be a key of "));
+  EXPECT_THAT(errorOver("expect.stretch"), HasSubstr("study.over must be a key of "));
+}
+
+TEST(SweepSection, NamesTheValueThatIsWrong) {
+  EXPECT_EQ(errorOfSweep("values = [10, 0]"),
+            "a.toml:4:15: simulation.substeps must be an integer from 1 to 1000000, not 0");
+  EXPECT_EQ(errorOfSweep("values = [10, 10]"), "a.toml:4:15: study.values has 10 twice");
+  EXPECT_THAT(errorOfSweep("values = { from = 0, to = 9, count = 3, spacing = 'logarithmic' }"),
+              HasSubstr("needs from and to over 0"));
+  EXPECT_THAT(errorOfSweep("values = { from = 1, to = 3, count = 9 }"), HasSubstr("twice"));
+  EXPECT_THAT(errorOfSweep("values = { from = 1, count = 9 }"),
+              HasSubstr("needs from, to and count"));
+  EXPECT_THAT(errorOfSweep("values = [[1, 2]]"), HasSubstr("must be a number, a word, or a table"));
+  EXPECT_THAT(errorOfSweep("values = [{ label = 'a,b', value = 1 }]"),
+              HasSubstr("must be a word without commas and quotes"));
+}
+
+TEST(SweepSection, RefusesWhatCannotBeMeasuredOrExpected) {
+  const auto errorExpecting = [](const std::string& expected) {
+    return errorOfSweep("values = [10, 20]\nexpect = " + expected);
+  };
+  EXPECT_EQ(errorExpecting("[{ measure = 'stretch', max = 1 }]"),
             "a.toml:5:23: stretch isn't in study.measure");
+  EXPECT_EQ(errorExpecting("[{ measure = 'error_deg', at = 30, max = 1 }]"),
+            "a.toml:5:41: study.expect.at = 30 is no value of the study");
+  EXPECT_EQ(errorExpecting("[{ measure = 'error_deg', curve = 'x', max = 1 }]"),
+            "a.toml:5:44: study.expect.curve needs study.curves");
+  EXPECT_EQ(errorExpecting("[{ measure = 'error_deg' }]"),
+            "a.toml:5:11: study.expect needs min, max or both");
+  EXPECT_EQ(errorExpecting("[]"), "no error");
+}
+
+TEST(SweepSection, IsAloneAndWhole) {
+  EXPECT_THAT(errorOfSweep("values = [1]\nsteps = [1]"), HasSubstr("has both over and steps"));
+  EXPECT_EQ(errorOfSweep(""), "a.toml:1:1: [study] has over, so it needs values");
+  EXPECT_EQ(errorOf("[study]\nvalues = [1]"), "a.toml:2:10: study.values needs study.over");
+  EXPECT_THAT(errorOfSweep("values = [1]\ncurves = { over = 'simulation.substeps', values = [1] }"),
+              HasSubstr("study.curves.over is study.over, too"));
+}
+
+TEST(SweepSection, IsLimited) {
+  EXPECT_THAT(errorOfSweep("values = { from = 1, to = 900, count = 900 }\ncurves = { over = "
+                           "'simulation.normalize', values = [true, false] }"),
+              HasSubstr("[study] has 1800 runs; the limit is 1000"));
+  EXPECT_THAT(
+      errorOfSweep("values = { from = 1, to = 1000000, count = 900 }\n[clip]\nduration = 60"),
+      HasSubstr("make fewer runs, or lower clip.duration"));
 }
 
 }  // namespace

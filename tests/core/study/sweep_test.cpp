@@ -1,71 +1,111 @@
 #include "study/sweep.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "physics/simulate.h"
-#include "scene/scene_text.h"
+#include "scene/small_scene.h"
 
 namespace rotatebook::study {
 namespace {
 
-using scene::Quantity;
+using scene::testing::smallScene;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
-/// Euler's book without normalising, which bursts at once with one step a frame.
-scene::Scene bursting(const std::string& more = "") {
-  return scene::parseScene(
-      "[simulation]\nintegrator = 'euler'\nnormalize = false\n"
-      "[initial]\nangular_velocity = [0, 0.1, 6]\n[clip]\nduration = 3\nfps = 30\n"
-      "[study]\nover = 'simulation.substeps'\nvalues = [1, 64]\n"
-      "measure = ['diverges_at', 'stretch']\n" +
-          more,
-      "a.toml");
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+SweepStudy resultOf(const scene::Scene& scene, const Execution& execution = {}) {
+  return runSweep(scene, *scene.study, execution).value();
 }
 
-SweepStudy resultOf(const scene::Scene& scene) {
-  return *runSweep(scene, *scene.study, Execution());
+/// Particles with one step a frame, which diverge, and with 4096.
+scene::Scene explosions(const std::vector<std::string>& overrides = {}) {
+  std::vector<std::string> all{"simulation.model=particles",
+                               "simulation.normalize=false",
+                               "study.over=simulation.substeps",
+                               "study.values=[1, 4096]",
+                               "study.curves={over='simulation.damping', values=[0, 1.5]}",
+                               "study.measure=['diverges_at', 'stretch']"};
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  return smallScene(all);
 }
 
-TEST(SweepStudy, MeasuresEachRun) {
-  const scene::Scene scene = bursting();
-  const SweepStudy result = resultOf(scene);
-  ASSERT_EQ(result.rows.size(), 2U);
-  EXPECT_EQ(result.rows[0].end.kind, RunEnd::Kind::Diverged);
-  EXPECT_EQ(result.rows[0].measured[0], result.rows[0].end.time);
+TEST(Sweep, MeasuresEveryRunInTheOrderOfTheCurves) {
+  const SweepStudy result = resultOf(explosions());
+  ASSERT_EQ(result.rows.size(), 4U);
+  EXPECT_EQ(result.rows[1].value, "4096");
+  EXPECT_EQ(result.rows[1].curve, "0");
+  EXPECT_EQ(result.rows[2].curve, "1.5");
+  EXPECT_EQ(result.rows[0].end.text(), "diverged at 0.208333 s");
+  EXPECT_NEAR(result.rows[0].measured[0], 0.208333, 1e-6);
   EXPECT_TRUE(std::isnan(result.rows[0].measured[1]));
-  EXPECT_TRUE(std::isinf(result.rows[1].measured[0]));
-  physics::MotionSettings motion = scene.motion();
-  motion.simulation.substeps = 64;
-  const physics::Trajectory trajectory = physics::simulate(motion, scene.clip.frameCount());
-  EXPECT_EQ(result.rows[1].measured[1], reduced(trajectory, Quantity::Stretch));
-  EXPECT_GT(result.rows[1].measured[1], 0.01);  // measured 0.1
+  EXPECT_EQ(result.rows[1].end.text(), "ok");
+  EXPECT_EQ(result.rows[1].measured[0], kInfinity);
+  EXPECT_GT(result.rows[1].measured[1], 0);
+  EXPECT_NEAR(result.rows[1].length, 11 / 24.0, 1e-12);
 }
 
-TEST(SweepStudy, TellsWhichExpectationsAreMet) {
-  const scene::Scene scene = bursting(
-      "expect = [{ measure = 'diverges_at', at = 1, max = 3 },\n"
-      "  { measure = 'diverges_at', at = 64, max = 3 }, { measure = 'stretch', max = 9 }]\n");
-  const auto all = expectedOf(resultOf(scene), *scene.study->sweep);
-  ASSERT_EQ(all.size(), 4U);
-  EXPECT_TRUE(all[0].isMet());
-  EXPECT_FALSE(all[1].isMet()) << "it doesn't diverge";
-  EXPECT_FALSE(all[2].isMet()) << "the stretch of a motion that diverged isn't known";
-  EXPECT_TRUE(all[3].isMet());
-  EXPECT_EQ(all[1].subject(), "diverges_at at 64");
-}
-
-TEST(SweepStudy, HasATable) {
-  const scene::Scene scene =
-      bursting("curves = { over = 'simulation.model', values = ['matrix', 'quaternion'] }\n");
+TEST(Sweep, TellsNeverFromUnknownInItsTable) {
+  const scene::Scene scene = explosions();
   const std::string csv = sweepCsv(resultOf(scene), *scene.study->sweep);
-  EXPECT_THAT(csv, StartsWith("simulation.substeps,simulation.model,diverges_at,stretch,status\n"
-                              "1,matrix,"));
-  EXPECT_THAT(csv, HasSubstr("\n64,quaternion,inf,"));
+  EXPECT_THAT(csv,
+              testing::StartsWith(
+                  "simulation.substeps,simulation.damping,diverges_at,stretch,status\n1,0,0.2"));
+  EXPECT_THAT(csv, HasSubstr(",,diverged at 0.208333 s\n4096,0,inf,"));
+}
+
+TEST(Sweep, ReducesQuantitiesToTheLargestDeparture) {
+  const scene::Scene scene = smallScene({"simulation.integrator=euler", "simulation.substeps=1"});
+  const physics::Trajectory motion = scene::testing::motionOf(scene);
+  double error = 0, energy = 0;
+  for (const physics::Sample& sample : motion.samples) {
+    error = std::max(error, sample.errorDeg);
+    energy = std::max(energy, std::fabs(sample.total() / motion.samples[0].total() - 1));
+  }
+  ASSERT_GT(energy, 0);
+  EXPECT_EQ(reduced(motion, scene::Quantity::ErrorDeg), error);
+  EXPECT_EQ(reduced(motion, scene::Quantity::EnergyRatio), energy);
+  EXPECT_EQ(reduced(motion, scene::Quantity::HalfTurns), motion.samples.back().halfTurns);
+  EXPECT_EQ(reduced(motion, scene::Quantity::DivergesAt), kInfinity);
+}
+
+TEST(Sweep, IsTheSameHoweverTheRunsAreMade) {
+  const scene::Scene scene = explosions();
+  const Execution backwards{
+      .runAll = [](std::span<const std::size_t> indices, const study::Run& run) {
+        std::for_each(indices.rbegin(), indices.rend(), run);
+        return true;
+      }};
+  EXPECT_EQ(sweepCsv(resultOf(scene, backwards), *scene.study->sweep),
+            sweepCsv(resultOf(scene), *scene.study->sweep));
+}
+
+TEST(Sweep, ComparesRunsWithWhatIsExpected) {
+  const scene::Scene scene = explosions(
+      {"study.expect=[{measure='diverges_at', at=1, curve=0, max=0.3}, "
+       "{measure='diverges_at', at=4096, min=0.4}, {measure='stretch', curve=0, max=1}]"});
+  const std::vector<ExpectedOfRun> expected = expectedOf(resultOf(scene), *scene.study->sweep);
+  std::vector<std::string> subjects;
+  for (const ExpectedOfRun& one : expected) subjects.push_back(one.subject());
+  EXPECT_THAT(subjects,
+              ElementsAre("diverges_at at 1, 0", "diverges_at at 4096, 0",
+                          "diverges_at at 4096, 1.5", "stretch at 1, 0", "stretch at 4096, 0"));
+  EXPECT_TRUE(expected[0].isMet());
+  EXPECT_TRUE(expected[1].isMet()) << "never is later than any time";
+  EXPECT_FALSE(expected[3].isMet()) << "of a run that diverges no stretch is measured";
+  EXPECT_TRUE(expected[4].isMet());
+}
+
+TEST(Sweep, HasNoResultAfterAStop) {
+  const scene::Scene scene = explosions();
+  const std::atomic<bool> stop = true;
+  EXPECT_FALSE(runSweep(scene, *scene.study, {.stop = &stop}).has_value());
 }
 
 }  // namespace

@@ -29,7 +29,8 @@ const Keys<BookSettings>& bookKeys();
 const Keys<LookSettings>& lookKeys();
 const Keys<OverlaySettings>& overlayKeys();
 
-/// Keys of Scene::study, which must be present, but for its sweep; they depend on the scene's model.
+/// Keys of Scene::study, which must be present, but for its sweep; they depend on the scene's
+/// model.
 const Keys<Scene>& studyKeys();
 /// The keys of Scene::study's sweep; to read them, it must be present.
 const Keys<Scene>& sweepKeys();

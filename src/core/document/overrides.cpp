@@ -52,6 +52,8 @@ TomlNode& childOf(TomlNode& node, std::string_view key, std::string_view name,
   if (auto* array = std::get_if<TomlNode::Array>(&node.value)) {
     return elementOf(*array, key, name, location);
   }
+  // A flag may be the short form of a table, as normalize = true is of { every = 1 }.
+  if (std::holds_alternative<bool>(node.value)) node.value = TomlNode::Table{};
   auto* table = std::get_if<TomlNode::Table>(&node.value);
   if (!table) failAt(location, std::string(name) + " is " + describe(node) + ", which has no keys");
   if (TomlEntry* entry = find(*table, key)) return entry->node;

@@ -31,6 +31,13 @@ std::string errorWith(const std::string& text, const std::vector<std::string>& o
   return errorOf([&] { applyOverrides(root, overrides); });
 }
 
+TEST(Overrides, PutATableInPlaceOfAFlag) {
+  TomlNode tree = parseToml("a = true", "f");
+  applyOverrides(tree, std::vector<std::string>{"a.every=3"});
+  const auto* a = find(std::get<TomlNode::Table>(tree.value), "a");
+  EXPECT_EQ(tomlText(a->node), "{ \"every\" = 3 }");
+}
+
 TEST(Overrides, ReplaceAndAddValues) {
   EXPECT_EQ(sectionOf("section = { a = 1, b = 2 }", {"section.b=3", "section.c=bare words"}),
             "a = 1\nb = 3\nc = \"bare words\"\n");

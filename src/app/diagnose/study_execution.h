@@ -1,7 +1,7 @@
 // Execution of studies on this machine.
 #pragma once
 
-#include "study/study.h"
+#include "study/execution.h"
 #include "system/parallel_runs.h"
 
 namespace rotatebook::diagnose {

@@ -1,10 +1,7 @@
 // Plots the results of a study over any key.
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "base/number_text.h"
@@ -15,36 +12,8 @@
 namespace rotatebook::picture {
 namespace {
 
-using scene::Quantity;
-
 // An axis whose values span more than this is logarithmic.
 constexpr double kWideSpan = 20;
-
-std::string_view axisNameOf(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::HalfTurns:
-      return "half-turns";
-    case Quantity::TiltDeg:
-      return "largest tilt  [degrees]";
-    case Quantity::EnergyRatio:
-      return "largest | E / E_0 − 1 |";
-    case Quantity::RotationalRatio:
-      return "largest | rotational E / E_0 − 1 |";
-    case Quantity::MomentumRatio:
-      return "largest | L / L_0 − 1 |";
-    case Quantity::Stretch:
-      return "largest | stretch − 1 |";
-    case Quantity::ErrorDeg:
-      return "largest angle to the exact motion  [degrees]";
-    case Quantity::CentreDrift:
-      return "largest drift of the centre  [m]";
-    case Quantity::Regime:
-      return "regime at the end";
-    case Quantity::DivergesAt:
-      return "diverges at  [s]";
-  }
-  return "";
-}
 
 /// A run on a panel.
 struct Point {
@@ -169,7 +138,7 @@ std::string panelOf(const std::vector<Series>& all, const scene::Sweep& sweep, s
   return blocks + scaleText("x", x.isLogarithmic) + scaleText("y", y.isLogarithmic) +
          panelText({edges, x.range, y.range}) + titled + xTicks(sweep.over) + key + open +
          "set xlabel " + gnuplotString(sweep.over.key) + " noenhanced\nset ylabel " +
-         gnuplotString(std::string(axisNameOf(sweep.measures[measure]))) + "\n" + plots + "\n";
+         gnuplotString(std::string(scene::axisOf(sweep.measures[measure]))) + "\n" + plots + "\n";
 }
 
 }  // namespace

@@ -15,25 +15,38 @@ constexpr double kEdgeTolerance = 1e-6;
 struct QuantityRow {
   std::string_view name;
   std::string_view meaning;
+  std::string_view axis;
+  double rest = 0;
 };
 
 /// Rows in the order of the enumeration.
 constexpr std::array<QuantityRow, 10> kQuantityRows{{
-    {"half_turns", "how many times the axis that the book was spun about has turned over"},
-    {"tilt_deg", "angle between that axis and the angular momentum [degrees]"},
-    {"energy_ratio", "total energy / total energy at the start"},
+    {"half_turns", "how many times the axis that the book was spun about has turned over",
+     "half-turns"},
+    {"tilt_deg", "angle between that axis and the angular momentum [degrees]",
+     "largest tilt  [degrees]"},
+    {"energy_ratio", "total energy / total energy at the start", "largest | E / E_0 − 1 |", 1},
     {"rotational_ratio",
-     "kinetic energy of the best-fitting rigid rotation / total energy at the start"},
-    {"L_ratio", "angular momentum / angular momentum at the start"},
+     "kinetic energy of the best-fitting rigid rotation / total energy at the start",
+     "largest | rotational E / E_0 − 1 |", 1},
+    {"L_ratio", "angular momentum / angular momentum at the start", "largest | L / L_0 − 1 |", 1},
     {"stretch",
-     "every singular value of the linear map that best fits the drawn corners; 1 is undeformed"},
-    {"error_deg", "angle between the attitude and the exact motion's [degrees]"},
+     "every singular value of the linear map that best fits the drawn corners; 1 is undeformed",
+     "largest | stretch − 1 |", 1},
+    {"error_deg", "angle between the attitude and the exact motion's [degrees]",
+     "largest angle to the exact motion  [degrees]"},
     {"regime",
      "1 or -1: the angular momentum circles the axis of the largest or the smallest moment of "
-     "inertia"},
-    {"centre_drift", "distance of the centre of mass from where it started [m]"},
-    {"diverges_at", "time at which the motion diverges, and so ends [s]"},
+     "inertia",
+     "regime at the end"},
+    {"centre_drift", "distance of the centre of mass from where it started [m]",
+     "largest drift of the centre  [m]"},
+    {"diverges_at", "time at which the motion diverges, and so ends [s]", "diverges at  [s]"},
 }};
+
+const QuantityRow& rowOf(Quantity quantity) {
+  return kQuantityRows[static_cast<std::size_t>(quantity)];
+}
 
 constexpr auto kQuantities = [] {
   std::array<Quantity, kQuantityRows.size()> all{};
@@ -137,11 +150,19 @@ bool meets(const Range& range, const Expectation& expectation) {
 }  // namespace
 
 std::string_view nameOf(Quantity quantity) {
-  return kQuantityRows[static_cast<std::size_t>(quantity)].name;
+  return rowOf(quantity).name;
 }
 
 std::string_view meaningOf(Quantity quantity) {
-  return kQuantityRows[static_cast<std::size_t>(quantity)].meaning;
+  return rowOf(quantity).meaning;
+}
+
+std::string_view axisOf(Quantity quantity) {
+  return rowOf(quantity).axis;
+}
+
+double restOf(Quantity quantity) {
+  return rowOf(quantity).rest;
 }
 
 std::span<const Quantity> allQuantities() {

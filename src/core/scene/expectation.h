@@ -30,6 +30,11 @@ enum class Quantity {
 std::string_view nameOf(Quantity quantity);
 /// Returns the meaning of `quantity`, in Markdown.
 std::string_view meaningOf(Quantity quantity);
+/// Returns the label of a plot's axis for the number that studies make of `quantity`, as gnuplot
+/// writes it, with its unit.
+std::string_view axisOf(Quantity quantity);
+/// Returns the value from which studies measure `quantity`: 1 of ratios and the stretch, else 0.
+double restOf(Quantity quantity);
 /// Returns all quantities, in the order of the enumeration.
 std::span<const Quantity> allQuantities();
 

@@ -3,42 +3,30 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 
 #include "base/error.h"
 #include "base/number_text.h"
-#include "physics/integrators/step_error.h"
 #include "physics/measure/flip_interval.h"
 #include "physics/motion_start.h"
-#include "physics/simulate.h"
 #include "rigid/inertia.h"
 #include "scene/source_locations.h"
+#include "study/reduced.h"
 #include "study/whole_motion.h"
 
 namespace rotatebook::study {
 namespace {
 
 using physics::MotionSettings;
-using physics::Sample;
 using physics::Trajectory;
+using scene::Quantity;
 
 using Stop = const std::atomic<bool>*;
 
-bool isSet(Stop stop) {
-  return stop != nullptr && *stop;
-}
-
 void measure(const Trajectory& trajectory, PrecisionRow& row) {
-  const Sample& start = trajectory.samples.front();
-  const double momentum = start.angularMomentum.norm();
-  row.errorDeg = row.energyDrift = row.momentumDrift = 0;
-  for (const Sample& sample : trajectory.samples) {
-    row.errorDeg = std::max(row.errorDeg, sample.errorDeg);
-    row.energyDrift = std::max(row.energyDrift, std::fabs(sample.total() / start.total() - 1));
-    row.momentumDrift =
-        std::max(row.momentumDrift, std::fabs(sample.angularMomentum.norm() / momentum - 1));
-  }
+  row.errorDeg = reduced(trajectory, Quantity::ErrorDeg);
   row.finalErrorDeg = trajectory.samples.back().errorDeg;
+  row.energyDrift = reduced(trajectory, Quantity::EnergyRatio);
+  row.momentumDrift = reduced(trajectory, Quantity::MomentumRatio);
   row.halfTurns = trajectory.samples.back().halfTurns;
 }
 
@@ -60,15 +48,6 @@ PrecisionRow runPrecision(const MotionSettings& settings, std::int64_t frames,
   if (execution.nanosecondsPerStep)
     row.nsPerStep = execution.nanosecondsPerStep(settings, row.steps);
   return row;
-}
-
-// Puts the longest runs first: a long run that starts last keeps all other threads waiting.
-std::vector<std::size_t> longestFirst(const std::vector<MotionSettings>& runs) {
-  std::vector<std::size_t> indices(runs.size());
-  std::iota(indices.begin(), indices.end(), std::size_t{0});
-  std::ranges::stable_sort(indices, std::ranges::greater{},
-                           [&](std::size_t i) { return runs[i].simulation.substeps; });
-  return indices;
 }
 
 IntegratorOrder orderOf(physics::Integrator integrator, const std::vector<PrecisionRow>& rows) {
@@ -96,30 +75,6 @@ TiltRow runTilt(const MotionSettings& settings, std::int64_t frames, Stop stop) 
 
 }  // namespace
 
-std::optional<Trajectory> wholeMotion(const MotionSettings& settings, std::int64_t frames,
-                                      Stop stop, RunEnd& end) {
-  try {
-    Trajectory trajectory = simulate(settings, frames, stop);
-    if (!trajectory.divergedAt) return trajectory;
-    end = {RunEnd::Kind::Diverged, *trajectory.divergedAt};
-  } catch (const physics::NoConvergence&) {
-    end = {RunEnd::Kind::NoConvergence};
-  } catch (const physics::StepTooLong&) {
-    end = {RunEnd::Kind::StepTooLong};
-  }
-  return std::nullopt;
-}
-
-bool makeRuns(const std::vector<MotionSettings>& settings, const Run& run,
-              const Execution& execution) {
-  return execution.runAll(longestFirst(settings), run) && !isSet(execution.stop);
-}
-
-bool runInTurn(std::span<const std::size_t> indices, const Run& run) {
-  std::ranges::for_each(indices, run);
-  return true;
-}
-
 void requireStudyable(const scene::Scene& scene) {
   requireSameLayout();
   if (!scene.panels.empty()) {
@@ -134,22 +89,6 @@ void requireStudyable(const scene::Scene& scene) {
   if (scene.clip.frameCount() < 2) {
     throw InputError(scene.name + ": a clip of one frame has no motion to study; make it longer");
   }
-}
-
-std::string RunEnd::text() const {
-  switch (kind) {
-    case Kind::Diverged:
-      return "diverged at " + roundedText(time, 6) + " s";
-    case Kind::NoConvergence:
-      return "no convergence";
-    case Kind::StepTooLong:
-      return "step too long for its series";
-    case Kind::FewFlips:
-      return "fewer than two flips in " + roundedText(time, 6) + " s";
-    case Kind::Whole:
-      break;
-  }
-  return "ok";
 }
 
 double TiltStudy::greatestDeviation() const {

@@ -2,42 +2,18 @@
 // tilts. Those over any key are in study/sweep.h.
 #pragma once
 
-#include <atomic>
-#include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <limits>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "physics/motion_settings.h"
 #include "scene/scene.h"
 #include "scene/study_settings.h"
+#include "study/execution.h"
 #include "study/order_fit.h"
 
 namespace rotatebook::study {
-
-inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
-
-/// The outcome of a run.
-struct RunEnd {
-  enum class Kind {
-    Whole,
-    Diverged,       ///< Trajectory::divergedAt
-    NoConvergence,  ///< physics::NoConvergence
-    StepTooLong,    ///< physics::StepTooLong
-    FewFlips,       ///< Whole, but with fewer than two flips, so without an interval.
-  };
-
-  Kind kind = Kind::Whole;
-  double time = 0;  ///< Time of divergence; for FewFlips, the motion's length. [s]
-
-  /// Returns "ok", "diverged at 1.2 s", "no convergence", "step too long for its series" or "fewer
-  /// than two flips in 60 s".
-  std::string text() const;
-};
 
 /// The results of one integrator with one step. Numbers are NaN if the run didn't reach its end;
 /// the largest ones are over the frames.
@@ -81,25 +57,6 @@ struct TiltStudy {
 
   /// Returns the greatest |ratio - 1|; NaN if a row has no interval.
   double greatestDeviation() const;
-};
-
-/// Makes one run of a study, given its index.
-using Run = std::function<void(std::size_t)>;
-
-/// Makes the runs `indices` on the caller's thread, in their order. Returns true.
-bool runInTurn(std::span<const std::size_t> indices, const Run& run);
-
-/// The functions that make the runs of a study and measure their time. The core starts no thread
-/// and reads no clock; its caller may.
-struct Execution {
-  /// Calls the run once with each of the indices, started in their order, possibly several at a
-  /// time. Returns whether all were made; throws the first error that a run threw.
-  std::function<bool(std::span<const std::size_t>, const Run&)> runAll = runInTurn;
-  /// Measures the computing time of one step within a motion's first `steps` steps. [ns] Without
-  /// it, PrecisionRow::nsPerStep is NaN.
-  std::function<double(const physics::MotionSettings&, std::int64_t steps)> nanosecondsPerStep{};
-  /// Stops the study if set from outside; read at every frame. May be null.
-  const std::atomic<bool>* stop = nullptr;
 };
 
 /// Throws InputError if the scene has panels, the model takes no steps, or the clip has only one

@@ -4,10 +4,14 @@
 
 #include "base/number_text.h"
 #include "scene/names.h"
-#include "study/whole_motion.h"
 
 namespace rotatebook::study {
 namespace {
+
+// Returns a number as a field after others; empty for NaN.
+std::string field(double value) {
+  return "," + (std::isnan(value) ? "" : shortestText(value));
+}
 
 // Rounds to tenths of a nanosecond, finer than any measurement. NaN stays NaN.
 double roundedToTenths(double nanoseconds) {
@@ -27,10 +31,6 @@ std::string precisionLine(const PrecisionRow& row) {
 }
 
 }  // namespace
-
-std::string field(double value) {
-  return "," + (std::isnan(value) ? "" : shortestText(value));
-}
 
 std::string precisionCsv(const PrecisionStudy& study) {
   std::string text =
@@ -56,6 +56,21 @@ std::string tiltCsv(const TiltStudy& study) {
     const bool ran = row.end.kind == RunEnd::Kind::Whole || row.end.kind == RunEnd::Kind::FewFlips;
     text += shortestText(row.tilt) + "," + (ran ? std::to_string(row.flips) : "") +
             field(row.interval) + field(row.law) + field(row.ratio()) + "," + row.end.text() + "\n";
+  }
+  return text;
+}
+
+std::string sweepCsv(const SweepStudy& result, const scene::Sweep& sweep) {
+  std::string text = sweep.over.key;
+  if (sweep.curves) text += "," + sweep.curves->key;
+  for (const scene::Quantity quantity : sweep.measures)
+    text += "," + std::string(scene::nameOf(quantity));
+  text += ",status\n";
+  for (const SweepRow& row : result.rows) {
+    text += row.value;
+    if (sweep.curves) text += "," + row.curve;
+    for (const double value : row.measured) text += field(value);
+    text += "," + row.end.text() + "\n";
   }
   return text;
 }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "study/study.h"
+#include "study/sweep.h"
 
 namespace rotatebook::study {
 
@@ -19,5 +20,9 @@ std::string ordersCsv(const PrecisionStudy& study);
 
 /// Returns a header row and one row a tilt: tilt_rad, flips, interval_s, law_s, ratio, status.
 std::string tiltCsv(const TiltStudy& study);
+
+/// Returns a header row and one row a run: the key, the key of the curves if there is one, each
+/// measured quantity, status. A motion that doesn't diverge has "inf" for diverges_at.
+std::string sweepCsv(const SweepStudy& result, const scene::Sweep& sweep);
 
 }  // namespace rotatebook::study

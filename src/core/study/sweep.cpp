@@ -10,33 +10,7 @@
 namespace rotatebook::study {
 namespace {
 
-using physics::Sample;
 using scene::Quantity;
-
-/// Returns the value of `quantity` of a sample, as far from its reference as it is there.
-double departure(const Sample& sample, const Sample& start, Quantity quantity) {
-  switch (quantity) {
-    case Quantity::TiltDeg:
-      return sample.tiltDeg;
-    case Quantity::EnergyRatio:
-      return std::fabs(sample.total() / start.total() - 1);
-    case Quantity::RotationalRatio:
-      return std::fabs(sample.rotational / start.total() - 1);
-    case Quantity::MomentumRatio:
-      return std::fabs(sample.angularMomentum.norm() / start.angularMomentum.norm() - 1);
-    case Quantity::Stretch:
-      return std::max(std::fabs(sample.stretchMin - 1), std::fabs(sample.stretchMax - 1));
-    case Quantity::ErrorDeg:
-      return sample.errorDeg;
-    case Quantity::CentreDrift:
-      return sample.centreDrift();
-    case Quantity::HalfTurns:
-    case Quantity::Regime:
-    case Quantity::DivergesAt:
-      break;  // of a motion, not of a sample
-  }
-  return kNoNumber;
-}
 
 SweepRow runOne(const scene::SweepRun& run, const std::vector<Quantity>& measures,
                 std::int64_t frames, const Execution& execution) {
@@ -54,21 +28,6 @@ SweepRow runOne(const scene::SweepRun& run, const std::vector<Quantity>& measure
 }
 
 }  // namespace
-
-double reduced(const physics::Trajectory& trajectory, Quantity quantity) {
-  const Sample& start = trajectory.samples.front();
-  const Sample& end = trajectory.samples.back();
-  if (quantity == Quantity::DivergesAt) {
-    return trajectory.divergedAt.value_or(std::numeric_limits<double>::infinity());
-  }
-  if (quantity == Quantity::HalfTurns) return end.halfTurns;
-  if (quantity == Quantity::Regime) return static_cast<double>(end.regime);
-  double largest = 0;
-  for (const Sample& sample : trajectory.samples) {
-    largest = std::max(largest, departure(sample, start, quantity));
-  }
-  return largest;
-}
 
 std::optional<SweepStudy> runSweep(const scene::Scene& scene, const scene::StudySettings& study,
                                    const Execution& execution) {
@@ -101,20 +60,6 @@ std::vector<ExpectedOfRun> expectedOf(const SweepStudy& result, const scene::Swe
     }
   }
   return all;
-}
-
-std::string sweepCsv(const SweepStudy& result, const scene::Sweep& sweep) {
-  std::string text = sweep.over.key;
-  if (sweep.curves) text += "," + sweep.curves->key;
-  for (const Quantity quantity : sweep.measures) text += "," + std::string(nameOf(quantity));
-  text += ",status\n";
-  for (const SweepRow& row : result.rows) {
-    text += row.value;
-    if (sweep.curves) text += "," + row.curve;
-    for (const double value : row.measured) text += field(value);
-    text += "," + row.end.text() + "\n";
-  }
-  return text;
 }
 
 }  // namespace rotatebook::study

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "physics/trajectory.h"
+#include "scene/scene.h"
 #include "scene/study_settings.h"
-#include "study/study.h"
+#include "study/execution.h"
+#include "study/reduced.h"
 
 namespace rotatebook::study {
 
@@ -36,11 +37,6 @@ struct ExpectedOfRun {
   std::string subject() const;
 };
 
-/// Reduces a quantity of a whole motion to one number: half_turns to the number made, regime to the
-/// last, ratios and stretch to the largest departure from 1, and others to the largest. diverges_at
-/// is infinite.
-double reduced(const physics::Trajectory& trajectory, scene::Quantity quantity);
-
 /// Makes the runs of a scene's sweep; `scene.study` has one. Of a run that doesn't reach its end
 /// only diverges_at is measured, and the others are NaN. Returns nothing after a stop. Throws like
 /// physics::simulate() except StepError.
@@ -49,9 +45,5 @@ std::optional<SweepStudy> runSweep(const scene::Scene& scene, const scene::Study
 
 /// Returns all that `sweep` expects, run by run for each of its expectations.
 std::vector<ExpectedOfRun> expectedOf(const SweepStudy& result, const scene::Sweep& sweep);
-
-/// Returns a header row and one row a run: the key, the key of the curves if there is one, each
-/// measured quantity, status. A motion that doesn't diverge has "inf" for diverges_at.
-std::string sweepCsv(const SweepStudy& result, const scene::Sweep& sweep);
 
 }  // namespace rotatebook::study

@@ -1,15 +1,18 @@
 // Steps that all studies have in common. Inside the room only.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "physics/trajectory.h"
-#include "study/study.h"
+#include "study/execution.h"
 
 namespace rotatebook::study {
+
+/// Returns whether a study is to stop. `stop` may be null.
+bool isSet(const std::atomic<bool>* stop);
 
 /// Returns the whole motion, or nothing, with the reason in `end`. After a stop it may be cut
 /// short; no row of such a study is used.
@@ -20,8 +23,5 @@ std::optional<physics::Trajectory> wholeMotion(const physics::MotionSettings& se
 /// Makes all runs, each with one of `settings`, the longest first. Returns false after a stop.
 bool makeRuns(const std::vector<physics::MotionSettings>& settings, const Run& run,
               const Execution& execution);
-
-/// Returns a number as a field of a CSV table after others; empty for NaN.
-std::string field(double value);
 
 }  // namespace rotatebook::study

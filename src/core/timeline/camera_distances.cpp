@@ -7,10 +7,8 @@
 namespace rotatebook::timeline {
 namespace {
 
-constexpr double kEase = 0.4;  // frames this near are averaged [s of the clip]
-
-constexpr double kHalving =
-    3;  // in which the camera, if it may, comes back by half [s of the clip]
+constexpr double kEase = 0.4;   // frames this near are averaged [s of the clip]
+constexpr double kHalving = 3;  // in which the camera comes back by half [s of the clip]
 
 /// Returns the distance from the origin of the farthest corner. [m]
 double reachOf(const physics::Cage& cage) {

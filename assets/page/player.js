@@ -12,7 +12,8 @@ class Player extends EventTarget {
     this.element = section.querySelector(".player");
     this.frames = clip.frames;
     this.rate = clip.rate[0] / clip.rate[1];
-    this.interval = clip.interval;  // simulated, from a frame to the next
+    // Simulated time of each frame.
+    this.times = clip.times ?? Array.from({length: clip.frames}, (unused, index) => index * clip.interval);
     this.frame = 0;
     this.next = null;  // the frame to go to when the video is done with going to another
     this.stoppedByUser = false;
@@ -119,6 +120,13 @@ class Player extends EventTarget {
     return Math.floor((time + 0.001) * this.rate);
   }
 
+  /** The frame nearest to `time`, a simulated one. */
+  frameNearest(time) {
+    const after = this.times.findIndex((each) => each > time);
+    if (after < 1) return after < 0 ? this.frames - 1 : 0;
+    return time - this.times[after - 1] < this.times[after] - time ? after - 1 : after;
+  }
+
   toggle() {
     this.stoppedByUser = !this.video.paused;
     if (this.video.paused) this.play();
@@ -155,7 +163,7 @@ class Player extends EventTarget {
 
   show(frame) {
     this.frame = Math.min(Math.max(frame, 0), this.frames - 1);
-    const seconds = (this.frame * this.interval).toFixed(2) + " s";
+    const seconds = this.times[this.frame].toFixed(2) + " s";
     const seek = this.find(".seek");
     seek.value = this.frame;
     seek.setAttribute("aria-valuetext", "frame " + this.frame + ", " + seconds);

@@ -177,7 +177,7 @@ class Plot {
     const over = this.plot.over;
     const seek = (event) => {
       const x = event.clientX - over.getBoundingClientRect().left;
-      this.player.seek(this.plot.posToVal(x, "x") / this.clip.interval);
+      this.player.seek(this.player.frameNearest(this.plot.posToVal(x, "x")));
     };
     over.addEventListener("pointerdown", (event) => {
       if (event.button !== 0) return;
@@ -219,7 +219,7 @@ class Plot {
 function makePlots(section, clip, player) {
   const parent = section.querySelector(".plots");
   const longest = Math.max(...clip.motions.map((motion) => motion.tilt.length));
-  const times = Array.from({length: longest}, (unused, index) => index * clip.interval);
+  const times = player.times.slice(0, longest);
   const plots = chartsOf(clip).map((chart) => new Plot(parent, chart, times, clip, player));
   player.addEventListener("frame", () => plots.forEach((plot) => plot.follow()));
   new ResizeObserver(() => plots.forEach((plot) => plot.resize())).observe(parent);

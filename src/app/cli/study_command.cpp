@@ -92,7 +92,7 @@ std::vector<Task> readTasks(const StudyArguments& arguments) {
     tasks.push_back({scene, scene.study.value_or(scene::defaultStudy(scene.simulation.model)),
                      store::studyFiles(arguments.folder, scene.name)});
     const scene::StudySettings& settings = tasks.back().study;
-    if (!settings.isOfTilts() && !settings.sweep) study::requireStudyable(scene);
+    if (!settings.isOfTilts() && !settings.sweep) study::requireStudyable(scene, settings);
     store::Footprint footprint;
     footprint.addStudy(tasks.back().files);
     refuseInputs(footprint, inputs);

@@ -152,7 +152,7 @@ Figure clipFigure(const scene::Scene& scene, const fs::path& folder) {
                               {"checks", foldedChecks(checks, tablesOf(clip))},
                               {"links", linksOf(clip)},
                               {"scene", sceneDetails(scene)},
-                              {"data", {motionData(clip.motions, scene.clip, clip.frames)}}});
+                              {"data", {motionData(clip.motions, scene, clip.frames)}}});
   return figure;
 }
 

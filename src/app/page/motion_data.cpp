@@ -14,13 +14,22 @@ using physics::Sample;
 // More wouldn't show in a plot of any size.
 constexpr int kPlotDigits = 6;
 
+std::string numberOrNull(double number) {
+  return std::isfinite(number) ? roundedText(number, kPlotDigits) : "null";
+}
+
 /// Returns an array of one number for each sample, without spaces, as there are thousands.
 template <typename Value>
 std::string numbers(const physics::Trajectory& trajectory, const Value& value) {
   std::vector<std::string> texts;
-  for (const Sample& sample : trajectory.samples) {
-    const double number = value(sample);
-    texts.push_back(std::isfinite(number) ? roundedText(number, kPlotDigits) : "null");
+  for (const Sample& sample : trajectory.samples) texts.push_back(numberOrNull(value(sample)));
+  return "[" + joined(texts, ",") + "]";
+}
+
+std::string timesOf(const scene::Scene& scene, std::int64_t frames) {
+  std::vector<std::string> texts;
+  for (std::int64_t frame = 0; frame < frames; ++frame) {
+    texts.push_back(numberOrNull(timeAt(scene, static_cast<double>(frame))));
   }
   return "[" + joined(texts, ",") + "]";
 }
@@ -44,15 +53,15 @@ std::string motionJson(const Motion& motion) {
 
 }  // namespace
 
-std::string motionData(const std::vector<Motion>& motions, const scene::ClipSettings& clip,
+std::string motionData(const std::vector<Motion>& motions, const scene::Scene& scene,
                        std::int64_t frames) {
-  const FrameRate& rate = clip.frameRate;
-  return JsonObject()
-      .add("rate", jsonArray({std::to_string(rate.numerator), std::to_string(rate.denominator)}))
+  const FrameRate& rate = scene.clip.frameRate;
+  JsonObject data;
+  data.add("rate", jsonArray({std::to_string(rate.numerator), std::to_string(rate.denominator)}))
       .add("frames", std::to_string(frames))
-      .addNumber("interval", motions.front().trajectory.interval)
-      .add("motions", jsonArrayOf(motions, motionJson))
-      .text();
+      .addNumber("interval", motions.front().trajectory.interval);
+  if (!hasEvenTimes(scene)) data.add("times", timesOf(scene, frames));
+  return data.add("motions", jsonArrayOf(motions, motionJson)).text();
 }
 
 }  // namespace rotatebook::page

@@ -95,11 +95,13 @@ Runs runsOf(const scene::Scene& scene) {
     return runs;
   }
   Runs runs{{"integrator", "h_s", "steps"}, {}};
+  const physics::MotionSettings motion = studiedMotion(scene, study);
+  const std::int64_t intervals = studiedSamples(scene, study, motion) - 1;
   for (const physics::Integrator integrator : study.integrators) {
     for (const int substeps : study.steps) {
       runs.keys.insert(std::string(scene::nameOf(scene::kIntegrators, integrator)) + "," +
-                       shortestText(scene.simulation.timePerFrame / substeps) + "," +
-                       std::to_string((scene.clip.frameCount() - 1) * substeps));
+                       shortestText(motion.simulation.timePerFrame / substeps) + "," +
+                       std::to_string(intervals * substeps));
     }
   }
   return runs;

@@ -185,7 +185,7 @@ std::vector<SpinNumbers> spinNumbersOf(const scene::Scene& scene) {
   std::vector<SpinNumbers> all;
   for (const scene::Panel& motion : scene::motionsOf(scene)) {
     all.push_back({motion, timeline::spinOf(motion), timeline::eulerStepsFor(motion, frames),
-                   static_cast<double>(frames - 1) * motion.simulation.timePerFrame});
+                   timeAt(scene, static_cast<double>(frames - 1))});
   }
   return all;
 }

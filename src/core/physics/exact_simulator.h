@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include <Eigen/Core>
 
@@ -21,6 +22,9 @@ class ExactSimulator final : public Simulator {
   void advance(double interval, int steps) override;
   /// Does nothing: the closed form knows all nudges and their times.
   void nudge(const Nudge& /*nudge*/) override {}
+  std::unique_ptr<Simulator> copy() const override {
+    return std::make_unique<ExactSimulator>(*this);
+  }
   BodyState state() const override;
 
  private:

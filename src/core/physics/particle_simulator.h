@@ -1,6 +1,8 @@
 // The paper's first model: eight particles joined by springs. Inside the room only.
 #pragma once
 
+#include <memory>
+
 #include "physics/cadence.h"
 #include "physics/cage_fit.h"
 #include "physics/integrators/particle_state.h"
@@ -31,6 +33,9 @@ class ParticleSimulator final : public Simulator {
   void advance(double interval, int steps) override;
   /// The energy that normalising restores changes by that of the nudge.
   void nudge(const Nudge& nudge) override;
+  std::unique_ptr<Simulator> copy() const override {
+    return std::make_unique<ParticleSimulator>(*this);
+  }
   BodyState state() const override;
 
  private:

@@ -62,6 +62,9 @@ class RigidSimulator final : public Simulator {
                                              : Eigen::Vector3d(map.transpose() * state_.momentum);
   }
 
+  std::unique_ptr<Simulator> copy() const override {
+    return std::make_unique<RigidSimulator>(*this);
+  }
   BodyState state() const override {
     const Eigen::Matrix3d map = mapOf(state_.attitude);
     const Eigen::Vector3d inBody = Method::kMomentumInBody

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <span>
+#include <vector>
 
 #include "base/error.h"
 #include "base/layout.h"
@@ -32,22 +34,21 @@ bool hasBlownUp(const BodyState& state, const Cuboid& body) {
 // Times within a step that are closer to its ends than this part of it are taken for the ends.
 constexpr double kEndOfStep = 1e-9;
 
-/// Advances a simulator through one frame, and stops on the way for nudges: a step in which one
-/// falls is made in parts.
-class FrameWithNudges {
+/// Advances a simulator through one frame, and stops on the way for nudges or at a time within: a
+/// step in which one falls is made in parts.
+class PartsOfFrame {
  public:
-  FrameWithNudges(Simulator& simulator, const SimulationSettings& stepping)
+  PartsOfFrame(Simulator& simulator, const SimulationSettings& stepping)
       : simulator_(simulator),
         steps_(stepping.substeps),
         h_(stepping.timePerFrame / stepping.substeps) {}
 
-  /// Advances to `offset` from the frame's start, and nudges there. [s]
-  void nudgeAt(double offset, const Nudge& nudge) {
+  /// Advances to `offset` from the frame's start. [s]
+  void advanceTo(double offset) {
     const double steps = offset / h_;
     const double whole = std::min(std::floor(steps + kEndOfStep), 1.0 * steps_);
     const double part = steps - whole;
     advanceTo(static_cast<int>(whole), part > kEndOfStep ? part * h_ : 0);
-    simulator_.nudge(nudge);
   }
 
   void finish() { advanceTo(steps_, 0); }
@@ -72,18 +73,6 @@ class FrameWithNudges {
   double part_ = 0;  // of the next step [s]
 };
 
-/// Advances by a frame that begins at `start` [s] and in which `nudges` fall.
-void advance(Simulator& simulator, const SimulationSettings& stepping, double start,
-             std::span<const Nudge> nudges) {
-  if (nudges.empty() || stepping.model == Model::Exact) {
-    simulator.advance(stepping.timePerFrame, stepping.substeps);
-    return;
-  }
-  FrameWithNudges frame(simulator, stepping);
-  for (const Nudge& nudge : nudges) frame.nudgeAt(nudge.at - start, nudge);
-  frame.finish();
-}
-
 /// Returns the nudges after `start` and up to `end`. [s]
 std::span<const Nudge> nudgesWithin(std::span<const Nudge> nudges, double start, double end) {
   const auto isAfter = [](double time, const Nudge& nudge) { return time < nudge.at; };
@@ -91,24 +80,90 @@ std::span<const Nudge> nudgesWithin(std::span<const Nudge> nudges, double start,
   return {first, std::upper_bound(first, nudges.end(), end, isAfter)};
 }
 
+/// A body's motion, of which the states at ascending times can be had. The simulator itself stops
+/// only at whole frames.
+class Course {
+ public:
+  explicit Course(const MotionSettings& settings)
+      : nudges_(settings.nudges),
+        stepping_(settings.simulation),
+        simulator_(makeSimulator(settings)) {}
+
+  /// Returns the state at a time not before those so far. [s]
+  BodyState at(double time) {
+    const double slack = kEndOfStep * stepping_.timePerFrame / stepping_.substeps;
+    while (startOf(frame_ + 1) <= time + slack) makeFrame();
+    if (time - startOf(frame_) <= slack) return simulator_->state();
+    const auto copy = simulator_->copy();
+    advanceWithin(*copy, time);
+    return copy->state();
+  }
+
+ private:
+  double startOf(std::int64_t frame) const {
+    return static_cast<double>(frame) * stepping_.timePerFrame;
+  }
+
+  void makeFrame() {
+    const double end = startOf(frame_ + 1);
+    const bool isExact = stepping_.model == Model::Exact;
+    if (isExact || nudgesWithin(nudges_, startOf(frame_), end).empty()) {
+      simulator_->advance(stepping_.timePerFrame, stepping_.substeps);
+    } else {
+      partsTo(*simulator_, end).finish();
+    }
+    ++frame_;
+  }
+
+  /// Advances a simulator that is at the start of the frame to a time within it. [s]
+  void advanceWithin(Simulator& simulator, double time) const {
+    const double offset = time - startOf(frame_);
+    if (stepping_.model == Model::Exact) {
+      simulator.advance(offset, 1);
+    } else {
+      partsTo(simulator, time).advanceTo(offset);
+    }
+  }
+
+  /// Returns the frame's parts, advanced through the nudges up to `end`. [s]
+  PartsOfFrame partsTo(Simulator& simulator, double end) const {
+    PartsOfFrame parts(simulator, stepping_);
+    for (const Nudge& nudge : nudgesWithin(nudges_, startOf(frame_), end)) {
+      parts.advanceTo(nudge.at - startOf(frame_));
+      simulator.nudge(nudge);
+    }
+    return parts;
+  }
+
+  std::span<const Nudge> nudges_;
+  const SimulationSettings& stepping_;
+  std::unique_ptr<Simulator> simulator_;
+  std::int64_t frame_ = 0;  // the frame at whose start the simulator is
+};
+
+std::vector<double> evenTimes(double interval, std::int64_t count) {
+  std::vector<double> times;
+  for (std::int64_t n = 0; n < count; ++n) times.push_back(static_cast<double>(n) * interval);
+  return times;
+}
+
 }  // namespace
 
 Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount,
                     const std::atomic<bool>* stop) {
+  return simulate(settings, evenTimes(settings.simulation.timePerFrame, sampleCount), stop);
+}
+
+Trajectory simulate(const MotionSettings& settings, std::span<const double> times,
+                    const std::atomic<bool>* stop) {
   requireSameLayout();
-  const auto simulator = makeSimulator(settings);
+  Course course(settings);
   Measurement measurement(settings);
-  const SimulationSettings& stepping = settings.simulation;
 
   Trajectory result;
-  result.interval = stepping.timePerFrame;
-  for (std::int64_t n = 0; n < sampleCount; ++n) {
-    const double time = static_cast<double>(n) * result.interval;
-    if (n > 0) {
-      const double before = static_cast<double>(n - 1) * result.interval;
-      advance(*simulator, stepping, before, nudgesWithin(settings.nudges, before, time));
-    }
-    const BodyState state = simulator->state();
+  result.interval = settings.simulation.timePerFrame;
+  for (const double time : times) {
+    const BodyState state = course.at(time);
     if (hasBlownUp(state, settings.body)) {
       result.divergedAt = time;
       break;

@@ -1,6 +1,7 @@
 // The interface that all models implement.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include <Eigen/Core>
@@ -40,6 +41,8 @@ class Simulator {
   virtual void advance(double interval, int steps) = 0;
   /// Adds a nudge's change to the spin of the body as it is now, whatever the time of the nudge.
   virtual void nudge(const Nudge& nudge) = 0;
+  /// Returns a copy, which goes on by itself.
+  virtual std::unique_ptr<Simulator> copy() const = 0;
   /// Returns the current state. Its numbers need not be finite once a motion has blown up.
   virtual BodyState state() const = 0;
 };

@@ -9,9 +9,11 @@
 
 namespace rotatebook::physics {
 
-/// A motion: one sample every `interval`, the first at t = 0.
+/// A motion: samples in the order of time, the first at t = 0.
 struct Trajectory {
-  double interval = 0;          ///< Time between samples. [s]
+  /// SimulationSettings::timePerFrame: the time between samples, unless a caller of simulate()
+  /// chose their times. [s]
+  double interval = 0;
   std::vector<Sample> samples;  ///< Never empty.
   /// Time of the first missing sample: there a corner was farther from the origin than
   /// kDivergenceFactor times the body's largest dimension, or a number was not finite. [s]

@@ -16,6 +16,7 @@ std::vector<KeyRow> allKeys() {
   add(rowsOf("panel.N.", panelKeys()));
   add(rowsOf("study.", studyKeys()));
   add(rowsOf("study.", sweepKeys()));
+  add(rowsOf("study.", samplingKeys()));
   return all;
 }
 

@@ -14,7 +14,6 @@
 namespace rotatebook::scene {
 namespace {
 
-constexpr int kMaxFrames = 1'000'000;  // A trajectory of so many takes some 400 MB.
 constexpr double kMinDistance = 1e-9;  // [m]
 constexpr double kMinSine = 1e-6;      // Below this sine of their angle, directions are parallel.
 

@@ -15,6 +15,32 @@ std::vector<Panel> motionsOf(const Scene& scene) {
   return {{{scene}, ""}};
 }
 
+bool hasEvenTimes(const Scene& scene) {
+  return !scene.clip.speed || scene.clip.speed->stretches.empty();
+}
+
+double timeAt(const Scene& scene, double frame) {
+  if (hasEvenTimes(scene)) return frame * scene.simulation.timePerFrame;
+  return scene.clip.speed->timeAt(frame * scene.clip.frameRate.period());
+}
+
+physics::MotionSettings studiedMotion(const Scene& scene, const StudySettings& study) {
+  physics::MotionSettings motion = scene.motion();
+  if (study.interval) motion.simulation.timePerFrame = *study.interval;
+  return motion;
+}
+
+std::int64_t studiedSamples(const Scene& scene, const StudySettings& study,
+                            const physics::MotionSettings& motion) {
+  const std::int64_t frames = scene.clip.frameCount();
+  if (!study.duration && !study.interval) return frames;
+  const double clip = static_cast<double>(frames - 1) * scene.simulation.timePerFrame;
+  const double intervals = study.duration.value_or(clip) / motion.simulation.timePerFrame;
+  constexpr double kRounding = 1e-9;  // 0.3 / 0.1 is less than 3
+  constexpr double kMany = 1e15;
+  return 1 + static_cast<std::int64_t>(std::min(intervals * (1 + kRounding), kMany));
+}
+
 Scene withMotion(Scene scene, const Motion& motion) {
   scene.panels.clear();
   static_cast<Motion&>(scene) = motion;

@@ -17,6 +17,7 @@
 #include "physics/motion_settings.h"
 #include "scene/expectation.h"
 #include "scene/overlays.h"
+#include "scene/playback_speed.h"
 #include "scene/reference_frame.h"
 #include "scene/study_settings.h"
 #include "scene/words.h"
@@ -32,9 +33,9 @@ struct ClipSettings {
   /// Time of the poster, the picture that represents the video, >= 0; the middle by default, and
   /// the end of a video that ends before. [s]
   std::optional<double> poster{};
-  /// Simulated time over time of video, > 0, if a scene states it in place of
-  /// SimulationSettings::timePerFrame, which follows from it then: 0.25 shows slow motion.
-  std::optional<double> speed{};
+  /// Speed of the motion, if a scene states it in place of SimulationSettings::timePerFrame, which
+  /// follows from it then: of a constant speed, or of speed 1.
+  std::optional<PlaybackSpeed> speed{};
 
   /// Returns the number of frames of the whole clip, >= 1.
   std::int64_t frameCount() const { return frameRate.framesIn(duration); }
@@ -165,6 +166,16 @@ bool isTransparent(const Scene& scene);
 /// Returns all motions of a scene: its panels, or the scene itself as the only one, without a
 /// label.
 std::vector<Panel> motionsOf(const Scene& scene);
+/// Returns the simulated time that `frame` of the clip shows, >= 0; of a part of a frame, too. [s]
+double timeAt(const Scene& scene, double frame);
+/// Returns whether the times of the clip's frames are even.
+bool hasEvenTimes(const Scene& scene);
+/// Returns the scene's motion, sampled as `study` asks for.
+physics::MotionSettings studiedMotion(const Scene& scene, const StudySettings& study);
+/// Returns the number of samples that `study` takes of a motion, >= 1: one for each frame of the
+/// clip, unless it states a duration or an interval.
+std::int64_t studiedSamples(const Scene& scene, const StudySettings& study,
+                            const physics::MotionSettings& motion);
 /// Returns `scene` with `motion` as its only motion.
 Scene withMotion(Scene scene, const Motion& motion);
 

@@ -53,7 +53,8 @@ void readMotions(const ValueReader& file, Scene& scene) {
         "keep one of them");
   }
   if (!timePerFrame) {
-    scene.simulation.timePerFrame = scene.clip.frameRate.period() * scene.clip.speed.value_or(1);
+    scene.simulation.timePerFrame =
+        scene.clip.frameRate.period() * scene.clip.speed.value_or(PlaybackSpeed{}).constant;
   }
   if (const auto panels = file.find("panel")) {
     scene.panels = readPanels(*panels, file, scene.simulation.timePerFrame);

@@ -20,6 +20,9 @@ inline constexpr std::size_t kLongestLabel = 100;  ///< Label of a panel; part o
 inline constexpr std::size_t kLongestName = 100;   ///< Name of a font or an integrator.
 inline constexpr std::size_t kLongestPath = 1000;  ///< Path of a texture.
 
+/// Most samples of a motion, which take some 400 MB.
+inline constexpr int kMaxFrames = 1'000'000;
+
 inline constexpr std::size_t kMaxNudges = 100;  ///< Of one motion.
 
 inline constexpr std::size_t kMinPanels = 2;

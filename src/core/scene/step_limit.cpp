@@ -18,16 +18,19 @@ std::int64_t stepsOf(const Scene& scene) {
   return steps;
 }
 
-/// Returns the steps of all runs of a study from one frame to the next.
+/// Returns the steps of all runs of a study.
 std::int64_t stepsOf(const StudySettings& study, const Scene& scene) {
   const auto sizeOf = [](const auto& list) { return static_cast<std::int64_t>(list.size()); };
   if (study.sweep) {
-    return std::accumulate(
-        study.sweep->runs.begin(), study.sweep->runs.end(), std::int64_t{0},
-        [](std::int64_t sum, const SweepRun& run) { return sum + stepsOf(run.motion.simulation); });
+    std::int64_t steps = 0;
+    for (const auto& [value, curve, motion] : study.sweep->runs) {
+      steps += studiedSamples(scene, study, motion) * stepsOf(motion.simulation);
+    }
+    return steps;
   }
-  if (study.isOfTilts()) return sizeOf(study.tilts) * stepsOf(scene.simulation);
-  return sizeOf(study.integrators) *
+  const std::int64_t samples = studiedSamples(scene, study, studiedMotion(scene, study));
+  if (study.isOfTilts()) return samples * sizeOf(study.tilts) * stepsOf(scene.simulation);
+  return samples * sizeOf(study.integrators) *
          std::accumulate(study.steps.begin(), study.steps.end(), std::int64_t{0});
 }
 
@@ -43,26 +46,33 @@ ValueReader statedSubsteps(const ValueReader& file) {
   return file;
 }
 
-void refuseMany(std::int64_t stepsPerFrame, const Scene& scene, const ValueReader& source,
-                const std::string& remedy) {
+/// Returns the frames of `time_per_frame` that a clip takes. Where its speed changes, the steps of
+/// up to one more are made for each picture, which may fall between two frames.
+std::int64_t framesOf(const Scene& scene) {
   const std::int64_t frames = scene.clip.frameCount();
-  if (stepsPerFrame <= kMaxSteps / frames) return;
-  source.fail(std::to_string(frames) + " frames of " + std::to_string(stepsPerFrame) +
-              " integration steps are " + std::to_string(stepsPerFrame * frames) +
-              "; the limit is " + std::to_string(kMaxSteps) + " in all: " + remedy);
+  if (hasEvenTimes(scene)) return frames;
+  const double length = timeAt(scene, static_cast<double>(frames));
+  return frames + static_cast<std::int64_t>(length / scene.simulation.timePerFrame);
+}
+
+void refuseMany(std::int64_t steps, const std::string& who, const ValueReader& source,
+                const std::string& remedy) {
+  if (steps <= kMaxSteps) return;
+  source.fail(who + " " + std::to_string(steps) + " integration steps; the limit is " +
+              std::to_string(kMaxSteps) + " in all: " + remedy);
 }
 
 }  // namespace
 
 void checkSteps(const ValueReader& file, const Scene& scene) {
-  refuseMany(stepsOf(scene), scene, statedSubsteps(file),
+  refuseMany(framesOf(scene) * stepsOf(scene), "the clip takes", statedSubsteps(file),
              "lower simulation.substeps or clip.duration");
   const auto study = file.find("study");
   if (!study) return;
   const bool isOfTilts = scene.study->isOfTilts();
   const auto list = study->find(scene.study->sweep ? "values" : isOfTilts ? "tilts" : "steps");
-  refuseMany(stepsOf(*scene.study, scene), scene, list.value_or(*study),
-             "make fewer runs, or lower clip.duration");
+  refuseMany(stepsOf(*scene.study, scene), "the study takes", list.value_or(*study),
+             "make fewer runs, or shorter ones");
 }
 
 }  // namespace rotatebook::scene

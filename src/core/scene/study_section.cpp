@@ -47,6 +47,16 @@ void refuseTiltsWithSteps(const ValueReader& section) {
   }
 }
 
+/// Throws InputError if the study takes too many samples of a motion.
+void checkSamples(const ValueReader& section, const Scene& scene,
+                  const physics::MotionSettings& motion) {
+  const std::int64_t samples = studiedSamples(scene, *scene.study, motion);
+  if (samples <= kMaxFrames) return;
+  section.find(scene.study->duration ? "duration" : "interval")
+      ->fail("the study takes " + std::to_string(samples) + " samples of a motion; the limit is " +
+             std::to_string(kMaxFrames) + ": lower study.duration, or raise study.interval");
+}
+
 void refuseWithoutOver(const ValueReader& section) {
   for (const Key<Scene>& key : sweepKeys()) {
     if (const auto value = section.find(key.name)) value->fail(value->name() + " needs study.over");
@@ -70,12 +80,17 @@ void readStudy(const ValueReader& section, const ValueReader& file, Scene& scene
   if (!scene.panels.empty()) {
     section.fail("[study] needs a single motion, but this scene has panels");
   }
-  const auto& keys = studyKeys();
+  Keys<Scene> keys = studyKeys();
+  std::ranges::copy(samplingKeys(), std::back_inserter(keys));
   const auto ignore = [](const auto&, const ValueReader&) {};
   auto fields = fieldsOf(keys, ignore);
   std::ranges::move(fieldsOf(sweepKeys(), ignore), std::back_inserter(fields));
   section.readTable(fields);
-  if (section.find("over")) return readSweep(section, file, scene);
+  if (section.find("over")) {
+    readSweep(section, file, scene);
+    for (const SweepRun& run : scene.study->sweep->runs) checkSamples(section, scene, run.motion);
+    return;
+  }
   refuseWithoutOver(section);
   const auto tilts = section.find("tilts");
   if (tilts) {
@@ -93,13 +108,14 @@ void readStudy(const ValueReader& section, const ValueReader& file, Scene& scene
     if (value) problems.note([&] { key.read(*value, scene); });
   }
   problems.throwIfAny();
+  checkSamples(section, scene, studiedMotion(scene, *scene.study));
   if (tilts) checkTilted(*tilts, scene);
 }
 
 std::string studyText(const Scene& scene) {
   if (!scene.study) return "";
   return "\n[study]\n" + linesOf(studyKeys(), scene) + ordersText(*scene.study) +
-         linesOf(sweepKeys(), scene);
+         linesOf(sweepKeys(), scene) + linesOf(samplingKeys(), scene);
 }
 
 }  // namespace rotatebook::scene

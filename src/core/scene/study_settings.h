@@ -93,6 +93,12 @@ struct StudySettings {
 
   std::optional<Sweep> sweep{};
 
+  /// Length of the motions, > 0; without it, the clip's. [s]
+  std::optional<double> duration{};
+  /// Time between samples, which the steps divide, in place of SimulationSettings::timePerFrame; >
+  /// 0. [s]
+  std::optional<double> interval{};
+
   bool isOfTilts() const { return !tilts.empty(); }
   friend bool operator==(const StudySettings&, const StudySettings&) = default;
 };

@@ -62,16 +62,17 @@ void put(TomlNode& sections, const Axis& axis, const StatedValue& value) {
   putValue(sections, axis.key.text(kLongestPath), value.node, axis.key.node().location, kSpins);
 }
 
-/// Reads the motion of a run from its `sections`. The time from a frame to the next is
-/// `timePerFrame` unless they state it.
-physics::MotionSettings motionFrom(const TomlNode& sections, double timePerFrame) {
+/// Reads the motion of a run from its `sections`. The time from a sample to the next is that of the
+/// study, or the stated one, or else the scene's.
+physics::MotionSettings motionFrom(const TomlNode& sections, const Scene& scene) {
   const ValueReader file(sections, "");
   Motion motion;
-  motion.simulation.timePerFrame = timePerFrame;
+  motion.simulation.timePerFrame = scene.simulation.timePerFrame;
   std::vector<Field> fields;
   addFields(fields, physicsSections(), motion);
   file.readTable(fields);
   checkMotion(file, motion.simulation);
+  if (scene.study->interval) motion.simulation.timePerFrame = *scene.study->interval;
   return motion;
 }
 
@@ -81,8 +82,7 @@ void addCurve(const TomlNode& sections, const Axis& over, const std::string& cur
     problems.note([&] {
       TomlNode varied = sections;
       put(varied, over, value);
-      scene.study->sweep->runs.push_back(
-          {value.value.label, curve, motionFrom(varied, scene.simulation.timePerFrame)});
+      scene.study->sweep->runs.push_back({value.value.label, curve, motionFrom(varied, scene)});
     });
   }
   problems.throwIfAny();
@@ -115,6 +115,17 @@ void makeRuns(const ValueReader& section, const ValueReader& file, Scene& scene)
     });
   }
   problems.throwIfAny();
+}
+
+/// Throws InputError if a study with an interval of its own varies the one that it replaces.
+void refuseIntervals(const ValueReader& section, const Sweep& sweep) {
+  constexpr std::string_view kInterval = "simulation.time_per_frame";
+  const auto interval = section.find("interval");
+  if (!interval) return;
+  if (sweep.over.key != kInterval && !(sweep.curves && sweep.curves->key == kInterval)) return;
+  interval->fail(
+      "study.interval replaces simulation.time_per_frame, which the study varies; "
+      "remove one of them");
 }
 
 void requireLabel(const ValueReader& value, const std::string& label,
@@ -157,10 +168,13 @@ void refuseOthers(const ValueReader& section) {
 void readSweep(const ValueReader& section, const ValueReader& file, Scene& scene) {
   refuseOthers(section);
   Sweep& sweep = scene.study.emplace().sweep.emplace();
-  readKeys(section, sweepKeys(), scene);
+  Keys<Scene> keys = samplingKeys();
+  std::ranges::copy(sweepKeys(), std::back_inserter(keys));
+  readKeys(section, keys, scene);
   for (const char* key : {"values", "measure"}) {
     if (!section.find(key)) section.fail("[study] has over, so it needs " + std::string(key));
   }
+  refuseIntervals(section, sweep);
   makeRuns(section, file, scene);
   if (!sweep.expected.empty()) checkExpected(*section.find("expect"), sweep);
 }

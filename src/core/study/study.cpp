@@ -36,13 +36,13 @@ MotionSettings withStepping(MotionSettings settings, physics::Integrator integra
   return settings;
 }
 
-PrecisionRow runPrecision(const MotionSettings& settings, std::int64_t frames,
+PrecisionRow runPrecision(const MotionSettings& settings, std::int64_t samples,
                           const Execution& execution) {
   PrecisionRow row;
   row.integrator = settings.simulation.integrator;
   row.h = settings.simulation.timePerFrame / settings.simulation.substeps;
-  row.steps = (frames - 1) * settings.simulation.substeps;
-  const auto trajectory = wholeMotion(settings, frames, execution.stop, row.end);
+  row.steps = (samples - 1) * settings.simulation.substeps;
+  const auto trajectory = wholeMotion(settings, samples, execution.stop, row.end);
   if (!trajectory || isSet(execution.stop)) return row;
   measure(*trajectory, row);
   if (execution.nanosecondsPerStep)
@@ -59,12 +59,12 @@ IntegratorOrder orderOf(physics::Integrator integrator, const std::vector<Precis
   return {integrator, fitOrder(runs)};
 }
 
-TiltRow runTilt(const MotionSettings& settings, std::int64_t frames, Stop stop) {
+TiltRow runTilt(const MotionSettings& settings, std::int64_t samples, Stop stop) {
   TiltRow row;
   row.tilt = settings.initial.tilt->angle;
   const rigid::PrincipalAxes inertia = modelInertia(settings);
   row.law = physics::asymptoticFlipInterval(inertia, initialAngularVelocity(settings));
-  const auto trajectory = wholeMotion(settings, frames, stop, row.end);
+  const auto trajectory = wholeMotion(settings, samples, stop, row.end);
   if (!trajectory) return row;
   const std::vector<double> times = flipTimes(*trajectory, inertia);
   row.flips = static_cast<int>(times.size());
@@ -75,7 +75,7 @@ TiltRow runTilt(const MotionSettings& settings, std::int64_t frames, Stop stop) 
 
 }  // namespace
 
-void requireStudyable(const scene::Scene& scene) {
+void requireStudyable(const scene::Scene& scene, const scene::StudySettings& study) {
   requireSameLayout();
   if (!scene.panels.empty()) {
     throw InputError(scene::locationOf(scene, "panel") +
@@ -86,8 +86,8 @@ void requireStudyable(const scene::Scene& scene) {
                      ": the model \"exact\" takes no steps, so there are no steps to compare; "
                      "choose another model, e.g. --set simulation.model=quaternion");
   }
-  if (scene.clip.frameCount() < 2) {
-    throw InputError(scene.name + ": a clip of one frame has no motion to study; make it longer");
+  if (studiedSamples(scene, study, studiedMotion(scene, study)) < 2) {
+    throw InputError(scene.name + ": a single sample has no motion to study; make it longer");
   }
 }
 
@@ -104,17 +104,19 @@ double TiltStudy::greatestDeviation() const {
 std::optional<PrecisionStudy> runPrecisionStudy(const scene::Scene& scene,
                                                 const scene::StudySettings& study,
                                                 const Execution& execution) {
-  requireStudyable(scene);
+  requireStudyable(scene, study);
+  const MotionSettings motion = studiedMotion(scene, study);
+  const std::int64_t samples = studiedSamples(scene, study, motion);
   std::vector<MotionSettings> runs;
   for (const physics::Integrator integrator : study.integrators) {
     for (const int steps : study.steps) {
-      runs.push_back(withStepping(scene.motion(), integrator, steps));
+      runs.push_back(withStepping(motion, integrator, steps));
     }
   }
   PrecisionStudy result;
   result.rows.resize(runs.size());
   const auto run = [&](std::size_t i) {
-    result.rows[i] = runPrecision(runs[i], scene.clip.frameCount(), execution);
+    result.rows[i] = runPrecision(runs[i], samples, execution);
   };
   if (!makeRuns(runs, run, execution)) return std::nullopt;
   for (const physics::Integrator integrator : study.integrators) {
@@ -126,14 +128,16 @@ std::optional<PrecisionStudy> runPrecisionStudy(const scene::Scene& scene,
 std::optional<TiltStudy> runTiltStudy(const scene::Scene& scene, const scene::StudySettings& study,
                                       const Execution& execution) {
   requireSameLayout();
-  std::vector<MotionSettings> runs(study.tilts.size(), scene.motion());
+  const MotionSettings motion = studiedMotion(scene, study);
+  const std::int64_t samples = studiedSamples(scene, study, motion);
+  std::vector<MotionSettings> runs(study.tilts.size(), motion);
   for (std::size_t i = 0; i < runs.size(); ++i) {
     runs[i].initial.tilt->angle = study.tilts[i];
   }
   TiltStudy result;
   result.rows.resize(runs.size());
   const auto run = [&](std::size_t i) {
-    result.rows[i] = runTilt(runs[i], scene.clip.frameCount(), execution.stop);
+    result.rows[i] = runTilt(runs[i], samples, execution.stop);
   };
   if (!makeRuns(runs, run, execution)) return std::nullopt;
   return result;

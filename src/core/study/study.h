@@ -59,9 +59,9 @@ struct TiltStudy {
   double greatestDeviation() const;
 };
 
-/// Throws InputError if the scene has panels, the model takes no steps, or the clip has only one
-/// frame.
-void requireStudyable(const scene::Scene& scene);
+/// Throws InputError if the scene has panels, the model takes no steps, or the study only one
+/// sample of a motion.
+void requireStudyable(const scene::Scene& scene, const scene::StudySettings& study);
 
 /// Runs the scene's motion with each integrator and each step of `study`. Returns nothing after a
 /// stop. Everything but the times is the same however the runs are made. Throws like

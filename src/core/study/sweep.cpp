@@ -13,10 +13,10 @@ namespace {
 using scene::Quantity;
 
 SweepRow runOne(const scene::SweepRun& run, const std::vector<Quantity>& measures,
-                std::int64_t frames, const Execution& execution) {
+                std::int64_t samples, const Execution& execution) {
   SweepRow row{run.value, run.curve};
-  row.length = static_cast<double>(frames - 1) * run.motion.simulation.timePerFrame;
-  const auto trajectory = wholeMotion(run.motion, frames, execution.stop, row.end);
+  row.length = static_cast<double>(samples - 1) * run.motion.simulation.timePerFrame;
+  const auto trajectory = wholeMotion(run.motion, samples, execution.stop, row.end);
   for (const Quantity quantity : measures) {
     double value = kNoNumber;
     if (trajectory) value = reduced(*trajectory, quantity);
@@ -38,7 +38,9 @@ std::optional<SweepStudy> runSweep(const scene::Scene& scene, const scene::Study
   SweepStudy result;
   result.rows.resize(sweep.runs.size());
   const auto run = [&](std::size_t i) {
-    result.rows[i] = runOne(sweep.runs[i], sweep.measures, scene.clip.frameCount(), execution);
+    const scene::SweepRun& one = sweep.runs[i];
+    const std::int64_t samples = studiedSamples(scene, study, one.motion);
+    result.rows[i] = runOne(one, sweep.measures, samples, execution);
   };
   if (!makeRuns(motions, run, execution)) return std::nullopt;
   return result;

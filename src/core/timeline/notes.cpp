@@ -105,8 +105,7 @@ std::vector<std::string> notesOn(const scene::Scene& scene) {
   for (const scene::Panel& panel : scene::motionsOf(scene)) {
     const std::string prefix = panel.label.empty() ? "" : panel.label + ": ";
     for (const std::string& note : notesOn(panel)) all.push_back(prefix + note);
-    const double end =
-        static_cast<double>(scene.clip.frameCount() - 1) * panel.simulation.timePerFrame;
+    const double end = timeAt(scene, static_cast<double>(scene.clip.frameCount() - 1));
     for (const physics::Nudge& nudge : panel.nudges) {
       if (nudge.at <= end) continue;
       all.push_back(prefix + "the nudge at " + roundedText(nudge.at, kDigits) +

@@ -1,5 +1,6 @@
 #include "timeline/simulate_scene.h"
 
+#include <cstdint>
 #include <utility>
 
 #include "base/error.h"
@@ -11,7 +12,7 @@ namespace {
 physics::Trajectory simulate(const scene::Scene& scene, const scene::Panel& panel,
                              const std::atomic<bool>* stop) {
   try {
-    return physics::simulate(panel.motion(), scene.clip.frameCount(), stop);
+    return physics::simulate(panel.motion(), frameTimes(scene), stop);
   } catch (const InputError& error) {
     const std::string file = (scene.folder / (scene.name + ".toml")).string();
     const std::string panelName = panel.label.empty() ? "" : "the panel \"" + panel.label + "\": ";
@@ -20,6 +21,14 @@ physics::Trajectory simulate(const scene::Scene& scene, const scene::Panel& pane
 }
 
 }  // namespace
+
+std::vector<double> frameTimes(const scene::Scene& scene, int parts) {
+  std::vector<double> times;
+  for (std::int64_t n = 0; n < parts * scene.clip.frameCount(); ++n) {
+    times.push_back(timeAt(scene, static_cast<double>(n) / parts));
+  }
+  return times;
+}
 
 ClipMotion simulateScene(const scene::Scene& scene, const std::atomic<bool>* stop) {
   requireSameLayout();

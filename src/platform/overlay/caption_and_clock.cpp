@@ -203,7 +203,7 @@ struct CaptionAndClock::Parts {
   }
 
   std::string timeAt(std::int64_t frame) const {
-    const double time = static_cast<double>(frame) * scene.simulation.timePerFrame;
+    const double time = scene::timeAt(scene, static_cast<double>(frame));
     return "t = " + scene.overlay.words.number(clockText(time));
   }
 

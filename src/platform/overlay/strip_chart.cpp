@@ -161,8 +161,8 @@ class StripChart final : public DrawnOverlay {
       const Layer name = writer.set(tick.text, kGrey);
       writer.write(name, {plot_.x - padding / 2 - name.width, std::round(y - name.height / 2.0)});
     }
-    const double end = static_cast<double>(context_.scene.clip.frameCount()) *
-                       context_.scene.simulation.timePerFrame;
+    const auto frames = static_cast<double>(context_.scene.clip.frameCount());
+    const double end = scene::timeAt(context_.scene, frames);
     const double y = std::round(plot_.bottom() + 0.15 * padding);
     const Layer last =
         writer.set(context_.scene.overlay.words.number(roundedText(end, 3)) + " s", kGrey);

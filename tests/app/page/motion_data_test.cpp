@@ -24,15 +24,23 @@ Motion motionOf(const std::string& label) {
 }
 
 TEST(MotionData, HoldsEachSampleOfEachMotion) {
-  scene::ClipSettings clip;
-  clip.frameRate = {30000, 1001};
+  scene::Scene scene;
+  scene.clip.frameRate = {30000, 1001};
   EXPECT_EQ(
-      motionData({motionOf("a"), motionOf("<b>")}, clip, 7),
+      motionData({motionOf("a"), motionOf("<b>")}, scene, 7),
       R"({"rate": [30000, 1001], "frames": 7, "interval": 0.5, "motions": [)"
       R"({"label": "a", "springs": false, "kinetic": [0.75,0.5], "potential": [0.25,0], )"
       R"("total": [1,0.5], "tilt": [0,0.333333], "error": [0,null]}, )"
       R"({"label": "\u003Cb>", "springs": false, "kinetic": [0.75,0.5], "potential": [0.25,0], )"
       R"("total": [1,0.5], "tilt": [0,0.333333], "error": [0,null]}]})");
+}
+
+TEST(MotionData, HoldsTheTimesOfFramesWhereTheSpeedChanges) {
+  scene::Scene scene;
+  scene.clip.frameRate = {2, 1};
+  scene.clip.speed = scene::PlaybackSpeed{.stretches = {{0, 1, 0.5}}};
+  const std::string data = motionData({motionOf("a")}, scene, 5);
+  EXPECT_NE(data.find("\"times\": [0,0.25,0.523438,1,1.5]"), std::string::npos) << data;
 }
 
 TEST(MotionData, SaysWhetherThereAreSprings) {

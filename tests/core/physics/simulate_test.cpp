@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -61,6 +62,51 @@ TEST(Simulate, DividesTheIntervalIntoSubsteps) {
     EXPECT_EQ(trajectory.samples[5].cage, drawnCage(stateAtSample(settings, 5), settings.body));
     settings.simulation.substeps = 8;
     EXPECT_NE(trajectory.samples[5].cage, simulate(settings, 6).samples[5].cage);
+  }
+}
+
+/// All that a simulator has, moved by two nudges on the way.
+MotionSettings jiggled(Model model) {
+  MotionSettings settings = spinning(model, {0.4, -0.3, 5}, 0.1);
+  settings.simulation.integrator = defaultIntegrator(model);
+  settings.simulation.substeps = 64;
+  settings.simulation.normalizeEvery = 3;
+  settings.nudges = {{0.33, SpinKind::AngularVelocity, {0.5, 0.2, -0.3}, Nudge::Axes::Body},
+                     {0.7, SpinKind::AngularMomentum, {0.002, 0, 0.001}, Nudge::Axes::World}};
+  return settings;
+}
+
+TEST(Simulate, IsNotChangedBySamplesBetweenSteps) {
+  for (const Model model : {Model::Particles, Model::Matrix, Model::Quaternion, Model::Exact}) {
+    const MotionSettings settings = jiggled(model);
+    std::vector<double> times;
+    for (int n = 0; n < 100; ++n) {
+      times.push_back(n / 10 * 0.1);
+      times.back() += n % 10 * 0.01;
+    }
+    const auto even = simulate(settings, 10).samples, all = simulate(settings, times).samples;
+    ASSERT_EQ(all.size(), 100U);
+    for (std::size_t n = 0; n < 10; ++n) {
+      EXPECT_EQ(all[10 * n].time, even[n].time);
+      EXPECT_EQ(all[10 * n].cage, even[n].cage);
+      EXPECT_EQ(all[10 * n].angularMomentum, even[n].angularMomentum);
+    }
+  }
+}
+
+TEST(Simulate, FollowsTheMotionBetweenSteps) {
+  constexpr double kBound = 1e-8;       // [degrees]; measured 6.2e-10
+  constexpr double kCageBound = 1e-10;  // [m]; measured 4.9e-12
+  MotionSettings settings = jiggled(Model::Quaternion);
+  const std::vector<double> times{0, 1e-3, 0.329, 0.331, 0.4999999, 0.77, 0.9};
+  const Trajectory steps = simulate(settings, times);
+  for (const Sample& sample : steps.samples) EXPECT_LT(sample.errorDeg, kBound) << sample.time;
+  settings.simulation.model = Model::Exact;
+  const Trajectory exact = simulate(settings, times);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    EXPECT_EQ(steps.samples[i].time, times[i]);
+    EXPECT_EQ(exact.samples[i].errorDeg, 0);
+    EXPECT_LT((exact.samples[i].cage - steps.samples[i].cage).norm(), kCageBound) << times[i];
   }
 }
 

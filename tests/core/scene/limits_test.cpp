@@ -64,13 +64,13 @@ constexpr const char* kManySteps = "simulation.substeps = 1000000\n";
 TEST(Steps, AreLimitedInAll) {
   const std::string lines = kManySteps + std::string("clip.fps = 100\nclip.duration = ");
   EXPECT_EQ(errorOf(lines + "100"), "no error");
-  EXPECT_EQ(errorOf(lines + "100.01"),
-            "a.toml:1:23: 10001 frames of 1000000 integration steps are 10001000000; the limit is "
-            "10000000000 in all: lower simulation.substeps or clip.duration");
+  EXPECT_EQ(
+      errorOf(lines + "100.01"),
+      "a.toml:1:23: the clip takes 10001000000 integration steps; the limit is 10000000000 in "
+      "all: lower simulation.substeps or clip.duration");
   EXPECT_EQ(errorOf("clip.duration = 1000", {"simulation.substeps=1000000"}),
-            "--set simulation.substeps=1000000: 60000 frames of 1000000 integration steps are "
-            "60000000000; the limit is 10000000000 in all: lower simulation.substeps or "
-            "clip.duration");
+            "--set simulation.substeps=1000000: the clip takes 60000000000 integration steps; the "
+            "limit is 10000000000 in all: lower simulation.substeps or clip.duration");
 }
 
 TEST(Steps, OfTheExactMotionAreNone) {
@@ -83,23 +83,51 @@ TEST(Steps, OfAllPanelsCount) {
       "clip.fps = 100\nclip.duration = 60\n"
       "[[panel]]\nlabel = 'a'\n[[panel]]\nlabel = 'b'\nsimulation.substeps = ";
   EXPECT_EQ(errorOf(panels + "999936"), "no error");
-  EXPECT_EQ(errorOf("clip.fps = 100\nclip.duration = 60\n[[panel]]\nlabel = 'a'\n"
-                    "simulation.substeps = 1000000\n[[panel]]\nlabel = 'b'\n"
-                    "simulation.substeps = 1000000"),
-            "a.toml:5:23: 6000 frames of 2000000 integration steps are 12000000000; the limit is "
-            "10000000000 in all: lower simulation.substeps or clip.duration");
+  EXPECT_EQ(
+      errorOf("clip.fps = 100\nclip.duration = 60\n[[panel]]\nlabel = 'a'\n"
+              "simulation.substeps = 1000000\n[[panel]]\nlabel = 'b'\n"
+              "simulation.substeps = 1000000"),
+      "a.toml:5:23: the clip takes 12000000000 integration steps; the limit is 10000000000 in "
+      "all: lower simulation.substeps or clip.duration");
+}
+
+TEST(Steps, OfATimeLapseCount) {
+  const std::string lines = kManySteps + std::string("clip.fps = 100\nclip.duration = 10\n");
+  EXPECT_EQ(errorOf(lines + "clip.speed = [{ from = 0, to = 1, value = 2 }]"), "no error");
+  EXPECT_EQ(
+      errorOf(lines + "clip.speed = [{ from = 0, to = 1, value = 100 }]"),
+      "a.toml:1:23: the clip takes 11900000000 integration steps; the limit is 10000000000 in "
+      "all: lower simulation.substeps or clip.duration");
 }
 
 TEST(Steps, OfAStudyCount) {
-  EXPECT_EQ(errorOf("clip.fps = 100\nclip.duration = 100\n[study]\nintegrators = ['rk4', 'dmv6']\n"
-                    "steps = [1000000]"),
-            "a.toml:5:9: 10000 frames of 2000000 integration steps are 20000000000; the limit is "
-            "10000000000 in all: make fewer runs, or lower clip.duration");
-  EXPECT_EQ(errorOf("clip.fps = 100\nclip.duration = 100\nsimulation.substeps = 600000\n"
-                    "[study]\ntilts = [0.1, 0.01]",
-                    {"initial.angular_velocity=[5, 0, 0]", "initial.tilt=[0.1, 'z']"}),
-            "a.toml:5:9: 10000 frames of 1200000 integration steps are 12000000000; the limit is "
-            "10000000000 in all: make fewer runs, or lower clip.duration");
+  EXPECT_EQ(
+      errorOf("clip.fps = 100\nclip.duration = 100\n[study]\nintegrators = ['rk4', 'dmv6']\n"
+              "steps = [1000000]"),
+      "a.toml:5:9: the study takes 20000000000 integration steps; the limit is 10000000000 in "
+      "all: make fewer runs, or shorter ones");
+  EXPECT_EQ(
+      errorOf("clip.fps = 100\nclip.duration = 100\nsimulation.substeps = 600000\n"
+              "[study]\ntilts = [0.1, 0.01]",
+              {"initial.angular_velocity=[5, 0, 0]", "initial.tilt=[0.1, 'z']"}),
+      "a.toml:5:9: the study takes 12000000000 integration steps; the limit is 10000000000 in "
+      "all: make fewer runs, or shorter ones");
+  EXPECT_EQ(
+      errorOf("[study]\nduration = 200\ninterval = 0.01\nintegrators = ['rk4']\n"
+              "steps = [1000000]"),
+      "a.toml:5:9: the study takes 20001000000 integration steps; the limit is 10000000000 in "
+      "all: make fewer runs, or shorter ones");
+}
+
+TEST(Samples, OfAStudyAreLimited) {
+  const std::string study = "[study]\nsteps = [1]\ninterval = ";
+  EXPECT_EQ(errorOf(study + "0.001\nduration = 999.999"), "no error");
+  EXPECT_EQ(errorOf(study + "0.001\nduration = 1000"),
+            "a.toml:4:12: the study takes 1000001 samples of a motion; the limit is 1000000: lower "
+            "study.duration, or raise study.interval");
+  EXPECT_EQ(errorOf(study + "1e-300"),
+            "a.toml:3:12: the study takes 1000000000000001 samples of a motion; the limit is "
+            "1000000: lower study.duration, or raise study.interval");
 }
 
 }  // namespace

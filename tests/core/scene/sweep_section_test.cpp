@@ -172,7 +172,14 @@ TEST(SweepSection, IsLimited) {
               HasSubstr("[study] has 1800 runs; the limit is 1000"));
   EXPECT_THAT(
       errorOfSweep("values = { from = 1, to = 1000000, count = 900 }\n[clip]\nduration = 60"),
-      HasSubstr("make fewer runs, or lower clip.duration"));
+      HasSubstr("make fewer runs, or shorter ones"));
+}
+
+TEST(SweepSection, RefusesAnIntervalInPlaceOfTheOneThatItVaries) {
+  EXPECT_EQ(errorOf("[study]\nover = 'simulation.time_per_frame'\nvalues = [0.1]\n"
+                    "measure = ['half_turns']\ninterval = 0.01"),
+            "a.toml:5:12: study.interval replaces simulation.time_per_frame, which the study "
+            "varies; remove one of them");
 }
 
 }  // namespace

@@ -148,11 +148,22 @@ TEST(PrecisionStudy, IsNothingAfterAStop) {
 }
 
 TEST(PrecisionStudy, RefusesWhatHasNothingToVary) {
-  EXPECT_EQ(messageOf<InputError>([] { requireStudyable(smallScene({"simulation.model=exact"})); }),
+  const auto refusal = [](const char* setting) {
+    return messageOf<InputError>([setting] { requireStudyable(smallScene({setting}), {}); });
+  };
+  EXPECT_EQ(refusal("simulation.model=exact"),
             "small: the model \"exact\" takes no steps, so there are no steps to compare; "
             "choose another model, e.g. --set simulation.model=quaternion");
-  EXPECT_EQ(messageOf<InputError>([] { requireStudyable(smallScene({"clip.duration=0.04"})); }),
-            "small: a clip of one frame has no motion to study; make it longer");
+  EXPECT_EQ(refusal("clip.duration=0.04"),
+            "small: a single sample has no motion to study; make it longer");
+}
+
+TEST(PrecisionStudy, DividesItsOwnInterval) {
+  const PrecisionStudy study =
+      precision(smallScene({"study.integrators=['rk4']", "study.steps=[4]", "study.duration=1",
+                            "study.interval=0.02", "clip.fps=7"}));
+  EXPECT_EQ(study.rows[0].h, 0.02 / 4);
+  EXPECT_EQ(study.rows[0].steps, 50 * 4);
 }
 
 // Only steps without a solution are a row's end; what is wrong with the scene is the caller's.

@@ -108,5 +108,23 @@ TEST(Sweep, HasNoResultAfterAStop) {
   EXPECT_FALSE(runSweep(scene, *scene.study, {.stop = &stop}).has_value());
 }
 
+TEST(Sweep, HasADurationAndAnIntervalOfItsOwn) {
+  const std::vector<std::string> own{"study.over=simulation.substeps", "study.values=[10]",
+                                     "study.measure=['half_turns', 'error_deg']",
+                                     "study.duration=3", "study.interval='10 ms'"};
+  const SweepRow row = resultOf(smallScene(own)).rows.front();
+  EXPECT_DOUBLE_EQ(row.length, 3);
+  std::vector<std::string> other = own;
+  other.insert(other.end(), {"clip.fps=7", "clip.duration=1"});
+  EXPECT_EQ(resultOf(smallScene(other)).rows.front().measured, row.measured);
+}
+
+TEST(Sweep, MakesMotionsOfOneLengthWhateverTheTimePerFrame) {
+  const SweepStudy result =
+      resultOf(smallScene({"study.over=simulation.time_per_frame", "study.values=[0.01, 0.1, 0.3]",
+                           "study.measure=['half_turns']", "study.duration=1.2"}));
+  for (const SweepRow& row : result.rows) EXPECT_DOUBLE_EQ(row.length, 1.2);
+}
+
 }  // namespace
 }  // namespace rotatebook::study

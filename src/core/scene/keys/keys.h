@@ -29,6 +29,8 @@ const Keys<BookSettings>& bookKeys();
 const Keys<LookSettings>& lookKeys();
 const Keys<OverlaySettings>& overlayKeys();
 
+/// Keys of Scene::study, which must be present, that studies of all kinds have.
+const Keys<Scene>& samplingKeys();
 /// Keys of Scene::study, which must be present, but for its sweep; they depend on the scene's
 /// model.
 const Keys<Scene>& studyKeys();

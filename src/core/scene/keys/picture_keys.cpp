@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/clip_limits.h"
+#include "base/number_text.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
 #include "scene/sections.h"
@@ -40,6 +41,8 @@ constexpr NumberRange kTimes{"a time in the clip, 0 or more seconds", 0, kPositi
                              Dimension::Time};
 constexpr NumberRange kDurations{kPositive.expected, kPositive.min, kPositive.max, Dimension::Time};
 constexpr NumberRange kSpeeds{"a number from 1e-6 to 1e6", 1e-6, 1e6};
+constexpr const char* kExpectedSpeeds =
+    "a number from 1e-6 to 1e6, or stretches such as [{ from = 3, to = 5, value = 0.2 }]";
 constexpr NumberRange kOverlayScales{"a number from 0.5 to 3", 0.5, 3};
 constexpr NumberRange kAngles{"an angle from 1 to 170 degrees", 1, 170};
 
@@ -187,6 +190,51 @@ std::string wordsText(const Words& words) {
   return "{ " + joined(entries) + " }";
 }
 
+SpeedStretch stretchFrom(const ValueReader& table) {
+  SpeedStretch stretch;
+  const auto readInto = [](double& number, const NumberRange& range) {
+    return [&number, &range](const ValueReader& value) { number = value.number(range); };
+  };
+  table.readTable({{"from", readInto(stretch.from, kTimes)},
+                   {"to", readInto(stretch.to, kTimes)},
+                   {"value", readInto(stretch.value, kSpeeds)}});
+  for (const char* key : {"from", "to", "value"}) {
+    if (!table.find(key)) table.fail(table.name() + " needs from, to and value");
+  }
+  if (stretch.to > stretch.from) return stretch;
+  table.fail(table.name() + " must end after it begins, not go from " + shortestText(stretch.from) +
+             " s to " + shortestText(stretch.to) + " s");
+}
+
+PlaybackSpeed speedFrom(const ValueReader& value) {
+  const auto& stated = value.node().value;
+  PlaybackSpeed speed;
+  if (std::holds_alternative<double>(stated) || std::holds_alternative<std::int64_t>(stated)) {
+    speed.constant = value.number(kSpeeds);
+    return speed;
+  }
+  double end = 0;
+  for (const ValueReader& table : value.tables(kExpectedSpeeds)) {
+    const SpeedStretch stretch = stretchFrom(table);
+    if (stretch.from < end) {
+      table.fail("the stretches of " + value.name() +
+                 " must follow each other, but one begins at " + shortestText(stretch.from) +
+                 " s, before the last has ended at " + shortestText(end) + " s");
+    }
+    end = stretch.to;
+    speed.stretches.push_back(stretch);
+  }
+  return speed;
+}
+
+std::string speedText(const PlaybackSpeed& speed) {
+  if (speed.stretches.empty()) return tomlNumber(speed.constant);
+  return listText(speed.stretches, [](const SpeedStretch& stretch) {
+    return "{ from = " + tomlNumber(stretch.from) + ", to = " + tomlNumber(stretch.to) +
+           ", value = " + tomlNumber(stretch.value) + " }";
+  });
+}
+
 }  // namespace
 
 const Keys<Scene>& titleKeys() {
@@ -217,9 +265,10 @@ const Keys<ClipSettings>& clipKeys() {
           {.comment = "s, time of the poster in the video",
            .meaning = "time of the poster, the picture that represents the clip [s]",
            .byDefault = "the clip's middle"}),
-      key("speed", &ClipSettings::speed, number(kSpeeds),
+      key("speed", &ClipSettings::speed, Kind<PlaybackSpeed>{speedFrom, speedText, kExpectedSpeeds},
           {.comment = "of the motion in the video; 0.25 is slow motion",
-           .meaning = "of the motion in the video: 0.25 is slow motion, four times as long",
+           .meaning = "of the motion in the video: 0.25 is slow motion, four times as long; "
+                      "see [slow motion](#slow-motion)",
            .byDefault = "as `time_per_frame` says"}),
   };
   return keys;

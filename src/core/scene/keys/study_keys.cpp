@@ -13,6 +13,7 @@ namespace rotatebook::scene {
 namespace {
 
 using document::kNumber;
+using document::kPositive;
 using physics::Integrator;
 
 constexpr const char* kExpectedSteps = "a list of steps a frame, such as [1, 2, 4]";
@@ -20,6 +21,9 @@ constexpr const char* kExpectedTilts = "a list of angles, such as [0.1, 0.01]";
 constexpr NumberRange kTilts{"an angle over 0 and up to 0.785 rad",
                              std::numeric_limits<double>::denorm_min(), std::numbers::pi / 4,
                              Dimension::Angle};
+
+constexpr NumberRange kStudyTimes{kPositive.expected, kPositive.min, kPositive.max,
+                                  Dimension::Time};
 
 Bounds boundsFrom(const ValueReader& value) {
   Bounds bounds;
@@ -109,6 +113,25 @@ void checkBounds(const ValueReader& value, const Bounds& bounds) {
   if (bounds.min && bounds.max && *bounds.min > *bounds.max) {
     value.find("min")->mismatch("at most max, " + tomlNumber(*bounds.max));
   }
+}
+
+const Keys<Scene>& samplingKeys() {
+  const auto ofStudy = [](auto part) {
+    return [part](auto& scene) -> auto& {
+      return (*scene.study).*part;
+    };
+  };
+  static const Keys<Scene> keys{
+      keyAt<Scene>("duration", ofStudy(&StudySettings::duration), number(kStudyTimes),
+                   {.comment = "s, length of the motions",
+                    .meaning = "length of the motions, whatever the clip's [s]",
+                    .byDefault = "the clip's"}),
+      keyAt<Scene>("interval", ofStudy(&StudySettings::interval), number(kStudyTimes),
+                   {.comment = "s from sample to sample, in place of time_per_frame",
+                    .meaning = "time from sample to sample, which the steps divide [s]",
+                    .byDefault = "`simulation.time_per_frame`"}),
+  };
+  return keys;
 }
 
 const Keys<Scene>& studyKeys() {

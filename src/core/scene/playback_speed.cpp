@@ -1,0 +1,52 @@
+#include "scene/playback_speed.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+namespace rotatebook::scene {
+namespace {
+
+struct Change {
+  double at;     // [s] of video
+  double speed;  // after it
+};
+
+/// Returns all changes of speed, the first at 0.
+std::vector<Change> changesOf(const std::vector<SpeedStretch>& stretches) {
+  std::vector<Change> changes{{0, 1}};
+  for (const SpeedStretch& stretch : stretches) {
+    // A stretch that begins with the one before, or at 0, replaces the return to 1.
+    if (stretch.from == changes.back().at) changes.pop_back();
+    changes.push_back({stretch.from, stretch.value});
+    changes.push_back({stretch.to, 1});
+  }
+  return changes;
+}
+
+/// Returns the integral from -half to `x` of a smoothstep that rises from 0 at -half to 1 at half.
+double integralOfStep(double x, double half) {
+  if (x <= -half) return 0;
+  if (x >= half) return x;
+  const double u = (x / half + 1) / 2;
+  return half * u * u * u * (2 - u);
+}
+
+}  // namespace
+
+double PlaybackSpeed::timeAt(double videoTime) const {
+  if (stretches.empty()) return constant * videoTime;
+  const std::vector<Change> changes = changesOf(stretches);
+  double time = changes.front().speed * videoTime;
+  for (std::size_t i = 1; i < changes.size(); ++i) {
+    const double before = changes[i].at - changes[i - 1].at;
+    const double after = i + 1 < changes.size() ? changes[i + 1].at - changes[i].at
+                                                : std::numeric_limits<double>::infinity();
+    const double half = std::min({kHalfPassage, before / 2, after / 2});
+    const double gain = changes[i].speed - changes[i - 1].speed;
+    time += gain * integralOfStep(videoTime - changes[i].at, half);
+  }
+  return time;
+}
+
+}  // namespace rotatebook::scene

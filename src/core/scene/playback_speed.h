@@ -1,0 +1,35 @@
+// The speed at which a clip shows its motion.
+#pragma once
+
+#include <vector>
+
+namespace rotatebook::scene {
+
+/// A stretch of a clip that shows the motion at a speed of its own.
+struct SpeedStretch {
+  double from = 0;   ///< >= 0. [s] of video
+  double to = 0;     ///< > from. [s] of video
+  double value = 1;  ///< Simulated time over time of video, > 0.
+
+  friend bool operator==(const SpeedStretch&, const SpeedStretch&) = default;
+};
+
+/// Half the longest time in which one speed passes to the next. [s] of video
+inline constexpr double kHalfPassage = 0.25;
+
+/// The speed of a whole clip, in simulated time over time of video: constant, or 1 but for some
+/// stretches.
+struct PlaybackSpeed {
+  double constant = 1;                  ///< > 0; unused where there are stretches.
+  std::vector<SpeedStretch> stretches{};  ///< In the order of time, none over another.
+
+  /// Returns the simulated time at a time of the video >= 0. [s] The speed passes from one value to
+  /// the next by a smoothstep, 3u^2 - 2u^3, from kHalfPassage before the change to as long after
+  /// it, or within half the time to the neighbouring change where that is shorter. As a passage is
+  /// symmetric, it changes no time outside it.
+  double timeAt(double videoTime) const;
+
+  friend bool operator==(const PlaybackSpeed&, const PlaybackSpeed&) = default;
+};
+
+}  // namespace rotatebook::scene

@@ -86,7 +86,7 @@ std::vector<std::int64_t> framesOf(const scene::Scene& scene, const timeline::Cl
 std::string timeText(const scene::Scene& scene, const timeline::ClipMotion& motion,
                      std::int64_t frame) {
   const auto frames = static_cast<double>(motion.clockFrame(frame));
-  return overlay::clockText(frames * scene.simulation.timePerFrame);
+  return overlay::clockText(frames * scene.simulation.timePerFrame, scene.overlay.words);
 }
 
 void addCells(const scene::Scene& scene, const SheetOptions& options, bool named,

@@ -204,7 +204,7 @@ struct CaptionAndClock::Parts {
 
   std::string timeAt(std::int64_t frame) const {
     const double time = static_cast<double>(frame) * scene.simulation.timePerFrame;
-    return "t = " + scene.overlay.words.number(clockText(time));
+    return "t = " + clockText(time, scene.overlay.words);
   }
 
   /// Returns a box at the top left that is wide enough for the last frame's time.

@@ -49,9 +49,8 @@ Word wordOf(physics::Model model) {
 /// Lists the settings of a motion in steps: "quaternion", "rk4", "normalised", "step 0.26 ms".
 std::vector<std::string> settingsOf(const physics::SimulationSettings& settings,
                                     const scene::Words& words) {
-  std::vector<std::string> parts{
-      words[wordOf(settings.model)],
-      std::string(scene::nameOf(scene::kIntegrators, settings.integrator))};
+  std::vector<std::string> parts{words[wordOf(settings.model)],
+                                 words.of(scene::nameOf(scene::kIntegrators, settings.integrator))};
   std::ranges::copy(scene::correctionTexts(settings, words), std::back_inserter(parts));
   if (settings.model == physics::Model::Particles) {
     parts.push_back(settings.damping > 0

@@ -42,6 +42,12 @@ TEST(Words, ShipInGerman) {
   EXPECT_EQ(words.number("12 s"), "12 s");
 }
 
+TEST(Words, AreFoundByTheirEnglish) {
+  EXPECT_EQ(Words{}.of("midpoint"), "midpoint");
+  EXPECT_EQ(germanWords().of("midpoint"), "Mittelpunktsregel");
+  EXPECT_EQ(germanWords().of("rk4"), "rk4");
+}
+
 TEST(Words, OfATableReplaceThoseInEnglish) {
   const Words words = sceneWithWords("{ 'Half-turns' = 'Demi-tours' }").overlay.words;
   EXPECT_EQ(words[Word::HalfTurns], "Demi-tours");

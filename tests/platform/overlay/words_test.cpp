@@ -12,7 +12,7 @@
 
 #include "overlay/caption_and_clock.h"
 #include "overlay/motion.h"
-#include "scene/names.h"
+#include "physics/integrators/integrator_table.h"
 #include "scene/shipped_scene.h"
 
 namespace {
@@ -55,13 +55,15 @@ scene::Words markers() {
   return words;
 }
 
-/// Units, quantities, axes and integrators, which are the same in all languages.
+/// Numbers, units, quantities, axes and the proper names of integrators, which are the same in all
+/// languages.
 bool isInternational(const std::string& part) {
-  static const std::set<std::string> kSymbols{"s", "ms", "N", "m", "t", "k", "E",
-                                              "T", "U",  "ω", "L", "x", "y", "z"};
+  static const std::set<std::string> kSame{"s",       "ms",   "N",     "m",    "t",         "k",
+                                           "E",       "T",    "U",     "ω",    "L",         "x",
+                                           "y",       "z",    "euler", "rk4",  "lie-euler", "cf4",
+                                           "suzuki4", "dmv2", "dmv4",  "dmv6", "verlet"};
   static const std::regex kNumber("[0-9]+(·[0-9]+)?(e[-+]?[0-9]+)?");
-  return kSymbols.contains(part) || std::regex_match(part, kNumber) ||
-         std::ranges::count(scene::namesOf(scene::kIntegrators), part) > 0;
+  return kSame.contains(part) || std::regex_match(part, kNumber);
 }
 
 /// Returns the parts of `text` that are neither markers nor international.
@@ -129,6 +131,12 @@ std::vector<scene::Scene> rareScenes() {
     scenes.push_back(testing::tumbling(
         {"simulation.model=particles", "simulation.integrator=verlet", "simulation.normalize=false",
          std::string(kept) + "={ every = 100 }", "overlay.show=['settings']"}));
+  }
+  for (const physics::IntegratorRow& row : physics::integratorTable()) {
+    const bool isRigid = physics::steppingOf(physics::Model::Quaternion, row.integrator) != nullptr;
+    scenes.push_back(testing::tumbling(
+        {std::string("simulation.model=") + (isRigid ? "quaternion" : "particles"),
+         "simulation.integrator=" + std::string(row.word), "overlay.show=['settings']"}));
   }
   return scenes;
 }

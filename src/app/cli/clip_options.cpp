@@ -18,7 +18,7 @@ void addTextureOptions(CLI::App& command, store::TextureLookup& textures) {
 
 CLI::Option* addAllowOutside(CLI::App& command, bool& allowOutside) {
   return command.add_flag("--allow-outside", allowOutside,
-                          "Let the scene read textures from outside its folder");
+                          "Let the scene read textures and words from outside its folder");
 }
 
 }  // namespace rotatebook::cli

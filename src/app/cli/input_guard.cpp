@@ -17,6 +17,7 @@ std::vector<Input> texturesOf(const scene::Scene& scene) {
 std::vector<Input> inputsOf(const fs::path& path, const scene::Scene& scene) {
   std::vector<Input> inputs = texturesOf(scene);
   inputs.push_back({path, "the scene itself"});
+  if (!scene.wordsFile.empty()) inputs.push_back({scene.wordsFile, "the scene's table of words"});
   return inputs;
 }
 

@@ -75,8 +75,9 @@ void SceneOptions::addTo(CLI::App& command, bool draws) {
 }
 
 scene::Scene SceneOptions::read(const std::string& path, std::vector<Shorthand> shorthands) const {
-  return applied(std::move(shorthands),
-                 [&](std::span<const std::string> all) { return store::readScene(path, all); });
+  return applied(std::move(shorthands), [&](std::span<const std::string> all) {
+    return store::readScene(path, all, allowOutside);
+  });
 }
 
 scene::Scene SceneOptions::parse(std::string_view text, const std::string& name) const {
@@ -89,9 +90,7 @@ scene::Scene SceneOptions::applied(std::vector<Shorthand> shorthands, const Read
   std::vector<std::string> all = overrides;
   for (const Shorthand& shorthand : shorthands) all.push_back(shorthand.assignment);
   try {
-    scene::Scene scene = reader(all);
-    scene.allowOutside = allowOutside;
-    return scene;
+    return reader(all);
   } catch (const InputError& error) {
     throw InputError(asWritten(error.what(), shorthands));
   }

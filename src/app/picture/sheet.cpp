@@ -85,7 +85,8 @@ std::vector<std::int64_t> framesOf(const scene::Scene& scene, const timeline::Cl
 
 std::string timeText(const scene::Scene& scene, const timeline::ClipMotion& motion,
                      std::int64_t frame) {
-  return overlay::clockText(timeAt(scene, static_cast<double>(motion.clockFrame(frame))));
+  const double time = timeAt(scene, static_cast<double>(motion.clockFrame(frame)));
+  return overlay::clockText(time, scene.overlay.words);
 }
 
 void addCells(const scene::Scene& scene, const SheetOptions& options, bool named,

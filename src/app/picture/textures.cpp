@@ -8,12 +8,12 @@
 #include <numbers>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 
 #include "base/checksum.h"
 #include "base/error.h"
 #include "image/picture_file.h"
+#include "picture/named_file.h"
 #include "scene/source_locations.h"
 
 namespace rotatebook::picture {
@@ -36,18 +36,8 @@ bool isBuiltin(const scene::Scene& scene, const Side& side) {
   return scene.book.*side.file == scene::kBuiltin;
 }
 
-/// Returns the path of a texture of `scene`. Throws InputError if it leads outside the scene's
-/// folder, by ".." or by links, and that isn't allowed.
-fs::path fileOf(const scene::Scene& scene, const std::string& texture) {
-  fs::path file = scene.folder / texture;
-  if (scene.allowOutside) return file;
-  std::error_code error;
-  const fs::path folder = fs::canonical(scene.folder.empty() ? "." : scene.folder, error);
-  const fs::path real = error ? fs::path() : fs::weakly_canonical(folder / texture, error);
-  if (error) throw InputError("can't read " + file.string() + ": " + error.message());
-  if (std::ranges::mismatch(folder, real).in1 == folder.end()) return file;
-  throw InputError("can't read " + file.string() +
-                   ": it leads outside the scene's folder, which --allow-outside allows");
+fs::path fileOf(const scene::Scene& scene, const Side& side) {
+  return pathOfNamedFile(scene.folder, scene.book.*side.file, scene.allowOutside);
 }
 
 /// A side's picture, and the checksum of its file.
@@ -57,9 +47,8 @@ struct LoadedSide {
 };
 
 std::string read(const scene::Scene& scene, const Side& side) {
-  return scene::atLocationOf(scene, side.key, [&] {
-    return image::readPictureFile(fileOf(scene, scene.book.*side.file));
-  });
+  return scene::atLocationOf(scene, side.key,
+                             [&] { return image::readPictureFile(fileOf(scene, side)); });
 }
 
 image::Image decode(const scene::Scene& scene, const Side& side, const std::string& bytes) {

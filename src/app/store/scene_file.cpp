@@ -9,6 +9,7 @@
 #include "base/nearest_name.h"
 #include "document/toml_text.h"
 #include "document/toml_tree.h"
+#include "picture/named_file.h"
 #include "scene/scene_text.h"
 #include "store/scene_name.h"
 #include "system/read_file.h"
@@ -42,6 +43,16 @@ std::vector<std::string> sceneNamesIn(const fs::path& folder) {
                                       document::tomlString(suggestion.string()) + "?");
 }
 
+/// Returns the text of a file, relative to `folder`, that the scene there names.
+std::string readNamedFile(const fs::path& folder, const fs::path& file, bool allowOutside) {
+  const fs::path path = picture::pathOfNamedFile(folder, file, allowOutside);
+  try {
+    return system::readFile(path, document::kLongestToml);
+  } catch (const InputError& error) {
+    throw InputError("can't read " + path.string() + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 std::string readSceneText(const fs::path& path) {
@@ -52,7 +63,8 @@ std::string readSceneText(const fs::path& path) {
   }
 }
 
-scene::Scene readScene(const fs::path& path, std::span<const std::string> overrides) {
+scene::Scene readScene(const fs::path& path, std::span<const std::string> overrides,
+                       bool allowOutside) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) document::failAt(path.string(), "a folder, not a scene");
   if (!fs::exists(path, ignored)) failMissing(path);
@@ -61,7 +73,11 @@ scene::Scene readScene(const fs::path& path, std::span<const std::string> overri
     document::failAt(path.string(), "the scene's name " + document::tomlString(name) + " " +
                                         problem + "; rename the file");
   }
-  return scene::parseScene(readSceneText(path), path, overrides);
+  scene::Scene scene = scene::parseScene(
+      readSceneText(path), path, overrides,
+      [&](const fs::path& file) { return readNamedFile(path.parent_path(), file, allowOutside); });
+  scene.allowOutside = allowOutside;
+  return scene;
 }
 
 }  // namespace rotatebook::store

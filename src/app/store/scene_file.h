@@ -11,9 +11,10 @@ namespace rotatebook::store {
 
 /// Reads and validates a scene file; see scene::parseScene(). Throws InputError, also
 /// for a name that problemOfName() refuses; for a missing file, the message suggests the nearest
-/// existing name.
+/// existing name. The file that overlay.words may name is within the scene's folder, unless
+/// `allowOutside`, which the scene gets, too.
 scene::Scene readScene(const std::filesystem::path& path,
-                       std::span<const std::string> overrides = {});
+                       std::span<const std::string> overrides = {}, bool allowOutside = false);
 
 /// Reads the text of a scene file without parsing it. Throws InputError if it can't be read or is
 /// longer than document::kLongestToml.

@@ -138,6 +138,8 @@ inline constexpr const char* kBuiltin = "builtin";
 struct Scene : Motion {
   std::string name;              ///< The scene file's stem; outputs are named after it.
   std::filesystem::path folder;  ///< Folder of the scene's file; textures are found from here.
+  /// The file that overlay.words names; empty if it names none.
+  std::filesystem::path wordsFile;
   /// Allows textures outside `folder`. Set by whoever reads the scene, never by its file.
   bool allowOutside = false;
   /// Draws pictures without text, letters and charts, as thumbnails are. Set by whoever draws the

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/text.h"
+#include "document/included_table.h"
 #include "document/overrides.h"
 #include "document/problems.h"
 #include "document/toml_tree.h"
@@ -84,7 +85,7 @@ void noteLocations(const ValueReader& file, Scene& scene) {
 }  // namespace
 
 Scene parseScene(std::string_view text, const std::filesystem::path& path,
-                 std::span<const std::string> overrides) {
+                 std::span<const std::string> overrides, const ReadNamedFile& readNamedFile) {
   requireSameLayout();
   document::TomlNode tree = document::parseToml(text, oneLine(path.string()));
   document::Problems problems;
@@ -94,6 +95,9 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   Scene scene;
   scene.name = path.stem().string();
   scene.folder = path.parent_path();
+  problems.note([&] {
+    scene.wordsFile = includeTable(tree, "overlay", "words", scene.folder, readNamedFile);
+  });
   const ValueReader file(tree, "");
   problems.note([&] { readSections(file, scene); });
   problems.note([&] { readMotions(file, scene); });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,6 +10,10 @@
 #include "scene/scene.h"
 
 namespace rotatebook::scene {
+
+/// Returns the text of a file that a scene names, relative to its folder. Throws InputError
+/// "can't read FILE: CAUSE".
+using ReadNamedFile = std::function<std::string(const std::filesystem::path& file)>;
 
 /// Reads and validates the text of a scene. `path` names it in messages and gives Scene::name and
 /// Scene::folder; it isn't opened. Throws InputError with a line
@@ -18,8 +23,11 @@ namespace rotatebook::scene {
 /// `overrides` are "key.path=value" as --set takes them: the value is TOML, or else a bare string.
 /// They count as part of the file; messages give their location as "--set KEY=VALUE". Setting one
 /// of initial.angular_velocity and initial.angular_momentum removes the other.
+///
+/// `readNamedFile` reads the file that overlay.words may name; without it, such a name is refused.
 Scene parseScene(std::string_view text, const std::filesystem::path& path,
-                 std::span<const std::string> overrides = {});
+                 std::span<const std::string> overrides = {},
+                 const ReadNamedFile& readNamedFile = {});
 
 /// Returns the scene as TOML with every default explicit. Reading it back gives an equal scene.
 std::string sceneText(const Scene& scene);

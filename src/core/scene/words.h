@@ -1,6 +1,7 @@
 // The words that pictures show, and their translations.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -35,6 +36,12 @@ struct Words {
   std::string decimalMark = ".";
 
   const std::string& operator[](Word word) const { return texts[static_cast<std::size_t>(word)]; }
+  /// Returns the word that is `english` in English; `english` itself if there is none.
+  std::string of(std::string_view english) const {
+    const auto found = std::find(kEnglishWords.begin(), kEnglishWords.end(), english);
+    if (found == kEnglishWords.end()) return std::string(english);
+    return texts[static_cast<std::size_t>(found - kEnglishWords.begin())];
+  }
   /// Returns `text`, a number and perhaps its unit, with the decimal mark.
   std::string number(std::string text) const {
     if (const auto point = text.find('.'); point != text.npos) text.replace(point, 1, decimalMark);

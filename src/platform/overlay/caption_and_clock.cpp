@@ -49,9 +49,8 @@ Word wordOf(physics::Model model) {
 /// Lists the settings of a motion in steps: "quaternion", "rk4", "normalised", "step 0.26 ms".
 std::vector<std::string> settingsOf(const physics::SimulationSettings& settings,
                                     const scene::Words& words) {
-  std::vector<std::string> parts{
-      words[wordOf(settings.model)],
-      std::string(scene::nameOf(scene::kIntegrators, settings.integrator))};
+  std::vector<std::string> parts{words[wordOf(settings.model)],
+                                 words.of(scene::nameOf(scene::kIntegrators, settings.integrator))};
   std::ranges::copy(scene::correctionTexts(settings, words), std::back_inserter(parts));
   if (settings.model == physics::Model::Particles) {
     parts.push_back(settings.damping > 0
@@ -204,7 +203,7 @@ struct CaptionAndClock::Parts {
 
   std::string timeAt(std::int64_t frame) const {
     const double time = scene::timeAt(scene, static_cast<double>(frame));
-    return "t = " + scene.overlay.words.number(clockText(time));
+    return "t = " + clockText(time, scene.overlay.words);
   }
 
   /// Returns a box at the top left that is wide enough for the last frame's time.

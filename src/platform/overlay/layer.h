@@ -1,46 +1,20 @@
-// Images with alpha that are laid over a picture. Inside the room only.
+// Layers with text. Inside the room only.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <vector>
 
-#include "image/image.h"
+#include "image/layer.h"
 #include "overlay/box.h"
 
 namespace rotatebook::overlay {
 
-/// An image with alpha at a position on a picture.
-struct Layer {
-  int x = 0;       ///< Of its top left pixel on the picture; may be outside. [pixels]
-  int y = 0;       ///< [pixels]
-  int width = 0;   ///< [pixels]
-  int height = 0;  ///< [pixels]
-  /// Row by row from the top: blue, green, red, alpha; sRGB values, premultiplied by alpha.
-  std::vector<std::uint8_t> pixels;
-};
-
-/// A layer, or a part of one, that somebody else owns.
-struct LayerView {
-  int x = 0, y = 0, width = 0, height = 0;  ///< Like Layer's. [pixels]
-  const std::uint8_t* pixels = nullptr;     ///< Starts at the top left pixel.
-  std::ptrdiff_t stride = 0;                ///< From a row to the one below. [bytes]
-};
-
-/// Returns a view of the whole of `layer`.
-LayerView viewOf(const Layer& layer);
+using image::Layer;
+using image::LayerView;
 
 /// A layer that is the same in each frame, and the boxes of the text on it.
 struct CachedLayer {
   Layer layer;
   std::vector<Box> texts;
 };
-
-/// Blends `layer` over `picture`, cropped to it. A picture's alpha, if it has one, is straight, and
-/// grows to the opacity of both together.
-void blend(const LayerView& layer, image::Image& picture);
-inline void blend(const Layer& layer, image::Image& picture) {
-  blend(viewOf(layer), picture);
-}
 
 }  // namespace rotatebook::overlay

@@ -120,8 +120,7 @@ std::optional<CachedLayer> divergenceNotice(const OverlayContext& context, doubl
   const TextStyle style{.size = 1.25 * scale.letters, .bold = true, .colour = kWarningColour};
   const double padding = 0.6 * style.size;
   const scene::Words& words = context.scene.overlay.words;
-  const std::string notice =
-      words[scene::Word::DivergedAt] + " t = " + words.number(clockText(time));
+  const std::string notice = words[scene::Word::DivergedAt] + " t = " + clockText(time, words);
   const Layer text =
       context.type.draw(notice, style, static_cast<int>(scale.width - 2 * (padding + 2)));
   const double left = std::round((scale.width - text.width) / 2.0);

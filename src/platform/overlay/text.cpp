@@ -155,10 +155,10 @@ void paint(cairo_t* cairo, PangoLayout* layout, const TextStyle& style, const In
 
 }  // namespace
 
-std::string clockText(double time) {
+std::string clockText(double time, const scene::Words& words) {
   std::array<char, 32> text;
   std::snprintf(text.data(), text.size(), "%.2f s", time);
-  return text.data();
+  return words.number(text.data());
 }
 
 struct Typesetter::Parts {

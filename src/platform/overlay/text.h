@@ -27,8 +27,8 @@ struct TextSize {
   int height = 0;
 };
 
-/// Returns `time` [s] as a clock shows it: "1.50 s".
-std::string clockText(double time);
+/// Returns `time` [s] as a clock shows it, with the decimal mark of `words`: "1.50 s".
+std::string clockText(double time, const scene::Words& words);
 
 /// Typesets text in one font family, identical to the last pixel on every machine with the same
 /// libraries: with the font that ships with the program, no hinting, grey antialiasing. Use each on

@@ -80,6 +80,19 @@ TEST_F(HostileScene, ReachesNothingThroughLinks) {
   EXPECT_EQ(check("within.png").status, 0);
 }
 
+TEST_F(HostileScene, TakesNoWordsFromOutsideItsFolder) {
+  write("outside.words", "Energy = \"Secret\"\n");
+  fs::create_symlink("../outside.words", folder() / "scenes/link.words");
+  for (const char* words : {"../outside.words", "link.words"}) {
+    const std::vector<std::string> arguments{"scene", "scenes/a.toml", "--set",
+                                             std::string("overlay.words=") + words};
+    const ChildResult result = run(arguments);
+    EXPECT_EQ(result.status, 2) << words;
+    EXPECT_THAT(result.error, HasSubstr(kOutside)) << words;
+    EXPECT_THAT(result.output, IsEmpty()) << words;
+  }
+}
+
 TEST_F(HostileScene, MayLieInALinkedFolderItself) {
   fs::create_directory_symlink("scenes", folder() / "linked");
   EXPECT_EQ(run({"check", "linked/a.toml", "--set", "book.front=inside.png"}).status, 0);

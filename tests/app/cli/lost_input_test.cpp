@@ -131,6 +131,14 @@ TEST_F(LostInput, IsNoTextureBehindALink) {
   }
 }
 
+TEST_F(LostInput, IsNoTableOfWords) {
+  for (const char* name : {"tiny/scene.toml", "tiny.partial/french.words"}) {
+    write(name, "Energy = \"Énergie\"\n");
+    expectKept(name, "the scene's table of words",
+               {"render", "tiny.toml", "-o", ".", "--set", std::string("overlay.words=") + name});
+  }
+}
+
 TEST_F(LostInput, IsNoSceneUnderAnyNameOfARender) {
   for (const char* name :
        {"scene.partial/scene.toml", "scene.replaced/scene.toml", "tiny.partial/tiny.toml"}) {

@@ -37,6 +37,16 @@ class RerunCommand : public ProgramTest {
   }
 };
 
+TEST_F(RerunCommand, HasTheWordsOfAFileThatIsGone) {
+  write("french.words", "decimal_mark = \",\"\n");
+  render({"--set", "overlay.words=french.words", "--set", "overlay.show=['clock']"});
+  fs::remove(folder() / "french.words");
+  EXPECT_EQ(run({"verify", "out/tiny.mp4"}).status, 0);
+  const ChildResult result = run({"rerun", "out/tiny.mp4", "-o", "again"});
+  EXPECT_EQ(result.status, 0) << result.output << result.error;
+  EXPECT_TRUE(sameBytes(read("again/tiny.mp4"), read("out/tiny.mp4")));
+}
+
 TEST_F(RerunCommand, MakesTheSameFile) {
   render({"--set", "video.crf=25", "--set", "initial.angular_velocity=[4, 1, 0]"});
   fs::rename(folder() / "out/tiny.mp4", folder() / "renamed.mp4");

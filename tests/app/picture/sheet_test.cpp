@@ -54,6 +54,14 @@ TEST(Sheet, ShowsFramesFromTheFirstToTheLastWithTheirTimes) {
   EXPECT_GT(lettersIn(sheet, 4, 41, 64, step - 41), 10);
 }
 
+TEST(Sheet, HasTheDecimalMarkOfItsScene) {
+  const auto sheetIn = [](const char* words) {
+    return drawSheet({smallScene({std::string("overlay.words=") + words})}, {.count = 2});
+  };
+  EXPECT_TRUE(sheetIn("english") == sheetIn("{ Energy = 'E' }"));
+  EXPECT_FALSE(sheetIn("english") == sheetIn("{ decimal_mark = ',' }"));
+}
+
 TEST(Sheet, ShowsTheTimesThatAreAskedFor) {
   const scene::Scene scene = smallScene();
   const image::Image sheet = drawSheet({scene}, {.times = {0.25, 0.125}, .columns = 1});

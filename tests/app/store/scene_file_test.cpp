@@ -57,6 +57,44 @@ TEST_F(SceneFileTest, TakesOverrides) {
   EXPECT_EQ(readScene(path, std::vector<std::string>{"video.crf=3"}).video.crf, 3);
 }
 
+std::string sceneWithWords(const std::string& file) {
+  return std::string(scene::kSpin) + "[overlay]\nwords = \"" + file + "\"\n";
+}
+
+TEST_F(SceneFileTest, HasTheWordsOfTheFileThatItNames) {
+  fs::create_directories(folder_ / "words");
+  const fs::path words = write("words/french.toml", "decimal_mark = \",\"\nEnergy = \"Énergie\"\n");
+  const scene::Scene scene = readScene(write("a.toml", sceneWithWords("words/french.toml")));
+  EXPECT_EQ(scene.overlay.words[scene::Word::Energy], "Énergie");
+  EXPECT_EQ(scene.overlay.words.decimalMark, ",");
+  EXPECT_EQ(scene.wordsFile, words);
+  // A record has the words themselves.
+  const std::string text = scene::sceneText(scene);
+  EXPECT_EQ(scene::parseScene(text, "b.toml").overlay, scene.overlay);
+  EXPECT_EQ(text.find("french"), text.npos);
+}
+
+TEST_F(SceneFileTest, NamesTheFileOfAProblemWithItsWords) {
+  const fs::path path = write("a.toml", sceneWithWords("a.words"));
+  EXPECT_EQ(errorOfFile(path), "a.toml:4:9: can't read a.words: No such file or directory");
+  write("a.words", "\n  Enrgy = \"Énergie\"\nError = 3\n");
+  EXPECT_EQ(errorOfFile(path),
+            "a.words:2:3: unknown key \"Enrgy\" in [overlay.words]; did you mean \"Energy\"?\n"
+            "  a.words:3:9: overlay.words.Error must be a string in quotes, not 3");
+}
+
+TEST_F(SceneFileTest, HasNoWordsFromOutsideItsFolderUnlessThatIsAllowed) {
+  fs::create_directories(folder_ / "inner");
+  write("a.words", "Energy = \"Énergie\"\n");
+  const fs::path path = write("inner/a.toml", sceneWithWords("../a.words"));
+  EXPECT_EQ(errorOfFile(path),
+            "inner/a.toml:4:9: can't read inner/../a.words: it leads outside the scene's folder, "
+            "which --allow-outside allows");
+  const scene::Scene scene = readScene(path, {}, /*allowOutside=*/true);
+  EXPECT_EQ(scene.overlay.words[scene::Word::Energy], "Énergie");
+  EXPECT_TRUE(scene.allowOutside);
+}
+
 TEST_F(SceneFileTest, NamesTheFileOfAProblem) {
   EXPECT_EQ(errorOfFile(write("a.toml", "\n  titel = 3\n")),
             "a.toml:2:3: unknown key \"titel\"; did you mean \"title\"?");

@@ -145,7 +145,7 @@ show = []  # of )" + listOfOverlays("and") +
                                   R"(
 font = "builtin"  # "builtin" or an installed family
 scale = 1.0
-words = "english"  # "english", "german" or a table
+words = "english"  # "english", "german", a table or the file of one
 
 [expect]
 half_turns = { min = 3.0, from = 0.0 }

@@ -1,6 +1,8 @@
 #include "scene/words.h"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -40,10 +42,26 @@ TEST(Words, ShipInGerman) {
   EXPECT_EQ(words.number("12 s"), "12 s");
 }
 
+TEST(Words, AreFoundByTheirEnglish) {
+  EXPECT_EQ(Words{}.of("midpoint"), "midpoint");
+  EXPECT_EQ(germanWords().of("midpoint"), "Mittelpunktsregel");
+  EXPECT_EQ(germanWords().of("rk4"), "rk4");
+}
+
 TEST(Words, OfATableReplaceThoseInEnglish) {
   const Words words = sceneWithWords("{ 'Half-turns' = 'Demi-tours' }").overlay.words;
   EXPECT_EQ(words[Word::HalfTurns], "Demi-tours");
   EXPECT_EQ(words[Word::Energy], "Energy");
+}
+
+TEST(Words, AreAllInTheExampleOfTheDocumentation) {
+  std::ifstream stream(std::string(ROTATEBOOK_SOURCE) + "/docs/panels-and-overlays.md");
+  const std::string page(std::istreambuf_iterator<char>(stream), {});
+  for (const std::string_view english : kEnglishWords) {
+    const std::string bare = "\n  " + std::string(english) + " = \"";
+    const std::string quoted = "\n  \"" + std::string(english) + "\" = \"";
+    EXPECT_TRUE(page.find(bare) != page.npos || page.find(quoted) != page.npos) << english;
+  }
 }
 
 TEST(Words, AreThoseOfTheScenesText) {
@@ -66,9 +84,12 @@ std::string refusalOf(const std::string& words) {
 TEST(Words, ThatAreUnknownAreRefused) {
   EXPECT_THAT(refusalOf("{ 'Half-turn' = 'Demi-tours' }"),
               HasSubstr("did you mean \"Half-turns\""));
+  const char* expected = "overlay.words must be \"english\", \"german\", a table of words";
+  for (const char* words : {"'germann'", "3", "'french'"}) {
+    EXPECT_THAT(refusalOf(words), HasSubstr(expected)) << words;
+  }
   EXPECT_THAT(refusalOf("'germann'"), HasSubstr("did you mean \"german\""));
-  EXPECT_THAT(refusalOf("3"),
-              HasSubstr("overlay.words must be \"english\", \"german\" or a table"));
+  EXPECT_THAT(refusalOf("'french.words'"), HasSubstr("but no file is read here"));
 }
 
 }  // namespace

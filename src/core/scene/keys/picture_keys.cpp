@@ -157,12 +157,16 @@ std::string overlaysText(const std::vector<Overlay>& overlays) {
 constexpr std::array<std::string_view, 2> kLanguages{"english", "german"};
 constexpr std::string_view kDecimalMark = "decimal_mark";
 constexpr const char* kExpectedWords =
-    "\"english\", \"german\" or a table of words, such as { \"Half-turns\" = \"Demi-tours\" }";
+    "\"english\", \"german\", a table of words, such as { \"Half-turns\" = \"Demi-tours\" }, or a "
+    "TOML file of one, such as \"french.words\"";
 constexpr std::size_t kLongestWord = 60;
 
 Words wordsFrom(const ValueReader& value) {
-  if (std::holds_alternative<std::string>(value.node().value)) {
-    return value.choice(kLanguages) == 0 ? Words{} : germanWords();
+  if (const auto* language = std::get_if<std::string>(&value.node().value)) {
+    if (*language == kLanguages[0]) return {};
+    if (*language == kLanguages[1]) return germanWords();
+    value.fail(value.name() + " must be " + kExpectedWords + ", not " + describe(value.node()) +
+               didYouMean(*language, kLanguages));
   }
   if (!std::holds_alternative<TomlNode::Table>(value.node().value)) value.mismatch(kExpectedWords);
   Words words;
@@ -358,7 +362,7 @@ const Keys<OverlaySettings>& overlayKeys() {
       key("scale", &OverlaySettings::scale, number(kOverlayScales),
           {.meaning = "size of letters, lines and charts; 1 is the usual one"}),
       key("words", &OverlaySettings::words, Kind<Words>{wordsFrom, wordsText, kExpectedWords},
-          {.comment = "\"english\", \"german\" or a table",
+          {.comment = "\"english\", \"german\", a table or the file of one",
            .meaning = "the words that pictures show, and their `decimal_mark`"}),
   };
   return keys;

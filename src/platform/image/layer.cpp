@@ -1,10 +1,10 @@
-#include "overlay/layer.h"
+#include "image/layer.h"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
 
-namespace rotatebook::overlay {
+namespace rotatebook::image {
 namespace {
 
 // Two pixels as bytes, and as wider numbers: one instruction computes with all eight channels.
@@ -116,7 +116,7 @@ LayerView viewOf(const Layer& layer) {
           static_cast<std::ptrdiff_t>(layer.width) * 4};
 }
 
-void blend(const LayerView& layer, image::Image& picture) {
+void blend(const LayerView& layer, Image& picture) {
   const int size = bytesPerPixel(picture.format());
   const int left = std::max(0, -layer.x);
   const int right = std::min(layer.width, picture.width() - layer.x);
@@ -131,4 +131,4 @@ void blend(const LayerView& layer, image::Image& picture) {
   }
 }
 
-}  // namespace rotatebook::overlay
+}  // namespace rotatebook::image

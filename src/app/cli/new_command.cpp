@@ -49,6 +49,11 @@ void requireNew(const fs::path& path) {
                      "; choose another");
   }
   std::error_code ignored;
+  const fs::path folder = path.parent_path();
+  if (!folder.empty() && !fs::is_directory(folder, ignored)) {
+    throw InputError(path.string() + ": there is no folder " + folder.string() +
+                     "; make it, or choose another");
+  }
   if (fs::symlink_status(path, ignored).type() != fs::file_type::not_found) {
     throw InputError(path.string() +
                      " exists, and isn't overwritten; choose another name, or remove it");

@@ -145,7 +145,7 @@ std::string panelOf(const std::vector<Series>& all, const scene::Sweep& sweep, s
 
 std::string sweepPlot(const std::string& title, const study::SweepStudy& study,
                       const scene::Sweep& sweep) {
-  constexpr double kLeft = 0.075, kGap = 0.085;
+  constexpr double kLeft = 0.095, kGap = 0.105;  // room for six letters and the name of the axis
   const double right = sweep.curves ? 0.8 : 0.97;
   const auto panels = static_cast<double>(sweep.measures.size());
   const double width = (right - kLeft - (panels - 1) * kGap) / panels;

@@ -196,8 +196,9 @@ std::vector<std::string> remarksOn(const SpinNumbers& numbers) {
   if (spin.equal == EqualMoments::All) {
     remarks.emplace_back("all moments are equal: it turns steadily about any axis");
   } else if (spin.isSteady) {
+    const bool couldTumble = spin.growth && numbers.motion.nudges.empty();
     remarks.emplace_back("the spin is exactly about a principal axis: it turns steadily" +
-                         std::string(spin.growth ? ", as nothing starts the tumbling" : ""));
+                         std::string(couldTumble ? ", as nothing starts the tumbling" : ""));
   } else if (!spin.period) {
     remarks.emplace_back(
         "the spin is exactly on the separatrix: it turns over once at most, and has no period");
@@ -205,6 +206,10 @@ std::vector<std::string> remarksOn(const SpinNumbers& numbers) {
   if (spin.equal == EqualMoments::TwoSmallest || spin.equal == EqualMoments::TwoLargest) {
     remarks.emplace_back(
         "two moments are equal: no axis is unstable, nothing flips, and there is no separatrix");
+  }
+  if (!numbers.motion.nudges.empty()) {
+    remarks.push_back("the numbers are those before the first nudge, at " +
+                      text(numbers.motion.nudges.front().at) + " s");
   }
   if (numbers.motion.simulation.model == physics::Model::Particles) {
     remarks.emplace_back(

@@ -24,7 +24,7 @@ struct SpinNumbers {
 std::vector<SpinNumbers> spinNumbersOf(const scene::Scene& scene);
 
 /// Returns a sentence for each number that this spin hasn't, or whose meaning differs: of a steady
-/// spin, of equal moments, on the separatrix, of particles.
+/// spin, of equal moments, on the separatrix, with nudges, of particles.
 std::vector<std::string> remarksOn(const SpinNumbers& numbers);
 
 /// Prints the numbers of each motion of `scene`, a panel's under its label, and the remarks.

@@ -144,7 +144,9 @@ void ValueReader::refuseKey(const TomlEntry& entry, const std::vector<Field>& fi
   const bool isSection = name_.empty() && std::holds_alternative<TomlNode::Table>(entry.node.value);
   const std::string where = name_.empty() ? "" : " in [" + name_ + "]";
   std::string remedy = didYouMean(entry.key, valid);
-  if (remedy.empty()) remedy = "; valid are " + quotedList(valid, "and");
+  if (remedy.empty()) {
+    remedy = (valid.size() == 1 ? "; valid is " : "; valid are ") + quotedList(valid, "and");
+  }
   throw DocumentError(
       {{entry.keyLocation,
         (isSection ? "unknown section " : "unknown key ") + tomlString(entry.key) + where, remedy,

@@ -36,10 +36,11 @@ void requireMotionKey(const ValueReader& key) {
   std::vector<std::string_view> names;
   for (const auto& section : physicsSections()) names.push_back(section.name);
   const std::string first = text.substr(0, text.find('.'));
-  if (std::ranges::count(names, first) > 0 && first != text) return;
+  const bool isSection = std::ranges::count(names, first) > 0;
+  if (isSection && first != text) return;
   key.fail(key.name() + " must be a key of " + quotedList(names, "or") +
            ", such as \"simulation.substeps\", not " + describe(key.node()) +
-           didYouMean(first, names));
+           (isSection ? "" : didYouMean(first, names)));
 }
 
 Axis axisFrom(const ValueReader& table) {

@@ -166,6 +166,16 @@ TEST_P(Figure, IsARealBookInRealTimeUnlessTheTitleSaysOtherwise) {
   }
 }
 
+TEST_P(Figure, DrawsTheCameraBackIfItBursts) {
+  const scene::Scene scene = store::readScene(kScenes / (GetParam() + ".toml"));
+  for (const scene::Panel& motion : scene::motionsOf(scene)) {
+    for (const scene::Expectation& expected : motion.expectations) {
+      if (expected.quantity != scene::Quantity::DivergesAt) continue;
+      EXPECT_EQ(scene.camera.follow, scene::Follow::Size);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, Figure, ::testing::ValuesIn(figures()),
                          [](const auto& scene) { return wordFrom(scene.param); });
 

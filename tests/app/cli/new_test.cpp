@@ -75,7 +75,8 @@ TEST_F(New, RefusesNamesThatNoSceneCanHave) {
       ".my.toml",
       ".my.toml: the scene's name \".my\" begins with a dot, as names of hidden files do; "
       "choose another");
-  EXPECT_EQ(run({"new", "no/such/folder.toml"}).status, 3);
+  expectRefused("no/such/folder.toml",
+                "no/such/folder.toml: there is no folder no/such; make it, or choose another");
 }
 
 TEST_F(New, PrintsNothingIfItIsToBeQuiet) {

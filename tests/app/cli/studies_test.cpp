@@ -86,7 +86,8 @@ INSTANTIATE_TEST_SUITE_P(
                       SweepTwin{"fige-stiffness", "simulation.damping=1"},
                       SweepTwin{"fige2-stretch", "initial.angular_velocity=[0.2, 0.3, -0.4]"},
                       SweepTwin{"figf-matrix-quaternion", "simulation.normalize=true"},
-                      SweepTwin{"figg-normalizing", "simulation.substeps=512"}));
+                      SweepTwin{"figg-normalizing", "simulation.substeps=512"},
+                      SweepTwin{"figg2-normalizing-steps", "simulation.integrator='rk4'"}));
 
 }  // namespace
 }  // namespace rotatebook::cli::testing

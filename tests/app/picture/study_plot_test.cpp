@@ -327,6 +327,20 @@ TEST(SweepPlot, HasAPlaceForEachWord) {
   EXPECT_THAT(svg, HasSubstr("exact"));
 }
 
+TEST(SweepPlot, HasRoomForSmallNumbersBesideTheNameOfTheAxis) {
+  scene::Sweep sweep;
+  sweep.over = {"simulation.substeps", {{"1", "1", 1}, {"2", "2", 2}}};
+  sweep.measures = {scene::Quantity::Stretch};
+  study::SweepStudy study;
+  study.rows = {{"1", "", {}, 20, {0.05}}, {"2", "", {}, 20, {4e-6}}};
+  const std::string svg = drawn(sweepPlot("Small", study, sweep));
+  const std::size_t turned = svg.find(") rotate(270)");
+  ASSERT_NE(turned, std::string::npos);
+  const std::size_t begin = svg.rfind('(', turned) + 1;
+  constexpr double kLetters = 25;  // height of the name of the axis, and a margin [pixels]
+  EXPECT_GT(std::stod(svg.substr(begin)), kLetters);  // measured 43.9
+}
+
 TEST(SweepPlot, IsDrawnWithoutAnyResult) {
   scene::Sweep sweep;
   sweep.over = {"simulation.substeps", {{"1", "1", 1}}};

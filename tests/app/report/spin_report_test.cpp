@@ -85,6 +85,10 @@ TEST(SpinReport, RemarksOnSpinsOfAnotherKind) {
               ElementsAre(HasSubstr("two moments are equal")));
   EXPECT_THAT(remarksWith("initial.angular_velocity = [3, 7, 4]\nsimulation.model = 'particles'"),
               ElementsAre(HasSubstr("three times the solid book's")));
+  EXPECT_THAT(remarksWith("initial.angular_velocity = [6, 0, 0]\n"
+                          "nudge = [{ at = 1.5, angular_velocity = [0, 0, 1] }]"),
+              ElementsAre("the spin is exactly about a principal axis: it turns steadily",
+                          "the numbers are those before the first nudge, at 1.5 s"));
 }
 
 TEST(SpinReport, NamesAxesThatArentTheBooksByTheirComponents) {

@@ -74,8 +74,12 @@ TEST(SimulationSection, RefusesOtherIntervals) {
       errorOf("[simulation]\nnormalize = { every = 0 }"),
       "a.toml:2:23: simulation.normalize.every must be an integer from 1 to 1000000000, not 0");
   EXPECT_EQ(errorOf("[simulation]\nnormalize = { each = 3 }"),
+            "a.toml:2:15: unknown key \"each\" in [simulation.normalize]; valid is \"every\"");
+  EXPECT_EQ(errorOf("[simulation]\nnormalize = {}"),
             "a.toml:2:13: simulation.normalize must be true, false or a table such as "
             "{ every = 100 }, not a table");
+  EXPECT_EQ(errorOf("[simulation]\nnormalize = { evry = 5 }"),
+            "a.toml:2:15: unknown key \"evry\" in [simulation.normalize]; did you mean \"every\"?");
 }
 
 TEST(BodySection, ReadsMomentsOfInertia) {

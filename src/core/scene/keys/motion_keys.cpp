@@ -83,7 +83,8 @@ std::string integratorText(const SimulationSettings& settings) {
 
 int everyStepFrom(const ValueReader& value) {
   if (const bool* flag = std::get_if<bool>(&value.node().value)) return *flag ? 1 : 0;
-  if (!value.find("every")) value.mismatch(kExpectedEvery);
+  const auto* table = std::get_if<TomlNode::Table>(&value.node().value);
+  if (!table || table->empty()) value.mismatch(kExpectedEvery);
   int every = 0;
   value.readTable(
       {{"every", [&every](const ValueReader& steps) { every = steps.integer(1, kMaxInterval); }}});

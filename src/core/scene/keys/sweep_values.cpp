@@ -142,7 +142,8 @@ std::string labelOf(const ValueReader& value) {
 std::vector<StatedValue> statedValues(const ValueReader& values) {
   std::vector<ValueReader> elements;
   std::vector<TomlNode> nodes;
-  if (std::holds_alternative<TomlNode::Table>(values.node().value)) {
+  const bool isRange = std::holds_alternative<TomlNode::Table>(values.node().value);
+  if (isRange) {
     nodes = nodesOf(rangeFrom(values), values.node().location);
     for (const TomlNode& node : nodes) elements.emplace_back(node, values.name());
   } else {
@@ -153,7 +154,10 @@ std::vector<StatedValue> statedValues(const ValueReader& values) {
     StatedValue one = statedValue(element);
     const bool isTwice = std::ranges::any_of(
         stated, [&](const StatedValue& other) { return other.value.label == one.value.label; });
-    if (isTwice) element.fail(values.name() + " has " + one.value.label + " twice");
+    if (isTwice) {
+      element.fail(values.name() + " has " + one.value.label + " twice" +
+                   (isRange ? "; between whole numbers all are whole: lower count" : ""));
+    }
     stated.push_back(std::move(one));
   }
   return stated;

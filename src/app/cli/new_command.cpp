@@ -67,7 +67,7 @@ int writeNewScene(const fs::path& path) {
   system::writeFileAtomically(path, text);
   const std::string name = oneLine(path.string());
   std::cout << "wrote " << name << "\nnext: change a number in it, and run\n  rotatebook render "
-            << name << '\n';
+            << oneLine(shellWord(path.string())) << '\n';
   return kDone;
 }
 

@@ -39,23 +39,10 @@ Figure readFigure(const scene::Scene& scene, const fs::path& folder) {
   return isStill(scene, folder) ? stillFigure(scene, folder) : clipFigure(scene, folder);
 }
 
-namespace {
-
-/// Returns `path` as a word of a shell's command line: in quotation marks if it needs them.
-std::string shellWord(const fs::path& path) {
-  std::string word = path.string();
-  if (word.find_first_of(" \t\n'\"\\`$&|;<>()*?[]{}~#!") == std::string::npos) return word;
-  for (std::size_t at = 0; (at = word.find('\'', at)) != std::string::npos; at += 4) {
-    word.replace(at, 1, R"('\'')");
-  }
-  return '\'' + word + '\'';
-}
-
-}  // namespace
-
 std::string remedy(const std::string& command, const scene::Scene& scene, const fs::path& folder) {
-  return "rotatebook " + command + " " + shellWord(scene.folder / (scene.name + ".toml")) + " -o " +
-         shellWord(folder);
+  return "rotatebook " + command + " " +
+         shellWord((scene.folder / (scene.name + ".toml")).string()) + " -o " +
+         shellWord(folder.string());
 }
 
 std::string renderAgain(const scene::Scene& scene, const fs::path& folder) {

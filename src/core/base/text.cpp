@@ -136,6 +136,14 @@ std::string quotedText(std::string_view text) {
   return '"' + escaped(text, stringEscape) + '"';
 }
 
+std::string shellWord(std::string text) {
+  if (text.find_first_of(" \t\n'\"\\`$&|;<>()*?[]{}~#!") == std::string::npos) return text;
+  for (std::size_t at = 0; (at = text.find('\'', at)) != std::string::npos; at += 4) {
+    text.replace(at, 1, R"('\'')");
+  }
+  return '\'' + text + '\'';
+}
+
 std::string printable(std::string_view text) {
   return escaped(text, controlEscape);
 }

@@ -20,6 +20,7 @@ class ExactSimulator final : public Simulator {
   explicit ExactSimulator(const MotionSettings& settings);
 
   void advance(double interval, int steps) override;
+  void advancePart(double part) override { advance(part, 1); }
   /// Does nothing: the closed form knows all nudges and their times.
   void nudge(const Nudge& /*nudge*/) override {}
   std::unique_ptr<Simulator> copy() const override {

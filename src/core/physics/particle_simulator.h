@@ -31,6 +31,7 @@ class ParticleSimulator final : public Simulator {
   ParticleSimulator(const MotionSettings& settings, ParticleStep step);
 
   void advance(double interval, int steps) override;
+  void advancePart(double part) override { step_(state_, part); }
   /// The energy that normalising restores changes by that of the nudge.
   void nudge(const Nudge& nudge) override;
   std::unique_ptr<Simulator> copy() const override {

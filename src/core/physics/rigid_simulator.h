@@ -50,6 +50,8 @@ class RigidSimulator final : public Simulator {
     normalization_ = normalization;
   }
 
+  void advancePart(double part) override { Method(body_, part).step(state_); }
+
   void nudge(const Nudge& nudge) override {
     const Eigen::Matrix3d map = mapOf(state_.attitude);
     const bool isInBody = nudge.axes == Nudge::Axes::Body;

@@ -62,7 +62,7 @@ class PartsOfFrame {
       part_ = 0;
     }
     for (; whole_ < whole; ++whole_) simulator_.advance(h_, 1);
-    if (part > part_) simulator_.advance(part - part_, 1);
+    if (part > part_) simulator_.advancePart(part - part_);
     part_ = part;
   }
 

@@ -1,5 +1,6 @@
 // Reads a sweep, a study over any key: its keys, and the motion of each run.
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -118,6 +119,24 @@ void makeRuns(const ValueReader& section, const ValueReader& file, Scene& scene)
   problems.throwIfAny();
 }
 
+/// Throws InputError if the study varies what only particles have, and has none.
+void refuseUnusedKeys(const ValueReader& section, const Sweep& sweep) {
+  constexpr std::array<std::string_view, 4> kOfParticles{
+      "simulation.stiffness", "simulation.damping", "simulation.normalize_energy",
+      "simulation.remove_drift"};
+  const auto isOfParticles = [](const SweepRun& run) {
+    return run.motion.simulation.model == physics::Model::Particles;
+  };
+  if (std::ranges::any_of(sweep.runs, isOfParticles)) return;
+  const auto refuse = [&](const std::string& key, const ValueReader& place) {
+    if (std::ranges::count(kOfParticles, key) == 0) return;
+    place.find("over")->fail(key + " is of the model \"particles\" alone, which no run of this " +
+                             "study has; all runs would be the same");
+  };
+  refuse(sweep.over.key, section);
+  if (sweep.curves) refuse(sweep.curves->key, *section.find("curves"));
+}
+
 /// Throws InputError if a study with an interval of its own varies the one that it replaces.
 void refuseIntervals(const ValueReader& section, const Sweep& sweep) {
   constexpr std::string_view kInterval = "simulation.time_per_frame";
@@ -177,6 +196,7 @@ void readSweep(const ValueReader& section, const ValueReader& file, Scene& scene
   }
   refuseIntervals(section, sweep);
   makeRuns(section, file, scene);
+  refuseUnusedKeys(section, sweep);
   if (!sweep.expected.empty()) checkExpected(*section.find("expect"), sweep);
 }
 

@@ -106,31 +106,46 @@ std::vector<Eigen::Vector3d> MomentumSurfaces::polhode(double radius, bool posit
 
 namespace {
 
-/// Returns the angular momenta of all samples along the principal axes, in units of the initial
-/// one and no longer than kFarthest.
-std::vector<Eigen::Vector3d> momentaOf(const OverlayContext& context,
-                                       const rigid::PrincipalAxes& inertia) {
+/// Returns the numbers of the samples from which a body moves freely: the first, and those after
+/// nudges.
+std::vector<std::size_t> freeStarts(const OverlayContext& context) {
+  std::vector<std::size_t> starts{0};
   const auto& samples = context.trajectory.samples;
-  const double start = samples.front().angularMomentum.norm();
+  for (const physics::Nudge& nudge : context.scene.nudges) {
+    const auto after = std::ranges::lower_bound(samples, nudge.at, {}, &physics::Sample::time);
+    const auto start = static_cast<std::size_t>(after - samples.begin());
+    if (after != samples.end() && start > starts.back()) starts.push_back(start);
+  }
+  return starts;
+}
+
+/// Returns the angular momenta of all samples along the principal axes, in units of that of sample
+/// `start` and no longer than kFarthest.
+std::vector<Eigen::Vector3d> momentaOf(const OverlayContext& context,
+                                       const rigid::PrincipalAxes& inertia, std::size_t start) {
+  const auto& samples = context.trajectory.samples;
+  const double unit = samples[start].angularMomentum.norm();
   std::vector<Eigen::Vector3d> momenta;
   for (const physics::Sample& sample : samples) {
     Eigen::Vector3d momentum = inertia.bodyFromPrincipal.transpose() *
                                (sample.attitude.conjugate() * sample.angularMomentum);
-    if (start > 0) momentum /= start;
+    if (unit > 0) momentum /= unit;
     const double size = momentum.stableNorm();
     momenta.push_back(size > kFarthest ? momentum * (kFarthest / size) : momentum);
   }
   return momenta;
 }
 
-/// An inset with both surfaces, their curves, and the present angular momentum among them.
-class PolhodeInset final : public DrawnOverlay {
+/// An inset with both surfaces, their curves, and the present angular momentum among them, for a
+/// body that moves freely from sample `start` on.
+class FreePolhode {
  public:
-  PolhodeInset(const OverlayContext& context, const Box& box)
+  FreePolhode(const OverlayContext& context, const Box& box, std::size_t start)
       : context_(context),
+        start_(start),
         inertia_(physics::modelInertia(context.scene.motion())),
-        momenta_(momentaOf(context, inertia_)),
-        surfaces_(inertia_.moments, momenta_.front()),
+        momenta_(momentaOf(context, inertia_, start)),
+        surfaces_(inertia_.moments, momenta_[start]),
         ellipsoid_(quadricOf(surfaces_.halfAxes())) {
     const double titleRow = 1.2 * context.scale.smallLetters;
     centre_ = {box.x + box.width / 2, box.y + (titleRow + box.height) / 2};
@@ -138,12 +153,15 @@ class PolhodeInset final : public DrawnOverlay {
     background_ = background(box);
   }
 
-  void draw(const View& view) override {
+  std::size_t start() const { return start_; }
+
+  void draw(const View& view) {
     view.canvas.lay(background_, view.picture);
     const Scale& scale = context_.scale;
     const auto length = context_.scene.clip.frameRate.framesIn(kTrailTime);
     std::vector<Point> trail;
-    for (auto i = std::max<std::int64_t>(0, view.frame - length); i <= view.frame; ++i) {
+    const auto start = static_cast<std::int64_t>(start_);
+    for (auto i = std::max(start, view.frame - length); i <= view.frame; ++i) {
       trail.push_back(positionOf(momenta_[static_cast<std::size_t>(i)]));
     }
     view.canvas.line(trail, {kWhite, 0.6 * scale.line, 0.75, 0});
@@ -232,7 +250,7 @@ class PolhodeInset final : public DrawnOverlay {
       }
     }
     both(sorted[1], {kWhite, 0.5 * scale.line, 0.85, 0});
-    const bool positive = momenta_.front()[surfaces_.roundAxis(1)] > 0;
+    const bool positive = momenta_[start_][surfaces_.roundAxis(1)] > 0;
     drawCurve(canvas, surfaces_.polhode(1, !positive), {kMomentumColour, 0.5 * scale.line, 0.8, 0});
     drawCurve(canvas, surfaces_.polhode(1, positive),
               {kMomentumColour, 0.9 * scale.line, 1, 0.7 * scale.halo});
@@ -289,6 +307,7 @@ class PolhodeInset final : public DrawnOverlay {
   }
 
   OverlayContext context_;
+  std::size_t start_;
   rigid::PrincipalAxes inertia_;
   std::vector<Eigen::Vector3d> momenta_;  // of each sample, see momentaOf()
   MomentumSurfaces surfaces_;
@@ -296,6 +315,23 @@ class PolhodeInset final : public DrawnOverlay {
   Point centre_;
   double unit_;  // length of a momentum of 1 [pixels]
   CachedLayer background_;
+};
+
+/// The insets of a motion, a new one after each nudge.
+class PolhodeInset final : public DrawnOverlay {
+ public:
+  PolhodeInset(const OverlayContext& context, const Box& box) {
+    for (const std::size_t start : freeStarts(context)) insets_.emplace_back(context, box, start);
+  }
+
+  void draw(const View& view) override {
+    const auto frame = static_cast<std::size_t>(view.frame);
+    const auto after = std::ranges::upper_bound(insets_, frame, {}, &FreePolhode::start);
+    (after - 1)->draw(view);
+  }
+
+ private:
+  std::vector<FreePolhode> insets_;
 };
 
 }  // namespace

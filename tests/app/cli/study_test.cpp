@@ -127,7 +127,7 @@ TEST_F(StudyCommand, RefusesScenesWithNothingToVary) {
                 "tiny: the model \"exact\" takes no steps, so there are no steps to compare; "
                 "choose another model, e.g. --set simulation.model=quaternion");
   expectRefused({"--set", "clip.duration=0.01"},
-                "tiny: a clip of one frame has no motion to study; make it longer");
+                "tiny: a single sample has no motion to study; make it longer");
   expectRefused({"tiny.toml"},
                 "two scenes are named tiny; they would overwrite each other: render them into "
                 "different folders");

@@ -30,8 +30,11 @@ std::vector<std::string> labelsOf(const SweepKey& key) {
 
 /// The labels of the values of a stiffness, in a list or a range.
 std::vector<std::string> stiffnesses(const std::string& values) {
-  return labelsOf(
-      sweepOf("over = 'simulation.stiffness'\nmeasure = ['stretch']\nvalues = " + values).over);
+  return labelsOf(sweepOf("over = 'simulation.stiffness'\nmeasure = ['stretch']\n"
+                          "curves = { over = 'simulation.model', values = ['particles'] }\n"
+                          "values = " +
+                          values)
+                      .over);
 }
 
 /// The message about [study] over substeps with these lines, in the fourth line and on.
@@ -183,6 +186,16 @@ TEST(SweepSection, RefusesAnIntervalInPlaceOfTheOneThatItVaries) {
                     "measure = ['half_turns']\ninterval = 0.01"),
             "a.toml:5:12: study.interval replaces simulation.time_per_frame, which the study "
             "varies; remove one of them");
+}
+
+TEST(SweepSection, RefusesToVaryWhatNoRunHas) {
+  const std::string rest = "\nvalues = [1, 2]\nmeasure = ['half_turns']";
+  EXPECT_EQ(errorOf("[study]\nover = 'simulation.stiffness'" + rest),
+            "a.toml:2:8: simulation.stiffness is of the model \"particles\" alone, which no run of "
+            "this study has; all runs would be the same");
+  EXPECT_EQ(errorOf("[study]\nover = 'simulation.stiffness'" + rest +
+                    "\ncurves = { over = 'simulation.model', values = ['matrix', 'particles'] }"),
+            "no error");
 }
 
 }  // namespace

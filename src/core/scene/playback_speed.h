@@ -20,7 +20,7 @@ inline constexpr double kHalfPassage = 0.25;
 /// The speed of a whole clip, in simulated time over time of video: constant, or 1 but for some
 /// stretches.
 struct PlaybackSpeed {
-  double constant = 1;                  ///< > 0; unused where there are stretches.
+  double constant = 1;                    ///< > 0; unused where there are stretches.
   std::vector<SpeedStretch> stretches{};  ///< In the order of time, none over another.
 
   /// Returns the simulated time at a time of the video >= 0. [s] The speed passes from one value to

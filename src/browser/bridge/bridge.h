@@ -1,0 +1,98 @@
+// The core as a browser sees it: functions of C over one fixed buffer. Nothing that they return has
+// to be freed. One thread calls them.
+//
+// Text goes in and out through the buffer, as UTF-8 without a final zero. A function that writes an
+// answer there returns its length in bytes; one that can fail returns it negated when the answer is
+// the message of an error, the same that the program prints. Addresses stay valid until the next
+// call that says otherwise.
+//
+// There are kSlots slots: what is played is in one, and a clip that is proved beside it in another.
+// A slot holds a scene, and its motions as far as they are simulated.
+#pragma once
+
+#include <cstdint>
+
+extern "C" {
+
+/// Slots are numbered from 0 to below this.
+enum { kSlots = 2 };
+
+/// Returns the address of the buffer.
+char* rb_buffer();
+/// Returns its size. [bytes]
+std::int32_t rb_buffer_size();
+
+/// Writes JSON of what a page needs to offer a choice: {"version", "models": [{"name",
+/// "integrators": [names], "normalize": whether it can be chosen, "damping"}], "keys": {KEY:
+/// {"unit", "least", "most", "default"}}}. Returns its length.
+std::int32_t rb_words();
+
+/// Parses the TOML text in the buffer's first `length` bytes and writes it as JSON, as it stands:
+/// without defaults. Positive length, or negative with the message.
+std::int32_t rb_toml_to_json(std::int32_t length);
+
+/// Reads the scene in the buffer's first `length` bytes into a slot and writes JSON of it:
+/// {"title", "caption", "frames", "rate": [n, d], "interval": simulated seconds a frame, "motions":
+/// [{"label", "model", "integrator", "substeps", "axis", "body": [x, y, z], "mass", "springs": [[i,
+/// j, length]], "moments": [3], ...}], "camera": {...}, "notes": [texts]}. Positive length;
+/// negative with the message, and the slot keeps what it holds. A scene that begins like the slot's
+/// former one keeps the samples up to the first difference in time, if only nudges and the duration
+/// differ.
+std::int32_t rb_read(std::int32_t slot, std::int32_t length);
+/// Writes the slot's scene as TOML with every default explicit. Returns its length.
+std::int32_t rb_scene_text(std::int32_t slot);
+
+/// Simulates the slot's motions up to and including `frame`, or as far as `steps` integration steps
+/// go, whichever comes first. Returns the number of frames that are simulated, from 0; -1 if
+/// a motion fails, with the message's text after a call of rb_message().
+std::int32_t rb_advance(std::int32_t slot, std::int32_t frame, std::int32_t steps);
+/// Writes the message of the last failure of rb_advance(). Returns its length.
+std::int32_t rb_message();
+/// Returns the number of frames of the slot's clip; smaller than asked for once all its motions
+/// have diverged.
+std::int32_t rb_frames(std::int32_t slot);
+
+/// The numbers of a sample, by index: time; attitude w x y z; angular velocity x y z; angular
+/// momentum x y z (world axes); kinetic, potential, rotational energy; tilt [degrees]; half-turns;
+/// stretch min, max; error [degrees]; regime (1, 0, -1); 1 if the motion has diverged and this is
+/// its last sample; corners x y z, eight times.
+enum {
+  kTime = 0,
+  kAttitude = 1,
+  kAngularVelocity = 5,
+  kAngularMomentum = 8,
+  kEnergies = 11,
+  kTilt = 14,
+  kHalfTurns = 15,
+  kStretch = 16,
+  kError = 18,
+  kRegime = 19,
+  kHeld = 20,
+  kCorners = 21,
+  kSampleNumbers = 45
+};
+/// Returns the address of kSampleNumbers doubles: the sample of motion `motion` that `frame`, below
+/// the number simulated, shows. Valid until the next call.
+const double* rb_sample(std::int32_t slot, std::int32_t motion, std::int32_t frame);
+
+/// Writes the checksum of the slot's motions, simulated to their end, as a clip's record has it.
+/// Returns its length; negative if they aren't simulated to the end.
+std::int32_t rb_checksum(std::int32_t slot);
+/// Writes the checksum of the CSV table of a motion of the slot, simulated to its end. Returns its
+/// length; negative if it is not.
+std::int32_t rb_table_checksum(std::int32_t slot, std::int32_t motion);
+
+/// Returns the address of the book's mesh: `count[0]` vertices of 10 floats (position in the unit
+/// cube, normal, texture coordinate, sky visibility, surface number), and by rb_mesh_indices() the
+/// indices of part `part` (front, spine, back, pages, lining), three a triangle.
+const float* rb_mesh_vertices(std::int32_t* count);
+const std::uint16_t* rb_mesh_indices(std::int32_t part, std::int32_t* count);
+
+/// Writes to `matrix` (16 floats, column by column) the projection of world to clip space of the
+/// slot's camera as it is in `frame` for motion `motion`, with clip y up, for a picture of this
+/// shape; and to `eye` (3 floats) its position. `orbit` turns it by so many radians about its up
+/// direction and then about its right, and `distance` multiplies its distance from the target.
+void rb_camera(std::int32_t slot, std::int32_t motion, std::int32_t frame, float width,
+               float height, const double* orbit, double distance, float* matrix, float* eye);
+
+}  // extern "C"

@@ -59,9 +59,9 @@ std::vector<overlay::MotionOverlays> overlaysOf(const scene::Scene& scene,
 
 /// Returns a panel's screen. All panels leave equally many rows to their overlays, so that their
 /// bodies have the same size.
-render::Screen screenOf(const PanelGrid& grid,
-                        const std::vector<overlay::MotionOverlays>& overlays) {
-  render::Screen screen{grid.width, grid.height, 0};
+geometry::Screen screenOf(const PanelGrid& grid,
+                          const std::vector<overlay::MotionOverlays>& overlays) {
+  geometry::Screen screen{grid.width, grid.height, 0};
   for (const overlay::MotionOverlays& one : overlays) {
     screen.bottomRows = std::max(screen.bottomRows, one.bottomRows());
   }

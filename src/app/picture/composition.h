@@ -8,11 +8,11 @@
 
 #include <Eigen/Core>
 
+#include "geometry/camera.h"
 #include "image/image.h"
 #include "overlay/caption_and_clock.h"
 #include "overlay/motion_overlays.h"
 #include "picture/panel_grid.h"
-#include "render/camera.h"
 #include "scene/scene.h"
 #include "timeline/clip_motion.h"
 
@@ -35,7 +35,7 @@ class Composition {
   Composition(const scene::Scene& scene, const timeline::ClipMotion& motion);
 
   /// Returns the screen on which each body is drawn: the whole picture, or a panel.
-  const render::Screen& screen() const { return screen_; }
+  const geometry::Screen& screen() const { return screen_; }
   /// Returns a picture of the clip's size with the background between panels.
   image::Image makePicture() const { return background_; }
   /// Draws over all of `picture`, from makePicture(); `frame` is 0 to below motion.frameCount().
@@ -49,7 +49,7 @@ class Composition {
   overlay::CaptionAndClock captionAndClock_;
   PanelGrid grid_;
   std::vector<overlay::MotionOverlays> overlays_;  // of each motion
-  render::Screen screen_;
+  geometry::Screen screen_;
   image::Image background_;  // visible between panels
   image::Image panel_;
 };

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "picture/composition.h"
+#include "timeline/scene_camera.h"
 
 namespace rotatebook::picture {
 
@@ -19,7 +20,7 @@ FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& 
     : motion_(&motion),
       composition_(std::make_unique<Composition>(scene, motion)),
       referenceFrame_(scene.camera.frame),
-      camera_(cameraOf(scene, composition_->screen())),
+      camera_(timeline::cameraOf(scene, composition_->screen())),
       distances_(scene, motion),
       renderer_([&] {
         LoadedTextures loaded = textures.get();
@@ -27,7 +28,7 @@ FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& 
         return makeRenderer(scene, composition_->screen(), loaded.pictures, device);
       }()),
       moments_(scene) {
-  const render::Screen& screen = composition_->screen();
+  const geometry::Screen& screen = composition_->screen();
   if (moments_.count() > 1) mean_.emplace(screen.width, screen.height);
 }
 
@@ -84,18 +85,14 @@ void FrameDrawer::compose(const Exposure& exposure, image::Image& picture) {
     }
     panel = exposure.blurred[motion];
     const physics::Cage cage = cageOf(motion, sample);
-    const render::Camera camera = cameraAt(motion, exposure.frame);
-    return render::project(camera, cage, composition_->screen()).clipFromWorld;
+    const geometry::Camera camera = cameraAt(motion, exposure.frame);
+    return geometry::project(camera, cage, composition_->screen()).clipFromWorld;
   };
   composition_->draw(exposure.frame, drawBody, picture);
 }
 
-render::Camera FrameDrawer::cameraAt(std::size_t motion, std::int64_t frame) const {
-  render::Camera camera = camera_;
-  const double multiple = distances_.at(motion, frame);
-  // A camera that stays must keep its bits, which the detour by the target would round.
-  if (multiple > 1) camera.position = camera.target + multiple * (camera.position - camera.target);
-  return camera;
+geometry::Camera FrameDrawer::cameraAt(std::size_t motion, std::int64_t frame) const {
+  return geometry::movedAway(camera_, distances_.at(motion, frame));
 }
 
 physics::Cage FrameDrawer::cageOf(std::size_t motion, std::size_t sample) const {

@@ -57,14 +57,14 @@ class FrameDrawer final : public FramePainter {
               const render::DeviceChoice& device, std::future<LoadedTextures> textures);
 
   physics::Cage cageOf(std::size_t motion, std::size_t sample) const;
-  render::Camera cameraAt(std::size_t motion, std::int64_t frame) const;
+  geometry::Camera cameraAt(std::size_t motion, std::int64_t frame) const;
   /// Draws the mean of the moments during which the shutter is open after `sample`.
   void exposeBlurred(std::size_t motion, std::size_t sample, image::Image& picture);
 
   const timeline::ClipMotion* motion_;
   std::unique_ptr<Composition> composition_;
   scene::ReferenceFrame referenceFrame_;
-  render::Camera camera_;  // at the distance that the scene states
+  geometry::Camera camera_;  // at the distance that the scene states
   timeline::CameraDistances distances_;
   TextureChecksums textureChecksums_;
   render::Renderer renderer_;  // of a panel

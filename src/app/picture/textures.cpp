@@ -1,11 +1,9 @@
 #include "picture/textures.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <future>
-#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,6 +13,7 @@
 #include "image/picture_file.h"
 #include "picture/named_file.h"
 #include "scene/source_locations.h"
+#include "timeline/scene_camera.h"
 
 namespace rotatebook::picture {
 namespace {
@@ -71,16 +70,6 @@ LoadedSide load(const scene::Scene& scene, const Side& side, const TextureFiles&
   return {decode(scene, side, bytes), checksumOf(bytes)};
 }
 
-/// Returns the vertical field of view. [degrees]
-double verticalFieldOfView(const scene::Scene& scene, const render::Screen& screen) {
-  const double angle = scene.camera.fieldOfViewDeg;
-  const double height = screen.height - screen.bottomRows;
-  if (scene.panels.empty() || screen.width >= height) return angle;
-  // In panels the scene's angle is that of the shorter side.
-  constexpr double kHalf = std::numbers::pi / 360;
-  return std::atan(std::tan(angle * kHalf) * height / screen.width) / kHalf;
-}
-
 render::Background backgroundOf(scene::Background background) {
   switch (background) {
     case scene::Background::Stars:
@@ -128,12 +117,7 @@ LoadedTextures loadTextures(const scene::Scene& scene, const TextureFiles& files
            {std::string(kBack.key), back.checksum}}};
 }
 
-render::Camera cameraOf(const scene::Scene& scene, const render::Screen& screen) {
-  return {scene.camera.position, scene.camera.target, scene.camera.up,
-          verticalFieldOfView(scene, screen)};
-}
-
-render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& screen,
+render::Renderer makeRenderer(const scene::Scene& scene, const geometry::Screen& screen,
                               const render::BookTextures& textures,
                               const render::DeviceChoice& device) {
   render::RenderSettings settings;
@@ -143,7 +127,7 @@ render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& s
   settings.supersample = scene.look.supersample;
   settings.background = backgroundOf(scene.look.background);
   settings.plainColour = scene.look.plainColour;
-  settings.camera = cameraOf(scene, screen);
+  settings.camera = timeline::cameraOf(scene, screen);
   settings.device = device;
   return {settings, textures};
 }

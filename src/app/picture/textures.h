@@ -1,6 +1,7 @@
-// Loads the pictures of a scene's book cover, and makes its camera and renderer.
+// Loads the pictures of a scene's book cover, and makes its renderer.
 #pragma once
 
+#include "geometry/camera.h"
 #include "picture/texture_files.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
@@ -17,11 +18,8 @@ struct LoadedTextures {
 /// Throws as readTextures() does.
 LoadedTextures loadTextures(const scene::Scene& scene, const TextureFiles& files = {});
 
-/// Returns the scene's camera for `screen`, the whole picture or a panel.
-render::Camera cameraOf(const scene::Scene& scene, const render::Screen& screen);
-
 /// Makes a renderer with the scene's settings and the given textures for `screen`.
-render::Renderer makeRenderer(const scene::Scene& scene, const render::Screen& screen,
+render::Renderer makeRenderer(const scene::Scene& scene, const geometry::Screen& screen,
                               const render::BookTextures& textures,
                               const render::DeviceChoice& device = {});
 /// Loads the scene's textures and makes a renderer for the whole picture.

@@ -13,7 +13,7 @@ namespace rotatebook::render {
 namespace {
 
 /// Copies the pixels that were drawn, as opaque, within a band.
-void copyDrawn(const image::Image& drawn, const PixelRect& band, image::Image& picture) {
+void copyDrawn(const image::Image& drawn, const geometry::PixelRect& band, image::Image& picture) {
   // Pixels as integers and no branches: the compiler vectorises the loop.
   constexpr auto kAlpha = std::bit_cast<std::uint32_t>(std::array<std::uint8_t, 4>{0, 0, 0, 0xff});
   for (int y = band.y; y < band.y + band.height; ++y) {
@@ -31,7 +31,7 @@ void copyDrawn(const image::Image& drawn, const PixelRect& band, image::Image& p
 
 }  // namespace
 
-Compositor::Compositor(image::Image background, int supersample, const Mesh& mesh)
+Compositor::Compositor(image::Image background, int supersample, const geometry::Mesh& mesh)
     : background_(std::move(background)),
       supersample_(supersample),
       edges_(mesh),
@@ -52,7 +52,7 @@ void Compositor::compose(const DrawnBody& body, image::Image& picture) {
 
 void Compositor::composeLarge(const DrawnBody& body, image::Image& picture) {
   picture = background_;
-  for (const PixelRect& band : body.bands) copyDrawn(body.pixels, band, picture);
+  for (const geometry::PixelRect& band : body.bands) copyDrawn(body.pixels, band, picture);
   edgePixels_.clear();
   triangles_.clear();
   edges_.find(body.cage, body.clipFromWorld, body.winding, body.strips.onScreen, edgePixels_,

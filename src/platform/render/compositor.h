@@ -3,12 +3,12 @@
 
 #include <vector>
 
+#include "geometry/mesh.h"
 #include "image/image.h"
 #include "render/antialias/body_edges.h"
 #include "render/antialias/edge_pixels.h"
 #include "render/antialias/edge_samples.h"
 #include "render/drawn_body.h"
-#include "render/mesh.h"
 
 namespace rotatebook::render {
 
@@ -18,7 +18,7 @@ class Compositor {
  public:
   /// `background`: Rgba8, straight alpha, `supersample` (1 or 2) times as wide and high as the
   /// pictures.
-  Compositor(image::Image background, int supersample, const Mesh& mesh);
+  Compositor(image::Image background, int supersample, const geometry::Mesh& mesh);
 
   /// Returns a picture of the right size and format for compose().
   image::Image makePicture() const;

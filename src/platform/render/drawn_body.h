@@ -5,9 +5,9 @@
 
 #include <Eigen/Core>
 
+#include "geometry/hull_bands.h"
 #include "image/image.h"
 #include "physics/cuboid.h"
-#include "render/antialias/hull_bands.h"
 #include "render/antialias/strips.h"
 
 namespace rotatebook::render {
@@ -16,10 +16,10 @@ namespace rotatebook::render {
 /// picture of it.
 struct DrawnBody {
   image::Image pixels;  ///< Rgba8; alpha: MeshVertex::surfaceId, or 0 where nothing was drawn.
-  std::vector<PixelRect> bands{};   ///< The valid areas of `pixels`. [pixels]
-  physics::Cage cage{};             ///< World. [m]
-  Eigen::Matrix4d clipFromWorld{};  ///< Clip y points down.
-  int winding = 0;                  ///< From frontFaceWinding().
+  std::vector<geometry::PixelRect> bands{};  ///< The valid areas of `pixels`. [pixels]
+  physics::Cage cage{};                      ///< World. [m]
+  Eigen::Matrix4d clipFromWorld{};           ///< Clip y points down.
+  int winding = 0;                           ///< From frontFaceWinding().
   DrawnStrips strips{};
 };
 

@@ -9,9 +9,9 @@
 
 #include "base/error.h"
 #include "embedded/render.h"
+#include "geometry/book_mesh.h"
 #include "image/png_file.h"
 #include "render/book/book_geometry.h"
-#include "render/book/book_mesh.h"
 #include "render/book/frame_target.h"
 #include "render/book/shader_program.h"
 #include "render/book/texture.h"
@@ -28,9 +28,9 @@ void requireNoGlError(const char* when) {
 
 /// Returns a book so close that its front cover covers the middle of pictures of every size.
 DrawnBody closeBook(int width, int height) {
-  const Camera close{.position = {0, 0, 0.1}};
+  const geometry::Camera close{.position = {0, 0, 0.1}};
   DrawnBody body{.pixels = {}, .cage = physics::Cuboid{}.corners()};
-  body.clipFromWorld = project(close, body.cage, {width, height, 0}).clipFromWorld;
+  body.clipFromWorld = geometry::project(close, body.cage, {width, height, 0}).clipFromWorld;
   body.winding = frontFaceWinding(body.cage);
   return body;
 }
@@ -65,7 +65,8 @@ image::Image plainCloth(const Rgb& colour) {
 }
 
 struct Renderer::Parts {
-  Parts(const RenderSettings& renderSettings, const BookTextures& textures, const Mesh& mesh)
+  Parts(const RenderSettings& renderSettings, const BookTextures& textures,
+        const geometry::Mesh& mesh)
       : settings(renderSettings),
         width(settings.supersample * settings.width),
         height(settings.supersample * settings.height),
@@ -90,7 +91,7 @@ struct Renderer::Parts {
   /// Throws MachineError if the driver draws nothing, as some do without an error. Uses the frames'
   /// own shaders, state and buffer, so that the first frame reuses all that is compiled for it.
   void requireDrawing() const {
-    const PixelRect middle{width / 2, height / 2, 1, 1};
+    const geometry::PixelRect middle{width / 2, height / 2, 1, 1};
     target.begin(middle);
     drawBody(closeBook(width, height));
     const int drawn = target.alphaAt(middle.x, middle.y);
@@ -117,7 +118,7 @@ struct Renderer::Parts {
     const bool studio = settings.background == Background::Studio;
     const ShaderProgram backdrop(studio ? "studio" : "stars", wholePictureVertexShader(),
                                  {studio ? studioFragmentShader() : starsFragmentShader()});
-    const PixelRect everything{0, 0, width, height};
+    const geometry::PixelRect everything{0, 0, width, height};
     target.begin(everything);
     glDisable(GL_FRAMEBUFFER_SRGB);  // The shaders' colours are encoded already.
     glDisable(GL_DEPTH_TEST);
@@ -140,34 +141,35 @@ struct Renderer::Parts {
     geometry.bind();
     use(coverProgram, drawn);
     coverProgram.set("eye", Eigen::Vector3f(settings.camera.position.cast<float>()));
-    drawCover(BookPart::Front, front);
-    drawCover(BookPart::Spine, spine);
-    drawCover(BookPart::Back, back);
-    if (drawn.winding == 0) drawCover(BookPart::Lining, front);
+    drawCover(geometry::BookPart::Front, front);
+    drawCover(geometry::BookPart::Spine, spine);
+    drawCover(geometry::BookPart::Back, back);
+    if (drawn.winding == 0) drawCover(geometry::BookPart::Lining, front);
     use(paperProgram, drawn);
-    drawPart(BookPart::Pages, paper);
+    drawPart(geometry::BookPart::Pages, paper);
   }
 
   /// Relies on the OpenGL state that drawBody() leaves.
   void drawStrips(DrawnBody& drawn) const {
     image::Image& colours = drawn.strips.colours;
-    const PixelRect all{0, 0, colours.width(), colours.height()};
+    const geometry::PixelRect all{0, 0, colours.width(), colours.height()};
     stripTarget.begin(all);
     geometry.bindStrips();
-    drawStripsOf(BookPart::Pages, paper, drawn);
+    drawStripsOf(geometry::BookPart::Pages, paper, drawn);
     coverProgram.use();
-    drawCoverStrips(BookPart::Front, front, drawn);
-    drawCoverStrips(BookPart::Spine, spine, drawn);
-    drawCoverStrips(BookPart::Back, back, drawn);
+    drawCoverStrips(geometry::BookPart::Front, front, drawn);
+    drawCoverStrips(geometry::BookPart::Spine, spine, drawn);
+    drawCoverStrips(geometry::BookPart::Back, back, drawn);
     stripTarget.readBack({&all, 1}, colours);
   }
 
-  void drawStripsOf(BookPart part, const Texture& texture, const DrawnBody& drawn) const {
+  void drawStripsOf(geometry::BookPart part, const Texture& texture, const DrawnBody& drawn) const {
     texture.bind();
     geometry.drawStrips(part, drawn.strips.onScreen);
   }
 
-  void drawCoverStrips(BookPart part, const Texture& texture, const DrawnBody& drawn) const {
+  void drawCoverStrips(geometry::BookPart part, const Texture& texture,
+                       const DrawnBody& drawn) const {
     coverProgram.set("plainCloth", texture.isPlain() ? 1 : 0);
     drawStripsOf(part, texture, drawn);
   }
@@ -178,12 +180,12 @@ struct Renderer::Parts {
     program.set("clipFromWorld", Eigen::Matrix4f(drawn.clipFromWorld.cast<float>()));
   }
 
-  void drawCover(BookPart part, const Texture& texture) const {
+  void drawCover(geometry::BookPart part, const Texture& texture) const {
     coverProgram.set("plainCloth", texture.isPlain() ? 1 : 0);
     drawPart(part, texture);
   }
 
-  void drawPart(BookPart part, const Texture& texture) const {
+  void drawPart(geometry::BookPart part, const Texture& texture) const {
     texture.bind();
     geometry.draw(part);
   }
@@ -202,12 +204,12 @@ struct Renderer::Parts {
 };
 
 Renderer::Renderer(const RenderSettings& settings, const BookTextures& textures)
-    : parts_(std::make_unique<Parts>(settings, textures, makeBookMesh())) {}
+    : parts_(std::make_unique<Parts>(settings, textures, geometry::makeBookMesh())) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-void Renderer::setCamera(const Camera& camera) {
+void Renderer::setCamera(const geometry::Camera& camera) {
   parts_->settings.camera = camera;
 }
 
@@ -234,10 +236,10 @@ void Renderer::draw(const physics::Cage& cage, image::Image& picture) {
 
 void Renderer::draw(const physics::Cage& cage, DrawnBody& body) {
   const RenderSettings& settings = parts_->settings;
-  Projection projection =
-      project(settings.camera, cage,
-              {parts_->width, parts_->height, settings.supersample * settings.bottomRows});
-  const PixelRect& area = projection.bounds;
+  geometry::Projection projection = geometry::project(
+      settings.camera, cage,
+      {parts_->width, parts_->height, settings.supersample * settings.bottomRows});
+  const geometry::PixelRect& area = projection.bounds;
   body.cage = cage;
   body.clipFromWorld = projection.clipFromWorld;
   body.winding = frontFaceWinding(cage);

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "base/rgb.h"
+#include "geometry/camera.h"
 #include "image/image.h"
 #include "physics/cuboid.h"
-#include "render/camera.h"
 #include "render/compositor.h"
 #include "render/device/device.h"
 #include "render/drawn_body.h"
@@ -33,7 +33,7 @@ struct RenderSettings {
   Rgb plainColour{};  ///< For Background::Plain.
   /// Rows at the bottom that the camera's view leaves free. 0 to below `height`. [pixels]
   int bottomRows = 0;
-  Camera camera;
+  geometry::Camera camera;
   DeviceChoice device{};
 };
 
@@ -62,7 +62,7 @@ class Renderer {
   Renderer& operator=(Renderer&&) noexcept;
 
   /// Replaces the camera of the settings from the next draw() on.
-  void setCamera(const Camera& camera);
+  void setCamera(const geometry::Camera& camera);
 
   /// Returns a picture of the right size and format for draw().
   image::Image makePicture() const;

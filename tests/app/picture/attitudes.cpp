@@ -27,7 +27,8 @@ bool touchesBorder(const image::Image& picture, const image::Image& background, 
 
 }  // namespace
 
-bool anyAttitudeTouchesBorder(const scene::Scene& scene, const render::Screen& screen, int margin) {
+bool anyAttitudeTouchesBorder(const scene::Scene& scene, const geometry::Screen& screen,
+                              int margin) {
   const physics::Cuboid body = scene::motionsOf(scene).front().body;
   render::Renderer renderer = makeRenderer(scene, screen, loadTextures(scene).pictures);
   image::Image background = renderer.makePicture(), picture = renderer.makePicture();

@@ -12,6 +12,7 @@
 #include "image/golden.h"
 #include "picture/textures.h"
 #include "scene/scene_text.h"
+#include "timeline/scene_camera.h"
 #include "timeline/simulate_scene.h"
 
 namespace rotatebook::picture {
@@ -50,12 +51,12 @@ void makeGrey(image::Image& picture) {
 image::Image drawn(const scene::Scene& scene, std::int64_t frame) {
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   Composition composition(scene, motion);
-  const render::Camera camera = cameraOf(scene, composition.screen());
+  const geometry::Camera camera = timeline::cameraOf(scene, composition.screen());
   image::Image picture = composition.makePicture();
   const auto drawBody = [&](std::size_t i, std::size_t sample, image::Image& panel) {
     makeGrey(panel);
     const physics::Cage& corners = motion.trajectories()[i].samples[sample].cage;
-    return render::project(camera, corners, composition.screen()).clipFromWorld;
+    return geometry::project(camera, corners, composition.screen()).clipFromWorld;
   };
   composition.draw(frame, drawBody, picture);
   return picture;

@@ -20,18 +20,18 @@ constexpr int kWidth = 640, kHeight = 360;
 struct Found {
   EdgePixels pixels{kWidth, kHeight};
   std::vector<ScreenTriangle> triangles;
-  PixelRect bounds;
+  geometry::PixelRect bounds;
 
   explicit Found(const physics::Cage& corners) {
-    const Projection projection =
-        project({{0, 0, 0.76}, {0, 0, 0}, {0, 1, 0}, 30}, corners, {kWidth, kHeight});
+    const geometry::Projection projection =
+        geometry::project({{0, 0, 0.76}, {0, 0, 0}, {0, 1, 0}, 30}, corners, {kWidth, kHeight});
     bounds = projection.bounds;
-    BodyEdges(makeBookMesh())
+    BodyEdges(geometry::makeBookMesh())
         .find(corners, projection.clipFromWorld, frontFaceWinding(corners), {}, pixels, triangles);
     pixels.number();
   }
 
-  int countIn(const PixelRect& area) const {
+  int countIn(const geometry::PixelRect& area) const {
     int count = 0;
     for (int y = area.y; y < area.y + area.height; ++y) {
       pixels.forEach(y, area.x, area.x + area.width, [&](int, std::size_t) { ++count; });
@@ -42,7 +42,7 @@ struct Found {
 
 TEST(BodyEdges, GoRoundTheBookAndNotThroughItsCover) {
   const Found found(book());
-  const PixelRect& all = found.bounds;
+  const geometry::PixelRect& all = found.bounds;
   EXPECT_EQ(found.countIn({all.x + all.width / 3, all.y + all.height / 3, 20, 20}), 0);
   for (const int y : {all.y, all.y + all.height - 12}) {
     EXPECT_GE(found.countIn({all.x + all.width / 2, y, 30, 12}), 30) << "at row " << y;
@@ -58,9 +58,9 @@ TEST(BodyEdges, AreFew) {
 }
 
 TEST(BodyEdges, LeaveOutBackFaces) {
-  const Mesh mesh = makeBookMesh();
+  const geometry::Mesh mesh = geometry::makeBookMesh();
   std::size_t all = 0;
-  for (const MeshPart& part : mesh.parts) all += part.triangles.size() / 3;
+  for (const geometry::MeshPart& part : mesh.parts) all += part.triangles.size() / 3;
   physics::Cage pierced = book();  // A corner of the cover has gone through the book.
   pierced(2, 7) -= 0.2;
   const Found usual(book()), open(pierced);

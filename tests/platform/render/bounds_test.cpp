@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/camera.h"
+#include "geometry/camera.h"
 #include "render/drawing.h"
 
 namespace rotatebook::render {
@@ -35,16 +35,17 @@ std::vector<physics::Cage> shapes() {
   return result;
 }
 
-bool inside(const PixelRect& area, int x, int y) {
+bool inside(const geometry::PixelRect& area, int x, int y) {
   return x >= area.x && x < area.x + area.width && y >= area.y && y < area.y + area.height;
 }
 
-bool inside(const std::vector<PixelRect>& areas, int x, int y) {
-  return std::ranges::any_of(areas, [&](const PixelRect& area) { return inside(area, x, y); });
+bool inside(const std::vector<geometry::PixelRect>& areas, int x, int y) {
+  return std::ranges::any_of(areas,
+                             [&](const geometry::PixelRect& area) { return inside(area, x, y); });
 }
 
 /// Returns whether the pixel and those beside it within the picture are all in the areas.
-bool wellInside(const std::vector<PixelRect>& areas, int x, int y) {
+bool wellInside(const std::vector<geometry::PixelRect>& areas, int x, int y) {
   for (int dy = -1; dy <= 1; ++dy) {
     for (int dx = -1; dx <= 1; ++dx) {
       const int column = std::clamp(x + dx, 0, kBoundsWidth - 1),
@@ -64,7 +65,7 @@ TEST(Bounds, LeaveARimThatTheBookDoesNotTouch) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const image::Image picture = drawn(renderer, all[i]);
     const auto camera = settingsOf(kBoundsWidth, kBoundsHeight).camera;
-    const auto bands = project(camera, all[i], {kBoundsWidth, kBoundsHeight}).bands;
+    const auto bands = geometry::project(camera, all[i], {kBoundsWidth, kBoundsHeight}).bands;
     int touched = 0;
     for (int y = 0; y < kBoundsHeight; ++y) {
       for (int x = 0; x < kBoundsWidth; ++x) {
@@ -81,9 +82,9 @@ TEST(Bounds, AreTight) {
   Renderer renderer(settingsOf(kBoundsWidth, kBoundsHeight), builtinTextures());
   const image::Image background = emptyPicture(renderer);
   const image::Image picture = drawn(renderer, book());
-  const auto bounds =
-      project(settingsOf(kBoundsWidth, kBoundsHeight).camera, book(), {kBoundsWidth, kBoundsHeight})
-          .bounds;
+  const auto bounds = geometry::project(settingsOf(kBoundsWidth, kBoundsHeight).camera, book(),
+                                        {kBoundsWidth, kBoundsHeight})
+                          .bounds;
   constexpr int kSlack = 8;  // Of the margin and rounding. measured 7
   int left = kBoundsWidth, right = 0, top = kBoundsHeight, bottom = 0;
   for (int y = 0; y < kBoundsHeight; ++y) {
@@ -101,11 +102,11 @@ TEST(Bounds, AreTight) {
 
 // Of a slanting book the bounds are half empty.
 TEST(Bands, LeaveOutMostOfWhatIsBesideTheHull) {
-  const Camera camera = settingsOf(1280, 720).camera;
-  const auto projection = project(camera, book({{45, kZ}}), {1280, 720});
-  const auto area = [](const PixelRect& rect) { return rect.width * rect.height; };
+  const geometry::Camera camera = settingsOf(1280, 720).camera;
+  const auto projection = geometry::project(camera, book({{45, kZ}}), {1280, 720});
+  const auto area = [](const geometry::PixelRect& rect) { return rect.width * rect.height; };
   int banded = 0;
-  for (const PixelRect& band : projection.bands) banded += area(band);
+  for (const geometry::PixelRect& band : projection.bands) banded += area(band);
   const double share = static_cast<double>(banded) / area(projection.bounds);
   EXPECT_LT(share, 0.6);  // measured 0.54
   EXPECT_GT(share, 0.45);
@@ -113,10 +114,10 @@ TEST(Bands, LeaveOutMostOfWhatIsBesideTheHull) {
 
 TEST(Bands, StandOneBelowTheOtherWithinTheBounds) {
   for (const physics::Cage& corners : shapes()) {
-    const auto projection = project(settingsOf(kBoundsWidth, kBoundsHeight).camera, corners,
-                                    {kBoundsWidth, kBoundsHeight});
+    const auto projection = geometry::project(settingsOf(kBoundsWidth, kBoundsHeight).camera,
+                                              corners, {kBoundsWidth, kBoundsHeight});
     int row = projection.bounds.y;
-    for (const PixelRect& band : projection.bands) {
+    for (const geometry::PixelRect& band : projection.bands) {
       EXPECT_GE(band.y, row);
       EXPECT_GE(band.x, projection.bounds.x);
       EXPECT_LE(band.x + band.width, projection.bounds.x + projection.bounds.width);

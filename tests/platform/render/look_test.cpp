@@ -177,8 +177,8 @@ TEST(Look, SupersamplingLeavesTheBackground) {
     Renderer renderer(settings, builtinTextures());
     const image::Image empty = testing::emptyPicture(renderer);
     const image::Image picture = drawn(renderer, tilted());
-    const PixelRect area =
-        project(settings.camera, tilted(), {settings.width, settings.height}).bounds;
+    const geometry::PixelRect area =
+        geometry::project(settings.camera, tilted(), {settings.width, settings.height}).bounds;
     for (const int x : {area.x, area.x + area.width - 1}) {
       for (const int y : {area.y, area.y + area.height - 1}) {
         EXPECT_EQ(colourAt(picture, x, y), colourAt(empty, x, y)) << x << " " << y;
@@ -189,7 +189,7 @@ TEST(Look, SupersamplingLeavesTheBackground) {
 
 /// Returns the unsteadiness of the title's pixels while the book turns: the root mean square, over
 /// pixels and frames, of each value's second difference in time. [of 255]
-double shimmer(const std::vector<image::Image>& frames, const PixelRect& area) {
+double shimmer(const std::vector<image::Image>& frames, const geometry::PixelRect& area) {
   double sum = 0;
   int count = 0;
   for (std::size_t i = 1; i + 1 < frames.size(); ++i) {

@@ -5,10 +5,10 @@
 #include <string_view>
 
 #include "embedded/render.h"
+#include "geometry/book_mesh.h"
 #include "image/linear_accumulator.h"
 #include "image/png_file.h"
 #include "render/book/book_geometry.h"
-#include "render/book/book_mesh.h"
 #include "render/book/frame_target.h"
 #include "render/book/shader_program.h"
 #include "render/book/texture.h"
@@ -62,15 +62,15 @@ struct SampledBook::Parts {
         paper("paper", {studioLights(), bookVertexShader()},
               {paperFragmentShader(), toneCurveFragmentShader()}),
         oneSample("sample", wholePictureVertexShader(), {kOneSample}),
-        geometry(makeBookMesh()),
+        geometry(geometry::makeBookMesh()),
         front(textures.front.view(), TextureWrap::Clamp),
         spine(textures.spine.view(), TextureWrap::Clamp),
         back(textures.back.view(), TextureWrap::Clamp),
         leaves(image::decodePng(paperPng(), "built-in paper").view(), TextureWrap::Repeat) {}
 
   void draw(const physics::Cage& corners) const {
-    const Projection projection =
-        project(settings.camera, corners, {settings.width, settings.height, settings.bottomRows});
+    const geometry::Projection projection = geometry::project(
+        settings.camera, corners, {settings.width, settings.height, settings.bottomRows});
     const Eigen::Matrix4d& clipFromWorld = projection.clipFromWorld;
     const int winding = frontFaceWinding(corners);
     glEnable(GL_FRAMEBUFFER_SRGB);
@@ -80,12 +80,12 @@ struct SampledBook::Parts {
     geometry.bind();
     use(cover, corners, clipFromWorld);
     cover.set("eye", Eigen::Vector3f(settings.camera.position.cast<float>()));
-    drawPart(BookPart::Front, front);
-    drawPart(BookPart::Spine, spine);
-    drawPart(BookPart::Back, back);
-    if (winding == 0) drawPart(BookPart::Lining, front);
+    drawPart(geometry::BookPart::Front, front);
+    drawPart(geometry::BookPart::Spine, spine);
+    drawPart(geometry::BookPart::Back, back);
+    if (winding == 0) drawPart(geometry::BookPart::Lining, front);
     use(paper, corners, clipFromWorld);
-    drawPart(BookPart::Pages, leaves);
+    drawPart(geometry::BookPart::Pages, leaves);
   }
 
   static void use(const ShaderProgram& program, const physics::Cage& corners,
@@ -95,7 +95,7 @@ struct SampledBook::Parts {
     program.set("clipFromWorld", Eigen::Matrix4f(clipFromWorld.cast<float>()));
   }
 
-  void drawPart(BookPart part, const Texture& texture) const {
+  void drawPart(geometry::BookPart part, const Texture& texture) const {
     texture.bind();
     geometry.draw(part);
   }
@@ -107,7 +107,7 @@ struct SampledBook::Parts {
   }
 
   RenderSettings settings;
-  PixelRect everything;
+  geometry::PixelRect everything;
   EglContext context;
   FrameTarget target;
   std::optional<SampledTarget> sampled;  // Large; only if it is asked for.

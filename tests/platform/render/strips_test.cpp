@@ -16,10 +16,10 @@ using testing::kX;
 using testing::kY;
 
 std::vector<ScreenStrip> stripsAt(int width, int height, const physics::Cage& corners) {
-  const Projection projection =
-      project(testing::settingsOf(width, height).camera, corners, {width, height, 0});
+  const geometry::Projection projection =
+      geometry::project(testing::settingsOf(width, height).camera, corners, {width, height, 0});
   std::vector<ScreenStrip> onScreen;
-  StripFinder(makeBookMesh())
+  StripFinder(geometry::makeBookMesh())
       .find(corners, projection.clipFromWorld, frontFaceWinding(corners), {width, height},
             onScreen);
   return onScreen;

@@ -149,8 +149,8 @@ Eigen::Vector2d placeOf(const RenderSettings& settings, const physics::Cage& cor
     }
     world += weight * corners.col(i);
   }
-  const Projection projection =
-      project(settings.camera, corners, {settings.width, settings.height});
+  const geometry::Projection projection =
+      geometry::project(settings.camera, corners, {settings.width, settings.height});
   const Eigen::Vector4d clip = projection.clipFromWorld * world.homogeneous();
   return {(clip.x() / clip.w() + 1) / 2 * settings.width,
           (clip.y() / clip.w() + 1) / 2 * settings.height};

@@ -16,11 +16,11 @@ using Eigen::Vector4d;
 
 /// Numbers the vertices' positions: vertices at one position share a number, whatever their normals
 /// and texture coordinates.
-std::vector<std::uint32_t> positionNumbers(const std::vector<MeshVertex>& vertices) {
+std::vector<std::uint32_t> positionNumbers(const std::vector<geometry::MeshVertex>& vertices) {
   constexpr float kFineness = 1e5F;
   std::map<std::array<long, 3>, std::uint32_t> known;
   std::vector<std::uint32_t> numbers;
-  for (const MeshVertex& vertex : vertices) {
+  for (const geometry::MeshVertex& vertex : vertices) {
     std::array<long, 3> key{};
     for (std::size_t i = 0; i < 3; ++i) {
       key[i] = std::lround(kFineness * vertex.position[static_cast<Eigen::Index>(i)]);
@@ -76,12 +76,12 @@ int windingOf(const ScreenTriangle& triangle) {
 
 }  // namespace
 
-BodyEdges::BodyEdges(const Mesh& mesh) {
-  for (const MeshVertex& vertex : mesh.vertices)
-    cageWeights_.push_back(trilinearWeights(vertex.position));
+BodyEdges::BodyEdges(const geometry::Mesh& mesh) {
+  for (const geometry::MeshVertex& vertex : mesh.vertices)
+    cageWeights_.push_back(geometry::trilinearWeights(vertex.position));
 
   // Collect the triangles of all parts
-  for (const MeshPart& part : mesh.parts) {
+  for (const geometry::MeshPart& part : mesh.parts) {
     const auto& indices = part.triangles;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
       triangles_.push_back({{indices[i], indices[i + 1], indices[i + 2]},
@@ -144,7 +144,8 @@ void BodyEdges::find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromW
 
 float BodyEdges::surfaceIdOf(const Triangle& triangle, std::span<const ScreenStrip> strips) {
   const bool isNarrow = triangle.strip < strips.size() && strips[triangle.strip].narrow;
-  return isNarrow ? static_cast<float>(kMaxSurfaceId + 1 + triangle.strip) : triangle.surfaceId;
+  return isNarrow ? static_cast<float>(geometry::kMaxSurfaceId + 1 + triangle.strip)
+                  : triangle.surfaceId;
 }
 
 int BodyEdges::addTriangle(const Triangle& triangle, const std::vector<Vector4d>& points,

@@ -9,18 +9,18 @@
 
 #include <Eigen/Core>
 
+#include "geometry/mesh.h"
 #include "physics/cuboid.h"
 #include "render/antialias/edge_pixels.h"
 #include "render/antialias/edge_samples.h"
 #include "render/antialias/strips.h"
-#include "render/mesh.h"
 
 namespace rotatebook::render {
 
 /// A mesh's triangles, and those of their sides that can be edges in a picture.
 class BodyEdges {
  public:
-  explicit BodyEdges(const Mesh& mesh);
+  explicit BodyEdges(const geometry::Mesh& mesh);
 
   /// Projects the body in this cage onto a picture of the size of `pixels`. Adds to `pixels` those
   /// through which the outline of a surface or the border of two surfaces passes, hidden ones

@@ -173,8 +173,8 @@ class PixelMixer {
       const std::uint32_t count = samples.counts[i];
       if (surface == 0) {
         sum.add(background_.row(y) + 4 * static_cast<std::ptrdiff_t>(x), count);
-      } else if (surface > kMaxSurfaceId) {
-        addOpaque(stripColour(x, y, surface - kMaxSurfaceId - 1).data(), count, sum);
+      } else if (surface > geometry::kMaxSurfaceId) {
+        addOpaque(stripColour(x, y, surface - geometry::kMaxSurfaceId - 1).data(), count, sum);
       } else if (const auto* colour = nearestColour(x, y, static_cast<std::uint8_t>(surface))) {
         addOpaque(colour, count, sum);
       } else {
@@ -235,8 +235,8 @@ class PixelMixer {
 
   /// Computes each surface's mean colour over the first kMaxPixelsOfMean edge pixels that show it.
   void computeMeans() {
-    std::array<image::LinearAccumulator, kMaxSurfaceId + 1> sums{};
-    std::array<std::uint32_t, kMaxSurfaceId + 1> counts{};
+    std::array<image::LinearAccumulator, geometry::kMaxSurfaceId + 1> sums{};
+    std::array<std::uint32_t, geometry::kMaxSurfaceId + 1> counts{};
     for (int y = 0; y < pixels_.height(); ++y) {
       pixels_.forEach(y, 0, pixels_.width(), [&](int x, std::size_t) {
         const std::uint8_t drawn = surfaceAt(x, y);
@@ -249,7 +249,7 @@ class PixelMixer {
     hasMeans_ = true;
   }
 
-  static constexpr std::uint8_t kHighest = kMaxSurfaceId;
+  static constexpr std::uint8_t kHighest = geometry::kMaxSurfaceId;
   static constexpr std::uint32_t kMaxPixelsOfMean = 256;  // LinearAccumulator's limit.
 
   const EdgePixels& pixels_;
@@ -257,7 +257,7 @@ class PixelMixer {
   const DrawnStrips& strips_;
   const image::Image& background_;
   bool hasMeans_ = false;  // Computed when first needed: seldom.
-  std::array<std::array<std::uint8_t, 4>, kMaxSurfaceId + 1> means_{};  // By surface.
+  std::array<std::array<std::uint8_t, 4>, geometry::kMaxSurfaceId + 1> means_{};  // By surface.
 };
 
 }  // namespace

@@ -8,10 +8,10 @@
 
 #include <Eigen/Core>
 
+#include "geometry/mesh.h"
 #include "image/image.h"
 #include "render/antialias/edge_pixels.h"
 #include "render/antialias/strips.h"
-#include "render/mesh.h"
 
 namespace rotatebook::render {
 

@@ -61,13 +61,13 @@ float ScreenStrip::shareAt(const Eigen::Vector2f& position) const {
   return share * distances[0] / (share * distances[0] + (1 - share) * distances[1]);
 }
 
-StripFinder::StripFinder(const Mesh& mesh) {
-  for (const MeshStrip& strip : mesh.strips) {
+StripFinder::StripFinder(const geometry::Mesh& mesh) {
+  for (const geometry::MeshStrip& strip : mesh.strips) {
     Strip measured{{}, DrawnStrips::kColumns * strip.length, strip.flat ? kNarrowFlat : kNarrow};
     for (std::size_t i = 0; i < kLines; ++i) {
       const std::size_t end = i * (strip.middle.size() - 1) / (kLines - 1);
-      measured.lines.push_back({trilinearWeights(strip.sides[0][end]).cast<float>(),
-                                trilinearWeights(strip.sides[1][end]).cast<float>()});
+      measured.lines.push_back({geometry::trilinearWeights(strip.sides[0][end]).cast<float>(),
+                                geometry::trilinearWeights(strip.sides[1][end]).cast<float>()});
     }
     strips_.push_back(std::move(measured));
   }

@@ -6,9 +6,9 @@
 
 #include <Eigen/Core>
 
+#include "geometry/mesh.h"
 #include "image/image.h"
 #include "physics/cuboid.h"
-#include "render/mesh.h"
 
 namespace rotatebook::render {
 
@@ -41,7 +41,7 @@ struct DrawnStrips {
 /// Finds the strips that are narrow on the screen.
 class StripFinder {
  public:
-  explicit StripFinder(const Mesh& mesh);
+  explicit StripFinder(const geometry::Mesh& mesh);
 
   std::size_t count() const { return strips_.size(); }
   /// Sets `onScreen` to all strips of the body in this cage, in a picture of this size. [pixels]

@@ -21,21 +21,21 @@ void describeVertex(std::size_t stride) {
   const auto attribute = [stride](GLuint index, GLint size, std::size_t offset) {
     describeAttribute(index, size, stride, offset);
   };
-  attribute(0, 3, offsetof(MeshVertex, position));
-  attribute(1, 3, offsetof(MeshVertex, normal));
-  attribute(2, 2, offsetof(MeshVertex, texCoord));
-  attribute(3, 1, offsetof(MeshVertex, skyVisibility));
-  attribute(4, 1, offsetof(MeshVertex, surfaceId));
+  attribute(0, 3, offsetof(geometry::MeshVertex, position));
+  attribute(1, 3, offsetof(geometry::MeshVertex, normal));
+  attribute(2, 2, offsetof(geometry::MeshVertex, texCoord));
+  attribute(3, 1, offsetof(geometry::MeshVertex, skyVisibility));
+  attribute(4, 1, offsetof(geometry::MeshVertex, surfaceId));
 }
 
 /// A point of a strip's middle line.
 struct StripVertex {
-  MeshVertex vertex;
+  geometry::MeshVertex vertex;
   Eigen::Vector3f rolledOut;  // x and y in clip space; z is 1.
 };
 
 /// Returns how far along the strip a point of its middle line is. [0 to 1]
-float shareOf(const MeshStrip& strip, const MeshVertex& vertex) {
+float shareOf(const geometry::MeshStrip& strip, const geometry::MeshVertex& vertex) {
   const Eigen::Vector3f start = strip.middle.front().position;
   const Eigen::Vector3f line = strip.middle.back().position - start;
   return (vertex.position - start).dot(line) / line.squaredNorm();
@@ -43,7 +43,7 @@ float shareOf(const MeshStrip& strip, const MeshVertex& vertex) {
 
 /// Returns the strip as a row, from the left, of the picture of strips. Of points closer together
 /// than a pixel, it takes the outer ones only: a line within one pixel may miss the pixel's middle.
-std::vector<StripVertex> rollOut(const MeshStrip& strip, float y) {
+std::vector<StripVertex> rollOut(const geometry::MeshStrip& strip, float y) {
   constexpr float kStep = 0.025F;  // Share of the strip's length.
   std::vector<StripVertex> vertices;
   float before = 0;
@@ -85,28 +85,28 @@ Eigen::Array<double, 8, 1> cornerDeterminants(const physics::Cage& cage) {
 
 }  // namespace
 
-BookGeometry::BookGeometry(const Mesh& mesh) {
+BookGeometry::BookGeometry(const geometry::Mesh& mesh) {
   std::vector<std::uint32_t> indices;
-  for (std::size_t part = 0; part < kBookPartCount; ++part) {
+  for (std::size_t part = 0; part < geometry::kBookPartCount; ++part) {
     starts_[part] = indices.size();
     const std::vector<std::uint32_t>& triangles = mesh.parts[part].triangles;
     indices.insert(indices.end(), triangles.begin(), triangles.end());
   }
-  starts_[kBookPartCount] = indices.size();
+  starts_[geometry::kBookPartCount] = indices.size();
   glBindVertexArray(array_.name());
   upload(GL_ARRAY_BUFFER, vertices_, mesh.vertices);
   upload(GL_ELEMENT_ARRAY_BUFFER, indices_, indices);
-  describeVertex(sizeof(MeshVertex));
+  describeVertex(sizeof(geometry::MeshVertex));
   uploadStrips(mesh.strips);
 }
 
-void BookGeometry::uploadStrips(const std::vector<MeshStrip>& strips) {
+void BookGeometry::uploadStrips(const std::vector<geometry::MeshStrip>& strips) {
   std::vector<StripVertex> vertices;
   for (std::size_t i = 0; i < strips.size(); ++i) {
     const float y = (2 * static_cast<float>(i) + 1) / static_cast<float>(strips.size()) - 1;
     const std::vector<StripVertex> row = rollOut(strips[i], y);
-    rows_.push_back({static_cast<BookPart>(strips[i].part), static_cast<GLint>(vertices.size()),
-                     static_cast<GLsizei>(row.size())});
+    rows_.push_back({static_cast<geometry::BookPart>(strips[i].part),
+                     static_cast<GLint>(vertices.size()), static_cast<GLsizei>(row.size())});
     vertices.insert(vertices.end(), row.begin(), row.end());
   }
   bindStrips();
@@ -115,7 +115,8 @@ void BookGeometry::uploadStrips(const std::vector<MeshStrip>& strips) {
   describeAttribute(5, 3, sizeof(StripVertex), offsetof(StripVertex, rolledOut));
 }
 
-void BookGeometry::drawStrips(BookPart part, const std::vector<ScreenStrip>& onScreen) const {
+void BookGeometry::drawStrips(geometry::BookPart part,
+                              const std::vector<ScreenStrip>& onScreen) const {
   std::vector<GLint> firsts;
   std::vector<GLsizei> counts;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -127,7 +128,7 @@ void BookGeometry::drawStrips(BookPart part, const std::vector<ScreenStrip>& onS
                     static_cast<GLsizei>(firsts.size()));
 }
 
-void BookGeometry::draw(BookPart part) const {
+void BookGeometry::draw(geometry::BookPart part) const {
   const auto index = static_cast<std::size_t>(part);
   const std::size_t start = starts_[index], count = starts_[index + 1] - start;
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <vector>
 
+#include "geometry/book_mesh.h"
 #include "physics/cuboid.h"
 #include "render/antialias/strips.h"
-#include "render/book/book_mesh.h"
 #include "render/book/gl_handles.h"
 
 namespace rotatebook::render {
@@ -15,33 +15,34 @@ namespace rotatebook::render {
 /// A mesh's vertices and triangles in OpenGL buffers.
 class BookGeometry {
  public:
-  explicit BookGeometry(const Mesh& mesh);
+  explicit BookGeometry(const geometry::Mesh& mesh);
 
   /// Binds the vertices for draw().
   void bind() const { glBindVertexArray(array_.name()); }
   /// Draws one part with the program in use.
-  void draw(BookPart part) const;
+  void draw(geometry::BookPart part) const;
 
   /// Binds the strips' vertices for drawStrips().
   void bindStrips() const { glBindVertexArray(stripArray_.name()); }
   /// Draws the middle lines of a part's narrow strips as rows of a picture of all strips, with the
   /// program in use. `onScreen`: by strip number.
-  void drawStrips(BookPart part, const std::vector<ScreenStrip>& onScreen) const;
+  void drawStrips(geometry::BookPart part, const std::vector<ScreenStrip>& onScreen) const;
 
  private:
   /// A strip's range of the strips' vertices.
   struct Row {
-    BookPart part;
+    geometry::BookPart part;
     GLint first;
     GLsizei count;
   };
 
-  void uploadStrips(const std::vector<MeshStrip>& strips);
+  void uploadStrips(const std::vector<geometry::MeshStrip>& strips);
 
   GlVertexArray array_, stripArray_;
   GlBuffer vertices_, indices_, stripVertices_;
   std::vector<Row> rows_;
-  std::array<std::size_t, kBookPartCount + 1> starts_{};  // First index of each part, and the end.
+  std::array<std::size_t, geometry::kBookPartCount + 1>
+      starts_{};  // First index of each part, and the end.
 };
 
 /// Returns the winding that front faces have in the picture, 1 from x to y or -1 from y to x; only

@@ -48,7 +48,7 @@ FrameTarget::FrameTarget(int width, int height) : width_(width), height_(height)
   requireComplete(width, height);
 }
 
-void FrameTarget::begin(const PixelRect& area) const {
+void FrameTarget::begin(const geometry::PixelRect& area) const {
   glBindFramebuffer(GL_FRAMEBUFFER, buffer_.name());
   glViewport(0, 0, width_, height_);
   glEnable(GL_SCISSOR_TEST);
@@ -56,11 +56,12 @@ void FrameTarget::begin(const PixelRect& area) const {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-void FrameTarget::readBack(std::span<const PixelRect> areas, image::Image& picture) const {
+void FrameTarget::readBack(std::span<const geometry::PixelRect> areas,
+                           image::Image& picture) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, buffer_.name());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glPixelStorei(GL_PACK_ROW_LENGTH, width_);
-  for (const PixelRect& area : areas) {
+  for (const geometry::PixelRect& area : areas) {
     glReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE,
                  picture.row(area.y) + 4 * area.x);
   }

@@ -3,8 +3,8 @@
 
 #include <span>
 
+#include "geometry/hull_bands.h"
 #include "image/image.h"
-#include "render/antialias/hull_bands.h"
 #include "render/book/gl_handles.h"
 
 namespace rotatebook::render {
@@ -17,9 +17,9 @@ class FrameTarget {
   FrameTarget(int width, int height);
 
   /// Binds the frame buffer, restricts drawing to `area` and clears its colour, alpha and depth.
-  void begin(const PixelRect& area) const;
+  void begin(const geometry::PixelRect& area) const;
   /// Copies `areas` to the same positions in `picture` (Rgba8, of the frame buffer's size).
-  void readBack(std::span<const PixelRect> areas, image::Image& picture) const;
+  void readBack(std::span<const geometry::PixelRect> areas, image::Image& picture) const;
   /// Returns the alpha of one pixel, 0 to 255.
   int alphaAt(int x, int y) const;
 

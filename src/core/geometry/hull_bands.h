@@ -1,11 +1,11 @@
-// Bounds the pixels that a projected body can touch. Inside the room only.
+// Bounds the pixels that a projected body can touch.
 #pragma once
 
 #include <vector>
 
 #include <Eigen/Core>
 
-namespace rotatebook::render {
+namespace rotatebook::geometry {
 
 /// A rectangle of whole pixels; the origin is the picture's top left.
 struct PixelRect {
@@ -28,4 +28,4 @@ PixelRect boundsOf(const PicturePoints& points, int width, int height);
 /// margin, and little else. They lie within `bounds`, from boundsOf().
 std::vector<PixelRect> hullBands(const PicturePoints& points, const PixelRect& bounds);
 
-}  // namespace rotatebook::render
+}  // namespace rotatebook::geometry

@@ -1,4 +1,4 @@
-#include "render/book/book_mesh.h"
+#include "geometry/book_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 
 #include <Eigen/Geometry>
 
-#include "render/book/book_profile.h"
+#include "geometry/book_profile.h"
 
-namespace rotatebook::render {
+namespace rotatebook::geometry {
 namespace {
 
 using Eigen::Vector2f;
@@ -65,7 +65,7 @@ std::vector<Station> outerStations() {
   for (int i = 0; i <= kRoundingSteps; ++i) {
     const float angle =
         std::numbers::pi_v<float> / 2 * (1 - static_cast<float>(i) / kRoundingSteps);
-    half.push_back({r * (1 - std::sin(angle)), r * (1 - std::cos(angle)), -std::sin(angle)});
+    half.push_back({r * (1 - sineOf(angle)), r * (1 - cosineOf(angle)), -sineOf(angle)});
   }
   half.push_back({kBook.headInset, 0, 0});
   std::vector<Station> all = half;
@@ -383,4 +383,4 @@ Mesh makeBookMesh() {
   return builder.take();
 }
 
-}  // namespace rotatebook::render
+}  // namespace rotatebook::geometry

@@ -1,16 +1,18 @@
-#include "render/camera.h"
+#include "geometry/camera.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 
-namespace rotatebook::render {
+#include "base/elementary.h"
+
+namespace rotatebook::geometry {
 namespace {
 
 constexpr double kNearPlane = 0.01;  // Share of the distance to the target.
 
 Eigen::Matrix4d clipFromView(const Camera& camera, double aspect, double near, double far) {
-  const double scale = 1 / std::tan(camera.fieldOfViewDeg * std::numbers::pi / 360);
+  const double half = camera.fieldOfViewDeg * std::numbers::pi / 360;
+  const double scale = cosine(half) / sine(half);
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
   matrix(0, 0) = scale / aspect;
   matrix(1, 1) = -scale;
@@ -49,6 +51,12 @@ Eigen::Matrix4d viewFromWorld(const Camera& camera) {
   return matrix;
 }
 
+Camera movedAway(Camera camera, double multiple) {
+  // The detour by the target would round a position that stays.
+  if (multiple != 1) camera.position = camera.target + multiple * (camera.position - camera.target);
+  return camera;
+}
+
 Projection project(const Camera& camera, const physics::Cage& points, const Screen& screen) {
   const Eigen::Matrix4d view = viewFromWorld(camera);
   const Eigen::Matrix<double, 4, 8> viewPoints = view * points.colwise().homogeneous();
@@ -73,4 +81,4 @@ Projection project(const Camera& camera, const physics::Cage& points, const Scre
   return {clipFromWorld, bounds, hullBands(onScreen, bounds)};
 }
 
-}  // namespace rotatebook::render
+}  // namespace rotatebook::geometry

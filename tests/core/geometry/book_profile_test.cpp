@@ -1,10 +1,10 @@
-#include "render/book/book_profile.h"
+#include "geometry/book_profile.h"
 
 #include <cstddef>
 
 #include <gtest/gtest.h>
 
-namespace rotatebook::render {
+namespace rotatebook::geometry {
 namespace {
 
 constexpr BookDimensions kBook;
@@ -60,4 +60,4 @@ TEST(BookProfile, IsTheSameOnBothSides) {
 }
 
 }  // namespace
-}  // namespace rotatebook::render
+}  // namespace rotatebook::geometry

@@ -1,10 +1,10 @@
-#include "render/antialias/hull_bands.h"
+#include "geometry/hull_bands.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-namespace rotatebook::render {
+namespace rotatebook::geometry {
 namespace {
 
 // Reach of rounding and of EdgeSamples' search for colours beyond the hull. [pixels]
@@ -64,4 +64,4 @@ std::vector<PixelRect> hullBands(const PicturePoints& points, const PixelRect& b
   return bands;
 }
 
-}  // namespace rotatebook::render
+}  // namespace rotatebook::geometry

@@ -1,4 +1,4 @@
-// A body's surface as a mesh in the unit cube of its deformation cage. Inside the room only.
+// A body's surface as a mesh in the unit cube of its deformation cage.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-namespace rotatebook::render {
+namespace rotatebook::geometry {
 
 /// The highest MeshVertex::surfaceId.
 inline constexpr int kMaxSurfaceId = 18;
@@ -66,4 +66,4 @@ inline Eigen::Matrix<double, 8, 1> trilinearWeights(const Eigen::Vector3f& unitP
   return weights;
 }
 
-}  // namespace rotatebook::render
+}  // namespace rotatebook::geometry

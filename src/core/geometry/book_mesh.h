@@ -1,11 +1,11 @@
-// The book's surface as a mesh. Inside the room only.
+// The book's surface as a mesh.
 #pragma once
 
 #include <cstddef>
 
-#include "render/mesh.h"
+#include "geometry/mesh.h"
 
-namespace rotatebook::render {
+namespace rotatebook::geometry {
 
 /// The parts of the book's mesh, by index.
 enum class BookPart {
@@ -24,4 +24,4 @@ inline constexpr std::size_t kBookPartCount = 5;
 /// front cover.
 Mesh makeBookMesh();
 
-}  // namespace rotatebook::render
+}  // namespace rotatebook::geometry

@@ -1,11 +1,13 @@
-// The cross-section of the book's case: boards and spine. Inside the room only.
+// The cross-section of the book's case: boards and spine.
 #pragma once
 
 #include <vector>
 
 #include <Eigen/Core>
 
-namespace rotatebook::render {
+#include "base/elementary.h"
+
+namespace rotatebook::geometry {
 
 /// Dimensions of the book that the mesh models, in the proportions of physics::Cuboid's default. x
 /// runs from the spine to the fore edge, y from foot to head, z from back to front. [mm]
@@ -26,6 +28,14 @@ struct ProfilePoint {
   bool sharp = false;       ///< True where the outer and inner side meet unrounded.
 };
 
+/// Return the sine and the cosine. [rad]
+inline float sineOf(float angle) {
+  return static_cast<float>(sine(angle));
+}
+inline float cosineOf(float angle) {
+  return static_cast<float>(cosine(angle));
+}
+
 /// Returns the outer side from the front board's fore edge over the hinge to where the spine
 /// begins.
 std::vector<ProfilePoint> frontProfile(const BookDimensions& book);
@@ -34,4 +44,4 @@ std::vector<ProfilePoint> spineProfile(const BookDimensions& book);
 /// Returns frontProfile() mirrored, from the spine to the back board's fore edge.
 std::vector<ProfilePoint> backProfile(const BookDimensions& book);
 
-}  // namespace rotatebook::render
+}  // namespace rotatebook::geometry

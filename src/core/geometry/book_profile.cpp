@@ -1,10 +1,10 @@
-#include "render/book/book_profile.h"
+#include "geometry/book_profile.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-namespace rotatebook::render {
+namespace rotatebook::geometry {
 namespace {
 
 using Eigen::Vector2f;
@@ -29,14 +29,14 @@ Vector2f shoulderCentre(const BookDimensions& book) {
 /// Returns the angle of the spine's arc from its middle to the shoulder. [rad]
 float spineHalfAngle(const BookDimensions& book) {
   const Vector2f centre = shoulderCentre(book);
-  return std::atan2(centre.y() - book.thickness / 2, kSpineRadius - centre.x());
+  return static_cast<float>(arcTangent(centre.y() - book.thickness / 2, kSpineRadius - centre.x()));
 }
 
 /// Returns a point of the spine's inner side, clamped to the boards' flat inner sides.
 Vector2f spineInside(const BookDimensions& book, float angle) {
   const float reach = kSpineRadius - book.board;
-  const float z = book.thickness / 2 + reach * std::sin(angle);
-  return {kSpineRadius - reach * std::cos(angle),
+  const float z = book.thickness / 2 + reach * sineOf(angle);
+  return {kSpineRadius - reach * cosineOf(angle),
           std::clamp(z, book.board, book.thickness - book.board)};
 }
 
@@ -47,7 +47,7 @@ void addForeEdge(const BookDimensions& book, std::vector<ProfilePoint>& points) 
   points.push_back({corner, corner, {1, 0}, 1, true});
   for (int i = 0; i <= kArcSteps; ++i) {
     const float angle = kPi / 2 * static_cast<float>(i) / kArcSteps;
-    const Vector2f normal(std::cos(angle), std::sin(angle));
+    const Vector2f normal(cosineOf(angle), sineOf(angle));
     const float across = book.width - r * static_cast<float>(i + 1);
     points.push_back({centre + r * normal, {across, inner}, normal});
   }
@@ -65,8 +65,8 @@ void addHinge(const BookDimensions& book, std::vector<ProfilePoint>& points) {
   const Vector2f end = spineInside(book, spineHalfAngle(book));
   for (int i = 0; i <= kHingeSteps; ++i) {
     const float t = 1 - 2 * static_cast<float>(i) / kHingeSteps;
-    const float depth = kHingeDepth * (0.5F + 0.5F * std::cos(kPi * t));
-    const float slope = kHingeDepth * 0.5F * kPi / kHingeHalfWidth * std::sin(kPi * t);
+    const float depth = kHingeDepth * (0.5F + 0.5F * cosineOf(kPi * t));
+    const float slope = kHingeDepth * 0.5F * kPi / kHingeHalfWidth * sineOf(kPi * t);
     // The shoulder's inner points take the rest of the distance to the inner spine.
     const float rest = 0.55F + 0.45F * t;
     const float across = end.x() + rest * (book.hinge + kHingeHalfWidth - end.x());
@@ -83,7 +83,7 @@ void addShoulder(const BookDimensions& book, std::vector<ProfilePoint>& points) 
   const float turn = kPi / 2 - spineHalfAngle(book);
   for (int i = 1; i <= kArcSteps; ++i) {
     const float share = static_cast<float>(i) / kArcSteps, angle = turn * share;
-    const Vector2f normal(-std::sin(angle), std::cos(angle));
+    const Vector2f normal(-sineOf(angle), cosineOf(angle));
     points.push_back({centre + kShoulderRadius * normal, from + share * (to - from), normal});
   }
 }
@@ -104,7 +104,7 @@ std::vector<ProfilePoint> spineProfile(const BookDimensions& book) {
   const float half = spineHalfAngle(book);
   for (int i = 0; i <= kSpineSteps; ++i) {
     const float angle = half * (1 - 2 * static_cast<float>(i) / kSpineSteps);
-    const Vector2f normal(-std::cos(angle), std::sin(angle));
+    const Vector2f normal(-cosineOf(angle), sineOf(angle));
     points.push_back({Vector2f(kSpineRadius, book.thickness / 2) + kSpineRadius * normal,
                       spineInside(book, angle), normal});
   }
@@ -122,4 +122,4 @@ std::vector<ProfilePoint> backProfile(const BookDimensions& book) {
   return points;
 }
 
-}  // namespace rotatebook::render
+}  // namespace rotatebook::geometry

@@ -1,18 +1,19 @@
-#include "render/camera.h"
+#include "geometry/camera.h"
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include "render/drawing.h"
-
-namespace rotatebook::render {
+namespace rotatebook::geometry {
 namespace {
 
-using testing::book;
-using testing::kX;
-using testing::kY;
-using testing::kZ;
+const Eigen::Vector3d kX = Eigen::Vector3d::UnitX();
+const Eigen::Vector3d kY = Eigen::Vector3d::UnitY();
+const Eigen::Vector3d kZ = Eigen::Vector3d::UnitZ();
+
+physics::Cage book() {
+  return physics::Cuboid{}.corners();
+}
 
 constexpr double kRounding = 1e-9;  // measured 2e-14 pixels
 
@@ -135,4 +136,4 @@ TEST(Project, LeavesTheBottomRowsToOthers) {
 }
 
 }  // namespace
-}  // namespace rotatebook::render
+}  // namespace rotatebook::geometry

@@ -6,10 +6,10 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "geometry/hull_bands.h"
 #include "physics/cuboid.h"
-#include "render/antialias/hull_bands.h"
 
-namespace rotatebook::render {
+namespace rotatebook::geometry {
 
 /// A perspective camera.
 struct Camera {
@@ -41,7 +41,10 @@ struct Screen {
   int bottomRows = 0;  ///< Below the viewport; 0 to below `height`. [pixels]
 };
 
+/// Returns `camera` at `multiple` > 0 of its distance from its target; at 1 it keeps its bits.
+Camera movedAway(Camera camera, double multiple);
+
 /// Projects `points` (world) onto `screen`.
 Projection project(const Camera& camera, const physics::Cage& points, const Screen& screen);
 
-}  // namespace rotatebook::render
+}  // namespace rotatebook::geometry

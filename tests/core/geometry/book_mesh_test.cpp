@@ -1,4 +1,4 @@
-#include "render/book/book_mesh.h"
+#include "geometry/book_mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace rotatebook::render {
+namespace rotatebook::geometry {
 namespace {
 
 // Calls check(a, b, c) with the vertices of each triangle of `part`.
@@ -179,4 +179,4 @@ TEST(BookMesh, LightsWhatItSeesOfTheSurroundings) {
 }
 
 }  // namespace
-}  // namespace rotatebook::render
+}  // namespace rotatebook::geometry

@@ -78,9 +78,8 @@ const double* rb_sample(std::int32_t slot, std::int32_t motion, std::int32_t fra
 /// Writes the checksum of the slot's motions, simulated to their end, as a clip's record has it.
 /// Returns its length; negative if they aren't simulated to the end.
 std::int32_t rb_checksum(std::int32_t slot);
-/// Writes the checksum of the CSV table of a motion of the slot, simulated to its end. Returns its
-/// length; negative if it is not.
-std::int32_t rb_table_checksum(std::int32_t slot, std::int32_t motion);
+/// Writes likewise the checksum of the motions' CSV tables, one after the other.
+std::int32_t rb_table_checksum(std::int32_t slot);
 
 /// Returns the address of the book's mesh: `count[0]` vertices of 10 floats (position in the unit
 /// cube, normal, texture coordinate, sky visibility, surface number), and by rb_mesh_indices() the

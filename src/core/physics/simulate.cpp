@@ -135,8 +135,8 @@ class Course {
     return parts;
   }
 
-  std::span<const Nudge> nudges_;
-  const SimulationSettings& stepping_;
+  std::vector<Nudge> nudges_;
+  SimulationSettings stepping_;
   std::unique_ptr<Simulator> simulator_;
   std::int64_t frame_ = 0;  // the frame at whose start the simulator is
 };
@@ -154,26 +154,51 @@ Trajectory simulate(const MotionSettings& settings, std::int64_t sampleCount,
   return simulate(settings, evenTimes(settings.simulation.timePerFrame, sampleCount), stop);
 }
 
+struct Simulation::Parts {
+  explicit Parts(const MotionSettings& settings)
+      : body(settings.body), course(settings), measurement(settings) {
+    trajectory.interval = settings.simulation.timePerFrame;
+  }
+
+  Cuboid body;
+  Course course;
+  Measurement measurement;
+  Trajectory trajectory;
+};
+
+Simulation::Simulation(const MotionSettings& settings) {
+  requireSameLayout();
+  parts_ = std::make_unique<Parts>(settings);
+  if (!sample(0)) throw InputError("the motion's start is not finite: its numbers are too large");
+}
+
+Simulation::~Simulation() = default;
+Simulation::Simulation(Simulation&&) noexcept = default;
+Simulation& Simulation::operator=(Simulation&&) noexcept = default;
+
+bool Simulation::sample(double time) {
+  Trajectory& result = parts_->trajectory;
+  if (result.divergedAt) return false;
+  const BodyState state = parts_->course.at(time);
+  if (hasBlownUp(state, parts_->body)) {
+    result.divergedAt = time;
+    return false;
+  }
+  result.samples.push_back(parts_->measurement.measure(time, state));
+  return true;
+}
+
+const Trajectory& Simulation::trajectory() const {
+  return parts_->trajectory;
+}
+
 Trajectory simulate(const MotionSettings& settings, std::span<const double> times,
                     const std::atomic<bool>* stop) {
-  requireSameLayout();
-  Course course(settings);
-  Measurement measurement(settings);
-
-  Trajectory result;
-  result.interval = settings.simulation.timePerFrame;
-  for (const double time : times) {
-    const BodyState state = course.at(time);
-    if (hasBlownUp(state, settings.body)) {
-      result.divergedAt = time;
-      break;
-    }
-    result.samples.push_back(measurement.measure(time, state));
-    if (stop != nullptr && *stop) break;
+  Simulation simulation(settings);
+  for (const double time : times.subspan(1)) {
+    if ((stop != nullptr && *stop) || !simulation.sample(time)) break;
   }
-  if (result.samples.empty())
-    throw InputError("the motion's start is not finite: its numbers are too large");
-  return result;
+  return simulation.trajectory();
 }
 
 }  // namespace rotatebook::physics

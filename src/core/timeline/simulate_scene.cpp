@@ -1,22 +1,26 @@
 #include "timeline/simulate_scene.h"
 
-#include <cstdint>
+#include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "base/error.h"
-#include "physics/simulate.h"
 
 namespace rotatebook::timeline {
 namespace {
 
-physics::Trajectory simulate(const scene::Scene& scene, const scene::Panel& panel,
-                             const std::atomic<bool>* stop) {
+std::string nameOf(const scene::Scene& scene, const scene::Panel& panel) {
+  const std::string file = (scene.folder / (scene.name + ".toml")).string();
+  return file + ": " + (panel.label.empty() ? "" : "the panel \"" + panel.label + "\": ");
+}
+
+/// Calls `act`, and puts `name` before the message of an InputError.
+template <typename Act>
+auto named(const std::string& name, const Act& act) {
   try {
-    return physics::simulate(panel.motion(), frameTimes(scene), stop);
+    return act();
   } catch (const InputError& error) {
-    const std::string file = (scene.folder / (scene.name + ".toml")).string();
-    const std::string panelName = panel.label.empty() ? "" : "the panel \"" + panel.label + "\": ";
-    throw InputError(file + ": " + panelName + error.what());
+    throw InputError(name + error.what());
   }
 }
 
@@ -30,13 +34,44 @@ std::vector<double> frameTimes(const scene::Scene& scene, int parts) {
   return times;
 }
 
-ClipMotion simulateScene(const scene::Scene& scene, const std::atomic<bool>* stop) {
+SceneSimulation::SceneSimulation(const scene::Scene& scene)
+    : rate_(scene.clip.frameRate), times_(frameTimes(scene)) {
   requireSameLayout();
-  std::vector<physics::Trajectory> trajectories;
   for (const scene::Panel& panel : scene::motionsOf(scene)) {
-    trajectories.push_back(simulate(scene, panel, stop));
+    names_.push_back(nameOf(scene, panel));
+    simulations_.push_back(
+        named(names_.back(), [&] { return physics::Simulation(panel.motion()); }));
   }
-  return {std::move(trajectories), scene.clip.frameRate};
+}
+
+void SceneSimulation::advance() {
+  if (isComplete()) return;
+  const double time = times_[static_cast<std::size_t>(frames_)];
+  for (std::size_t i = 0; i < simulations_.size(); ++i) {
+    named(names_[i], [&] { return simulations_[i].sample(time); });
+  }
+  ++frames_;
+}
+
+bool SceneSimulation::isComplete() const {
+  return static_cast<std::size_t>(frames_) == times_.size() ||
+         std::ranges::all_of(simulations_, [](const physics::Simulation& simulation) {
+           return simulation.trajectory().divergedAt.has_value();
+         });
+}
+
+ClipMotion SceneSimulation::motion() const {
+  std::vector<physics::Trajectory> trajectories;
+  for (const physics::Simulation& simulation : simulations_) {
+    trajectories.push_back(simulation.trajectory());
+  }
+  return {std::move(trajectories), rate_};
+}
+
+ClipMotion simulateScene(const scene::Scene& scene, const std::atomic<bool>* stop) {
+  SceneSimulation simulation(scene);
+  while (!simulation.isComplete() && !(stop != nullptr && *stop)) simulation.advance();
+  return simulation.motion();
 }
 
 }  // namespace rotatebook::timeline

@@ -1,0 +1,216 @@
+#include "bridge/bridge.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <exception>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/checksum.h"
+#include "bridge/played_scene.h"
+#include "bridge/scene_json.h"
+#include "document/toml_json.h"
+#include "geometry/book_mesh.h"
+#include "scene/scene_text.h"
+#include "timeline/motion_checksum.h"
+#include "timeline/trajectory_csv.h"
+
+namespace rotatebook::bridge {
+namespace {
+
+constexpr std::size_t kBufferSize = 1 << 20;
+// How far beyond the body things are seen, such as the arrows of a spin: in sizes of the body.
+constexpr double kDepthAround = 6;
+
+std::array<char, kBufferSize> buffer;
+std::array<std::optional<PlayedScene>, kSlots> slots;
+std::string lastMessage;
+
+/// Copies `text` to the buffer as far as there is room; returns its length.
+std::int32_t answer(std::string_view text) {
+  const std::size_t length = std::min(text.size(), buffer.size());
+  std::copy_n(text.begin(), length, buffer.begin());
+  return static_cast<std::int32_t>(length);
+}
+
+/// Answers with the text that `make` returns, or else with the message of what it throws.
+template <typename Make>
+std::int32_t answerOf(const Make& make) {
+  try {
+    return answer(make());
+  } catch (const std::exception& error) {
+    return -std::max(answer(error.what()), 1);
+  }
+}
+
+std::string_view given(std::int32_t length) {
+  const auto most = static_cast<std::int32_t>(buffer.size());
+  return {buffer.data(), static_cast<std::size_t>(std::clamp(length, 0, most))};
+}
+
+const PlayedScene& in(std::int32_t slot) {
+  return slots.at(static_cast<std::size_t>(slot)).value();
+}
+
+const timeline::ClipMotion& wholeIn(std::int32_t slot) {
+  const timeline::ClipMotion* motion = in(slot).whole();
+  if (motion == nullptr) throw std::runtime_error("the motions aren't simulated to their end");
+  return *motion;
+}
+
+struct MeshNumbers {
+  std::vector<float> vertices;
+  std::array<std::vector<std::uint16_t>, geometry::kBookPartCount> indices;
+};
+
+MeshNumbers numbersOf(const geometry::Mesh& mesh) {
+  MeshNumbers numbers;
+  const auto append = [&](const auto& vector) {
+    numbers.vertices.insert(numbers.vertices.end(), vector.data(), vector.data() + vector.size());
+  };
+  for (const geometry::MeshVertex& vertex : mesh.vertices) {
+    append(vertex.position);
+    append(vertex.normal);
+    append(vertex.texCoord);
+    numbers.vertices.push_back(vertex.skyVisibility);
+    numbers.vertices.push_back(vertex.surfaceId);
+  }
+  for (std::size_t part = 0; part < numbers.indices.size(); ++part) {
+    for (const std::uint32_t index : mesh.parts[part].triangles) {
+      numbers.indices[part].push_back(static_cast<std::uint16_t>(index));
+    }
+  }
+  return numbers;
+}
+
+const MeshNumbers& bookMesh() {
+  static const MeshNumbers numbers = numbersOf(geometry::makeBookMesh());
+  return numbers;
+}
+
+std::array<double, kSampleNumbers> numbersOf(const physics::Sample& sample, bool isHeld) {
+  std::array<double, kSampleNumbers> numbers{};
+  const auto put = [&](std::size_t first, const auto& values) {
+    std::copy_n(values.data(), values.size(), numbers.begin() + static_cast<std::ptrdiff_t>(first));
+  };
+  numbers[kTime] = sample.time;
+  numbers[kAttitude] = sample.attitude.w();
+  put(kAttitude + 1, Eigen::Vector3d(sample.attitude.vec()));
+  put(kAngularVelocity, sample.angularVelocity);
+  put(kAngularMomentum, sample.angularMomentum);
+  put(kEnergies, Eigen::Vector3d(sample.kinetic, sample.potential, sample.rotational));
+  numbers[kTilt] = sample.tiltDeg;
+  numbers[kHalfTurns] = sample.halfTurns;
+  numbers[kStretch] = sample.stretchMin;
+  numbers[kStretch + 1] = sample.stretchMax;
+  numbers[kError] = sample.errorDeg;
+  numbers[kRegime] = static_cast<double>(sample.regime);
+  numbers[kHeld] = isHeld ? 1 : 0;
+  put(kCorners, sample.cage);
+  return numbers;
+}
+
+}  // namespace
+}  // namespace rotatebook::bridge
+
+using namespace rotatebook;
+using namespace rotatebook::bridge;
+
+char* rb_buffer() {
+  return buffer.data();
+}
+
+std::int32_t rb_buffer_size() {
+  return static_cast<std::int32_t>(buffer.size());
+}
+
+std::int32_t rb_words() {
+  return answer(wordsJson());
+}
+
+std::int32_t rb_toml_to_json(std::int32_t length) {
+  return answerOf(
+      [&] { return document::jsonOf(document::parseToml(given(length), "scene.toml")); });
+}
+
+std::int32_t rb_read(std::int32_t slot, std::int32_t length) {
+  return answerOf([&] {
+    PlayedScene played(scene::parseScene(given(length), "scene.toml"));
+    const std::string json = sceneJson(played.scene());
+    slots.at(static_cast<std::size_t>(slot)).emplace(std::move(played));
+    return json;
+  });
+}
+
+std::int32_t rb_scene_text(std::int32_t slot) {
+  return answerOf([&] { return scene::sceneText(in(slot).scene()); });
+}
+
+std::int32_t rb_advance(std::int32_t slot, std::int32_t frame, std::int32_t steps) {
+  try {
+    return static_cast<std::int32_t>(
+        slots.at(static_cast<std::size_t>(slot)).value().advance(frame, steps));
+  } catch (const std::exception& error) {
+    lastMessage = error.what();
+    return -1;
+  }
+}
+
+std::int32_t rb_message() {
+  return answer(lastMessage);
+}
+
+std::int32_t rb_frames(std::int32_t slot) {
+  return static_cast<std::int32_t>(in(slot).frameCount());
+}
+
+const double* rb_sample(std::int32_t slot, std::int32_t motion, std::int32_t frame) {
+  static std::array<double, kSampleNumbers> numbers;
+  const auto index = static_cast<std::size_t>(motion);
+  numbers = numbersOf(in(slot).sample(index, frame), in(slot).isHeld(index, frame));
+  return numbers.data();
+}
+
+std::int32_t rb_checksum(std::int32_t slot) {
+  return answerOf([&] { return timeline::motionChecksum(wholeIn(slot)); });
+}
+
+std::int32_t rb_table_checksum(std::int32_t slot) {
+  return answerOf([&] {
+    Checksum sum;
+    for (const physics::Trajectory& trajectory : wholeIn(slot).trajectories()) {
+      sum.add(timeline::trajectoryCsv(trajectory));
+    }
+    return sum.text();
+  });
+}
+
+const float* rb_mesh_vertices(std::int32_t* count) {
+  *count = static_cast<std::int32_t>(bookMesh().vertices.size() / 10);
+  return bookMesh().vertices.data();
+}
+
+const std::uint16_t* rb_mesh_indices(std::int32_t part, std::int32_t* count) {
+  const auto& indices = bookMesh().indices.at(static_cast<std::size_t>(part));
+  *count = static_cast<std::int32_t>(indices.size());
+  return indices.data();
+}
+
+void rb_camera(std::int32_t slot, std::int32_t motion, std::int32_t frame, float width,
+               float height, const double* orbit, double distance, float* matrix, float* eye) {
+  const geometry::Screen screen{std::max(1, static_cast<int>(width)),
+                                std::max(1, static_cast<int>(height)), 0};
+  const PlayedScene& played = in(slot);
+  const auto index = static_cast<std::size_t>(motion);
+  const geometry::Camera camera =
+      played.camera(index, frame, screen, {orbit[0], orbit[1], distance});
+  const physics::Cage around = kDepthAround * played.sample(index, frame).cage;
+  Eigen::Matrix4d clipFromWorld = geometry::project(camera, around, screen).clipFromWorld;
+  clipFromWorld.row(1) *= -1;  // The program's clip y points down.
+  Eigen::Map<Eigen::Matrix4f>{matrix} = clipFromWorld.cast<float>();
+  Eigen::Map<Eigen::Vector3f>{eye} = camera.position.cast<float>();
+}

@@ -1,0 +1,60 @@
+// A scene that is simulated in slices while it is played. Inside the room only.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "geometry/camera.h"
+#include "scene/scene.h"
+#include "timeline/camera_distances.h"
+#include "timeline/clip_motion.h"
+#include "timeline/simulate_scene.h"
+
+namespace rotatebook::bridge {
+
+/// Turns of the camera about its target: to the right about `up`, then up. [rad]
+struct Orbit {
+  double right = 0;
+  double up = 0;
+  double distance = 1;  ///< Multiple of its distance from the target, > 0.
+};
+
+/// A scene with its motions, as far as they are simulated.
+class PlayedScene {
+ public:
+  /// Simulates the first frame. Throws InputError as timeline::SceneSimulation does.
+  explicit PlayedScene(scene::Scene scene);
+
+  const scene::Scene& scene() const { return scene_; }
+  std::size_t motionCount() const { return simulation_.motionCount(); }
+
+  /// Simulates up to and including `frame`, or about `steps` integration steps, at least one frame.
+  /// Returns the number of frames so far. Throws StepError.
+  std::int64_t advance(std::int64_t frame, std::int64_t steps);
+  /// Returns the motion, if it is simulated to its end; else null.
+  const timeline::ClipMotion* whole() const { return whole_ ? &*whole_ : nullptr; }
+  /// Returns the frames of the clip, as far as it is known how many there are.
+  std::int64_t frameCount() const;
+
+  /// Returns the sample that `frame` shows, along the axes of the scene's camera: the last one so
+  /// far, if the motion has diverged before or isn't simulated up to there.
+  physics::Sample sample(std::size_t motion, std::int64_t frame) const;
+  /// Returns whether a motion has diverged by `frame`.
+  bool isHeld(std::size_t motion, std::int64_t frame) const;
+  /// Returns the scene's camera in `frame`, turned by `orbit`.
+  geometry::Camera camera(std::size_t motion, std::int64_t frame, const geometry::Screen& screen,
+                          const Orbit& orbit) const;
+
+ private:
+  std::int64_t stepsOfFrame() const;
+
+  scene::Scene scene_;
+  timeline::SceneSimulation simulation_;
+  std::optional<timeline::ClipMotion> whole_;
+  std::optional<timeline::CameraDistances> distances_;
+};
+
+}  // namespace rotatebook::bridge

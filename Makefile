@@ -11,7 +11,7 @@ export TSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/tsan.supp
 export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0:use_tls=0
 
 .DEFAULT_GOAL := help
-.PHONY: help setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures install clean
+.PHONY: help play test-play setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures install clean
 
 help:
 	@echo 'make figures             render every figure, comparison and study into $(OUT)/, each checked,'
@@ -21,6 +21,8 @@ help:
 	@echo '                         (only one: TARGET=NAME; there are $(FUZZ_TARGETS))'
 	@echo 'make coverage            count the lines that the tests run; a page in $(OUT)/coverage/'
 	@echo 'make render SCENE=FILE   render one scene into $(OUT)/ (more options: ARGS="--no-png")'
+	@echo 'make play                compile the core to WebAssembly, into build/play/'
+	@echo 'make test-play           test it in Node'
 	@echo 'make program             build $(PROGRAM)'
 	@echo 'make build               build the tests and benchmarks, too'
 	@echo 'make bench               measure frames a second by stage and end to end; two plots in $(OUT)/bench/'
@@ -56,6 +58,15 @@ program: configure
 
 build: configure-test
 	@cmake --build $(BUILD)
+
+# The core for a browser, whatever PRESET says. Emscripten runs scripts that Debian keeps there, with Debian's node or another.
+play: setup
+	@scripts/setup.sh scripts/packages-play.txt
+	@cmake --preset play -DBUILD_TESTING=OFF >/dev/null
+	@NODE_PATH=/usr/share/nodejs cmake --build build/play
+
+test-play: play
+	node tests/browser/node/motions.cjs build/play tests/same_bits/motions.txt scenes
 
 PREFIX ?= /usr/local
 install: program

@@ -150,8 +150,8 @@ JacobiValues JacobiFunctions::at(double u) const {
 
 // Uses Landen's descending transformation of cn / sn. (Bulirsch 1965, procedure sncndn)
 JacobiValues JacobiFunctions::byLanden(double u) const {
-  constexpr double kTiny = 1e-100;  // whose square doesn't underflow
-  if (std::fabs(u) < kTiny) return {u, 1, 1};
+  constexpr double kSmallest = 1e-100;  // whose square doesn't underflow
+  if (std::fabs(u) < kSmallest) return {u, 1, 1};
 
   // Start from the circular functions at the limit of the means
   const auto [cosine, sine] = cosineSine(limit_ * u);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 
 namespace rotatebook::scene {
 namespace {
@@ -68,7 +69,7 @@ std::span<const physics::Sample> samplesWithin(const physics::Trajectory& trajec
   const auto last = std::find_if(first, samples.end(), [&](const physics::Sample& sample) {
     return sample.time > to + slack;
   });
-  return {first, last};
+  return {std::to_address(first), static_cast<std::size_t>(last - first)};
 }
 
 Range rangeAt(const physics::Sample& sample, const physics::Sample& start, Quantity quantity) {

@@ -22,7 +22,7 @@ help:
 	@echo 'make coverage            count the lines that the tests run; a page in $(OUT)/coverage/'
 	@echo 'make render SCENE=FILE   render one scene into $(OUT)/ (more options: ARGS="--no-png")'
 	@echo 'make play                compile the core to WebAssembly, into build/play/'
-	@echo 'make test-play           test it in Node'
+	@echo 'make test-play           run the core'"'"'s tests in Node'
 	@echo 'make program             build $(PROGRAM)'
 	@echo 'make build               build the tests and benchmarks, too'
 	@echo 'make bench               measure frames a second by stage and end to end; two plots in $(OUT)/bench/'
@@ -62,10 +62,14 @@ build: configure-test
 # The core for a browser, whatever PRESET says. Emscripten runs scripts that Debian keeps there, with Debian's node or another.
 play: setup
 	@scripts/setup.sh scripts/packages-play.txt
-	@cmake --preset play -DBUILD_TESTING=OFF >/dev/null
-	@NODE_PATH=/usr/share/nodejs cmake --build build/play
+	@cmake --preset play >/dev/null
+	@NODE_PATH=/usr/share/nodejs cmake --build build/play --target rotatebook_core_module
 
-test-play: play
+test-play: setup
+	@scripts/setup.sh scripts/packages-play.txt
+	@cmake --preset play -DBUILD_TESTING=ON >/dev/null
+	@NODE_PATH=/usr/share/nodejs cmake --build build/play
+	ctest --test-dir build/play --output-on-failure --no-tests=error
 	node tests/browser/node/motions.cjs build/play tests/same_bits/motions.txt scenes
 
 PREFIX ?= /usr/local

@@ -23,7 +23,7 @@ namespace rotatebook::bridge {
 namespace {
 
 constexpr std::size_t kBufferSize = 1 << 20;
-// How far beyond the body things are seen, such as the arrows of a spin: in sizes of the body.
+// The depth that is seen around the body, where the arrows of a spin are: in sizes of the body.
 constexpr double kDepthAround = 6;
 
 std::array<char, kBufferSize> buffer;

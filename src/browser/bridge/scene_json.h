@@ -1,4 +1,4 @@
-// What a page reads of a scene and of the program's words. Inside the room only.
+// A scene and the program's words as JSON, for a page. Inside the room only.
 #pragma once
 
 #include <string>

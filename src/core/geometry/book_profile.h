@@ -1,4 +1,4 @@
-// The cross-section of the book's case: boards and spine.
+// The cross-section of the book's case: boards and spine. Inside the room only.
 #pragma once
 
 #include <vector>

@@ -41,6 +41,11 @@ const std::map<std::string, Room> kRooms{
     {"scene", {"core", {"base", "rigid", "physics", "document"}, {"Eigen/"}}},
     {"timeline", {"core", {"base", "rigid", "physics", "geometry", "scene"}, {"Eigen/"}}},
     {"study", {"core", {"base", "rigid", "physics", "scene", "timeline"}, {}}},
+    {"bridge",
+     {"browser",
+      {"base", "physics", "geometry", "document", "scene", "timeline"},
+      {"Eigen/"},
+      {"rigid"}}},
     {"system", {"platform", {"base"}, {}}},
     {"image",
      {"platform",
@@ -306,7 +311,9 @@ std::set<std::string> publicHeadersOfTheCore() {
 
 // Those of the core that say it aren't installed; so no header that is installed may include them.
 TEST(IncludeRules, HeadersForTheirRoomAloneSayThat) {
-  const std::set<std::string> used = headersUsedOutside(), ofCore = publicHeadersOfTheCore();
+  std::set<std::string> used = headersUsedOutside();
+  used.insert("bridge/bridge.h");  // by pages
+  const std::set<std::string> ofCore = publicHeadersOfTheCore();
   std::vector<std::string> silent, wrong;
   for (const fs::path& file : filesBelow(kSource)) {
     if (file.extension() != ".h") continue;

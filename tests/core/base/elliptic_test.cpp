@@ -119,8 +119,10 @@ TEST(CompleteK, AgreesDownToTheSmallestParameter) {
                                   {1e-12, 15.201804919087715},  {1e-30, 35.925070756030576},
                                   {1e-100, 116.51554901082217}, {1e-300, 346.77405831022674}};
   for (const auto& [m1, k] : kCases) EXPECT_LT(relativeError(completeK(m1), k), kIntegralBound);
+#ifdef __cpp_lib_math_special_functions
   // The modulus in place of the parameter loses what m1 holds.
   EXPECT_GT(relativeError(std::comp_ellint_1(std::sqrt(1 - 1e-12)), 15.201804919087715), 1e-7);
+#endif
 }
 
 TEST(CompleteK, HoldsTwiceTheDigits) {

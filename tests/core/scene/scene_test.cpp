@@ -78,6 +78,7 @@ TEST(DefaultCamera, IsToTheRightAndAboveTheCover) {
   EXPECT_TRUE(position.normalized().isApprox(Eigen::Vector3d(0.42, 0.30, 1).normalized()));
 }
 
+#if GTEST_HAS_DEATH_TEST
 TEST(SceneDeathTest, OfAnotherSizeInAProgramIsRefused) {
   EXPECT_EXIT(
       {
@@ -92,6 +93,7 @@ TEST(SceneDeathTest, OfAnotherSizeInAProgramIsRefused) {
       },
       testing::ExitedWithCode(1), "rotatebook was built with a scene::Scene of ");
 }
+#endif
 
 }  // namespace
 }  // namespace rotatebook::scene

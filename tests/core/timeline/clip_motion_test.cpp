@@ -72,6 +72,7 @@ TEST(ClipMotion, OfASceneHasTheClipsFrames) {
   EXPECT_EQ(diverging.trajectories().front().samples.size(), 5U);
 }
 
+#if GTEST_HAS_DEATH_TEST
 TEST(ClipMotionDeathTest, OfAnotherSizeInAProgramIsRefused) {
   EXPECT_EXIT(
       {
@@ -86,6 +87,7 @@ TEST(ClipMotionDeathTest, OfAnotherSizeInAProgramIsRefused) {
       },
       testing::ExitedWithCode(1), "rotatebook was built with a timeline::ClipMotion of ");
 }
+#endif
 
 }  // namespace
 }  // namespace rotatebook::timeline

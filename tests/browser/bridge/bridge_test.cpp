@@ -1,0 +1,169 @@
+#include "bridge/bridge.h"
+
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "document/toml_json.h"
+#include "geometry/camera.h"
+#include "scene/scene_text.h"
+#include "timeline/motion_checksum.h"
+#include "timeline/scene_camera.h"
+#include "timeline/simulate_scene.h"
+
+namespace rotatebook::bridge {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr std::string_view kScene =
+    "title = \"A throw\"\n"
+    "[initial]\nangular_velocity = [5.0, 0.0, 0.0]\ntilt = [\"1 deg\", \"z\"]\n"
+    "[clip]\nduration = 2.0\n"
+    "[[nudge]]\nat = 0.5\nangular_velocity = [0.0, 0.2, 0.0]\n";
+constexpr int kFrames = 120;
+constexpr std::int32_t kAll = 1'000'000'000;
+
+std::int32_t put(std::string_view text) {
+  std::memcpy(rb_buffer(), text.data(), text.size());
+  return static_cast<std::int32_t>(text.size());
+}
+
+std::string taken(std::int32_t length) {
+  return {rb_buffer(), static_cast<std::size_t>(std::abs(length))};
+}
+
+void read(std::int32_t slot, std::string_view text) {
+  const std::int32_t length = rb_read(slot, put(text));
+  ASSERT_GT(length, 0) << taken(length);
+}
+
+std::string wholeChecksum(std::string_view text) {
+  return timeline::motionChecksum(timeline::simulateScene(scene::parseScene(text, "scene.toml")));
+}
+
+TEST(Bridge, HasTheMotionOfTheProgramInSlices) {
+  read(0, kScene);
+  for (int frame = 0; rb_advance(0, frame, kAll) < kFrames; frame += 7) {
+    EXPECT_LT(rb_checksum(0), 0) << "before the end";
+  }
+  EXPECT_EQ(taken(rb_checksum(0)), wholeChecksum(kScene));
+  // Another nudge is another motion.
+  std::string other(kScene);
+  other.replace(other.find("0.2"), 3, "0.3");
+  EXPECT_NE(taken(rb_checksum(0)), wholeChecksum(other));
+}
+
+TEST(Bridge, StopsAfterSoManySteps) {
+  read(0, kScene);
+  EXPECT_EQ(rb_advance(0, kFrames, 1), 2) << "at least a frame";
+  EXPECT_EQ(rb_advance(0, kFrames, 640), 12) << "64 steps a frame";
+  EXPECT_EQ(rb_advance(0, 3, kAll), 12) << "that is simulated already";
+}
+
+TEST(Bridge, KeepsAScenePastOneThatIsRefused) {
+  read(0, kScene);
+  rb_advance(0, kAll, kAll);
+  const std::string before = taken(rb_checksum(0));
+  const std::int32_t length = rb_read(0, put("[body]\nmaas = 1\n"));
+  ASSERT_LT(length, 0);
+  EXPECT_EQ(taken(length).substr(0, 40), "scene.toml:2:1: unknown key \"maas\" in [b");
+  EXPECT_EQ(taken(rb_checksum(0)), before);
+}
+
+TEST(Bridge, KeepsItsSlotsApart) {
+  read(0, kScene);
+  rb_advance(0, kAll, kAll);
+  read(1, "[initial]\nangular_velocity = [0.0, 5.0, 0.1]\n");
+  EXPECT_EQ(rb_advance(1, 3, kAll), 4);
+  EXPECT_EQ(taken(rb_checksum(0)), wholeChecksum(kScene));
+}
+
+TEST(Bridge, WritesASceneThatReadsBack) {
+  read(0, kScene);
+  const std::string text = taken(rb_scene_text(0));
+  EXPECT_EQ(wholeChecksum(text), wholeChecksum(kScene));
+  EXPECT_THAT(text, HasSubstr("[[nudge]]"));
+}
+
+TEST(Bridge, GivesATextAsJson) {
+  const std::int32_t length = rb_toml_to_json(put("a = [1, 2.5, \"</script>\"]\n[b]\nc = true\n"));
+  EXPECT_EQ(taken(length), R"({"a": [1, 2.5, "\u003C/script>"], "b": {"c": true}})");
+  EXPECT_LT(rb_toml_to_json(put("a = ")), 0);
+}
+
+TEST(Bridge, NamesModelsWithTheirIntegrators) {
+  const std::string words = taken(rb_words());
+  EXPECT_THAT(words, HasSubstr(R"({"name": "exact", "integrators": [], "normalize": false)"));
+  EXPECT_THAT(words, HasSubstr("\"splitting\""));
+}
+
+TEST(Bridge, GivesTheNumbersOfASample) {
+  read(0, kScene);
+  rb_advance(0, kAll, kAll);
+  const auto motion = timeline::simulateScene(scene::parseScene(kScene, "scene.toml"));
+  const physics::Sample& sample = motion.trajectories()[0].samples[100];
+  const double* numbers = rb_sample(0, 0, 100);
+  EXPECT_EQ(numbers[kTime], sample.time);
+  EXPECT_EQ(numbers[kAttitude], sample.attitude.w());
+  EXPECT_EQ(numbers[kAttitude + 3], sample.attitude.z());
+  EXPECT_EQ(numbers[kAngularVelocity + 1], sample.angularVelocity.y());
+  EXPECT_EQ(numbers[kAngularMomentum + 2], sample.angularMomentum.z());
+  EXPECT_EQ(numbers[kEnergies], sample.kinetic);
+  EXPECT_EQ(numbers[kTilt], sample.tiltDeg);
+  EXPECT_EQ(numbers[kHalfTurns], sample.halfTurns);
+  EXPECT_EQ(numbers[kError], sample.errorDeg);
+  EXPECT_EQ(numbers[kHeld], 0);
+  EXPECT_EQ(numbers[kCorners + 3 * 5 + 1], sample.cage(1, 5));
+}
+
+// Where the program's picture of a corner is, but with y up.
+TEST(Bridge, HasTheProgramsCamera) {
+  read(0, kScene);
+  const std::array<double, 2> straight{0, 0}, turned{0.3, 0};
+  std::array<float, 16> matrix{};
+  std::array<float, 3> eye{};
+  rb_camera(0, 0, 0, 1280, 720, straight.data(), 1, matrix.data(), eye.data());
+  const scene::Scene scene = scene::parseScene(kScene, "scene.toml");
+  const geometry::Screen screen{1280, 720, 0};
+  const physics::Cage cage = scene.body.corners();
+  const auto projection = geometry::project(timeline::cameraOf(scene, screen), cage, screen);
+  constexpr double kBound = 1e-6;  // measured 6e-8
+  const auto difference = [&] {
+    const Eigen::Matrix4d clipFromWorld = Eigen::Map<Eigen::Matrix4f>(matrix.data()).cast<double>();
+    const Eigen::Vector4d here = clipFromWorld * cage.col(6).homogeneous();
+    const Eigen::Vector4d there = projection.clipFromWorld * cage.col(6).homogeneous();
+    return (Eigen::Vector2d(here.x(), -here.y()) / here.w() - there.head<2>() / there.w()).norm();
+  };
+  EXPECT_LT(difference(), kBound);
+  EXPECT_NEAR(eye[2], scene.camera.position.z(), kBound);
+  rb_camera(0, 0, 0, 1280, 720, turned.data(), 1, matrix.data(), eye.data());
+  EXPECT_GT(difference(), 0.01) << "of a camera that is turned";
+}
+
+TEST(Bridge, HasTheBooksMesh) {
+  std::int32_t count = 0;
+  const float* vertices = rb_mesh_vertices(&count);
+  EXPECT_GT(count, 1000);
+  for (std::int32_t i = 0; i < count; ++i) {
+    EXPECT_GE(vertices[10 * i], 0) << "position in the unit cube";
+    EXPECT_LE(vertices[10 * i], 1);
+    EXPECT_GE(vertices[10 * i + 9], 1) << "number of a surface";
+  }
+  for (std::int32_t part = 0; part < 5; ++part) {
+    std::int32_t indexCount = 0;
+    const std::uint16_t* indices = rb_mesh_indices(part, &indexCount);
+    EXPECT_GT(indexCount, 0);
+    EXPECT_EQ(indexCount % 3, 0);
+    for (std::int32_t i = 0; i < indexCount; ++i) EXPECT_LT(indices[i], count);
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::bridge

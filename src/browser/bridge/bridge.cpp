@@ -26,7 +26,7 @@ constexpr std::size_t kBufferSize = 1 << 20;
 // The depth that is seen around the body, where the arrows of a spin are: in sizes of the body.
 constexpr double kDepthAround = 6;
 
-std::array<char, kBufferSize> buffer;
+alignas(16) std::array<char, kBufferSize> buffer;
 std::array<std::optional<PlayedScene>, kSlots> slots;
 std::string lastMessage;
 

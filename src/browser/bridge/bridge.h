@@ -17,7 +17,7 @@ extern "C" {
 /// Slots are numbered from 0 to below this.
 enum { kSlots = 2 };
 
-/// Returns the address of the buffer.
+/// Returns the address of the buffer, a multiple of 16.
 char* rb_buffer();
 /// Returns its size. [bytes]
 std::int32_t rb_buffer_size();

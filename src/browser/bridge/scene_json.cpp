@@ -50,7 +50,7 @@ std::string motionJson(const scene::Panel& panel) {
       .addInteger("normalize_every", simulation.normalizeEvery)
       .addNumber("damping", simulation.damping)
       .addNumber("stiffness", simulation.stiffness)
-      .add("size", vectorJson(panel.body.size))
+      .add("body", vectorJson(panel.body.size))
       .addNumber("mass", panel.body.mass)
       .add("moments", vectorJson(physics::modelInertia(panel.motion()).moments))
       .add("angular_velocity", vectorJson(physics::initialAngularVelocity(panel.motion())));

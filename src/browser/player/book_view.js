@@ -1,0 +1,186 @@
+// Draws books with the program's own mesh and shaders, in WebGL 2.
+
+const kShaderHead = `#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+#define CLIP_Y_UP
+`;
+// There is no bias of a texture's level but in the call, and no frame buffer that encodes sRGB.
+const kSharper = "#define texture(sampler, place) texture(sampler, place, -0.5)\n";
+const kEncodedToneMap = `
+#undef toneMap
+vec3 toneMap(vec3 radiance) {
+  vec3 linear = clamp(linearToneMap(radiance), 0.0, 1.0);
+  return mix(1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, 12.92 * linear, lessThanEqual(linear, vec3(0.0031308)));
+}
+`;
+const kClearlyOriented = 0.2;  // As in book_geometry.cpp.
+const kWall = [0.098, 0.106, 0.1255];  // The edge of studio.frag's.
+const kAttributes = [3, 3, 2, 1, 1];  // Floats of each, as in book.vert.
+
+/** Returns 1 if the cage is the right way round at every corner, -1 if inside out, 0 if neither. */
+function windingOf(cage) {
+  const determinants = [];
+  for (let i = 0; i < 8; ++i) {
+    const edge = (axis) => {
+      const other = i ^ (1 << axis), sign = i & (1 << axis) ? 1 : -1;
+      return [0, 1, 2].map((k) => sign * (cage[3 * i + k] - cage[3 * other + k]));
+    };
+    const [a, b, c] = [edge(0), edge(1), edge(2)];
+    determinants.push(a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]));
+  }
+  const largest = Math.max(...determinants.map(Math.abs), Number.MIN_VALUE);
+  if (Math.min(...determinants) > kClearlyOriented * largest) return 1;
+  return Math.max(...determinants) < -kClearlyOriented * largest ? -1 : 0;
+}
+
+/** A program of shaders, and the places of its uniforms. */
+class Shaders {
+  constructor(gl, vertex, fragment) {
+    this.gl = gl;
+    this.program = gl.createProgram();
+    for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, kShaderHead + text);
+      gl.compileShader(shader);
+      gl.attachShader(this.program, shader);
+      this.log = gl.getShaderInfoLog(shader) || this.log;
+    }
+    gl.linkProgram(this.program);
+    if (!gl.getProgramParameter(this.program, gl.LINK_STATUS) && !gl.isContextLost()) {
+      throw new Error("A shader isn't accepted: " + (this.log ?? gl.getProgramInfoLog(this.program)));
+    }
+  }
+
+  use() { this.gl.useProgram(this.program); }
+  place(name) { return this.gl.getUniformLocation(this.program, name); }
+}
+
+class BookView {
+  /** `pictures`: {front, spine, back, paper}, loaded. Throws without WebGL 2. */
+  constructor(canvas, mesh, pictures, shaders) {
+    this.canvas = canvas;
+    this.gl = canvas.getContext("webgl2", {alpha: false, antialias: true, powerPreference: "high-performance"});
+    if (!this.gl) throw new Error("no WebGL 2");
+    this.make = () => this.#make(mesh, pictures, shaders);
+    this.make();
+  }
+
+  get isLost() { return this.gl.isContextLost(); }
+
+  #make(mesh, pictures, shaders) {
+    const gl = this.gl;
+    const toneCurve = "#define toneMap linearToneMap\n" + shaders.tone_curve + kEncodedToneMap;
+    const vertex = shaders.studio_lights + shaders.book;
+    this.cover = new Shaders(gl, vertex, kSharper + shaders.studio_lights + shaders.cover + toneCurve);
+    this.paper = new Shaders(gl, vertex, kSharper + shaders.paper + toneCurve);
+    this.backdrops = {studio: new Shaders(gl, shaders.whole_picture, shaders.studio), stars: new Shaders(gl, shaders.whole_picture, shaders.stars)};
+    this.#makeGeometry(mesh);
+    this.textures = {};
+    for (const [name, picture] of Object.entries(pictures)) this.textures[name] = this.#texture(picture, name === "paper");
+    this.noVertices = gl.createVertexArray();
+    this.cloth = null;
+  }
+
+  #makeGeometry(mesh) {
+    const gl = this.gl;
+    this.book = gl.createVertexArray();
+    gl.bindVertexArray(this.book);
+    gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+    gl.bufferData(gl.ARRAY_BUFFER, mesh.vertices, gl.STATIC_DRAW);
+    let offset = 0;
+    kAttributes.forEach((size, index) => {
+      gl.enableVertexAttribArray(index);
+      gl.vertexAttribPointer(index, size, gl.FLOAT, false, 40, 4 * offset);
+      offset += size;
+    });
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
+    const all = kParts.map((part) => mesh.parts[part]);
+    const indices = new Uint16Array(all.reduce((sum, part) => sum + part.length, 0));
+    this.ranges = {};
+    let start = 0;
+    kParts.forEach((part, i) => {
+      indices.set(all[i], start);
+      this.ranges[part] = [start, all[i].length];
+      start += all[i].length;
+    });
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW);
+  }
+
+  #texture(picture, repeats) {
+    const gl = this.gl, texture = gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, true);
+    gl.pixelStorei(gl.UNPACK_COLORSPACE_CONVERSION_WEBGL, gl.NONE);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.SRGB8_ALPHA8, gl.RGBA, gl.UNSIGNED_BYTE, picture);
+    gl.generateMipmap(gl.TEXTURE_2D);
+    const wrap = repeats ? gl.REPEAT : gl.CLAMP_TO_EDGE;
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_S, wrap);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_WRAP_T, wrap);
+    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR_MIPMAP_LINEAR);
+    return texture;
+  }
+
+  /** Plain cloth of a colour [0 to 1] in place of the built-in covers; null for these. */
+  setCloth(colour) {
+    this.cloth = colour && this.#texture(new ImageData(new Uint8ClampedArray([...colour.map((part) => Math.round(255 * part)), 255]), 1, 1), false);
+  }
+
+  /** Draws books, each {area: {x, y, width, height} in pixels from the top left, cage, matrix, eye, backdrop}. */
+  draw(books) {
+    const gl = this.gl, height = this.canvas.height;
+    gl.disable(gl.SCISSOR_TEST);
+    gl.clearColor(...kWall, 1);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    gl.enable(gl.SCISSOR_TEST);
+    for (const book of books) {
+      const {x, y, width, height: tall} = book.area;
+      gl.viewport(x, height - y - tall, width, tall);
+      gl.scissor(x, height - y - tall, width, tall);
+      gl.clearColor(...(book.plain ?? [0, 0, 0]), 1);
+      gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+      if (!book.plain) this.#drawBackdrop(this.backdrops[book.backdrop] ?? this.backdrops.studio, width, tall);
+      this.#drawBook(book);
+    }
+  }
+
+  #drawBackdrop(shaders, width, height) {
+    const gl = this.gl;
+    gl.disable(gl.DEPTH_TEST);
+    gl.disable(gl.CULL_FACE);
+    shaders.use();
+    gl.uniform2f(shaders.place("pictureSize"), width, height);
+    gl.uniform1i(shaders.place("supersample"), 1);
+    gl.bindVertexArray(this.noVertices);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  }
+
+  #drawBook(book) {
+    const gl = this.gl, winding = windingOf(book.cage);
+    gl.enable(gl.DEPTH_TEST);
+    if (winding === 0) gl.disable(gl.CULL_FACE);
+    else gl.enable(gl.CULL_FACE);
+    gl.frontFace(winding < 0 ? gl.CW : gl.CCW);
+    gl.bindVertexArray(this.book);
+    this.#use(this.cover, book);
+    gl.uniform3fv(this.cover.place("eye"), book.eye);
+    gl.uniform1i(this.cover.place("plainCloth"), this.cloth ? 1 : 0);
+    for (const part of ["front", "spine", "back"]) this.#drawPart(part, this.cloth ?? this.textures[part]);
+    if (winding === 0) this.#drawPart("lining", this.cloth ?? this.textures.front);
+    this.#use(this.paper, book);
+    this.#drawPart("pages", this.textures.paper);
+  }
+
+  #use(shaders, book) {
+    shaders.use();
+    this.gl.uniform3fv(shaders.place("cage"), book.cage);
+    this.gl.uniformMatrix4fv(shaders.place("clipFromWorld"), false, book.matrix);
+  }
+
+  #drawPart(part, texture) {
+    const gl = this.gl, [start, count] = this.ranges[part];
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_SHORT, 2 * start);
+  }
+}

@@ -1,0 +1,119 @@
+// Buttons, keys, dropped files and clicks on the ball.
+
+const kKeysOfLetters = {x: (player) => player.startAbout("x"), y: (player) => player.startAbout("y"), z: (player) => player.startAbout("z"),
+  j: (player) => player.jiggle(), r: (player) => player.reset(), ",": (player) => player.step(-1), ".": (player) => player.step(1),
+  Home: (player) => player.seek(0), End: (player) => player.seek(player.lastFrame)};
+const kBallStep = 0.06;  // Of a key. [rad]
+
+class Commands {
+  constructor(root, player) {
+    this.root = root;
+    this.player = player;
+    root.addEventListener("click", (event) => this.#click(event));
+    root.addEventListener("keydown", (event) => this.#key(event));
+    const seek = root.querySelector(".rb-seek");
+    seek.addEventListener("input", () => {
+      player.pause();
+      player.seek(Number(seek.value));
+    });
+    root.querySelector("[data-speed]").addEventListener("change", (event) => { player.clock.speed = Number(event.target.value); });
+    this.#takeFiles();
+    this.#listenToBall();
+  }
+
+  #click(event) {
+    const name = event.target.closest("[data-do]")?.dataset.do, {player} = this;
+    const actions = {toggle: () => player.toggle(), back: () => player.step(-1), forward: () => player.step(1), jiggle: () => player.jiggle(),
+      reset: () => player.reset(), predict: () => player.predict.next(), copy: () => this.#copy(player.sharedText(), "The scene"),
+      save: () => saveText(player.sharedText(), "live-book.toml"), link: () => this.#copyLink()};
+    actions[name]?.();
+  }
+
+  async #copyLink() {
+    const hash = await hashOf(this.player.sharedText());
+    history.replaceState(null, "", hash);
+    await this.#copy(location.href, "The link");
+  }
+
+  async #copy(text, name) {
+    const isCopied = await copyText(text), area = this.root.querySelector(".rb-text");
+    area.value = text;
+    area.hidden = isCopied;
+    if (isCopied) {
+      this.player.announcer.show(`${name} is in the clipboard.`, "good");
+      return;
+    }
+    this.player.announcer.show(`${name} is below, ready to copy.`);
+    area.focus();
+    area.select();
+  }
+
+  #key(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const target = event.target, isField = target.matches("input[type=text], textarea, select"), isRange = target.matches("input[type=range], input[type=radio]");
+    if (isField) return;
+    if (target === this.player.stage && this.player.pointer.key(event)) {
+      event.preventDefault();
+      return;
+    }
+    if (target.matches(".rb-ball")) {
+      if (this.#ballKey(event)) event.preventDefault();
+      return;
+    }
+    const takesSpace = target.closest("button, a, summary, label, input:not([type=range])");
+    const isTheirs = isRange && /^(Home|End|Arrow)/.test(event.key);
+    if (event.key === " " && !takesSpace) this.player.toggle();
+    else if (!isTheirs && kKeysOfLetters[event.key]) kKeysOfLetters[event.key](this.player);
+    else return;
+    event.preventDefault();
+  }
+
+  #takeFiles() {
+    const {root, player} = this, input = root.querySelector("input[type=file]");
+    input.addEventListener("change", async () => {
+      if (input.files[0]) await player.open(input.files[0]);
+      input.value = "";
+    });
+    const hasFiles = (event) => [...event.dataTransfer?.types ?? []].includes("Files");
+    // Anywhere on the page: a clip that is dropped beside the player shouldn't replace the page.
+    document.addEventListener("dragover", (event) => {
+      if (!hasFiles(event)) return;
+      event.preventDefault();
+      root.classList.add("rb-taking");
+    });
+    document.addEventListener("dragleave", (event) => { if (!event.relatedTarget) root.classList.remove("rb-taking"); });
+    document.addEventListener("drop", (event) => {
+      if (!hasFiles(event)) return;
+      event.preventDefault();
+      root.classList.remove("rb-taking");
+      const file = event.dataTransfer.files[0];
+      if (file) player.open(file);
+    });
+  }
+
+  #listenToBall() {
+    const {ball} = this.player;
+    ball.canvas.addEventListener("click", (event) => {
+      const box = ball.canvas.getBoundingClientRect(), scale = ball.canvas.width / box.width;
+      const direction = ball.directionAt((event.clientX - box.left) * scale, (event.clientY - box.top) * scale);
+      if (direction) this.#startAlong(direction);
+    });
+  }
+
+  /** Starts with an angular momentum along a direction in the book's axes, as large as it is. */
+  #startAlong(direction) {
+    const {player} = this, {moments} = player.read.motions[player.book];
+    const size = player.scales[player.book].momentum;
+    player.apply(player.scene.withVelocity(player.book, direction.map((part, axis) => size * part / moments[axis])), {frame: 0});
+  }
+
+  #ballKey(event) {
+    const [x, y] = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key] ?? [0, 0];
+    if (!x && !y) return false;
+    const {player} = this, {rows} = player.ball;
+    const from = momentumInBook(player.core.sample(kFirst, player.book, 0));
+    const moved = from.map((part, axis) => part + kBallStep * (x * rows[0][axis] + y * rows[1][axis])), size = Math.hypot(...moved);
+    this.#startAlong(moved.map((part) => part / size));
+    return true;
+  }
+}

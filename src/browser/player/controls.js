@@ -1,0 +1,178 @@
+// The knobs: each shows a key of the scene and changes it.
+
+const kModels = ["particles", "matrix", "quaternion", "exact"];
+const kAlways = () => true;
+const kStepping = (model) => model !== "exact";
+const kSprung = (model) => model === "particles";
+const sizeKnob = (axis, name) => ({
+  group: "start", section: "body", key: "size", label: `Size along ${kAxes[axis]}, ${name}`, unit: "cm", least: 1, most: 60, logarithmic: true, shown: kAlways,
+  get: (scene, book) => 100 * scene.value(book, "body", "size")[axis],
+  put: (scene, book, value) => scene.withKeys(book, "body", {size: scene.value(book, "body", "size").map((size, i) => (i === axis ? Number((value / 100).toPrecision(12)) : size))}),
+});
+
+/** Ranges are those of the sliders; the field beside one takes whatever the scene may have. */
+const kKnobs = [
+  {group: "motion", section: "simulation", key: "substeps", label: "Steps a picture", least: 1, most: 1000, logarithmic: true, whole: true, shown: kStepping},
+  {group: "motion", section: "simulation", key: "time_per_frame", label: "Time a picture", unit: "s", least: 1e-4, most: 0.2, logarithmic: true, shown: kAlways,
+    put: (scene, book, value) => {
+      const changed = new LiveScene(scene.withKeys(book, "simulation", {time_per_frame: value}), scene.explicit);
+      return changed.withKeys(book, "clip", {speed: undefined});
+    }},
+  {group: "motion", section: "simulation", key: "stiffness", label: "Stiffness of a spring", unit: "N/m", least: 1, most: 1e5, logarithmic: true, shown: kSprung},
+  {group: "motion", section: "simulation", key: "damping", label: "Damping, of the critical", least: 0, most: 2, step: 0.01, shown: kSprung},
+  {group: "start", section: "initial", key: "tilt", label: "Tilt", unit: "rad", least: 1e-7, most: 1, logarithmic: true, shown: kAlways,
+    get: (scene, book) => scene.value(book, "initial", "tilt")?.[0] ?? 0,
+    put: (scene, book, value) => scene.withStart(book, {...scene.startOf(book), tilt: value > 0 ? [value, scene.value(book, "initial", "tilt")?.[1] ?? kTiltToward[scene.startAxis(book) ?? "x"]] : undefined})},
+  {group: "start", section: "initial", key: "angular_velocity", label: "Spin", unit: "rad/s", least: 0.2, most: 40, logarithmic: true, shown: kAlways,
+    get: (scene, book) => scene.speedAtStart(book),
+    put: (scene, book, value) => scene.withSpeed(book, value)},
+  sizeKnob(0, "from the spine"), sizeKnob(1, "to the top"), sizeKnob(2, "to the cover"),
+  {group: "start", section: "body", key: "mass", label: "Mass", unit: "kg", least: 0.05, most: 20, logarithmic: true, shown: kAlways},
+  {group: "start", section: "clip", key: "duration", label: "Length of the motion", unit: "s", least: 2, most: 600, logarithmic: true, shown: kAlways},
+];
+
+const kShownOverlays = {omega: "ω, angular velocity", momentum: "L, angular momentum", axes: "axes of the book", springs: "springs by strain", polhode: "ball of spins", ghost: "outline of the exact book"};
+
+const short = (number) => String(Number(number.toPrecision(6)));
+
+/** Builds an element: make("label", {className: "x"}, child, "text"). */
+function make(name, properties = {}, ...children) {
+  const element = Object.assign(document.createElement(name), properties);
+  element.append(...children);
+  return element;
+}
+
+class Controls {
+  /** `player`: with scene, core, book (the one that is edited) and apply(tree, options). */
+  constructor(root, player) {
+    this.root = root;
+    this.player = player;
+    this.refreshers = [];
+    this.#makeChoice("axis", kAxes.map((axis) => [axis, axis]), (scene, book) => scene.startAxis(book),
+      (axis) => player.startAbout(axis));
+    this.#makeChoice("model", kModels.map((model) => [model, model]), (scene, book) => scene.value(book, "simulation", "model"),
+      (model) => player.apply(player.scene.withModel(player.book, model)));
+    this.#makeChoice("books", [["one", "one"], ["same", "two"], ["exact", "two, one exact"]], (scene) => player.booksChoice(scene), (choice) => player.setBooks(choice));
+    this.#makeEdited();
+    this.#makeIntegrator();
+    for (const knob of kKnobs) this.#makeKnob(knob);
+    this.#makeNormalize();
+    for (const [overlay, words] of Object.entries(kShownOverlays)) this.#makeShown(overlay, words);
+  }
+
+  refresh() {
+    const {scene, book} = this.player;
+    for (const refresh of this.refreshers) refresh(scene, book, scene.value(book, "simulation", "model"));
+  }
+
+  #group(name) { return this.root.querySelector(`[data-group="${name}"]`); }
+
+  #makeChoice(name, options, get, put) {
+    const box = this.root.querySelector(`[data-choice="${name}"]`), row = make("div", {className: "rb-segments"});
+    const inputs = options.map(([value, words]) => {
+      const input = make("input", {type: "radio", name: "rb-" + name, value});
+      input.addEventListener("change", () => put(value));
+      row.append(make("label", {}, input, make("span", {}, words)));
+      return input;
+    });
+    box.append(row);
+    this.refreshers.push((scene, book) => {
+      const value = get(scene, book);
+      for (const input of inputs) input.checked = input.value === value;
+    });
+  }
+
+  /** The choice of the book that knobs are of, as many as there are. */
+  #makeEdited() {
+    const box = this.root.querySelector("[data-choice=edited]");
+    this.refreshers.push((scene, book) => {
+      box.hidden = scene.bookCount < 2;
+      const labels = this.player.labels;
+      if (box.dataset.labels !== labels.join("\n")) {
+        box.dataset.labels = labels.join("\n");
+        box.replaceChildren(make("span", {className: "rb-name"}, "Settings of"), make("div", {className: "rb-segments"}, ...labels.map((label, i) => {
+          const input = make("input", {type: "radio", name: "rb-edited", value: String(i)});
+          input.addEventListener("change", () => this.player.edit(i));
+          return make("label", {}, input, make("span", {}, label));
+        })));
+      }
+      for (const input of box.querySelectorAll("input")) input.checked = Number(input.value) === book;
+    });
+  }
+
+  #makeIntegrator() {
+    const select = make("select"), row = make("label", {className: "rb-row"}, make("span", {className: "rb-name"}, "Integrator"), select);
+    select.addEventListener("change", () => this.player.apply(this.player.scene.withKeys(this.player.book, "simulation", {integrator: select.value})));
+    this.#group("motion").append(row);
+    this.refreshers.push((scene, book, model) => {
+      const names = this.player.core.words.models.find(({name}) => name === model).integrators;
+      row.hidden = names.length === 0;
+      if (select.dataset.model !== model) select.replaceChildren(...names.map((name) => make("option", {value: name}, name)));
+      select.dataset.model = model;
+      select.value = scene.value(book, "simulation", "integrator") ?? "";
+    });
+  }
+
+  #makeNormalize() {
+    const input = make("input", {type: "checkbox"}), row = make("label", {className: "rb-check"}, input, "Normalise after each step");
+    input.addEventListener("change", () => this.player.apply(this.player.scene.withKeys(this.player.book, "simulation",
+      {normalize: input.checked, normalize_energy: undefined, remove_drift: undefined})));
+    this.#group("motion").append(row);
+    this.refreshers.push((scene, book, model) => {
+      row.hidden = !kStepping(model);
+      const value = scene.value(book, "simulation", "normalize");
+      input.checked = value === true;
+      input.indeterminate = typeof value === "object";
+    });
+  }
+
+  #makeShown(overlay, words) {
+    const input = make("input", {type: "checkbox"}), row = make("label", {className: "rb-check"}, input, words);
+    input.addEventListener("change", () => this.player.apply(this.player.scene.withShown(overlay, input.checked)));
+    this.#group("shown").append(row);
+    this.refreshers.push((scene, book, model) => {
+      row.hidden = overlay === "springs" && !kSprung(model);
+      input.checked = scene.shows(overlay);
+    });
+  }
+
+  #makeKnob(knob) {
+    const scale = knob.logarithmic ? Math.log10 : (value) => value;
+    const back = knob.logarithmic ? (value) => 10 ** value : (value) => value;
+    const range = make("input", {type: "range", min: scale(knob.least), max: scale(knob.most), step: knob.step ?? "any"});
+    const name = knob.unit ? `${knob.label} [${knob.unit}]` : knob.label;
+    range.setAttribute("aria-label", knob.label);
+    const field = make("input", {type: "text", inputMode: "decimal", spellcheck: false, autocomplete: "off"});
+    const row = make("div", {className: "rb-row"}, make("span", {className: "rb-name"}, name), range, field);
+    field.setAttribute("aria-label", name);
+    const get = knob.get ?? ((scene, book) => scene.value(book, knob.section, knob.key));
+    const put = knob.put ?? ((scene, book, value) => scene.withKeys(book, knob.section, {[knob.key]: value}));
+    const set = (value) => {
+      if (!Number.isFinite(value)) this.player.announcer.show(`${knob.label}: this is no number.`, "bad");
+      else this.player.apply(put(this.player.scene, this.player.book, value));
+    };
+    range.addEventListener("input", () => {
+      const value = back(Number(range.value));
+      set(knob.whole ? Math.round(value) : Number(value.toPrecision(3)));
+    });
+    range.addEventListener("keydown", (event) => this.#stepKnob(event, range));
+    field.addEventListener("change", () => set(Number(field.value.replace(",", ".") || NaN)));
+    this.#group(knob.group).append(row);
+    this.refreshers.push((scene, book, model) => {
+      row.hidden = !knob.shown(model);
+      const value = Number(get(scene, book) ?? 0);
+      range.value = scale(Math.max(value, knob.logarithmic ? knob.least : -Infinity));
+      range.setAttribute("aria-valuetext", `${short(value)}${knob.unit ? " " + knob.unit : ""}`);
+      if (document.activeElement !== field) field.value = short(value);
+    });
+  }
+
+  /** Browsers differ in the step of "any": a fiftieth of the way here. */
+  #stepKnob(event, range) {
+    const sign = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1}[event.key];
+    if (!sign) return;
+    event.preventDefault();
+    range.value = Number(range.value) + sign * (range.max - range.min) / 50;
+    range.dispatchEvent(new Event("input"));
+  }
+}

@@ -1,0 +1,51 @@
+// Joins the live book into one page that needs no other file: join.cjs CORE.js CORE.wasm VERSION OUTPUT-FOLDER.
+"use strict";
+
+const fs = require("node:fs");
+const path = require("node:path");
+const zlib = require("node:zlib");
+const {execFileSync} = require("node:child_process");
+
+const kHere = __dirname, kRoot = path.join(kHere, "../../..");
+const kPictures = {front: 660, back: 660, spine: 176, paper: 256};  // Widths. [pixels]
+const kQuality = "80";
+// In this order, in one function: pages that are opened as files can't load modules.
+const kScripts = ["toml", "record", "share", "core", "live_scene", "clock", "book_view", "arrows", "polhode_ball", "timeline", "events", "controls",
+  "pointer", "proof", "predict", "stage", "numbers", "player", "commands", "begin"];
+const kShaders = {book: "book.vert", whole_picture: "whole_picture.vert", cover: "cover.frag", paper: "paper.frag", studio: "studio.frag",
+  stars: "stars.frag", studio_lights: "studio_lights.glsl", tone_curve: "tone_curve.frag"};
+
+const read = (...names) => fs.readFileSync(path.join(...names), "utf8");
+
+/** The browser's version line comes from the player. */
+function shader(file) {
+  return read(kRoot, "shaders", file).replace(/^#version .*\n/, "").replace(/^\s*\/\/.*\n/gm, "");
+}
+
+function picture(name, width, folder) {
+  const file = path.join(folder, name + ".webp");
+  execFileSync("cwebp", ["-quiet", "-q", kQuality, "-m", "6", "-resize", String(width), "0", path.join(kRoot, "assets", name + ".png"), "-o", file]);
+  return "data:image/webp;base64," + fs.readFileSync(file).toString("base64");
+}
+
+const mapped = (object, action) => Object.fromEntries(Object.entries(object).map(([key, value]) => [key, action(value, key)]));
+
+/** A script's text must not end its element. */
+const inScript = (text) => text.replaceAll("</script", "<\\/script").replaceAll("<!--", "<\\!--");
+
+function fragment(glue, wasm, folder) {
+  const data = {
+    core: zlib.gzipSync(fs.readFileSync(wasm), {level: 9}).toString("base64"),
+    shaders: mapped(kShaders, shader),
+    pictures: mapped(kPictures, (width, name) => picture(name, width, folder)),
+  };
+  const scripts = kScripts.map((name) => read(kHere, name + ".js"));
+  const script = ["(() => {", "\"use strict\";", read(glue), `const kData = ${JSON.stringify(data)};`, ...scripts, "})();"].join("\n");
+  return `<style>\n${read(kHere, "player.css")}</style>\n${read(kHere, "player.html")}<script>\n${inScript(script)}\n</script>\n`;
+}
+
+const [glue, wasm, version, folder] = process.argv.slice(2);
+fs.mkdirSync(folder, {recursive: true});
+const live = fragment(glue, wasm, folder);
+fs.writeFileSync(path.join(folder, "live_book.html"), live);
+fs.writeFileSync(path.join(folder, "play.html"), read(kHere, "page.html").replace("{{version}}", version).replace("{{live-book}}", () => live));

@@ -1,0 +1,179 @@
+// The state of the player: one scene, as the tree of its TOML.
+
+const kMaxNudges = 100;
+const kStartTilt = 0.014;  // [rad]
+const kStartSpeed = 4;     // [rad/s]
+const kAxes = ["x", "y", "z"];
+const kTiltToward = {x: "z", y: "x", z: "x"};
+/** Sections that a panel may have of its own. */
+const kPanelSections = ["body", "simulation", "initial", "expect"];
+const kDefaultIntegrator = {particles: "euler", matrix: "rk4", quaternion: "rk4"};
+
+const clone = (tree) => JSON.parse(JSON.stringify(tree));
+
+class LiveScene {
+  /** `tree`: of the scene; `explicit`: of the same with every default, as the core writes it. */
+  constructor(tree, explicit) {
+    this.tree = tree;
+    this.explicit = explicit;
+    this.speeds = [];  // Of each book at the start. [rad/s]
+  }
+
+  get bookCount() { return this.tree.panel?.length ?? 1; }
+  get text() { return tomlText(this.tree); }
+
+  /** Returns a key's value for a book, defaults included; undefined if it has none. */
+  value(book, section, key) {
+    return this.explicit.panel?.[book]?.[section]?.[key] ?? this.explicit[section]?.[key];
+  }
+
+  shows(overlay) { return this.explicit.overlay?.show?.includes(overlay) ?? false; }
+
+  /** Returns a changed copy of the tree: the scene itself changes only once the core has read the copy. */
+  changed(action) {
+    const tree = clone(this.tree);
+    action(tree);
+    return tree;
+  }
+
+  /** As above, of what the motion depends on: expectations and caption spoke of another motion. */
+  withMotion(action) {
+    return this.changed((tree) => {
+      delete tree.expect;
+      delete tree.caption;
+      delete tree.study;
+      for (const panel of tree.panel ?? []) delete panel.expect;
+      if (tree.title && !tree.title.endsWith(", changed")) tree.title += ", changed";
+      action(tree);
+    });
+  }
+
+  /** Sets keys of one book, or of all if there are no panels. An undefined value removes the key. */
+  withKeys(book, section, values) {
+    return this.withMotion((tree) => {
+      const owner = section !== "clip" && tree.panel ? tree.panel[book] : tree;
+      const table = owner[section] = {...owner[section]};
+      for (const [key, value] of Object.entries(values)) {
+        if (value === undefined) delete table[key];
+        else table[key] = value;
+      }
+    });
+  }
+
+  withModel(book, model) {
+    return this.withKeys(book, "simulation", {model, integrator: kDefaultIntegrator[model]});
+  }
+
+  /** Returns the keys of a book's start. */
+  startOf(book) {
+    const own = this.explicit.panel?.[book]?.initial;
+    return clone(own?.angular_velocity || own?.angular_momentum ? own : {...this.explicit.initial, ...own});
+  }
+
+  /** A start has one of several keys for the spin: only those in `initial` stay. */
+  withStart(book, initial) {
+    return this.withMotion((tree) => {
+      if (!tree.panel) {
+        tree.initial = initial;
+        return;
+      }
+      // A panel would inherit the keys that it lacks.
+      tree.panel.forEach((panel, i) => { panel.initial = i === book ? initial : this.startOf(i); });
+      delete tree.initial;
+    });
+  }
+
+  withStartAbout(book, axis) {
+    const tilt = this.value(book, "initial", "tilt")?.[0] || kStartTilt;
+    const velocity = kAxes.map((name) => (name === axis ? this.speedAtStart(book) : 0));
+    return this.withoutNudges(this.withStart(book, {angular_velocity: velocity, tilt: [tilt, kTiltToward[axis]]}));
+  }
+
+  /** Starts with an angular velocity in the book's axes. [rad/s] */
+  withVelocity(book, velocity) {
+    return this.withoutNudges(this.withStart(book, {angular_velocity: velocity.map((part) => Number(part.toPrecision(6)))}));
+  }
+
+  withSpeed(book, speed) {
+    const start = this.startOf(book), key = start.angular_velocity ? "angular_velocity" : "angular_momentum";
+    const factor = speed / this.speedAtStart(book);
+    return this.withStart(book, {...start, [key]: start[key].map((part) => Number((part * factor).toPrecision(12)))});
+  }
+
+  withoutNudges(tree) {
+    delete tree.nudge;
+    return tree;
+  }
+
+  /** The axis that the book is spun about at the start, null if it is none of the three alone. */
+  startAxis(book) {
+    const spin = this.value(book, "initial", "angular_velocity") ?? this.value(book, "initial", "angular_momentum");
+    const turning = kAxes.filter((axis, i) => spin?.[i] !== 0);
+    return turning.length === 1 ? turning[0] : null;
+  }
+
+  speedAtStart(book) {
+    return Number((this.speeds[book] || kStartSpeed).toPrecision(6));
+  }
+
+  /** Adds a throw at a time [s] along world axes [rad/s], in place of all later ones. */
+  withNudge(at, angularVelocity) {
+    const earlier = (this.tree.nudge ?? []).filter((nudge) => LiveScene.#seconds(nudge.at) < at);
+    if (earlier.length >= kMaxNudges) throw new Error(`There are ${kMaxNudges} throws already; reset the book to throw it anew.`);
+    return this.withMotion((tree) => {
+      tree.nudge = [...earlier, {at, angular_velocity: angularVelocity, axes: "world"}];
+    });
+  }
+
+  get nudgeTimes() { return (this.explicit.nudge ?? []).map((nudge) => nudge.at); }
+
+  static #seconds(time) {
+    if (typeof time === "number") return time;
+    const [, number, unit] = /^\s*(\S+)\s*(s|ms|min)\s*$/.exec(time) ?? [];
+    return Number(number) * {s: 1, ms: 0.001, min: 60}[unit];
+  }
+
+  /** Adds a second book beside the first, which differs in `sections`. */
+  withSecondBook(label, sections) {
+    return this.withMotion((tree) => {
+      tree.panel = [{label: "first"}, {label, ...clone(sections)}];
+      LiveScene.#setShown(tree, this.explicit, "ghost", false);
+    });
+  }
+
+  /** Leaves one book: its own keys become the scene's. */
+  withOnly(book) {
+    return this.withMotion((tree) => {
+      const panel = tree.panel[book];
+      delete tree.panel;
+      for (const section of kPanelSections) {
+        if (!panel[section]) continue;
+        const merged = section === "initial" ? {...panel.initial} : {...tree[section], ...panel[section]};
+        tree[section] = merged;
+      }
+      if (tree.simulation?.model === "exact") delete tree.simulation.integrator;
+    });
+  }
+
+  withShown(overlay, isShown) {
+    return this.changed((tree) => LiveScene.#setShown(tree, this.explicit, overlay, isShown));
+  }
+
+  static #setShown(tree, explicit, overlay, isShown) {
+    const others = (explicit.overlay?.show ?? []).filter((name) => name !== overlay);
+    tree.overlay = {...tree.overlay, show: isShown ? [...others, overlay] : others};
+  }
+
+  /** The tree of the exact motion from the same start, for the ghost. Null if there is nothing to compare. */
+  ghostTree() {
+    if (!this.shows("ghost")) return null;
+    return this.changed((tree) => {
+      tree.simulation = {...tree.simulation, model: "exact"};
+      delete tree.simulation.integrator;
+      for (const panel of tree.panel ?? []) {
+        panel.simulation = {...panel.simulation, model: "exact"};
+        delete panel.simulation.integrator;
+      }
+    });
+  }
+}

@@ -1,0 +1,31 @@
+// The numbers beneath the picture, live.
+
+const percent = (share) => `${(100 * share).toPrecision(share >= 1 ? 5 : 4)} %`;
+const degrees = (angle) => (Math.abs(angle) < 0.01 && angle !== 0 ? `${angle.toExponential(1)}°` : `${angle.toFixed(2)}°`);
+
+/** Names, and how to say a sample's number. */
+const kNumbers = [
+  ["Half-turns", (sample) => String(sample[kSample.halfTurns])],
+  ["Tilt", (sample) => degrees(sample[kSample.tilt])],
+  ["Energy", (sample, first) => percent((sample[kSample.energies] + sample[kSample.energies + 1]) / (first[kSample.energies] + first[kSample.energies + 1]))],
+  ["Error", (sample, first, motion) => (motion.model === "exact" ? "–" : degrees(sample[kSample.error]))],
+  ["Stretch", (sample) => `${sample[kSample.stretch].toFixed(3)} to ${sample[kSample.stretch + 1].toFixed(3)}`],
+];
+
+/** Shows a row of numbers for each book. */
+function showNumbers(list, player, frame) {
+  const {motions} = player.read;
+  const key = motions.map(({label}) => label).join("\n");
+  if (list.dataset.labels !== key) {
+    list.dataset.labels = key;
+    list.replaceChildren(...kNumbers.map(([name]) => make("div", {}, make("dt", {}, name), ...motions.map((motion, i) => {
+      const value = make("dd");
+      if (motions.length > 1) value.style.color = kBookColours[i];
+      return value;
+    }))));
+  }
+  motions.forEach((motion, i) => {
+    const sample = player.core.sample(kFirst, i, frame), first = player.core.sample(kFirst, i, 0);
+    kNumbers.forEach(([, words], row) => { list.children[row].children[1 + i].textContent = words(sample, first, motion); });
+  });
+}

@@ -1,0 +1,112 @@
+// Predict, then see: a question over books at rest, and its answer by letting them go.
+
+const kCommonStart = "clip.duration = 14\noverlay.show = [\"omega\"]\n";
+const kTasks = [
+  {
+    question: "Three books, each spun about another axis, with the same tiny push. Which of these will tumble?",
+    answers: ["about y, its height", "about x, its width", "about z, its thickness"], right: 1, arePanels: true, until: 4,
+    see: "The one about x, its middle axis. About the other two the push stays small.",
+    scene: `title = "Which of these will tumble?"
+${kCommonStart}simulation.model = "exact"
+[[panel]]
+label = "y, its height"
+initial = { angular_velocity = [0, 4, 0], tilt = [0.014, "x"] }
+[[panel]]
+label = "x, its width"
+initial = { angular_velocity = [4, 0, 0], tilt = [0.014, "z"] }
+[[panel]]
+label = "z, its thickness"
+initial = { angular_velocity = [0, 0, 4], tilt = [0.014, "x"] }
+`,
+  },
+  {
+    question: "This book turns over after two seconds. With a tilt ten times smaller, it will …",
+    answers: ["never turn over", "turn over a second later", "turn over ten times later"], right: 1, until: 5,
+    see: "A second later: the tilt grows by the same factor each second, however small it was.",
+    scene: `title = "A tilt ten times smaller"
+${kCommonStart}simulation.model = "exact"
+initial.angular_velocity = [4, 0, 0]
+[[panel]]
+label = "tilt 0.014"
+initial.tilt = [0.014, "z"]
+[[panel]]
+label = "tilt 0.0014"
+initial.tilt = [0.0014, "z"]
+`,
+  },
+  {
+    question: "The computer takes steps. With steps ten times longer, the same book will …",
+    answers: ["move the same", "turn over at other times", "stop"], right: 1, until: 12,
+    see: "At other times: each step makes a small error, and this motion makes small errors grow.",
+    scene: `title = "A step ten times longer"
+${kCommonStart}simulation = { model = "quaternion", integrator = "euler" }
+initial = { angular_velocity = [4, 0, 0], tilt = [0.014, "z"] }
+[[panel]]
+label = "60 steps a picture"
+simulation.substeps = 60
+[[panel]]
+label = "6 steps a picture"
+simulation.substeps = 6
+`,
+  },
+];
+
+class Predict {
+  /** `player`: with play(text), clock, start(), announcer. `box`: .rb-question. */
+  constructor(box, player) {
+    this.box = box;
+    this.player = player;
+    this.text = box.querySelector(".rb-question-text");
+    this.answers = box.querySelector(".rb-answers");
+    this.task = -1;
+  }
+
+  get isAsking() { return !this.box.hidden && this.chosen === null; }
+  get current() { return kTasks[this.task]; }
+
+  next() {
+    this.task = (this.task + 1) % kTasks.length;
+    this.chosen = null;
+    this.player.load(this.current.scene, {isPlaying: false});
+    this.#show(this.current.question, this.current.answers.map((answer, i) => [answer, () => this.choose(i)]));
+  }
+
+  #show(text, buttons) {
+    this.text.textContent = text;
+    const close = make("button", {type: "button", className: "rb-close"}, "Close");
+    close.addEventListener("click", () => this.close());
+    this.answers.replaceChildren(...buttons.map(([words, action]) => {
+      const button = make("button", {type: "button"}, words);
+      button.addEventListener("click", action);
+      return button;
+    }), close);
+    this.box.hidden = false;
+    this.text.focus({preventScroll: true});
+  }
+
+  /** A cover was clicked: an answer, where the answers are the books. */
+  choosePanel(panel) {
+    if (this.isAsking && this.current.arePanels) this.choose(panel);
+  }
+
+  choose(answer) {
+    this.chosen = answer;
+    this.#show(`You said: ${this.current.answers[answer]}. Now see …`, []);
+    this.player.start();
+  }
+
+  /** Called as time passes. */
+  tick(time) {
+    if (this.box.hidden || this.chosen === null || this.isDone === this.task || time < this.current.until) return;
+    this.isDone = this.task;
+    const isRight = this.chosen === this.current.right;
+    this.#show(`${isRight ? "Right." : "Not quite."} ${this.current.see}`, [[this.task + 1 < kTasks.length ? "Next question" : "From the first", () => this.next()]]);
+    this.player.announcer.tell(this.text.textContent);
+  }
+
+  close() {
+    this.box.hidden = true;
+    this.isDone = -1;
+    this.player.stage.focus({preventScroll: true});
+  }
+}

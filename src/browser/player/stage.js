@@ -1,0 +1,148 @@
+// The picture: where each book is in it, at what size it is drawn, and what is drawn over it.
+
+const kLargestScale = 2;       // Pixels of the screen a CSS pixel.
+const kSlowPicture = 30;       // Slower than this, pictures are drawn smaller. [ms]
+const kPlainColours = {white: [1, 1, 1], black: [0, 0, 0], transparent: [0.075, 0.08, 0.086]};
+
+/** Divides a picture such that the panels' shorter sides are longest. Returns areas [pixels]. */
+function dividedAreas(count, width, height) {
+  let best = 1;
+  const shorter = (columns) => Math.min(width / columns, height / Math.ceil(count / columns));
+  for (let columns = 2; columns <= count; ++columns) if (shorter(columns) >= shorter(best) - 1e-9) best = columns;
+  const rows = Math.ceil(count / best), cut = (whole, part, parts) => Math.round(whole * part / parts);
+  return Array.from({length: count}, (_, i) => {
+    const column = i % best, row = Math.floor(i / best), inRow = row + 1 < rows ? best : count - best * (rows - 1);
+    const indent = (best - inRow) / 2;
+    const x = cut(width, column + indent, best), y = cut(height, row, rows);
+    return {x, y, width: cut(width, column + indent + 1, best) - x, height: cut(height, row + 1, rows) - y};
+  });
+}
+
+class Stage {
+  constructor(root, core, pictures, shaders) {
+    this.picture = root.querySelector(".rb-picture");
+    this.lines = root.querySelector(".rb-lines");
+    this.labels = root.querySelector(".rb-labels");
+    this.core = core;
+    this.view = new BookView(this.picture, core.mesh(), pictures, shaders);
+    this.quality = 1;
+    this.took = 0;
+    this.books = [];
+  }
+
+  /** Pixels of the drawing a CSS pixel. */
+  get scale() { return Math.min(devicePixelRatio || 1, kLargestScale) * (this.isMoving ? this.quality : 1); }
+
+  #fit(canvas, scale) {
+    const width = Math.max(Math.round(canvas.clientWidth * scale), 2), height = Math.max(Math.round(canvas.clientHeight * scale), 2);
+    if (canvas.width !== width) canvas.width = width;
+    if (canvas.height !== height) canvas.height = height;
+  }
+
+  /** Draws less sharply on a machine that takes long, so that motion stays smooth. `passed`: since the last picture [ms]. */
+  adapt(passed) {
+    this.took = 0.9 * this.took + 0.1 * Math.min(passed, 200);
+    if (this.took < kSlowPicture || this.quality <= 0.5) return;
+    this.quality = Math.max(0.75 * this.quality, 0.5);
+    this.took = 0;
+  }
+
+  /** Draws `frame`. `state`: {clock, scene, read, orbit, ghostFrames, hand, scales}. */
+  draw(frame, state) {
+    this.isMoving = state.clock.isPlaying;
+    this.#fit(this.picture, this.scale);
+    this.#fit(this.lines, Math.min(devicePixelRatio || 1, kLargestScale));
+    const {width, height} = this.picture;
+    const motions = state.read.motions, areas = dividedAreas(motions.length, width, height);
+    this.books = motions.map((motion, i) => this.#book(i, frame, areas[i], state));
+    if (!this.view.isLost) this.view.draw(this.books);
+    this.#drawLines(frame, state);
+    this.#placeLabels(motions, areas);
+  }
+
+  #book(i, frame, area, state) {
+    // A scene's angle is from bottom to top; an upright picture is narrower than that.
+    const narrow = state.read.motions.length === 1 ? Math.max(area.height / area.width, 1) : 1;
+    const orbit = {...state.orbit, distance: state.orbit.distance * narrow};
+    const sample = this.core.sample(kFirst, i, frame);
+    return {area, sample, cage: new Float32Array(sample.subarray(kSample.corners)), ...this.core.camera(kFirst, i, frame, area.width, area.height, orbit),
+      ...this.#background(state.scene.explicit.look?.background ?? "studio")};
+  }
+
+  #background(name) {
+    if (name === "studio" || name === "stars") return {backdrop: name};
+    return {plain: kPlainColours[name] ?? colourOf(name)};
+  }
+
+  #drawLines(frame, state) {
+    const context = this.lines.getContext("2d"), ratio = this.lines.width / this.picture.width;
+    context.clearRect(0, 0, this.lines.width, this.lines.height);
+    const unit = this.lines.width / this.lines.clientWidth;
+    const shown = Object.fromEntries(Object.keys(kShownOverlays).map((name) => [name, state.scene.shows(name)]));
+    this.books.forEach((book, i) => {
+      const area = Object.fromEntries(Object.entries(book.area).map(([key, value]) => [key, value * ratio]));
+      context.save();
+      context.beginPath();
+      context.rect(area.x, area.y, area.width, area.height);
+      context.clip();
+      const motion = state.read.motions[i], overlay = new Overlay(context, {...book, area}, unit);
+      if (frame < state.ghostFrames && motion.model !== "exact") overlay.outline(this.core.sample(kSecond, i, frame));
+      if (shown.springs && motion.springs) overlay.springs(book.sample, motion.springs);
+      overlay.vectors(book.sample, motion, state.scales[i], shown);
+      if (state.hand) overlay.hand(state.hand[0].map((part) => part * unit), state.hand[1].map((part) => part * unit));
+      context.restore();
+    });
+  }
+
+  #placeLabels(motions, areas) {
+    const key = motions.map((motion, i) => [motion.label, ...Object.values(areas[i])].join()).join(";") + this.picture.width;
+    if (key === this.placed) return;
+    this.placed = key;
+    const share = (part, whole) => `${100 * part / whole}%`;
+    this.labels.replaceChildren(...(motions.length < 2 ? [] : motions.map((motion, i) => {
+      const label = make("span", {}, motion.label);
+      label.style.left = share(areas[i].x, this.picture.width);
+      label.style.top = share(areas[i].y, this.picture.height);
+      label.style.maxWidth = share(areas[i].width, this.picture.width);
+      label.style.color = kBookColours[i];
+      return label;
+    })));
+  }
+
+  /** Returns the index of the book in whose area a point is [CSS pixels], and the point in the drawing's pixels. */
+  bookAt([x, y]) {
+    const factor = this.picture.width / this.picture.clientWidth, point = [x * factor, y * factor];
+    const index = this.books.findIndex(({area}) =>
+      point[0] >= area.x && point[0] < area.x + area.width && point[1] >= area.y && point[1] < area.y + area.height);
+    return {index, point, factor};
+  }
+
+  isOnBook(place) {
+    const {index, point} = this.bookAt(place), book = this.books[index];
+    return Boolean(book) && isOnBook(book, book.sample, point);
+  }
+
+  /** Returns about how large half a book is as it is seen. [CSS pixels] */
+  bookRadius(place) {
+    const {index, factor} = this.bookAt(place), book = this.books[Math.max(index, 0)];
+    const middle = middleOf(book.sample), reach = Math.hypot(...cornerOf(book.sample, 0).map((part, axis) => part - middle[axis]));
+    const up = Stage.axesOf(book.matrix)[1];
+    const at = (sign) => projected(book.matrix, book.area, middle.map((part, axis) => part + sign * reach * up[axis]));
+    const [a, b] = [at(1), at(-1)];
+    return a && b ? Math.max(Math.hypot(a[0] - b[0], a[1] - b[1]) / 2 / factor, 20) : 100;
+  }
+
+  /** Returns the picture's right and up in the world's axes. */
+  static axesOf(matrix) {
+    return [0, 1].map((row) => {
+      const axis = [matrix[row], matrix[4 + row], matrix[8 + row]], size = Math.hypot(...axis);
+      return axis.map((part) => part / size);
+    });
+  }
+}
+
+/** Returns the parts, 0 to 1, of a colour such as "#2b5d8a". */
+function colourOf(text) {
+  const hex = /^#([0-9a-f]{6})$/i.exec(text)?.[1];
+  return hex ? [0, 2, 4].map((at) => parseInt(hex.slice(at, at + 2), 16) / 255) : [0, 0, 0];
+}

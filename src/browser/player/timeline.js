@@ -1,0 +1,75 @@
+// The time line: the kept motion as a curve of tilt, with half-turns and throws, and a slider over it.
+
+const kBookColours = ["#8fc7f0", "#f0b070", "#7fd6ab", "#dba3da", "#dcc664", "#f2978d"];
+
+class Timeline {
+  /** `slider`: the input over the canvas. */
+  constructor(canvas, slider) {
+    this.canvas = canvas;
+    this.slider = slider;
+    this.clear(1, 0);
+  }
+
+  /** Forgets what it knows from `frame` on. */
+  clear(motions, frame) {
+    const keep = this.tracks?.length === motions && frame > 0;
+    this.tracks = keep ? this.tracks.map((track) => track.slice(0, frame)) : Array.from({length: motions}, () => []);
+    this.events = keep ? this.events.filter((event) => event.frame < frame) : [];
+    this.isStale = true;
+  }
+
+  /** Takes in the frames that are simulated by now. */
+  extend(core, simulated) {
+    this.tracks.forEach((track, motion) => {
+      for (let frame = track.length; frame < simulated; ++frame) {
+        const [tilt, halfTurns, held] = core.numbers(kFirst, motion, frame, [kSample.tilt, kSample.halfTurns, kSample.held]);
+        const before = track[frame - 1];
+        if (before && halfTurns > before.halfTurns) this.events.push({frame, motion, halfTurns});
+        if (held && !before?.held) this.events.push({frame, motion, isEnd: true});
+        track.push({tilt, halfTurns, held});
+        this.isStale = true;
+      }
+    });
+  }
+
+  /** `frames`: of the whole clip; `nudges`: shares of it at which the book was thrown. */
+  draw(frames, simulated, nudges) {
+    const scale = devicePixelRatio || 1;
+    const width = Math.round(this.canvas.clientWidth * scale), height = Math.round(this.canvas.clientHeight * scale);
+    const state = [width, height, frames, simulated, nudges.join()].join(" ");
+    if (!this.isStale && state === this.drawn) return;
+    this.drawn = state;
+    this.isStale = false;
+    if (this.canvas.width !== width) this.canvas.width = width;
+    if (this.canvas.height !== height) this.canvas.height = height;
+    const context = this.canvas.getContext("2d");
+    context.clearRect(0, 0, width, height);
+    const x = (frame) => frame / Math.max(frames - 1, 1) * width;
+    context.fillStyle = "rgba(255, 255, 255, 0.05)";
+    context.fillRect(0, 0, x(simulated), height);
+    this.tracks.forEach((track, motion) => this.#curve(context, track, x, height, kBookColours[motion], scale));
+    for (const event of this.events) this.#mark(context, x(event.frame), height, event.isEnd ? "#f0a39b" : kBookColours[event.motion], scale);
+    for (const nudge of nudges) this.#mark(context, nudge * width, height, kColours.omega, scale, true);
+  }
+
+  #curve(context, track, x, height, colour, scale) {
+    const step = Math.max(Math.floor(track.length / 4000), 1), margin = 3 * scale;
+    context.strokeStyle = colour;
+    context.lineWidth = 1.4 * scale;
+    context.beginPath();
+    for (let frame = 0; frame < track.length; frame += step) {
+      const y = height - margin - track[frame].tilt / 180 * (height - 2 * margin);
+      if (frame === 0) context.moveTo(x(frame), y);
+      else context.lineTo(x(frame), y);
+    }
+    context.stroke();
+  }
+
+  #mark(context, x, height, colour, scale, isThrow = false) {
+    context.fillStyle = colour;
+    context.globalAlpha = isThrow ? 0.9 : 0.55;
+    if (isThrow) context.fillRect(x - scale, 0, 2 * scale, height);
+    else context.fillRect(x - scale / 2, height * 0.72, scale, height * 0.28);
+    context.globalAlpha = 1;
+  }
+}

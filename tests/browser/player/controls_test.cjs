@@ -1,0 +1,215 @@
+// Each control changes the scene that it says, and keys do.
+"use strict";
+
+const assert = require("node:assert/strict");
+const {test, before, after, describe} = require("node:test");
+const {startBrowser, closeBrowser, open, frameOf, sceneOf, messageOf, load, kTurns} = require("./live_page.cjs");
+
+before(() => startBrowser());
+after(closeBrowser);
+
+/** Opens the page with everything unfolded. */
+async function opened(options) {
+  const live = await open(options);
+  await live.page.locator("summary").click();
+  return {...live, choose: (name, value) => live.page.locator(`input[name=rb-${name}][value="${value}"]`).check({force: true})};
+}
+
+const knob = (page, label) => page.locator(".rb-row", {hasText: label});
+async function type(page, label, text) {
+  await knob(page, label).locator("input[type=text]").fill(text);
+  await page.keyboard.press("Enter");
+}
+
+describe("choices", () => {
+  test("start about x, y and z", async () => {
+    const {page, close, choose} = await opened();
+    for (const [axis, velocity] of [["y", [0, 4, 0]], ["z", [0, 0, 4]], ["x", [4, 0, 0]]]) {
+      await choose("axis", axis);
+      assert.deepEqual((await sceneOf(page)).initial.angular_velocity, velocity);
+      assert.equal(await frameOf(page), 0);
+    }
+    await close();
+  });
+
+  test("every model with every integrator of its own", async () => {
+    const {page, problems, close, choose} = await opened();
+    const models = await page.evaluate(() => rotatebook.player.core.words.models);
+    assert.deepEqual(models.map(({name}) => name), ["particles", "matrix", "quaternion", "exact"]);
+    for (const {name, integrators} of models) {
+      await choose("model", name);
+      assert.equal((await sceneOf(page)).simulation.model, name);
+      const select = knob(page, "Integrator").locator("select");
+      assert.equal(await select.isVisible(), integrators.length > 0);
+      for (const integrator of integrators) {
+        await select.selectOption(integrator);
+        assert.equal((await sceneOf(page)).simulation.integrator, integrator);
+        assert.equal(await messageOf(page), "", `${name}, ${integrator}`);
+      }
+    }
+    assert.deepEqual(problems, []);
+    await close();
+  });
+
+  test("two books on one clock, of any settings, and one again", async () => {
+    const {page, close, choose} = await opened();
+    await choose("books", "same");
+    await choose("model", "quaternion");
+    assert.deepEqual((await sceneOf(page)).panel.map(({simulation}) => simulation?.model), [undefined, "quaternion"]);
+    assert.deepEqual(await page.evaluate(() => rotatebook.player.read.motions.map(({model}) => model)), ["particles", "quaternion"]);
+    assert.equal(await page.locator(".rb-labels span").count(), 2);
+    await choose("books", "exact");
+    assert.deepEqual(await page.evaluate(() => rotatebook.player.read.motions.map(({model}) => model)), ["particles", "exact"]);
+    await choose("axis", "z");
+    assert.deepEqual(await page.evaluate(() => rotatebook.player.scene.tree.panel.map((panel) => panel.initial.angular_velocity)), [[0, 0, 4], [4, 0, 0]]);
+    await choose("books", "one");
+    const scene = await sceneOf(page);
+    assert.equal(scene.panel, undefined);
+    assert.deepEqual(scene.initial.angular_velocity, [0, 0, 4]);
+    await close();
+  });
+});
+
+describe("knobs", () => {
+  const kCases = [
+    ["Steps a picture", "1000", "simulation", "substeps", 1000], ["Time a picture", "0.02", "simulation", "time_per_frame", 0.02],
+    ["Stiffness", "300", "simulation", "stiffness", 300], ["Damping", "0", "simulation", "damping", 0],
+    ["Mass", "2", "body", "mass", 2], ["Size along z", "3", "body", "size", [0.1878, 0.29085, 0.03]], ["Length", "30", "clip", "duration", 30],
+    ["Tilt", "0.0003", "initial", "tilt", [0.0003, "z"]], ["Spin", "6", "initial", "angular_velocity", [6, 0, 0]],
+  ];
+
+  test("typed numbers reach the scene", async () => {
+    const {page, close} = await opened();
+    for (const [label, text, section, key, value] of kCases) {
+      await type(page, label, text);
+      assert.equal(await messageOf(page), "", label);
+      assert.deepEqual((await sceneOf(page))[section][key], value, label);
+    }
+    await close();
+  });
+
+  test("sliders reach the scene, by keys too", async () => {
+    const {page, close} = await opened();
+    for (const [label, , section, key] of kCases) {
+      const before = (await sceneOf(page))[section]?.[key], slider = knob(page, label).locator("input[type=range]");
+      await slider.focus();
+      await page.keyboard.press("ArrowRight");
+      const after = (await sceneOf(page))[section][key];
+      assert.notDeepEqual(after, before, label);
+      assert.equal(await messageOf(page), "", label);
+    }
+    await close();
+  });
+
+  test("what the core refuses is said, and the last good scene stays", async () => {
+    const {page, close} = await opened();
+    const before = await sceneOf(page);
+    await type(page, "Mass", "-1");
+    assert.match(await messageOf(page), /"?body\.mass"?|mass/);
+    assert.deepEqual(await sceneOf(page), before);
+    await type(page, "Mass", "heavy");
+    assert.match(await messageOf(page), /no number/);
+    assert.deepEqual(await sceneOf(page), before);
+    await close();
+  });
+
+  test("checkboxes: normalising and what is shown", async () => {
+    const {page, close} = await opened();
+    await page.getByLabel("Normalise after each step").uncheck();
+    assert.equal((await sceneOf(page)).simulation.normalize, false);
+    for (const [words, overlay] of [["axes of the book", "axes"], ["springs by strain", "springs"], ["outline of the exact book", "ghost"]]) {
+      const before = await page.evaluate(() => rotatebook.player.stage.toDataURL());
+      await page.getByLabel(words).check();
+      assert.ok((await sceneOf(page)).overlay.show.includes(overlay));
+      await page.waitForFunction((old) => rotatebook.player.stage.toDataURL() !== old, before);
+    }
+    await page.getByLabel("ball of spins").uncheck();
+    await page.locator(".rb-ball").waitFor({state: "hidden"});
+    await close();
+  });
+});
+
+describe("the clock", () => {
+  test("plays, pauses, steps and goes back", async () => {
+    const {page, close} = await open();
+    assert.equal(await frameOf(page), 0);
+    await page.locator("[data-do=toggle]").click();
+    await page.waitForFunction(() => rotatebook.player.frame > 20);
+    await page.locator("[data-do=toggle]").click();
+    const frame = await frameOf(page);
+    await page.locator("[data-do=forward]").click();
+    assert.equal(await frameOf(page), frame + 1);
+    await page.locator("[data-do=back]").click();
+    await page.locator("[data-do=back]").click();
+    assert.equal(await frameOf(page), frame - 1);
+    await close();
+  });
+
+  test("goes where the time line is dragged, through the kept motion", async () => {
+    const {page, close} = await open();
+    await load(page, kTurns.replace("1.5", "10"));
+    await page.waitForFunction(() => rotatebook.player.isComplete);
+    const box = await page.locator(".rb-seek").boundingBox(), at = (share) => [box.x + share * box.width, box.y + box.height / 2];
+    await page.mouse.move(...at(0.5));
+    await page.mouse.down();
+    assert.ok(Math.abs(await frameOf(page) - 300) < 12, String(await frameOf(page)));
+    await page.mouse.move(...at(0.2));
+    await page.mouse.up();
+    assert.ok(Math.abs(await frameOf(page) - 120) < 12, String(await frameOf(page)));
+    await close();
+  });
+
+  test("a thousand steps a picture, in real time", async () => {
+    const {page, close} = await opened();
+    await type(page, "Steps a picture", "1000");
+    const passed = await page.evaluate(async () => {
+      const player = rotatebook.player;
+      player.seek(0);
+      player.start();
+      const start = performance.now();
+      await new Promise((resolve) => { setTimeout(resolve, 3000); });
+      return {frames: player.frame, wanted: (performance.now() - start) * 0.06, simulated: player.simulated};
+    });
+    console.log(`a thousand steps: ${passed.frames} of ${passed.wanted.toFixed(0)} pictures' time, ${passed.simulated} simulated`);
+    assert.ok(passed.frames > 0.9 * passed.wanted - 15, JSON.stringify(passed));
+    await close();
+  });
+});
+
+describe("keys", () => {
+  test("work while the player has the focus, and only then", async () => {
+    const {page, close} = await open();
+    await page.keyboard.press("z");
+    assert.deepEqual((await sceneOf(page)).initial.angular_velocity, [4, 0, 0]);
+    await page.locator(".rb-lines").focus();
+    await page.keyboard.press("z");
+    assert.deepEqual((await sceneOf(page)).initial.angular_velocity, [0, 0, 4]);
+    await page.keyboard.press(".");
+    assert.equal(await frameOf(page), 1);
+    await page.keyboard.press(",");
+    assert.equal(await frameOf(page), 0);
+    await page.keyboard.press("Space");
+    await page.waitForFunction(() => rotatebook.player.frame > 5);
+    await page.keyboard.press("Space");
+    await page.keyboard.press("Home");
+    assert.equal(await frameOf(page), 0);
+    await page.keyboard.press("ArrowRight");
+    assert.ok(await page.evaluate(() => rotatebook.player.orbit.right) > 0.05);
+    await page.keyboard.press("0");
+    assert.equal(await page.evaluate(() => rotatebook.player.orbit.right), 0);
+    await page.keyboard.press("Shift+ArrowUp");
+    assert.equal((await sceneOf(page)).nudge.length, 1);
+    await page.keyboard.press("r");
+    assert.equal((await sceneOf(page)).nudge, undefined);
+    await close();
+  });
+
+  test("letters in a field are letters", async () => {
+    const {page, close} = await opened();
+    await knob(page, "Mass").locator("input[type=text]").focus();
+    const before = await sceneOf(page);
+    await page.keyboard.type("xyzr ");
+    assert.deepEqual(await sceneOf(page), before);
+    await close();
+  });
+});

@@ -1,0 +1,112 @@
+// For everybody: no accessibility violation, no motion unasked, events told, phones.
+"use strict";
+
+const assert = require("node:assert/strict");
+const fs = require("node:fs");
+const path = require("node:path");
+const {test, before, after} = require("node:test");
+const {kOutput, startBrowser, closeBrowser, open, frameOf, load, kTurns} = require("./live_page.cjs");
+
+const kAxe = fs.readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
+
+before(() => startBrowser());
+after(closeBrowser);
+
+async function violations(page) {
+  await page.evaluate(kAxe);
+  const result = await page.evaluate(() => axe.run(document, {resultTypes: ["violations", "incomplete"]}));
+  return result.violations.map(({id, nodes}) => `${id}: ${nodes.map(({html}) => html.slice(0, 120)).join(" | ")}`);
+}
+
+for (const width of [390, 768, 1280]) {
+  test(`axe finds nothing, and nothing is wider than the page, at ${width} pixels`, async () => {
+    const {page, problems, close} = await open({viewport: {width, height: 800}});
+    await page.screenshot({path: path.join(kOutput, `first-${width}.png`)});
+    await page.locator("summary").click();
+    await page.locator("input[name=rb-books][value=exact]").check({force: true});
+    assert.deepEqual(await violations(page), []);
+    await page.screenshot({path: path.join(kOutput, `more-${width}.png`), fullPage: true});
+    await page.locator("[data-do=predict]").click();
+    assert.deepEqual(await violations(page), []);
+    await load(page, "no scene");
+    assert.deepEqual(await violations(page), []);
+    assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
+    // No word is so narrow that its letters stand one below the other.
+    const wrapped = await page.evaluate(() => [...document.querySelectorAll(".rb-live button, .rb-live label, .rb-live dd, .rb-live dt, .rb-live legend, .rb-name")]
+      .filter((element) => element.offsetParent && element.clientWidth > 0 && element.textContent.trim().length > 3 && element.clientWidth < 24)
+      .map((element) => element.outerHTML));
+    assert.deepEqual(wrapped, []);
+    assert.deepEqual(problems, []);
+    await close();
+  });
+}
+
+test("axe does find what is wrong", async () => {
+  const {page, close} = await open();
+  await page.evaluate(() => {
+    document.querySelector(".rb-seek").removeAttribute("aria-label");
+    document.querySelector(".rb-time").style.color = "#444";
+  });
+  const found = (await violations(page)).join("\n");
+  assert.match(found, /^label: /m);
+  assert.match(found, /^color-contrast: /m);
+  await close();
+});
+
+test("nothing moves unasked where less motion is wanted, and does elsewhere", async () => {
+  const still = await open({reducedMotion: "reduce"});
+  await still.page.waitForTimeout(700);
+  assert.equal(await frameOf(still.page), 0);
+  await still.close();
+  const moving = await open({reducedMotion: "no-preference"});
+  await moving.page.waitForFunction(() => rotatebook.player.frame > 10);
+  assert.equal(await moving.page.locator(".rb-play").textContent(), "Pause");
+  await moving.close();
+});
+
+test("events are told politely, at most every 1.5 s", async () => {
+  const {page, close} = await open();
+  await load(page, kTurns.replace("1.5", "8"));
+  await page.evaluate(() => {
+    window.told = [];
+    new MutationObserver(() => told.push([performance.now(), document.querySelector(".rb-events").textContent]))
+      .observe(document.querySelector(".rb-events"), {childList: true, characterData: true, subtree: true});
+    rotatebook.player.start();
+  });
+  await page.waitForFunction(() => window.told.length >= 3, null, {timeout: 20000});
+  const told = await page.evaluate(() => window.told);
+  assert.match(told[0][1], /^\d\.\d\d s: turned over, first time$/);
+  told.slice(1).forEach(([time], i) => assert.ok(time - told[i][0] > 1450, JSON.stringify(told)));
+  const region = page.locator(".rb-events");
+  assert.deepEqual([await region.getAttribute("role"), await region.getAttribute("aria-live")], ["status", "polite"]);
+  await close();
+});
+
+test("everything can be reached by Tab, and the focus is seen", async () => {
+  const {page, close} = await open();
+  await page.locator("summary").click();
+  const wanted = await page.evaluate(() => {
+    const groups = new Set();
+    return [...document.querySelectorAll(".rb-live :is(button, input, select, summary, [tabindex='0'])")].filter((element) => {
+      if (element.offsetParent === null || element.disabled) return false;
+      if (element.type !== "radio") return true;
+      // Of radio buttons one is a stop.
+      return !groups.has(element.name) && groups.add(element.name);
+    }).length;
+  });
+  const seen = new Set();
+  for (let i = 0; i < wanted + 3; ++i) {
+    await page.keyboard.press("Tab");
+    const focus = await page.evaluate(() => {
+      const element = document.activeElement, box = element.closest(".rb-segments label, .rb-file") ?? element;
+      if (!element.closest(".rb-live")) return null;
+      element.dataset.stop ??= String(Math.random());
+      return {stop: element.dataset.stop, outline: getComputedStyle(box).outlineStyle, html: element.outerHTML.slice(0, 100)};
+    });
+    if (!focus) continue;
+    seen.add(focus.stop);
+    assert.notEqual(focus.outline, "none", focus.html);
+  }
+  assert.equal(seen.size, wanted);
+  await close();
+});

@@ -1,0 +1,57 @@
+// The live book in Firefox: drawn under a display; without one there is no WebGL 2, which is said.
+"use strict";
+
+const assert = require("node:assert/strict");
+const fs = require("node:fs");
+const {test} = require("node:test");
+const {pathToFileURL} = require("node:url");
+const puppeteer = require("puppeteer-core");
+const {kPlay, kTurns, render} = require("./live_page.cjs");
+const {kScenes, kMotions} = require("./shipped.cjs");
+
+/** A page that opens files as people's Firefox does: what lies beside it is another origin. */
+async function open(headless, isReady) {
+  const browser = await puppeteer.launch({browser: "firefox", executablePath: "/usr/bin/firefox-esr", headless,
+    extraPrefsFirefox: {"security.fileuri.strict_origin_policy": true, "ui.prefersReducedMotion": 1}});
+  const page = await browser.newPage();
+  await page.goto(pathToFileURL(kPlay).href);
+  await page.waitForFunction((wanted) => document.querySelector(".rb-live").dataset.ready === wanted, {}, isReady);
+  return {page, close: () => browser.close()};
+}
+
+test("all scenes have the checksums of the table, and a clip is proved", async () => {
+  const {page, close} = await open(false, "true");
+  try {
+    for (const [name, checksum] of kMotions) {
+      const text = fs.readFileSync(kScenes.get(name), "utf8");
+      const motion = await page.evaluate(async (scene) => {
+        const player = rotatebook.player;
+        if (!player.load(scene, {isPlaying: false})) return document.querySelector(".rb-message").textContent;
+        while (player.checksum === null) await new Promise((resolve) => { setTimeout(resolve, 10); });
+        return player.checksum;
+      }, text);
+      assert.equal(motion, checksum, name);
+    }
+    await (await page.$("input[type=file]")).uploadFile(render("turns", kTurns));
+    await page.waitForFunction(() => /Motion proved/.test(document.querySelector(".rb-message").textContent));
+    const isDrawn = await page.evaluate(() => {
+      const player = rotatebook.player, small = Object.assign(document.createElement("canvas"), {width: 64, height: 36}), context = small.getContext("2d");
+      player.drawing.draw(10, player);
+      context.drawImage(player.drawing.picture, 0, 0, 64, 36);
+      const reds = context.getImageData(0, 0, 64, 36).data.filter((part, i) => i % 4 === 0);
+      return !player.drawing.view.isLost && Math.max(...reds) > 100 && Math.min(...reds) < 60;
+    });
+    assert.ok(isDrawn);
+  } finally {
+    await close();
+  }
+});
+
+test("without WebGL 2 there is a sentence", async () => {
+  const {page, close} = await open(true, "false");
+  try {
+    assert.match(await page.$eval(".rb-lack", (lack) => lack.textContent), /no WebGL 2/);
+  } finally {
+    await close();
+  }
+});

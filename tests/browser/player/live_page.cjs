@@ -1,0 +1,85 @@
+// The live book in Chromium, clips to drop on it, and what the tests ask of it.
+"use strict";
+
+const assert = require("node:assert/strict");
+const fs = require("node:fs");
+const path = require("node:path");
+const {pathToFileURL} = require("node:url");
+const {execFileSync} = require("node:child_process");
+const {chromium} = require("playwright-core");
+
+const kRoot = path.join(__dirname, "../../..");
+const kPlay = path.resolve(process.env.ROTATEBOOK_PLAY), kOutput = path.resolve(process.env.ROTATEBOOK_PLAY_OUTPUT);
+const kWait = 30000;  // [ms]
+const kSmall = {width: 640, height: 900};  // A software rasteriser draws for the tests.
+
+const kTurns = `title = "A book that turns over"
+[simulation]
+integrator = "euler"
+[initial]
+angular_velocity = [6.0, 0.0, 0.0]
+tilt = [0.1, "z"]
+[clip]
+size = [64, 36]
+duration = 1.5
+`;
+
+let browser;
+
+async function startBrowser(...more) {
+  browser = await chromium.launch({executablePath: "/usr/bin/chromium", chromiumSandbox: false,
+    args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--js-flags=--expose-gc", ...more]});
+}
+
+const closeBrowser = () => browser?.close();
+
+function rotatebook(...words) {
+  return execFileSync(process.env.ROTATEBOOK_PROGRAM, words, {cwd: kOutput, encoding: "utf8", stdio: "pipe"});
+}
+
+/** Renders a scene's text as the smallest of clips; returns the file's name. */
+function render(name, text, format = "mp4") {
+  const folder = path.join(kOutput, "clips"), scene = path.join(folder, name + ".toml");
+  fs.mkdirSync(folder, {recursive: true});
+  fs.writeFileSync(scene, text);
+  try {
+    rotatebook("render", scene, "-o", folder, "--no-png", "--overwrite", "--size", "64x36", "--format", format);
+  } catch (error) {
+    assert.equal(error.status, 1, error.stderr);  // Only an expectation is unmet.
+  }
+  return path.join(folder, `${name}.${format}`);
+}
+
+/** Loads scripts of the player; returns what of theirs is named. */
+function playerScripts(files, names) {
+  const text = files.map((file) => fs.readFileSync(path.join(kRoot, "src/browser/player", file + ".js"), "utf8")).join("\n");
+  return new Function(`${text}\nreturn {${names.join(", ")}};`)();
+}
+
+/** Opens the page; `problems` grows with whatever the browser complains of or asks a network for. */
+async function open(options = {}, {hash = "", script = null, isReady = "true"} = {}) {
+  const context = await browser.newContext({viewport: kSmall, reducedMotion: "reduce", ...options});
+  const page = await context.newPage();
+  if (script) await page.addInitScript(script);
+  page.setDefaultTimeout(kWait);
+  const problems = [];
+  page.on("console", (message) => { if (["error", "warning"].includes(message.type())) problems.push(message.text()); });
+  page.on("pageerror", (error) => problems.push(String(error)));
+  page.on("request", (request) => { if (!/^(file|data|blob):/.test(request.url())) problems.push("network: " + request.url()); });
+  await page.goto(pathToFileURL(kPlay).href + hash);
+  await page.waitForFunction((wanted) => document.querySelector(".rb-live").dataset.ready === wanted, isReady);
+  return {page, problems, close: () => context.close()};
+}
+
+/** Until the motion is simulated to its end; returns its checksum. */
+async function checksumOf(page) {
+  await page.waitForFunction(() => rotatebook.player.checksum !== null, null, {timeout: 120000});
+  return page.evaluate(() => rotatebook.player.checksum);
+}
+
+const frameOf = (page) => page.evaluate(() => rotatebook.player.frame);
+const sceneOf = (page) => page.evaluate(() => rotatebook.player.scene.tree);
+const messageOf = (page) => page.locator(".rb-message").textContent();
+const load = (page, text) => page.evaluate((scene) => rotatebook.player.load(scene, {isPlaying: false}), text);
+
+module.exports = {kRoot, kPlay, kOutput, kTurns, startBrowser, closeBrowser, rotatebook, render, playerScripts, open, checksumOf, frameOf, sceneOf, messageOf, load};

@@ -1,0 +1,81 @@
+// The player's reading and writing of texts, without a browser: records of clips, TOML, links.
+"use strict";
+
+const assert = require("node:assert/strict");
+const fs = require("node:fs");
+const {test} = require("node:test");
+const {render, playerScripts, kTurns} = require("./live_page.cjs");
+
+const {readRecord, RecordError, tomlText, hashOf, textOfHash} = playerScripts(["toml", "record", "share"],
+  ["readRecord", "RecordError", "tomlText", "hashOf", "textOfHash"]);
+
+for (const format of ["mp4", "webm"]) {
+  test(`reads the record of a ${format}, and refuses what is cut off, plain or another program's`, async () => {
+    const bytes = fs.readFileSync(render("turns", kTurns, format));
+    const record = await readRecord(new Blob([bytes]));
+    assert.equal(record.scene, "turns");
+    assert.match(record.motion, /^[0-9a-f]{32}$/);
+    for (const share of [0.01, 0.5, 0.99]) {
+      await assert.rejects(readRecord(new Blob([bytes.subarray(0, Math.floor(share * bytes.length))])), {message: /cut off/});
+    }
+    const others = Buffer.from(bytes);
+    others.write("# Made at home", others.indexOf("# Made by rotatebook"));
+    await assert.rejects(readRecord(new Blob([others])), {message: /another program/});
+    const plain = Buffer.from(bytes);
+    if (format === "mp4") plain.write("free", plain.indexOf("udta"));
+    else plain.write("REMARKS", plain.indexOf("COMMENT"));
+    await assert.rejects(readRecord(new Blob([plain])), {message: /no record/});
+  });
+}
+
+test("refuses bytes that are no clip, or damaged anywhere, with words", async () => {
+  await assert.rejects(readRecord(new Blob(["title = 'a scene'\n"])), {message: /neither an MP4 nor a WebM/});
+  await assert.rejects(readRecord(new Blob(["x"])), RecordError);
+  for (const format of ["mp4", "webm"]) {
+    const bytes = fs.readFileSync(render("turns", kTurns, format));
+    for (let at = 0; at < bytes.length; at += Math.max(Math.floor(bytes.length / 400), 1)) {
+      const damaged = Buffer.from(bytes);
+      damaged[at] ^= 0xff;
+      await readRecord(new Blob([damaged])).catch((error) => {
+        // Text that isn't UTF-8 is the other refusal.
+        assert.ok(error instanceof RecordError || error instanceof TypeError, `${format}, byte ${at}: ${error.stack}`);
+      });
+    }
+  }
+});
+
+test("writes TOML that keeps numbers, strings and panels", () => {
+  const text = tomlText({title: "a \"b\"\n\u0007", initial: {angular_velocity: [4, 0.1, 1e-300], tilt: ["1 deg", "z"]},
+    overlay: {words: {"Half-turns": "Demi-tours"}, show: []}, nudge: [{at: 1}], panel: [{label: "a"}, {label: "b", simulation: {model: "exact"}}]});
+  assert.equal(text, `title = "a \\"b\\"\\n\\u0007"
+
+[initial]
+angular_velocity = [4, 0.1, 1e-300]
+tilt = ["1 deg", "z"]
+
+[overlay]
+words = { Half-turns = "Demi-tours" }
+show = []
+
+[[nudge]]
+at = 1
+
+[[panel]]
+label = "a"
+
+[[panel]]
+label = "b"
+simulation.model = "exact"
+`);
+});
+
+test("packs a scene into a hash, and refuses a damaged or endless one", async () => {
+  const text = kTurns + "# ü\n";
+  const hash = await hashOf(text);
+  assert.match(hash, /^#play=[A-Za-z0-9_-]+$/);
+  assert.equal(await textOfHash(hash), text);
+  assert.equal(await textOfHash("#fig05"), null);
+  await assert.rejects(textOfHash(hash.slice(0, -12)), {message: /damaged or cut off/});
+  await assert.rejects(textOfHash("#play=%%"), {message: /damaged or cut off/});
+  await assert.rejects(textOfHash(await hashOf("x".repeat(40000))), {message: /damaged or cut off/});
+});

@@ -17,7 +17,7 @@ class Clock {
   /** Goes on to `now` [ms], but not beyond the frame `last` that is simulated. A page that slept doesn't catch up. */
   tick(now, last) {
     if (this.isPlaying && this.last !== null) {
-      const passed = Math.min(now - this.last, 250);
+      const passed = Math.max(0, Math.min(now - this.last, 250));  // A picture's time may be before the first call's.
       this.position = Math.min(this.position + this.speed * this.rate * passed / 1000, Math.max(last, this.position));
     }
     this.last = now;

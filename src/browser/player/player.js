@@ -66,7 +66,7 @@ class Player {
     try {
       const tree = this.core.treeOf(text);
       this.record = record;
-      if (!this.apply(tree, {frame: 0, keepRecord: true})) return false;
+      if (!this.apply(tree, {text, frame: 0, keepRecord: true})) return false;
       this.original = tree;
       Object.assign(this.orbit, {right: 0, up: 0, distance: 1});
       this.book = 0;
@@ -85,11 +85,11 @@ class Player {
     this.controls?.refresh();
   }
 
-  /** Changes the scene to a tree's, at a frame. Returns whether the core takes it. */
-  apply(tree, {frame = this.frame, isPlaying = this.clock.isPlaying, keepRecord = false} = {}) {
+  /** Changes the scene to a tree's, of which `text` is the TOML, at a frame. Returns whether the core takes it. */
+  apply(tree, {text = tomlText(tree), frame = this.frame, isPlaying = this.clock.isPlaying, keepRecord = false} = {}) {
     let read;
     try {
-      read = this.core.read(kFirst, tomlText(tree));
+      read = this.core.read(kFirst, text);
     } catch (error) {
       this.#refuse(error);
       return false;

@@ -32,7 +32,10 @@ struct PageArguments {
   std::string folder = "out";
   std::string title = "The unstable rotation of a book";
   bool noThumbnails = false;
+  std::string live;
 };
+
+constexpr std::uintmax_t kLongestFragment = 64 << 20;  // [bytes]
 
 constexpr const char* kOtherFolder = "name another folder with -o";
 
@@ -101,11 +104,16 @@ void drawThumbnails(const Shown& shown, const PageArguments& arguments, bool has
     if (!needsThumbnail(figures[i])) continue;
     const scene::Scene& scene = shown.scenes[i];
     const image::Image picture = drawThumbnail(scene, device);
-    figures[i].thumbnail = fileOf(i).filename().string();
     const bool isForeign = !hasPage && fs::exists(fileOf(i));
     image::writePng(fileOf(i), picture.view(), scene::isTransparent(scene));
     if (isForeign) noteReplaced(fileOf(i));
   }
+}
+
+/// Returns the live book's fragment of HTML; empty if none is named. Throws InputError.
+std::string liveOf(const PageArguments& arguments) {
+  if (arguments.live.empty()) return "";
+  return system::readFile(arguments.live, kLongestFragment);
 }
 
 int writePage(const PageArguments& arguments) {
@@ -114,12 +122,13 @@ int writePage(const PageArguments& arguments) {
   refuseInputs(path, shown.inputs, kOtherFolder);
   std::vector<page::Figure> figures;
   for (const scene::Scene& scene : shown.scenes) {
-    figures.push_back(page::readFigure(scene, arguments.folder));
+    figures.push_back(
+        page::readFigure(scene, arguments.folder, {.hasThumbnails = !arguments.noThumbnails}));
   }
   const bool replaces = fs::exists(path);
   const bool hasPage = page::isPage(system::readFileOrEmpty(path));
   if (!arguments.noThumbnails) drawThumbnails(shown, arguments, hasPage, figures);
-  system::writeFileAtomically(path, page::pageText(arguments.title, figures));
+  system::writeFileAtomically(path, page::pageText(arguments.title, figures, liveOf(arguments)));
   if (replaces && !hasPage) noteReplaced(path);
   for (const page::Figure& figure : figures) {
     for (const std::string& note : figure.leftOut) std::cerr << "note: " << oneLine(note) << '\n';
@@ -147,6 +156,10 @@ void addPageCommand(CLI::App& program, Action& action) {
   command->add_option("--title", arguments->title, "The page's heading")
       ->type_name("TEXT")
       ->capture_default_str();
+  command
+      ->add_option("--live", arguments->live,
+                   "The live book: a fragment of HTML that is put at the page's top as it is")
+      ->type_name("FILE");
   command->add_flag("--no-thumbnails", arguments->noThumbnails,
                     "Draw nothing, and show the posters themselves in the overview");
   arguments->sceneOptions.addTo(*command);

@@ -6,6 +6,7 @@
 #include "base/number_text.h"
 #include "embedded/page.h"
 #include "image/png_file.h"
+#include "page/captions.h"
 #include "page/clip_videos.h"
 #include "page/expectation_table.h"
 #include "page/figure.h"
@@ -24,6 +25,10 @@ namespace fs = std::filesystem;
 
 // Significant digits of a time.
 constexpr int kTimeDigits = 4;
+
+constexpr std::string_view kEvents = R"(<details class="events"><summary>What happens</summary>
+<ol>{{items}}</ol></details>
+)";
 
 /// A clip's motions, simulated again, and its files.
 struct Clip {
@@ -127,13 +132,26 @@ Html divergenceOf(const Clip& clip) {
   return notes;
 }
 
+/// Returns the events as a list, folded away; each is a button for its frame.
+Html eventList(const std::vector<Event>& events) {
+  Html items;
+  for (const Event& event : events) {
+    items += filled(
+        R"(<li><button type="button" data-frame="{{frame}}">{{words}}</button></li>)",
+        {{"frame", {std::to_string(event.frame)}}, {"words", escaped(event.words)}});
+  }
+  return filled(kEvents, {{"items", items}});
+}
+
 }  // namespace
 
-Figure clipFigure(const scene::Scene& scene, const fs::path& folder) {
+Figure clipFigure(const scene::Scene& scene, const fs::path& folder, const FigureFiles& files) {
   const Clip clip = readClip(scene, folder);
   const std::string poster = nameOf(clip.files.poster);
   const FigureKind kind = clip.motions.size() > 1 ? FigureKind::Comparison : FigureKind::Clip;
-  Figure figure{kind, scene.name, scene.title, poster};
+  Figure figure{kind, scene.name, scene.title,
+                files.hasThumbnails ? nameOfThumbnail(scene, folder) : poster};
+  const std::vector<Event> events = eventsOf(clip.motions, clip.frames);
   const std::vector<Check> checks = allChecks(clip);
   figure.badge = unmetBadge(checks);
   figure.leftOut = clip.videos.leftOut;
@@ -146,6 +164,10 @@ Figure clipFigure(const scene::Scene& scene, const fs::path& folder) {
                               {"width", {std::to_string(scene.clip.width)}},
                               {"height", {std::to_string(scene.clip.height)}},
                               {"poster", addressOf(poster)},
+                              {"thumbnail", addressOf(figure.thumbnail)},
+                              {"captions", addressOf(webVtt(events, scene.clip.frameRate,
+                                                            clip.frames))},
+                              {"events", eventList(events)},
                               {"video", addressOf(nameOf(clip.videos.played))},
                               {"last", {std::to_string(clip.frames - 1)}},
                               {"settings", settingsTable(clip.motions, scene.clip)},

@@ -88,8 +88,10 @@ std::string clockText(double seconds) {
 std::string cueText(const std::string& words) {
   std::string text;
   for (const char letter : words) {
-    text += letter == '&' ? "&amp;" : letter == '<' ? "&lt;" : letter == '>' ? "&gt;"
-                                                                 : std::string(1, letter);
+    text += letter == '&'   ? "&amp;"
+            : letter == '<' ? "&lt;"
+            : letter == '>' ? "&gt;"
+                            : std::string(1, letter);
   }
   return text;
 }

@@ -38,9 +38,9 @@ Html countText(const std::vector<Check>& checks) {
 }
 
 Html rowOf(const Check& check) {
-  const Html meaning = check.meaning.empty()
-                           ? Html{}
-                           : filled(R"(<span class="meaning">{{text}}</span>)", {{"text", escaped(check.meaning)}});
+  const Html meaning = check.meaning.empty() ? Html{}
+                                             : filled(R"(<span class="meaning">{{text}}</span>)",
+                                                      {{"text", escaped(check.meaning)}});
   return filled(kRow, {{"subject", escaped(check.subject)},
                        {"meaning", meaning},
                        {"expected", escaped(check.expected)},

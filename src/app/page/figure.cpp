@@ -17,6 +17,8 @@ Figure stillFigure(const scene::Scene& scene, const fs::path& folder, const Figu
   const image::Image pixels = image::readPng(folder / picture);
   Figure figure{FigureKind::Still, scene.name, scene.title,
                 files.hasThumbnails ? nameOfThumbnail(scene, folder) : picture};
+  figure.files = {picture};
+  if (files.hasThumbnails) figure.files.push_back(figure.thumbnail);
   figure.section = filled(stillTemplate(), {{"id", escaped(scene.name)},
                                             {"title", escaped(scene.title)},
                                             {"picture", addressOf(picture)},

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/frame_rate.h"
 #include "page/html.h"
 #include "scene/scene.h"
 #include "video/clip_reader.h"
@@ -18,6 +19,9 @@ enum class FigureKind { Still, Clip, Comparison, Study };
 struct FigureFiles {
   /// Whether NAME.thumbnail.png is there or will be; else posters stand for thumbnails.
   bool hasThumbnails = false;
+  /// Whether the page is for the web, with the files that packFiles() leaves: no tables of clips,
+  /// frames and records.
+  bool isPacked = false;
 };
 
 /// A scene's section of the page, and its item in the overview.
@@ -32,6 +36,10 @@ struct Figure {
   Html section{};  ///< The whole <section>.
   /// "out/a.gif isn't linked: WHY" for each file under the scene's name that isn't the scene's.
   std::vector<std::string> leftOut{};
+  std::string clip{};                ///< The video that is played; empty of stills and studies.
+  FrameRate frameRate{};             ///< Of the clip.
+  std::string poster{};              ///< The clip's.
+  std::vector<std::string> files{};  ///< Its other files that a page for the web has.
 };
 
 /// Reads the figure of `scene` from its results in `folder`: a study if it has [study], a still if

@@ -89,8 +89,8 @@ Html contentsOf(const std::vector<ToldChapter>& chapters, const Figure& lead) {
   for (const ToldChapter& chapter : chapters) {
     Html items;
     for (const ToldFigure& told : chapter.figures) {
-      items += filled(kContentsItem, {{"id", escaped(told.figure->id)},
-                                      {"title", escaped(told.figure->title)}});
+      items += filled(kContentsItem,
+                      {{"id", escaped(told.figure->id)}, {"title", escaped(told.figure->title)}});
     }
     // A chapter of the lead alone has no place of its own.
     const bool isLead = chapter.figures.size() == 1 && chapter.figures.front().figure == &lead;

@@ -16,8 +16,9 @@ constexpr std::size_t kLongestWords = 500;  // [characters]
 
 StoryFigure readStoryFigure(const ValueReader& table) {
   StoryFigure figure;
-  table.readTable({{"scene", [&](const auto& value) { figure.scene = value.text(kLongestWords); }},
-                   {"words", [&](const auto& value) { figure.words = value.text(kLongestWords); }}});
+  table.readTable(
+      {{"scene", [&](const auto& value) { figure.scene = value.text(kLongestWords); }},
+       {"words", [&](const auto& value) { figure.words = value.text(kLongestWords); }}});
   return figure;
 }
 

@@ -236,6 +236,10 @@ Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
   Figure figure{FigureKind::Study, scene.name, scene.title, svg};
   figure.curves = curvesSvg(curvesOf(*scene.study, files));
   figure.badge = unmetBadge(checks);
+  for (const auto& file : {files.svg, files.png, files.csv}) {
+    figure.files.push_back(file.filename().string());
+  }
+  if (hasOrders) figure.files.push_back(files.orders.filename().string());
   Html links = linkItem(svg, "SVG");
   links += linkItem(files.png.filename().string(), "PNG");
   links += linkItem(files.csv.filename().string(), "CSV");

@@ -88,7 +88,7 @@ const std::map<std::string, Room> kRooms{
      {"app",
       {"base", "physics", "document", "scene", "timeline", "study", "system", "image", "video",
        "picture", "store", "pipeline"},
-      {"Eigen/"},
+      {"Eigen/", "zip.h"},
       {"rigid"}}},
     {"cli",
      {"app",

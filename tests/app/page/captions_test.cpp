@@ -81,7 +81,8 @@ TEST(Captions, AreOfTheMotionThatTheClipShows) {
 
 TEST(WebVtt, LastsUntilTheNextEventOrTheEnd) {
   EXPECT_EQ(webVtt({{10, "a"}, {20, "b"}, {70, "c"}}, {10, 1}, 80),
-            "WEBVTT\n\n00:00:01.000 --> 00:00:01.950 line:0\na\n\n00:00:02.000 --> 00:00:05.000 line:0\nb\n"
+            "WEBVTT\n\n00:00:01.000 --> 00:00:01.950 line:0\na\n\n00:00:02.000 --> 00:00:05.000 "
+            "line:0\nb\n"
             "\n00:00:07.000 --> 00:00:07.950 line:0\nc\n");
 }
 

@@ -68,12 +68,13 @@ TEST(ClipFigure, DistinguishesExpectedFromMeasured) {
   makeClip(smallScene(), folder);
   const Figure figure = readFigure(smallScene(), folder);
   EXPECT_THAT(figure.badge.text, AllOf(HasSubstr("unmet"), HasSubstr("1 of 2 expectations met")));
-  EXPECT_THAT(figure.section.text,
-              AllOf(HasSubstr("<th scope=\"row\">half_turns<span class=\"meaning\">how many times the "
-                              "axis that the book was spun about has turned over</span></th>"
-                              "<td>at most 0</td><td>0</td><td class=\"met\">✓ met</td>"),
-                    HasSubstr("angular momentum at the start</span></th><td>at least 2</td>"),
-                    HasSubstr("<td class=\"unmet\">✗ unmet</td>")));
+  EXPECT_THAT(
+      figure.section.text,
+      AllOf(HasSubstr("<th scope=\"row\">half_turns<span class=\"meaning\">how many times the "
+                      "axis that the book was spun about has turned over</span></th>"
+                      "<td>at most 0</td><td>0</td><td class=\"met\">✓ met</td>"),
+            HasSubstr("angular momentum at the start</span></th><td>at least 2</td>"),
+            HasSubstr("<td class=\"unmet\">✗ unmet</td>")));
 }
 
 TEST(ClipFigure, FoldsItsExpectations) {
@@ -281,10 +282,11 @@ TEST(StudyFigure, TakesOrdersFromItsTable) {
   EXPECT_THAT(figure.curves.text, HasSubstr("<svg"));
   EXPECT_THAT(
       figure.section.text,
-      AllOf(HasSubstr("error shrinks</span></th><td>at least 3.9</td><td>4.01</td><td class=\"met\""),
-            HasSubstr("error shrinks</span></th><td>at most 0.5</td><td>nothing</td><td "
-                      "class=\"unmet\""),
-            HasSubstr("src=\"small-study.svg\"")));
+      AllOf(
+          HasSubstr("error shrinks</span></th><td>at least 3.9</td><td>4.01</td><td class=\"met\""),
+          HasSubstr("error shrinks</span></th><td>at most 0.5</td><td>nothing</td><td "
+                    "class=\"unmet\""),
+          HasSubstr("src=\"small-study.svg\"")));
 }
 
 // The spin that a study of tilts needs.
@@ -299,8 +301,9 @@ TEST(StudyFigure, MeasuresTheLawOfFlips) {
             "tilt_rad,flips,interval_s,law_s,ratio,status\n0.1,3,1.5,2,0.75,ok\n"
             "0.01,3,4,4,1,ok\n",
             "");
-  EXPECT_THAT(readFigure(scene, folder).section.text,
-              HasSubstr("as a share of it</span></th><td>at most 0.3</td><td>0.25</td><td class=\"met\""));
+  EXPECT_THAT(
+      readFigure(scene, folder).section.text,
+      HasSubstr("as a share of it</span></th><td>at most 0.3</td><td>0.25</td><td class=\"met\""));
 }
 
 TEST(StudyFigure, RefusesTheTableOfOtherRuns) {

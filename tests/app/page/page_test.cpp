@@ -25,20 +25,21 @@ TEST(Page, TellsItsFiguresInTheStorysOrder) {
   study.curves = {"<svg>s</svg>"};
   study.badge = {"[badge]"};
   const std::string text =
-      pageText("Books & <such>", {figureOf(FigureKind::Comparison, "axes"), study,
-                                  figureOf(FigureKind::Clip, "<c>"),
-                                  figureOf(FigureKind::Clip, "fig05-unstable-x")});
-  EXPECT_THAT(text, AllOf(HasSubstr("<title>Books &amp; &lt;such&gt;</title>"),
-                          HasSubstr("src=\"axes%201.png\""), HasSubstr("Title of &lt;&lt;c&gt;"),
-                          Not(HasSubstr("<such>")), HasSubstr("<svg>s</svg>"),
-                          Not(HasSubstr("figb-flip-interval%201.png")),
-                          HasSubstr("</a>[badge]</li>")));
+      pageText("Books & <such>",
+               {figureOf(FigureKind::Comparison, "axes"), study, figureOf(FigureKind::Clip, "<c>"),
+                figureOf(FigureKind::Clip, "fig05-unstable-x")});
+  EXPECT_THAT(text,
+              AllOf(HasSubstr("<title>Books &amp; &lt;such&gt;</title>"),
+                    HasSubstr("src=\"axes%201.png\""), HasSubstr("Title of &lt;&lt;c&gt;"),
+                    Not(HasSubstr("<such>")), HasSubstr("<svg>s</svg>"),
+                    Not(HasSubstr("figb-flip-interval%201.png")), HasSubstr("</a>[badge]</li>")));
   EXPECT_LT(text.find("<h2 id=\"chapter/unstable\">"), text.find("[fig05-unstable-x]"));
   EXPECT_LT(text.find("[fig05-unstable-x]"), text.find("<h2 id=\"chapter/why\">"));
   EXPECT_LT(text.find("<h2 id=\"chapter/why\">"), text.find("[figb-flip-interval]"));
   EXPECT_LT(text.find("[figb-flip-interval]"), text.find("<h2 id=\"chapter/more\">"));
   EXPECT_LT(text.find("<h2 id=\"chapter/more\">"), text.find("[<c>]"));
-  EXPECT_THAT(text, AllOf(HasSubstr("Nothing touches this book"), Not(HasSubstr("chapter/stable"))));
+  EXPECT_THAT(text,
+              AllOf(HasSubstr("Nothing touches this book"), Not(HasSubstr("chapter/stable"))));
 }
 
 TEST(Page, BeginsWithWhatThereIsToSeeAndItsFirstFigure) {

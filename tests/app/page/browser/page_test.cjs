@@ -74,7 +74,7 @@ describe("the page", () => {
   test("folds expectations away, but not unmet ones", async () => {
     const {page, close} = await open();
     const openOnes = await page.locator(".expectations").evaluateAll((all) => all.map((one) => [one.closest(".figure").id, one.open]));
-    assert.deepEqual(openOnes, [["turns", true], ["pair", true], ["steps", false]]);
+    assert.deepEqual(openOnes, [["turns", true], ["steps", false], ["pair", true]]);
     assert.equal(await page.locator("#steps .expectations summary").innerText(), "1 of 1 expectation met");
     assert.ok(await page.locator("#steps .checks").isHidden());
     const ofOverview = await page.locator(".sheet .badge").evaluateAll((all) => all.map((one) => [one.closest("li").querySelector(".name").innerText, one.innerText]));
@@ -85,7 +85,7 @@ describe("the page", () => {
   test("has an overview of pictures without words", async () => {
     const {page, close} = await open();
     const sources = await page.locator(".sheet img").evaluateAll((all) => all.map((image) => image.getAttribute("src")));
-    assert.deepEqual(sources, ["turns", "bursts", "pair", "book"].map((id) => id + ".thumbnail.png"));
+    assert.deepEqual(sources, ["bursts", "turns", "pair", "book"].map((id) => id + ".thumbnail.png"));
     assert.equal(await page.locator(".sheet a[href='#steps'] svg path").count(), 3);
     assert.equal(await page.locator(".sheet svg text").count(), 0);
     await close();

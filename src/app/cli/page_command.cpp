@@ -231,8 +231,8 @@ void addPageCommand(CLI::App& program, Action& action) {
   command
       ->add_option(
           "--pack-crf", arguments->packCrf,
-          "Rate factor of packed clips; verify still proves pictures at 23, three times as "
-          "large as at 30")
+          "Rate factor of packed clips: at 22, verify still proves pictures; at 30, clips are "
+          "a third as large as at 22, and coarser")
       ->check(CLI::Range(kBestCrf, kWorstCrf))
       ->capture_default_str();
   command->add_flag("--no-thumbnails", arguments->noThumbnails,

@@ -116,7 +116,7 @@ std::string webVtt(const std::vector<Event>& events, const FrameRate& rate, std:
     const double next =
         i + 1 < events.size() ? static_cast<double>(events[i + 1].frame) * rate.period() : end;
     double last = std::clamp(next - kGap, start + kShortest, start + kLongest);
-    // What is seen in the end is told before it, as there is no time after it.
+    // The end is told before it, as there is no time after it.
     const double first = std::min(start, std::max(0.0, end - kShortest));
     last = std::min(last, end);
     text += "\n" + clockText(first) + " --> " + clockText(last) + kAtTheTop + "\n" +

@@ -1,4 +1,4 @@
-// What happens in a clip, in words, as captions of its player. Inside the room only.
+// Events of a clip in words, as captions of its player. Inside the room only.
 #pragma once
 
 #include <cstdint>

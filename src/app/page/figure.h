@@ -15,11 +15,11 @@ namespace rotatebook::page {
 /// The kind of a scene's results, which decides how they are shown.
 enum class FigureKind { Still, Clip, Comparison, Study };
 
-/// What the files beside the page are.
+/// Properties of the files beside the page.
 struct FigureFiles {
-  /// Whether NAME.thumbnail.png is there or will be; else posters stand for thumbnails.
+  /// True if NAME.thumbnail.png is there or will be; else posters stand for thumbnails.
   bool hasThumbnails = false;
-  /// Whether the page is for the web, with the files that packFiles() leaves: no tables of clips,
+  /// True if the page is for the web, with the files that packFiles() leaves: no tables of clips,
   /// frames and records.
   bool isPacked = false;
 };

@@ -126,7 +126,7 @@ Html previewOf(const Figure& figure) {
                 {{"file", addressOf(figure.thumbnail)}});
 }
 
-/// What is made of the figures; empty without any.
+/// Parts made of the figures; empty without any.
 struct Parts {
   Html preview{}, contents{}, lead{}, overview{}, chapters{};
 };

@@ -1,4 +1,5 @@
-// The story that the page tells: chapters, their figures and the words between.
+// The story that the page tells: chapters, their figures and the words between. Inside the room
+// only.
 #pragma once
 
 #include <string>
@@ -18,7 +19,7 @@ struct StoryFigure {
 struct Chapter {
   std::string id;
   std::string title;
-  std::string words;  ///< What the chapter is about.
+  std::string words;  ///< The chapter in a sentence or two.
   std::vector<StoryFigure> figures;
 };
 

@@ -2,9 +2,7 @@
 "use strict";
 
 (() => {
-  const kMostlyVisible = 0.6;
   const root = document.documentElement;
-  const still = matchMedia("(prefers-reduced-motion: reduce)");
   const darkSystem = matchMedia("(prefers-color-scheme: dark)");
   const players = new Map();  // by section
   const plots = new Map();  // by section
@@ -27,6 +25,12 @@
     plots.set(section, makePlots(section, clip, player));
   }
 
+  /** The small picture without words is there from the start; the whole poster is loaded where it is seen. */
+  function showPoster(section) {
+    const video = section.querySelector("video");
+    video.poster = video.dataset.poster;
+  }
+
   // All that takes room is there at once, so that links and the browser find what they look for; only curves far below the
   // window cost nothing until they come near.
   const sections = [...document.querySelectorAll(".clip")];
@@ -36,20 +40,19 @@
       if (!entry.isIntersecting) continue;
       near.unobserve(entry.target);
       plots.get(entry.target).forEach((plot) => plot.draw());
-      entry.target.querySelector("video").preload = "metadata";
+      showPoster(entry.target);
       seen.observe(entry.target.querySelector("video"));
     }
   }, {rootMargin: "600px"});
 
+  // No clip starts to load, or to move, before somebody wants it.
   const seen = new IntersectionObserver((entries) => {
     for (const entry of entries) {
       const player = players.get(entry.target.closest(".clip"));
       visible.set(player, entry.intersectionRatio);
-      const wanted = entry.intersectionRatio >= kMostlyVisible && !still.matches && !player.stoppedByUser;
       if (entry.intersectionRatio < 0.1) player.video.pause();
-      else if (wanted && player.video.paused) player.play();
     }
-  }, {threshold: [0, 0.1, kMostlyVisible]});
+  }, {threshold: [0, 0.1, 0.6]});
   sections.forEach((section) => near.observe(section));
 
   /** The player that keys are for: the one in full screen, else the one with the focus, else the one last used if it can be seen, else the most visible. */
@@ -64,16 +67,45 @@
   }
 
   document.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || event.target.closest("#live")) return;
+    const takesArrows = event.target.closest("input, select, textarea, pre, .scroll, [contenteditable]");
+    if (contents && !takesArrows && !document.fullscreenElement && ["ArrowLeft", "ArrowRight"].includes(event.key)) {
+      contents[event.key === "ArrowLeft" ? "previous" : "next"]();
+      event.preventDefault();
+      return;
+    }
     const player = activePlayer();
     if (!player) return;
     const takesSpace = event.target.closest("button, a, summary, input:not([type=range])");
     if (event.key === " " && !takesSpace) player.toggle();
     else if (event.key === ",") player.step(-1);
     else if (event.key === ".") player.step(1);
+    else if (event.key === "c") player.toggleCaptions();
     else if (event.key === "f" && player.canFillScreen) player.toggleFullScreen();
     else return;
     event.preventDefault();
+  });
+
+  const nav = document.querySelector(".contents");
+  const contents = nav ? makeContents(nav, [...document.querySelectorAll(".figure")]) : null;
+
+  // The live book, where the page has one, takes the scenes of clips and stills.
+  if (window.rotatebook?.play) {
+    for (const toy of document.querySelectorAll(".toy")) {
+      toy.hidden = false;
+      toy.addEventListener("click", () => {
+        window.rotatebook.play(toy.closest(".figure").querySelector("pre.scene").textContent);
+        document.getElementById("live").scrollIntoView();
+      });
+    }
+  }
+
+  // On paper, all curves and whole posters.
+  addEventListener("beforeprint", () => {
+    for (const section of sections) {
+      showPoster(section);
+      plots.get(section).forEach((plot) => plot.draw());
+    }
   });
 
   const theme = document.getElementById("theme");

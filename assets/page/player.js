@@ -4,6 +4,8 @@
 const kIdleAfter = 2500;  // [ms]
 
 class Player extends EventTarget {
+  static all = [];
+
   /** section: a .clip of the page; clip: its data, {rate: [60, 1], frames: 720, ...}. */
   constructor(section, clip) {
     super();
@@ -16,7 +18,6 @@ class Player extends EventTarget {
     this.times = clip.times ?? Array.from({length: clip.frames}, (unused, index) => index * clip.interval);
     this.frame = 0;
     this.next = null;  // the frame to go to when the video is done with going to another
-    this.stoppedByUser = false;
     this.looping = true;
     this.find = (name) => section.querySelector(".controls " + name);
     this.video.controls = false;
@@ -68,13 +69,46 @@ class Player extends EventTarget {
       video.loop = this.looping && !video.paused;
       event.currentTarget.setAttribute("aria-pressed", String(this.looping));
     });
-    const speed = this.find(".speed input");
-    speed.addEventListener("input", () => {
-      video.playbackRate = Number(speed.value);
-      const words = Number(speed.value) + "×";
-      this.find(".speed output").textContent = words;
-      speed.setAttribute("aria-valuetext", words);
+    for (const button of this.section.querySelectorAll(".speed button")) {
+      button.addEventListener("click", () => Player.setSpeed(Number(button.dataset.speed)));
+    }
+    this.find(".words").addEventListener("click", () => this.toggleCaptions());
+    for (const event of this.section.querySelectorAll(".events button")) {
+      event.addEventListener("click", () => this.goTo(Number(event.dataset.frame)));
+    }
+    const start = this.section.querySelector(".start");
+    start.hidden = false;
+    start.addEventListener("click", () => this.toggle());
+    video.addEventListener("play", () => {
+      // The focus doesn't get lost with the button.
+      if (document.activeElement === start) this.find(".play").focus({preventScroll: true});
+      start.hidden = true;
     });
+    Player.all.push(this);
+  }
+
+  /** One speed for all clips. */
+  static setSpeed(speed) {
+    for (const {video, section} of Player.all) {
+      // A video that is loaded later begins with the default.
+      video.defaultPlaybackRate = video.playbackRate = speed;
+      for (const button of section.querySelectorAll(".speed button")) {
+        button.setAttribute("aria-pressed", String(Number(button.dataset.speed) === speed));
+      }
+    }
+  }
+
+  toggleCaptions() {
+    const [track] = this.video.textTracks;
+    const shown = track.mode !== "showing";
+    track.mode = shown ? "showing" : "disabled";
+    this.find(".words").setAttribute("aria-pressed", String(shown));
+  }
+
+  /** Pauses at a frame. */
+  goTo(frame) {
+    this.video.pause();
+    this.seek(frame);
   }
 
   connectFullScreen() {
@@ -128,7 +162,6 @@ class Player extends EventTarget {
   }
 
   toggle() {
-    this.stoppedByUser = !this.video.paused;
     if (this.video.paused) this.play();
     else this.video.pause();
   }
@@ -140,9 +173,7 @@ class Player extends EventTarget {
   }
 
   step(frames) {
-    this.stoppedByUser = true;
-    this.video.pause();
-    this.seek(this.frame + frames);
+    this.goTo(this.frame + frames);
   }
 
   seek(frame) {

@@ -6,7 +6,9 @@
 #include <system_error>
 #include <vector>
 
+#include "base/clip_limits.h"
 #include "base/error.h"
+#include "base/number_text.h"
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/device_options.h"
@@ -14,6 +16,7 @@
 #include "cli/input_guard.h"
 #include "cli/scene_options.h"
 #include "image/png_file.h"
+#include "page/pack.h"
 #include "page/page.h"
 #include "picture/thumbnail.h"
 #include "store/clip_files.h"
@@ -32,7 +35,12 @@ struct PageArguments {
   std::string folder = "out";
   std::string title = "The unstable rotation of a book";
   bool noThumbnails = false;
+  std::string live;
+  std::string pack;
+  int packCrf = page::kPackCrf;
 };
+
+constexpr std::uintmax_t kLongestFragment = 64 << 20;  // [bytes]
 
 constexpr const char* kOtherFolder = "name another folder with -o";
 
@@ -101,31 +109,95 @@ void drawThumbnails(const Shown& shown, const PageArguments& arguments, bool has
     if (!needsThumbnail(figures[i])) continue;
     const scene::Scene& scene = shown.scenes[i];
     const image::Image picture = drawThumbnail(scene, device);
-    figures[i].thumbnail = fileOf(i).filename().string();
     const bool isForeign = !hasPage && fs::exists(fileOf(i));
     image::writePng(fileOf(i), picture.view(), scene::isTransparent(scene));
     if (isForeign) noteReplaced(fileOf(i));
   }
 }
 
+/// Returns the live book's fragment of HTML; empty if none is named. Throws InputError.
+std::string liveOf(const PageArguments& arguments) {
+  if (arguments.live.empty()) return "";
+  return system::readFile(arguments.live, kLongestFragment);
+}
+
+std::vector<page::Figure> readFigures(const Shown& shown, const PageArguments& arguments,
+                                      bool isPacked) {
+  std::vector<page::Figure> figures;
+  for (const scene::Scene& scene : shown.scenes) {
+    figures.push_back(page::readFigure(
+        scene, arguments.folder, {.hasThumbnails = !arguments.noThumbnails, .isPacked = isPacked}));
+  }
+  return figures;
+}
+
+std::uintmax_t sizeOf(const fs::path& path) {
+  if (!fs::is_directory(path)) return fs::file_size(path);
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : fs::directory_iterator(path)) {
+    if (entry.is_regular_file()) bytes += entry.file_size();
+  }
+  return bytes;
+}
+
+/// Throws InputError unless `folder` is empty, absent or has a page of ours.
+void requirePackFolder(const fs::path& folder, const fs::path& results) {
+  if (fs::exists(folder) && fs::exists(results) && fs::equivalent(folder, results)) {
+    throw InputError(
+        "--pack " + folder.string() +
+        " is the folder with the results, whose clips would be replaced; name another");
+  }
+  const bool isOurs = page::isPage(system::readFileOrEmpty(folder / page::kPageName));
+  if (fs::exists(folder) && !isOurs && !fs::is_empty(folder)) {
+    throw InputError("--pack " + folder.string() +
+                     " isn't empty and holds no page of rotatebook; name another folder");
+  }
+}
+
+void packInto(const fs::path& target, const Shown& shown, const PageArguments& arguments) {
+  const std::vector<page::Figure> figures = readFigures(shown, arguments, true);
+  fs::create_directories(target);
+  page::packFiles(
+      figures, arguments.folder, target, arguments.packCrf,
+      [](const std::string& file) { std::cerr << "packing " << oneLine(file) << '\n'; });
+  system::writeFileAtomically(target / page::kPageName,
+                              page::pageText(arguments.title, figures, liveOf(arguments)));
+}
+
+/// Makes the page for the web that --pack asks for.
+void writePack(const Shown& shown, const PageArguments& arguments) {
+  const fs::path target = arguments.pack;
+  if (target.extension() == ".zip") {
+    // Beside the archive, as there may not be room elsewhere.
+    const fs::path folder = fs::path(target).replace_extension(".rotatebook-pack");
+    requirePackFolder(folder, arguments.folder);
+    packInto(folder, shown, arguments);
+    page::writeZip(folder, target);
+    fs::remove_all(folder);
+  } else {
+    requirePackFolder(target, arguments.folder);
+    packInto(target, shown, arguments);
+  }
+  std::cout << "wrote " << oneLine(target.string()) << ", "
+            << roundedText(static_cast<double>(sizeOf(target)) / 1e6, 3) << " MB for the web\n";
+}
+
 int writePage(const PageArguments& arguments) {
   const Shown shown = readAll(arguments);
   const auto path = fs::path(arguments.folder) / page::kPageName;
   refuseInputs(path, shown.inputs, kOtherFolder);
-  std::vector<page::Figure> figures;
-  for (const scene::Scene& scene : shown.scenes) {
-    figures.push_back(page::readFigure(scene, arguments.folder));
-  }
+  std::vector<page::Figure> figures = readFigures(shown, arguments, false);
   const bool replaces = fs::exists(path);
   const bool hasPage = page::isPage(system::readFileOrEmpty(path));
   if (!arguments.noThumbnails) drawThumbnails(shown, arguments, hasPage, figures);
-  system::writeFileAtomically(path, page::pageText(arguments.title, figures));
+  system::writeFileAtomically(path, page::pageText(arguments.title, figures, liveOf(arguments)));
   if (replaces && !hasPage) noteReplaced(path);
   for (const page::Figure& figure : figures) {
     for (const std::string& note : figure.leftOut) std::cerr << "note: " << oneLine(note) << '\n';
   }
   std::cout << "wrote " << oneLine(path.string()) << ", " << figures.size()
             << (figures.size() == 1 ? " figure\n" : " figures\n");
+  if (!arguments.pack.empty()) writePack(shown, arguments);
   return kDone;
 }
 
@@ -146,6 +218,22 @@ void addPageCommand(CLI::App& program, Action& action) {
       ->capture_default_str();
   command->add_option("--title", arguments->title, "The page's heading")
       ->type_name("TEXT")
+      ->capture_default_str();
+  command
+      ->add_option("--live", arguments->live,
+                   "The live book: a fragment of HTML that is put at the page's top as it is")
+      ->type_name("FILE");
+  command
+      ->add_option("--pack", arguments->pack,
+                   "Write the page again for the web, to this folder or .zip: its clips are coded "
+                   "anew, smaller, and keep their records")
+      ->type_name("DIR|FILE.zip");
+  command
+      ->add_option(
+          "--pack-crf", arguments->packCrf,
+          "Rate factor of packed clips: at 22, verify still proves pictures; at 30, clips are "
+          "a third as large as at 22, and coarser")
+      ->check(CLI::Range(kBestCrf, kWorstCrf))
       ->capture_default_str();
   command->add_flag("--no-thumbnails", arguments->noThumbnails,
                     "Draw nothing, and show the posters themselves in the overview");

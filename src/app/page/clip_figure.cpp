@@ -6,11 +6,13 @@
 #include "base/number_text.h"
 #include "embedded/page.h"
 #include "image/png_file.h"
+#include "page/captions.h"
 #include "page/clip_videos.h"
 #include "page/expectation_table.h"
 #include "page/figure.h"
 #include "page/motion_data.h"
 #include "page/motion_settings_table.h"
+#include "page/pack.h"
 #include "store/clip_files.h"
 #include "store/clip_record.h"
 #include "system/read_file.h"
@@ -24,6 +26,10 @@ namespace fs = std::filesystem;
 
 // Significant digits of a time.
 constexpr int kTimeDigits = 4;
+
+constexpr std::string_view kEvents = R"(<details class="events"><summary>What happens</summary>
+<ol>{{items}}</ol></details>
+)";
 
 /// A clip's motions, simulated again, and its files.
 struct Clip {
@@ -82,8 +88,12 @@ std::string nameOf(const fs::path& file) {
   return file.filename().string();
 }
 
-Html linksOf(const Clip& clip) {
+/// On the web, the clip alone: it holds its scene, which makes all other files again.
+Html linksOf(const Clip& clip, const FigureFiles& files) {
   Html links;
+  if (files.isPacked) {
+    return linkItem(nameOf(clip.videos.played), "Clip, which holds its scene");
+  }
   for (std::size_t i = 0; i < clip.motions.size(); ++i) {
     const std::string& label = clip.motions[i].panel.label;
     links += linkItem(nameOf(clip.csvs[i]), label.empty() ? "CSV" : "CSV: " + label);
@@ -127,32 +137,52 @@ Html divergenceOf(const Clip& clip) {
   return notes;
 }
 
+/// Returns the events as a list, folded away; each is a button for its frame.
+Html eventList(const std::vector<Event>& events) {
+  Html items;
+  for (const Event& event : events) {
+    items += filled(R"(<li><button type="button" data-frame="{{frame}}">{{words}}</button></li>)",
+                    {{"frame", {std::to_string(event.frame)}}, {"words", escaped(event.words)}});
+  }
+  return filled(kEvents, {{"items", items}});
+}
+
 }  // namespace
 
-Figure clipFigure(const scene::Scene& scene, const fs::path& folder) {
+Figure clipFigure(const scene::Scene& scene, const fs::path& folder, const FigureFiles& files) {
   const Clip clip = readClip(scene, folder);
-  const std::string poster = nameOf(clip.files.poster);
+  const std::string original = nameOf(clip.files.poster);
+  const std::string poster = files.isPacked ? packedPoster(original) : original;
   const FigureKind kind = clip.motions.size() > 1 ? FigureKind::Comparison : FigureKind::Clip;
-  Figure figure{kind, scene.name, scene.title, poster};
+  Figure figure{kind, scene.name, scene.title,
+                files.hasThumbnails ? nameOfThumbnail(scene, folder) : poster};
+  figure.clip = nameOf(clip.videos.played);
+  figure.frameRate = scene.clip.frameRate;
+  figure.poster = original;
+  if (files.hasThumbnails) figure.files = {figure.thumbnail};
+  const std::vector<Event> events = eventsOf(clip.motions, clip.frames);
   const std::vector<Check> checks = allChecks(clip);
   figure.badge = unmetBadge(checks);
   figure.leftOut = clip.videos.leftOut;
-  figure.section =
-      filled(clipTemplate(), {{"id", escaped(scene.name)},
-                              {"title", escaped(scene.title)},
-                              {"badge", figure.badge},
-                              {"caption", escaped(scene.caption)},
-                              {"notes", divergenceOf(clip)},
-                              {"width", {std::to_string(scene.clip.width)}},
-                              {"height", {std::to_string(scene.clip.height)}},
-                              {"poster", addressOf(poster)},
-                              {"video", addressOf(nameOf(clip.videos.played))},
-                              {"last", {std::to_string(clip.frames - 1)}},
-                              {"settings", settingsTable(clip.motions, scene.clip)},
-                              {"checks", foldedChecks(checks, tablesOf(clip))},
-                              {"links", linksOf(clip)},
-                              {"scene", sceneDetails(scene)},
-                              {"data", {motionData(clip.motions, scene, clip.frames)}}});
+  figure.section = filled(
+      clipTemplate(), {{"id", escaped(scene.name)},
+                       {"title", escaped(scene.title)},
+                       {"badge", figure.badge},
+                       {"caption", escaped(scene.caption)},
+                       {"notes", divergenceOf(clip)},
+                       {"width", {std::to_string(scene.clip.width)}},
+                       {"height", {std::to_string(scene.clip.height)}},
+                       {"poster", addressOf(poster)},
+                       {"thumbnail", addressOf(figure.thumbnail)},
+                       {"captions", addressOf(webVtt(events, scene.clip.frameRate, clip.frames))},
+                       {"events", eventList(events)},
+                       {"video", addressOf(nameOf(clip.videos.played))},
+                       {"last", {std::to_string(clip.frames - 1)}},
+                       {"settings", settingsTable(clip.motions, scene.clip)},
+                       {"checks", foldedChecks(checks, tablesOf(clip))},
+                       {"links", linksOf(clip, files)},
+                       {"scene", sceneDetails(scene)},
+                       {"data", {motionData(clip.motions, scene, clip.frames)}}});
   return figure;
 }
 

@@ -16,7 +16,7 @@ constexpr std::string_view kTable = R"(<div class="scroll"><table class="checks"
 )";
 
 constexpr std::string_view kRow =
-    R"(<tr><th scope="row">{{subject}}</th><td>{{expected}}</td><td>{{measured}}</td><td class="{{class}}">{{verdict}}</td></tr>
+    R"(<tr><th scope="row">{{subject}}{{meaning}}</th><td>{{expected}}</td><td>{{measured}}</td><td class="{{class}}">{{verdict}}</td></tr>
 )";
 
 constexpr std::string_view kBadge = R"(<p class="badge unmet">{{text}}</p>)";
@@ -38,7 +38,11 @@ Html countText(const std::vector<Check>& checks) {
 }
 
 Html rowOf(const Check& check) {
+  const Html meaning = check.meaning.empty() ? Html{}
+                                             : filled(R"(<span class="meaning">{{text}}</span>)",
+                                                      {{"text", escaped(check.meaning)}});
   return filled(kRow, {{"subject", escaped(check.subject)},
+                       {"meaning", meaning},
                        {"expected", escaped(check.expected)},
                        {"measured", escaped(check.measured)},
                        {"class", {check.met ? "met" : "unmet"}},
@@ -51,13 +55,15 @@ std::vector<Check> checksOf(const Motion& motion) {
   std::vector<Check> checks;
   if (divergesUnexpectedly(motion.trajectory, motion.panel.expectations)) {
     checks.push_back({"diverges_at", "no divergence",
-                      roundedText(*motion.trajectory.divergedAt, kCheckDigits) + " s", false});
+                      roundedText(*motion.trajectory.divergedAt, kCheckDigits) + " s", false,
+                      std::string(meaningOf(scene::Quantity::DivergesAt))});
   }
   for (const scene::ExpectationResult& result :
        check(motion.trajectory, motion.panel.expectations)) {
     checks.push_back(
         {std::string(nameOf(result.expectation.quantity)) + windowText(result.expectation),
-         expectedText(result.expectation), measuredText(result, kCheckDigits), result.met});
+         expectedText(result.expectation), measuredText(result, kCheckDigits), result.met,
+         std::string(meaningOf(result.expectation.quantity))});
   }
   return checks;
 }

@@ -18,6 +18,7 @@ struct Check {
   std::string expected;
   std::string measured;
   bool met = false;
+  std::string meaning{};  ///< Of the quantity, in plain words.
 };
 
 /// Returns the rows of a motion: its divergence if that was unexpected, and each of its

@@ -12,10 +12,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Figure stillFigure(const scene::Scene& scene, const fs::path& folder) {
+Figure stillFigure(const scene::Scene& scene, const fs::path& folder, const FigureFiles& files) {
   const std::string picture = scene.name + ".png";
   const image::Image pixels = image::readPng(folder / picture);
-  Figure figure{FigureKind::Still, scene.name, scene.title, picture};
+  Figure figure{FigureKind::Still, scene.name, scene.title,
+                files.hasThumbnails ? nameOfThumbnail(scene, folder) : picture};
+  figure.files = {picture};
+  if (files.hasThumbnails) figure.files.push_back(figure.thumbnail);
   figure.section = filled(stillTemplate(), {{"id", escaped(scene.name)},
                                             {"title", escaped(scene.title)},
                                             {"picture", addressOf(picture)},
@@ -34,9 +37,14 @@ bool isStill(const scene::Scene& scene, const fs::path& folder) {
 
 }  // namespace
 
-Figure readFigure(const scene::Scene& scene, const fs::path& folder) {
+Figure readFigure(const scene::Scene& scene, const fs::path& folder, const FigureFiles& files) {
   if (scene.study) return studyFigure(scene, folder);
-  return isStill(scene, folder) ? stillFigure(scene, folder) : clipFigure(scene, folder);
+  return isStill(scene, folder) ? stillFigure(scene, folder, files)
+                                : clipFigure(scene, folder, files);
+}
+
+std::string nameOfThumbnail(const scene::Scene& scene, const fs::path& folder) {
+  return store::clipFiles(folder, scene.name).thumbnail.filename().string();
 }
 
 std::string remedy(const std::string& command, const scene::Scene& scene, const fs::path& folder) {
@@ -70,7 +78,7 @@ Html linkItem(const std::string& address, const std::string& text) {
 
 Html sceneDetails(const scene::Scene& scene) {
   return filled(
-      "<details><summary>The scene, every default explicit</summary><pre "
+      "<details><summary>The scene, every default explicit</summary><pre class=\"scene\" "
       "tabindex=\"0\">{{text}}</pre></details>",
       {{"text", escaped(sceneText(scene))}});
 }

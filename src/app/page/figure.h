@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/frame_rate.h"
 #include "page/html.h"
 #include "scene/scene.h"
 #include "video/clip_reader.h"
@@ -14,28 +15,42 @@ namespace rotatebook::page {
 /// The kind of a scene's results, which decides how they are shown.
 enum class FigureKind { Still, Clip, Comparison, Study };
 
+/// Properties of the files beside the page.
+struct FigureFiles {
+  /// True if NAME.thumbnail.png is there or will be; else posters stand for thumbnails.
+  bool hasThumbnails = false;
+  /// True if the page is for the web, with the files that packFiles() leaves: no tables of clips,
+  /// frames and records.
+  bool isPacked = false;
+};
+
 /// A scene's section of the page, and its item in the overview.
 struct Figure {
   FigureKind kind = FigureKind::Clip;
   std::string id;     ///< The scene's name; the section's anchor.
   std::string title;  ///< The scene's.
-  /// The overview's picture, relative to the page: the poster, unless the caller draws one without
-  /// text.
+  /// The overview's picture, relative to the page.
   std::string thumbnail;
   Html curves{};   ///< A study's plot without text, as <svg>, in place of the thumbnail.
   Html badge{};    ///< The number of expectations met, unless all are.
   Html section{};  ///< The whole <section>.
   /// "out/a.gif isn't linked: WHY" for each file under the scene's name that isn't the scene's.
   std::vector<std::string> leftOut{};
+  std::string clip{};                ///< The video that is played; empty of stills and studies.
+  FrameRate frameRate{};             ///< Of the clip.
+  std::string poster{};              ///< The clip's.
+  std::vector<std::string> files{};  ///< Its other files that a page for the web has.
 };
 
 /// Reads the figure of `scene` from its results in `folder`: a study if it has [study], a still if
 /// there is a NAME.png but no clip, else a clip. Throws InputError, naming the file and the remedy,
 /// if a file is missing or was made from something else than this scene.
-Figure readFigure(const scene::Scene& scene, const std::filesystem::path& folder);
+Figure readFigure(const scene::Scene& scene, const std::filesystem::path& folder,
+                  const FigureFiles& files = {});
 
 /// Read the figure of a clip or comparison, and of a study. Inside the room only.
-Figure clipFigure(const scene::Scene& scene, const std::filesystem::path& folder);
+Figure clipFigure(const scene::Scene& scene, const std::filesystem::path& folder,
+                  const FigureFiles& files);
 Figure studyFigure(const scene::Scene& scene, const std::filesystem::path& folder);
 
 /// Throws InputError "PATH is missing; ...: rotatebook COMMAND SCENE -o FOLDER" if there is no such
@@ -51,6 +66,9 @@ std::string otherSizeText(const video::PictureSize& size, const scene::Scene& sc
 /// Returns "rotatebook COMMAND scenes/a.toml -o out". Inside the room only.
 std::string remedy(const std::string& command, const scene::Scene& scene,
                    const std::filesystem::path& folder);
+
+/// Returns "NAME.thumbnail.png". Inside the room only.
+std::string nameOfThumbnail(const scene::Scene& scene, const std::filesystem::path& folder);
 
 /// Returns a link to a file beside the page, as an item of a list. Inside the room only.
 Html linkItem(const std::string& address, const std::string& text);

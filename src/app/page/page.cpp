@@ -1,10 +1,10 @@
 #include "page/page.h"
 
-#include <algorithm>
 #include <string_view>
 
 #include "base/version.h"
 #include "embedded/page.h"
+#include "page/story.h"
 
 namespace rotatebook::page {
 namespace {
@@ -29,23 +29,39 @@ constexpr std::string_view kItem = R"(<li><a href="#{{id}}">
 constexpr std::string_view kPicture =
     R"(<img src="{{file}}" alt="" loading="lazy" decoding="async">)";
 
-/// Figures of some kinds under one heading.
-struct Group {
-  std::string heading;
-  std::vector<FigureKind> kinds;
-};
+constexpr std::string_view kContents = R"~(<nav class="contents" aria-label="Contents">
+<button type="button" class="previous" aria-label="Previous figure" title="Previous figure (←)" hidden></button>
+<details><summary>Contents</summary>
+<ol>
+{{chapters}}</ol></details>
+<button type="button" class="next" aria-label="Next figure" title="Next figure (→)" hidden></button>
+</nav>
+)~";
 
-/// Returns the overview's groups. Stills and clips share one, since stills are few.
-std::vector<Group> groupsOf(const std::vector<Figure>& figures) {
-  const auto has = [&](FigureKind kind) {
-    return std::ranges::count(figures, kind, &Figure::kind) > 0;
-  };
-  const std::string first = !has(FigureKind::Still)  ? "Clips"
-                            : !has(FigureKind::Clip) ? "Stills"
-                                                     : "Stills and clips";
-  return {{first, {FigureKind::Still, FigureKind::Clip}},
-          {"Comparisons", {FigureKind::Comparison}},
-          {"Studies", {FigureKind::Study}}};
+constexpr std::string_view kContentsChapter =
+    R"(<li><a class="of-chapter" href="#{{place}}">{{title}}</a><ol>
+{{items}}</ol></li>
+)";
+
+constexpr std::string_view kContentsItem = R"(<li><a href="#{{id}}">{{title}}</a></li>
+)";
+
+constexpr std::string_view kChapter = R"(<section class="chapter" aria-labelledby="{{place}}">
+<header class="opening"><h2 id="{{place}}">{{title}}</h2>{{words}}</header>
+{{figures}}</section>
+)";
+
+constexpr std::string_view kWords = R"(<p class="{{class}}">{{text}}</p>
+)";
+
+Html wordsOf(const char* kind, const std::string& text) {
+  if (text.empty()) return {};
+  return filled(kWords, {{"class", {kind}}, {"text", escaped(text)}});
+}
+
+/// The anchor of a chapter, which no scene's is: their names have no slash.
+Html placeOf(const ToldChapter& chapter) {
+  return escaped("chapter/" + chapter.id);
 }
 
 Html itemOf(const Figure& figure) {
@@ -58,25 +74,73 @@ Html itemOf(const Figure& figure) {
               {"badge", figure.badge}});
 }
 
-/// Returns a link to the overview; empty for a single figure, which has none.
-Html linkUp(const std::vector<Figure>& figures) {
-  if (figures.size() < 2) return {};
-  return {"<p class=\"up\"><a href=\"#overview\">↑ Overview</a></p>\n"};
-}
-
-/// Returns the overview; empty for a single figure.
-Html overviewOf(const std::vector<Figure>& figures) {
-  if (figures.size() < 2) return {};
+Html overviewOf(const std::vector<ToldChapter>& chapters) {
   Html groups;
-  for (const Group& group : groupsOf(figures)) {
+  for (const ToldChapter& chapter : chapters) {
     Html items;
-    for (const Figure& figure : figures) {
-      if (std::ranges::count(group.kinds, figure.kind) > 0) items += itemOf(figure);
-    }
-    if (items.text.empty()) continue;
-    groups += filled(kGroup, {{"heading", escaped(group.heading)}, {"items", items}});
+    for (const ToldFigure& told : chapter.figures) items += itemOf(*told.figure);
+    groups += filled(kGroup, {{"heading", escaped(chapter.title)}, {"items", items}});
   }
   return filled(kOverview, {{"groups", groups}});
+}
+
+Html contentsOf(const std::vector<ToldChapter>& chapters, const Figure& lead) {
+  Html all;
+  for (const ToldChapter& chapter : chapters) {
+    Html items;
+    for (const ToldFigure& told : chapter.figures) {
+      items += filled(kContentsItem,
+                      {{"id", escaped(told.figure->id)}, {"title", escaped(told.figure->title)}});
+    }
+    // A chapter of the lead alone has no place of its own.
+    const bool isLead = chapter.figures.size() == 1 && chapter.figures.front().figure == &lead;
+    all += filled(kContentsChapter, {{"place", isLead ? escaped(lead.id) : placeOf(chapter)},
+                                     {"title", escaped(chapter.title)},
+                                     {"items", items}});
+  }
+  return filled(kContents, {{"chapters", all}});
+}
+
+/// Returns the chapters' figures but for the `lead`, which stands above them.
+Html chaptersOf(const std::vector<ToldChapter>& chapters, const Figure& lead) {
+  Html all;
+  for (const ToldChapter& chapter : chapters) {
+    Html figures;
+    for (const ToldFigure& told : chapter.figures) {
+      if (told.figure == &lead) continue;
+      figures += wordsOf("between", told.words);
+      figures += told.figure->section;
+    }
+    if (figures.text.empty()) continue;
+    all += filled(kChapter, {{"place", placeOf(chapter)},
+                             {"title", escaped(chapter.title)},
+                             {"words", wordsOf("of-chapter", chapter.words)},
+                             {"figures", figures}});
+  }
+  return all;
+}
+
+/// Returns the picture that other sites show for the page.
+Html previewOf(const Figure& figure) {
+  return filled("<meta property=\"og:image\" content=\"{{file}}\">\n",
+                {{"file", addressOf(figure.thumbnail)}});
+}
+
+/// Parts made of the figures; empty without any.
+struct Parts {
+  Html preview{}, contents{}, lead{}, overview{}, chapters{};
+};
+
+Parts partsOf(const std::vector<Figure>& figures) {
+  if (figures.empty()) return {};
+  const Figure& lead = figures.front();
+  const std::vector<ToldChapter> chapters = tell(figures, story());
+  Parts parts{.preview = previewOf(lead), .lead = lead.section};
+  if (figures.size() == 1) return parts;
+  parts.contents = contentsOf(chapters, lead);
+  parts.overview = overviewOf(chapters);
+  parts.chapters = chaptersOf(chapters, lead);
+  return parts;
 }
 
 Html asIs(std::string_view text) {
@@ -85,22 +149,25 @@ Html asIs(std::string_view text) {
 
 }  // namespace
 
-std::string pageText(const std::string& title, const std::vector<Figure>& figures) {
-  Html lead, sections;
-  for (const Figure& figure : figures) {
-    (&figure == &figures.front() ? lead : sections) += figure.section;
-  }
+std::string pageText(const std::string& title, const std::vector<Figure>& figures,
+                     const std::string& live) {
+  const Parts parts = partsOf(figures);
+  const Html fragment =
+      live.empty() ? Html{} : filled("<div id=\"live\">{{live}}</div>\n", {{"live", {live}}});
   return filled(indexTemplate(), {{"title", escaped(title)},
                                   {"version", escaped(kVersion)},
+                                  {"preview", parts.preview},
                                   {"library-style", asIs(libraryStyle())},
                                   {"style", asIs(pageStyle())},
-                                  {"lead", lead},
-                                  {"overview", overviewOf(figures)},
-                                  {"figures", sections},
-                                  {"up", linkUp(figures)},
+                                  {"contents", parts.contents},
+                                  {"live", fragment},
+                                  {"lead", parts.lead},
+                                  {"overview", parts.overview},
+                                  {"figures", parts.chapters},
                                   {"library", asIs(libraryScript())},
                                   {"player", asIs(playerScript())},
                                   {"plots", asIs(plotsScript())},
+                                  {"contents-script", asIs(contentsScript())},
                                   {"script", asIs(pageScript())}})
       .text;
 }

@@ -13,9 +13,11 @@ namespace rotatebook::page {
 /// The page's name in its folder.
 inline constexpr const char* kPageName = "index.html";
 
-/// Returns the page: the first of `figures`, large; what there is to see; an overview; then the
-/// other figures, in their order. It needs no other files than the pictures and clips beside it.
-std::string pageText(const std::string& title, const std::vector<Figure>& figures);
+/// Returns the page: what there is to see; `live`, a fragment of HTML that is trusted and put in as
+/// it is; the first of `figures`, large; an overview; then the other figures, as the story has
+/// them. It needs no other files than the pictures and clips beside it.
+std::string pageText(const std::string& title, const std::vector<Figure>& figures,
+                     const std::string& live = "");
 
 /// Returns whether `html` is a page that pageText() made, of whatever figures.
 bool isPage(std::string_view html);

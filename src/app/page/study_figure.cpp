@@ -119,10 +119,11 @@ void requireRuns(const fs::path& csv, const scene::Scene& scene) {
                    remedy("study", scene, csv.parent_path()));
 }
 
-Check checkOf(const std::string& subject, const scene::Bounds& bounds, double measured) {
+Check checkOf(const std::string& subject, const scene::Bounds& bounds, double measured,
+              const std::string& meaning) {
   const scene::Expectation expectation{.min = bounds.min, .max = bounds.max};
   return {subject, expectedText(expectation), measuredText(measured, expectation, kCheckDigits),
-          bounds.hold(measured)};
+          bounds.hold(measured), meaning};
 }
 
 std::vector<Check> checksOfOrders(const scene::StudySettings& study, const fs::path& csv) {
@@ -134,7 +135,8 @@ std::vector<Check> checksOfOrders(const scene::StudySettings& study, const fs::p
   for (const auto& [integrator, bounds] : study.orders) {
     const std::string name(scene::nameOf(scene::kIntegrators, integrator));
     checks.push_back(checkOf("order of " + name, bounds,
-                             orders.contains(name) ? orders[name] : study::kNoNumber));
+                             orders.contains(name) ? orders[name] : study::kNoNumber,
+                             "power of the step by which the error shrinks"));
   }
   return checks;
 }
@@ -148,7 +150,8 @@ std::vector<Check> checksOfTilts(const scene::StudySettings& study, const fs::pa
     tilt.law = fieldOf(row, "law_s");
     measured.rows.push_back(tilt);
   }
-  return {checkOf("flip_law", *study.flipLaw, measured.greatestDeviation())};
+  return {checkOf("flip_law", *study.flipLaw, measured.greatestDeviation(),
+                  "largest deviation from the interval that the law gives, as a share of it")};
 }
 
 /// Reads the results of a sweep from its table, as far as they are measured.
@@ -168,7 +171,8 @@ study::SweepStudy sweepFrom(const scene::Sweep& sweep, const fs::path& csv) {
 std::vector<Check> checksOfSweep(const scene::Sweep& sweep, const fs::path& csv) {
   std::vector<Check> checks;
   for (const study::ExpectedOfRun& one : expectedOf(sweepFrom(sweep, csv), sweep)) {
-    checks.push_back(checkOf(one.subject(), one.expectation.bounds, one.measured));
+    checks.push_back(checkOf(one.subject(), one.expectation.bounds, one.measured,
+                             std::string(meaningOf(one.expectation.quantity))));
   }
   return checks;
 }
@@ -232,6 +236,10 @@ Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
   Figure figure{FigureKind::Study, scene.name, scene.title, svg};
   figure.curves = curvesSvg(curvesOf(*scene.study, files));
   figure.badge = unmetBadge(checks);
+  for (const auto& file : {files.svg, files.png, files.csv}) {
+    figure.files.push_back(file.filename().string());
+  }
+  if (hasOrders) figure.files.push_back(files.orders.filename().string());
   Html links = linkItem(svg, "SVG");
   links += linkItem(files.png.filename().string(), "PNG");
   links += linkItem(files.csv.filename().string(), "CSV");

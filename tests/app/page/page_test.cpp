@@ -20,38 +20,56 @@ Figure figureOf(FigureKind kind, const std::string& id) {
   return figure;
 }
 
-TEST(Page, HoldsItsFiguresByKindAndInOrder) {
-  Figure study = figureOf(FigureKind::Study, "s");
+TEST(Page, TellsItsFiguresInTheStorysOrder) {
+  Figure study = figureOf(FigureKind::Study, "figb-flip-interval");
   study.curves = {"<svg>s</svg>"};
   study.badge = {"[badge]"};
-  const std::string text = pageText("Books & <such>", {study, figureOf(FigureKind::Clip, "c"),
-                                                       figureOf(FigureKind::Comparison, "p")});
-  EXPECT_THAT(text, AllOf(HasSubstr("<title>Books &amp; &lt;such&gt;</title>"), HasSubstr("[c][p]"),
-                          HasSubstr("src=\"c%201.png\""), HasSubstr("Title of &lt;c&gt;"),
-                          Not(HasSubstr("<such>")), HasSubstr("<svg>s</svg>"),
-                          Not(HasSubstr("s%201.png")), HasSubstr("</a>[badge]</li>")));
-  EXPECT_LT(text.find("<h3>Clips</h3>"), text.find("<h3>Comparisons</h3>"));
-  EXPECT_LT(text.find("<h3>Comparisons</h3>"), text.find("<h3>Studies</h3>"));
-  EXPECT_EQ(text.find("<h3>Stills"), std::string::npos);
+  const std::string text =
+      pageText("Books & <such>",
+               {figureOf(FigureKind::Comparison, "axes"), study, figureOf(FigureKind::Clip, "<c>"),
+                figureOf(FigureKind::Clip, "fig05-unstable-x")});
+  EXPECT_THAT(text,
+              AllOf(HasSubstr("<title>Books &amp; &lt;such&gt;</title>"),
+                    HasSubstr("src=\"axes%201.png\""), HasSubstr("Title of &lt;&lt;c&gt;"),
+                    Not(HasSubstr("<such>")), HasSubstr("<svg>s</svg>"),
+                    Not(HasSubstr("figb-flip-interval%201.png")), HasSubstr("</a>[badge]</li>")));
+  EXPECT_LT(text.find("<h2 id=\"chapter/unstable\">"), text.find("[fig05-unstable-x]"));
+  EXPECT_LT(text.find("[fig05-unstable-x]"), text.find("<h2 id=\"chapter/why\">"));
+  EXPECT_LT(text.find("<h2 id=\"chapter/why\">"), text.find("[figb-flip-interval]"));
+  EXPECT_LT(text.find("[figb-flip-interval]"), text.find("<h2 id=\"chapter/more\">"));
+  EXPECT_LT(text.find("<h2 id=\"chapter/more\">"), text.find("[<c>]"));
+  EXPECT_THAT(text,
+              AllOf(HasSubstr("Nothing touches this book"), Not(HasSubstr("chapter/stable"))));
 }
 
 TEST(Page, BeginsWithWhatThereIsToSeeAndItsFirstFigure) {
   const std::string text =
       pageText("A", {figureOf(FigureKind::Comparison, "first"),
                      figureOf(FigureKind::Still, "still"), figureOf(FigureKind::Clip, "clip")});
-  const std::size_t words = text.find("intermediate axis theorem");
+  const std::size_t words = text.find("turns over, again and again. Nobody");
   const std::size_t lead = text.find("[first]");
   const std::size_t overview = text.find("<h2 id=\"overview\">");
   EXPECT_LT(words, lead);
   EXPECT_LT(lead, overview);
-  EXPECT_LT(overview, text.find("[still][clip]"));
-  EXPECT_THAT(text, AllOf(HasSubstr("href=\"#first\""), HasSubstr("<h3>Stills and clips</h3>")));
+  EXPECT_LT(overview, text.find("[still]"));
+  EXPECT_LT(text.find("[still]"), text.find("[clip]"));
+  EXPECT_EQ(text.find("[first]", lead + 1), text.npos);
+  EXPECT_THAT(text, AllOf(HasSubstr("href=\"#first\""), HasSubstr("<h3>Figures</h3>"),
+                          HasSubstr("property=\"og:image\" content=\"first%201.png\""),
+                          HasSubstr("name=\"description\""), HasSubstr("rel=\"icon\"")));
+}
+
+TEST(Page, HasThePlaceOfTheLiveBookOnlyWithOne) {
+  const Figure figure = figureOf(FigureKind::Clip, "a");
+  const std::string text = pageText("A", {figure}, "<canvas></canvas>{{");
+  EXPECT_LT(text.find("<div id=\"live\"><canvas></canvas>{{</div>"), text.find("[a]"));
+  EXPECT_THAT(pageText("A", {figure}), Not(HasSubstr("id=\"live\"")));
 }
 
 TEST(Page, HasNoOverviewOfASingleFigure) {
-  EXPECT_THAT(
-      pageText("A", {figureOf(FigureKind::Clip, "a")}),
-      AllOf(HasSubstr("[a]"), Not(HasSubstr("id=\"overview\"")), Not(HasSubstr("#overview"))));
+  EXPECT_THAT(pageText("A", {figureOf(FigureKind::Clip, "a")}),
+              AllOf(HasSubstr("[a]"), Not(HasSubstr("id=\"overview\"")),
+                    Not(HasSubstr("#overview")), Not(HasSubstr("<nav"))));
 }
 
 TEST(Page, NeedsNoOtherScriptsNorStyles) {

@@ -53,7 +53,7 @@ describe("full screen", () => {
     assert.equal(await clip.locator(".seek").inputValue(), "41");
     await page.keyboard.press("f");
     await waitForFullScreen(page, false);
-    assert.match(await page.locator(".keys").innerText(), /f shows the clip in full screen/);
+    assert.match(await page.locator(".keys").innerText(), /f the clip in full screen/);
     await close();
   });
 

@@ -104,6 +104,10 @@ function makePage() {
   render("turns.toml", "bursts.toml", "pair.toml");
   rotatebook("still", "book.toml", "--time", "0", "-o", path.join(kOut, "book.png"));
   rotatebook("study", "steps.toml", "-o", kOut);
+  const fragment = path.join(kOutput, "fragment.html");
+  fs.writeFileSync(fragment, "<h2>The live book</h2>");
+  rotatebook("page", ...Object.keys(kScenes), "-o", kOut, "--live", fragment);
+  fs.renameSync(path.join(kOut, "index.html"), path.join(kOut, "live.html"));
   rotatebook("page", ...Object.keys(kScenes), "-o", kOut);
 }
 
@@ -114,10 +118,10 @@ async function startBrowser() {
 const closeBrowser = () => browser?.close();
 
 /**
- * Opens the page, at `place` if there is one ("#turns"), after `script` has run in it; `problems` grows with whatever the
+ * Opens the page, or that with a `live` book, or that at an `address`, at `place` if there is one ("#turns"), after `script` has run in it; `problems` grows with whatever the
  * browser complains of or asks a network for.
  */
-async function open(options = {}, {place = "", script = null} = {}) {
+async function open(options = {}, {place = "", script = null, live = false, address = ""} = {}) {
   const context = await browser.newContext({viewport: kDesktop, reducedMotion: "reduce", ...options});
   const page = await context.newPage();
   if (script) await page.addInitScript(script);
@@ -129,8 +133,8 @@ async function open(options = {}, {place = "", script = null} = {}) {
     // The browser breaks off loads that it needs no more.
     if (request.failure()?.errorText !== "net::ERR_ABORTED") problems.push("failed: " + request.url());
   });
-  page.on("request", (request) => { if (!/^(file|data):/.test(request.url())) problems.push("network: " + request.url()); });
-  await page.goto(pathToFileURL(path.join(kOut, "index.html")).href + place);
+  page.on("request", (request) => { if (!/^(file|data):/.test(request.url()) && !(address && request.url().startsWith(address))) problems.push("network: " + request.url()); });
+  await page.goto((address || pathToFileURL(path.join(kOut, live ? "live.html" : "index.html")).href) + place);
   return {page, problems, close: () => context.close()};
 }
 

@@ -50,11 +50,11 @@ describe("the page", () => {
   test("tells expected from measured", async () => {
     const {page, close} = await open();
     const rows = await page.locator("#turns .checks tbody tr").allInnerTexts();
-    assert.match(rows[0], /half_turns\s+at most 3\s+\d\s+✓ met/);
-    assert.match(rows[1], /tilt_deg\s+at most 1\s+[\d.]+ to [\d.]+\s+✗ unmet/);
+    assert.match(rows[0], /half_turns\s+how many times.*\s+at most 3\s+\d\s+✓ met/);
+    assert.match(rows[1], /tilt_deg\s+angle between.*\s+at most 1\s+[\d.]+ to [\d.]+\s+✗ unmet/);
     assert.match(await page.locator("#turns > header").innerText(), /1 of 2 expectations met/);
     await page.locator("#steps .expectations summary").click();
-    assert.match(await page.locator("#steps .checks").innerText(), /order of rk4\s+at least 3\s+[34]\.\d+\s+✓ met/);
+    assert.match(await page.locator("#steps .checks").innerText(), /order of rk4\s+power of the step.*\s+at least 3\s+[34]\.\d+\s+✓ met/);
     assert.match(await page.locator("#bursts .note").innerText(), /diverges at 0\.\d+ s/);
     await close();
   });
@@ -74,7 +74,7 @@ describe("the page", () => {
   test("folds expectations away, but not unmet ones", async () => {
     const {page, close} = await open();
     const openOnes = await page.locator(".expectations").evaluateAll((all) => all.map((one) => [one.closest(".figure").id, one.open]));
-    assert.deepEqual(openOnes, [["turns", true], ["pair", true], ["steps", false]]);
+    assert.deepEqual(openOnes, [["turns", true], ["steps", false], ["pair", true]]);
     assert.equal(await page.locator("#steps .expectations summary").innerText(), "1 of 1 expectation met");
     assert.ok(await page.locator("#steps .checks").isHidden());
     const ofOverview = await page.locator(".sheet .badge").evaluateAll((all) => all.map((one) => [one.closest("li").querySelector(".name").innerText, one.innerText]));
@@ -85,7 +85,7 @@ describe("the page", () => {
   test("has an overview of pictures without words", async () => {
     const {page, close} = await open();
     const sources = await page.locator(".sheet img").evaluateAll((all) => all.map((image) => image.getAttribute("src")));
-    assert.deepEqual(sources, ["turns", "bursts", "book", "pair"].map((id) => id + ".thumbnail.png"));
+    assert.deepEqual(sources, ["bursts", "turns", "pair", "book"].map((id) => id + ".thumbnail.png"));
     assert.equal(await page.locator(".sheet a[href='#steps'] svg path").count(), 3);
     assert.equal(await page.locator(".sheet svg text").count(), 0);
     await close();

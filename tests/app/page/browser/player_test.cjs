@@ -130,11 +130,13 @@ describe("the player", () => {
   test("plays at the speed that is chosen", async () => {
     const {page, close} = await open();
     const clip = await openClip(page, "turns");
-    for (const speed of ["0.1", "2", "0.5"]) {
-      await clip.locator(".speed input").fill(speed);
-      assert.equal(await clip.locator("video").evaluate((video) => video.playbackRate), Number(speed));
+    for (const [name, speed] of [["¼×", 0.25], ["½×", 0.5], ["1×", 1], ["½×", 0.5]]) {
+      await clip.locator(".speed button", {hasText: name}).click();
+      assert.equal(await clip.locator("video").evaluate((video) => video.playbackRate), speed);
+      assert.equal(await clip.locator(".speed [aria-pressed=true]").innerText(), name);
     }
-    assert.equal(await clip.locator(".speed output").innerText(), "0.5×");
+    assert.equal(await page.locator("#pair .speed [aria-pressed=true]").innerText(), "½×", "one speed for all clips");
+    assert.equal((await openClip(page, "pair")) && await page.locator("#pair video").evaluate((video) => video.playbackRate), 0.5);
     await close();
   });
 
@@ -143,7 +145,6 @@ describe("the player", () => {
     const clip = await openClip(page, "turns");
     await clip.locator(".loop").click();
     assert.equal(await clip.locator(".loop").getAttribute("aria-pressed"), "false");
-    await clip.locator(".speed input").fill("2");
     await clip.locator(".play").click();
     await page.waitForFunction(() => document.querySelector("#turns video").ended);
     assert.equal(await frameOf(clip), 89);
@@ -175,14 +176,33 @@ describe("the player", () => {
     await close();
   });
 
-  test("starts by itself where motion is welcome, one clip at a time", async () => {
+  test("begins by its large button, one clip at a time", async () => {
     const {page, close} = await open({reducedMotion: "no-preference"});
-    await openClip(page, "turns");
+    await page.locator("#turns .start").click();
     await playUntil(page, "turns", 0.1);
-    const other = await openClip(page, "bursts");
-    await other.locator("video").scrollIntoViewIfNeeded();
+    assert.ok(await page.locator("#turns .start").isHidden());
+    await page.locator("#bursts .start").click();
     await page.waitForFunction(() => !document.querySelector("#bursts video").paused);
     await page.waitForFunction(() => document.querySelector("#turns video").paused);
+    await close();
+  });
+
+  test("tells what happens, in captions and in a list", async () => {
+    const {page, problems, close} = await open();
+    const clip = await openClip(page, "bursts");
+    const cues = () => clip.locator("video").evaluate((video) => [...video.textTracks[0].activeCues ?? []].map((cue) => cue.text));
+    assert.deepEqual(await cues(), []);
+    await page.keyboard.press("c");
+    assert.equal(await clip.locator(".words").getAttribute("aria-pressed"), "true");
+    await clip.locator(".events summary").click();
+    const words = await clip.locator(".events button").allInnerTexts();
+    assert.match(words.at(-1), /^0\.\d\d s: flew apart$/);
+    await clip.locator(".events button").last().click();
+    await waitForSeek(page, "bursts");
+    await page.waitForFunction((last) => [...document.querySelector("#bursts video").textTracks[0].activeCues ?? []].some((cue) => cue.text === last), words.at(-1));
+    await clip.locator(".words").click();
+    assert.equal(await clip.locator("video").evaluate((video) => video.textTracks[0].mode), "disabled");
+    assert.deepEqual(problems, []);
     await close();
   });
 

@@ -1,0 +1,62 @@
+// The list of contents: where the reader is in it, and the way to the previous and the next figure.
+"use strict";
+
+const makeContents = (() => {
+  const kNear = 24;  // How far below the window's top a figure still counts as the one that is looked at. [pixels]
+
+  return function makeContents(nav, figures) {
+    const list = nav.querySelector("details");
+    const links = new Map([...nav.querySelectorAll("a")].map((link) => [decodeURIComponent(link.hash.slice(1)), link]));
+    const isWide = matchMedia("(min-width: 84rem)");
+
+    /** The figure that is looked at: the last whose top is above the middle of the window; -1 above the first. */
+    function current() {
+      return figures.findLastIndex((figure) => figure.getBoundingClientRect().top < innerHeight / 2);
+    }
+
+    function mark() {
+      const id = figures[current()]?.id;
+      const link = links.get(id);
+      if (link?.hasAttribute("aria-current")) return;
+      for (const each of links.values()) each.removeAttribute("aria-current");
+      link?.setAttribute("aria-current", "true");
+      if (!link || !isWide.matches) return;
+      // In the list alone: scrollIntoView() would move the page, too.
+      const {top, bottom} = link.getBoundingClientRect();
+      if (top < 0 || bottom > innerHeight) nav.scrollTop += top - innerHeight / 2;
+    }
+
+    function go(figure) {
+      if (!figure) return;
+      history.replaceState(null, "", "#" + encodeURIComponent(figure.id));
+      figure.scrollIntoView();
+      figure.setAttribute("tabindex", "-1");
+      figure.focus({preventScroll: true});
+    }
+
+    function next() {
+      go(figures.find((figure) => figure.getBoundingClientRect().top > kNear));
+    }
+    function previous() {
+      go(figures.findLast((figure) => figure.getBoundingClientRect().top < -kNear));
+    }
+
+    for (const [name, act] of [["previous", previous], ["next", next]]) {
+      const button = nav.querySelector("." + name);
+      button.hidden = false;
+      button.addEventListener("click", act);
+    }
+    const fold = () => { list.open = isWide.matches; };
+    isWide.addEventListener("change", fold);
+    fold();
+    nav.addEventListener("click", (event) => { if (event.target.closest("a") && !isWide.matches) list.open = false; });
+    nav.addEventListener("keydown", (event) => {
+      if (event.key !== "Escape" || isWide.matches || !list.open) return;
+      list.open = false;
+      list.querySelector("summary").focus();
+    });
+    addEventListener("scroll", mark, {passive: true});
+    mark();
+    return {previous, next};
+  };
+})();

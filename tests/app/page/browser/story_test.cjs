@@ -1,0 +1,164 @@
+// The page as a whole, in a real browser: contents, keys, loading, the live book's place, print, accessibility.
+"use strict";
+
+const assert = require("node:assert/strict");
+const fs = require("node:fs");
+const http = require("node:http");
+const path = require("node:path");
+const {test, before, after, describe} = require("node:test");
+const {kOut, kOutput, startBrowser, closeBrowser, open, openClip} = require("./made_page.cjs");
+
+before(startBrowser);
+after(closeBrowser);
+
+// As they come on the page: "steps" and "bursts" are in the story, the others aren't; the first of the command is the lead.
+const kIds = ["turns", "steps", "bursts", "pair", "book"];
+const kInContents = ["steps", "bursts", "turns", "pair", "book"];
+const kWidths = [390, 768, 1280, 1440];
+const kAxe = path.join(process.env.ROTATEBOOK_PLAYWRIGHT, "..", "axe-core", "axe.min.js");
+
+const atTop = (page) => page.evaluate(() => document.elementsFromPoint(innerWidth * 0.6, 60).map((one) => one.closest(".figure")?.id).find(Boolean));
+
+/** Serves the page's folder, with ranges, and counts the bytes of each file that are asked for. */
+async function serve() {
+  const sent = new Map();
+  const server = http.createServer((request, response) => {
+    const name = decodeURIComponent(new URL(request.url, "http://a").pathname.slice(1)) || "index.html";
+    const file = path.join(kOut, name);
+    if (!fs.existsSync(file)) { response.writeHead(404).end(); return; }
+    const bytes = fs.readFileSync(file);
+    const range = /bytes=(\d+)-(\d*)/.exec(request.headers.range ?? "");
+    const first = range ? Number(range[1]) : 0, last = range?.[2] ? Number(range[2]) : bytes.length - 1;
+    const type = {".html": "text/html", ".mp4": "video/mp4", ".png": "image/png", ".svg": "image/svg+xml"}[path.extname(name)];
+    const head = {"content-type": type ?? "text/plain", "accept-ranges": "bytes", "content-length": last - first + 1};
+    if (range) head["content-range"] = `bytes ${first}-${last}/${bytes.length}`;
+    response.writeHead(range ? 206 : 200, head);
+    sent.set(name, (sent.get(name) ?? 0) + last - first + 1);
+    response.end(bytes.subarray(first, last + 1));
+  });
+  await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+  return {sent, address: `http://127.0.0.1:${server.address().port}/`, close: () => { server.closeAllConnections(); server.close(); }};
+}
+
+describe("the list of contents", () => {
+  test("has all figures, and is always in sight", async () => {
+    for (const width of kWidths) {
+      const {page, close} = await open({viewport: {width, height: 800}});
+      const summary = page.locator(".contents summary");
+      if (await summary.isVisible()) await summary.click();
+      assert.deepEqual(await page.locator(".contents li li a").evaluateAll((all) => all.map((link) => link.hash.slice(1))), kInContents);
+      await page.locator(".contents a[href='#book']").click();
+      await page.waitForTimeout(300);
+      assert.equal(await page.locator(".contents [aria-current]").getAttribute("href"), "#book");
+      const {y, height} = await page.locator(".contents").boundingBox();
+      assert.ok(y >= 0 && y + height <= 801, `from ${y} to ${y + height}`);
+      await close();
+    }
+  });
+
+  test("goes to the next and the previous figure, by keys, too", async () => {
+    const {page, close} = await open();
+    assert.equal(await atTop(page), undefined);
+    for (const id of kIds) {
+      await page.keyboard.press("ArrowRight");
+      if (id !== "book") assert.equal(await atTop(page), id);
+      assert.equal(new URL(page.url()).hash, "#" + id);
+    }
+    await page.locator(".contents .previous").click();
+    assert.notEqual(await atTop(page), "book");
+    const hash = page.url();
+    await page.locator("#turns .seek").focus();
+    await page.keyboard.press("ArrowRight");
+    assert.equal(page.url(), hash, "arrows move a slider that has the focus");
+    await close();
+  });
+
+  test("closes by escape where it covers the page", async () => {
+    const {page, close} = await open({viewport: {width: 390, height: 800}});
+    await page.locator(".contents summary").click();
+    await page.keyboard.press("Escape");
+    assert.ok(!await page.locator(".contents details").evaluate((one) => one.open));
+    await close();
+  });
+});
+
+describe("loading", () => {
+  test("of a clip begins when it is wanted, and happens once", async () => {
+    const server = await serve();
+    const {page, close} = await open({reducedMotion: "no-preference"}, {address: server.address});
+    const ofClips = () => [...server.sent].filter(([name]) => name.endsWith(".mp4"));
+    for (const id of kIds) {
+      await page.locator("#" + id).scrollIntoViewIfNeeded();
+      await page.waitForTimeout(200);
+    }
+    assert.deepEqual(ofClips(), []);
+    assert.ok(server.sent.has("bursts.poster.png") && server.sent.has("bursts.thumbnail.png"));
+    await page.locator("#turns .start").click();
+    for (let round = 0; round < 2; ++round) {
+      await page.waitForFunction(() => document.querySelector("#turns video").currentTime > 1.2);
+      await page.waitForFunction(() => document.querySelector("#turns video").currentTime < 1);
+    }
+    const size = fs.statSync(path.join(kOut, "turns.mp4")).size;
+    assert.deepEqual(ofClips(), [["turns.mp4", size]]);
+    await close();
+    server.close();
+  });
+});
+
+describe("the live book's place", () => {
+  const kLive = () => { window.rotatebook = {play: (toml) => { window.played = toml; }}; };
+
+  test("takes scenes of clips from their buttons", async () => {
+    const {page, close} = await open({}, {script: kLive, live: true});
+    await page.locator("#bursts .toy button").click();
+    assert.match(await page.evaluate(() => window.played), /model = "particles"/);
+    assert.ok(await page.locator("#live").isVisible());
+    await close();
+  });
+
+  test("has no buttons without it", async () => {
+    const {page, close} = await open();
+    assert.equal(await page.locator("#live").count(), 0);
+    assert.equal(await page.locator(".toy:visible").count(), 0);
+    await close();
+  });
+});
+
+describe("the whole page", () => {
+  test("needs no scrolling sideways", async () => {
+    for (const width of kWidths) {
+      const {page, close} = await open({viewport: {width, height: 800}});
+      for (const id of kIds) await page.locator("#" + id).scrollIntoViewIfNeeded();
+      await page.evaluate(() => document.querySelectorAll(".facts details").forEach((one) => { one.open = true; }));
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth);
+      assert.ok(wide <= width, `${wide} pixels of ${width}`);
+      await page.screenshot({path: path.join(kOutput, `whole-${width}.png`), fullPage: true});
+      await close();
+    }
+  });
+
+  test("has no violation of axe's rules, light and dark, narrow and wide", async () => {
+    for (const colorScheme of ["light", "dark"]) {
+      for (const width of [390, 1440]) {
+        const {page, close} = await open({colorScheme, viewport: {width, height: 900}});
+        for (const id of ["turns", "bursts", "pair"]) await openClip(page, id);
+        await page.evaluate(() => document.querySelectorAll("details").forEach((one) => { one.open = true; }));
+        await page.addScriptTag({path: kAxe});
+        const {violations, passes} = await page.evaluate(() => window.axe.run());
+        assert.ok(passes.length > 20, `${passes.length} rules`);
+        assert.deepEqual(violations.map((one) => [one.id, one.nodes.map((node) => node.html.slice(0, 120))]), []);
+        await close();
+      }
+    }
+  });
+
+  test("is printed with a page for each figure", async () => {
+    const {page, close} = await open();
+    await page.emulateMedia({media: "print"});
+    await page.evaluate(() => dispatchEvent(new Event("beforeprint")));
+    const pdf = await page.pdf({path: path.join(kOutput, "printed.pdf"), format: "A4"});
+    const pages = (pdf.toString("latin1").match(/\/Type\s*\/Page\b/g) ?? []).length;
+    assert.equal(pages, kIds.length);
+    await close();
+  });
+});

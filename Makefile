@@ -15,14 +15,14 @@ export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions
 
 help:
 	@echo 'make figures             render every figure, comparison and study into $(OUT)/, each checked,'
-	@echo '                         and $(OUT)/index.html, a page that shows them'
+	@echo '                         $(OUT)/index.html, a page that shows them, and $(OUT)/play.html'
 	@echo 'make test                build and run all tests'
 	@echo 'make fuzz                feed the readers with what nobody would write, SECONDS=60 or RUNS=100000 for each'
 	@echo '                         (only one: TARGET=NAME; there are $(FUZZ_TARGETS))'
 	@echo 'make coverage            count the lines that the tests run; a page in $(OUT)/coverage/'
 	@echo 'make render SCENE=FILE   render one scene into $(OUT)/ (more options: ARGS="--no-png")'
-	@echo 'make play                compile the core to WebAssembly, into build/play/'
-	@echo 'make test-play           run the core'"'"'s tests in Node'
+	@echo 'make play                build build/play/play.html, the live book, in one file'
+	@echo 'make test-play           run its tests: of the core in Node, of the page in browsers'
 	@echo 'make program             build $(PROGRAM)'
 	@echo 'make build               build the tests and benchmarks, too'
 	@echo 'make bench               measure frames a second by stage and end to end; two plots in $(OUT)/bench/'
@@ -59,29 +59,33 @@ program: configure
 build: configure-test
 	@cmake --build $(BUILD)
 
-# The core for a browser, whatever PRESET says. Emscripten runs scripts that Debian keeps there, with Debian's node or another.
+# The live book, whatever PRESET says. Emscripten runs scripts that Debian keeps there, with Debian's node or another.
+PLAY = NODE_PATH=/usr/share/nodejs cmake --build build/play
 play: setup
 	@scripts/setup.sh scripts/packages-play.txt
 	@cmake --preset play >/dev/null
-	@NODE_PATH=/usr/share/nodejs cmake --build build/play --target rotatebook_core_module
+	@$(PLAY) --target live_book
 
-test-play: setup
-	@scripts/setup.sh scripts/packages-play.txt
+# BROWSERS="text motions": only those of the tests in browsers.
+test-play: program play
+	@scripts/setup.sh scripts/packages-play-test.txt
 	@cmake --preset play -DBUILD_TESTING=ON >/dev/null
-	@NODE_PATH=/usr/share/nodejs cmake --build build/play
+	@$(PLAY)
 	ctest --test-dir build/play --output-on-failure --no-tests=error
 	node tests/browser/node/motions.cjs build/play tests/same_bits/motions.txt scenes
+	tests/browser/player/run $(CURDIR)/$(PROGRAM) $(CURDIR)/build/play/play.html $(CURDIR)/build/play/browser $(BROWSERS)
 
 PREFIX ?= /usr/local
 install: program
 	cmake --install $(BUILD) --prefix $(PREFIX)
 
-figures: program
+figures: program play
 	$(PROGRAM) render scenes/comparisons/*.toml scenes/figures/*.toml -o $(OUT) --resume --overwrite
 	$(PROGRAM) study scenes/studies/*.toml -o $(OUT)
 	$(PROGRAM) still scenes/stills/fig01-axes.toml --time 0 -o $(OUT)/fig01-axes.png
 	$(PROGRAM) page scenes/comparisons/axes.toml scenes/stills/*.toml scenes/figures/*.toml scenes/comparisons/*.toml \
-	  scenes/studies/*.toml -o $(OUT)
+	  scenes/studies/*.toml -o $(OUT) --live build/play/live_book.html
+	cp build/play/play.html $(OUT)/play.html
 
 # The picture at the top of docs/figures.md: views that say what there is, small enough for a page.
 gallery: program

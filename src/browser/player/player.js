@@ -118,9 +118,7 @@ class Player {
     this.ghostTree = this.scene.ghostTree();
     this.ghostFrames = 0;
     this.needsGhost = this.ghostTree !== null;
-    // Simulate as far as the picture that is shown, if that is soon done.
-    const until = performance.now() + 60;
-    while (this.simulated <= frame && !this.isComplete && performance.now() < until) this.#ahead(frame);
+    this.#reach(frame);
     this.clock.go(Math.min(frame, this.lastFrame));
     this.told = this.frame;
     this.redraw();
@@ -152,6 +150,12 @@ class Player {
     else if (took < 1) this.steps = Math.min(2 * this.steps, 1e6);
   }
 
+  /** Simulates as far as the picture that is to be shown, if that is soon done. */
+  #reach(frame) {
+    const until = performance.now() + 60;
+    while (this.simulated <= frame && !this.isComplete && !this.motionFailed && performance.now() < until) this.#ahead(frame);
+  }
+
   #simulate() {
     const until = performance.now() + kBudget;
     while (!this.isComplete && !this.motionFailed && performance.now() < until) this.#ahead();
@@ -160,7 +164,9 @@ class Player {
     if (!this.ghostTree || this.isProving) return;
     if (this.needsGhost) this.core.read(kSecond, tomlText(this.ghostTree));
     this.needsGhost = false;
-    if (this.ghostFrames < this.core.frames(kSecond)) this.ghostFrames = this.core.advance(kSecond, this.core.frames(kSecond) - 1, 20000);
+    if (this.ghostFrames === this.core.frames(kSecond)) return;
+    if (this.ghostFrames <= this.frame) this.redraw();
+    this.ghostFrames = this.core.advance(kSecond, this.core.frames(kSecond) - 1, 20000);
   }
 
   #showChecksum() {
@@ -237,6 +243,7 @@ class Player {
   }
 
   seek(frame) {
+    this.#reach(frame);
     this.clock.go(Math.max(Math.min(frame, this.lastFrame), 0));
     this.told = this.frame;
     this.redraw();

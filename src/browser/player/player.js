@@ -49,8 +49,8 @@ class Player {
     this.pointer = new Pointer(this.stage, this);
     new Commands(this.root, this);
     const tick = (now) => {
+      requestAnimationFrame(tick);  // First, so that no error ends the pictures.
       this.tick(now);
-      requestAnimationFrame(tick);
     };
     tick(performance.now());
   }

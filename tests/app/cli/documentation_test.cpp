@@ -125,6 +125,7 @@ class ShownCommands : public ProgramTest {
   /// first.
   ShownCommands() {
     write("my.toml", kSmall);
+    write("build/play/live_book.html", "<p>The live book</p>\n");
     const fs::path root = ROTATEBOOK_SOURCE;
     const std::string makefile = readText(root / "Makefile");
     for (const char* below : {"scenes", "docs"}) {

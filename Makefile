@@ -11,17 +11,17 @@ export TSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/tsan.supp
 export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0:use_tls=0
 
 .DEFAULT_GOAL := help
-.PHONY: help play test-play setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures install clean
+.PHONY: help play test-play setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures install portable clean
 
 help:
-	@echo 'make figures             render every figure, comparison and study into $(OUT)/, each checked,'
+	@echo 'make figures             make every figure, comparison, study and map in $(OUT)/, each checked,'
 	@echo '                         $(OUT)/index.html, a page that shows them, and $(OUT)/play.html'
 	@echo 'make test                build and run all tests'
 	@echo 'make fuzz                feed the readers with what nobody would write, SECONDS=60 or RUNS=100000 for each'
 	@echo '                         (only one: TARGET=NAME; there are $(FUZZ_TARGETS))'
 	@echo 'make coverage            count the lines that the tests run; a page in $(OUT)/coverage/'
 	@echo 'make render SCENE=FILE   render one scene into $(OUT)/ (more options: ARGS="--no-png")'
-	@echo 'make play                build build/play/play.html, the live book, in one file'
+	@echo 'make play                make $(OUT)/play.html, the live book, in one file'
 	@echo 'make test-play           run its tests: of the core in Node, of the page in browsers'
 	@echo 'make program             build $(PROGRAM)'
 	@echo 'make build               build the tests and benchmarks, too'
@@ -34,6 +34,7 @@ help:
 	@echo 'make textures            draw the cover anew (see assets/README.md)'
 	@echo 'make setup               install what the program needs; other targets install what they need, too'
 	@echo 'make install PREFIX=DIR   install the program, and the core as a CMake package (default /usr/local)'
+	@echo 'make portable            make a folder, and its archive, that run without anything being installed'
 	@echo 'make clean               remove build/ and $(OUT)/'
 	@echo 'PRESET=dev, asan-ubsan or tsan builds otherwise than optimised.'
 
@@ -65,6 +66,8 @@ play: setup
 	@scripts/setup.sh scripts/packages-play.txt
 	@cmake --preset play >/dev/null
 	@$(PLAY) --target live_book
+	@mkdir -p $(OUT)
+	cp build/play/play.html $(OUT)/play.html
 
 # BROWSERS="text motions": only those of the tests in browsers.
 test-play: program play
@@ -79,13 +82,18 @@ PREFIX ?= /usr/local
 install: program
 	cmake --install $(BUILD) --prefix $(PREFIX)
 
+# On Debian 12, whose glibc is the oldest that it then runs with.
+portable: program
+	@scripts/setup.sh scripts/packages-portable.txt
+	@scripts/portable.sh $(PROGRAM) build/portable
+
 figures: program play
 	$(PROGRAM) render scenes/comparisons/*.toml scenes/figures/*.toml -o $(OUT) --resume --overwrite
 	$(PROGRAM) study scenes/studies/*.toml -o $(OUT)
+	$(PROGRAM) map scenes/maps/*.toml -o $(OUT) --resume --overwrite
 	$(PROGRAM) still scenes/stills/fig01-axes.toml --time 0 -o $(OUT)/fig01-axes.png
 	$(PROGRAM) page scenes/comparisons/axes.toml scenes/stills/*.toml scenes/figures/*.toml scenes/comparisons/*.toml \
-	  scenes/studies/*.toml -o $(OUT) --live build/play/live_book.html
-	cp build/play/play.html $(OUT)/play.html
+	  scenes/studies/*.toml scenes/maps/*.toml -o $(OUT) --live build/play/live_book.html
 
 # The picture at the top of docs/figures.md: views that say what there is, small enough for a page.
 gallery: program

@@ -1,11 +1,14 @@
-// The cost of a step, by model and integrator, beside the same step in the plainest words; and that
-// of one evaluation of the exact solution. Single thread, default flags.
+// The cost of a step, by model and integrator, beside the same step in the plainest words, and
+// beside that of many motions in lanes; and that of the exact solution. Single thread, default
+// flags.
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <benchmark/benchmark.h>
 
 #include "base/number_text.h"
+#include "ensemble/ensemble.h"
 #include "physics/make_simulator.h"
 #include "physics/motion_start.h"
 #include "plain_steps.h"
@@ -32,9 +35,9 @@ MotionSettings tumbling(Model model, Integrator integrator) {
 }
 
 // Seconds for one step, which the table shows in nanoseconds.
-void reportStep(benchmark::State& state) {
+void reportStep(benchmark::State& state, double steps = kSteps) {
   state.counters["step"] = benchmark::Counter(
-      kSteps, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+      steps, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 void step(benchmark::State& state, const MotionSettings& settings) {
@@ -52,6 +55,43 @@ void plainStep(benchmark::State& state, Model model) {
   }
   benchmark::DoNotOptimize(plain);
   reportStep(state);
+}
+
+// Motions of a map: the tilt varies.
+std::vector<MotionSettings> motionsOf(Integrator integrator, double h, int substeps) {
+  std::vector<MotionSettings> motions(64, tumbling(Model::Quaternion, integrator));
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    motions[i].initial.tilt->angle = 0.01 * static_cast<double>(1 + i);
+    motions[i].simulation.substeps = substeps;
+    motions[i].simulation.timePerFrame = h * substeps;
+  }
+  return motions;
+}
+
+void lanes(benchmark::State& state, Integrator integrator, ensemble::InstructionSet set) {
+  constexpr int kMany = 10 * kSteps;
+  const auto motions = motionsOf(integrator, kStep, kMany);
+  for (auto _ : state) benchmark::DoNotOptimize(ensemble::statesAfter(motions, 1, set));
+  reportStep(state, kMany * static_cast<double>(motions.size()));
+}
+
+// A column of a map of half-turns: 20 s in steps of 3 ms, looked at every 51 ms.
+void halfTurns(benchmark::State& state, ensemble::InstructionSet set) {
+  constexpr int kMany = 6667;
+  std::vector<ensemble::WatchedMotion> motions;
+  for (const MotionSettings& motion : motionsOf(Integrator::Euler, 0.003, 1)) {
+    motions.push_back({motion, kMany, 17});
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(ensemble::outcomesOf(motions, set));
+  reportStep(state, kMany * static_cast<double>(motions.size()));
+}
+
+void exactConstruction(benchmark::State& state, double tilt) {
+  MotionSettings settings = tumbling(Model::Exact, Integrator::Euler);
+  settings.initial.tilt->angle = tilt;
+  const rigid::PrincipalAxes inertia = modelInertia(settings);
+  const DoubleDouble3 velocity = settings.initial.alongPrincipal(inertia);
+  for (auto _ : state) benchmark::DoNotOptimize(rigid::ExactRotation(inertia, velocity).at(10));
 }
 
 void exactEvaluation(benchmark::State& state, double tilt) {
@@ -75,6 +115,20 @@ void registerModels() {
   }
 }
 
+void registerLanes() {
+  for (const ensemble::InstructionSet set : ensemble::availableSets()) {
+    if (set == ensemble::InstructionSet::None) continue;
+    const std::string name(nameOf(set));
+    for (const Integrator integrator :
+         {Integrator::Euler, Integrator::Rk4, Integrator::Midpoint, Integrator::Dmv6}) {
+      const auto word = physics::kIntegratorNames.at(static_cast<std::size_t>(integrator));
+      benchmark::RegisterBenchmark(("lanes/" + std::string(word) + "/" + name).c_str(), lanes,
+                                   integrator, set);
+    }
+    benchmark::RegisterBenchmark(("lanes/half-turns/" + name).c_str(), halfTurns, set);
+  }
+}
+
 void registerOthers() {
   benchmark::RegisterBenchmark("plain/particles/euler", plainStep<PlainParticles>,
                                Model::Particles);
@@ -82,6 +136,8 @@ void registerOthers() {
   benchmark::RegisterBenchmark("plain/quaternion/euler", plainStep<PlainQuaternion>,
                                Model::Quaternion);
   for (const double tilt : {0.5, 1e-2, 1e-6, 1e-12}) {
+    benchmark::RegisterBenchmark(("exact, made anew/tilt " + shortestText(tilt)).c_str(),
+                                 exactConstruction, tilt);
     benchmark::RegisterBenchmark(("exact/tilt " + shortestText(tilt)).c_str(), exactEvaluation,
                                  tilt);
   }
@@ -92,6 +148,7 @@ void registerOthers() {
 
 int main(int argc, char** argv) {
   rotatebook::bench::registerModels();
+  rotatebook::bench::registerLanes();
   rotatebook::bench::registerOthers();
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

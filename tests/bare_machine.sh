@@ -18,75 +18,19 @@
 # 143 interrupted.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/.." && pwd)
-readonly release=bookworm
-PATH=$PATH:/usr/sbin:/sbin
+label="bare machine"
+# shellcheck source=tests/bare_debian.sh
+. "$root/tests/bare_debian.sh"
 
-usage() { sed -n '2,/^set/{/^#/s/^# \{0,1\}//p}' "$0"; }
-say() { echo "bare machine: $*"; }
-fail() { say "failed: $*" >&2; exit 1; }
-skip() { say "skipped: $*"; exit 77; }
-refuse() { say "$*; see --help" >&2; exit 2; }
-
-commands="render figures test" folder= base= keep=
+commands="render figures test" words=0
 while [ $# -gt 0 ]; do
   case $1 in
-    --quick) commands=render ;;
-    --folder | --base) [ $# -gt 1 ] || refuse "$1 needs a folder"; declare "${1#--}=$(realpath -m "$2")"; shift ;;
-    --keep) keep=yes ;;
-    --help) usage; exit 0 ;;
-    *) refuse "what is $1?" ;;
+    --quick) commands=render words=1 ;;
+    *) option "$@" ;;
   esac
-  shift
+  shift $words
 done
-[ -z "$folder" ] || [ ! -e "$folder" ] || refuse "$folder exists already"
-[ "$(id -u)" = 0 ] || skip "only root can run it"
-command -v debootstrap >/dev/null || skip "debootstrap isn't installed: apt-get install debootstrap"
-unshare --mount --pid --fork --mount-proc true 2>/dev/null || skip "nothing can be mounted here"
-
-made=() child=  # Files and folders to remove; the process that is waited for.
-finish() {
-  status=$?
-  trap - EXIT
-  if [ -n "$child" ]; then  # What it started dies with it, but not at once.
-    kill -KILL "$child" 2>/dev/null || true
-    wait "$child" 2>/dev/null || true
-    sleep 1
-  fi
-  rm -rf --one-file-system "${made[@]}"
-  [ -z "$keep" ] || [ ! -d "$folder" ] || say "left in $folder"
-  exit "$status"
-}
-trap finish EXIT
-interrupted() { say "interrupted"; exit $((128 + $1)); }
-trap 'interrupted 1' HUP
-trap 'interrupted 2' INT
-trap 'interrupted 15' TERM
-
-# Runs a command in namespaces of its own; a signal to this script ends it at once, with all that it started.
-apart() {
-  unshare --mount --pid --fork --kill-child --mount-proc "$@" &
-  child=$!
-  local status=0
-  wait $child || status=$?
-  child=
-  return $status
-}
-
-# This machine's Debian sources of the release, "URI SUITE COMPONENT"; none on other systems.
-sources() {
-  { apt-get indextargets --format '$(ORIGIN) $(CODENAME) $(REPO_URI) $(COMPONENT)' 'Created-By: Packages' 2>/dev/null || true; } |
-    sed -nE "s/^Debian ($release[^ ]*) ([^ ]+) ([^ ]+)$/\2 \1 \3/p"
-}
-
-# Makes Debian's base in a folder.
-bootstrap() {
-  local mirror log=$temporary/log
-  mirror=$(sources | sed -nE "s/^([^ ]+) $release main$/\1/p" | head -n 1)
-  say "debootstrap --variant=minbase $release $1 $mirror"
-  apart debootstrap --variant=minbase $release "$1" $mirror >"$log" 2>&1 && return
-  tail -n 5 "$log" >&2
-  skip "debootstrap can't get Debian $release"
-}
+require_means
 
 # Gives the machine what it takes from this one.
 connect() {
@@ -123,20 +67,7 @@ readme_command() {
 }
 
 [ -z "$(git -C "$root" status --porcelain)" ] || say "what isn't committed is left out"
-temporary=$(mktemp -d)
-made+=("$temporary")
-folder=${folder:-$temporary/machine}
-if [ -n "$keep" ]; then  # What is kept isn't made in a folder that is removed.
-  [ "$folder" != "$temporary/machine" ] || folder=$(mktemp -d)/machine
-else
-  made+=("$folder")
-fi
-if [ -n "$base" ] && [ ! -d "$base" ]; then
-  made+=("$base.making")
-  bootstrap "$base.making"
-  mv "$base.making" "$base"
-fi
-if [ -n "$base" ]; then cp -a "$base" "$folder"; else bootstrap "$folder"; fi
+make_machine
 connect
 
 on_machine "export DEBIAN_FRONTEND=noninteractive; apt-get update -q && apt-get install -q -y --no-install-recommends git make ca-certificates"

@@ -9,6 +9,9 @@
   const visible = new Map();  // share of each clip's <video> that is in the window
   let lastUsed = null;
 
+  /** The clip's video; null of a GIF or an APNG. */
+  const videoOf = (section) => section.querySelector("video");
+
   /** Only one clip moves at a time. */
   function pauseOthers(player) {
     for (const other of players.values()) {
@@ -19,6 +22,10 @@
 
   function build(section) {
     const clip = JSON.parse(section.querySelector("script.data").textContent);
+    if (!videoOf(section)) {
+      plots.set(section, makePlots(section, clip, new MovingPicture(section, clip)));
+      return;
+    }
     const player = new Player(section, clip);
     players.set(section, player);
     player.addEventListener("play", () => pauseOthers(player));
@@ -27,8 +34,9 @@
 
   /** The small picture without words is there from the start; the whole poster is loaded where it is seen. */
   function showPoster(section) {
-    const video = section.querySelector("video");
-    video.poster = video.dataset.poster;
+    const video = videoOf(section), picture = section.querySelector(".screen img");
+    if (video) video.poster = video.dataset.poster;
+    else if (!section.querySelector(".playing")) picture.src = picture.dataset.poster;
   }
 
   // All that takes room is there at once, so that links and the browser find what they look for; only curves far below the
@@ -41,7 +49,7 @@
       near.unobserve(entry.target);
       plots.get(entry.target).forEach((plot) => plot.draw());
       showPoster(entry.target);
-      seen.observe(entry.target.querySelector("video"));
+      if (videoOf(entry.target)) seen.observe(videoOf(entry.target));
     }
   }, {rootMargin: "600px"});
 
@@ -89,16 +97,24 @@
   const nav = document.querySelector(".contents");
   const contents = nav ? makeContents(nav, [...document.querySelectorAll(".figure")]) : null;
 
-  // The live book, where the page has one, takes the scenes of clips and stills.
-  if (window.rotatebook?.play) {
-    for (const toy of document.querySelectorAll(".toy")) {
-      toy.hidden = false;
-      toy.addEventListener("click", () => {
-        window.rotatebook.play(toy.closest(".figure").querySelector("pre.scene").textContent);
-        document.getElementById("live").scrollIntoView();
-      });
+  // The live book, where the page has one, takes the scenes of all figures once it is ready, or says that it never will be. The
+  // buttons' room is there from the start.
+  const toys = document.getElementById("live") ? [...document.querySelectorAll(".toy")] : [];
+  function connectToys() {
+    const {rotatebook} = window, isReady = Boolean(rotatebook?.play), isLacking = document.querySelector(".rb-live")?.dataset.ready === "false";
+    for (const toy of toys) {
+      toy.hidden = isLacking;
+      toy.querySelector("button").disabled = !isReady;
     }
   }
+  for (const toy of toys) {
+    toy.addEventListener("click", () => {
+      const figure = toy.closest(".figure"), data = figure.querySelector("script.data");
+      window.rotatebook?.play(figure.querySelector("pre.scene").textContent, (data && JSON.parse(data.textContent).checksum) ?? null);
+    });
+  }
+  connectToys();
+  document.addEventListener("rotatebook-live", connectToys);
 
   // On paper, all curves and whole posters.
   addEventListener("beforeprint", () => {

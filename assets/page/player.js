@@ -1,6 +1,32 @@
 // A clip's player: a <video> that knows its frames. It tells of each frame by the event "frame".
 "use strict";
 
+/** The simulated time of each frame. [s] */
+const timesOf = (clip) => clip.times ?? Array.from({length: clip.frames}, (unused, index) => index * clip.interval);
+
+/** A clip that is a GIF or an APNG. No browser tells its frame: its plots stay at the start. */
+class MovingPicture extends EventTarget {
+  frame = 0;
+
+  constructor(section, clip) {
+    super();
+    this.section = section;
+    this.times = timesOf(clip);
+    const picture = section.querySelector(".screen img"), start = section.querySelector(".start");
+    start.hidden = false;
+    start.addEventListener("click", () => {
+      const isMoving = start.classList.toggle("playing");
+      picture.src = isMoving ? picture.dataset.moving : picture.dataset.poster;
+      start.setAttribute("aria-label", (isMoving ? "Stop " : "Play ") + picture.alt);
+    });
+    for (const event of section.querySelectorAll(".events button")) event.replaceWith(event.textContent);
+  }
+
+  frameNearest() { return this.frame; }
+  seek() {}
+  pause() {}
+}
+
 const kIdleAfter = 2500;  // [ms]
 
 class Player extends EventTarget {
@@ -14,8 +40,7 @@ class Player extends EventTarget {
     this.element = section.querySelector(".player");
     this.frames = clip.frames;
     this.rate = clip.rate[0] / clip.rate[1];
-    // Simulated time of each frame.
-    this.times = clip.times ?? Array.from({length: clip.frames}, (unused, index) => index * clip.interval);
+    this.times = timesOf(clip);
     this.frame = 0;
     this.next = null;  // the frame to go to when the video is done with going to another
     this.looping = true;

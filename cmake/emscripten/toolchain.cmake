@@ -13,5 +13,5 @@ foreach(header toml++ xxhash.h xxh3.h)
 endforeach()
 set(CMAKE_CXX_FLAGS_INIT "-fwasm-exceptions -isystem ${headers} -include ${CMAKE_CURRENT_LIST_DIR}/lacking.h")
 
-# Node's own fetch() would be taken for a browser's; the parser recurses as deep as a text nests.
+# Node's own fetch() would be taken for a browser's; the parser recurses up to its limit of depth.
 set(CMAKE_CROSSCOMPILING_EMULATOR node --no-experimental-fetch --stack-size=3900)

@@ -14,6 +14,7 @@ namespace {
 using rotatebook::faults::failsAt;
 using rotatebook::faults::isWanted;
 using rotatebook::faults::next;
+using rotatebook::faults::redirected;
 
 std::string pathOf(int descriptor) {
   std::array<char, 4096> path;
@@ -29,8 +30,9 @@ bool writes(int flags) {
 using Open = int(const char*, int, ...);
 
 int openNext(const char* name, const char* path, int flags, mode_t mode) {
+  if (writes(flags)) rotatebook::faults::meet(path);
   if (writes(flags) && failsAt("open", path)) return -1;
-  return next<Open>(name)(path, flags, mode);
+  return next<Open>(name)(redirected(path), flags, mode);
 }
 
 /// Not one of any change.
@@ -93,6 +95,10 @@ int fdatasync(int file) {
 
 int rename(const char* from, const char* to) {
   return failsAt("rename", from) ? -1 : next<int(const char*, const char*)>("rename")(from, to);
+}
+
+int link(const char* from, const char* to) {
+  return failsAt("link", from) ? -1 : next<int(const char*, const char*)>("link")(from, to);
 }
 
 int remove(const char* path) {

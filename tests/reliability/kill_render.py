@@ -27,7 +27,7 @@ size = [320, 180]
 duration = 1.0
 """
 OLDER = ["--set", "body.mass=2", "--format", "gif,apng"]
-PART = ["--frames", "10:40", "--no-mp4"]
+PARTS = [["--frames", "10:40", "--no-mp4"], ["--part", "2/3"]]
 NAME = "killed"
 ON_ITS_WAY = ("rotatebook-", "frames.", ".partial.mp4")
 
@@ -108,7 +108,7 @@ def run(program, kills, folder):
             shutil.copytree(older, out)
         reference = over if replaces else whole
         go_on = ["--resume", "--overwrite"] if replaces else ["--resume"]
-        ways = [go_on] if replaces else [go_on, go_on + PART]
+        ways = [go_on] if replaces else [go_on, go_on + random.choice(PARTS)]
         while killed < kills and kill_once(program, out, latest, random.choice(ways)):
             killed += 1
             require_whole(out, [over, older] if replaces else [whole])

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/frame_rate.h"
 #include "base/text.h"
+#include "cli/clip_options.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
@@ -20,6 +21,7 @@ namespace {
 
 struct AssembleArguments {
   std::string folder, output, frameRate;
+  bool whole = false;
 };
 
 /// Throws InputError if the video would replace what it is made from.
@@ -52,7 +54,13 @@ int assembleFrames(const AssembleArguments& arguments) {
     ProgressLine progress(arguments.output);
     made = pipeline::assemble(
         arguments.folder, arguments.output, rate,
-        [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); });
+        [&](pipeline::RenderProgress now) { progress.update(now.done, now.total); },
+        arguments.whole);
+  }
+  if (made.unlisted > 0) {
+    std::cerr << "note: " + store::framesText(made.unlisted) + " of them without a checksum in " +
+                     store::kFrameChecksumsName +
+                     ": whole PNGs, but maybe not as they were drawn\n";
   }
   std::cout << "wrote " << store::framesText(made.frames.count()) << " to "
             << oneLine(arguments.output) << (made.isPart() ? partText(made) : "") << '\n';
@@ -75,12 +83,16 @@ void addAssembleCommand(CLI::App& program, Action& action) {
       ->add_option("--fps", arguments->frameRate,
                    "Frame rate, e.g. 60 or 30000/1001; only where DIR has no scene.toml")
       ->type_name("RATE");
+  command->add_flag("--whole", arguments->whole,
+                    "Write nothing unless all frames of the scene are there");
+  addRetryStatus(*command);
   command->footer(R"(
 With the scene.toml that a render leaves beside its frames, this writes the same bytes as the render.
 If a frame is missing or no longer has its checksum in frames.xxh128, nothing is written: render with
---resume, which draws the frame again, or remove frames.xxh128 to join the frames as they are. The folder
-of a whole clip that is still being rendered is refused, too. If only parts of a clip are there, the
-frames that were joined are reported.
+--resume, which draws the frame again, or remove frames.xxh128 to join the frames as they are. A frame
+without a checksum there is joined if it is a whole PNG, and reported. The folder of a whole clip that is
+still being rendered is refused, too. If only parts of a clip are there, the frames that were joined are
+reported; with --whole nothing is written.
 
 Example:
   rotatebook assemble out/starter -o starter.mp4)");

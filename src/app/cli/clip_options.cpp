@@ -1,5 +1,8 @@
 #include "cli/clip_options.h"
 
+#include "base/error.h"
+#include "cli/exit_code.h"
+
 namespace rotatebook::cli {
 
 void addClip(CLI::App& command, std::filesystem::path& clip) {
@@ -14,6 +17,19 @@ void addTextureOptions(CLI::App& command, store::TextureLookup& textures) {
                   "Folder with the scene's textures; by default the clip's folder")
       ->type_name("DIR");
   addAllowOutside(command, textures.allowOutside);
+}
+
+store::ClipPart partOf(const std::string& text) {
+  if (const auto part = store::parsePart(text)) return *part;
+  throw InputError("--part " + text +
+                   ": not a part; write its number and how many there are, 1/16 " +
+                   "to 16/16 for 16 parts");
+}
+
+void addRetryStatus(CLI::App& command) {
+  command.add_flag_callback("--retry-status", askForRetryStatus,
+                            "End with 75 where trying again may help: after a signal, a full disk, "
+                            "a lock of another process, a missing device");
 }
 
 CLI::Option* addAllowOutside(CLI::App& command, bool& allowOutside) {

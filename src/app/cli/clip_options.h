@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "store/clip_files.h"
 #include "store/clip_record.h"
 
 namespace rotatebook::cli {
@@ -17,5 +18,11 @@ void addTextureOptions(CLI::App& command, store::TextureLookup& textures);
 
 /// Adds --allow-outside alone, for commands that read scenes.
 CLI::Option* addAllowOutside(CLI::App& command, bool& allowOutside);
+
+/// Returns the part that --part names. Throws InputError.
+store::ClipPart partOf(const std::string& text);
+
+/// Adds --retry-status, which asks for kTryAgain as the exit status.
+void addRetryStatus(CLI::App& command);
 
 }  // namespace rotatebook::cli

@@ -69,7 +69,7 @@ void onOutOfMemory() {
     std::abort();
   }
   printCrash(kOutOfMemory);
-  _exit(kMachineFailed);
+  _exit(endStatus(kTryAgain));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "cli/error_report.h"
 
+#include <atomic>
 #include <iostream>
 #include <new>
 #include <system_error>
@@ -7,9 +8,17 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/exit_code.h"
+#include "system/file_descriptor.h"
 
 namespace rotatebook::cli {
 namespace {
+
+std::atomic<bool> wantsRetryStatus = false;
+
+int statusOfKind(ErrorKind kind) {
+  if (kind == ErrorKind::Input) return kWrongInput;
+  return kind == ErrorKind::Transient ? kTryAgain : kMachineFailed;
+}
 
 const char* messageOf(const std::system_error& error) {
   if (error.code() != std::errc::resource_unavailable_try_again) return error.what();
@@ -18,6 +27,16 @@ const char* messageOf(const std::system_error& error) {
 }
 
 }  // namespace
+
+void askForRetryStatus() {
+  wantsRetryStatus = true;
+}
+
+int endStatus(int status) noexcept {
+  if (status != kTryAgain && status < kInterrupted) return status;
+  if (wantsRetryStatus) return kTryAgain;
+  return status == kTryAgain ? kMachineFailed : status;
+}
 
 void printError(std::string_view message, std::string_view subject) {
   std::cerr << "rotatebook: " << subject << message << '\n';
@@ -31,11 +50,12 @@ int reportError(const std::exception_ptr& error, std::string_view subject) {
   try {
     std::rethrow_exception(error);
   } catch (const Error& known) {
-    return print(known.what(), known.kind() == ErrorKind::Input ? kWrongInput : kMachineFailed);
+    return print(known.what(), statusOfKind(known.kind()));
   } catch (const std::bad_alloc&) {
-    return print("out of memory", kMachineFailed);
+    return print("out of memory", kTryAgain);
   } catch (const std::system_error& system) {
-    return print(messageText(messageOf(system)).c_str(), kMachineFailed);
+    return print(messageText(messageOf(system)).c_str(),
+                 statusOfKind(system::kindOfError(system.code().value())));
   } catch (const std::exception& other) {
     return print(messageText(other.what()).c_str(), kMachineFailed);
   }

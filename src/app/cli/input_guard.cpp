@@ -24,7 +24,9 @@ std::vector<Input> inputsOf(const fs::path& path, const scene::Scene& scene) {
 store::Footprint footprintOf(const scene::Scene& scene, const pipeline::RenderOptions& options) {
   store::Footprint footprint;
   const std::vector<video::VideoFormat> formats = formatsOf(options.outputs);
-  if (options.frames) {
+  if (options.part) {
+    footprint.addFrames(options.folder, scene);
+  } else if (options.frames) {
     footprint.addPart(options.folder, scene, *options.frames, formats, hasPng(options.outputs));
   } else {
     footprint.addClip(options.folder, scene, formats);

@@ -77,9 +77,11 @@ image::Image drawThumbnail(const scene::Scene& scene, const render::DeviceChoice
   try {
     return picture::drawThumbnail(scene, device);
   } catch (const MachineError& error) {
-    throw MachineError(std::string(error.what()) +
-                       "\n  --no-thumbnails makes the page without drawing: its overview shows the "
-                       "posters then");
+    throw MachineError(
+        std::string(error.what()) +
+            "\n  --no-thumbnails makes the page without drawing: its overview shows the "
+            "posters then",
+        error.kind());
   }
 }
 
@@ -89,9 +91,10 @@ void noteReplaced(const fs::path& file) {
             << ", which wasn't of this folder's page\n";
 }
 
-/// Returns whether the overview shows a picture of the figure; of studies it shows curves.
+/// Returns whether the overview shows a picture of the figure; of studies it shows curves, and of
+/// maps their own picture.
 bool needsThumbnail(const page::Figure& figure) {
-  return figure.curves.text.empty();
+  return figure.curves.text.empty() && figure.kind != page::FigureKind::Map;
 }
 
 /// Draws the thumbnails; notes which replaced a file, unless the folder `hasPage` of ours.
@@ -235,8 +238,8 @@ void addPageCommand(CLI::App& program, Action& action) {
   command
       ->add_option(
           "--pack-crf", arguments->packCrf,
-          "Rate factor of packed clips: at 22, verify still proves pictures; at 30, clips are "
-          "a third as large as at 22, and coarser")
+          "Rate factor of packed clips: at 22, clips are three times as large as at 31, and "
+          "verify still proves their pictures")
       ->check(CLI::Range(kBestCrf, kWorstCrf))
       ->capture_default_str();
   command->add_flag("--no-thumbnails", arguments->noThumbnails,

@@ -16,6 +16,7 @@
 #include "cli/quiet.h"
 #include "cli/standard_streams.h"
 #include "cli/usage.h"
+#include "system/portable_folder.h"
 #include "system/resource_limits.h"
 
 namespace rotatebook::cli {
@@ -31,12 +32,15 @@ Examples:
 
 Exit status: 0 done; 1 an expectation, comparison or proof failed; 2 the input is wrong; 3 the machine
 can't do it (no EGL, encoder or gnuplot; a full disk); 4 a clip is too coarse to be proved; 129, 130 or
-143 interrupted.)";
+143 interrupted; 75, in place of 3 or these, if --retry-status asks for it and trying again may help.)";
 
 void addCommands(CLI::App& program, Action& action) {
   addRenderCommand(program, action);
   addSimulateCommand(program, action);
   addStudyCommand(program, action);
+  addMapCommand(program, action);
+  addSubmitCommand(program, action);
+  addStatusCommand(program, action);
   addSpinCommand(program, action);
   addPageCommand(program, action);
   addStillCommand(program, action);
@@ -115,11 +119,13 @@ void addCommonOptions(CLI::App& program, bool& quiet) {
 /// Returns whether `command` was asked for something on the standard output, not for a report.
 bool printsResult(const CLI::App& command) {
   const std::string& name = command.get_name();
-  for (const char* one : {"scene", "list", "spin", "help", "version"}) {
+  for (const char* one : {"scene", "list", "spin", "help", "version", "status"}) {
     if (name == one) return true;
   }
-  const CLI::Option* json = command.get_option_no_throw("--json");
-  if (json != nullptr && json->count() > 0) return true;
+  for (const char* one : {"--json", "--plan", "--dry-run"}) {
+    const CLI::Option* option = command.get_option_no_throw(one);
+    if (option != nullptr && option->count() > 0) return true;
+  }
   const CLI::Option* csv = command.get_option_no_throw("--csv");
   return csv != nullptr && csv->count() > 0 && csv->results().back() == "-";
 }
@@ -174,11 +180,12 @@ int runProgram(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   // If the parent process had it ignored, waitpid() couldn't return the status of our children.
   std::signal(SIGCHLD, SIG_DFL);
-  return guarded([&] {
+  return endStatus(guarded([&] {
+    system::usePortableFolder();
     system::requireStack();
     refuseEmptyArguments({argv, static_cast<std::size_t>(argc)});
     return afterFlush(run(argc, argv));
-  });
+  }));
 }
 
 }  // namespace rotatebook::cli

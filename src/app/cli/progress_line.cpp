@@ -40,7 +40,7 @@ std::size_t terminalColumns() {
 /// Joins label and text in at most `columns`; the label is cut first.
 std::string fitted(const std::string& label, const std::string& text, std::size_t columns) {
   const std::size_t room = columns > text.size() + 2 ? columns - text.size() - 2 : 0;
-  return (label.substr(0, room) + "  " + text).substr(0, columns);
+  return (std::string(firstCharacters(label, room)) + "  " + text).substr(0, columns);
 }
 
 }  // namespace
@@ -79,6 +79,12 @@ double ProgressLine::rateAfter(const Update& now) {
     updates_.pop_front();
   const double elapsed = duration<double>(now.time - updates_.front().time).count();
   return elapsed > 0 ? static_cast<double>(now.done - updates_.front().done) / elapsed : 0;
+}
+
+std::function<void(std::size_t done, std::size_t total)> ProgressLine::updater() {
+  return [this](std::size_t done, std::size_t total) {
+    update(static_cast<std::int64_t>(done), static_cast<std::int64_t>(total));
+  };
 }
 
 void ProgressLine::clear() {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -25,6 +26,8 @@ class ProgressLine {
   ~ProgressLine();
 
   void update(std::int64_t done, std::int64_t total);
+  /// Returns a function that calls update(), for what counts runs; valid as long as this object.
+  std::function<void(std::size_t done, std::size_t total)> updater();
   /// Erases the bar until the next update(), so that other lines can be printed.
   void clear();
 

@@ -2,21 +2,22 @@
 #include <iterator>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "base/error.h"
-#include "base/nearest_name.h"
+#include "cli/clip_options.h"
 #include "cli/commands.h"
 #include "cli/device_options.h"
 #include "cli/error_report.h"
 #include "cli/exit_code.h"
+#include "cli/format_options.h"
 #include "cli/input_guard.h"
 #include "cli/interrupt.h"
 #include "cli/render_scenes.h"
 #include "cli/scene_options.h"
 #include "picture/preflight.h"
 #include "pipeline/render_clip.h"
+#include "pipeline/scenes_at_a_time.h"
 #include "system/machine.h"
 
 namespace rotatebook::cli {
@@ -26,7 +27,7 @@ struct RenderArguments {
   std::vector<std::string> scenes;
   SceneOptions sceneOptions;
   DeviceOptions deviceOptions;
-  std::string frames;
+  std::string frames, part;
   bool noPng = false;
   std::vector<std::string> formats{"mp4"};
   bool noMp4 = false;
@@ -41,37 +42,9 @@ store::FrameRange rangeOf(const std::string& text) {
                    ": not a range; write first:end, for example 0:60 for the first 60 frames");
 }
 
-video::VideoFormat parseFormat(const std::string& name) {
-  std::vector<std::string_view> names;
-  for (const video::VideoFormat format : video::kVideoFormats) {
-    if (name == nameOf(format)) return format;
-    names.push_back(nameOf(format));
-  }
-  throw InputError("--format " + name + ": unknown; there are " + quotedList(names, "and") +
-                   didYouMean(name, names));
-}
-
 std::vector<video::VideoFormat> formatsOf(const RenderArguments& arguments) {
-  std::vector<video::VideoFormat> formats;
-  for (const std::string& name : arguments.formats) {
-    const video::VideoFormat format = parseFormat(name);
-    const bool left = format == video::VideoFormat::Mp4 && arguments.noMp4;
-    if (!left && std::ranges::count(formats, format) == 0) formats.push_back(format);
-  }
-  return formats;
-}
-
-/// Throws InputError if a video of a scene would lose its transparency.
-void refuseOpaque(const scene::Scene& scene, const std::vector<video::VideoFormat>& formats) {
-  if (!scene::isTransparent(scene)) return;
-  for (const video::VideoFormat format : formats) {
-    if (keepsTransparency(format)) continue;
-    throw InputError(
-        scene.name + ": " + std::string(nameOf(format)) +
-        " can't hold the transparent background of look.background; use " +
-        listFormats(&video::FormatRow::name, "or", &video::FormatRow::keepsTransparency) +
-        " as --format, or --no-mp4 for PNGs alone");
-  }
+  if (!arguments.part.empty()) return {};
+  return videoFormatsOf(arguments.formats, arguments.noMp4);
 }
 
 /// Reads all scenes before anything is written, so that a mistake in the last one costs nothing.
@@ -93,19 +66,48 @@ std::vector<SceneToRender> readScenes(const RenderArguments& arguments,
   return read;
 }
 
+int scenesAtATime(const std::vector<SceneToRender>& all) {
+  std::vector<scene::Scene> scenes;
+  for (const SceneToRender& one : all) scenes.push_back(one.scene);
+  return pipeline::scenesAtATime(scenes, system::coreCount(), system::memorySize());
+}
+
 int render(const RenderArguments& arguments) {
   pipeline::RenderOptions options = arguments.options;
   options.outputs = pipeline::outputsOf(!arguments.noPng, formatsOf(arguments));
   options.device = arguments.deviceOptions.choice(/*resumable=*/true);
   if (!arguments.frames.empty()) options.frames = rangeOf(arguments.frames);
+  if (!arguments.part.empty()) options.part = partOf(arguments.part);
   const std::vector<SceneToRender> scenes = readScenes(arguments, options);
   options.stop = &catchInterrupts();
-  const int atATime = arguments.atATime > 0
-                          ? arguments.atATime
-                          : scenesAtATime(scenes, system::coreCount(), system::memorySize());
+  const int atATime = arguments.atATime > 0 ? arguments.atATime : scenesAtATime(scenes);
   const auto renderEach = arguments.json ? renderScenesAsJson : renderScenes;
   return reportIfUnmet(renderEach(scenes, options, atATime));
 }
+
+constexpr const char* kRenderFooter = R"(
+Writes DIR/NAME.mp4 (or the videos that --format names), DIR/NAME.csv, DIR/NAME.poster.png and
+DIR/NAME/frame_00000.png ..., where NAME is the scene file's.
+A scene with panels has a table for each, DIR/NAME_LABEL.csv; a grid a single one, a row for each book.
+--grid shows up to 96 books, 12 a side, with other values of one key or two: the values of the first from
+the left to the right, those of the second from the top to the bottom. 1..8 are whole numbers; a range of
+others is as in scenes, { from = 0.001, to = 1.0, count = 8, spacing = "logarithmic" }.
+Other files stay as they are; those of the clip that were made with other settings are reported.
+With --frames the MP4 is DIR/NAME_A-B.mp4, and the frames join those of earlier parts.
+With --part there are only frames, which may be drawn on several machines at the same time; --resume
+without --part joins them, draws what is missing, makes the other files and checks what is expected.
+Whatever stops a render, it keeps the frames that are done; the same command with --resume goes on,
+and its files are those of a render that never stopped.
+
+Examples:
+  rotatebook render scenes/starter.toml
+  rotatebook render scenes/figures/fig05-unstable-x.toml --size 1920x1080 --no-png
+  rotatebook render my.toml -o /tmp/clips --set simulation.model=matrix --set clip.duration=5
+  rotatebook render my.toml --grid "initial.tilt=1e-2,1e-4,1e-6 x simulation.substeps=1..8"
+  rotatebook render my.toml --frames 0:60
+  rotatebook render my.toml --part 3/16 --retry-status
+  rotatebook render scenes/figures/*.toml --resume
+  rotatebook render my.toml --format gif,apng --size 480x270 --no-png)";
 
 }  // namespace
 
@@ -117,20 +119,21 @@ void addRenderCommand(CLI::App& program, Action& action) {
   command->add_option("-o,--output", arguments->options.folder, "Folder for the results")
       ->type_name("DIR")
       ->capture_default_str();
+  CLI::Option* frames = command
+                            ->add_option("--frames", arguments->frames,
+                                         "Only the frames from A up to, but not including, B")
+                            ->type_name("A:B")
+                            ->group(kClip);
+  CLI::Option* noPng =
+      command->add_flag("--no-png", arguments->noPng, "Write no PNG frames")->group(kClip);
+  CLI::Option* format = addFormats(*command, arguments->formats);
   command
-      ->add_option("--frames", arguments->frames,
-                   "Only the frames from A up to, but not including, B")
-      ->type_name("A:B")
-      ->group(kClip);
-  command->add_flag("--no-png", arguments->noPng, "Write no PNG frames")->group(kClip);
-  command
-      ->add_option(
-          "--format", arguments->formats,
-          "Videos to make, of " + listFormats(&video::FormatRow::name, "and") + ", e.g. mp4,gif")
-      ->type_name("NAME,...")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str()
+      ->add_option("--part", arguments->part,
+                   "Only the I-th of N parts, I from 1 to N: PNG frames alone, to be joined")
+      ->type_name("I/N")
+      ->excludes(frames)
+      ->excludes(noPng)
+      ->excludes(format)
       ->group(kClip);
   command->add_flag("--no-mp4", arguments->noMp4, "Write no MP4")->group(kClip);
   command->add_flag("--resume", arguments->options.earlier.resume,
@@ -147,23 +150,10 @@ void addRenderCommand(CLI::App& program, Action& action) {
       ->check(CLI::Range(1, 64));
   command->add_flag("--json", arguments->json, "Print one JSON object: what was made and measured");
   arguments->sceneOptions.addTo(*command);
+  arguments->sceneOptions.addChecksum(*command);
   arguments->deviceOptions.addTo(*command);
-  command->footer(R"(
-Writes DIR/NAME.mp4 (or the videos that --format names), DIR/NAME.csv, DIR/NAME.poster.png and
-DIR/NAME/frame_00000.png ..., where NAME is the scene file's.
-A scene with panels has a table for each, DIR/NAME_LABEL.csv.
-Other files stay as they are; those of the clip that were made with other settings are reported.
-With --frames the MP4 is DIR/NAME_A-B.mp4, and the frames join those of earlier parts.
-Whatever stops a render, it keeps the frames that are done; the same command with --resume goes on,
-and its files are those of a render that never stopped.
-
-Examples:
-  rotatebook render scenes/starter.toml
-  rotatebook render scenes/figures/fig05-unstable-x.toml --size 1920x1080 --no-png
-  rotatebook render my.toml -o /tmp/clips --set simulation.model=matrix --set clip.duration=5
-  rotatebook render my.toml --frames 0:60
-  rotatebook render scenes/figures/*.toml --resume
-  rotatebook render my.toml --format gif,apng --size 480x270 --no-png)");
+  addRetryStatus(*command);
+  command->footer(kRenderFooter);
   command->callback([arguments, &action] { action = [arguments] { return render(*arguments); }; });
 }
 

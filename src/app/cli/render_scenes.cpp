@@ -25,16 +25,6 @@
 namespace rotatebook::cli {
 namespace {
 
-constexpr int kCoresAScene = 3;
-
-/// Estimates the memory that one more render takes. [bytes] Measured at 1280x720, 1920x1080 and
-/// 3840x2160: 155, 326 and 878 MB.
-double memoryOf(const scene::Scene& scene) {
-  constexpr double kBase = 60e6, kPixel = 110;
-  const double supersample = scene.look.supersample;
-  return kBase + kPixel * supersample * supersample * scene.clip.width * scene.clip.height;
-}
-
 using Progress = std::function<void(pipeline::RenderProgress)>;
 
 /// Renders a scene into `rendered`, which has what was done also after an error.
@@ -44,7 +34,8 @@ void render(const SceneToRender& one, const pipeline::RenderOptions& options,
   const timeline::ClipMotion motion = timeline::simulateScene(scene, options.stop);
   rendered.interrupted = *options.stop;
   if (rendered.interrupted) return;
-  rendered.motions = timeline::summarize(scene, motion);
+  // Expectations are of the whole, which the render of a part can't keep or break
+  if (!options.part) rendered.motions = timeline::summarize(scene, motion);
   pipeline::RenderListener listener;
   listener.started = [&](const pipeline::RenderStart& start) {
     rendered.start = start;
@@ -104,8 +95,10 @@ class ParallelRenders {
         renders_(scenes.size()),
         line_(std::to_string(scenes.size()) + " scenes") {
     for (std::size_t i = 0; i < scenes.size(); ++i) {
-      renders_[i].total =
-          options.frames ? options.frames->count() : scenes[i].scene.clip.frameCount();
+      const std::int64_t count = scenes[i].scene.clip.frameCount();
+      renders_[i].total = options.part     ? store::framesOf(*options.part, count).count()
+                          : options.frames ? options.frames->count()
+                                           : count;
     }
   }
 
@@ -252,13 +245,6 @@ std::vector<report::RenderedScene> notYetRendered(const std::vector<SceneToRende
 }
 
 }  // namespace
-
-int scenesAtATime(const std::vector<SceneToRender>& scenes, int cores, double memory) {
-  double largest = 0;
-  for (const SceneToRender& one : scenes) largest = std::max(largest, memoryOf(one.scene));
-  const double held = memory / 4 / largest;
-  return std::max(1, static_cast<int>(std::min(1.0 * cores / kCoresAScene, held)));
-}
 
 int renderScenes(const std::vector<SceneToRender>& scenes, const pipeline::RenderOptions& options,
                  int atATime) {

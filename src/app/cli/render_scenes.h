@@ -15,10 +15,6 @@ struct SceneToRender {
   picture::TextureFiles textures{};
 };
 
-/// Returns how many scenes to render at a time, at least 1: one for every three of `cores`, as many
-/// as fit in a quarter of `memory`. [bytes]
-int scenesAtATime(const std::vector<SceneToRender>& scenes, int cores, double memory);
-
 /// Renders all scenes, `atATime` of them at a time, and reports each on the standard output, in
 /// their order. `options.stop` must not be null. Returns the worst status. After an interrupt it
 /// starts no more scenes and returns the interrupt's status. After a scene's error it starts none

@@ -13,12 +13,13 @@
 #include "cli/error_report.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
-#include "cli/scene_search.h"
 #include "picture/preflight.h"
 #include "report/motion_report.h"
 #include "report/scene_report.h"
 #include "scene/scene_text.h"
 #include "store/scene_file.h"
+#include "store/scene_search.h"
+#include "timeline/simulate_scene.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -61,7 +62,10 @@ int checkScenes(const CheckArguments& arguments) {
   std::vector<report::SceneFile> files;
   for (const std::string& path : arguments.paths) {
     files.push_back(readFile(path, check));
-    if (!arguments.json && files.back().errors.empty()) std::cout << oneLine(path) << ": ok\n";
+    report::SceneFile& file = files.back();
+    if (!file.errors.empty()) continue;
+    if (arguments.json) file.frames = timeline::simulateScene(*file.scene).frameCount();
+    if (!arguments.json) std::cout << oneLine(path) << ": ok\n";
   }
   if (arguments.json) report::reportChecksAsJson(files, std::cout);
   return statusOfAll(files);
@@ -79,7 +83,7 @@ void printList(const std::vector<report::SceneFile>& files) {
 }
 
 int listScenes(const std::string& folder, bool json) {
-  const auto [paths, problems] = scenesBelow(folder);
+  const auto [paths, problems] = store::scenesBelow(folder);
   if (paths.empty() && problems.empty()) throw InputError(folder + " holds no scenes (*.toml)");
   std::vector<report::SceneFile> files;
   for (const auto& [path, message] : problems) {
@@ -100,7 +104,7 @@ void addCheckCommand(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("check", "Validate scenes; writes nothing");
   command->add_option("FILE", arguments->paths, "Scene files")->required();
   command->add_flag("--json", arguments->json,
-                    "Print one JSON object: each file's errors and notes");
+                    "Print one JSON object: each file's errors, notes and number of frames");
   arguments->sceneOptions.addTo(*command);
   command->footer("\nExample:\n  rotatebook check scenes/*.toml");
   command->callback(

@@ -1,5 +1,6 @@
 #include "cli/scene_options.h"
 
+#include <algorithm>
 #include <map>
 #include <regex>
 #include <set>
@@ -8,9 +9,11 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "cli/clip_options.h"
+#include "cli/grid_option.h"
 #include "document/overrides.h"
 #include "scene/scene_text.h"
 #include "store/clip_files.h"
+#include "store/fingerprint.h"
 #include "store/scene_file.h"
 #include "store/scene_name.h"
 
@@ -35,6 +38,14 @@ std::string asWritten(std::string message, const std::vector<Shorthand>& shortha
     }
   }
   return message;
+}
+
+/// Has problems that are found later named by the options that the user wrote, too.
+void nameAsWritten(scene::Scene& scene, const std::vector<Shorthand>& shorthands) {
+  for (auto& [key, location] : scene.locations) {
+    for (const auto& [option, assignment] : shorthands)
+      if (location == document::overrideLocation(assignment)) location = option;
+  }
 }
 
 /// Returns the names of a scene's outputs without endings: its own, and those of its panels'
@@ -71,13 +82,41 @@ void SceneOptions::addTo(CLI::App& command, bool draws) {
   command.add_option("--size", size, "Picture size, e.g. 640x360; the same as --set clip.size")
       ->type_name("WxH")
       ->group(pictures);
+  command
+      .add_option("--grid", grid,
+                  "Books side by side, e.g. \"initial.tilt=1e-2,1e-4 x simulation.substeps=1..8\"")
+      ->type_name("KEY=VALUES [x KEY=VALUES]")
+      ->group(pictures);
   addAllowOutside(command, allowOutside)->group(pictures);
 }
 
+std::vector<std::string> SceneOptions::words() const {
+  std::vector<std::string> words;
+  for (const std::string& assignment : overrides) words.insert(words.end(), {"--set", assignment});
+  if (!size.empty()) words.insert(words.end(), {"--size", size});
+  if (!grid.empty()) words.insert(words.end(), {"--grid", grid});
+  if (allowOutside) words.emplace_back("--allow-outside");
+  return words;
+}
+
+void SceneOptions::addChecksum(CLI::App& command) {
+  command
+      .add_option("--scene-checksum", checksums,
+                  "Refuse a scene that has changed since 'submit' wrote these checksums")
+      ->type_name("XXH128,...")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->group("Scene");
+}
+
 scene::Scene SceneOptions::read(const std::string& path, std::vector<Shorthand> shorthands) const {
-  return applied(std::move(shorthands), [&](std::span<const std::string> all) {
+  scene::Scene read = applied(std::move(shorthands), [&](std::span<const std::string> all) {
     return store::readScene(path, all, allowOutside);
   });
+  if (checksums.empty() || std::ranges::count(checksums, store::sceneChecksum(read)) > 0)
+    return read;
+  throw InputError(
+      path + ": has changed since it was submitted; submit it again, into another folder (-o)");
 }
 
 scene::Scene SceneOptions::parse(std::string_view text, const std::string& name) const {
@@ -87,13 +126,25 @@ scene::Scene SceneOptions::parse(std::string_view text, const std::string& name)
 
 scene::Scene SceneOptions::applied(std::vector<Shorthand> shorthands, const Reader& reader) const {
   if (!size.empty()) shorthands.push_back({"--size " + size, sizeOverride(size)});
+  if (!grid.empty()) {
+    for (Shorthand& shorthand : gridShorthands(grid)) shorthands.push_back(std::move(shorthand));
+  }
   std::vector<std::string> all = overrides;
   for (const Shorthand& shorthand : shorthands) all.push_back(shorthand.assignment);
   try {
-    return reader(all);
+    scene::Scene read = reader(all);
+    nameAsWritten(read, shorthands);
+    return read;
   } catch (const InputError& error) {
     throw InputError(asWritten(error.what(), shorthands));
   }
+}
+
+void requireMap(const scene::Scene& scene, const std::string& path) {
+  if (scene.map) return;
+  throw InputError(path +
+                   ": the scene has no [map], which says what to run for each pixel; see "
+                   "scenes/maps/ and docs/scene.md");
 }
 
 void refuseSameNames(const std::vector<scene::Scene>& scenes) {

@@ -9,25 +9,26 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/shorthand.h"
 #include "scene/scene.h"
 
 namespace rotatebook::cli {
 
-/// An option that is short for an override of the scene.
-struct Shorthand {
-  std::string option;      ///< As the user wrote it: "--size 640x360"; messages name it so.
-  std::string assignment;  ///< "clip.size=[640, 360]"
-};
-
-/// The values of --set, --size and --allow-outside.
+/// The values of --set, --size, --grid, --allow-outside and --scene-checksum.
 struct SceneOptions {
   std::vector<std::string> overrides;
   std::string size;  ///< "WxH" or empty.
+  std::string grid;  ///< As gridShorthands() takes it, or empty.
   bool allowOutside = false;
+  std::vector<std::string> checksums;  ///< Of the scenes that are taken; all if there are none.
 
   /// Adds the options. Those of pictures are left out of the help of a command that `draws` none,
   /// but taken there, too, as scripts pass the same options to several commands.
   void addTo(CLI::App& command, bool draws = true);
+  /// Returns the words of a command line with these options, but for --scene-checksum.
+  std::vector<std::string> words() const;
+  /// Adds --scene-checksum.
+  void addChecksum(CLI::App& command);
   /// Reads a scene with these options applied, then `shorthands`. Throws InputError.
   scene::Scene read(const std::string& path, std::vector<Shorthand> shorthands = {}) const;
   /// Reads a scene likewise from text; it is named `name`.
@@ -37,6 +38,9 @@ struct SceneOptions {
   using Reader = std::function<scene::Scene(std::span<const std::string> overrides)>;
   scene::Scene applied(std::vector<Shorthand> shorthands, const Reader& reader) const;
 };
+
+/// Throws InputError if the scene, read from `path`, has no map.
+void requireMap(const scene::Scene& scene, const std::string& path);
 
 /// Throws InputError if two of `scenes` would write the same file, or if
 /// store::problemOfName() refuses a name.

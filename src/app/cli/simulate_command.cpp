@@ -14,8 +14,8 @@
 #include "report/motion_report.h"
 #include "store/clip_files.h"
 #include "store/tables.h"
+#include "timeline/clip_tables.h"
 #include "timeline/simulate_scene.h"
-#include "timeline/trajectory_csv.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -27,25 +27,25 @@ struct SimulateArguments {
   bool json = false;
 };
 
-/// Prints the table of a scene without panels to the standard output.
+/// Prints the table of a scene that has a single one to the standard output.
 int printTable(const scene::Scene& scene) {
-  if (!scene.panels.empty()) {
+  if (timeline::tableCount(scene) > 1) {
     throw InputError("--csv -: " + scene.name +
                      " has panels, each with a table of its own; name a file");
   }
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
-  std::cout << timeline::trajectoryCsv(motion.trajectories().front());
+  std::cout << timeline::tableText(scene, motion, 0);
   const std::vector<timeline::MotionSummary> motions = timeline::summarize(scene, motion);
   report::reportMotions(motions, std::clog);
   report::reportNotes(scene, motions, std::cerr);
   return reportIfUnmet(statusOf(timeline::allMet(motions)), false);
 }
 
-void reportAsText(const scene::Scene& scene, const std::vector<std::filesystem::path>& tables,
+void reportAsText(const scene::Scene& scene, const std::vector<report::WrittenTable>& tables,
                   const std::vector<timeline::MotionSummary>& motions, std::ostream& out) {
   out << scene.name << ": " << scene.title << '\n';
-  for (std::size_t i = 0; i < tables.size(); ++i) {
-    out << "  wrote " << oneLine(tables[i].string()) << ", " << motions[i].frames << " rows\n";
+  for (const report::WrittenTable& table : tables) {
+    out << "  wrote " << oneLine(table.path.string()) << ", " << table.rows << " rows\n";
   }
   report::reportMotions(motions, out);
 }
@@ -67,9 +67,13 @@ int simulateScene(const SimulateArguments& arguments) {
   store::refuseLostTables(std::filesystem::path(arguments.csv).parent_path(), scene.name, files,
                           "the table would replace it; name another file with --csv");
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
-  if (!files.empty()) store::writeTables(files, motion);
+  if (!files.empty()) store::writeTables(files, scene, motion);
   const std::vector<timeline::MotionSummary> motions = timeline::summarize(scene, motion);
-  (arguments.json ? report::reportSimulationAsJson : reportAsText)(scene, files, motions,
+  std::vector<report::WrittenTable> tables;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    tables.push_back({files[i], timeline::rowCount(scene, motion, i)});
+  }
+  (arguments.json ? report::reportSimulationAsJson : reportAsText)(scene, tables, motions,
                                                                    std::cout);
   report::reportNotes(scene, motions, std::cerr);
   return reportIfUnmet(statusOf(timeline::allMet(motions)), !files.empty());

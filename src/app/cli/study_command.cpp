@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "cli/clip_options.h"
 #include "cli/commands.h"
 #include "cli/error_report.h"
 #include "cli/exit_code.h"
@@ -171,15 +172,16 @@ bool draw(const Task& task, const std::string& plot) {
     return true;
   } catch (const MachineError& error) {
     if (interruptStatus() != 0) return false;
-    throw MachineError(task.scene.name + ": " + error.what() + "; the table is in " +
-                       task.files.csv.string());
+    throw MachineError(
+        task.scene.name + ": " + error.what() + "; the table is in " + task.files.csv.string(),
+        error.kind());
   }
 }
 
 /// Writes and reports the results, which `studied` then holds.
 template <typename Study>
 int finish(const Task& task, const Study& result, StudiedScene& studied, std::ostream& out) {
-  store::removeFiles(task.files);
+  store::removeFiles(allOf(task.files));
   writeTables(task.files, task.study, result);
   studied.result = result;
   studied.files = tablesOf(task.files, result);
@@ -209,9 +211,7 @@ int runAndFinish(StudyFunction<Study> run, const Task& task, const std::atomic<b
     ProgressLine progress(task.scene.name, "runs");
     system::RunOptions options;
     options.stop = &stop;
-    options.progress = [&progress](std::size_t done, std::size_t total) {
-      progress.update(static_cast<std::int64_t>(done), static_cast<std::int64_t>(total));
-    };
+    options.progress = progress.updater();
     result = run(task.scene, task.study, diagnose::onThisMachine(options));
   }
   if (result) return finish(task, *result, studied, out);
@@ -244,7 +244,7 @@ int runTasks(const std::vector<Task>& tasks, const std::atomic<bool>& stop,
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     noted(studied[i], [&] {
       system::createFolders(tasks[i].files.csv.parent_path());
-      store::requireWritable(tasks[i].files);
+      store::requireWritable(allOf(tasks[i].files));
     });
   }
   int status = kDone;
@@ -294,6 +294,8 @@ void addStudyCommand(CLI::App& program, Action& action) {
       ->type_name("NAME,...");
   command->add_flag("--json", arguments->json, "Print one JSON object: what was measured");
   arguments->sceneOptions.addTo(*command, /*draws=*/false);
+  arguments->sceneOptions.addChecksum(*command);
+  addRetryStatus(*command);
   command->footer(R"(
 Runs each integrator with each number of steps a frame that [study] of the scene lists, by default all
 of the model's with 1, 2, 4 ... 1024. If [study] lists tilts, the scene's own integrator runs from each;

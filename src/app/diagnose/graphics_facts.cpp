@@ -13,6 +13,7 @@
 #include <system_error>
 #include <unistd.h>
 
+#include "system/portable_folder.h"
 #include "system/read_file.h"
 #include "system/resource_limits.h"
 
@@ -30,6 +31,12 @@ std::optional<std::string> variable(const char* name) {
   return value == nullptr ? std::nullopt : std::optional<std::string>(value);
 }
 
+/// Returns whether the program itself has set a variable to this value: NAME=VALUE.
+bool isOwn(std::string_view text) {
+  static const std::vector<system::Variable> kOwn = system::portableVariables();
+  return std::ranges::any_of(kOwn, [&](const system::Variable& own) { return own.text() == text; });
+}
+
 /// Lists the environment variables that Mesa reads, with their values, sorted.
 std::vector<std::string> mesaVariables() {
   constexpr std::array<std::string_view, 5> kBeginnings{"MESA_", "GALLIUM_", "LIBGL_", "LP_",
@@ -38,7 +45,7 @@ std::vector<std::string> mesaVariables() {
   for (char** entry = environ; entry != nullptr && *entry != nullptr; ++entry) {
     const std::string_view text = *entry;
     const auto begins = [&](std::string_view name) { return text.starts_with(name); };
-    if (std::ranges::any_of(kBeginnings, begins)) found.emplace_back(text);
+    if (std::ranges::any_of(kBeginnings, begins) && !isOwn(text)) found.emplace_back(text);
   }
   std::ranges::sort(found);
   return found;
@@ -81,8 +88,8 @@ VendorFile readVendorFile(const std::string& path) {
   return {path, match[1], loadFailure(match[1])};
 }
 
-std::vector<std::string> vendorPaths(const GraphicsFacts& facts) {
-  if (facts.vendorVariable.starts_with(kVendorFiles)) return partsOf(*variable(kVendorFiles));
+std::vector<std::string> vendorPaths() {
+  if (const auto files = variable(kVendorFiles)) return partsOf(*files);
   std::vector<std::string> paths;
   for (const std::string& folder : partsOf(variable(kVendorFolders).value_or(kSystemFolders))) {
     const auto files = filesIn(folder, "", ".json");
@@ -118,11 +125,14 @@ bool GraphicsFacts::hasNvidiaCard() const {
 GraphicsFacts readGraphicsFacts() {
   GraphicsFacts facts;
   for (const char* name : {kVendorFolders, kVendorFiles}) {
-    if (const auto value = variable(name)) facts.vendorVariable = name + ("=" + *value);
+    const auto value = variable(name);
+    if (!value) continue;
+    const std::string text = name + ("=" + *value);
+    facts.vendorVariable = isOwn(text) ? "" : text;
   }
   facts.mesaVariables = mesaVariables();
   facts.memoryLimits = system::memoryLimits();
-  for (const std::string& path : vendorPaths(facts)) {
+  for (const std::string& path : vendorPaths()) {
     facts.vendorFiles.push_back(readVendorFile(path));
   }
   for (const std::string& path : filesIn("/dev/dri", "renderD", "")) {

@@ -25,10 +25,10 @@ struct DeviceNode {
 /// The results of readGraphicsFacts().
 struct GraphicsFacts {
   std::vector<VendorFile> vendorFiles{};
-  /// The variable that replaces the system's vendor files, with its value, or empty:
+  /// The user's variable that replaces the system's vendor files, with its value, or empty:
   /// "__EGL_VENDOR_LIBRARY_FILENAMES=/x.json"
   std::string vendorVariable{};
-  /// Variables that are set and change what Mesa and its EGL do, sorted:
+  /// Variables that the user has set and that change what Mesa and its EGL do, sorted:
   /// "MESA_GL_VERSION_OVERRIDE=2.1"
   std::vector<std::string> mesaVariables{};
   std::vector<std::string> memoryLimits{};  ///< system::memoryLimits()

@@ -48,7 +48,7 @@ class Listener {
     const auto& samples = motion_.trajectory.samples;
     for (std::size_t i = 1; i < samples.size(); ++i) {
       addNudges(samples[i - 1].time, samples[i].time, i);
-      // Twice within a frame is told once, with the count after it.
+      // Twice within a frame is one event, with the count after it.
       if (samples[i].halfTurns == samples[i - 1].halfTurns) continue;
       add(i, samples[i].time, "turned over, " + ordinal(samples[i].halfTurns) + " time");
     }
@@ -116,7 +116,7 @@ std::string webVtt(const std::vector<Event>& events, const FrameRate& rate, std:
     const double next =
         i + 1 < events.size() ? static_cast<double>(events[i + 1].frame) * rate.period() : end;
     double last = std::clamp(next - kGap, start + kShortest, start + kLongest);
-    // The end is told before it, as there is no time after it.
+    // Events at the end are shown before it, as there is no time after it.
     const double first = std::min(start, std::max(0.0, end - kShortest));
     last = std::min(last, end);
     text += "\n" + clockText(first) + " --> " + clockText(last) + kAtTheTop + "\n" +

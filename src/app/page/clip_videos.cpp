@@ -4,6 +4,8 @@
 #include "page/figure.h"
 #include "store/clip_record.h"
 #include "store/fingerprint.h"
+#include "store/manifest.h"
+#include "system/read_file.h"
 #include "video/clip_reader.h"
 
 namespace rotatebook::page {
@@ -11,6 +13,19 @@ namespace {
 
 namespace fs = std::filesystem;
 using video::FormatRow;
+
+/// Returns whether the manifest says that `file` was made with the record that is in the folder of
+/// frames, and that is a record of `scene`.
+bool isMadeWithRecord(const fs::path& file, const scene::Scene& scene,
+                      const store::ClipFiles& files) {
+  const auto manifest = store::readManifest(files.frameFolder);
+  if (!manifest || !store::isRecordOfClip(scene, system::readFileOrEmpty(files.sceneCopy))) {
+    return false;
+  }
+  const auto made = manifest->own.made.find("scene");
+  return made != manifest->own.made.end() &&
+         store::sceneChecksumOf(files.frameFolder, file) == made->second;
+}
 
 /// Returns why the file isn't the scene's; empty if it is. `played` is the scene's, unless empty.
 std::string differenceOf(const fs::path& file, const FormatRow& format, const scene::Scene& scene,
@@ -20,11 +35,17 @@ std::string differenceOf(const fs::path& file, const FormatRow& format, const sc
     if (!size.empty()) return size;
     const bool same = format.holdsRecord
                           ? store::isRecordOfClip(scene, video::readClipMetadata(file).comment)
-                          : played.empty() || !areOfOtherScenes(files, played, file);
+                      : played.empty() ? isMadeWithRecord(file, scene, files)
+                                       : !areOfOtherScenes(files, played, file);
     return same ? "" : kOtherSettings;
   } catch (const InputError& error) {
     return error.what();
   }
+}
+
+std::string recordedMotion(const fs::path& clip) {
+  return store::parseRecord(video::readClipMetadata(clip).comment, clip, clip.parent_path())
+      .provenance.motion;
 }
 
 }  // namespace
@@ -43,12 +64,16 @@ ClipVideos videosOf(const scene::Scene& scene, const store::ClipFiles& files) {
     if (!fs::exists(file)) continue;
     const std::string difference = differenceOf(file, format, scene, files, videos.played);
     if (difference.empty()) {
-      if (format.holdsRecord && videos.played.empty()) videos.played = file;
+      if (videos.played.empty()) {
+        videos.played = file;
+        videos.isMovingPicture = !format.holdsRecord;
+        if (format.holdsRecord) videos.motion = recordedMotion(file);
+      }
       videos.linked.emplace_back(file, format.title);
       continue;
     }
     videos.leftOut.push_back(file.string() + " isn't linked: " + difference);
-    if (format.holdsRecord && problem.empty()) problem = file.string() + ": " + difference;
+    if (problem.empty()) problem = file.string() + ": " + difference;
   }
   if (!videos.played.empty()) return videos;
   const fs::path mp4 = files.video(video::VideoFormat::Mp4);

@@ -13,7 +13,11 @@ namespace rotatebook::page {
 
 /// The videos that the page shows or leaves out.
 struct ClipVideos {
-  std::filesystem::path played;  ///< The MP4, which every browser plays, or else the WebM.
+  /// The MP4, which every browser plays, or else the WebM, the GIF or the APNG.
+  std::filesystem::path played;
+  bool isMovingPicture = false;  ///< True if `played` is a GIF or an APNG, which no <video> plays.
+  /// The checksum of the motion by the record of `played`; empty if it has none.
+  std::string motion{};
   /// The videos to link to, with the title of each format.
   std::vector<std::pair<std::filesystem::path, std::string>> linked;
   std::vector<std::string> leftOut;  ///< As Figure::leftOut.
@@ -29,7 +33,7 @@ bool areOfOtherScenes(const store::ClipFiles& files, const std::filesystem::path
 
 /// Returns the videos among `files` that are of `scene`: an MP4 or WebM by its record and the size
 /// of its pictures, a GIF or APNG, which holds no record, by the size and the clip's manifest.
-/// Throws InputError, with the remedy, if none of them can be played.
+/// Throws InputError, with the remedy, if there are none.
 ClipVideos videosOf(const scene::Scene& scene, const store::ClipFiles& files);
 
 }  // namespace rotatebook::page

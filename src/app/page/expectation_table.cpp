@@ -51,6 +51,13 @@ Html rowOf(const Check& check) {
 
 }  // namespace
 
+Check checkOf(const std::string& subject, const scene::Bounds& bounds, double measured,
+              const std::string& meaning) {
+  const scene::Expectation expectation{.min = bounds.min, .max = bounds.max};
+  return {subject, expectedText(expectation), measuredText(measured, expectation, kCheckDigits),
+          bounds.hold(measured), meaning};
+}
+
 std::vector<Check> checksOf(const Motion& motion) {
   std::vector<Check> checks;
   if (divergesUnexpectedly(motion.trajectory, motion.panel.expectations)) {

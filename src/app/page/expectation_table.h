@@ -6,6 +6,7 @@
 
 #include "page/html.h"
 #include "page/motion_data.h"
+#include "scene/study_settings.h"
 
 namespace rotatebook::page {
 
@@ -24,6 +25,10 @@ struct Check {
 /// Returns the rows of a motion: its divergence if that was unexpected, and each of its
 /// expectations.
 std::vector<Check> checksOf(const Motion& motion);
+
+/// Returns the row of one number.
+Check checkOf(const std::string& subject, const scene::Bounds& bounds, double measured,
+              const std::string& meaning);
 
 /// Returns the checks as a table with `caption`; empty if there are none.
 Html checksTable(const std::string& caption, const std::vector<Check>& checks);

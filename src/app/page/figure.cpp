@@ -13,20 +13,21 @@ namespace {
 namespace fs = std::filesystem;
 
 Figure stillFigure(const scene::Scene& scene, const fs::path& folder, const FigureFiles& files) {
-  const std::string picture = scene.name + ".png";
-  const image::Image pixels = image::readPng(folder / picture);
-  Figure figure{FigureKind::Still, scene.name, scene.title,
-                files.hasThumbnails ? nameOfThumbnail(scene, folder) : picture};
-  figure.files = {picture};
-  if (files.hasThumbnails) figure.files.push_back(figure.thumbnail);
-  figure.section = filled(stillTemplate(), {{"id", escaped(scene.name)},
-                                            {"title", escaped(scene.title)},
-                                            {"picture", addressOf(picture)},
-                                            {"width", {std::to_string(pixels.width())}},
-                                            {"height", {std::to_string(pixels.height())}},
-                                            {"caption", escaped(scene.caption)},
-                                            {"links", linkItem(picture, "PNG")},
-                                            {"scene", sceneDetails(scene)}});
+  const std::string png = scene.name + ".png";
+  const image::Image pixels = image::readPng(folder / png);
+  const std::string thumbnail = files.hasThumbnails ? nameOfThumbnail(scene, folder) : png;
+  const std::string picture = files.nameOfPicture(png);
+  Figure figure{FigureKind::Still, scene.name, scene.title, files.nameOfPicture(thumbnail)};
+  figure.pictures = {png, thumbnail};
+  figure.section =
+      filled(stillTemplate(), {{"id", escaped(scene.name)},
+                               {"title", escaped(scene.title)},
+                               {"picture", addressOf(picture)},
+                               {"width", {std::to_string(pixels.width())}},
+                               {"height", {std::to_string(pixels.height())}},
+                               {"caption", escaped(scene.caption)},
+                               {"links", linkItem(picture, files.isPacked ? "Picture" : "PNG")},
+                               {"scene", sceneDetails(scene)}});
   return figure;
 }
 
@@ -37,8 +38,13 @@ bool isStill(const scene::Scene& scene, const fs::path& folder) {
 
 }  // namespace
 
+std::string FigureFiles::nameOfPicture(const std::string& png) const {
+  return isPacked ? fs::path(png).replace_extension(".webp").string() : png;
+}
+
 Figure readFigure(const scene::Scene& scene, const fs::path& folder, const FigureFiles& files) {
   if (scene.study) return studyFigure(scene, folder);
+  if (scene.map) return mapFigure(scene, folder, files);
   return isStill(scene, folder) ? stillFigure(scene, folder, files)
                                 : clipFigure(scene, folder, files);
 }

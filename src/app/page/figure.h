@@ -13,15 +13,18 @@
 namespace rotatebook::page {
 
 /// The kind of a scene's results, which decides how they are shown.
-enum class FigureKind { Still, Clip, Comparison, Study };
+enum class FigureKind { Still, Clip, Comparison, Study, Map };
 
 /// Properties of the files beside the page.
 struct FigureFiles {
   /// True if NAME.thumbnail.png is there or will be; else posters stand for thumbnails.
   bool hasThumbnails = false;
   /// True if the page is for the web, with the files that packFiles() leaves: no tables of clips,
-  /// frames and records.
+  /// frames and arrays.
   bool isPacked = false;
+
+  /// Returns the name that a picture named "a.png" has there: "a.webp" if the page is for the web.
+  std::string nameOfPicture(const std::string& png) const;
 };
 
 /// A scene's section of the page, and its item in the overview.
@@ -36,22 +39,26 @@ struct Figure {
   Html section{};  ///< The whole <section>.
   /// "out/a.gif isn't linked: WHY" for each file under the scene's name that isn't the scene's.
   std::vector<std::string> leftOut{};
-  std::string clip{};                ///< The video that is played; empty of stills and studies.
-  FrameRate frameRate{};             ///< Of the clip.
-  std::string poster{};              ///< The clip's.
+  std::string clip{};     ///< The video that is played; empty of stills, studies and maps.
+  FrameRate frameRate{};  ///< Of the clip.
+  /// Its PNGs that a page for the web has as WebP: of posters, thumbnails and stills.
+  std::vector<std::string> pictures{};
   std::vector<std::string> files{};  ///< Its other files that a page for the web has.
 };
 
-/// Reads the figure of `scene` from its results in `folder`: a study if it has [study], a still if
+/// Reads the figure of `scene` from its results in `folder`: a study if it has [study], a map if
+/// it has [map], a still if
 /// there is a NAME.png but no clip, else a clip. Throws InputError, naming the file and the remedy,
 /// if a file is missing or was made from something else than this scene.
 Figure readFigure(const scene::Scene& scene, const std::filesystem::path& folder,
                   const FigureFiles& files = {});
 
-/// Read the figure of a clip or comparison, and of a study. Inside the room only.
+/// Read the figure of a clip or comparison, of a study and of a map. Inside the room only.
 Figure clipFigure(const scene::Scene& scene, const std::filesystem::path& folder,
                   const FigureFiles& files);
 Figure studyFigure(const scene::Scene& scene, const std::filesystem::path& folder);
+Figure mapFigure(const scene::Scene& scene, const std::filesystem::path& folder,
+                 const FigureFiles& files);
 
 /// Throws InputError "PATH is missing; ...: rotatebook COMMAND SCENE -o FOLDER" if there is no such
 /// file. Inside the room only.

@@ -54,13 +54,14 @@ std::string motionJson(const Motion& motion) {
 }  // namespace
 
 std::string motionData(const std::vector<Motion>& motions, const scene::Scene& scene,
-                       std::int64_t frames) {
+                       std::int64_t frames, const std::string& checksum) {
   const FrameRate& rate = scene.clip.frameRate;
   JsonObject data;
   data.add("rate", jsonArray({std::to_string(rate.numerator), std::to_string(rate.denominator)}))
       .add("frames", std::to_string(frames))
       .addNumber("interval", motions.front().trajectory.interval);
   if (!hasEvenTimes(scene)) data.add("times", timesOf(scene, frames));
+  if (!checksum.empty()) data.addString("checksum", checksum);
   return data.add("motions", jsonArrayOf(motions, motionJson)).text();
 }
 

@@ -1,5 +1,6 @@
 #include "page/motion_settings_table.h"
 
+#include <algorithm>
 #include <string>
 
 #include "base/number_text.h"
@@ -78,7 +79,23 @@ Html rowHtml(const std::string& name, const Html& content) {
   return {"<tr><th scope=\"row\">" + escaped(name).text + "</th>" + content.text + "</tr>\n"};
 }
 
-/// Returns a row of the `text` of each motion; no row if all texts are empty.
+/// Returns whether there are more motions than side by side have room: those of a grid.
+bool isGrid(const std::vector<Motion>& motions) {
+  constexpr std::size_t kMaxColumns = 6;
+  return motions.size() > kMaxColumns;
+}
+
+/// Returns the texts that aren't empty, each once.
+std::string listOnce(const Row& texts) {
+  Row once;
+  for (const std::string& text : texts) {
+    if (!text.empty() && std::ranges::count(once, text) == 0) once.push_back(text);
+  }
+  return joined(once);
+}
+
+/// Returns a row of the `text` of each motion, or of all different ones of a grid; no row if all
+/// texts are empty.
 template <typename Text>
 Html rowOf(const std::string& name, const std::vector<Motion>& motions, const Text& text) {
   Row row;
@@ -87,11 +104,12 @@ Html rowOf(const std::string& name, const std::vector<Motion>& motions, const Te
     row.push_back(text(motion.panel));
     any = any || !row.back().empty();
   }
+  if (isGrid(motions)) row = {listOnce(row)};
   return any ? rowHtml(name, cells("td", row)) : Html{};
 }
 
 Html headOf(const std::vector<Motion>& motions) {
-  if (motions.size() == 1) return {};
+  if (motions.size() == 1 || isGrid(motions)) return {};
   Row labels;
   for (const Motion& motion : motions) labels.push_back(motion.panel.label);
   return {"<thead><tr><td></td>" + cells("th", labels).text + "</tr></thead>\n"};
@@ -111,8 +129,9 @@ Html settingsTable(const std::vector<Motion>& motions, const scene::ClipSettings
   rows += rowOf("Book", motions, &bodyText);
   const std::string picture = std::to_string(clip.width) + " × " + std::to_string(clip.height) +
                               ", " + clip.frameRate.text() + " frames/s";
-  rows += rowHtml("Picture", {"<td colspan=\"" + std::to_string(motions.size()) + "\">" +
-                              escaped(picture).text + "</td>"});
+  rows +=
+      rowHtml("Picture", {"<td colspan=\"" + std::to_string(isGrid(motions) ? 1 : motions.size()) +
+                          "\">" + escaped(picture).text + "</td>"});
   return {
       "<div class=\"scroll\" tabindex=\"0\"><table "
       "class=\"settings\">\n<caption>Settings</caption>\n" +

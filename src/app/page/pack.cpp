@@ -16,10 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr float kPosterQuality = 82;
+constexpr float kPictureQuality = 82;
 /// x264's preset: slower ones gain 7 % in three times the time.
 constexpr const char* kPreset = "slow";
-constexpr int kThreads = 4;  // The bytes depend on it, so it isn't the machine's.
+constexpr double kKeyFrameInterval = 5;  // Saves 6 % of what 2 s take. [s]
+constexpr int kThreads = 4;              // The bytes depend on it, so it isn't the machine's.
 
 void copyFile(const fs::path& from, const fs::path& to) {
   std::error_code error;
@@ -45,6 +46,7 @@ void packClip(const Figure& figure, const fs::path& from, const fs::path& to, in
   settings.crf = crf;
   settings.preset = kPreset;
   settings.threads = kThreads;
+  settings.keyFrameInterval = kKeyFrameInterval;
   settings.title = metadata.title;
   settings.comment = metadata.comment;
   system::AtomicFile file(to);
@@ -86,20 +88,18 @@ void addToZip(zip_t* archive, const fs::path& from, const fs::path& zip) {
 
 }  // namespace
 
-std::string packedPoster(const std::string& poster) {
-  return fs::path(poster).replace_extension(".webp").string();
-}
-
 void packFiles(const std::vector<Figure>& figures, const fs::path& folder, const fs::path& target,
                int crf, const PackProgress& progress) {
   for (const Figure& figure : figures) {
     for (const std::string& file : figure.files) copyFile(folder / file, target / file);
+    for (const std::string& picture : figure.pictures) {
+      const image::Image pixels = image::readPng(folder / picture);
+      system::writeFileAtomically(target / FigureFiles{.isPacked = true}.nameOfPicture(picture),
+                                  image::webpText(pixels.view(), kPictureQuality));
+    }
     if (figure.clip.empty()) continue;
     if (progress) progress(figure.clip);
     packClip(figure, folder / figure.clip, target / figure.clip, crf);
-    const image::Image poster = image::readPng(folder / figure.poster);
-    system::writeFileAtomically(target / packedPoster(figure.poster),
-                                image::webpText(poster.view(), kPosterQuality));
   }
 }
 

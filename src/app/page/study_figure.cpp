@@ -119,13 +119,6 @@ void requireRuns(const fs::path& csv, const scene::Scene& scene) {
                    remedy("study", scene, csv.parent_path()));
 }
 
-Check checkOf(const std::string& subject, const scene::Bounds& bounds, double measured,
-              const std::string& meaning) {
-  const scene::Expectation expectation{.min = bounds.min, .max = bounds.max};
-  return {subject, expectedText(expectation), measuredText(measured, expectation, kCheckDigits),
-          bounds.hold(measured), meaning};
-}
-
 std::vector<Check> checksOfOrders(const scene::StudySettings& study, const fs::path& csv) {
   std::map<std::string, double> orders;
   for (const RunRow& row : rowsOf(csv)) {

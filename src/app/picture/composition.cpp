@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "picture/grid_margins.h"
 #include "scene/source_locations.h"
 
 namespace rotatebook::picture {
@@ -19,7 +20,9 @@ bool hasPanels(const scene::Scene& scene) {
 }
 
 /// Arranges the panels above the text; the picture of a single motion continues behind it.
-PanelGrid gridOf(const scene::Scene& scene, const overlay::CaptionAndClock& text) {
+PanelGrid gridOf(const scene::Scene& scene, const std::optional<GridMargins>& margins,
+                 const overlay::CaptionAndClock& text) {
+  if (margins) return margins->cells();
   if (!hasPanels(scene)) return panelGrid(1, scene.clip.width, scene.clip.height);
   const auto count = static_cast<int>(scene.panels.size());
   const PanelGrid grid = panelGrid(count, scene.clip.width, scene.clip.height - text.bottomRows());
@@ -42,10 +45,12 @@ std::vector<overlay::MotionOverlays> overlaysOf(const scene::Scene& scene,
   for (std::size_t i = 0; i < panels.size(); ++i) {
     overlay::Viewport viewport{.width = grid.width,
                                .height = grid.height,
-                               .label = panels[i].label,
+                               .label = scene.grid ? "" : panels[i].label,
                                .labelKey = scene::labelKey(i),
                                .energyTop = energyTop};
-    if (hasPanels(scene)) {
+    if (scene.grid) {
+      viewport.letters = 0;  // the cell's own size
+    } else if (hasPanels(scene)) {
       viewport.letters =
           kPanelLetters * scene.overlay.scale * std::min(scene.clip.width, scene.clip.height);
     } else {
@@ -68,9 +73,8 @@ geometry::Screen screenOf(const PanelGrid& grid,
   return screen;
 }
 
-image::Image backgroundOf(const scene::Scene& scene) {
-  image::Image background(scene.clip.width, scene.clip.height, image::PixelFormat::Rgba8);
-  if (scene::isTransparent(scene)) return background;
+void paintBackground(const scene::Scene& scene, image::Image& background) {
+  if (scene::isTransparent(scene)) return;
   std::array<std::uint8_t, 4> colour = kBackgroundColour;
   if (scene.look.background == scene::Background::Plain) {
     const auto& [red, green, blue] = scene.look.plainColour;
@@ -81,7 +85,20 @@ image::Image backgroundOf(const scene::Scene& scene) {
       std::ranges::copy(colour, background.row(y) + static_cast<std::ptrdiff_t>(x) * 4);
     }
   }
+}
+
+/// Returns what is between the panels, and around a grid.
+image::Image backgroundOf(const scene::Scene& scene, const std::optional<GridMargins>& margins) {
+  image::Image background(scene.clip.width, scene.clip.height, image::PixelFormat::Rgba8);
+  paintBackground(scene, background);
+  if (margins) margins->draw(background);
   return background;
+}
+
+std::optional<GridMargins> marginsOf(const scene::Scene& scene,
+                                     const overlay::CaptionAndClock& text) {
+  if (!scene.grid) return std::nullopt;
+  return GridMargins(scene, text.bottomRows());
 }
 
 }  // namespace
@@ -94,10 +111,11 @@ overlay::CaptionAndClock captionAndClockOf(const scene::Scene& scene) {
 Composition::Composition(const scene::Scene& scene, const timeline::ClipMotion& motion)
     : motion_(&motion),
       captionAndClock_(captionAndClockOf(scene)),
-      grid_(gridOf(scene, captionAndClock_)),
+      margins_(marginsOf(scene, captionAndClock_)),
+      grid_(gridOf(scene, margins_, captionAndClock_)),
       overlays_(overlaysOf(scene, motion, grid_, captionAndClock_)),
       screen_(screenOf(grid_, overlays_)),
-      background_(backgroundOf(scene)),
+      background_(backgroundOf(scene, margins_)),
       panel_(screen_.width, screen_.height, image::PixelFormat::Rgba8) {}
 
 void Composition::draw(std::int64_t frame, const DrawBody& drawBody, image::Image& picture) {

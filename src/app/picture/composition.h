@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,6 +13,7 @@
 #include "image/image.h"
 #include "overlay/caption_and_clock.h"
 #include "overlay/motion_overlays.h"
+#include "picture/grid_margins.h"
 #include "picture/panel_grid.h"
 #include "scene/scene.h"
 #include "timeline/clip_motion.h"
@@ -47,6 +49,7 @@ class Composition {
 
   const timeline::ClipMotion* motion_;
   overlay::CaptionAndClock captionAndClock_;
+  std::optional<GridMargins> margins_;
   PanelGrid grid_;
   std::vector<overlay::MotionOverlays> overlays_;  // of each motion
   geometry::Screen screen_;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "picture/composition.h"
+#include "picture/test_frame.h"
 #include "timeline/scene_camera.h"
 
 namespace rotatebook::picture {
@@ -27,12 +28,18 @@ FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& 
         textureChecksums_ = std::move(loaded.checksums);
         return makeRenderer(scene, composition_->screen(), loaded.pictures, device);
       }()),
-      moments_(scene) {
+      moments_(scene),
+      isGrid_(scene.grid.has_value()),
+      hasText_(!scene.overlay.show.empty() || !scene.panels.empty()) {
   const geometry::Screen& screen = composition_->screen();
   if (moments_.count() > 1) mean_.emplace(screen.width, screen.height);
 }
 
 FrameDrawer::~FrameDrawer() = default;
+
+std::string FrameDrawer::testFrame() const {
+  return picture::testFrame(renderer_, hasText_);
+}
 
 image::Image FrameDrawer::makePicture() const {
   return composition_->makePicture();
@@ -57,6 +64,7 @@ Exposure FrameDrawer::makeExposure() const {
 
 void FrameDrawer::expose(std::int64_t frame, Exposure& exposure) {
   exposure.frame = frame;
+  if (isGrid_ && !mean_) return exposeGrid(frame, exposure);
   for (std::size_t motion = 0; motion < motion_->trajectories().size(); ++motion) {
     const std::size_t sample = motion_->sampleAt(motion, frame);
     renderer_.setCamera(cameraAt(motion, frame));
@@ -66,6 +74,16 @@ void FrameDrawer::expose(std::int64_t frame, Exposure& exposure) {
       renderer_.draw(cageOf(motion, sample), exposure.bodies[motion]);
     }
   }
+}
+
+void FrameDrawer::exposeGrid(std::int64_t frame, Exposure& exposure) {
+  std::vector<physics::Cage> cages;
+  std::vector<geometry::Camera> cameras;
+  for (std::size_t motion = 0; motion < exposure.bodies.size(); ++motion) {
+    cages.push_back(cageOf(motion, motion_->sampleAt(motion, frame)));
+    cameras.push_back(cameraAt(motion, frame));
+  }
+  renderer_.draw(cages, cameras, exposure.bodies);
 }
 
 void FrameDrawer::exposeBlurred(std::size_t motion, std::size_t sample, image::Image& picture) {

@@ -48,6 +48,8 @@ class FrameDrawer final : public FramePainter {
 
   /// Returns render::Renderer::description().
   const std::string& description() const { return renderer_.description(); }
+  /// Returns picture::testFrame() of its renderer.
+  std::string testFrame() const;
   /// Returns the checksums of the textures that it draws.
   const TextureChecksums& textureChecksums() const { return textureChecksums_; }
 
@@ -58,6 +60,8 @@ class FrameDrawer final : public FramePainter {
 
   physics::Cage cageOf(std::size_t motion, std::size_t sample) const;
   geometry::Camera cameraAt(std::size_t motion, std::int64_t frame) const;
+  /// Draws the bodies of a grid, all at once.
+  void exposeGrid(std::int64_t frame, Exposure& exposure);
   /// Draws the mean of the moments during which the shutter is open after `sample`.
   void exposeBlurred(std::size_t motion, std::size_t sample, image::Image& picture);
 
@@ -69,6 +73,8 @@ class FrameDrawer final : public FramePainter {
   TextureChecksums textureChecksums_;
   render::Renderer renderer_;  // of a panel
   timeline::ShutterMoments moments_;
+  bool isGrid_;
+  bool hasText_;                           // Overlays or panels' labels.
   std::optional<image::LinearMean> mean_;  // of the pictures of moments_, if there are several
   std::optional<Exposure> exposure_;       // used by draw()
 };

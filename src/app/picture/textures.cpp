@@ -27,6 +27,9 @@ struct Side {
   image::Image (*builtin)();
 };
 
+/// In a grid, books on pictures up to this high have fewer triangles. [pixels]
+constexpr int kLargestSmall = 160;
+
 constexpr Side kFront{"book.front", &scene::BookSettings::front, render::builtinFront};
 constexpr Side kSpine{"book.spine", &scene::BookSettings::spine, render::builtinSpine};
 constexpr Side kBack{"book.back", &scene::BookSettings::back, render::builtinBack};
@@ -128,6 +131,10 @@ render::Renderer makeRenderer(const scene::Scene& scene, const geometry::Screen&
   settings.background = backgroundOf(scene.look.background);
   settings.plainColour = scene.look.plainColour;
   settings.camera = timeline::cameraOf(scene, screen);
+  if (scene.grid &&
+      std::min(screen.width, screen.height) * scene.look.supersample <= kLargestSmall) {
+    settings.detail = geometry::MeshDetail::Small;
+  }
   settings.device = device;
   return {settings, textures};
 }

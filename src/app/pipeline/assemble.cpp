@@ -88,7 +88,7 @@ std::optional<system::AdvisoryLock> lockForReading(const fs::path& folder) {
 [[noreturn]] void throwMismatch(const store::FrameChecksums& checksums, const std::string& problem,
                                 const std::string& joined) {
   throw InputError(problem + "; render the scene with --resume, which draws it again, or remove " +
-                   (checksums.folder() / store::kFrameChecksumsName).string() + " to join " +
+                   store::FrameChecksums::filesIn(checksums.folder()).string() + " to join " +
                    joined);
 }
 
@@ -103,8 +103,21 @@ void requireAllDrawn(const store::FrameChecksums& checksums, store::FrameRange r
   }
 }
 
+/// Throws InputError if the frames that are there aren't all of the scene's.
+void requireWhole(const fs::path& folder, const Assembled& made) {
+  if (!made.sceneFrames) {
+    throw InputError("--whole: " + folder.string() +
+                     " has no scene.toml that says how many frames there are");
+  }
+  if (!made.isPart()) return;
+  throw InputError(
+      folder.string() + " holds the frames " + store::rangeText(made.frames) + " of the scene's " +
+      std::to_string(*made.sceneFrames) +
+      "; render the scene with --resume, which draws the others, or leave out --whole");
+}
+
 /// Reads frame `index`. Throws InputError if it doesn't match its checksum; one without a checksum
-/// is accepted.
+/// is accepted if it is a PNG whose own checksums are right.
 image::Image readFrame(const store::FrameChecksums& checksums, std::int64_t index) {
   const fs::path path = checksums.folder() / store::frameName(index);
   if (!checksums.contains(index)) return image::readPng(path);
@@ -142,7 +155,7 @@ video::VideoFormat formatOf(const fs::path& path) {
 
 Assembled assemble(const fs::path& folder, const fs::path& video,
                    std::optional<FrameRate> frameRate,
-                   const std::function<void(RenderProgress)>& progress) {
+                   const std::function<void(RenderProgress)>& progress, bool whole) {
   const video::VideoFormat format = formatOf(video);
   const auto lock = lockForReading(folder);
   // Read the checksums before the frames: a part that is being rendered adds each frame before its
@@ -151,6 +164,9 @@ Assembled assemble(const fs::path& folder, const fs::path& video,
   const store::FrameRange range = wholeRange(folder);
   auto [settings, made] = sourceFor(folder, range, frameRate);
   requireAllDrawn(checksums, range);
+  if (whole) requireWhole(folder, made);
+  const auto listed = static_cast<std::int64_t>(checksums.indices().size());
+  if (listed > 0) made.unlisted = range.count() - listed;
   const fs::path firstPath = folder / store::frameName(range.first);
   const image::Image first = readFrame(checksums, range.first);
   settings.width = first.width();

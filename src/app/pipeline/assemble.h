@@ -15,6 +15,7 @@ namespace rotatebook::pipeline {
 struct Assembled {
   store::FrameRange frames;
   std::optional<std::int64_t> sceneFrames{};  ///< The scene's count; none without a scene.
+  std::int64_t unlisted = 0;  ///< Frames without a checksum, though others have one.
 
   /// Returns whether the scene has other frames, too.
   bool isPart() const { return sceneFrames && frames != store::FrameRange{0, *sceneFrames}; }
@@ -25,9 +26,11 @@ struct Assembled {
 /// would make. Frames without a scene.toml need a `frameRate`, others must have none. Calls
 /// `progress`, which may be empty, after each frame. Throws InputError if there are no frames, one
 /// is missing, differs in size or from its checksum in frames.xxh128, or if rate or format are
-/// missing; MachineError if a frame can't be read or the whole clip is being rendered there.
+/// missing, or, if the clip must be `whole`, frames of the scene are; MachineError if a frame can't
+/// be read or the whole clip is being rendered there. A frame without a checksum must be a PNG
+/// whose own checksums are right.
 Assembled assemble(const std::filesystem::path& folder, const std::filesystem::path& video,
                    std::optional<FrameRate> frameRate,
-                   const std::function<void(RenderProgress)>& progress);
+                   const std::function<void(RenderProgress)>& progress, bool whole = false);
 
 }  // namespace rotatebook::pipeline

@@ -18,6 +18,7 @@
 #include "store/tables.h"
 #include "system/atomic_file.h"
 #include "system/machine.h"
+#include "system/temporary_files.h"
 #include "video/clip_reader.h"
 
 namespace rotatebook::pipeline {
@@ -54,8 +55,15 @@ int threadsOf(const RenderOutput& output) {
 
 store::ClipFiles filesOf(const scene::Scene& scene, const RenderOptions& options,
                          store::FrameRange range) {
+  if (options.part) return store::clipFiles(options.folder, scene.name, *options.part);
   return options.frames ? store::clipFiles(options.folder, scene.name, range)
                         : store::clipFiles(options.folder, scene.name);
+}
+
+/// Returns the frames that a render draws. Those of a part may be none.
+store::FrameRange framesOf(const timeline::ClipMotion& motion, const RenderOptions& options) {
+  return options.part ? store::framesOf(*options.part, motion.frameCount())
+                      : framesToRender(motion, options.frames);
 }
 
 /// A render in progress.
@@ -68,7 +76,7 @@ class Render {
         options_(options),
         png_(hasPng(options.outputs)),
         formats_(formatsOf(options.outputs)),
-        range_(framesToRender(motion, options.frames)),
+        range_(framesOf(motion, options)),
         drawer_(scene, motion, options.device, textures) {
     result_.files = filesOf(scene, options, range_);
     result_.csvs = store::csvFiles(result_.files.csv, scene);
@@ -83,13 +91,15 @@ class Render {
     const std::vector<std::filesystem::path> files = outputFiles(result_.files, scene_, formats_);
     store::ClipFolder folder(result_.files, {.scene = scene_,
                                              .record = record,
-                                             .made = store::fingerprint(scene_, textures, renderer),
+                                             .made = store::fingerprint(
+                                                 scene_, textures, {renderer, drawer_.testFrame()}),
                                              .outputs = files,
                                              .earlier = options_.earlier,
-                                             .part = options_.frames.has_value(),
-                                             .png = png_});
+                                             .part = options_.isPart(),
+                                             .png = png_,
+                                             .ownChecksums = options_.part.has_value()});
     result_.remainder = folder.remainder();
-    result_.wasDone = !options_.frames && options_.earlier.resume && folder.isDone(pngRange());
+    result_.wasDone = !options_.isPart() && options_.earlier.resume && folder.isDone(pngRange());
     if (result_.wasDone) {
       // A killed render may have left some after its last file
       system::removeStaleTemporaries(options_.folder);
@@ -100,7 +110,7 @@ class Render {
       renderInto(folder, record, listener);
       if (!result_.interrupted) finishFolder(folder);
     } catch (const MachineError& error) {
-      throw MachineError(error.what() + keptText(folder));
+      throw MachineError(error.what() + keptText(folder), error.kind());
     }
     return result_;
   }
@@ -118,7 +128,7 @@ class Render {
   }
 
   void finishFolder(store::ClipFolder& folder) {
-    if (!options_.frames) {
+    if (!options_.isPart()) {
       folder.finish(pngRange());
     } else if (png_) {
       folder.finishPart(range_);
@@ -139,7 +149,7 @@ class Render {
 
   void renderInto(store::ClipFolder& folder, const std::string& record,
                   const RenderListener& listener) {
-    const std::string shown = options_.frames ? store::recordOfPart(record, range_) : record;
+    const std::string shown = options_.isPart() ? store::recordOfPart(record, range_) : record;
     const video::VideoSettings video = store::videoSettings(scene_, shown);
     std::vector<OpenOutput> outputs;
     for (const RenderOutput& output : options_.outputs) {
@@ -189,8 +199,8 @@ class Render {
   }
 
   void finish(const std::vector<OpenOutput>& outputs) {
-    store::writeTables(result_.csvs, motion_);
-    if (!options_.frames) {
+    store::writeTables(result_.csvs, scene_, motion_);
+    if (!options_.isPart()) {
       picture::writePoster(drawer_, picture::posterFrame(scene_.clip, range_.count()),
                            scene::isTransparent(scene_), result_.files.poster);
     }
@@ -237,6 +247,12 @@ store::FrameRange framesToRender(const timeline::ClipMotion& motion,
 RenderResult renderClip(const scene::Scene& scene, const timeline::ClipMotion& motion,
                         const RenderOptions& options, const RenderListener& listener,
                         const picture::TextureFiles& textures) {
+  const store::FrameRange frames = framesOf(motion, options);
+  if (frames.count() == 0) {
+    RenderResult nothing;
+    nothing.files = filesOf(scene, options, frames);
+    return nothing;
+  }
   return Render(scene, motion, options, textures).run(listener);
 }
 

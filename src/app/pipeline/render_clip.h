@@ -28,10 +28,16 @@ struct RenderOptions {
   /// poster, which every render of a whole clip leaves.
   std::vector<RenderOutput> outputs;
   std::optional<store::FrameRange> frames{};  ///< Only these; all by default.
+  /// Only this part, of which a render leaves PNGs alone, for others to be joined with; excludes
+  /// `frames` and videos.
+  std::optional<store::ClipPart> part{};
   store::EarlierFrames earlier{};
   /// Set by others, such as a signal handler, to stop after the current frame. May be null.
   const std::atomic<bool>* stop = nullptr;
   render::DeviceChoice device{};
+
+  /// Returns whether only some frames are drawn.
+  bool isPart() const { return frames || part; }
 };
 
 /// The state of a render before its first frame.
@@ -69,9 +75,10 @@ store::FrameRange framesToRender(const timeline::ClipMotion& motion,
                                  std::optional<store::FrameRange> wanted);
 
 /// Draws `motion`, the scene's, into the outputs, and writes the tables and, for a whole clip, the
-/// poster. A resumed render leaves the same files as one that was never interrupted. Throws Error;
-/// then, too, files with a final name are complete, and finished frames are kept. See
-/// store::ClipFolder for the folders. `textures` are the scene's as far as they were read already.
+/// poster; nothing, if it is a part without frames. A resumed render leaves the same files as one
+/// that was never interrupted. Throws Error; then, too, files with a final name are complete, and
+/// finished frames are kept. See store::ClipFolder for the folders. `textures` are the scene's as
+/// far as they were read already.
 RenderResult renderClip(const scene::Scene& scene, const timeline::ClipMotion& motion,
                         const RenderOptions& options, const RenderListener& listener,
                         const picture::TextureFiles& textures = {});

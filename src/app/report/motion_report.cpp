@@ -90,22 +90,60 @@ std::string energyText(const MotionSummary& summary) {
   return "energy " + roundedText(lowest, 4) + " to " + roundedText(highest, 4) + " of its start";
 }
 
+namespace {
+
+/// Prints all notes, or the first of a grid's, as the others are much the same.
+void printNotes(const scene::Scene& scene, const std::vector<std::string>& notes,
+                std::ostream& out) {
+  constexpr std::size_t kMaxOfGrid = 3;
+  const std::size_t shown = scene.grid ? std::min(notes.size(), kMaxOfGrid) : notes.size();
+  for (std::size_t i = 0; i < shown; ++i) out << "note: " + notes[i] + '\n';
+  if (shown == notes.size()) return;
+  out << "note: " + scene.name + ": " + std::to_string(notes.size() - shown) +
+             " more notes on other books of the grid; --json has all\n";
+}
+
+}  // namespace
+
 void reportNotes(const scene::Scene& scene, std::ostream& out) {
-  for (const std::string& note : timeline::notesOn(scene)) {
-    out << "note: " + scene.name + ": " + note + '\n';
-  }
+  std::vector<std::string> notes = timeline::notesOn(scene);
+  for (std::string& note : notes) note = scene.name + ": " + note;
+  printNotes(scene, notes, out);
 }
 
 void reportNotes(const scene::Scene& scene, const std::vector<MotionSummary>& motions,
                  std::ostream& out) {
+  std::vector<std::string> notes;
   for (const MotionSummary& summary : motions) {
     for (const std::string& note : summary.notes) {
-      out << "note: " + joined({scene.name, summary.motion.label}) + ": " + note + '\n';
+      notes.push_back(joined({scene.name, summary.motion.label}) + ": " + note);
     }
+  }
+  printNotes(scene, notes, out);
+}
+
+namespace {
+
+/// Prints a line about the motions of a grid, and what is expected of some.
+void reportGrid(const std::vector<MotionSummary>& motions, std::ostream& out) {
+  const auto [fewest, most] = std::ranges::minmax(motions, {}, &MotionSummary::halfTurns);
+  const auto diverged = std::ranges::count_if(
+      motions, [](const MotionSummary& summary) { return summary.divergedAt.has_value(); });
+  out << "  " << motions.size() << " motions: " << fewest.halfTurns << " to "
+      << halfTurnsText(most.halfTurns) << "; "
+      << (diverged > 0 ? std::to_string(diverged) : std::string("none")) << " diverged\n";
+  for (const MotionSummary& summary : motions) {
+    if (summary.expectations.empty()) continue;
+    out << "  " << summary.motion.label << ":\n";
+    reportExpectations(summary, out);
   }
 }
 
+}  // namespace
+
 void reportMotions(const std::vector<MotionSummary>& motions, std::ostream& out) {
+  constexpr std::size_t kMaxListed = 6;
+  if (motions.size() > kMaxListed) return reportGrid(motions, out);
   for (const MotionSummary& summary : motions) {
     if (!summary.motion.label.empty()) out << "  " << summary.motion.label << ":\n";
     out << "  " << halfTurnsText(summary.halfTurns) << "; " << energyText(summary) << "; "
@@ -118,14 +156,13 @@ std::string motionsJson(const std::vector<MotionSummary>& motions) {
   return jsonArrayOf(motions, motionJson);
 }
 
-void reportSimulationAsJson(const scene::Scene& scene,
-                            const std::vector<std::filesystem::path>& tables,
+void reportSimulationAsJson(const scene::Scene& scene, const std::vector<WrittenTable>& tables,
                             const std::vector<MotionSummary>& motions, std::ostream& out) {
   std::vector<std::string> written;
-  for (std::size_t i = 0; i < tables.size(); ++i) {
+  for (const WrittenTable& table : tables) {
     written.push_back(JsonObject()
-                          .addString("path", tables[i].string())
-                          .addInteger("rows", static_cast<std::int64_t>(motions[i].frames))
+                          .addString("path", table.path.string())
+                          .addInteger("rows", static_cast<std::int64_t>(table.rows))
                           .text());
   }
   out << JsonObject()

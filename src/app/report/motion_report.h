@@ -35,10 +35,14 @@ void reportMotions(const std::vector<timeline::MotionSummary>& motions, std::ost
 /// Returns the same as a JSON array. Unknown values are null.
 std::string motionsJson(const std::vector<timeline::MotionSummary>& motions);
 
-/// Prints the JSON object of a simulation of `scene`, which left a table of each motion in the file
-/// of `tables` with the same index.
-void reportSimulationAsJson(const scene::Scene& scene,
-                            const std::vector<std::filesystem::path>& tables,
+/// A table that was written.
+struct WrittenTable {
+  std::filesystem::path path;
+  std::size_t rows = 0;  ///< Without its header.
+};
+
+/// Prints the JSON object of a simulation of `scene`, which left `tables`.
+void reportSimulationAsJson(const scene::Scene& scene, const std::vector<WrittenTable>& tables,
                             const std::vector<timeline::MotionSummary>& motions, std::ostream& out);
 
 }  // namespace rotatebook::report

@@ -35,7 +35,7 @@ std::vector<fs::path> filesOf(const pipeline::RenderResult& result,
   }
   if (result.interrupted) return files;
   files.insert(files.end(), result.csvs.begin(), result.csvs.end());
-  if (!options.frames) files.push_back(result.files.poster);
+  if (!options.isPart()) files.push_back(result.files.poster);
   return files;
 }
 
@@ -43,7 +43,7 @@ std::vector<fs::path> filesOf(const pipeline::RenderResult& result,
 std::string frameFolder(const pipeline::RenderResult& result,
                         const pipeline::RenderOptions& options) {
   if (!hasPng(options.outputs) || (result.framesWritten == 0 && !result.wasDone)) return "";
-  const bool isNew = result.interrupted && !options.frames;
+  const bool isNew = result.interrupted && !options.isPart();
   return (isNew ? result.files.partialFrameFolder : result.files.frameFolder).string() + '/';
 }
 
@@ -135,6 +135,10 @@ void reportRender(const RenderedScene& rendered, const pipeline::RenderOptions& 
   }
   const pipeline::RenderResult& result = *rendered.result;
   if (result.wasDone) out << name << ": already done" << std::endl;
+  if (options.part && result.framesWritten == 0 && !result.interrupted) {
+    out << name << ": this part has no frames; nothing was written" << std::endl;
+    return;
+  }
   if (result.framesKept > 0) {
     out << "  kept " << store::framesText(result.framesKept) << " of an earlier run" << std::endl;
   }

@@ -14,9 +14,18 @@ JsonObject fileObject(const SceneFile& file) {
   return object;
 }
 
+std::string panelLabels(const scene::Scene& scene) {
+  return jsonArrayOf(scene.panels,
+                     [](const scene::Panel& panel) { return jsonString(panel.label); });
+}
+
 std::string checkJson(const SceneFile& file) {
   const auto notes = file.scene ? timeline::notesOn(*file.scene) : std::vector<std::string>();
-  return fileObject(file).add("notes", jsonArrayOf(notes, jsonString)).text();
+  JsonObject object = fileObject(file);
+  object.add("notes", jsonArrayOf(notes, jsonString));
+  if (!file.scene) return object.text();
+  if (file.frames) object.addInteger("frames", *file.frames);
+  return object.add("panels", panelLabels(*file.scene)).text();
 }
 
 std::string listJson(const SceneFile& file) {
@@ -29,8 +38,7 @@ std::string listJson(const SceneFile& file) {
       .addInteger("width", scene.clip.width)
       .addInteger("height", scene.clip.height)
       .addInteger("frames", scene.clip.frameCount())
-      .add("panels", jsonArrayOf(scene.panels,
-                                 [](const scene::Panel& panel) { return jsonString(panel.label); }))
+      .add("panels", panelLabels(scene))
       .addBool("has_study", scene.study.has_value())
       .text();
 }

@@ -1,6 +1,7 @@
 // JSON reports on scene files.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <ostream>
@@ -15,10 +16,13 @@ namespace rotatebook::report {
 struct SceneFile {
   std::filesystem::path path;
   std::optional<scene::Scene> scene{};  ///< Nothing if it can't be read.
-  std::vector<std::string> errors{};    ///< Why the scene isn't usable; empty if it is.
+  /// Of its clip, which ends early if its motion diverges; nothing if it wasn't simulated.
+  std::optional<std::int64_t> frames{};
+  std::vector<std::string> errors{};  ///< Why the scene isn't usable; empty if it is.
 };
 
-/// Prints one JSON object: for each file whether it can be used, errors and timeline::notesOn().
+/// Prints one JSON object: for each file whether it can be used, errors, timeline::notesOn(),
+/// frames and panels.
 void reportChecksAsJson(const std::vector<SceneFile>& files, std::ostream& out);
 
 /// Prints one JSON object: for each file errors, name, title, length and size of the clip.

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "base/error.h"
+#include "timeline/clip_tables.h"
 
 namespace rotatebook::store {
 namespace {
@@ -18,12 +19,19 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kPrefix = "frame_";
 constexpr std::string_view kSuffix = ".png";
+constexpr std::string_view kChecksumsPrefix = "frames.";
+constexpr std::string_view kChecksumsSuffix = ".xxh128";
 
 std::string paddedNumber(std::int64_t number) {
   std::array<char, 32> buffer;
   const int length =
       std::snprintf(buffer.data(), buffer.size(), "%05lld", static_cast<long long>(number));
   return {buffer.data(), static_cast<std::size_t>(length)};
+}
+
+bool isPartChecksumsName(std::string_view name) {
+  return name.starts_with(kChecksumsPrefix) && name.ends_with(kChecksumsSuffix) &&
+         name.size() > kChecksumsPrefix.size() + kChecksumsSuffix.size();
 }
 
 /// Returns `label` in lower-case letters, digits and hyphens, which every file system accepts.
@@ -54,6 +62,18 @@ std::optional<FrameRange> parseRange(const std::string& text) {
   return FrameRange{std::stoll(match[1]), std::stoll(match[2])};
 }
 
+std::optional<ClipPart> parsePart(const std::string& text) {
+  std::smatch match;
+  if (!std::regex_match(text, match, std::regex("([0-9]{1,6})/([0-9]{1,6})"))) return {};
+  const ClipPart part{std::stoll(match[1]), std::stoll(match[2])};
+  if (part.number < 1 || part.number > part.count) return {};
+  return part;
+}
+
+FrameRange framesOf(const ClipPart& part, std::int64_t frames) {
+  return {(part.number - 1) * frames / part.count, part.number * frames / part.count};
+}
+
 std::string frameName(std::int64_t index) {
   return std::string(kPrefix) + paddedNumber(index) + std::string(kSuffix);
 }
@@ -81,6 +101,21 @@ std::vector<std::int64_t> framesIn(const fs::path& folder) {
 
 bool hasFrames(const fs::path& folder) {
   return fs::is_directory(folder) && !framesIn(folder).empty();
+}
+
+std::string partChecksumsName(const std::string& process) {
+  return std::string(kChecksumsPrefix) + process + std::string(kChecksumsSuffix);
+}
+
+std::vector<std::string> partChecksumsIn(const fs::path& folder) {
+  std::error_code error;
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (isPartChecksumsName(name)) names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 std::string framesText(std::int64_t count) {
@@ -115,8 +150,16 @@ ClipFiles clipFiles(const fs::path& folder, const std::string& name, FrameRange 
   return files;
 }
 
+ClipFiles clipFiles(const fs::path& folder, const std::string& name, const ClipPart& /*part*/) {
+  ClipFiles files = clipFiles(folder, name);
+  files.csv.clear();
+  files.poster.clear();
+  return files;
+}
+
 std::vector<fs::path> csvFiles(const fs::path& csv, const scene::Scene& scene) {
-  if (scene.panels.empty()) return {csv};
+  if (csv.empty()) return {};
+  if (timeline::tableCount(scene) == 1) return {csv};
   std::vector<fs::path> files;
   for (std::size_t i = 0; i < scene.panels.size(); ++i) {
     std::string name = csv.stem().string() + "_" + slugOf(scene.panels[i].label);
@@ -139,7 +182,7 @@ std::vector<fs::path> outputFiles(const ClipFiles& files, const scene::Scene& sc
 
 bool isNameInFrameFolder(const std::string& name) {
   return name == kSceneCopyName || name == kManifestName || name == kFrameChecksumsName ||
-         frameIndex(name);
+         isPartChecksumsName(name) || frameIndex(name);
 }
 
 }  // namespace rotatebook::store

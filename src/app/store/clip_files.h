@@ -26,6 +26,19 @@ std::string rangeText(FrameRange range);
 /// Parses "3:5"; returns nothing for other text. The range may be empty or reversed.
 std::optional<FrameRange> parseRange(const std::string& text);
 
+/// One of several parts of a clip, which together have each of its frames once.
+struct ClipPart {
+  std::int64_t number = 1;  ///< 1 to `count`
+  std::int64_t count = 1;   ///< 1 to kMaxParts
+};
+inline constexpr std::int64_t kMaxParts = 999'999;
+
+/// Parses "3/16", the third of 16 parts; returns nothing for other text.
+std::optional<ClipPart> parsePart(const std::string& text);
+/// Returns the frames of a part of a clip of `frames` frames. Parts differ by at most one frame;
+/// some are empty if there are more parts than frames.
+FrameRange framesOf(const ClipPart& part, std::int64_t frames);
+
 /// The name of the resolved scene's file, beside the frames.
 inline constexpr const char* kSceneCopyName = "scene.toml";
 
@@ -33,6 +46,12 @@ inline constexpr const char* kSceneCopyName = "scene.toml";
 /// .toml, which is for scenes.
 inline constexpr const char* kManifestName = "frames.manifest";
 inline constexpr const char* kFrameChecksumsName = "frames.xxh128";
+
+/// Returns "frames.PROCESS.xxh128", the checksums of the frames that one process of several drew.
+std::string partChecksumsName(const std::string& process);
+/// Returns the names in `folder` that partChecksumsName() gives, ascending. Returns none if it
+/// can't be read.
+std::vector<std::string> partChecksumsIn(const std::filesystem::path& folder);
 
 /// Returns "frame_00042.png".
 std::string frameName(std::int64_t index);
@@ -60,7 +79,7 @@ struct ClipFiles {
   std::filesystem::path replacedFolder;      ///< NAME.replaced/, an earlier NAME/ being replaced
   std::filesystem::path sceneCopy;           ///< NAME/scene.toml, the resolved scene
   std::filesystem::path videoStem;           ///< NAME, to which video() appends an ending
-  std::filesystem::path csv;                 ///< NAME.csv; see csvFiles() for panels
+  std::filesystem::path csv;                 ///< NAME.csv, or empty; see csvFiles() for panels
   std::filesystem::path poster;              ///< NAME.poster.png; empty for a part
   std::filesystem::path thumbnail;           ///< NAME.thumbnail.png
 
@@ -76,8 +95,13 @@ ClipFiles clipFiles(const std::filesystem::path& folder, const std::string& name
 /// clip's: NAME_00010-00020.mp4.
 ClipFiles clipFiles(const std::filesystem::path& folder, const std::string& name, FrameRange part);
 
-/// Returns the paths of the motions' tables, in the order of motionsOf(): `csv` itself, or one for
-/// each panel, with its label in a name that no other panel has: NAME_particles.csv.
+/// Likewise for a part that leaves frames alone: without a name of a table, either.
+ClipFiles clipFiles(const std::filesystem::path& folder, const std::string& name,
+                    const ClipPart& part);
+
+/// Returns the paths of the motions' tables, in the order of timeline::writeTable(): `csv` itself,
+/// or one for each panel, with its label in a name that no other panel has: NAME_particles.csv. A
+/// grid has `csv` alone. None if `csv` is empty.
 std::vector<std::filesystem::path> csvFiles(const std::filesystem::path& csv,
                                             const scene::Scene& scene);
 
@@ -87,7 +111,7 @@ std::vector<std::filesystem::path> outputFiles(const ClipFiles& files, const sce
                                                const std::vector<video::VideoFormat>& formats);
 
 /// Returns whether the program owns the name `name` in a folder of frames: that of a frame, of the
-/// record, the manifest or the checksums.
+/// record, the manifest or checksums.
 bool isNameInFrameFolder(const std::string& name);
 
 }  // namespace rotatebook::store

@@ -1,9 +1,11 @@
 #include "store/clip_folder.h"
 
 #include <algorithm>
+#include <chrono>
 #include <exception>
 #include <iterator>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "base/error.h"
@@ -44,7 +46,8 @@ ClipFolder::ClipFolder(const ClipFiles& files, const Settings& settings)
   }
   try {
     settings.part ? openPart(settings) : openWhole(settings);
-    checksums_.emplace(path_);
+    using File = FrameChecksums::File;
+    checksums_.emplace(path_, settings.ownChecksums ? File::Own : File::Shared);
     replaced_.emplace(files_, settings.made, outputs_, settings.png && path_ != files_.frameFolder);
   } catch (...) {
     discardIfEmpty();
@@ -85,21 +88,46 @@ void ClipFolder::openPart(const Settings& settings) {
   // Refuse to draw beside unfinished frames of a whole clip with other settings: of these and the
   // part, one would replace the other in the end
   if (settings.png) {
-    requireJoinable(files_.partialFrameFolder, readManifest(files_.partialFrameFolder), settings,
-                    "finish that render first, with --resume");
+    if (hasFrames(files_.partialFrameFolder)) {
+      requireJoinable(files_.partialFrameFolder, readManifest(files_.partialFrameFolder), settings,
+                      "finish that render first, with --resume");
+    }
     refuseForeignFiles(files_.frameFolder, there, settings);
   }
 
-  // Add this render to the manifest of NAME/, and keep the others there. Where a render without
-  // PNGs was finished, the frames begin now.
-  if (there) manifest_ = *there;
-  manifest_.become(settings.made);
-  manifest_.finished =
-      isMadeWith(there, settings.made) && there->finished && hasFrames(files_.frameFolder);
-
-  // Write scene and manifest where frames will be
   path_ = files_.frameFolder;
-  if (settings.png) begin(path_, settings.record);
+  settings.png ? beginPart(there, settings) : void(manifest_ = manifestOfPart(there, settings));
+}
+
+/// Returns the manifest `there` of NAME/ with this render added, and the others kept. Where a
+/// render without PNGs was finished, the frames begin now.
+Manifest ClipFolder::manifestOfPart(const std::optional<Manifest>& there,
+                                    const Settings& settings) const {
+  Manifest manifest = there.value_or(Manifest{});
+  manifest.become(settings.made);
+  manifest.finished =
+      isMadeWith(there, settings.made) && there->finished && hasFrames(files_.frameFolder);
+  return manifest;
+}
+
+void ClipFolder::beginPart(std::optional<Manifest> there, const Settings& settings) {
+  system::createFolders(path_);
+  // Claim NAME/, or join the part that has just claimed it: locks may not be seen by other machines
+  constexpr int kMaxTries = 10;
+  for (int tries = 0;; ++tries) {
+    manifest_ = manifestOfPart(there, settings);
+    if (there == manifest_ || replaceManifest(path_, there, manifest_)) break;
+    if (tries == kMaxTries) {
+      throw MachineError((path_ / kManifestName).string() +
+                             " is damaged, or other parts keep changing it; remove it if nothing "
+                             "draws there",
+                         ErrorKind::Transient);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    there = readManifest(path_);
+    requireJoinable(path_, there, settings, "remove it");
+  }
+  system::writeFileAtomically(path_ / kSceneCopyName, settings.record);
 }
 
 void ClipFolder::openWhole(const Settings& settings) {
@@ -204,6 +232,13 @@ void ClipFolder::requireReplaceableOutputs(const std::vector<fs::path>& more) co
 
 void ClipFolder::finishPart(FrameRange frames) {
   checksums_->requireUnchanged(frames);
+  checksums_->finishOwn();
+  if (!isMadeWith(readManifest(path_), manifest_.own.made)) {
+    throw MachineError(
+        (path_ / kManifestName).string() +
+            " is gone or has other settings: it was changed while the part was rendered",
+        ErrorKind::Transient);
+  }
   system::flushFolder(path_);
 }
 

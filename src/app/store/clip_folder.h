@@ -71,6 +71,8 @@ class ClipFolder {
   void openPart(const Settings& settings);
   void openWhole(const Settings& settings);
   void begin(const std::filesystem::path& folder, const std::string& record);
+  void beginPart(std::optional<Manifest> there, const Settings& settings);
+  Manifest manifestOfPart(const std::optional<Manifest>& there, const Settings& settings) const;
   void requireReplaceableFolder(bool png) const;
   void finishWithFrames(const Manifest::Entries& written);
   void finishWithoutFrames(const Manifest::Entries& written);

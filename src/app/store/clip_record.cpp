@@ -107,6 +107,7 @@ bool lacksTextures(const scene::Scene& scene) {
 std::string clipText(scene::Scene scene) {
   scene.expectations.clear();
   for (scene::Panel& panel : scene.panels) panel.expectations.clear();
+  if (scene.grid) scene.grid->expected.clear();
   scene.study.reset();
   return sceneText(scene);
 }

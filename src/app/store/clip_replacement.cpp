@@ -8,6 +8,7 @@
 #include "store/manifest.h"
 #include "system/atomic_file.h"
 #include "system/removal.h"
+#include "system/temporary_files.h"
 
 namespace rotatebook::store {
 namespace {
@@ -18,15 +19,16 @@ void moveTo(const fs::path& from, const fs::path& to) {
   std::error_code error;
   fs::rename(from, to, error);
   if (error) {
-    throw MachineError("can't move " + from.string() + " to " + to.string() + ": " +
-                       error.message());
+    throw MachineError(
+        "can't move " + from.string() + " to " + to.string() + ": " + error.message(),
+        system::kindOfError(error.value()));
   }
 }
 
 /// Returns whether NAME.replaced/ may hold what no render of this program left. One whose removal
 /// was cut short has no manifest, but its checksums are removed after its frames.
 bool isForeign(const fs::path& replaced) {
-  if (readManifest(replaced) || fs::exists(replaced / kFrameChecksumsName)) return false;
+  if (readManifest(replaced) || FrameChecksums::existIn(replaced)) return false;
   return hasFrames(replaced) || hasForeignRecord(replaced);
 }
 
@@ -57,7 +59,7 @@ void discard(const fs::path& folder) {
   // Remove frames, checksums and scene
   system::removeStaleTemporaries(folder);
   for (const std::int64_t index : framesIn(folder)) system::removeFile(folder / frameName(index));
-  system::removeFile(folder / kFrameChecksumsName);
+  FrameChecksums::removeFrom(folder);
   system::removeFile(folder / kSceneCopyName);
 
   // Remove the folder unless it holds other files

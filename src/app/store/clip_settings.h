@@ -29,6 +29,9 @@ struct ClipSettings {
   EarlierFrames earlier{};
   bool part = false;  ///< A range of frames, which go to NAME/ beside others of these settings.
   bool png = true;    ///< PNGs are written; a part without them leaves nothing in NAME/.
+  /// Other parts may be drawn on other machines at the same time: this one adds to no file of
+  /// theirs.
+  bool ownChecksums = false;
 };
 
 }  // namespace rotatebook::store

@@ -12,6 +12,7 @@
 #include "document/toml_tree.h"
 #include "scene/scene_text.h"
 #include "store/clip_files.h"
+#include "system/build_id.h"
 #include "system/file_checksum.h"
 #include "system/read_file.h"
 #include "video/video_writer.h"
@@ -23,13 +24,6 @@ namespace fs = std::filesystem;
 using Entries = Manifest::Entries;
 
 constexpr std::size_t kMaxDifferences = 3;
-
-/// Returns the checksum of the running program: a change of its code may change pictures without
-/// changing its version.
-const std::string& buildChecksum() {
-  static const std::string sum = system::checksumOfFile("/proc/self/exe");
-  return sum;
-}
 
 /// Adds all values below `node` to `values` under their full keys: "clip.duration",
 /// "panels[0].label".
@@ -81,26 +75,68 @@ std::string shortList(std::vector<std::string> found) {
   return joined(found, "; ");
 }
 
+/// Returns a checksum of this program and of what its results depend on.
+std::string checksumWithProgram(const std::string& settings) {
+  return checksumOf(std::string(kVersion) + "\n" + system::buildId() + "\n" + settings);
+}
+
 }  // namespace
 
-Entries fingerprint(const scene::Scene& scene, const Entries& textures,
-                    const std::string& renderer) {
+std::string sceneChecksum(const scene::Scene& scene) {
+  return checksumOf(sceneText(scene));
+}
+
+Entries fingerprint(const scene::Scene& scene, const Entries& textures, const Drawing& drawing) {
   Entries made = textures;
   made["program"] = std::string("rotatebook ") + kVersion;
-  made["build"] = buildChecksum();
-  made["renderer"] = renderer;
+  // A change of the program's code may change pictures without changing its version.
+  made["build"] = system::buildId();
+  made["renderer"] = drawing.renderer;
+  made["test frame"] = drawing.testFrame;
   made["ffmpeg"] = video::ffmpegVersion();
-  made["scene"] = checksumOf(sceneText(scene));
+  made["scene"] = sceneChecksum(scene);
   return made;
+}
+
+std::string mapSceneChecksum(const scene::Scene& scene) {
+  scene::Scene bare;
+  static_cast<scene::Motion&>(bare) = scene;
+  bare.clip = scene.clip;
+  bare.panels = scene.panels;
+  bare.map = scene.map;
+  bare.expectations.clear();
+  for (scene::Panel& panel : bare.panels) {
+    panel.label = "panel";
+    panel.expectations.clear();
+  }
+  scene::MapSettings& map = *bare.map;
+  map.x.label = map.y.label = "";
+  map.colours = {};
+  map.marks.clear();
+  map.expected.clear();
+  map.film.reset();
+  return checksumOf(sceneText(bare));
+}
+
+std::string recordOfFilm(const scene::Scene& scene) {
+  return "# The film of a map.\n" + sceneText(scene);
+}
+
+std::string filmFingerprint(const scene::Scene& scene) {
+  return checksumWithProgram(sceneText(scene));
+}
+
+std::string mapFingerprint(const scene::Scene& scene) {
+  return checksumWithProgram(mapSceneChecksum(scene));
 }
 
 std::string differences(const fs::path& folder, const Entries& there, const Entries& made,
                         const scene::Scene& scene) {
   Entries old = there, now = made;
   std::vector<std::string> found;
-  if (old["scene"] != now["scene"]) {
-    addDifferences(valuesOf(system::readFileOrEmpty(folder / kSceneCopyName)),
-                   valuesOf(sceneText(scene)), found);
+  const std::string record = system::readFileOrEmpty(folder / kSceneCopyName);
+  if (old["scene"] != now["scene"] && !record.empty()) {
+    addDifferences(valuesOf(record), valuesOf(sceneText(scene)), found);
     old.erase("scene");
     now.erase("scene");
   }

@@ -9,10 +9,29 @@
 
 namespace rotatebook::store {
 
-/// Returns program, build, renderer, FFmpeg, the scene's checksum and the drawn `textures`, which
-/// are picture::LoadedTextures::checksums.
+/// The renderer of the frames.
+struct Drawing {
+  std::string renderer;   ///< render::Renderer::description()
+  std::string testFrame;  ///< picture::testFrame(), as renderers of one description may differ.
+};
+
+/// Returns program, build, renderer, test frame, FFmpeg, the scene's checksum and the drawn
+/// `textures`, which are picture::LoadedTextures::checksums.
 Manifest::Entries fingerprint(const scene::Scene& scene, const Manifest::Entries& textures,
-                              const std::string& renderer);
+                              const Drawing& drawing);
+
+/// Returns the checksum of a whole scene.
+std::string sceneChecksum(const scene::Scene& scene);
+
+/// Returns a checksum of what the values of a scene's map depend on: the scene without its texts,
+/// looks and expectations.
+std::string mapSceneChecksum(const scene::Scene& scene);
+/// Returns a checksum of that, program and build: all that the values depend on.
+std::string mapFingerprint(const scene::Scene& scene);
+/// Returns a checksum of all that the pictures of a map's film depend on.
+std::string filmFingerprint(const scene::Scene& scene);
+/// Returns the text that the film of a scene's map holds as its comment, by which it is known.
+std::string recordOfFilm(const scene::Scene& scene);
 
 /// Returns, for a message, how the frames in `folder`, which have the fingerprint `there` and a
 /// scene.toml, differ from a render of `scene` with the fingerprint `made`: "clip.duration is 8.0

@@ -80,8 +80,13 @@ void requireDiscardable(const fs::path& folder, const std::optional<Manifest>& t
 
 void requireJoinable(const fs::path& folder, const std::optional<Manifest>& there,
                      const ClipSettings& settings, const std::string& remedy) {
-  if (!hasFrames(folder) || isMadeWith(there, settings.made)) return;
-  throw InputError(folder.string() + " holds frames with other settings" +
+  if (isMadeWith(there, settings.made)) return;
+  const bool holds = hasFrames(folder);
+  const bool awaits = knowsSettings(there) && !there->finished;
+  if (!holds && !awaits) return;
+  throw InputError(folder.string() +
+                   (holds ? " holds frames with other settings"
+                          : " awaits the frames of a part that began with other settings") +
                    (knowsSettings(there)
                         ? ": " + differences(folder, there->own.made, settings.made, settings.scene)
                         : "") +

@@ -26,7 +26,8 @@ void refuseForeignFiles(const std::filesystem::path& folder, const std::optional
 void requireDiscardable(const std::filesystem::path& folder, const std::optional<Manifest>& there,
                         const ClipSettings& settings);
 
-/// Throws InputError if `folder` holds frames with other settings, which a part can't join.
+/// Throws InputError if `folder` holds frames with other settings, or they have begun, which a part
+/// can't join.
 void requireJoinable(const std::filesystem::path& folder, const std::optional<Manifest>& there,
                      const ClipSettings& settings, const std::string& remedy);
 

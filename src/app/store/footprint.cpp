@@ -5,7 +5,7 @@
 
 #include "store/frame_checksums.h"
 #include "store/manifest.h"
-#include "system/atomic_file.h"
+#include "system/temporary_files.h"
 
 namespace rotatebook::store {
 namespace {
@@ -68,13 +68,24 @@ void Footprint::addPart(const fs::path& folder, const scene::Scene& scene, Frame
   const ClipFiles files = clipFiles(folder, scene.name, part);
   for (const fs::path& file : outputFiles(files, scene, formats)) addFile(file);
   addPartialVideos(files, formats);
-  if (!png) return;
+  if (png) addFrames(folder, scene);
+}
+
+void Footprint::addFrames(const fs::path& folder, const scene::Scene& scene) {
+  const ClipFiles files = clipFiles(folder, scene.name);
   addFolder(frames_, files.frameFolder);
   addFolder(tidied_, files.frameFolder);
 }
 
 void Footprint::addStudy(const StudyFiles& files) {
   for (const fs::path& file : allOf(files)) addFile(file);
+}
+
+void Footprint::addMap(const MapFiles& files) {
+  for (const fs::path& file : allOf(files)) addFile(file);
+  addFile(files.film);
+  addFolder(moved_, files.tiles);
+  addFolder(moved_, files.filmFrames);
 }
 
 std::optional<std::string> Footprint::fateOf(const fs::path& path) const {

@@ -12,6 +12,7 @@
 
 #include "scene/scene.h"
 #include "store/clip_files.h"
+#include "store/map_files.h"
 #include "store/study_files.h"
 #include "video/video_format.h"
 
@@ -30,8 +31,12 @@ class Footprint {
   /// Adds a render of the frames `part` alone, with PNGs if `png`.
   void addPart(const std::filesystem::path& folder, const scene::Scene& scene, FrameRange part,
                const std::vector<video::VideoFormat>& formats, bool png);
+  /// Adds a render of some frames of `scene` that leaves nothing else.
+  void addFrames(const std::filesystem::path& folder, const scene::Scene& scene);
   /// Adds the files of a study.
   void addStudy(const StudyFiles& files);
+  /// Adds the files of a map.
+  void addMap(const MapFiles& files);
 
   /// Returns what becomes of the file at `path`, or of a link on the way to it: "replaced",
   /// "removed" or "moved or removed"; nothing if it stays as it is or doesn't exist.

@@ -1,5 +1,6 @@
 #include "store/frame_checksums.h"
 
+#include <algorithm>
 #include <fcntl.h>
 #include <ranges>
 #include <sstream>
@@ -12,6 +13,7 @@
 #include "system/atomic_file.h"
 #include "system/file_checksum.h"
 #include "system/read_file.h"
+#include "system/temporary_files.h"
 
 namespace rotatebook::store {
 namespace {
@@ -26,7 +28,7 @@ std::string lineOf(std::int64_t index, const std::string& sum) {
 
 /// Returns the text of `file`; empty if it isn't there or can't be one of ours. Throws MachineError
 /// if the disk fails.
-std::string textOf(const std::filesystem::path& file) {
+std::string contentOf(const std::filesystem::path& file) {
   try {
     return system::readFile(file, kMaxFileBytes);
   } catch (const InputError&) {
@@ -45,10 +47,19 @@ std::int64_t nanoseconds(const timespec& time) {
 
 }  // namespace
 
-FrameChecksums::FrameChecksums(std::filesystem::path folder)
+FrameChecksums::FrameChecksums(std::filesystem::path folder, File file)
     : folder_(std::move(folder)),
-      path_(folder_ / kFrameChecksumsName),
-      checksums_(parse(textOf(path_))) {}
+      path_(folder_ / (file == File::Own ? partChecksumsName(system::processName())
+                                         : std::string(kFrameChecksumsName))),
+      checksums_(parse(contentOf(folder_ / kFrameChecksumsName))) {
+  readParts(folder_, checksums_);
+}
+
+void FrameChecksums::readParts(const std::filesystem::path& folder, Checksums& checksums) {
+  for (const std::string& name : partChecksumsIn(folder)) {
+    for (const auto& [index, sum] : parse(contentOf(folder / name))) checksums[index] = sum;
+  }
+}
 
 FrameChecksums::Checksums FrameChecksums::parse(const std::string& text) {
   Checksums checksums;
@@ -59,6 +70,12 @@ FrameChecksums::Checksums FrameChecksums::parse(const std::string& text) {
     if (index) checksums[*index] = line.substr(0, kDigits);
   }
   return checksums;
+}
+
+std::string FrameChecksums::textOf(const Checksums& checksums) {
+  std::string text;
+  for (const auto& [index, sum] : checksums) text += lineOf(index, sum);
+  return text;
 }
 
 std::optional<std::string> FrameChecksums::intact(std::int64_t index) const {
@@ -80,7 +97,7 @@ std::vector<std::int64_t> FrameChecksums::indices() const {
 
 std::vector<std::int64_t> FrameChecksums::foreignFrames(bool changed) const {
   // A file's change time can't be set, and is later if another file was moved to its name
-  const std::int64_t listed = stampOf(path_).modified;
+  const std::int64_t listed = stampOf(folder_ / kFrameChecksumsName).modified;
   std::vector<std::int64_t> foreign;
   for (const std::int64_t index : framesIn(folder_)) {
     const bool mayDiffer = changed && stampOf(folder_ / frameName(index)).changed >= listed;
@@ -128,6 +145,7 @@ void FrameChecksums::keepStamp(std::int64_t index, const Stamp& stamp) const {
 
 FrameChecksums::Checksums FrameChecksums::present() const {
   Checksums all = checksums_;
+  readParts(folder_, all);
   if (!file_.isOpen()) return all;
   for (const auto& [index, sum] : parse(system::readAll(file_, path_))) all[index] = sum;
   return all;
@@ -154,17 +172,39 @@ void FrameChecksums::requireUnchanged(FrameRange frames) const {
 
 void FrameChecksums::sort(FrameRange frames) {
   // Read the lines that any process added
+  const std::vector<std::string> joined = partChecksumsIn(folder_);
   checksums_ = present();
 
   for (std::int64_t frame = frames.first; frame < frames.end; ++frame) {
     if (!checksums_.contains(frame)) failMissing(folder_, frame);
   }
 
-  // Write one line a frame
-  std::string text;
-  for (const auto& [index, sum] : checksums_) text += lineOf(index, sum);
-  system::writeFileAtomically(path_, text);
+  // Write one line a frame, then remove the files whose lines these are
+  system::writeFileAtomically(folder_ / kFrameChecksumsName, textOf(checksums_));
+  for (const std::string& name : joined) system::removeFile(folder_ / name);
   file_ = {};
+}
+
+void FrameChecksums::finishOwn() {
+  if (!file_.isOpen() || path_ == folder_ / kFrameChecksumsName) return;
+  const Checksums own = parse(system::readAll(file_, path_));
+  file_ = {};
+  const Checksums joined = parse(contentOf(folder_ / kFrameChecksumsName));
+  const bool areJoined = std::ranges::includes(joined, own);  // Both ascend.
+  areJoined ? system::removeFile(path_) : system::writeFileAtomically(path_, textOf(own));
+}
+
+bool FrameChecksums::existIn(const std::filesystem::path& folder) {
+  return std::filesystem::exists(folder / kFrameChecksumsName) || !partChecksumsIn(folder).empty();
+}
+
+void FrameChecksums::removeFrom(const std::filesystem::path& folder) {
+  system::removeFile(folder / kFrameChecksumsName);
+  for (const std::string& name : partChecksumsIn(folder)) system::removeFile(folder / name);
+}
+
+std::filesystem::path FrameChecksums::filesIn(const std::filesystem::path& folder) {
+  return folder / (partChecksumsIn(folder).empty() ? kFrameChecksumsName : "frames*.xxh128");
 }
 
 }  // namespace rotatebook::store

@@ -17,11 +17,17 @@ namespace rotatebook::store {
 
 /// The file frames.xxh128: one line a frame, in the format of xxh128sum, added once the frame is
 /// complete. A killed run leaves the lines of the frames that it finished.
+///
+/// Processes on several machines can't add to one file: network file systems lose lines then. Each
+/// has a file of its own, partChecksumsName(), and all are read as one until sort() joins them.
 class FrameChecksums {
  public:
+  /// The file to which lines are added: that of all processes, or one of this process alone.
+  enum class File { Shared, Own };
+
   /// Reads the existing lines and ignores one that was cut off. `folder` must exist. Throws
   /// MachineError.
-  explicit FrameChecksums(std::filesystem::path folder);
+  explicit FrameChecksums(std::filesystem::path folder, File file = File::Shared);
 
   const std::filesystem::path& folder() const { return folder_; }
 
@@ -48,9 +54,21 @@ class FrameChecksums {
   /// or inode changed since.
   void requireUnchanged(FrameRange frames) const;
 
-  /// Rewrites the file with one line a frame, in order, even if it was removed meanwhile. Throws
-  /// MachineError, also if one of these frames has no line.
+  /// Rewrites the file with one line a frame, in order, even if it was removed meanwhile, and
+  /// removes those of single processes. Throws MachineError, also if one of these frames has no
+  /// line.
   void sort(FrameRange frames);
+
+  /// Completes a file of this process alone, if there is one: removes it if sort() of another
+  /// process has taken its lines, else rewrites it with one line a frame. Throws MachineError.
+  void finishOwn();
+
+  /// Returns whether there are such files in `folder`.
+  static bool existIn(const std::filesystem::path& folder);
+  /// Removes the files in `folder`. Throws MachineError.
+  static void removeFrom(const std::filesystem::path& folder);
+  /// Returns the name of the files in `folder`, for a message: with a star if there are several.
+  static std::filesystem::path filesIn(const std::filesystem::path& folder);
 
  private:
   using Checksums = std::map<std::int64_t, std::string>;
@@ -64,12 +82,14 @@ class FrameChecksums {
   };
 
   static Checksums parse(const std::string& text);
+  static std::string textOf(const Checksums& checksums);
+  static void readParts(const std::filesystem::path& folder, Checksums& checksums);
   static Stamp stampOf(const std::filesystem::path& file);
   void keepStamp(std::int64_t index, const Stamp& stamp) const;
   void openFile();
   Checksums present() const;
 
-  std::filesystem::path folder_, path_;
+  std::filesystem::path folder_, path_;  // path_: of the file to which lines are added.
   Checksums checksums_;
   mutable std::mutex mutex_;
   mutable std::vector<Stamp> stamps_;  // By frame, of those that were written or found intact.

@@ -1,6 +1,8 @@
 #include "store/manifest.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <system_error>
 #include <variant>
 
 #include "base/error.h"
@@ -9,6 +11,7 @@
 #include "store/clip_files.h"
 #include "system/atomic_file.h"
 #include "system/read_file.h"
+#include "system/temporary_files.h"
 
 namespace rotatebook::store {
 namespace {
@@ -58,6 +61,23 @@ Entries entriesOf(const document::TomlNode& parent, const char* name) {
 
 Manifest::Render renderFrom(const document::TomlNode& table) {
   return {entriesOf(table, "made"), entriesOf(table, "files")};
+}
+
+/// Reads the manifest that is the file at `path`; returns nothing where readManifest() does.
+std::optional<Manifest> readFrom(const fs::path& path) {
+  try {
+    return parseManifest(system::readFile(path, document::kLongestToml), path);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+/// Gives the file `aside` its name again, unless another has it now.
+void putBack(const fs::path& aside, const fs::path& path) {
+  std::error_code error;
+  fs::create_hard_link(aside, path, error);
+  // Some file systems have no hard links
+  if (error && error != std::errc::file_exists) fs::rename(aside, path, error);
 }
 
 }  // namespace
@@ -110,12 +130,7 @@ Manifest parseManifest(std::string_view text, const std::string& file) {
 }
 
 std::optional<Manifest> readManifest(const fs::path& folder) {
-  const fs::path path = folder / kManifestName;
-  try {
-    return parseManifest(system::readFile(path, document::kLongestToml), path);
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
+  return readFrom(folder / kManifestName);
 }
 
 std::string manifestText(const Manifest& manifest) {
@@ -134,6 +149,21 @@ std::string manifestText(const Manifest& manifest) {
 
 void writeManifest(const fs::path& folder, const Manifest& manifest) {
   system::writeFileAtomically(folder / kManifestName, manifestText(manifest));
+}
+
+bool replaceManifest(const fs::path& folder, const std::optional<Manifest>& there,
+                     const Manifest& next) {
+  const fs::path path = folder / kManifestName;
+  if (there) {
+    // Take away the one that was read, which only one process can
+    const fs::path aside = system::temporaryNameFor(path.string() + ".before");
+    if (std::rename(path.c_str(), aside.c_str()) != 0) return false;
+    const bool isSame = readFrom(aside) == there;
+    if (!isSame) putBack(aside, path);
+    system::removeFile(aside);
+    if (!isSame) return false;
+  }
+  return system::createFileAtomically(path, manifestText(next));
 }
 
 }  // namespace rotatebook::store

@@ -61,4 +61,10 @@ std::optional<Manifest> readManifest(const std::filesystem::path& folder);
 /// Replaces the manifest in `folder`. Throws MachineError.
 void writeManifest(const std::filesystem::path& folder, const Manifest& manifest);
 
+/// Writes the manifest `next` in the place of `there`, or of none. Returns false if another process
+/// has put another there meanwhile: of several that call it at once, also on several machines, one
+/// gets true. Throws MachineError.
+bool replaceManifest(const std::filesystem::path& folder, const std::optional<Manifest>& there,
+                     const Manifest& next);
+
 }  // namespace rotatebook::store

@@ -2,6 +2,7 @@
 
 #include "base/text.h"
 #include "store/clip_files.h"
+#include "store/map_files.h"
 
 namespace rotatebook::store {
 namespace {
@@ -20,7 +21,7 @@ std::string problemOfName(const std::string& name) {
   if (!isOneLine(name)) return "isn't a line of UTF-8 without control characters";
   if (name.front() == '.') return "begins with a dot, as names of hidden files do";
   if (name.find('/') != name.npos) return "holds a slash, as paths do";
-  for (const char* reserved : {kPartialEnding, kReplacedEnding}) {
+  for (const char* reserved : {kPartialEnding, kReplacedEnding, kTilesEnding}) {
     if (name.ends_with(reserved)) {
       return std::string("ends in ") + reserved + ", as what a running render writes does";
     }

@@ -16,8 +16,8 @@ std::vector<std::filesystem::path> allOf(const StudyFiles& files) {
   return {files.csv, files.orders, files.svg, files.png};
 }
 
-void requireWritable(const StudyFiles& files) {
-  for (const auto& path : allOf(files)) {
+void requireWritable(const std::vector<std::filesystem::path>& files) {
+  for (const auto& path : files) {
     const system::AtomicFile unused(path);
     const std::string obstacle = system::obstacleToRemoval(path);
     if (obstacle.empty()) continue;
@@ -26,8 +26,8 @@ void requireWritable(const StudyFiles& files) {
   }
 }
 
-void removeFiles(const StudyFiles& files) {
-  for (const auto& path : allOf(files)) system::removeFile(path);
+void removeFiles(const std::vector<std::filesystem::path>& files) {
+  for (const auto& path : files) system::removeFile(path);
 }
 
 }  // namespace rotatebook::store

@@ -22,10 +22,10 @@ StudyFiles studyFiles(const std::filesystem::path& folder, const std::string& na
 std::vector<std::filesystem::path> allOf(const StudyFiles& files);
 
 /// Throws MachineError, without changing anything, if one of the files can't be written, so that a
-/// study fails before it runs rather than after.
-void requireWritable(const StudyFiles& files);
+/// study or a map fails before it runs rather than after.
+void requireWritable(const std::vector<std::filesystem::path>& files);
 
-/// Removes the files of an earlier study, so that two studies never mix. Throws MachineError.
-void removeFiles(const StudyFiles& files);
+/// Removes the files of an earlier study or map, so that two never mix. Throws MachineError.
+void removeFiles(const std::vector<std::filesystem::path>& files);
 
 }  // namespace rotatebook::store

@@ -3,16 +3,15 @@
 #include "store/clip_files.h"
 #include "store/other_settings.h"
 #include "system/atomic_file.h"
-#include "timeline/trajectory_csv.h"
+#include "timeline/clip_tables.h"
 
 namespace rotatebook::store {
 
-void writeTables(const std::vector<std::filesystem::path>& files,
+void writeTables(const std::vector<std::filesystem::path>& files, const scene::Scene& scene,
                  const timeline::ClipMotion& motion) {
   for (std::size_t i = 0; i < files.size(); ++i) {
     system::AtomicFile file(files[i]);
-    timeline::writeCsv(motion.trajectories()[i],
-                       [&file](std::string_view piece) { file.write(piece); });
+    timeline::writeTable(scene, motion, i, [&file](std::string_view piece) { file.write(piece); });
     file.commit();
   }
 }

@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "scene/scene.h"
 #include "timeline/clip_motion.h"
 
 namespace rotatebook::store {
 
-/// Writes the table of each motion, see timeline::writeCsv(), to the file with the same index in
-/// `files`. Throws MachineError.
-void writeTables(const std::vector<std::filesystem::path>& files,
+/// Writes each of timeline::writeTable() to the file with the same index in `files`. Throws
+/// MachineError.
+void writeTables(const std::vector<std::filesystem::path>& files, const scene::Scene& scene,
                  const timeline::ClipMotion& motion);
 
 /// Throws InputError if one of `files`, which all lie in `folder`, belongs to a clip there other

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/checksum.h"
@@ -52,8 +53,31 @@ std::string_view given(std::int32_t length) {
   return {buffer.data(), static_cast<std::size_t>(std::clamp(length, 0, most))};
 }
 
-const PlayedScene& in(std::int32_t slot) {
-  return slots.at(static_cast<std::size_t>(slot)).value();
+std::optional<PlayedScene>& slotAt(std::int32_t slot) {
+  if (slot >= 0 && slot < kSlots) return slots[static_cast<std::size_t>(slot)];
+  throw std::out_of_range("there is no slot " + std::to_string(slot));
+}
+
+PlayedScene& in(std::int32_t slot) {
+  std::optional<PlayedScene>& held = slotAt(slot);
+  if (!held) throw std::out_of_range("slot " + std::to_string(slot) + " holds no scene");
+  return *held;
+}
+
+/// Returns what `make` returns, or `otherwise` if it throws.
+template <typename Value, typename Make>
+Value valueOr(Value otherwise, const Make& make) {
+  try {
+    return make();
+  } catch (const std::exception&) {
+    return otherwise;
+  }
+}
+
+/// Returns a picture's side as whole pixels; 1 of what isn't a number.
+int pixels(float side) {
+  constexpr float kMaxSide = 65'536;
+  return side >= 1 ? static_cast<int>(std::min(side, kMaxSide)) : 1;
 }
 
 const timeline::ClipMotion& wholeIn(std::int32_t slot) {
@@ -129,7 +153,7 @@ std::int32_t rb_buffer_size() {
 }
 
 std::int32_t rb_words() {
-  return answer(wordsJson());
+  return answerOf(wordsJson);
 }
 
 std::int32_t rb_toml_to_json(std::int32_t length) {
@@ -139,9 +163,17 @@ std::int32_t rb_toml_to_json(std::int32_t length) {
 
 std::int32_t rb_read(std::int32_t slot, std::int32_t length) {
   return answerOf([&] {
-    PlayedScene played(scene::parseScene(given(length), "scene.toml"));
-    const std::string json = sceneJson(played.scene());
-    slots.at(static_cast<std::size_t>(slot)).emplace(std::move(played));
+    std::optional<PlayedScene>& held = slotAt(slot);
+    scene::Scene scene = scene::parseScene(given(length), "scene.toml");
+    const bool keepsMotions = held && held->hasMotionsOf(scene);
+    std::optional<PlayedScene> played;
+    if (!keepsMotions) played.emplace(scene);
+    std::string json = sceneJson(scene);
+    if (keepsMotions) {
+      held->replace(std::move(scene));
+    } else {
+      held = std::move(played);
+    }
     return json;
   });
 }
@@ -152,8 +184,7 @@ std::int32_t rb_scene_text(std::int32_t slot) {
 
 std::int32_t rb_advance(std::int32_t slot, std::int32_t frame, std::int32_t steps) {
   try {
-    return static_cast<std::int32_t>(
-        slots.at(static_cast<std::size_t>(slot)).value().advance(frame, steps));
+    return static_cast<std::int32_t>(in(slot).advance(frame, steps));
   } catch (const std::exception& error) {
     lastMessage = error.what();
     return -1;
@@ -165,14 +196,17 @@ std::int32_t rb_message() {
 }
 
 std::int32_t rb_frames(std::int32_t slot) {
-  return static_cast<std::int32_t>(in(slot).frameCount());
+  return valueOr(0, [&] { return static_cast<std::int32_t>(in(slot).frameCount()); });
 }
 
 const double* rb_sample(std::int32_t slot, std::int32_t motion, std::int32_t frame) {
   static std::array<double, kSampleNumbers> numbers;
   const auto index = static_cast<std::size_t>(motion);
-  numbers = numbersOf(in(slot).sample(index, frame), in(slot).isHeld(index, frame));
-  return numbers.data();
+  const auto take = [&]() -> const double* {
+    numbers = numbersOf(in(slot).sample(index, frame), in(slot).isHeld(index, frame));
+    return numbers.data();
+  };
+  return valueOr<const double*>(nullptr, take);
 }
 
 std::int32_t rb_checksum(std::int32_t slot) {
@@ -195,22 +229,27 @@ const float* rb_mesh_vertices(std::int32_t* count) {
 }
 
 const std::uint16_t* rb_mesh_indices(std::int32_t part, std::int32_t* count) {
-  const auto& indices = bookMesh().indices.at(static_cast<std::size_t>(part));
+  *count = 0;
+  if (part < 0 || part >= static_cast<std::int32_t>(geometry::kBookPartCount)) return nullptr;
+  const auto& indices = bookMesh().indices[static_cast<std::size_t>(part)];
   *count = static_cast<std::int32_t>(indices.size());
   return indices.data();
 }
 
-void rb_camera(std::int32_t slot, std::int32_t motion, std::int32_t frame, float width,
-               float height, const double* orbit, double distance, float* matrix, float* eye) {
-  const geometry::Screen screen{std::max(1, static_cast<int>(width)),
-                                std::max(1, static_cast<int>(height)), 0};
-  const PlayedScene& played = in(slot);
+std::int32_t rb_camera(std::int32_t slot, std::int32_t motion, std::int32_t frame, float width,
+                       float height, const double* orbit, double distance, float* matrix,
+                       float* eye) {
+  const geometry::Screen screen{pixels(width), pixels(height), 0};
   const auto index = static_cast<std::size_t>(motion);
-  const geometry::Camera camera =
-      played.camera(index, frame, screen, {orbit[0], orbit[1], distance});
-  const physics::Cage around = kDepthAround * played.sample(index, frame).cage;
-  Eigen::Matrix4d clipFromWorld = geometry::project(camera, around, screen).clipFromWorld;
-  clipFromWorld.row(1) *= -1;  // The program's clip y points down.
-  Eigen::Map<Eigen::Matrix4f>{matrix} = clipFromWorld.cast<float>();
-  Eigen::Map<Eigen::Vector3f>{eye} = camera.position.cast<float>();
+  return valueOr(0, [&] {
+    const PlayedScene& played = in(slot);
+    const geometry::Camera camera =
+        played.camera(index, frame, screen, {orbit[0], orbit[1], distance});
+    const physics::Cage around = kDepthAround * played.sample(index, frame).cage;
+    Eigen::Matrix4d clipFromWorld = geometry::project(camera, around, screen).clipFromWorld;
+    clipFromWorld.row(1) *= -1;  // The program's clip y points down.
+    Eigen::Map<Eigen::Matrix4f>{matrix} = clipFromWorld.cast<float>();
+    Eigen::Map<Eigen::Vector3f>{eye} = camera.position.cast<float>();
+    return 1;
+  });
 }

@@ -6,8 +6,11 @@
 // the message of an error, the same that the program prints. Addresses stay valid until the next
 // call that says otherwise.
 //
-// There are kSlots slots: what is played is in one, and a clip that is proved beside it in another.
-// A slot holds a scene, and its motions as far as they are simulated.
+// There are kSlots slots: for what is played, for the ghost beside it, and for a clip that is
+// proved. A slot holds a scene, and its motions as far as they are simulated.
+//
+// No call throws. A slot that there isn't, or that holds no scene yet, is an error for functions
+// that can fail; the others say what they answer.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +18,11 @@
 extern "C" {
 
 /// Slots are numbered from 0 to below this.
-enum { kSlots = 2 };
+enum { kSlots = 3 };
+/// Frames that a slot has room for, of all its motions together: 20 minutes of a book. So many in
+/// every slot take up to 205 MiB of the module's 256 (measured; 229 with the text of
+/// rb_table_checksum()).
+enum { kMaxFrames = 72000 };
 
 /// Returns the address of the buffer, a multiple of 16.
 char* rb_buffer();
@@ -23,8 +30,7 @@ char* rb_buffer();
 std::int32_t rb_buffer_size();
 
 /// Writes JSON of what a page needs to offer a choice: {"version", "models": [{"name",
-/// "integrators": [names], "normalize": whether it can be chosen, "damping"}], "keys": {KEY:
-/// {"unit", "least", "most", "default"}}}. Returns its length.
+/// "integrators": [names], "normalize": whether it can be chosen, "damping"}]}. Returns its length.
 std::int32_t rb_words();
 
 /// Parses the TOML text in the buffer's first `length` bytes and writes it as JSON, as it stands:
@@ -35,21 +41,25 @@ std::int32_t rb_toml_to_json(std::int32_t length);
 /// {"title", "caption", "frames", "rate": [n, d], "interval": simulated seconds a frame, "motions":
 /// [{"label", "model", "integrator", "substeps", "axis", "body": [x, y, z], "mass", "springs": [[i,
 /// j, length]], "moments": [3], ...}], "camera": {...}, "notes": [texts]}. Positive length;
-/// negative with the message, and the slot keeps what it holds. A scene that begins like the slot's
-/// former one keeps the samples up to the first difference in time, if only nudges and the duration
-/// differ.
+/// negative with the message, and the slot keeps what it holds. Motions of more than kMaxFrames
+/// frames are refused. A scene whose motions and frame times are those of the slot's former one
+/// keeps the samples, unless the simulation has failed: so with another camera, look, book,
+/// overlay, title, label, expectation, study, picture size or encoding. Any other change begins
+/// anew.
 std::int32_t rb_read(std::int32_t slot, std::int32_t length);
-/// Writes the slot's scene as TOML with every default explicit. Returns its length.
+/// Writes the slot's scene as TOML with every default explicit. Positive length, or negative with
+/// the message.
 std::int32_t rb_scene_text(std::int32_t slot);
 
 /// Simulates the slot's motions up to and including `frame`, or as far as `steps` integration steps
-/// go, whichever comes first. Returns the number of frames that are simulated, from 0; -1 if
-/// a motion fails, with the message's text after a call of rb_message().
+/// go, whichever comes first, but at least one more. Returns the number of frames that are
+/// simulated, from 0; -1 if a motion fails, with the message's text after a call of rb_message().
+/// One that has failed fails in each later call.
 std::int32_t rb_advance(std::int32_t slot, std::int32_t frame, std::int32_t steps);
 /// Writes the message of the last failure of rb_advance(). Returns its length.
 std::int32_t rb_message();
 /// Returns the number of frames of the slot's clip; smaller than asked for once all its motions
-/// have diverged.
+/// have diverged. 0 without a scene.
 std::int32_t rb_frames(std::int32_t slot);
 
 /// The numbers of a sample, by index: time; attitude w x y z; angular velocity x y z; angular
@@ -71,8 +81,8 @@ enum {
   kCorners = 21,
   kSampleNumbers = 45
 };
-/// Returns the address of kSampleNumbers doubles: the sample of motion `motion` that `frame`, below
-/// the number simulated, shows. Valid until the next call.
+/// Returns the address of kSampleNumbers doubles: the sample of motion `motion` that `frame` shows,
+/// or the nearest that is simulated. Valid until the next call. Null if there is no such motion.
 const double* rb_sample(std::int32_t slot, std::int32_t motion, std::int32_t frame);
 
 /// Writes the checksum of the slot's motions, simulated to their end, as a clip's record has it.
@@ -83,7 +93,8 @@ std::int32_t rb_table_checksum(std::int32_t slot);
 
 /// Returns the address of the book's mesh: `count[0]` vertices of 10 floats (position in the unit
 /// cube, normal, texture coordinate, sky visibility, surface number), and by rb_mesh_indices() the
-/// indices of part `part` (front, spine, back, pages, lining), three a triangle.
+/// indices of part `part` (front, spine, back, pages, lining), three a triangle; null, and 0 of
+/// them, of another part.
 const float* rb_mesh_vertices(std::int32_t* count);
 const std::uint16_t* rb_mesh_indices(std::int32_t part, std::int32_t* count);
 
@@ -91,7 +102,10 @@ const std::uint16_t* rb_mesh_indices(std::int32_t part, std::int32_t* count);
 /// slot's camera as it is in `frame` for motion `motion`, with clip y up, for a picture of this
 /// shape; and to `eye` (3 floats) its position. `orbit` turns it by so many radians about its up
 /// direction and then about its right, and `distance` multiplies its distance from the target.
-void rb_camera(std::int32_t slot, std::int32_t motion, std::int32_t frame, float width,
-               float height, const double* orbit, double distance, float* matrix, float* eye);
+/// Returns 1; 0 without writing anything if there is no such motion. A frame outside the clip is
+/// taken for the nearest, a side of the picture that is no number from 1 for 1.
+std::int32_t rb_camera(std::int32_t slot, std::int32_t motion, std::int32_t frame, float width,
+                       float height, const double* orbit, double distance, float* matrix,
+                       float* eye);
 
 }  // extern "C"

@@ -1,11 +1,16 @@
 #include "bridge/played_scene.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <Eigen/Geometry>
 
 #include "base/elementary.h"
+#include "base/error.h"
+#include "bridge/bridge.h"
 #include "scene/reference_frame.h"
 #include "timeline/scene_camera.h"
 
@@ -20,9 +25,43 @@ Vector3d turned(const Vector3d& vector, const Vector3d& axis, double angle) {
          (1 - cosine(angle)) * axis.dot(vector) * axis;
 }
 
+void refuseLong(const scene::Scene& scene, std::size_t motions) {
+  const std::int64_t frames = scene.clip.frameCount();
+  if (frames <= kMaxFrames / static_cast<std::int64_t>(motions)) return;
+  const bool isOne = motions == 1;
+  throw InputError(scene.name +
+                   ".toml: the motion is too long to be played here: " + std::to_string(frames) +
+                   " frames" + (isOne ? "" : " of each of " + std::to_string(motions) + " books") +
+                   ", at most " + std::to_string(kMaxFrames) + (isOne ? "" : " together") +
+                   "; rotatebook render makes its clip");
+}
+
 }  // namespace
 
-PlayedScene::PlayedScene(scene::Scene scene) : scene_(std::move(scene)), simulation_(scene_) {}
+PlayedScene::PlayedScene(scene::Scene scene)
+    : scene_(std::move(scene)), motionCount_(scene::motionsOf(scene_).size()) {
+  refuseLong(scene_, motionCount_);
+  simulation_.emplace(scene_);
+}
+
+bool PlayedScene::hasMotionsOf(const scene::Scene& scene) const {
+  const auto isSame = [](const scene::Panel& one, const scene::Panel& other) {
+    return one.motion() == other.motion();
+  };
+  const std::vector<scene::Panel> motions = scene::motionsOf(scene_);
+  const std::vector<scene::Panel> others = scene::motionsOf(scene);
+  const scene::ClipSettings &clip = scene_.clip, &other = scene.clip;
+  return !failure_ && clip.frameRate == other.frameRate &&
+         clip.frameCount() == other.frameCount() && clip.speed == other.speed &&
+         scene_.simulation.timePerFrame == scene.simulation.timePerFrame &&
+         std::equal(motions.begin(), motions.end(), others.begin(), others.end(), isSame);
+}
+
+void PlayedScene::replace(scene::Scene scene) {
+  scene_ = std::move(scene);
+  if (simulation_) simulation_->takeNames(scene_);
+  if (whole_) distances_.emplace(scene_, *whole_);
+}
 
 std::int64_t PlayedScene::stepsOfFrame() const {
   std::int64_t steps = 0;
@@ -30,40 +69,60 @@ std::int64_t PlayedScene::stepsOfFrame() const {
   return steps;
 }
 
-std::int64_t PlayedScene::advance(std::int64_t frame, std::int64_t steps) {
+void PlayedScene::simulate(std::int64_t frame, std::int64_t steps) {
   const std::int64_t each = stepsOfFrame();
-  while (simulation_.frames() <= frame && !simulation_.isComplete()) {
-    simulation_.advance();
+  while (simulation_->frames() <= frame && !simulation_->isComplete()) {
+    simulation_->advance();
     steps -= each;
     if (steps <= 0) break;
   }
-  if (simulation_.isComplete() && !whole_) {
-    whole_ = simulation_.motion();
-    distances_.emplace(scene_, *whole_);
+}
+
+std::int64_t PlayedScene::advance(std::int64_t frame, std::int64_t steps) {
+  if (failure_) std::rethrow_exception(failure_);
+  if (whole_) return whole_->frameCount();
+  try {
+    simulate(frame, steps);
+  } catch (...) {
+    failure_ = std::current_exception();
+    throw;
   }
-  return whole_ ? whole_->frameCount() : simulation_.frames();
+  if (!simulation_->isComplete()) return simulation_->frames();
+  whole_ = simulation_->motion();
+  simulation_.reset();
+  distances_.emplace(scene_, *whole_);
+  return whole_->frameCount();
 }
 
 std::int64_t PlayedScene::frameCount() const {
   return whole_ ? whole_->frameCount() : scene_.clip.frameCount();
 }
 
+const physics::Trajectory& PlayedScene::trajectory(std::size_t motion) const {
+  if (motion >= motionCount_) throw std::out_of_range("there is no such motion");
+  return whole_ ? whole_->trajectories()[motion] : simulation_->trajectory(motion);
+}
+
 physics::Sample PlayedScene::sample(std::size_t motion, std::int64_t frame) const {
-  const auto& samples = simulation_.trajectory(motion).samples;
+  const auto& samples = trajectory(motion).samples;
   const auto last = static_cast<std::int64_t>(samples.size()) - 1;
   const auto index = static_cast<std::size_t>(std::clamp<std::int64_t>(frame, 0, last));
   return scene::inReferenceFrame(scene_.camera.frame, samples[index]);
 }
 
 bool PlayedScene::isHeld(std::size_t motion, std::int64_t frame) const {
-  const physics::Trajectory& trajectory = simulation_.trajectory(motion);
-  return trajectory.divergedAt && frame >= static_cast<std::int64_t>(trajectory.samples.size());
+  const physics::Trajectory& held = trajectory(motion);
+  return held.divergedAt && frame >= static_cast<std::int64_t>(held.samples.size());
 }
 
 geometry::Camera PlayedScene::camera(std::size_t motion, std::int64_t frame,
                                      const geometry::Screen& screen, const Orbit& orbit) const {
+  if (motion >= motionCount_) throw std::out_of_range("there is no such motion");
   geometry::Camera camera = timeline::cameraOf(scene_, screen);
-  if (distances_) camera = geometry::movedAway(camera, distances_->at(motion, frame));
+  if (distances_) {
+    const auto nearest = std::clamp<std::int64_t>(frame, 0, whole_->frameCount() - 1);
+    camera = geometry::movedAway(camera, distances_->at(motion, nearest));
+  }
   if (orbit.right != 0 || orbit.up != 0) {
     const Vector3d up = camera.up.normalized();
     const Vector3d arm = turned(camera.position - camera.target, up, -orbit.right);

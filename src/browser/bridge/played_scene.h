@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <optional>
-#include <string>
 
 #include "geometry/camera.h"
 #include "scene/scene.h"
@@ -25,14 +25,19 @@ struct Orbit {
 /// A scene with its motions, as far as they are simulated.
 class PlayedScene {
  public:
-  /// Simulates the first frame. Throws InputError as timeline::SceneSimulation does.
+  /// Simulates the first frame. Throws InputError as timeline::SceneSimulation does, and if the
+  /// motions have more than kMaxFrames frames together.
   explicit PlayedScene(scene::Scene scene);
 
   const scene::Scene& scene() const { return scene_; }
-  std::size_t motionCount() const { return simulation_.motionCount(); }
+
+  /// Returns whether `scene` has the same motions on the same clock, and they haven't failed.
+  bool hasMotionsOf(const scene::Scene& scene) const;
+  /// Takes `scene`, of which hasMotionsOf() is true, in place of its own, and keeps the samples.
+  void replace(scene::Scene scene);
 
   /// Simulates up to and including `frame`, or about `steps` integration steps, at least one frame.
-  /// Returns the number of frames so far. Throws StepError.
+  /// Returns the number of frames so far. Throws StepError, and the same one ever after.
   std::int64_t advance(std::int64_t frame, std::int64_t steps);
   /// Returns the motion, if it is simulated to its end; else null.
   const timeline::ClipMotion* whole() const { return whole_ ? &*whole_ : nullptr; }
@@ -40,19 +45,24 @@ class PlayedScene {
   std::int64_t frameCount() const;
 
   /// Returns the sample that `frame` shows, along the axes of the scene's camera: the last one so
-  /// far, if the motion has diverged before or isn't simulated up to there.
+  /// far, if the motion has diverged before or isn't simulated up to there. Throws
+  /// std::out_of_range if there is no such motion, as the two below do.
   physics::Sample sample(std::size_t motion, std::int64_t frame) const;
   /// Returns whether a motion has diverged by `frame`.
   bool isHeld(std::size_t motion, std::int64_t frame) const;
-  /// Returns the scene's camera in `frame`, turned by `orbit`.
+  /// Returns the scene's camera in `frame`, or the nearest that there is, turned by `orbit`.
   geometry::Camera camera(std::size_t motion, std::int64_t frame, const geometry::Screen& screen,
                           const Orbit& orbit) const;
 
  private:
   std::int64_t stepsOfFrame() const;
+  void simulate(std::int64_t frame, std::int64_t steps);
+  const physics::Trajectory& trajectory(std::size_t motion) const;
 
   scene::Scene scene_;
-  timeline::SceneSimulation simulation_;
+  std::size_t motionCount_;
+  std::optional<timeline::SceneSimulation> simulation_;  // until its samples are in `whole_`
+  std::exception_ptr failure_;
   std::optional<timeline::ClipMotion> whole_;
   std::optional<timeline::CameraDistances> distances_;
 };

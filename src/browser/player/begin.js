@@ -1,5 +1,8 @@
 // Begins when the page is there; says what the browser lacks.
 
+const kInterrupted = "The graphics were interrupted; the picture comes back as soon as the browser lets it.";
+const kHashPause = 400;  // [ms]
+
 const loadPicture = async (address) => {
   const picture = new Image();
   picture.src = address;
@@ -16,27 +19,41 @@ async function loadPictures(addresses) {
 function lackOf() {
   if (typeof WebAssembly !== "object") return "This browser has no WebAssembly, which the live book is computed with.";
   if (typeof DecompressionStream === "undefined") return "This browser is too old for the live book: it has no DecompressionStream.";
-  if (!document.createElement("canvas").getContext("webgl2")) return "This browser has no WebGL 2, which the live book is drawn with.";
   return "";
 }
 
-/** Returns the scene to begin with: the address's, if it has one. */
+/** Plays the scene in the address, if it has one. */
 async function playHash(player) {
+  const {hash} = location;
   try {
-    const text = await textOfHash(location.hash);
-    if (text !== null) player.load(text, {isPlaying: player.mayMove});
-    return text !== null;
+    const text = await textOfHash(hash);
+    if (text === null || location.hash !== hash) return false;
+    player.load(text, {isPlaying: player.mayMove});
+    return true;
   } catch (error) {
     player.announcer.show(error.message, "bad");
     return false;
   }
 }
 
+/** An address that holds a scene follows the changes, once they pause. */
+function keepHash(player) {
+  let waiting = null;
+  player.onEdit = () => {
+    clearTimeout(waiting);
+    if (!location.hash.startsWith(kHash)) return;
+    waiting = setTimeout(async () => {
+      const {edits} = player, hash = await hashOf(player.sharedText());
+      if (player.edits === edits && location.hash.startsWith(kHash)) history.replaceState(null, "", hash);
+    }, kHashPause);
+  };
+}
+
 function keepContext(player) {
   const {picture, view} = player.drawing;
   picture.addEventListener("webglcontextlost", (event) => {
     event.preventDefault();
-    player.announcer.show("The graphics were interrupted; the picture comes back as soon as the browser lets it.");
+    player.announcer.show(kInterrupted);
   });
   picture.addEventListener("webglcontextrestored", () => {
     view.make();
@@ -55,6 +72,7 @@ async function beginLiveBook(root, data) {
   player.mayMove = !matchMedia("(prefers-reduced-motion: reduce)").matches;
   player.begin(kOpening, player.mayMove);
   keepContext(player);
+  keepHash(player);
   await playHash(player);
   window.addEventListener("hashchange", async () => {
     if (await playHash(player)) root.scrollIntoView();
@@ -62,9 +80,9 @@ async function beginLiveBook(root, data) {
   document.addEventListener("visibilitychange", () => player.clock.go(player.clock.position));
   new ResizeObserver(() => player.redraw()).observe(player.stage);
   window.rotatebook = {
-    /** Plays a scene's text, or a clip's record; returns whether the core takes it. */
-    play(text) {
-      const record = text.startsWith(kFirstBytes) ? parseRecord(text) : null;
+    /** Plays a scene's text, beside which its clip's record states the checksum `motion`, if any; returns whether the core takes it. */
+    play(text, motion = null) {
+      const record = motion && {motion};
       const isPlayed = player.load(text, {record, isPlaying: player.mayMove});
       root.scrollIntoView();
       return isPlayed;
@@ -75,13 +93,16 @@ async function beginLiveBook(root, data) {
   root.dataset.ready = "true";
 }
 
-(() => {
+(async () => {
   const root = document.querySelector(".rb-live");
-  beginLiveBook(root, kData).catch((error) => {
+  try {
+    await beginLiveBook(root, kData);
+  } catch (error) {
     const lack = root.querySelector(".rb-lack");
     root.querySelector(".rb-player").hidden = true;
     lack.hidden = false;
     lack.textContent = `The live book can’t be shown. ${error.message} Everything else on this page works.`;
     root.dataset.ready = "false";
-  });
+  }
+  document.dispatchEvent(new Event("rotatebook-live"));  // For the page around it.
 })();

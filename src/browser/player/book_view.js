@@ -37,23 +37,31 @@ function windingOf(cage) {
 
 /** A program of shaders, and the places of its uniforms. */
 class Shaders {
+  /** Has the program made, without waiting for it: browsers make several at once. */
   constructor(gl, vertex, fragment) {
     this.gl = gl;
     this.program = gl.createProgram();
-    for (const [kind, text] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+    this.shaders = [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]].map(([kind, text]) => {
       const shader = gl.createShader(kind);
       gl.shaderSource(shader, kShaderHead + text);
       gl.compileShader(shader);
       gl.attachShader(this.program, shader);
-      this.log = gl.getShaderInfoLog(shader) || this.log;
-    }
+      return shader;
+    });
     gl.linkProgram(this.program);
-    if (!gl.getProgramParameter(this.program, gl.LINK_STATUS) && !gl.isContextLost()) {
-      throw new Error("A shader isn't accepted: " + (this.log ?? gl.getProgramInfoLog(this.program)));
-    }
   }
 
-  use() { this.gl.useProgram(this.program); }
+  /** Waits for the program. Throws an Error with its problem. */
+  use() {
+    const {gl, program} = this;
+    if (this.shaders && !gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) {
+      const logs = [...this.shaders.map((shader) => gl.getShaderInfoLog(shader)), gl.getProgramInfoLog(program)];
+      throw new Error("A shader isn't accepted: " + logs.filter(Boolean).join("; "));
+    }
+    this.shaders = null;
+    gl.useProgram(program);
+  }
+
   place(name) { return this.gl.getUniformLocation(this.program, name); }
 }
 
@@ -62,7 +70,7 @@ class BookView {
   constructor(canvas, mesh, pictures, shaders) {
     this.canvas = canvas;
     this.gl = canvas.getContext("webgl2", {alpha: false, antialias: true, powerPreference: "high-performance"});
-    if (!this.gl) throw new Error("no WebGL 2");
+    if (!this.gl) throw new Error("This browser has no WebGL 2, which the live book is drawn with.");
     this.make = () => this.#make(mesh, pictures, shaders);
     this.make();
   }
@@ -75,7 +83,8 @@ class BookView {
     const vertex = shaders.studio_lights + shaders.book;
     this.cover = new Shaders(gl, vertex, kSharper + shaders.studio_lights + shaders.cover + toneCurve);
     this.paper = new Shaders(gl, vertex, kSharper + shaders.paper + toneCurve);
-    this.backdrops = {studio: new Shaders(gl, shaders.whole_picture, shaders.studio), stars: new Shaders(gl, shaders.whole_picture, shaders.stars)};
+    const backdrop = (name) => new Shaders(gl, shaders.whole_picture, shaders[name]);
+    this.backdrops = {studio: backdrop("studio"), get stars() { return this.made ??= backdrop("stars"); }};
     this.#makeGeometry(mesh);
     this.textures = {};
     for (const [name, picture] of Object.entries(pictures)) this.textures[name] = this.#texture(picture, name === "paper");

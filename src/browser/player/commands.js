@@ -1,6 +1,6 @@
 // Buttons, keys, dropped files and clicks on the ball.
 
-const kKeysOfLetters = {x: (player) => player.startAbout("x"), y: (player) => player.startAbout("y"), z: (player) => player.startAbout("z"),
+const kActionsOfKeys = {x: (player) => player.startAbout("x"), y: (player) => player.startAbout("y"), z: (player) => player.startAbout("z"),
   j: (player) => player.jiggle(), r: (player) => player.reset(), ",": (player) => player.step(-1), ".": (player) => player.step(1),
   Home: (player) => player.seek(0), End: (player) => player.seek(player.lastFrame)};
 const kBallStep = 0.06;  // Of a key. [rad]
@@ -36,34 +36,36 @@ class Commands {
   }
 
   async #copy(text, name) {
+    const {isViewMoved, canShareView} = this.player;
+    const view = isViewMoved && !canShareView ? " It can’t hold the turned view, as its camera turns with the book." : "";
     const isCopied = await copyText(text), area = this.root.querySelector(".rb-text");
     area.value = text;
     area.hidden = isCopied;
     if (isCopied) {
-      this.player.announcer.show(`${name} is in the clipboard.`, "good");
+      this.player.announcer.show(`${name} is in the clipboard.${view}`, "good");
       return;
     }
-    this.player.announcer.show(`${name} is below, ready to copy.`);
+    this.player.announcer.show(`${name} is below, ready to copy.${view}`);
     area.focus();
     area.select();
   }
 
   #key(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const target = event.target, isField = target.matches("input[type=text], textarea, select"), isRange = target.matches("input[type=range], input[type=radio]");
-    if (isField) return;
+    const {target} = event, isRange = target.matches("input[type=range], input[type=radio]");
+    if (target.matches("input[type=text], textarea, select")) return;
     if (target === this.player.stage && this.player.pointer.key(event)) {
       event.preventDefault();
       return;
     }
-    if (target.matches(".rb-ball")) {
-      if (this.#ballKey(event)) event.preventDefault();
+    if (target.matches(".rb-ball") && this.#ballKey(event)) {
+      event.preventDefault();
       return;
     }
     const takesSpace = target.closest("button, a, summary, label, input:not([type=range])");
     const isTheirs = isRange && /^(Home|End|Arrow)/.test(event.key);
     if (event.key === " " && !takesSpace) this.player.toggle();
-    else if (!isTheirs && kKeysOfLetters[event.key]) kKeysOfLetters[event.key](this.player);
+    else if (!isTheirs && kActionsOfKeys[event.key]) kActionsOfKeys[event.key](this.player);
     else return;
     event.preventDefault();
   }
@@ -111,7 +113,7 @@ class Commands {
     const [x, y] = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key] ?? [0, 0];
     if (!x && !y) return false;
     const {player} = this, {rows} = player.ball;
-    const from = momentumInBook(player.core.sample(kFirst, player.book, 0));
+    const from = momentumInBook(player.core.sample(kPlayed, player.book, 0));
     const moved = from.map((part, axis) => part + kBallStep * (x * rows[0][axis] + y * rows[1][axis])), size = Math.hypot(...moved);
     this.#startAlong(moved.map((part) => part / size));
     return true;

@@ -1,37 +1,4 @@
-// The knobs: each shows a key of the scene and changes it.
-
-const kModels = ["particles", "matrix", "quaternion", "exact"];
-const kAlways = () => true;
-const kStepping = (model) => model !== "exact";
-const kSprung = (model) => model === "particles";
-const sizeKnob = (axis, name) => ({
-  group: "start", section: "body", key: "size", label: `Size along ${kAxes[axis]}, ${name}`, unit: "cm", least: 1, most: 60, logarithmic: true, shown: kAlways,
-  get: (scene, book) => 100 * scene.value(book, "body", "size")[axis],
-  put: (scene, book, value) => scene.withKeys(book, "body", {size: scene.value(book, "body", "size").map((size, i) => (i === axis ? Number((value / 100).toPrecision(12)) : size))}),
-});
-
-/** Ranges are those of the sliders; the field beside one takes whatever the scene may have. */
-const kKnobs = [
-  {group: "motion", section: "simulation", key: "substeps", label: "Steps a picture", least: 1, most: 1000, logarithmic: true, whole: true, shown: kStepping},
-  {group: "motion", section: "simulation", key: "time_per_frame", label: "Time a picture", unit: "s", least: 1e-4, most: 0.2, logarithmic: true, shown: kAlways,
-    put: (scene, book, value) => {
-      const changed = new LiveScene(scene.withKeys(book, "simulation", {time_per_frame: value}), scene.explicit);
-      return changed.withKeys(book, "clip", {speed: undefined});
-    }},
-  {group: "motion", section: "simulation", key: "stiffness", label: "Stiffness of a spring", unit: "N/m", least: 1, most: 1e5, logarithmic: true, shown: kSprung},
-  {group: "motion", section: "simulation", key: "damping", label: "Damping, of the critical", least: 0, most: 2, step: 0.01, shown: kSprung},
-  {group: "start", section: "initial", key: "tilt", label: "Tilt", unit: "rad", least: 1e-7, most: 1, logarithmic: true, shown: kAlways,
-    get: (scene, book) => scene.value(book, "initial", "tilt")?.[0] ?? 0,
-    put: (scene, book, value) => scene.withStart(book, {...scene.startOf(book), tilt: value > 0 ? [value, scene.value(book, "initial", "tilt")?.[1] ?? kTiltToward[scene.startAxis(book) ?? "x"]] : undefined})},
-  {group: "start", section: "initial", key: "angular_velocity", label: "Spin", unit: "rad/s", least: 0.2, most: 40, logarithmic: true, shown: kAlways,
-    get: (scene, book) => scene.speedAtStart(book),
-    put: (scene, book, value) => scene.withSpeed(book, value)},
-  sizeKnob(0, "from the spine"), sizeKnob(1, "to the top"), sizeKnob(2, "to the cover"),
-  {group: "start", section: "body", key: "mass", label: "Mass", unit: "kg", least: 0.05, most: 20, logarithmic: true, shown: kAlways},
-  {group: "start", section: "clip", key: "duration", label: "Length of the motion", unit: "s", least: 2, most: 600, logarithmic: true, shown: kAlways},
-];
-
-const kShownOverlays = {omega: "ω, angular velocity", momentum: "L, angular momentum", axes: "axes of the book", springs: "springs by strain", polhode: "ball of spins", ghost: "outline of the exact book"};
+// The controls that are made from rows: choices, knobs and what is shown.
 
 const short = (number) => String(Number(number.toPrecision(6)));
 
@@ -52,7 +19,8 @@ class Controls {
       (axis) => player.startAbout(axis));
     this.#makeChoice("model", kModels.map((model) => [model, model]), (scene, book) => scene.value(book, "simulation", "model"),
       (model) => player.apply(player.scene.withModel(player.book, model)));
-    this.#makeChoice("books", [["one", "one"], ["same", "two"], ["exact", "two, one exact"]], (scene) => player.booksChoice(scene), (choice) => player.setBooks(choice));
+    this.#makeChoice("books", [["one", "one"], ["same", "two"], ["exact", "two, one exact"]], (scene) => player.booksChoice(scene),
+      (choice) => player.setBooks(choice));
     this.#makeEdited();
     this.#makeIntegrator();
     for (const knob of kKnobs) this.#makeKnob(knob);
@@ -155,7 +123,9 @@ class Controls {
       const value = back(Number(range.value));
       set(knob.whole ? Math.round(value) : Number(value.toPrecision(3)));
     });
-    range.addEventListener("keydown", (event) => this.#stepKnob(event, range));
+    const isSame = (a, b) => knob.whole && Math.round(back(a)) === Math.round(back(b));
+    const next = (value, sign) => scale(Math.round(back(value)) + sign);
+    range.addEventListener("keydown", (event) => this.#stepKnob(event, range, isSame, next));
     field.addEventListener("change", () => set(Number(field.value.replace(",", ".") || NaN)));
     this.#group(knob.group).append(row);
     this.refreshers.push((scene, book, model) => {
@@ -167,12 +137,13 @@ class Controls {
     });
   }
 
-  /** Browsers differ in the step of "any": a fiftieth of the way here. */
-  #stepKnob(event, range) {
+  /** Browsers differ in the step of "any": a fiftieth of the way here, or to the `next` whole number if that would be the same. */
+  #stepKnob(event, range, isSame, next) {
     const sign = {ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1}[event.key];
     if (!sign) return;
     event.preventDefault();
-    range.value = Number(range.value) + sign * (range.max - range.min) / 50;
+    const before = Number(range.value), after = before + sign * (range.max - range.min) / 50;
+    range.value = isSame(before, after) ? next(before, sign) : after;
     range.dispatchEvent(new Event("input"));
   }
 }

@@ -1,20 +1,32 @@
 // Calls of the core in WebAssembly; bridge.h says what each does.
 
-const kFirst = 0, kSecond = 1;  // Slots: the motion that is played; that of the ghost, or of a clip to prove.
-const kSample = {time: 0, attitude: 1, omega: 5, momentum: 8, energies: 11, tilt: 14, halfTurns: 15, stretch: 16, error: 18, regime: 19,
-  held: 20, corners: 21, numbers: 45};
+const kPlayed = 0, kGhost = 1, kProof = 2;  // Slots: the motion that is played, that of its ghost, that of a clip to prove.
+const kSample = {time: 0, attitude: 1, omega: 5, momentum: 8, energies: 11, tilt: 14, halfTurns: 15, stretch: 16, error: 18,
+  regime: 19, held: 20, corners: 21, numbers: 45};
 const kParts = ["front", "spine", "back", "pages", "lining"];
 
 /** What the core refuses: the message that the program prints. */
 class SceneError extends Error {}
 
+/** Returns what stopped the module in the middle of a call, as people can understand it; other errors as they are. */
+function understandable(error) {
+  const say = (words) => new SceneError(words, {cause: error});
+  if (error instanceof RangeError || error.name === "InternalError") return say("The scene is nested too deeply for this browser.");
+  if (!(error instanceof WebAssembly.RuntimeError)) return error;
+  if (/OOM|out of memory/i.test(error.message)) {
+    return say("There isn’t enough memory for this scene here; rotatebook render makes its clip.");
+  }
+  return say(`The simulation has broken off: ${error.message}. Load the page again.`);
+}
+
+const missing = (slot, motion) => new Error(`There is no motion ${motion} in slot ${slot}.`);
+
 class Core {
   /** `module`: as emscripten makes it. */
   constructor(module) {
     this.module = module;
-    this.buffer = module._rb_buffer();
-    this.size = module._rb_buffer_size();
-    this.words = JSON.parse(this.#text(module._rb_words()));
+    this.buffer = this.#call("buffer");
+    this.words = JSON.parse(this.#text(this.#call("words")));
   }
 
   static async load(packed) {
@@ -22,9 +34,20 @@ class Core {
     return new Core(await createRotatebookCore({wasmBinary: bytes}));
   }
 
+  /** Calls a function of the module. One that is broken off leaves its part of the module's stack behind, which is taken back. */
+  #call(name, ...values) {
+    const stack = this.module.stackSave();
+    try {
+      return this.module["_rb_" + name](...values);
+    } catch (error) {
+      this.module.stackRestore(stack);
+      throw understandable(error);
+    }
+  }
+
   #put(text) {
     const bytes = new TextEncoder().encode(text);
-    if (bytes.length > this.size) throw new SceneError("The scene is too long.");
+    if (bytes.length > kLargestScene) throw new SceneError("scene.toml: longer than 32 KiB, the limit for a scene");
     this.module.HEAPU8.set(bytes, this.buffer);
     return bytes.length;
   }
@@ -36,29 +59,35 @@ class Core {
     return text;
   }
 
-  treeOf(text) { return JSON.parse(this.#text(this.module._rb_toml_to_json(this.#put(text)))); }
-  read(slot, text) { return JSON.parse(this.#text(this.module._rb_read(slot, this.#put(text)))); }
-  sceneText(slot) { return this.#text(this.module._rb_scene_text(slot)); }
-  frames(slot) { return this.module._rb_frames(slot); }
-  checksum(slot) { return this.#text(this.module._rb_checksum(slot)); }
-  tableChecksum(slot, motion) { return this.#text(this.module._rb_table_checksum(slot, motion)); }
+  treeOf(text) { return JSON.parse(this.#text(this.#call("toml_to_json", this.#put(text)))); }
+  read(slot, text) { return JSON.parse(this.#text(this.#call("read", slot, this.#put(text)))); }
+  sceneText(slot) { return this.#text(this.#call("scene_text", slot)); }
+  frames(slot) { return this.#call("frames", slot); }
+  checksum(slot) { return this.#text(this.#call("checksum", slot)); }
+  tableChecksum(slot, motion) { return this.#text(this.#call("table_checksum", slot, motion)); }
 
   /** Returns how many frames are simulated. */
   advance(slot, frame, steps) {
-    const frames = this.module._rb_advance(slot, frame, steps);
-    if (frames < 0) throw new SceneError(this.#text(this.module._rb_message()));
+    const frames = this.#call("advance", slot, frame, steps);
+    if (frames < 0) throw new SceneError(this.#text(this.#call("message")));
     return frames;
+  }
+
+  #sampleAt(slot, motion, frame) {
+    const address = this.#call("sample", slot, motion, frame);
+    if (address === 0) throw missing(slot, motion);
+    return address;
   }
 
   /** Returns a copy of a sample's numbers. */
   sample(slot, motion, frame) {
-    const address = this.module._rb_sample(slot, motion, frame);
+    const address = this.#sampleAt(slot, motion, frame);
     return new Float64Array(this.module.HEAPU8.slice(address, address + 8 * kSample.numbers).buffer);
   }
 
   /** Returns some of a sample's numbers, by index. */
   numbers(slot, motion, frame, indices) {
-    const address = this.module._rb_sample(slot, motion, frame);
+    const address = this.#sampleAt(slot, motion, frame);
     const all = new Float64Array(this.module.HEAPU8.buffer, address, kSample.numbers);
     return indices.map((index) => all[index]);
   }
@@ -68,17 +97,19 @@ class Core {
     const place = this.buffer;
     const heap = this.module.HEAPU8.buffer;
     new Float64Array(heap, place, 2).set([orbit.right, orbit.up]);
-    this.module._rb_camera(slot, motion, frame, width, height, place, orbit.distance, place + 16, place + 80);
-    return {matrix: new Float32Array(heap.slice(place + 16, place + 80)), eye: new Float32Array(heap.slice(place + 80, place + 92))};
+    const values = [width, height, place, orbit.distance, place + 16, place + 80];
+    if (!this.#call("camera", slot, motion, frame, ...values)) throw missing(slot, motion);
+    const floats = (begin, end) => new Float32Array(heap.slice(place + begin, place + end));
+    return {matrix: floats(16, 80), eye: floats(80, 92)};
   }
 
   mesh() {
     const heap = this.module.HEAPU8.buffer, count = this.buffer;
     const counted = () => new Int32Array(heap, count, 1)[0];
-    const vertices = this.module._rb_mesh_vertices(count);
+    const vertices = this.#call("mesh_vertices", count);
     const mesh = {vertices: new Float32Array(heap.slice(vertices, vertices + 40 * counted())), parts: {}};
     kParts.forEach((name, part) => {
-      const indices = this.module._rb_mesh_indices(part, count);
+      const indices = this.#call("mesh_indices", part, count);
       mesh.parts[name] = new Uint16Array(heap.slice(indices, indices + 2 * counted()));
     });
     return mesh;

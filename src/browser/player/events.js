@@ -14,8 +14,8 @@ class Announcer {
     this.waiting = null;
   }
 
-  /** Of several events in a short time the last is told. */
-  tell(text) {
+  /** Of several events in a short time the last is announced. */
+  announce(text) {
     this.next = text;
     if (this.waiting !== null) return;
     const wait = Math.max(this.last + kSilence - performance.now(), 0);

@@ -10,8 +10,8 @@ const kHere = __dirname, kRoot = path.join(kHere, "../../..");
 const kPictures = {front: 660, back: 660, spine: 176, paper: 256};  // Widths. [pixels]
 const kQuality = "80";
 // In this order, in one function: pages that are opened as files can't load modules.
-const kScripts = ["toml", "record", "share", "core", "live_scene", "clock", "book_view", "arrows", "polhode_ball", "timeline", "events", "controls",
-  "pointer", "proof", "predict", "stage", "numbers", "player", "commands", "begin"];
+const kScripts = ["toml", "record", "share", "core", "live_scene", "clock", "book_view", "arrows", "polhode_ball", "timeline", "events", "knobs", "controls",
+  "pointer", "proof", "predict", "stage", "numbers", "simulation", "throws", "player", "commands", "begin"];
 const kShaders = {book: "book.vert", whole_picture: "whole_picture.vert", cover: "cover.frag", paper: "paper.frag", studio: "studio.frag",
   stars: "stars.frag", studio_lights: "studio_lights.glsl", tone_curve: "tone_curve.frag"};
 
@@ -48,4 +48,6 @@ const [glue, wasm, version, folder] = process.argv.slice(2);
 fs.mkdirSync(folder, {recursive: true});
 const live = fragment(glue, wasm, folder);
 fs.writeFileSync(path.join(folder, "live_book.html"), live);
-fs.writeFileSync(path.join(folder, "play.html"), read(kHere, "page.html").replace("{{version}}", version).replace("{{live-book}}", () => live));
+const icon = /<link rel="icon"[^>]*>/.exec(read(kRoot, "assets/page/index.html"))[0];
+const values = {version, icon, "live-book": live};
+fs.writeFileSync(path.join(folder, "play.html"), read(kHere, "page.html").replace(/\{\{([a-z-]+)\}\}/g, (place, name) => values[name]));

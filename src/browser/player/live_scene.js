@@ -4,6 +4,7 @@ const kMaxNudges = 100;
 const kStartTilt = 0.014;  // [rad]
 const kStartSpeed = 4;     // [rad/s]
 const kAxes = ["x", "y", "z"];
+const kChanged = ", changed", kLongestTitle = 200;  // [characters]
 const kTiltToward = {x: "z", y: "x", z: "x"};
 /** Sections that a panel may have of its own. */
 const kPanelSections = ["body", "simulation", "initial", "expect"];
@@ -42,8 +43,11 @@ class LiveScene {
       delete tree.expect;
       delete tree.caption;
       delete tree.study;
+      if (tree.grid) delete tree.grid.expect;
       for (const panel of tree.panel ?? []) delete panel.expect;
-      if (tree.title && !tree.title.endsWith(", changed")) tree.title += ", changed";
+      if (tree.title && !tree.title.endsWith(kChanged)) {
+        tree.title = [...tree.title].slice(0, kLongestTitle - kChanged.length).join("") + kChanged;
+      }
       action(tree);
     });
   }
@@ -61,7 +65,10 @@ class LiveScene {
   }
 
   withModel(book, model) {
-    return this.withKeys(book, "simulation", {model, integrator: kDefaultIntegrator[model]});
+    const tree = this.withKeys(book, "simulation", {model, integrator: kDefaultIntegrator[model]});
+    const panel = tree.panel?.[book];
+    if (panel?.label === "exact" && model !== "exact") panel.label = "second";
+    return tree;
   }
 
   /** Returns the keys of a book's start. */
@@ -73,12 +80,13 @@ class LiveScene {
   /** A start has one of several keys for the spin: only those in `initial` stay. */
   withStart(book, initial) {
     return this.withMotion((tree) => {
+      const start = Object.fromEntries(Object.entries(initial).filter(([, value]) => value !== undefined));
       if (!tree.panel) {
-        tree.initial = initial;
+        tree.initial = start;
         return;
       }
       // A panel would inherit the keys that it lacks.
-      tree.panel.forEach((panel, i) => { panel.initial = i === book ? initial : this.startOf(i); });
+      tree.panel.forEach((panel, i) => { panel.initial = i === book ? start : this.startOf(i); });
       delete tree.initial;
     });
   }
@@ -100,6 +108,17 @@ class LiveScene {
     return this.withStart(book, {...start, [key]: start[key].map((part) => Number((part * factor).toPrecision(12)))});
   }
 
+  /** Tilts the start by an angle [rad], toward the axis that it has or one that suits it. */
+  withTilt(book, angle) {
+    const toward = this.value(book, "initial", "tilt")?.[1] ?? kTiltToward[this.startAxis(book) ?? "x"];
+    return this.withStart(book, {...this.startOf(book), tilt: angle > 0 ? [angle, toward] : undefined});
+  }
+
+  /** Sets the size along one axis. [m] */
+  withSize(book, axis, length) {
+    return this.withKeys(book, "body", {size: this.value(book, "body", "size").map((size, i) => (i === axis ? length : size))});
+  }
+
   withoutNudges(tree) {
     delete tree.nudge;
     return tree;
@@ -116,12 +135,13 @@ class LiveScene {
     return Number((this.speeds[book] || kStartSpeed).toPrecision(6));
   }
 
-  /** Adds a throw at a time [s] along world axes [rad/s], in place of all later ones. */
-  withNudge(at, angularVelocity) {
+  /** Adds a throw at a time [s] along world axes [rad/s], in place of all later ones; the clip lasts until `end` [s] at least. */
+  withNudge(at, angularVelocity, end) {
     const earlier = (this.tree.nudge ?? []).filter((nudge) => LiveScene.#seconds(nudge.at) < at);
     if (earlier.length >= kMaxNudges) throw new Error(`There are ${kMaxNudges} throws already; reset the book to throw it anew.`);
     return this.withMotion((tree) => {
       tree.nudge = [...earlier, {at, angular_velocity: angularVelocity, axes: "world"}];
+      if (end > this.explicit.clip.duration) tree.clip = {...tree.clip, duration: Number(end.toPrecision(6))};
     });
   }
 
@@ -136,6 +156,7 @@ class LiveScene {
   /** Adds a second book beside the first, which differs in `sections`. */
   withSecondBook(label, sections) {
     return this.withMotion((tree) => {
+      delete tree.grid;
       tree.panel = [{label: "first"}, {label, ...clone(sections)}];
       LiveScene.#setShown(tree, this.explicit, "ghost", false);
     });
@@ -166,7 +187,7 @@ class LiveScene {
 
   /** The tree of the exact motion from the same start, for the ghost. Null if there is nothing to compare. */
   ghostTree() {
-    if (!this.shows("ghost")) return null;
+    if (!this.shows("ghost") || this.tree.grid) return null;
     return this.changed((tree) => {
       delete tree.overlay;  // Some are for particles alone.
       tree.simulation = {...tree.simulation, model: "exact"};

@@ -3,11 +3,13 @@
 const percent = (share) => `${(100 * share).toPrecision(share >= 1 ? 5 : 4)} %`;
 const degrees = (angle) => (Math.abs(angle) < 0.01 && angle !== 0 ? `${angle.toExponential(1)}°` : `${angle.toFixed(2)}°`);
 
+const energyOf = (sample) => sample[kSample.energies] + sample[kSample.energies + 1];
+
 /** Names, and how to say a sample's number. */
 const kNumbers = [
   ["Half-turns", (sample) => String(sample[kSample.halfTurns])],
   ["Tilt", (sample) => degrees(sample[kSample.tilt])],
-  ["Energy", (sample, first) => percent((sample[kSample.energies] + sample[kSample.energies + 1]) / (first[kSample.energies] + first[kSample.energies + 1]))],
+  ["Energy", (sample, first) => percent(energyOf(sample) / energyOf(first))],
   ["Error", (sample, first, motion) => (motion.model === "exact" ? "–" : degrees(sample[kSample.error]))],
   ["Stretch", (sample) => `${sample[kSample.stretch].toFixed(3)} to ${sample[kSample.stretch + 1].toFixed(3)}`],
 ];
@@ -25,7 +27,7 @@ function showNumbers(list, player, frame) {
     }))));
   }
   motions.forEach((motion, i) => {
-    const sample = player.core.sample(kFirst, i, frame), first = player.core.sample(kFirst, i, 0);
+    const sample = player.core.sample(kPlayed, i, frame), first = player.core.sample(kPlayed, i, 0);
     kNumbers.forEach(([, words], row) => { list.children[row].children[1 + i].textContent = words(sample, first, motion); });
   });
 }

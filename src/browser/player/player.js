@@ -18,9 +18,10 @@ duration = 60
 [overlay]
 show = ["omega", "momentum", "polhode"]
 `;
-const kBudget = 7;         // Of simulating ahead, in a picture's time. [ms]
-const kJiggle = 0.15;      // Share of the spin.
+const kBudget = 7;           // Of simulating ahead, in a picture's time. [ms]
+const kCatchingUp = 40;      // The same where the picture waits for it. [ms]
 const kTrailFrames = 240;
+const kTrailStep = 2;        // [frames]
 
 class Player {
   constructor(root, core, pictures, shaders) {
@@ -31,14 +32,16 @@ class Player {
     this.clock = new Clock();
     this.orbit = {right: 0, up: 0, distance: 1};
     this.book = 0;
-    this.steps = 500;
-    this.simulated = 0;
-    this.ghostFrames = 0;
+    this.edits = 0;
+    this.wanted = null;
+    this.simulation = new Simulation(core, (message) => this.announcer.show(message, "bad"));
     this.drawing = new Stage(root, core, pictures, shaders);
     this.stage = this.drawing.lines;
     this.timeline = new Timeline(this.find(".rb-timeline canvas"), this.find(".rb-seek"));
     this.ball = new PolhodeBall(this.find(".rb-ball"));
     this.predict = new Predict(this.find(".rb-question"), this);
+    this.throws = new Throws(this);
+    this.onEdit = () => {};
   }
 
   /** As a second step, as knobs need a scene to show. */
@@ -56,27 +59,34 @@ class Player {
   }
 
   get labels() { return this.read.motions.map((motion) => motion.label); }
-  get lastFrame() { return this.simulated - 1; }
-  get frame() { return Math.min(this.clock.frame, this.lastFrame); }
-  get isComplete() { return this.simulated >= this.core.frames(kFirst); }
-  timeOf(frame) { return this.core.numbers(kFirst, 0, frame, [kSample.time])[0]; }
+  get simulated() { return this.simulation.simulated; }
+  get lastFrame() { return this.simulation.lastFrame; }
+  get isComplete() { return this.simulation.isComplete; }
+  /** Whether the picture waits for a frame that isn't simulated yet. */
+  get isWaiting() { return this.wanted !== null; }
+  get frame() { return this.wanted ?? Math.min(this.clock.frame, this.lastFrame); }
+  timeOf(frame) { return this.core.numbers(kPlayed, 0, Math.min(frame, this.lastFrame), [kSample.time])[0]; }
 
   /** Plays a scene's text from its beginning; the last good scene stays if it is none. Returns whether it is played. */
-  load(text, {isPlaying = true, record = null} = {}) {
+  load(text, {isPlaying = true, record = null, isQuestion = false} = {}) {
     try {
       const tree = this.core.treeOf(text);
-      this.record = record;
-      if (!this.apply(tree, {text, frame: 0, keepRecord: true})) return false;
+      if (!this.#play(tree, text, {frame: 0, isPlaying, record, isQuestion})) return false;
       this.original = tree;
       Object.assign(this.orbit, {right: 0, up: 0, distance: 1});
-      this.book = 0;
-      this.#setPlaying(isPlaying);
-      this.controls?.refresh();
       return true;
     } catch (error) {
       this.#refuse(error);
       return false;
     }
+  }
+
+  /** Changes the scene to an edited tree, at the picture's frame or another. Returns whether the core takes it. */
+  apply(tree, {frame = this.frame, isPlaying = this.clock.isPlaying} = {}) {
+    if (!this.#play(tree, tomlText(tree), {frame, isPlaying})) return false;
+    this.edits += 1;
+    this.onEdit();
+    return true;
   }
 
   #refuse(error) {
@@ -85,17 +95,18 @@ class Player {
     this.controls?.refresh();
   }
 
-  /** Changes the scene to a tree's, of which `text` is the TOML, at a frame. Returns whether the core takes it. */
-  apply(tree, {text = tomlText(tree), frame = this.frame, isPlaying = this.clock.isPlaying, keepRecord = false} = {}) {
+  /** `record`: of the clip whose motion this is said to be. */
+  #play(tree, text, {frame, isPlaying, record = null, isQuestion = false}) {
     let read;
     try {
-      read = this.core.read(kFirst, text);
+      read = this.core.read(kPlayed, text);
     } catch (error) {
       this.#refuse(error);
       return false;
     }
-    this.announcer.show("");
-    if (!keepRecord) this.record = null;
+    if (!isQuestion) this.predict.leave();
+    this.announcer.show(this.drawing.view.isLost ? kInterrupted : "");
+    this.record = record;
     this.#take(tree, read, frame);
     this.#setPlaying(isPlaying);
     this.controls?.refresh();
@@ -104,24 +115,18 @@ class Player {
 
   #take(tree, read, frame) {
     this.read = read;
-    this.scene = new LiveScene(tree, this.core.treeOf(this.core.sceneText(kFirst)));
+    this.scene = new LiveScene(tree, this.core.treeOf(this.core.sceneText(kPlayed)));
     this.book = Math.min(this.book, read.motions.length - 1);
     this.clock.rate = read.rate[0] / read.rate[1];
-    this.simulated = this.#advance(kFirst, 0);
-    this.timeline.clear(read.motions.length, 0);
-    this.motionFailed = false;
+    this.timeline.clear(read.motions.length);
     this.checksum = null;
-    const start = (i, first) => Math.hypot(...this.core.sample(kFirst, i, 0).subarray(first, first + 3)) || 1;
-    this.scene.speeds = read.motions.map((motion, i) => start(i, kSample.omega));
+    const ghost = this.scene.ghostTree();
+    this.simulation.begin(ghost && tomlText(ghost));
+    const start = (i, first) => Math.hypot(...this.core.sample(kPlayed, i, 0).subarray(first, first + 3)) || 1;
     this.scales = read.motions.map((motion, i) => ({omega: start(i, kSample.omega), momentum: start(i, kSample.momentum)}));
+    this.scene.speeds = this.scales.map(({omega}) => omega);
     this.restoreCloth();
-    this.ghostTree = this.scene.ghostTree();
-    this.ghostFrames = 0;
-    this.needsGhost = this.ghostTree !== null;
-    this.#reach(frame);
-    this.clock.go(Math.min(frame, this.lastFrame));
-    this.told = this.frame;
-    this.redraw();
+    this.#goTo(frame);
   }
 
   /** Covers of plain cloth, if the scene asks for them. */
@@ -130,96 +135,95 @@ class Player {
     this.drawing.view.setCloth(colour ? {white: [1, 1, 1], black: [0, 0, 0]}[colour] ?? colourOf(colour) : null);
   }
 
-  #advance(slot, frame) {
-    try {
-      return this.core.advance(slot, frame, this.steps);
-    } catch (error) {
-      if (!(error instanceof SceneError)) throw error;
-      this.motionFailed = true;
-      this.announcer.show(error.message, "bad");
-      return Math.max(this.simulated, 1);
-    }
+  /** Shows a frame at once if it is soon simulated; else the picture stays as it is until then. */
+  #goTo(frame) {
+    this.wanted = Math.max(frame, 0);
+    this.simulation.work(60, this.wanted);
+    this.#arrive();
   }
 
-  /** Simulates a piece of the motion, and keeps pieces to a few milliseconds. */
-  #ahead(frame = this.core.frames(kFirst) - 1) {
-    const start = performance.now();
-    this.simulated = this.#advance(kFirst, frame);
-    const took = performance.now() - start;
-    if (took > 3) this.steps = Math.max(Math.floor(this.steps / 2), 1);
-    else if (took < 1) this.steps = Math.min(2 * this.steps, 1e6);
-  }
-
-  /** Simulates as far as the picture that is to be shown, if that is soon done. */
-  #reach(frame) {
-    const until = performance.now() + 60;
-    while (this.simulated <= frame && !this.isComplete && !this.motionFailed && performance.now() < until) this.#ahead(frame);
+  /** Shows the frame that the picture waits for, if it is there or will never be. */
+  #arrive() {
+    if (this.simulation.lastFrame < this.wanted && !this.simulation.isDone) return;
+    this.clock.go(Math.min(this.wanted, this.lastFrame));
+    this.wanted = null;
+    this.announcedFrame = this.frame;
+    this.redraw();
   }
 
   #simulate() {
-    const until = performance.now() + kBudget;
-    while (!this.isComplete && !this.motionFailed && performance.now() < until) this.#ahead();
+    this.simulation.work(this.isWaiting ? kCatchingUp : kBudget);
     this.timeline.extend(this.core, this.simulated);
-    if (this.isComplete && !this.motionFailed && this.checksum === null) this.#showChecksum();
-    if (!this.ghostTree || this.isProving) return;
-    if (this.needsGhost) this.core.read(kSecond, tomlText(this.ghostTree));
-    this.needsGhost = false;
-    if (this.ghostFrames === this.core.frames(kSecond)) return;
-    if (this.ghostFrames <= this.frame) this.redraw();
-    this.ghostFrames = this.core.advance(kSecond, this.core.frames(kSecond) - 1, 20000);
+    if (this.isWaiting) this.#arrive();
+    if (this.checksum === null) this.#showChecksum();
+    const ghostsBefore = this.simulation.ghostFrames;
+    if (this.simulation.workOnGhost() && ghostsBefore <= this.frame) this.redraw();
   }
 
   #showChecksum() {
-    this.checksum = this.core.checksum(kFirst);
-    const isSame = this.record?.motion === this.checksum;
-    const words = this.record ? (isSame ? " – the clip’s own, bit for bit" : ` – not the clip’s, ${this.record.motion}`) : "";
     const line = this.find(".rb-checksum");
-    line.textContent = `Checksum of this motion: ${this.checksum}${words}`;
-    line.dataset.same = String(isSame);
+    line.dataset.same = "false";
+    if (this.simulation.hasFailed) {
+      line.textContent = "No checksum: the motion can’t go on.";
+    } else if (!this.isComplete) {
+      line.textContent = `Simulating … ${Math.floor(100 * this.simulated / this.simulation.frames)} %`;
+    } else {
+      this.checksum = this.core.checksum(kPlayed);
+      const isSame = this.record?.motion === this.checksum;
+      const words = isSame ? " – the clip’s own, bit for bit" : ` – not the clip’s, ${this.record?.motion}`;
+      line.textContent = `Checksum of this motion: ${this.checksum}${this.record ? words : ""}`;
+      line.dataset.same = String(isSame);
+    }
   }
 
   tick(now) {
     const before = this.clock.position;
     this.#simulate();
-    this.clock.tick(now, this.lastFrame);
-    const frame = this.frame;
-    if (this.clock.isPlaying && this.drawnAt) this.drawing.adapt(now - this.drawnAt);
+    if (!this.isWaiting) {
+      this.clock.tick(now, this.lastFrame);
+      if (this.clock.isPlaying && this.drawnAt) this.drawing.adapt(now - this.drawnAt);
+      if (this.clock.position !== before || this.isDirty) this.#draw(this.frame);
+      if (this.clock.isPlaying && this.simulation.isDone && this.frame >= this.lastFrame) this.#setPlaying(false);
+    }
     this.drawnAt = this.clock.isPlaying ? now : null;
-    if (this.clock.position !== before || this.isDirty) this.#draw(frame);
-    this.timeline.draw(this.core.frames(kFirst), this.simulated, this.scene.nudgeTimes.map((time) => time / this.timeOf(this.lastFrame) * this.lastFrame / Math.max(this.core.frames(kFirst) - 1, 1)));
-    if (this.checksum === null) this.find(".rb-checksum").textContent = `Simulating … ${Math.floor(100 * this.simulated / this.core.frames(kFirst))} %`;
-    if (this.clock.isPlaying && this.isComplete && frame >= this.lastFrame) this.#setPlaying(false);
+    this.timeline.draw(this.simulation.frames, this.simulated, this.#nudgesOnTimeline(), this.predict.isAsking);
+  }
+
+  /** Returns the nudges' places on the time line, as shares of it. */
+  #nudgesOnTimeline() {
+    const frames = Math.max(this.simulation.frames - 1, 1), last = this.timeOf(this.lastFrame);
+    return this.scene.nudgeTimes.map((time) => time / last * this.lastFrame / frames);
   }
 
   #draw(frame) {
     this.isDirty = false;
     this.drawing.draw(frame, this);
-    const time = this.timeOf(frame);
     showNumbers(this.find(".rb-numbers"), this, frame);
-    this.#showTime(time, frame);
+    this.#showTime(this.timeOf(frame), frame);
     this.#drawBall(frame);
-    const words = wordsOfEvents(this.timeline.events, this.told, frame, this.labels, (at) => this.timeOf(at));
-    if (words.length > 0) this.announcer.tell(words.join(". "));
-    this.told = frame;
-    this.predict.tick(time);
+    const words = wordsOfEvents(this.timeline.events, this.announcedFrame, frame, this.labels, (at) => this.timeOf(at));
+    if (words.length > 0) this.announcer.announce(words.join(". "));
+    this.announcedFrame = frame;
+    this.predict.tick(this.timeOf(frame), this.simulation.isDone && frame >= this.lastFrame);
   }
 
   #showTime(time, frame) {
     const seek = this.timeline.slider;
-    seek.max = Math.max(this.core.frames(kFirst) - 1, 1);
+    seek.max = Math.max(this.simulation.frames - 1, 1);
     seek.value = frame;
     seek.setAttribute("aria-valuetext", seconds(time));
     this.find(".rb-time").textContent = seconds(time);
   }
 
   #drawBall(frame) {
-    const moments = this.read.motions[this.book].moments, isShown = this.scene.shows("polhode");
+    const {moments} = this.read.motions[this.book], isShown = this.scene.shows("polhode");
     this.find(".rb-ball-frame").hidden = !isShown;
     if (!isShown) return;
     const trail = [];
-    const step = Math.max(Math.floor(kTrailFrames / 120), 1);
-    for (let at = Math.max(frame - kTrailFrames, 0); at < frame; at += step) trail.push(momentumInBook(this.core.sample(kFirst, this.book, at)));
-    trail.push(momentumInBook(this.core.sample(kFirst, this.book, frame)));
+    for (let at = Math.max(frame - kTrailFrames, 0); at < frame; at += kTrailStep) {
+      trail.push(momentumInBook(this.core.sample(kPlayed, this.book, at)));
+    }
+    trail.push(momentumInBook(this.core.sample(kPlayed, this.book, frame)));
     this.ball.draw(moments, trail);
   }
 
@@ -237,16 +241,20 @@ class Player {
   start() { this.#setPlaying(true); }
   pause() { this.#setPlaying(false); }
 
+  /** What plays or moves the picture waits for the answer of a question. */
+  #isFree() {
+    if (this.predict.isAsking) this.predict.insist();
+    return !this.predict.isAsking;
+  }
+
   toggle() {
-    if (!this.clock.isPlaying && this.isComplete && this.frame >= this.lastFrame) this.seek(0);
+    if (!this.#isFree()) return;
+    if (!this.clock.isPlaying && this.simulation.isDone && this.frame >= this.lastFrame) this.#goTo(0);
     this.#setPlaying(!this.clock.isPlaying);
   }
 
   seek(frame) {
-    this.#reach(frame);
-    this.clock.go(Math.max(Math.min(frame, this.lastFrame), 0));
-    this.told = this.frame;
-    this.redraw();
+    if (this.#isFree()) this.#goTo(Math.min(frame, this.simulation.frames - 1));
   }
 
   step(frames) {
@@ -270,14 +278,14 @@ class Player {
   }
 
   setBooks(choice) {
-    const one = this.scene.bookCount > 1 ? new LiveScene(this.scene.withOnly(0), this.scene.explicit) : this.scene;
+    const one = this.scene.bookCount > 1 ? new LiveScene(this.scene.withOnly(this.book), this.scene.explicit) : this.scene;
     if (choice === "one") {
       this.apply(one.tree);
       return;
     }
     const isExact = choice === "exact";
-    this.book = isExact ? 0 : 1;
-    this.apply(one.withSecondBook(isExact ? "exact" : "second", isExact ? {simulation: {model: "exact"}} : {}));
+    const other = one.withSecondBook(isExact ? "exact" : "second", isExact ? {simulation: {model: "exact"}} : {});
+    if (this.apply(other)) this.edit(isExact ? 0 : 1);
   }
 
   isOnBook(place) { return this.drawing.isOnBook(place); }
@@ -289,68 +297,55 @@ class Player {
   }
 
   tap(place) {
+    if (this.isDirty && !this.isWaiting) this.#draw(this.frame);  // Where the books are now.
     if (this.predict.isAsking) this.predict.choosePanel(this.drawing.bookAt(place).index);
     else this.toggle();
   }
 
-  /** Adds to the spin about the picture's right and up. [rad/s] */
-  throwBook(right, up) {
-    const [rightAxis, upAxis] = Stage.axesOf(this.drawing.books[0].matrix);
-    this.#nudge(rightAxis.map((part, axis) => right * part + up * upAxis[axis]));
-    this.announcer.tell(`Thrown at ${seconds(this.timeOf(this.frame))}`);
-  }
+  throwBook(right, up) { this.throws.throwBook(right, up); }
+  jiggle() { this.throws.jiggle(); }
 
-  jiggle() {
-    const spin = this.core.sample(kFirst, this.book, this.frame).subarray(kSample.omega, kSample.omega + 3);
-    const size = Math.hypot(...spin), along = [...spin].map((part) => part / size);
-    const any = [0, 1, 2].map(() => Math.random() - 0.5), share = any.reduce((sum, part, axis) => sum + part * along[axis], 0);
-    const across = any.map((part, axis) => part - share * along[axis]), length = Math.hypot(...across) || 1;
-    this.#nudge(across.map((part) => kJiggle * size * part / length));
-    this.announcer.tell(`Jiggled at ${seconds(this.timeOf(this.frame))}`);
-  }
-
-  #nudge(velocity) {
-    const at = Number((this.timeOf(this.frame) || this.read.interval / 2).toPrecision(9));
-    const rounded = velocity.map((part) => Number(part.toPrecision(4)) || 0);
-    if (rounded.every((part) => part === 0)) return;
-    try {
-      this.apply(this.scene.withNudge(at, rounded), {isPlaying: true});
-    } catch (error) {
-      this.announcer.show(error.message, "bad");
-    }
-  }
+  /** Whether the scene's text can hold the turned view: only a camera of the world's frame has a place of its own. */
+  get canShareView() { return this.scene.explicit.camera?.frame === "world"; }
+  get isViewMoved() { return this.orbit.right !== 0 || this.orbit.up !== 0 || this.orbit.distance !== 1; }
 
   /** The scene as it is seen: a turned view becomes the camera's place. */
   sharedText() {
-    const {right, up, distance} = this.orbit, camera = this.scene.explicit.camera;
-    const isMoved = right !== 0 || up !== 0 || distance !== 1;
-    if (!isMoved || camera?.frame !== "world") return this.scene.text;
-    const eye = [...this.core.camera(kFirst, 0, 0, 16, 9, this.orbit).eye];
+    if (!this.isViewMoved || !this.canShareView) return this.scene.text;
+    const eye = [...this.core.camera(kPlayed, 0, 0, 16, 9, this.orbit).eye];
     return tomlText(this.scene.changed((tree) => {
       tree.camera = {...tree.camera, position: eye.map((part) => Number(part.toPrecision(5)))};
     }));
   }
 
-  /** Proves a clip and plays its scene, or plays a dropped scene. */
+  /** Proves a clip and plays its scene, or plays a dropped scene. A later file takes this one's place. */
   async open(file) {
+    const job = this.job = {}, edits = this.edits, isWanted = () => this.job === job;
     this.announcer.show(`Reading ${file.name} …`);
-    this.isProving = true;
     try {
-      if (/\.toml$/i.test(file.name)) {
-        if (file.size > kLargestScene) throw new SceneError(`${file.name} is longer than a scene may be.`);
-        this.load(await file.text());
-        return;
-      }
-      const {isProved, record, words} = await proveClip(this.core, file, (share) => this.announcer.show(`Simulating ${file.name} again … ${Math.floor(100 * share)} %`));
-      this.load(record.text, {record, isPlaying: !matchMedia("(prefers-reduced-motion: reduce)").matches});
-      this.announcer.show(words, isProved ? "good" : "bad");
+      if (/\.toml$/i.test(file.name)) await this.#openScene(file, isWanted);
+      else await this.#openClip(file, isWanted, edits);
     } catch (error) {
-      if (!(error instanceof RecordError || error instanceof SceneError)) throw error;
-      this.announcer.show(error instanceof SceneError ? `${file.name}: ${error.message}` : error.message, "bad");
-    } finally {
-      this.isProving = false;
-      this.needsGhost = this.ghostTree !== null;
-      this.ghostFrames = 0;
+      if (!isWanted()) return;
+      const isExpected = error instanceof RecordError || error instanceof SceneError;
+      this.announcer.show(error instanceof RecordError ? error.message : `${file.name}: ${error.message}`, "bad");
+      if (!isExpected) throw error;
     }
+  }
+
+  async #openScene(file, isWanted) {
+    if (file.size > kLargestScene) throw new SceneError("it is longer than 32 KiB, the limit for a scene");
+    const text = await readable(file.name, () => file.text());
+    if (isWanted()) this.load(text, {isPlaying: this.mayMove});
+  }
+
+  async #openClip(file, isWanted, edits) {
+    const say = (share) => this.announcer.show(`Simulating ${file.name} again … ${Math.floor(100 * share)} %`);
+    const proof = await proveClip(this.core, file, say, isWanted);
+    if (!proof || !isWanted()) return;
+    // Nothing that was done meanwhile is lost.
+    const isPlayed = this.edits === edits && this.load(proof.record.text, {record: proof.record, isPlaying: this.mayMove});
+    const aside = isPlayed ? "" : " You went on meanwhile, so it isn’t played; drop it again to play it.";
+    this.announcer.show(proof.words + aside, proof.isProved ? "good" : "bad");
   }
 }

@@ -75,7 +75,8 @@ class Pointer {
 
   /** The book turns as if the hand held its surface until it let go. */
   #throw(now, place) {
-    const first = this.way.find(([time]) => now - time <= kThrowTime) ?? this.way[0];
+    const first = this.way.find(([time]) => now - time <= kThrowTime);
+    if (!first) return;  // The hand held still before it let go.
     const passed = Math.max(now - first[0], 16) / 1000, radius = this.player.bookRadius(place);
     const rate = (way) => Math.max(Math.min(way / passed / radius, kFastest), -kFastest);
     this.player.throwBook(rate(place[1] - first[2]), rate(place[0] - first[1]));

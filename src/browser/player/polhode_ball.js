@@ -3,7 +3,6 @@
 const kBallView = [0.55, 0.42];  // Turned to the right and up. [rad]
 const kCurves = [0.03, 0.12, 0.3, 0.55, 0.85];  // Shares of the way from an axis to the separatrix.
 const kBallColours = {ball: "#23262b", rim: "#4a4f57", curve: "#6d737c", separatrix: "#f7f5ed", trail: "#e899d9", now: "#ffffff"};
-const kTrail = 240;  // [frames]
 
 /** Returns the points of a curve of energy `energy` about axis `about`, on its positive side; sizes of L and L² are 1. */
 function polhodeCurve(moments, energy, about) {

@@ -67,7 +67,8 @@ class Predict {
   next() {
     this.task = (this.task + 1) % kTasks.length;
     this.chosen = null;
-    this.player.load(this.current.scene, {isPlaying: false});
+    this.isAnswered = false;
+    this.player.load(this.current.scene, {isPlaying: false, isQuestion: true});
     this.#show(this.current.question, this.current.answers.map((answer, i) => [answer, () => this.choose(i)]));
   }
 
@@ -82,11 +83,19 @@ class Predict {
     }), close);
     this.box.hidden = false;
     this.text.focus({preventScroll: true});
+    // On a small screen, the books are above the question.
+    if (this.player.stage.getBoundingClientRect().top < 0) this.player.find(".rb-player").scrollIntoView();
+  }
+
+  /** Somebody wants to see before the answer. */
+  insist() {
+    this.text.focus({preventScroll: true});
+    this.player.announcer.announce("First choose an answer.");
   }
 
   /** A cover was clicked: an answer, where the answers are the books. */
   choosePanel(panel) {
-    if (this.isAsking && this.current.arePanels) this.choose(panel);
+    if (panel >= 0 && this.isAsking && this.current.arePanels) this.choose(panel);
   }
 
   choose(answer) {
@@ -95,18 +104,20 @@ class Predict {
     this.player.start();
   }
 
-  /** Called as time passes. */
-  tick(time) {
-    if (this.box.hidden || this.chosen === null || this.isDone === this.task || time < this.current.until) return;
-    this.isDone = this.task;
+  /** Called as time passes; `isEnd` if there is no more to see. */
+  tick(time, isEnd) {
+    if (this.box.hidden || this.chosen === null || this.isAnswered || (time < this.current.until && !isEnd)) return;
+    this.isAnswered = true;
     const isRight = this.chosen === this.current.right;
     this.#show(`${isRight ? "Right." : "Not quite."} ${this.current.see}`, [[this.task + 1 < kTasks.length ? "Next question" : "From the first", () => this.next()]]);
-    this.player.announcer.tell(this.text.textContent);
+    this.player.announcer.announce(this.text.textContent);
   }
 
+  /** Another scene is played: the question was of the former. */
+  leave() { this.box.hidden = true; }
+
   close() {
-    this.box.hidden = true;
-    this.isDone = -1;
+    this.leave();
     this.player.stage.focus({preventScroll: true});
   }
 }

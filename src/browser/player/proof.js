@@ -5,28 +5,44 @@ const kSlice = 24;  // [ms]
 /** Lets the page draw and answer. */
 const breath = () => new Promise((resolve) => { setTimeout(resolve); });
 
-/** Simulates a slot to its end without keeping the page waiting; `progress` is called with shares of 1. */
-async function simulateToEnd(core, slot, progress) {
-  const frames = () => core.frames(slot);
-  let simulated = 0, steps = 2000;
-  while (simulated < frames()) {
+/**
+ * Simulates a slot to its end without keeping the page waiting; `progress` is called with shares of 1. Returns whether it got
+ * there: it stops once `isWanted` says no.
+ */
+async function simulateToEnd(core, slot, progress, isWanted) {
+  const kSteps = 2000;
+  let simulated = 0;
+  while (simulated < core.frames(slot)) {
     const start = performance.now();
-    while (simulated < frames() && performance.now() - start < kSlice) simulated = core.advance(slot, frames() - 1, steps);
-    progress(simulated / frames());
+    do simulated = core.advance(slot, core.frames(slot) - 1, kSteps);
+    while (simulated < core.frames(slot) && performance.now() - start < kSlice);
+    progress(simulated / core.frames(slot));
     await breath();
+    if (!isWanted()) return false;
   }
+  return true;
 }
 
-/** Returns {isProved, words, record} of a clip. Throws RecordError or SceneError where there is nothing to compare. */
-async function proveClip(core, file, progress) {
-  const record = await readRecord(file);
-  core.read(kSecond, record.text);
-  await simulateToEnd(core, kSecond, progress);
-  const motion = core.checksum(kSecond), isProved = motion === record.motion;
-  if (isProved) {
-    return {isProved, record, motion, words: `Motion proved: simulated again here, it is that of ${file.name} bit for bit. Checksum ${motion}.`};
+/** Returns the words of the comparison. */
+function verdict(core, file, record, motion) {
+  if (motion === record.motion) {
+    return `Motion proved: simulated again here, it is that of ${file.name} bit for bit. Checksum ${motion}.`;
   }
-  const versions = record.program === core.words.version ? "" : ` The clip was made by rotatebook ${record.program}; this page is of ${core.words.version}.`;
-  return {isProved, record, motion,
-    words: `The motion differs: ${file.name} says that the checksum of its motion is ${record.motion}; its scene, simulated again here, gives ${motion}.${versions}`};
+  const versions = record.program === core.words.version ? "" :
+    ` The clip was made by rotatebook ${record.program}; this page is of ${core.words.version}.`;
+  return `The motion differs: ${file.name} says that the checksum of its motion is ${record.motion}; its scene, simulated again here, ` +
+    `gives ${motion}.${versions}`;
+}
+
+/**
+ * Returns {isProved, words, record, motion} of a clip; null once `isWanted` says no. Throws RecordError or SceneError where there is
+ * nothing to compare.
+ */
+async function proveClip(core, file, progress, isWanted = () => true) {
+  const record = await readRecord(file);
+  if (!isWanted()) return null;
+  core.read(kProof, record.text);
+  if (!await simulateToEnd(core, kProof, progress, isWanted)) return null;
+  const motion = core.checksum(kProof);
+  return {isProved: motion === record.motion, record, motion, words: verdict(core, file, record, motion)};
 }

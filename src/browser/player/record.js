@@ -5,32 +5,66 @@ class RecordError extends Error {}
 
 const kCutOff = "The clip is cut off: the file ends within it.";
 const kNoRecord = "This clip has no record of rotatebook, so there is nothing to compare with.";
+const kOtherProgram = "This clip was made by another program: its comment isn’t a record of rotatebook.";
 const kFirstBytes = "# Made by rotatebook ";
-const kWebm = {header: 0x1a45dfa3, segment: 0x18538067, tags: 0x1254c367, tag: 0x7373, simpleTag: 0x67c8, name: 0x45a3, text: 0x4487};
+const kMaxParts = 10000;  // Clips have a few hundred.
+const kPiece = 65536;     // [bytes]
+const kWebm = {header: 0x1a45dfa3, segment: 0x18538067, tags: 0x1254c367, tag: 0x7373, simpleTag: 0x67c8, name: 0x45a3,
+  text: 0x4487};
+
+const damaged = (problem) => new RecordError("The clip’s record is damaged: " + problem);
 
 /** Reads the file as far as it is needed: in pieces, so that a large clip needn't be in memory. */
 class FileBytes {
   constructor(blob) {
     this.blob = blob;
+    this.parts = 0;
+    this.begin = 0;  // Of the piece read last.
+    this.piece = new ArrayBuffer(0);
   }
 
   get size() { return this.blob.size; }
 
-  /** Throws where the file ends before. */
+  /** Throws where the file ends before, and if it can't be read. */
   async read(offset, length) {
     if (offset + length > this.size) throw new RecordError(kCutOff);
-    return new DataView(await this.blob.slice(offset, offset + length).arrayBuffer());
+    if (offset < this.begin || offset + length > this.begin + this.piece.byteLength) {
+      const piece = this.blob.slice(offset, offset + Math.max(length, kPiece));
+      this.piece = await readable(this.blob.name ?? "The file", () => piece.arrayBuffer());
+      this.begin = offset;
+    }
+    return new DataView(this.piece, offset - this.begin, length);
+  }
+
+  /** Counts a part; throws after so many that looking on would take too long. */
+  notePart() {
+    if (++this.parts <= kMaxParts) return;
+    throw new RecordError(`The clip’s record can’t be reached: the file has more than ${kMaxParts} parts.`);
   }
 }
 
+const latin1 = (view) => new TextDecoder("latin1").decode(view);
 const fourLetters = (view, offset) => String.fromCharCode(...new Uint8Array(view.buffer, view.byteOffset + offset, 4));
-const utf8 = (view) => new TextDecoder("utf-8", {fatal: true}).decode(view);
+
+/** Returns the text of a record between two offsets of the file. */
+async function recordText(file, begin, end) {
+  const length = end - begin, first = await file.read(begin, Math.max(Math.min(length, kFirstBytes.length), 0));
+  if (latin1(first) !== kFirstBytes) throw new RecordError(kOtherProgram);
+  if (length > kLargestScene) throw damaged("it is longer than 32 KiB, the limit for a scene.");
+  const bytes = await file.read(begin, length);
+  try {
+    return new TextDecoder("utf-8", {fatal: true}).decode(bytes);
+  } catch {
+    throw damaged("it isn’t UTF-8.");
+  }
+}
 
 /** Returns the boxes of an MP4 between two offsets: {type, begin, end} of what is in each. */
 async function mp4Boxes(file, begin, end) {
   const boxes = [];
   let at = begin;
   while (at + 8 <= end) {
+    file.notePart();
     const head = await file.read(at, Math.min(16, end - at));
     let size = head.getUint32(0), start = at + 8;
     if (size === 1) {
@@ -60,13 +94,15 @@ async function mp4Comment(file) {
   const meta = await mp4Child(file, await mp4Child(file, movie, "udta"), "meta");
   const list = await mp4Child(file, meta, "ilst", 4);  // After a version.
   const data = await mp4Child(file, await mp4Child(file, list, "\u00a9cmt"), "data");
-  return data && utf8(await file.read(data.begin + 8, data.end - data.begin - 8));  // After type and locale.
+  return data && recordText(file, data.begin + 8, data.end);  // After type and locale.
 }
 
 /** Reads an EBML number of up to eight bytes; of a name, with its length's bits. Returns [value, length]. */
 function ebmlNumber(view, offset, keepMarker) {
+  if (offset >= view.byteLength) throw new RecordError(kCutOff);
   const first = view.getUint8(offset), length = Math.clz32(first) - 23;
-  if (length > 8 || offset + length > view.byteLength) throw new RecordError("The clip is damaged: a number in it is too long.");
+  if (length > 8) throw new RecordError("The clip is damaged: a number in it is too long.");
+  if (offset + length > view.byteLength) throw new RecordError(kCutOff);
   const ones = 0xff >> length;
   let value = keepMarker ? first : first & ones, isUnknown = (first & ones) === ones;
   for (let i = 1; i < length; ++i) {
@@ -77,9 +113,14 @@ function ebmlNumber(view, offset, keepMarker) {
   return [isUnknown && !keepMarker ? Infinity : value, length];
 }
 
+/**
+ * Yields the elements between two offsets. What is in one of unknown size, as the clusters of a live clip are, comes after it as
+ * if beside it: it ends where an element comes that can't be in it.
+ */
 async function* ebmlElements(file, begin, end) {
   let at = begin;
-  while (at + 2 <= end) {
+  while (at < end) {
+    file.notePart();
     const head = await file.read(at, Math.min(12, end - at));
     const [id, idLength] = ebmlNumber(head, 0, true);
     const [size, sizeLength] = ebmlNumber(head, idLength, false);
@@ -87,22 +128,20 @@ async function* ebmlElements(file, begin, end) {
     const stop = size === Infinity ? end : start + size;
     if (stop > end) throw new RecordError(kCutOff);
     yield {id, begin: start, end: stop};
-    at = stop;
+    at = size === Infinity ? start : stop;
   }
 }
 
-async function ebmlText(file, element) {
-  return utf8(await file.read(element.begin, element.end - element.begin));
-}
-
-/** Returns the text of a comment's tag, undefined of another. */
+/** Returns the record in a comment's tag, undefined of another tag. */
 async function commentOf(file, tag) {
+  const kName = "COMMENT";
   let name = "", text;
   for await (const part of ebmlElements(file, tag.begin, tag.end)) {
-    if (part.id === kWebm.name) name = await ebmlText(file, part);
-    if (part.id === kWebm.text) text = await ebmlText(file, part);
+    const length = part.end - part.begin;
+    if (part.id === kWebm.name && length === kName.length) name = latin1(await file.read(part.begin, length));
+    if (part.id === kWebm.text) text = part;
   }
-  return name.toUpperCase() === "COMMENT" ? text : undefined;
+  return text && name.toUpperCase() === kName ? recordText(file, text.begin, text.end) : undefined;
 }
 
 async function webmComment(file) {
@@ -118,11 +157,11 @@ async function webmComment(file) {
       within(tag, kWebm.simpleTag, (simple) => commentOf(file, simple)))));
 }
 
-/** Returns {program, scene, motion, frames, text} of a clip's record; throws RecordError if it has none. */
+/** Returns {program, scene, motion, frames, text} of a clip's record; throws RecordError if it has none, or can't be read. */
 async function readRecord(blob) {
   const file = new FileBytes(blob);
-  if (file.size < 12) throw new RecordError("The file is too short to be a clip.");
-  const head = await file.read(0, 12);
+  const head = await file.read(0, Math.min(12, file.size));
+  if (head.byteLength < 12) throw new RecordError("The file is too short to be a clip.");
   const isMp4 = fourLetters(head, 4) === "ftyp";
   if (!isMp4 && head.getUint32(0) !== kWebm.header) throw new RecordError("This file is neither an MP4 nor a WebM.");
   const comment = await (isMp4 ? mp4Comment(file) : webmComment(file));
@@ -131,11 +170,10 @@ async function readRecord(blob) {
 }
 
 function parseRecord(text) {
-  if (!text.startsWith(kFirstBytes)) throw new RecordError("This clip was made by another program: its comment isn't a record of rotatebook.");
   const value = (name) => new RegExp("^# " + name + ": (.*)$", "m").exec(text)?.[1] ?? "";
   const origin = /^# Made by rotatebook (.*?) from the scene (.*)$/m.exec(text);
-  if (!origin) throw new RecordError("The clip's record is damaged: it doesn't name its scene.");
+  if (!origin) throw damaged("it doesn’t name its scene.");
   const motion = value("Motion");
-  if (!motion) throw new RecordError("The clip's record has no checksum of its motion.");
+  if (!motion) throw new RecordError("The clip’s record has no checksum of its motion.");
   return {program: origin[1], scene: origin[2], motion, frames: value("Frames"), text};
 }

@@ -65,6 +65,15 @@ async function copyText(text) {
   return isCopied;
 }
 
+/** Returns what `read` promises of a file's content; throws RecordError if it can't be read. */
+async function readable(name, read) {
+  try {
+    return await read();
+  } catch {
+    throw new RecordError(`${name} can’t be read: it is a folder, or gone.`);
+  }
+}
+
 function saveText(text, name) {
   const link = document.createElement("a");
   link.href = URL.createObjectURL(new Blob([text], {type: "application/toml"}));

@@ -47,7 +47,7 @@ class Stage {
     this.took = 0;
   }
 
-  /** Draws `frame`. `state`: {clock, scene, read, orbit, ghostFrames, hand, scales}. */
+  /** Draws `frame`. `state`: {clock, scene, read, orbit, simulation, hand, scales}. */
   draw(frame, state) {
     this.isMoving = state.clock.isPlaying;
     this.#fit(this.picture, this.scale);
@@ -64,8 +64,9 @@ class Stage {
     // A scene's angle is from bottom to top; an upright picture is narrower than that.
     const narrow = state.read.motions.length === 1 ? Math.max(area.height / area.width, 1) : 1;
     const orbit = {...state.orbit, distance: state.orbit.distance * narrow};
-    const sample = this.core.sample(kFirst, i, frame);
-    return {area, sample, cage: new Float32Array(sample.subarray(kSample.corners)), ...this.core.camera(kFirst, i, frame, area.width, area.height, orbit),
+    const sample = this.core.sample(kPlayed, i, frame);
+    return {area, sample, cage: new Float32Array(sample.subarray(kSample.corners)),
+      ...this.core.camera(kPlayed, i, frame, area.width, area.height, orbit),
       ...this.#background(state.scene.explicit.look?.background ?? "studio")};
   }
 
@@ -86,7 +87,7 @@ class Stage {
       context.rect(area.x, area.y, area.width, area.height);
       context.clip();
       const motion = state.read.motions[i], overlay = new Overlay(context, {...book, area}, unit);
-      if (frame < state.ghostFrames && motion.model !== "exact") overlay.outline(this.core.sample(kSecond, i, frame));
+      if (frame < state.simulation.ghostFrames && motion.model !== "exact") overlay.outline(this.core.sample(kGhost, i, frame));
       if (shown.springs && motion.springs) overlay.springs(book.sample, motion.springs);
       overlay.vectors(book.sample, motion, state.scales[i], shown);
       if (state.hand) overlay.hand(state.hand[0].map((part) => part * unit), state.hand[1].map((part) => part * unit));

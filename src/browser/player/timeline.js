@@ -7,14 +7,13 @@ class Timeline {
   constructor(canvas, slider) {
     this.canvas = canvas;
     this.slider = slider;
-    this.clear(1, 0);
+    this.clear(1);
   }
 
-  /** Forgets what it knows from `frame` on. */
-  clear(motions, frame) {
-    const keep = this.tracks?.length === motions && frame > 0;
-    this.tracks = keep ? this.tracks.map((track) => track.slice(0, frame)) : Array.from({length: motions}, () => []);
-    this.events = keep ? this.events.filter((event) => event.frame < frame) : [];
+  /** Forgets what it knows. */
+  clear(motions) {
+    this.tracks = Array.from({length: motions}, () => []);
+    this.events = [];
     this.isStale = true;
   }
 
@@ -22,7 +21,7 @@ class Timeline {
   extend(core, simulated) {
     this.tracks.forEach((track, motion) => {
       for (let frame = track.length; frame < simulated; ++frame) {
-        const [tilt, halfTurns, held] = core.numbers(kFirst, motion, frame, [kSample.tilt, kSample.halfTurns, kSample.held]);
+        const [tilt, halfTurns, held] = core.numbers(kPlayed, motion, frame, [kSample.tilt, kSample.halfTurns, kSample.held]);
         const before = track[frame - 1];
         if (before && halfTurns > before.halfTurns) this.events.push({frame, motion, halfTurns});
         if (held && !before?.held) this.events.push({frame, motion, isEnd: true});
@@ -32,11 +31,11 @@ class Timeline {
     });
   }
 
-  /** `frames`: of the whole clip; `nudges`: shares of it at which the book was thrown. */
-  draw(frames, simulated, nudges) {
+  /** `frames`: of the whole clip; `nudges`: shares of it at which the book was thrown; `isSecret`: without what will happen. */
+  draw(frames, simulated, nudges, isSecret) {
     const scale = devicePixelRatio || 1;
     const width = Math.round(this.canvas.clientWidth * scale), height = Math.round(this.canvas.clientHeight * scale);
-    const state = [width, height, frames, simulated, nudges.join()].join(" ");
+    const state = [width, height, frames, simulated, nudges.join(), isSecret].join(" ");
     if (!this.isStale && state === this.drawn) return;
     this.drawn = state;
     this.isStale = false;
@@ -47,6 +46,7 @@ class Timeline {
     const x = (frame) => frame / Math.max(frames - 1, 1) * width;
     context.fillStyle = "rgba(255, 255, 255, 0.05)";
     context.fillRect(0, 0, x(simulated), height);
+    if (isSecret) return;
     this.tracks.forEach((track, motion) => this.#curve(context, track, x, height, kBookColours[motion], scale));
     for (const event of this.events) this.#mark(context, x(event.frame), height, event.isEnd ? "#f0a39b" : kBookColours[event.motion], scale);
     for (const nudge of nudges) this.#mark(context, nudge * width, height, kColours.omega, scale, true);

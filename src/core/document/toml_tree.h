@@ -32,8 +32,7 @@ struct TomlEntry {
   TomlNode node;
 };
 
-/// Longest text that is parsed: ten times what any scene needs. It limits how deep dotted keys can
-/// nest, and so the stack that parsing takes, to under 2 MB. [bytes]
+/// Longest text that is parsed: ten times what any scene needs. [bytes]
 inline constexpr std::size_t kLongestToml = 32'768;
 
 /// Throws InputError "LOCATION: PROBLEM".

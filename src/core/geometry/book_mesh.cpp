@@ -12,6 +12,7 @@
 #include <Eigen/Geometry>
 
 #include "geometry/book_profile.h"
+#include "geometry/mesh_steps.h"
 
 namespace rotatebook::geometry {
 namespace {
@@ -26,7 +27,6 @@ constexpr float kEdgeSkyVisibility = 0.8F;     // On the inner side's rim.
 constexpr float kHollow = 3;                   // Depth of the fore edge's inward curve. [mm]
 constexpr float kLeavesPerThickness = 0.5F;  // Repeats of the paper texture across the page block.
 constexpr float kLeavesPerHeight = 4;        // Repeats along it, per height of the book.
-constexpr int kRoundingSteps = 3;
 
 /// Kinds of surfaces of a part of the case. A rounding only a pixel or two wide looks like a line
 /// with a colour of its own. The shoulder, from the hinge's groove to the spine, can hide the board
@@ -58,19 +58,19 @@ struct Station {
   float lean;   // The normals' component along y, -1 at the foot to 1 at the head.
 };
 
-std::vector<Station> outerStations() {
-  constexpr float kFlatSteps = 4;
+std::vector<Station> outerStations(const MeshSteps& steps) {
   const float r = kBook.edgeRadius;
   std::vector<Station> half;
-  for (int i = 0; i <= kRoundingSteps; ++i) {
-    const float angle =
-        std::numbers::pi_v<float> / 2 * (1 - static_cast<float>(i) / kRoundingSteps);
+  for (int i = 0; i <= steps.rounding; ++i) {
+    const float angle = std::numbers::pi_v<float> / 2 *
+                        (1 - static_cast<float>(i) / static_cast<float>(steps.rounding));
     half.push_back({r * (1 - sineOf(angle)), r * (1 - cosineOf(angle)), -sineOf(angle)});
   }
   half.push_back({kBook.headInset, 0, 0});
   std::vector<Station> all = half;
-  for (float i = 1; i < kFlatSteps; ++i) {
-    all.push_back({r + (kBook.height - 2 * r) * i / kFlatSteps, 0, 0});
+  for (int i = 1; i < steps.flat; ++i) {
+    const float share = static_cast<float>(i) / static_cast<float>(steps.flat);
+    all.push_back({r + (kBook.height - 2 * r) * share, 0, 0});
   }
   for (auto station = half.rbegin(); station != half.rend(); ++station) {
     all.push_back({kBook.height - station->y, station->inset, -station->lean});
@@ -230,8 +230,9 @@ Kind outerKind(const ProfilePoint& point, const ProfilePoint& next, const Statio
   return point.normal == next.normal ? Kind::Rim : Kind::Rounding;
 }
 
-void addOuterSide(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile) {
-  const std::vector<Station> stations = outerStations();
+void addOuterSide(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile,
+                  const MeshSteps& steps) {
+  const std::vector<Station> stations = outerStations(steps);
   const auto point = [&](int i) { return profile[static_cast<std::size_t>(i)]; };
   const auto station = [&](int j) { return stations[static_cast<std::size_t>(j)]; };
   builder.addGrid(
@@ -274,8 +275,9 @@ void addEnd(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>
 }
 
 /// Adds the inner side, of which the rim beyond the leaves is visible.
-void addInnerSide(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile) {
-  const std::vector<Station> stations = outerStations();
+void addInnerSide(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile,
+                  const MeshSteps& steps) {
+  const std::vector<Station> stations = outerStations(steps);
   const float leaves = kBook.width - kBook.foreEdgeInset;
   builder.addGrid(
       part, sizeOf(profile), static_cast<int>(stations.size()), true,
@@ -296,33 +298,32 @@ void addInnerSide(MeshBuilder& builder, BookPart part, const std::vector<Profile
       [&](int i, int j) {
         // Between the edge and the leaves, all squares but one repeat the rounding's stations.
         const int last = static_cast<int>(stations.size()) - 2;
-        if (j <= kRoundingSteps) return column(kRoundingSteps);
-        if (j >= last - kRoundingSteps) return column(last - kRoundingSteps);
+        if (j <= steps.rounding) return column(steps.rounding);
+        if (j >= last - steps.rounding) return column(last - steps.rounding);
         const auto next = static_cast<std::size_t>(i + 1);
         const float x = std::min(profile[next - 1].inside.x(), profile[next].inside.x());
         return x > leaves ? row(i) : kNoLine;
       });
 }
 
-void addCase(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile) {
-  addOuterSide(builder, part, profile);
-  addInnerSide(builder, part, profile);
+void addCase(MeshBuilder& builder, BookPart part, const std::vector<ProfilePoint>& profile,
+             const MeshSteps& steps) {
+  addOuterSide(builder, part, profile, steps);
+  addInnerSide(builder, part, profile, steps);
   addEnd(builder, part, profile, false);
   addEnd(builder, part, profile, true);
 }
 
-// Grid lines across the page block, as shares of its thickness; it is dark next to the boards.
-constexpr std::array kAcrossLeaves = {0.0F, 0.04F, 0.12F, 0.3F, 0.5F, 0.7F, 0.88F, 0.96F, 1.0F};
-
-float skyVisibilityAcross(std::size_t i) {
-  const std::size_t fromEnd = std::min(i, kAcrossLeaves.size() - 1 - i);
+/// `i`: of the lines MeshSteps::acrossLeaves, of which there are `count`.
+float skyVisibilityAcross(std::size_t i, std::size_t count) {
+  const std::size_t fromEnd = std::min(i, count - 1 - i);
   if (fromEnd == 0) return kInsideSkyVisibility;
   return fromEnd == 1 ? 0.7F : 1;
 }
 
-/// Returns z of a grid line across the page block. [mm]
-float acrossLeaves(std::size_t i) {
-  return kBook.board + kAcrossLeaves[i] * (kBook.thickness - 2 * kBook.board);
+/// Returns z of a grid line at this share of the page block's thickness. [mm]
+float acrossLeaves(float share) {
+  return kBook.board + share * (kBook.thickness - 2 * kBook.board);
 }
 
 /// Returns the x where the leaves end at this share of their thickness. [mm]
@@ -331,55 +332,54 @@ float foreEdge(float share) {
   return kBook.width - kBook.foreEdgeInset - kHollow * (1 - fromMiddle * fromMiddle);
 }
 
-void addForeEdge(MeshBuilder& builder) {
-  constexpr std::array kAlong = {0.0F, 0.03F, 0.25F, 0.5F, 0.75F, 0.97F, 1.0F};
+void addForeEdge(MeshBuilder& builder, const MeshSteps& steps) {
+  const std::vector<float>&across = steps.acrossLeaves, &alongs = steps.alongForeEdge;
   builder.addGrid(
-      BookPart::Pages, static_cast<int>(kAcrossLeaves.size()), static_cast<int>(kAlong.size()),
-      false,
+      BookPart::Pages, static_cast<int>(across.size()), static_cast<int>(alongs.size()), false,
       [&](int row, int column) -> SidePoint {
         const auto i = static_cast<std::size_t>(row);
-        const float share = kAcrossLeaves[i], along = kAlong[static_cast<std::size_t>(column)];
+        const float share = across[i], along = alongs[static_cast<std::size_t>(column)];
         const float slope = 4 * kHollow * (2 * share - 1) / (kBook.thickness - 2 * kBook.board);
         const float y = kBook.headInset + along * (kBook.height - 2 * kBook.headInset);
-        return {{foreEdge(share), y, acrossLeaves(i)},
+        return {{foreEdge(share), y, acrossLeaves(across[i])},
                 Vector3f(1, 0, -slope).normalized(),
                 {kLeavesPerHeight * along, kLeavesPerThickness * share},
-                skyVisibilityAcross(i)};
+                skyVisibilityAcross(i, across.size())};
       },
       always(kForeEdge), [](int i, int) { return row(i); });
 }
 
 /// Adds the leaves' ends at the foot or the head, from the spine's inner side to the fore edge.
-void addLeafEnds(MeshBuilder& builder, bool head) {
-  constexpr std::array kAlong = {0.0F, 0.05F, 0.3F, 0.6F, 0.97F, 1.0F};
+void addLeafEnds(MeshBuilder& builder, const MeshSteps& steps, bool head) {
+  const std::vector<float>&across = steps.acrossLeaves, &alongs = steps.alongEnds;
   const float y = head ? kBook.height - kBook.headInset : kBook.headInset;
   builder.addGrid(
-      BookPart::Pages, static_cast<int>(kAlong.size()), static_cast<int>(kAcrossLeaves.size()),
-      !head,
+      BookPart::Pages, static_cast<int>(alongs.size()), static_cast<int>(across.size()), !head,
       [&](int row, int column) -> SidePoint {
         const auto i = static_cast<std::size_t>(column);
-        const float along = kAlong[static_cast<std::size_t>(row)];
-        const float x = kBook.board + along * (foreEdge(kAcrossLeaves[i]) - kBook.board);
+        const float along = alongs[static_cast<std::size_t>(row)];
+        const float x = kBook.board + along * (foreEdge(across[i]) - kBook.board);
         const float nearSpine = row == 0 ? kInsideSkyVisibility : 1;
-        return {{x, y, acrossLeaves(i)},
+        return {{x, y, acrossLeaves(across[i])},
                 {0, head ? 1.0F : -1.0F, 0},
                 {kLeavesPerHeight * along * kBook.width / kBook.height,
-                 kLeavesPerThickness * kAcrossLeaves[i]},
-                nearSpine * skyVisibilityAcross(i)};
+                 kLeavesPerThickness * across[i]},
+                nearSpine * skyVisibilityAcross(i, across.size())};
       },
       always(head ? kHead : kFoot), [](int, int j) { return column(j); });
 }
 
 }  // namespace
 
-Mesh makeBookMesh() {
+Mesh makeBookMesh(MeshDetail detail) {
+  const MeshSteps steps = detail == MeshDetail::Small ? stepsOfSmallBook() : MeshSteps{};
   MeshBuilder builder;
-  addCase(builder, BookPart::Front, frontProfile(kBook));
-  addCase(builder, BookPart::Spine, spineProfile(kBook));
-  addCase(builder, BookPart::Back, backProfile(kBook));
-  addForeEdge(builder);
-  addLeafEnds(builder, false);
-  addLeafEnds(builder, true);
+  addCase(builder, BookPart::Front, frontProfile(kBook, steps.profile), steps);
+  addCase(builder, BookPart::Spine, spineProfile(kBook, steps.profile), steps);
+  addCase(builder, BookPart::Back, backProfile(kBook, steps.profile), steps);
+  addForeEdge(builder, steps);
+  addLeafEnds(builder, steps, false);
+  addLeafEnds(builder, steps, true);
   return builder.take();
 }
 

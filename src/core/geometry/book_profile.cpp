@@ -15,7 +15,6 @@ constexpr float kShoulderRadius = 2;          // Between boards and spine. [mm]
 constexpr float kHingeHalfWidth = 2.6F;       // [mm]
 constexpr float kHingeDepth = 1.4F;           // [mm]
 constexpr float kHingeSkyVisibility = 0.55F;  // At the groove's bottom.
-constexpr int kHingeSteps = 8, kArcSteps = 3, kSpineSteps = 10, kBoardSteps = 5;
 constexpr float kPi = std::numbers::pi_v<float>;
 
 /// Returns the centre of the shoulder's arc, which is tangent to the board's plane and the spine's
@@ -41,30 +40,33 @@ Vector2f spineInside(const BookDimensions& book, float angle) {
 }
 
 /// Adds the board's rim and its rounded outer edge; the opposite points lie on the inner side.
-void addForeEdge(const BookDimensions& book, std::vector<ProfilePoint>& points) {
+void addForeEdge(const BookDimensions& book, const ProfileSteps& steps,
+                 std::vector<ProfilePoint>& points) {
   const float inner = book.thickness - book.board, r = book.edgeRadius;
   const Vector2f corner(book.width, inner), centre(book.width - r, book.thickness - r);
   points.push_back({corner, corner, {1, 0}, 1, true});
-  for (int i = 0; i <= kArcSteps; ++i) {
-    const float angle = kPi / 2 * static_cast<float>(i) / kArcSteps;
+  for (int i = 0; i <= steps.arc; ++i) {
+    const float angle = kPi / 2 * static_cast<float>(i) / static_cast<float>(steps.arc);
     const Vector2f normal(cosineOf(angle), sineOf(angle));
     const float across = book.width - r * static_cast<float>(i + 1);
     points.push_back({centre + r * normal, {across, inner}, normal});
   }
 }
 
-void addBoard(const BookDimensions& book, std::vector<ProfilePoint>& points) {
+void addBoard(const BookDimensions& book, const ProfileSteps& steps,
+              std::vector<ProfilePoint>& points) {
   const float from = points.back().inside.x(), to = book.hinge + kHingeHalfWidth;
-  for (int i = 1; i < kBoardSteps; ++i) {
-    const float x = from + (to - from) * static_cast<float>(i) / kBoardSteps;
+  for (int i = 1; i < steps.board; ++i) {
+    const float x = from + (to - from) * static_cast<float>(i) / static_cast<float>(steps.board);
     points.push_back({{x, book.thickness}, {x, book.thickness - book.board}, {0, 1}});
   }
 }
 
-void addHinge(const BookDimensions& book, std::vector<ProfilePoint>& points) {
+void addHinge(const BookDimensions& book, const ProfileSteps& steps,
+              std::vector<ProfilePoint>& points) {
   const Vector2f end = spineInside(book, spineHalfAngle(book));
-  for (int i = 0; i <= kHingeSteps; ++i) {
-    const float t = 1 - 2 * static_cast<float>(i) / kHingeSteps;
+  for (int i = 0; i <= steps.hinge; ++i) {
+    const float t = 1 - 2 * static_cast<float>(i) / static_cast<float>(steps.hinge);
     const float depth = kHingeDepth * (0.5F + 0.5F * cosineOf(kPi * t));
     const float slope = kHingeDepth * 0.5F * kPi / kHingeHalfWidth * sineOf(kPi * t);
     // The shoulder's inner points take the rest of the distance to the inner spine.
@@ -77,12 +79,13 @@ void addHinge(const BookDimensions& book, std::vector<ProfilePoint>& points) {
   }
 }
 
-void addShoulder(const BookDimensions& book, std::vector<ProfilePoint>& points) {
+void addShoulder(const BookDimensions& book, const ProfileSteps& steps,
+                 std::vector<ProfilePoint>& points) {
   const Vector2f centre = shoulderCentre(book), from = points.back().inside;
   const Vector2f to = spineInside(book, spineHalfAngle(book));
   const float turn = kPi / 2 - spineHalfAngle(book);
-  for (int i = 1; i <= kArcSteps; ++i) {
-    const float share = static_cast<float>(i) / kArcSteps, angle = turn * share;
+  for (int i = 1; i <= steps.arc; ++i) {
+    const float share = static_cast<float>(i) / static_cast<float>(steps.arc), angle = turn * share;
     const Vector2f normal(-sineOf(angle), cosineOf(angle));
     points.push_back({centre + kShoulderRadius * normal, from + share * (to - from), normal});
   }
@@ -90,20 +93,20 @@ void addShoulder(const BookDimensions& book, std::vector<ProfilePoint>& points) 
 
 }  // namespace
 
-std::vector<ProfilePoint> frontProfile(const BookDimensions& book) {
+std::vector<ProfilePoint> frontProfile(const BookDimensions& book, const ProfileSteps& steps) {
   std::vector<ProfilePoint> points;
-  addForeEdge(book, points);
-  addBoard(book, points);
-  addHinge(book, points);
-  addShoulder(book, points);
+  addForeEdge(book, steps, points);
+  addBoard(book, steps, points);
+  addHinge(book, steps, points);
+  addShoulder(book, steps, points);
   return points;
 }
 
-std::vector<ProfilePoint> spineProfile(const BookDimensions& book) {
+std::vector<ProfilePoint> spineProfile(const BookDimensions& book, const ProfileSteps& steps) {
   std::vector<ProfilePoint> points;
   const float half = spineHalfAngle(book);
-  for (int i = 0; i <= kSpineSteps; ++i) {
-    const float angle = half * (1 - 2 * static_cast<float>(i) / kSpineSteps);
+  for (int i = 0; i <= steps.spine; ++i) {
+    const float angle = half * (1 - 2 * static_cast<float>(i) / static_cast<float>(steps.spine));
     const Vector2f normal(-cosineOf(angle), sineOf(angle));
     points.push_back({Vector2f(kSpineRadius, book.thickness / 2) + kSpineRadius * normal,
                       spineInside(book, angle), normal});
@@ -111,8 +114,8 @@ std::vector<ProfilePoint> spineProfile(const BookDimensions& book) {
   return points;
 }
 
-std::vector<ProfilePoint> backProfile(const BookDimensions& book) {
-  std::vector<ProfilePoint> points = frontProfile(book);
+std::vector<ProfilePoint> backProfile(const BookDimensions& book, const ProfileSteps& steps) {
+  std::vector<ProfilePoint> points = frontProfile(book, steps);
   std::reverse(points.begin(), points.end());
   for (ProfilePoint& point : points) {
     point.outside.y() = book.thickness - point.outside.y();

@@ -19,6 +19,14 @@ struct BookDimensions {
   float foreEdgeInset = 3.5F, headInset = 4;  ///< Overlap of boards over leaves.
 };
 
+/// The number of pieces that the cross-section's parts are divided into.
+struct ProfileSteps {
+  int hinge = 8;
+  int arc = 3;  ///< The fore edge's rounding, and the shoulder.
+  int spine = 10;
+  int board = 5;
+};
+
 /// A point of the cross-section, as x and z. [mm]
 struct ProfilePoint {
   Eigen::Vector2f outside{0, 0};  ///< On the cover's outer side.
@@ -38,10 +46,10 @@ inline float cosineOf(float angle) {
 
 /// Returns the outer side from the front board's fore edge over the hinge to where the spine
 /// begins.
-std::vector<ProfilePoint> frontProfile(const BookDimensions& book);
+std::vector<ProfilePoint> frontProfile(const BookDimensions& book, const ProfileSteps& steps = {});
 /// Returns the rounded spine, from the front to the back.
-std::vector<ProfilePoint> spineProfile(const BookDimensions& book);
+std::vector<ProfilePoint> spineProfile(const BookDimensions& book, const ProfileSteps& steps = {});
 /// Returns frontProfile() mirrored, from the spine to the back board's fore edge.
-std::vector<ProfilePoint> backProfile(const BookDimensions& book);
+std::vector<ProfilePoint> backProfile(const BookDimensions& book, const ProfileSteps& steps = {});
 
 }  // namespace rotatebook::geometry

@@ -2,11 +2,10 @@
 // principal axes to the world. Inside the room only.
 #pragma once
 
-#include <cmath>
-
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "physics/steps/number.h"
 #include "rigid/rotation.h"
 
 namespace rotatebook::physics {
@@ -33,34 +32,6 @@ inline void turnInBody(Eigen::Quaterniond& attitude, const Eigen::Quaterniond& t
 }
 inline void turnInBody(Eigen::Matrix3d& attitude, const Eigen::Quaterniond& turn) {
   attitude = attitude * rigid::unnormalisedMatrix(turn);
-}
-
-/// Returns the derivative at the angular velocity `w` in body axes: q (0, w) / 2 or R [w]x. [1/s]
-inline Eigen::Quaterniond rateInBody(const Eigen::Quaterniond& attitude, const Eigen::Vector3d& w) {
-  const Eigen::Vector3d half = w / 2;
-  return attitude * Eigen::Quaterniond(0, half.x(), half.y(), half.z());
-}
-inline Eigen::Matrix3d rateInBody(const Eigen::Matrix3d& attitude, const Eigen::Vector3d& w) {
-  return attitude * rigid::crossMatrix(w);
-}
-
-/// Returns attitude + factor * rate, component by component.
-inline Eigen::Quaterniond addScaled(const Eigen::Quaterniond& attitude, double factor,
-                                    const Eigen::Quaterniond& rate) {
-  return Eigen::Quaterniond(attitude.coeffs() + factor * rate.coeffs());
-}
-inline Eigen::Matrix3d addScaled(const Eigen::Matrix3d& attitude, double factor,
-                                 const Eigen::Matrix3d& rate) {
-  return attitude + factor * rate;
-}
-
-/// Returns 1/sqrt(x), to rounding. Near 1, where the squared norm of an attitude is after a short
-/// step, a series is faster than a root and a division.
-inline double inverseRoot(double x) {
-  constexpr double kNearOne = 1e-4;  // The next term of the series is below 3e-17 here.
-  const double e = x - 1;
-  if (std::abs(e) > kNearOne) return 1 / std::sqrt(x);
-  return (1 - e / 2) + e * e * (0.375 - 0.3125 * e);
 }
 
 /// Undoes drift: takes the nearest quaternion of unit norm, or the nearest orthogonal matrix.

@@ -12,18 +12,26 @@ NudgedRotation::NudgedRotation(const Start& start, std::span<const Nudge> nudges
 }
 
 NudgedRotation::Moment NudgedRotation::at(double time) const {
-  // Find the last piece that has started; the first one holds before t = 0, too
-  const auto next = std::find_if(pieces_.begin() + 1, pieces_.end(),
-                                 [&](const Piece& piece) { return piece.start > time; });
-  const Piece& piece = *(next - 1);
-
+  const std::size_t index = pieceAt(time);
+  const Piece& piece = pieces_[index];
   const rigid::ExactRotation::Moment moment = piece.rotation.at(time - piece.start);
   const rigid::Regime regime = piece.rotation.regime();
-  if (next == pieces_.begin() + 1) {
+  if (index == 0) {
     return {moment.worldFromBody, moment.angularVelocity, piece.momentum, regime};
   }
   return {piece.worldFromBody * moment.worldFromBody, piece.worldFromBody * moment.angularVelocity,
           piece.momentum, regime};
+}
+
+Eigen::Vector3d NudgedRotation::angularVelocityBodyAt(double time) const {
+  const Piece& piece = pieces_[pieceAt(time)];
+  return piece.rotation.angularVelocityBodyAt(time - piece.start);
+}
+
+std::size_t NudgedRotation::pieceAt(double time) const {
+  const auto next = std::find_if(pieces_.begin() + 1, pieces_.end(),
+                                 [&](const Piece& piece) { return piece.start > time; });
+  return static_cast<std::size_t>(next - pieces_.begin()) - 1;
 }
 
 void NudgedRotation::add(const Nudge& nudge) {

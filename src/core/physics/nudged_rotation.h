@@ -33,6 +33,8 @@ class NudgedRotation {
   };
   /// Returns the body at any time; at that of a nudge, just after it. [s]
   Moment at(double time) const;
+  /// Returns the angular velocity in body axes then. [rad/s]
+  Eigen::Vector3d angularVelocityBodyAt(double time) const;
 
  private:
   struct Piece {
@@ -43,6 +45,8 @@ class NudgedRotation {
   };
 
   void add(const Nudge& nudge);
+  /// Returns the index of the last piece that has started; the first one holds before t = 0, too.
+  std::size_t pieceAt(double time) const;
 
   rigid::PrincipalAxes inertia_;
   std::vector<Piece> pieces_;  // in the order of their starts; never empty

@@ -27,6 +27,23 @@ inline RigidConstants constantsOf(const rigid::PrincipalAxes& axes,
   return {axes.moments, axes.moments.cwiseInverse(), axes.moments.cwiseProduct(along)};
 }
 
+/// Returns the state as it is reported, with the momentum in these axes.
+template <typename Attitude>
+BodyState bodyStateOf(const RigidConstants& body, const Eigen::Matrix3d& principalFromBody,
+                      const RigidState<Attitude>& state, bool momentumInBody) {
+  const Eigen::Matrix3d map = mapOf(state.attitude);
+  const Eigen::Vector3d inBody =
+      momentumInBody ? state.momentum : Eigen::Vector3d(map.transpose() * state.momentum);
+  const Eigen::Vector3d velocityInBody = body.inverseInertia.cwiseProduct(inBody);
+  BodyState result;
+  result.worldFromBody = map * principalFromBody;
+  result.angularVelocity = map * velocityInBody;
+  result.angularMomentum = momentumInBody ? Eigen::Vector3d(map * inBody) : state.momentum;
+  result.kinetic = velocityInBody.dot(inBody) / 2;
+  result.rotational = result.kinetic;
+  return result;
+}
+
 /// Simulates a free rigid body whose attitude is an Eigen::Matrix3d or Eigen::Quaterniond. A
 /// step after which a normalisation is due ends with the nearest attitude that is orthogonal or of
 /// unit norm. The body is drawn by the map that the attitude represents, whether or not that is a
@@ -68,19 +85,7 @@ class RigidSimulator final : public Simulator {
     return std::make_unique<RigidSimulator>(*this);
   }
   BodyState state() const override {
-    const Eigen::Matrix3d map = mapOf(state_.attitude);
-    const Eigen::Vector3d inBody = Method::kMomentumInBody
-                                       ? state_.momentum
-                                       : Eigen::Vector3d(map.transpose() * state_.momentum);
-    const Eigen::Vector3d velocityInBody = body_.inverseInertia.cwiseProduct(inBody);
-    BodyState result;
-    result.worldFromBody = map * principalFromBody_;
-    result.angularVelocity = map * velocityInBody;
-    result.angularMomentum =
-        Method::kMomentumInBody ? Eigen::Vector3d(map * inBody) : state_.momentum;
-    result.kinetic = velocityInBody.dot(inBody) / 2;
-    result.rotational = result.kinetic;
-    return result;
+    return bodyStateOf(body_, principalFromBody_, state_, Method::kMomentumInBody);
   }
 
  private:

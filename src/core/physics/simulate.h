@@ -4,12 +4,20 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
+#include "physics/cuboid.h"
+#include "physics/measure/measurement.h"
 #include "physics/motion_settings.h"
+#include "physics/simulator.h"
 #include "physics/trajectory.h"
 
 namespace rotatebook::physics {
+
+/// Returns whether a motion that has come to this state has diverged: a corner is farther from the
+/// origin than kDivergenceFactor times the body's largest dimension, or a number isn't finite.
+bool hasBlownUp(const BodyState& state, const Cuboid& body);
 
 /// A motion that is simulated sample by sample. The steps are those of samples at even times; a
 /// sample between two steps is made from a copy of the simulator that goes on by a shorter step, so
@@ -18,7 +26,7 @@ class Simulation {
  public:
   /// Takes the sample at time 0. Throws InputError as makeSimulator() does, and if the spin is so
   /// large that not even this sample is finite.
-  explicit Simulation(const MotionSettings& settings);
+  explicit Simulation(const MotionSettings& settings, Compared compared = Compared::WithExact);
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;
@@ -26,7 +34,9 @@ class Simulation {
   /// Takes the sample at `time`, not before those so far. [s] Returns false, with no sample, of a
   /// motion that has diverged. Throws StepError if an integrator can't make its steps.
   bool sample(double time);
-  /// Returns the samples so far; valid as long as this object.
+  /// Takes likewise a sample that isn't kept.
+  std::optional<Sample> sampleOnce(double time);
+  /// Returns the samples that are kept so far; valid as long as this object.
   const Trajectory& trajectory() const;
 
  private:

@@ -45,8 +45,8 @@ ExactMotion::ExactMotion(const Start& start)
       start_(roundedOf(start.angularVelocity)),
       speed_(hypotenuse(hypotenuse(start.angularVelocity[0], start.angularVelocity[1]),
                         start.angularVelocity[2])),
-      regime_(preciseRegimeOf(start.inertia, start.angularVelocity)),
       polhode_(polhodeOf(start.inertia, start.angularVelocity)),
+      regime_(polhode_ ? polhode_->regime : preciseRegimeOf(start.inertia, start.angularVelocity)),
       jacobi_(polhode_ ? polhode_->k1 : 1),
       ellipticPi_(polhode_ ? polhode_->k1 : 1, polhode_ ? polhode_->n : 0) {
   if (!polhode_) return;
@@ -73,19 +73,26 @@ ExactMotion::Moment ExactMotion::steadyAt(double time) const {
   return {start_, Matrix3d::Identity() + turn.sine * cross + (1 - turn.cosine) * cross * cross};
 }
 
-ExactMotion::Moment ExactMotion::polhodeAt(double time) const {
+Vector3d ExactMotion::angularVelocityBodyAt(double time) const {
+  return polhode_ ? placeAt(time).angularVelocity : start_;
+}
+
+ExactMotion::Place ExactMotion::placeAt(double time) const {
   const Polhode& p = *polhode_;
-  // Take u to within K of a zero of sn; each half-period left out adds the same turn
   const DoubleDouble phase = p.rate * time + p.start;
   const double halves = p.halfPeriod.high > 0 ? std::nearbyint(phase.high / p.halfPeriod.high) : 0;
   const double u = (phase - p.halfPeriod * halves).value();
   const double sign = std::fmod(halves, 2) == 0 ? 1 : -1;
 
-  // Find the angular velocity at u
   const JacobiValues values = jacobi_.at(u);
-  const Vector3d w = sign * values.cn * p.cosine + sign * values.sn * p.sine + values.dn * p.delta;
+  return {halves, u, values,
+          sign * values.cn * p.cosine + sign * values.sn * p.sine + values.dn * p.delta};
+}
 
-  // Turn the angular momentum's frame about it
+// Turns the angular momentum's frame about it; each half-period left out adds the same turn.
+ExactMotion::Moment ExactMotion::polhodeAt(double time) const {
+  const Polhode& p = *polhode_;
+  const auto [halves, u, values, w] = placeAt(time);
   const double part = p.weight.high * ellipticPi_.at(u, values) - startTurn_;
   const DoubleDouble turn = p.precession * time + p.weightedHalfPeriod * halves + part;
   return {w, worldFromMomentum_ * rotationAboutZ(turnBy(turn)) * bodyFromMomentum(w).transpose()};

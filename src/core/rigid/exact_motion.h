@@ -38,6 +38,8 @@ class ExactMotion {
   };
   /// Returns the body at any time, even a negative one. [s]
   Moment at(double time) const;
+  /// Returns the angular velocity of at() alone, without the integral of the third kind. [rad/s]
+  Eigen::Vector3d angularVelocityBodyAt(double time) const;
 
   Regime regime() const { return regime_; }
   /// Returns the time between sign changes of the angular velocity about the median axis: half its
@@ -47,13 +49,22 @@ class ExactMotion {
  private:
   Moment steadyAt(double time) const;
   Moment polhodeAt(double time) const;
+
+  // A place on the polhode, which is within K of a zero of sn.
+  struct Place {
+    double halves;  // half-periods left out
+    double u;
+    JacobiValues values;  // at u
+    Eigen::Vector3d angularVelocity;
+  };
+  Place placeAt(double time) const;
   Eigen::Matrix3d bodyFromMomentum(const Eigen::Vector3d& angularVelocity) const;
 
   Eigen::Vector3d inertia_;
-  Eigen::Vector3d start_;  // angular velocity at t = 0
-  DoubleDouble speed_;     // its norm
-  Regime regime_;
+  Eigen::Vector3d start_;           // angular velocity at t = 0
+  DoubleDouble speed_;              // its norm
   std::optional<Polhode> polhode_;  // none if the spin is steady
+  Regime regime_;
   JacobiFunctions jacobi_;
   EllipticPi ellipticPi_;
   double startTurn_ = 0;  // weight P(start) of the polhode

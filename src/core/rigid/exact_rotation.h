@@ -23,6 +23,10 @@ class ExactRotation {
   };
   /// Returns the body at any time. [s]
   Moment at(double time) const;
+  /// Returns the angular velocity in body axes. [rad/s]
+  Eigen::Vector3d angularVelocityBodyAt(double time) const {
+    return bodyFromPrincipal_ * motion_.angularVelocityBodyAt(time);
+  }
 
   Regime regime() const { return motion_.regime(); }
   /// Like ExactMotion::flipInterval(). [s]

@@ -86,13 +86,16 @@ class PolhodeConstants {
   PolhodeConstants(const DoubleDouble3& inertia, const DoubleDouble3& w);
 
   bool isSteady() const;
-  void setAngularVelocity(Polhode& polhode) const;
-  void setAttitude(Polhode& polhode) const;
+  Polhode polhode() const;
 
  private:
-  DoubleDouble amplitudeC() const { return rootD_ / squareRoot(cd_ * ic_); }
-  DoubleDouble amplitudeS() const { return rootD_ / squareRoot(sd_ * is_); }
-  DoubleDouble amplitudeD() const { return rootC_ / squareRoot(cd_ * id_); }
+  // Largest angular velocities about the axes
+  struct Amplitudes {
+    DoubleDouble c, s, d;
+  };
+  void setAttitude(const Amplitudes& amplitudes, Polhode& polhode) const;
+  void setAngularVelocity(const Amplitudes& amplitudes, Polhode& polhode) const;
+
   DoubleDouble k1() const { return squareRoot(cd_ / sd_) * absolute(rootS_) / rootC_; }
   DoubleDouble k() const { return squareRoot(cs_ / sd_) * rootD_ / rootC_; }
   DoubleDouble rate() const { return rootC_ * squareRoot(sd_ / (ic_ * is_ * id_)); }
@@ -134,35 +137,40 @@ bool PolhodeConstants::isSteady() const {
   return rootC_.high < kNegligible || rootD_.high < kNegligible || tilt < kNegligibleTilt;
 }
 
-void PolhodeConstants::setAngularVelocity(Polhode& polhode) const {
-  // Find the modulus, the period and the pace
-  const DoubleDouble modulus = k1();
-  polhode.k1 = std::min(modulus.value(), 1.0);
-  const DoubleDouble quarter =
-      polhode.k1 > 0 ? completeIntegrals(modulus, 0.0).k : DoubleDouble(0.0);
-  polhode.halfPeriod = quarter * 2.0;
+Polhode PolhodeConstants::polhode() const {
+  const Amplitudes amplitudes{rootD_ / squareRoot(cd_ * ic_), rootD_ / squareRoot(sd_ * is_),
+                              rootC_ / squareRoot(cd_ * id_)};
+  Polhode polhode;
+  polhode.regime = static_cast<Regime>((rootS_.high > 0) - (rootS_.high < 0));
   polhode.rate = rate();
+  setAttitude(amplitudes, polhode);
+  setAngularVelocity(amplitudes, polhode);
+  return polhode;
+}
 
+void PolhodeConstants::setAngularVelocity(const Amplitudes& amplitudes, Polhode& polhode) const {
   // Choose the amplitudes' signs, so that cn and dn start positive
   const double signC = std::copysign(1, w_[axes_.c].high);
   const double signD = std::copysign(1, w_[axes_.d].high);
   const double signS = handedness_ * signC * signD;
-  const double c = amplitudeC().value(), s = amplitudeS().value(), d = amplitudeD().value();
+  const double c = amplitudes.c.value(), s = amplitudes.s.value(), d = amplitudes.d.value();
   polhode.cosine = signC * c * unit(axes_.c);
   polhode.sine = signS * s * unit(axes_.s);
   polhode.delta = signD * d * unit(axes_.d);
 
   // Find u at t = 0
   polhode.start = startPhase(signS * w_[axes_.s].high / s, std::fabs(w_[axes_.c].high) / c,
-                             std::fabs(w_[axes_.d].high) / d, polhode.k1, quarter);
+                             std::fabs(w_[axes_.d].high) / d, polhode.k1, polhode.halfPeriod * 0.5);
 }
 
+// Sets what completeIntegrals() gives, the period, too.
+//
 // The frame of L and an axis e, c or d, turns about L by |L| (Is ws^2 + Io wo^2) / (Ls^2 + Lo^2) a
 // second, where o is the other of the two: |L|/Io plus a multiple of the integrand of J.
-void PolhodeConstants::setAttitude(Polhode& polhode) const {
+void PolhodeConstants::setAttitude(const Amplitudes& amplitudes, Polhode& polhode) const {
   // Choose the axis of the frame: c or d, about which L has the smaller amplitude
-  const DoubleDouble momentumC = amplitudeC() * ic_;
-  const DoubleDouble momentumD = amplitudeD() * id_;
+  const DoubleDouble momentumC = amplitudes.c * ic_;
+  const DoubleDouble momentumD = amplitudes.d * id_;
   const DoubleDouble momentum = hypotenuse(momentumC, momentumD);
   const bool frameIsC = momentumC.high <= momentumD.high;
   polhode.frameAxis = unit(frameIsC ? axes_.c : axes_.d);
@@ -172,19 +180,21 @@ void PolhodeConstants::setAttitude(Polhode& polhode) const {
   const DoubleDouble momentumO = frameIsC ? momentumD : momentumC;
   const DoubleDouble ratio = frameIsC ? momentumC / momentumD : k() * momentumD / momentumC;
   const DoubleDouble n = -(ratio * ratio);
-  const DoubleDouble slope = amplitudeS() * is_ / momentumO;
-  polhode.n = n.value();
-  polhode.weight = momentum * (io - is_) / (io * is_) * slope * slope / rate();
+  const DoubleDouble slope = amplitudes.s * is_ / momentumO;
+  polhode.weight = momentum * (io - is_) / (io * is_) * slope * slope / polhode.rate;
 
   // Move the integral's growth into the precession, so that the rest is bounded
   const DoubleDouble growth = DoubleDouble(1.0) / (DoubleDouble(1.0) - n);
-  polhode.precession = momentum / io + polhode.weight * rate() * growth;
+  polhode.precession = momentum / io + polhode.weight * polhode.rate * growth;
+  polhode.n = n.value();
 
-  // Find by how much half a period turns the frame beyond the precession
-  if (polhode.k1 > 0) {
-    const auto [k, j] = completeIntegrals(k1(), n);
-    polhode.weightedHalfPeriod = polhode.weight * (j - k * growth) * 2.0;
-  }
+  // Find the period, and by how much half of it turns the frame beyond the precession
+  const DoubleDouble modulus = k1();
+  polhode.k1 = std::min(modulus.value(), 1.0);
+  if (polhode.k1 == 0) return;
+  const auto [k, j] = completeIntegrals(modulus, n);
+  polhode.halfPeriod = k * 2.0;
+  polhode.weightedHalfPeriod = polhode.weight * (j - k * growth) * 2.0;
 }
 
 }  // namespace
@@ -198,11 +208,8 @@ std::optional<Polhode> polhodeOf(const DoubleDouble3& inertia,
                                    scaled(angularVelocity, -spin));
   if (constants.isSteady()) return std::nullopt;
 
-  Polhode polhode;
-  constants.setAngularVelocity(polhode);
-  constants.setAttitude(polhode);
-
   // Scale back to the spin's unit
+  Polhode polhode = constants.polhode();
   const double spinUnit = std::ldexp(1, spin);
   polhode.cosine *= spinUnit;
   polhode.sine *= spinUnit;

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "base/double_double.h"
+#include "rigid/regime.h"
 
 namespace rotatebook::rigid {
 
@@ -18,6 +19,7 @@ struct Polhode {
   DoubleDouble rate;        ///< u = rate t + start. [1/s]
   DoubleDouble start;       ///< In [-K, K].
   DoubleDouble halfPeriod;  ///< 2K, after which cn and sn change sign; 0 on the separatrix.
+  Regime regime{};          ///< Of all such motions.
   double k1 = 0;            ///< sqrt(1 - m) in [0, 1]; 0 on the separatrix.
 
   /// The cn or the dn axis: the one about which L has the smaller amplitude. L stays at least pi/4

@@ -2,28 +2,34 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace rotatebook::rigid {
 namespace {
 
-// A sum without error (Shewchuk's expansion, 1997): terms that don't overlap, smallest first.
+// A sum without error (Shewchuk's expansion, 1997): terms that don't overlap, smallest first, none
+// of them 0.
 using ExactTerms = std::vector<double>;
 
+constexpr std::size_t kUsualTerms = 32;  // at most, of numbers that aren't chosen for it
+
 void addTo(ExactTerms& terms, double number) {
-  for (double& term : terms) {
+  std::size_t kept = 0;
+  for (const double term : terms) {
     const DoubleDouble sum = exactSum(number, term);
-    term = sum.low;
+    if (sum.low != 0) terms[kept++] = sum.low;
     number = sum.high;
   }
-  terms.push_back(number);
+  terms.resize(kept);
+  if (number != 0) terms.push_back(number);
 }
 
 ExactTerms product(const std::array<DoubleDouble, 4>& factors) {
-  ExactTerms terms{1.0};
+  ExactTerms terms{1.0}, longer;
+  terms.reserve(kUsualTerms);
+  longer.reserve(kUsualTerms);
   for (const DoubleDouble& factor : factors) {
-    ExactTerms longer;
+    longer.clear();
     for (const double term : terms) {
       for (const double number : {factor.low, factor.high}) {
         if (number == 0) continue;
@@ -32,7 +38,7 @@ ExactTerms product(const std::array<DoubleDouble, 4>& factors) {
         addTo(longer, part.high);
       }
     }
-    terms = std::move(longer);
+    terms.swap(longer);
   }
   return terms;
 }

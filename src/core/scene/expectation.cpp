@@ -170,6 +170,14 @@ std::span<const Quantity> allQuantities() {
   return kQuantities;
 }
 
+double valueOn(const physics::Sample& sample, const physics::Sample& start, Quantity quantity) {
+  if (quantity == Quantity::HalfTurns) return sample.halfTurns;
+  const Range range = rangeAt(sample, start, quantity);
+  const double rest = restOf(quantity);
+  return std::fabs(range.lowest - rest) > std::fabs(range.highest - rest) ? range.lowest
+                                                                          : range.highest;
+}
+
 std::vector<ExpectationResult> check(const physics::Trajectory& trajectory,
                                      std::span<const Expectation> expectations) {
   requireSameLayout();

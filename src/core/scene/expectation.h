@@ -38,6 +38,11 @@ double restOf(Quantity quantity);
 /// Returns all quantities, in the order of the enumeration.
 std::span<const Quantity> allQuantities();
 
+/// Returns the value of `quantity` on one sample of a motion whose first sample is `start`: of the
+/// stretch, the one farther from 1; of the half-turns, those made so far. diverges_at has none and
+/// is NaN.
+double valueOn(const physics::Sample& sample, const physics::Sample& start, Quantity quantity);
+
 /// Bounds on one quantity over a window of a motion. `min` and `max` must hold until the window's
 /// end, so that a motion that ends before fails them, whatever it did: because it diverges, or
 /// because the clip ends. `risesTo` and `fallsTo` are met once they are reached. diverges_at knows

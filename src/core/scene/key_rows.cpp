@@ -14,9 +14,11 @@ std::vector<KeyRow> allKeys() {
   for (const auto& section : motionSections()) add(section.rows);
   for (const auto& section : pictureSections()) add(section.rows);
   add(rowsOf("panel.N.", panelKeys()));
+  add(rowsOf("grid.", gridKeys()));
   add(rowsOf("study.", studyKeys()));
   add(rowsOf("study.", sweepKeys()));
   add(rowsOf("study.", samplingKeys()));
+  add(rowsOf("map.", mapKeys()));
   return all;
 }
 

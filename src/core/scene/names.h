@@ -78,6 +78,23 @@ inline constexpr auto kOverlays = [] {
   return names;
 }();
 
+inline constexpr std::array<Named<Scale>, 2> kScales{{
+    {"linear", Scale::Linear},
+    {"log", Scale::Logarithmic},
+}};
+
+inline constexpr std::array<Named<MapMoment>, 2> kMapMoments{{
+    {"end", MapMoment::End},
+    {"largest", MapMoment::Largest},
+}};
+
+inline constexpr std::array<Named<Outcome>, 4> kOutcomes{{
+    {"value", Outcome::Value},
+    {"never", Outcome::Never},
+    {"diverged", Outcome::Diverged},
+    {"refused", Outcome::Refused},
+}};
+
 /// Returns the names alone.
 template <typename T, std::size_t N>
 constexpr std::array<std::string_view, N> namesOf(const std::array<Named<T>, N>& choices) {

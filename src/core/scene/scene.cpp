@@ -43,6 +43,7 @@ std::int64_t studiedSamples(const Scene& scene, const StudySettings& study,
 
 Scene withMotion(Scene scene, const Motion& motion) {
   scene.panels.clear();
+  scene.grid.reset();
   static_cast<Motion&>(scene) = motion;
   return scene;
 }

@@ -16,6 +16,8 @@
 #include "base/rgb.h"
 #include "physics/motion_settings.h"
 #include "scene/expectation.h"
+#include "scene/grid_settings.h"
+#include "scene/map_settings.h"
 #include "scene/overlays.h"
 #include "scene/playback_speed.h"
 #include "scene/reference_frame.h"
@@ -134,7 +136,8 @@ struct Panel : Motion {
 inline constexpr const char* kBuiltin = "builtin";
 
 /// A scene with every default made explicit. With panels, which have taken their missing keys from
-/// the scene's own motion, only the timePerFrame of that motion is used.
+/// the scene's own motion, only the timePerFrame of that motion is used. The panels of a grid
+/// follow from that motion and the grid.
 struct Scene : Motion {
   std::string name;              ///< The scene file's stem; outputs are named after it.
   std::filesystem::path folder;  ///< Folder of the scene's file; textures are found from here.
@@ -153,8 +156,10 @@ struct Scene : Motion {
   BookSettings book;
   LookSettings look;
   OverlaySettings overlay;
-  std::vector<Panel> panels;  ///< None, or 2 to 6.
+  std::vector<Panel> panels;  ///< None, or 2 to 6; with a grid one for each cell, row by row.
+  std::optional<GridSettings> grid;
   std::optional<StudySettings> study;
+  std::optional<MapSettings> map;
   /// Locations of stated texts that can prove wrong only when files and fonts are opened, by key,
   /// such as "overlay.font". See scene/source_locations.h.
   std::map<std::string, std::string, std::less<>> locations;

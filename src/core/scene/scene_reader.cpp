@@ -30,7 +30,8 @@ void readSections(const ValueReader& file, Scene& scene) {
   addFields(fields, pictureSections(), scene);
   addFields(fields, motion.last(1), scene);  // [expect]
   // These depend on the other sections and are read after them.
-  for (const char* key : {"panel", "study"}) fields.push_back({key, [](const ValueReader&) {}});
+  for (const char* key : {"panel", "grid", "study", "map"})
+    fields.push_back({key, [](const ValueReader&) {}});
   file.readTable(fields);
 }
 
@@ -60,6 +61,7 @@ void readMotions(const ValueReader& file, Scene& scene) {
   if (const auto panels = file.find("panel")) {
     scene.panels = readPanels(*panels, file, scene.simulation.timePerFrame);
   }
+  if (const auto grid = file.find("grid")) readGrid(*grid, file, scene);
 }
 
 void placeCamera(const ValueReader& file, Scene& scene) {
@@ -75,9 +77,10 @@ void noteLocations(const ValueReader& file, Scene& scene) {
     if (value && dot != key.npos) value = value->find(key.substr(dot + 1));
     if (value) scene.locations.emplace(key, value->node().location);
   }
-  if (scene.panels.empty()) return;
+  const auto panels = file.find("panel");
+  if (!panels) return;
   std::size_t panel = 0;
-  for (const ValueReader& table : file.find("panel")->tables("")) {
+  for (const ValueReader& table : panels->tables("")) {
     scene.locations.emplace(labelKey(panel++), table.find("label")->node().location);
   }
 }
@@ -117,6 +120,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   }
   if (const auto look = file.find("look")) problems.note([&] { checkMotionBlur(*look, scene); });
   if (const auto study = file.find("study")) problems.note([&] { readStudy(*study, file, scene); });
+  if (const auto map = file.find("map")) problems.note([&] { readMap(*map, scene); });
   problems.throwIfAny();
   checkSteps(file, scene);
   return scene;

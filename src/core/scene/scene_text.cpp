@@ -23,7 +23,8 @@ std::string panelsText(const std::vector<Panel>& panels) {
 std::string sceneText(const Scene& scene) {
   requireSameLayout();
   const auto sections = motionSections();
-  const bool alone = scene.panels.empty();
+  // The panels of a grid follow from it.
+  const bool alone = scene.panels.empty() || scene.grid;
   std::string text = linesOf(titleKeys(), scene);
   if (alone) text += textOf(sections.first(2), scene);
   if (!scene.clip.speed) {
@@ -33,7 +34,7 @@ std::string sceneText(const Scene& scene) {
   if (alone) text += textOf(sections.subspan(2, 2), scene);  // [initial] and [[nudge]]
   text += textOf(pictureSections(), scene);
   text += alone ? textOf(sections.last(1), scene) : panelsText(scene.panels);
-  return text + studyText(scene);
+  return text + gridText(scene) + studyText(scene) + mapText(scene);
 }
 
 }  // namespace rotatebook::scene

@@ -27,6 +27,8 @@ inline constexpr std::size_t kMaxNudges = 100;  ///< Of one motion.
 
 inline constexpr std::size_t kMinPanels = 2;
 inline constexpr std::size_t kMaxPanels = 6;
+/// Most samples of all books of a grid.
+inline constexpr std::int64_t kMaxGridSamples = 6 * kMaxFrames;
 
 /// Most runs of a sweep, and most quantities that it measures.
 inline constexpr std::size_t kMaxRuns = 1000;
@@ -54,6 +56,12 @@ std::string timePerFrameLine(const physics::SimulationSettings& settings);
 std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file,
                               double timePerFrame);
 
+/// Reads `section`, [grid] of `file`, into `scene`, whose other motion sections and timePerFrame
+/// must be read already; each cell becomes one of its panels. Throws InputError.
+void readGrid(const ValueReader& section, const ValueReader& file, Scene& scene);
+/// Returns [grid] as TOML; empty for a scene without one.
+std::string gridText(const Scene& scene);
+
 /// Reads `section`, [study] of `file`, into `scene`, the rest of which must be read already,
 /// because it decides what a study may vary. What the section leaves out is as in defaultStudy()
 /// for the scene's model. Throws InputError.
@@ -62,6 +70,15 @@ void readStudy(const ValueReader& section, const ValueReader& file, Scene& scene
 void readSweep(const ValueReader& section, const ValueReader& file, Scene& scene);
 /// Returns [study] as TOML; empty for a scene without a study.
 std::string studyText(const Scene& scene);
+
+/// Reads `section`, [map], into `scene`, the rest of which must be read already, because it decides
+/// what a map may vary. Throws InputError.
+void readMap(const ValueReader& section, Scene& scene);
+/// Returns [map] as TOML; empty for a scene without a map.
+std::string mapText(const Scene& scene);
+
+/// Returns whether `key`, such as "simulation.stiffness", is of the model "particles" alone.
+bool isOfParticles(std::string_view key);
 
 /// Throws InputError if `section`, [initial], has no spin.
 void requireSpin(const ValueReader& section);

@@ -13,7 +13,7 @@ namespace rotatebook::scene {
 
 /// The keys that Scene::locations may have, sections before a dot, besides those of labelKey().
 inline constexpr std::string_view kLocatedKeys[] = {
-    "title", "caption", "panel", "book.front", "book.spine", "book.back", "overlay.font"};
+    "title", "caption", "panel", "grid", "book.front", "book.spine", "book.back", "overlay.font"};
 
 /// Returns the key of that panel's label: "panel.0.label".
 inline std::string labelKey(std::size_t panel) {

@@ -78,7 +78,7 @@ StudySettings defaultStudy(Model model) {
 
 void readStudy(const ValueReader& section, const ValueReader& file, Scene& scene) {
   if (!scene.panels.empty()) {
-    section.fail("[study] needs a single motion, but this scene has panels");
+    section.fail("[study] needs a single motion, but this scene has several, panels or a grid");
   }
   Keys<Scene> keys = studyKeys();
   std::ranges::copy(samplingKeys(), std::back_inserter(keys));

@@ -7,84 +7,33 @@
 #include <vector>
 
 #include "base/nearest_name.h"
-#include "document/overrides.h"
 #include "document/problems.h"
 #include "scene/keys/keys.h"
-#include "scene/keys/sweep_values.h"
 #include "scene/names.h"
 #include "scene/sections.h"
+#include "scene/varied_motion.h"
 
 namespace rotatebook::scene {
 namespace {
 
 using document::TomlNode;
 
-constexpr document::Alternatives kSpins{"initial", kSpinKeys};
-
-/// Returns the sections that settle a motion, which are those but [expect].
-std::span<const Section<Motion>> physicsSections() {
-  return motionSections().first(motionSections().size() - 1);
-}
-
-/// A key, the reader of its name, and its values.
-struct Axis {
-  ValueReader key;
-  std::vector<StatedValue> values;
-};
-
-void requireMotionKey(const ValueReader& key) {
-  const std::string text = key.text(kLongestPath);
-  std::vector<std::string_view> names;
-  for (const auto& section : physicsSections()) names.push_back(section.name);
-  const std::string first = text.substr(0, text.find('.'));
-  const bool isSection = std::ranges::count(names, first) > 0;
-  if (isSection && first != text) return;
-  key.fail(key.name() + " must be a key of " + quotedList(names, "or") +
-           ", such as \"simulation.substeps\", not " + describe(key.node()) +
-           (isSection ? "" : didYouMean(first, names)));
-}
-
-Axis axisFrom(const ValueReader& table) {
-  const ValueReader key = *table.find("over");
-  requireMotionKey(key);
-  return {key, statedValues(*table.find("values"))};
-}
-
-/// Returns the sections of a motion that `file` has.
-TomlNode motionPart(const ValueReader& file) {
-  TomlNode::Table sections;
-  for (const auto& section : physicsSections()) {
-    const auto* table = std::get_if<TomlNode::Table>(&file.node().value);
-    if (const auto* entry = find(*table, section.name)) sections.push_back(*entry);
-  }
-  return {std::move(sections), file.node().location};
-}
-
-void put(TomlNode& sections, const Axis& axis, const StatedValue& value) {
-  putValue(sections, axis.key.text(kLongestPath), value.node, axis.key.node().location, kSpins);
-}
-
 /// Reads the motion of a run from its `sections`. The time from a sample to the next is that of the
 /// study, or the stated one, or else the scene's.
-physics::MotionSettings motionFrom(const TomlNode& sections, const Scene& scene) {
-  const ValueReader file(sections, "");
-  Motion motion;
-  motion.simulation.timePerFrame = scene.simulation.timePerFrame;
-  std::vector<Field> fields;
-  addFields(fields, physicsSections(), motion);
-  file.readTable(fields);
-  checkMotion(file, motion.simulation);
+physics::MotionSettings runFrom(const TomlNode& sections, const Scene& scene) {
+  physics::MotionSettings motion = motionFrom(sections, scene.simulation.timePerFrame);
   if (scene.study->interval) motion.simulation.timePerFrame = *scene.study->interval;
   return motion;
 }
 
-void addCurve(const TomlNode& sections, const Axis& over, const std::string& curve, Scene& scene) {
+void addCurve(const TomlNode& sections, const VariedKey& over, const std::string& curve,
+              Scene& scene) {
   document::Problems problems;
   for (const StatedValue& value : over.values) {
     problems.note([&] {
       TomlNode varied = sections;
       put(varied, over, value);
-      scene.study->sweep->runs.push_back({value.value.label, curve, motionFrom(varied, scene)});
+      scene.study->sweep->runs.push_back({value.value.label, curve, runFrom(varied, scene)});
     });
   }
   problems.throwIfAny();
@@ -100,11 +49,11 @@ void refuseManyRuns(const ValueReader& section, const Sweep& sweep) {
 
 void makeRuns(const ValueReader& section, const ValueReader& file, Scene& scene) {
   refuseManyRuns(section, *scene.study->sweep);
-  const Axis over = axisFrom(section);
+  const VariedKey over = variedKeyFrom(section);
   const TomlNode sections = motionPart(file);
   const auto curves = section.find("curves");
   if (!curves) return addCurve(sections, over, "", scene);
-  const Axis second = axisFrom(*curves);
+  const VariedKey second = variedKeyFrom(*curves);
   if (second.key.text(kLongestPath) == over.key.text(kLongestPath)) {
     second.key.fail(second.key.name() + " is study.over, too; name another key");
   }
@@ -121,15 +70,12 @@ void makeRuns(const ValueReader& section, const ValueReader& file, Scene& scene)
 
 /// Throws InputError if the study varies what only particles have, and has none.
 void refuseUnusedKeys(const ValueReader& section, const Sweep& sweep) {
-  constexpr std::array<std::string_view, 4> kOfParticles{
-      "simulation.stiffness", "simulation.damping", "simulation.normalize_energy",
-      "simulation.remove_drift"};
-  const auto isOfParticles = [](const SweepRun& run) {
+  const auto hasParticles = [](const SweepRun& run) {
     return run.motion.simulation.model == physics::Model::Particles;
   };
-  if (std::ranges::any_of(sweep.runs, isOfParticles)) return;
+  if (std::ranges::any_of(sweep.runs, hasParticles)) return;
   const auto refuse = [&](const std::string& key, const ValueReader& place) {
-    if (std::ranges::count(kOfParticles, key) == 0) return;
+    if (!isOfParticles(key)) return;
     place.find("over")->fail(key + " is of the model \"particles\" alone, which no run of this " +
                              "study has; all runs would be the same");
   };
@@ -184,6 +130,13 @@ void refuseOthers(const ValueReader& section) {
 }
 
 }  // namespace
+
+bool isOfParticles(std::string_view key) {
+  constexpr std::array<std::string_view, 4> kOfParticles{
+      "simulation.stiffness", "simulation.damping", "simulation.normalize_energy",
+      "simulation.remove_drift"};
+  return std::ranges::count(kOfParticles, key) > 0;
+}
 
 void readSweep(const ValueReader& section, const ValueReader& file, Scene& scene) {
   refuseOthers(section);

@@ -13,6 +13,9 @@
 
 namespace rotatebook::study {
 
+/// Stops runs once it is set from outside; may be null.
+using Stop = const std::atomic<bool>*;
+
 inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// The outcome of a run.

@@ -20,8 +20,6 @@ using physics::MotionSettings;
 using physics::Trajectory;
 using scene::Quantity;
 
-using Stop = const std::atomic<bool>*;
-
 void measure(const Trajectory& trajectory, PrecisionRow& row) {
   row.errorDeg = reduced(trajectory, Quantity::ErrorDeg);
   row.finalErrorDeg = trajectory.samples.back().errorDeg;
@@ -78,8 +76,9 @@ TiltRow runTilt(const MotionSettings& settings, std::int64_t samples, Stop stop)
 void requireStudyable(const scene::Scene& scene, const scene::StudySettings& study) {
   requireSameLayout();
   if (!scene.panels.empty()) {
-    throw InputError(scene::locationOf(scene, "panel") +
-                     ": a study needs a single motion, but this scene has panels");
+    throw InputError(
+        scene::locationOf(scene, "panel") +
+        ": a study needs a single motion, but this scene has several, panels or a grid");
   }
   if (scene.simulation.model == physics::Model::Exact) {
     throw InputError(scene.name +

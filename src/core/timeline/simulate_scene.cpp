@@ -1,10 +1,10 @@
 #include "timeline/simulate_scene.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 
 #include "base/error.h"
+#include "physics/integrators/step_error.h"
 
 namespace rotatebook::timeline {
 namespace {
@@ -35,35 +35,51 @@ std::vector<double> frameTimes(const scene::Scene& scene, int parts) {
 }
 
 SceneSimulation::SceneSimulation(const scene::Scene& scene)
-    : rate_(scene.clip.frameRate), times_(frameTimes(scene)) {
+    : rate_(scene.clip.frameRate), times_(frameTimes(scene)), isGrid_(scene.grid.has_value()) {
   requireSameLayout();
+  takeNames(scene);
   for (const scene::Panel& panel : scene::motionsOf(scene)) {
-    names_.push_back(nameOf(scene, panel));
     simulations_.push_back(
-        named(names_.back(), [&] { return physics::Simulation(panel.motion()); }));
+        named(names_[simulations_.size()], [&] { return physics::Simulation(panel.motion()); }));
   }
+  refusedAt_.resize(simulations_.size());
+}
+
+void SceneSimulation::takeNames(const scene::Scene& scene) {
+  names_.clear();
+  for (const scene::Panel& panel : scene::motionsOf(scene)) names_.push_back(nameOf(scene, panel));
 }
 
 void SceneSimulation::advance() {
   if (isComplete()) return;
   const double time = times_[static_cast<std::size_t>(frames_)];
   for (std::size_t i = 0; i < simulations_.size(); ++i) {
-    named(names_[i], [&] { return simulations_[i].sample(time); });
+    if (refusedAt_[i]) continue;
+    named(names_[i], [&] {
+      try {
+        simulations_[i].sample(time);
+      } catch (const physics::StepError&) {
+        if (!isGrid_) throw;
+        refusedAt_[i] = time;
+      }
+    });
   }
   ++frames_;
 }
 
 bool SceneSimulation::isComplete() const {
-  return static_cast<std::size_t>(frames_) == times_.size() ||
-         std::ranges::all_of(simulations_, [](const physics::Simulation& simulation) {
-           return simulation.trajectory().divergedAt.has_value();
-         });
+  if (static_cast<std::size_t>(frames_) == times_.size()) return true;
+  for (std::size_t i = 0; i < simulations_.size(); ++i) {
+    if (!refusedAt_[i] && !simulations_[i].trajectory().divergedAt) return false;
+  }
+  return true;
 }
 
 ClipMotion SceneSimulation::motion() const {
   std::vector<physics::Trajectory> trajectories;
-  for (const physics::Simulation& simulation : simulations_) {
-    trajectories.push_back(simulation.trajectory());
+  for (std::size_t i = 0; i < simulations_.size(); ++i) {
+    trajectories.push_back(simulations_[i].trajectory());
+    if (refusedAt_[i]) trajectories.back().divergedAt = refusedAt_[i];
   }
   return {std::move(trajectories), rate_};
 }

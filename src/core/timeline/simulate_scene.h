@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ namespace rotatebook::timeline {
 std::vector<double> frameTimes(const scene::Scene& scene, int parts = 1);
 
 /// A scene's motions, in the order of scene::motionsOf(), simulated frame by frame. What is thrown
-/// is as in physics::Simulation; an InputError names the scene's file and panel, too.
+/// is as in physics::Simulation; an InputError names the scene's file and panel, too. In a grid a
+/// motion whose step can't be made ends there, like one that diverges, and the others go on.
 class SceneSimulation {
  public:
   /// Simulates the first frame.
@@ -27,6 +29,8 @@ class SceneSimulation {
   void advance();
   /// Returns whether all motions have diverged or reached the clip's end.
   bool isComplete() const;
+  /// Takes the names for messages from a scene with the same motions.
+  void takeNames(const scene::Scene& scene);
   /// Returns the number of frames so far, >= 1.
   std::int64_t frames() const { return frames_; }
   /// Returns the samples so far of one motion; valid as long as this object.
@@ -42,6 +46,9 @@ class SceneSimulation {
   std::vector<double> times_;
   std::vector<std::string> names_;  // of the motions, for messages
   std::vector<physics::Simulation> simulations_;
+  bool isGrid_;
+  /// The times of steps that couldn't be made. [s]
+  std::vector<std::optional<double>> refusedAt_;
   std::int64_t frames_ = 1;
 };
 

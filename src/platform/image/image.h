@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace rotatebook::image {
@@ -41,6 +42,10 @@ class Image {
   const std::uint8_t* row(int y) const { return bytes_.data() + y * stride(); }
   std::ptrdiff_t stride() const {
     return static_cast<std::ptrdiff_t>(width_) * bytesPerPixel(format_);
+  }
+  /// Returns all pixels, row by row.
+  std::string_view bytes() const {
+    return {reinterpret_cast<const char*>(bytes_.data()), bytes_.size()};
   }
   ImageView view() const { return {bytes_.data(), width_, height_, stride(), format_}; }
 

@@ -25,6 +25,9 @@ class PngWriter {
   PngWriter& operator=(PngWriter&&) noexcept;
   ~PngWriter();
 
+  /// Returns a picture as a file's bytes, valid until the next call. Throws MachineError, which
+  /// says that `name` can't be written.
+  const std::string& encode(ImageView view, const std::string& name);
   /// Writes a picture and returns the file's bytes, valid until the next call. Throws MachineError.
   const std::string& write(const std::filesystem::path& path, ImageView view);
 

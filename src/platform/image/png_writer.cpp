@@ -101,7 +101,7 @@ PngWriter::PngWriter(PngWriter&&) noexcept = default;
 PngWriter& PngWriter::operator=(PngWriter&&) noexcept = default;
 PngWriter::~PngWriter() = default;
 
-const std::string& PngWriter::write(const std::filesystem::path& path, ImageView view) {
+const std::string& PngWriter::encode(ImageView view, const std::string& name) {
   const bool alpha = parts_->transparent && view.format == PixelFormat::Rgba8;
   std::string& bytes = parts_->bytes;
   bytes.clear();
@@ -109,7 +109,12 @@ const std::string& PngWriter::write(const std::filesystem::path& path, ImageView
   bool done = encoder.begin(view, alpha);
   if (done) appendPixels(parts_->packer, view, alpha, bytes);
   done = done && encoder.end();
-  if (!done) throw MachineError("can't write " + path.string() + ": libpng: " + encoder.message());
+  if (!done) throw MachineError("can't write " + name + ": libpng: " + encoder.message());
+  return bytes;
+}
+
+const std::string& PngWriter::write(const std::filesystem::path& path, ImageView view) {
+  const std::string& bytes = encode(view, path.string());
   system::writeFileAtomically(path, bytes);
   return bytes;
 }

@@ -1,4 +1,4 @@
-// Axis-aligned rectangles on a picture. Inside the room only.
+// Axis-aligned rectangles on a picture.
 #pragma once
 
 #include <algorithm>

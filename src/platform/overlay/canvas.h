@@ -1,4 +1,4 @@
-// Draws lines, areas and text to be laid over a picture. Inside the room only.
+// Draws lines, areas and text to be laid over a picture.
 #pragma once
 
 #include <memory>

@@ -114,13 +114,15 @@ std::unique_ptr<DrawnOverlay> makeHalfTurns(const OverlayContext& context, const
   return std::make_unique<HalfTurns>(context, area);
 }
 
-std::optional<CachedLayer> divergenceNotice(const OverlayContext& context, double time,
-                                            const std::vector<Box>& taken) {
+namespace {
+
+/// Writes a notice in letters of `size` [pixels] at the top, below all that is `taken`; nothing if
+/// it has no room.
+std::optional<CachedLayer> noticeOf(const OverlayContext& context, const std::string& notice,
+                                    double size, const std::vector<Box>& taken) {
   const Scale& scale = context.scale;
-  const TextStyle style{.size = 1.25 * scale.letters, .bold = true, .colour = kWarningColour};
+  const TextStyle style{.size = size, .bold = true, .colour = kWarningColour};
   const double padding = 0.6 * style.size;
-  const scene::Words& words = context.scene.overlay.words;
-  const std::string notice = words[scene::Word::DivergedAt] + " t = " + clockText(time, words);
   const Layer text =
       context.type.draw(notice, style, static_cast<int>(scale.width - 2 * (padding + 2)));
   const double left = std::round((scale.width - text.width) / 2.0);
@@ -132,6 +134,19 @@ std::optional<CachedLayer> divergenceNotice(const OverlayContext& context, doubl
   canvas.roundedBox(box, 0.5 * style.size, {kDark, 0.82});
   canvas.write(text, {box.x + padding, std::round(box.y + padding / 2)});
   return canvas.take();
+}
+
+}  // namespace
+
+std::optional<CachedLayer> divergenceNotice(const OverlayContext& context, double time,
+                                            const std::vector<Box>& taken) {
+  const double letters = context.scale.letters;
+  const scene::Words& words = context.scene.overlay.words;
+  const std::string& diverged = words[scene::Word::DivergedAt];
+  const std::string clock = clockText(time, words);
+  auto notice = noticeOf(context, diverged + " t = " + clock, 1.25 * letters, taken);
+  if (!notice) notice = noticeOf(context, diverged + " " + clock, 0.9 * letters, taken);
+  return notice;
 }
 
 }  // namespace rotatebook::overlay

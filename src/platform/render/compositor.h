@@ -22,6 +22,7 @@ class Compositor {
 
   /// Returns a picture of the right size and format for compose().
   image::Image makePicture() const;
+  const image::Image& background() const { return background_; }
   /// Overwrites all of `picture`, from makePicture(). `body` has the background's size.
   void compose(const DrawnBody& body, image::Image& picture);
 

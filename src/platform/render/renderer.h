@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "base/rgb.h"
+#include "geometry/book_mesh.h"
 #include "geometry/camera.h"
 #include "image/image.h"
 #include "physics/cuboid.h"
@@ -34,6 +36,7 @@ struct RenderSettings {
   /// Rows at the bottom that the camera's view leaves free. 0 to below `height`. [pixels]
   int bottomRows = 0;
   geometry::Camera camera;
+  geometry::MeshDetail detail = geometry::MeshDetail::Full;
   DeviceChoice device{};
 };
 
@@ -76,7 +79,18 @@ class Renderer {
   /// another thread while this one draws the next frame into another body. `body`: from makeBody().
   void draw(const physics::Cage& cage, DrawnBody& body);
   DrawnBody makeBody() const;
+  /// Draws the book in each of `cages`, as `cameras` with the same index has it, into the body with
+  /// the same index, from makeBody(). OpenGL waits once for all of them, which is faster where they
+  /// are small. Throws like draw().
+  void draw(std::span<const physics::Cage> cages, std::span<const geometry::Camera> cameras,
+            std::span<DrawnBody> bodies);
   Compositor& compositor();
+
+  /// Draws a small test frame, in which every pixel of the book is computed as in frames, and
+  /// returns its checksum. It depends on the driver and the processor alone, and on the background
+  /// of the settings: renderers of one description may draw other pixels, and have another checksum
+  /// then. Throws MachineError if OpenGL reports an error.
+  std::string testFrame() const;
 
   /// Describes what draws, e.g. "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5, EGL device 0".
   const std::string& description() const;

@@ -7,19 +7,19 @@
 #include <mutex>
 #include <set>
 #include <string>
+#include <sys/stat.h>
 #include <system_error>
 #include <thread>
 #include <unistd.h>
 #include <utility>
 
 #include "base/error.h"
+#include "system/temporary_files.h"
 
 namespace rotatebook::system {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view kTemporaryInfix = ".rotatebook-";
 
 /// Names what exists at `path` or above it but is not a folder, with the remedy; else empty.
 std::string obstacleOn(const fs::path& path) {
@@ -35,11 +35,6 @@ std::string obstacleOn(const fs::path& path) {
            "; move it out of the way, or choose another path";
   }
   return "";
-}
-
-fs::path temporaryNameFor(const fs::path& path, pid_t number) {
-  const std::string name = "." + path.filename().string() + std::string(kTemporaryInfix);
-  return path.parent_path() / (name + std::to_string(number));
 }
 
 /// Removes stale temporaries, once per folder in the life of the process.
@@ -65,10 +60,15 @@ void flushToDisk(const FileDescriptor& file, const fs::path& path) {
   if (fdatasync(file.number()) != 0) throwLastError(path, "flush");
 }
 
+nlink_t linkCount(const FileDescriptor& file) {
+  struct stat status {};
+  return fstat(file.number(), &status) == 0 ? status.st_nlink : 0;
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(fs::path finalPath)
-    : finalPath_(std::move(finalPath)), temporaryPath_(temporaryNameFor(finalPath_, getpid())) {
+    : finalPath_(std::move(finalPath)), temporaryPath_(temporaryNameFor(finalPath_)) {
   requireReplaceable(finalPath_);
   tidyOnce(finalPath_.parent_path());
   held_ = createLockedWithRetries(temporaryPath_, Lock::Exclusive);
@@ -102,6 +102,38 @@ void AtomicFile::commitAs(const fs::path& path) {
   committed_ = true;
 }
 
+bool AtomicFile::commitIfNew() {
+  flushToDisk(held_, finalPath_);
+  if (link(temporaryPath_.c_str(), finalPath_.c_str()) == 0) return true;
+  switch (errno) {
+    case EEXIST:
+      // A server's lost answer makes a link that was made be tried again
+      return linkCount(held_) == 2;
+    case EPERM:
+    case EOPNOTSUPP:
+    case ENOSYS:
+      return renameIfNew();
+    default:
+      throwLastError(finalPath_, "write");
+  }
+}
+
+bool AtomicFile::renameIfNew() {
+  committed_ = renameat2(AT_FDCWD, temporaryPath_.c_str(), AT_FDCWD, finalPath_.c_str(),
+                         RENAME_NOREPLACE) == 0;
+  if (committed_ || errno == EEXIST) return committed_;
+  if (errno != EINVAL && errno != ENOSYS) throwLastError(finalPath_, "write");
+  if (fs::exists(fs::symlink_status(finalPath_))) return false;
+  commit();
+  return true;
+}
+
+bool createFileAtomically(const fs::path& path, std::string_view content) {
+  AtomicFile file(path);
+  file.write(content);
+  return file.commitIfNew();
+}
+
 void writeFileAtomically(const fs::path& path, std::string_view content) {
   AtomicFile file(path);
   file.write(content);
@@ -109,35 +141,18 @@ void writeFileAtomically(const fs::path& path, std::string_view content) {
 }
 
 AdvisoryLock::AdvisoryLock(const fs::path& path, Lock lock)
-    : path_(temporaryNameFor(path, 0)), file_(createLockedWithRetries(path_, lock)) {
+    : path_(lockNameFor(path)), file_(createLockedWithRetries(path_, lock)) {
   if (file_.isOpen()) return;
   if (errno != EWOULDBLOCK) throwLastError(path, "write");
-  throw MachineError("another process is writing " + path.string() + "; wait for it to end");
+  throw MachineError("another process is writing " + path.string() + "; wait for it to end",
+                     ErrorKind::Transient);
 }
 
 AdvisoryLock::~AdvisoryLock() {
   // Of the processes that share the lock, the last one removes its file.
-  if (!tryLock(file_, Lock::Exclusive)) return;
+  if (tryLock(file_, Lock::Exclusive) == Locking::Refused) return;
   std::error_code ignored;
   fs::remove(path_, ignored);
-}
-
-bool isTemporaryName(const std::string& name) {
-  const std::size_t infix = name.rfind(kTemporaryInfix);
-  if (!name.starts_with('.') || infix == std::string::npos) return false;
-  const std::string_view pid = std::string_view(name).substr(infix + kTemporaryInfix.size());
-  return !pid.empty() && pid.find_first_not_of("0123456789") == std::string_view::npos;
-}
-
-void removeStaleTemporaries(const fs::path& folder) {
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    if (!isTemporaryName(entry.path().filename().string())) continue;
-    const FileDescriptor file(
-        open(entry.path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-    if (!file.isOpen() || !tryLock(file, Lock::Exclusive)) continue;
-    fs::remove(entry.path(), ignored);
-  }
 }
 
 void flushFolder(const fs::path& folder) {
@@ -148,7 +163,9 @@ void flushFolder(const fs::path& folder) {
 void removeFile(const fs::path& path) {
   std::error_code error;
   fs::remove(path, error);
-  if (error) throw MachineError("can't remove " + path.string() + ": " + error.message());
+  if (!error) return;
+  throw MachineError("can't remove " + path.string() + ": " + error.message(),
+                     kindOfError(error.value()));
 }
 
 void createFolders(const fs::path& folder) {
@@ -157,7 +174,8 @@ void createFolders(const fs::path& folder) {
   if (!error) return;
   const std::string obstacle = obstacleOn(folder);
   throw MachineError("can't make the folder " + folder.string() + ": " +
-                     (obstacle.empty() ? error.message() : obstacle));
+                         (obstacle.empty() ? error.message() : obstacle),
+                     kindOfError(error.value()));
 }
 
 }  // namespace rotatebook::system

@@ -12,8 +12,8 @@ namespace rotatebook::system {
 /// A file that is written under a temporary name beside the final one and renamed by commit().
 /// Without commit() the destructor removes it, so that a final name never holds half a file.
 ///
-/// The temporary file is locked (flock) while this object lives, so an unlocked one was left by a
-/// process that was killed. The first file that a process writes into a folder removes those.
+/// The temporary file is locked (flock) while this object lives. The first file that a process
+/// writes into a folder removes those that killed processes left there; see temporary_files.h.
 class AtomicFile {
  public:
   /// Creates the temporary file. Throws MachineError if the folder of `finalPath` doesn't exist or
@@ -23,7 +23,7 @@ class AtomicFile {
   AtomicFile& operator=(const AtomicFile&) = delete;
   ~AtomicFile();
 
-  /// The temporary name, `.NAME.rotatebook-PID`, for a caller that writes the content itself.
+  /// The temporary name, temporaryNameFor(), for a caller that writes the content itself.
   const std::filesystem::path& temporaryPath() const { return temporaryPath_; }
   const std::filesystem::path& finalPath() const { return finalPath_; }
 
@@ -35,8 +35,14 @@ class AtomicFile {
   void commit() { commitAs(finalPath_); }
   /// Like commit(), under another name in the same folder.
   void commitAs(const std::filesystem::path& path);
+  /// Like commit(), but replaces nothing: returns false, and leaves what is there, if the name is
+  /// taken. Of several processes, also on several machines, one alone gets true; on file systems
+  /// that have neither hard links nor renames without replacing, those at the same instant may all.
+  bool commitIfNew();
 
  private:
+  bool renameIfNew();
+
   std::filesystem::path finalPath_;
   std::filesystem::path temporaryPath_;
   FileDescriptor held_;
@@ -44,7 +50,7 @@ class AtomicFile {
 };
 
 /// Marks a path as in use, for other processes, while this object lives: by a locked file beside
-/// it, `.NAME.rotatebook-0`. Does nothing where the file system has no locks.
+/// it, lockNameFor(). Does nothing where the file system has no locks.
 class AdvisoryLock {
  public:
   /// Locks `path`, which needn't exist, though its folder must. Throws MachineError if another
@@ -59,13 +65,6 @@ class AdvisoryLock {
   FileDescriptor file_;
 };
 
-/// Returns whether `name` is one that an AtomicFile or an AdvisoryLock gives: `.NAME.rotatebook-N`.
-bool isTemporaryName(const std::string& name);
-
-/// Removes the temporary files in `folder` whose writers are dead. Files that can't be removed
-/// stay, which does no harm. Does nothing if there is no such folder.
-void removeStaleTemporaries(const std::filesystem::path& folder);
-
 /// Flushes the names of the files in `folder` to the disk, after renames. Throws MachineError.
 void flushFolder(const std::filesystem::path& folder);
 
@@ -74,6 +73,10 @@ void requireReplaceable(const std::filesystem::path& path);
 
 /// Writes `content` to `path`, all of it or nothing. Throws MachineError.
 void writeFileAtomically(const std::filesystem::path& path, std::string_view content);
+
+/// Writes `content` to `path` unless that exists, as AtomicFile::commitIfNew() does; returns
+/// whether it did. Throws MachineError.
+bool createFileAtomically(const std::filesystem::path& path, std::string_view content);
 
 /// Removes `path` if it exists. Throws MachineError.
 void removeFile(const std::filesystem::path& path);

@@ -1,5 +1,6 @@
 #include "system/file_descriptor.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -21,9 +22,10 @@ struct stat statusOf(const FileDescriptor& file) {
 
 }  // namespace
 
-bool tryLock(const FileDescriptor& file, Lock lock) {
+Locking tryLock(const FileDescriptor& file, Lock lock) {
   const int operation = lock == Lock::Shared ? LOCK_SH : LOCK_EX;
-  return flock(file.number(), operation | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+  if (flock(file.number(), operation | LOCK_NB) == 0) return Locking::Held;
+  return errno == EWOULDBLOCK ? Locking::Refused : Locking::Lockless;
 }
 
 FileDescriptor createLocked(const std::filesystem::path& path, Lock lock) {
@@ -36,7 +38,7 @@ FileDescriptor createLocked(const std::filesystem::path& path, Lock lock) {
       errno = ENXIO;
       return {};
     }
-    if (!tryLock(file, lock)) return {};
+    if (tryLock(file, lock) == Locking::Refused) return {};
     // Another process may have removed it before it was locked.
     if (statusOf(file).st_nlink == 0) continue;
     if (ftruncate(file.number(), 0) != 0) return {};
@@ -82,9 +84,17 @@ std::string readAll(const FileDescriptor& file, const std::filesystem::path& pat
   return bytes;
 }
 
+ErrorKind kindOfError(int error) {
+  constexpr std::array kTransient{EAGAIN, EBUSY,  EDQUOT, EHOSTDOWN, EINTR,  EIO,      EMFILE,
+                                  ENFILE, ENOLCK, ENOMEM, ENOSPC,    ESTALE, ETIMEDOUT};
+  return std::ranges::count(kTransient, error) > 0 ? ErrorKind::Transient : ErrorKind::Machine;
+}
+
 void throwLastError(const std::filesystem::path& path, std::string_view action) {
-  throw MachineError("can't " + std::string(action) + " " + path.string() + ": " +
-                     std::strerror(errno));
+  const int error = errno;
+  throw MachineError(
+      "can't " + std::string(action) + " " + path.string() + ": " + std::strerror(error),
+      kindOfError(error));
 }
 
 }  // namespace rotatebook::system

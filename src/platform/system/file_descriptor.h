@@ -8,6 +8,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include "base/error.h"
+
 namespace rotatebook::system {
 
 /// Owns a file descriptor, or none (-1).
@@ -34,12 +36,19 @@ class FileDescriptor {
 /// Kinds of lock: any number of Shared ones at a time, or one Exclusive.
 enum class Lock { Shared, Exclusive };
 
-/// Returns false if another process, or another descriptor of this one, has a conflicting lock;
-/// true also where the file system has no locks.
-bool tryLock(const FileDescriptor& file, Lock lock);
+/// The result of tryLock().
+enum class Locking {
+  Held,      ///< The descriptor has the lock.
+  Refused,   ///< Another process, or another descriptor of this one, has a conflicting lock.
+  Lockless,  ///< The file system has no locks.
+};
 
-/// Opens a file for writing, created or emptied, and locks it. Returns a closed descriptor and sets
-/// errno if it can't be opened (the cause; ENXIO for pipes and devices) or locked (EWOULDBLOCK).
+/// Locks the file, if no other lock is in the way, until the descriptor is closed.
+Locking tryLock(const FileDescriptor& file, Lock lock);
+
+/// Opens a file for writing, created or emptied, and locks it, where the file system has locks.
+/// Returns a closed descriptor and sets errno if it can't be opened (the cause; ENXIO for pipes and
+/// devices) or locked (EWOULDBLOCK).
 FileDescriptor createLocked(const std::filesystem::path& path, Lock lock);
 
 /// Creates a file without a name, for reading and writing, which disappears once nobody has it
@@ -58,7 +67,13 @@ bool readBlocks(const FileDescriptor& file, const std::function<void(std::string
 /// "can't read `path`: CAUSE".
 std::string readAll(const FileDescriptor& file, const std::filesystem::path& path);
 
-/// Throws MachineError "can't `action` `path`: CAUSE", with the cause that errno names.
+/// Returns whether what failed with the number `error` of the operating system may succeed another
+/// time, or on another machine: a full disk or none that answers, a lack of memory, of files that
+/// may be open.
+ErrorKind kindOfError(int error);
+
+/// Throws MachineError "can't `action` `path`: CAUSE", with the cause that errno names, of the kind
+/// kindOfError().
 [[noreturn]] void throwLastError(const std::filesystem::path& path, std::string_view action);
 
 }  // namespace rotatebook::system

@@ -1,20 +1,15 @@
-// The resources of the machine.
+// The resources of the machine that this process may use.
 #pragma once
-
-#include <algorithm>
-#include <thread>
-#include <unistd.h>
 
 namespace rotatebook::system {
 
-/// Returns the number of the machine's cores, at least 1.
-inline int coreCount() {
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
+/// Returns the number of cores, at least 1, that this process may use: of those that taskset or a
+/// batch system left it (its affinity), as many as the quota of its control groups allows, rounded
+/// up.
+int coreCount();
 
-/// Returns the machine's memory. [bytes]
-inline double memorySize() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
-}
+/// Returns the memory that this process may use: the machine's, or the limit of its control groups
+/// if that is lower. [bytes]
+double memorySize();
 
 }  // namespace rotatebook::system

@@ -13,6 +13,7 @@ extern "C" {
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "system/file_descriptor.h"
 
 namespace rotatebook::video {
 namespace {
@@ -90,7 +91,7 @@ void silenceFfmpeg() {
 int check(int result, const std::string& failure) {
   const std::string logged = takeLoggedText();
   if (result >= 0) return result;
-  throw MachineError(failureText(result, failure, logged));
+  throw MachineError(failureText(result, failure, logged), system::kindOfError(AVUNERROR(result)));
 }
 
 int checkInput(int result, const std::string& failure) {

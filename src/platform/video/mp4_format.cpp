@@ -14,7 +14,6 @@ namespace rotatebook::video {
 namespace {
 
 constexpr EncoderNeed kBestEncoder = rowOf(VideoFormat::Mp4).encoder;
-constexpr double kSecondsBetweenKeyFrames = 2;
 
 void requireKnownPreset(const std::string& preset) {
   if (std::find(kVideoPresets.begin(), kVideoPresets.end(), preset) != kVideoPresets.end()) return;
@@ -47,7 +46,7 @@ Handle<AVCodecContext> describe(const AVCodec& encoder, const VideoSettings& set
   context->profile = kProfileHigh;
   tagBt709(*context);
   context->gop_size =
-      std::max(1, static_cast<int>(settings.frameRate.framesIn(kSecondsBetweenKeyFrames)));
+      std::max(1, static_cast<int>(settings.frameRate.framesIn(settings.keyFrameInterval)));
   return context;
 }
 

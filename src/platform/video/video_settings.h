@@ -20,7 +20,9 @@ struct VideoSettings {
   int crf = 18;                     ///< MP4: x264's constant rate factor, kBestCrf to kWorstCrf.
   std::string preset{kBookPreset};  ///< MP4: one of kVideoPresets.
   int threads = 1;                  ///< MP4: encoder threads, >= 1. The bytes depend on it.
-  std::string title;                ///< Stored in the metadata of MP4 and WebM; UTF-8.
+  /// MP4 and WebM: players start from a key frame, so it is what they decode to go to a moment. [s]
+  double keyFrameInterval = 2;
+  std::string title;  ///< Stored in the metadata of MP4 and WebM; UTF-8.
   /// Stored in the metadata of MP4 and WebM; UTF-8. rotatebook stores the resolved scene.
   std::string comment;
 };

@@ -11,7 +11,6 @@ namespace {
 constexpr const char* kQuality = "24";
 // libvpx's cpu-used at deadline good: from 0, the best, to 8, the fastest.
 constexpr const char* kEffort = "4";
-constexpr double kSecondsBetweenKeyFrames = 2;
 
 Handle<AVCodecContext> describe(const VideoSettings& settings) {
   const AVCodec& encoder = encoderNamed(rowOf(VideoFormat::WebM).encoder);
@@ -20,7 +19,7 @@ Handle<AVCodecContext> describe(const VideoSettings& settings) {
   tagBt709(*context);
   context->thread_count = 1;  // The bytes depend on it.
   context->gop_size =
-      std::max(1, static_cast<int>(settings.frameRate.framesIn(kSecondsBetweenKeyFrames)));
+      std::max(1, static_cast<int>(settings.frameRate.framesIn(settings.keyFrameInterval)));
   return context;
 }
 

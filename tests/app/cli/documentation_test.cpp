@@ -25,6 +25,7 @@ using ::testing::IsEmpty;
 constexpr const char* kSmall = R"(title = "Small"
 [initial]
 angular_velocity = [5.0, 0.0, 0.0]
+tilt = ["1 deg", "z"]
 [clip]
 size = [64, 36]
 duration = 3
@@ -53,6 +54,15 @@ label = "two"
 label = "three"
 )";
 
+constexpr const char* kMap = R"([map]
+x = { key = "moments.smallest", from = 0, to = 1 }
+y = { key = "moments.median", from = 0.5, to = 1 }
+measure = "growth"
+size = [8, 6]
+colours = { from = 0, to = 1 }
+film = { x = [0, 0.5], duration = 0.1 }
+)";
+
 constexpr const char* kStudy = R"([study]
 integrators = ["rk4", "dmv6"]
 steps = [1, 2, 4]
@@ -71,9 +81,11 @@ struct NotRun {
   std::string_view reason;
 };
 
-constexpr std::array<NotRun, 3> kNotRun{{
+constexpr std::array<NotRun, 5> kNotRun{{
     {"git clone ADDRESS ", "needs the address of the project, and a network"},
     {"export PATH=", "would find another build; the test sets its own"},
+    {"rotatebook submit render my.toml -o clips --slurm", "needs a cluster; tests/slurm has one"},
+    {"rotatebook status clips", "shows what that command has sent"},
     {"img2webp ", "is no program of this project, nor a package that it installs"},
 }};
 
@@ -92,6 +104,9 @@ std::string madeSmall(const std::string& command) {
   static const std::regex kSize("--size [0-9]+x[0-9]+");
   static const std::regex kFrames(" --frames [0-9]+(?= |$)");
   const std::string result = std::regex_replace(command, kSize, "--size 80x46");
+  // Many books need room.
+  if (result.find(" --grid ") != std::string::npos)
+    return result + " --size 1280x720 --set clip.duration=0.05";
   if (!result.starts_with("rotatebook bench")) return result;
   const std::string size = result == "rotatebook bench" ? " --size 80x46" : "";
   return std::regex_replace(result, kFrames, "") + size + " --frames 4";
@@ -164,6 +179,7 @@ class ShownCommands : public ProgramTest {
   static std::string smallSceneFor(const std::string& name) {
     if (name == "scenes/starter.toml") return kSmall;
     if (name.starts_with("scenes/comparisons/") || name.starts_with("docs/")) return kPanels;
+    if (name.starts_with("scenes/maps/")) return std::string(kShort) + kMap;
     return name.starts_with("scenes/studies/") ? std::string(kShort) + kStudy : kShort;
   }
 
@@ -179,8 +195,7 @@ class ShownCommands : public ProgramTest {
     std::map<std::string, std::string> found;
     for (const std::string& name : files()) {
       const bool isResult = !name.ends_with('/') && name != "log.txt" &&
-                            !name.ends_with("/frames.manifest") &&
-                            !name.ends_with("/frames.xxh128");
+                            !name.ends_with("/frames.manifest") && !name.ends_with(".xxh128");
       if (isResult) found[name] = read(name);
     }
     return found;

@@ -36,11 +36,12 @@ const std::map<std::string, Room> kRooms{
     {"base", {"core", {}, {"xxhash.h"}}},
     {"rigid", {"core", {"base"}, {"Eigen/"}}},
     {"physics", {"core", {"base", "rigid"}, {"Eigen/"}}},
+    {"ensemble", {"core", {"base", "rigid", "physics"}, {"Eigen/"}}},
     {"geometry", {"core", {"base", "physics"}, {"Eigen/"}, {"rigid"}}},
     {"document", {"core", {"base"}, {"toml++/"}}},
     {"scene", {"core", {"base", "rigid", "physics", "document"}, {"Eigen/"}}},
     {"timeline", {"core", {"base", "rigid", "physics", "geometry", "scene"}, {"Eigen/"}}},
-    {"study", {"core", {"base", "rigid", "physics", "scene", "timeline"}, {}}},
+    {"study", {"core", {"base", "rigid", "physics", "ensemble", "scene", "timeline"}, {}}},
     {"bridge",
      {"browser",
       {"base", "physics", "geometry", "document", "scene", "timeline"},
@@ -69,9 +70,16 @@ const std::map<std::string, Room> kRooms{
       {"base", "document", "scene", "timeline", "system", "image", "video", "picture"},
       {},
       {"rigid", "physics", "geometry"}}},
+    {"farm",
+     {"app",
+      {"base", "scene", "timeline", "study", "system", "image", "render", "video", "picture",
+       "store"},
+      {},
+      {"rigid", "physics", "geometry"}}},
     {"pipeline",
      {"app",
-      {"base", "scene", "timeline", "system", "image", "render", "video", "picture", "store"},
+      {"base", "scene", "timeline", "study", "system", "image", "render", "video", "picture",
+       "store"},
       {},
       {"rigid", "physics", "geometry"}}},
     {"verify",
@@ -88,8 +96,8 @@ const std::map<std::string, Room> kRooms{
       {"rigid", "geometry"}}},
     {"report",
      {"app",
-      {"base", "physics", "scene", "timeline", "study", "system", "store", "pipeline", "verify",
-       "diagnose"},
+      {"base", "physics", "scene", "timeline", "study", "system", "store", "farm", "pipeline",
+       "verify", "diagnose"},
       {},
       {"rigid", "geometry", "image", "render", "video", "picture"}}},
     {"page",
@@ -101,7 +109,8 @@ const std::map<std::string, Room> kRooms{
     {"cli",
      {"app",
       {"base", "physics", "document", "scene", "timeline", "study", "system", "image", "render",
-       "overlay", "video", "picture", "store", "pipeline", "verify", "diagnose", "report", "page"},
+       "overlay", "video", "picture", "store", "farm", "pipeline", "verify", "diagnose", "report",
+       "page"},
       {"CLI/"},
       {"rigid", "geometry"}}}};
 
@@ -132,8 +141,8 @@ bool isStandard(const std::string& header) {
 }
 
 bool isOperatingSystem(const std::string& header) {
-  static const std::set<std::string> kHeaders{"unistd.h", "fcntl.h", "grp.h", "pwd.h",
-                                              "dlfcn.h",  "spawn.h", "sys/"};
+  static const std::set<std::string> kHeaders{"unistd.h", "fcntl.h", "grp.h",   "pwd.h", "dlfcn.h",
+                                              "link.h",   "sched.h", "spawn.h", "sys/"};
   return startsWithOneOf(header, kHeaders);
 }
 
@@ -183,8 +192,8 @@ TEST(IncludeRules, DistinguishRightFromWrong) {
   EXPECT_FALSE(isAllowed({"video", "scene/scene.h", true}));
   EXPECT_FALSE(isAllowed({"pipeline", "cli/program.h", true}));
   EXPECT_FALSE(isAllowed({"pipeline", "CLI/CLI.hpp", false}));
-  for (const std::string core :
-       {"base", "rigid", "physics", "geometry", "document", "scene", "timeline", "study"}) {
+  for (const std::string core : {"base", "rigid", "physics", "ensemble", "geometry", "document",
+                                 "scene", "timeline", "study"}) {
     for (const std::string header :
          {"thread",   "mutex",         "chrono",     "ctime",   "fstream",   "iostream",
           "cstdio",   "random",        "complex",    "cstdlib", "execution", "iomanip",

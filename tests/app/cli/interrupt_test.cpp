@@ -1,6 +1,7 @@
 // A render that is stopped half-way.
 #include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -60,6 +61,16 @@ TEST_F(Interrupt, LeavesWholeFramesAndAPlayableClip) {
 TEST_F(Interrupt, TerminationHasAStatusOfItsOwn) {
   EXPECT_EQ(interrupt(SIGTERM, "out/tiny.partial/frame_00002.png", {"--no-mp4"}).status, 143);
   EXPECT_TRUE(has("out/tiny.partial/frame_00002.png"));
+}
+
+TEST_F(Interrupt, HasTheStatusOfARetryIfAsked) {
+  for (const int signal : {SIGTERM, SIGINT}) {
+    std::filesystem::remove_all(folder() / "out");
+    const ChildResult result =
+        interrupt(signal, "out/tiny.partial/frame_00002.png", {"--no-mp4", "--retry-status"});
+    EXPECT_EQ(result.status, 75);
+    EXPECT_THAT(result.output, HasSubstr("go on with the same command and --resume"));
+  }
 }
 
 TEST_F(Interrupt, ByATerminalThatIsClosedHasOneToo) {

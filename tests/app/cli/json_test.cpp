@@ -71,6 +71,18 @@ TEST_F(Json, OfCheckHasEachFile) {
   EXPECT_THAT(result.output, HasSubstr(kWrongInJson));
 }
 
+// That of its clip, which shows a second more where its motion diverges, not that of its duration.
+TEST_F(Json, OfCheckHasTheNumberOfFrames) {
+  write("b.toml",
+        "title = 'B'\n[initial]\nangular_velocity = [5, 3, 1]\n[clip]\nsize = [64, 36]\n"
+        "fps = 24\nduration = 0.5\n[simulation]\nmodel = 'particles'\nsubsteps = 1\n"
+        "normalize = false\ndamping = 0\n");
+  const ChildResult result = runWithoutGraphics({"check", "tiny.toml", "b.toml", "--json"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.output, AllOf(HasSubstr(R"("notes": [], "frames": 12, "panels": []}, )"),
+                                   HasSubstr(R"("frames": 29, "panels": []}])")));
+}
+
 TEST_F(Json, OfListHasEachSceneBelowTheFolder) {
   write("more/panels.toml",
         "title = \"Panels\"\n[[panel]]\nlabel = \"one\"\n"

@@ -107,7 +107,8 @@ TEST_F(LostInput, IsNoTextureUnderAnyNameOfARender) {
        {"covered.partial.mp4", "covered.partial.gif", "covered.gif", "covered/frames.manifest",
         "covered/frames.xxh128", "covered.replaced/frame_00000.png", "covered.replaced/cover.png",
         "covered.partial/frame_00000.png", "covered.partial/more/cover.png",
-        "covered/.x.rotatebook-1", ".covered.mp4.rotatebook-99999"}) {
+        "covered/.x.rotatebook-0", "covered/frames.xyz.xxh128",
+        ".covered.mp4.rotatebook-01234567-0123456789ab-99999"}) {
     fs::create_directories((folder() / name).parent_path());
     fs::copy_file(folder() / "book.png", folder() / name);
     expectKept(name, "a texture of the scene covered",

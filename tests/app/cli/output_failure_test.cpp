@@ -4,6 +4,7 @@
 
 #include "cli/program_test.h"
 #include "image/png_file.h"
+#include "system/atomic_file.h"
 
 namespace rotatebook::cli::testing {
 namespace {
@@ -51,6 +52,29 @@ TEST_F(OutputFailure, FileInTheWayOfTheFolder) {
       run({"render", "tiny.toml", "-o", "link"}).error,
       "rotatebook: can't make the folder link: link is a link whose target doesn't exist" + remedy);
   EXPECT_THAT(files(), ElementsAre("file", "link"));
+}
+
+TEST_F(OutputFailure, HasTheStatusOfARetryWhereThatMayHelp) {
+  {
+    fs::create_directory(folder() / "out");
+    const system::AdvisoryLock other(folder() / "out/tiny", system::Lock::Exclusive);
+    EXPECT_EQ(run({"render", "tiny.toml", "--retry-status"}).status, 75);
+    EXPECT_EQ(run({"render", "tiny.toml"}).status, 3);
+    fs::create_directory(folder() / "out/tiny");
+    EXPECT_EQ(run({"assemble", "out/tiny", "-o", "a.mp4", "--retry-status"}).status, 75);
+  }
+  EXPECT_EQ(runWithoutGraphics({"render", "tiny.toml", "--retry-status"}).status, 75);
+  write("b.toml", kTiny);
+  EXPECT_EQ(runWithoutGraphics({"render", "tiny.toml", "b.toml", "-j2", "--retry-status"}).status,
+            75);
+  EXPECT_EQ(runWithoutGraphics({"render", "tiny.toml", "--retry-status", "--json"}).status, 75);
+  // Another try would end likewise
+  write("file", "");
+  EXPECT_EQ(run({"render", "tiny.toml", "-o", "file", "--retry-status"}).status, 3);
+  EXPECT_EQ(run({"render", "no.toml", "--retry-status"}).status, 2);
+  EXPECT_EQ(
+      run({"render", "tiny.toml", "--retry-status", "--set", "expect.half_turns={min = 3}"}).status,
+      1);
 }
 
 TEST_F(OutputFailure, FolderInTheWayOfTheClip) {

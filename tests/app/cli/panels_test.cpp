@@ -103,9 +103,9 @@ TEST_F(PanelCommands, StillDrawsAllPanels) {
 TEST_F(PanelCommands, StudyHasNoOneMotion) {
   const ChildResult result = runWithoutGraphics({"study", "pair.toml"});
   EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(
-      result.error,
-      "rotatebook: pair.toml:7:1: a study needs a single motion, but this scene has panels\n");
+  EXPECT_EQ(result.error,
+            "rotatebook: pair.toml:7:1: a study needs a single motion, but this scene has several, "
+            "panels or a grid\n");
 }
 
 // pair writes pair_one.csv for its first panel.

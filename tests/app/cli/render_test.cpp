@@ -50,6 +50,61 @@ TEST_F(RenderCommand, WritesFramesClipAndTableIntoOut) {
   EXPECT_EQ(picture.height(), 36);
 }
 
+// Expectations are of the whole: the join reports them.
+TEST_F(RenderCommand, OfAPartLeavesFramesAloneAndExpectsNothing) {
+  const ChildResult part =
+      run(std::vector<std::string>{"render", "tiny.toml", "--part", "2/3"} + kUnmet);
+  EXPECT_EQ(part.status, 0) << part.error;
+  EXPECT_THAT(part.output,
+              AllOf(EndsWith("\n  wrote 4 frames in out/tiny/\n"), Not(HasSubstr("half-turns"))));
+  EXPECT_FALSE(has("out/tiny.csv") || has("out/tiny.poster.png"));
+  EXPECT_TRUE(has("out/tiny/frame_00004.png") && has("out/tiny/frame_00007.png"));
+  EXPECT_FALSE(has("out/tiny/frame_00003.png") || has("out/tiny/frame_00008.png"));
+  const ChildResult empty =
+      run(std::vector<std::string>{"render", "tiny.toml", "--part", "1/13"} + kUnmet);
+  EXPECT_EQ(empty.status, 0) << empty.error;
+  EXPECT_EQ(empty.output, "tiny: this part has no frames; nothing was written\n");
+  const ChildResult json =
+      run(std::vector<std::string>{"render", "tiny.toml", "--part", "1/13", "--json"} + kUnmet);
+  EXPECT_THAT(
+      json.output,
+      HasSubstr(R"("frames_written": 0, "frames_kept": 0, "files": [], "frame_folder": null)"));
+  const ChildResult join =
+      run(std::vector<std::string>{"render", "tiny.toml", "--resume"} + kUnmet);
+  EXPECT_EQ(join.status, 1);
+  EXPECT_THAT(join.output, HasSubstr("kept 4 frames of an earlier run"));
+}
+
+TEST_F(RenderCommand, OfAPartTakesNothingThatIsOfTheWhole) {
+  const auto problem = [&](const std::vector<std::string>& options) {
+    const ChildResult result = run(std::vector<std::string>{"render", "tiny.toml"} + options);
+    EXPECT_EQ(result.status, 2);
+    return result.error;
+  };
+  for (const char* part : {"0/3", "4/3", "2", "a/b"}) {
+    EXPECT_THAT(
+        problem({"--part", part}),
+        StartsWith(
+            "rotatebook: --part " + std::string(part) +
+            ": not a part; write its number and how many there are, 1/16 to 16/16 for 16 parts\n"));
+  }
+  EXPECT_THAT(problem({"--part", "1/3", "--frames", "0:3"}),
+              HasSubstr("--frames and --part exclude each other"));
+  EXPECT_THAT(problem({"--part", "1/3", "--no-png"}),
+              HasSubstr("--no-png and --part exclude each other"));
+  EXPECT_THAT(problem({"--part", "1/3", "--format", "gif"}),
+              HasSubstr("--format and --part exclude each other"));
+  EXPECT_FALSE(has("out"));
+}
+
+TEST_F(RenderCommand, OfPartsOfSeveralScenesDrawsOneOfEach) {
+  write("b.toml", std::string(kTiny) + "fps = 30\n");
+  const ChildResult part = run({"render", "tiny.toml", "b.toml", "--part", "2/2", "-j2"});
+  EXPECT_EQ(part.status, 0) << part.error;
+  EXPECT_TRUE(has("out/tiny/frame_00006.png") && has("out/b/frame_00003.png"));
+  EXPECT_FALSE(has("out/tiny/frame_00005.png") || has("out/b/frame_00002.png"));
+}
+
 TEST_F(RenderCommand, SaysWhatItDrawsWithAndWhatItWrote) {
   const ChildResult result = run({"render", "tiny.toml"});
   EXPECT_THAT(

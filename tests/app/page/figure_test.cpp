@@ -6,11 +6,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/checksum.h"
 #include "base/error.h"
 #include "base/number_text.h"
+#include "page/clip_videos.h"
 #include "page/made_folder.h"
+#include "store/manifest.h"
 #include "study/study.h"
 #include "study/study_csv.h"
+#include "system/file_checksum.h"
 
 namespace rotatebook::page {
 namespace {
@@ -215,6 +219,43 @@ TEST(ClipFigure, LinksToTheVideosOfItsSceneAndSaysWhichAreNot) {
   figure = readFigure(smallScene(), folder);
   EXPECT_THAT(figure.section.text,
               AllOf(HasSubstr("src=\"small.webm\""), Not(HasSubstr("small.mp4"))));
+}
+
+/// Leaves a GIF as the only video of `scene`, the record of `recorded` beside it, and the manifest
+/// of a render that made both.
+void makeGifAlone(const scene::Scene& scene, const scene::Scene& recorded, const fs::path& folder) {
+  makeClip(scene, folder);
+  const store::ClipFiles files = store::clipFiles(folder, scene.name);
+  fs::remove(files.video(video::VideoFormat::Mp4));
+  makeVideo(scene, folder, video::VideoFormat::Gif);
+  const fs::path gif = files.video(video::VideoFormat::Gif);
+  fs::create_directories(files.frameFolder);
+  system::writeFileAtomically(files.sceneCopy, recordOf(recorded));
+  store::Manifest manifest;
+  manifest.own.made["scene"] = checksumOf(sceneText(recorded));
+  manifest.own.files[gif.filename().string()] = system::checksumOfFile(gif);
+  system::writeFileAtomically(files.frameFolder / store::kManifestName,
+                              store::manifestText(manifest));
+}
+
+TEST(ClipFigure, ShowsAGifWhereThereIsNoVideo) {
+  const fs::path folder = emptyFolder();
+  makeGifAlone(smallScene(), smallScene(), folder);
+  const Figure figure = readFigure(smallScene(), folder);
+  EXPECT_THAT(figure.section.text,
+              AllOf(HasSubstr("data-moving=\"small.gif\""), HasSubstr("href=\"small.gif\""),
+                    Not(HasSubstr("<video"))));
+  EXPECT_EQ(figure.clip, "small.gif");
+}
+
+TEST(ClipFigure, RefusesAGifThatMayBeOfAnotherScene) {
+  const fs::path folder = emptyFolder();
+  const std::string refusal = (folder / "small.gif").string() + ": " + kOtherSettings;
+  makeGifAlone(smallScene(), smallScene({"look.background=stars"}), folder);
+  EXPECT_THAT(messageOf(smallScene(), folder), ::testing::StartsWith(refusal));
+  makeGifAlone(smallScene(), smallScene(), folder);
+  makeVideo(smallScene({"clip.fps=12"}), folder, video::VideoFormat::Gif);
+  EXPECT_THAT(messageOf(smallScene(), folder), ::testing::StartsWith(refusal));
 }
 
 TEST(ClipFigure, HasAColumnAndATableForEachPanel) {

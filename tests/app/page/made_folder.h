@@ -70,7 +70,7 @@ inline void makeClip(const scene::Scene& scene, const std::filesystem::path& fol
   const store::ClipFiles files = store::clipFiles(folder, scene.name);
   makeVideo(scene, folder);
   makePicture(files.poster, scene.clip.width, scene.clip.height);
-  store::writeTables(store::csvFiles(files.csv, scene), timeline::simulateScene(scene));
+  store::writeTables(store::csvFiles(files.csv, scene), scene, timeline::simulateScene(scene));
 }
 
 }  // namespace rotatebook::page::testing

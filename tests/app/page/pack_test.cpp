@@ -80,6 +80,20 @@ TEST(Pack, NamesOnlyFilesThatItLeaves) {
                     Not(HasSubstr(".csv\"")), Not(HasSubstr("poster.png"))));
 }
 
+TEST(Pack, CopiesWhatFiguresNameAndCodesTheirPictures) {
+  const fs::path folder = emptyFolder();
+  fs::create_directories(folder / "site");
+  testing::touch(folder / "a.plain.png");
+  fs::copy_file(fs::path(ROTATEBOOK_SOURCE) / "docs" / "gallery.png", folder / "still.png");
+  Figure figure;
+  figure.files = {"a.plain.png"};
+  figure.pictures = {"still.png"};
+  packFiles({figure}, folder, folder / "site", kPackCrf);
+  EXPECT_TRUE(fs::exists(folder / "site" / "a.plain.png"));
+  EXPECT_FALSE(fs::exists(folder / "site" / "still.png"));
+  EXPECT_THAT(system::readFileOrEmpty(folder / "site" / "still.webp").substr(8, 4), "WEBP");
+}
+
 TEST(Pack, RefusesADamagedClip) {
   const fs::path folder = emptyFolder();
   const fs::path target = folder / "site";

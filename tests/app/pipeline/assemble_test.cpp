@@ -119,6 +119,47 @@ TEST_F(Assemble, TakesNoFramesThatARenderStillMakes) {
   EXPECT_EQ(assembled(), kFrames);
 }
 
+TEST_F(Assemble, TakesTheWholeAloneIfAsked) {
+  const auto whole = [&] { assemble(frames_, mp4_, {}, {}, true); };
+  const RenderOptions part{
+      .folder = folder_, .outputs = {pngOutput()}, .frames = store::FrameRange{0, 9}};
+  testing::render(testing::smallScene(), part);
+  EXPECT_EQ(testing::messageOf<InputError>(whole),
+            frames_.string() +
+                " holds the frames 0:9 of the scene's 12; render the scene with --resume, which "
+                "draws the others, or leave out --whole");
+  EXPECT_FALSE(fs::exists(mp4_));
+  testing::render(
+      testing::smallScene(),
+      {.folder = folder_, .outputs = {pngOutput()}, .frames = store::FrameRange{9, kFrames}});
+  EXPECT_NO_THROW(whole());
+  EXPECT_TRUE(fs::exists(mp4_));
+  writeFrames(folder_ / "bare", {0, 1});
+  EXPECT_EQ(testing::messageOf<InputError>(
+                [&] { assemble(folder_ / "bare", mp4_, FrameRate{}, {}, true); }),
+            "--whole: " + (folder_ / "bare").string() +
+                " has no scene.toml that says how many frames there are");
+}
+
+// Each chunk of a PNG has a checksum of its own, as have its pixels.
+TEST_F(Assemble, TakesAFrameWithoutAChecksumOnlyIfItIsAWholePng) {
+  testing::render(testing::smallScene(), {.folder = folder_, .outputs = {pngOutput()}});
+  const fs::path sums = frames_ / "frames.xxh128", frame = frames_ / store::frameName(5);
+  std::string lines = bytesOf(sums);
+  std::ofstream(sums) << lines.erase(lines.find("frame_00005.png") - 34, 50);
+  EXPECT_EQ(assemble(frames_, mp4_, {}, {}).unlisted, 1);
+  fs::remove(mp4_);
+  const std::string drawn = bytesOf(frame);
+  for (std::size_t at = 40; at < drawn.size(); at += drawn.size() / 20) {
+    std::string damaged = drawn;
+    damaged[at] = static_cast<char>(damaged[at] ^ 1);
+    std::ofstream(frame, std::ios::binary) << damaged;
+    EXPECT_THAT(inputError(), HasSubstr("corrupt PNG")) << at;
+    std::ofstream(frame, std::ios::binary) << drawn.substr(0, at);
+    EXPECT_THAT(inputError(), HasSubstr("corrupt PNG")) << at;
+  }
+}
+
 TEST_F(Assemble, NeedsAnEndingThatNamesAFormat) {
   writeFrames(frames_, {0, 1});
   for (const char* name : {"clip.mkv", "clip", "clip.MP4"}) {

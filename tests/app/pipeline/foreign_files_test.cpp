@@ -10,6 +10,7 @@
 #include "store/manifest.h"
 #include "store/other_settings.h"
 #include "system/atomic_file.h"
+#include "system/temporary_files.h"
 
 namespace rotatebook::pipeline {
 namespace {
@@ -157,7 +158,9 @@ TEST_F(ForeignFiles, ArentWhatAKilledRenderLeft) {
   fs::create_directory(folder_ / "small.partial");
   render(kResume);
   expectAsUninterrupted();
-  write(".small.mp4.rotatebook-99999");
+  // A process of this machine that has ended
+  std::string left = system::temporaryNameFor("small.mp4");
+  write(left.replace(left.rfind('-'), std::string::npos, "-99999999"));
   EXPECT_TRUE(render(kResume).wasDone);
   expectAsUninterrupted();
 }

@@ -10,6 +10,7 @@
 #include "base/same_bytes.h"
 #include "pipeline/assemble.h"
 #include "pipeline/small_clip.h"
+#include "system/temporary_files.h"
 #include "video/decoded_video.h"
 
 namespace rotatebook::pipeline {
@@ -37,6 +38,81 @@ TEST(RenderParts, HaveTheFramesAndAVideoOfTheirOwn) {
               ElementsAre("frame_00003.png", "frame_00004.png", "frames.manifest", "frames.xxh128",
                           "scene.toml"));
   EXPECT_EQ(video::testing::decodeVideo(folder / "small_00003-00005.mp4").frames.size(), 2U);
+}
+
+/// Renders one part as on one machine of several.
+RenderResult renderPart(const fs::path& folder, std::int64_t number, std::int64_t count,
+                        const scene::Scene& scene = smallScene()) {
+  return testing::render(
+      scene, {.folder = folder, .outputs = {pngOutput()}, .part = store::ClipPart{number, count}});
+}
+
+TEST(RenderParts, OfSeveralMachinesHaveFramesAlone) {
+  const fs::path folder = emptyFolder();
+  EXPECT_EQ(renderPart(folder, 2, 3).framesWritten, 4);
+  EXPECT_THAT(namesIn(folder), ElementsAre("small"));
+  EXPECT_THAT(namesIn(folder / "small"),
+              ElementsAre("frame_00004.png", "frame_00005.png", "frame_00006.png",
+                          "frame_00007.png", store::partChecksumsName(system::processName()),
+                          "frames.manifest", "scene.toml"));
+}
+
+TEST(RenderParts, OfSeveralMachinesJoinToTheWhole) {
+  const fs::path folder = emptyFolder();
+  testing::render(smallScene(), pngAndMp4(folder / "whole"));
+  for (const std::int64_t number : {3, 1, 2, 5, 4}) renderPart(folder / "parts", number, 5);
+  fs::remove(folder / "parts/small" / store::frameName(6));
+  RenderOptions join = pngAndMp4(folder / "parts", {.resume = true});
+  const RenderResult joined = testing::render(smallScene(), join);
+  EXPECT_EQ(joined.framesKept, kFrames - 1);
+  for (const char* below : {"", "small"}) {
+    EXPECT_EQ(namesIn(folder / "parts" / below), namesIn(folder / "whole" / below));
+    for (const std::string& name : namesIn(folder / "whole" / below)) {
+      if (fs::is_directory(folder / "whole" / below / name)) continue;
+      EXPECT_TRUE(rotatebook::testing::sameBytes(bytesOf(folder / "parts" / below / name),
+                                                 bytesOf(folder / "whole" / below / name)))
+          << name;
+    }
+  }
+}
+
+TEST(RenderParts, OfWhichThereAreMoreThanFramesMayBeEmpty) {
+  const fs::path folder = emptyFolder() / "out";
+  std::int64_t written = 0;
+  for (std::int64_t number = 1; number <= 15; ++number) {
+    written += renderPart(folder, number, 15).framesWritten;
+  }
+  EXPECT_EQ(written, kFrames);
+  EXPECT_EQ(renderPart(folder / "no", 1, 15).framesWritten, 0);
+  EXPECT_FALSE(fs::exists(folder / "no"));
+}
+
+TEST(RenderParts, KnowHowLongADivergingClipIs) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene = testing::divergingScene();
+  const std::int64_t count = timeline::simulateScene(scene).frameCount();
+  EXPECT_EQ(count, 29);
+  EXPECT_EQ(scene.clip.frameCount(), 12);
+  EXPECT_EQ(
+      renderPart(folder, 1, 2, scene).framesWritten + renderPart(folder, 2, 2, scene).framesWritten,
+      count);
+}
+
+// Whether it has died before its first frame, or is about to draw it on another machine.
+TEST(RenderParts, RefuseToJoinAPartOfOtherSettingsThatHasBegun) {
+  const fs::path folder = emptyFolder();
+  renderPart(folder, 1, 3);
+  for (std::int64_t frame = 0; frame < 4; ++frame)
+    fs::remove(folder / "small" / store::frameName(frame));
+  const std::string before = bytesOf(folder / "small/scene.toml");
+  EXPECT_THAT(testing::messageOf<InputError>(
+                  [&] { renderPart(folder, 2, 3, smallScene({"camera.field_of_view_deg=40"})); }),
+              AllOf(HasSubstr((folder / "small").string() +
+                              " awaits the frames of a part that began with other settings: "
+                              "camera.field_of_view_deg is "),
+                    HasSubstr("; render into another folder with -o, or remove it")));
+  EXPECT_EQ(bytesOf(folder / "small/scene.toml"), before);
+  EXPECT_EQ(renderPart(folder, 2, 3).framesWritten, 4);
 }
 
 TEST(RenderParts, AssembleToTheWholesBytes) {

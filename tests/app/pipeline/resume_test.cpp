@@ -13,6 +13,7 @@
 #include "pipeline/rendered_again.h"
 #include "pipeline/small_clip.h"
 #include "store/manifest.h"
+#include "system/temporary_files.h"
 
 namespace rotatebook::pipeline {
 namespace {
@@ -139,7 +140,9 @@ TEST_F(Resume, TakesWhatAWholeAndAPartLeft) {
 TEST_F(Resume, TakesAwayWhatWasKilledBeforeItsFirstFrame) {
   const fs::path begun = folder_ / "small.partial";
   fs::create_directories(begun);
-  std::ofstream(begun / ".scene.toml.rotatebook-99999999");
+  // Of a process of this machine that has ended
+  std::string left = system::temporaryNameFor(begun / "scene.toml");
+  std::ofstream(left.replace(left.rfind('-'), std::string::npos, "-99999999"));
   testing::render(smallScene(),
                   {.folder = folder_, .outputs = {pngOutput()}, .frames = store::FrameRange{3, 8}});
   render(kResume);

@@ -110,7 +110,7 @@ TEST(MotionReport, OfASimulationHasItsTables) {
   std::vector<MotionSummary> one{exampleMotions()[1]};
   one[0].notes = {};
   std::ostringstream out;
-  reportSimulationAsJson(scene, {"a/s.csv"}, one, out);
+  reportSimulationAsJson(scene, {{"a/s.csv", one.front().frames}}, one, out);
   EXPECT_EQ(out.str(),
             R"({"name": "s", "title": "back\\slash", "tables": [{"path": "a/s.csv", "rows": 90}], )"
             R"("motions": )" +

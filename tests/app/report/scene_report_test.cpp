@@ -17,7 +17,8 @@ std::vector<SceneFile> exampleFiles() {
   scene.panels[0].label = "first";
   scene.panels[1].label = "second";
   scene.panels[1].body.size = {0.1, 20, 0.1};
-  return {{"dir/a.toml", scene}, {"dir/b.toml", {}, {"dir/b.toml:1:1: unknown key \"x\""}}};
+  return {{.path = "dir/a.toml", .scene = scene, .frames = 815},
+          {.path = "dir/b.toml", .errors = {"dir/b.toml:1:1: unknown key \"x\""}}};
 }
 
 TEST(SceneReport, HasErrorsAndNotesOfEachCheckedFile) {
@@ -26,7 +27,8 @@ TEST(SceneReport, HasErrorsAndNotesOfEachCheckedFile) {
   EXPECT_EQ(
       out.str(),
       R"({"scenes": [{"path": "dir/a.toml", "ok": true, "errors": [], "notes": ["second: )"
-      R"(the body is 20 m long; numbers without a unit are in metres: a centimetre is \"1 cm\""]}, )"
+      R"(the body is 20 m long; numbers without a unit are in metres: a centimetre is \"1 cm\""], )"
+      R"("frames": 815, "panels": ["first", "second"]}, )"
       R"({"path": "dir/b.toml", "ok": false, )"
       R"("errors": ["dir/b.toml:1:1: unknown key \"x\""], "notes": []}]})"
       "\n");

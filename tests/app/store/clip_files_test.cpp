@@ -1,5 +1,6 @@
 #include "store/clip_files.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -33,8 +34,44 @@ TEST(ClipFiles, AreNamedAfterTheScene) {
   EXPECT_EQ(files.csv, "out/book.csv");
 }
 
+TEST(ClipPart, IsCountedFromOne) {
+  ASSERT_TRUE(parsePart("3/16"));
+  EXPECT_EQ(parsePart("3/16")->number, 3);
+  EXPECT_EQ(parsePart("3/16")->count, 16);
+  EXPECT_TRUE(parsePart("1/1"));
+  for (const char* text :
+       {"", "3", "/3", "3/", "0/3", "4/3", "0/0", "-1/3", "1/3/5", "1 / 3", "1.0/3", "1/1000000"}) {
+    EXPECT_FALSE(parsePart(text)) << text;
+  }
+}
+
+TEST(ClipPart, HasEachFrameOnceWithTheOthers) {
+  for (const std::int64_t frames : {1, 2, 12, 97, 216'000}) {
+    for (const std::int64_t count :
+         {std::int64_t{1}, std::int64_t{2}, std::int64_t{7}, kMaxParts}) {
+      std::int64_t end = 0, least = frames, most = 0;
+      for (std::int64_t number = 1; number <= count; ++number) {
+        const FrameRange part = framesOf({number, count}, frames);
+        ASSERT_EQ(part.first, end);
+        end = part.end;
+        least = std::min(least, part.count());
+        most = std::max(most, part.count());
+      }
+      EXPECT_EQ(end, frames) << count;
+      EXPECT_LE(most - least, 1) << count;
+      EXPECT_EQ(least > 0, frames >= count);
+    }
+  }
+}
+
+TEST(ClipPart, LeavesFramesAlone) {
+  const ClipFiles files = clipFiles("out", "book", ClipPart{2, 3});
+  EXPECT_EQ(files.frameFolder, "out/book");
+  EXPECT_THAT(outputFiles(files, scene::Scene(), {}), IsEmpty());
+}
+
 TEST(ClipFiles, OfAPartHaveAnMp4OfTheirOwn) {
-  const ClipFiles files = clipFiles("out", "book", {10, 20});
+  const ClipFiles files = clipFiles("out", "book", FrameRange{10, 20});
   EXPECT_EQ(files.frameFolder, "out/book");
   EXPECT_EQ(files.video(video::VideoFormat::Mp4), "out/book_00010-00020.mp4");
   EXPECT_EQ(files.partialVideo(video::VideoFormat::Mp4), "out/book_00010-00020.partial.mp4");

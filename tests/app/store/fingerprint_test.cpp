@@ -28,16 +28,18 @@ using pipeline::testing::emptyFolder;
 using pipeline::testing::smallScene;
 using ::testing::HasSubstr;
 
-Manifest::Entries madeOf(const scene::Scene& scene, const std::string& renderer = "r") {
-  return fingerprint(scene, picture::loadTextures(scene).checksums, renderer);
+Manifest::Entries madeOf(const scene::Scene& scene, const Drawing& drawing = {"r", "t"}) {
+  return fingerprint(scene, picture::loadTextures(scene).checksums, drawing);
 }
 
 TEST(Fingerprint, ChangesWithAllThatFramesDependOn) {
   const auto made = madeOf(smallScene());
   EXPECT_EQ(made, madeOf(smallScene()));
   EXPECT_NE(made, madeOf(smallScene({"body.mass=2"})));
-  EXPECT_NE(made, madeOf(smallScene(), "another"));
-  for (const char* key : {"program", "build", "ffmpeg", "renderer", "scene", "book.front"}) {
+  EXPECT_NE(made, madeOf(smallScene(), {"another", "t"}));
+  EXPECT_NE(made, madeOf(smallScene(), {"r", "another"}));
+  for (const char* key :
+       {"program", "build", "ffmpeg", "renderer", "test frame", "scene", "book.front"}) {
     EXPECT_THAT(made.at(key), Not(::testing::IsEmpty())) << key;
   }
 }
@@ -89,7 +91,7 @@ TEST(Fingerprint, IsOfTheTexturesThatWereDrawn) {
   picture.row(0)[0] ^= 1;
   image::writePng(cover, picture.view());
   EXPECT_NE(system::checksumOfFile(cover), drawn);
-  const auto made = fingerprint(scene, drawer.textureChecksums(), drawer.description());
+  const auto made = fingerprint(scene, drawer.textureChecksums(), {drawer.description(), "t"});
   EXPECT_EQ(made.at("book.front"), drawn);
   EXPECT_EQ(provenanceOf(scene, motion, drawer.textureChecksums(), "r").textures,
             "book.front " + drawn);
@@ -101,10 +103,10 @@ TEST(Differences, NameTheKeysAndBothValues) {
   system::writeFileAtomically(folder / kSceneCopyName,
                               sceneRecord(there, {.scene = "small", .renderer = "r"}));
   const scene::Scene here = smallScene({"body.mass=2", "camera.position=[0, 0, 2]"});
-  EXPECT_THAT(differences(folder, madeOf(there), madeOf(here, "s"), here),
+  EXPECT_THAT(differences(folder, madeOf(there), madeOf(here, {"s", "t"}), here),
               AllOf(HasSubstr("body.mass is 1.0 there, 2.0 here; "),
                     HasSubstr("camera.position[0] is "), HasSubstr("; and ")));
-  EXPECT_EQ(differences(folder, madeOf(there), madeOf(there, "s"), there),
+  EXPECT_EQ(differences(folder, madeOf(there), madeOf(there, {"s", "t"}), there),
             "renderer is r there, s here");
   EXPECT_EQ(differences(folder, {{"renderer", "r"}}, {{"renderer", "r"}, {"x", "1"}}, there),
             "x is missing there, 1 here");

@@ -14,6 +14,7 @@
 #include "store/clip_files.h"
 #include "system/atomic_file.h"
 #include "system/file_checksum.h"
+#include "system/temporary_files.h"
 
 namespace rotatebook::store {
 namespace {
@@ -69,6 +70,44 @@ TEST(FrameChecksums, HaveALineForEachFrame) {
   FrameChecksums sums(folder);
   writeFrame(sums, 7, "abc");
   EXPECT_EQ(bytesOf(folder / kFrameChecksumsName), std::string(kSumOfAbc) + "  frame_00007.png\n");
+}
+
+TEST(FrameChecksums, OfOneProcessHaveAFileOfTheirOwn) {
+  const fs::path folder = emptyFolder();
+  const fs::path own = folder / partChecksumsName(system::processName());
+  const fs::path other = folder / partChecksumsName("another");
+  system::writeFileAtomically(folder / frameName(3), "xyz");
+  std::ofstream(other) << checksumOf("xyz") + "  frame_00003.png\n";
+  FrameChecksums sums(folder, FrameChecksums::File::Own);
+  writeFrame(sums, 7, "abc");
+  EXPECT_FALSE(fs::exists(folder / kFrameChecksumsName));
+  EXPECT_EQ(bytesOf(own), std::string(kSumOfAbc) + "  frame_00007.png\n");
+  EXPECT_EQ(FrameChecksums(folder).indices(), (std::vector<std::int64_t>{3, 7}));
+  EXPECT_EQ(FrameChecksums(folder).intact(3), "xyz");
+  EXPECT_EQ(FrameChecksums::filesIn(folder), folder / "frames*.xxh128");
+  FrameChecksums(folder).sort({7, 8});
+  EXPECT_EQ(bytesOf(folder / kFrameChecksumsName),
+            checksumOf("xyz") + "  frame_00003.png\n" + kSumOfAbc + "  frame_00007.png\n");
+  EXPECT_FALSE(fs::exists(own) || fs::exists(other));
+  EXPECT_EQ(FrameChecksums::filesIn(folder), folder / kFrameChecksumsName);
+}
+
+// A join that doesn't see its lock may take them away while it still draws.
+TEST(FrameChecksums, OfOneProcessAreThereAtItsEndUnlessTheyAreJoined) {
+  const fs::path folder = emptyFolder();
+  const fs::path own = folder / partChecksumsName(system::processName());
+  FrameChecksums sums(folder, FrameChecksums::File::Own);
+  writeFrame(sums, 7, "abc");
+  FrameChecksums(folder).sort({7, 8});
+  sums.finishOwn();
+  EXPECT_FALSE(fs::exists(own));
+  FrameChecksums more(folder, FrameChecksums::File::Own);
+  writeFrame(more, 9, "x");
+  writeFrame(more, 8, "abc");
+  fs::remove(own);
+  more.finishOwn();
+  EXPECT_EQ(bytesOf(own), std::string(kSumOfAbc) + "  frame_00008.png\n" + checksumOf("x") +
+                              "  frame_00009.png\n");
 }
 
 TEST(FrameChecksums, KnowWhatAnEarlierRunWrote) {

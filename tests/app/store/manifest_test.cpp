@@ -26,6 +26,20 @@ TEST(Manifest, IsReadAsItWasWritten) {
   EXPECT_EQ(readManifest(folder), written);
 }
 
+TEST(Manifest, IsReplacedOnlyIfItIsTheOneThatWasRead) {
+  const fs::path folder = emptyFolder();
+  const Manifest first{.own = {kOne, {}}}, second{.own = {kTwo, {}}};
+  EXPECT_TRUE(replaceManifest(folder, {}, first));
+  EXPECT_FALSE(replaceManifest(folder, {}, second));
+  EXPECT_EQ(readManifest(folder), first);
+  EXPECT_TRUE(replaceManifest(folder, first, second));
+  EXPECT_FALSE(replaceManifest(folder, first, first)) << "it has been replaced meanwhile";
+  EXPECT_EQ(readManifest(folder), second);
+  fs::remove(folder / "frames.manifest");
+  EXPECT_FALSE(replaceManifest(folder, second, first)) << "it has been taken away meanwhile";
+  EXPECT_TRUE(fs::is_empty(folder));
+}
+
 TEST(Manifest, KnowsAFinishedRenderThoughOthersHaveReplacedItsFiles) {
   const fs::path folder = emptyFolder();
   writeManifest(folder, {.own = {kOne, {}}, .finished = true});

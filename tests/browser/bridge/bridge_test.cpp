@@ -1,11 +1,14 @@
 #include "bridge/bridge.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -44,24 +47,33 @@ void read(std::int32_t slot, std::string_view text) {
   ASSERT_GT(length, 0) << taken(length);
 }
 
+/// Reads a scene into a slot that holds other motions.
+void readAnew(std::int32_t slot, std::string_view text) {
+  read(slot, "[initial]\nangular_velocity = [0.0, 0.0, 1.0]\n[clip]\nduration = 0.1\n");
+  read(slot, text);
+}
+
+std::string with(std::string_view text, std::string_view part, std::string_view other) {
+  std::string changed(text);
+  return changed.replace(changed.find(part), part.size(), other);
+}
+
 std::string wholeChecksum(std::string_view text) {
   return timeline::motionChecksum(timeline::simulateScene(scene::parseScene(text, "scene.toml")));
 }
 
 TEST(Bridge, HasTheMotionOfTheProgramInSlices) {
-  read(0, kScene);
+  readAnew(0, kScene);
   for (int frame = 0; rb_advance(0, frame, kAll) < kFrames; frame += 7) {
     EXPECT_LT(rb_checksum(0), 0) << "before the end";
   }
   EXPECT_EQ(taken(rb_checksum(0)), wholeChecksum(kScene));
   // Another nudge is another motion.
-  std::string other(kScene);
-  other.replace(other.find("0.2"), 3, "0.3");
-  EXPECT_NE(taken(rb_checksum(0)), wholeChecksum(other));
+  EXPECT_NE(taken(rb_checksum(0)), wholeChecksum(with(kScene, "0.2", "0.3")));
 }
 
 TEST(Bridge, StopsAfterSoManySteps) {
-  read(0, kScene);
+  readAnew(0, kScene);
   EXPECT_EQ(rb_advance(0, kFrames, 1), 2) << "at least a frame";
   EXPECT_EQ(rb_advance(0, kFrames, 640), 12) << "64 steps a frame";
   EXPECT_EQ(rb_advance(0, 3, kAll), 12) << "that is simulated already";
@@ -75,6 +87,152 @@ TEST(Bridge, KeepsAScenePastOneThatIsRefused) {
   ASSERT_LT(length, 0);
   EXPECT_EQ(taken(length).substr(0, 40), "scene.toml:2:1: unknown key \"maas\" in [b");
   EXPECT_EQ(taken(rb_checksum(0)), before);
+}
+
+TEST(Bridge, KeepsTheSamplesOfTheSameMotions) {
+  const std::string lookOfIt =
+      "[look]\nbackground = \"stars\"\n[overlay]\nshow = [\"axes\"]\n[book]\ncolor = \"#102030\"\n"
+      "[camera]\nframe = \"body\"\nfollow = \"size\"\n[expect]\nhalf_turns = { min = 3 }\n"
+      "[video]\ncrf = 30\n";
+  const std::string longer = with(kScene, "A throw", "Another");
+  const std::string larger = with(longer, "duration", "size = [64, 36]\nposter = 1.0\nduration");
+  for (const int frames : {30, kFrames}) {
+    readAnew(0, kScene);
+    ASSERT_EQ(rb_advance(0, frames - 1, kAll), frames);
+    for (const std::string& text : {longer, larger, std::string(kScene) + lookOfIt}) {
+      read(0, text);
+      EXPECT_EQ(rb_advance(0, 0, kAll), frames) << text;
+      // The camera's axes are the new scene's.
+      const bool isTurned = std::abs(rb_sample(0, 0, 20)[kAttitude]) < 0.9;
+      EXPECT_EQ(isTurned, text.find("[camera]") == text.npos);
+    }
+    EXPECT_EQ(rb_advance(0, kAll, kAll), kFrames);
+    EXPECT_EQ(taken(rb_checksum(0)), wholeChecksum(kScene));
+    EXPECT_THAT(taken(rb_scene_text(0)), HasSubstr("background = \"stars\""));
+  }
+}
+
+TEST(Bridge, KeepsNoSampleOfOtherMotions) {
+  for (const auto& [part, other] : std::vector<std::pair<std::string_view, std::string_view>>{
+           {"[5.0, 0.0", "[5.1, 0.0"},
+           {"1 deg", "2 deg"},
+           {"0.2", "0.3"},
+           {"at = 0.5", "at = 1.9"},
+           {"2.0", "2.5"},
+           {"[clip]", "[clip]\nspeed = 0.5"},
+           {"[clip]", "[clip]\nspeed = [{ from = 0.5, to = 1.5, value = 0.5 }]"},
+           {"[clip]", "[clip]\nfps = 50"},
+           {"[clip]", "[simulation]\nsubsteps = 32\n[clip]"},
+           {"[clip]", "[simulation]\nmodel = \"exact\"\n[clip]"},
+           {"[clip]", "[body]\nsize = [0.1, 0.2, 0.03]\n[clip]"},
+           {"[clip]", "[body]\nmass = 2.0\n[clip]"},
+           {"[clip]", "[[panel]]\nlabel = \"a\"\n[[panel]]\nlabel = \"b\"\n[clip]"},
+       }) {
+    const std::string text = with(kScene, part, other);
+    readAnew(0, kScene);
+    rb_advance(0, kAll, kAll);
+    read(0, text);
+    EXPECT_EQ(rb_advance(0, 0, kAll), 1) << text;
+    while (rb_advance(0, kAll, kAll) < rb_frames(0)) {
+    }
+    EXPECT_EQ(taken(rb_checksum(0)), wholeChecksum(text)) << text;
+  }
+}
+
+// A label is no part of a motion.
+TEST(Bridge, KeepsThePanelsThatAreTheSame) {
+  const std::string panels = std::string(kScene) +
+                             "[[panel]]\nlabel = \"a\"\n[[panel]]\nlabel = \"b\"\n"
+                             "[panel.simulation]\nmodel = \"exact\"\n";
+  readAnew(0, panels);
+  EXPECT_EQ(rb_advance(0, 40, kAll), 41);
+  read(0, with(panels, "\"b\"", "\"c\""));
+  EXPECT_EQ(rb_advance(0, 0, kAll), 41);
+  read(0, with(panels, "\"exact\"", "\"matrix\""));
+  EXPECT_EQ(rb_advance(0, 0, kAll), 1);
+}
+
+TEST(Bridge, RefusesMotionsWithoutRoom) {
+  const auto message = [](int frames, int books) {
+    std::string text =
+        "[initial]\nangular_velocity = [5.0, 0.0, 0.1]\n[simulation]\nmodel = "
+        "\"exact\"\n[clip]\nsize = [64, 36]\nfps = 100\nduration = " +
+        std::to_string(frames / 100.0) + "\n";
+    for (int book = 0; books > 1 && book < books; ++book) {
+      text += "[[panel]]\nlabel = \"" + std::to_string(book) + "\"\n";
+    }
+    const std::int32_t length = rb_read(2, put(text));
+    return length > 0 ? "" : taken(length);
+  };
+  EXPECT_EQ(message(kMaxFrames, 1), "");
+  EXPECT_EQ(rb_frames(2), kMaxFrames);
+  EXPECT_EQ(message(kMaxFrames + 1, 1),
+            "scene.toml: the motion is too long to be played here: 72001 frames, at most 72000; "
+            "rotatebook render makes its clip");
+  EXPECT_EQ(rb_frames(2), kMaxFrames) << "which the slot keeps";
+  EXPECT_EQ(message(kMaxFrames / 6, 6), "");
+  EXPECT_EQ(message(36'000, 6),
+            "scene.toml: the motion is too long to be played here: 36000 frames of each of 6 "
+            "books, at most 72000 together; rotatebook render makes its clip");
+}
+
+TEST(Bridge, HasAllOfTenMinutesInEverySlot) {
+  for (std::int32_t slot = 0; slot < kSlots; ++slot) {
+    readAnew(slot,
+             "[initial]\nangular_velocity = [5.0, 0.0, 0.1]\n[simulation]\nmodel = \"exact\"\n"
+             "[clip]\nduration = 600\n");
+  }
+  for (std::int32_t slot = 0; slot < kSlots; ++slot)
+    EXPECT_EQ(rb_advance(slot, kAll, kAll), 36'000);
+  for (std::int32_t slot = 0; slot < kSlots; ++slot) {
+    EXPECT_EQ(rb_sample(slot, 0, 35'999)[kTime], 35'999 / 60.0);
+  }
+}
+
+TEST(Bridge, AnswersWhatIsntThere) {
+  read(0, kScene);
+  for (const std::int32_t slot : {-1, static_cast<std::int32_t>(kSlots), 1'000'000}) {
+    const std::string message = "there is no slot " + std::to_string(slot);
+    EXPECT_EQ(taken(rb_read(slot, put(kScene))), message);
+    EXPECT_EQ(taken(rb_scene_text(slot)), message);
+    EXPECT_LT(rb_checksum(slot), 0);
+    EXPECT_LT(rb_table_checksum(slot), 0);
+    EXPECT_EQ(rb_advance(slot, 0, 1), -1);
+    EXPECT_EQ(taken(rb_message()), message);
+    EXPECT_EQ(rb_frames(slot), 0);
+    EXPECT_EQ(rb_sample(slot, 0, 0), nullptr);
+  }
+  EXPECT_EQ(rb_sample(0, 1, 0), nullptr);
+  EXPECT_EQ(rb_sample(0, -1, 0), nullptr);
+  EXPECT_EQ(rb_sample(0, 0, -7)[kTime], 0);
+  rb_advance(0, 9, kAll);
+  EXPECT_EQ(rb_sample(0, 0, kAll)[kTime], rb_sample(0, 0, rb_advance(0, 0, 1) - 1)[kTime]);
+  std::int32_t count = 7;
+  EXPECT_EQ(rb_mesh_indices(5, &count), nullptr);
+  EXPECT_EQ(count, 0);
+  EXPECT_EQ(rb_mesh_indices(-1, &count), nullptr);
+}
+
+TEST(Bridge, HasNoCameraOfWhatIsntThere) {
+  readAnew(0, std::string(kScene) + "[camera]\nfollow = \"size\"\n");
+  rb_advance(0, kAll, kAll);
+  const std::array<double, 2> straight{0, 0};
+  std::array<float, 16> matrix{};
+  std::array<float, 3> eye{};
+  const auto camera = [&](std::int32_t slot, std::int32_t motion, std::int32_t frame, float width) {
+    return rb_camera(slot, motion, frame, width, 90, straight.data(), 1, matrix.data(), eye.data());
+  };
+  EXPECT_EQ(camera(-1, 0, 0, 160), 0);
+  EXPECT_EQ(camera(0, 1, 0, 160), 0);
+  EXPECT_EQ(camera(0, -1, 0, 160), 0);
+  EXPECT_EQ(eye[2], 0) << "nothing is written";
+  for (const std::int32_t frame : {-5, kFrames, 1'000'000'000}) {
+    EXPECT_EQ(camera(0, 0, frame, 160), 1);
+    EXPECT_GT(eye[2], 0);
+  }
+  for (const float width : {0.0f, -1e30f, 1e30f, std::nanf("")}) {
+    EXPECT_EQ(camera(0, 0, 0, width), 1) << width;
+  }
 }
 
 TEST(Bridge, KeepsItsSlotsApart) {

@@ -62,7 +62,7 @@ describe("choices", () => {
     assert.deepEqual(await page.evaluate(() => rotatebook.player.read.motions.map(({model}) => model)), ["particles", "quaternion"]);
     await page.waitForFunction(() => document.querySelectorAll(".rb-labels span").length === 2);
     await choose("books", "exact");
-    assert.deepEqual(await page.evaluate(() => rotatebook.player.read.motions.map(({model}) => model)), ["particles", "exact"]);
+    assert.deepEqual(await page.evaluate(() => rotatebook.player.read.motions.map(({model}) => model)), ["quaternion", "exact"], "the one that was edited stays");
     await choose("axis", "z");
     assert.deepEqual(await page.evaluate(() => rotatebook.player.scene.tree.panel.map((panel) => panel.initial.angular_velocity)), [[0, 0, 4], [4, 0, 0]]);
     await choose("books", "one");
@@ -78,7 +78,7 @@ describe("knobs", () => {
     ["Steps a picture", "1000", "simulation", "substeps", 1000], ["Time a picture", "0.02", "simulation", "time_per_frame", 0.02],
     ["Stiffness", "300", "simulation", "stiffness", 300], ["Damping", "0", "simulation", "damping", 0],
     ["Mass", "2", "body", "mass", 2], ["Size along z", "3", "body", "size", [0.1878, 0.29085, 0.03]], ["Length", "30", "clip", "duration", 30],
-    ["Tilt", "0.0003", "initial", "tilt", [0.0003, "z"]], ["Spin [", "6", "initial", "angular_velocity", [6, 0, 0]],
+    ["Tilt", "0", "initial", "tilt", undefined], ["Tilt", "0.0003", "initial", "tilt", [0.0003, "z"]], ["Spin [", "6", "initial", "angular_velocity", [6, 0, 0]],
   ];
 
   test("typed numbers reach the scene", async () => {
@@ -101,6 +101,28 @@ describe("knobs", () => {
       assert.notDeepEqual(after, before, label);
       assert.equal(await messageOf(page), "", label);
     }
+    await close();
+  });
+
+  test("each whole number can be reached by keys", async () => {
+    const {page, close} = await opened();
+    await type(page, "Steps a picture", "1");
+    await knob(page, "Steps a picture").locator("input[type=range]").focus();
+    for (const steps of [2, 3, 4]) {
+      await page.keyboard.press("ArrowRight");
+      assert.equal((await sceneOf(page)).simulation.substeps, steps);
+    }
+    await page.keyboard.press("ArrowLeft");
+    assert.equal((await sceneOf(page)).simulation.substeps, 3);
+    await close();
+  });
+
+  test("a scene with the longest title can be changed", async () => {
+    const {page, close} = await opened();
+    await load(page, kTurns.replace("A book that turns over", "x".repeat(200)));
+    await type(page, "Mass", "2");
+    assert.equal((await sceneOf(page)).body.mass, 2);
+    assert.match((await sceneOf(page)).title, /^x{191}, changed$/);
     await close();
   });
 
@@ -208,6 +230,16 @@ describe("keys", () => {
     assert.equal((await sceneOf(page)).nudge.length, 1);
     await page.keyboard.press("r");
     assert.equal((await sceneOf(page)).nudge, undefined);
+    await close();
+  });
+
+  test("letters work on the ball, too", async () => {
+    const {page, close} = await open();
+    await page.locator(".rb-ball").focus();
+    await page.keyboard.press("z");
+    assert.deepEqual((await sceneOf(page)).initial.angular_velocity, [0, 0, 4]);
+    await page.keyboard.press(".");
+    assert.equal(await frameOf(page), 1);
     await close();
   });
 

@@ -20,12 +20,20 @@ async function drag(page, [x, y], [dx, dy]) {
   await page.mouse.up();
 }
 
+/** A drag all at once: a slow machine's answers must not hold the hand still. */
+async function flick(page, [x, y], [dx, dy]) {
+  await page.mouse.move(x, y);
+  const events = [page.mouse.down()];
+  for (let i = 1; i <= 5; ++i) events.push(page.mouse.move(x + dx * i / 5, y + dy * i / 5));
+  await Promise.all([...events, page.mouse.up()]);
+}
+
 test("a flick on the book adds to its spin at that time", async () => {
   const {page, close} = await open();
   await page.evaluate(() => rotatebook.player.step(60));
   await page.waitForFunction(() => rotatebook.player.frame === 60);
   const {middle} = await stageOf(page);
-  await drag(page, middle, [120, 0]);
+  await flick(page, middle, [120, 0]);
   const [nudge] = (await sceneOf(page)).nudge;
   assert.ok(Math.abs(nudge.at - 1) < 1e-6, String(nudge.at));
   assert.equal(nudge.axes, "world");
@@ -37,6 +45,18 @@ test("a flick on the book adds to its spin at that time", async () => {
     return {before: at(59), after: at(61)};
   });
   assert.ok(spin.after[1] - spin.before[1] > 0.3 * nudge.angular_velocity[1], JSON.stringify(spin));
+  await close();
+});
+
+test("a hand that holds still before it lets go doesn't throw", async () => {
+  const {page, close} = await open();
+  const {middle: [x, y]} = await stageOf(page);
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + 80, y);
+  await page.waitForTimeout(600);
+  await page.mouse.up();
+  assert.equal((await sceneOf(page)).nudge, undefined);
   await close();
 });
 
@@ -104,9 +124,9 @@ test("fingers throw, turn and draw near", async () => {
   const {page, close} = await open({viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true});
   const {middle, corner} = await stageOf(page), client = await page.context().newCDPSession(page);
   const touch = (type, ...points) => client.send("Input.dispatchTouchEvent", {type, touchPoints: points.map(([x, y], id) => ({x, y, id}))});
-  await touch("touchStart", middle);
-  for (let i = 1; i <= 4; ++i) await touch("touchMove", [middle[0], middle[1] - 15 * i]);
-  await touch("touchEnd");
+  const flick = [touch("touchStart", middle)];
+  for (let i = 1; i <= 4; ++i) flick.push(touch("touchMove", [middle[0], middle[1] - 15 * i]));
+  await Promise.all([...flick, touch("touchEnd")]);
   const [nudge] = (await sceneOf(page)).nudge;
   const [x, y, z] = nudge.angular_velocity;
   assert.ok(x < -2 * Math.hypot(y, z), String(nudge.angular_velocity));  // Measured 2.4 times.

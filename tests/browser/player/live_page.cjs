@@ -57,7 +57,7 @@ function playerScripts(files, names) {
 }
 
 /** Opens the page; `problems` grows with whatever the browser complains of or asks a network for. */
-async function open(options = {}, {hash = "", script = null, isReady = "true"} = {}) {
+async function open(options = {}, {hash = "", script = null, isReady = "true", file = pathToFileURL(kPlay).href} = {}) {
   const context = await browser.newContext({viewport: kSmall, reducedMotion: "reduce", ...options});
   const page = await context.newPage();
   if (script) await page.addInitScript(script);
@@ -66,7 +66,7 @@ async function open(options = {}, {hash = "", script = null, isReady = "true"} =
   page.on("console", (message) => { if (["error", "warning"].includes(message.type())) problems.push(message.text()); });
   page.on("pageerror", (error) => problems.push(String(error)));
   page.on("request", (request) => { if (!/^(file|data|blob):/.test(request.url())) problems.push("network: " + request.url()); });
-  await page.goto(pathToFileURL(kPlay).href + hash);
+  await page.goto(file + hash);
   await page.waitForFunction((wanted) => document.querySelector(".rb-live").dataset.ready === wanted, isReady);
   return {page, problems, close: () => context.close()};
 }

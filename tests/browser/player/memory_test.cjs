@@ -34,7 +34,8 @@ const playTo = (page, frame) => page.evaluate(async (last) => {
 test("memory doesn't grow", async () => {
   const {page, problems, close} = await open();
   await page.evaluate(() => { Object.assign(document.querySelector(".rb-stage").style, {width: "96px", height: "54px", aspectRatio: "auto"}); });
-  await load(page, fs.readFileSync(kScenes.get("fig05d-ten-minutes"), "utf8"));
+  const scene = fs.readFileSync(kScenes.get("fig05-unstable-x"), "utf8");
+  await load(page, scene.replace(/^duration = .*$/m, "duration = 600"));
   await page.waitForFunction(() => rotatebook.player.checksum !== null, null, {timeout: 120000});
   const early = await playTo(page, 6000), late = await playTo(page, 35000);
   console.log(`heap ${early.heap} after ${early.frame} frames, ${late.heap} after ${late.frame}; core ${early.core}, ${late.core}`);

@@ -85,7 +85,7 @@ test("a damaged link, or one of a broken scene, is said, and the last good scene
 test("a page's figure is played, and its checksum compared", async () => {
   const {page, close} = await open();
   const {motion, text} = await readRecord(new Blob([fs.readFileSync(render("turns", kTurns))]));
-  assert.ok(await page.evaluate((scene) => rotatebook.play(scene), text));
+  assert.ok(await page.evaluate((scene) => rotatebook.play(scene.text, scene.motion), {text, motion}));
   assert.equal(await checksumOf(page), motion);
   assert.match(await page.locator(".rb-checksum").textContent(), /the clip’s own, bit for bit/);
   assert.equal(await page.evaluate(() => rotatebook.play("nothing = 1")), false);

@@ -24,4 +24,11 @@ inline std::string errorOfText(const std::string& text) {
   return errorOf([&] { parseToml(text, "a.toml"); });
 }
 
+/// Returns `part` so many times.
+inline std::string repeated(const std::string& part, int times) {
+  std::string text;
+  for (int i = 0; i < times; ++i) text += part;
+  return text;
+}
+
 }  // namespace rotatebook::document

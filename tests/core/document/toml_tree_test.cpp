@@ -20,12 +20,6 @@ const TomlNode::Table& tableOf(const TomlNode& node) {
   return std::get<TomlNode::Table>(node.value);
 }
 
-std::string repeated(const std::string& part, int times) {
-  std::string text;
-  for (int i = 0; i < times; ++i) text += part;
-  return text;
-}
-
 std::string descriptionOf(const std::string& value) {
   return describe(*parseTomlValue(value, "here"));
 }

@@ -28,7 +28,7 @@ TEST(InverseRoot, IsTheReciprocalRootToRounding) {
   }
   EXPECT_LT(worst, kRootBound);
   EXPECT_EQ(inverseRoot(0.25), 2);
-  EXPECT_EQ(inverseRoot(4), 0.5);
+  EXPECT_EQ(inverseRoot(4.0), 0.5);
 }
 
 // A matrix and a quaternion are two names of one attitude: whatever is done to both, they agree.

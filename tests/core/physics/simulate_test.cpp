@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "physics/measure/exact_tilt.h"
 #include "physics/scenarios.h"
 
 namespace rotatebook::physics {
@@ -92,6 +94,37 @@ TEST(Simulate, IsNotChangedBySamplesBetweenSteps) {
       EXPECT_EQ(all[10 * n].angularMomentum, even[n].angularMomentum);
     }
   }
+}
+
+TEST(Simulate, TakesTheSameSamplesWithoutKeepingOrComparingThem) {
+  for (const Model model : {Model::Particles, Model::Quaternion, Model::Exact}) {
+    const MotionSettings settings = spinning(model, {5, 0.1, 0.1}, 0.01);
+    const Trajectory kept = simulate(settings, 200);
+    Simulation simulation(settings, Compared::No);
+    for (const Sample& sample : std::span(kept.samples).subspan(1)) {
+      const auto once = simulation.sampleOnce(sample.time);
+      ASSERT_TRUE(once);
+      EXPECT_EQ(once->attitude.coeffs(), sample.attitude.coeffs());
+      EXPECT_EQ(once->tiltDeg, sample.tiltDeg);
+      EXPECT_EQ(once->halfTurns, sample.halfTurns);
+      EXPECT_EQ(once->total(), sample.total());
+      EXPECT_EQ(once->errorDeg, 0);
+    }
+    EXPECT_EQ(simulation.trajectory().samples.size(), 1U);
+  }
+}
+
+TEST(ExactTilt, IsThatOfTheSamples) {
+  constexpr double kBound = 1e-10;  // [degrees]; measured 4.3e-14
+  double largest = 0;
+  for (const Vector3d& spin : {Vector3d(5, 1e-3, 1e-3), Vector3d(1, 4, 2), Vector3d(0, 0, 3)}) {
+    MotionSettings settings = spinning(Model::Exact, spin, 0.1);
+    settings.nudges = {{.at = 7.03, .value = {0.5, -1, 0.3}}};
+    const ExactTilt tilt(settings);
+    for (const Sample& sample : simulate(settings, 200).samples)
+      largest = std::max(largest, std::abs(tilt.degAt(sample.time) - sample.tiltDeg));
+  }
+  EXPECT_LE(largest, kBound);
 }
 
 TEST(Simulate, FollowsTheMotionBetweenSteps) {

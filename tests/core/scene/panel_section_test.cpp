@@ -185,8 +185,9 @@ TEST(Panels, NameTheNearestKey) {
 }
 
 TEST(Panels, LeaveNothingToStudy) {
-  EXPECT_EQ(errorOfText(twoPanels("[study]")),
-            "a.toml:7:1: [study] needs a single motion, but this scene has panels");
+  EXPECT_EQ(
+      errorOfText(twoPanels("[study]")),
+      "a.toml:7:1: [study] needs a single motion, but this scene has several, panels or a grid");
 }
 
 TEST(Panels, TakeOverridesByTheirNumber) {

@@ -94,7 +94,7 @@ TEST(SceneReader, ListsTheValidOnesWhereNoneIsNear) {
             "\"simulation\", \"initial\", \"nudge\", \"clip\", \"video\", \"camera\", \"book\", "
             "\"look\", "
             "\"overlay\", "
-            "\"expect\", \"panel\" and \"study\"");
+            "\"expect\", \"panel\", \"grid\", \"study\" and \"map\"");
   EXPECT_EQ(errorOf("[body]\ncolour = 3"),
             "a.toml:2:1: unknown key \"colour\" in [body]; valid are \"size\", \"mass\" "
             "and \"inertia\"");
@@ -107,7 +107,7 @@ TEST(SceneReader, NamesTheSectionToWhichAKeyBelongs) {
   EXPECT_EQ(errorOf("[body]\ntitle = 'x'"),
             "a.toml:2:1: unknown key \"title\" in [body]; it belongs before the first [section]");
   EXPECT_EQ(errorOf("size = [1, 2, 3]"),
-            "a.toml:1:1: unknown key \"size\"; it belongs under [body] or [clip]");
+            "a.toml:1:1: unknown key \"size\"; it belongs under [body], [clip] or [map]");
   const std::string panel = "[[panel]]\nlabel = 'a'\nsubsteps = 3\n[[panel]]\nlabel = 'b'";
   EXPECT_EQ(errorOf(panel),
             "a.toml:3:1: unknown key \"substeps\" in [panel]; it belongs under "

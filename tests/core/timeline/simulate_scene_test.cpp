@@ -1,7 +1,13 @@
 #include "timeline/simulate_scene.h"
 
+#include <string>
+#include <tuple>
+#include <vector>
+
 #include <gtest/gtest.h>
 
+#include "base/error.h"
+#include "scene/scene_text.h"
 #include "timeline/shutter_moments.h"
 
 namespace rotatebook::timeline {
@@ -48,6 +54,26 @@ TEST(ShutterMoments, AreCloserInSlowMotion) {
   constexpr double kRounding = 1e-14;  // [s]; measured 1.8e-16
   EXPECT_NEAR(moments.at(0, 5, 1).time - moments.at(0, 5, 0).time, 0.025, kRounding);
   EXPECT_NEAR(moments.at(0, 15, 1).time - moments.at(0, 15, 0).time, 0.0125, kRounding);
+}
+
+/// The steps of the first motion are so long that their equation has no solution.
+constexpr const char* kUnsolvable =
+    "[initial]\nangular_velocity = [60, 1, 0]\n[simulation]\nintegrator = 'dmv2'\n"
+    "[clip]\nfps = 10\nduration = 1\n";
+
+TEST(SimulateScene, EndsInAGridTheMotionWhoseStepCannotBeMade) {
+  const std::string book = kUnsolvable;
+  EXPECT_THROW(simulateScene(scene::parseScene(book, "a.toml",
+                                               std::vector<std::string>{"simulation.substeps=1"})),
+               InputError);
+  const ClipMotion motion = simulateScene(scene::parseScene(
+      book + "[grid]\ncolumns = { over = 'simulation.substeps', values = [1, 1000] }", "a.toml"));
+  const auto& [refused, solved] = std::tie(motion.trajectories()[0], motion.trajectories()[1]);
+  EXPECT_EQ(refused.divergedAt, 0.1);
+  EXPECT_EQ(refused.samples.size(), 1U);
+  EXPECT_FALSE(solved.divergedAt);
+  EXPECT_EQ(solved.samples.size(), 10U);
+  EXPECT_EQ(motion.frameCount(), 10);
 }
 
 }  // namespace

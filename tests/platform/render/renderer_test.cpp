@@ -143,6 +143,27 @@ TEST(Renderer, SaysWhatDraws) {
   EXPECT_THAT(renderer.description(), HasSubstr("EGL"));
 }
 
+// Neither sizes, covers nor the camera matter: parts of a clip are drawn with the same ones.
+TEST(Renderer, DrawsATestFrameThatDependsOnWhatDrawsIt) {
+  const std::string frame = Renderer(settingsOf(128, 72), builtinTextures()).testFrame();
+  EXPECT_EQ(frame.size(), 32U);
+  EXPECT_EQ(Renderer(settingsOf(128, 72), builtinTextures()).testFrame(), frame);
+  RenderSettings other = settingsOf(128, 72);
+  other.camera.position = {0.1, 0, 2};
+  const image::Image cloth = plainCloth({1, 2, 3});
+  EXPECT_EQ(Renderer(other, {cloth, cloth, cloth}).testFrame(), frame);
+  other.background = Background::Stars;
+  EXPECT_NE(Renderer(other, builtinTextures()).testFrame(), frame);
+}
+
+TEST(Renderer, DrawsTheSamePicturesAfterATestFrame) {
+  Renderer renderer(settingsOf(128, 72), builtinTextures());
+  const std::vector<image::Image> before = drawAll(renderer);
+  const std::string frame = renderer.testFrame();
+  EXPECT_EQ(drawAll(renderer), before);
+  EXPECT_EQ(renderer.testFrame(), frame);
+}
+
 TEST(Renderer, CarriesCoversOfItsOwn) {
   for (const auto& picture : {builtinFront(), builtinSpine(), builtinBack()}) {
     EXPECT_GT(picture.width(), 64);

@@ -10,11 +10,13 @@
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "system/temporary_files.h"
 
 namespace rotatebook {
 namespace {
@@ -76,13 +78,40 @@ TEST_F(AtomicFileTest, OfAProcessThatIsKilledIsRemovedByTheNext) {
 }
 
 TEST_F(AtomicFileTest, NothingElseIsTakenForOneThatWasLeft) {
-  for (const char* name : {".a.rotatebook-", ".a.rotatebook-1x", "a.rotatebook-1", ".a.tmp-1"}) {
+  for (const char* name : {".a.rotatebook-", ".a.rotatebook-1", "a.rotatebook-0", ".a.tmp-1"}) {
     std::ofstream(folder_ / name) << "kept";
   }
   ASSERT_EQ(mkfifo((folder_ / ".pipe").c_str(), 0600), 0);
   system::removeStaleTemporaries(folder_);
   EXPECT_EQ(filesInFolder(), 5);
   system::removeStaleTemporaries(folder_ / "missing");
+}
+
+TEST_F(AtomicFileTest, ReplacesNothingThatIsNew) {
+  EXPECT_TRUE(system::createFileAtomically(folder_ / "a.txt", "first"));
+  EXPECT_FALSE(system::createFileAtomically(folder_ / "a.txt", "second"));
+  EXPECT_EQ(contentOf(folder_ / "a.txt"), "first");
+  EXPECT_EQ(filesInFolder(), 1);
+}
+
+TEST_F(AtomicFileTest, OfSeveralProcessesOneMakesAFile) {
+  for (int round = 0; round < 20; ++round) {
+    const fs::path path = folder_ / std::to_string(round);
+    int made = 0;
+    std::vector<pid_t> children;
+    for (int i = 0; i < 4; ++i) {
+      children.push_back(fork());
+      if (children.back() != 0) continue;
+      _exit(system::createFileAtomically(path, std::to_string(i)) ? 1 : 0);
+    }
+    for (const pid_t child : children) {
+      int status = 0;
+      ASSERT_EQ(waitpid(child, &status, 0), child);
+      made += WEXITSTATUS(status);
+    }
+    EXPECT_EQ(made, 1);
+  }
+  EXPECT_EQ(filesInFolder(), 20);
 }
 
 TEST_F(AtomicFileTest, UseIsSharedOrNot) {
@@ -134,16 +163,16 @@ TEST_F(AtomicFileTest, RefusesToReplaceAPipe) {
 TEST_F(AtomicFileTest, WaitsForNoPipeInThePlaceOfItsOwnFiles) {
   ASSERT_EQ(mkfifo((folder_ / ".a.txt.rotatebook-0").c_str(), 0600), 0);
   EXPECT_THROW(system::AdvisoryLock(folder_ / "a.txt", system::Lock::Shared), MachineError);
-  const std::string own = ".a.txt.rotatebook-" + std::to_string(getpid());
+  const fs::path own = system::temporaryNameFor(folder_ / "a.txt");
   system::writeFileAtomically(folder_ / "b.txt", "");  // Has tidied up.
-  ASSERT_EQ(mkfifo((folder_ / own).c_str(), 0600), 0);
-  const system::FileDescriptor reader(open((folder_ / own).c_str(), O_RDONLY | O_NONBLOCK));
+  ASSERT_EQ(mkfifo(own.c_str(), 0600), 0);
+  const system::FileDescriptor reader(open(own.c_str(), O_RDONLY | O_NONBLOCK));
   EXPECT_THROW(system::AtomicFile file(folder_ / "a.txt"), MachineError);
 }
 
 // Who tidies up holds it for an instant.
 TEST_F(AtomicFileTest, IsWrittenThoughAnotherTidiesUp) {
-  const fs::path own = folder_ / (".a.txt.rotatebook-" + std::to_string(getpid()));
+  const fs::path own = system::temporaryNameFor(folder_ / "a.txt");
   system::writeFileAtomically(folder_ / "b.txt", "");
   system::FileDescriptor other = system::createLocked(own, system::Lock::Exclusive);
   std::thread tidier([&] {

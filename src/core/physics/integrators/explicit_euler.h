@@ -2,7 +2,9 @@
 #pragma once
 
 #include "physics/attitude.h"
+#include "physics/integrators/eigen_numbers.h"
 #include "physics/integrators/rigid_state.h"
+#include "physics/steps/euler_step.h"
 
 namespace rotatebook::physics {
 
@@ -18,31 +20,23 @@ class ExplicitEuler {
   static constexpr bool kMomentumInBody = false;
 
   ExplicitEuler(const RigidConstants& body, double h)
-      : body_(body), halfTurn_(h / 2 * body.inverseInertia), h_(h) {}
+      : body_(body), quaternionStep_(stepOf(body, h)), h_(h) {}
+
+  /// Returns the step of a quaternion, of length h [s].
+  static EulerStep<double> stepOf(const RigidConstants& body, double h) {
+    return {toNumbers(h / 2 * body.inverseInertia)};
+  }
 
   void step(RigidState<Eigen::Matrix3d>& state) const {
     const Eigen::Vector3d w = angularVelocityInWorld(body_, state.attitude, state.momentum);
     state.attitude += h_ * (rigid::crossMatrix(w) * state.attitude);
   }
 
-  // With q = (s, u) and v = (h/2) I^-1 A^T L, the body's half turn,
-  //   A^T L = L - s t + u x t,  t = 2 u x L,  and
-  //   (0, A v) q = (-u.v, s v + (2 |q|^2 - 1) u x v),
-  // for every q. It takes half as many operations as the matrix, in a chain half as long.
-  void step(RigidState<Eigen::Quaterniond>& state) const {
-    const double s = state.attitude.w();
-    const Eigen::Vector3d u = state.attitude.vec();
-    const Eigen::Vector3d t = u.cross(2 * state.momentum);
-    const Eigen::Vector3d inBody = (state.momentum - s * t) + u.cross(t);
-    const Eigen::Vector3d v = halfTurn_.cwiseProduct(inBody);
-    const Eigen::Vector3d stretched = (2 * state.attitude.squaredNorm() - 1) * u;
-    state.attitude.w() = s - u.dot(v);
-    state.attitude.vec() = (u + s * v) + stretched.cross(v);
-  }
+  void step(RigidState<Eigen::Quaterniond>& state) const { takeStep(state, quaternionStep_); }
 
  private:
   RigidConstants body_;
-  Eigen::Vector3d halfTurn_;  // (h/2) I^-1
+  EulerStep<double> quaternionStep_;
   double h_;
 };
 

@@ -24,9 +24,18 @@ namespace {
 constexpr std::array kRigid{Model::Matrix, Model::Quaternion};
 constexpr std::array kParticles{Model::Particles};
 
+template <typename Method>
+AnyStep quaternionStepOf(const RigidConstants& body, double h) {
+  return Method::stepOf(body, h);
+}
+
 template <RigidIntegrator Method>
 constexpr Stepping rigid(std::string_view keeps, int nanoseconds, std::string_view source) {
-  return {kRigid, keeps, nanoseconds, source, &makeRigidSimulator<Method>};
+  Stepping result{kRigid, keeps, nanoseconds, source, &makeRigidSimulator<Method>};
+  if constexpr (requires(const RigidConstants& body) { Method::stepOf(body, 1.0); }) {
+    result.quaternionStep = &quaternionStepOf<Method>;
+  }
+  return result;
 }
 
 template <ParticleIntegrator Method>

@@ -7,7 +7,9 @@
 #include <span>
 #include <string_view>
 
+#include "physics/integrators/rigid_state.h"
 #include "physics/motion_settings.h"
+#include "physics/steps/any_step.h"
 
 namespace rotatebook::physics {
 
@@ -21,6 +23,9 @@ struct Stepping {
   std::string_view source;        ///< Its paper, book or engine.
   /// Creates the simulator, at t = 0. Throws InputError as makeSimulator() does.
   std::unique_ptr<Simulator> (*make)(const MotionSettings& settings) = nullptr;
+  /// Returns a quaternion's step of length h [s]; null if it is no template of its number type.
+  /// Throws StepTooLong.
+  AnyStep (*quaternionStep)(const RigidConstants& body, double h) = nullptr;
 };
 
 /// A row of integrator_list.inc.

@@ -1,12 +1,11 @@
 // The implicit midpoint rule for a rigid body. Inside the room only.
 #pragma once
 
-#include <cmath>
-
 #include "physics/attitude.h"
+#include "physics/integrators/eigen_numbers.h"
 #include "physics/integrators/implicit_step.h"
 #include "physics/integrators/rigid_state.h"
-#include "rigid/rotation.h"
+#include "physics/steps/midpoint_step.h"
 
 namespace rotatebook::physics {
 
@@ -18,39 +17,20 @@ class Midpoint {
  public:
   static constexpr bool kMomentumInBody = true;
 
-  Midpoint(const RigidConstants& body, double h) : body_(body), h_(h) {}
+  Midpoint(const RigidConstants& body, double h) : step_(stepOf(body, h)) {}
+
+  /// Returns the step for numbers, of length h [s].
+  static MidpointStep<double> stepOf(const RigidConstants& body, double h) {
+    return {toNumbers(body.inverseInertia), h};
+  }
 
   template <typename Attitude>
   void step(RigidState<Attitude>& state) const {
-    const Eigen::Vector3d middle =
-        solveStep(state.momentum, Equation{*this, state.momentum}, "midpoint", h_);
-    const Eigen::Vector3d half = h_ / 2 * body_.inverseInertia.cwiseProduct(middle);
-    if (!std::isfinite(half.squaredNorm())) throwNoConvergence("midpoint", h_);
-    turnInBody(state.attitude, Eigen::Quaterniond(1, half.x(), half.y(), half.z()).normalized());
-    addCompensated(2 * middle.cross(half), state.momentum, state.momentumCarry);
+    turnInBody(state.attitude, takeMomentumStep(state, step_, SolvedOrThrown{"midpoint", step_.h}));
   }
 
  private:
-  /// Mm = M + share (h/2) Mm x w.
-  struct Equation {
-    const Midpoint& rule;
-    const Eigen::Vector3d& momentum;
-
-    const Eigen::Vector3d& solutionAtZero() const { return momentum; }
-    Eigen::Vector3d next(const Eigen::Vector3d& middle, double share) const {
-      return momentum +
-             share * rule.h_ / 2 * middle.cross(rule.body_.inverseInertia.cwiseProduct(middle));
-    }
-    Eigen::Matrix3d derivative(const Eigen::Vector3d& middle, double share) const {
-      const Eigen::Vector3d velocity = rule.body_.inverseInertia.cwiseProduct(middle);
-      return share * rule.h_ / 2 *
-             (rigid::crossMatrix(middle) * rule.body_.inverseInertia.asDiagonal() -
-              rigid::crossMatrix(velocity));
-    }
-  };
-
-  RigidConstants body_;
-  double h_;
+  MidpointStep<double> step_;
 };
 
 }  // namespace rotatebook::physics

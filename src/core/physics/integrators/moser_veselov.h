@@ -4,8 +4,10 @@
 #include <array>
 
 #include "physics/attitude.h"
+#include "physics/integrators/eigen_numbers.h"
 #include "physics/integrators/implicit_step.h"
 #include "physics/integrators/rigid_state.h"
+#include "physics/steps/moser_veselov_step.h"
 
 namespace rotatebook::physics {
 
@@ -26,52 +28,27 @@ class MoserVeselov {
  public:
   static constexpr bool kMomentumInBody = true;
 
-  MoserVeselov(const RigidConstants& body, double h)
-      : inertia_(preprocessedInertia(body, h, kOrder)),
-        half_(h / 2 * inertia_.cwiseInverse()),
-        differences_(inertia_[1] - inertia_[2], inertia_[2] - inertia_[0],
-                     inertia_[0] - inertia_[1]),
-        ratios_(differences_.cwiseQuotient(inertia_)),
-        h_(h) {}
+  MoserVeselov(const RigidConstants& body, double h) : step_(stepOf(body, h)) {}
+
+  /// Returns the step for numbers, of length h [s]. Throws StepTooLong.
+  static MoserVeselovStep<double> stepOf(const RigidConstants& body, double h) {
+    const Eigen::Vector3d inertia = preprocessedInertia(body, h, kOrder);
+    const Eigen::Vector3d differences(inertia[1] - inertia[2], inertia[2] - inertia[0],
+                                      inertia[0] - inertia[1]);
+    return {toNumbers(h / 2 * inertia.cwiseInverse()), toNumbers(differences),
+            toNumbers(differences.cwiseQuotient(inertia)), h};
+  }
 
   template <typename Attitude>
   void step(RigidState<Attitude>& state) const {
-    const Eigen::Vector3d a = half_.cwiseProduct(state.momentum);
-    const Eigen::Vector3d c = solveStep(a, Equation{a, ratios_}, kName, h_);
-    turnInBody(state.attitude, Eigen::Quaterniond(1, c.x(), c.y(), c.z()).normalized());
-    addCompensated(4 / (h_ * (1 + c.squaredNorm())) * differences_.cwiseProduct(products(c)),
-                   state.momentum, state.momentumCarry);
+    turnInBody(state.attitude, takeMomentumStep(state, step_, SolvedOrThrown{kName, step_.h}));
   }
 
  private:
-  /// The equations of c, with share a for a.
-  struct Equation {
-    const Eigen::Vector3d& a;
-    const Eigen::Vector3d& ratios;
-
-    Eigen::Vector3d solutionAtZero() const { return {0, 0, 0}; }
-    Eigen::Vector3d next(const Eigen::Vector3d& c, double share) const {
-      return (1 + c.squaredNorm()) * share * a + ratios.cwiseProduct(products(c));
-    }
-    Eigen::Matrix3d derivative(const Eigen::Vector3d& c, double share) const {
-      Eigen::Matrix3d ofProducts;
-      ofProducts << 0, c.z(), c.y(), c.z(), 0, c.x(), c.y(), c.x(), 0;
-      return 2 * share * a * c.transpose() + ratios.asDiagonal() * ofProducts;
-    }
-  };
-
   static constexpr std::array kNames{"dmv2", "dmv4", "dmv6"};
   static constexpr const char* kName = kNames[kOrder / 2 - 1];
 
-  static Eigen::Vector3d products(const Eigen::Vector3d& c) {
-    return {c.y() * c.z(), c.z() * c.x(), c.x() * c.y()};
-  }
-
-  Eigen::Vector3d inertia_;
-  Eigen::Vector3d half_;         // (h/2) J^-1
-  Eigen::Vector3d differences_;  // J2 - J3 and cyclic
-  Eigen::Vector3d ratios_;       // (J2 - J3)/J1 and cyclic
-  double h_;
+  MoserVeselovStep<double> step_;
 };
 
 }  // namespace rotatebook::physics

@@ -23,24 +23,41 @@ std::vector<double> flipTimes(const Trajectory& trajectory, const rigid::Princip
   requireSameLayout();
   const Eigen::Vector3d axis = medianAxis(inertia);
   const auto rateOf = [&axis](const Sample& sample) {
-    return (sample.attitude * axis).dot(sample.angularVelocity);
+    return spinAbout(axis, sample.attitude, sample.angularVelocity);
   };
   std::vector<double> times;
   const std::vector<Sample>& samples = trajectory.samples;
   double before = rateOf(samples.front());
   for (std::size_t n = 1; n < samples.size(); ++n) {
     const double rate = rateOf(samples[n]);
-    if ((before < 0) != (rate < 0)) {
-      times.push_back(samples[n - 1].time + trajectory.interval * before / (before - rate));
-    }
+    const auto flip = flipBetween(samples[n - 1].time, trajectory.interval, before, rate);
+    if (flip) times.push_back(*flip);
     before = rate;
   }
   return times;
 }
 
+double spinAbout(const Eigen::Vector3d& axis, const Eigen::Quaterniond& attitude,
+                 const Eigen::Vector3d& angularVelocity) {
+  return (attitude * axis).dot(angularVelocity);
+}
+
+std::optional<double> flipBetween(double time, double interval, double before, double after) {
+  if ((before < 0) == (after < 0)) return std::nullopt;
+  return time + interval * before / (before - after);
+}
+
 double meanInterval(std::span<const double> times) {
   if (times.size() < 2) return std::numeric_limits<double>::quiet_NaN();
   return (times.back() - times.front()) / static_cast<double>(times.size() - 1);
+}
+
+double tiltGrowth(const rigid::PrincipalAxes& inertia) {
+  const auto axes = rigid::axesByInertia(inertia.moments);
+  const double i1 = inertia.moments[axes[0]];
+  const double i2 = inertia.moments[axes[1]];
+  const double i3 = inertia.moments[axes[2]];
+  return std::sqrt((i2 - i1) * (i3 - i2) / (i1 * i3));
 }
 
 double asymptoticFlipInterval(const rigid::PrincipalAxes& inertia,
@@ -52,7 +69,7 @@ double asymptoticFlipInterval(const rigid::PrincipalAxes& inertia,
   if (!(i1 < i2 && i2 < i3)) return std::numeric_limits<double>::infinity();
   const Eigen::Vector3d w = inertia.bodyFromPrincipal.transpose() * angularVelocity;
   const double spin = w.norm();
-  const double growth = spin * std::sqrt((i2 - i1) * (i3 - i2) / (i1 * i3));
+  const double growth = spin * tiltGrowth(inertia);
   const double distance =
       std::fabs(rigid::medianInvariantRoot({i1, i2, i3}, w[axes[0]], w[axes[2]]).value());
   const double modulus = distance / spin * std::sqrt((i3 - i1) / (i2 * (i2 - i1) * (i3 - i2)));

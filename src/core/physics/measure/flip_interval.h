@@ -1,10 +1,12 @@
 // The time between the flips of a body that spins about its median axis.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "physics/trajectory.h"
 #include "rigid/inertia.h"
@@ -17,8 +19,19 @@ namespace rotatebook::physics {
 /// in which a deviation grows e-fold.
 std::vector<double> flipTimes(const Trajectory& trajectory, const rigid::PrincipalAxes& inertia);
 
+/// Returns the rate of a body's spin about `axis`, given in body axes. [rad/s]
+double spinAbout(const Eigen::Vector3d& axis, const Eigen::Quaterniond& attitude,
+                 const Eigen::Vector3d& angularVelocity);
+/// Returns the time of the flip between samples at `time` and `interval` later [s], if there the
+/// rates `before` and `after` have different signs.
+std::optional<double> flipBetween(double time, double interval, double before, double after);
+
 /// Returns the mean time from one of the ascending `times` to the next; NaN of fewer than two. [s]
 double meanInterval(std::span<const double> times);
+
+/// Returns the rate at which a small tilt of the spin from the median axis grows, over the spin:
+/// sqrt((I2-I1)(I3-I2)/(I1 I3)), 0 if two moments are equal.
+double tiltGrowth(const rigid::PrincipalAxes& inertia);
 
 /// Returns the limit of the flip interval for a free rigid body that starts close to the median
 /// axis with this angular velocity in body axes [rad/s]:

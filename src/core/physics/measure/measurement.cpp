@@ -19,15 +19,6 @@ int largestComponent(const Eigen::Vector3d& v) {
   return axis;
 }
 
-// Returns the principal axis nearest to the axis of the spin, a unit vector in body axes. Of its
-// two directions it is the one along the edge of the body that it is nearest to.
-Eigen::Vector3d spunAxisOf(const MotionSettings& settings, const rigid::PrincipalAxes& inertia) {
-  const Eigen::Vector3d spin =
-      inertia.bodyFromPrincipal.transpose() * initialAngularVelocity(settings);
-  const Eigen::Vector3d axis = inertia.bodyFromPrincipal.col(largestComponent(spin));
-  return axis[largestComponent(axis)] < 0 ? Eigen::Vector3d(-axis) : axis;
-}
-
 // Returns the angle of a rotation, to rounding even if it is small. [degrees]
 double angleDeg(const Eigen::Matrix3d& rotation) {
   const Eigen::Quaterniond q(rotation);
@@ -36,24 +27,55 @@ double angleDeg(const Eigen::Matrix3d& rotation) {
 
 }  // namespace
 
+Eigen::Vector3d spunAxisOf(const MotionSettings& settings, const rigid::PrincipalAxes& inertia) {
+  const Eigen::Vector3d spin =
+      inertia.bodyFromPrincipal.transpose() * initialAngularVelocity(settings);
+  const Eigen::Vector3d axis = inertia.bodyFromPrincipal.col(largestComponent(spin));
+  return axis[largestComponent(axis)] < 0 ? Eigen::Vector3d(-axis) : axis;
+}
+
+// Uses atan2, because the arc cosine of a number near 1 loses half the digits of a small angle.
+double tiltDegOf(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& spunAxis,
+                 const Eigen::Vector3d& momentum) {
+  const Eigen::Vector3d axis = rotation * spunAxis;
+  return arcTangent(axis.cross(momentum).norm(), axis.dot(momentum)) * 180 / std::numbers::pi;
+}
+
+TiltSide sideOf(double tiltDeg) {
+  if (tiltDeg < kNearDeg) return TiltSide::Near;
+  return tiltDeg > kFarDeg ? TiltSide::Far : TiltSide::None;
+}
+
 bool keepsItsShape(double stretchMin, double stretchMax) {
   return stretchMin >= kMinStretch && stretchMax <= kMaxStretch;
 }
 
 int HalfTurnCounter::count(double tiltDeg) {
+  return countSide(sideOf(tiltDeg));
+}
+
+int HalfTurnCounter::countCosine(double along, double length) {
+  constexpr double kCosine = 0.5;  // of 60 degrees, and of 120 with another sign
+  return countSide(along > kCosine * length    ? TiltSide::Near
+                   : along < -kCosine * length ? TiltSide::Far
+                                               : TiltSide::None);
+}
+
+int HalfTurnCounter::countSide(TiltSide side) {
   if (stopped_) return halfTurns_;
-  const Side side = tiltDeg < kNearDeg ? Side::Near : tiltDeg > kFarDeg ? Side::Far : side_;
-  if (side_ != Side::None && side != side_) ++halfTurns_;
+  if (side == TiltSide::None) return halfTurns_;
+  if (side_ != TiltSide::None && side != side_) ++halfTurns_;
   side_ = side;
   return halfTurns_;
 }
 
-Measurement::Measurement(const MotionSettings& settings)
+Measurement::Measurement(const MotionSettings& settings, Compared compared)
     : body_(withSameLayout(settings).body),
       inertia_(modelInertia(settings)),
       spunAxis_(spunAxisOf(settings, inertia_)),
-      exact_(exactRotation(settings)),
-      isExact_(settings.simulation.model == Model::Exact) {}
+      isExact_(settings.simulation.model == Model::Exact) {
+  if (compared == Compared::WithExact) exact_.emplace(exactRotation(settings));
+}
 
 Sample Measurement::measure(double time, const BodyState& state) {
   const rigid::Polar polar = rigid::polarDecomposition(state.worldFromBody);
@@ -65,14 +87,16 @@ Sample Measurement::measure(double time, const BodyState& state) {
   sample.kinetic = state.kinetic;
   sample.potential = state.potential;
   sample.rotational = state.rotational;
-  sample.tiltDeg = tiltDeg(polar.rotation, state.angularMomentum);
+  sample.tiltDeg = tiltDegOf(polar.rotation, spunAxis_, state.angularMomentum);
   sample.stretchMin = polar.singularValues[2];
   sample.stretchMax = polar.singularValues[0];
   if (!keepsItsShape(sample.stretchMin, sample.stretchMax)) counter_.stop();
   sample.halfTurns = counter_.count(sample.tiltDeg);
-  const NudgedRotation::Moment exact = exact_.at(time);
-  sample.errorDeg = angleDeg(exact.worldFromBody.transpose() * polar.rotation);
-  sample.regime = regime(polar.rotation, state.angularVelocity, exact.regime);
+  if (exact_) {
+    const NudgedRotation::Moment exact = exact_->at(time);
+    sample.errorDeg = angleDeg(exact.worldFromBody.transpose() * polar.rotation);
+    sample.regime = regime(polar.rotation, state.angularVelocity, exact.regime);
+  }
   sample.cage = drawnCage(state, body_);
   return sample;
 }
@@ -82,13 +106,6 @@ Eigen::Quaterniond Measurement::continuedAttitude(const Eigen::Matrix3d& rotatio
   if (next.dot(attitude_) < 0) next.coeffs() = -next.coeffs();
   attitude_ = next;
   return next;
-}
-
-// Uses atan2, because the arc cosine of a number near 1 loses half the digits of a small angle.
-double Measurement::tiltDeg(const Eigen::Matrix3d& rotation,
-                            const Eigen::Vector3d& momentum) const {
-  const Eigen::Vector3d axis = rotation * spunAxis_;
-  return arcTangent(axis.cross(momentum).norm(), axis.dot(momentum)) * 180 / std::numbers::pi;
 }
 
 // The regime of the exact motion is constant between nudges, which the rounding of one sample could

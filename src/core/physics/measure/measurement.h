@@ -1,6 +1,7 @@
-// Measurement of a simulator's states, which makes the samples of a trajectory. Inside the room
-// only.
+// Measurement of a simulator's states, which makes the samples of a trajectory.
 #pragma once
+
+#include <optional>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -29,22 +30,39 @@ inline constexpr double kMinStretch = 0.5, kMaxStretch = 2;
 /// Returns whether these singular values, smallest and largest, are within those bounds.
 bool keepsItsShape(double stretchMin, double stretchMax);
 
+/// Returns the principal axis nearest to the axis of the spin, a unit vector in body axes. Of its
+/// two directions it is the one along the edge of the body that it is nearest to.
+Eigen::Vector3d spunAxisOf(const MotionSettings& settings, const rigid::PrincipalAxes& inertia);
+
+/// Returns the angle between the spun body axis, turned by `rotation`, and the momentum. [degrees]
+double tiltDegOf(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& spunAxis,
+                 const Eigen::Vector3d& momentum);
+
+/// Sides of the tilt between which half-turns are counted: under 60 and over 120 degrees.
+enum class TiltSide { None, Near, Far };
+TiltSide sideOf(double tiltDeg);
+
 /// Counts how often the tilt goes from under 60 to over 120 degrees or back. The wide gap keeps a
 /// wobble about 90 degrees from counting.
 class HalfTurnCounter {
  public:
   /// Takes the next tilt [degrees]; returns the count so far.
   int count(double tiltDeg);
+  /// Takes likewise the cosine of the tilt times a length > 0, and that length.
+  int countCosine(double along, double length);
   /// Freezes the count for good.
   void stop() { stopped_ = true; }
 
  private:
-  enum class Side { None, Near, Far };
+  int countSide(TiltSide side);
 
-  Side side_ = Side::None;
+  TiltSide side_ = TiltSide::None;
   int halfTurns_ = 0;
   bool stopped_ = false;
 };
+
+/// Presence in samples of errorDeg and regime, which cost as much as an exact motion.
+enum class Compared { No, WithExact };
 
 /// Measures the states of one motion, in their order: the sign of the attitude and the half-turns
 /// depend on the states before. Once a state fails keepsItsShape(), the count of half-turns is
@@ -53,22 +71,21 @@ class Measurement {
  public:
   /// Takes as the spun axis the principal axis along which the initial angular velocity has its
   /// largest component. Throws InputError as InitialSpin::tilted() does.
-  explicit Measurement(const MotionSettings& settings);
+  explicit Measurement(const MotionSettings& settings, Compared compared = Compared::WithExact);
 
   /// Returns the sample at `time` [s] of `state`, whose numbers must be finite.
   Sample measure(double time, const BodyState& state);
 
  private:
   Eigen::Quaterniond continuedAttitude(const Eigen::Matrix3d& rotation);
-  double tiltDeg(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& momentum) const;
   rigid::Regime regime(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& angularVelocity,
                        rigid::Regime exact) const;
 
   Cuboid body_;
   rigid::PrincipalAxes inertia_;
   Eigen::Vector3d spunAxis_;
-  NudgedRotation exact_;
-  bool isExact_;  // whether the measured motion is itself exact
+  std::optional<NudgedRotation> exact_;  // unless there is no comparison
+  bool isExact_;                         // whether the measured motion is itself exact
   Eigen::Quaterniond attitude_ = Eigen::Quaterniond::Identity();  // the last one
   HalfTurnCounter counter_;
 };

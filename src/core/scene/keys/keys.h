@@ -37,10 +37,18 @@ const Keys<Scene>& studyKeys();
 /// The keys of Scene::study's sweep; to read them, it must be present.
 const Keys<Scene>& sweepKeys();
 
+/// Keys of [map].
+const Keys<MapSettings>& mapKeys();
+
+/// Keys of [grid].
+const Keys<GridSettings>& gridKeys();
+
 /// Keys of bounds on a number.
 const Keys<Bounds>& boundKeys();
 /// Throws InputError if `bounds`, read from `value`, are none, or in the wrong order.
 void checkBounds(const ValueReader& value, const Bounds& bounds);
+/// Returns fields that read the keys of bounds into `bounds`, which must outlive them.
+std::vector<Field> boundFields(Bounds& bounds);
 
 /// Returns the lines of study.orders, one for each integrator.
 std::string ordersText(const StudySettings& study);

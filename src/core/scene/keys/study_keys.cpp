@@ -115,6 +115,12 @@ void checkBounds(const ValueReader& value, const Bounds& bounds) {
   }
 }
 
+std::vector<Field> boundFields(Bounds& bounds) {
+  return fieldsOf(boundKeys(), [&bounds](const Key<Bounds>& key, const ValueReader& value) {
+    key.read(value, bounds);
+  });
+}
+
 const Keys<Scene>& samplingKeys() {
   const auto ofStudy = [](auto part) {
     return [part](auto& scene) -> auto& {

@@ -65,9 +65,7 @@ SweepExpectation expectationFrom(const ValueReader& table) {
       {"measure", [&](const ValueReader& value) { one.quantity = quantityFrom(value); }},
       {"at", [&](const ValueReader& value) { one.at = labelOf(value); }},
       {"curve", [&](const ValueReader& value) { one.curve = labelOf(value); }}};
-  const std::vector<Field> bounds = fieldsOf(
-      boundKeys(),
-      [&](const Key<Bounds>& key, const ValueReader& value) { key.read(value, one.bounds); });
+  const std::vector<Field> bounds = boundFields(one.bounds);
   fields.insert(fields.end(), bounds.begin(), bounds.end());
   table.readTable(fields);
   if (!table.find("measure")) table.fail(table.name() + " needs measure");

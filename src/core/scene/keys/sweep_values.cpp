@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <string>
 
-#include "base/elementary.h"
 #include "base/number_text.h"
 #include "document/toml_text.h"
 #include "scene/keys/key.h"
 #include "scene/keys/kinds.h"
+#include "scene/scale.h"
 #include "scene/sections.h"
 
 namespace rotatebook::scene {
@@ -23,11 +23,9 @@ constexpr const char* kExpectedValues =
     "a list such as [10, 100, 1000] or a range such as { from = 1, to = 100, count = 5 }";
 constexpr const char* kExpectedLabelled = "a table such as { label = \"x\", value = [4, 0, 0] }";
 
-enum class Spacing { Linear, Logarithmic };
-
-constexpr std::array<Named<Spacing>, 2> kSpacings{{
-    {"linear", Spacing::Linear},
-    {"logarithmic", Spacing::Logarithmic},
+constexpr std::array<Named<Scale>, 2> kSpacings{{
+    {"linear", Scale::Linear},
+    {"logarithmic", Scale::Logarithmic},
 }};
 
 /// A range of numbers.
@@ -35,7 +33,7 @@ struct Range {
   std::optional<TomlNode> from{}, to{};
   double low = 0, high = 0;
   int count = 0;
-  Spacing spacing = Spacing::Linear;
+  Scale spacing = Scale::Linear;
 
   bool isWhole() const {
     return std::holds_alternative<std::int64_t>(from->value) &&
@@ -65,7 +63,7 @@ Range rangeFrom(const ValueReader& value) {
   if (!range.from || !range.to || range.count == 0) {
     value.fail(value.name() + " needs from, to and count");
   }
-  if (range.spacing == Spacing::Logarithmic && !(range.low > 0 && range.high > 0)) {
+  if (range.spacing == Scale::Logarithmic && !(range.low > 0 && range.high > 0)) {
     value.fail(value.name() + " is logarithmic, which needs from and to over 0");
   }
   return range;
@@ -82,8 +80,7 @@ double rounded(double value) {
 /// Returns the `i`-th number strictly within the range.
 double numberWithin(const Range& range, int i) {
   const double share = static_cast<double>(i) / (range.count - 1);
-  if (range.spacing == Spacing::Linear) return range.low * (1 - share) + range.high * share;
-  return exponential(logarithm(range.low) * (1 - share) + logarithm(range.high) * share);
+  return numberWithin(range.low, range.high, share, range.spacing);
 }
 
 std::vector<TomlNode> nodesOf(const Range& range, const std::string& location) {

@@ -1,6 +1,7 @@
 #include "render/book/frame_target.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -38,9 +39,10 @@ void requireLimit(int width, int height) {
 
 }  // namespace
 
-FrameTarget::FrameTarget(int width, int height) : width_(width), height_(height) {
+FrameTarget::FrameTarget(int width, int height, Pixels pixels)
+    : width_(width), height_(height), pixels_(pixels) {
   requireLimit(width, height);
-  allocate(colour_, GL_SRGB8_ALPHA8, width, height);
+  allocate(colour_, pixels == Pixels::Exact ? GL_RGBA32F : GL_SRGB8_ALPHA8, width, height);
   allocate(depth_, GL_DEPTH_COMPONENT24, width, height);
   glBindFramebuffer(GL_FRAMEBUFFER, buffer_.name());
   attach(GL_COLOR_ATTACHMENT0, colour_);
@@ -56,14 +58,24 @@ void FrameTarget::begin(const geometry::PixelRect& area) const {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
+void FrameTarget::restrictTo(const geometry::PixelRect& cell) const {
+  glViewport(cell.x, cell.y, cell.width, cell.height);
+  glScissor(cell.x, cell.y, cell.width, cell.height);
+}
+
 void FrameTarget::readBack(std::span<const geometry::PixelRect> areas,
                            image::Image& picture) const {
+  readBack(areas, {0, 0, width_, height_}, picture);
+}
+
+void FrameTarget::readBack(std::span<const geometry::PixelRect> areas,
+                           const geometry::PixelRect& cell, image::Image& picture) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, buffer_.name());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glPixelStorei(GL_PACK_ROW_LENGTH, width_);
+  glPixelStorei(GL_PACK_ROW_LENGTH, cell.width);
   for (const geometry::PixelRect& area : areas) {
-    glReadPixels(area.x, area.y, area.width, area.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                 picture.row(area.y) + 4 * area.x);
+    glReadPixels(cell.x + area.x, cell.y + area.y, area.width, area.height, GL_RGBA,
+                 GL_UNSIGNED_BYTE, picture.row(area.y) + 4 * area.x);
   }
 }
 
@@ -72,6 +84,17 @@ int FrameTarget::alphaAt(int x, int y) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, buffer_.name());
   glReadPixels(x, y, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel.data());
   return pixel[3];
+}
+
+std::string FrameTarget::bytes() const {
+  const bool exact = pixels_ == Pixels::Exact;
+  const std::size_t bytesPerPixel = exact ? 16 : 4;
+  std::string bytes(bytesPerPixel * static_cast<std::size_t>(width_ * height_), '\0');
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, buffer_.name());
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glPixelStorei(GL_PACK_ROW_LENGTH, width_);
+  glReadPixels(0, 0, width_, height_, GL_RGBA, exact ? GL_FLOAT : GL_UNSIGNED_BYTE, bytes.data());
+  return bytes;
 }
 
 }  // namespace rotatebook::render

@@ -61,7 +61,7 @@ std::string devicesFailure(const DisplayCandidates& list) {
 [[noreturn]] void refuseMissing(const DisplayCandidates& list, const DeviceChoice& choice) {
   const std::string message = "can't draw: there is no " + textOf(choice);
   if (list.hasDevices()) throw InputError(message + devicesText(list));
-  throw MachineError(message + ":" + devicesFailure(list) + kDoctorHint);
+  throw MachineError(message + ":" + devicesFailure(list) + kDoctorHint, ErrorKind::Transient);
 }
 
 /// `rejections`: a line for each candidate that was tried.
@@ -80,7 +80,7 @@ std::string devicesFailure(const DisplayCandidates& list) {
     message += devicesText(list);
   else if (!choice.requireHardware)
     message += std::string(kNextLine) + kInstallMesa;
-  throw MachineError(message + kDoctorHint);
+  throw MachineError(message + kDoctorHint, ErrorKind::Transient);
 }
 
 std::string fallbackWarning(const std::string& renderer, const DisplayCandidates& list,

@@ -8,7 +8,7 @@ const {pathToFileURL} = require("node:url");
 const {execFileSync} = require("node:child_process");
 const {chromium} = require(process.env.ROTATEBOOK_PLAYWRIGHT);
 
-const kOutput = process.env.ROTATEBOOK_PAGE_OUTPUT, kOut = path.join(kOutput, "out");
+const kOutput = process.env.ROTATEBOOK_PAGE_OUTPUT, kOut = path.join(kOutput, "out"), kMoving = path.join(kOutput, "moving");
 const kDesktop = {width: 1280, height: 800};
 const kWait = 20000;  // [ms]
 
@@ -90,18 +90,19 @@ function rotatebook(...words) {
 }
 
 /** Exit status 1 only says that an expectation is unmet, as one of turns.toml is. */
-function render(...scenes) {
+function render(...words) {
   try {
-    rotatebook("render", ...scenes, "-o", kOut);
+    rotatebook("render", ...words);
   } catch (error) {
     assert.equal(error.status, 1, error.stderr);
   }
 }
 
 function makePage() {
-  fs.rmSync(kOut, {recursive: true, force: true});
+  for (const folder of [kOut, kMoving]) fs.rmSync(folder, {recursive: true, force: true});
+  fs.writeFileSync(path.join(kOutput, "moves.toml"), kScenes["pair.toml"].replace("Two models", "Two models, moving"));
   for (const [name, text] of Object.entries(kScenes)) fs.writeFileSync(path.join(kOutput, name), text);
-  render("turns.toml", "bursts.toml", "pair.toml");
+  render("turns.toml", "bursts.toml", "pair.toml", "-o", kOut);
   rotatebook("still", "book.toml", "--time", "0", "-o", path.join(kOut, "book.png"));
   rotatebook("study", "steps.toml", "-o", kOut);
   const fragment = path.join(kOutput, "fragment.html");
@@ -109,6 +110,8 @@ function makePage() {
   rotatebook("page", ...Object.keys(kScenes), "-o", kOut, "--live", fragment);
   fs.renameSync(path.join(kOut, "index.html"), path.join(kOut, "live.html"));
   rotatebook("page", ...Object.keys(kScenes), "-o", kOut);
+  render("moves.toml", "-o", kMoving, "--no-png", "--format", "gif");
+  rotatebook("page", "moves.toml", "-o", kMoving);
 }
 
 async function startBrowser() {
@@ -160,6 +163,6 @@ async function waitForSeek(page, id) {
   }, id);
 }
 
-module.exports = {kOutput, kOut, makePage, startBrowser, closeBrowser, open, openClip, waitForSeek};
+module.exports = {kOutput, kOut, kMoving, makePage, startBrowser, closeBrowser, open, openClip, waitForSeek};
 
 if (require.main === module) makePage();

@@ -5,8 +5,9 @@ const assert = require("node:assert/strict");
 const fs = require("node:fs");
 const http = require("node:http");
 const path = require("node:path");
+const {pathToFileURL} = require("node:url");
 const {test, before, after, describe} = require("node:test");
-const {kOut, kOutput, startBrowser, closeBrowser, open, openClip} = require("./made_page.cjs");
+const {kOut, kOutput, kMoving, startBrowser, closeBrowser, open, openClip} = require("./made_page.cjs");
 
 before(startBrowser);
 after(closeBrowser);
@@ -106,13 +107,35 @@ describe("loading", () => {
 });
 
 describe("the live book's place", () => {
-  const kLive = () => { window.rotatebook = {play: (toml) => { window.played = toml; }}; };
+  const kLive = () => { window.rotatebook = {play: (...what) => { window.played = what; }}; };
 
-  test("takes scenes of clips from their buttons", async () => {
+  test("takes every figure's scene, and the checksum in a clip's record", async () => {
     const {page, close} = await open({}, {script: kLive, live: true});
-    await page.locator("#bursts .toy button").click();
-    assert.match(await page.evaluate(() => window.played), /model = "particles"/);
+    for (const [id, text, checksum] of [["bursts", /model = "particles"/, /^[0-9a-f]{32}$/], ["book", /title = "A book"/, /^null$/], ["steps", /\[study\]/, /^null$/]]) {
+      await page.locator(`#${id} .toy button`).click();
+      const [scene, motion] = await page.evaluate(() => window.played);
+      assert.match(scene, text);
+      assert.match(String(motion), checksum);
+    }
     assert.ok(await page.locator("#live").isVisible());
+    await close();
+  });
+
+  test("has its buttons' room from the start, and waits until it is ready, or gives it up", async () => {
+    const {page, close} = await open({}, {live: true});
+    const toy = page.locator("#bursts .toy"), button = toy.locator("button");
+    assert.ok(await toy.isVisible());
+    assert.ok(await button.isDisabled());
+    await page.evaluate(() => {
+      window.rotatebook = {play: () => {}};
+      document.dispatchEvent(new Event("rotatebook-live"));
+    });
+    assert.ok(await button.isEnabled());
+    await page.evaluate(() => {
+      document.getElementById("live").innerHTML = '<section class="rb-live" data-ready="false"></section>';
+      document.dispatchEvent(new Event("rotatebook-live"));
+    });
+    assert.ok(await toy.isHidden());
     await close();
   });
 
@@ -120,6 +143,27 @@ describe("the live book's place", () => {
     const {page, close} = await open();
     assert.equal(await page.locator("#live").count(), 0);
     assert.equal(await page.locator(".toy:visible").count(), 0);
+    await close();
+  });
+});
+
+describe("a clip of which there is only a GIF", () => {
+  test("moves when it is wanted, and not before", async () => {
+    const {page, problems, close} = await open({}, {address: pathToFileURL(path.join(kMoving, "index.html")).href});
+    const picture = page.locator("#moves .screen img"), start = page.locator("#moves .start");
+    const shown = () => picture.evaluate((image) => [image.complete && image.naturalWidth, image.src.split("/").pop()]);
+    await picture.scrollIntoViewIfNeeded();
+    await page.waitForFunction(() => document.querySelector("#moves .screen img").src.endsWith("poster.png"));
+    await start.click();
+    await page.waitForFunction(() => document.querySelector("#moves .screen img").src.endsWith(".gif"));
+    await page.waitForFunction(() => document.querySelector("#moves .screen img").complete);
+    assert.deepEqual(await shown(), [160, "moves.gif"]);
+    assert.equal(await start.getAttribute("aria-label"), "Stop Two models, moving");
+    await start.click();
+    assert.equal((await shown())[1], "moves.poster.png");
+    await page.locator("#moves .playhead").first().waitFor();
+    assert.deepEqual(problems, []);
+    await page.screenshot({path: path.join(kOutput, "gif.png")});
     await close();
   });
 });

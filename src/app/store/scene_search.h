@@ -1,4 +1,4 @@
-// Search for scenes on the disk. Inside the room only.
+// Search for scenes on the disk.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace rotatebook::cli {
+namespace rotatebook::store {
 
 /// The scenes below a folder.
 struct FoundScenes {
@@ -19,4 +19,4 @@ struct FoundScenes {
 /// `folder` itself can't be listed.
 FoundScenes scenesBelow(const std::filesystem::path& folder);
 
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::store

@@ -1,23 +1,23 @@
+#include "pipeline/scenes_at_a_time.h"
+
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "cli/render_scenes.h"
-
-namespace rotatebook::cli {
+namespace rotatebook::pipeline {
 namespace {
 
 constexpr double kGigabyte = 1e9;
 
-SceneToRender ofSize(int width, int height) {
-  SceneToRender one;
-  one.scene.clip.width = width;
-  one.scene.clip.height = height;
-  return one;
+scene::Scene ofSize(int width, int height) {
+  scene::Scene scene;
+  scene.clip.width = width;
+  scene.clip.height = height;
+  return scene;
 }
 
 TEST(ScenesAtATime, AreOneForThreeCores) {
-  const std::vector<SceneToRender> scenes{ofSize(1280, 720)};
+  const std::vector<scene::Scene> scenes{ofSize(1280, 720)};
   EXPECT_EQ(scenesAtATime(scenes, 1, 64 * kGigabyte), 1);
   EXPECT_EQ(scenesAtATime(scenes, 5, 64 * kGigabyte), 1);
   EXPECT_EQ(scenesAtATime(scenes, 6, 64 * kGigabyte), 2);
@@ -25,13 +25,13 @@ TEST(ScenesAtATime, AreOneForThreeCores) {
 }
 
 TEST(ScenesAtATime, FitIntoAQuarterOfTheMemory) {
-  const std::vector<SceneToRender> scenes{ofSize(1280, 720), ofSize(3840, 2160)};
+  const std::vector<scene::Scene> scenes{ofSize(1280, 720), ofSize(3840, 2160)};
   EXPECT_EQ(scenesAtATime(scenes, 16, 8 * kGigabyte), 2);
   EXPECT_EQ(scenesAtATime(scenes, 16, kGigabyte), 1);
-  std::vector<SceneToRender> supersampled = scenes;
-  supersampled[0].scene.look.supersample = 2;
+  std::vector<scene::Scene> supersampled = scenes;
+  supersampled[0].look.supersample = 2;
   EXPECT_EQ(scenesAtATime({supersampled[0]}, 64, 8 * kGigabyte), 4);
 }
 
 }  // namespace
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::pipeline

@@ -1,4 +1,4 @@
-#include "cli/scene_search.h"
+#include "store/scene_search.h"
 
 #include <algorithm>
 #include <system_error>
@@ -8,7 +8,7 @@
 #include "store/clip_files.h"
 #include "store/manifest.h"
 
-namespace rotatebook::cli {
+namespace rotatebook::store {
 namespace {
 
 namespace fs = std::filesystem;
@@ -16,13 +16,13 @@ namespace fs = std::filesystem;
 /// Returns whether a running or interrupted render keeps its frames in `folder`.
 bool isUnfinished(const fs::path& folder) {
   const std::string name = folder.filename().string();
-  return name.ends_with(store::kPartialEnding) || name.ends_with(store::kReplacedEnding);
+  return name.ends_with(kPartialEnding) || name.ends_with(kReplacedEnding);
 }
 
 bool isRecord(const fs::path& file) {
   std::error_code ignored;
-  return file.filename() == store::kSceneCopyName &&
-         fs::exists(file.parent_path() / store::kManifestName, ignored);
+  return file.filename() == kSceneCopyName &&
+         fs::exists(file.parent_path() / kManifestName, ignored);
 }
 
 /// Adds the scenes in `folder` to `found`, and the folders in it to `left`. Links to folders aren't
@@ -66,4 +66,4 @@ FoundScenes scenesBelow(const fs::path& folder) {
   return found;
 }
 
-}  // namespace rotatebook::cli
+}  // namespace rotatebook::store

@@ -1,0 +1,263 @@
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "cli/clip_options.h"
+#include "cli/commands.h"
+#include "cli/error_report.h"
+#include "cli/exit_code.h"
+#include "cli/input_guard.h"
+#include "cli/interrupt.h"
+#include "cli/progress_line.h"
+#include "cli/scene_options.h"
+#include "picture/map_sheet.h"
+#include "pipeline/make_film.h"
+#include "pipeline/make_map.h"
+#include "pipeline/map_options.h"
+#include "report/map_report.h"
+#include "store/clip_files.h"
+#include "store/fingerprint.h"
+#include "store/study_files.h"
+#include "store/tables.h"
+#include "system/atomic_file.h"
+
+namespace rotatebook::cli {
+namespace {
+
+using report::MappedScene;
+
+struct MapArguments {
+  std::vector<std::string> scenes;
+  SceneOptions sceneOptions;
+  std::string folder = "out";
+  int threads = 0;
+  std::string part;
+  bool resume = false;
+  bool overwrite = false;
+  bool json = false;
+  bool film = false;
+};
+
+/// A scene and the files of its map.
+struct MapTask {
+  scene::Scene scene;
+  store::MapFiles files;
+  std::vector<std::filesystem::path> outputs;  ///< All that is written.
+};
+
+/// Throws InputError if NAME.csv is the table of a clip of the same name.
+void refuseTableOfClip(const MapTask& task, const std::string& folder) {
+  const store::ClipFiles clip = store::clipFiles(folder, task.scene.name);
+  if (store::sceneChecksumOf(clip.frameFolder, clip.csv).empty()) return;
+  throw InputError(clip.csv.string() + " is the table of the clip " + task.scene.name +
+                   "; the map would replace it; name another folder with -o");
+}
+
+/// Reads all scenes before anything is written, so that a mistake in the last one costs nothing.
+std::vector<MapTask> readMapTasks(const MapArguments& arguments,
+                                  const pipeline::MapOptions& options) {
+  std::vector<scene::Scene> scenes;
+  std::vector<Input> inputs;
+  for (const std::string& path : arguments.scenes) {
+    scenes.push_back(arguments.sceneOptions.read(path));
+    requireMap(scenes.back(), path);
+    picture::requireMapText(scenes.back());
+    std::ranges::move(inputsOf(path, scenes.back()), std::back_inserter(inputs));
+  }
+  refuseSameNames(scenes);
+  std::vector<MapTask> tasks;
+  for (const scene::Scene& scene : scenes) {
+    const store::MapFiles files = store::mapFiles(arguments.folder, scene.name);
+    tasks.push_back({scene, files, arguments.film ? std::vector{files.film} : allOf(files)});
+    store::Footprint footprint;
+    footprint.addMap(files);
+    refuseInputs(footprint, inputs);
+    store::refuseLostTables(
+        arguments.folder, scene.name, allOf(files),
+        "the map of " + scene.name + " would replace it; name another folder with -o");
+    refuseTableOfClip(tasks.back(), arguments.folder);
+    if (arguments.film) {
+      pipeline::requireMayReplaceFilm(scene, files, options);
+    } else {
+      pipeline::requireMayReplaceMap(scene, files, options);
+    }
+  }
+  return tasks;
+}
+
+/// Makes the runs, and shows their progress.
+pipeline::MadeMap runTiles(const MapTask& task, const study::MapRuns& runs,
+                           pipeline::MapOptions options) {
+  ProgressLine progress(task.scene.name, "tiles");
+  options.execution.progress = progress.updater();
+  return pipeline::makeMap(task.scene, runs, task.files, options);
+}
+
+int reportPart(const pipeline::MadeMap& made, const store::ClipPart& part, std::ostream& out) {
+  out << "  part " << part.number << " of " << part.count << " is done: " << made.tiles
+      << (made.tiles == 1 ? " tile" : " tiles") << std::endl;
+  return kDone;
+}
+
+int runMapTask(const MapTask& task, pipeline::MapOptions options, MappedScene& mapped,
+               std::ostream& out) {
+  out << task.scene.name << ": " << task.scene.title << std::endl;
+  const study::MapRuns runs(task.scene);
+  const system::AdvisoryLock lock(task.files.npy,
+                                  options.part ? system::Lock::Shared : system::Lock::Exclusive);
+  const pipeline::MadeMap made = runTiles(task, runs, options);
+  if (!made.isWhole) {
+    out << "  interrupted; " << made.finished << " of " << made.tiles << " tiles are in "
+        << task.files.tiles.string() << "; go on with --resume" << std::endl;
+    mapped.interrupted = true;
+    return interruptStatus();
+  }
+  if (made.found > 0) {
+    out << "  kept " << made.found << " of " << made.tiles << " tiles of an earlier run\n";
+  }
+  if (options.part) return reportPart(made, *options.part, out);
+  mapped.facts = factsOf(made.result);
+  mapped.marks = made.result.marks;
+  mapped.expected = expectedOf(made.result, *task.scene.map, runs);
+  reportMap(mapped, out);
+  mapped.files = pipeline::writeMap(task.scene, made.result, task.files);
+  out << "  wrote " << oneLine(listed(mapped.files)) << std::endl;
+  return statusOf(mapped.isMet());
+}
+
+/// Makes the frames, and shows their progress.
+pipeline::MadeFilm runFrames(const MapTask& task, pipeline::MapOptions options) {
+  ProgressLine progress(task.scene.name, "frames");
+  options.execution.progress = progress.updater();
+  return pipeline::makeFilm(task.scene, task.files, options);
+}
+
+int runFilmTask(const MapTask& task, pipeline::MapOptions options, MappedScene& mapped,
+                std::ostream& out) {
+  out << task.scene.name << ": " << task.scene.title << std::endl;
+  const system::AdvisoryLock lock(task.files.film, system::Lock::Exclusive);
+  const pipeline::MadeFilm made = runFrames(task, options);
+  if (!made.isWhole) {
+    out << "  interrupted; " << made.finished << " of " << made.frames << " frames are in "
+        << task.files.filmFrames.string() << "; go on with --resume" << std::endl;
+    mapped.interrupted = true;
+    return interruptStatus();
+  }
+  if (made.wasDone) {
+    out << "  already done: " << oneLine(task.files.film.string()) << std::endl;
+    return kDone;
+  }
+  if (made.found > 0) {
+    out << "  kept " << made.found << " of " << made.frames << " frames of an earlier run\n";
+  }
+  mapped.files = {task.files.film.string()};
+  out << "  wrote " << oneLine(listed(mapped.files)) << std::endl;
+  return kDone;
+}
+
+/// Makes a map or a film.
+using RunMapTask = int(const MapTask& task, pipeline::MapOptions options, MappedScene& mapped,
+                       std::ostream& out);
+
+int runMapTasks(const std::vector<MapTask>& tasks, RunMapTask* runTask,
+                const pipeline::MapOptions& options, std::vector<MappedScene>& mapped,
+                std::ostream& out) {
+  for (const MapTask& task : tasks) {
+    system::createFolders(task.files.png.parent_path());
+    store::requireWritable(task.outputs);
+  }
+  int status = kDone;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    int outcome = kDone;
+    try {
+      outcome = runTask(tasks[i], options, mapped[i], out);
+    } catch (const std::exception& error) {
+      mapped[i].error = error.what();
+      throw;
+    }
+    if (outcome >= kInterrupted) return outcome;
+    status = std::max(status, outcome);
+  }
+  return status;
+}
+
+/// Prints one JSON object at the end, also after an error, which it reports.
+int runMapTasksAsJson(const std::vector<MapTask>& tasks, RunMapTask* runTask,
+                      const pipeline::MapOptions& options, std::vector<MappedScene>& mapped) {
+  std::ostream nowhere(nullptr);
+  const int status = guarded([&] { return runMapTasks(tasks, runTask, options, mapped, nowhere); });
+  report::reportMapsAsJson(mapped, status >= kInterrupted, std::cout);
+  return status;
+}
+
+int makeMaps(const MapArguments& arguments) {
+  pipeline::MapOptions options;
+  options.resume = arguments.resume;
+  options.overwrite = arguments.overwrite;
+  options.execution.threads = arguments.threads;
+  if (!arguments.part.empty()) options.part = partOf(arguments.part);
+  const std::vector<MapTask> tasks = readMapTasks(arguments, options);
+  options.execution.stop = &catchInterrupts();
+  std::vector<MappedScene> mapped;
+  for (const MapTask& task : tasks) mapped.push_back({task.scene});
+  RunMapTask* runTask = arguments.film ? runFilmTask : runMapTask;
+  return reportIfUnmet(arguments.json ? runMapTasksAsJson(tasks, runTask, options, mapped)
+                                      : runMapTasks(tasks, runTask, options, mapped, std::cout));
+}
+
+}  // namespace
+
+void addMapCommand(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<MapArguments>();
+  CLI::App* command =
+      program.add_subcommand("map", "Draw pictures of which each pixel is a run of the motion");
+  command->add_option("SCENE", arguments->scenes, "Scene files with [map]")->required();
+  command->add_option("-o,--output", arguments->folder, "Folder for the results")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command
+      ->add_option("--threads", arguments->threads,
+                   "Threads to run on; by default one for each core. The results are the same")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--resume", arguments->resume,
+                    "Go on where a map stopped, and keep values of the same settings");
+  command->add_flag("--film", arguments->film,
+                    "Make the film that map.film describes, DIR/NAME.film.mp4, and nothing else");
+  CLI::Option* overwrite =
+      command->add_flag("--overwrite", arguments->overwrite,
+                        "Discard tiles and values of other settings; without --resume, all tiles");
+  command
+      ->add_option("--part", arguments->part,
+                   "Only the I-th of N parts, I from 1 to N: tiles alone, to be joined")
+      ->type_name("I/N")
+      ->excludes(overwrite)
+      ->excludes("--film");
+  command->add_flag("--json", arguments->json, "Print one JSON object: what was measured");
+  arguments->sceneOptions.addTo(*command, /*draws=*/false);
+  arguments->sceneOptions.addChecksum(*command);
+  addRetryStatus(*command);
+  command->footer(R"(
+Runs the scene's motion once for each pixel of [map]: the keys of its axes x and y have other values
+in each column and row, and the colour shows what `measure` names.
+Writes DIR/NAME.png with axes and legend, DIR/NAME.plain.png with one pixel a run, DIR/NAME.npy with the
+values, DIR/NAME.json with the axes and, of at most 10000 runs, DIR/NAME.csv.
+Whatever stops a map, it keeps the tiles that are done, in DIR/NAME.tiles; the same command with
+--resume goes on, and its files are those of a map that never stopped.
+With --part there are only tiles, which may be made on several machines at the same time; --resume
+without --part joins them.
+
+Examples:
+  rotatebook map scenes/maps/map-delay.toml
+  rotatebook map scenes/maps/map-half-turns.toml --set map.size=[1920,1080] --threads 16)");
+  command->callback(
+      [arguments, &action] { action = [arguments] { return makeMaps(*arguments); }; });
+}
+
+}  // namespace rotatebook::cli

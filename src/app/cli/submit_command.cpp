@@ -1,0 +1,268 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "cli/clip_options.h"
+#include "cli/commands.h"
+#include "cli/device_options.h"
+#include "cli/exit_code.h"
+#include "cli/format_options.h"
+#include "cli/scene_options.h"
+#include "farm/plan_texts.h"
+#include "farm/planning.h"
+#include "farm/submission.h"
+#include "picture/map_sheet.h"
+#include "picture/preflight.h"
+#include "report/farm_report.h"
+#include "system/atomic_file.h"
+
+namespace rotatebook::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SubmitArguments {
+  std::string work;
+  std::vector<std::string> scenes;
+  SceneOptions sceneOptions;
+  DeviceOptions deviceOptions;
+  std::string folder = "out";
+  std::vector<std::string> formats{"mp4"};
+  bool noMp4 = false;
+  bool slurm = false;
+  std::string plan;
+  bool dryRun = false;
+  std::int64_t chunk = 0;
+  int cores = 1;
+  farm::JobOptions job;
+  std::vector<const CLI::Option*> ofRender{};  ///< Options that mean nothing to other work.
+};
+
+farm::Work workOf(const SubmitArguments& arguments) {
+  if (const auto work = farm::parseWork(arguments.work)) return *work;
+  throw InputError(quotedText(arguments.work) +
+                   ": unknown work; write submit render, submit map or submit study");
+}
+
+void requireEngine(const SubmitArguments& arguments) {
+  if (arguments.slurm == arguments.plan.empty()) return;
+  throw InputError(arguments.slurm ? "--slurm and --plan exclude each other"
+                                   : "submit to what? Give --slurm, or --plan list, parallel or "
+                                     "openjd, which print the tasks for others");
+}
+
+void refuseWithoutEffect(const SubmitArguments& arguments, farm::Work work) {
+  if (work == farm::Work::Render) return;
+  for (const CLI::Option* option : arguments.ofRender) {
+    if (option->count() == 0) continue;
+    throw InputError(option->get_name() + " is for submit render; submit " + nameOf(work) +
+                     " draws no clip: leave it out");
+  }
+  if (work != farm::Work::Study || arguments.chunk == 0) return;
+  throw InputError("--chunk: a study is one task; leave it out");
+}
+
+/// Reads all scenes, and finds now what each task would find.
+std::vector<farm::SceneOfFile> readScenes(const SubmitArguments& arguments, farm::Work work) {
+  std::vector<farm::SceneOfFile> read;
+  std::vector<scene::Scene> scenes;
+  for (const std::string& path : arguments.scenes) {
+    scenes.push_back(arguments.sceneOptions.read(path));
+    if (work == farm::Work::Render) {
+      picture::preflight(scenes.back());
+      refuseOpaque(scenes.back(), videoFormatsOf(arguments.formats, arguments.noMp4));
+    }
+    if (work == farm::Work::Map) {
+      requireMap(scenes.back(), path);
+      picture::requireMapText(scenes.back());
+    }
+    read.push_back({path, scenes.back()});
+  }
+  refuseSameNames(scenes);
+  return read;
+}
+
+/// Returns the options of the command that every task has, too.
+std::vector<std::string> argumentsOfTasks(const SubmitArguments& arguments, farm::Work work) {
+  std::vector<std::string> words = arguments.sceneOptions.words();
+  if (work != farm::Work::Render) return words;
+  const DeviceOptions& device = arguments.deviceOptions;
+  device.parsed();
+  if (!device.device.empty()) words.insert(words.end(), {"--device", device.device});
+  if (device.requireHardware) words.push_back("--require-hardware");
+  return words;
+}
+
+farm::PlanWishes wishesOf(const SubmitArguments& arguments, farm::Work work) {
+  farm::PlanWishes wishes{.work = work,
+                          .folder = fs::absolute(arguments.folder).lexically_normal(),
+                          .cores = arguments.cores,
+                          .arguments = argumentsOfTasks(arguments, work)};
+  if (work != farm::Work::Render) return wishes;
+  wishes.formats = videoFormatsOf(arguments.formats, arguments.noMp4);
+  std::vector<std::string> names;
+  for (const video::VideoFormat format : wishes.formats) names.emplace_back(nameOf(format));
+  wishes.joinArguments = names.empty() ? std::vector<std::string>{"--no-mp4"}
+                                       : std::vector<std::string>{"--format", joined(names, ",")};
+  return wishes;
+}
+
+/// Divides a plan by what is measured here, or by --chunk.
+void divide(farm::Plan& plan, const std::vector<farm::SceneOfFile>& scenes,
+            const SubmitArguments& arguments, const farm::Slots& slots) {
+  std::vector<std::int64_t> parts;
+  if (arguments.chunk > 0) {
+    parts = farm::partsOfChunk(farm::unmeasuredEfforts(plan), arguments.chunk, slots);
+  } else {
+    try {
+      parts = farm::partsOf(farm::measureEfforts(plan, scenes, arguments.deviceOptions.parsed()),
+                            slots);
+    } catch (const MachineError& error) {
+      throw MachineError(std::string("can't measure how fast a task is: ") + error.what() +
+                         "; say how many " + farm::unitsOf(plan.work) +
+                         " each is to have with --chunk");
+    }
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) plan.scenes[i].parts = parts[i];
+}
+
+/// Returns the plan to go on with, or a new one, divided.
+farm::StoredPlan preparedPlan(const SubmitArguments& arguments, const farm::PlanWishes& wishes,
+                              const farm::PlanFiles& files, const farm::Slots& slots) {
+  const std::vector<farm::SceneOfFile> scenes = readScenes(arguments, wishes.work);
+  farm::Plan plan = farm::planOf(scenes, wishes);
+  const auto earlier = farm::continued(plan, files);
+  if (earlier && arguments.chunk == 0) return *earlier;
+  divide(plan, scenes, arguments, slots);
+  if (!earlier || earlier->plan == plan) return earlier.value_or(farm::StoredPlan{plan});
+  farm::requireNoneQueued(*earlier, plan);
+  return {plan};
+}
+
+int printPlan(const SubmitArguments& arguments, const farm::PlanWishes& wishes,
+              const farm::PlanFiles& files) {
+  const farm::PlanFormat& format = farm::planFormat(arguments.plan);
+  const farm::StoredPlan stored = preparedPlan(arguments, wishes, files, {});
+  if (!arguments.dryRun) {
+    system::createFolders(files.folder);
+    const auto there = farm::readPlan(files);
+    if (!there || there->plan != stored.plan) farm::writeNewPlan(files, stored);
+  }
+  std::cout << format.text(stored.plan, farm::missingTasks(stored.plan, files));
+  return kDone;
+}
+
+int printScripts(const farm::StoredPlan& stored, const farm::PlanFiles& files,
+                 const SubmitArguments& arguments, const farm::ClusterLimits& limits) {
+  std::vector<std::int64_t> missing;
+  for (const farm::Task& task : farm::missingTasks(stored.plan, files))
+    missing.push_back(task.number);
+  const auto print = [&](const fs::path& path, const std::string& text) {
+    std::cout << "==> " << oneLine(path.string()) << " <==\n" << text << '\n';
+  };
+  const auto script = [&](const std::vector<std::int64_t>& tasks) {
+    return jobScript(stored.plan, files, tasks, arguments.job, limits.requeues75);
+  };
+  print(files.tasks, farm::listText(stored.plan, farm::tasksOf(stored.plan)));
+  if (!missing.empty()) print(files.partScript, script(missing));
+  if (!joinCommandOf(stored.plan).empty()) print(files.joinScript, script({}));
+  return kDone;
+}
+
+int submitToSlurm(const SubmitArguments& arguments, const farm::PlanWishes& wishes,
+                  const farm::PlanFiles& files) {
+  const farm::ClusterLimits limits = farm::readLimits();
+  const farm::Slots slots{farm::countProcessors(arguments.job.partition) / arguments.cores,
+                          limits.maxTasks()};
+  const farm::StoredPlan stored = preparedPlan(arguments, wishes, files, slots);
+  if (arguments.dryRun) return printScripts(stored, files, arguments, limits);
+  const farm::Submission submission = farm::submit(stored, files, arguments.job, limits);
+  report::reportSubmission(stored.plan, submission, std::cout);
+  return kDone;
+}
+
+int submit(const SubmitArguments& arguments) {
+  const farm::Work work = workOf(arguments);
+  requireEngine(arguments);
+  refuseWithoutEffect(arguments, work);
+  const farm::PlanWishes wishes = wishesOf(arguments, work);
+  const farm::PlanFiles files = farm::planFiles(wishes.folder, work);
+  return arguments.slurm ? submitToSlurm(arguments, wishes, files)
+                         : printPlan(arguments, wishes, files);
+}
+
+constexpr const char* kSubmitFooter = R"(
+Divides the work into tasks of some minutes, by the time that a few frames take here, or by --chunk,
+and sends them to Slurm as one array job, and a job that joins their results in DIR, which all
+machines see. Tasks that are killed are tried again, and go on. The same command once more sends only
+what is missing. What is sent is in DIR/farm, as text; 'rotatebook status DIR' shows what becomes of it.
+A study is one task. --plan prints the tasks, for machines without Slurm.
+
+Examples:
+  rotatebook submit render my.toml -o /shared/clips --slurm --partition cpu --time 1:00:00
+  rotatebook submit map scenes/maps/*.toml -o /shared/maps --slurm --sbatch=--qos=low
+  rotatebook submit render my.toml --plan parallel > farm.sh)";
+
+void addJobOptions(CLI::App& command, SubmitArguments& arguments, CLI::Option* slurm) {
+  constexpr const char* kSlurm = "Slurm";
+  farm::JobOptions& job = arguments.job;
+  const auto add = [&](const char* name, std::string& value, const char* help, const char* type) {
+    command.add_option(name, value, help)->type_name(type)->group(kSlurm)->needs(slurm);
+  };
+  add("--partition", job.partition, "Partition of the jobs", "NAME");
+  add("--account", job.account, "Account that they are charged to", "NAME");
+  add("--time", job.time, "Longest time of a task, e.g. 30:00", "TIME");
+  add("--constraint", job.constraint, "Features that their nodes must have", "LIST");
+  command
+      .add_option("--sbatch", job.others,
+                  "Another option of sbatch, e.g. --sbatch=--qos=low; may be repeated")
+      ->type_name("OPTION")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)
+      ->group(kSlurm)
+      ->needs(slurm);
+}
+
+}  // namespace
+
+void addSubmitCommand(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<SubmitArguments>();
+  CLI::App* command = program.add_subcommand(
+      "submit", "Have many machines render, map or study: by Slurm or others");
+  command->add_option("WORK", arguments->work, "render, map or study")->required();
+  command->add_option("SCENE", arguments->scenes, "Scene files")->required();
+  command->add_option("-o,--output", arguments->folder, "Folder for the results")
+      ->type_name("DIR")
+      ->capture_default_str();
+  CLI::Option* slurm =
+      command->add_flag("--slurm", arguments->slurm, "Send the tasks to the cluster that is here");
+  command
+      ->add_option("--plan", arguments->plan,
+                   "Print the tasks instead, as list, parallel or openjd")
+      ->type_name("FORMAT");
+  command->add_flag("--dry-run", arguments->dryRun,
+                    "Print what would be sent; write and send nothing");
+  command->add_option("--chunk", arguments->chunk, "Frames or tiles of a task; by default measured")
+      ->type_name("N")
+      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
+  command->add_option("--cores", arguments->cores, "Cores of a task")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  addFormats(*command, arguments->formats);
+  command->add_flag("--no-mp4", arguments->noMp4, "Write no MP4")->group("Clip");
+  addJobOptions(*command, *arguments, slurm);
+  arguments->sceneOptions.addTo(*command);
+  arguments->deviceOptions.addTo(*command);
+  for (const char* name : {"--format", "--no-mp4", "--device", "--require-hardware"})
+    arguments->ofRender.push_back(command->get_option(name));
+  command->footer(kSubmitFooter);
+  command->callback([arguments, &action] { action = [arguments] { return submit(*arguments); }; });
+}
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,84 @@
+#include "farm/chunks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/error.h"
+
+namespace rotatebook::farm {
+namespace {
+
+constexpr double kRounds = 3;          ///< Tasks after each other on a slot.
+constexpr double kStartsInATask = 20;  ///< A start costs a twentieth.
+constexpr double kLongestTask = 300;   ///< [s]
+constexpr double kLonger = 1.1;        ///< Tasks are made longer by this until they fit.
+
+std::int64_t ceilOf(std::int64_t units, std::int64_t chunk) {
+  return units / chunk + (units % chunk != 0 ? 1 : 0);
+}
+
+std::int64_t sumOf(const std::vector<std::int64_t>& parts) {
+  return std::accumulate(parts.begin(), parts.end(), std::int64_t{0});
+}
+
+bool fits(const std::vector<std::int64_t>& parts, const Slots& slots) {
+  return slots.maxTasks == 0 || sumOf(parts) <= slots.maxTasks;
+}
+
+void requireFewScenes(const std::vector<Effort>& efforts, const Slots& slots) {
+  if (slots.maxTasks == 0 || std::ssize(efforts) <= slots.maxTasks) return;
+  throw InputError("the cluster takes at most " + std::to_string(slots.maxTasks) +
+                   " tasks at once, fewer than the " + std::to_string(efforts.size()) +
+                   " scenes; submit some of them at a time");
+}
+
+/// Returns the number of parts of tasks that take about `seconds`.
+std::int64_t partsOfLength(const Effort& effort, double seconds) {
+  const double chunk = std::clamp(std::ceil(seconds / effort.unit), 1.0, double(effort.units));
+  return ceilOf(effort.units, static_cast<std::int64_t>(chunk));
+}
+
+std::vector<std::int64_t> partsOfSize(const std::vector<Effort>& efforts, std::int64_t chunk) {
+  std::vector<std::int64_t> parts;
+  for (const Effort& effort : efforts) parts.push_back(ceilOf(effort.units, chunk));
+  return parts;
+}
+
+}  // namespace
+
+std::vector<std::int64_t> partsOf(const std::vector<Effort>& efforts, const Slots& slots) {
+  requireFewScenes(efforts, slots);
+  double all = 0;
+  for (const Effort& effort : efforts) all += static_cast<double>(effort.units) * effort.unit;
+  const double level = slots.atATime > 0 ? all / (kRounds * double(slots.atATime)) : 0;
+  std::vector<double> seconds;
+  for (const Effort& effort : efforts)
+    seconds.push_back(std::max(std::min(level, kLongestTask),
+                               std::min(kStartsInATask * effort.start, kLongestTask)));
+  for (;;) {
+    std::vector<std::int64_t> parts;
+    for (std::size_t i = 0; i < efforts.size(); ++i)
+      parts.push_back(partsOfLength(efforts[i], seconds[i]));
+    if (fits(parts, slots)) return parts;
+    for (double& one : seconds) one = std::max(one * kLonger, 1e-3);
+  }
+}
+
+std::vector<std::int64_t> partsOfChunk(const std::vector<Effort>& efforts, std::int64_t chunk,
+                                       const Slots& slots) {
+  requireFewScenes(efforts, slots);
+  std::vector<std::int64_t> parts = partsOfSize(efforts, chunk);
+  if (fits(parts, slots)) return parts;
+  std::int64_t tooSmall = chunk;
+  std::int64_t large = std::ranges::max(efforts, {}, &Effort::units).units;
+  while (large - tooSmall > 1) {
+    const std::int64_t middle = tooSmall + (large - tooSmall) / 2;
+    (fits(partsOfSize(efforts, middle), slots) ? large : tooSmall) = middle;
+  }
+  throw InputError("--chunk " + std::to_string(chunk) + " makes " + std::to_string(sumOf(parts)) +
+                   " tasks; the cluster takes at most " + std::to_string(slots.maxTasks) +
+                   " at once: take --chunk " + std::to_string(large) + " or more");
+}
+
+}  // namespace rotatebook::farm

@@ -1,0 +1,105 @@
+#include "farm/plan.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "base/text.h"
+
+namespace rotatebook::farm {
+namespace {
+
+constexpr Work kWorks[] = {Work::Render, Work::Map, Work::Study};
+
+void append(std::vector<std::string>& words, const std::vector<std::string>& more) {
+  words.insert(words.end(), more.begin(), more.end());
+}
+
+/// Returns the end of every command: where it writes, how it ends, and which scenes it takes.
+std::vector<std::string> commonWords(const Plan& plan, const std::string& checksums) {
+  std::vector<std::string> words{"-o", plan.folder.string(), "--retry-status", "--scene-checksum",
+                                 checksums};
+  if (plan.work == Work::Map) append(words, {"--threads", std::to_string(plan.cores)});
+  append(words, plan.arguments);
+  return words;
+}
+
+}  // namespace
+
+const char* nameOf(Work work) {
+  constexpr const char* kNames[] = {"render", "map", "study"};
+  return kNames[static_cast<int>(work)];
+}
+
+std::optional<Work> parseWork(std::string_view name) {
+  const auto found = std::ranges::find(kWorks, name, nameOf);
+  return found != std::end(kWorks) ? std::optional(*found) : std::nullopt;
+}
+
+const char* unitsOf(Work work) {
+  constexpr const char* kUnits[] = {"frames", "tiles", "studies"};
+  return kUnits[static_cast<int>(work)];
+}
+
+std::vector<Task> tasksOf(const Plan& plan) {
+  std::vector<Task> tasks;
+  for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {
+    const std::int64_t parts = plan.scenes[scene].parts;
+    for (std::int64_t part = 1; part <= parts; ++part)
+      tasks.push_back({std::ssize(tasks) + 1, scene, {part, parts}});
+  }
+  return tasks;
+}
+
+std::string describe(const Plan& plan, const Task& task) {
+  const std::string& name = plan.scenes[task.scene].name;
+  if (task.part.count == 1) return name;
+  return "part " + std::to_string(task.part.number) + '/' + std::to_string(task.part.count) +
+         " of " + name;
+}
+
+std::vector<std::string> commandOf(const Plan& plan, const Task& task) {
+  const PlannedScene& scene = plan.scenes[task.scene];
+  std::vector<std::string> words{plan.program.string(), nameOf(plan.work), scene.file.string()};
+  if (plan.work != Work::Study) {
+    append(words,
+           {"--part", std::to_string(task.part.number) + '/' + std::to_string(task.part.count)});
+    append(words, {"--resume"});
+  }
+  append(words, commonWords(plan, scene.checksum));
+  return words;
+}
+
+std::vector<std::string> joinCommandOf(const Plan& plan) {
+  if (plan.work == Work::Study) return {};
+  std::vector<std::string> words{plan.program.string(), nameOf(plan.work)};
+  std::vector<std::string> checksums;
+  for (const PlannedScene& scene : plan.scenes) {
+    words.push_back(scene.file.string());
+    checksums.push_back(scene.checksum);
+  }
+  append(words, {"--resume"});
+  append(words, commonWords(plan, joined(checksums, ",")));
+  append(words, plan.joinArguments);
+  return words;
+}
+
+std::vector<std::string> environmentOf(const Plan& plan) {
+  if (plan.work != Work::Render) return {};
+  return {"LP_NUM_THREADS=" + std::to_string(plan.cores)};
+}
+
+std::string shellLine(const Plan& plan, const std::vector<std::string>& command) {
+  std::vector<std::string> words = environmentOf(plan);
+  for (const std::string& word : command) words.push_back(shellWord(word));
+  return joined(words, " ");
+}
+
+bool isSameWork(const Plan& one, const Plan& other) {
+  Plan undivided = other;
+  if (one.scenes.size() != other.scenes.size()) return false;
+  for (std::size_t i = 0; i < one.scenes.size(); ++i)
+    undivided.scenes[i].parts = one.scenes[i].parts;
+  return undivided == one;
+}
+
+}  // namespace rotatebook::farm

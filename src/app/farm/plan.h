@@ -1,0 +1,79 @@
+// Plans of work for many machines: what is run, in how many parts, by which commands.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "store/clip_files.h"
+
+namespace rotatebook::farm {
+
+/// The command whose work is divided.
+enum class Work { Render, Map, Study };
+
+/// Returns "render", "map" or "study", the command's name.
+const char* nameOf(Work work);
+/// Returns the work with that name; nothing for other text.
+std::optional<Work> parseWork(std::string_view name);
+/// Returns what the work is counted in: "frames", "tiles" or "studies".
+const char* unitsOf(Work work);
+
+/// A scene of a plan.
+struct PlannedScene {
+  std::filesystem::path file{};  ///< Absolute.
+  std::string name{};
+  std::string checksum{};  ///< store::sceneChecksum()
+  std::string values{};    ///< Of a map: store::mapFingerprint().
+  std::int64_t units = 1;  ///< Frames of a clip, tiles of a map; a study is one.
+  std::int64_t parts = 1;  ///< 1 to `units`
+  std::vector<std::filesystem::path> outputs{};  ///< Files that are there once all is done.
+
+  friend bool operator==(const PlannedScene&, const PlannedScene&) = default;
+};
+
+/// Work, and the tasks into which it is divided: a value that depends on the scenes and options
+/// alone, but for the number of parts.
+struct Plan {
+  Work work = Work::Render;
+  std::filesystem::path program;             ///< Absolute.
+  std::string build;                         ///< system::buildId()
+  std::filesystem::path folder;              ///< Of the results; absolute.
+  int cores = 1;                             ///< Of each task.
+  std::vector<std::string> arguments{};      ///< Of all commands: --set and so on.
+  std::vector<std::string> joinArguments{};  ///< Of the last command alone: --format.
+  std::vector<PlannedScene> scenes{};
+
+  friend bool operator==(const Plan&, const Plan&) = default;
+};
+
+/// A part of a scene's work, which one process does.
+struct Task {
+  std::int64_t number = 1;  ///< Counted through all scenes, from 1.
+  std::size_t scene = 0;
+  store::ClipPart part{};
+};
+
+/// Returns all tasks, scene by scene.
+std::vector<Task> tasksOf(const Plan& plan);
+/// Returns "part 3/16 of NAME", or "NAME" if it has a single part.
+std::string describe(const Plan& plan, const Task& task);
+
+/// Returns the words of a task's command. Any number of them may run at once, anywhere, also twice.
+std::vector<std::string> commandOf(const Plan& plan, const Task& task);
+/// Returns the words of the command that joins the tasks' results, after them; none for studies,
+/// whose tasks leave nothing to join.
+std::vector<std::string> joinCommandOf(const Plan& plan);
+/// Returns the variables of the environment that the commands want, as "NAME=VALUE".
+std::vector<std::string> environmentOf(const Plan& plan);
+/// Returns a command as a line of a shell, with its environment.
+std::string shellLine(const Plan& plan, const std::vector<std::string>& command);
+
+/// Returns whether two plans do the same, in whatever parts.
+bool isSameWork(const Plan& one, const Plan& other);
+
+}  // namespace rotatebook::farm

@@ -1,0 +1,65 @@
+// Files of a plan: DIR/farm/COMMAND/ holds the plan, its tasks, job scripts, and the ends of tasks.
+// All are text. Inside the room only.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "farm/plan.h"
+
+namespace rotatebook::farm {
+
+/// The jobs of a batch system that a plan was sent as. Empty if it was sent to none.
+struct Jobs {
+  std::vector<std::string> arrays{};  ///< Each of some of the tasks.
+  std::string join{};
+};
+
+/// A plan as it is on the disk.
+struct StoredPlan {
+  Plan plan;
+  Jobs jobs{};
+};
+
+/// Paths of a plan's files.
+struct PlanFiles {
+  std::filesystem::path folder;      ///< DIR/farm/COMMAND/
+  std::filesystem::path plan;        ///< plan.txt
+  std::filesystem::path tasks;       ///< tasks.txt, a command a line
+  std::filesystem::path join;        ///< join.txt, a command
+  std::filesystem::path partScript;  ///< part.sh
+  std::filesystem::path joinScript;  ///< join.sh
+  std::filesystem::path log;         ///< log/, with what each task printed
+  std::filesystem::path ends;        ///< ends/, with how each task ended last
+
+  /// Returns the file with what a task printed; 0 is the join.
+  std::filesystem::path logOf(std::int64_t task) const;
+};
+PlanFiles planFiles(const std::filesystem::path& results, Work work);
+
+/// Returns the text that parsePlan() reads. Throws InputError if a path has more than one line.
+std::string planText(const StoredPlan& stored);
+/// Throws InputError, which names `file`, if the text is no plan.
+StoredPlan parsePlan(std::string_view text, const std::string& file);
+/// Returns the plan on the disk; nothing if there is none. Throws like parsePlan().
+std::optional<StoredPlan> readPlan(const PlanFiles& files);
+/// Writes the plan alone.
+void writePlan(const PlanFiles& files, const StoredPlan& stored);
+/// Writes a new plan and its tasks, in the place of an earlier one, whose ends and logs are
+/// removed.
+void writeNewPlan(const PlanFiles& files, const StoredPlan& stored);
+
+/// The end of a task's last try.
+struct TaskEnd {
+  int status = 0;
+  std::string node;
+  double seconds = 0;
+};
+/// Returns how a task ended, 0 being the join; nothing if it hasn't.
+std::optional<TaskEnd> readEnd(const PlanFiles& files, std::int64_t task);
+
+}  // namespace rotatebook::farm

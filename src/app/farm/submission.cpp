@@ -1,0 +1,170 @@
+#include "farm/submission.h"
+
+#include <algorithm>
+#include <set>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "farm/progress.h"
+#include "system/atomic_file.h"
+
+namespace rotatebook::farm {
+namespace {
+
+std::vector<std::string> allOf(const Jobs& jobs) {
+  std::vector<std::string> all = jobs.arrays;
+  if (!jobs.join.empty()) all.push_back(jobs.join);
+  return all;
+}
+
+/// Returns the jobs of which something is still to end.
+std::vector<std::string> activeOf(const std::vector<QueuedJob>& queue) {
+  std::set<std::string> active;
+  for (const QueuedJob& job : queue)
+    if (job.isActive()) active.insert(job.job);
+  return {active.begin(), active.end()};
+}
+
+/// Returns how two plans differ that don't do the same.
+std::string differenceOf(const Plan& earlier, const Plan& plan) {
+  if (earlier.build != plan.build) return "this program has changed since";
+  for (const PlannedScene& scene : plan.scenes) {
+    const auto same = std::ranges::find(earlier.scenes, scene.file, &PlannedScene::file);
+    if (same == earlier.scenes.end()) continue;
+    if (same->checksum != scene.checksum) return scene.file.string() + " has changed since";
+  }
+  return isSameWork(earlier, plan) ? "it has other parts" : "it has other scenes or options";
+}
+
+/// Cancels jobs after an error; rethrows it, with what is left in the queue.
+[[noreturn]] void failAndCancel(const Error& error, const std::vector<std::string>& jobs) {
+  const auto problem = cancelJobs(jobs);
+  const std::string all = joined(jobs, " ");
+  const std::string left = problem ? "; job " + all + " was sent already and can't be cancelled (" +
+                                         *problem + "): cancel it with scancel " + all
+                                   : "; what was sent already is cancelled";
+  if (error.kind() == ErrorKind::Input) throw InputError(error.what() + left);
+  throw MachineError(error.what() + left, error.kind());
+}
+
+/// The jobs that are left of earlier submissions.
+struct EarlierJobs {
+  std::vector<std::string> arrays{};  ///< Arrays with tasks that are yet to end.
+  std::set<std::int64_t> tasks{};     ///< The tasks of these.
+  bool hasJoin = false;               ///< The join is yet to end,
+  bool joins = false;                 ///< and has begun: it makes what is missing.
+};
+
+EarlierJobs earlierJobs(const Jobs& jobs) {
+  EarlierJobs earlier;
+  for (const QueuedJob& job : readQueue(allOf(jobs))) {
+    if (!job.isActive()) continue;
+    if (job.job == jobs.join) {
+      earlier.hasJoin = true;
+      earlier.joins = job.isRunning();
+      continue;
+    }
+    earlier.tasks.insert(job.task);
+    if (std::ranges::count(earlier.arrays, job.job) == 0) earlier.arrays.push_back(job.job);
+  }
+  return earlier;
+}
+
+/// Sends the array of `sent` and the join after it; returns their numbers. The plan on the disk
+/// knows each as soon as it is sent.
+void sendAll(StoredPlan& stored, const PlanFiles& files, const EarlierJobs& earlier,
+             Submission& submission) {
+  const std::string oldJoin = earlier.hasJoin ? stored.jobs.join : "";
+  stored.jobs = {earlier.arrays, oldJoin};
+  if (!submission.sent.empty()) {
+    submission.array = sendJob(files.partScript, {});
+    stored.jobs.arrays.push_back(submission.array);
+  }
+  try {
+    writePlan(files, stored);
+    if (joinCommandOf(stored.plan).empty()) return;
+    submission.join = sendJob(files.joinScript, stored.jobs.arrays);
+    stored.jobs.join = submission.join;
+    writePlan(files, stored);
+  } catch (const Error& error) {
+    std::vector<std::string> sent{submission.array, submission.join};
+    std::erase(sent, "");
+    if (sent.empty()) throw;
+    failAndCancel(error, sent);
+  }
+  if (oldJoin.empty()) return;
+  if (const auto problem = cancelJobs({oldJoin})) {
+    throw MachineError("can't cancel job " + oldJoin + ", in whose place " + submission.join +
+                       " joins the results: " + *problem + "; cancel it with scancel " + oldJoin);
+  }
+}
+
+}  // namespace
+
+std::optional<StoredPlan> continued(const Plan& plan, const PlanFiles& files) {
+  const auto earlier = readPlan(files);
+  if (earlier && isSameWork(earlier->plan, plan)) return earlier;
+  if (earlier) requireNoneQueued(*earlier, plan);
+  requireSameResults(plan);
+  return std::nullopt;
+}
+
+void requireNoneQueued(const StoredPlan& earlier, const Plan& plan) {
+  const std::vector<std::string> active = activeOf(readQueue(allOf(earlier.jobs)));
+  if (active.empty()) return;
+  throw InputError("an earlier submission into " + plan.folder.string() +
+                   " is still in the queue, and " + differenceOf(earlier.plan, plan) +
+                   "; cancel it (scancel " + joined(active, " ") +
+                   "), or submit into another folder with -o");
+}
+
+namespace {
+
+std::vector<Task> missingOf(const Plan& plan, const std::vector<SceneProgress>& progress) {
+  std::vector<Task> missing;
+  for (const Task& task : tasksOf(plan))
+    if (!progress[task.scene].has(task.part)) missing.push_back(task);
+  return missing;
+}
+
+}  // namespace
+
+std::vector<Task> missingTasks(const Plan& plan, const PlanFiles& files) {
+  return missingOf(plan, progressOf(plan, files));
+}
+
+Submission submit(StoredPlan stored, const PlanFiles& files, const JobOptions& options,
+                  const ClusterLimits& limits) {
+  const Plan& plan = stored.plan;
+  system::createFolders(files.folder);
+  const system::AdvisoryLock lock(files.plan, system::Lock::Exclusive);
+  const auto there = readPlan(files);
+  if (!there || there->plan != plan) writeNewPlan(files, stored);
+  if (there && there->plan == plan) stored.jobs = there->jobs;
+
+  // Find out what is there, and what is on its way
+  Submission submission;
+  submission.tasks = std::ssize(tasksOf(plan));
+  const EarlierJobs earlier = earlierJobs(stored.jobs);
+  const std::vector<SceneProgress> progress = progressOf(plan, files);
+  const std::vector<Task> missing = missingOf(plan, progress);
+  submission.done = submission.tasks - std::ssize(missing);
+  for (const Task& task : missing)
+    earlier.joins || earlier.tasks.contains(task.number) ? void(++submission.queued)
+                                                         : submission.sent.push_back(task.number);
+  submission.isWhole = std::ranges::all_of(progress, &SceneProgress::isWhole);
+  if (submission.isWhole || (submission.sent.empty() && earlier.hasJoin)) return submission;
+  if (submission.sent.empty() && joinCommandOf(plan).empty()) return submission;
+
+  // Send the rest
+  if (!submission.sent.empty()) {
+    system::writeFileAtomically(
+        files.partScript, jobScript(plan, files, submission.sent, options, limits.requeues75));
+  }
+  system::writeFileAtomically(files.joinScript,
+                              jobScript(plan, files, {}, options, limits.requeues75));
+  sendAll(stored, files, earlier, submission);
+  return submission;
+}
+
+}  // namespace rotatebook::farm

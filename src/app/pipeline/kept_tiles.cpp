@@ -1,0 +1,28 @@
+#include "pipeline/kept_tiles.h"
+
+#include "base/error.h"
+#include "system/atomic_file.h"
+
+namespace rotatebook::pipeline {
+
+void requireMayGoOn(const store::MapTiles& kept, const MapOptions& options, const std::string& work,
+                    std::string (*parts)(std::size_t count)) {
+  const store::MapTiles::Count tiles = kept.count();
+  if (tiles.other > 0) {
+    throw InputError(kept.folder().string() + " holds " + parts(tiles.other) +
+                     " of an unfinished " + work +
+                     " with other settings, or another build of this program; discard them with "
+                     "--overwrite, or name another folder with -o");
+  }
+  if (tiles.same > 0 && !options.resume && !options.part) {
+    throw InputError(kept.folder().string() + " holds " + parts(tiles.same) + " of this " + work +
+                     ", which isn't finished; go on with --resume, or begin anew with --overwrite");
+  }
+}
+
+void makeRoom(const store::MapTiles& kept, const MapOptions& options) {
+  if (options.overwrite && (!options.resume || kept.count().other > 0)) kept.remove();
+  system::createFolders(kept.folder());
+}
+
+}  // namespace rotatebook::pipeline

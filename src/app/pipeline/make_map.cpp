@@ -1,0 +1,129 @@
+#include "pipeline/make_map.h"
+
+#include <atomic>
+#include <mutex>
+
+#include "base/checksum.h"
+#include "base/error.h"
+#include "image/png_file.h"
+#include "picture/map_colours.h"
+#include "picture/map_sheet.h"
+#include "pipeline/kept_tiles.h"
+#include "store/fingerprint.h"
+#include "store/map_tiles.h"
+#include "store/study_files.h"
+#include "study/map_files.h"
+#include "system/atomic_file.h"
+#include "system/read_file.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using study::MapResult;
+using study::MapTile;
+
+bool readValues(const store::MapFiles& files, const std::string& fingerprint,
+                const scene::MapSettings& map, MapResult& result) {
+  const std::string json = system::readFileOrEmpty(files.json);
+  if (study::statedIn(json, "fingerprint") != fingerprint) return false;
+  const std::string array = system::readFileOrEmpty(files.npy, study::kLongestNpy);
+  return checksumOf(array) == study::statedIn(json, "npy_xxh128") && readNpy(array, map, result);
+}
+
+/// Puts those of the `wanted` tiles that are on the disk into the result; returns the numbers of
+/// the others.
+std::vector<std::size_t> missingTiles(const std::vector<MapTile>& tiles, store::FrameRange wanted,
+                                      const store::MapTiles& kept, const scene::MapSettings& map,
+                                      MapResult& result) {
+  std::vector<std::size_t> missing;
+  for (auto i = static_cast<std::size_t>(wanted.first); i < static_cast<std::size_t>(wanted.end);
+       ++i) {
+    const auto count =
+        static_cast<std::size_t>(tiles[i].width) * static_cast<std::size_t>(tiles[i].height);
+    const auto bytes = kept.read(i, count * sizeof(double));
+    if (bytes) {
+      putTile(tiles[i], study::doublesOf(*bytes), map, result);
+    } else {
+      missing.push_back(i);
+    }
+  }
+  return missing;
+}
+
+std::string tilesText(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " tile" : " tiles");
+}
+
+}  // namespace
+
+void requireMayReplaceMap(const scene::Scene& scene, const store::MapFiles& files,
+                          const MapOptions& options) {
+  if (options.overwrite) return;
+  const std::string fingerprint = store::mapFingerprint(scene);
+  requireMayGoOn(store::MapTiles(files.tiles, fingerprint), options, "map", tilesText);
+  const std::string made = study::statedIn(system::readFileOrEmpty(files.json), "fingerprint");
+  if (!fs::exists(files.npy) || made == fingerprint) return;
+  throw InputError(files.npy.string() +
+                   " holds the values of other settings, or another build of this program; replace "
+                   "them with --overwrite, or name another folder with -o");
+}
+
+MadeMap makeMap(const scene::Scene& scene, const study::MapRuns& runs, const store::MapFiles& files,
+                const MapOptions& options) {
+  requireMayReplaceMap(scene, files, options);
+  const scene::MapSettings& map = *scene.map;
+  const std::string fingerprint = store::mapFingerprint(scene);
+  const std::vector<MapTile> tiles = runs.tiles();
+  const store::FrameRange wanted = store::framesOf(options.part.value_or(store::ClipPart{}),
+                                                   static_cast<std::int64_t>(tiles.size()));
+  const auto count = static_cast<std::size_t>(wanted.count());
+  MadeMap made{emptyResult(scene, runs), true, count, count, count};
+  const bool goesOn = options.resume || options.part;
+  if (goesOn && readValues(files, fingerprint, map, made.result)) return made;
+
+  const store::MapTiles kept(files.tiles, fingerprint);
+  makeRoom(kept, options);
+  const std::vector<std::size_t> missing = missingTiles(tiles, wanted, kept, map, made.result);
+  made.found = made.finished = count - missing.size();
+  const std::atomic<bool>* stop = options.execution.stop;
+  std::mutex mutex;
+  made.isWhole = runParallel(
+      missing,
+      [&](std::size_t i) {
+        const std::vector<double> values = runs.valuesOf(tiles[i], stop);
+        if (stop != nullptr && *stop) return;
+        kept.write(i, study::bytesOf(values));
+        const std::lock_guard lock(mutex);
+        putTile(tiles[i], values, map, made.result);
+        ++made.finished;
+      },
+      options.execution);
+  made.isWhole = made.finished == count;
+  return made;
+}
+
+std::vector<std::string> writeMap(const scene::Scene& scene, const MapResult& result,
+                                  const store::MapFiles& files) {
+  const std::string array = npyOf(result, *scene.map);
+  const std::string json =
+      mapJson(result, scene,
+              {store::mapFingerprint(scene), store::mapSceneChecksum(scene), checksumOf(array)});
+  std::vector<std::string> written{files.png.string(), files.plain.string(), files.npy.string(),
+                                   files.json.string()};
+  store::removeFiles(allOf(files));
+  system::writeFileAtomically(files.npy, array);
+  const bool isSmall =
+      static_cast<std::size_t>(scene.map->runs()) * result.values.size() <= study::kMaxMapRows;
+  if (isSmall) {
+    system::writeFileAtomically(files.csv, mapCsv(result, scene));
+    written.push_back(files.csv.string());
+  }
+  image::writePng(files.plain, picture::plainMap(result, *scene.map).view());
+  image::writePng(files.png, picture::drawMapSheet(result, scene).view());
+  system::writeFileAtomically(files.json, json);
+  store::MapTiles(files.tiles, "").remove();
+  return written;
+}
+
+}  // namespace rotatebook::pipeline

@@ -1,0 +1,38 @@
+// Many motions at once, in the lanes of the processor's vectors.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ensemble/instruction_set.h"
+#include "ensemble/outcome.h"
+#include "physics/motion_settings.h"
+#include "physics/simulator.h"
+
+namespace rotatebook::ensemble {
+
+/// A motion that is watched for half-turns: at its start, after every so many frames, and at its
+/// end.
+struct WatchedMotion {
+  physics::MotionSettings motion{};
+  std::int64_t frames = 0;         ///< Its length, >= 0. [timePerFrame]
+  std::int64_t framesPerLook = 1;  ///< >= 1
+};
+
+/// Watches all motions, bit by bit as physics::TurnWatch does, and returns what came of each, in
+/// their order. Those of Model::Quaternion by euler, rk4, midpoint, dmv2, dmv4 and dmv6 without
+/// nudges are made several at a time, if they have the same integrator, substeps, normalizeEvery
+/// and looks: hand in some hundred of them that have. If `stop` isn't null and another thread sets
+/// it, the rest is left out, and the result must be discarded.
+std::vector<Outcome> outcomesOf(std::span<const WatchedMotion> motions,
+                                InstructionSet set = widestSet(),
+                                const std::atomic<bool>* stop = nullptr);
+
+/// Returns the state of each motion after so many times timePerFrame, bit by bit as its simulator
+/// reports it; NaN where its step failed. Throws InputError as makeSimulator() does.
+std::vector<physics::BodyState> statesAfter(std::span<const physics::MotionSettings> motions,
+                                            std::int64_t frames, InstructionSet set = widestSet());
+
+}  // namespace rotatebook::ensemble

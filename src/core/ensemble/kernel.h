@@ -1,0 +1,207 @@
+// The run of a block in lanes, for any number type and step. Included by the source of each
+// instruction set, and by nothing else. Inside the room only.
+#pragma once
+
+#include "ensemble/block.h"
+#include "ensemble/lanes.h"
+#include "ensemble/pair.h"
+#include "physics/steps/euler_step.h"
+#include "physics/steps/midpoint_step.h"
+#include "physics/steps/moser_veselov_step.h"
+#include "physics/steps/runge_kutta_step.h"
+
+namespace rotatebook::ensemble {
+
+using physics::StepState;
+using physics::Vector3;
+
+/// Motions that a number holds.
+template <typename Number>
+inline constexpr int kLanesOf = sizeof(Number) / sizeof(double);
+
+/// Copies a value of several numbers from as many rows, or to them.
+template <typename Number, typename Value>
+void load(const Row* rows, int first, Value& value) {
+  constexpr int kCount = sizeof(Value) / sizeof(Number);
+  double numbers[kCount][kLanesOf<Number>];
+  for (int i = 0; i < kCount; ++i) __builtin_memcpy(numbers[i], rows[i] + first, sizeof(Number));
+  __builtin_memcpy(&value, numbers, sizeof(Value));
+}
+template <typename Number, typename Value>
+void store(const Value& value, Row* rows, int first) {
+  constexpr int kCount = sizeof(Value) / sizeof(Number);
+  double numbers[kCount][kLanesOf<Number>];
+  __builtin_memcpy(numbers, &value, sizeof(Value));
+  for (int i = 0; i < kCount; ++i) __builtin_memcpy(rows[i] + first, numbers[i], sizeof(Number));
+}
+
+template <typename Number>
+bool solve(const physics::MidpointEquation<Number>& /*type*/, const double* equation,
+           double* solution) {
+  return solveMidpoint(equation, solution);
+}
+template <typename Number>
+bool solve(const physics::MoserVeselovEquation<Number>& /*type*/, const double* equation,
+           double* solution) {
+  return solveMoserVeselov(equation, solution);
+}
+
+/// Solves steps one by one by Newton's method; a body without a solution gets NaN.
+template <typename Number>
+struct SolvedOrNan {
+  template <typename Equation, typename Iterated>
+  [[gnu::noinline]] Vector3<Number> operator()(const Equation& equation,
+                                               const Iterated& iterated) const {
+    constexpr int kLanes = kLanesOf<Number>, kCount = sizeof(Equation) / sizeof(Number);
+    double numbers[kCount][kLanes], solutions[3][kLanes];
+    bool isSolved[kLanes];
+    __builtin_memcpy(numbers, &equation, sizeof(Equation));
+    __builtin_memcpy(solutions, &iterated.x, sizeof(solutions));
+    storeMask(iterated.isSolved, isSolved);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if (isSolved[lane]) continue;
+      double one[kCount], solution[3];
+      for (int i = 0; i < kCount; ++i) one[i] = numbers[i][lane];
+      const bool exists = solve(equation, one, solution);
+      for (int i = 0; i < 3; ++i) solutions[i][lane] = exists ? solution[i] : __builtin_nan("");
+    }
+    Vector3<Number> result;
+    __builtin_memcpy(&result, solutions, sizeof(solutions));
+    return result;
+  }
+
+  template <typename Condition>
+  Vector3<Number> unsolved(const Vector3<Number>& x, const Condition& condition) const {
+    const Number nan(__builtin_nan(""));
+    return chosen(condition, x, Vector3<Number>{nan, nan, nan});
+  }
+};
+
+/// Numbers that are watched at each look: WatchRows.
+template <typename Number>
+struct Watch {
+  Vector3<Number> spunAxis;
+  Number side, halfTurns, isCounted, firstTurn;
+
+  /// Returns for which bodies it is certain on which side of 60 and 120 degrees the tilt is, where
+  /// half of the momentum is along the spun axis. Takes its part along it, with its sign, and all
+  /// of it, squared.
+  auto isCertain(Number squaredNormOfAttitude, Number signedSquare, Number square) const {
+    const auto isUnit = magnitude(squaredNormOfAttitude - Number(1)) < Number(1e-8);
+    const auto isInRange = both(Number(1e-280) < square, square < Number(1e250));
+    const Number distance = magnitude(magnitude(signedSquare) - Number(0.25) * square);
+    return both(both(isUnit, isInRange), Number(1e-6) * square < distance);
+  }
+  /// Returns the side of the tilt at this look.
+  Number nextSide(Number signedSquare, Number square) const {
+    const Number quarter = Number(0.25) * square;
+    return chosen(quarter < signedSquare, Number(1),
+                  chosen(signedSquare < Number(0) - quarter, Number(-1), side));
+  }
+  void countTo(Number next, Number frame) {
+    const Number turns = halfTurns + chosen(side * next < Number(0), isCounted, Number(0));
+    firstTurn =
+        chosen(halfTurns < chosen(halfTurns == Number(0), turns, Number(0)), frame, firstTurn);
+    halfTurns = turns;
+    side = next;
+  }
+};
+
+template <typename Step, typename Number>
+[[gnu::always_inline]] inline void take(const Step& step, StepState<Number>& state) {
+  if constexpr (requires { step(state); }) {
+    step(state);
+  } else {
+    state.attitude = state.attitude * step.stepMomentum(state, SolvedOrNan<Number>{});
+  }
+}
+
+/// Returns A^T L of the momentum L in world axes.
+template <typename Number>
+Vector3<Number> turnedToBody(const StepState<Number>& state) {
+  const Vector3<Number> u = state.attitude.vec();
+  const Vector3<Number> t = cross(u, Number(2) * state.momentum);
+  return (state.momentum - state.attitude.w * t) + cross(u, t);
+}
+
+/// Makes steps, of which `left` are left to the next normalisation.
+template <typename Step, typename Number>
+[[gnu::always_inline]] inline void makeSteps(const Step& step, std::int64_t count,
+                                             const Course& course, std::int64_t& left,
+                                             StepState<Number>& state) {
+  for (std::int64_t made = 0; made < count; ++made) {
+    take(step, state);
+    if (course.normalizeEvery == 0 || --left > 0) continue;
+    left = course.normalizeEvery;
+    normalize(state.attitude);
+  }
+}
+
+/// Looks at a state after so many frames. Returns for which bodies nothing needs care.
+template <typename Step, typename Number>
+[[gnu::always_inline]] inline auto watched(const StepState<Number>& state, std::int64_t frames,
+                                           Watch<Number>& watch) {
+  Vector3<Number> inBody = state.momentum;
+  if constexpr (!Step::kMomentumInBody) inBody = turnedToBody(state);
+  const Number square = squaredNorm(state.momentum);
+  const Number along = dot(watch.spunAxis, inBody);
+  const Number signedSquare = along * magnitude(along);
+  const auto isQuiet = watch.isCertain(squaredNorm(state.attitude), signedSquare, square);
+  const Number next = watch.nextSide(signedSquare, square);
+  watch.countTo(isAll(isQuiet) ? next : chosen(isQuiet, next, watch.side),
+                Number(static_cast<double>(frames)));
+  return isQuiet;
+}
+
+/// Runs as many motions of a block as a number holds.
+template <template <typename> typename Step, typename Number>
+bool runLanes(Block& block, int first, const Course& course) {
+  Step<Number> step;
+  StepState<Number> state;
+  Watch<Number> watch;
+  load<Number>(block.step, first, step);
+  load<Number>(block.state, first, state);
+  load<Number>(reinterpret_cast<const Row*>(&block.watch), first, watch);
+
+  std::int64_t frames = block.frames[first];
+  std::int64_t left = course.normalizeEvery;
+  if (left > 1) left -= frames * course.stepsPerFrame % left;
+  bool care = false;
+  while (frames < course.frames && !care) {
+    const std::int64_t rest = course.frames - frames;
+    const std::int64_t made = rest < course.framesPerLook ? rest : course.framesPerLook;
+    makeSteps(step, made * course.stepsPerFrame, course, left, state);
+    frames += made;
+    if (!course.isWatched) continue;
+    const auto isQuiet = watched<Step<Number>>(state, frames, watch);
+    if (isAll(isQuiet)) [[likely]]
+      continue;
+    care = true;
+    storeMask(isNot(isQuiet), block.needsCare + first);
+  }
+
+  store<Number>(state, block.state, first);
+  store<Number>(watch, reinterpret_cast<Row*>(&block.watch), first);
+  for (int i = 0; i < kLanesOf<Number>; ++i) block.frames[first + i] = frames;
+  return care;
+}
+
+template <template <typename> typename Step, typename Number>
+bool run(Block& block, const Course& course) {
+  static_assert(kBlockSize % kLanesOf<Number> == 0);
+  bool care = false;
+  for (int first = 0; first < kBlockSize; first += kLanesOf<Number>) {
+    if (runLanes<Step, Number>(block, first, course)) care = true;
+  }
+  return care;
+}
+
+/// Returns the runs in the order of StepKind: Euler's step, the shortest, with its own number, as
+/// it waits longest for its results unless there are more at once.
+template <typename EulerNumber, typename Number>
+constexpr Kernels kernels() {
+  return {{&run<physics::EulerStep, EulerNumber>, &run<physics::RungeKutta4Step, Number>,
+           &run<physics::MidpointStep, Number>, &run<physics::MoserVeselovStep, Number>}};
+}
+
+}  // namespace rotatebook::ensemble

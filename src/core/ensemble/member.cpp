@@ -1,0 +1,140 @@
+#include "ensemble/member.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <variant>
+
+#include "physics/simulate.h"
+#include "rigid/rotation.h"
+
+namespace rotatebook::ensemble {
+namespace {
+
+using physics::BodyState;
+using physics::StepState;
+
+static_assert(std::variant_size_v<physics::AnyStep> == kStepKinds);
+
+// Copies a value that is made of doubles into rows.
+template <typename Value>
+void scatter(const Value& value, Row* rows, int lane) {
+  const auto numbers = std::bit_cast<std::array<double, sizeof(Value) / sizeof(double)>>(value);
+  for (std::size_t i = 0; i < numbers.size(); ++i) rows[i][lane] = numbers[i];
+}
+
+StepState<double> stateIn(const Row* rows, int lane) {
+  std::array<double, kStateNumbers> numbers;
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = rows[i][lane];
+  return std::bit_cast<StepState<double>>(numbers);
+}
+
+void scatterVector(const Eigen::Vector3d& v, Row* rows, int lane) {
+  for (int i = 0; i < 3; ++i) rows[i][lane] = v[i];
+}
+
+bool isOrdinary(double number) {
+  constexpr double kLarge = 1e60;
+  return number > 1 / kLarge && number < kLarge;
+}
+
+}  // namespace
+
+std::optional<Member> Member::of(const physics::MotionSettings& settings) {
+  const auto motion = physics::QuaternionMotion::of(settings);
+  if (!motion) return std::nullopt;
+  Member member(settings, *motion);
+  if (!member.hasOrdinaryNumbers()) return std::nullopt;
+  return member;
+}
+
+Member::Member(const physics::MotionSettings& settings, const physics::QuaternionMotion& motion)
+    : body_(settings.body),
+      interval_(settings.simulation.timePerFrame),
+      motion_(motion),
+      spunAxis_(spunAxisOf(settings, motion.inertia())) {}
+
+bool Member::hasOrdinaryNumbers() const {
+  const Eigen::Vector3d& moments = motion_.inertia().moments;
+  const auto momentum = motion_.start().momentum;
+  bool isAll = isOrdinary(std::sqrt(squaredNorm(momentum)));
+  for (int i = 0; i < 3; ++i) isAll = isAll && isOrdinary(moments[i]) && isOrdinary(body_.size[i]);
+  return isAll;
+}
+
+void Member::fill(Block& block, int lane) const {
+  std::visit([&](const auto& step) { scatter(step, block.step, lane); }, motion_.step());
+  scatter(motion_.start(), block.state, lane);
+  const Eigen::Matrix3d principalFromBody = motion_.inertia().bodyFromPrincipal.transpose();
+  scatterVector(principalFromBody * spunAxis_, block.watch.spunAxis, lane);
+  block.hasEnded[lane] = false;
+  block.frames[lane] = 0;
+}
+
+void Member::start(Block& block, int lane) const {
+  block.watch.side[lane] = 0;
+  block.watch.halfTurns[lane] = 0;
+  block.watch.isCounted[lane] = 1;
+  block.watch.firstTurn[lane] = 0;
+  count(block, lane, state(block, lane));
+}
+
+void Member::attend(Block& block, int lane) {
+  const StepState<double> numbers = stateIn(block.state, lane);
+  const BodyState state = motion_.stateOf(numbers);
+  if (!hasBlownUp(state, body_)) {
+    count(block, lane, state);
+    return;
+  }
+  // Solvers find finite numbers.
+  outcome_.isRefused =
+      stepKind() >= static_cast<std::size_t>(StepKind::Midpoint) && !isFinite(numbers.momentum);
+  if (!outcome_.isRefused) outcome_.divergedAt = timeOf(static_cast<double>(block.frames[lane]));
+  // Leave the lane, but for its counts, to a body at rest.
+  fillAtRest(block, lane);
+}
+
+void Member::count(Block& block, int lane, const BodyState& state) const {
+  if (block.watch.isCounted[lane] == 0) return;
+  const rigid::Polar polar = rigid::polarDecomposition(state.worldFromBody);
+  if (!physics::keepsItsShape(polar.singularValues[2], polar.singularValues[0])) {
+    block.watch.isCounted[lane] = 0;
+    return;
+  }
+  const auto side =
+      physics::sideOf(physics::tiltDegOf(polar.rotation, spunAxis_, state.angularMomentum));
+  if (side == physics::TiltSide::None) return;
+  const double next = side == physics::TiltSide::Near ? 1 : -1;
+  if (block.watch.side[lane] * next < 0) {
+    double& turns = block.watch.halfTurns[lane];
+    if (turns == 0) block.watch.firstTurn[lane] = static_cast<double>(block.frames[lane]);
+    turns += 1;
+  }
+  block.watch.side[lane] = next;
+}
+
+Outcome Member::outcome(const Block& block, int lane) const {
+  Outcome result = outcome_;
+  result.halfTurns = static_cast<int>(block.watch.halfTurns[lane]);
+  const double firstTurn = block.watch.firstTurn[lane];
+  if (firstTurn > 0) result.firstTurn = timeOf(firstTurn);
+  return result;
+}
+
+BodyState Member::state(const Block& block, int lane) const {
+  return motion_.stateOf(stateIn(block.state, lane));
+}
+
+void fillAtRest(Block& block, int lane) {
+  for (Row& row : block.step) row[lane] = 0;
+  for (Row& row : block.state) row[lane] = 0;
+  block.step[kStepNumbers - 1][lane] = 1;  // A length of a step, by which some divide.
+  // Point the momentum along the spun axis, where it stays: the body doesn't turn.
+  block.state[0][lane] = 1;
+  block.state[4][lane] = 1;
+  scatterVector({1, 0, 0}, block.watch.spunAxis, lane);
+  block.watch.side[lane] = 1;
+  block.hasEnded[lane] = true;
+}
+
+}  // namespace rotatebook::ensemble

@@ -1,0 +1,55 @@
+// A motion of a block, as scalar code sees it. Inside the room only.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include <Eigen/Core>
+
+#include "ensemble/block.h"
+#include "ensemble/outcome.h"
+#include "physics/measure/measurement.h"
+#include "physics/motion_settings.h"
+#include "physics/steps/quaternion_motion.h"
+
+namespace rotatebook::ensemble {
+
+/// A motion in a lane of a block: fills the lane, and measures what lanes leave to it, bit by bit
+/// as simulate() does.
+class Member {
+ public:
+  /// Returns nullopt for motions that lanes don't make, or whose numbers are so large or small that
+  /// lanes might not notice where they leave the range of doubles. Throws as
+  /// QuaternionMotion::of().
+  static std::optional<Member> of(const physics::MotionSettings& settings);
+
+  std::size_t stepKind() const { return motion_.step().index(); }
+
+  /// Fills a lane with the state at t = 0.
+  void fill(Block& block, int lane) const;
+  /// Looks at the motion's start, as lanes look at it later.
+  void start(Block& block, int lane) const;
+  /// Looks at the frame that the lane is at.
+  void attend(Block& block, int lane);
+  /// Returns what came of the lane.
+  Outcome outcome(const Block& block, int lane) const;
+  physics::BodyState state(const Block& block, int lane) const;
+
+ private:
+  Member(const physics::MotionSettings& settings, const physics::QuaternionMotion& motion);
+
+  bool hasOrdinaryNumbers() const;
+  double timeOf(double frame) const { return frame * interval_; }
+  void count(Block& block, int lane, const physics::BodyState& state) const;
+
+  physics::Cuboid body_;
+  double interval_;  // a frame's [s]
+  physics::QuaternionMotion motion_;
+  Eigen::Vector3d spunAxis_;  // in body axes
+  Outcome outcome_;
+};
+
+/// Fills a lane with a body that doesn't turn and needs no care, but keeps its count of half-turns.
+void fillAtRest(Block& block, int lane);
+
+}  // namespace rotatebook::ensemble

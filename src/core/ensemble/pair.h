@@ -1,0 +1,89 @@
+// Twice as many lanes: while the processor waits for the result of one half, it computes the
+// other's. Inside the room only.
+#pragma once
+
+namespace rotatebook::ensemble {
+
+/// For which bodies a condition holds, in both halves.
+template <typename Half>
+struct PairMask {
+  Half first, second;
+};
+
+/// Lanes, or pairs of them, as one number.
+template <typename Half>
+struct Pair {
+  Half first, second;
+
+  Pair() = default;
+  Pair(Half one, Half other) : first(one), second(other) {}
+  /// Gives each the number.
+  explicit Pair(double number) : first(number), second(number) {}
+
+  friend Pair operator+(Pair a, Pair b) { return {a.first + b.first, a.second + b.second}; }
+  friend Pair operator-(Pair a, Pair b) { return {a.first - b.first, a.second - b.second}; }
+  friend Pair operator*(Pair a, Pair b) { return {a.first * b.first, a.second * b.second}; }
+  friend Pair operator/(Pair a, Pair b) { return {a.first / b.first, a.second / b.second}; }
+};
+
+template <typename Half>
+auto paired(Half first, Half second) {
+  return PairMask<Half>{first, second};
+}
+template <typename Half>
+auto operator<(Pair<Half> a, Pair<Half> b) {
+  return paired(a.first < b.first, a.second < b.second);
+}
+template <typename Half>
+auto operator<=(Pair<Half> a, Pair<Half> b) {
+  return paired(a.first <= b.first, a.second <= b.second);
+}
+template <typename Half>
+auto operator==(Pair<Half> a, Pair<Half> b) {
+  return paired(a.first == b.first, a.second == b.second);
+}
+template <typename Half>
+auto operator>(Pair<Half> a, Pair<Half> b) {
+  return paired(a.first > b.first, a.second > b.second);
+}
+template <typename Half>
+PairMask<Half> isNot(PairMask<Half> mask) {
+  return {isNot(mask.first), isNot(mask.second)};
+}
+template <typename Half>
+PairMask<Half> both(PairMask<Half> a, PairMask<Half> b) {
+  return {both(a.first, b.first), both(a.second, b.second)};
+}
+template <typename MaskHalf, typename Half>
+Pair<Half> chosen(PairMask<MaskHalf> mask, Pair<Half> yes, Pair<Half> no) {
+  return {chosen(mask.first, yes.first, no.first), chosen(mask.second, yes.second, no.second)};
+}
+template <typename Half>
+bool isAny(PairMask<Half> mask) {
+  const bool one = isAny(mask.first), other = isAny(mask.second);
+  return one || other;
+}
+template <typename Half>
+bool isAll(PairMask<Half> mask) {
+  const bool one = isAll(mask.first), other = isAll(mask.second);
+  return one && other;
+}
+template <typename Half>
+void storeMask(PairMask<Half> mask, bool* to) {
+  storeMask(mask.first, to);
+  storeMask(mask.second, to + laneCount(mask.first));
+}
+template <typename Half>
+constexpr int laneCount(PairMask<Half> mask) {
+  return 2 * laneCount(mask.first);
+}
+template <typename Half>
+Pair<Half> magnitude(Pair<Half> a) {
+  return {magnitude(a.first), magnitude(a.second)};
+}
+template <typename Half>
+Pair<Half> rootOf(Pair<Half> a) {
+  return {rootOf(a.first), rootOf(a.second)};
+}
+
+}  // namespace rotatebook::ensemble

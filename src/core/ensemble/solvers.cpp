@@ -1,0 +1,32 @@
+// Steps that lanes leave to Newton's method.
+#include <array>
+#include <bit>
+#include <cstring>
+#include <optional>
+
+#include "ensemble/block.h"
+#include "physics/steps/branch.h"
+
+namespace rotatebook::ensemble {
+namespace {
+
+template <typename Equation>
+bool solveEquation(const double* numbers, double* solution) {
+  Equation equation;
+  std::memcpy(&equation, numbers, sizeof(equation));
+  const std::optional<physics::Vector3<double>> found = followedBranch(equation);
+  if (found) std::memcpy(solution, &*found, sizeof(*found));
+  return found.has_value();
+}
+
+}  // namespace
+
+bool solveMidpoint(const double* equation, double* solution) {
+  return solveEquation<physics::MidpointEquation<double>>(equation, solution);
+}
+
+bool solveMoserVeselov(const double* equation, double* solution) {
+  return solveEquation<physics::MoserVeselovEquation<double>>(equation, solution);
+}
+
+}  // namespace rotatebook::ensemble

@@ -1,0 +1,107 @@
+#include "physics/course.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/make_simulator.h"
+
+namespace rotatebook::physics {
+namespace {
+
+// Times within a step that are closer to its ends than this part of it are taken for the ends.
+constexpr double kEndOfStep = 1e-9;
+
+/// Returns the nudges after `start` and up to `end`. [s]
+std::span<const Nudge> nudgesWithin(std::span<const Nudge> nudges, double start, double end) {
+  const auto isAfter = [](double time, const Nudge& nudge) { return time < nudge.at; };
+  const auto first = std::upper_bound(nudges.begin(), nudges.end(), start, isAfter);
+  return {first, std::upper_bound(first, nudges.end(), end, isAfter)};
+}
+
+}  // namespace
+
+/// Advances a simulator through one frame, and stops on the way for nudges or at a time within: a
+/// step in which one falls is made in parts.
+class PartsOfFrame {
+ public:
+  PartsOfFrame(Simulator& simulator, const SimulationSettings& stepping)
+      : simulator_(simulator),
+        steps_(stepping.substeps),
+        h_(stepping.timePerFrame / stepping.substeps) {}
+
+  /// Advances to `offset` from the frame's start. [s]
+  void advanceTo(double offset) {
+    const double steps = offset / h_;
+    const double whole = std::min(std::floor(steps + kEndOfStep), 1.0 * steps_);
+    const double part = steps - whole;
+    advanceTo(static_cast<int>(whole), part > kEndOfStep ? part * h_ : 0);
+  }
+
+  void finish() { advanceTo(steps_, 0); }
+
+ private:
+  /// Advances to `whole` steps and a part of the next. [s]
+  void advanceTo(int whole, double part) {
+    if (whole > whole_ && part_ > 0) {
+      simulator_.advance(h_ - part_, 1);
+      ++whole_;
+      part_ = 0;
+    }
+    for (; whole_ < whole; ++whole_) simulator_.advance(h_, 1);
+    if (part > part_) simulator_.advancePart(part - part_);
+    part_ = part;
+  }
+
+  Simulator& simulator_;
+  int steps_;
+  double h_;         // a whole step [s]
+  int whole_ = 0;    // steps made
+  double part_ = 0;  // of the next step [s]
+};
+
+Course::Course(const MotionSettings& settings)
+    : nudges_(settings.nudges),
+      stepping_(settings.simulation),
+      simulator_(makeSimulator(settings)) {}
+
+BodyState Course::at(double time) {
+  const double slack = kEndOfStep * stepping_.timePerFrame / stepping_.substeps;
+  while (startOf(frame_ + 1) <= time + slack) makeFrame();
+  if (time - startOf(frame_) <= slack) return simulator_->state();
+  const auto copy = simulator_->copy();
+  advanceWithin(*copy, time);
+  return copy->state();
+}
+
+void Course::makeFrame() {
+  const double end = startOf(frame_ + 1);
+  const bool isExact = stepping_.model == Model::Exact;
+  if (isExact || nudgesWithin(nudges_, startOf(frame_), end).empty()) {
+    simulator_->advance(stepping_.timePerFrame, stepping_.substeps);
+  } else {
+    partsTo(*simulator_, end).finish();
+  }
+  ++frame_;
+}
+
+/// Advances a simulator that is at the start of the frame to a time within it. [s]
+void Course::advanceWithin(Simulator& simulator, double time) const {
+  const double offset = time - startOf(frame_);
+  if (stepping_.model == Model::Exact) {
+    simulator.advance(offset, 1);
+  } else {
+    partsTo(simulator, time).advanceTo(offset);
+  }
+}
+
+/// Returns the frame's parts, advanced through the nudges up to `end`. [s]
+PartsOfFrame Course::partsTo(Simulator& simulator, double end) const {
+  PartsOfFrame parts(simulator, stepping_);
+  for (const Nudge& nudge : nudgesWithin(nudges_, startOf(frame_), end)) {
+    parts.advanceTo(nudge.at - startOf(frame_));
+    simulator.nudge(nudge);
+  }
+  return parts;
+}
+
+}  // namespace rotatebook::physics

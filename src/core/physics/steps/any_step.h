@@ -1,0 +1,17 @@
+// The steps that are templates of their number type.
+#pragma once
+
+#include <variant>
+
+#include "physics/steps/euler_step.h"
+#include "physics/steps/midpoint_step.h"
+#include "physics/steps/moser_veselov_step.h"
+#include "physics/steps/runge_kutta_step.h"
+
+namespace rotatebook::physics {
+
+/// A step of a quaternion, of one of these types.
+using AnyStep = std::variant<EulerStep<double>, RungeKutta4Step<double>, MidpointStep<double>,
+                             MoserVeselovStep<double>>;
+
+}  // namespace rotatebook::physics

@@ -1,0 +1,356 @@
+// The keys of [map]: which runs to make, and how they are drawn.
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "scene/keys/keys.h"
+#include "scene/keys/kinds.h"
+#include "scene/sections.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using document::kNumber;
+using document::kPositive;
+
+constexpr const char* kExpectedAxis =
+    "a table such as { key = \"simulation.substeps\", from = 1, to = 100, scale = \"log\" }";
+constexpr const char* kExpectedSize = "numbers of runs across and up, such as [960, 540]";
+constexpr const char* kExpectedColours =
+    "a table such as { palette = \"ember\", from = 0, to = 180 }";
+constexpr const char* kExpectedMarks = "tables such as { at = [0.5, 1], label = \"book\" }";
+constexpr const char* kExpectedMapBounds =
+    "tables such as { of = \"share\", outcome = \"diverged\", max = 0.5 }";
+constexpr const char* kExpectedPoint = "a value on x and one on y, such as [0.5, 1]";
+constexpr const char* kExpectedMoments = "three moments of inertia, such as [1.0, 3.1, 3.2]";
+constexpr const char* kExpectedFilm =
+    "a table such as { x = [2, 3], y = [0.1, 0.2], duration = 10 }";
+constexpr const char* kExpectedEnds = "the first and the last value of an axis, such as [2, 3]";
+constexpr const char* kExpectedContours = "a list of values, such as [0.25, 0.5]";
+constexpr int kMinSide = 2;
+constexpr std::size_t kMaxMarks = 50;
+constexpr NumberRange kMapTimes{kPositive.expected, kPositive.min, kPositive.max, Dimension::Time};
+
+constexpr NumberRange kFilmTimes{"a time from 0.1 to 600 s", 0.1, 600, Dimension::Time};
+
+constexpr std::array<Named<Palette>, 3> kPalettes{
+    {{"ember", Palette::Ember}, {"lagoon", Palette::Lagoon}, {"slate", Palette::Slate}}};
+constexpr std::array<Named<AxisKind>, 5> kAxisKinds{{{"time", AxisKind::Time},
+                                                     {"spin.longitude", AxisKind::SpinLongitude},
+                                                     {"spin.latitude", AxisKind::SpinLatitude},
+                                                     {"moments.smallest", AxisKind::SmallestMoment},
+                                                     {"moments.median", AxisKind::MedianMoment}}};
+using Of = MapExpectation::Of;
+constexpr std::array<Named<Of>, 5> kOfs{{{"smallest", Of::Smallest},
+                                         {"largest", Of::Largest},
+                                         {"mean", Of::Mean},
+                                         {"share", Of::Share},
+                                         {"value", Of::Value}}};
+/// Returns the keys of an axis.
+const Keys<MapAxis>& axisKeys() {
+  static const Keys<MapAxis> keys{
+      {"key",
+       [](const ValueReader& value, MapAxis& axis) {
+         axis.key = value.text(kLongestPath);
+         const auto special = std::ranges::find(kAxisKinds, axis.key, &Named<AxisKind>::name);
+         if (special != kAxisKinds.end()) axis.kind = special->value;
+       },
+       [](const MapAxis& axis) { return tomlString(axis.key); },
+       {}},
+      key("from", &MapAxis::from, number(kNumber)),
+      key("to", &MapAxis::to, number(kNumber)),
+      key("scale", &MapAxis::scale, oneOf(kScales)),
+      {"label",
+       [](const ValueReader& value, MapAxis& axis) { axis.label = value.text(kLongestLabel); },
+       [](const MapAxis& axis) { return axis.label.empty() ? "" : tomlString(axis.label); },
+       {}},
+  };
+  return keys;
+}
+
+void requireKeys(const ValueReader& table, std::initializer_list<const char*> keys) {
+  for (const char* key : keys) {
+    if (!table.find(key)) table.fail(table.name() + " needs " + key);
+  }
+}
+
+MapAxis mapAxisFrom(const ValueReader& table) {
+  MapAxis axis;
+  readKeys(table, axisKeys(), axis);
+  requireKeys(table, {"key", "from", "to"});
+  if (!(axis.from < axis.to)) {
+    table.find("from")->fail(table.name() + " runs from " + tomlNumber(axis.from) + " to " +
+                             tomlNumber(axis.to) + "; from must be less than to");
+  }
+  if (axis.scale == Scale::Logarithmic && !(axis.from > 0)) {
+    table.find("from")->fail(table.name() + " is logarithmic, which needs from over 0, not " +
+                             tomlNumber(axis.from));
+  }
+  return axis;
+}
+
+Kind<MapAxis> axis() {
+  return {mapAxisFrom, [](const MapAxis& one) { return inlineTable(axisKeys(), one); },
+          kExpectedAxis};
+}
+
+MapMeasure measureFrom(const ValueReader& value) {
+  std::vector<std::string> names;
+  for (const MapMeasure measure : allMapMeasures()) names.push_back(nameOf(measure));
+  return allMapMeasures()[value.choice(std::vector<std::string_view>(names.begin(), names.end()))];
+}
+
+void readSize(const ValueReader& value, MapSettings& map) {
+  const auto sides = value.elements(2, kExpectedSize);
+  map.width = sides[0].integer(kMinSide, kMaxMapSide);
+  map.height = sides[1].integer(kMinSide, kMaxMapSide);
+}
+
+std::vector<double> numbersFrom(const ValueReader& value, std::size_t count, const char* expected,
+                                const NumberRange& range = kNumber) {
+  std::vector<double> numbers;
+  for (const ValueReader& one : value.elements(count, expected)) {
+    numbers.push_back(one.number(range));
+  }
+  return numbers;
+}
+
+std::string numbersText(const std::vector<double>& numbers) {
+  return listText(numbers, tomlNumber);
+}
+
+const Keys<MapColours>& colourKeys() {
+  static const Keys<MapColours> keys{
+      key("palette", &MapColours::palette, oneOf(kPalettes)),
+      {"reversed",
+       [](const ValueReader& value, MapColours& colours) {
+         const bool* flag = std::get_if<bool>(&value.node().value);
+         if (flag == nullptr) value.mismatch("true or false");
+         colours.reversed = *flag;
+       },
+       [](const MapColours& colours) { return colours.reversed ? "true" : ""; },
+       {}},
+      key("scale", &MapColours::scale, oneOf(kScales)),
+      key("from", &MapColours::from, number(kNumber)),
+      key("to", &MapColours::to, number(kNumber)),
+      {"contours",
+       [](const ValueReader& value, MapColours& colours) {
+         for (const ValueReader& one : value.list(kExpectedContours)) {
+           colours.contours.push_back(one.number(kNumber));
+         }
+       },
+       [](const MapColours& colours) {
+         return colours.contours.empty() ? "" : numbersText(colours.contours);
+       },
+       {}},
+  };
+  return keys;
+}
+
+MapColours coloursFrom(const ValueReader& table) {
+  MapColours colours;
+  readKeys(table, colourKeys(), colours);
+  if (colours.from && colours.to && !(*colours.from < *colours.to)) {
+    table.find("from")->fail(
+        table.name() + " runs from " + tomlNumber(*colours.from) + " to " +
+        tomlNumber(*colours.to) +
+        "; from must be less than to; reversed = true turns the colours round");
+  }
+  const bool isLogarithmic = colours.scale == Scale::Logarithmic;
+  for (const char* end : {"from", "to"}) {
+    const auto value = table.find(end);
+    if (!isLogarithmic || !value || value->number(kNumber) > 0) continue;
+    value->fail(table.name() + " is logarithmic, which needs " + end + " over 0");
+  }
+  return colours;
+}
+
+Kind<std::vector<double>> ends() {
+  return {[](const ValueReader& value) { return numbersFrom(value, 2, kExpectedEnds); },
+          [](const std::vector<double>& all) { return all.empty() ? "" : numbersText(all); },
+          kExpectedEnds};
+}
+
+const Keys<MapFilm>& filmKeys() {
+  static const Keys<MapFilm> keys{
+      key("x", &MapFilm::x, ends()),
+      key("y", &MapFilm::y, ends()),
+      key("duration", &MapFilm::duration, number(kFilmTimes)),
+  };
+  return keys;
+}
+
+Kind<MapFilm> film() {
+  return {[](const ValueReader& table) {
+            MapFilm one;
+            readKeys(table, filmKeys(), one);
+            return one;
+          },
+          [](const MapFilm& one) { return inlineTable(filmKeys(), one); }, kExpectedFilm};
+}
+
+/// Returns whether `value` is a list of nothing, by which the command line leaves out what is
+/// there.
+bool isEmptyList(const ValueReader& value) {
+  const auto* array = std::get_if<document::TomlNode::Array>(&value.node().value);
+  return array != nullptr && array->empty();
+}
+
+MapMark markFrom(const ValueReader& table) {
+  MapMark mark;
+  table.readTable(
+      {{"at",
+        [&](const ValueReader& value) {
+          const auto point = numbersFrom(value, 2, kExpectedPoint);
+          mark.x = point[0];
+          mark.y = point[1];
+        }},
+       {"moments",
+        [&](const ValueReader& value) {
+          mark.moments = numbersFrom(value, 3, kExpectedMoments, kPositive);
+        }},
+       {"label", [&](const ValueReader& value) { mark.label = value.text(kLongestLabel); }}});
+  if (!table.find("label")) table.fail(table.name() + " needs a label");
+  if (table.find("at").has_value() == mark.moments.has_value()) {
+    table.fail(table.name() + " needs either at, a point, or moments, whose ratios are one");
+  }
+  return mark;
+}
+
+std::string markText(const MapMark& mark) {
+  const std::string place = mark.moments ? "moments = " + numbersText(*mark.moments)
+                                         : "at = " + numbersText({mark.x, mark.y});
+  return "{ " + place + ", label = " + tomlString(mark.label) + " }";
+}
+
+Kind<std::vector<MapMark>> marks() {
+  return {
+      [](const ValueReader& value) {
+        std::vector<MapMark> all;
+        if (isEmptyList(value)) return all;
+        for (const ValueReader& table : value.tables(kExpectedMarks)) {
+          all.push_back(markFrom(table));
+        }
+        if (all.size() <= kMaxMarks) return all;
+        value.fail(value.name() + " has " + std::to_string(all.size()) + " points; the limit is " +
+                   std::to_string(kMaxMarks));
+      },
+      [](const std::vector<MapMark>& all) { return all.empty() ? "" : listText(all, markText); },
+      kExpectedMarks};
+}
+
+const Keys<MapExpectation>& expectationKeys() {
+  static const Keys<MapExpectation> keys{
+      key("of", &MapExpectation::of, oneOf(kOfs)),
+      key("outcome", &MapExpectation::outcome, oneOf(kOutcomes)),
+      key("over", &MapExpectation::over, number(kNumber)),
+      key("under", &MapExpectation::under, number(kNumber)),
+      key("at", &MapExpectation::at,
+          Kind<std::vector<double>>{
+              [](const ValueReader& value) { return numbersFrom(value, 2, kExpectedPoint); },
+              numbersText,
+              kExpectedPoint,
+              {}}),
+      key("panel", &MapExpectation::panel, text(kLongestLabel)),
+  };
+  return keys;
+}
+
+MapExpectation mapExpectationFrom(const ValueReader& table) {
+  MapExpectation one;
+  std::vector<Field> fields = fieldsOf(
+      expectationKeys(),
+      [&](const Key<MapExpectation>& key, const ValueReader& value) { key.read(value, one); });
+  for (Field& bound : boundFields(one.bounds)) fields.push_back(std::move(bound));
+  table.readTable(fields);
+  requireKeys(table, {"of"});
+  const bool isShare = one.of == Of::Share, isValue = one.of == Of::Value;
+  if (isShare != (one.outcome || one.over || one.under)) {
+    table.fail(table.name() + (isShare ? " is of a share, so it needs outcome, over or under"
+                                       : " has outcome, over or under, which are of a share"));
+  }
+  if (isValue != one.at.has_value()) {
+    table.fail(table.name() + (isValue ? " is of a value, so it needs at = [X, Y]"
+                                       : " has at, which is of a value"));
+  }
+  checkBounds(table, one.bounds);
+  return one;
+}
+
+std::string mapExpectationText(const MapExpectation& one) {
+  const std::string start = inlineTable(expectationKeys(), one);
+  return start.substr(0, start.size() - 2) + ", " + inlineTable(boundKeys(), one.bounds).substr(2);
+}
+
+Kind<std::vector<MapExpectation>> expectations() {
+  return {[](const ValueReader& value) {
+            std::vector<MapExpectation> all;
+            if (isEmptyList(value)) return all;
+            for (const ValueReader& table : value.tables(kExpectedMapBounds)) {
+              all.push_back(mapExpectationFrom(table));
+            }
+            return all;
+          },
+          [](const std::vector<MapExpectation>& all) {
+            return all.empty() ? "" : listText(all, mapExpectationText);
+          },
+          kExpectedMapBounds};
+}
+
+}  // namespace
+
+const Keys<MapSettings>& mapKeys() {
+  static const Keys<MapSettings> keys{
+      key("x", &MapSettings::x, axis(),
+          {.meaning = "the axis across, see [maps](map.md#axes)", .byDefault = "required"}),
+      key("y", &MapSettings::y, axis(),
+          {.meaning = "the axis up, likewise", .byDefault = "required"}),
+      {"measure",
+       [](const ValueReader& value, MapSettings& map) { map.measure = measureFrom(value); },
+       [](const MapSettings& map) { return tomlString(nameOf(map.measure)); },
+       {.meaning = "what the colours show, see [maps](map.md#measures)",
+        .byDefault = "required",
+        .allowed = "a quantity, such as \"half_turns\""}},
+      key("moment", &MapSettings::moment, oneOf(kMapMoments),
+          {.meaning = "at the end of each motion, or the largest value on the way"}),
+      {"size",
+       readSize,
+       [](const MapSettings& map) {
+         return "[" + std::to_string(map.width) + ", " + std::to_string(map.height) + "]";
+       },
+       {.comment = "runs, each a pixel",
+        .meaning = "runs across and up, each a pixel, up to 16384 a side",
+        .allowed = kExpectedSize}},
+      key("duration", &MapSettings::duration, number(kMapTimes),
+          {.comment = "s, length of the motions",
+           .meaning = "length of the motions, whatever the clip's [s]",
+           .byDefault = "the clip's"}),
+      key("interval", &MapSettings::interval, number(kMapTimes),
+          {.comment = "s from look to look",
+           .meaning = "time from one look at a motion to the next, whatever its steps [s]",
+           .byDefault = "`simulation.time_per_frame`"}),
+      key("colours", &MapSettings::colours,
+          Kind<MapColours>{coloursFrom,
+                           [](const MapColours& all) { return inlineTable(colourKeys(), all); },
+                           kExpectedColours,
+                           {}},
+          {.meaning =
+               "the colours, and the values of the first and the last; see [maps](map.md#colours)",
+           .byDefault = "`{ palette = \"ember\", scale = \"linear\" }`"}),
+      key("marks", &MapSettings::marks, marks(),
+          {.meaning = "points to mark, each with its value; see [maps](map.md#colours)",
+           .byDefault = "none"}),
+      key("expect", &MapSettings::expected, expectations(),
+          {.meaning = "bounds on the smallest, largest or mean value, a share of the runs or one "
+                      "value; see [maps](map.md#expectations)",
+           .byDefault = "none"}),
+      key("film", &MapSettings::film, film(),
+          {.meaning = "the part of the map that `rotatebook map --film` zooms into, and the "
+                      "film's length; see [maps](map.md#films)",
+           .byDefault = "none"}),
+  };
+  return keys;
+}
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,249 @@
+// Reads and prints [map].
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "document/problems.h"
+#include "scene/keys/keys.h"
+#include "scene/motion_numbers.h"
+#include "scene/sections.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using physics::Model;
+
+/// An axis and its reader.
+struct ReadAxis {
+  ValueReader table;
+  const MapAxis& axis;
+
+  ValueReader key() const { return *table.find("key"); }
+  ValueReader end(const char* name) const { return *table.find(name); }
+};
+
+bool allAre(const std::vector<Panel>& motions, Model model) {
+  return std::ranges::all_of(
+      motions, [model](const Panel& panel) { return panel.simulation.model == model; });
+}
+
+bool anyIs(const std::vector<Panel>& motions, Model model) {
+  return std::ranges::any_of(
+      motions, [model](const Panel& panel) { return panel.simulation.model == model; });
+}
+
+void refuseOutside(const ReadAxis& read, double min, double max) {
+  if (read.axis.from < min) read.end("from").mismatch("at least " + tomlNumber(min));
+  if (read.axis.to > max) read.end("to").mismatch("at most " + tomlNumber(max));
+}
+
+void checkMotionKey(const ReadAxis& read, const std::vector<Panel>& motions) {
+  const std::string& key = read.axis.key;
+  const ValueReader place = read.key();
+  for (const Panel& panel : motions) {
+    const auto& location = place.node().location;
+    for (const char* end : {"from", "to"}) {
+      const double value = read.end(end).number(document::kNumber);
+      const MotionNumber number(panel.motion(), key, value,
+                                location);  // refuses what takes no number
+      physics::MotionSettings motion = panel.motion();
+      number.set(motion, value);
+    }
+  }
+  if (isOfParticles(key) && !anyIs(motions, Model::Particles)) {
+    place.fail(key + " is of the model \"particles\" alone; all runs would be the same");
+  }
+  if (key.starts_with("simulation.") && allAre(motions, Model::Exact)) {
+    place.fail(key + ": the model \"exact\" takes no steps; all runs would be the same");
+  }
+}
+
+void checkAxis(const ReadAxis& read, const std::vector<Panel>& motions) {
+  constexpr double kLargestLongitude = 720;
+  switch (read.axis.kind) {
+    case AxisKind::MotionKey:
+      return checkMotionKey(read, motions);
+    case AxisKind::Time:
+      return refuseOutside(read, 0, 1e100);
+    case AxisKind::SpinLongitude:
+      return refuseOutside(read, -kLargestLongitude, kLargestLongitude);
+    case AxisKind::SpinLatitude:
+      return refuseOutside(read, -90, 90);
+    case AxisKind::SmallestMoment:
+    case AxisKind::MedianMoment:
+      refuseOutside(read, 0, 1);
+      if (anyIs(motions, Model::Particles)) {
+        read.key().fail(read.axis.key +
+                        " is of rigid models; the particles' inertia follows from their positions");
+      }
+  }
+}
+
+void checkTime(const ValueReader& section, const MapSettings& map) {
+  if (map.timeAxis() == nullptr) return;
+  if (const auto duration = section.find("duration")) {
+    duration->fail("map.duration: the axis \"time\" says how long the motions are; leave it out");
+  }
+  const std::string name = nameOf(map.measure);
+  if (isOfTheWay(map.measure)) {
+    section.find("measure")->fail("map.measure = " + tomlString(name) +
+                                  " is of a whole motion, so no axis can be the time");
+  }
+  if (map.moment == MapMoment::Largest) {
+    section.find("moment")->fail(
+        "map.moment = \"largest\" is of a whole motion, so no axis can be the time");
+  }
+}
+
+/// Returns why a motion has no such measure; empty if it has.
+std::string reasonForAbsence(MapMeasure measure, Model model) {
+  const bool isExact = model == Model::Exact;
+  const auto isOneOf = [&](std::initializer_list<MapMeasure> all) {
+    return std::ranges::count(all, measure) > 0;
+  };
+  if (isExact && isOneOf({Quantity::ErrorDeg, Quantity::EnergyRatio, Quantity::RotationalRatio,
+                          Quantity::MomentumRatio, Quantity::Stretch, Quantity::DivergesAt,
+                          MapNumber::EnergyDrift})) {
+    return "the model \"exact\" has no such error; choose another model, e.g. "
+           "simulation.model = \"quaternion\"";
+  }
+  if (model != Model::Particles && isOneOf({Quantity::CentreDrift})) {
+    return "only the model \"particles\" has a centre that drifts";
+  }
+  return "";
+}
+
+void checkMeasure(const ValueReader& section, const MapSettings& map,
+                  const std::vector<Panel>& motions) {
+  for (const Panel& panel : motions) {
+    const std::string reason = reasonForAbsence(map.measure, panel.simulation.model);
+    if (reason.empty()) continue;
+    section.find("measure")->fail(
+        "map.measure = " + tomlString(nameOf(map.measure)) +
+        (panel.label.empty() ? "" : ", but of the panel " + tomlString(panel.label)) + ": " +
+        reason);
+  }
+}
+
+void requirePoint(const ValueReader& value, const MapSettings& map, double x, double y) {
+  if (map.x.holds(x) && map.y.holds(y)) return;
+  value.fail(value.name() + ": the point [" + tomlNumber(x) + ", " + tomlNumber(y) +
+             "] is outside the map; widen its axes, or leave it out");
+}
+
+/// Places marks that are stated by moments of inertia.
+void placeMark(const ValueReader& value, const MapSettings& map, MapMark& mark) {
+  if (!mark.moments) return;
+  std::ranges::sort(*mark.moments);
+  const double smallest = (*mark.moments)[0] / (*mark.moments)[2];
+  const double median = (*mark.moments)[1] / (*mark.moments)[2];
+  const bool isAcross =
+      map.x.kind == AxisKind::SmallestMoment && map.y.kind == AxisKind::MedianMoment;
+  const bool isUp = map.y.kind == AxisKind::SmallestMoment && map.x.kind == AxisKind::MedianMoment;
+  if (!isAcross && !isUp) {
+    value.find("moments")->fail(value.name() +
+                                ".moments needs the axes moments.smallest and moments.median");
+  }
+  mark.x = isAcross ? smallest : median;
+  mark.y = isAcross ? median : smallest;
+}
+
+void checkMarks(const ValueReader& section, MapSettings& map) {
+  const auto value = section.find("marks");
+  if (!value || map.marks.empty()) return;
+  std::size_t i = 0;
+  for (const ValueReader& table : value->tables("")) {
+    MapMark& mark = map.marks[i++];
+    placeMark(table, map, mark);
+    requirePoint(table, map, mark.x, mark.y);
+  }
+}
+
+void checkMapExpected(const ValueReader& section, const MapSettings& map,
+                      const std::vector<Panel>& motions) {
+  if (map.expected.empty()) return;
+  std::size_t i = 0;
+  for (const ValueReader& table : section.find("expect")->tables("")) {
+    const MapExpectation& one = map.expected[i++];
+    if (one.at) requirePoint(*table.find("at"), map, (*one.at)[0], (*one.at)[1]);
+    const auto isIt = [&](const Panel& panel) { return panel.label == one.panel; };
+    if (one.panel && std::ranges::none_of(motions, isIt)) {
+      table.find("panel")->fail("the scene has no panel " + tomlString(*one.panel));
+    }
+  }
+}
+
+void checkFilm(const ValueReader& section, const MapSettings& map) {
+  if (!map.film) return;
+  const ValueReader film = *section.find("film");
+  if (!map.colours.from || !map.colours.to) {
+    film.fail("map.film needs map.colours with from and to, so that a value keeps its colour");
+  }
+  if (map.film->x.empty() && map.film->y.empty()) {
+    film.fail("map.film needs x or y, the part of an axis that it zooms into");
+  }
+  const auto check = [&](const char* name, const MapAxis& axis, const std::vector<double>& ends) {
+    if (ends.empty() || (axis.holds(ends[0]) && axis.holds(ends[1]) && ends[0] < ends[1])) return;
+    film.find(name)->fail("map.film." + std::string(name) + " is from " + tomlNumber(ends[0]) +
+                          " to " + tomlNumber(ends[1]) + "; it must ascend within the axis, from " +
+                          tomlNumber(axis.from) + " to " + tomlNumber(axis.to));
+  };
+  check("x", map.x, map.film->x);
+  check("y", map.y, map.film->y);
+}
+
+void refuseTilt(const ValueReader& section, const MapSettings& map,
+                const std::vector<Panel>& motions) {
+  for (const char* name : {"x", "y"}) {
+    const MapAxis& axis = *name == 'x' ? map.x : map.y;
+    const bool isDirection =
+        axis.kind == AxisKind::SpinLongitude || axis.kind == AxisKind::SpinLatitude;
+    const bool isTilted = std::ranges::any_of(
+        motions, [](const Panel& panel) { return panel.initial.tilt.has_value(); });
+    if (!isDirection || !isTilted) continue;
+    section.find(name, "key")
+        ->fail(axis.key +
+               " is the direction of the spin, which initial.tilt would turn; "
+               "leave the tilt out");
+  }
+}
+
+void refuseManyMapRuns(const ValueReader& section, const MapSettings& map, std::size_t panels) {
+  const std::int64_t runs = map.runs() * static_cast<std::int64_t>(panels);
+  if (runs <= kMaxMapRuns) return;
+  section.find("size")->fail("map.size asks for " + std::to_string(runs) + " runs" +
+                             (panels > 1 ? " of all panels" : "") + "; the limit is " +
+                             std::to_string(kMaxMapRuns) + ", such as [10000, 10000]");
+}
+
+}  // namespace
+
+void readMap(const ValueReader& section, Scene& scene) {
+  MapSettings& map = scene.map.emplace();
+  readKeys(section, mapKeys(), map);
+  for (const char* key : {"x", "y", "measure"}) {
+    if (!section.find(key)) section.fail("[map] needs " + std::string(key));
+  }
+  if (map.x.key == map.y.key) {
+    section.find("y", "key")->fail("map.y.key is map.x.key, too; name another key");
+  }
+  const std::vector<Panel> motions = motionsOf(scene);
+  document::Problems problems;
+  problems.note([&] { refuseManyMapRuns(section, map, motions.size()); });
+  problems.note([&] { checkAxis({*section.find("x"), map.x}, motions); });
+  problems.note([&] { checkAxis({*section.find("y"), map.y}, motions); });
+  problems.note([&] { checkTime(section, map); });
+  problems.note([&] { checkMeasure(section, map, motions); });
+  problems.note([&] { refuseTilt(section, map, motions); });
+  problems.note([&] { checkMarks(section, map); });
+  problems.note([&] { checkMapExpected(section, map, motions); });
+  problems.note([&] { checkFilm(section, map); });
+  problems.throwIfAny();
+}
+
+std::string mapText(const Scene& scene) {
+  return scene.map ? "\n[map]\n" + linesOf(mapKeys(), *scene.map) : "";
+}
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,143 @@
+#include "scene/motion_numbers.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "base/nearest_name.h"
+#include "document/overrides.h"
+#include "document/toml_tree.h"
+#include "scene/keys/keys.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using document::TomlNode;
+using physics::MotionSettings;
+using SetNumber = std::function<void(MotionSettings&, double, bool)>;
+
+/// A key in its parts: "initial", "tilt" and "0" of "initial.tilt.0".
+struct Path {
+  std::string section, name, within;
+};
+
+/// The parts of a message about a key.
+struct Place {
+  const std::string& key;
+  const std::string& location;
+};
+
+Path pathOf(const std::string& key) {
+  const std::size_t first = std::min(key.find('.'), key.size());
+  const std::size_t second = std::min(key.find('.', first + 1), key.size());
+  const auto part = [&key](std::size_t begin, std::size_t end) {
+    return begin < end ? key.substr(begin, end - begin) : "";
+  };
+  return {part(0, first), part(first + 1, second), part(second + 1, key.size())};
+}
+
+TomlNode numberNode(double value, bool isWhole, const std::string& location) {
+  constexpr double kLargest = 9e15;  // whole numbers up to here are exact
+  if (!isWhole) return {value, location};
+  return {static_cast<std::int64_t>(std::clamp(std::round(value), -kLargest, kLargest)), location};
+}
+
+template <typename S>
+const Key<S>& keyNamed(const Keys<S>& keys, const Path& path, const Place& place) {
+  const auto found = std::ranges::find(keys, path.name, &Key<S>::name);
+  if (found != keys.end()) return *found;
+  std::vector<std::string_view> names;
+  for (const Key<S>& key : keys) names.push_back(key.name);
+  document::failAt(place.location, "there is no key " + place.key + didYouMean(path.name, names));
+}
+
+/// Returns the value that `base` has, as the only entry of a table, to put numbers into.
+template <typename S>
+TomlNode valueOf(const Key<S>& key, const S& base, const Path& path, const Place& place) {
+  const std::string text = path.within.empty() ? "0" : key.text(base);
+  std::optional<TomlNode> value;
+  if (!text.empty()) value = document::parseTomlValue(text, place.location);
+  if (!value) {
+    document::failAt(place.location, place.key + " is a part of " + path.section + "." + path.name +
+                                         ", which the scene doesn't state; state it");
+  }
+  return {TomlNode::Table{{path.name, place.location, *std::move(value)}}, place.location};
+}
+
+/// Returns what puts a number into the key of an S, which `part` finds in a motion.
+template <typename S, typename Part>
+SetNumber setterIn(const Keys<S>& keys, Part part, const MotionSettings& base, const Path& path,
+                   const Place& place) {
+  const Key<S>& key = keyNamed(keys, path, place);
+  MotionSettings copy = base;
+  const TomlNode value = valueOf(key, part(copy), path, place);
+  const std::string full = path.section + "." + path.name;
+  return [=, &key, location = place.location](MotionSettings& motion, double number, bool isWhole) {
+    TomlNode table = value;
+    putValue(table, path.name + (path.within.empty() ? "" : "." + path.within),
+             numberNode(number, isWhole, location), location);
+    const auto& entry = std::get<TomlNode::Table>(table.value).front();
+    key.read(ValueReader(entry.node, full), part(motion));
+  };
+}
+
+/// Returns the number of the nudge that "nudge.0.at" is of.
+std::size_t nudgeOf(const Path& path, const MotionSettings& base, const Place& place) {
+  std::size_t index = 0;
+  const char* end = path.name.data() + path.name.size();
+  const auto [rest, error] = std::from_chars(path.name.data(), end, index);
+  if (error == std::errc() && rest == end && index < base.nudges.size()) return index;
+  document::failAt(place.location, place.key + " must name one of the scene's " +
+                                       std::to_string(base.nudges.size()) +
+                                       " nudges by its number, from 0");
+}
+
+SetNumber setterFor(const MotionSettings& base, const Place& place) {
+  const Path path = pathOf(place.key);
+  if (path.section == "body") {
+    return setterIn(
+        bodyKeys(), [](MotionSettings& motion) -> MotionSettings& { return motion; }, base, path,
+        place);
+  }
+  if (path.section == "simulation") {
+    return setterIn(
+        simulationKeys(), [](MotionSettings & motion) -> auto& { return motion.simulation; }, base,
+        path, place);
+  }
+  if (path.section == "initial") {
+    return setterIn(
+        initialKeys(), [](MotionSettings & motion) -> auto& { return motion.initial; }, base, path,
+        place);
+  }
+  if (path.section == "nudge") {
+    const std::size_t index = nudgeOf(path, base, place);
+    Path within = pathOf("nudge." + path.within);
+    return setterIn(
+        nudgeKeys(), [index](MotionSettings & motion) -> auto& { return motion.nudges[index]; },
+        base, within, place);
+  }
+  constexpr std::array<std::string_view, 4> kSections{"body", "simulation", "initial", "nudge"};
+  document::failAt(place.location, place.key + " is no key of " + quotedList(kSections, "or") +
+                                       ", such as \"simulation.substeps\"" +
+                                       didYouMean(path.section, kSections));
+}
+
+}  // namespace
+
+MotionNumber::MotionNumber(const MotionSettings& base, const std::string& key, double example,
+                           const std::string& location)
+    : set_(setterFor(base, {key, location})) {
+  MotionSettings motion = base;
+  try {
+    set_(motion, example, false);
+  } catch (const InputError&) {
+    isWhole_ = true;
+    set_(motion, example, true);
+  }
+}
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,76 @@
+#include "scene/varied_motion.h"
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/nearest_name.h"
+#include "document/overrides.h"
+#include "document/toml_text.h"
+#include "scene/names.h"
+#include "scene/sections.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using document::TomlNode;
+
+constexpr document::Alternatives kMotionSpins{"initial", kSpinKeys};
+
+/// Returns the sections that settle a motion, which are those but [expect].
+std::span<const Section<Motion>> physicsSections() {
+  return motionSections().first(motionSections().size() - 1);
+}
+
+void requireMotionKey(const ValueReader& key) {
+  const std::string text = key.text(kLongestPath);
+  std::vector<std::string_view> names;
+  for (const auto& section : physicsSections()) names.push_back(section.name);
+  const std::string first = text.substr(0, text.find('.'));
+  const bool isSection = std::ranges::count(names, first) > 0;
+  if (isSection && first != text) return;
+  key.fail(key.name() + " must be a key of " + quotedList(names, "or") +
+           ", such as \"simulation.substeps\", not " + describe(key.node()) +
+           (isSection ? "" : didYouMean(first, names)));
+}
+
+}  // namespace
+
+VariedKey variedKeyFrom(const ValueReader& table) {
+  const ValueReader key = *table.find("over");
+  requireMotionKey(key);
+  return {key, statedValues(*table.find("values"))};
+}
+
+TomlNode motionPart(const ValueReader& file) {
+  TomlNode::Table sections;
+  for (const auto& section : physicsSections()) {
+    const auto* table = std::get_if<TomlNode::Table>(&file.node().value);
+    if (const auto* entry = find(*table, section.name)) sections.push_back(*entry);
+  }
+  return {std::move(sections), file.node().location};
+}
+
+void put(TomlNode& sections, const std::string& path, const VariedKey& key,
+         const StatedValue& value) {
+  putValue(sections, path, value.node, key.key.node().location, kMotionSpins);
+}
+
+void put(TomlNode& sections, const VariedKey& key, const StatedValue& value) {
+  put(sections, key.key.text(kLongestPath), key, value);
+}
+
+Motion motionFrom(const TomlNode& sections, double timePerFrame) {
+  const ValueReader file(sections, "");
+  Motion motion;
+  motion.simulation.timePerFrame = timePerFrame;
+  std::vector<document::Field> fields;
+  addFields(fields, physicsSections(), motion);
+  file.readTable(fields);
+  checkMotion(file, motion.simulation);
+  return motion;
+}
+
+}  // namespace rotatebook::scene

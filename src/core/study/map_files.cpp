@@ -1,0 +1,175 @@
+#include "study/map_files.h"
+
+#include <bit>
+#include <cstdint>
+
+#include "base/json.h"
+#include "base/number_text.h"
+#include "scene/names.h"
+
+namespace rotatebook::study {
+namespace {
+
+using scene::MapAxis;
+using scene::MapSettings;
+using scene::Outcome;
+
+constexpr std::string_view kNpyMagic("\x93NUMPY\x01\x00", 8);
+
+std::string npyHeader(const MapSettings& map, std::size_t panels) {
+  constexpr std::size_t kAlignment = 64, kPrefix = kNpyMagic.size() + 2;
+  std::string text = "{'descr': '<f8', 'fortran_order': False, 'shape': (" +
+                     (panels > 1 ? std::to_string(panels) + ", " : "") +
+                     std::to_string(map.height) + ", " + std::to_string(map.width) + "), }";
+  while ((kPrefix + text.size() + 1) % kAlignment != 0) text += ' ';
+  text += '\n';
+  const auto size = static_cast<unsigned>(text.size());
+  return std::string(kNpyMagic) + static_cast<char>(size & 0xff) + static_cast<char>(size >> 8) +
+         text;
+}
+
+std::string nameOf(Outcome outcome) {
+  return std::string(scene::nameOf(scene::kOutcomes, outcome));
+}
+
+/// Returns a field of a CSV, in quotes if it needs them. (RFC 4180)
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"") == text.npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  return quoted + "\"";
+}
+
+std::string axisJson(const MapAxis& axis, int count) {
+  return JsonObject()
+      .addString("key", axis.key)
+      .addStringOrNull("label", axis.label)
+      .addNumber("from", axis.from)
+      .addNumber("to", axis.to)
+      .addString("scale", scene::nameOf(scene::kScales, axis.scale))
+      .addInteger("count", count)
+      .addNumber("first", axis.at(0, count))
+      .addNumber("last", axis.at(count - 1, count))
+      .text();
+}
+
+std::string valueJson(double value) {
+  const bool isNumber = outcomeOf(value) == Outcome::Value;
+  return isNumber ? shortestText(value) : jsonString(nameOf(outcomeOf(value)));
+}
+
+std::string markJson(const MarkedValue& marked) {
+  return JsonObject()
+      .addString("label", marked.mark.label)
+      .addNumber("x", marked.mark.x)
+      .addNumber("y", marked.mark.y)
+      .add("values", jsonArrayOf(marked.values, valueJson))
+      .text();
+}
+
+std::string factsJson(const MapFacts& facts) {
+  return JsonObject()
+      .addInteger("runs", facts.runs)
+      .addInteger("with_value", facts.withValue())
+      .addInteger("never", facts.never)
+      .addInteger("diverged", facts.diverged)
+      .addInteger("refused", facts.refused)
+      .addNumber("smallest", facts.smallest)
+      .addNumber("largest", facts.largest)
+      .addNumber("mean", facts.mean)
+      .text();
+}
+
+}  // namespace
+
+std::string bytesOf(const std::vector<double>& values) {
+  std::string bytes(values.size() * sizeof(double), '\0');
+  char* byte = bytes.data();
+  for (const double value : values) {
+    auto bits = std::bit_cast<std::uint64_t>(value);
+    for (std::size_t i = 0; i < sizeof bits; ++i, bits >>= 8) *byte++ = static_cast<char>(bits);
+  }
+  return bytes;
+}
+
+std::vector<double> doublesOf(std::string_view bytes) {
+  std::vector<double> values(bytes.size() / sizeof(double));
+  for (std::size_t n = 0; n < values.size(); ++n) {
+    std::uint64_t bits = 0;
+    for (std::size_t i = sizeof bits; i > 0; --i) {
+      bits = bits << 8 | static_cast<unsigned char>(bytes[n * sizeof bits + i - 1]);
+    }
+    values[n] = std::bit_cast<double>(bits);
+  }
+  return values;
+}
+
+std::string npyOf(const MapResult& result, const MapSettings& map) {
+  std::string bytes = npyHeader(map, result.values.size());
+  for (const std::vector<double>& panel : result.values) bytes += bytesOf(panel);
+  return bytes;
+}
+
+bool readNpy(std::string_view bytes, const MapSettings& map, MapResult& result) {
+  const std::string header = npyHeader(map, result.values.size());
+  const std::size_t size = static_cast<std::size_t>(map.runs()) * sizeof(double);
+  if (!bytes.starts_with(header)) return false;
+  bytes.remove_prefix(header.size());
+  if (bytes.size() != size * result.values.size()) return false;
+  for (std::size_t i = 0; i < result.values.size(); ++i) {
+    result.values[i] = doublesOf(bytes.substr(i * size, size));
+  }
+  return true;
+}
+
+std::string mapJson(const MapResult& result, const scene::Scene& scene, const MapChecksums& sums) {
+  const MapSettings& map = *scene.map;
+  return JsonObject()
+             .addString("name", scene.name)
+             .addString("title", scene.title)
+             .addString("measure", nameOf(map.measure))
+             .addString("moment", scene::nameOf(scene::kMapMoments, map.moment))
+             .add("panels", jsonArrayOf(result.labels, jsonString))
+             .add("x", axisJson(map.x, map.width))
+             .add("y", axisJson(map.y, map.height))
+             .addString("order", "rows from the bottom; a value is that of its pixel's middle")
+             .addString("nan", "refused: no such motion, or no such step")
+             .addString("inf", "never: what is measured doesn't happen")
+             .addString("-inf", "diverged")
+             .add("facts", factsJson(factsOf(result)))
+             .add("marks", jsonArrayOf(result.marks, markJson))
+             .addString("fingerprint", sums.fingerprint)
+             .addString("scene_xxh128", sums.scene)
+             .addString("npy_xxh128", sums.npy)
+             .text() +
+         "\n";
+}
+
+std::string statedIn(const std::string& json, const std::string& key) {
+  const std::string start = jsonString(key) + ": \"";
+  const std::size_t found = json.find(start);
+  if (found == json.npos) return "";
+  const std::size_t begin = found + start.size();
+  return json.substr(begin, json.find('"', begin) - begin);
+}
+
+std::string mapCsv(const MapResult& result, const scene::Scene& scene) {
+  const MapSettings& map = *scene.map;
+  const bool isAlone = result.labels.size() == 1;
+  std::string text = (isAlone ? "" : "panel,") + map.x.key + "," + map.y.key + "," +
+                     scene::nameOf(map.measure) + ",outcome\n";
+  for (std::size_t panel = 0; panel < result.labels.size(); ++panel) {
+    for (std::size_t i = 0; i < result.values[panel].size(); ++i) {
+      const int x = static_cast<int>(i) % map.width, y = static_cast<int>(i) / map.width;
+      const double value = result.values[panel][i];
+      const Outcome outcome = outcomeOf(value);
+      text += (isAlone ? "" : field(result.labels[panel]) + ",") +
+              shortestText(map.x.at(x, map.width)) + "," + shortestText(map.y.at(y, map.height)) +
+              "," + (outcome == Outcome::Value ? shortestText(value) : "") + "," + nameOf(outcome) +
+              "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace rotatebook::study

@@ -1,0 +1,196 @@
+#include "study/map_runs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "base/error.h"
+#include "physics/simulate.h"
+#include "study/map_point.h"
+#include "study/map_value.h"
+#include "study/run_value.h"
+#include "study/whole_motion.h"
+
+namespace rotatebook::study {
+namespace {
+
+using physics::MotionSettings;
+using physics::Trajectory;
+using scene::MapSettings;
+
+// Of a tile's sides, which are multiples of it: small enough that little is lost with one, large
+// enough that one takes a while, and that of motions whose steps differ from column to column or
+// from row to row enough have the same.
+constexpr int kTileSide = 32;
+// Of a panel's tiles, each of which is a file for a time.
+constexpr double kMaxTiles = 4096;
+
+/// A panel's motion and the map's way of giving it other values.
+struct PanelRuns {
+  MapPoints points;
+  std::optional<double> interval;  // [s]
+
+  /// Returns the run at a point; nullopt if there is none. What the closed form doesn't use is left
+  /// out of it, so that points of the same motion can be told.
+  std::optional<MapRun> at(double x, double y) const {
+    try {
+      MapRun run{points.at(x, y)};
+      run.interval = interval.value_or(run.motion.simulation.timePerFrame);
+      if (run.motion.simulation.model == physics::Model::Exact) {
+        run.motion.simulation = {};
+        run.motion.simulation.model = physics::Model::Exact;
+        run.motion.simulation.timePerFrame = run.interval;
+      }
+      return run;
+    } catch (const InputError&) {
+      return std::nullopt;
+    }
+  }
+};
+
+double durationOf(const scene::Scene& scene) {
+  const MapSettings& map = *scene.map;
+  if (map.timeAxis() != nullptr) return map.timeAxis()->to;
+  const double clip =
+      static_cast<double>(scene.clip.frameCount() - 1) * scene.simulation.timePerFrame;
+  return map.duration.value_or(clip);
+}
+
+/// Returns whether all motions along one of the axes are one and the same.
+bool isIdle(const scene::MapAxis& axis, const PanelRuns& panel, const MapSettings& map) {
+  if (axis.kind == scene::AxisKind::Time) return true;
+  const bool isX = &axis == &map.x;
+  const auto first = panel.at(map.x.from, map.y.from);
+  const auto last = isX ? panel.at(map.x.to, map.y.from) : panel.at(map.x.from, map.y.to);
+  return first && last && first->motion == last->motion;
+}
+
+/// Returns the side of the tiles of a panel.
+int tileSide(const MapSettings& map) {
+  const double needed = std::sqrt(static_cast<double>(map.runs()) / kMaxTiles);
+  return kTileSide * std::max(1, static_cast<int>(std::ceil(needed / kTileSide)));
+}
+
+}  // namespace
+
+struct MapRuns::Parts {
+  MapSettings map;
+  MapPlan plan;
+  std::vector<PanelRuns> panels{};
+
+  std::vector<double> overTime(const MapTile& tile, Stop stop) const;
+  std::vector<double> pointByPoint(const MapTile& tile, Stop stop) const;
+  std::vector<double> lineOverTime(const PanelRuns& panel, double other, Stop stop) const;
+};
+
+/// Returns the values of one motion at the times of all pixels along the axis of time.
+std::vector<double> MapRuns::Parts::lineOverTime(const PanelRuns& panel, double other,
+                                                 Stop stop) const {
+  const bool isAcross = map.x.kind == scene::AxisKind::Time;
+  const int count = isAcross ? map.width : map.height;
+  std::vector<double> values(static_cast<std::size_t>(count), kRefused);
+  const double time = map.timeAxis()->at(count - 1, count);
+  const std::optional<MapRun> run = isAcross ? panel.at(time, other) : panel.at(other, time);
+  if (!run) return values;
+  try {
+    ValueOverTime value(run->motion, plan.measure);
+    for (int i = 0; i < count && !isSet(stop); ++i)
+      values[static_cast<std::size_t>(i)] = value.at(map.timeAxis()->at(i, count));
+  } catch (const InputError&) {  // StepError, too
+  }
+  return values;
+}
+
+std::vector<double> MapRuns::Parts::overTime(const MapTile& tile, Stop stop) const {
+  const bool isAcross = map.x.kind == scene::AxisKind::Time;
+  const int lines = isAcross ? tile.height : tile.width;
+  std::vector<double> values(static_cast<std::size_t>(tile.width) *
+                             static_cast<std::size_t>(tile.height));
+  for (int line = 0; line < lines; ++line) {
+    const double other =
+        isAcross ? map.y.at(tile.bottom + line, map.height) : map.x.at(tile.left + line, map.width);
+    const std::vector<double> along = lineOverTime(panels[tile.panel], other, stop);
+    const auto start = static_cast<std::size_t>(isAcross ? line * tile.width : line);
+    const auto step = static_cast<std::size_t>(isAcross ? 1 : tile.width);
+    for (std::size_t i = 0; i < along.size(); ++i) values[start + i * step] = along[i];
+  }
+  return values;
+}
+
+std::vector<double> MapRuns::Parts::pointByPoint(const MapTile& tile, Stop stop) const {
+  const PanelRuns& panel = panels[tile.panel];
+  const auto width = static_cast<std::size_t>(tile.width);
+  const std::size_t count = width * static_cast<std::size_t>(tile.height);
+  std::vector<MapRun> runs;
+  std::vector<std::optional<std::size_t>> runAt(count);  // the indices of the points' runs
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = map.x.at(tile.left + static_cast<int>(i % width), map.width);
+    const double y = map.y.at(tile.bottom + static_cast<int>(i / width), map.height);
+    std::optional<MapRun> run = panel.at(x, y);
+    if (!run) continue;
+    // Whole numbers, and the closed form, give many points the same motion.
+    const auto isTheSame = [&](std::size_t point) {
+      return runAt[point] && runs[*runAt[point]].motion == run->motion;
+    };
+    if (i % width > 0 && isTheSame(i - 1)) {
+      runAt[i] = runAt[i - 1];
+    } else if (i >= width && isTheSame(i - width)) {
+      runAt[i] = runAt[i - width];
+    } else {
+      runAt[i] = runs.size();
+      runs.push_back(*std::move(run));
+    }
+  }
+  const std::vector<double> found = study::valuesOf(runs, plan, stop);
+  std::vector<double> values;
+  for (const auto& index : runAt) values.push_back(index ? found[*index] : kRefused);
+  return values;
+}
+
+MapRuns::MapRuns(const scene::Scene& scene)
+    : parts_(std::make_unique<Parts>(
+          Parts{*scene.map, {scene.map->measure, scene.map->moment, durationOf(scene)}})) {
+  requireSameLayout();
+  for (const scene::Panel& panel : motionsOf(scene)) {
+    parts_->panels.push_back({MapPoints(panel.motion(), *scene.map), scene.map->interval});
+  }
+}
+
+MapRuns::~MapRuns() = default;
+
+std::size_t MapRuns::panels() const {
+  return parts_->panels.size();
+}
+
+std::vector<MapTile> MapRuns::tiles() const {
+  const MapSettings& map = parts_->map;
+  std::vector<MapTile> tiles;
+  for (std::size_t panel = 0; panel < panels(); ++panel) {
+    const PanelRuns& runs = parts_->panels[panel];
+    const int stepX = isIdle(map.x, runs, map) ? map.width : tileSide(map);
+    const int stepY = isIdle(map.y, runs, map) ? map.height : tileSide(map);
+    for (int bottom = 0; bottom < map.height; bottom += stepY) {
+      for (int left = 0; left < map.width; left += stepX) {
+        tiles.push_back({panel, left, bottom, std::min(stepX, map.width - left),
+                         std::min(stepY, map.height - bottom)});
+      }
+    }
+  }
+  return tiles;
+}
+
+std::vector<double> MapRuns::valuesOf(const MapTile& tile, Stop stop) const {
+  return parts_->map.timeAxis() != nullptr ? parts_->overTime(tile, stop)
+                                           : parts_->pointByPoint(tile, stop);
+}
+
+double MapRuns::valueAt(std::size_t panel, double x, double y) const {
+  const PanelRuns& runs = parts_->panels[panel];
+  MapPlan plan = parts_->plan;
+  if (const auto* time = parts_->map.timeAxis()) plan.duration = time == &parts_->map.x ? x : y;
+  const std::optional<MapRun> run = runs.at(x, y);
+  return run ? study::valuesOf({&*run, 1}, plan, nullptr).front() : kRefused;
+}
+
+}  // namespace rotatebook::study

@@ -1,0 +1,50 @@
+// The values of a map's runs. Inside the room only.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "physics/measure/exact_tilt.h"
+#include "physics/motion_settings.h"
+#include "physics/simulate.h"
+#include "scene/map_settings.h"
+#include "study/execution.h"
+
+namespace rotatebook::study {
+
+/// The settings that all runs of a map have in common.
+struct MapPlan {
+  scene::MapMeasure measure;
+  scene::MapMoment moment;
+  double duration;  // [s]
+
+  bool is(scene::MapMeasure other) const { return measure == other; }
+};
+
+/// A motion that is looked at from interval to interval.
+struct MapRun {
+  physics::MotionSettings motion{};
+  double interval = 0;  // [s]
+};
+
+/// The value of a motion from moment to moment, without what it doesn't depend on.
+class ValueOverTime {
+ public:
+  /// Takes a measure that isn't of the way. Throws as physics::Simulation does.
+  ValueOverTime(const physics::MotionSettings& motion, scene::MapMeasure measure);
+
+  /// Returns the value at `time`, not before those so far [s], or kDiverged. Throws StepError.
+  double at(double time);
+
+ private:
+  scene::MapMeasure measure_;
+  std::optional<physics::ExactTilt> tilt_{};         // that of an exact motion, or
+  std::optional<physics::Simulation> simulation_{};  // samples
+};
+
+/// Makes the runs and measures them. Returns the values, in their order, or kNever, kDiverged or
+/// kRefused. After a stop they mean nothing.
+std::vector<double> valuesOf(std::span<const MapRun> runs, const MapPlan& plan, Stop stop);
+
+}  // namespace rotatebook::study

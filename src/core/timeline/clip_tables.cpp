@@ -1,0 +1,73 @@
+#include "timeline/clip_tables.h"
+
+#include "base/number_text.h"
+#include "timeline/trajectory_csv.h"
+
+namespace rotatebook::timeline {
+namespace {
+
+using scene::GridAxis;
+using scene::Quantity;
+
+/// Returns the quantities that a single moment has.
+std::vector<Quantity> momentaryQuantities() {
+  std::vector<Quantity> all;
+  for (const Quantity quantity : scene::allQuantities()) {
+    if (quantity != Quantity::DivergesAt) all.push_back(quantity);
+  }
+  return all;
+}
+
+std::string keyCell(const std::optional<GridAxis>& axis) {
+  return axis ? axis->key + "," : "";
+}
+
+std::string valueCell(const std::optional<GridAxis>& axis, std::size_t index) {
+  return axis ? axis->values[index].label + "," : "";
+}
+
+std::string numbersOf(const physics::Trajectory& trajectory) {
+  std::string text = shortestText(trajectory.samples.back().time);
+  for (const Quantity quantity : momentaryQuantities()) {
+    text += ',' + shortestText(scene::valueOn(trajectory.samples.back(), trajectory.samples.front(),
+                                              quantity));
+  }
+  return text + ',' + (trajectory.divergedAt ? shortestText(*trajectory.divergedAt) : "");
+}
+
+}  // namespace
+
+std::string gridCsv(const scene::Scene& scene, const ClipMotion& motion) {
+  const scene::GridSettings& grid = *scene.grid;
+  std::string text = keyCell(grid.columns) + keyCell(grid.rows) + "time_s";
+  for (const Quantity quantity : momentaryQuantities()) text += ',' + std::string(nameOf(quantity));
+  text += ",diverges_at\n";
+  const std::size_t columns = grid.columnCount();
+  for (std::size_t i = 0; i < motion.trajectories().size(); ++i) {
+    text += valueCell(grid.columns, i % columns) + valueCell(grid.rows, i / columns) +
+            numbersOf(motion.trajectories()[i]) + '\n';
+  }
+  return text;
+}
+
+std::size_t tableCount(const scene::Scene& scene) {
+  return scene.grid || scene.panels.empty() ? 1 : scene.panels.size();
+}
+
+void writeTable(const scene::Scene& scene, const ClipMotion& motion, std::size_t index,
+                const std::function<void(std::string_view)>& take) {
+  if (scene.grid) return take(gridCsv(scene, motion));
+  writeCsv(motion.trajectories()[index], take);
+}
+
+std::string tableText(const scene::Scene& scene, const ClipMotion& motion, std::size_t index) {
+  std::string text;
+  writeTable(scene, motion, index, [&text](std::string_view piece) { text += piece; });
+  return text;
+}
+
+std::size_t rowCount(const scene::Scene& scene, const ClipMotion& motion, std::size_t index) {
+  return scene.grid ? motion.trajectories().size() : motion.trajectories()[index].samples.size();
+}
+
+}  // namespace rotatebook::timeline

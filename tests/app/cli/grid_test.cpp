@@ -1,0 +1,128 @@
+// Grids of books on the command line.
+#include <string>
+
+#include "cli/program_test.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+constexpr const char* kOne = R"(title = "One"
+[initial]
+angular_velocity = [5.0, 0.0, 0.0]
+tilt = [0.1, "z"]
+[clip]
+size = [160, 90]
+duration = 0.1
+[expect]
+half_turns = { min = 1 }
+)";
+
+constexpr const char* kGrid = R"(
+[grid]
+columns = { over = "initial.tilt", values = [0.1, 0.01, 0.001] }
+rows = { over = "simulation.substeps", values = [1, 4] }
+)";
+
+class GridCommands : public ProgramTest {
+ protected:
+  GridCommands() {
+    write("one.toml", kOne);
+    write("grid.toml", std::string(kOne) + kGrid);
+  }
+};
+
+TEST_F(GridCommands, RenderLeavesOneTableWithARowForEachBook) {
+  const ChildResult result = run({"render", "grid.toml", "--set", "expect={}"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(
+      result.output,
+      HasSubstr("out/grid.mp4, out/grid.csv, out/grid.poster.png and 6 frames in out/grid/\n"));
+  const std::string table = read("out/grid.csv");
+  EXPECT_THAT(table, StartsWith("initial.tilt,simulation.substeps,time_s,half_turns,"));
+  EXPECT_EQ(countOf("\n", table), 7);
+  EXPECT_THAT(table, HasSubstr("\n0.01,4,"));
+  EXPECT_EQ(
+      runWithoutGraphics({"simulate", "grid.toml", "--csv", "-", "--set", "expect={}"}).output,
+      table);
+  const ChildResult verified = run({"verify", "out/grid.mp4"});
+  EXPECT_EQ(verified.status, 0) << verified.output << verified.error;
+}
+
+TEST_F(GridCommands, AnOptionMakesTheSameGrid) {
+  const ChildResult asked = runWithoutGraphics(
+      {"scene", "one.toml", "--grid", "initial.tilt=0.1, 0.01,0.001 x simulation.substeps=[1, 4]"});
+  EXPECT_EQ(asked.status, 0) << asked.error;
+  const ChildResult stated = runWithoutGraphics({"scene", "grid.toml", "--set", "expect={}"});
+  EXPECT_EQ(asked.output, stated.output);
+  EXPECT_THAT(asked.output, Not(HasSubstr("[expect]"))) << "what the single book must show";
+}
+
+TEST_F(GridCommands, AnOptionTakesWholeNumbersWordsAndRanges) {
+  const auto sceneOf = [&](const std::string& grid) {
+    return runWithoutGraphics({"scene", "one.toml", "--grid", grid}).output;
+  };
+  EXPECT_THAT(
+      sceneOf("simulation.substeps=1..8"),
+      HasSubstr("columns = { over = \"simulation.substeps\", values = [1, 2, 3, 4, 5, 6, 7, "
+                "8] }\n"));
+  EXPECT_THAT(sceneOf("simulation.integrator=euler,rk4"),
+              HasSubstr("values = [\"euler\", \"rk4\"]"));
+  EXPECT_THAT(sceneOf("simulation.substeps={ from = 1, to = 100, count = 3, spacing = "
+                      "\"logarithmic\" }"),
+              HasSubstr("values = [1, 10, 100]"));
+}
+
+TEST_F(GridCommands, RefusalsNameTheOption) {
+  const auto errorOf = [&](const std::string& grid) {
+    const ChildResult result = runWithoutGraphics({"render", "one.toml", "--grid", grid});
+    EXPECT_EQ(result.status, 2) << grid;
+    EXPECT_THAT(result.output, IsEmpty());
+    return result.error;
+  };
+  EXPECT_THAT(errorOf("simulation.substeps"),
+              StartsWith("rotatebook: --grid simulation.substeps: not a grid; write"));
+  EXPECT_THAT(errorOf("simulation.substep=1,2"), HasSubstr("did you mean \"substeps\"?"));
+  EXPECT_THAT(errorOf("simulation.substeps=8..1"), HasSubstr("8..1 runs downward"));
+  EXPECT_THAT(errorOf("simulation.substeps=1..99"),
+              HasSubstr("1..99 has 99 values; a side has up"));
+  EXPECT_THAT(errorOf("simulation.substeps=1,,2"), HasSubstr("a value is empty"));
+  EXPECT_THAT(errorOf("simulation.substeps={ from = 1"), HasSubstr("isn't TOML"));
+  EXPECT_THAT(errorOf("body.mass=1,2 x initial.tilt=1,2 x simulation.substeps=1,2"),
+              HasSubstr("a grid has one key or two"));
+  EXPECT_THAT(errorOf("initial.tilt={ from = 0, to = 1, count = 3, spacing = \"logarithmic\" }"),
+              HasSubstr("logarithmic, which needs from and to over 0"));
+  // Found once the texts are laid out
+  const std::string twelve = "simulation.substeps=1..12 x body.mass=1,2,3,4,5,6,7,8";
+  EXPECT_THAT(errorOf(twelve), AllOf(StartsWith("rotatebook: --grid " + twelve + ": the 96 books"),
+                                     HasSubstr("have no room")));
+  EXPECT_THAT(files(), ElementsAre("grid.toml", "one.toml"));
+}
+
+TEST_F(GridCommands, ReportsExpectationsOfTheCellsThatHaveThem) {
+  const ChildResult result =
+      runWithoutGraphics({"simulate", "grid.toml", "--set", "expect={}", "--set",
+                          "clip.duration=0.2", "--set", "grid.rows.values=[1, 4, 8]", "--set",
+                          "grid.expect=[{ column = 0.01, row = 4, half_turns = { max = 0 } }]"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.output, HasSubstr("  9 motions: 0 to 0 half-turns; none diverged\n"
+                                       "  tilt 0.01, substeps 4:\n"
+                                       "  met    half_turns: expected at most 0; measured 0\n"));
+}
+
+TEST_F(GridCommands, ABookThatDivergesIsShownAsSuch) {
+  const ChildResult result =
+      run({"render", "one.toml", "--no-png", "--set", "simulation.model=particles", "--set",
+           "simulation.normalize=false", "--set", "clip.duration=1", "--grid",
+           "simulation.substeps=1,100 x simulation.stiffness=100,1e5"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.output, HasSubstr("the motion diverges at"));
+}
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

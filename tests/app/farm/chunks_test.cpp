@@ -1,0 +1,76 @@
+#include "farm/chunks.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+
+namespace rotatebook::farm {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+// 20,000 frames of 15 ms on one core: 300 s of work.
+const Effort kClip{"clip", 20'000, 0.015, 0.6};
+
+std::string messageOf(const std::vector<Effort>& efforts, std::int64_t chunk, const Slots& slots) {
+  try {
+    partsOfChunk(efforts, chunk, slots);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Chunks, HaveAThirdOfASlotsShare) {
+  // 300 s on 4 slots: 25 s, 1667 frames.
+  EXPECT_THAT(partsOf({kClip}, {4, 1000}), ElementsAre(12));
+}
+
+TEST(Chunks, TakeAtLeastTwentyTimesTheirStart) {
+  // Not 1 s on 100 slots, but 12 s: 800 frames.
+  EXPECT_THAT(partsOf({kClip}, {100, 1000}), ElementsAre(25));
+  EXPECT_THAT(partsOf({kClip}, {0, 0}), ElementsAre(25)) << "slots unknown";
+  EXPECT_THAT(partsOf({{"short", 240, 0.005, 0.6}}, {4, 1000}), ElementsAre(1));
+}
+
+TEST(Chunks, TakeAtMostFiveMinutes) {
+  // 2,000,000 frames on 4 slots would be 2500 s each.
+  EXPECT_THAT(partsOf({{"film", 2'000'000, 0.015, 0.6}}, {4, 1000}), ElementsAre(100));
+  // A start of a minute doesn't make tasks of 20 minutes.
+  EXPECT_THAT(partsOf({{"long", 200'000, 0.015, 60}}, {4, 1000}), ElementsAre(10));
+}
+
+TEST(Chunks, GrowUntilTheClusterTakesThem) {
+  const std::vector<std::int64_t> parts = partsOf({{"film", 2'000'000, 0.15, 0.6}}, {4, 500});
+  EXPECT_LE(parts[0], 500);  // 1000 of five minutes
+  EXPECT_GE(parts[0], 450);  // no more than a tenth longer than they have to be
+}
+
+TEST(Chunks, AreSharedBetweenScenes) {
+  const std::vector<std::int64_t> parts = partsOf({kClip, {"other", 10'000, 0.03, 0.6}}, {4, 1000});
+  EXPECT_THAT(parts, ElementsAre(6, 6));  // 50 s each: 3334 and 1667 frames
+  EXPECT_THROW(partsOf({kClip, kClip, kClip}, {4, 2}), InputError);
+}
+
+TEST(Chunks, HaveAtLeastOneUnit) {
+  EXPECT_THAT(partsOf({{"slow", 3, 4000, 0.6}}, {1, 1000}), ElementsAre(3));
+}
+
+TEST(Chunks, AreOfTheSizeThatTheUserGives) {
+  EXPECT_THAT(partsOfChunk({kClip, {"other", 10, 1, 0}}, 100, {4, 1000}), ElementsAre(200, 1));
+}
+
+TEST(Chunks, ThatAreTooManyAreRefusedWithTheSmallestSize) {
+  const std::vector<Effort> both{kClip, {"other", 1000, 1, 0}};
+  EXPECT_THAT(messageOf(both, 10, {4, 1000}),
+              HasSubstr("makes 2100 tasks; the cluster takes at most 1000 at once: take --chunk 22 "
+                        "or more"));
+  EXPECT_EQ(messageOf(both, 22, {4, 1000}), "");
+  EXPECT_NE(messageOf(both, 20, {4, 1000}), "");
+  EXPECT_EQ(messageOf(both, 1, {}), "") << "others than Slurm take any number";
+}
+
+}  // namespace
+}  // namespace rotatebook::farm

@@ -1,0 +1,203 @@
+// Maps made tile by tile: the same bytes however they are made.
+#include "pipeline/make_map.h"
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <future>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "image/png_file.h"
+#include "picture/map_colours.h"
+#include "pipeline/small_clip.h"
+#include "scene/scene_text.h"
+#include "store/map_tiles.h"
+#include "study/map_files.h"
+
+namespace rotatebook::pipeline {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::bytesOf;
+using ::testing::ElementsAre;
+using testing::emptyFolder;
+using ::testing::HasSubstr;
+using testing::messageOf;
+
+/// A map of 100 x 40 runs in 8 tiles.
+scene::Scene mapScene(const std::vector<std::string>& overrides = {}) {
+  return scene::parseScene(
+      "[simulation]\nintegrator = 'euler'\n"
+      "[initial]\nangular_velocity = [8, 0, 0]\ntilt = [0.01, 'z']\n[map]\n"
+      "x = { key = 'simulation.substeps', from = 1, to = 9 }\n"
+      "y = { key = 'initial.tilt.0', from = 1e-4, to = 1, scale = 'log' }\n"
+      "measure = 'half_turns'\nduration = 1\nsize = [100, 40]\n",
+      "small.toml", overrides);
+}
+
+class MakeMap : public ::testing::Test {
+ protected:
+  MakeMap() : folder_(emptyFolder()) {}
+
+  store::MapFiles files(const std::string& name = "small") const {
+    return store::mapFiles(folder_, name);
+  }
+
+  MadeMap make(const scene::Scene& scene, const MapOptions& options = {}) const {
+    return makeMap(scene, study::MapRuns(scene), files(), options);
+  }
+
+  /// Makes and writes a map; returns the bytes of its files by name.
+  std::map<std::string, std::string> bytesAfter(const scene::Scene& scene,
+                                                const MapOptions& options) const {
+    const MadeMap made = make(scene, options);
+    EXPECT_TRUE(made.isWhole);
+    writeMap(scene, made.result, files());
+    std::map<std::string, std::string> bytes;
+    for (const auto& file : store::allOf(files())) {
+      bytes[file.filename()] = bytesOf(file);
+      fs::remove(file);
+    }
+    EXPECT_FALSE(fs::exists(files().tiles));
+    return bytes;
+  }
+
+  /// Makes tiles until `count` are done.
+  void stopAfter(std::size_t count, const scene::Scene& scene) const {
+    std::atomic<bool> stop = false;
+    MapOptions options;
+    options.execution.threads = 1;
+    options.execution.stop = &stop;
+    options.execution.progress = [&](std::size_t done, std::size_t) {
+      if (done >= count) stop = true;
+    };
+    const MadeMap made = make(scene, options);
+    EXPECT_FALSE(made.isWhole);
+    EXPECT_GE(made.finished, count);
+    EXPECT_LT(made.finished, made.tiles);
+  }
+
+  static MapOptions resuming() {
+    MapOptions options;
+    options.resume = true;
+    return options;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(MakeMap, GivesTheSameBytesOnAnyNumberOfThreads) {
+  std::map<std::string, std::string> first;
+  for (const int threads : {1, 2, 5}) {
+    MapOptions options;
+    options.execution.threads = threads;
+    const auto bytes = bytesAfter(mapScene(), options);
+    if (first.empty()) first = bytes;
+    EXPECT_EQ(bytes, first) << threads;
+  }
+  EXPECT_EQ(first.size(), 5U);
+}
+
+TEST_F(MakeMap, GivesTheSameBytesFromPartsMadeAtOnce) {
+  const auto whole = bytesAfter(mapScene(), {});
+  const auto makePart = [this](std::int64_t number) {
+    MapOptions options;
+    options.part = store::ClipPart{number, 3};
+    return make(mapScene(), options);
+  };
+  std::vector<std::future<MadeMap>> parts;
+  for (const std::int64_t number : {1, 2, 3, 2})  // one of them twice
+    parts.push_back(std::async(std::launch::async, makePart, number));
+  std::vector<std::size_t> tiles;
+  for (auto& part : parts) tiles.push_back(part.get().tiles);
+  EXPECT_THAT(tiles, ElementsAre(2, 3, 3, 3));
+  const MadeMap joined = make(mapScene(), resuming());
+  EXPECT_EQ(joined.found, 8U) << "all tiles were there";
+  EXPECT_EQ(bytesAfter(mapScene(), resuming()), whole);
+}
+
+TEST_F(MakeMap, MakesNoPartOfAMapThatIsThere) {
+  writeMap(mapScene(), make(mapScene()).result, files());
+  MapOptions options;
+  options.part = store::ClipPart{1, 3};
+  EXPECT_EQ(make(mapScene(), options).found, 2U);
+  EXPECT_FALSE(fs::exists(files().tiles));
+}
+
+TEST_F(MakeMap, GivesTheSameBytesAfterAStop) {
+  const auto whole = bytesAfter(mapScene(), {});
+  const scene::Scene slow = mapScene();
+  stopAfter(2, slow);
+  const MadeMap made = make(slow, resuming());
+  EXPECT_GE(made.found, 2U);
+  EXPECT_EQ(made.finished, 8U);
+  EXPECT_EQ(bytesAfter(slow, resuming()), whole);
+}
+
+TEST_F(MakeMap, MakesDamagedTilesAgain) {
+  const auto whole = bytesAfter(mapScene(), {});
+  make(mapScene());
+  std::ofstream(files().tiles / "tile_3", std::ios::app) << "x";
+  std::fstream damaged(files().tiles / "tile_5", std::ios::in | std::ios::out);
+  damaged.seekp(-1, std::ios::end);
+  damaged << '\x7f';
+  damaged.close();
+  EXPECT_EQ(make(mapScene(), resuming()).found, 6U);
+  EXPECT_EQ(bytesAfter(mapScene(), resuming()), whole);
+}
+
+TEST_F(MakeMap, AsksWhereThereAreTiles) {
+  make(mapScene());
+  EXPECT_THAT(messageOf<InputError>([&] { make(mapScene()); }),
+              HasSubstr("holds 8 tiles of this map, which isn't finished; go on with --resume, or "
+                        "begin anew with --overwrite"));
+  const scene::Scene other = mapScene({"map.duration=0.9"});
+  EXPECT_THAT(messageOf<InputError>([&] { make(other, resuming()); }),
+              HasSubstr("holds 8 tiles of an unfinished map with other settings"));
+  MapOptions overwrite = resuming();
+  overwrite.overwrite = true;
+  EXPECT_EQ(make(other, overwrite).found, 0U);
+  EXPECT_EQ(make(other, overwrite).found, 8U) << "its own tiles are kept";
+}
+
+TEST_F(MakeMap, KeepsValuesOfTheSameSettings) {
+  writeMap(mapScene(), make(mapScene()).result, files());
+  EXPECT_EQ(make(mapScene(), resuming()).found, 8U);
+  const scene::Scene retitled =
+      mapScene({"title=Other", "map.colours={palette='slate'}", "map.x.label=steps"});
+  EXPECT_EQ(make(retitled, resuming()).found, 8U) << "looks change no values";
+  EXPECT_THAT(messageOf<InputError>([&] { make(mapScene({"map.duration=2"}), resuming()); }),
+              HasSubstr("small.npy holds the values of other settings"));
+  std::ofstream(files().npy, std::ios::app) << "x";
+  EXPECT_EQ(make(mapScene(), resuming()).found, 0U) << "its array is damaged";
+}
+
+TEST_F(MakeMap, WritesWhatItSays) {
+  const scene::Scene scene = mapScene();
+  const MadeMap made = make(scene);
+  const auto written = writeMap(scene, made.result, files());
+  EXPECT_EQ(written.size(), 5U);
+  study::MapResult read = emptyResult(scene, study::MapRuns(scene));
+  ASSERT_TRUE(readNpy(bytesOf(files().npy), *scene.map, read));
+  EXPECT_EQ(read.values, made.result.values);
+  const image::Image plain = image::readPng(files().plain);
+  EXPECT_EQ(plain, picture::plainMap(made.result, *scene.map));
+  EXPECT_EQ(plain.width(), 100);
+  EXPECT_GT(image::readPng(files().png).width(), 900);
+  EXPECT_EQ(study::statedIn(bytesOf(files().json), "name"), "small");
+}
+
+TEST_F(MakeMap, WritesNoTableOfManyRuns) {
+  const scene::Scene scene = mapScene({"map.size=[101, 100]", "map.duration=0.05"});
+  EXPECT_EQ(writeMap(scene, make(scene).result, files()).size(), 4U);
+  EXPECT_FALSE(fs::exists(files().csv));
+}
+
+}  // namespace
+}  // namespace rotatebook::pipeline

@@ -1,0 +1,32 @@
+// The live book in the page of figures.
+"use strict";
+
+const assert = require("node:assert/strict");
+const fs = require("node:fs");
+const path = require("node:path");
+const {pathToFileURL} = require("node:url");
+const {test, before, after} = require("node:test");
+const {kOutput, kPlay, kTurns, startBrowser, closeBrowser, open, render, rotatebook, checksumOf, playerScripts} = require("./live_page.cjs");
+
+const {readRecord} = playerScripts(["share", "record"], ["readRecord"]);
+
+before(() => startBrowser());
+after(closeBrowser);
+
+test("plays a figure at a click, and finds its checksum that of the clip", async () => {
+  const clip = render("turns", kTurns), folder = path.dirname(clip);
+  rotatebook("page", path.join(folder, "turns.toml"), "-o", folder, "--size", "64x36", "--live", path.join(path.dirname(kPlay), "live_book.html"));
+  const {page, problems, close} = await open({}, {file: pathToFileURL(path.join(folder, "index.html")).href});
+  const toy = page.locator("#turns .toy button");
+  assert.ok(await toy.isVisible());
+  await toy.click();
+  await page.waitForFunction(() => rotatebook.player.scene.tree.title === "A book that turns over");
+  const {motion} = await readRecord(new Blob([fs.readFileSync(clip)]));
+  assert.equal(await checksumOf(page), motion);
+  assert.match(await page.locator(".rb-checksum").textContent(), /the clip’s own, bit for bit/);
+  assert.ok(await page.locator(".rb-stage").evaluate((stage) => stage.getBoundingClientRect().top >= 0 && stage.getBoundingClientRect().top < innerHeight));
+  assert.deepEqual(problems, []);
+  const size = fs.statSync(path.join(kOutput, "clips", "index.html")).size;
+  assert.ok(size < 2e6, `${size} bytes`);
+  await close();
+});

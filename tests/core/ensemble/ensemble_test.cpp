@@ -1,0 +1,219 @@
+// Motions in lanes are bit by bit those of the simulators, whatever the processor's vectors.
+#include "ensemble/ensemble.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "ensemble/random_motions.h"
+#include "physics/simulate.h"
+
+namespace rotatebook::ensemble {
+namespace {
+
+using physics::BodyState;
+using physics::Integrator;
+using physics::MotionSettings;
+using ::testing::ElementsAre;
+using testing::hardMotions;
+using testing::ordinaryMotions;
+
+constexpr std::array kInLanes{Integrator::Euler, Integrator::Rk4,  Integrator::Midpoint,
+                              Integrator::Dmv2,  Integrator::Dmv4, Integrator::Dmv6};
+
+using Bits = std::vector<std::uint64_t>;
+
+// All NaN are taken for one: which of them it is, processors decide.
+Bits bitsOf(const BodyState& state) {
+  std::vector<double> numbers(state.worldFromBody.data(), state.worldFromBody.data() + 9);
+  numbers.insert(numbers.end(), state.angularVelocity.begin(), state.angularVelocity.end());
+  numbers.insert(numbers.end(), state.angularMomentum.begin(), state.angularMomentum.end());
+  numbers.insert(numbers.end(), {state.kinetic, state.rotational});
+  Bits bits;
+  for (const double number : numbers) {
+    bits.push_back(number != number ? 0 : std::bit_cast<std::uint64_t>(number));
+  }
+  return bits;
+}
+
+bool isFinite(const BodyState& state) {
+  return state.worldFromBody.allFinite() && state.angularMomentum.allFinite();
+}
+
+struct Comparison {
+  std::size_t different = 0, notFinite = 0;
+};
+
+Comparison compare(const std::vector<MotionSettings>& motions, std::int64_t frames,
+                   InstructionSet set) {
+  const auto scalar = statesAfter(motions, frames, InstructionSet::None);
+  const auto lanes = statesAfter(motions, frames, set);
+  Comparison result;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    result.notFinite += isFinite(scalar[i]) ? 0 : 1;
+    result.different += bitsOf(scalar[i]) == bitsOf(lanes[i]) ? 0 : 1;
+  }
+  return result;
+}
+
+class Lanes : public ::testing::TestWithParam<InstructionSet> {
+ protected:
+  void SetUp() override {
+    if (!isAvailable(GetParam())) GTEST_SKIP() << "not this processor's: " << nameOf(GetParam());
+  }
+};
+
+TEST_P(Lanes, MakeTheStepsOfTheSimulators) {
+  for (const Integrator integrator : kInLanes) {
+    const auto motions = ordinaryMotions(3072, integrator, 1);
+    const Comparison result = compare(motions, 2000, GetParam());
+    EXPECT_EQ(result.different, 0U) << static_cast<int>(integrator);
+    EXPECT_EQ(result.notFinite, 0U);
+  }
+}
+
+TEST_P(Lanes, MakeTheStepsThatBlowUpOrHaveNoSolution) {
+  std::size_t notFinite = 0;
+  for (const Integrator integrator : kInLanes) {
+    const Comparison result = compare(hardMotions(3072, integrator, 2), 300, GetParam());
+    EXPECT_EQ(result.different, 0U) << static_cast<int>(integrator);
+    std::cout << physics::kIntegratorNames.at(static_cast<std::size_t>(integrator)) << ": "
+              << result.notFinite << " not finite\n";
+    notFinite += result.notFinite;
+  }
+  EXPECT_GT(notFinite, 1000U);  // measured 2375
+}
+
+TEST_P(Lanes, NormalizeAsOftenWithSubsteps) {
+  auto motions = ordinaryMotions(200, Integrator::Euler, 3);
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    motions[i].simulation.substeps = 1 + static_cast<int>(i % 3);
+    motions[i].simulation.normalizeEvery = static_cast<int>(i / 3 % 6);
+  }
+  EXPECT_EQ(compare(motions, 500, GetParam()).different, 0U);
+}
+
+// Reduces what samples at the looks say.
+Outcome expectedOf(const WatchedMotion& watched) {
+  Outcome result;
+  physics::Simulation simulation(watched.motion);
+  const std::vector<physics::Sample>& samples = simulation.trajectory().samples;
+  try {
+    for (std::int64_t frame = 0; frame < watched.frames;) {
+      frame = std::min(frame + watched.framesPerLook, watched.frames);
+      const double time = static_cast<double>(frame) * watched.motion.simulation.timePerFrame;
+      if (!simulation.sample(time)) break;
+      if (samples.back().halfTurns > 0 && !result.firstTurn) result.firstTurn = time;
+    }
+  } catch (const InputError&) {
+    result.isRefused = true;
+  }
+  result.halfTurns = samples.back().halfTurns;
+  result.divergedAt = simulation.trajectory().divergedAt;
+  return result;
+}
+
+struct Seen {
+  int halfTurns = 0, turned = 0, diverged = 0, refused = 0;
+};
+
+Seen compareOutcomes(const std::vector<WatchedMotion>& motions, InstructionSet set) {
+  const std::vector<Outcome> outcomes = outcomesOf(motions, set);
+  Seen seen;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const Outcome expected = expectedOf(motions[i]);
+    EXPECT_EQ(outcomes[i].halfTurns, expected.halfTurns) << i;
+    EXPECT_EQ(outcomes[i].firstTurn, expected.firstTurn) << i;
+    EXPECT_EQ(outcomes[i].divergedAt, expected.divergedAt) << i;
+    EXPECT_EQ(outcomes[i].isRefused, expected.isRefused) << i;
+    seen.halfTurns += expected.halfTurns;
+    seen.turned += expected.firstTurn ? 1 : 0;
+    seen.diverged += expected.divergedAt ? 1 : 0;
+    seen.refused += expected.isRefused ? 1 : 0;
+  }
+  std::cout << seen.halfTurns << " half-turns of " << seen.turned << " motions, " << seen.diverged
+            << " diverged, " << seen.refused << " refused\n";
+  return seen;
+}
+
+// Of all integrators that have lanes and one that has none; with looks after each frame, after each
+// third, and after more than there are in a row.
+std::vector<WatchedMotion> mixed(const std::vector<MotionSettings>& motions, std::int64_t frames) {
+  constexpr std::array<std::int64_t, 3> kFramesPerLook{1, 3, 7};
+  std::vector<WatchedMotion> result;
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const std::size_t kind = i / 16 % (kInLanes.size() + 1);
+    result.push_back({motions[i], frames, kFramesPerLook.at(i / 112 % kFramesPerLook.size())});
+    result.back().motion.simulation.integrator =
+        kind < kInLanes.size() ? kInLanes.at(kind) : Integrator::Splitting;
+  }
+  return result;
+}
+
+TEST_P(Lanes, CountWhatTheSamplesCount) {
+  auto motions = mixed(ordinaryMotions(336, Integrator::Euler, 4), 400);
+  for (WatchedMotion& watched : motions) {
+    watched.motion.simulation.substeps = 4;
+    watched.motion.simulation.timePerFrame = 1.0 / 60;
+  }
+  const Seen seen = compareOutcomes(motions, GetParam());
+  EXPECT_GT(seen.halfTurns, 100);
+  EXPECT_GT(seen.turned, 50);
+}
+
+TEST_P(Lanes, CountWhatDivergesAndFails) {
+  const Seen seen = compareOutcomes(mixed(hardMotions(672, Integrator::Euler, 5), 150), GetParam());
+  EXPECT_GT(seen.diverged, 10);
+  EXPECT_GT(seen.refused, 30);
+}
+
+TEST_P(Lanes, RefuseAMotionThatThereIsnt) {
+  std::vector<WatchedMotion> motions = mixed(ordinaryMotions(2, Integrator::Rk4, 8), 10);
+  motions[0].motion.initial.value.setConstant(1e308);
+  const std::vector<Outcome> outcomes = outcomesOf(motions, GetParam());
+  EXPECT_TRUE(outcomes[0].isRefused);
+  EXPECT_FALSE(outcomes[1].isRefused);
+}
+
+TEST_P(Lanes, LeaveNoMotionOut) {
+  const auto motions = ordinaryMotions(37, Integrator::Rk4, 6);
+  EXPECT_EQ(compare(motions, 50, GetParam()).different, 0U);
+  EXPECT_TRUE(outcomesOf({}, GetParam()).empty());
+}
+
+// Motions differ, so a lane in another's place would be noticed; and a step more.
+TEST_P(Lanes, WouldShowADifference) {
+  const auto motions = ordinaryMotions(64, Integrator::Euler, 7);
+  const auto states = statesAfter(motions, 10, GetParam());
+  const auto later = statesAfter(motions, 11, GetParam());
+  EXPECT_NE(bitsOf(states[0]), bitsOf(states[1]));
+  EXPECT_NE(bitsOf(states[0]), bitsOf(later[0]));
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Lanes,
+                         ::testing::Values(InstructionSet::Base, InstructionSet::Avx2,
+                                           InstructionSet::Avx512),
+                         [](const auto& instance) {
+                           std::string name(nameOf(instance.param));
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST(InstructionSets, StartWithOneMotionAtATime) {
+  const auto sets = availableSets();
+  ASSERT_GE(sets.size(), 2U);
+  EXPECT_EQ(sets[0], InstructionSet::None);
+  EXPECT_EQ(sets[1], InstructionSet::Base);
+  EXPECT_EQ(widestSet(), sets.back());
+}
+
+}  // namespace
+}  // namespace rotatebook::ensemble

@@ -1,0 +1,200 @@
+// [grid]: the motions of its cells, what they are called, what is expected of them, and what is
+// refused.
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scene/parse.h"
+#include "scene/scene_text.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr const char* kTilted = "[initial]\nangular_velocity = [5, 0, 0]\ntilt = [0.1, 'z']\n";
+constexpr const char* kColumns =
+    "columns = { over = 'initial.tilt', values = [0.1, 0.01, 0.001] }\n";
+constexpr const char* kRows = "rows = { over = 'simulation.substeps', values = [2, 8] }\n";
+
+Scene gridOf(const std::string& lines) {
+  return parseScene(std::string(kTilted) + "[grid]\n" + lines, "a.toml");
+}
+
+/// The message about [grid] with these lines, the first of which is line 5 of the file.
+std::string errorOfGrid(const std::string& lines) {
+  return errorOfText(std::string(kTilted) + "[grid]\n" + lines);
+}
+
+std::vector<std::string> labelsOf(const Scene& scene) {
+  std::vector<std::string> labels;
+  for (const Panel& panel : scene.panels) labels.push_back(panel.label);
+  return labels;
+}
+
+TEST(GridSection, HasAMotionForEachCellRowByRow) {
+  const Scene scene = gridOf(std::string(kColumns) + kRows);
+  EXPECT_THAT(labelsOf(scene), ElementsAre("tilt 0.1, substeps 2", "tilt 0.01, substeps 2",
+                                           "tilt 0.001, substeps 2", "tilt 0.1, substeps 8",
+                                           "tilt 0.01, substeps 8", "tilt 0.001, substeps 8"));
+  EXPECT_EQ(scene.panels[5].simulation.substeps, 8);
+  EXPECT_EQ(scene.panels[5].initial.tilt->angle, 0.001);
+  EXPECT_EQ(scene.panels[5].initial.tilt->axis, gridOf(kColumns).initial.tilt->axis);
+  physics::MotionSettings rest = scene.motion();
+  rest.simulation.substeps = 8;
+  rest.initial.tilt->angle = 0.001;
+  EXPECT_EQ(scene.panels[5].motion(), rest);
+}
+
+TEST(GridSection, MayHaveColumnsOrRowsAlone) {
+  EXPECT_THAT(labelsOf(gridOf(kColumns)), ElementsAre("tilt 0.1", "tilt 0.01", "tilt 0.001"));
+  const Scene rows = gridOf(kRows);
+  EXPECT_THAT(labelsOf(rows), ElementsAre("substeps 2", "substeps 8"));
+  EXPECT_EQ(rows.grid->columnCount(), 1U);
+  EXPECT_EQ(rows.grid->rowCount(), 2U);
+}
+
+TEST(GridSection, TakesRangesWordsUnitsAndLabels) {
+  const Scene scene = gridOf(
+      "columns = { over = 'simulation.integrator', values = ['euler', 'rk4'] }\n"
+      "rows = { over = 'initial.tilt', values = ['1 deg', '2 deg'] }");
+  EXPECT_EQ(scene.panels[1].simulation.integrator, physics::Integrator::Rk4);
+  EXPECT_NEAR(scene.panels[2].initial.tilt->angle, 0.0349066, 1e-7);  // 2 deg
+  EXPECT_EQ(scene.panels[2].label, "integrator euler, tilt 2 deg");
+  const Scene range = gridOf(
+      "columns = { over = 'simulation.substeps',"
+      " values = { from = 1, to = 100, count = 3, spacing = 'logarithmic' } }");
+  EXPECT_EQ(range.panels[1].simulation.substeps, 10);
+  const Scene spins = gridOf(
+      "columns = { over = 'initial.angular_velocity', label = 'spin',"
+      " values = [{ label = 'x', value = [4, 0, 0] }, { label = 'y', value = [0, 4, 0] }] }");
+  EXPECT_EQ(spins.panels[1].initial.value.y(), 4);
+}
+
+TEST(GridSection, ReadsBackTheSameFromItsText) {
+  const Scene scene = gridOf(
+      std::string(kColumns) + kRows +
+      "expect = [{ column = 0.01, row = 8, half_turns = { min = 1 } }, { L_ratio = { max = 2 } }]\n"
+      "[expect]\nerror_deg = { max = 180 }");
+  const Scene again = parseScene(sceneText(scene), "a.toml");
+  EXPECT_EQ(again.grid, scene.grid);
+  EXPECT_EQ(again.panels, scene.panels);
+  EXPECT_EQ(sceneText(again), sceneText(scene));
+}
+
+TEST(GridSection, ExpectsOfAllOfARowOfAColumnOrOfACell) {
+  const Scene scene =
+      gridOf(std::string(kColumns) + kRows +
+             "expect = [{ column = 0.01, row = 8, half_turns = { min = 1 } },"
+             " { row = 2, L_ratio = { max = 2 } }, { column = 0.1, L_ratio = { min = 0.5 } }]\n"
+             "[expect]\nerror_deg = { max = 180 }");
+  std::vector<std::size_t> counts;
+  for (const Panel& panel : scene.panels) counts.push_back(panel.expectations.size());
+  EXPECT_THAT(counts, ElementsAre(3, 2, 2, 2, 2, 1));
+  EXPECT_EQ(scene.panels[4].expectations.back().quantity, Quantity::HalfTurns);
+}
+
+TEST(GridSection, NamesItsAxesWithUnits) {
+  const GridSettings grid = *gridOf(std::string(kColumns) + kRows).grid;
+  EXPECT_EQ(nameOf(*grid.columns), "initial.tilt  [rad]");
+  EXPECT_EQ(nameOf(*grid.rows), "simulation.substeps");
+  EXPECT_EQ(nameOf(GridAxis{{"nudge.0.at", {{"1", "1", 1.0}}}}), "nudge.0.at  [s]");
+  EXPECT_EQ(nameOf(GridAxis{{"body.size.2", {{"1", "1", 1.0}}}}), "body.size.2  [m]");
+  EXPECT_EQ(nameOf(GridAxis{{"body.size.2", {{"'1 cm'", "1 cm", {}}}}}), "body.size.2")
+      << "the values have a unit of their own";
+  EXPECT_EQ(nameOf(GridAxis{{"body.mass", {{"1", "1", 1.0}}}, "mass of the book"}),
+            "mass of the book");
+}
+
+TEST(GridSection, RefusesKeysThatChangeNothing) {
+  EXPECT_EQ(errorOfGrid("columns = { over = 'simulation.substep', values = [1, 2] }"),
+            "a.toml:5:20: unknown key \"substep\" in [simulation]; did you mean \"substeps\"?");
+  EXPECT_THAT(errorOfGrid("columns = { over = 'look.supersample', values = [1, 2] }"),
+              AllOf(StartsWith("a.toml:5:20: grid.columns.over must be a key of"),
+                    HasSubstr("\"simulation.substeps\"")));
+  EXPECT_EQ(errorOfGrid("columns = { over = 'simulation.stiffness', values = [1, 2] }"),
+            "a.toml:5:20: simulation.stiffness is of the model \"particles\" alone; all books "
+            "would be the same");
+  EXPECT_EQ(errorOfText(std::string(kTilted) +
+                        "[simulation]\nmodel = 'exact'\n[grid]\n"
+                        "columns = { over = 'simulation.substeps', values = [1, 2] }"),
+            "a.toml:7:20: simulation.substeps: the model \"exact\" takes no steps; all books "
+            "would be the same");
+  EXPECT_THAT(errorOfGrid("columns = { over = 'simulation.time_per_frame', values = [1, 2] }"),
+              HasSubstr("all share one clock; vary simulation.substeps"));
+  EXPECT_THAT(
+      errorOfText("[initial]\nangular_velocity = [5, 0, 0]\n[grid]\n" + std::string(kColumns)),
+      HasSubstr("initial.tilt is a part of initial.tilt, which the scene doesn't state"));
+}
+
+TEST(GridSection, RefusesValues) {
+  EXPECT_THAT(errorOfGrid("columns = { over = 'simulation.substeps', values = [1, 0] }"),
+              AllOf(StartsWith("a.toml:5:"), HasSubstr("simulation.substeps must be")));
+  EXPECT_THAT(errorOfGrid("columns = { over = 'simulation.substeps', values = [1, 'two'] }"),
+              HasSubstr("simulation.substeps must be"));
+  EXPECT_THAT(errorOfGrid("columns = { over = 'simulation.substeps', values = [] }"),
+              HasSubstr("grid.columns.values must be a list"));
+  EXPECT_THAT(errorOfGrid("columns = { over = 'simulation.substeps', values = [2, 2] }"),
+              HasSubstr("has 2 twice"));
+  EXPECT_THAT(errorOfGrid("columns = { over = 'simulation.substeps', values = { from = 8, to = 1, "
+                          "count = 3 } }"),
+              HasSubstr("runs from 8.0 to 1.0; from must be less than to: swap them"));
+  EXPECT_THAT(errorOfGrid("columns = { over = 'initial.tilt', values = { from = 0, to = 1, "
+                          "count = 3, spacing = 'logarithmic' } }"),
+              HasSubstr("is logarithmic, which needs from and to over 0"));
+}
+
+TEST(GridSection, RefusesMoreBooksThanHaveRoom) {
+  const std::string twelve = "[1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12]";
+  EXPECT_EQ(gridOf("columns = { over = 'simulation.substeps', values = " + twelve +
+                   " }\nrows = { over = 'initial.tilt', values = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, "
+                   "1e-6, 1e-7, 1e-8] }")
+                .panels.size(),
+            96U);
+  EXPECT_THAT(errorOfGrid("columns = { over = 'simulation.substeps', values = " + twelve +
+                          " }\nrows = { over = 'initial.tilt', values = [1e-1, 1e-2, 1e-3, 1e-4, "
+                          "1e-5, 1e-6, 1e-7, 1e-8, 1e-9] }"),
+              HasSubstr("12 columns and 9 rows, 108 books; the limit is 96"));
+  EXPECT_THAT(errorOfGrid("rows = { over = 'simulation.substeps', values = { from = 1, to = 13, "
+                          "count = 13 } }"),
+              HasSubstr("grid.rows has 13 values; a side of a grid has up to 12"));
+  EXPECT_THAT(errorOfGrid("rows = { over = 'simulation.substeps', values = [4] }"),
+              HasSubstr("a single book"));
+  EXPECT_THAT(
+      errorOfText(std::string(kTilted) + "[clip]\nduration = 9999\nfps = 240\n[grid]\n" + kColumns),
+      HasSubstr("frames together; the limit is 6000000"));
+}
+
+TEST(GridSection, RefusesWhatDoesNotGoTogether) {
+  const std::string grid = "[grid]\n" + std::string(kColumns);
+  EXPECT_THAT(errorOfText(kTilted + grid + "[[panel]]\nlabel = 'a'\n[[panel]]\nlabel = 'b'"),
+              HasSubstr("both [[panel]] and [grid]"));
+  EXPECT_THAT(errorOfText(kTilted + grid + "[study]\nsteps = [1, 2]"),
+              HasSubstr("both [study] and [grid]"));
+  EXPECT_THAT(errorOfText(kTilted + grid +
+                          "[map]\nx = { key = 'time', from = 0, to = 1 }\n"
+                          "y = { key = 'body.mass', from = 1, to = 2 }\nmeasure = 'tilt_deg'"),
+              HasSubstr("both [map] and [grid]"));
+  EXPECT_THAT(errorOfGrid(""), HasSubstr("[grid] needs columns or rows"));
+  EXPECT_THAT(errorOfGrid(std::string(kColumns) + "rows = { over = 'initial.tilt.0', values = "
+                                                  "[1, 2] }"),
+              HasSubstr("grid.rows.over is grid.columns.over, too"));
+}
+
+TEST(GridSection, RefusesExpectationsOfNoCell) {
+  EXPECT_THAT(
+      errorOfGrid(std::string(kColumns) + "expect = { column = 0.5, half_turns = { min = 1 } }"),
+      HasSubstr("column = 0.5 is no value of grid.columns"));
+  EXPECT_THAT(errorOfGrid(std::string(kColumns) + "expect = { row = 1, half_turns = { min = 1 } }"),
+              HasSubstr("needs grid.rows"));
+  EXPECT_THAT(errorOfGrid(std::string(kColumns) + "expect = { column = 0.1 }"),
+              HasSubstr("needs a quantity and its bounds"));
+}
+
+}  // namespace
+}  // namespace rotatebook::scene

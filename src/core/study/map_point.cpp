@@ -42,8 +42,9 @@ void turnSpin(const Values& values, MotionSettings& motion) {
   const double along = longitude ? radians(*longitude) : arcTangent(spin.y(), spin.x());
   const double up =
       latitude ? radians(*latitude) : arcTangent(spin.z(), roundedHypotenuse(spin.x(), spin.y()));
+  const CosineSine east = cosineSine(along), north = cosineSine(up);
   motion.initial.value =
-      length * Eigen::Vector3d(cosine(up) * cosine(along), cosine(up) * sine(along), sine(up));
+      length * Eigen::Vector3d(north.cosine * east.cosine, north.cosine * east.sine, north.sine);
 }
 
 /// Gives a body other ratios of its moments of inertia. Its largest moment stays, and each axis

@@ -72,6 +72,13 @@ int tileSide(const MapSettings& map) {
   return kTileSide * std::max(1, static_cast<int>(std::ceil(needed / kTileSide)));
 }
 
+/// Returns the values of an axis at `count` of its `size` pixels.
+std::vector<double> valuesAlong(const scene::MapAxis& axis, int first, int count, int size) {
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) values.push_back(axis.at(first + i, size));
+  return values;
+}
+
 }  // namespace
 
 struct MapRuns::Parts {
@@ -121,13 +128,13 @@ std::vector<double> MapRuns::Parts::overTime(const MapTile& tile, Stop stop) con
 std::vector<double> MapRuns::Parts::pointByPoint(const MapTile& tile, Stop stop) const {
   const PanelRuns& panel = panels[tile.panel];
   const auto width = static_cast<std::size_t>(tile.width);
-  const std::size_t count = width * static_cast<std::size_t>(tile.height);
+  const std::vector<double> across = valuesAlong(map.x, tile.left, tile.width, map.width);
+  const std::vector<double> up = valuesAlong(map.y, tile.bottom, tile.height, map.height);
+  const std::size_t count = across.size() * up.size();
   std::vector<MapRun> runs;
   std::vector<std::optional<std::size_t>> runAt(count);  // the indices of the points' runs
   for (std::size_t i = 0; i < count; ++i) {
-    const double x = map.x.at(tile.left + static_cast<int>(i % width), map.width);
-    const double y = map.y.at(tile.bottom + static_cast<int>(i / width), map.height);
-    std::optional<MapRun> run = panel.at(x, y);
+    std::optional<MapRun> run = panel.at(across[i % width], up[i / width]);
     if (!run) continue;
     // Whole numbers, and the closed form, give many points the same motion.
     const auto isTheSame = [&](std::size_t point) {

@@ -15,8 +15,23 @@ namespace {
 namespace fs = std::filesystem;
 using Kind = TaskState::Kind;
 
-/// The jobs of a plan's tasks that the cluster knows; 0 is the join.
+/// The jobs of a plan's tasks that the cluster knows, by task.
 using Queue = std::map<std::int64_t, QueuedJob>;
+constexpr std::int64_t kJoin = 0;
+/// What an array's cancelling left of it: the tasks that hadn't begun, as one job without a number.
+constexpr std::int64_t kRest = -1;
+
+std::int64_t taskOf(const QueuedJob& job, const Jobs& jobs) {
+  if (job.job == jobs.join) return kJoin;
+  return job.task > 0 ? job.task : kRest;
+}
+
+/// Returns the job of a task; null if the cluster knows none.
+const QueuedJob* jobOf(std::int64_t task, const Queue& queue) {
+  auto found = queue.find(task);
+  if (found == queue.end() && task != kJoin) found = queue.find(kRest);
+  return found != queue.end() ? &found->second : nullptr;
+}
 
 Queue queueOf(const Jobs& jobs, std::string& problem) {
   Queue queue;
@@ -24,7 +39,7 @@ Queue queueOf(const Jobs& jobs, std::string& problem) {
     std::vector<std::string> all = jobs.arrays;
     if (!jobs.join.empty()) all.push_back(jobs.join);
     for (const QueuedJob& job : readQueue(all)) {
-      QueuedJob& known = queue[job.job == jobs.join ? 0 : job.task];
+      QueuedJob& known = queue[taskOf(job, jobs)];
       // Of a task that was submitted again, the try that is yet to end counts
       if (known.job.empty() || job.isActive() || !known.isActive()) known = job;
     }
@@ -62,17 +77,16 @@ struct Known {
 
   /// Returns whether a task that isn't in the queue, and whose results are missing, has failed.
   bool hasFailed(std::int64_t task, const std::optional<TaskEnd>& end) const {
-    const bool wasSent = task == 0 ? !jobs.join.empty() : !jobs.arrays.empty();
+    const bool wasSent = task == kJoin ? !jobs.join.empty() : !jobs.arrays.empty();
     // All that are missing were sent, and a cluster forgets a job minutes after its end.
     return (queueProblem.empty() && wasSent) || (end && end->status != 0);
   }
 };
 
-/// Returns the state of a task, 0 being the join.
+/// Returns the state of a task, or of the join.
 TaskState stateOfTask(std::int64_t number, bool isDone, const Known& known) {
   TaskState state;
-  const auto found = known.queue.find(number);
-  const QueuedJob* job = found != known.queue.end() ? &found->second : nullptr;
+  const QueuedJob* job = jobOf(number, known.queue);
   const auto end = readEnd(known.files, number);
   const bool isActive = job != nullptr && job->isActive();
   if (isActive && job->isRunning()) {
@@ -155,7 +169,7 @@ PlanState stateOf(const StoredPlan& stored, const PlanFiles& files) {
     state.tasks.back().name = describe(plan, task);
   }
   if (!joinCommandOf(plan).empty()) {
-    state.join = stateOfTask(0, state.isWhole(), known);
+    state.join = stateOfTask(kJoin, state.isWhole(), known);
     state.join->name = "join";
   }
   state.remaining = remainingOf(state, files);

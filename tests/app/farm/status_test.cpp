@@ -70,6 +70,21 @@ TEST_F(Status, SaysWhyATaskFailed) {
   EXPECT_FALSE(now.remaining) << "nothing runs";
 }
 
+// What hasn't begun when an array is cancelled stays known as one job without a task's number.
+TEST_F(Status, SaysThatTasksWereCancelledBeforeTheyBegan) {
+  slurm.setQueue(
+      "101|N/A|CANCELLED|0:00||Resources\n101|1|CANCELLED|0:01|n1|None\n102|N/A|FAILED|0:00||"
+      "Dependency\n");
+  const PlanState now = state();
+  for (const TaskState& task : now.tasks) {
+    EXPECT_EQ(task.kind, Kind::Failed);
+    EXPECT_EQ(task.reason, "CANCELLED");
+  }
+  EXPECT_EQ(now.tasks.at(0).node, "n1");
+  EXPECT_EQ(now.tasks.at(4).node, "");
+  EXPECT_THAT(now.join->reason, HasSubstr("results aren't there"));
+}
+
 TEST_F(Status, KnowsFailuresThatTheClusterHasForgotten) {
   leaveFrames(stored.plan, {0, 1});
   slurm.fail("squeue", "slurm_load_jobs error: Invalid job id specified");

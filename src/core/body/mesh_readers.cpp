@@ -1,0 +1,63 @@
+#include "body/mesh_readers.h"
+
+#include <algorithm>
+#include <string>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "body/polygon.h"
+
+namespace rotatebook::body {
+namespace {
+
+struct Format {
+  std::string_view ending;
+  TriangleMesh (*read)(std::string_view);
+};
+constexpr Format kFormats[] = {
+    {".obj", readObj}, {".stl", readStl}, {".ply", readPly}, {".glb", readGlb}};
+
+const Format* formatOf(std::string_view name) {
+  std::string ending(name.substr(std::min(name.rfind('.'), name.size())));
+  for (char& letter : ending) {
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  }
+  for (const Format& format : kFormats) {
+    if (format.ending == ending) return &format;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+bool isMeshName(std::string_view name) {
+  return formatOf(name) != nullptr;
+}
+
+TriangleMesh readMesh(std::string_view name, std::string_view bytes) {
+  const std::string file = oneLine(name, 200);
+  const Format* format = formatOf(name);
+  if (format == nullptr) {
+    throw InputError(file + ": not a mesh that can be read; export it as " +
+                     joinedOf(kFormats, [](const Format& f) { return std::string(f.ending); }));
+  }
+  try {
+    return welded(format->read(bytes));
+  } catch (const InputError& error) {
+    throw InputError(file + ": " + error.what());
+  }
+}
+
+void requireFewTriangles(std::size_t count) {
+  if (count <= kMaxTriangles) return;
+  throw InputError("there are more than " + std::to_string(kMaxTriangles) +
+                   " triangles; export a coarser mesh");
+}
+
+void addPolygon(std::span<const std::uint32_t> corners, TriangleMesh& mesh) {
+  requireFewTriangles(mesh.triangles.size() + corners.size());
+  for (std::size_t i = 2; i < corners.size(); ++i)
+    mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+}
+
+}  // namespace rotatebook::body

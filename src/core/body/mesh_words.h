@@ -1,0 +1,76 @@
+// Words and numbers of text meshes, and numbers of binary ones. Inside the room only.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rotatebook::body {
+
+static_assert(std::endian::native == std::endian::little, "meshes' bytes are read as they are");
+
+/// The words of a text, separated by spaces, with the line that they are on.
+class MeshWords {
+ public:
+  explicit MeshWords(std::string_view text) : rest_(text) {}
+
+  /// Returns the next word of the line; empty at its end.
+  std::string_view word();
+  /// Returns what is left of the line, without spaces at its ends.
+  std::string_view restOfLine();
+  /// Returns what is left of the text.
+  std::string_view everything() const { return rest_; }
+  /// Goes to the next line; returns false if there is none.
+  bool nextLine();
+  /// Returns the next word, on whichever line; empty at the end of the text.
+  std::string_view wordOnAnyLine();
+
+  /// Return the next word of the line as a number. Throw InputError if it is none.
+  double number(const char* what);
+  std::int64_t integer(const char* what);
+
+  /// The current line, from 1 on.
+  std::size_t line() const { return line_; }
+  /// Throws InputError with the line before the message.
+  [[noreturn]] void fail(const std::string& message) const;
+
+ private:
+  std::string_view rest_;
+  std::size_t line_ = 1;
+};
+
+std::optional<double> numberIn(std::string_view word);
+std::optional<std::int64_t> integerIn(std::string_view word);
+
+/// Bytes that are read as numbers, one after the other.
+class MeshBytes {
+ public:
+  explicit MeshBytes(std::string_view bytes, bool isBigEndian = false)
+      : bytes_(bytes), isBigEndian_(isBigEndian) {}
+
+  /// Returns the next number. Throws InputError at the end.
+  template <typename Number>
+  Number next() {
+    char bytes[sizeof(Number)];
+    std::memcpy(bytes, take(sizeof(Number)).data(), sizeof(Number));
+    if (isBigEndian_) {
+      for (std::size_t i = 0; i < sizeof(Number) / 2; ++i)
+        std::swap(bytes[i], bytes[sizeof(Number) - 1 - i]);
+    }
+    return std::bit_cast<Number>(bytes);
+  }
+  /// Returns the next bytes. Throws InputError if there are fewer.
+  std::string_view take(std::size_t count);
+  std::size_t left() const { return bytes_.size() - at_; }
+  std::size_t at() const { return at_; }
+
+ private:
+  std::string_view bytes_;
+  std::size_t at_ = 0;
+  bool isBigEndian_;
+};
+
+}  // namespace rotatebook::body

@@ -1,0 +1,49 @@
+#include <vector>
+
+#include "body/mesh_readers.h"
+#include "body/mesh_words.h"
+#include "body/polygon.h"
+
+namespace rotatebook::body {
+namespace {
+
+/// Returns the index of a corner's point: "7", "7/1/3" and "7//3" are the seventh, "-1" the last.
+std::uint32_t cornerOf(std::string_view word, std::size_t points, const MeshWords& words) {
+  const auto number = integerIn(word.substr(0, word.find('/')));
+  if (!number) words.fail("a face's corner must begin with a point's number");
+  const auto count = static_cast<std::int64_t>(points);
+  const std::int64_t index = *number < 0 ? count + *number : *number - 1;
+  if (index < 0 || index >= count) {
+    words.fail("the face names point " + std::to_string(*number) + ", but " +
+               std::to_string(count) + " are before it");
+  }
+  return static_cast<std::uint32_t>(index);
+}
+
+void readFace(MeshWords& words, TriangleMesh& mesh) {
+  std::vector<std::uint32_t> corners;
+  for (std::string_view word = words.word(); !word.empty(); word = words.word())
+    corners.push_back(cornerOf(word, mesh.points.size(), words));
+  if (corners.size() < 3) words.fail("a face must have three corners or more");
+  addPolygon(corners, mesh);
+}
+
+}  // namespace
+
+TriangleMesh readObj(std::string_view text) {
+  TriangleMesh mesh;
+  MeshWords words(text);
+  do {
+    const std::string_view kind = words.word();
+    if (kind == "v") {
+      requireFewTriangles(mesh.points.size());
+      const double x = words.number("x"), y = words.number("y"), z = words.number("z");
+      mesh.points.emplace_back(x, y, z);
+    } else if (kind == "f") {
+      readFace(words, mesh);
+    }
+  } while (words.nextLine());
+  return mesh;
+}
+
+}  // namespace rotatebook::body

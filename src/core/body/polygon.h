@@ -1,0 +1,17 @@
+// Polygons as triangles. Inside the room only.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "body/triangle_mesh.h"
+
+namespace rotatebook::body {
+
+/// Adds a polygon as a fan. Throws InputError if there would be too many triangles.
+void addPolygon(std::span<const std::uint32_t> corners, TriangleMesh& mesh);
+
+/// Throws InputError if a mesh of so many triangles is too large.
+void requireFewTriangles(std::size_t count);
+
+}  // namespace rotatebook::body

@@ -8,7 +8,7 @@ include(${emscripten}/cmake/Modules/Platform/Emscripten.cmake)
 # Headers from a folder of their own: /usr/include would come before Emscripten's C library.
 set(headers ${CMAKE_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${headers})
-foreach(header toml++ xxhash.h xxh3.h)
+foreach(header toml++ nlohmann xxhash.h xxh3.h)
   file(CREATE_LINK /usr/include/${header} ${headers}/${header} SYMBOLIC)
 endforeach()
 set(CMAKE_CXX_FLAGS_INIT "-fwasm-exceptions -isystem ${headers} -include ${CMAKE_CURRENT_LIST_DIR}/lacking.h")

@@ -35,6 +35,7 @@ struct Room {
 const std::map<std::string, Room> kRooms{
     {"base", {"core", {}, {"xxhash.h"}}},
     {"rigid", {"core", {"base"}, {"Eigen/"}}},
+    {"body", {"core", {"base"}, {"Eigen/", "nlohmann/"}}},
     {"physics", {"core", {"base", "rigid"}, {"Eigen/"}}},
     {"ensemble", {"core", {"base", "rigid", "physics"}, {"Eigen/"}}},
     {"geometry", {"core", {"base", "physics"}, {"Eigen/"}, {"rigid"}}},

@@ -1,0 +1,149 @@
+#include "body/closed_surface.h"
+
+#include <limits>
+#include <utility>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "body/message_of.h"
+#include "body/solids.h"
+
+namespace rotatebook::body {
+namespace {
+
+using ::testing::AllOf;
+using testing::boxMesh;
+using ::testing::HasSubstr;
+using testing::messageOf;
+
+std::string judged(const TriangleMesh& mesh) {
+  return messageOf([&] { requireClosed(welded(mesh)); });
+}
+
+TEST(ClosedSurface, IsThatOfEachSolid) {
+  EXPECT_EQ(judged(boxMesh(1, 2, 3)), "accepted");
+  EXPECT_EQ(judged(testing::tetrahedronMesh()), "accepted");
+  EXPECT_EQ(judged(testing::prismMesh(7, 1, 1)), "accepted");
+  EXPECT_EQ(judged(testing::ballMesh(5, 8)), "accepted");
+}
+
+// 12 meshes with a hole each.
+TEST(ClosedSurface, HasNoHoleWhereATriangleIsMissing) {
+  for (std::size_t i = 0; i < 12; ++i) {
+    TriangleMesh mesh = boxMesh(1, 2, 3);
+    mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(i));
+    EXPECT_THAT(judged(mesh), AllOf(HasSubstr("the edge from ("), HasSubstr("alone"),
+                                    HasSubstr("close the hole")))
+        << i;
+  }
+}
+
+// 12 meshes with a triangle that faces inward.
+TEST(ClosedSurface, FacesOutwardWithAllItsTriangles) {
+  for (std::size_t i = 0; i < 12; ++i) {
+    TriangleMesh mesh = boxMesh(1, 2, 3);
+    std::swap(mesh.triangles[i][0], mesh.triangles[i][1]);
+    EXPECT_THAT(judged(mesh), AllOf(HasSubstr("in the same direction"),
+                                    HasSubstr(std::to_string(i + 1)), HasSubstr("turn")))
+        << i;
+  }
+}
+
+// 12 meshes with a triangle twice.
+TEST(ClosedSurface, HasNoTriangleTwice) {
+  for (std::size_t i = 0; i < 12; ++i) {
+    TriangleMesh mesh = boxMesh(1, 2, 3);
+    mesh.triangles.push_back(mesh.triangles[i]);
+    EXPECT_THAT(judged(mesh), AllOf(HasSubstr("belongs to 3 triangles"),
+                                    HasSubstr(std::to_string(i + 1) + ","), HasSubstr("13")))
+        << i;
+  }
+}
+
+// 12 meshes with a corner twice in a triangle.
+TEST(ClosedSurface, HasTrianglesOfThreeCorners) {
+  for (std::size_t i = 0; i < 12; ++i) {
+    TriangleMesh mesh = boxMesh(1, 2, 3);
+    mesh.triangles[i][i % 3] = mesh.triangles[i][(i + 1) % 3];
+    EXPECT_THAT(judged(mesh), AllOf(HasSubstr("triangle " + std::to_string(i + 1)),
+                                    HasSubstr("twice; take it away")))
+        << i;
+  }
+}
+
+TEST(ClosedSurface, HasNoInnerWall) {
+  TriangleMesh mesh = boxMesh(1, 1, 1);
+  mesh.triangles.push_back({0, 3, 7});
+  EXPECT_THAT(judged(mesh), AllOf(HasSubstr("belongs to"), HasSubstr("13")));
+}
+
+TEST(ClosedSurface, NamesTheEdgeByItsEnds) {
+  TriangleMesh mesh = testing::tetrahedronMesh();
+  mesh.triangles.pop_back();
+  EXPECT_EQ(judged(mesh),
+            "the edge from (0, 1, 0) to (1, 0, 0) belongs to triangle 1 alone: the surface is open "
+            "there; close the hole");
+}
+
+TEST(ClosedSurface, NeedsTriangles) {
+  EXPECT_THAT(judged({}), HasSubstr("there are no triangles"));
+  EXPECT_THAT(judged({{{0, 0, 0}}, {}}), HasSubstr("there are no triangles"));
+}
+
+// 9 meshes with a coordinate that is no number.
+TEST(Welding, RefusesCoordinatesThatArentFinite) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double number : {std::numeric_limits<double>::quiet_NaN(), kInfinity, -kInfinity}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      TriangleMesh mesh = boxMesh(1, 1, 1);
+      mesh.points[6][axis] = number;
+      EXPECT_THAT(judged(mesh), AllOf(HasSubstr("triangle "), HasSubstr("must be finite")));
+    }
+  }
+}
+
+TEST(Welding, RefusesPointsThatDontExist) {
+  for (std::size_t i = 0; i < 12; ++i) {
+    TriangleMesh mesh = boxMesh(1, 1, 1);
+    mesh.triangles[i][2] = 8;
+    EXPECT_THAT(judged(mesh),
+                HasSubstr("triangle " + std::to_string(i + 1) + " names point 9, but there are 8"));
+  }
+}
+
+TEST(Welding, JoinsEqualPointsAlone) {
+  TriangleMesh soup;
+  const TriangleMesh box = boxMesh(1, 2, 3);
+  for (const auto& triangle : box.triangles) {
+    const auto first = static_cast<std::uint32_t>(soup.points.size());
+    for (const std::uint32_t point : triangle) soup.points.push_back(box.points[point]);
+    soup.triangles.push_back({first, first + 1, first + 2});
+  }
+  EXPECT_EQ(welded(soup).points.size(), 8U);
+  EXPECT_EQ(judged(soup), "accepted");
+  soup.points[0].x() += 1e-16;
+  EXPECT_EQ(welded(soup).points.size(), 9U) << "there is no tolerance";
+  EXPECT_THAT(judged(soup), HasSubstr("alone"));
+}
+
+TEST(Welding, TakesBothZerosForOne) {
+  TriangleMesh mesh = testing::tetrahedronMesh();
+  mesh.points.emplace_back(-0.0, 0.0, -0.0);
+  mesh.triangles[0][0] = 4;
+  EXPECT_EQ(welded(mesh).points.size(), 4U);
+  EXPECT_EQ(judged(mesh), "accepted");
+}
+
+TEST(Shells, AreCounted) {
+  TriangleMesh two = boxMesh(1, 1, 1);
+  const TriangleMesh other = boxMesh(0.5, 0.5, 0.5);
+  EXPECT_EQ(countShells(two), 1U);
+  for (const auto& point : other.points) two.points.push_back(point);
+  for (const auto& [a, b, c] : other.triangles) two.triangles.push_back({a + 8, b + 8, c + 8});
+  EXPECT_EQ(judged(two), "accepted");
+  EXPECT_EQ(countShells(two), 2U);
+}
+
+}  // namespace
+}  // namespace rotatebook::body

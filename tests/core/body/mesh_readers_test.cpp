@@ -1,0 +1,225 @@
+#include "body/mesh_readers.h"
+
+#include <bit>
+#include <cstring>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "body/closed_surface.h"
+#include "body/mass_properties.h"
+#include "body/message_of.h"
+#include "body/solids.h"
+
+namespace rotatebook::body {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::messageOf;
+using ::testing::StartsWith;
+
+template <typename Number>
+void append(std::string& bytes, Number number, bool isBigEndian = false) {
+  char all[sizeof(Number)];
+  std::memcpy(all, &number, sizeof(Number));
+  if (isBigEndian) std::reverse(all, all + sizeof(Number));
+  bytes.append(all, sizeof(Number));
+}
+
+std::string text(double number) {
+  return std::to_string(number) + ' ';
+}
+
+std::string objOf(const TriangleMesh& mesh) {
+  std::string obj = "# a comment\r\no body\n";
+  for (const auto& p : mesh.points) obj += "v " + text(p.x()) + text(p.y()) + text(p.z()) + '\n';
+  for (const auto& [a, b, c] : mesh.triangles) {
+    obj += "f " + std::to_string(a + 1) + "/1/1 " + std::to_string(b + 1) + "//2\t" +
+           std::to_string(c + 1) + '\n';
+  }
+  return obj;
+}
+
+std::string textStlOf(const TriangleMesh& mesh) {
+  std::string stl = "solid a name\n";
+  for (const auto& triangle : mesh.triangles) {
+    stl += "  facet normal 0 0 0\n    outer loop\n";
+    for (const std::uint32_t point : triangle) {
+      const auto& p = mesh.points[point];
+      stl += "      vertex " + text(p.x()) + text(p.y()) + text(p.z()) + '\n';
+    }
+    stl += "    endloop\n  endfacet\n";
+  }
+  return stl + "endsolid a name\n";
+}
+
+std::string binaryStlOf(const TriangleMesh& mesh, const std::string& comment = "solid, it says") {
+  std::string stl = comment;
+  stl.resize(80, ' ');
+  append(stl, static_cast<std::uint32_t>(mesh.triangles.size()));
+  for (const auto& triangle : mesh.triangles) {
+    for (int i = 0; i < 3; ++i) append(stl, 0.0F);
+    for (const std::uint32_t point : triangle)
+      for (const double number : mesh.points[point]) append(stl, static_cast<float>(number));
+    append(stl, std::uint16_t{0});
+  }
+  return stl;
+}
+
+std::string plyHeader(const TriangleMesh& mesh, const std::string& format) {
+  return "ply\nformat " + format + " 1.0\ncomment none\nelement vertex " +
+         std::to_string(mesh.points.size()) +
+         "\nproperty double x\nproperty double y\nproperty double z\nproperty uchar red\n"
+         "element face " +
+         std::to_string(mesh.triangles.size()) +
+         "\nproperty list uchar int vertex_indices\nend_header\n";
+}
+
+std::string textPlyOf(const TriangleMesh& mesh) {
+  std::string ply = plyHeader(mesh, "ascii");
+  for (const auto& p : mesh.points) ply += text(p.x()) + text(p.y()) + text(p.z()) + "255\n";
+  for (const auto& [a, b, c] : mesh.triangles)
+    ply += "3 " + std::to_string(a) + ' ' + std::to_string(b) + ' ' + std::to_string(c) + '\n';
+  return ply;
+}
+
+std::string binaryPlyOf(const TriangleMesh& mesh, bool isBigEndian) {
+  std::string ply = plyHeader(mesh, isBigEndian ? "binary_big_endian" : "binary_little_endian");
+  for (const auto& point : mesh.points) {
+    for (const double number : point) append(ply, number, isBigEndian);
+    append(ply, std::uint8_t{255});
+  }
+  for (const auto& triangle : mesh.triangles) {
+    append(ply, std::uint8_t{3});
+    for (const std::uint32_t point : triangle)
+      append(ply, static_cast<std::int32_t>(point), isBigEndian);
+  }
+  return ply;
+}
+
+void expectBox(const char* name, const std::string& bytes) {
+  const TriangleMesh mesh = readMesh(name, bytes);
+  requireClosed(mesh);
+  EXPECT_EQ(mesh.points.size(), 8U) << name;
+  EXPECT_EQ(mesh.triangles.size(), 12U) << name;
+  EXPECT_DOUBLE_EQ(massPropertiesOf(mesh, 1).volume, 6) << name;
+}
+
+TEST(MeshReaders, ReadOneBodyFromEachFormat) {
+  const TriangleMesh box = testing::boxMesh(1, 2, 3);
+  expectBox("a.obj", objOf(box));
+  expectBox("a.STL", textStlOf(box));
+  expectBox("a.stl", binaryStlOf(box));
+  expectBox("a.stl", binaryStlOf(box, "made by hand"));
+  expectBox("a.ply", textPlyOf(box));
+  expectBox("a.ply", binaryPlyOf(box, false));
+  expectBox("a.ply", binaryPlyOf(box, true));
+}
+
+TEST(MeshReaders, RefuseOtherEndings) {
+  const auto refused = messageOf([] { readMesh("book.fbx", ""); });
+  EXPECT_EQ(refused, "book.fbx: not a mesh that can be read; export it as .obj, .stl, .ply, .glb");
+  EXPECT_TRUE(isMeshName("a/b.Ply"));
+  EXPECT_FALSE(isMeshName("scene.toml"));
+}
+
+TEST(ObjReader, TakesPolygonsAndNegativeNumbers) {
+  const TriangleMesh mesh = readObj(
+      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv +.5 .5 1e0\n"
+      "f -2 -3 -4 -5\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5");
+  EXPECT_EQ(mesh.triangles.size(), 6U);
+  requireClosed(mesh);
+  EXPECT_DOUBLE_EQ(massPropertiesOf(mesh, 1).volume, 1.0 / 3);
+}
+
+// A plane polygon that isn't convex, and whose fan leaves it: an L of three unit squares.
+TEST(ObjReader, TakesPolygonsThatArentConvex) {
+  const TriangleMesh mesh = readObj(
+      "v 1 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 1 0\nv 1 1 0\n"
+      "v 1 0 1\nv 2 0 1\nv 2 2 1\nv 0 2 1\nv 0 1 1\nv 1 1 1\n"
+      "f 6 5 4 3 2 1\nf 7 8 9 10 11 12\nf 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\nf 4 5 11 10\n"
+      "f 5 6 12 11\nf 6 1 7 12\n");
+  requireClosed(mesh);
+  EXPECT_DOUBLE_EQ(massPropertiesOf(mesh, 1).volume, 3);
+}
+
+struct Broken {
+  const char* name;
+  std::string bytes;
+  const char* message;
+};
+
+std::vector<Broken> brokenTexts() {
+  const std::string stl = "solid s\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\n";
+  return {
+      {"a.obj", "v 1 2\n", "line 1: z is missing"},
+      {"a.obj", "v 1 2 x\n", "line 1: z must be a number, and is \"x\""},
+      {"a.obj", "v 1 2 3,5\n", "line 1: z must be a number, and is \"3,5\""},
+      {"a.obj", "v 0 0 0\n\nf 1 1\n", "line 3: a face must have three corners or more"},
+      {"a.obj", "v 0 0 0\nf 1 1 2\n", "line 2: the face names point 2, but 1 are before it"},
+      {"a.obj", "v 0 0 0\nf 1 1 0\n", "line 2: the face names point 0"},
+      {"a.obj", "v 0 0 0\nf 1 1 -2\n", "line 2: the face names point -2"},
+      {"a.obj", "v 0 0 0\nf 1 a 1\n", "line 2: a face's corner must begin with a point's number"},
+      {"a.obj", "v 0 0 0\nf 1 99999999999999999999 1\n", "line 2: a face's corner must begin"},
+      {"a.stl", "", "not an STL file"},
+      {"a.stl", "facet", "not an STL file"},
+      {"a.stl", "solid s\nfacit\n", "line 2: \"facet\" is expected here, not \"facit\""},
+      {"a.stl", "solid s\nfacet normal 0 0 1\ninner loop\n", "line 3: \"outer\" is expected here"},
+      {"a.stl", stl, "line 5: \"vertex\" is expected here, but the file ends"},
+      {"a.stl", stl + "vertex 1 0\n", "line 5: z is missing"},
+      {"a.stl", stl + "vertex 1 0 0\nvertex 1 1 0\nvertex 1 1 1\n", "line 7: \"endloop\" is"},
+      {"a.ply", "", "it doesn't begin with \"ply\": not a PLY file"},
+      {"a.ply", "ply\nformat ascii 1.0\n", "the header has no end_header"},
+      {"a.ply", "ply\nformat utf8 1.0\nend_header\n", "line 2: unknown format \"utf8\""},
+      {"a.ply", "ply\nproperty float x\n", "line 2: a property before the first element"},
+      {"a.ply", "ply\nelement vertex -1\n", "line 2: not a PLY header"},
+      {"a.ply", "ply\nelement vertex many\n", "must be a whole number, and is \"many\""},
+      {"a.ply", "ply\nelement vertex 1\nproperty real x\n", "line 3: unknown type \"real\""},
+      {"a.ply", "ply\nbase\n", "line 2: not a line of a PLY header: \"base\""},
+      {"a.ply", "ply\nelement x 9999999999\nend_header\n ", "\"x\" has no properties"},
+      {"a.ply", "ply\nelement vertex 2\nproperty float x\nend_header\n1\n", "the file ends within"},
+      {"a.ply", "ply\nelement vertex 1\nproperty float x\nend_header\ny\n",
+       "line 5: a number is expected here, not \"y\""},
+      {"a.ply", "ply\nelement face 1\nproperty list int int vertex_index\nend_header\n3 0 1 2\n",
+       "line 5: a face names a vertex that doesn't exist; there are 0"},
+      {"a.ply", "ply\nelement face 1\nproperty list int int vertex_index\nend_header\n-3\n",
+       "line 5: a list must have 0 to 10000 numbers"},
+      {"a.ply", "ply\nelement face 1\nproperty list int int vertex_index\nend_header\n2 0 0\n",
+       "a face names a vertex"},
+      {"a.ply",
+       "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty int x\nend_header\n123",
+       "the file ends at byte 3, within its data; is it whole?"},
+  };
+}
+
+TEST(MeshReaders, SayWhereATextIsBroken) {
+  for (const auto& [name, bytes, message] : brokenTexts()) {
+    const std::string said = messageOf([&, name = name, &bytes = bytes] { readMesh(name, bytes); });
+    EXPECT_THAT(said, StartsWith(std::string(name) + ": ")) << bytes;
+    EXPECT_THAT(said, HasSubstr(message)) << bytes;
+  }
+}
+
+TEST(StlReader, SaysWhereABinaryFileEnds) {
+  const std::string whole = binaryStlOf(testing::boxMesh(1, 1, 1), "binary");
+  for (const std::size_t size : {whole.size() - 1, whole.size() - 50, std::size_t{84}}) {
+    EXPECT_THAT(messageOf([&] { readStl(std::string_view(whole).substr(0, size)); }),
+                HasSubstr("within its data"));
+  }
+  std::string endless = whole;
+  endless[83] = '\x7f';
+  EXPECT_THAT(messageOf([&] { readStl(endless); }), HasSubstr("more than 4000000 triangles"));
+}
+
+TEST(PlyReader, SaysWhereABinaryFileEnds) {
+  const std::string whole = binaryPlyOf(testing::boxMesh(1, 1, 1), true);
+  for (std::size_t cut = 1; cut < 300; cut += 7) {
+    EXPECT_THAT(messageOf([&] { readPly(std::string_view(whole).substr(0, whole.size() - cut)); }),
+                HasSubstr("within its data"))
+        << cut;
+  }
+}
+
+}  // namespace
+}  // namespace rotatebook::body

@@ -22,7 +22,7 @@ std::string modelJson(const scene::Named<physics::Model>& model) {
   return JsonObject()
       .addString("name", model.name)
       .add("integrators", jsonArrayOf(scene::integratorNames(model.value), jsonString))
-      .addBool("normalize", model.value != physics::Model::Exact)
+      .addBool("normalize", physics::takesSteps(model.value))
       .addBool("damping", model.value == physics::Model::Particles)
       .text();
 }

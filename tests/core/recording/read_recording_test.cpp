@@ -105,7 +105,7 @@ TEST(ReadRecording, TakesAPart) {
   EXPECT_EQ(refusal(text, {.from = 9}),
             "m.csv: the part from 9 to 12 s isn't within the recording, which lasts from 10 to 12 "
             "s");
-  EXPECT_EQ(startOf(motionOf(text, {.bias = {0, 0, 0.025}})).z(), 0.075);
+  EXPECT_EQ(startOf(motionOf(text, {.bias = {0, 0, 0.05}})).z(), 0.05);
 }
 
 TEST(ReadRecording, NamesTheLineOfWhatItRefuses) {

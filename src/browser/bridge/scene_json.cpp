@@ -71,9 +71,12 @@ std::string cameraJson(const scene::CameraSettings& camera) {
 }  // namespace
 
 std::string wordsJson() {
+  // No recording is read in a page.
+  std::vector<scene::Named<physics::Model>> models(scene::kModels.begin(), scene::kModels.end());
+  std::erase_if(models, [](const auto& one) { return one.value == physics::Model::Recorded; });
   return JsonObject()
       .addString("version", kVersion)
-      .add("models", jsonArrayOf(scene::kModels, modelJson))
+      .add("models", jsonArrayOf(models, modelJson))
       .text();
 }
 

@@ -19,7 +19,7 @@ struct ReadOptions {
   ColumnNames columns{};               ///< Of the columns without a usual name.
   std::string unit{};                  ///< Of rates, one of kRateUnits; if empty, the header's.
   std::optional<double> from{}, to{};  ///< The part to take, of the file's times. [s]
-  Eigen::Vector3d bias{0, 0, 0};       ///< What is subtracted from a gyroscope's rates. [rad/s]
+  Eigen::Vector3d bias{0, 0, 0};       ///< Subtracted from a gyroscope's rates. [rad/s]
 
   friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
 };

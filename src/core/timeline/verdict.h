@@ -11,7 +11,7 @@
 
 namespace rotatebook::timeline {
 
-/// How a motion errs, as a hint to the method that made it.
+/// Kinds of errors of a motion, as hints to the method that made it.
 enum class Errs {
   Hardly,          ///< By less than kAgreesDeg.
   SpinIsFixed,     ///< The angular velocity stays as it was, along the world's axes.
@@ -36,12 +36,12 @@ struct Verdict {
   double errorDeg = 0;                  ///< The largest. [degrees]
   std::optional<double> visibleFrom{};  ///< Time of the first error above kVisibleErrorDeg. [s]
   double endEnergyDrift = 0;            ///< E/E0 - 1 of the last sample.
-  double energyDrift = 0;               ///< That of the sample where it is largest, with its sign.
+  double energyDrift = 0;               ///< The largest on the way, with its sign.
   double endMomentumDrift = 0;          ///< |L|/|L0| - 1 of the last sample.
   double momentumDrift = 0;             ///< Likewise the largest.
   double momentumTurnDeg = 0;           ///< Largest angle from L to L at the start. [degrees]
-  int halfTurns = 0;                    ///< That the motion makes.
-  int halfTurnsDue = 0;                 ///< That the exact one makes.
+  int halfTurns = 0;                    ///< Made by the motion.
+  int halfTurnsDue = 0;                 ///< Made by the exact one.
   rigid::Regime start = rigid::Regime::Separatrix, end = rigid::Regime::Separatrix;
   Errs errs = Errs::Hardly;
 };

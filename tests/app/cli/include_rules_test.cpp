@@ -109,9 +109,9 @@ const std::map<std::string, Room> kRooms{
       {"rigid", "geometry"}}},
     {"cli",
      {"app",
-      {"base", "rigid", "recording", "physics", "document", "scene", "timeline", "study", "system",
-       "image", "render", "overlay", "video", "picture", "store", "farm", "pipeline", "verify",
-       "diagnose", "report", "page"},
+      {"base",  "rigid",  "recording", "physics", "document", "scene",  "timeline",
+       "study", "system", "image",     "render",  "overlay",  "video",  "picture",
+       "store", "farm",   "pipeline",  "verify",  "diagnose", "report", "page"},
       {"CLI/"},
       {"geometry"}}}};
 

@@ -39,7 +39,7 @@ Scene readRecorded(const std::string& text) {
   return parseScene(text, "a.toml", {}, fileNamed);
 }
 
-std::string refusalOf(const std::string& text) {
+std::string refusalOfRecording(const std::string& text) {
   try {
     readRecorded(text);
     return "no error";
@@ -90,37 +90,38 @@ TEST(Recordings, AreOfPanelsToo) {
 }
 
 TEST(Recordings, AreRefusedWhereTheyAreNamed) {
-  EXPECT_EQ(refusalOf("[simulation]\nmodel = \"recorded\"\nfile = \"no.csv\"\n"),
+  EXPECT_EQ(refusalOfRecording("[simulation]\nmodel = \"recorded\"\nfile = \"no.csv\"\n"),
             "a.toml:3:8: can't read no.csv: no such file");
-  EXPECT_EQ(refusalOf("[simulation]\nmodel = \"recorded\"\nfile = \"bare.csv\"\n"),
+  EXPECT_EQ(refusalOfRecording("[simulation]\nmodel = \"recorded\"\nfile = \"bare.csv\"\n"),
             "a.toml:3:8: bare.csv: no column of times among \"a\", \"b\", \"c\" and \"d\"; name it "
             "in simulation.columns");
-  EXPECT_EQ(refusalOf("[simulation]\nmodel = \"recorded\"\nfile = \"rest.csv\"\n"),
+  EXPECT_EQ(refusalOfRecording("[simulation]\nmodel = \"recorded\"\nfile = \"rest.csv\"\n"),
             "a.toml:3:8: rest.csv: the body is at rest at first; say with simulation.from when its "
             "motion starts");
-  EXPECT_EQ(refusalOf("[simulation]\nmodel = \"recorded\"\nfile = \"g.csv\"\n"),
+  EXPECT_EQ(refusalOfRecording("[simulation]\nmodel = \"recorded\"\nfile = \"g.csv\"\n"),
             "a.toml:3:8: the recording \"g.csv\" lasts 2 s, but the clip shows 11.9833 s of it; "
             "lower clip.duration or clip.speed");
-  EXPECT_EQ(refusalOf("[simulation]\nmodel = \"recorded\"\nfile = \"g.csv\"\nchecksum = \"0\"\n"),
+  EXPECT_EQ(refusalOfRecording(
+                "[simulation]\nmodel = \"recorded\"\nfile = \"g.csv\"\nchecksum = \"0\"\n"),
             "a.toml:3:8: the file \"g.csv\" has changed: its checksum is " + checksumOf(kGyro) +
                 ", not 0; bring the file back, or leave simulation.checksum out");
   const std::string panels =
       "[clip]\nduration = 1\n[simulation]\nmodel = \"recorded\"\n"
       "[[panel]]\nlabel = \"a\"\nsimulation.file = \"g.csv\"\n"
       "[[panel]]\nlabel = \"b\"\nsimulation.file = \"no.csv\"\n";
-  EXPECT_EQ(refusalOf(panels), "a.toml:10:19: can't read no.csv: no such file");
+  EXPECT_EQ(refusalOfRecording(panels), "a.toml:10:19: can't read no.csv: no such file");
 }
 
 TEST(Recordings, NeedAFileAndNoStart) {
   EXPECT_EQ(
-      refusalOf("[simulation]\nmodel = \"recorded\"\n"),
+      refusalOfRecording("[simulation]\nmodel = \"recorded\"\n"),
       "a.toml:2:9: the model \"recorded\" needs simulation.file, a table of the motion (CSV)");
-  EXPECT_THAT(refusalOf(std::string(kRecorded) + kSpin),
+  EXPECT_THAT(refusalOfRecording(std::string(kRecorded) + kSpin),
               HasSubstr("[initial]: a recorded motion starts as its recording does; leave it out"));
-  EXPECT_THAT(refusalOf(std::string(kRecorded) + "[study]\n"),
+  EXPECT_THAT(refusalOfRecording(std::string(kRecorded) + "[study]\n"),
               HasSubstr("the model \"recorded\" takes no steps"));
-  EXPECT_THAT(refusalOf("[simulation]\nmodel = \"recorded\"\nintegrator = \"rk4\"\n"
-                        "file = \"g.csv\"\n"),
+  EXPECT_THAT(refusalOfRecording("[simulation]\nmodel = \"recorded\"\nintegrator = \"rk4\"\n"
+                                 "file = \"g.csv\"\n"),
               HasSubstr("the model \"recorded\" takes no steps; leave it out"));
 }
 

@@ -14,14 +14,13 @@ constexpr double kGauss = 0.28867513459481287;
 
 /// Returns the turn of the body in the gap after reading `index`, in the body's axes at its start.
 Eigen::Vector3d turnInGap(const std::vector<Rate>& rates, std::size_t index) {
-  constexpr std::size_t kAround = 4;
   const double start = rates[index].time;
   const double h = rates[index + 1].time - start;
+  const auto timeOf = [&](std::size_t i) { return rates[i].time; };
+  const Stencil stencil = stencilAround(index, rates.size(), timeOf);
   const auto rateAt = [&](double fraction) {
-    return polynomialAt(
-        start + fraction * h, firstAround(index, rates.size()), std::min(kAround, rates.size()),
-        [&](std::size_t i) { return rates[i].time; },
-        [&](std::size_t i) { return rates[i].angularVelocity; });
+    return polynomialAt(start + fraction * h, stencil, timeOf,
+                        [&](std::size_t i) { return rates[i].angularVelocity; });
   };
   const Eigen::Vector3d first = rateAt(0.5 - kGauss), second = rateAt(0.5 + kGauss);
   return h / 2 * (first + second) + kGauss / 2 * h * h * first.cross(second);

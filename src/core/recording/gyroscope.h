@@ -23,7 +23,7 @@ Eigen::Vector3d turnOf(const Eigen::Quaterniond& rotation);
 
 /// Integrates at least two rates at ascending times: the first attitude is the identity. Magnus
 /// method of order 4 (Iserles, Nørsett 1999) with the rates at Gauss points, from cubics through
-/// two readings on each side; the times needn't be even.
+/// two readings on each side; the times needn't be even, see stencilAround().
 std::vector<RecordedMoment> integrateRates(const std::vector<Rate>& rates);
 
 /// Sets the spin of at least two moments from their attitudes: the slope at each moment of the

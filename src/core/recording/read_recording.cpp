@@ -1,5 +1,6 @@
 #include "recording/read_recording.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -76,6 +77,17 @@ std::vector<double> timesOf(const CsvTable& table, const Columns& columns) {
   return times;
 }
 
+/// Refuses a turn since the row before that no reading could have followed.
+void requireFollowed(const CsvTable& table, std::size_t row, const std::vector<Rate>& rates) {
+  constexpr double kLargestTurn = 1000;  // [rad]
+  const Rate &before = rates[row - 1], &here = rates[row];
+  const double fastest = std::max(before.angularVelocity.norm(), here.angularVelocity.norm());
+  if (fastest * (here.time - before.time) <= kLargestTurn) return;
+  table.failAt(row,
+               "the body turns by more than 1000 rad since the row before; is the unit of the "
+               "time or of the rates another?");
+}
+
 std::vector<RecordedMoment> momentsOf(const CsvTable& table, const Columns& columns,
                                       const Eigen::Vector3d& bias) {
   const std::vector<double> times = timesOf(table, columns);
@@ -84,6 +96,7 @@ std::vector<RecordedMoment> momentsOf(const CsvTable& table, const Columns& colu
     std::vector<Rate> rates;
     for (std::size_t row = 0; row < times.size(); ++row) {
       rates.push_back({times[row], rateAt(table, row, columns) - bias});
+      if (row > 0) requireFollowed(table, row, rates);
     }
     return integrateRates(rates);
   }
@@ -94,7 +107,13 @@ std::vector<RecordedMoment> momentsOf(const CsvTable& table, const Columns& colu
     moments.back().angularVelocity =
         moments.back().attitude.conjugate() * rateAt(table, row, columns);
   }
-  if (!columns.rates) differentiateAttitudes(moments);
+  if (columns.rates) return moments;
+  differentiateAttitudes(moments);
+  for (std::size_t row = 0; row < moments.size(); ++row) {
+    if (!(moments[row].angularVelocity.norm() <= kLargestRate)) {
+      table.failAt(row, "the attitude changes by more than 1e9 rad/s");
+    }
+  }
   return moments;
 }
 

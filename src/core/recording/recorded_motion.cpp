@@ -9,8 +9,6 @@ const std::size_t kRecordedMomentSize = sizeof(RecordedMoment);
 
 namespace {
 
-constexpr std::size_t kAround = 4;
-
 /// Returns the change of the attitude with time. [1/s]
 Eigen::Vector4d changeOf(const RecordedMoment& moment) {
   const Eigen::Vector3d half = moment.angularVelocity / 2;
@@ -27,16 +25,14 @@ Eigen::Quaterniond attitudeBetween(const RecordedMoment& a, const RecordedMoment
   const Eigen::Vector4d slopes = u * v * v * h * changeOf(a) - u * u * v * h * changeOf(b);
   Eigen::Quaterniond attitude;
   attitude.coeffs() = ends + slopes;
+  // Turns of many rounds between two moments may cancel all of it.
+  constexpr double kNothing = 1e-9;
+  if (!(attitude.norm() > kNothing)) return a.attitude;
   attitude.normalize();
   return attitude;
 }
 
 }  // namespace
-
-std::size_t firstAround(std::size_t index, std::size_t count) {
-  const std::size_t most = count > kAround ? count - kAround : 0;
-  return std::min(index > 0 ? index - 1 : 0, most);
-}
 
 RecordedMotion::RecordedMotion(std::vector<RecordedMoment> moments) : moments_(std::move(moments)) {
   const Eigen::Quaterniond startFromWorld = moments_.front().attitude.conjugate();
@@ -66,10 +62,10 @@ RecordedMoment RecordedMotion::at(double time) const {
   RecordedMoment moment;
   moment.time = time;
   moment.attitude = attitudeBetween(a, *next, (time - a.time) / (next->time - a.time));
-  moment.angularVelocity = polynomialAt(
-      time, firstAround(index, moments_.size()), std::min(kAround, moments_.size()),
-      [this](std::size_t i) { return moments_[i].time; },
-      [this](std::size_t i) { return moments_[i].angularVelocity; });
+  const auto timeOf = [this](std::size_t i) { return moments_[i].time; };
+  moment.angularVelocity =
+      polynomialAt(time, stencilAround(index, moments_.size(), timeOf), timeOf,
+                   [this](std::size_t i) { return moments_[i].angularVelocity; });
   return moment;
 }
 

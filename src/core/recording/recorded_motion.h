@@ -1,6 +1,7 @@
 // A motion that was recorded, at any time within it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -40,14 +41,34 @@ class RecordedMotion {
   std::vector<RecordedMoment> moments_;
 };
 
-/// Returns the index of the first of up to four moments around the gap after `index`: one before
-/// it, and one after its end, as far as there are.
-std::size_t firstAround(std::size_t index, std::size_t count);
+/// Neighbouring moments.
+struct Stencil {
+  std::size_t first = 0, count = 0;
+};
 
-/// Returns the value at `time` of the polynomial through `count` values at their times.
+/// Returns up to four moments, at ascending times, around the gap after moment `index` of `count`:
+/// its ends, and one before and one after it or, at an end, two on the other side. Left out are
+/// those at gaps of less than a tenth of this one, and what lies beyond: a cubic through times that
+/// close together would swing.
+template <typename TimeOf>
+Stencil stencilAround(std::size_t index, std::size_t count, const TimeOf& timeOf) {
+  constexpr double kEven = 0.1;
+  constexpr std::size_t kMost = 4;
+  const double enough = kEven * (timeOf(index + 1) - timeOf(index));
+  const std::size_t lowest =
+      std::min(index > 0 ? index - 1 : 0, count > kMost ? count - kMost : std::size_t{0});
+  const std::size_t highest = std::min(lowest + kMost, count) - 1;
+  std::size_t first = index, last = index + 1;
+  while (first > lowest && timeOf(first) - timeOf(first - 1) >= enough) --first;
+  while (last < highest && timeOf(last + 1) - timeOf(last) >= enough) ++last;
+  return {first, last - first + 1};
+}
+
+/// Returns the value at `time` of the polynomial through the stencil's values at their times.
 template <typename ValueOf, typename TimeOf>
-Eigen::Vector3d polynomialAt(double time, std::size_t first, std::size_t count,
-                             const TimeOf& timeOf, const ValueOf& valueOf) {
+Eigen::Vector3d polynomialAt(double time, Stencil stencil, const TimeOf& timeOf,
+                             const ValueOf& valueOf) {
+  const std::size_t first = stencil.first, count = stencil.count;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = first; i < first + count; ++i) {
     double weight = 1;

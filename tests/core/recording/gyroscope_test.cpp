@@ -40,6 +40,19 @@ TEST(Gyroscope, IntegratesUnevenTimesAsWell) {
   EXPECT_GT(std::log2(coarse / fine), 3.8);  // measured 3.995
 }
 
+TEST(Gyroscope, DoesntSwingWhereTimesNearlyAgree) {
+  const rigid::ExactRotation motion = tumbling();
+  std::vector<Rate> rates = ratesOf(motion, 201, 0.01);
+  // Readings a microsecond after others, with noise
+  for (std::size_t i = 10; i < rates.size(); i += 10) {
+    Rate twin = rates[i];
+    twin.time += 1e-6;
+    twin.angularVelocity += Eigen::Vector3d(1e-3, -1e-3, 1e-3);
+    rates.insert(rates.begin() + static_cast<std::ptrdiff_t>(++i), twin);
+  }
+  EXPECT_LT(largestError(motion, integrateRates(rates)), 2e-3);
+}
+
 TEST(Gyroscope, TurnsAreTheInverseOfRotations) {
   for (const Eigen::Vector3d& turn : {Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1e-9, 0, 0),
                                       Eigen::Vector3d(0.3, -2, 1), Eigen::Vector3d(0, 3.1, 0)}) {

@@ -114,6 +114,8 @@ TEST(ReadRecording, NamesTheLineOfWhatItRefuses) {
             "m.csv:3: the time 1 s isn't after that of the row before");
   EXPECT_EQ(refusal(rates + "1,0,0,1\n"), "m.csv: a single row; a motion takes at least two");
   EXPECT_EQ(refusal(rates + "1,0,0,1\n2,0,0,2e9\n"), "m.csv:3: the rate is over 1e9 rad/s");
+  EXPECT_THAT(refusal(rates + "1,0,0,1\n2000,0,0,1\n"),
+              HasSubstr("m.csv:3: the body turns by more than 1000 rad since the row before"));
   EXPECT_EQ(refusal("t,qw,qx,qy,qz\n1,1,0,0,0\n2,1,1,0,0\n"),
             "m.csv:3: the quaternion's norm is 1.414, not 1");
   EXPECT_EQ(refusal("t,r11,r12,r13,r21,r22,r23,r31,r32,r33\n"

@@ -36,7 +36,7 @@ class Recorded : public ProgramTest {
 
   ChildResult judge(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), "judge");
-    arguments.insert(arguments.end(), {"--size", "0.15,0.22,0.04"});
+    arguments.insert(arguments.end(), {"--size", "0.15,0.22,0.04", "--to", "10"});
     return runWithoutGraphics(arguments);
   }
 };

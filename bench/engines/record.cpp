@@ -9,12 +9,12 @@
 #include <Eigen/Geometry>
 
 #include "base/error.h"
-#include "engines/comparison.h"
 
 namespace rotatebook::bench {
 namespace {
 
 constexpr int kRecordedASecond = 60;
+constexpr int kRecordedSeconds = 12;  // as long as the clip of them
 
 /// A mode that is recorded, and the name of its file.
 struct Recorded {
@@ -54,7 +54,7 @@ void record(const Motion& motion, const Family& family, const Mode& mode,
             const std::filesystem::path& file) {
   const std::unique_ptr<Engine> engine = mode.make(motion, 1.0 / kRecordedASecond);
   std::string text = headOf(motion, family, mode) + rowOf(0, engine->state());
-  for (int step = 1; step <= kDuration * kRecordedASecond; ++step) {
+  for (int step = 1; step <= kRecordedSeconds * kRecordedASecond; ++step) {
     engine->advance(1);
     text += rowOf(static_cast<double>(step) / kRecordedASecond, engine->state());
   }

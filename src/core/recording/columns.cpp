@@ -50,7 +50,7 @@ std::string plain(std::string_view name) {
 
 std::string smallText(std::string_view text) {
   std::string result(text);
-  std::ranges::transform(result, result.begin(), small);
+  for (char& letter : result) letter = small(letter);
   return result;
 }
 

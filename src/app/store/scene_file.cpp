@@ -47,7 +47,8 @@ std::vector<std::string> sceneNamesIn(const fs::path& folder) {
 std::string readNamedFile(const fs::path& folder, const fs::path& file, bool allowOutside) {
   const fs::path path = picture::pathOfNamedFile(folder, file, allowOutside);
   try {
-    return system::readFile(path, document::kLongestToml);
+    return system::readFile(
+        path, scene::isMeshFile(file.string()) ? scene::kLongestMesh : document::kLongestToml);
   } catch (const InputError& error) {
     throw InputError("can't read " + path.string() + ": " + error.what());
   }

@@ -15,6 +15,11 @@ namespace rotatebook::scene {
 /// "can't read FILE: CAUSE".
 using ReadNamedFile = std::function<std::string(const std::filesystem::path& file)>;
 
+/// Longest file of a mesh. [bytes]
+inline constexpr std::size_t kLongestMesh = 256 << 20;
+/// Returns whether a file that a scene names is a mesh, by its ending.
+bool isMeshFile(const std::string& name);
+
 /// Reads and validates the text of a scene. `path` names it in messages and gives Scene::name and
 /// Scene::folder; it isn't opened. Throws InputError with a line
 /// "FILE:LINE:COLUMN: PROBLEM" for each problem, in the order of the file, with the nearest valid
@@ -24,7 +29,8 @@ using ReadNamedFile = std::function<std::string(const std::filesystem::path& fil
 /// They count as part of the file; messages give their location as "--set KEY=VALUE". Setting one
 /// of initial.angular_velocity and initial.angular_momentum removes the other.
 ///
-/// `readNamedFile` reads the file that overlay.words may name; without it, such a name is refused.
+/// `readNamedFile` reads the files that overlay.words and body.mesh may name; without it, such a
+/// name is refused.
 Scene parseScene(std::string_view text, const std::filesystem::path& path,
                  std::span<const std::string> overrides = {},
                  const ReadNamedFile& readNamedFile = {});

@@ -40,7 +40,7 @@ const std::map<std::string, Room> kRooms{
     {"ensemble", {"core", {"base", "rigid", "physics"}, {"Eigen/"}}},
     {"geometry", {"core", {"base", "physics"}, {"Eigen/"}, {"rigid"}}},
     {"document", {"core", {"base"}, {"toml++/"}}},
-    {"scene", {"core", {"base", "rigid", "physics", "document"}, {"Eigen/"}}},
+    {"scene", {"core", {"base", "rigid", "body", "physics", "document"}, {"Eigen/"}}},
     {"timeline", {"core", {"base", "rigid", "physics", "geometry", "scene"}, {"Eigen/"}}},
     {"study", {"core", {"base", "rigid", "physics", "ensemble", "scene", "timeline"}, {}}},
     {"bridge",

@@ -74,7 +74,7 @@ void readBody(const ValueReader& section, Motion& motion) {
 }
 
 std::string bodyLines(const Motion& motion) {
-  if (motion.solid.isBook()) return linesOf(bodyKeys(), motion);
+  if (motion.solid.isBook()) return linesOf(bodyKeys(), motion.motion());
   std::string lines = linesOf(solidKeys(), motion.solid);
   const BodyPart* shape = motion.solid.isShape ? &motion.solid.parts.front() : nullptr;
   if (shape != nullptr && shape->density && !motion.solid.mass)

@@ -31,6 +31,7 @@ void addSceneCommand(CLI::App& program, Action& action);
 void addListCommand(CLI::App& program, Action& action);
 void addNewCommand(CLI::App& program, Action& action);
 void addSpinCommand(CLI::App& program, Action& action);
+void addBodyCommand(CLI::App& program, Action& action);
 void addHelpCommand(CLI::App& program, Action& action);
 void addVersionCommand(CLI::App& program, Action& action);
 

@@ -42,6 +42,7 @@ void addCommands(CLI::App& program, Action& action) {
   addSubmitCommand(program, action);
   addStatusCommand(program, action);
   addSpinCommand(program, action);
+  addBodyCommand(program, action);
   addPageCommand(program, action);
   addStillCommand(program, action);
   addSheetCommand(program, action);
@@ -119,7 +120,7 @@ void addCommonOptions(CLI::App& program, bool& quiet) {
 /// Returns whether `command` was asked for something on the standard output, not for a report.
 bool printsResult(const CLI::App& command) {
   const std::string& name = command.get_name();
-  for (const char* one : {"scene", "list", "spin", "help", "version", "status"}) {
+  for (const char* one : {"scene", "list", "spin", "body", "help", "version", "status"}) {
     if (name == one) return true;
   }
   for (const char* one : {"--json", "--plan", "--dry-run"}) {

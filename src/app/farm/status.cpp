@@ -18,7 +18,7 @@ using Kind = TaskState::Kind;
 /// The jobs of a plan's tasks that the cluster knows, by task.
 using Queue = std::map<std::int64_t, QueuedJob>;
 constexpr std::int64_t kJoin = 0;
-/// What an array's cancelling left of it: the tasks that hadn't begun, as one job without a number.
+/// The rest of an array that was cancelled, tasks that hadn't begun: one job without a number.
 constexpr std::int64_t kRest = -1;
 
 std::int64_t taskOf(const QueuedJob& job, const Jobs& jobs) {

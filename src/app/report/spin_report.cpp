@@ -8,6 +8,7 @@
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
+#include "report/vector_json.h"
 #include "scene/names.h"
 
 namespace rotatebook::report {
@@ -127,10 +128,6 @@ std::vector<Line> linesOn(const SpinNumbers& numbers) {
 std::string equalText(EqualMoments equal) {
   constexpr std::array<const char*, 4> kTexts{"none", "two smallest", "two largest", "all"};
   return kTexts[static_cast<std::size_t>(equal)];
-}
-
-std::string vectorJson(const Eigen::Vector3d& vector) {
-  return jsonArrayOf(std::array{vector.x(), vector.y(), vector.z()}, shortestText);
 }
 
 std::string eulerJson(const std::optional<timeline::EulerSteps>& euler) {

@@ -1,4 +1,4 @@
-// Whether a mesh is the surface of a body.
+// A test of a mesh: is it the surface of a body?
 #pragma once
 
 #include <cstddef>

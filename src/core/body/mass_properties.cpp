@@ -26,7 +26,7 @@ class Sum {
   double high_ = 0, low_ = 0;
 };
 
-/// Where a mesh is, and how large.
+/// The place and the size of a mesh.
 struct Extent {
   Vector3d middle{0, 0, 0};
   double scale = 1;  ///< A power of two, so that scaling is exact.

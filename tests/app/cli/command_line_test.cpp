@@ -42,7 +42,7 @@ TEST_P(HelpText, ShowsAnExampleOfTheCommand) {
 INSTANTIATE_TEST_SUITE_P(Commands, HelpText,
                          ::testing::Values("render", "simulate", "study", "still", "diff", "check",
                                            "scene", "assemble", "list", "doctor", "verify", "rerun",
-                                           "help", "version", "sheet", "bench", "spin", "new"),
+                                           "help", "version", "sheet", "bench", "spin", "body", "new"),
                          [](const auto& command) { return std::string(command.param); });
 
 TEST_P(HelpText, IsThatOfTheCommandHelp) {
@@ -63,7 +63,7 @@ TEST_F(CommandLine, HelpNamesCommandsExamplesAndExitStatus) {
   const ChildResult result = run({"--help"});
   EXPECT_EQ(result.status, 0);
   for (const char* command : {"render", "simulate", "study", "still", "diff", "check", "scene",
-                              "assemble", "list", "doctor", "verify", "rerun", "spin", "new"}) {
+                              "assemble", "list", "doctor", "verify", "rerun", "spin", "body", "new"}) {
     EXPECT_THAT(result.output, HasSubstr("\n  " + std::string(command) + " "));
   }
   EXPECT_THAT(result.output, AllOf(HasSubstr("\n  rotatebook render scenes/starter.toml\n"),
@@ -85,7 +85,7 @@ TEST_F(CommandLine, HelpHasGroups) {
 }
 
 TEST_F(CommandLine, OptionsOfPicturesAreHiddenWhereNothingIsDrawn) {
-  for (const char* command : {"simulate", "study", "spin"}) {
+  for (const char* command : {"simulate", "study", "spin", "body"}) {
     EXPECT_THAT(run({"help", command}).output, AllOf(HasSubstr("--set"), Not(HasSubstr("--size")),
                                                      Not(HasSubstr("--allow-outside"))));
   }

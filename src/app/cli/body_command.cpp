@@ -1,0 +1,122 @@
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/error.h"
+#include "base/number_text.h"
+#include "base/text.h"
+#include "base/units.h"
+#include "body/closed_surface.h"
+#include "body/mass_properties.h"
+#include "body/mesh_readers.h"
+#include "cli/commands.h"
+#include "cli/exit_code.h"
+#include "cli/scene_options.h"
+#include "physics/motion_start.h"
+#include "report/body_report.h"
+#include "system/read_file.h"
+
+namespace rotatebook::cli {
+namespace {
+
+constexpr std::uintmax_t kMaxMesh = 256 << 20;  // [bytes]
+constexpr double kWater = 1000;                 // [kg/m^3]
+
+struct BodyOptions {
+  std::optional<double> density, mass;
+  std::string unit = "m";
+  bool json = false;
+  SceneOptions scene;
+};
+
+double unitOf(const std::string& unit) {
+  const auto metres = parseQuantity("1 " + unit, Dimension::Length);
+  if (metres) return *metres;
+  throw InputError("--unit " + oneLine(unit, 40) + ": not a unit of length; there are " +
+                   joinedOf(unitsOf(Dimension::Length),
+                            [](std::string_view name) { return std::string(name); }));
+}
+
+void requirePositive(const char* option, const std::optional<double>& value) {
+  if (value && !(*value > 0 && *value < 1e60))
+    throw InputError(std::string(option) + " " + shortestText(*value) + ": must be above 0");
+}
+
+std::string meshBytes(const std::string& path) {
+  try {
+    return system::readFile(path, kMaxMesh);
+  } catch (const InputError& error) {
+    throw InputError("can't read " + oneLine(path, 200) + ": " + error.what());
+  }
+}
+
+report::BodyNumbers bodyOfMesh(const std::string& path, const BodyOptions& options) {
+  if (options.density && options.mass)
+    throw InputError("--density and --mass: one follows from the other; name one of them");
+  requirePositive("--density", options.density);
+  requirePositive("--mass", options.mass);
+  const double unit = unitOf(options.unit);
+  body::TriangleMesh mesh = body::readMesh(path, meshBytes(path));
+  try {
+    body::requireClosed(mesh);
+    for (Eigen::Vector3d& point : mesh.points) point *= unit;
+    double density = options.density.value_or(kWater);
+    if (options.mass) density = *options.mass / body::massPropertiesOf(mesh, 1).volume;
+    return {path, body::massPropertiesOf(mesh, density),
+            report::BodySurface{mesh.triangles.size(), body::countShells(mesh)}};
+  } catch (const InputError& error) {
+    throw InputError(oneLine(path, 200) + ": " + error.what());
+  }
+}
+
+report::BodyNumbers bodyOfScene(const std::string& path, const BodyOptions& options) {
+  if (options.density || options.mass || options.unit != "m")
+    throw InputError("--density, --mass and --unit are a mesh's; " + path +
+                     " has a body of its own");
+  const scene::Scene scene = options.scene.read(path);
+  const physics::MotionSettings motion =
+      scene.panels.empty() ? scene.motion() : scene.panels.front().motion();
+  const rigid::PrincipalAxes inertia = physics::modelInertia(motion);
+  const Eigen::Matrix3d& axes = inertia.bodyFromPrincipal;
+  return {scene.name,
+          {motion.body.size.prod(),
+           motion.body.mass,
+           {0, 0, 0},
+           axes * inertia.moments.asDiagonal() * axes.transpose()}};
+}
+
+}  // namespace
+
+void addBodyCommand(CLI::App& program, Action& action) {
+  auto path = std::make_shared<std::string>();
+  auto options = std::make_shared<BodyOptions>();
+  CLI::App* command =
+      program.add_subcommand("body", "Print the mass, centre and inertia of a body");
+  command->add_option("SCENE|MESH", *path, "Scene file, or a mesh: .obj, .stl, .ply or .glb")
+      ->required();
+  command->add_option("--density", options->density,
+                      "Density of a mesh [kg/m^3]; 1000, that of water, without --mass");
+  command->add_option("--mass", options->mass, "Mass of a mesh [kg], in place of a density");
+  command->add_option("--unit", options->unit, "Unit of a mesh's coordinates: m, cm, mm, in ...")
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "Print one JSON object");
+  options->scene.addTo(*command, /*draws=*/false);
+  command->footer(R"(
+The mesh must be closed, and face outward; a broken one is refused with the edge or triangle, and
+nothing is repaired in silence. Moments are about the centre of mass.
+
+Examples:
+  rotatebook body part.stl --unit mm --density 2700
+  rotatebook body scenes/starter.toml --json)");
+  command->callback([path, options, &action] {
+    action = [path, options] {
+      const bool isMesh = body::isMeshName(*path);
+      const auto numbers = isMesh ? bodyOfMesh(*path, *options) : bodyOfScene(*path, *options);
+      (options->json ? report::reportBodyAsJson : report::reportBody)(numbers, std::cout);
+      return kDone;
+    };
+  });
+}
+
+}  // namespace rotatebook::cli

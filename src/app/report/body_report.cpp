@@ -1,0 +1,123 @@
+#include "report/body_report.h"
+
+#include <array>
+#include <cmath>
+#include <ostream>
+
+#include <Eigen/Geometry>
+
+#include "base/json.h"
+#include "base/number_text.h"
+#include "base/text.h"
+#include "report/vector_json.h"
+#include "rigid/inertia.h"
+#include "rigid/regime.h"
+
+namespace rotatebook::report {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+/// Principal moments, smallest first, and their axes as columns, right-handed.
+struct SortedAxes {
+  Vector3d moments;
+  Matrix3d axes;
+};
+
+SortedAxes sortedAxes(const Matrix3d& inertia) {
+  const rigid::PrincipalAxes principal = rigid::principalAxes(inertia);
+  const auto order = rigid::axesByInertia(principal.moments);
+  SortedAxes sorted;
+  for (int i = 0; i < 3; ++i) {
+    const int from = order[static_cast<std::size_t>(i)];
+    sorted.moments[i] = principal.moments[from];
+    sorted.axes.col(i) = principal.bodyFromPrincipal.col(from);
+  }
+  if (sorted.axes.determinant() < 0) sorted.axes.col(2) *= -1;
+  sorted.axes.array() += 0.0;  // No -0
+  return sorted;
+}
+
+/// Returns the vector for people: components that are only rounding, beside `scale`, are 0.
+std::string bodyVectorText(const Vector3d& vector, double scale, int digits) {
+  return "(" +
+         joinedOf(vector,
+                  [&](double number) {
+                    return roundedText(std::fabs(number) < 1e-12 * scale ? 0 : number, digits);
+                  }) +
+         ")";
+}
+
+/// Returns the rate at which a deviation from a spin about the middle axis grows, as a share of the
+/// spin: lambda = w sqrt((I2 - I1)(I3 - I2)/(I1 I3)).
+double growthOf(const Vector3d& moments) {
+  return std::sqrt((moments[1] - moments[0]) * (moments[2] - moments[1]) /
+                   (moments[0] * moments[2]));
+}
+
+}  // namespace
+
+void reportBody(const BodyNumbers& numbers, std::ostream& output) {
+  const body::MassProperties& body = numbers.properties;
+  const auto [moments, axes] = sortedAxes(body.inertia);
+  output << numbers.name << ": ";
+  if (numbers.surface) {
+    output << numbers.surface->triangles << " triangles, "
+           << (numbers.surface->shells == 1
+                   ? "one closed surface"
+                   : std::to_string(numbers.surface->shells) +
+                         " closed surfaces; where they overlap, or lie within each other, mass "
+                         "counts twice");
+  } else {
+    output << "a body in closed form";
+  }
+  output << "\n  volume   " << roundedText(body.volume, 6) << " m^3\n  mass     "
+         << roundedText(body.mass, 6) << " kg\n  centre   "
+         << bodyVectorText(body.centre, std::cbrt(body.volume), 6)
+         << " m\n  inertia  about the centre [kg m^2]\n";
+  for (int row = 0; row < 3; ++row)
+    output << "           " << bodyVectorText(body.inertia.row(row), moments[2], 6) << '\n';
+  constexpr std::array kNames{"smallest", "middle  ", "largest "};
+  for (int i = 0; i < 3; ++i) {
+    output << "  " << kNames[static_cast<std::size_t>(i)] << " moment "
+           << roundedText(moments[i], 6) << " kg m^2, about " << bodyVectorText(axes.col(i), 1, 4)
+           << '\n';
+  }
+  const double growth = growthOf(moments);
+  if (growth > 1e-6) {
+    output << "  a spin of w about the middle axis is unstable: deviations grow as e^("
+           << roundedText(growth, 4) << " w t)\n";
+  } else {
+    output << "  two moments are equal, or nearly so: no spin is unstable\n";
+  }
+}
+
+void reportBodyAsJson(const BodyNumbers& numbers, std::ostream& output) {
+  const body::MassProperties& body = numbers.properties;
+  const auto [moments, axes] = sortedAxes(body.inertia);
+  const auto rowsOf = [](const Matrix3d& matrix) {
+    return jsonArrayOf(std::array{0, 1, 2}, [&](int row) { return vectorJson(matrix.row(row)); });
+  };
+  JsonObject json;
+  json.addString("name", numbers.name);
+  json.addNumber("volume_m3", body.volume);
+  json.addNumber("mass_kg", body.mass);
+  json.add("centre_m", vectorJson(body.centre));
+  json.add("inertia_kgm2", rowsOf(body.inertia));
+  json.add("principal_moments_kgm2", vectorJson(moments));
+  json.add("principal_axes", rowsOf(axes.transpose()));
+  const auto count = [&](const char* key, std::size_t BodySurface::*member) {
+    if (!numbers.surface) {
+      json.add(key, "null");
+    } else {
+      json.addInteger(key, static_cast<std::int64_t>((*numbers.surface).*member));
+    }
+  };
+  count("triangles", &BodySurface::triangles);
+  count("shells", &BodySurface::shells);
+  json.addBool("closed", true);
+  output << json.text() << '\n';
+}
+
+}  // namespace rotatebook::report

@@ -1,0 +1,70 @@
+// rotatebook body, which prints the mass properties of meshes and scenes.
+#include <string>
+
+#include "cli/program_test.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class Body : public ProgramTest {
+ protected:
+  /// Writes a box of 20 x 30 x 60 mm, in millimetres, without its last `missing` sides.
+  void writeBox(const std::string& name, std::size_t missing = 0) const {
+    std::string obj;
+    for (int i = 0; i < 8; ++i) {
+      obj += std::string("v ") + ((i & 1) != 0 ? "20 " : "0 ") + ((i & 2) != 0 ? "30 " : "0 ") +
+             ((i & 4) != 0 ? "60\n" : "0\n");
+    }
+    const std::string sides[] = {"1 5 7 3", "2 4 8 6", "1 2 6 5", "3 7 8 4", "1 3 4 2", "5 6 8 7"};
+    for (std::size_t i = 0; i + missing < std::size(sides); ++i) obj += "f " + sides[i] + '\n';
+    write(name, obj);
+  }
+  void expectRefused(const std::vector<std::string>& words, const std::string& message) const {
+    const ChildResult result = run(words);
+    EXPECT_EQ(result.status, 2);
+    EXPECT_THAT(result.output, IsEmpty());
+    EXPECT_THAT(result.error, HasSubstr(message));
+  }
+};
+
+TEST_F(Body, MeasuresAMesh) {
+  writeBox("box.obj");
+  const ChildResult result = run({"body", "box.obj", "--unit", "mm", "--density", "2500"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("box.obj: 12 triangles, one closed surface\n"),
+                    HasSubstr("volume   3.6e-05 m^3\n"), HasSubstr("mass     0.09 kg\n"),
+                    HasSubstr("centre   (0.01, 0.015, 0.03) m\n"),
+                    HasSubstr("smallest moment 9.75e-06 kg m^2, about (0, 0, 1)\n")));
+  EXPECT_EQ(run({"body", "box.obj", "--unit=mm", "--mass=0.09"}).output, result.output);
+  EXPECT_THAT(run({"body", "box.obj", "--unit", "cm"}).output, HasSubstr("mass     36 kg"));
+}
+
+TEST_F(Body, MeasuresTheBookOfAScene) {
+  const ChildResult result = run({"body", "tiny.toml", "--json", "--set", "body.mass=2"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.output, AllOf(HasSubstr(R"("name": "tiny", )"), HasSubstr(R"("mass_kg": 2, )"),
+                                   HasSubstr(R"("triangles": null)")));
+}
+
+TEST_F(Body, RefusesWhatItCannotMeasure) {
+  writeBox("open.obj", 1);
+  writeBox("box.obj");
+  write("a.glb", "glTF");
+  expectRefused({"body", "open.obj"},
+                "rotatebook: open.obj: the edge from (0, 0, 60) to (20, 0, 60) belongs to triangle "
+                "6 alone: the surface is open there; close the hole\n");
+  expectRefused({"body", "a.glb"}, "rotatebook: a.glb: it doesn't begin with \"glTF\"");
+  expectRefused({"body", "no.stl"}, "rotatebook: can't read no.stl: No such file or directory\n");
+  expectRefused({"body", "box.obj", "--unit", "ell"}, "there are m, cm, mm, in\n");
+  expectRefused({"body", "box.obj", "--density", "0"}, "--density 0: must be above 0\n");
+  expectRefused({"body", "box.obj", "--mass", "1", "--density", "1"}, "name one of them\n");
+  expectRefused({"body", "tiny.toml", "--density", "1"}, "tiny.toml has a body of its own\n");
+}
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

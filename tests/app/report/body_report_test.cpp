@@ -1,0 +1,73 @@
+#include "report/body_report.h"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace rotatebook::report {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A body whose axes of the largest, smallest and middle moment are x, y and z.
+BodyNumbers body() {
+  BodyNumbers numbers{"b.stl", {0.5, 2, {1, 1e-20, -3}}, BodySurface{12, 1}};
+  numbers.properties.inertia = Eigen::Vector3d(4, 2, 3).asDiagonal();
+  numbers.properties.inertia(0, 1) = numbers.properties.inertia(1, 0) = 1e-18;
+  return numbers;
+}
+
+std::string printed(void (*report)(const BodyNumbers&, std::ostream&), const BodyNumbers& numbers) {
+  std::ostringstream output;
+  report(numbers, output);
+  return output.str();
+}
+
+TEST(BodyReport, SaysWhatTheBodyIs) {
+  EXPECT_EQ(printed(reportBody, body()),
+            "b.stl: 12 triangles, one closed surface\n"
+            "  volume   0.5 m^3\n"
+            "  mass     2 kg\n"
+            "  centre   (1, 0, -3) m\n"
+            "  inertia  about the centre [kg m^2]\n"
+            "           (4, 0, 0)\n"
+            "           (0, 2, 0)\n"
+            "           (0, 0, 3)\n"
+            "  smallest moment 2 kg m^2, about (0, 1, 0)\n"
+            "  middle   moment 3 kg m^2, about (0, 0, 1)\n"
+            "  largest  moment 4 kg m^2, about (1, 0, 0)\n"
+            "  a spin of w about the middle axis is unstable: deviations grow as e^(0.3536 w t)\n");
+}
+
+TEST(BodyReport, SaysWhatCountsTwice) {
+  BodyNumbers two = body();
+  two.surface->shells = 2;
+  EXPECT_THAT(printed(reportBody, two), HasSubstr("2 closed surfaces; where they overlap"));
+}
+
+TEST(BodyReport, KnowsABodyThatNeverTumbles) {
+  BodyNumbers disc = body();
+  disc.properties.inertia = Eigen::Vector3d(1, 1, 2).asDiagonal();
+  disc.surface.reset();
+  EXPECT_THAT(printed(reportBody, disc), HasSubstr("no spin is unstable"));
+  EXPECT_THAT(printed(reportBody, disc), HasSubstr("a body in closed form"));
+}
+
+TEST(BodyReport, HasTheSameAsJson) {
+  BodyNumbers numbers = body();
+  numbers.properties.inertia = Eigen::Vector3d(4, 2, 3).asDiagonal();
+  EXPECT_EQ(printed(reportBodyAsJson, numbers),
+            R"({"name": "b.stl", "volume_m3": 0.5, "mass_kg": 2, "centre_m": [1, 1e-20, -3], )"
+            R"("inertia_kgm2": [[4, 0, 0], [0, 2, 0], [0, 0, 3]], )"
+            R"("principal_moments_kgm2": [2, 3, 4], )"
+            R"("principal_axes": [[0, 1, 0], [0, 0, 1], [1, 0, 0]], )"
+            R"("triangles": 12, "shells": 1, "closed": true})"
+            "\n");
+  numbers.surface.reset();
+  EXPECT_THAT(printed(reportBodyAsJson, numbers),
+              HasSubstr(R"("triangles": null, "shells": null)"));
+}
+
+}  // namespace
+}  // namespace rotatebook::report

@@ -1,0 +1,6 @@
+#include "fuzz/read_mesh.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  rotatebook::fuzzing::readMeshOrRefuse("a.stl", bytes, size);
+  return 0;
+}

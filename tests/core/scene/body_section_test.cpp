@@ -39,7 +39,7 @@ TEST(BodySection, AShapeDecidesSizeMassAndInertia) {
   EXPECT_FALSE(scene.solid.isBook());
   EXPECT_NEAR(scene.body.mass, 0.09771609789725692, 1e-15);
   ASSERT_TRUE(scene.inertia);
-  EXPECT_NEAR((*scene.inertia)(1, 1) / 8.025748840628036e-05, 1, 4e-8);  // measured 3e-8
+  EXPECT_NEAR((*scene.inertia)(1, 1) / 8.025748840628036e-05, 1, 4e-9);  // measured 8e-10
   EXPECT_NEAR(scene.body.size.x(), 0.12, 1e-15);
   EXPECT_NEAR(scene.body.size.y(), 0.076, 1e-5);  // measured 8e-7, as facets' corners stick out
 }

@@ -1,4 +1,4 @@
-// A telephone: a plate with round corners in the plane x y; 171 g.
+// A telephone: a plate with round corners in the plane x y; 168 g.
 #include <vector>
 
 #include "base/elementary.h"

@@ -179,6 +179,17 @@ Key<Solid> meshKey() {
        .allowed = "the name of a file: .obj, .stl, .ply or .glb"}};
 }
 
+Key<Solid> unitKey() {
+  Key<Solid> key =
+      keyAt<Solid>("unit", [](auto& solid) -> auto& { return solid.mesh.unit; }, oneOf(kMeshUnits),
+                   {.meaning = "of the mesh's lengths", .byDefault = "`\"m\"`"});
+  // Of other bodies, no unit is printed.
+  key.text = [text = key.text](const Solid& solid) {
+    return solid.mesh.name.empty() ? std::string() : text(solid);
+  };
+  return key;
+}
+
 /// Returns the text of a solid's key, of shapes alone.
 template <typename Text>
 auto ofShape(const Text& text) {
@@ -203,8 +214,7 @@ const Keys<Solid>& solidKeys() {
        ofShape(lengthsText),
        {.meaning = "of the shape [m]", .byDefault = "the shape's", .allowed = kExpectedLengths}},
       meshKey(),
-      keyAt<Solid>("unit", [](auto& solid) -> auto& { return solid.mesh.unit; }, oneOf(kMeshUnits),
-                   {.meaning = "of the mesh's lengths", .byDefault = "`\"m\"`"}),
+      unitKey(),
       key("density", &Solid::density, number(kDensities),
           {.meaning = "of a shape or a mesh, in place of `mass` [kg/m³]",
            .byDefault = "the shape's"}),

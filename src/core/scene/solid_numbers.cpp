@@ -1,5 +1,8 @@
 #include "scene/solid_numbers.h"
 
+#include <cmath>
+#include <vector>
+
 #include "base/elementary.h"
 #include "base/error.h"
 #include "body/closed_surface.h"
@@ -65,6 +68,18 @@ SolidNumbers numbersOfParts(const std::vector<BodyPart>& parts) {
   return {sum, box.size()};
 }
 
+/// Sets products of inertia that rounding alone makes to 0, so that a spin about an axis of a
+/// symmetric body is exactly about it.
+void clearRounding(Matrix3d& inertia) {
+  constexpr double kRounding = 1e-15;  // Of the largest moment; measured 2e-16.
+  const double least = kRounding * inertia.diagonal().maxCoeff();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (i != j && std::fabs(inertia(i, j)) < least) inertia(i, j) = 0;
+    }
+  }
+}
+
 SolidNumbers numbersOfMesh(const MeshFile& mesh, double density) {
   const double u = mesh.unit, cubed = u * u * u;
   return {multiplied({mesh.volume * cubed, mesh.volume * cubed, Vector3d::Zero(),
@@ -94,6 +109,7 @@ SolidNumbers numbersOf(const Solid& solid) {
                              : numbersOfMesh(solid.mesh, solid.density.value_or(1));
   MassProperties& properties = numbers.properties;
   if (solid.mass) properties = multiplied(properties, *solid.mass / properties.mass);
+  clearRounding(properties.inertia);
   rigid::checkInertia(properties.inertia);
   return numbers;
 }

@@ -51,7 +51,7 @@ TEST(BodySection, ABookIsAsBefore) {
 }
 
 TEST(BodySection, IsPrintedAndReadBack) {
-  for (const std::string lines :
+  for (const std::string& lines :
        {std::string(kHandle),
         std::string("[body]\nshape = \"cylinder\"\ndimensions = { radius = 0.1 }\nmass = 3"),
         std::string("[body]\nshape = \"disc\"\ndensity = 7.5"),

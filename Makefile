@@ -11,7 +11,7 @@ export TSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/tsan.supp
 export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0:use_tls=0
 
 .DEFAULT_GOAL := help
-.PHONY: help play test-play setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render scene-given bench bench-peers bench-physics bench-engines format-check lint textures install portable clean
+.PHONY: help play test-play setup setup-test configure configure-test build program figures test test-rooms fuzz coverage gallery render scene-given bench bench-peers bench-physics bench-engines record-engines format-check lint textures install portable clean
 
 help:
 	@echo 'make figures             make every figure, comparison, study and map in $(OUT)/, each checked,'
@@ -29,6 +29,7 @@ help:
 	@echo 'make bench-peers         install and run the programs that make bench compares with'
 	@echo 'make bench-physics       measure a step of each integrator'
 	@echo 'make bench-engines       compare with Bullet, ODE, MuJoCo and Simbody: error, drift, speed'
+	@echo 'make record-engines      record their motions anew in scenes/comparisons/recordings'
 	@echo 'make lint                check format, compile each header alone and run the static analyser'
 	@echo 'make gallery             draw docs/gallery.png, the picture in docs/figures.md, anew'
 	@echo 'make textures            draw the cover anew (see assets/README.md)'
@@ -154,6 +155,13 @@ bench-engines: setup-test
 	@cmake --preset release -B build/engines -DROTATEBOOK_ENGINES=ON >/dev/null
 	@cmake --build build/engines --target rotatebook_engines_bench
 	build/engines/bench/engines/rotatebook_engines_bench
+
+# The recordings in scenes/comparisons/recordings, by the engines that are installed.
+record-engines: setup-test
+	@scripts/setup.sh scripts/packages-engines.txt
+	@cmake --preset release -B build/engines -DROTATEBOOK_ENGINES=ON >/dev/null
+	@cmake --build build/engines --target rotatebook_engines_bench
+	build/engines/bench/engines/rotatebook_engines_bench --record scenes/comparisons/recordings
 
 # How many of the program's lines the tests run; docs/coverage.md says which they don't, and why. Where a test limits the size of
 # files, counters can't be written, which would be reported among the program's own words.

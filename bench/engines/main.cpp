@@ -1,11 +1,13 @@
 // One table of this program's integrators and the engines that people use: the same book, the same
 // spin, the same steps, in one run. Compare the times of one run with each other, not with those of
-// another machine or day.
+// another machine or day. With --record FOLDER it writes the engines' motions instead.
 #include <cmath>
 #include <cstdio>
 #include <exception>
 #include <numbers>
+#include <string_view>
 
+#include "engines/record.h"
 #include "engines/table.h"
 
 namespace rotatebook::bench {
@@ -37,9 +39,14 @@ std::vector<Family> families() {
 }  // namespace
 }  // namespace rotatebook::bench
 
-int main() {
+int main(int argc, char** argv) {
+  using namespace rotatebook::bench;
   try {
-    rotatebook::bench::printTable(rotatebook::bench::flippingBook(), rotatebook::bench::families());
+    if (argc == 3 && argv[1] == std::string_view("--record")) {
+      recordEngines(flippingBook(), families(), argv[2]);
+    } else {
+      printTable(flippingBook(), families());
+    }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "rotatebook_engines_bench: %s\n", error.what());
     return 3;

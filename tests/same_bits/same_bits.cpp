@@ -30,9 +30,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string textOf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 scene::Scene readScene(const fs::path& file) {
-  std::ifstream stream(file);
-  return scene::parseScene(std::string(std::istreambuf_iterator<char>(stream), {}), file);
+  return scene::parseScene(textOf(file), file, {}, [&](const fs::path& named, std::size_t) {
+    return textOf(file.parent_path() / named);
+  });
 }
 
 // A blank and the checksum of the study's tables, empty where the scene has none.

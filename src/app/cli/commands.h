@@ -32,6 +32,8 @@ void addListCommand(CLI::App& program, Action& action);
 void addNewCommand(CLI::App& program, Action& action);
 void addSpinCommand(CLI::App& program, Action& action);
 void addBodyCommand(CLI::App& program, Action& action);
+void addJudgeCommand(CLI::App& program, Action& action);
+void addTossCommand(CLI::App& program, Action& action);
 void addHelpCommand(CLI::App& program, Action& action);
 void addVersionCommand(CLI::App& program, Action& action);
 

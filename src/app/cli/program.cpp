@@ -43,6 +43,8 @@ void addCommands(CLI::App& program, Action& action) {
   addStatusCommand(program, action);
   addSpinCommand(program, action);
   addBodyCommand(program, action);
+  addJudgeCommand(program, action);
+  addTossCommand(program, action);
   addPageCommand(program, action);
   addStillCommand(program, action);
   addSheetCommand(program, action);
@@ -120,7 +122,8 @@ void addCommonOptions(CLI::App& program, bool& quiet) {
 /// Returns whether `command` was asked for something on the standard output, not for a report.
 bool printsResult(const CLI::App& command) {
   const std::string& name = command.get_name();
-  for (const char* one : {"scene", "list", "spin", "body", "help", "version", "status"}) {
+  for (const char* one :
+       {"scene", "list", "spin", "body", "judge", "toss", "help", "version", "status"}) {
     if (name == one) return true;
   }
   for (const char* one : {"--json", "--plan", "--dry-run"}) {

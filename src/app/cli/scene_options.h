@@ -31,7 +31,7 @@ struct SceneOptions {
   void addChecksum(CLI::App& command);
   /// Reads a scene with these options applied, then `shorthands`. Throws InputError.
   scene::Scene read(const std::string& path, std::vector<Shorthand> shorthands = {}) const;
-  /// Reads a scene likewise from text; it is named `name`.
+  /// Reads a scene likewise from text, without the files that it names; it is called `name`.
   scene::Scene parse(std::string_view text, const std::string& name) const;
 
  private:

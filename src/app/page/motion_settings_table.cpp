@@ -24,18 +24,16 @@ std::string vectorText(const Eigen::Vector3d& vector) {
   return "(" + number(vector.x()) + ", " + number(vector.y()) + ", " + number(vector.z()) + ")";
 }
 
-bool takesSteps(const physics::SimulationSettings& settings) {
-  return settings.model != physics::Model::Exact;
-}
-
 std::string integratorText(const scene::Panel& motion) {
-  if (!takesSteps(motion.simulation)) return "closed form";
+  if (!physics::takesSteps(motion.simulation.model)) {
+    return motion.simulation.model == physics::Model::Exact ? "closed form" : "recorded";
+  }
   return joined({std::string(scene::nameOf(scene::kIntegrators, motion.simulation.integrator)),
                  joined(scene::correctionTexts(motion.simulation))});
 }
 
 std::string stepText(const scene::Panel& motion) {
-  if (!takesSteps(motion.simulation)) return "";
+  if (!physics::takesSteps(motion.simulation.model)) return "";
   return number(1e3 * motion.simulation.timePerFrame / motion.simulation.substeps) + " ms";
 }
 

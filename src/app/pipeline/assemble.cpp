@@ -39,6 +39,15 @@ store::FrameRange wholeRange(const fs::path& folder) {
   return {indices.front(), indices.back() + 1};
 }
 
+/// Returns the number of frames of the scene's whole clip. Recorded motions never diverge, and
+/// their files needn't be here.
+std::int64_t wholeFrameCount(const scene::Scene& scene) {
+  const bool isRecorded = std::ranges::any_of(scene::motionsOf(scene), [](const auto& panel) {
+    return panel.simulation.model == physics::Model::Recorded;
+  });
+  return isRecorded ? scene.clip.frameCount() : timeline::simulateScene(scene).frameCount();
+}
+
 /// The settings and the frames of the video.
 struct Source {
   video::VideoSettings settings;
@@ -54,7 +63,7 @@ Source sourceFor(const fs::path& folder, store::FrameRange range,
     }
     const std::string record = store::readSceneText(sceneCopy);
     const scene::Scene scene = scene::parseScene(record, sceneCopy);
-    const Assembled made{range, timeline::simulateScene(scene).frameCount()};
+    const Assembled made{range, wholeFrameCount(scene)};
     return {
         store::videoSettings(scene, made.isPart() ? store::recordOfPart(record, range) : record),
         made};

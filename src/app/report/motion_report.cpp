@@ -52,9 +52,9 @@ std::string motionJson(const MotionSummary& summary) {
   return JsonObject()
       .addStringOrNull("label", summary.motion.label)
       .addString("model", nameOf(scene::kModels, simulation.model))
-      .addStringOrNull("integrator", simulation.model == physics::Model::Exact
-                                         ? std::string_view()
-                                         : nameOf(scene::kIntegrators, simulation.integrator))
+      .addStringOrNull("integrator", physics::takesSteps(simulation.model)
+                                         ? nameOf(scene::kIntegrators, simulation.integrator)
+                                         : std::string_view())
       .addInteger("half_turns", summary.halfTurns)
       .add("energy_ratio", energyJson(summary))
       .addNumberOrNull("error_deg", summary.errorDeg)

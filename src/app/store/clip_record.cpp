@@ -9,6 +9,7 @@
 #include "base/version.h"
 #include "picture/texture_files.h"
 #include "scene/scene_text.h"
+#include "store/scene_file.h"
 #include "store/scene_name.h"
 #include "timeline/motion_checksum.h"
 #include "video/video_writer.h"
@@ -93,12 +94,18 @@ void compareTools(const char* tool, const std::string& there, const std::string&
                   ", here it is " + here);
 }
 
-/// Returns whether the file of a texture is missing.
-bool lacksTextures(const scene::Scene& scene) {
+/// Returns whether the file of a texture or of a recording is missing.
+bool lacksFiles(const scene::Scene& scene) {
   const auto isMissing = [&](const std::string& file) {
     std::error_code error;
     return file != scene::kBuiltin && !fs::exists(scene.folder / file, error);
   };
+  for (const scene::Panel& panel : scene::motionsOf(scene)) {
+    const auto& simulation = panel.simulation;
+    if (simulation.model == physics::Model::Recorded && isMissing(simulation.recorded.file)) {
+      return true;
+    }
+  }
   const scene::BookSettings& book = scene.book;
   return isMissing(book.front) || isMissing(book.spine) || isMissing(book.back);
 }
@@ -200,8 +207,9 @@ RecordedClip readRecordedClip(const fs::path& clip, const TextureLookup& texture
   scene.allowOutside = textures.allowOutside;
   try {
     recorded.textures = picture::readTextures(scene);
+    readRecordings(scene);
   } catch (const InputError& error) {
-    if (!lacksTextures(scene)) throw;
+    if (!lacksFiles(scene)) throw;
     throw InputError(std::string(error.what()) +
                      "; name its scene's folder with --scene-folder DIR");
   }

@@ -79,8 +79,8 @@ struct TextureLookup {
 };
 
 /// Reads the record of an MP4 or WebM. Throws InputError where video::readClipMetadata() and
-/// parseRecord() do, and for a texture that can't be read; the message names --scene-folder if a
-/// texture is missing.
+/// parseRecord() do, and for a texture or a recording that can't be read; the message names
+/// --scene-folder if one is missing.
 RecordedClip readRecordedClip(const std::filesystem::path& clip, const TextureLookup& textures);
 
 }  // namespace rotatebook::store

@@ -10,6 +10,7 @@
 #include "document/toml_text.h"
 #include "document/toml_tree.h"
 #include "picture/named_file.h"
+#include "scene/recordings.h"
 #include "scene/scene_text.h"
 #include "store/scene_name.h"
 #include "system/read_file.h"
@@ -44,17 +45,23 @@ std::vector<std::string> sceneNamesIn(const fs::path& folder) {
 }
 
 /// Returns the text of a file, relative to `folder`, that the scene there names.
-std::string readNamedFile(const fs::path& folder, const fs::path& file, bool allowOutside) {
+std::string readNamedFile(const fs::path& folder, const fs::path& file, std::size_t most,
+                          bool allowOutside) {
   const fs::path path = picture::pathOfNamedFile(folder, file, allowOutside);
   try {
-    return system::readFile(
-        path, scene::isMeshFile(file.string()) ? scene::kLongestMesh : document::kLongestToml);
+    return system::readFile(path, most);
   } catch (const InputError& error) {
     throw InputError("can't read " + path.string() + ": " + error.what());
   }
 }
 
 }  // namespace
+
+void readRecordings(scene::Scene& scene) {
+  scene::readRecordings(scene, [&](const fs::path& file, std::size_t most) {
+    return readNamedFile(scene.folder, file, most, scene.allowOutside);
+  });
+}
 
 std::string readSceneText(const fs::path& path) {
   try {
@@ -75,8 +82,9 @@ scene::Scene readScene(const fs::path& path, std::span<const std::string> overri
                                         problem + "; rename the file");
   }
   scene::Scene scene = scene::parseScene(
-      readSceneText(path), path, overrides,
-      [&](const fs::path& file) { return readNamedFile(path.parent_path(), file, allowOutside); });
+      readSceneText(path), path, overrides, [&](const fs::path& file, std::size_t most) {
+        return readNamedFile(path.parent_path(), file, most, allowOutside);
+      });
   scene.allowOutside = allowOutside;
   return scene;
 }

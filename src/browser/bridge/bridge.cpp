@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 #include <exception>
+#include <filesystem>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -12,6 +14,7 @@
 #include <vector>
 
 #include "base/checksum.h"
+#include "base/error.h"
 #include "bridge/played_scene.h"
 #include "bridge/scene_json.h"
 #include "document/toml_json.h"
@@ -30,6 +33,7 @@ constexpr double kDepthAround = 6;
 alignas(16) std::array<char, kBufferSize> buffer;
 std::array<std::optional<PlayedScene>, kSlots> slots;
 std::string lastMessage;
+std::map<std::string, std::string> files;  // by name
 
 /// Copies `text` to the buffer as far as there is room; returns its length.
 std::int32_t answer(std::string_view text) {
@@ -51,6 +55,35 @@ std::int32_t answerOf(const Make& make) {
 std::string_view given(std::int32_t length) {
   const auto most = static_cast<std::int32_t>(buffer.size());
   return {buffer.data(), static_cast<std::size_t>(std::clamp(length, 0, most))};
+}
+
+/// Takes a file from the buffer; see rb_file().
+void takeFile(std::int32_t nameLength, std::int32_t length) {
+  if (nameLength == 0 && length == 0) return files.clear();
+  const auto size = static_cast<std::int64_t>(buffer.size());
+  if (nameLength < 0 || length < 0 || std::int64_t{nameLength} + length > size) {
+    throw std::out_of_range("a file of " + std::to_string(length) + " bytes doesn't fit in");
+  }
+  const std::string name(buffer.data(), static_cast<std::size_t>(nameLength));
+  if (files.size() == kMaxFiles && !files.contains(name)) {
+    throw std::out_of_range("there are " + std::to_string(kMaxFiles) + " files already");
+  }
+  files[name].assign(buffer.data() + nameLength, static_cast<std::size_t>(length));
+}
+
+/// Returns the text of a file that was taken.
+std::string takenFile(const std::filesystem::path& file, std::size_t most) {
+  const auto found = files.find(file.generic_string());
+  if (found == files.end()) throw InputError("can't read " + file.string() + ": it isn't here");
+  if (found->second.size() <= most) return found->second;
+  throw InputError("can't read " + file.string() + ": it is longer than " + std::to_string(most) +
+                   " bytes");
+}
+
+/// Reads a scene with the files that were taken, if there are any.
+scene::Scene sceneFrom(std::string_view text) {
+  if (files.empty()) return scene::parseScene(text, "scene.toml");
+  return scene::parseScene(text, "scene.toml", {}, takenFile);
 }
 
 std::optional<PlayedScene>& slotAt(std::int32_t slot) {
@@ -161,10 +194,17 @@ std::int32_t rb_toml_to_json(std::int32_t length) {
       [&] { return document::jsonOf(document::parseToml(given(length), "scene.toml")); });
 }
 
+std::int32_t rb_file(std::int32_t nameLength, std::int32_t length) {
+  return answerOf([&] {
+    takeFile(nameLength, length);
+    return "";
+  });
+}
+
 std::int32_t rb_read(std::int32_t slot, std::int32_t length) {
   return answerOf([&] {
     std::optional<PlayedScene>& held = slotAt(slot);
-    scene::Scene scene = scene::parseScene(given(length), "scene.toml");
+    scene::Scene scene = sceneFrom(given(length));
     const bool keepsMotions = held && held->hasMotionsOf(scene);
     std::optional<PlayedScene> played;
     if (!keepsMotions) played.emplace(scene);

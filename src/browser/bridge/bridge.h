@@ -37,6 +37,14 @@ std::int32_t rb_words();
 /// without defaults. Positive length, or negative with the message.
 std::int32_t rb_toml_to_json(std::int32_t length);
 
+/// Files that rb_file() takes.
+enum { kMaxFiles = 16 };
+/// Takes a file that scenes may name, a recording or words: in the buffer `nameLength` bytes of its
+/// name, as scenes write it, then `length` bytes of its own. It takes the place of one of that name,
+/// and stays; without a name and without bytes, all files are forgotten. Returns 0; negative with
+/// the message if the buffer isn't as large, or there are kMaxFiles others.
+std::int32_t rb_file(std::int32_t nameLength, std::int32_t length);
+
 /// Reads the scene in the buffer's first `length` bytes into a slot and writes JSON of it:
 /// {"title", "caption", "frames", "rate": [n, d], "interval": simulated seconds a frame, "motions":
 /// [{"label", "model", "integrator", "substeps", "axis", "body": [x, y, z], "mass", "springs": [[i,

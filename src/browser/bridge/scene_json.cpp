@@ -22,7 +22,7 @@ std::string modelJson(const scene::Named<physics::Model>& model) {
   return JsonObject()
       .addString("name", model.name)
       .add("integrators", jsonArrayOf(scene::integratorNames(model.value), jsonString))
-      .addBool("normalize", model.value != physics::Model::Exact)
+      .addBool("normalize", physics::takesSteps(model.value))
       .addBool("damping", model.value == physics::Model::Particles)
       .text();
 }
@@ -71,9 +71,12 @@ std::string cameraJson(const scene::CameraSettings& camera) {
 }  // namespace
 
 std::string wordsJson() {
+  // No recording is read in a page.
+  std::vector<scene::Named<physics::Model>> models(scene::kModels.begin(), scene::kModels.end());
+  std::erase_if(models, [](const auto& one) { return one.value == physics::Model::Recorded; });
   return JsonObject()
       .addString("version", kVersion)
-      .add("models", jsonArrayOf(scene::kModels, modelJson))
+      .add("models", jsonArrayOf(models, modelJson))
       .text();
 }
 

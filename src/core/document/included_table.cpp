@@ -17,7 +17,7 @@ TomlNode* valueOf(TomlNode* node, std::string_view key) {
 std::string textOf(const std::filesystem::path& file, const std::string& location,
                    const ReadNamedFile& readNamedFile) {
   try {
-    return readNamedFile(file);
+    return readNamedFile(file, kLongestToml);
   } catch (const InputError& error) {
     failAt(location, error.what());
   }

@@ -1,6 +1,7 @@
 // A table of a document in a file of its own.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -11,8 +12,9 @@
 namespace rotatebook::document {
 
 /// Returns the text of a file that a document names, relative to its folder. Throws InputError
-/// "can't read FILE: CAUSE".
-using ReadNamedFile = std::function<std::string(const std::filesystem::path& file)>;
+/// "can't read FILE: CAUSE", also if it has more than `most` bytes.
+using ReadNamedFile =
+    std::function<std::string(const std::filesystem::path& file, std::size_t most)>;
 
 /// Replaces the value of `key` in `section` of `root`, a table, by the table in the file that it
 /// names, and returns the file's path, within `folder`; a string with a dot in it is such a name.

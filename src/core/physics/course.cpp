@@ -75,8 +75,8 @@ BodyState Course::at(double time) {
 
 void Course::makeFrame() {
   const double end = startOf(frame_ + 1);
-  const bool isExact = stepping_.model == Model::Exact;
-  if (isExact || nudgesWithin(nudges_, startOf(frame_), end).empty()) {
+  const bool isStepless = !takesSteps(stepping_.model);
+  if (isStepless || nudgesWithin(nudges_, startOf(frame_), end).empty()) {
     simulator_->advance(stepping_.timePerFrame, stepping_.substeps);
   } else {
     partsTo(*simulator_, end).finish();
@@ -87,7 +87,7 @@ void Course::makeFrame() {
 /// Advances a simulator that is at the start of the frame to a time within it. [s]
 void Course::advanceWithin(Simulator& simulator, double time) const {
   const double offset = time - startOf(frame_);
-  if (stepping_.model == Model::Exact) {
+  if (!takesSteps(stepping_.model)) {
     simulator.advance(offset, 1);
   } else {
     partsTo(simulator, time).advanceTo(offset);

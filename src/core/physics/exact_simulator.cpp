@@ -7,17 +7,8 @@ namespace rotatebook::physics {
 ExactSimulator::ExactSimulator(const MotionSettings& settings)
     : rotation_(exactRotation(settings)) {}
 
-void ExactSimulator::advance(double interval, int /*steps*/) {
-  if (interval != interval_) {
-    start_ = time();
-    interval_ = interval;
-    count_ = 0;
-  }
-  ++count_;
-}
-
 BodyState ExactSimulator::state() const {
-  const NudgedRotation::Moment moment = rotation_.at(time());
+  const NudgedRotation::Moment moment = rotation_.at(clock_.time());
   BodyState result;
   result.worldFromBody = moment.worldFromBody;
   result.angularVelocity = moment.angularVelocity;

@@ -1,7 +1,6 @@
 // The exact model: a rigid body's motion in closed form. Inside the room only.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 
 #include <Eigen/Core>
@@ -9,6 +8,7 @@
 #include "physics/motion_settings.h"
 #include "physics/nudged_rotation.h"
 #include "physics/simulator.h"
+#include "physics/stepless_clock.h"
 #include "rigid/exact_rotation.h"
 
 namespace rotatebook::physics {
@@ -19,8 +19,8 @@ class ExactSimulator final : public Simulator {
  public:
   explicit ExactSimulator(const MotionSettings& settings);
 
-  void advance(double interval, int steps) override;
-  void advancePart(double part) override { advance(part, 1); }
+  void advance(double interval, int /*steps*/) override { clock_.advance(interval); }
+  void advancePart(double part) override { clock_.advance(part); }
   /// Does nothing: the closed form knows all nudges and their times.
   void nudge(const Nudge& /*nudge*/) override {}
   std::unique_ptr<Simulator> copy() const override {
@@ -29,13 +29,8 @@ class ExactSimulator final : public Simulator {
   BodyState state() const override;
 
  private:
-  double time() const { return start_ + static_cast<double>(count_) * interval_; }
-
   NudgedRotation rotation_;
-  // A count of intervals keeps the time accurate to rounding after any number of equal ones.
-  double start_ = 0;
-  double interval_ = 0;
-  std::int64_t count_ = 0;
+  SteplessClock clock_;
 };
 
 }  // namespace rotatebook::physics

@@ -9,7 +9,8 @@
 namespace rotatebook::physics {
 
 /// Creates the simulator that `settings` specify, at t = 0. Throws InputError as
-/// InitialSpin::tilted() and requireSameLayout() do, and if the model doesn't have the integrator.
+/// InitialSpin::tilted() and requireSameLayout() do, if the model doesn't have the integrator, and
+/// if a recording hasn't been read.
 std::unique_ptr<Simulator> makeSimulator(const MotionSettings& settings);
 
 }  // namespace rotatebook::physics

@@ -10,31 +10,38 @@
 #include "physics/cuboid.h"
 #include "physics/integrators/integrator.h"
 #include "physics/nudge.h"
+#include "physics/recorded_file.h"
 #include "rigid/inertia.h"
 
 namespace rotatebook::physics {
 
-/// The paper's three models of a book, and the exact motion.
+/// The paper's three models of a book, the exact motion, and one that was recorded.
 enum class Model {
   Particles,   ///< Eight particles joined by 28 damped springs.
   Matrix,      ///< A rigid body whose attitude is a rotation matrix.
   Quaternion,  ///< A rigid body whose attitude is a quaternion.
   Exact,       ///< A rigid body's motion in closed form, without steps.
+  Recorded,    ///< A motion from a file: measured, or made by another program.
 };
 
-/// Returns the integrators that `model` has; none for Model::Exact.
+/// Returns whether `model` integrates, step by step.
+constexpr bool takesSteps(Model model) {
+  return model != Model::Exact && model != Model::Recorded;
+}
+
+/// Returns the integrators that `model` has; none for a model that takes no steps.
 std::vector<Integrator> integratorsOf(Model model);
 /// Returns whether `model` has `integrator`.
 bool isFor(Model model, Integrator integrator);
 /// Returns the integrator that `model` uses if a scene states none: Rk4 for the rigid models, which
-/// stay close to the exact motion with it; for the particles Euler, the paper's. Model::Exact
-/// doesn't use it.
+/// stay close to the exact motion with it; for the particles Euler, the paper's. Models
+/// that take no steps don't use it.
 Integrator defaultIntegrator(Model model);
 
 /// The model of a motion, and the steps by which it is simulated.
 struct SimulationSettings {
   Model model = Model::Quaternion;
-  /// One of integratorsOf(model); unused by Model::Exact.
+  /// One of integratorsOf(model); unused by models that take no steps.
   Integrator integrator = defaultIntegrator(model);
   /// Steps from one undoing of the integrator's drift to the next, counted from the start; 0 for
   /// none. Of the shape of the rigid models; of the particles' energy and centre, unless the two
@@ -49,6 +56,7 @@ struct SimulationSettings {
   double stiffness = 2000.0;       ///< Particles only: stiffness of each spring, > 0. [N/m]
   double timePerFrame = 1.0 / 60;  ///< Time between samples of the trajectory, > 0. [s]
   int substeps = 64;               ///< Integration steps between samples, >= 1.
+  RecordedFile recorded{};         ///< Of Model::Recorded alone.
 
   /// Returns the steps from one normalisation of the particles' energy to the next; 0 for none.
   int energyEvery() const { return normalizeEnergyEvery.value_or(normalizeEvery); }

@@ -131,17 +131,14 @@ void includeMesh(TomlNode& root, const ReadNamedFile& readNamedFile) {
   if (std::filesystem::path(*name).is_absolute())
     document::failAt(node->location, shown + ", which must be relative to the scene's folder");
   try {
-    *node = tableOf(meshFileOf(*name, body::readMesh(*name, readNamedFile(*name))), node->location);
+    *node = tableOf(meshFileOf(*name, body::readMesh(*name, readNamedFile(*name, kLongestMesh))),
+                    node->location);
   } catch (const InputError& error) {
     document::failAt(node->location, shown + ": " + error.what());
   }
 }
 
 }  // namespace
-
-bool isMeshFile(const std::string& name) {
-  return body::isMeshName(name);
-}
 
 Section<Motion> bodySection() {
   return {"body", readBody, bodyLines, bodyRows()};

@@ -229,6 +229,11 @@ void readMap(const ValueReader& section, Scene& scene) {
     section.find("y", "key")->fail("map.y.key is map.x.key, too; name another key");
   }
   const std::vector<Panel> motions = motionsOf(scene);
+  if (anyIs(motions, Model::Recorded)) {
+    section.fail(
+        "[map] varies how motions start, which recorded ones don't take; leave it out, or "
+        "choose another model");
+  }
   document::Problems problems;
   problems.note([&] { refuseManyMapRuns(section, map, motions.size()); });
   problems.note([&] { checkAxis({*section.find("x"), map.x}, motions); });

@@ -19,11 +19,12 @@ struct Named {
   T value;
 };
 
-inline constexpr std::array<Named<physics::Model>, 4> kModels{{
+inline constexpr std::array<Named<physics::Model>, 5> kModels{{
     {"particles", physics::Model::Particles},
     {"matrix", physics::Model::Matrix},
     {"quaternion", physics::Model::Quaternion},
     {"exact", physics::Model::Exact},
+    {"recorded", physics::Model::Recorded},
 }};
 
 /// The integrators, in the order of physics::kIntegratorNames.

@@ -91,10 +91,7 @@ void refuseSameLabel(const ValueReader& label, const std::vector<Panel>& earlier
   }
 }
 
-/// Checks `read`, a panel read from `merged`, across its sections. Throws InputError.
-void checkPanel(const ValueReader& panel, const ValueReader& merged, const Panel& read) {
-  // Require what has no default: a label and a spin
-  if (!panel.find("label")) panel.fail("a panel needs a label");
+void requireStart(const ValueReader& panel, const ValueReader& merged, const Panel& read) {
   const auto initial = merged.find("initial");
   if (!initial) {
     panel.fail("the panel " + tomlString(read.label) +
@@ -102,6 +99,17 @@ void checkPanel(const ValueReader& panel, const ValueReader& merged, const Panel
                "angular_momentum");
   }
   requireSpin(*initial);
+}
+
+/// Checks `read`, a panel read from `merged`, across its sections. Throws InputError.
+void checkPanel(const ValueReader& panel, const ValueReader& merged, const Panel& read) {
+  // Require what has no default: a label and a spin
+  if (!panel.find("label")) panel.fail("a panel needs a label");
+  if (read.simulation.model == physics::Model::Recorded) {
+    checkRecorded(merged, panel, read.simulation);
+  } else {
+    requireStart(panel, merged, read);
+  }
 
   // Refuse an inertia that the model doesn't take
   if (const auto body = merged.find("body")) checkInertia(*body, read.simulation.model);
@@ -111,7 +119,7 @@ void checkPanel(const ValueReader& panel, const ValueReader& merged, const Panel
   const TomlNode::Table* own = tableOf(panel, "simulation");
   const bool isOwn = own != nullptr && find(*own, "integrator") != nullptr;
   if (const auto simulation = merged.find("simulation");
-      simulation && (isOwn || read.simulation.model != physics::Model::Exact)) {
+      simulation && (isOwn || physics::takesSteps(read.simulation.model))) {
     checkIntegrator(*simulation, read.simulation);
   }
 }

@@ -37,6 +37,12 @@ std::string simulationLines(const Motion& motion) {
   return lines;
 }
 
+/// Returns the lines of the start; none for a recording, which has its own.
+std::string initialLines(const Motion& motion) {
+  if (motion.simulation.model == physics::Model::Recorded) return "";
+  return linesOf(initialKeys(), motion.initial);
+}
+
 /// Returns whether the section states a spin. Throws InputError if it states two.
 bool hasSpin(const ValueReader& section, const std::string& name) {
   const bool hasVelocity = section.find("angular_velocity").has_value();
@@ -102,11 +108,12 @@ std::span<const Section<Motion>> motionSections() {
   static const std::vector<Section<Motion>> sections = [] {
     const auto simulation =
         section<Motion>("simulation", &Motion::simulation, simulationKeys(), finishSimulation);
+    const auto initial = section<Motion>("initial", &Motion::initial, initialKeys(), checkSpin);
     const auto expect = section<Motion>("expect", &Motion::expectations, expectKeys());
     return std::vector<Section<Motion>>{
         bodySection(),
         {simulation.name, simulation.read, simulationLines, simulation.rows},
-        section<Motion>("initial", &Motion::initial, initialKeys(), checkSpin),
+        {initial.name, initial.read, initialLines, initial.rows},
         {"nudge", readNudges, {}, rowsOf("nudge.N.", nudgeKeys()), nudgeTables},
         {expect.name, expect.read, expectLines, expect.rows},
     };
@@ -131,17 +138,32 @@ void checkIntegrator(const ValueReader& section, const physics::SimulationSettin
   const std::string chosen =
       integrator->name() + " = " + tomlString(nameOf(kIntegrators, settings.integrator));
   const std::string model = tomlString(nameOf(kModels, settings.model));
-  if (settings.model == physics::Model::Exact) {
+  if (!physics::takesSteps(settings.model)) {
     integrator->fail(chosen + ", but the model " + model + " takes no steps; leave it out");
   }
   integrator->fail(chosen + ", but the model " + model + " has " +
                    quotedList(integratorNames(settings.model), "and"));
 }
 
+void checkRecorded(const ValueReader& motion, const ValueReader& own,
+                   const physics::SimulationSettings& settings) {
+  if (settings.recorded.file.empty()) {
+    motion.find("simulation", "model")
+        ->fail("the model \"recorded\" needs simulation.file, a table of the motion (CSV)");
+  }
+  if (const auto initial = own.find("initial")) {
+    initial->fail("[initial]: a recorded motion starts as its recording does; leave it out");
+  }
+}
+
 void checkMotion(const ValueReader& file, const physics::SimulationSettings& settings) {
   const auto initial = file.find("initial");
-  if (!initial) file.fail("[initial] is missing; it needs angular_velocity or angular_momentum");
-  requireSpin(*initial);
+  if (settings.model == physics::Model::Recorded) {
+    checkRecorded(file, file, settings);
+  } else {
+    if (!initial) file.fail("[initial] is missing; it needs angular_velocity or angular_momentum");
+    requireSpin(*initial);
+  }
   if (const auto body = file.find("body")) checkInertia(*body, settings.model);
   if (const auto simulation = file.find("simulation")) checkIntegrator(*simulation, settings);
 }

@@ -70,8 +70,7 @@ void checkMotionBlur(const ValueReader& section, const Scene& scene) {
   if (moments == 1) return;
   for (const Panel& panel : motionsOf(scene)) {
     const int substeps = panel.simulation.substeps;
-    const bool exact = panel.simulation.model == physics::Model::Exact;
-    if (exact || substeps % divisor == 0) continue;
+    if (!physics::takesSteps(panel.simulation.model) || substeps % divisor == 0) continue;
     section.find("motion_blur")
         ->fail("look.motion_blur = " + std::to_string(moments) +
                " needs simulation.substeps to be a multiple of " + std::to_string(divisor) +

@@ -12,6 +12,7 @@
 #include "scene/key_rows.h"
 #include "scene/keys/keys.h"
 #include "scene/names.h"
+#include "scene/recordings.h"
 #include "scene/scene_text.h"
 #include "scene/sections.h"
 #include "scene/source_locations.h"
@@ -82,6 +83,9 @@ void noteLocations(const ValueReader& file, Scene& scene) {
   if (!panels) return;
   std::size_t panel = 0;
   for (const ValueReader& table : panels->tables("")) {
+    if (const auto own = table.find("simulation", "file")) {
+      scene.locations.emplace(recordingKey(panel), own->node().location);
+    }
     scene.locations.emplace(labelKey(panel++), table.find("label")->node().location);
   }
 }
@@ -128,6 +132,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   if (const auto map = file.find("map")) problems.note([&] { readMap(*map, scene); });
   problems.throwIfAny();
   checkSteps(file, scene);
+  if (readNamedFile) readRecordings(scene, readNamedFile);
   return scene;
 }
 

@@ -1,6 +1,7 @@
 // Reads scenes from TOML text, and prints them as TOML.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <span>
@@ -12,13 +13,12 @@
 namespace rotatebook::scene {
 
 /// Returns the text of a file that a scene names, relative to its folder. Throws InputError
-/// "can't read FILE: CAUSE".
-using ReadNamedFile = std::function<std::string(const std::filesystem::path& file)>;
+/// "can't read FILE: CAUSE", also if it has more than `most` bytes.
+using ReadNamedFile =
+    std::function<std::string(const std::filesystem::path& file, std::size_t most)>;
 
 /// Longest file of a mesh. [bytes]
 inline constexpr std::size_t kLongestMesh = 256 << 20;
-/// Returns whether a file that a scene names is a mesh, by its ending.
-bool isMeshFile(const std::string& name);
 
 /// Reads and validates the text of a scene. `path` names it in messages and gives Scene::name and
 /// Scene::folder; it isn't opened. Throws InputError with a line
@@ -29,8 +29,8 @@ bool isMeshFile(const std::string& name);
 /// They count as part of the file; messages give their location as "--set KEY=VALUE". Setting one
 /// of initial.angular_velocity and initial.angular_momentum removes the other.
 ///
-/// `readNamedFile` reads the files that overlay.words and body.mesh may name; without it, such a
-/// name is refused.
+/// `readNamedFile` reads the files that overlay.words and body.mesh may name, and recordings as
+/// readRecordings() does; without it, the former are refused, and the latter aren't read.
 Scene parseScene(std::string_view text, const std::filesystem::path& path,
                  std::span<const std::string> overrides = {},
                  const ReadNamedFile& readNamedFile = {});

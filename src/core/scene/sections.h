@@ -85,6 +85,10 @@ void requireSpin(const ValueReader& section);
 /// Checks across its sections the motion of a scene without panels; `file` has all of them. Throws
 /// InputError.
 void checkMotion(const ValueReader& file, const physics::SimulationSettings& settings);
+/// Throws InputError if a motion of Model::Recorded names no file, or states a start; `motion` has
+/// all of its sections, `own` those that it doesn't share with others.
+void checkRecorded(const ValueReader& motion, const ValueReader& own,
+                   const physics::SimulationSettings& settings);
 /// Throws InputError if `section`, [simulation], states an integrator that the model doesn't have.
 void checkIntegrator(const ValueReader& section, const physics::SimulationSettings& settings);
 /// Throws InputError if `section`, [body], states an inertia for a model that has its own.

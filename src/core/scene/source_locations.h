@@ -11,14 +11,20 @@
 
 namespace rotatebook::scene {
 
-/// The keys that Scene::locations may have, sections before a dot, besides those of labelKey().
-inline constexpr std::string_view kLocatedKeys[] = {"title",      "caption",   "body",
-                                                    "panel",      "grid",      "book.front",
-                                                    "book.spine", "book.back", "overlay.font"};
+/// The keys that Scene::locations may have, sections before a dot, besides those of labelKey()
+/// and recordingKey().
+inline constexpr std::string_view kLocatedKeys[] = {
+    "title",      "caption",    "body",      "panel",        "grid",
+    "book.front", "book.spine", "book.back", "overlay.font", "simulation.file"};
 
 /// Returns the key of that panel's label: "panel.0.label".
 inline std::string labelKey(std::size_t panel) {
   return "panel." + std::to_string(panel) + ".label";
+}
+
+/// Returns the key of that panel's own recording: "panel.0.simulation.file".
+inline std::string recordingKey(std::size_t panel) {
+  return "panel." + std::to_string(panel) + ".simulation.file";
 }
 
 /// Returns the location where the scene states `key`, "FILE:LINE:COLUMN" or "--set KEY=VALUE"; the

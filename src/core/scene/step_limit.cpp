@@ -8,7 +8,7 @@ namespace rotatebook::scene {
 namespace {
 
 std::int64_t stepsOf(const physics::SimulationSettings& settings) {
-  return settings.model == physics::Model::Exact ? 1 : settings.substeps;
+  return physics::takesSteps(settings.model) ? settings.substeps : 1;
 }
 
 /// Returns the steps of all motions from one frame to the next.

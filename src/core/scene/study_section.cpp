@@ -6,6 +6,7 @@
 #include "physics/measure/flip_interval.h"
 #include "physics/motion_start.h"
 #include "scene/keys/keys.h"
+#include "scene/names.h"
 #include "scene/sections.h"
 
 namespace rotatebook::scene {
@@ -18,13 +19,15 @@ constexpr int kMaxDoublings = 10;
 // to compare with.
 constexpr double kMaxSineToMedian = 0.1;
 
-void refuseExact(const ValueReader& section) {
+void refuseStepless(const ValueReader& section, Model model) {
   section.fail(
-      "the model \"exact\" takes no steps, so [study] has no integrators and steps to "
-      "compare; give it tilts, or choose another model");
+      "the model " + tomlString(nameOf(kModels, model)) +
+      " takes no steps, so [study] has no integrators and steps to compare; " +
+      (model == Model::Exact ? "give it tilts, or choose another model" : "choose another model"));
 }
 
 void checkTilted(const ValueReader& tilts, const Scene& scene) {
+  if (scene.simulation.model == Model::Recorded) refuseStepless(tilts, Model::Recorded);
   if (!scene.initial.tilt) {
     tilts.fail(tilts.name() + " needs initial.tilt, whose axis it takes, such as [0.1, \"z\"]");
   }
@@ -98,7 +101,7 @@ void readStudy(const ValueReader& section, const ValueReader& file, Scene& scene
     scene.study.emplace();
   } else {
     if (const auto law = section.find("flip_law")) law->fail(law->name() + " needs study.tilts");
-    if (scene.simulation.model == Model::Exact) refuseExact(section);
+    if (!takesSteps(scene.simulation.model)) refuseStepless(section, scene.simulation.model);
     scene.study = defaultStudy(scene.simulation.model);
   }
   // In the order of the keys, because the orders depend on the integrators.

@@ -9,6 +9,7 @@
 #include "physics/measure/flip_interval.h"
 #include "physics/motion_start.h"
 #include "rigid/inertia.h"
+#include "scene/names.h"
 #include "scene/source_locations.h"
 #include "study/reduced.h"
 #include "study/whole_motion.h"
@@ -80,9 +81,10 @@ void requireStudyable(const scene::Scene& scene, const scene::StudySettings& stu
         scene::locationOf(scene, "panel") +
         ": a study needs a single motion, but this scene has several, panels or a grid");
   }
-  if (scene.simulation.model == physics::Model::Exact) {
-    throw InputError(scene.name +
-                     ": the model \"exact\" takes no steps, so there are no steps to compare; "
+  if (!physics::takesSteps(scene.simulation.model)) {
+    throw InputError(scene.name + ": the model \"" +
+                     std::string(nameOf(scene::kModels, scene.simulation.model)) +
+                     "\" takes no steps, so there are no steps to compare; "
                      "choose another model, e.g. --set simulation.model=quaternion");
   }
   if (studiedSamples(scene, study, studiedMotion(scene, study)) < 2) {

@@ -40,6 +40,8 @@ Word wordOf(physics::Model model) {
       return Word::Matrix;
     case physics::Model::Quaternion:
       return Word::Quaternion;
+    case physics::Model::Recorded:
+      return Word::Recorded;
     case physics::Model::Exact:
       break;
   }
@@ -63,24 +65,34 @@ std::vector<std::string> settingsOf(const physics::SimulationSettings& settings,
   return parts;
 }
 
-/// Lists the settings that all motions of `scene` in steps have in common, and "exact solution" if
-/// a motion is exact.
+/// Lists the models without steps among `motions`: "exact solution", "recorded".
+std::string steplessText(const std::vector<scene::Panel>& motions, const scene::Words& words) {
+  std::vector<std::string> texts;
+  for (const scene::Panel& panel : motions) {
+    const std::string& text = words[wordOf(panel.simulation.model)];
+    const bool isNew = std::ranges::count(texts, text) == 0;
+    if (isNew && !physics::takesSteps(panel.simulation.model)) texts.push_back(text);
+  }
+  return joined(texts);
+}
+
+/// Lists the settings that all motions of `scene` in steps have in common, and the models without
+/// steps.
 std::string settingsText(const scene::Scene& scene) {
   const std::vector<scene::Panel> motions = scene::motionsOf(scene);
   const auto steps = [](const scene::Panel& panel) {
-    return panel.simulation.model != physics::Model::Exact;
+    return physics::takesSteps(panel.simulation.model);
   };
   const scene::Words& words = scene.overlay.words;
-  const std::string& exact = words[Word::ExactSolution];
   const auto first = std::ranges::find_if(motions, steps);
-  if (first == motions.end()) return exact;
+  if (first == motions.end()) return steplessText(motions, words);
   std::vector<std::string> common = settingsOf(first->simulation, words);
   std::erase_if(common, [&](const std::string& part) {
     return !std::ranges::all_of(motions, [&](const scene::Panel& panel) {
       return !steps(panel) || std::ranges::count(settingsOf(panel.simulation, words), part) > 0;
     });
   });
-  return joined({joined(common), std::ranges::all_of(motions, steps) ? "" : exact}, "; ");
+  return joined({joined(common), steplessText(motions, words)}, "; ");
 }
 
 /// Returns a black layer whose opacity rises smoothly from 0 at the top to kShade in `rise` rows.

@@ -60,7 +60,7 @@ const std::vector<BadCase> kOverrides{
     {"UnknownModel",
      {"--set", "simulation.model=matrx"},
      "--set simulation.model=matrx: simulation.model must be \"particles\", \"matrix\", "
-     "\"quaternion\" or \"exact\", not \"matrx\"; did you mean \"matrix\"?"},
+     "\"quaternion\", \"exact\" or \"recorded\", not \"matrx\"; did you mean \"matrix\"?"},
 };
 
 const std::vector<BadCase> kOptions{

@@ -149,6 +149,7 @@ class ShownCommands : public ProgramTest {
         const bool isLaterFigure = name.starts_with("scenes/figures/") && name > kLastFigure &&
                                    makefile.find(name) == std::string::npos;
         if (name.ends_with(".toml") && !isLaterFigure) write(name, smallSceneFor(name));
+        if (name.ends_with(".csv")) write(name, readText(entry.path()));
       }
     }
   }

@@ -72,6 +72,28 @@ TEST(Bridge, HasTheMotionOfTheProgramInSlices) {
   EXPECT_NE(taken(rb_checksum(0)), wholeChecksum(with(kScene, "0.2", "0.3")));
 }
 
+TEST(Bridge, ReadsRecordingsThatItWasGiven) {
+  constexpr std::string_view kName = "a.csv";
+  constexpr std::string_view kTable =
+      "t,wx (rad/s),wy (rad/s),wz (rad/s)\n0,0,0,2\n0.5,0,0,2\n1,0,0,2\n";
+  constexpr std::string_view kRecorded =
+      "[simulation]\nmodel = \"recorded\"\nfile = \"a.csv\"\n[clip]\nduration = 0.5\n";
+  EXPECT_EQ(taken(rb_read(0, put(kRecorded))),
+            "scene.toml: the model \"recorded\" has no recording: the file \"a.csv\" hasn't been "
+            "read");
+  put(std::string(kName) + std::string(kTable));
+  ASSERT_EQ(rb_file(kName.size(), kTable.size()), 0);
+  read(0, kRecorded);
+  EXPECT_GT(rb_advance(0, kAll, kAll), 20);
+  EXPECT_EQ(rb_sample(0, 0, 0)[kAngularVelocity + 2], 2);
+  EXPECT_EQ(taken(rb_read(0, put(with(kRecorded, "a.csv", "b.csv")))),
+            "scene.toml:3:8: can't read b.csv: it isn't here");
+  EXPECT_LT(rb_file(1 << 20, 1), 0);
+  EXPECT_LT(rb_file(1, -1), 0);
+  ASSERT_EQ(rb_file(0, 0), 0);
+  EXPECT_LT(rb_read(0, put(kRecorded)), 0) << "forgotten";
+}
+
 TEST(Bridge, StopsAfterSoManySteps) {
   readAnew(0, kScene);
   EXPECT_EQ(rb_advance(0, kFrames, 1), 2) << "at least a frame";

@@ -13,8 +13,8 @@ namespace {
 /// "FILE, VALUE" of section.key in `text`, whose folder has a.words with `words`.
 std::string included(const std::string& text, const std::string& words) {
   TomlNode root = parseToml(text, "in/a.toml");
-  const auto file =
-      includeTable(root, "section", "key", "in", [&](const std::filesystem::path& name) {
+  const auto file = includeTable(
+      root, "section", "key", "in", [&](const std::filesystem::path& name, std::size_t) {
         if (name == "a.words") return words;
         throw InputError("can't read in/" + name.string() + ": it isn't there");
       });
@@ -44,7 +44,7 @@ TEST(IncludedTable, LeavesWhatNamesNoFile) {
 
 TEST(IncludedTable, KeepsItsLocations) {
   TomlNode root = parseToml("section.key = 'a.words'", "in/a.toml");
-  includeTable(root, "section", "key", "in", [](const auto&) { return "\n  x = 1"; });
+  includeTable(root, "section", "key", "in", [](const auto&, std::size_t) { return "\n  x = 1"; });
   const TomlEntry* section = find(std::get<TomlNode::Table>(root.value), "section");
   const TomlEntry* entry = find(std::get<TomlNode::Table>(section->node.value), "key");
   EXPECT_EQ(std::get<TomlNode::Table>(entry->node.value)[0].keyLocation, "in/a.words:2:3");

@@ -16,6 +16,8 @@ inline std::string nameOf(Model model) {
       return "Matrix";
     case Model::Quaternion:
       return "Quaternion";
+    case Model::Recorded:
+      return "Recorded";
     case Model::Exact:
       break;
   }

@@ -22,7 +22,7 @@ constexpr const char* kCube =
 
 Scene withMesh(const std::string& lines, const std::string& mesh = kCube) {
   return parseScene(lines + "\n" + kSpin, "a.toml", {},
-                    [&](const std::filesystem::path&) { return mesh; });
+                    [&](const std::filesystem::path&, std::size_t) { return mesh; });
 }
 
 std::string meshErrorOf(const std::string& lines, const std::string& mesh = kCube) {

@@ -89,7 +89,7 @@ TEST(Overrides, AreThePlaceOfTheirProblems) {
             "are 360 and 362");
   EXPECT_EQ(errorOf("", {"simulation.model=matrx"}),
             "--set simulation.model=matrx: simulation.model must be \"particles\", \"matrix\", "
-            "\"quaternion\" or \"exact\", not \"matrx\"; did you mean \"matrix\"?");
+            "\"quaternion\", \"exact\" or \"recorded\", not \"matrx\"; did you mean \"matrix\"?");
   EXPECT_EQ(errorOf("", {"video.crf=1O"}),
             "--set video.crf=1O: video.crf must be an integer from 1 to 51, not \"1O\"");
 }

@@ -177,7 +177,7 @@ TEST(Panels, NameTheNearestKey) {
             "a.toml:7:12: unknown key \"modle\" in [panel.simulation]; did you mean \"model\"?");
   EXPECT_EQ(errorOfText(twoPanels("simulation.model = 'exakt'")),
             "a.toml:7:20: panel.simulation.model must be \"particles\", \"matrix\", "
-            "\"quaternion\" or \"exact\", not \"exakt\"; did you mean \"exact\"?");
+            "\"quaternion\", \"exact\" or \"recorded\", not \"exakt\"; did you mean \"exact\"?");
   EXPECT_EQ(errorOfText(twoPanels("camera.target = [0, 0, 0]")),
             "a.toml:7:1: unknown key \"camera\" in [panel]; valid are \"label\", \"body\", "
             "\"simulation\", \"initial\", \"nudge\" and \"expect\"");

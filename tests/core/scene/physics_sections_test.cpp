@@ -186,8 +186,8 @@ TEST(SimulationSection, KnowsTheModels) {
 
 TEST(SimulationSection, RefusesUnknownWords) {
   const std::string must =
-      "a.toml:2:9: simulation.model must be \"particles\", \"matrix\", \"quaternion\" or "
-      "\"exact\", not ";
+      "a.toml:2:9: simulation.model must be \"particles\", \"matrix\", \"quaternion\", "
+      "\"exact\" or \"recorded\", not ";
   EXPECT_EQ(errorOf("[simulation]\nmodel = 'matrx'"), must + "\"matrx\"; did you mean \"matrix\"?");
   EXPECT_EQ(errorOf("[simulation]\nmodel = 'rigid'"), must + "\"rigid\"");
   EXPECT_EQ(errorOf("[simulation]\nmodel = 2"), must + "2");

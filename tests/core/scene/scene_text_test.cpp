@@ -100,7 +100,7 @@ size = [0.1878, 0.29085, 0.05]  # m, along x (from the spine), y (to the top), z
 mass = 1.0  # kg
 
 [simulation]
-model = "quaternion"  # "particles", "matrix", "quaternion" or "exact"
+model = "quaternion"  # "particles", "matrix", "quaternion", "exact" or "recorded"
 integrator = "rk4"  # )" + listOfIntegrators("or", Model::Quaternion) +
                                   R"(
 normalize = true  # undo the integrator's drift after each step, or after each n-th

@@ -1,0 +1,160 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "cli/commands.h"
+#include "cli/exit_code.h"
+#include "cli/recording_options.h"
+#include "cli/scene_options.h"
+#include "physics/simulate.h"
+#include "recording/recorded_motion.h"
+#include "report/verdict_report.h"
+#include "rigid/inertia.h"
+#include "system/atomic_file.h"
+#include "timeline/simulate_scene.h"
+
+namespace rotatebook::cli {
+namespace {
+
+struct JudgeArguments {
+  std::vector<std::string> files;
+  std::string inertia, size;
+  RecordingOptions recording;
+  SceneOptions scene;
+  report::VerdictBounds bounds;
+  bool json = false;
+  std::string junit;
+};
+
+/// Returns the motion of a table, of a body that the command line states.
+physics::MotionSettings motionOf(const std::string& file, const JudgeArguments& arguments) {
+  if (arguments.inertia.empty() == arguments.size.empty()) {
+    throw InputError(file + ": a table of a motion doesn't say what moves; state " +
+                     (arguments.inertia.empty() ? "" : "either ") +
+                     "the body's moments with --inertia IX,IY,IZ or a solid cuboid's edges with "
+                     "--size X,Y,Z");
+  }
+  physics::MotionSettings motion;
+  if (!arguments.size.empty()) {
+    motion.body.size = threeNumbers(arguments.size, "--size");
+  } else {
+    motion.inertia = threeNumbers(arguments.inertia, "--inertia").asDiagonal();
+    rigid::checkInertia(*motion.inertia);
+  }
+  auto recorded = std::make_shared<recording::RecordedMotion>(
+      recording::readRecording(recordingBytes(file), file, arguments.recording.read()));
+  const auto& moments = recorded->moments();
+  if (moments.front().angularVelocity.isZero(0)) {
+    throw InputError(file +
+                     ": the body is at rest at first; state with --from when its motion "
+                     "starts");
+  }
+  motion.initial = {physics::SpinKind::AngularVelocity, moments.front().angularVelocity};
+  motion.simulation.model = physics::Model::Recorded;
+  motion.simulation.timePerFrame = recorded->duration() / static_cast<double>(moments.size() - 1);
+  motion.simulation.recorded.motion = std::move(recorded);
+  return motion;
+}
+
+report::JudgedMotion judgedTable(const std::string& file, const JudgeArguments& arguments) {
+  const physics::MotionSettings motion = motionOf(file, arguments);
+  std::vector<double> times;
+  for (const auto& moment : motion.simulation.recorded.motion->moments()) {
+    times.push_back(moment.time);
+  }
+  return {file, timeline::judge(motion, physics::simulate(motion, times))};
+}
+
+void addJudgedScene(const std::string& file, const JudgeArguments& arguments,
+                    std::vector<report::JudgedMotion>& judged) {
+  const scene::Scene scene = arguments.scene.read(file);
+  const timeline::ClipMotion motion = timeline::simulateScene(scene);
+  const std::vector<scene::Panel> panels = scene::motionsOf(scene);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    judged.push_back({panels[i].label.empty() ? file : file + ": " + panels[i].label,
+                      timeline::judge(panels[i].motion(), motion.trajectories()[i])});
+  }
+}
+
+int judgeAll(const JudgeArguments& arguments) {
+  std::vector<report::JudgedMotion> judged;
+  for (const std::string& file : arguments.files) {
+    if (std::filesystem::path(file).extension() == ".toml") {
+      addJudgedScene(file, arguments, judged);
+    } else {
+      judged.push_back(judgedTable(file, arguments));
+    }
+  }
+  (arguments.json ? report::reportVerdictsAsJson : report::reportVerdicts)(judged, arguments.bounds,
+                                                                           std::cout);
+  if (!arguments.junit.empty()) {
+    system::writeFileAtomically(arguments.junit, report::junitOf(judged, arguments.bounds));
+  }
+  return statusOf(report::allMet(judged, arguments.bounds));
+}
+
+void addBounds(CLI::App& command, report::VerdictBounds& bounds) {
+  constexpr const char* kGroup = "Bounds, of which one that isn't kept ends in exit status 1";
+  command.add_option("--max-error-deg", bounds.errorDeg, "On the angle to the exact attitude")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("DEGREES")
+      ->group(kGroup);
+  command
+      .add_option("--max-energy-drift", bounds.energyDrift,
+                  "On the energy's relative drift, e.g. 0.01 for a hundredth")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("PART")
+      ->group(kGroup);
+  command
+      .add_option("--max-L-drift", bounds.momentumDrift,
+                  "On the drift of the angular momentum's size, likewise")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("PART")
+      ->group(kGroup);
+  command.add_flag("--half-turns", bounds.halfTurns, "As many half-turns as the exact motion")
+      ->group(kGroup);
+}
+
+}  // namespace
+
+void addJudgeCommand(CLI::App& program, Action& action) {
+  auto arguments = std::make_shared<JudgeArguments>();
+  CLI::App* command = program.add_subcommand(
+      "judge", "Compare recorded motions, or a scene's, with the exact ones");
+  command->add_option("FILE", arguments->files, "Tables of motions (CSV), or scenes (TOML)")
+      ->required()
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_option("--inertia", arguments->inertia, "Principal moments of a table's body")
+      ->type_name("IX,IY,IZ");
+  command->add_option("--size", arguments->size, "Edges of a table's solid cuboid instead")
+      ->type_name("X,Y,Z");
+  command->add_flag("--json", arguments->json, "Print one JSON object");
+  command->add_option("--junit", arguments->junit, "Write JUnit's XML, a test case for each bound")
+      ->type_name("FILE");
+  command->add_option("--set", arguments->scene.overrides, "Override a key of the scenes")
+      ->type_name("KEY=VALUE")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false);
+  command->add_flag("--allow-outside", arguments->scene.allowOutside,
+                    "Let scenes read files from outside their folders");
+  addBounds(*command, arguments->bounds);
+  arguments->recording.addTo(*command);
+  command->footer(R"(
+Prints the error, the drift of energy and angular momentum, the half-turns made and due, and the kind
+of method that errs so.
+
+Examples:
+  rotatebook judge scenes/comparisons/recordings/*.csv --size 0.15,0.22,0.04
+  rotatebook judge motion.csv --inertia 1,2,2.5 --max-error-deg 1 --junit judged.xml
+  rotatebook judge scenes/starter.toml --half-turns)");
+  command->callback(
+      [arguments, &action] { action = [arguments] { return judgeAll(*arguments); }; });
+}
+
+}  // namespace rotatebook::cli

@@ -1,0 +1,122 @@
+#include "report/toss_report.h"
+
+#include <array>
+#include <numbers>
+
+#include <Eigen/Core>
+
+#include "base/json.h"
+#include "base/number_text.h"
+#include "base/text.h"
+
+namespace rotatebook::report {
+namespace {
+
+constexpr std::array<std::string_view, 2> kRatioNames{"I1/I3", "I2/I3"};
+
+std::string digits4(double value) {
+  return roundedText(value, 4);
+}
+
+std::string degreesASecond(double rate) {
+  return roundedText(rate * 180 / std::numbers::pi, 3) + " deg/s";
+}
+
+template <typename Vector>
+std::string tomlVector(const Vector& vector) {
+  return "[" + shortestText(vector[0]) + ", " + shortestText(vector[1]) + ", " +
+         shortestText(vector[2]) + "]";
+}
+
+std::string tomlTensor(const Eigen::Matrix3d& tensor) {
+  return "[" + tomlVector(tensor.row(0)) + ", " + tomlVector(tensor.row(1)) + ", " +
+         tomlVector(tensor.row(2)) + "]";
+}
+
+std::string ratioJson(const recording::Estimate& ratio) {
+  return JsonObject()
+      .addNumber("value", ratio.value)
+      .addNumber("low", ratio.low)
+      .addNumber("high", ratio.high)
+      .text();
+}
+
+std::string rowJson(const Eigen::Vector3d& row) {
+  return jsonArrayOf(std::array{row.x(), row.y(), row.z()}, shortestText);
+}
+
+/// Returns the keys of [simulation] that state what `options` does.
+std::string statedKeys(const recording::ReadOptions& options) {
+  std::string text;
+  if (!options.unit.empty()) text += "rates = " + quotedText(options.unit) + "\n";
+  if (options.columns.empty()) return text;
+  return text + "columns = { " +
+         joinedOf(options.columns,
+                  [](const auto& one) { return one.first + " = " + quotedText(one.second); }) +
+         " }\n";
+}
+
+}  // namespace
+
+void reportToss(const recording::TossFit& fit, const std::string& name, std::ostream& out) {
+  out << oneLine(name) << ": flight from " << digits4(fit.from) << " to " << digits4(fit.to)
+      << " s, " << fit.readings << " readings\n";
+  for (std::size_t i = 0; i < fit.ratios.size(); ++i) {
+    const recording::Estimate& ratio = fit.ratios[i];
+    out << "  " << kRatioNames[i] << " = " << digits4(ratio.value) << ", " << digits4(ratio.low)
+        << " to " << digits4(ratio.high) << " in 95 of 100\n";
+  }
+  out << "  the fitted motion differs by " << degreesASecond(fit.residual)
+      << " (root mean square); gap of singular values " << roundedText(fit.gap, 3) << '\n';
+  if (fit.rest > 0) {
+    out << "  bias " << degreesASecond(fit.bias.norm()) << ", from " << digits4(fit.rest)
+        << " s of rest before\n";
+  } else {
+    out << "  no rest before the flight: the gyroscope's bias isn't subtracted\n";
+  }
+}
+
+void reportTossAsJson(const recording::TossFit& fit, const std::string& name, std::ostream& out) {
+  const Eigen::Matrix3d& inertia = fit.inertia;
+  out << JsonObject()
+             .addString("name", name)
+             .addNumber("from_s", fit.from)
+             .addNumber("to_s", fit.to)
+             .addInteger("readings", static_cast<std::int64_t>(fit.readings))
+             .add("I1_over_I3", ratioJson(fit.ratios[0]))
+             .add("I2_over_I3", ratioJson(fit.ratios[1]))
+             .add("inertia", jsonArray({rowJson(inertia.row(0)), rowJson(inertia.row(1)),
+                                        rowJson(inertia.row(2))}))
+             .add("angular_velocity", rowJson(fit.start))
+             .add("bias", rowJson(fit.bias))
+             .addNumber("rest_s", fit.rest)
+             .addNumber("residual", fit.residual)
+             .addNumber("gap", fit.gap)
+             .text()
+      << '\n';
+}
+
+std::string tossScene(const recording::TossFit& fit, const std::string& file,
+                      const recording::ReadOptions& options) {
+  constexpr double kSpeed = 0.1;
+  // As large as the default book's, which is drawn.
+  constexpr double kLargestMoment = 0.009988;  // [kg m^2]
+  constexpr double kFramesASecond = 60;
+  // The last frame is within the flight.
+  const double duration = (fit.to - fit.from) / kSpeed - 1 / kFramesASecond;
+  return "title = \"A toss, as measured\"\n"
+         "caption = \"The outline is the exact motion of the inertia that the toss tells.\"\n\n"
+         "[body]\ninertia = " +
+         tomlTensor(kLargestMoment * fit.inertia) + "\n\n[clip]\nspeed = " + shortestText(kSpeed) +
+         "\nduration = " + roundedText(duration, 6) +
+         "\n\n[overlay]\nshow = [\"caption\", \"clock\", \"half_turns\", \"ghost\", \"error\"]\n"
+         "\n[[panel]]\nlabel = \"measured\"\n[panel.simulation]\nmodel = \"recorded\"\nfile = " +
+         quotedText(file) + "\nfrom = " + shortestText(fit.from) +
+         "\nto = " + shortestText(fit.to) + "\nbias = " + tomlVector(fit.bias) + "\n" +
+         statedKeys(options) +
+         "\n[[panel]]\nlabel = \"exact\"\n[panel.simulation]\nmodel = \"exact\"\n"
+         "[panel.initial]\nangular_velocity = " +
+         tomlVector(fit.start) + "\n";
+}
+
+}  // namespace rotatebook::report

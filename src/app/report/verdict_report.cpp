@@ -1,0 +1,187 @@
+#include "report/verdict_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "base/json.h"
+#include "base/number_text.h"
+#include "base/text.h"
+#include "timeline/motion_summary.h"
+
+namespace rotatebook::report {
+namespace {
+
+using timeline::Verdict;
+
+std::string shortNumber(double value) {
+  return roundedText(value, 4);
+}
+
+/// Returns "+47.5 %".
+std::string percentText(double drift) {
+  return (drift > 0 ? "+" : "") + roundedText(100 * drift, 3) + " %";
+}
+
+std::string_view regimeText(rigid::Regime regime) {
+  switch (regime) {
+    case rigid::Regime::AboutSmallest:
+      return "the axis of the smallest moment";
+    case rigid::Regime::AboutLargest:
+      return "the axis of the largest moment";
+    case rigid::Regime::Separatrix:
+      break;
+  }
+  return "no axis";
+}
+
+BoundResult bounded(const char* name, double measured, double bound) {
+  const bool met = std::fabs(measured) <= bound;
+  return {name, "at most " + shortestText(bound) + "; measured " + shortNumber(measured), met};
+}
+
+/// Returns `text` for XML: its marks as entities, control characters as blanks.
+std::string escapedXml(std::string_view text) {
+  std::string result;
+  for (const char letter : validUtf8(text)) {
+    switch (letter) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += static_cast<unsigned char>(letter) < ' ' ? ' ' : letter;
+    }
+  }
+  return result;
+}
+
+std::string caseText(const std::string& motion, const BoundResult& one) {
+  const std::string head = "    <testcase classname=\"" + escapedXml(motion) + "\" name=\"" +
+                           escapedXml(one.name) + "\"";
+  if (one.met) return head + "/>\n";
+  return head + ">\n      <failure message=\"" + escapedXml(one.text) + "\"/>\n    </testcase>\n";
+}
+
+std::string regimesText(const Verdict& verdict) {
+  const std::string start(regimeText(verdict.start)), end(regimeText(verdict.end));
+  return "the angular momentum circles " +
+         (start == end ? start : start + " at first, " + end + " at the end");
+}
+
+std::string boundJson(const BoundResult& one) {
+  return JsonObject()
+      .addString("name", one.name)
+      .addString("text", one.text)
+      .addBool("met", one.met)
+      .text();
+}
+
+std::string verdictJson(const JudgedMotion& motion, const VerdictBounds& bounds) {
+  const Verdict& verdict = motion.verdict;
+  return JsonObject()
+      .addString("name", motion.name)
+      .addInteger("samples", static_cast<std::int64_t>(verdict.samples))
+      .addNumber("duration_s", verdict.duration)
+      .addNumber("error_deg", verdict.errorDeg)
+      .addNumber("end_error_deg", verdict.endErrorDeg)
+      .addNumberOrNull("visible_from_s", verdict.visibleFrom)
+      .addNumber("energy_drift", verdict.energyDrift)
+      .addNumber("end_energy_drift", verdict.endEnergyDrift)
+      .addNumber("L_drift", verdict.momentumDrift)
+      .addNumber("end_L_drift", verdict.endMomentumDrift)
+      .addNumber("L_turn_deg", verdict.momentumTurnDeg)
+      .addInteger("half_turns", verdict.halfTurns)
+      .addInteger("half_turns_due", verdict.halfTurnsDue)
+      .addInteger("regime", static_cast<int>(verdict.start))
+      .addInteger("end_regime", static_cast<int>(verdict.end))
+      .addString("method", timeline::methodThat(verdict.errs))
+      .add("bounds", jsonArrayOf(resultsOf(verdict, bounds), boundJson))
+      .text();
+}
+
+}  // namespace
+
+std::vector<BoundResult> resultsOf(const Verdict& verdict, const VerdictBounds& bounds) {
+  std::vector<BoundResult> results;
+  if (bounds.errorDeg) {
+    results.push_back(bounded("error_deg", verdict.errorDeg, *bounds.errorDeg));
+  }
+  if (bounds.energyDrift) {
+    results.push_back(bounded("energy_drift", verdict.energyDrift, *bounds.energyDrift));
+  }
+  if (bounds.momentumDrift) {
+    results.push_back(bounded("L_drift", verdict.momentumDrift, *bounds.momentumDrift));
+  }
+  if (bounds.halfTurns) {
+    results.push_back({"half_turns",
+                       std::to_string(verdict.halfTurnsDue) + " due; measured " +
+                           std::to_string(verdict.halfTurns),
+                       verdict.halfTurns == verdict.halfTurnsDue});
+  }
+  return results;
+}
+
+bool allMet(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds) {
+  return std::ranges::all_of(motions, [&](const JudgedMotion& motion) {
+    const std::vector<BoundResult> results = resultsOf(motion.verdict, bounds);
+    return std::ranges::all_of(results, [](const BoundResult& one) { return one.met; });
+  });
+}
+
+void reportVerdicts(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds,
+                    std::ostream& out) {
+  for (const auto& [name, verdict] : motions) {
+    const std::string visible = verdict.visibleFrom
+                                    ? ", more than " + shortNumber(timeline::kVisibleErrorDeg) +
+                                          " from " + shortNumber(*verdict.visibleFrom) + " s on"
+                                    : "";
+    out << oneLine(name) << ": " << timeline::methodThat(verdict.errs) << "\n  error "
+        << shortNumber(verdict.endErrorDeg) << " degrees after " << shortNumber(verdict.duration)
+        << " s, at most " << shortNumber(verdict.errorDeg) << visible << "\n  energy "
+        << percentText(verdict.endEnergyDrift) << ", |L| " << percentText(verdict.endMomentumDrift)
+        << ", L turned by up to " << shortNumber(verdict.momentumTurnDeg) << " degrees\n  "
+        << verdict.halfTurns << " of " << verdict.halfTurnsDue << " half-turns; "
+        << regimesText(verdict) << '\n';
+    for (const BoundResult& one : resultsOf(verdict, bounds)) {
+      out << (one.met ? "  met    " : "  NOT MET ") << one.name << ": expected " << one.text
+          << '\n';
+    }
+  }
+}
+
+void reportVerdictsAsJson(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds,
+                          std::ostream& out) {
+  out << JsonObject()
+             .addBool("met", allMet(motions, bounds))
+             .add("motions",
+                  jsonArrayOf(motions, [&](const auto& one) { return verdictJson(one, bounds); }))
+             .text()
+      << '\n';
+}
+
+std::string junitOf(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds) {
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+  for (const auto& [name, verdict] : motions) {
+    std::vector<BoundResult> results = resultsOf(verdict, bounds);
+    if (results.empty()) results.push_back({"judged", "", true});
+    const auto failures =
+        std::ranges::count_if(results, [](const BoundResult& one) { return !one.met; });
+    text += "  <testsuite name=\"" + escapedXml(name) + "\" tests=\"" +
+            std::to_string(results.size()) + "\" failures=\"" + std::to_string(failures) + "\">\n";
+    for (const BoundResult& one : results) text += caseText(name, one);
+    text += "    <system-out>" + escapedXml(timeline::methodThat(verdict.errs)) +
+            "</system-out>\n  </testsuite>\n";
+  }
+  return text + "</testsuites>\n";
+}
+
+}  // namespace rotatebook::report

@@ -1,0 +1,49 @@
+// Reports on verdicts: as text, as JSON and as JUnit's XML.
+#pragma once
+
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "timeline/verdict.h"
+
+namespace rotatebook::report {
+
+/// Bounds on a verdict. Nothing is expected of what has none.
+struct VerdictBounds {
+  std::optional<double> errorDeg{};       ///< On the largest error, >= 0. [degrees]
+  std::optional<double> energyDrift{};    ///< On the largest drift's size, >= 0.
+  std::optional<double> momentumDrift{};  ///< Likewise, of |L|.
+  bool halfTurns = false;                 ///< As many as are due.
+};
+
+/// A verdict on a motion, with what was expected of it.
+struct JudgedMotion {
+  std::string name;  ///< The file's, with the panel's label.
+  timeline::Verdict verdict;
+};
+
+/// A bound, and whether a verdict keeps it.
+struct BoundResult {
+  std::string name;  ///< "error_deg"
+  std::string text;  ///< "at most 1; measured 0.3"
+  bool met = false;
+};
+
+/// Returns the results of the bounds that there are.
+std::vector<BoundResult> resultsOf(const timeline::Verdict& verdict, const VerdictBounds& bounds);
+/// Returns whether all motions keep all bounds.
+bool allMet(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds);
+
+/// Prints a few lines for each motion: what it does, what it ought to, and what errs so.
+void reportVerdicts(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds,
+                    std::ostream& out);
+/// Prints one JSON object.
+void reportVerdictsAsJson(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds,
+                          std::ostream& out);
+/// Returns a document of JUnit's XML: a test suite for each motion, with a test case for each
+/// bound; without bounds, one that passes.
+std::string junitOf(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds);
+
+}  // namespace rotatebook::report

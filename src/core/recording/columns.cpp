@@ -1,0 +1,197 @@
+#include "recording/columns.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "base/nearest_name.h"
+#include "base/text.h"
+
+namespace rotatebook::recording {
+namespace {
+
+/// A group of columns, and the beginnings of their usual names.
+struct Group {
+  std::string_view roles;  // separated by blanks
+  std::string_view usual;  // of the names, without what tells its columns apart
+};
+
+// Names are compared in small letters, without blanks, underscores and what is in brackets.
+constexpr Group kTime{"time", "time t times ts timestamp timems timens timeus elapsedtime seconds"};
+constexpr Group kQuaternion{"qw qx qy qz", "q quat quaternion orientation attitude "};
+constexpr Group kMatrix{"r11 r12 r13 r21 r22 r23 r31 r32 r33", "r m rot matrix"};
+constexpr Group kRates{
+    "wx wy wz",
+    "w g gyr gyro gyroscope omega angularvelocity angvel rate rotationrate angularrate"};
+constexpr Group kAcceleration{
+    "ax ay az", "a acc accel acceleration accelerometer accelerationwithg specificforce"};
+
+std::vector<std::string_view> wordsOf(std::string_view text) {
+  std::vector<std::string_view> words;
+  while (true) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    words.push_back(text.substr(0, end));
+    if (end == text.size()) return words;
+    text.remove_prefix(end + 1);
+  }
+}
+
+char small(char letter) {
+  return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+}
+
+/// Returns "gyroscopex" for "Gyroscope x (rad/s)".
+std::string plain(std::string_view name) {
+  std::string text;
+  for (const char letter : name.substr(0, name.find_first_of("([{"))) {
+    if (letter != ' ' && letter != '_' && letter != '-' && letter != '.') text += small(letter);
+  }
+  return text;
+}
+
+std::string smallText(std::string_view text) {
+  std::string result(text);
+  std::ranges::transform(result, result.begin(), small);
+  return result;
+}
+
+bool has(std::string_view text, std::string_view part) {
+  return text.find(part) != text.npos;
+}
+
+/// Finds columns in a table's header.
+class Finder {
+ public:
+  Finder(const CsvTable& table, const ColumnNames& named) : table_(table), named_(named) {
+    for (const std::string& name : table.header()) plain_.push_back(plain(name));
+  }
+
+  /// Returns the columns of a group; none if the table has none of them.
+  template <std::size_t N>
+  std::optional<std::array<std::size_t, N>> group(const Group& group) const {
+    std::array<std::size_t, N> columns{};
+    std::vector<std::string> missing;
+    const std::vector<std::string_view> roles = wordsOf(group.roles);
+    for (std::size_t i = 0; i < N; ++i) {
+      const auto column = columnOf(roles[i], group.usual);
+      if (column) columns[i] = *column;
+      if (!column) missing.emplace_back(roles[i]);
+    }
+    if (missing.empty()) return columns;
+    if (missing.size() == N) return std::nullopt;
+    table_.fail("no column for " + listed(missing) + " among " + names() +
+                "; name it in simulation.columns");
+  }
+
+  /// Returns the names of all columns, for messages.
+  std::string names() const {
+    constexpr std::size_t kShown = 12;
+    constexpr std::size_t kLongest = 40;  // [characters]
+    std::vector<std::string> shown;
+    for (const std::string& name : table_.header()) {
+      if (shown.size() == kShown) break;
+      shown.push_back(quotedText(oneLine(name, kLongest)));
+    }
+    if (table_.header().size() > kShown) {
+      shown.push_back(std::to_string(table_.header().size() - kShown) + " more");
+    }
+    return listed(shown);
+  }
+
+ private:
+  std::optional<std::size_t> columnOf(std::string_view role, std::string_view usual) const {
+    const auto stated = std::ranges::find_if(
+        named_, [role](const auto& one) { return std::string_view(one.first) == role; });
+    if (stated != named_.end()) return indexOf(role, stated->second);
+    if (role == kTime.roles) return indexOfUsual(usual, "");
+    // The part of the name that tells the columns of a group apart: "x", or "12".
+    return indexOfUsual(usual, role.substr(1));
+  }
+
+  std::size_t indexOf(std::string_view role, const std::string& name) const {
+    const auto& header = table_.header();
+    const auto found = std::ranges::find(header, name);
+    if (found != header.end()) return static_cast<std::size_t>(found - header.begin());
+    table_.fail("no column " + quotedText(name) + ", which simulation.columns names for " +
+                std::string(role) + ", among " + names());
+  }
+
+  std::optional<std::size_t> indexOfUsual(std::string_view usual, std::string_view end) const {
+    for (const std::string_view begin : wordsOf(usual)) {
+      const std::string wanted = std::string(begin) + std::string(end);
+      if (wanted.empty()) continue;
+      // A single letter for a quaternion's part is recognised beside the three others alone.
+      if (begin.empty() && std::ranges::find(plain_, "w") == plain_.end()) continue;
+      const auto found = std::ranges::find(plain_, wanted);
+      if (found != plain_.end()) return static_cast<std::size_t>(found - plain_.begin());
+    }
+    return std::nullopt;
+  }
+
+  const CsvTable& table_;
+  const ColumnNames& named_;
+  std::vector<std::string> plain_;
+};
+
+/// Returns the length of the unit that a header states for the time, in seconds.
+double secondsIn(std::string_view header) {
+  const std::string text = smallText(header);
+  if (has(text, "(ms)") || text.ends_with("_ms") || has(text, "[ms]")) return 1e-3;
+  if (has(text, "(us)") || text.ends_with("_us") || has(text, "[us]")) return 1e-6;
+  if (has(text, "(ns)") || text.ends_with("_ns") || has(text, "[ns]")) return 1e-9;
+  return 1;
+}
+
+/// Returns the one of kRateUnits that a header states; empty if it states none.
+std::string_view unitIn(std::string_view header) {
+  const std::string text = smallText(header);
+  for (const char* degrees : {"deg", "dps", "\xC2\xB0"}) {  // the last is a degree sign
+    if (has(text, degrees)) return kRateUnits[1];
+  }
+  if (has(text, "rad")) return kRateUnits[0];
+  return "";
+}
+
+double radiansPerUnit(const CsvTable& table, const Columns& columns, std::string_view unit) {
+  const std::string& header = table.header()[columns.rates->front()];
+  if (unit.empty()) unit = unitIn(header);
+  const bool hasAttitudes = columns.quaternion || columns.matrix;
+  if (unit.empty() && hasAttitudes) return 1;  // This program's tables have SI units.
+  if (unit.empty()) {
+    table.fail("the column " + quotedText(header) +
+               " doesn't say whether it is in rad/s or deg/s; state it in simulation.rates");
+  }
+  return unit == kRateUnits[1] ? std::numbers::pi / 180 : 1;
+}
+
+}  // namespace
+
+std::vector<std::string_view> columnRoles() {
+  std::vector<std::string_view> roles;
+  for (const Group& group : {kTime, kQuaternion, kMatrix, kRates, kAcceleration}) {
+    for (const std::string_view role : wordsOf(group.roles)) roles.push_back(role);
+  }
+  return roles;
+}
+
+Columns findColumns(const CsvTable& table, const ColumnNames& named, std::string_view unit) {
+  const Finder finder(table, named);
+  Columns columns;
+  const auto time = finder.group<1>(kTime);
+  if (!time) {
+    table.fail("no column of times among " + finder.names() + "; name it in simulation.columns");
+  }
+  columns.time = time->front();
+  columns.secondsPerUnit = secondsIn(table.header()[columns.time]);
+  columns.quaternion = finder.group<4>(kQuaternion);
+  if (!columns.quaternion) columns.matrix = finder.group<9>(kMatrix);
+  columns.rates = finder.group<3>(kRates);
+  columns.acceleration = finder.group<3>(kAcceleration);
+  if (!columns.quaternion && !columns.matrix && !columns.rates) {
+    table.fail("neither attitudes (qw to qz, or r11 to r33) nor rates (wx to wz) among " +
+               finder.names() + "; name them in simulation.columns");
+  }
+  if (columns.rates) columns.radiansPerUnit = radiansPerUnit(table, columns, unit);
+  return columns;
+}
+
+}  // namespace rotatebook::recording

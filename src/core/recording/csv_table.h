@@ -1,0 +1,49 @@
+// A table of numbers as text, as instruments and programs export them.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace rotatebook::recording {
+
+/// Largest recording that is read. [bytes]
+inline constexpr std::size_t kLargestRecording = 16 << 20;
+/// Most rows of a recording.
+inline constexpr std::size_t kMaxRows = 1'000'000;
+/// Most columns of a recording.
+inline constexpr std::size_t kMaxColumns = 256;
+
+/// A table whose first line names the columns. Cells are separated by tabs, semicolons or commas,
+/// whichever that line has, in this order; where they aren't separated by commas, numbers may have
+/// a decimal comma. Empty lines, and lines that begin with '#', are skipped.
+class CsvTable {
+ public:
+  /// Takes the bytes of a file, which must outlive the table; `name` is the file's in messages.
+  /// Throws InputError "NAME:LINE: PROBLEM" for a table without rows, for a row of another number
+  /// of cells than the header, and for more than kLargestRecording, kMaxRows or kMaxColumns.
+  CsvTable(std::string_view bytes, std::string name);
+
+  /// Returns the names of the columns, without quotation marks.
+  const std::vector<std::string>& header() const { return header_; }
+  /// Returns the number of rows below the header, >= 1.
+  std::size_t rows() const { return lines_.size(); }
+  /// Returns the finite number in a cell. Throws InputError "NAME:LINE: PROBLEM" if there is none.
+  double at(std::size_t row, std::size_t column) const;
+  /// Throws InputError "NAME:LINE: PROBLEM" with the line of `row`.
+  [[noreturn]] void failAt(std::size_t row, const std::string& problem) const;
+  /// Throws InputError "NAME: PROBLEM".
+  [[noreturn]] void fail(const std::string& problem) const;
+
+ private:
+  void addRow(std::string_view line, std::size_t number);
+
+  std::string name_;
+  char separator_ = ',';
+  std::vector<std::string> header_;
+  std::vector<std::string_view> cells_;  // row by row
+  std::vector<std::size_t> lines_;       // of each row in the file, from 1
+};
+
+}  // namespace rotatebook::recording

@@ -1,0 +1,89 @@
+// A motion that was recorded, at any time within it.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "base/layout.h"
+
+namespace rotatebook::recording {
+
+/// A body's attitude and spin at one moment of a recording.
+struct RecordedMoment {
+  double time = 0;  ///< [s]
+  /// World from body, of unit norm.
+  Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d angularVelocity{0, 0, 0};  ///< In body axes. [rad/s]
+};
+
+/// Moments in the order of their times, and the motion between them. It begins at time 0, when body
+/// and world axes agree: the recording's own world is turned so.
+class RecordedMotion {
+ public:
+  /// Takes at least two moments, at ascending times; the first is to be time 0.
+  explicit RecordedMotion(std::vector<RecordedMoment> moments);
+
+  const std::vector<RecordedMoment>& moments() const { return moments_; }
+  /// Returns the time of the last moment, > 0. [s]
+  double duration() const { return moments_.back().time; }
+  /// Returns the body at a time within the recording, or at its nearer end: between two moments the
+  /// attitude is the cubic that has their attitudes and spins, of unit norm; the spin is the cubic
+  /// through two moments on each side. [s]
+  RecordedMoment at(double time) const;
+  /// Returns the part from `from` to `to`, which are within the recording. [s]
+  RecordedMotion part(double from, double to) const;
+
+ private:
+  std::vector<RecordedMoment> moments_;
+};
+
+/// Neighbouring moments.
+struct Stencil {
+  std::size_t first = 0, count = 0;
+};
+
+/// Returns up to four moments, at ascending times, around the gap after moment `index` of `count`:
+/// its ends, and one before and one after it or, at an end, two on the other side. Left out are
+/// those at gaps of less than a tenth of this one, and what lies beyond: a cubic through times that
+/// close together would swing.
+template <typename TimeOf>
+Stencil stencilAround(std::size_t index, std::size_t count, const TimeOf& timeOf) {
+  constexpr double kEven = 0.1;
+  constexpr std::size_t kMost = 4;
+  const double enough = kEven * (timeOf(index + 1) - timeOf(index));
+  const std::size_t lowest =
+      std::min(index > 0 ? index - 1 : 0, count > kMost ? count - kMost : std::size_t{0});
+  const std::size_t highest = std::min(lowest + kMost, count) - 1;
+  std::size_t first = index, last = index + 1;
+  while (first > lowest && timeOf(first) - timeOf(first - 1) >= enough) --first;
+  while (last < highest && timeOf(last + 1) - timeOf(last) >= enough) ++last;
+  return {first, last - first + 1};
+}
+
+/// Returns the value at `time` of the polynomial through the stencil's values at their times.
+template <typename ValueOf, typename TimeOf>
+Eigen::Vector3d polynomialAt(double time, Stencil stencil, const TimeOf& timeOf,
+                             const ValueOf& valueOf) {
+  const std::size_t first = stencil.first, count = stencil.count;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = first; i < first + count; ++i) {
+    double weight = 1;
+    for (std::size_t k = first; k < first + count; ++k) {
+      if (k != i) weight *= (time - timeOf(k)) / (timeOf(i) - timeOf(k));
+    }
+    sum += weight * valueOf(i);
+  }
+  return sum;
+}
+
+extern const std::size_t kRecordedMomentSize;  // in the library
+namespace {
+[[maybe_unused]] const bool kRecordedMomentIsSame =
+    noteSize("recording::RecordedMoment", kRecordedMomentSize, sizeof(RecordedMoment));
+}  // namespace
+
+}  // namespace rotatebook::recording

@@ -1,0 +1,84 @@
+#include "scene/recordings.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "base/checksum.h"
+#include "base/error.h"
+#include "base/number_text.h"
+#include "base/text.h"
+#include "document/toml_tree.h"
+#include "recording/csv_table.h"
+#include "recording/read_recording.h"
+#include "scene/source_locations.h"
+
+namespace rotatebook::scene {
+namespace {
+
+void checkChecksum(const physics::RecordedFile& recorded, const std::string& checksum) {
+  if (recorded.checksum.empty() || recorded.checksum == checksum) return;
+  throw InputError("the file " + quotedText(recorded.file) + " has changed: its checksum is " +
+                   checksum + ", not " + recorded.checksum +
+                   "; bring the file back, or leave simulation.checksum out");
+}
+
+void readRecording(physics::MotionSettings& motion, const std::filesystem::path& folder,
+                   const ReadNamedFile& readNamedFile) {
+  physics::RecordedFile& recorded = motion.simulation.recorded;
+  const std::string bytes = readNamedFile(recorded.file, recording::kLargestRecording);
+  const std::string checksum = checksumOf(bytes);
+  checkChecksum(recorded, checksum);
+  recorded.checksum = checksum;
+  const std::string name = oneLine((folder / recorded.file).string());
+  recorded.motion = std::make_shared<recording::RecordedMotion>(recording::readRecording(
+      bytes, name, {recorded.columns, recorded.rates, recorded.from, recorded.to, recorded.bias}));
+  const Eigen::Vector3d start = recorded.motion->moments().front().angularVelocity;
+  if (start.isZero(0)) {
+    throw InputError(name +
+                     ": the body is at rest at first; say with simulation.from when its "
+                     "motion starts");
+  }
+  motion.initial = {physics::SpinKind::AngularVelocity, start};
+}
+
+void checkDuration(const physics::MotionSettings& motion, double length) {
+  constexpr double kRounding = 1e-9;
+  const double duration = motion.simulation.recorded.motion->duration();
+  if (length <= duration * (1 + kRounding)) return;
+  throw InputError("the recording " + quotedText(motion.simulation.recorded.file) + " lasts " +
+                   roundedText(duration, 6) + " s, but the clip shows " + roundedText(length, 6) +
+                   " s of it; lower clip.duration or clip.speed");
+}
+
+/// Reads the recording that a motion is taken from, if it is; the clip shows `length` of it. [s]
+void readIfRecorded(physics::MotionSettings& motion, const Scene& scene,
+                    const std::string& location, double length,
+                    const ReadNamedFile& readNamedFile) {
+  if (motion.simulation.model != physics::Model::Recorded) return;
+  try {
+    readRecording(motion, scene.folder, readNamedFile);
+    checkDuration(motion, length);
+  } catch (const InputError& error) {
+    document::failAt(location, error.what());
+  }
+}
+
+}  // namespace
+
+void readRecordings(Scene& scene, const ReadNamedFile& readNamedFile) {
+  const double length = timeAt(scene, static_cast<double>(scene.clip.frameCount() - 1));
+  const std::string location = locationOf(scene, "simulation.file");
+  if (scene.panels.empty()) readIfRecorded(scene, scene, location, length, readNamedFile);
+  for (std::size_t i = 0; i < scene.panels.size(); ++i) {
+    const bool isOwn = scene.locations.contains(recordingKey(i));
+    readIfRecorded(scene.panels[i], scene, isOwn ? locationOf(scene, recordingKey(i)) : location,
+                   length, readNamedFile);
+  }
+  if (!scene.study || !scene.study->sweep) return;
+  for (SweepRun& run : scene.study->sweep->runs) {
+    readIfRecorded(run.motion, scene, location, 0, readNamedFile);
+  }
+}
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,15 @@
+// The recordings that a scene's motions are taken from.
+#pragma once
+
+#include "scene/scene.h"
+#include "scene/scene_text.h"
+
+namespace rotatebook::scene {
+
+/// Reads the files of all motions of Model::Recorded, those of a sweep's runs, too: sets their
+/// motion, checksum and start. Throws InputError at the location of simulation.file: for a file
+/// that `readNamedFile` or recording::readRecording() refuses, that has another checksum than
+/// stated, that begins at rest, or that is shorter than the clip.
+void readRecordings(Scene& scene, const ReadNamedFile& readNamedFile);
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,148 @@
+// Recorded motions: rotatebook judge and toss, and clips of recordings.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "cli/program_test.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class Recorded : public ProgramTest {
+ protected:
+  Recorded() {
+    for (const char* name : {"mujoco", "simbody"}) copy(name, std::string(name) + ".csv");
+  }
+
+  void copy(const std::string& recording, const std::string& name) const {
+    fs::copy_file(
+        fs::path(ROTATEBOOK_SOURCE) / "scenes/comparisons/recordings" / (recording + ".csv"),
+        folder() / name, fs::copy_options::overwrite_existing);
+  }
+
+  void writeScene(const std::string& file) const {
+    write("scene.toml",
+          "[body]\nsize = [0.15, 0.22, 0.04]\n[simulation]\nmodel = \"recorded\"\n"
+          "file = \"" +
+              file +
+              "\"\n[clip]\nsize = [64, 36]\nduration = 0.2\n"
+              "[overlay]\nshow = [\"ghost\"]\n");
+  }
+
+  ChildResult judge(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "judge");
+    arguments.insert(arguments.end(), {"--size", "0.15,0.22,0.04"});
+    return runWithoutGraphics(arguments);
+  }
+};
+
+TEST_F(Recorded, AreJudged) {
+  const ChildResult result = judge({"mujoco.csv", "simbody.csv"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(
+      result.output,
+      AllOf(HasSubstr("mujoco.csv: gains energy: an explicit gyroscopic torque, of order 1"),
+            HasSubstr("energy +47.5 %, |L| +21.5 %"), HasSubstr("3 of 3 half-turns"),
+            HasSubstr("simbody.csv: agrees with the exact motion")));
+}
+
+TEST_F(Recorded, AreJudgedByBounds) {
+  const std::vector<std::string> bounds{"--max-error-deg", "1",    "--max-energy-drift", "0.01",
+                                        "--max-L-drift",   "0.01", "--half-turns"};
+  std::vector<std::string> arguments{"simbody.csv", "--junit", "good.xml"};
+  arguments.insert(arguments.end(), bounds.begin(), bounds.end());
+  EXPECT_EQ(judge(arguments).status, 0);
+  EXPECT_THAT(read("good.xml"),
+              AllOf(HasSubstr("<testsuite name=\"simbody.csv\" tests=\"4\" failures=\"0\">"),
+                    Not(HasSubstr("<failure"))));
+  arguments[0] = "mujoco.csv";
+  arguments[2] = "bad.xml";
+  const ChildResult result = judge(arguments);
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("  NOT MET energy_drift: expected at most 0.01; measured 0.4754\n"),
+                    HasSubstr("  met    half_turns: expected 3 due; measured 3\n")));
+  EXPECT_THAT(read("bad.xml"),
+              AllOf(HasSubstr("failures=\"3\""),
+                    HasSubstr("<failure message=\"at most 0.01; measured 0.4754\"/>")));
+}
+
+TEST_F(Recorded, AreJudgedAsJson) {
+  const ChildResult result = judge({"simbody.csv", "--json", "--max-error-deg", "0"});
+  EXPECT_EQ(result.status, 1);
+  EXPECT_THAT(
+      result.output,
+      AllOf(HasSubstr("{\"met\":false,\"motions\":[{\"name\":\"simbody.csv\""),
+            HasSubstr("\"half_turns_due\":3"), HasSubstr("\"bounds\":[{\"name\":\"error_deg\"")));
+}
+
+TEST_F(Recorded, ScenesAreJudgedToo) {
+  const ChildResult result = runWithoutGraphics({"judge", "tiny.toml"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.output, HasSubstr("tiny.toml: agrees with the exact motion"));
+}
+
+TEST_F(Recorded, NeedABody) {
+  const ChildResult result = runWithoutGraphics({"judge", "simbody.csv"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.error, HasSubstr("state the body's moments with --inertia IX,IY,IZ"));
+  EXPECT_THAT(runWithoutGraphics({"judge", "simbody.csv", "--inertia", "1,2,9"}).error,
+              HasSubstr("larger than the sum"));
+  EXPECT_THAT(runWithoutGraphics({"judge", "simbody.csv", "--inertia", "1,2"}).error,
+              HasSubstr("--inertia 1,2 must be three numbers over 0"));
+}
+
+TEST_F(Recorded, ClipsAreProvedWithTheirFile) {
+  writeScene("simbody.csv");
+  const ChildResult render = run({"render", "scene.toml", "--no-png"});
+  ASSERT_EQ(render.status, 0) << render.error;
+  const ChildResult proof = run({"verify", "out/scene.mp4", "--scene-folder", "."});
+  EXPECT_TRUE(proof.status == 0 || proof.status == 4) << proof.error << proof.output;
+  EXPECT_THAT(run({"verify", "out/scene.mp4"}).error,
+              HasSubstr("name its scene's folder with --scene-folder DIR"));
+  copy("mujoco", "simbody.csv");
+  EXPECT_THAT(run({"verify", "out/scene.mp4", "--scene-folder", "."}).error,
+              HasSubstr("the file \"simbody.csv\" has changed"));
+}
+
+TEST_F(Recorded, FramesAreAssembledWithoutTheirFile) {
+  writeScene("simbody.csv");
+  ASSERT_EQ(run({"render", "scene.toml"}).status, 0);
+  fs::remove(folder() / "simbody.csv");
+  EXPECT_EQ(run({"assemble", "out/scene", "-o", "again.mp4"}).status, 0);
+  EXPECT_EQ(read("again.mp4"), read("out/scene.mp4"));
+}
+
+TEST_F(Recorded, AreReadFromTheScenesFolderAlone) {
+  fs::create_directory(folder() / "below");
+  fs::rename(folder() / "simbody.csv", folder() / "outside.csv");
+  writeScene("../outside.csv");
+  fs::rename(folder() / "scene.toml", folder() / "below/scene.toml");
+  const ChildResult result = runWithoutGraphics({"check", "below/scene.toml"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.error, AllOf(HasSubstr("below/scene.toml:5:8: can't read"),
+                                  HasSubstr("leads outside the scene's folder")));
+  EXPECT_EQ(runWithoutGraphics({"check", "below/scene.toml", "--allow-outside"}).status, 0);
+}
+
+TEST_F(Recorded, TossesTellTheInertiaAndWriteAScene) {
+  fs::copy_file(fs::path(ROTATEBOOK_SOURCE) / "docs/toss.csv", folder() / "toss.csv");
+  const ChildResult result = runWithoutGraphics({"toss", "toss.csv", "-o", "toss.toml"});
+  ASSERT_EQ(result.status, 0) << result.error;
+  // The default book's ratios are 0.3151 and 0.7266.
+  EXPECT_THAT(result.output, AllOf(HasSubstr("  I1/I3 = 0.315"), HasSubstr("  I2/I3 = 0.726"),
+                                   HasSubstr("of rest before"), HasSubstr("wrote toss.toml\n")));
+  const ChildResult simulated = runWithoutGraphics({"simulate", "toss.toml"});
+  EXPECT_EQ(simulated.status, 0) << simulated.error;
+  EXPECT_THAT(simulated.output, HasSubstr("within 0."));  // degrees of the exact motion
+  EXPECT_THAT(runWithoutGraphics({"toss", "toss.csv", "-o", "out/toss.toml"}).error,
+              HasSubstr("write it beside the recording"));
+}
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

@@ -1,0 +1,68 @@
+#include "recording/csv_table.h"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "recording/refusal.h"
+
+namespace rotatebook::recording {
+namespace {
+
+using ::testing::ElementsAre;
+
+std::string tableRefusal(const std::string& text) {
+  return refusalOf([&] { CsvTable(text, "t.csv"); });
+}
+
+TEST(CsvTable, ReadsCommasTabsAndSemicolons) {
+  for (const char* const text :
+       {"a,b\n1,2.5\n", "a\tb\n1\t2.5\n", "a;b\n1;2.5\n", "\"a\",\"b\"\r\n1,2.5\r\n",
+        "\xEF\xBB\xBF# made\n\na,b\n\n1,2.5"}) {
+    const CsvTable table(text, "t.csv");
+    EXPECT_THAT(table.header(), ElementsAre("a", "b")) << text;
+    ASSERT_EQ(table.rows(), 1U) << text;
+    EXPECT_EQ(table.at(0, 0), 1) << text;
+    EXPECT_EQ(table.at(0, 1), 2.5) << text;
+  }
+}
+
+TEST(CsvTable, ReadsDecimalCommasWhereCommasDontSeparate) {
+  const std::string text = "\"Time (s)\";\"x\"\n\"0,5\";-1,25E-3\n";
+  const CsvTable table(text, "t.csv");
+  EXPECT_EQ(table.at(0, 0), 0.5);
+  EXPECT_EQ(table.at(0, 1), -1.25e-3);
+}
+
+TEST(CsvTable, NamesTheLineOfWhatItRefuses) {
+  EXPECT_EQ(tableRefusal(""),
+            "t.csv: no rows below a header; a recording is a table of numbers (CSV)");
+  EXPECT_EQ(tableRefusal("a,b\n"),
+            "t.csv: no rows below a header; a recording is a table of numbers (CSV)");
+  EXPECT_EQ(tableRefusal("a,b\n1,2\n\n3\n"), "t.csv:4: 1 cell, but the header names 2 columns");
+  EXPECT_EQ(tableRefusal(std::string(3 * kMaxColumns, ',') + "\n"),
+            "t.csv: 769 columns; a recording has up to 256");
+  EXPECT_EQ(tableRefusal(std::string(kLargestRecording + 1, ' ')),
+            "t.csv: longer than 16 MiB, the limit for a recording; export a part of it");
+}
+
+TEST(CsvTable, RefusesCellsThatAreNoNumbers) {
+  for (const char* cell : {"", "x", "nan", "inf", "1e999", "1 2", "0x10"}) {
+    const std::string text = std::string("a,b\n1,") + cell + "\n";
+    const CsvTable table(text, "t.csv");
+    EXPECT_EQ(refusalOf([&] { table.at(0, 1); }),
+              std::string("t.csv:2: the column \"b\" has \"") + cell +
+                  "\", which is no finite number; leave such rows out");
+  }
+}
+
+TEST(CsvTable, RefusesMoreRowsThanItsLimit) {
+  std::string text = "a\n";
+  for (std::size_t row = 0; row < kMaxRows; ++row) text += "1\n";
+  EXPECT_EQ(tableRefusal(text), "");
+  EXPECT_EQ(tableRefusal(text + "1\n"), "t.csv: more than 1000000 rows; export a part of it");
+}
+
+}  // namespace
+}  // namespace rotatebook::recording

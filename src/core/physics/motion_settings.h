@@ -81,7 +81,7 @@ struct InitialSpin {
   Kind kind = Kind::AngularVelocity;
   Eigen::Vector3d value{0, 0, 0};  ///< Not zero. [rad/s] or [kg m^2/s]
   std::optional<Tilt> tilt{};      ///< Applied to `value` before use.
-  /// Where `value` comes from, if a scene names the axis.
+  /// The source of `value`, if a scene names the axis.
   std::optional<SpinAbout> about{};
 
   /// Returns `value` rotated by `tilt`. Throws InputError if it points along the tilt's axis, where

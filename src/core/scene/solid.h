@@ -23,7 +23,7 @@ struct BodyPart {
   std::vector<double> lengths{};    ///< One for each of the shape's. [m]
   std::optional<double> density{};  ///< Negative for what is taken away; the shape's by default.
                                     ///< [kg/m^3]
-  Eigen::Vector3d place{0, 0, 0};   ///< Where the shape's origin is. [m]
+  Eigen::Vector3d place{0, 0, 0};   ///< Of the shape's origin. [m]
   std::optional<Turn> turn{};       ///< Before it is moved to its place.
 
   friend bool operator==(const BodyPart&, const BodyPart&) = default;

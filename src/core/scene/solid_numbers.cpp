@@ -49,7 +49,7 @@ MassProperties multiplied(MassProperties properties, double factor) {
 }
 
 SolidNumbers numbersOfParts(const std::vector<BodyPart>& parts) {
-  // What is taken away comes last, so that sums before it are bodies
+  // Take away last, so that all sums before are bodies
   std::vector<MassProperties> added, taken;
   Box box;
   for (const BodyPart& part : parts) {

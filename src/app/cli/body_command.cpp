@@ -15,6 +15,7 @@
 #include "cli/scene_options.h"
 #include "physics/motion_start.h"
 #include "report/body_report.h"
+#include "scene/solid_numbers.h"
 #include "system/read_file.h"
 
 namespace rotatebook::cli {
@@ -75,8 +76,8 @@ report::BodyNumbers bodyOfScene(const std::string& path, const BodyOptions& opti
     throw InputError("--density, --mass and --unit are a mesh's; " + path +
                      " has a body of its own");
   const scene::Scene scene = options.scene.read(path);
-  const physics::MotionSettings motion =
-      scene.panels.empty() ? scene.motion() : scene.panels.front().motion();
+  const scene::Panel motion = scene::motionsOf(scene).front();
+  if (!motion.solid.isBook()) return {scene.name, scene::numbersOf(motion.solid).properties};
   const rigid::PrincipalAxes inertia = physics::modelInertia(motion);
   const Eigen::Matrix3d& axes = inertia.bodyFromPrincipal;
   return {scene.name,

@@ -98,6 +98,7 @@ std::vector<fs::path> textureFiles(const scene::Scene& scene) {
 }
 
 TextureFiles readTextures(const scene::Scene& scene) {
+  scene::requireBook(scene);
   TextureFiles files;
   for (const Side& side : {kFront, kSpine, kBack}) {
     // Built-in textures are always valid, and loading them takes a tenth of a render's start.
@@ -109,6 +110,7 @@ TextureFiles readTextures(const scene::Scene& scene) {
 }
 
 LoadedTextures loadTextures(const scene::Scene& scene, const TextureFiles& files) {
+  scene::requireBook(scene);
   const auto start = [&](const Side& side) {
     return std::async(std::launch::async, [&] { return load(scene, side, files); });
   };

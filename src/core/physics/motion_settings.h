@@ -74,6 +74,14 @@ struct Tilt {
   friend bool operator==(const Tilt&, const Tilt&) = default;
 };
 
+/// A spin about a principal axis, chosen by its moment.
+struct SpinAbout {
+  int rank = 0;     ///< 0, 1, 2: the axis of the smallest, middle and largest moment.
+  double rate = 0;  ///< In the unit of InitialSpin::value, not 0.
+
+  friend bool operator==(const SpinAbout&, const SpinAbout&) = default;
+};
+
 /// The spin at t = 0, when body and world axes coincide.
 struct InitialSpin {
   using Kind = SpinKind;
@@ -81,6 +89,8 @@ struct InitialSpin {
   Kind kind = Kind::AngularVelocity;
   Eigen::Vector3d value{0, 0, 0};  ///< Not zero. [rad/s] or [kg m^2/s]
   std::optional<Tilt> tilt{};      ///< Applied to `value` before use.
+  /// The source of `value`, if a scene names the axis.
+  std::optional<SpinAbout> about{};
 
   /// Returns `value` rotated by `tilt`. Throws InputError if it points along the tilt's axis, where
   /// no rotation is defined.

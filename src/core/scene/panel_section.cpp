@@ -6,6 +6,7 @@
 
 #include "document/problems.h"
 #include "document/toml_text.h"
+#include "scene/body_section.h"
 #include "scene/keys/keys.h"
 #include "scene/names.h"
 #include "scene/sections.h"
@@ -142,6 +143,7 @@ Panel readPanel(const ValueReader& panel, const ValueReader& file, double timePe
   // Check what several sections decide together
   result.simulation.timePerFrame = timePerFrame;
   checkPanel(panel, merged, result);
+  settleSpin(merged, result);
   return result;
 }
 

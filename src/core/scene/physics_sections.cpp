@@ -7,6 +7,7 @@
 
 #include "base/nearest_name.h"
 #include "document/problems.h"
+#include "scene/body_section.h"
 #include "scene/keys/keys.h"
 #include "scene/names.h"
 #include "scene/sections.h"
@@ -20,6 +21,11 @@ bool isTimePerFrame(const Key<physics::SimulationSettings>& key) {
 
 void finishSimulation(const ValueReader& section, physics::SimulationSettings& settings) {
   if (!section.find("integrator")) settings.integrator = defaultIntegrator(settings.model);
+}
+
+bool isBook(const document::TomlNode& node) {
+  const auto* text = std::get_if<std::string>(&node.value);
+  return text != nullptr && *text == "book";
 }
 
 /// Returns the lines of all keys but time_per_frame, which panels share.
@@ -50,7 +56,7 @@ bool hasSpin(const ValueReader& section, const std::string& name) {
 void checkSpin(const ValueReader& section, physics::InitialSpin& spin) {
   const bool isStated = hasSpin(section, "[initial]");
   const auto tilt = section.find("tilt");
-  if (tilt && isStated) failAtValue(*tilt, [&] { spin.tilted(); });
+  if (tilt && isStated && !spin.about) failAtValue(*tilt, [&] { spin.tilted(); });
 }
 
 physics::Nudge nudgeFrom(const ValueReader& table) {
@@ -105,7 +111,7 @@ std::span<const Section<Motion>> motionSections() {
     const auto initial = section<Motion>("initial", &Motion::initial, initialKeys(), checkSpin);
     const auto expect = section<Motion>("expect", &Motion::expectations, expectKeys());
     return std::vector<Section<Motion>>{
-        section<Motion>("body", std::identity(), bodyKeys()),
+        bodySection(),
         {simulation.name, simulation.read, simulationLines, simulation.rows},
         {initial.name, initial.read, initialLines, initial.rows},
         {"nudge", readNudges, {}, rowsOf("nudge.N.", nudgeKeys()), nudgeTables},
@@ -163,8 +169,16 @@ void checkMotion(const ValueReader& file, const physics::SimulationSettings& set
 }
 
 void checkInertia(const ValueReader& section, physics::Model model) {
+  if (model != physics::Model::Particles) return;
+  for (const char* key : {"shape", "mesh", "part"}) {
+    const auto value = section.find(key);
+    if (!value || isBook(value->node())) continue;
+    value->fail(value->name() +
+                " is for rigid models, but the model is \"particles\", which are the corners of "
+                "the book; choose another model");
+  }
   const auto inertia = section.find("inertia");
-  if (!inertia || model != physics::Model::Particles) return;
+  if (!inertia) return;
   inertia->fail(inertia->name() +
                 " is for rigid models, but the model is \"particles\", whose inertia follows from "
                 "their positions; leave it out");

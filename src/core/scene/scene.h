@@ -21,6 +21,7 @@
 #include "scene/overlays.h"
 #include "scene/playback_speed.h"
 #include "scene/reference_frame.h"
+#include "scene/solid.h"
 #include "scene/study_settings.h"
 #include "scene/words.h"
 
@@ -118,6 +119,8 @@ struct OverlaySettings {
 
 /// [body], [simulation], [initial] and [expect]: one motion, and what it must show.
 struct Motion : physics::MotionSettings {
+  /// The body that isn't the book; size, mass and inertia above follow from it.
+  Solid solid{};
   std::vector<Expectation> expectations{};
 
   /// Returns the settings that the motion is simulated from.

@@ -8,6 +8,7 @@
 #include "document/problems.h"
 #include "document/toml_tree.h"
 #include "document/value_reader.h"
+#include "scene/body_section.h"
 #include "scene/key_rows.h"
 #include "scene/keys/keys.h"
 #include "scene/names.h"
@@ -105,6 +106,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   problems.note([&] {
     scene.wordsFile = includeTable(tree, "overlay", "words", scene.folder, readNamedFile);
   });
+  problems.note([&] { includeMeshes(tree, readNamedFile); });
   const ValueReader file(tree, "");
   problems.note([&] { readSections(file, scene); });
   problems.note([&] { readMotions(file, scene); });
@@ -117,7 +119,10 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   noteLocations(file, scene);
 
   // Check across sections, and read what depends on several of them
-  if (scene.panels.empty()) problems.note([&] { checkMotion(file, scene.simulation); });
+  if (scene.panels.empty()) {
+    problems.note([&] { checkMotion(file, scene.simulation); });
+    problems.note([&] { settleSpin(file, scene); });
+  }
   problems.note([&] { placeCamera(file, scene); });
   if (const auto overlay = file.find("overlay")) {
     problems.note([&] { checkOverlays(*overlay, scene); });

@@ -17,6 +17,9 @@ namespace rotatebook::scene {
 using ReadNamedFile =
     std::function<std::string(const std::filesystem::path& file, std::size_t most)>;
 
+/// Longest file of a mesh. [bytes]
+inline constexpr std::size_t kLongestMesh = 256 << 20;
+
 /// Reads and validates the text of a scene. `path` names it in messages and gives Scene::name and
 /// Scene::folder; it isn't opened. Throws InputError with a line
 /// "FILE:LINE:COLUMN: PROBLEM" for each problem, in the order of the file, with the nearest valid
@@ -26,8 +29,8 @@ using ReadNamedFile =
 /// They count as part of the file; messages give their location as "--set KEY=VALUE". Setting one
 /// of initial.angular_velocity and initial.angular_momentum removes the other.
 ///
-/// `readNamedFile` reads the file that overlay.words may name, and recordings as readRecordings()
-/// does; without it, the former are refused, and the latter aren't read.
+/// `readNamedFile` reads the files that overlay.words and body.mesh may name, and recordings as
+/// readRecordings() does; without it, the former are refused, and the latter aren't read.
 Scene parseScene(std::string_view text, const std::filesystem::path& path,
                  std::span<const std::string> overrides = {},
                  const ReadNamedFile& readNamedFile = {});

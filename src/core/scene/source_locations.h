@@ -13,9 +13,9 @@ namespace rotatebook::scene {
 
 /// The keys that Scene::locations may have, sections before a dot, besides those of labelKey()
 /// and recordingKey().
-inline constexpr std::string_view kLocatedKeys[] = {"title",     "caption",      "panel",
-                                                    "grid",      "book.front",   "book.spine",
-                                                    "book.back", "overlay.font", "simulation.file"};
+inline constexpr std::string_view kLocatedKeys[] = {
+    "title",      "caption",    "body",      "panel",        "grid",
+    "book.front", "book.spine", "book.back", "overlay.font", "simulation.file"};
 
 /// Returns the key of that panel's label: "panel.0.label".
 inline std::string labelKey(std::size_t panel) {
@@ -42,6 +42,18 @@ auto atLocationOf(const Scene& scene, std::string_view key, const Work& work) {
     return work();
   } catch (const InputError& error) {
     throw InputError(locationOf(scene, key) + ": " + error.what());
+  }
+}
+
+/// Throws InputError with the location of [body], or of the panels, if a motion's body isn't the
+/// book, which is all that pictures show.
+inline void requireBook(const Scene& scene) {
+  for (const Motion& motion : motionsOf(scene)) {
+    if (motion.solid.isBook()) continue;
+    throw InputError(
+        locationOf(scene, scene.panels.empty() ? "body" : "panel") +
+        ": pictures show the book alone, and this body is another; `simulate`, `spin`, "
+        "`study` and `map` work with it");
   }
 }
 

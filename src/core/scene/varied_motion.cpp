@@ -9,6 +9,7 @@
 #include "base/nearest_name.h"
 #include "document/overrides.h"
 #include "document/toml_text.h"
+#include "scene/body_section.h"
 #include "scene/names.h"
 #include "scene/sections.h"
 
@@ -70,6 +71,7 @@ Motion motionFrom(const TomlNode& sections, double timePerFrame) {
   addFields(fields, physicsSections(), motion);
   file.readTable(fields);
   checkMotion(file, motion.simulation);
+  settleSpin(file, motion);
   return motion;
 }
 

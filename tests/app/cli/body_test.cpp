@@ -51,6 +51,26 @@ TEST_F(Body, MeasuresTheBookOfAScene) {
                                    HasSubstr(R"("triangles": null)")));
 }
 
+TEST_F(Body, MeasuresTheShapeOfAScene) {
+  write("handle.toml",
+        "[body]\nshape = \"t-handle\"\nmass = 0.5\n"
+        "[initial]\nangular_velocity = { about = \"middle\", value = 4 }\n");
+  const ChildResult result = run({"body", "handle.toml"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.output, AllOf(HasSubstr("mass     0.5 kg\n"), HasSubstr("(0, 0.01266")));
+  EXPECT_EQ(run({"simulate", "handle.toml"}).status, 0);
+  expectRefused({"render", "handle.toml"}, ": pictures show the book alone");
+}
+
+TEST_F(Body, MeasuresTheMeshOfAScene) {
+  writeBox("box.obj");
+  write("box.toml",
+        "[body]\nmesh = \"box.obj\"\nunit = \"mm\"\ndensity = 2500\n"
+        "[initial]\nangular_velocity = [4, 0, 0]\n");
+  EXPECT_THAT(run({"body", "box.toml"}).output, HasSubstr("mass     0.09 kg\n"));
+  expectRefused({"body", "box.toml", "--set", "body.mesh=../box.obj"}, "box.obj");
+}
+
 TEST_F(Body, RefusesWhatItCannotMeasure) {
   writeBox("open.obj", 1);
   writeBox("box.obj");

@@ -41,7 +41,7 @@ const std::map<std::string, Room> kRooms{
     {"ensemble", {"core", {"base", "rigid", "physics"}, {"Eigen/"}}},
     {"geometry", {"core", {"base", "physics"}, {"Eigen/"}, {"rigid"}}},
     {"document", {"core", {"base"}, {"toml++/"}}},
-    {"scene", {"core", {"base", "rigid", "recording", "physics", "document"}, {"Eigen/"}}},
+    {"scene", {"core", {"base", "rigid", "recording", "body", "physics", "document"}, {"Eigen/"}}},
     {"timeline", {"core", {"base", "rigid", "physics", "geometry", "scene"}, {"Eigen/"}}},
     {"study", {"core", {"base", "rigid", "physics", "ensemble", "scene", "timeline"}, {}}},
     {"bridge",

@@ -96,8 +96,8 @@ TEST(SceneReader, ListsTheValidOnesWhereNoneIsNear) {
             "\"overlay\", "
             "\"expect\", \"panel\", \"grid\", \"study\" and \"map\"");
   EXPECT_EQ(errorOf("[body]\ncolour = 3"),
-            "a.toml:2:1: unknown key \"colour\" in [body]; valid are \"size\", \"mass\" "
-            "and \"inertia\"");
+            "a.toml:2:1: unknown key \"colour\" in [body]; valid are \"size\", \"mass\", "
+            "\"inertia\", \"shape\", \"dimensions\", \"mesh\", \"unit\", \"density\" and \"part\"");
 }
 
 TEST(SceneReader, NamesTheSectionToWhichAKeyBelongs) {

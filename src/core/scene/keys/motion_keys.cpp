@@ -105,6 +105,27 @@ Kind<int> everyStep() {
           kExpectedEvery};
 }
 
+constexpr NumberRange kRates{"a number from -1e9 to 1e9, but not 0", -1e9, 1e9};
+constexpr std::array<Named<int>, 3> kRanks{{{"smallest", 0}, {"middle", 1}, {"largest", 2}}};
+
+/// Reads { about = "middle", value = 4 }, the axis by its moment.
+physics::SpinAbout aboutFrom(const ValueReader& value, physics::SpinKind kind) {
+  physics::SpinAbout about;
+  NumberRange range = kRates;
+  if (kind == physics::SpinKind::AngularVelocity) range.dimension = Dimension::AngularVelocity;
+  value.readTable(
+      {{"about", [&](const ValueReader& rank) { about.rank = choiceFrom(rank, kRanks); }},
+       {"value", [&](const ValueReader& rate) { about.rate = rate.number(range); }}});
+  if (!value.find("about") || about.rate == 0)
+    value.mismatch("three numbers, or a table such as { about = \"middle\", value = 4.0 }");
+  return about;
+}
+
+std::string aboutText(const physics::SpinAbout& about) {
+  return "{ about = " + quotedName(kRanks, about.rank) + ", value = " + tomlNumber(about.rate) +
+         " }";
+}
+
 using Columns = std::vector<std::pair<std::string, std::string>>;
 
 Columns columnsFrom(const ValueReader& value) {
@@ -152,12 +173,25 @@ Key<S> spinKey(physics::SpinKind kind, const std::string& unit, KeyText document
   return {nameOf(kSpinKinds, kind),
           [kind](const ValueReader& value, S& spin) {
             spin.kind = kind;
+            if constexpr (std::is_same_v<S, InitialSpin>) {
+              spin.about.reset();
+              if (std::holds_alternative<TomlNode::Table>(value.node().value)) {
+                spin.about = aboutFrom(value, kind);
+                return;
+              }
+            }
             NumberRange range = kDirections;
             if (kind == physics::SpinKind::AngularVelocity)
               range.dimension = Dimension::AngularVelocity;
             spin.value = directionFrom(value, range);
           },
-          [kind](const S& spin) { return spin.kind == kind ? vectorText(spin.value) : ""; },
+          [kind](const S& spin) -> std::string {
+            if (spin.kind != kind) return "";
+            if constexpr (std::is_same_v<S, InitialSpin>) {
+              if (spin.about) return aboutText(*spin.about);
+            }
+            return vectorText(spin.value);
+          },
           std::move(documentation)};
 }
 

@@ -1,0 +1,34 @@
+// The shapes that a scene can name.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "body/triangle_mesh.h"
+
+namespace rotatebook::body {
+
+/// A length that a shape is made from.
+struct ShapeLength {
+  std::string_view name;  ///< As in scenes: "radius".
+  double byDefault = 0;   ///< > 0. [m]
+};
+
+/// A row of shape_list.inc.
+struct Shape {
+  std::string_view name;  ///< As in scenes: "t-handle".
+  double density = 0;     ///< Of its usual material, > 0. [kg/m^3]
+  std::vector<ShapeLength> lengths;
+  /// Makes the surface [m] from one length > 0 for each of `lengths`; of several closed surfaces,
+  /// each counts, also where they overlap. Throws InputError if the lengths don't fit each other.
+  TriangleMesh (*mesh)(std::span<const double> lengths) = nullptr;
+};
+
+/// Returns all shapes, in the order of their list.
+std::span<const Shape> allShapes();
+
+/// Returns the shape of that name; null if there is none.
+const Shape* findShape(std::string_view name);
+
+}  // namespace rotatebook::body

@@ -1,0 +1,18 @@
+// An ellipsoid with its diameters along the axes.
+#include "body/shapes/shapes.h"
+#include "body/solid_pieces.h"
+
+namespace rotatebook::body::shapes {
+namespace {
+
+TriangleMesh ellipsoidMesh(std::span<const double> lengths) {
+  return ellipsoidOf({lengths[0], lengths[1], lengths[2]});
+}
+
+}  // namespace
+
+Shape ellipsoid() {
+  return {"ellipsoid", 1000, {{"x", 0.2}, {"y", 0.14}, {"z", 0.1}}, ellipsoidMesh};
+}
+
+}  // namespace rotatebook::body::shapes

@@ -1,0 +1,171 @@
+#include "scene/body_section.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <variant>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "body/mesh_readers.h"
+#include "physics/motion_start.h"
+#include "scene/keys/keys.h"
+#include "scene/keys/solid_keys.h"
+#include "scene/solid_numbers.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using document::TomlNode;
+
+/// Throws InputError if `section` has a key that `because` makes meaningless.
+void refuse(const ValueReader& section, std::string_view key, const std::string& because) {
+  if (const auto value = section.find(key)) value->fail(value->name() + " " + because);
+}
+
+/// Throws InputError unless `section` states one body, completely.
+void checkStatement(const ValueReader& section, const Solid& solid) {
+  for (const auto& [kept, other] :
+       {std::pair("shape", "mesh"), {"shape", "part"}, {"mesh", "part"}}) {
+    if (section.find(kept) && section.find(other))
+      refuse(section, other,
+             "and body." + std::string(kept) + " both say what the body is; keep one");
+  }
+  if (!section.find("shape") || solid.isBook())
+    refuse(section, "dimensions", "belongs to a shape that isn't the book; the book has body.size");
+  if (!section.find("mesh")) refuse(section, "unit", "belongs to body.mesh, which isn't stated");
+  const bool hasParts = section.find("part").has_value();
+  if (hasParts || solid.isBook())
+    refuse(section, "density",
+           "belongs to a shape or a mesh; parts have their own, the book a mass");
+  if (solid.isBook()) return;
+  for (const char* key : {"size", "inertia"})
+    refuse(section, key, "follows from the body's shape; leave it out");
+  if (section.find("mass") && section.find("density"))
+    refuse(section, "density", "and body.mass both say how heavy the body is; keep one");
+  if (section.find("mesh") && !section.find("mass") && !section.find("density"))
+    section.find("mesh")->fail("body.mesh needs body.density or body.mass");
+}
+
+/// Gives a motion the numbers of its solid.
+void settle(const ValueReader& section, Motion& motion) {
+  motion.solid.mass.reset();
+  if (section.find("mass")) motion.solid.mass = motion.body.mass;
+  failAtValue(section, [&] {
+    const SolidNumbers numbers = numbersOf(motion.solid);
+    motion.body.size = numbers.size;
+    motion.body.mass = numbers.properties.mass;
+    motion.inertia = numbers.properties.inertia;
+  });
+}
+
+void readBody(const ValueReader& section, Motion& motion) {
+  auto fields = fieldsOf(bodyKeys(), [&motion](const auto& key, const ValueReader& value) {
+    key.read(value, motion);
+  });
+  const auto others = fieldsOf(solidKeys(), [&motion](const auto& key, const ValueReader& value) {
+    key.read(value, motion.solid);
+  });
+  fields.insert(fields.end(), others.begin(), others.end());
+  section.readTable(fields);
+  readStatedShape(section, motion.solid);
+  checkStatement(section, motion.solid);
+  if (!motion.solid.isBook()) settle(section, motion);
+}
+
+std::string bodyLines(const Motion& motion) {
+  if (motion.solid.isBook()) return linesOf(bodyKeys(), motion.motion());
+  std::string lines = linesOf(solidKeys(), motion.solid);
+  const BodyPart* shape = motion.solid.isShape ? &motion.solid.parts.front() : nullptr;
+  if (shape != nullptr && shape->density && !motion.solid.mass)
+    lines += "density = " + tomlNumber(*shape->density) + "\n";
+  if (motion.solid.mass) lines += "mass = " + tomlNumber(*motion.solid.mass) + "\n";
+  return lines;
+}
+
+std::vector<KeyRow> bodyRows() {
+  std::vector<KeyRow> rows = rowsOf("body.", bodyKeys());
+  for (const auto& more : {rowsOf("body.", solidKeys()), partRows()})
+    rows.insert(rows.end(), more.begin(), more.end());
+  return rows;
+}
+
+TomlNode numbersNode(const Eigen::Vector3d& vector, const std::string& location) {
+  TomlNode::Array numbers;
+  for (const double number : vector) numbers.push_back({number, location});
+  return {std::move(numbers), location};
+}
+
+/// Returns the numbers of a mesh as the table that its key is read from.
+TomlNode tableOf(const MeshFile& mesh, const std::string& location) {
+  const auto& inertia = mesh.inertia;
+  return {TomlNode::Table{
+              {"file", location, {mesh.name, location}},
+              {"volume", location, {mesh.volume, location}},
+              {"size", location, numbersNode(mesh.size, location)},
+              {"moments", location, numbersNode(inertia.diagonal(), location)},
+              {"products", location,
+               numbersNode({inertia(0, 1), inertia(1, 2), inertia(2, 0)}, location)},
+          },
+          location};
+}
+
+TomlNode* nodeAt(TomlNode* node, std::string_view key) {
+  auto* table = node != nullptr ? std::get_if<TomlNode::Table>(&node->value) : nullptr;
+  auto* entry = table != nullptr ? find(*table, key) : nullptr;
+  return entry != nullptr ? &entry->node : nullptr;
+}
+
+void includeMesh(TomlNode& root, const ReadNamedFile& readNamedFile) {
+  TomlNode* node = nodeAt(nodeAt(&root, "body"), "mesh");
+  if (node == nullptr) return;
+  const auto* name = std::get_if<std::string>(&node->value);
+  if (name == nullptr || !body::isMeshName(*name)) {
+    document::failAt(node->location,
+                     "body.mesh must be the name of a file that ends in .obj, .stl, .ply or .glb, "
+                     "not " +
+                         describe(*node));
+  }
+  const std::string shown = "body.mesh names the file " + describe(*node);
+  if (!readNamedFile) document::failAt(node->location, shown + ", but no file is read here");
+  if (std::filesystem::path(*name).is_absolute())
+    document::failAt(node->location, shown + ", which must be relative to the scene's folder");
+  try {
+    *node = tableOf(meshFileOf(*name, body::readMesh(*name, readNamedFile(*name, kLongestMesh))),
+                    node->location);
+  } catch (const InputError& error) {
+    document::failAt(node->location, shown + ": " + error.what());
+  }
+}
+
+}  // namespace
+
+Section<Motion> bodySection() {
+  return {"body", readBody, bodyLines, bodyRows()};
+}
+
+void includeMeshes(TomlNode& root, const ReadNamedFile& readNamedFile) {
+  includeMesh(root, readNamedFile);
+  TomlNode* panels = nodeAt(&root, "panel");
+  auto* tables = panels != nullptr ? std::get_if<TomlNode::Array>(&panels->value) : nullptr;
+  if (tables == nullptr) return;
+  for (TomlNode& panel : *tables) includeMesh(panel, readNamedFile);
+}
+
+void settleSpin(const ValueReader& file, Motion& motion) {
+  if (!motion.initial.about) return;
+  const rigid::PrincipalAxes axes = physics::modelInertia(motion);
+  std::array<int, 3> order{0, 1, 2};
+  std::ranges::stable_sort(order, {}, [&](int axis) { return axes.moments[axis]; });
+  const auto [rank, rate] = *motion.initial.about;
+  Eigen::Vector3d axis = axes.bodyFromPrincipal.col(order[static_cast<std::size_t>(rank)]);
+  // Of both directions, take the one whose largest component is positive
+  Eigen::Index largest = 0;
+  axis.cwiseAbs().maxCoeff(&largest);
+  if (axis[largest] < 0) axis = -axis;
+  motion.initial.value = rate * axis;
+  if (const auto tilt = file.find("initial", "tilt"))
+    failAtValue(*tilt, [&] { motion.initial.tilted(); });
+}
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,22 @@
+// The section [body], and what follows from it. Inside the room only.
+#pragma once
+
+#include "document/toml_tree.h"
+#include "scene/keys/section.h"
+#include "scene/scene.h"
+#include "scene/scene_text.h"
+
+namespace rotatebook::scene {
+
+/// Returns the section. Of a body that isn't the book, size, mass and inertia follow.
+Section<Motion> bodySection();
+
+/// Replaces the names of meshes in [body], also of panels, by the numbers that motions take of the
+/// files. Throws DocumentError if one can't be read, or isn't the surface of a body.
+void includeMeshes(document::TomlNode& root, const ReadNamedFile& readNamedFile);
+
+/// Gives a spin that names its axis the direction of that axis of the motion's body. Throws
+/// InputError if the axis isn't unique, or its tilt is along it.
+void settleSpin(const ValueReader& file, Motion& motion);
+
+}  // namespace rotatebook::scene

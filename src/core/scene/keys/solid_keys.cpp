@@ -1,0 +1,247 @@
+// The keys of [body] that put a shape, a mesh or a sum of shapes in the place of the book.
+#include "scene/keys/solid_keys.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "base/elementary.h"
+#include "base/text.h"
+#include "body/shape.h"
+#include "document/problems.h"
+#include "scene/keys/keys.h"
+#include "scene/keys/kinds.h"
+#include "scene/sections.h"
+
+namespace rotatebook::scene {
+namespace {
+
+constexpr NumberRange kShapeLengths{"a length from 1e-6 to 1e6 m", 1e-6, 1e6, Dimension::Length};
+constexpr NumberRange kDensities{"a density from 1e-6 to 1e9 kg/m^3", 1e-6, 1e9};
+constexpr NumberRange kPartDensities{"a density from -1e9 to 1e9 kg/m^3, but not 0", -1e9, 1e9};
+constexpr NumberRange kPlaces{"three lengths from -1e6 to 1e6 m", -1e6, 1e6, Dimension::Length};
+constexpr NumberRange kTurnAngles{"an angle from -1e6 to 1e6 rad", -kLargestAngle, kLargestAngle,
+                                  Dimension::Angle};
+constexpr const char* kExpectedTurn =
+    "an angle and an axis, such as [0.02, \"z\"] or [\"90 deg\", \"z\"]";
+constexpr const char* kExpectedParts = "tables with the header [[body.part]]";
+constexpr const char* kExpectedLengths = "a table of the shape's lengths, such as { radius = 0.1 }";
+constexpr const char* kBook = "book";
+constexpr std::size_t kMaxParts = 100;
+
+constexpr std::array<Named<double>, 5> kMeshUnits{
+    {{"m", 1}, {"cm", 1e-2}, {"mm", 1e-3}, {"km", 1e3}, {"in", 0.0254}}};
+
+std::vector<std::string_view> shapeNames() {
+  std::vector<std::string_view> names{kBook};
+  for (const body::Shape& shape : body::allShapes()) names.push_back(shape.name);
+  return names;
+}
+
+/// Reads what `table` says of the lengths of its shape; the others are as by default.
+std::vector<double> lengthsFrom(const ValueReader& table, const body::Shape& shape) {
+  std::vector<double> lengths;
+  std::vector<Field> fields;
+  for (const body::ShapeLength& length : shape.lengths) {
+    fields.push_back({length.name, [&lengths, i = lengths.size()](const ValueReader& value) {
+                        lengths[i] = value.number(kShapeLengths);
+                      }});
+    lengths.push_back(length.byDefault);
+  }
+  if (const auto stated = table.find("dimensions")) stated->readTable(fields);
+  return lengths;
+}
+
+std::string lengthsText(const BodyPart& part) {
+  const body::Shape* shape = body::findShape(part.shape);
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; shape != nullptr && i < part.lengths.size(); ++i)
+    parts.push_back(std::string(shape->lengths[i].name) + " = " + tomlNumber(part.lengths[i]));
+  return parts.empty() ? "" : "{ " + joined(parts) + " }";
+}
+
+/// Reads the shape that `table` names, with its lengths; empty for the book.
+void readShape(const ValueReader& table, BodyPart& part) {
+  const auto name = table.find("shape");
+  if (!name) table.fail(table.name() + " needs a shape, such as \"box\"");
+  const auto names = shapeNames();
+  const std::string_view chosen = names[name->choice(names)];
+  if (chosen == kBook) return;
+  part.shape = chosen;
+  part.lengths = lengthsFrom(table, *body::findShape(chosen));
+}
+
+Turn turnFrom(const ValueReader& value) {
+  const auto parts = value.elements(2, kExpectedTurn);
+  return {parts[0].number(kTurnAngles), choiceFrom(parts[1], kAxes)};
+}
+
+std::string turnText(const Turn& turn) {
+  return "[" + tomlNumber(turn.angle) + ", " + quotedName(kAxes, turn.axis) + "]";
+}
+
+double partDensityFrom(const ValueReader& value) {
+  const double density = value.number(kPartDensities);
+  if (density == 0) value.mismatch(std::string(kPartDensities.expected));
+  return density;
+}
+
+const auto kReadLater = [](const ValueReader&, auto&) {};
+
+const Keys<BodyPart>& partKeys() {
+  static const Keys<BodyPart> keys{
+      {"shape",
+       kReadLater,
+       [](const BodyPart& part) { return tomlString(part.shape); },
+       {.meaning = "a shape of those above, but for the book",
+        .byDefault = "required",
+        .allowed = "the name of a shape"}},
+      {"dimensions",
+       kReadLater,
+       lengthsText,
+       {.meaning = "its lengths [m]", .byDefault = "the shape's", .allowed = kExpectedLengths}},
+      key("density", &BodyPart::density,
+          Kind<double>{partDensityFrom, tomlNumber, std::string(kPartDensities.expected)},
+          {.meaning = "negative for what is taken away [kg/m³]", .byDefault = "the shape's"}),
+      key("place", &BodyPart::place, vector(kPlaces), {.meaning = "of the shape's origin"}),
+      key("turn", &BodyPart::turn, Kind<Turn>{turnFrom, turnText, kExpectedTurn},
+          {.meaning = "before it is moved to its place [rad]", .byDefault = "none"}),
+  };
+  return keys;
+}
+
+BodyPart partFrom(const ValueReader& table) {
+  BodyPart part;
+  readKeys(table, partKeys(), part);
+  readShape(table, part);
+  if (part.shape.empty())
+    table.find("shape")->fail("a part can't be the book; use the shape \"box\" of its size");
+  return part;
+}
+
+void readParts(const ValueReader& value, Solid& solid) {
+  const auto tables = value.tables(kExpectedParts);
+  if (tables.size() > kMaxParts) {
+    value.fail("a body has up to " + std::to_string(kMaxParts) + " parts, not " +
+               std::to_string(tables.size()));
+  }
+  document::Problems problems;
+  for (const ValueReader& table : tables)
+    problems.note([&] { solid.parts.push_back(partFrom(table)); });
+  problems.throwIfAny();
+}
+
+std::string partsText(const Solid& solid) {
+  if (solid.isShape || solid.parts.empty()) return "";
+  return listText(solid.parts, [](const BodyPart& part) { return inlineTable(partKeys(), part); });
+}
+
+/// Returns the part of a single shape; null for another solid.
+const BodyPart* shapeOf(const Solid& solid) {
+  return solid.isShape && solid.parts.size() == 1 ? &solid.parts.front() : nullptr;
+}
+
+/// Reads the numbers into which `includeMeshes()` turned the file.
+MeshFile meshFrom(const ValueReader& value) {
+  constexpr NumberRange kAny{"numbers", -1e200, 1e200};
+  MeshFile mesh;
+  Eigen::Vector3d diagonal, others;
+  const auto vectorInto = [&](Eigen::Vector3d& into) {
+    return [&](const ValueReader& numbers) { into = vectorFrom(numbers, kAny); };
+  };
+  if (std::holds_alternative<std::string>(value.node().value))
+    value.mismatch("the name of a file that ends in .obj, .stl, .ply or .glb");
+  value.readTable({{"file", [&](const ValueReader& name) { mesh.name = name.text(kLongestPath); }},
+                   {"volume", [&](const ValueReader& v) { mesh.volume = v.number(kAny); }},
+                   {"size", vectorInto(mesh.size)},
+                   {"moments", vectorInto(diagonal)},
+                   {"products", vectorInto(others)}});
+  mesh.inertia = diagonal.asDiagonal();
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    mesh.inertia(i, j) = mesh.inertia(j, i) = others[i];
+  }
+  return mesh;
+}
+
+Key<Solid> meshKey() {
+  return {
+      "mesh",
+      [](const ValueReader& value, Solid& solid) {
+        const double unit = solid.mesh.unit;
+        solid.mesh = meshFrom(value);
+        solid.mesh.unit = unit;
+      },
+      [](const Solid& solid) { return solid.mesh.name.empty() ? "" : tomlString(solid.mesh.name); },
+      {.meaning = "a closed mesh in the scene's folder, see [bodies](bodies.md)",
+       .byDefault = "none",
+       .allowed = "the name of a file: .obj, .stl, .ply or .glb"}};
+}
+
+Key<Solid> unitKey() {
+  Key<Solid> key =
+      keyAt<Solid>("unit", [](auto& solid) -> auto& { return solid.mesh.unit; }, oneOf(kMeshUnits),
+                   {.meaning = "of the mesh's lengths", .byDefault = "`\"m\"`"});
+  // Of other bodies, no unit is printed.
+  key.text = [text = key.text](const Solid& solid) {
+    return solid.mesh.name.empty() ? std::string() : text(solid);
+  };
+  return key;
+}
+
+/// Returns the text of a solid's key, of shapes alone.
+template <typename Text>
+auto ofShape(const Text& text) {
+  return [text](const Solid& solid) {
+    const BodyPart* shape = shapeOf(solid);
+    return shape != nullptr ? text(*shape) : std::string();
+  };
+}
+
+}  // namespace
+
+const Keys<Solid>& solidKeys() {
+  static const Keys<Solid> keys{
+      {"shape",
+       kReadLater,
+       ofShape([](const BodyPart& part) { return tomlString(part.shape); }),
+       {.meaning = "see [bodies](bodies.md)",
+        .byDefault = "`\"book\"`",
+        .allowed = quotedList(shapeNames(), "or")}},
+      {"dimensions",
+       kReadLater,
+       ofShape(lengthsText),
+       {.meaning = "of the shape [m]", .byDefault = "the shape's", .allowed = kExpectedLengths}},
+      meshKey(),
+      unitKey(),
+      key("density", &Solid::density, number(kDensities),
+          {.meaning = "of a shape or a mesh, in place of `mass` [kg/m³]",
+           .byDefault = "the shape's"}),
+      {"part",
+       readParts,
+       partsText,
+       {.meaning = "tables `[[body.part]]`, shapes that add up",
+        .byDefault = "none",
+        .allowed = kExpectedParts}},
+  };
+  return keys;
+}
+
+const std::vector<KeyRow>& partRows() {
+  static const std::vector<KeyRow> rows = rowsOf("body.part.N.", partKeys());
+  return rows;
+}
+
+void readStatedShape(const ValueReader& section, Solid& solid) {
+  if (!section.find("shape")) return;
+  BodyPart part;
+  readShape(section, part);
+  if (part.shape.empty()) return;
+  part.density = solid.density;
+  solid.density.reset();
+  solid.isShape = true;
+  solid.parts = {part};
+}
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,21 @@
+// The keys of [body] for what isn't the book. Inside the room only.
+#pragma once
+
+#include <vector>
+
+#include "scene/keys/key.h"
+#include "scene/solid.h"
+
+namespace rotatebook::scene {
+
+/// The keys, but for the mass, which the book has, too. `shape` and `dimensions` are read together,
+/// by readStatedShape().
+const Keys<Solid>& solidKeys();
+/// The documentation of the keys of a part.
+const std::vector<KeyRow>& partRows();
+
+/// Reads the shape that `section`, [body], names, if it isn't the book, with its lengths and
+/// density. Throws InputError.
+void readStatedShape(const ValueReader& section, Solid& solid);
+
+}  // namespace rotatebook::scene

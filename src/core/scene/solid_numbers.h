@@ -1,0 +1,31 @@
+// The mass properties of bodies that scenes state.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "body/mass_properties.h"
+#include "body/triangle_mesh.h"
+#include "scene/solid.h"
+
+namespace rotatebook::scene {
+
+/// The numbers of a solid that a motion takes.
+struct SolidNumbers {
+  /// Along the axes of the solid, with its centre as it is placed; that of a mesh is 0.
+  body::MassProperties properties;
+  Eigen::Vector3d size{0, 0, 0};  ///< Of the box around it. [m]
+};
+
+/// Returns the mass properties of a solid that isn't the book: sums of its parts', also where they
+/// overlap. Throws InputError if lengths don't fit each other, no mass is left, or no body has such
+/// an inertia.
+SolidNumbers numbersOf(const Solid& solid);
+
+/// Returns the surface of a part, in its place. [m] Throws InputError if its lengths don't fit.
+body::TriangleMesh surfaceOf(const BodyPart& part);
+
+/// Returns the numbers of a welded mesh, in its own unit. Throws InputError if it isn't closed or
+/// encloses no volume.
+MeshFile meshFileOf(const std::string& name, const body::TriangleMesh& mesh);
+
+}  // namespace rotatebook::scene

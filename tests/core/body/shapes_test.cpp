@@ -1,0 +1,87 @@
+#include <set>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "body/closed_surface.h"
+#include "body/mass_properties.h"
+#include "body/shape.h"
+
+namespace rotatebook::body {
+namespace {
+
+using Eigen::Vector3d;
+
+std::vector<double> defaultsOf(const Shape& shape) {
+  std::vector<double> lengths;
+  for (const ShapeLength& length : shape.lengths) lengths.push_back(length.byDefault);
+  return lengths;
+}
+
+MassProperties propertiesOf(const char* name, const std::vector<double>& lengths, double density) {
+  return massPropertiesOf(findShape(name)->mesh(lengths), density);
+}
+
+void expectMoments(const MassProperties& of, const Vector3d& expected, double within) {
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(of.inertia(i, i) / expected[i], 1, within) << i;
+  const double largest = of.inertia.diagonal().maxCoeff();
+  for (const auto& [i, j] : {std::pair(0, 1), {1, 2}, {2, 0}})
+    EXPECT_LT(std::abs(of.inertia(i, j)) / largest, 1e-14) << i << j;  // measured 2e-16
+}
+
+TEST(Shapes, AreClosedAndHaveNamesOfTheirOwn) {
+  std::set<std::string_view> names;
+  for (const Shape& shape : allShapes()) {
+    SCOPED_TRACE(std::string(shape.name));
+    const TriangleMesh mesh = shape.mesh(defaultsOf(shape));
+    EXPECT_NO_THROW(requireClosed(mesh));
+    EXPECT_EQ(welded(mesh).points.size(), mesh.points.size());
+    EXPECT_GT(massPropertiesOf(mesh, shape.density).mass, 0);
+    EXPECT_TRUE(names.insert(shape.name).second);
+    EXPECT_EQ(findShape(shape.name), &shape);
+  }
+  EXPECT_EQ(names.size(), 10U);
+  EXPECT_EQ(findShape("teapot"), nullptr);
+}
+
+TEST(Shapes, ABoxIsExact) {
+  const auto of = propertiesOf("box", {0.15, 0.22, 0.04}, 1);
+  EXPECT_NEAR(of.volume / 0.00132, 1, 1e-15);                 // measured 0
+  expectMoments(of, {5.5e-06, 2.651e-06, 7.799e-06}, 1e-14);  // measured 4e-16
+}
+
+TEST(Shapes, RoundOnesHaveTheRoundVolume) {
+  const auto cylinder = propertiesOf("cylinder", {0.5, 2}, 1);
+  EXPECT_NEAR(cylinder.volume / 1.5707963267948966, 1, 1e-14);  // measured 0
+  // The facets' moments are x^4 / 180 larger for x = 2 pi / 128: measured 3.3e-8.
+  expectMoments(cylinder, {0.62177354602298, 0.62177354602298, 0.19634954084936207}, 4e-8);
+  const auto ball = propertiesOf("ellipsoid", {2, 2, 2}, 1);
+  EXPECT_NEAR(ball.volume / 4.1887902047863905, 1, 1e-14);  // measured 0
+  const double moment = 0.4 * 4.1887902047863905;
+  expectMoments(ball, {moment, moment, moment}, 2e-7);  // measured 1.2e-7
+}
+
+TEST(Shapes, TheTHandleHasTheReferenceMoments) {
+  const auto of = propertiesOf("t-handle", {0.008, 0.12, 0.06}, 2700);
+  EXPECT_NEAR(of.mass / 0.09771609789725692, 1, 1e-14);     // measured 2e-16
+  EXPECT_NEAR(of.centre.y(), 0.012666666666666666, 1e-16);  // measured 4e-18
+  // Measured 2e-9.
+  expectMoments(of, {4.373338248112788e-05, 8.025748840628036e-05, 0.00012086395575469602}, 4e-9);
+}
+
+TEST(Shapes, TheRacketHasTheReferenceMoments) {
+  const auto of = propertiesOf("racket", {0.13, 0.008, 0.014, 0.34}, 600);
+  EXPECT_NEAR(of.mass / 0.22415157100161046, 1, 1e-14);           // measured 7e-16
+  EXPECT_NEAR(of.centre.x(), 0.18188147185428585 + 0.12, 1e-15);  // measured 6e-17
+  // Measured 3.5e-8.
+  expectMoments(of, {0.0008488988437754337, 0.007022645561940048, 0.007856081068359796}, 1e-7);
+}
+
+TEST(Shapes, ToutatisHasItsRatios) {
+  const Vector3d moments = propertiesOf("toutatis", {4600}, 2100).inertia.diagonal();
+  EXPECT_NEAR(moments.y() / moments.x(), 3.09, 1e-6);  // measured 1.4e-7
+  EXPECT_NEAR(moments.z() / moments.x(), 3.22, 1e-6);  // measured 2.1e-7
+}
+
+}  // namespace
+}  // namespace rotatebook::body

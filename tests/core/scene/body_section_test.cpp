@@ -1,0 +1,151 @@
+#include "scene/body_section.h"
+
+#include <cmath>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scene/parse.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* kHandle = "[body]\nshape = \"t-handle\"\n";
+
+/// An OBJ of a cube with corners at 0 and 2.
+constexpr const char* kCube =
+    "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\n"
+    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+Scene withMesh(const std::string& lines, const std::string& mesh = kCube) {
+  return parseScene(lines + "\n" + kSpin, "a.toml", {},
+                    [&](const std::filesystem::path&, std::size_t) { return mesh; });
+}
+
+std::string meshErrorOf(const std::string& lines, const std::string& mesh = kCube) {
+  try {
+    withMesh(lines, mesh);
+    return "no error";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(BodySection, AShapeDecidesSizeMassAndInertia) {
+  const Scene scene = sceneFrom(kHandle);
+  EXPECT_FALSE(scene.solid.isBook());
+  EXPECT_NEAR(scene.body.mass, 0.09771609789725692, 1e-15);
+  ASSERT_TRUE(scene.inertia);
+  EXPECT_NEAR((*scene.inertia)(1, 1) / 8.025748840628036e-05, 1, 4e-9);  // measured 8e-10
+  EXPECT_NEAR(scene.body.size.x(), 0.12, 1e-15);
+  EXPECT_NEAR(scene.body.size.y(), 0.076, 1e-5);  // measured 8e-7, as facets' corners stick out
+}
+
+TEST(BodySection, ABookIsAsBefore) {
+  const Scene scene = sceneFrom("[body]\nshape = \"book\"\nmass = 2\n");
+  EXPECT_EQ(scene, sceneFrom("[body]\nmass = 2\n"));
+  EXPECT_EQ(sceneText(sceneFrom("")).find("shape"), std::string::npos);
+}
+
+TEST(BodySection, IsPrintedAndReadBack) {
+  for (const std::string& lines :
+       {std::string(kHandle),
+        std::string("[body]\nshape = \"cylinder\"\ndimensions = { radius = 0.1 }\nmass = 3"),
+        std::string("[body]\nshape = \"disc\"\ndensity = 7.5"),
+        std::string("[[body.part]]\nshape = \"box\"\n[[body.part]]\nshape = \"cylinder\"\n"
+                    "dimensions = { radius = 0.01 }\ndensity = -100\nplace = [0, 0, 0.01]\n"
+                    "turn = [\"90 deg\", \"y\"]")}) {
+    const Scene scene = sceneFrom(lines);
+    const std::string text = sceneText(scene);
+    EXPECT_EQ(sceneText(parseScene(text, "a.toml")), text);
+    EXPECT_EQ(parseScene(text, "a.toml").solid, scene.solid) << text;
+    EXPECT_EQ(parseScene(text, "a.toml").inertia, scene.inertia) << text;
+  }
+}
+
+TEST(BodySection, PartsAddUp) {
+  const Scene scene = sceneFrom(
+      "[[body.part]]\nshape = \"cylinder\"\ndimensions = { radius = 0.008, height = 0.12 }\n"
+      "turn = [\"90 deg\", \"y\"]\n"
+      "[[body.part]]\nshape = \"cylinder\"\ndimensions = { radius = 0.008, height = 0.06 }\n"
+      "turn = [\"90 deg\", \"x\"]\nplace = [0, 0.038, 0]\n");
+  const Scene handle = sceneFrom(kHandle);
+  // Measured 3e-16.
+  EXPECT_LT((*scene.inertia - *handle.inertia).norm() / handle.inertia->norm(), 1e-13);
+}
+
+TEST(BodySection, AMeshIsReadInItsUnit) {
+  const Scene scene = withMesh("[body]\nmesh = \"cube.obj\"\nunit = \"cm\"\ndensity = 1000");
+  EXPECT_NEAR(scene.body.mass, 0.008, 1e-17);
+  EXPECT_NEAR((*scene.inertia)(2, 2), 0.008 * 0.0004 / 6, 1e-20);
+  EXPECT_THAT(sceneText(scene), HasSubstr("mesh = \"cube.obj\"\nunit = \"cm\""));
+  EXPECT_THAT(sceneText(scene), HasSubstr("density = 1000.0\n"));
+}
+
+TEST(BodySection, RefusesWhatIsNoBody) {
+  const auto refuses = [](const std::string& lines, const std::string& problem) {
+    EXPECT_THAT(errorOf(lines), HasSubstr(problem)) << lines;
+  };
+  refuses("[body]\nshape = \"t-handel\"", "did you mean \"t-handle\"?");
+  refuses("[body]\nshape = \"disc\"\ndimensions = { radus = 1 }", "did you mean \"radius\"?");
+  refuses("[body]\nshape = \"disc\"\ndimensions = { radius = 0 }", "a.toml:3:25:");
+  refuses("[body]\nshape = \"disc\"\nsize = [1, 1, 1]", "body.size follows from");
+  refuses("[body]\nshape = \"disc\"\ninertia = [1, 1, 1]", "body.inertia follows from");
+  refuses("[body]\nshape = \"disc\"\nmass = 1\ndensity = 1", "keep one");
+  refuses("[body]\ndensity = 1", "body.density belongs to");
+  refuses("[body]\ndimensions = { x = 1 }", "body.dimensions belongs to");
+  refuses("[body]\nshape = \"disc\"\nunit = \"mm\"", "body.unit belongs to");
+  refuses("[body]\nshape = \"racket\"\ndimensions = { frame = 1 }", "smaller than its head");
+  refuses("[[body.part]]\nplace = [0, 0, 0]", "needs a shape");
+  refuses("[[body.part]]\nshape = \"book\"", "can't be the book");
+  refuses("[[body.part]]\nshape = \"box\"\ndensity = 0", "but not 0");
+  refuses("[[body.part]]\nshape = \"box\"\ndensity = -1", "negative densities");
+  refuses(std::string(kHandle) + "[simulation]\nmodel = \"particles\"", "is for rigid models");
+  refuses("[body]\nmesh = \"a.stl\"\ndensity = 1", "no file is read here");
+}
+
+TEST(BodySection, RefusesWrongMeshes) {
+  constexpr const char* kStated = "[body]\nmesh = \"cube.obj\"\ndensity = 1";
+  EXPECT_EQ(meshErrorOf(kStated), "no error");
+  EXPECT_THAT(meshErrorOf("[body]\nmesh = \"cube.obj\""), HasSubstr("needs body.density"));
+  EXPECT_THAT(meshErrorOf("[body]\nmesh = \"cube.fbx\"\ndensity = 1"), HasSubstr(".glb"));
+  EXPECT_THAT(meshErrorOf("[body]\nmesh = \"/cube.obj\"\ndensity = 1"), HasSubstr("relative"));
+  EXPECT_THAT(meshErrorOf("[body]\nmesh = \"cube.obj\"\ndensity = 1\nshape = \"box\""),
+              HasSubstr("keep one"));
+  EXPECT_THAT(meshErrorOf("[body]\nmesh = { file = \"a\", volume = 1 }\ndensity = 1"),
+              HasSubstr("must be the name of a file"));
+  EXPECT_THAT(meshErrorOf(kStated, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), HasSubstr("open"));
+}
+
+TEST(BodySection, ASpinIsAboutTheAxisOfAMoment) {
+  const auto spin = [](const std::string& about) {
+    return parseScene(std::string(kHandle) + "[initial]\nangular_velocity = { about = \"" + about +
+                          "\", value = 4 }\n",
+                      "a.toml")
+        .initial.value;
+  };
+  EXPECT_EQ(spin("smallest"), Eigen::Vector3d(4, 0, 0));
+  EXPECT_EQ(spin("middle"), Eigen::Vector3d(0, 4, 0));
+  EXPECT_EQ(spin("largest"), Eigen::Vector3d(0, 0, 4));
+}
+
+TEST(BodySection, ASpinAboutAnAxisIsPrintedAndTilted) {
+  const std::string text =
+      std::string(kHandle) +
+      "[initial]\nangular_velocity = { about = \"middle\", value = 4 }\ntilt = [0.01, \"x\"]\n";
+  const Scene scene = parseScene(text, "a.toml");
+  EXPECT_THAT(sceneText(scene), HasSubstr("{ about = \"middle\", value = 4.0 }"));
+  EXPECT_EQ(parseScene(sceneText(scene), "a.toml").initial, scene.initial);
+  EXPECT_NEAR(scene.initial.tilted().x(), 4 * std::sin(0.01), 1e-15);
+  EXPECT_THAT(errorOfText(std::string(kHandle) + "[initial]\nangular_velocity = { about = "
+                                                 "\"middle\", value = 4 }\ntilt = [0.1, \"y\"]\n"),
+              HasSubstr("points along that axis already"));
+  EXPECT_THAT(errorOfText("[initial]\nangular_velocity = { about = \"midle\", value = 4 }\n"),
+              HasSubstr("did you mean \"middle\"?"));
+}
+
+}  // namespace
+}  // namespace rotatebook::scene

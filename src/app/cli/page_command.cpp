@@ -238,7 +238,7 @@ void addPageCommand(CLI::App& program, Action& action) {
   command
       ->add_option(
           "--pack-crf", arguments->packCrf,
-          "Rate factor of packed clips: at 22, clips are three times as large as at 31, and "
+          "Rate factor of packed clips: at 22, clips are three times as large as at 32, and "
           "verify still proves their pictures")
       ->check(CLI::Range(kBestCrf, kWorstCrf))
       ->capture_default_str();

@@ -70,7 +70,7 @@ void reportBody(const BodyNumbers& numbers, std::ostream& output) {
                          " closed surfaces; where they overlap, or lie within each other, mass "
                          "counts twice");
   } else {
-    output << "a body in closed form";
+    output << "the body of the scene";
   }
   output << "\n  volume   " << roundedText(body.volume, 6) << " m^3\n  mass     "
          << roundedText(body.mass, 6) << " kg\n  centre   "

@@ -20,7 +20,7 @@ struct BodySurface {
 struct BodyNumbers {
   std::string name;
   body::MassProperties properties;
-  std::optional<BodySurface> surface{};  ///< Nothing for a body in closed form.
+  std::optional<BodySurface> surface{};  ///< Nothing for the body of a scene.
 };
 
 /// Prints size, mass, centre, inertia, and the stability of a spin about each principal axis.
@@ -28,7 +28,7 @@ void reportBody(const BodyNumbers& body, std::ostream& output);
 
 /// Prints one JSON object: "name", "volume_m3", "mass_kg", "centre_m", "inertia_kgm2" (3x3 about
 /// the centre), "principal_moments_kgm2" (ascending), "principal_axes" (a unit vector for each
-/// moment, right-handed), "triangles" and "shells" (null for a body in closed form), "closed".
+/// moment, right-handed), "triangles" and "shells" (null for the body of a scene), "closed".
 void reportBodyAsJson(const BodyNumbers& body, std::ostream& output);
 
 }  // namespace rotatebook::report

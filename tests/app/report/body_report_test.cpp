@@ -51,7 +51,7 @@ TEST(BodyReport, KnowsABodyThatNeverTumbles) {
   disc.properties.inertia = Eigen::Vector3d(1, 1, 2).asDiagonal();
   disc.surface.reset();
   EXPECT_THAT(printed(reportBody, disc), HasSubstr("no spin is unstable"));
-  EXPECT_THAT(printed(reportBody, disc), HasSubstr("a body in closed form"));
+  EXPECT_THAT(printed(reportBody, disc), HasSubstr("the body of the scene"));
 }
 
 TEST(BodyReport, HasTheSameAsJson) {

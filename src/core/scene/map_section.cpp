@@ -38,10 +38,28 @@ void refuseOutside(const ReadAxis& read, double min, double max) {
   if (read.axis.to > max) read.end("to").mismatch("at most " + tomlNumber(max));
 }
 
+/// Refuses keys from which other numbers of the motion follow, which a map doesn't make anew.
+void refuseWhatOthersFollowFrom(const ReadAxis& read, const Panel& motion) {
+  const std::string& key = read.axis.key;
+  const bool isOfBody = key.starts_with("body.");
+  if (isOfBody && !motion.solid.isBook()) {
+    read.key().fail(key +
+                    ": the mass and the inertia of this body follow from its shape; [study] "
+                    "and [grid] can vary it");
+  }
+  const bool isOfSpin = key.starts_with("initial.angular_");
+  if (motion.initial.about && (isOfBody || isOfSpin)) {
+    read.key().fail(key +
+                    ": the axis of the spin is stated by its moment; state the spin as three "
+                    "numbers");
+  }
+}
+
 void checkMotionKey(const ReadAxis& read, const std::vector<Panel>& motions) {
   const std::string& key = read.axis.key;
   const ValueReader place = read.key();
   for (const Panel& panel : motions) {
+    refuseWhatOthersFollowFrom(read, panel);
     const auto& location = place.node().location;
     for (const char* end : {"from", "to"}) {
       const double value = read.end(end).number(document::kNumber);

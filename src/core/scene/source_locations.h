@@ -1,6 +1,7 @@
 // Locations in a scene of what can prove wrong only when files and fonts are opened.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <string>
@@ -45,16 +46,18 @@ auto atLocationOf(const Scene& scene, std::string_view key, const Work& work) {
   }
 }
 
-/// Throws InputError with the location of [body], or of the panels, if a motion's body isn't the
-/// book, which is all that pictures show.
+/// Returns whether all bodies are the book, which is all that pictures show.
+inline bool areAllBooks(const Scene& scene) {
+  return std::ranges::all_of(motionsOf(scene),
+                             [](const Motion& motion) { return motion.solid.isBook(); });
+}
+
+/// Throws InputError with the location of [body], or of the panels, unless areAllBooks().
 inline void requireBook(const Scene& scene) {
-  for (const Motion& motion : motionsOf(scene)) {
-    if (motion.solid.isBook()) continue;
-    throw InputError(
-        locationOf(scene, scene.panels.empty() ? "body" : "panel") +
-        ": pictures show the book alone, and this body is another; `simulate`, `spin`, "
-        "`study` and `map` work with it");
-  }
+  if (areAllBooks(scene)) return;
+  throw InputError(locationOf(scene, scene.panels.empty() ? "body" : "panel") +
+                   ": pictures show the book alone, and this body is another; `simulate`, `spin`, "
+                   "`study` and `map` work with it");
 }
 
 }  // namespace rotatebook::scene

@@ -60,6 +60,8 @@ TEST_F(Body, MeasuresTheShapeOfAScene) {
   EXPECT_THAT(result.output, AllOf(HasSubstr("mass     0.5 kg\n"), HasSubstr("(0, 0.01266")));
   EXPECT_EQ(run({"simulate", "handle.toml"}).status, 0);
   expectRefused({"render", "handle.toml"}, ": pictures show the book alone");
+  EXPECT_EQ(run({"check", "handle.toml"}).output,
+            "handle.toml: ok, but pictures show the book alone\n");
 }
 
 TEST_F(Body, MeasuresTheMeshOfAScene) {
@@ -76,8 +78,8 @@ TEST_F(Body, RefusesWhatItCannotMeasure) {
   writeBox("box.obj");
   write("a.glb", "glTF");
   expectRefused({"body", "open.obj"},
-                "rotatebook: open.obj: the edge from (0, 0, 60) to (20, 0, 60) belongs to triangle "
-                "6 alone: the surface is open there; close the hole\n");
+                "rotatebook: open.obj: the edge from (0, 0, 60) to (0, 30, 60) belongs to triangle "
+                "1 alone: the surface is open there; close the hole\n");
   expectRefused({"body", "a.glb"}, "rotatebook: a.glb: it doesn't begin with \"glTF\"");
   expectRefused({"body", "no.stl"}, "rotatebook: can't read no.stl: No such file or directory\n");
   expectRefused({"body", "box.obj", "--unit", "ell"}, "there are m, cm, mm, in\n");

@@ -42,7 +42,8 @@ TEST_P(HelpText, ShowsAnExampleOfTheCommand) {
 INSTANTIATE_TEST_SUITE_P(Commands, HelpText,
                          ::testing::Values("render", "simulate", "study", "still", "diff", "check",
                                            "scene", "assemble", "list", "doctor", "verify", "rerun",
-                                           "help", "version", "sheet", "bench", "spin", "body", "new"),
+                                           "help", "version", "sheet", "bench", "spin", "body",
+                                           "new"),
                          [](const auto& command) { return std::string(command.param); });
 
 TEST_P(HelpText, IsThatOfTheCommandHelp) {
@@ -62,8 +63,9 @@ TEST_F(CommandLine, PrintsTheVersion) {
 TEST_F(CommandLine, HelpNamesCommandsExamplesAndExitStatus) {
   const ChildResult result = run({"--help"});
   EXPECT_EQ(result.status, 0);
-  for (const char* command : {"render", "simulate", "study", "still", "diff", "check", "scene",
-                              "assemble", "list", "doctor", "verify", "rerun", "spin", "body", "new"}) {
+  for (const char* command :
+       {"render", "simulate", "study", "still", "diff", "check", "scene", "assemble", "list",
+        "doctor", "verify", "rerun", "spin", "body", "new"}) {
     EXPECT_THAT(result.output, HasSubstr("\n  " + std::string(command) + " "));
   }
   EXPECT_THAT(result.output, AllOf(HasSubstr("\n  rotatebook render scenes/starter.toml\n"),

@@ -278,7 +278,8 @@ class ShownCommands : public ProgramTest {
   void addProblemsOfScene(const CodeBlock& block, std::vector<std::string>& problems) {
     std::string text;
     for (const std::string& line : block.lines) text += line + '\n';
-    if (text.find("[initial]") == std::string::npos) {
+    const bool isRecorded = text.find("\"recorded\"") != std::string::npos;
+    if (!isRecorded && text.find("[initial]") == std::string::npos) {
       text += "[initial]\nangular_velocity = [5.0, 0.0, 0.0]\n";
     }
     write("block.toml", text);

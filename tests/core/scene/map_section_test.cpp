@@ -197,6 +197,21 @@ TEST(MapSection, RefusesMeasuresThatTheModelLacks) {
               HasSubstr("is of a whole motion, so no axis can be the time"));
 }
 
+TEST(MapSection, RefusesKeysFromWhichOthersFollow) {
+  const std::string map = std::string("[map]\n") + kX + kY + "measure = 'half_turns'\n";
+  EXPECT_THAT(errorOf(map + "[body]\nshape = 't-handle'\n"),
+              HasSubstr("body.mass: the mass and the inertia of this body follow from its shape"));
+  const std::string byMoment =
+      "[initial]\nangular_velocity = { about = 'middle', value = 4 }\ntilt = [0.1, 'z']\n";
+  EXPECT_THAT(errorOfText(map + byMoment),
+              HasSubstr("body.mass: the axis of the spin is stated by its"));
+  EXPECT_THAT(errorOfText(std::string("[map]\n") + kX +
+                          "y = { key = 'initial.angular_velocity.value', from = 1, to = 2 }\n"
+                          "measure = 'half_turns'\n" +
+                          byMoment),
+              HasSubstr("state the spin as three numbers"));
+}
+
 TEST(MapSection, RefusesWhatCantBeMarkedOrExpected) {
   EXPECT_THAT(errorOfMap("marks = [{ at = [1000, 1], label = 'a' }]"),
               HasSubstr("the point [1000.0, 1.0] is outside the map"));

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <Eigen/Geometry>
+
 #include "base/double_double.h"
 #include "base/error.h"
 #include "base/number_text.h"
@@ -102,6 +104,15 @@ MassProperties massPropertiesOf(const TriangleMesh& mesh, double density) {
   const double cubed = scale * scale * scale;
   return {volume * cubed, volume * cubed * density, middle + centre * scale,
           inertiaOf(covariance) * (density * cubed) * (scale * scale)};
+}
+
+MassProperties moved(const MassProperties& body, const Matrix3d& turn, const Vector3d& place) {
+  MassProperties result = body;
+  result.centre = turn * body.centre + place;
+  if (turn.isIdentity(0)) return result;
+  const Matrix3d inertia = turn * body.inertia * turn.transpose();
+  result.inertia = (inertia + inertia.transpose()) / 2;
+  return result;
 }
 
 MassProperties sumOf(const MassProperties& a, const MassProperties& b) {

@@ -22,6 +22,10 @@ struct MassProperties {
 /// the sizes are too small or too large for doubles.
 MassProperties massPropertiesOf(const TriangleMesh& mesh, double density);
 
+/// Returns the same body turned about the origin by a rotation, then moved by `place` [m].
+MassProperties moved(const MassProperties& body, const Eigen::Matrix3d& turn,
+                     const Eigen::Vector3d& place);
+
 /// Returns the two bodies as one: masses and moments add up, also where they overlap. A density may
 /// be negative, for what is taken away. Throws InputError if no mass is left.
 MassProperties sumOf(const MassProperties& a, const MassProperties& b);

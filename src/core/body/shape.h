@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "body/triangle_mesh.h"
+#include "body/solid_piece.h"
 
 namespace rotatebook::body {
 
@@ -20,9 +20,9 @@ struct Shape {
   std::string_view name;  ///< As in scenes: "t-handle".
   double density = 0;     ///< Of its usual material, > 0. [kg/m^3]
   std::vector<ShapeLength> lengths;
-  /// Makes the surface [m] from one length > 0 for each of `lengths`; of several closed surfaces,
+  /// Makes the solid from one length [m] > 0 for each of `lengths`; of several closed surfaces,
   /// each counts, also where they overlap. Throws InputError if the lengths don't fit each other.
-  TriangleMesh (*mesh)(std::span<const double> lengths) = nullptr;
+  SolidPiece (*solid)(std::span<const double> lengths) = nullptr;
 };
 
 /// Returns all shapes, in the order of their list.

@@ -52,33 +52,10 @@ void joinRings(const std::vector<std::uint32_t>& from, const std::vector<std::ui
   }
 }
 
-}  // namespace
-
-TriangleMesh prismOf(std::span<const Vector2d> outline, double height) {
-  TriangleMesh mesh;
-  const std::uint32_t bottom = addPoint({0, 0, -height / 2}, mesh);
-  const std::uint32_t top = addPoint({0, 0, height / 2}, mesh);
-  for (const Vector2d& point : outline) {
-    addPoint({point.x(), point.y(), -height / 2}, mesh);
-    addPoint({point.x(), point.y(), height / 2}, mesh);
-  }
-  const auto count = static_cast<std::uint32_t>(outline.size());
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const std::uint32_t low = 2 + 2 * i, nextLow = 2 + 2 * ((i + 1) % count);
-    mesh.triangles.push_back({bottom, nextLow, low});
-    mesh.triangles.push_back({top, low + 1, nextLow + 1});
-    mesh.triangles.push_back({low, nextLow, nextLow + 1});
-    mesh.triangles.push_back({low, nextLow + 1, low + 1});
-  }
-  return mesh;
-}
-
-TriangleMesh cuboidOf(const Vector3d& size) {
-  const double x = size.x() / 2, y = size.y() / 2;
-  const Vector2d outline[] = {{x, -y}, {x, y}, {-x, y}, {-x, -y}};
-  return prismOf(outline, size.z());
-}
-
+/// Returns an outline of (distance from the axis, height), turned round the axis z in kSides steps;
+/// counter-clockwise, distance to the right. [m] Where the distance is 0, the outline may begin and
+/// end; else it is a closed one. Distances grow by sqrt(x / sin x), x = 2 pi / kSides, so that the
+/// volume is exactly the round body's.
 TriangleMesh turnedRound(std::span<const Vector2d> outline) {
   TriangleMesh mesh;
   const double growth = growthOf(kSides);
@@ -101,23 +78,76 @@ TriangleMesh turnedRound(std::span<const Vector2d> outline) {
   return mesh;
 }
 
-TriangleMesh cylinderOf(double radius, double height) {
-  const Vector2d outline[] = {
-      {0, -height / 2}, {radius, -height / 2}, {radius, height / 2}, {0, height / 2}};
-  return turnedRound(outline);
+/// Returns the mass properties of a body around the origin, by its volume [m^3] and the mean
+/// squares of its coordinates [m^2].
+MassProperties around(double volume, const Vector3d& squares) {
+  MassProperties body{volume, volume};
+  body.inertia = (volume * (Vector3d::Constant(squares.sum()) - squares)).asDiagonal();
+  return body;
 }
 
-TriangleMesh ringOf(double radius, double sectionRadius) {
+MassProperties cylinder(double radius, double height) {
+  const double square = radius * radius;
+  return around(kPi.high * square * height, {square / 4, square / 4, height * height / 12});
+}
+
+}  // namespace
+
+SolidPiece prismOf(std::span<const Vector2d> outline, double height) {
+  TriangleMesh mesh;
+  const std::uint32_t bottom = addPoint({0, 0, -height / 2}, mesh);
+  const std::uint32_t top = addPoint({0, 0, height / 2}, mesh);
+  for (const Vector2d& point : outline) {
+    addPoint({point.x(), point.y(), -height / 2}, mesh);
+    addPoint({point.x(), point.y(), height / 2}, mesh);
+  }
+  const auto count = static_cast<std::uint32_t>(outline.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::uint32_t low = 2 + 2 * i, nextLow = 2 + 2 * ((i + 1) % count);
+    mesh.triangles.push_back({bottom, nextLow, low});
+    mesh.triangles.push_back({top, low + 1, nextLow + 1});
+    mesh.triangles.push_back({low, nextLow, nextLow + 1});
+    mesh.triangles.push_back({low, nextLow + 1, low + 1});
+  }
+  return {mesh, massPropertiesOf(mesh, 1)};
+}
+
+SolidPiece cuboidOf(const Vector3d& size) {
+  const double x = size.x() / 2, y = size.y() / 2;
+  const Vector2d outline[] = {{x, -y}, {x, y}, {-x, y}, {-x, -y}};
+  return {prismOf(outline, size.z()).surface, around(size.prod(), size.cwiseAbs2() / 12)};
+}
+
+SolidPiece cylinderOf(double radius, double height) {
+  const Vector2d outline[] = {
+      {0, -height / 2}, {radius, -height / 2}, {radius, height / 2}, {0, height / 2}};
+  return {turnedRound(outline), cylinder(radius, height)};
+}
+
+SolidPiece tubeOf(double radius, double bore, double height) {
+  const Vector2d outline[] = {
+      {bore, -height / 2}, {radius, -height / 2}, {radius, height / 2}, {bore, height / 2}};
+  MassProperties hole = cylinder(bore, height);
+  for (double* number : {&hole.volume, &hole.mass}) *number = -*number;
+  hole.inertia = -hole.inertia;
+  return {turnedRound(outline), sumOf(cylinder(radius, height), hole)};
+}
+
+SolidPiece ringOf(double radius, double sectionRadius) {
   constexpr int kSection = 64;
   std::vector<Vector2d> outline;
   for (int i = 0; i < kSection; ++i) {
     outline.emplace_back(Vector2d(radius, 0) +
                          onCircle(i, kSection) * (sectionRadius * growthOf(kSection)));
   }
-  return turnedRound(outline);
+  // V = 2 pi^2 R r^2, I_z / m = R^2 + 3/4 r^2, I_x / m = R^2 / 2 + 5/8 r^2
+  const double circle = radius * radius, section = sectionRadius * sectionRadius;
+  const double across = (circle + 0.75 * section) / 2;
+  return {turnedRound(outline),
+          around(2 * kPi.high * kPi.high * radius * section, {across, across, section / 4})};
 }
 
-TriangleMesh ellipsoidOf(const Vector3d& size) {
+SolidPiece ellipsoidOf(const Vector3d& size) {
   // The polygon of a half circle, turned round, has a volume short of the ball's: the cones between
   // heights z, w and radii r, s have (w - z) (r^2 + r s + s^2) / 3 of pi.
   std::vector<Vector2d> outline;
@@ -132,19 +162,25 @@ TriangleMesh ellipsoidOf(const Vector3d& size) {
   const double larger = exponential(logarithm(4 / thirds) / 3);
   TriangleMesh mesh = turnedRound(outline);
   for (Vector3d& point : mesh.points) point = (point * larger).cwiseProduct(size) / 2;
-  return mesh;
+  return {mesh, around(kPi.high / 6 * size.prod(), size.cwiseAbs2() / 20)};
 }
 
-void addMoved(const TriangleMesh& piece, const Vector3d& place, TriangleMesh& into) {
-  const auto first = static_cast<std::uint32_t>(into.points.size());
-  for (const Vector3d& point : piece.points) into.points.push_back(point + place);
-  for (const auto& [a, b, c] : piece.triangles)
-    into.triangles.push_back({first + a, first + b, first + c});
+void addMoved(const SolidPiece& piece, const Vector3d& place, SolidPiece& into) {
+  const MassProperties placed = moved(piece.properties, Eigen::Matrix3d::Identity(), place);
+  TriangleMesh& all = into.surface;
+  into.properties = all.points.empty() ? placed : sumOf(into.properties, placed);
+  const auto first = static_cast<std::uint32_t>(all.points.size());
+  for (const Vector3d& point : piece.surface.points) all.points.push_back(point + place);
+  for (const auto& [a, b, c] : piece.surface.triangles)
+    all.triangles.push_back({first + a, first + b, first + c});
 }
 
-TriangleMesh alongAxis(TriangleMesh piece, int thirds) {
-  for (Vector3d& point : piece.points) {
-    for (int i = 0; i < thirds; ++i) point = Vector3d(point.z(), point.x(), point.y());
+SolidPiece alongAxis(SolidPiece piece, int thirds) {
+  Eigen::Matrix3d third;  // z becomes x, x becomes y
+  third << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+  for (int i = 0; i < thirds; ++i) {
+    for (Vector3d& point : piece.surface.points) point = third * point;
+    piece.properties = moved(piece.properties, third, {0, 0, 0});
   }
   return piece;
 }

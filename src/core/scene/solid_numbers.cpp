@@ -53,10 +53,10 @@ SolidNumbers numbersOfParts(const std::vector<BodyPart>& parts) {
   std::vector<MassProperties> added, taken;
   Box box;
   for (const BodyPart& part : parts) {
-    const TriangleMesh mesh = surfaceOf(part);
+    const body::SolidPiece piece = placed(part);
     const double density = part.density.value_or(body::findShape(part.shape)->density);
-    MassProperties one = multiplied(body::massPropertiesOf(mesh, 1), density);
-    if (density > 0) box.add(mesh);
+    MassProperties one = multiplied(piece.properties, density);
+    if (density > 0) box.add(piece.surface);
     if (density < 0) one.volume = -one.volume;
     (density < 0 ? taken : added).push_back(one);
   }
@@ -90,17 +90,15 @@ SolidNumbers numbersOfMesh(const MeshFile& mesh, double density) {
 
 }  // namespace
 
-TriangleMesh surfaceOf(const BodyPart& part) {
+body::SolidPiece placed(const BodyPart& part) {
   const body::Shape* shape = body::findShape(part.shape);
   if (shape == nullptr || part.lengths.size() != shape->lengths.size())
     throw InputError("a part needs a known shape, and each of its lengths");
-  TriangleMesh mesh = shape->mesh(part.lengths);
-  if (part.turn) {
-    const Matrix3d rotation = rotationOf(*part.turn);
-    for (Vector3d& point : mesh.points) point = rotation * point;
-  }
-  for (Vector3d& point : mesh.points) point += part.place;
-  return mesh;
+  body::SolidPiece piece = shape->solid(part.lengths);
+  const Matrix3d rotation = part.turn ? rotationOf(*part.turn) : Matrix3d::Identity();
+  for (Vector3d& point : piece.surface.points) point = rotation * point + part.place;
+  piece.properties = moved(piece.properties, rotation, part.place);
+  return piece;
 }
 
 SolidNumbers numbersOf(const Solid& solid) {

@@ -4,7 +4,7 @@
 #include <Eigen/Core>
 
 #include "body/mass_properties.h"
-#include "body/triangle_mesh.h"
+#include "body/solid_piece.h"
 #include "scene/solid.h"
 
 namespace rotatebook::scene {
@@ -21,8 +21,8 @@ struct SolidNumbers {
 /// an inertia.
 SolidNumbers numbersOf(const Solid& solid);
 
-/// Returns the surface of a part, in its place. [m] Throws InputError if its lengths don't fit.
-body::TriangleMesh surfaceOf(const BodyPart& part);
+/// Returns a part in its place, of density 1. [m] Throws InputError if its lengths don't fit.
+body::SolidPiece placed(const BodyPart& part);
 
 /// Returns the numbers of a welded mesh, in its own unit. Throws InputError if it isn't closed or
 /// encloses no volume.

@@ -19,7 +19,10 @@ std::vector<double> defaultsOf(const Shape& shape) {
 }
 
 MassProperties propertiesOf(const char* name, const std::vector<double>& lengths, double density) {
-  return massPropertiesOf(findShape(name)->mesh(lengths), density);
+  MassProperties found = findShape(name)->solid(lengths).properties;
+  found.mass *= density;
+  found.inertia *= density;
+  return found;
 }
 
 void expectMoments(const MassProperties& of, const Vector3d& expected, double within) {
@@ -29,14 +32,26 @@ void expectMoments(const MassProperties& of, const Vector3d& expected, double wi
     EXPECT_LT(std::abs(of.inertia(i, j)) / largest, 1e-14) << i << j;  // measured 2e-16
 }
 
+double extentOf(const TriangleMesh& mesh) {
+  double extent = 0;
+  for (const Vector3d& point : mesh.points) extent = std::max(extent, point.norm());
+  return extent;
+}
+
 TEST(Shapes, AreClosedAndHaveNamesOfTheirOwn) {
   std::set<std::string_view> names;
   for (const Shape& shape : allShapes()) {
     SCOPED_TRACE(std::string(shape.name));
-    const TriangleMesh mesh = shape.mesh(defaultsOf(shape));
+    const SolidPiece solid = shape.solid(defaultsOf(shape));
+    const TriangleMesh& mesh = solid.surface;
     EXPECT_NO_THROW(requireClosed(mesh));
     EXPECT_EQ(welded(mesh).points.size(), mesh.points.size());
-    EXPECT_GT(massPropertiesOf(mesh, shape.density).mass, 0);
+    // The facets have the round solid's volume, and larger moments: measured by 1.0e-7.
+    const MassProperties facetted = massPropertiesOf(mesh, 1);
+    EXPECT_NEAR(facetted.volume / solid.properties.volume, 1, 1e-13);  // measured 6e-16
+    // measured 8e-17
+    EXPECT_LT((facetted.centre - solid.properties.centre).norm(), 1e-14 * extentOf(mesh));
+    EXPECT_LT((facetted.inertia - solid.properties.inertia).norm() / facetted.inertia.norm(), 2e-7);
     EXPECT_TRUE(names.insert(shape.name).second);
     EXPECT_EQ(findShape(shape.name), &shape);
   }
@@ -50,37 +65,37 @@ TEST(Shapes, ABoxIsExact) {
   expectMoments(of, {5.5e-06, 2.651e-06, 7.799e-06}, 1e-14);  // measured 4e-16
 }
 
-TEST(Shapes, RoundOnesHaveTheRoundVolume) {
+TEST(Shapes, RoundOnesAreExact) {
   const auto cylinder = propertiesOf("cylinder", {0.5, 2}, 1);
   EXPECT_NEAR(cylinder.volume / 1.5707963267948966, 1, 1e-14);  // measured 0
-  // The facets' moments are x^4 / 180 larger for x = 2 pi / 128: measured 3.3e-8.
-  expectMoments(cylinder, {0.62177354602298, 0.62177354602298, 0.19634954084936207}, 4e-8);
+  expectMoments(cylinder, {0.62177354602298, 0.62177354602298, 0.19634954084936207},
+                1e-14);  // measured 2e-16
   const auto ball = propertiesOf("ellipsoid", {2, 2, 2}, 1);
   EXPECT_NEAR(ball.volume / 4.1887902047863905, 1, 1e-14);  // measured 0
   const double moment = 0.4 * 4.1887902047863905;
-  expectMoments(ball, {moment, moment, moment}, 2e-7);  // measured 1.2e-7
+  expectMoments(ball, {moment, moment, moment}, 1e-14);  // measured 0
 }
 
 TEST(Shapes, TheTHandleHasTheReferenceMoments) {
   const auto of = propertiesOf("t-handle", {0.008, 0.12, 0.06}, 2700);
   EXPECT_NEAR(of.mass / 0.09771609789725692, 1, 1e-14);     // measured 2e-16
   EXPECT_NEAR(of.centre.y(), 0.012666666666666666, 1e-16);  // measured 4e-18
-  // Measured 2e-9.
-  expectMoments(of, {4.373338248112788e-05, 8.025748840628036e-05, 0.00012086395575469602}, 4e-9);
+  expectMoments(of, {4.373338248112788e-05, 8.025748840628036e-05, 0.00012086395575469602},
+                1e-14);  // measured 3e-16
 }
 
 TEST(Shapes, TheRacketHasTheReferenceMoments) {
   const auto of = propertiesOf("racket", {0.13, 0.008, 0.014, 0.34}, 600);
   EXPECT_NEAR(of.mass / 0.22415157100161046, 1, 1e-14);           // measured 7e-16
   EXPECT_NEAR(of.centre.x(), 0.18188147185428585 + 0.12, 1e-15);  // measured 6e-17
-  // Measured 3.5e-8.
-  expectMoments(of, {0.0008488988437754337, 0.007022645561940048, 0.007856081068359796}, 1e-7);
+  expectMoments(of, {0.0008488988437754337, 0.007022645561940048, 0.007856081068359796},
+                1e-14);  // measured 2e-16
 }
 
 TEST(Shapes, ToutatisHasItsRatios) {
   const Vector3d moments = propertiesOf("toutatis", {4600}, 2100).inertia.diagonal();
-  EXPECT_NEAR(moments.y() / moments.x(), 3.09, 1e-6);  // measured 1.4e-7
-  EXPECT_NEAR(moments.z() / moments.x(), 3.22, 1e-6);  // measured 2.1e-7
+  EXPECT_NEAR(moments.y() / moments.x(), 3.09, 1e-14);  // measured 4e-16
+  EXPECT_NEAR(moments.z() / moments.x(), 3.22, 1e-14);  // measured 0
 }
 
 }  // namespace

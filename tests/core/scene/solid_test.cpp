@@ -68,7 +68,7 @@ TEST(Solid, TheMassReplacesTheDensity) {
 }
 
 TEST(Solid, AMeshHasItsNumbersInItsUnit) {
-  const body::TriangleMesh mesh = surfaceOf(box({200, 300, 100}, 1, {7, 8, 9}));
+  const body::TriangleMesh mesh = placed(box({200, 300, 100}, 1, {7, 8, 9})).surface;
   Solid solid;
   solid.mesh = meshFileOf("box.stl", mesh);
   solid.mesh.unit = 1e-3;

@@ -5,14 +5,14 @@
 namespace rotatebook::body::shapes {
 namespace {
 
-TriangleMesh boxMesh(std::span<const double> lengths) {
+SolidPiece boxSolid(std::span<const double> lengths) {
   return cuboidOf({lengths[0], lengths[1], lengths[2]});
 }
 
 }  // namespace
 
 Shape box() {
-  return {"box", 700, {{"x", 0.2}, {"y", 0.3}, {"z", 0.05}}, boxMesh};
+  return {"box", 700, {{"x", 0.2}, {"y", 0.3}, {"z", 0.05}}, boxSolid};
 }
 
 }  // namespace rotatebook::body::shapes

@@ -5,14 +5,14 @@
 namespace rotatebook::body::shapes {
 namespace {
 
-TriangleMesh cardsMesh(std::span<const double> lengths) {
+SolidPiece cardsSolid(std::span<const double> lengths) {
   return cuboidOf({lengths[0], lengths[1], lengths[2]});
 }
 
 }  // namespace
 
 Shape cards() {
-  return {"cards", 950, {{"x", 0.0635}, {"y", 0.0889}, {"z", 0.0175}}, cardsMesh};
+  return {"cards", 950, {{"x", 0.0635}, {"y", 0.0889}, {"z", 0.0175}}, cardsSolid};
 }
 
 }  // namespace rotatebook::body::shapes

@@ -5,14 +5,14 @@
 namespace rotatebook::body::shapes {
 namespace {
 
-TriangleMesh cylinderMesh(std::span<const double> lengths) {
+SolidPiece cylinderSolid(std::span<const double> lengths) {
   return cylinderOf(lengths[0], lengths[1]);
 }
 
 }  // namespace
 
 Shape cylinder() {
-  return {"cylinder", 2700, {{"radius", 0.05}, {"height", 0.2}}, cylinderMesh};
+  return {"cylinder", 2700, {{"radius", 0.05}, {"height", 0.2}}, cylinderSolid};
 }
 
 }  // namespace rotatebook::body::shapes

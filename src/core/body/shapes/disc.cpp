@@ -5,14 +5,14 @@
 namespace rotatebook::body::shapes {
 namespace {
 
-TriangleMesh discMesh(std::span<const double> lengths) {
+SolidPiece discSolid(std::span<const double> lengths) {
   return cylinderOf(lengths[0], lengths[1]);
 }
 
 }  // namespace
 
 Shape disc() {
-  return {"disc", 1200, {{"radius", 0.135}, {"thickness", 0.01}}, discMesh};
+  return {"disc", 1200, {{"radius", 0.135}, {"thickness", 0.01}}, discSolid};
 }
 
 }  // namespace rotatebook::body::shapes

@@ -5,14 +5,14 @@
 namespace rotatebook::body::shapes {
 namespace {
 
-TriangleMesh ellipsoidMesh(std::span<const double> lengths) {
+SolidPiece ellipsoidSolid(std::span<const double> lengths) {
   return ellipsoidOf({lengths[0], lengths[1], lengths[2]});
 }
 
 }  // namespace
 
 Shape ellipsoid() {
-  return {"ellipsoid", 1000, {{"x", 0.2}, {"y", 0.14}, {"z", 0.1}}, ellipsoidMesh};
+  return {"ellipsoid", 1000, {{"x", 0.2}, {"y", 0.14}, {"z", 0.1}}, ellipsoidSolid};
 }
 
 }  // namespace rotatebook::body::shapes

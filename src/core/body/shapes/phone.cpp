@@ -9,7 +9,7 @@
 namespace rotatebook::body::shapes {
 namespace {
 
-TriangleMesh phoneMesh(std::span<const double> lengths) {
+SolidPiece phoneSolid(std::span<const double> lengths) {
   const double corner = lengths[3];
   const Eigen::Vector2d inner(lengths[0] / 2 - corner, lengths[1] / 2 - corner);
   if (!(inner.minCoeff() > 0)) {
@@ -33,7 +33,7 @@ TriangleMesh phoneMesh(std::span<const double> lengths) {
 
 Shape phone() {
   return {
-      "phone", 2080, {{"x", 0.0715}, {"y", 0.1467}, {"z", 0.0078}, {"corner", 0.011}}, phoneMesh};
+      "phone", 2080, {{"x", 0.0715}, {"y", 0.1467}, {"z", 0.0078}, {"corner", 0.011}}, phoneSolid};
 }
 
 }  // namespace rotatebook::body::shapes

@@ -6,13 +6,13 @@
 namespace rotatebook::body::shapes {
 namespace {
 
-TriangleMesh racketMesh(std::span<const double> lengths) {
+SolidPiece racketSolid(std::span<const double> lengths) {
   const double head = lengths[0], frame = lengths[1], handle = lengths[2], length = lengths[3];
   if (!(frame < head)) throw InputError("a racket's frame must be smaller than its head");
-  TriangleMesh mesh;
-  addMoved(ringOf(head, frame), {length + head, 0, 0}, mesh);
-  addMoved(alongAxis(cylinderOf(handle, length), 1), {length / 2, 0, 0}, mesh);
-  return mesh;
+  SolidPiece solid;
+  addMoved(ringOf(head, frame), {length + head, 0, 0}, solid);
+  addMoved(alongAxis(cylinderOf(handle, length), 1), {length / 2, 0, 0}, solid);
+  return solid;
 }
 
 }  // namespace
@@ -21,7 +21,7 @@ Shape racket() {
   return {"racket",
           600,
           {{"head", 0.13}, {"frame", 0.008}, {"handle", 0.014}, {"length", 0.34}},
-          racketMesh};
+          racketSolid};
 }
 
 }  // namespace rotatebook::body::shapes

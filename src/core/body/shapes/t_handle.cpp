@@ -5,18 +5,18 @@
 namespace rotatebook::body::shapes {
 namespace {
 
-TriangleMesh tHandleMesh(std::span<const double> lengths) {
+SolidPiece tHandleSolid(std::span<const double> lengths) {
   const double radius = lengths[0], bar = lengths[1], stem = lengths[2];
-  TriangleMesh mesh;
-  addMoved(alongAxis(cylinderOf(radius, bar), 1), {0, 0, 0}, mesh);
-  addMoved(alongAxis(cylinderOf(radius, stem), 2), {0, radius + stem / 2, 0}, mesh);
-  return mesh;
+  SolidPiece solid;
+  addMoved(alongAxis(cylinderOf(radius, bar), 1), {0, 0, 0}, solid);
+  addMoved(alongAxis(cylinderOf(radius, stem), 2), {0, radius + stem / 2, 0}, solid);
+  return solid;
 }
 
 }  // namespace
 
 Shape tHandle() {
-  return {"t-handle", 2700, {{"radius", 0.008}, {"bar", 0.12}, {"stem", 0.06}}, tHandleMesh};
+  return {"t-handle", 2700, {{"radius", 0.008}, {"bar", 0.12}, {"stem", 0.06}}, tHandleSolid};
 }
 
 }  // namespace rotatebook::body::shapes

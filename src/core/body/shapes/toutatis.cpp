@@ -6,7 +6,7 @@
 namespace rotatebook::body::shapes {
 namespace {
 
-TriangleMesh toutatisMesh(std::span<const double> lengths) {
+SolidPiece toutatisSolid(std::span<const double> lengths) {
   const Eigen::Vector3d squares(2.655, 0.565, 0.435);
   return ellipsoidOf((squares / squares.x()).cwiseSqrt() * lengths[0]);
 }
@@ -14,7 +14,7 @@ TriangleMesh toutatisMesh(std::span<const double> lengths) {
 }  // namespace
 
 Shape toutatis() {
-  return {"toutatis", 2100, {{"length", 4600}}, toutatisMesh};
+  return {"toutatis", 2100, {{"length", 4600}}, toutatisSolid};
 }
 
 }  // namespace rotatebook::body::shapes

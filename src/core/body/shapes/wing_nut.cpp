@@ -6,17 +6,15 @@
 namespace rotatebook::body::shapes {
 namespace {
 
-TriangleMesh wingNutMesh(std::span<const double> lengths) {
+SolidPiece wingNutSolid(std::span<const double> lengths) {
   const double hub = lengths[0], bore = lengths[1], height = lengths[2];
   const Eigen::Vector3d wing(lengths[3], lengths[4], lengths[3]);
   if (!(bore < hub)) throw InputError("a wing nut's bore must be smaller than its hub");
-  const Eigen::Vector2d outline[] = {
-      {bore, -height / 2}, {hub, -height / 2}, {hub, height / 2}, {bore, height / 2}};
-  TriangleMesh mesh = turnedRound(outline);
+  SolidPiece solid = tubeOf(hub, bore, height);
   for (const double side : {-1.0, 1.0}) {
-    addMoved(cuboidOf(wing), {side * (hub + wing.x() / 2), 0, wing.z() / 2}, mesh);
+    addMoved(cuboidOf(wing), {side * (hub + wing.x() / 2), 0, wing.z() / 2}, solid);
   }
-  return mesh;
+  return solid;
 }
 
 }  // namespace
@@ -26,7 +24,7 @@ Shape wingNut() {
       "wing-nut",
       7850,
       {{"hub", 0.006}, {"bore", 0.003}, {"height", 0.008}, {"wing", 0.012}, {"thickness", 0.003}},
-      wingNutMesh};
+      wingNutSolid};
 }
 
 }  // namespace rotatebook::body::shapes

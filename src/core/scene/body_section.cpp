@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <variant>
 
@@ -138,6 +139,22 @@ void includeMesh(TomlNode& root, const ReadNamedFile& readNamedFile) {
   }
 }
 
+/// Throws InputError if another moment equals that of the axis, which is any of a plane then.
+void requireOneAxis(const ValueReader& file, const Eigen::Vector3d& moments, int axis) {
+  constexpr double kEqual = 1e-12;  // Of the moment; measured 3e-16 of round shapes.
+  for (int other = 0; other < 3; ++other) {
+    const double apart = std::fabs(moments[other] - moments[axis]);
+    if (other == axis || apart > kEqual * moments[axis]) continue;
+    for (const char* key : {"angular_velocity", "angular_momentum"}) {
+      if (const auto value = file.find("initial", key)) {
+        value->fail(
+            "two moments of this body are equal, so that no single axis has that one; state "
+            "the spin as three numbers");
+      }
+    }
+  }
+}
+
 }  // namespace
 
 Section<Motion> bodySection() {
@@ -158,7 +175,9 @@ void settleSpin(const ValueReader& file, Motion& motion) {
   std::array<int, 3> order{0, 1, 2};
   std::ranges::stable_sort(order, {}, [&](int axis) { return axes.moments[axis]; });
   const auto [rank, rate] = *motion.initial.about;
-  Eigen::Vector3d axis = axes.bodyFromPrincipal.col(order[static_cast<std::size_t>(rank)]);
+  const int chosen = order[static_cast<std::size_t>(rank)];
+  requireOneAxis(file, axes.moments, chosen);
+  Eigen::Vector3d axis = axes.bodyFromPrincipal.col(chosen);
   // Of both directions, take the one whose largest component is positive
   Eigen::Index largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);

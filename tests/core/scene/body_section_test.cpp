@@ -147,5 +147,18 @@ TEST(BodySection, ASpinAboutAnAxisIsPrintedAndTilted) {
               HasSubstr("did you mean \"middle\"?"));
 }
 
+TEST(BodySection, ASpinNamesAnAxisThatIsTheOnlyOneOfItsMoment) {
+  const auto discAbout = [](const std::string& about) {
+    return errorOfText("[body]\nshape = 'disc'\n[initial]\nangular_velocity = { about = '" + about +
+                       "', value = 4 }\n");
+  };
+  EXPECT_EQ(discAbout("largest"), "no error");
+  for (const char* about : {"smallest", "middle"}) {
+    EXPECT_EQ(discAbout(about),
+              "a.toml:4:20: initial.angular_velocity: two moments of this body are equal, so that "
+              "no single axis has that one; state the spin as three numbers");
+  }
+}
+
 }  // namespace
 }  // namespace rotatebook::scene

@@ -148,7 +148,8 @@ void requireOneAxis(const ValueReader& file, const Eigen::Vector3d& moments, int
     for (const char* key : {"angular_velocity", "angular_momentum"}) {
       if (const auto value = file.find("initial", key)) {
         value->fail(
-            "two moments of this body are equal, so that no single axis has that one; state "
+            value->name() +
+            ": two moments of this body are equal, so that no single axis has that one; state "
             "the spin as three numbers");
       }
     }

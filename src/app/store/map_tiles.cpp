@@ -75,7 +75,7 @@ void MapTiles::write(std::size_t index, std::string_view bytes) const {
   system::AtomicFile file(pathOf(index));
   file.write(fingerprint_ + "\n" + checksumOf(bytes) + "\n");
   file.write(bytes);
-  file.commit();
+  file.commitUnflushed();  // read() knows a whole tile by its checksum
 }
 
 void MapTiles::remove() const {

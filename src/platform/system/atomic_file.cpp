@@ -96,6 +96,14 @@ void AtomicFile::write(std::string_view content) {
 
 void AtomicFile::commitAs(const fs::path& path) {
   flushToDisk(held_, path);
+  renameTo(path);
+}
+
+void AtomicFile::commitUnflushed() {
+  renameTo(finalPath_);
+}
+
+void AtomicFile::renameTo(const fs::path& path) {
   if (std::rename(temporaryPath_.c_str(), path.c_str()) != 0) {
     throwLastError(path, "rename the finished file to");
   }

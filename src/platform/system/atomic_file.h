@@ -33,6 +33,9 @@ class AtomicFile {
   /// Flushes the content to the disk and renames the file, replacing an older one. A caller that
   /// wrote through temporaryPath() must have closed it. Throws MachineError.
   void commit() { commitAs(finalPath_); }
+  /// Like commit(), but leaves the flushing to the system: after a power cut, the name may hold
+  /// half of the content, or none. For what is checked when it is read, and can be made again.
+  void commitUnflushed();
   /// Like commit(), under another name in the same folder.
   void commitAs(const std::filesystem::path& path);
   /// Like commit(), but replaces nothing: returns false, and leaves what is there, if the name is
@@ -41,6 +44,7 @@ class AtomicFile {
   bool commitIfNew();
 
  private:
+  void renameTo(const std::filesystem::path& path);
   bool renameIfNew();
 
   std::filesystem::path finalPath_;

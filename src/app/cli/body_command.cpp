@@ -15,14 +15,14 @@
 #include "cli/scene_options.h"
 #include "physics/motion_start.h"
 #include "report/body_report.h"
+#include "scene/scene_text.h"
 #include "scene/solid_numbers.h"
 #include "system/read_file.h"
 
 namespace rotatebook::cli {
 namespace {
 
-constexpr std::uintmax_t kMaxMesh = 256 << 20;  // [bytes]
-constexpr double kWater = 1000;                 // [kg/m^3]
+constexpr double kWater = 1000;  // [kg/m^3]
 
 struct BodyOptions {
   std::optional<double> density, mass;
@@ -46,7 +46,7 @@ void requirePositive(const char* option, const std::optional<double>& value) {
 
 std::string meshBytes(const std::string& path) {
   try {
-    return system::readFile(path, kMaxMesh);
+    return system::readFile(path, scene::kLongestMesh);
   } catch (const InputError& error) {
     throw InputError("can't read " + oneLine(path, 200) + ": " + error.what());
   }

@@ -53,11 +53,11 @@ struct Stencil {
 template <typename TimeOf>
 Stencil stencilAround(std::size_t index, std::size_t count, const TimeOf& timeOf) {
   constexpr double kEven = 0.1;
-  constexpr std::size_t kMost = 4;
+  constexpr std::size_t kMaxMoments = 4;
   const double enough = kEven * (timeOf(index + 1) - timeOf(index));
-  const std::size_t lowest =
-      std::min(index > 0 ? index - 1 : 0, count > kMost ? count - kMost : std::size_t{0});
-  const std::size_t highest = std::min(lowest + kMost, count) - 1;
+  const std::size_t lowest = std::min(index > 0 ? index - 1 : 0,
+                                      count > kMaxMoments ? count - kMaxMoments : std::size_t{0});
+  const std::size_t highest = std::min(lowest + kMaxMoments, count) - 1;
   std::size_t first = index, last = index + 1;
   while (first > lowest && timeOf(first) - timeOf(first - 1) >= enough) --first;
   while (last < highest && timeOf(last + 1) - timeOf(last) >= enough) ++last;

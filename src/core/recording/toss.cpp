@@ -20,13 +20,13 @@ constexpr int kParameters = 8;  // five of the tensor, whose trace is 1, and thr
 using Parameters = Eigen::Matrix<double, kParameters, 1>;
 using Readings = std::span<const InertialReading>;
 
-constexpr double kFreeForce = 2;       // [m/s^2]
-constexpr double kSlowest = 1;         // of a toss [rad/s]
-constexpr double kRest = 0.15;         // largest rate of a rest [rad/s]
-constexpr double kShortestRest = 0.2;  // [s]
-constexpr std::size_t kFewest = 20;    // readings of a flight
-constexpr double kWidest = 0.5;        // interval of a ratio
-constexpr double kTrimmed = 0.02;      // of a flight, at each end
+constexpr double kFreeForce = 2;          // [m/s^2]
+constexpr double kSlowest = 1;            // of a toss [rad/s]
+constexpr double kRest = 0.15;            // largest rate of a rest [rad/s]
+constexpr double kShortestRest = 0.2;     // [s]
+constexpr std::size_t kMinReadings = 20;  // readings of a flight
+constexpr double kWidest = 0.5;           // interval of a ratio
+constexpr double kTrimmed = 0.02;         // of a flight, at each end
 
 Eigen::Matrix3d tensorOf(const Parameters& p) {
   Eigen::Matrix3d tensor;
@@ -224,11 +224,11 @@ std::pair<std::size_t, std::size_t> flightIn(const InertialRecording& recording,
       isStated ? between(recording, options.from.value_or(-kEver), options.to.value_or(kEver))
                : longestFlight(recording, options.lever);
   const std::size_t count = flight.second - flight.first;
-  if (count >= kFewest) return flight;
-  throw InputError(name + ": " +
-                   (isStated ? "the flight has " : "the longest flight that was found has ") +
-                   std::to_string(count) + " readings, but at least " + std::to_string(kFewest) +
-                   " are needed; state another with --from and --to");
+  if (count >= kMinReadings) return flight;
+  throw InputError(
+      name + ": " + (isStated ? "the flight has " : "the longest flight that was found has ") +
+      std::to_string(count) + " readings, but at least " + std::to_string(kMinReadings) +
+      " are needed; state another with --from and --to");
 }
 
 /// Notes the longest rest before the flight, and the mean of its rates.

@@ -10,10 +10,10 @@
 
 #include "base/elementary.h"
 #include "base/text.h"
-#include "recording/columns.h"
 #include "rigid/inertia.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
+#include "scene/keys/recorded_keys.h"
 #include "scene/sections.h"
 
 namespace rotatebook::scene {
@@ -25,7 +25,6 @@ using document::kPositive;
 using document::TomlNode;
 using physics::InitialSpin;
 using physics::MotionSettings;
-using physics::RecordedFile;
 using physics::SimulationSettings;
 
 constexpr NumberRange kSizes{"three lengths from 1e-6 to 1e6 m", 1e-6, 1e6, Dimension::Length};
@@ -44,8 +43,6 @@ constexpr const char* kExpectedEvery = "true, false or a table such as { every =
 constexpr const char* kExpectedTilt =
     "an angle and an axis, such as [0.02, \"z\"] or [\"1 deg\", \"z\"]";
 constexpr NumberRange kNotNegative{"zero or a positive number", 0, Limits::max()};
-constexpr NumberRange kBias{"three numbers from -1e3 to 1e3", -1e3, 1e3};
-constexpr NumberRange kFileTimes{"a time", -Limits::max(), Limits::max(), Dimension::Time};
 constexpr NumberRange kWindowTimes{kNotNegative.expected, 0, kNotNegative.max, Dimension::Time};
 
 Eigen::Matrix3d inertiaFrom(const ValueReader& value) {
@@ -124,45 +121,6 @@ physics::SpinAbout aboutFrom(const ValueReader& value, physics::SpinKind kind) {
 std::string aboutText(const physics::SpinAbout& about) {
   return "{ about = " + quotedName(kRanks, about.rank) + ", value = " + tomlNumber(about.rate) +
          " }";
-}
-
-using Columns = std::vector<std::pair<std::string, std::string>>;
-
-Columns columnsFrom(const ValueReader& value) {
-  Columns columns;
-  std::vector<Field> fields;
-  for (const std::string_view role : recording::columnRoles()) {
-    fields.push_back({role, [&columns, role](const ValueReader& name) {
-                        columns.emplace_back(role, name.text(kLongestName));
-                      }});
-  }
-  value.readTable(fields);
-  return columns;
-}
-
-std::string columnsText(const Columns& columns) {
-  if (columns.empty()) return "";
-  const auto text = [](const auto& one) { return one.first + " = " + tomlString(one.second); };
-  return "{ " + joinedOf(columns, text) + " }";
-}
-
-std::string rateUnitFrom(const ValueReader& value) {
-  return std::string(recording::kRateUnits[value.choice(recording::kRateUnits)]);
-}
-
-/// Texts of which an empty one isn't printed.
-Kind<std::string> optionalText(std::string (*read)(const ValueReader&), std::string allowed) {
-  return {read, [](const std::string& one) { return one.empty() ? "" : tomlString(one); },
-          std::move(allowed)};
-}
-
-/// Returns a key of the recording that a motion is taken from.
-template <typename Field, typename T>
-Key<SimulationSettings> recordedKey(std::string_view name, Field field, const Kind<T>& kind,
-                                    KeyText documentation) {
-  return keyAt<SimulationSettings>(
-      name, [field](auto& settings) -> auto& { return settings.recorded.*field; }, kind,
-      std::move(documentation));
 }
 
 /// Returns a key of one of the kinds in which the spin S is given.
@@ -271,6 +229,12 @@ std::string labelFrom(const ValueReader& value) {
   return label;
 }
 
+Keys<SimulationSettings> joinedKeys(Keys<SimulationSettings> keys,
+                                    const Keys<SimulationSettings>& others) {
+  keys.insert(keys.end(), others.begin(), others.end());
+  return keys;
+}
+
 }  // namespace
 
 const Keys<MotionSettings>& bodyKeys() {
@@ -291,68 +255,39 @@ const Keys<MotionSettings>& bodyKeys() {
 }
 
 const Keys<SimulationSettings>& simulationKeys() {
-  static const Keys<SimulationSettings> keys{
-      key("model", &SimulationSettings::model, oneOf(kModels),
-          {.meaning = "see [models](motion.md)"}),
-      {"integrator",
-       readIntegrator,
-       integratorText,
-       {.meaning = "see [integrators](motion.md#integrators)",
-        .byDefault = "`\"rk4\"`; for particles `\"euler\"`",
-        .allowed = "one of the model's integrators"}},
-      key("normalize", &SimulationSettings::normalizeEvery, everyStep(),
-          {.comment = "undo the integrator's drift after each step, or after each n-th",
-           .meaning = "undo the integrator's drift, see [normalising](motion.md#normalising)"}),
-      key("normalize_energy", &SimulationSettings::normalizeEnergyEvery, everyStep(),
-          {.meaning = "particles: scale the velocities to the energy at the start",
-           .byDefault = "as `normalize`"}),
-      key("remove_drift", &SimulationSettings::removeDriftEvery, everyStep(),
-          {.meaning = "particles: bring the centre of mass to rest at the origin",
-           .byDefault = "as `normalize`"}),
-      key("damping", &SimulationSettings::damping, number(kNotNegative),
-          {.comment = "particles: fraction of critical damping",
-           .meaning = "particles: of each spring, as a fraction of 2√(km)"}),
-      key("stiffness", &SimulationSettings::stiffness, number(kPositive),
-          {.comment = "particles: N/m, of each spring",
-           .meaning = "particles: of each spring [N/m]"}),
-      key("time_per_frame", &SimulationSettings::timePerFrame, number(kStepTimes),
-          {.comment = "s simulated for each frame of video",
-           .meaning = "simulated time from a frame to the next",
-           .byDefault = "1/fps"}),
-      key("substeps", &SimulationSettings::substeps, integer(1, kMaxSubsteps),
-          {.comment = "integration steps for each frame"}),
-      recordedKey("file", &RecordedFile::file,
-                  optionalText([](const ValueReader& value) { return value.text(kLongestPath); },
-                               "a path relative to the scene's folder"),
-                  {.meaning = "recorded: a table (CSV), see [recorded motion](recorded.md)",
-                   .byDefault = "required for `\"recorded\"`"}),
-      recordedKey("columns", &RecordedFile::columns,
-                  Kind<Columns>{columnsFrom, columnsText,
-                                "a table such as { time = \"t\", wx = \"Gyro X\" }"},
-                  {.meaning = "recorded: the names of columns without a usual one",
-                   .byDefault = "[usual names](recorded.md#columns)"}),
-      recordedKey(
-          "rates", &RecordedFile::rates, optionalText(rateUnitFrom, "\"rad/s\" or \"deg/s\""),
-          {.meaning = "recorded: the unit of a gyroscope's rates", .byDefault = "the header's"}),
-      recordedKey("from", &RecordedFile::from, number(kFileTimes),
-                  {.meaning = "recorded: where the motion starts, of the file's times",
-                   .byDefault = "the first row"}),
-      recordedKey("to", &RecordedFile::to, number(kFileTimes),
-                  {.meaning = "recorded: where it ends, likewise", .byDefault = "the last row"}),
-      recordedKey(
-          "bias", &RecordedFile::bias,
-          Kind<Eigen::Vector3d>{
-              [](const ValueReader& value) { return vectorFrom(value, kBias); },
-              [](const Eigen::Vector3d& bias) { return bias.isZero(0) ? "" : vectorText(bias); },
-              std::string(kBias.expected)},
-          {.meaning = "recorded: subtracted from a gyroscope's rates [rad/s]",
-           .byDefault = "none"}),
-      recordedKey("checksum", &RecordedFile::checksum,
-                  optionalText([](const ValueReader& value) { return value.text(kLongestName); },
-                               "32 hexadecimal digits"),
-                  {.meaning = "recorded: XXH128 of the file, which must have it",
-                   .byDefault = "that of the file"}),
-  };
+  static const Keys<SimulationSettings> keys = joinedKeys(
+      {
+          key("model", &SimulationSettings::model, oneOf(kModels),
+              {.meaning = "see [models](motion.md)"}),
+          {"integrator",
+           readIntegrator,
+           integratorText,
+           {.meaning = "see [integrators](motion.md#integrators)",
+            .byDefault = "`\"rk4\"`; for particles `\"euler\"`",
+            .allowed = "one of the model's integrators"}},
+          key("normalize", &SimulationSettings::normalizeEvery, everyStep(),
+              {.comment = "undo the integrator's drift after each step, or after each n-th",
+               .meaning = "undo the integrator's drift, see [normalising](motion.md#normalising)"}),
+          key("normalize_energy", &SimulationSettings::normalizeEnergyEvery, everyStep(),
+              {.meaning = "particles: scale the velocities to the energy at the start",
+               .byDefault = "as `normalize`"}),
+          key("remove_drift", &SimulationSettings::removeDriftEvery, everyStep(),
+              {.meaning = "particles: bring the centre of mass to rest at the origin",
+               .byDefault = "as `normalize`"}),
+          key("damping", &SimulationSettings::damping, number(kNotNegative),
+              {.comment = "particles: fraction of critical damping",
+               .meaning = "particles: of each spring, as a fraction of 2√(km)"}),
+          key("stiffness", &SimulationSettings::stiffness, number(kPositive),
+              {.comment = "particles: N/m, of each spring",
+               .meaning = "particles: of each spring [N/m]"}),
+          key("time_per_frame", &SimulationSettings::timePerFrame, number(kStepTimes),
+              {.comment = "s simulated for each frame of video",
+               .meaning = "simulated time from a frame to the next",
+               .byDefault = "1/fps"}),
+          key("substeps", &SimulationSettings::substeps, integer(1, kMaxSubsteps),
+              {.comment = "integration steps for each frame"}),
+      },
+      recordedKeys());
   return keys;
 }
 

@@ -1,5 +1,4 @@
 #include "body/shape.h"
-
 #include "body/shapes/shapes.h"
 
 namespace rotatebook::body {

@@ -17,7 +17,7 @@ vec3 toneMap(vec3 radiance) {
 `;
 const kClearlyOriented = 0.2;  // As in book_geometry.cpp.
 const kWall = [0.098, 0.106, 0.1255];  // The edge of studio.frag's.
-const kAttributes = [3, 3, 2, 1, 1];  // Floats of each, as in book.vert.
+const kAttributes = [3, 3, 2, 1, 1];  // Floats of each, as in body.vert.
 
 /** Returns 1 if the cage is the right way round at every corner, -1 if inside out, 0 if neither. */
 function windingOf(cage) {

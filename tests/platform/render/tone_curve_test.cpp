@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "embedded/render.h"
-#include "render/book/gl_handles.h"
-#include "render/book/shader_program.h"
+#include "render/gl/gl_handles.h"
+#include "render/gl/shader_program.h"
 #include "render/device/egl_context.h"
 
 namespace rotatebook::render {

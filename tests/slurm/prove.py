@@ -177,7 +177,8 @@ class Proof:
         self.submit(nodes, out)
         twin = self.run_twice(out)
         killed = 0
-        while killed < kills and not nodes.is_idle():
+        deadline = time.monotonic() + 120
+        while killed < kills and not nodes.is_idle() and time.monotonic() < deadline:
             time.sleep(self.random.uniform(0, 2))
             what = self.kill_one(nodes)
             if what:
@@ -185,12 +186,12 @@ class Proof:
                 print(f"  {what}", flush=True)
         if twin.wait(timeout=300) not in (0, 75):
             sys.exit(f"the task that ran twice ended with {twin.returncode}")
-        nodes.wait_until(nodes.is_idle, 400, "all jobs have ended")
+        nodes.wait_until_idle(200)
         # What was given up after too many failures is sent once more, and nothing else.
         if not all(plan["whole"] for plan in self.states(nodes, out).values()):
             print("  submitted again: " + " | ".join(
                 text.replace("\n", "; ") for text in self.submit(nodes, out)))
-            nodes.wait_until(nodes.is_idle, 300, "all jobs have ended")
+            nodes.wait_until_idle(200)
         for work, plan in self.states(nodes, out).items():
             if not plan["whole"]:
                 sys.exit(f"{work} isn't whole: {json.dumps(plan, indent=1)}\n{nodes.logs()}")
@@ -216,23 +217,31 @@ class Proof:
         # Each job's shell reads it.
         rule = self.folder / "renderer.sh"
         rule.write_text(f'[ "$SLURMD_NODENAME" != {other} ] || export LP_NATIVE_VECTOR_WIDTH=128\n')
-        nodes.run("scontrol", "update", f"nodename={other}", "state=drain", "reason=later")
-        self.submit(nodes, out, ["render"], environment={"BASH_ENV": str(rule)})
-        nodes.wait_until((out / "clip/frames.manifest").exists, 60, "the first part has begun")
-        nodes.resume(other)
+        def drain(names):
+            nodes.run("scontrol", "update", f"nodename={','.join(names)}", "state=drain",
+                      "reason=later")
 
         def refused():
             ends = out.glob("farm/render/ends/[0-9]*")
             return [end.name for end in ends if end.read_text().split()[:2] == ["2", other]]
+
+        # One node begins, so that there is work left for the other
+        drain(nodes.nodes[1:])
+        self.submit(nodes, out, ["render"], environment={"BASH_ENV": str(rule)})
+        nodes.wait_until((out / "clip/frames.manifest").exists, 60, "the first part has begun")
+        drain(nodes.nodes[:1])
+        nodes.resume(other)
         nodes.wait_until(refused, 120, f"{other} has refused a task")
-        nodes.run("scontrol", "update", f"nodename={other}", "state=drain", "reason=later")
+        drain([other])
+        for node in nodes.nodes[:-1]:
+            nodes.resume(node)
         task = self.states(nodes, out)["render"]["tasks"][int(refused()[0]) - 1]
         if "renderer" not in (out / f"farm/render/log/{refused()[0]}.txt").read_text():
             sys.exit(f"the refusal doesn't name the renderer: {task}")
-        nodes.wait_until(nodes.is_idle, 300, "all jobs have ended")
+        nodes.wait_until_idle(200)
         if not self.states(nodes, out)["render"]["whole"]:
             self.submit(nodes, out, ["render"])
-            nodes.wait_until(nodes.is_idle, 300, "all jobs have ended")
+            nodes.wait_until_idle(200)
         nodes.resume(other)
         self.require_clip(out)
         print(f"a node with another renderer was refused: {task['state']}, {task['reason']}")
@@ -243,7 +252,7 @@ class Proof:
         self.submit(nodes, out, ["render"])
         nodes.wait_until((out / "clip/frames.manifest").exists, 60, "the first part has begun")
         nodes.run("scancel", "-u", "root")
-        nodes.wait_until(nodes.is_idle, 60, "all jobs have ended")
+        nodes.wait_until_idle(60)
         plan = self.states(nodes, out)["render"]
         if plan["whole"] or not plan["failed"]:
             sys.exit(f"what was cancelled went on: {json.dumps(plan, indent=1)}")
@@ -251,7 +260,7 @@ class Proof:
         if reasons != {"CANCELLED"}:
             sys.exit(f"other failures than cancelled ones: {reasons}")
         text = self.submit(nodes, out, ["render"])[0]
-        nodes.wait_until(nodes.is_idle, 200, "all jobs have ended")
+        nodes.wait_until_idle(200)
         self.require_clip(out)
         print("cancelled, and sent again: " + text.splitlines()[0])
 
@@ -267,7 +276,7 @@ class Proof:
                 self.kill_task(nodes, row[4], row[3])
                 if killed:
                     break
-        nodes.wait_until(nodes.is_idle, 200, "all jobs have ended")
+        nodes.wait_until_idle(200)
         restarts = nodes.run("scontrol", "-o", "show", "job").count("Restarts=1")
         if not killed or not restarts:
             sys.exit(f"{killed} killed and {restarts} tried again, where scontrol does it")

@@ -139,8 +139,12 @@ auto atBody(const SceneBody& body, const Work& work) {
 
 std::string readMeshFile(const scene::Scene& scene, const SceneBody& body) {
   return atBody(body, [&] {
-    return system::readFile(pathOfNamedFile(scene.folder, body.solid.mesh.name, scene.allowOutside),
-                            scene::kLongestMesh);
+    const fs::path path = pathOfNamedFile(scene.folder, body.solid.mesh.name, scene.allowOutside);
+    try {
+      return system::readFile(path, scene::kLongestMesh);
+    } catch (const InputError& error) {
+      throw InputError("can't read " + path.string() + ": " + error.what());
+    }
   });
 }
 
@@ -164,9 +168,8 @@ render::SurfaceLook lookOf(const SceneBody& body, const std::string& bytes) {
   return atBody(body, [&] {
     render::SurfaceLook look;
     look.size = scene::numbersOf(body.solid).size;
-    look.surface = body.meshKey.empty()
-                       ? scene::surfaceOf(body.solid)
-                       : scene::surfaceOf(body.solid, meshSurfaceOf(body, bytes));
+    look.surface = body.meshKey.empty() ? scene::surfaceOf(body.solid)
+                                        : scene::surfaceOf(body.solid, meshSurfaceOf(body, bytes));
     for (const std::string& image : look.surface.images) {
       const std::string number = std::to_string(look.images.size());
       look.images.push_back(decoded(image, body.solid.mesh.name + ", picture " + number));
@@ -265,8 +268,7 @@ render::Renderer makeRenderer(const scene::Scene& scene, const geometry::Screen&
 }
 
 render::Renderer makeRenderer(const scene::Scene& scene) {
-  return makeRenderer(scene, {scene.clip.width, scene.clip.height, 0},
-                      loadLooks(scene).looks);
+  return makeRenderer(scene, {scene.clip.width, scene.clip.height, 0}, loadLooks(scene).looks);
 }
 
 }  // namespace rotatebook::picture

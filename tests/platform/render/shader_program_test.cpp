@@ -39,7 +39,8 @@ TEST(ShaderProgram, TakesShadersThatFit) {
 
 TEST(ShaderProgram, TakesTheProgramsOwn) {
   EXPECT_EQ(messageOf({studioLights(), bodyVertexShader()},
-                      {{studioLights(), studioShine(), coverFragmentShader()}, toneCurveFragmentShader()}),
+                      {{studioLights(), studioShine(), coverFragmentShader()},
+                       toneCurveFragmentShader()}),
             "no error");
   EXPECT_EQ(messageOf({studioLights(), bodyVertexShader()},
                       {paperFragmentShader(), toneCurveFragmentShader()}),

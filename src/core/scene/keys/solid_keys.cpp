@@ -142,7 +142,7 @@ const BodyPart* shapeOf(const Solid& solid) {
   return solid.isShape && solid.parts.size() == 1 ? &solid.parts.front() : nullptr;
 }
 
-/// Reads the numbers into which `includeMeshes()` turned the file.
+/// Reads the numbers into which `includeMeshes()` turned the file, or those of meshText().
 MeshFile meshFrom(const ValueReader& value) {
   constexpr NumberRange kAny{"numbers", -1e200, 1e200};
   MeshFile mesh;
@@ -165,18 +165,25 @@ MeshFile meshFrom(const ValueReader& value) {
   return mesh;
 }
 
+/// Returns the numbers with the name, so that a clip's record needs no file.
+std::string meshText(const MeshFile& mesh) {
+  const Eigen::Matrix3d& inertia = mesh.inertia;
+  return "{ file = " + tomlString(mesh.name) + ", volume = " + tomlNumber(mesh.volume) +
+         ", size = " + vectorText(mesh.size) + ", moments = " + vectorText(inertia.diagonal()) +
+         ", products = " + vectorText({inertia(0, 1), inertia(1, 2), inertia(2, 0)}) + " }";
+}
+
 Key<Solid> meshKey() {
-  return {
-      "mesh",
-      [](const ValueReader& value, Solid& solid) {
-        const double unit = solid.mesh.unit;
-        solid.mesh = meshFrom(value);
-        solid.mesh.unit = unit;
-      },
-      [](const Solid& solid) { return solid.mesh.name.empty() ? "" : tomlString(solid.mesh.name); },
-      {.meaning = "a closed mesh in the scene's folder, see [bodies](bodies.md)",
-       .byDefault = "none",
-       .allowed = "the name of a file: .obj, .stl, .ply or .glb"}};
+  return {"mesh",
+          [](const ValueReader& value, Solid& solid) {
+            const double unit = solid.mesh.unit;
+            solid.mesh = meshFrom(value);
+            solid.mesh.unit = unit;
+          },
+          [](const Solid& solid) { return solid.mesh.name.empty() ? "" : meshText(solid.mesh); },
+          {.meaning = "a closed mesh in the scene's folder, see [bodies](bodies.md)",
+           .byDefault = "none",
+           .allowed = "the name of a file: .obj, .stl, .ply or .glb"}};
 }
 
 Key<Solid> unitKey() {

@@ -13,6 +13,7 @@
 #include "body/mesh_readers.h"
 #include "image/picture_file.h"
 #include "picture/named_file.h"
+#include "render/book_textures.h"
 #include "render/surface_look.h"
 #include "scene/scene_text.h"
 #include "scene/solid_numbers.h"

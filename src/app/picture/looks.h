@@ -11,7 +11,7 @@
 
 namespace rotatebook::picture {
 
-/// What a scene's bodies look like. The checksums are those of the bytes that are drawn, even if a
+/// The looks of a scene's bodies. The checksums are those of the bytes that are drawn, even if a
 /// file changes.
 struct LoadedLooks {
   std::vector<render::BodyLook> looks;  ///< Each once.

@@ -142,7 +142,7 @@ class MeshMaker {
       for (const std::uint32_t other : neighbours[i])
         taken[static_cast<std::size_t>(colours[other])] = true;
       const auto* free = std::ranges::find(taken, false);
-      // Where all are taken, any will do: an edge that isn't antialiased
+      // If all are taken, any will do: an edge that isn't antialiased
       colours[i] = free == taken.end() ? static_cast<int>(i % kColours)
                                        : static_cast<int>(free - taken.begin());
     }

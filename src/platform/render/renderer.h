@@ -45,7 +45,7 @@ struct RenderSettings {
 
 struct SurfaceLook;
 
-/// What a body looks like: the book with its cover, or any surface.
+/// The look of a body: the book with its cover, or any surface.
 using BodyLook = std::variant<BookTextures, std::shared_ptr<const SurfaceLook>>;
 
 /// Owns an OpenGL context. Create, use and destroy it on one thread, one at a time in a process. A

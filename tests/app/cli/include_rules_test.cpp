@@ -46,7 +46,7 @@ const std::map<std::string, Room> kRooms{
     {"study", {"core", {"base", "rigid", "physics", "ensemble", "scene", "timeline"}, {}}},
     {"bridge",
      {"browser",
-      {"base", "physics", "geometry", "document", "scene", "timeline"},
+      {"base", "body", "physics", "geometry", "document", "scene", "timeline"},
       {"Eigen/"},
       {"rigid"}}},
     {"system", {"platform", {"base"}, {}}},

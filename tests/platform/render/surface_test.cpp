@@ -51,7 +51,7 @@ TEST(Surface, CoversWhatItsOutlineHolds) {
   const image::Image picture = drawn(settings, boxLook({}), kBox.corners());
   // The front, at a distance of 0.9 - 0.025 m, on a picture 2 * 0.9 tan 15 deg high at 0.9 m
   const double pixels = 180 / (2 * std::tan(15 * kDegree) * 0.875);  // [1/m]
-  EXPECT_NEAR(areaOf(picture) / (0.2 * 0.3 * pixels * pixels), 1, 0.002);  // measured 0.0004
+  EXPECT_NEAR(areaOf(picture) / (0.2 * 0.3 * pixels * pixels), 1, 0.002);  // measured 0.9994
 }
 
 TEST(Surface, HasTheColourOfItsMaterial) {
@@ -93,14 +93,14 @@ TEST(Surface, OfMetalMirrorsWhereARoughOneScatters) {
 TEST(Surface, MayBeDrawnBesideTheBookByOneRenderer) {
   const RenderSettings settings = settingsOf(160, 90);
   const std::shared_ptr<SurfaceLook> box = boxLook({});
+  const image::Image boxAlone = drawn(settings, box, kBox.corners());
+  const image::Image bookAlone = drawn(settings, builtinTextures(), book());
   Renderer both(settings, {builtinTextures(), box});
-  Renderer alone(settings, builtinTextures());
-  image::Image expected = alone.makePicture(), picture = alone.makePicture();
-  alone.draw(book(), expected);
+  image::Image picture = both.makePicture();
   both.draw(1, kBox.corners(), picture);
-  EXPECT_EQ(picture, drawn(settings, box, kBox.corners()));
+  EXPECT_EQ(picture, boxAlone);
   both.draw(0, book(), picture);
-  EXPECT_EQ(picture, expected);
+  EXPECT_EQ(picture, bookAlone);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "base/elementary.h"
 #include "base/text.h"
+#include "body/mesh_readers.h"
 #include "body/shape.h"
 #include "document/problems.h"
 #include "scene/keys/keys.h"
@@ -146,17 +147,20 @@ const BodyPart* shapeOf(const Solid& solid) {
 MeshFile meshFrom(const ValueReader& value) {
   constexpr NumberRange kAny{"numbers", -1e200, 1e200};
   MeshFile mesh;
-  Eigen::Vector3d diagonal, others;
+  Eigen::Vector3d diagonal(0, 0, 0), others(0, 0, 0);
   const auto vectorInto = [&](Eigen::Vector3d& into) {
     return [&](const ValueReader& numbers) { into = vectorFrom(numbers, kAny); };
   };
-  if (std::holds_alternative<std::string>(value.node().value))
-    value.mismatch("the name of a file that ends in .obj, .stl, .ply or .glb");
+  constexpr const char* kName = "the name of a file that ends in .obj, .stl, .ply or .glb";
+  if (std::holds_alternative<std::string>(value.node().value)) value.mismatch(kName);
   value.readTable({{"file", [&](const ValueReader& name) { mesh.name = name.text(kLongestPath); }},
                    {"volume", [&](const ValueReader& v) { mesh.volume = v.number(kAny); }},
                    {"size", vectorInto(mesh.size)},
                    {"moments", vectorInto(diagonal)},
                    {"products", vectorInto(others)}});
+  const bool isWhole =
+      body::isMeshName(mesh.name) && mesh.volume > 0 && mesh.size.minCoeff() > 0;
+  if (!isWhole) value.mismatch(kName);
   mesh.inertia = diagonal.asDiagonal();
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;

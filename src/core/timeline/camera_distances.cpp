@@ -75,6 +75,10 @@ std::vector<double> sharesOf(const std::vector<scene::Panel>& panels) {
 
 }  // namespace
 
+double distanceAtRest(const scene::Scene& scene, std::size_t motion) {
+  return scene.camera.fit == scene::Fit::Each ? sharesOf(scene::motionsOf(scene))[motion] : 1;
+}
+
 CameraDistances::CameraDistances(const scene::Scene& scene, const ClipMotion& motion) {
   const std::vector<scene::Panel> panels = scene::motionsOf(scene);
   if (scene.camera.fit == scene::Fit::Each) shares_ = sharesOf(panels);

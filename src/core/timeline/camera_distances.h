@@ -31,4 +31,8 @@ class CameraDistances {
   std::vector<double> shares_;                  // by motion; none if all have the same distance
 };
 
+/// Returns the multiple that CameraDistances has for a body that keeps its size, without the
+/// motion.
+double distanceAtRest(const scene::Scene& scene, std::size_t motion);
+
 }  // namespace rotatebook::timeline

@@ -117,6 +117,7 @@ TEST(CameraDistances, AreInProportionToTheBodiesOfPanelsIfAsked) {
         std::vector<std::string>{"camera.fit=each", std::string("camera.follow=") + follow});
     EXPECT_EQ(at(each, 0), 1);
     EXPECT_NEAR(at(each, 1), 0.5, 1e-12);  // half as large in each direction; measured 0
+    EXPECT_EQ(distanceAtRest(each, 1), at(each, 1));
   }
 }
 

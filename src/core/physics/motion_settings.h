@@ -9,6 +9,7 @@
 #include "base/layout.h"
 #include "physics/cuboid.h"
 #include "physics/integrators/integrator.h"
+#include "physics/mass_spring_system.h"
 #include "physics/nudge.h"
 #include "physics/recorded_file.h"
 #include "rigid/inertia.h"
@@ -17,7 +18,7 @@ namespace rotatebook::physics {
 
 /// The paper's three models of a book, the exact motion, and one that was recorded.
 enum class Model {
-  Particles,   ///< Eight particles joined by 28 damped springs.
+  Particles,   ///< Particles joined by damped springs; the paper's eight by 28.
   Matrix,      ///< A rigid body whose attitude is a rotation matrix.
   Quaternion,  ///< A rigid body whose attitude is a quaternion.
   Exact,       ///< A rigid body's motion in closed form, without steps.
@@ -54,6 +55,7 @@ struct SimulationSettings {
   /// Particles only: fraction of the paper's critical damping 2 sqrt(k m), >= 0.
   double damping = 1.0;
   double stiffness = 2000.0;       ///< Particles only: stiffness of each spring, > 0. [N/m]
+  ParticleSettings particles{};    ///< Particles only: where they are.
   double timePerFrame = 1.0 / 60;  ///< Time between samples of the trajectory, > 0. [s]
   int substeps = 64;               ///< Integration steps between samples, >= 1.
   RecordedFile recorded{};         ///< Of Model::Recorded alone.
@@ -108,9 +110,10 @@ struct MotionSettings {
   Cuboid body;
   SimulationSettings simulation;
   InitialSpin initial;
-  /// Inertia tensor in body axes, which replaces the solid cuboid's. Not for the particles, which
-  /// have their own. [kg m^2]
+  /// Inertia tensor in body axes, which replaces the solid cuboid's. Of all particles,
+  /// Arrangement::Equimomental alone takes it; the others have their own. [kg m^2]
   std::optional<Eigen::Matrix3d> inertia{};
+  PlacedParticles particles{};  ///< Of Arrangement::Vertices and Arrangement::Grid.
   std::vector<Nudge> nudges{};  ///< In the order of their times.
 
   friend bool operator==(const MotionSettings&, const MotionSettings&) = default;

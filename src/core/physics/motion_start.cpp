@@ -1,12 +1,18 @@
 #include "physics/motion_start.h"
 
+#include "physics/particle_places.h"
+
 namespace rotatebook::physics {
 
 rigid::PrincipalAxes modelInertia(const MotionSettings& settings) {
   requireSameLayout();
-  const bool particles = settings.simulation.model == Model::Particles;
-  if (!particles && settings.inertia) return rigid::principalAxes(*settings.inertia);
-  return {particles ? settings.body.particleInertia() : settings.body.solidInertia()};
+  if (settings.simulation.model == Model::Particles) {
+    if (settings.simulation.particles.arrangement == Arrangement::Corners)
+      return {settings.body.particleInertia()};
+    return rigid::principalAxes(particlesOf(settings).inertia(settings.body.mass));
+  }
+  if (settings.inertia) return rigid::principalAxes(*settings.inertia);
+  return {settings.body.solidInertia()};
 }
 
 Eigen::Vector3d initialAngularVelocity(const MotionSettings& settings) {

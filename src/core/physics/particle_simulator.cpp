@@ -7,25 +7,16 @@
 #include <Eigen/QR>
 
 #include "physics/motion_start.h"
+#include "physics/particle_places.h"
 #include "rigid/rotation.h"
 
 namespace rotatebook::physics {
 namespace {
 
-constexpr int kParticles = 8;
 // Minimum kinetic energy after normalisation, as a fraction of the energy at t = 0.
 constexpr double kEnergyFloor = 0.1;
 
-Points fromEigen(const Cage& cage) {
-  Points points;
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int q = 0; q < 4; ++q) {
-      points.at(axis).at(q) = DoublePair{cage(axis, q), cage(axis, q + 4)};
-    }
-  }
-  return points;
-}
-
+/// The vectors of all particles as the columns of a matrix, and back.
 Cage toEigen(const Points& points) {
   Cage cage;
   for (int axis = 0; axis < 3; ++axis) {
@@ -37,47 +28,106 @@ Cage toEigen(const Points& points) {
   return cage;
 }
 
-Cage turningVelocities(const Cage& cage, const Eigen::Vector3d& angularVelocity) {
-  Cage velocities;
-  for (int i = 0; i < cage.cols(); ++i) {
-    velocities.col(i) = angularVelocity.cross(cage.col(i));
+void copyTo(Points& points, const Eigen::Matrix3Xd& columns) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int q = 0; q < 4; ++q) {
+      points.at(axis).at(q) = DoublePair{columns(axis, q), columns(axis, q + 4)};
+    }
+  }
+}
+
+Eigen::Matrix3Xd toEigen(const PointList& list) {
+  Eigen::Matrix3Xd columns(3, static_cast<Eigen::Index>(list.points.size()));
+  for (Eigen::Index i = 0; i < columns.cols(); ++i)
+    columns.col(i) = list.points[static_cast<std::size_t>(i)];
+  return columns;
+}
+
+void copyTo(PointList& list, const Eigen::Matrix3Xd& columns) {
+  list.points.clear();
+  for (const auto& column : columns.colwise()) list.points.emplace_back(column);
+}
+
+template <typename Points>
+Points pointsFrom(const Eigen::Matrix3Xd& columns) {
+  Points points;
+  copyTo(points, columns);
+  return points;
+}
+
+template <typename Columns>
+Columns turningVelocities(const Columns& columns, const Eigen::Vector3d& angularVelocity) {
+  Columns velocities = columns;
+  for (Eigen::Index i = 0; i < columns.cols(); ++i) {
+    velocities.col(i) = angularVelocity.cross(columns.col(i));
   }
   return velocities;
 }
 
+template <typename Columns>
+Columns armsOf(const Columns& positions) {
+  return positions.colwise() - positions.rowwise().mean().eval();
+}
+
 // Returns the inertia tensor about the point from which `arms` start.
-Eigen::Matrix3d inertiaTensor(const Cage& arms, double mass) {
+template <typename Columns>
+Eigen::Matrix3d inertiaTensor(const Columns& arms, double mass) {
   const Eigen::Matrix3d products = arms * arms.transpose();
   return mass * (products.trace() * Eigen::Matrix3d::Identity() - products);
 }
 
-Eigen::Vector3d angularMomentumOf(const Cage& arms, const Cage& velocities, double mass) {
+template <typename Columns>
+Eigen::Vector3d angularMomentumOf(const Columns& arms, const Columns& velocities, double mass) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int i = 0; i < arms.cols(); ++i) sum += arms.col(i).cross(velocities.col(i));
+  for (Eigen::Index i = 0; i < arms.cols(); ++i) sum += arms.col(i).cross(velocities.col(i));
   return mass * sum;
 }
 
-ParticleState startOf(const MotionSettings& settings) {
-  const Cage corners = settings.body.corners();
-  const double mass = settings.body.mass / kParticles, stiffness = settings.simulation.stiffness;
-  const Points positions = fromEigen(corners);
-  const SpringNetwork springs(positions, stiffness,
-                              settings.simulation.damping * 2 * std::sqrt(stiffness * mass));
-  return {positions, fromEigen(turningVelocities(corners, initialAngularVelocity(settings))), mass,
+SpringNetwork springsAt(const Points& positions, const MassSpringSystem& /*all pairs*/,
+                        double stiffness, double damping) {
+  return {positions, stiffness, damping};
+}
+
+ManySprings springsAt(const PointList& positions, const MassSpringSystem& particles,
+                      double stiffness, double damping) {
+  return {positions, particles.springs, stiffness, damping};
+}
+
+template <typename Springs>
+BasicParticleState<Springs> startOf(const MotionSettings& settings) {
+  using Points = typename Springs::Points;
+  const MassSpringSystem particles = particlesOf(settings);
+  const Eigen::Matrix3Xd places = toEigen(PointList{particles.places});
+  const double mass = settings.body.mass / static_cast<double>(places.cols());
+  const double stiffness = settings.simulation.stiffness;
+  const auto positions = pointsFrom<Points>(places);
+  const Springs springs = springsAt(positions, particles, stiffness,
+                                    settings.simulation.damping * 2 * std::sqrt(stiffness * mass));
+  return {positions,
+          pointsFrom<Points>(turningVelocities(places, initialAngularVelocity(settings))), mass,
           springs};
+}
+
+std::shared_ptr<const ParticleFit> placedFitOf(const MotionSettings& settings) {
+  if (settings.simulation.particles.arrangement == Arrangement::Corners) return nullptr;
+  return std::make_shared<ParticleFit>(settings.body, particlesOf(settings));
 }
 
 }  // namespace
 
-ParticleSimulator::ParticleSimulator(const MotionSettings& settings, ParticleStep step)
-    : state_(startOf(settings)),
+template <typename Springs>
+BasicParticleSimulator<Springs>::BasicParticleSimulator(const MotionSettings& settings,
+                                                        BasicParticleStep<Springs> step)
+    : state_(startOf<Springs>(settings)),
       step_(step),
       energyNormalization_(settings.simulation.energyEvery()),
       driftRemoval_(settings.simulation.driftEvery()),
       energy_(state_.kineticEnergy()),
-      fit_(settings.body) {}
+      fit_(settings.body),
+      placedFit_(placedFitOf(settings)) {}
 
-void ParticleSimulator::advance(double interval, int steps) {
+template <typename Springs>
+void BasicParticleSimulator<Springs>::advance(double interval, int steps) {
   const double h = interval / steps;
   for (int step = 0; step < steps; ++step) {
     step_(state_, h);
@@ -86,35 +136,41 @@ void ParticleSimulator::advance(double interval, int steps) {
   }
 }
 
-void ParticleSimulator::restoreEnergy() {
+template <typename Springs>
+void BasicParticleSimulator<Springs>::restoreEnergy() {
   const double wanted = std::max(energy_ - state_.potentialEnergy(), kEnergyFloor * energy_);
-  const double factor = std::sqrt(wanted / state_.kineticEnergy());
-  for (EightDoubles& components : state_.velocities()) {
-    for (DoublePair& lanes : components) lanes *= factor;
-  }
+  scale(state_.velocities(), std::sqrt(wanted / state_.kineticEnergy()));
 }
 
-void ParticleSimulator::nudge(const Nudge& nudge) {
-  const Cage cage = toEigen(state_.positions());
-  const Cage arms = cage.colwise() - cage.rowwise().mean().eval();
+template <typename Springs>
+template <typename Positions>
+Eigen::Matrix3d BasicParticleSimulator<Springs>::worldFromBody(const Positions& positions) const {
+  return placedFit_ ? placedFit_->worldFromBody(positions) : fit_.worldFromBody(positions);
+}
+
+template <typename Springs>
+void BasicParticleSimulator<Springs>::nudge(const Nudge& nudge) {
+  const auto positions = toEigen(state_.positions());
+  const auto arms = armsOf(positions);
   Eigen::Vector3d change = nudge.value;
   if (nudge.axes == Nudge::Axes::Body) {
-    change = rigid::polarDecomposition(fit_.worldFromBody(cage)).rotation * change;
+    change = rigid::polarDecomposition(worldFromBody(positions)).rotation * change;
   }
   if (nudge.kind == SpinKind::AngularMomentum) {
     change = inertiaTensor(arms, state_.mass()).completeOrthogonalDecomposition().solve(change);
   }
   const double before = state_.kineticEnergy();
-  state_.velocities() = fromEigen(toEigen(state_.velocities()) + turningVelocities(arms, change));
+  copyTo(state_.velocities(), toEigen(state_.velocities()) + turningVelocities(arms, change));
   energy_ += state_.kineticEnergy() - before;
 }
 
-BodyState ParticleSimulator::state() const {
+template <typename Springs>
+BodyState BasicParticleSimulator<Springs>::state() const {
   BodyState result;
-  const Cage cage = toEigen(state_.positions());
-  result.worldFromBody = fit_.worldFromBody(cage);
-  result.cage = cage;
-  const Cage arms = cage.colwise() - cage.rowwise().mean().eval();
+  const auto positions = toEigen(state_.positions());
+  result.worldFromBody = worldFromBody(positions);
+  result.cage = placedFit_ ? placedFit_->cageOf(positions) : Cage(positions);
+  const auto arms = armsOf(positions);
   const Eigen::Matrix3d inertia = inertiaTensor(arms, state_.mass());
   result.angularMomentum = angularMomentumOf(arms, toEigen(state_.velocities()), state_.mass());
   // Take the minimum-norm solution, which stays finite where the particles are collinear and their
@@ -125,5 +181,8 @@ BodyState ParticleSimulator::state() const {
   result.rotational = result.angularVelocity.dot(result.angularMomentum) / 2;
   return result;
 }
+
+template class BasicParticleSimulator<SpringNetwork>;
+template class BasicParticleSimulator<ManySprings>;
 
 }  // namespace rotatebook::physics

@@ -1,4 +1,4 @@
-// The paper's first model: eight particles joined by springs. Inside the room only.
+// The paper's first model: particles joined by springs. Inside the room only.
 #pragma once
 
 #include <memory>
@@ -7,13 +7,15 @@
 #include "physics/cage_fit.h"
 #include "physics/integrators/particle_state.h"
 #include "physics/motion_settings.h"
+#include "physics/particle_fit.h"
 #include "physics/simulator.h"
 
 namespace rotatebook::physics {
 
-/// Simulates particles of mass m = M/8 at the corners, each pair joined by a spring of stiffness k,
-/// at its rest length at t = 0, and by a damper along it. The step limits of the integrators follow
-/// from the network's largest eigenvalue, 8 k/m.
+/// Simulates particles of equal mass m joined by springs of stiffness k, at rest length at t = 0,
+/// and by dampers along them: by SpringNetwork those at the eight corners, and others of which
+/// eight are joined by all 28 springs; by ManySprings any others. The step limits of the
+/// integrators follow from the network's largest eigenvalue, for eight and 28 springs 8 k/m.
 ///
 /// Damping is given as a fraction of 2 sqrt(k m), which the paper derives for one particle on a
 /// fixed wall. A pair has the reduced mass m/2 and is critically damped at sqrt(2 k m): the paper's
@@ -25,28 +27,38 @@ namespace rotatebook::physics {
 /// as in the paper's published program: where nearly all energy has gone into springs, its square
 /// root would be imaginary. Where this floor applies, that is U > 0.9 E, the energy is then U +
 /// E/10, more than E. Removing the drift brings the centre of mass to rest at the origin.
-class ParticleSimulator final : public Simulator {
+template <typename Springs>
+class BasicParticleSimulator final : public Simulator {
  public:
-  /// Uses `step`, whatever integrator the settings name.
-  ParticleSimulator(const MotionSettings& settings, ParticleStep step);
+  /// Uses `step`, whatever integrator the settings name. Throws InputError as particlesOf() does.
+  BasicParticleSimulator(const MotionSettings& settings, BasicParticleStep<Springs> step);
 
   void advance(double interval, int steps) override;
   void advancePart(double part) override { step_(state_, part); }
   /// The energy that normalising restores changes by that of the nudge.
   void nudge(const Nudge& nudge) override;
   std::unique_ptr<Simulator> copy() const override {
-    return std::make_unique<ParticleSimulator>(*this);
+    return std::make_unique<BasicParticleSimulator>(*this);
   }
   BodyState state() const override;
 
  private:
   void restoreEnergy();
+  template <typename Positions>
+  Eigen::Matrix3d worldFromBody(const Positions& positions) const;
 
-  ParticleState state_;
-  ParticleStep step_;
+  BasicParticleState<Springs> state_;
+  BasicParticleStep<Springs> step_;
   Cadence energyNormalization_, driftRemoval_;
   double energy_;  // at t = 0, and what nudges have added
   CageFit fit_;
+  std::shared_ptr<const ParticleFit> placedFit_;  // null for the corners, which are the cage
 };
+
+using ParticleSimulator = BasicParticleSimulator<SpringNetwork>;
+using ManyParticleSimulator = BasicParticleSimulator<ManySprings>;
+
+extern template class BasicParticleSimulator<SpringNetwork>;
+extern template class BasicParticleSimulator<ManySprings>;
 
 }  // namespace rotatebook::physics

@@ -78,6 +78,20 @@ Points plus(const Points& points, double factor, const Points& others) {
   return result;
 }
 
+void scale(Points& points, double factor) {
+  for (EightDoubles& components : points) {
+    for (DoublePair& lanes : components) lanes *= factor;
+  }
+}
+
+void subtractMean(Points& points) {
+  constexpr double kCount = 8;
+  for (EightDoubles& components : points) {
+    const double mean = sumOf(components) / kCount;
+    for (DoublePair& lanes : components) lanes -= mean;
+  }
+}
+
 SpringNetwork::SpringNetwork(const Points& positions, double stiffness, double damping)
     : stiffness_(stiffness), damping_(damping) {
   moveTo(positions);

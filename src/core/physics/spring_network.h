@@ -19,11 +19,17 @@ double sumOf(const EightDoubles& numbers);
 double squaredNormOf(const Points& points);
 /// Returns points + factor * others.
 Points plus(const Points& points, double factor, const Points& others);
+/// Multiplies all components by `factor`.
+void scale(Points& points, double factor);
+/// Moves the points so that their mean is 0.
+void subtractMean(Points& points);
 
 /// 28 springs between eight points, and what depends on the points' positions alone: it is computed
 /// once per position, for both the energy and the next forces.
 class SpringNetwork {
  public:
+  using Points = physics::Points;
+
   /// Springs of `stiffness` [N/m], at rest at `positions` [m], with dampers of `damping` [kg/s].
   SpringNetwork(const Points& positions, double stiffness, double damping);
 

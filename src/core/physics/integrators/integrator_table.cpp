@@ -15,6 +15,8 @@
 #include "physics/integrators/runge_kutta.h"
 #include "physics/integrators/splitting.h"
 #include "physics/integrators/verlet.h"
+#include "physics/integrators/vibration.h"
+#include "physics/particle_places.h"
 #include "physics/particle_simulator.h"
 #include "physics/rigid_simulator.h"
 
@@ -40,12 +42,15 @@ constexpr Stepping rigid(std::string_view keeps, int nanoseconds, std::string_vi
 
 template <ParticleIntegrator Method>
 std::unique_ptr<Simulator> makeParticleSimulator(const MotionSettings& settings) {
-  return std::make_unique<ParticleSimulator>(settings, &Method::step);
+  if (!areEight(settings)) return std::make_unique<ManyParticleSimulator>(settings, &Method::template step<ManyParticleState>);
+  return std::make_unique<ParticleSimulator>(settings, &Method::template step<ParticleState>);
 }
 
 template <ParticleIntegrator Method>
 constexpr Stepping particles(std::string_view keeps, int nanoseconds, std::string_view source) {
-  return {kParticles, keeps, nanoseconds, source, &makeParticleSimulator<Method>};
+  Stepping result{kParticles, keeps, nanoseconds, source, &makeParticleSimulator<Method>};
+  result.stableStep = &stableStepOf<Method>;
+  return result;
 }
 
 constexpr std::array kTable{

@@ -9,8 +9,9 @@ namespace rotatebook::physics {
 /// grows with h w^2. One evaluation of F. Stable with the paper's damping below h = 0.129
 /// sqrt(m/k). Source: "Simulating the Unstable Rotation of a Book".
 struct ParticleEuler {
-  static void step(ParticleState& state, double h) {
-    const Points acceleration = state.accelerations(state.velocities());
+  template <typename State>
+  static void step(State& state, double h) {
+    const auto acceleration = state.accelerations(state.velocities());
     state.moveTo(plus(state.positions(), h, state.velocities()));
     state.velocities() = plus(state.velocities(), h, acceleration);
   }
@@ -20,7 +21,8 @@ struct ParticleEuler {
 /// of F. Stable below h = 0.707 sqrt(m/k) without damping, 0.121 with the paper's. Source: Hairer,
 /// Lubich, Wanner, Geometric Numerical Integration, chapter I.
 struct SymplecticEuler {
-  static void step(ParticleState& state, double h) {
+  template <typename State>
+  static void step(State& state, double h) {
     state.velocities() = plus(state.velocities(), h, state.accelerations(state.velocities()));
     state.moveTo(plus(state.positions(), h, state.velocities()));
   }

@@ -3,17 +3,22 @@
 
 #include <concepts>
 
+#include "physics/many_springs.h"
 #include "physics/spring_network.h"
 
 namespace rotatebook::physics {
 
-/// Eight particles of equal mass, and the springs between them.
-class ParticleState {
+/// Particles of equal mass, and the `Springs` between them: SpringNetwork of eight, ManySprings of
+/// any number.
+template <typename Springs>
+class BasicParticleState {
  public:
+  using Points = typename Springs::Points;
+
   /// Creates particles of `mass` each [kg] at `positions` [m] with `velocities` [m/s], joined by
   /// `springs`, whose ends must be at those positions.
-  ParticleState(const Points& positions, const Points& velocities, double mass,
-                const SpringNetwork& springs)
+  BasicParticleState(const Points& positions, const Points& velocities, double mass,
+                     const Springs& springs)
       : positions_(positions), velocities_(velocities), mass_(mass), springs_(springs) {}
 
   const Points& positions() const { return positions_; }    ///< [m]
@@ -24,26 +29,44 @@ class ParticleState {
   double potentialEnergy() const { return springs_.energy(); }                     ///< [J]
 
   /// Returns the particles' accelerations at their positions, but at these velocities. [m/s^2]
-  Points accelerations(const Points& velocities) const;
+  Points accelerations(const Points& velocities) const {
+    Points result = springs_.forces(velocities);
+    scale(result, 1 / mass_);
+    return result;
+  }
   /// Moves the particles, and the ends of the springs with them. [m]
-  void moveTo(const Points& positions);
-  /// Moves the centre of mass to the origin and brings it to rest.
-  void restoreCentre();
+  void moveTo(const Points& positions) {
+    positions_ = positions;
+    springs_.moveTo(positions_);
+  }
+  /// Moves the centre of mass to the origin and brings it to rest. The springs depend on
+  /// differences of positions alone.
+  void restoreCentre() {
+    subtractMean(positions_);
+    subtractMean(velocities_);
+  }
 
  private:
   Points positions_;
   Points velocities_;
   double mass_;
-  SpringNetwork springs_;
+  Springs springs_;
 };
 
-/// A function that takes a step of `h` [s].
-using ParticleStep = void (*)(ParticleState& state, double h);
+using ParticleState = BasicParticleState<SpringNetwork>;
+using ManyParticleState = BasicParticleState<ManySprings>;
 
-/// An integrator of the particles: its step() takes a step of `h` [s].
+/// A function that takes a step of `h` [s].
+template <typename Springs>
+using BasicParticleStep = void (*)(BasicParticleState<Springs>& state, double h);
+using ParticleStep = BasicParticleStep<SpringNetwork>;
+
+/// An integrator of the particles: its step() takes a step of `h` [s] of any state.
 template <typename Method>
-concept ParticleIntegrator = requires(ParticleState& state, double h) {
-  { Method::step(state, h) } -> std::same_as<void>;
+concept ParticleIntegrator =
+    requires(ParticleState& eight, ManyParticleState& many, double h) {
+  { Method::step(eight, h) } -> std::same_as<void>;
+  { Method::step(many, h) } -> std::same_as<void>;
 };
 
 }  // namespace rotatebook::physics

@@ -10,9 +10,10 @@ namespace rotatebook::physics {
 /// 0.707 sqrt(m/k) without damping, 0.125 with the paper's. Source: Hairer, Lubich, Wanner,
 /// Geometric Numerical Integration, chapter I.
 struct Verlet {
-  static void step(ParticleState& state, double h) {
-    const Points before = state.accelerations(state.velocities());
-    const Points predicted = plus(state.velocities(), h, before);
+  template <typename State>
+  static void step(State& state, double h) {
+    const auto before = state.accelerations(state.velocities());
+    const auto predicted = plus(state.velocities(), h, before);
     state.velocities() = plus(state.velocities(), h / 2, before);
     state.moveTo(plus(state.positions(), h, state.velocities()));
     state.velocities() = plus(state.velocities(), h / 2, state.accelerations(predicted));

@@ -209,9 +209,13 @@ std::vector<std::string> remarksOn(const SpinNumbers& numbers) {
                       text(numbers.motion.nudges.front().at) + " s");
   }
   if (numbers.motion.simulation.model == physics::Model::Particles) {
-    remarks.emplace_back(
-        "the numbers are those of a rigid body with the eight particles' moments, three times the "
-        "solid book's; springs and damping change the motion");
+    const bool areCorners =
+        numbers.motion.simulation.particles.arrangement == physics::Arrangement::Corners;
+    remarks.push_back("the numbers are those of a rigid body with the " +
+                      std::string(areCorners
+                                      ? "eight particles' moments, three times the solid book's"
+                                      : "particles' moments") +
+                      "; springs and damping change the motion");
   }
   return remarks;
 }

@@ -54,7 +54,10 @@ std::string motionJson(const scene::Panel& panel) {
       .addNumber("mass", panel.body.mass)
       .add("moments", vectorJson(physics::modelInertia(panel.motion()).moments))
       .add("angular_velocity", vectorJson(physics::initialAngularVelocity(panel.motion())));
-  if (simulation.model == physics::Model::Particles) object.add("springs", springsJson(panel.body));
+  // A page draws springs between the corners of the cage.
+  const bool areCorners = simulation.particles.arrangement == physics::Arrangement::Corners;
+  if (simulation.model == physics::Model::Particles && areCorners)
+    object.add("springs", springsJson(panel.body));
   return object.text();
 }
 

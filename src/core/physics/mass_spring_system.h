@@ -29,6 +29,11 @@ struct ParticleSettings {
   friend bool operator==(const ParticleSettings&, const ParticleSettings&) = default;
 };
 
+/// Returns whether the arrangement has eight particles, each pair joined by a spring.
+constexpr bool areEight(Arrangement arrangement) {
+  return arrangement == Arrangement::Corners || arrangement == Arrangement::Equimomental;
+}
+
 /// A spring, by the numbers of the particles at its ends.
 struct Spring {
   std::uint32_t a = 0, b = 0;

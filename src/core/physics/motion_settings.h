@@ -55,10 +55,10 @@ struct SimulationSettings {
   /// Particles only: fraction of the paper's critical damping 2 sqrt(k m), >= 0.
   double damping = 1.0;
   double stiffness = 2000.0;       ///< Particles only: stiffness of each spring, > 0. [N/m]
-  ParticleSettings particles{};    ///< Particles only: where they are.
   double timePerFrame = 1.0 / 60;  ///< Time between samples of the trajectory, > 0. [s]
   int substeps = 64;               ///< Integration steps between samples, >= 1.
   RecordedFile recorded{};         ///< Of Model::Recorded alone.
+  ParticleSettings particles{};    ///< Particles only: where they are.
 
   /// Returns the steps from one normalisation of the particles' energy to the next; 0 for none.
   int energyEvery() const { return normalizeEnergyEvery.value_or(normalizeEvery); }

@@ -21,11 +21,6 @@ MassSpringSystem cornersOf(const Cuboid& body) {
 
 }  // namespace
 
-bool areEight(const MotionSettings& settings) {
-  const Arrangement arrangement = settings.simulation.particles.arrangement;
-  return arrangement == Arrangement::Corners || arrangement == Arrangement::Equimomental;
-}
-
 std::vector<Eigen::Vector3d> equimomentalPlaces(const rigid::PrincipalAxes& inertia, double mass) {
   Eigen::Vector3d arms;
   for (int i = 0; i < 3; ++i) {

@@ -6,12 +6,10 @@
 
 namespace rotatebook::physics {
 
-/// Returns whether the motion's particles are eight, each pair joined by a spring.
-bool areEight(const MotionSettings& settings);
-
 /// Returns eight places (+-p, +-q, +-r) along the principal axes of `inertia` [kg m^2], p^2 = (I_y
 /// + I_z - I_x)/(2 M) and cyclic: eight particles of M/8 there have that inertia. In the order of a
-/// cage's corners. [m] Source: Routh, Dynamics of a System of Rigid Bodies, on equimomental systems.
+/// cage's corners. [m] Source: Routh, Dynamics of a System of Rigid Bodies, on equimomental
+/// systems.
 std::vector<Eigen::Vector3d> equimomentalPlaces(const rigid::PrincipalAxes& inertia, double mass);
 
 /// Returns the particles of the motion. Throws InputError if they follow from a surface, and

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "base/error.h"
@@ -97,8 +99,9 @@ TomlNode numbersNode(const Eigen::Vector3d& vector, const std::string& location)
   return {std::move(numbers), location};
 }
 
-/// Returns the numbers of a mesh as the table that its key is read from.
-TomlNode tableOf(const MeshFile& mesh, const std::string& location) {
+/// Returns the numbers of a mesh, and its surface, as the table that its key is read from.
+TomlNode tableOf(const std::string& name, body::TriangleMesh surface, const std::string& location) {
+  const MeshFile mesh = meshFileOf(name, surface);
   const auto& inertia = mesh.inertia;
   return {TomlNode::Table{
               {"file", location, {mesh.name, location}},
@@ -107,6 +110,9 @@ TomlNode tableOf(const MeshFile& mesh, const std::string& location) {
               {"moments", location, numbersNode(inertia.diagonal(), location)},
               {"products", location,
                numbersNode({inertia(0, 1), inertia(1, 2), inertia(2, 0)}, location)},
+              {"surface",
+               location,
+               {std::make_shared<const AttachedMesh>(std::move(surface)), location}},
           },
           location};
 }
@@ -133,8 +139,8 @@ void includeMesh(TomlNode& root, const ReadNamedFile& readNamedFile) {
   if (std::filesystem::path(*name).is_absolute())
     document::failAt(node->location, shown + ", which must be relative to the scene's folder");
   try {
-    *node = tableOf(meshFileOf(*name, body::readMesh(*name, readNamedFile(*name, kLongestMesh))),
-                    node->location);
+    *node =
+        tableOf(*name, body::readMesh(*name, readNamedFile(*name, kLongestMesh)), node->location);
   } catch (const InputError& error) {
     document::failAt(node->location, shown + ": " + error.what());
   }

@@ -47,6 +47,11 @@ void refuseWhatOthersFollowFrom(const ReadAxis& read, const Panel& motion) {
                     ": the mass and the inertia of this body follow from its shape; [study] "
                     "and [grid] can vary it");
   }
+  if (isOfBody && motion.particles.system) {
+    read.key().fail(key +
+                    ": the places of these particles follow from it; [study] and [grid] can "
+                    "vary it");
+  }
   const bool isOfSpin = key.starts_with("initial.angular_");
   if (motion.initial.about && (isOfBody || isOfSpin)) {
     read.key().fail(key +

@@ -36,6 +36,13 @@ inline constexpr auto kIntegrators = [] {
   return named;
 }();
 
+/// Arrangements of particles by their whole name; a grid's has its number of cells, too.
+inline constexpr std::array<Named<physics::Arrangement>, 3> kArrangements{{
+    {"corners", physics::Arrangement::Corners},
+    {"equimomental", physics::Arrangement::Equimomental},
+    {"vertices", physics::Arrangement::Vertices},
+}};
+
 /// The keys of [initial] and [[nudge]] that state a spin; each has exactly one of them.
 inline constexpr std::array<Named<physics::SpinKind>, 2> kSpinKinds{{
     {"angular_velocity", physics::SpinKind::AngularVelocity},

@@ -19,7 +19,7 @@ enum class Overlay {
 /// The models that an overlay applies to.
 enum class OverlayModels {
   All,
-  Particles,  ///< Model::Particles alone.
+  Particles,  ///< Model::Particles alone, of eight.
   Stepwise,   ///< All but Model::Exact: the overlay shows the difference from it.
 };
 
@@ -60,13 +60,14 @@ constexpr bool onTheBody(Overlay overlay) {
   return placement == Placement::Body || placement == Placement::BodyAndLegend;
 }
 
-/// Returns whether motions of `model` have what `overlay` shows.
-constexpr bool isFor(physics::Model model, Overlay overlay) {
+/// Returns whether motions with these settings have what `overlay` shows.
+inline bool isFor(const physics::SimulationSettings& settings, Overlay overlay) {
   switch (rowOf(overlay).models) {
     case OverlayModels::Particles:
-      return model == physics::Model::Particles;
+      return settings.model == physics::Model::Particles &&
+             areEight(settings.particles.arrangement);
     case OverlayModels::Stepwise:
-      return model != physics::Model::Exact;
+      return settings.model != physics::Model::Exact;
     case OverlayModels::All:
       break;
   }

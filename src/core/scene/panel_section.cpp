@@ -9,6 +9,7 @@
 #include "scene/body_section.h"
 #include "scene/keys/keys.h"
 #include "scene/names.h"
+#include "scene/placed_particles.h"
 #include "scene/sections.h"
 
 namespace rotatebook::scene {
@@ -111,8 +112,8 @@ void checkPanel(const ValueReader& panel, const ValueReader& merged, const Panel
     requireStart(panel, merged, read);
   }
 
-  // Refuse an inertia that the model doesn't take
-  if (const auto body = merged.find("body")) checkInertia(*body, read.simulation.model);
+  // Refuse a body that the model doesn't take
+  if (const auto body = merged.find("body")) checkParticlesBody(*body, read.simulation);
 
   // Refuse an integrator that the model doesn't have, unless the scene states it for other panels
   // and this one takes no steps
@@ -143,6 +144,7 @@ Panel readPanel(const ValueReader& panel, const ValueReader& file, double timePe
   // Check what several sections decide together
   result.simulation.timePerFrame = timePerFrame;
   checkPanel(panel, merged, result);
+  placeParticles(merged, result);
   settleSpin(merged, result);
   return result;
 }

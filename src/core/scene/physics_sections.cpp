@@ -10,6 +10,7 @@
 #include "scene/body_section.h"
 #include "scene/keys/keys.h"
 #include "scene/names.h"
+#include "scene/placed_particles.h"
 #include "scene/sections.h"
 
 namespace rotatebook::scene {
@@ -21,11 +22,6 @@ bool isTimePerFrame(const Key<physics::SimulationSettings>& key) {
 
 void finishSimulation(const ValueReader& section, physics::SimulationSettings& settings) {
   if (!section.find("integrator")) settings.integrator = defaultIntegrator(settings.model);
-}
-
-bool isBook(const document::TomlNode& node) {
-  const auto* text = std::get_if<std::string>(&node.value);
-  return text != nullptr && *text == "book";
 }
 
 /// Returns the lines of all keys but time_per_frame, which panels share.
@@ -164,24 +160,8 @@ void checkMotion(const ValueReader& file, const physics::SimulationSettings& set
     if (!initial) file.fail("[initial] is missing; it needs angular_velocity or angular_momentum");
     requireSpin(*initial);
   }
-  if (const auto body = file.find("body")) checkInertia(*body, settings.model);
+  if (const auto body = file.find("body")) checkParticlesBody(*body, settings);
   if (const auto simulation = file.find("simulation")) checkIntegrator(*simulation, settings);
-}
-
-void checkInertia(const ValueReader& section, physics::Model model) {
-  if (model != physics::Model::Particles) return;
-  for (const char* key : {"shape", "mesh", "part"}) {
-    const auto value = section.find(key);
-    if (!value || isBook(value->node())) continue;
-    value->fail(value->name() +
-                " is for rigid models, but the model is \"particles\", which are the corners of "
-                "the book; choose another model");
-  }
-  const auto inertia = section.find("inertia");
-  if (!inertia) return;
-  inertia->fail(inertia->name() +
-                " is for rigid models, but the model is \"particles\", whose inertia follows from "
-                "their positions; leave it out");
 }
 
 }  // namespace rotatebook::scene

@@ -31,6 +31,12 @@ constexpr double kMinSine = 1e-6;      // Below this sine of their angle, direct
 std::string reasonForAbsence(Overlay overlay, const Scene& scene) {
   const std::string name(nameOf(kOverlays, overlay));
   if (rowOf(overlay).models == OverlayModels::Particles) {
+    const auto isOfParticles = [](const Panel& panel) {
+      return panel.simulation.model == physics::Model::Particles;
+    };
+    if (std::ranges::any_of(motionsOf(scene), isOfParticles))
+      return name + " are drawn between eight particles; set simulation.particles to \"corners\" " +
+             "or \"equimomental\"";
     return name + " exist only in the particles model; " +
            (scene.panels.empty()
                 ? "this scene's is " + std::string(nameOf(kModels, scene.simulation.model))
@@ -83,7 +89,7 @@ void checkOverlays(const ValueReader& section, const Scene& scene) {
   const std::vector<Overlay>& show = scene.overlay.show;
   const std::vector<Panel> motions = motionsOf(scene);
   for (std::size_t i = 0; i < show.size(); ++i) {
-    const auto hasIt = [&](const Panel& panel) { return isFor(panel.simulation.model, show[i]); };
+    const auto hasIt = [&](const Panel& panel) { return isFor(panel.simulation, show[i]); };
     if (std::ranges::any_of(motions, hasIt)) continue;
     const auto names = section.find("show")->elements(show.size(), "a list of overlays");
     names[i].fail(names[i].name() + ": " + reasonForAbsence(show[i], scene));

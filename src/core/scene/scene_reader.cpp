@@ -12,6 +12,7 @@
 #include "scene/key_rows.h"
 #include "scene/keys/keys.h"
 #include "scene/names.h"
+#include "scene/placed_particles.h"
 #include "scene/recordings.h"
 #include "scene/scene_text.h"
 #include "scene/sections.h"
@@ -120,8 +121,12 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
 
   // Check across sections, and read what depends on several of them
   if (scene.panels.empty()) {
-    problems.note([&] { checkMotion(file, scene.simulation); });
-    problems.note([&] { settleSpin(file, scene); });
+    problems.note([&] {
+      checkMotion(file, scene.simulation);
+      placeParticles(file, scene);
+    });
+    // The axis of a spin follows from the particles
+    if (problems.all().empty()) problems.note([&] { settleSpin(file, scene); });
   }
   problems.note([&] { placeCamera(file, scene); });
   if (const auto overlay = file.find("overlay")) {

@@ -91,8 +91,6 @@ void checkRecorded(const ValueReader& motion, const ValueReader& own,
                    const physics::SimulationSettings& settings);
 /// Throws InputError if `section`, [simulation], states an integrator that the model doesn't have.
 void checkIntegrator(const ValueReader& section, const physics::SimulationSettings& settings);
-/// Throws InputError if `section`, [body], states an inertia for a model that has its own.
-void checkInertia(const ValueReader& section, physics::Model model);
 /// Throws InputError if `section`, [overlay], lists an overlay that none of the scene's motions
 /// has.
 void checkOverlays(const ValueReader& section, const Scene& scene);

@@ -1,11 +1,16 @@
 // A body that isn't the book, as scenes state it: a shape, a mesh, or a sum of shapes.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
+
+namespace rotatebook::body {
+struct TriangleMesh;
+}
 
 namespace rotatebook::scene {
 
@@ -35,9 +40,14 @@ struct MeshFile {
   double unit = 1;                ///< Of its lengths. [m]
   double volume = 0;              ///< Of its unit, > 0.
   Eigen::Vector3d size{0, 0, 0};  ///< Of the box around its centre, in its unit.
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< Of density 1, about the centre.
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();    ///< Of density 1, about the centre.
+  std::shared_ptr<const body::TriangleMesh> surface{};  ///< In its unit, as it is in the file.
 
-  friend bool operator==(const MeshFile&, const MeshFile&) = default;
+  /// Compares all but the surface, from which the numbers follow.
+  friend bool operator==(const MeshFile& a, const MeshFile& b) {
+    return a.name == b.name && a.unit == b.unit && a.volume == b.volume && a.size == b.size &&
+           a.inertia == b.inertia;
+  }
 };
 
 /// The part of [body] that replaces the book: one shape, several parts, or the mesh of a file.

@@ -132,9 +132,9 @@ void refuseOthers(const ValueReader& section) {
 }  // namespace
 
 bool isOfParticles(std::string_view key) {
-  constexpr std::array<std::string_view, 4> kOfParticles{
+  constexpr std::array<std::string_view, 5> kOfParticles{
       "simulation.stiffness", "simulation.damping", "simulation.normalize_energy",
-      "simulation.remove_drift"};
+      "simulation.remove_drift", "simulation.particles"};
   return std::ranges::count(kOfParticles, key) > 0;
 }
 

@@ -11,6 +11,7 @@
 #include "document/toml_text.h"
 #include "scene/body_section.h"
 #include "scene/names.h"
+#include "scene/placed_particles.h"
 #include "scene/sections.h"
 
 namespace rotatebook::scene {
@@ -71,6 +72,7 @@ Motion motionFrom(const TomlNode& sections, double timePerFrame) {
   addFields(fields, physicsSections(), motion);
   file.readTable(fields);
   checkMotion(file, motion.simulation);
+  placeParticles(file, motion);
   settleSpin(file, motion);
   return motion;
 }

@@ -14,7 +14,10 @@ constexpr std::int64_t kMaxSteps = 1 << 26;
 physics::MotionSettings byEuler(physics::MotionSettings settings) {
   const rigid::PrincipalAxes inertia = modelInertia(settings);
   const bool isParticles = settings.simulation.model == physics::Model::Particles;
-  if (isParticles) settings.inertia = inertia.moments.asDiagonal();
+  if (isParticles) {
+    const Eigen::Matrix3d& axes = inertia.bodyFromPrincipal;
+    settings.inertia = axes * inertia.moments.asDiagonal() * axes.transpose();
+  }
   settings.simulation.model = physics::Model::Quaternion;
   settings.simulation.integrator = physics::Integrator::Euler;
   settings.simulation.normalizeEvery = 1;

@@ -67,7 +67,7 @@ struct MotionOverlays::Parts {
   OverlayContext context() const { return {scene, trajectory, type, scale, energyTop}; }
 
   bool shows(Overlay overlay) const {
-    return scene::shows(scene, overlay) && isFor(scene.simulation.model, overlay);
+    return scene::shows(scene, overlay) && isFor(scene.simulation, overlay);
   }
 
   /// Returns the rows of the overlays that are drawn at `placements`, in drawing order.

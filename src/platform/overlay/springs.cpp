@@ -10,6 +10,7 @@
 
 #include "base/number_text.h"
 #include "overlay/drawn_overlay.h"
+#include "physics/particle_places.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -37,12 +38,36 @@ double strain(const physics::Cage& rest, const physics::Cage& cage, const Spring
   return length / (rest.col(spring.a) - rest.col(spring.b)).norm() - 1;
 }
 
-double rangeOf(const OverlayContext& context) {
-  const physics::Cage rest = context.scene.body.corners();
+/// The eight particles that a cage carries: its corners, or points between them.
+class Particles {
+ public:
+  explicit Particles(const physics::MotionSettings& settings) {
+    const physics::Cage corners = settings.body.corners();
+    const physics::MassSpringSystem system = particlesOf(settings);
+    for (int i = 0; i < 8; ++i) {
+      rest_.col(i) = system.places.at(static_cast<std::size_t>(i));
+      for (int corner = 0; corner < 8; ++corner) {
+        // A corner's share of a point is a product of three, each 1 at the corner
+        const Eigen::Array3d along = rest_.col(i).cwiseQuotient(2 * corners.col(corner));
+        shares_(corner, i) = (0.5 + along).prod();
+      }
+    }
+  }
+
+  const physics::Cage& rest() const { return rest_; }
+  physics::Cage within(const physics::Cage& cage) const { return cage * shares_; }
+
+ private:
+  physics::Cage rest_;
+  Eigen::Matrix<double, 8, 8> shares_;
+};
+
+double rangeOf(const OverlayContext& context, const Particles& particles) {
   std::vector<double> strains;
   for (const physics::Sample& sample : context.trajectory.samples) {
+    const physics::Cage now = particles.within(sample.cage);
     forEachSpring([&](const Spring& spring) {
-      strains.push_back(std::abs(strain(rest, sample.cage, spring)));
+      strains.push_back(std::abs(strain(particles.rest(), now, spring)));
     });
   }
   const auto shown = strains.begin() +
@@ -102,7 +127,7 @@ double roundedUp(double value) {
 
 namespace {
 
-/// The 28 springs, coloured by strain, the particles, and a legend. For Model::Particles only.
+/// The 28 springs, coloured by strain, the particles, and a legend. For eight particles only.
 class Springs final : public DrawnOverlay {
  public:
   /// Takes the box of the legend.
@@ -111,21 +136,25 @@ class Springs final : public DrawnOverlay {
 
  private:
   OverlayContext context_;
+  Particles particles_;
   double range_;  // strain of full colour
   CachedLayer legend_;
 };
 
 Springs::Springs(const OverlayContext& context, const Box& legend)
-    : context_(context), range_(rangeOf(context)), legend_(legendOf(context, legend, range_)) {}
+    : context_(context),
+      particles_(context.scene),
+      range_(rangeOf(context, particles_)),
+      legend_(legendOf(context, legend, range_)) {}
 
 void Springs::draw(const View& view) {
+  const physics::Cage now = particles_.within(view.sample.cage);
   std::vector<Point> particles;
   for (Eigen::Index i = 0; i < 8; ++i) {
-    const auto point = view.projector(view.sample.cage.col(i));
+    const auto point = view.projector(now.col(i));
     if (!point) return;
     particles.push_back(*point);
   }
-  const physics::Cage rest = context_.scene.body.corners();
   const Scale& scale = context_.scale;
   std::array<std::vector<Point>, kColours> ofColour;
   forEachSpring([&](const Spring& spring) {
@@ -133,7 +162,7 @@ void Springs::draw(const View& view) {
                                     particles[static_cast<std::size_t>(spring.b)]};
     // Each is a path of its own: Cairo is slow with many lines that cross.
     view.canvas.line(ends, {kDark, 0.8 * scale.line + 2 * scale.halo, 0.35, 0});
-    auto& others = ofColour[stepOf(strain(rest, view.sample.cage, spring), range_)];
+    auto& others = ofColour[stepOf(strain(particles_.rest(), now, spring), range_)];
     others.insert(others.end(), ends.begin(), ends.end());
   });
   for (std::size_t i = 0; i < kColours; ++i) {

@@ -73,6 +73,8 @@ const std::vector<std::string> kNormalized{"simulation.normalize=true"};
 
 const std::vector<Twin> kTwins{
     {"bodies/knot", {"panel.1.initial.angular_velocity={about=\"largest\", value=5}"}},
+    {"bodies/particles-beside-rigid",
+     {"panel.2.initial.angular_velocity={about=\"largest\", value=12}"}},
     {"bodies/phone",
      {"panel.1.initial.angular_velocity={about=\"smallest\", value=5}",
       "panel.1.initial.tilt=[0.01, \"x\"]"}},

@@ -103,7 +103,7 @@ TEST(BodySection, RefusesWhatIsNoBody) {
   refuses("[[body.part]]\nshape = \"book\"", "can't be the book");
   refuses("[[body.part]]\nshape = \"box\"\ndensity = 0", "but not 0");
   refuses("[[body.part]]\nshape = \"box\"\ndensity = -1", "negative densities");
-  refuses(std::string(kHandle) + "[simulation]\nmodel = \"particles\"", "is for rigid models");
+  refuses(std::string(kHandle) + "[simulation]\nmodel = \"particles\"", "isn't a box");
   refuses("[body]\nmesh = \"a.stl\"\ndensity = 1", "no file is read here");
 }
 

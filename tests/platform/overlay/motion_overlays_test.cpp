@@ -188,7 +188,7 @@ TEST(OverlayList, HasAFactoryForEachOverlayOfOneMotion) {
   const Typesetter type;
   const OverlayContext context{scene, trajectory, type, Scale(320, 180)};
   for (const scene::OverlayRow& row : scene::kOverlayRows) {
-    ASSERT_TRUE(isFor(scene.simulation.model, row.overlay)) << row.name;
+    ASSERT_TRUE(isFor(scene.simulation, row.overlay)) << row.name;
     EXPECT_EQ(makeOverlay(row.overlay, context, {0, 0, 80, 60}) == nullptr,
               row.placement == scene::Placement::WholeClip)
         << row.name;

@@ -16,7 +16,6 @@
 #include "physics/integrators/splitting.h"
 #include "physics/integrators/verlet.h"
 #include "physics/integrators/vibration.h"
-#include "physics/particle_places.h"
 #include "physics/particle_simulator.h"
 #include "physics/rigid_simulator.h"
 
@@ -42,7 +41,9 @@ constexpr Stepping rigid(std::string_view keeps, int nanoseconds, std::string_vi
 
 template <ParticleIntegrator Method>
 std::unique_ptr<Simulator> makeParticleSimulator(const MotionSettings& settings) {
-  if (!areEight(settings)) return std::make_unique<ManyParticleSimulator>(settings, &Method::template step<ManyParticleState>);
+  if (!areEight(settings.simulation.particles.arrangement))
+    return std::make_unique<ManyParticleSimulator>(settings,
+                                                   &Method::template step<ManyParticleState>);
   return std::make_unique<ParticleSimulator>(settings, &Method::template step<ParticleState>);
 }
 

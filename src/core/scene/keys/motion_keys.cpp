@@ -1,10 +1,13 @@
 // The keys of [body], [simulation], [initial], [[nudge]] and [expect]: what moves, and what it must
 // show.
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <variant>
 #include <vector>
 
@@ -100,6 +103,40 @@ Kind<int> everyStep() {
             return every == 1 ? "true" : "false";
           },
           kExpectedEvery};
+}
+
+constexpr const char* kExpectedArrangement =
+    "\"corners\", \"equimomental\", \"vertices\" or \"grid:N\", with N from 2 to 200";
+constexpr std::string_view kGrid = "grid:";
+
+int cellsFrom(const ValueReader& value, std::string_view text) {
+  constexpr int kMinCells = 2, kMaxCells = 200;
+  int cells = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), cells);
+  if (error != std::errc() || end != text.data() + text.size() || cells < kMinCells ||
+      cells > kMaxCells)
+    value.mismatch(kExpectedArrangement);
+  return cells;
+}
+
+physics::ParticleSettings arrangementFrom(const ValueReader& value) {
+  const auto* text = std::get_if<std::string>(&value.node().value);
+  if (text == nullptr) value.mismatch(kExpectedArrangement);
+  if (text->starts_with(kGrid))
+    return {physics::Arrangement::Grid,
+            cellsFrom(value, std::string_view(*text).substr(kGrid.size()))};
+  return {choiceFrom(value, kArrangements)};
+}
+
+/// Places of particles.
+Kind<physics::ParticleSettings> arrangement() {
+  return {arrangementFrom,
+          [](const physics::ParticleSettings& settings) {
+            if (settings.arrangement != physics::Arrangement::Grid)
+              return quotedName(kArrangements, settings.arrangement);
+            return tomlString(std::string(kGrid) + std::to_string(settings.cells));
+          },
+          kExpectedArrangement};
 }
 
 constexpr NumberRange kRates{"a number from -1e9 to 1e9, but not 0", -1e9, 1e9};
@@ -280,6 +317,9 @@ const Keys<SimulationSettings>& simulationKeys() {
           key("stiffness", &SimulationSettings::stiffness, number(kPositive),
               {.comment = "particles: N/m, of each spring",
                .meaning = "particles: of each spring [N/m]"}),
+          key("particles", &SimulationSettings::particles, arrangement(),
+              {.comment = "particles: where they are",
+               .meaning = "particles: where they are, see [bodies](bodies.md#particles)"}),
           key("time_per_frame", &SimulationSettings::timePerFrame, number(kStepTimes),
               {.comment = "s simulated for each frame of video",
                .meaning = "simulated time from a frame to the next",

@@ -143,6 +143,14 @@ const BodyPart* shapeOf(const Solid& solid) {
   return solid.isShape && solid.parts.size() == 1 ? &solid.parts.front() : nullptr;
 }
 
+std::shared_ptr<const body::TriangleMesh> surfaceFrom(const ValueReader& value) {
+  using Attached = std::shared_ptr<const document::Attachment>;
+  const auto* attached = std::get_if<Attached>(&value.node().value);
+  const auto* file = attached ? dynamic_cast<const AttachedMesh*>(attached->get()) : nullptr;
+  if (file == nullptr) value.mismatch("the surface of a file");
+  return file->mesh;
+}
+
 /// Reads the numbers into which `includeMeshes()` turned the file, or those of meshText().
 MeshFile meshFrom(const ValueReader& value) {
   constexpr NumberRange kAny{"numbers", -1e200, 1e200};
@@ -153,11 +161,13 @@ MeshFile meshFrom(const ValueReader& value) {
   };
   constexpr const char* kName = "the name of a file that ends in .obj, .stl, .ply or .glb";
   if (std::holds_alternative<std::string>(value.node().value)) value.mismatch(kName);
-  value.readTable({{"file", [&](const ValueReader& name) { mesh.name = name.text(kLongestPath); }},
-                   {"volume", [&](const ValueReader& v) { mesh.volume = v.number(kAny); }},
-                   {"size", vectorInto(mesh.size)},
-                   {"moments", vectorInto(diagonal)},
-                   {"products", vectorInto(others)}});
+  value.readTable(
+      {{"file", [&](const ValueReader& name) { mesh.name = name.text(kLongestPath); }},
+       {"volume", [&](const ValueReader& v) { mesh.volume = v.number(kAny); }},
+       {"size", vectorInto(mesh.size)},
+       {"moments", vectorInto(diagonal)},
+       {"products", vectorInto(others)},
+       {"surface", [&](const ValueReader& file) { mesh.surface = surfaceFrom(file); }}});
   const bool isWhole = body::isMeshName(mesh.name) && mesh.volume > 0 && mesh.size.minCoeff() > 0;
   if (!isWhole) value.mismatch(kName);
   mesh.inertia = diagonal.asDiagonal();

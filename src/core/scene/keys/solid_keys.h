@@ -1,12 +1,24 @@
 // The keys of [body] for what isn't the book. Inside the room only.
 #pragma once
 
+#include <memory>
+#include <utility>
 #include <vector>
 
+#include "body/triangle_mesh.h"
+#include "document/toml_tree.h"
 #include "scene/keys/key.h"
 #include "scene/solid.h"
 
 namespace rotatebook::scene {
+
+/// The surface of a mesh's file, in the table that includeMeshes() makes of its name.
+struct AttachedMesh : document::Attachment {
+  explicit AttachedMesh(body::TriangleMesh made)
+      : mesh(std::make_shared<const body::TriangleMesh>(std::move(made))) {}
+
+  std::shared_ptr<const body::TriangleMesh> mesh;
+};
 
 /// The keys, but for the mass, which the book has, too. `shape` and `dimensions` are read together,
 /// by readStatedShape().

@@ -1,0 +1,19 @@
+// What the particles of a motion follow from, and whether they hold together. Inside the room only.
+#pragma once
+
+#include "document/value_reader.h"
+#include "scene/scene.h"
+
+namespace rotatebook::scene {
+
+/// Throws InputError if `section`, [body], states what particles in this arrangement can't have: an
+/// inertia of its own, or a body that isn't a box with particles at its corners.
+void checkParticlesBody(const document::ValueReader& section,
+                        const physics::SimulationSettings& settings);
+
+/// Places the particles of a motion, unless they are the corners of a box; `file` has its sections.
+/// Throws InputError if they are too many, if their springs don't hold the body's shape, or if its
+/// steps are longer than the longest stable one.
+void placeParticles(const document::ValueReader& file, Motion& motion);
+
+}  // namespace rotatebook::scene

@@ -1,0 +1,225 @@
+#include "scene/placed_particles.h"
+
+#include <cmath>
+#include <iostream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "physics/measure/flip_interval.h"
+#include "physics/motion_start.h"
+#include "physics/particle_places.h"
+#include "physics/simulate.h"
+#include "physics/spring_analysis.h"
+#include "rigid/exact_rotation.h"
+#include "scene/parse.h"
+#include "scene/solid_particles.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr const char* kHandle = "[body]\nshape = \"t-handle\"\n";
+constexpr double kFlipBound = 0.02;  // of the rigid body's interval
+
+/// An OBJ of a cube with corners at 0 and 2.
+constexpr const char* kCube =
+    "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 0 0 2\nv 2 0 2\nv 2 2 2\nv 0 2 2\n"
+    "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+/// Returns the lines of a body with particles, in steps that are short enough.
+std::string particles(const std::string& arrangement, const std::string& body,
+                      const std::string& more = "") {
+  return body +
+         "\n[simulation]\nmodel = \"particles\"\nintegrator = \"verlet\"\nsubsteps = 2000\n" +
+         "particles = \"" + arrangement + "\"\n" + more;
+}
+
+physics::MassSpringSystem systemOf(const std::string& arrangement, const std::string& body) {
+  return particlesOf(sceneFrom(particles(arrangement, body)).motion());
+}
+
+TEST(PlacedParticles, AreTheBooksCornersByDefault) {
+  const Scene scene = sceneFrom("[simulation]\nmodel = \"particles\"");
+  EXPECT_EQ(scene.simulation.particles.arrangement, physics::Arrangement::Corners);
+  EXPECT_EQ(scene.particles.system, nullptr);
+  EXPECT_THAT(sceneText(scene), HasSubstr("particles = \"corners\""));
+}
+
+TEST(PlacedParticles, AreTheCornersOfABoxToo) {
+  const Scene scene = sceneFrom(particles("corners", "[body]\nshape = \"cards\""));
+  EXPECT_LT((particlesOf(scene.motion()).places[7] - scene.body.size / 2).norm(), 1e-17);
+}
+
+TEST(PlacedParticles, ArePrintedAndReadBack) {
+  for (const char* arrangement : {"equimomental", "vertices", "grid:20"}) {
+    const Scene scene = sceneFrom(particles(arrangement, kHandle));
+    EXPECT_THAT(sceneText(scene), HasSubstr("particles = \"" + std::string(arrangement) + "\""));
+    EXPECT_EQ(parseScene(sceneText(scene), "a.toml").motion(), scene.motion()) << arrangement;
+  }
+}
+
+TEST(PlacedParticles, HaveTheRigidBodysMomentsIfEquimomental) {
+  const Scene rigid = sceneFrom(kHandle);
+  const Scene scene = sceneFrom(particles("equimomental", kHandle));
+  const Eigen::Vector3d expected = modelInertia(rigid.motion()).moments;
+  const Eigen::Vector3d moments = modelInertia(scene.motion()).moments;
+  EXPECT_LT((moments - expected).norm() / expected.norm(), 1e-15);  // TODO
+}
+
+TEST(PlacedParticles, AreAtTheVerticesOfAMesh) {
+  const Scene scene =
+      parseScene(particles("vertices",
+                           "[body]\nmesh = \"a.obj\"\nunit = \"cm\"\n"
+                           "density = 1000") +
+                     "\n" + kSpin,
+                 "a.toml", {}, [](const std::filesystem::path&, std::size_t) { return kCube; });
+  const auto system = particlesOf(scene.motion());
+  ASSERT_EQ(system.places.size(), 8U);
+  for (const Eigen::Vector3d& place : system.places)
+    EXPECT_LT((place.cwiseAbs() - Eigen::Vector3d::Constant(0.01)).norm(), 1e-17);
+  EXPECT_EQ(countZeroModes(system), 6);
+  // Twelve edges, six diagonals, and some of the springs across.
+  EXPECT_GT(system.springs.size(), 18U);
+}
+
+TEST(PlacedParticles, FillABoxWithAGrid) {
+  const auto system = systemOf("grid:4", "[body]\nsize = [0.4, 0.2, 0.2]");
+  ASSERT_EQ(system.places.size(), 16U);
+  EXPECT_LT((system.places[0] - Eigen::Vector3d(-0.15, -0.05, -0.05)).norm(), 1e-16);
+  // Of the 4 x 2 x 2: 12 + 8 + 8 to neighbours, 8 along x to the next but one, 12 + 12 + 8 and
+  // 12 diagonals of one, two and three axes.
+  std::size_t near = 0;
+  for (const physics::Spring& pair : physics::allPairs(16)) {
+    const double length = (system.places[pair.a] - system.places[pair.b]).norm();
+    if (length < 0.2001) ++near;
+  }
+  EXPECT_EQ(system.springs.size(), near);
+}
+
+TEST(PlacedParticles, LeaveOutWhatIsTakenAway) {
+  const std::string whole =
+      "[[body.part]]\nshape = \"box\"\ndensity = 700\n"
+      "dimensions = { x = 0.5, y = 0.5, z = 0.5 }\n";
+  const std::string hollow = whole +
+                             "[[body.part]]\nshape = \"box\"\ndensity = -700\n"
+                             "dimensions = { x = 0.3, y = 0.3, z = 0.3 }\n";
+  EXPECT_EQ(systemOf("grid:5", whole).places.size(), 125U);
+  EXPECT_EQ(systemOf("grid:5", hollow).places.size(), 98U);
+}
+
+std::string refusal(const std::string& arrangement, const std::string& body) {
+  return errorOf(particles(arrangement, body));
+}
+
+TEST(PlacedParticles, RefuseNames) {
+  EXPECT_THAT(refusal("equimomentel", ""), HasSubstr("did you mean \"equimomental\"?"));
+  for (const char* name : {"grid:1", "grid:201", "grid:x", "grid:", "grid:3.5", "grid:-3"})
+    EXPECT_THAT(refusal(name, ""), HasSubstr("\"grid:N\", with N from 2 to 200")) << name;
+}
+
+TEST(PlacedParticles, RefuseBodiesWithPlaces) {
+  // The lines are the body's, then those of particles().
+  EXPECT_THAT(refusal("corners", kHandle), HasSubstr("a.toml:2:9: body.shape isn't a box"));
+  EXPECT_THAT(refusal("grid:90", kHandle),
+              HasSubstr("a.toml:8:13: simulation.particles = \"grid:90\" makes "));
+  EXPECT_THAT(refusal("grid:90", kHandle), HasSubstr("the limit is 2000: take \"grid:4"));
+  EXPECT_THAT(refusal("vertices", "[body]\nshape = \"ellipsoid\""), HasSubstr("the limit is 2000"));
+  EXPECT_THAT(refusal("vertices", "[body]\ninertia = [1, 1, 1]"), HasSubstr("leave it out"));
+  EXPECT_EQ(refusal("equimomental", "[body]\ninertia = [1, 1, 1]"), "no error");
+  const std::string parts =
+      "[[body.part]]\nshape = \"box\"\n[[body.part]]\nshape = \"box\"\n"
+      "density = 900\nplace = [0.3, 0, 0]";
+  EXPECT_THAT(refusal("grid:6", parts), HasSubstr("its parts have several"));
+  EXPECT_EQ(refusal("equimomental", parts), "no error");
+}
+
+TEST(PlacedParticles, RefuseSpringsThatDoNotHoldTheShape) {
+  // One layer of particles
+  EXPECT_THAT(refusal("grid:3", "[body]\nsize = [0.3, 0.2, 0.05]"),
+              HasSubstr("springs between 6 particles don't hold the shape: there are 9 zero modes, "
+                        "not the six of a rigid body; make the grid finer"));
+  // A plane body
+  EXPECT_THAT(refusal("equimomental", "[body]\ninertia = [1, 2, 3]"),
+              HasSubstr("a plane body has its equimomental particles in its plane"));
+  // Two boxes apart
+  const std::string two =
+      "[[body.part]]\nshape = \"box\"\n[[body.part]]\nshape = \"box\"\n"
+      "place = [2, 0, 0]";
+  EXPECT_THAT(refusal("grid:60", two), HasSubstr("in 2 pieces that no springs join"));
+}
+
+TEST(PlacedParticles, RefuseStepsThatAreNotStable) {
+  const std::string lines = particles("grid:20", kHandle, "damping = 0\n");
+  EXPECT_EQ(errorOf(lines), "no error");
+  const std::string message = errorOf(lines, {"simulation.substeps=4"});
+  EXPECT_THAT(message,
+              HasSubstr("--set simulation.substeps=4: steps of 4.17 ms are too long for "
+                        "these particles: the longest that is stable with \"verlet\" is "));
+  std::cout << message << '\n';
+  // The number that it names is enough, and one less isn't
+  const auto at = message.find("take simulation.substeps = ") + 27;
+  const int enough = std::stoi(message.substr(at));
+  EXPECT_EQ(errorOf(lines, {"simulation.substeps=" + std::to_string(enough)}), "no error");
+  EXPECT_NE(errorOf(lines, {"simulation.substeps=" + std::to_string(enough - 1)}), "no error");
+  EXPECT_THAT(errorOf(lines, {"simulation.integrator=euler"}),
+              HasSubstr("no step is stable with the integrator \"euler\""));
+  // The paper's particles may blow up
+  EXPECT_EQ(errorOf("[simulation]\nmodel = \"particles\"\nsubsteps = 1\ndamping = 0"), "no error");
+}
+
+TEST(PlacedParticles, TheirSpringsAreDrawnBetweenEight) {
+  const std::string overlay = "[overlay]\nshow = [\"springs\"]\n";
+  EXPECT_THAT(errorOf(particles("grid:20", kHandle) + overlay),
+              HasSubstr("are drawn between eight particles"));
+  EXPECT_EQ(errorOf(particles("equimomental", kHandle) + overlay), "no error");
+}
+
+/// Returns a motion of the T-handle about its middle axis, with stiff springs.
+Scene handle(const std::string& simulation) {
+  return parseScene(std::string(kHandle) + "[simulation]\n" + simulation +
+                        "[initial]\nangular_velocity = { about = \"middle\", value = 12 }\n"
+                        "tilt = [0.05, \"x\"]\n",
+                    "a.toml");
+}
+
+double exactInterval(const physics::MotionSettings& motion) {
+  const rigid::PrincipalAxes inertia = modelInertia(motion);
+  return rigid::ExactRotation(inertia, motion.initial.alongPrincipal(inertia)).flipInterval();
+}
+
+/// Returns the mean interval of flips of a motion, of so many samples.
+double simulatedInterval(const physics::MotionSettings& motion, int samples) {
+  return physics::meanInterval(
+      physics::flipTimes(physics::simulate(motion, samples), modelInertia(motion)));
+}
+
+// The paper's claim, tried: particles on stiff springs flip as the rigid body does.
+TEST(PlacedParticles, FlipAsTheRigidBody) {
+  const double rigid = exactInterval(handle("model = \"exact\"\n").motion());
+  std::cout << "rigid " << rigid << " s\n";
+  const std::string common =
+      "model = \"particles\"\nintegrator = \"verlet\"\ndamping = 0\nnormalize = false\n";
+  for (const auto& [arrangement, more] :
+       {std::pair("equimomental", "stiffness = 1e4\nsubsteps = 100\n"),
+        {"grid:30", "stiffness = 1e5\nsubsteps = 2000\n"},
+        {"vertices", "stiffness = 1e4\nsubsteps = 2000\n"}}) {
+    const auto motion = handle(common + "particles = \"" + arrangement + "\"\n" + more).motion();
+    const double interval = simulatedInterval(motion, 240);
+    std::cout << arrangement << ' ' << particlesOf(motion).places.size() << ": " << interval
+              << " s, of the rigid body's " << interval / rigid << ", own "
+              << interval / exactInterval(motion) << " stable "
+              << largestStableStep(motion, particlesOf(motion)) << '\n';
+  }
+}
+
+TEST(PlacedParticles, AreUpToTwoThousand) {
+  const auto motion = sceneFrom(particles("grid:12", "[body]\nsize = [0.3, 0.3, 0.3]")).motion();
+  EXPECT_EQ(particlesOf(motion).places.size(), 1728U);
+  EXPECT_EQ(physics::simulate(motion, 2).samples.size(), 2U);
+}
+
+}  // namespace
+}  // namespace rotatebook::scene

@@ -181,7 +181,7 @@ class Cluster:
                 self.resume(node)
         for line in self.run("squeue", "-h", "-r", "-t", "PD", "-o", "%A %r").splitlines():
             job, reason = line.split(maxsplit=1)
-            if "held" in reason.lower():
+            if "held" in reason.lower() or "hold" in reason.lower():
                 subprocess.run(["scontrol", "release", job], check=False, env=self.environment,
                                capture_output=True, timeout=60)
 

@@ -72,7 +72,7 @@ class FrameDrawer final : public FramePainter {
   timeline::CameraDistances distances_;
   TextureChecksums textureChecksums_;
   std::vector<std::size_t> lookOf_;  // by motion
-  render::Renderer renderer_;  // of a panel
+  render::Renderer renderer_;        // of a panel
   timeline::ShutterMoments moments_;
   bool isGrid_;
   bool hasText_;                           // Overlays or panels' labels.

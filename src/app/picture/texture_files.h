@@ -20,8 +20,8 @@ using TextureChecksums = std::map<std::string, std::string>;
 /// The bytes of a scene's texture and mesh files by key; what is built in has none.
 using TextureFiles = std::map<std::string, std::string>;
 
-/// Reads the texture and mesh files that the scene names. Throws InputError if one is missing or broken, or
-/// leads outside the scene's folder without Scene::allowOutside.
+/// Reads the texture and mesh files that the scene names. Throws InputError if one is missing or
+/// broken, or leads outside the scene's folder without Scene::allowOutside.
 TextureFiles readTextures(const scene::Scene& scene);
 /// Returns the texture and mesh files that the scene names, whether they exist or not.
 std::vector<std::filesystem::path> textureFiles(const scene::Scene& scene);

@@ -50,7 +50,7 @@ TEST(Surface, CoversWhatItsOutlineHolds) {
   const RenderSettings settings = transparent(320, 180);
   const image::Image picture = drawn(settings, boxLook({}), kBox.corners());
   // The front, at a distance of 0.9 - 0.025 m, on a picture 2 * 0.9 tan 15 deg high at 0.9 m
-  const double pixels = 180 / (2 * std::tan(15 * kDegree) * 0.875);  // [1/m]
+  const double pixels = 180 / (2 * std::tan(15 * kDegree) * 0.875);        // [1/m]
   EXPECT_NEAR(areaOf(picture) / (0.2 * 0.3 * pixels * pixels), 1, 0.002);  // measured 0.9994
 }
 

@@ -158,8 +158,7 @@ MeshFile meshFrom(const ValueReader& value) {
                    {"size", vectorInto(mesh.size)},
                    {"moments", vectorInto(diagonal)},
                    {"products", vectorInto(others)}});
-  const bool isWhole =
-      body::isMeshName(mesh.name) && mesh.volume > 0 && mesh.size.minCoeff() > 0;
+  const bool isWhole = body::isMeshName(mesh.name) && mesh.volume > 0 && mesh.size.minCoeff() > 0;
   if (!isWhole) value.mismatch(kName);
   mesh.inertia = diagonal.asDiagonal();
   for (int i = 0; i < 3; ++i) {

@@ -166,12 +166,14 @@ class Cluster:
     def wait_until_idle(self, seconds):
         """Waits until all jobs have ended, and does what an operator would: takes nodes back that
         stayed down, and releases jobs that the cluster holds after a start that failed."""
+        repaired = time.monotonic()
+
         def is_idle():
-            if time.monotonic() > self.next_round:
-                self.next_round = time.monotonic() + 10
+            nonlocal repaired
+            if time.monotonic() > repaired + 10:
                 self.repair()
+                repaired = time.monotonic()
             return self.is_idle()
-        self.next_round = time.monotonic() + 10
         self.wait_until(is_idle, seconds, "all jobs have ended")
 
     def repair(self):
@@ -181,7 +183,7 @@ class Cluster:
                 self.resume(node)
         for line in self.run("squeue", "-h", "-r", "-t", "PD", "-o", "%A %r").splitlines():
             job, reason = line.split(maxsplit=1)
-            if "held" in reason.lower() or "hold" in reason.lower():
+            if "held" in reason or "Held" in reason or "Hold" in reason:
                 subprocess.run(["scontrol", "release", job], check=False, env=self.environment,
                                capture_output=True, timeout=60)
 

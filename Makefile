@@ -89,11 +89,11 @@ portable: program
 	@scripts/portable.sh $(PROGRAM) build/portable
 
 figures: program play
-	$(PROGRAM) render scenes/comparisons/*.toml scenes/figures/*.toml -o $(OUT) --resume --overwrite
+	$(PROGRAM) render scenes/comparisons/*.toml scenes/figures/*.toml scenes/bodies/*.toml -o $(OUT) --resume --overwrite
 	$(PROGRAM) study scenes/studies/*.toml -o $(OUT)
 	$(PROGRAM) map scenes/maps/*.toml -o $(OUT) --resume --overwrite
 	$(PROGRAM) still scenes/stills/fig01-axes.toml --time 0 -o $(OUT)/fig01-axes.png
-	$(PROGRAM) page scenes/comparisons/axes.toml scenes/stills/*.toml scenes/figures/*.toml scenes/comparisons/*.toml \
+	$(PROGRAM) page scenes/comparisons/axes.toml scenes/stills/*.toml scenes/figures/*.toml scenes/comparisons/*.toml scenes/bodies/*.toml \
 	  scenes/studies/*.toml scenes/maps/*.toml -o $(OUT) --live build/play/live_book.html
 
 # The picture at the top of docs/figures.md: views that say what there is, small enough for a page.

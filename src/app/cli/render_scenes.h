@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "picture/textures.h"
+#include "picture/looks.h"
 #include "pipeline/render_clip.h"
 #include "scene/scene.h"
 

@@ -13,20 +13,21 @@ namespace rotatebook::picture {
 FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
                          const render::DeviceChoice& device, const TextureFiles& files)
     : FrameDrawer(scene, motion, device, std::async(std::launch::async, [&scene, &files] {
-                    return loadTextures(scene, files);
+                    return loadLooks(scene, files);
                   })) {}
 
 FrameDrawer::FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
-                         const render::DeviceChoice& device, std::future<LoadedTextures> textures)
+                         const render::DeviceChoice& device, std::future<LoadedLooks> looks)
     : motion_(&motion),
       composition_(std::make_unique<Composition>(scene, motion)),
       referenceFrame_(scene.camera.frame),
       camera_(timeline::cameraOf(scene, composition_->screen())),
       distances_(scene, motion),
       renderer_([&] {
-        LoadedTextures loaded = textures.get();
+        LoadedLooks loaded = looks.get();
         textureChecksums_ = std::move(loaded.checksums);
-        return makeRenderer(scene, composition_->screen(), loaded.pictures, device);
+        lookOf_ = std::move(loaded.lookOf);
+        return makeRenderer(scene, composition_->screen(), loaded.looks, device);
       }()),
       moments_(scene),
       isGrid_(scene.grid.has_value()),
@@ -57,7 +58,7 @@ Exposure FrameDrawer::makeExposure() const {
   if (mean_) {
     exposure.blurred.assign(count, renderer_.makePicture());
   } else {
-    exposure.bodies.assign(count, renderer_.makeBody());
+    for (const std::size_t look : lookOf_) exposure.bodies.push_back(renderer_.makeBody(look));
   }
   return exposure;
 }
@@ -88,7 +89,8 @@ void FrameDrawer::exposeGrid(std::int64_t frame, Exposure& exposure) {
 
 void FrameDrawer::exposeBlurred(std::size_t motion, std::size_t sample, image::Image& picture) {
   for (std::size_t i = 0; i < moments_.count(); ++i) {
-    renderer_.draw(scene::inReferenceFrame(referenceFrame_, moments_.at(motion, sample, i)).cage,
+    renderer_.draw(lookOf_[motion],
+                   scene::inReferenceFrame(referenceFrame_, moments_.at(motion, sample, i)).cage,
                    picture);
     mean_->add(picture.view());
   }
@@ -98,7 +100,7 @@ void FrameDrawer::exposeBlurred(std::size_t motion, std::size_t sample, image::I
 void FrameDrawer::compose(const Exposure& exposure, image::Image& picture) {
   const DrawBody drawBody = [&](std::size_t motion, std::size_t sample, image::Image& panel) {
     if (!mean_) {
-      renderer_.compositor().compose(exposure.bodies[motion], panel);
+      renderer_.compose(exposure.bodies[motion], panel);
       return exposure.bodies[motion].clipFromWorld;
     }
     panel = exposure.blurred[motion];

@@ -14,7 +14,7 @@
 #include "image/image.h"
 #include "image/linear_mean.h"
 #include "picture/frame_painter.h"
-#include "picture/textures.h"
+#include "picture/looks.h"
 #include "render/renderer.h"
 #include "scene/reference_frame.h"
 #include "scene/scene.h"
@@ -31,7 +31,7 @@ class Composition;
 class FrameDrawer final : public FramePainter {
  public:
   /// `motion`, the scene's, must outlive this; `files` are the scene's textures as far as they were
-  /// read already. Throws like loadTextures(), Composition and render::Renderer.
+  /// read already. Throws like loadLooks(), Composition and render::Renderer.
   FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
               const render::DeviceChoice& device = {}, const TextureFiles& files = {});
   ~FrameDrawer() override;
@@ -54,9 +54,9 @@ class FrameDrawer final : public FramePainter {
   const TextureChecksums& textureChecksums() const { return textureChecksums_; }
 
  private:
-  /// Waits for the textures only when the renderer needs them.
+  /// Waits for the looks only when the renderer needs them.
   FrameDrawer(const scene::Scene& scene, const timeline::ClipMotion& motion,
-              const render::DeviceChoice& device, std::future<LoadedTextures> textures);
+              const render::DeviceChoice& device, std::future<LoadedLooks> looks);
 
   physics::Cage cageOf(std::size_t motion, std::size_t sample) const;
   geometry::Camera cameraAt(std::size_t motion, std::int64_t frame) const;
@@ -71,7 +71,8 @@ class FrameDrawer final : public FramePainter {
   geometry::Camera camera_;  // at the distance that the scene states
   timeline::CameraDistances distances_;
   TextureChecksums textureChecksums_;
-  render::Renderer renderer_;  // of a panel
+  std::vector<std::size_t> lookOf_;  // by motion
+  render::Renderer renderer_;        // of a panel
   timeline::ShutterMoments moments_;
   bool isGrid_;
   bool hasText_;                           // Overlays or panels' labels.

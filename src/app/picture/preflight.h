@@ -1,7 +1,7 @@
 // Checks what only shows when a scene's files and fonts are opened.
 #pragma once
 
-#include "picture/textures.h"
+#include "picture/looks.h"
 #include "scene/scene.h"
 
 namespace rotatebook::picture {

@@ -1,4 +1,4 @@
-// The files that a scene's textures come from.
+// The files that a scene's textures and meshes come from.
 #pragma once
 
 #include <filesystem>
@@ -13,17 +13,17 @@ namespace rotatebook::picture {
 /// Replaces the checksum of a texture that ships with the program.
 inline constexpr const char* kBuiltinTexture = "built-in";
 
-/// The checksums of a scene's textures by key, like "book.front": checksumOf() the file's bytes, or
-/// kBuiltinTexture.
+/// The checksums of a scene's textures and meshes by key, like "book.front", "body.mesh" or
+/// "panel.1.body.mesh": checksumOf() the file's bytes, or kBuiltinTexture.
 using TextureChecksums = std::map<std::string, std::string>;
 
-/// The bytes of a scene's texture files by key; built-in textures have none.
+/// The bytes of a scene's texture and mesh files by key; what is built in has none.
 using TextureFiles = std::map<std::string, std::string>;
 
-/// Reads the texture files that the scene names. Throws InputError if one is missing or broken, or
-/// leads outside the scene's folder without Scene::allowOutside.
+/// Reads the texture and mesh files that the scene names. Throws InputError if one is missing or
+/// broken, or leads outside the scene's folder without Scene::allowOutside.
 TextureFiles readTextures(const scene::Scene& scene);
-/// Returns the texture files that the scene names, whether they exist or not.
+/// Returns the texture and mesh files that the scene names, whether they exist or not.
 std::vector<std::filesystem::path> textureFiles(const scene::Scene& scene);
 
 }  // namespace rotatebook::picture

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "picture/textures.h"
+#include "picture/looks.h"
 #include "pipeline/draw_frames.h"
 #include "pipeline/render_output.h"
 #include "render/device/device.h"

@@ -105,6 +105,7 @@ bool lacksFiles(const scene::Scene& scene) {
     if (simulation.model == physics::Model::Recorded && isMissing(simulation.recorded.file)) {
       return true;
     }
+    if (!panel.solid.mesh.name.empty() && isMissing(panel.solid.mesh.name)) return true;
   }
   const scene::BookSettings& book = scene.book;
   return isMissing(book.front) || isMissing(book.spine) || isMissing(book.back);

@@ -15,6 +15,7 @@
 
 #include "base/checksum.h"
 #include "base/error.h"
+#include "bridge/body_mesh.h"
 #include "bridge/played_scene.h"
 #include "bridge/scene_json.h"
 #include "document/toml_json.h"
@@ -125,23 +126,27 @@ struct MeshNumbers {
 };
 
 MeshNumbers numbersOf(const geometry::Mesh& mesh) {
-  MeshNumbers numbers;
-  const auto append = [&](const auto& vector) {
-    numbers.vertices.insert(numbers.vertices.end(), vector.data(), vector.data() + vector.size());
-  };
-  for (const geometry::MeshVertex& vertex : mesh.vertices) {
-    append(vertex.position);
-    append(vertex.normal);
-    append(vertex.texCoord);
-    numbers.vertices.push_back(vertex.skyVisibility);
-    numbers.vertices.push_back(vertex.surfaceId);
-  }
+  MeshNumbers numbers{floatsOf(mesh.vertices), {}};
   for (std::size_t part = 0; part < numbers.indices.size(); ++part) {
     for (const std::uint32_t index : mesh.parts[part].triangles) {
       numbers.indices[part].push_back(static_cast<std::uint16_t>(index));
     }
   }
   return numbers;
+}
+
+BodyMesh lastBody;  // of rb_body()
+
+/// Returns the JSON of a motion's body, which becomes lastBody.
+std::string makeBody(std::int32_t slot, std::int32_t motion) {
+  const std::vector<scene::Panel> motions = scene::motionsOf(in(slot).scene());
+  const scene::Panel& panel = motions.at(static_cast<std::size_t>(motion));
+  if (panel.solid.isBook()) return "null";
+  lastBody = bodyMeshOf(panel, [](const std::string& name) {
+    const auto found = files.find(name);
+    return found == files.end() ? nullptr : &found->second;
+  });
+  return lastBody.json;
 }
 
 const MeshNumbers& bookMesh() {
@@ -274,6 +279,18 @@ const std::uint16_t* rb_mesh_indices(std::int32_t part, std::int32_t* count) {
   const auto& indices = bookMesh().indices[static_cast<std::size_t>(part)];
   *count = static_cast<std::int32_t>(indices.size());
   return indices.data();
+}
+
+std::int32_t rb_body(std::int32_t slot, std::int32_t motion) {
+  return answerOf([&] { return makeBody(slot, motion); });
+}
+
+const float* rb_body_vertices() {
+  return lastBody.vertices.data();
+}
+
+const std::uint32_t* rb_body_indices() {
+  return lastBody.indices.data();
 }
 
 std::int32_t rb_camera(std::int32_t slot, std::int32_t motion, std::int32_t frame, float width,

@@ -39,10 +39,10 @@ std::int32_t rb_toml_to_json(std::int32_t length);
 
 /// Files that rb_file() takes.
 enum { kMaxFiles = 16 };
-/// Takes a file that scenes may name, a recording or words: in the buffer `nameLength` bytes of its
-/// name, as scenes write it, then `length` bytes of its own. It takes the place of one of that
-/// name, and stays; without a name and without bytes, all files are forgotten. Returns 0; negative
-/// with the message if the buffer isn't as large, or there are kMaxFiles others.
+/// Takes a file that scenes may name, a recording, a mesh or words: in the buffer `nameLength`
+/// bytes of its name, as scenes write it, then `length` bytes of its own. It takes the place of one
+/// of that name, and stays; without a name and without bytes, all files are forgotten. Returns 0;
+/// negative with the message if the buffer isn't as large, or there are kMaxFiles others.
 std::int32_t rb_file(std::int32_t nameLength, std::int32_t length);
 
 /// Reads the scene in the buffer's first `length` bytes into a slot and writes JSON of it:
@@ -105,6 +105,17 @@ std::int32_t rb_table_checksum(std::int32_t slot);
 /// them, of another part.
 const float* rb_mesh_vertices(std::int32_t* count);
 const std::uint16_t* rb_mesh_indices(std::int32_t part, std::int32_t* count);
+
+/// Writes JSON of the body of motion `motion`: null of the book, else {"vertices": count,
+/// "indices": count, "parts": [{"first", "count", "baseColour": [3], "metalAndRoughness": [2],
+/// "grainsAcross": [3], "contrastAndRelief": [2]}]}; `first` and `count` are of indices, the others
+/// are surface.frag's. A mesh whose file wasn't taken is a box of its size. Positive length, or
+/// negative with the message.
+std::int32_t rb_body(std::int32_t slot, std::int32_t motion);
+/// Return the addresses of the vertices, 10 floats each as rb_mesh_vertices() has them, and of the
+/// indices of the body of the last rb_body().
+const float* rb_body_vertices();
+const std::uint32_t* rb_body_indices();
 
 /// Writes to `matrix` (16 floats, column by column) the projection of world to clip space of the
 /// slot's camera as it is in `frame` for motion `motion`, with clip y up, for a picture of this

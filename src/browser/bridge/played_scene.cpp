@@ -122,6 +122,8 @@ geometry::Camera PlayedScene::camera(std::size_t motion, std::int64_t frame,
   if (distances_) {
     const auto nearest = std::clamp<std::int64_t>(frame, 0, whole_->frameCount() - 1);
     camera = geometry::movedAway(camera, distances_->at(motion, nearest));
+  } else {
+    camera = geometry::movedAway(camera, timeline::distanceAtRest(scene_, motion));
   }
   if (orbit.right != 0 || orbit.up != 0) {
     const Vector3d up = camera.up.normalized();

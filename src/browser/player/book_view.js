@@ -17,7 +17,7 @@ vec3 toneMap(vec3 radiance) {
 `;
 const kClearlyOriented = 0.2;  // As in book_geometry.cpp.
 const kWall = [0.098, 0.106, 0.1255];  // The edge of studio.frag's.
-const kAttributes = [3, 3, 2, 1, 1];  // Floats of each, as in book.vert.
+const kAttributes = [3, 3, 2, 1, 1];  // Floats of each, as in body.vert.
 
 /** Returns 1 if the cage is the right way round at every corner, -1 if inside out, 0 if neither. */
 function windingOf(cage) {
@@ -81,15 +81,52 @@ class BookView {
     const gl = this.gl;
     const toneCurve = "#define toneMap linearToneMap\n" + shaders.tone_curve + kEncodedToneMap;
     const vertex = shaders.studio_lights + shaders.book;
-    this.cover = new Shaders(gl, vertex, kSharper + shaders.studio_lights + shaders.cover + toneCurve);
+    this.cover = new Shaders(gl, vertex, kSharper + shaders.studio_lights + shaders.studio_shine + shaders.cover + toneCurve);
+    const surface = kSharper + shaders.studio_lights + shaders.studio_shine + shaders.surface + toneCurve;
+    this.surfaces = {get shaders() { return this.made ??= new Shaders(gl, vertex, surface); }};
     this.paper = new Shaders(gl, vertex, kSharper + shaders.paper + toneCurve);
     const backdrop = (name) => new Shaders(gl, shaders.whole_picture, shaders[name]);
     this.backdrops = {studio: backdrop("studio"), get stars() { return this.made ??= backdrop("stars"); }};
     this.#makeGeometry(mesh);
     this.textures = {};
+    this.white = null;
     for (const [name, picture] of Object.entries(pictures)) this.textures[name] = this.#texture(picture, name === "paper");
     this.noVertices = gl.createVertexArray();
     this.cloth = null;
+    this.setBodies(this.bodies?.map((body) => body?.mesh ?? null) ?? []);
+  }
+
+  /** The meshes of the bodies that draw() names by number; null for the book. */
+  setBodies(meshes) {
+    const gl = this.gl;
+    for (const body of this.bodies ?? []) {
+      if (!body) continue;
+      gl.deleteVertexArray(body.array);
+      body.buffers.forEach((buffer) => gl.deleteBuffer(buffer));
+    }
+    this.white ??= this.#texture(new ImageData(new Uint8ClampedArray([255, 255, 255, 255]), 1, 1), true);
+    this.bodies = meshes.map((mesh) => mesh && {mesh, ...this.#uploaded(mesh)});
+  }
+
+  #uploaded({vertices, indices}) {
+    const gl = this.gl, array = gl.createVertexArray(), buffers = [gl.createBuffer(), gl.createBuffer()];
+    gl.bindVertexArray(array);
+    gl.bindBuffer(gl.ARRAY_BUFFER, buffers[0]);
+    gl.bufferData(gl.ARRAY_BUFFER, vertices, gl.STATIC_DRAW);
+    this.#describeVertices();
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffers[1]);
+    gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW);
+    return {array, buffers};
+  }
+
+  #describeVertices() {
+    const gl = this.gl;
+    let offset = 0;
+    kAttributes.forEach((size, index) => {
+      gl.enableVertexAttribArray(index);
+      gl.vertexAttribPointer(index, size, gl.FLOAT, false, 40, 4 * offset);
+      offset += size;
+    });
   }
 
   #makeGeometry(mesh) {
@@ -98,12 +135,7 @@ class BookView {
     gl.bindVertexArray(this.book);
     gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
     gl.bufferData(gl.ARRAY_BUFFER, mesh.vertices, gl.STATIC_DRAW);
-    let offset = 0;
-    kAttributes.forEach((size, index) => {
-      gl.enableVertexAttribArray(index);
-      gl.vertexAttribPointer(index, size, gl.FLOAT, false, 40, 4 * offset);
-      offset += size;
-    });
+    this.#describeVertices();
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, gl.createBuffer());
     const all = kParts.map((part) => mesh.parts[part]);
     const indices = new Uint16Array(all.reduce((sum, part) => sum + part.length, 0));
@@ -136,21 +168,23 @@ class BookView {
     this.cloth = colour && this.#texture(new ImageData(new Uint8ClampedArray([...colour.map((part) => Math.round(255 * part)), 255]), 1, 1), false);
   }
 
-  /** Draws books, each {area: {x, y, width, height} in pixels from the top left, cage, matrix, eye, backdrop}. */
+  /** Draws books or other bodies, each {area: {x, y, width, height} in pixels from the top left, cage, matrix, eye, backdrop}, in the order of setBodies(). */
   draw(books) {
     const gl = this.gl, height = this.canvas.height;
     gl.disable(gl.SCISSOR_TEST);
     gl.clearColor(...kWall, 1);
     gl.clear(gl.COLOR_BUFFER_BIT);
     gl.enable(gl.SCISSOR_TEST);
-    for (const book of books) {
+    for (const [i, book] of books.entries()) {
       const {x, y, width, height: tall} = book.area;
       gl.viewport(x, height - y - tall, width, tall);
       gl.scissor(x, height - y - tall, width, tall);
       gl.clearColor(...(book.plain ?? [0, 0, 0]), 1);
       gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
       if (!book.plain) this.#drawBackdrop(this.backdrops[book.backdrop] ?? this.backdrops.studio, width, tall);
-      this.#drawBook(book);
+      this.#prepare(book);
+      if (this.bodies[i]) this.#drawBody(book, this.bodies[i]);
+      else this.#drawBook(book);
     }
   }
 
@@ -165,12 +199,29 @@ class BookView {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
-  #drawBook(book) {
+  #prepare(book) {
     const gl = this.gl, winding = windingOf(book.cage);
     gl.enable(gl.DEPTH_TEST);
     if (winding === 0) gl.disable(gl.CULL_FACE);
     else gl.enable(gl.CULL_FACE);
     gl.frontFace(winding < 0 ? gl.CW : gl.CCW);
+  }
+
+  #drawBody(book, body) {
+    const gl = this.gl, {shaders} = this.surfaces;
+    gl.bindVertexArray(body.array);
+    this.#use(shaders, book);
+    gl.uniform3fv(shaders.place("eye"), book.eye);
+    gl.bindTexture(gl.TEXTURE_2D, this.white);
+    for (const part of body.mesh.parts) {
+      for (const name of ["baseColour", "grainsAcross"]) gl.uniform3fv(shaders.place(name), part[name]);
+      for (const name of ["metalAndRoughness", "contrastAndRelief"]) gl.uniform2fv(shaders.place(name), part[name]);
+      gl.drawElements(gl.TRIANGLES, part.count, gl.UNSIGNED_INT, 4 * part.first);
+    }
+  }
+
+  #drawBook(book) {
+    const gl = this.gl, winding = windingOf(book.cage);
     gl.bindVertexArray(this.book);
     this.#use(this.cover, book);
     gl.uniform3fv(this.cover.place("eye"), book.eye);

@@ -73,7 +73,7 @@ class Controls {
     select.addEventListener("change", () => this.player.apply(this.player.scene.withKeys(this.player.book, "simulation", {integrator: select.value})));
     this.#group("motion").append(row);
     this.refreshers.push((scene, book, model) => {
-      const names = this.player.core.words.models.find(({name}) => name === model).integrators;
+      const names = this.player.core.words.models.find(({name}) => name === model)?.integrators ?? [];
       row.hidden = names.length === 0;
       if (select.dataset.model !== model) select.replaceChildren(...names.map((name) => make("option", {value: name}, name)));
       select.dataset.model = model;
@@ -129,7 +129,8 @@ class Controls {
     field.addEventListener("change", () => set(Number(field.value.replace(",", ".") || NaN)));
     this.#group(knob.group).append(row);
     this.refreshers.push((scene, book, model) => {
-      row.hidden = !knob.shown(model);
+      row.hidden = !knob.shown(model, scene, book);
+      if (row.hidden) return;
       const value = Number(get(scene, book) ?? 0);
       range.value = scale(Math.max(value, knob.logarithmic ? knob.least : -Infinity));
       range.setAttribute("aria-valuetext", `${short(value)}${knob.unit ? " " + knob.unit : ""}`);

@@ -61,6 +61,25 @@ class Core {
 
   treeOf(text) { return JSON.parse(this.#text(this.#call("toml_to_json", this.#put(text)))); }
   read(slot, text) { return JSON.parse(this.#text(this.#call("read", slot, this.#put(text)))); }
+  /** Takes a file that scenes may name, in place of all others. */
+  takeFile(name, bytes) {
+    const nameBytes = new TextEncoder().encode(name), room = this.#call("buffer_size") - nameBytes.length;
+    if (bytes.length > room) throw new SceneError("it is longer than 1 MB, the limit here; rotatebook render takes it");
+    this.#text(this.#call("file", 0, 0));
+    this.module.HEAPU8.set(nameBytes, this.buffer);
+    this.module.HEAPU8.set(bytes, this.buffer + nameBytes.length);
+    this.#text(this.#call("file", nameBytes.length, bytes.length));
+  }
+
+  /** Returns the mesh of a motion's body, {vertices, indices, parts}; null for the book. */
+  body(slot, motion) {
+    const body = JSON.parse(this.#text(this.#call("body", slot, motion)));
+    if (!body) return null;
+    const copied = (address, length) => this.module.HEAPU8.slice(address, address + 4 * length).buffer;
+    return {parts: body.parts, vertices: new Float32Array(copied(this.#call("body_vertices"), 10 * body.vertices)),
+      indices: new Uint32Array(copied(this.#call("body_indices"), body.indices))};
+  }
+
   sceneText(slot) { return this.#text(this.#call("scene_text", slot)); }
   frames(slot) { return this.#call("frames", slot); }
   checksum(slot) { return this.#text(this.#call("checksum", slot)); }

@@ -105,7 +105,9 @@ class LiveScene {
   withSpeed(book, speed) {
     const start = this.startOf(book), key = start.angular_velocity ? "angular_velocity" : "angular_momentum";
     const factor = speed / this.speedAtStart(book);
-    return this.withStart(book, {...start, [key]: start[key].map((part) => Number((part * factor).toPrecision(12)))});
+    const times = (part) => Number((part * factor).toPrecision(12));
+    const spin = Array.isArray(start[key]) ? start[key].map(times) : {...start[key], value: times(start[key].value)};
+    return this.withStart(book, {...start, [key]: spin});
   }
 
   /** Tilts the start by an angle [rad], toward the axis that it has or one that suits it. */

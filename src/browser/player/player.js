@@ -324,6 +324,7 @@ class Player {
     this.announcer.show(`Reading ${file.name} …`);
     try {
       if (/\.toml$/i.test(file.name)) await this.#openScene(file, isWanted);
+      else if (isThing(file.name)) await this.#openThing(file, isWanted);
       else await this.#openClip(file, isWanted, edits);
     } catch (error) {
       if (!isWanted()) return;
@@ -337,6 +338,25 @@ class Player {
     if (file.size > kLargestScene) throw new SceneError("it is longer than 32 KiB, the limit for a scene");
     const text = await readable(file.name, () => file.text());
     if (isWanted()) this.load(text, {isPlaying: this.mayMove});
+  }
+
+  async #openThing(file, isWanted) {
+    const bytes = new Uint8Array(await readable(file.name, () => file.arrayBuffer()));
+    if (!isWanted()) return;
+    this.core.takeFile(file.name, bytes);
+    const problems = [];
+    for (const tree of scenesOfThing(file.name)) {
+      const text = tomlText(tree);
+      try {
+        this.core.read(kProof, text);
+      } catch (error) {
+        problems.push(error);
+        continue;
+      }
+      this.load(text, {isPlaying: this.mayMove});
+      return;
+    }
+    throw problems[0];
   }
 
   async #openClip(file, isWanted, edits) {

@@ -54,10 +54,19 @@ class Stage {
     this.#fit(this.lines, Math.min(devicePixelRatio || 1, kLargestScale));
     const {width, height} = this.picture;
     const motions = state.read.motions, areas = dividedAreas(motions.length, width, height);
+    this.#takeBodies(motions, state.scene);
     this.books = motions.map((motion, i) => this.#book(i, frame, areas[i], state));
     if (!this.view.isLost) this.view.draw(this.books);
     this.#drawLines(frame, state);
     this.#placeLabels(motions, areas);
+  }
+
+  /** Makes the bodies' meshes, unless they are those of the last picture. */
+  #takeBodies(motions, scene) {
+    const key = motions.map((_, i) => JSON.stringify(scene.explicit.panel?.[i]?.body ?? scene.explicit.body)).join();
+    if (key === this.bodiesKey) return;
+    this.bodiesKey = key;
+    this.view.setBodies(motions.map((_, i) => this.core.body(kPlayed, i)));
   }
 
   #book(i, frame, area, state) {

@@ -28,13 +28,9 @@ const Format* formatOf(std::string_view name) {
   return nullptr;
 }
 
-}  // namespace
-
-bool isMeshName(std::string_view name) {
-  return formatOf(name) != nullptr;
-}
-
-TriangleMesh readMesh(std::string_view name, std::string_view bytes) {
+/// Returns what `read` makes by the format of a name. Throws InputError that begins with it.
+template <typename Read>
+auto atName(std::string_view name, const Read& read) {
   const std::string file = oneLine(name, 200);
   const Format* format = formatOf(name);
   if (format == nullptr) {
@@ -42,10 +38,33 @@ TriangleMesh readMesh(std::string_view name, std::string_view bytes) {
                      joinedOf(kFormats, [](const Format& f) { return std::string(f.ending); }));
   }
   try {
-    return welded(format->read(bytes));
+    return read(*format);
   } catch (const InputError& error) {
     throw InputError(file + ": " + error.what());
   }
+}
+
+}  // namespace
+
+bool isMeshName(std::string_view name) {
+  return formatOf(name) != nullptr;
+}
+
+TriangleMesh readMesh(std::string_view name, std::string_view bytes) {
+  return atName(name, [&](const Format& format) { return welded(format.read(bytes)); });
+}
+
+Surface readSurface(std::string_view name, std::string_view bytes) {
+  return atName(name, [&](const Format& format) {
+    Surface surface;
+    if (format.read == readGlb) {
+      surface = readGlbSurface(bytes);
+    } else {
+      surface.mesh = format.read(bytes);
+    }
+    surface.mesh = welded(surface.mesh);
+    return surface;
+  });
 }
 
 void requireFewTriangles(std::size_t count) {

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "body/surface.h"
 #include "body/triangle_mesh.h"
 
 namespace rotatebook::body {
@@ -26,9 +27,16 @@ TriangleMesh readPly(std::string_view bytes);
 /// nodes, in their places. Its unit is the metre.
 TriangleMesh readGlb(std::string_view bytes);
 
+/// Reads the same triangles with their materials, and the first set of texture coordinates of each
+/// that has a picture. Throws also for pictures outside the file.
+Surface readGlbSurface(std::string_view bytes);
+
 /// Reads a mesh by the ending of its name, .obj, .stl, .ply or .glb, and returns it welded. Throws
 /// InputError, which begins with the name, also for other endings.
 TriangleMesh readMesh(std::string_view name, std::string_view bytes);
+
+/// Reads a surface likewise; but for GLB, all of it has the first, neutral, material.
+Surface readSurface(std::string_view name, std::string_view bytes);
 
 /// Returns whether the name ends like that of a mesh.
 bool isMeshName(std::string_view name);

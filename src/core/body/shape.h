@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "body/solid_piece.h"
+#include "body/surface.h"
 
 namespace rotatebook::body {
 
@@ -23,6 +24,8 @@ struct Shape {
   /// Makes the solid from one length [m] > 0 for each of `lengths`; of several closed surfaces,
   /// each counts, also where they overlap. Throws InputError if the lengths don't fit each other.
   SolidPiece (*solid)(std::span<const double> lengths) = nullptr;
+  /// Makes its surface as it looks, within the box around the solid; called after `solid`.
+  Surface (*look)(std::span<const double> lengths) = nullptr;
 };
 
 /// Returns all shapes, in the order of their list.

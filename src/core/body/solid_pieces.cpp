@@ -1,6 +1,7 @@
 #include "body/solid_pieces.h"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "base/elementary.h"
@@ -11,27 +12,13 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
+/// z becomes x, x becomes y.
+const Eigen::Matrix3d kThird = (Eigen::Matrix3d() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished();
+
 /// Returns sqrt(x / sin x) for the angle of one of `sides`.
 double growthOf(int sides) {
   const double angle = 2 * kPi.high / sides;
   return std::sqrt(angle / sine(angle));
-}
-
-/// Returns point `i` of a circle of radius 1, exactly mirrored in both axes.
-Vector2d onCircle(int i, int sides) {
-  const int quarter = sides / 4, within = i % quarter;
-  const double angle = 2 * kPi.high * within / sides;
-  const double c = cosine(angle), s = sine(angle);
-  switch (i / quarter % 4) {
-    case 0:
-      return {c, s};
-    case 1:
-      return {-s, c};
-    case 2:
-      return {-c, -s};
-    default:
-      return {s, -c};
-  }
 }
 
 std::uint32_t addPoint(const Vector3d& point, TriangleMesh& mesh) {
@@ -52,10 +39,37 @@ void joinRings(const std::vector<std::uint32_t>& from, const std::vector<std::ui
   }
 }
 
-/// Returns an outline of (distance from the axis, height), turned round the axis z in kSides steps;
-/// counter-clockwise, distance to the right. [m] Where the distance is 0, the outline may begin and
-/// end; else it is a closed one. Distances grow by sqrt(x / sin x), x = 2 pi / kSides, so that the
-/// volume is exactly the round body's.
+/// Returns the mass properties of a body around the origin, by its volume [m^3] and the mean
+/// squares of its coordinates [m^2].
+MassProperties around(double volume, const Vector3d& squares) {
+  MassProperties body{volume, volume};
+  body.inertia = (volume * (Vector3d::Constant(squares.sum()) - squares)).asDiagonal();
+  return body;
+}
+
+MassProperties cylinder(double radius, double height) {
+  const double square = radius * radius;
+  return around(kPi.high * square * height, {square / 4, square / 4, height * height / 12});
+}
+
+}  // namespace
+
+Vector2d onCircle(int i, int sides) {
+  const int quarter = sides / 4, within = i % quarter;
+  const double angle = 2 * kPi.high * within / sides;
+  const double c = cosine(angle), s = sine(angle);
+  switch (i / quarter % 4) {
+    case 0:
+      return {c, s};
+    case 1:
+      return {-s, c};
+    case 2:
+      return {-c, -s};
+    default:
+      return {s, -c};
+  }
+}
+
 TriangleMesh turnedRound(std::span<const Vector2d> outline) {
   TriangleMesh mesh;
   const double growth = growthOf(kSides);
@@ -77,21 +91,6 @@ TriangleMesh turnedRound(std::span<const Vector2d> outline) {
   }
   return mesh;
 }
-
-/// Returns the mass properties of a body around the origin, by its volume [m^3] and the mean
-/// squares of its coordinates [m^2].
-MassProperties around(double volume, const Vector3d& squares) {
-  MassProperties body{volume, volume};
-  body.inertia = (volume * (Vector3d::Constant(squares.sum()) - squares)).asDiagonal();
-  return body;
-}
-
-MassProperties cylinder(double radius, double height) {
-  const double square = radius * radius;
-  return around(kPi.high * square * height, {square / 4, square / 4, height * height / 12});
-}
-
-}  // namespace
 
 SolidPiece prismOf(std::span<const Vector2d> outline, double height) {
   TriangleMesh mesh;
@@ -175,13 +174,16 @@ void addMoved(const SolidPiece& piece, const Vector3d& place, SolidPiece& into) 
     all.triangles.push_back({first + a, first + b, first + c});
 }
 
-SolidPiece alongAxis(SolidPiece piece, int thirds) {
-  Eigen::Matrix3d third;  // z becomes x, x becomes y
-  third << 0, 0, 1, 1, 0, 0, 0, 1, 0;
+TriangleMesh alongAxis(TriangleMesh mesh, int thirds) {
   for (int i = 0; i < thirds; ++i) {
-    for (Vector3d& point : piece.surface.points) point = third * point;
-    piece.properties = moved(piece.properties, third, {0, 0, 0});
+    for (Vector3d& point : mesh.points) point = kThird * point;
   }
+  return mesh;
+}
+
+SolidPiece alongAxis(SolidPiece piece, int thirds) {
+  piece.surface = alongAxis(std::move(piece.surface), thirds);
+  for (int i = 0; i < thirds; ++i) piece.properties = moved(piece.properties, kThird, {0, 0, 0});
   return piece;
 }
 

@@ -19,6 +19,16 @@ SolidPiece cuboidOf(const Eigen::Vector3d& size);
 /// origin, as a prism of that height around z = 0. [m]
 SolidPiece prismOf(std::span<const Eigen::Vector2d> outline, double height);
 
+/// Returns point `i` of a circle of radius 1, exactly mirrored in both axes; `sides` is a multiple
+/// of 4.
+Eigen::Vector2d onCircle(int i, int sides);
+
+/// Returns an outline of (distance from the axis, height), turned round the axis z in kSides steps;
+/// counter-clockwise, distance to the right. [m] Where the distance is 0, the outline may begin and
+/// end; else it is a closed one. Distances grow by sqrt(x / sin x), x = 2 pi / kSides, so that the
+/// volume is exactly the round body's.
+TriangleMesh turnedRound(std::span<const Eigen::Vector2d> outline);
+
 /// Returns a cylinder around the axis z and around the origin. [m]
 SolidPiece cylinderOf(double radius, double height);
 /// Returns a cylinder like that, with a bore along its axis. [m]
@@ -30,7 +40,8 @@ SolidPiece ellipsoidOf(const Eigen::Vector3d& size);
 
 /// Adds a solid, moved by `place`. [m]
 void addMoved(const SolidPiece& piece, const Eigen::Vector3d& place, SolidPiece& into);
-/// Returns the solid turned by thirds, so that its axis z becomes x (1) or y (2).
+/// Return a solid or a surface turned by thirds, so that its axis z becomes x (1) or y (2).
 SolidPiece alongAxis(SolidPiece piece, int thirds);
+TriangleMesh alongAxis(TriangleMesh mesh, int thirds);
 
 }  // namespace rotatebook::body

@@ -11,9 +11,9 @@
 namespace rotatebook::geometry {
 
 /// The highest MeshVertex::surfaceId.
-inline constexpr int kMaxSurfaceId = 18;
+inline constexpr int kMaxSurfaceId = 243;
 
-/// A vertex, laid out as book.vert reads it.
+/// A vertex, laid out as body.vert reads it.
 struct MeshVertex {
   Eigen::Vector3f position;  ///< In the unit cube.
   /// Outward, as a covector of the cube: the cofactors of the map to the world turn it into the
@@ -21,7 +21,9 @@ struct MeshVertex {
   Eigen::Vector3f normal;
   Eigen::Vector2f texCoord;  ///< v points up.
   float skyVisibility = 1;   ///< Share of the surroundings that lights this position. [0 to 1]
-  float surfaceId = 0;       ///< Number of the smooth side it belongs to, 1 to kMaxSurfaceId.
+  /// Number of the smooth side it belongs to, 1 to kMaxSurfaceId; a triangle has that of its last
+  /// vertex.
+  float surfaceId = 0;
 };
 
 /// A row of squares of a part's roundings, rims or hinges. It is seldom wider than a pixel, and

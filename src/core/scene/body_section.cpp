@@ -119,7 +119,8 @@ TomlNode* nodeAt(TomlNode* node, std::string_view key) {
 
 void includeMesh(TomlNode& root, const ReadNamedFile& readNamedFile) {
   TomlNode* node = nodeAt(nodeAt(&root, "body"), "mesh");
-  if (node == nullptr) return;
+  // A record of a clip has the numbers already
+  if (node == nullptr || std::holds_alternative<TomlNode::Table>(node->value)) return;
   const auto* name = std::get_if<std::string>(&node->value);
   if (name == nullptr || !body::isMeshName(*name)) {
     document::failAt(node->location,

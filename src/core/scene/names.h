@@ -60,6 +60,11 @@ inline constexpr std::array<Named<ReferenceFrame>, 3> kFrames{{
     {"momentum", ReferenceFrame::Momentum},
 }};
 
+inline constexpr std::array<Named<Fit>, 2> kFits{{
+    {"all", Fit::All},
+    {"each", Fit::Each},
+}};
+
 inline constexpr std::array<Named<Follow>, 2> kFollows{{
     {"none", Follow::None},
     {"size", Follow::Size},

@@ -61,6 +61,12 @@ enum class Follow {
   Size,  ///< It draws back when the body grows; see timeline::CameraDistances.
 };
 
+/// The bodies of panels for which the camera has one distance.
+enum class Fit {
+  All,   ///< All: they are shown in their proportions.
+  Each,  ///< Each has its own, in proportion to its size: all are shown equally large.
+};
+
 /// [camera]: a perspective camera.
 struct CameraSettings {
   Eigen::Vector3d position{0, 0, 1};  ///< [m]
@@ -72,6 +78,7 @@ struct CameraSettings {
   /// The reference frame that the camera turns with; position, target and up are along its axes.
   ReferenceFrame frame = ReferenceFrame::World;
   Follow follow = Follow::None;
+  Fit fit = Fit::All;
 
   friend bool operator==(const CameraSettings&, const CameraSettings&) = default;
 };

@@ -31,10 +31,10 @@ struct BodyPart {
 
 /// A file's mesh, as far as a motion depends on it.
 struct MeshFile {
-  std::string name{};                                 ///< The file; empty for no mesh.
-  double unit = 1;                                    ///< Of its lengths. [m]
-  double volume = 0;                                  ///< Of its unit, > 0.
-  Eigen::Vector3d size{0, 0, 0};                      ///< Of the box around it, in its unit.
+  std::string name{};             ///< The file; empty for no mesh.
+  double unit = 1;                ///< Of its lengths. [m]
+  double volume = 0;              ///< Of its unit, > 0.
+  Eigen::Vector3d size{0, 0, 0};  ///< Of the box around its centre, in its unit.
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< Of density 1, about the centre.
 
   friend bool operator==(const MeshFile&, const MeshFile&) = default;

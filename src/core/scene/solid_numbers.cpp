@@ -1,6 +1,7 @@
 #include "scene/solid_numbers.h"
 
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "base/elementary.h"
@@ -17,20 +18,14 @@ using body::TriangleMesh;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-/// A box around all points that are added.
-struct Box {
-  Vector3d low{0, 0, 0}, high{0, 0, 0};
-  bool isEmpty = true;
-
-  void add(const TriangleMesh& mesh) {
-    for (const Vector3d& point : mesh.points) {
-      low = isEmpty ? point : low.cwiseMin(point);
-      high = isEmpty ? point : high.cwiseMax(point);
-      isEmpty = false;
-    }
+/// Returns the box around meshes whose middle is `centre`: the centre of mass.
+Vector3d boxAround(const Vector3d& centre, std::span<const TriangleMesh> meshes) {
+  Vector3d half = Vector3d::Zero();
+  for (const TriangleMesh& mesh : meshes) {
+    for (const Vector3d& point : mesh.points) half = half.cwiseMax((point - centre).cwiseAbs());
   }
-  Vector3d size() const { return high - low; }
-};
+  return 2 * half;
+}
 
 Matrix3d rotationOf(const Turn& turn) {
   const double c = cosine(turn.angle), s = sine(turn.angle);
@@ -51,12 +46,12 @@ MassProperties multiplied(MassProperties properties, double factor) {
 SolidNumbers numbersOfParts(const std::vector<BodyPart>& parts) {
   // Take away last, so that all sums before are bodies
   std::vector<MassProperties> added, taken;
-  Box box;
+  std::vector<TriangleMesh> surfaces;
   for (const BodyPart& part : parts) {
     const body::SolidPiece piece = placed(part);
     const double density = part.density.value_or(body::findShape(part.shape)->density);
     MassProperties one = multiplied(piece.properties, density);
-    if (density > 0) box.add(piece.surface);
+    if (density > 0) surfaces.push_back(piece.surface);
     if (density < 0) one.volume = -one.volume;
     (density < 0 ? taken : added).push_back(one);
   }
@@ -65,7 +60,7 @@ SolidNumbers numbersOfParts(const std::vector<BodyPart>& parts) {
   MassProperties sum = added.front();
   for (std::size_t i = 1; i < added.size(); ++i) sum = sumOf(sum, added[i]);
   for (const MassProperties& one : taken) sum = sumOf(sum, one);
-  return {sum, box.size()};
+  return {sum, boxAround(sum.centre, surfaces)};
 }
 
 /// Sets products of inertia that rounding alone makes to 0, so that a spin about an axis of a
@@ -101,6 +96,26 @@ body::SolidPiece placed(const BodyPart& part) {
   return piece;
 }
 
+body::Surface surfaceOf(const Solid& solid) {
+  body::Surface surface;
+  for (const BodyPart& part : solid.parts) {
+    if (part.density && *part.density < 0) continue;
+    body::Surface look = body::findShape(part.shape)->look(part.lengths);
+    const Matrix3d rotation = part.turn ? rotationOf(*part.turn) : Matrix3d::Identity();
+    for (Vector3d& point : look.mesh.points) point = rotation * point + part.place;
+    addSurface(look, surface);
+  }
+  const Vector3d centre = numbersOfParts(solid.parts).properties.centre;
+  for (Vector3d& point : surface.mesh.points) point -= centre;
+  return surface;
+}
+
+body::Surface surfaceOf(const Solid& solid, body::Surface file) {
+  const Vector3d centre = body::massPropertiesOf(file.mesh, 1).centre;
+  for (Vector3d& point : file.mesh.points) point = (point - centre) * solid.mesh.unit;
+  return file;
+}
+
 SolidNumbers numbersOf(const Solid& solid) {
   SolidNumbers numbers = solid.mesh.name.empty()
                              ? numbersOfParts(solid.parts)
@@ -115,9 +130,7 @@ SolidNumbers numbersOf(const Solid& solid) {
 MeshFile meshFileOf(const std::string& name, const TriangleMesh& mesh) {
   body::requireClosed(mesh);
   const MassProperties properties = body::massPropertiesOf(mesh, 1);
-  Box box;
-  box.add(mesh);
-  return {name, 1, properties.volume, box.size(), properties.inertia};
+  return {name, 1, properties.volume, boxAround(properties.centre, {&mesh, 1}), properties.inertia};
 }
 
 }  // namespace rotatebook::scene

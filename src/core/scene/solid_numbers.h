@@ -5,6 +5,7 @@
 
 #include "body/mass_properties.h"
 #include "body/solid_piece.h"
+#include "body/surface.h"
 #include "scene/solid.h"
 
 namespace rotatebook::scene {
@@ -13,7 +14,7 @@ namespace rotatebook::scene {
 struct SolidNumbers {
   /// Along the axes of the solid, with its centre as it is placed; that of a mesh is 0.
   body::MassProperties properties;
-  Eigen::Vector3d size{0, 0, 0};  ///< Of the box around it. [m]
+  Eigen::Vector3d size{0, 0, 0};  ///< Of the box around it whose middle is its centre. [m]
 };
 
 /// Returns the mass properties of a solid that isn't the book: sums of its parts', also where they
@@ -23,6 +24,12 @@ SolidNumbers numbersOf(const Solid& solid);
 
 /// Returns a part in its place, of density 1. [m] Throws InputError if its lengths don't fit.
 body::SolidPiece placed(const BodyPart& part);
+
+/// Returns the looks of a solid's parts, but for those that take away, around its centre of mass.
+/// [m]
+body::Surface surfaceOf(const Solid& solid);
+/// Likewise of a solid that is the mesh of a file: `file` is what body::readSurface() made of it.
+body::Surface surfaceOf(const Solid& solid, body::Surface file);
 
 /// Returns the numbers of a welded mesh, in its own unit. Throws InputError if it isn't closed or
 /// encloses no volume.

@@ -1,7 +1,6 @@
 // Locations in a scene of what can prove wrong only when files and fonts are opened.
 #pragma once
 
-#include <algorithm>
 #include <concepts>
 #include <cstddef>
 #include <string>
@@ -44,20 +43,6 @@ auto atLocationOf(const Scene& scene, std::string_view key, const Work& work) {
   } catch (const InputError& error) {
     throw InputError(locationOf(scene, key) + ": " + error.what());
   }
-}
-
-/// Returns whether all bodies are the book, which is all that pictures show.
-inline bool areAllBooks(const Scene& scene) {
-  return std::ranges::all_of(motionsOf(scene),
-                             [](const Motion& motion) { return motion.solid.isBook(); });
-}
-
-/// Throws InputError with the location of [body], or of the panels, unless areAllBooks().
-inline void requireBook(const Scene& scene) {
-  if (areAllBooks(scene)) return;
-  throw InputError(locationOf(scene, scene.panels.empty() ? "body" : "panel") +
-                   ": pictures show the book alone, and this body is another; `simulate`, `spin`, "
-                   "`study` and `map` work with it");
 }
 
 }  // namespace rotatebook::scene

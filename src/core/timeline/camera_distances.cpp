@@ -16,22 +16,23 @@ double reachOf(const physics::Cage& cage) {
 }
 
 /// Returns how large a body may become before the camera draws back: up to the edge of the picture,
-/// and at least as the default camera leaves room. [m]
-double roomFor(const scene::Scene& scene, const physics::Cuboid& body, double targetDistance) {
+/// and at least as the default camera leaves room. [m] `share`: of the camera's distance.
+double roomFor(const scene::Scene& scene, const physics::Cuboid& body, double targetDistance,
+               double share) {
   // In panels the angle of view is over the shorter side.
   const bool panels = !scene.panels.empty();
   const double inView =
       radiusInView(scene.camera, panels ? 1 : scene.clip.width, panels ? 1 : scene.clip.height);
-  return std::max(inView, scene::kRoomAround * (targetDistance + reachOf(body.corners())));
+  return std::max(share * inView, scene::kRoomAround * (targetDistance + reachOf(body.corners())));
 }
 
 /// Returns, for each frame, the logarithm of the multiple that keeps the body in view, which comes
 /// back slowly after a body that shrinks; 0 as long as it has room.
 std::vector<double> neededLogarithms(const scene::Scene& scene, const scene::Panel& panel,
-                                     const ClipMotion& motion, std::size_t index) {
+                                     const ClipMotion& motion, std::size_t index, double share) {
   const auto& samples = motion.trajectories()[index].samples;
   const double targetDistance = scene.camera.target.norm();
-  const double room = roomFor(scene, panel.body, targetDistance);
+  const double room = roomFor(scene, panel.body, targetDistance, share);
   const double comesBack = logarithm(2) * scene.clip.frameRate.period() / kHalving;
   std::vector<double> needed;
   double before = 0;
@@ -63,14 +64,29 @@ std::vector<double> eased(const std::vector<double>& logarithms, std::int64_t re
   return multiples;
 }
 
+/// Returns each body's size as a share of the largest one's.
+std::vector<double> sharesOf(const std::vector<scene::Panel>& panels) {
+  std::vector<double> shares;
+  for (const scene::Panel& panel : panels) shares.push_back(panel.body.size.norm());
+  const double largest = *std::ranges::max_element(shares);
+  for (double& share : shares) share /= largest;
+  return shares;
+}
+
 }  // namespace
 
+double distanceAtRest(const scene::Scene& scene, std::size_t motion) {
+  return scene.camera.fit == scene::Fit::Each ? sharesOf(scene::motionsOf(scene))[motion] : 1;
+}
+
 CameraDistances::CameraDistances(const scene::Scene& scene, const ClipMotion& motion) {
-  if (scene.camera.follow == scene::Follow::None) return;
   const std::vector<scene::Panel> panels = scene::motionsOf(scene);
+  if (scene.camera.fit == scene::Fit::Each) shares_ = sharesOf(panels);
+  if (scene.camera.follow == scene::Follow::None) return;
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    multiples_.push_back(
-        eased(neededLogarithms(scene, panels[i], motion, i), scene.clip.frameRate.framesIn(kEase)));
+    const double share = shares_.empty() ? 1 : shares_[i];
+    multiples_.push_back(eased(neededLogarithms(scene, panels[i], motion, i, share),
+                               scene.clip.frameRate.framesIn(kEase)));
   }
 }
 

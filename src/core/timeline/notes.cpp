@@ -29,7 +29,7 @@ void addTiltNote(const scene::Motion& motion, std::vector<std::string>& notes) {
 
 void addSizeNote(const scene::Motion& motion, std::vector<std::string>& notes) {
   const double size = motion.body.largestDimension();
-  if (size <= kLargeBody) return;
+  if (size <= kLargeBody || motion.solid.isShape) return;
   notes.push_back("the body is " + roundedText(size, kDigits) +
                   " m long; numbers without a unit are in metres: a centimetre is \"1 cm\"");
 }

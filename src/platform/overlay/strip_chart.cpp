@@ -165,7 +165,10 @@ class StripChart final : public DrawnOverlay {
     const double end = scene::timeAt(context_.scene, frames);
     const double y = std::round(plot_.bottom() + 0.15 * padding);
     const Layer last =
-        writer.set(context_.scene.overlay.words.number(roundedText(end, 3)) + " s", kGrey);
+        writer.set(context_.scene.overlay.words.number(
+                       end < 1e3 ? roundedText(end, 3) : std::to_string(std::lround(end))) +
+                       " s",
+                   kGrey);
     writer.write(last, {plot_.right() - last.width, y});
     return canvas.take();
   }

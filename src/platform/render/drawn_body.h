@@ -1,6 +1,7 @@
 // A body as OpenGL has drawn it.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
@@ -15,7 +16,8 @@ namespace rotatebook::render {
 /// A body drawn with one sample a pixel and nothing behind it, with what is needed to compose a
 /// picture of it.
 struct DrawnBody {
-  image::Image pixels;  ///< Rgba8; alpha: MeshVertex::surfaceId, or 0 where nothing was drawn.
+  std::size_t look = 0;  ///< Index of its look.
+  image::Image pixels;   ///< Rgba8; alpha: MeshVertex::surfaceId, or 0 where nothing was drawn.
   std::vector<geometry::PixelRect> bands{};  ///< The valid areas of `pixels`. [pixels]
   physics::Cage cage{};                      ///< World. [m]
   Eigen::Matrix4d clipFromWorld{};           ///< Clip y points down.

@@ -1,26 +1,29 @@
-// Draws the book in its deformation cage of eight corners.
+// Draws bodies in their deformation cages of eight corners.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
+#include <variant>
+#include <vector>
 
 #include "base/rgb.h"
 #include "geometry/book_mesh.h"
 #include "geometry/camera.h"
 #include "image/image.h"
 #include "physics/cuboid.h"
-#include "render/compositor.h"
+#include "render/book_textures.h"
 #include "render/device/device.h"
 #include "render/drawn_body.h"
 
 namespace rotatebook::render {
 
-/// Backgrounds behind the book.
+/// Backgrounds behind the body.
 enum class Background {
   Studio,       ///< A quiet, dark wall, brightest behind the book.
   Stars,        ///< A night sky.
-  Transparent,  ///< Nothing: alpha is the pixel coverage of the book.
+  Transparent,  ///< Nothing: alpha is the pixel coverage of the body.
   Plain,        ///< RenderSettings::plainColour throughout.
 };
 
@@ -36,29 +39,24 @@ struct RenderSettings {
   /// Rows at the bottom that the camera's view leaves free. 0 to below `height`. [pixels]
   int bottomRows = 0;
   geometry::Camera camera;
-  geometry::MeshDetail detail = geometry::MeshDetail::Full;
+  geometry::MeshDetail detail = geometry::MeshDetail::Full;  ///< Of the book.
   DeviceChoice device{};
 };
 
-/// The pictures on the book's cover, each upright to a viewer of its side. One of a single pixel is
-/// plain cloth, in which no gold is stamped, whatever its colour.
-struct BookTextures {
-  image::Image front, spine, back;
-};
+struct SurfaceLook;
 
-/// Return the parts of the built-in cover.
-image::Image builtinFront();
-image::Image builtinSpine();
-image::Image builtinBack();
-/// Returns the picture of a side of plain cloth.
-image::Image plainCloth(const Rgb& colour);
+/// The look of a body: the book with its cover, or any surface.
+using BodyLook = std::variant<BookTextures, std::shared_ptr<const SurfaceLook>>;
 
 /// Owns an OpenGL context. Create, use and destroy it on one thread, one at a time in a process. A
-/// picture depends on nothing but the settings, the textures and the cage.
+/// picture depends on nothing but the settings, the look and the cage.
 class Renderer {
  public:
-  /// Throws MachineError if settings.device gives no OpenGL 3.3, or one that draws nothing;
-  /// InputError if that device doesn't exist, or a size or texture is too large for it.
+  /// Draws the bodies of one or more looks. Throws MachineError if settings.device gives no
+  /// OpenGL 3.3, or one that draws nothing; InputError if that device doesn't exist, or a size or
+  /// texture is too large for it.
+  Renderer(const RenderSettings& settings, const std::vector<BodyLook>& looks);
+  /// Likewise of the book alone.
   Renderer(const RenderSettings& settings, const BookTextures& textures);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
@@ -69,24 +67,27 @@ class Renderer {
 
   /// Returns a picture of the right size and format for draw().
   image::Image makePicture() const;
-  /// Draws the book in this cage (world [m]) and the background over all of `picture`, from
+  /// Draws the first body in this cage (world [m]) and the background over all of `picture`, from
   /// makePicture().
   /// Alpha is straight, and 255 throughout unless the background is transparent.
   /// Throws MachineError if OpenGL reports an error.
   void draw(const physics::Cage& cage, image::Image& picture);
+  /// Likewise the body of that look.
+  void draw(std::size_t look, const physics::Cage& cage, image::Image& picture);
 
-  /// Draws the book alone, the first of two steps. The second, compositor().compose(), may run on
-  /// another thread while this one draws the next frame into another body. `body`: from makeBody().
+  /// Draws the body alone, the first of two steps. The second, compose(), may run on another thread
+  /// while this one draws the next frame into another body. `body`: from makeBody().
   void draw(const physics::Cage& cage, DrawnBody& body);
-  DrawnBody makeBody() const;
-  /// Draws the book in each of `cages`, as `cameras` with the same index has it, into the body with
-  /// the same index, from makeBody(). OpenGL waits once for all of them, which is faster where they
-  /// are small. Throws like draw().
+  /// Returns a body of that look to draw.
+  DrawnBody makeBody(std::size_t look = 0) const;
+  /// Draws each of `bodies` in its cage, as `cameras` with the same index has it. OpenGL waits once
+  /// for all of them, which is faster where they are small. Throws like draw().
   void draw(std::span<const physics::Cage> cages, std::span<const geometry::Camera> cameras,
             std::span<DrawnBody> bodies);
-  Compositor& compositor();
+  /// Composes a drawn body over the background. See Compositor.
+  void compose(const DrawnBody& body, image::Image& picture);
 
-  /// Draws a small test frame, in which every pixel of the book is computed as in frames, and
+  /// Draws a small test frame, in which every pixel of a body is computed as in frames, and
   /// returns its checksum. It depends on the driver and the processor alone, and on the background
   /// of the settings: renderers of one description may draw other pixels, and have another checksum
   /// then. Throws MachineError if OpenGL reports an error.

@@ -39,14 +39,14 @@ const std::map<std::string, Room> kRooms{
     {"recording", {"core", {"base", "rigid"}, {"Eigen/"}}},
     {"physics", {"core", {"base", "rigid", "recording"}, {"Eigen/"}}},
     {"ensemble", {"core", {"base", "rigid", "physics"}, {"Eigen/"}}},
-    {"geometry", {"core", {"base", "physics"}, {"Eigen/"}, {"rigid"}}},
+    {"geometry", {"core", {"base", "body", "physics"}, {"Eigen/"}, {"rigid"}}},
     {"document", {"core", {"base"}, {"toml++/"}}},
     {"scene", {"core", {"base", "rigid", "recording", "body", "physics", "document"}, {"Eigen/"}}},
     {"timeline", {"core", {"base", "rigid", "physics", "geometry", "scene"}, {"Eigen/"}}},
     {"study", {"core", {"base", "rigid", "physics", "ensemble", "scene", "timeline"}, {}}},
     {"bridge",
      {"browser",
-      {"base", "physics", "geometry", "document", "scene", "timeline"},
+      {"base", "body", "physics", "geometry", "document", "scene", "timeline"},
       {"Eigen/"},
       {"rigid"}}},
     {"system", {"platform", {"base"}, {}}},
@@ -55,7 +55,10 @@ const std::map<std::string, Room> kRooms{
       {"base", "system"},
       {"isa-l.h", "jerror.h", "jpeglib.h", "png.h", "webp/", "zlib.h"}}},
     {"render",
-     {"platform", {"base", "physics", "geometry", "image"}, {"Eigen/", "epoxy/"}, {"rigid"}}},
+     {"platform",
+      {"base", "body", "physics", "geometry", "image"},
+      {"Eigen/", "epoxy/"},
+      {"rigid"}}},
     {"overlay",
      {"platform",
       {"base", "rigid", "physics", "scene", "system", "image"},
@@ -63,8 +66,8 @@ const std::map<std::string, Room> kRooms{
     {"video", {"platform", {"base", "system", "image"}, {"libav", "libswscale/"}}},
     {"picture",
      {"app",
-      {"base", "physics", "geometry", "scene", "timeline", "study", "system", "image", "render",
-       "overlay"},
+      {"base", "body", "physics", "geometry", "scene", "timeline", "study", "system", "image",
+       "render", "overlay"},
       {"Eigen/"},
       {"rigid"}}},
     {"store",
@@ -250,7 +253,7 @@ TEST(IncludeRules, AntialiasingKnowsNoBook) {
   std::size_t seen = 0;
   for (const fs::path& file : filesBelow(kSource / "platform/render/antialias")) {
     for (const Include& include : includesOf(file, "render")) {
-      EXPECT_FALSE(include.header.starts_with("render/book/")) << file << ": " << include.header;
+      EXPECT_FALSE(include.header.starts_with("render/body/")) << file << ": " << include.header;
       ++seen;
     }
   }

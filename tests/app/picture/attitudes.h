@@ -1,7 +1,7 @@
 // A check that a book is seen whole, however it is turned.
 #pragma once
 
-#include "picture/textures.h"
+#include "picture/looks.h"
 #include "scene/scene.h"
 
 namespace rotatebook::picture::testing {

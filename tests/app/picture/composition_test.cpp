@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "image/golden.h"
-#include "picture/textures.h"
+#include "picture/looks.h"
 #include "scene/scene_text.h"
 #include "timeline/scene_camera.h"
 #include "timeline/simulate_scene.h"

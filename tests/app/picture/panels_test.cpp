@@ -69,7 +69,7 @@ TEST(Panels, EachShowTheirMotionsSample) {
   {
     const PanelGrid grid = panelGrid(2, 128, 72);
     render::Renderer renderer =
-        makeRenderer(scene, {grid.width, grid.height, 0}, loadTextures(scene).pictures);
+        makeRenderer(scene, {grid.width, grid.height, 0}, loadLooks(scene).looks);
     for (const auto& trajectory : motion.trajectories()) {
       expected.push_back(renderer.makePicture());
       renderer.draw(trajectory.samples[3].cage, expected.back());

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <variant>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -111,7 +112,8 @@ TEST(Textures, AreThoseOfTheSceneEachOnItsSide) {
   writeColour(folder / "b.png", 0, 0, 255);
   scene::Scene scene = smallScene({"book.front=f.png", "book.spine=s.png", "book.back=b.png"});
   scene.folder = folder;
-  const render::BookTextures textures = picture::loadTextures(scene).pictures;
+  const render::BookTextures textures =
+      std::get<render::BookTextures>(picture::loadLooks(scene).looks.at(0));
   EXPECT_THAT(std::vector(textures.front.row(0), textures.front.row(0) + 3),
               ElementsAre(255, 0, 0));
   EXPECT_THAT(std::vector(textures.spine.row(0), textures.spine.row(0) + 3),
@@ -120,7 +122,8 @@ TEST(Textures, AreThoseOfTheSceneEachOnItsSide) {
 }
 
 TEST(Textures, AreTheBuiltInOnesByDefault) {
-  const render::BookTextures textures = picture::loadTextures(smallScene()).pictures;
+  const render::BookTextures textures =
+      std::get<render::BookTextures>(picture::loadLooks(smallScene()).looks.at(0));
   EXPECT_EQ(textures.front, render::builtinFront());
   EXPECT_EQ(textures.spine, render::builtinSpine());
   EXPECT_EQ(textures.back, render::builtinBack());

@@ -14,7 +14,7 @@
 #include <gtest/gtest.h>
 
 #include "image/image.h"
-#include "picture/textures.h"
+#include "picture/looks.h"
 #include "pipeline/render_clip.h"
 #include "scene/scene.h"
 #include "scene/small_scene.h"

@@ -29,7 +29,7 @@ using pipeline::testing::smallScene;
 using ::testing::HasSubstr;
 
 Manifest::Entries madeOf(const scene::Scene& scene, const Drawing& drawing = {"r", "t"}) {
-  return fingerprint(scene, picture::loadTextures(scene).checksums, drawing);
+  return fingerprint(scene, picture::loadLooks(scene).checksums, drawing);
 }
 
 TEST(Fingerprint, ChangesWithAllThatFramesDependOn) {

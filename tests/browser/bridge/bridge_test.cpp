@@ -345,5 +345,39 @@ TEST(Bridge, HasTheBooksMesh) {
   }
 }
 
+TEST(Bridge, HasTheMeshesOfOtherBodies) {
+  read(0, kScene);
+  EXPECT_EQ(taken(rb_body(0, 0)), "null") << "the book";
+  EXPECT_LT(rb_body(0, 1), 0) << "no such motion";
+  read(0, "[body]\nshape = \"t-handle\"\n[initial]\nangular_velocity = [4, 0, 0]\n");
+  const std::string json = taken(rb_body(0, 0));
+  EXPECT_THAT(json, HasSubstr("\"parts\": [{\"first\": 0, "));
+  const std::size_t vertices = std::stoul(json.substr(json.find(':') + 1));
+  EXPECT_GT(vertices, 1000U);
+  for (std::size_t i = 0; i < vertices; ++i) {
+    EXPECT_GE(rb_body_vertices()[10 * i], -1e-6) << "position in the unit cube";
+    EXPECT_LE(rb_body_vertices()[10 * i], 1 + 1e-6);
+  }
+  for (std::size_t i = 0; i < 300; ++i) EXPECT_LT(rb_body_indices()[i], vertices);
+}
+
+TEST(Bridge, ReadsMeshesThatItWasGiven) {
+  constexpr std::string_view kName = "a.obj";
+  constexpr std::string_view kTetrahedron =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  constexpr std::string_view kBody =
+      "[body]\nmesh = \"a.obj\"\ndensity = 1\n[initial]\nangular_velocity = [4, 0, 0]\n";
+  EXPECT_LT(rb_read(0, put(kBody)), 0);
+  put(std::string(kName) + std::string(kTetrahedron));
+  ASSERT_EQ(rb_file(kName.size(), kTetrahedron.size()), 0);
+  read(0, kBody);
+  EXPECT_THAT(taken(rb_body(0, 0)), HasSubstr("\"vertices\": 12, \"indices\": 12"));
+  // Of a record, which has the numbers alone, a box is drawn
+  const std::string record = taken(rb_scene_text(0));
+  ASSERT_EQ(rb_file(0, 0), 0);
+  read(0, record);
+  EXPECT_THAT(taken(rb_body(0, 0)), HasSubstr("\"indices\": 48"));
+}
+
 }  // namespace
 }  // namespace rotatebook::bridge

@@ -30,13 +30,13 @@ class Core {
     this.module.HEAPU8.set(bytes, this.buffer);
     return bytes.length;
   }
-  /** Takes the recordings that a scene names, in place of all others. */
+  /** Takes the recordings and the mesh that a scene names, in place of all others. */
   takeFiles(scene, folder) {
     this.text(this.module._rb_file(0, 0));
-    for (const [, name] of scene.matchAll(/^simulation\.file = "(.*)"$/gm)) {
-      const text = fs.readFileSync(path.join(folder, name), "utf8");
-      this.put(name + text);
-      this.text(this.module._rb_file(Buffer.byteLength(name), Buffer.byteLength(text)));
+    for (const [, name] of scene.matchAll(/^(?:simulation\.file|mesh) = "(.*)"$/gm)) {
+      const bytes = fs.readFileSync(path.join(folder, name));
+      this.put(Buffer.concat([Buffer.from(name), bytes]));
+      this.text(this.module._rb_file(Buffer.byteLength(name), bytes.length));
     }
   }
   /** Returns the checksums of the scene's motions and of their tables. */

@@ -90,6 +90,34 @@ test("plays a dropped scene, and refuses a broken one with the words of check", 
   await close();
 });
 
+/** Returns the mean colour of what is drawn in the picture's middle. */
+const middleOf = (page) => page.evaluate(() => {
+  const {view} = rotatebook.player.drawing, gl = view.gl, pixels = new Uint8Array(4 * 16);
+  view.draw(rotatebook.player.drawing.books);
+  gl.readPixels(view.canvas.width >> 1, view.canvas.height >> 1, 4, 4, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
+  return [0, 1, 2].map((part) => pixels.filter((_, i) => i % 4 === part).reduce((sum, value) => sum + value) / 16);
+});
+
+test("makes a dropped mesh the body, and a dropped table the motion", async () => {
+  const {page, close, problems} = await open();
+  const box = [[-30, -50, -10], [30, -50, -10], [30, 50, -10], [-30, 50, -10], [-30, -50, 10], [30, -50, 10], [30, 50, 10], [-30, 50, 10]]
+    .map((point) => "v " + point.join(" ")).join("\n") + "\nf 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+  await drop(page, fileOf("box.obj", box));
+  await page.waitForFunction(() => rotatebook.player.scene.tree.body?.mesh === "box.obj");
+  assert.deepEqual((await sceneOf(page)).initial.angular_velocity, {about: "middle", value: 4});
+  await page.waitForFunction(() => rotatebook.player.drawing.view.bodies[0]);
+  const [red, green, blue] = await middleOf(page);
+  assert.ok(Math.min(red, green, blue) > 60 && Math.max(red, green, blue) - Math.min(red, green, blue) < 60, "it is grey, not the book's red");
+  await drop(page, fileOf("open.obj", box.replace("f 5 6 7 8\n", "")));
+  assert.match(await saying(page, /open\.obj: /), /close the hole/);
+  const table = "t,wx (rad/s),wy (rad/s),wz (rad/s)\n" + Array.from({length: 101}, (_, i) => `${i / 100},0,0,2`).join("\n") + "\n";
+  await drop(page, fileOf("spin.csv", table));
+  await page.waitForFunction(() => rotatebook.player.scene.tree.simulation?.file === "spin.csv");
+  assert.equal(await page.evaluate(() => rotatebook.player.drawing.view.bodies[0]), null);
+  assert.deepEqual(problems, []);
+  await close();
+});
+
 test("takes a file from its field, too", async () => {
   const {page, close} = await open();
   await page.locator("summary").click();

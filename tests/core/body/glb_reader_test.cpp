@@ -125,6 +125,56 @@ TEST(GlbReader, SaysWhatItCannotRead) {
               HasSubstr("nested deeper than 100"));
 }
 
+/// Returns the box with a material, and with texture coordinates that are its positions.
+std::string boxWithMaterial(const std::string& material, const std::string& image) {
+  std::string json = std::string("{\"nodes\": [{\"mesh\": 0}],") + kAccessors;
+  const auto replace = [&json](const std::string& from, const std::string& to) {
+    json.replace(json.find(from), from.size(), to);
+  };
+  replace("\"POSITION\": 0", "\"POSITION\": 0, \"TEXCOORD_0\": 2");
+  replace("\"indices\": 1", "\"indices\": 1, \"material\": 1");
+  replace("\"type\": \"SCALAR\"}", R"("type": "SCALAR"},
+    {"bufferView": 2, "componentType": 5126, "count": 8, "type": "VEC2"})");
+  replace("\"byteLength\": 72}", R"("byteLength": 72},
+    {"buffer": 0, "byteLength": 96, "byteStride": 12}, {"buffer": 0, "byteOffset": 4, "byteLength": 4})");
+  json.pop_back();
+  return glb(json + R"(, "materials": [{}, {"pbrMetallicRoughness": )" + material +
+                 R"(}], "textures": [{"source": 0}], "images": [)" + image + "]}",
+             boxData());
+}
+
+TEST(GlbReader, ReadsMaterials) {
+  const Surface surface = readGlbSurface(boxWithMaterial(
+      R"({"baseColorFactor": [0.5, 0.25, 1, 1], "metallicFactor": 0, "roughnessFactor": 0.75,
+          "baseColorTexture": {"index": 0}})",
+      R"({"bufferView": 3, "mimeType": "image/png"})"));
+  ASSERT_EQ(surface.materials.size(), 3U);
+  const Material& material = surface.materials[surface.materialOf.at(0)];
+  EXPECT_EQ(material.baseColour, Eigen::Vector3f(0.5F, 0.25F, 1));
+  EXPECT_EQ(material.metalness, 0);
+  EXPECT_EQ(material.roughness, 0.75F);
+  EXPECT_EQ(material.baseColourImage, 0);
+  EXPECT_EQ(material.metalRoughnessImage, kNoImage);
+  ASSERT_EQ(surface.images.size(), 1U);
+  EXPECT_EQ(surface.images[0], boxData().substr(4, 4));
+  ASSERT_EQ(surface.texCoords.size(), surface.mesh.triangles.size());
+  const Eigen::Vector3d& corner = surface.mesh.points[surface.mesh.triangles[0][0]];
+  EXPECT_EQ(surface.texCoords[0][0], corner.head<2>().cast<float>().eval());
+}
+
+TEST(GlbReader, RefusesMaterialsThatAreNone) {
+  const auto messageFor = [](const std::string& material, const std::string& image) {
+    return messageOf([&] { readGlbSurface(boxWithMaterial(material, image)); });
+  };
+  const std::string kTexture = R"({"baseColorTexture": {"index": 0}})";
+  EXPECT_THAT(messageFor(R"({"metallicFactor": 2})", "{}"),
+              HasSubstr("material 1: metallicFactor isn't a number from 0 to 1"));
+  EXPECT_THAT(messageFor(R"({"baseColorFactor": [1, "a"]})", "{}"), HasSubstr("baseColorFactor"));
+  EXPECT_THAT(messageFor(R"({"baseColorTexture": {"index": 1}})", "{}"), HasSubstr("no number 1"));
+  EXPECT_THAT(messageFor(kTexture, R"({"uri": "a.png"})"), HasSubstr("is in another file"));
+  EXPECT_THAT(messageFor(kTexture, R"({"bufferView": 9})"), HasSubstr("no number 9"));
+}
+
 TEST(GlbReader, RefusesWhatIsNoGlb) {
   EXPECT_THAT(messageOf([] { readGlb(""); }), HasSubstr("not a .glb file"));
   EXPECT_THAT(messageOf([] { readGlb("glTF\x01\0\0\0\0\0\0\0"); }), HasSubstr("not a .glb file"));

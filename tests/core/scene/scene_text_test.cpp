@@ -129,6 +129,7 @@ up = [0.0, 1.0, 0.0]
 field_of_view_deg = 30.0  # degrees, from bottom to top
 frame = "world"  # "world", "body" or "momentum"
 follow = "none"  # "none" or "size"
+fit = "all"  # "all" or "each"
 
 [book]
 front = "builtin"  # "builtin" or a path relative to the scene's folder

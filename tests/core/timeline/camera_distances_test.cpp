@@ -100,6 +100,27 @@ TEST(CameraDistances, UseTheRoomOfAFartherCamera) {
   EXPECT_GT(distancesOf(near, growing(near, doubling)).back(), 1.8);
 }
 
+TEST(CameraDistances, AreInProportionToTheBodiesOfPanelsIfAsked) {
+  const std::string text =
+      "[initial]\nangular_velocity = [5, 3, 1]\n[clip]\nduration = 1\n"
+      "[[panel]]\nlabel = \"a\"\n[[panel]]\nlabel = \"b\"\nbody.shape = \"cards\"\n"
+      "body.dimensions = { x = 0.0939, y = 0.145425, z = 0.025 }\n";
+  const auto at = [](const scene::Scene& scene, std::size_t panel) {
+    return CameraDistances(scene, simulateScene(scene)).at(panel, 7);
+  };
+  const scene::Scene all = scene::parseScene(text, "a.toml");
+  EXPECT_EQ(at(all, 0), 1);
+  EXPECT_EQ(at(all, 1), 1);
+  for (const char* follow : {"none", "size"}) {
+    const scene::Scene each = scene::parseScene(
+        text, "a.toml",
+        std::vector<std::string>{"camera.fit=each", std::string("camera.follow=") + follow});
+    EXPECT_EQ(at(each, 0), 1);
+    EXPECT_NEAR(at(each, 1), 0.5, 1e-12);  // half as large in each direction; measured 0
+    EXPECT_EQ(distanceAtRest(each, 1), at(each, 1));
+  }
+}
+
 TEST(CameraDistances, GoOnWhileTheLastPictureIsHeld) {
   const ClipMotion motion = growing(kFollowing, exploding, true);
   const std::vector<double> distances = distancesOf(kFollowing, motion);

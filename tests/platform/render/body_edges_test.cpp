@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "render/book/book_geometry.h"
+#include "render/body/mesh_geometry.h"
 #include "render/drawing.h"
 
 namespace rotatebook::render {

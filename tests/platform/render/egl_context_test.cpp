@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "render/book/gl_handles.h"
+#include "render/gl/gl_handles.h"
 
 namespace rotatebook::render {
 namespace {

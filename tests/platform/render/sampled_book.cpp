@@ -1,6 +1,7 @@
 #include "render/sampled_book.h"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string_view>
 
@@ -8,11 +9,11 @@
 #include "geometry/book_mesh.h"
 #include "image/linear_accumulator.h"
 #include "image/png_file.h"
-#include "render/book/book_geometry.h"
-#include "render/book/frame_target.h"
-#include "render/book/shader_program.h"
-#include "render/book/texture.h"
+#include "render/body/mesh_geometry.h"
 #include "render/device/egl_context.h"
+#include "render/gl/frame_target.h"
+#include "render/gl/shader_program.h"
+#include "render/gl/texture.h"
 
 namespace rotatebook::render::testing {
 namespace {
@@ -57,9 +58,9 @@ struct SampledBook::Parts {
         everything{0, 0, settings.width, settings.height},
         context(settings.device),
         target(settings.width, settings.height),
-        cover("cover", {studioLights(), bookVertexShader()},
-              {{studioLights(), coverFragmentShader()}, toneCurveFragmentShader()}),
-        paper("paper", {studioLights(), bookVertexShader()},
+        cover("cover", {studioLights(), bodyVertexShader()},
+              {{studioLights(), studioShine(), coverFragmentShader()}, toneCurveFragmentShader()}),
+        paper("paper", {studioLights(), bodyVertexShader()},
               {paperFragmentShader(), toneCurveFragmentShader()}),
         oneSample("sample", wholePictureVertexShader(), {kOneSample}),
         geometry(geometry::makeBookMesh()),
@@ -97,7 +98,7 @@ struct SampledBook::Parts {
 
   void drawPart(geometry::BookPart part, const Texture& texture) const {
     texture.bind();
-    geometry.draw(part);
+    geometry.draw(static_cast<std::size_t>(part));
   }
 
   image::Image readBack() const {
@@ -112,7 +113,7 @@ struct SampledBook::Parts {
   FrameTarget target;
   std::optional<SampledTarget> sampled;  // Large; only if it is asked for.
   ShaderProgram cover, paper, oneSample;
-  BookGeometry geometry;
+  MeshGeometry geometry;
   Texture front, spine, back, leaves;
 };
 

@@ -1,4 +1,4 @@
-#include "render/book/shader_program.h"
+#include "render/gl/shader_program.h"
 
 #include <initializer_list>
 #include <string>
@@ -38,10 +38,11 @@ TEST(ShaderProgram, TakesShadersThatFit) {
 }
 
 TEST(ShaderProgram, TakesTheProgramsOwn) {
-  EXPECT_EQ(messageOf({studioLights(), bookVertexShader()},
-                      {{studioLights(), coverFragmentShader()}, toneCurveFragmentShader()}),
+  EXPECT_EQ(messageOf({studioLights(), bodyVertexShader()},
+                      {{studioLights(), studioShine(), coverFragmentShader()},
+                       toneCurveFragmentShader()}),
             "no error");
-  EXPECT_EQ(messageOf({studioLights(), bookVertexShader()},
+  EXPECT_EQ(messageOf({studioLights(), bodyVertexShader()},
                       {paperFragmentShader(), toneCurveFragmentShader()}),
             "no error");
   EXPECT_EQ(messageOf(wholePictureVertexShader(), {studioFragmentShader()}), "no error");

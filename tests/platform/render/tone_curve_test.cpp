@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 
 #include "embedded/render.h"
-#include "render/book/gl_handles.h"
-#include "render/book/shader_program.h"
 #include "render/device/egl_context.h"
+#include "render/gl/gl_handles.h"
+#include "render/gl/shader_program.h"
 
 namespace rotatebook::render {
 namespace {

@@ -1,8 +1,11 @@
 // A telephone: a plate with round corners in the plane x y; 168 g.
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "base/elementary.h"
 #include "base/error.h"
+#include "body/look_pieces.h"
 #include "body/shapes/shapes.h"
 #include "body/solid_pieces.h"
 
@@ -29,11 +32,47 @@ SolidPiece phoneSolid(std::span<const double> lengths) {
   return prismOf(outline, lengths[2]);
 }
 
+/// Returns a camera's lens, a disc in the plane of the back. [m]
+TriangleMesh lensAt(const Eigen::Vector2d& place, double radius, double z) {
+  TriangleMesh lens = roundedCylinder(radius, 0.0004, 0.0001);
+  return movedBy(std::move(lens), {place.x(), place.y(), z});
+}
+
+Surface phoneLook(std::span<const double> lengths) {
+  const Eigen::Vector2d size(lengths[0], lengths[1]);
+  const double corner = lengths[3], half = lengths[2] / 2,
+               edge = std::min(0.45 * half, 0.3 * corner);
+  const double raised = std::min(0.0004, 0.1 * half), back = half - raised;
+  // The band, and glass on both sides
+  std::vector<Layer> band = roundedLayers(lengths[2], edge);
+  band.front().z = -back;
+  Surface look = surfaceOf(plateOf(size, corner, band, false, false), aluminium(1));
+  const Layer front{half, edge}, behind{-back, edge};
+  addSurface(
+      surfaceOf(plateOf(size, corner, {&front, 1}, false, true), materialOf(0x0b0c0f, 0, 0.07F)),
+      look);
+  addSurface(
+      surfaceOf(plateOf(size, corner, {&behind, 1}, true, false), materialOf(0x1f3a52, 0, 0.14F)),
+      look);
+  const double lens = 0.095 * size.x();
+  for (const double y : {0.40, 0.29}) {
+    const Eigen::Vector2d place(-0.27 * size.x(), y * size.y());
+    addSurface(surfaceOf(lensAt(place, lens, -back), aluminium(1)), look);
+    addSurface(
+        surfaceOf(lensAt(place, 0.72 * lens, -back - raised / 4), materialOf(0x050608, 0, 0.06F)),
+        look);
+  }
+  return look;
+}
+
 }  // namespace
 
 Shape phone() {
-  return {
-      "phone", 2080, {{"x", 0.0715}, {"y", 0.1467}, {"z", 0.0078}, {"corner", 0.011}}, phoneSolid};
+  return {"phone",
+          2080,
+          {{"x", 0.0715}, {"y", 0.1467}, {"z", 0.0078}, {"corner", 0.011}},
+          phoneSolid,
+          phoneLook};
 }
 
 }  // namespace rotatebook::body::shapes

@@ -1,4 +1,5 @@
 // A T-handle: a bar along x, and a stem along y on its side.
+#include "body/look_pieces.h"
 #include "body/shapes/shapes.h"
 #include "body/solid_pieces.h"
 
@@ -13,10 +14,22 @@ SolidPiece tHandleSolid(std::span<const double> lengths) {
   return solid;
 }
 
+Surface tHandleLook(std::span<const double> lengths) {
+  const double radius = lengths[0], bar = lengths[1], stem = lengths[2], edge = 0.2 * radius;
+  Surface look = surfaceOf(alongAxis(roundedCylinder(radius, bar, edge), 1), aluminium(0));
+  const TriangleMesh along = alongAxis(roundedCylinder(0.98 * radius, stem, edge), 2);
+  addSurface(surfaceOf(movedBy(along, {0, radius + stem / 2, 0}), aluminium(1)), look);
+  return look;
+}
+
 }  // namespace
 
 Shape tHandle() {
-  return {"t-handle", 2700, {{"radius", 0.008}, {"bar", 0.12}, {"stem", 0.06}}, tHandleSolid};
+  return {"t-handle",
+          2700,
+          {{"radius", 0.008}, {"bar", 0.12}, {"stem", 0.06}},
+          tHandleSolid,
+          tHandleLook};
 }
 
 }  // namespace rotatebook::body::shapes

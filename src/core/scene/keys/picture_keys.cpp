@@ -311,6 +311,9 @@ const Keys<CameraSettings>& cameraKeys() {
           {.meaning = "the reference frame that the camera turns with"}),
       key("follow", &CameraSettings::follow, oneOf(kFollows),
           {.meaning = "size: the camera draws back when the body grows"}),
+      key("fit", &CameraSettings::fit, oneOf(kFits),
+          {.meaning =
+               "each: in panels each body is seen from a distance in proportion to its size"}),
   };
   return keys;
 }

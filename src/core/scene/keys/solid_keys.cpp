@@ -8,6 +8,7 @@
 
 #include "base/elementary.h"
 #include "base/text.h"
+#include "body/mesh_readers.h"
 #include "body/shape.h"
 #include "document/problems.h"
 #include "scene/keys/keys.h"
@@ -142,21 +143,23 @@ const BodyPart* shapeOf(const Solid& solid) {
   return solid.isShape && solid.parts.size() == 1 ? &solid.parts.front() : nullptr;
 }
 
-/// Reads the numbers into which `includeMeshes()` turned the file.
+/// Reads the numbers into which `includeMeshes()` turned the file, or those of meshText().
 MeshFile meshFrom(const ValueReader& value) {
   constexpr NumberRange kAny{"numbers", -1e200, 1e200};
   MeshFile mesh;
-  Eigen::Vector3d diagonal, others;
+  Eigen::Vector3d diagonal(0, 0, 0), others(0, 0, 0);
   const auto vectorInto = [&](Eigen::Vector3d& into) {
     return [&](const ValueReader& numbers) { into = vectorFrom(numbers, kAny); };
   };
-  if (std::holds_alternative<std::string>(value.node().value))
-    value.mismatch("the name of a file that ends in .obj, .stl, .ply or .glb");
+  constexpr const char* kName = "the name of a file that ends in .obj, .stl, .ply or .glb";
+  if (std::holds_alternative<std::string>(value.node().value)) value.mismatch(kName);
   value.readTable({{"file", [&](const ValueReader& name) { mesh.name = name.text(kLongestPath); }},
                    {"volume", [&](const ValueReader& v) { mesh.volume = v.number(kAny); }},
                    {"size", vectorInto(mesh.size)},
                    {"moments", vectorInto(diagonal)},
                    {"products", vectorInto(others)}});
+  const bool isWhole = body::isMeshName(mesh.name) && mesh.volume > 0 && mesh.size.minCoeff() > 0;
+  if (!isWhole) value.mismatch(kName);
   mesh.inertia = diagonal.asDiagonal();
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
@@ -165,18 +168,25 @@ MeshFile meshFrom(const ValueReader& value) {
   return mesh;
 }
 
+/// Returns the numbers with the name, so that a clip's record needs no file.
+std::string meshText(const MeshFile& mesh) {
+  const Eigen::Matrix3d& inertia = mesh.inertia;
+  return "{ file = " + tomlString(mesh.name) + ", volume = " + tomlNumber(mesh.volume) +
+         ", size = " + vectorText(mesh.size) + ", moments = " + vectorText(inertia.diagonal()) +
+         ", products = " + vectorText({inertia(0, 1), inertia(1, 2), inertia(2, 0)}) + " }";
+}
+
 Key<Solid> meshKey() {
-  return {
-      "mesh",
-      [](const ValueReader& value, Solid& solid) {
-        const double unit = solid.mesh.unit;
-        solid.mesh = meshFrom(value);
-        solid.mesh.unit = unit;
-      },
-      [](const Solid& solid) { return solid.mesh.name.empty() ? "" : tomlString(solid.mesh.name); },
-      {.meaning = "a closed mesh in the scene's folder, see [bodies](bodies.md)",
-       .byDefault = "none",
-       .allowed = "the name of a file: .obj, .stl, .ply or .glb"}};
+  return {"mesh",
+          [](const ValueReader& value, Solid& solid) {
+            const double unit = solid.mesh.unit;
+            solid.mesh = meshFrom(value);
+            solid.mesh.unit = unit;
+          },
+          [](const Solid& solid) { return solid.mesh.name.empty() ? "" : meshText(solid.mesh); },
+          {.meaning = "a closed mesh in the scene's folder, see [bodies](bodies.md)",
+           .byDefault = "none",
+           .allowed = "the name of a file: .obj, .stl, .ply or .glb"}};
 }
 
 Key<Solid> unitKey() {

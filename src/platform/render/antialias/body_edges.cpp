@@ -85,7 +85,7 @@ BodyEdges::BodyEdges(const geometry::Mesh& mesh) {
     const auto& indices = part.triangles;
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
       triangles_.push_back({{indices[i], indices[i + 1], indices[i + 2]},
-                            mesh.vertices[indices[i]].surfaceId,
+                            mesh.vertices[indices[i + 2]].surfaceId,
                             part.hidden,
                             part.stripOf[i / 3]});
     }
@@ -102,9 +102,12 @@ BodyEdges::BodyEdges(const geometry::Mesh& mesh) {
           known.try_emplace(std::minmax(numbers[a], numbers[b]), edges_.size());
       // A third triangle on a side gets an edge of its own.
       if (isNew || edges_[found->second].second) {
-        edges_.push_back({{a, b}, i, {}});
+        edges_.push_back({{a, b}, i, {}, false});
       } else {
-        edges_[found->second].second = i;
+        Edge& edge = edges_[found->second];
+        edge.second = i;
+        edge.smooth =
+            edge.ends == std::array{b, a} && triangles_[edge.first].strip == triangles_[i].strip;
       }
     }
   }
@@ -130,8 +133,9 @@ void BodyEdges::find(const physics::Cage& cage, const Eigen::Matrix4d& clipFromW
     // Skip edges between two hidden triangles, and edges inside one smooth surface
     const int first = windings[edge.first], second = edge.second ? windings[*edge.second] : 0;
     if (first == 0 && second == 0) continue;
-    const bool inside = first == second && surfaceIdOf(triangles_[edge.first], strips) ==
-                                               surfaceIdOf(triangles_[*edge.second], strips);
+    const bool inside =
+        first == second && (edge.smooth || surfaceIdOf(triangles_[edge.first], strips) ==
+                                               surfaceIdOf(triangles_[*edge.second], strips));
     if (inside) continue;
 
     // Clip the edge against the near plane and add the pixels that it crosses

@@ -43,6 +43,7 @@ class BodyEdges {
     std::array<std::uint32_t, 2> ends;    // Vertex indices.
     std::uint32_t first;                  // Triangle index.
     std::optional<std::uint32_t> second;  // Triangle index.
+    bool smooth;  // Both triangles have the same vertices there, and the same strip.
   };
 
   /// Adds the visible part of a triangle; returns its winding in the picture, 1 from x to y or -1,

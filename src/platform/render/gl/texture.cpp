@@ -1,4 +1,4 @@
-#include "render/book/texture.h"
+#include "render/gl/texture.h"
 
 #include <cstddef>
 #include <cstring>
@@ -33,9 +33,10 @@ image::Image flippedVertically(image::ImageView picture) {
   return flipped;
 }
 
-void upload(int level, const image::Image& picture) {
+void upload(int level, const image::Image& picture, TextureContent content) {
+  const GLint inside = content == TextureContent::Colour ? GL_SRGB8_ALPHA8 : GL_RGBA8;
   const GLenum format = picture.format() == image::PixelFormat::Rgb8 ? GL_RGB : GL_RGBA;
-  glTexImage2D(GL_TEXTURE_2D, level, GL_SRGB8_ALPHA8, picture.width(), picture.height(), 0, format,
+  glTexImage2D(GL_TEXTURE_2D, level, inside, picture.width(), picture.height(), 0, format,
                GL_UNSIGNED_BYTE, picture.row(0));
 }
 
@@ -50,18 +51,18 @@ void setFilters(TextureWrap wrap) {
 
 }  // namespace
 
-Texture::Texture(image::ImageView picture, TextureWrap wrap)
+Texture::Texture(image::ImageView picture, TextureWrap wrap, TextureContent content)
     : plain_(picture.width == 1 && picture.height == 1) {
   refuseOversize(picture);
   bind();
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   image::Image level = flippedVertically(picture);
-  upload(0, level);
+  upload(0, level, content);
   // Compute the mipmaps here: by the driver they take a third of a render's start, and differ
   // between drivers
   for (int i = 1; level.width() > 1 || level.height() > 1; ++i) {
     level = image::downsampledOpaque(level.view());
-    upload(i, level);
+    upload(i, level, content);
   }
   setFilters(wrap);
 }

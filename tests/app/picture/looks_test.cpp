@@ -1,8 +1,9 @@
-#include "picture/textures.h"
+#include "picture/looks.h"
 
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -36,17 +37,25 @@ scene::Scene coveredScene(const fs::path& folder) {
   return scene;
 }
 
+render::BookTextures bookOf(const LoadedLooks& loaded) {
+  return std::get<render::BookTextures>(loaded.looks.at(0));
+}
+
+render::BookTextures bookOf(const scene::Scene& scene) {
+  return bookOf(loadLooks(scene));
+}
+
 TEST(Textures, AreThoseThatWereReadEvenIfTheFileChanges) {
   const fs::path folder = emptyFolder();
   const scene::Scene scene = coveredScene(folder);
   writeCover(folder, 8);
   const TextureFiles files = preflight(scene);
-  const TextureChecksums checksums = loadTextures(scene).checksums;
+  const TextureChecksums checksums = loadLooks(scene).checksums;
   writeCover(folder, 9);
-  const LoadedTextures loaded = loadTextures(scene, files);
-  EXPECT_EQ(loaded.pictures.front.width(), 8);
+  const LoadedLooks loaded = loadLooks(scene, files);
+  EXPECT_EQ(bookOf(loaded).front.width(), 8);
   EXPECT_EQ(loaded.checksums, checksums);
-  EXPECT_NE(loadTextures(scene).checksums, checksums);
+  EXPECT_NE(loadLooks(scene).checksums, checksums);
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   EXPECT_EQ(FrameDrawer(scene, motion, {}, files).textureChecksums(), checksums);
 }
@@ -65,9 +74,9 @@ TEST(Textures, MayBeJpegsAndWebps) {
   fs::copy_file(pictures + "webp/alpha.webp", folder / "back");
   scene::Scene scene = smallScene({"book.front=cover.png", "book.back=back"});
   scene.folder = folder;
-  const LoadedTextures loaded = loadTextures(scene, preflight(scene));
-  EXPECT_EQ(loaded.pictures.front.width(), 40);
-  EXPECT_EQ(loaded.pictures.back.width(), 24);
+  const LoadedLooks loaded = loadLooks(scene, preflight(scene));
+  EXPECT_EQ(bookOf(loaded).front.width(), 40);
+  EXPECT_EQ(bookOf(loaded).back.width(), 24);
   const std::string bytes = system::readFile(folder / "cover.png", 10'000);
   EXPECT_EQ(loaded.checksums.at("book.front"), checksumOf(bytes));
 }
@@ -85,11 +94,11 @@ TEST(Textures, AreClothOfTheBooksColourWhereThereIsNoPicture) {
   writeCover(folder, 8);
   scene::Scene scene = smallScene({"book.front=cover.png", "book.color=#2b5d8a"});
   scene.folder = folder;
-  const render::BookTextures textures = loadTextures(scene).pictures;
+  const render::BookTextures textures = bookOf(scene);
   EXPECT_EQ(textures.front.width(), 8);
   EXPECT_EQ(textures.spine, render::plainCloth({0x2b, 0x5d, 0x8a}));
   EXPECT_EQ(textures.back, textures.spine);
-  EXPECT_EQ(loadTextures(smallScene()).pictures.back, render::builtinBack());
+  EXPECT_EQ(bookOf(smallScene()).back, render::builtinBack());
 }
 
 // Between panels and below a caption, too.

@@ -1,4 +1,4 @@
-#include "render/book/frame_target.h"
+#include "render/gl/frame_target.h"
 
 #include <array>
 #include <cstddef>

@@ -7,7 +7,7 @@
 
 #include "geometry/hull_bands.h"
 #include "render/antialias/strips.h"
-#include "render/book/frame_target.h"
+#include "render/gl/frame_target.h"
 
 namespace rotatebook::render {
 

@@ -16,6 +16,7 @@ out vec2 texCoord;
 out vec3 diffuseLight;   // Irradiance / pi. Linear.
 out vec3 worldPosition;  // [m]
 out vec3 worldNormal;
+out vec3 cubePosition;  // In the unit cube.
 out float skyVisibility;
 flat out float surfaceId;
 
@@ -56,6 +57,7 @@ void main() {
 
   texCoord = vertexTexCoord;
   worldNormal = normal;
+  cubePosition = unitPosition;
   skyVisibility = vertexSkyVisibility;
   surfaceId = vertexSurfaceId;
   diffuseLight = irradiance(normal) * vertexSkyVisibility;

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "render/book/gl_handles.h"
+#include "render/gl/gl_handles.h"
 
 namespace rotatebook::render {
 

@@ -2,18 +2,25 @@
 #pragma once
 
 #include "image/image.h"
-#include "render/book/gl_handles.h"
+#include "render/gl/gl_handles.h"
 
 namespace rotatebook::render {
 
 /// Continuation of a texture beyond its edges.
 enum class TextureWrap { Clamp, Repeat };
 
-/// A mipmapped, trilinearly filtered sRGB texture; its first row is at v = 1.
+/// The meaning of a texture's values.
+enum class TextureContent {
+  Colour,   ///< sRGB.
+  Numbers,  ///< Shares of 255.
+};
+
+/// A mipmapped, trilinearly filtered texture; its first row is at v = 1.
 class Texture {
  public:
   /// Throws InputError if the picture is larger than the driver's limit.
-  Texture(image::ImageView picture, TextureWrap wrap);
+  Texture(image::ImageView picture, TextureWrap wrap,
+          TextureContent content = TextureContent::Colour);
 
   /// Returns whether it has the same colour throughout.
   bool isPlain() const { return plain_; }

@@ -6,7 +6,7 @@
 
 #include "geometry/hull_bands.h"
 #include "image/image.h"
-#include "render/book/gl_handles.h"
+#include "render/gl/gl_handles.h"
 
 namespace rotatebook::render {
 

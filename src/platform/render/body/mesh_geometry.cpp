@@ -1,4 +1,4 @@
-#include "render/book/book_geometry.h"
+#include "render/body/mesh_geometry.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -16,7 +16,7 @@ void describeAttribute(GLuint index, GLint size, std::size_t stride, std::size_t
                         reinterpret_cast<const void*>(offset));
 }
 
-/// Describes the vertex attributes, numbered as in book.vert.
+/// Describes the vertex attributes, numbered as in body.vert.
 void describeVertex(std::size_t stride) {
   const auto attribute = [stride](GLuint index, GLint size, std::size_t offset) {
     describeAttribute(index, size, stride, offset);
@@ -85,28 +85,27 @@ Eigen::Array<double, 8, 1> cornerDeterminants(const physics::Cage& cage) {
 
 }  // namespace
 
-BookGeometry::BookGeometry(const geometry::Mesh& mesh) {
+MeshGeometry::MeshGeometry(const geometry::Mesh& mesh) {
   std::vector<std::uint32_t> indices;
-  for (std::size_t part = 0; part < geometry::kBookPartCount; ++part) {
-    starts_[part] = indices.size();
-    const std::vector<std::uint32_t>& triangles = mesh.parts[part].triangles;
-    indices.insert(indices.end(), triangles.begin(), triangles.end());
+  for (const geometry::MeshPart& part : mesh.parts) {
+    starts_.push_back(indices.size());
+    indices.insert(indices.end(), part.triangles.begin(), part.triangles.end());
   }
-  starts_[geometry::kBookPartCount] = indices.size();
+  starts_.push_back(indices.size());
   glBindVertexArray(array_.name());
   upload(GL_ARRAY_BUFFER, vertices_, mesh.vertices);
   upload(GL_ELEMENT_ARRAY_BUFFER, indices_, indices);
   describeVertex(sizeof(geometry::MeshVertex));
-  uploadStrips(mesh.strips);
+  if (!mesh.strips.empty()) uploadStrips(mesh.strips);
 }
 
-void BookGeometry::uploadStrips(const std::vector<geometry::MeshStrip>& strips) {
+void MeshGeometry::uploadStrips(const std::vector<geometry::MeshStrip>& strips) {
   std::vector<StripVertex> vertices;
   for (std::size_t i = 0; i < strips.size(); ++i) {
     const float y = (2 * static_cast<float>(i) + 1) / static_cast<float>(strips.size()) - 1;
     const std::vector<StripVertex> row = rollOut(strips[i], y);
-    rows_.push_back({static_cast<geometry::BookPart>(strips[i].part),
-                     static_cast<GLint>(vertices.size()), static_cast<GLsizei>(row.size())});
+    rows_.push_back(
+        {strips[i].part, static_cast<GLint>(vertices.size()), static_cast<GLsizei>(row.size())});
     vertices.insert(vertices.end(), row.begin(), row.end());
   }
   bindStrips();
@@ -115,8 +114,7 @@ void BookGeometry::uploadStrips(const std::vector<geometry::MeshStrip>& strips) 
   describeAttribute(5, 3, sizeof(StripVertex), offsetof(StripVertex, rolledOut));
 }
 
-void BookGeometry::drawStrips(geometry::BookPart part,
-                              const std::vector<ScreenStrip>& onScreen) const {
+void MeshGeometry::drawStrips(std::size_t part, const std::vector<ScreenStrip>& onScreen) const {
   std::vector<GLint> firsts;
   std::vector<GLsizei> counts;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -128,9 +126,8 @@ void BookGeometry::drawStrips(geometry::BookPart part,
                     static_cast<GLsizei>(firsts.size()));
 }
 
-void BookGeometry::draw(geometry::BookPart part) const {
-  const auto index = static_cast<std::size_t>(part);
-  const std::size_t start = starts_[index], count = starts_[index + 1] - start;
+void MeshGeometry::draw(std::size_t part) const {
+  const std::size_t start = starts_[part], count = starts_[part + 1] - start;
   glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(count), GL_UNSIGNED_INT,
                  reinterpret_cast<const void*>(start * sizeof(std::uint32_t)));
 }

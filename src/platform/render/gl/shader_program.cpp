@@ -1,4 +1,4 @@
-#include "render/book/shader_program.h"
+#include "render/gl/shader_program.h"
 
 #include "base/error.h"
 

@@ -1,37 +1,36 @@
-// Uploads the book's mesh to OpenGL and draws it. Inside the room only.
+// Uploads a body's mesh to OpenGL and draws it. Inside the room only.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
-#include "geometry/book_mesh.h"
+#include "geometry/mesh.h"
 #include "physics/cuboid.h"
 #include "render/antialias/strips.h"
-#include "render/book/gl_handles.h"
+#include "render/gl/gl_handles.h"
 
 namespace rotatebook::render {
 
 /// A mesh's vertices and triangles in OpenGL buffers.
-class BookGeometry {
+class MeshGeometry {
  public:
-  explicit BookGeometry(const geometry::Mesh& mesh);
+  explicit MeshGeometry(const geometry::Mesh& mesh);
 
   /// Binds the vertices for draw().
   void bind() const { glBindVertexArray(array_.name()); }
-  /// Draws one part with the program in use.
-  void draw(geometry::BookPart part) const;
+  /// Draws one part, by its index, with the program in use.
+  void draw(std::size_t part) const;
 
   /// Binds the strips' vertices for drawStrips().
   void bindStrips() const { glBindVertexArray(stripArray_.name()); }
   /// Draws the middle lines of a part's narrow strips as rows of a picture of all strips, with the
   /// program in use. `onScreen`: by strip number.
-  void drawStrips(geometry::BookPart part, const std::vector<ScreenStrip>& onScreen) const;
+  void drawStrips(std::size_t part, const std::vector<ScreenStrip>& onScreen) const;
 
  private:
   /// A strip's range of the strips' vertices.
   struct Row {
-    geometry::BookPart part;
+    std::size_t part;
     GLint first;
     GLsizei count;
   };
@@ -41,8 +40,7 @@ class BookGeometry {
   GlVertexArray array_, stripArray_;
   GlBuffer vertices_, indices_, stripVertices_;
   std::vector<Row> rows_;
-  std::array<std::size_t, geometry::kBookPartCount + 1>
-      starts_{};  // First index of each part, and the end.
+  std::vector<std::size_t> starts_;  // First index of each part, and the end.
 };
 
 /// Returns the winding that front faces have in the picture, 1 from x to y or -1 from y to x; only

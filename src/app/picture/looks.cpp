@@ -1,0 +1,275 @@
+#include "picture/looks.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <future>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/checksum.h"
+#include "base/error.h"
+#include "body/mesh_readers.h"
+#include "image/picture_file.h"
+#include "picture/named_file.h"
+#include "render/book_textures.h"
+#include "render/surface_look.h"
+#include "scene/scene_text.h"
+#include "scene/solid_numbers.h"
+#include "scene/source_locations.h"
+#include "system/read_file.h"
+#include "timeline/scene_camera.h"
+
+namespace rotatebook::picture {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A side of the book cover that has a picture.
+struct Side {
+  std::string_view key;  ///< In the scene.
+  std::string scene::BookSettings::*file;
+  image::Image (*builtin)();
+};
+
+/// In a grid, books on pictures up to this high have fewer triangles. [pixels]
+constexpr int kLargestSmall = 160;
+
+constexpr Side kFront{"book.front", &scene::BookSettings::front, render::builtinFront};
+constexpr Side kSpine{"book.spine", &scene::BookSettings::spine, render::builtinSpine};
+constexpr Side kBack{"book.back", &scene::BookSettings::back, render::builtinBack};
+
+bool isBuiltin(const scene::Scene& scene, const Side& side) {
+  return scene.book.*side.file == scene::kBuiltin;
+}
+
+fs::path fileOf(const scene::Scene& scene, const Side& side) {
+  return pathOfNamedFile(scene.folder, scene.book.*side.file, scene.allowOutside);
+}
+
+/// A side's picture, and the checksum of its file.
+struct LoadedSide {
+  image::Image picture;
+  std::string checksum;
+};
+
+std::string read(const scene::Scene& scene, const Side& side) {
+  return scene::atLocationOf(scene, side.key,
+                             [&] { return image::readPictureFile(fileOf(scene, side)); });
+}
+
+image::Image decoded(const std::string& bytes, const std::string& name) {
+  const auto* first = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  return image::decodePicture({first, bytes.size()}, name);
+}
+
+image::Image decode(const scene::Scene& scene, const Side& side, const std::string& bytes) {
+  return scene::atLocationOf(scene, side.key, [&] {
+    return decoded(bytes, (scene.folder / (scene.book.*side.file)).string());
+  });
+}
+
+/// Returns the picture of a side that the scene names no file for.
+image::Image builtinPicture(const scene::Scene& scene, const Side& side) {
+  return scene.book.colour ? render::plainCloth(*scene.book.colour) : side.builtin();
+}
+
+LoadedSide load(const scene::Scene& scene, const Side& side, const TextureFiles& files) {
+  if (isBuiltin(scene, side)) return {builtinPicture(scene, side), kBuiltinTexture};
+  const auto known = files.find(std::string(side.key));
+  const std::string bytes = known == files.end() ? read(scene, side) : known->second;
+  return {decode(scene, side, bytes), checksumOf(bytes)};
+}
+
+render::BookTextures loadBook(const scene::Scene& scene, const TextureFiles& files,
+                              TextureChecksums& checksums) {
+  const auto start = [&](const Side& side) {
+    return std::async(std::launch::async, [&] { return load(scene, side, files); });
+  };
+  auto frontLoading = start(kFront), spineLoading = start(kSpine), backLoading = start(kBack);
+  LoadedSide front = frontLoading.get(), spine = spineLoading.get(), back = backLoading.get();
+  checksums[std::string(kFront.key)] = front.checksum;
+  checksums[std::string(kSpine.key)] = spine.checksum;
+  checksums[std::string(kBack.key)] = back.checksum;
+  return {std::move(front.picture), std::move(spine.picture), std::move(back.picture)};
+}
+
+/// A body of a scene, which may have several motions.
+struct SceneBody {
+  scene::Solid solid;
+  std::string meshKey;  ///< Of the key that names its mesh; empty if it has none.
+  std::string location;
+};
+
+/// The different bodies of a scene's motions.
+struct SceneBodies {
+  std::vector<SceneBody> bodies;
+  std::vector<std::size_t> bodyOf;  ///< By motion.
+};
+
+SceneBodies bodiesOf(const scene::Scene& scene) {
+  SceneBodies all;
+  const std::vector<scene::Panel> motions = scene::motionsOf(scene);
+  for (std::size_t i = 0; i < motions.size(); ++i) {
+    const scene::Solid& solid = motions[i].solid;
+    const auto same = std::ranges::find(all.bodies, solid, &SceneBody::solid);
+    all.bodyOf.push_back(static_cast<std::size_t>(same - all.bodies.begin()));
+    if (same != all.bodies.end()) continue;
+    const std::string key =
+        scene.panels.empty() ? "body.mesh" : "panel." + std::to_string(i) + ".body.mesh";
+    all.bodies.push_back({solid, solid.mesh.name.empty() ? "" : key,
+                          locationOf(scene, scene.panels.empty() ? "body" : "panel")});
+  }
+  return all;
+}
+
+bool hasBook(const SceneBodies& all) {
+  return std::ranges::any_of(all.bodies, [](const SceneBody& b) { return b.solid.isBook(); });
+}
+
+/// Returns what `work` returns. Throws an InputError of it again with the body's location and mesh.
+template <typename Work>
+auto atBody(const SceneBody& body, const Work& work) {
+  try {
+    return work();
+  } catch (const InputError& error) {
+    throw InputError(body.location + ": " + error.what());
+  }
+}
+
+std::string readMeshFile(const scene::Scene& scene, const SceneBody& body) {
+  return atBody(body, [&] {
+    const fs::path path = pathOfNamedFile(scene.folder, body.solid.mesh.name, scene.allowOutside);
+    try {
+      return system::readFile(path, scene::kLongestMesh);
+    } catch (const InputError& error) {
+      throw InputError("can't read " + path.string() + ": " + error.what());
+    }
+  });
+}
+
+/// Returns the surface of a body's mesh file, as it is in the file.
+body::Surface meshSurfaceOf(const SceneBody& body, const std::string& bytes) {
+  const std::string& name = body.solid.mesh.name;
+  body::Surface surface = body::readSurface(name, bytes);
+  const std::size_t count = surface.mesh.triangles.size();
+  if (count > body::kMaxDrawnTriangles) {
+    throw InputError(name + " has " + std::to_string(count) + " triangles; pictures take up to " +
+                     std::to_string(body::kMaxDrawnTriangles) + ", so export a coarser mesh");
+  }
+  scene::MeshFile numbers = scene::meshFileOf(name, surface.mesh);
+  numbers.unit = body.solid.mesh.unit;
+  if (numbers != body.solid.mesh)
+    throw InputError(name + " has changed since the scene was read; try again");
+  return surface;
+}
+
+render::SurfaceLook lookOf(const SceneBody& body, const std::string& bytes) {
+  return atBody(body, [&] {
+    render::SurfaceLook look;
+    look.size = scene::numbersOf(body.solid).size;
+    look.surface = body.meshKey.empty() ? scene::surfaceOf(body.solid)
+                                        : scene::surfaceOf(body.solid, meshSurfaceOf(body, bytes));
+    for (const std::string& image : look.surface.images) {
+      const std::string number = std::to_string(look.images.size());
+      look.images.push_back(decoded(image, body.solid.mesh.name + ", picture " + number));
+    }
+    return look;
+  });
+}
+
+render::Background backgroundOf(scene::Background background) {
+  switch (background) {
+    case scene::Background::Stars:
+      return render::Background::Stars;
+    case scene::Background::Transparent:
+      return render::Background::Transparent;
+    case scene::Background::Plain:
+      return render::Background::Plain;
+    case scene::Background::Studio:
+      break;
+  }
+  return render::Background::Studio;
+}
+
+std::shared_ptr<const render::SurfaceLook> sharedLookOf(const SceneBody& body,
+                                                        const std::string& bytes) {
+  return std::make_shared<const render::SurfaceLook>(lookOf(body, bytes));
+}
+
+}  // namespace
+
+std::vector<fs::path> textureFiles(const scene::Scene& scene) {
+  std::vector<fs::path> files;
+  const SceneBodies all = bodiesOf(scene);
+  for (const Side& side : {kFront, kSpine, kBack}) {
+    if (hasBook(all) && !isBuiltin(scene, side))
+      files.push_back(scene.folder / (scene.book.*side.file));
+  }
+  for (const SceneBody& body : all.bodies) {
+    if (!body.meshKey.empty()) files.push_back(scene.folder / body.solid.mesh.name);
+  }
+  return files;
+}
+
+TextureFiles readTextures(const scene::Scene& scene) {
+  TextureFiles files;
+  const SceneBodies all = bodiesOf(scene);
+  for (const Side& side : {kFront, kSpine, kBack}) {
+    // Built-in textures are always valid, and loading them takes a tenth of a render's start.
+    if (!hasBook(all) || isBuiltin(scene, side)) continue;
+    std::string& bytes = files[std::string(side.key)] = read(scene, side);
+    decode(scene, side, bytes);
+  }
+  for (const SceneBody& body : all.bodies) {
+    if (body.meshKey.empty()) continue;
+    const std::string& bytes = files[body.meshKey] = readMeshFile(scene, body);
+    lookOf(body, bytes);
+  }
+  return files;
+}
+
+LoadedLooks loadLooks(const scene::Scene& scene, const TextureFiles& files) {
+  SceneBodies all = bodiesOf(scene);
+  LoadedLooks loaded;
+  for (const SceneBody& body : all.bodies) {
+    if (body.solid.isBook()) {
+      loaded.looks.emplace_back(loadBook(scene, files, loaded.checksums));
+    } else if (body.meshKey.empty()) {
+      loaded.looks.emplace_back(sharedLookOf(body, ""));
+    } else {
+      const auto known = files.find(body.meshKey);
+      const std::string bytes = known == files.end() ? readMeshFile(scene, body) : known->second;
+      loaded.looks.emplace_back(sharedLookOf(body, bytes));
+      loaded.checksums[body.meshKey] = checksumOf(bytes);
+    }
+  }
+  loaded.lookOf = std::move(all.bodyOf);
+  return loaded;
+}
+
+render::Renderer makeRenderer(const scene::Scene& scene, const geometry::Screen& screen,
+                              const std::vector<render::BodyLook>& looks,
+                              const render::DeviceChoice& device) {
+  render::RenderSettings settings;
+  settings.width = screen.width;
+  settings.height = screen.height;
+  settings.bottomRows = screen.bottomRows;
+  settings.supersample = scene.look.supersample;
+  settings.background = backgroundOf(scene.look.background);
+  settings.plainColour = scene.look.plainColour;
+  settings.camera = timeline::cameraOf(scene, screen);
+  if (scene.grid &&
+      std::min(screen.width, screen.height) * scene.look.supersample <= kLargestSmall) {
+    settings.detail = geometry::MeshDetail::Small;
+  }
+  settings.device = device;
+  return {settings, looks};
+}
+
+render::Renderer makeRenderer(const scene::Scene& scene) {
+  return makeRenderer(scene, {scene.clip.width, scene.clip.height, 0}, loadLooks(scene).looks);
+}
+
+}  // namespace rotatebook::picture

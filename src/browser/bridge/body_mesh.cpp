@@ -1,0 +1,90 @@
+#include "bridge/body_mesh.h"
+
+#include <array>
+
+#include "base/error.h"
+#include "base/json.h"
+#include "base/number_text.h"
+#include "body/mesh_readers.h"
+#include "body/shape.h"
+#include "geometry/body_mesh.h"
+#include "scene/solid_numbers.h"
+
+namespace rotatebook::bridge {
+namespace {
+
+body::Surface surfaceOf(const scene::Motion& motion,
+                        const std::function<const std::string*(const std::string&)>& fileOf) {
+  const scene::Solid& solid = motion.solid;
+  const std::string& name = solid.mesh.name;
+  if (name.empty()) return scene::surfaceOf(solid);
+  const std::string* bytes = fileOf(name);
+  if (bytes == nullptr) {
+    const Eigen::Vector3d& size = motion.body.size;
+    return {.mesh = body::findShape("box")->solid({size.data(), 3}).surface};
+  }
+  body::Surface surface = body::readSurface(name, *bytes);
+  if (surface.mesh.triangles.size() > body::kMaxDrawnTriangles)
+    throw InputError(name + " has too many triangles to be drawn; export a coarser mesh");
+  return scene::surfaceOf(solid, std::move(surface));
+}
+
+std::string materialJson(const body::Material& material, const Eigen::Vector3d& size,
+                         std::size_t first, std::size_t count) {
+  const body::Grain& grain = material.grain;
+  Eigen::Vector3d grains = Eigen::Vector3d::Zero();
+  if (grain.contrast > 0 || grain.relief > 0) grains = size.cwiseQuotient(grain.size);
+  const auto list = [](const auto& numbers) {
+    std::vector<std::string> texts;
+    for (const auto number : numbers) texts.push_back(shortestText(static_cast<double>(number)));
+    return jsonArray(texts);
+  };
+  return JsonObject()
+      .addInteger("first", static_cast<std::int64_t>(first))
+      .addInteger("count", static_cast<std::int64_t>(count))
+      .add("baseColour", list(material.baseColour))
+      .add("metalAndRoughness", list(std::array{material.metalness, material.roughness}))
+      .add("grainsAcross", list(grains))
+      .add("contrastAndRelief", list(std::array{grain.contrast, grain.relief}))
+      .text();
+}
+
+}  // namespace
+
+std::vector<float> floatsOf(const std::vector<geometry::MeshVertex>& vertices) {
+  std::vector<float> floats;
+  const auto append = [&floats](const auto& vector) {
+    floats.insert(floats.end(), vector.data(), vector.data() + vector.size());
+  };
+  for (const geometry::MeshVertex& vertex : vertices) {
+    append(vertex.position);
+    append(vertex.normal);
+    append(vertex.texCoord);
+    floats.push_back(vertex.skyVisibility);
+    floats.push_back(vertex.surfaceId);
+  }
+  return floats;
+}
+
+BodyMesh bodyMeshOf(const scene::Motion& motion,
+                    const std::function<const std::string*(const std::string&)>& fileOf) {
+  const body::Surface surface = surfaceOf(motion, fileOf);
+  const geometry::Mesh mesh = geometry::makeBodyMesh(surface, motion.body.size);
+  BodyMesh made{"", floatsOf(mesh.vertices), {}};
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+    const std::vector<std::uint32_t>& triangles = mesh.parts[i].triangles;
+    if (triangles.empty()) continue;
+    parts.push_back(materialJson(surface.materials[i], motion.body.size, made.indices.size(),
+                                 triangles.size()));
+    made.indices.insert(made.indices.end(), triangles.begin(), triangles.end());
+  }
+  made.json = JsonObject()
+                  .addInteger("vertices", static_cast<std::int64_t>(mesh.vertices.size()))
+                  .addInteger("indices", static_cast<std::int64_t>(made.indices.size()))
+                  .add("parts", jsonArray(parts))
+                  .text();
+  return made;
+}
+
+}  // namespace rotatebook::bridge

@@ -1,0 +1,85 @@
+#include "render/body/book_painter.h"
+
+#include "embedded/render.h"
+#include "image/png_file.h"
+#include "render/body/test_pattern.h"
+
+namespace rotatebook::render {
+namespace {
+
+std::size_t indexOf(geometry::BookPart part) {
+  return static_cast<std::size_t>(part);
+}
+
+}  // namespace
+
+BookPainter::BookPainter(const BookTextures& textures, geometry::MeshDetail detail)
+    : mesh_(geometry::makeBookMesh(detail)),
+      coverProgram_(
+          "cover", {studioLights(), bodyVertexShader()},
+          {{studioLights(), studioShine(), coverFragmentShader()}, toneCurveFragmentShader()}),
+      paperProgram_("paper", {studioLights(), bodyVertexShader()},
+                    {paperFragmentShader(), toneCurveFragmentShader()}),
+      geometry_(mesh_),
+      front_(textures.front.view(), TextureWrap::Clamp),
+      spine_(textures.spine.view(), TextureWrap::Clamp),
+      back_(textures.back.view(), TextureWrap::Clamp),
+      paper_(image::decodePng(paperPng(), "built-in paper").view(), TextureWrap::Repeat) {}
+
+void BookPainter::draw(const DrawnBody& drawn, const Eigen::Vector3d& eye) const {
+  drawParts(drawn, eye, {front_, spine_, back_, paper_});
+}
+
+void BookPainter::drawTest(const DrawnBody& drawn, const Eigen::Vector3d& eye) const {
+  const Texture pattern(testPattern().view(), TextureWrap::Repeat);
+  drawParts(drawn, eye, {pattern, pattern, pattern, pattern});
+}
+
+void BookPainter::drawParts(const DrawnBody& drawn, const Eigen::Vector3d& eye,
+                            const Surfaces& surfaces) const {
+  prepareToDraw(drawn);
+  geometry_.bind();
+  useFor(coverProgram_, drawn);
+  coverProgram_.set("eye", Eigen::Vector3f(eye.cast<float>()));
+  drawCover(geometry::BookPart::Front, surfaces.front);
+  drawCover(geometry::BookPart::Spine, surfaces.spine);
+  drawCover(geometry::BookPart::Back, surfaces.back);
+  if (drawn.winding == 0) drawCover(geometry::BookPart::Lining, surfaces.front);
+  useFor(paperProgram_, drawn);
+  drawPart(geometry::BookPart::Pages, surfaces.paper);
+}
+
+void BookPainter::drawStrips(const DrawnBody& drawn, const Eigen::Vector3d& eye) const {
+  geometry_.bindStrips();
+  useFor(paperProgram_, drawn);
+  drawStripsOf(geometry::BookPart::Pages, paper_, drawn);
+  useFor(coverProgram_, drawn);
+  coverProgram_.set("eye", Eigen::Vector3f(eye.cast<float>()));
+  drawCoverStrips(geometry::BookPart::Front, front_, drawn);
+  drawCoverStrips(geometry::BookPart::Spine, spine_, drawn);
+  drawCoverStrips(geometry::BookPart::Back, back_, drawn);
+}
+
+void BookPainter::drawPart(geometry::BookPart part, const Texture& texture) const {
+  texture.bind();
+  geometry_.draw(indexOf(part));
+}
+
+void BookPainter::drawCover(geometry::BookPart part, const Texture& texture) const {
+  coverProgram_.set("plainCloth", texture.isPlain() ? 1 : 0);
+  drawPart(part, texture);
+}
+
+void BookPainter::drawStripsOf(geometry::BookPart part, const Texture& texture,
+                               const DrawnBody& drawn) const {
+  texture.bind();
+  geometry_.drawStrips(indexOf(part), drawn.strips.onScreen);
+}
+
+void BookPainter::drawCoverStrips(geometry::BookPart part, const Texture& texture,
+                                  const DrawnBody& drawn) const {
+  coverProgram_.set("plainCloth", texture.isPlain() ? 1 : 0);
+  drawStripsOf(part, texture, drawn);
+}
+
+}  // namespace rotatebook::render

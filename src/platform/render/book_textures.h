@@ -1,0 +1,22 @@
+// The pictures on the book's cover.
+#pragma once
+
+#include "base/rgb.h"
+#include "image/image.h"
+
+namespace rotatebook::render {
+
+/// The pictures on the book's cover, each upright to a viewer of its side. One of a single pixel is
+/// plain cloth, in which no gold is stamped, whatever its colour.
+struct BookTextures {
+  image::Image front, spine, back;
+};
+
+/// Return the parts of the built-in cover.
+image::Image builtinFront();
+image::Image builtinSpine();
+image::Image builtinBack();
+/// Returns the picture of a side of plain cloth.
+image::Image plainCloth(const Rgb& colour);
+
+}  // namespace rotatebook::render

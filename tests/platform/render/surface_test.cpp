@@ -1,0 +1,107 @@
+// Bodies of any shape, drawn.
+#include <array>
+#include <cstdint>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "body/shape.h"
+#include "render/drawing.h"
+#include "render/surface_look.h"
+
+namespace rotatebook::render::testing {
+namespace {
+
+const physics::Cuboid kBox{{0.2, 0.3, 0.05}, 1};
+
+std::shared_ptr<SurfaceLook> boxLook(const body::Material& material) {
+  auto look = std::make_shared<SurfaceLook>();
+  const std::array<double, 3> lengths{0.2, 0.3, 0.05};
+  look->surface.mesh = body::findShape("box")->solid(lengths).surface;
+  look->surface.materials = {material};
+  look->size = kBox.size;
+  return look;
+}
+
+RenderSettings transparent(int width, int height) {
+  RenderSettings settings = settingsOf(width, height);
+  settings.background = Background::Transparent;
+  return settings;
+}
+
+image::Image drawn(const RenderSettings& settings, const BodyLook& look,
+                   const physics::Cage& cage) {
+  Renderer renderer(settings, std::vector<BodyLook>{look});
+  image::Image picture = renderer.makePicture();
+  renderer.draw(cage, picture);
+  return picture;
+}
+
+/// Returns the sum of all pixels' coverages. [pixels]
+double areaOf(const image::Image& picture) {
+  double sum = 0;
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) sum += picture.row(y)[4 * x + 3];
+  }
+  return sum / 255;
+}
+
+TEST(Surface, CoversWhatItsOutlineHolds) {
+  const RenderSettings settings = transparent(320, 180);
+  const image::Image picture = drawn(settings, boxLook({}), kBox.corners());
+  // The front, at a distance of 0.9 - 0.025 m, on a picture 2 * 0.9 tan 15 deg high at 0.9 m
+  const double pixels = 180 / (2 * std::tan(15 * kDegree) * 0.875);        // [1/m]
+  EXPECT_NEAR(areaOf(picture) / (0.2 * 0.3 * pixels * pixels), 1, 0.002);  // measured 0.9994
+}
+
+TEST(Surface, HasTheColourOfItsMaterial) {
+  body::Material red{.baseColour = {0.6F, 0.02F, 0.02F}};
+  const image::Image picture = drawn(transparent(64, 36), boxLook(red), kBox.corners());
+  const std::uint8_t* middle = picture.row(18) + 4 * 32;
+  EXPECT_GT(middle[0], 2 * middle[1]);
+  EXPECT_EQ(middle[3], 255);
+}
+
+TEST(Surface, ShowsItsPictureWhereItsTextureCoordinatesSay) {
+  auto look = boxLook({.baseColour = {1, 1, 1}, .baseColourImage = 0});
+  for (const auto& triangle : look->surface.mesh.triangles) {
+    auto& corners = look->surface.texCoords.emplace_back();
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Eigen::Vector3d& point = look->surface.mesh.points[triangle[i]];
+      corners[i] = {static_cast<float>(point.x() / 0.2 + 0.5),
+                    static_cast<float>(0.5 - point.y() / 0.3)};  // Down, as in glTF.
+    }
+  }
+  // Its upper half is green, its lower one blue
+  image::Image& picture = look->images.emplace_back(8, 8, image::PixelFormat::Rgb8);
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 0; x < 8; ++x) picture.row(y)[3 * x + (y < 4 ? 1 : 2)] = 200;
+  }
+  const image::Image made = drawn(transparent(64, 36), BodyLook(look), kBox.corners());
+  const std::uint8_t *above = made.row(12) + 4 * 32, *below = made.row(24) + 4 * 32;
+  EXPECT_GT(above[1], 2 * above[2]);
+  EXPECT_GT(below[2], 2 * below[1]);
+}
+
+TEST(Surface, OfMetalMirrorsWhereARoughOneScatters) {
+  const body::Material metal{.metalness = 1, .roughness = 0.1F}, matt{.roughness = 1};
+  const physics::Cage cage = turned(kBox.corners(), {{30, kY}});
+  EXPECT_NE(drawn(transparent(64, 36), boxLook(metal), cage),
+            drawn(transparent(64, 36), boxLook(matt), cage));
+}
+
+TEST(Surface, MayBeDrawnBesideTheBookByOneRenderer) {
+  const RenderSettings settings = settingsOf(160, 90);
+  const std::shared_ptr<SurfaceLook> box = boxLook({});
+  const image::Image boxAlone = drawn(settings, box, kBox.corners());
+  const image::Image bookAlone = drawn(settings, builtinTextures(), book());
+  Renderer both(settings, {builtinTextures(), box});
+  image::Image picture = both.makePicture();
+  both.draw(1, kBox.corners(), picture);
+  EXPECT_EQ(picture, boxAlone);
+  both.draw(0, book(), picture);
+  EXPECT_EQ(picture, bookAlone);
+}
+
+}  // namespace
+}  // namespace rotatebook::render::testing

@@ -213,28 +213,6 @@ class Cluster:
         return not rows or bool(held) and all(
             row in held or row[5] == "Dependency" for row in rows)
 
-    def wait_until_idle(self, seconds):
-        """Waits until all jobs have ended, and does what an operator would: takes nodes back that
-        stayed down, and releases jobs that the cluster holds after a start that failed."""
-        def is_idle():
-            if time.monotonic() > self.next_round:
-                self.next_round = time.monotonic() + 10
-                self.repair()
-            return self.is_idle()
-        self.next_round = time.monotonic() + 10
-        self.wait_until(is_idle, seconds, "all jobs have ended")
-
-    def repair(self):
-        for line in self.run("sinfo", "-h", "-N", "-o", "%N %T").splitlines():
-            node, state = line.split()
-            if state.startswith("down"):
-                self.resume(node)
-        for line in self.run("squeue", "-h", "-r", "-t", "PD", "-o", "%A %r").splitlines():
-            job, reason = line.split(maxsplit=1)
-            if "held" in reason.lower() or "hold" in reason.lower():
-                subprocess.run(["scontrol", "release", job], check=False, env=self.environment,
-                               capture_output=True, timeout=60)
-
     def wait_until(self, condition, seconds, what):
         deadline = time.monotonic() + seconds
         while not condition():

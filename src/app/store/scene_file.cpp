@@ -47,12 +47,7 @@ std::vector<std::string> sceneNamesIn(const fs::path& folder) {
 /// Returns the text of a file, relative to `folder`, that the scene there names.
 std::string readNamedFile(const fs::path& folder, const fs::path& file, std::size_t most,
                           bool allowOutside) {
-  const fs::path path = picture::pathOfNamedFile(folder, file, allowOutside);
-  try {
-    return system::readFile(path, most);
-  } catch (const InputError& error) {
-    throw InputError("can't read " + path.string() + ": " + error.what());
-  }
+  return system::readInput(picture::pathOfNamedFile(folder, file, allowOutside), most);
 }
 
 }  // namespace

@@ -24,12 +24,7 @@ fs::path pathOfNamedFile(const fs::path& folder, const fs::path& file, bool allo
 
 std::string readNamedFile(const fs::path& folder, const fs::path& file, std::size_t most,
                           bool allowOutside) {
-  const fs::path path = pathOfNamedFile(folder, file, allowOutside);
-  try {
-    return system::readFile(path, most);
-  } catch (const InputError& error) {
-    throw InputError("can't read " + path.string() + ": " + error.what());
-  }
+  return system::readInput(pathOfNamedFile(folder, file, allowOutside), most);
 }
 
 }  // namespace rotatebook::picture

@@ -33,7 +33,7 @@ def main():
         t, step = 2 * math.pi * i / ALONG, 1e-4
         middle = point(t)
         along = unit([b - a for a, b in zip(point(t - step), point(t + step))])
-        # The torus on which the knot lies gives a direction that closes after one round.
+        # The knot never rises straight up, so this level direction varies smoothly along it.
         side = unit(cross(along, (0, 0, 1)))
         up = cross(side, along)
         for k in range(AROUND):

@@ -12,8 +12,8 @@ const vec2 kKeySize = vec2(0.50, 0.40);
 const vec2 kFillSize = vec2(0.22, 0.80);
 const vec2 kRimSize = vec2(1.10, 0.22);
 
-// Returns the normal of a surface at `position` (world) whose height changes from pixel to pixel (Mikkelsen, "Bump
-// Mapping Unparametrized Surfaces on the GPU", 2010).
+// Returns the normal of a surface at `position` (world) whose height changes from pixel to pixel
+// (Mikkelsen, "Bump Mapping Unparametrized Surfaces on the GPU", 2010).
 vec3 bumpedNormal(vec3 position, vec3 normal, float height) {
   vec3 acrossX = dFdx(position), acrossY = dFdy(position);
   vec3 alongX = cross(acrossY, normal), alongY = cross(normal, acrossX);

@@ -4,6 +4,7 @@
 #include "body/closed_surface.h"
 #include "body/mass_properties.h"
 #include "body/mesh_readers.h"
+#include "body/self_crossing.h"
 #include "fuzz/fuzzing.h"
 
 namespace rotatebook::fuzzing {
@@ -15,6 +16,23 @@ inline void readMeshOrRefuse(const char* name, const std::uint8_t* bytes, std::s
       for (const std::uint32_t point : triangle) require(point < mesh.points.size());
     body::requireClosed(mesh);
     require(body::massPropertiesOf(mesh, 1).volume > 0);
+    body::findSelfCrossing(mesh);
+  });
+}
+
+inline void readSurfaceOrRefuse(const char* name, const std::uint8_t* bytes, std::size_t size) {
+  mayRefuse([&] {
+    const body::Surface surface = body::readSurface(name, textOf(bytes, size));
+    const std::size_t count = surface.mesh.triangles.size();
+    const auto isForEach = [&](std::size_t rows) { return rows == 0 || rows == count; };
+    require(isForEach(surface.materialOf.size()) && isForEach(surface.texCoords.size()));
+    require(!surface.materials.empty());
+    for (const std::uint32_t material : surface.materialOf)
+      require(material < surface.materials.size());
+    for (const body::Material& material : surface.materials) {
+      for (const int image : {material.baseColourImage, material.metalRoughnessImage})
+        require(image < static_cast<int>(surface.images.size()));
+    }
   });
 }
 

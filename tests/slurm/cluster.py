@@ -10,6 +10,8 @@ import time
 
 PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol", "sinfo", "scancel")
 CONTROLLER_PORT = 16817
+OVER = {"COMPLETED", "FAILED", "CANCELLED", "TIMEOUT", "NODE_FAIL", "OUT_OF_MEMORY", "DEADLINE",
+        "BOOT_FAIL", "REVOKED", "PREEMPTED"}
 
 # A job that is put into the queue again waits for a second more than cred_expire, whose least is 5.
 CONF = """ClusterName=test
@@ -65,6 +67,12 @@ def lacking():
     return ""
 
 
+def is_held(row):
+    """The cluster has given it up, as after five losses of its node (JobHoldMaxRequeue)."""
+    return row[2] in ("REQUEUE_HOLD", "SPECIAL_EXIT") or (
+        row[2] == "PENDING" and ("requeued" in row[5] or row[5] == "JobHoldMaxRequeue"))
+
+
 def is_alive(pid):
     try:
         state = pathlib.Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[0]
@@ -102,15 +110,22 @@ class Cluster:
                  f"--pid-file={folder}/munged.pid", f"--seed-file={folder}/munged.seed",
                  f"--log-file={folder}/log/munged.log", "--force")
         self.run("slurmctld")
-        for node in self.nodes:
-            self.start_node(node)
-        self.wait_until(lambda: self.idle_nodes() == len(self.nodes), 60, "all nodes are idle")
+        try:
+            for node in self.nodes:
+                self.start_node(node)
+            self.wait_until(lambda: self.idle_nodes() == len(self.nodes), 60, "all nodes are idle")
+        except BaseException:
+            self.__exit__()
+            raise
         return self
 
     def __exit__(self, *_):
         """Stops what was started, by its process's number, and waits for it."""
-        subprocess.run(["scancel", "-u", "root"], env=self.environment, timeout=20, check=False,
-                       capture_output=True)
+        try:
+            subprocess.run(["scancel", "-u", "root"], env=self.environment, timeout=20,
+                           check=False, capture_output=True)
+        except subprocess.TimeoutExpired:
+            pass
         time.sleep(0.5)
         for name in [f"slurmd-{node}" for node in self.nodes] + ["slurmctld", "munged"]:
             pid = self.pid(name)
@@ -125,8 +140,17 @@ class Cluster:
 
     def run(self, *command, **settings):
         """Runs a command to its end, and returns what it printed."""
-        return subprocess.run(command, env=self.environment, check=True, text=True, timeout=120,
+        return subprocess.run(command, env=self.environment, check=True, text=True, timeout=60,
                               stdout=subprocess.PIPE, **settings).stdout
+
+    def ask(self, *command):
+        """Runs what may be run again, as a controller that is busy doesn't answer in time."""
+        for _ in range(3):
+            try:
+                return self.run(*command)
+            except subprocess.CalledProcessError:
+                time.sleep(1)
+        return self.run(*command)
 
     def pid(self, name):
         try:
@@ -146,44 +170,48 @@ class Cluster:
         os.kill(pid, number)
         self.wait_until(lambda: not is_alive(pid), 20, f"{node} has stopped")
 
+    def start_tasks(self, start):
+        """Has what is submitted begin, or wait."""
+        self.ask("scontrol", "update", "partitionname=main", f"state={'up' if start else 'down'}")
+
+    def drain(self, *nodes):
+        """Has these nodes begin no other task."""
+        for node in nodes:
+            self.ask("scontrol", "update", f"nodename={node}", "state=drain", "reason=later")
+
+    def restore(self):
+        """Has all nodes work, as whoever looks after a cluster does."""
+        for node in self.nodes:
+            pid = self.pid(f"slurmd-{node}")
+            if pid is None or not is_alive(pid):
+                self.start_node(node)
+            self.resume(node)
+
     def resume(self, node):
         """Takes a node that was set down or drained back; one that came back by itself stays."""
         subprocess.run(["scontrol", "update", f"nodename={node}", "state=resume"], check=False,
                        env=self.environment, capture_output=True, timeout=60)
 
     def idle_nodes(self):
-        return self.run("sinfo", "-h", "-N", "-o", "%T").split().count("idle")
+        return self.ask("sinfo", "-h", "-N", "-o", "%T").split().count("idle")
 
     def jobs(self):
-        """Rows of job, task, state, node, and number of the process's job."""
-        lines = self.run("squeue", "-h", "-r", "-t", "all", "-o", "%F|%K|%T|%N|%A").splitlines()
+        """Rows of job, task, state, node, number of the process's job, and why it waits."""
+        lines = self.ask("squeue", "-h", "-r", "-t", "all", "-o", "%F|%K|%T|%N|%A|%r").splitlines()
         return [line.split("|") for line in lines]
 
+    def running(self):
+        return [row for row in self.jobs() if row[2] == "RUNNING"]
+
     def is_idle(self):
-        over = {"COMPLETED", "FAILED", "CANCELLED", "TIMEOUT"}
-        return all(row[2] in over for row in self.jobs())
+        return all(row[2] in OVER for row in self.jobs())
 
-    def wait_until_idle(self, seconds):
-        """Waits until all jobs have ended, and does what an operator would: takes nodes back that
-        stayed down, and releases jobs that the cluster holds after a start that failed."""
-        def is_idle():
-            if time.monotonic() > self.next_round:
-                self.next_round = time.monotonic() + 10
-                self.repair()
-            return self.is_idle()
-        self.next_round = time.monotonic() + 10
-        self.wait_until(is_idle, seconds, "all jobs have ended")
-
-    def repair(self):
-        for line in self.run("sinfo", "-h", "-N", "-o", "%N %T").splitlines():
-            node, state = line.split()
-            if state.startswith("down"):
-                self.resume(node)
-        for line in self.run("squeue", "-h", "-r", "-t", "PD", "-o", "%A %r").splitlines():
-            job, reason = line.split(maxsplit=1)
-            if "held" in reason.lower() or "hold" in reason.lower():
-                subprocess.run(["scontrol", "release", job], check=False, env=self.environment,
-                               capture_output=True, timeout=60)
+    def is_settled(self):
+        """Nothing goes on by itself: all is over, or held, or waits for what is held."""
+        rows = [row for row in self.jobs() if row[2] not in OVER]
+        held = [row for row in rows if is_held(row)]
+        return not rows or bool(held) and all(
+            row in held or row[5] == "Dependency" for row in rows)
 
     def wait_until(self, condition, seconds, what):
         deadline = time.monotonic() + seconds
@@ -193,7 +221,17 @@ class Cluster:
             time.sleep(0.1)
 
     def logs(self):
-        state = subprocess.run(["squeue", "-r", "-t", "all"], env=self.environment, text=True,
-                               capture_output=True, check=False).stdout
-        return state + subprocess.run(["sinfo", "-N", "-l"], env=self.environment, text=True,
-                                      capture_output=True, check=False).stdout
+        """What there is to say about jobs that aren't over, about nodes, and by the controller."""
+        text = ""
+        for command in (["squeue", "-r", "-o", "%F|%K|%T|%N|%A|%r|%E"], ["sinfo", "-N", "-l"]):
+            text += subprocess.run(command, env=self.environment, text=True, timeout=60,
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                   check=False).stdout
+        daemons = [f"slurmd-{node}" for node in self.nodes] + ["slurmctld", "munged"]
+        gone = [name for name in daemons if not is_alive(self.pid(name) or 0)]
+        text += f"not running: {' '.join(gone) or 'none'}\n"
+        try:
+            lines = (self.folder / "log/slurmctld.log").read_text(errors="replace").splitlines()
+        except OSError:
+            lines = []
+        return text + "\n".join(lines[-40:])

@@ -10,10 +10,12 @@
 #include "body/closed_surface.h"
 #include "body/mass_properties.h"
 #include "body/mesh_readers.h"
+#include "body/self_crossing.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
 #include "physics/motion_start.h"
+#include "picture/named_file.h"
 #include "report/body_report.h"
 #include "scene/scene_text.h"
 #include "scene/solid_numbers.h"
@@ -44,47 +46,73 @@ void requirePositive(const char* option, const std::optional<double>& value) {
     throw InputError(std::string(option) + " " + shortestText(*value) + ": must be above 0");
 }
 
-std::string meshBytes(const std::string& path) {
-  try {
-    return system::readFile(path, scene::kLongestMesh);
-  } catch (const InputError& error) {
-    throw InputError("can't read " + oneLine(path, 200) + ": " + error.what());
-  }
+report::BodySurface surfaceOf(const body::TriangleMesh& mesh) {
+  return {mesh.triangles.size(), body::countShells(mesh), body::findSelfCrossing(mesh)};
 }
 
-report::BodyNumbers bodyOfMesh(const std::string& path, const BodyOptions& options) {
+report::Bodies bodyOfMesh(const std::string& path, const BodyOptions& options) {
   if (options.density && options.mass)
     throw InputError("--density and --mass: one follows from the other; name one of them");
   requirePositive("--density", options.density);
   requirePositive("--mass", options.mass);
   const double unit = unitOf(options.unit);
-  body::TriangleMesh mesh = body::readMesh(path, meshBytes(path));
+  body::TriangleMesh mesh = body::readMesh(path, system::readInput(path, scene::kLongestMesh));
   try {
     body::requireClosed(mesh);
     for (Eigen::Vector3d& point : mesh.points) point *= unit;
     double density = options.density.value_or(kWater);
     if (options.mass) density = *options.mass / body::massPropertiesOf(mesh, 1).volume;
-    return {path, body::massPropertiesOf(mesh, density),
-            report::BodySurface{mesh.triangles.size(), body::countShells(mesh)}};
+    return {path, {{path, body::massPropertiesOf(mesh, density), surfaceOf(mesh)}}};
   } catch (const InputError& error) {
     throw InputError(oneLine(path, 200) + ": " + error.what());
   }
 }
 
-report::BodyNumbers bodyOfScene(const std::string& path, const BodyOptions& options) {
-  if (options.density || options.mass || options.unit != "m")
-    throw InputError("--density, --mass and --unit are a mesh's; " + path +
-                     " has a body of its own");
-  const scene::Scene scene = options.scene.read(path);
-  const scene::Panel motion = scene::motionsOf(scene).front();
-  if (!motion.solid.isBook()) return {scene.name, scene::numbersOf(motion.solid).properties};
+report::BodyNumbers bodyOfBook(const scene::Panel& motion) {
   const rigid::PrincipalAxes inertia = physics::modelInertia(motion);
   const Eigen::Matrix3d& axes = inertia.bodyFromPrincipal;
-  return {scene.name,
+  return {"",
           {motion.body.size.prod(),
            motion.body.mass,
            {0, 0, 0},
            axes * inertia.moments.asDiagonal() * axes.transpose()}};
+}
+
+/// The scene has the mesh's numbers, but for its centre.
+report::BodyNumbers bodyOfMeshFile(const scene::Scene& scene, const scene::Solid& solid) {
+  const body::TriangleMesh mesh = body::readMesh(
+      solid.mesh.name, picture::readNamedFile(scene.folder, solid.mesh.name, scene::kLongestMesh,
+                                              scene.allowOutside));
+  body::requireClosed(mesh);
+  report::BodyNumbers numbers{"", scene::numbersOf(solid).properties, surfaceOf(mesh)};
+  numbers.properties.centre = body::massPropertiesOf(mesh, 1).centre * solid.mesh.unit;
+  return numbers;
+}
+
+report::BodyNumbers bodyOfParts(const scene::Solid& solid) {
+  report::BodySurface surface;
+  for (const scene::BodyPart& part : solid.parts) {
+    const body::TriangleMesh mesh = scene::placed(part).surface;
+    surface.triangles += mesh.triangles.size();
+    surface.shells += body::countShells(mesh);
+  }
+  return {"", scene::numbersOf(solid).properties, surface};
+}
+
+report::Bodies bodiesOfScene(const std::string& path, const BodyOptions& options) {
+  if (options.density || options.mass || options.unit != "m")
+    throw InputError("--density, --mass and --unit are a mesh's; " + path +
+                     " has a body of its own");
+  const scene::Scene scene = options.scene.read(path);
+  report::Bodies bodies{scene.name, {}};
+  for (const scene::Panel& motion : scene::motionsOf(scene)) {
+    const scene::Solid& solid = motion.solid;
+    bodies.bodies.push_back(solid.isBook()        ? bodyOfBook(motion)
+                            : solid.parts.empty() ? bodyOfMeshFile(scene, solid)
+                                                  : bodyOfParts(solid));
+    bodies.bodies.back().name = motion.label.empty() ? scene.name : motion.label;
+  }
+  return bodies;
 }
 
 }  // namespace
@@ -105,7 +133,8 @@ void addBodyCommand(CLI::App& program, Action& action) {
   options->scene.addTo(*command, /*draws=*/false);
   command->footer(R"(
 The mesh must be closed, and face outward; a broken one is refused with the edge or triangle, and
-nothing is repaired in silence. Moments are about the centre of mass.
+nothing is repaired in silence; triangles that cross each other are named. Moments are about the
+centre of mass. A scene with panels has a body for each.
 
 Examples:
   rotatebook body part.stl --unit mm --density 2700
@@ -113,8 +142,8 @@ Examples:
   command->callback([path, options, &action] {
     action = [path, options] {
       const bool isMesh = body::isMeshName(*path);
-      const auto numbers = isMesh ? bodyOfMesh(*path, *options) : bodyOfScene(*path, *options);
-      (options->json ? report::reportBodyAsJson : report::reportBody)(numbers, std::cout);
+      const auto bodies = isMesh ? bodyOfMesh(*path, *options) : bodiesOfScene(*path, *options);
+      (options->json ? report::reportBodiesAsJson : report::reportBodies)(bodies, std::cout);
       return kDone;
     };
   });

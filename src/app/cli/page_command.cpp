@@ -120,12 +120,7 @@ void drawThumbnails(const Shown& shown, const PageArguments& arguments, bool has
 
 /// Returns the live book's fragment of HTML; empty if none is named. Throws InputError.
 std::string liveOf(const PageArguments& arguments) {
-  if (arguments.live.empty()) return "";
-  try {
-    return system::readFile(arguments.live, kLongestFragment);
-  } catch (const Error& error) {
-    throw InputError("can't read " + arguments.live + ": " + error.what());
-  }
+  return arguments.live.empty() ? "" : system::readInput(arguments.live, kLongestFragment);
 }
 
 std::vector<page::Figure> readFigures(const Shown& shown, const PageArguments& arguments,

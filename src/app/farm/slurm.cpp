@@ -116,7 +116,18 @@ bool QueuedJob::isActive() const {
   static const std::set<std::string> kOver{"COMPLETED", "CANCELLED",     "FAILED",   "TIMEOUT",
                                            "NODE_FAIL", "OUT_OF_MEMORY", "DEADLINE", "BOOT_FAIL",
                                            "REVOKED",   "PREEMPTED"};
-  return !kOver.contains(state);
+  return !kOver.contains(state) && !isHeld();
+}
+
+bool QueuedJob::isHeld() const {
+  if (state == "REQUEUE_HOLD" || state == "SPECIAL_EXIT") return true;
+  // "launch failed requeued held", "job requeued in held state"; JobHeldUser is as the user wants
+  return state == "PENDING" &&
+         (reason == "JobHoldMaxRequeue" || reason.find("requeued") != std::string::npos);
+}
+
+std::string QueuedJob::name() const {
+  return task > 0 ? job + '_' + std::to_string(task) : job;
 }
 
 bool QueuedJob::isRunning() const {

@@ -31,8 +31,12 @@ struct QueuedJob {
   std::string node;          ///< The one that runs it, or ran it.
   std::string reason;        ///< Why it waits.
 
-  /// Returns whether it is yet to end.
+  /// Returns whether it is yet to end, and goes on by itself.
   bool isActive() const;
+  /// Returns whether the cluster has given it up: it waits until somebody releases or cancels it.
+  bool isHeld() const;
+  /// Returns what scancel calls it.
+  std::string name() const;
   /// Returns whether it has begun, and not ended.
   bool isRunning() const;
 };

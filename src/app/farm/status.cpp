@@ -60,6 +60,8 @@ std::string failureOf(const std::optional<TaskEnd>& end, const QueuedJob* job,
                       const fs::path& log) {
   const std::string last = lastLine(log);
   const std::string says = last.empty() ? "" : ": " + last;
+  if (job != nullptr && job->isHeld())
+    return "held by the cluster (" + job->reason + "), submit again" + says;
   // A job that was cancelled or ran out of time ends with some status, too
   if (job != nullptr && job->state != "COMPLETED" && job->state != "FAILED")
     return job->state + says;

@@ -17,12 +17,12 @@ std::vector<std::string> allOf(const Jobs& jobs) {
   return all;
 }
 
-/// Returns the jobs of which something is still to end.
-std::vector<std::string> activeOf(const std::vector<QueuedJob>& queue) {
-  std::set<std::string> active;
+/// Returns the jobs of which something is still in the queue.
+std::vector<std::string> queuedOf(const std::vector<QueuedJob>& queue) {
+  std::set<std::string> queued;
   for (const QueuedJob& job : queue)
-    if (job.isActive()) active.insert(job.job);
-  return {active.begin(), active.end()};
+    if (job.isActive() || job.isHeld()) queued.insert(job.job);
+  return {queued.begin(), queued.end()};
 }
 
 /// Returns how two plans differ that don't do the same.
@@ -51,13 +51,15 @@ std::string differenceOf(const Plan& earlier, const Plan& plan) {
 struct EarlierJobs {
   std::vector<std::string> arrays{};  ///< Arrays with tasks that are yet to end.
   std::set<std::int64_t> tasks{};     ///< The tasks of these.
-  bool hasJoin = false;               ///< The join is yet to end,
-  bool joins = false;                 ///< and has begun: it makes what is missing.
+  std::vector<std::string> held{};  ///< Tasks that the cluster has given up, and a join waits for.
+  bool hasJoin = false;             ///< The join is yet to end,
+  bool joins = false;               ///< and has begun: it makes what is missing.
 };
 
 EarlierJobs earlierJobs(const Jobs& jobs) {
   EarlierJobs earlier;
   for (const QueuedJob& job : readQueue(allOf(jobs))) {
+    if (job.isHeld()) earlier.held.push_back(job.name());
     if (!job.isActive()) continue;
     if (job.job == jobs.join) {
       earlier.hasJoin = true;
@@ -68,6 +70,16 @@ EarlierJobs earlierJobs(const Jobs& jobs) {
     if (std::ranges::count(earlier.arrays, job.job) == 0) earlier.arrays.push_back(job.job);
   }
   return earlier;
+}
+
+/// Cancels earlier jobs that the new ones, or those in the queue, replace.
+void cancelEarlier(const std::vector<std::string>& jobs) {
+  if (jobs.empty()) return;
+  const auto problem = cancelJobs(jobs);
+  if (!problem) return;
+  const std::string all = joined(jobs, " ");
+  throw MachineError("can't cancel job " + all + " of an earlier submission: " + *problem +
+                     "; cancel it with scancel " + all);
 }
 
 /// Sends the array of `sent` and the join after it; returns their numbers. The plan on the disk
@@ -82,21 +94,21 @@ void sendAll(StoredPlan& stored, const PlanFiles& files, const EarlierJobs& earl
   }
   try {
     writePlan(files, stored);
-    if (joinCommandOf(stored.plan).empty()) return;
-    submission.join = sendJob(files.joinScript, stored.jobs.arrays);
-    stored.jobs.join = submission.join;
-    writePlan(files, stored);
+    if (!joinCommandOf(stored.plan).empty()) {
+      submission.join = sendJob(files.joinScript, stored.jobs.arrays);
+      stored.jobs.join = submission.join;
+      writePlan(files, stored);
+    }
   } catch (const Error& error) {
     std::vector<std::string> sent{submission.array, submission.join};
     std::erase(sent, "");
     if (sent.empty()) throw;
     failAndCancel(error, sent);
   }
-  if (oldJoin.empty()) return;
-  if (const auto problem = cancelJobs({oldJoin})) {
-    throw MachineError("can't cancel job " + oldJoin + ", in whose place " + submission.join +
-                       " joins the results: " + *problem + "; cancel it with scancel " + oldJoin);
-  }
+  std::vector<std::string> replaced = earlier.held;
+  // First the join, which would begin where it waits for those that are held
+  if (!oldJoin.empty()) replaced.insert(replaced.begin(), oldJoin);
+  cancelEarlier(replaced);
 }
 
 }  // namespace
@@ -110,11 +122,11 @@ std::optional<StoredPlan> continued(const Plan& plan, const PlanFiles& files) {
 }
 
 void requireNoneQueued(const StoredPlan& earlier, const Plan& plan) {
-  const std::vector<std::string> active = activeOf(readQueue(allOf(earlier.jobs)));
-  if (active.empty()) return;
+  const std::vector<std::string> queued = queuedOf(readQueue(allOf(earlier.jobs)));
+  if (queued.empty()) return;
   throw InputError("an earlier submission into " + plan.folder.string() +
                    " is still in the queue, and " + differenceOf(earlier.plan, plan) +
-                   "; cancel it (scancel " + joined(active, " ") +
+                   "; cancel it (scancel " + joined(queued, " ") +
                    "), or submit into another folder with -o");
 }
 
@@ -153,10 +165,14 @@ Submission submit(StoredPlan stored, const PlanFiles& files, const JobOptions& o
     earlier.joins || earlier.tasks.contains(task.number) ? void(++submission.queued)
                                                          : submission.sent.push_back(task.number);
   submission.isWhole = std::ranges::all_of(progress, &SceneProgress::isWhole);
-  if (submission.isWhole || (submission.sent.empty() && earlier.hasJoin)) return submission;
-  if (submission.sent.empty() && joinCommandOf(plan).empty()) return submission;
+  const bool isSent = submission.isWhole ||
+                      (submission.sent.empty() && (earlier.hasJoin || joinCommandOf(plan).empty()));
 
   // Send the rest
+  if (isSent) {
+    cancelEarlier(earlier.held);
+    return submission;
+  }
   if (!submission.sent.empty()) {
     system::writeFileAtomically(
         files.partScript, jobScript(plan, files, submission.sent, options, limits.requeues75));

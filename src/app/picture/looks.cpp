@@ -18,7 +18,6 @@
 #include "scene/scene_text.h"
 #include "scene/solid_numbers.h"
 #include "scene/source_locations.h"
-#include "system/read_file.h"
 #include "timeline/scene_camera.h"
 
 namespace rotatebook::picture {
@@ -98,8 +97,8 @@ render::BookTextures loadBook(const scene::Scene& scene, const TextureFiles& fil
 /// A body of a scene, which may have several motions.
 struct SceneBody {
   scene::Solid solid;
-  std::string meshKey;  ///< Of the key that names its mesh; empty if it has none.
-  std::string location;
+  Eigen::Vector3d size;  ///< Of the box around it. [m]
+  std::string meshKey;   ///< The key that names its mesh; empty if it has none.
 };
 
 /// The different bodies of a scene's motions.
@@ -118,8 +117,7 @@ SceneBodies bodiesOf(const scene::Scene& scene) {
     if (same != all.bodies.end()) continue;
     const std::string key =
         scene.panels.empty() ? "body.mesh" : "panel." + std::to_string(i) + ".body.mesh";
-    all.bodies.push_back({solid, solid.mesh.name.empty() ? "" : key,
-                          locationOf(scene, scene.panels.empty() ? "body" : "panel")});
+    all.bodies.push_back({solid, motions[i].body.size, solid.mesh.name.empty() ? "" : key});
   }
   return all;
 }
@@ -128,24 +126,16 @@ bool hasBook(const SceneBodies& all) {
   return std::ranges::any_of(all.bodies, [](const SceneBody& b) { return b.solid.isBook(); });
 }
 
-/// Returns what `work` returns. Throws an InputError of it again with the body's location and mesh.
+/// Returns what `work` returns. Throws an InputError of it again with the bodies' location.
 template <typename Work>
-auto atBody(const SceneBody& body, const Work& work) {
-  try {
-    return work();
-  } catch (const InputError& error) {
-    throw InputError(body.location + ": " + error.what());
-  }
+auto atBodies(const scene::Scene& scene, const Work& work) {
+  return scene::atLocationOf(scene, scene.panels.empty() ? "body" : "panel", work);
 }
 
 std::string readMeshFile(const scene::Scene& scene, const SceneBody& body) {
-  return atBody(body, [&] {
-    const fs::path path = pathOfNamedFile(scene.folder, body.solid.mesh.name, scene.allowOutside);
-    try {
-      return system::readFile(path, scene::kLongestMesh);
-    } catch (const InputError& error) {
-      throw InputError("can't read " + path.string() + ": " + error.what());
-    }
+  return atBodies(scene, [&] {
+    return readNamedFile(scene.folder, body.solid.mesh.name, scene::kLongestMesh,
+                         scene.allowOutside);
   });
 }
 
@@ -153,11 +143,6 @@ std::string readMeshFile(const scene::Scene& scene, const SceneBody& body) {
 body::Surface meshSurfaceOf(const SceneBody& body, const std::string& bytes) {
   const std::string& name = body.solid.mesh.name;
   body::Surface surface = body::readSurface(name, bytes);
-  const std::size_t count = surface.mesh.triangles.size();
-  if (count > body::kMaxDrawnTriangles) {
-    throw InputError(name + " has " + std::to_string(count) + " triangles; pictures take up to " +
-                     std::to_string(body::kMaxDrawnTriangles) + ", so export a coarser mesh");
-  }
   scene::MeshFile numbers = scene::meshFileOf(name, surface.mesh);
   numbers.unit = body.solid.mesh.unit;
   if (numbers != body.solid.mesh)
@@ -165,15 +150,17 @@ body::Surface meshSurfaceOf(const SceneBody& body, const std::string& bytes) {
   return surface;
 }
 
-render::SurfaceLook lookOf(const SceneBody& body, const std::string& bytes) {
-  return atBody(body, [&] {
-    render::SurfaceLook look;
-    look.size = scene::numbersOf(body.solid).size;
-    look.surface = body.meshKey.empty() ? scene::surfaceOf(body.solid)
-                                        : scene::surfaceOf(body.solid, meshSurfaceOf(body, bytes));
-    for (const std::string& image : look.surface.images) {
-      const std::string number = std::to_string(look.images.size());
-      look.images.push_back(decoded(image, body.solid.mesh.name + ", picture " + number));
+/// Returns the look of a body that isn't the book. `bytes`: of its mesh's file, if it has one.
+std::shared_ptr<const render::SurfaceLook> lookOf(const scene::Scene& scene, const SceneBody& body,
+                                                  const std::string& bytes) {
+  return atBodies(scene, [&] {
+    auto look = std::make_shared<render::SurfaceLook>();
+    look->size = body.size;
+    look->surface = body.meshKey.empty() ? scene::surfaceOf(body.solid)
+                                         : scene::surfaceOf(body.solid, meshSurfaceOf(body, bytes));
+    for (const std::string& image : look->surface.images) {
+      const std::string number = std::to_string(look->images.size());
+      look->images.push_back(decoded(image, body.solid.mesh.name + ", picture " + number));
     }
     return look;
   });
@@ -191,11 +178,6 @@ render::Background backgroundOf(scene::Background background) {
       break;
   }
   return render::Background::Studio;
-}
-
-std::shared_ptr<const render::SurfaceLook> sharedLookOf(const SceneBody& body,
-                                                        const std::string& bytes) {
-  return std::make_shared<const render::SurfaceLook>(lookOf(body, bytes));
 }
 
 }  // namespace
@@ -225,7 +207,7 @@ TextureFiles readTextures(const scene::Scene& scene) {
   for (const SceneBody& body : all.bodies) {
     if (body.meshKey.empty()) continue;
     const std::string& bytes = files[body.meshKey] = readMeshFile(scene, body);
-    lookOf(body, bytes);
+    lookOf(scene, body, bytes);
   }
   return files;
 }
@@ -237,11 +219,11 @@ LoadedLooks loadLooks(const scene::Scene& scene, const TextureFiles& files) {
     if (body.solid.isBook()) {
       loaded.looks.emplace_back(loadBook(scene, files, loaded.checksums));
     } else if (body.meshKey.empty()) {
-      loaded.looks.emplace_back(sharedLookOf(body, ""));
+      loaded.looks.emplace_back(lookOf(scene, body, ""));
     } else {
       const auto known = files.find(body.meshKey);
       const std::string bytes = known == files.end() ? readMeshFile(scene, body) : known->second;
-      loaded.looks.emplace_back(sharedLookOf(body, bytes));
+      loaded.looks.emplace_back(lookOf(scene, body, bytes));
       loaded.checksums[body.meshKey] = checksumOf(bytes);
     }
   }

@@ -9,7 +9,6 @@
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
-#include "report/vector_json.h"
 #include "rigid/inertia.h"
 #include "rigid/regime.h"
 
@@ -56,25 +55,27 @@ double growthOf(const Vector3d& moments) {
                    (moments[0] * moments[2]));
 }
 
-}  // namespace
+/// Returns what there is to say about the surface.
+std::string surfaceText(const std::optional<BodySurface>& surface) {
+  if (!surface) return "the book, a cuboid";
+  std::string text = std::to_string(surface->triangles) + " triangles, " +
+                     (surface->shells == 1 ? "one closed surface"
+                                           : std::to_string(surface->shells) +
+                                                 " closed surfaces; where they overlap, or lie "
+                                                 "within each other, mass counts twice");
+  if (!surface->crossing) return text;
+  const auto [one, other] = *surface->crossing;
+  return text + "\n  note: triangles " + std::to_string(one + 1) + " and " +
+         std::to_string(other + 1) +
+         " cross each other; what a surface encloses twice counts twice";
+}
 
 void reportBody(const BodyNumbers& numbers, std::ostream& output) {
   const body::MassProperties& body = numbers.properties;
   const auto [moments, axes] = sortedAxes(body.inertia);
-  output << numbers.name << ": ";
-  if (numbers.surface) {
-    output << numbers.surface->triangles << " triangles, "
-           << (numbers.surface->shells == 1
-                   ? "one closed surface"
-                   : std::to_string(numbers.surface->shells) +
-                         " closed surfaces; where they overlap, or lie within each other, mass "
-                         "counts twice");
-  } else {
-    output << "the body of the scene";
-  }
-  output << "\n  volume   " << roundedText(body.volume, 6) << " m^3\n  mass     "
-         << roundedText(body.mass, 6) << " kg\n  centre   "
-         << bodyVectorText(body.centre, std::cbrt(body.volume), 6)
+  output << numbers.name << ": " << surfaceText(numbers.surface) << "\n  volume   "
+         << roundedText(body.volume, 6) << " m^3\n  mass     " << roundedText(body.mass, 6)
+         << " kg\n  centre   " << bodyVectorText(body.centre, std::cbrt(body.volume), 6)
          << " m\n  inertia  about the centre [kg m^2]\n";
   for (int row = 0; row < 3; ++row)
     output << "           " << bodyVectorText(body.inertia.row(row), moments[2], 6) << '\n';
@@ -93,7 +94,7 @@ void reportBody(const BodyNumbers& numbers, std::ostream& output) {
   }
 }
 
-void reportBodyAsJson(const BodyNumbers& numbers, std::ostream& output) {
+std::string bodyJson(const BodyNumbers& numbers) {
   const body::MassProperties& body = numbers.properties;
   const auto [moments, axes] = sortedAxes(body.inertia);
   const auto rowsOf = [](const Matrix3d& matrix) {
@@ -116,7 +117,28 @@ void reportBodyAsJson(const BodyNumbers& numbers, std::ostream& output) {
   };
   count("triangles", &BodySurface::triangles);
   count("shells", &BodySurface::shells);
+  const bool crosses = numbers.surface && numbers.surface->crossing;
+  json.add("crossing",
+           !crosses ? "null" : jsonArrayOf(*numbers.surface->crossing, [](std::size_t triangle) {
+             return std::to_string(triangle + 1);
+           }));
   json.addBool("closed", true);
+  return json.text();
+}
+
+}  // namespace
+
+void reportBodies(const Bodies& bodies, std::ostream& output) {
+  for (const BodyNumbers& body : bodies.bodies) reportBody(body, output);
+}
+
+void reportBodiesAsJson(const Bodies& bodies, std::ostream& output) {
+  if (bodies.bodies.size() == 1) {
+    output << bodyJson(bodies.bodies.front()) << '\n';
+    return;
+  }
+  JsonObject json;
+  json.addString("name", bodies.name).add("bodies", jsonArrayOf(bodies.bodies, bodyJson));
   output << json.text() << '\n';
 }
 

@@ -8,7 +8,6 @@
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/text.h"
-#include "report/vector_json.h"
 #include "scene/names.h"
 
 namespace rotatebook::report {
@@ -155,7 +154,7 @@ std::string spinJson(const SpinNumbers& numbers) {
   object.addStringOrNull("label", numbers.motion.label)
       .addString("model", nameOf(scene::kModels, numbers.motion.simulation.model))
       .add("moments_kg_m2", jsonArrayOf(spin.moments, shortestText))
-      .add("axes", jsonArrayOf(spin.axes, vectorJson))
+      .add("axes", jsonArrayOf(spin.axes, [](const auto& axis) { return vectorJson(axis); }))
       .addString("equal_moments", equalText(spin.equal))
       .add("angular_velocity_rad_per_s", vectorJson(spin.angularVelocity))
       .add("angular_momentum_kg_m2_per_s", vectorJson(spin.angularMomentum))

@@ -208,7 +208,7 @@ RecordedClip readRecordedClip(const fs::path& clip, const TextureLookup& texture
   scene.allowOutside = textures.allowOutside;
   try {
     recorded.textures = picture::readTextures(scene);
-    readRecordings(scene);
+    readMotionFiles(scene);
   } catch (const InputError& error) {
     if (!lacksFiles(scene)) throw;
     throw InputError(std::string(error.what()) +

@@ -10,7 +10,7 @@
 #include "document/toml_text.h"
 #include "document/toml_tree.h"
 #include "picture/named_file.h"
-#include "scene/recordings.h"
+#include "scene/motion_files.h"
 #include "scene/scene_text.h"
 #include "store/scene_name.h"
 #include "system/read_file.h"
@@ -44,22 +44,11 @@ std::vector<std::string> sceneNamesIn(const fs::path& folder) {
                                       document::tomlString(suggestion.string()) + "?");
 }
 
-/// Returns the text of a file, relative to `folder`, that the scene there names.
-std::string readNamedFile(const fs::path& folder, const fs::path& file, std::size_t most,
-                          bool allowOutside) {
-  const fs::path path = picture::pathOfNamedFile(folder, file, allowOutside);
-  try {
-    return system::readFile(path, most);
-  } catch (const InputError& error) {
-    throw InputError("can't read " + path.string() + ": " + error.what());
-  }
-}
-
 }  // namespace
 
-void readRecordings(scene::Scene& scene) {
-  scene::readRecordings(scene, [&](const fs::path& file, std::size_t most) {
-    return readNamedFile(scene.folder, file, most, scene.allowOutside);
+void readMotionFiles(scene::Scene& scene) {
+  scene::readMotionFiles(scene, [&](const fs::path& file, std::size_t most) {
+    return picture::readNamedFile(scene.folder, file, most, scene.allowOutside);
   });
 }
 
@@ -83,7 +72,7 @@ scene::Scene readScene(const fs::path& path, std::span<const std::string> overri
   }
   scene::Scene scene = scene::parseScene(
       readSceneText(path), path, overrides, [&](const fs::path& file, std::size_t most) {
-        return readNamedFile(path.parent_path(), file, most, allowOutside);
+        return picture::readNamedFile(path.parent_path(), file, most, allowOutside);
       });
   scene.allowOutside = allowOutside;
   return scene;

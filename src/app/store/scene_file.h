@@ -16,9 +16,9 @@ namespace rotatebook::store {
 scene::Scene readScene(const std::filesystem::path& path,
                        std::span<const std::string> overrides = {}, bool allowOutside = false);
 
-/// Reads the recordings of a scene that was parsed from a record, from the scene's folder, which
-/// they don't leave unless Scene::allowOutside; see scene::readRecordings().
-void readRecordings(scene::Scene& scene);
+/// Reads the files that the motions of a record's scene follow from, in the scene's folder, which
+/// they don't leave unless Scene::allowOutside; see scene::readMotionFiles().
+void readMotionFiles(scene::Scene& scene);
 
 /// Reads the text of a scene file without parsing it. Throws InputError if it can't be read or is
 /// longer than document::kLongestToml.

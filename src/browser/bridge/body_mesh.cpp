@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "base/error.h"
 #include "base/json.h"
 #include "base/number_text.h"
 #include "body/mesh_readers.h"
@@ -23,17 +22,12 @@ body::Surface surfaceOf(const scene::Motion& motion,
     const Eigen::Vector3d& size = motion.body.size;
     return {.mesh = body::findShape("box")->solid({size.data(), 3}).surface};
   }
-  body::Surface surface = body::readSurface(name, *bytes);
-  if (surface.mesh.triangles.size() > body::kMaxDrawnTriangles)
-    throw InputError(name + " has too many triangles to be drawn; export a coarser mesh");
-  return scene::surfaceOf(solid, std::move(surface));
+  return scene::surfaceOf(solid, body::readSurface(name, *bytes));
 }
 
 std::string materialJson(const body::Material& material, const Eigen::Vector3d& size,
                          std::size_t first, std::size_t count) {
   const body::Grain& grain = material.grain;
-  Eigen::Vector3d grains = Eigen::Vector3d::Zero();
-  if (grain.contrast > 0 || grain.relief > 0) grains = size.cwiseQuotient(grain.size);
   const auto list = [](const auto& numbers) {
     std::vector<std::string> texts;
     for (const auto number : numbers) texts.push_back(shortestText(static_cast<double>(number)));
@@ -44,7 +38,7 @@ std::string materialJson(const body::Material& material, const Eigen::Vector3d& 
       .addInteger("count", static_cast<std::int64_t>(count))
       .add("baseColour", list(material.baseColour))
       .add("metalAndRoughness", list(std::array{material.metalness, material.roughness}))
-      .add("grainsAcross", list(grains))
+      .add("grainsAcross", list(grainsAcross(grain, size)))
       .add("contrastAndRelief", list(std::array{grain.contrast, grain.relief}))
       .text();
 }

@@ -14,10 +14,6 @@
 namespace rotatebook::bridge {
 namespace {
 
-std::string vectorJson(const Eigen::Vector3d& vector) {
-  return jsonArrayOf(std::array{vector.x(), vector.y(), vector.z()}, shortestText);
-}
-
 std::string modelJson(const scene::Named<physics::Model>& model) {
   return JsonObject()
       .addString("name", model.name)

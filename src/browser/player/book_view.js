@@ -15,7 +15,7 @@ vec3 toneMap(vec3 radiance) {
   return mix(1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, 12.92 * linear, lessThanEqual(linear, vec3(0.0031308)));
 }
 `;
-const kClearlyOriented = 0.2;  // As in book_geometry.cpp.
+const kClearlyOriented = 0.2;  // As in mesh_geometry.cpp.
 const kWall = [0.098, 0.106, 0.1255];  // The edge of studio.frag's.
 const kAttributes = [3, 3, 2, 1, 1];  // Floats of each, as in body.vert.
 

@@ -1,11 +1,14 @@
 // Functions that write JSON.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "base/number_text.h"
 
 namespace rotatebook {
 
@@ -22,6 +25,12 @@ std::string jsonArrayOf(const Items& items, const AsJson& asJson) {
   std::vector<std::string> values;
   for (const auto& item : items) values.push_back(asJson(item));
   return jsonArray(values);
+}
+
+/// Returns "[x, y, z]", whose numbers read back as what they are.
+template <typename Vector>
+std::string vectorJson(const Vector& vector) {
+  return jsonArrayOf(std::array<double, 3>{vector[0], vector[1], vector[2]}, shortestText);
 }
 
 /// An object that is built member by member.

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "base/disjoint_sets.h"
 #include "base/error.h"
 #include "base/number_text.h"
 
@@ -92,22 +93,6 @@ SidesByPoint sidesByPoint(const TriangleMesh& mesh) {
   return result;
 }
 
-/// The sets of points that triangles connect.
-class Shells {
- public:
-  explicit Shells(std::size_t count) : parents_(count) {
-    std::iota(parents_.begin(), parents_.end(), 0U);
-  }
-  std::uint32_t rootOf(std::uint32_t point) {
-    while (parents_[point] != point) point = parents_[point] = parents_[parents_[point]];
-    return point;
-  }
-  void join(std::uint32_t a, std::uint32_t b) { parents_[rootOf(a)] = rootOf(b); }
-
- private:
-  std::vector<std::uint32_t> parents_;
-};
-
 }  // namespace
 
 void requireClosed(const TriangleMesh& mesh) {
@@ -129,13 +114,13 @@ void requireClosed(const TriangleMesh& mesh) {
 }
 
 std::size_t countShells(const TriangleMesh& mesh) {
-  Shells shells(mesh.points.size());
+  DisjointSets shells(mesh.points.size());
   for (const auto& [a, b, c] : mesh.triangles) {
     shells.join(a, b);
     shells.join(b, c);
   }
   std::size_t count = 0;
-  for (std::uint32_t i = 0; i < mesh.points.size(); ++i) count += shells.rootOf(i) == i ? 1 : 0;
+  for (std::uint32_t i = 0; i < mesh.points.size(); ++i) count += shells.of(i) == i ? 1 : 0;
   return count;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -10,12 +11,20 @@
 namespace rotatebook::body {
 namespace {
 
+Surface plainSurface(TriangleMesh mesh) {
+  return {.mesh = std::move(mesh)};
+}
+
 struct Format {
   std::string_view ending;
   TriangleMesh (*read)(std::string_view);
+  Surface (*readSurface)(std::string_view);
 };
 constexpr Format kFormats[] = {
-    {".obj", readObj}, {".stl", readStl}, {".ply", readPly}, {".glb", readGlb}};
+    {".obj", readObj, [](std::string_view bytes) { return plainSurface(readObj(bytes)); }},
+    {".stl", readStl, [](std::string_view bytes) { return plainSurface(readStl(bytes)); }},
+    {".ply", readPly, [](std::string_view bytes) { return plainSurface(readPly(bytes)); }},
+    {".glb", readGlb, readGlbSurface}};
 
 const Format* formatOf(std::string_view name) {
   std::string ending(name.substr(std::min(name.rfind('.'), name.size())));
@@ -56,12 +65,7 @@ TriangleMesh readMesh(std::string_view name, std::string_view bytes) {
 
 Surface readSurface(std::string_view name, std::string_view bytes) {
   return atName(name, [&](const Format& format) {
-    Surface surface;
-    if (format.read == readGlb) {
-      surface = readGlbSurface(bytes);
-    } else {
-      surface.mesh = format.read(bytes);
-    }
+    Surface surface = format.readSurface(bytes);
     surface.mesh = welded(surface.mesh);
     return surface;
   });

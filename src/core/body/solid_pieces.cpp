@@ -168,10 +168,9 @@ void addMoved(const SolidPiece& piece, const Vector3d& place, SolidPiece& into) 
   const MassProperties placed = moved(piece.properties, Eigen::Matrix3d::Identity(), place);
   TriangleMesh& all = into.surface;
   into.properties = all.points.empty() ? placed : sumOf(into.properties, placed);
-  const auto first = static_cast<std::uint32_t>(all.points.size());
-  for (const Vector3d& point : piece.surface.points) all.points.push_back(point + place);
-  for (const auto& [a, b, c] : piece.surface.triangles)
-    all.triangles.push_back({first + a, first + b, first + c});
+  const std::size_t first = all.points.size();
+  append(piece.surface, all);
+  for (std::size_t i = first; i < all.points.size(); ++i) all.points[i] += place;
 }
 
 TriangleMesh alongAxis(TriangleMesh mesh, int thirds) {

@@ -25,6 +25,9 @@ struct Grain {
   float relief = 0;               ///< Of the height. [m]
 };
 
+/// Returns the number of grains along each edge of a box of that size [m]; 0 of no grain.
+Eigen::Vector3d grainsAcross(const Grain& grain, const Eigen::Vector3d& size);
+
 /// A material of the metallic-roughness model of glTF 2.0.
 struct Material {
   Eigen::Vector3f baseColour{0.55F, 0.55F, 0.55F};  ///< Linear. [0 to 1]

@@ -76,4 +76,11 @@ TriangleMesh welded(const TriangleMesh& mesh) {
   return result;
 }
 
+void append(const TriangleMesh& added, TriangleMesh& into) {
+  const auto first = static_cast<std::uint32_t>(into.points.size());
+  into.points.insert(into.points.end(), added.points.begin(), added.points.end());
+  for (const auto& [a, b, c] : added.triangles)
+    into.triangles.push_back({first + a, first + b, first + c});
+}
+
 }  // namespace rotatebook::body

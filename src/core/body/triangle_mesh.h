@@ -25,4 +25,7 @@ struct TriangleMesh {
 /// if a triangle names a point that doesn't exist, or a coordinate that is used isn't finite.
 TriangleMesh welded(const TriangleMesh& mesh);
 
+/// Adds the points and triangles of another mesh.
+void append(const TriangleMesh& added, TriangleMesh& into);
+
 }  // namespace rotatebook::body

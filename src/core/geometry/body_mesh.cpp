@@ -4,42 +4,18 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include "base/disjoint_sets.h"
 #include "base/elementary.h"
 
 namespace rotatebook::geometry {
 namespace {
 
 using Eigen::Vector3d;
-
-/// Sets of numbers that grow together (union-find).
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parents_(count) {
-    std::iota(parents_.begin(), parents_.end(), std::uint32_t{0});
-  }
-  std::uint32_t of(std::uint32_t number) {
-    while (parents_[number] != number) {
-      parents_[number] = parents_[parents_[number]];
-      number = parents_[number];
-    }
-    return number;
-  }
-  /// The smaller number represents both.
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = of(a);
-    b = of(b);
-    parents_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parents_;
-};
 
 /// A side of a triangle, from corner to corner.
 struct Side {
@@ -118,7 +94,7 @@ class MeshMaker {
 
   /// Joins the corners at each point across smooth edges, and the triangles.
   void joinSmooth() {
-    patches_ = Sets(triangles().size());
+    patches_ = DisjointSets(triangles().size());
     forEdges([this](const Side& a, const Side& b) {
       if (!isSmooth(a, b)) return;
       const bool isOpposite = pointOf(a.from) == pointOf(b.to);
@@ -205,8 +181,8 @@ class MeshMaker {
   Vector3d size_;
   std::vector<Vector3d> areas_;  // By triangle. [m^2]
   std::vector<Side> sides_;
-  Sets corners_;                         // Those of a set share their normal.
-  Sets patches_{0};                      // Triangles.
+  DisjointSets corners_;                 // Those of a set share their normal.
+  DisjointSets patches_{0};              // Triangles.
   std::vector<std::uint32_t> vertexOf_;  // By corner.
 };
 

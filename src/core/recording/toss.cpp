@@ -107,6 +107,13 @@ Eigen::MatrixXd slopesOf(Readings flight, const Parameters& p) {
   return slopes;
 }
 
+/// A rest before the flight, and the gyroscope's bias that it shows.
+struct Rest {
+  double duration = 0;  // 0 if there is none [s]
+  Eigen::Vector3d bias{0, 0, 0};
+  Eigen::Vector3d variance{0, 0, 0};  // of the bias, by the scatter of the rates [rad^2/s^2]
+};
+
 /// A free motion that is fitted to rates.
 struct Fit {
   Parameters parameters;
@@ -114,7 +121,20 @@ struct Fit {
   double residual = 0;  // root mean square [rad/s]
 };
 
-Fit refined(Readings flight, Parameters p) {
+/// Returns the covariance of the parameters: by the noise of the flight's rates, and by the error
+/// of the bias, which shifts all of an axis alike.
+Eigen::Matrix<double, kParameters, kParameters> covarianceOf(const Eigen::MatrixXd& slopes,
+                                                             double variance, const Rest& rest) {
+  const Eigen::Matrix<double, kParameters, kParameters> inverse =
+      (slopes.transpose() * slopes).inverse();
+  Eigen::Matrix<double, kParameters, 3> sums = Eigen::Matrix<double, kParameters, 3>::Zero();
+  for (Eigen::Index row = 0; row < slopes.rows(); ++row)
+    sums.col(row % 3) += slopes.row(row).transpose();
+  const Eigen::Matrix<double, kParameters, 3> byBias = inverse * sums;
+  return variance * inverse + byBias * rest.variance.asDiagonal() * byBias.transpose();
+}
+
+Fit refined(Readings flight, Parameters p, const Rest& rest) {
   constexpr int kMaxIterations = 20;
   constexpr int kMaxHalvings = 20;
   double error = residualsOf(flight, p).squaredNorm();
@@ -136,8 +156,7 @@ Fit refined(Readings flight, Parameters p) {
   fit.parameters = p;
   const double count = 3.0 * static_cast<double>(flight.size());
   const double variance = error / (count - kParameters);
-  const Eigen::MatrixXd slopes = slopesOf(flight, p);
-  fit.covariance = variance * (slopes.transpose() * slopes).inverse();
+  fit.covariance = covarianceOf(slopesOf(flight, p), variance, rest);
   fit.residual = std::sqrt(error / count);
   return fit;
 }
@@ -231,21 +250,29 @@ std::pair<std::size_t, std::size_t> flightIn(const InertialRecording& recording,
       " are needed; state another with --from and --to");
 }
 
-/// Notes the longest rest before the flight, and the mean of its rates.
-void findRest(const InertialRecording& recording, std::size_t flight, TossFit& fit) {
+/// Returns the rest that these readings are.
+Rest restOf(Readings readings) {
+  const auto count = static_cast<double>(readings.size());
+  Rest rest;
+  rest.duration = readings.back().rate.time - readings.front().rate.time;
+  for (const InertialReading& one : readings) rest.bias += one.rate.angularVelocity / count;
+  for (const InertialReading& one : readings)
+    rest.variance += (one.rate.angularVelocity - rest.bias).cwiseAbs2() / (count * (count - 1));
+  return rest;
+}
+
+/// Returns the longest rest before the flight.
+Rest restBefore(Readings before) {
+  Rest longest;
   std::size_t start = 0;
-  for (std::size_t i = 0; i <= flight; ++i) {
-    const auto& all = recording.readings;
-    if (i < flight && all[i].rate.angularVelocity.norm() < kRest) continue;
-    const double length = i > start ? all[i - 1].rate.time - all[start].rate.time : 0;
-    if (length > std::max(fit.rest, kShortestRest)) {
-      fit.rest = length;
-      fit.bias.setZero();
-      for (std::size_t k = start; k < i; ++k) fit.bias += all[k].rate.angularVelocity;
-      fit.bias /= static_cast<double>(i - start);
-    }
+  for (std::size_t i = 0; i <= before.size(); ++i) {
+    if (i < before.size() && before[i].rate.angularVelocity.norm() < kRest) continue;
+    const double length = i > start ? before[i - 1].rate.time - before[start].rate.time : 0;
+    if (length > std::max(longest.duration, kShortestRest))
+      longest = restOf(before.subspan(start, i - start));
     start = i + 1;
   }
+  return longest;
 }
 
 /// Returns the ratios with their intervals, by the slopes of the ratios.
@@ -301,8 +328,10 @@ void requireTelling(const TossFit& fit, const std::string& name) {
 TossFit fitToss(const InertialRecording& recording, const std::string& name,
                 const TossOptions& options) {
   const auto [first, end] = flightIn(recording, name, options);
+  const Rest rest = restBefore(Readings(recording.readings).first(first));
   TossFit result;
-  findRest(recording, first, result);
+  result.bias = rest.bias;
+  result.rest = rest.duration;
   std::vector<InertialReading> flight(
       recording.readings.begin() + static_cast<std::ptrdiff_t>(first),
       recording.readings.begin() + static_cast<std::ptrdiff_t>(end));
@@ -317,7 +346,8 @@ TossFit fitToss(const InertialRecording& recording, const std::string& name,
     refuse(name, "the gap of its singular values is " + roundedText(linear.gap, 3) +
                      ", which is less than " + roundedText(kSmallestGap, 1));
   }
-  const Fit fit = refined(flight, parametersOf(linear.tensor, flight.front().rate.angularVelocity));
+  const Fit fit =
+      refined(flight, parametersOf(linear.tensor, flight.front().rate.angularVelocity), rest);
   result.residual = fit.residual;
   result.ratios = estimatesOf(fit, flight.size());
   requireTelling(result, name);

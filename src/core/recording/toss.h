@@ -49,10 +49,11 @@ inline constexpr double kSmallestGap = 5;
 /// Fits the inertia, up to its scale, and the motion to the rates of a flight. Start values: with
 /// the attitudes R from the rates, R I w - L = 0 is linear in the entries of I and L, and one
 /// singular value decomposition gives them. From there the rates of the free motion are fitted to
-/// those measured by Gauss and Newton's method, whose covariance gives the intervals. The flight is
-/// where the specific force stays below 2 m/s^2 and the centripetal part; its first and last 2 %
-/// are left out. Throws InputError, beginning with `name`, if no flight of 20 readings is found, if
-/// the motion doesn't tell the inertia, and if a ratio's interval is wider than 0.5.
+/// those measured by Gauss and Newton's method, whose covariance gives the intervals, with that of
+/// the bias by the scatter of the rest's rates. The flight is where the specific force stays below
+/// 2 m/s^2 and the centripetal part; its first and last 2 % are left out. Throws InputError,
+/// beginning with `name`, if no flight of 20 readings is found, if the motion doesn't tell the
+/// inertia, and if a ratio's interval is wider than 0.5.
 TossFit fitToss(const InertialRecording& recording, const std::string& name,
                 const TossOptions& options);
 

@@ -146,23 +146,6 @@ void includeMesh(TomlNode& root, const ReadNamedFile& readNamedFile) {
   }
 }
 
-/// Throws InputError if another moment equals that of the axis, which is any of a plane then.
-void requireOneAxis(const ValueReader& file, const Eigen::Vector3d& moments, int axis) {
-  constexpr double kEqual = 1e-12;  // Of the moment; measured 3e-16 of round shapes.
-  for (int other = 0; other < 3; ++other) {
-    const double apart = std::fabs(moments[other] - moments[axis]);
-    if (other == axis || apart > kEqual * moments[axis]) continue;
-    for (const char* key : {"angular_velocity", "angular_momentum"}) {
-      if (const auto value = file.find("initial", key)) {
-        value->fail(
-            value->name() +
-            ": two moments of this body are equal, so that no single axis has that one; state "
-            "the spin as three numbers");
-      }
-    }
-  }
-}
-
 }  // namespace
 
 Section<Motion> bodySection() {
@@ -175,24 +158,6 @@ void includeMeshes(TomlNode& root, const ReadNamedFile& readNamedFile) {
   auto* tables = panels != nullptr ? std::get_if<TomlNode::Array>(&panels->value) : nullptr;
   if (tables == nullptr) return;
   for (TomlNode& panel : *tables) includeMesh(panel, readNamedFile);
-}
-
-void settleSpin(const ValueReader& file, Motion& motion) {
-  if (!motion.initial.about) return;
-  const rigid::PrincipalAxes axes = physics::modelInertia(motion);
-  std::array<int, 3> order{0, 1, 2};
-  std::ranges::stable_sort(order, {}, [&](int axis) { return axes.moments[axis]; });
-  const auto [rank, rate] = *motion.initial.about;
-  const int chosen = order[static_cast<std::size_t>(rank)];
-  requireOneAxis(file, axes.moments, chosen);
-  Eigen::Vector3d axis = axes.bodyFromPrincipal.col(chosen);
-  // Of both directions, take the one whose largest component is positive
-  Eigen::Index largest = 0;
-  axis.cwiseAbs().maxCoeff(&largest);
-  if (axis[largest] < 0) axis = -axis;
-  motion.initial.value = rate * axis;
-  if (const auto tilt = file.find("initial", "tilt"))
-    failAtValue(*tilt, [&] { motion.initial.tilted(); });
 }
 
 }  // namespace rotatebook::scene

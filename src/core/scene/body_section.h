@@ -15,8 +15,4 @@ Section<Motion> bodySection();
 /// files. Throws DocumentError if one can't be read, or isn't the surface of a body.
 void includeMeshes(document::TomlNode& root, const ReadNamedFile& readNamedFile);
 
-/// Gives a spin that names its axis the direction of that axis of the motion's body. Throws
-/// InputError if the axis isn't unique, or its tilt is along it.
-void settleSpin(const ValueReader& file, Motion& motion);
-
 }  // namespace rotatebook::scene

@@ -6,11 +6,11 @@
 
 #include "document/problems.h"
 #include "document/toml_text.h"
-#include "scene/body_section.h"
 #include "scene/keys/keys.h"
 #include "scene/names.h"
 #include "scene/placed_particles.h"
 #include "scene/sections.h"
+#include "scene/spin_axis.h"
 
 namespace rotatebook::scene {
 namespace {

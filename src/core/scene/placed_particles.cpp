@@ -4,15 +4,20 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "base/text.h"
+#include "body/mesh_readers.h"
 #include "physics/particle_places.h"
 #include "physics/spring_analysis.h"
 #include "scene/names.h"
 #include "scene/sections.h"
+#include "scene/solid_numbers.h"
 #include "scene/solid_particles.h"
+#include "scene/spin_axis.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -30,30 +35,18 @@ ValueReader stated(const ValueReader& file, std::string_view key) {
   return file.find("simulation", key).value_or(file);
 }
 
-/// Throws InputError, at the arrangement, with the reason that `make` has for refusing.
-template <typename Make>
-MassSpringSystem madeAt(const ValueReader& place, const Make& make) {
-  try {
-    return make();
-  } catch (const InputError& error) {
-    place.fail(place.name() + " = " + describe(place.node()) + " " + error.what());
-  }
-}
-
-MassSpringSystem systemOf(const ValueReader& place, const Motion& motion) {
+MassSpringSystem systemOf(const Motion& motion) {
   const physics::ParticleSettings& settings = motion.simulation.particles;
-  return madeAt(place, [&] {
-    switch (settings.arrangement) {
-      case Arrangement::Vertices:
-        return particlesAtVertices(motion);
-      case Arrangement::Grid:
-        return particlesOnGrid(motion, settings.cells);
-      case Arrangement::Corners:
-      case Arrangement::Equimomental:
-        break;
-    }
-    return physics::particlesOf(motion);
-  });
+  switch (settings.arrangement) {
+    case Arrangement::Vertices:
+      return particlesAtVertices(motion);
+    case Arrangement::Grid:
+      return particlesOnGrid(motion, settings.cells);
+    case Arrangement::Corners:
+    case Arrangement::Equimomental:
+      break;
+  }
+  return physics::particlesOf(motion);
 }
 
 std::string looseness(const MassSpringSystem& system) {
@@ -122,14 +115,32 @@ void checkParticlesBody(const ValueReader& section, const physics::SimulationSet
 void placeParticles(const ValueReader& file, Motion& motion) {
   motion.particles.system.reset();
   const Arrangement arrangement = motion.simulation.particles.arrangement;
-  if (motion.simulation.model != physics::Model::Particles || arrangement == Arrangement::Corners)
-    return;
+  const bool areCorners = arrangement == Arrangement::Corners;
+  if (motion.simulation.model != physics::Model::Particles || areCorners) return;
+  if (lacksSurface(motion)) return;
   const ValueReader place = stated(file, "particles");
-  const MassSpringSystem system = systemOf(place, motion);
+  MassSpringSystem system;
+  try {
+    system = systemOf(motion);
+  } catch (const InputError& error) {
+    place.fail(place.name() + " = " + describe(place.node()) + " " + error.what());
+  }
   requireShape(place, system, arrangement);
   requireStableStep(file, motion, system);
   if (!physics::areEight(arrangement))
-    motion.particles.system = std::make_shared<const MassSpringSystem>(system);
+    motion.particles.system = std::make_shared<const MassSpringSystem>(std::move(system));
+}
+
+void placeInMesh(Motion& motion, const ReadNamedFile& readNamedFile) {
+  MeshFile& mesh = motion.solid.mesh;
+  body::TriangleMesh surface = body::readMesh(mesh.name, readNamedFile(mesh.name, kLongestMesh));
+  MeshFile file = meshFileOf(mesh.name, surface);
+  file.unit = mesh.unit;
+  if (file != mesh)
+    throw InputError("the file " + quotedText(mesh.name) + " has changed: it is another body");
+  mesh.surface = std::make_shared<const body::TriangleMesh>(std::move(surface));
+  motion.particles.system = std::make_shared<const MassSpringSystem>(systemOf(motion));
+  if (motion.initial.about) turnSpinToAxis(motion);
 }
 
 }  // namespace rotatebook::scene

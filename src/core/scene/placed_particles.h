@@ -3,6 +3,7 @@
 
 #include "document/value_reader.h"
 #include "scene/scene.h"
+#include "scene/scene_text.h"
 
 namespace rotatebook::scene {
 
@@ -11,9 +12,13 @@ namespace rotatebook::scene {
 void checkParticlesBody(const document::ValueReader& section,
                         const physics::SimulationSettings& settings);
 
-/// Places the particles of a motion, unless they are the corners of a box; `file` has its sections.
-/// Throws InputError if they are too many, if their springs don't hold the body's shape, or if its
-/// steps are longer than the longest stable one.
+/// Places the particles of a motion, unless they are the corners of a box, or lack their surface;
+/// `file` has the motion's sections. Throws InputError if they are too many, if their springs don't
+/// hold the body's shape, or if its steps are longer than the longest stable one.
 void placeParticles(const document::ValueReader& file, Motion& motion);
+
+/// Places the particles of a motion that lacks a surface. Throws InputError if `readNamedFile` or
+/// body::readMesh() refuses its file, or the file has other numbers than the motion.
+void placeInMesh(Motion& motion, const ReadNamedFile& readNamedFile);
 
 }  // namespace rotatebook::scene

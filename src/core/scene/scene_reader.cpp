@@ -11,12 +11,13 @@
 #include "scene/body_section.h"
 #include "scene/key_rows.h"
 #include "scene/keys/keys.h"
+#include "scene/motion_files.h"
 #include "scene/names.h"
 #include "scene/placed_particles.h"
-#include "scene/recordings.h"
 #include "scene/scene_text.h"
 #include "scene/sections.h"
 #include "scene/source_locations.h"
+#include "scene/spin_axis.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -137,7 +138,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   if (const auto map = file.find("map")) problems.note([&] { readMap(*map, scene); });
   problems.throwIfAny();
   checkSteps(file, scene);
-  if (readNamedFile) readRecordings(scene, readNamedFile);
+  if (readNamedFile) readMotionFiles(scene, readNamedFile);
   return scene;
 }
 

@@ -29,8 +29,8 @@ inline constexpr std::size_t kLongestMesh = 256 << 20;
 /// They count as part of the file; messages give their location as "--set KEY=VALUE". Setting one
 /// of initial.angular_velocity and initial.angular_momentum removes the other.
 ///
-/// `readNamedFile` reads the files that overlay.words and body.mesh may name, and recordings as
-/// readRecordings() does; without it, the former are refused, and the latter aren't read.
+/// `readNamedFile` reads the files that overlay.words and body.mesh may name, and others as
+/// readMotionFiles() does; without it, the former are refused, and the latter aren't read.
 Scene parseScene(std::string_view text, const std::filesystem::path& path,
                  std::span<const std::string> overrides = {},
                  const ReadNamedFile& readNamedFile = {});

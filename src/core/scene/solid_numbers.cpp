@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/elementary.h"
@@ -27,7 +28,9 @@ Vector3d boxAround(const Vector3d& centre, std::span<const TriangleMesh> meshes)
   return 2 * half;
 }
 
-Matrix3d rotationOf(const Turn& turn) {
+Matrix3d rotationOf(const BodyPart& part) {
+  if (!part.turn) return Matrix3d::Identity();
+  const Turn& turn = *part.turn;
   const double c = cosine(turn.angle), s = sine(turn.angle);
   const int i = (turn.axis + 1) % 3, j = (turn.axis + 2) % 3;
   Matrix3d rotation = Matrix3d::Identity();
@@ -35,6 +38,12 @@ Matrix3d rotationOf(const Turn& turn) {
   rotation(j, i) = s;
   rotation(i, j) = -s;
   return rotation;
+}
+
+/// Turns a part's surface and moves it.
+void putInPlace(const BodyPart& part, TriangleMesh& surface) {
+  const Matrix3d rotation = rotationOf(part);
+  for (Vector3d& point : surface.points) point = rotation * point + part.place;
 }
 
 MassProperties multiplied(MassProperties properties, double factor) {
@@ -90,9 +99,8 @@ body::SolidPiece placed(const BodyPart& part) {
   if (shape == nullptr || part.lengths.size() != shape->lengths.size())
     throw InputError("a part needs a known shape, and each of its lengths");
   body::SolidPiece piece = shape->solid(part.lengths);
-  const Matrix3d rotation = part.turn ? rotationOf(*part.turn) : Matrix3d::Identity();
-  for (Vector3d& point : piece.surface.points) point = rotation * point + part.place;
-  piece.properties = moved(piece.properties, rotation, part.place);
+  putInPlace(part, piece.surface);
+  piece.properties = moved(piece.properties, rotationOf(part), part.place);
   return piece;
 }
 
@@ -101,8 +109,7 @@ body::Surface surfaceOf(const Solid& solid) {
   for (const BodyPart& part : solid.parts) {
     if (part.density && *part.density < 0) continue;
     body::Surface look = body::findShape(part.shape)->look(part.lengths);
-    const Matrix3d rotation = part.turn ? rotationOf(*part.turn) : Matrix3d::Identity();
-    for (Vector3d& point : look.mesh.points) point = rotation * point + part.place;
+    putInPlace(part, look.mesh);
     addSurface(look, surface);
   }
   const Vector3d centre = numbersOfParts(solid.parts).properties.centre;
@@ -111,6 +118,12 @@ body::Surface surfaceOf(const Solid& solid) {
 }
 
 body::Surface surfaceOf(const Solid& solid, body::Surface file) {
+  const std::size_t count = file.mesh.triangles.size();
+  if (count > body::kMaxDrawnTriangles) {
+    throw InputError(solid.mesh.name + " has " + std::to_string(count) +
+                     " triangles; pictures take up to " + std::to_string(body::kMaxDrawnTriangles) +
+                     ", so export a coarser mesh");
+  }
   const Vector3d centre = body::massPropertiesOf(file.mesh, 1).centre;
   for (Vector3d& point : file.mesh.points) point = (point - centre) * solid.mesh.unit;
   return file;

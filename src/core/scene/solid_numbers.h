@@ -29,6 +29,7 @@ body::SolidPiece placed(const BodyPart& part);
 /// [m]
 body::Surface surfaceOf(const Solid& solid);
 /// Likewise of a solid that is the mesh of a file: `file` is what body::readSurface() made of it.
+/// Throws InputError if it has more than body::kMaxDrawnTriangles.
 body::Surface surfaceOf(const Solid& solid, body::Surface file);
 
 /// Returns the numbers of a welded mesh, in its own unit. Throws InputError if it isn't closed or

@@ -50,11 +50,9 @@ std::vector<Surface> surfacesOf(const Motion& motion) {
   if (solid.isBook()) {
     const Vector3d& size = motion.body.size;
     surfaces.push_back({placed({"box", {size.x(), size.y(), size.z()}}).surface});
-  } else if (solid.mesh.surface != nullptr) {
+  } else if (!solid.mesh.name.empty()) {
     surfaces.push_back({*solid.mesh.surface});
     for (Vector3d& point : surfaces.back().mesh.points) point *= solid.mesh.unit;
-  } else if (!solid.mesh.name.empty()) {
-    throw InputError("the file of the mesh hasn't been read");
   }
   requireOneDensity(solid);
   for (const BodyPart& part : solid.parts)
@@ -71,13 +69,7 @@ void refuseMany(std::size_t count, const std::string& remedy) {
 /// Returns all triangles with every vertex once.
 TriangleMesh joined(const std::vector<Surface>& surfaces) {
   TriangleMesh all;
-  for (const Surface& surface : surfaces) {
-    const auto before = static_cast<std::uint32_t>(all.points.size());
-    const TriangleMesh& mesh = surface.mesh;
-    all.points.insert(all.points.end(), mesh.points.begin(), mesh.points.end());
-    for (const auto& [a, b, c] : mesh.triangles)
-      all.triangles.push_back({before + a, before + b, before + c});
-  }
+  for (const Surface& surface : surfaces) body::append(surface.mesh, all);
   return body::welded(all);
 }
 
@@ -205,6 +197,13 @@ int cellsForFewer(int cells, std::size_t count) {
 }
 
 }  // namespace
+
+bool lacksSurface(const Motion& motion) {
+  const MeshFile& mesh = motion.solid.mesh;
+  return motion.simulation.model == physics::Model::Particles &&
+         !physics::areEight(motion.simulation.particles.arrangement) && !mesh.name.empty() &&
+         mesh.surface == nullptr;
+}
 
 MassSpringSystem particlesAtVertices(const Motion& motion) {
   TriangleMesh mesh = joined(surfacesOf(motion));

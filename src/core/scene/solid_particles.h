@@ -6,6 +6,10 @@
 
 namespace rotatebook::scene {
 
+/// Returns whether particles wait for the surface of a mesh, of which a clip's record has only the
+/// numbers.
+bool lacksSurface(const Motion& motion);
+
 /// Returns particles at the vertices of the motion's body. Springs are along the edges of its
 /// triangles, and from each vertex to three others, some 27, 38 and 41 % of all vertices further in
 /// their list: these cross the body, whatever its surface is like. Throws InputError if there are

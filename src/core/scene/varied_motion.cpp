@@ -9,10 +9,10 @@
 #include "base/nearest_name.h"
 #include "document/overrides.h"
 #include "document/toml_text.h"
-#include "scene/body_section.h"
 #include "scene/names.h"
 #include "scene/placed_particles.h"
 #include "scene/sections.h"
+#include "scene/spin_axis.h"
 
 namespace rotatebook::scene {
 namespace {

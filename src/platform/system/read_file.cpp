@@ -50,6 +50,14 @@ std::string readFile(const std::filesystem::path& path, std::uintmax_t limit) {
   return bytes;
 }
 
+std::string readInput(const std::filesystem::path& path, std::uintmax_t limit) {
+  try {
+    return readFile(path, limit);
+  } catch (const InputError& error) {
+    throw InputError("can't read " + path.string() + ": " + error.what());
+  }
+}
+
 std::string readFileOrEmpty(const std::filesystem::path& path, std::uintmax_t limit) {
   try {
     return readFile(path, limit);

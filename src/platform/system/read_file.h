@@ -18,6 +18,9 @@ FileDescriptor openFile(const std::filesystem::path& path);
 /// `path`: CAUSE" if the disk fails.
 std::string readFile(const std::filesystem::path& path, std::uintmax_t limit);
 
+/// Returns the same. What it throws says, whatever failed, "can't read `path`: " and the reason.
+std::string readInput(const std::filesystem::path& path, std::uintmax_t limit);
+
 /// Returns all bytes of `path`; empty if it doesn't exist, isn't a file of at most `limit` bytes,
 /// or can't be read.
 std::string readFileOrEmpty(const std::filesystem::path& path, std::uintmax_t limit = 1 << 28);

@@ -23,6 +23,10 @@ class Body : public ProgramTest {
     for (std::size_t i = 0; i + missing < std::size(sides); ++i) obj += "f " + sides[i] + '\n';
     write(name, obj);
   }
+  /// Returns the first number of a member's value.
+  static double numberAfter(const std::string& json, const std::string& key) {
+    return std::stod(json.substr(json.find_first_of("0123456789-", json.find(key) + key.size())));
+  }
   void expectRefused(const std::vector<std::string>& words, const std::string& message) const {
     const ChildResult result = run(words);
     EXPECT_EQ(result.status, 2);
@@ -58,6 +62,9 @@ TEST_F(Body, MeasuresTheShapeOfAScene) {
   const ChildResult result = run({"body", "handle.toml"});
   EXPECT_EQ(result.status, 0);
   EXPECT_THAT(result.output, AllOf(HasSubstr("mass     0.5 kg\n"), HasSubstr("(0, 0.01266")));
+  EXPECT_THAT(result.output, HasSubstr("handle: 1016 triangles, 2 closed surfaces"));
+  EXPECT_THAT(run({"body", "handle.toml", "--json"}).output,
+              HasSubstr(R"("triangles": 1016, "shells": 2, )"));
   EXPECT_EQ(run({"simulate", "handle.toml"}).status, 0);
   EXPECT_EQ(run({"check", "handle.toml"}).output, "handle.toml: ok\n");
 }
@@ -67,8 +74,40 @@ TEST_F(Body, MeasuresTheMeshOfAScene) {
   write("box.toml",
         "[body]\nmesh = \"box.obj\"\nunit = \"mm\"\ndensity = 2500\n"
         "[initial]\nangular_velocity = [4, 0, 0]\n");
-  EXPECT_THAT(run({"body", "box.toml"}).output, HasSubstr("mass     0.09 kg\n"));
+  EXPECT_THAT(
+      run({"body", "box.toml"}).output,
+      AllOf(HasSubstr("box: 12 triangles, one closed surface\n"), HasSubstr("mass     0.09 kg\n"),
+            HasSubstr("centre   (0.01, 0.015, 0.03) m\n")));
+  const std::string json = run({"body", "box.toml", "--json"}).output;
+  EXPECT_THAT(json, AllOf(HasSubstr(R"("centre_m": [0.01)"),
+                          HasSubstr(R"("triangles": 12, "shells": 1, "crossing": null, )")));
+  // The mesh by itself has the same numbers, but for their rounding
+  const std::string alone =
+      run({"body", "box.obj", "--unit=mm", "--density=2500", "--json"}).output;
+  for (const char* key : {"volume_m3", "mass_kg", "centre_m", "principal_moments_kgm2"})
+    EXPECT_NEAR(numberAfter(json, key), numberAfter(alone, key), 1e-12 * numberAfter(alone, key));
   expectRefused({"body", "box.toml", "--set", "body.mesh=../box.obj"}, "box.obj");
+}
+
+TEST_F(Body, MeasuresTheBodyOfEachPanel) {
+  write("two.toml",
+        "[initial]\nangular_velocity = [4, 0, 0]\n[[panel]]\nlabel = \"book\"\n"
+        "[[panel]]\nlabel = \"heavy\"\nbody.mass = 3\n");
+  EXPECT_THAT(run({"body", "two.toml"}).output,
+              AllOf(HasSubstr("book: the book, a cuboid\n"),
+                    HasSubstr("heavy: the book, a cuboid\n"), HasSubstr("mass     3 kg\n")));
+  EXPECT_THAT(run({"body", "two.toml", "--json"}).output,
+              AllOf(HasSubstr(R"({"name": "two", "bodies": [{"name": "book", )"),
+                    HasSubstr(R"("mass_kg": 3, )")));
+}
+
+TEST_F(Body, NotesTrianglesThatCross) {
+  write("cross.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+        "v 0.1 0.1 0.1\nv 3 0 0\nv 0 3 0\nv 0 0 3\nf 5 7 6\nf 5 6 8\nf 5 8 7\nf 6 7 8\n");
+  const ChildResult result = run({"body", "cross.obj"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(result.output, HasSubstr("cross each other"));
 }
 
 TEST_F(Body, RefusesWhatItCannotMeasure) {

@@ -70,6 +70,20 @@ TEST_F(Status, SaysWhyATaskFailed) {
   EXPECT_FALSE(now.remaining) << "nothing runs";
 }
 
+TEST_F(Status, SaysWhatTheClusterHolds) {
+  slurm.setQueue(
+      "101|2|REQUEUE_HOLD|0:00||JobHoldMaxRequeue\n101|3|PENDING|0:00||JobHeldUser\n"
+      "101|4|PENDING|0:00||job requeued in held state\n"
+      "102|N/A|PENDING|0:00||Dependency\n");
+  const PlanState now = state();
+  EXPECT_TRUE(now.hasFailed());
+  EXPECT_EQ(now.tasks.at(1).kind, Kind::Failed);
+  EXPECT_EQ(now.tasks.at(1).reason, "held by the cluster (JobHoldMaxRequeue), submit again");
+  EXPECT_EQ(now.tasks.at(2).kind, Kind::Waiting) << "as its user wants";
+  EXPECT_THAT(now.tasks.at(3).reason, HasSubstr("held by the cluster (job requeued in held"));
+  EXPECT_EQ(now.join->kind, Kind::Waiting);
+}
+
 // What hasn't begun when an array is cancelled stays known as one job without a task's number.
 TEST_F(Status, SaysThatTasksWereCancelledBeforeTheyBegan) {
   slurm.setQueue(

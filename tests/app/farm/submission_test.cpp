@@ -96,6 +96,43 @@ TEST_F(Submissions, SendAFailedTaskAgainWhileOthersRun) {
   EXPECT_THAT(readPlan(files)->jobs.arrays, ElementsAre("101", "103"));
 }
 
+// A cluster gives a task up whose node it lost five times: without an end, as long as it is held.
+TEST_F(Submissions, SendWhatTheClusterHoldsAgain) {
+  send();
+  slurm.setQueue(
+      "101|1|RUNNING|0:09|n1|None\n101|2|REQUEUE_HOLD|0:00||JobHoldMaxRequeue\n"
+      "101|3|PENDING|0:00||launch failed requeued held\n101|4|RUNNING|0:09|n4|None\n"
+      "101|5|PENDING|0:00||Resources\n102|N/A|PENDING|0:00||Dependency\n");
+  const Submission again = send();
+  EXPECT_THAT(again.sent, ElementsAre(2, 3));
+  EXPECT_EQ(again.queued, 3);
+  EXPECT_THAT(slurm.calls(), Contains("sbatch --parsable --dependency=afterany:101:103 join.sh"));
+  EXPECT_EQ(slurm.calls().back(), "scancel 102 101_2 101_3");
+}
+
+TEST_F(Submissions, CancelWhatIsHeldThoughAnotherTryMadeItsResults) {
+  send();
+  leaveFrames(plan, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+  slurm.setQueue("101|2|REQUEUE_HOLD|0:00||JobHoldMaxRequeue\n102|N/A|PENDING|0:00||Dependency\n");
+  EXPECT_THAT(send().sent, IsEmpty());
+  EXPECT_EQ(slurm.calls().back(), "scancel 101_2") << "for which the join waits";
+}
+
+TEST_F(Submissions, ReplaceAJoinThatIsHeld) {
+  send();
+  leaveFrames(plan, {0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+  slurm.setQueue("102|N/A|REQUEUE_HOLD|0:00||JobHoldMaxRequeue\n");
+  EXPECT_EQ(send().join, "103");
+  EXPECT_EQ(slurm.calls().back(), "scancel 102");
+}
+
+TEST_F(Submissions, SayIfWhatIsHeldCannotBeCancelled) {
+  send();
+  slurm.setQueue("101|2|REQUEUE_HOLD|0:00||JobHoldMaxRequeue\n");
+  slurm.fail("scancel", "scancel: error: Kill job error on job id 101_2");
+  EXPECT_THAT(messageOfSending(), HasSubstr("cancel it with scancel 101_2"));
+}
+
 TEST_F(Submissions, LeaveTheRestToAJoinThatRuns) {
   send();
   slurm.setQueue("101|2|FAILED|0:01|n2|NonZeroExitCode\n102|N/A|RUNNING|0:04|n1|None\n");
@@ -145,6 +182,8 @@ TEST_F(Submissions, RefuseASceneThatChangedWhileItsJobsAreThere) {
   plan.scenes[0].checksum = "changed";
   EXPECT_THAT(messageOfSending(), AllOf(HasSubstr("/scenes/a.toml has changed since"),
                                         HasSubstr("scancel 101 102"), HasSubstr("-o")));
+  slurm.setQueue("101|1|REQUEUE_HOLD|0:00||JobHoldMaxRequeue\n");
+  EXPECT_THAT(messageOfSending(), HasSubstr("scancel 101)"));
   slurm.setQueue("");
   EXPECT_EQ(messageOfSending(), "") << "nothing of the earlier plan is left";
   EXPECT_EQ(readPlan(files)->plan, plan);

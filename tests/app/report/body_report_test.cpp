@@ -8,7 +8,9 @@
 namespace rotatebook::report {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 /// A body whose axes of the largest, smallest and middle moment are x, y and z.
 BodyNumbers body() {
@@ -18,14 +20,14 @@ BodyNumbers body() {
   return numbers;
 }
 
-std::string printed(void (*report)(const BodyNumbers&, std::ostream&), const BodyNumbers& numbers) {
+std::string printed(void (*report)(const Bodies&, std::ostream&), const BodyNumbers& numbers) {
   std::ostringstream output;
-  report(numbers, output);
+  report({numbers.name, {numbers}}, output);
   return output.str();
 }
 
 TEST(BodyReport, SaysWhatTheBodyIs) {
-  EXPECT_EQ(printed(reportBody, body()),
+  EXPECT_EQ(printed(reportBodies, body()),
             "b.stl: 12 triangles, one closed surface\n"
             "  volume   0.5 m^3\n"
             "  mass     2 kg\n"
@@ -43,30 +45,50 @@ TEST(BodyReport, SaysWhatTheBodyIs) {
 TEST(BodyReport, SaysWhatCountsTwice) {
   BodyNumbers two = body();
   two.surface->shells = 2;
-  EXPECT_THAT(printed(reportBody, two), HasSubstr("2 closed surfaces; where they overlap"));
+  EXPECT_THAT(printed(reportBodies, two), HasSubstr("2 closed surfaces; where they overlap"));
 }
 
 TEST(BodyReport, KnowsABodyThatNeverTumbles) {
   BodyNumbers disc = body();
   disc.properties.inertia = Eigen::Vector3d(1, 1, 2).asDiagonal();
   disc.surface.reset();
-  EXPECT_THAT(printed(reportBody, disc), HasSubstr("no spin is unstable"));
-  EXPECT_THAT(printed(reportBody, disc), HasSubstr("the body of the scene"));
+  EXPECT_THAT(printed(reportBodies, disc), HasSubstr("no spin is unstable"));
+  EXPECT_THAT(printed(reportBodies, disc), HasSubstr("b.stl: the book, a cuboid\n"));
 }
 
 TEST(BodyReport, HasTheSameAsJson) {
   BodyNumbers numbers = body();
   numbers.properties.inertia = Eigen::Vector3d(4, 2, 3).asDiagonal();
-  EXPECT_EQ(printed(reportBodyAsJson, numbers),
+  EXPECT_EQ(printed(reportBodiesAsJson, numbers),
             R"({"name": "b.stl", "volume_m3": 0.5, "mass_kg": 2, "centre_m": [1, 1e-20, -3], )"
             R"("inertia_kgm2": [[4, 0, 0], [0, 2, 0], [0, 0, 3]], )"
             R"("principal_moments_kgm2": [2, 3, 4], )"
             R"("principal_axes": [[0, 1, 0], [0, 0, 1], [1, 0, 0]], )"
-            R"("triangles": 12, "shells": 1, "closed": true})"
+            R"("triangles": 12, "shells": 1, "crossing": null, "closed": true})"
             "\n");
   numbers.surface.reset();
-  EXPECT_THAT(printed(reportBodyAsJson, numbers),
-              HasSubstr(R"("triangles": null, "shells": null)"));
+  EXPECT_THAT(printed(reportBodiesAsJson, numbers),
+              HasSubstr(R"("triangles": null, "shells": null, "crossing": null)"));
+}
+
+TEST(BodyReport, NamesTrianglesThatCross) {
+  BodyNumbers numbers = body();
+  numbers.surface->crossing = {4, 11};
+  EXPECT_THAT(printed(reportBodies, numbers),
+              HasSubstr("one closed surface\n  note: triangles 5 and 12 cross each other"));
+  EXPECT_THAT(printed(reportBodiesAsJson, numbers), HasSubstr(R"("crossing": [5, 12], )"));
+}
+
+TEST(BodyReport, HasABodyForEachPanel) {
+  Bodies two{"scene", {body(), body()}};
+  two.bodies[1].name = "other";
+  std::ostringstream text, json;
+  reportBodies(two, text);
+  EXPECT_THAT(text.str(),
+              AllOf(HasSubstr("b.stl: 12 triangles"), HasSubstr("other: 12 triangles")));
+  reportBodiesAsJson(two, json);
+  EXPECT_THAT(json.str(), AllOf(StartsWith(R"({"name": "scene", "bodies": [{"name": "b.stl", )"),
+                                HasSubstr(R"(}, {"name": "other", )")));
 }
 
 }  // namespace

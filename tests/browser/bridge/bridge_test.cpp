@@ -72,6 +72,12 @@ TEST(Bridge, HasTheMotionOfTheProgramInSlices) {
   EXPECT_NE(taken(rb_checksum(0)), wholeChecksum(with(kScene, "0.2", "0.3")));
 }
 
+void giveFile(std::string_view name, std::string_view bytes) {
+  put(std::string(name) + std::string(bytes));
+  ASSERT_EQ(
+      rb_file(static_cast<std::int32_t>(name.size()), static_cast<std::int32_t>(bytes.size())), 0);
+}
+
 TEST(Bridge, ReadsRecordingsThatItWasGiven) {
   constexpr std::string_view kName = "a.csv";
   constexpr std::string_view kTable =
@@ -81,8 +87,7 @@ TEST(Bridge, ReadsRecordingsThatItWasGiven) {
   EXPECT_EQ(taken(rb_read(0, put(kRecorded))),
             "scene.toml: the model \"recorded\" has no recording: the file \"a.csv\" hasn't been "
             "read");
-  put(std::string(kName) + std::string(kTable));
-  ASSERT_EQ(rb_file(kName.size(), kTable.size()), 0);
+  giveFile(kName, kTable);
   read(0, kRecorded);
   EXPECT_GT(rb_advance(0, kAll, kAll), 20);
   EXPECT_EQ(rb_sample(0, 0, 0)[kAngularVelocity + 2], 2);
@@ -368,8 +373,7 @@ TEST(Bridge, ReadsMeshesThatItWasGiven) {
   constexpr std::string_view kBody =
       "[body]\nmesh = \"a.obj\"\ndensity = 1\n[initial]\nangular_velocity = [4, 0, 0]\n";
   EXPECT_LT(rb_read(0, put(kBody)), 0);
-  put(std::string(kName) + std::string(kTetrahedron));
-  ASSERT_EQ(rb_file(kName.size(), kTetrahedron.size()), 0);
+  giveFile(kName, kTetrahedron);
   read(0, kBody);
   EXPECT_THAT(taken(rb_body(0, 0)), HasSubstr("\"vertices\": 12, \"indices\": 12"));
   // Of a record, which has the numbers alone, a box is drawn

@@ -1,5 +1,6 @@
 #include "body/lattice.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -72,19 +73,24 @@ TEST(WindingNumbers, CountEachSurfaceThatEncloses) {
   EXPECT_EQ(windingNumbers(both.surface, lattice), (std::vector{1, 1, 2, 2}));
 }
 
+/// Returns cells along a mesh's longest side, so many that twelve are along its shortest.
+int manyCells(const TriangleMesh& mesh) {
+  const auto [least, most] = std::ranges::minmax(around(mesh, 1000).counts);
+  return std::max(60, 12 * most / least);
+}
+
 // As many cells as the volume has, for every shape.
 TEST(WindingNumbers, FillTheVolume) {
   for (const Shape& shape : allShapes()) {
     std::vector<double> lengths;
     for (const ShapeLength& length : shape.lengths) lengths.push_back(length.byDefault);
     const TriangleMesh mesh = shape.solid(lengths).surface;
-    const Lattice lattice = around(mesh, 60);
+    const Lattice lattice = around(mesh, manyCells(mesh));
     const auto windings = windingNumbers(mesh, lattice);
     const int sum = std::accumulate(windings.begin(), windings.end(), 0);
     const double volume = sum * lattice.cell * lattice.cell * lattice.cell;
     const double ratio = volume / massPropertiesOf(mesh, 1).volume;
-    std::cout << shape.name << ": " << ratio << '\n';
-    EXPECT_NEAR(ratio, 1, 0.12) << shape.name;
+    EXPECT_NEAR(ratio, 1, 0.1) << shape.name;  // measured 0.03 of flat ones, 0.09 of the racket
   }
 }
 

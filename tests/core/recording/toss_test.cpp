@@ -72,24 +72,34 @@ class Tosses {
 const double kRatios[2] = {kBook[1] / kBook[2], kBook[0] / kBook[2]};
 
 TEST(Toss, TellsTheRatiosOfTheMoments) {
-  constexpr int kTosses = 200;
+  constexpr int kTosses = 1000;
   Tosses tosses;
   std::vector<double> errors;
-  int held = 0;
+  int held = 0, refused = 0;
+  double width = 0;
   for (int i = 0; i < kTosses; ++i) {
-    const TossFit fit = fitToss(tosses.toss(tosses.spin(), tosses.axes()), "t.csv", {});
+    TossFit fit;
+    // Of 1000 spins some happen to be near the axis of the largest moment.
+    const std::string refusal =
+        refusalOf([&] { fit = fitToss(tosses.toss(tosses.spin(), tosses.axes()), "t.csv", {}); });
+    if (!refusal.empty()) ++refused;
+    if (!refusal.empty()) continue;
     EXPECT_NEAR(fit.from, 5.2, 0.05);
     EXPECT_NEAR(fit.to, 6.0, 0.05);
     for (std::size_t k = 0; k < 2; ++k) {
       errors.push_back(std::fabs(fit.ratios[k].value / kRatios[k] - 1));
+      width += (fit.ratios[k].high - fit.ratios[k].low) / (2 * kTosses);
       held += fit.ratios[k].low <= kRatios[k] && kRatios[k] <= fit.ratios[k].high ? 1 : 0;
     }
   }
   std::ranges::sort(errors);
-  EXPECT_LT(errors[errors.size() / 2], 5e-4);  // measured 1.07e-4
-  // Of 400 intervals 380 are expected.
-  EXPECT_GE(held, 367);  // measured 373
-  EXPECT_LE(held, 397);
+  EXPECT_LE(refused, 15);                      // measured 7
+  EXPECT_LT(errors[errors.size() / 2], 5e-4);  // measured 1.02e-4
+  EXPECT_LT(width, 1.5e-3);  // measured 9.5e-4, without the error of the bias 2 % less
+  // 95 % are expected. Of 10,000 tosses 94.96 % held, without the error of the bias 94.19 %.
+  const double share = held / static_cast<double>(errors.size());
+  EXPECT_GE(share, 0.935);  // measured 0.953
+  EXPECT_LE(share, 0.965);
 }
 
 TEST(Toss, SubtractsTheBiasOfTheRestBefore) {

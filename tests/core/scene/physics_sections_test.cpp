@@ -121,7 +121,8 @@ TEST(BodySection, RefusesImpossibleInertia) {
 TEST(BodySection, RefusesInertiaOfParticles) {
   EXPECT_EQ(errorOf("body.inertia = [3, 4, 5]\nsimulation.model = 'particles'"),
             "a.toml:1:16: body.inertia is for rigid models, but the model is \"particles\", whose "
-            "inertia follows from their positions; leave it out");
+            "inertia follows from their positions; leave it out, or set simulation.particles = "
+            "\"equimomental\"");
 }
 
 TEST(SimulationSection, ReadsEveryIntegrator) {

@@ -106,6 +106,7 @@ integrator = "rk4"  # )" + listOfIntegrators("or", Model::Quaternion) +
 normalize = true  # undo the integrator's drift after each step, or after each n-th
 damping = 1.0  # particles: fraction of critical damping
 stiffness = 2000.0  # particles: N/m, of each spring
+particles = "corners"  # particles: where they are
 substeps = 64  # integration steps for each frame
 time_per_frame = 0.016666666666666666  # s simulated for each frame of video
 

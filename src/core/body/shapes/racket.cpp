@@ -38,9 +38,7 @@ TriangleMesh stringsAlong(int axis, double head) {
       point[1 - axis] += off;
       point.z() += height;
     }
-    Surface all = surfaceOf(std::move(strings), {});
-    addSurface(surfaceOf(std::move(string), {}), all);
-    strings = std::move(all.mesh);
+    append(string, strings);
   }
   return strings;
 }

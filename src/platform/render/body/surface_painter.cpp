@@ -93,10 +93,7 @@ void SurfacePainter::useMaterial(const body::Material& material) const {
   program_.set("baseColour", material.baseColour);
   program_.set("metalAndRoughness", Eigen::Vector2f(material.metalness, material.roughness));
   const body::Grain& grain = material.grain;
-  Eigen::Vector3f across = Eigen::Vector3f::Zero();
-  if (grain.contrast > 0 || grain.relief > 0)
-    across = size_.cwiseQuotient(grain.size).cast<float>();
-  program_.set("grainsAcross", across);
+  program_.set("grainsAcross", Eigen::Vector3f(grainsAcross(grain, size_).cast<float>()));
   program_.set("contrastAndRelief", Eigen::Vector2f(grain.contrast, grain.relief));
 }
 

@@ -1,4 +1,4 @@
-#include "scene/recordings.h"
+#include "scene/motion_files.h"
 
 #include <filesystem>
 #include <memory>
@@ -11,6 +11,8 @@
 #include "document/toml_tree.h"
 #include "recording/csv_table.h"
 #include "recording/read_recording.h"
+#include "scene/placed_particles.h"
+#include "scene/solid_particles.h"
 #include "scene/source_locations.h"
 
 namespace rotatebook::scene {
@@ -66,14 +68,17 @@ void readIfRecorded(physics::MotionSettings& motion, const Scene& scene,
 
 }  // namespace
 
-void readRecordings(Scene& scene, const ReadNamedFile& readNamedFile) {
+void readMotionFiles(Scene& scene, const ReadNamedFile& readNamedFile) {
   const double length = timeAt(scene, static_cast<double>(scene.clip.frameCount() - 1));
   const std::string location = locationOf(scene, "simulation.file");
-  if (scene.panels.empty()) readIfRecorded(scene, scene, location, length, readNamedFile);
+  const auto read = [&](auto& motion, const std::string& place) {
+    readIfRecorded(motion, scene, place, length, readNamedFile);
+    if (lacksSurface(motion)) placeInMesh(motion, readNamedFile);
+  };
+  if (scene.panels.empty()) read(scene, location);
   for (std::size_t i = 0; i < scene.panels.size(); ++i) {
     const bool isOwn = scene.locations.contains(recordingKey(i));
-    readIfRecorded(scene.panels[i], scene, isOwn ? locationOf(scene, recordingKey(i)) : location,
-                   length, readNamedFile);
+    read(scene.panels[i], isOwn ? locationOf(scene, recordingKey(i)) : location);
   }
   if (!scene.study || !scene.study->sweep) return;
   for (SweepRun& run : scene.study->sweep->runs) {

@@ -1,4 +1,4 @@
-#include "scene/recordings.h"
+#include "scene/motion_files.h"
 
 #include <filesystem>
 #include <map>

@@ -1,0 +1,58 @@
+#include "scene/spin_axis.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "physics/motion_start.h"
+#include "scene/solid_particles.h"
+
+namespace rotatebook::scene {
+namespace {
+
+/// Returns the principal axis, 0 to 2, about which a spin is stated by the rank of its moment.
+int axisOf(const physics::SpinAbout& about, const Eigen::Vector3d& moments) {
+  std::array<int, 3> order{0, 1, 2};
+  std::ranges::stable_sort(order, {}, [&](int axis) { return moments[axis]; });
+  return order[static_cast<std::size_t>(about.rank)];
+}
+
+/// Throws InputError if another moment equals that of the axis, which is any of a plane then.
+void requireOneAxis(const ValueReader& file, const Eigen::Vector3d& moments, int axis) {
+  constexpr double kEqual = 1e-12;  // Of the moment; measured 3e-16 of round shapes.
+  for (int other = 0; other < 3; ++other) {
+    const double apart = std::fabs(moments[other] - moments[axis]);
+    if (other == axis || apart > kEqual * moments[axis]) continue;
+    for (const char* key : {"angular_velocity", "angular_momentum"}) {
+      if (const auto value = file.find("initial", key)) {
+        value->fail(
+            value->name() +
+            ": two moments of this body are equal, so that no single axis has that one; state "
+            "the spin as three numbers");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void turnSpinToAxis(Motion& motion) {
+  const rigid::PrincipalAxes axes = physics::modelInertia(motion);
+  Eigen::Vector3d axis = axes.bodyFromPrincipal.col(axisOf(*motion.initial.about, axes.moments));
+  // Of both directions, take the one whose largest component is positive
+  Eigen::Index largest = 0;
+  axis.cwiseAbs().maxCoeff(&largest);
+  if (axis[largest] < 0) axis = -axis;
+  motion.initial.value = motion.initial.about->rate * axis;
+}
+
+void settleSpin(const ValueReader& file, Motion& motion) {
+  if (!motion.initial.about || lacksSurface(motion)) return;
+  const Eigen::Vector3d moments = physics::modelInertia(motion).moments;
+  requireOneAxis(file, moments, axisOf(*motion.initial.about, moments));
+  turnSpinToAxis(motion);
+  if (const auto tilt = file.find("initial", "tilt"))
+    failAtValue(*tilt, [&] { motion.initial.tilted(); });
+}
+
+}  // namespace rotatebook::scene

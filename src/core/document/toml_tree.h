@@ -17,7 +17,7 @@ struct TomlEntry;
 /// A date or a time. No key of a scene takes one, so its value isn't kept.
 struct TomlDate {};
 
-/// What a program read from a file that the document names, in a value that it puts into the tree.
+/// The content of a file that the document names, in a value that the program puts into the tree.
 /// It has no text.
 struct Attachment {
   virtual ~Attachment() = default;

@@ -1,4 +1,5 @@
-// Any number of points, some pairs of which are joined by springs and dampers. Inside the room only.
+// Any number of points, some pairs of which are joined by springs and dampers. Inside the room
+// only.
 #pragma once
 
 #include <vector>

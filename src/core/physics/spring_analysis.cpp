@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <ranges>
 #include <vector>
 
 #include <Eigen/Eigenvalues>
@@ -133,12 +132,13 @@ int countZeroModes(const MassSpringSystem& system) {
 }
 
 int countPieces(const MassSpringSystem& system) {
-  const auto count = static_cast<std::uint32_t>(system.places.size());
-  DisjointSets pieces(count);
-  for (const Spring& spring : system.springs) pieces.join(spring.a, spring.b);
-  const auto numbers = std::views::iota(0U, count);
-  return static_cast<int>(
-      std::ranges::count_if(numbers, [&](auto i) { return pieces.of(i) == i; }));
+  DisjointSets sets(system.places.size());
+  for (const Spring& spring : system.springs) sets.join(spring.a, spring.b);
+  int pieces = 0;
+  for (std::uint32_t i = 0; i < system.places.size(); ++i) {
+    if (sets.of(i) == i) ++pieces;
+  }
+  return pieces;
 }
 
 double largestEigenvalue(const MassSpringSystem& system) {

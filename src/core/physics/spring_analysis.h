@@ -1,4 +1,4 @@
-// What a system of springs can hold, and how fast it vibrates.
+// Analysis of systems of springs: shapes that they hold, and vibrations.
 #pragma once
 
 #include "physics/mass_spring_system.h"

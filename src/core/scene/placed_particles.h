@@ -1,4 +1,4 @@
-// What the particles of a motion follow from, and whether they hold together. Inside the room only.
+// The particles of a motion, placed in its body. Inside the room only.
 #pragma once
 
 #include "document/value_reader.h"

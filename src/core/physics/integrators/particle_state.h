@@ -63,8 +63,7 @@ using ParticleStep = BasicParticleStep<SpringNetwork>;
 
 /// An integrator of the particles: its step() takes a step of `h` [s] of any state.
 template <typename Method>
-concept ParticleIntegrator =
-    requires(ParticleState& eight, ManyParticleState& many, double h) {
+concept ParticleIntegrator = requires(ParticleState& eight, ManyParticleState& many, double h) {
   { Method::step(eight, h) } -> std::same_as<void>;
   { Method::step(many, h) } -> std::same_as<void>;
 };

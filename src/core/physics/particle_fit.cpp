@@ -11,6 +11,9 @@ constexpr double kTold = 0.01;
 
 using Values = Eigen::Matrix<double, kFunctions, Eigen::Dynamic>;
 
+// Sums over particles are lazy products: the order of sums in a product by blocks follows from the
+// processor's caches.
+
 /// Returns 1, x, y, z, x y, y z, z x and x y z of each point, in halves of the body's size.
 Values functionsAt(const Eigen::Matrix3Xd& points, const Cuboid& body) {
   Values values(kFunctions, points.cols());
@@ -29,7 +32,8 @@ ParticleFit::ParticleFit(const Cuboid& body, const MassSpringSystem& particles) 
   Eigen::Matrix3Xd places(3, count);
   for (Eigen::Index i = 0; i < count; ++i)
     places.col(i) = particles.places[static_cast<std::size_t>(i)];
-  mapFromPositions_ = places.transpose() * (places * places.transpose()).inverse();
+  const Eigen::Matrix3d products = places.lazyProduct(places.transpose());
+  mapFromPositions_ = places.transpose().lazyProduct(products.inverse().eval());
 
   // Make the functions orthogonal at the places (Gram and Schmidt), and follow them at the corners
   Values here = functionsAt(places, body), there = functionsAt(body.corners(), body);
@@ -53,11 +57,11 @@ ParticleFit::ParticleFit(const Cuboid& body, const MassSpringSystem& particles) 
 }
 
 Eigen::Matrix3d ParticleFit::worldFromBody(const Eigen::Matrix3Xd& positions) const {
-  return positions * mapFromPositions_;
+  return positions.lazyProduct(mapFromPositions_);
 }
 
 Cage ParticleFit::cageOf(const Eigen::Matrix3Xd& positions) const {
-  return positions * cageFromPositions_;
+  return positions.lazyProduct(cageFromPositions_);
 }
 
 }  // namespace rotatebook::physics

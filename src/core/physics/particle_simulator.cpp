@@ -72,7 +72,8 @@ Columns armsOf(const Columns& positions) {
 // Returns the inertia tensor about the point from which `arms` start.
 template <typename Columns>
 Eigen::Matrix3d inertiaTensor(const Columns& arms, double mass) {
-  const Eigen::Matrix3d products = arms * arms.transpose();
+  // In the order of the particles, as a product by blocks wouldn't be
+  const Eigen::Matrix3d products = arms.lazyProduct(arms.transpose());
   return mass * (products.trace() * Eigen::Matrix3d::Identity() - products);
 }
 

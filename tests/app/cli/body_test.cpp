@@ -62,9 +62,9 @@ TEST_F(Body, MeasuresTheShapeOfAScene) {
   const ChildResult result = run({"body", "handle.toml"});
   EXPECT_EQ(result.status, 0);
   EXPECT_THAT(result.output, AllOf(HasSubstr("mass     0.5 kg\n"), HasSubstr("(0, 0.01266")));
-  EXPECT_THAT(result.output, HasSubstr("handle: 1016 triangles, 2 closed surfaces"));
+  EXPECT_THAT(result.output, HasSubstr("handle: 1024 triangles, 2 closed surfaces"));
   EXPECT_THAT(run({"body", "handle.toml", "--json"}).output,
-              HasSubstr(R"("triangles": 1016, "shells": 2, )"));
+              HasSubstr(R"("triangles": 1024, "shells": 2, )"));
   EXPECT_EQ(run({"simulate", "handle.toml"}).status, 0);
   EXPECT_EQ(run({"check", "handle.toml"}).output, "handle.toml: ok\n");
 }

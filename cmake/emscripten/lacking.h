@@ -173,6 +173,15 @@ inline to_chars_result to_chars(char* first, char* last, double value) {
   snprintf(fixed.data(), fixed.size(), "%.*f", max(decimals, 0), value);
   return put(strlen(fixed.data()) <= scientific.size() ? fixed.data() : scientific);
 }
+/// Of chars_format::hex alone, which toml++ names without calling it.
+inline to_chars_result to_chars(char* first, char* last, double value, chars_format) {
+  array<char, 40> text{};
+  snprintf(text.data(), text.size(), "%a", value);
+  string hex = text.data();
+  if (const size_t prefix = hex.find("0x"); prefix != string::npos) hex.erase(prefix, 2);
+  if (static_cast<size_t>(last - first) < hex.size()) return {last, errc::value_too_large};
+  return {std::copy(hex.begin(), hex.end(), first), errc{}};
+}
 inline to_chars_result to_chars(char* first, char* last, double value, chars_format, int digits) {
   const int length = std::snprintf(first, static_cast<size_t>(last - first), "%.*g", digits, value);
   if (length >= last - first) return {last, errc::value_too_large};

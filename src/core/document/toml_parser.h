@@ -5,6 +5,11 @@
 
 #include <cstdint>  // toml++ uses it without including it.
 
+#ifdef __EMSCRIPTEN__  // Streams for numbers would add their locales to the page, 60 kB.
+#define TOML_FLOAT_CHARCONV 1
+#define TOML_INT_CHARCONV 1
+#endif
+
 #if __has_include(<toml++/impl/preprocessor.h>)
 #include <toml++/impl/preprocessor.h>
 #undef TOML_UNREACHABLE

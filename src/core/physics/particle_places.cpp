@@ -15,7 +15,8 @@ rigid::PrincipalAxes rigidInertia(const MotionSettings& settings) {
 
 MassSpringSystem cornersOf(const Cuboid& body) {
   MassSpringSystem system{{}, allPairs(8)};
-  for (const auto& corner : body.corners().colwise()) system.places.emplace_back(corner);
+  const Cage corners = body.corners();
+  for (const auto& corner : corners.colwise()) system.places.emplace_back(corner);
   return system;
 }
 

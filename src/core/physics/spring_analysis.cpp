@@ -27,6 +27,11 @@ Vector3d directionOf(const MassSpringSystem& system, const Spring& spring) {
   return length > 0 ? Vector3d(arm / length) : Vector3d::Zero();
 }
 
+/// Returns the row of the stiffness matrix where a particle's three begin.
+Index firstRow(std::uint32_t particle) {
+  return 3 * static_cast<Index>(particle);
+}
+
 /// Passes the blocks of the stiffness matrix of springs of stiffness 1, which add up:
 /// add(particle, particle, block).
 template <typename Add>
@@ -67,7 +72,7 @@ void forEachHold(const MassSpringSystem& system, const Add& add) {
 void addProduct(const MassSpringSystem& system, const std::vector<Vector3d>& directions,
                 const VectorXd& x, VectorXd& y) {
   for (std::size_t i = 0; i < directions.size(); ++i) {
-    const Index a = 3 * Index{system.springs[i].a}, b = 3 * Index{system.springs[i].b};
+    const Index a = firstRow(system.springs[i].a), b = firstRow(system.springs[i].b);
     const double stretch = directions[i].dot(x.segment<3>(b) - x.segment<3>(a));
     y.segment<3>(b) += stretch * directions[i];
     y.segment<3>(a) -= stretch * directions[i];
@@ -125,7 +130,7 @@ int countZeroModes(const MassSpringSystem& system) {
   const auto size = static_cast<Index>(3 * system.places.size());
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
   forEachBlock(system, [&](std::uint32_t row, std::uint32_t column, const Matrix3d& block) {
-    matrix.block<3, 3>(3 * Index{row}, 3 * Index{column}) += block;
+    matrix.block<3, 3>(firstRow(row), firstRow(column)) += block;
   });
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix, Eigen::EigenvaluesOnly);
   return static_cast<int>((solver.eigenvalues().array() < kZero).count());

@@ -81,8 +81,7 @@ std::vector<Spring> once(std::vector<Spring> springs) {
   }
   std::erase_if(springs, [](const Spring& spring) { return spring.a == spring.b; });
   std::ranges::stable_sort(springs, {}, ends);
-  const auto [first, last] = std::ranges::unique(springs);
-  springs.erase(first, last);
+  springs.erase(std::unique(springs.begin(), springs.end()), springs.end());
   return springs;
 }
 

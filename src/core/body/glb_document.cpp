@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
 constexpr std::size_t kMaxJson = 1 << 24;  // [bytes]
+constexpr int kMaxNesting = 64;            // of lists and objects in each other
 
 /// The chunks of a file.
 struct Chunks {
@@ -60,7 +61,11 @@ std::size_t sizeOfType(std::size_t type) {
 GlbDocument::GlbDocument(std::string_view bytes) {
   const Chunks chunks = chunksOf(bytes);
   binary_ = chunks.binary;
-  json_ = Json::parse(chunks.json, nullptr, false);
+  const auto refuseDeep = [](int depth, Json::parse_event_t, const Json&) {
+    if (depth <= kMaxNesting) return true;
+    throw InputError("its description is nested deeper than " + std::to_string(kMaxNesting));
+  };
+  json_ = Json::parse(chunks.json, refuseDeep, false);
   if (!json_.is_object()) throw InputError("its description isn't JSON; export it again");
   const Json& required = member(json_, "extensionsRequired");
   if (required.is_array() && !required.empty() && required[0].is_string()) {
@@ -79,9 +84,14 @@ const GlbDocument::Json& GlbDocument::member(const Json& json, const char* name)
 std::optional<std::size_t> GlbDocument::count(const Json& json, const char* name) {
   const Json& value = member(json, name);
   if (value.is_null()) return std::nullopt;
-  if (!value.is_number_unsigned())
-    throw InputError(std::string(name) + " isn't a whole number; export the file again");
-  return value.get<std::size_t>();
+  return wholeNumber(value, name);
+}
+
+std::size_t GlbDocument::wholeNumber(const Json& value, const std::string& name) {
+  constexpr std::uint64_t kLargest = 0xffffffff;  // as long as a .glb can be
+  const auto number = value.is_number_unsigned() ? value.get<std::uint64_t>() : kLargest + 1;
+  if (number <= kLargest) return static_cast<std::size_t>(number);
+  throw InputError(name + " isn't a whole number below 2^32; export the file again");
 }
 
 std::size_t GlbDocument::size(const char* list) const {

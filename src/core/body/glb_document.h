@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace rotatebook::body {
@@ -20,7 +21,9 @@ class GlbDocument {
 
   /// Returns a member of an object; null if it has none.
   static const Json& member(const Json& json, const char* name);
-  /// Returns a whole number of at least 0; nothing if there is none.
+  /// Returns a whole number below 2^32; `name` is for messages.
+  static std::size_t wholeNumber(const Json& value, const std::string& name);
+  /// Returns a member that is such a number; nothing if there is none.
   static std::optional<std::size_t> count(const Json& json, const char* name);
 
   const Json& root() const { return json_; }

@@ -1,6 +1,8 @@
 #include "body/glb_materials.h"
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/error.h"
@@ -23,7 +25,9 @@ float shareOf(const Json& value, float byDefault, const std::string& name) {
 class Images {
  public:
   Images(const GlbDocument& document, Surface& surface)
-      : document_(document), images_(surface.images), indices_(document.size("images"), kNoImage) {}
+      : document_(document),
+        images_(surface.images),
+        indices_(document.size("bufferViews"), kNoImage) {}
 
   /// Returns the index of the picture of the texture that `use` names, or kNoImage.
   int indexOf(const Json& use) {
@@ -31,32 +35,37 @@ class Images {
     if (!texture) return kNoImage;
     const auto source = GlbDocument::count(document_.at("textures", *texture), "source");
     if (!source) return kNoImage;
-    const Json& image = document_.at("images", *source);
-    int& index = indices_[*source];
-    if (index != kNoImage) return index;
-    const auto view = GlbDocument::count(image, "bufferView");
+    const auto view = GlbDocument::count(document_.at("images", *source), "bufferView");
     if (!view) {
       throw InputError("picture " + std::to_string(*source) +
                        " is in another file; export it as one .glb");
     }
+    const std::string_view bytes = document_.view(*view);
+    int& index = indices_[*view];
+    if (index != kNoImage) return index;
+    bytes_ += bytes.size();
+    if (bytes_ > kMaxBytes) throw InputError("its pictures have more than 256 MiB");
     index = static_cast<int>(images_.size());
-    return images_.emplace_back(document_.view(*view)), index;
+    images_.emplace_back(bytes);
+    return index;
   }
 
  private:
   const GlbDocument& document_;
   std::vector<std::string>& images_;
-  std::vector<int> indices_;  // By image of the document.
+  std::vector<int> indices_;  // By bufferView of the document.
+  std::size_t bytes_ = 0;
+
+  static constexpr std::size_t kMaxBytes = std::size_t{1} << 28;
 };
 
-Material materialOf(const Json& json, const std::string& name, Images& images) {
+Material materialFrom(const Json& json, const std::string& name, Images& images) {
   const Json& model = GlbDocument::member(json, "pbrMetallicRoughness");
   Material material{.baseColour = {1, 1, 1}};
   const Json& colour = GlbDocument::member(model, "baseColorFactor");
-  for (std::size_t i = 0; colour.is_array() && i < 3; ++i) {
-    const Json& part = i < colour.size() ? colour[i] : Json();
+  for (std::size_t i = 0; colour.is_array() && i < std::min<std::size_t>(3, colour.size()); ++i) {
     material.baseColour[static_cast<Eigen::Index>(i)] =
-        shareOf(part, 1, name + ": baseColorFactor");
+        shareOf(colour[i], 1, name + ": baseColorFactor");
   }
   material.metalness =
       shareOf(GlbDocument::member(model, "metallicFactor"), 1, name + ": metallicFactor");
@@ -82,13 +91,9 @@ void readMaterials(const GlbDocument& document, Surface& surface) {
   Images images(document, surface);
   for (std::size_t i = 0; i < count; ++i) {
     surface.materials.push_back(
-        materialOf(document.at("materials", i), "material " + std::to_string(i), images));
+        materialFrom(document.at("materials", i), "material " + std::to_string(i), images));
   }
   surface.materials.push_back({});
-  std::size_t bytes = 0;
-  for (const std::string& image : surface.images) bytes += image.size();
-  constexpr std::size_t kMaxImageBytes = std::size_t{1} << 28;
-  if (bytes > kMaxImageBytes) throw InputError("its pictures have more than 256 MiB");
 }
 
 }  // namespace rotatebook::body

@@ -23,7 +23,7 @@ using Json = GlbDocument::Json;
 using Eigen::Matrix4d;
 
 constexpr int kMaxDepth = 100;              // of nodes in nodes
-constexpr std::size_t kMaxNodes = 100'000;  // that are visited
+constexpr std::size_t kMaxParts = 100'000;  // nodes and their primitives, as often as they are used
 
 /// Returns the numbers of a list of exactly `values.size()`; false if there is no such member.
 template <std::size_t kCount>
@@ -65,23 +65,28 @@ class Collector {
       : document_(document), surface_(surface), mesh_(surface.mesh) {}
 
   void addNode(std::size_t index, const Matrix4d& parent, int depth) {
-    if (depth > kMaxDepth || ++nodes_ > kMaxNodes) {
-      throw InputError("its nodes are nested deeper than " + std::to_string(kMaxDepth) +
-                       ", or are more than " + std::to_string(kMaxNodes));
-    }
+    if (depth > kMaxDepth)
+      throw InputError("its nodes are nested deeper than " + std::to_string(kMaxDepth));
+    countPart();
     const Json& node = document_.at("nodes", index);
     const Matrix4d place = parent * placeOf(node);
     if (const auto mesh = GlbDocument::count(node, "mesh")) addMesh(*mesh, place);
     for (const Json& child : GlbDocument::member(node, "children")) {
-      if (!child.is_number_unsigned()) throw InputError("a node's child isn't a number");
-      addNode(child.get<std::size_t>(), place, depth + 1);
+      addNode(GlbDocument::wholeNumber(child, "a node's child"), place, depth + 1);
     }
   }
 
  private:
+  void countPart() {
+    if (++parts_ <= kMaxParts) return;
+    throw InputError("its nodes and primitives are more than " + std::to_string(kMaxParts) +
+                     "; export it with its meshes joined");
+  }
+
   void addMesh(std::size_t index, const Matrix4d& place) {
     const Json& primitives = GlbDocument::member(document_.at("meshes", index), "primitives");
     for (const Json& primitive : primitives) {
+      countPart();
       const std::size_t mode = GlbDocument::count(primitive, "mode").value_or(4);
       if (mode != 4) {
         throw InputError("mesh " + std::to_string(index) + " is of the mode " +
@@ -173,7 +178,7 @@ class Collector {
   const GlbDocument& document_;
   Surface& surface_;
   TriangleMesh& mesh_;
-  std::size_t nodes_ = 0;
+  std::size_t parts_ = 0;
 };
 
 /// Returns the numbers of the nodes that the file's scene shows; all roots where it has no scene.
@@ -181,17 +186,15 @@ std::vector<std::size_t> rootsOf(const GlbDocument& document) {
   std::vector<std::size_t> roots;
   if (document.size("scenes") > 0) {
     const std::size_t shown = GlbDocument::count(document.root(), "scene").value_or(0);
-    for (const Json& node : GlbDocument::member(document.at("scenes", shown), "nodes")) {
-      if (!node.is_number_unsigned()) throw InputError("a scene's node isn't a number");
-      roots.push_back(node.get<std::size_t>());
-    }
+    for (const Json& node : GlbDocument::member(document.at("scenes", shown), "nodes"))
+      roots.push_back(GlbDocument::wholeNumber(node, "a scene's node"));
     return roots;
   }
   std::vector<bool> isChild(document.size("nodes"));
   for (std::size_t i = 0; i < isChild.size(); ++i) {
     for (const Json& child : GlbDocument::member(document.at("nodes", i), "children")) {
-      if (child.is_number_unsigned() && child.get<std::size_t>() < isChild.size())
-        isChild[child.get<std::size_t>()] = true;
+      const std::size_t number = GlbDocument::wholeNumber(child, "a node's child");
+      if (number < isChild.size()) isChild[number] = true;
     }
   }
   for (std::size_t i = 0; i < isChild.size(); ++i)

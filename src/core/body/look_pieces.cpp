@@ -30,22 +30,23 @@ Vector3d streaks(int axis, double along, double across) {
 
 }  // namespace
 
-Material materialOf(std::uint32_t colour, float metalness, float roughness, const Grain& grain) {
+Material materialOfColour(std::uint32_t colour, float metalness, float roughness,
+                          const Grain& grain) {
   Material material{.metalness = metalness, .roughness = roughness, .grain = grain};
   for (int i = 0; i < 3; ++i) material.baseColour[i] = linearOf(colour >> (16 - 8 * i) & 0xff);
   return material;
 }
 
 Material aluminium(int axis) {
-  return materialOf(0xe3e4e6, 1, 0.34F, {streaks(axis, 0.03, 0.0006), 0.10F, 4e-6F});
+  return materialOfColour(0xe3e4e6, 1, 0.34F, {streaks(axis, 0.03, 0.0006), 0.10F, 4e-6F});
 }
 
 Material brass(int axis) {
-  return materialOf(0xe0b566, 1, 0.30F, {streaks(axis, 0.012, 0.0004), 0.08F, 3e-6F});
+  return materialOfColour(0xe0b566, 1, 0.30F, {streaks(axis, 0.012, 0.0004), 0.08F, 3e-6F});
 }
 
 Material wood(std::uint32_t colour, int axis) {
-  return materialOf(colour, 0, 0.42F, {streaks(axis, 0.12, 0.0035), 0.45F, 1e-5F});
+  return materialOfColour(colour, 0, 0.42F, {streaks(axis, 0.12, 0.0035), 0.45F, 1e-5F});
 }
 
 std::vector<Vector2d> roundRectangle(const Vector2d& size, double corner) {
@@ -97,7 +98,8 @@ TriangleMesh plateOf(const Vector2d& size, double corner, std::span<const Layer>
   return mesh;
 }
 
-TriangleMesh roundedCylinder(double radius, double height, double edge) {
+TriangleMesh roundedCylinder(double radius, double height, double most) {
+  const double edge = std::min({most, radius / 2, height / 4});
   std::vector<Vector2d> outline{{0, -height / 2}};
   for (const auto& [z, inset] : roundedLayers(height, edge))
     outline.emplace_back(radius - inset, z);

@@ -11,8 +11,8 @@
 namespace rotatebook::body {
 
 /// Returns a material from its colour as sRGB, 0xrrggbb.
-Material materialOf(std::uint32_t colour, float metalness, float roughness,
-                    const Grain& grain = {});
+Material materialOfColour(std::uint32_t colour, float metalness, float roughness,
+                          const Grain& grain = {});
 /// Return metals that are brushed along a body axis. (0, 1, 2: x, y, z)
 Material aluminium(int axis);
 Material brass(int axis);
@@ -33,8 +33,8 @@ std::vector<Layer> roundedLayers(double height, double radius);
 TriangleMesh plateOf(const Eigen::Vector2d& size, double corner, std::span<const Layer> layers,
                      bool bottom, bool top);
 
-/// Returns a cylinder around z with rounded edges. [m]
-TriangleMesh roundedCylinder(double radius, double height, double edge);
+/// Returns a cylinder around z with edges that are rounded by `most`, if it is long enough. [m]
+TriangleMesh roundedCylinder(double radius, double height, double most);
 
 /// Returns a surface of one material.
 Surface surfaceOf(TriangleMesh mesh, const Material& material);

@@ -53,6 +53,11 @@ auto atName(std::string_view name, const Read& read) {
   }
 }
 
+[[noreturn]] void failAsTooLarge(const char* what) {
+  throw InputError("there are more than " + std::to_string(kMaxTriangles) + " " + what +
+                   "; export a coarser mesh");
+}
+
 }  // namespace
 
 bool isMeshName(std::string_view name) {
@@ -72,9 +77,11 @@ Surface readSurface(std::string_view name, std::string_view bytes) {
 }
 
 void requireFewTriangles(std::size_t count) {
-  if (count <= kMaxTriangles) return;
-  throw InputError("there are more than " + std::to_string(kMaxTriangles) +
-                   " triangles; export a coarser mesh");
+  if (count > kMaxTriangles) failAsTooLarge("triangles");
+}
+
+void requireFewPoints(std::size_t count) {
+  if (count > kMaxTriangles) failAsTooLarge("points");
 }
 
 void addPolygon(std::span<const std::uint32_t> corners, TriangleMesh& mesh) {

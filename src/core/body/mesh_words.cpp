@@ -61,15 +61,17 @@ std::string_view MeshWords::wordOnAnyLine() {
 double MeshWords::number(const char* what) {
   const std::string_view found = word();
   if (const auto value = numberIn(found)) return *value;
-  fail(std::string(what) +
-       (found.empty() ? " is missing" : " must be a number, and is " + quotedText(found)));
+  fail(std::string(what) + (found.empty()
+                                ? " is missing"
+                                : " must be a number, and is " + quotedText(oneLine(found, 40))));
 }
 
 std::int64_t MeshWords::integer(const char* what) {
   const std::string_view found = word();
   if (const auto value = integerIn(found)) return *value;
   fail(std::string(what) +
-       (found.empty() ? " is missing" : " must be a whole number, and is " + quotedText(found)));
+       (found.empty() ? " is missing"
+                      : " must be a whole number, and is " + quotedText(oneLine(found, 40))));
 }
 
 void MeshWords::fail(const std::string& message) const {
@@ -78,7 +80,7 @@ void MeshWords::fail(const std::string& message) const {
 
 std::string_view MeshBytes::take(std::size_t count) {
   if (count > left()) {
-    throw InputError("the file ends at byte " + std::to_string(bytes_.size()) +
+    throw InputError("the file ends at byte " + std::to_string(before_ + bytes_.size()) +
                      ", within its data; is it whole?");
   }
   at_ += count;

@@ -48,8 +48,9 @@ std::optional<std::int64_t> integerIn(std::string_view word);
 /// Bytes that are read as numbers, one after the other.
 class MeshBytes {
  public:
-  explicit MeshBytes(std::string_view bytes, bool isBigEndian = false)
-      : bytes_(bytes), isBigEndian_(isBigEndian) {}
+  /// Takes the last bytes of a file, after the `before` first ones.
+  explicit MeshBytes(std::string_view bytes, std::size_t before = 0, bool isBigEndian = false)
+      : bytes_(bytes), before_(before), isBigEndian_(isBigEndian) {}
 
   /// Returns the next number. Throws InputError at the end.
   template <typename Number>
@@ -65,11 +66,12 @@ class MeshBytes {
   /// Returns the next bytes. Throws InputError if there are fewer.
   std::string_view take(std::size_t count);
   std::size_t left() const { return bytes_.size() - at_; }
-  std::size_t at() const { return at_; }
+  /// Returns the place of the next byte in the file.
+  std::size_t at() const { return before_ + at_; }
 
  private:
   std::string_view bytes_;
-  std::size_t at_ = 0;
+  std::size_t at_ = 0, before_;
   bool isBigEndian_;
 };
 

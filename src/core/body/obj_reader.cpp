@@ -36,7 +36,7 @@ TriangleMesh readObj(std::string_view text) {
   do {
     const std::string_view kind = words.word();
     if (kind == "v") {
-      requireFewTriangles(mesh.points.size());
+      requireFewPoints(mesh.points.size() + 1);
       const double x = words.number("x"), y = words.number("y"), z = words.number("z");
       mesh.points.emplace_back(x, y, z);
     } else if (kind == "f") {

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -91,11 +92,13 @@ bool readHeaderLine(MeshWords& words, Header& header) {
 /// The numbers of a file's data, in either encoding.
 class Numbers {
  public:
-  Numbers(std::string_view data, Encoding encoding, std::size_t headerLines)
+  /// Takes the data of a file, after a header of so many bytes and lines.
+  Numbers(std::string_view data, Encoding encoding, std::size_t headerBytes,
+          std::size_t headerLines)
       : isText_(encoding == Encoding::Text),
         headerLines_(headerLines),
         words_(isText_ ? data : ""),
-        bytes_(data, encoding == Encoding::BigEndian) {}
+        bytes_(data, headerBytes, encoding == Encoding::BigEndian) {}
 
   double next(Type type) {
     if (isText_) return textNumber();
@@ -122,7 +125,7 @@ class Numbers {
 
   [[noreturn]] void fail(const std::string& message) const {
     throw InputError((isText_ ? "line " + std::to_string(headerLines_ + words_.line())
-                              : "byte " + std::to_string(bytes_.at()) + " of the data") +
+                              : "byte " + std::to_string(bytes_.at())) +
                      ": " + message);
   }
 
@@ -143,7 +146,7 @@ class Numbers {
 
 std::int64_t lengthOf(const Property& list, Numbers& numbers) {
   const double length = numbers.next(*list.count);
-  if (!(length >= 0 && length <= static_cast<double>(kMaxCorners)))
+  if (!(length >= 0 && length <= static_cast<double>(kMaxCorners) && length == std::floor(length)))
     numbers.fail("a list must have 0 to " + std::to_string(kMaxCorners) + " numbers");
   return static_cast<std::int64_t>(length);
 }
@@ -158,7 +161,7 @@ void readVertex(const Element& element, Numbers& numbers, TriangleMesh& mesh) {
       if (property.name.size() == 1 && axis < 3) point[static_cast<Eigen::Index>(axis)] = number;
     }
   }
-  requireFewTriangles(mesh.points.size());
+  requireFewPoints(mesh.points.size() + 1);
   mesh.points.push_back(point);
 }
 
@@ -171,7 +174,8 @@ void readPlyFace(const Element& element, Numbers& numbers, TriangleMesh& mesh) {
     for (std::int64_t i = 0; i < length; ++i) {
       const double number = numbers.next(property.type);
       if (!isCorners) continue;
-      if (!(number >= 0 && number < static_cast<double>(mesh.points.size()))) {
+      const bool isVertex = number >= 0 && number < static_cast<double>(mesh.points.size());
+      if (!isVertex || number != std::floor(number)) {
         numbers.fail("a face names a vertex that doesn't exist; there are " +
                      std::to_string(mesh.points.size()));
       }
@@ -206,7 +210,8 @@ TriangleMesh readPly(std::string_view bytes) {
   }
   const std::size_t headerLines = words.line();
   if (!words.nextLine()) return {};
-  Numbers numbers(words.everything(), header.encoding, headerLines);
+  const std::string_view data = words.everything();
+  Numbers numbers(data, header.encoding, bytes.size() - data.size(), headerLines);
   TriangleMesh mesh;
   for (const Element& element : header.elements) {
     requireProperties(element);

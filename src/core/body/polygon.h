@@ -11,7 +11,8 @@ namespace rotatebook::body {
 /// Adds a polygon as a fan. Throws InputError if there would be too many triangles.
 void addPolygon(std::span<const std::uint32_t> corners, TriangleMesh& mesh);
 
-/// Throws InputError if a mesh of so many triangles is too large.
+/// Throw InputError if a mesh of so many triangles, or of so many points, is too large.
 void requireFewTriangles(std::size_t count);
+void requireFewPoints(std::size_t count);
 
 }  // namespace rotatebook::body

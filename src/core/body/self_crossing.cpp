@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Of boxes, by triangle; measured 8 of a ball, 6 of boxes.
+/// The most pairs of boxes that are visited, for each triangle; measured 8 of a ball, 6 of boxes.
 constexpr std::size_t kMaxPairs = 60;
 
 /// A box along the axes.

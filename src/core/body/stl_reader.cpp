@@ -19,7 +19,7 @@ void addTriangle(const Eigen::Vector3d (&corners)[3], TriangleMesh& mesh) {
 
 TriangleMesh readBinaryStl(std::string_view bytes, std::size_t count) {
   TriangleMesh mesh;
-  MeshBytes data(bytes.substr(kHeader));
+  MeshBytes data(bytes.substr(kHeader), kHeader);
   for (std::size_t i = 0; i < count; ++i) {
     data.take(3 * sizeof(float));
     Eigen::Vector3d corners[3];

@@ -114,7 +114,9 @@ TEST(GlbReader, SaysWhatItCannotRead) {
               HasSubstr("in another file; export it as one .glb"));
   EXPECT_THAT(withChange("{\"mesh\": 0}", "{\"mesh\": 1}"), HasSubstr("meshes has no number 1"));
   EXPECT_THAT(withChange("{\"mesh\": 0}", "{\"mesh\": -1}"), HasSubstr("isn't a whole number"));
-  EXPECT_THAT(withChange("{\"mesh\": 0}", "{\"children\": [\"a\"]}"), HasSubstr("isn't a number"));
+  EXPECT_THAT(withChange("{\"mesh\": 0}", "{\"children\": [\"a\"]}"),
+              HasSubstr("isn't a whole number"));
+  EXPECT_THAT(withChange("{\"mesh\": 0}", "{\"mesh\": 4294967296}"), HasSubstr("below 2^32"));
   EXPECT_THAT(withChange("{\"mesh\": 0}", "{\"scale\": [1, 2]}"), HasSubstr("scale isn't a list"));
   EXPECT_THAT(withChange("\"nodes\"", "\"scenes\": [{\"nodes\": [3]}], \"nodes\""),
               HasSubstr("nodes has no number 3"));
@@ -175,6 +177,37 @@ TEST(GlbReader, RefusesMaterialsThatAreNone) {
   EXPECT_THAT(messageFor(kTexture, R"({"bufferView": 9})"), HasSubstr("no number 9"));
 }
 
+// Each of a thousand nodes has the mesh, whose primitives have no points.
+TEST(GlbReader, RefusesManyPrimitives) {
+  const auto repeated = [](const std::string& text, int count) {
+    std::string list = text;
+    for (int i = 1; i < count; ++i) list += "," + text;
+    return "[" + list + "]";
+  };
+  const std::string json =
+      "{\"nodes\": " + repeated("{\"mesh\": 0}", 1000) +
+      ", \"meshes\": [{\"primitives\": " + repeated("{\"attributes\": {\"POSITION\": 0}}", 1000) +
+      R"(}], "accessors": [{"bufferView": 0, "componentType": 5126, "count": 0, "type": "VEC3"}],
+         "bufferViews": [{"buffer": 0}], "buffers": [{}]})";
+  EXPECT_THAT(messageOf([&] { readGlb(glb(json, "")); }),
+              HasSubstr("nodes and primitives are more than 100000"));
+}
+
+TEST(GlbReader, HasAPictureOnce) {
+  const std::string image = R"({"bufferView": 3})";
+  std::string bytes = boxWithMaterial(
+      R"({"baseColorTexture": {"index": 0}, "metallicRoughnessTexture": {"index": 1}})",
+      image + "," + image);
+  const std::string one = "\"textures\": [{\"source\": 0}]";
+  // Of the same length, since the file states it
+  const std::string two = "\"textures\":[{},{\"source\":1}]";
+  ASSERT_EQ(one.size(), two.size() - 1);
+  bytes.replace(bytes.find(one) - 1, one.size() + 1, two);
+  const Surface surface = readGlbSurface(bytes);
+  EXPECT_EQ(surface.images.size(), 1U);
+  EXPECT_EQ(surface.materials[1].metalRoughnessImage, 0);
+}
+
 TEST(GlbReader, RefusesWhatIsNoGlb) {
   EXPECT_THAT(messageOf([] { readGlb(""); }), HasSubstr("not a .glb file"));
   EXPECT_THAT(messageOf([] { readGlb("glTF\x01\0\0\0\0\0\0\0"); }), HasSubstr("not a .glb file"));
@@ -185,7 +218,7 @@ TEST(GlbReader, RefusesWhatIsNoGlb) {
   EXPECT_THAT(messageOf([] { readGlb(glb("[1]", "")); }), HasSubstr("isn't JSON"));
   EXPECT_THAT(messageOf([] { readGlb(glb("{", "")); }), HasSubstr("isn't JSON"));
   EXPECT_THAT(messageOf([] { readGlb(glb(std::string(1 << 20, '['), "")); }),
-              HasSubstr("isn't JSON"));
+              HasSubstr("nested deeper than 64"));
   const std::string whole = boxIn(R"("nodes": [{"mesh": 0}])");
   EXPECT_THAT(messageOf([&] { readGlb(std::string_view(whole).substr(0, whole.size() - 1)); }),
               HasSubstr("within its data"));

@@ -188,8 +188,15 @@ std::vector<Broken> brokenTexts() {
       {"a.ply", "ply\nelement face 1\nproperty list int int vertex_index\nend_header\n2 0 0\n",
        "a face names a vertex"},
       {"a.ply",
+       "ply\nelement vertex 3\nproperty float x\nelement face 1\n"
+       "property list int float vertex_index\nend_header\n0\n1\n2\n3 0 0.5 1\n",
+       "line 10: a face names a vertex"},
+      {"a.ply", "ply\nelement face 1\nproperty list float int vertex_index\nend_header\n2.5 0 0\n",
+       "line 5: a list must have 0 to 10000 numbers"},
+      {"a.obj", "v 1 2 " + std::string(1000, 'z'), "zzz...\""},
+      {"a.ply",
        "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty int x\nend_header\n123",
-       "the file ends at byte 3, within its data; is it whole?"},
+       "the file ends at byte 82, within its data; is it whole?"},
   };
 }
 

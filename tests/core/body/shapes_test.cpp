@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <set>
 #include <string>
 
@@ -5,12 +6,14 @@
 
 #include "body/closed_surface.h"
 #include "body/mass_properties.h"
+#include "body/message_of.h"
 #include "body/shape.h"
 
 namespace rotatebook::body {
 namespace {
 
 using Eigen::Vector3d;
+using testing::messageOf;
 
 std::vector<double> defaultsOf(const Shape& shape) {
   std::vector<double> lengths;
@@ -36,6 +39,34 @@ double extentOf(const TriangleMesh& mesh) {
   double extent = 0;
   for (const Vector3d& point : mesh.points) extent = std::max(extent, point.norm());
   return extent;
+}
+
+/// Returns whether all points are in the box around others, but for rounding.
+bool areWithin(const TriangleMesh& mesh, const TriangleMesh& others) {
+  const Vector3d room = Vector3d::Constant(1e-12 * extentOf(others));  // measured 3e-16
+  Vector3d low = others.points.front(), high = low;
+  for (const Vector3d& point : others.points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  return std::ranges::all_of(mesh.points, [&](const Vector3d& point) {
+    return (point - low + room).minCoeff() >= 0 && (high - point + room).minCoeff() >= 0;
+  });
+}
+
+TEST(Shapes, LookLikeWhatIsWithinTheirBox) {
+  for (const Shape& shape : allShapes()) {
+    for (std::size_t i = 0; i < shape.lengths.size(); ++i) {
+      for (const double factor : {0.1, 0.4, 1.0, 1.6, 10.0}) {
+        std::vector<double> lengths = defaultsOf(shape);
+        lengths[i] *= factor;
+        TriangleMesh solid;
+        if (messageOf([&] { solid = shape.solid(lengths).surface; }) != "accepted") continue;
+        EXPECT_TRUE(areWithin(shape.look(lengths).mesh, solid))
+            << shape.name << ' ' << shape.lengths[i].name << ' ' << lengths[i];
+      }
+    }
+  }
 }
 
 TEST(Shapes, AreClosedAndHaveNamesOfTheirOwn) {

@@ -17,15 +17,17 @@ Surface cardsLook(std::span<const double> lengths) {
   const Eigen::Vector2d size(lengths[0], lengths[1]);
   const double least = size.minCoeff(), corner = 0.055 * least, border = 0.05 * least;
   const double half = lengths[2] / 2, edge = std::min(0.002 * least, 0.2 * half);
-  const Material paper = materialOf(0xf3efe6, 0, 0.6F), back = materialOf(0xa3202c, 0, 0.5F);
-  const Material sheets = materialOf(0xe9e4d8, 0, 0.8F, {{0.02, 0.02, 0.0003}, 0.22F, 1e-5F});
+  const Material paper = materialOfColour(0xf3efe6, 0, 0.6F),
+                 back = materialOfColour(0xa3202c, 0, 0.5F);
+  const Material sheets = materialOfColour(0xe9e4d8, 0, 0.8F, {{0.02, 0.02, 0.0003}, 0.22F, 1e-5F});
   Surface look =
       surfaceOf(plateOf(size, corner, roundedLayers(lengths[2], edge), false, false), sheets);
   for (const double side : {-1.0, 1.0}) {
     const Layer rim{side * half, edge}, inner{side * half, border};
     const auto frame = side > 0 ? std::array{rim, inner} : std::array{inner, rim};
     addSurface(surfaceOf(plateOf(size, corner, frame, false, false), paper), look);
-    addSurface(surfaceOf(plateOf(size, corner, {&inner, 1}, side<0, side> 0), back), look);
+    const bool isTop = side > 0;
+    addSurface(surfaceOf(plateOf(size, corner, {&inner, 1}, !isTop, isTop), back), look);
   }
   return look;
 }

@@ -14,7 +14,8 @@ SolidPiece discSolid(std::span<const double> lengths) {
 
 Surface discLook(std::span<const double> lengths) {
   const double edge = 0.499 * std::min(lengths[0], lengths[1]);
-  return surfaceOf(roundedCylinder(lengths[0], lengths[1], edge), materialOf(0xe2622b, 0, 0.28F));
+  return surfaceOf(roundedCylinder(lengths[0], lengths[1], edge),
+                   materialOfColour(0xe2622b, 0, 0.28F));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ SolidPiece ellipsoidSolid(std::span<const double> lengths) {
 }
 
 Surface ellipsoidLook(std::span<const double> lengths) {
-  return surfaceOf(ellipsoidSolid(lengths).surface, materialOf(0x2c8c86, 0, 0.16F));
+  return surfaceOf(ellipsoidSolid(lengths).surface, materialOfColour(0x2c8c86, 0, 0.16F));
 }
 
 }  // namespace

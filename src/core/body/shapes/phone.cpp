@@ -32,9 +32,9 @@ SolidPiece phoneSolid(std::span<const double> lengths) {
   return prismOf(outline, lengths[2]);
 }
 
-/// Returns a camera's lens, a disc in the plane of the back. [m]
-TriangleMesh lensAt(const Eigen::Vector2d& place, double radius, double z) {
-  TriangleMesh lens = roundedCylinder(radius, 0.0004, 0.0001);
+/// Returns a camera's lens, a disc around a point of the back. [m]
+TriangleMesh lensAt(const Eigen::Vector2d& place, double radius, double thickness, double z) {
+  TriangleMesh lens = roundedCylinder(radius, thickness, thickness / 4);
   return movedBy(std::move(lens), {place.x(), place.y(), z});
 }
 
@@ -48,19 +48,19 @@ Surface phoneLook(std::span<const double> lengths) {
   band.front().z = -back;
   Surface look = surfaceOf(plateOf(size, corner, band, false, false), aluminium(1));
   const Layer front{half, edge}, behind{-back, edge};
-  addSurface(
-      surfaceOf(plateOf(size, corner, {&front, 1}, false, true), materialOf(0x0b0c0f, 0, 0.07F)),
-      look);
-  addSurface(
-      surfaceOf(plateOf(size, corner, {&behind, 1}, true, false), materialOf(0x1f3a52, 0, 0.14F)),
-      look);
-  const double lens = 0.095 * size.x();
+  addSurface(surfaceOf(plateOf(size, corner, {&front, 1}, false, true),
+                       materialOfColour(0x0b0c0f, 0, 0.07F)),
+             look);
+  addSurface(surfaceOf(plateOf(size, corner, {&behind, 1}, true, false),
+                       materialOfColour(0x1f3a52, 0, 0.14F)),
+             look);
+  const double lens = std::min(0.095 * size.x(), 0.09 * size.y());
   for (const double y : {0.40, 0.29}) {
     const Eigen::Vector2d place(-0.27 * size.x(), y * size.y());
-    addSurface(surfaceOf(lensAt(place, lens, -back), aluminium(1)), look);
-    addSurface(
-        surfaceOf(lensAt(place, 0.72 * lens, -back - raised / 4), materialOf(0x050608, 0, 0.06F)),
-        look);
+    addSurface(surfaceOf(lensAt(place, lens, raised, -back), aluminium(1)), look);
+    addSurface(surfaceOf(lensAt(place, 0.72 * lens, raised, -back - raised / 4),
+                         materialOfColour(0x050608, 0, 0.06F)),
+               look);
   }
   return look;
 }

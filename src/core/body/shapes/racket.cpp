@@ -48,15 +48,16 @@ Surface racketLook(std::span<const double> lengths) {
   const Eigen::Vector3d middle(length + head, 0, 0);
   Surface look = surfaceOf(movedBy(ringOf(head, frame).surface, middle), wood(0xc98f4e, 0));
   for (const int axis : {0, 1}) {
-    addSurface(surfaceOf(movedBy(stringsAlong(axis, head), middle), materialOf(0xefe9d6, 0, 0.35F)),
-               look);
+    addSurface(
+        surfaceOf(movedBy(stringsAlong(axis, head), middle), materialOfColour(0xefe9d6, 0, 0.35F)),
+        look);
   }
   const double grip = kGrip * length, shaft = length - grip;
   const TriangleMesh rod = alongAxis(roundedCylinder(0.72 * handle, shaft, 0.1 * handle), 1);
   addSurface(surfaceOf(movedBy(rod, {grip + shaft / 2, 0, 0}), wood(0xb87a3d, 0)), look);
   const TriangleMesh leather = alongAxis(roundedCylinder(handle, grip, 0.2 * handle), 1);
   addSurface(surfaceOf(movedBy(leather, {grip / 2, 0, 0}),
-                       materialOf(0x2a2522, 0, 0.7F, {{0.006, 0.02, 0.02}, 0.5F, 1e-4F})),
+                       materialOfColour(0x2a2522, 0, 0.7F, {{0.006, 0.02, 0.02}, 0.5F, 1e-4F})),
              look);
   return look;
 }

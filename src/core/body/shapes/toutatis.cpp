@@ -62,9 +62,10 @@ Surface toutatisLook(std::span<const double> lengths) {
   TriangleMesh mesh = toutatisSolid(lengths).surface;
   const Eigen::Vector3d half = diametersOf(lengths[0]) / 2;
   for (Eigen::Vector3d& point : mesh.points) point *= 1 - depthAt(point.cwiseQuotient(half));
-  return surfaceOf(std::move(mesh), materialOf(0x8d8378, 0, 0.95F,
-                                               {Eigen::Vector3d::Constant(0.02 * lengths[0]), 0.35F,
-                                                static_cast<float>(0.002 * lengths[0])}));
+  return surfaceOf(std::move(mesh),
+                   materialOfColour(0x8d8378, 0, 0.95F,
+                                    {Eigen::Vector3d::Constant(0.02 * lengths[0]), 0.35F,
+                                     static_cast<float>(0.002 * lengths[0])}));
 }
 
 }  // namespace

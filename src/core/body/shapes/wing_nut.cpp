@@ -23,7 +23,8 @@ SolidPiece wingNutSolid(std::span<const double> lengths) {
 
 Surface wingNutLook(std::span<const double> lengths) {
   const double hub = lengths[0], bore = lengths[1], height = lengths[2], wing = lengths[3];
-  const double edge = 0.2 * (hub - bore), thick = lengths[4], rounding = 0.3 * thick;
+  const double edge = 0.2 * (hub - bore), thick = lengths[4];
+  const double corner = 0.35 * wing, rounding = std::min(0.3 * thick, corner);
   std::vector<Eigen::Vector2d> outline{{bore, height / 2}, {bore, -height / 2}};
   for (const auto& [z, inset] : roundedLayers(height, std::min(edge, height / 4)))
     outline.emplace_back(hub - inset, z);
@@ -31,7 +32,7 @@ Surface wingNutLook(std::span<const double> lengths) {
   // A wing begins within the hub's wall
   const double inside = (hub - bore) / 2, length = wing + inside;
   const TriangleMesh flat =
-      plateOf({length, wing}, 0.35 * wing, roundedLayers(thick, rounding), true, true);
+      plateOf({length, wing}, corner, roundedLayers(thick, rounding), true, true);
   for (const double side : {-1.0, 1.0}) {
     TriangleMesh upright = flat;
     for (Eigen::Vector3d& point : upright.points) point = {point.x(), -point.z(), point.y()};

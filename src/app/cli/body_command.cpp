@@ -43,7 +43,8 @@ double unitOf(const std::string& unit) {
 
 void requirePositive(const char* option, const std::optional<double>& value) {
   if (value && !(*value > 0 && *value < 1e60))
-    throw InputError(std::string(option) + " " + shortestText(*value) + ": must be above 0");
+    throw InputError(std::string(option) + " " + shortestText(*value) +
+                     ": must be above 0, and below 1e60");
 }
 
 report::BodySurface surfaceOf(const body::TriangleMesh& mesh) {
@@ -62,7 +63,9 @@ report::Bodies bodyOfMesh(const std::string& path, const BodyOptions& options) {
     for (Eigen::Vector3d& point : mesh.points) point *= unit;
     double density = options.density.value_or(kWater);
     if (options.mass) density = *options.mass / body::massPropertiesOf(mesh, 1).volume;
-    return {path, {{path, body::massPropertiesOf(mesh, density), surfaceOf(mesh)}}};
+    const body::MassProperties properties = body::massPropertiesOf(mesh, density);
+    rigid::checkInertia(properties.inertia);
+    return {path, {{path, properties, surfaceOf(mesh)}}};
   } catch (const InputError& error) {
     throw InputError(oneLine(path, 200) + ": " + error.what());
   }
@@ -100,6 +103,8 @@ report::BodyNumbers bodyOfParts(const scene::Solid& solid) {
 }
 
 report::Bodies bodiesOfScene(const std::string& path, const BodyOptions& options) {
+  if (std::filesystem::path(path).extension() != ".toml")
+    throw InputError(path + ": neither a scene (.toml) nor a mesh (.obj, .stl, .ply or .glb)");
   if (options.density || options.mass || options.unit != "m")
     throw InputError("--density, --mass and --unit are a mesh's; " + path +
                      " has a body of its own");
@@ -127,7 +132,7 @@ void addBodyCommand(CLI::App& program, Action& action) {
   command->add_option("--density", options->density,
                       "Density of a mesh [kg/m^3]; 1000, that of water, without --mass");
   command->add_option("--mass", options->mass, "Mass of a mesh [kg], in place of a density");
-  command->add_option("--unit", options->unit, "Unit of a mesh's coordinates: m, cm, mm, in ...")
+  command->add_option("--unit", options->unit, "Unit of a mesh's coordinates: m, cm, mm, km or in")
       ->capture_default_str();
   command->add_flag("--json", options->json, "Print one JSON object");
   options->scene.addTo(*command, /*draws=*/false);

@@ -1,7 +1,10 @@
 #include "cli/input_guard.h"
 
+#include <system_error>
+
 #include "base/error.h"
 #include "picture/texture_files.h"
+#include "system/read_file.h"
 
 namespace rotatebook::cli {
 namespace fs = std::filesystem;
@@ -53,6 +56,18 @@ void refuseInputs(const fs::path& output, const std::vector<Input>& inputs,
 void requireEnding(const fs::path& output, const std::string& ending, const std::string& option) {
   if (output.extension() == ending) return;
   throw InputError(option + " " + output.string() + ": the name of the file must end in " + ending);
+}
+
+void requireAbsent(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto type = std::filesystem::symlink_status(path, ignored).type();
+  if (type == std::filesystem::file_type::not_found) return;
+  throw InputError(path.string() +
+                   " exists, and isn't overwritten; choose another name, or remove it");
+}
+
+void requireAbsentOr(const std::filesystem::path& path, const std::string& beginning) {
+  if (!system::readFileOrEmpty(path).starts_with(beginning)) requireAbsent(path);
 }
 
 }  // namespace rotatebook::cli

@@ -1,4 +1,4 @@
-// Checks that no result replaces a file that it is made from. Inside the room only.
+// Checks of the files that a result would replace: none that it is made from. Inside the room only.
 #pragma once
 
 #include <filesystem>
@@ -38,5 +38,11 @@ void refuseInputs(const std::filesystem::path& output, const std::vector<Input>&
 /// for example, isn't to be replaced by a picture.
 void requireEnding(const std::filesystem::path& output, const std::string& ending,
                    const std::string& option = "-o");
+
+/// Throws InputError if there is something at `path`.
+void requireAbsent(const std::filesystem::path& path);
+
+/// Likewise, unless it is a file with this beginning, as an earlier result has it.
+void requireAbsentOr(const std::filesystem::path& path, const std::string& beginning);
 
 }  // namespace rotatebook::cli

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -10,6 +11,7 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
+#include "cli/input_guard.h"
 #include "cli/recording_options.h"
 #include "cli/scene_options.h"
 #include "physics/simulate.h"
@@ -82,10 +84,32 @@ void addJudgedScene(const std::string& file, const JudgeArguments& arguments,
   }
 }
 
+bool isScene(const std::string& file) {
+  return std::filesystem::path(file).extension() == ".toml";
+}
+
+/// Throws InputError for options that none of the files takes.
+void refuseIdleOptions(const JudgeArguments& arguments) {
+  const auto& options = arguments.recording;
+  const bool areOfTables = !arguments.inertia.empty() || !arguments.size.empty() ||
+                           options.options.from || options.options.to ||
+                           !options.options.unit.empty() || !options.columns.empty();
+  if (areOfTables && std::ranges::all_of(arguments.files, isScene)) {
+    throw InputError(
+        "--inertia, --size and the options of recordings are a table's, and there is "
+        "none; a scene states them itself, or with --set");
+  }
+  if (!arguments.scene.overrides.empty() && std::ranges::none_of(arguments.files, isScene))
+    throw InputError("--set is a scene's, and there is none; a table takes --inertia or --size");
+}
+
 int judgeAll(const JudgeArguments& arguments) {
+  refuseIdleOptions(arguments);
+  if (!arguments.junit.empty())
+    requireAbsentOr(arguments.junit, std::string(report::kJunitBeginning));
   std::vector<report::JudgedMotion> judged;
   for (const std::string& file : arguments.files) {
-    if (std::filesystem::path(file).extension() == ".toml") {
+    if (isScene(file)) {
       addJudgedScene(file, arguments, judged);
     } else {
       judged.push_back(judgedTable(file, arguments));
@@ -102,19 +126,19 @@ int judgeAll(const JudgeArguments& arguments) {
 void addBounds(CLI::App& command, report::VerdictBounds& bounds) {
   constexpr const char* kGroup = "Bounds, of which one that isn't kept ends in exit status 1";
   command.add_option("--max-error-deg", bounds.errorDeg, "On the angle to the exact attitude")
-      ->check(CLI::NonNegativeNumber)
+      ->check(notNegative)
       ->type_name("DEGREES")
       ->group(kGroup);
   command
       .add_option("--max-energy-drift", bounds.energyDrift,
                   "On the energy's relative drift, e.g. 0.01 for a hundredth")
-      ->check(CLI::NonNegativeNumber)
+      ->check(notNegative)
       ->type_name("PART")
       ->group(kGroup);
   command
       .add_option("--max-L-drift", bounds.momentumDrift,
                   "On the drift of the angular momentum's size, likewise")
-      ->check(CLI::NonNegativeNumber)
+      ->check(notNegative)
       ->type_name("PART")
       ->group(kGroup);
   command.add_flag("--half-turns", bounds.halfTurns, "As many half-turns as the exact motion")

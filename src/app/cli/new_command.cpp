@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
+#include "cli/input_guard.h"
 #include "document/toml_text.h"
 #include "embedded/cli.h"
 #include "scene/scene_text.h"
@@ -54,10 +55,7 @@ void requireNew(const fs::path& path) {
     throw InputError(path.string() + ": there is no folder " + folder.string() +
                      "; make it, or choose another");
   }
-  if (fs::symlink_status(path, ignored).type() != fs::file_type::not_found) {
-    throw InputError(path.string() +
-                     " exists, and isn't overwritten; choose another name, or remove it");
-  }
+  requireAbsent(path);
 }
 
 int writeNewScene(const fs::path& path) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -54,6 +55,14 @@ std::string recordingBytes(const std::string& path) {
   } catch (const InputError& error) {
     throw InputError(path + ": can't be read: " + error.what());
   }
+}
+
+std::string notNegative(const std::string& text) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  const bool isSound = error == std::errc() && rest == end && std::isfinite(number) && number >= 0;
+  return isSound ? "" : oneLine(text, 40) + " must be a number, 0 or more";
 }
 
 Eigen::Vector3d threeNumbers(const std::string& text, const char* option) {

@@ -23,6 +23,9 @@ struct RecordingOptions {
 /// Returns the bytes of a recording. Throws InputError "FILE: can't be read: CAUSE".
 std::string recordingBytes(const std::string& path);
 
+/// Returns the problem of an option's number that isn't 0 or more; empty if there is none.
+std::string notNegative(const std::string& text);
+
 /// Returns three numbers over 0, such as "0.004,0.002,0.005". Throws InputError that names
 /// `option`.
 Eigen::Vector3d threeNumbers(const std::string& text, const char* option);

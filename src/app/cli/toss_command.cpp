@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
+#include "cli/input_guard.h"
 #include "cli/recording_options.h"
 #include "recording/toss.h"
 #include "report/toss_report.h"
@@ -43,6 +44,7 @@ std::string pathFrom(const fs::path& scene, const fs::path& recording) {
 int fitAndReport(const TossArguments& arguments) {
   const recording::ReadOptions options = arguments.recording.read();
   const std::string path = arguments.scene.empty() ? "" : pathFrom(arguments.scene, arguments.file);
+  if (!path.empty()) requireAbsent(arguments.scene);
   recording::TossOptions toss = arguments.options;
   toss.from = options.from;
   toss.to = options.to;
@@ -72,7 +74,7 @@ void addTossCommand(CLI::App& program, Action& action) {
   command
       ->add_option("--lever", arguments->options.lever,
                    "Largest distance of the accelerometer from the centre of mass")
-      ->check(CLI::NonNegativeNumber)
+      ->check(notNegative)
       ->type_name("METRES")
       ->capture_default_str();
   arguments->recording.addTo(*command);

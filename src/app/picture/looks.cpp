@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/checksum.h"
+#include "base/clip_limits.h"
 #include "base/error.h"
 #include "body/mesh_readers.h"
 #include "image/picture_file.h"
@@ -146,7 +147,9 @@ body::Surface meshSurfaceOf(const SceneBody& body, const std::string& bytes) {
   scene::MeshFile numbers = scene::meshFileOf(name, surface.mesh);
   numbers.unit = body.solid.mesh.unit;
   if (numbers != body.solid.mesh)
-    throw InputError(name + " has changed since the scene was read; try again");
+    throw InputError(
+        name +
+        " isn't the scene's body any more; bring the file back, or take the scene as it is now");
   return surface;
 }
 
@@ -158,9 +161,14 @@ std::shared_ptr<const render::SurfaceLook> lookOf(const scene::Scene& scene, con
     look->size = body.size;
     look->surface = body.meshKey.empty() ? scene::surfaceOf(body.solid)
                                          : scene::surfaceOf(body.solid, meshSurfaceOf(body, bytes));
+    std::int64_t pixels = 0;
     for (const std::string& image : look->surface.images) {
       const std::string number = std::to_string(look->images.size());
       look->images.push_back(decoded(image, body.solid.mesh.name + ", picture " + number));
+      pixels += std::int64_t{look->images.back().width()} * look->images.back().height();
+      if (pixels > kMaxPicturePixels)
+        throw InputError(body.solid.mesh.name + ": its pictures have more than " +
+                         std::to_string(kMaxPicturePixels) + " pixels in all; make them smaller");
     }
     return look;
   });

@@ -61,8 +61,8 @@ std::string surfaceText(const std::optional<BodySurface>& surface) {
   std::string text = std::to_string(surface->triangles) + " triangles, " +
                      (surface->shells == 1 ? "one closed surface"
                                            : std::to_string(surface->shells) +
-                                                 " closed surfaces; where they overlap, or lie "
-                                                 "within each other, mass counts twice");
+                                                 " closed surfaces, which add up: also where they "
+                                                 "overlap; one that faces inward takes away");
   if (!surface->crossing) return text;
   const auto [one, other] = *surface->crossing;
   return text + "\n  note: triangles " + std::to_string(one + 1) + " and " +

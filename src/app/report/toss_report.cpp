@@ -41,10 +41,6 @@ std::string ratioJson(const recording::Estimate& ratio) {
       .text();
 }
 
-std::string rowJson(const Eigen::Vector3d& row) {
-  return jsonArrayOf(std::array{row.x(), row.y(), row.z()}, shortestText);
-}
-
 /// Returns the keys of [simulation] that state what `options` does.
 std::string statedKeys(const recording::ReadOptions& options) {
   std::string text;
@@ -63,8 +59,8 @@ void reportToss(const recording::TossFit& fit, const std::string& name, std::ost
       << " s, " << fit.readings << " readings\n";
   for (std::size_t i = 0; i < fit.ratios.size(); ++i) {
     const recording::Estimate& ratio = fit.ratios[i];
-    out << "  " << kRatioNames[i] << " = " << digits4(ratio.value) << ", " << digits4(ratio.low)
-        << " to " << digits4(ratio.high) << " in 95 of 100\n";
+    out << "  " << kRatioNames[i] << " = " << roundedText(ratio.value, 6) << ", "
+        << roundedText(ratio.low, 6) << " to " << roundedText(ratio.high, 6) << " in 95 of 100\n";
   }
   out << "  the fitted motion differs by " << degreesASecond(fit.residual)
       << " (root mean square); gap of singular values " << roundedText(fit.gap, 3) << '\n';
@@ -72,7 +68,9 @@ void reportToss(const recording::TossFit& fit, const std::string& name, std::ost
     out << "  bias " << degreesASecond(fit.bias.norm()) << ", from " << digits4(fit.rest)
         << " s of rest before\n";
   } else {
-    out << "  no rest before the flight: the gyroscope's bias isn't subtracted\n";
+    out << "  no rest before the flight: the gyroscope's bias isn't subtracted, and the intervals "
+           "leave "
+           "it out\n";
   }
 }
 
@@ -85,10 +83,10 @@ void reportTossAsJson(const recording::TossFit& fit, const std::string& name, st
              .addInteger("readings", static_cast<std::int64_t>(fit.readings))
              .add("I1_over_I3", ratioJson(fit.ratios[0]))
              .add("I2_over_I3", ratioJson(fit.ratios[1]))
-             .add("inertia", jsonArray({rowJson(inertia.row(0)), rowJson(inertia.row(1)),
-                                        rowJson(inertia.row(2))}))
-             .add("angular_velocity", rowJson(fit.start))
-             .add("bias", rowJson(fit.bias))
+             .add("inertia", jsonArray({vectorJson(inertia.row(0)), vectorJson(inertia.row(1)),
+                                        vectorJson(inertia.row(2))}))
+             .add("angular_velocity", vectorJson(fit.start))
+             .add("bias", vectorJson(fit.bias))
              .addNumber("rest_s", fit.rest)
              .addNumber("residual", fit.residual)
              .addNumber("gap", fit.gap)

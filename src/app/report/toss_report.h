@@ -8,8 +8,8 @@
 
 namespace rotatebook::report {
 
-/// Prints the flight, the ratios of the moments with their intervals, and the axes; `name` is the
-/// recording's.
+/// Prints the flight, the ratios of the moments with their intervals, and the fit's residual;
+/// `name` is the recording's.
 void reportToss(const recording::TossFit& fit, const std::string& name, std::ostream& out);
 /// Prints the same as one JSON object.
 void reportTossAsJson(const recording::TossFit& fit, const std::string& name, std::ostream& out);

@@ -169,7 +169,7 @@ void reportVerdictsAsJson(const std::vector<JudgedMotion>& motions, const Verdic
 }
 
 std::string junitOf(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds) {
-  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+  std::string text(kJunitBeginning);
   for (const auto& [name, verdict] : motions) {
     std::vector<BoundResult> results = resultsOf(verdict, bounds);
     if (results.empty()) results.push_back({"judged", "", true});

@@ -4,6 +4,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "timeline/verdict.h"
@@ -42,6 +43,10 @@ void reportVerdicts(const std::vector<JudgedMotion>& motions, const VerdictBound
 /// Prints one JSON object.
 void reportVerdictsAsJson(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds,
                           std::ostream& out);
+/// The beginning of JUnit's XML.
+inline constexpr std::string_view kJunitBeginning =
+    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+
 /// Returns a document of JUnit's XML: a test suite for each motion, with a test case for each
 /// bound; without bounds, one that passes.
 std::string junitOf(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds);

@@ -23,10 +23,11 @@ struct Unit {
   int divisorOfPi = 0;  ///< 0 for units without pi.
 };
 
-constexpr std::array<Unit, 16> kUnits{{
+constexpr std::array<Unit, 17> kUnits{{
     {"m", Dimension::Length},
     {"cm", Dimension::Length, 1, -2},
     {"mm", Dimension::Length, 1, -3},
+    {"km", Dimension::Length, 1, 3},
     {"in", Dimension::Length, 254, -4},
     {"kg", Dimension::Mass},
     {"g", Dimension::Mass, 1, -3},

@@ -27,7 +27,10 @@ Chunks chunksOf(std::string_view bytes) {
   if (version != 2) {
     throw InputError("it is of glTF " + std::to_string(version) + "; export it as glTF 2.0");
   }
-  file.next<std::uint32_t>();
+  if (const auto length = file.next<std::uint32_t>(); length != bytes.size()) {
+    throw InputError("it says that it has " + std::to_string(length) + " bytes, but has " +
+                     std::to_string(bytes.size()) + "; is it whole?");
+  }
   Chunks chunks;
   while (file.left() >= 8) {
     const auto length = file.next<std::uint32_t>();

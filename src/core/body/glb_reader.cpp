@@ -115,7 +115,9 @@ class Collector {
     const std::vector<std::uint32_t> corners = cornersOf(primitive, points.count, isMirrored);
     addIndices(corners, first);
     const std::size_t neutral = surface_.materials.size() - 1;
-    const std::size_t material = GlbDocument::count(primitive, "material").value_or(neutral);
+    const auto stated = GlbDocument::count(primitive, "material");
+    if (stated) document_.at("materials", *stated);  // refuses one that isn't there
+    const std::size_t material = stated.value_or(neutral);
     surface_.materialOf.resize(mesh_.triangles.size(),
                                static_cast<std::uint32_t>(std::min(material, neutral)));
     if (!surface_.images.empty()) addTexCoords(primitive, corners, points.count);

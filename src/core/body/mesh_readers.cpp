@@ -53,11 +53,6 @@ auto atName(std::string_view name, const Read& read) {
   }
 }
 
-[[noreturn]] void failAsTooLarge(const char* what) {
-  throw InputError("there are more than " + std::to_string(kMaxTriangles) + " " + what +
-                   "; export a coarser mesh");
-}
-
 }  // namespace
 
 bool isMeshName(std::string_view name) {
@@ -74,20 +69,6 @@ Surface readSurface(std::string_view name, std::string_view bytes) {
     surface.mesh = welded(surface.mesh);
     return surface;
   });
-}
-
-void requireFewTriangles(std::size_t count) {
-  if (count > kMaxTriangles) failAsTooLarge("triangles");
-}
-
-void requireFewPoints(std::size_t count) {
-  if (count > kMaxTriangles) failAsTooLarge("points");
-}
-
-void addPolygon(std::span<const std::uint32_t> corners, TriangleMesh& mesh) {
-  requireFewTriangles(mesh.triangles.size() + corners.size());
-  for (std::size_t i = 2; i < corners.size(); ++i)
-    mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
 }
 
 }  // namespace rotatebook::body

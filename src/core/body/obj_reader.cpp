@@ -31,6 +31,8 @@ void readFace(MeshWords& words, TriangleMesh& mesh) {
 }  // namespace
 
 TriangleMesh readObj(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   TriangleMesh mesh;
   MeshWords words(text);
   do {

@@ -123,6 +123,13 @@ class Numbers {
     return 0;
   }
 
+  /// Throws InputError if there is more than blanks after the last number.
+  void requireEnd() {
+    const std::size_t left = isText_ ? words_.wordOnAnyLine().size() : bytes_.left();
+    if (left == 0 || (!isText_ && trimmed(bytes_.take(left)).empty())) return;
+    fail("the file goes on after its data; are the header's numbers of elements right?");
+  }
+
   [[noreturn]] void fail(const std::string& message) const {
     throw InputError((isText_ ? "line " + std::to_string(headerLines_ + words_.line())
                               : "byte " + std::to_string(bytes_.at())) +
@@ -225,6 +232,7 @@ TriangleMesh readPly(std::string_view bytes) {
       }
     }
   }
+  numbers.requireEnd();
   return mesh;
 }
 

@@ -8,7 +8,9 @@
 
 namespace rotatebook::body {
 
-/// Adds a polygon as a fan. Throws InputError if there would be too many triangles.
+/// Adds a polygon as triangles: a fan of a convex one, else ear by ear; one that crosses itself as
+/// well as it goes. Throws InputError if there would be too many triangles, or if it isn't convex
+/// and has more than 1000 corners.
 void addPolygon(std::span<const std::uint32_t> corners, TriangleMesh& mesh);
 
 /// Throw InputError if a mesh of so many triangles, or of so many points, is too large.

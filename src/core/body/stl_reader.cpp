@@ -77,10 +77,17 @@ TriangleMesh readStl(std::string_view bytes) {
   // Some binary files begin with "solid", too; their length tells.
   if (bytes.size() >= kHeader) {
     const std::size_t count = MeshBytes(bytes.substr(kHeader - 4)).next<std::uint32_t>();
-    const bool isWhole = bytes.size() - kHeader == count * kTriangle;
-    if (isWhole || !trimmed(bytes.substr(0, 80)).starts_with("solid")) {
+    const bool isWhole =
+        (bytes.size() - kHeader) / kTriangle == count && (bytes.size() - kHeader) % kTriangle == 0;
+    if (isWhole) {
       requireFewTriangles(count);
       return readBinaryStl(bytes, count);
+    }
+    if (!trimmed(bytes.substr(0, 80)).starts_with("solid")) {
+      throw InputError("it says that it has " + std::to_string(count) + " triangles of " +
+                       std::to_string(kTriangle) + " bytes, but has " +
+                       std::to_string(bytes.size() - kHeader) +
+                       " bytes of them: no STL file, or not whole; export it again");
     }
   }
   if (!trimmed(bytes).starts_with("solid")) {

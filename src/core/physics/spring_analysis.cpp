@@ -124,18 +124,6 @@ bool holdShape(const MassSpringSystem& system) {
   return factors.info() == Eigen::Success && factors.vectorD().minCoeff() > kSmallestPivot;
 }
 
-int countZeroModes(const MassSpringSystem& system) {
-  constexpr double kZero = 1e-9;  // Of a spring's stiffness. Measured: 0.01 and more of springs
-                                  // that hold, 4e-14 and less of others.
-  const auto size = static_cast<Index>(3 * system.places.size());
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
-  forEachBlock(system, [&](std::uint32_t row, std::uint32_t column, const Matrix3d& block) {
-    matrix.block<3, 3>(firstRow(row), firstRow(column)) += block;
-  });
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix, Eigen::EigenvaluesOnly);
-  return static_cast<int>((solver.eigenvalues().array() < kZero).count());
-}
-
 int countPieces(const MassSpringSystem& system) {
   DisjointSets sets(system.places.size());
   for (const Spring& spring : system.springs) sets.join(spring.a, spring.b);

@@ -11,15 +11,11 @@ namespace rotatebook::physics {
 /// (L D L^T); no pivot may be small.
 bool holdShape(const MassSpringSystem& system);
 
-/// Returns the number of independent motions that leave the springs' lengths as they are, to first
-/// order: 6 if they hold the shape. Takes time with the cube of the particles' number.
-int countZeroModes(const MassSpringSystem& system);
-
 /// Returns the number of pieces that no springs join.
 int countPieces(const MassSpringSystem& system);
 
 /// Returns the largest eigenvalue of the stiffness matrix of springs of stiffness 1, by Lanczos'
-/// method: 8 for eight particles and all 28 springs. To 1e-9 of it.
+/// method: 8 for eight particles and all 28 springs. To 1e-8 of it.
 double largestEigenvalue(const MassSpringSystem& system);
 
 /// Returns the longest step with which the motion's integrator is stable, 0 if there is none: no

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "base/nearest_name.h"
 #include "base/text.h"
@@ -79,7 +82,7 @@ class Finder {
     if (missing.empty()) return columns;
     if (missing.size() == N) return std::nullopt;
     table_.fail("no column for " + listed(missing) + " among " + names() +
-                "; name it in simulation.columns");
+                "; name it in simulation.columns, or with --column");
   }
 
   /// Returns the names of all columns, for messages.
@@ -111,8 +114,8 @@ class Finder {
     const auto& header = table_.header();
     const auto found = std::ranges::find(header, name);
     if (found != header.end()) return static_cast<std::size_t>(found - header.begin());
-    table_.fail("no column " + quotedText(name) + ", which simulation.columns names for " +
-                std::string(role) + ", among " + names());
+    table_.fail("no column " + quotedText(name) + ", which is stated for " + std::string(role) +
+                ", among " + names());
   }
 
   std::optional<std::size_t> indexOfUsual(std::string_view usual, std::string_view end) const {
@@ -132,33 +135,82 @@ class Finder {
   std::vector<std::string> plain_;
 };
 
-/// Returns the length of the unit that a header states for the time, in seconds.
-double secondsIn(std::string_view header) {
-  const std::string text = smallText(header);
-  if (has(text, "(ms)") || text.ends_with("_ms") || has(text, "[ms]")) return 1e-3;
-  if (has(text, "(us)") || text.ends_with("_us") || has(text, "[us]")) return 1e-6;
-  if (has(text, "(ns)") || text.ends_with("_ns") || has(text, "[ns]")) return 1e-9;
-  return 1;
+/// Returns the unit in a header's brackets, in small letters without blanks; empty without them.
+std::string unitInBrackets(std::string_view header) {
+  const std::size_t begin = header.find_first_of("([{");
+  if (begin == header.npos) return "";
+  const std::string_view inside = header.substr(begin + 1);
+  std::string unit = smallText(inside.substr(0, inside.find_first_of(")]}")));
+  std::erase(unit, ' ');
+  return unit;
 }
 
-/// Returns the one of kRateUnits that a header states; empty if it states none.
+/// A unit, and names of it, separated by blanks.
+template <typename Value>
+struct Unit {
+  Value value;
+  std::string_view names;
+};
+
+constexpr Unit<double> kTimeUnits[]{{1, "s sec second seconds"},
+                                    {1e-3, "ms millisecond milliseconds"},
+                                    {1e-6, "us \xC2\xB5s \xCE\xBCs microsecond microseconds"},
+                                    {1e-9, "ns nanosecond nanoseconds"}};
+constexpr Unit<std::string_view> kUnitsOfRates[]{
+    {kRateUnits[0], "rad/s rads rad/sec radians/s radian/s rads/s rads^-1 rad*s^-1 rad"},
+    {kRateUnits[1],
+     "deg/s dps deg/sec degrees/s degree/s degs/s degs^-1 deg*s^-1 \xC2\xB0/s \xC2\xB0/sec deg"}};
+
+/// Returns the unit of that name; nothing if it isn't one.
+template <typename Units>
+auto unitNamed(const Units& units, std::string_view name) {
+  const auto found = std::ranges::find_if(units, [&](const auto& unit) {
+    const auto names = wordsOf(unit.names);
+    return std::ranges::find(names, name) != names.end();
+  });
+  return found != std::end(units) ? std::optional(found->value) : std::nullopt;
+}
+
+/// Returns the unit that a header states for the time, in seconds.
+double secondsIn(const CsvTable& table, const std::string& header) {
+  const std::string text = smallText(header), unit = unitInBrackets(header);
+  if (const auto seconds = unitNamed(kTimeUnits, unit)) return *seconds;
+  if (!unit.empty()) {
+    table.fail("the column " + quotedText(header) +
+               " has times in a unit that isn't read; there are s, ms, us and ns");
+  }
+  if (text.ends_with("_ms")) return 1e-3;
+  if (text.ends_with("_us")) return 1e-6;
+  return text.ends_with("_ns") ? 1e-9 : 1;
+}
+
+/// Returns the one of kRateUnits that a header states; empty if it states none that is known.
 std::string_view unitIn(std::string_view header) {
-  const std::string text = smallText(header);
+  const std::string text = smallText(header), unit = unitInBrackets(header);
+  if (!unit.empty()) return unitNamed(kUnitsOfRates, unit).value_or("");
   for (const char* degrees : {"deg", "dps", "\xC2\xB0"}) {  // the last is a degree sign
     if (has(text, degrees)) return kRateUnits[1];
   }
-  if (has(text, "rad")) return kRateUnits[0];
-  return "";
+  return has(text, "rad") ? kRateUnits[0] : "";
 }
 
 double radiansPerUnit(const CsvTable& table, const Columns& columns, std::string_view unit) {
   const std::string& header = table.header()[columns.rates->front()];
-  if (unit.empty()) unit = unitIn(header);
+  const bool isStated = !unit.empty();
+  if (!isStated) unit = unitIn(header);
+  for (const std::size_t column : *columns.rates) {
+    const std::string& other = table.header()[column];
+    if (isStated || unitIn(other) == unit) continue;
+    table.fail("the columns " + quotedText(header) + " and " + quotedText(other) +
+               " are in different units; state one for all in simulation.rates, or with --rates");
+  }
   const bool hasAttitudes = columns.quaternion || columns.matrix;
-  if (unit.empty() && hasAttitudes) return 1;  // This program's tables have SI units.
+  // This program's tables have SI units.
+  if (unit.empty() && hasAttitudes && unitInBrackets(header).empty()) return 1;
   if (unit.empty()) {
     table.fail("the column " + quotedText(header) +
-               " doesn't say whether it is in rad/s or deg/s; state it in simulation.rates");
+               " doesn't say whether it is in rad/s or deg/s; state it in simulation.rates, or "
+               "with --rates");
   }
   return unit == kRateUnits[1] ? std::numbers::pi / 180 : 1;
 }
@@ -178,17 +230,18 @@ Columns findColumns(const CsvTable& table, const ColumnNames& named, std::string
   Columns columns;
   const auto time = finder.group<1>(kTime);
   if (!time) {
-    table.fail("no column of times among " + finder.names() + "; name it in simulation.columns");
+    table.fail("no column of times among " + finder.names() +
+               "; name it in simulation.columns, or with --column");
   }
   columns.time = time->front();
-  columns.secondsPerUnit = secondsIn(table.header()[columns.time]);
+  columns.secondsPerUnit = secondsIn(table, table.header()[columns.time]);
   columns.quaternion = finder.group<4>(kQuaternion);
   if (!columns.quaternion) columns.matrix = finder.group<9>(kMatrix);
   columns.rates = finder.group<3>(kRates);
   columns.acceleration = finder.group<3>(kAcceleration);
   if (!columns.quaternion && !columns.matrix && !columns.rates) {
     table.fail("neither attitudes (qw to qz, or r11 to r33) nor rates (wx to wz) among " +
-               finder.names() + "; name them in simulation.columns");
+               finder.names() + "; name them in simulation.columns, or with --column");
   }
   if (columns.rates) columns.radiansPerUnit = radiansPerUnit(table, columns, unit);
   return columns;

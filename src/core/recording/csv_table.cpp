@@ -71,11 +71,11 @@ CsvTable::CsvTable(std::string_view bytes, std::string name) : name_(std::move(n
       continue;
     }
     separator_ = separatorOf(line);
-    forEachCell(line, separator_, [this](std::string_view cell) { header_.emplace_back(cell); });
-    if (header_.size() > kMaxColumns) {
-      fail(std::to_string(header_.size()) + " columns; a recording has up to " +
-           std::to_string(kMaxColumns));
-    }
+    forEachCell(line, separator_, [this](std::string_view cell) {
+      header_.emplace_back(cell);
+      if (header_.size() > kMaxColumns)
+        fail("more than " + std::to_string(kMaxColumns) + " columns");
+    });
   }
   if (lines_.empty()) fail("no rows below a header; a recording is a table of numbers (CSV)");
 }
@@ -84,10 +84,11 @@ void CsvTable::addRow(std::string_view line, std::size_t number) {
   if (lines_.size() == kMaxRows) {
     fail("more than " + std::to_string(kMaxRows) + " rows; export a part of it");
   }
-  const std::size_t before = cells_.size();
+  std::size_t count = 0;
   lines_.push_back(number);
-  forEachCell(line, separator_, [this](std::string_view cell) { cells_.push_back(cell); });
-  const std::size_t count = cells_.size() - before;
+  forEachCell(line, separator_, [&](std::string_view cell) {
+    if (++count <= header_.size()) cells_.push_back(cell);
+  });
   if (count == header_.size()) return;
   failAt(lines_.size() - 1, std::to_string(count) + (count == 1 ? " cell" : " cells") +
                                 ", but the header names " + std::to_string(header_.size()) +

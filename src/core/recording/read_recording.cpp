@@ -148,10 +148,13 @@ InertialRecording readInertial(std::string_view bytes, const std::string& name,
     table.fail("no gyroscope's rates (wx to wz) alone, along the body's axes");
   }
   const std::vector<double> times = timesOf(table, columns);
+  std::vector<Rate> rates;
   InertialRecording recording;
   recording.hasForce = columns.acceleration.has_value();
   for (std::size_t row = 0; row < times.size(); ++row) {
-    InertialReading reading{{times[row], rateAt(table, row, columns)}};
+    rates.push_back({times[row], rateAt(table, row, columns)});
+    if (row > 0) requireFollowed(table, row, rates);
+    InertialReading reading{rates.back()};
     if (recording.hasForce) reading.force = vectorAt(table, row, *columns.acceleration);
     recording.readings.push_back(reading);
   }

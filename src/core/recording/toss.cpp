@@ -18,15 +18,16 @@ namespace {
 
 constexpr int kParameters = 8;  // five of the tensor, whose trace is 1, and three of the start
 using Parameters = Eigen::Matrix<double, kParameters, 1>;
+using Slopes = Eigen::Matrix<double, Eigen::Dynamic, kParameters>;
 using Readings = std::span<const InertialReading>;
 
-constexpr double kFreeForce = 2;          // [m/s^2]
-constexpr double kSlowest = 1;            // of a toss [rad/s]
-constexpr double kRest = 0.15;            // largest rate of a rest [rad/s]
-constexpr double kShortestRest = 0.2;     // [s]
-constexpr std::size_t kMinReadings = 20;  // readings of a flight
-constexpr double kWidest = 0.5;           // interval of a ratio
-constexpr double kTrimmed = 0.02;         // of a flight, at each end
+constexpr double kFreeForce = 2;                                 // [m/s^2]
+constexpr double kSlowest = 1;                                   // of a toss [rad/s]
+constexpr double kRest = 0.15;                                   // largest rate of a rest [rad/s]
+constexpr double kShortestRest = 0.2;                            // [s]
+constexpr std::size_t kMinReadings = 20, kMaxReadings = 20'000;  // of a flight
+constexpr double kWidest = 0.5;                                  // interval of a ratio
+constexpr double kTrimmed = 0.02;                                // of a flight, at each end
 
 Eigen::Matrix3d tensorOf(const Parameters& p) {
   Eigen::Matrix3d tensor;
@@ -65,7 +66,9 @@ class FreeSpin {
   void advance(double interval) {
     constexpr double kTurn = 0.05;  // largest of a step [rad]
     constexpr double kMaxSteps = 1000;
-    const double steps = std::clamp(std::ceil(interval * spin_.norm() / kTurn), 1.0, kMaxSteps);
+    const double turn = interval * spin_.norm();
+    if (!std::isfinite(turn)) return;  // of parameters that are refused by their error
+    const double steps = std::clamp(std::ceil(turn / kTurn), 1.0, kMaxSteps);
     const double h = interval / steps;
     for (int i = 0; i < static_cast<int>(steps); ++i) {
       const Eigen::Vector3d k1 = change(spin_), k2 = change(spin_ + h / 2 * k1);
@@ -95,9 +98,9 @@ Eigen::VectorXd residualsOf(Readings flight, const Parameters& p) {
   return residuals;
 }
 
-Eigen::MatrixXd slopesOf(Readings flight, const Parameters& p) {
+Slopes slopesOf(Readings flight, const Parameters& p) {
   constexpr double kStep = 1e-6;
-  Eigen::MatrixXd slopes(3 * static_cast<Eigen::Index>(flight.size()), kParameters);
+  Slopes slopes(3 * static_cast<Eigen::Index>(flight.size()), kParameters);
   for (int i = 0; i < kParameters; ++i) {
     Parameters up = p, down = p;
     up[i] += kStep;
@@ -105,6 +108,14 @@ Eigen::MatrixXd slopesOf(Readings flight, const Parameters& p) {
     slopes.col(i) = (residualsOf(flight, up) - residualsOf(flight, down)) / (2 * kStep);
   }
   return slopes;
+}
+
+/// Returns a^T b, its sums in the order of the readings: that of a product by blocks follows from
+/// the processor's caches.
+template <typename Columns>
+Eigen::Matrix<double, kParameters, Columns::ColsAtCompileTime> productOf(const Slopes& a,
+                                                                         const Columns& b) {
+  return a.transpose().lazyProduct(b);
 }
 
 /// A rest before the flight, and the gyroscope's bias that it shows.
@@ -123,10 +134,10 @@ struct Fit {
 
 /// Returns the covariance of the parameters: by the noise of the flight's rates, and by the error
 /// of the bias, which shifts all of an axis alike.
-Eigen::Matrix<double, kParameters, kParameters> covarianceOf(const Eigen::MatrixXd& slopes,
-                                                             double variance, const Rest& rest) {
+Eigen::Matrix<double, kParameters, kParameters> covarianceOf(const Slopes& slopes, double variance,
+                                                             const Rest& rest) {
   const Eigen::Matrix<double, kParameters, kParameters> inverse =
-      (slopes.transpose() * slopes).inverse();
+      productOf(slopes, slopes).inverse();
   Eigen::Matrix<double, kParameters, 3> sums = Eigen::Matrix<double, kParameters, 3>::Zero();
   for (Eigen::Index row = 0; row < slopes.rows(); ++row)
     sums.col(row % 3) += slopes.row(row).transpose();
@@ -139,9 +150,9 @@ Fit refined(Readings flight, Parameters p, const Rest& rest) {
   constexpr int kMaxHalvings = 20;
   double error = residualsOf(flight, p).squaredNorm();
   for (int i = 0; i < kMaxIterations; ++i) {
-    const Eigen::MatrixXd slopes = slopesOf(flight, p);
+    const Slopes slopes = slopesOf(flight, p);
     Parameters step =
-        -(slopes.transpose() * slopes).ldlt().solve(slopes.transpose() * residualsOf(flight, p));
+        -productOf(slopes, slopes).ldlt().solve(productOf(slopes, residualsOf(flight, p)));
     // Halve a step that doesn't lessen the error
     bool isLess = false;
     for (int k = 0; k < kMaxHalvings && !isLess; ++k, step /= 2) {
@@ -171,6 +182,8 @@ Linear solveLinear(Readings flight) {
   std::vector<Rate> rates;
   for (const InertialReading& reading : flight) rates.push_back(reading.rate);
   const std::vector<RecordedMoment> moments = integrateRates(rates);
+  double fastest = 0;
+  for (const Rate& rate : rates) fastest = std::max(fastest, rate.angularVelocity.norm());
   Eigen::MatrixXd equations(3 * static_cast<Eigen::Index>(rates.size()), 9);
   for (std::size_t i = 0; i < rates.size(); ++i) {
     const Eigen::Vector3d w = rates[i].angularVelocity;
@@ -182,8 +195,7 @@ Linear solveLinear(Readings flight) {
     const auto row = 3 * static_cast<Eigen::Index>(i);
     equations.block<3, 6>(row, 0) = moments[i].attitude.toRotationMatrix() * entries;
     // In a unit in which the momentum is as large as the tensor's entries
-    equations.block<3, 3>(row, 6) =
-        -rates.front().angularVelocity.norm() * Eigen::Matrix3d::Identity();
+    equations.block<3, 3>(row, 6) = -fastest * Eigen::Matrix3d::Identity();
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(equations, Eigen::ComputeThinV);
   const Eigen::VectorXd null = svd.matrixV().col(8);
@@ -243,6 +255,11 @@ std::pair<std::size_t, std::size_t> flightIn(const InertialRecording& recording,
       isStated ? between(recording, options.from.value_or(-kEver), options.to.value_or(kEver))
                : longestFlight(recording, options.lever);
   const std::size_t count = flight.second - flight.first;
+  if (count > kMaxReadings) {
+    throw InputError(name + ": the flight has " + std::to_string(count) + " readings; up to " +
+                     std::to_string(kMaxReadings) +
+                     " are fitted: state a shorter one with --from and --to");
+  }
   if (count >= kMinReadings) return flight;
   throw InputError(
       name + ": " + (isStated ? "the flight has " : "the longest flight that was found has ") +
@@ -321,6 +338,11 @@ void requireTelling(const TossFit& fit, const std::string& name) {
     refuse(name, "a ratio of moments is " + roundedText(ratio.value, 3) +
                      ", with an interval that is " + roundedText(width, 2) + " wide");
   }
+  const auto& [smallest, middle] = fit.ratios;
+  if (smallest.high + middle.high >= 1) return;
+  throw InputError(name + ": the ratios of moments are " + roundedText(smallest.value, 4) +
+                   " and " + roundedText(middle.value, 4) +
+                   ", but those of a body add up to 1 or more; is a column's sign or scale wrong?");
 }
 
 }  // namespace

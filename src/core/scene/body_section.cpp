@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -14,6 +15,7 @@
 #include "physics/motion_start.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/solid_keys.h"
+#include "scene/part_densities.h"
 #include "scene/solid_numbers.h"
 
 namespace rotatebook::scene {
@@ -54,7 +56,12 @@ void checkStatement(const ValueReader& section, const Solid& solid) {
 void settle(const ValueReader& section, Motion& motion) {
   motion.solid.mass.reset();
   if (section.find("mass")) motion.solid.mass = motion.body.mass;
-  failAtValue(section, [&] {
+  std::optional<ValueReader> place;
+  for (const char* key : {"dimensions", "shape", "mesh", "part"}) {
+    if (!place) place = section.find(key);
+  }
+  failAtValue(place.value_or(section), [&] {
+    requireMatter(motion.solid.parts);
     const SolidNumbers numbers = numbersOf(motion.solid);
     motion.body.size = numbers.size;
     motion.body.mass = numbers.properties.mass;

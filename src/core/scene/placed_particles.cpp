@@ -49,26 +49,46 @@ MassSpringSystem systemOf(const Motion& motion) {
   return physics::particlesOf(motion);
 }
 
-std::string looseness(const MassSpringSystem& system) {
-  constexpr std::size_t kFew = 100;
-  if (const int pieces = physics::countPieces(system); pieces > 1)
-    return "the particles are in " + std::to_string(pieces) + " pieces that no springs join";
-  if (system.places.size() > kFew) return "there are more than six zero modes";
-  return "there are " + std::to_string(physics::countZeroModes(system)) +
-         " zero modes, not the six of a rigid body";
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-void requireShape(const ValueReader& place, const MassSpringSystem& system,
-                  Arrangement arrangement) {
+std::string looseness(const MassSpringSystem& system) {
+  if (const int pieces = physics::countPieces(system); pieces > 1)
+    return "they are in " + std::to_string(pieces) + " pieces";
+  return "more than six motions leave the springs as they are";
+}
+
+/// Returns a grid whose springs hold the body, as a scene states it; empty if there is none.
+std::string gridThatHolds(const Motion& motion) {
+  constexpr int kFirst = 4, kLast = 200;
+  for (int cells = kFirst; cells <= kLast; cells += (cells + 3) / 4) {
+    try {
+      if (physics::holdShape(particlesOnGrid(motion, cells)))
+        return "\"grid:" + std::to_string(cells) + "\"";
+    } catch (const InputError&) {
+      return "";  // finer ones have even more
+    }
+  }
+  return "";
+}
+
+std::string remedyFor(Arrangement arrangement, const Motion& motion) {
+  if (arrangement == Arrangement::Equimomental)
+    return "a plane body has its equimomental particles in its plane";
+  const std::string grid = gridThatHolds(motion);
+  return "take " + (grid.empty() ? "" : grid + " or ") + "\"equimomental\"";
+}
+
+void requireShape(const ValueReader& place, const MassSpringSystem& system, const Motion& motion) {
   if (physics::holdShape(system)) return;
-  const char* remedy = arrangement == Arrangement::Grid ? "make the grid finer"
-                       : arrangement == Arrangement::Equimomental
-                           ? "a plane body has its equimomental particles in its plane"
-                           : "take \"equimomental\" or a grid";
-  place.fail(place.name() + " = " + describe(place.node()) + ": the " +
-             std::to_string(system.springs.size()) + " springs between " +
-             std::to_string(system.places.size()) +
-             " particles don't hold the shape: " + looseness(system) + "; " + remedy);
+  const std::string reason = system.places.empty()
+                                 ? "has no point inside the body"
+                                 : "makes " + counted(system.places.size(), "particle") + " and " +
+                                       counted(system.springs.size(), "spring") +
+                                       ", which don't hold the shape: " + looseness(system);
+  place.fail(place.name() + " = " + describe(place.node()) + " " + reason + "; " +
+             remedyFor(motion.simulation.particles.arrangement, motion));
 }
 
 void requireStableStep(const ValueReader& file, const Motion& motion,
@@ -83,13 +103,16 @@ void requireStableStep(const ValueReader& file, const Motion& motion,
     place.fail("no step is stable with the integrator \"" + integrator +
                "\" and these particles; take \"verlet\", or simulation.damping");
   }
+  const double enough = std::ceil(simulation.timePerFrame / longest);
   const auto milliseconds = [](double seconds) { return roundedText(1e3 * seconds, 3) + " ms"; };
   place.fail("steps of " + milliseconds(step) +
              " are too long for these particles: the longest "
              "that is stable with \"" +
-             integrator + "\" is " + milliseconds(longest) + "; take simulation.substeps = " +
-             std::to_string(std::llround(std::ceil(simulation.timePerFrame / longest))) +
-             " or more, or softer springs");
+             integrator + "\" is " + milliseconds(longest) + "; take " +
+             (enough <= kMaxSubsteps ? "simulation.substeps = " +
+                                           std::to_string(std::llround(enough)) + " or more, or "
+                                     : "") +
+             "softer springs");
 }
 
 }  // namespace
@@ -102,7 +125,7 @@ void checkParticlesBody(const ValueReader& section, const physics::SimulationSet
     if (!value || saysBox(value->node()) || arrangement != Arrangement::Corners) continue;
     value->fail(value->name() +
                 " isn't a box, at whose corners the model \"particles\" has its particles; set "
-                "simulation.particles = \"equimomental\", \"vertices\" or \"grid:12\", or choose "
+                "simulation.particles = \"equimomental\", \"vertices\" or \"grid:N\", or choose "
                 "another model");
   }
   const auto inertia = section.find("inertia");
@@ -125,7 +148,7 @@ void placeParticles(const ValueReader& file, Motion& motion) {
   } catch (const InputError& error) {
     place.fail(place.name() + " = " + describe(place.node()) + " " + error.what());
   }
-  requireShape(place, system, arrangement);
+  requireShape(place, system, motion);
   requireStableStep(file, motion, system);
   if (!physics::areEight(arrangement))
     motion.particles.system = std::make_shared<const MassSpringSystem>(std::move(system));

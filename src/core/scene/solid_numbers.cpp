@@ -58,7 +58,7 @@ SolidNumbers numbersOfParts(const std::vector<BodyPart>& parts) {
   std::vector<TriangleMesh> surfaces;
   for (const BodyPart& part : parts) {
     const body::SolidPiece piece = placed(part);
-    const double density = part.density.value_or(body::findShape(part.shape)->density);
+    const double density = densityOf(part);
     MassProperties one = multiplied(piece.properties, density);
     if (density > 0) surfaces.push_back(piece.surface);
     if (density < 0) one.volume = -one.volume;
@@ -84,6 +84,14 @@ void clearRounding(Matrix3d& inertia) {
   }
 }
 
+void requireDrawable(const body::Surface& surface, const std::string& name) {
+  const std::size_t count = surface.mesh.triangles.size();
+  if (count <= body::kMaxDrawnTriangles) return;
+  throw InputError(name + " has " + std::to_string(count) +
+                   " triangles or more; pictures take up to " +
+                   std::to_string(body::kMaxDrawnTriangles) + ": make it coarser");
+}
+
 SolidNumbers numbersOfMesh(const MeshFile& mesh, double density) {
   const double u = mesh.unit, cubed = u * u * u;
   return {multiplied({mesh.volume * cubed, mesh.volume * cubed, Vector3d::Zero(),
@@ -93,6 +101,10 @@ SolidNumbers numbersOfMesh(const MeshFile& mesh, double density) {
 }
 
 }  // namespace
+
+double densityOf(const BodyPart& part) {
+  return part.density.value_or(body::findShape(part.shape)->density);
+}
 
 body::SolidPiece placed(const BodyPart& part) {
   const body::Shape* shape = body::findShape(part.shape);
@@ -111,6 +123,7 @@ body::Surface surfaceOf(const Solid& solid) {
     body::Surface look = body::findShape(part.shape)->look(part.lengths);
     putInPlace(part, look.mesh);
     addSurface(look, surface);
+    requireDrawable(surface, "body.part");
   }
   const Vector3d centre = numbersOfParts(solid.parts).properties.centre;
   for (Vector3d& point : surface.mesh.points) point -= centre;
@@ -118,12 +131,8 @@ body::Surface surfaceOf(const Solid& solid) {
 }
 
 body::Surface surfaceOf(const Solid& solid, body::Surface file) {
-  const std::size_t count = file.mesh.triangles.size();
-  if (count > body::kMaxDrawnTriangles) {
-    throw InputError(solid.mesh.name + " has " + std::to_string(count) +
-                     " triangles; pictures take up to " + std::to_string(body::kMaxDrawnTriangles) +
-                     ", so export a coarser mesh");
-  }
+  requireDrawable(file, solid.mesh.name);
+  body::requireClosed(file.mesh);
   const Vector3d centre = body::massPropertiesOf(file.mesh, 1).centre;
   for (Vector3d& point : file.mesh.points) point = (point - centre) * solid.mesh.unit;
   return file;

@@ -22,14 +22,17 @@ struct SolidNumbers {
 /// an inertia.
 SolidNumbers numbersOf(const Solid& solid);
 
+/// Returns a part's density, or else its shape's. [kg/m^3]
+double densityOf(const BodyPart& part);
+
 /// Returns a part in its place, of density 1. [m] Throws InputError if its lengths don't fit.
 body::SolidPiece placed(const BodyPart& part);
 
 /// Returns the looks of a solid's parts, but for those that take away, around its centre of mass.
-/// [m]
+/// [m] Throws InputError if they have more than body::kMaxDrawnTriangles.
 body::Surface surfaceOf(const Solid& solid);
 /// Likewise of a solid that is the mesh of a file: `file` is what body::readSurface() made of it.
-/// Throws InputError if it has more than body::kMaxDrawnTriangles.
+/// Throws InputError if it has more than body::kMaxDrawnTriangles, or isn't closed.
 body::Surface surfaceOf(const Solid& solid, body::Surface file);
 
 /// Returns the numbers of a welded mesh, in its own unit. Throws InputError if it isn't closed or

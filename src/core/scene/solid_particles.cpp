@@ -27,10 +27,6 @@ struct Surface {
   bool isTaken = false;
 };
 
-double densityOf(const BodyPart& part) {
-  return part.density.value_or(body::findShape(part.shape)->density);
-}
-
 /// Throws InputError if parts have different densities, which equal particles can't show.
 void requireOneDensity(const Solid& solid) {
   double density = 0;
@@ -206,7 +202,7 @@ bool lacksSurface(const Motion& motion) {
 
 MassSpringSystem particlesAtVertices(const Motion& motion) {
   TriangleMesh mesh = joined(surfacesOf(motion));
-  refuseMany(mesh.points.size(), "take \"grid:12\", or a coarser mesh");
+  refuseMany(mesh.points.size(), "take a grid, or a coarser mesh");
   std::vector<Spring> springs;
   for (const auto& [a, b, c] : mesh.triangles)
     springs.insert(springs.end(), {Spring{a, b}, Spring{b, c}, Spring{c, a}});
@@ -220,9 +216,9 @@ MassSpringSystem particlesOnGrid(const Motion& motion, int cells) {
   const Lattice lattice = latticeOf(surfaces, cells);
   const Filled filledLattice = filled(lattice, insideOf(surfaces, lattice));
   const std::size_t count = filledLattice.cells.size();
-  if (count == 0) throw InputError("has no point inside the body; make the grid finer");
   refuseMany(count, "take \"grid:" + std::to_string(cellsForFewer(cells, count)) + "\"");
   MassSpringSystem system;
+  if (count == 0) return system;
   for (const auto& [x, y, z] : filledLattice.cells) system.places.push_back(lattice.point(x, y, z));
   physics::centre(system.places);
   system.springs = springsWithinTwo(filledLattice);

@@ -17,8 +17,8 @@ bool lacksSurface(const Motion& motion);
 physics::MassSpringSystem particlesAtVertices(const Motion& motion);
 
 /// Returns particles at the points of a lattice that are inside the body, with so many cells along
-/// its longest side, and springs between those that are two cells or less apart. Throws InputError
-/// likewise, and if none is inside.
+/// its longest side, and springs between those that are two cells or less apart; none if no point
+/// is inside. Throws InputError likewise.
 physics::MassSpringSystem particlesOnGrid(const Motion& motion, int cells);
 
 }  // namespace rotatebook::scene

@@ -86,7 +86,13 @@ TEST_F(Body, MeasuresTheMeshOfAScene) {
       run({"body", "box.obj", "--unit=mm", "--density=2500", "--json"}).output;
   for (const char* key : {"volume_m3", "mass_kg", "centre_m", "principal_moments_kgm2"})
     EXPECT_NEAR(numberAfter(json, key), numberAfter(alone, key), 1e-12 * numberAfter(alone, key));
-  expectRefused({"body", "box.toml", "--set", "body.mesh=../box.obj"}, "box.obj");
+  std::filesystem::create_directory(folder() / "below");
+  std::filesystem::rename(folder() / "box.toml", folder() / "below/box.toml");
+  expectRefused({"body", "below/box.toml", "--set", "body.mesh=../box.obj"},
+                "leads outside the scene's folder");
+  EXPECT_EQ(
+      run({"body", "below/box.toml", "--set", "body.mesh=../box.obj", "--allow-outside"}).status,
+      0);
 }
 
 TEST_F(Body, MeasuresTheBodyOfEachPanel) {
@@ -117,10 +123,13 @@ TEST_F(Body, RefusesWhatItCannotMeasure) {
   expectRefused({"body", "open.obj"},
                 "rotatebook: open.obj: the edge from (0, 0, 60) to (0, 30, 60) belongs to triangle "
                 "1 alone: the surface is open there; close the hole\n");
+  expectRefused({"body", "box.obj", "--mass", "1e-59"}, "box.obj: ");
+  expectRefused({"body", "box.fbx"}, "box.fbx: neither a scene (.toml) nor a mesh");
   expectRefused({"body", "a.glb"}, "rotatebook: a.glb: it doesn't begin with \"glTF\"");
   expectRefused({"body", "no.stl"}, "rotatebook: can't read no.stl: No such file or directory\n");
-  expectRefused({"body", "box.obj", "--unit", "ell"}, "there are m, cm, mm, in\n");
-  expectRefused({"body", "box.obj", "--density", "0"}, "--density 0: must be above 0\n");
+  expectRefused({"body", "box.obj", "--unit", "ell"}, "there are m, cm, mm, km, in\n");
+  expectRefused({"body", "box.obj", "--density", "0"},
+                "--density 0: must be above 0, and below 1e60\n");
   expectRefused({"body", "box.obj", "--mass", "1", "--density", "1"}, "name one of them\n");
   expectRefused({"body", "tiny.toml", "--density", "1"}, "tiny.toml has a body of its own\n");
 }

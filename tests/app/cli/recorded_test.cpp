@@ -142,6 +142,36 @@ TEST_F(Recorded, TossesTellTheInertiaAndWriteAScene) {
   EXPECT_THAT(simulated.output, HasSubstr("within 0."));  // degrees of the exact motion
   EXPECT_THAT(runWithoutGraphics({"toss", "toss.csv", "-o", "out/toss.toml"}).error,
               HasSubstr("write it beside the recording"));
+  EXPECT_THAT(runWithoutGraphics({"toss", "toss.csv", "-o", "toss.toml"}).error,
+              HasSubstr("toss.toml exists, and isn't overwritten"));
+  EXPECT_THAT(runWithoutGraphics({"toss", "toss.csv", "--json"}).output,
+              AllOf(HasSubstr(R"("I1_over_I3": {"value": 0.315)"), HasSubstr(R"("readings": )")));
+  EXPECT_THAT(runWithoutGraphics({"toss", "toss.csv", "--lever", "-1"}).error,
+              HasSubstr("-1 must be a number, 0 or more"));
+}
+
+TEST_F(Recorded, JudgingReplacesItsOwnReportAlone) {
+  const std::vector<std::string> judge{"judge", "simbody.csv", "--size", "0.15,0.22,0.04",
+                                       "--junit"};
+  const auto to = [&](const std::string& file) {
+    std::vector<std::string> words = judge;
+    words.push_back(file);
+    return runWithoutGraphics(words);
+  };
+  EXPECT_EQ(to("judged.xml").status, 0);
+  EXPECT_EQ(to("judged.xml").status, 0);
+  const std::string before = read("simbody.csv");
+  EXPECT_THAT(to("simbody.csv").error, HasSubstr("simbody.csv exists, and isn't overwritten"));
+  EXPECT_EQ(read("simbody.csv"), before);
+}
+
+TEST_F(Recorded, JudgingRefusesOptionsThatNothingTakes) {
+  writeScene("simbody.csv");
+  EXPECT_THAT(runWithoutGraphics({"judge", "scene.toml", "--size", "1,2,3"}).error,
+              HasSubstr("are a table's, and there is none"));
+  EXPECT_THAT(
+      runWithoutGraphics({"judge", "simbody.csv", "--inertia", "1,2,2", "--set", "a=1"}).error,
+      HasSubstr("--set is a scene's, and there is none"));
 }
 
 }  // namespace

@@ -45,7 +45,8 @@ TEST(BodyReport, SaysWhatTheBodyIs) {
 TEST(BodyReport, SaysWhatCountsTwice) {
   BodyNumbers two = body();
   two.surface->shells = 2;
-  EXPECT_THAT(printed(reportBodies, two), HasSubstr("2 closed surfaces; where they overlap"));
+  EXPECT_THAT(printed(reportBodies, two),
+              HasSubstr("2 closed surfaces, which add up: also where they overlap;"));
 }
 
 TEST(BodyReport, KnowsABodyThatNeverTumbles) {

@@ -66,7 +66,7 @@ TEST(Units, RefuseWhatIsNoQuantity) {
 }
 
 TEST(Units, AreListedThatOfTheSiFirst) {
-  EXPECT_THAT(unitsOf(Dimension::Length), ElementsAre("m", "cm", "mm", "in"));
+  EXPECT_THAT(unitsOf(Dimension::Length), ElementsAre("m", "cm", "mm", "km", "in"));
   EXPECT_THAT(unitsOf(Dimension::Mass), ElementsAre("kg", "g"));
   EXPECT_THAT(unitsOf(Dimension::Time), ElementsAre("s", "ms", "min"));
   EXPECT_THAT(unitsOf(Dimension::Angle), ElementsAre("rad", "deg", "turn"));

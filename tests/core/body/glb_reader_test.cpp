@@ -110,6 +110,8 @@ TEST(GlbReader, SaysWhatItCannotRead) {
   EXPECT_THAT(withChange("\"bufferView\": 1,", ""), HasSubstr("sparse"));
   EXPECT_THAT(withChange("\"indices\": 1", "\"indices\": 1, \"mode\": 5"), HasSubstr("mode 5"));
   EXPECT_THAT(withChange("\"POSITION\": 0", "\"NORMAL\": 0"), HasSubstr("no POSITION"));
+  EXPECT_THAT(withChange("\"indices\": 1", "\"indices\": 1, \"material\": 0"),
+              HasSubstr("materials has no number 0"));
   EXPECT_THAT(withChange("{\"byteLength\": 168}", "{\"uri\": \"a.bin\"}"),
               HasSubstr("in another file; export it as one .glb"));
   EXPECT_THAT(withChange("{\"mesh\": 0}", "{\"mesh\": 1}"), HasSubstr("meshes has no number 1"));
@@ -214,6 +216,8 @@ TEST(GlbReader, RefusesWhatIsNoGlb) {
   EXPECT_THAT(messageOf([] { readGlb(std::string("glTF\x01\0\0\0\0\0\0\0", 12)); }),
               HasSubstr("of glTF 1; export it as glTF 2.0"));
   EXPECT_THAT(messageOf([] { readGlb(std::string("glTF\x02\0\0\0\0\0\0\0", 12)); }),
+              HasSubstr("it says that it has 0 bytes, but has 12; is it whole?"));
+  EXPECT_THAT(messageOf([] { readGlb(std::string("glTF\x02\0\0\0\x0c\0\0\0", 12)); }),
               HasSubstr("no description in JSON"));
   EXPECT_THAT(messageOf([] { readGlb(glb("[1]", "")); }), HasSubstr("isn't JSON"));
   EXPECT_THAT(messageOf([] { readGlb(glb("{", "")); }), HasSubstr("isn't JSON"));
@@ -221,7 +225,7 @@ TEST(GlbReader, RefusesWhatIsNoGlb) {
               HasSubstr("nested deeper than 64"));
   const std::string whole = boxIn(R"("nodes": [{"mesh": 0}])");
   EXPECT_THAT(messageOf([&] { readGlb(std::string_view(whole).substr(0, whole.size() - 1)); }),
-              HasSubstr("within its data"));
+              HasSubstr("is it whole?"));
 }
 
 }  // namespace

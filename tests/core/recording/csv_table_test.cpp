@@ -41,8 +41,7 @@ TEST(CsvTable, NamesTheLineOfWhatItRefuses) {
   EXPECT_EQ(tableRefusal("a,b\n"),
             "t.csv: no rows below a header; a recording is a table of numbers (CSV)");
   EXPECT_EQ(tableRefusal("a,b\n1,2\n\n3\n"), "t.csv:4: 1 cell, but the header names 2 columns");
-  EXPECT_EQ(tableRefusal(std::string(3 * kMaxColumns, ',') + "\n"),
-            "t.csv: 769 columns; a recording has up to 256");
+  EXPECT_EQ(tableRefusal(std::string(3 * kMaxColumns, ',') + "\n"), "t.csv: more than 256 columns");
   EXPECT_EQ(tableRefusal(std::string(kLargestRecording + 1, ' ')),
             "t.csv: longer than 16 MiB, the limit for a recording; export a part of it");
 }

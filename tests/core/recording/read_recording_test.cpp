@@ -52,7 +52,27 @@ TEST(ReadRecording, TakesTheUnitOfRatesFromTheHeaderOrTheOptions) {
   EXPECT_EQ(startOf(motionOf("t,wx,wy,wz" + rows, {.unit = "rad/s"})).z(), 90);
   EXPECT_EQ(refusal("t,wx,wy,wz" + rows),
             "m.csv: the column \"wx\" doesn't say whether it is in rad/s or deg/s; state it in "
-            "simulation.rates");
+            "simulation.rates, or with --rates");
+  for (const char* unit : {"mdps", "rad/min", "turn/s"}) {
+    const std::string u = std::string(" (") + unit + ")";
+    EXPECT_THAT(refusal("t,wx" + u + ",wy" + u + ",wz" + u + rows),
+                HasSubstr("doesn't say whether"));
+  }
+  EXPECT_EQ(
+      refusal("t,wx (rad/s),wy (deg/s),wz (rad/s)" + rows),
+      "m.csv: the columns \"wx (rad/s)\" and \"wy (deg/s)\" are in different units; state one "
+      "for all in simulation.rates, or with --rates");
+}
+
+TEST(ReadRecording, TakesTheUnitOfTimesFromTheHeader) {
+  const std::string rates = ",wx (rad/s),wy (rad/s),wz (rad/s)\n0,0,0,9\n500,0,0,9\n";
+  for (const char* time : {"t (ms)", "time_ms", "Time [ms]", "time ( ms )"})
+    EXPECT_NEAR(motionOf(time + rates).duration(), 0.5, 1e-15) << time;
+  EXPECT_NEAR(motionOf("t (\xC2\xB5s)" + rates).duration(), 5e-4, 1e-18);
+  EXPECT_EQ(
+      refusal("t (min)" + rates),
+      "m.csv: the column \"t (min)\" has times in a unit that isn't read; there are s, ms, us "
+      "and ns");
 }
 
 TEST(ReadRecording, TakesNamedColumns) {
@@ -61,10 +81,10 @@ TEST(ReadRecording, TakesNamedColumns) {
                             .unit = "rad/s"};
   EXPECT_EQ(startOf(motionOf(text, options)), Eigen::Vector3d(3, 1, 2));
   EXPECT_THAT(refusal(text, {.columns = {{"time", "e"}}}),
-              HasSubstr("no column \"e\", which simulation.columns names for time"));
+              HasSubstr("no column \"e\", which is stated for time"));
   EXPECT_EQ(refusal(text),
             "m.csv: no column of times among \"a\", \"b\", \"c\" and \"d\"; name it in "
-            "simulation.columns");
+            "simulation.columns, or with --column");
 }
 
 TEST(ReadRecording, DifferentiatesAttitudesAlone) {
@@ -123,7 +143,7 @@ TEST(ReadRecording, NamesTheLineOfWhatItRefuses) {
             "m.csv:2: r11 to r33 are no rotation");
   EXPECT_EQ(refusal("t,qw,qx,qy\n1,1,0,0\n"),
             "m.csv: no column for qz among \"t\", \"qw\", \"qx\" and \"qy\"; name it in "
-            "simulation.columns");
+            "simulation.columns, or with --column");
   EXPECT_THAT(refusal("t,x,y,z\n1,1,0,0\n"), HasSubstr("neither attitudes (qw to qz"));
 }
 

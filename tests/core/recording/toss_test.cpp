@@ -17,6 +17,7 @@ namespace rotatebook::recording {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr double kInterval = 0.01;        // [s]
 constexpr double kNoise = 0.05;           // of a rate [deg/s]
@@ -26,8 +27,9 @@ constexpr int kRest = 100, kFlight = 81;  // readings: 1 s of rest, 0.8 s of fli
 class Tosses {
  public:
   /// Returns a recording: a rest, a swing of the hand, a free flight and a catch.
-  InertialRecording toss(const Eigen::Vector3d& spin, const Eigen::Matrix3d& axes) {
-    const rigid::ExactRotation motion({kBook}, spin);
+  InertialRecording toss(const Eigen::Vector3d& spin, const Eigen::Matrix3d& axes,
+                         const Eigen::Vector3d& moments = kBook) {
+    const rigid::ExactRotation motion({moments}, spin);
     InertialRecording recording;
     recording.hasForce = true;
     for (int i = 0; i < kRest + kFlight + 40; ++i) {
@@ -125,6 +127,23 @@ TEST(Toss, RefusesAMotionThatDoesntTell) {
   const InertialRecording steady = tosses.toss({0, 0, 10}, Eigen::Matrix3d::Identity());
   EXPECT_THAT(refusalOf([&] { fitToss(steady, "t.csv", {}); }),
               HasSubstr("t.csv: the motion doesn't tell the inertia: "));
+}
+
+TEST(Toss, RefusesMomentsThatNoBodyHas) {
+  Tosses tosses;
+  const InertialRecording recording =
+      tosses.toss({1, 9, 2}, Eigen::Matrix3d::Identity(), {0.001, 0.002, 0.004});
+  EXPECT_THAT(
+      refusalOf([&] { fitToss(recording, "t.csv", {}); }),
+      HasSubstr("but those of a body add up to 1 or more; is a column's sign or scale wrong?"));
+}
+
+TEST(Toss, TakesAFlightThatBeginsAtRest) {
+  Tosses tosses;
+  InertialRecording recording = tosses.toss({9, 1, 2}, Eigen::Matrix3d::Identity());
+  recording.readings[120].rate.angularVelocity.setZero();
+  EXPECT_THAT(refusalOf([&] { fitToss(recording, "t.csv", {.from = 5.2, .to = 5.95}); }),
+              Not(HasSubstr("nan")));
 }
 
 TEST(Toss, RefusesARecordingWithoutAFlight) {

@@ -85,6 +85,23 @@ TEST(BodySection, AMeshIsReadInItsUnit) {
   EXPECT_THAT(sceneText(scene), HasSubstr("density = 1000.0\n"));
 }
 
+TEST(BodySection, RefusesPartsThatTakeAwayWhatIsNotThere) {
+  const auto withHole = [](const std::string& hole) {
+    return errorOf(
+        "[[body.part]]\nshape = \"box\"\ndensity = 700\ndimensions = { x = 1, y = 1, z = 1 }\n"
+        "[[body.part]]\nshape = \"cylinder\"\n" +
+        hole);
+  };
+  EXPECT_EQ(withHole("density = -700\ndimensions = { radius = 0.4, height = 1 }"), "no error");
+  EXPECT_THAT(
+      withHole("density = -700\ndimensions = { radius = 0.4, height = 1.2 }"),
+      HasSubstr(
+          "a.toml:1:1: part 2 takes away more than is there: somewhere in it the densities "
+          "add up to -700 kg/m^3; move it into the others, or make it smaller or less dense"));
+  EXPECT_THAT(withHole("density = -800\ndimensions = { radius = 0.4, height = 1 }"),
+              HasSubstr("add up to -100 kg/m^3"));
+}
+
 TEST(BodySection, RefusesWhatIsNoBody) {
   const auto refuses = [](const std::string& lines, const std::string& problem) {
     EXPECT_THAT(errorOf(lines), HasSubstr(problem)) << lines;

@@ -94,7 +94,7 @@ TEST(Recordings, AreRefusedWhereTheyAreNamed) {
             "a.toml:3:8: can't read no.csv: no such file");
   EXPECT_EQ(refusalOfRecording("[simulation]\nmodel = \"recorded\"\nfile = \"bare.csv\"\n"),
             "a.toml:3:8: bare.csv: no column of times among \"a\", \"b\", \"c\" and \"d\"; name it "
-            "in simulation.columns");
+            "in simulation.columns, or with --column");
   EXPECT_EQ(refusalOfRecording("[simulation]\nmodel = \"recorded\"\nfile = \"rest.csv\"\n"),
             "a.toml:3:8: rest.csv: the body is at rest at first; say with simulation.from when its "
             "motion starts");

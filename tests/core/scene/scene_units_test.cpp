@@ -50,7 +50,7 @@ TEST(SceneUnits, AreReportedIfTheyAreOfAnotherDimension) {
                 "\"kg\" or \"g\", such as \"1.5 kg\"");
   EXPECT_EQ(errorOf("[body]\nsize = [1, '2 kg', 3]"),
             "a.toml:2:12: body.size must be three lengths from 1e-6 to 1e6 m, not \"2 kg\"" + a +
-                "\"m\", \"cm\", \"mm\" or \"in\", such as \"1.5 m\"");
+                "\"m\", \"cm\", \"mm\", \"km\" or \"in\", such as \"1.5 m\"");
   EXPECT_EQ(errorOf("clip.duration = '3 h'"),
             "a.toml:1:17: clip.duration must be a positive number, not \"3 h\"" + a +
                 "\"s\", \"ms\" or \"min\", such as \"1.5 s\"");

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/elementary.h"
+#include "base/nearest_name.h"
 #include "base/text.h"
 #include "rigid/inertia.h"
 #include "scene/keys/keys.h"
@@ -125,6 +126,7 @@ physics::ParticleSettings arrangementFrom(const ValueReader& value) {
   if (text->starts_with(kGrid))
     return {physics::Arrangement::Grid,
             cellsFrom(value, std::string_view(*text).substr(kGrid.size()))};
+  if (!nearestName(*text, namesOf(kArrangements))) value.mismatch(kExpectedArrangement);
   return {choiceFrom(value, kArrangements)};
 }
 

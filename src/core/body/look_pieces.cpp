@@ -67,7 +67,7 @@ std::vector<Layer> roundedLayers(double height, double radius) {
   for (int i = 0; i <= 2 * kBevelSteps + 1; ++i) {
     const bool isUpper = i > kBevelSteps;
     const Vector2d arc = onCircle(isUpper ? i - kBevelSteps - 1 : kBevelSteps - i, 4 * kBevelSteps);
-    const double up = height / 2 - radius + radius * arc.y();
+    const double up = height / 2 - radius * (1 - arc.y());
     layers.push_back({isUpper ? up : -up, radius - radius * arc.x()});
   }
   return layers;

@@ -104,7 +104,8 @@ class MeshMaker {
     });
   }
 
-  /// Colours the patches, so that neighbours differ where kColours suffice.
+  /// Colours the patches, so that neighbours differ where kColours suffice, and different materials
+  /// most often, also where their triangles don't share an edge.
   std::vector<int> patchColours() {
     std::vector<std::vector<std::uint32_t>> neighbours(triangles().size());
     forEdges([&](const Side& a, const Side& b) {
@@ -117,10 +118,11 @@ class MeshMaker {
       std::array<bool, kColours> taken{};
       for (const std::uint32_t other : neighbours[i])
         taken[static_cast<std::size_t>(colours[other])] = true;
-      const auto* free = std::ranges::find(taken, false);
       // If all are taken, any will do: an edge that isn't antialiased
-      colours[i] = free == taken.end() ? static_cast<int>(i % kColours)
-                                       : static_cast<int>(free - taken.begin());
+      std::size_t colour = kColours / 3 * materialOf(static_cast<std::uint32_t>(i)) % kColours;
+      for (int tries = 0; tries < kColours && taken[colour]; ++tries)
+        colour = (colour + 1) % kColours;
+      colours[i] = static_cast<int>(colour);
     }
     return colours;
   }

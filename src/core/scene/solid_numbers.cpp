@@ -126,6 +126,7 @@ body::Surface surfaceOf(const Solid& solid) {
     requireDrawable(surface, "body.part");
   }
   const Vector3d centre = numbersOfParts(solid.parts).properties.centre;
+  surface.mesh = body::welded(surface.mesh);
   for (Vector3d& point : surface.mesh.points) point -= centre;
   return surface;
 }

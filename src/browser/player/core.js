@@ -61,11 +61,11 @@ class Core {
 
   treeOf(text) { return JSON.parse(this.#text(this.#call("toml_to_json", this.#put(text)))); }
   read(slot, text) { return JSON.parse(this.#text(this.#call("read", slot, this.#put(text)))); }
-  /** Takes a file that scenes may name, in place of all others. */
-  takeFile(name, bytes) {
-    const nameBytes = new TextEncoder().encode(name), room = this.#call("buffer_size") - nameBytes.length;
-    if (bytes.length > room) throw new SceneError("it is longer than 1 MB, the limit here; rotatebook render takes it");
+  /** Takes a file {name, bytes} that scenes may name, in place of all others; null for none. */
+  takeFile(file) {
     this.#text(this.#call("file", 0, 0));
+    if (!file) return;
+    const {name, bytes} = file, nameBytes = new TextEncoder().encode(name);
     this.module.HEAPU8.set(nameBytes, this.buffer);
     this.module.HEAPU8.set(bytes, this.buffer + nameBytes.length);
     this.#text(this.#call("file", nameBytes.length, bytes.length));

@@ -341,10 +341,13 @@ class Player {
   }
 
   async #openThing(file, isWanted) {
+    if (file.size > kLargestThing) throw new SceneError("it is longer than 1 MB, the limit here; rotatebook render takes it");
     const bytes = new Uint8Array(await readable(file.name, () => file.arrayBuffer()));
     if (!isWanted()) return;
-    this.core.takeFile(file.name, bytes);
-    const problems = [];
+    const before = this.thing ?? null, problems = [];
+    this.thing = {name: file.name, bytes};
+    this.core.takeFile(this.thing);
+    this.drawing.forgetBodies();
     for (const tree of scenesOfThing(file.name)) {
       const text = tomlText(tree);
       try {
@@ -356,6 +359,8 @@ class Player {
       this.load(text, {isPlaying: this.mayMove});
       return;
     }
+    this.thing = before;  // The scene that goes on names it.
+    this.core.takeFile(before);
     throw problems[0];
   }
 

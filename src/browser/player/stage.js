@@ -69,6 +69,9 @@ class Stage {
     this.view.setBodies(motions.map((_, i) => this.core.body(kPlayed, i)));
   }
 
+  /** Lets the next picture make the bodies' meshes again, as of a file that has changed. */
+  forgetBodies() { this.bodiesKey = null; }
+
   #book(i, frame, area, state) {
     // A scene's angle is from bottom to top; an upright picture is narrower than that.
     const narrow = state.read.motions.length === 1 ? Math.max(area.height / area.width, 1) : 1;

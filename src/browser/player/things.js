@@ -2,6 +2,7 @@
 
 const kMeshFile = /\.(obj|stl|ply|glb)$/i, kTableFile = /\.(csv|tsv|txt)$/i;
 const kMeshDensity = 1000;  // [kg/m³]
+const kLargestThing = 1e6;  // [bytes]
 
 const isThing = (name) => kMeshFile.test(name) || kTableFile.test(name);
 

@@ -110,6 +110,11 @@ test("makes a dropped mesh the body, and a dropped table the motion", async () =
   assert.ok(Math.min(red, green, blue) > 60 && Math.max(red, green, blue) - Math.min(red, green, blue) < 60, "it is grey, not the book's red");
   await drop(page, fileOf("open.obj", box.replace("f 5 6 7 8\n", "")));
   assert.match(await saying(page, /open\.obj: /), /close the hole/);
+  const isTaken = await page.evaluate(() => rotatebook.player.apply(rotatebook.player.scene.changed((tree) => { tree.title = "Still the box"; })));
+  assert.ok(isTaken, "the box is still here");
+  await page.evaluate(() => { window.box = rotatebook.player.drawing.view.bodies[0]; });
+  await drop(page, fileOf("box.obj", box.replaceAll("50", "70")));
+  await page.waitForFunction(() => rotatebook.player.drawing.view.bodies[0] !== window.box, null, {timeout: 20000});
   const table = "t,wx (rad/s),wy (rad/s),wz (rad/s)\n" + Array.from({length: 101}, (_, i) => `${i / 100},0,0,2`).join("\n") + "\n";
   await drop(page, fileOf("spin.csv", table));
   await page.waitForFunction(() => rotatebook.player.scene.tree.simulation?.file === "spin.csv");

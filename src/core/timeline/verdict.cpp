@@ -94,20 +94,21 @@ std::string methodThat(Errs errs) {
     case Errs::Hardly:
       return "agrees with the exact motion";
     case Errs::SpinIsFixed:
-      return "no gyroscopic torque: the angular velocity stays fixed in the world";
+      return "keeps the angular velocity fixed in the world, as without a gyroscopic torque";
     case Errs::InPhase:
-      return "keeps energy and angular momentum: a conserving method of low order, or long steps";
+      return "keeps energy and angular momentum, but not the pace, as with long steps";
     case Errs::GainsEnergy:
-      return "keeps the angular momentum and gains energy: explicit steps of the attitude";
+      return "keeps the angular momentum and gains energy, as explicit steps of the attitude do";
     case Errs::LosesEnergy:
-      return "keeps the angular momentum and loses energy: implicit steps, or damping inside";
+      return "keeps the angular momentum and loses energy, as implicit steps do, or damping inside";
     case Errs::GainsBoth:
-      return "gains energy: an explicit gyroscopic torque, of order 1";
+      return "gains energy, as with an explicit gyroscopic torque of order 1";
     case Errs::LosesBoth:
-      return "loses energy and angular momentum: an implicit gyroscopic torque, or damping";
+      return "loses energy and angular momentum, as with an implicit gyroscopic torque, or damping";
     case Errs::Inconsistently:
-      return "loses energy while the angular momentum grows: a gyroscopic torque of order 1 that "
-             "doesn't fit the attitude's step";
+      return "loses energy while the angular momentum grows, as with a gyroscopic torque of order "
+             "1 "
+             "that doesn't fit the attitude's step";
   }
   return "";
 }

@@ -50,7 +50,7 @@ struct Verdict {
 /// physics::simulate() does.
 Verdict judge(const physics::MotionSettings& motion, const physics::Trajectory& trajectory);
 
-/// Returns a sentence on the kind of method that errs so.
+/// Returns what the motion does, and the kind of rigid method that errs so.
 std::string methodThat(Errs errs);
 
 }  // namespace rotatebook::timeline

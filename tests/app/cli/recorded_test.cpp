@@ -46,7 +46,7 @@ TEST_F(Recorded, AreJudged) {
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(
       result.output,
-      AllOf(HasSubstr("mujoco.csv: gains energy: an explicit gyroscopic torque, of order 1"),
+      AllOf(HasSubstr("mujoco.csv: gains energy, as with an explicit gyroscopic torque of order 1"),
             HasSubstr("energy +47.5 %, |L| +21.5 %"), HasSubstr("3 of 3 half-turns"),
             HasSubstr("simbody.csv: agrees with the exact motion")));
 }

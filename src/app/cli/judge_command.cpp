@@ -14,6 +14,7 @@
 #include "cli/input_guard.h"
 #include "cli/recording_options.h"
 #include "cli/scene_options.h"
+#include "physics/recorded_start.h"
 #include "physics/simulate.h"
 #include "recording/recorded_motion.h"
 #include "report/verdict_report.h"
@@ -51,16 +52,9 @@ physics::MotionSettings motionOf(const std::string& file, const JudgeArguments& 
   }
   auto recorded = std::make_shared<recording::RecordedMotion>(
       recording::readRecording(recordingBytes(file), file, arguments.recording.read()));
-  const auto& moments = recorded->moments();
-  if (moments.front().angularVelocity.isZero(0)) {
-    throw InputError(file +
-                     ": the body is at rest at first; state with --from when its motion "
-                     "starts");
-  }
-  motion.initial = {physics::SpinKind::AngularVelocity, moments.front().angularVelocity};
-  motion.simulation.model = physics::Model::Recorded;
-  motion.simulation.timePerFrame = recorded->duration() / static_cast<double>(moments.size() - 1);
-  motion.simulation.recorded.motion = std::move(recorded);
+  motion.simulation.timePerFrame =
+      recorded->duration() / static_cast<double>(recorded->moments().size() - 1);
+  takeRecording(motion, std::move(recorded), file);
   return motion;
 }
 

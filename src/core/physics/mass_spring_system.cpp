@@ -1,6 +1,6 @@
 #include "physics/mass_spring_system.h"
 
-#include <cmath>
+#include "rigid/inertia.h"
 
 namespace rotatebook::physics {
 
@@ -9,14 +9,7 @@ Eigen::Matrix3d MassSpringSystem::inertia(double mass) const {
   for (const Eigen::Vector3d& place : places) products += place * place.transpose();
   products *= mass / static_cast<double>(places.size());
   Eigen::Matrix3d tensor = products.trace() * Eigen::Matrix3d::Identity() - products;
-  // Products that are rounding alone are 0, so that a symmetric body keeps its axes
-  constexpr double kRounding = 1e-15;  // Of the largest moment; measured 2e-17.
-  const double least = kRounding * tensor.diagonal().maxCoeff();
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      if (i != j && std::abs(tensor(i, j)) < least) tensor(i, j) = 0;
-    }
-  }
+  rigid::clearRounding(tensor);
   return tensor;
 }
 

@@ -179,6 +179,16 @@ void checkInertia(const Eigen::Matrix3d& tensor) {
   }
 }
 
+void clearRounding(Matrix3d& tensor) {
+  constexpr double kRounding = 1e-15;  // of the largest moment; measured 2e-16
+  const double least = kRounding * tensor.diagonal().maxCoeff();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (i != j && std::fabs(tensor(i, j)) < least) tensor(i, j) = 0;
+    }
+  }
+}
+
 PrincipalAxes principalAxes(const Eigen::Matrix3d& tensor) {
   requireSameLayout();
   if (tensor.isDiagonal(0)) return {tensor.diagonal(), Eigen::Matrix3d::Identity()};

@@ -37,6 +37,10 @@ struct PrincipalAxes {
 /// no larger than that is rejected as 0; so is a body whose moments are all under 1e-30.
 void checkInertia(const Eigen::Matrix3d& tensor);
 
+/// Sets products of inertia that rounding alone makes to 0, so that a spin about an axis of a
+/// symmetric body is exactly about it.
+void clearRounding(Eigen::Matrix3d& tensor);
+
 /// Returns the principal axes of a symmetric tensor. A diagonal tensor keeps the order of its axes,
 /// with P exactly the identity; otherwise the moments are sorted, smallest first, and moments that
 /// agree to 1e-29 of the largest are made equal. Uses Jacobi rotations in double-double arithmetic,

@@ -9,6 +9,7 @@
 #include "base/number_text.h"
 #include "base/text.h"
 #include "document/toml_tree.h"
+#include "physics/recorded_start.h"
 #include "recording/csv_table.h"
 #include "recording/read_recording.h"
 #include "scene/placed_particles.h"
@@ -33,15 +34,11 @@ void readRecording(physics::MotionSettings& motion, const std::filesystem::path&
   checkChecksum(recorded, checksum);
   recorded.checksum = checksum;
   const std::string name = oneLine((folder / recorded.file).string());
-  recorded.motion = std::make_shared<recording::RecordedMotion>(recording::readRecording(
-      bytes, name, {recorded.columns, recorded.rates, recorded.from, recorded.to, recorded.bias}));
-  const Eigen::Vector3d start = recorded.motion->moments().front().angularVelocity;
-  if (start.isZero(0)) {
-    throw InputError(name +
-                     ": the body is at rest at first; say with simulation.from when its "
-                     "motion starts");
-  }
-  motion.initial = {physics::SpinKind::AngularVelocity, start};
+  takeRecording(motion,
+                std::make_shared<recording::RecordedMotion>(recording::readRecording(
+                    bytes, name,
+                    {recorded.columns, recorded.rates, recorded.from, recorded.to, recorded.bias})),
+                name);
 }
 
 void checkDuration(const physics::MotionSettings& motion, double length) {

@@ -72,18 +72,6 @@ SolidNumbers numbersOfParts(const std::vector<BodyPart>& parts) {
   return {sum, boxAround(sum.centre, surfaces)};
 }
 
-/// Sets products of inertia that rounding alone makes to 0, so that a spin about an axis of a
-/// symmetric body is exactly about it.
-void clearRounding(Matrix3d& inertia) {
-  constexpr double kRounding = 1e-15;  // Of the largest moment; measured 2e-16.
-  const double least = kRounding * inertia.diagonal().maxCoeff();
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) {
-      if (i != j && std::fabs(inertia(i, j)) < least) inertia(i, j) = 0;
-    }
-  }
-}
-
 void requireDrawable(const body::Surface& surface, const std::string& name) {
   const std::size_t count = surface.mesh.triangles.size();
   if (count <= body::kMaxDrawnTriangles) return;
@@ -145,7 +133,7 @@ SolidNumbers numbersOf(const Solid& solid) {
                              : numbersOfMesh(solid.mesh, solid.density.value_or(1));
   MassProperties& properties = numbers.properties;
   if (solid.mass) properties = multiplied(properties, *solid.mass / properties.mass);
-  clearRounding(properties.inertia);
+  rigid::clearRounding(properties.inertia);
   rigid::checkInertia(properties.inertia);
   return numbers;
 }

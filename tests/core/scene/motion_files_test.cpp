@@ -96,8 +96,8 @@ TEST(Recordings, AreRefusedWhereTheyAreNamed) {
             "a.toml:3:8: bare.csv: no column of times among \"a\", \"b\", \"c\" and \"d\"; name it "
             "in simulation.columns, or with --column");
   EXPECT_EQ(refusalOfRecording("[simulation]\nmodel = \"recorded\"\nfile = \"rest.csv\"\n"),
-            "a.toml:3:8: rest.csv: the body is at rest at first; say with simulation.from when its "
-            "motion starts");
+            "a.toml:3:8: rest.csv: the body is at rest at first; say when its motion starts with "
+            "simulation.from, or --from");
   EXPECT_EQ(refusalOfRecording("[simulation]\nmodel = \"recorded\"\nfile = \"g.csv\"\n"),
             "a.toml:3:8: the recording \"g.csv\" lasts 2 s, but the clip shows 11.9833 s of it; "
             "lower clip.duration or clip.speed");

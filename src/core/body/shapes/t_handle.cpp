@@ -17,8 +17,10 @@ SolidPiece tHandleSolid(std::span<const double> lengths) {
 Surface tHandleLook(std::span<const double> lengths) {
   const double radius = lengths[0], bar = lengths[1], stem = lengths[2], edge = 0.2 * radius;
   Surface look = surfaceOf(alongAxis(roundedCylinder(radius, bar, edge), 1), aluminium(0));
-  const TriangleMesh along = alongAxis(roundedCylinder(0.98 * radius, stem, edge), 2);
-  addSurface(surfaceOf(movedBy(along, {0, radius + stem / 2, 0}), aluminium(1)), look);
+  // The stem begins within the bar
+  const double length = radius + stem;
+  const TriangleMesh along = alongAxis(roundedCylinder(0.98 * radius, length, edge), 2);
+  addSurface(surfaceOf(movedBy(along, {0, length / 2, 0}), aluminium(1)), look);
   return look;
 }
 

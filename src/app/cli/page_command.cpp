@@ -233,7 +233,7 @@ void addPageCommand(CLI::App& program, Action& action) {
   command
       ->add_option(
           "--pack-crf", arguments->packCrf,
-          "Rate factor of packed clips: at 22, clips are three times as large as at 32, and "
+          "Rate factor of packed clips: at 22, clips are three times as large as at 33, and "
           "verify still proves their pictures")
       ->check(CLI::Range(kBestCrf, kWorstCrf))
       ->capture_default_str();

@@ -11,7 +11,7 @@
 namespace rotatebook::page {
 
 /// Rate factor of clips for the web, see docs/page.md for how it was chosen.
-inline constexpr int kPackCrf = 32;
+inline constexpr int kPackCrf = 33;
 
 /// Called before each file that takes long, with its name.
 using PackProgress = std::function<void(const std::string& file)>;

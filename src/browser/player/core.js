@@ -61,14 +61,15 @@ class Core {
 
   treeOf(text) { return JSON.parse(this.#text(this.#call("toml_to_json", this.#put(text)))); }
   read(slot, text) { return JSON.parse(this.#text(this.#call("read", slot, this.#put(text)))); }
-  /** Takes a file {name, bytes} that scenes may name, in place of all others; null for none. */
-  takeFile(file) {
+  /** Takes files {name, bytes} that scenes may name, in place of all others. */
+  takeFiles(files) {
     this.#text(this.#call("file", 0, 0));
-    if (!file) return;
-    const {name, bytes} = file, nameBytes = new TextEncoder().encode(name);
-    this.module.HEAPU8.set(nameBytes, this.buffer);
-    this.module.HEAPU8.set(bytes, this.buffer + nameBytes.length);
-    this.#text(this.#call("file", nameBytes.length, bytes.length));
+    for (const {name, bytes} of files) {
+      const nameBytes = new TextEncoder().encode(name);
+      this.module.HEAPU8.set(nameBytes, this.buffer);
+      this.module.HEAPU8.set(bytes, this.buffer + nameBytes.length);
+      this.#text(this.#call("file", nameBytes.length, bytes.length));
+    }
   }
 
   /** Returns the mesh of a motion's body, {vertices, indices, parts}; null for the book. */

@@ -344,9 +344,9 @@ class Player {
     if (file.size > kLargestThing) throw new SceneError("it is longer than 1 MB, the limit here; rotatebook render takes it");
     const bytes = new Uint8Array(await readable(file.name, () => file.arrayBuffer()));
     if (!isWanted()) return;
-    const before = this.thing ?? null, problems = [];
-    this.thing = {name: file.name, bytes};
-    this.core.takeFile(this.thing);
+    const before = this.things ?? [], problems = [];
+    this.things = [{name: file.name, bytes}];
+    this.core.takeFiles(this.things);
     this.drawing.forgetBodies();
     for (const tree of scenesOfThing(file.name)) {
       const text = tomlText(tree);
@@ -359,8 +359,8 @@ class Player {
       this.load(text, {isPlaying: this.mayMove});
       return;
     }
-    this.thing = before;  // The scene that goes on names it.
-    this.core.takeFile(before);
+    this.things = before;  // The scene that goes on names them.
+    this.core.takeFiles(before);
     throw problems[0];
   }
 

@@ -7,7 +7,7 @@ const {test} = require("node:test");
 const {pathToFileURL} = require("node:url");
 const puppeteer = require("puppeteer-core");
 const {kPlay, kTurns, render} = require("./live_page.cjs");
-const {kScenes, kMotions} = require("./shipped.cjs");
+const {kScenes, kMotions, giveFiles} = require("./shipped.cjs");
 
 /** A page that opens files as people's Firefox does: what lies beside it is another origin. */
 async function open(hasWebGl2) {
@@ -24,6 +24,7 @@ test("all scenes have the checksums of the table, and a clip is proved", async (
   try {
     for (const [name, checksum] of kMotions) {
       const text = fs.readFileSync(kScenes.get(name), "utf8");
+      await giveFiles(page, kScenes.get(name), text);
       const motion = await page.evaluate(async (scene) => {
         const player = rotatebook.player;
         if (!player.load(scene, {isPlaying: false})) return document.querySelector(".rb-message").textContent;

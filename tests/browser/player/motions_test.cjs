@@ -6,7 +6,7 @@ const fs = require("node:fs");
 const path = require("node:path");
 const {test, before, after} = require("node:test");
 const {kRoot, startBrowser, closeBrowser, open, checksumOf, load} = require("./live_page.cjs");
-const {kScenes, kMotions} = require("./shipped.cjs");
+const {kScenes, kMotions, giveFiles} = require("./shipped.cjs");
 
 before(() => startBrowser());
 after(closeBrowser);
@@ -16,6 +16,7 @@ test("all scenes have the checksums of the table", async () => {
   assert.ok(kMotions.size >= 29);
   for (const [name, checksum] of kMotions) {
     const text = fs.readFileSync(kScenes.get(name), "utf8");
+    await giveFiles(page, kScenes.get(name), text);
     assert.ok(await load(page, text), `${name}: ${await page.locator(".rb-message").textContent()}`);
     assert.equal(await checksumOf(page).catch((error) => `${error.message}; ${problems.join()}`), checksum, name);
   }

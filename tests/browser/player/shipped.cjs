@@ -15,4 +15,12 @@ const kScenes = new Map(below(path.join(kRoot, "scenes")).filter((file) => file.
 const kMotions = new Map(fs.readFileSync(path.join(kRoot, "tests/same_bits/motions.txt"), "utf8").split("\n")
   .map((line) => line.split(" ")).filter(([name, , tables]) => tables && kScenes.has(name)).map(([name, motion]) => [name, motion]));
 
-module.exports = {kScenes, kMotions};
+/** Gives a page the meshes and recordings that a scene's text names, from the folder of its file. */
+async function giveFiles(page, file, text) {
+  const files = [...text.matchAll(/^(?:simulation\.file|mesh) = "(.*)"$/gm)].map(([, name]) =>
+    ({name, base64: fs.readFileSync(path.join(path.dirname(file), name)).toString("base64")}));
+  await page.evaluate((all) => rotatebook.player.core.takeFiles(all.map(({name, base64}) =>
+    ({name, bytes: Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))}))), files);
+}
+
+module.exports = {kScenes, kMotions, giveFiles};

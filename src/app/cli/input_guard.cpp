@@ -66,7 +66,7 @@ void requireAbsent(const std::filesystem::path& path) {
                    " exists, and isn't overwritten; choose another name, or remove it");
 }
 
-void requireAbsentOr(const std::filesystem::path& path, const std::string& beginning) {
+void requireAbsentOr(const std::filesystem::path& path, std::string_view beginning) {
   if (!system::readFileOrEmpty(path).starts_with(beginning)) requireAbsent(path);
 }
 

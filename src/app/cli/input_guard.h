@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "pipeline/render_clip.h"
@@ -43,6 +44,6 @@ void requireEnding(const std::filesystem::path& output, const std::string& endin
 void requireAbsent(const std::filesystem::path& path);
 
 /// Likewise, unless it is a file with this beginning, as an earlier result has it.
-void requireAbsentOr(const std::filesystem::path& path, const std::string& beginning);
+void requireAbsentOr(const std::filesystem::path& path, std::string_view beginning);
 
 }  // namespace rotatebook::cli

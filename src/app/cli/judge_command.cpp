@@ -99,8 +99,7 @@ void refuseIdleOptions(const JudgeArguments& arguments) {
 
 int judgeAll(const JudgeArguments& arguments) {
   refuseIdleOptions(arguments);
-  if (!arguments.junit.empty())
-    requireAbsentOr(arguments.junit, std::string(report::kJunitBeginning));
+  if (!arguments.junit.empty()) requireAbsentOr(arguments.junit, report::kJunitBeginning);
   std::vector<report::JudgedMotion> judged;
   for (const std::string& file : arguments.files) {
     if (isScene(file)) {

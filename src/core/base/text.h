@@ -28,6 +28,9 @@ std::string joinedOf(const Items& items, const TextOf& textOf) {
 /// Returns "a, b and c", with `lastWord` before the last part; "nothing" if there are no parts.
 std::string listed(const std::vector<std::string>& parts, std::string_view lastWord = "and");
 
+/// Returns `text` without the byte order mark that it may begin with.
+std::string_view withoutByteOrderMark(std::string_view text);
+
 /// Returns a size as "640x360".
 std::string sizeText(std::int64_t width, std::int64_t height);
 

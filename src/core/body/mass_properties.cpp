@@ -35,11 +35,7 @@ struct Extent {
 };
 
 Extent extentOf(const TriangleMesh& mesh) {
-  Vector3d low = mesh.points.front(), high = low;
-  for (const Vector3d& point : mesh.points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
+  const auto [low, high] = boxAround(mesh.points);
   // Half of each first: the sum of two large numbers may be none.
   const Vector3d middle = low / 2 + high / 2;
   const double size = (high - low).maxCoeff();

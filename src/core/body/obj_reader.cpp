@@ -1,5 +1,6 @@
 #include <vector>
 
+#include "base/text.h"
 #include "body/mesh_readers.h"
 #include "body/mesh_words.h"
 #include "body/polygon.h"
@@ -31,10 +32,8 @@ void readFace(MeshWords& words, TriangleMesh& mesh) {
 }  // namespace
 
 TriangleMesh readObj(std::string_view text) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   TriangleMesh mesh;
-  MeshWords words(text);
+  MeshWords words(withoutByteOrderMark(text));
   do {
     const std::string_view kind = words.word();
     if (kind == "v") {

@@ -76,6 +76,15 @@ TriangleMesh welded(const TriangleMesh& mesh) {
   return result;
 }
 
+Box boxAround(std::span<const Eigen::Vector3d> points) {
+  Box box{points.front(), points.front()};
+  for (const Eigen::Vector3d& point : points) {
+    box.low = box.low.cwiseMin(point);
+    box.high = box.high.cwiseMax(point);
+  }
+  return box;
+}
+
 void append(const TriangleMesh& added, TriangleMesh& into) {
   const auto first = static_cast<std::uint32_t>(into.points.size());
   into.points.insert(into.points.end(), added.points.begin(), added.points.end());

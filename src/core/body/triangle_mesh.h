@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include <Eigen/Core>
@@ -24,6 +25,14 @@ struct TriangleMesh {
 /// tolerance, and 0 and -0 are equal. Points that no triangle uses are left out. Throws InputError
 /// if a triangle names a point that doesn't exist, or a coordinate that is used isn't finite.
 TriangleMesh welded(const TriangleMesh& mesh);
+
+/// A box along the axes.
+struct Box {
+  Eigen::Vector3d low, high;
+};
+
+/// Returns the box around points, of which there is one or more.
+Box boxAround(std::span<const Eigen::Vector3d> points);
 
 /// Adds the points and triangles of another mesh.
 void append(const TriangleMesh& added, TriangleMesh& into);

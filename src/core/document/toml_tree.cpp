@@ -87,8 +87,7 @@ void refuseLong(std::string_view text, const std::string& location) {
 
 // toml++ recurses as deep as a text nests, and a browser's stack is small.
 void refuseDeep(std::string_view text, const std::string& file) {
-  constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  text = withoutByteOrderMark(text);
   const auto at = farTooDeep(text, kDeepest);
   if (!at) return;
   const std::string_view before = text.substr(0, *at);

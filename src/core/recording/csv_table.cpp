@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::size_t kLongestNumber = 64;  // [bytes]
 constexpr std::size_t kLongestShown = 40;   // of a cell in messages [characters]
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 char separatorOf(std::string_view header) {
   for (const char separator : {'\t', ';'}) {
@@ -62,7 +61,7 @@ CsvTable::CsvTable(std::string_view bytes, std::string name) : name_(std::move(n
     fail("longer than " + std::to_string(kLargestRecording >> 20) +
          " MiB, the limit for a recording; export a part of it");
   }
-  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  bytes = withoutByteOrderMark(bytes);
   for (std::size_t number = 1; !bytes.empty(); ++number) {
     const std::string_view line = takeLine(bytes);
     if (trimmed(line).empty() || line.front() == '#') continue;

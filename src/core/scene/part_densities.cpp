@@ -12,36 +12,36 @@
 namespace rotatebook::scene {
 namespace {
 
-/// Adds a part's density at the points of a lattice that it encloses.
-void addDensity(const BodyPart& part, const body::Lattice& lattice,
-                std::vector<double>& densities) {
-  const std::vector<int> windings = body::windingNumbers(placed(part).surface, lattice);
-  for (std::size_t i = 0; i < windings.size(); ++i) densities[i] += windings[i] * densityOf(part);
-}
+/// A part in its place.
+struct Placed {
+  body::TriangleMesh surface;
+  double density;
+};
 
-body::Lattice latticeIn(const BodyPart& part) {
-  constexpr int kCells = 24;
-  const body::TriangleMesh surface = placed(part).surface;
-  Eigen::Vector3d low = surface.points.front(), high = low;
-  for (const Eigen::Vector3d& point : surface.points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
+/// Returns the densities at the points of a lattice, added up.
+std::vector<double> densitiesAt(const body::Lattice& lattice, const std::vector<Placed>& parts) {
+  std::vector<double> densities(lattice.size());
+  for (const Placed& part : parts) {
+    const std::vector<int> windings = body::windingNumbers(part.surface, lattice);
+    for (std::size_t i = 0; i < windings.size(); ++i) densities[i] += windings[i] * part.density;
   }
-  return body::latticeIn(low, high, kCells);
+  return densities;
 }
 
 }  // namespace
 
 void requireMatter(const std::vector<BodyPart>& parts) {
+  constexpr int kCells = 24;
   constexpr double kRounding = 1e-9;  // of the density that is taken away
-  if (std::ranges::all_of(parts, [](const BodyPart& part) { return densityOf(part) < 0; })) return;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (densityOf(parts[i]) > 0) continue;
-    const body::Lattice lattice = latticeIn(parts[i]);
-    std::vector<double> densities(lattice.size());
-    for (const BodyPart& part : parts) addDensity(part, lattice, densities);
-    for (const double density : densities) {
-      if (density >= kRounding * densityOf(parts[i])) continue;
+  const auto takesAway = [](const BodyPart& part) { return densityOf(part) < 0; };
+  if (std::ranges::none_of(parts, takesAway) || std::ranges::all_of(parts, takesAway)) return;
+  std::vector<Placed> all;
+  for (const BodyPart& part : parts) all.push_back({placed(part).surface, densityOf(part)});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].density > 0) continue;
+    const auto [low, high] = body::boxAround(all[i].surface.points);
+    for (const double density : densitiesAt(body::latticeIn(low, high, kCells), all)) {
+      if (density >= kRounding * all[i].density) continue;
       throw InputError("part " + std::to_string(i + 1) +
                        " takes away more than is there: somewhere in it the densities add up to " +
                        roundedText(density, 4) +

@@ -100,11 +100,7 @@ Lattice latticeOf(const std::vector<Surface>& surfaces, int cells) {
     if (surface.isTaken) continue;
     points.insert(points.end(), surface.mesh.points.begin(), surface.mesh.points.end());
   }
-  Vector3d low = points.front(), high = points.front();
-  for (const Vector3d& point : points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
+  const auto [low, high] = body::boxAround(points);
   return body::latticeIn(low, high, cells);
 }
 

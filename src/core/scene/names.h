@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "document/overrides.h"
 #include "physics/motion_settings.h"
 #include "scene/scene.h"
 
@@ -53,11 +54,6 @@ inline constexpr std::array<Named<physics::Nudge::Axes>, 2> kNudgeAxes{{
     {"body", physics::Nudge::Axes::Body},
     {"world", physics::Nudge::Axes::World},
 }};
-
-/// Returns whether `key` is one of kSpinKinds.
-inline bool isSpin(std::string_view key) {
-  return key == kSpinKinds[0].name || key == kSpinKinds[1].name;
-}
 
 inline constexpr std::array<Named<int>, 3> kAxes{{{"x", 0}, {"y", 1}, {"z", 2}}};
 
@@ -118,6 +114,11 @@ constexpr std::array<std::string_view, N> namesOf(const std::array<Named<T>, N>&
 
 /// The names of kSpinKinds.
 inline constexpr auto kSpinKeys = namesOf(kSpinKinds);
+inline constexpr std::array<std::string_view, 2> kStepKeys{"substeps", "step"};
+
+/// The keys of which a motion has only one, so that a closer value replaces the others.
+inline constexpr std::array<document::Alternatives, 2> kMotionAlternatives{
+    {{"initial", kSpinKeys}, {"simulation", kStepKeys}}};
 
 /// Returns the name of `value`, which is one of `choices`.
 template <typename T, std::size_t N>

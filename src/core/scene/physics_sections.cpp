@@ -21,6 +21,10 @@ bool isTimePerFrame(const Key<physics::SimulationSettings>& key) {
 }
 
 void finishSimulation(const ValueReader& section, physics::SimulationSettings& settings) {
+  const auto step = section.find("step");
+  if (step && section.find("substeps")) {
+    step->fail("both simulation.step and simulation.substeps say how long a step is; keep one");
+  }
   if (!section.find("integrator")) settings.integrator = defaultIntegrator(settings.model);
 }
 
@@ -115,6 +119,11 @@ std::span<const Section<Motion>> motionSections() {
     };
   }();
   return sections;
+}
+
+void takeClock(const physics::SimulationSettings& clock, physics::SimulationSettings& settings) {
+  settings.timePerFrame = clock.timePerFrame;
+  settings.substepped = clock.substepped;
 }
 
 std::string timePerFrameLine(const physics::SimulationSettings& settings) {

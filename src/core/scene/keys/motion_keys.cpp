@@ -37,6 +37,7 @@ constexpr NumberRange kMoments{"three moments of inertia up to 1e21 kg m^2", -1e
 constexpr NumberRange kRow{"rows of three numbers up to 1e21 kg m^2", -1e21, 1e21};
 // Squares and inverses of these are finite, too.
 constexpr NumberRange kStepTimes{"a time from 1e-100 to 1e100 s", 1e-100, 1e100, Dimension::Time};
+constexpr NumberRange kSteps{"a time from 1e-9 to 1e9 s", 1e-9, 1e9, Dimension::Time};
 constexpr NumberRange kTilt{"an angle from -1e6 to 1e6 rad", -kLargestAngle, kLargestAngle,
                             Dimension::Angle};
 constexpr NumberRange kNudgeTimes{"a time over 0 and up to 1e100 s", Limits::denorm_min(), 1e100,
@@ -104,6 +105,19 @@ Kind<int> everyStep() {
             return every == 1 ? "true" : "false";
           },
           kExpectedEvery};
+}
+
+void readTimePerFrame(const ValueReader& value, SimulationSettings& settings) {
+  settings.timePerFrame = value.number(kStepTimes);
+  settings.substepped.reset();
+}
+
+std::string timePerFrameText(const SimulationSettings& settings) {
+  return settings.substepped ? "" : tomlNumber(settings.timePerFrame);
+}
+
+std::string substepsText(const SimulationSettings& settings) {
+  return settings.step ? "" : std::to_string(settings.substeps);
 }
 
 constexpr const char* kExpectedArrangement =
@@ -322,12 +336,26 @@ const Keys<SimulationSettings>& simulationKeys() {
           key("particles", &SimulationSettings::particles, arrangement(),
               {.comment = "particles: where they are",
                .meaning = "particles: where they are, see [bodies](bodies.md#particles)"}),
-          key("time_per_frame", &SimulationSettings::timePerFrame, number(kStepTimes),
-              {.comment = "s simulated for each frame of video",
-               .meaning = "simulated time from a frame to the next",
-               .byDefault = "1/fps"}),
-          key("substeps", &SimulationSettings::substeps, integer(1, kMaxSubsteps),
-              {.comment = "integration steps for each frame"}),
+          {"time_per_frame",
+           readTimePerFrame,
+           timePerFrameText,
+           {.comment = "s simulated for each frame of video",
+            .meaning = "simulated time from a frame to the next, in place of `clip.speed`",
+            .byDefault = "as `clip.speed` says",
+            .allowed = std::string(kStepTimes.expected)}},
+          {"substeps",
+           [](const ValueReader& value, SimulationSettings& settings) {
+             settings.substeps = value.integer(1, kMaxSubsteps);
+             settings.step.reset();
+           },
+           substepsText,
+           {.comment = "integration steps in 1/60 s of motion, or in time_per_frame if it is stated",
+            .meaning = "integration steps in 1/60 s of motion, or in `time_per_frame` if it is stated",
+            .allowed = document::expectedInteger(1, kMaxSubsteps)}},
+          key("step", &SimulationSettings::step, number(kSteps),
+              {.comment = "s, length of an integration step",
+               .meaning = "length of an integration step, in place of `substeps` [s]",
+               .byDefault = "as `substeps` says"}),
       },
       recordedKeys());
   return keys;

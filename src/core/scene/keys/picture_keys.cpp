@@ -41,6 +41,7 @@ constexpr NumberRange kTimes{"a time in the clip, 0 or more seconds", 0, kPositi
                              Dimension::Time};
 constexpr NumberRange kDurations{kPositive.expected, kPositive.min, kPositive.max, Dimension::Time};
 constexpr NumberRange kSpeeds{"a number from 1e-6 to 1e6", 1e-6, 1e6};
+constexpr NumberRange kStretchSpeeds{"0, which holds the picture, or a number up to 1e6", 0, 1e6};
 constexpr const char* kExpectedSpeeds =
     "a number from 1e-6 to 1e6, or stretches such as [{ from = 3, to = 5, value = 0.2 }]";
 constexpr NumberRange kOverlayScales{"a number from 0.5 to 3", 0.5, 3};
@@ -201,7 +202,7 @@ SpeedStretch stretchFrom(const ValueReader& table) {
   };
   table.readTable({{"from", readInto(stretch.from, kTimes)},
                    {"to", readInto(stretch.to, kTimes)},
-                   {"value", readInto(stretch.value, kSpeeds)}});
+                   {"value", readInto(stretch.value, kStretchSpeeds)}});
   for (const char* key : {"from", "to", "value"}) {
     if (!table.find(key)) table.fail(table.name() + " needs from, to and value");
   }
@@ -214,6 +215,12 @@ PlaybackSpeed speedFrom(const ValueReader& value) {
   const auto& stated = value.node().value;
   PlaybackSpeed speed;
   if (std::holds_alternative<double>(stated) || std::holds_alternative<std::int64_t>(stated)) {
+    const double number = value.number(document::kNumber);
+    if (number == 0) {
+      value.fail(value.name() + " must be " + std::string(kSpeeds.expected) +
+                 ", not 0; to hold a picture, write a stretch, such as "
+                 "[{ from = 3, to = 5, value = 0 }]");
+    }
     speed.constant = value.number(kSpeeds);
     return speed;
   }
@@ -273,7 +280,7 @@ const Keys<ClipSettings>& clipKeys() {
           {.comment = "of the motion in the video; 0.25 is slow motion",
            .meaning = "of the motion in the video: 0.25 is slow motion, four times as long; "
                       "see [slow motion](#slow-motion)",
-           .byDefault = "as `time_per_frame` says"}),
+           .byDefault = "`1.0`, or as `time_per_frame` says"}),
   };
   return keys;
 }

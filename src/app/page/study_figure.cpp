@@ -103,7 +103,7 @@ Runs runsOf(const scene::Scene& scene) {
       motion.simulation.substeps = substeps;
       runs.keys.insert(std::string(scene::nameOf(scene::kIntegrators, integrator)) + "," +
                        shortestText(motion.simulation.steps().length()) + "," +
-                       std::to_string(studiedSteps(motion, samples)));
+                       std::to_string(scene::studiedSteps(motion, samples)));
     }
   }
   return runs;

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "document/overrides.h"
 #include "physics/motion_settings.h"
 #include "scene/scene.h"
 
@@ -114,11 +113,8 @@ constexpr std::array<std::string_view, N> namesOf(const std::array<Named<T>, N>&
 
 /// The names of kSpinKinds.
 inline constexpr auto kSpinKeys = namesOf(kSpinKinds);
+/// The keys of [simulation] that state a step; it has at most one of them.
 inline constexpr std::array<std::string_view, 2> kStepKeys{"substeps", "step"};
-
-/// The keys of which a motion has only one, so that a closer value replaces the others.
-inline constexpr std::array<document::Alternatives, 2> kMotionAlternatives{
-    {{"initial", kSpinKeys}, {"simulation", kStepKeys}}};
 
 /// Returns the name of `value`, which is one of `choices`.
 template <typename T, std::size_t N>

@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "document/overrides.h"
 #include "document/value_reader.h"
 #include "scene/keys/section.h"
+#include "scene/names.h"
 #include "scene/scene.h"
 
 namespace rotatebook::scene {
@@ -40,6 +42,10 @@ inline constexpr double kSubstepped = 1.0 / 60;
 inline constexpr int kMaxSubsteps = 1'000'000;
 /// Most integration steps that a scene, or its study, takes in all: some hours of computing.
 inline constexpr std::int64_t kMaxSteps = 10'000'000'000;
+
+/// The keys of which a motion has only one, so that a closer value replaces the others.
+inline constexpr std::array<document::Alternatives, 2> kMotionAlternatives{
+    {{"initial", kSpinKeys}, {"simulation", kStepKeys}}};
 
 /// Returns the sections of a motion, in the order of messages: [body], [simulation], [initial],
 /// [[nudge]] and, last, [expect]. Left to the caller are the default of time_per_frame, which

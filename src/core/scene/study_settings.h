@@ -103,7 +103,7 @@ struct StudySettings {
   friend bool operator==(const StudySettings&, const StudySettings&) = default;
 };
 
-/// Returns all integrators of `model`, with 1, 2, 4 ... 1024 steps a frame; both empty for
+/// Returns all integrators of `model`, with 1, 2, 4 ... 1024 substeps; both empty for
 /// Model::Exact.
 StudySettings defaultStudy(physics::Model model);
 

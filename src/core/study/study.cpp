@@ -41,7 +41,7 @@ PrecisionRow runPrecision(const MotionSettings& settings, std::int64_t samples,
   PrecisionRow row;
   row.integrator = settings.simulation.integrator;
   row.h = settings.simulation.steps().length();
-  row.steps = studiedSteps(settings, samples);
+  row.steps = scene::studiedSteps(settings, samples);
   const auto trajectory = wholeMotion(settings, samples, execution.stop, row.end);
   if (!trajectory || isSet(execution.stop)) return row;
   measure(*trajectory, row);

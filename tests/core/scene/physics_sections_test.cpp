@@ -261,7 +261,8 @@ TEST(InitialSection, NeedsExactlyOneSpin) {
 
 TEST(InitialSection, RefusesAVectorThatIsNone) {
   const std::string must =
-      "initial.angular_velocity must be three numbers from -1e9 to 1e9, not all zero, not ";
+      "initial.angular_velocity must be three numbers from -1e9 to 1e9, at least one other than 0, "
+      "not ";
   EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, 0, 0]"),
             "a.toml:2:20: " + must + "[0, 0, 0]");
   EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, 0, 1e-200]"),
@@ -275,8 +276,8 @@ TEST(InitialSection, RefusesAVectorThatIsNone) {
   EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, 0, 1e10]"),
             "a.toml:2:27: " + must + "1e+10");
   EXPECT_EQ(errorOfText("[initial]\nangular_momentum = [1, 2]"),
-            "a.toml:2:20: initial.angular_momentum must be three numbers from -1e9 to 1e9, not all "
-            "zero, not [1, 2]");
+            "a.toml:2:20: initial.angular_momentum must be three numbers from -1e9 to 1e9, at "
+            "least one other than 0, not [1, 2]");
   EXPECT_EQ(errorOfText("[initial]\nangular_velocty = [1, 2, 3]"),
             "a.toml:2:1: unknown key \"angular_velocty\" in [initial]; did you mean "
             "\"angular_velocity\"?");
@@ -284,10 +285,11 @@ TEST(InitialSection, RefusesAVectorThatIsNone) {
 
 // These are six values to TOML.
 TEST(InitialSection, GuessesADecimalCommaInEachOfThreeNumbers) {
-  EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [5,0, 0,0, 0,0]"),
-            "a.toml:2:20: initial.angular_velocity must be three numbers from -1e9 to 1e9, not all "
-            "zero, not an array of 6 values; a comma separates values, so write a decimal point: "
-            "5.0, not 5,0");
+  EXPECT_EQ(
+      errorOfText("[initial]\nangular_velocity = [5,0, 0,0, 0,0]"),
+      "a.toml:2:20: initial.angular_velocity must be three numbers from -1e9 to 1e9, at least one "
+      "other than 0, not an array of 6 values; a comma separates values, so write a decimal point: "
+      "5.0, not 5,0");
 }
 
 TEST(InitialSection, RefusesATiltThatIsNone) {

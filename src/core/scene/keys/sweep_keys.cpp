@@ -47,13 +47,13 @@ Quantity quantityFrom(const ValueReader& value) {
 
 std::vector<Quantity> measuresFrom(const ValueReader& value) {
   std::vector<Quantity> measures;
-  for (const ValueReader& element : value.list(kExpectedMeasures)) {
+  readEach(value.list(kExpectedMeasures), [&](const ValueReader& element) {
     const Quantity quantity = quantityFrom(element);
     if (std::ranges::count(measures, quantity) > 0) {
       element.fail(value.name() + " has " + std::string(nameOf(quantity)) + " twice");
     }
     measures.push_back(quantity);
-  }
+  });
   if (measures.size() <= kMaxMeasures) return measures;
   value.fail(value.name() + " has " + std::to_string(measures.size()) +
              " quantities; a study measures up to " + std::to_string(kMaxMeasures));
@@ -77,9 +77,9 @@ void readExpected(const ValueReader& value, Scene& scene) {
   // The command line may leave the runs out that something is expected of, and then that, too.
   const auto* array = std::get_if<document::TomlNode::Array>(&value.node().value);
   if (array != nullptr && array->empty()) return;
-  for (const ValueReader& table : value.tables(kExpectedBounds)) {
+  readEach(value.tables(kExpectedBounds), [&](const ValueReader& table) {
     scene.study->sweep->expected.push_back(expectationFrom(table));
-  }
+  });
 }
 
 std::string expectationText(const SweepExpectation& one) {

@@ -85,10 +85,11 @@ std::string phasesText(const SpinPeriod& period) {
 std::string eulerText(const SpinNumbers& numbers) {
   const timeline::EulerSteps& euler = *numbers.euler;
   const std::string need =
-      euler.substeps ? counted(static_cast<std::size_t>(*euler.substeps), "substep")
-                     : "more than " + std::to_string(euler.tried) + " substeps";
-  return "needs " + need + ", " + (euler.substeps ? "" : "shorter than ") +
-         text(euler.step) + " s each, to keep the regime for " + text(numbers.duration) + " s";
+      euler.substeps
+          ? std::to_string(*euler.substeps) + (*euler.substeps == 1 ? " substep" : " substeps")
+          : "more than " + std::to_string(euler.tried) + " substeps";
+  return "needs " + need + ", " + (euler.substeps ? "" : "shorter than ") + text(euler.step) +
+         " s each, to keep the regime for " + text(numbers.duration) + " s";
 }
 
 /// A line of the report.

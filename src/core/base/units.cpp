@@ -124,6 +124,10 @@ std::string_view unitIn(std::string_view text) {
   return quantity ? quantity->unit : std::string_view();
 }
 
+bool isUnit(std::string_view name) {
+  return std::ranges::count(kUnits, name, &Unit::name) > 0;
+}
+
 std::vector<std::string_view> unitsOf(Dimension dimension) {
   std::vector<std::string_view> names;
   for (const Unit& unit : kUnits) {

@@ -18,6 +18,8 @@ std::optional<double> parseQuantity(std::string_view text, Dimension dimension);
 
 /// Returns what follows the number that `text` begins with; empty if it begins with none.
 std::string_view unitIn(std::string_view text);
+/// Returns whether there is such a unit, of any dimension.
+bool isUnit(std::string_view name);
 
 /// Returns the names of the units of `dimension`, that of the SI first.
 std::vector<std::string_view> unitsOf(Dimension dimension);

@@ -101,8 +101,8 @@ TEST(Steps, OfATimeLapseCount) {
             "in all: lower simulation.substeps or clip.duration, or state a longer "
             "simulation.step");
   EXPECT_EQ(
-      errorOf(lines + "clip.speed = [{ from = 0, to = 1, value = 100 }]"),
-      "a.toml:1:23: the clip takes 11900000000 integration steps; the limit is 10000000000 in "
+      errorOf(lines + "clip.speed = [{ from = 0, to = 1, value = 200 }]"),
+      "a.toml:1:23: the clip takes 13140000000 integration steps; the limit is 10000000000 in "
       "all: lower simulation.substeps or clip.duration, or state a longer simulation.step");
 }
 
@@ -110,10 +110,10 @@ TEST(Steps, OfAStudyCount) {
   EXPECT_EQ(
       errorOf("clip.fps = 60\nclip.duration = 100\n[study]\nintegrators = ['rk4', 'dmv6']\n"
               "steps = [1000000]"),
-      "a.toml:5:9: the study takes 20000000000 integration steps; the limit is 10000000000 in "
+      "a.toml:5:9: the study takes 12000000000 integration steps; the limit is 10000000000 in "
       "all: make fewer runs, or shorter ones");
   EXPECT_EQ(
-      errorOf("clip.fps = 60\nclip.duration = 100\nsimulation.substeps = 600000\n"
+      errorOf("clip.fps = 60\nclip.duration = 100\nsimulation.substeps = 1000000\n"
               "[study]\ntilts = [0.1, 0.01]",
               {"initial.angular_velocity=[5, 0, 0]", "initial.tilt=[0.1, 'z']"}),
       "a.toml:5:9: the study takes 12000000000 integration steps; the limit is 10000000000 in "
@@ -121,7 +121,7 @@ TEST(Steps, OfAStudyCount) {
   EXPECT_EQ(
       errorOf("[study]\nduration = 200\ninterval = 0.01\nintegrators = ['rk4']\n"
               "steps = [1000000]"),
-      "a.toml:5:9: the study takes 20001000000 integration steps; the limit is 10000000000 in "
+      "a.toml:5:9: the study takes 32001000000 integration steps; the limit is 10000000000 in "
       "all: make fewer runs, or shorter ones");
 }
 

@@ -193,7 +193,7 @@ TEST(SimulationSection, RefusesUnknownWords) {
   EXPECT_EQ(errorOf("[simulation]\nmodel = 'rigid'"), must + "\"rigid\"");
   EXPECT_EQ(errorOf("[simulation]\nmodel = 2"), must + "2");
   EXPECT_EQ(errorOf("[simulation]\nintegrator = 'Euler'"),
-            "a.toml:2:14: simulation.integrator must be " + listOfIntegrators("or") +
+            "a.toml:2:14: simulation.integrator must be " + listOfIntegrators("or", Model::Quaternion) +
                 ", not \"Euler\"; did you mean \"euler\"?");
 }
 
@@ -307,8 +307,9 @@ TEST(InitialSection, RefusesATiltThatIsNone) {
     EXPECT_EQ(
         errorOfText(spin + "['" + angle + "', 'x']"),
         std::string("a.toml:3:9: initial.tilt must be an angle from -1e6 to 1e6 rad, not \"") +
-            angle + "\"; a text is a number and a unit, \"rad\", \"deg\" or \"turn\", " +
-            "such as \"1.5 rad\"");
+            angle + "\"; a text is a number and a unit, \"rad\", \"deg\", \"turn\" or \"°\", " +
+            "such as \"1.5 rad\"" +
+            (std::string(angle) == "1 degree" ? "; did you mean \"deg\"?" : ""));
   }
   EXPECT_EQ(errorOfText(spin + "[0.1, 'w']"),
             "a.toml:3:14: initial.tilt must be \"x\", \"y\" or \"z\", not \"w\"");

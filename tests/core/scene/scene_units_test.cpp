@@ -57,8 +57,8 @@ TEST(SceneUnits, AreReportedIfTheyAreOfAnotherDimension) {
   EXPECT_EQ(errorOfText("[initial]\nangular_velocity = ['60 rpm', '1 deg', 0]"),
             "a.toml:2:31: initial.angular_velocity must be three numbers from -1e9 to 1e9, at "
             "least one other than 0, not \"1 deg\"" +
-                a + "\"rad/s\", \"deg/s\", \"turn/s\" or \"rpm\", such as \"1.5 rad/s\"");
-  EXPECT_THAT(errorOf("study.tilts = ['1 m']"), HasSubstr("\"rad\", \"deg\" or \"turn\""));
+                a + "\"rad/s\", \"deg/s\", \"°/s\", \"turn/s\" or \"rpm\", such as \"1.5 rad/s\"");
+  EXPECT_THAT(errorOf("study.tilts = ['1 m']"), HasSubstr("\"rad\", \"deg\", \"turn\" or \"°\""));
 }
 
 TEST(SceneUnits, KeepTheRangeOfTheKey) {

@@ -119,9 +119,9 @@ TEST(PrecisionStudy, MarksRunsThatDiverge) {
 }
 
 TEST(PrecisionStudy, MarksStepsThatHaveNoSolution) {
-  const scene::Scene scene =
-      smallScene({"initial.angular_velocity=[50, 30, 10]", "study.steps=[1, 64]",
-                  "study.integrators=['dmv2', 'rk4']"});
+  const scene::Scene scene = smallScene(
+      {"initial.angular_velocity=[50, 30, 10]", "simulation.time_per_frame=0.041666666666666664",
+       "study.steps=[1, 64]", "study.integrators=['dmv2', 'rk4']"});
   const PrecisionStudy study = precision(scene);
   EXPECT_EQ(study.rows[0].end.text(), "no convergence");
   EXPECT_EQ(study.rows[1].end.text(), "ok");

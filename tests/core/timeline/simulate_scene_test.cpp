@@ -53,7 +53,7 @@ TEST(SimulateScene, ShowsTheMotionAtTheTimesOfTheFrames) {
 physics::Sample afterASecond(const std::vector<std::string>& overrides) {
   const scene::Scene scene = scene::parseScene(
       "[simulation]\nintegrator = 'euler'\nsubsteps = 4\n"
-      "[initial]\nangular_velocity = [5, 0.1, 0]\n[clip]\nduration = 8\n",
+      "[initial]\nangular_velocity = [5, 0.1, 0]\n[clip]\nduration = 9\n",
       "a.toml", overrides);
   const ClipMotion motion = simulateScene(scene);
   constexpr double kRounding = 1e-12;

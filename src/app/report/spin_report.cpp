@@ -20,7 +20,7 @@ using timeline::Spin;
 using timeline::SpinPeriod;
 
 /// Names of the axes, and of their moments, in the order of Spin::axes.
-constexpr std::array<std::string_view, 3> kMoments{"smallest", "median", "largest"};
+constexpr std::array<std::string_view, 3> kMoments{"smallest", "middle", "largest"};
 constexpr std::array<std::string_view, 3> kAxes{
     "the axis of the smallest moment", "the middle axis", "the axis of the largest moment"};
 

@@ -18,14 +18,14 @@ constexpr std::array<NumberRow, 5> kNumberRows{{
     {"energy_drift", "\\|energy / energy at the start - 1\\|", "|E / E₀ − 1|"},
     {"first_flip", "time at which the first half-turn is made [s]", "first half-turn  [s]"},
     {"flip_interval",
-     "mean time between sign changes of the angular velocity about the median axis [s]",
+     "mean time between sign changes of the angular velocity about the middle axis [s]",
      "time from flip to flip  [s]"},
     {"turned_deg",
      "angle between the body's line along its first spin and where that line was at the start "
      "[degrees]",
      "turned away from where it was  [degrees]"},
     {"growth",
-     "rate at which a tilt from the median axis grows, √((I₂−I₁)(I₃−I₂)/(I₁I₃)), in e-folds for "
+     "rate at which a tilt from the middle axis grows, √((I₂−I₁)(I₃−I₂)/(I₁I₃)), in e-folds for "
      "each radian of the spin; no motion is run",
      "growth of a tilt  [e-folds per radian of spin]"},
 }};

@@ -41,6 +41,19 @@ EqualMoments equalOf(const DoubleDouble3& inertia) {
   return large ? EqualMoments::TwoLargest : EqualMoments::None;
 }
 
+/// Returns a spin about the axis of a turned symmetric top, or across it, as exactly that: the
+/// directions of both are rounded to doubles, and such a difference never grows.
+DoubleDouble3 withoutRounding(DoubleDouble3 spin, const PrincipalAxes& inertia) {
+  constexpr double kRounding = 1e-15;  // Of the spin; measured 2e-16.
+  const bool isTurned = !inertia.bodyFromPrincipal.isIdentity(0);
+  if (!isTurned || equalOf(sortedOf(inertia, spin).inertia) == EqualMoments::None) return spin;
+  const double size = hypotenuse(hypotenuse(spin[0], spin[1]), spin[2]).high;
+  for (DoubleDouble& part : spin) {
+    if (std::fabs(part.high) < kRounding * size) part = 0.0;
+  }
+  return spin;
+}
+
 DoubleDouble twiceEnergy(const Sorted& s) {
   DoubleDouble sum;
   for (std::size_t i = 0; i < 3; ++i) sum = sum + s.inertia[i] * s.spin[i] * s.spin[i];
@@ -114,8 +127,8 @@ std::optional<double> Spin::flipInterval() const {
 }
 
 Spin spinOf(const physics::MotionSettings& settings) {
-  const PrincipalAxes inertia = modelInertia(settings);
-  const DoubleDouble3 along = settings.initial.alongPrincipal(inertia);
+  const PrincipalAxes inertia = rigid::withEqualMoments(modelInertia(settings));
+  const DoubleDouble3 along = withoutRounding(settings.initial.alongPrincipal(inertia), inertia);
   const Sorted sorted = sortedOf(inertia, along);
 
   Spin spin;

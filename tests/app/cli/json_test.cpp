@@ -131,7 +131,7 @@ TEST_F(Json, OfSpinHasItsNumbers) {
   EXPECT_EQ(result.status, 0);
   EXPECT_THAT(result.error, IsEmpty());
   expectKeys(result.output, "name title motions");
-  EXPECT_THAT(result.output, AllOf(HasSubstr(kTitleInJson), HasSubstr(R"("spun_axis": "median", )"),
+  EXPECT_THAT(result.output, AllOf(HasSubstr(kTitleInJson), HasSubstr(R"("spun_axis": "middle", )"),
                                    HasSubstr(R"("euler": {"substeps": )")));
 }
 

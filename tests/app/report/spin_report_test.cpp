@@ -119,7 +119,7 @@ TEST(SpinReport, OfJsonHasAllMembers) {
       jsonOf(kTumbling),
       AllOf(HasSubstr(R"({"name": "s", "title": "T", "motions": [{"label": null, "model": )"
                       R"("quaternion", "moments_kg_m2": [2, 3, 4], "axes": [[0, 1, 0], )"),
-            HasSubstr(R"("equal_moments": "none")"), HasSubstr(R"("spun_axis": "median", )"),
+            HasSubstr(R"("equal_moments": "none")"), HasSubstr(R"("spun_axis": "middle", )"),
             HasSubstr(R"("steady": false, "regime": 1, "growth_per_s": 2.1213)"),
             HasSubstr(R"("oscillation_rad_per_s": null, "flip_interval_s": 3.0137)"),
             HasSubstr(R"("euler": {"substeps": 16, "tried": 16, "h_s": )"),

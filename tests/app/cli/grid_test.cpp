@@ -112,7 +112,7 @@ TEST_F(GridCommands, ReportsExpectationsOfTheCellsThatHaveThem) {
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(result.output, HasSubstr("  9 motions: 0 to 0 half-turns; none diverged\n"
                                        "  tilt 0.01, substeps 4:\n"
-                                       "  met    half_turns: expected at most 0; measured 0\n"));
+                                       "  met      half_turns: expected at most 0; measured 0\n"));
 }
 
 TEST_F(GridCommands, ABookThatDivergesIsShownAsSuch) {

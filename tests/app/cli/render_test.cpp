@@ -276,8 +276,9 @@ TEST_F(RenderCommand, RefusesToMixFramesOfOtherSettings) {
 TEST_F(RenderCommand, KeepsTheFilesOfAnUnmetExpectation) {
   const ChildResult result = run(std::vector<std::string>{"render", "tiny.toml"} + kUnmet);
   EXPECT_EQ(result.status, 1);
-  EXPECT_THAT(result.output, HasSubstr("\n  UNMET  half_turns: expected at least 3; measured 0\n"));
-  EXPECT_EQ(result.error, "rotatebook: expectations are unmet; the files were kept\n");
+  EXPECT_THAT(result.output,
+              HasSubstr("\n  not met  half_turns: expected at least 3; measured 0\n"));
+  EXPECT_EQ(result.error, "rotatebook: expectations are not met; the files were kept\n");
   EXPECT_THAT(files(), AllOf(Contains("out/tiny.mp4"), Contains("out/tiny.csv"),
                              Contains("out/tiny/frame_00011.png")));
 }
@@ -286,7 +287,7 @@ TEST_F(RenderCommand, SaysThatAnExpectationIsMet) {
   const ChildResult result =
       run({"render", "tiny.toml", "--no-png", "--set", "expect.half_turns={max = 0}"});
   EXPECT_EQ(result.status, 0);
-  EXPECT_THAT(result.output, EndsWith("\n  met    half_turns: expected at most 0; measured 0\n"));
+  EXPECT_THAT(result.output, EndsWith("\n  met      half_turns: expected at most 0; measured 0\n"));
   EXPECT_THAT(result.error, IsEmpty());
 }
 

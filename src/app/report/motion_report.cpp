@@ -39,14 +39,14 @@ std::string flipsText(int made) {
   return std::to_string(made) + (made == 1 ? " flip" : " flips");
 }
 
-/// Returns "3 flips, at 2.43, 6.82 and 11.2 s"; of many the first ones.
-std::string flipsText(const std::vector<double>& flips) {
+/// Returns "3 flips, at 2.43, 6.82, 11.2 s"; of many the first ones.
+std::string flipsText(const MotionSummary& summary) {
   constexpr std::size_t kMaxListed = 8;
-  const std::string text = flipsText(static_cast<int>(flips.size()));
-  if (flips.empty()) return text;
-  const auto shown = std::span(flips).first(std::min(flips.size(), kMaxListed));
+  const std::string text = flipsText(summary.halfTurns);
+  if (summary.flips.empty()) return text;
+  const auto shown = std::span(summary.flips).first(std::min(summary.flips.size(), kMaxListed));
   return text + ", at " + joinedOf(shown, secondsText) +
-         (shown.size() < flips.size() ? " ... s" : " s");
+         (shown.size() < summary.flips.size() ? " ... s" : " s");
 }
 
 std::string energyJson(const MotionSummary& summary) {
@@ -158,7 +158,7 @@ void reportMotions(const std::vector<MotionSummary>& motions, std::ostream& out)
   if (motions.size() > kMaxListed) return reportGrid(motions, out);
   for (const MotionSummary& summary : motions) {
     if (!summary.motion.label.empty()) out << "  " << summary.motion.label << ":\n";
-    out << "  " << flipsText(summary.flips) << "; " << energyText(summary) << "; "
+    out << "  " << flipsText(summary) << "; " << energyText(summary) << "; "
         << distanceText(summary) << '\n';
     reportExpectations(summary, out);
   }

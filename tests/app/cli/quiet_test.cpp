@@ -56,7 +56,7 @@ TEST_F(Quiet, ResultsArePrinted) {
   EXPECT_EQ(run({"list", ".", "-q"}).output, "./tiny.toml   0.2 s  Tiny\n");
   const std::vector<std::string> table{"simulate", "tiny.toml", "--csv", "-"};
   const ChildResult loud = run(table);
-  EXPECT_THAT(loud.error, HasSubstr(" half-turns; "));
+  EXPECT_THAT(loud.error, HasSubstr(" flips; "));
   const ChildResult quiet = run({"-q", "simulate", "tiny.toml", "--csv", "-"});
   EXPECT_EQ(quiet.output, loud.output);
   EXPECT_THAT(quiet.error, IsEmpty());

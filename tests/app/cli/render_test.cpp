@@ -56,7 +56,7 @@ TEST_F(RenderCommand, OfAPartLeavesFramesAloneAndExpectsNothing) {
       run(std::vector<std::string>{"render", "tiny.toml", "--part", "2/3"} + kUnmet);
   EXPECT_EQ(part.status, 0) << part.error;
   EXPECT_THAT(part.output,
-              AllOf(EndsWith("\n  wrote 4 frames in out/tiny/\n"), Not(HasSubstr("half-turns"))));
+              AllOf(EndsWith("\n  wrote 4 frames in out/tiny/\n"), Not(HasSubstr(" flips"))));
   EXPECT_FALSE(has("out/tiny.csv") || has("out/tiny.poster.png"));
   EXPECT_TRUE(has("out/tiny/frame_00004.png") && has("out/tiny/frame_00007.png"));
   EXPECT_FALSE(has("out/tiny/frame_00003.png") || has("out/tiny/frame_00008.png"));

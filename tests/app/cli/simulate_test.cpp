@@ -26,7 +26,7 @@ TEST_F(SimulateCommand, WritesATableWithoutGraphics) {
   const ChildResult result = runWithoutGraphics({"simulate", "tiny.toml", "--csv", "t.csv"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(result.output, MatchesRegex("tiny: Tiny\n  wrote t.csv, 12 rows\n"
-                                          "  0 half-turns; energy kept to [0-9]e-1[0-9]; within "
+                                          "  0 flips; energy kept to [0-9]e-1[0-9]; within "
                                           "[0-9]e-1[0-9] degrees of the exact motion\n"));
   EXPECT_THAT(files(), ElementsAre("t.csv"));
   EXPECT_THAT(read("t.csv"), StartsWith(kHeader));
@@ -37,7 +37,7 @@ TEST_F(SimulateCommand, WritesATableWithoutGraphics) {
 TEST_F(SimulateCommand, ReportsAloneWithoutATable) {
   const ChildResult result = runWithoutGraphics({"simulate", "tiny.toml"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(result.output, MatchesRegex("tiny: Tiny\n  0 half-turns; energy kept to [^\n]*\n"));
+  EXPECT_THAT(result.output, MatchesRegex("tiny: Tiny\n  0 flips; energy kept to [^\n]*\n"));
   EXPECT_THAT(files(), IsEmpty());
   const ChildResult unmet =
       run({"simulate", "tiny.toml", "--set", "expect.half_turns={ min = 3 }"});

@@ -75,9 +75,9 @@ TEST(MotionReport, HasALineForEachPanelUnderItsLabel) {
   reportMotions(exampleMotions(), out);
   EXPECT_EQ(out.str(),
             "  Exact \"one\":\n"
-            "  1 half-turn; energy kept exactly; the exact motion itself, in closed form\n"
+            "  1 flip; energy kept exactly; the exact motion itself, in closed form\n"
             "  Euler:\n"
-            "  7 half-turns; energy 1 to 2.5 of its start; up to 180 degrees from the exact "
+            "  7 flips; energy 1 to 2.5 of its start; up to 180 degrees from the exact "
             "motion; more than 10 from 0.3 s on\n"
             "  the motion diverges at 22.5333 s, after 90 frames\n");
 }

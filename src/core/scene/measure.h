@@ -1,4 +1,4 @@
-// What can be measured of a motion: the one list from which expectations, studies, grids and maps
+// The measures of a motion: the one list from which expectations, studies, grids and maps
 // take.
 #pragma once
 

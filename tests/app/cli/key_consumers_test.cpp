@@ -1,5 +1,5 @@
-// What a scene's keys set is used: a key that is read and printed, and then does nothing, fails
-// here.
+// Each setting that a scene's keys fill is used: a key that is read and printed, and then does
+// nothing, fails here.
 #include <fstream>
 #include <iterator>
 #include <regex>
@@ -71,6 +71,14 @@ std::set<std::string> wordsOfConsumers() {
     const std::string code = codeOf(path);
     words.insert(std::sregex_token_iterator(code.begin(), code.end(), kWord),
                  std::sregex_token_iterator());
+  }
+  // A setting may be used by a function beside it.
+  std::string settings;
+  for (const fs::path& header : kSettings) settings += codeOf(kSource / header);
+  std::set<std::string> once;
+  for (std::sregex_token_iterator word(settings.begin(), settings.end(), kWord), end; word != end;
+       ++word) {
+    if (!once.insert(*word).second) words.insert(*word);
   }
   return words;
 }

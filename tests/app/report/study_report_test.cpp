@@ -104,7 +104,7 @@ TEST(StudyReport, IsJsonToo) {
       R"("orders": [{"integrator": "rk4", "order": 4.0123456, "runs": 5, "shortest_h_s": 0.001, )"
       R"("longest_h_s": 0.0123456}, {"integrator": "midpoint", "order": null, "runs": 0, )"
       R"("shortest_h_s": null, "longest_h_s": null}], "tilts": [], "sweep": [], )"
-      R"("expectations": [{"measure": "order", "integrator": "rk4", "min": 3.9, "max": 4, )"
+      R"("expectations": [{"quantity": "order", "integrator": "rk4", "min": 3.9, "max": 4, )"
       R"("measured": 4.0123456, "met": false}]}]})"
       "\n");
 }
@@ -125,7 +125,7 @@ TEST(StudyReport, IsJsonForTiltsAndWhatWasNotStudied) {
       R"("failures": [{"tilt_rad": 1e-08, "status": "fewer than two flips in 12 s"}], )"
       R"("orders": [], "tilts": [{"tilt_rad": 0.1, "flips": 7, "interval_s": 2, "law_s": 2.5, )"
       R"("ratio": 0.8}, {"tilt_rad": 1e-08, "flips": 1, "interval_s": null, "law_s": 0, )"
-      R"("ratio": null}], "sweep": [], "expectations": [{"measure": "flip_law", "integrator": null, )"
+      R"("ratio": null}], "sweep": [], "expectations": [{"quantity": "flip_law", "integrator": null, )"
       R"("min": null, "max": 0.1, "measured": null, "met": false}]}, {"name": "s", )"
       R"("title": "\"S\"", "kind": "tilts", "interrupted": false, "error": "no gnuplot", )"
       R"("files": [], "runs": 0, "failures": [], "orders": [], "tilts": [], )"
@@ -167,7 +167,7 @@ TEST(StudyReport, IsJsonForASweep) {
             R"("failures": [{"value": "10", "curve": "matrix", "status": "diverged at 4.5 s"}], )"
             R"("orders": [], "tilts": [], "sweep": [{"value": "10", "curve": "matrix", )"
             R"("diverges_at": 4.5, "stretch": null}, {"value": "10", "curve": "quaternion", )"
-            R"("diverges_at": null, "stretch": 0.25}], "expectations": [{"measure": )"
+            R"("diverges_at": null, "stretch": 0.25}], "expectations": [{"quantity": )"
             R"("diverges_at at 10, matrix", "integrator": null, "min": null, "max": 4, )"
             R"("measured": 4.5, "met": false}]}]})"
             "\n");

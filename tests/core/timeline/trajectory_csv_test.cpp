@@ -20,7 +20,8 @@ using ::testing::ElementsAre;
 constexpr const char* kHeader =
     "frame,time_s,qw,qx,qy,qz,wx,wy,wz,Lx,Ly,Lz,kinetic_J,potential_J,total_J,tilt_deg,half_turns,"
     "stretch_min,stretch_max,c0x,c0y,c0z,c1x,c1y,c1z,c2x,c2y,c2z,c3x,c3y,c3z,c4x,c4y,c4z,"
-    "c5x,c5y,c5z,c6x,c6y,c6z,c7x,c7y,c7z,error_deg,energy_ratio,L_ratio,regime,centre_drift_m,last_flip_s";
+    "c5x,c5y,c5z,c6x,c6y,c6z,c7x,c7y,c7z,error_deg,energy_ratio,L_ratio,regime,centre_drift_m,last_"
+    "flip_s";
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;

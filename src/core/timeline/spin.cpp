@@ -6,6 +6,7 @@
 
 #include "base/double_double.h"
 #include "base/elementary.h"
+#include "physics/measure/exact_tilt.h"
 #include "physics/motion_start.h"
 #include "rigid/polhode.h"
 
@@ -118,6 +119,23 @@ void setMargin(const Sorted& sorted, Spin& spin) {
   spin.toSeparatrix = arcTangent(sine, std::sqrt(std::max(0.0, (1 - sine) * (1 + sine))));
 }
 
+/// Returns the time within one period at which the spun axis' angle to L passes 120 degrees.
+std::optional<double> firstFlipOf(physics::MotionSettings settings, double period) {
+  constexpr double kTurnedOver = 120;  // [degrees]
+  constexpr int kLooks = 512, kHalvings = 60;
+  settings.nudges.clear();
+  const physics::ExactTilt tilt(settings);
+  const auto isOver = [&](double time) { return tilt.degAt(time) > kTurnedOver; };
+  double step = period / kLooks, time = step;
+  while (time < period && !isOver(time)) time += step;
+  if (time >= period) return std::nullopt;
+  for (int i = 0; i < kHalvings; ++i) {
+    step /= 2;
+    if (isOver(time - step)) time -= step;
+  }
+  return time;
+}
+
 }  // namespace
 
 std::optional<double> Spin::flipInterval() const {
@@ -145,6 +163,7 @@ Spin spinOf(const physics::MotionSettings& settings) {
   setSpunAxis(sorted, spin);
   spin.period = periodOf(inertia, along, sorted, spin.regime);
   if (spin.equal == EqualMoments::None) setMargin(sorted, spin);
+  if (spin.flipInterval()) spin.firstFlip = firstFlipOf(settings, spin.period->time);
   return spin;
 }
 

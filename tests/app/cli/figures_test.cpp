@@ -182,8 +182,8 @@ TEST_P(ExpectingScene, ShowsWhatItExpects) {
   const ChildResult result = run(
       {"render", path, "--size", isGrid ? "1280x720" : "128x72", "--no-png", "--frames", "0:30"});
   EXPECT_EQ(result.status, 0) << result.output << result.error;
-  EXPECT_THAT(result.output, HasSubstr("\n  met    "));
-  EXPECT_THAT(result.output, Not(HasSubstr("UNMET")));
+  EXPECT_THAT(result.output, HasSubstr("\n  met      "));
+  EXPECT_THAT(result.output, Not(HasSubstr("not met")));
   EXPECT_TRUE(has("out/" + fs::path(path).stem().string() + "_00000-00030.mp4"));
 }
 
@@ -218,7 +218,7 @@ TEST_P(Figure, DrawsTheCameraBackIfItBursts) {
   const scene::Scene scene = store::readScene(kScenes / (GetParam() + ".toml"));
   for (const scene::Panel& motion : scene::motionsOf(scene)) {
     for (const scene::Expectation& expected : motion.expectations) {
-      if (expected.quantity != scene::Quantity::DivergesAt) continue;
+      if (expected.measure != scene::Measure::DivergesAt) continue;
       EXPECT_EQ(scene.camera.follow, scene::Follow::Size);
     }
   }
@@ -237,7 +237,7 @@ TEST_P(FigureTwin, FailsTheExpectations) {
   }
   const ChildResult result = run(arguments);
   EXPECT_EQ(result.status, 1) << result.output << result.error;
-  EXPECT_THAT(result.output, HasSubstr("\n  UNMET  "));
+  EXPECT_THAT(result.output, HasSubstr("\n  not met  "));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, FigureTwin, ::testing::ValuesIn(kTwins), [](const auto& twin) {

@@ -42,7 +42,7 @@ constexpr const char* kWrong = "wrong.toml:1:1: unknown key \"titel\"; did you m
 constexpr const char* kWrongInJson =
     R"("ok": false, "errors": ["wrong.toml:1:1: unknown key \"titel\"; did you mean \"title\"?"])";
 constexpr const char* kTitleInJson = R"("title": "Größe \"x\" \\ 書")";
-constexpr const char* kUnmet = "rotatebook: expectations are unmet; the files were kept\n";
+constexpr const char* kUnmet = "rotatebook: expectations are not met; the files were kept\n";
 
 TEST_F(Json, OfAStudyThatCantBeWrittenHasTheError) {
   fs::create_directories(folder() / "out/b-study.csv");

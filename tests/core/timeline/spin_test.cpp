@@ -170,7 +170,7 @@ TEST(Spin, GrowsAboutTheMedianAxisAndCirclesTheOthers) {
   EXPECT_EQ(largest.spunAxis, 2U);
   EXPECT_FALSE(largest.growth);
   EXPECT_NEAR(*largest.oscillation, 2 * pi / largest.period->time, 1e-6);
-  EXPECT_FALSE(largest.flipInterval());
+  EXPECT_FALSE(largest.flipInterval() || largest.firstFlip);
 
   const Spin smallest = spinOf(motionOf(inertia, {0.001, 5, 0}));
   EXPECT_EQ(smallest.spunAxis, 0U);
@@ -183,6 +183,16 @@ TEST(Spin, FlipsTwiceInAPeriod) {
   EXPECT_EQ(*spin.flipInterval(), spin.period->time / 2);
   // Spun about z and y, too, but more about x: it flips, though L is far from the separatrix.
   EXPECT_TRUE(spinOf(motionOf({3, 2, 4}, {5, 1, 3})).flipInterval());
+}
+
+TEST(Spin, FlipsFirstWhenTheExactMotionDoes) {
+  MotionSettings settings = bookWith("angular_velocity = [5, 0, 0]\ntilt = ['1 deg', 'z']");
+  settings.simulation.model = physics::Model::Exact;
+  const double first = spinOf(settings).firstFlip.value();
+  constexpr double kBeside = 1e-9;  // [s]
+  const auto trajectory = physics::simulate(settings, {0, first - kBeside, first + kBeside});
+  EXPECT_EQ(trajectory.samples[1].halfTurns, 0);
+  EXPECT_EQ(trajectory.samples[2].halfTurns, 1);
 }
 
 // The axis of a flat plate goes round twice while the plate turns once. (Feynman)

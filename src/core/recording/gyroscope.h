@@ -1,6 +1,7 @@
 // Attitudes from a gyroscope's rates, and rates from attitudes.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
@@ -25,6 +26,9 @@ Eigen::Vector3d turnOf(const Eigen::Quaterniond& rotation);
 /// method of order 4 (Iserles, Nørsett 1999) with the rates at Gauss points, from cubics through
 /// two readings on each side; the times needn't be even, see stencilAround().
 std::vector<RecordedMoment> integrateRates(const std::vector<Rate>& rates);
+
+/// Returns the integral of the rates, by the same cubics, over the gap after reading `index`. [rad]
+Eigen::Vector3d meanTurnInGap(const std::vector<Rate>& rates, std::size_t index);
 
 /// Sets the spin of at least two moments from their attitudes: the slope at each moment of the
 /// polynomial through the turns to its neighbours, two on each side or, at an end, as near as there

@@ -147,9 +147,12 @@ Linear solveLinear(Readings flight) {
   }
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(equations, Eigen::ComputeThinV);
   Linear linear;
-  linear.tensor = tensorFrom(svd.matrixV().col(8));
+  const Eigen::Matrix<double, 9, 1> solution = svd.matrixV().col(8);
+  linear.tensor = tensorFrom(solution);
   constexpr double kLargestGap = 1e12;
   linear.gap = std::min(svd.singularValues()[7] / svd.singularValues()[8], kLargestGap);
+  linear.change = svd.singularValues()[8] / std::sqrt(static_cast<double>(rates.size())) /
+                  (fastest * solution.tail<3>().norm());
   return linear;
 }
 

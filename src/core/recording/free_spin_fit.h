@@ -31,7 +31,8 @@ Eigen::Matrix3d tensorFrom(const Eigen::Matrix<double, 9, 1>& entries);
 /// Start values of the fit, and how far the motion determines them.
 struct Linear {
   Eigen::Matrix3d tensor;
-  double gap = 0;  ///< TossFit::gap
+  double gap = 0;     ///< TossFit::gap
+  double change = 0;  ///< Of the angular momentum, root mean square over its size. [-]
 };
 
 /// Solves R I w - L = 0 over a flight, whose attitudes R follow from its rates, for I and L.

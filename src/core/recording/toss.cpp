@@ -78,14 +78,34 @@ std::string degreesASecond(double rate) {
   return roundedText(rate * 180 / std::numbers::pi, 3) + " deg/s";
 }
 
+[[noreturn]] void refuseFlight(const TossFit& fit, const std::string& name,
+                               const std::string& reason) {
+  throw InputError(name + ": from " + roundedText(fit.from, 5) + " to " + roundedText(fit.to, 5) +
+                   " s it isn't a free flight: " + reason +
+                   "; state the flight alone with --from and --to, or find it with --list");
+}
+
+std::string percentText(double part) {
+  return roundedText(100 * part, 2) + " %";
+}
+
 void requireFree(const TossFit& fit, const std::string& name) {
   if (fit.residual <= kLargestResidual * fit.spin) return;
-  throw InputError(name + ": from " + roundedText(fit.from, 5) + " to " + roundedText(fit.to, 5) +
-                   " s it isn't a free flight: no body's free motion comes closer than " +
-                   degreesASecond(fit.residual) + " (root mean square), more than " +
-                   roundedText(100 * kLargestResidual, 2) + " % of the spin of " +
-                   degreesASecond(fit.spin) +
-                   "; state the flight alone with --from and --to, or find it with --list");
+  refuseFlight(fit, name,
+               "no body's free motion comes closer than " + degreesASecond(fit.residual) +
+                   " (root mean square), more than " + percentText(kLargestResidual) +
+                   " of the spin of " + degreesASecond(fit.spin));
+}
+
+void requireGap(const Linear& linear, const TossFit& fit, const std::string& name) {
+  if (linear.gap >= kSmallestGap) return;  // NaN is refused.
+  if (linear.change > kLargestResidual) {
+    refuseFlight(fit, name,
+                 "any body's angular momentum would change by " + percentText(linear.change) +
+                     " (root mean square)");
+  }
+  refuse(name, "the gap of its singular values is " + roundedText(linear.gap, 3) +
+                   ", which is less than " + roundedText(kSmallestGap, 1));
 }
 
 /// Refuses a flight in which an axis stays at its extreme value for several readings.
@@ -174,10 +194,7 @@ TossFit fitFlight(const InertialRecording& recording, const std::string& name, R
 
   const Linear linear = solveLinear(flight);
   result.gap = linear.gap;
-  if (!(linear.gap >= kSmallestGap)) {
-    refuse(name, "the gap of its singular values is " + roundedText(linear.gap, 3) +
-                     ", which is less than " + roundedText(kSmallestGap, 1));
-  }
+  requireGap(linear, result, name);
   const FreeSpinFit fit =
       fitFreeSpin(flight, parametersOf(linear.tensor, flight.front().rate.angularVelocity),
                   biasVariance(rest, (result.from + result.to) / 2));

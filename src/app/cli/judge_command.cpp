@@ -63,13 +63,21 @@ physics::MotionSettings motionOf(const std::string& file, const JudgeArguments& 
   return motion;
 }
 
-report::JudgedMotion judgedTable(const std::string& file, const JudgeArguments& arguments) {
-  const physics::MotionSettings motion = motionOf(file, arguments);
+report::JudgedMotion judgedMotion(const std::string& file, const physics::MotionSettings& motion) {
   std::vector<double> times;
   for (const auto& moment : motion.simulation.recorded.motion->moments()) {
     times.push_back(moment.time);
   }
   return {file, timeline::judge(motion, physics::simulate(motion, times))};
+}
+
+/// Returns the verdict on a table's motion, or what is wrong with the table.
+report::JudgedMotion judgedTable(const std::string& file, const JudgeArguments& arguments) {
+  try {
+    return judgedMotion(file, motionOf(file, arguments));
+  } catch (const recording::ContradictionError& error) {
+    return {.name = file, .mistake = error.what()};
+  }
 }
 
 void addJudgedScene(const std::string& file, const JudgeArguments& arguments,
@@ -177,7 +185,8 @@ void addJudgeCommand(CLI::App& program, Action& action) {
       ->group("Recording");
   command->footer(R"(
 Prints the error, the drift of energy and angular momentum, the half-turns made and due, and the kind
-of method that errs so.
+of method that errs so. A table whose rates contradict its attitudes isn't judged: what is wrong with
+it is said, and the exit status is 1.
 
 Examples:
   rotatebook judge scenes/comparisons/recordings/*.csv --size 0.15,0.22,0.04

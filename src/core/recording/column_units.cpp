@@ -99,6 +99,11 @@ void requireOneUnit(const CsvTable& table, const std::array<std::size_t, 3>& col
 
 }  // namespace
 
+bool isGyroscopes(std::string_view header) {
+  const std::string name = columnNameOf(header).plain;
+  return name.find("gyr") != name.npos || name.find("rotationrate") != name.npos || name == "gx";
+}
+
 bool isTimeNamed(std::string_view plain, std::string_view usual) {
   if (plain == usual) return true;
   if (!plain.starts_with(usual)) return false;
@@ -158,7 +163,8 @@ double radiansPerUnit(const CsvTable& table, const Columns& columns, std::string
   const Program* const program = programOf(table, columns);
   if (isSilent && program != nullptr) unit = program->rates;
   // Tables of programs, this one's among them, have SI units.
-  if (isSilent && unit.empty() && !columns.areRatesAlongBody) return 1;
+  const bool areAlone = !columns.quaternion && !columns.matrix;
+  if (isSilent && unit.empty() && !areAlone && !isGyroscopes(header)) return 1;
   if (unit.empty()) {
     table.fail("the column " + quotedText(header) +
                " doesn't say whether it is in rad/s or deg/s; state it in simulation.rates, or "

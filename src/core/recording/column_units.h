@@ -15,6 +15,9 @@ inline constexpr std::string_view kTimeNames =
     "secondselapsed elapsed time t times ts timestamp elapsedtime timesincestart sampletimefine "
     "seconds zeit temps tiempo tempo tijd";
 
+/// Returns whether a column is called as a gyroscope's, which measures along the body's axes.
+bool isGyroscopes(std::string_view header);
+
 /// Returns whether a column called so (ColumnName::plain) has times: `usual`, which may be followed
 /// by a unit ("timems", "timeinms").
 bool isTimeNamed(std::string_view plain, std::string_view usual);

@@ -155,8 +155,7 @@ bool areAlongBody(const CsvTable& table, const Columns& columns, std::string_vie
     table.fail("rates alone along the world's axes aren't read; give attitudes beside them");
   }
   if (areAlone || !stated.empty()) return stated != kRateAxes[0];
-  const std::string name = columnNameOf(table.header()[columns.rates->front()]).plain;
-  return name.find("gyr") != name.npos || name.find("rotationrate") != name.npos || name == "gx";
+  return isGyroscopes(table.header()[columns.rates->front()]);
 }
 
 /// Returns the small letters of a file's name, without its folders.

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "recording/columns.h"
+#include "recording/conventions.h"
 #include "recording/csv_table.h"
 #include "recording/gaps.h"
 #include "recording/sensor_rows.h"
@@ -87,9 +88,10 @@ std::vector<Rate> ratesOf(const CsvTable& table, const Columns& columns, const S
   return rates;
 }
 
-std::vector<RecordedMoment> momentsOf(const CsvTable& table, const Columns& columns,
-                                      const SensorRows& rows, const std::vector<double>& times,
-                                      const Eigen::Vector3d& bias) {
+/// Returns the attitudes, with the rates beside them if there are any.
+std::vector<RecordedMoment> attitudesOf(const CsvTable& table, const Columns& columns,
+                                        const SensorRows& rows, const std::vector<double>& times,
+                                        const Eigen::Vector3d& bias) {
   std::vector<RecordedMoment> moments;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const std::size_t row = rows.motion[i];
@@ -100,14 +102,51 @@ std::vector<RecordedMoment> momentsOf(const CsvTable& table, const Columns& colu
                                          ? (rate - bias).eval()
                                          : moments.back().attitude.conjugate() * rate;
   }
-  if (columns.rates) return moments;
+  return moments;
+}
+
+void differentiate(const CsvTable& table, const SensorRows& rows,
+                   std::vector<RecordedMoment>& moments) {
   differentiateAttitudes(moments);
   for (std::size_t i = 0; i < moments.size(); ++i) {
     if (!(moments[i].angularVelocity.norm() <= kLargestRate)) {
       table.failAt(rows.motion[i], "the attitude changes by more than 1e9 rad/s");
     }
   }
+}
+
+/// Returns the uncertainty of the slopes, see SpinFacts.
+double uncertaintyOf(const std::vector<RecordedMoment>& moments) {
+  std::vector<RecordedMoment> others = moments;
+  differentiateAttitudes(others, 1);
+  double difference = 0, all = 0;
+  for (std::size_t i = 2; i + 2 < moments.size(); ++i) {
+    difference += (others[i].angularVelocity - moments[i].angularVelocity).squaredNorm();
+    all += moments[i].angularVelocity.squaredNorm();
+  }
+  return all > 0 ? std::sqrt(difference / all) : 0;
+}
+
+/// Returns the moments of the stated part.
+std::vector<RecordedMoment> within(std::vector<RecordedMoment> moments,
+                                   const ReadOptions& options) {
+  std::erase_if(moments, [&](const RecordedMoment& one) {
+    return (options.from && one.time < *options.from) || (options.to && one.time > *options.to);
+  });
   return moments;
+}
+
+/// Returns by how much the rates differ from the attitudes' slopes. Throws ContradictionError if
+/// they contradict them.
+double differenceOf(const std::vector<RecordedMoment>& moments, bool areRatesAlongBody,
+                    const std::string& name) {
+  const RateComparison found = compareRates(moments, areRatesAlongBody);
+  if (!found.mistake.empty()) throw ContradictionError(name + ": " + found.mistake);
+  if (!areRatesAlongBody || found.difference <= kContradicts) return found.difference;
+  throw ContradictionError(
+      name + ": the rates along the body's axes aren't the attitudes' slopes: they differ by " +
+      roundedText(100 * found.difference, 2) +
+      " %, with no other axes, order or unit by less; are both of the same body and moment?");
 }
 
 bool hasAttitudes(const Columns& columns) {
@@ -119,6 +158,16 @@ std::vector<Rate> ratesOf(const std::vector<RecordedMoment>& moments) {
   for (const RecordedMoment& moment : moments)
     rates.push_back({moment.time, moment.angularVelocity});
   return rates;
+}
+
+/// Returns the rates of a table of attitudes: those beside them, or their slopes.
+std::vector<Rate> ratesBeside(const CsvTable& table, const Columns& columns, const SensorRows& rows,
+                              const std::vector<double>& times, const std::string& name) {
+  std::vector<RecordedMoment> moments =
+      attitudesOf(table, columns, rows, times, Eigen::Vector3d::Zero());
+  if (columns.rates) differenceOf(moments, columns.areRatesAlongBody, name);
+  if (!columns.rates) differentiate(table, rows, moments);
+  return ratesOf(moments);
 }
 
 /// Returns the stated part of a motion whose first moment was at `start` of the file's times. [s]
@@ -147,14 +196,22 @@ RecordedMotion readRecording(std::string_view bytes, const std::string& name,
   const Columns columns = findColumns(table, options);
   const SensorRows rows = sensorRows(table, columns, false);
   const std::vector<double> times = timesOf(table, columns, rows.motion);
+  const bool areIntegrated = !hasAttitudes(columns);
   std::vector<RecordedMoment> moments =
-      hasAttitudes(columns) ? momentsOf(table, columns, rows, times, options.bias)
-                            : integrateRates(ratesOf(table, columns, rows, times, options.bias));
+      areIntegrated ? integrateRates(ratesOf(table, columns, rows, times, options.bias))
+                    : attitudesOf(table, columns, rows, times, options.bias);
+  SpinFacts spins{areIntegrated ? SpinSource::Gyroscope : SpinSource::Given};
+  if (!areIntegrated && !columns.rates) {
+    differentiate(table, rows, moments);
+    spins = {SpinSource::Slopes, uncertaintyOf(within(moments, options))};
+  } else if (!areIntegrated) {
+    spins.difference = differenceOf(within(moments, options), columns.areRatesAlongBody, name);
+  }
   const double start = moments.front().time;
-  RecordedMotion motion = partOf(RecordedMotion(std::move(moments)), start, name, options);
+  RecordedMotion motion = partOf(RecordedMotion(std::move(moments), spins), start, name, options);
   const double zero = std::max(start, options.from.value_or(start));
   for (const std::string& note :
-       {droppedNote(rows), gapNote(ratesOf(motion.moments()), zero, !hasAttitudes(columns))}) {
+       {droppedNote(rows), gapNote(ratesOf(motion.moments()), zero, areIntegrated)}) {
     if (!note.empty()) motion.note(note);
   }
   return motion;
@@ -173,7 +230,7 @@ InertialRecording readInertial(std::string_view bytes, const std::string& name,
   recording.hasForce = acceleration != nullptr || columns.acceleration;
   recording.isMeasured = columns.rates.has_value();
   const std::vector<Rate> rates = hasAttitudes(columns)
-                                      ? ratesOf(momentsOf(table, columns, rows, times, none))
+                                      ? ratesBeside(table, columns, rows, times, name)
                                       : ratesOf(table, columns, rows, times, none);
   for (const Rate& rate : rates) recording.readings.push_back({rate});
   if (isOneTable) addForces(recording, forcesOf(table, columns, rows.force), name);

@@ -7,18 +7,28 @@
 
 #include <Eigen/Core>
 
+#include "base/error.h"
 #include "recording/gyroscope.h"
 #include "recording/read_options.h"
 #include "recording/recorded_motion.h"
 
 namespace rotatebook::recording {
 
+/// Reports that the rates of a table contradict the attitudes beside them: axes, units or an order
+/// of columns are others than those that the table is read with.
+class ContradictionError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// Reads a motion from the bytes of a file; `name` is the file's in messages. Attitudes with rates
 /// beside them have these; attitudes alone are differentiated; rates alone,
 /// along the body's axes, are integrated. Rows without a reading at the table's ends, and gaps, are
 /// among the motion's notes. Throws InputError "NAME:LINE: PROBLEM" for what CsvTable,
 /// findColumns(), sensorRows() and timesOf() refuse, for quaternions and matrices that are no
-/// rotations to 1 %, rates over 1e9 rad/s, and for a part that isn't within the recording.
+/// rotations to 1 %, rates over 1e9 rad/s, and for a part that isn't within the recording;
+/// ContradictionError for what compareRates() finds in that part, and for a gyroscope's rates that
+/// differ by more than kContradicts from the slopes of the attitudes.
 RecordedMotion readRecording(std::string_view bytes, const std::string& name,
                              const ReadOptions& options);
 

@@ -149,7 +149,7 @@ const video::Planes& PictureComparison::drawn(std::int64_t frame) {
   const auto known = drawn_.find(frame);
   if (known != drawn_.end()) return known->second;
   drawer_->draw(frame, picture_);
-  return drawn_[frame] = video::planesOf(picture_.view(), transparent_);
+  return drawn_[frame] = video::planesToEncode(picture_.view(), transparent_);
 }
 
 }  // namespace rotatebook::verify

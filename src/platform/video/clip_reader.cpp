@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <fstream>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -14,7 +13,6 @@ extern "C" {
 #include "base/error.h"
 #include "video/clip_input.h"
 #include "video/quantiser.h"
-#include "video/webm_header.h"
 #include "video/whole_file.h"
 
 namespace rotatebook::video {
@@ -53,19 +51,6 @@ ColourTags coloursOf(const ClipInput& input) {
 std::string shapeText(AVRational shape) {
   if (shape.num == 0) return "1:1";
   return std::to_string(shape.num) + ":" + std::to_string(shape.den);
-}
-
-/// Sets what FFmpeg doesn't report of the container.
-void addHeader(const ClipInput& input, ClipFacts& facts) {
-  std::ifstream file(input.name(), std::ios::binary);
-  if (rowOf(input.format()).recorded.hasMp4Header) {
-    facts.mp4 = readMp4Header(file);
-    facts.crop = facts.mp4->crop;
-    return;
-  }
-  const WebmHeader header = readWebmHeader(file);
-  facts.crop = header.crop;
-  if (header.interlaced) facts.scan = kInterlaced;
 }
 
 /// Returns FFmpeg's names of what the stream says beside a picture, but for notes of the encoder.
@@ -127,7 +112,6 @@ ClipFacts factsOf(ClipInput& input) {
   facts.containerShape = shapeText(stream.sample_aspect_ratio);
   facts.display = displayText(stream);
   facts.scan = containerScan == kProgressive ? scanText(codec) : containerScan;
-  addHeader(input, facts);
   const std::int64_t duration = input.context().duration;
   if (duration > 0) facts.duration = static_cast<double>(duration) / AV_TIME_BASE;
   return facts;
@@ -166,17 +150,6 @@ Handle<AVCodecContext> openDecoder(const ClipInput& input, bool alpha) {
 /// Returns whether a WebM's packet holds alpha beside its picture.
 bool hasAdditions(const AVPacket& packet) {
   return av_packet_get_side_data(&packet, AV_PKT_DATA_MATROSKA_BLOCKADDITIONAL, nullptr) != nullptr;
-}
-
-std::vector<float> planeOf(const AVFrame& frame, int plane, int width, int height) {
-  std::vector<float> values;
-  values.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  for (int y = 0; y < height; ++y) {
-    const std::uint8_t* row =
-        frame.data[plane] + static_cast<std::ptrdiff_t>(y) * frame.linesize[plane];
-    values.insert(values.end(), row, row + width);
-  }
-  return values;
 }
 
 }  // namespace
@@ -289,12 +262,7 @@ Planes ClipReader::picture() const {
   if (!isEven || (frame.format != AV_PIX_FMT_YUV420P && !hasAlpha)) {
     throw InputError("the pictures of " + parts_->input.name() + " aren't yuv420p of an even size");
   }
-  Planes planes{.width = frame.width, .height = frame.height};
-  planes.y = planeOf(frame, 0, frame.width, frame.height);
-  planes.u = planeOf(frame, 1, frame.width / 2, frame.height / 2);
-  planes.v = planeOf(frame, 2, frame.width / 2, frame.height / 2);
-  if (hasAlpha) planes.alpha = planeOf(frame, 3, frame.width, frame.height);
-  return planes;
+  return planesOf(frame);
 }
 
 }  // namespace rotatebook::video

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cstddef>
 
+#include "base/text.h"
+
 namespace rotatebook::video {
 namespace {
 
@@ -173,7 +175,7 @@ class LayoutMatcher {
     forEachRow(first, level, [&](std::size_t row) {
       if (rows_[row].id == part.id) known = nameOf(rows_[row]);
     });
-    if (known.empty()) return nameIn(outer) + " holds a foreign \"" + part.id + "\"";
+    if (known.empty()) return nameIn(outer) + " holds a foreign \"" + oneLine(part.id) + "\"";
     return nameIn(outer) + " holds one " + known + " too many";
   }
 

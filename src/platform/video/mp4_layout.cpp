@@ -48,9 +48,9 @@ constexpr std::array kMp4Rows{
     LayoutRow{2, "meta", 1, 1, "00000000"},
     LayoutRow{3, "hdlr", 1, 1, "zero:8 6d646972 6170706c zero:9"},
     LayoutRow{3, "ilst"},
-    LayoutRow{4, "\251nam", 0},
+    LayoutRow{4, "\251nam", 0, 1, "", "title"},
     LayoutRow{5, "data", 1, 1, "00000001 00000000 any"},
-    LayoutRow{4, "\251cmt"},
+    LayoutRow{4, "\251cmt", 1, 1, "", "comment"},
     LayoutRow{5, "data", 1, 1, "00000001 00000000 any"},
     LayoutRow{0, "free", 0, 1, ""},  // None where the pictures have 4 GB.
     LayoutRow{0, "mdat", 1, 1, "payload"}};

@@ -1,5 +1,7 @@
 #include "video/forged_stream.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <utility>
 
@@ -40,6 +42,38 @@ Filter openFilter(const std::string& text, const AVCodecContext& encoder) {
 }
 
 }  // namespace
+
+void writeChangedStream(const std::filesystem::path& path, VideoFormat format,
+                        const std::function<void(std::string& packet, int index)>& change) {
+  constexpr int kPictures = 5;
+  VideoSettings settings = smallSettings();
+  settings.comment = "# a record";
+  Stages stages = makeStages(format, settings);
+  Muxer muxer(path, format, stages, settings);
+  PixelConverter converter(settings.width, settings.height);
+  const Handle<AVPacket> changed = owned(av_packet_alloc());
+  int index = 0;
+  const auto drain = [&] {
+    while (AVPacket* packet = stages.encoder.receive()) {
+      std::string bytes(reinterpret_cast<const char*>(packet->data),
+                        static_cast<std::size_t>(packet->size));
+      change(bytes, index++);
+      check(av_new_packet(changed.get(), static_cast<int>(bytes.size())), "no memory");
+      std::copy(bytes.begin(), bytes.end(), changed->data);
+      check(av_packet_copy_props(changed.get(), packet), "no memory");
+      muxer.write(*changed);
+    }
+  };
+  for (int n = 0; n < kPictures; ++n) {
+    AVFrame& frame = converter.convert(barPicture(n).view());
+    frame.pts = n;
+    stages.encoder.send(&frame);
+    drain();
+  }
+  stages.encoder.send(nullptr);
+  drain();
+  muxer.finish();
+}
 
 void writeForgedStream(const std::filesystem::path& path, const std::string& x264Params,
                        const std::string& filterText, const std::string& laterFilter) {

@@ -152,6 +152,21 @@ bool hasAdditions(const AVPacket& packet) {
   return av_packet_get_side_data(&packet, AV_PKT_DATA_MATROSKA_BLOCKADDITIONAL, nullptr) != nullptr;
 }
 
+bool haveSameColours(const AVFrame& a, const AVFrame& b) {
+  if (a.width != b.width || a.height != b.height) return false;
+  for (int plane = 0; plane < 3; ++plane) {
+    const int width = plane == 0 ? a.width : (a.width + 1) / 2;
+    const int height = plane == 0 ? a.height : (a.height + 1) / 2;
+    for (int y = 0; y < height; ++y) {
+      const auto row = [&](const AVFrame& frame) {
+        return frame.data[plane] + static_cast<std::ptrdiff_t>(y) * frame.linesize[plane];
+      };
+      if (!std::equal(row(a), row(a) + width, row(b))) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 ClipMetadata readClipMetadata(const std::filesystem::path& path) {
@@ -174,7 +189,9 @@ struct ClipReader::Parts {
     facts = factsOf(input);
     hasAlpha = statesAlpha(input);
     decoder = openDecoder(input, hasAlpha);
-    if (hasAlpha) colourDecoder = openDecoder(input, false);
+    if (&decoderFor(input, true) != &decoderFor(input, false)) {
+      otherDecoder = openDecoder(input, !hasAlpha);
+    }
   }
 
   std::string failure() const {
@@ -188,10 +205,17 @@ struct ClipReader::Parts {
     checkInput(result, failure());
     picture = factsOf(*frame);
     picture.alpha = picture.alpha || hasAlpha;
-    if (colourDecoder && avcodec_receive_frame(colourDecoder.get(), colours.get()) == 0) {
-      picture.quantiser = quantiserOf(*colours);
-    }
+    if (otherDecoder) compareWithOther();
     return true;
+  }
+
+  /// Bytes after a frame are another one to libvpx, and nothing to FFmpeg's own decoder.
+  void compareWithOther() {
+    const bool isThere = avcodec_receive_frame(otherDecoder.get(), other.get()) == 0;
+    if (isThere && hasAlpha) picture.quantiser = quantiserOf(*other);
+    if (isThere && haveSameColours(*frame, *other)) return;
+    picture.messages += picture.messages.empty() ? "" : "; ";
+    picture.messages += "another picture for another decoder";
   }
 
   /// Sends the decoder the next packet, or once reports that there are no more.
@@ -202,20 +226,21 @@ struct ClipReader::Parts {
     const AVPacket* next = ended ? nullptr : packet.get();
     if (!ended && hasAdditions(*packet)) hasAlpha = true;
     checkInput(avcodec_send_packet(decoder.get(), next), failure());
-    if (colourDecoder) checkInput(avcodec_send_packet(colourDecoder.get(), next), failure());
+    if (otherDecoder) checkInput(avcodec_send_packet(otherDecoder.get(), next), failure());
     av_packet_unref(packet.get());
   }
 
   ClipInput input;
   ClipFacts facts;
   Handle<AVCodecContext> decoder;
-  Handle<AVCodecContext> colourDecoder;  // Reports quantisers where `decoder`, of alpha, doesn't.
-  bool hasAlpha = false;                 // As stated, or found so far.
+  /// Of the same pictures, where there are two; libvpx decodes alpha, the other reports quantisers.
+  Handle<AVCodecContext> otherDecoder;
+  bool hasAlpha = false;  // As stated, or found so far.
   Handle<AVPacket> packet;
   Handle<AVFrame> frame;
-  Handle<AVFrame> colours = owned(av_frame_alloc());  // of `colourDecoder`
-  PictureFacts picture;                               // of `frame`
-  std::int64_t count = 0;                             // pictures decoded so far
+  Handle<AVFrame> other = owned(av_frame_alloc());  // of `otherDecoder`
+  PictureFacts picture;                             // of `frame`
+  std::int64_t count = 0;                           // pictures decoded so far
   bool ended = false;
 };
 

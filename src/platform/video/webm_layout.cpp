@@ -50,7 +50,7 @@ constexpr std::array kWebmRows{
     LayoutRow{3, "88", 1, 1, "00", "FlagDefault"},
     LayoutRow{3, "86", 1, 1, "565f565039", "CodecID"},
     LayoutRow{3, "83", 1, 1, "01", "TrackType"},
-    LayoutRow{3, "23e383", 1, 1, "frame_time", "DefaultDuration"},
+    LayoutRow{3, "23e383", 0, 1, "frame_time", "DefaultDuration"},
     LayoutRow{3, "55ee", 0, 1, "00/01", "MaxBlockAdditionID"},
     LayoutRow{3, "ec", 0, 1, "zero", "Void"},
     LayoutRow{3, "e0", 1, 1, "", "Video"},

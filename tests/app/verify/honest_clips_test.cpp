@@ -74,7 +74,7 @@ HonestClip honestClip(int clip) {
       {"look.background='" + background + "'",
        "clip.size=" + (clip % 50 == 0 ? "[1280, 720]" : sizeOf(choice)),
        "clip.fps='" + choice.of({"24", "25", "30", "30000/1001", "60", "120"}) + "'",
-       "clip.duration=" + choice.of({"0.01", "0.2", "0.2", "0.4"}),
+       "clip.duration=" + choice.of({"0.05", "0.2", "0.2", "0.4"}),
        "video.crf=" + std::to_string(1 + choice.below(22)),
        "video.preset=" + choice.of({"book", "book", "medium", "veryslow", "ultrafast", "faster"}),
        "initial.angular_velocity=" + spin(choice),

@@ -43,6 +43,24 @@ Filter openFilter(const std::string& text, const AVCodecContext& encoder) {
 
 }  // namespace
 
+std::string forgedParameters(const std::string& x264Params, const std::string& filterText) {
+  const Encoder encoder = openEncoder(smallSettings(), x264Params);
+  const Filter filter = openFilter(filterText, encoder.context());
+  const AVCodecParameters& codec = *filter->par_out;
+  const std::string bytes(reinterpret_cast<const char*>(codec.extradata),
+                          static_cast<std::size_t>(codec.extradata_size));
+  const std::string start("\0\0\0\1", 4);
+  const std::size_t second = bytes.find(start, start.size());
+  const std::string sequence = bytes.substr(start.size(), second - start.size());
+  const std::string picture = bytes.substr(second + start.size());
+  const auto sized = [](const std::string& unit) {
+    return std::string{static_cast<char>(unit.size() >> 8), static_cast<char>(unit.size() & 0xff)} +
+           unit;
+  };
+  return "\1" + sequence.substr(1, 3) + "\xff\xe1" + sized(sequence) + "\1" + sized(picture) +
+         std::string("\xfd\xf8\xf8\0", 4);
+}
+
 void writeChangedStream(const std::filesystem::path& path, VideoFormat format,
                         const std::function<void(std::string& packet, int index)>& change) {
   constexpr int kPictures = 5;

@@ -15,6 +15,9 @@ namespace rotatebook::video::testing {
 void writeForgedStream(const std::filesystem::path& path, const std::string& x264Params,
                        const std::string& filter, const std::string& laterFilter = "");
 
+/// Returns the parameters of such a stream, as an MP4 holds them. Throws MachineError.
+std::string forgedParameters(const std::string& x264Params, const std::string& filter);
+
 /// Writes a few pictures in `format` as VideoWriter does, each packet's bytes changed by `change`,
 /// which gets their index. Throws MachineError.
 void writeChangedStream(const std::filesystem::path& path, VideoFormat format,

@@ -47,6 +47,15 @@ FormDifferences differencesIn(const std::string& content, VideoFormat format) {
   return differencesFromWritten(path, formOf(testing::smallSettings()));
 }
 
+/// Returns whether a file is refused; some are no clips to FFmpeg any more.
+bool isRefused(const std::string& content, VideoFormat format) {
+  try {
+    return !differencesIn(content, format).container.empty();
+  } catch (const InputError&) {
+    return true;
+  }
+}
+
 TEST(WrittenForm, IsThatOfEachClip) {
   std::vector<VideoSettings> all(7, testing::smallSettings());
   all[1].frameRate = {30000, 1001};
@@ -204,7 +213,7 @@ TEST(WrittenForm, HasNoOtherBoxes) {
   for (const Change& change : kBoxChanges) {
     PartTree tree = honest;
     apply(change, tree);
-    EXPECT_NE(differencesIn(testing::mp4Of(tree), VideoFormat::Mp4).container, "")
+    EXPECT_TRUE(isRefused(testing::mp4Of(tree), VideoFormat::Mp4))
         << change.path << " " << change.part << change.at;
   }
 }
@@ -290,12 +299,8 @@ TEST(WrittenForm, HasNoOtherElements) {
   for (const Change& change : kElementChanges) {
     PartTree tree = honest;
     apply(change, tree);
-    // Some are no WebM to FFmpeg any more.
-    try {
-      EXPECT_NE(differencesIn(testing::webmOf(tree), VideoFormat::WebM).container, "")
-          << change.path << " " << change.bytes;
-    } catch (const InputError&) {
-    }
+    EXPECT_TRUE(isRefused(testing::webmOf(tree), VideoFormat::WebM))
+        << change.path << " " << change.bytes;
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "recording/columns.h"
 #include "recording/csv_table.h"
 #include "system/read_file.h"
 
@@ -24,6 +25,12 @@ void RecordingOptions::addTo(CLI::App& command) {
                   "Unit of a gyroscope's rates, rad/s or deg/s, if the header has none")
       ->type_name("UNIT")
       ->check(CLI::IsMember({"rad/s", "deg/s"}))
+      ->group(kGroup);
+  command
+      .add_option("--time-unit", options.timeUnit,
+                  "Unit of the file's times, s, ms, us or ns, if the header has none")
+      ->type_name("UNIT")
+      ->check(CLI::IsMember({"s", "ms", "us", "ns"}))
       ->group(kGroup);
   command
       .add_option("--column", columns,

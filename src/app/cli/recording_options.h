@@ -10,7 +10,7 @@
 
 namespace rotatebook::cli {
 
-/// The values of --rates, --column, --from and --to.
+/// The values of --rates, --time-unit, --column, --from and --to.
 struct RecordingOptions {
   recording::ReadOptions options;
   std::vector<std::string> columns;  ///< "wx=NAME"

@@ -44,6 +44,7 @@ std::string ratioJson(const recording::Estimate& ratio) {
 /// Returns the keys of [simulation] that state what `options` does.
 std::string statedKeys(const recording::ReadOptions& options) {
   std::string text;
+  if (!options.timeUnit.empty()) text += "time_unit = " + quotedText(options.timeUnit) + "\n";
   if (!options.unit.empty()) text += "rates = " + quotedText(options.unit) + "\n";
   if (options.columns.empty()) return text;
   return text + "columns = { " +

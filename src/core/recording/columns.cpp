@@ -20,11 +20,13 @@ struct Group {
 
 // Names are compared in small letters, without blanks, underscores and what is in brackets.
 constexpr Group kTime{"time", "time t times ts timestamp timems timens timeus elapsedtime seconds"};
-constexpr Group kQuaternion{"qw qx qy qz", "q quat quaternion orientation attitude "};
+constexpr Group kQuaternion{"qw qx qy qz",
+                            "q quat quaternion motionquaternion orientation attitude "};
 constexpr Group kMatrix{"r11 r12 r13 r21 r22 r23 r31 r32 r33", "r m rot matrix"};
 constexpr Group kRates{
     "wx wy wz",
-    "w g gyr gyro gyroscope omega angularvelocity angvel rate rotationrate angularrate"};
+    "w g gyr gyro gyroscope gyrorotation omega angularvelocity angvel rate rotationrate "
+    "motionrotationrate angularrate"};
 constexpr Group kAcceleration{
     "ax ay az", "a acc accel acceleration accelerometer accelerationwithg specificforce"};
 
@@ -152,10 +154,10 @@ struct Unit {
   std::string_view names;
 };
 
-constexpr Unit<double> kTimeUnits[]{{1, "s sec second seconds"},
-                                    {1e-3, "ms millisecond milliseconds"},
-                                    {1e-6, "us \xC2\xB5s \xCE\xBCs microsecond microseconds"},
-                                    {1e-9, "ns nanosecond nanoseconds"}};
+constexpr Unit<double> kUnitsOfTimes[]{{1, "s sec second seconds"},
+                                       {1e-3, "ms millisecond milliseconds"},
+                                       {1e-6, "us \xC2\xB5s \xCE\xBCs microsecond microseconds"},
+                                       {1e-9, "ns nanosecond nanoseconds"}};
 constexpr Unit<std::string_view> kUnitsOfRates[]{
     {kRateUnits[0], "rad/s rads rad/sec radians/s radian/s rads/s rads^-1 rad*s^-1 rad"},
     {kRateUnits[1],
@@ -171,13 +173,15 @@ auto unitNamed(const Units& units, std::string_view name) {
   return found != std::end(units) ? std::optional(found->value) : std::nullopt;
 }
 
-/// Returns the unit that a header states for the time, in seconds.
-double secondsIn(const CsvTable& table, const std::string& header) {
+/// Returns the unit of the times, in seconds: `stated`, or if that is empty the header's.
+double secondsIn(const CsvTable& table, const std::string& header, std::string_view stated) {
+  if (!stated.empty()) return unitNamed(kUnitsOfTimes, stated).value();
   const std::string text = smallText(header), unit = unitInBrackets(header);
-  if (const auto seconds = unitNamed(kTimeUnits, unit)) return *seconds;
+  if (const auto seconds = unitNamed(kUnitsOfTimes, unit)) return *seconds;
   if (!unit.empty()) {
     table.fail("the column " + quotedText(header) +
-               " has times in a unit that isn't read; there are s, ms, us and ns");
+               " has times in a unit that isn't read; there are s, ms, us and ns: state one in "
+               "simulation.time_unit, or with --time-unit");
   }
   if (text.ends_with("_ms")) return 1e-3;
   if (text.ends_with("_us")) return 1e-6;
@@ -194,6 +198,22 @@ std::string_view unitIn(std::string_view header) {
   return has(text, "rad") ? kRateUnits[0] : "";
 }
 
+/// Returns whether a column is called as a gyroscope's, which measures along the body's axes.
+bool isGyroscopes(std::string_view header) {
+  const std::string name = plain(header);
+  return has(name, "gyr") || has(name, "rotationrate") || name == "gx";
+}
+
+/// Returns whether the rates are along the body's axes, by the options or the columns' name.
+bool areAlongBody(const CsvTable& table, const Columns& columns, std::string_view stated) {
+  const bool areAlone = !columns.quaternion && !columns.matrix;
+  if (areAlone && stated == kRateAxes[0]) {
+    table.fail("rates alone along the world's axes aren't read; give attitudes beside them");
+  }
+  if (areAlone || !stated.empty()) return stated != kRateAxes[0];
+  return isGyroscopes(table.header()[columns.rates->front()]);
+}
+
 double radiansPerUnit(const CsvTable& table, const Columns& columns, std::string_view unit) {
   const std::string& header = table.header()[columns.rates->front()];
   const bool isStated = !unit.empty();
@@ -204,9 +224,10 @@ double radiansPerUnit(const CsvTable& table, const Columns& columns, std::string
     table.fail("the columns " + quotedText(header) + " and " + quotedText(other) +
                " are in different units; state one for all in simulation.rates, or with --rates");
   }
-  const bool hasAttitudes = columns.quaternion || columns.matrix;
-  // This program's tables have SI units.
-  if (unit.empty() && hasAttitudes && unitInBrackets(header).empty()) return 1;
+  // Tables of programs, this one's among them, have SI units.
+  const bool areAlone = !columns.quaternion && !columns.matrix;
+  const bool arePrograms = !areAlone && !isGyroscopes(header);
+  if (unit.empty() && arePrograms && unitInBrackets(header).empty()) return 1;
   if (unit.empty()) {
     table.fail("the column " + quotedText(header) +
                " doesn't say whether it is in rad/s or deg/s; state it in simulation.rates, or "
@@ -225,8 +246,8 @@ std::vector<std::string_view> columnRoles() {
   return roles;
 }
 
-Columns findColumns(const CsvTable& table, const ColumnNames& named, std::string_view unit) {
-  const Finder finder(table, named);
+Columns findColumns(const CsvTable& table, const ReadOptions& options) {
+  const Finder finder(table, options.columns);
   Columns columns;
   const auto time = finder.group<1>(kTime);
   if (!time) {
@@ -234,7 +255,7 @@ Columns findColumns(const CsvTable& table, const ColumnNames& named, std::string
                "; name it in simulation.columns, or with --column");
   }
   columns.time = time->front();
-  columns.secondsPerUnit = secondsIn(table, table.header()[columns.time]);
+  columns.secondsPerUnit = secondsIn(table, table.header()[columns.time], options.timeUnit);
   columns.quaternion = finder.group<4>(kQuaternion);
   if (!columns.quaternion) columns.matrix = finder.group<9>(kMatrix);
   columns.rates = finder.group<3>(kRates);
@@ -243,7 +264,9 @@ Columns findColumns(const CsvTable& table, const ColumnNames& named, std::string
     table.fail("neither attitudes (qw to qz, or r11 to r33) nor rates (wx to wz) among " +
                finder.names() + "; name them in simulation.columns, or with --column");
   }
-  if (columns.rates) columns.radiansPerUnit = radiansPerUnit(table, columns, unit);
+  if (!columns.rates) return columns;
+  columns.areRatesAlongBody = areAlongBody(table, columns, options.ratesAlong);
+  columns.radiansPerUnit = radiansPerUnit(table, columns, options.unit);
   return columns;
 }
 

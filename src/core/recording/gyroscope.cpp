@@ -57,11 +57,10 @@ std::vector<RecordedMoment> integrateRates(const std::vector<Rate>& rates) {
   return moments;
 }
 
-void differentiateAttitudes(std::vector<RecordedMoment>& moments) {
-  constexpr std::size_t kPoints = 5;
-  const std::size_t count = std::min(kPoints, moments.size());
+void differentiateAttitudes(std::vector<RecordedMoment>& moments, std::size_t neighbours) {
+  const std::size_t count = std::min(2 * neighbours + 1, moments.size());
   for (std::size_t i = 0; i < moments.size(); ++i) {
-    const std::size_t first = std::min(i < 2 ? 0 : i - 2, moments.size() - count);
+    const std::size_t first = std::min(i < neighbours ? 0 : i - neighbours, moments.size() - count);
     const double here = moments[i].time;
     Eigen::Vector3d slope = Eigen::Vector3d::Zero();
     for (std::size_t k = first; k < first + count; ++k) {

@@ -1,6 +1,7 @@
 // Attitudes from a gyroscope's rates, and rates from attitudes.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
@@ -28,7 +29,8 @@ std::vector<RecordedMoment> integrateRates(const std::vector<Rate>& rates);
 
 /// Sets the spin of at least two moments from their attitudes: the slope at each moment of the
 /// polynomial through the turns to its neighbours, two on each side or, at an end, as near as there
-/// are. Exact for a steady spin; of order 4 for others, with even or uneven times.
-void differentiateAttitudes(std::vector<RecordedMoment>& moments);
+/// are. Exact for a steady spin; of order 4 for others, with even or uneven times. With
+/// `neighbours` on each side other than two, the order is twice that.
+void differentiateAttitudes(std::vector<RecordedMoment>& moments, std::size_t neighbours = 2);
 
 }  // namespace rotatebook::recording

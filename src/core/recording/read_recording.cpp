@@ -8,6 +8,8 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "recording/columns.h"
+#include "recording/conventions.h"
 #include "recording/csv_table.h"
 #include "rigid/rotation.h"
 
@@ -88,33 +90,74 @@ void requireFollowed(const CsvTable& table, std::size_t row, const std::vector<R
                "time or of the rates another?");
 }
 
-std::vector<RecordedMoment> momentsOf(const CsvTable& table, const Columns& columns,
-                                      const Eigen::Vector3d& bias) {
+std::vector<RecordedMoment> integratedRates(const CsvTable& table, const Columns& columns,
+                                            const Eigen::Vector3d& bias) {
   const std::vector<double> times = timesOf(table, columns);
-  const bool hasAttitudes = columns.quaternion || columns.matrix;
-  if (!hasAttitudes) {
-    std::vector<Rate> rates;
-    for (std::size_t row = 0; row < times.size(); ++row) {
-      rates.push_back({times[row], rateAt(table, row, columns) - bias});
-      if (row > 0) requireFollowed(table, row, rates);
-    }
-    return integrateRates(rates);
+  std::vector<Rate> rates;
+  for (std::size_t row = 0; row < times.size(); ++row) {
+    rates.push_back({times[row], rateAt(table, row, columns) - bias});
+    if (row > 0) requireFollowed(table, row, rates);
   }
+  return integrateRates(rates);
+}
+
+/// Returns the attitudes, with the rates beside them if there are any.
+std::vector<RecordedMoment> attitudesOf(const CsvTable& table, const Columns& columns,
+                                        const Eigen::Vector3d& bias) {
+  const std::vector<double> times = timesOf(table, columns);
   std::vector<RecordedMoment> moments;
   for (std::size_t row = 0; row < times.size(); ++row) {
     moments.push_back({times[row], attitudeAt(table, row, columns)});
     if (!columns.rates) continue;
-    moments.back().angularVelocity =
-        moments.back().attitude.conjugate() * rateAt(table, row, columns);
+    const Eigen::Vector3d rate = rateAt(table, row, columns);
+    moments.back().angularVelocity = columns.areRatesAlongBody
+                                         ? (rate - bias).eval()
+                                         : moments.back().attitude.conjugate() * rate;
   }
-  if (columns.rates) return moments;
+  return moments;
+}
+
+void differentiate(const CsvTable& table, std::vector<RecordedMoment>& moments) {
   differentiateAttitudes(moments);
   for (std::size_t row = 0; row < moments.size(); ++row) {
     if (!(moments[row].angularVelocity.norm() <= kLargestRate)) {
       table.failAt(row, "the attitude changes by more than 1e9 rad/s");
     }
   }
+}
+
+/// Returns the uncertainty of the slopes, see SpinFacts.
+double uncertaintyOf(const std::vector<RecordedMoment>& moments) {
+  std::vector<RecordedMoment> others = moments;
+  differentiateAttitudes(others, 1);
+  double difference = 0, all = 0;
+  for (std::size_t i = 2; i + 2 < moments.size(); ++i) {
+    difference += (others[i].angularVelocity - moments[i].angularVelocity).squaredNorm();
+    all += moments[i].angularVelocity.squaredNorm();
+  }
+  return all > 0 ? std::sqrt(difference / all) : 0;
+}
+
+/// Returns the moments of the stated part.
+std::vector<RecordedMoment> within(std::vector<RecordedMoment> moments,
+                                   const ReadOptions& options) {
+  std::erase_if(moments, [&](const RecordedMoment& one) {
+    return (options.from && one.time < *options.from) || (options.to && one.time > *options.to);
+  });
   return moments;
+}
+
+/// Returns by how much the rates differ from the attitudes' slopes. Throws ContradictionError if
+/// they contradict them.
+double differenceOf(const std::vector<RecordedMoment>& moments, bool areRatesAlongBody,
+                    const std::string& name) {
+  const RateComparison found = compareRates(moments, areRatesAlongBody);
+  if (!found.mistake.empty()) throw ContradictionError(name + ": " + found.mistake);
+  if (!areRatesAlongBody || found.difference <= kContradicts) return found.difference;
+  throw ContradictionError(
+      name + ": the rates along the body's axes aren't the attitudes' slopes: they differ by " +
+      roundedText(100 * found.difference, 2) +
+      " %, with no other axes, order or unit by less; are both of the same body and moment?");
 }
 
 /// Returns the stated part of a motion whose first moment was at `start` of the file's times. [s]
@@ -134,16 +177,26 @@ RecordedMotion partOf(const RecordedMotion& motion, double start, const std::str
 RecordedMotion readRecording(std::string_view bytes, const std::string& name,
                              const ReadOptions& options) {
   const CsvTable table(bytes, name);
-  std::vector<RecordedMoment> moments =
-      momentsOf(table, findColumns(table, options.columns, options.unit), options.bias);
+  const Columns columns = findColumns(table, options);
+  const bool hasAttitudes = columns.quaternion || columns.matrix;
+  std::vector<RecordedMoment> moments = hasAttitudes
+                                            ? attitudesOf(table, columns, options.bias)
+                                            : integratedRates(table, columns, options.bias);
+  SpinFacts spins{hasAttitudes ? SpinSource::Given : SpinSource::Gyroscope};
+  if (hasAttitudes && !columns.rates) {
+    differentiate(table, moments);
+    spins = {SpinSource::Slopes, uncertaintyOf(within(moments, options))};
+  } else if (hasAttitudes) {
+    spins.difference = differenceOf(within(moments, options), columns.areRatesAlongBody, name);
+  }
   const double start = moments.front().time;
-  return partOf(RecordedMotion(std::move(moments)), start, name, options);
+  return partOf(RecordedMotion(std::move(moments), spins), start, name, options);
 }
 
 InertialRecording readInertial(std::string_view bytes, const std::string& name,
                                const ReadOptions& options) {
   const CsvTable table(bytes, name);
-  const Columns columns = findColumns(table, options.columns, options.unit);
+  const Columns columns = findColumns(table, options);
   if (!columns.rates || columns.quaternion || columns.matrix) {
     table.fail("no gyroscope's rates (wx to wz) alone, along the body's axes");
   }

@@ -1,34 +1,33 @@
 // Reads recordings: attitudes, a gyroscope's rates, or this program's own tables.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "recording/columns.h"
+#include "base/error.h"
 #include "recording/gyroscope.h"
+#include "recording/read_options.h"
 #include "recording/recorded_motion.h"
 
 namespace rotatebook::recording {
 
-/// Statements about a recording that its file doesn't make.
-struct ReadOptions {
-  ColumnNames columns{};               ///< Of the columns without a usual name.
-  std::string unit{};                  ///< Of rates, one of kRateUnits; if empty, the header's.
-  std::optional<double> from{}, to{};  ///< The part to take, of the file's times. [s]
-  Eigen::Vector3d bias{0, 0, 0};       ///< Subtracted from a gyroscope's rates. [rad/s]
-
-  friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
+/// Reports that the rates of a table contradict the attitudes beside them: axes, units or an order
+/// of columns are others than those that the table is read with.
+class ContradictionError : public InputError {
+ public:
+  using InputError::InputError;
 };
 
 /// Reads a motion from the bytes of a file; `name` is the file's in messages. Attitudes with rates
-/// beside them have these, along the world's axes; attitudes alone are differentiated; rates alone,
+/// beside them have these; attitudes alone are differentiated; rates alone,
 /// along the body's axes, are integrated. Throws InputError "NAME:LINE: PROBLEM" for what CsvTable
 /// and findColumns() refuse, for times that don't ascend, for quaternions and matrices that are no
-/// rotations to 1 %, rates over 1e9 rad/s, and for a part that isn't within the recording.
+/// rotations to 1 %, rates over 1e9 rad/s, and for a part that isn't within the recording;
+/// ContradictionError for what compareRates() finds in that part, and for a gyroscope's rates that
+/// differ by more than kContradicts from the slopes of the attitudes.
 RecordedMotion readRecording(std::string_view bytes, const std::string& name,
                              const ReadOptions& options);
 

@@ -20,14 +20,32 @@ struct RecordedMoment {
   Eigen::Vector3d angularVelocity{0, 0, 0};  ///< In body axes. [rad/s]
 };
 
+/// Sources of the spins of a recording.
+enum class SpinSource {
+  Given,      ///< Rates beside attitudes.
+  Slopes,     ///< Of attitudes alone.
+  Gyroscope,  ///< Rates alone.
+};
+
+/// What is known of the spins of a recording.
+struct SpinFacts {
+  SpinSource source = SpinSource::Given;
+  /// Of slopes: root mean square of those of order 4 minus those of order 2, relative to the
+  /// former, which the error of those of order 4 is below. [-]
+  double uncertainty = 0;
+  /// Of rates beside attitudes: RateComparison::difference [-]
+  double difference = 0;
+};
+
 /// Moments in the order of their times, and the motion between them. It begins at time 0, when body
 /// and world axes agree: the recording's own world is turned so.
 class RecordedMotion {
  public:
   /// Takes at least two moments, at ascending times; the first is to be time 0.
-  explicit RecordedMotion(std::vector<RecordedMoment> moments);
+  explicit RecordedMotion(std::vector<RecordedMoment> moments, const SpinFacts& spins = {});
 
   const std::vector<RecordedMoment>& moments() const { return moments_; }
+  const SpinFacts& spins() const { return spins_; }
   /// Returns the time of the last moment, > 0. [s]
   double duration() const { return moments_.back().time; }
   /// Returns the body at a time within the recording, or at its nearer end: between two moments the
@@ -39,6 +57,7 @@ class RecordedMotion {
 
  private:
   std::vector<RecordedMoment> moments_;
+  SpinFacts spins_;
 };
 
 /// Neighbouring moments.

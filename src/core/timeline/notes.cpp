@@ -7,6 +7,7 @@
 #include "base/number_text.h"
 #include "physics/motion_start.h"
 #include "rigid/exact_rotation.h"
+#include "scene/mesh_notes.h"
 #include "timeline/free_pieces.h"
 
 namespace rotatebook::timeline {
@@ -87,7 +88,7 @@ void addSteadyNote(const scene::Panel& panel, const rigid::PrincipalAxes& inerti
 }  // namespace
 
 std::vector<std::string> notesOn(const scene::Panel& panel) {
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = scene::meshNotes(panel.solid);
   addTiltNote(panel, notes);
   addSizeNote(panel, notes);
   const rigid::PrincipalAxes inertia = modelInertia(panel);

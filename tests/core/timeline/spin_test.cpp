@@ -190,7 +190,8 @@ TEST(Spin, FlipsFirstWhenTheExactMotionDoes) {
   settings.simulation.model = physics::Model::Exact;
   const double first = spinOf(settings).firstFlip.value();
   constexpr double kBeside = 1e-9;  // [s]
-  const auto trajectory = physics::simulate(settings, {0, first - kBeside, first + kBeside});
+  const std::vector<double> times{0, first - kBeside, first + kBeside};
+  const auto trajectory = physics::simulate(settings, times);
   EXPECT_EQ(trajectory.samples[1].halfTurns, 0);
   EXPECT_EQ(trajectory.samples[2].halfTurns, 1);
 }

@@ -57,7 +57,7 @@ void refuseLostResults(const MapTask& task, const MapArguments& arguments) {
                                std::string("the ") + (arguments.film ? "film" : "map") + " of " +
                                    task.scene.name +
                                    " would replace it; name another folder with -o");
-  if (!arguments.film) store::refuseNoResultsOfMap(task.files.csv, task.files.json);
+  if (!arguments.film) store::refuseNoResultsOfMap(task.files);
 }
 
 /// Reads all scenes before anything is written, so that a mistake in the last one costs nothing.

@@ -83,7 +83,7 @@ void refuseLostResults(const scene::Scene& scene, const farm::PlanWishes& wishes
   } else if (wishes.work == farm::Work::Map) {
     const store::MapFiles files = store::mapFiles(wishes.folder, scene.name);
     store::refuseResultsOfOthers({store::ResultKind::Map, scene.name}, allOf(files), remedy);
-    store::refuseNoResultsOfMap(files.csv, files.json);
+    store::refuseNoResultsOfMap(files);
   } else {
     store::refuseResultsOfOthers({store::ResultKind::Study, scene.name},
                                  allOf(store::studyFiles(wishes.folder, scene.name)), remedy);

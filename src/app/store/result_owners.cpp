@@ -10,7 +10,6 @@
 #include "store/clip_files.h"
 #include "store/fingerprint.h"
 #include "store/manifest.h"
-#include "store/map_files.h"
 #include "store/other_settings.h"
 #include "store/study_files.h"
 #include "study/map_files.h"
@@ -117,15 +116,22 @@ void refuseResultsOfOthers(const Results& own, const std::vector<fs::path>& outp
   }
 }
 
-void refuseNoResultsOfMap(const fs::path& csv, const fs::path& json) {
-  const auto fail = [](const fs::path& file) {
+void refuseNoResultsOfMap(const MapFiles& files) {
+  const auto exists = [](const fs::path& file) {
+    std::error_code missing;
+    return fs::exists(file, missing);
+  };
+  const bool isMap = exists(files.npy) || exists(files.json);
+  const auto refuse = [&](const fs::path& file, bool isKnown) {
+    if (isKnown || !exists(file)) return;
     throw InputError(file.string() +
                      " is no map's, and would be replaced or removed; move it away, or name "
                      "another folder with -o");
   };
-  std::error_code missing;
-  if (fs::exists(csv, missing) && !study::isMapHeader(headerOf(csv))) fail(csv);
-  if (fs::exists(json, missing) && !isMapJson(json)) fail(json);
+  refuse(files.csv, study::isMapHeader(headerOf(files.csv)));
+  refuse(files.json, isMapJson(files.json));
+  refuse(files.png, isMap);
+  refuse(files.plain, isMap);
 }
 
 }  // namespace rotatebook::store

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "store/map_files.h"
+
 namespace rotatebook::store {
 
 /// Kinds of results, which are named after a scene.
@@ -26,7 +28,8 @@ struct Results {
 void refuseResultsOfOthers(const Results& own, const std::vector<std::filesystem::path>& outputs,
                            const std::string& remedy);
 
-/// Throws InputError if a map's CSV or JSON would replace or remove a file that no map left.
-void refuseNoResultsOfMap(const std::filesystem::path& csv, const std::filesystem::path& json);
+/// Throws InputError if a map would replace or remove a table, JSON or picture that no map left. Of
+/// pictures that follows from the array and the JSON, without which no map leaves any.
+void refuseNoResultsOfMap(const MapFiles& files);
 
 }  // namespace rotatebook::store

@@ -19,13 +19,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kPrefix = "tile_";
+constexpr std::string_view kTilePrefix = "tile_";
 
 /// Returns whether write() gives a file this name: tile_0, tile_17.
 bool isTile(const fs::path& path) {
   const std::string name = path.filename().string();
-  if (!name.starts_with(kPrefix) || name.size() == kPrefix.size()) return false;
-  return std::all_of(name.begin() + std::ssize(kPrefix), name.end(),
+  if (!name.starts_with(kTilePrefix) || name.size() == kTilePrefix.size()) return false;
+  return std::all_of(name.begin() + std::ssize(kTilePrefix), name.end(),
                      [](char letter) { return '0' <= letter && letter <= '9'; });
 }
 
@@ -113,7 +113,7 @@ void MapTiles::remove() const {
 }
 
 fs::path MapTiles::pathOf(std::size_t index) const {
-  return folder_ / (std::string(kPrefix) + std::to_string(index));
+  return folder_ / (std::string(kTilePrefix) + std::to_string(index));
 }
 
 }  // namespace rotatebook::store

@@ -19,6 +19,8 @@ namespace fs = std::filesystem;
 using Archive = std::unique_ptr<zip_t, decltype([](zip_t* archive) { zip_discard(archive); })>;
 using ArchivedFile = std::unique_ptr<zip_file_t, decltype([](zip_file_t* f) { zip_fclose(f); })>;
 
+using Source = std::unique_ptr<zip_source_t, decltype([](zip_source_t* s) { zip_source_free(s); })>;
+
 [[noreturn]] void failZip(const fs::path& file, const char* cause) {
   throw MachineError("can't write " + file.string() + ": " + cause);
 }
@@ -38,6 +40,22 @@ void addToZip(zip_t* archive, const fs::path& from, const fs::path& zip) {
       zip_file_set_dostime(archive, entry, 0, (1 << 5) | 1, 0) != 0) {
     failZip(zip, zip_strerror(archive));
   }
+}
+
+/// Appends the bytes of an archive in memory to a file.
+void appendTo(system::AtomicFile& file, zip_source_t* archive) {
+  const auto fail = [&] {
+    failZip(file.finalPath(), zip_error_strerror(zip_source_error(archive)));
+  };
+  if (zip_source_open(archive) != 0) fail();
+  std::string piece(1 << 16, '\0');
+  for (;;) {
+    const zip_int64_t size = zip_source_read(archive, piece.data(), piece.size());
+    if (size < 0) fail();
+    if (size == 0) break;
+    file.write(std::string_view(piece).substr(0, static_cast<std::size_t>(size)));
+  }
+  zip_source_close(archive);
 }
 
 /// Reads a file of an archive piece by piece; returns false if it is compressed or damaged, as no
@@ -94,12 +112,16 @@ void writeZip(const fs::path& folder, std::vector<std::string> names, const fs::
   const auto repeats = std::ranges::unique(names);
   names.erase(repeats.begin(), repeats.end());
   system::AtomicFile whole(file);
-  int code = 0;
-  Archive archive(zip_open(whole.temporaryPath().c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
+  // In memory: libzip doesn't flush files of its own, and a kill would leave them
+  const Source buffer(zip_source_buffer_create(nullptr, 0, 0, nullptr));
+  if (buffer == nullptr) failZip(file, "libzip can't begin it");
+  Archive archive(zip_open_from_source(buffer.get(), ZIP_CREATE | ZIP_TRUNCATE, nullptr));
   if (archive == nullptr) failZip(file, "libzip can't begin it");
+  zip_source_keep(buffer.get());  // The archive frees it, too.
   for (const std::string& name : names) addToZip(archive.get(), folder / name, file);
   if (zip_close(archive.get()) != 0) failZip(file, zip_strerror(archive.get()));
   static_cast<void>(archive.release());  // zip_close() has freed it.
+  appendTo(whole, buffer.get());
   whole.commit();
 }
 

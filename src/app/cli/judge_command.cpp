@@ -12,6 +12,7 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
+#include "cli/recording_files.h"
 #include "cli/recording_options.h"
 #include "cli/scene_options.h"
 #include "physics/recorded_start.h"
@@ -50,21 +51,33 @@ physics::MotionSettings motionOf(const std::string& file, const JudgeArguments& 
     motion.inertia = threeNumbers(arguments.inertia, "--inertia").asDiagonal();
     rigid::checkInertia(*motion.inertia);
   }
+  const recording::ReadOptions options = arguments.recording.read();
+  const TableFile table = openRecording(file, "", options).motion;
   auto recorded = std::make_shared<recording::RecordedMotion>(
-      recording::readRecording(recordingBytes(file), file, arguments.recording.read()));
+      recording::readRecording(table.bytes, table.name, options));
+  for (const std::string& note : recorded->notes())
+    std::cerr << "note: " << oneLine(table.name) << ": " << note << '\n';
   motion.simulation.timePerFrame =
       recorded->duration() / static_cast<double>(recorded->moments().size() - 1);
   takeRecording(motion, std::move(recorded), file);
   return motion;
 }
 
-report::JudgedMotion judgedTable(const std::string& file, const JudgeArguments& arguments) {
-  const physics::MotionSettings motion = motionOf(file, arguments);
+report::JudgedMotion judgedMotion(const std::string& file, const physics::MotionSettings& motion) {
   std::vector<double> times;
   for (const auto& moment : motion.simulation.recorded.motion->moments()) {
     times.push_back(moment.time);
   }
   return {file, timeline::judge(motion, physics::simulate(motion, times))};
+}
+
+/// Returns the verdict on a table's motion, or what is wrong with the table.
+report::JudgedMotion judgedTable(const std::string& file, const JudgeArguments& arguments) {
+  try {
+    return judgedMotion(file, motionOf(file, arguments));
+  } catch (const recording::ContradictionError& error) {
+    return {.name = file, .mistake = error.what()};
+  }
 }
 
 void addJudgedScene(const std::string& file, const JudgeArguments& arguments,
@@ -89,7 +102,8 @@ void refuseIdleOptions(const JudgeArguments& arguments) {
   const auto& options = arguments.recording;
   const bool areOfTables = !arguments.inertia.empty() || !arguments.size.empty() ||
                            options.options.from || options.options.to ||
-                           !options.options.unit.empty() || !options.columns.empty();
+                           !options.options.unit.empty() || !options.options.timeUnit.empty() ||
+                           !options.options.ratesAlong.empty() || !options.columns.empty();
   if (areOfTables && std::ranges::all_of(arguments.files, isScene)) {
     throw InputError(
         "--inertia, --size and the options of recordings are a table's, and there is "
@@ -168,9 +182,17 @@ void addJudgeCommand(CLI::App& program, Action& action) {
                     "Let scenes read files from outside their folders");
   addBounds(*command, arguments->bounds);
   arguments->recording.addTo(*command);
+  command
+      ->add_option("--rates-along", arguments->recording.options.ratesAlong,
+                   "Whose axes the rates beside attitudes are along, body or world; body for a "
+                   "gyroscope's columns, world for others")
+      ->type_name("AXES")
+      ->check(CLI::IsMember({"body", "world"}))
+      ->group("Recording");
   command->footer(R"(
 Prints the error, the drift of energy and angular momentum, the half-turns made and due, and the kind
-of method that errs so.
+of method that errs so. A table whose rates contradict its attitudes isn't judged: what is wrong with
+it is said, and the exit status is 1.
 
 Examples:
   rotatebook judge scenes/comparisons/recordings/*.csv --size 0.15,0.22,0.04

@@ -117,13 +117,13 @@ void refuseResultsOfOthers(const Results& own, const std::vector<fs::path>& outp
 }
 
 void refuseNoResultsOfMap(const MapFiles& files) {
-  const auto exists = [](const fs::path& file) {
+  const auto isFile = [](const fs::path& file) {
     std::error_code missing;
-    return fs::exists(file, missing);
+    return fs::is_regular_file(file, missing);
   };
-  const bool isMap = exists(files.npy) || exists(files.json);
+  const bool isMap = isFile(files.npy) || isFile(files.json);
   const auto refuse = [&](const fs::path& file, bool isKnown) {
-    if (isKnown || !exists(file)) return;
+    if (isKnown || !isFile(file)) return;
     throw InputError(file.string() +
                      " is no map's, and would be replaced or removed; move it away, or name "
                      "another folder with -o");

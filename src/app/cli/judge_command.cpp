@@ -83,6 +83,8 @@ report::JudgedMotion judgedTable(const std::string& file, const JudgeArguments& 
 void addJudgedScene(const std::string& file, const JudgeArguments& arguments,
                     std::vector<report::JudgedMotion>& judged) {
   const scene::Scene scene = arguments.scene.read(file);
+  if (!arguments.junit.empty())
+    refuseInputs(arguments.junit, inputsOf(file, scene), "name another file with --junit");
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   const std::vector<scene::Panel> panels = scene::motionsOf(scene);
   for (std::size_t i = 0; i < panels.size(); ++i) {
@@ -113,7 +115,11 @@ void refuseIdleOptions(const JudgeArguments& arguments) {
 
 int judgeAll(const JudgeArguments& arguments) {
   refuseIdleOptions(arguments);
-  if (!arguments.junit.empty()) requireAbsentOr(arguments.junit, report::kJunitBeginning);
+  if (!arguments.junit.empty()) {
+    requireAbsentOr(arguments.junit, report::kJunitBeginning);
+    for (const std::string& file : arguments.files)
+      refuseInputs(arguments.junit, {{file, "to be judged"}}, "name another file with --junit");
+  }
   std::vector<report::JudgedMotion> judged;
   for (const std::string& file : arguments.files) {
     if (isScene(file)) {

@@ -73,7 +73,7 @@ const std::map<std::string, Room> kRooms{
       {"rigid"}}},
     {"store",
      {"app",
-      {"base", "document", "scene", "timeline", "system", "image", "video", "picture"},
+      {"base", "document", "scene", "timeline", "study", "system", "image", "video", "picture"},
       {},
       {"rigid", "physics", "geometry"}}},
     {"farm",

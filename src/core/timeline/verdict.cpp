@@ -22,7 +22,9 @@ namespace {
 
 using physics::Sample;
 
-constexpr double kOfAnotherScale = 0.01;  // Differences of rates from slopes by steps are below.
+// Difference of rates from slopes that is more than that of steps which keep energy and L: of 25 a
+// turn by the midpoint rule 0.006, measured.
+constexpr double kOfAnotherScale = 0.01;
 constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 double angleDegBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {

@@ -12,6 +12,7 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
+#include "cli/recording_files.h"
 #include "cli/recording_options.h"
 #include "cli/scene_options.h"
 #include "physics/recorded_start.h"
@@ -50,8 +51,12 @@ physics::MotionSettings motionOf(const std::string& file, const JudgeArguments& 
     motion.inertia = threeNumbers(arguments.inertia, "--inertia").asDiagonal();
     rigid::checkInertia(*motion.inertia);
   }
+  const recording::ReadOptions options = arguments.recording.read();
+  const TableFile table = openRecording(file, "", options).motion;
   auto recorded = std::make_shared<recording::RecordedMotion>(
-      recording::readRecording(recordingBytes(file), file, arguments.recording.read()));
+      recording::readRecording(table.bytes, table.name, options));
+  for (const std::string& note : recorded->notes())
+    std::cerr << "note: " << oneLine(table.name) << ": " << note << '\n';
   motion.simulation.timePerFrame =
       recorded->duration() / static_cast<double>(recorded->moments().size() - 1);
   takeRecording(motion, std::move(recorded), file);

@@ -7,8 +7,6 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "recording/columns.h"
-#include "recording/csv_table.h"
-#include "system/read_file.h"
 
 namespace rotatebook::cli {
 
@@ -54,14 +52,6 @@ recording::ReadOptions RecordingOptions::read() const {
     result.columns.emplace_back(role, column.substr(middle + 1));
   }
   return result;
-}
-
-std::string recordingBytes(const std::string& path) {
-  try {
-    return system::readFile(path, recording::kLargestRecording);
-  } catch (const InputError& error) {
-    throw InputError(path + ": can't be read: " + error.what());
-  }
 }
 
 std::string notNegative(const std::string& text) {

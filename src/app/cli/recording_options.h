@@ -20,9 +20,6 @@ struct RecordingOptions {
   recording::ReadOptions read() const;
 };
 
-/// Returns the bytes of a recording. Throws InputError "FILE: can't be read: CAUSE".
-std::string recordingBytes(const std::string& path);
-
 /// Returns the problem of an option's number that isn't 0 or more; empty if there is none.
 std::string notNegative(const std::string& text);
 

@@ -41,6 +41,16 @@ bool belongTogether(const TriangleMesh& mesh, std::span<const Side> sides) {
   return 2 * countForward(sides) == sides.size() && !sameTriangles(mesh, sides);
 }
 
+/// Returns whether an edge's triangles, of which half run each way, are each the reverse of
+/// another.
+bool areReversed(const TriangleMesh& mesh, std::span<const Side> sides) {
+  std::array<std::vector<std::uint32_t>, 2> corners;
+  for (const Side& side : sides)
+    corners.at(side.isForward ? 1 : 0).push_back(oppositeOf(mesh, side));
+  for (auto& list : corners) std::sort(list.begin(), list.end());
+  return corners[0] == corners[1];
+}
+
 bool hasCornerTwice(const std::array<std::uint32_t, 3>& triangle) {
   const auto [a, b, c] = triangle;
   return a == b || b == c || c == a;
@@ -150,11 +160,12 @@ class Complaint {
 
 bool isClosed(const TriangleMesh& mesh) {
   if (mesh.triangles.empty() || std::ranges::any_of(mesh.triangles, hasCornerTwice)) return false;
-  bool closed = true;
+  bool closed = true, isSheet = true;
   MeshEdges(mesh).forEach([&](std::uint32_t, std::span<const Side> sides) {
     closed = closed && belongTogether(mesh, sides);
+    isSheet = isSheet && areReversed(mesh, sides);
   });
-  return closed;
+  return closed && !isSheet;
 }
 
 void requireClosed(const TriangleMesh& mesh, std::span<const std::uint32_t> numbers) {
@@ -162,9 +173,16 @@ void requireClosed(const TriangleMesh& mesh, std::span<const std::uint32_t> numb
     throw InputError("there are no triangles; export a mesh of triangles");
   const Complaint complaint(mesh, numbers);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) complaint.requireCorners(i);
+  bool isSheet = true;
   MeshEdges(mesh).forEach([&](std::uint32_t begin, std::span<const Side> sides) {
     complaint.requireTogether(begin, sides);
+    isSheet = isSheet && areReversed(mesh, sides);
   });
+  if (isSheet) {
+    throw InputError(
+        "each triangle has another on it that faces the other way: the surface encloses nothing; "
+        "give it a thickness");
+  }
 }
 
 }  // namespace rotatebook::body

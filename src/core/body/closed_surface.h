@@ -10,8 +10,9 @@
 namespace rotatebook::body {
 
 /// Returns whether the welded mesh encloses a body: it has triangles, none of them has a corner
-/// twice, as many of them run along each edge in one direction as in the other, and no two are the
-/// same. Its integrals are then well defined, also where bodies touch along an edge or a face.
+/// twice, as many of them run along each edge in one direction as in the other, no two are the
+/// same, and not each has its reverse. Its integrals are then well defined, also where bodies touch
+/// along an edge or a face.
 bool isClosed(const TriangleMesh& mesh);
 
 /// Throws InputError unless isClosed(), naming the triangle or the edge and the remedy. `numbers`:

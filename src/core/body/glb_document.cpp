@@ -94,7 +94,8 @@ std::optional<std::string> dataOfUri(const GlbDocument::Json& uri) {
 }
 
 GlbDocument::GlbDocument(std::string_view bytes) {
-  const Chunks chunks = chunksOf(bytes);
+  Chunks chunks = chunksOf(bytes);
+  chunks.json = withoutPadding(chunks.json);
   binary_ = chunks.binary;
   requireShallow(chunks.json);
   // Without a callback, with which the parser takes time with the square of a list's objects

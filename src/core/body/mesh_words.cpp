@@ -37,6 +37,12 @@ void refuseUtf16(std::string_view text) {
   if (hasMark || isWide) throw InputError("it is a text in UTF-16; save it in UTF-8");
 }
 
+std::string_view withoutPadding(std::string_view text) {
+  // Blanks count, as they hold the last line's end
+  constexpr std::string_view kEnds("\0\x1a", 2);
+  return text.substr(0, text.find_first_of(kEnds, text.find_last_not_of(kPadding) + 1));
+}
+
 std::string lowerCase(std::string_view text) {
   std::string lower(text);
   for (char& letter : lower) {

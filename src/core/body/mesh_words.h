@@ -51,6 +51,12 @@ class MeshWords {
   std::size_t line_ = 1;
 };
 
+/// What some programs write behind the end of a file.
+inline constexpr std::string_view kPadding("\0 \t\r\n\x1a", 6);
+
+/// Returns a text without the zeros and ends of file that are kPadding at its end.
+std::string_view withoutPadding(std::string_view text);
+
 /// Throws InputError if a text begins as UTF-16 does, with its mark or without.
 void refuseUtf16(std::string_view text);
 

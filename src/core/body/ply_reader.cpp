@@ -101,7 +101,7 @@ class Numbers {
           std::size_t headerLines)
       : isText_(encoding == Encoding::Text),
         headerLines_(headerLines),
-        words_(isText_ ? data : ""),
+        words_(isText_ ? withoutPadding(data) : ""),
         bytes_(data, headerBytes, encoding == Encoding::BigEndian) {}
 
   double next(Type type) {

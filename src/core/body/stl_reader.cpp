@@ -26,7 +26,6 @@ void requireWhole(std::string_view bytes, std::size_t count) {
   const std::uint64_t said = std::uint64_t{count} * kTriangle;
   if (data.size() >= said && count > 0) {
     const std::string_view spare = data.substr(static_cast<std::size_t>(said));
-    constexpr std::string_view kPadding("\0 \t\r\n\x1a", 6);
     if (spare.size() <= 1 || spare.find_first_not_of(kPadding) == spare.npos) return;
   }
   if (data.empty() && count == 0) return;
@@ -134,7 +133,7 @@ TriangleMesh readStl(std::string_view bytes) {
   if (hasSizeOfHeader(bytes)) return readBinaryStl(bytes);
   refuseUtf16(bytes);
   if (hasBinaryByte(bytes)) return readBinaryStl(bytes);
-  const std::string_view text = withoutByteOrderMark(bytes);
+  const std::string_view text = withoutPadding(withoutByteOrderMark(bytes));
   MeshWords words(text);
   if (const std::string first = keyword(words); first != "solid") {
     throw InputError(

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -54,9 +55,13 @@ class RecordedMotion {
   RecordedMoment at(double time) const;
   /// Returns the part from `from` to `to`, which are within the recording. [s]
   RecordedMotion part(double from, double to) const;
+  /// Returns what its reader left out or doubts, a sentence each without a full stop.
+  const std::vector<std::string>& notes() const { return notes_; }
+  void note(const std::string& text) { notes_.push_back(text); }
 
  private:
   std::vector<RecordedMoment> moments_;
+  std::vector<std::string> notes_;
   SpinFacts spins_;
 };
 

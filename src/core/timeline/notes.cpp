@@ -6,6 +6,7 @@
 
 #include "base/number_text.h"
 #include "physics/motion_start.h"
+#include "recording/recorded_motion.h"
 #include "rigid/exact_rotation.h"
 #include "scene/mesh_notes.h"
 #include "timeline/free_pieces.h"
@@ -98,6 +99,8 @@ std::vector<std::string> notesOn(const scene::Panel& panel) {
   if (panel.simulation.model != physics::Model::Particles && panel.nudges.empty()) {
     addSteadyNote(panel, inertia, spin, notes);
   }
+  if (const auto& recorded = panel.simulation.recorded.motion; recorded != nullptr)
+    notes.insert(notes.end(), recorded->notes().begin(), recorded->notes().end());
   return notes;
 }
 

@@ -117,7 +117,7 @@ const std::map<std::string, Room> kRooms{
       {"base",  "rigid",    "body",   "recording", "physics", "document", "scene",   "timeline",
        "study", "system",   "image",  "render",    "overlay", "video",    "picture", "store",
        "farm",  "pipeline", "verify", "diagnose",  "report",  "page"},
-      {"CLI/"},
+      {"CLI/", "zip.h"},
       {"geometry"}}}};
 
 // Headers of the standard that the core may include, so that it runs in a browser and gives the

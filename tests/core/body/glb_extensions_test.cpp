@@ -146,6 +146,13 @@ TEST(GlbReader, TakesDataInItsDescription) {
   EXPECT_THAT(said("box.bin"), HasSubstr("its data is in another file"));
 }
 
+TEST(GlbReader, TakesDescriptionsThatArePaddedWithZeros) {
+  BoxFile file{.root = "}" + std::string(3, '\0')};
+  std::string bytes = file.bytes();
+  bytes.replace(bytes.find(std::string(3, '\0') + "}"), 4, 4, '\0');
+  EXPECT_EQ(readMesh("a.glb", bytes).mesh.triangles.size(), 12U);
+}
+
 // A buffer without an address is the file's own data only if it is the first.
 TEST(GlbReader, RefusesDataThatIsntThere) {
   BoxFile file{.buffers = "{}, {}"};

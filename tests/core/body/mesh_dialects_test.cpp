@@ -76,6 +76,15 @@ TEST(MeshReaders, TakeAByteOrderMark) {
   expectBox("a.ply", "\xef\xbb\xbf" + testing::binaryPlyOf(box(), false));
 }
 
+TEST(MeshReaders, TakePaddingBehindTheirEnd) {
+  for (const std::string& padding :
+       {std::string(1, '\0'), std::string("\x1a"), std::string(5, '\0')}) {
+    expectBox("a.obj", objOf(box()) + padding);
+    expectBox("a.stl", textStlOf(box()) + padding);
+    expectBox("a.ply", textPlyOf(box()) + padding);
+  }
+}
+
 // 3 formats, 2 orders of bytes, with the mark or without.
 TEST(MeshReaders, SayThatATextIsUtf16) {
   for (const auto& [name, text] : {std::pair("a.obj", objOf(box())),

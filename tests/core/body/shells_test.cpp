@@ -98,9 +98,9 @@ TEST(ClosedSurface, IsntASheetWithTwoFaces) {
   TriangleMesh sheet{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {2, 1, 3}}};
   append(insideOut(sheet), sheet);
   sheet = welded(sheet);
-  EXPECT_TRUE(isClosed(sheet));
-  EXPECT_THAT(messageOf([&] { massPropertiesOf(sheet, 1); }),
-              HasSubstr("encloses 0 m^3: a body must have a volume"));
+  EXPECT_FALSE(isClosed(sheet));
+  EXPECT_THAT(messageOf([&] { requireClosed(sheet); }),
+              HasSubstr("another on it that faces the other way: the surface encloses nothing"));
 }
 
 // A face with both sides that stands out of a box, or is a wall in it, has no volume.

@@ -41,11 +41,13 @@ void fitShort(const recording::InertialRecording& recording) {
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const std::string_view text = fuzzing::textOf(bytes, size);
-  for (const char* unit : {"", "deg/s"}) {
+  const recording::ReadOptions stated{.unit = "deg/s", .timeUnit = "ms", .ratesAlong = "body"};
+  for (const recording::ReadOptions& options : {recording::ReadOptions{}, stated}) {
     std::optional<recording::RecordedMotion> motion;
-    fuzzing::mayRefuse([&] { motion = recording::readRecording(text, "a.csv", {.unit = unit}); });
+    fuzzing::mayRefuse([&] { motion = recording::readRecording(text, "a.csv", options); });
     if (!motion) continue;
     fuzzing::require(motion->duration() > 0);
+    fuzzing::require(motion->spins().uncertainty >= 0 && motion->spins().difference >= 0);
     for (const recording::RecordedMoment& moment : motion->moments()) requireSound(moment);
     requireSound(motion->at(motion->duration() / 3));
     requireSound(motion->part(0, motion->duration() / 2).moments().back());

@@ -76,7 +76,9 @@ report::JudgedMotion judgedTable(const std::string& file, const JudgeArguments& 
   try {
     return judgedMotion(file, motionOf(file, arguments));
   } catch (const recording::ContradictionError& error) {
-    return {.name = file, .mistake = error.what()};
+    const std::string mistake = error.what(), head = file + ": ";
+    return {.name = file,
+            .mistake = mistake.starts_with(head) ? mistake.substr(head.size()) : mistake};
   }
 }
 

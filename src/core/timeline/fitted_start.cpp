@@ -64,7 +64,7 @@ FittedStart fitStart(const rigid::PrincipalAxes& inertia, const std::vector<Samp
   constexpr int kIterations = 4;
   const Sample& first = samples.front();
   FittedStart start{first.attitude, first.attitude.conjugate() * first.angularVelocity};
-  for (std::size_t count = kFirst;; count *= 2) {
+  for (std::size_t count = kFirst;; count += count / 2) {
     count = std::min(count, samples.size());
     const Part part{samples, count, (count + kMaxAtOnce - 1) / kMaxAtOnce};
     for (int i = 0; i < kIterations; ++i) {

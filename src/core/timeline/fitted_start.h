@@ -18,8 +18,8 @@ struct FittedStart {
 };
 
 /// Fits the start of the exact motion to the attitudes of `samples`, by Gauss and Newton's method:
-/// first to the first few, then to twice as many, up to all, so that a motion that grows apart from
-/// that of the first sample is followed. At most 200 samples are taken at once.
+/// first to the first few, then to half as many more each time, up to all, so that a motion that
+/// grows apart from that of the first sample is followed. At most 200 samples are taken at once.
 FittedStart fitStart(const rigid::PrincipalAxes& inertia,
                      const std::vector<physics::Sample>& samples);
 

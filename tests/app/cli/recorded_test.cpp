@@ -82,6 +82,40 @@ TEST_F(Recorded, AreJudgedAsJson) {
                     HasSubstr("\"bounds\": [{\"name\": \"error_deg\"")));
 }
 
+TEST_F(Recorded, TablesThatContradictThemselvesArentJudged) {
+  std::string table = read("simbody.csv");
+  table.replace(table.find("wx,wy,wz"), 8, "gyrX (rad/s),gyrY (rad/s),gyrZ (rad/s)");
+  write("world.csv", table);
+  const ChildResult result = runWithoutGraphics(
+      {"judge", "world.csv", "simbody.csv", "--size", "0.15,0.22,0.04", "--junit", "judged.xml"});
+  EXPECT_EQ(result.status, 1) << result.error;
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("world.csv: not judged: the rates are along the world's axes; state "
+                              "simulation.rates_along = \"world\", or --rates-along world"),
+                    HasSubstr("simbody.csv: agrees with the exact motion")));
+  EXPECT_THAT(read("judged.xml"),
+              AllOf(HasSubstr("<testsuite name=\"world.csv\" tests=\"1\" failures=\"1\">"),
+                    HasSubstr("<testsuite name=\"simbody.csv\" tests=\"1\" failures=\"0\">")));
+  EXPECT_THAT(judge({"world.csv", "--json"}).output,
+              HasSubstr("\"mistake\": \"the rates are along the world's axes"));
+  EXPECT_THAT(judge({"world.csv", "--rates-along", "world"}).output,
+              HasSubstr("world.csv: agrees with the exact motion"));
+  writeScene("world.csv");
+  EXPECT_THAT(runWithoutGraphics({"check", "scene.toml"}).error,
+              HasSubstr("the rates are along the world's axes"));
+  EXPECT_EQ(runWithoutGraphics({"check", "scene.toml", "--set", "simulation.rates_along=\"world\""})
+                .status,
+            0);
+}
+
+TEST_F(Recorded, TheUnitOfTimesIsStated) {
+  std::string table = read("simbody.csv");
+  table.replace(table.find("time_s"), 6, "time_ms");
+  write("seconds.csv", table);
+  EXPECT_THAT(judge({"seconds.csv", "--time-unit", "s"}).output,
+              HasSubstr("seconds.csv: agrees with the exact motion"));
+}
+
 TEST_F(Recorded, ScenesAreJudgedToo) {
   const ChildResult result = runWithoutGraphics({"judge", "tiny.toml"});
   EXPECT_EQ(result.status, 0) << result.error;

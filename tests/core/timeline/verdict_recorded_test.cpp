@@ -96,8 +96,31 @@ TEST(VerdictOnRecordings, AttitudesTooFarApartArentJudged) {
 
 TEST(VerdictOnRecordings, RatesOfAnotherMomentAreNoMotionsFault) {
   const Verdict verdict = verdictOnText(textOf(exactBook(), {.ratesDelay = 1}));
-  EXPECT_TRUE(verdict.errs == Errs::SpinsAreOthers || verdict.errs == Errs::Swings)
-      << methodThat(verdict);
+  EXPECT_EQ(verdict.errs, Errs::SpinsAreOthers) << methodThat(verdict);
+}
+
+TEST(VerdictOnRecordings, RatesOfAnotherScaleAreNamed) {
+  const Verdict verdict = verdictOnText(textOf(exactBook(), {.ratesPerUnit = 1 / 1.02}));
+  EXPECT_EQ(verdict.errs, Errs::InPhase);
+  EXPECT_NEAR(verdict.spins.difference, 0.02, 1e-4);
+  EXPECT_THAT(methodThat(verdict),
+              ::testing::HasSubstr("rates of another scale: they differ by 2"));
+}
+
+TEST(VerdictOnRecordings, AFixedSpinIsFoundInNoise) {
+  for (const char* const rates : {"", "wx,wy,wz"}) {
+    const Table table{.rates = rates, .noise = 2e-4, .rateNoise = 1e-3};
+    const Verdict verdict = verdictOnText(textOf(thrownBook(Integrator::NoGyroscopic), table));
+    EXPECT_EQ(verdict.errs, Errs::SpinIsFixed) << methodThat(verdict);
+  }
+}
+
+TEST(VerdictOnRecordings, LongStepsMayBeWithinTheUncertaintyOfTheirSlopes) {
+  const Verdict verdict =
+      verdictOnText(textOf(thrownBook(Integrator::Midpoint, 25), kAttitudesAlone));
+  EXPECT_EQ(verdict.errs, Errs::HardlyAsFitted) << methodThat(verdict);
+  EXPECT_NEAR(verdict.spins.uncertainty, 0.002, 2e-4);
+  EXPECT_LT(verdict.fittedBy.value_or(1), 3 * verdict.spins.uncertainty);
 }
 
 }  // namespace

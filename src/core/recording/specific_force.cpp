@@ -37,6 +37,7 @@ std::vector<Force> forcesOf(const CsvTable& table, const Columns& columns,
                             const std::vector<std::size_t>& rows) {
   const double unit = metresPerUnit(table, columns);
   const std::vector<double> times = timesOf(table, columns, rows);
+  constexpr double kLargestForce = 1e9;  // [m/s^2]
   std::vector<Force> forces;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     Force one{times[i]};
@@ -44,6 +45,8 @@ std::vector<Force> forcesOf(const CsvTable& table, const Columns& columns,
       one.force[static_cast<Eigen::Index>(axis)] =
           unit * table.at(rows[i], (*columns.acceleration)[axis]);
     }
+    if (!(one.force.norm() <= kLargestForce))
+      table.failAt(rows[i], "the acceleration is over 1e9 m/s^2");
     forces.push_back(one);
   }
   requireSeeminglyMetres(table, columns, forces);

@@ -99,6 +99,11 @@ TEST(Inertial, ReadsUnitsOfAccelerations) {
   EXPECT_THAT(refusalOf([&] { forceIn("", "990"); }), HasSubstr("seems to be in mg"));
 }
 
+TEST(Inertial, RefusesAccelerationsThatNothingHas) {
+  EXPECT_EQ(inertialRefusal(kBoth + std::string("1,0,0,2,0,0,9\n2,0,0,3,0,1e308,9\n")),
+            "m.csv:3: the acceleration is over 1e9 m/s^2");
+}
+
 TEST(Inertial, ReadsAttitudesToo) {
   std::string text = "t (s),qw,qx,qy,qz\n";
   for (int i = 0; i < 9; ++i) {

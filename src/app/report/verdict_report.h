@@ -23,7 +23,7 @@ struct VerdictBounds {
 struct JudgedMotion {
   std::string name;  ///< The file's, with the panel's label.
   timeline::Verdict verdict{};
-  /// What is wrong with the table, whose motion isn't judged then; empty if nothing is.
+  /// The mistake in the table, whose motion isn't judged then; empty without one.
   std::string mistake{};
 };
 

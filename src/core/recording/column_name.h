@@ -7,7 +7,7 @@
 
 namespace rotatebook::recording {
 
-/// What a column's header says.
+/// The parts of a column's header.
 struct ColumnName {
   /// The words in one, without a unit of rates or accelerations at their end: "gyroscopex" for
   /// "Gyroscope x (rad/s)", "gyrox" for "gyro_x_dps".

@@ -17,7 +17,7 @@ struct RateComparison {
   /// Root mean square of the rates minus the slopes, relative to the slopes' own; 0 where there are
   /// too few attitudes, or they are too far apart, to tell. [-]
   double difference = 0;
-  /// What is wrong with the table, and the remedy; empty if nothing is, or nothing that is known.
+  /// The mistake in the table, and the remedy; empty without one, or one that is known.
   std::string mistake{};
 };
 

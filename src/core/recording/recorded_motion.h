@@ -28,7 +28,7 @@ enum class SpinSource {
   Gyroscope,  ///< Rates alone.
 };
 
-/// What is known of the spins of a recording.
+/// The source of the spins of a recording, and their quality.
 struct SpinFacts {
   SpinSource source = SpinSource::Given;
   /// Of slopes: root mean square of those of order 4 minus those of order 2, relative to the

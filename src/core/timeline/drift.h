@@ -1,4 +1,4 @@
-// How a quantity that free motion keeps changes on the way. Inside the room only.
+// Changes of a quantity that free motion keeps. Inside the room only.
 #pragma once
 
 #include <span>

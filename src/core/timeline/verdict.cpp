@@ -112,7 +112,7 @@ void takeMeasures(const Comparison& comparison, const std::vector<Sample>& exact
   verdict.halfTurnsDue = exact.back().halfTurns;
 }
 
-/// How energy and the size of L change, and what counts as kept.
+/// Changes of energy and of the size of L, and bounds up to which they count as kept.
 struct Changes {
   Drift energy, momentum;
   double energyBound = kKept, momentumBound = kKept;

@@ -75,7 +75,7 @@
   }
 
   document.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || event.target.closest("#live")) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented || event.target.closest(".live")) return;
     const takesArrows = event.target.closest("input, select, textarea, pre, .scroll, [contenteditable]");
     if (contents && !takesArrows && !document.fullscreenElement && ["ArrowLeft", "ArrowRight"].includes(event.key)) {
       contents[event.key === "ArrowLeft" ? "previous" : "next"]();
@@ -99,7 +99,7 @@
 
   // The live book, where the page has one, takes the scenes of all figures once it is ready, or says that it never will be. The
   // buttons' room is there from the start.
-  const toys = document.getElementById("live") ? [...document.querySelectorAll(".toy")] : [];
+  const toys = document.querySelector(".live") ? [...document.querySelectorAll(".toy")] : [];
   function connectToys() {
     const {rotatebook} = window, isReady = Boolean(rotatebook?.play), isLacking = document.querySelector(".rb-live")?.dataset.ready === "false";
     for (const toy of toys) {
@@ -124,7 +124,7 @@
     }
   });
 
-  const theme = document.getElementById("theme");
+  const theme = document.querySelector(".theme");
   const isDark = () => (root.style.colorScheme || (darkSystem.matches ? "dark" : "light")) === "dark";
 
   function showTheme() {

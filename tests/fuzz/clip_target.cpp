@@ -5,16 +5,20 @@
 
 #include "fuzz/fuzzing.h"
 #include "video/clip_reader.h"
-#include "video/mp4_header.h"
-#include "video/webm_header.h"
+#include "video/coded_units.h"
+#include "video/mp4_layout.h"
+#include "video/webm_layout.h"
 #include "video/whole_file.h"
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace rotatebook;
   fuzzing::mayRefuse([&] { video::readClipMetadata(std::span(bytes, size), "clip"); });
   std::istringstream file(std::string(bytes, bytes + size));
-  fuzzing::require(video::readMp4Header(file).edits.size() <= 16);
-  video::readWebmHeader(file);
+  fuzzing::require(!video::mp4Difference(file, {}, {}).empty());
+  fuzzing::require(!video::webmDifference(file, {}).empty());
+  video::h264Difference(std::span(bytes, size), {});
+  video::h264Picture(std::span(bytes, size), true);
+  video::vp9Picture(std::span(bytes, size), {});
   fuzzing::mayRefuse([&] { video::requireWholeFile(file, "clip"); });
   return 0;
 }

@@ -5,16 +5,18 @@
 #include "body/mass_properties.h"
 #include "body/mesh_readers.h"
 #include "body/self_crossing.h"
+#include "body/shells.h"
 #include "fuzz/fuzzing.h"
 
 namespace rotatebook::fuzzing {
 
 inline void readMeshOrRefuse(const char* name, const std::uint8_t* bytes, std::size_t size) {
   mayRefuse([&] {
-    const body::TriangleMesh mesh = body::readMesh(name, textOf(bytes, size));
+    const body::TriangleMesh mesh = body::readMesh(name, textOf(bytes, size)).mesh;
     for (const auto& triangle : mesh.triangles)
       for (const std::uint32_t point : triangle) require(point < mesh.points.size());
-    body::requireClosed(mesh);
+    require(body::isClosed(mesh));
+    require(body::shellsOf(mesh).count > 0);
     require(body::massPropertiesOf(mesh, 1).volume > 0);
     body::findSelfCrossing(mesh);
   });

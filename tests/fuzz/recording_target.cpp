@@ -1,5 +1,7 @@
 // Recordings: any bytes are refused, or give a motion whose every moment is finite and a rotation,
-// and a short toss ratios within their intervals.
+// and a short toss ratios within their intervals. What follows a form feed is an accelerometer's
+// table.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -16,29 +18,47 @@ void requireSound(const recording::RecordedMoment& moment) {
   fuzzing::require(std::abs(moment.attitude.norm() - 1) < 1e-9);
 }
 
-/// A toss of few readings, so that a fit doesn't take long.
-void fitShort(const recording::InertialRecording& recording) {
-  constexpr std::size_t kMost = 60;
-  if (recording.readings.size() > kMost) return;
-  const auto fit = recording::fitToss(recording, "a.csv", {.from = -1e12, .to = 1e12});
+void requireSound(const recording::TossFit& fit) {
   for (const recording::Estimate& ratio : fit.ratios)
     fuzzing::require(ratio.low <= ratio.value && ratio.value <= ratio.high);
-  fuzzing::require(fit.inertia.allFinite() && fit.start.allFinite());
+  fuzzing::require(fit.inertia.allFinite() && fit.start.allFinite() && fit.widening >= 1);
+}
+
+/// Tosses of few readings, so that a fit doesn't take long.
+void fitShort(const recording::InertialRecording& recording) {
+  constexpr std::size_t kMost = 60;
+  for (const recording::InertialReading& one : recording.readings)
+    fuzzing::require(one.rate.angularVelocity.allFinite() && !one.force.hasNaN());
+  if (recording.readings.size() > kMost) return;
+  for (const recording::Throw& one : recording::findThrows(recording, "a.csv", {})) {
+    fuzzing::require(one.fit.has_value() != !one.refusal.empty());
+    if (one.fit) requireSound(*one.fit);
+  }
+  requireSound(recording::fitToss(recording, "a.csv", {.from = -1e12, .to = 1e12}));
 }
 
 }  // namespace
 
 int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const std::string_view text = fuzzing::textOf(bytes, size);
-  for (const char* unit : {"", "deg/s"}) {
+  const recording::ReadOptions stated{.unit = "deg/s", .timeUnit = "ms", .ratesAlong = "body"};
+  for (const recording::ReadOptions& options : {recording::ReadOptions{}, stated}) {
     std::optional<recording::RecordedMotion> motion;
-    fuzzing::mayRefuse([&] { motion = recording::readRecording(text, "a.csv", {.unit = unit}); });
+    fuzzing::mayRefuse([&] { motion = recording::readRecording(text, "a.csv", options); });
     if (!motion) continue;
     fuzzing::require(motion->duration() > 0);
+    fuzzing::require(motion->spins().uncertainty >= 0 && motion->spins().difference >= 0);
     for (const recording::RecordedMoment& moment : motion->moments()) requireSound(moment);
     requireSound(motion->at(motion->duration() / 3));
     requireSound(motion->part(0, motion->duration() / 2).moments().back());
   }
+  static_cast<void>(recording::contentsOf({text, "Gyroscope.csv"}, {}));
   fuzzing::mayRefuse([&] { fitShort(recording::readInertial(text, "a.csv", {})); });
+  const std::size_t end = std::min(text.find('\f'), text.size());
+  if (end == text.size()) return 0;
+  const recording::NamedTable second{text.substr(end + 1), "TotalAcceleration.csv"};
+  fuzzing::mayRefuse([&] {
+    fitShort(recording::readInertial(text.substr(0, end), "Gyroscope.csv", {}, &second));
+  });
   return 0;
 }

@@ -29,7 +29,10 @@ void refuseFrames(const AssembleArguments& arguments) {
   const std::filesystem::path folder = arguments.folder;
   if (!std::filesystem::is_directory(folder)) return;
   std::vector<Input> inputs{{folder / store::kSceneCopyName, "the frames' record"},
+                            {folder / store::kManifestName, "the frames' manifest"},
                             {folder / store::kFrameChecksumsName, "the frames' checksums"}};
+  for (const std::string& name : store::partChecksumsIn(folder))
+    inputs.push_back({folder / name, "the checksums of some frames"});
   for (const std::int64_t frame : store::framesIn(folder)) {
     inputs.push_back({folder / store::frameName(frame), "one of the frames"});
   }

@@ -7,10 +7,11 @@
 #include "base/number_text.h"
 #include "base/text.h"
 #include "base/units.h"
-#include "body/closed_surface.h"
+#include "body/closed_mesh.h"
 #include "body/mass_properties.h"
 #include "body/mesh_readers.h"
 #include "body/self_crossing.h"
+#include "body/shells.h"
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/scene_options.h"
@@ -47,8 +48,14 @@ void requirePositive(const char* option, const std::optional<double>& value) {
                      ": must be above 0, and below 1e60");
 }
 
-report::BodySurface surfaceOf(const body::TriangleMesh& mesh) {
-  return {mesh.triangles.size(), body::countShells(mesh), body::findSelfCrossing(mesh)};
+report::BodySurface surfaceOf(const body::ClosedMesh& file) {
+  const body::Shells shells = body::shellsOf(file.mesh);
+  const auto inFile = [&](auto pair) {
+    if (pair) pair = {file.closing.numberOf((*pair)[0]), file.closing.numberOf((*pair)[1])};
+    return pair;
+  };
+  return {file.mesh.triangles.size(), shells.count, inFile(body::findSelfCrossing(file.mesh)),
+          inFile(shells.overlap), file.closing.notes};
 }
 
 report::Bodies bodyOfMesh(const std::string& path, const BodyOptions& options) {
@@ -57,15 +64,15 @@ report::Bodies bodyOfMesh(const std::string& path, const BodyOptions& options) {
   requirePositive("--density", options.density);
   requirePositive("--mass", options.mass);
   const double unit = unitOf(options.unit);
-  body::TriangleMesh mesh = body::readMesh(path, system::readInput(path, scene::kLongestMesh));
+  body::ClosedMesh file = body::readMesh(path, system::readInput(path, scene::kLongestMesh));
   try {
-    body::requireClosed(mesh);
+    body::TriangleMesh& mesh = file.mesh;
     for (Eigen::Vector3d& point : mesh.points) point *= unit;
     double density = options.density.value_or(kWater);
     if (options.mass) density = *options.mass / body::massPropertiesOf(mesh, 1).volume;
     const body::MassProperties properties = body::massPropertiesOf(mesh, density);
     rigid::checkInertia(properties.inertia);
-    return {path, {{path, properties, surfaceOf(mesh)}}};
+    return {path, {{path, properties, surfaceOf(file)}}};
   } catch (const InputError& error) {
     throw InputError(oneLine(path, 200) + ": " + error.what());
   }
@@ -83,12 +90,11 @@ report::BodyNumbers bodyOfBook(const scene::Panel& motion) {
 
 /// The scene has the mesh's numbers, but for its centre.
 report::BodyNumbers bodyOfMeshFile(const scene::Scene& scene, const scene::Solid& solid) {
-  const body::TriangleMesh mesh = body::readMesh(
+  const body::ClosedMesh file = body::readMesh(
       solid.mesh.name, picture::readNamedFile(scene.folder, solid.mesh.name, scene::kLongestMesh,
                                               scene.allowOutside));
-  body::requireClosed(mesh);
-  report::BodyNumbers numbers{"", scene::numbersOf(solid).properties, surfaceOf(mesh)};
-  numbers.properties.centre = body::massPropertiesOf(mesh, 1).centre * solid.mesh.unit;
+  report::BodyNumbers numbers{"", scene::numbersOf(solid).properties, surfaceOf(file)};
+  numbers.properties.centre = body::massPropertiesOf(file.mesh, 1).centre * solid.mesh.unit;
   return numbers;
 }
 
@@ -97,7 +103,7 @@ report::BodyNumbers bodyOfParts(const scene::Solid& solid) {
   for (const scene::BodyPart& part : solid.parts) {
     const body::TriangleMesh mesh = scene::placed(part).surface;
     surface.triangles += mesh.triangles.size();
-    surface.shells += body::countShells(mesh);
+    surface.shells += body::shellsOf(mesh).count;
   }
   return {"", scene::numbersOf(solid).properties, surface};
 }
@@ -138,7 +144,7 @@ void addBodyCommand(CLI::App& program, Action& action) {
   options->scene.addTo(*command, /*draws=*/false);
   command->footer(R"(
 The mesh must be closed, and face outward; a broken one is refused with the edge or triangle, and
-nothing is repaired in silence; triangles that cross each other are named. Moments are about the
+nothing is changed in silence; triangles that cross each other are named. Moments are about the
 centre of mass. A scene with panels has a body for each.
 
 Examples:

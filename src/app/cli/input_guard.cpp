@@ -3,24 +3,23 @@
 #include <system_error>
 
 #include "base/error.h"
-#include "picture/texture_files.h"
+#include "picture/named_file.h"
 #include "system/read_file.h"
 
 namespace rotatebook::cli {
 namespace fs = std::filesystem;
 
-std::vector<Input> texturesOf(const scene::Scene& scene) {
+std::vector<Input> inputsOf(const scene::Scene& scene) {
   std::vector<Input> inputs;
-  for (const fs::path& texture : picture::textureFiles(scene)) {
-    inputs.push_back({texture, "a texture of the scene " + scene.name});
+  for (const auto& [path, kind] : picture::namedFiles(scene)) {
+    inputs.push_back({path, "a " + kind + " of the scene " + scene.name});
   }
   return inputs;
 }
 
 std::vector<Input> inputsOf(const fs::path& path, const scene::Scene& scene) {
-  std::vector<Input> inputs = texturesOf(scene);
+  std::vector<Input> inputs = inputsOf(scene);
   inputs.push_back({path, "the scene itself"});
-  if (!scene.wordsFile.empty()) inputs.push_back({scene.wordsFile, "the scene's table of words"});
   return inputs;
 }
 

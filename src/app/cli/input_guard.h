@@ -18,9 +18,9 @@ struct Input {
   std::string what;  ///< Its description in messages: "the scene itself".
 };
 
-/// Returns the textures that `scene` names.
-std::vector<Input> texturesOf(const scene::Scene& scene);
-/// Returns the textures and the scene's own file, at `path`.
+/// Returns the files that `scene` names.
+std::vector<Input> inputsOf(const scene::Scene& scene);
+/// Returns these and the scene's own file, at `path`.
 std::vector<Input> inputsOf(const std::filesystem::path& path, const scene::Scene& scene);
 
 /// Returns the names that a render of `scene` writes, moves or removes.

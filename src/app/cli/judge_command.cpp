@@ -12,6 +12,7 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
+#include "cli/recording_files.h"
 #include "cli/recording_options.h"
 #include "cli/scene_options.h"
 #include "physics/recorded_start.h"
@@ -50,16 +51,19 @@ physics::MotionSettings motionOf(const std::string& file, const JudgeArguments& 
     motion.inertia = threeNumbers(arguments.inertia, "--inertia").asDiagonal();
     rigid::checkInertia(*motion.inertia);
   }
+  const recording::ReadOptions options = arguments.recording.read();
+  const TableFile table = openRecording(file, "", options).motion;
   auto recorded = std::make_shared<recording::RecordedMotion>(
-      recording::readRecording(recordingBytes(file), file, arguments.recording.read()));
+      recording::readRecording(table.bytes, table.name, options));
+  for (const std::string& note : recorded->notes())
+    std::cerr << "note: " << oneLine(table.name) << ": " << note << '\n';
   motion.simulation.timePerFrame =
       recorded->duration() / static_cast<double>(recorded->moments().size() - 1);
   takeRecording(motion, std::move(recorded), file);
   return motion;
 }
 
-report::JudgedMotion judgedTable(const std::string& file, const JudgeArguments& arguments) {
-  const physics::MotionSettings motion = motionOf(file, arguments);
+report::JudgedMotion judgedMotion(const std::string& file, const physics::MotionSettings& motion) {
   std::vector<double> times;
   for (const auto& moment : motion.simulation.recorded.motion->moments()) {
     times.push_back(moment.time);
@@ -67,9 +71,22 @@ report::JudgedMotion judgedTable(const std::string& file, const JudgeArguments& 
   return {file, timeline::judge(motion, physics::simulate(motion, times))};
 }
 
+/// Returns the verdict on a table's motion, or what is wrong with the table.
+report::JudgedMotion judgedTable(const std::string& file, const JudgeArguments& arguments) {
+  try {
+    return judgedMotion(file, motionOf(file, arguments));
+  } catch (const recording::ContradictionError& error) {
+    const std::string mistake = error.what(), head = file + ": ";
+    return {.name = file,
+            .mistake = mistake.starts_with(head) ? mistake.substr(head.size()) : mistake};
+  }
+}
+
 void addJudgedScene(const std::string& file, const JudgeArguments& arguments,
                     std::vector<report::JudgedMotion>& judged) {
   const scene::Scene scene = arguments.scene.read(file);
+  if (!arguments.junit.empty())
+    refuseInputs(arguments.junit, inputsOf(file, scene), "name another file with --junit");
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   const std::vector<scene::Panel> panels = scene::motionsOf(scene);
   for (std::size_t i = 0; i < panels.size(); ++i) {
@@ -87,7 +104,8 @@ void refuseIdleOptions(const JudgeArguments& arguments) {
   const auto& options = arguments.recording;
   const bool areOfTables = !arguments.inertia.empty() || !arguments.size.empty() ||
                            options.options.from || options.options.to ||
-                           !options.options.unit.empty() || !options.columns.empty();
+                           !options.options.unit.empty() || !options.options.timeUnit.empty() ||
+                           !options.options.ratesAlong.empty() || !options.columns.empty();
   if (areOfTables && std::ranges::all_of(arguments.files, isScene)) {
     throw InputError(
         "--inertia, --size and the options of recordings are a table's, and there is "
@@ -99,7 +117,11 @@ void refuseIdleOptions(const JudgeArguments& arguments) {
 
 int judgeAll(const JudgeArguments& arguments) {
   refuseIdleOptions(arguments);
-  if (!arguments.junit.empty()) requireAbsentOr(arguments.junit, report::kJunitBeginning);
+  if (!arguments.junit.empty()) {
+    requireAbsentOr(arguments.junit, report::kJunitBeginning);
+    for (const std::string& file : arguments.files)
+      refuseInputs(arguments.junit, {{file, "to be judged"}}, "name another file with --junit");
+  }
   std::vector<report::JudgedMotion> judged;
   for (const std::string& file : arguments.files) {
     if (isScene(file)) {
@@ -162,9 +184,17 @@ void addJudgeCommand(CLI::App& program, Action& action) {
                     "Let scenes read files from outside their folders");
   addBounds(*command, arguments->bounds);
   arguments->recording.addTo(*command);
+  command
+      ->add_option("--rates-along", arguments->recording.options.ratesAlong,
+                   "Whose axes the rates beside attitudes are along, body or world; body for a "
+                   "gyroscope's columns, world for others")
+      ->type_name("AXES")
+      ->check(CLI::IsMember({"body", "world"}))
+      ->group("Recording");
   command->footer(R"(
 Prints the error, the drift of energy and angular momentum, the half-turns made and due, and the kind
-of method that errs so.
+of method that errs so. A table whose rates contradict its attitudes isn't judged: what is wrong with
+it is said, and the exit status is 1.
 
 Examples:
   rotatebook judge scenes/comparisons/recordings/*.csv --size 0.15,0.22,0.04

@@ -22,9 +22,8 @@
 #include "pipeline/map_options.h"
 #include "report/map_report.h"
 #include "store/clip_files.h"
-#include "store/fingerprint.h"
+#include "store/result_owners.h"
 #include "store/study_files.h"
-#include "store/tables.h"
 #include "system/atomic_file.h"
 
 namespace rotatebook::cli {
@@ -51,12 +50,14 @@ struct MapTask {
   std::vector<std::filesystem::path> outputs;  ///< All that is written.
 };
 
-/// Throws InputError if NAME.csv is the table of a clip of the same name.
-void refuseTableOfClip(const MapTask& task, const std::string& folder) {
-  const store::ClipFiles clip = store::clipFiles(folder, task.scene.name);
-  if (store::sceneChecksumOf(clip.frameFolder, clip.csv).empty()) return;
-  throw InputError(clip.csv.string() + " is the table of the clip " + task.scene.name +
-                   "; the map would replace it; name another folder with -o");
+/// Throws InputError if a map or its film would replace what it didn't leave.
+void refuseLostResults(const MapTask& task, const MapArguments& arguments) {
+  const store::ResultKind kind = arguments.film ? store::ResultKind::Film : store::ResultKind::Map;
+  store::refuseResultsOfOthers({kind, task.scene.name}, task.outputs,
+                               std::string("the ") + (arguments.film ? "film" : "map") + " of " +
+                                   task.scene.name +
+                                   " would replace it; name another folder with -o");
+  if (!arguments.film) store::refuseNoResultsOfMap(task.files);
 }
 
 /// Reads all scenes before anything is written, so that a mistake in the last one costs nothing.
@@ -78,10 +79,7 @@ std::vector<MapTask> readMapTasks(const MapArguments& arguments,
     store::Footprint footprint;
     footprint.addMap(files);
     refuseInputs(footprint, inputs);
-    store::refuseLostTables(
-        arguments.folder, scene.name, allOf(files),
-        "the map of " + scene.name + " would replace it; name another folder with -o");
-    refuseTableOfClip(tasks.back(), arguments.folder);
+    refuseLostResults(tasks.back(), arguments);
     if (arguments.film) {
       pipeline::requireMayReplaceFilm(scene, files, options);
     } else {

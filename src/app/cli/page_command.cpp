@@ -1,6 +1,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <system_error>
@@ -20,6 +21,7 @@
 #include "page/page.h"
 #include "picture/thumbnail.h"
 #include "store/clip_files.h"
+#include "store/result_owners.h"
 #include "system/atomic_file.h"
 #include "system/read_file.h"
 
@@ -70,6 +72,8 @@ Shown readAll(const PageArguments& arguments) {
     shown.inputs.insert(shown.inputs.end(), inputs.begin(), inputs.end());
   }
   refuseSameNames(shown.scenes);
+  if (!arguments.live.empty())
+    shown.inputs.push_back({arguments.live, "the live book that --live names"});
   return shown;
 }
 
@@ -106,6 +110,11 @@ void drawThumbnails(const Shown& shown, const PageArguments& arguments, bool has
   for (std::size_t i = 0; i < figures.size(); ++i) {
     if (!needsThumbnail(figures[i])) continue;
     refuseInputs(fileOf(i), shown.inputs, kOtherFolder);
+    store::refuseResultsOfOthers(
+        {store::ResultKind::Clip, shown.scenes[i].name}, {fileOf(i)},
+        "the page's picture of " + shown.scenes[i].name +
+            " would replace it; rename the scene, or make the page without it "
+            "by --no-thumbnails");
   }
   const render::DeviceChoice device = arguments.deviceOptions.choice();
   for (std::size_t i = 0; i < figures.size(); ++i) {
@@ -142,46 +151,32 @@ std::uintmax_t sizeOf(const fs::path& path) {
   return bytes;
 }
 
-/// Throws InputError unless `folder` is empty, absent or has a page of ours.
-void requirePackFolder(const fs::path& folder, const fs::path& results) {
-  if (fs::exists(folder) && fs::exists(results) && fs::equivalent(folder, results)) {
-    throw InputError(
-        "--pack " + folder.string() +
-        " is the folder with the results, whose clips would be replaced; name another");
-  }
-  const bool isOurs = page::isPage(system::readFileOrEmpty(folder / page::kPageName));
-  if (fs::exists(folder) && !isOurs && !fs::is_empty(folder)) {
-    throw InputError("--pack " + folder.string() +
-                     " isn't empty and holds no page of rotatebook; name another folder");
-  }
+/// The page for the web that --pack asks for.
+struct PackToWrite {
+  page::Pack pack;
+  std::vector<page::Figure> figures;
+};
+
+/// Returns it once nothing is in its way; nothing without --pack.
+std::optional<PackToWrite> packOf(const Shown& shown, const PageArguments& arguments) {
+  if (arguments.pack.empty()) return std::nullopt;
+  PackToWrite all{{arguments.folder, arguments.pack, arguments.packCrf},
+                  readFigures(shown, arguments, true)};
+  store::Footprint footprint;
+  for (const fs::path& file : filesOfPack(all.figures, all.pack)) footprint.addFile(file);
+  refuseInputs(footprint, shown.inputs, "name another folder with --pack");
+  requirePackable(all.figures, all.pack);
+  return all;
 }
 
-void packInto(const fs::path& target, const Shown& shown, const PageArguments& arguments) {
-  const std::vector<page::Figure> figures = readFigures(shown, arguments, true);
-  fs::create_directories(target);
-  page::packFiles(
-      figures, arguments.folder, target, arguments.packCrf,
-      [](const std::string& file) { std::cerr << "packing " << oneLine(file) << '\n'; });
-  system::writeFileAtomically(target / page::kPageName,
-                              page::pageText(arguments.title, figures, liveOf(arguments)));
-}
-
-/// Makes the page for the web that --pack asks for.
-void writePack(const Shown& shown, const PageArguments& arguments) {
-  const fs::path target = arguments.pack;
-  if (target.extension() == ".zip") {
-    // Beside the archive, as there may not be room elsewhere.
-    const fs::path folder = fs::path(target).replace_extension(".rotatebook-pack");
-    requirePackFolder(folder, arguments.folder);
-    packInto(folder, shown, arguments);
-    page::writeZip(folder, target);
-    fs::remove_all(folder);
-  } else {
-    requirePackFolder(target, arguments.folder);
-    packInto(target, shown, arguments);
-  }
-  std::cout << "wrote " << oneLine(target.string()) << ", "
-            << roundedText(static_cast<double>(sizeOf(target)) / 1e6, 3) << " MB for the web\n";
+void writePack(const PackToWrite& all, const PageArguments& arguments) {
+  const std::string html = page::pageText(arguments.title, all.figures, liveOf(arguments));
+  page::writePack(all.figures, html, all.pack, [](const std::string& file) {
+    std::cerr << "packing " << oneLine(file) << '\n';
+  });
+  std::cout << "wrote " << oneLine(all.pack.target.string()) << ", "
+            << roundedText(static_cast<double>(sizeOf(all.pack.target)) / 1e6, 3)
+            << " MB for the web\n";
 }
 
 int writePage(const PageArguments& arguments) {
@@ -189,6 +184,7 @@ int writePage(const PageArguments& arguments) {
   const auto path = fs::path(arguments.folder) / page::kPageName;
   refuseInputs(path, shown.inputs, kOtherFolder);
   std::vector<page::Figure> figures = readFigures(shown, arguments, false);
+  const std::optional<PackToWrite> pack = packOf(shown, arguments);
   const bool replaces = fs::exists(path);
   const bool hasPage = page::isPage(system::readFileOrEmpty(path));
   if (!arguments.noThumbnails) drawThumbnails(shown, arguments, hasPage, figures);
@@ -199,7 +195,7 @@ int writePage(const PageArguments& arguments) {
   }
   std::cout << "wrote " << oneLine(path.string()) << ", " << figures.size()
             << (figures.size() == 1 ? " figure\n" : " figures\n");
-  if (!arguments.pack.empty()) writePack(shown, arguments);
+  if (pack) writePack(*pack, arguments);
   return kDone;
 }
 

@@ -6,8 +6,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "recording/csv_table.h"
-#include "system/read_file.h"
+#include "recording/columns.h"
 
 namespace rotatebook::cli {
 
@@ -24,6 +23,12 @@ void RecordingOptions::addTo(CLI::App& command) {
                   "Unit of a gyroscope's rates, rad/s or deg/s, if the header has none")
       ->type_name("UNIT")
       ->check(CLI::IsMember({"rad/s", "deg/s"}))
+      ->group(kGroup);
+  command
+      .add_option("--time-unit", options.timeUnit,
+                  "Unit of the file's times, s, ms, us or ns, if the header has none")
+      ->type_name("UNIT")
+      ->check(CLI::IsMember({"s", "ms", "us", "ns"}))
       ->group(kGroup);
   command
       .add_option("--column", columns,
@@ -47,14 +52,6 @@ recording::ReadOptions RecordingOptions::read() const {
     result.columns.emplace_back(role, column.substr(middle + 1));
   }
   return result;
-}
-
-std::string recordingBytes(const std::string& path) {
-  try {
-    return system::readFile(path, recording::kLargestRecording);
-  } catch (const InputError& error) {
-    throw InputError(path + ": can't be read: " + error.what());
-  }
 }
 
 std::string notNegative(const std::string& text) {

@@ -10,7 +10,7 @@
 
 namespace rotatebook::cli {
 
-/// The values of --rates, --column, --from and --to.
+/// The values of --rates, --time-unit, --column, --from and --to.
 struct RecordingOptions {
   recording::ReadOptions options;
   std::vector<std::string> columns;  ///< "wx=NAME"
@@ -19,9 +19,6 @@ struct RecordingOptions {
   /// Returns the options. Throws InputError for a column that isn't HOLDS=NAME.
   recording::ReadOptions read() const;
 };
-
-/// Returns the bytes of a recording. Throws InputError "FILE: can't be read: CAUSE".
-std::string recordingBytes(const std::string& path);
 
 /// Returns the problem of an option's number that isn't 0 or more; empty if there is none.
 std::string notNegative(const std::string& text);

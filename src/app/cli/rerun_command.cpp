@@ -109,7 +109,7 @@ int rerun(const RerunArguments& arguments) {
   options.earlier = arguments.earlier;
   options.outputs = pipeline::outputsOf(arguments.png, {clip.format});
   options.frames = clip.record.part;
-  std::vector<Input> inputs = texturesOf(clip.record.scene);
+  std::vector<Input> inputs = inputsOf(clip.record.scene);
   inputs.push_back({arguments.clip, "the clip itself, which is to be compared with the new one"});
   refuseInputs(footprintOf(clip.record.scene, options), inputs);
   if (!arguments.earlier.overwrite) {

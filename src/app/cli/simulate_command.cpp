@@ -13,6 +13,7 @@
 #include "cli/scene_options.h"
 #include "report/motion_report.h"
 #include "store/clip_files.h"
+#include "store/result_owners.h"
 #include "store/tables.h"
 #include "timeline/clip_tables.h"
 #include "timeline/simulate_scene.h"
@@ -73,8 +74,8 @@ int simulateScene(const SimulateArguments& arguments) {
     refuseInputs(file, inputsOf(arguments.scene, scene), "name another file with --csv");
     requireEnding(file, ".csv", "--csv");
   }
-  store::refuseLostTables(std::filesystem::path(arguments.csv).parent_path(), scene.name, files,
-                          "the table would replace it; name another file with --csv");
+  store::refuseResultsOfOthers({store::ResultKind::Clip, scene.name}, files,
+                               "the table would replace it; name another file with --csv");
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   if (!files.empty()) store::writeTables(files, scene, motion);
   const std::vector<timeline::MotionSummary> motions =

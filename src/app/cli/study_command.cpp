@@ -24,8 +24,8 @@
 #include "picture/gnuplot.h"
 #include "picture/study_plot.h"
 #include "report/study_report.h"
+#include "store/result_owners.h"
 #include "store/study_files.h"
-#include "store/tables.h"
 #include "study/study.h"
 #include "study/study_csv.h"
 #include "study/sweep.h"
@@ -97,8 +97,8 @@ std::vector<Task> readTasks(const StudyArguments& arguments) {
     store::Footprint footprint;
     footprint.addStudy(tasks.back().files);
     refuseInputs(footprint, inputs);
-    store::refuseLostTables(
-        arguments.folder, scene.name, allOf(tasks.back().files),
+    store::refuseResultsOfOthers(
+        {store::ResultKind::Study, scene.name}, allOf(tasks.back().files),
         "the study of " + scene.name + " would replace it; name another folder with -o");
   }
   return tasks;

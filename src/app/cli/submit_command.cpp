@@ -1,5 +1,7 @@
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,13 +13,17 @@
 #include "cli/device_options.h"
 #include "cli/exit_code.h"
 #include "cli/format_options.h"
+#include "cli/input_guard.h"
 #include "cli/scene_options.h"
+#include "farm/plan_folder.h"
 #include "farm/plan_texts.h"
 #include "farm/planning.h"
 #include "farm/submission.h"
 #include "picture/map_sheet.h"
 #include "picture/preflight.h"
 #include "report/farm_report.h"
+#include "store/footprint.h"
+#include "store/result_owners.h"
 #include "system/atomic_file.h"
 
 namespace rotatebook::cli {
@@ -66,10 +72,44 @@ void refuseWithoutEffect(const SubmitArguments& arguments, farm::Work work) {
   throw InputError("--chunk: a study is one task; leave it out");
 }
 
+/// Throws InputError if the tasks' results would replace others'.
+void refuseLostResults(const scene::Scene& scene, const farm::PlanWishes& wishes) {
+  const std::string remedy = std::string("the ") + nameOf(wishes.work) + " of " + scene.name +
+                             " would replace it; name another folder with -o";
+  if (wishes.work == farm::Work::Render) {
+    store::refuseResultsOfOthers(
+        {store::ResultKind::Clip, scene.name},
+        outputFiles(store::clipFiles(wishes.folder, scene.name), scene, wishes.formats), remedy);
+  } else if (wishes.work == farm::Work::Map) {
+    const store::MapFiles files = store::mapFiles(wishes.folder, scene.name);
+    store::refuseResultsOfOthers({store::ResultKind::Map, scene.name}, allOf(files), remedy);
+    store::refuseNoResultsOfMap(files);
+  } else {
+    store::refuseResultsOfOthers({store::ResultKind::Study, scene.name},
+                                 allOf(store::studyFiles(wishes.folder, scene.name)), remedy);
+  }
+}
+
+/// Returns the names that submit and its tasks write, move or remove for a scene.
+store::Footprint footprintOfTasks(const scene::Scene& scene, const farm::PlanWishes& wishes) {
+  store::Footprint footprint;
+  addPlanTo(footprint, farm::planFiles(wishes.folder, wishes.work));
+  if (wishes.work == farm::Work::Render)
+    footprint.addClip(wishes.folder, scene, wishes.formats);
+  else if (wishes.work == farm::Work::Map)
+    footprint.addMap(store::mapFiles(wishes.folder, scene.name));
+  else
+    footprint.addStudy(store::studyFiles(wishes.folder, scene.name));
+  return footprint;
+}
+
 /// Reads all scenes, and finds now what each task would find.
-std::vector<farm::SceneOfFile> readScenes(const SubmitArguments& arguments, farm::Work work) {
+std::vector<farm::SceneOfFile> readScenes(const SubmitArguments& arguments,
+                                          const farm::PlanWishes& wishes) {
+  const farm::Work work = wishes.work;
   std::vector<farm::SceneOfFile> read;
   std::vector<scene::Scene> scenes;
+  std::vector<Input> inputs;
   for (const std::string& path : arguments.scenes) {
     scenes.push_back(arguments.sceneOptions.read(path));
     if (work == farm::Work::Render) {
@@ -81,8 +121,13 @@ std::vector<farm::SceneOfFile> readScenes(const SubmitArguments& arguments, farm
       picture::requireMapText(scenes.back());
     }
     read.push_back({path, scenes.back()});
+    std::ranges::move(inputsOf(path, scenes.back()), std::back_inserter(inputs));
   }
   refuseSameNames(scenes);
+  for (const scene::Scene& scene : scenes) {
+    refuseInputs(footprintOfTasks(scene, wishes), inputs);
+    refuseLostResults(scene, wishes);
+  }
   return read;
 }
 
@@ -133,7 +178,7 @@ void divide(farm::Plan& plan, const std::vector<farm::SceneOfFile>& scenes,
 /// Returns the plan to go on with, or a new one, divided.
 farm::StoredPlan preparedPlan(const SubmitArguments& arguments, const farm::PlanWishes& wishes,
                               const farm::PlanFiles& files, const farm::Slots& slots) {
-  const std::vector<farm::SceneOfFile> scenes = readScenes(arguments, wishes.work);
+  const std::vector<farm::SceneOfFile> scenes = readScenes(arguments, wishes);
   farm::Plan plan = farm::planOf(scenes, wishes);
   const auto earlier = farm::continued(plan, files);
   if (earlier && arguments.chunk == 0) return *earlier;
@@ -149,8 +194,7 @@ int printPlan(const SubmitArguments& arguments, const farm::PlanWishes& wishes,
   const farm::StoredPlan stored = preparedPlan(arguments, wishes, files, {});
   if (!arguments.dryRun) {
     system::createFolders(files.folder);
-    const auto there = farm::readPlan(files);
-    if (!there || there->plan != stored.plan) farm::writeNewPlan(files, stored);
+    farm::storePlan(files, stored);
   }
   std::cout << format.text(stored.plan, farm::missingTasks(stored.plan, files));
   return kDone;
@@ -252,7 +296,7 @@ void addSubmitCommand(CLI::App& program, Action& action) {
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{1'000'000'000}));
   command->add_option("--cores", arguments->cores, "Cores of a task")
       ->type_name("N")
-      ->check(CLI::Range(1, 1024))
+      ->check(CLI::Range(1, farm::kMaxCores))
       ->capture_default_str();
   addFormats(*command, arguments->formats);
   command->add_flag("--no-mp4", arguments->noMp4, "Write no MP4")->group("Clip");

@@ -9,6 +9,7 @@
 #include "cli/commands.h"
 #include "cli/exit_code.h"
 #include "cli/input_guard.h"
+#include "cli/recording_files.h"
 #include "cli/recording_options.h"
 #include "recording/toss.h"
 #include "report/toss_report.h"
@@ -20,9 +21,10 @@ namespace {
 namespace fs = std::filesystem;
 
 struct TossArguments {
-  std::string file, scene;
+  std::string file, acceleration, scene;
   RecordingOptions recording;
   recording::TossOptions options;
+  bool list = false;
   bool json = false;
 };
 
@@ -41,17 +43,34 @@ std::string pathFrom(const fs::path& scene, const fs::path& recording) {
   return path.generic_string();
 }
 
+/// Returns the recording's path from the scene to write; empty if none is to be written.
+std::string pathInScene(const TossArguments& arguments, const RecordingFiles& files) {
+  if (arguments.scene.empty()) return "";
+  if (files.path.empty()) {
+    throw InputError(arguments.scene + ": a scene reads no archive; unpack " + arguments.file +
+                     ", and toss the folder");
+  }
+  requireAbsent(arguments.scene);
+  return pathFrom(arguments.scene, files.path);
+}
+
 int fitAndReport(const TossArguments& arguments) {
   const recording::ReadOptions options = arguments.recording.read();
-  const std::string path = arguments.scene.empty() ? "" : pathFrom(arguments.scene, arguments.file);
-  if (!path.empty()) requireAbsent(arguments.scene);
+  RecordingFiles files = openRecording(arguments.file, arguments.acceleration, options);
+  const std::string path = pathInScene(arguments, files);
   recording::TossOptions toss = arguments.options;
   toss.from = options.from;
   toss.to = options.to;
-  const recording::TossFit fit = recording::fitToss(
-      recording::readInertial(recordingBytes(arguments.file), arguments.file, options),
-      arguments.file, toss);
-  (arguments.json ? report::reportTossAsJson : report::reportToss)(fit, arguments.file, std::cout);
+  const recording::InertialRecording recording = recording::readInertial(
+      files.motion.bytes, files.motion.name, options, files.accelerationTable());
+  if (arguments.list) {
+    (arguments.json ? report::reportThrowsAsJson : report::reportThrows)(
+        recording::findThrows(recording, files.motion.name, toss), files.motion.name, std::cout);
+    return kDone;
+  }
+  const recording::TossFit fit = recording::fitToss(recording, files.motion.name, toss);
+  (arguments.json ? report::reportTossAsJson : report::reportToss)(fit, files.motion.name,
+                                                                   std::cout);
   if (path.empty()) return kDone;
   system::writeFileAtomically(arguments.scene, report::tossScene(fit, path, options));
   if (!arguments.json) std::cout << "wrote " << oneLine(arguments.scene) << '\n';
@@ -64,12 +83,23 @@ void addTossCommand(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<TossArguments>();
   CLI::App* command =
       program.add_subcommand("toss", "Find a body's inertia from the gyroscope that flew with it");
-  command->add_option("FILE", arguments->file, "Table of the rates (CSV), e.g. phyphox's")
+  command
+      ->add_option("FILE", arguments->file,
+                   "Table of the rates (CSV), or a phone's export: a folder, or ZIP")
       ->required();
   command
-      ->add_option("-o,--output", arguments->scene,
-                   "Scene to write, beside the recording: as measured, and exact")
+      ->add_option("--acceleration", arguments->acceleration,
+                   "Table of the accelerometer's readings, with gravity, at times of its own")
       ->type_name("FILE");
+  CLI::Option* const scene =
+      command
+          ->add_option("-o,--output", arguments->scene,
+                       "Scene to write, beside the recording: as measured, and exact")
+          ->type_name("FILE");
+  command
+      ->add_flag("--list", arguments->list,
+                 "List the flights that the rates alone show, and what each tells")
+      ->excludes(scene);
   command->add_flag("--json", arguments->json, "Print one JSON object");
   command
       ->add_option("--lever", arguments->options.lever,
@@ -79,11 +109,14 @@ void addTossCommand(CLI::App& program, Action& action) {
       ->capture_default_str();
   arguments->recording.addTo(*command);
   command->footer(R"(
-Prints the ratios of the principal moments with intervals that hold in 95 of 100 tosses. The flight is
-found from the accelerometer's columns, if there are any; else state it with --from and --to.
+Prints the ratios of the principal moments with intervals that hold in 95 of 100 tosses by noise
+alone, wider where the residual shows other errors. The flight is found by the accelerometer's columns,
+or without them by the rates alone if there is one throw; else state it with --from and --to.
 
 Examples:
-  rotatebook toss toss.csv
+  rotatebook toss phyphox.zip
+  rotatebook toss Gyroscope.csv --acceleration Accelerometer.csv
+  rotatebook toss racket.csv --list
   rotatebook toss toss.csv --from 1.2 --to 2.0 -o toss.toml)");
   command->callback(
       [arguments, &action] { action = [arguments] { return fitAndReport(*arguments); }; });

@@ -26,21 +26,36 @@ std::string directive(const std::string& option) {
   return "#SBATCH " + option.substr(0, equals + 1) + '"' + value + "\"\n";
 }
 
+/// Returns the option that submit sets itself which sbatch would read in `option`; empty if none.
+/// sbatch takes names that are cut short, and several letters after one hyphen.
+std::string ownOptionIn(const std::string& option) {
+  constexpr std::string_view kLong[] = {
+      "--array",   "--dependency", "--output",    "--chdir", "--ntasks",  "--cpus-per-task",
+      "--requeue", "--no-requeue", "--open-mode", "--wrap",  "--parsable"};
+  constexpr std::string_view kShort = "adoDnc";
+  constexpr std::string_view kWithoutValue = "hHIkOQsvVW";
+  if (option.starts_with("--")) {
+    const std::string name = option.substr(0, option.find('='));
+    for (const std::string_view own : kLong)
+      if (own.starts_with(name)) return std::string(own);
+    return "";
+  }
+  const std::size_t at = std::min(option.find_first_not_of(kWithoutValue, 1), option.size());
+  const bool isOwn = at < option.size() && kShort.find(option[at]) != std::string_view::npos;
+  return isOwn ? std::string("-") + option[at] : "";
+}
+
 /// Throws InputError for what isn't an option, and for one on which submit's jobs depend.
 void requirePassable(const std::string& option) {
   const auto fail = [&](const std::string& problem) {
     throw InputError("--sbatch=" + oneLine(option, 200) + ": " + problem);
   };
   if (!option.starts_with('-')) fail("not an option of sbatch; write it whole, such as --qos=low");
-  constexpr std::string_view kOwn[] = {
-      "--array",   "-a",           "--dependency", "-d",     "--output",        "-o",
-      "--chdir",   "-D",           "--ntasks",     "-n",     "--cpus-per-task", "-c",
-      "--requeue", "--no-requeue", "--open-mode",  "--wrap", "--parsable"};
-  const bool isShort = !option.starts_with("--");
-  const std::string name =
-      isShort ? option.substr(0, 2) : option.substr(0, option.find_first_of("= "));
-  if (std::ranges::find(kOwn, name) != std::end(kOwn))
-    fail("submit sets " + name + " itself; --cores, --chunk and -o are its own options for that");
+  if (option.substr(0, option.find('=')).find_first_of(" \t") != std::string::npos)
+    fail("several words; write its value after =, such as --qos=low");
+  const std::string own = ownOptionIn(option);
+  if (!own.empty())
+    fail("submit sets " + own + " itself; --cores, --chunk and -o are its own options for that");
 }
 
 /// Returns a path for Slurm's patterns of file names, in which % has a meaning.
@@ -77,8 +92,13 @@ std::string directives(const Plan& plan, const PlanFiles& files,
 // that the input is wrong: no second try helps.
 constexpr const char* kRun = R"(
 trap : TERM INT HUP  # The command gets the signal, too: it keeps what is done, and ends by itself.
-eval "$command"
-status=$?
+if [ -n "$command" ]; then
+  eval "$command"
+  status=$?
+else
+  echo "the command of task $task is missing in $farm; submit again, which writes it" >&2
+  status=2
+fi
 
 echo "$status ${SLURMD_NODENAME:-$(hostname)} $SECONDS" > "$farm/ends/.$task.$$"
 mv -f "$farm/ends/.$task.$$" "$farm/ends/$task"

@@ -46,6 +46,12 @@ const char* unitsOf(Work work) {
   return kUnits[static_cast<int>(work)];
 }
 
+std::int64_t countTasks(const Plan& plan) {
+  std::int64_t count = 0;
+  for (const PlannedScene& scene : plan.scenes) count += scene.parts;
+  return count;
+}
+
 std::vector<Task> tasksOf(const Plan& plan) {
   std::vector<Task> tasks;
   for (std::size_t scene = 0; scene < plan.scenes.size(); ++scene) {

@@ -58,6 +58,12 @@ struct Task {
   store::ClipPart part{};
 };
 
+/// Most tasks of a plan, and most cores of a task.
+inline constexpr std::int64_t kMaxTasks = 1'000'000;
+inline constexpr int kMaxCores = 1024;
+
+/// Returns the number of tasks.
+std::int64_t countTasks(const Plan& plan);
 /// Returns all tasks, scene by scene.
 std::vector<Task> tasksOf(const Plan& plan);
 /// Returns "part 3/16 of NAME", or "NAME" if it has a single part.

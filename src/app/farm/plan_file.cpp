@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <sstream>
+#include <system_error>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -14,6 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kHead = "rotatebook plan 1";
+
+constexpr std::int64_t kMaxUnits = 1'000'000;          ///< Of a scene; a clip has at most so many.
+constexpr std::int64_t kMaxUnitsOfPlan = 100'000'000;  ///< Of all scenes.
+constexpr std::uintmax_t kLongestPlan = 16 << 20;      ///< A scene takes some 500. [bytes]
 
 void addLine(std::string& text, std::string_view key, const std::string& value) {
   if (!isOneLine(value)) {
@@ -35,11 +40,13 @@ std::string sceneText(const PlannedScene& scene) {
   return text;
 }
 
-std::int64_t numberIn(const std::string& text, const std::string& file) {
+std::int64_t numberIn(const std::string& text, std::int64_t most, const std::string& file) {
   std::int64_t number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error == std::errc() && end == text.data() + text.size() && number >= 1) return number;
-  throw InputError(file + ": " + quotedText(text) + " isn't a number above 0; was it edited?");
+  const bool isNumber = error == std::errc() && end == text.data() + text.size();
+  if (isNumber && number >= 1 && number <= most) return number;
+  throw InputError(file + ": " + quotedText(text) + " isn't a number from 1 to " +
+                   std::to_string(most) + "; was it edited?");
 }
 
 /// Puts a line of a scene into it; returns false if it is none.
@@ -52,9 +59,9 @@ bool take(const std::string& key, const std::string& value, const std::string& f
   else if (key == "values")
     scene.values = value;
   else if (key == "units")
-    scene.units = numberIn(value, file);
+    scene.units = numberIn(value, kMaxUnits, file);
   else if (key == "parts")
-    scene.parts = numberIn(value, file);
+    scene.parts = numberIn(value, kMaxUnits, file);
   else if (key == "output")
     scene.outputs.emplace_back(value);
   else
@@ -76,7 +83,7 @@ bool take(const std::string& key, const std::string& value, const std::string& f
   else if (key == "folder")
     plan.folder = value;
   else if (key == "cores")
-    plan.cores = static_cast<int>(numberIn(value, file));
+    plan.cores = static_cast<int>(numberIn(value, kMaxCores, file));
   else if (key == "argument")
     plan.arguments.push_back(value);
   else if (key == "join-argument")
@@ -92,11 +99,40 @@ bool take(const std::string& key, const std::string& value, const std::string& f
   return true;
 }
 
+/// Throws InputError for a plan larger than any that submit makes: a few words must not take all
+/// memory.
+void requireSound(const Plan& plan, const std::string& file) {
+  const auto fail = [&](const std::string& problem) { throw InputError(file + ": " + problem); };
+  std::int64_t units = 0, tasks = 0;
+  for (const PlannedScene& scene : plan.scenes) {
+    if (scene.parts > scene.units) {
+      fail("the scene " + quotedText(scene.name) + " has " + std::to_string(scene.parts) +
+           " parts of " + std::to_string(scene.units) + " " + unitsOf(plan.work));
+    }
+    units += scene.units;
+    tasks += scene.parts;
+    if (units > kMaxUnitsOfPlan) {
+      fail("more than " + std::to_string(kMaxUnitsOfPlan) + " " + unitsOf(plan.work) +
+           " in one plan; submit some of the scenes at a time");
+    }
+    if (tasks > kMaxTasks)
+      fail("more than " + std::to_string(kMaxTasks) + " tasks in one plan; take a larger --chunk");
+  }
+}
+
+}  // namespace
+
 std::string nameOfTask(std::int64_t task) {
   return task == 0 ? "join" : std::to_string(task);
 }
 
-}  // namespace
+std::optional<std::int64_t> taskNamed(const std::string& name) {
+  if (name == nameOfTask(0)) return 0;
+  std::int64_t task = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), task);
+  if (error != std::errc() || task < 1 || name != nameOfTask(task)) return std::nullopt;
+  return task;
+}
 
 fs::path PlanFiles::logOf(std::int64_t task) const {
   return log / (nameOfTask(task) + ".txt");
@@ -116,6 +152,7 @@ PlanFiles planFiles(const fs::path& results, Work work) {
 
 std::string planText(const StoredPlan& stored) {
   const Plan& plan = stored.plan;
+  requireSound(plan, "the plan");
   std::string text = std::string(kHead) + '\n';
   addLine(text, "work", nameOf(plan.work));
   addLine(text, "program", plan.program.string());
@@ -146,40 +183,30 @@ StoredPlan parsePlan(std::string_view text, const std::string& file) {
     if (isOfScene || take(key, value, file, stored)) continue;
     throw InputError(file + ": " + quotedText(line) + " has no meaning in a plan; was it edited?");
   }
+  requireSound(stored.plan, file);
   return stored;
 }
 
 std::optional<StoredPlan> readPlan(const PlanFiles& files) {
-  const std::string text = system::readFileOrEmpty(files.plan);
-  if (text.empty()) return std::nullopt;
-  return parsePlan(text, files.plan.string());
+  std::error_code missing;
+  if (!fs::exists(files.plan, missing)) return std::nullopt;
+  return parsePlan(system::readInput(files.plan, kLongestPlan), files.plan.string());
 }
 
 void writePlan(const PlanFiles& files, const StoredPlan& stored) {
   system::writeFileAtomically(files.plan, planText(stored));
 }
 
-void writeNewPlan(const PlanFiles& files, const StoredPlan& stored) {
-  const std::string text = planText(stored);
-  const Plan& plan = stored.plan;
-  for (const fs::path& folder : {files.log, files.ends}) {
-    system::createFolders(folder);
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-      system::removeFile(entry.path());
+std::map<std::int64_t, TaskEnd> readEnds(const PlanFiles& files) {
+  std::map<std::int64_t, TaskEnd> ends;
+  std::error_code missing;
+  for (const fs::directory_entry& entry : fs::directory_iterator(files.ends, missing)) {
+    const auto task = taskNamed(entry.path().filename().string());
+    std::istringstream text(task ? system::readFileOrEmpty(entry.path()) : "");
+    TaskEnd end;
+    if (text >> end.status >> end.node >> end.seconds) ends[*task] = end;
   }
-  std::string tasks;
-  for (const Task& task : tasksOf(plan)) tasks += shellLine(plan, commandOf(plan, task)) + '\n';
-  system::writeFileAtomically(files.tasks, tasks);
-  const std::vector<std::string> join = joinCommandOf(plan);
-  if (!join.empty()) system::writeFileAtomically(files.join, shellLine(plan, join) + '\n');
-  system::writeFileAtomically(files.plan, text);
-}
-
-std::optional<TaskEnd> readEnd(const PlanFiles& files, std::int64_t task) {
-  std::istringstream text(system::readFileOrEmpty(files.ends / nameOfTask(task)));
-  TaskEnd end;
-  if (text >> end.status >> end.node >> end.seconds) return end;
-  return std::nullopt;
+  return ends;
 }
 
 }  // namespace rotatebook::farm

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,6 +26,11 @@ struct StoredPlan {
   Jobs jobs{};
 };
 
+/// Returns the name of a task in those of its files: "join" of 0, else the number.
+std::string nameOfTask(std::int64_t task);
+/// Returns the task with that name; nothing for other text.
+std::optional<std::int64_t> taskNamed(const std::string& name);
+
 /// Paths of a plan's files.
 struct PlanFiles {
   std::filesystem::path folder;      ///< DIR/farm/COMMAND/
@@ -41,17 +47,17 @@ struct PlanFiles {
 };
 PlanFiles planFiles(const std::filesystem::path& results, Work work);
 
-/// Returns the text that parsePlan() reads. Throws InputError if a path has more than one line.
+/// Returns the text that parsePlan() reads. Throws InputError if a path has more than one line, or
+/// parsePlan() would refuse it.
 std::string planText(const StoredPlan& stored);
-/// Throws InputError, which names `file`, if the text is no plan.
+/// Throws InputError, which names `file`, if the text is no plan, or one of more than kMaxTasks
+/// tasks, or of more units than a scene has.
 StoredPlan parsePlan(std::string_view text, const std::string& file);
-/// Returns the plan on the disk; nothing if there is none. Throws like parsePlan().
+/// Returns the plan on the disk; nothing if there is none. Throws like parsePlan(), and for a file
+/// that can't be read.
 std::optional<StoredPlan> readPlan(const PlanFiles& files);
 /// Writes the plan alone.
 void writePlan(const PlanFiles& files, const StoredPlan& stored);
-/// Writes a new plan and its tasks, in the place of an earlier one, whose ends and logs are
-/// removed.
-void writeNewPlan(const PlanFiles& files, const StoredPlan& stored);
 
 /// The end of a task's last try.
 struct TaskEnd {
@@ -59,7 +65,7 @@ struct TaskEnd {
   std::string node;
   double seconds = 0;
 };
-/// Returns how a task ended, 0 being the join; nothing if it hasn't.
-std::optional<TaskEnd> readEnd(const PlanFiles& files, std::int64_t task);
+/// Returns how tasks ended, by their numbers, 0 being the join; those that haven't are missing.
+std::map<std::int64_t, TaskEnd> readEnds(const PlanFiles& files);
 
 }  // namespace rotatebook::farm

@@ -74,8 +74,14 @@ std::string failureOf(const std::optional<TaskEnd>& end, const QueuedJob* job,
 struct Known {
   const Jobs& jobs;
   const PlanFiles& files;
+  std::map<std::int64_t, TaskEnd> ends{};
   std::string queueProblem{};
   Queue queue{};
+
+  std::optional<TaskEnd> endOf(std::int64_t task) const {
+    const auto found = ends.find(task);
+    return found != ends.end() ? std::optional(found->second) : std::nullopt;
+  }
 
   /// Returns whether a task that isn't in the queue, and whose results are missing, has failed.
   bool hasFailed(std::int64_t task, const std::optional<TaskEnd>& end) const {
@@ -89,7 +95,7 @@ struct Known {
 TaskState stateOfTask(std::int64_t number, bool isDone, const Known& known) {
   TaskState state;
   const QueuedJob* job = jobOf(number, known.queue);
-  const auto end = readEnd(known.files, number);
+  const auto end = known.endOf(number);
   const bool isActive = job != nullptr && job->isActive();
   if (isActive && job->isRunning()) {
     state.kind = Kind::Running;
@@ -111,12 +117,12 @@ TaskState stateOfTask(std::int64_t number, bool isDone, const Known& known) {
 
 /// Returns how long it takes until all is done, at the rate so far of those that run. Nothing while
 /// that isn't known.
-std::optional<double> remainingOf(const PlanState& state, const PlanFiles& files) {
+std::optional<double> remainingOf(const PlanState& state, const Known& known) {
   double spent = 0, running = 0;
   for (std::size_t i = 0; i < state.tasks.size(); ++i) {
     const bool runs = state.tasks[i].kind == Kind::Running;
     if (runs) spent += static_cast<double>(state.tasks[i].seconds), ++running;
-    const auto end = readEnd(files, static_cast<std::int64_t>(i) + 1);
+    const auto end = known.endOf(static_cast<std::int64_t>(i) + 1);
     if (end && !runs) spent += end->seconds;
   }
   double done = 0, all = 0;
@@ -163,7 +169,7 @@ PlanState stateOf(const StoredPlan& stored, const PlanFiles& files) {
     state.scenes.push_back(
         {plan.scenes[i].name, progress[i].count(), plan.scenes[i].units, progress[i].isWhole});
   }
-  Known known{stored.jobs, files};
+  Known known{stored.jobs, files, readEnds(files)};
   known.queue = queueOf(stored.jobs, known.queueProblem);
   state.queueProblem = known.queueProblem;
   for (const Task& task : tasksOf(plan)) {
@@ -174,7 +180,7 @@ PlanState stateOf(const StoredPlan& stored, const PlanFiles& files) {
     state.join = stateOfTask(kJoin, state.isWhole(), known);
     state.join->name = "join";
   }
-  state.remaining = remainingOf(state, files);
+  state.remaining = remainingOf(state, known);
   return state;
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "farm/plan_folder.h"
 #include "farm/progress.h"
 #include "system/atomic_file.h"
 
@@ -151,8 +152,8 @@ Submission submit(StoredPlan stored, const PlanFiles& files, const JobOptions& o
   system::createFolders(files.folder);
   const system::AdvisoryLock lock(files.plan, system::Lock::Exclusive);
   const auto there = readPlan(files);
-  if (!there || there->plan != plan) writeNewPlan(files, stored);
   if (there && there->plan == plan) stored.jobs = there->jobs;
+  storePlan(files, stored);
 
   // Find out what is there, and what is on its way
   Submission submission;

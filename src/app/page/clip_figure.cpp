@@ -178,7 +178,7 @@ Html eventList(const std::vector<Event>& events) {
 Html screenOf(const scene::Scene& scene, const Clip& clip, const Figure& figure,
               const std::string& poster, const std::vector<Event>& events) {
   std::map<std::string, Html> values{{"title", escaped(scene.title)},
-                                     {"id", escaped(scene.name)},
+                                     {"anchor", addressOf(scene.name)},
                                      {"width", {std::to_string(scene.clip.width)}},
                                      {"height", {std::to_string(scene.clip.height)}},
                                      {"poster", addressOf(poster)},
@@ -210,6 +210,7 @@ Figure clipFigure(const scene::Scene& scene, const fs::path& folder, const Figur
   figure.section =
       filled(clipTemplate(),
              {{"id", escaped(scene.name)},
+              {"anchor", addressOf(scene.name)},
               {"title", escaped(scene.title)},
               {"badge", figure.badge},
               {"caption", escaped(scene.caption)},

@@ -21,6 +21,7 @@ Figure stillFigure(const scene::Scene& scene, const fs::path& folder, const Figu
   figure.pictures = {png, thumbnail};
   figure.section =
       filled(stillTemplate(), {{"id", escaped(scene.name)},
+                               {"anchor", addressOf(scene.name)},
                                {"title", escaped(scene.title)},
                                {"picture", addressOf(picture)},
                                {"width", {std::to_string(pixels.width())}},

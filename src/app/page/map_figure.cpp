@@ -89,6 +89,7 @@ Figure mapFigure(const scene::Scene& scene, const fs::path& folder, const Figure
   figure.section =
       filled(mapTemplate(),
              {{"id", escaped(scene.name)},
+              {"anchor", addressOf(scene.name)},
               {"title", escaped(scene.title)},
               {"badge", figure.badge},
               {"picture", addressOf(picture)},

@@ -1,15 +1,19 @@
 #include "page/pack.h"
 
-#include <algorithm>
-#include <memory>
-#include <zip.h>
+#include <system_error>
 
+#include "base/checksum.h"
 #include "base/error.h"
 #include "image/png_file.h"
 #include "image/webp_writer.h"
-#include "system/atomic_file.h"
+#include "page/pack_archive.h"
+#include "page/pack_folder.h"
+#include "page/page.h"
+#include "system/build_id.h"
+#include "system/file_checksum.h"
 #include "video/clip_reader.h"
 #include "video/recoder.h"
+#include "video/video_writer.h"
 
 namespace rotatebook::page {
 namespace {
@@ -22,21 +26,16 @@ constexpr const char* kPreset = "slow";
 constexpr double kKeyFrameInterval = 5;  // Saves 6 % of what 2 s take. [s]
 constexpr int kThreads = 4;              // The bytes depend on it, so it isn't the machine's.
 
-void copyFile(const fs::path& from, const fs::path& to) {
+void copyInto(system::AtomicFile& file, const fs::path& from) {
   std::error_code error;
-  fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
-  if (error) {
-    throw MachineError("can't copy " + from.string() + " to " + to.string() + ": " +
-                       error.message());
-  }
+  fs::copy_file(from, file.temporaryPath(), fs::copy_options::overwrite_existing, error);
+  if (!error) return;
+  throw MachineError(
+      "can't copy " + from.string() + " to " + file.finalPath().string() + ": " + error.message(),
+      system::kindOfError(error.value()));
 }
 
-void packClip(const Figure& figure, const fs::path& from, const fs::path& to, int crf) {
-  // Of WebMs, which may be transparent, no other coding would play everywhere.
-  if (from.extension() != ".mp4") {
-    copyFile(from, to);
-    return;
-  }
+void recodeInto(system::AtomicFile& file, const Figure& figure, const fs::path& from, int crf) {
   const video::ClipMetadata metadata = video::readClipMetadata(from);
   const video::PictureSize size = video::readPictureSize(from);
   video::VideoSettings settings;
@@ -49,69 +48,97 @@ void packClip(const Figure& figure, const fs::path& from, const fs::path& to, in
   settings.keyFrameInterval = kKeyFrameInterval;
   settings.title = metadata.title;
   settings.comment = metadata.comment;
-  system::AtomicFile file(to);
   video::recode(from, file.temporaryPath(), settings);
-  file.commit();
 }
 
-using Archive = std::unique_ptr<zip_t, decltype([](zip_t* archive) { zip_discard(archive); })>;
-
-[[noreturn]] void failZip(const fs::path& file, const char* cause) {
-  throw MachineError("can't write " + file.string() + ": " + cause);
+void packClip(const Figure& figure, const Pack& pack, PackFolder& folder,
+              const PackProgress& progress) {
+  const fs::path from = pack.results / figure.clip;
+  // Of WebMs, which may be transparent, no other coding would play everywhere.
+  if (from.extension() != ".mp4") {
+    return folder.write(figure.clip, "", [&](auto& file) { copyInto(file, from); });
+  }
+  const std::string source =
+      checksumOf(system::checksumOfFile(from) + '\n' + std::to_string(pack.crf) + '\n' +
+                 system::buildId() + '\n' + video::ffmpegVersion());
+  if (folder.has(figure.clip, source)) return;
+  if (progress) progress(figure.clip);
+  folder.write(figure.clip, source, [&](auto& file) { recodeInto(file, figure, from, pack.crf); });
 }
 
-std::vector<fs::path> filesIn(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.is_regular_file()) files.push_back(entry.path());
-  }
-  std::ranges::sort(files);
-  return files;
+bool isArchive(const Pack& pack) {
+  return pack.target.extension() == ".zip";
 }
 
-void addToZip(zip_t* archive, const fs::path& from, const fs::path& zip) {
-  zip_source_t* source = zip_source_file(archive, from.c_str(), 0, -1);
-  if (source == nullptr) failZip(zip, zip_strerror(archive));
-  const zip_int64_t index =
-      zip_file_add(archive, from.filename().c_str(), source, ZIP_FL_ENC_UTF_8);
-  if (index < 0) {
-    zip_source_free(source);
-    failZip(zip, zip_strerror(archive));
+/// Returns the folder that is filled: the target, or one beside the archive, as there may not be
+/// room elsewhere.
+fs::path folderOf(const Pack& pack) {
+  return isArchive(pack) ? fs::path(pack.target).replace_extension(".rotatebook-pack")
+                         : pack.target;
+}
+
+std::vector<std::string> namesOf(const std::vector<Figure>& figures) {
+  std::vector<std::string> names{kPageName};
+  for (const Figure& figure : figures) {
+    names.insert(names.end(), figure.files.begin(), figure.files.end());
+    for (const std::string& picture : figure.pictures)
+      names.push_back(FigureFiles{.isPacked = true}.nameOfPicture(picture));
+    if (!figure.clip.empty()) names.push_back(figure.clip);
   }
-  const auto entry = static_cast<zip_uint64_t>(index);
-  // 1980-01-01 00:00, the first day of a ZIP's clock.
-  if (zip_set_file_compression(archive, entry, ZIP_CM_STORE, 0) != 0 ||
-      zip_file_set_dostime(archive, entry, 0, (1 << 5) | 1, 0) != 0) {
-    failZip(zip, zip_strerror(archive));
+  return names;
+}
+
+void packFigure(const Figure& figure, const Pack& pack, PackFolder& folder,
+                const PackProgress& progress) {
+  for (const std::string& name : figure.files) {
+    folder.write(name, "", [&](auto& file) { copyInto(file, pack.results / name); });
   }
+  for (const std::string& picture : figure.pictures) {
+    const image::Image pixels = image::readPng(pack.results / picture);
+    folder.write(FigureFiles{.isPacked = true}.nameOfPicture(picture),
+                 image::webpText(pixels.view(), kPictureQuality));
+  }
+  if (!figure.clip.empty()) packClip(figure, pack, folder, progress);
 }
 
 }  // namespace
 
-void packFiles(const std::vector<Figure>& figures, const fs::path& folder, const fs::path& target,
-               int crf, const PackProgress& progress) {
-  for (const Figure& figure : figures) {
-    for (const std::string& file : figure.files) copyFile(folder / file, target / file);
-    for (const std::string& picture : figure.pictures) {
-      const image::Image pixels = image::readPng(folder / picture);
-      system::writeFileAtomically(target / FigureFiles{.isPacked = true}.nameOfPicture(picture),
-                                  image::webpText(pixels.view(), kPictureQuality));
-    }
-    if (figure.clip.empty()) continue;
-    if (progress) progress(figure.clip);
-    packClip(figure, folder / figure.clip, target / figure.clip, crf);
+std::vector<fs::path> filesOfPack(const std::vector<Figure>& figures, const Pack& pack) {
+  const fs::path folder = folderOf(pack);
+  std::vector<fs::path> files{folder / kPackMark};
+  for (const std::string& name : namesOf(figures)) files.push_back(folder / name);
+  if (isArchive(pack)) files.push_back(pack.target);
+  return files;
+}
+
+void requirePackable(const std::vector<Figure>& figures, const Pack& pack) {
+  std::error_code missing;
+  if (fs::equivalent(pack.target, pack.results, missing)) {
+    throw InputError(
+        "--pack " + pack.target.string() +
+        " is the folder with the results, whose clips would be replaced; name another");
+  }
+  if (!isArchive(pack)) return PackFolder::requireUsable(pack.target, namesOf(figures));
+  requirePackArchive(pack.target);
+  try {
+    PackFolder::requireUsable(folderOf(pack), namesOf(figures));
+  } catch (const InputError& error) {
+    throw InputError(std::string(error.what()) + ", as " + pack.target.string() +
+                     " is put together in that one");
   }
 }
 
-void writeZip(const fs::path& folder, const fs::path& file) {
-  system::AtomicFile whole(file);
-  int code = 0;
-  Archive archive(zip_open(whole.temporaryPath().c_str(), ZIP_CREATE | ZIP_TRUNCATE, &code));
-  if (archive == nullptr) failZip(file, "libzip can't begin it");
-  for (const fs::path& one : filesIn(folder)) addToZip(archive.get(), one, file);
-  if (zip_close(archive.get()) != 0) failZip(file, zip_strerror(archive.get()));
-  static_cast<void>(archive.release());  // zip_close() has freed it.
-  whole.commit();
+void writePack(const std::vector<Figure>& figures, const std::string& html, const Pack& pack,
+               const PackProgress& progress) {
+  requirePackable(figures, pack);
+  const std::vector<std::string> names = namesOf(figures);
+  PackFolder folder(folderOf(pack), names);
+  for (const Figure& figure : figures) packFigure(figure, pack, folder, progress);
+  folder.write(kPageName, html);
+  folder.finish();
+  if (!isArchive(pack)) return;
+  writeZip(folder.folder(), names, pack.target);
+  folder.remove();
 }
 
 }  // namespace rotatebook::page

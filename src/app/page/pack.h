@@ -16,15 +16,27 @@ inline constexpr int kPackCrf = 33;
 /// Called before each file that takes long, with its name.
 using PackProgress = std::function<void(const std::string& file)>;
 
-/// Writes what `figures`, which were read as packed from `folder`, show to `target`, an existing
-/// folder: clips coded anew at `crf`, which keep their records, pictures of books as WebP, and the
-/// rest as it is. Throws InputError and MachineError.
-void packFiles(const std::vector<Figure>& figures, const std::filesystem::path& folder,
-               const std::filesystem::path& target, int crf, const PackProgress& progress = {});
+/// A page for the web.
+struct Pack {
+  std::filesystem::path results{};  ///< The folder with the figures' files.
+  /// The folder, or, if it ends in .zip, the archive to write.
+  std::filesystem::path target{};
+  int crf = kPackCrf;
+};
 
-/// Makes the ZIP archive `file` of the files in `folder`, which aren't compressed, as pictures and
-/// clips can't be, in the order of their names and without their times, so that the same files make
-/// the same archive. Throws MachineError.
-void writeZip(const std::filesystem::path& folder, const std::filesystem::path& file);
+/// Returns all files that packing `figures` writes, removes or replaces.
+std::vector<std::filesystem::path> filesOfPack(const std::vector<Figure>& figures,
+                                               const Pack& pack);
+
+/// Throws InputError if something would be replaced that isn't as an earlier pack left it, or the
+/// target is the folder with the results. Changes nothing.
+void requirePackable(const std::vector<Figure>& figures, const Pack& pack);
+
+/// Writes what `figures`, which were read as packed, show: clips coded anew, which keep their
+/// records, pictures of books as WebP, the rest as it is, and at last the page `html`. Clips that
+/// an interrupted run has left are kept. Throws InputError, as requirePackable() does and for clips
+/// that can't be read, and MachineError.
+void writePack(const std::vector<Figure>& figures, const std::string& html, const Pack& pack,
+               const PackProgress& progress = {});
 
 }  // namespace rotatebook::page

@@ -9,8 +9,8 @@
 namespace rotatebook::page {
 namespace {
 
-constexpr std::string_view kOverview = R"(<nav class="overview" aria-labelledby="overview">
-<h2 id="overview">Overview</h2>
+constexpr std::string_view kOverview = R"(<nav class="overview" aria-labelledby="page/overview">
+<h2 id="page/overview">Overview</h2>
 {{groups}}</nav>
 )";
 
@@ -19,7 +19,7 @@ constexpr std::string_view kGroup = R"(<h3>{{heading}}</h3>
 {{items}}</ul>
 )";
 
-constexpr std::string_view kItem = R"(<li><a href="#{{id}}">
+constexpr std::string_view kItem = R"(<li><a href="#{{anchor}}">
 <span class="frame">{{picture}}</span>
 <span class="name">{{id}}</span>
 <span class="title">{{title}}</span>
@@ -43,7 +43,7 @@ constexpr std::string_view kContentsChapter =
 {{items}}</ol></li>
 )";
 
-constexpr std::string_view kContentsItem = R"(<li><a href="#{{id}}">{{title}}</a></li>
+constexpr std::string_view kContentsItem = R"(<li><a href="#{{anchor}}">{{title}}</a></li>
 )";
 
 constexpr std::string_view kChapter = R"(<section class="chapter" aria-labelledby="{{place}}">
@@ -59,7 +59,7 @@ Html wordsOf(const char* kind, const std::string& text) {
   return filled(kWords, {{"class", {kind}}, {"text", escaped(text)}});
 }
 
-/// The anchor of a chapter, which no scene's is: their names have no slash.
+/// The anchor of a chapter. Those of the page itself have a slash, as no scene's name has.
 Html placeOf(const ToldChapter& chapter) {
   return escaped("chapter/" + chapter.id);
 }
@@ -68,6 +68,7 @@ Html itemOf(const Figure& figure) {
   const bool drawn = !figure.curves.text.empty();
   return filled(
       kItem, {{"id", escaped(figure.id)},
+              {"anchor", addressOf(figure.id)},
               {"picture",
                drawn ? figure.curves : filled(kPicture, {{"file", addressOf(figure.thumbnail)}})},
               {"title", escaped(figure.title)},
@@ -89,12 +90,12 @@ Html contentsOf(const std::vector<ToldChapter>& chapters, const Figure& lead) {
   for (const ToldChapter& chapter : chapters) {
     Html items;
     for (const ToldFigure& told : chapter.figures) {
-      items += filled(kContentsItem,
-                      {{"id", escaped(told.figure->id)}, {"title", escaped(told.figure->title)}});
+      items += filled(kContentsItem, {{"anchor", addressOf(told.figure->id)},
+                                      {"title", escaped(told.figure->title)}});
     }
     // A chapter of the lead alone has no place of its own.
     const bool isLead = chapter.figures.size() == 1 && chapter.figures.front().figure == &lead;
-    all += filled(kContentsChapter, {{"place", isLead ? escaped(lead.id) : placeOf(chapter)},
+    all += filled(kContentsChapter, {{"place", isLead ? addressOf(lead.id) : placeOf(chapter)},
                                      {"title", escaped(chapter.title)},
                                      {"items", items}});
   }
@@ -153,7 +154,7 @@ std::string pageText(const std::string& title, const std::vector<Figure>& figure
                      const std::string& live) {
   const Parts parts = partsOf(figures);
   const Html fragment =
-      live.empty() ? Html{} : filled("<div id=\"live\">{{live}}</div>\n", {{"live", {live}}});
+      live.empty() ? Html{} : filled("<div class=\"live\">{{live}}</div>\n", {{"live", {live}}});
   return filled(indexTemplate(), {{"title", escaped(title)},
                                   {"version", escaped(kVersion)},
                                   {"preview", parts.preview},

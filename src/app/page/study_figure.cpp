@@ -242,6 +242,7 @@ Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
   figure.section =
       filled(studyTemplate(),
              {{"id", escaped(scene.name)},
+              {"anchor", addressOf(scene.name)},
               {"title", escaped(scene.title)},
               {"badge", figure.badge},
               {"plot", addressOf(svg)},

@@ -190,19 +190,6 @@ render::Background backgroundOf(scene::Background background) {
 
 }  // namespace
 
-std::vector<fs::path> textureFiles(const scene::Scene& scene) {
-  std::vector<fs::path> files;
-  const SceneBodies all = bodiesOf(scene);
-  for (const Side& side : {kFront, kSpine, kBack}) {
-    if (hasBook(all) && !isBuiltin(scene, side))
-      files.push_back(scene.folder / (scene.book.*side.file));
-  }
-  for (const SceneBody& body : all.bodies) {
-    if (!body.meshKey.empty()) files.push_back(scene.folder / body.solid.mesh.name);
-  }
-  return files;
-}
-
 TextureFiles readTextures(const scene::Scene& scene) {
   TextureFiles files;
   const SceneBodies all = bodiesOf(scene);

@@ -10,6 +10,29 @@ namespace rotatebook::picture {
 
 namespace fs = std::filesystem;
 
+std::vector<NamedFile> namedFiles(const scene::Scene& scene) {
+  std::vector<NamedFile> files;
+  const auto add = [&](const std::string& name, const char* kind) {
+    const fs::path path = scene.folder / name;
+    if (name.empty() || std::ranges::count(files, path, &NamedFile::path) > 0) return;
+    files.push_back({path, kind});
+  };
+  const auto addOf = [&](const scene::Motion& motion) {
+    add(motion.solid.mesh.name, "mesh");
+    add(motion.simulation.recorded.file, "recording");
+  };
+  for (const std::string& side : {scene.book.front, scene.book.spine, scene.book.back})
+    add(side == scene::kBuiltin ? "" : side, "texture");
+  addOf(scene);
+  for (const scene::Panel& panel : scene.panels) addOf(panel);
+  if (scene.study && scene.study->sweep) {
+    for (const scene::SweepRun& run : scene.study->sweep->runs)
+      add(run.motion.simulation.recorded.file, "recording");
+  }
+  if (!scene.wordsFile.empty()) files.push_back({scene.wordsFile, "table of words"});
+  return files;
+}
+
 fs::path pathOfNamedFile(const fs::path& folder, const fs::path& file, bool allowOutside) {
   fs::path path = folder / file;
   if (allowOutside) return path;

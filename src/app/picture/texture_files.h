@@ -1,10 +1,8 @@
 // The files that a scene's textures and meshes come from.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
-#include <vector>
 
 #include "scene/scene.h"
 
@@ -23,7 +21,5 @@ using TextureFiles = std::map<std::string, std::string>;
 /// Reads the texture and mesh files that the scene names. Throws InputError if one is missing or
 /// broken, or leads outside the scene's folder without Scene::allowOutside.
 TextureFiles readTextures(const scene::Scene& scene);
-/// Returns the texture and mesh files that the scene names, whether they exist or not.
-std::vector<std::filesystem::path> textureFiles(const scene::Scene& scene);
 
 }  // namespace rotatebook::picture

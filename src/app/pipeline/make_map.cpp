@@ -61,7 +61,10 @@ void requireMayReplaceMap(const scene::Scene& scene, const store::MapFiles& file
                           const MapOptions& options) {
   if (options.overwrite) return;
   const std::string fingerprint = store::mapFingerprint(scene);
-  requireMayGoOn(store::MapTiles(files.tiles, fingerprint), options, "map", tilesText);
+  const store::MapTiles kept(files.tiles, fingerprint);
+  requireMayGoOn(kept, options, "map", tilesText);
+  // The tiles are removed after the JSON is written: an array beside them alone is of a killed map
+  if (!fs::exists(files.json) && kept.count().same > 0) return;
   const std::string made = study::statedIn(system::readFileOrEmpty(files.json), "fingerprint");
   if (!fs::exists(files.npy) || made == fingerprint) return;
   throw InputError(files.npy.string() +

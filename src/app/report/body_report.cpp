@@ -55,6 +55,11 @@ double growthOf(const Vector3d& moments) {
                    (moments[0] * moments[2]));
 }
 
+std::string pairText(const std::array<std::size_t, 2>& triangles) {
+  return "triangles " + std::to_string(triangles[0] + 1) + " and " +
+         std::to_string(triangles[1] + 1);
+}
+
 /// Returns what there is to say about the surface.
 std::string surfaceText(const std::optional<BodySurface>& surface) {
   if (!surface) return "the book, a cuboid";
@@ -63,11 +68,18 @@ std::string surfaceText(const std::optional<BodySurface>& surface) {
                                            : std::to_string(surface->shells) +
                                                  " closed surfaces, which add up: also where they "
                                                  "overlap; one that faces inward takes away");
-  if (!surface->crossing) return text;
-  const auto [one, other] = *surface->crossing;
-  return text + "\n  note: triangles " + std::to_string(one + 1) + " and " +
-         std::to_string(other + 1) +
-         " cross each other; what a surface encloses twice counts twice";
+  for (const std::string& note : surface->notes) text += "\n  note: " + note;
+  if (surface->crossing) {
+    text += "\n  note: " + pairText(*surface->crossing) +
+            " cross each other; what a surface encloses twice counts twice";
+  }
+  if (surface->overlap) {
+    text +=
+        "\n  note: " + pairText(*surface->overlap) +
+        " meet at an edge around which something is enclosed twice, or taken away where nothing "
+        "is; it counts so";
+  }
+  return text;
 }
 
 void reportBody(const BodyNumbers& numbers, std::ostream& output) {
@@ -117,11 +129,18 @@ std::string bodyJson(const BodyNumbers& numbers) {
   };
   count("triangles", &BodySurface::triangles);
   count("shells", &BodySurface::shells);
-  const bool crosses = numbers.surface && numbers.surface->crossing;
-  json.add("crossing",
-           !crosses ? "null" : jsonArrayOf(*numbers.surface->crossing, [](std::size_t triangle) {
-             return std::to_string(triangle + 1);
-           }));
+  const auto pair = [&](const char* key, auto BodySurface::*member) {
+    const bool isThere = numbers.surface && (*numbers.surface).*member;
+    json.add(key, !isThere ? "null"
+                           : jsonArrayOf(*((*numbers.surface).*member), [](std::size_t triangle) {
+                               return std::to_string(triangle + 1);
+                             }));
+  };
+  pair("crossing", &BodySurface::crossing);
+  pair("overlap", &BodySurface::overlap);
+  json.add("notes",
+           jsonArrayOf(numbers.surface ? numbers.surface->notes : std::vector<std::string>{},
+                       [](const std::string& note) { return jsonString(note); }));
   json.addBool("closed", true);
   return json.text();
 }

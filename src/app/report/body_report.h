@@ -19,6 +19,10 @@ struct BodySurface {
   /// Two triangles that cross each other, from 0; nothing if none are known. Not looked for in
   /// bodies that are sums of shapes, whose parts may overlap.
   std::optional<std::array<std::size_t, 2>> crossing{};
+  /// Two triangles at an edge around which something is enclosed twice, or taken away where nothing
+  /// is; nothing if there is no such edge.
+  std::optional<std::array<std::size_t, 2>> overlap{};
+  std::vector<std::string> notes{};  ///< On what was changed or left out of the file.
 };
 
 /// A body and where it comes from.
@@ -39,8 +43,9 @@ void reportBodies(const Bodies& bodies, std::ostream& output);
 
 /// Prints one JSON object: "name", "volume_m3", "mass_kg", "centre_m", "inertia_kgm2" (3x3 about
 /// the centre), "principal_moments_kgm2" (ascending), "principal_axes" (a unit vector for each
-/// moment, right-handed), "triangles" and "shells" (null for the book), "crossing" (the numbers of
-/// two triangles, from 1, or null), "closed". Of several bodies: "name", and these as "bodies".
+/// moment, right-handed), "triangles" and "shells" (null for the book), "crossing" and
+/// "overlap" (the numbers of two triangles, from 1, or null), "notes", "closed". Of several bodies:
+/// "name", and these as "bodies".
 void reportBodiesAsJson(const Bodies& bodies, std::ostream& output);
 
 }  // namespace rotatebook::report

@@ -18,6 +18,10 @@ std::string digits4(double value) {
   return roundedText(value, 4);
 }
 
+std::string digits6(double value) {
+  return roundedText(value, 6);
+}
+
 std::string degreesASecond(double rate) {
   return roundedText(rate * 180 / std::numbers::pi, 3) + " deg/s";
 }
@@ -41,9 +45,51 @@ std::string ratioJson(const recording::Estimate& ratio) {
       .text();
 }
 
+/// Returns a sentence on what the intervals hold.
+std::string intervalsText(const recording::TossFit& fit) {
+  if (fit.noise == 0) {
+    return "the intervals hold in 95 of 100 tosses by noise alone; without a rest before, other "
+           "errors don't show";
+  }
+  const std::string residual =
+      "the residual is " + roundedText(fit.residual / fit.noise, 2) + " times the noise at rest";
+  if (fit.widening > 1) {
+    return residual +
+           ": the intervals that hold in 95 of 100 tosses by noise alone are widened by " +
+           roundedText(fit.widening, 2);
+  }
+  return "the intervals hold in 95 of 100 tosses by noise alone; " + residual;
+}
+
+JsonObject& addFit(JsonObject& object, const recording::TossFit& fit) {
+  const Eigen::Matrix3d& inertia = fit.inertia;
+  return object.addInteger("readings", static_cast<std::int64_t>(fit.readings))
+      .add("I1_over_I3", ratioJson(fit.ratios[0]))
+      .add("I2_over_I3", ratioJson(fit.ratios[1]))
+      .add("inertia", jsonArray({vectorJson(inertia.row(0)), vectorJson(inertia.row(1)),
+                                 vectorJson(inertia.row(2))}))
+      .add("angular_velocity", vectorJson(fit.start))
+      .add("bias", vectorJson(fit.bias))
+      .addNumber("rest_s", fit.rest)
+      .addNumber("residual", fit.residual)
+      .addNumber("noise", fit.noise)
+      .addNumber("widening", fit.widening)
+      .addNumber("gap", fit.gap)
+      .add("notes", jsonArrayOf(fit.notes, jsonString));
+}
+
+std::string throwJson(const recording::Throw& one) {
+  JsonObject object;
+  object.addNumber("from_s", one.from).addNumber("to_s", one.to).addNumber("spin", one.spin);
+  object.addBool("accepted", one.fit.has_value());
+  if (!one.fit) return object.addString("refusal", one.refusal).text();
+  return addFit(object, *one.fit).text();
+}
+
 /// Returns the keys of [simulation] that state what `options` does.
 std::string statedKeys(const recording::ReadOptions& options) {
   std::string text;
+  if (!options.timeUnit.empty()) text += "time_unit = " + quotedText(options.timeUnit) + "\n";
   if (!options.unit.empty()) text += "rates = " + quotedText(options.unit) + "\n";
   if (options.columns.empty()) return text;
   return text + "columns = { " +
@@ -60,37 +106,48 @@ void reportToss(const recording::TossFit& fit, const std::string& name, std::ost
   for (std::size_t i = 0; i < fit.ratios.size(); ++i) {
     const recording::Estimate& ratio = fit.ratios[i];
     out << "  " << kRatioNames[i] << " = " << roundedText(ratio.value, 6) << ", "
-        << roundedText(ratio.low, 6) << " to " << roundedText(ratio.high, 6) << " in 95 of 100\n";
+        << roundedText(ratio.low, 6) << " to " << roundedText(ratio.high, 6) << '\n';
   }
-  out << "  the fitted motion differs by " << degreesASecond(fit.residual)
-      << " (root mean square); gap of singular values " << roundedText(fit.gap, 3) << '\n';
+  out << "  " << intervalsText(fit) << "\n  the fitted motion differs by "
+      << degreesASecond(fit.residual) << " (root mean square) of " << degreesASecond(fit.spin)
+      << "; gap of singular values " << roundedText(fit.gap, 3) << '\n';
   if (fit.rest > 0) {
     out << "  bias " << degreesASecond(fit.bias.norm()) << ", from " << digits4(fit.rest)
         << " s of rest before\n";
-  } else {
+  } else if (fit.isMeasured) {
     out << "  no rest before the flight: the gyroscope's bias isn't subtracted, and the intervals "
-           "leave "
-           "it out\n";
+           "leave it out\n";
   }
+  for (const std::string& note : fit.notes) out << "  note: " << note << '\n';
 }
 
 void reportTossAsJson(const recording::TossFit& fit, const std::string& name, std::ostream& out) {
-  const Eigen::Matrix3d& inertia = fit.inertia;
-  out << JsonObject()
-             .addString("name", name)
-             .addNumber("from_s", fit.from)
-             .addNumber("to_s", fit.to)
-             .addInteger("readings", static_cast<std::int64_t>(fit.readings))
-             .add("I1_over_I3", ratioJson(fit.ratios[0]))
-             .add("I2_over_I3", ratioJson(fit.ratios[1]))
-             .add("inertia", jsonArray({vectorJson(inertia.row(0)), vectorJson(inertia.row(1)),
-                                        vectorJson(inertia.row(2))}))
-             .add("angular_velocity", vectorJson(fit.start))
-             .add("bias", vectorJson(fit.bias))
-             .addNumber("rest_s", fit.rest)
-             .addNumber("residual", fit.residual)
-             .addNumber("gap", fit.gap)
-             .text()
+  JsonObject object;
+  object.addString("name", name).addNumber("from_s", fit.from).addNumber("to_s", fit.to);
+  out << addFit(object, fit).text() << '\n';
+}
+
+void reportThrows(const std::vector<recording::Throw>& throws, const std::string& name,
+                  std::ostream& out) {
+  out << oneLine(name) << ": " << throws.size() << (throws.size() == 1 ? " flight" : " flights")
+      << '\n';
+  for (const recording::Throw& one : throws) {
+    out << "  from " << digits6(one.from) << " to " << digits6(one.to) << ", "
+        << roundedText(one.to - one.from, 2) << " s at " << degreesASecond(one.spin) << ": ";
+    if (one.fit) {
+      out << "I1/I3 = " << digits4(one.fit->ratios[0].value)
+          << ", I2/I3 = " << digits4(one.fit->ratios[1].value) << '\n';
+    } else {
+      // Each refusal begins with the recording's name.
+      const bool isNamed = one.refusal.starts_with(name + ": ");
+      out << "refused: " << one.refusal.substr(isNamed ? name.size() + 2 : 0) << '\n';
+    }
+  }
+}
+
+void reportThrowsAsJson(const std::vector<recording::Throw>& throws, const std::string& name,
+                        std::ostream& out) {
+  out << JsonObject().addString("name", name).add("throws", jsonArrayOf(throws, throwJson)).text()
       << '\n';
 }
 

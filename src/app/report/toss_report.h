@@ -3,6 +3,7 @@
 
 #include <ostream>
 #include <string>
+#include <vector>
 
 #include "recording/toss.h"
 
@@ -13,6 +14,14 @@ namespace rotatebook::report {
 void reportToss(const recording::TossFit& fit, const std::string& name, std::ostream& out);
 /// Prints the same as one JSON object.
 void reportTossAsJson(const recording::TossFit& fit, const std::string& name, std::ostream& out);
+
+/// Prints a line for each throw of a recording: its time and spin, and its ratios or why it is
+/// refused.
+void reportThrows(const std::vector<recording::Throw>& throws, const std::string& name,
+                  std::ostream& out);
+/// Prints the same as one JSON object.
+void reportThrowsAsJson(const std::vector<recording::Throw>& throws, const std::string& name,
+                        std::ostream& out);
 
 /// Returns a scene of the toss: the recording beside the exact motion from its fitted start, at a
 /// tenth of its speed. `file` is the recording's path from the scene's folder, `options` what the

@@ -35,6 +35,16 @@ std::string_view regimeText(rigid::Regime regime) {
   return "no axis";
 }
 
+std::string percentOf(double part) {
+  return roundedText(100 * part, 2) + " %";
+}
+
+/// Returns "energy +47.5 % at most, +3 % at the end".
+std::string driftText(const char* name, double largest, double end) {
+  return std::string(name) + " " + percentText(largest) + " at most, " + percentText(end) +
+         " at the end";
+}
+
 BoundResult bounded(const char* name, double measured, double bound) {
   const bool met = std::fabs(measured) <= bound;
   return {name, "at most " + shortestText(bound) + "; measured " + shortNumber(measured), met};
@@ -77,6 +87,37 @@ std::string regimesText(const Verdict& verdict) {
          (start == end ? start : start + " at first, " + end + " at the end");
 }
 
+/// Returns "given", "slopes" or "gyroscope".
+std::string_view sourceText(recording::SpinSource source) {
+  switch (source) {
+    case recording::SpinSource::Given:
+      return "given";
+    case recording::SpinSource::Slopes:
+      return "slopes";
+    case recording::SpinSource::Gyroscope:
+      return "gyroscope";
+  }
+  return "";
+}
+
+/// Returns a line on the angular velocities where they aren't exact; empty where they are.
+std::string spinsLine(const Verdict& verdict) {
+  constexpr double kShown = 0.01, kNoise = 1e-4;
+  std::vector<std::string> parts;
+  if (verdict.spins.source == recording::SpinSource::Slopes) {
+    parts.push_back("the angular velocities are slopes of the attitudes alone, good to " +
+                    percentOf(verdict.spins.uncertainty));
+  }
+  if (verdict.spins.difference > kShown) {
+    parts.push_back("the angular velocities differ from the attitudes' slopes by " +
+                    percentOf(verdict.spins.difference));
+  }
+  if (verdict.scatter > kNoise) parts.push_back("noise of " + percentOf(verdict.scatter));
+  if (verdict.fittedBy)
+    parts.push_back("the start is fitted, its spin changed by " + percentOf(*verdict.fittedBy));
+  return parts.empty() ? "" : "  " + joined(parts, "; ") + '\n';
+}
+
 std::string boundJson(const BoundResult& one) {
   return JsonObject()
       .addString("name", one.name)
@@ -87,6 +128,13 @@ std::string boundJson(const BoundResult& one) {
 
 std::string verdictJson(const JudgedMotion& motion, const VerdictBounds& bounds) {
   const Verdict& verdict = motion.verdict;
+  if (!motion.mistake.empty()) {
+    return JsonObject()
+        .addString("name", motion.name)
+        .addString("mistake", motion.mistake)
+        .add("bounds", "[]")
+        .text();
+  }
   return JsonObject()
       .addString("name", motion.name)
       .addInteger("samples", static_cast<std::int64_t>(verdict.samples))
@@ -103,7 +151,12 @@ std::string verdictJson(const JudgedMotion& motion, const VerdictBounds& bounds)
       .addInteger("half_turns_due", verdict.halfTurnsDue)
       .addInteger("regime", static_cast<int>(verdict.start))
       .addInteger("end_regime", static_cast<int>(verdict.end))
-      .addString("method", timeline::methodThat(verdict.errs))
+      .addString("method", timeline::methodThat(verdict))
+      .addString("spins", std::string(sourceText(verdict.spins.source)))
+      .addNumber("spin_uncertainty", verdict.spins.uncertainty)
+      .addNumber("rates_difference", verdict.spins.difference)
+      .addNumber("scatter", verdict.scatter)
+      .addNumberOrNull("start_fitted_by", verdict.fittedBy)
       .add("bounds", jsonArrayOf(resultsOf(verdict, bounds), boundJson))
       .text();
 }
@@ -133,26 +186,32 @@ std::vector<BoundResult> resultsOf(const Verdict& verdict, const VerdictBounds& 
 bool allMet(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds) {
   return std::ranges::all_of(motions, [&](const JudgedMotion& motion) {
     const std::vector<BoundResult> results = resultsOf(motion.verdict, bounds);
+    if (!motion.mistake.empty()) return false;
     return std::ranges::all_of(results, [](const BoundResult& one) { return one.met; });
   });
 }
 
 void reportVerdicts(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds,
                     std::ostream& out) {
-  for (const auto& [name, verdict] : motions) {
+  for (const auto& [name, verdict, mistake] : motions) {
+    if (!mistake.empty()) {
+      out << oneLine(name) << ": not judged: " << mistake << '\n';
+      continue;
+    }
     const std::string visible = verdict.visibleFrom
                                     ? ", more than " + shortNumber(timeline::kVisibleErrorDeg) +
                                           " from " + shortNumber(*verdict.visibleFrom) + " s on"
                                     : "";
-    out << oneLine(name) << ": " << timeline::methodThat(verdict.errs) << "\n  error "
+    out << oneLine(name) << ": " << timeline::methodThat(verdict) << "\n  error "
         << shortNumber(verdict.endErrorDeg) << " degrees after " << shortNumber(verdict.duration)
-        << " s, at most " << shortNumber(verdict.errorDeg) << visible << "\n  energy "
-        << percentText(verdict.endEnergyDrift) << ", |L| " << percentText(verdict.endMomentumDrift)
-        << ", L turned by up to " << shortNumber(verdict.momentumTurnDeg) << " degrees\n  "
-        << verdict.halfTurns << " of " << verdict.halfTurnsDue << " half-turns; "
-        << regimesText(verdict) << '\n';
+        << " s, at most " << shortNumber(verdict.errorDeg) << visible << "\n  "
+        << driftText("energy", verdict.energyDrift, verdict.endEnergyDrift) << "; "
+        << driftText("|L|", verdict.momentumDrift, verdict.endMomentumDrift)
+        << "; L turned by up to " << shortNumber(verdict.momentumTurnDeg) << " degrees\n"
+        << spinsLine(verdict) << "  " << verdict.halfTurns << " of " << verdict.halfTurnsDue
+        << " half-turns; " << regimesText(verdict) << '\n';
     for (const BoundResult& one : resultsOf(verdict, bounds)) {
-      out << (one.met ? "  met    " : "  NOT MET ") << one.name << ": expected " << one.text
+      out << (one.met ? "  met      " : "  not met  ") << one.name << ": expected " << one.text
           << '\n';
     }
   }
@@ -170,15 +229,17 @@ void reportVerdictsAsJson(const std::vector<JudgedMotion>& motions, const Verdic
 
 std::string junitOf(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds) {
   std::string text(kJunitBeginning);
-  for (const auto& [name, verdict] : motions) {
+  for (const auto& [name, verdict, mistake] : motions) {
     std::vector<BoundResult> results = resultsOf(verdict, bounds);
+    if (!mistake.empty()) results = {{"recording", mistake, false}};
     if (results.empty()) results.push_back({"judged", "", true});
     const auto failures =
         std::ranges::count_if(results, [](const BoundResult& one) { return !one.met; });
     text += "  <testsuite name=\"" + escapedXml(name) + "\" tests=\"" +
             std::to_string(results.size()) + "\" failures=\"" + std::to_string(failures) + "\">\n";
     for (const BoundResult& one : results) text += caseText(name, one);
-    text += "    <system-out>" + escapedXml(timeline::methodThat(verdict.errs)) +
+    text += "    <system-out>" +
+            escapedXml(mistake.empty() ? timeline::methodThat(verdict) : "isn't judged") +
             "</system-out>\n  </testsuite>\n";
   }
   return text + "</testsuites>\n";

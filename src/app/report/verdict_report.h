@@ -19,10 +19,12 @@ struct VerdictBounds {
   bool halfTurns = false;                 ///< As many as are due.
 };
 
-/// A verdict on a motion, with what was expected of it.
+/// A verdict on a motion.
 struct JudgedMotion {
   std::string name;  ///< The file's, with the panel's label.
-  timeline::Verdict verdict;
+  timeline::Verdict verdict{};
+  /// The mistake in the table, whose motion isn't judged then; empty without one.
+  std::string mistake{};
 };
 
 /// A bound, and whether a verdict keeps it.
@@ -34,7 +36,7 @@ struct BoundResult {
 
 /// Returns the results of the bounds that there are.
 std::vector<BoundResult> resultsOf(const timeline::Verdict& verdict, const VerdictBounds& bounds);
-/// Returns whether all motions keep all bounds.
+/// Returns whether all motions are judged and keep all bounds.
 bool allMet(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds);
 
 /// Prints a few lines for each motion: what it does, what it ought to, and what errs so.
@@ -48,7 +50,7 @@ inline constexpr std::string_view kJunitBeginning =
     "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
 
 /// Returns a document of JUnit's XML: a test suite for each motion, with a test case for each
-/// bound; without bounds, one that passes.
+/// bound; without bounds, one that passes; of a table that isn't judged, one that fails.
 std::string junitOf(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds);
 
 }  // namespace rotatebook::report

@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "store/clip_replacement.h"
 #include "store/folder_guard.h"
+#include "store/result_owners.h"
 #include "system/file_checksum.h"
 #include "system/read_file.h"
 #include "system/removal.h"
@@ -39,10 +40,10 @@ ClipFolder::ClipFolder(const ClipFiles& files, const Settings& settings)
   for (const fs::path& output : outputs_)
     locks_.emplace_back(output, settings.part ? system::Lock::Shared : system::Lock::Exclusive);
   if (!settings.earlier.overwrite) {
-    refuseFilesOfOtherClips(files, outputs_,
-                            "the render of " + settings.scene.name +
-                                " would replace it; rename the scene or its panel, render into "
-                                "another folder with -o, or replace it with --overwrite");
+    refuseResultsOfOthers({ResultKind::Clip, settings.scene.name}, outputs_,
+                          "the render of " + settings.scene.name +
+                              " would replace it; rename the scene or its panel, render into "
+                              "another folder with -o, or replace it with --overwrite");
   }
   try {
     settings.part ? openPart(settings) : openWhole(settings);

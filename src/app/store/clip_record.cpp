@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/checksum.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "base/version.h"
@@ -114,11 +115,17 @@ bool lacksFiles(const scene::Scene& scene) {
   return isMissing(book.front) || isMissing(book.spine) || isMissing(book.back);
 }
 
-std::string texturesText(const std::map<std::string, std::string>& textures) {
+std::string texturesText(const picture::TextureChecksums& textures) {
   return joinedOf(textures, [](const auto& texture) {
     const auto& [key, sum] = texture;
     return sum == picture::kBuiltinTexture ? "" : key + " " + sum;
   });
+}
+
+picture::TextureChecksums checksumsOf(const picture::TextureFiles& textures) {
+  picture::TextureChecksums sums;
+  for (const auto& [key, bytes] : textures) sums.emplace(key, checksumOf(bytes));
+  return sums;
 }
 
 /// Returns the folders in `folder`, in the order of their names; the first kMaxFolders of them.
@@ -164,7 +171,7 @@ bool readFilesNear(const fs::path& clip, RecordedClip& recorded) {
       continue;
     }
     const std::string& wanted = recorded.record.provenance.textures;
-    if (!wanted.empty() && wanted != texturesText(there.textures)) continue;
+    if (!wanted.empty() && wanted != texturesText(checksumsOf(there.textures))) continue;
     recorded = std::move(there);
     return true;
   }

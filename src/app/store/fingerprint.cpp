@@ -75,6 +75,9 @@ std::string shortList(std::vector<std::string> found) {
   return joined(found, "; ");
 }
 
+/// The beginning of a film's record.
+constexpr std::string_view kHeadOfFilm = "# The film of a map.\n";
+
 /// Returns a checksum of this program and of what its results depend on.
 std::string checksumWithProgram(const std::string& settings) {
   return checksumOf(std::string(kVersion) + "\n" + system::buildId() + "\n" + settings);
@@ -119,7 +122,11 @@ std::string mapSceneChecksum(const scene::Scene& scene) {
 }
 
 std::string recordOfFilm(const scene::Scene& scene) {
-  return "# The film of a map.\n" + sceneText(scene);
+  return std::string(kHeadOfFilm) + sceneText(scene);
+}
+
+bool isRecordOfFilm(std::string_view text) {
+  return text.starts_with(kHeadOfFilm);
 }
 
 std::string filmFingerprint(const scene::Scene& scene) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "scene/scene.h"
 #include "store/manifest.h"
@@ -32,6 +33,8 @@ std::string mapFingerprint(const scene::Scene& scene);
 std::string filmFingerprint(const scene::Scene& scene);
 /// Returns the text that the film of a scene's map holds as its comment, by which it is known.
 std::string recordOfFilm(const scene::Scene& scene);
+/// Returns whether `text` is the record of some map's film.
+bool isRecordOfFilm(std::string_view text);
 
 /// Returns, for a message, how the frames in `folder`, which have the fingerprint `there` and a
 /// scene.toml, differ from a render of `scene` with the fingerprint `made`: "clip.duration is 8.0

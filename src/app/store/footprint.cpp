@@ -88,6 +88,10 @@ void Footprint::addMap(const MapFiles& files) {
   addFolder(moved_, files.filmFrames);
 }
 
+void Footprint::addWholeFolder(const fs::path& folder) {
+  addFolder(moved_, folder);
+}
+
 std::optional<std::string> Footprint::fateOf(const fs::path& path) const {
   if (!identityOf(path)) return std::nullopt;
   for (const fs::path& name : chainOf(path)) {

@@ -38,6 +38,9 @@ class Footprint {
   /// Adds the files of a map.
   void addMap(const MapFiles& files);
 
+  /// Adds a folder of which no file need stay where it is.
+  void addWholeFolder(const std::filesystem::path& folder);
+
   /// Returns what becomes of the file at `path`, or of a link on the way to it: "replaced",
   /// "removed" or "moved or removed"; nothing if it stays as it is or doesn't exist.
   std::optional<std::string> fateOf(const std::filesystem::path& path) const;

@@ -1,6 +1,8 @@
 #include "store/map_tiles.h"
 
+#include <algorithm>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "base/error.h"
 #include "system/atomic_file.h"
 #include "system/read_file.h"
+#include "system/removal.h"
 #include "system/temporary_files.h"
 
 namespace rotatebook::store {
@@ -16,10 +19,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kPrefix = "tile_";
+constexpr std::string_view kTilePrefix = "tile_";
 
+/// Returns whether write() gives a file this name: tile_0, tile_17.
 bool isTile(const fs::path& path) {
-  return path.filename().string().starts_with(kPrefix);
+  const std::string name = path.filename().string();
+  if (!name.starts_with(kTilePrefix) || name.size() == kTilePrefix.size()) return false;
+  return std::all_of(name.begin() + std::ssize(kTilePrefix), name.end(),
+                     [](char letter) { return '0' <= letter && letter <= '9'; });
+}
+
+/// Throws InputError for a link or a folder in the place of a tile.
+void requireFile(const fs::path& tile) {
+  if (system::isPlainFile(tile)) return;
+  throw InputError(tile.string() +
+                   " is a link, a folder or a device, and no tile that was left here; remove it");
 }
 
 std::vector<fs::path> tilesIn(const fs::path& folder) {
@@ -28,10 +42,26 @@ std::vector<fs::path> tilesIn(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error)) {
-    if (isTile(entry->path())) tiles.push_back(entry->path());
+    if (!isTile(entry->path())) continue;
+    requireFile(entry->path());
+    tiles.push_back(entry->path());
   }
   if (error) throw InputError("can't read " + folder.string() + ": " + error.message());
   return tiles;
+}
+
+/// Returns the fingerprint that a tile begins with, a line; empty of one that a power cut left
+/// without, or that isn't there.
+std::string fingerprintIn(const fs::path& tile) {
+  if (!system::isPlainFile(tile)) return "";
+  constexpr std::size_t kLongestFingerprint = 200;
+  std::string start(kLongestFingerprint, '\0');
+  std::ifstream file(tile, std::ios::binary);
+  file.read(start.data(), std::ssize(start));
+  start.resize(static_cast<std::size_t>(file.gcount()));
+  const std::size_t end = start.find('\n');
+  const std::string line = start.substr(0, end);
+  return end != start.npos && line.find('\0') == line.npos ? line : "";
 }
 
 }  // namespace
@@ -41,21 +71,18 @@ MapTiles::MapTiles(fs::path folder, std::string fingerprint)
 
 MapTiles::Count MapTiles::count() const {
   Count count;
-  for (const fs::path& tile : tilesIn(folder_)) ++(isOwn(tile) ? count.same : count.other);
+  for (const fs::path& tile : tilesIn(folder_)) {
+    const std::string stated = fingerprintIn(tile);
+    if (stated == fingerprint_)
+      ++count.same;
+    else if (!stated.empty())
+      ++count.other;
+  }
   return count;
 }
 
 bool MapTiles::contains(std::size_t index) const {
-  return isOwn(pathOf(index));
-}
-
-bool MapTiles::isOwn(const fs::path& tile) const {
-  std::error_code missing;
-  if (!fs::is_regular_file(tile, missing)) return false;
-  const std::string wanted = fingerprint_ + "\n";
-  std::string start(wanted.size(), '\0');
-  std::ifstream(tile, std::ios::binary).read(start.data(), std::ssize(start));
-  return start == wanted;
+  return fingerprintIn(pathOf(index)) == fingerprint_;
 }
 
 std::optional<std::string> MapTiles::read(std::size_t index,
@@ -86,7 +113,7 @@ void MapTiles::remove() const {
 }
 
 fs::path MapTiles::pathOf(std::size_t index) const {
-  return folder_ / (std::string(kPrefix) + std::to_string(index));
+  return folder_ / (std::string(kTilePrefix) + std::to_string(index));
 }
 
 }  // namespace rotatebook::store

@@ -18,9 +18,11 @@ class MapTiles {
   /// The numbers of tiles in a folder.
   struct Count {
     std::size_t same = 0;   ///< With this fingerprint.
-    std::size_t other = 0;  ///< With another one, or damaged.
+    std::size_t other = 0;  ///< With another one.
   };
-  /// Counts the tiles by their first bytes alone. Throws InputError if the folder can't be read.
+  /// Counts the tiles by their first bytes alone; those without a fingerprint, as a power cut
+  /// leaves them, don't count, as they are made again. Throws InputError if the folder can't be
+  /// read, or holds a link or a folder in the place of a tile.
   Count count() const;
 
   /// Returns whether a tile with this fingerprint is there, by its first bytes alone.
@@ -30,13 +32,13 @@ class MapTiles {
   std::optional<std::string> read(std::size_t index, std::optional<std::size_t> size = {}) const;
   /// Writes a tile; the folder must exist. Throws MachineError.
   void write(std::size_t index, std::string_view bytes) const;
-  /// Removes all tiles, and the folder if nothing else is in it. Throws MachineError.
+  /// Removes all tiles, and the folder if nothing else is in it. Throws MachineError, and
+  /// InputError as count() does.
   void remove() const;
   const std::filesystem::path& folder() const { return folder_; }
 
  private:
   std::filesystem::path pathOf(std::size_t index) const;
-  bool isOwn(const std::filesystem::path& tile) const;
 
   std::filesystem::path folder_;
   std::string fingerprint_;

@@ -1,7 +1,5 @@
 #include "store/tables.h"
 
-#include "store/clip_files.h"
-#include "store/other_settings.h"
 #include "system/atomic_file.h"
 #include "timeline/clip_tables.h"
 
@@ -14,11 +12,6 @@ void writeTables(const std::vector<std::filesystem::path>& files, const scene::S
     timeline::writeTable(scene, motion, i, [&file](std::string_view piece) { file.write(piece); });
     file.commit();
   }
-}
-
-void refuseLostTables(const std::filesystem::path& folder, const std::string& clip,
-                      const std::vector<std::filesystem::path>& files, const std::string& remedy) {
-  refuseFilesOfOtherClips(clipFiles(folder, clip), files, remedy);
 }
 
 }  // namespace rotatebook::store

@@ -14,6 +14,7 @@ using Samples = std::vector<float>;
 using Colour = std::complex<double>;
 
 constexpr int kPatchSide = 32;  // [pixels]
+constexpr int kDetailSide = 8;  // [pixels]
 
 Samples differences(const Samples& a, const Samples& b) {
   Samples result(a.size());
@@ -47,6 +48,12 @@ class LinearFit {
   double squares_ = 0;
   Colour values_, changes_, products_;
 };
+
+Samples squaresOf(const Samples& values) {
+  Samples result(values.size());
+  std::ranges::transform(values, values, result.begin(), std::multiplies<>{});
+  return result;
+}
 
 double brightnessChange(const Samples& drawn, const Samples& change) {
   LinearFit fit;
@@ -178,6 +185,7 @@ Deviation deviation(const video::Planes& picture, const video::Planes& drawn) {
   };
   return {.rms = distance.rms,
           .worstBlock = distance.worstBlock,
+          .detail = std::sqrt(largestMean(squaresOf(y), width, height, kDetailSide)),
           .brightness = brightnessChange(drawn.y, y),
           .colour = colourChange(drawn, u, v),
           .shift = shiftOf(drawn.y, y, width, height),

@@ -8,11 +8,12 @@
 
 namespace rotatebook::verify {
 
-/// Errors of a picture. Those but the first two are means over many pixels, of which the noise of
+/// Errors of a picture. Those but the first three are means over many pixels, of which the noise of
 /// encoding leaves little: they show changes that are far smaller than that noise.
 struct Deviation {
   double rms = 0;         ///< Root mean square over all samples. [of 255]
   double worstBlock = 0;  ///< Largest such error in 16x16 pixels. [of 255]
+  double detail = 0;      ///< Largest such error of luma in 8x8 pixels: digits. [of 255]
   double brightness = 0;  ///< Rms of the change of luma by gain and offset that fits. [of 255]
   double colour =
       0;  ///< Rms of the change of chroma by hue, saturation and tint that fits. [of 255]
@@ -28,9 +29,10 @@ struct MeasureRow {
   double Deviation::*value;
 };
 
-inline constexpr std::array<MeasureRow, 7> kMeasures{{
+inline constexpr std::array<MeasureRow, 8> kMeasures{{
     {"rms", "off", &Deviation::rms},
     {"worst_block", "off in the worst block", &Deviation::worstBlock},
+    {"detail", "off in 8x8 pixels", &Deviation::detail},
     {"brightness", "brightness or contrast changed", &Deviation::brightness},
     {"colour", "hue, saturation or tint changed", &Deviation::colour},
     {"shift", "shifted", &Deviation::shift},

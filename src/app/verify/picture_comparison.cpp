@@ -48,8 +48,9 @@ constexpr double kCalibratedPixels = 640 * 360;
 //   shift        0.50  0.00-0.04  0-0.02   0-0.03     0.9-1.0   0-0.03
 //   luma patch   0.76  0.3-0.9    2.4-3.6  0.4-1.1    2.7-4.9   4.6-5.7
 //   chroma patch 0.75  0.5-1.1    0.6-1.2  2.2-6.5    0.9-1.5   0.6-1.1
-constexpr std::array<BoundRow, 7> kBounds{{{&Deviation::rms, 2.8, 8, 1.2, 26, true},
+constexpr std::array<BoundRow, 8> kBounds{{{&Deviation::rms, 2.8, 8, 1.2, 26, true},
                                            {&Deviation::worstBlock, 10.7, 8, 4.5, 100, false},
+                                           {&Deviation::detail, 17, 8, 7, 150, false},
                                            {&Deviation::brightness, 0.53, 7, 0.2, 30, true},
                                            {&Deviation::colour, 1.2, 10, 0.75, 15, true},
                                            {&Deviation::shift, 0.08, 8, 0.03, 0.8, true},
@@ -149,7 +150,7 @@ const video::Planes& PictureComparison::drawn(std::int64_t frame) {
   const auto known = drawn_.find(frame);
   if (known != drawn_.end()) return known->second;
   drawer_->draw(frame, picture_);
-  return drawn_[frame] = video::planesOf(picture_.view(), transparent_);
+  return drawn_[frame] = video::planesToEncode(picture_.view(), transparent_);
 }
 
 }  // namespace rotatebook::verify

@@ -48,28 +48,6 @@ std::string shapesText(const std::string& container, const std::string& stream) 
   return container + " in the container, " + stream + " in the stream";
 }
 
-/// Returns the speed of the whole clip, then duration and speed of each edit.
-std::string speedText(const video::Mp4Header& header) {
-  std::string text = "speed " + roundedText(header.speed, 6);
-  for (const auto& [duration, speed] : header.edits) {
-    text += ", " + secondsText(duration) + " at speed " + roundedText(speed, 6);
-  }
-  return text;
-}
-
-/// Returns whether all of `duration` [s] is played within `bound` [s], at normal speed.
-bool playsAll(const video::Mp4Header& header, double duration, double bound) {
-  if (header.speed != 1 || header.edits.size() > 1) return false;
-  const auto isAll = [&](const video::Mp4Header::Edit& edit) {
-    return edit.speed == 1 && std::abs(edit.duration - duration) <= bound;
-  };
-  return std::ranges::all_of(header.edits, isAll);
-}
-
-std::string shownSizeText(const video::Mp4Header& header) {
-  return roundedText(header.shownWidth, 9) + "x" + roundedText(header.shownHeight, 9);
-}
-
 /// Returns a text of the pixels cut off at left, top, right and bottom; empty if they only fill up
 /// the last macroblocks.
 std::string cropText(const std::array<std::int64_t, 4>& crop) {
@@ -94,18 +72,22 @@ const video::RecordedStream& wantedOf(const video::ClipFacts& facts) {
 std::vector<ClipCheck> checkStream(const video::ClipFacts& facts, const scene::Scene& scene) {
   const std::string size = sizeText(scene.clip.width, scene.clip.height);
   const std::string colours = coloursText(kColours);
-  std::vector<ClipCheck> checks{
-      equality(kSizeCheck, sizeText(facts.width, facts.height), size),
-      equality(kCodecCheck, codecText(facts), codecText(rowOf(facts.format))),
-      equality("colours", coloursText(facts.colours), colours),
-      equality("container", coloursText(facts.containerColours), colours),
-      equality("pixel shape", shapesText(facts.containerShape, facts.pixelShape),
-               shapesText("1:1", "1:1")),
-      equality("display", facts.display, "as stored"),
-      equality("crop", facts.crop, "none"),
-      titleCheck(facts.title, scene.title)};
-  if (facts.mp4) checks.push_back(equality("shown size", shownSizeText(*facts.mp4), size));
-  return checks;
+  return {equality(kSizeCheck, sizeText(facts.width, facts.height), size),
+          equality(kCodecCheck, codecText(facts), codecText(rowOf(facts.format))),
+          equality("colours", coloursText(facts.colours), colours),
+          equality("container", coloursText(facts.containerColours), colours),
+          equality("pixel shape", shapesText(facts.containerShape, facts.pixelShape),
+                   shapesText("1:1", "1:1")),
+          equality("display", facts.display, "as stored"),
+          titleCheck(facts.title, scene.title)};
+}
+
+std::vector<ClipCheck> checkForm(const video::FormDifferences& found) {
+  const auto check = [](const char* what, const std::string& difference) {
+    const char* wanted = "as rotatebook writes it";
+    return equality(what, difference.empty() ? wanted : difference, wanted);
+  };
+  return {check("layout", found.container), check("coding", found.stream)};
 }
 
 void DisplayCheck::add(const video::PictureFacts& picture) {
@@ -151,20 +133,14 @@ std::vector<ClipCheck> TimeCheck::checks() const {
   const double stampBound = wantedOf(facts_).stampBound;
   const double lengthBound = wantedOf(facts_).lengthBound;
   const double wanted = timeOf(frames_);
-  std::vector<ClipCheck> checks{
-      equality("frames", std::to_string(count_), std::to_string(frames_)),
-      {"time stamps",
-       allHaveTimes_ ? "off by up to " + milliseconds(largestError_) : "some are missing",
-       "frame n at n/fps within " + milliseconds(stampBound),
-       allHaveTimes_ && largestError_ <= stampBound},
-      {"duration", secondsText(facts_.duration),
-       secondsText(wanted) + " within " + milliseconds(lengthBound),
-       std::abs(facts_.duration - wanted) <= lengthBound}};
-  if (facts_.mp4) {
-    checks.push_back({"speed", speedText(*facts_.mp4), "all at speed 1",
-                      playsAll(*facts_.mp4, facts_.duration, lengthBound)});
-  }
-  return checks;
+  return {equality("frames", std::to_string(count_), std::to_string(frames_)),
+          {"time stamps",
+           allHaveTimes_ ? "off by up to " + milliseconds(largestError_) : "some are missing",
+           "frame n at n/fps within " + milliseconds(stampBound),
+           allHaveTimes_ && largestError_ <= stampBound},
+          {"duration", secondsText(facts_.duration),
+           secondsText(wanted) + " within " + milliseconds(lengthBound),
+           std::abs(facts_.duration - wanted) <= lengthBound}};
 }
 
 }  // namespace rotatebook::verify

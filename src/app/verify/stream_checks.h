@@ -8,6 +8,7 @@
 #include "scene/scene.h"
 #include "verify/clip_check.h"
 #include "video/clip_reader.h"
+#include "video/written_form.h"
 
 namespace rotatebook::verify {
 
@@ -15,8 +16,11 @@ namespace rotatebook::verify {
 inline constexpr const char* kSizeCheck = "size";
 inline constexpr const char* kCodecCheck = "codec";
 
-/// Checks size, codec, colours, pixel aspect ratio, display transformation, crop and title.
+/// Checks size, codec, colours, pixel aspect ratio, display transformation and title.
 std::vector<ClipCheck> checkStream(const video::ClipFacts& facts, const scene::Scene& scene);
+
+/// Checks that the file has the parts and units that rotatebook writes, and no others.
+std::vector<ClipCheck> checkForm(const video::FormDifferences& found);
 
 /// Checks what the stream has players do with its pictures.
 class DisplayCheck {
@@ -44,8 +48,7 @@ class TimeCheck {
 
   /// Adds the next picture's `time` [s]; not a number if it has none.
   void add(double time);
-  /// Returns the checks of frame count, time stamps, duration and, for an MP4, speed. Call it after
-  /// the last picture.
+  /// Returns the checks of frame count, time stamps and duration. Call it after the last picture.
   std::vector<ClipCheck> checks() const;
 
  private:

@@ -59,7 +59,8 @@ bool isCoarse(const Verification& found) {
 class Verifier {
  public:
   Verifier(const std::filesystem::path& clip, const VerifyOptions& options)
-      : options_(options),
+      : path_(clip),
+        options_(options),
         clip_(readWholeClip(clip, options.textures)),
         reader_(clip),
         motion_(timeline::simulateScene(record_.scene)),
@@ -112,8 +113,18 @@ class Verifier {
     }
     std::ranges::copy(times.checks(), std::back_inserter(found.checks));
     std::ranges::copy(display.checks(reader_.facts()), std::back_inserter(found.checks));
+    std::ranges::copy(checkForm(formDifferences(found.range)), std::back_inserter(found.checks));
     if (reported > 0) found.quantiser = quantisers / static_cast<double>(reported);
     if (isCoarse(found)) allowNoise(found);
+  }
+
+  video::FormDifferences formDifferences(store::FrameRange range) const {
+    const scene::Scene& scene = record_.scene;
+    return video::differencesFromWritten(path_, {.width = scene.clip.width,
+                                                 .height = scene.clip.height,
+                                                 .frameRate = scene.clip.frameRate,
+                                                 .frames = range.count(),
+                                                 .transparent = scene::isTransparent(scene)});
   }
 
   /// Sets the bounds of a coarse stream's pictures, which can't be proved, to their quantisers', or
@@ -126,6 +137,7 @@ class Verifier {
     }
   }
 
+  const std::filesystem::path path_;
   const VerifyOptions& options_;
   const store::RecordedClip clip_;
   const store::ClipRecord& record_ = clip_.record;

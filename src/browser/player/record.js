@@ -12,6 +12,8 @@ const kPiece = 65536;     // [bytes]
 const kWebm = {header: 0x1a45dfa3, segment: 0x18538067, tags: 0x1254c367, tag: 0x7373, simpleTag: 0x67c8, name: 0x45a3,
   text: 0x4487};
 
+const kTwoRecords = "it is there twice.";
+
 const damaged = (problem) => new RecordError("The clip’s record is damaged: " + problem);
 
 /** Reads the file as far as it is needed: in pieces, so that a large clip needn't be in memory. */
@@ -83,13 +85,19 @@ async function mp4Boxes(file, begin, end) {
   return boxes;
 }
 
+/** Returns the only box of that type; throws if there are two, as players differ in which they take. */
+function onlyBox(boxes, type) {
+  const found = boxes.filter((box) => box.type === type);
+  if (found.length > 1) throw damaged(kTwoRecords);
+  return found[0];
+}
+
 async function mp4Child(file, parent, type, skipped = 0) {
-  return parent && (await mp4Boxes(file, parent.begin + skipped, parent.end)).find((box) => box.type === type);
+  return parent && onlyBox(await mp4Boxes(file, parent.begin + skipped, parent.end), type);
 }
 
 async function mp4Comment(file) {
-  const boxes = await mp4Boxes(file, 0, file.size);
-  const movie = boxes.find((box) => box.type === "moov");
+  const boxes = await mp4Boxes(file, 0, file.size), movie = onlyBox(boxes, "moov");
   if (!movie || !boxes.some((box) => box.type === "mdat")) throw new RecordError(kCutOff);
   const meta = await mp4Child(file, await mp4Child(file, movie, "udta"), "meta");
   const list = await mp4Child(file, meta, "ilst", 4);  // After a version.
@@ -132,29 +140,33 @@ async function* ebmlElements(file, begin, end) {
   }
 }
 
-/** Returns the record in a comment's tag, undefined of another tag. */
+/** Returns the text's element in a comment's tag, undefined of another tag. */
 async function commentOf(file, tag) {
   const kName = "COMMENT";
   let name = "", text;
   for await (const part of ebmlElements(file, tag.begin, tag.end)) {
     const length = part.end - part.begin;
     if (part.id === kWebm.name && length === kName.length) name = latin1(await file.read(part.begin, length));
+    if (part.id === kWebm.text && text) throw damaged(kTwoRecords);
     if (part.id === kWebm.text) text = part;
   }
-  return text && name.toUpperCase() === kName ? recordText(file, text.begin, text.end) : undefined;
+  return name.toUpperCase() === kName ? text : undefined;
 }
 
+/** Returns the record of the only comment; throws if there are two, as players differ in which they take. */
 async function webmComment(file) {
   const within = async (parent, id, action) => {
     for await (const part of ebmlElements(file, parent.begin, parent.end)) {
-      const found = part.id === id ? await action(part) : undefined;
-      if (found !== undefined) return found;
+      if (part.id === id) await action(part);
     }
-    return undefined;
   };
-  return within({begin: 0, end: file.size}, kWebm.segment, (segment) =>
+  const found = [];
+  await within({begin: 0, end: file.size}, kWebm.segment, (segment) =>
     within(segment, kWebm.tags, (tags) => within(tags, kWebm.tag, (tag) =>
-      within(tag, kWebm.simpleTag, (simple) => commentOf(file, simple)))));
+      within(tag, kWebm.simpleTag, async (simple) => found.push(await commentOf(file, simple))))));
+  const texts = found.filter((text) => text);
+  if (texts.length > 1) throw damaged(kTwoRecords);
+  return texts.length === 1 ? recordText(file, texts[0].begin, texts[0].end) : undefined;
 }
 
 /** Returns {program, scene, motion, frames, text} of a clip's record; throws RecordError if it has none, or can't be read. */

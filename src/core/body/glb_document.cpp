@@ -44,38 +44,65 @@ Chunks chunksOf(std::string_view bytes) {
   return chunks;
 }
 
-std::size_t sizeOfType(std::size_t type) {
-  switch (type) {
-    case 5121:
-      return 1;
-    case 5123:
-      return 2;
-    case 5125:
-      return 4;
-    case 5126:
-      return 4;
-    default:
-      throw InputError("numbers of the type " + std::to_string(type) + " aren't read");
+/// Throws InputError if lists and objects are nested too deep to be read with a function's calls.
+void requireShallow(std::string_view json) {
+  int depth = 0;
+  bool isText = false;
+  for (std::size_t i = 0; i < json.size(); ++i) {
+    const char letter = json[i];
+    if (isText && letter == '\\') ++i;
+    if (letter == '"') isText = !isText;
+    if (isText) continue;
+    depth += letter == '{' || letter == '[' ? 1 : letter == '}' || letter == ']' ? -1 : 0;
+    if (depth > kMaxNesting)
+      throw InputError("its description is nested deeper than " + std::to_string(kMaxNesting));
   }
+}
+
+/// Returns the six bits of a letter of base64; nothing if it is none.
+std::optional<std::uint32_t> sixBitsOf(char letter) {
+  constexpr std::string_view kLetters =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  const std::size_t found = kLetters.find(letter);
+  if (found == kLetters.npos) return std::nullopt;
+  return static_cast<std::uint32_t>(found);
 }
 
 }  // namespace
 
-GlbDocument::GlbDocument(std::string_view bytes) {
-  const Chunks chunks = chunksOf(bytes);
-  binary_ = chunks.binary;
-  const auto refuseDeep = [](int depth, Json::parse_event_t, const Json&) {
-    if (depth <= kMaxNesting) return true;
-    throw InputError("its description is nested deeper than " + std::to_string(kMaxNesting));
-  };
-  json_ = Json::parse(chunks.json, refuseDeep, false);
-  if (!json_.is_object()) throw InputError("its description isn't JSON; export it again");
-  const Json& required = member(json_, "extensionsRequired");
-  if (required.is_array() && !required.empty() && required[0].is_string()) {
-    throw InputError("it needs the extension " +
-                     quotedText(oneLine(required[0].get<std::string>(), 60)) +
-                     ", which isn't read; export it without compression");
+std::optional<std::string> dataOfUri(const GlbDocument::Json& uri) {
+  constexpr std::string_view kBase64 = ";base64,";
+  if (!uri.is_string()) return std::nullopt;
+  std::string_view text = uri.get_ref<const std::string&>();
+  if (!text.starts_with("data:")) return std::nullopt;
+  const std::size_t begin = text.find(kBase64);
+  if (begin == text.npos) throw InputError("it has data that isn't base64; export it again");
+  text.remove_prefix(begin + kBase64.size());
+  std::string bytes;
+  std::uint32_t bits = 0;
+  int count = 0;
+  for (const char letter : text.substr(0, text.find('='))) {
+    const auto six = sixBitsOf(letter);
+    if (!six) throw InputError("it has data that isn't base64; export it again");
+    bits = bits << 6 | *six;
+    count += 6;
+    if (count < 8) continue;
+    count -= 8;
+    bytes += static_cast<char>(bits >> count & 0xff);
   }
+  return bytes;
+}
+
+GlbDocument::GlbDocument(std::string_view bytes) {
+  Chunks chunks = chunksOf(bytes);
+  chunks.json = withoutPadding(chunks.json);
+  binary_ = chunks.binary;
+  requireShallow(chunks.json);
+  // Without a callback, with which the parser takes time with the square of a list's objects
+  json_ = Json::parse(chunks.json, nullptr, false);
+  if (!json_.is_object()) throw InputError("its description isn't JSON; export it again");
+  for (std::size_t i = 0; i < size("buffers"); ++i)
+    decoded_.push_back(dataOfUri(member(at("buffers", i), "uri")).value_or(""));
 }
 
 const GlbDocument::Json& GlbDocument::member(const Json& json, const char* name) {
@@ -110,46 +137,24 @@ const GlbDocument::Json& GlbDocument::at(const char* list, std::size_t index) co
   return member(json_, list)[index];
 }
 
+std::string_view GlbDocument::buffer(std::size_t index) const {
+  const Json& uri = member(at("buffers", index), "uri");
+  if (!decoded_[index].empty()) return decoded_[index];
+  if (!uri.is_null()) throw InputError("its data is in another file; export it as one .glb");
+  // The file's own data is the first buffer
+  return index == 0 ? binary_ : std::string_view();
+}
+
 std::string_view GlbDocument::view(std::size_t index) const {
   const Json& json = at("bufferViews", index);
-  const Json& buffer = at("buffers", count(json, "buffer").value_or(0));
-  if (!member(buffer, "uri").is_null())
-    throw InputError("its data is in another file; export it as one .glb");
+  const std::string_view bytes = buffer(count(json, "buffer").value_or(0));
   const std::size_t begin = count(json, "byteOffset").value_or(0);
   const std::size_t size = count(json, "byteLength").value_or(0);
-  if (begin > binary_.size() || size > binary_.size() - begin) {
+  if (begin > bytes.size() || size > bytes.size() - begin) {
     throw InputError("bufferView " + std::to_string(index) +
                      " reaches beyond the file's data; is the file whole?");
   }
-  return binary_.substr(begin, size);
-}
-
-GlbDocument::Numbers GlbDocument::numbers(std::size_t index, std::string_view type,
-                                          std::size_t components) const {
-  const Json& accessor = at("accessors", index);
-  const std::string name = "accessor " + std::to_string(index);
-  const Json& kind = member(accessor, "type");
-  if (!kind.is_string() || kind.get<std::string>() != type)
-    throw InputError(name + " isn't of the type " + std::string(type));
-  const auto viewIndex = count(accessor, "bufferView");
-  if (!member(accessor, "sparse").is_null() || !viewIndex)
-    throw InputError(name + " is sparse, which isn't read; export the file without morphs");
-
-  Numbers numbers{{}, count(accessor, "count").value_or(0), 0, 0};
-  numbers.type = count(accessor, "componentType").value_or(0);
-  const std::size_t element = components * sizeOfType(numbers.type);
-  const std::string_view bytes = view(*viewIndex);
-  numbers.stride = count(at("bufferViews", *viewIndex), "byteStride").value_or(element);
-  const std::size_t begin = count(accessor, "byteOffset").value_or(0);
-  requireFewTriangles(numbers.count / 3);
-  const bool isInView = begin <= bytes.size() && numbers.stride >= element &&
-                        numbers.stride <= 252 + element &&
-                        (numbers.count == 0 ||
-                         (element <= bytes.size() - begin &&
-                          numbers.count - 1 <= (bytes.size() - begin - element) / numbers.stride));
-  if (!isInView) throw InputError(name + " reaches beyond the file's data; is the file whole?");
-  numbers.bytes = bytes.substr(begin);
-  return numbers;
+  return bytes.substr(begin, size);
 }
 
 }  // namespace rotatebook::body

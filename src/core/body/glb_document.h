@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace rotatebook::body {
 
@@ -16,7 +17,7 @@ class GlbDocument {
  public:
   using Json = nlohmann::json;
 
-  /// Takes a file's bytes, which must outlive this.
+  /// Takes a file's bytes, which must outlive this, in time in proportion to them.
   explicit GlbDocument(std::string_view bytes);
 
   /// Returns a member of an object; null if it has none.
@@ -30,20 +31,19 @@ class GlbDocument {
   std::size_t size(const char* list) const;
   const Json& at(const char* list, std::size_t index) const;
 
-  /// The bytes of an accessor's numbers.
-  struct Numbers {
-    std::string_view bytes;
-    std::size_t count, stride;
-    std::size_t type;  ///< 5121, 5123, 5125 or 5126, of unsigned numbers of 1, 2, 4 bytes, floats
-  };
-  /// Returns the numbers of an accessor with so many components, all of which are there.
-  Numbers numbers(std::size_t accessor, std::string_view type, std::size_t components) const;
   /// Returns the bytes of a view of the binary data.
   std::string_view view(std::size_t index) const;
 
  private:
+  std::string_view buffer(std::size_t index) const;
+
   Json json_;
   std::string_view binary_;
+  std::vector<std::string> decoded_;  // The data of buffers that are in the description, by number.
 };
+
+/// Returns the bytes of a data URI in base64; nothing if it is another URI. Throws InputError for a
+/// data URI that isn't base64.
+std::optional<std::string> dataOfUri(const GlbDocument::Json& uri);
 
 }  // namespace rotatebook::body

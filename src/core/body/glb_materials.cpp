@@ -1,11 +1,15 @@
 #include "body/glb_materials.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/error.h"
+#include "body/glb_extensions.h"
 
 namespace rotatebook::body {
 namespace {
@@ -21,39 +25,84 @@ float shareOf(const Json& value, float byDefault, const std::string& name) {
   return static_cast<float>(number);
 }
 
+/// The pictures of a material, by the name of what they are of.
+constexpr const char* kColourPicture = "baseColorTexture";
+constexpr const char* kMetalPicture = "metallicRoughnessTexture";
+
+/// Returns the number of a texture's picture: of PNG, JPEG or WebP; nothing if it has none.
+std::optional<std::size_t> sourceOf(const GlbDocument& document, const Json& use) {
+  const auto index = GlbDocument::count(use, "index");
+  if (!index) return std::nullopt;
+  const Json& texture = document.at("textures", *index);
+  if (const auto source = GlbDocument::count(texture, "source")) return source;
+  return GlbDocument::count(extensionOf(texture, "EXT_texture_webp"), "source");
+}
+
+/// Reads a pair of numbers, if there is one.
+void readPair(const Json& transform, const char* name, Eigen::Vector2d& pair) {
+  const Json& list = GlbDocument::member(transform, name);
+  if (list.is_null()) return;
+  if (!list.is_array() || list.size() != 2 || !list[0].is_number() || !list[1].is_number())
+    throw InputError("a texture's " + std::string(name) + " isn't a pair of numbers");
+  pair = {list[0].get<double>(), list[1].get<double>()};
+}
+
+PictureUse useOf(const Json& texture) {
+  PictureUse use{GlbDocument::count(texture, "texCoord").value_or(0)};
+  const Json& transform = extensionOf(texture, "KHR_texture_transform");
+  if (transform.is_null()) return use;
+  use.set = GlbDocument::count(transform, "texCoord").value_or(use.set);
+  use.isChanged = true;
+  Eigen::Vector2d scale(1, 1);
+  readPair(transform, "scale", scale);
+  readPair(transform, "offset", use.offset);
+  const Json& rotation = GlbDocument::member(transform, "rotation");
+  const double angle = rotation.is_number() ? rotation.get<double>() : 0;
+  if (!(std::fabs(angle) <= kLargestAngle))
+    throw InputError("a texture's rotation is larger than 10^6 radians; export the file again");
+  const double c = cosine(angle), s = sine(angle);
+  use.turn << c, s, -s, c;  // Counter-clockwise, as v is down
+  use.turn = use.turn * scale.asDiagonal();
+  return use;
+}
+
 /// Reads the pictures of materials, each once.
 class Images {
  public:
   Images(const GlbDocument& document, Surface& surface)
       : document_(document),
         images_(surface.images),
-        indices_(document.size("bufferViews"), kNoImage) {}
+        byView_(document.size("bufferViews"), kNoImage),
+        bySource_(document.size("images"), kNoImage) {}
 
   /// Returns the index of the picture of the texture that `use` names, or kNoImage.
   int indexOf(const Json& use) {
-    const auto texture = GlbDocument::count(use, "index");
-    if (!texture) return kNoImage;
-    const auto source = GlbDocument::count(document_.at("textures", *texture), "source");
+    const auto source = sourceOf(document_, use);
     if (!source) return kNoImage;
-    const auto view = GlbDocument::count(document_.at("images", *source), "bufferView");
-    if (!view) {
+    const Json& image = document_.at("images", *source);
+    if (const auto view = GlbDocument::count(image, "bufferView"))
+      return indexIn(byView_, *view, [&] { return std::string(document_.view(*view)); });
+    return indexIn(bySource_, *source, [&] {
+      auto bytes = dataOfUri(GlbDocument::member(image, "uri"));
+      if (bytes) return *bytes;
       throw InputError("picture " + std::to_string(*source) +
                        " is in another file; export it as one .glb");
-    }
-    const std::string_view bytes = document_.view(*view);
-    int& index = indices_[*view];
-    if (index != kNoImage) return index;
-    bytes_ += bytes.size();
-    if (bytes_ > kMaxBytes) throw InputError("its pictures have more than 256 MiB");
-    index = static_cast<int>(images_.size());
-    images_.emplace_back(bytes);
-    return index;
+    });
   }
 
  private:
+  template <typename Read>
+  int indexIn(std::vector<int>& indices, std::size_t number, const Read& read) {
+    if (number < indices.size() && indices[number] != kNoImage) return indices[number];
+    images_.push_back(read());
+    bytes_ += images_.back().size();
+    if (bytes_ > kMaxBytes) throw InputError("its pictures have more than 256 MiB");
+    return indices[number] = static_cast<int>(images_.size() - 1);
+  }
+
   const GlbDocument& document_;
   std::vector<std::string>& images_;
-  std::vector<int> indices_;  // By bufferView of the document.
+  std::vector<int> byView_, bySource_;  // By bufferView and image of the document.
   std::size_t bytes_ = 0;
 
   static constexpr std::size_t kMaxBytes = std::size_t{1} << 28;
@@ -71,13 +120,60 @@ Material materialFrom(const Json& json, const std::string& name, Images& images)
       shareOf(GlbDocument::member(model, "metallicFactor"), 1, name + ": metallicFactor");
   material.roughness =
       shareOf(GlbDocument::member(model, "roughnessFactor"), 1, name + ": roughnessFactor");
-  material.baseColourImage = images.indexOf(GlbDocument::member(model, "baseColorTexture"));
-  material.metalRoughnessImage =
-      images.indexOf(GlbDocument::member(model, "metallicRoughnessTexture"));
+  const Json &colours = GlbDocument::member(model, kColourPicture),
+             &metals = GlbDocument::member(model, kMetalPicture);
+  material.baseColourImage = images.indexOf(colours);
+  material.metalRoughnessImage = images.indexOf(metals);
+  // A surface has its texture coordinates once
+  if (material.baseColourImage != kNoImage && material.metalRoughnessImage != kNoImage &&
+      useOf(colours) != useOf(metals))
+    material.metalRoughnessImage = kNoImage;
   return material;
 }
 
+const Json& modelOf(const GlbDocument& document, std::size_t material) {
+  return GlbDocument::member(document.at("materials", material), "pbrMetallicRoughness");
+}
+
 }  // namespace
+
+std::string texCoordName(const PictureUse& use) {
+  return "TEXCOORD_" + std::to_string(use.set);
+}
+
+PictureUse pictureUseOf(const GlbDocument& document, const Json& primitive) {
+  const auto material = GlbDocument::count(primitive, "material");
+  if (!material) return {};
+  const Json& model = modelOf(document, *material);
+  const Json& colours = GlbDocument::member(model, kColourPicture);
+  return useOf(sourceOf(document, colours) ? colours : GlbDocument::member(model, kMetalPicture));
+}
+
+std::string noteOnPictures(const GlbDocument& document, const Json& primitive) {
+  const auto material = GlbDocument::count(primitive, "material");
+  if (!material) return "";
+  try {
+    const Json& model = modelOf(document, *material);
+    const Json &colours = GlbDocument::member(model, kColourPicture),
+               &metals = GlbDocument::member(model, kMetalPicture);
+    const bool hasColours = sourceOf(document, colours).has_value();
+    const bool hasMetals = sourceOf(document, metals).has_value();
+    if ((!hasColours && !colours.is_null()) || (!hasMetals && !metals.is_null()))
+      return "a material's picture that is neither PNG, JPEG nor WebP isn't drawn";
+    if (hasColours && hasMetals && useOf(colours) != useOf(metals)) {
+      return "the picture of a material's metalness and roughness, whose texture coordinates "
+             "aren't "
+             "those of its colour, isn't drawn";
+    }
+    const std::string set = texCoordName(pictureUseOf(document, primitive));
+    const Json& attributes = GlbDocument::member(primitive, "attributes");
+    if ((hasColours || hasMetals) && GlbDocument::member(attributes, set.c_str()).is_null())
+      return "a mesh without " + set + " has one colour of its picture";
+  } catch (const InputError&) {
+    // What is wrong with a picture is no matter of the shape, and is refused where it is drawn
+  }
+  return "";
+}
 
 void readMaterials(const GlbDocument& document, Surface& surface) {
   constexpr std::size_t kMaxImages = 256;

@@ -1,10 +1,41 @@
 // The materials of a .glb file. Inside the room only.
 #pragma once
 
+#include <cstddef>
+#include <string>
+
+#include <Eigen/Core>
+
 #include "body/glb_document.h"
 #include "body/surface.h"
 
 namespace rotatebook::body {
+
+/// How a picture lies on a surface: by which texture coordinates, and how these are changed.
+struct PictureUse {
+  std::size_t set = 0;
+  bool isChanged = false;
+  Eigen::Matrix2d turn = Eigen::Matrix2d::Identity();
+  Eigen::Vector2d offset{0, 0};
+
+  Eigen::Vector2d applied(const Eigen::Vector2d& coordinates) const {
+    return isChanged ? Eigen::Vector2d(turn * coordinates + offset) : coordinates;
+  }
+  friend bool operator==(const PictureUse& a, const PictureUse& b) {
+    return a.set == b.set && a.turn == b.turn && a.offset == b.offset;
+  }
+};
+
+/// Returns how the pictures of a primitive's material lie on it. Throws InputError for a transform
+/// that isn't numbers.
+PictureUse pictureUseOf(const GlbDocument& document, const GlbDocument::Json& primitive);
+
+/// Returns the name of the texture coordinates among a primitive's attributes.
+std::string texCoordName(const PictureUse& use);
+
+/// Returns a sentence on a picture of a primitive's material that isn't drawn as the file has it;
+/// empty if there is none.
+std::string noteOnPictures(const GlbDocument& document, const GlbDocument::Json& primitive);
 
 /// Sets the materials of a surface to those of the document, by their numbers, and a neutral one
 /// after them; and its images to those that they use. Throws InputError for a picture that isn't in

@@ -1,18 +1,21 @@
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include "base/error.h"
 #include "base/text.h"
 #include "body/glb_document.h"
+#include "body/glb_extensions.h"
 #include "body/glb_materials.h"
+#include "body/glb_numbers.h"
+#include "body/glb_pose.h"
+#include "body/glb_primitive.h"
 #include "body/mesh_readers.h"
-#include "body/mesh_words.h"
 #include "body/polygon.h"
 #include "body/surface.h"
 
@@ -22,58 +25,46 @@ namespace {
 using Json = GlbDocument::Json;
 using Eigen::Matrix4d;
 
-constexpr int kMaxDepth = 100;              // of nodes in nodes
 constexpr std::size_t kMaxParts = 100'000;  // nodes and their primitives, as often as they are used
 
-/// Returns the numbers of a list of exactly `values.size()`; false if there is no such member.
-template <std::size_t kCount>
-bool readNumbers(const Json& node, const char* name, std::array<double, kCount>& values) {
-  const Json& list = GlbDocument::member(node, name);
-  if (list.is_null()) return false;
-  bool isList = list.is_array() && list.size() == kCount;
-  for (std::size_t i = 0; isList && i < kCount; ++i) {
-    isList = list[i].is_number();
-    if (isList) values[i] = list[i].get<double>();
-  }
-  if (!isList) {
-    throw InputError("a node's " + std::string(name) + " isn't a list of " +
-                     std::to_string(kCount) + " numbers");
-  }
-  return true;
-}
+/// What of a document has no place in its surface.
+struct LeftOut {
+  std::size_t flat = 0;    ///< Primitives of points or lines.
+  std::size_t hidden = 0;  ///< Nodes.
+  std::vector<std::string> notes{};
 
-Matrix4d placeOf(const Json& node) {
-  std::array<double, 16> matrix;
-  if (readNumbers(node, "matrix", matrix)) return Matrix4d(matrix.data());  // By columns
-  std::array<double, 3> move{0, 0, 0}, scale{1, 1, 1};
-  std::array<double, 4> turn{0, 0, 0, 1};
-  readNumbers(node, "translation", move);
-  readNumbers(node, "rotation", turn);
-  readNumbers(node, "scale", scale);
-  const Eigen::Quaterniond rotation(turn[3], turn[0], turn[1], turn[2]);
-  Matrix4d place = Matrix4d::Identity();
-  place.topLeftCorner<3, 3>() = rotation.normalized().toRotationMatrix() *
-                                Eigen::Vector3d(scale[0], scale[1], scale[2]).asDiagonal();
-  place.topRightCorner<3, 1>() = Eigen::Vector3d(move[0], move[1], move[2]);
-  return place;
-}
+  void note(const std::string& sentence) {
+    if (!sentence.empty() && std::ranges::find(notes, sentence) == notes.end())
+      notes.push_back(sentence);
+  }
+};
 
 /// Adds the triangles of a document's nodes, in their places, to a surface.
 class Collector {
  public:
   Collector(const GlbDocument& document, Surface& surface)
-      : document_(document), surface_(surface), mesh_(surface.mesh) {}
+      : document_(document), surface_(surface), skeletons_(document) {}
 
   void addNode(std::size_t index, const Matrix4d& parent, int depth) {
-    if (depth > kMaxDepth)
-      throw InputError("its nodes are nested deeper than " + std::to_string(kMaxDepth));
+    if (depth > kMaxNodeDepth)
+      throw InputError("its nodes are nested deeper than " + std::to_string(kMaxNodeDepth));
     countPart();
     const Json& node = document_.at("nodes", index);
-    const Matrix4d place = parent * placeOf(node);
-    if (const auto mesh = GlbDocument::count(node, "mesh")) addMesh(*mesh, place);
+    if (GlbDocument::member(extensionOf(node, "KHR_node_visibility"), "visible") == false) {
+      ++leftOut_.hidden;
+      return;
+    }
+    const Matrix4d place = parent * placeOfNode(node);
+    if (const auto mesh = GlbDocument::count(node, "mesh")) addMesh(node, *mesh, place);
     for (const Json& child : GlbDocument::member(node, "children")) {
       addNode(GlbDocument::wholeNumber(child, "a node's child"), place, depth + 1);
     }
+  }
+
+  std::vector<std::string> notes() {
+    if (leftOut_.flat > 0) leftOut_.note("points and lines have no volume, and are left out");
+    if (leftOut_.hidden > 0) leftOut_.note("nodes that the file hides are left out");
+    return leftOut_.notes;
   }
 
  private:
@@ -83,103 +74,92 @@ class Collector {
                      "; export it with its meshes joined");
   }
 
-  void addMesh(std::size_t index, const Matrix4d& place) {
-    const Json& primitives = GlbDocument::member(document_.at("meshes", index), "primitives");
-    for (const Json& primitive : primitives) {
+  void addMesh(const Json& node, std::size_t index, const Matrix4d& place) {
+    if (!extensionOf(node, "EXT_mesh_gpu_instancing").is_null()) {
+      throw InputError(
+          "a node has copies of its mesh (EXT_mesh_gpu_instancing), which aren't read; export each "
+          "as a node");
+    }
+    const Json& mesh = document_.at("meshes", index);
+    const std::vector<double> weights = morphWeightsOf(node, mesh);
+    for (const Json& primitive : GlbDocument::member(mesh, "primitives")) {
       countPart();
-      const std::size_t mode = GlbDocument::count(primitive, "mode").value_or(4);
-      if (mode != 4) {
-        throw InputError("mesh " + std::to_string(index) + " is of the mode " +
-                         std::to_string(mode) + "; export lists of triangles (4)");
+      const std::size_t mode = GlbDocument::count(primitive, "mode").value_or(kTriangleList);
+      if (mode < kTriangleList) {
+        ++leftOut_.flat;
+        continue;
       }
-      addTriangles(primitive, place);
+      requireRoom(primitive);
+      std::vector<Eigen::Vector3d> points = positions_.of(primitive, weights);
+      const bool isMirrored = putInPlace(node, primitive, place, points);
+      const auto corners = cornersOf(document_, primitive, mode, points.size(), isMirrored);
+      addTriangles(points, corners);
+      addLook(primitive, corners, points.size());
     }
   }
 
-  void addTriangles(const Json& primitive, const Matrix4d& place) {
-    const auto position =
-        GlbDocument::count(GlbDocument::member(primitive, "attributes"), "POSITION");
+  /// Throws InputError before there are more points than all triangles can have.
+  void requireRoom(const Json& primitive) {
+    const Json& attributes = GlbDocument::member(primitive, "attributes");
+    const auto position = GlbDocument::count(attributes, "POSITION");
     if (!position) throw InputError("a mesh has no POSITION; export it again");
-    const auto points = document_.numbers(*position, "VEC3", 3);
-    if (points.type != 5126)
-      throw InputError("positions must be floats; export without quantising");
-    const auto first = static_cast<std::uint32_t>(mesh_.points.size());
-    requireFewTriangles(mesh_.points.size() / 3 + points.count / 3);
-    for (std::size_t i = 0; i < points.count; ++i) {
-      MeshBytes bytes(points.bytes.substr(i * points.stride));
-      Eigen::Vector4d point(0, 0, 0, 1);
-      for (int axis = 0; axis < 3; ++axis) point[axis] = static_cast<double>(bytes.next<float>());
-      mesh_.points.emplace_back((place * point).head<3>());
+    const auto count = GlbDocument::count(document_.at("accessors", *position), "count");
+    requireFewTriangles(surface_.mesh.points.size() / 3 + count.value_or(0) / 3);
+  }
+
+  /// Moves a node's points; returns whether that mirrors them.
+  bool putInPlace(const Json& node, const Json& primitive, const Matrix4d& place,
+                  std::vector<Eigen::Vector3d>& points) {
+    // A skin's joints have places of their own, in place of the node's
+    if (const auto skin = GlbDocument::count(node, "skin")) {
+      return poseBySkin(document_, GlbDocument::member(primitive, "attributes"),
+                        skeletons_.jointsOf(*skin), points);
     }
-    const bool isMirrored = place.topLeftCorner<3, 3>().determinant() < 0;
-    const std::vector<std::uint32_t> corners = cornersOf(primitive, points.count, isMirrored);
-    addIndices(corners, first);
+    for (Eigen::Vector3d& point : points) {
+      const Eigen::Vector4d moved = place * Eigen::Vector4d(point.x(), point.y(), point.z(), 1);
+      point = moved.head<3>();
+    }
+    return place.topLeftCorner<3, 3>().determinant() < 0;
+  }
+
+  void addTriangles(const std::vector<Eigen::Vector3d>& points,
+                    const std::vector<std::uint32_t>& corners) {
+    TriangleMesh& mesh = surface_.mesh;
+    requireFewTriangles(mesh.triangles.size() + corners.size() / 3);
+    const auto first = static_cast<std::uint32_t>(mesh.points.size());
+    mesh.points.insert(mesh.points.end(), points.begin(), points.end());
+    for (std::size_t i = 0; i < corners.size(); i += 3)
+      mesh.triangles.push_back(
+          {first + corners[i], first + corners[i + 1], first + corners[i + 2]});
+  }
+
+  void addLook(const Json& primitive, const std::vector<std::uint32_t>& corners,
+               std::size_t points) {
     const std::size_t neutral = surface_.materials.size() - 1;
     const auto stated = GlbDocument::count(primitive, "material");
     if (stated) document_.at("materials", *stated);  // refuses one that isn't there
-    const std::size_t material = stated.value_or(neutral);
-    surface_.materialOf.resize(mesh_.triangles.size(),
-                               static_cast<std::uint32_t>(std::min(material, neutral)));
-    if (!surface_.images.empty()) addTexCoords(primitive, corners, points.count);
+    const std::size_t material = std::min(stated.value_or(neutral), neutral);
+    surface_.materialOf.resize(surface_.mesh.triangles.size(),
+                               static_cast<std::uint32_t>(material));
+    noteLook(primitive);
+    if (!surface_.images.empty()) {
+      const auto more = texCoordsOf(document_, primitive, corners, points);
+      surface_.texCoords.insert(surface_.texCoords.end(), more.begin(), more.end());
+    }
   }
 
-  void addTexCoords(const Json& primitive, const std::vector<std::uint32_t>& corners,
-                    std::size_t points) {
-    std::vector<Eigen::Vector2f> all(points, Eigen::Vector2f::Zero());
+  void noteLook(const Json& primitive) {
     const Json& attributes = GlbDocument::member(primitive, "attributes");
-    if (const auto accessor = GlbDocument::count(attributes, "TEXCOORD_0")) {
-      const auto numbers = document_.numbers(*accessor, "VEC2", 2);
-      if (numbers.type != 5126 || numbers.count != points)
-        throw InputError("texture coordinates must be floats, one pair a position");
-      for (std::size_t i = 0; i < points; ++i) {
-        MeshBytes bytes(numbers.bytes.substr(i * numbers.stride));
-        for (float& number : all[i]) number = bytes.next<float>();
-      }
-    }
-    for (std::size_t i = 0; i < corners.size(); i += 3)
-      surface_.texCoords.push_back({all[corners[i]], all[corners[i + 1]], all[corners[i + 2]]});
-  }
-
-  /// Returns the indices of the corners, three a triangle, counter-clockwise from outside.
-  std::vector<std::uint32_t> cornersOf(const Json& primitive, std::size_t points,
-                                       bool isMirrored) const {
-    std::vector<std::uint32_t> corners;
-    const auto accessor = GlbDocument::count(primitive, "indices");
-    if (!accessor) {
-      for (std::size_t i = 0; i < points; ++i) corners.push_back(static_cast<std::uint32_t>(i));
-    } else {
-      const auto numbers = document_.numbers(*accessor, "SCALAR", 1);
-      for (std::size_t i = 0; i < numbers.count; ++i)
-        corners.push_back(indexAt(numbers, i, points));
-    }
-    if (corners.size() % 3 != 0)
-      throw InputError("a list of triangles has " + std::to_string(corners.size()) + " corners");
-    for (std::size_t i = 0; isMirrored && i < corners.size(); i += 3)
-      std::swap(corners[i + 1], corners[i + 2]);
-    return corners;
-  }
-
-  static std::uint32_t indexAt(const GlbDocument::Numbers& numbers, std::size_t i,
-                               std::size_t points) {
-    MeshBytes bytes(numbers.bytes.substr(i * numbers.stride));
-    const std::uint32_t index = numbers.type == 5121   ? bytes.next<std::uint8_t>()
-                                : numbers.type == 5123 ? bytes.next<std::uint16_t>()
-                                                       : bytes.next<std::uint32_t>();
-    if (numbers.type != 5126 && index < points) return index;
-    throw InputError("triangle " + std::to_string(i / 3 + 1) + " of a mesh names point " +
-                     std::to_string(index) + ", but there are " + std::to_string(points));
-  }
-
-  void addIndices(const std::vector<std::uint32_t>& corners, std::uint32_t first) {
-    requireFewTriangles(mesh_.triangles.size() + corners.size() / 3);
-    for (std::size_t i = 0; i < corners.size(); i += 3)
-      mesh_.triangles.push_back(
-          {first + corners[i], first + corners[i + 1], first + corners[i + 2]});
+    if (!GlbDocument::member(attributes, "COLOR_0").is_null())
+      leftOut_.note("its vertex colours aren't drawn");
+    leftOut_.note(noteOnPictures(document_, primitive));
   }
 
   const GlbDocument& document_;
   Surface& surface_;
-  TriangleMesh& mesh_;
+  GlbSkeletons skeletons_;
+  GlbPositions positions_{document_};
+  LeftOut leftOut_;
   std::size_t parts_ = 0;
 };
 
@@ -204,17 +184,24 @@ std::vector<std::size_t> rootsOf(const GlbDocument& document) {
   return roots;
 }
 
-void collect(const GlbDocument& document, Surface& surface) {
+/// Adds the triangles of a document; returns notes on what was left out.
+std::vector<std::string> collect(const GlbDocument& document, Surface& surface) {
+  requireKnownExtensions(document);
   Collector collector(document, surface);
   for (const std::size_t root : rootsOf(document)) collector.addNode(root, Matrix4d::Identity(), 0);
+  std::vector<std::string> notes = collector.notes();
+  if (surface.mesh.triangles.empty() && !notes.empty())
+    throw InputError("there are no triangles (" + joined(notes, "; ") +
+                     "); export a mesh of triangles");
+  return notes;
 }
 
 }  // namespace
 
-TriangleMesh readGlb(std::string_view bytes) {
+NotedMesh readGlb(std::string_view bytes) {
   Surface surface;
-  collect(GlbDocument(bytes), surface);
-  return surface.mesh;
+  std::vector<std::string> notes = collect(GlbDocument(bytes), surface);
+  return {std::move(surface.mesh), std::move(notes)};
 }
 
 Surface readGlbSurface(std::string_view bytes) {

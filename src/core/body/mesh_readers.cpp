@@ -6,31 +6,33 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "body/polygon.h"
+#include "body/mesh_words.h"
 
 namespace rotatebook::body {
 namespace {
 
-Surface plainSurface(TriangleMesh mesh) {
-  return {.mesh = std::move(mesh)};
+template <TriangleMesh (*kRead)(std::string_view)>
+NotedMesh withoutNotes(std::string_view bytes) {
+  return {kRead(bytes)};
+}
+
+template <TriangleMesh (*kRead)(std::string_view)>
+Surface plainSurface(std::string_view bytes) {
+  return {.mesh = kRead(bytes)};
 }
 
 struct Format {
   std::string_view ending;
-  TriangleMesh (*read)(std::string_view);
+  NotedMesh (*read)(std::string_view);
   Surface (*readSurface)(std::string_view);
 };
-constexpr Format kFormats[] = {
-    {".obj", readObj, [](std::string_view bytes) { return plainSurface(readObj(bytes)); }},
-    {".stl", readStl, [](std::string_view bytes) { return plainSurface(readStl(bytes)); }},
-    {".ply", readPly, [](std::string_view bytes) { return plainSurface(readPly(bytes)); }},
-    {".glb", readGlb, readGlbSurface}};
+constexpr Format kFormats[] = {{".obj", withoutNotes<readObj>, plainSurface<readObj>},
+                               {".stl", withoutNotes<readStl>, plainSurface<readStl>},
+                               {".ply", withoutNotes<readPly>, plainSurface<readPly>},
+                               {".glb", readGlb, readGlbSurface}};
 
 const Format* formatOf(std::string_view name) {
-  std::string ending(name.substr(std::min(name.rfind('.'), name.size())));
-  for (char& letter : ending) {
-    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-  }
+  const std::string ending = lowerCase(name.substr(std::min(name.rfind('.'), name.size())));
   for (const Format& format : kFormats) {
     if (format.ending == ending) return &format;
   }
@@ -59,14 +61,20 @@ bool isMeshName(std::string_view name) {
   return formatOf(name) != nullptr;
 }
 
-TriangleMesh readMesh(std::string_view name, std::string_view bytes) {
-  return atName(name, [&](const Format& format) { return welded(format.read(bytes)); });
+ClosedMesh readMesh(std::string_view name, std::string_view bytes) {
+  return atName(name, [&](const Format& format) {
+    NotedMesh read = format.read(bytes);
+    Surface surface{.mesh = std::move(read.mesh)};
+    Closing closing = closeSurface(surface);
+    closing.notes.insert(closing.notes.end(), read.notes.begin(), read.notes.end());
+    return ClosedMesh{std::move(surface.mesh), std::move(closing)};
+  });
 }
 
 Surface readSurface(std::string_view name, std::string_view bytes) {
   return atName(name, [&](const Format& format) {
     Surface surface = format.readSurface(bytes);
-    surface.mesh = welded(surface.mesh);
+    closeSurface(surface);
     return surface;
   });
 }

@@ -1,5 +1,6 @@
 #include "body/mesh_words.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "base/error.h"
@@ -8,7 +9,7 @@
 namespace rotatebook::body {
 namespace {
 
-constexpr std::string_view kSpaces = " \t\r\v\f";
+constexpr std::string_view kBlanks = " \t\v\f", kLineEnds = "\r\n", kNoWord = " \t\v\f\r\n";
 
 template <typename Number>
 std::optional<Number> parsed(std::string_view word) {
@@ -29,27 +30,73 @@ std::optional<std::int64_t> integerIn(std::string_view word) {
   return parsed<std::int64_t>(word);
 }
 
+void refuseUtf16(std::string_view text) {
+  const bool hasMark = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
+  bool isWide = text.size() >= 4;  // every second byte is 0
+  for (std::size_t i = 1; isWide && i < 4; ++i) isWide = (text[i] == '\0') != (text[i - 1] == '\0');
+  if (hasMark || isWide) throw InputError("it is a text in UTF-16; save it in UTF-8");
+}
+
+std::string_view withoutPadding(std::string_view text) {
+  // Blanks count, as they hold the last line's end
+  constexpr std::string_view kEnds("\0\x1a", 2);
+  return text.substr(0, text.find_first_of(kEnds, text.find_last_not_of(kPadding) + 1));
+}
+
+std::string lowerCase(std::string_view text) {
+  std::string lower(text);
+  for (char& letter : lower) {
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  }
+  return lower;
+}
+
+void MeshWords::takeLineEnd() {
+  rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : 1);
+  ++line_;
+}
+
+/// Skips blanks, and line ends behind backslashes.
+void MeshWords::skipBlanks() {
+  const auto blanksAfter = [this](std::size_t begin) {
+    return std::min(rest_.find_first_not_of(kBlanks, begin), rest_.size());
+  };
+  rest_.remove_prefix(blanksAfter(0));
+  while (isWavefront_ && rest_.starts_with('\\')) {
+    const std::size_t end = blanksAfter(1);
+    if (end == rest_.size() || kLineEnds.find(rest_[end]) == std::string_view::npos) return;
+    rest_.remove_prefix(end);
+    takeLineEnd();
+    rest_.remove_prefix(blanksAfter(0));
+  }
+}
+
 std::string_view MeshWords::word() {
-  const std::size_t begin = rest_.find_first_not_of(kSpaces);
-  if (begin == std::string_view::npos || rest_[begin] == '\n') return "";
-  rest_.remove_prefix(begin);
-  const std::string_view found = rest_.substr(0, rest_.find_first_of(" \t\r\v\f\n"));
+  skipBlanks();
+  std::string_view found = rest_.substr(0, rest_.find_first_of(kNoWord));
+  if (isWavefront_) {
+    found = found.substr(0, found.find('#'));
+    if (found.size() > 1 && found.ends_with('\\')) found.remove_suffix(1);
+  }
   rest_.remove_prefix(found.size());
   return found;
 }
 
 std::string_view MeshWords::restOfLine() {
-  const std::string_view line = rest_.substr(0, rest_.find('\n'));
+  const std::string_view line = rest_.substr(0, rest_.find_first_of(kLineEnds));
   rest_.remove_prefix(line.size());
   return trimmed(line);
 }
 
 bool MeshWords::nextLine() {
-  const std::size_t end = rest_.find('\n');
-  if (end == std::string_view::npos) return false;
-  rest_.remove_prefix(end + 1);
-  ++line_;
-  return true;
+  for (;;) {
+    const std::string_view line = rest_.substr(0, rest_.find_first_of(kLineEnds));
+    rest_.remove_prefix(line.size());
+    if (rest_.empty()) return false;
+    takeLineEnd();
+    const bool goesOn = isWavefront_ && line.ends_with('\\') && line.find('#') == line.npos;
+    if (!goesOn) return true;
+  }
 }
 
 std::string_view MeshWords::wordOnAnyLine() {

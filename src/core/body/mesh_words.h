@@ -12,10 +12,15 @@ namespace rotatebook::body {
 
 static_assert(std::endian::native == std::endian::little, "meshes' bytes are read as they are");
 
-/// The words of a text, separated by spaces, with the line that they are on.
+/// The words of a text, separated by spaces, with the line that they are on. A line ends with a
+/// line feed, a carriage return, or both.
 class MeshWords {
  public:
-  explicit MeshWords(std::string_view text) : rest_(text) {}
+  /// Of Wavefront: "#" begins a comment, and "\\" at its end joins a line to the next.
+  enum class Syntax { Plain, Wavefront };
+
+  explicit MeshWords(std::string_view text, Syntax syntax = Syntax::Plain)
+      : rest_(text), isWavefront_(syntax == Syntax::Wavefront) {}
 
   /// Returns the next word of the line; empty at its end.
   std::string_view word();
@@ -38,9 +43,25 @@ class MeshWords {
   [[noreturn]] void fail(const std::string& message) const;
 
  private:
+  void skipBlanks();
+  void takeLineEnd();
+
   std::string_view rest_;
+  bool isWavefront_;
   std::size_t line_ = 1;
 };
+
+/// What some programs write behind the end of a file.
+inline constexpr std::string_view kPadding("\0 \t\r\n\x1a", 6);
+
+/// Returns a text without the zeros and ends of file that are kPadding at its end.
+std::string_view withoutPadding(std::string_view text);
+
+/// Throws InputError if a text begins as UTF-16 does, with its mark or without.
+void refuseUtf16(std::string_view text);
+
+/// Returns the text with small letters in place of A to Z.
+std::string lowerCase(std::string_view text);
 
 std::optional<double> numberIn(std::string_view word);
 std::optional<std::int64_t> integerIn(std::string_view word);

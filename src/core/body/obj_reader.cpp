@@ -11,7 +11,10 @@ namespace {
 /// Returns the index of a corner's point: "7", "7/1/3" and "7//3" are the seventh, "-1" the last.
 std::uint32_t cornerOf(std::string_view word, std::size_t points, const MeshWords& words) {
   const auto number = integerIn(word.substr(0, word.find('/')));
-  if (!number) words.fail("a face's corner must begin with a point's number");
+  if (!number) {
+    words.fail("a face's corner must begin with a point's number, and is " +
+               quotedText(oneLine(word, 40)));
+  }
   const auto count = static_cast<std::int64_t>(points);
   const std::int64_t index = *number < 0 ? count + *number : *number - 1;
   if (index < 0 || index >= count) {
@@ -32,15 +35,16 @@ void readFace(MeshWords& words, TriangleMesh& mesh) {
 }  // namespace
 
 TriangleMesh readObj(std::string_view text) {
+  refuseUtf16(text);
   TriangleMesh mesh;
-  MeshWords words(withoutByteOrderMark(text));
+  MeshWords words(withoutByteOrderMark(text), MeshWords::Syntax::Wavefront);
   do {
     const std::string_view kind = words.word();
-    if (kind == "v") {
+    if (kind == "v" || kind == "V") {
       requireFewPoints(mesh.points.size() + 1);
       const double x = words.number("x"), y = words.number("y"), z = words.number("z");
       mesh.points.emplace_back(x, y, z);
-    } else if (kind == "f") {
+    } else if (kind == "f" || kind == "F" || kind == "fo") {  // "fo": of old versions
       readFace(words, mesh);
     }
   } while (words.nextLine());

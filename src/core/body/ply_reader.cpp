@@ -1,5 +1,8 @@
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
@@ -11,8 +14,9 @@
 namespace rotatebook::body {
 namespace {
 
-constexpr std::int64_t kMaxCorners = 10'000;  // of a polygon
-constexpr std::size_t kMaxProperties = 100;   // of an element, as deep as its lines go
+constexpr std::int64_t kMaxCorners = 10'000;              // of a polygon
+constexpr std::int64_t kMaxList = std::int64_t{1} << 31;  // of others, which must be there
+constexpr std::size_t kMaxProperties = 100;               // of an element, as deep as its lines go
 
 /// The kinds of numbers, in two spellings.
 enum class Type { Int8, Uint8, Int16, Uint16, Int32, Uint32, Float32, Float64 };
@@ -97,7 +101,7 @@ class Numbers {
           std::size_t headerLines)
       : isText_(encoding == Encoding::Text),
         headerLines_(headerLines),
-        words_(isText_ ? data : ""),
+        words_(isText_ ? withoutPadding(data) : ""),
         bytes_(data, headerBytes, encoding == Encoding::BigEndian) {}
 
   double next(Type type) {
@@ -123,9 +127,9 @@ class Numbers {
     return 0;
   }
 
-  /// Throws InputError if there is more than blanks after the last number.
+  /// Throws InputError if there is more than blanks and comments after the last number.
   void requireEnd() {
-    const std::size_t left = isText_ ? words_.wordOnAnyLine().size() : bytes_.left();
+    const std::size_t left = isText_ ? wordAfterComments().size() : bytes_.left();
     if (left == 0 || (!isText_ && trimmed(bytes_.take(left)).empty())) return;
     fail("the file goes on after its data; are the header's numbers of elements right?");
   }
@@ -137,8 +141,17 @@ class Numbers {
   }
 
  private:
+  std::string_view wordAfterComments() {
+    std::string_view word = words_.wordOnAnyLine();
+    while (word == "comment") {
+      words_.restOfLine();
+      word = words_.wordOnAnyLine();
+    }
+    return word;
+  }
+
   double textNumber() {
-    const std::string_view word = words_.wordOnAnyLine();
+    const std::string_view word = wordAfterComments();
     if (word.empty()) fail("the file ends within its data; is it whole?");
     const auto number = numberIn(word);
     if (!number) fail("a number is expected here, not " + quotedText(oneLine(word, 40)));
@@ -151,54 +164,135 @@ class Numbers {
   MeshBytes bytes_;
 };
 
-std::int64_t lengthOf(const Property& list, Numbers& numbers) {
-  const double length = numbers.next(*list.count);
-  if (!(length >= 0 && length <= static_cast<double>(kMaxCorners) && length == std::floor(length)))
-    numbers.fail("a list must have 0 to " + std::to_string(kMaxCorners) + " numbers");
+std::int64_t lengthOf(const Property& property, Numbers& numbers, std::int64_t most = kMaxList) {
+  if (!property.count) return 1;
+  const double length = numbers.next(*property.count);
+  if (!(length >= 0 && length <= static_cast<double>(most) && length == std::floor(length)))
+    numbers.fail("a list must have 0 to " + std::to_string(most) + " numbers");
   return static_cast<std::int64_t>(length);
 }
 
-void readVertex(const Element& element, Numbers& numbers, TriangleMesh& mesh) {
-  Eigen::Vector3d point(0, 0, 0);
-  for (const Property& property : element.properties) {
-    const std::int64_t length = property.count ? lengthOf(property, numbers) : 1;
-    for (std::int64_t i = 0; i < length; ++i) {
-      const double number = numbers.next(property.type);
-      const std::size_t axis = std::string_view("xyz").find(property.name);
-      if (property.name.size() == 1 && axis < 3) point[static_cast<Eigen::Index>(axis)] = number;
-    }
-  }
-  requireFewPoints(mesh.points.size() + 1);
-  mesh.points.push_back(point);
+void skip(const Property& property, Numbers& numbers) {
+  const std::int64_t length = lengthOf(property, numbers);
+  for (std::int64_t i = 0; i < length; ++i) numbers.next(property.type);
 }
 
-void readPlyFace(const Element& element, Numbers& numbers, TriangleMesh& mesh) {
-  for (const Property& property : element.properties) {
-    const bool isCorners =
-        property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
-    std::vector<std::uint32_t> corners;
-    const std::int64_t length = property.count ? lengthOf(property, numbers) : 1;
-    for (std::int64_t i = 0; i < length; ++i) {
-      const double number = numbers.next(property.type);
-      if (!isCorners) continue;
-      const bool isVertex = number >= 0 && number < static_cast<double>(mesh.points.size());
-      if (!isVertex || number != std::floor(number)) {
-        numbers.fail("a face names a vertex that doesn't exist; there are " +
-                     std::to_string(mesh.points.size()));
+bool isAxis(std::string_view name) {
+  return name == "x" || name == "y" || name == "z";
+}
+
+bool hasCorners(const Property& property) {
+  return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
+/// Makes a mesh of a file's elements, in whichever order they are.
+class MeshBuilder {
+ public:
+  MeshBuilder(const std::vector<Element>& elements, Numbers& numbers) : numbers_(numbers) {
+    for (const Element& element : elements) {
+      if (element.name == "vertex") vertices_ += std::min(element.count, kMaxList);
+    }
+  }
+
+  void readElement(const Element& element) {
+    if (element.name == "vertex") {
+      readVertex(element);
+    } else if (element.name == "face" || element.name == "tristrips") {
+      readFaces(element);
+    } else {
+      for (const Property& property : element.properties) skip(property, numbers_);
+    }
+  }
+
+  TriangleMesh finish() {
+    auto corner = corners_.begin();
+    for (const std::size_t length : lengths_) {
+      addPolygon({corner, corner + static_cast<std::ptrdiff_t>(length)}, mesh_);
+      corner += static_cast<std::ptrdiff_t>(length);
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  void readVertex(const Element& element) {
+    Eigen::Vector3d point(0, 0, 0);
+    for (const Property& property : element.properties) {
+      if (isAxis(property.name) && !property.count) {
+        point[property.name[0] - 'x'] = numbers_.next(property.type);
+      } else {
+        skip(property, numbers_);
       }
-      corners.push_back(static_cast<std::uint32_t>(number));
     }
-    if (isCorners && corners.size() < 3) numbers.fail("a face must have three corners or more");
-    addPolygon(corners, mesh);
+    requireFewPoints(mesh_.points.size() + 1);
+    mesh_.points.push_back(point);
   }
-}
 
-void skip(const Element& element, Numbers& numbers) {
-  for (const Property& property : element.properties) {
-    const std::int64_t length = property.count ? lengthOf(property, numbers) : 1;
-    for (std::int64_t i = 0; i < length; ++i) numbers.next(property.type);
+  /// Reads a face, or strips of triangles.
+  void readFaces(const Element& element) {
+    for (const Property& property : element.properties) {
+      if (!hasCorners(property)) {
+        skip(property, numbers_);
+      } else if (element.name == "face") {
+        readPolygon(property);
+      } else {
+        readStrips(property);
+      }
+    }
   }
-}
+
+  void readPolygon(const Property& property) {
+    std::vector<std::uint32_t> corners;
+    const std::int64_t length = lengthOf(property, numbers_, kMaxCorners);
+    for (std::int64_t i = 0; i < length; ++i)
+      corners.push_back(vertexOf(numbers_.next(property.type)));
+    if (corners.size() < 3) numbers_.fail("a face must have three corners or more");
+    if (static_cast<std::int64_t>(mesh_.points.size()) == vertices_) {
+      addPolygon(corners, mesh_);
+      return;
+    }
+    requireFewTriangles((corners_.size() + corners.size()) / 3);
+    corners_.insert(corners_.end(), corners.begin(), corners.end());
+    lengths_.push_back(corners.size());
+  }
+
+  /// Reads strips, in which each vertex makes a triangle with the two before it; -1 begins the
+  /// next. Every second triangle runs backward.
+  void readStrips(const Property& property) {
+    const std::int64_t length = lengthOf(property, numbers_);
+    std::array<std::uint32_t, 2> last{};
+    std::size_t count = 0;
+    for (std::int64_t i = 0; i < length; ++i) {
+      const double number = numbers_.next(property.type);
+      if (number == -1) {
+        count = 0;
+        continue;
+      }
+      const std::uint32_t vertex = vertexOf(number);
+      if (++count > 2) {
+        requireFewTriangles(mesh_.triangles.size() + 1);
+        const bool isForward = count % 2 == 1;
+        mesh_.triangles.push_back({last[isForward ? 0 : 1], last[isForward ? 1 : 0], vertex});
+      }
+      last = {last[1], vertex};
+    }
+  }
+
+  std::uint32_t vertexOf(double number) const {
+    const bool isVertex = number >= 0 && number < static_cast<double>(vertices_);
+    if (!isVertex || number != std::floor(number)) {
+      numbers_.fail("a face names a vertex that doesn't exist; there are " +
+                    std::to_string(vertices_));
+    }
+    requireFewPoints(static_cast<std::size_t>(number));
+    return static_cast<std::uint32_t>(number);
+  }
+
+  Numbers& numbers_;
+  std::int64_t vertices_ = 0;  // As many as the header says.
+  TriangleMesh mesh_;
+  std::vector<std::uint32_t> corners_;  // Of faces before their vertices,
+  std::vector<std::size_t> lengths_;    // and how many each has.
+};
 
 /// An element without properties takes no bytes, so that its number would be free to claim.
 void requireProperties(const Element& element) {
@@ -206,34 +300,54 @@ void requireProperties(const Element& element) {
   throw InputError("the element " + quotedText(oneLine(element.name, 40)) + " has no properties");
 }
 
+/// Throws InputError if the header has faces without corners, or vertices without coordinates.
+void requireNames(const Header& header) {
+  for (const Element& element : header.elements) {
+    if (element.count == 0) continue;
+    const auto has = [&](const auto& isWanted) {
+      return std::ranges::any_of(element.properties, isWanted);
+    };
+    if (element.name == "face" && !has(hasCorners))
+      throw InputError("its faces have no list \"vertex_indices\" of corners; export it again");
+    for (const std::string_view axis : {"x", "y", "z"}) {
+      if (element.name != "vertex" || has([&](const Property& p) { return p.name == axis; }))
+        continue;
+      throw InputError("its vertices have no " + std::string(axis) + "; export it again");
+    }
+  }
+}
+
+/// Returns what follows the header's last line, which ends as its first line does: a carriage
+/// return may be the end, or be followed by a line feed.
+std::string_view dataAfter(std::string_view rest, std::string_view file) {
+  const std::size_t first = file.find_first_of("\r\n");
+  const bool isReturn =
+      first != file.npos && file[first] == '\r' && file.substr(first, 2) != "\r\n";
+  const std::size_t end = rest.find(isReturn ? '\r' : '\n');
+  return end == rest.npos ? "" : rest.substr(end + 1);
+}
+
 }  // namespace
 
 TriangleMesh readPly(std::string_view bytes) {
-  MeshWords words(bytes);
+  refuseUtf16(bytes);
+  const std::string_view file = withoutByteOrderMark(bytes);
+  MeshWords words(file);
   if (words.word() != "ply") throw InputError("it doesn't begin with \"ply\": not a PLY file");
   Header header;
   while (readHeaderLine(words, header)) {
     if (!words.nextLine()) words.fail("the header has no end_header; is the file whole?");
   }
-  const std::size_t headerLines = words.line();
-  if (!words.nextLine()) return {};
-  const std::string_view data = words.everything();
-  Numbers numbers(data, header.encoding, bytes.size() - data.size(), headerLines);
-  TriangleMesh mesh;
+  const std::string_view data = dataAfter(words.everything(), file);
+  Numbers numbers(data, header.encoding, bytes.size() - data.size(), words.line());
+  MeshBuilder builder(header.elements, numbers);
   for (const Element& element : header.elements) {
     requireProperties(element);
-    for (std::int64_t i = 0; i < element.count; ++i) {
-      if (element.name == "vertex") {
-        readVertex(element, numbers, mesh);
-      } else if (element.name == "face") {
-        readPlyFace(element, numbers, mesh);
-      } else {
-        skip(element, numbers);
-      }
-    }
+    for (std::int64_t i = 0; i < element.count; ++i) builder.readElement(element);
   }
   numbers.requireEnd();
-  return mesh;
+  requireNames(header);
+  return builder.finish();
 }
 
 }  // namespace rotatebook::body

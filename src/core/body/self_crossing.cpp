@@ -48,9 +48,9 @@ class BoxTree {
   }
 
   /// Calls `visit` with pairs of triangles whose boxes meet, until it returns true, or until there
-  /// were kMaxPairs of boxes for each triangle.
+  /// were kMaxPairs of boxes for each triangle. Returns whether all were visited.
   template <typename Visit>
-  void visitPairs(const Visit& visit) const {
+  bool visitPairs(const Visit& visit) const {
     std::vector<std::array<std::uint32_t, 2>> pairs{{0, 0}};
     for (std::size_t left = kMaxPairs * order_.size(); left > 0 && !pairs.empty(); --left) {
       const auto [a, b] = pairs.back();
@@ -58,7 +58,7 @@ class BoxTree {
       const Node &one = nodes_[a], &other = nodes_[b];
       if (a != b && !one.bounds.meets(other.bounds)) continue;
       if (one.child == 0 && other.child == 0) {
-        if (visitLeaves(one, other, visit)) return;
+        if (visitLeaves(one, other, visit)) return false;
       } else if (a == b) {
         for (const std::uint32_t i : {0U, 1U}) pairs.push_back({one.child + i, one.child + i});
         pairs.push_back({one.child, one.child + 1});
@@ -69,6 +69,7 @@ class BoxTree {
         for (const std::uint32_t i : {0U, 1U}) pairs.push_back({a, other.child + i});
       }
     }
+    return pairs.empty();
   }
 
  private:
@@ -142,6 +143,22 @@ class Crossings {
     return anyPasses(one, other) || anyPasses(other, one);
   }
 
+  /// Returns two triangles of which one has an edge that passes through the surface at an edge of
+  /// the other, once all pairs were visited: it enters two faces more than it leaves there, or
+  /// leaves more; where it is one, it lies in the plane of another. Nothing if there are none.
+  std::optional<std::array<std::size_t, 2>> crossingAtEdges() const {
+    for (auto first = met_.begin(); first != met_.end();) {
+      int sum = 0;
+      auto next = first;
+      for (; next != met_.end() && next->first.edges == first->first.edges; ++next)
+        sum += next->second.direction;
+      const std::size_t one = first->second.triangle, other = first->first.face;
+      if (sum > 1 || sum < -1) return std::array{std::min(one, other), std::max(one, other)};
+      first = next;
+    }
+    return std::nullopt;
+  }
+
  private:
   /// Returns whether an edge of `one` that has no point of `other` passes through it.
   bool anyPasses(std::uint32_t one, std::uint32_t other) {
@@ -156,19 +173,21 @@ class Crossings {
       const std::size_t k = (i + 1) % 3;
       if (sides[i] * sides[k] >= 0) continue;
       const bool isUp = edges[i] < edges[k];
-      if (passes(edges[isUp ? i : k], edges[isUp ? k : i], other, sides[isUp ? i : k])) return true;
+      if (passes({edges[isUp ? i : k], edges[isUp ? k : i]}, one, other, sides[isUp ? i : k]))
+        return true;
     }
     return false;
   }
 
-  /// Returns whether the edge, which goes through the face's plane, goes through the face; `side`
-  /// is that of its first point.
-  bool passes(std::uint32_t from, std::uint32_t to, std::uint32_t face, int side) {
+  /// Returns whether an edge of `one`, which goes through the face's plane, goes through the face;
+  /// `side` is that of its first point.
+  bool passes(const std::array<std::uint32_t, 2>& ends, std::uint32_t one, std::uint32_t face,
+              int side) {
     const Triangle& triangle = mesh_.triangles[face];
     int sum = 0, zeros = 0;
     std::size_t on = 0;
     for (std::size_t i = 0; i < 3; ++i) {
-      const int turn = sideOf(at(from), at(to), at(triangle[i]), at(triangle[(i + 1) % 3]));
+      const int turn = sideOf(at(ends[0]), at(ends[1]), at(triangle[i]), at(triangle[(i + 1) % 3]));
       sum += turn;
       if (turn != 0) continue;
       ++zeros;
@@ -176,26 +195,28 @@ class Crossings {
     }
     if (zeros == 0) return sum == 3 || sum == -3;
     if (zeros > 1 || (sum != 2 && sum != -2)) return false;
-    return passesAtEdge({from, to, triangle[on], triangle[(on + 1) % 3]}, face, side);
+    // It meets an edge of the face: all faces there decide
+    const auto [low, high] = std::minmax({triangle[on], triangle[(on + 1) % 3]});
+    met_.try_emplace({{ends[0], ends[1], low, high}, face}, Met{one, side});
+    return false;
   }
 
-  /// An edge that meets an edge of the face passes through the surface if it passes the other
-  /// face there in the same direction: else it touches.
-  bool passesAtEdge(std::array<std::uint32_t, 4> edges, std::uint32_t face, int direction) {
-    if (edges[2] > edges[3]) std::swap(edges[2], edges[3]);
-    const auto [found, isNew] = met_.try_emplace(edges, Met{face, direction});
-    return !isNew && found->second.face != face && found->second.direction == direction;
-  }
-
-  struct Met {
+  /// Two edges that meet, each from its smaller point's index, and a face at the second.
+  struct Meeting {
+    std::array<std::uint32_t, 4> edges;
     std::uint32_t face;
+    friend auto operator<=>(const Meeting&, const Meeting&) = default;
+  };
+  /// A triangle that has the first edge, and on which side of the face that begins.
+  struct Met {
+    std::uint32_t triangle;
     int direction;
   };
 
   const Vector3d& at(std::uint32_t point) const { return mesh_.points[point]; }
 
   const TriangleMesh& mesh_;
-  std::map<std::array<std::uint32_t, 4>, Met> met_;
+  std::map<Meeting, Met> met_;
 };
 
 }  // namespace
@@ -204,11 +225,11 @@ std::optional<std::array<std::size_t, 2>> findSelfCrossing(const TriangleMesh& m
   if (mesh.triangles.empty()) return std::nullopt;
   std::optional<std::array<std::size_t, 2>> found;
   Crossings crossings(mesh);
-  BoxTree(mesh).visitPairs([&](std::uint32_t a, std::uint32_t b) {
+  const bool isWhole = BoxTree(mesh).visitPairs([&](std::uint32_t a, std::uint32_t b) {
     if (crossings.cross(a, b)) found = {std::min(a, b), std::max(a, b)};
     return found.has_value();
   });
-  return found;
+  return isWhole ? crossings.crossingAtEdges() : found;
 }
 
 }  // namespace rotatebook::body

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "base/error.h"
 #include "base/text.h"
 #include "body/mesh_readers.h"
@@ -17,7 +19,28 @@ void addTriangle(const Eigen::Vector3d (&corners)[3], TriangleMesh& mesh) {
   mesh.triangles.push_back({first, first + 1, first + 2});
 }
 
-TriangleMesh readBinaryStl(std::string_view bytes, std::size_t count) {
+/// Throws InputError unless a binary file has the triangles that it says; a byte more, or any
+/// number of blanks and zeros, does no harm.
+void requireWhole(std::string_view bytes, std::size_t count) {
+  const std::string_view data = bytes.substr(kHeader);
+  const std::uint64_t said = std::uint64_t{count} * kTriangle;
+  if (data.size() >= said && count > 0) {
+    const std::string_view spare = data.substr(static_cast<std::size_t>(said));
+    if (spare.size() <= 1 || spare.find_first_not_of(kPadding) == spare.npos) return;
+  }
+  if (data.empty() && count == 0) return;
+  throw InputError(
+      "it says that it has " + std::to_string(count) + " triangles of " +
+      std::to_string(kTriangle) + " bytes, but has " + std::to_string(data.size()) +
+      " bytes of them" +
+      (data.size() > said ? ", " + std::to_string(data.size() - said) + " too many" : "") +
+      ": no STL file, or not whole; export it again");
+}
+
+TriangleMesh readBinaryStl(std::string_view bytes) {
+  const std::size_t count = MeshBytes(bytes.substr(kHeader - 4)).next<std::uint32_t>();
+  requireWhole(bytes, count);
+  requireFewTriangles(count);
   TriangleMesh mesh;
   MeshBytes data(bytes.substr(kHeader), kHeader);
   for (std::size_t i = 0; i < count; ++i) {
@@ -32,11 +55,26 @@ TriangleMesh readBinaryStl(std::string_view bytes, std::size_t count) {
   return mesh;
 }
 
-void expect(MeshWords& words, std::string_view wanted) {
-  const std::string_view found = words.wordOnAnyLine();
-  if (found == wanted) return;
+/// Returns the next word in small letters, without comments; "end loop" as one word.
+std::string keyword(MeshWords& words) {
+  std::string_view word = words.wordOnAnyLine();
+  while (word.starts_with('#') || word.starts_with(';')) {
+    words.restOfLine();
+    word = words.wordOnAnyLine();
+  }
+  std::string found = lowerCase(word);
+  if (found == "end") found += lowerCase(words.word());
+  return found;
+}
+
+[[noreturn]] void failAt(const MeshWords& words, std::string_view wanted, std::string_view found) {
   words.fail("\"" + std::string(wanted) + "\" is expected here" +
              (found.empty() ? ", but the file ends" : ", not " + quotedText(oneLine(found, 40))));
+}
+
+void expect(MeshWords& words, std::string_view wanted) {
+  const std::string found = keyword(words);
+  if (found != wanted) failAt(words, wanted, found);
 }
 
 /// Reads a facet after its first word.
@@ -59,42 +97,51 @@ void readFacet(MeshWords& words, TriangleMesh& mesh) {
 TriangleMesh readTextStl(std::string_view text) {
   TriangleMesh mesh;
   MeshWords words(text);
-  for (std::string_view word = words.wordOnAnyLine(); !word.empty(); word = words.wordOnAnyLine()) {
+  for (std::string word = keyword(words); !word.empty(); word = keyword(words)) {
     if (word == "facet") {
       readFacet(words, mesh);
     } else if (word == "solid" || word == "endsolid") {
       words.restOfLine();
     } else {
-      words.fail("\"facet\" is expected here, not " + quotedText(oneLine(word, 40)));
+      failAt(words, "facet", word);
     }
   }
   return mesh;
 }
 
+/// Returns whether a file has as many bytes as its header says.
+bool hasSizeOfHeader(std::string_view bytes) {
+  if (bytes.size() < kHeader) return false;
+  const std::size_t count = MeshBytes(bytes.substr(kHeader - 4)).next<std::uint32_t>();
+  const std::size_t size = bytes.size() - kHeader;
+  return size % kTriangle == 0 && size / kTriangle == count;
+}
+
+/// Returns whether a file has a byte in its beginning that no text has.
+bool hasBinaryByte(std::string_view bytes) {
+  const auto isOfText = [](char byte) {
+    return static_cast<unsigned char>(byte) >= ' ' || (byte >= '\t' && byte <= '\r');
+  };
+  return bytes.size() >= kHeader &&
+         !std::ranges::all_of(bytes.substr(0, kHeader + kTriangle), isOfText);
+}
+
 }  // namespace
 
 TriangleMesh readStl(std::string_view bytes) {
-  // Some binary files begin with "solid", too; their length tells.
-  if (bytes.size() >= kHeader) {
-    const std::size_t count = MeshBytes(bytes.substr(kHeader - 4)).next<std::uint32_t>();
-    const bool isWhole =
-        (bytes.size() - kHeader) / kTriangle == count && (bytes.size() - kHeader) % kTriangle == 0;
-    if (isWhole) {
-      requireFewTriangles(count);
-      return readBinaryStl(bytes, count);
-    }
-    if (!trimmed(bytes.substr(0, 80)).starts_with("solid")) {
-      throw InputError("it says that it has " + std::to_string(count) + " triangles of " +
-                       std::to_string(kTriangle) + " bytes, but has " +
-                       std::to_string(bytes.size() - kHeader) +
-                       " bytes of them: no STL file, or not whole; export it again");
-    }
+  // Some binary files begin with "solid", too
+  if (hasSizeOfHeader(bytes)) return readBinaryStl(bytes);
+  refuseUtf16(bytes);
+  if (hasBinaryByte(bytes)) return readBinaryStl(bytes);
+  const std::string_view text = withoutPadding(withoutByteOrderMark(bytes));
+  MeshWords words(text);
+  if (const std::string first = keyword(words); first != "solid") {
+    throw InputError(
+        (first.empty() ? "it is empty" : "it begins with " + quotedText(oneLine(first, 40))) +
+        ", and has neither \"solid\" nor the " + std::to_string(kHeader) +
+        " bytes of a binary header: not an STL file");
   }
-  if (!trimmed(bytes).starts_with("solid")) {
-    throw InputError("neither \"solid\" nor the " + std::to_string(kHeader) +
-                     " bytes of a binary header: not an STL file");
-  }
-  return readTextStl(bytes);
+  return readTextStl(text);
 }
 
 }  // namespace rotatebook::body

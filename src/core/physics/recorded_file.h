@@ -21,6 +21,8 @@ struct RecordedFile {
   /// recording::ReadOptions::columns
   std::vector<std::pair<std::string, std::string>> columns{};
   std::string rates{};                 ///< recording::ReadOptions::unit
+  std::string ratesAlong{};            ///< recording::ReadOptions::ratesAlong
+  std::string timeUnit{};              ///< recording::ReadOptions::timeUnit
   std::optional<double> from{}, to{};  ///< The part to take, of the file's times. [s]
   Eigen::Vector3d bias{0, 0, 0};       ///< recording::ReadOptions::bias [rad/s]
   std::string checksum{};              ///< checksumOf() the file's bytes; empty if not known.
@@ -28,7 +30,8 @@ struct RecordedFile {
 
   /// Compares all but the motion, which follows from the rest.
   friend bool operator==(const RecordedFile& a, const RecordedFile& b) {
-    return a.file == b.file && a.columns == b.columns && a.rates == b.rates && a.from == b.from &&
+    return a.file == b.file && a.columns == b.columns && a.rates == b.rates &&
+           a.ratesAlong == b.ratesAlong && a.timeUnit == b.timeUnit && a.from == b.from &&
            a.to == b.to && a.bias == b.bias && a.checksum == b.checksum;
   }
 };

@@ -1,13 +1,13 @@
 #include "recording/columns.h"
 
 #include <algorithm>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "base/nearest_name.h"
 #include "base/text.h"
+#include "recording/column_name.h"
+#include "recording/column_units.h"
 
 namespace rotatebook::recording {
 namespace {
@@ -19,53 +19,25 @@ struct Group {
 };
 
 // Names are compared in small letters, without blanks, underscores and what is in brackets.
-constexpr Group kTime{"time", "time t times ts timestamp timems timens timeus elapsedtime seconds"};
-constexpr Group kQuaternion{"qw qx qy qz", "q quat quaternion orientation attitude "};
+constexpr Group kTime{"time", kTimeNames};
+constexpr Group kQuaternion{"qw qx qy qz",
+                            "q quat quaternion motionquaternion orientation attitude qrs "};
 constexpr Group kMatrix{"r11 r12 r13 r21 r22 r23 r31 r32 r33", "r m rot matrix"};
 constexpr Group kRates{
     "wx wy wz",
-    "w g gyr gyro gyroscope omega angularvelocity angvel rate rotationrate angularrate"};
+    "w g gyr gyro gyroscope gyrorotation omega angularvelocity angvel rate rotationrate "
+    "motionrotationrate angularrate wrss gyroskop giroscopio gyroscoop"};
+// Physics Toolbox's gFx is the specific force beside ax without gravity.
 constexpr Group kAcceleration{
-    "ax ay az", "a acc accel acceleration accelerometer accelerationwithg specificforce"};
-
-std::vector<std::string_view> wordsOf(std::string_view text) {
-  std::vector<std::string_view> words;
-  while (true) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    words.push_back(text.substr(0, end));
-    if (end == text.size()) return words;
-    text.remove_prefix(end + 1);
-  }
-}
-
-char small(char letter) {
-  return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
-}
-
-/// Returns "gyroscopex" for "Gyroscope x (rad/s)".
-std::string plain(std::string_view name) {
-  std::string text;
-  for (const char letter : name.substr(0, name.find_first_of("([{"))) {
-    if (letter != ' ' && letter != '_' && letter != '-' && letter != '.') text += small(letter);
-  }
-  return text;
-}
-
-std::string smallText(std::string_view text) {
-  std::string result(text);
-  for (char& letter : result) letter = small(letter);
-  return result;
-}
-
-bool has(std::string_view text, std::string_view part) {
-  return text.find(part) != text.npos;
-}
+    "ax ay az",
+    "gf a acc accel acceleration accelerometer accelerationwithg specificforce arss "
+    "beschleunigung acc\xC3\xA9l\xC3\xA9ration aceleraci\xC3\xB3n accelerazione versnelling"};
 
 /// Finds columns in a table's header.
 class Finder {
  public:
   Finder(const CsvTable& table, const ColumnNames& named) : table_(table), named_(named) {
-    for (const std::string& name : table.header()) plain_.push_back(plain(name));
+    for (const std::string& name : table.header()) plain_.push_back(columnNameOf(name).plain);
   }
 
   /// Returns the columns of a group; none if the table has none of them.
@@ -83,6 +55,22 @@ class Finder {
     if (missing.size() == N) return std::nullopt;
     table_.fail("no column for " + listed(missing) + " among " + names() +
                 "; name it in simulation.columns, or with --column");
+  }
+
+  /// Returns the columns called x, y and z alone; none if there aren't all three, or if they are a
+  /// quaternion's.
+  std::optional<std::array<std::size_t, 3>> bareAxes() const {
+    if (hasPlain("w")) return std::nullopt;
+    std::array<std::size_t, 3> columns{};
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const std::string axis(1, static_cast<char>('x' + i));
+      const auto column = onlyOne([&](std::size_t k) {
+        return plain_[k] == axis || plain_[k] == axis + "axis" || plain_[k] == "axis" + axis;
+      });
+      if (!column) return std::nullopt;
+      columns[i] = *column;
+    }
+    return columns;
   }
 
   /// Returns the names of all columns, for messages.
@@ -111,9 +99,8 @@ class Finder {
   }
 
   std::size_t indexOf(std::string_view role, const std::string& name) const {
-    const auto& header = table_.header();
-    const auto found = std::ranges::find(header, name);
-    if (found != header.end()) return static_cast<std::size_t>(found - header.begin());
+    const auto found = onlyOne([&](std::size_t i) { return table_.header()[i] == name; });
+    if (found) return *found;
     table_.fail("no column " + quotedText(name) + ", which is stated for " + std::string(role) +
                 ", among " + names());
   }
@@ -123,11 +110,37 @@ class Finder {
       const std::string wanted = std::string(begin) + std::string(end);
       if (wanted.empty()) continue;
       // A single letter for a quaternion's part is recognised beside the three others alone.
-      if (begin.empty() && std::ranges::find(plain_, "w") == plain_.end()) continue;
-      const auto found = std::ranges::find(plain_, wanted);
-      if (found != plain_.end()) return static_cast<std::size_t>(found - plain_.begin());
+      if (begin.empty() && !hasPlain("w")) continue;
+      auto found = onlyOne([&](std::size_t i) { return plain_[i] == wanted; });
+      if (!found && end.empty())
+        found = onlyOne([&](std::size_t i) { return isTimeNamed(plain_[i], wanted); });
+      if (found) return found;
     }
     return std::nullopt;
+  }
+
+  bool hasPlain(std::string_view name) const { return std::ranges::count(plain_, name) > 0; }
+
+  /// Returns the column that is wanted; nothing if none is. Throws InputError if several are.
+  template <typename IsWanted>
+  std::optional<std::size_t> onlyOne(const IsWanted& isWanted) const {
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < plain_.size(); ++i) {
+      if (!isWanted(i)) continue;
+      if (found) failTwice(*found, i);
+      found = i;
+    }
+    return found;
+  }
+
+  [[noreturn]] void failTwice(std::size_t first, std::size_t second) const {
+    const std::string &one = table_.header()[first], &other = table_.header()[second];
+    const std::string remedy =
+        one == other ? "give one of them another name, or put what belongs to it in another table"
+                     : "name the one to take in simulation.columns, or with --column";
+    table_.fail("the columns " + std::to_string(first + 1) + " and " + std::to_string(second + 1) +
+                ", " + quotedText(one) + " and " + quotedText(other) + ", hold the same; " +
+                remedy);
   }
 
   const CsvTable& table_;
@@ -135,84 +148,38 @@ class Finder {
   std::vector<std::string> plain_;
 };
 
-/// Returns the unit in a header's brackets, in small letters without blanks; empty without them.
-std::string unitInBrackets(std::string_view header) {
-  const std::size_t begin = header.find_first_of("([{");
-  if (begin == header.npos) return "";
-  const std::string_view inside = header.substr(begin + 1);
-  std::string unit = smallText(inside.substr(0, inside.find_first_of(")]}")));
-  std::erase(unit, ' ');
-  return unit;
+/// Returns whether the rates are along the body's axes, by the options or the columns' name.
+bool areAlongBody(const CsvTable& table, const Columns& columns, std::string_view stated) {
+  const bool areAlone = !columns.quaternion && !columns.matrix;
+  if (areAlone && stated == kRateAxes[0]) {
+    table.fail("rates alone along the world's axes aren't read; give attitudes beside them");
+  }
+  if (areAlone || !stated.empty()) return stated != kRateAxes[0];
+  return isGyroscopes(table.header()[columns.rates->front()]);
 }
 
-/// A unit, and names of it, separated by blanks.
-template <typename Value>
-struct Unit {
-  Value value;
-  std::string_view names;
-};
-
-constexpr Unit<double> kTimeUnits[]{{1, "s sec second seconds"},
-                                    {1e-3, "ms millisecond milliseconds"},
-                                    {1e-6, "us \xC2\xB5s \xCE\xBCs microsecond microseconds"},
-                                    {1e-9, "ns nanosecond nanoseconds"}};
-constexpr Unit<std::string_view> kUnitsOfRates[]{
-    {kRateUnits[0], "rad/s rads rad/sec radians/s radian/s rads/s rads^-1 rad*s^-1 rad"},
-    {kRateUnits[1],
-     "deg/s dps deg/sec degrees/s degree/s degs/s degs^-1 deg*s^-1 \xC2\xB0/s \xC2\xB0/sec deg"}};
-
-/// Returns the unit of that name; nothing if it isn't one.
-template <typename Units>
-auto unitNamed(const Units& units, std::string_view name) {
-  const auto found = std::ranges::find_if(units, [&](const auto& unit) {
-    const auto names = wordsOf(unit.names);
-    return std::ranges::find(names, name) != names.end();
-  });
-  return found != std::end(units) ? std::optional(found->value) : std::nullopt;
+/// Returns the small letters of a file's name, without its folders.
+std::string fileNameOf(const std::string& path) {
+  return smallText(path.substr(path.find_last_of("/\\") + 1));
 }
 
-/// Returns the unit that a header states for the time, in seconds.
-double secondsIn(const CsvTable& table, const std::string& header) {
-  const std::string text = smallText(header), unit = unitInBrackets(header);
-  if (const auto seconds = unitNamed(kTimeUnits, unit)) return *seconds;
-  if (!unit.empty()) {
-    table.fail("the column " + quotedText(header) +
-               " has times in a unit that isn't read; there are s, ms, us and ns");
-  }
-  if (text.ends_with("_ms")) return 1e-3;
-  if (text.ends_with("_us")) return 1e-6;
-  return text.ends_with("_ns") ? 1e-9 : 1;
-}
-
-/// Returns the one of kRateUnits that a header states; empty if it states none that is known.
-std::string_view unitIn(std::string_view header) {
-  const std::string text = smallText(header), unit = unitInBrackets(header);
-  if (!unit.empty()) return unitNamed(kUnitsOfRates, unit).value_or("");
-  for (const char* degrees : {"deg", "dps", "\xC2\xB0"}) {  // the last is a degree sign
-    if (has(text, degrees)) return kRateUnits[1];
-  }
-  return has(text, "rad") ? kRateUnits[0] : "";
-}
-
-double radiansPerUnit(const CsvTable& table, const Columns& columns, std::string_view unit) {
-  const std::string& header = table.header()[columns.rates->front()];
-  const bool isStated = !unit.empty();
-  if (!isStated) unit = unitIn(header);
-  for (const std::size_t column : *columns.rates) {
-    const std::string& other = table.header()[column];
-    if (isStated || unitIn(other) == unit) continue;
-    table.fail("the columns " + quotedText(header) + " and " + quotedText(other) +
-               " are in different units; state one for all in simulation.rates, or with --rates");
-  }
-  const bool hasAttitudes = columns.quaternion || columns.matrix;
-  // This program's tables have SI units.
-  if (unit.empty() && hasAttitudes && unitInBrackets(header).empty()) return 1;
-  if (unit.empty()) {
-    table.fail("the column " + quotedText(header) +
-               " doesn't say whether it is in rad/s or deg/s; state it in simulation.rates, or "
-               "with --rates");
-  }
-  return unit == kRateUnits[1] ? std::numbers::pi / 180 : 1;
+/// Gives columns called x, y and z alone to the sensor that their unit or the file's name says.
+void assignBareAxes(const CsvTable& table, const Finder& finder, Columns& columns) {
+  if (columns.rates && columns.acceleration) return;
+  const auto axes = finder.bareAxes();
+  if (!axes) return;
+  const std::string &header = table.header()[axes->front()], file = fileNameOf(table.name());
+  const auto says = [&](std::string_view part) { return file.find(part) != file.npos; };
+  const bool hasUnit = !columnNameOf(header).unit.empty();
+  if (!columns.rates && (hasUnit ? !rateUnitIn(header).empty() : says("gyro")))
+    columns.rates = axes;
+  // Sensor Logger's Accelerometer.csv is without gravity, its TotalAcceleration.csv with it.
+  const std::string time = columnNameOf(table.header()[columns.time]).plain;
+  const bool isWithGravity = !says("linear") && !says("user") && !says("gravity") &&
+                             (time != "secondselapsed" || says("total"));
+  const bool isForce = hasUnit ? accelerationUnitIn(header).has_value() : says("accel");
+  if (!columns.rates && !columns.acceleration && isForce && isWithGravity)
+    columns.acceleration = axes;
 }
 
 }  // namespace
@@ -225,8 +192,8 @@ std::vector<std::string_view> columnRoles() {
   return roles;
 }
 
-Columns findColumns(const CsvTable& table, const ColumnNames& named, std::string_view unit) {
-  const Finder finder(table, named);
+Columns columnsIn(const CsvTable& table, const ReadOptions& options) {
+  const Finder finder(table, options.columns);
   Columns columns;
   const auto time = finder.group<1>(kTime);
   if (!time) {
@@ -234,16 +201,25 @@ Columns findColumns(const CsvTable& table, const ColumnNames& named, std::string
                "; name it in simulation.columns, or with --column");
   }
   columns.time = time->front();
-  columns.secondsPerUnit = secondsIn(table, table.header()[columns.time]);
+  findTimeUnit(table, columns, options.timeUnit);
   columns.quaternion = finder.group<4>(kQuaternion);
   if (!columns.quaternion) columns.matrix = finder.group<9>(kMatrix);
   columns.rates = finder.group<3>(kRates);
   columns.acceleration = finder.group<3>(kAcceleration);
+  assignBareAxes(table, finder, columns);
+  return columns;
+}
+
+Columns findColumns(const CsvTable& table, const ReadOptions& options) {
+  Columns columns = columnsIn(table, options);
   if (!columns.quaternion && !columns.matrix && !columns.rates) {
     table.fail("neither attitudes (qw to qz, or r11 to r33) nor rates (wx to wz) among " +
-               finder.names() + "; name them in simulation.columns, or with --column");
+               Finder(table, options.columns).names() +
+               "; name them in simulation.columns, or with --column");
   }
-  if (columns.rates) columns.radiansPerUnit = radiansPerUnit(table, columns, unit);
+  if (!columns.rates) return columns;
+  columns.areRatesAlongBody = areAlongBody(table, columns, options.ratesAlong);
+  columns.radiansPerUnit = radiansPerUnit(table, columns, options.unit);
   return columns;
 }
 

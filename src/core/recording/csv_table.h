@@ -15,20 +15,25 @@ inline constexpr std::size_t kMaxRows = 1'000'000;
 /// Most columns of a recording.
 inline constexpr std::size_t kMaxColumns = 256;
 
-/// A table whose first line names the columns. Cells are separated by tabs, semicolons or commas,
-/// whichever that line has, in this order; where they aren't separated by commas, numbers may have
-/// a decimal comma. Empty lines, and lines that begin with '#', are skipped.
+/// A table below a line that names its columns, see layoutOf(). Cells are separated by tabs,
+/// semicolons, commas or blanks, whichever a line has, in this order; where they aren't separated
+/// by commas, numbers may have a decimal comma. Empty lines, and lines that begin with '#', are
+/// skipped; so are empty cells beyond the header's.
 class CsvTable {
  public:
   /// Takes the bytes of a file, which must outlive the table; `name` is the file's in messages.
-  /// Throws InputError "NAME:LINE: PROBLEM" for a table without rows, for a row of another number
-  /// of cells than the header, and for more than kLargestRecording, kMaxRows or kMaxColumns.
+  /// Throws InputError "NAME:LINE: PROBLEM" for what is no text in UTF-8 or Latin-1, for a table
+  /// without a header or rows, for a row of another number of cells than the header, and for more
+  /// than kLargestRecording, kMaxRows or kMaxColumns.
   CsvTable(std::string_view bytes, std::string name);
 
+  const std::string& name() const { return name_; }
   /// Returns the names of the columns, without quotation marks.
   const std::vector<std::string>& header() const { return header_; }
   /// Returns the number of rows below the header, >= 1.
   std::size_t rows() const { return lines_.size(); }
+  /// Returns whether a cell is empty or NaN.
+  bool isHole(std::size_t row, std::size_t column) const;
   /// Returns the finite number in a cell. Throws InputError "NAME:LINE: PROBLEM" if there is none.
   double at(std::size_t row, std::size_t column) const;
   /// Throws InputError "NAME:LINE: PROBLEM" with the line of `row`.
@@ -37,6 +42,7 @@ class CsvTable {
   [[noreturn]] void fail(const std::string& problem) const;
 
  private:
+  void requireText(std::string_view bytes) const;
   void addRow(std::string_view line, std::size_t number);
 
   std::string name_;

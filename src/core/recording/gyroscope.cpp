@@ -12,8 +12,13 @@ namespace {
 // Points of Gauss's rule of order 4 are this part of a step from its middle: sqrt(3)/6.
 constexpr double kGauss = 0.28867513459481287;
 
-/// Returns the turn of the body in the gap after reading `index`, in the body's axes at its start.
-Eigen::Vector3d turnInGap(const std::vector<Rate>& rates, std::size_t index) {
+/// The rates at the Gauss points of a gap.
+struct GaussRates {
+  double interval;  // of the gap [s]
+  Eigen::Vector3d first, second;
+};
+
+GaussRates gaussRates(const std::vector<Rate>& rates, std::size_t index) {
   const double start = rates[index].time;
   const double h = rates[index + 1].time - start;
   const auto timeOf = [&](std::size_t i) { return rates[i].time; };
@@ -22,7 +27,12 @@ Eigen::Vector3d turnInGap(const std::vector<Rate>& rates, std::size_t index) {
     return polynomialAt(start + fraction * h, stencil, timeOf,
                         [&](std::size_t i) { return rates[i].angularVelocity; });
   };
-  const Eigen::Vector3d first = rateAt(0.5 - kGauss), second = rateAt(0.5 + kGauss);
+  return {h, rateAt(0.5 - kGauss), rateAt(0.5 + kGauss)};
+}
+
+/// Returns the turn of the body in the gap after reading `index`, in the body's axes at its start.
+Eigen::Vector3d turnInGap(const std::vector<Rate>& rates, std::size_t index) {
+  const auto [h, first, second] = gaussRates(rates, index);
   return h / 2 * (first + second) + kGauss / 2 * h * h * first.cross(second);
 }
 
@@ -57,11 +67,15 @@ std::vector<RecordedMoment> integrateRates(const std::vector<Rate>& rates) {
   return moments;
 }
 
-void differentiateAttitudes(std::vector<RecordedMoment>& moments) {
-  constexpr std::size_t kPoints = 5;
-  const std::size_t count = std::min(kPoints, moments.size());
+Eigen::Vector3d meanTurnInGap(const std::vector<Rate>& rates, std::size_t index) {
+  const auto [h, first, second] = gaussRates(rates, index);
+  return h / 2 * (first + second);
+}
+
+void differentiateAttitudes(std::vector<RecordedMoment>& moments, std::size_t neighbours) {
+  const std::size_t count = std::min(2 * neighbours + 1, moments.size());
   for (std::size_t i = 0; i < moments.size(); ++i) {
-    const std::size_t first = std::min(i < 2 ? 0 : i - 2, moments.size() - count);
+    const std::size_t first = std::min(i < neighbours ? 0 : i - neighbours, moments.size() - count);
     const double here = moments[i].time;
     Eigen::Vector3d slope = Eigen::Vector3d::Zero();
     for (std::size_t k = first; k < first + count; ++k) {

@@ -1,6 +1,7 @@
 // Attitudes from a gyroscope's rates, and rates from attitudes.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include <Eigen/Core>
@@ -26,9 +27,13 @@ Eigen::Vector3d turnOf(const Eigen::Quaterniond& rotation);
 /// two readings on each side; the times needn't be even, see stencilAround().
 std::vector<RecordedMoment> integrateRates(const std::vector<Rate>& rates);
 
+/// Returns the integral of the rates, by the same cubics, over the gap after reading `index`. [rad]
+Eigen::Vector3d meanTurnInGap(const std::vector<Rate>& rates, std::size_t index);
+
 /// Sets the spin of at least two moments from their attitudes: the slope at each moment of the
 /// polynomial through the turns to its neighbours, two on each side or, at an end, as near as there
-/// are. Exact for a steady spin; of order 4 for others, with even or uneven times.
-void differentiateAttitudes(std::vector<RecordedMoment>& moments);
+/// are. Exact for a steady spin; of order 4 for others, with even or uneven times. With
+/// `neighbours` on each side other than two, the order is twice that.
+void differentiateAttitudes(std::vector<RecordedMoment>& moments, std::size_t neighbours = 2);
 
 }  // namespace rotatebook::recording

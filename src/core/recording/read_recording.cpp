@@ -8,14 +8,18 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "recording/columns.h"
+#include "recording/conventions.h"
 #include "recording/csv_table.h"
+#include "recording/gaps.h"
+#include "recording/sensor_rows.h"
+#include "recording/specific_force.h"
 #include "rigid/rotation.h"
 
 namespace rotatebook::recording {
 namespace {
 
-constexpr double kLargestRate = 1e9;   // [rad/s], as in scenes
-constexpr double kLargestTime = 1e12;  // [s]
+constexpr double kLargestRate = 1e9;  // [rad/s], as in scenes
 // Deviation of a quaternion's norm from 1, or of a matrix from a rotation, of what is rounded to
 // two decimals.
 constexpr double kNoRotation = 0.01;
@@ -59,28 +63,10 @@ Eigen::Quaterniond attitudeAt(const CsvTable& table, std::size_t row, const Colu
                             : matrixAt(table, row, *columns.matrix);
 }
 
-/// Returns the times of all rows. [s]
-std::vector<double> timesOf(const CsvTable& table, const Columns& columns) {
-  std::vector<double> times;
-  times.reserve(table.rows());
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const double time = columns.secondsPerUnit * table.at(row, columns.time);
-    if (!(std::abs(time) <= kLargestTime)) table.failAt(row, "the time is beyond 1e12 s");
-    // Beyond rounding, so that slopes between neighbours are finite.
-    const double gap = times.empty() ? 1 : time - times.back();
-    if (!(gap > 1e-12 * std::abs(time) && gap > 1e-9)) {
-      table.failAt(row, "the time " + shortestText(time) + " s isn't after that of the row before");
-    }
-    times.push_back(time);
-  }
-  if (times.size() < 2) table.fail("a single row; a motion takes at least two");
-  return times;
-}
-
 /// Refuses a turn since the row before that no reading could have followed.
 void requireFollowed(const CsvTable& table, std::size_t row, const std::vector<Rate>& rates) {
   constexpr double kLargestTurn = 1000;  // [rad]
-  const Rate &before = rates[row - 1], &here = rates[row];
+  const Rate &before = rates[rates.size() - 2], &here = rates.back();
   const double fastest = std::max(before.angularVelocity.norm(), here.angularVelocity.norm());
   if (fastest * (here.time - before.time) <= kLargestTurn) return;
   table.failAt(row,
@@ -88,33 +74,100 @@ void requireFollowed(const CsvTable& table, std::size_t row, const std::vector<R
                "time or of the rates another?");
 }
 
-std::vector<RecordedMoment> momentsOf(const CsvTable& table, const Columns& columns,
-                                      const Eigen::Vector3d& bias) {
-  const std::vector<double> times = timesOf(table, columns);
-  const bool hasAttitudes = columns.quaternion || columns.matrix;
-  if (!hasAttitudes) {
-    std::vector<Rate> rates;
-    for (std::size_t row = 0; row < times.size(); ++row) {
-      rates.push_back({times[row], rateAt(table, row, columns) - bias});
-      if (row > 0) requireFollowed(table, row, rates);
-    }
-    return integrateRates(rates);
+std::vector<Rate> ratesOf(const CsvTable& table, const Columns& columns, const SensorRows& rows,
+                          const std::vector<double>& times, const Eigen::Vector3d& bias) {
+  std::vector<Rate> rates;
+  double fastest = 0;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const Eigen::Vector3d rate = rateAt(table, rows.motion[i], columns);
+    fastest = std::max(fastest, rate.norm());
+    rates.push_back({times[i], rate - bias});
+    if (i > 0) requireFollowed(table, rows.motion[i], rates);
   }
+  requirePlausibleTurns(table, columns, times, fastest);
+  return rates;
+}
+
+/// Returns the attitudes, with the rates beside them if there are any.
+std::vector<RecordedMoment> attitudesOf(const CsvTable& table, const Columns& columns,
+                                        const SensorRows& rows, const std::vector<double>& times,
+                                        const Eigen::Vector3d& bias) {
   std::vector<RecordedMoment> moments;
-  for (std::size_t row = 0; row < times.size(); ++row) {
-    moments.push_back({times[row], attitudeAt(table, row, columns)});
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const std::size_t row = rows.motion[i];
+    moments.push_back({times[i], attitudeAt(table, row, columns)});
     if (!columns.rates) continue;
-    moments.back().angularVelocity =
-        moments.back().attitude.conjugate() * rateAt(table, row, columns);
-  }
-  if (columns.rates) return moments;
-  differentiateAttitudes(moments);
-  for (std::size_t row = 0; row < moments.size(); ++row) {
-    if (!(moments[row].angularVelocity.norm() <= kLargestRate)) {
-      table.failAt(row, "the attitude changes by more than 1e9 rad/s");
-    }
+    const Eigen::Vector3d rate = rateAt(table, row, columns);
+    moments.back().angularVelocity = columns.areRatesAlongBody
+                                         ? (rate - bias).eval()
+                                         : moments.back().attitude.conjugate() * rate;
   }
   return moments;
+}
+
+void differentiate(const CsvTable& table, const SensorRows& rows,
+                   std::vector<RecordedMoment>& moments) {
+  differentiateAttitudes(moments);
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    if (!(moments[i].angularVelocity.norm() <= kLargestRate)) {
+      table.failAt(rows.motion[i], "the attitude changes by more than 1e9 rad/s");
+    }
+  }
+}
+
+/// Returns the uncertainty of the slopes, see SpinFacts.
+double uncertaintyOf(const std::vector<RecordedMoment>& moments) {
+  std::vector<RecordedMoment> others = moments;
+  differentiateAttitudes(others, 1);
+  double difference = 0, all = 0;
+  for (std::size_t i = 2; i + 2 < moments.size(); ++i) {
+    difference += (others[i].angularVelocity - moments[i].angularVelocity).squaredNorm();
+    all += moments[i].angularVelocity.squaredNorm();
+  }
+  return all > 0 ? std::sqrt(difference / all) : 0;
+}
+
+/// Returns the moments of the stated part.
+std::vector<RecordedMoment> within(std::vector<RecordedMoment> moments,
+                                   const ReadOptions& options) {
+  std::erase_if(moments, [&](const RecordedMoment& one) {
+    return (options.from && one.time < *options.from) || (options.to && one.time > *options.to);
+  });
+  return moments;
+}
+
+/// Returns by how much the rates differ from the attitudes' slopes. Throws ContradictionError if
+/// they contradict them.
+double differenceOf(const std::vector<RecordedMoment>& moments, bool areRatesAlongBody,
+                    const std::string& name) {
+  const RateComparison found = compareRates(moments, areRatesAlongBody);
+  if (!found.mistake.empty()) throw ContradictionError(name + ": " + found.mistake);
+  if (!areRatesAlongBody || found.difference <= kContradicts) return found.difference;
+  throw ContradictionError(
+      name + ": the rates along the body's axes aren't the attitudes' slopes: they differ by " +
+      roundedText(100 * found.difference, 2) +
+      " %, with no other axes, order or unit by less; are both of the same body and moment?");
+}
+
+bool hasAttitudes(const Columns& columns) {
+  return columns.quaternion || columns.matrix;
+}
+
+std::vector<Rate> ratesOf(const std::vector<RecordedMoment>& moments) {
+  std::vector<Rate> rates;
+  for (const RecordedMoment& moment : moments)
+    rates.push_back({moment.time, moment.angularVelocity});
+  return rates;
+}
+
+/// Returns the rates of a table of attitudes: those beside them, or their slopes.
+std::vector<Rate> ratesBeside(const CsvTable& table, const Columns& columns, const SensorRows& rows,
+                              const std::vector<double>& times, const std::string& name) {
+  std::vector<RecordedMoment> moments =
+      attitudesOf(table, columns, rows, times, Eigen::Vector3d::Zero());
+  if (columns.rates) differenceOf(moments, columns.areRatesAlongBody, name);
+  if (!columns.rates) differentiate(table, rows, moments);
+  return ratesOf(moments);
 }
 
 /// Returns the stated part of a motion whose first moment was at `start` of the file's times. [s]
@@ -129,36 +182,75 @@ RecordedMotion partOf(const RecordedMotion& motion, double start, const std::str
                    " to " + shortestText(end) + " s");
 }
 
+std::string droppedNote(const SensorRows& rows) {
+  if (rows.dropped == 0) return "";
+  return std::to_string(rows.dropped) + (rows.dropped == 1 ? " row" : " rows") +
+         " without a reading at the table's ends left out";
+}
+
 }  // namespace
 
 RecordedMotion readRecording(std::string_view bytes, const std::string& name,
                              const ReadOptions& options) {
   const CsvTable table(bytes, name);
+  const Columns columns = findColumns(table, options);
+  const SensorRows rows = sensorRows(table, columns, false);
+  const std::vector<double> times = timesOf(table, columns, rows.motion);
+  const bool areIntegrated = !hasAttitudes(columns);
   std::vector<RecordedMoment> moments =
-      momentsOf(table, findColumns(table, options.columns, options.unit), options.bias);
+      areIntegrated ? integrateRates(ratesOf(table, columns, rows, times, options.bias))
+                    : attitudesOf(table, columns, rows, times, options.bias);
+  SpinFacts spins{areIntegrated ? SpinSource::Gyroscope : SpinSource::Given};
+  if (!areIntegrated && !columns.rates) {
+    differentiate(table, rows, moments);
+    spins = {SpinSource::Slopes, uncertaintyOf(within(moments, options))};
+  } else if (!areIntegrated) {
+    spins.difference = differenceOf(within(moments, options), columns.areRatesAlongBody, name);
+  }
   const double start = moments.front().time;
-  return partOf(RecordedMotion(std::move(moments)), start, name, options);
+  RecordedMotion motion = partOf(RecordedMotion(std::move(moments), spins), start, name, options);
+  const double zero = std::max(start, options.from.value_or(start));
+  for (const std::string& note :
+       {droppedNote(rows), gapNote(ratesOf(motion.moments()), zero, areIntegrated)}) {
+    if (!note.empty()) motion.note(note);
+  }
+  return motion;
 }
 
 InertialRecording readInertial(std::string_view bytes, const std::string& name,
-                               const ReadOptions& options) {
+                               const ReadOptions& options, const NamedTable* acceleration) {
   const CsvTable table(bytes, name);
-  const Columns columns = findColumns(table, options.columns, options.unit);
-  if (!columns.rates || columns.quaternion || columns.matrix) {
-    table.fail("no gyroscope's rates (wx to wz) alone, along the body's axes");
-  }
-  const std::vector<double> times = timesOf(table, columns);
-  std::vector<Rate> rates;
+  const Columns columns =
+      findColumns(table, acceleration == nullptr ? options : withoutForce(options));
+  const bool isOneTable = acceleration == nullptr && columns.acceleration;
+  const SensorRows rows = sensorRows(table, columns, isOneTable);
+  const std::vector<double> times = timesOf(table, columns, rows.motion);
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
   InertialRecording recording;
-  recording.hasForce = columns.acceleration.has_value();
-  for (std::size_t row = 0; row < times.size(); ++row) {
-    rates.push_back({times[row], rateAt(table, row, columns)});
-    if (row > 0) requireFollowed(table, row, rates);
-    InertialReading reading{rates.back()};
-    if (recording.hasForce) reading.force = vectorAt(table, row, *columns.acceleration);
-    recording.readings.push_back(reading);
-  }
+  recording.hasForce = acceleration != nullptr || columns.acceleration;
+  recording.isMeasured = columns.rates.has_value();
+  const std::vector<Rate> rates = hasAttitudes(columns)
+                                      ? ratesBeside(table, columns, rows, times, name)
+                                      : ratesOf(table, columns, rows, times, none);
+  for (const Rate& rate : rates) recording.readings.push_back({rate});
+  if (isOneTable) addForces(recording, forcesOf(table, columns, rows.force), name);
+  if (acceleration != nullptr)
+    addForces(recording, forcesIn(*acceleration, options), acceleration->name);
+  if (const std::string note = droppedNote(rows); !note.empty()) recording.notes.push_back(note);
   return recording;
+}
+
+Contents contentsOf(const NamedTable& named, const ReadOptions& options) {
+  constexpr std::size_t kBeginning = 1 << 16;  // [bytes]
+  std::string_view bytes = named.bytes.substr(0, kBeginning);
+  if (bytes.size() < named.bytes.size()) bytes = bytes.substr(0, bytes.find_last_of("\r\n"));
+  try {
+    const CsvTable table(bytes, named.name);
+    const Columns columns = columnsIn(table, withoutMissing(options, table));
+    return {columns.rates.has_value(), hasAttitudes(columns), columns.acceleration.has_value()};
+  } catch (const InputError&) {
+    return {};
+  }
 }
 
 }  // namespace rotatebook::recording

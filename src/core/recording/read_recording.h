@@ -1,34 +1,34 @@
 // Reads recordings: attitudes, a gyroscope's rates, or this program's own tables.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
 
-#include "recording/columns.h"
+#include "base/error.h"
 #include "recording/gyroscope.h"
+#include "recording/read_options.h"
 #include "recording/recorded_motion.h"
 
 namespace rotatebook::recording {
 
-/// Statements about a recording that its file doesn't make.
-struct ReadOptions {
-  ColumnNames columns{};               ///< Of the columns without a usual name.
-  std::string unit{};                  ///< Of rates, one of kRateUnits; if empty, the header's.
-  std::optional<double> from{}, to{};  ///< The part to take, of the file's times. [s]
-  Eigen::Vector3d bias{0, 0, 0};       ///< Subtracted from a gyroscope's rates. [rad/s]
-
-  friend bool operator==(const ReadOptions&, const ReadOptions&) = default;
+/// Reports that the rates of a table contradict the attitudes beside them: axes, units or an order
+/// of columns are others than those that the table is read with.
+class ContradictionError : public InputError {
+ public:
+  using InputError::InputError;
 };
 
 /// Reads a motion from the bytes of a file; `name` is the file's in messages. Attitudes with rates
-/// beside them have these, along the world's axes; attitudes alone are differentiated; rates alone,
-/// along the body's axes, are integrated. Throws InputError "NAME:LINE: PROBLEM" for what CsvTable
-/// and findColumns() refuse, for times that don't ascend, for quaternions and matrices that are no
-/// rotations to 1 %, rates over 1e9 rad/s, and for a part that isn't within the recording.
+/// beside them have these; attitudes alone are differentiated; rates alone,
+/// along the body's axes, are integrated. Rows without a reading at the table's ends, and gaps, are
+/// among the motion's notes. Throws InputError "NAME:LINE: PROBLEM" for what CsvTable,
+/// findColumns(), sensorRows() and timesOf() refuse, for quaternions and matrices that are no
+/// rotations to 1 %, rates over 1e9 rad/s, and for a part that isn't within the recording;
+/// ContradictionError for what compareRates() finds in that part, and for a gyroscope's rates that
+/// differ by more than kContradicts from the slopes of the attitudes.
 RecordedMotion readRecording(std::string_view bytes, const std::string& name,
                              const ReadOptions& options);
 
@@ -42,11 +42,31 @@ struct InertialReading {
 struct InertialRecording {
   std::vector<InertialReading> readings;
   bool hasForce = false;
+  bool isMeasured = true;            ///< By a gyroscope; else the rates are slopes of attitudes.
+  std::vector<std::string> notes{};  ///< As RecordedMotion::notes().
 };
 
-/// Reads a gyroscope's rates likewise, in the file's own times. Throws InputError if there are no
-/// rates alone.
+/// A table of text.
+struct NamedTable {
+  std::string_view bytes;
+  std::string name;  ///< For messages.
+};
+
+/// Reads the rates of a gyroscope, or of attitudes, along the body's axes and in the file's own
+/// times. The specific force is that of `acceleration`, or if it is null of the same table; where
+/// it has times of its own, it is what lies on the straight line between two of them, and infinite
+/// beyond. Throws InputError like readRecording(), for accelerations in a unit that isn't read or
+/// in none though they seem to be in g, and for two tables that have no time in common.
 InertialRecording readInertial(std::string_view bytes, const std::string& name,
-                               const ReadOptions& options);
+                               const ReadOptions& options,
+                               const NamedTable* acceleration = nullptr);
+
+/// Readings that a table has.
+struct Contents {
+  bool hasRates = false, hasAttitudes = false, hasForce = false;
+};
+
+/// Returns what a table has by the names of its columns; nothing for what isn't a recording.
+Contents contentsOf(const NamedTable& table, const ReadOptions& options);
 
 }  // namespace rotatebook::recording

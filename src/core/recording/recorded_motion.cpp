@@ -34,7 +34,8 @@ Eigen::Quaterniond attitudeBetween(const RecordedMoment& a, const RecordedMoment
 
 }  // namespace
 
-RecordedMotion::RecordedMotion(std::vector<RecordedMoment> moments) : moments_(std::move(moments)) {
+RecordedMotion::RecordedMotion(std::vector<RecordedMoment> moments, const SpinFacts& spins)
+    : moments_(std::move(moments)), spins_(spins) {
   const Eigen::Quaterniond startFromWorld = moments_.front().attitude.conjugate();
   const double start = moments_.front().time;
   const RecordedMoment* before = nullptr;
@@ -77,7 +78,7 @@ RecordedMotion RecordedMotion::part(double from, double to) const {
   }
   within.push_back(at(to));
   within.back().time = to;
-  return RecordedMotion(std::move(within));
+  return RecordedMotion(std::move(within), spins_);
 }
 
 }  // namespace rotatebook::recording

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -20,14 +21,32 @@ struct RecordedMoment {
   Eigen::Vector3d angularVelocity{0, 0, 0};  ///< In body axes. [rad/s]
 };
 
+/// Sources of the spins of a recording.
+enum class SpinSource {
+  Given,      ///< Rates beside attitudes.
+  Slopes,     ///< Of attitudes alone.
+  Gyroscope,  ///< Rates alone.
+};
+
+/// The source of the spins of a recording, and their quality.
+struct SpinFacts {
+  SpinSource source = SpinSource::Given;
+  /// Of slopes: root mean square of those of order 4 minus those of order 2, relative to the
+  /// former, which the error of those of order 4 is below. [-]
+  double uncertainty = 0;
+  /// Of rates beside attitudes: RateComparison::difference [-]
+  double difference = 0;
+};
+
 /// Moments in the order of their times, and the motion between them. It begins at time 0, when body
 /// and world axes agree: the recording's own world is turned so.
 class RecordedMotion {
  public:
   /// Takes at least two moments, at ascending times; the first is to be time 0.
-  explicit RecordedMotion(std::vector<RecordedMoment> moments);
+  explicit RecordedMotion(std::vector<RecordedMoment> moments, const SpinFacts& spins = {});
 
   const std::vector<RecordedMoment>& moments() const { return moments_; }
+  const SpinFacts& spins() const { return spins_; }
   /// Returns the time of the last moment, > 0. [s]
   double duration() const { return moments_.back().time; }
   /// Returns the body at a time within the recording, or at its nearer end: between two moments the
@@ -36,9 +55,14 @@ class RecordedMotion {
   RecordedMoment at(double time) const;
   /// Returns the part from `from` to `to`, which are within the recording. [s]
   RecordedMotion part(double from, double to) const;
+  /// Returns what its reader left out or doubts, a sentence each without a full stop.
+  const std::vector<std::string>& notes() const { return notes_; }
+  void note(const std::string& text) { notes_.push_back(text); }
 
  private:
   std::vector<RecordedMoment> moments_;
+  std::vector<std::string> notes_;
+  SpinFacts spins_;
 };
 
 /// Neighbouring moments.

@@ -107,8 +107,8 @@ TomlNode numbersNode(const Eigen::Vector3d& vector, const std::string& location)
 }
 
 /// Returns the numbers of a mesh, and its surface, as the table that its key is read from.
-TomlNode tableOf(const std::string& name, body::TriangleMesh surface, const std::string& location) {
-  const MeshFile mesh = meshFileOf(name, surface);
+TomlNode tableOf(const std::string& name, body::ClosedMesh surface, const std::string& location) {
+  const MeshFile mesh = meshFileOf(name, surface.mesh);
   const auto& inertia = mesh.inertia;
   return {TomlNode::Table{
               {"file", location, {mesh.name, location}},

@@ -37,7 +37,8 @@ void readRecording(physics::MotionSettings& motion, const std::filesystem::path&
   takeRecording(motion,
                 std::make_shared<recording::RecordedMotion>(recording::readRecording(
                     bytes, name,
-                    {recorded.columns, recorded.rates, recorded.from, recorded.to, recorded.bias})),
+                    {recorded.columns, recorded.rates, recorded.timeUnit, recorded.ratesAlong,
+                     recorded.from, recorded.to, recorded.bias})),
                 name);
 }
 

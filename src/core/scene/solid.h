@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 
 namespace rotatebook::body {
-struct TriangleMesh;
+struct ClosedMesh;
 }
 
 namespace rotatebook::scene {
@@ -40,8 +40,8 @@ struct MeshFile {
   double unit = 1;                ///< Of its lengths. [m]
   double volume = 0;              ///< Of its unit, > 0.
   Eigen::Vector3d size{0, 0, 0};  ///< Of the box around its centre, in its unit.
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();    ///< Of density 1, about the centre.
-  std::shared_ptr<const body::TriangleMesh> surface{};  ///< In its unit, as it is in the file.
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  ///< Of density 1, about the centre.
+  std::shared_ptr<const body::ClosedMesh> surface{};  ///< In its unit, as it is in the file.
 
   /// Compares all but the surface, from which the numbers follow.
   friend bool operator==(const MeshFile& a, const MeshFile& b) {

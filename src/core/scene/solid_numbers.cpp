@@ -7,7 +7,6 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "body/closed_surface.h"
 #include "body/shape.h"
 #include "rigid/inertia.h"
 
@@ -121,7 +120,6 @@ body::Surface surfaceOf(const Solid& solid) {
 
 body::Surface surfaceOf(const Solid& solid, body::Surface file) {
   requireDrawable(file, solid.mesh.name);
-  body::requireClosed(file.mesh);
   const Vector3d centre = body::massPropertiesOf(file.mesh, 1).centre;
   for (Vector3d& point : file.mesh.points) point = (point - centre) * solid.mesh.unit;
   return file;
@@ -139,7 +137,6 @@ SolidNumbers numbersOf(const Solid& solid) {
 }
 
 MeshFile meshFileOf(const std::string& name, const TriangleMesh& mesh) {
-  body::requireClosed(mesh);
   const MassProperties properties = body::massPropertiesOf(mesh, 1);
   return {name, 1, properties.volume, boxAround(properties.centre, {&mesh, 1}), properties.inertia};
 }

@@ -31,12 +31,12 @@ body::SolidPiece placed(const BodyPart& part);
 /// Returns the looks of a solid's parts, but for those that take away, around its centre of mass.
 /// [m] Throws InputError if they have more than body::kMaxDrawnTriangles.
 body::Surface surfaceOf(const Solid& solid);
-/// Likewise of a solid that is the mesh of a file: `file` is what body::readSurface() made of it.
-/// Throws InputError if it has more than body::kMaxDrawnTriangles, or isn't closed.
+/// Returns the look of a solid that is the mesh of a file, likewise: `file` is what
+/// body::readSurface() made of it. Throws InputError if it has more than body::kMaxDrawnTriangles.
 body::Surface surfaceOf(const Solid& solid, body::Surface file);
 
-/// Returns the numbers of a welded mesh, in its own unit. Throws InputError if it isn't closed or
-/// encloses no volume.
+/// Returns the numbers of a closed mesh, in its own unit. Throws InputError if it encloses no
+/// volume.
 MeshFile meshFileOf(const std::string& name, const body::TriangleMesh& mesh);
 
 }  // namespace rotatebook::scene

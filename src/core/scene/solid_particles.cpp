@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "body/closed_mesh.h"
 #include "body/lattice.h"
 #include "body/shape.h"
 #include "scene/solid_numbers.h"
@@ -47,7 +48,7 @@ std::vector<Surface> surfacesOf(const Motion& motion) {
     const Vector3d& size = motion.body.size;
     surfaces.push_back({placed({"box", {size.x(), size.y(), size.z()}}).surface});
   } else if (!solid.mesh.name.empty()) {
-    surfaces.push_back({*solid.mesh.surface});
+    surfaces.push_back({solid.mesh.surface->mesh});
     for (Vector3d& point : surfaces.back().mesh.points) point *= solid.mesh.unit;
   }
   requireOneDensity(solid);

@@ -14,6 +14,7 @@ using scene::MapAxis;
 using scene::MapSettings;
 using scene::Outcome;
 
+constexpr std::string_view kOutcomeColumn = ",outcome";
 constexpr std::string_view kNpyMagic("\x93NUMPY\x01\x00", 8);
 
 std::string npyHeader(const MapSettings& map, std::size_t panels) {
@@ -153,11 +154,15 @@ std::string statedIn(const std::string& json, const std::string& key) {
   return json.substr(begin, json.find('"', begin) - begin);
 }
 
+bool isMapHeader(std::string_view row) {
+  return row.ends_with(kOutcomeColumn);
+}
+
 std::string mapCsv(const MapResult& result, const scene::Scene& scene) {
   const MapSettings& map = *scene.map;
   const bool isAlone = result.labels.size() == 1;
   std::string text = (isAlone ? "" : "panel,") + map.x.key + "," + map.y.key + "," +
-                     std::string(nameOf(map.measure)) + ",outcome\n";
+                     std::string(nameOf(map.measure)) + std::string(kOutcomeColumn) + "\n";
   for (std::size_t panel = 0; panel < result.labels.size(); ++panel) {
     for (std::size_t i = 0; i < result.values[panel].size(); ++i) {
       const int x = static_cast<int>(i) % map.width, y = static_cast<int>(i) / map.width;

@@ -45,5 +45,7 @@ std::string statedIn(const std::string& json, const std::string& key);
 /// Returns a header row and one row a run: panel if there are several, both keys, the measure,
 /// outcome.
 std::string mapCsv(const MapResult& result, const scene::Scene& scene);
+/// Returns whether a table with this header row is one of mapCsv().
+bool isMapHeader(std::string_view row);
 
 }  // namespace rotatebook::study

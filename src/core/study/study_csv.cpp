@@ -30,12 +30,18 @@ std::string precisionLine(const PrecisionRow& row) {
          field(roundedToTenths(row.nsPerStep)) + "," + row.end.text() + "\n";
 }
 
+const std::string kStatusColumn = ",status";
+
 }  // namespace
+
+bool isStudyHeader(std::string_view row) {
+  return row.ends_with(kStatusColumn);
+}
 
 std::string precisionCsv(const PrecisionStudy& study) {
   std::string text =
-      "integrator,h_s,steps,error_deg,final_error_deg,energy_drift,L_drift,half_turns,ns_per_step,"
-      "status\n";
+      "integrator,h_s,steps,error_deg,final_error_deg,energy_drift,L_drift,half_turns,ns_per_step" +
+      kStatusColumn + "\n";
   for (const PrecisionRow& row : study.rows) text += precisionLine(row);
   return text;
 }
@@ -51,7 +57,7 @@ std::string ordersCsv(const PrecisionStudy& study) {
 }
 
 std::string tiltCsv(const TiltStudy& study) {
-  std::string text = "tilt_rad,flips,interval_s,law_s,ratio,status\n";
+  std::string text = "tilt_rad,flips,interval_s,law_s,ratio" + kStatusColumn + "\n";
   for (const TiltRow& row : study.rows) {
     const bool ran = row.end.kind == RunEnd::Kind::Whole || row.end.kind == RunEnd::Kind::FewFlips;
     text += shortestText(row.tilt) + "," + (ran ? std::to_string(row.flips) : "") +
@@ -65,7 +71,7 @@ std::string sweepCsv(const SweepStudy& result, const scene::Sweep& sweep) {
   if (sweep.curves) text += "," + sweep.curves->key;
   for (const scene::Measure measure : sweep.measures)
     text += "," + std::string(scene::nameOf(measure));
-  text += ",status\n";
+  text += kStatusColumn + "\n";
   for (const SweepRow& row : result.rows) {
     text += row.value;
     if (sweep.curves) text += "," + row.curve;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "study/study.h"
 #include "study/sweep.h"
@@ -24,5 +25,8 @@ std::string tiltCsv(const TiltStudy& study);
 /// Returns a header row and one row a run: the key, the key of the curves if there is one, each
 /// measured quantity, status. A motion that doesn't diverge has "inf" for diverges_at.
 std::string sweepCsv(const SweepStudy& result, const scene::Sweep& sweep);
+
+/// Returns whether a table of runs with this header row is a study's.
+bool isStudyHeader(std::string_view row);
 
 }  // namespace rotatebook::study

@@ -6,7 +6,9 @@
 
 #include "base/number_text.h"
 #include "physics/motion_start.h"
+#include "recording/recorded_motion.h"
 #include "rigid/exact_rotation.h"
+#include "scene/mesh_notes.h"
 #include "timeline/free_pieces.h"
 
 namespace rotatebook::timeline {
@@ -92,7 +94,7 @@ void addSteadyNote(const scene::Panel& panel, const rigid::PrincipalAxes& inerti
 }  // namespace
 
 std::vector<std::string> notesOn(const scene::Panel& panel) {
-  std::vector<std::string> notes;
+  std::vector<std::string> notes = scene::meshNotes(panel.solid);
   addTiltNote(panel, notes);
   addSizeNote(panel, notes);
   const rigid::PrincipalAxes inertia = modelInertia(panel);
@@ -102,6 +104,8 @@ std::vector<std::string> notesOn(const scene::Panel& panel) {
   if (panel.simulation.model != physics::Model::Particles && panel.nudges.empty()) {
     addSteadyNote(panel, inertia, spin, notes);
   }
+  if (const auto& recorded = panel.simulation.recorded.motion; recorded != nullptr)
+    notes.insert(notes.end(), recorded->notes().begin(), recorded->notes().end());
   return notes;
 }
 

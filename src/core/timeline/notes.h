@@ -10,7 +10,8 @@
 
 namespace rotatebook::timeline {
 
-/// Returns a sentence for each setting of `panel` that is likely a slip: a tilt that looks like
+/// Returns a sentence for all that reading its body's mesh has changed or left out, and for each
+/// setting of `panel` that is likely a slip: a tilt that looks like
 /// degrees, a body that looks like centimetres, a spin or flips too fast for the frame rate, and a
 /// spin exactly about a principal axis, which never tumbles; about a stable one only without a
 /// label, as in a comparison it is one of the cases.

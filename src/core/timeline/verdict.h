@@ -7,28 +7,42 @@
 
 #include "physics/motion_settings.h"
 #include "physics/trajectory.h"
+#include "recording/recorded_motion.h"
 #include "rigid/regime.h"
 
 namespace rotatebook::timeline {
 
 /// Kinds of errors of a motion, as hints to the method that made it.
 enum class Errs {
-  Hardly,          ///< By less than kAgreesDeg.
-  SpinIsFixed,     ///< The angular velocity stays as it was, along the world's axes.
-  InPhase,         ///< Energy and the size of L stay.
-  GainsEnergy,     ///< The size of L stays, the energy grows.
-  LosesEnergy,     ///< The size of L stays, the energy falls.
-  GainsBoth,       ///< Energy grows, and L changes.
-  LosesBoth,       ///< Energy falls, and L with it.
-  Inconsistently,  ///< Energy falls while L grows.
+  Hardly,           ///< Attitude, energy, L and half-turns are the exact motion's.
+  HardlyAsFitted,   ///< Likewise, from a start within the uncertainty of the recording's spins.
+  SpinsAreOthers,   ///< The angular velocities aren't the attitudes' slopes.
+  SpinIsFixed,      ///< The angular velocity stays as it was, along the world's axes.
+  InPhase,          ///< Energy and the size of L stay.
+  TooFewAttitudes,  ///< So far apart that their slopes aren't the angular velocities.
+  TurnsMomentum,    ///< L turns in the world, by more than kTurnsDeg.
+  Swings,           ///< Energy or the size of L goes away and comes back.
+  GainsEnergy,      ///< The size of L stays, the energy grows.
+  LosesEnergy,      ///< The size of L stays, the energy falls.
+  GainsMomentum,    ///< The energy stays, L grows.
+  LosesMomentum,    ///< The energy stays, L falls.
+  GainsBoth,        ///< Energy grows, and L changes.
+  LosesBoth,        ///< Energy falls, and L with it.
+  Inconsistently,   ///< Energy falls while L grows.
 };
 
 /// Largest error of motions that agree with the exact one. [degrees]
 inline constexpr double kAgreesDeg = 0.5;
-/// Relative drift up to which energy, the size of L and the spin count as kept.
+/// Relative change up to which energy, the size of L and the spin count as kept, beside what the
+/// scatter of the values and the uncertainty of slopes make of it.
 inline constexpr double kKept = 1e-3;
+/// Angle by which L turns in the world with another convention, another inertia or an outer torque.
+/// Explicit steps of order 1, 60 a turn, make 3 degrees, measured. [degrees]
+inline constexpr double kTurnsDeg = 10;
 
-/// A motion's differences from the exact one from the same start.
+/// A motion's differences from the exact one from the same start or, of Errs::HardlyAsFitted, from
+/// one that is fitted. Energy and L are relative to the exact motion's, which nudges change; where
+/// spins are slopes of attitudes, without the two at each end, which are one-sided.
 struct Verdict {
   std::size_t samples = 0;
   double duration = 0;                  ///< [s]
@@ -38,19 +52,25 @@ struct Verdict {
   double endEnergyDrift = 0;            ///< E/E0 - 1 of the last sample.
   double energyDrift = 0;               ///< The largest on the way, with its sign.
   double endMomentumDrift = 0;          ///< |L|/|L0| - 1 of the last sample.
-  double momentumDrift = 0;             ///< Likewise the largest.
-  double momentumTurnDeg = 0;           ///< Largest angle from L to L at the start. [degrees]
+  double momentumDrift = 0;             ///< The largest on the way, with its sign.
+  double momentumTurnDeg = 0;           ///< Largest angle from L to the exact motion's. [degrees]
   int halfTurns = 0;                    ///< Made by the motion.
   int halfTurnsDue = 0;                 ///< Made by the exact one.
   rigid::Regime start = rigid::Regime::Separatrix, end = rigid::Regime::Separatrix;
+  /// Noise of a sample's energy or size of L, relative: of the spins and attitudes recorded.
+  double scatter = 0;
+  /// Relative change of the start's spin by the fit; nothing unless Errs::HardlyAsFitted.
+  std::optional<double> fittedBy{};
+  recording::SpinFacts spins{};  ///< Of a recording; of other motions, the spins are given.
   Errs errs = Errs::Hardly;
 };
 
-/// Judges `trajectory`, which was simulated or recorded from `motion`. Throws InputError as
-/// physics::simulate() does.
+/// Judges `trajectory`, which was simulated or recorded from `motion`. Of recordings whose spins
+/// are uncertain, slopes of attitudes or noisy, the start of the exact motion is fitted within that
+/// uncertainty, too. Throws InputError as physics::simulate() does.
 Verdict judge(const physics::MotionSettings& motion, const physics::Trajectory& trajectory);
 
 /// Returns what the motion does, and the kind of rigid method that errs so.
-std::string methodThat(Errs errs);
+std::string methodThat(const Verdict& verdict);
 
 }  // namespace rotatebook::timeline

@@ -48,6 +48,16 @@ std::string obstacleByOwner(const fs::path& folder, const fs::path& path) {
 
 }  // namespace
 
+bool isOccupied(const fs::path& path) {
+  std::error_code ignored;
+  return fs::exists(fs::symlink_status(path, ignored));
+}
+
+bool isPlainFile(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_regular_file(fs::symlink_status(path, ignored));
+}
+
 std::string obstacleToRemoval(const fs::path& path) {
   if (!statusOf(path)) return "";
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");

@@ -6,6 +6,13 @@
 
 namespace rotatebook::system {
 
+/// Returns whether there is something at `path`, be it a link to nothing.
+bool isOccupied(const std::filesystem::path& path);
+
+/// Returns whether there is a file at `path`, and no link to one: what is written or removed there
+/// is nowhere else.
+bool isPlainFile(const std::filesystem::path& path);
+
 /// Returns why this user can't rename or remove what is at `path`: "it belongs to root, ..."; empty
 /// if they can, or nothing is there. Asks the folder's permissions, its sticky bit and the owners.
 std::string obstacleToRemoval(const std::filesystem::path& path);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <fstream>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -14,7 +13,6 @@ extern "C" {
 #include "base/error.h"
 #include "video/clip_input.h"
 #include "video/quantiser.h"
-#include "video/webm_header.h"
 #include "video/whole_file.h"
 
 namespace rotatebook::video {
@@ -53,19 +51,6 @@ ColourTags coloursOf(const ClipInput& input) {
 std::string shapeText(AVRational shape) {
   if (shape.num == 0) return "1:1";
   return std::to_string(shape.num) + ":" + std::to_string(shape.den);
-}
-
-/// Sets what FFmpeg doesn't report of the container.
-void addHeader(const ClipInput& input, ClipFacts& facts) {
-  std::ifstream file(input.name(), std::ios::binary);
-  if (rowOf(input.format()).recorded.hasMp4Header) {
-    facts.mp4 = readMp4Header(file);
-    facts.crop = facts.mp4->crop;
-    return;
-  }
-  const WebmHeader header = readWebmHeader(file);
-  facts.crop = header.crop;
-  if (header.interlaced) facts.scan = kInterlaced;
 }
 
 /// Returns FFmpeg's names of what the stream says beside a picture, but for notes of the encoder.
@@ -127,7 +112,6 @@ ClipFacts factsOf(ClipInput& input) {
   facts.containerShape = shapeText(stream.sample_aspect_ratio);
   facts.display = displayText(stream);
   facts.scan = containerScan == kProgressive ? scanText(codec) : containerScan;
-  addHeader(input, facts);
   const std::int64_t duration = input.context().duration;
   if (duration > 0) facts.duration = static_cast<double>(duration) / AV_TIME_BASE;
   return facts;
@@ -168,15 +152,19 @@ bool hasAdditions(const AVPacket& packet) {
   return av_packet_get_side_data(&packet, AV_PKT_DATA_MATROSKA_BLOCKADDITIONAL, nullptr) != nullptr;
 }
 
-std::vector<float> planeOf(const AVFrame& frame, int plane, int width, int height) {
-  std::vector<float> values;
-  values.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
-  for (int y = 0; y < height; ++y) {
-    const std::uint8_t* row =
-        frame.data[plane] + static_cast<std::ptrdiff_t>(y) * frame.linesize[plane];
-    values.insert(values.end(), row, row + width);
+bool haveSameColours(const AVFrame& a, const AVFrame& b) {
+  if (a.width != b.width || a.height != b.height) return false;
+  for (int plane = 0; plane < 3; ++plane) {
+    const int width = plane == 0 ? a.width : (a.width + 1) / 2;
+    const int height = plane == 0 ? a.height : (a.height + 1) / 2;
+    for (int y = 0; y < height; ++y) {
+      const auto row = [&](const AVFrame& frame) {
+        return frame.data[plane] + static_cast<std::ptrdiff_t>(y) * frame.linesize[plane];
+      };
+      if (!std::equal(row(a), row(a) + width, row(b))) return false;
+    }
   }
-  return values;
+  return true;
 }
 
 }  // namespace
@@ -201,7 +189,9 @@ struct ClipReader::Parts {
     facts = factsOf(input);
     hasAlpha = statesAlpha(input);
     decoder = openDecoder(input, hasAlpha);
-    if (hasAlpha) colourDecoder = openDecoder(input, false);
+    if (&decoderFor(input, true) != &decoderFor(input, false)) {
+      otherDecoder = openDecoder(input, !hasAlpha);
+    }
   }
 
   std::string failure() const {
@@ -215,10 +205,17 @@ struct ClipReader::Parts {
     checkInput(result, failure());
     picture = factsOf(*frame);
     picture.alpha = picture.alpha || hasAlpha;
-    if (colourDecoder && avcodec_receive_frame(colourDecoder.get(), colours.get()) == 0) {
-      picture.quantiser = quantiserOf(*colours);
-    }
+    if (otherDecoder) compareWithOther();
     return true;
+  }
+
+  /// Bytes after a frame are another one to libvpx, and nothing to FFmpeg's own decoder.
+  void compareWithOther() {
+    const bool isThere = avcodec_receive_frame(otherDecoder.get(), other.get()) == 0;
+    if (isThere && hasAlpha) picture.quantiser = quantiserOf(*other);
+    if (isThere && haveSameColours(*frame, *other)) return;
+    picture.messages += picture.messages.empty() ? "" : "; ";
+    picture.messages += "another picture for another decoder";
   }
 
   /// Sends the decoder the next packet, or once reports that there are no more.
@@ -229,20 +226,21 @@ struct ClipReader::Parts {
     const AVPacket* next = ended ? nullptr : packet.get();
     if (!ended && hasAdditions(*packet)) hasAlpha = true;
     checkInput(avcodec_send_packet(decoder.get(), next), failure());
-    if (colourDecoder) checkInput(avcodec_send_packet(colourDecoder.get(), next), failure());
+    if (otherDecoder) checkInput(avcodec_send_packet(otherDecoder.get(), next), failure());
     av_packet_unref(packet.get());
   }
 
   ClipInput input;
   ClipFacts facts;
   Handle<AVCodecContext> decoder;
-  Handle<AVCodecContext> colourDecoder;  // Reports quantisers where `decoder`, of alpha, doesn't.
-  bool hasAlpha = false;                 // As stated, or found so far.
+  /// Of the same pictures, where there are two; libvpx decodes alpha, the other reports quantisers.
+  Handle<AVCodecContext> otherDecoder;
+  bool hasAlpha = false;  // As stated, or found so far.
   Handle<AVPacket> packet;
   Handle<AVFrame> frame;
-  Handle<AVFrame> colours = owned(av_frame_alloc());  // of `colourDecoder`
-  PictureFacts picture;                               // of `frame`
-  std::int64_t count = 0;                             // pictures decoded so far
+  Handle<AVFrame> other = owned(av_frame_alloc());  // of `otherDecoder`
+  PictureFacts picture;                             // of `frame`
+  std::int64_t count = 0;                           // pictures decoded so far
   bool ended = false;
 };
 
@@ -289,12 +287,7 @@ Planes ClipReader::picture() const {
   if (!isEven || (frame.format != AV_PIX_FMT_YUV420P && !hasAlpha)) {
     throw InputError("the pictures of " + parts_->input.name() + " aren't yuv420p of an even size");
   }
-  Planes planes{.width = frame.width, .height = frame.height};
-  planes.y = planeOf(frame, 0, frame.width, frame.height);
-  planes.u = planeOf(frame, 1, frame.width / 2, frame.height / 2);
-  planes.v = planeOf(frame, 2, frame.width / 2, frame.height / 2);
-  if (hasAlpha) planes.alpha = planeOf(frame, 3, frame.width, frame.height);
-  return planes;
+  return planesOf(frame);
 }
 
 }  // namespace rotatebook::video

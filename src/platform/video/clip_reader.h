@@ -9,7 +9,6 @@
 #include <span>
 #include <string>
 
-#include "video/mp4_header.h"
 #include "video/planes.h"
 #include "video/video_format.h"
 
@@ -67,11 +66,7 @@ struct ClipFacts {
   std::string display{};
   /// "progressive", also if nothing is stated, or what the container or the stream states.
   std::string scan{};
-  /// Pixels that the container has players cut off: "none", "clean aperture", "2 pixels at the
-  /// left", or "unknown".
-  std::string crop{};
-  double duration = 0;             ///< As the container states it; 0 if it doesn't. [s]
-  std::optional<Mp4Header> mp4{};  ///< Present for an MP4.
+  double duration = 0;  ///< As the container states it; 0 if it doesn't. [s]
 };
 
 /// Properties of a decoded picture.

@@ -6,6 +6,8 @@
 #include <cstddef>
 
 #include "base/error.h"
+#include "base/number_text.h"
+#include "video/pixel_converter.h"
 
 namespace rotatebook::video {
 namespace {
@@ -26,17 +28,19 @@ float luma(const Rgb& rgb) {
   return kRed * rgb[0] + (1 - kRed - kBlue) * rgb[1] + kBlue * rgb[2];
 }
 
-/// Returns the colour of 2 x 2 pixels, sited at their left column: mixed from it and the columns on
-/// both sides.
+/// Returns the colour of 2 x 2 pixels, sited at their left column, between their rows: mixed from
+/// them and the pixels around.
 Rgb colourAt(const image::ImageView& picture, int left, int top) {
-  constexpr std::array<float, 3> kShares{0.125F, 0.25F, 0.125F};
+  constexpr std::array<float, 3> kAcross{0.25F, 0.5F, 0.25F};
+  constexpr std::array<float, 4> kDown{0.125F, 0.375F, 0.375F, 0.125F};
   Rgb mixed{};
-  for (int y = top; y < top + 2; ++y) {
+  for (int j = 0; j < 4; ++j) {
+    const std::uint8_t* row = picture.row(std::clamp(top + j - 1, 0, picture.height - 1));
     for (int i = 0; i < 3; ++i) {
       const int x = std::clamp(left + i - 1, 0, picture.width - 1);
       const std::uint8_t* pixel =
-          picture.row(y) + static_cast<std::ptrdiff_t>(x) * bytesPerPixel(picture.format);
-      const float share = kShares[static_cast<std::size_t>(i)];
+          row + static_cast<std::ptrdiff_t>(x) * bytesPerPixel(picture.format);
+      const float share = kDown[static_cast<std::size_t>(j)] * kAcross[static_cast<std::size_t>(i)];
       for (std::size_t channel = 0; channel < 3; ++channel)
         mixed[channel] += share * pixel[channel];
     }
@@ -53,6 +57,24 @@ void addColour(const image::ImageView& picture, Planes& planes) {
       planes.v.push_back(kGrey + kColourSpan * (rgb[0] - grey) / (2 - 2 * kRed));
     }
   }
+}
+
+std::vector<float> planeOf(const AVFrame& frame, int plane, int width, int height) {
+  std::vector<float> values;
+  values.reserve(area(width, height));
+  for (int y = 0; y < height; ++y) {
+    const std::uint8_t* row =
+        frame.data[plane] + static_cast<std::ptrdiff_t>(y) * frame.linesize[plane];
+    values.insert(values.end(), row, row + width);
+  }
+  return values;
+}
+
+/// Returns the largest difference of two samples.
+float farthest(const std::vector<float>& a, const std::vector<float>& b) {
+  float largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
 }
 
 /// Sums of squared errors in blocks.
@@ -111,6 +133,29 @@ Planes planesOf(image::ImageView picture, bool transparent) {
   }
   addColour(picture, planes);
   return planes;
+}
+
+Planes planesOf(const AVFrame& frame) {
+  Planes planes{.width = frame.width, .height = frame.height};
+  planes.y = planeOf(frame, 0, frame.width, frame.height);
+  planes.u = planeOf(frame, 1, frame.width / 2, frame.height / 2);
+  planes.v = planeOf(frame, 2, frame.width / 2, frame.height / 2);
+  if (frame.format == AV_PIX_FMT_YUVA420P) {
+    planes.alpha = planeOf(frame, 3, frame.width, frame.height);
+  }
+  return planes;
+}
+
+Planes planesToEncode(image::ImageView picture, bool transparent) {
+  constexpr float kRounding = 0.55F;  // measured 0.508
+  const Planes exact = planesOf(picture, transparent);
+  Planes planes =
+      planesOf(PixelConverter(picture.width, picture.height, transparent).convert(picture));
+  const float error = std::max(
+      {farthest(planes.y, exact.y), farthest(planes.u, exact.u), farthest(planes.v, exact.v)});
+  if (error <= kRounding) return planes;
+  throw MachineError("FFmpeg's libswscale converts a colour " + shortestText(error) +
+                     " of 255 away from what BT.709 says");
 }
 
 Distance distance(const Planes& a, const Planes& b) {

@@ -5,6 +5,8 @@
 
 #include "image/image.h"
 
+struct AVFrame;
+
 namespace rotatebook::video {
 
 /// A picture in BT.709, limited range, its chroma at half the size, sited left (yuv420p). Rows from
@@ -21,6 +23,14 @@ struct Planes {
 /// Converts the sRGB `picture`, of even size, by the text of BT.709, not rounded and by other code
 /// than videos are made with. Drops its alpha unless `transparent`.
 Planes planesOf(image::ImageView picture, bool transparent);
+
+/// Returns the samples of a frame in yuv420p or yuva420p, of even size.
+Planes planesOf(const AVFrame& frame);
+
+/// Converts the sRGB `picture` to the very samples that videos are encoded from: a flat colour may
+/// be rounded by half a step all over. Drops its alpha unless `transparent`. Throws MachineError if
+/// they differ from planesOf() by more than rounding.
+Planes planesToEncode(image::ImageView picture, bool transparent);
 
 /// Distance between two pictures. [of 255]
 struct Distance {

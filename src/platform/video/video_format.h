@@ -43,7 +43,6 @@ struct RecordedStream {
   std::string_view decoders{};  ///< FFmpeg's names, separated by commas.
   double stampBound = 0;        ///< Largest error of a time stamp. [s]
   double lengthBound = 0;       ///< Largest error of the duration, which is in microseconds. [s]
-  bool hasMp4Header = false;    ///< True if the container is an MP4's: see Mp4Header.
 };
 
 /// A row of the table of formats.
@@ -86,8 +85,7 @@ inline constexpr std::array kFormatRows{
         .recorded = {.profile = "High, yuv420p",
                      .decoders = "h264",
                      .stampBound = 1e-6,
-                     .lengthBound = 2e-6,
-                     .hasMp4Header = true}},
+                     .lengthBound = 2e-6}},
     FormatRow{
         .format = VideoFormat::WebM,
         .name = "webm",

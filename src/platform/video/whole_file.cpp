@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "video/mp4_header.h"
-#include "video/webm_header.h"
+#include "video/mp4_layout.h"
+#include "video/webm_layout.h"
 
 namespace rotatebook::video {
 namespace {
@@ -55,8 +55,8 @@ void requireWholeMp4(std::istream& file, std::uint64_t size, const std::string& 
     const auto box = i < kMaxFileBoxes ? mp4BoxAt(file, at, size) : std::nullopt;
     if (!box) throwTruncated(name, header ? "it has no pictures" : "it has no header");
     requireSize(size, box->end, name);
-    header = header || box->type == "moov";
-    pictures = pictures || box->type == "mdat";
+    header = header || box->id == "moov";
+    pictures = pictures || box->id == "mdat";
     at = box->end;
   }
 }

@@ -116,6 +116,53 @@ TEST_F(Body, NotesTrianglesThatCross) {
   EXPECT_THAT(result.output, HasSubstr("cross each other"));
 }
 
+// A corner that a triangle writes otherwise by rounding, and a triangle without area.
+TEST_F(Body, NotesWhatItChangesOfAMesh) {
+  write("near.obj",
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1e-17 0 0\n"
+        "f 2 2 1\nf 1 3 2\nf 5 2 4\nf 1 4 3\nf 2 3 4\n");
+  const ChildResult result = run({"body", "near.obj"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_THAT(
+      result.output,
+      HasSubstr("near.obj: 4 triangles, one closed surface\n"
+                "  note: one point is taken as another that lies 1e-17 from it; the mesh is "
+                "1 long\n"
+                "  note: one triangle has a corner twice, and is left out\n"));
+  EXPECT_THAT(run({"body", "near.obj", "--json"}).output,
+              HasSubstr(R"("notes": ["one point is taken)"));
+  write("near.toml",
+        "[body]\nmesh = \"near.obj\"\ndensity = 1000\n"
+        "[initial]\nangular_velocity = [4, 1, 2]\n[clip]\nduration = 0.5\n");
+  EXPECT_THAT(run({"body", "near.toml"}).output, HasSubstr("note: one point is taken as another"));
+  EXPECT_THAT(run({"check", "near.toml"}).error,
+              HasSubstr("note: near: near.obj: one point is taken as another that lies 1e-17"));
+}
+
+TEST_F(Body, MeasuresBodiesThatTouch) {
+  const std::string sides[] = {"1 5 7 3", "2 4 8 6", "1 2 6 5", "3 7 8 4", "1 3 4 2", "5 6 8 7"};
+  std::string obj, faces;
+  for (int cube = 0; cube < 2; ++cube) {
+    for (int i = 0; i < 8; ++i) {
+      for (const int bit : {0, 1, 2})
+        obj += (bit == 0 ? "v " : " ") + std::to_string((i >> bit & 1) + (bit < 2 ? cube : 0));
+      obj += '\n';
+    }
+    for (const std::string& side : sides) {
+      faces += 'f';
+      for (const char letter : side)
+        faces += letter == ' ' ? "" : " " + std::to_string(letter - '0' + 8 * cube);
+      faces += '\n';
+    }
+  }
+  write("touch.obj", obj + faces);
+  const ChildResult result = run({"body", "touch.obj"});
+  EXPECT_EQ(result.error, "");
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("24 triangles, 2 closed surfaces"), HasSubstr("volume   2 m^3\n"),
+                    HasSubstr("centre   (1, 1, 0.5) m\n")));
+}
+
 TEST_F(Body, RefusesWhatItCannotMeasure) {
   writeBox("open.obj", 1);
   writeBox("box.obj");

@@ -42,7 +42,8 @@ const std::map<std::string, Room> kRooms{
     {"geometry", {"core", {"base", "body", "physics"}, {"Eigen/"}, {"rigid"}}},
     {"document", {"core", {"base"}, {"toml++/"}}},
     {"scene", {"core", {"base", "rigid", "recording", "body", "physics", "document"}, {"Eigen/"}}},
-    {"timeline", {"core", {"base", "rigid", "physics", "geometry", "scene"}, {"Eigen/"}}},
+    {"timeline",
+     {"core", {"base", "rigid", "recording", "physics", "geometry", "scene"}, {"Eigen/"}}},
     {"study", {"core", {"base", "rigid", "physics", "ensemble", "scene", "timeline"}, {}}},
     {"bridge",
      {"browser",
@@ -72,7 +73,7 @@ const std::map<std::string, Room> kRooms{
       {"rigid"}}},
     {"store",
      {"app",
-      {"base", "document", "scene", "timeline", "system", "image", "video", "picture"},
+      {"base", "document", "scene", "timeline", "study", "system", "image", "video", "picture"},
       {},
       {"rigid", "physics", "geometry"}}},
     {"farm",
@@ -116,7 +117,7 @@ const std::map<std::string, Room> kRooms{
       {"base",  "rigid",    "body",   "recording", "physics", "document", "scene",   "timeline",
        "study", "system",   "image",  "render",    "overlay", "video",    "picture", "store",
        "farm",  "pipeline", "verify", "diagnose",  "report",  "page"},
-      {"CLI/"},
+      {"CLI/", "zip.h"},
       {"geometry"}}}};
 
 // Headers of the standard that the core may include, so that it runs in a browser and gives the

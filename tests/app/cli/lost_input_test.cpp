@@ -135,7 +135,7 @@ TEST_F(LostInput, IsNoTextureBehindALink) {
 TEST_F(LostInput, IsNoTableOfWords) {
   for (const char* name : {"tiny/scene.toml", "tiny.partial/french.words"}) {
     write(name, "Energy = \"Énergie\"\n");
-    expectKept(name, "the scene's table of words",
+    expectKept(name, "a table of words of the scene tiny",
                {"render", "tiny.toml", "-o", ".", "--set", std::string("overlay.words=") + name});
   }
 }

@@ -8,6 +8,7 @@ namespace rotatebook::cli::testing {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -137,6 +138,84 @@ TEST_F(Submit, ScenesThatChangedSinceAreRefused) {
   const ChildResult again = run(submit);
   EXPECT_EQ(again.status, 2) << "by submit, once there are frames";
   EXPECT_THAT(again.error, HasSubstr("holds frames of other settings"));
+}
+
+const std::vector<std::string> kFive{"submit", "render", "tiny.toml", "-o", "many",
+                                     "--plan", "list",   "--chunk",   "5"};
+
+TEST_F(Submit, RepairsCommandsThatAreLostOrWereChanged) {
+  ASSERT_EQ(run(kFive).status, 0);
+  for (const char* name : {"many/farm/render/tasks.txt", "many/farm/render/join.txt"}) {
+    const std::string commands = read(name);
+    std::filesystem::remove(folder() / name);
+    ASSERT_EQ(run(kFive).status, 0);
+    EXPECT_EQ(read(name), commands) << "lost";
+    write(name, "rm -rf /\n");
+    ASSERT_EQ(run(kFive).status, 0);
+    EXPECT_EQ(read(name), commands) << "changed";
+  }
+}
+
+TEST_F(Submit, RemovesNothingThroughALink) {
+  write("precious/notes.txt", "mine");
+  write("precious/1.txt", "mine");
+  write("many/farm/render/x", "");
+  std::filesystem::create_directory_symlink(folder() / "precious",
+                                            folder() / "many/farm/render/log");
+  const ChildResult refused = run(kFive);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_THAT(refused.error, HasSubstr("log/1.txt is of no plan that is known here"));
+  std::filesystem::remove(folder() / "precious/1.txt");
+  EXPECT_EQ(run(kFive).status, 0) << "logs may lie on another disk";
+
+  // A new plan would remove what the tasks of this one printed
+  write("precious/1.txt", "printed");
+  std::vector<std::string> other = kFive;
+  other.back() = "3";
+  const ChildResult again = run(other);
+  EXPECT_EQ(again.status, 2);
+  EXPECT_THAT(again.error, HasSubstr("log, through which nothing is removed"));
+  EXPECT_EQ(read("precious/1.txt"), "printed");
+  EXPECT_EQ(read("precious/notes.txt"), "mine");
+}
+
+TEST_F(Submit, KeepsFilesThatNoTaskLeft) {
+  ASSERT_EQ(run(kFive).status, 0);
+  write("many/farm/render/log/notes.txt", "mine");
+  write("many/farm/render/log/2024.txt", "mine");
+  write("many/farm/render/log/1.txt", "printed");
+  write("many/farm/render/ends/1", "0 n1 3\n");
+  write("many/farm/render/ends/.2.4711", "0 n1");
+  std::vector<std::string> other = kFive;
+  other.back() = "3";
+  ASSERT_EQ(run(other).status, 0);
+  EXPECT_THAT(
+      files(),
+      AllOf(Contains("many/farm/render/log/notes.txt"), Contains("many/farm/render/log/2024.txt"),
+            Not(Contains("many/farm/render/log/1.txt")), Not(Contains("many/farm/render/ends/1")),
+            Not(Contains("many/farm/render/ends/.2.4711"))));
+}
+
+TEST_F(Submit, ReplacesNoFileThatNoPlanLeft) {
+  for (const char* name : {"tasks.txt", "join.txt", "part.sh", "log/2.txt", "ends/join"}) {
+    const std::string file = std::string("many/farm/render/") + name;
+    write(file, kTiny);
+    const ChildResult result = run(kFive);
+    EXPECT_EQ(result.status, 2) << name;
+    EXPECT_THAT(result.error, HasSubstr(name + std::string(" is of no plan that is known here")));
+    EXPECT_EQ(read(file), kTiny);
+    std::filesystem::remove_all(folder() / "many");
+  }
+}
+
+TEST_F(Submit, IsNotMadeOfItsOwnFiles) {
+  const std::string file = "many/farm/render/tasks.txt";
+  write(file, kTiny);
+  const ChildResult result =
+      run({"submit", "render", file, "-o", "many", "--plan", "list", "--chunk", "5"});
+  EXPECT_EQ(result.status, 2);
+  EXPECT_THAT(result.error, HasSubstr(file + " is the scene itself and would be replaced"));
+  EXPECT_EQ(read(file), kTiny);
 }
 
 }  // namespace

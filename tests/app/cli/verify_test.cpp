@@ -62,8 +62,8 @@ TEST_F(VerifyCommand, ProvesAClipLineByLine) {
           HasSubstr("\n  ok      container    primaries bt709, transfer bt709, matrix bt709, "
                     "range tv (as it must be)\n"),
           HasSubstr("\n  ok      display      as stored (as it must be)\n"),
-          HasSubstr("\n  ok      shown size   64x36 (as it must be)\n"),
-          HasSubstr("\n  ok      speed        speed 1, 0.2 s at speed 1 (all at speed 1)\n"),
+          HasSubstr("\n  ok      layout       as rotatebook writes it (as it must be)\n"),
+          HasSubstr("\n  ok      coding       as rotatebook writes it (as it must be)\n"),
           Not(HasSubstr("FAILED")), Not(HasSubstr("note"))));
   EXPECT_EQ(countOf("\n  ok      frame ", result.output), 6);
   EXPECT_THAT(result.output, ::testing::ContainsRegex(

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "farm/fake_slurm.h"
+#include "farm/plan_folder.h"
 
 namespace rotatebook::farm {
 namespace {
@@ -69,6 +70,56 @@ TEST(JobScript, TakesPathsAsTheyAre) {
   }
   const JobOptions quoted{.others = {"--comment=\"x\""}};
   EXPECT_THROW(jobScript(plan, planFiles("/out", plan.work), {1}, quoted, true), InputError);
+}
+
+// sbatch takes the beginning of a name, and several letters after one hyphen.
+TEST(JobScript, TakesNoneOfItsOwnOptionsInAnyWriting) {
+  const Plan plan = planOfClips("/out", {"a"});
+  const auto refuses = [&](const std::string& other) {
+    const JobOptions options{.others = {other}};
+    try {
+      jobScript(plan, planFiles("/out", plan.work), {1}, options, true);
+    } catch (const InputError&) {
+      return true;
+    }
+    return false;
+  };
+  for (const char* other : {"--arra=0-3",
+                            "--arr=0-3",
+                            "--wra=true",
+                            "--w=true",
+                            "--outp=x",
+                            "--op=truncate",
+                            "--dep=x",
+                            "--chd=/",
+                            "--ntask=2",
+                            "--cpus=3",
+                            "--req",
+                            "--no-req",
+                            "--pars",
+                            "-Ha0-3",
+                            "-sD/",
+                            "-Qn2",
+                            "-a=0-3",
+                            "--exclusive --wrap=x",
+                            "--exclusive --wrap x",
+                            "--hold -a 0-3",
+                            "-H -a0-3",
+                            "--",
+                            "--=x"})
+    EXPECT_TRUE(refuses(other)) << other;
+  for (const char* other : {"--qos=low", "--ntasks-per-node=1", "--wait-all-nodes=1", "--exclusive",
+                            "-qlow", "-H", "-wnode1", "--mem=4G", "--comment=a --wrap b"})
+    EXPECT_FALSE(refuses(other)) << other;
+  const JobOptions words{.others = {"--export=NONE --wrap=x"}};
+  EXPECT_THAT(jobScript(plan, planFiles("/out", plan.work), {1}, words, true),
+              HasSubstr("#SBATCH --export=\"NONE --wrap=x\"\n"));
+}
+
+TEST(JobScript, RefusesAnEmptyCommand) {
+  const fs::path folder = emptyFolder();
+  EXPECT_EQ(statusOf("", 0, folder), 2);
+  EXPECT_THAT(textIn(folder / "farm/render/ends/1"), ::testing::StartsWith("2 n7 "));
 }
 
 TEST(JobScript, IsTriedAgainByWhatTheClusterHas) {

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "farm/fake_slurm.h"
+#include "farm/plan_folder.h"
 
 namespace rotatebook::farm {
 namespace {
@@ -44,6 +45,50 @@ TEST(PlanFile, RefusesWhatIsNoPlan) {
   EXPECT_THROW(parsePlan(text, "f"), InputError);
 }
 
+/// Returns why a plan with `line` in the place of its first `key` line is refused.
+std::string refusalOf(const std::string& key, const std::string& line) {
+  std::string text = planText(example("/out"));
+  const std::size_t begin = text.find("\n" + key + ' ') + 1;
+  text.replace(begin, text.find('\n', begin) - begin, line);
+  try {
+    parsePlan(text, "plan.txt");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(PlanFile, BelievesNoNumbersThatNoPlanHas) {
+  for (const char* number : {"0", "-1", "1000001", "9000000000000000000", "9223372036854775807",
+                             "99999999999999999999", "1e3", "10 ", ""}) {
+    EXPECT_THAT(refusalOf("units", std::string("units ") + number), HasSubstr("from 1 to 1000000"));
+    EXPECT_THAT(refusalOf("parts", std::string("parts ") + number), HasSubstr("from 1 to 1000000"));
+  }
+  EXPECT_THAT(refusalOf("cores", "cores 1025"), HasSubstr("from 1 to 1024"));
+  EXPECT_THAT(refusalOf("parts", "parts 11"), HasSubstr("has 11 parts of 10 tiles"));
+  EXPECT_THAT(refusalOf("parts", "parts 10"), "");
+  EXPECT_THAT(refusalOf("units", "units 1000000"), "");
+}
+
+TEST(PlanFile, HasNoMoreTasksThanSubmitMakes) {
+  StoredPlan stored{planOfClips("/out", {"a", "b"})};
+  for (PlannedScene& scene : stored.plan.scenes) scene.units = scene.parts = 500'000;
+  EXPECT_EQ(countTasks(parsePlan(planText(stored), "f").plan), kMaxTasks);
+  stored.plan.scenes.push_back({.file = "/c.toml"});
+  EXPECT_THROW(planText(stored), InputError);
+  stored.plan = planOfClips("/out", std::vector<std::string>(101, "a"));
+  for (PlannedScene& scene : stored.plan.scenes) scene.units = 1'000'000;
+  EXPECT_THROW(planText(stored), InputError) << "more frames than memory";
+}
+
+TEST(PlanFile, IsNotReadIfItIsLongerThanAnyPlan) {
+  const fs::path folder = emptyFolder();
+  const PlanFiles files = planFiles(folder, Work::Map);
+  writeNewPlan(files, example(folder));
+  fs::resize_file(files.plan, std::uintmax_t{20} << 30);  // Sparse: it takes no room.
+  EXPECT_THROW(readPlan(files), InputError);
+}
+
 TEST(PlanFile, RefusesPathsOfSeveralLines) {
   StoredPlan stored = example("/out");
   stored.plan.folder = "/two\nlines";
@@ -68,13 +113,15 @@ TEST(PlanFile, ForgetsTheEndsOfAnEarlierPlan) {
   writeNewPlan(files, example(folder));
   std::ofstream(files.ends / "3") << "75 n2 14\n";
   std::ofstream(files.ends / "join") << "0 n1 1\n";
-  EXPECT_EQ(readEnd(files, 3)->status, 75);
-  EXPECT_EQ(readEnd(files, 3)->node, "n2");
-  EXPECT_EQ(readEnd(files, 3)->seconds, 14);
-  EXPECT_EQ(readEnd(files, 0)->status, 0);
-  EXPECT_FALSE(readEnd(files, 4));
+  std::ofstream(files.ends / "03") << "0 n1 1\n";
+  const auto ends = readEnds(files);
+  EXPECT_EQ(ends.size(), 2U);
+  EXPECT_EQ(ends.at(3).status, 75);
+  EXPECT_EQ(ends.at(3).node, "n2");
+  EXPECT_EQ(ends.at(3).seconds, 14);
+  EXPECT_EQ(ends.at(0).status, 0);
   writeNewPlan(files, example(folder));
-  EXPECT_FALSE(readEnd(files, 3));
+  EXPECT_TRUE(readEnds(files).empty());
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "farm/fake_slurm.h"
+#include "farm/plan_folder.h"
 #include "store/map_tiles.h"
 
 namespace rotatebook::farm {

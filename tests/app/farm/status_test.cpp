@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "farm/fake_slurm.h"
+#include "farm/plan_folder.h"
 
 namespace rotatebook::farm {
 namespace {

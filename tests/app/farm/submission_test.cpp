@@ -1,6 +1,7 @@
 #include "farm/submission.h"
 
 #include <filesystem>
+#include <fstream>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -147,6 +148,25 @@ TEST_F(Submissions, OnlyJoinWhatIsThere) {
   EXPECT_EQ(sent.array, "");
   EXPECT_EQ(sent.join, "101");
   EXPECT_THAT(slurm.calls(), ElementsAre("sbatch --parsable join.sh"));
+}
+
+TEST_F(Submissions, RepairTheirCommands) {
+  send();
+  const std::string tasks = textIn(files.tasks), join = textIn(files.join);
+  fs::remove(files.tasks);
+  std::ofstream(files.join) << "something else\n";
+  send();
+  EXPECT_EQ(textIn(files.tasks), tasks);
+  EXPECT_EQ(textIn(files.join), join);
+}
+
+TEST_F(Submissions, SendNoStudyAgainWhoseCommandIsRepaired) {
+  plan = planOfStudy(folder / "out");
+  files = planFiles(plan.folder, plan.work);
+  send();
+  for (const fs::path& output : plan.scenes[0].outputs) std::ofstream(output) << "x";
+  fs::remove(files.tasks);
+  EXPECT_TRUE(send().isWhole);
 }
 
 TEST_F(Submissions, SendNothingIfAllIsThere) {

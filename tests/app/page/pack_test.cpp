@@ -1,18 +1,13 @@
 #include "page/pack.h"
 
-#include <chrono>
 #include <filesystem>
-#include <memory>
 #include <string>
-#include <vector>
-#include <zip.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
 #include "page/made_folder.h"
-#include "page/page.h"
 #include "store/clip_record.h"
 #include "system/read_file.h"
 #include "video/clip_reader.h"
@@ -22,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
-using ::testing::ElementsAre;
 using testing::emptyFolder;
 using ::testing::HasSubstr;
 using testing::makeClip;
@@ -37,9 +31,8 @@ Figure packedFigure(const fs::path& folder) {
 fs::path packedFolder(int crf) {
   const fs::path folder = emptyFolder();
   const fs::path target = folder / "site";
-  fs::create_directories(target);
   makeClip(smallScene(), folder);
-  packFiles({packedFigure(folder)}, folder, target, crf);
+  writePack({packedFigure(folder)}, "the page", {folder, target, crf});
   return target;
 }
 
@@ -82,13 +75,12 @@ TEST(Pack, NamesOnlyFilesThatItLeaves) {
 
 TEST(Pack, CopiesWhatFiguresNameAndCodesTheirPictures) {
   const fs::path folder = emptyFolder();
-  fs::create_directories(folder / "site");
   testing::touch(folder / "a.plain.png");
   fs::copy_file(fs::path(ROTATEBOOK_SOURCE) / "docs" / "gallery.png", folder / "still.png");
   Figure figure;
   figure.files = {"a.plain.png"};
   figure.pictures = {"still.png"};
-  packFiles({figure}, folder, folder / "site", kPackCrf);
+  writePack({figure}, "the page", {folder, folder / "site"});
   EXPECT_TRUE(fs::exists(folder / "site" / "a.plain.png"));
   EXPECT_FALSE(fs::exists(folder / "site" / "still.png"));
   EXPECT_THAT(system::readFileOrEmpty(folder / "site" / "still.webp").substr(8, 4), "WEBP");
@@ -97,49 +89,11 @@ TEST(Pack, CopiesWhatFiguresNameAndCodesTheirPictures) {
 TEST(Pack, RefusesADamagedClip) {
   const fs::path folder = emptyFolder();
   const fs::path target = folder / "site";
-  fs::create_directories(target);
   makeClip(smallScene(), folder);
   const Figure figure = packedFigure(folder);
   testing::touch(folder / "small.mp4");
-  EXPECT_THROW(packFiles({figure}, folder, target, kPackCrf), InputError);
+  EXPECT_THROW(writePack({figure}, "the page", {folder, target}), InputError);
   EXPECT_FALSE(fs::exists(target / "small.mp4"));
-}
-
-std::vector<std::string> namesIn(const fs::path& zip) {
-  const std::unique_ptr<zip_t, decltype([](zip_t* archive) { zip_discard(archive); })> archive(
-      zip_open(zip.c_str(), ZIP_RDONLY | ZIP_CHECKCONS, nullptr));
-  std::vector<std::string> names;
-  if (archive == nullptr) return names;
-  for (zip_int64_t i = 0; i < zip_get_num_entries(archive.get(), 0); ++i) {
-    names.emplace_back(zip_get_name(archive.get(), static_cast<zip_uint64_t>(i), 0));
-  }
-  return names;
-}
-
-TEST(Zip, HoldsTheFolderWhole) {
-  const fs::path folder = emptyFolder();
-  fs::create_directories(folder / "site");
-  system::writeFileAtomically(folder / "site" / "b.txt", "two, as they are");
-  system::writeFileAtomically(folder / "site" / "ä.txt", "one");
-  writeZip(folder / "site", folder / "a.zip");
-  EXPECT_THAT(namesIn(folder / "a.zip"), ElementsAre("b.txt", "ä.txt"));
-  EXPECT_THAT(system::readFileOrEmpty(folder / "a.zip"), HasSubstr("two, as they are"));
-}
-
-TEST(Zip, IsTheSameOfTheSameFiles) {
-  const fs::path folder = emptyFolder();
-  fs::create_directories(folder / "site");
-  const fs::path file = folder / "site" / "a.txt";
-  system::writeFileAtomically(file, "a");
-  writeZip(folder / "site", folder / "1.zip");
-  fs::last_write_time(file, fs::last_write_time(file) - std::chrono::hours(100));
-  writeZip(folder / "site", folder / "2.zip");
-  EXPECT_EQ(system::readFileOrEmpty(folder / "1.zip"), system::readFileOrEmpty(folder / "2.zip"));
-}
-
-TEST(Zip, SaysWhenItCantBeWritten) {
-  const fs::path folder = emptyFolder();
-  EXPECT_THROW(writeZip(folder, folder / "nowhere" / "a.zip"), MachineError);
 }
 
 }  // namespace

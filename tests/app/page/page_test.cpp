@@ -1,6 +1,9 @@
 #include "page/page.h"
 
+#include <regex>
+#include <set>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -48,7 +51,7 @@ TEST(Page, BeginsWithWhatThereIsToSeeAndItsFirstFigure) {
                      figureOf(FigureKind::Still, "still"), figureOf(FigureKind::Clip, "clip")});
   const std::size_t words = text.find("turns over, again and again. Nobody");
   const std::size_t lead = text.find("[first]");
-  const std::size_t overview = text.find("<h2 id=\"overview\">");
+  const std::size_t overview = text.find("<h2 id=\"page/overview\">");
   EXPECT_LT(words, lead);
   EXPECT_LT(lead, overview);
   EXPECT_LT(overview, text.find("[still]"));
@@ -62,14 +65,57 @@ TEST(Page, BeginsWithWhatThereIsToSeeAndItsFirstFigure) {
 TEST(Page, HasThePlaceOfTheLiveBookOnlyWithOne) {
   const Figure figure = figureOf(FigureKind::Clip, "a");
   const std::string text = pageText("A", {figure}, "<canvas></canvas>{{");
-  EXPECT_LT(text.find("<div id=\"live\"><canvas></canvas>{{</div>"), text.find("[a]"));
-  EXPECT_THAT(pageText("A", {figure}), Not(HasSubstr("id=\"live\"")));
+  EXPECT_LT(text.find("<div class=\"live\"><canvas></canvas>{{</div>"), text.find("[a]"));
+  EXPECT_THAT(pageText("A", {figure}), Not(HasSubstr("class=\"live\"")));
 }
 
 TEST(Page, HasNoOverviewOfASingleFigure) {
   EXPECT_THAT(pageText("A", {figureOf(FigureKind::Clip, "a")}),
-              AllOf(HasSubstr("[a]"), Not(HasSubstr("id=\"overview\"")),
-                    Not(HasSubstr("#overview")), Not(HasSubstr("<nav"))));
+              AllOf(HasSubstr("[a]"), Not(HasSubstr("id=\"page/overview\"")),
+                    Not(HasSubstr("#page/overview")), Not(HasSubstr("<nav"))));
+}
+
+/// Returns the values of an attribute in `html`, without its entities.
+std::vector<std::string> valuesOf(const std::string& attribute, const std::string& html) {
+  const std::regex pattern(" " + attribute + "=\"([^\"]*)\"");
+  std::vector<std::string> values;
+  for (std::sregex_iterator at(html.begin(), html.end(), pattern), end; at != end; ++at)
+    values.push_back(std::regex_replace((*at)[1].str(), std::regex("&amp;"), "&"));
+  return values;
+}
+
+std::string percentDecoded(const std::string& text) {
+  std::string decoded;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool isCode = text[i] == '%';
+    decoded += isCode ? static_cast<char>(std::stoi(text.substr(i + 1, 2), nullptr, 16)) : text[i];
+    if (isCode) i += 2;
+  }
+  return decoded;
+}
+
+TEST(Page, HasOneElementOfEachIdAndLinksThatLand) {
+  const auto folder = testing::emptyFolder();
+  std::vector<Figure> figures;
+  for (const char* name : {"theme", "live", "overview", "figures", "a", "a-title", "a-caption",
+                           "a#b?c&d%41", "two words", "Ä"}) {
+    scene::Scene scene = testing::smallScene();
+    scene.name = name;
+    testing::makeClip(scene, folder);
+    figures.push_back(readFigure(scene, folder));
+  }
+  const std::string text = pageText("A", figures, "<p></p>");
+  const std::vector<std::string> all = valuesOf("id", text);
+  const std::set<std::string> ids(all.begin(), all.end());
+  EXPECT_EQ(ids.size(), all.size());
+  EXPECT_TRUE(ids.contains("a#b?c&d%41"));
+  for (const std::string& link : valuesOf("href", text)) {
+    if (!link.starts_with('#')) continue;
+    EXPECT_TRUE(ids.contains(percentDecoded(link.substr(1)))) << link;
+  }
+  for (const char* attribute : {"aria-labelledby", "aria-describedby"}) {
+    for (const std::string& id : valuesOf(attribute, text)) EXPECT_TRUE(ids.contains(id)) << id;
+  }
 }
 
 TEST(Page, NeedsNoOtherScriptsNorStyles) {

@@ -148,7 +148,20 @@ TEST_F(MakeMap, MakesDamagedTilesAgain) {
   damaged.seekp(-1, std::ios::end);
   damaged << '\x7f';
   damaged.close();
-  EXPECT_EQ(make(mapScene(), resuming()).found, 6U);
+  // Of zeros, cut off and empty, as a power cut leaves tiles
+  const auto size = fs::file_size(files().tiles / "tile_6");
+  std::ofstream(files().tiles / "tile_6") << std::string(size, '\0');
+  fs::resize_file(files().tiles / "tile_7", 9);
+  fs::resize_file(files().tiles / "tile_1", 0);
+  EXPECT_EQ(make(mapScene(), resuming()).found, 3U);
+  EXPECT_EQ(bytesAfter(mapScene(), resuming()), whole);
+}
+
+TEST_F(MakeMap, GoesOnWhereItWasKilledWhileItWroteItsFiles) {
+  const auto whole = bytesAfter(mapScene(), {});
+  make(mapScene());
+  std::ofstream(files().npy) << whole.at("small.npy");
+  EXPECT_EQ(make(mapScene(), resuming()).found, 8U);
   EXPECT_EQ(bytesAfter(mapScene(), resuming()), whole);
 }
 

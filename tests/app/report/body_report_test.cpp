@@ -65,7 +65,8 @@ TEST(BodyReport, HasTheSameAsJson) {
             R"("inertia_kgm2": [[4, 0, 0], [0, 2, 0], [0, 0, 3]], )"
             R"("principal_moments_kgm2": [2, 3, 4], )"
             R"("principal_axes": [[0, 1, 0], [0, 0, 1], [1, 0, 0]], )"
-            R"("triangles": 12, "shells": 1, "crossing": null, "closed": true})"
+            R"("triangles": 12, "shells": 1, "crossing": null, "overlap": null, "notes": [], )"
+            R"("closed": true})"
             "\n");
   numbers.surface.reset();
   EXPECT_THAT(printed(reportBodiesAsJson, numbers),
@@ -78,6 +79,18 @@ TEST(BodyReport, NamesTrianglesThatCross) {
   EXPECT_THAT(printed(reportBodies, numbers),
               HasSubstr("one closed surface\n  note: triangles 5 and 12 cross each other"));
   EXPECT_THAT(printed(reportBodiesAsJson, numbers), HasSubstr(R"("crossing": [5, 12], )"));
+}
+
+TEST(BodyReport, HasItsNotes) {
+  BodyNumbers numbers = body();
+  numbers.surface->overlap = {4, 11};
+  numbers.surface->notes = {"a", "\"b\""};
+  EXPECT_THAT(printed(reportBodies, numbers),
+              HasSubstr("one closed surface\n  note: a\n  note: \"b\"\n"
+                        "  note: triangles 5 and 12 meet at an edge around which something is "
+                        "enclosed twice"));
+  EXPECT_THAT(printed(reportBodiesAsJson, numbers),
+              HasSubstr(R"("overlap": [5, 12], "notes": ["a", "\"b\""], )"));
 }
 
 TEST(BodyReport, HasABodyForEachPanel) {

@@ -4,14 +4,17 @@
 #include <fstream>
 #include <string>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/error.h"
 #include "system/atomic_file.h"
 
 namespace rotatebook::store {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::HasSubstr;
 
 fs::path emptyTileFolder() {
   const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
@@ -49,6 +52,51 @@ TEST(MapTiles, AreNotReadIfTheyAreDamaged) {
   file << '5';
   file.close();
   EXPECT_EQ(tiles.read(0, 4), std::nullopt);
+}
+
+// A power cut leaves a file of zeros, an empty one or a part of one.
+TEST(MapTiles, ThatAPowerCutLeftAreMadeAgain) {
+  const fs::path folder = emptyTileFolder();
+  const MapTiles tiles(folder, "abc");
+  for (const std::string& left : {std::string(40, '\0'), std::string(), std::string("ab"),
+                                  std::string("abc"), std::string("ab\0\0\n", 5)}) {
+    system::writeFileAtomically(folder / "tile_3", left);
+    EXPECT_EQ(tiles.count().other, 0U);
+    EXPECT_EQ(tiles.count().same, 0U);
+    EXPECT_FALSE(tiles.contains(3));
+    EXPECT_FALSE(tiles.read(3, 4));
+    tiles.write(3, "1234");
+    EXPECT_EQ(tiles.read(3, 4), "1234");
+  }
+}
+
+TEST(MapTiles, AreNoLinksAndNoFolders) {
+  const fs::path folder = emptyTileFolder();
+  const MapTiles tiles(folder, "abc");
+  const auto problem = [&] {
+    try {
+      tiles.count();
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  fs::create_directory(folder / "tile_1");
+  EXPECT_THAT(problem(), HasSubstr("tile_1 is a link, a folder or a device, and no tile"));
+  EXPECT_THROW(tiles.remove(), InputError);
+  fs::remove(folder / "tile_1");
+  system::writeFileAtomically(folder / "mine", "abc\n");
+  fs::create_symlink("mine", folder / "tile_1");
+  EXPECT_THAT(problem(), HasSubstr("tile_1 is a link"));
+  EXPECT_FALSE(tiles.contains(1));
+  fs::remove(folder / "tile_1");
+  system::writeFileAtomically(folder / "tile_1", "\x89PNG\r\n");
+  EXPECT_EQ(tiles.count().other, 1U) << "no tile of a power cut";
+  fs::remove(folder / "tile_1");
+  system::writeFileAtomically(folder / "tile_notes", "mine");
+  EXPECT_EQ(problem(), "");
+  tiles.remove();
+  EXPECT_TRUE(fs::exists(folder / "tile_notes"));
 }
 
 TEST(MapTiles, LeaveOtherFilesAlone) {

@@ -45,7 +45,7 @@ class ForgedClips {
     for (std::int64_t frame = 0; frame < motion.frameCount(); ++frame) {
       pictures_.push_back(drawer.makePicture());
       drawer.draw(frame, pictures_.back());
-      drawn_.push_back(video::planesOf(pictures_.back().view(), false));
+      drawn_.push_back(video::planesToEncode(pictures_.back().view(), false));
     }
   }
 

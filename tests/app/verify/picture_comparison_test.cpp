@@ -36,7 +36,7 @@ TEST(PictureComparison, KnowsAPictureOfTheNextFrameThatIsFarFromBoth) {
   const auto planesAt = [&](std::int64_t frame) {
     image::Image picture = drawer.makePicture();
     drawer.draw(frame, picture);
-    return video::planesOf(picture.view(), false);
+    return video::planesToEncode(picture.view(), false);
   };
   const video::Planes said = planesAt(5), next = planesAt(6);
   const auto closerTo = [&](float shareOfNext) {
@@ -75,7 +75,7 @@ TEST(PictureComparison, BoundsACoarsePictureByTheCoarsestProof) {
   picture::FrameDrawer drawer(scene, motion);
   image::Image picture = drawer.makePicture();
   drawer.draw(5, picture);
-  const video::Planes planes = video::planesOf(picture.view(), false);
+  const video::Planes planes = video::planesToEncode(picture.view(), false);
   const auto boundAt = [&](std::optional<double> quantiser) {
     return PictureComparison(scene, drawer, kFrames).compare(5, planes, quantiser).bound.rms;
   };
@@ -91,7 +91,7 @@ TEST(PictureComparison, BoundsAFinePictureOfCoarseQuantisersByItsNoise) {
   picture::FrameDrawer drawer(scene, motion);
   image::Image picture = drawer.makePicture();
   drawer.draw(5, picture);
-  const video::Planes drawn = video::planesOf(picture.view(), false);
+  const video::Planes drawn = video::planesToEncode(picture.view(), false);
   const auto boundAt = [&](float noise, double quantiser) {
     video::Planes noisy = drawn;
     for (std::size_t i = 0; i < noisy.y.size(); ++i) noisy.y[i] += i % 2 == 0 ? noise : -noise;

@@ -30,7 +30,6 @@ TEST(StreamChecks, KnowTheColoursAndTheCodec) {
                          .pixelShape = "1:1",
                          .containerShape = "1:1",
                          .display = "as stored",
-                         .crop = "none",
                          .duration = 0.5};
   const auto failed = [&](const video::ClipFacts& changed) {
     std::vector<std::string> names;
@@ -63,7 +62,7 @@ TEST(StreamChecks, KnowTheColoursAndTheCodec) {
     EXPECT_THAT(failed(changed), ElementsAre("codec"));
   }
   for (std::string video::ClipFacts::*field :
-       {&video::ClipFacts::crop, &video::ClipFacts::title, &video::ClipFacts::display}) {
+       {&video::ClipFacts::title, &video::ClipFacts::display}) {
     video::ClipFacts changed = facts;
     changed.*field = "another";
     EXPECT_EQ(failed(changed).size(), 1U);
@@ -151,19 +150,17 @@ TEST(StreamChecks, MeasureTimesAgainstTheRate) {
   EXPECT_THAT(passed({0, 1 / 24.0}), ElementsAre(false, true, true));
 }
 
-TEST(StreamChecks, MeasureTheSpeedOfAnMp4) {
-  const auto passes = [](const video::Mp4Header& header) {
-    const video::ClipFacts facts{.format = VideoFormat::Mp4, .duration = 0.5, .mp4 = header};
-    const ClipCheck last = TimeCheck(facts, {24, 1}, 12).checks().back();
-    EXPECT_EQ(last.what, "speed");
-    return last.passed;
+TEST(StreamChecks, NameWhatRotatebookWritesOtherwise) {
+  const auto failed = [](const video::FormDifferences& found) {
+    std::vector<std::string> texts;
+    for (const ClipCheck& check : checkForm(found)) {
+      if (!check.passed) texts.push_back(check.what + ": " + check.measured);
+    }
+    return texts;
   };
-  EXPECT_TRUE(passes({64, 36, 1, {{0.5, 1}}}));
-  EXPECT_TRUE(passes({64, 36, 1, {}}));
-  EXPECT_FALSE(passes({64, 36, 2, {{0.5, 1}}}));
-  EXPECT_FALSE(passes({64, 36, 1, {{0.5, 2}}}));
-  EXPECT_FALSE(passes({64, 36, 1, {{0.25, 1}}}));
-  EXPECT_FALSE(passes({64, 36, 1, {{0.25, 1}, {0.25, 1}}}));
+  EXPECT_THAT(failed({}), IsEmpty());
+  EXPECT_THAT(failed({"moov differs", "a message"}),
+              ElementsAre("layout: moov differs", "coding: a message"));
 }
 
 }  // namespace

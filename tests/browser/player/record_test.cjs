@@ -65,6 +65,21 @@ test("a record that isn't UTF-8 is damaged", async () => {
   await refused(mp4(Buffer.from([0xff, 0xfe, 0xff])), /another program/);
 });
 
+test("a clip with two records is refused, whichever a player takes", async () => {
+  const kOther = kText.replace("schönes", "anderes"), twice = /^The clip’s record is damaged: it is there twice\.$/;
+  const item = (text) => box("\u00a9cmt", box("data", u32(1), u32(0), text));
+  const listed = (...items) => bytes(kHead, box("moov", box("udta", box("meta", u32(0), box("ilst", ...items)))), box("mdat", "..."));
+  assert.equal((await read(listed(item(kText)))).text, kText);
+  await refused(listed(item(kText), item(kOther)), twice);
+  await refused(listed(box("\u00a9cmt", box("data", u32(1), u32(0), kText), box("data", u32(1), u32(0), kOther))), twice);
+  await refused(bytes(mp4(kText), comment(kOther)), twice);
+  await refused(webm(tags(kText), tags(kOther)), twice);
+  await refused(webm(element("1254c367", element("7373", simpleTag(kText, "COMMENT"), simpleTag(kOther, "Comment")))), twice);
+  await refused(webm(element("1254c367", element("7373", element("67c8", element("45a3", "COMMENT"), element("4487", kText),
+    element("4487", kOther))))), twice);
+  assert.equal((await read(webm(tags(kText), tags("x", "ENCODER"), element(kCluster, kBlock)))).text, kText);
+});
+
 test("a clip that ends anywhere is refused", async () => {
   const cut = element("18538067", tags(kText)).subarray(0, 5);
   await refused(bytes(element("1a45dfa3", "webm"), cut), /cut off/);

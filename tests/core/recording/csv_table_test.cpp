@@ -11,6 +11,7 @@ namespace rotatebook::recording {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 
 std::string tableRefusal(const std::string& text) {
   return refusalOf([&] { CsvTable(text, "t.csv"); });
@@ -44,6 +45,40 @@ TEST(CsvTable, NamesTheLineOfWhatItRefuses) {
   EXPECT_EQ(tableRefusal(std::string(3 * kMaxColumns, ',') + "\n"), "t.csv: more than 256 columns");
   EXPECT_EQ(tableRefusal(std::string(kLargestRecording + 1, ' ')),
             "t.csv: longer than 16 MiB, the limit for a recording; export a part of it");
+}
+
+TEST(CsvTable, FindsItsHeader) {
+  for (const char* const text :
+       {"sep=,\na,b\n1,2.5\n", "\"sep=;\"\na;b\n1;2.5\n", "# made\n# a,b\n1,2.5\n",
+        "#a b\n1  2.5\n", "a b\n 1\t2.5 \n", "a,b,\n1,2.5,\n", "a,b\n1,2.5,\n", "a,b,,\n1,2.5\n",
+        "a,b\n# in s, in m\n1,2.5\n"}) {
+    const CsvTable table(text, "t.csv");
+    EXPECT_EQ(table.at(0, 0), 1) << text;
+    EXPECT_EQ(table.at(0, 1), 2.5) << text;
+    EXPECT_EQ(table.rows(), 1U) << text;
+  }
+  const CsvTable table("sep=,\nDeviceTag:,Xsens DOT 1\n\na,b,c\n1,2.5,3\n", "t.csv");
+  EXPECT_THAT(table.header(), ElementsAre("a", "b", "c"));
+  EXPECT_EQ(refusalOf([&] { table.failAt(0, "x"); }), "t.csv:5: x");
+  EXPECT_THAT(CsvTable("t;x (\xB0/s)\n0;1\n", "t.csv").header(),
+              ElementsAre("t", "x (\xC2\xB0/s)"));
+  EXPECT_EQ(tableRefusal("2.9 18.5 7.6\n3.0 18.4 7.5\n"),
+            "t.csv:1: a row of numbers, but no line above it names its columns; add one, such as "
+            "\"time_s,wx,wy,wz\"");
+}
+
+TEST(CsvTable, SaysWhatIsNoText) {
+  EXPECT_THAT(tableRefusal("\xD0\xCF\x11\xE0..."), HasSubstr("a workbook (.xls)"));
+  EXPECT_THAT(tableRefusal("PK\x03\x04..."), HasSubstr("a ZIP archive"));
+  EXPECT_EQ(tableRefusal("\xFF\xFE" + std::string("a\0,\0", 4)),
+            "t.csv: its text is in UTF-16; save it as UTF-8 (\"CSV UTF-8\")");
+  EXPECT_THAT(tableRefusal(std::string("a\0,\0b\0", 6)), HasSubstr("UTF-16"));
+}
+
+TEST(CsvTable, KnowsHoles) {
+  const CsvTable table("a,b,c,d,e\n1,,NaN,null,x\n", "t.csv");
+  for (std::size_t column = 0; column < 5; ++column)
+    EXPECT_EQ(table.isHole(0, column), column >= 1 && column <= 3) << column;
 }
 
 TEST(CsvTable, RefusesCellsThatAreNoNumbers) {

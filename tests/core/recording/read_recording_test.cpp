@@ -43,7 +43,7 @@ TEST(ReadRecording, IntegratesExportsOfPhyphox) {
 }
 
 TEST(ReadRecording, TakesTheUnitOfRatesFromTheHeaderOrTheOptions) {
-  const std::string rows = "\n0,0,0,90\n1,0,0,90\n";
+  const std::string rows = "\n0,0,0,90\n.01,0,0,90\n";
   const double rate = 90 * kDegree;
   EXPECT_EQ(startOf(motionOf("t,wx (deg/s),wy (deg/s),wz (deg/s)" + rows)).z(), rate);
   EXPECT_EQ(startOf(motionOf("t,gyrX (\xC2\xB0/s),gyrY (\xC2\xB0/s),gyrZ (\xC2\xB0/s)" + rows)).z(),
@@ -72,11 +72,11 @@ TEST(ReadRecording, TakesTheUnitOfTimesFromTheHeader) {
   EXPECT_EQ(
       refusal("t (min)" + rates),
       "m.csv: the column \"t (min)\" has times in a unit that isn't read; there are s, ms, us "
-      "and ns");
+      "and ns: state one in simulation.time_unit, or with --time-unit");
 }
 
 TEST(ReadRecording, TakesNamedColumns) {
-  const std::string text = "a,b,c,d\n0,1,2,3\n1,1,2,3\n";
+  const std::string text = "a,b,c,d\n0,1,2,3\n.1,1,2,3\n";
   const ReadOptions options{.columns = {{"time", "a"}, {"wx", "d"}, {"wy", "b"}, {"wz", "c"}},
                             .unit = "rad/s"};
   EXPECT_EQ(startOf(motionOf(text, options)), Eigen::Vector3d(3, 1, 2));
@@ -129,7 +129,7 @@ TEST(ReadRecording, TakesAPart) {
 }
 
 TEST(ReadRecording, NamesTheLineOfWhatItRefuses) {
-  const std::string rates = "t,wx (rad/s),wy (rad/s),wz (rad/s)\n";
+  const std::string rates = "t (s),wx (rad/s),wy (rad/s),wz (rad/s)\n";
   EXPECT_EQ(refusal(rates + "1,0,0,1\n1,0,0,1\n"),
             "m.csv:3: the time 1 s isn't after that of the row before");
   EXPECT_EQ(refusal(rates + "1,0,0,1\n"), "m.csv: a single row; a motion takes at least two");

@@ -81,6 +81,19 @@ std::string refusalOf(const std::string& words) {
   return "no error";
 }
 
+TEST(Words, HaveADecimalMarkThatLeavesNumbersWhatTheyAre) {
+  for (const char* mark : {".", ",", "·", "٫"}) {
+    const std::string words = std::string("{ decimal_mark = '") + mark + "' }";
+    EXPECT_EQ(sceneWithWords(words).overlay.words.decimalMark, mark);
+  }
+  for (const char* mark : {"", "5", "-", "+", "e", " ", "1.", "..", ", ", "x", "٣", "−", "½"}) {
+    EXPECT_THAT(refusalOf(std::string("{ decimal_mark = '") + mark + "' }"),
+                HasSubstr("decimal_mark must be \".\", \",\", \"·\", \"٫\", not \"" +
+                          std::string(mark) + "\""))
+        << mark;
+  }
+}
+
 TEST(Words, ThatAreUnknownAreRefused) {
   EXPECT_THAT(refusalOf("{ 'Half-turn' = 'Demi-tours' }"),
               HasSubstr("did you mean \"Half-turns\""));

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -99,6 +100,14 @@ TEST(ShippedCaptions, SayTheExactTimeFromFlipToFlip) {
   EXPECT_NEAR(flipIntervalOf("figures/figa-exact"), 3, 0.05);      // measured 2.971
   EXPECT_NEAR(flipIntervalOf("comparisons/axes", 1), 4.4, 0.05);   // measured 4.385
   EXPECT_NEAR(flipIntervalOf("comparisons/engines"), 2.97, 0.01);  // measured 2.971
+}
+
+TEST(ShippedCaptions, SayTheDaysOfToutatis) {
+  constexpr double kDay = 86400;  // [s]
+  const SpinPeriod period = *spinOf(scene::shippedScene("bodies/toutatis").motion()).period;
+  EXPECT_NEAR(period.time / kDay, 5.4, 0.1);  // measured 5.35
+  const double aboutL = 2 * std::numbers::pi / (period.axisTurn / period.time);
+  EXPECT_NEAR(aboutL / kDay, 7.5, 0.1);  // measured 7.49
 }
 
 }  // namespace

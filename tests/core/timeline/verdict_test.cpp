@@ -66,8 +66,10 @@ TEST(Verdict, TellsTheShippedEnginesApart) {
 }
 
 TEST(Verdict, HasASentenceForEachKind) {
+  Verdict verdict;
   for (int i = 0; i <= static_cast<int>(Errs::Inconsistently); ++i) {
-    EXPECT_FALSE(methodThat(static_cast<Errs>(i)).empty()) << i;
+    verdict.errs = static_cast<Errs>(i);
+    EXPECT_FALSE(methodThat(verdict).empty()) << i;
   }
 }
 

@@ -1,5 +1,7 @@
 #include "video/forged_stream.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <utility>
 
@@ -40,6 +42,56 @@ Filter openFilter(const std::string& text, const AVCodecContext& encoder) {
 }
 
 }  // namespace
+
+std::string forgedParameters(const std::string& x264Params, const std::string& filterText) {
+  const Encoder encoder = openEncoder(smallSettings(), x264Params);
+  const Filter filter = openFilter(filterText, encoder.context());
+  const AVCodecParameters& codec = *filter->par_out;
+  const std::string bytes(reinterpret_cast<const char*>(codec.extradata),
+                          static_cast<std::size_t>(codec.extradata_size));
+  const std::string start("\0\0\0\1", 4);
+  const std::size_t second = bytes.find(start, start.size());
+  const std::string sequence = bytes.substr(start.size(), second - start.size());
+  const std::string picture = bytes.substr(second + start.size());
+  const auto sized = [](const std::string& unit) {
+    return std::string{static_cast<char>(unit.size() >> 8), static_cast<char>(unit.size() & 0xff)} +
+           unit;
+  };
+  return "\1" + sequence.substr(1, 3) + "\xff\xe1" + sized(sequence) + "\1" + sized(picture) +
+         std::string("\xfd\xf8\xf8\0", 4);
+}
+
+void writeChangedStream(const std::filesystem::path& path, VideoFormat format,
+                        const std::function<void(std::string& packet, int index)>& change) {
+  constexpr int kPictures = 5;
+  VideoSettings settings = smallSettings();
+  settings.comment = "# a record";
+  Stages stages = makeStages(format, settings);
+  Muxer muxer(path, format, stages, settings);
+  PixelConverter converter(settings.width, settings.height);
+  const Handle<AVPacket> changed = owned(av_packet_alloc());
+  int index = 0;
+  const auto drain = [&] {
+    while (AVPacket* packet = stages.encoder.receive()) {
+      std::string bytes(reinterpret_cast<const char*>(packet->data),
+                        static_cast<std::size_t>(packet->size));
+      change(bytes, index++);
+      check(av_new_packet(changed.get(), static_cast<int>(bytes.size())), "no memory");
+      std::copy(bytes.begin(), bytes.end(), changed->data);
+      check(av_packet_copy_props(changed.get(), packet), "no memory");
+      muxer.write(*changed);
+    }
+  };
+  for (int n = 0; n < kPictures; ++n) {
+    AVFrame& frame = converter.convert(barPicture(n).view());
+    frame.pts = n;
+    stages.encoder.send(&frame);
+    drain();
+  }
+  stages.encoder.send(nullptr);
+  drain();
+  muxer.finish();
+}
 
 void writeForgedStream(const std::filesystem::path& path, const std::string& x264Params,
                        const std::string& filterText, const std::string& laterFilter) {

@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "recording/columns.h"
+#include "recording/read_options.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
 #include "scene/sections.h"
@@ -42,8 +43,10 @@ std::string columnsText(const Columns& columns) {
   return "{ " + joinedOf(columns, text) + " }";
 }
 
-std::string rateUnitFrom(const ValueReader& value) {
-  return std::string(recording::kRateUnits[value.choice(recording::kRateUnits)]);
+/// Reads one of a few words.
+template <const auto& kWords>
+std::string wordFrom(const ValueReader& value) {
+  return std::string(kWords[value.choice(kWords)]);
 }
 
 /// Texts of which an empty one isn't printed.
@@ -76,8 +79,17 @@ const Keys<SimulationSettings>& recordedKeys() {
                   {.meaning = "recorded: the names of columns without a usual one",
                    .byDefault = "[usual names](recorded.md#columns)"}),
       recordedKey(
-          "rates", &RecordedFile::rates, optionalText(rateUnitFrom, "\"rad/s\" or \"deg/s\""),
+          "time_unit", &RecordedFile::timeUnit,
+          optionalText(wordFrom<recording::kTimeUnits>, "\"s\", \"ms\", \"us\" or \"ns\""),
+          {.meaning = "recorded: the unit of the file's times", .byDefault = "the header's"}),
+      recordedKey(
+          "rates", &RecordedFile::rates,
+          optionalText(wordFrom<recording::kRateUnits>, "\"rad/s\" or \"deg/s\""),
           {.meaning = "recorded: the unit of a gyroscope's rates", .byDefault = "the header's"}),
+      recordedKey("rates_along", &RecordedFile::ratesAlong,
+                  optionalText(wordFrom<recording::kRateAxes>, "\"world\" or \"body\""),
+                  {.meaning = "recorded: whose axes the rates beside attitudes are along",
+                   .byDefault = "`\"body\"` for a gyroscope's columns, `\"world\"` for others"}),
       recordedKey("from", &RecordedFile::from, number(kFileTimes),
                   {.meaning = "recorded: where the motion starts, of the file's times",
                    .byDefault = "the first row"}),

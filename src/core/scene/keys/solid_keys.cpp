@@ -140,7 +140,7 @@ const BodyPart* shapeOf(const Solid& solid) {
   return solid.isShape && solid.parts.size() == 1 ? &solid.parts.front() : nullptr;
 }
 
-std::shared_ptr<const body::TriangleMesh> surfaceFrom(const ValueReader& value) {
+std::shared_ptr<const body::ClosedMesh> surfaceFrom(const ValueReader& value) {
   using Attached = std::shared_ptr<const document::Attachment>;
   const auto* attached = std::get_if<Attached>(&value.node().value);
   const auto* file = attached ? dynamic_cast<const AttachedMesh*>(attached->get()) : nullptr;

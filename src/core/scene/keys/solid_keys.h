@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "body/triangle_mesh.h"
+#include "body/closed_mesh.h"
 #include "document/toml_tree.h"
 #include "scene/keys/key.h"
 #include "scene/solid.h"
@@ -14,10 +14,10 @@ namespace rotatebook::scene {
 
 /// The surface of a mesh's file, in the table that includeMeshes() makes of its name.
 struct AttachedMesh : document::Attachment {
-  explicit AttachedMesh(body::TriangleMesh made)
-      : mesh(std::make_shared<const body::TriangleMesh>(std::move(made))) {}
+  explicit AttachedMesh(body::ClosedMesh made)
+      : mesh(std::make_shared<const body::ClosedMesh>(std::move(made))) {}
 
-  std::shared_ptr<const body::TriangleMesh> mesh;
+  std::shared_ptr<const body::ClosedMesh> mesh;
 };
 
 /// The keys, but for the mass, which the book has, too. `shape` and `dimensions` are read together,

@@ -35,7 +35,7 @@ describe("the look", () => {
     await close();
     const night = await open({colorScheme: "dark"});
     assert.equal(await ground(night.page), dark);
-    assert.equal(await night.page.locator("#theme").innerText(), "Switch to light");
+    assert.equal(await night.page.locator(".theme").innerText(), "Switch to light");
     await night.page.emulateMedia({colorScheme: "light"});
     assert.equal(await ground(night.page), light);
     // The system's choice is an event, which comes in its own time.
@@ -47,7 +47,7 @@ describe("the look", () => {
     const grounds = [];
     for (const colorScheme of ["light", "dark"]) {
       const {page, close} = await open({colorScheme, javaScriptEnabled: false});
-      assert.ok(await page.locator("#theme").isHidden());
+      assert.ok(await page.locator(".theme").isHidden());
       grounds.push((await page.locator("body").screenshot({clip: {x: 0, y: 0, width: 8, height: 8}})).toString("base64"));
       await close();
     }
@@ -59,7 +59,7 @@ describe("the look", () => {
     const clip = await openClip(page, "turns");
     const canvas = clip.locator("canvas").first();
     const before = await canvas.evaluate((element) => element.toDataURL());
-    await page.locator("#theme").click();
+    await page.locator(".theme").click();
     await page.waitForFunction((old) => document.querySelector("#turns canvas").toDataURL() !== old, before);
     await close();
   });

@@ -64,7 +64,7 @@ describe("the page", () => {
     const boxOf = (selector) => page.locator(selector).first().boundingBox();
     const words = await page.locator(".intro").innerText();
     assert.equal(words.match(/[.](\s|$)/g).length, 2, words);
-    const [intro, video, controls, overview] = await Promise.all([".intro", ".lead #turns video", "#turns .controls", "#overview"].map(boxOf));
+    const [intro, video, controls, overview] = await Promise.all([".intro", ".lead #turns video", "#turns .controls", "[id='page/overview']"].map(boxOf));
     assert.ok(intro.y + intro.height < video.y && video.y < overview.y);
     assert.ok(video.width > 900, `${video.width} pixels wide`);  // measured 1031
     assert.ok(controls.y + controls.height <= 900, `controls down to ${controls.y + controls.height}`);  // measured 858

@@ -117,7 +117,7 @@ describe("the live book's place", () => {
       assert.match(scene, text);
       assert.match(String(motion), checksum);
     }
-    assert.ok(await page.locator("#live").isVisible());
+    assert.ok(await page.locator(".live").isVisible());
     await close();
   });
 
@@ -132,7 +132,7 @@ describe("the live book's place", () => {
     });
     assert.ok(await button.isEnabled());
     await page.evaluate(() => {
-      document.getElementById("live").innerHTML = '<section class="rb-live" data-ready="false"></section>';
+      document.querySelector(".live").innerHTML = '<section class="rb-live" data-ready="false"></section>';
       document.dispatchEvent(new Event("rotatebook-live"));
     });
     assert.ok(await toy.isHidden());
@@ -141,7 +141,7 @@ describe("the live book's place", () => {
 
   test("has no buttons without it", async () => {
     const {page, close} = await open();
-    assert.equal(await page.locator("#live").count(), 0);
+    assert.equal(await page.locator(".live").count(), 0);
     assert.equal(await page.locator(".toy:visible").count(), 0);
     await close();
   });

@@ -1,0 +1,246 @@
+#include "cli/recording_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
+#include <zip.h>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "recording/csv_table.h"
+#include "system/read_file.h"
+
+namespace rotatebook::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostEntries = 1000;  // of an archive or folder
+constexpr std::size_t kMostTables = 64;
+constexpr std::uint64_t kMostBytes = 64 << 20;  // of all tables
+
+using Archive = std::unique_ptr<zip_t, decltype([](zip_t* archive) { zip_discard(archive); })>;
+using ArchivedFile = std::unique_ptr<zip_file_t, decltype([](zip_file_t* f) { zip_fclose(f); })>;
+
+/// A table that may be read.
+struct Entry {
+  std::string name;  // within the archive or folder
+  std::uint64_t size = 0;
+  std::function<std::string()> read;
+};
+
+std::string bytesAt(const std::string& path) {
+  try {
+    return system::readFile(path, recording::kLargestRecording);
+  } catch (const InputError& error) {
+    throw InputError(path + ": can't be read: " + error.what());
+  }
+}
+
+std::string smallLetters(std::string text) {
+  for (char& letter : text) {
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  }
+  return text;
+}
+
+/// Returns whether a file of that name may be a table of readings.
+bool isTable(const fs::path& name) {
+  for (const fs::path& part : name) {
+    if (part.string().starts_with('.') || part == "meta" || part == "__MACOSX") return false;
+  }
+  const std::string ending = smallLetters(name.extension().string());
+  return ending == ".csv" || ending == ".tsv" || ending == ".txt";
+}
+
+void requireFewEntries(const std::string& path, std::size_t count) {
+  if (count <= kMostEntries) return;
+  throw InputError(path + ": more than " + std::to_string(kMostEntries) +
+                   " entries; name the recording's tables themselves");
+}
+
+/// Reads the tables, unless there are too many or they are too large.
+std::vector<TableFile> readAll(const std::string& path, const std::vector<Entry>& entries) {
+  std::uint64_t total = 0;
+  for (const Entry& entry : entries) {
+    if (entry.size > recording::kLargestRecording) {
+      throw InputError(path + "/" + entry.name + ": longer than " +
+                       std::to_string(recording::kLargestRecording >> 20) +
+                       " MiB, the limit for a recording; export a part of it");
+    }
+    total += entry.size;
+  }
+  if (entries.size() > kMostTables || total > kMostBytes) {
+    throw InputError(path + ": more than " + std::to_string(kMostTables) + " tables or " +
+                     std::to_string(kMostBytes >> 20) + " MiB of them; name the gyroscope's table");
+  }
+  std::vector<TableFile> tables;
+  for (const Entry& entry : entries) tables.push_back({path + "/" + entry.name, entry.read()});
+  return tables;
+}
+
+[[noreturn]] void failArchive(const std::string& path, const std::string& cause) {
+  throw InputError(path + ": can't be read as a ZIP archive: " + cause);
+}
+
+std::string readArchived(zip_t* archive, zip_uint64_t index, std::uint64_t size,
+                         const std::string& path) {
+  const ArchivedFile file(zip_fopen_index(archive, index, 0));
+  if (file == nullptr) failArchive(path, zip_strerror(archive));
+  // One byte more than there ought to be, so that the end is reached and the checksum compared.
+  std::string bytes(size + 1, '\0');
+  std::uint64_t count = 0;
+  while (count < bytes.size()) {
+    const zip_int64_t got = zip_fread(file.get(), bytes.data() + count, bytes.size() - count);
+    if (got < 0) failArchive(path, zip_file_strerror(file.get()));
+    if (got == 0) break;
+    count += static_cast<std::uint64_t>(got);
+  }
+  if (count != size) failArchive(path, "an entry isn't as long as it says");
+  bytes.resize(size);
+  return bytes;
+}
+
+Archive openArchive(const std::string& bytes, const std::string& path) {
+  zip_error_t error;
+  zip_error_init(&error);
+  zip_source_t* const source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
+  zip_t* const archive =
+      source == nullptr ? nullptr : zip_open_from_source(source, ZIP_RDONLY, &error);
+  if (archive == nullptr) {
+    zip_source_free(source);
+    const std::string cause = zip_error_strerror(&error);
+    zip_error_fini(&error);
+    failArchive(path, cause);
+  }
+  zip_error_fini(&error);
+  return Archive(archive);
+}
+
+std::vector<TableFile> tablesInArchive(const std::string& bytes, const std::string& path) {
+  const Archive archive = openArchive(bytes, path);
+  const zip_int64_t count = zip_get_num_entries(archive.get(), 0);
+  requireFewEntries(path, static_cast<std::size_t>(std::max<zip_int64_t>(count, 0)));
+  std::vector<Entry> entries;
+  for (zip_int64_t i = 0; i < count; ++i) {
+    const auto index = static_cast<zip_uint64_t>(i);
+    zip_stat_t about;
+    zip_stat_init(&about);
+    if (zip_stat_index(archive.get(), index, 0, &about) != 0)
+      failArchive(path, zip_strerror(archive.get()));
+    constexpr zip_uint64_t kNeeded = ZIP_STAT_NAME | ZIP_STAT_SIZE;
+    if ((about.valid & kNeeded) != kNeeded) continue;
+    if (std::string_view(about.name) == "[Content_Types].xml") {
+      throw InputError(path + ": a workbook (.xlsx), which isn't read; save it as CSV");
+    }
+    if (!isTable(about.name)) continue;
+    entries.push_back({about.name, about.size, [&archive, index, size = about.size, &path] {
+                         return readArchived(archive.get(), index, size, path);
+                       }});
+  }
+  return readAll(path, entries);
+}
+
+std::vector<TableFile> tablesInFolder(const fs::path& folder) {
+  std::vector<Entry> entries;
+  std::error_code error;
+  std::size_t count = 0;
+  for (fs::directory_iterator one(folder, error), end; !error && one != end; one.increment(error)) {
+    requireFewEntries(folder.string(), ++count);
+    if (!one->is_regular_file() || !isTable(one->path().filename())) continue;
+    entries.push_back({one->path().filename().string(), one->file_size(),
+                       [path = one->path().string()] { return bytesAt(path); }});
+  }
+  if (error) throw InputError(folder.string() + ": can't be read: " + error.message());
+  std::ranges::sort(entries, {}, &Entry::name);
+  return readAll(folder.string(), entries);
+}
+
+std::string namesOf(const std::vector<TableFile>& tables) {
+  std::vector<std::string> names;
+  for (const TableFile& table : tables)
+    names.push_back(quotedText(oneLine(fs::path(table.name).filename().string(), 40)));
+  return listed(names);
+}
+
+/// Takes the only one of `tables` that `isWanted`; nothing if none is. Of several, one whose name
+/// contains `preferred` is taken. Throws InputError, with the `remedy`, if it isn't the only one.
+template <typename IsWanted>
+std::optional<TableFile> takeOnly(const std::string& path, std::vector<TableFile>& tables,
+                                  const std::string& what, const std::string& preferred,
+                                  const IsWanted& isWanted) {
+  std::vector<TableFile> wanted;
+  for (const TableFile& table : tables) {
+    if (isWanted(table)) wanted.push_back(table);
+  }
+  const auto isPreferred = [&](const TableFile& table) {
+    return smallLetters(fs::path(table.name).filename().string()).find(preferred) !=
+           std::string::npos;
+  };
+  if (wanted.size() > 1 && std::ranges::count_if(wanted, isPreferred) == 1)
+    return *std::ranges::find_if(wanted, isPreferred);
+  if (wanted.size() > 1) {
+    throw InputError(path + ": " + namesOf(wanted) + " all have " + what +
+                     "; name the tables themselves, and the accelerometer's with --acceleration");
+  }
+  return wanted.empty() ? std::nullopt : std::optional(wanted.front());
+}
+
+/// Chooses a recording's tables by their columns.
+RecordingFiles chosenOf(const std::string& path, std::vector<TableFile> tables,
+                        const recording::ReadOptions& options) {
+  const auto contents = [&](const TableFile& table) {
+    return recording::contentsOf(table.table(), options);
+  };
+  RecordingFiles files;
+  auto motion = takeOnly(path, tables, "rates", "gyroscope.", [&](const TableFile& table) {
+    return contents(table).hasRates && !contents(table).hasAttitudes;
+  });
+  if (!motion) {
+    motion = takeOnly(path, tables, "attitudes", "orientation.",
+                      [&](const TableFile& table) { return contents(table).hasAttitudes; });
+  }
+  if (!motion) {
+    throw InputError(path + ": no table of a gyroscope's rates, or of attitudes, among " +
+                     namesOf(tables) + "; name a table itself, and its columns with --column");
+  }
+  files.motion = std::move(*motion);
+  if (contents(files.motion).hasForce) return files;
+  files.acceleration = takeOnly(path, tables, "accelerations", "total", [&](const TableFile& one) {
+    return contents(one).hasForce && !contents(one).hasRates && !contents(one).hasAttitudes;
+  });
+  return files;
+}
+
+}  // namespace
+
+const recording::NamedTable* RecordingFiles::accelerationTable() {
+  if (!acceleration) return nullptr;
+  accelerationTable_ = acceleration->table();
+  return &accelerationTable_;
+}
+
+RecordingFiles openRecording(const std::string& path, const std::string& acceleration,
+                             const recording::ReadOptions& options) {
+  RecordingFiles files;
+  std::error_code error;
+  if (fs::is_directory(path, error)) {
+    files = chosenOf(path, tablesInFolder(path), options);
+    files.path = files.motion.name;
+  } else {
+    std::string bytes = bytesAt(path);
+    if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06")) {
+      files = chosenOf(path, tablesInArchive(bytes, path), options);
+    } else {
+      files.motion = {path, std::move(bytes)};
+      files.path = path;
+    }
+  }
+  if (!acceleration.empty()) files.acceleration = TableFile{acceleration, bytesAt(acceleration)};
+  return files;
+}
+
+}  // namespace rotatebook::cli

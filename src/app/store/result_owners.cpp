@@ -1,0 +1,137 @@
+#include "store/result_owners.h"
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "base/error.h"
+#include "store/clip_files.h"
+#include "store/fingerprint.h"
+#include "store/manifest.h"
+#include "store/other_settings.h"
+#include "store/study_files.h"
+#include "study/map_files.h"
+#include "study/study_csv.h"
+#include "system/read_file.h"
+#include "video/clip_reader.h"
+
+namespace rotatebook::store {
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* titleOf(ResultKind kind) {
+  constexpr const char* kTitles[] = {"the clip", "the map", "the film of the map", "the study of",
+                                     "the still"};
+  return kTitles[static_cast<int>(kind)];
+}
+
+/// Returns the header row of a table; empty if there is none.
+std::string headerOf(const fs::path& csv) {
+  constexpr std::size_t kLongestHeader = 10'000;
+  std::error_code missing;
+  if (!fs::is_regular_file(csv, missing)) return "";
+  std::string start(kLongestHeader, '\0');
+  std::ifstream file(csv, std::ios::binary);
+  file.read(start.data(), std::ssize(start));
+  start.resize(static_cast<std::size_t>(file.gcount()));
+  return start.substr(0, start.find('\n'));
+}
+
+bool isMapJson(const fs::path& json) {
+  const std::string text = system::readFileOrEmpty(json);
+  return !study::statedIn(text, "fingerprint").empty() &&
+         !study::statedIn(text, "npy_xxh128").empty();
+}
+
+bool isOfMap(const MapFiles& map, const fs::path& file) {
+  const std::vector<fs::path> all = allOf(map);
+  if (std::ranges::find(all, file) == all.end() || !isMapJson(map.json)) return false;
+  return file != map.csv || study::isMapHeader(headerOf(file));
+}
+
+bool isFilm(const fs::path& file) {
+  try {
+    return isRecordOfFilm(video::readClipMetadata(file).comment);
+  } catch (const InputError&) {  // It is no clip
+    return false;
+  }
+}
+
+bool isOfStudy(const StudyFiles& study, const fs::path& file) {
+  const std::vector<fs::path> all = allOf(study);
+  return std::ranges::find(all, file) != all.end() && study::isStudyHeader(headerOf(study.csv));
+}
+
+/// Returns whether a page shows the clip `name` by this thumbnail.
+bool isThumbnail(const ClipFiles& clip, const fs::path& file) {
+  return file == clip.thumbnail && readManifest(clip.frameFolder).has_value();
+}
+
+/// Returns the map, film or study called `name` that left the file; nothing if none did.
+std::optional<Results> ownerNamed(const std::string& name, const fs::path& file) {
+  const MapFiles map = mapFiles(file.parent_path(), name);
+  if (isOfMap(map, file)) return Results{ResultKind::Map, name};
+  if (file == map.film && isFilm(file)) return Results{ResultKind::Film, name};
+  if (isOfStudy(studyFiles(file.parent_path(), name), file))
+    return Results{ResultKind::Study, name};
+  return std::nullopt;
+}
+
+/// Returns whether the clip called `name` left the file, or a page shows the clip by it.
+bool isOfClip(const std::string& name, const fs::path& file) {
+  const ClipFiles clip = clipFiles(file.parent_path(), name);
+  return isThumbnail(clip, file) || !sceneChecksumOf(clip.frameFolder, file).empty();
+}
+
+/// Returns the results that a file belongs to, as the names of scenes may begin its own. Those of
+/// clips are known to another by their manifests, which refuseFilesOfOtherClips() reads.
+std::vector<Results> ownersOf(const fs::path& file, bool isForClip) {
+  const std::string name = file.filename().string();
+  std::vector<Results> owners;
+  for (std::size_t end = name.find_first_of(".-", 1); end != name.npos;
+       end = name.find_first_of(".-", end + 1)) {
+    const std::string start = name.substr(0, end);
+    if (const auto owner = ownerNamed(start, file)) owners.push_back(*owner);
+    if (!isForClip && isOfClip(start, file)) owners.push_back({ResultKind::Clip, start});
+  }
+  return owners;
+}
+
+}  // namespace
+
+void refuseResultsOfOthers(const Results& own, const std::vector<fs::path>& outputs,
+                           const std::string& remedy) {
+  if (outputs.empty()) return;
+  refuseFilesOfOtherClips(clipFiles(outputs.front().parent_path(), own.name), outputs, remedy);
+  for (const fs::path& file : outputs) {
+    std::error_code missing;
+    if (!fs::is_regular_file(file, missing)) continue;
+    const std::vector<Results> owners = ownersOf(file, own.kind == ResultKind::Clip);
+    if (owners.empty() || std::ranges::count(owners, own) > 0) continue;
+    throw InputError(file.string() + " belongs to " + titleOf(owners.front().kind) + ' ' +
+                     owners.front().name + ", and " + remedy);
+  }
+}
+
+void refuseNoResultsOfMap(const MapFiles& files) {
+  const auto isFile = [](const fs::path& file) {
+    std::error_code missing;
+    return fs::is_regular_file(file, missing);
+  };
+  const bool isMap = isFile(files.npy) || isFile(files.json);
+  const auto refuse = [&](const fs::path& file, bool isKnown) {
+    if (isKnown || !isFile(file)) return;
+    throw InputError(file.string() +
+                     " is no map's, and would be replaced or removed; move it away, or name "
+                     "another folder with -o");
+  };
+  refuse(files.csv, study::isMapHeader(headerOf(files.csv)));
+  refuse(files.json, isMapJson(files.json));
+  refuse(files.png, isMap);
+  refuse(files.plain, isMap);
+}
+
+}  // namespace rotatebook::store

@@ -1,0 +1,35 @@
+// The owners of results in a folder: clips, maps, films of maps and studies may give files the same
+// names.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "store/map_files.h"
+
+namespace rotatebook::store {
+
+/// Kinds of results, which are named after a scene.
+enum class ResultKind { Clip, Map, Film, Study, Still };
+
+/// Results of a scene.
+struct Results {
+  ResultKind kind = ResultKind::Clip;
+  std::string name;  ///< The scene's.
+
+  friend bool operator==(const Results&, const Results&) = default;
+};
+
+/// Throws InputError if one of `outputs`, all in one folder, was left there by others than `own`:
+/// by another clip, which its manifest says; by a map, which its JSON says; by a film, which its
+/// record says; or by a study, whose table begins as such do. The message ends with `remedy`, which
+/// also says what would replace it.
+void refuseResultsOfOthers(const Results& own, const std::vector<std::filesystem::path>& outputs,
+                           const std::string& remedy);
+
+/// Throws InputError if a map would replace or remove a table, JSON or picture that no map left. Of
+/// pictures that follows from the array and the JSON, without which no map leaves any.
+void refuseNoResultsOfMap(const MapFiles& files);
+
+}  // namespace rotatebook::store

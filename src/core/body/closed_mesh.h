@@ -1,0 +1,37 @@
+// Meshes of files as surfaces of bodies.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "body/surface.h"
+#include "body/triangle_mesh.h"
+
+namespace rotatebook::body {
+
+/// What making a mesh closed has changed and left out.
+struct Closing {
+  /// The triangles' numbers in their file, from 0; empty if all were kept.
+  std::vector<std::uint32_t> numbers{};
+  std::vector<std::string> notes{};  ///< Sentences that say what.
+
+  /// Returns the number in its file of a triangle, both from 0.
+  std::size_t numberOf(std::size_t triangle) const {
+    return numbers.empty() ? triangle : numbers[triangle];
+  }
+};
+
+/// A mesh that encloses a body, as its file has it, but for what the notes say.
+struct ClosedMesh {
+  TriangleMesh mesh;  ///< Welded; requireClosed() accepts it.
+  Closing closing{};
+};
+
+/// Welds a surface. Leaves triangles out that have a corner twice, which changes nothing that a
+/// surface encloses. Joins points that are nearer than kNearPoints where the surface isn't closed
+/// without; else all bits stay as they are. Throws as welded() and requireClosed() do.
+Closing closeSurface(Surface& surface);
+
+}  // namespace rotatebook::body

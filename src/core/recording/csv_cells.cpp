@@ -1,0 +1,85 @@
+#include "recording/csv_cells.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <system_error>
+
+#include "base/text.h"
+
+namespace rotatebook::recording {
+namespace {
+
+constexpr std::size_t kLongestNumber = 64;  // [bytes]
+
+std::string_view unquoted(std::string_view cell) {
+  cell = trimmed(cell);
+  const bool isQuoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
+  return isQuoted ? cell.substr(1, cell.size() - 2) : cell;
+}
+
+bool separates(char letter, char separator) {
+  return letter == separator || (separator == ' ' && letter == '\t');
+}
+
+/// Takes the first cell off `rest`, up to a separator that isn't between quotation marks.
+std::string_view takeCell(std::string_view& rest, char separator, bool& isLast) {
+  bool isQuoted = false;
+  std::size_t end = 0;
+  for (; end < rest.size() && (isQuoted || !separates(rest[end], separator)); ++end) {
+    if (rest[end] == '"') isQuoted = !isQuoted;
+  }
+  const std::string_view cell = unquoted(rest.substr(0, end));
+  isLast = end == rest.size();
+  rest.remove_prefix(isLast ? end : end + 1);
+  if (separator == ' ') rest = trimmed(rest);
+  return cell;
+}
+
+}  // namespace
+
+std::string_view takeLine(std::string_view& rest) {
+  const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
+  const std::string_view line = rest.substr(0, end);
+  const bool isPair = rest.substr(end, 2) == "\r\n";
+  rest.remove_prefix(std::min(rest.size(), end + (isPair ? 2 : 1)));
+  return line;
+}
+
+char separatorOf(std::string_view line) {
+  for (const char separator : {'\t', ';', ','}) {
+    if (line.find(separator) != line.npos) return separator;
+  }
+  return ' ';
+}
+
+std::vector<std::string_view> cellsOf(std::string_view line, char separator) {
+  if (separator == ' ') line = trimmed(line);
+  std::vector<std::string_view> cells;
+  for (bool isLast = false; !isLast && cells.size() < kMostCells;)
+    cells.push_back(takeCell(line, separator, isLast));
+  return cells;
+}
+
+std::optional<double> numberIn(std::string_view cell, char separator) {
+  std::string text(cell.substr(cell.starts_with('+') ? 1 : 0, kLongestNumber));
+  if (separator != ',') {
+    if (const std::size_t comma = text.find(','); comma != text.npos) text[comma] = '.';
+  }
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  const bool isFinite = error == std::errc() && rest == end && std::isfinite(value);
+  return isFinite ? std::optional(value) : std::nullopt;
+}
+
+CellKind kindOf(std::string_view cell, char separator) {
+  if (numberIn(cell, separator)) return CellKind::Number;
+  for (const std::string_view hole : {"", "NaN", "nan", "NAN", "-nan", "null", "NULL", "NA"}) {
+    if (cell == hole) return CellKind::Hole;
+  }
+  return CellKind::Text;
+}
+
+}  // namespace rotatebook::recording

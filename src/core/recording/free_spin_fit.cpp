@@ -1,0 +1,186 @@
+#include "recording/free_spin_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+
+namespace rotatebook::recording {
+namespace {
+
+using Slopes = Eigen::Matrix<double, Eigen::Dynamic, kParameters>;
+
+/// Free motion of the angular velocity, in body axes, by the classical Runge-Kutta method.
+class FreeSpin {
+ public:
+  explicit FreeSpin(const Parameters& p)
+      : tensor_(tensorOf(p)), inverse_(tensor_.inverse()), spin_(p.tail<3>()) {}
+
+  const Eigen::Vector3d& spin() const { return spin_; }
+
+  void advance(double interval) {
+    constexpr double kTurn = 0.05;  // largest of a step [rad]
+    constexpr double kMaxSteps = 1000;
+    const double turn = interval * spin_.norm();
+    if (!std::isfinite(turn)) return;  // of parameters that are refused by their error
+    const double steps = std::clamp(std::ceil(turn / kTurn), 1.0, kMaxSteps);
+    const double h = interval / steps;
+    for (int i = 0; i < static_cast<int>(steps); ++i) {
+      const Eigen::Vector3d k1 = change(spin_), k2 = change(spin_ + h / 2 * k1);
+      const Eigen::Vector3d k3 = change(spin_ + h / 2 * k2), k4 = change(spin_ + h * k3);
+      spin_ += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+    }
+  }
+
+ private:
+  Eigen::Vector3d change(const Eigen::Vector3d& spin) const {
+    return inverse_ * (tensor_ * spin).cross(spin);
+  }
+
+  Eigen::Matrix3d tensor_, inverse_;
+  Eigen::Vector3d spin_;
+};
+
+/// Returns the rates minus those of the free motion, three for each reading. [rad/s]
+Eigen::VectorXd residualsOf(Readings flight, const Parameters& p) {
+  Eigen::VectorXd residuals(3 * static_cast<Eigen::Index>(flight.size()));
+  FreeSpin free(p);
+  for (std::size_t i = 0; i < flight.size(); ++i) {
+    if (i > 0) free.advance(flight[i].rate.time - flight[i - 1].rate.time);
+    residuals.segment<3>(3 * static_cast<Eigen::Index>(i)) =
+        flight[i].rate.angularVelocity - free.spin();
+  }
+  return residuals;
+}
+
+Slopes slopesOf(Readings flight, const Parameters& p) {
+  constexpr double kStep = 1e-6;
+  Slopes slopes(3 * static_cast<Eigen::Index>(flight.size()), kParameters);
+  for (int i = 0; i < kParameters; ++i) {
+    Parameters up = p, down = p;
+    up[i] += kStep;
+    down[i] -= kStep;
+    slopes.col(i) = (residualsOf(flight, up) - residualsOf(flight, down)) / (2 * kStep);
+  }
+  return slopes;
+}
+
+/// Returns a^T b, its sums in the order of the readings: that of a product by blocks follows from
+/// the processor's caches.
+template <typename Columns>
+Eigen::Matrix<double, kParameters, Columns::ColsAtCompileTime> productOf(const Slopes& a,
+                                                                         const Columns& b) {
+  return a.transpose().lazyProduct(b);
+}
+
+/// Returns the covariance of the parameters: by the noise of the flight's rates, and by the error
+/// of the bias, which shifts all of an axis alike.
+Eigen::Matrix<double, kParameters, kParameters> covarianceOf(const Slopes& slopes, double variance,
+                                                             const Eigen::Vector3d& biasVariance) {
+  const Eigen::Matrix<double, kParameters, kParameters> inverse =
+      productOf(slopes, slopes).inverse();
+  Eigen::Matrix<double, kParameters, 3> sums = Eigen::Matrix<double, kParameters, 3>::Zero();
+  for (Eigen::Index row = 0; row < slopes.rows(); ++row)
+    sums.col(row % 3) += slopes.row(row).transpose();
+  const Eigen::Matrix<double, kParameters, 3> byBias = inverse * sums;
+  return variance * inverse + byBias * biasVariance.asDiagonal() * byBias.transpose();
+}
+
+}  // namespace
+
+Eigen::Matrix3d tensorOf(const Parameters& p) {
+  Eigen::Matrix3d tensor;
+  tensor << p[0], p[2], p[3],  //
+      p[2], p[1], p[4],        //
+      p[3], p[4], 1 - p[0] - p[1];
+  return tensor;
+}
+
+Parameters parametersOf(Eigen::Matrix3d tensor, const Eigen::Vector3d& start) {
+  tensor /= tensor.trace();
+  Parameters p;
+  p << tensor(0, 0), tensor(1, 1), tensor(0, 1), tensor(0, 2), tensor(1, 2), start;
+  return p;
+}
+
+Eigen::Vector3d principalMoments(const Eigen::Matrix3d& tensor) {
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(tensor, Eigen::EigenvaluesOnly)
+      .eigenvalues();
+}
+
+Eigen::Matrix<double, 3, 9> momentumBalance(const RecordedMoment& moment, double unit) {
+  const Eigen::Vector3d& w = moment.angularVelocity;
+  // I w, as a matrix times the entries xx, yy, zz, xy, xz, yz
+  Eigen::Matrix<double, 3, 6> entries;
+  entries << w.x(), 0, 0, w.y(), w.z(), 0,  //
+      0, w.y(), 0, w.x(), 0, w.z(),         //
+      0, 0, w.z(), 0, w.x(), w.y();
+  Eigen::Matrix<double, 3, 9> balance;
+  balance.leftCols<6>() = moment.attitude.toRotationMatrix() * entries;
+  balance.rightCols<3>() = -unit * Eigen::Matrix3d::Identity();
+  return balance;
+}
+
+Eigen::Matrix3d tensorFrom(const Eigen::Matrix<double, 9, 1>& entries) {
+  Eigen::Matrix3d tensor;
+  tensor << entries[0], entries[3], entries[4],  //
+      entries[3], entries[1], entries[5],        //
+      entries[4], entries[5], entries[2];
+  return tensor;
+}
+
+Linear solveLinear(Readings flight) {
+  std::vector<Rate> rates;
+  for (const InertialReading& reading : flight) rates.push_back(reading.rate);
+  const std::vector<RecordedMoment> moments = integrateRates(rates);
+  // In a unit in which the momentum is as large as the tensor's entries
+  double fastest = 0;
+  for (const Rate& rate : rates) fastest = std::max(fastest, rate.angularVelocity.norm());
+  Eigen::MatrixXd equations(3 * static_cast<Eigen::Index>(rates.size()), 9);
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    equations.middleRows<3>(3 * static_cast<Eigen::Index>(i)) =
+        momentumBalance(moments[i], fastest);
+  }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(equations, Eigen::ComputeThinV);
+  Linear linear;
+  const Eigen::Matrix<double, 9, 1> solution = svd.matrixV().col(8);
+  linear.tensor = tensorFrom(solution);
+  constexpr double kLargestGap = 1e12;
+  linear.gap = std::min(svd.singularValues()[7] / svd.singularValues()[8], kLargestGap);
+  linear.change = svd.singularValues()[8] / std::sqrt(static_cast<double>(rates.size())) /
+                  (fastest * solution.tail<3>().norm());
+  return linear;
+}
+
+FreeSpinFit fitFreeSpin(Readings flight, Parameters p, const Eigen::Vector3d& biasVariance) {
+  constexpr int kMaxIterations = 20;
+  constexpr int kMaxHalvings = 20;
+  double error = residualsOf(flight, p).squaredNorm();
+  for (int i = 0; i < kMaxIterations; ++i) {
+    const Slopes slopes = slopesOf(flight, p);
+    Parameters step =
+        -productOf(slopes, slopes).ldlt().solve(productOf(slopes, residualsOf(flight, p)));
+    // Halve a step that doesn't lessen the error
+    bool isLess = false;
+    for (int k = 0; k < kMaxHalvings && !isLess; ++k, step /= 2) {
+      const double next = residualsOf(flight, p + step).squaredNorm();
+      isLess = next < error;
+      if (isLess) p += step;
+      if (isLess) error = next;
+    }
+    if (!isLess) break;
+  }
+  FreeSpinFit fit;
+  fit.parameters = p;
+  const double count = 3.0 * static_cast<double>(flight.size());
+  const double variance = error / (count - kParameters);
+  fit.covariance = covarianceOf(slopesOf(flight, p), variance, biasVariance);
+  fit.residual = std::sqrt(error / count);
+  return fit;
+}
+
+}  // namespace rotatebook::recording

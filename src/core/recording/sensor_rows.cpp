@@ -1,0 +1,149 @@
+#include "recording/sensor_rows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+#include <optional>
+#include <string_view>
+
+#include "base/number_text.h"
+#include "base/text.h"
+#include "recording/column_units.h"
+
+namespace rotatebook::recording {
+namespace {
+
+constexpr double kLargestTime = 1e12;  // [s]
+
+using Indices = std::vector<std::size_t>;
+
+template <typename Group>
+void append(Indices& columns, const Group& group) {
+  if (group) columns.insert(columns.end(), group->begin(), group->end());
+}
+
+/// Returns the first column with a hole in `row`; nothing if all are filled.
+std::optional<std::size_t> holeIn(const CsvTable& table, std::size_t row, const Indices& columns) {
+  const auto hole =
+      std::ranges::find_if(columns, [&](std::size_t column) { return table.isHole(row, column); });
+  return hole != columns.end() ? std::optional(*hole) : std::nullopt;
+}
+
+Indices filledRows(const CsvTable& table, const Indices& columns) {
+  Indices rows;
+  if (columns.size() == 1) return rows;  // the time alone
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (!holeIn(table, row, columns)) rows.push_back(row);
+  }
+  return rows;
+}
+
+/// Throws InputError for a hole between the first and the last of a sensor's rows.
+void requireWhole(const CsvTable& table, const Indices& rows, const Indices& columns) {
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const std::size_t row = rows[i - 1] + 1;
+    if (row < rows[i]) table.at(row, holeIn(table, row, columns).value());
+  }
+}
+
+/// Returns whether two sensors have times of their own: at most half of the rows have both.
+bool areMerged(const Indices& first, const Indices& second) {
+  Indices both;
+  std::ranges::set_intersection(first, second, std::back_inserter(both));
+  return 2 * both.size() <= first.size() + second.size() - both.size();
+}
+
+[[noreturn]] void failTimeUnit(const CsvTable& table, const Columns& columns,
+                               const std::string& problem, double step, double last) {
+  const std::string& header = table.header()[columns.time];
+  const std::string_view unit = plausibleUnit(step, last);
+  const std::string remedy = unit.empty() ? "state it in simulation.time_unit, or with --time-unit"
+                                          : "it seems to be " + std::string(unit) +
+                                                ": state it in simulation.time_unit, "
+                                                "or with --time-unit " +
+                                                std::string(unit);
+  table.fail("the column " + quotedText(header) + " doesn't state its unit, and in seconds " +
+             problem + "; " + remedy);
+}
+
+/// Refuses times that aren't seconds though no unit is stated.
+void requirePlausibleSteps(const CsvTable& table, const Columns& columns,
+                           const std::vector<double>& times) {
+  constexpr double kLongestStep = 2;  // [s]
+  constexpr double kLatest = 4e9;     // of an epoch, in the year 2096 [s]
+  if (columns.isTimeUnitStated || times.size() < 2) return;
+  const double step = medianStep(times), last = std::abs(times.back());
+  if (step > kLongestStep) {
+    failTimeUnit(table, columns, "its rows are " + roundedText(step, 3) + " s apart", step, last);
+  }
+  if (last > kLatest)
+    failTimeUnit(table, columns, "it ends at " + roundedText(last, 3) + " s", step, last);
+}
+
+}  // namespace
+
+double medianStep(const std::vector<double>& times) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < times.size(); ++i) steps.push_back(times[i] - times[i - 1]);
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+SensorRows sensorRows(const CsvTable& table, const Columns& columns, bool needsForce) {
+  Indices motion{columns.time}, force{columns.time};
+  append(motion, columns.quaternion);
+  append(motion, columns.matrix);
+  append(motion, columns.rates);
+  append(force, columns.acceleration);
+  SensorRows result{filledRows(table, motion), filledRows(table, force)};
+  const bool hasMotion = motion.size() > 1;
+  const bool isMerged = hasMotion && columns.acceleration && areMerged(result.motion, result.force);
+  if (hasMotion && !isMerged) requireWhole(table, result.motion, motion);
+  if (needsForce && !isMerged) requireWhole(table, result.force, force);
+  const Indices& needed = hasMotion ? result.motion : result.force;
+  // Without any reading, say what the first row lacks
+  if (needed.empty()) table.at(0, holeIn(table, 0, hasMotion ? motion : force).value());
+  Indices all;
+  std::ranges::set_union(result.motion, isMerged ? result.force : Indices{},
+                         std::back_inserter(all));
+  if (isMerged) requireWhole(table, all, motion);
+  result.dropped = table.rows() - (hasMotion ? all.size() : needed.size());
+  return result;
+}
+
+std::vector<double> timesOf(const CsvTable& table, const Columns& columns, const Indices& rows) {
+  std::vector<double> times;
+  for (const std::size_t row : rows)
+    times.push_back(columns.secondsPerUnit * table.at(row, columns.time));
+  if (times.size() < 2) table.fail("a single row; a motion takes at least two");
+  requirePlausibleSteps(table, columns, times);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double time = times[i];
+    if (!(std::abs(time) <= kLargestTime)) table.failAt(rows[i], "the time is beyond 1e12 s");
+    const double gap = i == 0 ? 1 : time - times[i - 1];
+    if (!(gap > 0)) {
+      table.failAt(rows[i],
+                   "the time " + shortestText(time) + " s isn't after that of the row before");
+    }
+    // Beyond rounding, so that slopes between neighbours are finite.
+    if (!(gap > 1e-15 * std::abs(time) && gap > 1e-9)) {
+      table.failAt(rows[i], "the time " + shortestText(time) + " s is only " + roundedText(gap, 2) +
+                                " s after that of the row before");
+    }
+  }
+  return times;
+}
+
+void requirePlausibleTurns(const CsvTable& table, const Columns& columns,
+                           const std::vector<double>& times, double fastest) {
+  constexpr double kSlowest = 0.2;  // step of a sensor [s]
+  const double step = medianStep(times), turn = fastest * step;
+  if (columns.isTimeUnitStated || step <= kSlowest || !(turn > std::numbers::pi)) return;
+  failTimeUnit(table, columns,
+               "the body turns by up to " + roundedText(turn, 3) + " rad from row to row", step,
+               std::abs(times.back()));
+}
+
+}  // namespace rotatebook::recording

@@ -1,0 +1,40 @@
+// The rows of a table in which a sensor has readings, and their times. Inside the room only.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "recording/columns.h"
+#include "recording/csv_table.h"
+
+namespace rotatebook::recording {
+
+/// The rows of a table in which the body's motion is, and those with a specific force.
+struct SensorRows {
+  std::vector<std::size_t> motion, force;
+  std::size_t dropped = 0;  ///< At the table's ends, without a reading of the motion.
+};
+
+/// Returns the rows of each sensor. Rows without a reading at the table's beginning and end are
+/// dropped. Where at most half of the rows have both sensors, they have times of their own, and a
+/// row of one may lack the other; else each row between a sensor's first and last needs its
+/// reading. Throws InputError "NAME:LINE: PROBLEM" for a row that lacks it; what the force lacks is
+/// an error only if `needsForce`.
+SensorRows sensorRows(const CsvTable& table, const Columns& columns, bool needsForce);
+
+/// Returns the times of `rows`. Throws InputError "NAME:LINE: PROBLEM" for fewer than two, for
+/// times that don't ascend, or by less than numbers of their size resolve, for times beyond 1e12 s,
+/// and if the header doesn't state a unit and seconds aren't plausible. [s]
+std::vector<double> timesOf(const CsvTable& table, const Columns& columns,
+                            const std::vector<std::size_t>& rows);
+
+/// Throws InputError for times without a stated unit if a body that turns at `fastest`, as a sensor
+/// reads it, would turn by more than half a turn from row to row. [rad/s]
+void requirePlausibleTurns(const CsvTable& table, const Columns& columns,
+                           const std::vector<double>& times, double fastest);
+
+/// Returns the median of the steps between at least two times. [s]
+double medianStep(const std::vector<double>& times);
+
+}  // namespace rotatebook::recording

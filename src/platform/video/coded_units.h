@@ -1,0 +1,32 @@
+// The units that the program's own encoders code a picture in. Inside the room only.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "video/written_form.h"
+
+namespace rotatebook::video {
+
+using Bytes = std::span<const std::uint8_t>;
+
+/// A coded picture.
+struct CodedPicture {
+  bool isKey = false;        ///< True if it needs no other picture.
+  std::string difference{};  ///< From how the encoder codes one: "a NAL unit of type 9", or empty.
+};
+
+/// Returns the first difference of the parameters of an H.264 stream (an AVCDecoderConfiguration-
+/// Record, ISO/IEC 14496-15, 5.3.3) from what libx264 writes for `form`; empty if there is none.
+std::string h264Difference(Bytes parameters, const WrittenForm& form);
+
+/// Examines a picture as libx264 codes it in an MP4: one slice, and before the `first` picture's
+/// libx264's note of its version and settings.
+CodedPicture h264Picture(Bytes packet, bool first);
+
+/// Examines a picture as libvpx codes it: a frame to show, with others before it that later ones
+/// refer to.
+CodedPicture vp9Picture(Bytes packet, const WrittenForm& form);
+
+}  // namespace rotatebook::video

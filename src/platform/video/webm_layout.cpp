@@ -1,0 +1,233 @@
+#include "video/webm_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <compare>
+#include <cstddef>
+#include <set>
+
+namespace rotatebook::video {
+namespace {
+
+// Identifiers of elements (RFC 9559), the marker of their length included.
+constexpr std::string_view kSegment = "18538067", kCluster = "1f43b675", kBlock = "a3",
+                           kGroup = "a0", kAlphaMode = "53c0", kSeekHead = "114d9b74",
+                           kSeek = "4dbb", kSeekId = "53ab", kSeekAt = "53ac", kCues = "1c53bb6b",
+                           kCuePositions = "b7", kCueAt = "f1";
+constexpr std::uint64_t kMaxNumber = 8;  // Of a number. [bytes]
+
+/// All elements. Measured on libavformat 59.27 and 62.19.
+constexpr std::array kWebmRows{
+    LayoutRow{0, "1a45dfa3", 1, 1, "", "EBML"},
+    LayoutRow{1, "4286", 1, 1, "01", "EBMLVersion"},
+    LayoutRow{1, "42f7", 1, 1, "01", "EBMLReadVersion"},
+    LayoutRow{1, "42f2", 1, 1, "04", "EBMLMaxIDLength"},
+    LayoutRow{1, "42f3", 1, 1, "08", "EBMLMaxSizeLength"},
+    LayoutRow{1, "4282", 1, 1, "7765626d", "DocType"},
+    LayoutRow{1, "4287", 1, 1, "02/04", "DocTypeVersion"},
+    LayoutRow{1, "4285", 1, 1, "02", "DocTypeReadVersion"},
+    LayoutRow{0, kSegment, 1, 1, "", "Segment"},
+    LayoutRow{1, kSeekHead, 0, 1, "", "SeekHead"},
+    LayoutRow{2, kSeek, 1, 4, "", "Seek"},
+    LayoutRow{3, kSeekId, 1, 1, "1549a966/1654ae6b/1254c367/1c53bb6b", "SeekID"},
+    LayoutRow{3, kSeekAt, 1, 1, "any", "SeekPosition"},
+    LayoutRow{1, "ec", 0, 1, "zero", "Void"},
+    LayoutRow{1, "1549a966", 1, 1, "", "Info"},
+    LayoutRow{2, "2ad7b1", 1, 1, "0f4240", "TimestampScale"},
+    LayoutRow{2, "7ba9", 0, 1, "any", "Title"},
+    LayoutRow{2, "4d80", 1, 1, "4c617666", "MuxingApp"},
+    LayoutRow{2, "5741", 1, 1, "4c617666", "WritingApp"},
+    LayoutRow{2, "4489", 1, 1, "any:8", "Duration"},
+    LayoutRow{1, "1654ae6b", 1, 1, "", "Tracks"},
+    LayoutRow{2, "ae", 1, 1, "", "TrackEntry"},
+    LayoutRow{3, "d7", 1, 1, "01", "TrackNumber"},
+    LayoutRow{3, "73c5", 1, 1, "0000000000000001", "TrackUID"},
+    LayoutRow{3, "9c", 1, 1, "00", "FlagLacing"},
+    LayoutRow{3, "22b59c", 1, 1, "756e64", "Language"},
+    LayoutRow{3, "88", 1, 1, "00", "FlagDefault"},
+    LayoutRow{3, "86", 1, 1, "565f565039", "CodecID"},
+    LayoutRow{3, "83", 1, 1, "01", "TrackType"},
+    LayoutRow{3, "23e383", 0, 1, "frame_time", "DefaultDuration"},
+    LayoutRow{3, "55ee", 0, 1, "00/01", "MaxBlockAdditionID"},
+    LayoutRow{3, "ec", 0, 1, "zero", "Void"},
+    LayoutRow{3, "e0", 1, 1, "", "Video"},
+    LayoutRow{4, "b0", 1, 1, "width", "PixelWidth"},
+    LayoutRow{4, "ba", 1, 1, "height", "PixelHeight"},
+    LayoutRow{4, kAlphaMode, 1, 1, "01", "AlphaMode"},
+    LayoutRow{4, "55b0", 1, 1, "", "Colour"},
+    LayoutRow{5, "55ba", 1, 1, "01", "TransferCharacteristics"},
+    LayoutRow{5, "55b1", 1, 1, "01", "MatrixCoefficients"},
+    LayoutRow{5, "55bb", 1, 1, "01", "Primaries"},
+    LayoutRow{5, "55b9", 1, 1, "01", "Range"},
+    LayoutRow{5, "55b7", 1, 1, "01", "ChromaSitingHorz"},
+    LayoutRow{5, "55b8", 1, 1, "02", "ChromaSitingVert"},
+    LayoutRow{1, "1254c367", 1, 1, "", "Tags"},
+    LayoutRow{2, "7373", 1, 1, "", "Tag"},
+    LayoutRow{3, "63c0", 1, 1, "", "Targets"},
+    LayoutRow{3, "67c8", 1, 1, "", "SimpleTag"},
+    LayoutRow{4, "45a3", 1, 1, "434f4d4d454e54", "TagName"},
+    LayoutRow{4, "4487", 1, 1, "any", "TagString"},
+    LayoutRow{2, "7373", 1, 1, "", "Tag"},
+    LayoutRow{3, "63c0", 1, 1, "", "Targets"},
+    LayoutRow{4, "63c5", 1, 1, "0000000000000001", "TagTrackUID"},
+    LayoutRow{3, "67c8", 1, 1, "", "SimpleTag"},
+    LayoutRow{4, "45a3", 1, 1, "4455524154494f4e", "TagName"},
+    LayoutRow{4, "4487", 1, 1, "duration zero", "TagString"},
+    LayoutRow{1, kCluster, 1, kAnyNumber, "", "Cluster"},
+    LayoutRow{2, "e7", 1, 1, "time", "Timestamp"},
+    LayoutRow{2, kBlock, 0, kAnyNumber, "81 any:2 00/80 any", "SimpleBlock"},
+    LayoutRow{2, kGroup, 0, kAnyNumber, "", "BlockGroup"},
+    LayoutRow{3, "a1", 1, 1, "81 any:2 00 any", "Block"},
+    LayoutRow{3, "75a1", 1, 1, "", "BlockAdditions"},
+    LayoutRow{4, "a6", 1, 1, "", "BlockMore"},
+    LayoutRow{5, "ee", 1, 1, "01", "BlockAddID"},
+    LayoutRow{5, "a5", 1, 1, "any", "BlockAdditional"},
+    LayoutRow{3, "fb", 0, 1, "any", "ReferenceBlock"},
+    LayoutRow{1, kCues, 0, 1, "", "Cues"},
+    LayoutRow{2, "bb", 1, kAnyNumber, "", "CuePoint"},
+    LayoutRow{3, "b3", 1, 1, "time", "CueTime"},
+    LayoutRow{3, kCuePositions, 1, 1, "", "CueTrackPositions"},
+    LayoutRow{4, "f7", 1, 1, "01", "CueTrack"},
+    LayoutRow{4, kCueAt, 1, 1, "any", "CueClusterPosition"},
+    LayoutRow{4, "f0", 0, 1, "any", "CueRelativePosition"}};
+
+std::string hexText(std::uint64_t number) {
+  std::array<char, 16> digits{};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number, 16);
+  return {digits.data(), end};
+}
+
+/// Returns the clip's length in the muxer's words, "00:00:01.500000000".
+std::string durationText(std::int64_t milliseconds) {
+  const auto digits = [](std::int64_t number, std::size_t count) {
+    const std::string text = std::to_string(number);
+    return std::string(count - std::min(count, text.size()), '0') + text;
+  };
+  const std::int64_t seconds = milliseconds / 1000;
+  return digits(seconds / 3600, 2) + ":" + digits(seconds / 60 % 60, 2) + ":" +
+         digits(seconds % 60, 2) + "." + digits(milliseconds % 1000, 3) + "000000";
+}
+
+LayoutValues valuesOf(const WrittenForm& form) {
+  const auto only = [](int value) {
+    const auto number = static_cast<std::uint64_t>(value);
+    return LayoutValues::Range{number, number};
+  };
+  const double frameTime = 1.0 * form.frameRate.denominator / form.frameRate.numerator;  // [s]
+  const double length = frameTime * static_cast<double>(form.frames);                    // [s]
+  const std::int64_t ms = std::llround(length * 1e3);  // The muxer rounds times.
+  return {.numbers = {{"width", only(form.width)},
+                      {"height", only(form.height)},
+                      {"frame_time",
+                       {static_cast<std::uint64_t>(frameTime * 1e9) - 1,
+                        static_cast<std::uint64_t>(frameTime * 1e9) + 1}},
+                      {"time", {0, static_cast<std::uint64_t>(ms)}}},
+          .texts = {{"duration", {durationText(ms - 1), durationText(ms), durationText(ms + 1)}}}};
+}
+
+/// An element that others point to, at `position` in the segment's content.
+struct Place {
+  std::string id;
+  std::uint64_t position = 0;
+  auto operator<=>(const Place&) const = default;
+};
+
+/// Calls `action` with each element in `outer`.
+template <typename Action>
+void forEachElement(std::istream& file, const Part& outer, const Action& action) {
+  auto element = webmElementAt(file, outer.content, outer.end);
+  for (; element; element = webmElementAt(file, element->end, outer.end)) action(*element);
+}
+
+/// Returns the first element in `outer` with that identifier.
+Part elementIn(std::istream& file, const Part& outer, std::string_view id) {
+  Part found;
+  forEachElement(file, outer, [&](const Part& element) {
+    if (element.id == id && found.id.empty()) found = element;
+  });
+  return found;
+}
+
+std::string contentOf(std::istream& file, const Part& element) {
+  return bytesAt(file, element.content, std::min(element.end - element.content, kMaxNumber));
+}
+
+/// Returns the place that a Seek or a CuePoint points to.
+Place targetOf(std::istream& file, const Part& pointer) {
+  if (pointer.id == kSeek) {
+    const std::string id = contentOf(file, elementIn(file, pointer, kSeekId));
+    return {hexText(bigEndian(id)), bigEndian(contentOf(file, elementIn(file, pointer, kSeekAt)))};
+  }
+  const Part positions = elementIn(file, pointer, kCuePositions);
+  return {std::string(kCluster), bigEndian(contentOf(file, elementIn(file, positions, kCueAt)))};
+}
+
+/// Returns whether all pointers in the segment, of a file that the layout fits, point to what is
+/// there. Who follows one that doesn't finds what nobody else reads.
+bool pointersAreRight(std::istream& file, const Part& segment) {
+  std::set<Place> places, targets;
+  forEachElement(file, segment, [&](const Part& element) {
+    places.insert({element.id, element.start - segment.content});
+    if (element.id != kSeekHead && element.id != kCues) return;
+    forEachElement(file, element,
+                   [&](const Part& pointer) { targets.insert(targetOf(file, pointer)); });
+  });
+  return std::ranges::includes(places, targets);
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> webmLengthIn(std::istream& file) {
+  const int first = file.get();
+  if (first <= 0) return std::nullopt;
+  const int more = std::countl_zero(static_cast<std::uint8_t>(first));
+  const auto mask = static_cast<std::uint64_t>(0x7f >> more);
+  std::uint64_t length = static_cast<std::uint64_t>(first) & mask;
+  bool unknown = length == mask;
+  for (int i = 0; i < more; ++i) {
+    const int byte = file.get();
+    if (byte < 0) return std::nullopt;
+    length = length << 8 | static_cast<std::uint64_t>(byte);
+    unknown = unknown && byte == 0xff;
+  }
+  return unknown ? std::nullopt : std::optional(length);
+}
+
+std::optional<Part> webmElementAt(std::istream& file, std::uint64_t at, std::uint64_t end) {
+  if (at >= end) return std::nullopt;
+  file.clear();
+  file.seekg(static_cast<std::streamoff>(at));
+  const int first = file.peek();
+  if (first <= 0) return std::nullopt;
+  std::uint64_t id = 0;
+  for (int i = std::countl_zero(static_cast<std::uint8_t>(first)); i >= 0; --i) {
+    id = id << 8 | static_cast<std::uint64_t>(file.get() & 0xff);
+  }
+  const auto size = webmLengthIn(file);
+  if (!file || !size) return std::nullopt;
+  const auto content = static_cast<std::uint64_t>(file.tellg());
+  return Part{hexText(id), at, content, content + *size};
+}
+
+std::string webmDifference(std::istream& file, const WrittenForm& form) {
+  std::array rows = kWebmRows;
+  const auto only = [&](std::string_view id, int max) {
+    LayoutRow& row = *std::ranges::find(rows, id, &LayoutRow::id);
+    row.min = std::min(row.min, max);
+    row.max = max;
+  };
+  only(kAlphaMode, form.transparent ? 1 : 0);
+  only(kGroup, form.transparent ? kAnyNumber : 0);
+  only(kBlock, form.transparent ? 0 : kAnyNumber);
+  const std::string difference = differenceFrom(rows, valuesOf(form), file, webmElementAt);
+  if (!difference.empty()) return difference;
+  const Part whole{"", 0, 0, sizeOf(file)};
+  return pointersAreRight(file, elementIn(file, whole, kSegment))
+             ? ""
+             : "a pointer in Segment leads elsewhere";
+}
+
+}  // namespace rotatebook::video

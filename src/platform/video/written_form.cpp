@@ -1,0 +1,66 @@
+#include "video/written_form.h"
+
+#include <fstream>
+
+#include "video/clip_input.h"
+#include "video/coded_units.h"
+#include "video/mp4_layout.h"
+#include "video/webm_layout.h"
+
+namespace rotatebook::video {
+namespace {
+
+/// Examines a packet's alpha, which a WebM holds beside its picture after a number of eight bytes.
+std::string alphaDifference(const AVPacket& packet, const WrittenForm& form) {
+  constexpr std::size_t kNumber = 8;
+  std::size_t size = 0;
+  const std::uint8_t* data =
+      av_packet_get_side_data(&packet, AV_PKT_DATA_MATROSKA_BLOCKADDITIONAL, &size);
+  if (data == nullptr) return form.transparent ? "no alpha" : "";
+  return vp9Picture(Bytes(data, size).subspan(std::min(size, kNumber)), form).difference;
+}
+
+CodedPicture pictureOf(const AVPacket& packet, VideoFormat format, bool first,
+                       const WrittenForm& form) {
+  const Bytes bytes(packet.data, static_cast<std::size_t>(packet.size));
+  if (format == VideoFormat::Mp4) return h264Picture(bytes, first);
+  CodedPicture picture = vp9Picture(bytes, form);
+  if (picture.difference.empty()) picture.difference = alphaDifference(packet, form);
+  return picture;
+}
+
+/// Reads all packets; sets `difference` to the first.
+Payload readPayload(const ClipInput& input, const WrittenForm& form, std::string& difference) {
+  Payload payload;
+  const Handle<AVPacket> packet = owned(av_packet_alloc());
+  for (; av_read_frame(&input.context(), packet.get()) >= 0; av_packet_unref(packet.get())) {
+    const CodedPicture picture = pictureOf(*packet, input.format(), payload.count == 0, form);
+    if (difference.empty() && !picture.difference.empty()) {
+      difference =
+          "picture " + std::to_string(payload.count) + ", as coded, holds " + picture.difference;
+    }
+    if (picture.isKey) payload.keys.push_back(payload.count);
+    payload.size += static_cast<std::uint64_t>(packet->size);
+    ++payload.count;
+  }
+  return payload;
+}
+
+}  // namespace
+
+FormDifferences differencesFromWritten(const std::filesystem::path& clip, const WrittenForm& form) {
+  const ClipInput input(clip);
+  const AVCodecParameters& codec = *input.stream().codecpar;
+  FormDifferences found;
+  if (input.format() == VideoFormat::Mp4) {
+    found.stream = h264Difference(
+        Bytes(codec.extradata, static_cast<std::size_t>(codec.extradata_size)), form);
+  }
+  const Payload payload = readPayload(input, form, found.stream);
+  std::ifstream file(clip, std::ios::binary);
+  found.container = input.format() == VideoFormat::Mp4 ? mp4Difference(file, form, payload)
+                                                       : webmDifference(file, form);
+  return found;
+}
+
+}  // namespace rotatebook::video

@@ -1,0 +1,90 @@
+// .ci/run: the turns that CI takes.
+#include <filesystem>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "cli/markdown.h"
+
+namespace rotatebook::cli::testing {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAreArray;
+
+/// A line "2 | 3) asan "picture verify" 2 $((turn - 2)) ;;" of the script.
+struct Turn {
+  std::vector<int> numbers;
+  std::string command;
+};
+
+std::vector<Turn> turns() {
+  static const std::regex kTurn(R"(^\s+([0-9 |]+)\) (.*) ;;$)"), kNumber("[0-9]+");
+  std::vector<Turn> all;
+  for (const std::string& line : linesOf(readText(fs::path(ROTATEBOOK_SOURCE) / ".ci/run"))) {
+    std::smatch match;
+    if (!std::regex_match(line, match, kTurn)) continue;
+    const std::string labels = match[1];
+    Turn turn{{}, match[2]};
+    for (std::sregex_iterator at(labels.begin(), labels.end(), kNumber), end; at != end; ++at)
+      turn.numbers.push_back(std::stoi(at->str()));
+    all.push_back(turn);
+  }
+  return all;
+}
+
+/// The rooms whose tests run with AddressSanitizer in all of their parts, a turn for each.
+std::set<std::string> roomsWithAddressSanitizer() {
+  static const std::regex kAsan(R"(asan "?([a-z_ ]+)\"? ([0-9]+) (.*))");
+  std::set<std::string> rooms;
+  for (const auto& [numbers, command] : turns()) {
+    std::smatch match;
+    if (!std::regex_match(command, match, kAsan)) continue;
+    const std::size_t parts = std::stoul(match[2]);
+    const std::string part =
+        parts == 1 ? "0" : "$((turn - " + std::to_string(numbers.front()) + "))";
+    EXPECT_EQ(numbers.size(), parts) << command;
+    EXPECT_EQ(match[3], part) << command;
+    std::istringstream words(match[1]);
+    for (std::string room; words >> room;) rooms.insert(room);
+  }
+  return rooms;
+}
+
+std::set<std::string> roomsWithTests() {
+  static const std::regex kTest(R"(^rotatebook_test\(([a-z_]+) .*)");
+  std::set<std::string> rooms;
+  for (const auto& entry :
+       fs::recursive_directory_iterator(fs::path(ROTATEBOOK_SOURCE) / "tests")) {
+    if (entry.path().filename() != "CMakeLists.txt") continue;
+    for (const std::string& line : linesOf(readText(entry.path()))) {
+      std::smatch match;
+      if (std::regex_match(line, match, kTest)) rooms.insert(match[1]);
+    }
+  }
+  return rooms;
+}
+
+TEST(CiTurns, HaveEachRoomsTestsWithAddressSanitizer) {
+  const std::set<std::string> rooms = roomsWithTests();
+  EXPECT_GT(rooms.size(), 30U);
+  EXPECT_EQ(roomsWithAddressSanitizer(), rooms);
+}
+
+TEST(CiTurns, FollowEachOtherByTheNumberOfCommits) {
+  std::vector<int> numbers, wanted;
+  for (const Turn& turn : turns())
+    numbers.insert(numbers.end(), turn.numbers.begin(), turn.numbers.end());
+  for (int i = 0; i < 20; ++i) wanted.push_back(i);
+  EXPECT_THAT(numbers, ElementsAreArray(wanted));
+  EXPECT_THAT(readText(fs::path(ROTATEBOOK_SOURCE) / ".ci/run"),
+              ::testing::HasSubstr("turn=$(($(git rev-list --count HEAD) % 20))"));
+}
+
+}  // namespace
+}  // namespace rotatebook::cli::testing

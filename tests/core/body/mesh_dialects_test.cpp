@@ -1,0 +1,218 @@
+// Files as other programs write them.
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "body/mass_properties.h"
+#include "body/mesh_readers.h"
+#include "body/mesh_texts.h"
+#include "body/message_of.h"
+#include "body/solids.h"
+
+namespace rotatebook::body {
+namespace {
+
+using ::testing::AllOf;
+using testing::binaryStlOf;
+using ::testing::HasSubstr;
+using testing::messageOf;
+using testing::objOf;
+using testing::replaced;
+using testing::textPlyOf;
+using testing::textStlOf;
+
+const TriangleMesh& box() {
+  static const TriangleMesh mesh = testing::boxMesh(1, 2, 3);
+  return mesh;
+}
+
+void expectBox(const char* name, const std::string& bytes) {
+  EXPECT_EQ(messageOf([&] {
+              const TriangleMesh mesh = readMesh(name, bytes).mesh;
+              EXPECT_EQ(mesh.points.size(), 8U);
+              EXPECT_EQ(mesh.triangles.size(), 12U);
+              EXPECT_DOUBLE_EQ(massPropertiesOf(mesh, 1).volume, 6);
+            }),
+            "accepted")
+      << bytes.substr(0, 300);
+}
+
+std::string upperCase(std::string text) {
+  for (char& letter : text) letter = static_cast<char>(std::toupper(letter));
+  return text;
+}
+
+/// Returns the text in UTF-16, in either order of its bytes, with or without their mark.
+std::string utf16Of(const std::string& text, bool isBigEndian, bool hasMark) {
+  std::string wide;
+  if (hasMark) wide = isBigEndian ? "\xfe\xff" : "\xff\xfe";
+  for (const char letter : text)
+    wide += isBigEndian ? std::string{'\0', letter} : std::string{letter, '\0'};
+  return wide;
+}
+
+TEST(MeshReaders, TakeLinesThatEndInAnyWay) {
+  for (const char* end : {"\r", "\r\n", "\n\n", "\r\n\r\n"}) {
+    expectBox("a.obj", replaced(replaced(objOf(box()), "\r", ""), "\n", end));
+    expectBox("a.stl", replaced(textStlOf(box()), "\n", end));
+    expectBox("a.ply", replaced(textPlyOf(box()), "\n", end));
+  }
+}
+
+TEST(MeshReaders, CountLinesThatEndInAnyWay) {
+  for (const char* end : {"\r", "\r\n", "\n"}) {
+    const std::string obj = replaced("v 0 0 0\n# a comment\nv 0 0 x\n", "\n", end);
+    EXPECT_THAT(messageOf([&] { readObj(obj); }), HasSubstr("line 3: z must be a number"));
+  }
+}
+
+TEST(MeshReaders, TakeAByteOrderMark) {
+  expectBox("a.obj", "\xef\xbb\xbf" + objOf(box()));
+  expectBox("a.stl", "\xef\xbb\xbf" + textStlOf(box()));
+  expectBox("a.ply", "\xef\xbb\xbf" + textPlyOf(box()));
+  expectBox("a.ply", "\xef\xbb\xbf" + testing::binaryPlyOf(box(), false));
+}
+
+TEST(MeshReaders, TakePaddingBehindTheirEnd) {
+  for (const std::string& padding :
+       {std::string(1, '\0'), std::string("\x1a"), std::string(5, '\0')}) {
+    expectBox("a.obj", objOf(box()) + padding);
+    expectBox("a.stl", textStlOf(box()) + padding);
+    expectBox("a.ply", textPlyOf(box()) + padding);
+  }
+}
+
+// 3 formats, 2 orders of bytes, with the mark or without.
+TEST(MeshReaders, SayThatATextIsUtf16) {
+  for (const auto& [name, text] : {std::pair("a.obj", objOf(box())),
+                                   {"a.stl", textStlOf(box())},
+                                   {"a.ply", textPlyOf(box())}}) {
+    for (const bool isBigEndian : {false, true}) {
+      for (const bool hasMark : {false, true}) {
+        const std::string wide = utf16Of(text, isBigEndian, hasMark);
+        EXPECT_EQ(messageOf([&, name = name] { readMesh(name, wide); }),
+                  std::string(name) + ": it is a text in UTF-16; save it in UTF-8");
+      }
+    }
+  }
+}
+
+TEST(ObjReader, TakesLinesThatGoOn) {
+  const std::string obj = replaced(objOf(box()), "//2\t", "//2 \\\n\t");
+  expectBox("a.obj", obj);
+  expectBox("a.obj", replaced(obj, "//2 \\", "//2\\"));
+  expectBox("a.obj", replaced(obj, "\\\n", "\\ \r\n"));
+  expectBox("a.obj", replaced(objOf(box()), "v ", "v\\\n\\\n "));
+  EXPECT_THAT(messageOf([] { readObj("v 0 \\\n 0 \\\n x\n"); }), HasSubstr("line 3: z must be"));
+}
+
+// What goes on after other lines is no line of its own; a comment doesn't go on.
+TEST(ObjReader, TakesOtherLinesThatGoOn) {
+  expectBox("a.obj", "g left \\\nf right\n# C:\\\n" + objOf(box()) + "usemtl a\\\n");
+}
+
+TEST(ObjReader, TakesCommentsAfterAFace) {
+  expectBox("a.obj", replaced(objOf(box()), "\n", " # so it is\n"));
+  expectBox("a.obj", replaced(objOf(box()), "\n", "#so\n"));
+}
+
+TEST(ObjReader, TakesOldAndLargeLetters) {
+  expectBox("a.obj", replaced(objOf(box()), "f ", "fo "));
+  expectBox("a.obj", replaced(replaced(objOf(box()), "f ", "F "), "v ", "V "));
+}
+
+TEST(StlReader, TakesWordsInAnyCase) {
+  expectBox("a.stl", upperCase(textStlOf(box())));
+  expectBox("a.stl", replaced(textStlOf(box()), "end", "END"));
+  expectBox("a.stl", replaced(textStlOf(box()), "vertex", "Vertex"));
+}
+
+TEST(StlReader, TakesEndsOfTwoWords) {
+  expectBox("a.stl", replaced(textStlOf(box()), "end", "end "));
+  expectBox("a.stl", replaced(textStlOf(box()), "end", "End\t"));
+}
+
+TEST(StlReader, TakesComments) {
+  expectBox("a.stl",
+            "; made by hand\n" + replaced(textStlOf(box()), "  facet", "# facet\n  facet"));
+}
+
+TEST(StlReader, SaysHowATextBegins) {
+  EXPECT_THAT(messageOf([] { readStl("<!DOCTYPE html>" + std::string(200, ' ')); }),
+              AllOf(HasSubstr("it begins with \"<!doctype\""), HasSubstr("not an STL file")));
+}
+
+TEST(StlReader, TakesSpareBytes) {
+  for (const char* comment : {"solid, it says", "made by hand", "SOLID"}) {
+    const std::string whole = binaryStlOf(box(), comment);
+    for (const std::string& spare : {std::string("\n"), std::string("\r\n"), std::string("x"),
+                                     std::string(100, '\0'), std::string("\x1a")})
+      expectBox("a.stl", whole + spare);
+  }
+}
+
+TEST(StlReader, SaysHowManyBytesAreTooMany) {
+  for (const char* comment : {"solid, it says", "made by hand"}) {
+    EXPECT_THAT(messageOf([&] { readStl(binaryStlOf(box(), comment) + "and more"); }),
+                HasSubstr("it says that it has 12 triangles of 50 bytes, but has 608 bytes of "
+                          "them, 8 too many"));
+  }
+}
+
+/// Returns the box with its faces before its vertices.
+std::string facesFirst(const std::string& ply) {
+  const std::size_t vertices = ply.find("element vertex"), faces = ply.find("element face"),
+                    end = ply.find("end_header\n") + 11;
+  std::size_t middle = end;
+  for (int i = 0; i < 8; ++i) middle = ply.find('\n', middle) + 1;
+  return ply.substr(0, vertices) + ply.substr(faces, end - 11 - faces) +
+         ply.substr(vertices, faces - vertices) + "end_header\n" + ply.substr(middle) +
+         ply.substr(end, middle - end);
+}
+
+TEST(PlyReader, TakesElementsInAnyOrder) {
+  expectBox("a.ply", facesFirst(textPlyOf(box())));
+  const std::string wrong = replaced(facesFirst(textPlyOf(box())), "3 0 4 6", "3 0 4 8");
+  EXPECT_THAT(messageOf([&] { readPly(wrong); }),
+              HasSubstr("line 12: a face names a vertex that doesn't exist; there are 8"));
+}
+
+// The sides of the box as one strip, its ends as two more.
+TEST(PlyReader, TakesStrips) {
+  std::string ply = textPlyOf(box());
+  ply.resize(ply.find("element face"));
+  std::string text = textPlyOf(box());
+  const std::size_t end = text.find("end_header\n") + 11;
+  std::size_t faces = end;
+  for (int i = 0; i < 8; ++i) faces = text.find('\n', faces) + 1;
+  ply += "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" +
+         text.substr(end, faces - end) + "20 0 4 2 6 3 7 1 5 0 4 -1 0 2 1 3 -1 4 5 6 7\n";
+  expectBox("a.ply", ply);
+}
+
+TEST(PlyReader, TakesCommentsAfterItsData) {
+  expectBox("a.ply", textPlyOf(box()) + "comment unit m\ncomment\n");
+}
+
+// A carriage return ends the header of a binary file whose data may begin with a line feed.
+TEST(PlyReader, TakesHeadersThatEndInAnyWay) {
+  for (const bool isBigEndian : {false, true}) {
+    const std::string ply = testing::binaryPlyOf(box(), isBigEndian);
+    const std::size_t end = ply.find("end_header\n") + 11;
+    for (const char* line : {"\r", "\r\n"})
+      expectBox("a.ply", replaced(ply.substr(0, end), "\n", line) + ply.substr(end));
+  }
+}
+
+TEST(PlyReader, SaysWhichNamesItMisses) {
+  EXPECT_THAT(messageOf([] { readPly(replaced(textPlyOf(box()), "_indices", "_idx")); }),
+              HasSubstr("its faces have no list \"vertex_indices\""));
+  EXPECT_THAT(messageOf([] { readPly(replaced(textPlyOf(box()), "double z", "double height")); }),
+              HasSubstr("its vertices have no z"));
+}
+
+}  // namespace
+}  // namespace rotatebook::body

@@ -1,0 +1,127 @@
+// Verdicts on recordings: right motions, however they were measured, and wrong ones.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "timeline/recorded_table.h"
+
+namespace rotatebook::timeline {
+namespace {
+
+using physics::Integrator;
+
+const Table kAttitudesAlone{.rates = ""};
+
+Eigen::Vector3d bookWith(double factorOfX) {
+  return {factorOfX * kThrownBook.x(), kThrownBook.y(), kThrownBook.z()};
+}
+
+TEST(VerdictOnRecordings, ExactTablesAgree) {
+  for (const Table& table : {Table{}, kAttitudesAlone}) {
+    const Verdict verdict = verdictOnText(textOf(exactBook(), table));
+    EXPECT_TRUE(verdict.errs == Errs::Hardly || verdict.errs == Errs::HardlyAsFitted)
+        << methodThat(verdict);
+    EXPECT_LT(verdict.errorDeg, 0.2);  // measured 0.07 of slopes
+    EXPECT_EQ(verdict.halfTurns, verdict.halfTurnsDue);
+  }
+}
+
+TEST(VerdictOnRecordings, StepsThatKeepEnergyArentAccusedOfGainingItByTheirSlopes) {
+  const Verdict alone = verdictOnText(textOf(thrownBook(Integrator::Midpoint), kAttitudesAlone));
+  EXPECT_TRUE(alone.errs == Errs::HardlyAsFitted || alone.errs == Errs::InPhase)
+      << methodThat(alone);
+  EXPECT_NEAR(alone.spins.uncertainty, 3.44e-4, 1e-5);
+  EXPECT_EQ(verdictOnText(textOf(thrownBook(Integrator::Midpoint), {})).errs, Errs::InPhase);
+}
+
+TEST(VerdictOnRecordings, AnInertiaThatIsStatedWrongSwings) {
+  for (const double factor : {1.01, 0.99, 1.05}) {
+    const Verdict verdict = verdictOnText(textOf(exactBook(), {}), bookWith(factor));
+    EXPECT_EQ(verdict.errs, Errs::Swings) << factor << ": " << methodThat(verdict);
+  }
+  const Verdict alone = verdictOnText(textOf(exactBook(), kAttitudesAlone), bookWith(1.001));
+  EXPECT_TRUE(alone.errs == Errs::HardlyAsFitted || alone.errs == Errs::InPhase)
+      << methodThat(alone);
+}
+
+TEST(VerdictOnRecordings, NoiseIsNoFaultOfTheMotion) {
+  for (const double noise : {1e-4, 1e-3}) {
+    Table table = kAttitudesAlone;
+    table.noise = 2 * noise;  // as noise of each part of the quaternion makes it [rad]
+    const Verdict verdict = verdictOnText(textOf(exactBook(), table));
+    EXPECT_EQ(verdict.errs, Errs::HardlyAsFitted) << noise << ": " << methodThat(verdict);
+    EXPECT_LT(verdict.errorDeg, 1000 * noise);  // measured 402
+    table = {.noise = 2 * noise, .rateNoise = 10 * noise};
+    const Verdict rated = verdictOnText(textOf(exactBook(), table));
+    EXPECT_TRUE(rated.errs == Errs::Hardly || rated.errs == Errs::HardlyAsFitted)
+        << noise << ": " << methodThat(rated);
+  }
+}
+
+TEST(VerdictOnRecordings, NoiseHidesNoWrongSteps) {
+  for (const bool hasRates : {false, true}) {
+    Table table{.noise = 2e-4, .rateNoise = 1e-3};
+    if (!hasRates) table.rates = "";
+    EXPECT_EQ(verdictOnText(textOf(thrownBook(Integrator::ExplicitGyroscopic), table)).errs,
+              Errs::GainsBoth);
+    EXPECT_EQ(verdictOnText(textOf(thrownBook(Integrator::ImplicitGyroscopic), table)).errs,
+              Errs::LosesBoth);
+    EXPECT_EQ(verdictOnText(textOf(thrownBook(Integrator::Euler), table)).errs, Errs::GainsEnergy);
+  }
+}
+
+TEST(VerdictOnRecordings, AMomentumThatTurnsIsNoMethods) {
+  Table inverse = kAttitudesAlone;
+  inverse.isInverse = true;
+  const Verdict conjugated = verdictOnText(textOf(exactBook(), inverse));
+  EXPECT_EQ(conjugated.errs, Errs::TurnsMomentum) << methodThat(conjugated);
+  EXPECT_GT(conjugated.momentumTurnDeg, 90);
+  const Eigen::Vector3d swapped{kThrownBook.x(), kThrownBook.z(), kThrownBook.y()};
+  const Verdict other = verdictOnText(textOf(exactBook(), {}), swapped);
+  EXPECT_EQ(other.errs, Errs::TurnsMomentum) << methodThat(other);
+  EXPECT_THAT(methodThat(other), ::testing::HasSubstr("another inertia"));
+}
+
+TEST(VerdictOnRecordings, CoarseExplicitStepsAreStillExplicit) {
+  const Verdict verdict = verdictOnText(textOf(thrownBook(Integrator::ExplicitGyroscopic, 25), {}));
+  EXPECT_EQ(verdict.errs, Errs::GainsBoth);
+  EXPECT_GT(verdict.momentumTurnDeg, kTurnsDeg);  // measured 11.6
+}
+
+TEST(VerdictOnRecordings, AttitudesTooFarApartArentJudged) {
+  const Verdict verdict = verdictOnText(textOf(exactBook(5), kAttitudesAlone));
+  EXPECT_EQ(verdict.errs, Errs::TooFewAttitudes) << methodThat(verdict);
+  EXPECT_GT(verdict.spins.uncertainty, 0.03);  // measured 0.046
+  EXPECT_EQ(verdictOnText(textOf(exactBook(10), kAttitudesAlone)).errs, Errs::HardlyAsFitted);
+}
+
+TEST(VerdictOnRecordings, RatesOfAnotherMomentAreNoMotionsFault) {
+  const Verdict verdict = verdictOnText(textOf(exactBook(), {.ratesDelay = 1}));
+  EXPECT_EQ(verdict.errs, Errs::SpinsAreOthers) << methodThat(verdict);
+}
+
+TEST(VerdictOnRecordings, RatesOfAnotherScaleAreNamed) {
+  const Verdict verdict = verdictOnText(textOf(exactBook(), {.ratesPerUnit = 1 / 1.02}));
+  EXPECT_EQ(verdict.errs, Errs::InPhase);
+  EXPECT_NEAR(verdict.spins.difference, 0.02, 1e-4);
+  EXPECT_THAT(methodThat(verdict),
+              ::testing::HasSubstr("rates of another scale: they differ by 2"));
+}
+
+TEST(VerdictOnRecordings, AFixedSpinIsFoundInNoise) {
+  for (const char* const rates : {"", "wx,wy,wz"}) {
+    const Table table{.rates = rates, .noise = 2e-4, .rateNoise = 1e-3};
+    const Verdict verdict = verdictOnText(textOf(thrownBook(Integrator::NoGyroscopic), table));
+    EXPECT_EQ(verdict.errs, Errs::SpinIsFixed) << methodThat(verdict);
+  }
+}
+
+TEST(VerdictOnRecordings, LongStepsMayBeWithinTheUncertaintyOfTheirSlopes) {
+  const Verdict verdict =
+      verdictOnText(textOf(thrownBook(Integrator::Midpoint, 25), kAttitudesAlone));
+  EXPECT_EQ(verdict.errs, Errs::HardlyAsFitted) << methodThat(verdict);
+  EXPECT_NEAR(verdict.spins.uncertainty, 0.002, 2e-4);
+  EXPECT_LT(verdict.fittedBy.value_or(1), 3 * verdict.spins.uncertainty);
+}
+
+}  // namespace
+}  // namespace rotatebook::timeline

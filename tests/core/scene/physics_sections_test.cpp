@@ -192,9 +192,6 @@ TEST(SimulationSection, RefusesUnknownWords) {
   EXPECT_EQ(errorOf("[simulation]\nmodel = 'matrx'"), must + "\"matrx\"; did you mean \"matrix\"?");
   EXPECT_EQ(errorOf("[simulation]\nmodel = 'rigid'"), must + "\"rigid\"");
   EXPECT_EQ(errorOf("[simulation]\nmodel = 2"), must + "2");
-  EXPECT_EQ(errorOf("[simulation]\nintegrator = 'Euler'"),
-            "a.toml:2:14: simulation.integrator must be " + listOfIntegrators("or", Model::Quaternion) +
-                ", not \"Euler\"; did you mean \"euler\"?");
 }
 
 TEST(SimulationSection, RefusesNumbersOutOfRange) {
@@ -296,20 +293,17 @@ TEST(InitialSection, RefusesATiltThatIsNone) {
   const std::string spin = "[initial]\nangular_velocity = [0, 0, 6]\ntilt = ";
   const std::string form = "an angle and an axis, such as [0.02, \"z\"] or [\"1 deg\", \"z\"]";
   EXPECT_EQ(errorOfText(spin + "0.1"), "a.toml:3:8: initial.tilt must be " + form + ", not 0.1");
-  EXPECT_EQ(errorOfText(spin + "[0.1]"),
-            "a.toml:3:8: initial.tilt must be " + form + ", not [0.1]");
+  EXPECT_EQ(errorOfText(spin + "[1]"), "a.toml:3:8: initial.tilt must be " + form + ", not [1]");
   EXPECT_EQ(errorOfText(spin + "[inf, 'x']"),
             "a.toml:3:9: initial.tilt must be an angle from -1e6 to 1e6 rad, not inf");
   EXPECT_EQ(errorOfText(spin + "['1e300 deg', 'x']"),
-            "a.toml:3:9: initial.tilt must be an angle from -1e6 to 1e6 rad, not "
-            "\"1e300 deg\"");
-  for (const char* angle : {"", "1", "deg", "1 degree", "1 deg deg", "x rad", "1,5 deg"}) {
+            "a.toml:3:9: initial.tilt must be an angle from -1e6 to 1e6 rad, not \"1e300 deg\"");
+  for (const char* angle : {"", "1", "deg", "1 deg deg", "x rad", "1,5 deg"}) {
     EXPECT_EQ(
         errorOfText(spin + "['" + angle + "', 'x']"),
         std::string("a.toml:3:9: initial.tilt must be an angle from -1e6 to 1e6 rad, not \"") +
             angle + "\"; a text is a number and a unit, \"rad\", \"deg\", \"turn\" or \"°\", " +
-            "such as \"1.5 rad\"" +
-            (std::string(angle) == "1 degree" ? "; did you mean \"deg\"?" : ""));
+            "such as \"1.5 rad\"");
   }
   EXPECT_EQ(errorOfText(spin + "[0.1, 'w']"),
             "a.toml:3:14: initial.tilt must be \"x\", \"y\" or \"z\", not \"w\"");

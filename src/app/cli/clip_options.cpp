@@ -13,8 +13,10 @@ void addClip(CLI::App& command, std::filesystem::path& clip) {
 
 void addTextureOptions(CLI::App& command, store::TextureLookup& textures) {
   command
-      .add_option("--scene-folder", textures.folder,
-                  "Folder with the scene's textures; by default the clip's folder")
+      .add_option(
+          "--scene-folder", textures.folder,
+          "Folder with the scene's textures, meshes and recordings; by default the clip's folder, "
+          "the one above it, the current one or a folder in these that has them as they were")
       ->type_name("DIR");
   addAllowOutside(command, textures.allowOutside);
 }

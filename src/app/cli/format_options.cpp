@@ -1,10 +1,13 @@
 #include "cli/format_options.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 
 #include "base/error.h"
 #include "base/nearest_name.h"
+#include "base/text.h"
 
 namespace rotatebook::cli {
 namespace {
@@ -41,6 +44,52 @@ std::vector<video::VideoFormat> videoFormatsOf(const std::vector<std::string>& n
     if (!left && std::ranges::count(formats, format) == 0) formats.push_back(format);
   }
   return formats;
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isFolder(const std::string& output) {
+  std::error_code ignored;
+  return output.ends_with('/') || !fs::path(output).has_extension() ||
+         fs::is_directory(output, ignored);
+}
+
+video::VideoFormat formatOf(const std::string& output) {
+  const std::string ending = fs::path(output).extension().string();
+  std::vector<std::string_view> endings;
+  for (const video::VideoFormat format : video::kVideoFormats) {
+    if (ending == rowOf(format).ending) return format;
+    endings.push_back(rowOf(format).ending);
+  }
+  throw InputError("--output " + output + ": no video ends in " + quotedText(ending) +
+                   "; there are " + quotedList(endings, "and") + didYouMean(ending, endings) +
+                   "; for a folder of this name, write " + output + "/");
+}
+
+}  // namespace
+
+Destination destinationOf(const std::vector<std::string>& outputs, std::size_t scenes) {
+  if (isFolder(outputs.back())) return {outputs.back(), "", {}};
+  if (scenes > 1) {
+    throw InputError("--output " + outputs.back() + ": one video for " + std::to_string(scenes) +
+                     " scenes; name a folder");
+  }
+  const fs::path last(outputs.back());
+  const fs::path folder = last.has_parent_path() ? last.parent_path() : fs::path(".");
+  Destination destination{folder, last.stem().string(), {}};
+  for (const std::string& output : outputs) {
+    if (isFolder(output)) continue;  // The last option wins.
+    const fs::path path(output);
+    if (path.parent_path() != last.parent_path() || path.stem() != last.stem()) {
+      throw InputError("--output " + output + " and --output " + last.string() +
+                       ": the videos of a render have one name, but for the ending");
+    }
+    const video::VideoFormat format = formatOf(output);
+    if (std::ranges::count(destination.formats, format) == 0) destination.formats.push_back(format);
+  }
+  return destination;
 }
 
 void refuseOpaque(const scene::Scene& scene, const std::vector<video::VideoFormat>& formats) {

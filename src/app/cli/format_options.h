@@ -1,6 +1,8 @@
 // Options about the videos of a clip. Inside the room only.
 #pragma once
 
+#include <cstddef>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,20 @@ CLI::Option* addFormats(CLI::App& command, std::vector<std::string>& names);
 
 /// Returns the formats that --format names, each once, without MP4 if `noMp4`. Throws InputError.
 std::vector<video::VideoFormat> videoFormatsOf(const std::vector<std::string>& names, bool noMp4);
+
+/// The place of a clip's files, and the videos among them.
+struct Destination {
+  std::filesystem::path folder;
+  /// The name of the files, without ending, in place of the scene's; empty if a folder was named.
+  std::string name;
+  std::vector<video::VideoFormat> formats;  ///< Of the named videos.
+};
+
+/// Takes the values of --output for so many `scenes`. The last is a folder, which is taken, or a
+/// video of the only scene; then all that are videos are made. A name with an ending is a folder if
+/// that exists, or if a slash follows. Throws InputError for endings of no format, and unless the
+/// videos have one name and one folder.
+Destination destinationOf(const std::vector<std::string>& outputs, std::size_t scenes);
 
 /// Throws InputError if a video of a scene would lose its transparency.
 void refuseOpaque(const scene::Scene& scene, const std::vector<video::VideoFormat>& formats);

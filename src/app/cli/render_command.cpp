@@ -25,15 +25,19 @@ namespace {
 
 struct RenderArguments {
   std::vector<std::string> scenes;
+  std::vector<std::string> outputs{"out"};
   SceneOptions sceneOptions;
   DeviceOptions deviceOptions;
   std::string frames, part;
   bool noPng = false;
   std::vector<std::string> formats{"mp4"};
   bool noMp4 = false;
+  bool noExpect = false;
   int atATime = 0;
   bool json = false;
   pipeline::RenderOptions options;
+
+  Destination destination() const { return destinationOf(outputs, scenes.size()); }
 };
 
 store::FrameRange rangeOf(const std::string& text) {
@@ -44,18 +48,32 @@ store::FrameRange rangeOf(const std::string& text) {
 
 std::vector<video::VideoFormat> formatsOf(const RenderArguments& arguments) {
   if (!arguments.part.empty()) return {};
+  const Destination destination = arguments.destination();
+  if (!destination.name.empty()) return destination.formats;
   return videoFormatsOf(arguments.formats, arguments.noMp4);
+}
+
+/// Throws InputError if videos are named, and other options ask for something else.
+void refuseOtherOutputs(const RenderArguments& arguments) {
+  const bool isOther = arguments.noMp4 || arguments.formats != RenderArguments().formats ||
+                       !arguments.frames.empty() || !arguments.part.empty();
+  if (arguments.destination().name.empty() || !isOther) return;
+  throw InputError("--output " + arguments.outputs.back() +
+                   " is the whole clip as a video; name a folder with --format, --no-mp4, --frames "
+                   "and --part");
 }
 
 /// Reads all scenes before anything is written, so that a mistake in the last one costs nothing.
 std::vector<SceneToRender> readScenes(const RenderArguments& arguments,
                                       const pipeline::RenderOptions& options) {
+  const std::string name = arguments.destination().name;
   std::vector<SceneToRender> read;
   std::vector<scene::Scene> scenes;
   std::vector<Input> inputs;
   for (const std::string& path : arguments.scenes) {
     scenes.push_back(arguments.sceneOptions.read(path));
-    read.push_back({scenes.back(), picture::preflight(scenes.back())});
+    if (!name.empty()) scenes.back().name = name;
+    read.push_back({scenes.back(), picture::preflight(scenes.back()), !arguments.noExpect});
     std::ranges::move(inputsOf(path, scenes.back()), std::back_inserter(inputs));
   }
   refuseSameNames(scenes);
@@ -73,8 +91,12 @@ int scenesAtATime(const std::vector<SceneToRender>& all) {
 }
 
 int render(const RenderArguments& arguments) {
+  refuseOtherOutputs(arguments);
   pipeline::RenderOptions options = arguments.options;
-  options.outputs = pipeline::outputsOf(!arguments.noPng, formatsOf(arguments));
+  const Destination destination = arguments.destination();
+  options.folder = destination.folder;
+  const bool hasPng = !arguments.noPng && destination.name.empty();
+  options.outputs = pipeline::outputsOf(hasPng, formatsOf(arguments));
   options.device = arguments.deviceOptions.choice(/*resumable=*/true);
   if (!arguments.frames.empty()) options.frames = rangeOf(arguments.frames);
   if (!arguments.part.empty()) options.part = partOf(arguments.part);
@@ -89,6 +111,8 @@ constexpr const char* kRenderFooter = R"(
 Writes DIR/NAME.mp4 (or the videos that --format names), DIR/NAME.csv, DIR/NAME.poster.png and
 DIR/NAME/frame_00000.png ..., where NAME is the scene file's.
 A scene with panels has a table for each, DIR/NAME_LABEL.csv; a grid a single one, a row for each book.
+-o FILE, such as -o clip.mp4, makes that video alone of the frames; its table and poster are beside it,
+named after it. -o clip.mp4 -o clip.gif makes both. -o DIR/ is a folder, also if its name has a dot.
 --grid shows up to 96 books, 12 a side, with other values of one key or two: the values of the first from
 the left to the right, those of the second from the top to the bottom. 1..8 are whole numbers; a range of
 others is as in scenes, { from = 0.001, to = 1.0, count = 8, spacing = "logarithmic" }.
@@ -104,6 +128,7 @@ Examples:
   rotatebook render scenes/figures/fig05-unstable-x.toml --size 1920x1080 --no-png
   rotatebook render my.toml -o /tmp/clips --set simulation.model=matrix --set clip.duration=5
   rotatebook render my.toml --grid "initial.tilt=1e-2,1e-4,1e-6 x simulation.substeps=1..8"
+  rotatebook render my.toml -o clip.mp4 -o clip.gif
   rotatebook render my.toml --frames 0:60
   rotatebook render my.toml --part 3/16 --retry-status
   rotatebook render scenes/figures/*.toml --resume
@@ -116,9 +141,16 @@ void addRenderCommand(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<RenderArguments>();
   CLI::App* command = program.add_subcommand("render", "Render scenes to PNG frames, MP4 and CSV");
   command->add_option("SCENE", arguments->scenes, "Scene files")->required();
-  command->add_option("-o,--output", arguments->options.folder, "Folder for the results")
-      ->type_name("DIR")
-      ->capture_default_str();
+  CLI::Option* output =
+      command
+          ->add_option("-o,--output", arguments->outputs,
+                       "Folder for the results, or a video to make, e.g. clip.mp4; several videos "
+                       "of one name may be named")
+          ->type_name("DIR|FILE")
+          ->expected(1)
+          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+          ->allow_extra_args(false)
+          ->default_str("out");
   CLI::Option* frames = command
                             ->add_option("--frames", arguments->frames,
                                          "Only the frames from A up to, but not including, B")
@@ -135,6 +167,7 @@ void addRenderCommand(CLI::App& program, Action& action) {
       ->excludes(noPng)
       ->excludes(format)
       ->group(kClip);
+  addNoExpect(*command, arguments->noExpect);
   command->add_flag("--no-mp4", arguments->noMp4, "Write no MP4")->group(kClip);
   command->add_flag("--resume", arguments->options.earlier.resume,
                     "Go on where a render stopped, and skip what is done");

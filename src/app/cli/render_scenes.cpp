@@ -36,6 +36,7 @@ void render(const SceneToRender& one, const pipeline::RenderOptions& options,
   if (rendered.interrupted) return;
   // Expectations are of the whole, which the render of a part can't keep or break
   if (!options.part) rendered.motions = timeline::summarize(scene, motion);
+  if (!one.isJudged) timeline::leaveUnjudged(rendered.motions);
   pipeline::RenderListener listener;
   listener.started = [&](const pipeline::RenderStart& start) {
     rendered.start = start;

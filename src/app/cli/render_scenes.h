@@ -13,6 +13,7 @@ namespace rotatebook::cli {
 struct SceneToRender {
   scene::Scene scene;
   picture::TextureFiles textures{};
+  bool isJudged = true;  ///< Whether its expectations are.
 };
 
 /// Renders all scenes, `atATime` of them at a time, and reports each on the standard output, in

@@ -140,6 +140,13 @@ scene::Scene SceneOptions::applied(std::vector<Shorthand> shorthands, const Read
   }
 }
 
+void addNoExpect(CLI::App& command, bool& noExpect) {
+  command
+      .add_flag("--no-expect", noExpect,
+                "Judge nothing that the scene expects, so that the exit status is 0")
+      ->group("Scene");
+}
+
 void requireMap(const scene::Scene& scene, const std::string& path) {
   if (scene.map) return;
   throw InputError(path +

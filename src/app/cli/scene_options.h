@@ -39,6 +39,9 @@ struct SceneOptions {
   scene::Scene applied(std::vector<Shorthand> shorthands, const Reader& reader) const;
 };
 
+/// Adds --no-expect, which leaves whatever scenes expect unjudged.
+void addNoExpect(CLI::App& command, bool& noExpect);
+
 /// Throws InputError if the scene, read from `path`, has no map.
 void requireMap(const scene::Scene& scene, const std::string& path);
 

@@ -26,17 +26,26 @@ struct SimulateArguments {
   SceneOptions sceneOptions;
   std::string csv;
   bool json = false;
+  bool noExpect = false;
 };
 
+std::vector<timeline::MotionSummary> summariesOf(const scene::Scene& scene,
+                                                 const timeline::ClipMotion& motion,
+                                                 bool noExpect) {
+  std::vector<timeline::MotionSummary> motions = timeline::summarize(scene, motion);
+  if (noExpect) timeline::leaveUnjudged(motions);
+  return motions;
+}
+
 /// Prints the table of a scene that has a single one to the standard output.
-int printTable(const scene::Scene& scene) {
+int printTable(const scene::Scene& scene, bool noExpect) {
   if (timeline::tableCount(scene) > 1) {
     throw InputError("--csv -: " + scene.name +
                      " has panels, each with a table of its own; name a file");
   }
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   std::cout << timeline::tableText(scene, motion, 0);
-  const std::vector<timeline::MotionSummary> motions = timeline::summarize(scene, motion);
+  const std::vector<timeline::MotionSummary> motions = summariesOf(scene, motion, noExpect);
   report::reportMotions(motions, std::clog);
   report::reportNotes(scene, motions, std::cerr);
   return reportIfUnmet(statusOf(timeline::allMet(motions)), false);
@@ -58,7 +67,7 @@ int simulateScene(const SimulateArguments& arguments) {
   }
   const scene::Scene scene = arguments.sceneOptions.read(arguments.scene);
   report::reportNotes(scene, std::cerr);
-  if (arguments.csv == "-") return printTable(scene);
+  if (arguments.csv == "-") return printTable(scene, arguments.noExpect);
   std::vector<std::filesystem::path> files;
   if (!arguments.csv.empty()) files = store::csvFiles(arguments.csv, scene);
   for (const auto& file : files) {
@@ -69,7 +78,8 @@ int simulateScene(const SimulateArguments& arguments) {
                                "the table would replace it; name another file with --csv");
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   if (!files.empty()) store::writeTables(files, scene, motion);
-  const std::vector<timeline::MotionSummary> motions = timeline::summarize(scene, motion);
+  const std::vector<timeline::MotionSummary> motions =
+      summariesOf(scene, motion, arguments.noExpect);
   std::vector<report::WrittenTable> tables;
   for (std::size_t i = 0; i < files.size(); ++i) {
     tables.push_back({files[i], timeline::rowCount(scene, motion, i)});
@@ -93,6 +103,7 @@ void addSimulateCommand(CLI::App& program, Action& action) {
       ->type_name("FILE");
   command->add_flag("--json", arguments->json, "Print one JSON object: what was measured");
   arguments->sceneOptions.addTo(*command, /*draws=*/false);
+  addNoExpect(*command, arguments->noExpect);
   command->footer(R"(
 Reports half-turns, energy, distance to the exact motion, and what was expected.
 

@@ -53,7 +53,7 @@ void addStillCommand(CLI::App& program, Action& action) {
   command->add_option("SCENE", arguments->scene, "Scene file")->required();
   command
       ->add_option("--time", arguments->time,
-                   "Time in the clip, whose nearest frame is drawn; by default the poster's")
+                   "Time in the video, whose nearest frame is drawn; by default the poster's")
       ->type_name("SECONDS");
   command
       ->add_option("-o,--output", arguments->output,

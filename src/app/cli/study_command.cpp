@@ -56,7 +56,7 @@ Shorthand stepsShorthand(const std::string& steps) {
   static const std::regex kList("(0|[1-9][0-9]{0,8})(,(0|[1-9][0-9]{0,8}))*");
   if (!std::regex_match(steps, kList)) {
     throw InputError("--steps " + steps +
-                     ": not a list of whole numbers; write steps a frame, for example 1,2,4,8");
+                     ": not a list of whole numbers; write substeps, for example 1,2,4,8");
   }
   return {"--steps " + steps, "study.steps=[" + steps + "]"};
 }
@@ -284,9 +284,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
   command->add_option("-o,--output", arguments->folder, "Folder for the results")
       ->type_name("DIR")
       ->capture_default_str();
-  command
-      ->add_option("--steps", arguments->steps,
-                   "Integration steps a frame to compare, e.g. 1,2,4,8")
+  command->add_option("--steps", arguments->steps, "Substeps to compare, e.g. 1,2,4,8")
       ->type_name("N,N,...");
   command
       ->add_option("--integrators", arguments->integrators,
@@ -297,7 +295,7 @@ void addStudyCommand(CLI::App& program, Action& action) {
   arguments->sceneOptions.addChecksum(*command);
   addRetryStatus(*command);
   command->footer(R"(
-Runs each integrator with each number of steps a frame that [study] of the scene lists, by default all
+Runs each integrator with each number of substeps that [study] of the scene lists, by default all
 of the model's with 1, 2, 4 ... 1024. If [study] lists tilts, the scene's own integrator runs from each;
 with study.over, the scene runs with each value of that key, and what study.measure lists is measured.
 Writes DIR/NAME-study.csv, DIR/NAME-study-orders.csv (of integrators), DIR/NAME-study.svg and

@@ -76,7 +76,11 @@ std::string optionHint(const CLI::App& program, const std::string& name) {
   const std::string elsewhere = ownerText(program, name, "it");
   if (!elsewhere.empty() || name.size() == 2) return elsewhere;
   const std::string wanted = name.starts_with("--") ? name : "-" + name;
-  const std::string own = didYouMean(wanted, viewsOf(longOptions(command)));
+  const std::vector<std::string> options = longOptions(command);
+  const auto begins = [&](const std::string& option) { return option.starts_with(wanted); };
+  if (wanted.size() > 3 && std::ranges::count_if(options, begins) == 1)
+    return "; did you mean " + quotedText(*std::ranges::find_if(options, begins)) + "?";
+  const std::string own = didYouMean(wanted, viewsOf(options));
   if (!own.empty()) return own;
   std::vector<std::string> others;
   for (const CLI::App* other : shownCommands(program)) {

@@ -43,7 +43,7 @@ double timeOnce(const Fleet& fleet, double h, int steps) {
 }  // namespace
 
 double nanosecondsPerStep(const physics::MotionSettings& settings, std::int64_t steps) {
-  const double h = settings.simulation.timePerFrame / settings.simulation.substeps;
+  const double h = settings.simulation.steps().length();
   const auto stepsEach = static_cast<int>(std::min(steps, kStepsPerMeasurement));
   double best = 0;
   double spent = 0;

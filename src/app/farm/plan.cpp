@@ -14,10 +14,16 @@ void append(std::vector<std::string>& words, const std::vector<std::string>& mor
   words.insert(words.end(), more.begin(), more.end());
 }
 
+/// Returns the folder as a command takes it, which may not be there yet: a name with a dot in it
+/// would be a video's.
+std::string folderWord(const std::filesystem::path& folder) {
+  return folder.string() + (folder.has_extension() ? "/" : "");
+}
+
 /// Returns the end of every command: where it writes, how it ends, and which scenes it takes.
 std::vector<std::string> commonWords(const Plan& plan, const std::string& checksums) {
-  std::vector<std::string> words{"-o", plan.folder.string(), "--retry-status", "--scene-checksum",
-                                 checksums};
+  std::vector<std::string> words{"-o", folderWord(plan.folder), "--retry-status",
+                                 "--scene-checksum", checksums};
   if (plan.work == Work::Map) append(words, {"--threads", std::to_string(plan.cores)});
   append(words, plan.arguments);
   return words;

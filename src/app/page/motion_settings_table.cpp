@@ -34,7 +34,7 @@ std::string integratorText(const scene::Panel& motion) {
 
 std::string stepText(const scene::Panel& motion) {
   if (!physics::takesSteps(motion.simulation.model)) return "";
-  return number(1e3 * motion.simulation.timePerFrame / motion.simulation.substeps) + " ms";
+  return number(1e3 * motion.simulation.steps().length()) + " ms";
 }
 
 std::string springsText(const scene::Panel& motion) {

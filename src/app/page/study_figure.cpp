@@ -95,13 +95,15 @@ Runs runsOf(const scene::Scene& scene) {
     return runs;
   }
   Runs runs{{"integrator", "h_s", "steps"}, {}};
-  const physics::MotionSettings motion = studiedMotion(scene, study);
-  const std::int64_t intervals = studiedSamples(scene, study, motion) - 1;
+  physics::MotionSettings motion = studiedMotion(scene, study);
+  motion.simulation.step.reset();
+  const std::int64_t samples = studiedSamples(scene, study, motion);
   for (const physics::Integrator integrator : study.integrators) {
     for (const int substeps : study.steps) {
+      motion.simulation.substeps = substeps;
       runs.keys.insert(std::string(scene::nameOf(scene::kIntegrators, integrator)) + "," +
-                       shortestText(motion.simulation.timePerFrame / substeps) + "," +
-                       std::to_string(intervals * substeps));
+                       shortestText(motion.simulation.steps().length()) + "," +
+                       std::to_string(scene::studiedSteps(motion, samples)));
     }
   }
   return runs;

@@ -83,10 +83,16 @@ std::vector<std::int64_t> framesOf(const scene::Scene& scene, const timeline::Cl
   return frames;
 }
 
+/// Returns the frame's time in the video, as --times and still take it, and where the motion's is
+/// another, that, too: "6.00 s, t = 1.20 s".
 std::string timeText(const scene::Scene& scene, const timeline::ClipMotion& motion,
                      std::int64_t frame) {
+  const scene::Words& words = scene.overlay.words;
+  const double inVideo = static_cast<double>(frame) * scene.clip.frameRate.period();
+  const std::string video = overlay::clockText(inVideo, words);
   const double time = timeAt(scene, static_cast<double>(motion.clockFrame(frame)));
-  return overlay::clockText(time, scene.overlay.words);
+  const std::string clock = overlay::clockText(time, words);
+  return video == clock ? video : video + ", t = " + clock;
 }
 
 void addCells(const scene::Scene& scene, const SheetOptions& options, bool named,

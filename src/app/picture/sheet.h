@@ -22,10 +22,10 @@ struct SheetOptions {
   render::DeviceChoice device{};
 };
 
-/// Draws the frames, scene by scene, and below each its time, its scene's title, or both, as
-/// necessary to tell them apart. Returns an opaque Rgba8 picture. Throws InputError if scenes
-/// differ in size, if a time isn't in the clip, and if the frames would have more than 250 million
-/// pixels or a side of the sheet more than kMaxPictureSide.
+/// Draws the frames, scene by scene, and below each its time in the video, its scene's title, or
+/// both, as necessary to tell them apart. Returns an opaque Rgba8 picture. Throws InputError if
+/// scenes differ in size, if a time isn't in the clip, and if the frames would have more than 250
+/// million pixels or a side of the sheet more than kMaxPictureSide.
 image::Image drawSheet(const std::vector<scene::Scene>& scenes, const SheetOptions& options);
 
 }  // namespace rotatebook::picture

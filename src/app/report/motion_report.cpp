@@ -72,6 +72,7 @@ std::string motionJson(const MotionSummary& summary) {
       .addNumberOrNull("error_deg", summary.errorDeg)
       .addNumberOrNull("visible_from_s", summary.visibleFrom)
       .addNumberOrNull("diverged_at_s", summary.divergedAt)
+      .addBool("judged", summary.isJudged)
       .addBool("met", summary.met())
       .add("expectations", jsonArrayOf(summary.expectations, expectationJson))
       .add("notes", jsonArrayOf(notes, jsonString))
@@ -155,6 +156,9 @@ void reportGrid(const std::vector<MotionSummary>& motions, std::ostream& out) {
 
 void reportMotions(const std::vector<MotionSummary>& motions, std::ostream& out) {
   constexpr std::size_t kMaxListed = 6;
+  if (!motions.empty() && !motions.front().isJudged) {
+    out << "  expectations are left out (--no-expect)\n";
+  }
   if (motions.size() > kMaxListed) return reportGrid(motions, out);
   for (const MotionSummary& summary : motions) {
     if (!summary.motion.label.empty()) out << "  " << summary.motion.label << ":\n";

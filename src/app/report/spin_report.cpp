@@ -85,10 +85,11 @@ std::string phasesText(const SpinPeriod& period) {
 std::string eulerText(const SpinNumbers& numbers) {
   const timeline::EulerSteps& euler = *numbers.euler;
   const std::string need =
-      euler.substeps ? std::to_string(*euler.substeps) + (*euler.substeps == 1 ? " step" : " steps")
-                     : "more than " + std::to_string(euler.tried) + " steps";
-  return "needs " + need + " a frame, " + (euler.substeps ? "" : "shorter than ") +
-         text(euler.step) + " s each, to keep the regime for " + text(numbers.duration) + " s";
+      euler.substeps
+          ? std::to_string(*euler.substeps) + (*euler.substeps == 1 ? " substep" : " substeps")
+          : "more than " + std::to_string(euler.tried) + " substeps";
+  return "needs " + need + ", " + (euler.substeps ? "" : "shorter than ") + text(euler.step) +
+         " s each, to keep the regime for " + text(numbers.duration) + " s";
 }
 
 /// A line of the report.

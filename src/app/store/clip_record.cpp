@@ -1,9 +1,13 @@
 #include "store/clip_record.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
+#include "base/checksum.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "base/version.h"
@@ -111,6 +115,69 @@ bool lacksFiles(const scene::Scene& scene) {
   return isMissing(book.front) || isMissing(book.spine) || isMissing(book.back);
 }
 
+std::string texturesText(const picture::TextureChecksums& textures) {
+  return joinedOf(textures, [](const auto& texture) {
+    const auto& [key, sum] = texture;
+    return sum == picture::kBuiltinTexture ? "" : key + " " + sum;
+  });
+}
+
+picture::TextureChecksums checksumsOf(const picture::TextureFiles& textures) {
+  picture::TextureChecksums sums;
+  for (const auto& [key, bytes] : textures) sums.emplace(key, checksumOf(bytes));
+  return sums;
+}
+
+/// Returns the folders in `folder`, in the order of their names; the first kMaxFolders of them.
+std::vector<fs::path> foldersIn(const fs::path& folder) {
+  constexpr std::size_t kMaxFolders = 1000;
+  std::vector<fs::path> folders;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (folders.size() == kMaxFolders) break;
+    if (entry.is_directory(ignored)) folders.push_back(entry.path());
+  }
+  std::ranges::sort(folders);
+  return folders;
+}
+
+/// Returns the folders near a clip where its scene may be: its own, the one above, as a render
+/// leaves clips in out/, the current one, and the folders in these.
+std::vector<fs::path> foldersNear(const fs::path& clip) {
+  const fs::path own = clip.parent_path().empty() ? "." : clip.parent_path();
+  std::vector<fs::path> folders{own, own / "..", "."};
+  for (const fs::path& parent : std::vector(folders)) {
+    std::ranges::copy(foldersIn(parent), std::back_inserter(folders));
+  }
+  return folders;
+}
+
+/// Reads the files that a record's scene names.
+void readFiles(RecordedClip& clip) {
+  clip.textures = picture::readTextures(clip.record.scene);
+  readMotionFiles(clip.record.scene);
+}
+
+/// Reads them from a folder near the clip that has all of them as they were. Returns false, and
+/// leaves `recorded` as it is, if none has.
+bool readFilesNear(const fs::path& clip, RecordedClip& recorded) {
+  for (const fs::path& folder : foldersNear(clip)) {
+    RecordedClip there = recorded;
+    there.record.scene.folder = folder;
+    if (lacksFiles(there.record.scene)) continue;
+    try {
+      readFiles(there);
+    } catch (const InputError&) {
+      continue;
+    }
+    const std::string& wanted = recorded.record.provenance.textures;
+    if (!wanted.empty() && wanted != texturesText(checksumsOf(there.textures))) continue;
+    recorded = std::move(there);
+    return true;
+  }
+  return false;
+}
+
 /// Returns the text of all that the clip of `scene` depends on.
 std::string clipText(scene::Scene scene) {
   scene.expectations.clear();
@@ -130,10 +197,7 @@ Provenance provenanceOf(const scene::Scene& scene, const timeline::ClipMotion& m
           .renderer = oneLine(renderer),
           .ffmpeg = video::ffmpegVersion(),
           .motion = timeline::motionChecksum(motion),
-          .textures = joinedOf(textures, [](const auto& texture) {
-            const auto& [key, sum] = texture;
-            return sum == picture::kBuiltinTexture ? "" : key + " " + sum;
-          })};
+          .textures = texturesText(textures)};
 }
 
 std::vector<std::string> differencesOfTools(const Provenance& there, const Provenance& here) {
@@ -207,10 +271,10 @@ RecordedClip readRecordedClip(const fs::path& clip, const TextureLookup& texture
   scene::Scene& scene = recorded.record.scene;
   scene.allowOutside = textures.allowOutside;
   try {
-    recorded.textures = picture::readTextures(scene);
-    readMotionFiles(scene);
+    readFiles(recorded);
   } catch (const InputError& error) {
     if (!lacksFiles(scene)) throw;
+    if (textures.folder.empty() && readFilesNear(clip, recorded)) return recorded;
     throw InputError(std::string(error.what()) +
                      "; name its scene's folder with --scene-folder DIR");
   }

@@ -74,7 +74,7 @@ struct RecordedClip {
 
 /// The location of a recorded scene's textures.
 struct TextureLookup {
-  std::filesystem::path folder{};  ///< The scene's folder; if empty, the clip's.
+  std::filesystem::path folder{};  ///< The scene's folder; if empty, one near the clip.
   bool allowOutside = false;       ///< scene::Scene::allowOutside
 };
 

@@ -1,6 +1,7 @@
 #include "bridge/played_scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -64,9 +65,13 @@ void PlayedScene::replace(scene::Scene scene) {
 }
 
 std::int64_t PlayedScene::stepsOfFrame() const {
-  std::int64_t steps = 0;
-  for (const scene::Panel& panel : scene::motionsOf(scene_)) steps += panel.simulation.substeps;
-  return steps;
+  constexpr double kManySteps = 1e15;
+  double steps = 0;
+  for (const scene::Panel& panel : scene::motionsOf(scene_)) {
+    const physics::EqualSteps each = panel.simulation.steps();
+    steps += each.count * std::max(1.0, std::ceil(panel.simulation.timePerFrame / each.time));
+  }
+  return static_cast<std::int64_t>(std::min(steps, kManySteps));
 }
 
 void PlayedScene::simulate(std::int64_t frame, std::int64_t steps) {

@@ -15,8 +15,10 @@ const sizeKnob = (axis, name) => ({
 
 /** Ranges are those of the sliders; the field beside one takes whatever the scene may have. */
 const kKnobs = [
-  {group: "motion", section: "simulation", key: "substeps", label: "Steps a picture", least: 1, most: 1000, logarithmic: true, whole: true, shown: kStepping},
+  {group: "motion", section: "simulation", key: "substeps", label: "Substeps", least: 1, most: 1000, logarithmic: true, whole: true,
+    shown: (model, scene, book) => kStepping(model) && kHas("simulation", "substeps")(model, scene, book)},
   {group: "motion", section: "simulation", key: "time_per_frame", label: "Time a picture", unit: "s", least: 1e-4, most: 0.2, logarithmic: true, shown: kAlways,
+    get: (scene) => scene.timePerFrame,
     put: (scene, book, value) => {
       const changed = new LiveScene(scene.withKeys(book, "simulation", {time_per_frame: value}), scene.explicit);
       return changed.withKeys(book, "clip", {speed: undefined});

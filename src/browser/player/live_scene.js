@@ -28,6 +28,13 @@ class LiveScene {
     return this.explicit.panel?.[book]?.[section]?.[key] ?? this.explicit[section]?.[key];
   }
 
+  /** Simulated time from a picture to the next: the stated one, or that of real time or a constant speed. [s] */
+  get timePerFrame() {
+    const {fps, speed} = this.explicit.clip;
+    const [frames, seconds] = String(fps).split("/").map(Number);
+    return this.explicit.simulation?.time_per_frame ?? Number(((Number(speed) || 1) * (seconds || 1) / frames).toPrecision(12));
+  }
+
   shows(overlay) { return this.explicit.overlay?.show?.includes(overlay) ?? false; }
 
   /** Returns a changed copy of the tree: the scene itself changes only once the core has read the copy. */

@@ -1,6 +1,7 @@
 #include "base/nearest_name.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -8,6 +9,72 @@
 
 namespace rotatebook {
 namespace {
+
+/// A word that people use for a name of this program.
+struct OtherWord {
+  std::string_view word, name;
+};
+
+constexpr std::array kOtherWords{
+    // Keys and their values
+    OtherWord{"cover", "front"},
+    OtherWord{"dt", "step"},
+    OtherWord{"timestep", "step"},
+    OtherWord{"time_step", "step"},
+    OtherWord{"step_size", "step"},
+    OtherWord{"slow_motion", "speed"},
+    OtherWord{"slowmotion", "speed"},
+    OtherWord{"slow", "speed"},
+    OtherWord{"playback_speed", "speed"},
+    OtherWord{"frame_rate", "fps"},
+    OtherWord{"framerate", "fps"},
+    OtherWord{"resolution", "size"},
+    OtherWord{"language", "words"},
+    OtherWord{"colour", "color"},
+    OtherWord{"color", "colours"},
+    OtherWord{"colors", "colours"},
+    OtherWord{"median", "middle"},
+    OtherWord{"intermediate", "middle"},
+    OtherWord{"minor", "smallest"},
+    OtherWord{"major", "largest"},
+    OtherWord{"deutsch", "german"},
+    OtherWord{"de", "german"},
+    OtherWord{"en", "english"},
+    // Units
+    OtherWord{"metre", "m"},
+    OtherWord{"metres", "m"},
+    OtherWord{"meter", "m"},
+    OtherWord{"meters", "m"},
+    OtherWord{"centimetres", "cm"},
+    OtherWord{"centimeters", "cm"},
+    OtherWord{"inch", "in"},
+    OtherWord{"inches", "in"},
+    OtherWord{"gram", "g"},
+    OtherWord{"grams", "g"},
+    OtherWord{"kilogram", "kg"},
+    OtherWord{"kilograms", "kg"},
+    OtherWord{"sec", "s"},
+    OtherWord{"secs", "s"},
+    OtherWord{"second", "s"},
+    OtherWord{"seconds", "s"},
+    OtherWord{"msec", "ms"},
+    OtherWord{"milliseconds", "ms"},
+    OtherWord{"minute", "min"},
+    OtherWord{"minutes", "min"},
+    OtherWord{"degree", "deg"},
+    OtherWord{"degrees", "deg"},
+    OtherWord{"radian", "rad"},
+    OtherWord{"radians", "rad"},
+    OtherWord{"turns", "turn"},
+    OtherWord{"rev", "turn"},
+    OtherWord{"revolutions", "turn"},
+    OtherWord{"degrees/s", "deg/s"},
+    OtherWord{"dps", "deg/s"},
+    OtherWord{"rev/s", "turn/s"},
+    OtherWord{"rps", "turn/s"},
+    OtherWord{"rev/min", "rpm"},
+    OtherWord{"1/min", "rpm"},
+};
 
 char lowerCase(char letter) {
   return letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
@@ -37,6 +104,9 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 
 std::optional<std::string_view> nearestName(std::string_view word,
                                             std::span<const std::string_view> candidates) {
+  for (const auto& [other, name] : kOtherWords) {
+    if (editDistance(word, other) == 0 && std::ranges::count(candidates, name) > 0) return name;
+  }
   std::optional<std::string_view> nearest;
   std::size_t fewest = 0;
   for (const std::string_view candidate : candidates) {

@@ -1,4 +1,4 @@
-// Suggestions for misspelt names, by edit distance.
+// Suggestions for misspelt names, by edit distance, and for other words of the same meaning.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace rotatebook {
 
-/// Returns the candidate that `word` most likely misspells; none if all are too different. Upper
-/// and lower case count as equal; an edit is a letter added, left out, changed, or swapped with its
-/// neighbour.
+/// Returns the candidate that `word` means in other words, such as "degrees", or most likely
+/// misspells; none if all are too different. Upper and lower case count as equal; an edit is a
+/// letter added, left out, changed, or swapped with its neighbour.
 std::optional<std::string_view> nearestName(std::string_view word,
                                             std::span<const std::string_view> candidates);
 

@@ -23,7 +23,7 @@ struct Unit {
   int divisorOfPi = 0;  ///< 0 for units without pi.
 };
 
-constexpr std::array<Unit, 17> kUnits{{
+constexpr std::array<Unit, 19> kUnits{{
     {"m", Dimension::Length},
     {"cm", Dimension::Length, 1, -2},
     {"mm", Dimension::Length, 1, -3},
@@ -37,8 +37,10 @@ constexpr std::array<Unit, 17> kUnits{{
     {"rad", Dimension::Angle},
     {"deg", Dimension::Angle, 1, 0, 180},
     {"turn", Dimension::Angle, 2, 0, 1},
+    {"°", Dimension::Angle, 1, 0, 180},
     {"rad/s", Dimension::AngularVelocity},
     {"deg/s", Dimension::AngularVelocity, 1, 0, 180},
+    {"°/s", Dimension::AngularVelocity, 1, 0, 180},
     {"turn/s", Dimension::AngularVelocity, 2, 0, 1},
     {"rpm", Dimension::AngularVelocity, 1, 0, 30},
 }};
@@ -83,25 +85,47 @@ std::optional<double> scaledDecimal(std::string_view number, int multiplier, int
   return wholeNumber(sign + multiplied(digits, multiplier) + "e" + std::to_string(exponent));
 }
 
+/// A text that begins with a number.
+struct SplitQuantity {
+  double number = 0;  ///< finite
+  std::string_view digits, unit;
+};
+
+std::optional<SplitQuantity> split(std::string_view text) {
+  SplitQuantity quantity;
+  const auto [rest, error] =
+      std::from_chars(text.data(), text.data() + text.size(), quantity.number);
+  if (error != std::errc() || !std::isfinite(quantity.number)) return std::nullopt;
+  const auto length = static_cast<std::size_t>(rest - text.data());
+  quantity.digits = text.substr(0, length);
+  quantity.unit = trimmed(text.substr(length));
+  return quantity;
+}
+
 }  // namespace
 
 std::optional<double> parseQuantity(std::string_view text, Dimension dimension) {
-  // Split the number from the unit
-  double number = 0;
-  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || !std::isfinite(number)) return std::nullopt;
-  const auto length = static_cast<std::size_t>(rest - text.data());
-  const std::string_view name = trimmed(text.substr(length));
+  const std::optional<SplitQuantity> quantity = split(text);
+  if (!quantity) return std::nullopt;
   const auto unit = std::find_if(kUnits.begin(), kUnits.end(), [&](const Unit& one) {
-    return one.dimension == dimension && one.name == name;
+    return one.dimension == dimension && one.name == quantity->unit;
   });
   if (unit == kUnits.end()) return std::nullopt;
 
   if (unit->divisorOfPi == 0) {
-    return scaledDecimal(text.substr(0, length), unit->multiplier, unit->exponent);
+    return scaledDecimal(quantity->digits, unit->multiplier, unit->exponent);
   }
-  const double value = (kPi * unit->multiplier / unit->divisorOfPi * number).value();
+  const double value = (kPi * unit->multiplier / unit->divisorOfPi * quantity->number).value();
   return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::string_view unitIn(std::string_view text) {
+  const std::optional<SplitQuantity> quantity = split(text);
+  return quantity ? quantity->unit : std::string_view();
+}
+
+bool isUnit(std::string_view name) {
+  return std::ranges::count(kUnits, name, &Unit::name) > 0;
 }
 
 std::vector<std::string_view> unitsOf(Dimension dimension) {

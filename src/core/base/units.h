@@ -16,6 +16,11 @@ enum class Dimension { Length, Mass, Time, Angle, AngularVelocity };
 /// the double that 0.188 is. Only where it involves pi is the decimal number rounded before.
 std::optional<double> parseQuantity(std::string_view text, Dimension dimension);
 
+/// Returns what follows the number that `text` begins with; empty if it begins with none.
+std::string_view unitIn(std::string_view text);
+/// Returns whether there is such a unit, of any dimension.
+bool isUnit(std::string_view name);
+
 /// Returns the names of the units of `dimension`, that of the SI first.
 std::vector<std::string_view> unitsOf(Dimension dimension);
 

@@ -71,14 +71,8 @@ bool isAmong(std::span<const std::string_view> keys, std::string_view key) {
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
-void removeOthers(TomlNode& section, std::span<const std::string_view> keys,
-                  std::string_view newKey) {
-  std::erase_if(std::get<TomlNode::Table>(section.value), [&](const TomlEntry& entry) {
-    return isAmong(keys, entry.key) && entry.key != newKey;
-  });
-}
-
-void applyOverride(TomlNode& root, const std::string& text, const Alternatives& alternatives) {
+void applyOverride(TomlNode& root, const std::string& text,
+                   std::span<const Alternatives> alternatives) {
   const std::string location = overrideLocation(text);
   const std::size_t equals = text.find('=');
   if (equals == std::string::npos) failAt(location, "expected KEY=VALUE");
@@ -89,8 +83,15 @@ void applyOverride(TomlNode& root, const std::string& text, const Alternatives& 
 
 }  // namespace
 
+bool areAlternatives(std::span<const Alternatives> all, std::string_view section,
+                     std::string_view one, std::string_view other) {
+  return one != other && std::ranges::any_of(all, [&](const Alternatives& keys) {
+           return keys.section == section && isAmong(keys.keys, one) && isAmong(keys.keys, other);
+         });
+}
+
 void putValue(TomlNode& root, std::string_view key, TomlNode value, const std::string& location,
-              const Alternatives& alternatives) {
+              std::span<const Alternatives> alternatives) {
   const Path path = pathFrom(key, location);
 
   TomlNode* parent = &root;
@@ -102,10 +103,11 @@ void putValue(TomlNode& root, std::string_view key, TomlNode value, const std::s
     node = &childOf(*parent, part, key.substr(0, before - (before > 0 ? 1 : 0)), location);
   }
   *node = std::move(value);
-  const bool isInside = path.size() >= 2 && path[path.size() - 2] == alternatives.section;
-  if (isInside && isAmong(alternatives.keys, path.back())) {
-    removeOthers(*parent, alternatives.keys, path.back());
-  }
+  auto* section = std::get_if<TomlNode::Table>(&parent->value);
+  if (path.size() < 2 || section == nullptr) return;
+  std::erase_if(*section, [&](const TomlEntry& entry) {
+    return areAlternatives(alternatives, path[path.size() - 2], entry.key, path.back());
+  });
 }
 
 std::string overrideLocation(std::string_view text) {
@@ -114,7 +116,7 @@ std::string overrideLocation(std::string_view text) {
 }
 
 void applyOverrides(TomlNode& root, std::span<const std::string> overrides,
-                    const Alternatives& alternatives) {
+                    std::span<const Alternatives> alternatives) {
   if (overrides.size() > kMaxOverrides) {
     throw InputError("--set: " + std::to_string(overrides.size()) + " options; the limit is " +
                      std::to_string(kMaxOverrides) + "; write the values into the scene's file");

@@ -58,7 +58,8 @@ double ValueReader::number(const NumberRange& range) const {
     const std::vector<std::string_view> units = unitsOf(*range.dimension);
     fail(name_ + " must be " + std::string(range.expected) + ", not " + describe(*node_) +
          "; a text is a number and a unit, " + quotedList(units, "or") + ", such as \"1.5 " +
-         std::string(units[0]) + "\"");
+         std::string(units[0]) + "\"" +
+         (isUnit(unitIn(*text)) ? "" : didYouMean(unitIn(*text), units)));
   }
   // NaN compares false with everything.
   if (!number || !(*number >= range.min && *number <= range.max))
@@ -110,6 +111,13 @@ void ValueReader::readTable(const std::vector<Field>& fields) const {
       field->read(ValueReader(entry.node, nameOfKey(entry.key)));
     });
   }
+  problems.throwIfAny();
+}
+
+void readEach(std::span<const ValueReader> values,
+              const std::function<void(const ValueReader&)>& read) {
+  Problems problems;
+  for (const ValueReader& value : values) problems.note([&] { read(value); });
   problems.throwIfAny();
 }
 

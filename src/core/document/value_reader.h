@@ -94,6 +94,10 @@ class ValueReader {
   std::string name_;
 };
 
+/// Reads each of `values`, goes on after a problem, and throws all of them in the end.
+void readEach(std::span<const ValueReader> values,
+              const std::function<void(const ValueReader&)>& read);
+
 /// Runs `check`, and throws an InputError of it again with the location of `value`: who checks
 /// knows the problem, but not the location.
 template <typename Check>

@@ -31,7 +31,7 @@ Key keyOf(const Member& member, const Course& course) {
 }
 
 Course courseOf(const MotionSettings& motion, std::int64_t frames, std::int64_t framesPerLook) {
-  return {frames, framesPerLook, motion.simulation.substeps, motion.simulation.normalizeEvery};
+  return {frames, framesPerLook, motion.simulation.steps().count, motion.simulation.normalizeEvery};
 }
 
 BodyState failedState() {
@@ -51,7 +51,7 @@ Outcome outcomeOf(const WatchedMotion& watched, const std::atomic<bool>* stop) {
     physics::TurnWatch watch(watched.motion);
     for (std::int64_t frame = 0; frame < watched.frames && (stop == nullptr || !*stop);) {
       frame = std::min(frame + watched.framesPerLook, watched.frames);
-      const double time = static_cast<double>(frame) * watched.motion.simulation.timePerFrame;
+      const double time = static_cast<double>(frame) * watched.motion.simulation.steps().time;
       const bool goesOn = watch.look(time);
       result.halfTurns = watch.halfTurns();
       if (result.halfTurns > 0 && !result.firstTurn) result.firstTurn = time;
@@ -66,9 +66,10 @@ Outcome outcomeOf(const WatchedMotion& watched, const std::atomic<bool>* stop) {
 
 BodyState stateAfter(const MotionSettings& settings, std::int64_t frames) {
   const auto simulator = physics::makeSimulator(settings);
+  const physics::EqualSteps steps = settings.simulation.steps();
   try {
     for (std::int64_t n = 0; n < frames; ++n) {
-      simulator->advance(settings.simulation.timePerFrame, settings.simulation.substeps);
+      simulator->advance(steps.time, steps.count);
     }
   } catch (const physics::StepError&) {
     return failedState();

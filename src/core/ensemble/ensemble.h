@@ -17,7 +17,7 @@ namespace rotatebook::ensemble {
 /// end.
 struct WatchedMotion {
   physics::MotionSettings motion{};
-  std::int64_t frames = 0;         ///< Its length, >= 0. [timePerFrame]
+  std::int64_t frames = 0;         ///< Its length, >= 0. [EqualSteps::time]
   std::int64_t framesPerLook = 1;  ///< >= 1
 };
 
@@ -30,7 +30,7 @@ std::vector<Outcome> outcomesOf(std::span<const WatchedMotion> motions,
                                 InstructionSet set = widestSet(),
                                 const std::atomic<bool>* stop = nullptr);
 
-/// Returns the state of each motion after so many times timePerFrame, bit by bit as its simulator
+/// Returns the state of each motion after so many EqualSteps, bit by bit as its simulator
 /// reports it; NaN where its step failed. Throws InputError as makeSimulator() does.
 std::vector<physics::BodyState> statesAfter(std::span<const physics::MotionSettings> motions,
                                             std::int64_t frames, InstructionSet set = widestSet());

@@ -50,7 +50,7 @@ std::optional<Member> Member::of(const physics::MotionSettings& settings) {
 
 Member::Member(const physics::MotionSettings& settings, const physics::QuaternionMotion& motion)
     : body_(settings.body),
-      interval_(settings.simulation.timePerFrame),
+      interval_(settings.simulation.steps().time),
       motion_(motion),
       spunAxis_(spunAxisOf(settings, motion.inertia())) {}
 

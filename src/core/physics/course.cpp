@@ -24,10 +24,8 @@ std::span<const Nudge> nudgesWithin(std::span<const Nudge> nudges, double start,
 /// step in which one falls is made in parts.
 class PartsOfFrame {
  public:
-  PartsOfFrame(Simulator& simulator, const SimulationSettings& stepping)
-      : simulator_(simulator),
-        steps_(stepping.substeps),
-        h_(stepping.timePerFrame / stepping.substeps) {}
+  PartsOfFrame(Simulator& simulator, const EqualSteps& steps)
+      : simulator_(simulator), steps_(steps.count), h_(steps.length()) {}
 
   /// Advances to `offset` from the frame's start. [s]
   void advanceTo(double offset) {
@@ -61,11 +59,12 @@ class PartsOfFrame {
 
 Course::Course(const MotionSettings& settings)
     : nudges_(settings.nudges),
-      stepping_(settings.simulation),
+      steps_(settings.simulation.steps()),
       simulator_(makeSimulator(settings)) {}
 
 BodyState Course::at(double time) {
-  const double slack = kEndOfStep * stepping_.timePerFrame / stepping_.substeps;
+  if (simulator_->jumpTo(time)) return simulator_->state();
+  const double slack = kEndOfStep * steps_.time / steps_.count;
   while (startOf(frame_ + 1) <= time + slack) makeFrame();
   if (time - startOf(frame_) <= slack) return simulator_->state();
   const auto copy = simulator_->copy();
@@ -75,9 +74,8 @@ BodyState Course::at(double time) {
 
 void Course::makeFrame() {
   const double end = startOf(frame_ + 1);
-  const bool isStepless = !takesSteps(stepping_.model);
-  if (isStepless || nudgesWithin(nudges_, startOf(frame_), end).empty()) {
-    simulator_->advance(stepping_.timePerFrame, stepping_.substeps);
+  if (nudgesWithin(nudges_, startOf(frame_), end).empty()) {
+    simulator_->advance(steps_.time, steps_.count);
   } else {
     partsTo(*simulator_, end).finish();
   }
@@ -86,17 +84,12 @@ void Course::makeFrame() {
 
 /// Advances a simulator that is at the start of the frame to a time within it. [s]
 void Course::advanceWithin(Simulator& simulator, double time) const {
-  const double offset = time - startOf(frame_);
-  if (!takesSteps(stepping_.model)) {
-    simulator.advance(offset, 1);
-  } else {
-    partsTo(simulator, time).advanceTo(offset);
-  }
+  partsTo(simulator, time).advanceTo(time - startOf(frame_));
 }
 
 /// Returns the frame's parts, advanced through the nudges up to `end`. [s]
 PartsOfFrame Course::partsTo(Simulator& simulator, double end) const {
-  PartsOfFrame parts(simulator, stepping_);
+  PartsOfFrame parts(simulator, steps_);
   for (const Nudge& nudge : nudgesWithin(nudges_, startOf(frame_), end)) {
     parts.advanceTo(nudge.at - startOf(frame_));
     simulator.nudge(nudge);

@@ -14,7 +14,7 @@ namespace rotatebook::physics {
 class PartsOfFrame;
 
 /// A body's motion, of which the states at ascending times can be had. The simulator itself stops
-/// only at whole frames.
+/// only at the ends of EqualSteps, each run of which is called a frame here.
 class Course {
  public:
   /// Throws InputError as makeSimulator() does.
@@ -24,15 +24,13 @@ class Course {
   BodyState at(double time);
 
  private:
-  double startOf(std::int64_t frame) const {
-    return static_cast<double>(frame) * stepping_.timePerFrame;
-  }
+  double startOf(std::int64_t frame) const { return static_cast<double>(frame) * steps_.time; }
   void makeFrame();
   void advanceWithin(Simulator& simulator, double time) const;
   PartsOfFrame partsTo(Simulator& simulator, double end) const;
 
   std::vector<Nudge> nudges_;
-  SimulationSettings stepping_;
+  EqualSteps steps_;
   std::unique_ptr<Simulator> simulator_;
   std::int64_t frame_ = 0;  // the frame at whose start the simulator is
 };

@@ -21,6 +21,10 @@ class ExactSimulator final : public Simulator {
 
   void advance(double interval, int /*steps*/) override { clock_.advance(interval); }
   void advancePart(double part) override { clock_.advance(part); }
+  bool jumpTo(double time) override {
+    clock_.set(time);
+    return true;
+  }
   /// Does nothing: the closed form knows all nudges and their times.
   void nudge(const Nudge& /*nudge*/) override {}
   std::unique_ptr<Simulator> copy() const override {

@@ -39,6 +39,14 @@ bool isFor(Model model, Integrator integrator);
 /// that take no steps don't use it.
 Integrator defaultIntegrator(Model model);
 
+/// Integration steps of one length, one after another.
+struct EqualSteps {
+  double time;  ///< Of all of them together, > 0. [s]
+  int count;    ///< >= 1
+
+  double length() const { return time / count; }  ///< [s]
+};
+
 /// The model of a motion, and the steps by which it is simulated.
 struct SimulationSettings {
   Model model = Model::Quaternion;
@@ -56,10 +64,18 @@ struct SimulationSettings {
   double damping = 1.0;
   double stiffness = 2000.0;       ///< Particles only: stiffness of each spring, > 0. [N/m]
   double timePerFrame = 1.0 / 60;  ///< Time between samples of the trajectory, > 0. [s]
-  int substeps = 64;               ///< Integration steps between samples, >= 1.
+  int substeps = 64;               ///< Integration steps in `substepped`, >= 1.
+  /// Time that `substeps` divide, whatever the samples; without it, timePerFrame. [s]
+  std::optional<double> substepped{};
+  std::optional<double> step{};    ///< Length of a step, in place of `substeps`, > 0. [s]
   RecordedFile recorded{};         ///< Of Model::Recorded alone.
   ParticleSettings particles{};    ///< Particles only: where they are.
 
+  /// Returns the steps that the motion repeats from its start on, whatever its samples.
+  EqualSteps steps() const {
+    if (step) return {*step, 1};
+    return {substepped.value_or(timePerFrame), substeps};
+  }
   /// Returns the steps from one normalisation of the particles' energy to the next; 0 for none.
   int energyEvery() const { return normalizeEnergyEvery.value_or(normalizeEvery); }
   /// Returns the steps from one removal of the particles' drift to the next; 0 for none.

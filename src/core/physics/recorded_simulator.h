@@ -21,6 +21,10 @@ class RecordedSimulator final : public Simulator {
 
   void advance(double interval, int /*steps*/) override { clock_.advance(interval); }
   void advancePart(double part) override { clock_.advance(part); }
+  bool jumpTo(double time) override {
+    clock_.set(time);
+    return true;
+  }
   /// Does nothing: what happened to the body is in its recording.
   void nudge(const Nudge& /*nudge*/) override {}
   std::unique_ptr<Simulator> copy() const override {

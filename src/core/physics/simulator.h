@@ -42,6 +42,8 @@ class Simulator {
   /// Advances by a part > 0 of a step, the rest of which is to follow. [s] It doesn't count as a
   /// step: what is corrected after every so many steps isn't corrected after it.
   virtual void advancePart(double part) = 0;
+  /// Goes to `time`, forward or back, and returns true, if the model takes no steps. [s]
+  virtual bool jumpTo(double /*time*/) { return false; }
   /// Adds a nudge's change to the spin of the body as it is now, whatever the time of the nudge.
   virtual void nudge(const Nudge& nudge) = 0;
   /// Returns a copy, which goes on by itself.

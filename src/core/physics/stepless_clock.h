@@ -17,6 +17,10 @@ class SteplessClock {
     }
     ++count_;
   }
+  void set(double time) {
+    start_ = time;
+    count_ = 0;
+  }
   /// Returns the time since t = 0. [s]
   double time() const { return start_ + static_cast<double>(count_) * interval_; }
 

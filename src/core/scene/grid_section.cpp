@@ -55,7 +55,7 @@ ReadGridAxis readAxis(const ValueReader& section, const char* name, const ValueR
   if (read.path == "simulation.time_per_frame") {
     read.varied->key.fail(
         "the books of a grid have no time_per_frame of their own, because all share one clock; "
-        "vary simulation.substeps, the steps from frame to frame");
+        "vary simulation.step, the length of a step");
   }
   if (read.count() <= kMaxGridSide) return read;
   table->find("values")->fail(table->name() + " has " + std::to_string(read.count()) +
@@ -131,7 +131,7 @@ void makePanels(const ReadGridAxis& columns, const ReadGridAxis& rows, const Val
         putAt(varied, columns, column);
         putAt(varied, rows, row);
         Panel& panel = scene.panels.emplace_back();
-        static_cast<Motion&>(panel) = motionFrom(varied, scene.simulation.timePerFrame);
+        static_cast<Motion&>(panel) = motionFrom(varied, scene.simulation);
         panel.expectations = expectedAt(scene, column, row);
         panel.label =
             joined({labelAt(scene.grid->columns, column), labelAt(scene.grid->rows, row)});

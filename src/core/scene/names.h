@@ -54,11 +54,6 @@ inline constexpr std::array<Named<physics::Nudge::Axes>, 2> kNudgeAxes{{
     {"world", physics::Nudge::Axes::World},
 }};
 
-/// Returns whether `key` is one of kSpinKinds.
-inline bool isSpin(std::string_view key) {
-  return key == kSpinKinds[0].name || key == kSpinKinds[1].name;
-}
-
 inline constexpr std::array<Named<int>, 3> kAxes{{{"x", 0}, {"y", 1}, {"z", 2}}};
 
 inline constexpr std::array<Named<ReferenceFrame>, 3> kFrames{{
@@ -118,6 +113,8 @@ constexpr std::array<std::string_view, N> namesOf(const std::array<Named<T>, N>&
 
 /// The names of kSpinKinds.
 inline constexpr auto kSpinKeys = namesOf(kSpinKinds);
+/// The keys of [simulation] that state a step; it has at most one of them.
+inline constexpr std::array<std::string_view, 2> kStepKeys{"substeps", "step"};
 
 /// Returns the name of `value`, which is one of `choices`.
 template <typename T, std::size_t N>

@@ -27,12 +27,13 @@ const TomlNode::Table* tableOf(const ValueReader& parent, std::string_view key) 
   return value ? tableOf(value->node()) : nullptr;
 }
 
-/// Returns whether `own`, a panel's table, replaces `entry` of the scene's: with the same key, or
-/// with another spin, of which a panel has only one.
-bool replaces(const TomlNode::Table& own, const TomlEntry& entry) {
-  return find(own, entry.key) != nullptr ||
-         (isSpin(entry.key) &&
-          std::ranges::any_of(own, [](const TomlEntry& mine) { return isSpin(mine.key); }));
+/// Returns whether `own`, a panel's section, replaces `entry` of the scene's: with the same key, or
+/// with another of which a motion has only one.
+bool replaces(const TomlNode::Table& own, std::string_view section, const TomlEntry& entry) {
+  return std::ranges::any_of(own, [&](const TomlEntry& mine) {
+    return mine.key == entry.key ||
+           areAlternatives(kMotionAlternatives, section, mine.key, entry.key);
+  });
 }
 
 /// Adds to a panel's sections what the scene's section `name` has and the panel's doesn't.
@@ -52,7 +53,7 @@ void mergeSection(TomlNode::Table& sections, std::string_view name, const TomlNo
   // Append the scene's keys that the panel, as it was written, doesn't replace
   const TomlNode::Table before = *own;
   for (const TomlEntry& entry : *shared) {
-    if (!replaces(before, entry)) own->push_back(entry);
+    if (!replaces(before, name, entry)) own->push_back(entry);
   }
 }
 
@@ -125,8 +126,8 @@ void checkPanel(const ValueReader& panel, const ValueReader& merged, const Panel
   }
 }
 
-Panel readPanel(const ValueReader& panel, const ValueReader& file, double timePerFrame,
-                const std::vector<Panel>& earlier) {
+Panel readPanel(const ValueReader& panel, const ValueReader& file,
+                const physics::SimulationSettings& clock, const std::vector<Panel>& earlier) {
   // Complete the panel's sections from the scene's
   refuseShared(panel);
   const TomlNode node = mergedPanel(panel, file);
@@ -142,7 +143,7 @@ Panel readPanel(const ValueReader& panel, const ValueReader& file, double timePe
   merged.readTable(fields);
 
   // Check what several sections decide together
-  result.simulation.timePerFrame = timePerFrame;
+  takeClock(clock, result.simulation);
   checkPanel(panel, merged, result);
   placeParticles(merged, result);
   settleSpin(merged, result);
@@ -152,7 +153,7 @@ Panel readPanel(const ValueReader& panel, const ValueReader& file, double timePe
 }  // namespace
 
 std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file,
-                              double timePerFrame) {
+                              const physics::SimulationSettings& clock) {
   const auto tables = panels.tables("tables with the header [[panel]]");
   if (tables.size() < kMinPanels || tables.size() > kMaxPanels) {
     panels.fail("a scene has " + std::to_string(kMinPanels) + " to " + std::to_string(kMaxPanels) +
@@ -161,7 +162,7 @@ std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file
   std::vector<Panel> result;
   document::Problems problems;
   for (const ValueReader& table : tables) {
-    problems.note([&] { result.push_back(readPanel(table, file, timePerFrame, result)); });
+    problems.note([&] { result.push_back(readPanel(table, file, clock, result)); });
   }
   problems.throwIfAny();
   return result;

@@ -21,7 +21,21 @@ bool isTimePerFrame(const Key<physics::SimulationSettings>& key) {
 }
 
 void finishSimulation(const ValueReader& section, physics::SimulationSettings& settings) {
+  const auto step = section.find("step");
+  if (step && section.find("substeps")) {
+    step->fail("both simulation.step and simulation.substeps say how long a step is; keep one");
+  }
   if (!section.find("integrator")) settings.integrator = defaultIntegrator(settings.model);
+}
+
+/// Refuses an integrator that no model has, and lists those of `model`.
+void checkIntegratorName(const ValueReader& section, physics::Model model) {
+  const auto value = section.find("integrator");
+  const auto* name = value ? std::get_if<std::string>(&value->node().value) : nullptr;
+  if (name == nullptr || std::ranges::count(namesOf(kIntegrators), *name) > 0) return;
+  const auto names = integratorNames(model);
+  const auto all = namesOf(kIntegrators);
+  value->choice(names.empty() ? std::span<const std::string_view>(all) : names);
 }
 
 /// Returns the lines of all keys but time_per_frame, which panels share.
@@ -106,15 +120,26 @@ std::span<const Section<Motion>> motionSections() {
         section<Motion>("simulation", &Motion::simulation, simulationKeys(), finishSimulation);
     const auto initial = section<Motion>("initial", &Motion::initial, initialKeys(), checkSpin);
     const auto expect = section<Motion>("expect", &Motion::expectations, expectKeys());
+    const auto readSimulation = [read = simulation.read](const ValueReader& value, Motion& motion) {
+      document::Problems problems;
+      problems.note([&] { read(value, motion); });
+      problems.note([&] { checkIntegratorName(value, motion.simulation.model); });
+      problems.throwIfAny();
+    };
     return std::vector<Section<Motion>>{
         bodySection(),
-        {simulation.name, simulation.read, simulationLines, simulation.rows},
+        {simulation.name, readSimulation, simulationLines, simulation.rows},
         {initial.name, initial.read, initialLines, initial.rows},
         {"nudge", readNudges, {}, rowsOf("nudge.N.", nudgeKeys()), nudgeTables},
         {expect.name, expect.read, expectLines, expect.rows},
     };
   }();
   return sections;
+}
+
+void takeClock(const physics::SimulationSettings& clock, physics::SimulationSettings& settings) {
+  settings.timePerFrame = clock.timePerFrame;
+  settings.substepped = clock.substepped;
 }
 
 std::string timePerFrameLine(const physics::SimulationSettings& settings) {

@@ -71,20 +71,6 @@ std::span<const Section<Scene>> pictureSections() {
   return sections;
 }
 
-void checkMotionBlur(const ValueReader& section, const Scene& scene) {
-  const int moments = scene.look.motionBlur, divisor = 2 * moments;
-  if (moments == 1) return;
-  for (const Panel& panel : motionsOf(scene)) {
-    const int substeps = panel.simulation.substeps;
-    if (!physics::takesSteps(panel.simulation.model) || substeps % divisor == 0) continue;
-    section.find("motion_blur")
-        ->fail("look.motion_blur = " + std::to_string(moments) +
-               " needs simulation.substeps to be a multiple of " + std::to_string(divisor) +
-               ", not " + std::to_string(substeps) + "; the next is " +
-               std::to_string((substeps / divisor + 1) * divisor));
-  }
-}
-
 void checkOverlays(const ValueReader& section, const Scene& scene) {
   const std::vector<Overlay>& show = scene.overlay.show;
   const std::vector<Panel> motions = motionsOf(scene);

@@ -91,28 +91,34 @@ void requireShape(const ValueReader& place, const MassSpringSystem& system, cons
              remedyFor(motion.simulation.particles.arrangement, motion));
 }
 
+/// Returns the setting with which no step is longer than `longest`, and "or "; empty if there is
+/// none. [s]
+std::string shorterSteps(const physics::SimulationSettings& simulation, double longest) {
+  if (simulation.step) return "a shorter simulation.step, or ";
+  const double enough = std::ceil(simulation.steps().time / longest);
+  if (enough > kMaxSubsteps) return "";
+  return "simulation.substeps = " + std::to_string(std::llround(enough)) + " or more, or ";
+}
+
 void requireStableStep(const ValueReader& file, const Motion& motion,
                        const MassSpringSystem& system) {
   const physics::SimulationSettings& simulation = motion.simulation;
-  const double step = simulation.timePerFrame / simulation.substeps;
+  const double step = simulation.steps().length();
   const double longest = physics::largestStableStep(motion, system);
   if (step <= longest) return;
   const std::string integrator(nameOf(kIntegrators, simulation.integrator));
-  const ValueReader place = file.find("simulation", "substeps").value_or(stated(file, "particles"));
+  const auto ofSteps = file.find("simulation", simulation.step ? "step" : "substeps");
+  const ValueReader place = ofSteps.value_or(stated(file, "particles"));
   if (longest == 0) {
     place.fail("no step is stable with the integrator \"" + integrator +
                "\" and these particles; take \"verlet\", or simulation.damping");
   }
-  const double enough = std::ceil(simulation.timePerFrame / longest);
   const auto milliseconds = [](double seconds) { return roundedText(1e3 * seconds, 3) + " ms"; };
   place.fail("steps of " + milliseconds(step) +
              " are too long for these particles: the longest "
              "that is stable with \"" +
              integrator + "\" is " + milliseconds(longest) + "; take " +
-             (enough <= kMaxSubsteps ? "simulation.substeps = " +
-                                           std::to_string(std::llround(enough)) + " or more, or "
-                                     : "") +
-             "softer springs");
+             shorterSteps(simulation, longest) + "softer springs");
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace rotatebook::scene {
 struct SpeedStretch {
   double from = 0;   ///< >= 0. [s] of video
   double to = 0;     ///< > from. [s] of video
-  double value = 1;  ///< Simulated time over time of video, > 0.
+  double value = 1;  ///< Simulated time over time of video, >= 0; 0 holds the picture.
 
   friend bool operator==(const SpeedStretch&, const SpeedStretch&) = default;
 };
@@ -23,6 +23,8 @@ struct PlaybackSpeed {
   double constant = 1;                    ///< > 0; unused where there are stretches.
   std::vector<SpeedStretch> stretches{};  ///< In the order of time, none over another.
 
+  /// Returns the speed that is stated for a time of the video, without passages. [s]
+  double at(double videoTime) const;
   /// Returns the simulated time at a time of the video >= 0. [s] The speed passes from one value to
   /// the next by a smoothstep, 3u^2 - 2u^3, from kHalfPassage before the change to as long after
   /// it, or within half the time to the neighbouring change where that is shorter. As a passage is

@@ -1,6 +1,7 @@
 #include "scene/scene.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "base/elementary.h"
@@ -24,10 +25,22 @@ double timeAt(const Scene& scene, double frame) {
   return scene.clip.speed->timeAt(frame * scene.clip.frameRate.period());
 }
 
+double speedAt(const Scene& scene, double frame) {
+  const double period = scene.clip.frameRate.period();
+  return scene.clip.speed ? scene.clip.speed->at(frame * period)
+                          : scene.simulation.timePerFrame / period;
+}
+
 physics::MotionSettings studiedMotion(const Scene& scene, const StudySettings& study) {
   physics::MotionSettings motion = scene.motion();
-  if (study.interval) motion.simulation.timePerFrame = *study.interval;
+  sampleAsAsked(study, motion);
   return motion;
+}
+
+void sampleAsAsked(const StudySettings& study, physics::MotionSettings& motion) {
+  if (!study.interval) return;
+  if (!motion.simulation.substepped) motion.simulation.substepped = motion.simulation.timePerFrame;
+  motion.simulation.timePerFrame = *study.interval;
 }
 
 std::int64_t studiedSamples(const Scene& scene, const StudySettings& study,
@@ -39,6 +52,11 @@ std::int64_t studiedSamples(const Scene& scene, const StudySettings& study,
   constexpr double kRounding = 1e-9;  // 0.3 / 0.1 is less than 3
   constexpr double kMany = 1e15;
   return 1 + static_cast<std::int64_t>(std::min(intervals * (1 + kRounding), kMany));
+}
+
+std::int64_t studiedSteps(const physics::MotionSettings& motion, std::int64_t samples) {
+  const double length = static_cast<double>(samples - 1) * motion.simulation.timePerFrame;
+  return std::max<std::int64_t>(std::llround(length / motion.simulation.steps().length()), 1);
 }
 
 Scene withMotion(Scene scene, const Motion& motion) {

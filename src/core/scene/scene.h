@@ -36,8 +36,8 @@ struct ClipSettings {
   /// Time of the poster, the picture that represents the video, >= 0; the middle by default, and
   /// the end of a video that ends before. [s]
   std::optional<double> poster{};
-  /// Speed of the motion, if a scene states it in place of SimulationSettings::timePerFrame, which
-  /// follows from it then: of a constant speed, or of speed 1.
+  /// Speed of the motion, from which SimulationSettings::timePerFrame follows: from a constant one,
+  /// or from speed 1. Without it, that time is stated itself.
   std::optional<PlaybackSpeed> speed{};
 
   /// Returns the number of frames of the whole clip, >= 1.
@@ -185,14 +185,20 @@ bool isTransparent(const Scene& scene);
 std::vector<Panel> motionsOf(const Scene& scene);
 /// Returns the simulated time that `frame` of the clip shows, >= 0; of a part of a frame, too. [s]
 double timeAt(const Scene& scene, double frame);
+/// Returns the stated speed of the motion in `frame`, in simulated time over time of video, >= 0.
+double speedAt(const Scene& scene, double frame);
 /// Returns whether the times of the clip's frames are even.
 bool hasEvenTimes(const Scene& scene);
-/// Returns the scene's motion, sampled as `study` asks for.
+/// Returns the scene's motion, sampleAsAsked().
 physics::MotionSettings studiedMotion(const Scene& scene, const StudySettings& study);
+/// Has samples taken of `motion` as `study` asks for, by the same steps.
+void sampleAsAsked(const StudySettings& study, physics::MotionSettings& motion);
 /// Returns the number of samples that `study` takes of a motion, >= 1: one for each frame of the
 /// clip, unless it states a duration or an interval.
 std::int64_t studiedSamples(const Scene& scene, const StudySettings& study,
                             const physics::MotionSettings& motion);
+/// Returns the integration steps that so many samples of a motion in steps take, >= 1.
+std::int64_t studiedSteps(const physics::MotionSettings& motion, std::int64_t samples);
 /// Returns `scene` with `motion` as its only motion.
 Scene withMotion(Scene scene, const Motion& motion);
 

@@ -22,8 +22,6 @@
 namespace rotatebook::scene {
 namespace {
 
-// A scene has one spin, so the command line's replaces the file's, whichever key each of them uses.
-constexpr document::Alternatives kSpins{"initial", kSpinKeys};
 
 void readSections(const ValueReader& file, Scene& scene) {
   auto fields = fieldsOf(titleKeys(), [&scene](const Key<Scene>& key, const ValueReader& value) {
@@ -59,11 +57,12 @@ void readMotions(const ValueReader& file, Scene& scene) {
         "keep one of them");
   }
   if (!timePerFrame) {
-    scene.simulation.timePerFrame =
-        scene.clip.frameRate.period() * scene.clip.speed.value_or(PlaybackSpeed{}).constant;
+    if (!scene.clip.speed) scene.clip.speed.emplace();
+    scene.simulation.timePerFrame = scene.clip.frameRate.period() * scene.clip.speed->constant;
+    scene.simulation.substepped = kSubstepped;
   }
   if (const auto panels = file.find("panel")) {
-    scene.panels = readPanels(*panels, file, scene.simulation.timePerFrame);
+    scene.panels = readPanels(*panels, file, scene.simulation);
   }
   if (const auto grid = file.find("grid")) readGrid(*grid, file, scene);
 }
@@ -99,7 +98,7 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   requireSameLayout();
   document::TomlNode tree = document::parseToml(text, oneLine(path.string()));
   document::Problems problems;
-  problems.note([&] { applyOverrides(tree, overrides, kSpins); });
+  problems.note([&] { applyOverrides(tree, overrides, kMotionAlternatives); });
 
   // Read all keys
   Scene scene;
@@ -133,7 +132,6 @@ Scene parseScene(std::string_view text, const std::filesystem::path& path,
   if (const auto overlay = file.find("overlay")) {
     problems.note([&] { checkOverlays(*overlay, scene); });
   }
-  if (const auto look = file.find("look")) problems.note([&] { checkMotionBlur(*look, scene); });
   if (const auto study = file.find("study")) problems.note([&] { readStudy(*study, file, scene); });
   if (const auto map = file.find("map")) problems.note([&] { readMap(*map, scene); });
   problems.throwIfAny();

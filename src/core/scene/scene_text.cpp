@@ -27,10 +27,9 @@ std::string sceneText(const Scene& scene) {
   const bool alone = scene.panels.empty() || scene.grid;
   std::string text = linesOf(titleKeys(), scene);
   if (alone) text += textOf(sections.first(2), scene);
-  if (!scene.clip.speed) {
-    if (!alone) text += "\n[simulation]\n";
-    text += timePerFrameLine(scene.simulation);
-  }
+  const std::string timePerFrame = timePerFrameLine(scene.simulation);
+  if (!alone && !timePerFrame.empty()) text += "\n[simulation]\n";
+  text += timePerFrame;
   if (alone) text += textOf(sections.subspan(2, 2), scene);  // [initial] and [[nudge]]
   text += textOf(pictureSections(), scene);
   text += alone ? textOf(sections.last(1), scene) : panelsText(scene.panels);

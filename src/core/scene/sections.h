@@ -7,8 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "document/overrides.h"
 #include "document/value_reader.h"
 #include "scene/keys/section.h"
+#include "scene/names.h"
 #include "scene/scene.h"
 
 namespace rotatebook::scene {
@@ -34,10 +36,16 @@ inline constexpr std::int64_t kMaxGridSamples = 6 * kMaxFrames;
 inline constexpr std::size_t kMaxRuns = 1000;
 inline constexpr std::size_t kMaxMeasures = 3;
 
-/// Most integration steps from one frame to the next.
+/// The time that simulation.substeps divide unless time_per_frame is stated. [s]
+inline constexpr double kSubstepped = 1.0 / 60;
+/// Most integration steps in it.
 inline constexpr int kMaxSubsteps = 1'000'000;
 /// Most integration steps that a scene, or its study, takes in all: some hours of computing.
 inline constexpr std::int64_t kMaxSteps = 10'000'000'000;
+
+/// The keys of which a motion has only one, so that a closer value replaces the others.
+inline constexpr std::array<document::Alternatives, 2> kMotionAlternatives{
+    {{"initial", kSpinKeys}, {"simulation", kStepKeys}}};
 
 /// Returns the sections of a motion, in the order of messages: [body], [simulation], [initial],
 /// [[nudge]] and, last, [expect]. Left to the caller are the default of time_per_frame, which
@@ -47,14 +55,16 @@ std::span<const Section<Motion>> motionSections();
 /// camera.position, which depends on [body] and [clip].
 std::span<const Section<Scene>> pictureSections();
 
-/// Returns the line of simulation.time_per_frame.
+/// Returns the line of simulation.time_per_frame, if clip.speed doesn't say it.
 std::string timePerFrameLine(const physics::SimulationSettings& settings);
 
 /// Reads `panels`, [[panel]], the motions that a clip shows side by side. What a panel leaves out
 /// is taken from the sections of `file`, the whole scene file, or else from the defaults. All
-/// panels have `timePerFrame`. [s] Throws InputError.
+/// panels have the timePerFrame and substepped of `clock`. Throws InputError.
 std::vector<Panel> readPanels(const ValueReader& panels, const ValueReader& file,
-                              double timePerFrame);
+                              const physics::SimulationSettings& clock);
+/// Takes the timePerFrame and substepped of `clock`.
+void takeClock(const physics::SimulationSettings& clock, physics::SimulationSettings& settings);
 
 /// Reads `section`, [grid] of `file`, into `scene`, whose other motion sections and timePerFrame
 /// must be read already; each cell becomes one of its panels. Throws InputError.
@@ -94,9 +104,6 @@ void checkIntegrator(const ValueReader& section, const physics::SimulationSettin
 /// Throws InputError if `section`, [overlay], lists an overlay that none of the scene's motions
 /// has.
 void checkOverlays(const ValueReader& section, const Scene& scene);
-/// Throws InputError if the moments of motion blur aren't at the ends of integration steps;
-/// `section` is [look].
-void checkMotionBlur(const ValueReader& section, const Scene& scene);
 /// Throws InputError if a scene that is read completely takes more than kMaxSteps; `file` is its
 /// whole file.
 void checkSteps(const ValueReader& file, const Scene& scene);

@@ -64,7 +64,7 @@ void refuseMany(std::size_t count, const std::string& remedy) {
 }
 
 /// Returns all triangles with every vertex once.
-TriangleMesh joined(const std::vector<Surface>& surfaces) {
+TriangleMesh joinedMesh(const std::vector<Surface>& surfaces) {
   TriangleMesh all;
   for (const Surface& surface : surfaces) body::append(surface.mesh, all);
   return body::welded(all);
@@ -198,7 +198,7 @@ bool lacksSurface(const Motion& motion) {
 }
 
 MassSpringSystem particlesAtVertices(const Motion& motion) {
-  TriangleMesh mesh = joined(surfacesOf(motion));
+  TriangleMesh mesh = joinedMesh(surfacesOf(motion));
   refuseMany(mesh.points.size(), "take a grid, or a coarser mesh");
   std::vector<Spring> springs;
   for (const auto& [a, b, c] : mesh.triangles)

@@ -1,72 +1,110 @@
 // Limits the integration steps that a scene may take.
-#include <numeric>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
+#include "scene/names.h"
 #include "scene/sections.h"
 
 namespace rotatebook::scene {
 namespace {
 
-std::int64_t stepsOf(const physics::SimulationSettings& settings) {
-  return physics::takesSteps(settings.model) ? settings.substeps : 1;
+/// The samples of a motion.
+struct Sampling {
+  double count;   // >= 1
+  double length;  // of the whole motion [s]
+  bool isEven;    // one follows the other at the same interval
+};
+
+Sampling samplingOf(const Scene& scene) {
+  const auto frames = static_cast<double>(scene.clip.frameCount());
+  return {frames, timeAt(scene, frames), hasEvenTimes(scene)};
 }
 
-/// Returns the steps of all motions from one frame to the next.
-std::int64_t stepsOf(const Scene& scene) {
-  std::int64_t steps = 0;
-  for (const Panel& panel : motionsOf(scene)) steps += stepsOf(panel.simulation);
+/// Returns the steps of a motion. For a sample between two runs of EqualSteps, as much as another
+/// run is made.
+double stepsOf(const physics::SimulationSettings& settings, const Sampling& sampling) {
+  if (!physics::takesSteps(settings.model)) return sampling.count;
+  constexpr double kRounding = 1e-9;
+  const auto [time, count] = settings.steps();
+  const double runs = std::floor(sampling.length / time * (1 + kRounding));
+  const double each = sampling.length / time / sampling.count;
+  const bool areAtEnds = sampling.isEven && each > 0.5 &&
+                         std::fabs(each - std::round(each)) <= kRounding * each;
+  return (areAtEnds ? runs : runs + sampling.count) * count;
+}
+
+/// Returns the steps of all motions of the clip.
+double stepsOf(const Scene& scene) {
+  const Sampling sampling = samplingOf(scene);
+  double steps = 0;
+  for (const Panel& panel : motionsOf(scene)) steps += stepsOf(panel.simulation, sampling);
   return steps;
 }
 
+/// Returns the steps of a run of a study.
+double stepsOf(const StudySettings& study, const Scene& scene,
+               const physics::MotionSettings& motion) {
+  const auto samples = static_cast<double>(studiedSamples(scene, study, motion));
+  return stepsOf(motion.simulation, {samples, samples * motion.simulation.timePerFrame, true});
+}
+
 /// Returns the steps of all runs of a study.
-std::int64_t stepsOf(const StudySettings& study, const Scene& scene) {
-  const auto sizeOf = [](const auto& list) { return static_cast<std::int64_t>(list.size()); };
+double stepsOf(const StudySettings& study, const Scene& scene) {
+  const auto sizeOf = [](const auto& list) { return static_cast<double>(list.size()); };
+  double steps = 0;
   if (study.sweep) {
-    std::int64_t steps = 0;
-    for (const auto& [value, curve, motion] : study.sweep->runs) {
-      steps += studiedSamples(scene, study, motion) * stepsOf(motion.simulation);
-    }
+    for (const auto& [value, curve, motion] : study.sweep->runs)
+      steps += stepsOf(study, scene, motion);
     return steps;
   }
-  const std::int64_t samples = studiedSamples(scene, study, studiedMotion(scene, study));
-  if (study.isOfTilts()) return samples * sizeOf(study.tilts) * stepsOf(scene.simulation);
-  return samples * sizeOf(study.integrators) *
-         std::accumulate(study.steps.begin(), study.steps.end(), std::int64_t{0});
+  physics::MotionSettings motion = studiedMotion(scene, study);
+  if (study.isOfTilts()) return sizeOf(study.tilts) * stepsOf(study, scene, motion);
+  motion.simulation.step.reset();
+  for (const int substeps : study.steps) {
+    motion.simulation.substeps = substeps;
+    steps += stepsOf(study, scene, motion);
+  }
+  return sizeOf(study.integrators) * steps;
 }
 
-/// Returns the value of a stated `substeps`. Too many steps aren't the default, so some section
-/// states them.
-ValueReader statedSubsteps(const ValueReader& file) {
-  if (const auto common = file.find("simulation", "substeps")) return *common;
+/// Returns the value of a stated step in `motion`, the whole file or a panel.
+std::optional<ValueReader> statedStep(const ValueReader& motion) {
+  for (const std::string_view key : kStepKeys) {
+    if (const auto value = motion.find("simulation", key)) return value;
+  }
+  return std::nullopt;
+}
+
+/// Returns the value that states so many steps: of the steps, or else of the clip's speed, as the
+/// defaults aren't too many.
+ValueReader sourceOfSteps(const ValueReader& file) {
+  if (const auto common = statedStep(file)) return *common;
   if (const auto panels = file.find("panel")) {
     for (const ValueReader& panel : panels->tables("panels")) {
-      if (const auto own = panel.find("simulation", "substeps")) return *own;
+      if (const auto own = statedStep(panel)) return *own;
     }
   }
-  return file;
+  return file.find("clip", "speed").value_or(file);
 }
 
-/// Returns the frames of `time_per_frame` that a clip takes. Where its speed changes, the steps of
-/// up to one more are made for each picture, which may fall between two frames.
-std::int64_t framesOf(const Scene& scene) {
-  const std::int64_t frames = scene.clip.frameCount();
-  if (hasEvenTimes(scene)) return frames;
-  const double length = timeAt(scene, static_cast<double>(frames));
-  return frames + static_cast<std::int64_t>(length / scene.simulation.timePerFrame);
-}
-
-void refuseMany(std::int64_t steps, const std::string& who, const ValueReader& source,
+void refuseMany(double steps, const std::string& who, const ValueReader& source,
                 const std::string& remedy) {
   if (steps <= kMaxSteps) return;
-  source.fail(who + " " + std::to_string(steps) + " integration steps; the limit is " +
-              std::to_string(kMaxSteps) + " in all: " + remedy);
+  constexpr double kMany = 1e18;
+  source.fail(who + " " + std::to_string(static_cast<std::int64_t>(std::min(steps, kMany))) +
+              " integration steps; the limit is " + std::to_string(kMaxSteps) +
+              " in all: " + remedy);
 }
 
 }  // namespace
 
 void checkSteps(const ValueReader& file, const Scene& scene) {
-  refuseMany(framesOf(scene) * stepsOf(scene), "the clip takes", statedSubsteps(file),
-             "lower simulation.substeps or clip.duration");
+  refuseMany(stepsOf(scene), "the clip takes", sourceOfSteps(file),
+             "lower simulation.substeps or clip.duration, or state a longer simulation.step");
   const auto study = file.find("study");
   if (!study) return;
   const bool isOfTilts = scene.study->isOfTilts();

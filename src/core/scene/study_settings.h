@@ -81,8 +81,8 @@ struct Sweep {
 struct StudySettings {
   /// Integrators of the scene's model, each once; empty in other studies.
   std::vector<physics::Integrator> integrators{};
-  /// Integration steps from one frame to the next, in place of SimulationSettings::substeps; each
-  /// once, 1 to a million; empty in other studies.
+  /// Numbers in place of SimulationSettings::substeps; each once, 1 to a million; empty in other
+  /// studies.
   std::vector<int> steps{};
   std::vector<ExpectedOrder> orders{};  ///< For some of `integrators`.
 
@@ -95,15 +95,15 @@ struct StudySettings {
 
   /// Length of the motions, > 0; without it, the clip's. [s]
   std::optional<double> duration{};
-  /// Time between samples, which the steps divide, in place of SimulationSettings::timePerFrame; >
-  /// 0. [s]
+  /// Time between samples, whatever the steps, in place of SimulationSettings::timePerFrame; > 0.
+  /// [s]
   std::optional<double> interval{};
 
   bool isOfTilts() const { return !tilts.empty(); }
   friend bool operator==(const StudySettings&, const StudySettings&) = default;
 };
 
-/// Returns all integrators of `model`, with 1, 2, 4 ... 1024 steps a frame; both empty for
+/// Returns all integrators of `model`, with 1, 2, 4 ... 1024 substeps; both empty for
 /// Model::Exact.
 StudySettings defaultStudy(physics::Model model);
 

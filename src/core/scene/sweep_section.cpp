@@ -21,8 +21,8 @@ using document::TomlNode;
 /// Reads the motion of a run from its `sections`. The time from a sample to the next is that of the
 /// study, or the stated one, or else the scene's.
 physics::MotionSettings runFrom(const TomlNode& sections, const Scene& scene) {
-  physics::MotionSettings motion = motionFrom(sections, scene.simulation.timePerFrame);
-  if (scene.study->interval) motion.simulation.timePerFrame = *scene.study->interval;
+  physics::MotionSettings motion = motionFrom(sections, scene.simulation);
+  sampleAsAsked(*scene.study, motion);
   return motion;
 }
 

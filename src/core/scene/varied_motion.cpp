@@ -19,8 +19,6 @@ namespace {
 
 using document::TomlNode;
 
-constexpr document::Alternatives kMotionSpins{"initial", kSpinKeys};
-
 /// Returns the sections that settle a motion, which are those but [expect].
 std::span<const Section<Motion>> physicsSections() {
   return motionSections().first(motionSections().size() - 1);
@@ -57,17 +55,17 @@ TomlNode motionPart(const ValueReader& file) {
 
 void put(TomlNode& sections, const std::string& path, const VariedKey& key,
          const StatedValue& value) {
-  putValue(sections, path, value.node, key.key.node().location, kMotionSpins);
+  putValue(sections, path, value.node, key.key.node().location, kMotionAlternatives);
 }
 
 void put(TomlNode& sections, const VariedKey& key, const StatedValue& value) {
   put(sections, key.key.text(kLongestPath), key, value);
 }
 
-Motion motionFrom(const TomlNode& sections, double timePerFrame) {
+Motion motionFrom(const TomlNode& sections, const physics::SimulationSettings& clock) {
   const ValueReader file(sections, "");
   Motion motion;
-  motion.simulation.timePerFrame = timePerFrame;
+  takeClock(clock, motion.simulation);
   std::vector<document::Field> fields;
   addFields(fields, physicsSections(), motion);
   file.readTable(fields);

@@ -30,8 +30,9 @@ void put(document::TomlNode& sections, const std::string& path, const VariedKey&
          const StatedValue& value);
 void put(document::TomlNode& sections, const VariedKey& key, const StatedValue& value);
 
-/// Reads and checks a motion with `timePerFrame` [s], unless `sections` state another. Throws
+/// Reads and checks a motion with the time of `clock`, as takeClock() takes it, unless
+/// `sections` state another. Throws
 /// InputError.
-Motion motionFrom(const document::TomlNode& sections, double timePerFrame);
+Motion motionFrom(const document::TomlNode& sections, const physics::SimulationSettings& clock);
 
 }  // namespace rotatebook::scene

@@ -50,10 +50,7 @@ double largestOf(const MapRun& run, const MapPlan& plan, Stop stop) {
   return reduced(trajectory, plan.measure);
 }
 
-double lastOf(MotionSettings motion, const MapPlan& plan) {
-  // The closed form has no steps: the whole motion is a frame.
-  if (motion.simulation.model == physics::Model::Exact)
-    motion.simulation.timePerFrame = plan.duration;
+double lastOf(const MotionSettings& motion, const MapPlan& plan) {
   return ValueOverTime(motion, plan.measure).at(plan.duration);
 }
 
@@ -85,15 +82,15 @@ ensemble::WatchedMotion watchedMotion(const MapRun& run, double duration) {
     return static_cast<std::int64_t>(std::clamp(std::floor(frames), 0.0, 1e15));
   };
   ensemble::WatchedMotion watched{run.motion};
-  double& timePerFrame = watched.motion.simulation.timePerFrame;
   if (run.motion.simulation.model == physics::Model::Exact) {
     // It has no steps: a look is a frame.
     watched.frames = framesIn(std::ceil(duration / run.interval - kRounding));
-    timePerFrame = duration / static_cast<double>(watched.frames);
+    watched.motion.simulation.substepped = duration / static_cast<double>(watched.frames);
     return watched;
   }
-  watched.frames = framesIn(duration / timePerFrame + kRounding);
-  watched.framesPerLook = std::max<std::int64_t>(framesIn(run.interval / timePerFrame + 0.5), 1);
+  const double frame = run.motion.simulation.steps().time;
+  watched.frames = framesIn(duration / frame + kRounding);
+  watched.framesPerLook = std::max<std::int64_t>(framesIn(run.interval / frame + 0.5), 1);
   return watched;
 }
 

@@ -32,6 +32,7 @@ void measure(const Trajectory& trajectory, PrecisionRow& row) {
 MotionSettings withStepping(MotionSettings settings, physics::Integrator integrator, int substeps) {
   settings.simulation.integrator = integrator;
   settings.simulation.substeps = substeps;
+  settings.simulation.step.reset();
   return settings;
 }
 
@@ -39,8 +40,8 @@ PrecisionRow runPrecision(const MotionSettings& settings, std::int64_t samples,
                           const Execution& execution) {
   PrecisionRow row;
   row.integrator = settings.simulation.integrator;
-  row.h = settings.simulation.timePerFrame / settings.simulation.substeps;
-  row.steps = (samples - 1) * settings.simulation.substeps;
+  row.h = settings.simulation.steps().length();
+  row.steps = scene::studiedSteps(settings, samples);
   const auto trajectory = wholeMotion(settings, samples, execution.stop, row.end);
   if (!trajectory || isSet(execution.stop)) return row;
   measure(*trajectory, row);

@@ -16,8 +16,8 @@ using physics::Trajectory;
 std::vector<std::size_t> longestFirst(const std::vector<MotionSettings>& runs) {
   std::vector<std::size_t> indices(runs.size());
   std::iota(indices.begin(), indices.end(), std::size_t{0});
-  std::ranges::stable_sort(indices, std::ranges::greater{},
-                           [&](std::size_t i) { return runs[i].simulation.substeps; });
+  std::ranges::stable_sort(indices, std::ranges::less{},
+                           [&](std::size_t i) { return runs[i].simulation.steps().length(); });
   return indices;
 }
 

@@ -1,5 +1,8 @@
 #include "timeline/euler_steps.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "physics/make_simulator.h"
 #include "physics/motion_start.h"
 #include "timeline/spin.h"
@@ -21,15 +24,25 @@ physics::MotionSettings byEuler(physics::MotionSettings settings) {
   settings.simulation.model = physics::Model::Quaternion;
   settings.simulation.integrator = physics::Integrator::Euler;
   settings.simulation.normalizeEvery = 1;
+  settings.simulation.step.reset();
   return settings;
 }
 
-/// Returns whether L circles the axis of `regime` in every frame of the motion.
-bool keeps(rigid::Regime regime, const physics::MotionSettings& settings, std::int64_t frames) {
+/// Returns the runs of EqualSteps that samples of so many frames take, and one more.
+std::int64_t runsOf(const physics::SimulationSettings& settings, std::int64_t frames) {
+  constexpr double kRounding = 1e-9, kMany = 1e15;
+  const double length = static_cast<double>(frames - 1) * settings.timePerFrame;
+  const double runs = std::ceil(length / settings.steps().time * (1 - kRounding));
+  return 1 + static_cast<std::int64_t>(std::min(runs, kMany));
+}
+
+/// Returns whether L circles the axis of `regime` after every run of EqualSteps.
+bool keeps(rigid::Regime regime, const physics::MotionSettings& settings, std::int64_t runs) {
   const rigid::PrincipalAxes inertia = modelInertia(settings);
   const auto simulator = makeSimulator(settings);
-  for (std::int64_t frame = 1; frame < frames; ++frame) {
-    simulator->advance(settings.simulation.timePerFrame, settings.simulation.substeps);
+  const physics::EqualSteps steps = settings.simulation.steps();
+  for (std::int64_t run = 1; run < runs; ++run) {
+    simulator->advance(steps.time, steps.count);
     const physics::BodyState state = simulator->state();
     const Eigen::Vector3d inBody = state.worldFromBody.transpose() * state.angularVelocity;
     const Eigen::Vector3d along = inertia.bodyFromPrincipal.transpose() * inBody;
@@ -45,13 +58,14 @@ std::optional<EulerSteps> eulerStepsFor(const physics::MotionSettings& settings,
   const Spin spin = spinOf(settings);
   if (frames < 2 || !spin.period || spin.equal != EqualMoments::None) return std::nullopt;
   physics::MotionSettings run = byEuler(settings);
+  const std::int64_t runs = runsOf(run.simulation, frames);
+  if (runs > kMaxSteps) return std::nullopt;
   EulerSteps result;
-  for (int substeps = 1; substeps <= kMaxSubsteps && substeps * frames <= kMaxSteps;
-       substeps *= 2) {
+  for (int substeps = 1; substeps <= kMaxSubsteps && substeps * runs <= kMaxSteps; substeps *= 2) {
     run.simulation.substeps = substeps;
     result.tried = substeps;
-    result.step = settings.simulation.timePerFrame / substeps;
-    if (!keeps(spin.regime, run, frames)) continue;
+    result.step = run.simulation.steps().length();
+    if (!keeps(spin.regime, run, runs)) continue;
     result.substeps = substeps;
     break;
   }

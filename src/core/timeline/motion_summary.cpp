@@ -60,6 +60,14 @@ std::vector<MotionSummary> summarize(const scene::Scene& scene, const ClipMotion
   return summaries;
 }
 
+void leaveUnjudged(std::vector<MotionSummary>& motions) {
+  for (MotionSummary& summary : motions) {
+    summary.isJudged = false;
+    summary.divergesUnexpectedly = false;
+    summary.expectations.clear();
+  }
+}
+
 bool allMet(const std::vector<MotionSummary>& motions) {
   return std::ranges::all_of(motions, &MotionSummary::met);
 }

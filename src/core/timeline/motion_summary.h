@@ -29,6 +29,7 @@ struct MotionSummary {
   std::optional<double> visibleFrom{};
   std::optional<double> divergedAt{};  ///< Trajectory::divergedAt [s]
   bool divergesUnexpectedly = false;   ///< scene::divergesUnexpectedly()
+  bool isJudged = true;  ///< False if nothing is expected of it, whatever the scene says.
   std::vector<scene::ExpectationResult> expectations{};
   std::vector<std::string> notes{};  ///< regimeNote(), if any; notesOn() has those on the settings.
 
@@ -45,6 +46,9 @@ MotionSummary summarize(const scene::Panel& motion, const physics::Trajectory& t
 
 /// Returns a summary of each motion of `scene`, in the order of scene::motionsOf().
 std::vector<MotionSummary> summarize(const scene::Scene& scene, const ClipMotion& motion);
+
+/// Leaves out whatever was expected.
+void leaveUnjudged(std::vector<MotionSummary>& motions);
 
 /// Returns whether all are MotionSummary::met().
 bool allMet(const std::vector<MotionSummary>& motions);

@@ -36,22 +36,27 @@ void addSizeNote(const scene::Motion& motion, std::vector<std::string>& notes) {
                   " m long; numbers without a unit are in metres: a centimetre is \"1 cm\"");
 }
 
+std::string remedyForSpeed(const physics::SimulationSettings& settings) {
+  return settings.substepped ? "choose a lower clip.speed, such as 0.1"
+                             : "choose a shorter simulation.time_per_frame";
+}
+
 void addSpeedNote(const scene::Motion& motion, const rigid::PrincipalAxes& inertia,
                   const DoubleDouble3& spin, std::vector<std::string>& notes) {
   const double interval = motion.simulation.timePerFrame;
   const double turn = initialAngularVelocity(motion).norm() * interval;
   if (turn > pi) {
     notes.push_back("the body spins by " + roundedText(turn / (2 * pi), kDigits) +
-                    " turns from frame to frame, which no eye can follow; choose a shorter "
-                    "simulation.time_per_frame");
+                    " turns from frame to frame, which no eye can follow; " +
+                    remedyForSpeed(motion.simulation));
     return;
   }
   const double frames = rigid::ExactRotation(inertia, spin).flipInterval() / interval;
   if (frames >= kFewFramesBetweenFlips) return;
   notes.push_back(
       "the body flips every " + roundedText(frames, kDigits) +
-      " frames, so that frames, half-turns and expectations miss flips; choose a shorter "
-      "simulation.time_per_frame");
+      " frames, so that frames, half-turns and expectations miss flips; " +
+      remedyForSpeed(motion.simulation));
 }
 
 /// Returns "x" or "z": an axis of the body that `spin` isn't near.

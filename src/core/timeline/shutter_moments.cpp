@@ -1,11 +1,25 @@
 #include "timeline/shutter_moments.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "physics/simulate.h"
 #include "timeline/simulate_scene.h"
 
 namespace rotatebook::timeline {
+
+namespace {
+
+/// Divides the runs of steps, at whose ends samples are made from no copy, into up to `parts`, a
+/// power of two, which keeps a step's length to the last bit.
+void makeShort(physics::SimulationSettings& settings, int parts) {
+  if (settings.step) return;
+  const int divisor = std::gcd(settings.substeps, parts);
+  settings.substepped = settings.steps().time / divisor;
+  settings.substeps /= divisor;
+}
+
+}  // namespace
 
 ShutterMoments::ShutterMoments(const scene::Scene& scene)
     : count_(static_cast<std::size_t>(scene.look.motionBlur)) {
@@ -14,9 +28,7 @@ ShutterMoments::ShutterMoments(const scene::Scene& scene)
   const std::vector<double> times = frameTimes(scene, finer);
   for (const scene::Panel& panel : scene::motionsOf(scene)) {
     physics::MotionSettings settings = panel.motion();
-    // Divide both by a power of two, which keeps the step's length to the last bit.
-    settings.simulation.timePerFrame /= finer;
-    settings.simulation.substeps = std::max(1, settings.simulation.substeps / finer);
+    makeShort(settings.simulation, finer);
     motions_.push_back(physics::simulate(settings, times));
   }
 }

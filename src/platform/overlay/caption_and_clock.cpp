@@ -60,7 +60,7 @@ std::vector<std::string> settingsOf(const physics::SimulationSettings& settings,
                         : words[Word::Undamped]);
     parts.push_back("k = " + words.number(shortestText(settings.stiffness)) + " N/m");
   }
-  const double step = 1e3 * settings.timePerFrame / settings.substeps;
+  const double step = 1e3 * settings.steps().length();
   parts.push_back(words[Word::Step] + " " + words.number(roundedText(step, 3)) + " ms");
   return parts;
 }
@@ -93,6 +93,22 @@ std::string settingsText(const scene::Scene& scene) {
     });
   });
   return joined({joined(common), steplessText(motions, words)}, "; ");
+}
+
+/// Returns all stated speeds of a clip.
+std::vector<double> speedsOf(const scene::Scene& scene) {
+  std::vector<double> speeds{scene::speedAt(scene, 0)};
+  if (!scene.clip.speed || scene.clip.speed->stretches.empty()) return speeds;
+  speeds.push_back(1);
+  for (const scene::SpeedStretch& stretch : scene.clip.speed->stretches)
+    speeds.push_back(stretch.value);
+  return speeds;
+}
+
+/// Returns what a clock says of a speed other than 1: "  0.2×".
+std::string speedMark(double speed, const scene::Words& words) {
+  const std::string text = roundedText(speed, 3);
+  return text == "1" ? "" : "  " + words.number(text) + "\u00d7";
 }
 
 /// Returns a black layer whose opacity rises smoothly from 0 at the top to kShade in `rise` rows.
@@ -215,13 +231,22 @@ struct CaptionAndClock::Parts {
 
   std::string timeAt(std::int64_t frame) const {
     const double time = scene::timeAt(scene, static_cast<double>(frame));
-    return "t = " + clockText(time, scene.overlay.words);
+    return "t = " + clockText(time, scene.overlay.words) +
+           speedMark(speedAt(scene, static_cast<double>(frame)), scene.overlay.words);
   }
 
-  /// Returns a box at the top left that is wide enough for the last frame's time.
+  /// Returns a box at the top left that is wide enough for the last frame's time at each speed.
   Box clockBox() const {
-    const TextSize size = type.measure(timeAt(scene.clip.frameCount()), clockStyle, textWidth());
-    return {1.0 * margin, 1.0 * margin, 1.0 * size.width, 1.0 * size.height};
+    const scene::Words& words = scene.overlay.words;
+    const auto frames = static_cast<double>(scene.clip.frameCount());
+    const std::string time = "t = " + clockText(scene::timeAt(scene, frames), words);
+    Box box{1.0 * margin, 1.0 * margin, 0, 0};
+    for (const double speed : speedsOf(scene)) {
+      const TextSize size = type.measure(time + speedMark(speed, words), clockStyle, textWidth());
+      box.width = std::max(box.width, 1.0 * size.width);
+      box.height = std::max(box.height, 1.0 * size.height);
+    }
+    return box;
   }
 
   int textWidth() const { return scale.width - 2 * margin; }

@@ -48,7 +48,7 @@ const std::vector<BadCase> kOverrides{
     {"ZeroVector",
      {"--set", "initial.angular_momentum=[0, 0, 0]"},
      "--set initial.angular_momentum=[0, 0, 0]: initial.angular_momentum must be three numbers "
-     "from -1e9 to 1e9, not all zero, not [0, 0, 0]"},
+     "from -1e9 to 1e9, at least one other than 0, not [0, 0, 0]"},
     {"NoKey", {"--set", "substeps"}, "--set substeps: expected KEY=VALUE"},
     {"Several",
      {"--set", "x", "--size", "65x36", "--set", "video.crf=0", "--set", "title=\"a\u009b\u202eb\""},

@@ -174,6 +174,9 @@ INSTANTIATE_TEST_SUITE_P(
         WrongOption{"RatherThanAMissingOne",
                     {"sheet", "tiny.toml", "--ouput", "x.png"},
                     " of sheet: --ouput; did you mean \"--output\"?"},
+        WrongOption{"CutShort",
+                    {"render", "tiny.toml", "--out", "x"},
+                    " of render: --out; did you mean \"--output\"?"},
         WrongOption{"OfAnotherCommand",
                     {"still", "tiny.toml", "--no-png"},
                     " of still: --no-png; it is an option of render"},
@@ -229,8 +232,7 @@ TEST_F(CommandLine, RefusesWhatIsTooMuchOrMissing) {
                 "rotatebook: --frames and --all exclude each other\n"
                 "Run 'rotatebook verify" +
                     advice);
-  expectRefused({"sheet", "tiny.toml"},
-                "rotatebook: --output is required\nRun 'rotatebook sheet" + advice);
+  expectRefused({"diff", "a.png"}, "rotatebook: B is required\nRun 'rotatebook diff" + advice);
 }
 
 TEST_F(CommandLine, WritesNoResultToTheStandardOutput) {

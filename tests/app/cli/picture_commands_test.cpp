@@ -64,6 +64,16 @@ TEST_F(SheetCommand, WritesAPictureOfTheSizeItReports) {
   EXPECT_GT(sheet.width(), sheet.height());
 }
 
+TEST_F(SheetCommand, NamesThePictureAfterTheScene) {
+  const ChildResult one = run({"sheet", "tiny.toml", "--count", "1"});
+  EXPECT_EQ(one.status, 0) << one.error;
+  write("b.toml", kTiny);
+  EXPECT_EQ(run({"sheet", "tiny.toml", "b.toml", "--count", "1"}).status, 0);
+  EXPECT_THAT(files(), ElementsAre("b.toml", "sheet.png", "tiny.sheet.png"));
+  EXPECT_THAT(run({"sheet", "tiny.toml", "--count", "1"}).error,
+              HasSubstr("note: replaced tiny.sheet.png\n"));
+}
+
 TEST_F(SheetCommand, RefusesMorePixelsThanFitIntoMemory) {
   const ChildResult result =
       run({"sheet", "tiny.toml", "-o", "x.png", "--count", "300", "--size", "1280x720"});

@@ -1,4 +1,5 @@
 // `rotatebook render`: what it leaves on the disk, what it says, and its exit status.
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -213,6 +214,54 @@ TEST_F(RenderCommand, TakesSizeFolderAndOverrides) {
   EXPECT_EQ(clip.height, 54);
   EXPECT_EQ(clip.frames.size(), 6U);
   EXPECT_EQ(clip.metadata.at("title"), "Other");
+}
+
+TEST_F(RenderCommand, MakesTheVideosThatAreNamed) {
+  const ChildResult result =
+      run({"render", "tiny.toml", "-o", "out", "-o", "clips/a.mp4", "-o", "clips/a.gif"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(files(), ElementsAre("clips/", "clips/a.csv", "clips/a.gif", "clips/a.mp4",
+                                   "clips/a.poster.png", "clips/a/", "clips/a/frames.manifest",
+                                   "clips/a/scene.toml"));
+  EXPECT_EQ(run({"render", "tiny.toml", "-o", "b.webm"}).status, 0);
+  EXPECT_TRUE(has("b.webm") && has("b.csv"));
+}
+
+TEST_F(RenderCommand, TakesANameWithADotForAFolderThatIsThereOrEndsInASlash) {
+  std::filesystem::create_directory(folder() / "takes.2");
+  EXPECT_EQ(run({"render", "tiny.toml", "--no-png", "-o", "takes.2"}).status, 0);
+  EXPECT_EQ(run({"render", "tiny.toml", "--no-png", "-o", "takes.3/"}).status, 0);
+  EXPECT_TRUE(has("takes.2/tiny.mp4") && has("takes.3/tiny.mp4"));
+}
+
+TEST_F(RenderCommand, RefusesVideosThatItCanNotMake) {
+  write("b.toml", kTiny);
+  const auto refusal = [this](const std::vector<std::string>& words) {
+    std::vector<std::string> all{"render", "tiny.toml"};
+    all.insert(all.end(), words.begin(), words.end());
+    const ChildResult result = run(all);
+    EXPECT_EQ(result.status, 2);
+    return result.error;
+  };
+  EXPECT_EQ(refusal({"-o", "a.mov"}),
+            "rotatebook: --output a.mov: no video ends in \".mov\"; there are \".mp4\", "
+            "\".webm\", \".gif\" and \".apng\"; for a folder of this name, write a.mov/\n");
+  EXPECT_THAT(refusal({"-o", "a.mp5"}), HasSubstr("did you mean \".mp4\"?"));
+  EXPECT_EQ(refusal({"b.toml", "-o", "a.mp4"}),
+            "rotatebook: --output a.mp4: one video for 2 scenes; name a folder\n");
+  EXPECT_EQ(refusal({"-o", "a.mp4", "-o", "b.gif"}),
+            "rotatebook: --output a.mp4 and --output b.gif: the videos of a render have one name, "
+            "but for the ending\n");
+  EXPECT_THAT(refusal({"-o", "a.mp4", "--frames", "0:2"}), HasSubstr("is the whole clip"));
+  EXPECT_THAT(files(), ElementsAre("b.toml"));
+}
+
+TEST_F(RenderCommand, LeavesExpectationsOut) {
+  const ChildResult result =
+      run({"render", "tiny.toml", "--no-png", "--no-expect", "--set", "expect.half_turns.min=1"});
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.output, HasSubstr("expectations are left out (--no-expect)"));
+  EXPECT_THAT(read("out/tiny/scene.toml"), HasSubstr("half_turns = { min = 1.0 }"));
 }
 
 TEST_F(RenderCommand, RendersSeveralScenes) {

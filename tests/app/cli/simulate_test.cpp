@@ -74,6 +74,19 @@ TEST_F(SimulateCommand, KeepsTheTableOfAnUnmetExpectation) {
   EXPECT_THAT(files(), ElementsAre("t.csv"));
 }
 
+TEST_F(SimulateCommand, LeavesExpectationsOut) {
+  const std::vector<std::string> words{"simulate", "tiny.toml", "--set", "expect.half_turns.min=1"};
+  ASSERT_EQ(run(words).status, 1);
+  std::vector<std::string> unjudged = words;
+  unjudged.emplace_back("--no-expect");
+  const ChildResult result = run(unjudged);
+  EXPECT_EQ(result.status, 0) << result.error;
+  EXPECT_THAT(result.output, HasSubstr("\n  expectations are left out (--no-expect)\n"));
+  EXPECT_EQ(countOf("UNMET", result.output), 0);
+  unjudged.emplace_back("--json");
+  EXPECT_THAT(run(unjudged).output, HasSubstr("\"judged\": false"));
+}
+
 TEST_F(SimulateCommand, TakesOverrides) {
   const ChildResult result =
       run({"simulate", "tiny.toml", "--csv", "-", "--set", "clip.duration=0.05", "--set",

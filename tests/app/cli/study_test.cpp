@@ -96,7 +96,7 @@ TEST_F(StudyCommand, FailsIfAnExpectationIsUnmet) {
 
 TEST_F(StudyCommand, RefusesBadLists) {
   const std::string steps =
-      ": not a list of whole numbers; write steps a frame, for example "
+      ": not a list of whole numbers; write substeps, for example "
       "1,2,4,8";
   expectRefused({"--steps", "1,x"}, "--steps 1,x" + steps);
   expectRefused({"--steps", "1,,2"}, "--steps 1,,2" + steps);

@@ -210,11 +210,18 @@ TEST_F(VerifyCommand, FindsTexturesFromTheSceneFolder) {
   writePng(folder() / "scenes/cover.png", cover.view());
   write("scenes/covered.toml", std::string(kTiny) + "[book]\nfront = \"cover.png\"\n");
   ASSERT_EQ(run({"render", "scenes/covered.toml", "--no-png"}).status, 0);
+  const ChildResult near = run({"verify", "out/covered.mp4"});
+  EXPECT_EQ(near.status, 0) << near.output << near.error;
+  fs::create_directories(folder() / "more/deeper");
+  fs::rename(folder() / "scenes", folder() / "more/deeper/scenes");
+  fs::create_directories(folder() / "scenes");
+  writePng(folder() / "scenes/cover.png", image::Image(4, 4, image::PixelFormat::Rgb8).view());
   const ChildResult missing = run({"verify", "out/covered.mp4"});
   EXPECT_EQ(missing.status, 2);
   EXPECT_THAT(missing.error, AllOf(HasSubstr("can't read out/cover.png: No such file or directory"),
                                    HasSubstr("; name its scene's folder with --scene-folder DIR")));
-  const ChildResult found = run({"verify", "out/covered.mp4", "--scene-folder", "scenes"});
+  const ChildResult found =
+      run({"verify", "out/covered.mp4", "--scene-folder", "more/deeper/scenes"});
   EXPECT_EQ(found.status, 0) << found.output << found.error;
 }
 

@@ -301,11 +301,13 @@ void makeStudy(const fs::path& folder, const std::string& table, const std::stri
 /// The columns that tell which runs a table is of.
 std::string tableOf(const std::vector<std::string>& integrators, const std::vector<int>& substeps,
                     const scene::Scene& scene) {
+  physics::MotionSettings motion = scene.motion();
   std::string table = "integrator,h_s,steps\n";
   for (const std::string& integrator : integrators) {
     for (const int count : substeps) {
-      table += integrator + "," + shortestText(scene.simulation.timePerFrame / count) + "," +
-               std::to_string((scene.clip.frameCount() - 1) * count) + "\n";
+      motion.simulation.substeps = count;
+      table += integrator + "," + shortestText(motion.simulation.steps().length()) + "," +
+               std::to_string(scene::studiedSteps(motion, scene.clip.frameCount())) + "\n";
     }
   }
   return table;

@@ -70,6 +70,17 @@ TEST(Sheet, ShowsTheTimesThatAreAskedFor) {
   EXPECT_TRUE(shows(sheet, 4, 4 + (sheet.height() - 4) / 2, scene, 3));
 }
 
+// As long as both are the same, the motion's time isn't said.
+TEST(Sheet, SaysTheTimeOfTheVideoAndInSlowMotionTheOthersToo) {
+  const auto letters = [](const std::string& speed) {
+    const scene::Scene scene = smallScene({"clip.size=[192, 108]", "clip.speed=" + speed});
+    const image::Image sheet = drawSheet({scene}, {.times = {0.25}});
+    const int below = 6 + 108;
+    return lettersIn(sheet, 6, below, 192, sheet.height() - below);
+  };
+  EXPECT_GT(letters("0.5"), letters("1") + 20);  // measured 76 and 31
+}
+
 TEST(Sheet, ShowsThePosterOfEachScene) {
   const scene::Scene a = smallScene({"clip.poster=0.125"});
   const scene::Scene b = smallScene({"initial.angular_velocity=[0, 9, 0]"});

@@ -57,7 +57,7 @@ TEST(SpinReport, HasALineForEachNumber) {
       "solid angle that L encloses in the body\n"
       "  precession  z goes about L at 6.646 rad/s\n"
       "  separatrix  4.676 degrees away; L^2 / (2 E I2) - 1 is 0.004415\n"
-      "  Euler       needs 16 steps a frame, 0.001042 s each, to keep the regime for 1.983 s\n");
+      "  Euler       needs 16 substeps, 0.001042 s each, to keep the regime for 1.983 s\n");
 }
 
 TEST(SpinReport, LeavesOutWhatASpinHasnt) {
@@ -105,7 +105,7 @@ TEST(SpinReport, SaysHowManyStepsArentEnough) {
   numbers.euler = timeline::EulerSteps{.substeps = {}, .tried = 64, .step = 1e-4};
   std::ostringstream out;
   reportSpins(sceneWith(kTumbling), {numbers}, out);
-  EXPECT_THAT(out.str(), HasSubstr("needs more than 64 steps a frame, shorter than 0.0001 s each"));
+  EXPECT_THAT(out.str(), HasSubstr("needs more than 64 substeps, shorter than 0.0001 s each"));
 }
 
 TEST(SpinReport, PutsPanelsUnderTheirLabels) {

@@ -92,7 +92,7 @@ describe("choices", () => {
 
 describe("knobs", () => {
   const kCases = [
-    ["Steps a picture", "1000", "simulation", "substeps", 1000], ["Time a picture", "0.02", "simulation", "time_per_frame", 0.02],
+    ["Substeps", "1000", "simulation", "substeps", 1000], ["Time a picture", "0.02", "simulation", "time_per_frame", 0.02],
     ["Stiffness", "300", "simulation", "stiffness", 300], ["Damping", "0", "simulation", "damping", 0],
     ["Mass", "2", "body", "mass", 2], ["Size along z", "3", "body", "size", [0.1878, 0.29085, 0.03]], ["Length", "30", "clip", "duration", 30],
     ["Tilt", "0", "initial", "tilt", undefined], ["Tilt", "0.0003", "initial", "tilt", [0.0003, "z"]], ["Spin [", "6", "initial", "angular_velocity", [6, 0, 0]],
@@ -123,8 +123,8 @@ describe("knobs", () => {
 
   test("each whole number can be reached by keys", async () => {
     const {page, close} = await openedWithSprings();
-    await type(page, "Steps a picture", "1");
-    await knob(page, "Steps a picture").locator("input[type=range]").focus();
+    await type(page, "Substeps", "1");
+    await knob(page, "Substeps").locator("input[type=range]").focus();
     for (const steps of [2, 3, 4]) {
       await page.keyboard.press("ArrowRight");
       assert.equal((await sceneOf(page)).simulation.substeps, steps);
@@ -205,7 +205,7 @@ describe("the clock", () => {
   test("a thousand steps a picture are all made", async () => {
     const {page, close} = await openedWithSprings();
     await type(page, "Length", "4");
-    await type(page, "Steps a picture", "1000");
+    await type(page, "Substeps", "1000");
     const passed = await page.evaluate(async () => {
       const player = rotatebook.player;
       player.seek(0);

@@ -46,6 +46,18 @@ TEST(NearestName, SuggestsNothingForAnotherWord) {
   EXPECT_EQ(nearest(std::string(10'000, 's')), "none");
 }
 
+TEST(NearestName, KnowsOtherWordsOfTheSameMeaning) {
+  constexpr std::array<std::string_view, 6> kMeant{"front", "step", "deg", "s", "middle", "german"};
+  const auto meant = [&](std::string_view word) { return nearestName(word, kMeant); };
+  EXPECT_EQ(meant("cover"), "front");
+  EXPECT_EQ(meant("dt"), "step");
+  EXPECT_EQ(meant("Degrees"), "deg");
+  EXPECT_EQ(meant("sec"), "s");
+  EXPECT_EQ(meant("median"), "middle");
+  EXPECT_EQ(meant("deutsch"), "german");
+  EXPECT_EQ(nearest("cover"), "none");
+}
+
 TEST(DidYouMean, EndsAMessageOrAddsNothing) {
   EXPECT_EQ(didYouMean("substep", kNames), "; did you mean \"substeps\"?");
   EXPECT_EQ(didYouMean("colour", kNames), "");

@@ -27,6 +27,8 @@ TEST(Units, ConvertToTheSi) {
   EXPECT_EQ(parseQuantity("1.5 min", Dimension::Time), 90);
   EXPECT_EQ(parseQuantity("-0.02 rad", Dimension::Angle), -0.02);
   EXPECT_EQ(parseQuantity("1 deg", Dimension::Angle), kPiOver180);
+  EXPECT_EQ(parseQuantity("1°", Dimension::Angle), kPiOver180);
+  EXPECT_EQ(parseQuantity("360 °/s", Dimension::AngularVelocity), 2 * std::numbers::pi);
   EXPECT_EQ(parseQuantity("0.25 turn", Dimension::Angle), std::numbers::pi / 2);
   EXPECT_EQ(parseQuantity("60 rpm", Dimension::AngularVelocity), 2 * std::numbers::pi);
   EXPECT_EQ(parseQuantity("2 turn/s", Dimension::AngularVelocity), 4 * std::numbers::pi);
@@ -69,8 +71,9 @@ TEST(Units, AreListedThatOfTheSiFirst) {
   EXPECT_THAT(unitsOf(Dimension::Length), ElementsAre("m", "cm", "mm", "km", "in"));
   EXPECT_THAT(unitsOf(Dimension::Mass), ElementsAre("kg", "g"));
   EXPECT_THAT(unitsOf(Dimension::Time), ElementsAre("s", "ms", "min"));
-  EXPECT_THAT(unitsOf(Dimension::Angle), ElementsAre("rad", "deg", "turn"));
-  EXPECT_THAT(unitsOf(Dimension::AngularVelocity), ElementsAre("rad/s", "deg/s", "turn/s", "rpm"));
+  EXPECT_THAT(unitsOf(Dimension::Angle), ElementsAre("rad", "deg", "turn", "°"));
+  EXPECT_THAT(unitsOf(Dimension::AngularVelocity),
+              ElementsAre("rad/s", "deg/s", "°/s", "turn/s", "rpm"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "document/overrides.h"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -14,7 +15,7 @@ namespace {
 
 /// The table `section` of `text` with `overrides`, as a message describes its values.
 std::string sectionOf(const std::string& text, const std::vector<std::string>& overrides,
-                      const Alternatives& alternatives = {}) {
+                      std::span<const Alternatives> alternatives = {}) {
   TomlNode root = parseToml(text, "a.toml");
   applyOverrides(root, overrides, alternatives);
   const TomlEntry* section = find(std::get<TomlNode::Table>(root.value), "section");
@@ -45,8 +46,8 @@ TEST(Overrides, ReplaceAndAddValues) {
 }
 
 TEST(Overrides, OfOneAlternativeReplaceTheOthers) {
-  constexpr std::string_view kKeys[] = {"a", "b"};
-  const Alternatives alternatives{"section", kKeys};
+  constexpr std::string_view kKeys[] = {"a", "b"}, kOthers[] = {"d", "e"};
+  const Alternatives alternatives[] = {{"other", kOthers}, {"section", kKeys}};
   const std::string text = "section = { a = 1, b = 2, c = 3 }";
   EXPECT_EQ(sectionOf(text, {"section.b=4"}, alternatives), "b = 4\nc = 3\n");
   EXPECT_EQ(sectionOf(text, {"section.c=4"}, alternatives), "a = 1\nb = 2\nc = 4\n");

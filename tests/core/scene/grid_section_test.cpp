@@ -126,7 +126,7 @@ TEST(GridSection, RefusesKeysThatChangeNothing) {
             "a.toml:7:20: simulation.substeps: the model \"exact\" takes no steps; all books "
             "would be the same");
   EXPECT_THAT(errorOfGrid("columns = { over = 'simulation.time_per_frame', values = [1, 2] }"),
-              HasSubstr("all share one clock; vary simulation.substeps"));
+              HasSubstr("all share one clock; vary simulation.step"));
   EXPECT_THAT(
       errorOfText("[initial]\nangular_velocity = [5, 0, 0]\n[grid]\n" + std::string(kColumns)),
       HasSubstr("initial.tilt is a part of initial.tilt, which the scene doesn't state"));

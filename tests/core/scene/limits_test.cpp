@@ -62,15 +62,16 @@ TEST(Texts, AreOnOneLineButForTheCaption) {
 constexpr const char* kManySteps = "simulation.substeps = 1000000\n";
 
 TEST(Steps, AreLimitedInAll) {
-  const std::string lines = kManySteps + std::string("clip.fps = 100\nclip.duration = ");
-  EXPECT_EQ(errorOf(lines + "100"), "no error");
+  const std::string lines = kManySteps + std::string("clip.fps = 60\nclip.duration = ");
+  EXPECT_EQ(errorOf(lines + "166"), "no error");
   EXPECT_EQ(
-      errorOf(lines + "100.01"),
-      "a.toml:1:23: the clip takes 10001000000 integration steps; the limit is 10000000000 in "
-      "all: lower simulation.substeps or clip.duration");
+      errorOf(lines + "167"),
+      "a.toml:1:23: the clip takes 10020000000 integration steps; the limit is 10000000000 in "
+      "all: lower simulation.substeps or clip.duration, or state a longer simulation.step");
   EXPECT_EQ(errorOf("clip.duration = 1000", {"simulation.substeps=1000000"}),
             "--set simulation.substeps=1000000: the clip takes 60000000000 integration steps; the "
-            "limit is 10000000000 in all: lower simulation.substeps or clip.duration");
+            "limit is 10000000000 in all: lower simulation.substeps or clip.duration, or state a "
+            "longer simulation.step");
 }
 
 TEST(Steps, OfTheExactMotionAreNone) {
@@ -80,34 +81,39 @@ TEST(Steps, OfTheExactMotionAreNone) {
 
 TEST(Steps, OfAllPanelsCount) {
   const std::string panels =
-      "clip.fps = 100\nclip.duration = 60\n"
+      "clip.fps = 60\nclip.duration = 100\n"
       "[[panel]]\nlabel = 'a'\n[[panel]]\nlabel = 'b'\nsimulation.substeps = ";
   EXPECT_EQ(errorOf(panels + "999936"), "no error");
   EXPECT_EQ(
-      errorOf("clip.fps = 100\nclip.duration = 60\n[[panel]]\nlabel = 'a'\n"
+      errorOf("clip.fps = 60\nclip.duration = 100\n[[panel]]\nlabel = 'a'\n"
               "simulation.substeps = 1000000\n[[panel]]\nlabel = 'b'\n"
               "simulation.substeps = 1000000"),
       "a.toml:5:23: the clip takes 12000000000 integration steps; the limit is 10000000000 in "
-      "all: lower simulation.substeps or clip.duration");
+      "all: lower simulation.substeps or clip.duration, or state a longer simulation.step");
 }
 
 TEST(Steps, OfATimeLapseCount) {
-  const std::string lines = kManySteps + std::string("clip.fps = 100\nclip.duration = 10\n");
+  const std::string lines = kManySteps + std::string("clip.fps = 60\nclip.duration = 10\n");
   EXPECT_EQ(errorOf(lines + "clip.speed = [{ from = 0, to = 1, value = 2 }]"), "no error");
+  EXPECT_EQ(errorOf(lines + "clip.speed = 100", {"simulation.step='1 ms'"}), "no error");
+  EXPECT_EQ(errorOf("clip.speed = 100000\nclip.duration = 100", {}),
+            "a.toml:1:14: the clip takes 38400000000 integration steps; the limit is 10000000000 "
+            "in all: lower simulation.substeps or clip.duration, or state a longer "
+            "simulation.step");
   EXPECT_EQ(
-      errorOf(lines + "clip.speed = [{ from = 0, to = 1, value = 100 }]"),
-      "a.toml:1:23: the clip takes 11900000000 integration steps; the limit is 10000000000 in "
-      "all: lower simulation.substeps or clip.duration");
+      errorOf(lines + "clip.speed = [{ from = 0, to = 1, value = 200 }]"),
+      "a.toml:1:23: the clip takes 13140000000 integration steps; the limit is 10000000000 in "
+      "all: lower simulation.substeps or clip.duration, or state a longer simulation.step");
 }
 
 TEST(Steps, OfAStudyCount) {
   EXPECT_EQ(
-      errorOf("clip.fps = 100\nclip.duration = 100\n[study]\nintegrators = ['rk4', 'dmv6']\n"
+      errorOf("clip.fps = 60\nclip.duration = 100\n[study]\nintegrators = ['rk4', 'dmv6']\n"
               "steps = [1000000]"),
-      "a.toml:5:9: the study takes 20000000000 integration steps; the limit is 10000000000 in "
+      "a.toml:5:9: the study takes 12000000000 integration steps; the limit is 10000000000 in "
       "all: make fewer runs, or shorter ones");
   EXPECT_EQ(
-      errorOf("clip.fps = 100\nclip.duration = 100\nsimulation.substeps = 600000\n"
+      errorOf("clip.fps = 60\nclip.duration = 100\nsimulation.substeps = 1000000\n"
               "[study]\ntilts = [0.1, 0.01]",
               {"initial.angular_velocity=[5, 0, 0]", "initial.tilt=[0.1, 'z']"}),
       "a.toml:5:9: the study takes 12000000000 integration steps; the limit is 10000000000 in "
@@ -115,7 +121,7 @@ TEST(Steps, OfAStudyCount) {
   EXPECT_EQ(
       errorOf("[study]\nduration = 200\ninterval = 0.01\nintegrators = ['rk4']\n"
               "steps = [1000000]"),
-      "a.toml:5:9: the study takes 20001000000 integration steps; the limit is 10000000000 in "
+      "a.toml:5:9: the study takes 32001000000 integration steps; the limit is 10000000000 in "
       "all: make fewer runs, or shorter ones");
 }
 

@@ -40,16 +40,5 @@ TEST(LookSection, RefusesWhatThereIsNot) {
             "a.toml:2:15: look.motion_blur must be an integer from 1 to 16, not 32");
 }
 
-// Moments between the ends of steps would need other steps, and with them another motion.
-TEST(LookSection, NeedsStepsThatEndAtTheMoments) {
-  EXPECT_EQ(errorOf("look.motion_blur = 4\nsimulation.substeps = 20"),
-            "a.toml:1:20: look.motion_blur = 4 needs simulation.substeps to be a multiple of 8, "
-            "not 20; the next is 24");
-  EXPECT_EQ(errorOf("look.motion_blur = 4\nsimulation.substeps = 24"), "no error");
-  EXPECT_EQ(errorOf("look.motion_blur = 1\nsimulation.substeps = 3"), "no error");
-  EXPECT_EQ(errorOf("look.motion_blur = 4\nsimulation.substeps = 3\nsimulation.model = 'exact'"),
-            "no error");
-}
-
 }  // namespace
 }  // namespace rotatebook::scene

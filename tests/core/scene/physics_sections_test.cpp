@@ -193,7 +193,7 @@ TEST(SimulationSection, RefusesUnknownWords) {
   EXPECT_EQ(errorOf("[simulation]\nmodel = 'rigid'"), must + "\"rigid\"");
   EXPECT_EQ(errorOf("[simulation]\nmodel = 2"), must + "2");
   EXPECT_EQ(errorOf("[simulation]\nintegrator = 'Euler'"),
-            "a.toml:2:14: simulation.integrator must be " + listOfIntegrators("or") +
+            "a.toml:2:14: simulation.integrator must be " + listOfIntegrators("or", Model::Quaternion) +
                 ", not \"Euler\"; did you mean \"euler\"?");
 }
 
@@ -261,7 +261,8 @@ TEST(InitialSection, NeedsExactlyOneSpin) {
 
 TEST(InitialSection, RefusesAVectorThatIsNone) {
   const std::string must =
-      "initial.angular_velocity must be three numbers from -1e9 to 1e9, not all zero, not ";
+      "initial.angular_velocity must be three numbers from -1e9 to 1e9, at least one other than 0, "
+      "not ";
   EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, 0, 0]"),
             "a.toml:2:20: " + must + "[0, 0, 0]");
   EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, 0, 1e-200]"),
@@ -275,8 +276,8 @@ TEST(InitialSection, RefusesAVectorThatIsNone) {
   EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, 0, 1e10]"),
             "a.toml:2:27: " + must + "1e+10");
   EXPECT_EQ(errorOfText("[initial]\nangular_momentum = [1, 2]"),
-            "a.toml:2:20: initial.angular_momentum must be three numbers from -1e9 to 1e9, not all "
-            "zero, not [1, 2]");
+            "a.toml:2:20: initial.angular_momentum must be three numbers from -1e9 to 1e9, at "
+            "least one other than 0, not [1, 2]");
   EXPECT_EQ(errorOfText("[initial]\nangular_velocty = [1, 2, 3]"),
             "a.toml:2:1: unknown key \"angular_velocty\" in [initial]; did you mean "
             "\"angular_velocity\"?");
@@ -284,10 +285,11 @@ TEST(InitialSection, RefusesAVectorThatIsNone) {
 
 // These are six values to TOML.
 TEST(InitialSection, GuessesADecimalCommaInEachOfThreeNumbers) {
-  EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [5,0, 0,0, 0,0]"),
-            "a.toml:2:20: initial.angular_velocity must be three numbers from -1e9 to 1e9, not all "
-            "zero, not an array of 6 values; a comma separates values, so write a decimal point: "
-            "5.0, not 5,0");
+  EXPECT_EQ(
+      errorOfText("[initial]\nangular_velocity = [5,0, 0,0, 0,0]"),
+      "a.toml:2:20: initial.angular_velocity must be three numbers from -1e9 to 1e9, at least one "
+      "other than 0, not an array of 6 values; a comma separates values, so write a decimal point: "
+      "5.0, not 5,0");
 }
 
 TEST(InitialSection, RefusesATiltThatIsNone) {
@@ -305,8 +307,9 @@ TEST(InitialSection, RefusesATiltThatIsNone) {
     EXPECT_EQ(
         errorOfText(spin + "['" + angle + "', 'x']"),
         std::string("a.toml:3:9: initial.tilt must be an angle from -1e6 to 1e6 rad, not \"") +
-            angle + "\"; a text is a number and a unit, \"rad\", \"deg\" or \"turn\", " +
-            "such as \"1.5 rad\"");
+            angle + "\"; a text is a number and a unit, \"rad\", \"deg\", \"turn\" or \"°\", " +
+            "such as \"1.5 rad\"" +
+            (std::string(angle) == "1 degree" ? "; did you mean \"deg\"?" : ""));
   }
   EXPECT_EQ(errorOfText(spin + "[0.1, 'w']"),
             "a.toml:3:14: initial.tilt must be \"x\", \"y\" or \"z\", not \"w\"");

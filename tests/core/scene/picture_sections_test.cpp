@@ -25,7 +25,8 @@ TEST(ClipSection, ReadsTheSpeedOfTheMotion) {
   EXPECT_EQ(slow.simulation.timePerFrame, 1.0 / 120);
   EXPECT_EQ(parseScene(sceneText(slow), "a.toml").simulation.timePerFrame, 1.0 / 120);
   EXPECT_EQ(errorOf("[clip]\nspeed = 0"),
-            "a.toml:2:9: clip.speed must be a number from 1e-6 to 1e6, not 0");
+            "a.toml:2:9: clip.speed must be a number from 1e-6 to 1e6, not 0; to hold a picture, "
+            "write a stretch, such as [{ from = 3, to = 5, value = 0 }]");
   EXPECT_EQ(errorOf("[simulation]\ntime_per_frame = 1\n[clip]\nspeed = 2"),
             "a.toml:2:18: both simulation.time_per_frame and clip.speed say how fast time goes; "
             "keep one of them");
@@ -62,8 +63,12 @@ TEST(ClipSection, RefusesWhatIsNoRate) {
        {"0", "-30", "1001", "4294967356", "29.97", "nan", "true", "\"30000/\"", "\"/2\"",
         "\"30000/1001x\"", "\"30/0\"", "\"-30/-1\"", "\"1/2\"", "\"2001/2\"", "\"2000000/1000001\"",
         "\"99999999999/1\"", "\"ntsc\"", "\"\"", "[30, 1]"}) {
-    EXPECT_EQ(errorOf("[clip]\nfps = " + value), must + value);
+    const std::string guess = value == "29.97" ? "; did you mean \"30000/1001\"?" : "";
+    EXPECT_EQ(errorOf("[clip]\nfps = " + value), must + value + guess);
   }
+  EXPECT_EQ(errorOf("[clip]\nfps = 23.976"), must + "23.976; did you mean \"24000/1001\"?");
+  EXPECT_EQ(errorOf("[clip]\nfps = 60.0"), must + "60.0; did you mean 60?");
+  EXPECT_EQ(errorOf("[clip]\nfps = 12.5"), must + "12.5");
   EXPECT_EQ(errorOf("[clip]\nfps = '2000/2'"), "no error");
   EXPECT_EQ(errorOf("[clip]\nfps = '60'"), "no error");
 }
@@ -170,7 +175,8 @@ TEST(CameraSection, RefusesNumbersOutOfRange) {
   EXPECT_EQ(errorOf("[camera]\ntarget = [1, 2]"),
             "a.toml:2:10: camera.target must be three numbers from -1e9 to 1e9, not [1, 2]");
   EXPECT_EQ(errorOf("[camera]\nup = [0, 0, 0]"),
-            "a.toml:2:6: camera.up must be three numbers from -1e9 to 1e9, not all zero, not "
+            "a.toml:2:6: camera.up must be three numbers from -1e9 to 1e9, at least one other than "
+            "0, not "
             "[0, 0, 0]");
   for (const std::string angle : {"0", "0.9", "171", "-30", "nan", "inf", "\"wide\""}) {
     EXPECT_EQ(errorOf("[camera]\nfield_of_view_deg = " + angle),

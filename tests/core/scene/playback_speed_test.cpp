@@ -59,6 +59,24 @@ TEST(PlaybackSpeed, HasItsFirstSpeedFromTheStartAndJoinsStretches) {
   EXPECT_NEAR(speed.timeAt(4), 1 + 2 + 1, kRounding);
 }
 
+TEST(PlaybackSpeed, OfZeroHoldsTheTimeToTheLastBit) {
+  const PlaybackSpeed speed{.stretches = {{3, 5, 0}, {5, 6, 0}, {7, 8, 0.2}}};
+  const double held = speed.timeAt(3.25);
+  EXPECT_NEAR(held, 3, kRounding);
+  for (double time = 3.25; time < 5.75; time += 0.01) EXPECT_EQ(speed.timeAt(time), held) << time;
+  EXPECT_NEAR(speed.timeAt(6.5), 3.5, kRounding);
+  EXPECT_EQ((PlaybackSpeed{.stretches = {{0, 2, 0}}}.timeAt(1.5)), 0);
+}
+
+TEST(PlaybackSpeed, IsTheStatedOneAtEachTime) {
+  const PlaybackSpeed speed{.stretches = {{1, 2, 0.5}, {3, 4, 0}}};
+  EXPECT_EQ(speed.at(0.9), 1);
+  EXPECT_EQ(speed.at(1), 0.5);
+  EXPECT_EQ(speed.at(2), 1);
+  EXPECT_EQ(speed.at(3.5), 0);
+  EXPECT_EQ((PlaybackSpeed{.constant = 20}.at(7)), 20);
+}
+
 TEST(ClipSection, ReadsAndPrintsStretchesOfSpeed) {
   const Scene scene = sceneFrom(
       "[clip]\nfps = 10\nspeed = [{ from = '500 ms', to = 1, value = 0.5 }, "
@@ -81,8 +99,10 @@ TEST(ClipSection, RefusesStretchesThatMakeNoSense) {
   EXPECT_EQ(refusal("[{ from = 3, to = 5, value = 2 }, { from = 4, to = 6, value = 1 }]"),
             "a.toml:1:48: the stretches of clip.speed must follow each other, but one begins at 4 "
             "s, before the last has ended at 5 s");
-  EXPECT_EQ(refusal("[{ from = 3, to = 5, value = -2 }]"),
-            "a.toml:1:43: clip.speed.value must be a number from 1e-6 to 1e6, not -2");
+  EXPECT_EQ(
+      refusal("[{ from = 3, to = 5, value = -2 }]"),
+      "a.toml:1:43: clip.speed.value must be 0, which holds the picture, or a number up to 1e6, "
+      "not -2");
 }
 
 }  // namespace

@@ -130,12 +130,11 @@ TEST(SceneReader, ReportsAllProblemsInTheOrderOfTheText) {
             "  --set x: expected KEY=VALUE");
   // What is wrong across sections is found when each is right.
   EXPECT_EQ(
-      errorOf("[camera]\nup = [0, 0, 1]\nposition = [0, 0, 1]\n[look]\nmotion_blur = 16\n"
-              "[simulation]\nsubsteps = 3"),
+      errorOf("[camera]\nup = [0, 0, 1]\nposition = [0, 0, 1]\n[overlay]\nshow = ['springs']"),
       "a.toml:2:6: camera.up must not be parallel to the direction from camera.position to "
       "camera.target\n"
-      "  a.toml:5:15: look.motion_blur = 16 needs simulation.substeps to be a multiple of 32, "
-      "not 3; the next is 32");
+      "  a.toml:5:9: overlay.show: springs exist only in the particles model; this scene's is "
+      "quaternion");
 }
 
 TEST(SceneReader, ReportsAProblemThatPanelsShareOnce) {

@@ -107,8 +107,7 @@ normalize = true  # undo the integrator's drift after each step, or after each n
 damping = 1.0  # particles: fraction of critical damping
 stiffness = 2000.0  # particles: N/m, of each spring
 particles = "corners"  # particles: where they are
-substeps = 64  # integration steps for each frame
-time_per_frame = 0.016666666666666666  # s simulated for each frame of video
+substeps = 64  # integration steps in 1/60 s of motion, or in time_per_frame if it is stated
 
 [initial]
 angular_velocity = [0.0, 0.0, 6.0]  # rad/s
@@ -117,6 +116,7 @@ angular_velocity = [0.0, 0.0, 6.0]  # rad/s
 size = [1280, 720]  # pixels, width and height, even
 fps = 60  # frames a second
 duration = 12.0  # s of video
+speed = 1.0  # of the motion in the video; 0.25 is slow motion
 
 [video]
 crf = 18  # 1 to 51, smaller is better and takes more space

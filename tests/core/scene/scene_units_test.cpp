@@ -55,10 +55,10 @@ TEST(SceneUnits, AreReportedIfTheyAreOfAnotherDimension) {
             "a.toml:1:17: clip.duration must be a positive number, not \"3 h\"" + a +
                 "\"s\", \"ms\" or \"min\", such as \"1.5 s\"");
   EXPECT_EQ(errorOfText("[initial]\nangular_velocity = ['60 rpm', '1 deg', 0]"),
-            "a.toml:2:31: initial.angular_velocity must be three numbers from -1e9 to 1e9, not all "
-            "zero, not \"1 deg\"" +
-                a + "\"rad/s\", \"deg/s\", \"turn/s\" or \"rpm\", such as \"1.5 rad/s\"");
-  EXPECT_THAT(errorOf("study.tilts = ['1 m']"), HasSubstr("\"rad\", \"deg\" or \"turn\""));
+            "a.toml:2:31: initial.angular_velocity must be three numbers from -1e9 to 1e9, at "
+            "least one other than 0, not \"1 deg\"" +
+                a + "\"rad/s\", \"deg/s\", \"°/s\", \"turn/s\" or \"rpm\", such as \"1.5 rad/s\"");
+  EXPECT_THAT(errorOf("study.tilts = ['1 m']"), HasSubstr("\"rad\", \"deg\", \"turn\" or \"°\""));
 }
 
 TEST(SceneUnits, KeepTheRangeOfTheKey) {
@@ -72,8 +72,8 @@ TEST(SceneUnits, AreRefusedWhereNumbersHaveNone) {
   EXPECT_EQ(errorOf("simulation.stiffness = '5 cm'"),
             "a.toml:1:24: simulation.stiffness must be a positive number, not \"5 cm\"");
   EXPECT_EQ(errorOfText("initial.angular_momentum = ['1 rpm', 0, 0]"),
-            "a.toml:1:29: initial.angular_momentum must be three numbers from -1e9 to 1e9, not all "
-            "zero, not \"1 rpm\"");
+            "a.toml:1:29: initial.angular_momentum must be three numbers from -1e9 to 1e9, at "
+            "least one other than 0, not \"1 rpm\"");
 }
 
 TEST(SceneUnits, AreDocumented) {

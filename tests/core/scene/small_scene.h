@@ -24,7 +24,8 @@ inline Scene smallScene(const std::vector<std::string>& overrides = {}) {
 /// A scene whose motion blows up at frame 5 of 12. measured: diverges at 0.2083 s
 inline Scene divergingScene() {
   return smallScene({"simulation.model=particles", "simulation.substeps=1",
-                     "simulation.normalize=false", "simulation.damping=0"});
+                     "simulation.time_per_frame=0.041666666666666664", "simulation.normalize=false",
+                     "simulation.damping=0"});
 }
 
 inline physics::Trajectory motionOf(const Scene& scene) {

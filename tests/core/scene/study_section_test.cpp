@@ -107,7 +107,7 @@ TEST(StudySection, RefusesListsThatAreNone) {
   EXPECT_EQ(errorOfParticles("integrators = []"), integrators + "[]");
   EXPECT_EQ(errorOfParticles("integrators = 'euler'"), integrators + "\"euler\"");
   EXPECT_EQ(errorOfParticles("steps = 4"),
-            "a.toml:4:9: study.steps must be a list of steps a frame, such as [1, 2, 4], not 4");
+            "a.toml:4:9: study.steps must be a list of substeps, such as [1, 2, 4], not 4");
   EXPECT_EQ(errorOfTilts("tilts = []"),
             "a.toml:5:9: study.tilts must be a list of angles, such as [0.1, 0.01], not []");
 }

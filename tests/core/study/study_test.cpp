@@ -38,7 +38,8 @@ Execution backwards() {
 }
 
 scene::Scene twoIntegrators() {
-  return smallScene({"study.integrators=['splitting', 'rk4']", "study.steps=[16, 1, 2, 4, 8]"});
+  return smallScene({"simulation.time_per_frame=0.041666666666666664",
+                     "study.integrators=['splitting', 'rk4']", "study.steps=[16, 1, 2, 4, 8]"});
 }
 
 scene::Scene tilted(const std::vector<std::string>& overrides = {}) {
@@ -119,9 +120,9 @@ TEST(PrecisionStudy, MarksRunsThatDiverge) {
 }
 
 TEST(PrecisionStudy, MarksStepsThatHaveNoSolution) {
-  const scene::Scene scene =
-      smallScene({"initial.angular_velocity=[50, 30, 10]", "study.steps=[1, 64]",
-                  "study.integrators=['dmv2', 'rk4']"});
+  const scene::Scene scene = smallScene(
+      {"initial.angular_velocity=[50, 30, 10]", "simulation.time_per_frame=0.041666666666666664",
+       "study.steps=[1, 64]", "study.integrators=['dmv2', 'rk4']"});
   const PrecisionStudy study = precision(scene);
   EXPECT_EQ(study.rows[0].end.text(), "no convergence");
   EXPECT_EQ(study.rows[1].end.text(), "ok");
@@ -158,12 +159,12 @@ TEST(PrecisionStudy, RefusesWhatHasNothingToVary) {
             "small: a single sample has no motion to study; make it longer");
 }
 
-TEST(PrecisionStudy, DividesItsOwnInterval) {
+TEST(PrecisionStudy, TakesTheSameStepsAtAnyInterval) {
   const PrecisionStudy study =
       precision(smallScene({"study.integrators=['rk4']", "study.steps=[4]", "study.duration=1",
                             "study.interval=0.02", "clip.fps=7"}));
-  EXPECT_EQ(study.rows[0].h, 0.02 / 4);
-  EXPECT_EQ(study.rows[0].steps, 50 * 4);
+  EXPECT_EQ(study.rows[0].h, 1.0 / 60 / 4);
+  EXPECT_EQ(study.rows[0].steps, 60 * 4);
 }
 
 // Only steps without a solution are a row's end; what is wrong with the scene is the caller's.
@@ -256,7 +257,7 @@ TEST(TiltStudy, MarksRunsThatDivergeOrHaveNoSolution) {
   EXPECT_THAT(tiltCsv(runTiltStudy(soft, *soft.study, {}).value()), HasSubstr(",,diverged at "));
   const scene::Scene stiff =
       tilted({"simulation.model=quaternion", "simulation.integrator=midpoint",
-              "simulation.substeps=1", "initial.angular_velocity=[90, 0, 0]"});
+              "simulation.step=0.0625", "initial.angular_velocity=[90, 0, 0]"});
   EXPECT_THAT(tiltCsv(runTiltStudy(stiff, *stiff.study, {}).value()),
               HasSubstr(",,no convergence\n"));
 }

@@ -28,6 +28,7 @@ SweepStudy resultOf(const scene::Scene& scene, const Execution& execution = {}) 
 scene::Scene explosions(const std::vector<std::string>& overrides = {}) {
   std::vector<std::string> all{"simulation.model=particles",
                                "simulation.normalize=false",
+                               "simulation.time_per_frame=0.041666666666666664",
                                "study.over=simulation.substeps",
                                "study.values=[1, 4096]",
                                "study.curves={over='simulation.damping', values=[0, 1.5]}",

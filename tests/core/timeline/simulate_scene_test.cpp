@@ -1,5 +1,7 @@
 #include "timeline/simulate_scene.h"
 
+#include <cmath>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -45,6 +47,67 @@ TEST(SimulateScene, ShowsTheMotionAtTheTimesOfTheFrames) {
   for (std::size_t n = 0; n < 40; ++n) EXPECT_EQ(samples[n].time, timeAt(scene, double(n)));
   EXPECT_EQ(samples[7].cage, evenSamples[7].cage);
   EXPECT_EQ(samples[30].cage, evenSamples[25].cage);
+}
+
+/// The sample of a motion by explicit Euler, in long steps, one second in.
+physics::Sample afterASecond(const std::vector<std::string>& overrides) {
+  const scene::Scene scene = scene::parseScene(
+      "[simulation]\nintegrator = 'euler'\nsubsteps = 4\n"
+      "[initial]\nangular_velocity = [5, 0.1, 0]\n[clip]\nduration = 9\n",
+      "a.toml", overrides);
+  const ClipMotion motion = simulateScene(scene);
+  constexpr double kRounding = 1e-12;
+  for (const physics::Sample& sample : motion.trajectories()[0].samples) {
+    if (std::fabs(sample.time - 1) < kRounding) return sample;
+  }
+  throw std::logic_error("no sample after a second");
+}
+
+TEST(SimulateScene, HasOneMotionWhateverTheRateTheSpeedAndTheSize) {
+  const physics::Sample real = afterASecond({});
+  const std::vector<std::vector<std::string>> others{
+      {"clip.fps=30"},
+      {"clip.fps=25"},
+      {"clip.fps=50", "clip.speed=2.0"},
+      {"clip.speed=0.25"},
+      {"clip.speed=0.125"},
+      {"clip.speed=[{ from = 0, to = 8, value = 0.25 }]"},
+      {"clip.speed=[{ from = 0.5, to = 2, value = 0 }]"},
+      {"clip.size=[64, 36]"},
+      {"look.motion_blur=16"},
+      {"simulation.step='0.004166666666666667 s'"},
+      {"simulation.step='0.004166666666666667 s'", "clip.fps=24", "clip.speed=0.5"},
+      {"simulation.time_per_frame=0.5", "simulation.step='0.004166666666666667 s'"}};
+  for (const std::vector<std::string>& overrides : others) {
+    EXPECT_EQ(afterASecond(overrides).cage, real.cage) << overrides.back();
+  }
+  EXPECT_NE(afterASecond({"simulation.substeps=5"}).cage, real.cage);
+  EXPECT_NE(afterASecond({"simulation.step='4 ms'"}).cage, real.cage);
+}
+
+TEST(SimulateScene, HoldsThePictureAtASpeedOfZero) {
+  scene::Scene scene = slowedScene();
+  scene.clip.speed = scene::PlaybackSpeed{.stretches = {{1, 3, 0}}};
+  const ClipMotion motion = simulateScene(scene);
+  const auto& samples = motion.trajectories()[0].samples;
+  for (std::size_t n = 13; n <= 27; ++n) {
+    EXPECT_EQ(samples[n].time, samples[13].time);
+    EXPECT_EQ(samples[n].cage, samples[13].cage);
+  }
+  EXPECT_NE(samples[29].cage, samples[27].cage);
+}
+
+TEST(ShutterMoments, AreOfTheSameMotionWhateverTheSteps) {
+  for (const int substeps : {1, 3, 16, 20}) {
+    scene::Scene scene = slowedScene();
+    scene.simulation.substeps = substeps;
+    const ClipMotion sharp = simulateScene(scene);
+    scene.look.motionBlur = 4;
+    const ShutterMoments moments(scene);
+    for (const std::size_t n : {0U, 7U, 15U, 39U}) {
+      EXPECT_EQ(moments.at(0, n, 0).cage, sharp.trajectories()[0].samples[n].cage) << substeps;
+    }
+  }
 }
 
 TEST(ShutterMoments, AreCloserInSlowMotion) {

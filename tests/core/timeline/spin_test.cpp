@@ -109,6 +109,7 @@ double solidAngle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eige
 Measured measuredPeriod(MotionSettings settings, const Spin& spin) {
   constexpr int kFrames = 4000;
   settings.simulation.timePerFrame = spin.period->time / kFrames;
+  settings.simulation.substepped.reset();
   settings.simulation.substeps = 8;
   const auto samples = physics::simulate(settings, kFrames + 1).samples;
   const bool aboutLargest = spin.regime == Regime::AboutLargest;

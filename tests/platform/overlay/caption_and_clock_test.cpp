@@ -76,6 +76,23 @@ TEST(CaptionAndClock, HaveAClockThatFollowsTheSimulatedTime) {
   EXPECT_EQ(drawn(scene, 1), drawn(slower, 2));
 }
 
+// Outside of a stretch, and in real time, the clock is the same, whatever the stretch.
+TEST(CaptionAndClock, SayTheSpeedWhereItIsNotReal) {
+  const auto clockAt = [](const std::string& speed, std::int64_t frame,
+                          const std::string& words = "english") {
+    return drawn(sceneWith({"overlay.show=['clock']", "clip.fps=10", "clip.speed=" + speed,
+                            "overlay.words=" + words}),
+                 frame);
+  };
+  const std::string slowed = "[{ from = 2, to = 6, value = 0.5 }]";
+  EXPECT_EQ(clockAt(slowed, 10), clockAt("1.0", 10));
+  EXPECT_NE(clockAt(slowed, 40), clockAt("1.0", 30));  // both at 3 s
+  EXPECT_EQ(clockAt(slowed, 40), clockAt("0.5", 60));
+  EXPECT_NE(clockAt("0.5", 60), clockAt("0.25", 120));
+  const std::string comma = "{ decimal_mark = ',' }";
+  EXPECT_NE(clockAt("0.5", 60, comma), clockAt("2.0", 15, comma));
+}
+
 TEST(CaptionAndClock, HaveAClockThatRoundsToHundredths) {
   const auto clockAt = [](const std::string& seconds) {
     return drawn(sceneWith({"overlay.show=['clock']", "clip.size=[640, 360]",

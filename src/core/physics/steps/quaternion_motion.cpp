@@ -21,7 +21,7 @@ std::optional<QuaternionMotion> QuaternionMotion::of(const MotionSettings& setti
   if (found == nullptr || found->quaternionStep == nullptr) return std::nullopt;
   const rigid::PrincipalAxes axes = modelInertia(settings);
   const RigidConstants body = constantsOf(axes, settings.initial.angularVelocity(axes));
-  const double h = stepping.timePerFrame / stepping.substeps;
+  const double h = stepping.steps().length();
   return QuaternionMotion(axes, body.momentum, found->quaternionStep(body, h));
 }
 

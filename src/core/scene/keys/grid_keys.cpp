@@ -78,9 +78,8 @@ void readOfCells(const ValueReader& value, GridSettings& grid) {
   // The command line may leave the cells out that something is expected of, and then that, too.
   const auto* array = std::get_if<document::TomlNode::Array>(&value.node().value);
   if (array != nullptr && array->empty()) return;
-  for (const ValueReader& table : value.tables(kExpectedOfCells)) {
-    grid.expected.push_back(ofCellsFrom(table));
-  }
+  readEach(value.tables(kExpectedOfCells),
+           [&](const ValueReader& table) { grid.expected.push_back(ofCellsFrom(table)); });
 }
 
 }  // namespace

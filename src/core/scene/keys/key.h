@@ -19,6 +19,7 @@ namespace rotatebook::scene {
 
 using document::Field;
 using document::NumberRange;
+using document::readEach;
 using document::tomlNumber;
 using document::tomlString;
 using document::ValueReader;

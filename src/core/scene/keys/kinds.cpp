@@ -54,9 +54,8 @@ Eigen::Vector3d vectorFrom(const ValueReader& value, const NumberRange& range) {
   }
   Eigen::Vector3d vector;
   Eigen::Index row = 0;
-  for (const ValueReader& element : value.elements(3, expected)) {
-    vector[row++] = element.number(range);
-  }
+  readEach(value.elements(3, expected),
+           [&](const ValueReader& element) { vector[row++] = element.number(range); });
   return vector;
 }
 

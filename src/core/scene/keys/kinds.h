@@ -19,7 +19,8 @@ namespace rotatebook::scene {
 
 /// Wide enough for any book, and narrow enough that no product of squares leaves the range of
 /// double.
-inline constexpr NumberRange kDirections{"three numbers from -1e9 to 1e9, not all zero", -1e9, 1e9};
+inline constexpr NumberRange kDirections{
+    "three numbers from -1e9 to 1e9, at least one other than 0", -1e9, 1e9};
 
 Kind<int> integer(int min, int max);
 Kind<double> number(const NumberRange& range);

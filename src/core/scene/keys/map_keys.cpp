@@ -103,16 +103,18 @@ Measure measureFrom(const ValueReader& value) {
 
 void readSize(const ValueReader& value, MapSettings& map) {
   const auto sides = value.elements(2, kExpectedSize);
-  map.width = sides[0].integer(kMinSide, kMaxMapSide);
-  map.height = sides[1].integer(kMinSide, kMaxMapSide);
+  std::vector<int> read;
+  readEach(sides,
+           [&](const ValueReader& side) { read.push_back(side.integer(kMinSide, kMaxMapSide)); });
+  map.width = read[0];
+  map.height = read[1];
 }
 
 std::vector<double> numbersFrom(const ValueReader& value, std::size_t count, const char* expected,
                                 const NumberRange& range = kNumber) {
   std::vector<double> numbers;
-  for (const ValueReader& one : value.elements(count, expected)) {
-    numbers.push_back(one.number(range));
-  }
+  readEach(value.elements(count, expected),
+           [&](const ValueReader& one) { numbers.push_back(one.number(range)); });
   return numbers;
 }
 
@@ -136,9 +138,8 @@ const Keys<MapColours>& colourKeys() {
       key("to", &MapColours::to, number(kNumber)),
       {"contours",
        [](const ValueReader& value, MapColours& colours) {
-         for (const ValueReader& one : value.list(kExpectedContours)) {
-           colours.contours.push_back(one.number(kNumber));
-         }
+         readEach(value.list(kExpectedContours),
+                  [&](const ValueReader& one) { colours.contours.push_back(one.number(kNumber)); });
        },
        [](const MapColours& colours) {
          return colours.contours.empty() ? "" : numbersText(colours.contours);
@@ -229,9 +230,8 @@ Kind<std::vector<MapMark>> marks() {
       [](const ValueReader& value) {
         std::vector<MapMark> all;
         if (isEmptyList(value)) return all;
-        for (const ValueReader& table : value.tables(kExpectedMarks)) {
-          all.push_back(markFrom(table));
-        }
+        readEach(value.tables(kExpectedMarks),
+                 [&](const ValueReader& table) { all.push_back(markFrom(table)); });
         if (all.size() <= kMaxMarks) return all;
         value.fail(value.name() + " has " + std::to_string(all.size()) + " points; the limit is " +
                    std::to_string(kMaxMarks));
@@ -287,9 +287,8 @@ Kind<std::vector<MapExpectation>> expectations() {
   return {[](const ValueReader& value) {
             std::vector<MapExpectation> all;
             if (isEmptyList(value)) return all;
-            for (const ValueReader& table : value.tables(kExpectedMapBounds)) {
-              all.push_back(mapExpectationFrom(table));
-            }
+            readEach(value.tables(kExpectedMapBounds),
+                     [&](const ValueReader& table) { all.push_back(mapExpectationFrom(table)); });
             return all;
           },
           [](const std::vector<MapExpectation>& all) {
@@ -329,7 +328,7 @@ const Keys<MapSettings>& mapKeys() {
       key("interval", &MapSettings::interval, number(kMapTimes),
           {.comment = "s from look to look",
            .meaning = "time from one look at a motion to the next, whatever its steps [s]",
-           .byDefault = "`simulation.time_per_frame`"}),
+           .byDefault = "that from frame to frame"}),
       key("colours", &MapSettings::colours,
           Kind<MapColours>{coloursFrom,
                            [](const MapColours& all) { return inlineTable(colourKeys(), all); },

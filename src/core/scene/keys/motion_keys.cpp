@@ -1,13 +1,10 @@
-// The keys of [body], [simulation], [initial], [[nudge]] and [expect]: what moves, and what it must
-// show.
+// The keys of [body], [initial], [[nudge]] and [expect]: what moves, and what it must show.
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <variant>
 #include <vector>
 
@@ -17,7 +14,6 @@
 #include "rigid/inertia.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
-#include "scene/keys/recorded_keys.h"
 #include "scene/sections.h"
 
 namespace rotatebook::scene {
@@ -25,25 +21,19 @@ namespace {
 
 using Limits = std::numeric_limits<double>;
 using document::kNumber;
-using document::kPositive;
 using document::TomlNode;
 using physics::InitialSpin;
 using physics::MotionSettings;
-using physics::SimulationSettings;
 
 constexpr NumberRange kSizes{"three lengths from 1e-6 to 1e6 m", 1e-6, 1e6, Dimension::Length};
 constexpr NumberRange kMass{"a mass from 1e-9 to 1e9 kg", 1e-9, 1e9, Dimension::Mass};
 constexpr NumberRange kMoments{"three moments of inertia up to 1e21 kg m^2", -1e21, 1e21};
 constexpr NumberRange kRow{"rows of three numbers up to 1e21 kg m^2", -1e21, 1e21};
-// Squares and inverses of these are finite, too.
-constexpr NumberRange kStepTimes{"a time from 1e-100 to 1e100 s", 1e-100, 1e100, Dimension::Time};
 constexpr NumberRange kTilt{"an angle from -1e6 to 1e6 rad", -kLargestAngle, kLargestAngle,
                             Dimension::Angle};
 constexpr NumberRange kNudgeTimes{"a time over 0 and up to 1e100 s", Limits::denorm_min(), 1e100,
                                   Dimension::Time};
 constexpr const char* kExpectedBounds = "a table such as { min = 1.0 } or an array of them";
-constexpr int kMaxInterval = 1'000'000'000;
-constexpr const char* kExpectedEvery = "true, false or a table such as { every = 100 }";
 constexpr const char* kExpectedTilt =
     "an angle and an axis, such as [0.02, \"z\"] or [\"1 deg\", \"z\"]";
 constexpr NumberRange kNotNegative{"zero or a positive number", 0, Limits::max()};
@@ -71,76 +61,6 @@ std::string inertiaText(const Eigen::Matrix3d& tensor) {
          "]";
 }
 
-void readIntegrator(const ValueReader& value, SimulationSettings& settings) {
-  if (value.text(kLongestName) == nameOf(kModels, physics::Model::Exact)) {
-    value.fail(value.name() + " can't be \"exact\": the closed form is a model of its own, " +
-               "simulation.model = \"exact\", for rigid bodies; particles have none");
-  }
-  settings.integrator = choiceFrom(value, kIntegrators);
-}
-
-/// Returns the value with a comment that depends on the model; empty for a model without steps.
-std::string integratorText(const SimulationSettings& settings) {
-  const auto names = integratorNames(settings.model);
-  if (names.empty()) return "";
-  return quotedName(kIntegrators, settings.integrator) + "  # " + quotedList(names, "or");
-}
-
-int everyStepFrom(const ValueReader& value) {
-  if (const bool* flag = std::get_if<bool>(&value.node().value)) return *flag ? 1 : 0;
-  const auto* table = std::get_if<TomlNode::Table>(&value.node().value);
-  if (!table || table->empty()) value.mismatch(kExpectedEvery);
-  int every = 0;
-  value.readTable(
-      {{"every", [&every](const ValueReader& steps) { every = steps.integer(1, kMaxInterval); }}});
-  return every;
-}
-
-/// Numbers of steps from one correction to the next; 0 for none.
-Kind<int> everyStep() {
-  return {everyStepFrom,
-          [](int every) -> std::string {
-            if (every > 1) return "{ every = " + std::to_string(every) + " }";
-            return every == 1 ? "true" : "false";
-          },
-          kExpectedEvery};
-}
-
-constexpr const char* kExpectedArrangement =
-    "\"corners\", \"equimomental\", \"vertices\" or \"grid:N\", with N from 2 to 200";
-constexpr std::string_view kGrid = "grid:";
-
-int cellsFrom(const ValueReader& value, std::string_view text) {
-  constexpr int kMinCells = 2, kMaxCells = 200;
-  int cells = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), cells);
-  if (error != std::errc() || end != text.data() + text.size() || cells < kMinCells ||
-      cells > kMaxCells)
-    value.mismatch(kExpectedArrangement);
-  return cells;
-}
-
-physics::ParticleSettings arrangementFrom(const ValueReader& value) {
-  const auto* text = std::get_if<std::string>(&value.node().value);
-  if (text == nullptr) value.mismatch(kExpectedArrangement);
-  if (text->starts_with(kGrid))
-    return {physics::Arrangement::Grid,
-            cellsFrom(value, std::string_view(*text).substr(kGrid.size()))};
-  if (!nearestName(*text, namesOf(kArrangements))) value.mismatch(kExpectedArrangement);
-  return {choiceFrom(value, kArrangements)};
-}
-
-/// Places of particles.
-Kind<physics::ParticleSettings> arrangement() {
-  return {arrangementFrom,
-          [](const physics::ParticleSettings& settings) {
-            if (settings.arrangement != physics::Arrangement::Grid)
-              return quotedName(kArrangements, settings.arrangement);
-            return tomlString(std::string(kGrid) + std::to_string(settings.cells));
-          },
-          kExpectedArrangement};
-}
-
 constexpr NumberRange kRates{"a number from -1e9 to 1e9, but not 0", -1e9, 1e9};
 constexpr std::array<Named<int>, 3> kRanks{{{"smallest", 0}, {"middle", 1}, {"largest", 2}}};
 
@@ -155,6 +75,21 @@ physics::SpinAbout aboutFrom(const ValueReader& value, physics::SpinKind kind) {
   if (!value.find("about") || about.rate == 0)
     value.mismatch("three numbers, or a table such as { about = \"middle\", value = 4.0 }");
   return about;
+}
+
+/// Refuses a text such as "48 rpm", which says no axis.
+[[noreturn]] void refuseText(const ValueReader& value, physics::SpinKind kind) {
+  const bool isVelocity = kind == physics::SpinKind::AngularVelocity;
+  const std::string& text = std::get<std::string>(value.node().value);
+  const auto units = unitsOf(Dimension::AngularVelocity);
+  const bool isSpeed = isVelocity && parseQuantity(text, Dimension::AngularVelocity);
+  value.fail(value.name() + " = " + describe(value.node()) +
+             " names no axis; write three numbers, such as [5, 0, 0], or { about = \"middle\", "
+             "value = " +
+             (isSpeed      ? describe(value.node())
+              : isVelocity ? "\"48 rpm\""
+                           : "0.03") +
+             " }" + (isSpeed || !isVelocity ? "" : didYouMean(unitIn(text), units)));
 }
 
 std::string aboutText(const physics::SpinAbout& about) {
@@ -177,6 +112,7 @@ Key<S> spinKey(physics::SpinKind kind, const std::string& unit, KeyText document
                 return;
               }
             }
+            if (std::holds_alternative<std::string>(value.node().value)) refuseText(value, kind);
             NumberRange range = kDirections;
             if (kind == physics::SpinKind::AngularVelocity)
               range.dimension = Dimension::AngularVelocity;
@@ -194,7 +130,12 @@ Key<S> spinKey(physics::SpinKind kind, const std::string& unit, KeyText document
 
 physics::Tilt tiltFrom(const ValueReader& value) {
   const auto parts = value.elements(2, kExpectedTilt);
-  return {parts[0].number(kTilt), choiceFrom(parts[1], kAxes)};
+  physics::Tilt tilt;
+  readEach(parts, [&](const ValueReader& part) {
+    if (&part == &parts[0]) tilt.angle = part.number(kTilt);
+    if (&part == &parts[1]) tilt.axis = choiceFrom(part, kAxes);
+  });
+  return tilt;
 }
 
 std::string tiltText(const physics::Tilt& tilt) {
@@ -245,9 +186,9 @@ Expectation expectationFrom(Measure measure, const ValueReader& bounds) {
 Key<std::vector<Expectation>> measureKey(Measure measure) {
   return {nameOf(measure),
           [measure](const ValueReader& value, std::vector<Expectation>& expectations) {
-            for (const auto& bounds : value.tables(kExpectedBounds)) {
+            readEach(value.tables(kExpectedBounds), [&](const ValueReader& bounds) {
               expectations.push_back(expectationFrom(measure, bounds));
-            }
+            });
           },
           [measure](const std::vector<Expectation>& expectations) {
             std::vector<std::string> bounds;
@@ -268,12 +209,6 @@ std::string labelFrom(const ValueReader& value) {
   return label;
 }
 
-Keys<SimulationSettings> joinedKeys(Keys<SimulationSettings> keys,
-                                    const Keys<SimulationSettings>& others) {
-  keys.insert(keys.end(), others.begin(), others.end());
-  return keys;
-}
-
 }  // namespace
 
 const Keys<MotionSettings>& bodyKeys() {
@@ -290,46 +225,6 @@ const Keys<MotionSettings>& bodyKeys() {
            .byDefault = "the solid cuboid's",
            .allowed = "three moments, or a symmetric 3x3 tensor"}),
   };
-  return keys;
-}
-
-const Keys<SimulationSettings>& simulationKeys() {
-  static const Keys<SimulationSettings> keys = joinedKeys(
-      {
-          key("model", &SimulationSettings::model, oneOf(kModels),
-              {.meaning = "see [models](motion.md)"}),
-          {"integrator",
-           readIntegrator,
-           integratorText,
-           {.meaning = "see [integrators](motion.md#integrators)",
-            .byDefault = "`\"rk4\"`; for particles `\"euler\"`",
-            .allowed = "one of the model's integrators"}},
-          key("normalize", &SimulationSettings::normalizeEvery, everyStep(),
-              {.comment = "undo the integrator's drift after each step, or after each n-th",
-               .meaning = "undo the integrator's drift, see [normalising](motion.md#normalising)"}),
-          key("normalize_energy", &SimulationSettings::normalizeEnergyEvery, everyStep(),
-              {.meaning = "particles: scale the velocities to the energy at the start",
-               .byDefault = "as `normalize`"}),
-          key("remove_drift", &SimulationSettings::removeDriftEvery, everyStep(),
-              {.meaning = "particles: bring the centre of mass to rest at the origin",
-               .byDefault = "as `normalize`"}),
-          key("damping", &SimulationSettings::damping, number(kNotNegative),
-              {.comment = "particles: fraction of critical damping",
-               .meaning = "particles: of each spring, as a fraction of 2√(km)"}),
-          key("stiffness", &SimulationSettings::stiffness, number(kPositive),
-              {.comment = "particles: N/m, of each spring",
-               .meaning = "particles: of each spring [N/m]"}),
-          key("particles", &SimulationSettings::particles, arrangement(),
-              {.comment = "particles: where they are",
-               .meaning = "particles: where they are, see [bodies](bodies.md#particles)"}),
-          key("time_per_frame", &SimulationSettings::timePerFrame, number(kStepTimes),
-              {.comment = "s simulated for each frame of video",
-               .meaning = "simulated time from a frame to the next",
-               .byDefault = "1/fps"}),
-          key("substeps", &SimulationSettings::substeps, integer(1, kMaxSubsteps),
-              {.comment = "integration steps for each frame"}),
-      },
-      recordedKeys());
   return keys;
 }
 

@@ -1,17 +1,14 @@
-// The keys of the title, [clip], [video], [camera], [book], [look] and [overlay]: how the motion is
+// The keys of the title, [video], [camera], [book], [look] and [overlay]: how the motion is
 // shown.
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
-#include "base/clip_limits.h"
-#include "base/number_text.h"
 #include "scene/keys/keys.h"
 #include "scene/keys/kinds.h"
 #include "scene/sections.h"
@@ -19,17 +16,12 @@
 namespace rotatebook::scene {
 namespace {
 
-using document::kPositive;
 using document::TomlNode;
 
-constexpr int kSmallestPicture = 16;
 constexpr int kMaxThreads = 64;
 constexpr int kMaxSupersample = 2;
 constexpr unsigned kMaxMoments = 16;  // For motion blur.
 
-constexpr const char* kPictureSizes = "a width and a height, such as [1280, 720]";
-constexpr const char* kFrameRates =
-    "a frame rate from 1 to 1000, an integer or a fraction such as \"30000/1001\"";
 constexpr const char* kExpectedPresets = "\"book\" or x264's \"ultrafast\" to \"placebo\"";
 constexpr const char* kTextures = "\"builtin\" or a path relative to the scene's folder";
 constexpr const char* kBackgroundTexts =
@@ -37,56 +29,8 @@ constexpr const char* kBackgroundTexts =
 constexpr const char* kBlurMoments = "1, 2, 4, 8 or 16";
 
 constexpr NumberRange kPoints{"three numbers from -1e9 to 1e9", -1e9, 1e9, Dimension::Length};
-constexpr NumberRange kTimes{"a time in the clip, 0 or more seconds", 0, kPositive.max,
-                             Dimension::Time};
-constexpr NumberRange kDurations{kPositive.expected, kPositive.min, kPositive.max, Dimension::Time};
-constexpr NumberRange kSpeeds{"a number from 1e-6 to 1e6", 1e-6, 1e6};
-constexpr const char* kExpectedSpeeds =
-    "a number from 1e-6 to 1e6, or stretches such as [{ from = 3, to = 5, value = 0.2 }]";
 constexpr NumberRange kOverlayScales{"a number from 0.5 to 3", 0.5, 3};
 constexpr NumberRange kAngles{"an angle from 1 to 170 degrees", 1, 170};
-
-// H.264 with 4:2:0 chroma has no odd sizes.
-int pictureSide(const ValueReader& value) {
-  const int side = value.integer(kSmallestPicture, kMaxPictureSide);
-  if (side % 2 != 0) {
-    value.fail(value.name() + " must be even, not " + std::to_string(side) +
-               "; the nearest even sizes are " + std::to_string(side - 1) + " and " +
-               std::to_string(side + 1));
-  }
-  return side;
-}
-
-void readPictureSize(const ValueReader& value, ClipSettings& clip) {
-  const auto sides = value.elements(2, kPictureSizes);
-  clip.width = pictureSide(sides[0]);
-  clip.height = pictureSide(sides[1]);
-  const int pixels = clip.width * clip.height;  // At most 16384 * 16384 < 2^31.
-  if (pixels > kMaxPicturePixels) {
-    value.fail(value.name() + " has " + std::to_string(pixels) + " pixels; the limit is " +
-               std::to_string(kMaxPicturePixels) + ", for example [8192, 4352]");
-  }
-}
-
-std::string pictureSizeText(const ClipSettings& clip) {
-  return "[" + std::to_string(clip.width) + ", " + std::to_string(clip.height) + "]";
-}
-
-FrameRate frameRateFrom(const ValueReader& value) {
-  std::string text;
-  if (const auto* whole = std::get_if<std::int64_t>(&value.node().value)) {
-    text = std::to_string(*whole);
-  } else if (const auto* fraction = std::get_if<std::string>(&value.node().value)) {
-    text = *fraction;
-  }
-  const std::optional<FrameRate> rate = parseFrameRate(text);
-  if (!rate) value.mismatch(kFrameRates);
-  return *rate;
-}
-
-std::string frameRateText(const FrameRate& rate) {
-  return rate.denominator == 1 ? rate.text() : tomlString(rate.text());
-}
 
 std::string presetFrom(const ValueReader& value) {
   return std::string(kVideoPresets[value.choice(kVideoPresets)]);
@@ -140,13 +84,13 @@ std::vector<Overlay> overlaysFrom(const ValueReader& value) {
   const auto* array = std::get_if<TomlNode::Array>(&value.node().value);
   if (array == nullptr) value.mismatch("a list of overlays, such as [\"caption\", \"clock\"]");
   std::vector<Overlay> overlays;
-  for (const ValueReader& element : value.elements(array->size(), "a list of overlays")) {
+  readEach(value.elements(array->size(), "a list of overlays"), [&](const ValueReader& element) {
     const auto overlay = choiceFrom(element, kOverlays);
     if (std::ranges::count(overlays, overlay) > 0) {
       element.fail(element.name() + " has " + std::string(nameOf(kOverlays, overlay)) + " twice");
     }
     overlays.push_back(overlay);
-  }
+  });
   return overlays;
 }
 
@@ -205,51 +149,6 @@ std::string wordsText(const Words& words) {
   return "{ " + joined(entries) + " }";
 }
 
-SpeedStretch stretchFrom(const ValueReader& table) {
-  SpeedStretch stretch;
-  const auto readInto = [](double& number, const NumberRange& range) {
-    return [&number, &range](const ValueReader& value) { number = value.number(range); };
-  };
-  table.readTable({{"from", readInto(stretch.from, kTimes)},
-                   {"to", readInto(stretch.to, kTimes)},
-                   {"value", readInto(stretch.value, kSpeeds)}});
-  for (const char* key : {"from", "to", "value"}) {
-    if (!table.find(key)) table.fail(table.name() + " needs from, to and value");
-  }
-  if (stretch.to > stretch.from) return stretch;
-  table.fail(table.name() + " must end after it begins, not go from " + shortestText(stretch.from) +
-             " s to " + shortestText(stretch.to) + " s");
-}
-
-PlaybackSpeed speedFrom(const ValueReader& value) {
-  const auto& stated = value.node().value;
-  PlaybackSpeed speed;
-  if (std::holds_alternative<double>(stated) || std::holds_alternative<std::int64_t>(stated)) {
-    speed.constant = value.number(kSpeeds);
-    return speed;
-  }
-  double end = 0;
-  for (const ValueReader& table : value.tables(kExpectedSpeeds)) {
-    const SpeedStretch stretch = stretchFrom(table);
-    if (stretch.from < end) {
-      table.fail("the stretches of " + value.name() +
-                 " must follow each other, but one begins at " + shortestText(stretch.from) +
-                 " s, before the last has ended at " + shortestText(end) + " s");
-    }
-    end = stretch.to;
-    speed.stretches.push_back(stretch);
-  }
-  return speed;
-}
-
-std::string speedText(const PlaybackSpeed& speed) {
-  if (speed.stretches.empty()) return tomlNumber(speed.constant);
-  return listText(speed.stretches, [](const SpeedStretch& stretch) {
-    return "{ from = " + tomlNumber(stretch.from) + ", to = " + tomlNumber(stretch.to) +
-           ", value = " + tomlNumber(stretch.value) + " }";
-  });
-}
-
 }  // namespace
 
 const Keys<Scene>& titleKeys() {
@@ -259,32 +158,6 @@ const Keys<Scene>& titleKeys() {
            .byDefault = "the file's name"}),
       key("caption", &Scene::caption, lines(kLongestCaption),
           {.meaning = "likewise", .byDefault = "empty"}),
-  };
-  return keys;
-}
-
-const Keys<ClipSettings>& clipKeys() {
-  static const Keys<ClipSettings> keys{
-      {"size",
-       readPictureSize,
-       pictureSizeText,
-       {.comment = "pixels, width and height, even",
-        .meaning = "each even, 16 to 16384 [pixels]",
-        .allowed = kPictureSizes}},
-      key("fps", &ClipSettings::frameRate,
-          Kind<FrameRate>{frameRateFrom, frameRateText, kFrameRates},
-          {.comment = "frames a second", .meaning = "of the video [frames/s]"}),
-      key("duration", &ClipSettings::duration, number(kDurations),
-          {.comment = "s of video", .meaning = "of the video [s]"}),
-      key("poster", &ClipSettings::poster, number(kTimes),
-          {.comment = "s, time of the poster in the video",
-           .meaning = "time of the poster, the picture that represents the clip [s]",
-           .byDefault = "the clip's middle"}),
-      key("speed", &ClipSettings::speed, Kind<PlaybackSpeed>{speedFrom, speedText, kExpectedSpeeds},
-          {.comment = "of the motion in the video; 0.25 is slow motion",
-           .meaning = "of the motion in the video: 0.25 is slow motion, four times as long; "
-                      "see [slow motion](#slow-motion)",
-           .byDefault = "as `time_per_frame` says"}),
   };
   return keys;
 }

@@ -127,10 +127,7 @@ void readParts(const ValueReader& value, Solid& solid) {
     value.fail("a body has up to " + std::to_string(kMaxParts) + " parts, not " +
                std::to_string(tables.size()));
   }
-  document::Problems problems;
-  for (const ValueReader& table : tables)
-    problems.note([&] { solid.parts.push_back(partFrom(table)); });
-  problems.throwIfAny();
+  readEach(tables, [&](const ValueReader& table) { solid.parts.push_back(partFrom(table)); });
 }
 
 std::string partsText(const Solid& solid) {

@@ -16,7 +16,7 @@ using document::kNumber;
 using document::kPositive;
 using physics::Integrator;
 
-constexpr const char* kExpectedSteps = "a list of steps a frame, such as [1, 2, 4]";
+constexpr const char* kExpectedSteps = "a list of substeps, such as [1, 2, 4]";
 constexpr const char* kExpectedTilts = "a list of angles, such as [0.1, 0.01]";
 constexpr NumberRange kTilts{"an angle over 0 and up to 0.785 rad",
                              std::numeric_limits<double>::denorm_min(), std::numbers::pi / 4,
@@ -40,13 +40,13 @@ std::string boundsText(const Bounds& bounds) {
 template <typename T, typename Read>
 std::vector<T> listFrom(const ValueReader& value, const std::string& expected, const Read& read) {
   std::vector<T> list;
-  for (const ValueReader& element : value.list(expected)) {
+  readEach(value.list(expected), [&](const ValueReader& element) {
     const T item = read(element);
     if (std::ranges::count(list, item) > 0) {
       element.fail(value.name() + " has " + describe(element.node()) + " twice");
     }
     list.push_back(item);
-  }
+  });
   return list;
 }
 
@@ -133,9 +133,9 @@ const Keys<Scene>& samplingKeys() {
                     .meaning = "length of the motions, whatever the clip's [s]",
                     .byDefault = "the clip's"}),
       keyAt<Scene>("interval", ofStudy(&StudySettings::interval), number(kStudyTimes),
-                   {.comment = "s from sample to sample, in place of time_per_frame",
-                    .meaning = "time from sample to sample, which the steps divide [s]",
-                    .byDefault = "`simulation.time_per_frame`"}),
+                   {.comment = "s from sample to sample",
+                    .meaning = "time from sample to sample, whatever the steps [s]",
+                    .byDefault = "that from frame to frame"}),
   };
   return keys;
 }
@@ -152,7 +152,7 @@ const Keys<Scene>& studyKeys() {
       {"steps",
        readSteps,
        listOf(&StudySettings::steps, [](int steps) { return std::to_string(steps); }),
-       {.comment = "integration steps for each frame, in place of simulation.substeps",
+       {.comment = "integration steps, each in place of simulation.substeps",
         .meaning = "steps to compare; `--steps` overrides",
         .byDefault = "1, 2, 4 ... 1024",
         .allowed = kExpectedSteps}},

@@ -47,13 +47,13 @@ Measure motionMeasureFrom(const ValueReader& value) {
 
 std::vector<Measure> measuresFrom(const ValueReader& value) {
   std::vector<Measure> measures;
-  for (const ValueReader& element : value.list(kExpectedMeasures)) {
+  readEach(value.list(kExpectedMeasures), [&](const ValueReader& element) {
     const Measure measure = motionMeasureFrom(element);
     if (std::ranges::count(measures, measure) > 0) {
       element.fail(value.name() + " has " + std::string(nameOf(measure)) + " twice");
     }
     measures.push_back(measure);
-  }
+  });
   if (measures.size() <= kMaxMeasures) return measures;
   value.fail(value.name() + " has " + std::to_string(measures.size()) +
              " quantities; a study measures up to " + std::to_string(kMaxMeasures));
@@ -77,9 +77,9 @@ void readExpected(const ValueReader& value, Scene& scene) {
   // The command line may leave the runs out that something is expected of, and then that, too.
   const auto* array = std::get_if<document::TomlNode::Array>(&value.node().value);
   if (array != nullptr && array->empty()) return;
-  for (const ValueReader& table : value.tables(kExpectedSweepBounds)) {
+  readEach(value.tables(kExpectedSweepBounds), [&](const ValueReader& table) {
     scene.study->sweep->expected.push_back(expectationFrom(table));
-  }
+  });
 }
 
 std::string expectationText(const SweepExpectation& one) {

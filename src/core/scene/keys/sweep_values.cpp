@@ -147,7 +147,7 @@ std::vector<StatedValue> statedValues(const ValueReader& values) {
     elements = values.list(kExpectedValues);
   }
   std::vector<StatedValue> stated;
-  for (const ValueReader& element : elements) {
+  document::readEach(elements, [&](const ValueReader& element) {
     StatedValue one = statedValue(element);
     const bool isTwice = std::ranges::any_of(
         stated, [&](const StatedValue& other) { return other.value.label == one.value.label; });
@@ -156,7 +156,7 @@ std::vector<StatedValue> statedValues(const ValueReader& values) {
                    (isRange ? "; between whole numbers all are whole: lower count" : ""));
     }
     stated.push_back(std::move(one));
-  }
+  });
   return stated;
 }
 

@@ -1,0 +1,181 @@
+// The keys of [simulation]: the model, and the steps by which it is simulated.
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <variant>
+
+#include "base/nearest_name.h"
+#include "base/text.h"
+#include "scene/keys/keys.h"
+#include "scene/keys/kinds.h"
+#include "scene/keys/recorded_keys.h"
+#include "scene/sections.h"
+
+namespace rotatebook::scene {
+namespace {
+
+using document::kPositive;
+using document::TomlNode;
+using physics::SimulationSettings;
+
+// Squares and inverses of these are finite, too.
+constexpr NumberRange kStepTimes{"a time from 1e-100 to 1e100 s", 1e-100, 1e100, Dimension::Time};
+constexpr NumberRange kSteps{"a time from 1e-9 to 1e9 s", 1e-9, 1e9, Dimension::Time};
+constexpr int kMaxInterval = 1'000'000'000;
+constexpr const char* kExpectedEvery = "true, false or a table such as { every = 100 }";
+constexpr NumberRange kFactors{"zero or a positive number", 0, std::numeric_limits<double>::max()};
+
+void readIntegrator(const ValueReader& value, SimulationSettings& settings) {
+  if (value.text(kLongestName) == nameOf(kModels, physics::Model::Exact)) {
+    value.fail(value.name() + " can't be \"exact\": the closed form is a model of its own, " +
+               "simulation.model = \"exact\", for rigid bodies; particles have none");
+  }
+  // checkIntegratorName() refuses other names: which there are depends on the model.
+  const auto named =
+      std::ranges::find(kIntegrators, value.text(kLongestName), &Named<physics::Integrator>::name);
+  if (named != kIntegrators.end()) settings.integrator = named->value;
+}
+
+/// Returns the value with a comment that depends on the model; empty for a model without steps.
+std::string integratorText(const SimulationSettings& settings) {
+  const auto names = integratorNames(settings.model);
+  if (names.empty()) return "";
+  return quotedName(kIntegrators, settings.integrator) + "  # " + quotedList(names, "or");
+}
+
+int everyStepFrom(const ValueReader& value) {
+  if (const bool* flag = std::get_if<bool>(&value.node().value)) return *flag ? 1 : 0;
+  const auto* table = std::get_if<TomlNode::Table>(&value.node().value);
+  if (!table || table->empty()) value.mismatch(kExpectedEvery);
+  int every = 0;
+  value.readTable(
+      {{"every", [&every](const ValueReader& steps) { every = steps.integer(1, kMaxInterval); }}});
+  return every;
+}
+
+/// Numbers of steps from one correction to the next; 0 for none.
+Kind<int> everyStep() {
+  return {everyStepFrom,
+          [](int every) -> std::string {
+            if (every > 1) return "{ every = " + std::to_string(every) + " }";
+            return every == 1 ? "true" : "false";
+          },
+          kExpectedEvery};
+}
+
+void readTimePerFrame(const ValueReader& value, SimulationSettings& settings) {
+  settings.timePerFrame = value.number(kStepTimes);
+  settings.substepped.reset();
+}
+
+std::string timePerFrameText(const SimulationSettings& settings) {
+  return settings.substepped ? "" : tomlNumber(settings.timePerFrame);
+}
+
+std::string substepsText(const SimulationSettings& settings) {
+  return settings.step ? "" : std::to_string(settings.substeps);
+}
+
+constexpr const char* kExpectedArrangement =
+    "\"corners\", \"equimomental\", \"vertices\" or \"grid:N\", with N from 2 to 200";
+constexpr std::string_view kGrid = "grid:";
+
+int cellsFrom(const ValueReader& value, std::string_view text) {
+  constexpr int kMinCells = 2, kMaxCells = 200;
+  int cells = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), cells);
+  if (error != std::errc() || end != text.data() + text.size() || cells < kMinCells ||
+      cells > kMaxCells)
+    value.mismatch(kExpectedArrangement);
+  return cells;
+}
+
+physics::ParticleSettings arrangementFrom(const ValueReader& value) {
+  const auto* text = std::get_if<std::string>(&value.node().value);
+  if (text == nullptr) value.mismatch(kExpectedArrangement);
+  if (text->starts_with(kGrid))
+    return {physics::Arrangement::Grid,
+            cellsFrom(value, std::string_view(*text).substr(kGrid.size()))};
+  if (!nearestName(*text, namesOf(kArrangements))) value.mismatch(kExpectedArrangement);
+  return {choiceFrom(value, kArrangements)};
+}
+
+/// Places of particles.
+Kind<physics::ParticleSettings> arrangement() {
+  return {arrangementFrom,
+          [](const physics::ParticleSettings& settings) {
+            if (settings.arrangement != physics::Arrangement::Grid)
+              return quotedName(kArrangements, settings.arrangement);
+            return tomlString(std::string(kGrid) + std::to_string(settings.cells));
+          },
+          kExpectedArrangement};
+}
+
+Keys<SimulationSettings> joinedKeys(Keys<SimulationSettings> keys,
+                                    const Keys<SimulationSettings>& others) {
+  keys.insert(keys.end(), others.begin(), others.end());
+  return keys;
+}
+
+}  // namespace
+
+const Keys<SimulationSettings>& simulationKeys() {
+  static const Keys<SimulationSettings> keys = joinedKeys(
+      {
+          key("model", &SimulationSettings::model, oneOf(kModels),
+              {.meaning = "see [models](motion.md)"}),
+          {"integrator",
+           readIntegrator,
+           integratorText,
+           {.meaning = "see [integrators](motion.md#integrators)",
+            .byDefault = "`\"rk4\"`; for particles `\"euler\"`",
+            .allowed = "one of the model's integrators"}},
+          key("normalize", &SimulationSettings::normalizeEvery, everyStep(),
+              {.comment = "undo the integrator's drift after each step, or after each n-th",
+               .meaning = "undo the integrator's drift, see [normalising](motion.md#normalising)"}),
+          key("normalize_energy", &SimulationSettings::normalizeEnergyEvery, everyStep(),
+              {.meaning = "particles: scale the velocities to the energy at the start",
+               .byDefault = "as `normalize`"}),
+          key("remove_drift", &SimulationSettings::removeDriftEvery, everyStep(),
+              {.meaning = "particles: bring the centre of mass to rest at the origin",
+               .byDefault = "as `normalize`"}),
+          key("damping", &SimulationSettings::damping, number(kFactors),
+              {.comment = "particles: fraction of critical damping",
+               .meaning = "particles: of each spring, as a fraction of 2√(km)"}),
+          key("stiffness", &SimulationSettings::stiffness, number(kPositive),
+              {.comment = "particles: N/m, of each spring",
+               .meaning = "particles: of each spring [N/m]"}),
+          key("particles", &SimulationSettings::particles, arrangement(),
+              {.comment = "particles: where they are",
+               .meaning = "particles: where they are, see [bodies](bodies.md#particles)"}),
+          {"time_per_frame",
+           readTimePerFrame,
+           timePerFrameText,
+           {.comment = "s simulated for each frame of video",
+            .meaning = "simulated time from a frame to the next, in place of `clip.speed`",
+            .byDefault = "as `clip.speed` says",
+            .allowed = std::string(kStepTimes.expected)}},
+          {"substeps",
+           [](const ValueReader& value, SimulationSettings& settings) {
+             settings.substeps = value.integer(1, kMaxSubsteps);
+             settings.step.reset();
+           },
+           substepsText,
+           {.comment =
+                "integration steps in 1/60 s of motion, or in time_per_frame if it is stated",
+            .meaning =
+                "integration steps in 1/60 s of motion, or in `time_per_frame` if it is stated",
+            .allowed = document::expectedInteger(1, kMaxSubsteps)}},
+          key("step", &SimulationSettings::step, number(kSteps),
+              {.comment = "s, length of an integration step",
+               .meaning = "length of an integration step, in place of `substeps` [s]",
+               .byDefault = "as `substeps` says"}),
+      },
+      recordedKeys());
+  return keys;
+}
+
+}  // namespace rotatebook::scene

@@ -43,6 +43,7 @@ constexpr double kCalibratedPixels = 640 * 360;
 // degrees, the picture a pixel aside and 10 % white letters:
 //   rms          0.68  0.7-1.5    1.2-1.8  0.8-1.7    3.6-5.9   1.7-2.4
 //   worst block  0.74  2.2-4.9    3.4-5.2  2.9-5.4    17-31     8.4-11
+//   detail       0.78  in the 200 clips of honest_clips_test.cpp
 //   brightness   0.76  0.04-0.18  1.0-1.2  0.2-0.3    0.3-1.0   0.2-0.4
 //   colour       0.73  0.20-0.56  0.2-0.6  0.9-2.4    0.2-0.6   0.2-0.6
 //   shift        0.50  0.00-0.04  0-0.02   0-0.03     0.9-1.0   0-0.03
@@ -50,7 +51,7 @@ constexpr double kCalibratedPixels = 640 * 360;
 //   chroma patch 0.75  0.5-1.1    0.6-1.2  2.2-6.5    0.9-1.5   0.6-1.1
 constexpr std::array<BoundRow, 8> kBounds{{{&Deviation::rms, 2.8, 8, 1.2, 26, true},
                                            {&Deviation::worstBlock, 10.7, 8, 4.5, 100, false},
-                                           {&Deviation::detail, 17, 8, 7, 150, false},
+                                           {&Deviation::detail, 19, 8, 8, 150, false},
                                            {&Deviation::brightness, 0.53, 7, 0.2, 30, true},
                                            {&Deviation::colour, 1.2, 10, 0.75, 15, true},
                                            {&Deviation::shift, 0.08, 8, 0.03, 0.8, true},

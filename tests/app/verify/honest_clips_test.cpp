@@ -145,7 +145,7 @@ TEST(HonestClips, AreNeverRefused) {
   }
   std::cout << proved << " proved, " << coarse << " consistent, coarsely; of bounds at most "
             << shares.text() << "\n";
-  EXPECT_GE(proved, isAll ? 160 : 8);
+  EXPECT_GE(proved, isAll ? 190 : 9);  // measured 198 and 10
 }
 
 }  // namespace

@@ -34,12 +34,12 @@ BoxFile pictured(const std::string& material, const std::string& pictures = kPic
   return file;
 }
 
-Surface surfaceOf(const BoxFile& file) {
+Surface lookOf(const BoxFile& file) {
   return readSurface("a.glb", file.bytes());
 }
 
 Vector2f coordinatesOf(const std::string& use) {
-  const Surface surface = surfaceOf(pictured("\"baseColorTexture\": {\"index\": 0" + use + "}"));
+  const Surface surface = lookOf(pictured("\"baseColorTexture\": {\"index\": 0" + use + "}"));
   EXPECT_EQ(surface.texCoords.size(), 12U);
   return surface.texCoords.at(11)[2];
 }
@@ -76,18 +76,18 @@ TEST(GlbPictures, LieByWholeNumbersAsShares) {
       kPictures;
   file.addAttribute("TEXCOORD_0", "VEC2", 5123,
                     forEachPoint(bytesOf<std::uint16_t>({65535, 13107})), ", \"normalized\": true");
-  EXPECT_EQ(surfaceOf(file).texCoords.at(0)[0], Vector2f(1, 0.2F));
+  EXPECT_EQ(lookOf(file).texCoords.at(0)[0], Vector2f(1, 0.2F));
 }
 
 TEST(GlbPictures, MayBeInTheDescription) {
-  const Surface surface = surfaceOf(pictured("\"baseColorTexture\": {\"index\": 0}"));
+  const Surface surface = lookOf(pictured("\"baseColorTexture\": {\"index\": 0}"));
   EXPECT_THAT(surface.images, ElementsAre("PNG"));
 }
 
 TEST(GlbPictures, MayBeWebP) {
   const Surface surface =
-      surfaceOf(pictured("\"baseColorTexture\": {\"index\": 0}",
-                         R"(, "textures": [{"extensions": {"EXT_texture_webp": {"source": 0}}}],
+      lookOf(pictured("\"baseColorTexture\": {\"index\": 0}",
+                      R"(, "textures": [{"extensions": {"EXT_texture_webp": {"source": 0}}}],
          "images": [{"uri": "data:image/webp;base64,UklGRg=="}])"));
   EXPECT_THAT(surface.images, ElementsAre("RIFF"));
 }
@@ -98,14 +98,14 @@ TEST(GlbPictures, ThatArentDrawnAreNoted) {
   EXPECT_THAT(notesOf(other),
               ElementsAre("the picture of a material's metalness and roughness, whose texture "
                           "coordinates aren't those of its colour, isn't drawn"));
-  EXPECT_EQ(surfaceOf(other).materials[0].metalRoughnessImage, kNoImage);
+  EXPECT_EQ(lookOf(other).materials[0].metalRoughnessImage, kNoImage);
   const BoxFile ktx =
       pictured("\"baseColorTexture\": {\"index\": 0}",
                R"(, "textures": [{"extensions": {"KHR_texture_basisu": {"source": 0}}}],
          "images": [{"uri": "a.ktx2"}])");
   EXPECT_THAT(notesOf(ktx),
               ElementsAre("a material's picture that is neither PNG, JPEG nor WebP isn't drawn"));
-  EXPECT_EQ(surfaceOf(ktx).materials[0].baseColourImage, kNoImage);
+  EXPECT_EQ(lookOf(ktx).materials[0].baseColourImage, kNoImage);
   BoxFile coloured;
   coloured.addAttribute("COLOR_0", "VEC4", 5126, forEachPoint(bytesOf({1.0F, 0.0F, 0.0F, 1.0F})));
   EXPECT_THAT(notesOf(coloured), ElementsAre("its vertex colours aren't drawn"));

@@ -23,7 +23,7 @@ MassProperties propertiesOf(const BoxFile& file) {
   return massPropertiesOf(readMesh("a.glb", file.bytes()).mesh, 1);
 }
 
-std::string saidOf(const BoxFile& file) {
+std::string saidOfPose(const BoxFile& file) {
   return messageOf([&] { readMesh("a.glb", file.bytes()); });
 }
 
@@ -77,18 +77,18 @@ TEST(GlbSkeleton, BlendsJoints) {
 
 TEST(GlbSkeleton, IsRefusedWhereItIsBroken) {
   BoxFile file{.nodes = R"({"mesh": 0, "skin": 0}, {})"};
-  EXPECT_THAT(saidOf(file), HasSubstr("skins has no number 0"));
+  EXPECT_THAT(saidOfPose(file), HasSubstr("skins has no number 0"));
   file.root = R"(, "skins": [{"joints": [1]}])";
-  EXPECT_THAT(saidOf(file), HasSubstr("export it in its pose, without a skeleton"));
+  EXPECT_THAT(saidOfPose(file), HasSubstr("export it in its pose, without a skeleton"));
   BoxFile other = skinned(R"({"mesh": 0, "skin": 0}, {"children": [1]})");
-  EXPECT_THAT(saidOf(other), HasSubstr("nested deeper than 100"));
+  EXPECT_THAT(saidOfPose(other), HasSubstr("nested deeper than 100"));
   other = skinned(R"({"mesh": 0, "skin": 0}, {})");
   other.root = R"(, "skins": [{"joints": []}])";
-  EXPECT_THAT(saidOf(other), HasSubstr("follows joint 0 of a skin, but there are 0"));
+  EXPECT_THAT(saidOfPose(other), HasSubstr("follows joint 0 of a skin, but there are 0"));
   other.root = R"(, "skins": [{"joints": [7]}])";
-  EXPECT_THAT(saidOf(other), HasSubstr("nodes has no number 7"));
+  EXPECT_THAT(saidOfPose(other), HasSubstr("nodes has no number 7"));
   other.root = R"(, "skins": [{"joints": [1, 1], "inverseBindMatrices": 4}])";
-  EXPECT_THAT(saidOf(other), HasSubstr("fewer inverseBindMatrices than joints"));
+  EXPECT_THAT(saidOfPose(other), HasSubstr("fewer inverseBindMatrices than joints"));
 }
 
 /// Returns the box with a morph target that moves its upper points (z = 1.5) up by 3.
@@ -112,10 +112,10 @@ TEST(GlbMorph, MovesPointsByItsWeights) {
 }
 
 TEST(GlbMorph, IsRefusedWhereItIsBroken) {
-  EXPECT_THAT(saidOf(morphed("[0, \"a\"]")), HasSubstr("weight of a morph target"));
+  EXPECT_THAT(saidOfPose(morphed("[0, \"a\"]")), HasSubstr("weight of a morph target"));
   BoxFile file = morphed("[0, 1]");
   file.primitive = R"(, "targets": [{}, {"POSITION": 1}])";
-  EXPECT_THAT(saidOf(file), HasSubstr("accessor 1 isn't of the type VEC3"));
+  EXPECT_THAT(saidOfPose(file), HasSubstr("accessor 1 isn't of the type VEC3"));
 }
 
 // Zeros, of which the rows from 4 on are replaced.
@@ -133,7 +133,7 @@ TEST(GlbMorph, MayBeSparse) {
   EXPECT_DOUBLE_EQ(propertiesOf(file).volume, 18);
   BoxFile wrong = file;
   wrong.data[wrong.data.size() - values.size() - 4] = 9;  // a row that isn't there
-  EXPECT_THAT(saidOf(wrong), HasSubstr("changes a row that it doesn't have"));
+  EXPECT_THAT(saidOfPose(wrong), HasSubstr("changes a row that it doesn't have"));
 }
 
 TEST(GlbReader, LeavesHiddenNodesOut) {
@@ -149,7 +149,7 @@ TEST(GlbReader, LeavesHiddenNodesOut) {
 TEST(GlbReader, RefusesCopiesThatItWouldMiss) {
   BoxFile file;
   file.nodes = R"({"mesh": 0, "extensions": {"EXT_mesh_gpu_instancing": {"attributes": {}}}})";
-  EXPECT_THAT(saidOf(file), HasSubstr("copies of its mesh (EXT_mesh_gpu_instancing)"));
+  EXPECT_THAT(saidOfPose(file), HasSubstr("copies of its mesh (EXT_mesh_gpu_instancing)"));
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ const TriangleMesh& box() {
   return mesh;
 }
 
-void expectBox(const char* name, const std::string& bytes) {
+void expectSameBox(const char* name, const std::string& bytes) {
   EXPECT_EQ(messageOf([&] {
               const TriangleMesh mesh = readMesh(name, bytes).mesh;
               EXPECT_EQ(mesh.points.size(), 8U);
@@ -56,9 +56,9 @@ std::string utf16Of(const std::string& text, bool isBigEndian, bool hasMark) {
 
 TEST(MeshReaders, TakeLinesThatEndInAnyWay) {
   for (const char* end : {"\r", "\r\n", "\n\n", "\r\n\r\n"}) {
-    expectBox("a.obj", replaced(replaced(objOf(box()), "\r", ""), "\n", end));
-    expectBox("a.stl", replaced(textStlOf(box()), "\n", end));
-    expectBox("a.ply", replaced(textPlyOf(box()), "\n", end));
+    expectSameBox("a.obj", replaced(replaced(objOf(box()), "\r", ""), "\n", end));
+    expectSameBox("a.stl", replaced(textStlOf(box()), "\n", end));
+    expectSameBox("a.ply", replaced(textPlyOf(box()), "\n", end));
   }
 }
 
@@ -70,18 +70,18 @@ TEST(MeshReaders, CountLinesThatEndInAnyWay) {
 }
 
 TEST(MeshReaders, TakeAByteOrderMark) {
-  expectBox("a.obj", "\xef\xbb\xbf" + objOf(box()));
-  expectBox("a.stl", "\xef\xbb\xbf" + textStlOf(box()));
-  expectBox("a.ply", "\xef\xbb\xbf" + textPlyOf(box()));
-  expectBox("a.ply", "\xef\xbb\xbf" + testing::binaryPlyOf(box(), false));
+  expectSameBox("a.obj", "\xef\xbb\xbf" + objOf(box()));
+  expectSameBox("a.stl", "\xef\xbb\xbf" + textStlOf(box()));
+  expectSameBox("a.ply", "\xef\xbb\xbf" + textPlyOf(box()));
+  expectSameBox("a.ply", "\xef\xbb\xbf" + testing::binaryPlyOf(box(), false));
 }
 
 TEST(MeshReaders, TakePaddingBehindTheirEnd) {
   for (const std::string& padding :
        {std::string(1, '\0'), std::string("\x1a"), std::string(5, '\0')}) {
-    expectBox("a.obj", objOf(box()) + padding);
-    expectBox("a.stl", textStlOf(box()) + padding);
-    expectBox("a.ply", textPlyOf(box()) + padding);
+    expectSameBox("a.obj", objOf(box()) + padding);
+    expectSameBox("a.stl", textStlOf(box()) + padding);
+    expectSameBox("a.ply", textPlyOf(box()) + padding);
   }
 }
 
@@ -102,42 +102,42 @@ TEST(MeshReaders, SayThatATextIsUtf16) {
 
 TEST(ObjReader, TakesLinesThatGoOn) {
   const std::string obj = replaced(objOf(box()), "//2\t", "//2 \\\n\t");
-  expectBox("a.obj", obj);
-  expectBox("a.obj", replaced(obj, "//2 \\", "//2\\"));
-  expectBox("a.obj", replaced(obj, "\\\n", "\\ \r\n"));
-  expectBox("a.obj", replaced(objOf(box()), "v ", "v\\\n\\\n "));
+  expectSameBox("a.obj", obj);
+  expectSameBox("a.obj", replaced(obj, "//2 \\", "//2\\"));
+  expectSameBox("a.obj", replaced(obj, "\\\n", "\\ \r\n"));
+  expectSameBox("a.obj", replaced(objOf(box()), "v ", "v\\\n\\\n "));
   EXPECT_THAT(messageOf([] { readObj("v 0 \\\n 0 \\\n x\n"); }), HasSubstr("line 3: z must be"));
 }
 
 // What goes on after other lines is no line of its own; a comment doesn't go on.
 TEST(ObjReader, TakesOtherLinesThatGoOn) {
-  expectBox("a.obj", "g left \\\nf right\n# C:\\\n" + objOf(box()) + "usemtl a\\\n");
+  expectSameBox("a.obj", "g left \\\nf right\n# C:\\\n" + objOf(box()) + "usemtl a\\\n");
 }
 
 TEST(ObjReader, TakesCommentsAfterAFace) {
-  expectBox("a.obj", replaced(objOf(box()), "\n", " # so it is\n"));
-  expectBox("a.obj", replaced(objOf(box()), "\n", "#so\n"));
+  expectSameBox("a.obj", replaced(objOf(box()), "\n", " # so it is\n"));
+  expectSameBox("a.obj", replaced(objOf(box()), "\n", "#so\n"));
 }
 
 TEST(ObjReader, TakesOldAndLargeLetters) {
-  expectBox("a.obj", replaced(objOf(box()), "f ", "fo "));
-  expectBox("a.obj", replaced(replaced(objOf(box()), "f ", "F "), "v ", "V "));
+  expectSameBox("a.obj", replaced(objOf(box()), "f ", "fo "));
+  expectSameBox("a.obj", replaced(replaced(objOf(box()), "f ", "F "), "v ", "V "));
 }
 
 TEST(StlReader, TakesWordsInAnyCase) {
-  expectBox("a.stl", upperCase(textStlOf(box())));
-  expectBox("a.stl", replaced(textStlOf(box()), "end", "END"));
-  expectBox("a.stl", replaced(textStlOf(box()), "vertex", "Vertex"));
+  expectSameBox("a.stl", upperCase(textStlOf(box())));
+  expectSameBox("a.stl", replaced(textStlOf(box()), "end", "END"));
+  expectSameBox("a.stl", replaced(textStlOf(box()), "vertex", "Vertex"));
 }
 
 TEST(StlReader, TakesEndsOfTwoWords) {
-  expectBox("a.stl", replaced(textStlOf(box()), "end", "end "));
-  expectBox("a.stl", replaced(textStlOf(box()), "end", "End\t"));
+  expectSameBox("a.stl", replaced(textStlOf(box()), "end", "end "));
+  expectSameBox("a.stl", replaced(textStlOf(box()), "end", "End\t"));
 }
 
 TEST(StlReader, TakesComments) {
-  expectBox("a.stl",
-            "; made by hand\n" + replaced(textStlOf(box()), "  facet", "# facet\n  facet"));
+  expectSameBox("a.stl",
+                "; made by hand\n" + replaced(textStlOf(box()), "  facet", "# facet\n  facet"));
 }
 
 TEST(StlReader, SaysHowATextBegins) {
@@ -150,7 +150,7 @@ TEST(StlReader, TakesSpareBytes) {
     const std::string whole = binaryStlOf(box(), comment);
     for (const std::string& spare : {std::string("\n"), std::string("\r\n"), std::string("x"),
                                      std::string(100, '\0'), std::string("\x1a")})
-      expectBox("a.stl", whole + spare);
+      expectSameBox("a.stl", whole + spare);
   }
 }
 
@@ -174,7 +174,7 @@ std::string facesFirst(const std::string& ply) {
 }
 
 TEST(PlyReader, TakesElementsInAnyOrder) {
-  expectBox("a.ply", facesFirst(textPlyOf(box())));
+  expectSameBox("a.ply", facesFirst(textPlyOf(box())));
   const std::string wrong = replaced(facesFirst(textPlyOf(box())), "3 0 4 6", "3 0 4 8");
   EXPECT_THAT(messageOf([&] { readPly(wrong); }),
               HasSubstr("line 12: a face names a vertex that doesn't exist; there are 8"));
@@ -190,11 +190,11 @@ TEST(PlyReader, TakesStrips) {
   for (int i = 0; i < 8; ++i) faces = text.find('\n', faces) + 1;
   ply += "element tristrips 1\nproperty list int int vertex_indices\nend_header\n" +
          text.substr(end, faces - end) + "20 0 4 2 6 3 7 1 5 0 4 -1 0 2 1 3 -1 4 5 6 7\n";
-  expectBox("a.ply", ply);
+  expectSameBox("a.ply", ply);
 }
 
 TEST(PlyReader, TakesCommentsAfterItsData) {
-  expectBox("a.ply", textPlyOf(box()) + "comment unit m\ncomment\n");
+  expectSameBox("a.ply", textPlyOf(box()) + "comment unit m\ncomment\n");
 }
 
 // A carriage return ends the header of a binary file whose data may begin with a line feed.
@@ -203,7 +203,7 @@ TEST(PlyReader, TakesHeadersThatEndInAnyWay) {
     const std::string ply = testing::binaryPlyOf(box(), isBigEndian);
     const std::size_t end = ply.find("end_header\n") + 11;
     for (const char* line : {"\r", "\r\n"})
-      expectBox("a.ply", replaced(ply.substr(0, end), "\n", line) + ply.substr(end));
+      expectSameBox("a.ply", replaced(ply.substr(0, end), "\n", line) + ply.substr(end));
   }
 }
 

@@ -17,7 +17,7 @@ using testing::ballMesh;
 using testing::boxMesh;
 
 /// Returns both meshes as one, the second moved.
-TriangleMesh together(const TriangleMesh& one, TriangleMesh other, const Vector3d& place) {
+TriangleMesh weldedTogether(const TriangleMesh& one, TriangleMesh other, const Vector3d& place) {
   for (Vector3d& point : other.points) point += place;
   TriangleMesh both = one;
   const auto first = static_cast<std::uint32_t>(one.points.size());
@@ -53,19 +53,19 @@ TEST(SelfCrossing, IsWhereBoxesOverlap) {
   const TriangleMesh box = boxMesh(2, 2, 2);
   for (const Vector3d& place : {Vector3d(1, 1, 1), Vector3d(0.3, 0.7, 1.1), Vector3d(-1, 1, 0.5),
                                 Vector3d(0.5, 0.25, 1.75)}) {
-    EXPECT_TRUE(crosses(together(box, box, place))) << place.transpose();
-    EXPECT_TRUE(crosses(turned(together(box, box, place)))) << place.transpose();
+    EXPECT_TRUE(crosses(weldedTogether(box, box, place))) << place.transpose();
+    EXPECT_TRUE(crosses(turned(weldedTogether(box, box, place)))) << place.transpose();
   }
-  EXPECT_TRUE(crosses(together(box, boxMesh(0.5, 0.5, 5), {0, 0, 0}))) << "a bar through it";
+  EXPECT_TRUE(crosses(weldedTogether(box, boxMesh(0.5, 0.5, 5), {0, 0, 0}))) << "a bar through it";
 }
 
 TEST(SelfCrossing, IsntWhereBoxesTouch) {
   const TriangleMesh box = boxMesh(2, 2, 2);
   for (const Vector3d& place : {Vector3d(0.5, 0.25, 2), Vector3d(1, 0, 2), Vector3d(2, 2, 0.5),
                                 Vector3d(2, 0.5, 0.5), Vector3d(5, 0, 0)})
-    EXPECT_FALSE(crosses(together(box, box, place))) << place.transpose();
-  EXPECT_FALSE(crosses(together(box, boxMesh(1, 1, 1), {0, 0, 0}))) << "one within the other";
-  EXPECT_FALSE(crosses(together(box, boxMesh(1, 1, 1), {0.5, 0.5, 0.5}))) << "in its corner";
+    EXPECT_FALSE(crosses(weldedTogether(box, box, place))) << place.transpose();
+  EXPECT_FALSE(crosses(weldedTogether(box, boxMesh(1, 1, 1), {0, 0, 0}))) << "one within the other";
+  EXPECT_FALSE(crosses(weldedTogether(box, boxMesh(1, 1, 1), {0.5, 0.5, 0.5}))) << "in its corner";
 }
 
 // An edge that stands on an edge, from corner to corner of the pair of faces.
@@ -75,8 +75,8 @@ TEST(SelfCrossing, IsntWhereEdgesTouch) {
       Eigen::AngleAxisd(std::acos(-1.0) / 4, Vector3d::UnitX()).toRotationMatrix();
   for (Vector3d& point : diamond.points) point = turn * point;
   const double height = 1 + diamond.points[0].cwiseAbs().maxCoeff();
-  EXPECT_FALSE(crosses(together(boxMesh(2, 2, 2), diamond, {0, 0.3, height + 1e-9})));
-  EXPECT_TRUE(crosses(together(boxMesh(2, 2, 2), diamond, {0, 0.3, height - 1e-6})));
+  EXPECT_FALSE(crosses(weldedTogether(boxMesh(2, 2, 2), diamond, {0, 0.3, height + 1e-9})));
+  EXPECT_TRUE(crosses(weldedTogether(boxMesh(2, 2, 2), diamond, {0, 0.3, height - 1e-6})));
 }
 
 TEST(SelfCrossing, NamesTheTriangles) {
@@ -102,8 +102,8 @@ TEST(SelfCrossing, IsFoundWhereverASpikeEntersABox) {
                               {3.1, share(random), 3.3},
                               {3.2, share(random) + 0.9, 3.2}},
                              {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
-    EXPECT_TRUE(findSelfCrossing(together(boxMesh(2, 2, 2), spike, {0, 0, 0}))) << i;
-    EXPECT_FALSE(findSelfCrossing(together(boxMesh(2, 2, 2), spike, {2, 2, 2}))) << i;
+    EXPECT_TRUE(findSelfCrossing(weldedTogether(boxMesh(2, 2, 2), spike, {0, 0, 0}))) << i;
+    EXPECT_FALSE(findSelfCrossing(weldedTogether(boxMesh(2, 2, 2), spike, {2, 2, 2}))) << i;
   }
 }
 

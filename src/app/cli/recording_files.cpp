@@ -150,8 +150,10 @@ std::vector<TableFile> tablesInFolder(const fs::path& folder) {
   std::size_t count = 0;
   for (fs::directory_iterator one(folder, error), end; !error && one != end; one.increment(error)) {
     requireFewEntries(folder.string(), ++count);
-    if (!one->is_regular_file() || !isTable(one->path().filename())) continue;
-    entries.push_back({one->path().filename().string(), one->file_size(),
+    std::error_code none;  // of a file that is gone again
+    const std::uint64_t size = one->file_size(none);
+    if (none || !one->is_regular_file(none) || !isTable(one->path().filename())) continue;
+    entries.push_back({one->path().filename().string(), size,
                        [path = one->path().string()] { return bytesAt(path); }});
   }
   if (error) throw InputError(folder.string() + ": can't be read: " + error.message());

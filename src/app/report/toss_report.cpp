@@ -18,10 +18,6 @@ std::string digits4(double value) {
   return roundedText(value, 4);
 }
 
-std::string digits6(double value) {
-  return roundedText(value, 6);
-}
-
 std::string degreesASecond(double rate) {
   return roundedText(rate * 180 / std::numbers::pi, 3) + " deg/s";
 }
@@ -101,8 +97,8 @@ std::string statedKeys(const recording::ReadOptions& options) {
 }  // namespace
 
 void reportToss(const recording::TossFit& fit, const std::string& name, std::ostream& out) {
-  out << oneLine(name) << ": flight from " << digits4(fit.from) << " to " << digits4(fit.to)
-      << " s, " << fit.readings << " readings\n";
+  out << oneLine(name) << ": flight from " << recording::timeText(fit.from) << " to "
+      << recording::timeText(fit.to) << " s, " << fit.readings << " readings\n";
   for (std::size_t i = 0; i < fit.ratios.size(); ++i) {
     const recording::Estimate& ratio = fit.ratios[i];
     out << "  " << kRatioNames[i] << " = " << roundedText(ratio.value, 6) << ", "
@@ -132,8 +128,9 @@ void reportThrows(const std::vector<recording::Throw>& throws, const std::string
   out << oneLine(name) << ": " << throws.size() << (throws.size() == 1 ? " flight" : " flights")
       << '\n';
   for (const recording::Throw& one : throws) {
-    out << "  from " << digits6(one.from) << " to " << digits6(one.to) << ", "
-        << roundedText(one.to - one.from, 2) << " s at " << degreesASecond(one.spin) << ": ";
+    out << "  from " << recording::timeText(one.from) << " to " << recording::timeText(one.to)
+        << ", " << roundedText(one.to - one.from, 2) << " s at " << degreesASecond(one.spin)
+        << ": ";
     if (one.fit) {
       out << "I1/I3 = " << digits4(one.fit->ratios[0].value)
           << ", I2/I3 = " << digits4(one.fit->ratios[1].value) << '\n';

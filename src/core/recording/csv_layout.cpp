@@ -58,6 +58,9 @@ bool names(const HeadLine& line, const std::vector<std::string_view>& row, char 
   const auto cells = cellsOf(line.text, separator);
   if (isRow(cells, separator)) return false;
   const std::size_t count = filledCount(cells);
+  // A title above the table has a cell alone.
+  if (2 * (cells.size() - static_cast<std::size_t>(std::ranges::count(cells, ""))) <= row.size())
+    return false;
   return cells.size() == row.size() || (count <= row.size() && count >= filledCount(row));
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/number_text.h"
 #include "recording/sensor_rows.h"
+#include "recording/toss.h"
 
 namespace rotatebook::recording {
 namespace {
@@ -55,7 +56,7 @@ std::string gapNote(const std::vector<Rate>& rates, double zero, bool areIntegra
       count == 1 ? "a gap of " : std::to_string(count) + " gaps, the longest of ";
   const std::string cost =
       areIntegrated ? ", and the attitude after may be off by " + degreesText(error) : "";
-  return gaps + roundedText(length, 3) + " s from " + roundedText(zero + times[longest], 5) +
+  return gaps + roundedText(length, 3) + " s from " + timeText(zero + times[longest]) +
          " s on, where readings are usually " + roundedText(usual, 3) +
          " s apart: what was between isn't known" + cost;
 }

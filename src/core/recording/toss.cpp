@@ -80,7 +80,7 @@ std::string degreesASecond(double rate) {
 
 [[noreturn]] void refuseFlight(const TossFit& fit, const std::string& name,
                                const std::string& reason) {
-  throw InputError(name + ": from " + roundedText(fit.from, 5) + " to " + roundedText(fit.to, 5) +
+  throw InputError(name + ": from " + timeText(fit.from) + " to " + timeText(fit.to) +
                    " s it isn't a free flight: " + reason +
                    "; state the flight alone with --from and --to, or find it with --list");
 }
@@ -218,7 +218,7 @@ TossFit onlyThrow(const InertialRecording& recording, const std::string& name,
   for (const Throw& one : throws) {
     if (!one.fit) continue;
     last = &one;
-    accepted.push_back(roundedText(one.from, 5) + " to " + roundedText(one.to, 5));
+    accepted.push_back(timeText(one.from) + " to " + timeText(one.to));
   }
   if (accepted.size() == 1) return *last->fit;
   if (throws.size() == 1) throw InputError(throws.front().refusal);
@@ -242,6 +242,12 @@ TossFit onlyThrow(const InertialRecording& recording, const std::string& name,
 }
 
 }  // namespace
+
+std::string timeText(double time) {
+  int digits = 4;
+  for (double whole = std::abs(time); whole >= 1 && digits < 17; whole /= 10) ++digits;
+  return roundedText(time, digits);
+}
 
 TossFit fitToss(const InertialRecording& recording, const std::string& name,
                 const TossOptions& options) {

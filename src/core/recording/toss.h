@@ -72,6 +72,9 @@ inline constexpr double kLargestResidual = 0.05;
 TossFit fitToss(const InertialRecording& recording, const std::string& name,
                 const TossOptions& options);
 
+/// Returns a time for people, to a ten-thousandth of a second.
+std::string timeText(double time);
+
 /// A flight in a recording.
 struct Throw {
   double from = 0, to = 0;     ///< Of the recording's times. [s]

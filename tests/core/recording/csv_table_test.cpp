@@ -51,7 +51,7 @@ TEST(CsvTable, FindsItsHeader) {
   for (const char* const text :
        {"sep=,\na,b\n1,2.5\n", "\"sep=;\"\na;b\n1;2.5\n", "# made\n# a,b\n1,2.5\n",
         "#a b\n1  2.5\n", "a b\n 1\t2.5 \n", "a,b,\n1,2.5,\n", "a,b\n1,2.5,\n", "a,b,,\n1,2.5\n",
-        "a,b\n# in s, in m\n1,2.5\n"}) {
+        "a,b\n# in s, in m\n1,2.5\n", "My data,\n\na,b\n1,2.5\n"}) {
     const CsvTable table(text, "t.csv");
     EXPECT_EQ(table.at(0, 0), 1) << text;
     EXPECT_EQ(table.at(0, 1), 2.5) << text;

@@ -65,6 +65,13 @@ TEST(Throws, AreNamedWhereThereAreSeveral) {
                     HasSubstr("state one with --from and --to")));
 }
 
+TEST(Throws, AreNamedByTimesThatTellThemApart) {
+  EXPECT_EQ(timeText(1.21999999), "1.22");
+  EXPECT_EQ(timeText(-281.57004), "-281.57");
+  EXPECT_EQ(timeText(1727600000.123456), "1727600000.1235");
+  EXPECT_EQ(timeText(0), "0");
+}
+
 TEST(Throws, ArentSeenInARest) {
   InertialRecording recording = several(1);
   recording.readings.resize(100);

@@ -125,7 +125,10 @@ void requireUnclipped(const std::vector<InertialReading>& flight, const std::str
     if (largest < kLowestRange || smallest > kSteady * largest) continue;
     std::size_t run = 0;
     for (std::size_t i = 0; i < flight.size(); ++i) {
-      run = sizeAt(i) == largest ? run + 1 : 0;
+      // A reading that is held for several rows isn't clipped.
+      const bool isHeld =
+          i > 0 && flight[i].rate.angularVelocity == flight[i - 1].rate.angularVelocity;
+      run = sizeAt(i) == largest ? run + (isHeld ? 0 : 1) : 0;
       if (run < kRun) continue;
       throw InputError(name + ": the gyroscope clips at " + degreesASecond(largest) + " about " +
                        "xyz"[axis] + ": " + std::to_string(kRun) +

@@ -7,6 +7,8 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
+#include "base/srgb.h"
+
 namespace rotatebook::picture {
 namespace {
 
@@ -38,16 +40,6 @@ std::span<const Rgb> chosenOf(scene::Palette palette) {
   return kSlate;
 }
 
-/// Returns light from an sRGB value, and back; both 0 to 1. (IEC 61966-2-1)
-double lightOf(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
-double encoded(double light) {
-  const double within = std::clamp(light, 0.0, 1.0);
-  return within <= 0.0031308 ? 12.92 * within : 1.055 * std::pow(within, 1 / 2.4) - 0.055;
-}
-
 // Oklab's two matrices. (https://bottosson.github.io/posts/oklab)
 Matrix3d coneFromLight() {
   return (Matrix3d() << 0.4122214708, 0.5363325363, 0.0514459929,  //
@@ -64,8 +56,8 @@ Matrix3d labFromCone() {
 }
 
 Vector3d labOf(const Rgb& colour) {
-  const Vector3d light(lightOf(colour.red / 255.0), lightOf(colour.green / 255.0),
-                       lightOf(colour.blue / 255.0));
+  const Vector3d light(decodedSrgb(colour.red / 255.0), decodedSrgb(colour.green / 255.0),
+                       decodedSrgb(colour.blue / 255.0));
   const Vector3d cone = coneFromLight() * light;
   return labFromCone() * Vector3d(std::cbrt(cone.x()), std::cbrt(cone.y()), std::cbrt(cone.z()));
 }
@@ -74,7 +66,7 @@ Rgb rgbOf(const Vector3d& lab) {
   const Vector3d root = labFromCone().inverse() * lab;
   const Vector3d light = coneFromLight().inverse() * root.array().cube().matrix();
   const auto channel = [](double value) {
-    return static_cast<std::uint8_t>(std::lround(255 * encoded(value)));
+    return static_cast<std::uint8_t>(std::lround(255 * encodedSrgb(std::clamp(value, 0.0, 1.0))));
   };
   return {channel(light.x()), channel(light.y()), channel(light.z())};
 }

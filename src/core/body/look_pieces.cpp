@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "base/elementary.h"
+#include "base/srgb.h"
 #include "body/solid_pieces.h"
 
 namespace rotatebook::body {
@@ -16,9 +16,7 @@ using Eigen::Vector3d;
 constexpr int kBevelSteps = 4;
 
 float linearOf(std::uint32_t byte) {
-  const double share = byte / 255.0;
-  if (share <= 0.04045) return static_cast<float>(share / 12.92);
-  return static_cast<float>(exponential(2.4 * logarithm((share + 0.055) / 1.055)));
+  return static_cast<float>(decodedSrgb(byte / 255.0));
 }
 
 /// Returns the size of grains that are long along one axis. [m]

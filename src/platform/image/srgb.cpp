@@ -4,21 +4,15 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/srgb.h"
+
 namespace rotatebook::image {
-namespace {
-
-/// Returns the linear value of an sRGB value, both 0 to 1.
-double decoded(double value) {
-  return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
-}
-
-}  // namespace
 
 const std::array<std::uint16_t, 256> kLinearOfSrgb = [] {
   std::array<std::uint16_t, 256> table{};
   for (std::size_t i = 0; i < table.size(); ++i) {
-    table[i] =
-        static_cast<std::uint16_t>(std::lround(kMaxLinear * decoded(static_cast<double>(i) / 255)));
+    table[i] = static_cast<std::uint16_t>(
+        std::lround(kMaxLinear * decodedSrgb(static_cast<double>(i) / 255)));
   }
   return table;
 }();
@@ -28,7 +22,7 @@ const std::array<std::uint8_t, kMaxLinear + 1> kSrgbOfLinear = [] {
   std::size_t linear = 0;
   // The range of an sRGB value ends halfway to the next one, measured in sRGB.
   for (std::size_t i = 0; i < 255; ++i) {
-    const double end = kMaxLinear * decoded((static_cast<double>(i) + 0.5) / 255);
+    const double end = kMaxLinear * decodedSrgb((static_cast<double>(i) + 0.5) / 255);
     for (; static_cast<double>(linear) < end; ++linear)
       table[linear] = static_cast<std::uint8_t>(i);
   }

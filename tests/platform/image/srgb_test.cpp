@@ -34,7 +34,7 @@ TEST(Srgb, HasLightAsWholeNumbers) {
     EXPECT_NEAR(linearFromSrgb(encoded), kMaxLinear * linearByFormula(encoded), 0.5);
     EXPECT_EQ(srgbFromLinear(linearFromSrgb(encoded)), encoded);
   }
-  for (std::uint32_t light = 0; light <= kMaxLinear; light += 97) {
+  for (std::uint32_t light = 0; light <= kMaxLinear; ++light) {
     EXPECT_EQ(srgbFromLinear(light), srgbFromLinear(static_cast<double>(light) / kMaxLinear));
   }
 }

@@ -1,7 +1,6 @@
 // Follows studio_lights.glsl and studio_shine.glsl.
 //
-// Cloth with gold stamping in a photographer's studio. Radiance is linear; the frame buffer encodes
-// sRGB.
+// Cloth with gold stamping in a photographer's studio. Radiance is linear.
 in vec2 texCoord;
 in vec3 diffuseLight;
 in vec3 worldPosition;
@@ -13,9 +12,9 @@ uniform sampler2D albedo;
 uniform vec3 eye;  // World. [m]
 uniform int plainCloth;  // 1 for cloth in which no gold is stamped, else 0.
 
-out vec4 colour;  // Alpha: surfaceId / 255.
+out vec4 colour;  // Encoded as sRGB; alpha: surfaceId / 255.
 
-vec3 toneMap(vec3 radiance);
+vec3 pixelColour(vec3 radiance);
 
 const float kClothRoughness = 0.45;
 const float kGoldRoughness = 0.26;
@@ -43,5 +42,5 @@ void main() {
   vec3 shine = studio(mirrored, roughness) * mirroredShare(reflectance, roughness, nv);
   shine += (1.0 - gold) * kClothSheen * keyHighlight(normal, toEye, nv, cloth);
   vec3 radiance = (1.0 - 0.65 * gold) * base * diffuseLight + skyVisibility * shine;
-  colour = vec4(toneMap(radiance), surfaceId / 255.0);
+  colour = vec4(pixelColour(radiance), surfaceId / 255.0);
 }

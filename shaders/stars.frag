@@ -4,7 +4,7 @@ in vec2 position;
 
 uniform vec2 pictureSize;  // [pixels]
 
-out vec4 colour;  // Encoded as sRGB already.
+out vec4 colour;  // Encoded as sRGB.
 
 const vec3 kSky = vec3(0.020, 0.023, 0.036);
 const float kCells = 26.0;      // Cells per half of the shorter side; at most one star each.

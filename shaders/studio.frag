@@ -4,7 +4,7 @@ in vec2 position;
 
 uniform int supersample;  // Pixels drawn across and down for each pixel of the picture.
 
-out vec4 colour;  // Encoded as sRGB already.
+out vec4 colour;  // Encoded as sRGB.
 
 const vec3 kMiddle = vec3(0.2196, 0.2353, 0.2588);
 const vec3 kEdge = vec3(0.0980, 0.1059, 0.1255);

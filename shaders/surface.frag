@@ -1,7 +1,7 @@
 // Follows studio_lights.glsl and studio_shine.glsl.
 //
 // Any material of the metallic-roughness model of glTF 2.0 in a photographer's studio. Radiance is
-// linear; the frame buffer encodes sRGB.
+// linear.
 in vec2 texCoord;
 in vec3 diffuseLight;
 in vec3 worldPosition;
@@ -18,9 +18,9 @@ uniform vec2 metalAndRoughness;     // Factors.
 uniform vec3 grainsAcross;          // Grains along the unit cube's axes; 0 for no grain.
 uniform vec2 contrastAndRelief;     // Of the grain; relief [m].
 
-out vec4 colour;  // Alpha: surfaceId / 255.
+out vec4 colour;  // Encoded as sRGB; alpha: surfaceId / 255.
 
-vec3 toneMap(vec3 radiance);
+vec3 pixelColour(vec3 radiance);
 
 const float kMinViewCosine = 0.05;
 const float kMinRoughness = 0.05;
@@ -74,5 +74,5 @@ void main() {
   vec3 shine = studio(reflect(-toEye, normal), rough) * mirroredShare(reflectance, rough, nv);
   shine += (1.0 - metal) * keyHighlight(normal, toEye, nv, rough);
   vec3 radiance = (1.0 - metal) * base * diffuseLight + skyVisibility * shine;
-  colour = vec4(toneMap(radiance), surfaceId / 255.0);
+  colour = vec4(pixelColour(radiance), surfaceId / 255.0);
 }

@@ -6,15 +6,8 @@ precision highp int;
 precision highp sampler2D;
 #define CLIP_Y_UP
 `;
-// There is no bias of a texture's level but in the call, and no frame buffer that encodes sRGB.
+// There is no bias of a texture's level but in the call.
 const kSharper = "#define texture(sampler, place) texture(sampler, place, -0.5)\n";
-const kEncodedToneMap = `
-#undef toneMap
-vec3 toneMap(vec3 radiance) {
-  vec3 linear = clamp(linearToneMap(radiance), 0.0, 1.0);
-  return mix(1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, 12.92 * linear, lessThanEqual(linear, vec3(0.0031308)));
-}
-`;
 const kClearlyOriented = 0.2;  // As in mesh_geometry.cpp.
 const kWall = [0.098, 0.106, 0.1255];  // The edge of studio.frag's.
 const kAttributes = [3, 3, 2, 1, 1];  // Floats of each, as in body.vert.
@@ -79,12 +72,11 @@ class BookView {
 
   #make(mesh, pictures, shaders) {
     const gl = this.gl;
-    const toneCurve = "#define toneMap linearToneMap\n" + shaders.tone_curve + kEncodedToneMap;
     const vertex = shaders.studio_lights + shaders.book;
-    this.cover = new Shaders(gl, vertex, kSharper + shaders.studio_lights + shaders.studio_shine + shaders.cover + toneCurve);
-    const surface = kSharper + shaders.studio_lights + shaders.studio_shine + shaders.surface + toneCurve;
+    this.cover = new Shaders(gl, vertex, kSharper + shaders.studio_lights + shaders.studio_shine + shaders.cover + shaders.tone_curve);
+    const surface = kSharper + shaders.studio_lights + shaders.studio_shine + shaders.surface + shaders.tone_curve;
     this.surfaces = {get shaders() { return this.made ??= new Shaders(gl, vertex, surface); }};
-    this.paper = new Shaders(gl, vertex, kSharper + shaders.paper + toneCurve);
+    this.paper = new Shaders(gl, vertex, kSharper + shaders.paper + shaders.tone_curve);
     const backdrop = (name) => new Shaders(gl, shaders.whole_picture, shaders[name]);
     this.backdrops = {studio: backdrop("studio"), get stars() { return this.made ??= backdrop("stars"); }};
     this.#makeGeometry(mesh);

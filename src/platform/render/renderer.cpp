@@ -149,7 +149,6 @@ struct Renderer::Parts {
                                  {studio ? studioFragmentShader() : starsFragmentShader()});
     const geometry::PixelRect everything{0, 0, width, height};
     target.begin(everything);
-    glDisable(GL_FRAMEBUFFER_SRGB);  // The shaders' colours are encoded already.
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     backdrop.use();

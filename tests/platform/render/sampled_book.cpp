@@ -31,7 +31,7 @@ void main() { colour = texelFetch(samples, ivec2(gl_FragCoord.xy), number); }
 struct SampledTarget {
   SampledTarget(int width, int height) {
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, colour.name());
-    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, kSamples, GL_SRGB8_ALPHA8, width, height,
+    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, kSamples, GL_RGBA8, width, height,
                             GL_TRUE);
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, depth.name());
     glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, kSamples, GL_DEPTH_COMPONENT24, width,
@@ -74,7 +74,6 @@ struct SampledBook::Parts {
         settings.camera, corners, {settings.width, settings.height, settings.bottomRows});
     const Eigen::Matrix4d& clipFromWorld = projection.clipFromWorld;
     const int winding = frontFaceWinding(corners);
-    glEnable(GL_FRAMEBUFFER_SRGB);
     glEnable(GL_DEPTH_TEST);
     winding == 0 ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
     glFrontFace(winding < 0 ? GL_CW : GL_CCW);

@@ -3,7 +3,6 @@
 namespace rotatebook::render {
 
 void prepareToDraw(const DrawnBody& drawn) {
-  glEnable(GL_FRAMEBUFFER_SRGB);
   glEnable(GL_DEPTH_TEST);
   drawn.winding == 0 ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
   glFrontFace(drawn.winding < 0 ? GL_CW : GL_CCW);

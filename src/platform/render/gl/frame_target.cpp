@@ -42,7 +42,7 @@ void requireLimit(int width, int height) {
 FrameTarget::FrameTarget(int width, int height, Pixels pixels)
     : width_(width), height_(height), pixels_(pixels) {
   requireLimit(width, height);
-  allocate(colour_, pixels == Pixels::Exact ? GL_RGBA32F : GL_SRGB8_ALPHA8, width, height);
+  allocate(colour_, pixels == Pixels::Exact ? GL_RGBA32F : GL_RGBA8, width, height);
   allocate(depth_, GL_DEPTH_COMPONENT24, width, height);
   glBindFramebuffer(GL_FRAMEBUFFER, buffer_.name());
   attach(GL_COLOR_ATTACHMENT0, colour_);

@@ -23,7 +23,7 @@ struct QuantityRow {
 /// Rows in the order of the enumeration.
 constexpr std::array<QuantityRow, 10> kQuantityRows{{
     {"half_turns", "how many times the axis that the book was spun about has turned over",
-     "half-turns"},
+     "flips"},
     {"tilt_deg", "angle between that axis and the angular momentum [degrees]",
      "largest tilt  [degrees]"},
     {"energy_ratio", "total energy / total energy at the start", "largest | E / E_0 − 1 |", 1},

@@ -31,7 +31,7 @@ constexpr std::array<NumberRow, 5> kNumberRows{{
 }};
 
 /// Labels of quantities at one moment, in the order of the enumeration.
-constexpr std::array<std::string_view, 10> kLabels{"half-turns",
+constexpr std::array<std::string_view, 10> kLabels{"flips",
                                                    "tilt  [degrees]",
                                                    "E / E₀",
                                                    "rotational E / E₀",

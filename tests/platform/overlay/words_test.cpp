@@ -164,7 +164,7 @@ TEST(Words, OfPicturesAreThoseOfTheTable) {
 TEST(Words, ThatAreInNoTableAreFound) {
   EXPECT_EQ(foreignParts("«0» 3"), "");
   EXPECT_EQ(foreignParts("«21_____», rk4, «14», k = 2000 N/m, «24» 0·26 ms; «10»"), "");
-  EXPECT_EQ(foreignParts("Half-turns 3"), "Half-turns ");
+  EXPECT_EQ(foreignParts("Flips 3"), "Flips ");
   EXPECT_EQ(foreignParts("t = 0.26 s"), "0.26 ");
   EXPECT_EQ(foreignParts("«3» / initial"), "initial ");
 }

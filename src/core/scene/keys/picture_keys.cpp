@@ -157,7 +157,7 @@ std::string overlaysText(const std::vector<Overlay>& overlays) {
 constexpr std::array<std::string_view, 2> kLanguages{"english", "german"};
 constexpr std::string_view kDecimalMark = "decimal_mark";
 constexpr const char* kExpectedWords =
-    "\"english\", \"german\", a table of words, such as { \"Half-turns\" = \"Demi-tours\" }, or a "
+    "\"english\", \"german\", a table of words, such as { \"Flips\" = \"Retournements\" }, or a "
     "TOML file of one, such as \"french.words\"";
 constexpr std::size_t kLongestWord = 60;
 

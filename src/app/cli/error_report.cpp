@@ -63,8 +63,8 @@ int reportError(const std::exception_ptr& error, std::string_view subject) {
 
 int reportIfUnmet(int status, bool wroteFiles) {
   if (status == kUnmet) {
-    printError(wroteFiles ? "expectations are unmet; the files were kept"
-                          : "expectations are unmet");
+    printError(wroteFiles ? "expectations are not met; the files were kept"
+                          : "expectations are not met");
   }
   return status;
 }

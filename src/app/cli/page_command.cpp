@@ -248,7 +248,8 @@ simulated again for the plots and for what was expected and measured. For the ov
 drawn again, small and without text, as DIR/NAME.thumbnail.png. A scene named twice is shown once.
 
 Example:
-  rotatebook render scenes/figures/*.toml && rotatebook page scenes/figures/*.toml)");
+  rotatebook render scenes/figures/*.toml
+  rotatebook page scenes/figures/*.toml)");
   command->callback(
       [arguments, &action] { action = [arguments] { return writePage(*arguments); }; });
 }

@@ -46,7 +46,7 @@ Html rowOf(const Check& check) {
                        {"expected", escaped(check.expected)},
                        {"measured", escaped(check.measured)},
                        {"class", {check.met ? "met" : "unmet"}},
-                       {"verdict", {check.met ? "✓ met" : "✗ unmet"}}});
+                       {"verdict", {check.met ? "✓ met" : "✗ not met"}}});
 }
 
 }  // namespace
@@ -63,14 +63,14 @@ std::vector<Check> checksOf(const Motion& motion) {
   if (divergesUnexpectedly(motion.trajectory, motion.panel.expectations)) {
     checks.push_back({"diverges_at", "no divergence",
                       roundedText(*motion.trajectory.divergedAt, kCheckDigits) + " s", false,
-                      std::string(meaningOf(scene::Quantity::DivergesAt))});
+                      std::string(rowOf(scene::Measure::DivergesAt).meaning)});
   }
   for (const scene::ExpectationResult& result :
        check(motion.trajectory, motion.panel.expectations)) {
     checks.push_back(
-        {std::string(nameOf(result.expectation.quantity)) + windowText(result.expectation),
+        {std::string(nameOf(result.expectation.measure)) + windowText(result.expectation),
          expectedText(result.expectation), measuredText(result, kCheckDigits), result.met,
-         std::string(meaningOf(result.expectation.quantity))});
+         std::string(rowOf(result.expectation.measure).meaning)});
   }
   return checks;
 }

@@ -39,7 +39,7 @@ std::vector<Check> checksOf(const scene::Scene& scene, const study::MapResult& r
   std::vector<Check> checks;
   for (const study::ExpectedOfMap& one : expectedOf(result, *scene.map, runs)) {
     checks.push_back(checkOf(one.subject(), one.expectation.bounds, one.measured,
-                             meaningOf(scene.map->measure)));
+                             std::string(rowOf(scene.map->measure).meaning)));
   }
   return checks;
 }

@@ -153,8 +153,8 @@ study::SweepStudy sweepFrom(const scene::Sweep& sweep, const fs::path& csv) {
   for (const RunRow& row : rowsOf(csv)) {
     study::SweepRow run{keyOf(row, {sweep.over.key}),
                         sweep.curves ? keyOf(row, {sweep.curves->key}) : ""};
-    for (const scene::Quantity quantity : sweep.measures) {
-      run.measured.push_back(fieldOf(row, std::string(nameOf(quantity))));
+    for (const scene::Measure measure : sweep.measures) {
+      run.measured.push_back(fieldOf(row, std::string(nameOf(measure))));
     }
     study.rows.push_back(run);
   }
@@ -165,7 +165,7 @@ std::vector<Check> checksOfSweep(const scene::Sweep& sweep, const fs::path& csv)
   std::vector<Check> checks;
   for (const study::ExpectedOfRun& one : expectedOf(sweepFrom(sweep, csv), sweep)) {
     checks.push_back(checkOf(one.subject(), one.expectation.bounds, one.measured,
-                             std::string(meaningOf(one.expectation.quantity))));
+                             std::string(rowOf(one.expectation.measure).meaning)));
   }
   return checks;
 }

@@ -9,29 +9,27 @@ namespace rotatebook::picture {
 namespace {
 
 using overlay::Point;
-using scene::MapMeasure;
-using scene::MapNumber;
-using scene::Quantity;
+using scene::Measure;
 
 constexpr int kMaxSteps = 64;  // of whole numbers that are drawn as such
 
 std::string labelOfScale(const scene::MapSettings& map) {
-  const std::string label = scene::labelOf(map.measure);
-  const bool isCount = map.measure == MapMeasure(Quantity::HalfTurns);
+  const std::string label(rowOf(map.measure).label);
+  const bool isCount = map.measure == Measure::HalfTurns;
   const bool isLargest = map.moment == scene::MapMoment::Largest && !isCount;
   return (isLargest ? "largest " : "") + label;
 }
 
 std::string neverText(const scene::MapSettings& map) {
-  if (map.measure == MapMeasure(Quantity::DivergesAt)) return "holds together";
-  if (map.measure == MapMeasure(MapNumber::FirstFlip)) return "no half-turn";
+  if (map.measure == Measure::DivergesAt) return "holds together";
+  if (map.measure == Measure::FirstFlip) return "no flip";
   return "fewer than two flips";
 }
 
 std::string refusedText(const scene::MapSettings& map) {
   const auto isMoment = [](const scene::MapAxis& axis) {
     return axis.kind == scene::AxisKind::SmallestMoment ||
-           axis.kind == scene::AxisKind::MedianMoment;
+           axis.kind == scene::AxisKind::MiddleMoment;
   };
   return isMoment(map.x) || isMoment(map.y) ? "no such body" : "refused";
 }
@@ -127,8 +125,7 @@ void drawLegend(const scene::Scene& scene, const study::MapFacts& facts,
                 const MapColouring& colouring, const MapLayout& layout,
                 const overlay::Typesetter& type, overlay::Canvas& canvas, image::Image& sheet) {
   const scene::MapSettings& map = *scene.map;
-  const bool isCount =
-      map.measure == MapMeasure(Quantity::HalfTurns) || map.measure == MapMeasure(Quantity::Regime);
+  const bool isCount = map.measure == Measure::HalfTurns || map.measure == Measure::Regime;
   const bool isWhole = isCount && colouring.to() - colouring.from() <= kMaxSteps &&
                        colouring.scale() == scene::Scale::Linear;
   Legend legend(layout, type, canvas);

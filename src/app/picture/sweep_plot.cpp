@@ -138,7 +138,7 @@ std::string panelOf(const std::vector<Series>& all, const scene::Sweep& sweep, s
   return blocks + scaleText("x", x.isLogarithmic) + scaleText("y", y.isLogarithmic) +
          panelText({edges, x.range, y.range}) + titled + xTicks(sweep.over) + key + open +
          "set xlabel " + gnuplotString(sweep.over.key) + " noenhanced\nset ylabel " +
-         gnuplotString(std::string(scene::axisOf(sweep.measures[measure]))) + "\n" + plots + "\n";
+         gnuplotString(std::string(rowOf(sweep.measures[measure]).studied)) + "\n" + plots + "\n";
 }
 
 }  // namespace

@@ -10,13 +10,13 @@ namespace rotatebook::report {
 namespace {
 
 const char* verdict(bool met) {
-  return met ? "met    " : "UNMET  ";
+  return met ? "met      " : "not met  ";
 }
 
 }  // namespace
 
 std::string reportLine(const scene::ExpectationResult& result) {
-  return verdict(result.met) + std::string(nameOf(result.expectation.quantity)) +
+  return verdict(result.met) + std::string(nameOf(result.expectation.measure)) +
          windowText(result.expectation) + ": expected " + expectedText(result.expectation) +
          "; measured " + measuredText(result);
 }
@@ -29,7 +29,7 @@ std::string reportLine(const std::string& subject, const scene::Bounds& bounds, 
 
 void reportExpectations(const timeline::MotionSummary& summary, std::ostream& out) {
   if (summary.divergedAt) {
-    out << (summary.divergesUnexpectedly ? "  UNMET  no divergence is expected; " : "  ")
+    out << (summary.divergesUnexpectedly ? "  not met  no divergence is expected; " : "  ")
         << "the motion diverges at " << shortestText(std::round(*summary.divergedAt * 1e4) / 1e4)
         << " s, after " << summary.frames << " frames\n";
   }
@@ -41,7 +41,7 @@ void reportExpectations(const timeline::MotionSummary& summary, std::ostream& ou
 std::string expectationJson(const scene::ExpectationResult& result) {
   const scene::Expectation& expectation = result.expectation;
   return JsonObject()
-      .addString("quantity", nameOf(expectation.quantity))
+      .addString("quantity", nameOf(expectation.measure))
       .addNumber("from_s", expectation.from)
       .addNumber("to_s", expectation.to)
       .addNumberOrNull("min", expectation.min)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "base/json.h"
 #include "base/number_text.h"
@@ -34,8 +35,18 @@ std::string secondsText(double time) {
   return shortestText(std::round(time * digits) / digits);
 }
 
-std::string halfTurnsText(int made) {
-  return std::to_string(made) + (made == 1 ? " half-turn" : " half-turns");
+std::string flipsText(int made) {
+  return std::to_string(made) + (made == 1 ? " flip" : " flips");
+}
+
+/// Returns "3 flips, at 2.43, 6.82, 11.2 s"; of many the first ones.
+std::string flipsText(const MotionSummary& summary) {
+  constexpr std::size_t kMaxListed = 8;
+  const std::string text = flipsText(summary.halfTurns);
+  if (summary.flips.empty()) return text;
+  const auto shown = std::span(summary.flips).first(std::min(summary.flips.size(), kMaxListed));
+  return text + ", at " + joinedOf(shown, secondsText) +
+         (shown.size() < summary.flips.size() ? " ... s" : " s");
 }
 
 std::string energyJson(const MotionSummary& summary) {
@@ -56,6 +67,7 @@ std::string motionJson(const MotionSummary& summary) {
                                          ? nameOf(scene::kIntegrators, simulation.integrator)
                                          : std::string_view())
       .addInteger("half_turns", summary.halfTurns)
+      .add("flips_s", jsonArrayOf(summary.flips, shortestText))
       .add("energy_ratio", energyJson(summary))
       .addNumberOrNull("error_deg", summary.errorDeg)
       .addNumberOrNull("visible_from_s", summary.visibleFrom)
@@ -130,7 +142,7 @@ void reportGrid(const std::vector<MotionSummary>& motions, std::ostream& out) {
   const auto diverged = std::ranges::count_if(
       motions, [](const MotionSummary& summary) { return summary.divergedAt.has_value(); });
   out << "  " << motions.size() << " motions: " << fewest.halfTurns << " to "
-      << halfTurnsText(most.halfTurns) << "; "
+      << flipsText(most.halfTurns) << "; "
       << (diverged > 0 ? std::to_string(diverged) : std::string("none")) << " diverged\n";
   for (const MotionSummary& summary : motions) {
     if (summary.expectations.empty()) continue;
@@ -146,7 +158,7 @@ void reportMotions(const std::vector<MotionSummary>& motions, std::ostream& out)
   if (motions.size() > kMaxListed) return reportGrid(motions, out);
   for (const MotionSummary& summary : motions) {
     if (!summary.motion.label.empty()) out << "  " << summary.motion.label << ":\n";
-    out << "  " << halfTurnsText(summary.halfTurns) << "; " << energyText(summary) << "; "
+    out << "  " << flipsText(summary) << "; " << energyText(summary) << "; "
         << distanceText(summary) << '\n';
     reportExpectations(summary, out);
   }

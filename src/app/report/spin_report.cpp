@@ -20,7 +20,7 @@ using timeline::Spin;
 using timeline::SpinPeriod;
 
 /// Names of the axes, and of their moments, in the order of Spin::axes.
-constexpr std::array<std::string_view, 3> kMoments{"smallest", "median", "largest"};
+constexpr std::array<std::string_view, 3> kMoments{"smallest", "middle", "largest"};
 constexpr std::array<std::string_view, 3> kAxes{
     "the axis of the smallest moment", "the middle axis", "the axis of the largest moment"};
 
@@ -106,7 +106,9 @@ std::vector<Line> linesOn(const SpinNumbers& numbers) {
     lines.push_back({"regime", "the angular momentum L circles " + circled + ", " +
                                    std::string(kAxes[circledAxis(spin)])});
     if (const auto flips = spin.flipInterval()) {
-      lines.push_back({"flips", "every " + text(*flips) + " s"});
+      lines.push_back(
+          {"flips", (spin.firstFlip ? "first at " + text(*spin.firstFlip) + " s, then " : "") +
+                        "every " + text(*flips) + " s"});
     }
     lines.push_back(
         {"period", text(spin.period->time) + " s, of the angular velocity in the body"});
@@ -165,6 +167,7 @@ std::string spinJson(const SpinNumbers& numbers) {
       .addInteger("regime", static_cast<int>(spin.regime))
       .addNumberOrNull("growth_per_s", spin.growth)
       .addNumberOrNull("oscillation_rad_per_s", spin.oscillation)
+      .addNumberOrNull("first_flip_s", spin.firstFlip)
       .addNumberOrNull("flip_interval_s", spin.flipInterval());
   addPeriod(spin, object);
   return object.addNumberOrNull("margin", spin.margin)

@@ -3,10 +3,7 @@
 const kOpening = `title = "A book thrown about its middle axis"
 
 [simulation]
-model = "particles"
-integrator = "euler"
-stiffness = 125
-substeps = 60
+model = "exact"
 
 [initial]
 angular_velocity = [4, 0, 0]

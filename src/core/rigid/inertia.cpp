@@ -9,11 +9,13 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "rigid/regime.h"
 
 namespace rotatebook::rigid {
 namespace {
 
-// Rounding that is allowed in a computed tensor, as a fraction of its largest entry.
+// Rounding that is allowed in a computed tensor, as a fraction of its largest entry, and between
+// moments that count as equal.
 constexpr double kRounding = 1e-12;
 
 // Keeps products of several moments and spins normal numbers. [kg m^2]
@@ -177,6 +179,17 @@ void checkInertia(const Eigen::Matrix3d& tensor) {
         "no body has this inertia: a principal moment can't exceed the sum of the other two, but " +
         momentsText(moments));
   }
+}
+
+PrincipalAxes withEqualMoments(PrincipalAxes axes) {
+  const auto order = axesByInertia(axes.moments);
+  for (std::size_t i = 1; i < 3; ++i) {
+    const int before = order[i - 1], here = order[i];
+    if (axes.moments[here] - axes.moments[before] > kRounding * axes.moments[here]) continue;
+    axes.moments[here] = axes.moments[before];
+    axes.momentsLow[here] = axes.momentsLow[before];
+  }
+  return axes;
 }
 
 void clearRounding(Matrix3d& tensor) {

@@ -37,6 +37,10 @@ struct PrincipalAxes {
 /// no larger than that is rejected as 0; so is a body whose moments are all under 1e-30.
 void checkInertia(const Eigen::Matrix3d& tensor);
 
+/// Returns the axes with moments that agree to 1e-12 made equal: turning a body rounds its moments,
+/// by 3e-16, and equal ones come apart. For what is said of a body; its motion has its own moments.
+PrincipalAxes withEqualMoments(PrincipalAxes axes);
+
 /// Sets products of inertia that rounding alone makes to 0, so that a spin about an axis of a
 /// symmetric body is exactly about it.
 void clearRounding(Eigen::Matrix3d& tensor);

@@ -80,7 +80,7 @@ bool divergesUnexpectedly(const physics::Trajectory& trajectory,
                           std::span<const Expectation> expectations) {
   return trajectory.divergedAt && !expectations.empty() &&
          std::ranges::none_of(expectations, [](const Expectation& expectation) {
-           return expectation.quantity == Quantity::DivergesAt;
+           return expectation.measure == Measure::DivergesAt;
          });
 }
 

@@ -94,7 +94,7 @@ void checkAxis(const ReadAxis& read, const std::vector<Panel>& motions) {
     case AxisKind::SpinLatitude:
       return refuseOutside(read, -90, 90);
     case AxisKind::SmallestMoment:
-    case AxisKind::MedianMoment:
+    case AxisKind::MiddleMoment:
       refuseOutside(read, 0, 1);
       if (anyIs(motions, Model::Particles)) {
         read.key().fail(read.axis.key +
@@ -108,8 +108,8 @@ void checkTime(const ValueReader& section, const MapSettings& map) {
   if (const auto duration = section.find("duration")) {
     duration->fail("map.duration: the axis \"time\" says how long the motions are; leave it out");
   }
-  const std::string name = nameOf(map.measure);
-  if (isOfTheWay(map.measure)) {
+  const std::string name(nameOf(map.measure));
+  if (rowOf(map.measure).span == MeasureSpan::Motion) {
     section.find("measure")->fail("map.measure = " + tomlString(name) +
                                   " is of a whole motion, so no axis can be the time");
   }
@@ -120,19 +120,17 @@ void checkTime(const ValueReader& section, const MapSettings& map) {
 }
 
 /// Returns why a motion has no such measure; empty if it has.
-std::string reasonForAbsence(MapMeasure measure, Model model) {
-  const bool isExact = model == Model::Exact;
-  const auto isOneOf = [&](std::initializer_list<MapMeasure> all) {
-    return std::ranges::count(all, measure) > 0;
-  };
-  if (isExact && isOneOf({Quantity::ErrorDeg, Quantity::EnergyRatio, Quantity::RotationalRatio,
-                          Quantity::MomentumRatio, Quantity::Stretch, Quantity::DivergesAt,
-                          MapNumber::EnergyDrift})) {
-    return "the model \"exact\" has no such error; choose another model, e.g. "
-           "simulation.model = \"quaternion\"";
-  }
-  if (model != Model::Particles && isOneOf({Quantity::CentreDrift})) {
-    return "only the model \"particles\" has a centre that drifts";
+std::string reasonForAbsence(Measure measure, Model model) {
+  switch (rowOf(measure).models) {
+    case MeasureModels::All:
+      break;
+    case MeasureModels::Stepwise:
+      if (model != Model::Exact) break;
+      return "the model \"exact\" has no such error; choose another model, e.g. "
+             "simulation.model = \"quaternion\"";
+    case MeasureModels::Particles:
+      if (model == Model::Particles) break;
+      return "only the model \"particles\" has a centre that drifts";
   }
   return "";
 }
@@ -162,11 +160,11 @@ void placeMark(const ValueReader& value, const MapSettings& map, MapMark& mark) 
   const double smallest = (*mark.moments)[0] / (*mark.moments)[2];
   const double median = (*mark.moments)[1] / (*mark.moments)[2];
   const bool isAcross =
-      map.x.kind == AxisKind::SmallestMoment && map.y.kind == AxisKind::MedianMoment;
-  const bool isUp = map.y.kind == AxisKind::SmallestMoment && map.x.kind == AxisKind::MedianMoment;
+      map.x.kind == AxisKind::SmallestMoment && map.y.kind == AxisKind::MiddleMoment;
+  const bool isUp = map.y.kind == AxisKind::SmallestMoment && map.x.kind == AxisKind::MiddleMoment;
   if (!isAcross && !isUp) {
     value.find("moments")->fail(value.name() +
-                                ".moments needs the axes moments.smallest and moments.median");
+                                ".moments needs the axes moments.smallest and moments.middle");
   }
   mark.x = isAcross ? smallest : median;
   mark.y = isAcross ? median : smallest;

@@ -3,10 +3,7 @@
 
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
-#include <variant>
 #include <vector>
 
 #include "scene/expectation.h"
@@ -14,28 +11,6 @@
 #include "scene/study_settings.h"
 
 namespace rotatebook::scene {
-
-/// A number of a whole motion that isn't one of its quantities.
-enum class MapNumber {
-  EnergyDrift,   ///< |E / E0 - 1|
-  FirstFlip,     ///< Time of the first half-turn; infinite if there is none. [s]
-  FlipInterval,  ///< Mean time from a flip to the next; infinite of fewer than two. [s]
-  TurnedDeg,     ///< Angle of the body's line along its first spin to where it was. [degrees]
-  Growth,        ///< Rate at which a tilt from the median axis grows, over the spin.
-};
-
-/// The measure that a map shows.
-using MapMeasure = std::variant<Quantity, MapNumber>;
-
-/// Returns the name of `measure` in a scene, its meaning in Markdown, and its label beside a colour
-/// bar.
-std::string nameOf(MapMeasure measure);
-std::string meaningOf(MapMeasure measure);
-std::string labelOf(MapMeasure measure);
-/// Returns all measures.
-std::span<const MapMeasure> allMapMeasures();
-/// Returns whether `measure` is of a whole motion: it has no value at a single moment.
-bool isOfTheWay(MapMeasure measure);
 
 /// The time of the motions that a map measures.
 enum class MapMoment {
@@ -50,7 +25,7 @@ enum class AxisKind {
   SpinLongitude,   ///< "spin.longitude": direction of the first spin, from x toward y. [degrees]
   SpinLatitude,    ///< "spin.latitude": likewise, from the plane of x and y toward z. [degrees]
   SmallestMoment,  ///< "moments.smallest": smallest / largest moment of inertia.
-  MedianMoment,    ///< "moments.median": median / largest moment of inertia.
+  MiddleMoment,    ///< "moments.middle": middle / largest moment of inertia.
 };
 
 /// An axis of a map. A pixel's value lies in its middle.
@@ -127,7 +102,7 @@ struct MapExpectation {
 /// A map: one run of the scene's motion for each pixel; of each panel, side by side.
 struct MapSettings {
   MapAxis x, y;
-  MapMeasure measure = Quantity::HalfTurns;
+  Measure measure = Measure::HalfTurns;
   MapMoment moment = MapMoment::End;
   int width = 960, height = 540;  ///< Runs across and up.
   /// Length of the motions, > 0; without it, the clip's. [s]

@@ -91,9 +91,9 @@ std::string expectLines(const Motion& motion) {
   const auto& expectations = motion.expectations;
   std::string lines;
   for (auto one = expectations.begin(); one != expectations.end(); ++one) {
-    const auto isSame = [one](const auto& other) { return other.quantity == one->quantity; };
+    const auto isSame = [one](const auto& other) { return other.measure == one->measure; };
     if (std::any_of(expectations.begin(), one, isSame)) continue;
-    lines += lineOf(expectKeys()[static_cast<std::size_t>(one->quantity)], expectations);
+    lines += lineOf(expectKeys()[static_cast<std::size_t>(one->measure)], expectations);
   }
   return lines;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "physics/motion_start.h"
 #include "scene/solid_particles.h"
@@ -18,11 +17,10 @@ int axisOf(const physics::SpinAbout& about, const Eigen::Vector3d& moments) {
 }
 
 /// Throws InputError if another moment equals that of the axis, which is any of a plane then.
-void requireOneAxis(const ValueReader& file, const Eigen::Vector3d& moments, int axis) {
-  constexpr double kEqual = 1e-12;  // Of the moment; measured 3e-16 of round shapes.
+void requireOneAxis(const ValueReader& file, const rigid::PrincipalAxes& axes, int axis) {
+  const Eigen::Vector3d moments = rigid::withEqualMoments(axes).moments;
   for (int other = 0; other < 3; ++other) {
-    const double apart = std::fabs(moments[other] - moments[axis]);
-    if (other == axis || apart > kEqual * moments[axis]) continue;
+    if (other == axis || moments[other] != moments[axis]) continue;
     for (const char* key : {"angular_velocity", "angular_momentum"}) {
       if (const auto value = file.find("initial", key)) {
         value->fail(
@@ -48,8 +46,8 @@ void turnSpinToAxis(Motion& motion) {
 
 void settleSpin(const ValueReader& file, Motion& motion) {
   if (!motion.initial.about || lacksSurface(motion)) return;
-  const Eigen::Vector3d moments = physics::modelInertia(motion).moments;
-  requireOneAxis(file, moments, axisOf(*motion.initial.about, moments));
+  const rigid::PrincipalAxes axes = physics::modelInertia(motion);
+  requireOneAxis(file, axes, axisOf(*motion.initial.about, axes.moments));
   turnSpinToAxis(motion);
   if (const auto tilt = file.find("initial", "tilt"))
     failAtValue(*tilt, [&] { motion.initial.tilted(); });

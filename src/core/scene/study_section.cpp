@@ -37,7 +37,7 @@ void checkTilted(const ValueReader& tilts, const Scene& scene) {
   const Eigen::Vector3d spin = initialAngularVelocity(motion);
   if (axis.cross(spin).norm() <= kMaxSineToMedian * spin.norm()) return;
   tilts.fail(tilts.name() +
-             " needs a spin about the axis of the median moment of inertia, the only one about "
+             " needs a spin about the axis of the middle moment of inertia, the only one about "
              "which a body flips");
 }
 

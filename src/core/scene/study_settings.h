@@ -49,9 +49,9 @@ struct SweepKey {
 
 /// Bounds on a measured quantity of some of a sweep's runs.
 struct SweepExpectation {
-  Quantity quantity = Quantity::HalfTurns;  ///< One of Sweep::measures.
-  std::optional<std::string> at{};          ///< The label of a value; without it, all.
-  std::optional<std::string> curve{};       ///< The label of a curve; without it, all.
+  Measure measure = Measure::HalfTurns;  ///< One of Sweep::measures.
+  std::optional<std::string> at{};       ///< The label of a value; without it, all.
+  std::optional<std::string> curve{};    ///< The label of a curve; without it, all.
   Bounds bounds{};
 
   friend bool operator==(const SweepExpectation&, const SweepExpectation&) = default;
@@ -70,7 +70,7 @@ struct SweepRun {
 struct Sweep {
   SweepKey over;
   std::optional<SweepKey> curves{};  ///< A second key: one curve for each of its values.
-  std::vector<Quantity> measures{};  ///< At least one, each once.
+  std::vector<Measure> measures{};   ///< At least one, each once.
   std::vector<SweepExpectation> expected{};
   std::vector<SweepRun> runs{};  ///< Curve by curve, each in the order of the values.
 

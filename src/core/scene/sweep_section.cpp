@@ -109,8 +109,8 @@ void checkExpected(const ValueReader& tables, const Sweep& sweep) {
   std::size_t i = 0;
   for (const ValueReader& table : tables.tables("")) {
     const SweepExpectation& one = sweep.expected[i++];
-    if (std::ranges::count(sweep.measures, one.quantity) == 0) {
-      table.find("measure")->fail(std::string(nameOf(one.quantity)) + " isn't in study.measure");
+    if (std::ranges::count(sweep.measures, one.measure) == 0) {
+      table.find("measure")->fail(std::string(nameOf(one.measure)) + " isn't in study.measure");
     }
     if (one.at) requireLabel(*table.find("at"), *one.at, sweep.over.values);
     if (!one.curve) continue;

@@ -157,7 +157,7 @@ std::string mapCsv(const MapResult& result, const scene::Scene& scene) {
   const MapSettings& map = *scene.map;
   const bool isAlone = result.labels.size() == 1;
   std::string text = (isAlone ? "" : "panel,") + map.x.key + "," + map.y.key + "," +
-                     scene::nameOf(map.measure) + ",outcome\n";
+                     std::string(nameOf(map.measure)) + ",outcome\n";
   for (std::size_t panel = 0; panel < result.labels.size(); ++panel) {
     for (std::size_t i = 0; i < result.values[panel].size(); ++i) {
       const int x = static_cast<int>(i) % map.width, y = static_cast<int>(i) / map.width;

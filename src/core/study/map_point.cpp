@@ -51,7 +51,7 @@ void turnSpin(const Values& values, MotionSettings& motion) {
 /// keeps its rank. Throws InputError unless the first is the smallest.
 void changeMoments(const Values& values, MotionSettings& motion) {
   const auto smallest = values.of(AxisKind::SmallestMoment);
-  const auto median = values.of(AxisKind::MedianMoment);
+  const auto median = values.of(AxisKind::MiddleMoment);
   if (!smallest && !median) return;
   const rigid::PrincipalAxes old = modelInertia(motion);
   const auto axes = rigid::axesByInertia(old.moments);
@@ -61,7 +61,7 @@ void changeMoments(const Values& values, MotionSettings& motion) {
   if (median) moments[axes[1]] = *median * largest;
   if (moments[axes[0]] > moments[axes[1]]) {
     throw InputError("the smallest moment of inertia, " + shortestText(moments[axes[0]]) +
-                     ", is larger than the median one, " + shortestText(moments[axes[1]]));
+                     ", is larger than the middle one, " + shortestText(moments[axes[1]]));
   }
   const Eigen::Matrix3d& map = old.bodyFromPrincipal;
   const Eigen::Matrix3d tensor = map * moments.asDiagonal() * map.transpose();

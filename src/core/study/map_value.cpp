@@ -20,29 +20,7 @@ namespace {
 
 using physics::MotionSettings;
 using physics::Trajectory;
-using scene::MapMeasure;
-using scene::MapNumber;
-using scene::Quantity;
-
-/// Returns the angle of the body's line along its first spin to where that line was at the start.
-/// [degrees]
-double turnedDeg(const physics::Sample& sample, const physics::Sample& start) {
-  const Eigen::Vector3d then = start.angularVelocity;  // both axes coincide at the start
-  const Eigen::Vector3d now = sample.attitude * then;
-  return arcTangent(then.cross(now).norm(), then.dot(now)) * 180 / std::numbers::pi;
-}
-
-/// Returns the value of one sample of a motion whose first one is `start`; `measure` isn't of the
-/// way.
-double valueOn(const physics::Sample& sample, const physics::Sample& start, MapMeasure measure) {
-  if (const auto* quantity = std::get_if<Quantity>(&measure)) {
-    return scene::valueOn(sample, start, *quantity);
-  }
-  if (measure == MapMeasure(MapNumber::EnergyDrift)) {
-    return std::fabs(scene::valueOn(sample, start, Quantity::EnergyRatio) - 1);
-  }
-  return turnedDeg(sample, start);
-}
+using scene::Measure;
 
 std::vector<double> timesOf(double interval, double duration) {
   constexpr double kRounding = 1e-9;
@@ -69,15 +47,7 @@ double flipIntervalOf(const MapRun& run, const MapPlan& plan, Stop stop) {
 double largestOf(const MapRun& run, const MapPlan& plan, Stop stop) {
   const Trajectory trajectory = simulate(run.motion, timesOf(run.interval, plan.duration), stop);
   if (trajectory.divergedAt) return kDiverged;
-  if (const auto* quantity = std::get_if<Quantity>(&plan.measure)) {
-    return reduced(trajectory, *quantity);
-  }
-  if (plan.is(MapNumber::EnergyDrift)) return reduced(trajectory, Quantity::EnergyRatio);
-  double largest = 0;
-  for (const physics::Sample& sample : trajectory.samples) {
-    largest = std::max(largest, valueOn(sample, trajectory.samples.front(), plan.measure));
-  }
-  return largest;
+  return reduced(trajectory, plan.measure);
 }
 
 double lastOf(MotionSettings motion, const MapPlan& plan) {
@@ -87,20 +57,24 @@ double lastOf(MotionSettings motion, const MapPlan& plan) {
   return ValueOverTime(motion, plan.measure).at(plan.duration);
 }
 
+/// Returns the value of a run whose turns needn't be counted.
+double measured(const MapRun& run, const MapPlan& plan, Stop stop) {
+  if (plan.is(Measure::Growth)) return physics::tiltGrowth(modelInertia(run.motion));
+  if (plan.is(Measure::FlipInterval)) return flipIntervalOf(run, plan, stop);
+  if (plan.moment == scene::MapMoment::Largest) return largestOf(run, plan, stop);
+  return lastOf(run.motion, plan);
+}
+
 double valueOf(const MapRun& run, const MapPlan& plan, Stop stop) {
   try {
-    if (plan.is(MapNumber::Growth)) return physics::tiltGrowth(modelInertia(run.motion));
-    if (plan.is(MapNumber::FlipInterval)) return flipIntervalOf(run, plan, stop);
-    if (plan.moment == scene::MapMoment::Largest) return largestOf(run, plan, stop);
-    return lastOf(run.motion, plan);
+    return measured(run, plan, stop);
   } catch (const InputError&) {  // StepError, too
   }
   return kRefused;
 }
 
 bool countsTurns(const MapPlan& plan) {
-  return plan.is(Quantity::HalfTurns) || plan.is(Quantity::DivergesAt) ||
-         plan.is(MapNumber::FirstFlip);
+  return plan.is(Measure::HalfTurns) || plan.is(Measure::DivergesAt) || plan.is(Measure::FirstFlip);
 }
 
 /// Looks at whole frames, so that no step is made in parts; at no more of them than anybody waits
@@ -124,19 +98,19 @@ ensemble::WatchedMotion watchedMotion(const MapRun& run, double duration) {
 }
 
 double turnsOf(const ensemble::Outcome& outcome, const MapPlan& plan) {
-  if (plan.is(MapNumber::FirstFlip) && outcome.firstTurn) return *outcome.firstTurn;
+  if (plan.is(Measure::FirstFlip) && outcome.firstTurn) return *outcome.firstTurn;
   if (outcome.isRefused) return kRefused;
-  if (plan.is(Quantity::DivergesAt)) return outcome.divergedAt.value_or(kNever);
+  if (plan.is(Measure::DivergesAt)) return outcome.divergedAt.value_or(kNever);
   if (outcome.divergedAt) return kDiverged;
-  return plan.is(MapNumber::FirstFlip) ? kNever : outcome.halfTurns;
+  return plan.is(Measure::FirstFlip) ? kNever : outcome.halfTurns;
 }
 
 }  // namespace
 
-ValueOverTime::ValueOverTime(const MotionSettings& motion, MapMeasure measure) : measure_(measure) {
-  const auto is = [&](Quantity quantity) { return measure == MapMeasure(quantity); };
-  const bool isOfExact = is(Quantity::ErrorDeg) || is(Quantity::Regime);
-  if (motion.simulation.model == physics::Model::Exact && is(Quantity::TiltDeg)) {
+ValueOverTime::ValueOverTime(const MotionSettings& motion, Measure measure) : measure_(measure) {
+  const auto is = [&](Measure one) { return measure == one; };
+  const bool isOfExact = is(Measure::ErrorDeg) || is(Measure::Regime);
+  if (motion.simulation.model == physics::Model::Exact && is(Measure::TiltDeg)) {
     tilt_.emplace(motion);
   } else {
     simulation_.emplace(motion, isOfExact ? physics::Compared::WithExact : physics::Compared::No);
@@ -147,7 +121,7 @@ double ValueOverTime::at(double time) {
   if (tilt_) return tilt_->degAt(time);
   const std::optional<physics::Sample> sample = simulation_->sampleOnce(time);
   if (!sample) return kDiverged;
-  return valueOn(*sample, simulation_->trajectory().samples.front(), measure_);
+  return scene::valueOn(*sample, simulation_->trajectory().samples.front(), measure_);
 }
 
 std::vector<double> valuesOf(std::span<const MapRun> runs, const MapPlan& plan, Stop stop) {

@@ -15,11 +15,11 @@ namespace rotatebook::study {
 
 /// The settings that all runs of a map have in common.
 struct MapPlan {
-  scene::MapMeasure measure;
+  scene::Measure measure;
   scene::MapMoment moment;
   double duration;  // [s]
 
-  bool is(scene::MapMeasure other) const { return measure == other; }
+  bool is(scene::Measure other) const { return measure == other; }
 };
 
 /// A motion that is looked at from interval to interval.
@@ -32,13 +32,13 @@ struct MapRun {
 class ValueOverTime {
  public:
   /// Takes a measure that isn't of the way. Throws as physics::Simulation does.
-  ValueOverTime(const physics::MotionSettings& motion, scene::MapMeasure measure);
+  ValueOverTime(const physics::MotionSettings& motion, scene::Measure measure);
 
   /// Returns the value at `time`, not before those so far [s], or kDiverged. Throws StepError.
   double at(double time);
 
  private:
-  scene::MapMeasure measure_;
+  scene::Measure measure_;
   std::optional<physics::ExactTilt> tilt_{};         // that of an exact motion, or
   std::optional<physics::Simulation> simulation_{};  // samples
 };

@@ -5,13 +5,13 @@
 
 namespace rotatebook::study {
 
-double reduced(const physics::Trajectory& trajectory, scene::Quantity quantity) {
-  if (quantity == scene::Quantity::Regime) {
+double reduced(const physics::Trajectory& trajectory, scene::Measure measure) {
+  if (measure == scene::Measure::Regime) {
     return static_cast<double>(trajectory.samples.back().regime);
   }
-  const scene::Expectation whole{.quantity = quantity};
+  const scene::Expectation whole{.measure = measure};
   const scene::ExpectationResult range = scene::check(trajectory, {&whole, 1}).front();
-  const double rest = scene::restOf(quantity);
+  const double rest = scene::rowOf(measure).rest;
   return std::max(std::fabs(range.lowest - rest), std::fabs(range.highest - rest));
 }
 

@@ -19,13 +19,13 @@ namespace {
 
 using physics::MotionSettings;
 using physics::Trajectory;
-using scene::Quantity;
+using scene::Measure;
 
 void measure(const Trajectory& trajectory, PrecisionRow& row) {
-  row.errorDeg = reduced(trajectory, Quantity::ErrorDeg);
+  row.errorDeg = reduced(trajectory, Measure::ErrorDeg);
   row.finalErrorDeg = trajectory.samples.back().errorDeg;
-  row.energyDrift = reduced(trajectory, Quantity::EnergyRatio);
-  row.momentumDrift = reduced(trajectory, Quantity::MomentumRatio);
+  row.energyDrift = reduced(trajectory, Measure::EnergyRatio);
+  row.momentumDrift = reduced(trajectory, Measure::MomentumRatio);
   row.halfTurns = trajectory.samples.back().halfTurns;
 }
 

@@ -63,8 +63,8 @@ std::string tiltCsv(const TiltStudy& study) {
 std::string sweepCsv(const SweepStudy& result, const scene::Sweep& sweep) {
   std::string text = sweep.over.key;
   if (sweep.curves) text += "," + sweep.curves->key;
-  for (const scene::Quantity quantity : sweep.measures)
-    text += "," + std::string(scene::nameOf(quantity));
+  for (const scene::Measure measure : sweep.measures)
+    text += "," + std::string(scene::nameOf(measure));
   text += ",status\n";
   for (const SweepRow& row : result.rows) {
     text += row.value;

@@ -10,18 +10,18 @@
 namespace rotatebook::study {
 namespace {
 
-using scene::Quantity;
+using scene::Measure;
 
-SweepRow runOne(const scene::SweepRun& run, const std::vector<Quantity>& measures,
+SweepRow runOne(const scene::SweepRun& run, const std::vector<Measure>& measures,
                 std::int64_t samples, const Execution& execution) {
   SweepRow row{run.value, run.curve};
   row.length = static_cast<double>(samples - 1) * run.motion.simulation.timePerFrame;
   const auto trajectory = wholeMotion(run.motion, samples, execution.stop, row.end);
-  for (const Quantity quantity : measures) {
+  for (const Measure measure : measures) {
     double value = kNoNumber;
-    if (trajectory) value = reduced(*trajectory, quantity);
+    if (trajectory) value = reduced(*trajectory, measure);
     const bool diverged = row.end.kind == RunEnd::Kind::Diverged;
-    if (diverged && quantity == Quantity::DivergesAt) value = row.end.time;
+    if (diverged && measure == Measure::DivergesAt) value = row.end.time;
     row.measured.push_back(value);
   }
   return row;
@@ -47,14 +47,14 @@ std::optional<SweepStudy> runSweep(const scene::Scene& scene, const scene::Study
 }
 
 std::string ExpectedOfRun::subject() const {
-  return std::string(nameOf(expectation.quantity)) + " at " + value +
+  return std::string(nameOf(expectation.measure)) + " at " + value +
          (curve.empty() ? "" : ", " + curve);
 }
 
 std::vector<ExpectedOfRun> expectedOf(const SweepStudy& result, const scene::Sweep& sweep) {
   std::vector<ExpectedOfRun> all;
   for (const scene::SweepExpectation& one : sweep.expected) {
-    const auto measure = std::ranges::find(sweep.measures, one.quantity) - sweep.measures.begin();
+    const auto measure = std::ranges::find(sweep.measures, one.measure) - sweep.measures.begin();
     for (const SweepRow& row : result.rows) {
       if (row.value != one.at.value_or(row.value)) continue;
       if (row.curve != one.curve.value_or(row.curve)) continue;

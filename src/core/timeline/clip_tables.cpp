@@ -7,13 +7,13 @@ namespace rotatebook::timeline {
 namespace {
 
 using scene::GridAxis;
-using scene::Quantity;
+using scene::Measure;
 
 /// Returns the quantities that a single moment has.
-std::vector<Quantity> momentaryQuantities() {
-  std::vector<Quantity> all;
-  for (const Quantity quantity : scene::allQuantities()) {
-    if (quantity != Quantity::DivergesAt) all.push_back(quantity);
+std::vector<Measure> momentaryMeasures() {
+  std::vector<Measure> all;
+  for (const Measure measure : scene::measuresOfMotions()) {
+    if (rowOf(measure).span == scene::MeasureSpan::Moment) all.push_back(measure);
   }
   return all;
 }
@@ -28,9 +28,9 @@ std::string valueCell(const std::optional<GridAxis>& axis, std::size_t index) {
 
 std::string numbersOf(const physics::Trajectory& trajectory) {
   std::string text = shortestText(trajectory.samples.back().time);
-  for (const Quantity quantity : momentaryQuantities()) {
+  for (const Measure measure : momentaryMeasures()) {
     text += ',' + shortestText(scene::valueOn(trajectory.samples.back(), trajectory.samples.front(),
-                                              quantity));
+                                              measure));
   }
   return text + ',' + (trajectory.divergedAt ? shortestText(*trajectory.divergedAt) : "");
 }
@@ -40,7 +40,7 @@ std::string numbersOf(const physics::Trajectory& trajectory) {
 std::string gridCsv(const scene::Scene& scene, const ClipMotion& motion) {
   const scene::GridSettings& grid = *scene.grid;
   std::string text = keyCell(grid.columns) + keyCell(grid.rows) + "time_s";
-  for (const Quantity quantity : momentaryQuantities()) text += ',' + std::string(nameOf(quantity));
+  for (const Measure measure : momentaryMeasures()) text += ',' + std::string(nameOf(measure));
   text += ",diverges_at\n";
   const std::size_t columns = grid.columnCount();
   for (std::size_t i = 0; i < motion.trajectories().size(); ++i) {

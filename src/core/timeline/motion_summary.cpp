@@ -14,12 +14,21 @@ bool MotionSummary::met() const {
   return !divergesUnexpectedly && std::ranges::all_of(expectations, &scene::ExpectationResult::met);
 }
 
+std::vector<double> flipsOf(const physics::Trajectory& trajectory) {
+  std::vector<double> flips;
+  for (const Sample& sample : trajectory.samples) {
+    flips.resize(std::max(flips.size(), static_cast<std::size_t>(sample.halfTurns)), sample.time);
+  }
+  return flips;
+}
+
 MotionSummary summarize(const scene::Panel& motion, const physics::Trajectory& trajectory) {
   const std::vector<Sample>& samples = trajectory.samples;
   MotionSummary summary{
       .motion = motion,
       .frames = samples.size(),
       .halfTurns = samples.back().halfTurns,
+      .flips = flipsOf(trajectory),
       .divergedAt = trajectory.divergedAt,
       .divergesUnexpectedly = divergesUnexpectedly(trajectory, motion.expectations),
       .expectations = check(trajectory, motion.expectations)};

@@ -19,6 +19,7 @@ struct MotionSummary {
   scene::Panel motion;     ///< The settings; without a label if the scene has no panels.
   std::size_t frames = 0;  ///< Number of samples.
   int halfTurns = 0;
+  std::vector<double> flips{};  ///< flipsOf(). [s]
   double lowestEnergy = 1;
   double highestEnergy = 1;
   /// Largest Sample::errorDeg; nothing for Model::Exact, which is what it is measured against.
@@ -34,6 +35,10 @@ struct MotionSummary {
   /// Returns whether all expectations are met and no divergence is unexpected.
   bool met() const;
 };
+
+/// Returns the times of the samples at which the half-turns are counted, each as often as there
+/// were some since the sample before, ascending. [s]
+std::vector<double> flipsOf(const physics::Trajectory& trajectory);
 
 /// Returns what `trajectory`, simulated from `motion`, did.
 MotionSummary summarize(const scene::Panel& motion, const physics::Trajectory& trajectory);

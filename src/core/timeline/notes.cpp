@@ -61,15 +61,15 @@ std::string axisAcross(const Eigen::Vector3d& spin) {
 
 void addSteadyNote(const scene::Panel& panel, const rigid::PrincipalAxes& inertia,
                    const DoubleDouble3& spin, std::vector<std::string>& notes) {
-  const auto [smallest, median, largest] = rigid::axesByInertia(inertia.moments);
-  if (inertia.moments[smallest] == inertia.moments[median] ||
-      inertia.moments[median] == inertia.moments[largest]) {
+  const Eigen::Vector3d moments = rigid::withEqualMoments(inertia).moments;
+  const auto [smallest, middle, largest] = rigid::axesByInertia(moments);
+  if (moments[smallest] == moments[middle] || moments[middle] == moments[largest]) {
     return;  // It tumbles about no axis.
   }
   const auto turns = [&spin](int axis) { return spin[static_cast<std::size_t>(axis)].high != 0; };
-  if (turns(smallest) + turns(median) + turns(largest) != 1) return;
+  if (turns(smallest) + turns(middle) + turns(largest) != 1) return;
   const std::string across = axisAcross(panel.initial.tilted());
-  if (turns(median)) {
+  if (turns(middle)) {
     notes.push_back(
         "the spin is exactly about the middle axis, where nothing starts the tumbling; "
         "add initial.tilt, for example [0.001, " +

@@ -6,6 +6,7 @@
 
 #include "base/double_double.h"
 #include "base/elementary.h"
+#include "physics/measure/exact_tilt.h"
 #include "physics/motion_start.h"
 #include "rigid/polhode.h"
 
@@ -39,6 +40,19 @@ EqualMoments equalOf(const DoubleDouble3& inertia) {
   if (small && large) return EqualMoments::All;
   if (small) return EqualMoments::TwoSmallest;
   return large ? EqualMoments::TwoLargest : EqualMoments::None;
+}
+
+/// Returns a spin about the axis of a turned symmetric top, or across it, as exactly that: the
+/// directions of both are rounded to doubles, and such a difference never grows.
+DoubleDouble3 withoutRounding(DoubleDouble3 spin, const PrincipalAxes& inertia) {
+  constexpr double kRounding = 1e-15;  // Of the spin; measured 2e-16.
+  const bool isTurned = !inertia.bodyFromPrincipal.isIdentity(0);
+  if (!isTurned || equalOf(sortedOf(inertia, spin).inertia) == EqualMoments::None) return spin;
+  const double size = hypotenuse(hypotenuse(spin[0], spin[1]), spin[2]).high;
+  for (DoubleDouble& part : spin) {
+    if (std::fabs(part.high) < kRounding * size) part = 0.0;
+  }
+  return spin;
 }
 
 DoubleDouble twiceEnergy(const Sorted& s) {
@@ -105,6 +119,23 @@ void setMargin(const Sorted& sorted, Spin& spin) {
   spin.toSeparatrix = arcTangent(sine, std::sqrt(std::max(0.0, (1 - sine) * (1 + sine))));
 }
 
+/// Returns the time within one period at which the spun axis' angle to L passes 120 degrees.
+std::optional<double> firstFlipOf(physics::MotionSettings settings, double period) {
+  constexpr double kTurnedOver = 120;  // [degrees]
+  constexpr int kLooks = 512, kHalvings = 60;
+  settings.nudges.clear();
+  const physics::ExactTilt tilt(settings);
+  const auto isOver = [&](double time) { return tilt.degAt(time) > kTurnedOver; };
+  double step = period / kLooks, time = step;
+  while (time < period && !isOver(time)) time += step;
+  if (time >= period) return std::nullopt;
+  for (int i = 0; i < kHalvings; ++i) {
+    step /= 2;
+    if (isOver(time - step)) time -= step;
+  }
+  return time;
+}
+
 }  // namespace
 
 std::optional<double> Spin::flipInterval() const {
@@ -114,8 +145,8 @@ std::optional<double> Spin::flipInterval() const {
 }
 
 Spin spinOf(const physics::MotionSettings& settings) {
-  const PrincipalAxes inertia = modelInertia(settings);
-  const DoubleDouble3 along = settings.initial.alongPrincipal(inertia);
+  const PrincipalAxes inertia = rigid::withEqualMoments(modelInertia(settings));
+  const DoubleDouble3 along = withoutRounding(settings.initial.alongPrincipal(inertia), inertia);
   const Sorted sorted = sortedOf(inertia, along);
 
   Spin spin;
@@ -132,6 +163,7 @@ Spin spinOf(const physics::MotionSettings& settings) {
   setSpunAxis(sorted, spin);
   spin.period = periodOf(inertia, along, sorted, spin.regime);
   if (spin.equal == EqualMoments::None) setMargin(sorted, spin);
+  if (spin.flipInterval()) spin.firstFlip = firstFlipOf(settings, spin.period->time);
   return spin;
 }
 

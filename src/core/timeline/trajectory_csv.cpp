@@ -1,5 +1,7 @@
 #include "timeline/trajectory_csv.h"
 
+#include <optional>
+
 #include "base/number_text.h"
 
 namespace rotatebook::timeline {
@@ -14,7 +16,7 @@ std::string header() {
       text += ",c" + std::to_string(corner) + axis;
     }
   }
-  return text + ",error_deg,energy_ratio,L_ratio,regime,centre_drift_m\n";
+  return text + ",error_deg,energy_ratio,L_ratio,regime,centre_drift_m,last_flip_s\n";
 }
 
 void append(std::string& row, double value) {
@@ -27,7 +29,7 @@ void appendAll(std::string& row, const Values& values) {
 }
 
 void appendRow(std::string& text, std::size_t frame, const physics::Sample& sample,
-               const physics::Sample& start) {
+               const physics::Sample& start, std::optional<double> lastFlip) {
   text += std::to_string(frame);
   append(text, sample.time);
   append(text, sample.attitude.w());
@@ -47,7 +49,7 @@ void appendRow(std::string& text, std::size_t frame, const physics::Sample& samp
   append(text, sample.angularMomentum.norm() / start.angularMomentum.norm());
   text += ',' + std::to_string(static_cast<int>(sample.regime));
   append(text, sample.centreDrift());
-  text += '\n';
+  text += ',' + (lastFlip ? shortestText(*lastFlip) : "") + '\n';
 }
 
 }  // namespace
@@ -57,8 +59,13 @@ void writeCsv(const physics::Trajectory& trajectory,
   requireSameLayout();
   constexpr std::size_t kPieceSize = 65'536;  // [bytes]
   std::string text = header();
+  int flips = 0;
+  std::optional<double> lastFlip;
   for (std::size_t frame = 0; frame < trajectory.samples.size(); ++frame) {
-    appendRow(text, frame, trajectory.samples[frame], trajectory.samples.front());
+    const physics::Sample& sample = trajectory.samples[frame];
+    if (sample.halfTurns > flips) lastFlip = sample.time;
+    flips = sample.halfTurns;
+    appendRow(text, frame, sample, trajectory.samples.front(), lastFlip);
     if (text.size() < kPieceSize) continue;
     take(text);
     text.clear();

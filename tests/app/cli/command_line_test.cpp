@@ -1,4 +1,5 @@
 // Answers about the command line itself: version, help, and words that mean nothing.
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@ using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
 using ::testing::Not;
 using ::testing::StartsWith;
 
@@ -28,28 +30,39 @@ class CommandLine : public ProgramTest {
   }
 };
 
-class HelpText : public ProgramTest, public ::testing::WithParamInterface<const char*> {};
+class HelpText : public ProgramTest {
+ protected:
+  /// Returns the names of the commands, as the program's own help lists them.
+  std::vector<std::string> commands() {
+    std::istringstream help(run({"--help"}).output);
+    std::vector<std::string> names;
+    bool isList = false;
+    for (std::string line; std::getline(help, line);) {
+      if (line == "Commands:") isList = true;
+      if (line.empty()) isList = false;
+      // A command's line has its name two columns in; what is deeper goes on with its description.
+      if (isList && line.starts_with("  ") && line[2] != ' ') {
+        names.push_back(line.substr(2, line.find(' ', 2) - 2));
+      }
+    }
+    return names;
+  }
+};
 
-TEST_P(HelpText, ShowsAnExampleOfTheCommand) {
-  const std::string command = GetParam();
-  const ChildResult result = run({command, "--help"});
-  EXPECT_EQ(result.status, 0);
-  EXPECT_THAT(result.error, IsEmpty());
-  EXPECT_THAT(result.output, HasSubstr("\nUsage: rotatebook " + command + " "));
-  EXPECT_THAT(result.output, ContainsRegex("\n  rotatebook " + command + "[ \n]"));
+TEST_F(HelpText, ListsTheCommands) {
+  EXPECT_THAT(commands(), IsSupersetOf({"render", "map", "submit", "judge", "toss", "page"}));
 }
 
-INSTANTIATE_TEST_SUITE_P(Commands, HelpText,
-                         ::testing::Values("render", "simulate", "study", "still", "diff", "check",
-                                           "scene", "assemble", "list", "doctor", "verify", "rerun",
-                                           "help", "version", "sheet", "bench", "spin", "body",
-                                           "new"),
-                         [](const auto& command) { return std::string(command.param); });
-
-TEST_P(HelpText, IsThatOfTheCommandHelp) {
-  const ChildResult result = run({"help", GetParam()});
-  EXPECT_EQ(result.status, 0);
-  EXPECT_EQ(result.output, run({GetParam(), "--help"}).output);
+TEST_F(HelpText, ShowsAnExampleOfEachCommand) {
+  for (const std::string& command : commands()) {
+    SCOPED_TRACE(command);
+    const ChildResult result = run({command, "--help"});
+    EXPECT_EQ(result.status, 0);
+    EXPECT_THAT(result.error, IsEmpty());
+    EXPECT_THAT(result.output, HasSubstr("\nUsage: rotatebook " + command + " "));
+    EXPECT_THAT(result.output, ContainsRegex("\n  rotatebook " + command + "[ \n]"));
+    EXPECT_EQ(run({"help", command}).output, result.output);
+  }
 }
 
 TEST_F(CommandLine, PrintsTheVersion) {
@@ -63,11 +76,6 @@ TEST_F(CommandLine, PrintsTheVersion) {
 TEST_F(CommandLine, HelpNamesCommandsExamplesAndExitStatus) {
   const ChildResult result = run({"--help"});
   EXPECT_EQ(result.status, 0);
-  for (const char* command :
-       {"render", "simulate", "study", "still", "diff", "check", "scene", "assemble", "list",
-        "doctor", "verify", "rerun", "spin", "body", "new"}) {
-    EXPECT_THAT(result.output, HasSubstr("\n  " + std::string(command) + " "));
-  }
   EXPECT_THAT(result.output, AllOf(HasSubstr("\n  rotatebook render scenes/starter.toml\n"),
                                    HasSubstr("\nExit status: 0 done; 1 ")));
   EXPECT_EQ(run({"help"}).output, result.output);

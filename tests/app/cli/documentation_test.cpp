@@ -56,7 +56,7 @@ label = "three"
 
 constexpr const char* kMap = R"([map]
 x = { key = "moments.smallest", from = 0, to = 1 }
-y = { key = "moments.median", from = 0.5, to = 1 }
+y = { key = "moments.middle", from = 0.5, to = 1 }
 measure = "growth"
 size = [8, 6]
 colours = { from = 0, to = 1 }

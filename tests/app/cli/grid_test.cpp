@@ -110,9 +110,9 @@ TEST_F(GridCommands, ReportsExpectationsOfTheCellsThatHaveThem) {
                           "clip.duration=0.2", "--set", "grid.rows.values=[1, 4, 8]", "--set",
                           "grid.expect=[{ column = 0.01, row = 4, half_turns = { max = 0 } }]"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(result.output, HasSubstr("  9 motions: 0 to 0 half-turns; none diverged\n"
+  EXPECT_THAT(result.output, HasSubstr("  9 motions: 0 to 0 flips; none diverged\n"
                                        "  tilt 0.01, substeps 4:\n"
-                                       "  met    half_turns: expected at most 0; measured 0\n"));
+                                       "  met      half_turns: expected at most 0; measured 0\n"));
 }
 
 TEST_F(GridCommands, ABookThatDivergesIsShownAsSuch) {

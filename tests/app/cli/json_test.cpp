@@ -42,7 +42,7 @@ constexpr const char* kWrong = "wrong.toml:1:1: unknown key \"titel\"; did you m
 constexpr const char* kWrongInJson =
     R"("ok": false, "errors": ["wrong.toml:1:1: unknown key \"titel\"; did you mean \"title\"?"])";
 constexpr const char* kTitleInJson = R"("title": "Größe \"x\" \\ 書")";
-constexpr const char* kUnmet = "rotatebook: expectations are unmet; the files were kept\n";
+constexpr const char* kUnmet = "rotatebook: expectations are not met; the files were kept\n";
 
 TEST_F(Json, OfAStudyThatCantBeWrittenHasTheError) {
   fs::create_directories(folder() / "out/b-study.csv");
@@ -131,7 +131,7 @@ TEST_F(Json, OfSpinHasItsNumbers) {
   EXPECT_EQ(result.status, 0);
   EXPECT_THAT(result.error, IsEmpty());
   expectKeys(result.output, "name title motions");
-  EXPECT_THAT(result.output, AllOf(HasSubstr(kTitleInJson), HasSubstr(R"("spun_axis": "median", )"),
+  EXPECT_THAT(result.output, AllOf(HasSubstr(kTitleInJson), HasSubstr(R"("spun_axis": "middle", )"),
                                    HasSubstr(R"("euler": {"substeps": )")));
 }
 

@@ -56,7 +56,7 @@ TEST_F(MapCommand, WritesPicturesValuesAndAxesWithoutGraphics) {
       result.output,
       AllOf(StartsWith("turns: Turns\n  4000 runs: values from 0 to "),
             HasSubstr("\n  here at [5, 0.01]: "),
-            HasSubstr("\n  met    largest value: expected at least 1, at most 999; measured "),
+            HasSubstr("\n  met      largest value: expected at least 1, at most 999; measured "),
             EndsWith("\n  wrote out/turns.png, out/turns.plain.png, out/turns.npy, "
                      "out/turns.json and out/turns.csv\n")));
   EXPECT_THAT(files(), ElementsAre("out/", "out/turns.csv", "out/turns.json", "out/turns.npy",
@@ -69,7 +69,8 @@ TEST_F(MapCommand, SaysWhatIsUnmet) {
   const ChildResult result =
       run({"map", "turns.toml", "--set", "map.expect=[{of='largest', max=0}]"});
   EXPECT_EQ(result.status, 1);
-  EXPECT_THAT(result.output, HasSubstr("\n  UNMET  largest value: expected at most 0; measured "));
+  EXPECT_THAT(result.output,
+              HasSubstr("\n  not met  largest value: expected at most 0; measured "));
   EXPECT_TRUE(has("out/turns.png"));
 }
 

@@ -35,7 +35,7 @@ class ShippedMap : public ProgramTest {
                    const std::vector<std::string>& overrides) const {
     const ChildResult result = map(name, size, overrides);
     EXPECT_EQ(result.status, 1) << result.output << result.error;
-    EXPECT_THAT(result.output, HasSubstr("\n  UNMET  "));
+    EXPECT_THAT(result.output, HasSubstr("\n  not met  "));
   }
 };
 

@@ -41,9 +41,9 @@ TEST_F(PanelCommands, RenderReportsEachPanel) {
       HasSubstr("out/pair.mp4, out/pair_one.csv, out/pair_two.csv and out/pair.poster.png\n"));
   EXPECT_THAT(withoutDistances(result.output),
               EndsWith("  one:\n"
-                       "  met    half_turns: expected at most 0; measured 0\n"
+                       "  met      half_turns: expected at most 0; measured 0\n"
                        "  two:\n"
-                       "  UNMET  half_turns: expected at least 1; measured 0\n"));
+                       "  not met  half_turns: expected at least 1; measured 0\n"));
   EXPECT_EQ(countOf(" degrees of the exact motion\n", result.output), 2);
   EXPECT_THAT(files(), IsSupersetOf({"out/pair.mp4", "out/pair_one.csv", "out/pair_two.csv"}));
 }

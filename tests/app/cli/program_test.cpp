@@ -96,7 +96,7 @@ int ProgramTest::expectSameFiles(const std::string& folder, const std::string& o
 
 std::string withoutDistances(const std::string& text) {
   static const std::regex kDistance(
-      "  [0-9]+ half-turns?; energy [^\n]*; [^\n]* the exact motion[^\n]*\n");
+      "  [0-9]+ flips?(, at [^;\n]*)?; energy [^\n]*; [^\n]* the exact motion[^\n]*\n");
   return std::regex_replace(text, kDistance, "");
 }
 

@@ -56,7 +56,7 @@ TEST_F(Quiet, ResultsArePrinted) {
   EXPECT_EQ(run({"list", ".", "-q"}).output, "./tiny.toml   0.2 s  Tiny\n");
   const std::vector<std::string> table{"simulate", "tiny.toml", "--csv", "-"};
   const ChildResult loud = run(table);
-  EXPECT_THAT(loud.error, HasSubstr(" half-turns; "));
+  EXPECT_THAT(loud.error, HasSubstr(" flips; "));
   const ChildResult quiet = run({"-q", "simulate", "tiny.toml", "--csv", "-"});
   EXPECT_EQ(quiet.output, loud.output);
   EXPECT_THAT(quiet.error, IsEmpty());
@@ -77,8 +77,8 @@ TEST_F(Quiet, TheReasonOfAFailureIsPrinted) {
       {"simulate", "tiny.toml", "-q", "--set", "expect.half_turns={ min = 3 }", "--csv", "x.csv"});
   EXPECT_EQ(unmet.status, 1);
   EXPECT_THAT(unmet.output, IsEmpty());
-  EXPECT_THAT(unmet.error, AllOf(HasSubstr("UNMET  half_turns: expected at least 3"),
-                                 HasSubstr("rotatebook: expectations are unmet")));
+  EXPECT_THAT(unmet.error, AllOf(HasSubstr("not met  half_turns: expected at least 3"),
+                                 HasSubstr("rotatebook: expectations are not met")));
   run({"still", "tiny.toml", "--time", "0", "-o", "a.png"});
   run({"still", "tiny.toml", "--time", "0.2", "-o", "b.png"});
   const ChildResult different = run({"diff", "a.png", "b.png", "-q"});

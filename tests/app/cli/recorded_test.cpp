@@ -66,7 +66,7 @@ TEST_F(Recorded, AreJudgedByBounds) {
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.output,
               AllOf(HasSubstr("  NOT MET energy_drift: expected at most 0.01; measured 0.4754\n"),
-                    HasSubstr("  met    half_turns: expected 3 due; measured 3\n")));
+                    HasSubstr("  met      half_turns: expected 3 due; measured 3\n")));
   EXPECT_THAT(read("bad.xml"),
               AllOf(HasSubstr("failures=\"3\""),
                     HasSubstr("<failure message=\"at most 0.01; measured 0.4754\"/>")));

@@ -56,7 +56,7 @@ TEST_F(RenderCommand, OfAPartLeavesFramesAloneAndExpectsNothing) {
       run(std::vector<std::string>{"render", "tiny.toml", "--part", "2/3"} + kUnmet);
   EXPECT_EQ(part.status, 0) << part.error;
   EXPECT_THAT(part.output,
-              AllOf(EndsWith("\n  wrote 4 frames in out/tiny/\n"), Not(HasSubstr("half-turns"))));
+              AllOf(EndsWith("\n  wrote 4 frames in out/tiny/\n"), Not(HasSubstr(" flips"))));
   EXPECT_FALSE(has("out/tiny.csv") || has("out/tiny.poster.png"));
   EXPECT_TRUE(has("out/tiny/frame_00004.png") && has("out/tiny/frame_00007.png"));
   EXPECT_FALSE(has("out/tiny/frame_00003.png") || has("out/tiny/frame_00008.png"));
@@ -276,8 +276,9 @@ TEST_F(RenderCommand, RefusesToMixFramesOfOtherSettings) {
 TEST_F(RenderCommand, KeepsTheFilesOfAnUnmetExpectation) {
   const ChildResult result = run(std::vector<std::string>{"render", "tiny.toml"} + kUnmet);
   EXPECT_EQ(result.status, 1);
-  EXPECT_THAT(result.output, HasSubstr("\n  UNMET  half_turns: expected at least 3; measured 0\n"));
-  EXPECT_EQ(result.error, "rotatebook: expectations are unmet; the files were kept\n");
+  EXPECT_THAT(result.output,
+              HasSubstr("\n  not met  half_turns: expected at least 3; measured 0\n"));
+  EXPECT_EQ(result.error, "rotatebook: expectations are not met; the files were kept\n");
   EXPECT_THAT(files(), AllOf(Contains("out/tiny.mp4"), Contains("out/tiny.csv"),
                              Contains("out/tiny/frame_00011.png")));
 }
@@ -286,7 +287,7 @@ TEST_F(RenderCommand, SaysThatAnExpectationIsMet) {
   const ChildResult result =
       run({"render", "tiny.toml", "--no-png", "--set", "expect.half_turns={max = 0}"});
   EXPECT_EQ(result.status, 0);
-  EXPECT_THAT(result.output, EndsWith("\n  met    half_turns: expected at most 0; measured 0\n"));
+  EXPECT_THAT(result.output, EndsWith("\n  met      half_turns: expected at most 0; measured 0\n"));
   EXPECT_THAT(result.error, IsEmpty());
 }
 

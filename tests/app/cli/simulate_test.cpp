@@ -17,7 +17,8 @@ using SimulateCommand = ProgramTest;
 constexpr const char* kHeader =
     "frame,time_s,qw,qx,qy,qz,wx,wy,wz,Lx,Ly,Lz,kinetic_J,potential_J,total_J,tilt_deg,half_turns,"
     "stretch_min,stretch_max,c0x,c0y,c0z,c1x,c1y,c1z,c2x,c2y,c2z,c3x,c3y,c3z,c4x,c4y,c4z,c5x,c5y,"
-    "c5z,c6x,c6y,c6z,c7x,c7y,c7z,error_deg,energy_ratio,L_ratio,regime,centre_drift_m\n";
+    "c5z,c6x,c6y,c6z,c7x,c7y,c7z,error_deg,energy_ratio,L_ratio,regime,centre_drift_m,"
+    "last_flip_s\n";
 constexpr int kColumns = 48;
 constexpr int kTableRows = 12;
 
@@ -25,7 +26,7 @@ TEST_F(SimulateCommand, WritesATableWithoutGraphics) {
   const ChildResult result = runWithoutGraphics({"simulate", "tiny.toml", "--csv", "t.csv"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(result.output, MatchesRegex("tiny: Tiny\n  wrote t.csv, 12 rows\n"
-                                          "  0 half-turns; energy kept to [0-9]e-1[0-9]; within "
+                                          "  0 flips; energy kept to [0-9]e-1[0-9]; within "
                                           "[0-9]e-1[0-9] degrees of the exact motion\n"));
   EXPECT_THAT(files(), ElementsAre("t.csv"));
   EXPECT_THAT(read("t.csv"), StartsWith(kHeader));
@@ -36,12 +37,12 @@ TEST_F(SimulateCommand, WritesATableWithoutGraphics) {
 TEST_F(SimulateCommand, ReportsAloneWithoutATable) {
   const ChildResult result = runWithoutGraphics({"simulate", "tiny.toml"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(result.output, MatchesRegex("tiny: Tiny\n  0 half-turns; energy kept to [^\n]*\n"));
+  EXPECT_THAT(result.output, MatchesRegex("tiny: Tiny\n  0 flips; energy kept to [^\n]*\n"));
   EXPECT_THAT(files(), IsEmpty());
   const ChildResult unmet =
       run({"simulate", "tiny.toml", "--set", "expect.half_turns={ min = 3 }"});
   EXPECT_EQ(unmet.status, 1);
-  EXPECT_EQ(unmet.error, "rotatebook: expectations are unmet\n");
+  EXPECT_EQ(unmet.error, "rotatebook: expectations are not met\n");
 }
 
 TEST_F(SimulateCommand, PrintsNothingButTheTableForADash) {
@@ -60,8 +61,8 @@ TEST_F(SimulateCommand, PrintsExpectationsBesideTheTable) {
   EXPECT_THAT(result.output, StartsWith(kHeader));
   EXPECT_EQ(countOf("\n", result.output), 1 + kTableRows);
   EXPECT_EQ(withoutDistances(result.error),
-            "  UNMET  half_turns: expected at least 1; measured 0\n"
-            "rotatebook: expectations are unmet\n");
+            "  not met  half_turns: expected at least 1; measured 0\n"
+            "rotatebook: expectations are not met\n");
 }
 
 TEST_F(SimulateCommand, KeepsTheTableOfAnUnmetExpectation) {
@@ -69,7 +70,7 @@ TEST_F(SimulateCommand, KeepsTheTableOfAnUnmetExpectation) {
       run({"simulate", "tiny.toml", "--csv", "t.csv", "--set", "expect.half_turns={min=1}"});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(withoutDistances(result.output),
-              EndsWith("12 rows\n  UNMET  half_turns: expected at least 1; measured 0\n"));
+              EndsWith("12 rows\n  not met  half_turns: expected at least 1; measured 0\n"));
   EXPECT_THAT(files(), ElementsAre("t.csv"));
 }
 

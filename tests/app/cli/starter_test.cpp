@@ -43,7 +43,7 @@ class EditedStarter : public ProgramTest, public ::testing::WithParamInterface<s
 TEST_P(EditedStarter, MeetsItsExpectations) {
   const ChildResult result = run({"simulate", kStarter, "--csv", "x.csv", "--set", GetParam()});
   EXPECT_EQ(result.status, 0) << result.output << result.error;
-  EXPECT_THAT(result.output, HasSubstr("\n  met    energy_ratio"));
+  EXPECT_THAT(result.output, HasSubstr("\n  met      energy_ratio"));
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -63,7 +63,7 @@ TEST_F(ProgramTest, StarterByEulerFailsItsExpectations) {
       run({"simulate", kStarter, "--csv", "x.csv", "--set", "simulation.integrator='euler'"});
   EXPECT_EQ(result.status, 1);
   EXPECT_THAT(result.output, HasSubstr("; up to 180 degrees from the exact motion; more than 10 "
-                                       "from 3.85 s on\n  UNMET  energy_ratio: "));
+                                       "from 3.85 s on\n  not met  energy_ratio: "));
 }
 
 }  // namespace

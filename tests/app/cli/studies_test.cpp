@@ -28,7 +28,7 @@ class ShippedStudy : public ProgramTest {
 TEST_F(ShippedStudy, OfEveryIntegratorFindsItsOrder) {
   const ChildResult result = study("figc-work-precision");
   EXPECT_EQ(result.status, 0) << result.output << result.error;
-  EXPECT_EQ(countOf("\n  met    order of ", result.output), 10);
+  EXPECT_EQ(countOf("\n  met      order of ", result.output), 10);
   EXPECT_EQ(countOf(",ok\n", read("out/figc-work-precision-study.csv")), 10 * 14);
 }
 
@@ -37,7 +37,7 @@ TEST_F(ShippedStudy, OfEveryIntegratorFindsNoneOfEulerOnTheFlippingBook) {
       "figc-work-precision", {"initial.angular_velocity=[4, 0, 0]", "initial.tilt=[0.001, 'z']",
                               "study.integrators=['euler', 'rk4']", "clip.duration=20"});
   EXPECT_EQ(result.status, 1);
-  EXPECT_THAT(result.output, HasSubstr("\n  UNMET  order of euler: "));
+  EXPECT_THAT(result.output, HasSubstr("\n  not met  order of euler: "));
 }
 
 TEST_F(ShippedStudy, OfTheFlipIntervalFindsTheLaw) {
@@ -49,7 +49,7 @@ TEST_F(ShippedStudy, OfTheFlipIntervalFindsTheLaw) {
 TEST_F(ShippedStudy, OfTheFlipIntervalFindsNoLawInEulersMotion) {
   const ChildResult result = study("figb-flip-interval", {"simulation.model=quaternion"});
   EXPECT_EQ(result.status, 1);
-  EXPECT_THAT(result.output, HasSubstr("\n  UNMET  flip_law: "));
+  EXPECT_THAT(result.output, HasSubstr("\n  not met  flip_law: "));
 }
 
 TEST_F(ShippedStudy, OfTheSpringsEndsWhereTheyStretch) {
@@ -74,10 +74,10 @@ class ShippedSweep : public ShippedStudy, public ::testing::WithParamInterface<S
 TEST_P(ShippedSweep, FindsWhatItExpectsAndItsTwinDoesNot) {
   const ChildResult result = study(GetParam().name);
   EXPECT_EQ(result.status, 0) << result.output << result.error;
-  EXPECT_THAT(result.output, HasSubstr("\n  met    "));
+  EXPECT_THAT(result.output, HasSubstr("\n  met      "));
   const ChildResult twin = study(GetParam().name, {GetParam().change});
   EXPECT_EQ(twin.status, 1) << twin.output << twin.error;
-  EXPECT_THAT(twin.output, HasSubstr("\n  UNMET  "));
+  EXPECT_THAT(twin.output, HasSubstr("\n  not met  "));
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -66,7 +66,7 @@ TEST_F(StudyCommand, StudiesTiltsWhereTheSceneHasThem) {
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(result.output,
               AllOf(HasSubstr("\n  tilt 0.1 "),
-                    HasSubstr("\n  met    flip_law: expected at most 0.001; measured 2.4"),
+                    HasSubstr("\n  met      flip_law: expected at most 0.001; measured 2.4"),
                     EndsWith("\n  wrote x/flips-study.csv, x/flips-study.svg and "
                              "x/flips-study.png\n")));
   EXPECT_THAT(files(), ElementsAre("flips.toml", "x/", "x/flips-study.csv", "x/flips-study.png",
@@ -87,8 +87,9 @@ TEST_F(StudyCommand, FailsIfAnExpectationIsUnmet) {
   const ChildResult result = run({"study", "tiny.toml", "--steps", "1,2,4,8", "--integrators",
                                   "rk4", "--set", "study.orders.rk4.min=5"});
   EXPECT_EQ(result.status, 1);
-  EXPECT_THAT(result.output, HasSubstr("\n  UNMET  order of rk4: expected at least 5; measured "));
-  EXPECT_EQ(result.error, "rotatebook: expectations are unmet; the files were kept\n");
+  EXPECT_THAT(result.output,
+              HasSubstr("\n  not met  order of rk4: expected at least 5; measured "));
+  EXPECT_EQ(result.error, "rotatebook: expectations are not met; the files were kept\n");
   EXPECT_TRUE(has("out/tiny-study.png"));
   EXPECT_EQ(run({"study", "flips.toml", "--set", "study.flip_law.max=1e-9"}).status, 1);
 }

@@ -9,13 +9,13 @@ namespace rotatebook::page {
 namespace {
 
 using scene::Expectation;
-using scene::Quantity;
+using scene::Measure;
 
 /// Returns the table's row about a motion with these tilts, and bounds on them.
 Check checkOf(const std::vector<double>& tilts, Expectation bounds) {
   Motion motion;
   for (const double tilt : tilts) motion.trajectory.samples.emplace_back().tiltDeg = tilt;
-  bounds.quantity = Quantity::TiltDeg;
+  bounds.measure = Measure::TiltDeg;
   motion.panel.expectations = {bounds};
   return checksOf(motion).at(0);
 }
@@ -49,7 +49,7 @@ TEST(ChecksOf, RoundsTheTimeOfADivergenceThatNobodyExpected) {
   Motion motion;
   motion.trajectory.samples.emplace_back();
   motion.trajectory.divergedAt = 5.0 / 24;
-  motion.panel.expectations = {{.quantity = Quantity::TiltDeg, .max = 1}};
+  motion.panel.expectations = {{.measure = Measure::TiltDeg, .max = 1}};
   EXPECT_EQ(checksOf(motion).at(0).measured, "0.2083 s");
 }
 

@@ -24,7 +24,7 @@ scene::Scene mapScene(const std::vector<std::string>& overrides = {}) {
       "title = 'Bodies & <more>'\n[simulation]\nmodel = 'exact'\n"
       "[initial]\nangular_velocity = [5, 0, 0]\n[map]\n"
       "x = { key = 'moments.smallest', from = 0, to = 1 }\n"
-      "y = { key = 'moments.median', from = 0.5, to = 1 }\n"
+      "y = { key = 'moments.middle', from = 0.5, to = 1 }\n"
       "size = [8, 6]\nmeasure = 'growth'\n"
       "expect = [{ of = 'largest', max = 2 }, { of = 'share', outcome = 'refused', max = 0.1 }]\n",
       "scenes/bodies.toml", overrides);

@@ -29,7 +29,7 @@ scene::Scene mapScene(const std::string& more = "") {
       "title = 'Every body there is'\ncaption = 'A caption that says what to see.'\n"
       "[simulation]\nmodel = 'exact'\n[initial]\nangular_velocity = [5, 0, 0]\n[map]\n"
       "x = { key = 'moments.smallest', from = 0, to = 1, label = 'smallest / largest' }\n"
-      "y = { key = 'moments.median', from = 0.5, to = 1, label = 'median / largest' }\n"
+      "y = { key = 'moments.middle', from = 0.5, to = 1, label = 'median / largest' }\n"
       "size = [40, 24]\nmeasure = 'growth'\n" +
           (more.empty() ? "colours = { palette = 'lagoon', from = 0, to = 1, contours = [0.3] }\n"
                           "marks = [{ moments = [1, 2.3, 3.1], label = 'book' }]\n"

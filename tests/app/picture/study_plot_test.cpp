@@ -300,7 +300,7 @@ TEST(SweepPlot, HasACurveForEachValueAndMarksMotionsThatHold) {
   scene::Sweep sweep;
   sweep.over = {"simulation.substeps", {{"1", "1", 1}, {"100", "100", 100}}};
   sweep.curves = {"simulation.model", {{"", "matrix"}, {"", "quaternion"}}};
-  sweep.measures = {scene::Quantity::DivergesAt, scene::Quantity::ErrorDeg};
+  sweep.measures = {scene::Measure::DivergesAt, scene::Measure::ErrorDeg};
   study::SweepStudy study;
   for (const char* model : {"matrix", "quaternion"}) {
     study.rows.push_back(
@@ -319,7 +319,7 @@ TEST(SweepPlot, HasACurveForEachValueAndMarksMotionsThatHold) {
 TEST(SweepPlot, HasAPlaceForEachWord) {
   scene::Sweep sweep;
   sweep.over = {"simulation.model", {{"", "matrix"}, {"", "exact"}}};
-  sweep.measures = {scene::Quantity::Stretch};
+  sweep.measures = {scene::Measure::Stretch};
   study::SweepStudy study;
   study.rows = {{"matrix", "", {}, 20, {0.5}}, {"exact", "", {}, 20, {0.0}}};
   const std::string svg = drawn(sweepPlot("Words", study, sweep));
@@ -330,7 +330,7 @@ TEST(SweepPlot, HasAPlaceForEachWord) {
 TEST(SweepPlot, HasRoomForSmallNumbersBesideTheNameOfTheAxis) {
   scene::Sweep sweep;
   sweep.over = {"simulation.substeps", {{"1", "1", 1}, {"2", "2", 2}}};
-  sweep.measures = {scene::Quantity::Stretch};
+  sweep.measures = {scene::Measure::Stretch};
   study::SweepStudy study;
   study.rows = {{"1", "", {}, 20, {0.05}}, {"2", "", {}, 20, {4e-6}}};
   const std::string svg = drawn(sweepPlot("Small", study, sweep));
@@ -344,7 +344,7 @@ TEST(SweepPlot, HasRoomForSmallNumbersBesideTheNameOfTheAxis) {
 TEST(SweepPlot, IsDrawnWithoutAnyResult) {
   scene::Sweep sweep;
   sweep.over = {"simulation.substeps", {{"1", "1", 1}}};
-  sweep.measures = {scene::Quantity::Stretch};
+  sweep.measures = {scene::Measure::Stretch};
   study::SweepStudy study;
   study.rows = {{"1", "", {study::RunEnd::Kind::Diverged, 2}, 20, {study::kNoNumber}}};
   EXPECT_THAT(drawn(sweepPlot("None", study, sweep)), HasSubstr("None"));

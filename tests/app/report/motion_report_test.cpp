@@ -61,7 +61,8 @@ std::vector<MotionSummary> exampleMotions() {
   euler.motion.simulation.model = physics::Model::Quaternion;
   euler.motion.simulation.integrator = physics::Integrator::Euler;
   euler.frames = 90;
-  euler.halfTurns = 7;
+  euler.halfTurns = 9;
+  for (int n = 1; n <= 9; ++n) euler.flips.push_back(n * 1.5);
   euler.highestEnergy = 2.5;
   euler.errorDeg = 179.96;
   euler.visibleFrom = 0.1 + 0.2;
@@ -75,10 +76,11 @@ TEST(MotionReport, HasALineForEachPanelUnderItsLabel) {
   reportMotions(exampleMotions(), out);
   EXPECT_EQ(out.str(),
             "  Exact \"one\":\n"
-            "  1 half-turn; energy kept exactly; the exact motion itself, in closed form\n"
+            "  1 flip; energy kept exactly; the exact motion itself, in closed form\n"
             "  Euler:\n"
-            "  7 half-turns; energy 1 to 2.5 of its start; up to 180 degrees from the exact "
-            "motion; more than 10 from 0.3 s on\n"
+            "  9 flips, at 1.5, 3, 4.5, 6, 7.5, 9, 10.5, 12 ... s; energy 1 to 2.5 of its start; "
+            "up to 180 "
+            "degrees from the exact motion; more than 10 from 0.3 s on\n"
             "  the motion diverges at 22.5333 s, after 90 frames\n");
 }
 
@@ -93,11 +95,12 @@ TEST(MotionReport, NamesSceneAndPanelInNotes) {
 TEST(MotionReport, IsJsonToo) {
   EXPECT_EQ(
       motionsJson(exampleMotions()),
-      R"([{"label": "Exact \"one\"", "model": "exact", "integrator": null, "half_turns": 1, )"
+      R"([{"label": "Exact \"one\"", "model": "exact", "integrator": null, "half_turns": 1, "flips_s": [], )"
       R"("energy_ratio": {"lowest": 1, "highest": 1}, "error_deg": null, "visible_from_s": null, )"
       R"("diverged_at_s": null, "met": true, "expectations": [], "notes": ["the body is 20 m )"
       R"(long; numbers without a unit are in metres: a centimetre is \"1 cm\""]}, )"
-      R"({"label": "Euler", "model": "quaternion", "integrator": "euler", "half_turns": 7, )"
+      R"({"label": "Euler", "model": "quaternion", "integrator": "euler", "half_turns": 9, )"
+      R"("flips_s": [1.5, 3, 4.5, 6, 7.5, 9, 10.5, 12, 13.5], )"
       R"("energy_ratio": {"lowest": 1, "highest": 2.5}, "error_deg": 179.96, )"
       R"("visible_from_s": 0.30000000000000004, "diverged_at_s": 22.53333333333333, "met": true, )"
       R"("expectations": [], "notes": ["the regime changes"]}])");

@@ -54,12 +54,12 @@ TEST(StudyReport, ComparesOrdersWithWhatIsExpected) {
   settings.orders = {{Integrator::Rk4, {3.9, {}}}};
   std::ostringstream out;
   EXPECT_TRUE(reportStudy(exampleStudy(), settings, out));
-  EXPECT_NE(out.str().find("\n  met    order of rk4: expected at least 3.9; measured 4.012346\n"),
+  EXPECT_NE(out.str().find("\n  met      order of rk4: expected at least 3.9; measured 4.012346\n"),
             std::string::npos);
   settings.orders = {{Integrator::Rk4, {3.9, 4}}, {Integrator::Midpoint, {2, {}}}};
   EXPECT_FALSE(reportStudy(exampleStudy(), settings, out));
-  EXPECT_NE(out.str().find("\n  UNMET  order of rk4: expected at least 3.9, at most 4; measured "
-                           "4.012346\n  UNMET  order of midpoint: expected at least 2; measured "
+  EXPECT_NE(out.str().find("\n  not met  order of rk4: expected at least 3.9, at most 4; measured "
+                           "4.012346\n  not met  order of midpoint: expected at least 2; measured "
                            "nothing\n"),
             std::string::npos);
 }
@@ -74,7 +74,7 @@ TEST(StudyReport, ReportsIntervals) {
   EXPECT_EQ(out.str(),
             "  tilt 0.1       7 flips, one every 2 s; the law says 2.5 s\n"
             "  tilt 1e-08   fewer than two flips in 12 s\n"
-            "  UNMET  flip_law: expected at most 0.1; measured nothing\n");
+            "  not met  flip_law: expected at most 0.1; measured nothing\n");
   study.rows.pop_back();
   settings.flipLaw = scene::Bounds{0.1, 0.3};
   EXPECT_TRUE(reportStudy(study, settings, out));
@@ -139,8 +139,8 @@ StudiedScene sweptScene() {
   scene::Sweep& sweep = studied.study.sweep.emplace();
   sweep.over = {"simulation.substeps", {{"10", "10", 10}}};
   sweep.curves = {"simulation.model", {{"", "matrix"}, {"", "quaternion"}}};
-  sweep.measures = {scene::Quantity::DivergesAt, scene::Quantity::Stretch};
-  sweep.expected = {{scene::Quantity::DivergesAt, {}, "matrix", {{}, 4}}};
+  sweep.measures = {scene::Measure::DivergesAt, scene::Measure::Stretch};
+  sweep.expected = {{scene::Measure::DivergesAt, {}, "matrix", {{}, 4}}};
   constexpr double kNever = std::numeric_limits<double>::infinity();
   studied.result = study::SweepStudy{
       {{"10", "matrix", {RunEnd::Kind::Diverged, 4.5}, 20, {4.5, study::kNoNumber}},
@@ -155,7 +155,7 @@ TEST(StudyReport, HasALineForEachRunOfASweep) {
   EXPECT_EQ(out.str(),
             "  matrix, 10: diverges_at 4.5, stretch –; diverged at 4.5 s\n"
             "  quaternion, 10: diverges_at not within 20 s, stretch 0.25\n"
-            "  UNMET  diverges_at at 10, matrix: expected at most 4; measured 4.5\n");
+            "  not met  diverges_at at 10, matrix: expected at most 4; measured 4.5\n");
 }
 
 TEST(StudyReport, IsJsonForASweep) {

@@ -32,7 +32,7 @@ TEST(Cuboid, HasTheInertiaOfEightParticles) {
   EXPECT_LT((book.particleInertia() - 3 * book.solidInertia()).norm(), kCuboidBound);
 }
 
-TEST(Cuboid, IsABookWithItsMedianMomentAboutX) {
+TEST(Cuboid, IsABookWithItsMiddleMomentAboutX) {
   const Eigen::Vector3d inertia = Cuboid().solidInertia();
   EXPECT_LT(inertia.y(), inertia.x());
   EXPECT_LT(inertia.x(), inertia.z());

@@ -112,7 +112,7 @@ TEST(AsymptoticFlipInterval, IsInfiniteWhereNothingEverFlips) {
             std::numeric_limits<double>::infinity());
 }
 
-TEST(MedianAxis, IsThatOfTheMedianMoment) {
+TEST(MedianAxis, IsThatOfTheMiddleMoment) {
   EXPECT_EQ(medianAxis({{2, 1, 3}}), Vector3d(1, 0, 0));
   EXPECT_EQ(medianAxis({{1.5, 3, 2}}), Vector3d(0, 0, 1));
 }

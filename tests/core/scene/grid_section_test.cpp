@@ -96,7 +96,7 @@ TEST(GridSection, ExpectsOfAllOfARowOfAColumnOrOfACell) {
   std::vector<std::size_t> counts;
   for (const Panel& panel : scene.panels) counts.push_back(panel.expectations.size());
   EXPECT_THAT(counts, ElementsAre(3, 2, 2, 2, 2, 1));
-  EXPECT_EQ(scene.panels[4].expectations.back().quantity, Quantity::HalfTurns);
+  EXPECT_EQ(scene.panels[4].expectations.back().measure, Measure::HalfTurns);
 }
 
 TEST(GridSection, NamesItsAxesWithUnits) {

@@ -44,7 +44,7 @@ TEST(MapSection, HasAxesAndMeasure) {
   EXPECT_EQ(map.x.kind, AxisKind::MotionKey);
   EXPECT_EQ(map.x.scale, Scale::Logarithmic);
   EXPECT_EQ(map.y.to, 2);
-  EXPECT_EQ(map.measure, MapMeasure(MapNumber::FirstFlip));
+  EXPECT_EQ(map.measure, Measure::FirstFlip);
   EXPECT_EQ(map.runs(), 200);
   EXPECT_EQ(map.duration, 2.0);
 }
@@ -170,7 +170,7 @@ TEST(MapSection, RefusesRangesThatAreNone) {
   EXPECT_THAT(errorOfAxis("key = 'body.mass', from = 1, to = 2"),
               HasSubstr("map.y.key is map.x.key, too"));
   EXPECT_THAT(errorOfAxis("key = 'spin.latitude', from = -91, to = 2"), HasSubstr("at least -90"));
-  EXPECT_THAT(errorOfAxis("key = 'moments.median', from = 0.5, to = 1.5"), HasSubstr("at most 1"));
+  EXPECT_THAT(errorOfAxis("key = 'moments.middle', from = 0.5, to = 1.5"), HasSubstr("at most 1"));
 }
 
 TEST(MapSection, RefusesTooManyRuns) {
@@ -218,7 +218,7 @@ TEST(MapSection, RefusesWhatCantBeMarkedOrExpected) {
   EXPECT_THAT(errorOfMap("marks = [{ at = [10, 1] }]"), HasSubstr("needs a label"));
   EXPECT_THAT(errorOfMap("marks = [{ label = 'a' }]"), HasSubstr("needs either at, a point, or"));
   EXPECT_THAT(errorOfMap("marks = [{ moments = [1, 2, 3], label = 'a' }]"),
-              HasSubstr("needs the axes moments.smallest and moments.median"));
+              HasSubstr("needs the axes moments.smallest and moments.middle"));
   EXPECT_THAT(errorOfMap("expect = [{ of = 'share', min = 1 }]"),
               HasSubstr("is of a share, so it needs outcome, over or under"));
   EXPECT_THAT(errorOfMap("expect = [{ of = 'value', min = 1 }]"), HasSubstr("needs at = [X, Y]"));

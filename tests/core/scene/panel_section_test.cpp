@@ -70,7 +70,7 @@ TEST(Panels, HaveKeysOfTheirOwn) {
   EXPECT_EQ(two.initial.value, Eigen::Vector3d(5, 0, 0));
   EXPECT_EQ(two.initial.tilt, (physics::Tilt{0.2, 1}));
   ASSERT_EQ(two.expectations.size(), 1U);
-  EXPECT_EQ(two.expectations[0].quantity, Quantity::Stretch);
+  EXPECT_EQ(two.expectations[0].measure, Measure::Stretch);
 }
 
 TEST(Panels, ReplaceTheScenesSpinWhicheverKeyEitherHas) {
@@ -86,7 +86,7 @@ TEST(Panels, ReplaceTheScenesExpectationsOfTheSameQuantity) {
   ASSERT_EQ(scene.panels[0].expectations.size(), 2U);
   EXPECT_EQ(scene.panels[0].expectations[0].min, 1);
   EXPECT_FALSE(scene.panels[0].expectations[0].max);
-  EXPECT_EQ(scene.panels[0].expectations[1].quantity, Quantity::TiltDeg);
+  EXPECT_EQ(scene.panels[0].expectations[1].measure, Measure::TiltDeg);
 }
 
 TEST(Panels, MayHaveASpinEachInsteadOfTheScenes) {

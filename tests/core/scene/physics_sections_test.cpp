@@ -322,7 +322,7 @@ TEST(ExpectSection, ReadsEveryBound) {
   const Scene scene = sceneFrom(
       "[expect]\ntilt_deg = { min = -1, max = 2, rises_to = 1.5, falls_to = 0, from = 3, to = 4 }");
   ASSERT_EQ(scene.expectations.size(), 1u);
-  EXPECT_EQ(scene.expectations[0], (Expectation{Quantity::TiltDeg, -1, 2, 1.5, 0, 3, 4}));
+  EXPECT_EQ(scene.expectations[0], (Expectation{Measure::TiltDeg, -1, 2, 1.5, 0, 3, 4}));
 }
 
 TEST(ExpectSection, ReadsArraysAndKeepsTheOrder) {
@@ -331,20 +331,20 @@ TEST(ExpectSection, ReadsArraysAndKeepsTheOrder) {
       "half_turns.min = 3\n[[expect.energy_ratio]]\nmax = 9");
   constexpr double kNoEnd = std::numeric_limits<double>::infinity();
   const std::vector<Expectation> expected{
-      {Quantity::Stretch, {}, 1.01, {}, {}, 0, 2},
-      {Quantity::Stretch, {}, {}, 2, {}, 2, kNoEnd},
-      {Quantity::HalfTurns, 3, {}, {}, {}, 0, kNoEnd},
-      {Quantity::EnergyRatio, {}, 9, {}, {}, 0, kNoEnd},
+      {Measure::Stretch, {}, 1.01, {}, {}, 0, 2},
+      {Measure::Stretch, {}, {}, 2, {}, 2, kNoEnd},
+      {Measure::HalfTurns, 3, {}, {}, {}, 0, kNoEnd},
+      {Measure::EnergyRatio, {}, 9, {}, {}, 0, kNoEnd},
   };
   EXPECT_EQ(scene.expectations, expected);
 }
 
 TEST(ExpectSection, KnowsEveryQuantity) {
-  for (const Quantity quantity : allQuantities()) {
-    const std::string name(nameOf(quantity));
+  for (const Measure measure : measuresOfMotions()) {
+    const std::string name(nameOf(measure));
     const Scene scene = sceneFrom("expect." + name + ".min = 1");
     ASSERT_EQ(scene.expectations.size(), 1u) << name;
-    EXPECT_EQ(scene.expectations[0].quantity, quantity) << name;
+    EXPECT_EQ(scene.expectations[0].measure, measure) << name;
   }
 }
 

@@ -36,9 +36,9 @@ Scene unusualScene() {
   scene.look = {Background::Plain, 2, 8, {0x2b, 0, 9}};
   scene.overlay = {{Overlay::Clock, Overlay::Caption}, "Some \"font\"", 1.5, germanWords()};
   scene.expectations = {
-      {Quantity::Stretch, 0.5, 1.0 / 3 + 1, 1.1, 0.9, 0.1, 2},
-      {Quantity::DivergesAt, {}, {}, {}, 12, 0, std::numeric_limits<double>::infinity()},
-      {Quantity::Stretch, {}, {}, 3, {}, 2, std::numeric_limits<double>::infinity()},
+      {Measure::Stretch, 0.5, 1.0 / 3 + 1, 1.1, 0.9, 0.1, 2},
+      {Measure::DivergesAt, {}, {}, {}, 12, 0, std::numeric_limits<double>::infinity()},
+      {Measure::Stretch, {}, {}, 3, {}, 2, std::numeric_limits<double>::infinity()},
   };
   return scene;
 }

@@ -171,7 +171,7 @@ TEST(StudySection, RefusesTiltsOfASpinThatDoesNotFlip) {
             "\"z\"]");
   EXPECT_EQ(errorOfText("[initial]\nangular_velocity = [0, 5, 0]\ntilt = [0.1, 'z']\n[study]\n"
                         "tilts = [0.1]"),
-            "a.toml:5:9: study.tilts needs a spin about the axis of the median moment of inertia, "
+            "a.toml:5:9: study.tilts needs a spin about the axis of the middle moment of inertia, "
             "the only one about which a body flips");
 }
 

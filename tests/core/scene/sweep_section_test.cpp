@@ -52,7 +52,7 @@ TEST(SweepSection, HasAMotionForEachValue) {
   physics::MotionSettings rest = sceneFrom("").motion();
   rest.simulation.substeps = 1000;
   EXPECT_EQ(sweep.runs[1].motion, rest);
-  EXPECT_THAT(sweep.measures, ElementsAre(Quantity::DivergesAt, Quantity::HalfTurns));
+  EXPECT_THAT(sweep.measures, ElementsAre(Measure::DivergesAt, Measure::HalfTurns));
   EXPECT_EQ(sweep.over.values[0].number, 10.0);
 }
 

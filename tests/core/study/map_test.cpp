@@ -90,7 +90,7 @@ TEST(Map, HasTheErrorAtTheEnd) {
 TEST(Map, HasTheLargestErrorAsStudiesMeasureIt) {
   expectEach(overTiltAndSteps("measure = 'error_deg'\nmoment = 'largest'"),
              [](const Trajectory& motion, const auto&) {
-               return reduced(motion, scene::Quantity::ErrorDeg);
+               return reduced(motion, scene::Measure::ErrorDeg);
              });
 }
 
@@ -129,8 +129,7 @@ TEST(Map, LooksWhereItIsToldAndAtTheEnd) {
   motion.simulation.timePerFrame = scene.map->x.at(2, 3);
   motion.initial.tilt->angle = scene.map->y.at(1, 3);
   const std::vector<double> times{0, 0.3, 0.6, 3 * 0.3, 1.2, 1.5, 1.7};
-  EXPECT_EQ(result.values[0][1 * 3 + 2],
-            reduced(simulate(motion, times), scene::Quantity::TiltDeg));
+  EXPECT_EQ(result.values[0][1 * 3 + 2], reduced(simulate(motion, times), scene::Measure::TiltDeg));
 }
 
 TEST(Map, TellsWhenParticlesDiverge) {
@@ -197,7 +196,7 @@ TEST(Map, TurnsTheSpin) {
 TEST(Map, RefusesBodiesThatCantBe) {
   const scene::Scene scene = sceneOf(
       "x = { key = 'moments.smallest', from = 0, to = 1 }\n"
-      "y = { key = 'moments.median', from = 0.5, to = 1 }\nsize = [10, 5]\nmeasure = 'growth'\n"
+      "y = { key = 'moments.middle', from = 0.5, to = 1 }\nsize = [10, 5]\nmeasure = 'growth'\n"
       "marks = [{ moments = [3, 1, 2.5], label = 'a' }]");
   const MapResult result = mapResultOf(scene);
   for (int y = 0; y < 5; ++y) {

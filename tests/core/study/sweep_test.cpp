@@ -71,10 +71,10 @@ TEST(Sweep, ReducesQuantitiesToTheLargestDeparture) {
       energy = std::max(energy, std::fabs(sample.total() / motion.samples[0].total() - 1));
     }
     ASSERT_GT(energy, 1e-3);
-    EXPECT_EQ(reduced(motion, scene::Quantity::ErrorDeg), error);
-    EXPECT_EQ(reduced(motion, scene::Quantity::EnergyRatio), energy);
-    EXPECT_EQ(reduced(motion, scene::Quantity::HalfTurns), motion.samples.back().halfTurns);
-    EXPECT_EQ(reduced(motion, scene::Quantity::DivergesAt), kInfinity);
+    EXPECT_EQ(reduced(motion, scene::Measure::ErrorDeg), error);
+    EXPECT_EQ(reduced(motion, scene::Measure::EnergyRatio), energy);
+    EXPECT_EQ(reduced(motion, scene::Measure::HalfTurns), motion.samples.back().halfTurns);
+    EXPECT_EQ(reduced(motion, scene::Measure::DivergesAt), kInfinity);
   }
 }
 

@@ -35,6 +35,7 @@ TEST(MotionSummary, HoldsTheExtremes) {
   const MotionSummary summary = summarize({}, trajectoryOf({0, 11, 170, 4}, {2, 1.5, 1, 3}));
   EXPECT_EQ(summary.frames, 4u);
   EXPECT_EQ(summary.halfTurns, 3);
+  EXPECT_THAT(summary.flips, ElementsAre(1, 2, 3));
   EXPECT_EQ(summary.lowestEnergy, 0.5);
   EXPECT_EQ(summary.highestEnergy, 1.5);
   EXPECT_EQ(summary.errorDeg, 170);
@@ -58,7 +59,7 @@ TEST(MotionSummary, IsUnmetByADivergenceThatNobodyExpects) {
   trajectory.divergedAt = 2;
   EXPECT_TRUE(summarize({}, trajectory).met());
   scene::Panel motion;
-  motion.expectations = {{.quantity = scene::Quantity::HalfTurns, .risesTo = 1}};
+  motion.expectations = {{.measure = scene::Measure::HalfTurns, .risesTo = 1}};
   const MotionSummary summary = summarize(motion, trajectory);
   ASSERT_EQ(summary.expectations.size(), 1u);
   EXPECT_TRUE(summary.expectations.front().met);

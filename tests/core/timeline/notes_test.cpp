@@ -32,6 +32,9 @@ TEST(Notes, AreNoneOnAnOrdinaryScene) {
   // A body with two equal moments tumbles about no axis, and particles do by their rounding.
   EXPECT_THAT(notesWith("initial.angular_velocity = [0, 0, 5]\nbody.size = [0.2, 0.2, 0.1]\n"),
               IsEmpty());
+  EXPECT_THAT(notesWith("initial.angular_velocity = [0, 0, 5]\n"
+                        "body.inertia = [[1, 0.2, 0], [0.2, 1, 0], [0, 0, 1.2]]\n"),
+              IsEmpty());
   EXPECT_THAT(notesWith("initial.angular_velocity = [5, 0, 0]\nsimulation.model = \"particles\"\n"),
               IsEmpty());
 }

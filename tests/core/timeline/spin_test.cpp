@@ -170,7 +170,7 @@ TEST(Spin, GrowsAboutTheMedianAxisAndCirclesTheOthers) {
   EXPECT_EQ(largest.spunAxis, 2U);
   EXPECT_FALSE(largest.growth);
   EXPECT_NEAR(*largest.oscillation, 2 * pi / largest.period->time, 1e-6);
-  EXPECT_FALSE(largest.flipInterval());
+  EXPECT_FALSE(largest.flipInterval() || largest.firstFlip);
 
   const Spin smallest = spinOf(motionOf(inertia, {0.001, 5, 0}));
   EXPECT_EQ(smallest.spunAxis, 0U);
@@ -185,6 +185,16 @@ TEST(Spin, FlipsTwiceInAPeriod) {
   EXPECT_TRUE(spinOf(motionOf({3, 2, 4}, {5, 1, 3})).flipInterval());
 }
 
+TEST(Spin, FlipsFirstWhenTheExactMotionDoes) {
+  MotionSettings settings = bookWith("angular_velocity = [5, 0, 0]\ntilt = ['1 deg', 'z']");
+  settings.simulation.model = physics::Model::Exact;
+  const double first = spinOf(settings).firstFlip.value();
+  constexpr double kBeside = 1e-9;  // [s]
+  const auto trajectory = physics::simulate(settings, {0, first - kBeside, first + kBeside});
+  EXPECT_EQ(trajectory.samples[1].halfTurns, 0);
+  EXPECT_EQ(trajectory.samples[2].halfTurns, 1);
+}
+
 // The axis of a flat plate goes round twice while the plate turns once. (Feynman)
 TEST(Spin, OfASymmetricBodyHasTheTextbooksPrecession) {
   const Spin flat = spinOf(motionOf({1, 1, 2}, {0.01, 0, 5}));
@@ -197,6 +207,38 @@ TEST(Spin, OfASymmetricBodyHasTheTextbooksPrecession) {
   const Spin tall = spinOf(motionOf({2, 2, 1}, {0.5, 0.3, 5}));
   EXPECT_EQ(tall.equal, EqualMoments::TwoLargest);
   EXPECT_NEAR(tall.period->axisTurn / tall.period->time, tall.angularMomentum.norm() / 2, 1e-13);
+}
+
+// Turning a body rounds its moments: [[1, 0.2], [0.2, 1]] beside 1.2, and a cylinder on its side.
+TEST(Spin, TakesMomentsThatOnlyRoundingPartsForEqual) {
+  const Spin tensor =
+      spinOf(scene::parseScene("[body]\n"
+                               "inertia = [[1, 0.2, 0], [0.2, 1, 0], [0, 0, 1.2]]\n"
+                               "[initial]\nangular_velocity = { about = 'smallest', "
+                               "value = 5 }",
+                               "s.toml")
+                 .motion());
+  EXPECT_EQ(tensor.equal, EqualMoments::TwoLargest);
+  EXPECT_TRUE(tensor.isSteady);
+  EXPECT_FALSE(tensor.margin || tensor.growth || tensor.period);
+  const std::string cylinder =
+      "[[body.part]]\nshape = 'cylinder'\nturn = ['33 deg', 'x']\n[initial]\n";
+  const Spin named = spinOf(
+      scene::parseScene(cylinder + "angular_velocity = { about = 'smallest', value = 5 }", "s.toml")
+          .motion());
+  EXPECT_EQ(named.equal, EqualMoments::TwoLargest);
+  EXPECT_TRUE(named.isSteady);
+  const Spin tilted =
+      spinOf(scene::parseScene(cylinder + "angular_velocity = { about = 'smallest', "
+                                          "value = 5 }\ntilt = [0.01, 'x']",
+                               "s.toml")
+                 .motion());
+  EXPECT_FALSE(tilted.isSteady);
+  EXPECT_NEAR(tilted.offAxis, 0.01, 1e-12);  // measured 1e-17 off
+}
+
+TEST(Spin, KeepsMomentsApartThatAreGivenApart) {
+  EXPECT_EQ(spinOf(motionOf({2, 2 * (1 + 1e-11), 3}, {5, 0, 0.1})).equal, EqualMoments::None);
 }
 
 TEST(Spin, IsSteadyAboutAPrincipalAxis) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "scene/small_scene.h"
@@ -14,15 +15,19 @@
 namespace rotatebook::timeline {
 namespace {
 
+using ::testing::ElementsAre;
+
 constexpr const char* kHeader =
     "frame,time_s,qw,qx,qy,qz,wx,wy,wz,Lx,Ly,Lz,kinetic_J,potential_J,total_J,tilt_deg,half_turns,"
     "stretch_min,stretch_max,c0x,c0y,c0z,c1x,c1y,c1z,c2x,c2y,c2z,c3x,c3y,c3z,c4x,c4y,c4z,"
-    "c5x,c5y,c5z,c6x,c6y,c6z,c7x,c7y,c7z,error_deg,energy_ratio,L_ratio,regime,centre_drift_m";
+    "c5x,c5y,c5z,c6x,c6y,c6z,c7x,c7y,c7z,error_deg,energy_ratio,L_ratio,regime,centre_drift_m,last_"
+    "flip_s";
 
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
   std::istringstream stream(text);
   for (std::string part; std::getline(stream, part, separator);) parts.push_back(part);
+  if (text.ends_with(separator)) parts.emplace_back();
   return parts;
 }
 
@@ -90,13 +95,27 @@ TEST(TrajectoryCsv, ReadsBackBitForBit) {
   for (std::size_t frame = 0; frame < trajectory.samples.size(); ++frame) {
     const std::vector<std::string> cells = split(rows.at(frame + 1), ',');
     const std::vector<double> wanted = valuesOf(trajectory.samples[frame], trajectory.samples[0]);
-    ASSERT_EQ(cells.size(), wanted.size() + 1);
+    ASSERT_EQ(cells.size(), wanted.size() + 2);  // the frame, and the last flip
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       const double read = std::strtod(cells[i + 1].c_str(), nullptr);
       EXPECT_EQ(std::bit_cast<std::uint64_t>(read), std::bit_cast<std::uint64_t>(wanted[i]))
           << names[i + 1] << " of frame " << frame << ": " << cells[i + 1];
     }
   }
+}
+
+TEST(TrajectoryCsv, HasTheTimeOfTheLastFlip) {
+  physics::Trajectory motion;
+  for (int n = 0; n < 5; ++n) {
+    physics::Sample& sample = motion.samples.emplace_back();
+    sample.time = n / 4.0;
+    sample.halfTurns = n == 0 ? 0 : n < 3 ? 1 : 3;
+  }
+  std::vector<std::string> lastCells;
+  for (const std::string& row : split(trajectoryCsv(motion), '\n')) {
+    lastCells.push_back(split(row, ',').back());
+  }
+  EXPECT_THAT(lastCells, ElementsAre("last_flip_s", "", "0.25", "0.25", "0.75", "0.75"));
 }
 
 TEST(TrajectoryCsv, EndsEachRowWithALineFeed) {

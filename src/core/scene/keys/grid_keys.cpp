@@ -66,9 +66,9 @@ std::string ofCellsText(const GridExpectation& one) {
   if (one.column) text += "column = " + tomlString(*one.column) + ", ";
   if (one.row) text += "row = " + tomlString(*one.row) + ", ";
   std::vector<std::string> parts;
-  for (const Quantity quantity : allQuantities()) {
-    if (std::ranges::count(one.expectations, quantity, &Expectation::quantity) == 0) continue;
-    const auto& key = expectKeys()[static_cast<std::size_t>(quantity)];
+  for (const Measure measure : measuresOfMotions()) {
+    if (std::ranges::count(one.expectations, measure, &Expectation::measure) == 0) continue;
+    const auto& key = expectKeys()[static_cast<std::size_t>(measure)];
     parts.push_back(std::string(key.name) + " = " + key.text(one.expectations));
   }
   return text + joined(parts) + " }";

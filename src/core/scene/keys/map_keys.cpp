@@ -40,7 +40,7 @@ constexpr std::array<Named<AxisKind>, 5> kAxisKinds{{{"time", AxisKind::Time},
                                                      {"spin.longitude", AxisKind::SpinLongitude},
                                                      {"spin.latitude", AxisKind::SpinLatitude},
                                                      {"moments.smallest", AxisKind::SmallestMoment},
-                                                     {"moments.median", AxisKind::MedianMoment}}};
+                                                     {"moments.middle", AxisKind::MiddleMoment}}};
 using Of = MapExpectation::Of;
 constexpr std::array<Named<Of>, 5> kOfs{{{"smallest", Of::Smallest},
                                          {"largest", Of::Largest},
@@ -95,10 +95,10 @@ Kind<MapAxis> axis() {
           kExpectedAxis};
 }
 
-MapMeasure measureFrom(const ValueReader& value) {
-  std::vector<std::string> names;
-  for (const MapMeasure measure : allMapMeasures()) names.push_back(nameOf(measure));
-  return allMapMeasures()[value.choice(std::vector<std::string_view>(names.begin(), names.end()))];
+Measure measureFrom(const ValueReader& value) {
+  std::vector<std::string_view> names;
+  for (const MeasureRow& row : kMeasureRows) names.push_back(row.name);
+  return kMeasureRows[value.choice(names)].measure;
 }
 
 void readSize(const ValueReader& value, MapSettings& map) {

@@ -227,9 +227,9 @@ void checkOrder(const ValueReader& bounds, std::string_view lowKey, double low,
   bounds.find(lowKey)->mismatch("at most " + std::string(highKey) + ", " + tomlNumber(high));
 }
 
-Expectation expectationFrom(Quantity quantity, const ValueReader& bounds) {
+Expectation expectationFrom(Measure measure, const ValueReader& bounds) {
   Expectation expectation;
-  expectation.quantity = quantity;
+  expectation.measure = measure;
   readKeys(bounds, windowedBoundKeys(), expectation);
   if (!expectation.min && !expectation.max && !expectation.risesTo && !expectation.fallsTo) {
     bounds.fail(bounds.name() + " needs at least one of min, max, rises_to and falls_to");
@@ -242,22 +242,22 @@ Expectation expectationFrom(Quantity quantity, const ValueReader& bounds) {
 }
 
 /// Returns the one key that holds all bounds on a quantity.
-Key<std::vector<Expectation>> quantityKey(Quantity quantity) {
-  return {nameOf(quantity),
-          [quantity](const ValueReader& value, std::vector<Expectation>& expectations) {
+Key<std::vector<Expectation>> measureKey(Measure measure) {
+  return {nameOf(measure),
+          [measure](const ValueReader& value, std::vector<Expectation>& expectations) {
             for (const auto& bounds : value.tables(kExpectedBounds)) {
-              expectations.push_back(expectationFrom(quantity, bounds));
+              expectations.push_back(expectationFrom(measure, bounds));
             }
           },
-          [quantity](const std::vector<Expectation>& expectations) {
+          [measure](const std::vector<Expectation>& expectations) {
             std::vector<std::string> bounds;
             for (const Expectation& expectation : expectations) {
-              if (expectation.quantity != quantity) continue;
+              if (expectation.measure != measure) continue;
               bounds.push_back(inlineTable(windowedBoundKeys(), expectation));
             }
             return bounds.size() == 1 ? bounds.front() : "[" + joined(bounds) + "]";
           },
-          {.meaning = std::string(meaningOf(quantity)),
+          {.meaning = std::string(rowOf(measure).meaning),
            .byDefault = "none",
            .allowed = kExpectedBounds}};
 }
@@ -370,7 +370,7 @@ const Keys<physics::Nudge>& nudgeKeys() {
 const Keys<std::vector<Expectation>>& expectKeys() {
   static const auto keys = [] {
     Keys<std::vector<Expectation>> all;
-    for (const Quantity quantity : allQuantities()) all.push_back(quantityKey(quantity));
+    for (const Measure measure : measuresOfMotions()) all.push_back(measureKey(measure));
     return all;
   }();
   return keys;

@@ -12,7 +12,7 @@ namespace rotatebook::scene {
 namespace {
 
 constexpr const char* kExpectedMeasures = "a list of quantities, such as [\"diverges_at\"]";
-constexpr const char* kExpectedBounds =
+constexpr const char* kExpectedSweepBounds =
     "tables such as { measure = \"diverges_at\", at = 10, min = 20 }";
 
 std::string keyFrom(const ValueReader& value) {
@@ -39,20 +39,20 @@ SweepKey curvesFrom(const ValueReader& value) {
   return curves;
 }
 
-Quantity quantityFrom(const ValueReader& value) {
+Measure motionMeasureFrom(const ValueReader& value) {
   std::vector<std::string_view> names;
-  for (const Quantity quantity : allQuantities()) names.push_back(nameOf(quantity));
-  return allQuantities()[value.choice(names)];
+  for (const Measure measure : measuresOfMotions()) names.push_back(nameOf(measure));
+  return measuresOfMotions()[value.choice(names)];
 }
 
-std::vector<Quantity> measuresFrom(const ValueReader& value) {
-  std::vector<Quantity> measures;
+std::vector<Measure> measuresFrom(const ValueReader& value) {
+  std::vector<Measure> measures;
   for (const ValueReader& element : value.list(kExpectedMeasures)) {
-    const Quantity quantity = quantityFrom(element);
-    if (std::ranges::count(measures, quantity) > 0) {
-      element.fail(value.name() + " has " + std::string(nameOf(quantity)) + " twice");
+    const Measure measure = motionMeasureFrom(element);
+    if (std::ranges::count(measures, measure) > 0) {
+      element.fail(value.name() + " has " + std::string(nameOf(measure)) + " twice");
     }
-    measures.push_back(quantity);
+    measures.push_back(measure);
   }
   if (measures.size() <= kMaxMeasures) return measures;
   value.fail(value.name() + " has " + std::to_string(measures.size()) +
@@ -62,7 +62,7 @@ std::vector<Quantity> measuresFrom(const ValueReader& value) {
 SweepExpectation expectationFrom(const ValueReader& table) {
   SweepExpectation one;
   std::vector<Field> fields{
-      {"measure", [&](const ValueReader& value) { one.quantity = quantityFrom(value); }},
+      {"measure", [&](const ValueReader& value) { one.measure = motionMeasureFrom(value); }},
       {"at", [&](const ValueReader& value) { one.at = labelOf(value); }},
       {"curve", [&](const ValueReader& value) { one.curve = labelOf(value); }}};
   const std::vector<Field> bounds = boundFields(one.bounds);
@@ -77,13 +77,13 @@ void readExpected(const ValueReader& value, Scene& scene) {
   // The command line may leave the runs out that something is expected of, and then that, too.
   const auto* array = std::get_if<document::TomlNode::Array>(&value.node().value);
   if (array != nullptr && array->empty()) return;
-  for (const ValueReader& table : value.tables(kExpectedBounds)) {
+  for (const ValueReader& table : value.tables(kExpectedSweepBounds)) {
     scene.study->sweep->expected.push_back(expectationFrom(table));
   }
 }
 
 std::string expectationText(const SweepExpectation& one) {
-  std::string text = "{ measure = " + tomlString(nameOf(one.quantity));
+  std::string text = "{ measure = " + tomlString(nameOf(one.measure));
   if (one.at) text += ", at = " + tomlString(*one.at);
   if (one.curve) text += ", curve = " + tomlString(*one.curve);
   return text + ", " + inlineTable(boundKeys(), one.bounds).substr(2);
@@ -123,7 +123,7 @@ const Keys<Scene>& sweepKeys() {
          scene.study->sweep->measures = measuresFrom(value);
        },
        ofSweep([](const Sweep& sweep) {
-         return listText(sweep.measures, [](Quantity one) { return tomlString(nameOf(one)); });
+         return listText(sweep.measures, [](Measure one) { return tomlString(nameOf(one)); });
        }),
        {.meaning = "one to three of the [quantities](#expectations) to measure",
         .byDefault = "required with `over`",
@@ -147,7 +147,7 @@ const Keys<Scene>& sweepKeys() {
        }),
        {.meaning = "bounds on a quantity, of all runs or of those `at` a value or on a `curve`",
         .byDefault = "none",
-        .allowed = kExpectedBounds}},
+        .allowed = kExpectedSweepBounds}},
   };
   return keys;
 }

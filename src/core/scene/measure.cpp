@@ -1,0 +1,81 @@
+#include "scene/measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/elementary.h"
+
+namespace rotatebook::scene {
+namespace {
+
+constexpr bool isOfMotions(const MeasureRow& row) {
+  return row.sections == MeasureSections::All;
+}
+
+constexpr auto kOfMotions = [] {
+  std::array<Measure, std::ranges::count_if(kMeasureRows, isOfMotions)> all{};
+  std::size_t count = 0;
+  for (const MeasureRow& row : kMeasureRows) {
+    if (isOfMotions(row)) all[count++] = row.measure;
+  }
+  return all;
+}();
+
+/// Returns the angle of the body's line along its first spin to where that line was at the start.
+/// [degrees]
+double turnedDeg(const physics::Sample& sample, const physics::Sample& start) {
+  const Eigen::Vector3d then = start.angularVelocity;  // both axes coincide at the start
+  const Eigen::Vector3d now = sample.attitude * then;
+  return arcTangent(then.cross(now).norm(), then.dot(now)) * 180 / std::numbers::pi;
+}
+
+}  // namespace
+
+std::span<const Measure> measuresOfMotions() {
+  return kOfMotions;
+}
+
+MeasuredRange rangeOn(const physics::Sample& sample, const physics::Sample& start,
+                      Measure measure) {
+  const auto one = [](double value) { return MeasuredRange{value, value}; };
+  switch (measure) {
+    case Measure::HalfTurns:
+      return one(sample.halfTurns);
+    case Measure::TiltDeg:
+      return one(sample.tiltDeg);
+    case Measure::EnergyRatio:
+      return one(sample.total() / start.total());
+    case Measure::RotationalRatio:
+      return one(sample.rotational / start.total());
+    case Measure::MomentumRatio:
+      return one(sample.angularMomentum.norm() / start.angularMomentum.norm());
+    case Measure::Stretch:
+      return {sample.stretchMin, sample.stretchMax};
+    case Measure::ErrorDeg:
+      return one(sample.errorDeg);
+    case Measure::Regime:
+      return one(static_cast<double>(sample.regime));
+    case Measure::CentreDrift:
+      return one(sample.centreDrift());
+    case Measure::EnergyDrift:
+      return one(std::fabs(sample.total() / start.total() - 1));
+    case Measure::TurnedDeg:
+      return one(turnedDeg(sample, start));
+    case Measure::DivergesAt:
+    case Measure::FirstFlip:
+    case Measure::FlipInterval:
+    case Measure::Growth:
+      break;  // measured over a motion, not on a sample
+  }
+  return {};
+}
+
+double valueOn(const physics::Sample& sample, const physics::Sample& start, Measure measure) {
+  const MeasuredRange range = rangeOn(sample, start, measure);
+  const double rest = rowOf(measure).rest;
+  return std::fabs(range.lowest - rest) > std::fabs(range.highest - rest) ? range.lowest
+                                                                          : range.highest;
+}
+
+}  // namespace rotatebook::scene

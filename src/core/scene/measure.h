@@ -1,0 +1,90 @@
+// The measures of a motion: the one list from which expectations, studies, grids and maps
+// take.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <string_view>
+
+#include "physics/trajectory.h"
+
+namespace rotatebook::scene {
+
+/// A measure of a motion. Each has a row in measure_list.inc.
+enum class Measure {
+#define ROTATEBOOK_MEASURE(enumerator, ...) enumerator,
+#include "scene/measure_list.inc"
+#undef ROTATEBOOK_MEASURE
+};
+
+/// The sections that take a measure.
+enum class MeasureSections {
+  All,   ///< [expect], [study], [grid] and [map].
+  Maps,  ///< [map] alone.
+};
+
+/// The time that a measure is of.
+enum class MeasureSpan {
+  Moment,  ///< It has a value at each moment.
+  Motion,  ///< It is of a whole motion.
+};
+
+/// The models whose motions have the measure.
+enum class MeasureModels {
+  All,
+  Stepwise,   ///< All but Model::Exact: it measures an error of steps.
+  Particles,  ///< Model::Particles alone.
+};
+
+/// A row of measure_list.inc.
+struct MeasureRow {
+  Measure measure = Measure::HalfTurns;
+  std::string_view name;  ///< In a scene, e.g. "half_turns".
+  MeasureSections sections = MeasureSections::All;
+  MeasureSpan span = MeasureSpan::Moment;
+  MeasureModels models = MeasureModels::All;
+  double rest = 0;           ///< The value from which studies measure: 1 of ratios and the stretch.
+  std::string_view meaning;  ///< In Markdown, with the unit.
+  std::string_view label;    ///< Beside a map's colours, with the unit.
+  std::string_view studied;  ///< On a study's axis, as gnuplot writes it; empty of maps' own.
+};
+
+/// The rows, in the order of Measure.
+inline constexpr std::array kMeasureRows{
+#define ROTATEBOOK_MEASURE(enumerator, name, sections, span, models, ...)                     \
+  MeasureRow{Measure::enumerator,   name,       MeasureSections::sections, MeasureSpan::span, \
+             MeasureModels::models, __VA_ARGS__},
+#include "scene/measure_list.inc"
+#undef ROTATEBOOK_MEASURE
+};
+
+/// Returns the row of `measure`.
+constexpr const MeasureRow& rowOf(Measure measure) {
+  return kMeasureRows[static_cast<std::size_t>(measure)];
+}
+
+/// Returns the name of `measure` in a scene.
+constexpr std::string_view nameOf(Measure measure) {
+  return rowOf(measure).name;
+}
+
+/// Returns the measures that [expect], [study] and [grid] take, in the order of the rows.
+std::span<const Measure> measuresOfMotions();
+
+/// The lowest and the highest value of a measure; NaN of nothing.
+struct MeasuredRange {
+  double lowest = std::numeric_limits<double>::quiet_NaN();
+  double highest = lowest;
+};
+
+/// Returns the values of `measure` on one sample of a motion whose first sample is `start`; they
+/// differ for the stretch alone. Half-turns are those made so far. A measure of a whole motion is
+/// NaN.
+MeasuredRange rangeOn(const physics::Sample& sample, const physics::Sample& start, Measure measure);
+
+/// Returns the one of rangeOn() that is farther from the measure's rest.
+double valueOn(const physics::Sample& sample, const physics::Sample& start, Measure measure);
+
+}  // namespace rotatebook::scene

@@ -146,7 +146,7 @@ struct CaptionAndClock::Parts {
                    .halo = scale.halo,
                    .tabular = true},
         mirrored(shows(asked, scene::Overlay::Caption) &&
-                 type.isReadFromTheRight(asked.title + asked.caption)) {
+                 type.isReadFromTheRight(asked.title.empty() ? asked.caption : asked.title)) {
     const bool below = shows(scene, scene::Overlay::Clock) && position == ClockPosition::Bottom;
     if (shows(scene, scene::Overlay::Clock)) clock = clockBox();
     std::vector<Line> lines;

@@ -123,15 +123,23 @@ std::unique_ptr<DrawnOverlay> makeHalfTurns(const OverlayContext& context, const
 
 namespace {
 
-/// Writes a notice in letters of `size` [pixels] at the top left, beside the body where there is
-/// room, below all that is `taken`; nothing if it has none.
-std::optional<CachedLayer> noticeOf(const OverlayContext& context, const std::string& notice,
-                                    double size, const std::vector<Box>& taken) {
+constexpr const char* kFixedSpace = "\u00a0";  // at which no line is broken
+
+/// Writes a notice, the time on a line of its own if that keeps it beside the body, in letters of
+/// `size` [pixels] at the top left, below all that is `taken`; nothing if it has no room.
+std::optional<CachedLayer> noticeOf(const OverlayContext& context, const std::string& words,
+                                    const std::string& time, double size,
+                                    const std::vector<Box>& taken) {
   const Scale& scale = context.scale;
   const TextStyle style{.size = size, .bold = true, .colour = kWarningColour};
   const double padding = 0.6 * style.size;
-  const Layer text =
-      context.type.draw(notice, style, static_cast<int>(scale.width - 2 * (padding + 2)));
+  const auto widthOf = [&](const std::string& text) {
+    return context.type.measure(text, style, scale.width).width;
+  };
+  const double side = (scale.width - scale.height) / 2.0 - scale.margin - 2 * padding;
+  const bool hasSide = std::max(widthOf(words), widthOf(time)) < side;
+  const double room = hasSide ? side : scale.width - 2 * (padding + 2);
+  const Layer text = context.type.draw(words + " " + time, style, static_cast<int>(room));
   const double width = text.width + 2 * padding;
   const double left = std::min(std::round(scale.margin), std::floor((scale.width - width) / 2));
   const Box box =
@@ -150,9 +158,11 @@ std::optional<CachedLayer> divergenceNotice(const OverlayContext& context, doubl
   const double letters = context.scale.letters;
   const scene::Words& words = context.scene.overlay.words;
   const std::string& diverged = words[scene::Word::DivergedAt];
-  const std::string clock = clockText(time, words);
-  auto notice = noticeOf(context, diverged + " t = " + clock, 1.25 * letters, taken);
-  if (!notice) notice = noticeOf(context, diverged + " " + clock, 0.9 * letters, taken);
+  std::string clock = clockText(time, words);
+  clock.replace(clock.find(' '), 1, kFixedSpace);
+  const std::string whole = std::string("t") + kFixedSpace + "=" + kFixedSpace + clock;
+  auto notice = noticeOf(context, diverged, whole, 1.25 * letters, taken);
+  if (!notice) notice = noticeOf(context, diverged, clock, 0.9 * letters, taken);
   return notice;
 }
 

@@ -87,7 +87,7 @@ struct PanelHeads::Parts {
     for (std::size_t i = 0; i < heads.size(); ++i) addCounts(i);
   }
 
-  double room() const { return cells.width - 2 * margin; }
+  double room() const { return std::max(1.0, cells.width - 2 * margin); }
 
   OverlayContext contextOf(const Head& head) const {
     return {head.scene, *head.motion, type, scale};

@@ -98,7 +98,7 @@ TEST(PanelHeads, HaveTextsOfOneKindAtOnePlace) {
 }
 
 TEST(PanelHeads, HaveAnotherLineForWhatHasNoRoom) {
-  const std::string longest = "a label that takes nearly all its line";
+  const std::string longest = "a label that takes nearly all of a whole line";
   const Drawn drawn(pairOf(longest, "short"));
   const std::vector<Box>& texts = drawn.heads.texts();
   ASSERT_EQ(texts.size(), 4U);
@@ -150,7 +150,7 @@ TEST(PanelHeads, LeaveVerySmallPanelsTwoThirds) {
 
 TEST(PanelHeads, BeginAtTheRightInScriptsThatAreReadFromThere) {
   for (const std::string label : {"ציר ראשון", "المحور الأول"}) {
-    const Drawn drawn(pairOf(label, label, {"overlay.font='DejaVu Sans'"}));
+    const Drawn drawn(pairOf(label, label + " 2", {"overlay.font='DejaVu Sans'"}));
     const std::vector<Box>& texts = drawn.heads.texts();
     ASSERT_EQ(texts.size(), 4U);
     EXPECT_GT(texts[0].right(), 600);
@@ -162,7 +162,9 @@ TEST(PanelHeads, BeginAtTheRightInScriptsThatAreReadFromThere) {
 
 std::string refusalOf(const std::string& label, const std::string& size) {
   try {
-    Drawn drawn(pairOf("a", label, {"clip.size=" + size}));
+    scene::Scene scene = pairOf("a", "b", {"clip.size=" + size});
+    scene.panels[1].label = label;
+    const Drawn drawn(scene);
   } catch (const InputError& error) {
     return error.what();
   }

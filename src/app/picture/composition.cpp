@@ -32,9 +32,32 @@ PanelGrid gridOf(const scene::Scene& scene, const std::optional<GridMargins>& ma
                    " pixels; make the picture larger");
 }
 
+double panelLetters(const scene::Scene& scene) {
+  return kPanelLetters * scene.overlay.scale * std::min(scene.clip.width, scene.clip.height);
+}
+
+std::optional<overlay::PanelHeads> headsOf(const scene::Scene& scene,
+                                           const timeline::ClipMotion& motion,
+                                           const PanelGrid& grid) {
+  if (!hasPanels(scene) || scene.grid) return std::nullopt;
+  overlay::PanelCells cells{.width = grid.width, .height = grid.height};
+  for (const auto& [x, y] : grid.positions) cells.corners.emplace_back(x, y);
+  cells.letters = panelLetters(scene);
+  return overlay::PanelHeads(scene, motion.trajectories(), cells);
+}
+
+/// Returns the pictures of the bodies, which are below the panels' heads.
+PanelGrid below(const std::optional<overlay::PanelHeads>& heads, PanelGrid grid) {
+  if (!heads) return grid;
+  grid.height -= heads->rows();
+  for (PanelGrid::Position& position : grid.positions) position.y += heads->rows();
+  return grid;
+}
+
 std::vector<overlay::MotionOverlays> overlaysOf(const scene::Scene& scene,
                                                 const timeline::ClipMotion& motion,
                                                 const PanelGrid& grid,
+                                                const std::optional<overlay::PanelHeads>& heads,
                                                 const overlay::CaptionAndClock& text) {
   const std::vector<scene::Panel> panels = scene::motionsOf(scene);
   double energyTop = 0;
@@ -43,16 +66,13 @@ std::vector<overlay::MotionOverlays> overlaysOf(const scene::Scene& scene,
   }
   std::vector<overlay::MotionOverlays> overlays;
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    overlay::Viewport viewport{.width = grid.width,
-                               .height = grid.height,
-                               .label = scene.grid ? "" : panels[i].label,
-                               .labelKey = scene::labelKey(i),
-                               .energyTop = energyTop};
+    overlay::Viewport viewport{.width = grid.width, .height = grid.height, .energyTop = energyTop};
     if (scene.grid) {
       viewport.letters = 0;  // the cell's own size
-    } else if (hasPanels(scene)) {
-      viewport.letters =
-          kPanelLetters * scene.overlay.scale * std::min(scene.clip.width, scene.clip.height);
+    } else if (heads) {
+      viewport.hasHead = true;
+      viewport.letters = panelLetters(scene);
+      viewport.corner = {0, 0, 1.0 * grid.width, 1.0 * heads->rowsOnPicture()};
     } else {
       viewport.corner = text.corner();
       viewport.bottomRows = text.bottomRows();
@@ -112,8 +132,9 @@ Composition::Composition(const scene::Scene& scene, const timeline::ClipMotion& 
     : motion_(&motion),
       captionAndClock_(captionAndClockOf(scene)),
       margins_(marginsOf(scene, captionAndClock_)),
-      grid_(gridOf(scene, margins_, captionAndClock_)),
-      overlays_(overlaysOf(scene, motion, grid_, captionAndClock_)),
+      heads_(headsOf(scene, motion, gridOf(scene, margins_, captionAndClock_))),
+      grid_(below(heads_, gridOf(scene, margins_, captionAndClock_))),
+      overlays_(overlaysOf(scene, motion, grid_, heads_, captionAndClock_)),
       screen_(screenOf(grid_, overlays_)),
       background_(backgroundOf(scene, margins_)),
       panel_(screen_.width, screen_.height, image::PixelFormat::Rgba8) {}
@@ -127,6 +148,7 @@ void Composition::draw(std::int64_t frame, const DrawBody& drawBody, image::Imag
       drawMotion(i, frame, drawBody, panel_);
       image::paste(panel_.view(), grid_.positions[i].x, grid_.positions[i].y, picture);
     }
+    if (heads_) heads_->draw(frame, picture);
   }
   captionAndClock_.draw(motion_->clockFrame(frame), picture);
 }

@@ -13,6 +13,7 @@
 #include "image/image.h"
 #include "overlay/caption_and_clock.h"
 #include "overlay/motion_overlays.h"
+#include "overlay/panel_heads.h"
 #include "picture/grid_margins.h"
 #include "picture/panel_grid.h"
 #include "scene/scene.h"
@@ -50,7 +51,8 @@ class Composition {
   const timeline::ClipMotion* motion_;
   overlay::CaptionAndClock captionAndClock_;
   std::optional<GridMargins> margins_;
-  PanelGrid grid_;
+  std::optional<overlay::PanelHeads> heads_;
+  PanelGrid grid_;  // of the bodies' pictures
   std::vector<overlay::MotionOverlays> overlays_;  // of each motion
   geometry::Screen screen_;
   image::Image background_;  // visible between panels

@@ -151,6 +151,33 @@ void requireSameSize(const fs::path& path, const image::Image& picture, const fs
                    sizeText(picture.width(), picture.height()));
 }
 
+bool isOpaque(const image::Image& picture) {
+  if (picture.format() != image::PixelFormat::Rgba8) return true;
+  for (int y = 0; y < picture.height(); ++y) {
+    const std::uint8_t* row = picture.row(y);
+    for (int x = 0; x < picture.width(); ++x) {
+      if (row[4 * x + 3] != 255) return false;
+    }
+  }
+  return true;
+}
+
+/// Throws InputError if the video would lose the transparency of a frame: because its format keeps
+/// none, or because the first frame has none.
+void requireOpaque(const fs::path& path, const image::Image& picture, video::VideoFormat format,
+                   const fs::path& firstPath) {
+  if (isOpaque(picture)) return;
+  if (keepsTransparency(format)) {
+    throw InputError(path.string() + " has transparent pixels, which would be lost, as " +
+                     firstPath.string() + " has no alpha channel; give all frames one");
+  }
+  throw InputError(
+      path.string() + " has transparent pixels, which " + std::string(nameOf(format)) +
+      " can't hold; use the ending " +
+      listFormats(&video::FormatRow::ending, "or", &video::FormatRow::keepsTransparency) +
+      ", or lay the frames over a background");
+}
+
 /// Returns the format that the ending of `path` names.
 video::VideoFormat formatOf(const fs::path& path) {
   for (const video::FormatRow& row : video::kFormatRows) {
@@ -187,6 +214,7 @@ Assembled assemble(const fs::path& folder, const fs::path& video,
     const fs::path path = folder / store::frameName(index);
     const image::Image picture = readFrame(checksums, index);
     requireSameSize(path, picture, firstPath, first);
+    if (!settings.transparent) requireOpaque(path, picture, format, firstPath);
     sink.write(index, picture.view());
     if (progress) progress({index - range.first + 1, range.count()});
   }

@@ -25,10 +25,10 @@ struct Assembled {
 /// settings of the scene.toml beside them: byte for byte the file that the render of these frames
 /// would make. Frames without a scene.toml need a `frameRate`, others must have none. Calls
 /// `progress`, which may be empty, after each frame. Throws InputError if there are no frames, one
-/// is missing, differs in size or from its checksum in frames.xxh128, or if rate or format are
-/// missing, or, if the clip must be `whole`, frames of the scene are; MachineError if a frame can't
-/// be read or the whole clip is being rendered there. A frame without a checksum must be a PNG
-/// whose own checksums are right.
+/// is missing, differs in size or from its checksum in frames.xxh128, or has transparency that the
+/// video would lose, or if rate or format are missing, or, if the clip must be `whole`, frames of
+/// the scene are; MachineError if a frame can't be read or the whole clip is being rendered there.
+/// A frame without a checksum must be a PNG whose own checksums are right.
 Assembled assemble(const std::filesystem::path& folder, const std::filesystem::path& video,
                    std::optional<FrameRate> frameRate,
                    const std::function<void(RenderProgress)>& progress, bool whole = false);

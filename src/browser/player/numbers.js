@@ -7,7 +7,7 @@ const energyOf = (sample) => sample[kSample.energies] + sample[kSample.energies 
 
 /** Names, and how to say a sample's number. */
 const kNumbers = [
-  ["Half-turns", (sample) => String(sample[kSample.halfTurns])],
+  ["Flips", (sample) => String(sample[kSample.halfTurns])],
   ["Tilt", (sample) => degrees(sample[kSample.tilt])],
   ["Energy", (sample, first) => percent(energyOf(sample) / energyOf(first))],
   ["Error", (sample, first, motion) => (motion.model === "exact" ? "–" : degrees(sample[kSample.error]))],

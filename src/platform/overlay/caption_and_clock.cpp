@@ -160,7 +160,9 @@ struct CaptionAndClock::Parts {
                    .colour = kWhite,
                    .opacity = 0.92,
                    .halo = scale.halo,
-                   .tabular = true} {
+                   .tabular = true},
+        mirrored(shows(asked, scene::Overlay::Caption) &&
+                 type.isReadFromTheRight(asked.title.empty() ? asked.caption : asked.title)) {
     const bool below = shows(scene, scene::Overlay::Clock) && position == ClockPosition::Bottom;
     if (shows(scene, scene::Overlay::Clock)) clock = clockBox();
     std::vector<Line> lines;
@@ -168,7 +170,7 @@ struct CaptionAndClock::Parts {
       lines = captionLines(below ? static_cast<int>(clock.width) + margin : 0);
     }
     if (below) {
-      clock.x = scale.width - margin - clock.width;
+      clock.x = mirrored ? margin : scale.width - margin - clock.width;
       clock.y = lines.empty() ? scale.height - margin - clock.height : lines.front().top;
     }
     if (!lines.empty()) {
@@ -225,7 +227,10 @@ struct CaptionAndClock::Parts {
 
   void addLines(const std::vector<Line>& lines) {
     Canvas canvas(scale.width, scale.height, Ink(scene));
-    for (const Line& line : lines) canvas.write(line.text, {1.0 * margin, 1.0 * line.top});
+    for (const Line& line : lines) {
+      const double left = mirrored ? scale.width - margin - boxOf(line.text).width : margin;
+      canvas.write(line.text, {left, 1.0 * line.top});
+    }
     caption = canvas.take();
   }
 
@@ -257,6 +262,7 @@ struct CaptionAndClock::Parts {
   int margin;  // [pixels]
   Typesetter type;
   TextStyle clockStyle;
+  bool mirrored;        // The lines begin at the right, and the clock at the bottom is on the left.
   Layer background;     // below the text at the bottom
   CachedLayer caption;  // the same in every frame
   Box clock;            // empty if it isn't shown

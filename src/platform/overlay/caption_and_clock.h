@@ -17,7 +17,7 @@ class CaptionAndClock {
  public:
   enum class ClockPosition {
     TopLeft,
-    Bottom,  ///< Right of the caption's first line, for pictures that have other text at the top.
+    Bottom,  ///< Beside the caption's first line, for pictures that have other text at the top.
   };
 
   /// Throws InputError, with the line of the scene, if its font isn't installed or lacks a letter,

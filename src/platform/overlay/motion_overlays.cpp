@@ -10,7 +10,6 @@
 #include "overlay/layout.h"
 #include "overlay/motion_text.h"
 #include "overlay/strip_chart.h"
-#include "scene/source_locations.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -19,8 +18,7 @@ using scene::Overlay;
 using scene::OverlayRow;
 using scene::Placement;
 
-constexpr double kSmall = 0.72;  // size of small letters, relative to the others
-constexpr double kBold = 2;      // widens the lines of a textless picture, which is shown small
+constexpr double kBold = 2;  // widens the lines of a textless picture, which is shown small
 constexpr double kSmallestInset = 24;  // a smaller one can't be made out [pixels]
 constexpr double kGlide = 0.07;  // frames this near are averaged, see ArrowLabels [s of the clip]
 
@@ -41,13 +39,11 @@ struct MotionOverlays::Parts {
         scale(viewport.width, viewport.height, asked.overlay.scale),
         energyTop(viewport.energyTop),
         canvas(viewport.width, viewport.height, Ink(asked)) {
-    scale.letters = std::max(scale.letters, viewport.letters);
-    scale.smallLetters = std::max(scale.smallLetters, kSmall * viewport.letters);
-    scale.arrowLetters = std::max(scale.arrowLetters, kSmall * viewport.letters);
+    scale.enlargeLetters(viewport.letters);
     if (scene.textless) scale.line *= kBold;
     taken.push_back(viewport.corner);
     layout = layOut(scale, wanted(viewport));
-    addTextAtTheTop(viewport);
+    if (!viewport.hasHead) addCounts(viewport);
     const auto meetsText = [&](const Box& text) { return text.meets(layout.square); };
     if (std::ranges::any_of(taken, meetsText)) layout.square = {};
     taken.push_back({0, 1.0 * (viewport.height - layout.bottomRows), 1.0 * viewport.width,
@@ -60,7 +56,7 @@ struct MotionOverlays::Parts {
     labels = ArrowLabels({0, 0, 1.0 * scale.width, 1.0 * scale.height}, taken,
                          static_cast<std::int64_t>(motion.samples.size()) - 1,
                          scene.clip.frameRate.framesIn(kGlide));
-    if (motion.divergedAt && !scene.textless)
+    if (motion.divergedAt && !scene.textless && !viewport.hasHead)
       notice = divergenceNotice(context(), *motion.divergedAt, taken);
   }
 
@@ -105,31 +101,11 @@ struct MotionOverlays::Parts {
     }
   }
 
-  /// Returns the left edge of the insets at the top right; the picture's right edge if there are
-  /// none.
-  double insetsLeft() const {
-    double left = scale.width;
-    const auto consider = [&](const Box& box) {
-      if (!box.empty() && box.y <= scale.margin) left = std::min(left, box.x);
-    };
-    consider(layout.square);
-    for (const Box& chart : layout.charts) consider(chart);
-    return left;
-  }
-
-  /// Adds the label and the count of half-turns below the viewport's other text at the top left.
-  void addTextAtTheTop(const Viewport& viewport) {
+  /// Adds the count of flips below the viewport's other text at the top left.
+  void addCounts(const Viewport& viewport) {
     Point position(scale.margin, scale.margin);
     if (!viewport.corner.empty()) {
       position = {viewport.corner.x, viewport.corner.bottom() + 0.3 * scale.letters};
-    }
-    if (!viewport.label.empty() && !scene.textless) {
-      const double room = insetsLeft() - scale.margin - position.x();
-      cachedLayers.push_back(scene::atLocationOf(scene, viewport.labelKey, [&] {
-        return labelLayer(context(), viewport.label, position, room);
-      }));
-      taken.push_back(cachedLayers.back().texts.front());
-      position.y() = taken.back().bottom() + 0.3 * scale.letters;
     }
     for (const OverlayRow& row : shownAt({Placement::TopLeft})) {
       insets.push_back(makeOverlay(row.overlay, context(), {position.x(), position.y(), 0, 0}));
@@ -147,7 +123,6 @@ struct MotionOverlays::Parts {
                     canvas, picture, ended};
     canvas.forgetTexts();
     for (const auto& overlay : inWorld) overlay->draw(view);
-    for (const CachedLayer& cached : cachedLayers) canvas.lay(cached, picture);
     for (const auto& overlay : insets) overlay->draw(view);
     std::vector<Box> noticed;
     if (ended && notice) {
@@ -199,8 +174,7 @@ struct MotionOverlays::Parts {
   ArrowLabels labels;
   Eigen::Matrix<double, 3, 4> lettersProjection = Eigen::Matrix<double, 3, 4>::Zero();
   Layout layout;
-  std::vector<Box> taken;                 // areas that moving letters keep out of
-  std::vector<CachedLayer> cachedLayers;  // the same in every frame
+  std::vector<Box> taken;  // areas that moving letters keep out of
   std::optional<CachedLayer> notice;
   std::vector<std::unique_ptr<DrawnOverlay>> inWorld;  // on and around the body, in drawing order
   std::vector<std::unique_ptr<DrawnOverlay>> insets;   // drawn above them

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -23,11 +22,11 @@ struct Viewport {
   int height = 0;  ///< > 0 [pixels]
   /// The box of other text at its top left corner, see CaptionAndClock::corner(). [pixels]
   Box corner{};
-  int bottomRows = 0;   ///< Rows at its bottom that other text takes. [pixels]
-  std::string label{};  ///< Written at its top; may be empty.
+  int bottomRows = 0;  ///< Rows at its bottom that other text takes. [pixels]
+  /// True if PanelHeads draws what else is at the top left, and the notice of a divergence.
+  bool hasHead = false;
   /// Smallest letter size, so that the letters of a small panel match the whole picture's. [pixels]
   double letters = 0;
-  std::string labelKey{};  ///< The label's key for scene::locationOf().
   /// Smallest upper end of the energy chart: the highest energyChartTop() of all motions, so that
   /// charts side by side have one scale. The chart of the angle to the exact motion always ends at
   /// 180°.
@@ -38,8 +37,8 @@ struct Viewport {
 /// energy.
 double energyChartTop(const physics::Trajectory& trajectory);
 
-/// Draws the overlays that overlay.show asks for on pictures of one motion: the viewport's label,
-/// and all but caption and clock, which CaptionAndClock draws. Overlays that don't exist for the
+/// Draws the overlays that overlay.show asks for on pictures of one motion, all but caption and
+/// clock, which CaptionAndClock draws, and what PanelHeads draws. Overlays that don't exist for the
 /// scene's model are left out. Frames after the end of a motion that diverged show its last sample
 /// with a notice of the time. Use it on one thread.
 class MotionOverlays {

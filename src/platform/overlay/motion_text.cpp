@@ -7,7 +7,6 @@
 #include <string>
 
 #include "base/error.h"
-#include "scene/source_locations.h"
 
 namespace rotatebook::overlay {
 namespace {
@@ -17,7 +16,7 @@ constexpr double kMinLines = 3;        // a label may have as many however low i
 constexpr double kGlowTime = 0.7;      // in which the count fades back to white [s of the clip]
 
 std::string countText(const OverlayContext& context, int count) {
-  return context.scene.overlay.words[scene::Word::HalfTurns] + " " + std::to_string(count);
+  return context.scene.overlay.words[scene::Word::Flips] + " " + std::to_string(count);
 }
 
 TextStyle countStyle(const Scale& scale, double glow) {
@@ -40,14 +39,12 @@ Box movedBelow(Box box, const std::vector<Box>& taken, double gap) {
 
 }  // namespace
 
-CachedLayer labelLayer(const OverlayContext& context, const std::string& label,
-                       const Point& position, double width) {
+Layer labelLayer(const OverlayContext& context, const std::string& label, double width) {
   const TextStyle style{.size = 1.1 * context.scale.letters,
                         .bold = true,
                         .colour = kWhite,
                         .halo = context.scale.halo};
-  Canvas canvas = context.canvas();
-  const Layer layer = context.type.draw(label, style, static_cast<int>(width));
+  Layer layer = context.type.draw(label, style, static_cast<int>(width));
   const double max = std::max(kTallestLabel * context.scale.height, kMinLines * style.size);
   if (layer.height > max && context.scene.clip.height >= kSmallPicture) {
     throw InputError("the label \"" + label + "\" takes " + std::to_string(layer.height) +
@@ -55,13 +52,23 @@ CachedLayer labelLayer(const OverlayContext& context, const std::string& label,
                      " rows, which leaves too little for the book; shorten it, or make the "
                      "picture larger (clip.size)");
   }
-  canvas.write(layer, position);
-  return canvas.take();
+  return layer;
+}
+
+Layer divergenceLayer(const OverlayContext& context, double time, double width) {
+  const TextStyle style{.size = context.scale.letters,
+                        .bold = true,
+                        .colour = kWarningColour,
+                        .halo = context.scale.halo,
+                        .tabular = true};
+  const scene::Words& words = context.scene.overlay.words;
+  return context.type.draw(words[scene::Word::DivergedAt] + " t = " + clockText(time, words), style,
+                           static_cast<int>(width));
 }
 
 namespace {
 
-/// "Half-turns 3", which lights up when the book turns over.
+/// "Flips 3", which lights up when the book turns over.
 class HalfTurns final : public DrawnOverlay {
  public:
   /// Takes the top left of `area`.
@@ -116,19 +123,27 @@ std::unique_ptr<DrawnOverlay> makeHalfTurns(const OverlayContext& context, const
 
 namespace {
 
-/// Writes a notice in letters of `size` [pixels] at the top, below all that is `taken`; nothing if
-/// it has no room.
-std::optional<CachedLayer> noticeOf(const OverlayContext& context, const std::string& notice,
-                                    double size, const std::vector<Box>& taken) {
+constexpr const char* kFixedSpace = "\u00a0";  // at which no line is broken
+
+/// Writes a notice, the time on a line of its own if that keeps it beside the body, in letters of
+/// `size` [pixels] at the top left, below all that is `taken`; nothing if it has no room.
+std::optional<CachedLayer> noticeOf(const OverlayContext& context, const std::string& words,
+                                    const std::string& time, double size,
+                                    const std::vector<Box>& taken) {
   const Scale& scale = context.scale;
   const TextStyle style{.size = size, .bold = true, .colour = kWarningColour};
   const double padding = 0.6 * style.size;
-  const Layer text =
-      context.type.draw(notice, style, static_cast<int>(scale.width - 2 * (padding + 2)));
-  const double left = std::round((scale.width - text.width) / 2.0);
+  const auto widthOf = [&](const std::string& text) {
+    return context.type.measure(text, style, scale.width).width;
+  };
+  const double side = (scale.width - scale.height) / 2.0 - scale.margin - 2 * padding;
+  const bool hasSide = std::max(widthOf(words), widthOf(time)) < side;
+  const double room = hasSide ? side : scale.width - 2 * (padding + 2);
+  const Layer text = context.type.draw(words + " " + time, style, static_cast<int>(room));
+  const double width = text.width + 2 * padding;
+  const double left = std::min(std::round(scale.margin), std::floor((scale.width - width) / 2));
   const Box box =
-      movedBelow({left - padding, scale.margin, text.width + 2 * padding, text.height + padding},
-                 taken, 0.3 * padding);
+      movedBelow({left, scale.margin, width, text.height + padding}, taken, 0.3 * padding);
   if (box.bottom() > scale.height) return std::nullopt;
   Canvas canvas = context.canvas();
   canvas.roundedBox(box, 0.5 * style.size, {kDark, 0.82});
@@ -143,9 +158,11 @@ std::optional<CachedLayer> divergenceNotice(const OverlayContext& context, doubl
   const double letters = context.scale.letters;
   const scene::Words& words = context.scene.overlay.words;
   const std::string& diverged = words[scene::Word::DivergedAt];
-  const std::string clock = clockText(time, words);
-  auto notice = noticeOf(context, diverged + " t = " + clock, 1.25 * letters, taken);
-  if (!notice) notice = noticeOf(context, diverged + " " + clock, 0.9 * letters, taken);
+  std::string clock = clockText(time, words);
+  clock.replace(clock.find(' '), 1, kFixedSpace);
+  const std::string whole = std::string("t") + kFixedSpace + "=" + kFixedSpace + clock;
+  auto notice = noticeOf(context, diverged, whole, 1.25 * letters, taken);
+  if (!notice) notice = noticeOf(context, diverged, clock, 0.9 * letters, taken);
   return notice;
 }
 

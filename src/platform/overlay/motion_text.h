@@ -9,13 +9,15 @@
 
 namespace rotatebook::overlay {
 
-/// Sets `label` at `position`, no wider than `width`, with a halo. [pixels] Throws InputError if
-/// the font lacks a letter, or if the label leaves too little of the picture.
-CachedLayer labelLayer(const OverlayContext& context, const std::string& label,
-                       const Point& position, double width);
+/// Sets a panel's `label`, no wider than `width`, with a halo. [pixels] Throws InputError if the
+/// font lacks a letter, or if the label takes too much of the panel.
+Layer labelLayer(const OverlayContext& context, const std::string& label, double width);
 
-/// Sets "Diverged at t = 22.53 s" in a dark box, centred at the top, below what is `taken` there;
-/// nothing if the picture is too small for it.
+/// Sets "Diverged at t = 22.53 s", no wider than `width`, with a halo. [pixels]
+Layer divergenceLayer(const OverlayContext& context, double time, double width);
+
+/// Sets the same in a dark box at the top left, below what is `taken` there; nothing if the picture
+/// is too small for it.
 std::optional<CachedLayer> divergenceNotice(const OverlayContext& context, double time,
                                             const std::vector<Box>& taken);
 

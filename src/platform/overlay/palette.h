@@ -52,6 +52,14 @@ struct Scale {
         line(std::max(0.0036 * unit, 1.3)),
         halo(std::max(0.0024 * unit, 1.0)) {}
 
+  /// Makes all letters at least as large as those of a larger picture, of which this is a part.
+  void enlargeLetters(double least) {
+    constexpr double kSmall = 0.72;  // size of small letters, relative to the others
+    letters = std::max(letters, least);
+    smallLetters = std::max(smallLetters, kSmall * least);
+    arrowLetters = std::max(arrowLetters, kSmall * least);
+  }
+
   int width, height;    ///< Of the picture. [pixels]
   double factor;        ///< scene::OverlaySettings::scale
   double unit;          ///< The picture's shorter side, times `factor`. [pixels]

@@ -116,10 +116,12 @@ LayoutPointer layoutOf(PangoContext* context, const std::string& family, const s
   return layout;
 }
 
-TextSize sizeOf(PangoLayout* layout) {
-  TextSize size;
-  pango_layout_get_pixel_size(layout, &size.width, &size.height);
-  return size;
+/// Returns the box of the text within its layout, whose lines begin at the right in scripts that
+/// are read from there.
+PangoRectangle extentsOf(PangoLayout* layout) {
+  PangoRectangle box;
+  pango_layout_get_pixel_extents(layout, nullptr, &box);
+  return box;
 }
 
 /// Returns the first letter that the layout's font lacks; there must be one.
@@ -205,7 +207,14 @@ Typesetter::Typesetter(Typesetter&&) noexcept = default;
 Typesetter::~Typesetter() = default;
 
 TextSize Typesetter::measure(const std::string& text, const TextStyle& style, int width) const {
-  return sizeOf(layoutOf(parts().context.get(), parts().family, text, style, width).get());
+  const PangoRectangle box =
+      extentsOf(layoutOf(parts().context.get(), parts().family, text, style, width).get());
+  return {box.width, box.height};
+}
+
+bool Typesetter::isReadFromTheRight(const std::string& text) const {
+  const LayoutPointer layout = layoutOf(parts().context.get(), parts().family, text, {}, 0);
+  return pango_layout_get_direction(layout.get(), 0) == PANGO_DIRECTION_RTL;
 }
 
 Layer Typesetter::draw(const std::string& text, const TextStyle& style, int width) const {
@@ -215,15 +224,15 @@ Layer Typesetter::draw(const std::string& text, const TextStyle& style, int widt
                      "\", which is in \"" + text +
                      "\"; choose an installed font that has it, overlay.font = \"...\"");
   }
-  const TextSize size = sizeOf(layout.get());
+  const PangoRectangle box = extentsOf(layout.get());
   const int margin = static_cast<int>(std::ceil(style.halo));
-  Layer layer{-margin, -margin, size.width + 2 * margin, size.height + 2 * margin, {}};
+  Layer layer{-margin, -margin, box.width + 2 * margin, box.height + 2 * margin, {}};
   layer.pixels.resize(static_cast<std::size_t>(layer.width) *
                       static_cast<std::size_t>(layer.height) * 4);
   const Surface surface(cairo_image_surface_create_for_data(
       layer.pixels.data(), CAIRO_FORMAT_ARGB32, layer.width, layer.height, layer.width * 4));
   const Cairo cairo(cairo_create(surface.get()));
-  cairo_translate(cairo.get(), margin, margin);
+  cairo_translate(cairo.get(), margin - box.x, margin - box.y);
   paint(cairo.get(), layout.get(), style, ink_);
   cairo_surface_flush(surface.get());
   return layer;

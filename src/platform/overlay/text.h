@@ -49,6 +49,9 @@ class Typesetter {
   /// Returns the size of UTF-8 `text`, wrapped at word boundaries to lines of at most `width`
   /// [pixels]; a line feed ends a line, too.
   TextSize measure(const std::string& text, const TextStyle& style, int width) const;
+  /// Returns whether the lines of `text` begin at the right, as in Hebrew and Arabic: whether its
+  /// first letter is of such a script.
+  bool isReadFromTheRight(const std::string& text) const;
   /// Draws the text, wrapped likewise: its top left is at the origin, the halo extends beyond.
   /// Throws InputError, naming the letter, if the font lacks one.
   Layer draw(const std::string& text, const TextStyle& style, int width) const;

@@ -85,7 +85,7 @@ TEST(ComparisonGolden, IsNotMatchedWithoutTheNoticeOfADivergence) {
 }
 
 TEST(ComparisonGolden, IsNotMatchedByOtherLabelsOrPanels) {
-  EXPECT_FALSE(isMatchedBy(drawn(comparison({"panel.3.label=exakt"}), kFrame)));
+  EXPECT_FALSE(isMatchedBy(drawn(comparison({"panel.3.label=precise"}), kFrame)));
   EXPECT_FALSE(
       isMatchedBy(drawn(comparison({"panel.1.simulation.model=exact", "panel.1.label=exact",
                                     "panel.3.label=matrix", "panel.3.simulation.model=matrix"}),

@@ -10,6 +10,7 @@
 #include "base/same_bytes.h"
 #include "image/png_file.h"
 #include "picture/attitudes.h"
+#include "picture/composition.h"
 #include "picture/frame_drawer.h"
 #include "pipeline/small_clip.h"
 #include "timeline/trajectory_csv.h"
@@ -54,10 +55,11 @@ image::Image panelOf(const image::Image& picture, std::size_t index) {
   return panel;
 }
 
-// Returns the part of a panel that its label can't reach.
+// Returns the lower part of a panel, which its label can't reach.
 image::Image belowLabel(const image::Image& panel) {
-  const int top = panel.height() / 2;
-  image::Image below(panel.width(), panel.height() - top, panel.format());
+  constexpr int kRows = 30;
+  const int top = panel.height() - kRows;
+  image::Image below(panel.width(), kRows, panel.format());
   std::copy_n(panel.row(top), below.stride() * below.height(), below.row(0));
   return below;
 }
@@ -67,9 +69,9 @@ TEST(Panels, EachShowTheirMotionsSample) {
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   std::vector<image::Image> expected;
   {
-    const PanelGrid grid = panelGrid(2, 128, 72);
-    render::Renderer renderer =
-        makeRenderer(scene, {grid.width, grid.height, 0}, loadLooks(scene).looks);
+    const geometry::Screen screen = Composition(scene, motion).screen();
+    EXPECT_EQ(screen.height, 48) << "a head takes a third of a very small panel";
+    render::Renderer renderer = makeRenderer(scene, screen, loadLooks(scene).looks);
     for (const auto& trajectory : motion.trajectories()) {
       expected.push_back(renderer.makePicture());
       renderer.draw(trajectory.samples[3].cage, expected.back());
@@ -78,7 +80,10 @@ TEST(Panels, EachShowTheirMotionsSample) {
   const image::Image picture = drawnPair(scene, 3);
   for (const std::size_t i : {0, 1}) {
     EXPECT_EQ(belowLabel(panelOf(picture, i)), belowLabel(expected[i])) << i;
-    EXPECT_NE(panelOf(picture, i), expected[i]) << i << " has no label";
+    const std::string other = "panel." + std::to_string(i) + ".label='Other'";
+    const image::Image labelled = drawnPair(pair({other}), 3);
+    EXPECT_NE(panelOf(picture, i), panelOf(labelled, i)) << i << " has no label";
+    EXPECT_EQ(belowLabel(panelOf(picture, i)), belowLabel(panelOf(labelled, i)));
   }
   EXPECT_NE(belowLabel(expected[0]), belowLabel(expected[1]));
 }
@@ -153,10 +158,11 @@ TEST(CsvFiles, AreAllDifferent) {
 TEST(Panels, ShowAllOfTheBookWhateverTheirShape) {
   for (const char* size : {"clip.size=[128,72]", "clip.size=[300,72]", "clip.size=[64,300]"}) {
     const scene::Scene scene = pair({size});
-    const PanelGrid grid = panelGrid(2, scene.clip.width, scene.clip.height);
-    EXPECT_FALSE(testing::anyAttitudeTouchesBorder(scene, {grid.width, grid.height, 0}, 1)) << size;
-    const int margin = std::min(grid.width, grid.height) / 5;
-    EXPECT_TRUE(testing::anyAttitudeTouchesBorder(scene, {grid.width, grid.height, 0}, margin))
+    const timeline::ClipMotion motion = timeline::simulateScene(scene);
+    const geometry::Screen screen = Composition(scene, motion).screen();
+    EXPECT_FALSE(testing::anyAttitudeTouchesBorder(scene, screen, 1)) << size;
+    const int margin = std::min(screen.width, screen.height) / 5;
+    EXPECT_TRUE(testing::anyAttitudeTouchesBorder(scene, screen, margin))
         << size << " shows it small";
   }
 }

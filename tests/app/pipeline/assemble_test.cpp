@@ -4,6 +4,7 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -246,6 +247,43 @@ TEST_F(Assemble, NamesBothFramesOfDifferentSizes) {
   EXPECT_EQ(inputError(FrameRate{25, 1}),
             "frames differ in size: " + (frames_ / store::frameName(0)).string() + " is 32x16, " +
                 (frames_ / store::frameName(2)).string() + " is 48x16");
+}
+
+/// Writes a frame of half transparent red, or one of opaque red that has an alpha channel, too.
+void writeRed(const fs::path& folder, std::int64_t index, int alpha) {
+  image::Image picture(32, 16, image::PixelFormat::Rgba8);
+  for (int y = 0; y < picture.height(); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      picture.row(y)[4 * x] = 255;
+      picture.row(y)[4 * x + 3] = static_cast<std::uint8_t>(y == 9 && x == 9 ? alpha : 255);
+    }
+  }
+  image::writePng(folder / store::frameName(index), picture.view(), true);
+}
+
+TEST_F(Assemble, LosesNoTransparency) {
+  writeFrames(frames_, {0, 1});
+  writeRed(frames_, 2, 254);
+  const std::string third = (frames_ / store::frameName(2)).string();
+  const std::string lost = third + " has transparent pixels, which ";
+  EXPECT_EQ(inputError(FrameRate{25, 1}),
+            lost +
+                "mp4 can't hold; use the ending .webm or .apng, or lay the frames over a "
+                "background");
+  const std::vector<std::pair<std::string, std::string>> others{
+      {"a.gif", "gif can't hold"},
+      {"a.webm", "would be lost, as " + (frames_ / store::frameName(0)).string() +
+                     " has no alpha channel; give all frames one"}};
+  for (const auto& [name, reason] : others) {
+    const fs::path video = folder_ / name;
+    EXPECT_THAT(testing::messageOf<InputError>([&] { assemble(frames_, video, FrameRate{}, {}); }),
+                HasSubstr(lost + reason));
+    EXPECT_FALSE(fs::exists(video));
+  }
+  writeRed(frames_, 0, 255);
+  EXPECT_NO_THROW(assemble(frames_, folder_ / "a.webm", FrameRate{}, {}));
+  writeRed(frames_, 2, 255);
+  EXPECT_EQ(assembled(FrameRate{25, 1}), 3);
 }
 
 TEST_F(Assemble, NeedsARateForFramesFromElsewhere) {

@@ -46,7 +46,7 @@ test("refuses bytes that are no clip, or damaged anywhere, with words", async ()
 
 test("writes TOML that keeps numbers, strings and panels", () => {
   const text = tomlText({title: "a \"b\"\n\u0007", initial: {angular_velocity: [4, 0.1, 1e-300], tilt: ["1 deg", "z"]},
-    overlay: {words: {"Half-turns": "Demi-tours"}, show: []}, nudge: [{at: 1}], panel: [{label: "a"}, {label: "b", simulation: {model: "exact"}}]});
+    overlay: {words: {Flips: "Retournements"}, show: []}, nudge: [{at: 1}], panel: [{label: "a"}, {label: "b", simulation: {model: "exact"}}]});
   assert.equal(text, `title = "a \\"b\\"\\n\\u0007"
 
 [initial]
@@ -54,7 +54,7 @@ angular_velocity = [4, 0.1, 1e-300]
 tilt = ["1 deg", "z"]
 
 [overlay]
-words = { Half-turns = "Demi-tours" }
+words = { Flips = "Retournements" }
 show = []
 
 [[nudge]]

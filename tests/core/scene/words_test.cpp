@@ -23,7 +23,7 @@ Scene sceneWithWords(const std::string& words) {
 
 TEST(Words, AreEnglishByDefault) {
   const Words words;
-  EXPECT_EQ(words[Word::HalfTurns], "Half-turns");
+  EXPECT_EQ(words[Word::Flips], "Flips");
   EXPECT_EQ(words.number("1.5 s"), "1.5 s");
   EXPECT_EQ(sceneWithWords("'english'").overlay.words, words);
 }
@@ -37,7 +37,7 @@ TEST(Words, OfTheListAreAllDifferentAndTranslated) {
 
 TEST(Words, ShipInGerman) {
   const Words words = sceneWithWords("'german'").overlay.words;
-  EXPECT_EQ(words[Word::HalfTurns], "Halbe Drehungen");
+  EXPECT_EQ(words[Word::Flips], "Überschläge");
   EXPECT_EQ(words.number("1.5 s"), "1,5 s");
   EXPECT_EQ(words.number("12 s"), "12 s");
 }
@@ -49,8 +49,8 @@ TEST(Words, AreFoundByTheirEnglish) {
 }
 
 TEST(Words, OfATableReplaceThoseInEnglish) {
-  const Words words = sceneWithWords("{ 'Half-turns' = 'Demi-tours' }").overlay.words;
-  EXPECT_EQ(words[Word::HalfTurns], "Demi-tours");
+  const Words words = sceneWithWords("{ 'Flips' = 'Retournements' }").overlay.words;
+  EXPECT_EQ(words[Word::Flips], "Retournements");
   EXPECT_EQ(words[Word::Energy], "Energy");
 }
 
@@ -66,7 +66,7 @@ TEST(Words, AreAllInTheExampleOfTheDocumentation) {
 
 TEST(Words, AreThoseOfTheScenesText) {
   for (const char* words :
-       {"'english'", "'german'", "{ 'Half-turns' = 'Demi-tours', decimal_mark = ',' }"}) {
+       {"'english'", "'german'", "{ 'Flips' = 'Retournements', decimal_mark = ',' }"}) {
     const Scene scene = sceneWithWords(words);
     EXPECT_EQ(parseScene(sceneText(scene), "a.toml").overlay.words, scene.overlay.words) << words;
   }
@@ -95,8 +95,8 @@ TEST(Words, HaveADecimalMarkThatLeavesNumbersWhatTheyAre) {
 }
 
 TEST(Words, ThatAreUnknownAreRefused) {
-  EXPECT_THAT(refusalOf("{ 'Half-turn' = 'Demi-tours' }"),
-              HasSubstr("did you mean \"Half-turns\""));
+  EXPECT_THAT(refusalOf("{ 'Flip' = 'Retournements' }"),
+              HasSubstr("did you mean \"Flips\""));
   const char* expected = "overlay.words must be \"english\", \"german\", a table of words";
   for (const char* words : {"'germann'", "3", "'french'"}) {
     EXPECT_THAT(refusalOf(words), HasSubstr(expected)) << words;

@@ -1,6 +1,8 @@
 #include "overlay/caption_and_clock.h"
 
+#include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -170,6 +172,41 @@ TEST(CaptionAndClock, CanBeReadOverWhite) {
   ASSERT_EQ(captionAndClock.texts().size(), 3U);
   for (const Box& box : captionAndClock.texts()) {
     EXPECT_GE(testing::contrastOf(box, picture), 4.5);  // measured 5.0 to 6.9
+  }
+}
+
+/// Returns the columns of `box` with light of its words, first and one past the last.
+std::pair<int, int> litColumns(const Box& box, const image::Image& picture) {
+  std::pair<int, int> columns{picture.width(), 0};
+  for (int y = static_cast<int>(box.y); y < static_cast<int>(box.bottom()); ++y) {
+    for (int x = 0; x < picture.width(); ++x) {
+      if (picture.row(y)[3 * x] <= 40) continue;
+      columns = {std::min(columns.first, x), std::max(columns.second, x + 1)};
+    }
+  }
+  return columns;
+}
+
+// Each begins at the right margin, and all of it is seen.
+TEST(CaptionAndClock, BeginAtTheRightInScriptsThatAreReadFromThere) {
+  for (const std::string words : {"הציר שאינו מחזיק", "المحور الذي لا يثبت"}) {
+    const scene::Scene scene =
+        sceneWith({"overlay.show=['caption', 'settings', 'clock']", "overlay.font='DejaVu Sans'",
+                   "title='" + words + "'", "caption='" + words + " 123 abc'"});
+    CaptionAndClock captionAndClock(scene, CaptionAndClock::ClockPosition::Bottom);
+    image::Image picture(scene.clip.width, scene.clip.height, image::PixelFormat::Rgb8);
+    captionAndClock.draw(0, picture);
+    const std::vector<Box>& texts = captionAndClock.texts();
+    ASSERT_EQ(texts.size(), 4U);
+    const Box& clock = texts[3];
+    EXPECT_FALSE(clock.meets(texts[0]));
+    EXPECT_LT(clock.right(), texts[0].x);
+    for (std::size_t i = 1; i < 3; ++i) {
+      const auto [first, end] = litColumns(texts[i], picture);
+      EXPECT_EQ(texts[i].right(), texts[0].right());
+      EXPECT_NEAR(first, texts[i].x, 8) << words;
+      EXPECT_NEAR(end, texts[i].right(), 8) << words;
+    }
   }
 }
 

@@ -37,20 +37,11 @@ TEST(MotionOverlays, LeaveThePictureAloneIfNothingIsShown) {
   EXPECT_EQ(overlaysOf(scene, trajectory).bottomRows(), 0);
 }
 
-TEST(MotionOverlays, WriteTheLabelAtTheTop) {
-  const scene::Scene scene = tumbling({kSmall});
-  const physics::Trajectory trajectory = motionOf(scene);
-  MotionOverlays overlays(scene, trajectory, {.width = 320, .height = 180, .label = "matrix"});
-  EXPECT_NE(drawn(overlays, scene, 0), greyPicture(scene));
-  ASSERT_EQ(overlays.texts().size(), 1U);
-  EXPECT_LT(overlays.texts().front().bottom(), 45);
-}
-
 TEST(MotionOverlays, OfATextlessSceneAreOnTheBodyAlone) {
   const auto textsOf = [](scene::Scene scene, bool textless) {
     scene.textless = textless;
     const physics::Trajectory trajectory = motionOf(scene);
-    MotionOverlays overlays(scene, trajectory, {.width = 320, .height = 180, .label = "matrix"});
+    MotionOverlays overlays = overlaysOf(scene, trajectory);
     const auto last = static_cast<std::int64_t>(trajectory.samples.size());
     EXPECT_NE(drawn(overlays, scene, last), greyPicture(scene));
     EXPECT_EQ(overlays.bottomRows() > 0, !textless);
@@ -139,9 +130,7 @@ TEST(MotionOverlays, CanBeDrawnOnTheSmallestPictures) {
   for (const char* size : {"[16, 16]", "[64, 36]", "[16, 400]", "[400, 16]"}) {
     const scene::Scene scene = diverging({all, "clip.size=" + std::string(size)});
     const physics::Trajectory trajectory = motionOf(scene);
-    const Viewport viewport{
-        .width = scene.clip.width, .height = scene.clip.height, .label = "label"};
-    MotionOverlays overlays(scene, trajectory, viewport);
+    MotionOverlays overlays = overlaysOf(scene, trajectory);
     EXPECT_LE(overlays.bottomRows(), 2 * scene.clip.height / 3) << size;
     EXPECT_NO_THROW(drawn(overlays, scene, 3)) << size;
     EXPECT_NO_THROW(drawn(overlays, scene, scene.clip.frameCount())) << size;
@@ -161,25 +150,43 @@ TEST(MotionOverlays, DrawTheEnergyOnTheScaleOfThoseBesideThem) {
   EXPECT_NE(shown(energyChartTop(wild)), shown(0));
 }
 
-std::string labelRefusal(const std::string& label, const std::string& size) {
-  const scene::Scene scene = testing::tumbling({"clip.size=[" + size + "]"});
-  const physics::Trajectory trajectory = testing::motionOf(scene);
-  try {
-    MotionOverlays(scene, trajectory,
-                   {.width = scene.clip.width / 4, .height = scene.clip.height, .label = label});
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+// In whose middle is the body.
+TEST(MotionOverlays, SayThatAMotionDivergedAtTheLeft) {
+  const scene::Scene scene = diverging({"clip.size=[1280, 720]", "overlay.show=['half_turns']"});
+  const physics::Trajectory trajectory = motionOf(scene);
+  MotionOverlays overlays = overlaysOf(scene, trajectory);
+  drawn(overlays, scene, scene.clip.frameCount());
+  ASSERT_EQ(overlays.texts().size(), 2U);
+  const Box& notice = overlays.texts().back();
+  EXPECT_GE(notice.y, overlays.texts().front().bottom());
+  EXPECT_LT(notice.x, 60);
+  // A circle as wide as the picture is high, about its middle.
+  EXPECT_GT((Point(notice.right(), notice.bottom()) - Point(640, 360)).norm(), 360);
 }
 
-TEST(MotionOverlays, RefuseALabelThatWouldHideTheBook) {
-  std::string endless;
-  for (int i = 0; i < 200; ++i) endless += "label ";
-  EXPECT_EQ(labelRefusal("a label of two lines in this panel", "1280, 720"), "no error");
-  EXPECT_NE(labelRefusal(endless, "1280, 720").find("rows, which leaves too little"),
-            std::string::npos);
-  EXPECT_EQ(labelRefusal(endless, "320, 180"), "no error");  // For a quick look only.
+TEST(MotionOverlays, ShowWordsThatAreReadFromTheRight) {
+  for (const std::string word : {"תנועה", "حركة"}) {
+    std::string words;
+    for (const char* english :
+         {"Flips", "Energy", "kinetic", "Error", "Polhode", "\"Diverged at\""})
+      words += (words.empty() ? "" : ", ") + std::string(english) + " = '" + word + "'";
+    const scene::Scene scene = diverging(
+        {"clip.size=[1280, 720]", "overlay.font='DejaVu Sans'", "overlay.words={" + words + "}",
+         "overlay.show=['half_turns', 'energy', 'error', 'polhode']"});
+    const physics::Trajectory trajectory = motionOf(scene);
+    MotionOverlays overlays = overlaysOf(scene, trajectory);
+    const image::Image picture = drawn(overlays, scene, scene.clip.frameCount());
+    EXPECT_GE(overlays.texts().size(), 8U);
+    for (const Box& box : overlays.texts())
+      EXPECT_GE(testing::contrastOf(box, picture), 1.5) << word << " at " << box.x << ", " << box.y;
+  }
+}
+
+TEST(MotionOverlays, LeaveToAHeadWhatIsInIt) {
+  const scene::Scene scene = diverging({"clip.size=[640, 360]", "overlay.show=['half_turns']"});
+  const physics::Trajectory trajectory = motionOf(scene);
+  MotionOverlays overlays(scene, trajectory, {.width = 640, .height = 360, .hasHead = true});
+  EXPECT_EQ(drawn(overlays, scene, scene.clip.frameCount()), greyPicture(scene));
 }
 
 TEST(OverlayList, HasAFactoryForEachOverlayOfOneMotion) {

@@ -94,7 +94,7 @@ TEST(Texts, NeverMeetOnAWholePicture) {
     CaptionAndClock captionAndClock(scene);
     expectNoMeeting(
         scene, &captionAndClock,
-        {size.width, size.height, captionAndClock.corner(), captionAndClock.bottomRows(), ""});
+        {size.width, size.height, captionAndClock.corner(), captionAndClock.bottomRows()});
   }
 }
 
@@ -109,7 +109,7 @@ TEST(Texts, NeverMeetAtAnyScale) {
       CaptionAndClock captionAndClock(scene);
       expectNoMeeting(
           scene, &captionAndClock,
-          {size.width, size.height, captionAndClock.corner(), captionAndClock.bottomRows(), ""});
+          {size.width, size.height, captionAndClock.corner(), captionAndClock.bottomRows()});
     }
   }
 }
@@ -122,7 +122,7 @@ TEST(Texts, NeverMeetInGerman) {
     CaptionAndClock captionAndClock(scene);
     expectNoMeeting(
         scene, &captionAndClock,
-        {size.width, size.height, captionAndClock.corner(), captionAndClock.bottomRows(), ""});
+        {size.width, size.height, captionAndClock.corner(), captionAndClock.bottomRows()});
   }
 }
 
@@ -134,7 +134,7 @@ TEST(Texts, NeverMeetOnAPanel) {
     for (const double letters : {0.0, 0.044 * std::min(size.width, size.height)}) {
       SCOPED_TRACE(letters);
       expectNoMeeting(scene, nullptr,
-                      {size.width, size.height, {}, 0, "x: the median moment of inertia", letters});
+                      {.width = size.width, .height = size.height, .letters = letters});
     }
   }
 }

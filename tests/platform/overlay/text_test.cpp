@@ -4,6 +4,7 @@
 #include <fstream>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -96,6 +97,49 @@ TEST(Typesetter, RefusesLettersThatTheFontLacks) {
   EXPECT_EQ(refusalOf("Größe, αβγ, жук, 1 − 2 × ½ ≤ √3"), "");
   EXPECT_THAT(refusalOf("漢字"), HasSubstr("the font Inter lacks \"漢\", which is in \"漢字\""));
   EXPECT_THAT(refusalOf("First\nand é 字漢"), HasSubstr("lacks \"字\""));
+}
+
+/// Returns the sum of a layer's opacities, those of whole letters 1. [pixels]
+double inkOf(const Layer& layer) {
+  double sum = 0;
+  for (std::size_t i = 3; i < layer.pixels.size(); i += 4) sum += layer.pixels[i] / 255.0;
+  return sum;
+}
+
+/// Words that are read from the right, and the same followed by others that aren't.
+const std::vector<std::string> kFromTheRight{"תנועה של ספר", "حركة كتاب", "ספר abc 123",
+                                             "כתב\nשורה שנייה"};
+
+// Pango sets such lines at the right end of the width that they may take.
+TEST(Typesetter, DrawsWordsThatAreReadFromTheRight) {
+  const Typesetter type("DejaVu Sans");
+  for (const std::string& text : kFromTheRight) {
+    EXPECT_TRUE(type.isReadFromTheRight(text)) << text;
+    for (const double halo : {0.0, 3.0}) {
+      const TextStyle style{.size = 20, .colour = {1, 1, 1}, .halo = halo};
+      const TextSize size = type.measure(text, style, kWide);
+      const Layer wide = type.draw(text, style, kWide);
+      const int margin = static_cast<int>(halo);
+      EXPECT_EQ(wide.width, size.width + 2 * margin);
+      EXPECT_EQ(wide.x, -margin);
+      EXPECT_GT(inkOf(wide), 100) << text;
+      EXPECT_LT(size.width, 200);
+      // The same whatever the width, to a fraction of a pixel's shift.
+      const Layer narrow = type.draw(text, style, 2 * size.width);
+      EXPECT_NEAR(inkOf(narrow), inkOf(wide), 0.02 * inkOf(wide)) << text;
+    }
+  }
+  EXPECT_FALSE(type.isReadFromTheRight("abc ספר"));
+  EXPECT_FALSE(type.isReadFromTheRight(""));
+}
+
+TEST(Typesetter, WrapsWordsThatAreReadFromTheRight) {
+  const Typesetter type("DejaVu Sans");
+  const TextStyle style{.size = 20, .colour = {1, 1, 1}};
+  const Layer one = type.draw(kFromTheRight[0], style, kWide);
+  const Layer two = type.draw(kFromTheRight[0], style, one.width - 1);
+  EXPECT_GT(two.height, 1.5 * one.height);
+  EXPECT_NEAR(inkOf(two), inkOf(one), 0.05 * inkOf(one));
 }
 
 TEST(Typesetter, RefusesAFontThatIsNotThere) {

@@ -12,6 +12,7 @@
 
 #include "overlay/caption_and_clock.h"
 #include "overlay/motion.h"
+#include "overlay/panel_heads.h"
 #include "physics/integrators/integrator_table.h"
 #include "scene/shipped_scene.h"
 
@@ -68,7 +69,7 @@ bool isInternational(const std::string& part) {
 
 /// Returns the parts of `text` that are neither markers nor international.
 std::string foreignParts(const std::string& text) {
-  static const std::regex kBetween("«[0-9]+_*»|[ ,;=/%]|°|−|\\+|₀");
+  static const std::regex kBetween("«[0-9]+_*»|[ ,;=/%]|\u00a0|°|−|\\+|₀");
   std::istringstream parts(std::regex_replace(text, kBetween, " "));
   std::string foreign;
   for (std::string part; parts >> part;) {
@@ -85,17 +86,22 @@ std::vector<std::string> textsOf(const scene::Scene& scene) {
   Recording recording;
   image::Image picture = testing::greyPicture(scene);
   CaptionAndClock caption(scene, scene.panels.empty() ? Position::TopLeft : Position::Bottom);
+  std::vector<physics::Trajectory> motions;
   for (const scene::Panel& panel : scene::motionsOf(scene)) {
     const scene::Scene single = scene::withMotion(scene, panel);
     physics::Trajectory motion = physics::simulate(single.motion(), kFrames);
     motion.divergedAt = 1.25;
-    MotionOverlays overlays(
-        single, motion,
-        {.width = scene.clip.width, .height = scene.clip.height, .label = panel.label});
+    motions.push_back(motion);
+    MotionOverlays overlays = testing::overlaysOf(single, motion);
     for (std::int64_t frame = 0; frame <= kFrames; ++frame) {
       overlays.draw(frame, testing::clipFromWorld(single, overlays.bottomRows()), picture);
       caption.draw(frame, picture);
     }
+  }
+  if (!scene.panels.empty()) {
+    PanelCells cells{scene.clip.width, scene.clip.height};
+    cells.corners.resize(scene.panels.size(), Point(0, 0));
+    PanelHeads(scene, motions, cells).draw(kFrames, picture);
   }
   return recording.texts;
 }
@@ -164,7 +170,7 @@ TEST(Words, OfPicturesAreThoseOfTheTable) {
 TEST(Words, ThatAreInNoTableAreFound) {
   EXPECT_EQ(foreignParts("«0» 3"), "");
   EXPECT_EQ(foreignParts("«21_____», rk4, «14», k = 2000 N/m, «24» 0·26 ms; «10»"), "");
-  EXPECT_EQ(foreignParts("Half-turns 3"), "Half-turns ");
+  EXPECT_EQ(foreignParts("Flips 3"), "Flips ");
   EXPECT_EQ(foreignParts("t = 0.26 s"), "0.26 ");
   EXPECT_EQ(foreignParts("«3» / initial"), "initial ");
 }

@@ -103,7 +103,7 @@ constexpr std::string_view kDecimalMark = "decimal_mark";
 /// Point, comma, middle dot and the Arabic mark: with any other, a number would read as another.
 constexpr std::array<std::string_view, 4> kDecimalMarks{".", ",", "\u00b7", "\u066b"};
 constexpr const char* kExpectedWords =
-    "\"english\", \"german\", a table of words, such as { \"Half-turns\" = \"Demi-tours\" }, or a "
+    "\"english\", \"german\", a table of words, such as { \"Flips\" = \"Retournements\" }, or a "
     "TOML file of one, such as \"french.words\"";
 constexpr std::size_t kLongestWord = 60;
 

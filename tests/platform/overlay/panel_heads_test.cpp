@@ -1,0 +1,186 @@
+#include "overlay/panel_heads.h"
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "overlay/motion.h"
+
+namespace rotatebook::overlay {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+/// Two panels side by side whose motions turn over and, if asked, diverge.
+scene::Scene pairOf(const std::string& first, const std::string& second,
+                    const std::vector<std::string>& overrides = {}) {
+  return scene::parseScene(
+      "[initial]\nangular_velocity = [6.3, 0, 0]\ntilt = [0.02, 'z']\n"
+      "[simulation]\nintegrator = 'rk4'\n[clip]\nfps = 30\nduration = 6\nsize = [1280, 720]\n"
+      "[overlay]\nshow = ['half_turns']\n"
+      "[[panel]]\nlabel = '" +
+          first + "'\n[[panel]]\nlabel = '" + second + "'\n",
+      "pair.toml", overrides);
+}
+
+std::vector<physics::Trajectory> simulated(const scene::Scene& scene) {
+  std::vector<physics::Trajectory> motions;
+  for (const scene::Panel& panel : scene.panels) {
+    const scene::Scene one = scene::withMotion(scene, panel);
+    motions.push_back(physics::simulate(one.motion(), one.clip.frameCount()));
+  }
+  return motions;
+}
+
+PanelCells cellsOf(const scene::Scene& scene) {
+  const int width = scene.clip.width / 2;
+  return {.width = width,
+          .height = scene.clip.height,
+          .corners = {{0, 0}, {width, 0}},
+          .letters = 0.028 * scene.clip.height};
+}
+
+/// The heads of a scene whose motions have gone on for a while.
+struct Drawn {
+  explicit Drawn(const scene::Scene& scene, std::int64_t frame = 170)
+      : motions(simulated(scene)), heads(scene, motions, cellsOf(scene)) {
+    picture = testing::plainPicture(scene, 17);
+    heads.draw(frame, picture);
+  }
+
+  std::vector<physics::Trajectory> motions;
+  PanelHeads heads;
+  image::Image picture;
+};
+
+/// Whether row `y` of a picture is of one colour.
+bool isPlain(const image::Image& picture, int y) {
+  const std::uint8_t* row = picture.row(y);
+  for (int i = 4; i < picture.stride(); ++i) {
+    if (row[i] != row[i - 4]) return false;
+  }
+  return true;
+}
+
+TEST(PanelHeads, AreAllInTheirRows) {
+  for (const char* size : {"[640, 360]", "[1280, 720]", "[1920, 1080]"}) {
+    const scene::Scene scene =
+        pairOf("y: smallest moment", "x", {std::string("clip.size=") + size});
+    const Drawn drawn(scene);
+    const int rows = drawn.heads.rows();
+    EXPECT_EQ(drawn.heads.rowsOnPicture(), 0);
+    EXPECT_LT(rows, scene.clip.height / 12) << "takes more than a line";
+    int written = 0;
+    for (int y = 0; y < scene.clip.height; ++y) {
+      const bool plain = isPlain(drawn.picture, y);
+      EXPECT_TRUE(plain || y < rows) << size << ", row " << y;
+      written += plain ? 0 : 1;
+    }
+    EXPECT_GT(written, rows / 3);
+  }
+}
+
+TEST(PanelHeads, HaveTextsOfOneKindAtOnePlace) {
+  const scene::Scene scene = pairOf("a much longer label", "short");
+  const Drawn drawn(scene);
+  const std::vector<Box>& texts = drawn.heads.texts();
+  ASSERT_EQ(texts.size(), 4U);  // label, count, label, count
+  EXPECT_EQ(testing::meeting(texts), "");
+  EXPECT_EQ(texts[2].x, texts[0].x + 640);
+  EXPECT_EQ(texts[3].x, texts[1].x + 640);
+  EXPECT_EQ(texts[3].y, texts[1].y);
+  EXPECT_GT(texts[1].x, texts[0].right());
+  EXPECT_LT(texts[1].right(), 640);
+}
+
+TEST(PanelHeads, HaveAnotherLineForWhatHasNoRoom) {
+  const std::string longest = "a label that takes nearly all of a whole line";
+  const Drawn drawn(pairOf(longest, "short"));
+  const std::vector<Box>& texts = drawn.heads.texts();
+  ASSERT_EQ(texts.size(), 4U);
+  EXPECT_EQ(testing::meeting(texts), "");
+  EXPECT_GT(texts[1].y, texts[0].bottom() - 1);
+  EXPECT_EQ(texts[1].x, texts[0].x);
+  EXPECT_EQ(texts[3].y, texts[1].y);
+  EXPECT_GT(drawn.heads.rows(), Drawn(pairOf("long", "short")).heads.rows());
+}
+
+TEST(PanelHeads, SayWhichMotionHasDiverged) {
+  const scene::Scene scene =
+      pairOf("bursts", "goes on",
+             {"panel.0.simulation.model=particles", "panel.0.simulation.integrator=euler",
+              "panel.0.simulation.normalize=false", "panel.0.simulation.damping=0",
+              "panel.0.simulation.substeps=8"});
+  std::vector<physics::Trajectory> motions = simulated(scene);
+  ASSERT_TRUE(motions[0].divergedAt);
+  ASSERT_FALSE(motions[1].divergedAt);
+  PanelHeads heads(scene, motions, cellsOf(scene));
+  const auto textsAt = [&](std::int64_t frame) {
+    image::Image picture = testing::plainPicture(scene, 17);
+    heads.draw(frame, picture);
+    EXPECT_EQ(testing::meeting(heads.texts()), "");
+    return heads.texts();
+  };
+  const auto last = static_cast<std::int64_t>(motions[0].samples.size()) - 1;
+  EXPECT_EQ(textsAt(last).size(), 4U);
+  const std::vector<Box> texts = textsAt(last + 1);
+  ASSERT_EQ(texts.size(), 5U);
+  EXPECT_LT(texts[2].right(), 640);
+  EXPECT_LE(texts[2].bottom(), heads.rows());
+}
+
+TEST(PanelHeads, OfATextlessSceneAreEmpty) {
+  scene::Scene scene = pairOf("a", "b");
+  scene.textless = true;
+  const Drawn drawn(scene);
+  EXPECT_EQ(drawn.heads.rows(), 0);
+  EXPECT_EQ(drawn.picture, testing::plainPicture(scene, 17));
+}
+
+TEST(PanelHeads, LeaveVerySmallPanelsTwoThirds) {
+  const scene::Scene scene = pairOf("a", "b", {"clip.size=[64, 36]"});
+  const Drawn drawn(scene);
+  EXPECT_EQ(drawn.heads.rows(), 12);
+  EXPECT_GT(drawn.heads.rowsOnPicture(), 0);
+}
+
+TEST(PanelHeads, BeginAtTheRightInScriptsThatAreReadFromThere) {
+  for (const std::string label : {"ציר ראשון", "المحور الأول"}) {
+    const Drawn drawn(pairOf(label, label + " 2", {"overlay.font='DejaVu Sans'"}));
+    const std::vector<Box>& texts = drawn.heads.texts();
+    ASSERT_EQ(texts.size(), 4U);
+    EXPECT_GT(texts[0].right(), 600);
+    EXPECT_LT(texts[0].right(), 640);
+    EXPECT_LT(texts[1].right(), texts[0].x);
+    EXPECT_GE(testing::contrastOf(texts[0], drawn.picture), 4.5) << "nothing is written";
+  }
+}
+
+std::string refusalOf(const std::string& label, const std::string& size) {
+  try {
+    scene::Scene scene = pairOf("a", "b", {"clip.size=" + size});
+    scene.panels[1].label = label;
+    const Drawn drawn(scene);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(PanelHeads, RefuseALabelThatTakesTooMuch) {
+  std::string endless;
+  for (int i = 0; i < 200; ++i) endless += "label ";
+  EXPECT_EQ(
+      refusalOf("a label of two lines in this panel if it is as narrow as that", "[640, 720]"),
+      "no error");
+  EXPECT_THAT(refusalOf(endless, "[640, 720]"), HasSubstr("rows, which leaves too little"));
+  EXPECT_THAT(refusalOf(endless, "[640, 720]"), StartsWith("pair.toml:15:9: the label"));
+  EXPECT_EQ(refusalOf(endless, "[320, 180]"), "no error");  // For a quick look only.
+}
+
+}  // namespace
+}  // namespace rotatebook::overlay

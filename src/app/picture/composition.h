@@ -52,7 +52,7 @@ class Composition {
   overlay::CaptionAndClock captionAndClock_;
   std::optional<GridMargins> margins_;
   std::optional<overlay::PanelHeads> heads_;
-  PanelGrid grid_;  // of the bodies' pictures
+  PanelGrid grid_;                                 // of the bodies' pictures
   std::vector<overlay::MotionOverlays> overlays_;  // of each motion
   geometry::Screen screen_;
   image::Image background_;  // visible between panels

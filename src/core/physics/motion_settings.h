@@ -67,9 +67,9 @@ struct SimulationSettings {
   int substeps = 64;               ///< Integration steps in `substepped`, >= 1.
   /// Time that `substeps` divide, whatever the samples; without it, timePerFrame. [s]
   std::optional<double> substepped{};
-  std::optional<double> step{};    ///< Length of a step, in place of `substeps`, > 0. [s]
-  RecordedFile recorded{};         ///< Of Model::Recorded alone.
-  ParticleSettings particles{};    ///< Particles only: where they are.
+  std::optional<double> step{};  ///< Length of a step, in place of `substeps`, > 0. [s]
+  RecordedFile recorded{};       ///< Of Model::Recorded alone.
+  ParticleSettings particles{};  ///< Particles only: where they are.
 
   /// Returns the steps that the motion repeats from its start on, whatever its samples.
   EqualSteps steps() const {

@@ -22,7 +22,6 @@
 namespace rotatebook::scene {
 namespace {
 
-
 void readSections(const ValueReader& file, Scene& scene) {
   auto fields = fieldsOf(titleKeys(), [&scene](const Key<Scene>& key, const ValueReader& value) {
     key.read(value, scene);

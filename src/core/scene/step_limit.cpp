@@ -32,8 +32,8 @@ double stepsOf(const physics::SimulationSettings& settings, const Sampling& samp
   const auto [time, count] = settings.steps();
   const double runs = std::floor(sampling.length / time * (1 + kRounding));
   const double each = sampling.length / time / sampling.count;
-  const bool areAtEnds = sampling.isEven && each > 0.5 &&
-                         std::fabs(each - std::round(each)) <= kRounding * each;
+  const bool areAtEnds =
+      sampling.isEven && each > 0.5 && std::fabs(each - std::round(each)) <= kRounding * each;
   return (areAtEnds ? runs : runs + sampling.count) * count;
 }
 

@@ -53,10 +53,9 @@ void addSpeedNote(const scene::Motion& motion, const rigid::PrincipalAxes& inert
   }
   const double frames = rigid::ExactRotation(inertia, spin).flipInterval() / interval;
   if (frames >= kFewFramesBetweenFlips) return;
-  notes.push_back(
-      "the body flips every " + roundedText(frames, kDigits) +
-      " frames, so that frames, half-turns and expectations miss flips; " +
-      remedyForSpeed(motion.simulation));
+  notes.push_back("the body flips every " + roundedText(frames, kDigits) +
+                  " frames, so that frames, half-turns and expectations miss flips; " +
+                  remedyForSpeed(motion.simulation));
 }
 
 /// Returns "x" or "z": an axis of the body that `spin` isn't near.

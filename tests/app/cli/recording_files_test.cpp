@@ -17,7 +17,6 @@ namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
-
 using Files = std::map<std::string, std::string>;
 
 /// Returns docs/toss.csv as phyphox exports it: a table for each sensor, the accelerometer's with

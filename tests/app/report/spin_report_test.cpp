@@ -43,21 +43,20 @@ constexpr const char* kTumbling =
     "body.inertia = [3, 2, 4]\ninitial = { angular_velocity = [6, 0, 0], tilt = [0.1, 'z'] }\n";
 
 TEST(SpinReport, HasALineForEachNumber) {
-  EXPECT_EQ(
-      textOf(kTumbling),
-      "s: T\n"
-      "  moments     2 kg m^2 about y, 3 about x, 4 about z\n"
-      "  spin        6 rad/s (0.9549 turns a second), 5.73 degrees from x, the middle axis\n"
-      "  stability   unstable: small deviations grow as e^(2.121 t), tenfold in 1.085 s\n"
-      "  regime      the angular momentum L circles z, the axis of the largest moment\n"
-      "  flips       first at 1.766 s, then every 3.014 s\n"
-      "  period      6.027 s, of the angular velocity in the body\n"
-      "  turn        1935 degrees about L in a period, 5.604 rad/s\n"
-      "  phases      2071 of these by the energy, 2 E T / |L|, less 135.8 by geometry, the "
-      "solid angle that L encloses in the body\n"
-      "  precession  z goes about L at 6.646 rad/s\n"
-      "  separatrix  4.676 degrees away; L^2 / (2 E I2) - 1 is 0.004415\n"
-      "  Euler       needs 16 substeps, 0.001042 s each, to keep the regime for 1.983 s\n");
+  EXPECT_EQ(textOf(kTumbling),
+            "s: T\n"
+            "  moments     2 kg m^2 about y, 3 about x, 4 about z\n"
+            "  spin        6 rad/s (0.9549 turns a second), 5.73 degrees from x, the middle axis\n"
+            "  stability   unstable: small deviations grow as e^(2.121 t), tenfold in 1.085 s\n"
+            "  regime      the angular momentum L circles z, the axis of the largest moment\n"
+            "  flips       first at 1.766 s, then every 3.014 s\n"
+            "  period      6.027 s, of the angular velocity in the body\n"
+            "  turn        1935 degrees about L in a period, 5.604 rad/s\n"
+            "  phases      2071 of these by the energy, 2 E T / |L|, less 135.8 by geometry, the "
+            "solid angle that L encloses in the body\n"
+            "  precession  z goes about L at 6.646 rad/s\n"
+            "  separatrix  4.676 degrees away; L^2 / (2 E I2) - 1 is 0.004415\n"
+            "  Euler       needs 16 substeps, 0.001042 s each, to keep the regime for 1.983 s\n");
 }
 
 TEST(SpinReport, LeavesOutWhatASpinHasnt) {

@@ -31,8 +31,7 @@ void main() { colour = texelFetch(samples, ivec2(gl_FragCoord.xy), number); }
 struct SampledTarget {
   SampledTarget(int width, int height) {
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, colour.name());
-    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, kSamples, GL_RGBA8, width, height,
-                            GL_TRUE);
+    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, kSamples, GL_RGBA8, width, height, GL_TRUE);
     glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, depth.name());
     glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, kSamples, GL_DEPTH_COMPONENT24, width,
                             height, GL_TRUE);

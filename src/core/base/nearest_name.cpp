@@ -30,6 +30,7 @@ constexpr std::array kOtherWords{
     OtherWord{"framerate", "fps"},
     OtherWord{"resolution", "size"},
     OtherWord{"language", "words"},
+    OtherWord{"half-turns", "Flips"},
     OtherWord{"colour", "color"},
     OtherWord{"color", "colours"},
     OtherWord{"colors", "colours"},

@@ -141,16 +141,15 @@ void addRenderCommand(CLI::App& program, Action& action) {
   auto arguments = std::make_shared<RenderArguments>();
   CLI::App* command = program.add_subcommand("render", "Render scenes to PNG frames, MP4 and CSV");
   command->add_option("SCENE", arguments->scenes, "Scene files")->required();
-  CLI::Option* output =
-      command
-          ->add_option("-o,--output", arguments->outputs,
-                       "Folder for the results, or a video to make, e.g. clip.mp4; several videos "
-                       "of one name may be named")
-          ->type_name("DIR|FILE")
-          ->expected(1)
-          ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
-          ->allow_extra_args(false)
-          ->default_str("out");
+  command
+      ->add_option("-o,--output", arguments->outputs,
+                   "Folder for the results, or a video to make, e.g. clip.mp4; several videos "
+                   "of one name may be named")
+      ->type_name("DIR|FILE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->allow_extra_args(false)
+      ->default_str("out");
   CLI::Option* frames = command
                             ->add_option("--frames", arguments->frames,
                                          "Only the frames from A up to, but not including, B")

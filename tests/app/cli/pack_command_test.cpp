@@ -74,7 +74,7 @@ TEST_F(PackCommand, ReplacesNoOtherFolderOfResults) {
 }
 
 TEST_F(PackCommand, ReplacesNoOtherArchive) {
-  for (const std::string content :
+  for (const std::string& content :
        {std::string("PK\5\6") + std::string(18, '\0'), std::string("a thesis"), std::string()}) {
     write("thesis.zip", content);
     expectRefused("thesis.zip", "thesis.zip isn't an archive as --pack made it");

@@ -57,9 +57,9 @@ image::Image panelOf(const image::Image& picture, std::size_t index) {
 
 // Returns the lower part of a panel, which its label can't reach.
 image::Image belowLabel(const image::Image& panel) {
-  constexpr int kRows = 30;
-  const int top = panel.height() - kRows;
-  image::Image below(panel.width(), kRows, panel.format());
+  constexpr int kLowerRows = 30;
+  const int top = panel.height() - kLowerRows;
+  image::Image below(panel.width(), kLowerRows, panel.format());
   std::copy_n(panel.row(top), below.stride() * below.height(), below.row(0));
   return below;
 }

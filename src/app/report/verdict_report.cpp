@@ -209,7 +209,7 @@ void reportVerdicts(const std::vector<JudgedMotion>& motions, const VerdictBound
         << driftText("|L|", verdict.momentumDrift, verdict.endMomentumDrift)
         << "; L turned by up to " << shortNumber(verdict.momentumTurnDeg) << " degrees\n"
         << spinsLine(verdict) << "  " << verdict.halfTurns << " of " << verdict.halfTurnsDue
-        << " half-turns; " << regimesText(verdict) << '\n';
+        << " flips; " << regimesText(verdict) << '\n';
     for (const BoundResult& one : resultsOf(verdict, bounds)) {
       out << (one.met ? "  met      " : "  not met  ") << one.name << ": expected " << one.text
           << '\n';

@@ -147,8 +147,10 @@ std::string_view rateUnitIn(std::string_view header) {
   const std::string unit = columnNameOf(header).unit, text = smallText(header);
   if (!unit.empty()) return unitNamed(kUnitsOfRates, unit).value_or("");
   const auto has = [&](std::string_view part) { return text.find(part) != text.npos; };
-  if (has("deg") || has("dps") || has("\xC2\xB0")) return kRateUnits[1];  // a degree sign
-  return has("rad") ? kRateUnits[0] : "";
+  if (has("mdeg") || has("mdps") || has("millideg")) return "";  // thousandths are refused
+  if (has("deg") || has("\xC2\xB0")) return kRateUnits[1];       // a degree sign
+  if (has("rad")) return kRateUnits[0];                          // "radps", too
+  return has("dps") ? kRateUnits[1] : "";
 }
 
 double radiansPerUnit(const CsvTable& table, const Columns& columns, std::string_view stated) {

@@ -14,10 +14,22 @@ bool MotionSummary::met() const {
   return !divergesUnexpectedly && std::ranges::all_of(expectations, &scene::ExpectationResult::met);
 }
 
+double flipBetween(const Sample& before, const Sample& sample) {
+  constexpr double kOver = 120, kBack = 60;  // As half-turns are counted. [degrees]
+  const double passed = sample.tiltDeg > before.tiltDeg ? kOver : kBack;
+  const double share = (passed - before.tiltDeg) / (sample.tiltDeg - before.tiltDeg);
+  const bool isBetween = share >= 0 && share <= 1 && sample.halfTurns == before.halfTurns + 1;
+  return isBetween ? before.time + share * (sample.time - before.time) : sample.time;
+}
+
 std::vector<double> flipsOf(const physics::Trajectory& trajectory) {
   std::vector<double> flips;
+  const Sample* before = &trajectory.samples.front();
   for (const Sample& sample : trajectory.samples) {
-    flips.resize(std::max(flips.size(), static_cast<std::size_t>(sample.halfTurns)), sample.time);
+    if (sample.halfTurns > before->halfTurns) {
+      flips.resize(static_cast<std::size_t>(sample.halfTurns), flipBetween(*before, sample));
+    }
+    before = &sample;
   }
   return flips;
 }

@@ -37,8 +37,12 @@ struct MotionSummary {
   bool met() const;
 };
 
-/// Returns the times of the samples at which the half-turns are counted, each as often as there
-/// were some since the sample before, ascending. [s]
+/// Returns when the half-turn between two neighbouring samples was made: the tilt passed 120
+/// degrees, or 60 on its way back. Interpolates linearly; returns the later sample's time if there
+/// were several half-turns, or the tilts don't say. [s]
+double flipBetween(const physics::Sample& before, const physics::Sample& sample);
+
+/// Returns the times of all half-turns by flipBetween(), ascending. [s]
 std::vector<double> flipsOf(const physics::Trajectory& trajectory);
 
 /// Returns what `trajectory`, simulated from `motion`, did.

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "base/number_text.h"
+#include "timeline/motion_summary.h"
 
 namespace rotatebook::timeline {
 namespace {
@@ -59,12 +60,12 @@ void writeCsv(const physics::Trajectory& trajectory,
   requireSameLayout();
   constexpr std::size_t kPieceSize = 65'536;  // [bytes]
   std::string text = header();
-  int flips = 0;
+  const physics::Sample* before = &trajectory.samples.front();
   std::optional<double> lastFlip;
   for (std::size_t frame = 0; frame < trajectory.samples.size(); ++frame) {
     const physics::Sample& sample = trajectory.samples[frame];
-    if (sample.halfTurns > flips) lastFlip = sample.time;
-    flips = sample.halfTurns;
+    if (sample.halfTurns > before->halfTurns) lastFlip = flipBetween(*before, sample);
+    before = &sample;
     appendRow(text, frame, sample, trajectory.samples.front(), lastFlip);
     if (text.size() < kPieceSize) continue;
     take(text);

@@ -191,7 +191,11 @@ Errs errsOf(const Verdict& verdict, const Changes& changes, const std::vector<Sa
   const bool turns = verdict.momentumTurnDeg > kTurnsDeg;
   if (turns && !(trend && changes.momentum.range > turn)) return Errs::TurnsMomentum;
   if (trend) return *trend;
-  if (verdict.errorDeg < kAgreesDeg) return Errs::SpinsAreOthers;
+  if (verdict.errorDeg < kAgreesDeg) {
+    // Slopes over a gap are no spins that were measured.
+    const bool areSlopes = verdict.spins.source == recording::SpinSource::Slopes;
+    return areSlopes ? Errs::Hardly : Errs::SpinsAreOthers;
+  }
   return keepsBoth ? Errs::InPhase : Errs::Swings;
 }
 

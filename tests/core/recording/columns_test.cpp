@@ -140,6 +140,18 @@ TEST(Columns, SpellUnitsOfRatesInManyWays) {
   EXPECT_EQ(durationOf("t;gx (\xB0/s);gy (\xB0/s);gz (\xB0/s)\n0;0;0;2\n0,1;0;0;2\n"), 0.1);
 }
 
+TEST(Columns, ReadUnitsInTheNamesOfRates) {
+  const auto rateOf = [](const std::string& unit) {
+    const std::string names = "time_s,gyro_x_" + unit + ",gyro_y_" + unit + ",gyro_z_" + unit;
+    return readRecording(names + rowsAt("0", 1), "m.csv", {}).moments().front().angularVelocity.z();
+  };
+  for (const char* unit : {"radps", "rad_s", "rads"}) EXPECT_EQ(rateOf(unit), 2) << unit;
+  for (const char* unit : {"dps", "degps", "deg_s"})
+    EXPECT_NEAR(rateOf(unit), 0.0349, 1e-4) << unit;
+  for (const char* unit : {"mdps", "millideg_s"})
+    EXPECT_NE(refusalOf([&] { rateOf(unit); }), "") << unit;
+}
+
 TEST(Columns, AreFoundInEuRoCsAndTumsTables) {
   const std::string euroc =
       "#timestamp [ns],w_RS_S_x [rad s^-1],w_RS_S_y [rad s^-1],w_RS_S_z [rad s^-1],"

@@ -44,6 +44,17 @@ TEST(MotionSummary, HoldsTheExtremes) {
   EXPECT_TRUE(summary.met());
 }
 
+TEST(MotionSummary, HasTheTimesOfFlipsBetweenSamples) {
+  physics::Trajectory motion = trajectoryOf({0, 0, 0, 0}, {1, 1, 1, 1});
+  const std::vector<double> tilts{50, 110, 130, 50};
+  const std::vector<int> counts{0, 0, 1, 2};
+  for (std::size_t i = 0; i < 4; ++i) {
+    motion.samples[i].tiltDeg = tilts[i];
+    motion.samples[i].halfTurns = counts[i];
+  }
+  EXPECT_THAT(flipsOf(motion), ElementsAre(1.5, 2.875));
+}
+
 TEST(MotionSummary, CallsNoErrorVisibleUpToTenDegrees) {
   EXPECT_FALSE(summarize({}, trajectoryOf({0, 10}, {1, 1})).visibleFrom);
 }

@@ -166,7 +166,6 @@ void addRenderCommand(CLI::App& program, Action& action) {
       ->excludes(noPng)
       ->excludes(format)
       ->group(kClip);
-  addNoExpect(*command, arguments->noExpect);
   command->add_flag("--no-mp4", arguments->noMp4, "Write no MP4")->group(kClip);
   command->add_flag("--resume", arguments->options.earlier.resume,
                     "Go on where a render stopped, and skip what is done");
@@ -183,6 +182,7 @@ void addRenderCommand(CLI::App& program, Action& action) {
   command->add_flag("--json", arguments->json, "Print one JSON object: what was made and measured");
   arguments->sceneOptions.addTo(*command);
   arguments->sceneOptions.addChecksum(*command);
+  addNoExpect(*command, arguments->noExpect);
   arguments->deviceOptions.addTo(*command);
   addRetryStatus(*command);
   command->footer(kRenderFooter);

@@ -11,7 +11,7 @@
 
 namespace rotatebook::body {
 
-/// What making a mesh closed has changed and left out.
+/// The changes that made a mesh closed, and the triangles that were left out.
 struct Closing {
   /// The triangles' numbers in their file, from 0; empty if all were kept.
   std::vector<std::uint32_t> numbers{};

@@ -1,4 +1,4 @@
-// A test of a mesh: is it the surface of a body?
+// A test of a mesh: is it the surface of a body? Inside the room only.
 #pragma once
 
 #include <cstddef>

@@ -170,7 +170,7 @@ std::string noteOnPictures(const GlbDocument& document, const Json& primitive) {
     if ((hasColours || hasMetals) && GlbDocument::member(attributes, set.c_str()).is_null())
       return "a mesh without " + set + " has one colour of its picture";
   } catch (const InputError&) {
-    // What is wrong with a picture is no matter of the shape, and is refused where it is drawn
+    // A picture that is wrong is no matter of the shape, and is refused where it is drawn.
   }
   return "";
 }

@@ -11,7 +11,7 @@
 
 namespace rotatebook::body {
 
-/// How a picture lies on a surface: by which texture coordinates, and how these are changed.
+/// The texture coordinates by which a picture lies on a surface, and how these are changed.
 struct PictureUse {
   std::size_t set = 0;
   bool isChanged = false;

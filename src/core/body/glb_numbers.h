@@ -16,7 +16,7 @@ namespace rotatebook::body {
 /// The numbers of an accessor, all of which are there, in rows.
 class GlbNumbers {
  public:
-  /// What an accessor must be.
+  /// The form that an accessor must have.
   struct Wanted {
     std::string_view type;               ///< "SCALAR", "VEC3" and so on.
     std::size_t components;              ///< Of that type.

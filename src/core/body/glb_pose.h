@@ -1,4 +1,4 @@
-// Where the nodes and skeletons of a .glb file put its meshes. Inside the room only.
+// The places where the nodes and skeletons of a .glb file put its meshes. Inside the room only.
 #pragma once
 
 #include <cstddef>

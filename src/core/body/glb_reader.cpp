@@ -27,15 +27,18 @@ using Eigen::Matrix4d;
 
 constexpr std::size_t kMaxParts = 100'000;  // nodes and their primitives, as often as they are used
 
-/// What of a document has no place in its surface.
+/// The parts of a document that have no place in its surface.
 struct LeftOut {
   std::size_t flat = 0;    ///< Primitives of points or lines.
   std::size_t hidden = 0;  ///< Nodes.
   std::vector<std::string> notes{};
 
+  /// Adds a sentence that isn't there yet; of many that a file could ask for, the first ones.
   void note(const std::string& sentence) {
-    if (!sentence.empty() && std::ranges::find(notes, sentence) == notes.end())
-      notes.push_back(sentence);
+    constexpr std::size_t kMaxNotes = 8;
+    if (sentence.empty() || std::ranges::find(notes, sentence) != notes.end()) return;
+    if (notes.size() < kMaxNotes) notes.push_back(sentence);
+    if (notes.size() == kMaxNotes) notes.back() = "more of its pictures aren't drawn as they are";
   }
 };
 

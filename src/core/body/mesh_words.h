@@ -51,7 +51,7 @@ class MeshWords {
   std::size_t line_ = 1;
 };
 
-/// What some programs write behind the end of a file.
+/// Bytes that some programs write behind the end of a file.
 inline constexpr std::string_view kPadding("\0 \t\r\n\x1a", 6);
 
 /// Returns a text without the zeros and ends of file that are kPadding at its end.

@@ -11,7 +11,7 @@ namespace rotatebook::body {
 /// longest side]
 inline constexpr double kNearPoints = 1e-9;
 
-/// What was joined.
+/// The points that were joined.
 struct JoinedPoints {
   std::size_t count = 0;  ///< Points that became another one.
   double distance = 0;    ///< The largest between two that became one. [the mesh's unit]

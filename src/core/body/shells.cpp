@@ -91,7 +91,7 @@ class EdgePairs {
     return most > least;
   }
 
-  /// Where all faces lie on each other, as walls in a body do, a body is entered last.
+  /// A body is entered last where all faces lie on each other, as walls in a body do.
   void beginInside() {
     const auto last = std::find_if(spokes_.rbegin(), spokes_.rend(),
                                    [](const Spoke& spoke) { return !spoke.side.isForward; });

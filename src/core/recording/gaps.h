@@ -1,4 +1,4 @@
-// Gaps in recordings.
+// Gaps in recordings. Inside the room only.
 #pragma once
 
 #include <string>

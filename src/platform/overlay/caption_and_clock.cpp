@@ -107,7 +107,9 @@ std::vector<double> speedsOf(const scene::Scene& scene) {
 
 /// Returns what a clock says of a speed other than 1: "  0.2×".
 std::string speedMark(double speed, const scene::Words& words) {
-  const std::string text = roundedText(speed, 3);
+  constexpr double kWhole = 100;  // From there on without decimals, and so without an exponent.
+  const std::string text =
+      speed < kWhole ? roundedText(speed, 3) : std::to_string(std::llround(speed));
   return text == "1" ? "" : "  " + words.number(text) + "\u00d7";
 }
 

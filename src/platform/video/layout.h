@@ -32,7 +32,7 @@ struct LayoutRow {
   std::string_view id;            ///< "tkhd", or an element's number in hexadecimal digits.
   int min = 1;                    ///< The fewest that the muxer writes.
   int max = 1;                    ///< The most.
-  std::string_view content = "";  ///< What is in it, before the parts in it: see LayoutValues.
+  std::string_view content = "";  ///< Its content, before the parts in it: see LayoutValues.
   std::string_view name = "";     ///< For messages; if empty, the id.
 };
 

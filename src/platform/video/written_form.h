@@ -11,7 +11,7 @@
 
 namespace rotatebook::video {
 
-/// What the file of a clip follows from, beside its coded pictures, its title and its comment.
+/// The settings that the file of a clip follows from, beside its coded pictures, title and comment.
 struct WrittenForm {
   int width = 0;   ///< [pixels]
   int height = 0;  ///< [pixels]

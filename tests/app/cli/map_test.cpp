@@ -126,8 +126,8 @@ TEST_F(MapCommand, RefusesWhatIsWrongBeforeItWrites) {
   EXPECT_EQ(plain.status, 2);
   EXPECT_THAT(plain.error, HasSubstr("plain.toml: the scene has no [map]"));
   std::filesystem::remove(folder() / "plain.toml");
-  expectRefused({"--set", "map.x.key=simulation.step"},
-                "--set map.x.key=simulation.step: there is no key simulation.step");
+  expectRefused({"--set", "map.x.key=simulation.stride"},
+                "--set map.x.key=simulation.stride: there is no key simulation.stride");
   expectRefused({"--set", "map.x.to=0.5"}, "turns.toml:8:43: map.x runs from 1.0 to 0.5");
   expectRefused({"--set", "map.y.from=0"}, "--set map.y.from=0: map.y is logarithmic");
   expectRefused({"--set", "map.size=[16384, 16384]"},

@@ -48,8 +48,7 @@ TEST_F(Recorded, AreJudged) {
       result.output,
       AllOf(HasSubstr("mujoco.csv: gains energy, as with an explicit gyroscopic torque of order 1"),
             HasSubstr("energy +47.5 % at most, +47.5 % at the end; |L| +21.5 % at most"),
-            HasSubstr("3 of 3 flips"),
-            HasSubstr("simbody.csv: agrees with the exact motion")));
+            HasSubstr("3 of 3 flips"), HasSubstr("simbody.csv: agrees with the exact motion")));
 }
 
 TEST_F(Recorded, AreJudgedByBounds) {

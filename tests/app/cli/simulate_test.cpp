@@ -19,7 +19,7 @@ constexpr const char* kHeader =
     "stretch_min,stretch_max,c0x,c0y,c0z,c1x,c1y,c1z,c2x,c2y,c2z,c3x,c3y,c3z,c4x,c4y,c4z,c5x,c5y,"
     "c5z,c6x,c6y,c6z,c7x,c7y,c7z,error_deg,energy_ratio,L_ratio,regime,centre_drift_m,"
     "last_flip_s\n";
-constexpr int kColumns = 48;
+constexpr int kColumns = 49;
 constexpr int kTableRows = 12;
 
 TEST_F(SimulateCommand, WritesATableWithoutGraphics) {

@@ -78,7 +78,7 @@ TEST(ClipFigure, DistinguishesExpectedFromMeasured) {
                       "axis that the book was spun about has turned over</span></th>"
                       "<td>at most 0</td><td>0</td><td class=\"met\">✓ met</td>"),
             HasSubstr("angular momentum at the start</span></th><td>at least 2</td>"),
-            HasSubstr("<td class=\"unmet\">✗ unmet</td>")));
+            HasSubstr("<td class=\"unmet\">✗ not met</td>")));
 }
 
 TEST(ClipFigure, FoldsItsExpectations) {
@@ -141,7 +141,7 @@ TEST(ClipFigure, SaysWhenItsMotionDiverges) {
   makeClip(scene, folder);
   const Figure figure = readFigure(scene, folder);
   EXPECT_THAT(figure.section.text,
-              AllOf(HasSubstr("The motion diverges at 0.2083 s"),
+              AllOf(HasSubstr("The motion diverges at 0.125 s"),
                     HasSubstr("diverges, and so ends [s]</span></th><td>no divergence</td>"),
                     HasSubstr("2000 N/m, undamped")));
 }

@@ -29,6 +29,7 @@ scene::Scene pair(const std::vector<std::string>& overrides = {}) {
   return scene::parseScene(
       "[initial]\nangular_velocity = [5, 3, 1]\n"
       "[clip]\nsize = [128, 72]\nfps = 24\nduration = 0.5\n"
+      "[simulation]\ntime_per_frame = 0.041666666666666664\n"
       "[[panel]]\nlabel = 'Goes on'\n"
       "[[panel]]\nlabel = 'Bursts'\nsimulation.model = 'particles'\nsimulation.substeps = 1\n"
       "simulation.normalize = false\nsimulation.damping = 0\n",

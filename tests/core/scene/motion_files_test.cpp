@@ -71,7 +71,8 @@ TEST(Recordings, ArePrintedWithTheirChecksumAndReadBack) {
 
 TEST(Recordings, TakeColumnsUnitsPartsAndBias) {
   const Scene scene = readRecorded(
-      "[simulation]\nmodel = \"recorded\"\nfile = \"bare.csv\"\nrates = \"deg/s\"\n"
+      "[simulation]\nmodel = \"recorded\"\nfile = \"bare.csv\"\nrates = \"deg/s\"\ntime_unit = "
+      "\"s\"\n"
       "columns = { time = \"a\", wx = \"d\", wy = \"b\", wz = \"c\" }\nfrom = 0.5\nto = \"2 s\"\n"
       "bias = [0, 0, 1]\n[clip]\nduration = 1\n");
   EXPECT_NEAR(scene.initial.value.x(), 3.14159265, 1e-8);

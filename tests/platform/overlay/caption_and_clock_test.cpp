@@ -73,9 +73,10 @@ TEST(CaptionAndClock, HaveAClockThatFollowsTheSimulatedTime) {
   const scene::Scene scene = sceneWith({"overlay.show=['clock']", "simulation.time_per_frame=0.5"});
   EXPECT_LT(litRows(drawn(scene, 0)).end, 72);
   EXPECT_NE(drawn(scene, 0), drawn(scene, 1));
-  const scene::Scene slower =
-      sceneWith({"overlay.show=['clock']", "simulation.time_per_frame=0.25"});
-  EXPECT_EQ(drawn(scene, 1), drawn(slower, 2));
+  // The same moment and speed at twice the frame rate
+  const scene::Scene finer =
+      sceneWith({"overlay.show=['clock']", "clip.fps=120", "simulation.time_per_frame=0.25"});
+  EXPECT_EQ(drawn(scene, 1), drawn(finer, 2));
 }
 
 // Outside of a stretch, and in real time, the clock is the same, whatever the stretch.
@@ -96,15 +97,15 @@ TEST(CaptionAndClock, SayTheSpeedWhereItIsNotReal) {
 }
 
 TEST(CaptionAndClock, HaveAClockThatRoundsToHundredths) {
-  const auto clockAt = [](const std::string& seconds) {
-    return drawn(sceneWith({"overlay.show=['clock']", "clip.size=[640, 360]",
-                            "simulation.time_per_frame=" + seconds}),
-                 1);
+  // At 1000 frames a second in real time, frame n is at n ms.
+  const auto clockAt = [](std::int64_t milliseconds) {
+    return drawn(sceneWith({"overlay.show=['clock']", "clip.size=[640, 360]", "clip.fps=1000"}),
+                 milliseconds);
   };
-  EXPECT_EQ(clockAt("0.166"), clockAt("0.17"));
-  EXPECT_EQ(clockAt("0.174"), clockAt("0.17"));
-  EXPECT_NE(clockAt("0.164"), clockAt("0.17"));
-  EXPECT_NE(clockAt("0.176"), clockAt("0.17"));
+  EXPECT_EQ(clockAt(166), clockAt(170));
+  EXPECT_EQ(clockAt(174), clockAt(170));
+  EXPECT_NE(clockAt(164), clockAt(170));
+  EXPECT_NE(clockAt(176), clockAt(170));
 }
 
 // Clock above, caption below, at every size.

@@ -69,7 +69,7 @@ bool isInternational(const std::string& part) {
 
 /// Returns the parts of `text` that are neither markers nor international.
 std::string foreignParts(const std::string& text) {
-  static const std::regex kBetween("«[0-9]+_*»|[ ,;=/%]|\u00a0|°|−|\\+|₀");
+  static const std::regex kBetween("«[0-9]+_*»|[ ,;=/%]|\u00a0|°|\u00d7|−|\\+|₀");
   std::istringstream parts(std::regex_replace(text, kBetween, " "));
   std::string foreign;
   for (std::string part; parts >> part;) {

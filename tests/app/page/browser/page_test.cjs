@@ -51,7 +51,7 @@ describe("the page", () => {
     const {page, close} = await open();
     const rows = await page.locator("#turns .checks tbody tr").allInnerTexts();
     assert.match(rows[0], /half_turns\s+how many times.*\s+at most 3\s+\d\s+✓ met/);
-    assert.match(rows[1], /tilt_deg\s+angle between.*\s+at most 1\s+[\d.]+ to [\d.]+\s+✗ unmet/);
+    assert.match(rows[1], /tilt_deg\s+angle between.*\s+at most 1\s+[\d.]+ to [\d.]+\s+✗ not met/);
     assert.match(await page.locator("#turns > header").innerText(), /1 of 2 expectations met/);
     await page.locator("#steps .expectations summary").click();
     assert.match(await page.locator("#steps .checks").innerText(), /order of rk4\s+power of the step.*\s+at least 3\s+[34]\.\d+\s+✓ met/);

@@ -31,6 +31,7 @@ constexpr std::array kOtherWords{
     OtherWord{"resolution", "size"},
     OtherWord{"language", "words"},
     OtherWord{"half-turns", "Flips"},
+    OtherWord{"flips", "half_turns"},
     OtherWord{"colour", "color"},
     OtherWord{"color", "colours"},
     OtherWord{"colors", "colours"},

@@ -18,9 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostEntries = 1000;  // of an archive or folder
-constexpr std::size_t kMostTables = 64;
-constexpr std::uint64_t kMostBytes = 64 << 20;  // of all tables
+constexpr std::size_t kMaxEntries = 1000;  // of an archive or folder
+constexpr std::size_t kMaxTables = 64;
+constexpr std::uint64_t kMaxBytes = 64 << 20;  // of all tables
 
 using Archive = std::unique_ptr<zip_t, decltype([](zip_t* archive) { zip_discard(archive); })>;
 using ArchivedFile = std::unique_ptr<zip_file_t, decltype([](zip_file_t* f) { zip_fclose(f); })>;
@@ -57,8 +57,8 @@ bool isTable(const fs::path& name) {
 }
 
 void requireFewEntries(const std::string& path, std::size_t count) {
-  if (count <= kMostEntries) return;
-  throw InputError(path + ": more than " + std::to_string(kMostEntries) +
+  if (count <= kMaxEntries) return;
+  throw InputError(path + ": more than " + std::to_string(kMaxEntries) +
                    " entries; name the recording's tables themselves");
 }
 
@@ -73,9 +73,9 @@ std::vector<TableFile> readAll(const std::string& path, const std::vector<Entry>
     }
     total += entry.size;
   }
-  if (entries.size() > kMostTables || total > kMostBytes) {
-    throw InputError(path + ": more than " + std::to_string(kMostTables) + " tables or " +
-                     std::to_string(kMostBytes >> 20) + " MiB of them; name the gyroscope's table");
+  if (entries.size() > kMaxTables || total > kMaxBytes) {
+    throw InputError(path + ": more than " + std::to_string(kMaxTables) + " tables or " +
+                     std::to_string(kMaxBytes >> 20) + " MiB of them; name the gyroscope's table");
   }
   std::vector<TableFile> tables;
   for (const Entry& entry : entries) tables.push_back({path + "/" + entry.name, entry.read()});

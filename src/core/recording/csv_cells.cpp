@@ -57,7 +57,7 @@ char separatorOf(std::string_view line) {
 std::vector<std::string_view> cellsOf(std::string_view line, char separator) {
   if (separator == ' ') line = trimmed(line);
   std::vector<std::string_view> cells;
-  for (bool isLast = false; !isLast && cells.size() < kMostCells;)
+  for (bool isLast = false; !isLast && cells.size() < kMaxCells;)
     cells.push_back(takeCell(line, separator, isLast));
   return cells;
 }

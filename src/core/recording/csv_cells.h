@@ -23,9 +23,9 @@ std::string_view takeLine(std::string_view& rest);
 char separatorOf(std::string_view line);
 
 /// Cells of a line that are taken; more are too many for any table.
-inline constexpr std::size_t kMostCells = 1024;
+inline constexpr std::size_t kMaxCells = 1024;
 
-/// Returns the first kMostCells cells of a line, without blanks and quotation marks around them.
+/// Returns the first kMaxCells cells of a line, without blanks and quotation marks around them.
 /// Between quotation marks nothing separates; several blanks in a row separate once.
 std::vector<std::string_view> cellsOf(std::string_view line, char separator);
 

@@ -30,7 +30,7 @@ constexpr Foreign kForeign[]{
 };
 
 std::string cellsText(std::size_t count) {
-  const char* const more = count == kMostCells ? " or more" : "";
+  const char* const more = count == kMaxCells ? " or more" : "";
   return std::to_string(count) + more + (count == 1 ? " cell" : " cells");
 }
 

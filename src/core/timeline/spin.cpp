@@ -7,6 +7,7 @@
 #include "base/double_double.h"
 #include "base/elementary.h"
 #include "physics/measure/exact_tilt.h"
+#include "physics/measure/measurement.h"
 #include "physics/motion_start.h"
 #include "rigid/polhode.h"
 
@@ -121,11 +122,12 @@ void setMargin(const Sorted& sorted, Spin& spin) {
 
 /// Returns the time within one period at which the spun axis' angle to L passes 120 degrees.
 std::optional<double> firstFlipOf(physics::MotionSettings settings, double period) {
-  constexpr double kTurnedOver = 120;  // [degrees]
   constexpr int kLooks = 512, kHalvings = 60;
   settings.nudges.clear();
   const physics::ExactTilt tilt(settings);
-  const auto isOver = [&](double time) { return tilt.degAt(time) > kTurnedOver; };
+  const auto isOver = [&](double time) {
+    return physics::sideOf(tilt.degAt(time)) == physics::TiltSide::Far;
+  };
   double step = period / kLooks, time = step;
   while (time < period && !isOver(time)) time += step;
   if (time >= period) return std::nullopt;

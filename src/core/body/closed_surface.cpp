@@ -30,9 +30,10 @@ std::optional<std::array<std::uint32_t, 2>> sameTriangles(const TriangleMesh& me
   std::vector<Side> sorted(sides.begin(), sides.end());
   std::sort(sorted.begin(), sorted.end(),
             [&](const Side& a, const Side& b) { return key(a) < key(b); });
-  const auto same = std::ranges::adjacent_find(sorted, [&](const Side& a, const Side& b) {
-    return a.isForward == b.isForward && oppositeOf(mesh, a) == oppositeOf(mesh, b);
-  });
+  const auto same =
+      std::adjacent_find(sorted.begin(), sorted.end(), [&](const Side& a, const Side& b) {
+        return a.isForward == b.isForward && oppositeOf(mesh, a) == oppositeOf(mesh, b);
+      });
   if (same == sorted.end()) return std::nullopt;
   return std::array{same->triangle(), (same + 1)->triangle()};
 }

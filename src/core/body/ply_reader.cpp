@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -205,10 +206,10 @@ class MeshBuilder {
   }
 
   TriangleMesh finish() {
-    auto corner = corners_.begin();
+    std::span<const std::uint32_t> corners = corners_;
     for (const std::size_t length : lengths_) {
-      addPolygon({corner, corner + static_cast<std::ptrdiff_t>(length)}, mesh_);
-      corner += static_cast<std::ptrdiff_t>(length);
+      addPolygon(corners.first(length), mesh_);
+      corners = corners.subspan(length);
     }
     return std::move(mesh_);
   }

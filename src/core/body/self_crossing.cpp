@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 #include <span>
+#include <tuple>
 #include <vector>
 
 namespace rotatebook::body {
@@ -205,7 +206,9 @@ class Crossings {
   struct Meeting {
     std::array<std::uint32_t, 4> edges;
     std::uint32_t face;
-    friend auto operator<=>(const Meeting&, const Meeting&) = default;
+    bool operator<(const Meeting& other) const {
+      return std::tie(edges, face) < std::tie(other.edges, other.face);
+    }
   };
   /// A triangle that has the first edge, and on which side of the face that begins.
   struct Met {

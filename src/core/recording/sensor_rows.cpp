@@ -50,7 +50,8 @@ void requireWhole(const CsvTable& table, const Indices& rows, const Indices& col
 /// Returns whether two sensors have times of their own: at most half of the rows have both.
 bool areMerged(const Indices& first, const Indices& second) {
   Indices both;
-  std::ranges::set_intersection(first, second, std::back_inserter(both));
+  std::set_intersection(first.begin(), first.end(), second.begin(), second.end(),
+                        std::back_inserter(both));
   return 2 * both.size() <= first.size() + second.size() - both.size();
 }
 
@@ -105,9 +106,10 @@ SensorRows sensorRows(const CsvTable& table, const Columns& columns, bool needsF
   const Indices& needed = hasMotion ? result.motion : result.force;
   // Without any reading, say what the first row lacks
   if (needed.empty()) table.at(0, holeIn(table, 0, hasMotion ? motion : force).value());
+  const Indices others = isMerged ? result.force : Indices{};
   Indices all;
-  std::ranges::set_union(result.motion, isMerged ? result.force : Indices{},
-                         std::back_inserter(all));
+  std::set_union(result.motion.begin(), result.motion.end(), others.begin(), others.end(),
+                 std::back_inserter(all));
   if (isMerged) requireWhole(table, all, motion);
   result.dropped = table.rows() - (hasMotion ? all.size() : needed.size());
   return result;

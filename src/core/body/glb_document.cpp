@@ -1,6 +1,9 @@
 #include "body/glb_document.h"
 
+#include <algorithm>
+#include <array>
 #include <string>
+#include <utility>
 
 #include "base/error.h"
 #include "base/text.h"
@@ -11,8 +14,9 @@ namespace rotatebook::body {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x46546C67, kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
-constexpr std::size_t kMaxJson = 1 << 24;  // [bytes]
-constexpr int kMaxNesting = 64;            // of lists and objects in each other
+constexpr std::size_t kMaxJson = 1 << 24;       // [bytes]
+constexpr int kMaxNesting = 64;                 // of lists and objects in each other
+constexpr std::size_t kMaxObjects = 2'000'000;  // lists and objects; they take 0.4 s
 
 /// The chunks of a file.
 struct Chunks {
@@ -43,6 +47,89 @@ Chunks chunksOf(std::string_view bytes) {
     throw InputError("it has no description in JSON, or one of more than 16 MiB");
   return chunks;
 }
+
+/// Members of the document that are read; of the others there may be millions.
+constexpr std::array<std::string_view, 12> kRead{
+    "accessors", "bufferViews", "buffers", "extensionsRequired",
+    "images",    "materials",   "meshes",  "nodes",
+    "scene",     "scenes",      "skins",   "textures"};
+
+/// Makes a document of a description, without what isn't read.
+class Builder : public nlohmann::json_sax<GlbDocument::Json> {
+ public:
+  using Json = GlbDocument::Json;
+
+  Json take() { return std::move(document_); }
+
+  bool null() override { return put(nullptr); }
+  bool boolean(bool value) override { return put(value); }
+  bool number_integer(number_integer_t value) override { return put(value); }
+  bool number_unsigned(number_unsigned_t value) override { return put(value); }
+  bool number_float(number_float_t value, const string_t&) override { return put(value); }
+  bool string(string_t& value) override { return put(std::move(value)); }
+  bool binary(binary_t&) override { return false; }
+  bool start_object(std::size_t) override { return open(Json::value_t::object); }
+  bool start_array(std::size_t) override { return open(Json::value_t::array); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+    document_ = nullptr;
+    return false;
+  }
+  bool key(string_t& name) override {
+    name_ = std::move(name);
+    return true;
+  }
+
+ private:
+  bool isLeftOut() const {
+    if (left_ > 0) return true;
+    if (open_.empty() || !open_.back()->is_object()) return false;
+    return name_ == "extras" || (open_.size() == 1 && !std::ranges::count(kRead, name_));
+  }
+
+  /// Returns where a value is then, which isn't left out.
+  Json& added(Json&& value) {
+    if (open_.empty()) return document_ = std::move(value);
+    Json& parent = *open_.back();
+    if (parent.is_object()) return parent[name_] = std::move(value);
+    parent.push_back(std::move(value));
+    return parent.back();
+  }
+
+  bool put(Json value) {
+    if (!isLeftOut()) added(std::move(value));
+    return true;
+  }
+
+  bool open(Json::value_t type) {
+    if (isLeftOut()) {
+      ++left_;
+      return true;
+    }
+    if (++count_ > kMaxObjects) {
+      throw InputError("it has more than " + std::to_string(kMaxObjects) +
+                       " lists and objects; export it with its meshes joined");
+    }
+    open_.push_back(&added(type));
+    return true;
+  }
+
+  bool close() {
+    if (left_ > 0) {
+      --left_;
+    } else {
+      open_.pop_back();
+    }
+    return true;
+  }
+
+  Json document_;
+  std::vector<Json*> open_;  // From the document to the innermost list or object.
+  std::string name_;         // Of the next member.
+  std::size_t left_ = 0;     // Lists and objects that are left out, in each other.
+  std::size_t count_ = 0;
+};
 
 /// Throws InputError if lists and objects are nested too deep to be read with a function's calls.
 void requireShallow(std::string_view json) {
@@ -98,8 +185,9 @@ GlbDocument::GlbDocument(std::string_view bytes) {
   chunks.json = withoutPadding(chunks.json);
   binary_ = chunks.binary;
   requireShallow(chunks.json);
-  // Without a callback, with which the parser takes time with the square of a list's objects
-  json_ = Json::parse(chunks.json, nullptr, false);
+  Builder builder;
+  Json::sax_parse(chunks.json, &builder);
+  json_ = builder.take();
   if (!json_.is_object()) throw InputError("its description isn't JSON; export it again");
   for (std::size_t i = 0; i < size("buffers"); ++i)
     decoded_.push_back(dataOfUri(member(at("buffers", i), "uri")).value_or(""));

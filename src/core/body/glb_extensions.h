@@ -5,8 +5,9 @@
 
 namespace rotatebook::body {
 
-/// Throws InputError, with the remedy, if a document needs an extension that may change the shape
-/// of its meshes and isn't read; those of materials, pictures, lights and so on don't.
+/// Throws InputError, with the remedy, if a document needs an extension that compresses meshes, or
+/// one that its nodes, meshes or their numbers use and that isn't known. Others don't touch a
+/// shape.
 void requireKnownExtensions(const GlbDocument& document);
 
 /// Returns a node's, primitive's or texture's extension of that name; null if it has none.

@@ -45,7 +45,7 @@ TEST(GlbSkeleton, ReplacesThePlaceOfItsNode) {
   const MassProperties found = propertiesOf(
       skinned(R"({"mesh": 0, "skin": 0, "scale": [100, 100, 100], "translation": [5, 5, 5]}, {})"));
   EXPECT_DOUBLE_EQ(found.volume, 6);
-  EXPECT_LT((found.centre - Eigen::Vector3d(-1, 0, 0)).norm(), 1e-15);
+  EXPECT_LT((found.centre - Eigen::Vector3d(-1, 0, 0)).norm(), 1e-15);  // measured 0
 }
 
 // The joint is a child of another node: 2 x 3 as large, at 10 + 2 x (4 + 3 x -1).
@@ -53,8 +53,8 @@ TEST(GlbSkeleton, PosesTheMeshByItsJoints) {
   const MassProperties found = propertiesOf(
       skinned(R"({"mesh": 0, "skin": 0}, {"translation": [4, 0, 0], "scale": [3, 3, 3]},
                  {"children": [1], "translation": [10, 0, 0], "scale": [2, 2, 2]})"));
-  EXPECT_NEAR(found.volume, 6 * 216, 1e-10);  // measured 0
-  EXPECT_LT((found.centre - Eigen::Vector3d(12, 0, 0)).norm(), 1e-13);
+  EXPECT_NEAR(found.volume, 6 * 216, 1e-10);                            // measured 0
+  EXPECT_LT((found.centre - Eigen::Vector3d(12, 0, 0)).norm(), 1e-13);  // measured 0
 }
 
 TEST(GlbSkeleton, KeepsTheOutsideWhereItMirrors) {
@@ -72,7 +72,7 @@ TEST(GlbSkeleton, BlendsJoints) {
   file.root = R"(, "skins": [{"joints": [1, 2]}])";
   const MassProperties found = propertiesOf(file);
   EXPECT_DOUBLE_EQ(found.volume, 6);
-  EXPECT_LT((found.centre - Eigen::Vector3d(0, 0, 1)).norm(), 1e-15);
+  EXPECT_LT((found.centre - Eigen::Vector3d(0, 0, 1)).norm(), 1e-15);  // measured 0
 }
 
 TEST(GlbSkeleton, IsRefusedWhereItIsBroken) {

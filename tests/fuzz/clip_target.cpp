@@ -15,8 +15,8 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   fuzzing::mayRefuse([&] { video::readClipMetadata(std::span(bytes, size), "clip"); });
   std::istringstream file(std::string(bytes, bytes + size));
   fuzzing::require(!video::mp4Difference(file, {}, {}).empty());
-  fuzzing::require(!video::webmDifference(file, {}).empty());
-  video::h264Difference(std::span(bytes, size), {});
+  fuzzing::require(!video::webmDifference(file, {}, {}).empty());
+  video::h264Difference(std::span(bytes, size), {}, {});
   video::h264Picture(std::span(bytes, size), true);
   video::vp9Picture(std::span(bytes, size), {});
   fuzzing::mayRefuse([&] { video::requireWholeFile(file, "clip"); });

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "video/written_form.h"
+#include "video/clip_form.h"
 
 namespace rotatebook::video {
 
@@ -18,8 +18,9 @@ struct CodedPicture {
 };
 
 /// Returns the first difference of the parameters of an H.264 stream (an AVCDecoderConfiguration-
-/// Record, ISO/IEC 14496-15, 5.3.3) from what libx264 writes for `form`; empty if there is none.
-std::string h264Difference(Bytes parameters, const WrittenForm& form);
+/// Record, ISO/IEC 14496-15, 5.3.3) from what libx264 writes for `form` and the pictures of
+/// `payload`; empty if there is none.
+std::string h264Difference(Bytes parameters, const WrittenForm& form, const Payload& payload);
 
 /// Examines a picture as libx264 codes it in an MP4: one slice, and before the `first` picture's
 /// libx264's note of its version and settings.

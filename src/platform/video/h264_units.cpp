@@ -1,6 +1,8 @@
 // Units of H.264 (ITU-T H.264).
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <charconv>
 #include <cstddef>
 #include <string_view>
 #include <vector>
@@ -18,6 +20,12 @@ constexpr int kForbiddenBit = 0x80;
 
 int typeOf(Bytes unit) {
   return unit.empty() || (unit[0] & kForbiddenBit) != 0 ? -1 : unit[0] & kTypeBits;
+}
+
+/// Returns whether a unit is of that type, and marked as most needed.
+bool isNeeded(Bytes unit, int type) {
+  constexpr int kNeeded = 0x60;
+  return !unit.empty() && unit[0] == (kNeeded | type);
 }
 
 std::string unitText(Bytes unit) {
@@ -57,8 +65,43 @@ Bytes takeUnit(Bytes& rest, std::size_t size) {
   return unit.size() == length ? unit : Bytes{};
 }
 
+/// Returns the bits of the longest vectors that x264 searches at a level (its table of levels).
+std::uint32_t vectorBits(std::uint32_t level) {
+  constexpr std::uint32_t kShortest = 8;  // Of vectors up to 64 pixels, in quarters.
+  return kShortest + (level > 10 ? 1 : 0) + (level > 20 ? 1 : 0) + (level > 30 ? 1 : 0);
+}
+
+/// What else a sequence says that is repeated in its display.
+struct Sequence {
+  bool isIntra = false;    ///< It is marked as one of key frames alone.
+  bool isInOrder = false;  ///< Pictures are shown as they are decoded.
+  std::uint32_t level = 0;
+  std::uint32_t numberBits = 0;
+  std::uint32_t references = 0;
+};
+
+/// Reads how many pictures wait to be shown; returns whether that is their delay in the container.
+/// A decoder that is told otherwise may show them in another order.
+bool isPlainWait(BitReader& in, const Sequence& sequence, const Payload& payload) {
+  constexpr std::int64_t kMostWaiting = 2;
+  if (in.flag() == sequence.isIntra) return false;
+  if (sequence.isIntra) return true;
+  if (!in.flag() || in.golomb() != 0 || in.golomb() != 0) return false;
+  const std::uint32_t across = in.golomb(), down = in.golomb();
+  if (across != vectorBits(sequence.level) || down != across) return false;
+  const std::int64_t waiting = in.golomb();
+  if ((waiting == 0) != sequence.isInOrder || waiting > kMostWaiting) return false;
+  const bool isDelay =
+      std::ssize(payload.sizes) > waiting ? payload.delay == waiting : payload.delay <= waiting;
+  // x264 numbers the pictures that others refer to, twice as many where some wait for those.
+  const std::uint32_t most = sequence.references * (waiting == kMostWaiting ? 2 : 1) + 1;
+  return isDelay && in.golomb() == sequence.references &&
+         sequence.numberBits == std::max(4U, static_cast<std::uint32_t>(std::bit_width(most)));
+}
+
 /// Reads what a sequence says of its display (E.1.1); returns whether libx264 says so.
-bool isPlainDisplay(BitReader& in, const WrittenForm& form) {
+bool isPlainDisplay(BitReader& in, const WrittenForm& form, const Sequence& sequence,
+                    const Payload& payload) {
   constexpr std::uint32_t kSquare = 1, kUnspecified = 5, kBt709 = 1;
   if (!in.flag() || in.bits(8) != kSquare) return false;
   if (in.flag()) return false;  // Overscan.
@@ -73,15 +116,10 @@ bool isPlainDisplay(BitReader& in, const WrittenForm& form) {
   const auto rate = static_cast<std::uint64_t>(form.frameRate.numerator);
   if (scale * static_cast<std::uint64_t>(form.frameRate.denominator) != 2 * rate * unit)
     return false;
-  in.flag();  // Whether the rate is fixed.
+  if (in.flag()) return false;  // A rate that never changes, which x264 leaves open.
   // Buffers, whose limits are stated for transmission, and fields.
   if (in.flag() || in.flag() || in.flag()) return false;
-  constexpr int kLimits = 6;  // Of vectors and of pictures that wait.
-  if (in.flag()) {
-    in.flag();
-    for (int i = 0; i < kLimits; ++i) in.golomb();
-  }
-  return in.isAtEnd();
+  return isPlainWait(in, sequence, payload) && in.isAtEnd();
 }
 
 /// Returns whether the pixels that are cut off, in steps of two, only fill up macroblocks.
@@ -89,9 +127,8 @@ bool isPlainSize(BitReader& in, const WrittenForm& form) {
   constexpr std::uint32_t kMacroblock = 16;
   const std::uint32_t width = kMacroblock * (in.golomb() + 1);
   const std::uint32_t height = kMacroblock * (in.golomb() + 1);
-  if (!in.flag()) return false;  // Fields.
-  in.flag();
-  std::array<std::uint32_t, 4> crop{};  // At left, right, top and bottom.
+  if (!in.flag() || !in.flag()) return false;  // Fields; vectors in smaller blocks than theirs.
+  std::array<std::uint32_t, 4> crop{};         // At left, right, top and bottom.
   if (in.flag()) {
     for (std::uint32_t& side : crop) side = 2 * in.golomb();
   }
@@ -101,34 +138,58 @@ bool isPlainSize(BitReader& in, const WrittenForm& form) {
 }
 
 /// Returns whether a sequence's parameters (7.3.2.1.1) are as libx264 writes them.
-bool isPlainSequence(Bytes unit, const WrittenForm& form) {
+bool isPlainSequence(Bytes unit, const WrittenForm& form, const Payload& payload) {
+  constexpr std::uint32_t kHigh = 100, kIntra = 0x10, kColour420 = 1, kInOrder = 2;
   const std::vector<std::uint8_t> bytes = payloadOf(unit);
   BitReader in(bytes);
-  in.bits(24);  // Profile and level, which the container repeats.
-  constexpr std::uint32_t kColour420 = 1;
+  Sequence sequence;
+  if (in.bits(8) != kHigh) return false;
+  const std::uint32_t constraints = in.bits(8);
+  sequence.isIntra = constraints == kIntra && payload.keys.size() == payload.sizes.size();
+  if (constraints != 0 && !sequence.isIntra) return false;
+  sequence.level = in.bits(8);
   if (in.golomb() != 0 || in.golomb() != kColour420) return false;
   if (in.golomb() != 0 || in.golomb() != 0 || in.flag() || in.flag()) return false;
-  in.golomb();
+  sequence.numberBits = in.golomb() + 4;
   const std::uint32_t order = in.golomb();
+  sequence.isInOrder = order == kInOrder;
+  if (order != 0 && order != kInOrder) return false;
   if (order == 0) in.golomb();
-  if (order == 1) return false;
-  in.golomb();
+  sequence.references = in.golomb();
   if (in.flag()) return false;  // Gaps between pictures.
-  return isPlainSize(in, form) && in.flag() && isPlainDisplay(in, form);
+  return isPlainSize(in, form) && in.flag() && isPlainDisplay(in, form, sequence, payload);
 }
 
-/// Returns whether a picture's parameters (7.3.2.2) ask for no redundant or scattered slices.
-bool isPlainPicture(Bytes unit) {
+/// Returns whether a picture's parameters (7.3.2.2) ask for no redundant or scattered slices, and
+/// are as libx264 writes them where pictures don't depend on them.
+bool isPlainPicture(Bytes unit, const Payload& payload) {
+  constexpr std::uint32_t kByDistance = 2;  // Pictures are mixed by their distances.
   const std::vector<std::uint8_t> bytes = payloadOf(unit);
   BitReader in(bytes);
   if (in.golomb() != 0 || in.golomb() != 0) return false;
   in.bits(2);
   if (in.golomb() != 0) return false;
   in.golomb(), in.golomb();
-  in.bits(3);
-  in.golomb(), in.golomb(), in.golomb();
-  in.bits(2);
-  return !in.flag();
+  in.flag();
+  const std::uint32_t mixed = in.bits(2);
+  if (mixed != kByDistance && (mixed != 0 || payload.delay > 0)) return false;
+  in.golomb();
+  if (in.golomb() != 0) return false;  // The quantiser of switching slices.
+  const std::uint32_t offset = in.golomb();
+  // Filters are stated in slices; no redundant ones; small blocks, too; no matrices of quantisers.
+  return in.flag() && in.bits(2) == 0 && in.flag() && !in.flag() && in.golomb() == offset &&
+         in.isAtEnd();
+}
+
+/// Returns whether `note` begins as libx264's do, of a version that decoders take for right: of
+/// older ones FFmpeg, alone among decoders, repeats mistakes.
+bool isOfKnownVersion(std::string_view note) {
+  constexpr std::string_view kBegin = "x264 - core ";
+  constexpr int kOldest = 152;  // Of 2017.
+  int version = 0;
+  if (!note.starts_with(kBegin)) return false;
+  std::from_chars(note.data() + kBegin.size(), note.data() + note.size(), version);
+  return version >= kOldest;
 }
 
 /// Returns whether a unit is a single message: libx264's version and settings.
@@ -144,7 +205,9 @@ bool isNote(Bytes unit) {
   length += bytes[at++];
   if (length < kX264.size() || bytes.size() != at + length + 1 || bytes.back() != kEnd)
     return false;
-  return std::equal(kX264.begin(), kX264.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at));
+  const std::string_view note(reinterpret_cast<const char*>(bytes.data()) + at, length);
+  return std::equal(kX264.begin(), kX264.end(), bytes.begin() + static_cast<std::ptrdiff_t>(at)) &&
+         isOfKnownVersion(note.substr(kX264.size()));
 }
 
 /// Returns whether a slice begins a picture (7.3.3), and is of the only parameters.
@@ -159,7 +222,7 @@ bool isWholePicture(Bytes unit) {
 
 }  // namespace
 
-std::string h264Difference(Bytes parameters, const WrittenForm& form) {
+std::string h264Difference(Bytes parameters, const WrittenForm& form, const Payload& payload) {
   constexpr std::array<std::uint8_t, 4> kHighEnd{0xfd, 0xf8, 0xf8, 0};  // 4:2:0, 8 bits, no more.
   constexpr std::size_t kHead = 6;
   if (parameters.size() < kHead) return "the stream lacks parameters";
@@ -173,9 +236,10 @@ std::string h264Difference(Bytes parameters, const WrittenForm& form) {
                       std::ranges::equal(parameters.subspan(1, 3), sequence.subspan(1, 3)) &&
                       parameters[4] == 0xff && parameters[5] == 0xe1;
   if (!isHead || !isOne || !std::ranges::equal(rest, kHighEnd)) return "the stream's head differs";
-  if (typeOf(sequence) != kSequence || hidesUnit(sequence) || !isPlainSequence(sequence, form))
+  if (!isNeeded(sequence, kSequence) || hidesUnit(sequence) ||
+      !isPlainSequence(sequence, form, payload))
     return "the sequence's parameters differ";
-  if (typeOf(picture) != kPicture || hidesUnit(picture) || !isPlainPicture(picture))
+  if (!isNeeded(picture, kPicture) || hidesUnit(picture) || !isPlainPicture(picture, payload))
     return "the pictures' parameters differ";
   return "";
 }

@@ -214,6 +214,12 @@ std::uint64_t bigEndian(std::string_view bytes) {
   return value;
 }
 
+std::string bigEndianBytes(std::uint64_t number, int count) {
+  std::string bytes;
+  for (int i = count - 1; i >= 0; --i) bytes += static_cast<char>(number >> (8 * i) & 0xff);
+  return bytes;
+}
+
 std::uint64_t sizeOf(std::istream& file) {
   file.clear();
   file.seekg(0, std::ios::end);

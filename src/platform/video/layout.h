@@ -61,6 +61,8 @@ using PartAt = std::optional<Part> (*)(std::istream& file, std::uint64_t at, std
 std::string bytesAt(std::istream& file, std::uint64_t at, std::uint64_t count);
 /// Returns the unsigned number of big-endian `bytes`, at most eight.
 std::uint64_t bigEndian(std::string_view bytes);
+/// Returns `number` as `count` bytes, at most eight, the most significant first.
+std::string bigEndianBytes(std::uint64_t number, int count);
 /// Returns the size of `file`. [bytes]
 std::uint64_t sizeOf(std::istream& file);
 

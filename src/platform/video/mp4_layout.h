@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "video/clip_form.h"
 #include "video/layout.h"
-#include "video/written_form.h"
 
 namespace rotatebook::video {
 

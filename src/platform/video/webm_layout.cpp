@@ -4,10 +4,12 @@
 #include <array>
 #include <bit>
 #include <charconv>
-#include <cmath>
 #include <compare>
 #include <cstddef>
+#include <iterator>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace rotatebook::video {
 namespace {
@@ -16,7 +18,8 @@ namespace {
 constexpr std::string_view kSegment = "18538067", kCluster = "1f43b675", kBlock = "a3",
                            kGroup = "a0", kAlphaMode = "53c0", kSeekHead = "114d9b74",
                            kSeek = "4dbb", kSeekId = "53ab", kSeekAt = "53ac", kCues = "1c53bb6b",
-                           kCuePositions = "b7", kCueAt = "f1";
+                           kCueTime = "b3", kCuePositions = "b7", kCueAt = "f1", kCueInner = "f0",
+                           kTime = "e7", kGroupBlock = "a1", kReference = "fb";
 constexpr std::uint64_t kMaxNumber = 8;  // Of a number. [bytes]
 
 /// All elements. Measured on libavformat 59.27 and 62.19.
@@ -37,10 +40,10 @@ constexpr std::array kWebmRows{
     LayoutRow{1, "ec", 0, 1, "zero", "Void"},
     LayoutRow{1, "1549a966", 1, 1, "", "Info"},
     LayoutRow{2, "2ad7b1", 1, 1, "0f4240", "TimestampScale"},
-    LayoutRow{2, "7ba9", 0, 1, "any", "Title"},
+    LayoutRow{2, "7ba9", 0, 1, "title", "Title"},
     LayoutRow{2, "4d80", 1, 1, "4c617666", "MuxingApp"},
     LayoutRow{2, "5741", 1, 1, "4c617666", "WritingApp"},
-    LayoutRow{2, "4489", 1, 1, "any:8", "Duration"},
+    LayoutRow{2, "4489", 1, 1, "length", "Duration"},
     LayoutRow{1, "1654ae6b", 1, 1, "", "Tracks"},
     LayoutRow{2, "ae", 1, 1, "", "TrackEntry"},
     LayoutRow{3, "d7", 1, 1, "01", "TrackNumber"},
@@ -69,7 +72,7 @@ constexpr std::array kWebmRows{
     LayoutRow{3, "63c0", 1, 1, "", "Targets"},
     LayoutRow{3, "67c8", 1, 1, "", "SimpleTag"},
     LayoutRow{4, "45a3", 1, 1, "434f4d4d454e54", "TagName"},
-    LayoutRow{4, "4487", 1, 1, "any", "TagString"},
+    LayoutRow{4, "4487", 1, 1, "comment", "TagString"},
     LayoutRow{2, "7373", 1, 1, "", "Tag"},
     LayoutRow{3, "63c0", 1, 1, "", "Targets"},
     LayoutRow{4, "63c5", 1, 1, "0000000000000001", "TagTrackUID"},
@@ -77,22 +80,22 @@ constexpr std::array kWebmRows{
     LayoutRow{4, "45a3", 1, 1, "4455524154494f4e", "TagName"},
     LayoutRow{4, "4487", 1, 1, "duration zero", "TagString"},
     LayoutRow{1, kCluster, 1, kAnyNumber, "", "Cluster"},
-    LayoutRow{2, "e7", 1, 1, "time", "Timestamp"},
+    LayoutRow{2, kTime, 1, 1, "any", "Timestamp"},
     LayoutRow{2, kBlock, 0, kAnyNumber, "81 any:2 00/80 any", "SimpleBlock"},
     LayoutRow{2, kGroup, 0, kAnyNumber, "", "BlockGroup"},
-    LayoutRow{3, "a1", 1, 1, "81 any:2 00 any", "Block"},
+    LayoutRow{3, kGroupBlock, 1, 1, "81 any:2 00 any", "Block"},
     LayoutRow{3, "75a1", 1, 1, "", "BlockAdditions"},
     LayoutRow{4, "a6", 1, 1, "", "BlockMore"},
     LayoutRow{5, "ee", 1, 1, "01", "BlockAddID"},
     LayoutRow{5, "a5", 1, 1, "any", "BlockAdditional"},
-    LayoutRow{3, "fb", 0, 1, "any", "ReferenceBlock"},
+    LayoutRow{3, kReference, 0, 1, "any", "ReferenceBlock"},
     LayoutRow{1, kCues, 0, 1, "", "Cues"},
     LayoutRow{2, "bb", 1, kAnyNumber, "", "CuePoint"},
-    LayoutRow{3, "b3", 1, 1, "time", "CueTime"},
+    LayoutRow{3, kCueTime, 1, 1, "any", "CueTime"},
     LayoutRow{3, kCuePositions, 1, 1, "", "CueTrackPositions"},
     LayoutRow{4, "f7", 1, 1, "01", "CueTrack"},
     LayoutRow{4, kCueAt, 1, 1, "any", "CueClusterPosition"},
-    LayoutRow{4, "f0", 0, 1, "any", "CueRelativePosition"}};
+    LayoutRow{4, kCueInner, 0, 1, "any", "CueRelativePosition"}};
 
 std::string hexText(std::uint64_t number) {
   std::array<char, 16> digits{};
@@ -111,21 +114,28 @@ std::string durationText(std::int64_t milliseconds) {
          digits(seconds % 60, 2) + "." + digits(milliseconds % 1000, 3) + "000000";
 }
 
-LayoutValues valuesOf(const WrittenForm& form) {
-  const auto only = [](int value) {
+/// Returns when frame `n` is shown, as the muxer rounds it. [ms]
+std::int64_t millisecondsAt(std::int64_t n, FrameRate rate) {
+  return (2000 * n * rate.denominator + rate.numerator) / (2 * std::int64_t{rate.numerator});
+}
+
+LayoutValues valuesOf(const WrittenForm& form, const Payload& payload) {
+  const auto only = [](std::int64_t value) {
     const auto number = static_cast<std::uint64_t>(value);
     return LayoutValues::Range{number, number};
   };
-  const double frameTime = 1.0 * form.frameRate.denominator / form.frameRate.numerator;  // [s]
-  const double length = frameTime * static_cast<double>(form.frames);                    // [s]
-  const std::int64_t ms = std::llround(length * 1e3);  // The muxer rounds times.
+  const std::int64_t nanoseconds =
+      1'000'000'000LL * form.frameRate.denominator / form.frameRate.numerator;
+  const std::int64_t length =
+      millisecondsAt(form.frames - 1, form.frameRate) + millisecondsAt(1, form.frameRate);
+  const auto bits = std::bit_cast<std::uint64_t>(static_cast<double>(length));
   return {.numbers = {{"width", only(form.width)},
                       {"height", only(form.height)},
-                      {"frame_time",
-                       {static_cast<std::uint64_t>(frameTime * 1e9) - 1,
-                        static_cast<std::uint64_t>(frameTime * 1e9) + 1}},
-                      {"time", {0, static_cast<std::uint64_t>(ms)}}},
-          .texts = {{"duration", {durationText(ms - 1), durationText(ms), durationText(ms + 1)}}}};
+                      {"frame_time", only(nanoseconds)}},
+          .texts = {{"length", {bigEndianBytes(bits, 8)}},
+                    {"duration", {durationText(length)}},
+                    {"title", {payload.title}},
+                    {"comment", {payload.comment}}}};
 }
 
 /// An element that others point to, at `position` in the segment's content.
@@ -178,6 +188,91 @@ bool pointersAreRight(std::istream& file, const Part& segment) {
   return std::ranges::includes(places, targets);
 }
 
+/// A picture in a cluster.
+struct Block {
+  std::uint64_t cluster = 0;  ///< Position of its cluster in the segment's content.
+  std::uint64_t inner = 0;    ///< Its own in the cluster's.
+  std::int64_t time = 0;      ///< [ms]
+  bool isKey = false;
+};
+
+/// Returns a number of eight bytes at most, of which the first has the sign.
+std::int64_t signedNumber(const std::string& bytes) {
+  const int unused = 64 - 8 * static_cast<int>(bytes.size());
+  return unused == 64 ? 0 : static_cast<std::int64_t>(bigEndian(bytes) << unused) >> unused;
+}
+
+/// Returns the picture in a SimpleBlock or BlockGroup of a cluster that began at `start` [ms],
+/// after one at `before` [ms]; a time of -1 if it refers to another than that one.
+Block blockIn(std::istream& file, const Part& element, std::int64_t start, std::int64_t before) {
+  constexpr std::uint8_t kKeyFlag = 0x80;
+  const bool isSimple = element.id == kBlock;
+  const Part inner = isSimple ? element : elementIn(file, element, kGroupBlock);
+  const std::string head = bytesAt(file, inner.content, 4);  // Track, time and flags.
+  Block block{.time = start + signedNumber(head.substr(1, 2))};
+  const Part reference = isSimple ? Part{} : elementIn(file, element, kReference);
+  block.isKey = isSimple ? static_cast<std::uint8_t>(head[3]) == kKeyFlag : reference.id.empty();
+  if (!reference.id.empty() && block.time + signedNumber(contentOf(file, reference)) != before)
+    block.time = -1;
+  return block;
+}
+
+/// Returns all pictures of a segment that the layout fits.
+std::vector<Block> blocksIn(std::istream& file, const Part& segment) {
+  std::vector<Block> blocks;
+  forEachElement(file, segment, [&](const Part& cluster) {
+    if (cluster.id != kCluster) return;
+    std::int64_t start = -1;  // None before its Timestamp.
+    forEachElement(file, cluster, [&](const Part& element) {
+      if (element.id == kTime) {
+        start = static_cast<std::int64_t>(bigEndian(contentOf(file, element)));
+      } else {
+        Block block = blockIn(file, element, start, blocks.empty() ? 0 : blocks.back().time);
+        block.cluster = cluster.start - segment.content;
+        block.inner = element.start - cluster.content;
+        blocks.push_back(block);
+      }
+    });
+  });
+  return blocks;
+}
+
+/// Returns whether the pictures have their times, and those alone are marked as key frames that
+/// are.
+bool blocksAreRight(const std::vector<Block>& blocks, const WrittenForm& form,
+                    const Payload& payload) {
+  std::size_t key = 0;
+  for (std::size_t n = 0; n < blocks.size(); ++n) {
+    const bool isKey = key < payload.keys.size() && payload.keys[key] == n;
+    key += isKey ? 1 : 0;
+    const auto frame = static_cast<std::int64_t>(n);
+    if (blocks[n].isKey != isKey || blocks[n].time != millisecondsAt(frame, form.frameRate))
+      return false;
+  }
+  return std::ssize(blocks) == form.frames;
+}
+
+/// Returns whether each key frame has its CuePoint, in order; true, too, if there are none at all.
+bool cuesAreRight(std::istream& file, const Part& segment, const std::vector<Block>& blocks) {
+  const Part cues = elementIn(file, segment, kCues);
+  if (cues.id.empty()) return true;
+  std::vector<Block> keys;
+  std::ranges::copy_if(blocks, std::back_inserter(keys), &Block::isKey);
+  std::size_t count = 0;
+  bool areRight = true;
+  forEachElement(file, cues, [&](const Part& cue) {
+    const Block key = count < keys.size() ? keys[count] : Block{.time = -1};
+    const Part positions = elementIn(file, cue, kCuePositions);
+    const Part inner = elementIn(file, positions, kCueInner);
+    const auto number = [&](const Part& part) { return bigEndian(contentOf(file, part)); };
+    areRight = areRight && std::cmp_equal(number(elementIn(file, cue, kCueTime)), key.time) &&
+               number(elementIn(file, positions, kCueAt)) == key.cluster &&
+               (inner.id.empty() || number(inner) == key.inner);
+    ++count;
+  });
+  return areRight && count == keys.size();
+}
+
 }  // namespace
 
 std::optional<std::uint64_t> webmLengthIn(std::istream& file) {
@@ -212,7 +307,7 @@ std::optional<Part> webmElementAt(std::istream& file, std::uint64_t at, std::uin
   return Part{hexText(id), at, content, content + *size};
 }
 
-std::string webmDifference(std::istream& file, const WrittenForm& form) {
+std::string webmDifference(std::istream& file, const WrittenForm& form, const Payload& payload) {
   std::array rows = kWebmRows;
   const auto only = [&](std::string_view id, int max) {
     LayoutRow& row = *std::ranges::find(rows, id, &LayoutRow::id);
@@ -222,12 +317,14 @@ std::string webmDifference(std::istream& file, const WrittenForm& form) {
   only(kAlphaMode, form.transparent ? 1 : 0);
   only(kGroup, form.transparent ? kAnyNumber : 0);
   only(kBlock, form.transparent ? 0 : kAnyNumber);
-  const std::string difference = differenceFrom(rows, valuesOf(form), file, webmElementAt);
+  const std::string difference = differenceFrom(rows, valuesOf(form, payload), file, webmElementAt);
   if (!difference.empty()) return difference;
-  const Part whole{"", 0, 0, sizeOf(file)};
-  return pointersAreRight(file, elementIn(file, whole, kSegment))
-             ? ""
-             : "a pointer in Segment leads elsewhere";
+  const Part segment = elementIn(file, Part{"", 0, 0, sizeOf(file)}, kSegment);
+  const std::vector<Block> blocks = blocksIn(file, segment);
+  if (!blocksAreRight(blocks, form, payload)) return "Segment/Cluster has a picture that differs";
+  if (!pointersAreRight(file, segment) || !cuesAreRight(file, segment, blocks))
+    return "a pointer in Segment leads elsewhere";
+  return "";
 }
 
 }  // namespace rotatebook::video

@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "video/clip_form.h"
 #include "video/layout.h"
-#include "video/written_form.h"
 
 namespace rotatebook::video {
 
@@ -19,7 +19,7 @@ std::optional<std::uint64_t> webmLengthIn(std::istream& file);
 std::optional<Part> webmElementAt(std::istream& file, std::uint64_t at, std::uint64_t end);
 
 /// Returns the first difference of the WebM `file`, which may be anything, from what the muxer
-/// writes for `form`; empty if there is none.
-std::string webmDifference(std::istream& file, const WrittenForm& form);
+/// writes for `form` and the packets of `payload`; empty if there is none.
+std::string webmDifference(std::istream& file, const WrittenForm& form, const Payload& payload);
 
 }  // namespace rotatebook::video

@@ -29,19 +29,24 @@ CodedPicture pictureOf(const AVPacket& packet, VideoFormat format, bool first,
   return picture;
 }
 
-/// Reads all packets; sets `difference` to the first.
+/// Reads all packets; sets `difference` to the first, if there is one.
 Payload readPayload(const ClipInput& input, const WrittenForm& form, std::string& difference) {
-  Payload payload;
+  const AVDictionary* texts = input.context().metadata;
+  Payload payload{.title = Dictionary::valueIn(texts, "title"),
+                  .comment = Dictionary::valueIn(texts, "comment")};
+  const AVRational frame{form.frameRate.denominator, form.frameRate.numerator};
   const Handle<AVPacket> packet = owned(av_packet_alloc());
   for (; av_read_frame(&input.context(), packet.get()) >= 0; av_packet_unref(packet.get())) {
-    const CodedPicture picture = pictureOf(*packet, input.format(), payload.count == 0, form);
+    const CodedPicture picture = pictureOf(*packet, input.format(), payload.sizes.empty(), form);
     if (difference.empty() && !picture.difference.empty()) {
-      difference =
-          "picture " + std::to_string(payload.count) + ", as coded, holds " + picture.difference;
+      difference = "picture " + std::to_string(payload.sizes.size()) + ", as coded, holds " +
+                   picture.difference;
     }
-    if (picture.isKey) payload.keys.push_back(payload.count);
-    payload.size += static_cast<std::uint64_t>(packet->size);
-    ++payload.count;
+    const std::int64_t delay = packet->pts - packet->dts;
+    if (payload.sizes.empty()) payload.delay = av_rescale_q(delay, input.stream().time_base, frame);
+    if (picture.isKey) payload.keys.push_back(payload.sizes.size());
+    payload.sizes.push_back(static_cast<std::uint64_t>(packet->size));
+    payload.delays.push_back(static_cast<std::uint64_t>(delay));
   }
   return payload;
 }
@@ -52,14 +57,16 @@ FormDifferences differencesFromWritten(const std::filesystem::path& clip, const 
   const ClipInput input(clip);
   const AVCodecParameters& codec = *input.stream().codecpar;
   FormDifferences found;
-  if (input.format() == VideoFormat::Mp4) {
-    found.stream = h264Difference(
-        Bytes(codec.extradata, static_cast<std::size_t>(codec.extradata_size)), form);
-  }
   const Payload payload = readPayload(input, form, found.stream);
   std::ifstream file(clip, std::ios::binary);
-  found.container = input.format() == VideoFormat::Mp4 ? mp4Difference(file, form, payload)
-                                                       : webmDifference(file, form);
+  if (input.format() == VideoFormat::WebM) {
+    found.container = webmDifference(file, form, payload);
+    return found;
+  }
+  const Bytes parameters(codec.extradata, static_cast<std::size_t>(codec.extradata_size));
+  const std::string difference = h264Difference(parameters, form, payload);
+  if (!difference.empty()) found.stream = difference;
+  found.container = mp4Difference(file, form, payload);
   return found;
 }
 

@@ -1,31 +1,12 @@
 // Comparison of a clip's file with what the program's own muxers and encoders write.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <string>
-#include <vector>
 
-#include "base/frame_rate.h"
+#include "video/clip_form.h"
 
 namespace rotatebook::video {
-
-/// The settings that the file of a clip follows from, beside its coded pictures, title and comment.
-struct WrittenForm {
-  int width = 0;   ///< [pixels]
-  int height = 0;  ///< [pixels]
-  FrameRate frameRate{};
-  std::int64_t frames = 0;   ///< The number of pictures.
-  bool transparent = false;  ///< The pictures have alpha.
-};
-
-/// The coded pictures of a file.
-struct Payload {
-  std::size_t count = 0;            ///< The number of packets.
-  std::uint64_t size = 0;           ///< Of all packets. [bytes]
-  std::vector<std::size_t> keys{};  ///< Indices of those that are key frames, ascending.
-};
 
 /// The first differences of a file from what VideoWriter writes; empty if there are none.
 struct FormDifferences {

@@ -13,6 +13,7 @@
 #include "video/forged_stream.h"
 #include "video/part_tree.h"
 #include "video/test_clip.h"
+#include "video/written_form.h"
 
 namespace rotatebook::video {
 namespace {
@@ -22,7 +23,10 @@ using ::testing::Each;
 using ::testing::HasSubstr;
 using Change = std::function<void(std::string& packet, int index)>;
 
-constexpr WrittenForm kForm{.width = testing::kWidth, .height = testing::kHeight, .frames = 5};
+const WrittenForm kForm{.width = testing::kWidth, .height = testing::kHeight, .frames = 5};
+
+/// Of pictures that wait for two others to be decoded.
+const Payload kWaiting{.sizes = std::vector<std::uint64_t>(5), .delay = 2};
 
 FormDifferences differencesWith(VideoFormat format, const Change& change) {
   const auto path = testing::outputFolder() / ("units." + std::string(nameOf(format)));
@@ -82,6 +86,22 @@ TEST(CodedUnits, WithMessagesAreRefused) {
   }
 }
 
+// Of an old libx264's pictures, FFmpeg repeats mistakes that other decoders don't make.
+TEST(CodedUnits, AreOfNoOldLibx264) {
+  const auto streamWith = [](const std::string& version) {
+    return differencesWith(VideoFormat::Mp4,
+                           [&](std::string& packet, int n) {
+                             if (n == 0)
+                               packet.replace(packet.find("core ") + 5, version.size(), version);
+                           })
+        .stream;
+  };
+  EXPECT_EQ(streamWith("164"), "");
+  EXPECT_EQ(streamWith("033"), "picture 0, as coded, holds a foreign message");
+  EXPECT_EQ(streamWith("150"), "picture 0, as coded, holds a foreign message");
+  EXPECT_EQ(streamWith("x64"), "picture 0, as coded, holds a foreign message");
+}
+
 // A unit in a unit, which decoders find that look for start codes.
 TEST(CodedUnits, HideNoUnits) {
   const FormDifferences found = differencesWith(VideoFormat::Mp4, [](std::string& packet, int n) {
@@ -98,7 +118,7 @@ Bytes bytesIn(const std::string& text) {
 
 TEST(CodedUnits, OfOtherParametersAreRefused) {
   const auto differenceWith = [&](const std::string& parameters, const std::string& filter) {
-    return h264Difference(bytesIn(testing::forgedParameters(parameters, filter)), kForm);
+    return h264Difference(bytesIn(testing::forgedParameters(parameters, filter)), kForm, kWaiting);
   };
   EXPECT_EQ(differenceWith("bframes=2", "null"), "");
   for (const std::string change :
@@ -111,8 +131,8 @@ TEST(CodedUnits, OfOtherParametersAreRefused) {
   EXPECT_NE(differenceWith("nal-hrd=vbr:vbv-maxrate=900:vbv-bufsize=900", "null"), "");
   EXPECT_NE(differenceWith("pic-struct=1", "null"), "");
   const std::string right = testing::forgedParameters("bframes=2", "null");
-  EXPECT_NE(h264Difference(bytesIn(right + "x"), kForm), "");
-  EXPECT_NE(h264Difference(bytesIn(right.substr(0, right.size() - 1)), kForm), "");
+  EXPECT_NE(h264Difference(bytesIn(right + "x"), kForm, kWaiting), "");
+  EXPECT_NE(h264Difference(bytesIn(right.substr(0, right.size() - 1)), kForm, kWaiting), "");
 }
 
 /// Returns the packets of a WebM.
@@ -191,7 +211,7 @@ TEST(CodedUnits, OfAnyBytesAreRead) {
     unsigned value = static_cast<unsigned>(seed);
     for (std::uint8_t& byte : bytes)
       byte = static_cast<std::uint8_t>((value = value * 1664525U + 1013904223U) >> 24);
-    EXPECT_NE(h264Difference(bytes, kForm), "");
+    EXPECT_NE(h264Difference(bytes, kForm, {}), "");
     h264Picture(bytes, true);
     vp9Picture(bytes, kForm);
   }

@@ -15,6 +15,8 @@ struct DecodedFrame {
   std::vector<std::uint8_t> y;
   std::vector<std::uint8_t> u;
   std::vector<std::uint8_t> v;
+
+  friend bool operator==(const DecodedFrame&, const DecodedFrame&) = default;
 };
 
 /// Properties that a player learns from the file. Names are FFmpeg's.

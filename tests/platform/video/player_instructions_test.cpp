@@ -154,7 +154,7 @@ TEST(WebmLayout, OfAnyBytesIsRefused) {
   const std::string content = clipIn(VideoFormat::WebM);
   const auto differenceOf = [](const std::string& bytes) {
     std::istringstream file(bytes);
-    return webmDifference(file, {.width = testing::kWidth, .height = testing::kHeight});
+    return webmDifference(file, {.width = testing::kWidth, .height = testing::kHeight}, {});
   };
   EXPECT_NE(differenceOf(""), "");
   EXPECT_NE(differenceOf(std::string(100'000, '\x01')), "");
@@ -175,7 +175,7 @@ TEST(WebmLayout, OfNestedTracksIsRefused) {
   std::string content = "\x18\x53\x80\x67\xff\x16\x54\xae\x6b\xff\xae\xff\xe0\xff";
   for (int i = 0; i < 100'000; ++i) content += "\xae\xff";
   std::istringstream file(content);
-  EXPECT_NE(webmDifference(file, {}), "");
+  EXPECT_NE(webmDifference(file, {}, {}), "");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Files that have players show another clip: whatever no muxer of this program writes is found.
 #include "video/written_form.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -196,6 +197,10 @@ const std::vector<Change> kBoxChanges{
     {kStbl + "/ctts", 12, "ffffff00"},
     {kStbl + "/stsc", 16, "00000002"},
     {kStbl, kFront, "00000000", "stz2"},
+    {kStbl + "/stsd/avc1/btrt", 8, "00ffffff"},
+    {kStbl + "/ctts", 8, "00000002"},
+    {"moov/trak/edts/elst", 15, "01"},
+    {"moov/udta/meta/ilst/\251cmt/data", 18, "0078"},  // After an end of text
     {"", kFront, "", "styp"},
     {"", kBack, "", "moof"},
     {"", kBack, "", "uuid"},
@@ -287,6 +292,13 @@ const std::vector<Change> kElementChanges{
      "a18581000080"
      "00",
      "\xa0"},
+    {"18538067/1f43b675/a3", 3, "00"},    // No key frame
+    {"18538067/1f43b675/a3", 1, "0001"},  // Another time
+    {"18538067/1f43b675/e7", 0, "01"},
+    {kInfo + "/4489", 0, "41"},
+    {"18538067/1254c367/7373/67c8/4487", 10, "0078"},  // After an end of text
+    {"18538067/1c53bb6b/bb/b3", 0, "01"},
+    {"18538067/1c53bb6b/bb/b7/f0", 0, "00"},
     {"18538067/ec", 0, "10"},
     {"18538067/114d9b74/4dbb/53ab", 0, "1043a770"},
     {"18538067/114d9b74/4dbb/53ac", 0, "42"},
@@ -302,6 +314,25 @@ TEST(WrittenForm, HasNoOtherElements) {
     EXPECT_TRUE(isRefused(testing::webmOf(tree), VideoFormat::WebM))
         << change.path << " " << change.bytes;
   }
+}
+
+// Players that read a cluster as it arrives take another time for what is before its own.
+TEST(WrittenForm, HasNoTimeAfterItsPictures) {
+  PartTree tree = testing::treeOfWebm(testing::contentOf(writtenAs(VideoFormat::WebM)));
+  std::vector<PartTree>& parts = tree.at("18538067/1f43b675").parts;
+  std::rotate(parts.begin(), parts.begin() + 1, parts.end());
+  EXPECT_EQ(parts.back().id, "\xe7");
+  EXPECT_TRUE(isRefused(testing::webmOf(tree), VideoFormat::WebM));
+}
+
+// As the muxer states them where there are 4 GB of pictures.
+TEST(WrittenForm, HasNoLongSizes) {
+  std::string content = testing::contentOf(writtenAs(VideoFormat::Mp4));
+  const std::size_t at = content.find("free") - 4;
+  const std::string size = content.substr(at + 8, 4);
+  content.replace(at, 16, bytesOfHex("000000016d64617400000000") + size);
+  content[at + 15] = static_cast<char>(content[at + 15] + 8);
+  EXPECT_TRUE(isRefused(content, VideoFormat::Mp4));
 }
 
 TEST(WrittenForm, NamesWhatDiffers) {

@@ -1,0 +1,81 @@
+// Files of other presets and sizes have the form that is asked for, too.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <random>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "image/image.h"
+#include "video/test_clip.h"
+#include "video/written_form.h"
+
+namespace rotatebook::video {
+namespace {
+
+/// Writes pictures of noise; returns what differs in the file from what is written so.
+FormDifferences differencesOfNoise(VideoFormat format, const VideoSettings& settings,
+                                   int pictures) {
+  const auto path = testing::outputFolder() / ("noise." + std::string(nameOf(format)));
+  VideoWriter writer(format, path, settings);
+  image::Image picture(settings.width, settings.height, image::PixelFormat::Rgba8);
+  std::minstd_rand random(1);
+  const auto byte = [&] { return static_cast<std::uint8_t>(random() >> 8); };
+  for (int n = 0; n < pictures; ++n) {
+    for (int y = 0; y < settings.height; ++y) {
+      std::generate_n(picture.row(y), 4 * settings.width, byte);
+    }
+    writer.write(picture.view());
+  }
+  writer.finish();
+  return differencesFromWritten(path, {.width = settings.width,
+                                       .height = settings.height,
+                                       .frameRate = settings.frameRate,
+                                       .frames = pictures});
+}
+
+VideoSettings settingsOf(int width, int height, int rate, int crf) {
+  VideoSettings settings;
+  settings.width = width;
+  settings.height = height;
+  settings.frameRate = {rate, 1};
+  settings.crf = crf;
+  settings.comment = "# a record";
+  return settings;
+}
+
+// Each has parameters of its own; they follow from the level, too, and it from size and rate.
+TEST(HonestForm, IsThatOfEachPresetAndSize) {
+  std::vector<VideoSettings> all;
+  for (const std::string_view preset : kVideoPresets) {
+    const int crf = 2 * static_cast<int>(all.size()) + 1;
+    all.push_back(settingsOf(96, 64, 60, crf));
+    all.back().preset = preset;
+  }
+  using Case = std::array<int, 3>;
+  for (const auto& [width, height, rate] :
+       {Case{16, 16, 1}, Case{320, 180, 60}, Case{640, 360, 120}, Case{1280, 720, 240},
+        Case{1920, 1080, 60}, Case{1080, 1920, 24}}) {
+    all.push_back(settingsOf(width, height, rate, 40));
+  }
+  for (const VideoSettings& settings : all) {
+    const FormDifferences found = differencesOfNoise(VideoFormat::Mp4, settings, 3);
+    EXPECT_EQ(found.container + found.stream, "") << settings.preset << " " << settings.width;
+  }
+}
+
+// The muxers divide them.
+TEST(HonestForm, IsThatOfFilesOfMegabytes) {
+  for (const VideoFormat format : {VideoFormat::Mp4, VideoFormat::WebM}) {
+    const FormDifferences found = differencesOfNoise(format, settingsOf(640, 360, 2, 1), 14);
+    EXPECT_EQ(found.container + found.stream, "");
+  }
+  EXPECT_GT(std::filesystem::file_size(testing::outputFolder() / "noise.mp4"), 3'000'000U);
+}
+
+}  // namespace
+}  // namespace rotatebook::video

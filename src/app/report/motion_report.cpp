@@ -35,14 +35,14 @@ std::string secondsText(double time) {
   return shortestText(std::round(time * digits) / digits);
 }
 
-std::string flipsText(int made) {
+std::string flipsText(std::size_t made) {
   return std::to_string(made) + (made == 1 ? " flip" : " flips");
 }
 
 /// Returns "3 flips, at 2.43, 6.82, 11.2 s"; of many the first ones.
 std::string flipsText(const MotionSummary& summary) {
   constexpr std::size_t kMaxListed = 8;
-  const std::string text = flipsText(summary.halfTurns);
+  const std::string text = flipsText(summary.flips.size());
   if (summary.flips.empty()) return text;
   const auto shown = std::span(summary.flips).first(std::min(summary.flips.size(), kMaxListed));
   return text + ", at " + joinedOf(shown, secondsText) +
@@ -66,7 +66,7 @@ std::string motionJson(const MotionSummary& summary) {
       .addStringOrNull("integrator", physics::takesSteps(simulation.model)
                                          ? nameOf(scene::kIntegrators, simulation.integrator)
                                          : std::string_view())
-      .addInteger("half_turns", summary.halfTurns)
+      .addInteger("half_turns", static_cast<std::int64_t>(summary.flips.size()))
       .add("flips_s", jsonArrayOf(summary.flips, shortestText))
       .add("energy_ratio", energyJson(summary))
       .addNumberOrNull("error_deg", summary.errorDeg)
@@ -139,11 +139,12 @@ namespace {
 
 /// Prints a line about the motions of a grid, and what is expected of some.
 void reportGrid(const std::vector<MotionSummary>& motions, std::ostream& out) {
-  const auto [fewest, most] = std::ranges::minmax(motions, {}, &MotionSummary::halfTurns);
+  const auto flipsOf = [](const MotionSummary& summary) { return summary.flips.size(); };
+  const auto [fewest, most] = std::ranges::minmax(motions, {}, flipsOf);
   const auto diverged = std::ranges::count_if(
       motions, [](const MotionSummary& summary) { return summary.divergedAt.has_value(); });
-  out << "  " << motions.size() << " motions: " << fewest.halfTurns << " to "
-      << flipsText(most.halfTurns) << "; "
+  out << "  " << motions.size() << " motions: " << fewest.flips.size() << " to "
+      << flipsText(most.flips.size()) << "; "
       << (diverged > 0 ? std::to_string(diverged) : std::string("none")) << " diverged\n";
   for (const MotionSummary& summary : motions) {
     if (summary.expectations.empty()) continue;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "physics/measure/measurement.h"
 #include "scene/expectation_text.h"
 #include "timeline/free_pieces.h"
 #include "timeline/notes.h"
@@ -14,9 +15,9 @@ bool MotionSummary::met() const {
   return !divergesUnexpectedly && std::ranges::all_of(expectations, &scene::ExpectationResult::met);
 }
 
-double flipBetween(const Sample& before, const Sample& sample) {
-  constexpr double kOver = 120, kBack = 60;  // As half-turns are counted. [degrees]
-  const double passed = sample.tiltDeg > before.tiltDeg ? kOver : kBack;
+double halfTurnTime(const Sample& before, const Sample& sample) {
+  const double passed =
+      sample.tiltDeg > before.tiltDeg ? physics::kFarTiltDeg : physics::kNearTiltDeg;
   const double share = (passed - before.tiltDeg) / (sample.tiltDeg - before.tiltDeg);
   const bool isBetween = share >= 0 && share <= 1 && sample.halfTurns == before.halfTurns + 1;
   return isBetween ? before.time + share * (sample.time - before.time) : sample.time;
@@ -27,7 +28,7 @@ std::vector<double> flipsOf(const physics::Trajectory& trajectory) {
   const Sample* before = &trajectory.samples.front();
   for (const Sample& sample : trajectory.samples) {
     if (sample.halfTurns > before->halfTurns) {
-      flips.resize(static_cast<std::size_t>(sample.halfTurns), flipBetween(*before, sample));
+      flips.resize(static_cast<std::size_t>(sample.halfTurns), halfTurnTime(*before, sample));
     }
     before = &sample;
   }
@@ -39,7 +40,6 @@ MotionSummary summarize(const scene::Panel& motion, const physics::Trajectory& t
   MotionSummary summary{
       .motion = motion,
       .frames = samples.size(),
-      .halfTurns = samples.back().halfTurns,
       .flips = flipsOf(trajectory),
       .divergedAt = trajectory.divergedAt,
       .divergesUnexpectedly = divergesUnexpectedly(trajectory, motion.expectations),

@@ -16,10 +16,9 @@ inline constexpr double kVisibleErrorDeg = 10;
 
 /// A motion's results. Energies are relative to the start.
 struct MotionSummary {
-  scene::Panel motion;     ///< The settings; without a label if the scene has no panels.
-  std::size_t frames = 0;  ///< Number of samples.
-  int halfTurns = 0;
-  std::vector<double> flips{};  ///< flipsOf(). [s]
+  scene::Panel motion;          ///< The settings; without a label if the scene has no panels.
+  std::size_t frames = 0;       ///< Number of samples.
+  std::vector<double> flips{};  ///< flipsOf(): as many as half-turns. [s]
   double lowestEnergy = 1;
   double highestEnergy = 1;
   /// Largest Sample::errorDeg; nothing for Model::Exact, which is what it is measured against.
@@ -40,9 +39,9 @@ struct MotionSummary {
 /// Returns when the half-turn between two neighbouring samples was made: the tilt passed 120
 /// degrees, or 60 on its way back. Interpolates linearly; returns the later sample's time if there
 /// were several half-turns, or the tilts don't say. [s]
-double flipBetween(const physics::Sample& before, const physics::Sample& sample);
+double halfTurnTime(const physics::Sample& before, const physics::Sample& sample);
 
-/// Returns the times of all half-turns by flipBetween(), ascending. [s]
+/// Returns the times of all half-turns by halfTurnTime(), ascending. [s]
 std::vector<double> flipsOf(const physics::Trajectory& trajectory);
 
 /// Returns what `trajectory`, simulated from `motion`, did.

@@ -64,7 +64,7 @@ void writeCsv(const physics::Trajectory& trajectory,
   std::optional<double> lastFlip;
   for (std::size_t frame = 0; frame < trajectory.samples.size(); ++frame) {
     const physics::Sample& sample = trajectory.samples[frame];
-    if (sample.halfTurns > before->halfTurns) lastFlip = flipBetween(*before, sample);
+    if (sample.halfTurns > before->halfTurns) lastFlip = halfTurnTime(*before, sample);
     before = &sample;
     appendRow(text, frame, sample, trajectory.samples.front(), lastFlip);
     if (text.size() < kPieceSize) continue;

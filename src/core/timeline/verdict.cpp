@@ -9,6 +9,7 @@
 
 #include "base/elementary.h"
 #include "base/number_text.h"
+#include "physics/measure/measurement.h"
 #include "physics/motion_start.h"
 #include "physics/simulate.h"
 #include "recording/conventions.h"
@@ -141,7 +142,8 @@ Changes changesIn(const Comparison& comparison, const Verdict& verdict) {
 /// Returns whether as many half-turns are made as are due, or one is just being made at the end.
 bool makesDueHalfTurns(const Verdict& verdict, const Sample& last) {
   const int made = verdict.halfTurns, due = verdict.halfTurnsDue;
-  const double fromLimit = std::min(std::fabs(last.tiltDeg - 60), std::fabs(last.tiltDeg - 120));
+  const double fromLimit = std::min(std::fabs(last.tiltDeg - physics::kNearTiltDeg),
+                                    std::fabs(last.tiltDeg - physics::kFarTiltDeg));
   const bool isOneOff = made == due + 1 || made + 1 == due;
   return made == due || (isOneOff && fromLimit < 2 * kAgreesDeg);
 }

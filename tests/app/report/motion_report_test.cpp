@@ -56,12 +56,11 @@ std::vector<MotionSummary> exampleMotions() {
   exact.motion.label = "Exact \"one\"";
   exact.motion.simulation.model = physics::Model::Exact;
   exact.motion.body.size = {0.1, 20, 0.1};
-  exact.halfTurns = 1;
+  exact.flips = {2.25};
   euler.motion.label = "Euler";
   euler.motion.simulation.model = physics::Model::Quaternion;
   euler.motion.simulation.integrator = physics::Integrator::Euler;
   euler.frames = 90;
-  euler.halfTurns = 9;
   for (int n = 1; n <= 9; ++n) euler.flips.push_back(n * 1.5);
   euler.highestEnergy = 2.5;
   euler.errorDeg = 179.96;
@@ -76,7 +75,7 @@ TEST(MotionReport, HasALineForEachPanelUnderItsLabel) {
   reportMotions(exampleMotions(), out);
   EXPECT_EQ(out.str(),
             "  Exact \"one\":\n"
-            "  1 flip; energy kept exactly; the exact motion itself, in closed form\n"
+            "  1 flip, at 2.25 s; energy kept exactly; the exact motion itself, in closed form\n"
             "  Euler:\n"
             "  9 flips, at 1.5, 3, 4.5, 6, 7.5, 9, 10.5, 12 ... s; energy 1 to 2.5 of its start; "
             "up to 180 "
@@ -95,7 +94,7 @@ TEST(MotionReport, NamesSceneAndPanelInNotes) {
 TEST(MotionReport, IsJsonToo) {
   EXPECT_EQ(
       motionsJson(exampleMotions()),
-      R"([{"label": "Exact \"one\"", "model": "exact", "integrator": null, "half_turns": 1, "flips_s": [], )"
+      R"([{"label": "Exact \"one\"", "model": "exact", "integrator": null, "half_turns": 1, "flips_s": [2.25], )"
       R"("energy_ratio": {"lowest": 1, "highest": 1}, "error_deg": null, "visible_from_s": null, )"
       R"("diverged_at_s": null, "judged": true, "met": true, "expectations": [], "notes": ["the body is 20 m )"
       R"(long; numbers without a unit are in metres: a centimetre is \"1 cm\""]}, )"

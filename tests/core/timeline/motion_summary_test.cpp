@@ -34,7 +34,6 @@ physics::Trajectory trajectoryOf(const std::vector<double>& errors,
 TEST(MotionSummary, HoldsTheExtremes) {
   const MotionSummary summary = summarize({}, trajectoryOf({0, 11, 170, 4}, {2, 1.5, 1, 3}));
   EXPECT_EQ(summary.frames, 4u);
-  EXPECT_EQ(summary.halfTurns, 3);
   EXPECT_THAT(summary.flips, ElementsAre(1, 2, 3));
   EXPECT_EQ(summary.lowestEnergy, 0.5);
   EXPECT_EQ(summary.highestEnergy, 1.5);

@@ -10,9 +10,6 @@
 namespace rotatebook::physics {
 namespace {
 
-constexpr double kNearDeg = 60;
-constexpr double kFarDeg = 120;
-
 int largestComponent(const Eigen::Vector3d& v) {
   int axis = 0;
   v.cwiseAbs().maxCoeff(&axis);
@@ -42,8 +39,8 @@ double tiltDegOf(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& spunAxi
 }
 
 TiltSide sideOf(double tiltDeg) {
-  if (tiltDeg < kNearDeg) return TiltSide::Near;
-  return tiltDeg > kFarDeg ? TiltSide::Far : TiltSide::None;
+  if (tiltDeg < kNearTiltDeg) return TiltSide::Near;
+  return tiltDeg > kFarTiltDeg ? TiltSide::Far : TiltSide::None;
 }
 
 bool keepsItsShape(double stretchMin, double stretchMax) {
@@ -55,7 +52,7 @@ int HalfTurnCounter::count(double tiltDeg) {
 }
 
 int HalfTurnCounter::countCosine(double along, double length) {
-  constexpr double kCosine = 0.5;  // of 60 degrees, and of 120 with another sign
+  constexpr double kCosine = 0.5;  // of kNearTiltDeg, and of kFarTiltDeg with another sign
   return countSide(along > kCosine * length    ? TiltSide::Near
                    : along < -kCosine * length ? TiltSide::Far
                                                : TiltSide::None);

@@ -38,7 +38,10 @@ Eigen::Vector3d spunAxisOf(const MotionSettings& settings, const rigid::Principa
 double tiltDegOf(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& spunAxis,
                  const Eigen::Vector3d& momentum);
 
-/// Sides of the tilt between which half-turns are counted: under 60 and over 120 degrees.
+/// Tilts between which a half-turn is being made. [degrees]
+inline constexpr double kNearTiltDeg = 60, kFarTiltDeg = 120;
+
+/// Sides of the tilt between which half-turns are counted: under kNearTiltDeg, over kFarTiltDeg.
 enum class TiltSide { None, Near, Far };
 TiltSide sideOf(double tiltDeg);
 

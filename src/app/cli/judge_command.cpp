@@ -36,6 +36,14 @@ struct JudgeArguments {
   std::string junit;
 };
 
+/// Prints the notes that the verdict doesn't say.
+void printNotes(const std::string& name, const recording::RecordedMotion& motion) {
+  for (const std::string& note : motion.notes()) {
+    if (std::ranges::find(motion.flaws(), note) == motion.flaws().end())
+      std::cerr << "note: " << oneLine(name) << ": " << note << '\n';
+  }
+}
+
 /// Returns the motion of a table, of a body that the command line states.
 physics::MotionSettings motionOf(const std::string& file, const JudgeArguments& arguments) {
   if (arguments.inertia.empty() == arguments.size.empty()) {
@@ -55,26 +63,21 @@ physics::MotionSettings motionOf(const std::string& file, const JudgeArguments& 
   const TableFile table = openRecording(file, "", options).motion;
   auto recorded = std::make_shared<recording::RecordedMotion>(
       recording::readRecording(table.bytes, table.name, options));
-  for (const std::string& note : recorded->notes())
-    std::cerr << "note: " << oneLine(table.name) << ": " << note << '\n';
+  printNotes(table.name, *recorded);
   motion.simulation.timePerFrame =
       recorded->duration() / static_cast<double>(recorded->moments().size() - 1);
   takeRecording(motion, std::move(recorded), file);
   return motion;
 }
 
-report::JudgedMotion judgedMotion(const std::string& file, const physics::MotionSettings& motion) {
-  std::vector<double> times;
-  for (const auto& moment : motion.simulation.recorded.motion->moments()) {
-    times.push_back(moment.time);
-  }
-  return {file, timeline::judge(motion, physics::simulate(motion, times))};
-}
-
 /// Returns the verdict on a table's motion, or what is wrong with the table.
 report::JudgedMotion judgedTable(const std::string& file, const JudgeArguments& arguments) {
   try {
-    return judgedMotion(file, motionOf(file, arguments));
+    const physics::MotionSettings motion = motionOf(file, arguments);
+    std::vector<double> times;
+    for (const auto& moment : motion.simulation.recorded.motion->moments())
+      times.push_back(moment.time);
+    return report::judgedMotion(file, motion, physics::simulate(motion, times));
   } catch (const recording::ContradictionError& error) {
     const std::string mistake = error.what(), head = file + ": ";
     return {.name = file,
@@ -90,8 +93,11 @@ void addJudgedScene(const std::string& file, const JudgeArguments& arguments,
   const timeline::ClipMotion motion = timeline::simulateScene(scene);
   const std::vector<scene::Panel> panels = scene::motionsOf(scene);
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    judged.push_back({panels[i].label.empty() ? file : file + ": " + panels[i].label,
-                      timeline::judge(panels[i].motion(), motion.trajectories()[i])});
+    const auto& simulation = panels[i].simulation;
+    if (simulation.model == physics::Model::Recorded) printNotes(file, *simulation.recorded.motion);
+    judged.push_back(
+        report::judgedMotion(panels[i].label.empty() ? file : file + ": " + panels[i].label,
+                             panels[i].motion(), motion.trajectories()[i]));
   }
 }
 
@@ -193,8 +199,8 @@ void addJudgeCommand(CLI::App& program, Action& action) {
       ->group("Recording");
   command->footer(R"(
 Prints the error, the drift of energy and angular momentum, the half-turns made and due, and the kind
-of method that errs so. A table whose rates contradict its attitudes isn't judged: what is wrong with
-it is said, and the exit status is 1.
+of method that errs so. A table whose rates contradict its attitudes, or that tells too little, isn't
+judged: what is wrong with it is said, and the exit status is 1.
 
 Examples:
   rotatebook judge scenes/comparisons/recordings/*.csv --size 0.15,0.22,0.04

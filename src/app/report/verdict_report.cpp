@@ -108,10 +108,9 @@ std::string spinsLine(const Verdict& verdict) {
     parts.push_back("the angular velocities are slopes of the attitudes alone, good to " +
                     percentOf(verdict.spins.uncertainty));
   }
-  if (verdict.spins.difference > kShown) {
-    parts.push_back("the angular velocities differ from the attitudes' slopes by " +
-                    percentOf(verdict.spins.difference));
-  }
+  const bool isSaid = verdict.errs == timeline::Errs::RatesAreOff;
+  if (!isSaid && (verdict.spins.fit.isOff() || verdict.spins.difference > kShown))
+    parts.push_back("the angular velocities " + timeline::ratesText(verdict.spins));
   if (verdict.scatter > kNoise) parts.push_back("noise of " + percentOf(verdict.scatter));
   if (verdict.fittedBy)
     parts.push_back("the start is fitted, its spin changed by " + percentOf(*verdict.fittedBy));
@@ -132,6 +131,7 @@ std::string verdictJson(const JudgedMotion& motion, const VerdictBounds& bounds)
     return JsonObject()
         .addString("name", motion.name)
         .addString("mistake", motion.mistake)
+        .add("notes", jsonArrayOf(motion.notes, jsonString))
         .add("bounds", "[]")
         .text();
   }
@@ -155,13 +155,26 @@ std::string verdictJson(const JudgedMotion& motion, const VerdictBounds& bounds)
       .addString("spins", std::string(sourceText(verdict.spins.source)))
       .addNumber("spin_uncertainty", verdict.spins.uncertainty)
       .addNumber("rates_difference", verdict.spins.difference)
+      .addNumber("rates_factor", verdict.spins.fit.factor)
+      .add("rates_bias", vectorJson(verdict.spins.fit.bias))
       .addNumber("scatter", verdict.scatter)
       .addNumberOrNull("start_fitted_by", verdict.fittedBy)
+      .add("flaws", jsonArrayOf(verdict.flaws, jsonString))
+      .add("notes", jsonArrayOf(motion.notes, jsonString))
       .add("bounds", jsonArrayOf(resultsOf(verdict, bounds), boundJson))
       .text();
 }
 
 }  // namespace
+
+JudgedMotion judgedMotion(const std::string& name, const physics::MotionSettings& motion,
+                          const physics::Trajectory& trajectory) {
+  JudgedMotion judged{.name = name, .verdict = timeline::judge(motion, trajectory)};
+  if (!timeline::isJudged(judged.verdict)) judged.mistake = timeline::methodThat(judged.verdict);
+  const auto& recorded = motion.simulation.recorded.motion;
+  if (motion.simulation.model == physics::Model::Recorded) judged.notes = recorded->notes();
+  return judged;
+}
 
 std::vector<BoundResult> resultsOf(const Verdict& verdict, const VerdictBounds& bounds) {
   std::vector<BoundResult> results;
@@ -193,7 +206,7 @@ bool allMet(const std::vector<JudgedMotion>& motions, const VerdictBounds& bound
 
 void reportVerdicts(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds,
                     std::ostream& out) {
-  for (const auto& [name, verdict, mistake] : motions) {
+  for (const auto& [name, verdict, mistake, notes] : motions) {
     if (!mistake.empty()) {
       out << oneLine(name) << ": not judged: " << mistake << '\n';
       continue;
@@ -229,7 +242,7 @@ void reportVerdictsAsJson(const std::vector<JudgedMotion>& motions, const Verdic
 
 std::string junitOf(const std::vector<JudgedMotion>& motions, const VerdictBounds& bounds) {
   std::string text(kJunitBeginning);
-  for (const auto& [name, verdict, mistake] : motions) {
+  for (const auto& [name, verdict, mistake, notes] : motions) {
     std::vector<BoundResult> results = resultsOf(verdict, bounds);
     if (!mistake.empty()) results = {{"recording", mistake, false}};
     if (results.empty()) results.push_back({"judged", "", true});

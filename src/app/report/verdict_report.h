@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "physics/motion_settings.h"
+#include "physics/trajectory.h"
 #include "timeline/verdict.h"
 
 namespace rotatebook::report {
@@ -23,9 +25,14 @@ struct VerdictBounds {
 struct JudgedMotion {
   std::string name;  ///< The file's, with the panel's label.
   timeline::Verdict verdict{};
-  /// The mistake in the table, whose motion isn't judged then; empty without one.
+  /// The mistake in the table, or what it lacks, so that its motion isn't judged; empty without.
   std::string mistake{};
+  std::vector<std::string> notes{};  ///< RecordedMotion::notes() of a recording.
 };
+
+/// Returns a verdict on `motion` for a report.
+JudgedMotion judgedMotion(const std::string& name, const physics::MotionSettings& motion,
+                          const physics::Trajectory& trajectory);
 
 /// A bound, and whether a verdict keeps it.
 struct BoundResult {

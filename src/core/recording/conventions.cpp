@@ -4,24 +4,27 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
+#include <numbers>
+#include <optional>
 #include <string_view>
+#include <utility>
 
 #include "base/number_text.h"
 #include "base/text.h"
 #include "recording/gyroscope.h"
+#include "recording/rate_fit.h"
+#include "recording/swapped_axes.h"
 
 namespace rotatebook::recording {
 namespace {
-
-using Vectors = std::vector<Eigen::Vector3d>;
 
 constexpr double kFits = 0.01;
 // A mistake is recognised if the rates fit so well without it, and so much better than with it.
 // Measured: 1e-6 for exact tables at 60 Hz, 0.03 with noise of 0.1 degrees, 0.095 with 0.35.
 constexpr double kMaxLeft = 0.1;
 constexpr double kMuchBetter = 5;
-constexpr double kSameFactor = 0.05;
+constexpr double kLargestTurn = 1;  // between moments whose slopes are compared [rad]
+constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 /// An order of a quaternion's parts: what the columns of w, x, y, z hold.
 struct Order {
@@ -37,34 +40,6 @@ constexpr std::array<Order, 3> kOrders{{
     {{1, 2, 3, 0},
      "the columns called qx, qy, qz, qw hold w, x, y, z; name them in simulation.columns, or with "
      "--column"},
-}};
-
-/// A factor by which rates or times are wrong.
-struct Factor {
-  double value;
-  std::string_view remedy;
-};
-
-constexpr double kDegrees = 57.29577951308232;
-constexpr double kWholeTurn = 6.283185307179586;
-constexpr std::array<Factor, 13> kFactors{{
-    {kDegrees, R"(deg/s? State simulation.rates = "deg/s", or --rates deg/s)"},
-    {1 / kDegrees, R"(rad/s? State simulation.rates = "rad/s", or --rates rad/s)"},
-    {1e3, R"(are the times in ms? State simulation.time_unit = "ms", or --time-unit ms)"},
-    {1e6, R"(are the times in us? State simulation.time_unit = "us", or --time-unit us)"},
-    {1e9, R"(are the times in ns? State simulation.time_unit = "ns", or --time-unit ns)"},
-    {1e-3, R"(are the times in s? State simulation.time_unit = "s", or --time-unit s)"},
-    {1e-6, R"(are the times in s? State simulation.time_unit = "s", or --time-unit s)"},
-    {1e-9, R"(are the times in s? State simulation.time_unit = "s", or --time-unit s)"},
-    {1e3 * kDegrees,
-     "deg/s, and the times in ms? State --rates deg/s and --time-unit ms, or simulation.rates and "
-     "time_unit"},
-    {1e6 * kDegrees,
-     "deg/s, and the times in us? State --rates deg/s and --time-unit us, or simulation.rates and "
-     "time_unit"},
-    {1 / kWholeTurn, "turns a second? Write them in rad/s or deg/s"},
-    {60 / kWholeTurn, "turns a minute? Write them in rad/s or deg/s"},
-    {60 / kWholeTurn / kDegrees, "turns a minute? Write them in rad/s or deg/s"},
 }};
 
 /// The attitudes that a turn of 0.1 rad or a row lies between, without rates' unit or axes.
@@ -96,38 +71,6 @@ Eigen::Quaterniond ordered(const Eigen::Quaterniond& q, const Order& order) {
   return {part(0), part(1), part(2), part(3)};
 }
 
-/// Rates as a multiple of slopes.
-struct Multiple {
-  double factor = 0;
-  double left = std::numeric_limits<double>::infinity();  // relative to the multiple
-};
-
-/// Fits the rates inside, without the two at each end, whose slopes are one-sided.
-Multiple multipleOf(const Vectors& rates, const Vectors& slopes) {
-  double product = 0, square = 0;
-  for (std::size_t i = 2; i + 2 < rates.size(); ++i) {
-    product += rates[i].dot(slopes[i]);
-    square += slopes[i].squaredNorm();
-  }
-  Multiple fit;
-  if (square > 0) fit.factor = product / square;
-  if (fit.factor == 0) return fit;
-  double left = 0;
-  for (std::size_t i = 2; i + 2 < rates.size(); ++i)
-    left += (rates[i] - fit.factor * slopes[i]).squaredNorm();
-  fit.left = std::sqrt(left / square) / std::abs(fit.factor);
-  return fit;
-}
-
-double relativeDifference(const Vectors& rates, const Vectors& slopes) {
-  double left = 0, square = 0;
-  for (std::size_t i = 2; i + 2 < rates.size(); ++i) {
-    left += (rates[i] - slopes[i]).squaredNorm();
-    square += slopes[i].squaredNorm();
-  }
-  return square > 0 ? std::sqrt(left / square) : 0;
-}
-
 /// A reading of the table, and how the rates fit the slopes with it.
 struct Reading {
   const Order* order = nullptr;
@@ -135,10 +78,6 @@ struct Reading {
   bool areAlongBody = false;  // the rates
   Multiple multiple{};
 };
-
-bool isOne(double factor) {
-  return std::abs(factor - 1) <= kSameFactor;
-}
 
 /// Returns the number of mistakes in a table that is to be read so.
 int mistakesIn(const Reading& reading, bool areAlongBody) {
@@ -178,16 +117,7 @@ Reading bestOf(const std::vector<Reading>& readings, bool areAlongBody) {
   return best;
 }
 
-std::string factorText(double factor) {
-  const std::string times =
-      "the rates are " + roundedText(factor, 4) + " times the attitudes' slopes";
-  for (const Factor& known : kFactors) {
-    if (isOne(factor / known.value)) return times + ": " + std::string(known.remedy);
-  }
-  return times + "; scale them";
-}
-
-std::string mistakeText(const Reading& reading, bool areAlongBody) {
+std::string mistakeText(const Reading& reading, bool areAlongBody, const TableUnits& units) {
   std::vector<std::string> mistakes;
   if (!reading.order->remedy.empty()) mistakes.emplace_back(reading.order->remedy);
   if (reading.isInverse) {
@@ -196,47 +126,175 @@ std::string mistakeText(const Reading& reading, bool areAlongBody) {
         "quaternions");
   }
   if (reading.areAlongBody != areAlongBody) {
-    const std::string axes = reading.areAlongBody ? "body" : "world";
-    mistakes.push_back("the rates are along the " + axes +
-                       "'s axes; state simulation.rates_along = \"" + axes +
-                       "\", or --rates-along " + axes);
+    mistakes.push_back(alongText(reading.areAlongBody) +
+                       (reading.isInverse ? "; or else wx, wy, wz have the other sign" : ""));
   }
   const double factor = std::abs(reading.multiple.factor);
-  if (!isOne(factor)) mistakes.push_back(factorText(factor));
-  return joined(mistakes, "; and ") + " (the rates then fit the attitudes' slopes to " +
-         roundedText(100 * reading.multiple.left, 2) + " %)";
+  if (!isOne(factor)) mistakes.push_back(factorText(factor, units));
+  return joined(mistakes, "; and ");
+}
+
+std::string fitText(const std::string& mistake, double left) {
+  return mistake + " (the rates then fit the attitudes' slopes to " + roundedText(100 * left, 2) +
+         " %)";
+}
+
+bool isRecognised(double left, double difference) {
+  return difference > kFits && left < kMaxLeft && left * kMuchBetter < difference;
+}
+
+/// The table at moments far enough apart.
+struct Thinned {
+  std::vector<RecordedMoment> moments;
+  bool areAlongBody;
+  Vectors rates{}, alongBody{}, alongWorld{};  // the slopes
+
+  Thinned(std::vector<RecordedMoment> kept, bool along)
+      : moments(std::move(kept)), areAlongBody(along) {
+    std::vector<RecordedMoment> slopes = moments;
+    differentiateAttitudes(slopes);
+    for (std::size_t i = 0; i < moments.size(); ++i) {
+      const Eigen::Quaterniond& attitude = moments[i].attitude;
+      rates.push_back(alongAxes(attitude, moments[i].angularVelocity));
+      alongBody.push_back(slopes[i].angularVelocity);
+      alongWorld.push_back(attitude * slopes[i].angularVelocity);
+    }
+  }
+
+  const Vectors& slopes() const { return areAlongBody ? alongBody : alongWorld; }
+
+ private:
+  Eigen::Vector3d alongAxes(const Eigen::Quaterniond& attitude, const Eigen::Vector3d& rate) const {
+    return areAlongBody ? rate : attitude * rate;
+  }
+};
+
+/// Returns the mistake of attitudes that are inverse or in another order, of other axes of the
+/// rates, and of units; empty without.
+std::string mistakeOfReading(const Thinned& table, double difference, const TableUnits& units) {
+  std::vector<Reading> readings;
+  for (const Order& order : kOrders) {
+    for (const Reading& reading : readingsIn(order, table.moments, table.rates))
+      readings.push_back(reading);
+  }
+  const Reading best = bestOf(readings, table.areAlongBody);
+  if (best.order == nullptr || mistakesIn(best, table.areAlongBody) == 0 ||
+      !isRecognised(best.multiple.left, difference))
+    return "";
+  return fitText(mistakeText(best, table.areAlongBody, units), best.multiple.left);
+}
+
+/// Returns the mistake of columns that are swapped or negated or, of rates that contradict the
+/// attitudes, of axes that are turned; empty without.
+std::string mistakeOfAxes(const Thinned& table, double difference, const TableUnits& units) {
+  const RatesAndSlopes all{table.rates, table.alongBody, table.alongWorld, table.areAlongBody};
+  std::optional<AxesMistake> found = swappedColumns(all);
+  if (!isRecognised(found->multiple.left, difference)) {
+    // Steps that lag behind turn the slopes, too, by less.
+    found = difference > kContradicts ? turnedAxes(all) : std::nullopt;
+    if (!found || !isRecognised(found->multiple.left, difference)) return "";
+  }
+  if (!isOne(found->multiple.factor))
+    found->text += "; and " + factorText(found->multiple.factor, units);
+  return fitText(found->text, found->multiple.left);
+}
+
+/// Turns of a body over pieces of its motion, in all. [rad]
+struct Turns {
+  double byAttitudes = 0, byRates = 0;
+  double difference = 0;  // root mean square, relative to that of the larger [-]
+};
+
+/// Returns the turns by attitudes and by rates, from half a radian to the next by either, so that
+/// noise of both matters little.
+Turns turnsOf(const std::vector<RecordedMoment>& moments) {
+  constexpr double kPiece = 0.5;  // [rad]
+  std::vector<Rate> rates;
+  for (const RecordedMoment& moment : moments)
+    rates.push_back({moment.time, moment.angularVelocity});
+  const std::vector<RecordedMoment> integrated = integrateRates(rates);
+  Turns turns;
+  double attitudes = 0, integrals = 0, differences = 0;
+  std::size_t from = 0;
+  for (std::size_t i = 1; i < moments.size(); ++i) {
+    const Eigen::Vector3d one = turnOf(moments[from].attitude.conjugate() * moments[i].attitude);
+    const Eigen::Vector3d other =
+        turnOf(integrated[from].attitude.conjugate() * integrated[i].attitude);
+    if (one.norm() < kPiece && other.norm() < kPiece) continue;
+    from = i;
+    turns.byAttitudes += one.norm();
+    turns.byRates += other.norm();
+    attitudes += one.squaredNorm();
+    integrals += other.squaredNorm();
+    differences += (one - other).squaredNorm();
+  }
+  const double larger = std::max(attitudes, integrals);
+  if (larger > 0) turns.difference = std::sqrt(differences / larger);
+  return turns;
+}
+
+/// Returns that few attitudes are apart though the rates turn the body; empty if they don't.
+std::string mistakeOfFew(const std::vector<RecordedMoment>& moments) {
+  constexpr double kLeastPath = 1;  // [rad]
+  double path = 0;
+  for (std::size_t i = 1; i < moments.size(); ++i) {
+    path += (moments[i].time - moments[i - 1].time) *
+            (moments[i - 1].angularVelocity + moments[i].angularVelocity).norm() / 2;
+  }
+  const double largest = kLargestTurn * static_cast<double>(moments.size() - 1);
+  if (path < kLeastPath || path > largest) return "";
+  const Turns turns = turnsOf(moments);
+  if (turns.difference <= kContradicts) return "";
+  const auto text = [](double angle) {
+    return shortestText(std::round(angle * kDegreesPerRadian));
+  };
+  return "the attitudes turn by " + text(turns.byAttitudes) + " degrees in all, and the rates by " +
+         text(turns.byRates) + "; are both of the same body and moment?";
+}
+
+/// Returns the fit of the rates, with a bias along the world's axes or the body's.
+RateFit fitOf(const Thinned& table) {
+  constexpr double kBetter = 0.8;
+  RateFitted best = fitRates(table.rates, table.slopes());
+  best.fit.isBiasAlongBody = table.areAlongBody;
+  if (table.areAlongBody) return best.fit;
+  Vectors alongBody;
+  for (const RecordedMoment& moment : table.moments) alongBody.push_back(moment.angularVelocity);
+  RateFitted other = fitRates(alongBody, table.alongBody);
+  other.fit.isBiasAlongBody = true;
+  return other.left < kBetter * best.left ? other.fit : best.fit;
+}
+
+std::string contradictionText(double difference) {
+  return "the rates aren't the attitudes' slopes: they differ by " +
+         roundedText(100 * difference, 2) +
+         " %, with no other axes, order or unit by less; are both of the same body and moment?";
+}
+
+/// Returns the mistake in a table whose rates differ so much from the slopes; empty without.
+std::string mistakeIn(const Thinned& table, const std::vector<RecordedMoment>& all,
+                      double difference, const TableUnits& units) {
+  std::string mistake = mistakeOfReading(table, difference, units);
+  if (mistake.empty()) mistake = mistakeOfAxes(table, difference, units);
+  // Noise of the attitudes makes slopes that differ.
+  if (mistake.empty() && difference > kContradicts && turnsOf(all).difference > kContradicts)
+    mistake = contradictionText(difference);
+  return mistake;
 }
 
 }  // namespace
 
-RateComparison compareRates(const std::vector<RecordedMoment>& moments, bool areAlongBody) {
+RateComparison compareRates(const std::vector<RecordedMoment>& moments, bool areAlongBody,
+                            const TableUnits& units) {
   constexpr std::size_t kMinMoments = 10;
-  constexpr double kLargestTurn = 1;  // [rad]
+  if (moments.size() < 2) return {};
   const std::vector<RecordedMoment> kept = thinned(moments);
-  if (kept.size() < kMinMoments || meanTurn(kept) > kLargestTurn) return {};
-  Vectors rates;
-  for (const RecordedMoment& moment : kept) {
-    rates.push_back(areAlongBody ? moment.angularVelocity
-                                 : moment.attitude * moment.angularVelocity);
-  }
-  std::vector<Reading> readings;
-  for (const Order& order : kOrders) {
-    for (const Reading& reading : readingsIn(order, kept, rates)) readings.push_back(reading);
-  }
-  std::vector<RecordedMoment> asRead = kept;
-  differentiateAttitudes(asRead);
-  Vectors slopes;
-  for (const RecordedMoment& moment : asRead) {
-    slopes.push_back(areAlongBody ? moment.angularVelocity
-                                  : moment.attitude * moment.angularVelocity);
-  }
-  RateComparison result{relativeDifference(rates, slopes), ""};
-  const Reading best = bestOf(readings, areAlongBody);
-  const bool isRecognised = result.difference > kFits && best.order != nullptr &&
-                            best.multiple.left < kMaxLeft &&
-                            best.multiple.left * kMuchBetter < result.difference;
-  if (isRecognised && mistakesIn(best, areAlongBody) > 0)
-    result.mistake = mistakeText(best, areAlongBody);
+  if (kept.size() < kMinMoments) return {.mistake = mistakeOfFew(moments)};
+  if (meanTurn(kept) > kLargestTurn) return {};
+  const Thinned table(kept, areAlongBody);
+  RateComparison result{.difference = relativeDifference(table.rates, table.slopes())};
+  result.mistake = mistakeIn(table, moments, result.difference, units);
+  result.fit = fitOf(table);
   return result;
 }
 

@@ -8,9 +8,11 @@
 
 #include "base/error.h"
 #include "base/number_text.h"
+#include "recording/attitudes_alone.h"
 #include "recording/columns.h"
 #include "recording/conventions.h"
 #include "recording/csv_table.h"
+#include "recording/flawed_rows.h"
 #include "recording/gaps.h"
 #include "recording/sensor_rows.h"
 #include "recording/specific_force.h"
@@ -115,18 +117,6 @@ void differentiate(const CsvTable& table, const SensorRows& rows,
   }
 }
 
-/// Returns the uncertainty of the slopes, see SpinFacts.
-double uncertaintyOf(const std::vector<RecordedMoment>& moments) {
-  std::vector<RecordedMoment> others = moments;
-  differentiateAttitudes(others, 1);
-  double difference = 0, all = 0;
-  for (std::size_t i = 2; i + 2 < moments.size(); ++i) {
-    difference += (others[i].angularVelocity - moments[i].angularVelocity).squaredNorm();
-    all += moments[i].angularVelocity.squaredNorm();
-  }
-  return all > 0 ? std::sqrt(difference / all) : 0;
-}
-
 /// Returns the moments of the stated part.
 std::vector<RecordedMoment> within(std::vector<RecordedMoment> moments,
                                    const ReadOptions& options) {
@@ -136,17 +126,16 @@ std::vector<RecordedMoment> within(std::vector<RecordedMoment> moments,
   return moments;
 }
 
-/// Returns by how much the rates differ from the attitudes' slopes. Throws ContradictionError if
-/// they contradict them.
-double differenceOf(const std::vector<RecordedMoment>& moments, bool areRatesAlongBody,
-                    const std::string& name) {
-  const RateComparison found = compareRates(moments, areRatesAlongBody);
+/// Returns the facts of rates beside attitudes. Throws ContradictionError if they contradict them.
+SpinFacts factsOf(const std::vector<RecordedMoment>& moments, const Columns& columns,
+                  const std::string& name) {
+  const RateComparison found = compareRates(moments, columns.areRatesAlongBody,
+                                            {columns.secondsPerUnit, columns.radiansPerUnit});
   if (!found.mistake.empty()) throw ContradictionError(name + ": " + found.mistake);
-  if (!areRatesAlongBody || found.difference <= kContradicts) return found.difference;
-  throw ContradictionError(
-      name + ": the rates along the body's axes aren't the attitudes' slopes: they differ by " +
-      roundedText(100 * found.difference, 2) +
-      " %, with no other axes, order or unit by less; are both of the same body and moment?");
+  SpinFacts facts;
+  facts.difference = found.difference;
+  facts.fit = found.fit;
+  return facts;
 }
 
 bool hasAttitudes(const Columns& columns) {
@@ -165,7 +154,7 @@ std::vector<Rate> ratesBeside(const CsvTable& table, const Columns& columns, con
                               const std::vector<double>& times, const std::string& name) {
   std::vector<RecordedMoment> moments =
       attitudesOf(table, columns, rows, times, Eigen::Vector3d::Zero());
-  if (columns.rates) differenceOf(moments, columns.areRatesAlongBody, name);
+  if (columns.rates) factsOf(moments, columns, name);
   if (!columns.rates) differentiate(table, rows, moments);
   return ratesOf(moments);
 }
@@ -188,6 +177,33 @@ std::string droppedNote(const SensorRows& rows) {
          " without a reading at the table's ends left out";
 }
 
+SpinSource sourceOf(const Columns& columns) {
+  if (!hasAttitudes(columns)) return SpinSource::Gyroscope;
+  return columns.rates ? SpinSource::Given : SpinSource::Slopes;
+}
+
+/// A part of a recording without its flaws, and what these are.
+struct SoundPart {
+  std::vector<RecordedMoment> moments;
+  std::vector<std::string> flaws{};  // textsOf()
+  double largestStray = 0;           // [rad]
+};
+
+SoundPart soundPartOf(std::vector<RecordedMoment> moments, SpinSource source) {
+  if (moments.size() < 2) return {std::move(moments)};
+  const Flaws flaws = flawsIn(moments, source);
+  if (!flaws.areAny()) return {std::move(moments)};
+  return {withoutFlaws(flaws, moments, source), textsOf(flaws, moments, moments.front().time),
+          flaws.largestTurn()};
+}
+
+/// Returns the facts of the spins of a part without flaws.
+SpinFacts factsOf(const SoundPart& sound, const Columns& columns, SpinSource source,
+                  const std::string& name) {
+  if (source == SpinSource::Given) return factsOf(sound.moments, columns, name);
+  return {source, source == SpinSource::Slopes ? slopeUncertainty(sound.moments) : 0};
+}
+
 }  // namespace
 
 RecordedMotion readRecording(std::string_view bytes, const std::string& name,
@@ -196,17 +212,14 @@ RecordedMotion readRecording(std::string_view bytes, const std::string& name,
   const Columns columns = findColumns(table, options);
   const SensorRows rows = sensorRows(table, columns, false);
   const std::vector<double> times = timesOf(table, columns, rows.motion);
-  const bool areIntegrated = !hasAttitudes(columns);
+  const SpinSource source = sourceOf(columns);
+  const bool areIntegrated = source == SpinSource::Gyroscope;
   std::vector<RecordedMoment> moments =
       areIntegrated ? integrateRates(ratesOf(table, columns, rows, times, options.bias))
                     : attitudesOf(table, columns, rows, times, options.bias);
-  SpinFacts spins{areIntegrated ? SpinSource::Gyroscope : SpinSource::Given};
-  if (!areIntegrated && !columns.rates) {
-    differentiate(table, rows, moments);
-    spins = {SpinSource::Slopes, uncertaintyOf(within(moments, options))};
-  } else if (!areIntegrated) {
-    spins.difference = differenceOf(within(moments, options), columns.areRatesAlongBody, name);
-  }
+  if (source == SpinSource::Slopes) differentiate(table, rows, moments);
+  SoundPart sound = soundPartOf(within(moments, options), source);
+  const SpinFacts spins = factsOf(sound, columns, source, name);
   const double start = moments.front().time;
   RecordedMotion motion = partOf(RecordedMotion(std::move(moments), spins), start, name, options);
   const double zero = std::max(start, options.from.value_or(start));
@@ -214,6 +227,9 @@ RecordedMotion readRecording(std::string_view bytes, const std::string& name,
        {droppedNote(rows), gapNote(ratesOf(motion.moments()), zero, areIntegrated)}) {
     if (!note.empty()) motion.note(note);
   }
+  if (!sound.flaws.empty() && sound.moments.size() > 1)
+    motion.setFlaws(sound.flaws, sound.largestStray,
+                    RecordedMotion(std::move(sound.moments), spins));
   return motion;
 }
 

@@ -23,12 +23,11 @@ class ContradictionError : public InputError {
 
 /// Reads a motion from the bytes of a file; `name` is the file's in messages. Attitudes with rates
 /// beside them have these; attitudes alone are differentiated; rates alone,
-/// along the body's axes, are integrated. Rows without a reading at the table's ends, and gaps, are
-/// among the motion's notes. Throws InputError "NAME:LINE: PROBLEM" for what CsvTable,
+/// along the body's axes, are integrated. Rows without a reading at the table's ends, gaps and
+/// flaws are among the motion's notes. Throws InputError "NAME:LINE: PROBLEM" for what CsvTable,
 /// findColumns(), sensorRows() and timesOf() refuse, for quaternions and matrices that are no
 /// rotations to 1 %, rates over 1e9 rad/s, and for a part that isn't within the recording;
-/// ContradictionError for what compareRates() finds in that part, and for a gyroscope's rates that
-/// differ by more than kContradicts from the slopes of the attitudes.
+/// ContradictionError for what compareRates() finds in that part, without what flawsIn() finds.
 RecordedMotion readRecording(std::string_view bytes, const std::string& name,
                              const ReadOptions& options);
 

@@ -70,6 +70,14 @@ RecordedMoment RecordedMotion::at(double time) const {
   return moment;
 }
 
+void RecordedMotion::setFlaws(const std::vector<std::string>& texts, double largestStray,
+                              RecordedMotion sound) {
+  largestStray_ = largestStray;
+  flaws_ = texts;
+  notes_.insert(notes_.end(), texts.begin(), texts.end());
+  sound_ = std::make_shared<const RecordedMotion>(std::move(sound));
+}
+
 RecordedMotion RecordedMotion::part(double from, double to) const {
   std::vector<RecordedMoment> within{at(from)};
   within.front().time = from;

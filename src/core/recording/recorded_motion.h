@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,16 @@ enum class SpinSource {
   Gyroscope,  ///< Rates alone.
 };
 
+/// Rates as a multiple of the slopes of the attitudes beside them, and a bias. What isn't
+/// significant beside what they leave, is 1 and 0.
+struct RateFit {
+  double factor = 1;              ///< Of the slopes. [-]
+  Eigen::Vector3d bias{0, 0, 0};  ///< [rad/s]
+  bool isBiasAlongBody = false;   ///< Else along the axes of the file's world.
+
+  bool isOff() const { return factor != 1 || !bias.isZero(0); }
+};
+
 /// The source of the spins of a recording, and their quality.
 struct SpinFacts {
   SpinSource source = SpinSource::Given;
@@ -36,6 +47,7 @@ struct SpinFacts {
   double uncertainty = 0;
   /// Of rates beside attitudes: RateComparison::difference [-]
   double difference = 0;
+  RateFit fit{};  ///< RateComparison::fit
 };
 
 /// Moments in the order of their times, and the motion between them. It begins at time 0, when body
@@ -58,10 +70,19 @@ class RecordedMotion {
   /// Returns what its reader left out or doubts, a sentence each without a full stop.
   const std::vector<std::string>& notes() const { return notes_; }
   void note(const std::string& text) { notes_.push_back(text); }
+  /// Returns the flaws of single rows, which are among the notes, too; see flawsIn().
+  const std::vector<std::string>& flaws() const { return flaws_; }
+  /// Returns the motion without its flaws; null without any.
+  const RecordedMotion* sound() const { return sound_.get(); }
+  /// Returns by how much the attitude of a row that is left out there is off, at most. [rad]
+  double largestStray() const { return largestStray_; }
+  void setFlaws(const std::vector<std::string>& texts, double largestStray, RecordedMotion sound);
 
  private:
   std::vector<RecordedMoment> moments_;
-  std::vector<std::string> notes_;
+  std::vector<std::string> notes_, flaws_;
+  std::shared_ptr<const RecordedMotion> sound_;
+  double largestStray_ = 0;
   SpinFacts spins_;
 };
 

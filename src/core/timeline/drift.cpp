@@ -39,7 +39,7 @@ double scatterOf(std::span<const double> values, std::span<const double> times) 
   return *limit / kSigmasLarger;
 }
 
-Drift driftOf(std::span<const double> values, std::span<const double> times) {
+Drift driftOf(std::span<const double> values) {
   Drift drift;
   double lowest = values.front(), highest = values.front();
   for (const double value : values) {
@@ -50,7 +50,6 @@ Drift driftOf(std::span<const double> values, std::span<const double> times) {
   }
   drift.range = highest - lowest;
   drift.change = values.back() - values.front();
-  drift.scatter = scatterOf(values, times);
   return drift;
 }
 

@@ -57,10 +57,16 @@ Vector6 stepOf(const rigid::PrincipalAxes& inertia, const FittedStart& start, co
   return equations.matrix.ldlt().solve(equations.right);
 }
 
+constexpr std::size_t kFirst = 12;  // samples of the smallest fit
+
+double turnBetween(const Sample& before, const Sample& sample) {
+  return before.angularVelocity.norm() * (sample.time - before.time);
+}
+
 }  // namespace
 
 FittedStart fitStart(const rigid::PrincipalAxes& inertia, const std::vector<Sample>& samples) {
-  constexpr std::size_t kFirst = 12, kMaxAtOnce = 200;
+  constexpr std::size_t kMaxAtOnce = 200;
   constexpr int kIterations = 4;
   const Sample& first = samples.front();
   FittedStart start{first.attitude, first.attitude.conjugate() * first.angularVelocity};
@@ -76,6 +82,25 @@ FittedStart fitStart(const rigid::PrincipalAxes& inertia, const std::vector<Samp
     }
     if (count == samples.size()) return start;
   }
+}
+
+FittedStart fitFirst(const rigid::PrincipalAxes& inertia, const std::vector<Sample>& samples,
+                     double turn) {
+  std::size_t count = 1;
+  for (double turned = 0; count < samples.size() && (count < kFirst || turned < turn); ++count)
+    turned += turnBetween(samples[count - 1], samples[count]);
+  return fitStart(inertia, {samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(count)});
+}
+
+FittedStart fitLast(const rigid::PrincipalAxes& inertia, const std::vector<Sample>& samples,
+                    double turn) {
+  std::size_t first = samples.size() - 1;
+  for (double turned = 0; first > 0 && (samples.size() - first < kFirst || turned < turn); --first)
+    turned += turnBetween(samples[first - 1], samples[first]);
+  std::vector<Sample> part{samples.begin() + static_cast<std::ptrdiff_t>(first), samples.end()};
+  const double start = part.front().time;
+  for (Sample& sample : part) sample.time -= start;
+  return fitStart(inertia, part);
 }
 
 }  // namespace rotatebook::timeline

@@ -23,4 +23,12 @@ struct FittedStart {
 FittedStart fitStart(const rigid::PrincipalAxes& inertia,
                      const std::vector<physics::Sample>& samples);
 
+/// Fits likewise to a first part of which the body turns by `turn`, or to 12 samples: wrong steps
+/// matter little there. [rad]
+FittedStart fitFirst(const rigid::PrincipalAxes& inertia,
+                     const std::vector<physics::Sample>& samples, double turn);
+/// Fits likewise to a last part, whose start is returned. [rad]
+FittedStart fitLast(const rigid::PrincipalAxes& inertia,
+                    const std::vector<physics::Sample>& samples, double turn);
+
 }  // namespace rotatebook::timeline

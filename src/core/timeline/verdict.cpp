@@ -1,82 +1,30 @@
 #include "timeline/verdict.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "base/elementary.h"
-#include "base/number_text.h"
 #include "physics/measure/measurement.h"
 #include "physics/motion_start.h"
+#include "physics/recorded_start.h"
 #include "physics/simulate.h"
-#include "recording/conventions.h"
-#include "recording/gyroscope.h"
-#include "timeline/drift.h"
+#include "recording/attitudes_alone.h"
+#include "rigid/regime.h"
+#include "timeline/exact_comparison.h"
 #include "timeline/fitted_start.h"
-#include "timeline/motion_summary.h"
 
 namespace rotatebook::timeline {
 namespace {
 
+using physics::MotionSettings;
 using physics::Sample;
 
-// Difference of rates from slopes that is more than that of steps which keep energy and L: of 25 a
-// turn by the midpoint rule 0.006, measured.
-constexpr double kOfAnotherScale = 0.01;
-constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
-
-double angleDegBetween(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return arcTangent(a.cross(b).norm(), a.dot(b)) * kDegreesPerRadian;
-}
-
-/// Takes the one of two drifts that is larger, whatever its sign.
-void takeLarger(double drift, double& largest) {
-  if (std::fabs(drift) > std::fabs(largest)) largest = drift;
-}
-
-std::vector<double> timesOf(const std::vector<Sample>& samples) {
-  std::vector<double> times;
-  for (const Sample& sample : samples) times.push_back(sample.time);
-  return times;
-}
-
-std::vector<Sample> exactAt(physics::MotionSettings motion, const std::vector<Sample>& samples) {
-  motion.simulation.model = physics::Model::Exact;
-  return physics::simulate(motion, timesOf(samples)).samples;
-}
-
-/// A motion beside an exact one, sample by sample.
-struct Comparison {
-  std::vector<double> times;              // [s]
-  std::vector<double> energy, momentum;   // as parts of the exact motion's
-  std::vector<double> errorDeg, turnDeg;  // of the attitude, and of L [degrees]
-};
-
-/// Compares motions; 1 where the exact motion is at rest after a nudge.
-Comparison compared(const std::vector<Sample>& samples, const std::vector<Sample>& exact) {
-  const auto part = [](double value, double of) { return of > 0 ? value / of : 1; };
-  Comparison result;
-  result.times = timesOf(samples);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Sample &one = samples[i], &other = exact[i];
-    result.energy.push_back(part(one.total(), other.total()));
-    result.momentum.push_back(part(one.angularMomentum.norm(), other.angularMomentum.norm()));
-    result.errorDeg.push_back(one.errorDeg);
-    result.turnDeg.push_back(angleDegBetween(one.angularMomentum, other.angularMomentum));
-  }
-  return result;
-}
-
-/// Returns the values without the two at each end, whose slopes are one-sided, if they are slopes.
-template <typename Value>
-std::span<const Value> inner(const std::vector<Value>& values, const Verdict& verdict) {
-  const bool areSlopes = verdict.spins.source == recording::SpinSource::Slopes;
-  const std::size_t left = areSlopes && values.size() > 8 ? 2 : 0;
-  return std::span(values).subspan(left, values.size() - 2 * left);
-}
+constexpr double kDegreesInRadian = 180 / std::numbers::pi;
 
 /// Returns the largest change of the angular velocity in the world, relative to the first.
 double spinChange(std::span<const Sample> samples) {
@@ -87,56 +35,26 @@ double spinChange(std::span<const Sample> samples) {
   return largest;
 }
 
-/// Makes ratios relative to the first of the inner.
-void relateToFirst(std::vector<double>& ratios, const Verdict& verdict) {
-  const double first = inner(ratios, verdict).front();
-  for (double& ratio : ratios) ratio /= first;
+/// Returns the means of the spins and of L over so many samples each.
+std::vector<Sample> meansOf(std::span<const Sample> samples, std::size_t count) {
+  std::vector<Sample> means;
+  for (; samples.size() >= count; samples = samples.subspan(count)) {
+    Sample& mean = means.emplace_back();
+    for (const Sample& sample : samples.first(count)) {
+      mean.angularVelocity += sample.angularVelocity / static_cast<double>(count);
+      mean.angularMomentum += sample.angularMomentum / static_cast<double>(count);
+    }
+  }
+  return means;
 }
 
-void takeMeasures(const Comparison& comparison, const std::vector<Sample>& exact,
-                  Verdict& verdict) {
-  verdict.errorDeg = verdict.energyDrift = verdict.momentumDrift = 0;
-  verdict.visibleFrom.reset();
-  for (std::size_t i = 0; i < comparison.times.size(); ++i) {
-    verdict.errorDeg = std::max(verdict.errorDeg, comparison.errorDeg[i]);
-    if (!verdict.visibleFrom && comparison.errorDeg[i] > kVisibleErrorDeg)
-      verdict.visibleFrom = comparison.times[i];
-  }
-  const auto energy = inner(comparison.energy, verdict);
-  const auto momentum = inner(comparison.momentum, verdict);
-  for (const double ratio : energy) takeLarger(ratio - 1, verdict.energyDrift);
-  for (const double ratio : momentum) takeLarger(ratio - 1, verdict.momentumDrift);
-  verdict.momentumTurnDeg = std::ranges::max(inner(comparison.turnDeg, verdict));
-  verdict.endErrorDeg = comparison.errorDeg.back();
-  verdict.endEnergyDrift = energy.back() - 1;
-  verdict.endMomentumDrift = momentum.back() - 1;
-  verdict.halfTurnsDue = exact.back().halfTurns;
-}
-
-/// Changes of energy and of the size of L, and bounds up to which they count as kept.
-struct Changes {
-  Drift energy, momentum;
-  double energyBound = kKept, momentumBound = kKept;
-
-  bool keepEnergy() const { return energy.range < energyBound; }
-  bool keepMomentum() const {
-    // A swing beside a trend of the energy that is ten times as large is no change of its own.
-    const bool isBeside = energy.isTrend() && !momentum.isTrend();
-    return momentum.range < std::max(momentumBound, isBeside ? energy.range / 10 : 0);
-  }
-};
-
-Changes changesIn(const Comparison& comparison, const Verdict& verdict) {
-  // Of the largest of 10,000 normal numbers, on both sides.
-  constexpr double kSigmas = 8;
-  const std::span<const double> times = inner(comparison.times, verdict);
-  Changes changes;
-  changes.energy = driftOf(inner(comparison.energy, verdict), times);
-  changes.momentum = driftOf(inner(comparison.momentum, verdict), times);
-  const double uncertainty = verdict.spins.uncertainty;
-  changes.energyBound += kSigmas * changes.energy.scatter + 8 * uncertainty;
-  changes.momentumBound += kSigmas * changes.momentum.scatter + 4 * uncertainty;
-  return changes;
+/// Returns the largest angle from L to the exact motion's, by means over so many samples; with
+/// noise, to that of the first. [degrees]
+double turnDegOf(const std::vector<Sample>& means, const std::vector<Sample>& exact,
+                 std::size_t count) {
+  const bool isNoisy = count > 1;
+  const std::vector<Sample> first(means.size(), means.front());
+  return std::ranges::max(compared(means, isNoisy ? first : exact).turnDeg);
 }
 
 /// Returns whether as many half-turns are made as are due, or one is just being made at the end.
@@ -151,7 +69,7 @@ bool makesDueHalfTurns(const Verdict& verdict, const Sample& last) {
 /// Returns whether all is the exact motion's, to `noiseDeg` of the attitudes.
 bool agrees(const Verdict& verdict, const Changes& changes, const Sample& last, double noiseDeg) {
   constexpr double kSigmas = 5;
-  const double turnBound = 2 * kAgreesDeg + changes.momentumBound * kDegreesPerRadian;
+  const double turnBound = 2 * kAgreesDeg + changes.ofASample * kDegreesInRadian;
   return verdict.errorDeg < kAgreesDeg + kSigmas * noiseDeg && changes.keepEnergy() &&
          changes.keepMomentum() && verdict.momentumTurnDeg < turnBound &&
          makesDueHalfTurns(verdict, last);
@@ -176,12 +94,14 @@ std::optional<Errs> trendOf(const Changes& changes) {
 Errs errsOf(const Verdict& verdict, const Changes& changes, const std::vector<Sample>& samples,
             const std::vector<Sample>& exact) {
   if (agrees(verdict, changes, samples.back(), 0)) return Errs::Hardly;
-  if (verdict.spins.difference > recording::kContradicts) return Errs::SpinsAreOthers;
   // A spin that the exact motion keeps, too, tells nothing.
   constexpr double kMoves = 0.02, kClearly = 4;
+  const auto motions = inner(samples, verdict), exactOnes = inner(exact, verdict);
+  const std::size_t count = samplesAMean(changes.scatter(), motions.size());
+  const std::vector<Sample> means = meansOf(motions, count), exactMeans = meansOf(exactOnes, count);
   const double spinBound = std::max(changes.energyBound, changes.momentumBound);
-  if (spinChange(inner(samples, verdict)) < spinBound &&
-      spinChange(exact) > std::max(kMoves, kClearly * spinBound))
+  if (spinChange(means) < spinBound &&
+      spinChange(exactMeans) > std::max(kMoves, kClearly * spinBound))
     return Errs::SpinIsFixed;
   // Exact motions have 0.012 at 10 attitudes a turn, and 0.046 at 5, measured.
   constexpr double kTooUncertain = 0.03;
@@ -189,9 +109,10 @@ Errs errsOf(const Verdict& verdict, const Changes& changes, const std::vector<Sa
   const bool keepsBoth = changes.keepEnergy() && changes.keepMomentum();
   const std::optional<Errs> trend = keepsBoth ? std::nullopt : trendOf(changes);
   // Steps that make L much larger or smaller turn it on the way.
-  const double turn = verdict.momentumTurnDeg / kDegreesPerRadian;
-  const bool turns = verdict.momentumTurnDeg > kTurnsDeg;
-  if (turns && !(trend && changes.momentum.range > turn)) return Errs::TurnsMomentum;
+  const double turnDeg = turnDegOf(means, exactMeans, count);
+  const bool turns = turnDeg > kTurnsDeg;
+  if (turns && !(trend && changes.momentum.range > turnDeg / kDegreesInRadian))
+    return Errs::TurnsMomentum;
   if (trend) return *trend;
   if (verdict.errorDeg < kAgreesDeg) {
     // Slopes over a gap are no spins that were measured.
@@ -202,7 +123,7 @@ Errs errsOf(const Verdict& verdict, const Changes& changes, const std::vector<Sa
 }
 
 /// Returns whether the exact motion may be fitted: that of a recording whose spins aren't exact.
-bool mayFit(const physics::MotionSettings& motion, const Verdict& verdict) {
+bool mayFit(const MotionSettings& motion, const Verdict& verdict) {
   constexpr double kExact = 1e-7;
   constexpr std::size_t kMinSamples = 12;
   return motion.simulation.model == physics::Model::Recorded && motion.nudges.empty() &&
@@ -220,37 +141,29 @@ double largestFit(const Verdict& verdict) {
          kEndsError * verdict.spins.uncertainty;
 }
 
-/// Sets the errors to those from the exact motion, and returns their noise. [degrees]
-double setErrors(Comparison& comparison, const std::vector<Sample>& samples,
-                 const std::vector<Sample>& exact) {
-  std::array<std::vector<double>, 3> parts;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Eigen::Vector3d turn =
-        recording::turnOf(exact[i].attitude.conjugate() * samples[i].attitude) * kDegreesPerRadian;
-    comparison.errorDeg[i] = turn.norm();
-    for (int k = 0; k < 3; ++k) parts[static_cast<std::size_t>(k)].push_back(turn[k]);
-  }
-  double variance = 0;
-  for (const std::vector<double>& part : parts) {
-    const double scatter = scatterOf(part, comparison.times);
-    variance += scatter * scatter;
-  }
-  return std::sqrt(variance);
-}
-
-/// Returns the verdict if the motion agrees with the exact one from a start that is fitted.
-std::optional<Verdict> fitted(physics::MotionSettings motion, const std::vector<Sample>& samples,
-                              Verdict verdict) {
-  const FittedStart start = fitStart(physics::modelInertia(motion), samples);
-  const Eigen::Vector3d given = motion.initial.value;
-  verdict.fittedBy = (start.angularVelocity - given).norm() / given.norm();
-  if (*verdict.fittedBy > largestFit(verdict)) return std::nullopt;
+/// Returns the exact motion from a start that is fitted, at the times of `samples`.
+std::vector<Sample> exactFrom(const FittedStart& start, MotionSettings motion,
+                              const std::vector<Sample>& samples) {
   motion.initial.value = start.angularVelocity;
-  std::vector<Sample> exact = exactAt(motion, samples);
+  std::vector<Sample> exact = exactAt(std::move(motion), samples);
   for (Sample& sample : exact) {
     sample.attitude = start.attitude * sample.attitude;
     sample.angularMomentum = start.attitude * sample.angularMomentum;
   }
+  return exact;
+}
+
+/// Returns the relative change of the start's spin by a fit.
+double changeBy(const FittedStart& start, const MotionSettings& motion) {
+  return (start.angularVelocity - motion.initial.value).norm() / motion.initial.value.norm();
+}
+
+/// Returns the verdict if the motion agrees with the exact one from this start.
+std::optional<Verdict> fitted(const FittedStart& start, const MotionSettings& motion,
+                              const std::vector<Sample>& samples, Verdict verdict) {
+  verdict.fittedBy = changeBy(start, motion);
+  if (*verdict.fittedBy > largestFit(verdict)) return std::nullopt;
+  const std::vector<Sample> exact = exactFrom(start, motion, samples);
   Comparison comparison = compared(samples, exact);
   const double noiseDeg = setErrors(comparison, samples, exact);
   takeMeasures(comparison, exact, verdict);
@@ -260,10 +173,36 @@ std::optional<Verdict> fitted(physics::MotionSettings motion, const std::vector<
   return verdict;
 }
 
-}  // namespace
+/// Returns the regime of the motion from this start.
+rigid::Regime regimeFrom(const FittedStart& start, const rigid::PrincipalAxes& inertia) {
+  return rigid::regimeOf(inertia.moments,
+                         inertia.bodyFromPrincipal.transpose() * start.angularVelocity);
+}
 
-Verdict judge(const physics::MotionSettings& motion, const physics::Trajectory& trajectory) {
-  const std::vector<Sample>& samples = trajectory.samples;
+/// Refines the verdict on a motion whose spins are uncertain by fits.
+Verdict refined(const Verdict& verdict, const MotionSettings& motion,
+                const std::vector<Sample>& samples) {
+  const rigid::PrincipalAxes inertia = physics::modelInertia(motion);
+  const FittedStart start = fitStart(inertia, samples);
+  Verdict result = verdict;
+  if (verdict.errs != Errs::Hardly)
+    result = fitted(start, motion, samples, verdict).value_or(verdict);
+  if (agreesWithExact(result)) {
+    result.start = result.end = regimeFrom(start, inertia);
+    return result;
+  }
+  // Half a turn tells the spin; in a whole one, wrong steps leave the exact motion by more.
+  constexpr double kWhole = 2 * std::numbers::pi;
+  result.start = regimeFrom(fitFirst(inertia, samples, kWhole), inertia);
+  result.end = regimeFrom(fitLast(inertia, samples, kWhole), inertia);
+  const FittedStart first = fitFirst(inertia, samples, kWhole / 2);
+  if (changeBy(first, motion) < largestFit(verdict))
+    result.halfTurnsDue = exactFrom(first, motion, samples).back().halfTurns;
+  return result;
+}
+
+/// Returns the verdict by the spins as they are.
+Verdict verdictOn(const MotionSettings& motion, const std::vector<Sample>& samples) {
   Verdict verdict;
   verdict.samples = samples.size();
   verdict.duration = samples.back().time;
@@ -274,65 +213,91 @@ Verdict judge(const physics::MotionSettings& motion, const physics::Trajectory& 
     verdict.spins = motion.simulation.recorded.motion->spins();
   const std::vector<Sample> exact = exactAt(motion, samples);
   Comparison comparison = compared(samples, exact);
-  relateToFirst(comparison.energy, verdict);
-  relateToFirst(comparison.momentum, verdict);
+  relateToFirst(comparison, verdict);
   takeMeasures(comparison, exact, verdict);
   const Changes changes = changesIn(comparison, verdict);
-  verdict.scatter = std::max(changes.energy.scatter / 2, changes.momentum.scatter);
+  verdict.scatter = changes.scatter();
   verdict.errs = errsOf(verdict, changes, samples, exact);
-  if (verdict.errs == Errs::Hardly || !mayFit(motion, verdict)) return verdict;
-  return fitted(motion, samples, verdict).value_or(verdict);
+  return mayFit(motion, verdict) ? refined(verdict, motion, samples) : verdict;
 }
 
-std::string methodThat(const Verdict& verdict) {
-  switch (verdict.errs) {
-    case Errs::Hardly:
-      return "agrees with the exact motion";
-    case Errs::HardlyAsFitted:
-      return "agrees with the exact motion, from a start within the uncertainty of its spins";
-    case Errs::SpinsAreOthers:
-      return "has angular velocities that aren't the slopes of its attitudes, which differ from "
-             "the exact motion's by up to " +
-             roundedText(verdict.errorDeg, 2) + " degrees";
-    case Errs::SpinIsFixed:
-      return "keeps the angular velocity fixed in the world, as without a gyroscopic torque";
-    case Errs::InPhase:
-      return "keeps energy and angular momentum, but not the pace, as with long steps" +
-             (verdict.spins.difference > kOfAnotherScale
-                  ? ", or with rates of another scale: they differ by " +
-                        roundedText(100 * verdict.spins.difference, 2) +
-                        " % from the attitudes' slopes"
-                  : std::string());
-    case Errs::TooFewAttitudes:
-      return "can't be judged: its attitudes are too far apart for their slopes to be its angular "
-             "velocities; record more of them, or the angular velocities, too";
-    case Errs::TurnsMomentum:
-      return "turns the angular momentum by " + roundedText(verdict.momentumTurnDeg, 3) +
-             " degrees: another convention, another inertia, or an outer torque";
-    case Errs::Swings:
-      return "swings in energy or angular momentum, which come back: another inertia than that of "
-             "the body that moved, or angular velocities with a bias, or of other moments than the "
-             "attitudes";
-    case Errs::GainsEnergy:
-      return "keeps the angular momentum and gains energy, as explicit steps of the attitude do";
-    case Errs::LosesEnergy:
-      return "keeps the angular momentum and loses energy, as implicit steps do, or damping inside";
-    case Errs::GainsMomentum:
-      return "keeps the energy, and the angular momentum grows, as with velocities that are scaled "
-             "to the energy";
-    case Errs::LosesMomentum:
-      return "keeps the energy, and the angular momentum falls, as with velocities that are scaled "
-             "to the energy";
-    case Errs::GainsBoth:
-      return "gains energy, as with an explicit gyroscopic torque of order 1";
-    case Errs::LosesBoth:
-      return "loses energy and angular momentum, as with an implicit gyroscopic torque, or damping";
-    case Errs::Inconsistently:
-      return "loses energy while the angular momentum grows, as with a gyroscopic torque of order "
-             "1 "
-             "that doesn't fit the attitude's step";
+/// A recorded motion, and what is measured of it.
+struct Recorded {
+  MotionSettings motion;
+  std::vector<Sample> samples;
+};
+
+/// Returns another recording in the place of `motion`'s, up to a time; nothing of a body at rest.
+std::optional<Recorded> inPlace(MotionSettings motion, const recording::RecordedMotion& other,
+                                double until) {
+  std::vector<double> times;
+  for (const recording::RecordedMoment& moment : other.moments()) {
+    if (moment.time <= until) times.push_back(moment.time);
   }
-  return "";
+  if (times.size() < kLeastRows || other.moments().front().angularVelocity.isZero(0))
+    return std::nullopt;
+  physics::takeRecording(motion, std::make_shared<recording::RecordedMotion>(other), "");
+  return Recorded{motion, physics::simulate(motion, times).samples};
+}
+
+/// Returns whether steps of a row's length may make the rates that multiple of the slopes: the
+/// midpoint rule makes 1 + (h w)^2 / 12.
+bool mayBeOfSteps(const recording::RateFit& fit, const std::vector<Sample>& samples) {
+  constexpr double kOfMidpoint = 1.0 / 12, kMargin = 1.5;
+  double sum = 0;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const double step = samples[i].time - samples[i - 1].time;
+    sum += step * step * samples[i].angularVelocity.squaredNorm();
+  }
+  const double mean = sum / static_cast<double>(samples.size() - 1);
+  return fit.bias.isZero(0) && std::fabs(fit.factor - 1) < kMargin * kOfMidpoint * mean;
+}
+
+/// Returns the verdict on a recording, whose rates aren't held against attitudes that agree alone.
+Verdict verdictOnRecorded(const Recorded& recorded) {
+  // Steps of order 1 lag by less, where they are short enough that attitudes alone agree.
+  constexpr double kDiffers = 0.01;
+  const auto& [motion, samples] = recorded;
+  const Verdict verdict = verdictOn(motion, samples);
+  const recording::SpinFacts& spins = verdict.spins;
+  const bool areOff = spins.source == recording::SpinSource::Given &&
+                      (spins.fit.isOff() || spins.difference > kDiffers);
+  const bool areSteps = verdict.errs == Errs::InPhase && mayBeOfSteps(spins.fit, samples);
+  if (agreesWithExact(verdict) || !areOff || areSteps || !motion.nudges.empty()) return verdict;
+  const auto alone = inPlace(motion, recording::attitudesAlone(*motion.simulation.recorded.motion),
+                             samples.back().time);
+  if (!alone) return verdict;
+  Verdict result = verdictOn(alone->motion, alone->samples);
+  if (!agreesWithExact(result)) return verdict;
+  result.spins = spins;
+  result.errs = Errs::RatesAreOff;
+  return result;
+}
+
+}  // namespace
+
+bool agreesWithExact(const Verdict& verdict) {
+  return verdict.errs == Errs::Hardly || verdict.errs == Errs::HardlyAsFitted;
+}
+
+bool isJudged(const Verdict& verdict) {
+  return verdict.errs != Errs::TooFewRows && verdict.errs != Errs::TooFewAttitudes;
+}
+
+Verdict judge(const MotionSettings& motion, const physics::Trajectory& trajectory) {
+  const std::vector<Sample>& samples = trajectory.samples;
+  if (motion.simulation.model != physics::Model::Recorded) return verdictOn(motion, samples);
+  const recording::RecordedMotion& recording = *motion.simulation.recorded.motion;
+  if (std::min(recording.moments().size(), samples.size()) < kLeastRows)
+    return {.samples = samples.size(), .duration = samples.back().time, .errs = Errs::TooFewRows};
+  const auto sound = recording.sound() != nullptr && motion.nudges.empty()
+                         ? inPlace(motion, *recording.sound(), samples.back().time)
+                         : std::nullopt;
+  if (!sound) return verdictOnRecorded({motion, samples});
+  Verdict verdict = verdictOnRecorded(*sound);
+  verdict.flaws = recording.flaws();
+  verdict.errorDeg = std::max(verdict.errorDeg, recording.largestStray() * kDegreesInRadian);
+  return verdict;
 }
 
 }  // namespace rotatebook::timeline

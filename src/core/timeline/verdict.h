@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "physics/motion_settings.h"
 #include "physics/trajectory.h"
@@ -16,9 +17,11 @@ namespace rotatebook::timeline {
 enum class Errs {
   Hardly,           ///< Attitude, energy, L and half-turns are the exact motion's.
   HardlyAsFitted,   ///< Likewise, from a start within the uncertainty of the recording's spins.
+  RatesAreOff,      ///< The attitudes alone agree; the angular velocities aren't their slopes.
   SpinsAreOthers,   ///< The angular velocities aren't the attitudes' slopes.
   SpinIsFixed,      ///< The angular velocity stays as it was, along the world's axes.
   InPhase,          ///< Energy and the size of L stay.
+  TooFewRows,       ///< Less than kLeastRows of a recording; nothing else is said of it.
   TooFewAttitudes,  ///< So far apart that their slopes aren't the angular velocities.
   TurnsMomentum,    ///< L turns in the world, by more than kTurnsDeg.
   Swings,           ///< Energy or the size of L goes away and comes back.
@@ -40,6 +43,9 @@ inline constexpr double kKept = 1e-3;
 /// Explicit steps of order 1, 60 a turn, make 3 degrees, measured. [degrees]
 inline constexpr double kTurnsDeg = 10;
 
+/// Fewest rows of a recording that is judged: a fit of its start takes as many.
+inline constexpr std::size_t kLeastRows = 12;
+
 /// A motion's differences from the exact one from the same start or, of Errs::HardlyAsFitted, from
 /// one that is fitted. Energy and L are relative to the exact motion's, which nudges change; where
 /// spins are slopes of attitudes, without the two at each end, which are one-sided.
@@ -47,7 +53,7 @@ struct Verdict {
   std::size_t samples = 0;
   double duration = 0;                  ///< [s]
   double endErrorDeg = 0;               ///< Sample::errorDeg of the last sample. [degrees]
-  double errorDeg = 0;                  ///< The largest. [degrees]
+  double errorDeg = 0;                  ///< The largest, a stray row's, too. [degrees]
   std::optional<double> visibleFrom{};  ///< Time of the first error above kVisibleErrorDeg. [s]
   double endEnergyDrift = 0;            ///< E/E0 - 1 of the last sample.
   double energyDrift = 0;               ///< The largest on the way, with its sign.
@@ -61,16 +67,28 @@ struct Verdict {
   double scatter = 0;
   /// Relative change of the start's spin by the fit; nothing unless Errs::HardlyAsFitted.
   std::optional<double> fittedBy{};
+  /// RecordedMotion::flaws() of one that is judged without them; else empty.
+  std::vector<std::string> flaws{};
   recording::SpinFacts spins{};  ///< Of a recording; of other motions, the spins are given.
   Errs errs = Errs::Hardly;
 };
 
 /// Judges `trajectory`, which was simulated or recorded from `motion`. Of recordings whose spins
 /// are uncertain, slopes of attitudes or noisy, the start of the exact motion is fitted within that
-/// uncertainty, too. Throws InputError as physics::simulate() does.
+/// uncertainty, too; regimes and half-turns that are due come from fits and means then. A recording
+/// is judged without its flaws, if it has any, and one that doesn't agree by its attitudes alone if
+/// its rates aren't their slopes. Throws InputError as physics::simulate() does.
 Verdict judge(const physics::MotionSettings& motion, const physics::Trajectory& trajectory);
 
-/// Returns what the motion does, and the kind of rigid method that errs so.
+/// Returns whether the motion agrees with the exact one, by all that is recorded.
+bool agreesWithExact(const Verdict& verdict);
+/// Returns whether the recording tells enough.
+bool isJudged(const Verdict& verdict);
+
+/// Returns by what rates beside attitudes differ from their slopes: "are 1.02 times the attitudes'
+/// slopes".
+std::string ratesText(const recording::SpinFacts& spins);
+/// Returns what the motion does, or why it isn't judged, and the kind of rigid method that errs so.
 std::string methodThat(const Verdict& verdict);
 
 }  // namespace rotatebook::timeline

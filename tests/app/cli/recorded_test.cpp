@@ -81,6 +81,32 @@ TEST_F(Recorded, AreJudgedAsJson) {
                     HasSubstr("\"bounds\": [{\"name\": \"error_deg\"")));
 }
 
+TEST_F(Recorded, NotesAndFlawsAreInJsonToo) {
+  std::string table = read("simbody.csv");
+  const std::size_t row = table.find("\n5,") + 1;
+  table.replace(row, table.find('\n', row) - row, "5,1,0,0,0,6.28,0,0");
+  table += ",,,,,,,\n";
+  write("stray.csv", table);
+  const ChildResult result = runWithoutGraphics(
+      {"judge", "stray.csv", "--size", "0.15,0.22,0.04", "--json", "--max-error-deg", "1"});
+  EXPECT_EQ(result.status, 1) << result.error;
+  EXPECT_THAT(
+      result.output,
+      AllOf(HasSubstr("\"flaws\": [\"1 row is off its neighbours: the attitude at 5 s, by "),
+            HasSubstr("\"notes\": [\"1 row without a reading at the table's ends left out\", "
+                      "\"1 row is off"),
+            HasSubstr("\"rates_factor\": 1, \"rates_bias\": [0, 0, 0]"),
+            HasSubstr("but for its flaws: 1 row is off"), Not(HasSubstr("\"met\": true"))));
+}
+
+TEST_F(Recorded, AFewRowsArentJudged) {
+  write("few.csv", "time_s,qw,qx,qy,qz\n0,1,0,0,0\n0.1,0.9689,0.2474,0,0\n0.2,0.8776,0.4794,0,0\n");
+  const ChildResult result = runWithoutGraphics({"judge", "few.csv", "--size", "0.15,0.22,0.04"});
+  EXPECT_EQ(result.status, 1) << result.error;
+  EXPECT_THAT(result.output,
+              HasSubstr("few.csv: not judged: 3 rows are too few to tell; record at least 12"));
+}
+
 TEST_F(Recorded, TablesThatContradictThemselvesArentJudged) {
   std::string table = read("simbody.csv");
   table.replace(table.find("wx,wy,wz"), 8, "gyrX (rad/s),gyrY (rad/s),gyrZ (rad/s)");

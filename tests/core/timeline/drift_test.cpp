@@ -25,7 +25,11 @@ Series seriesOf(const ValueAt& valueAt, double unevenness = 0) {
 }
 
 Drift driftOf(const Series& series) {
-  return timeline::driftOf(series.values, series.times);
+  return timeline::driftOf(series.values);
+}
+
+double scatterOf(const Series& series) {
+  return timeline::scatterOf(series.values, series.times);
 }
 
 TEST(Drift, GrowthIsATrendThoughItWavers) {
@@ -46,18 +50,19 @@ TEST(Drift, ASwingIsNoTrendWhereverItEnds) {
 TEST(Drift, ScatterIsTheNoiseAlone) {
   for (const double unevenness : {0.0, 0.4}) {
     const auto smooth = [](double t) { return std::sin(3 * t); };
-    EXPECT_LT(driftOf(seriesOf(smooth, unevenness)).scatter, 1e-6);  // measured 4.2e-8
+    EXPECT_LT(scatterOf(seriesOf(smooth, unevenness)), 1e-6);  // measured 4.2e-8
     Noise noise;
     Series noisy = seriesOf([&](double t) { return smooth(t) + 0.01 * noise.next(); }, unevenness);
-    const double scatter = driftOf(noisy).scatter;
+    const double scatter = scatterOf(noisy);
     EXPECT_NEAR(scatter, 0.01, 0.0015) << unevenness;
     noisy.values[200] += 100;  // a single one that is wrong
-    EXPECT_NEAR(driftOf(noisy).scatter, scatter, 0.3 * scatter);
+    EXPECT_NEAR(scatterOf(noisy), scatter, 0.3 * scatter);
   }
 }
 
 TEST(Drift, AFewValuesHaveNoScatter) {
-  EXPECT_EQ(scatterOf(std::vector<double>{1, 2, 1, 2}, std::vector<double>{0, 1, 2, 3}), 0);
+  EXPECT_EQ(timeline::scatterOf(std::vector<double>{1, 2, 1, 2}, std::vector<double>{0, 1, 2, 3}),
+            0);
 }
 
 }  // namespace

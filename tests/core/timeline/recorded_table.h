@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@
 #include "timeline/verdict.h"
 
 namespace rotatebook::timeline {
+
+inline constexpr double kDegree = 0.017453292519943295;  ///< [rad]
 
 /// Moments of the book that is thrown. [kg m^2]
 inline const Eigen::Vector3d kThrownBook{0.0041667, 0.0020083, 0.0059083};
@@ -52,11 +55,19 @@ struct Table {
   double rateNoise = 0;   // [rad/s]
   double seconds = 10;    // duration
   double ratesDelay = 0;  // in rows
+  bool isTurned = true;   // so that the attitudes don't begin with the identity
+  Eigen::Matrix3d columns = Eigen::Matrix3d::Identity();  // of the rates, which it is applied to
+  Eigen::Vector3d bias{0, 0, 0};                          // of them [rad/s]
+  Eigen::Quaterniond bodyTurn = Eigen::Quaterniond::Identity();
+  Eigen::Quaterniond worldTurn = Eigen::Quaterniond::Identity();  // both of the attitudes alone
+  std::function<void(std::vector<physics::Sample>&)> spoil{};     // the samples
+  std::uint64_t seed = 1;
 };
 
 /// Normal numbers, the same everywhere.
 class Noise {
  public:
+  explicit Noise(std::uint64_t seed = 1) : state_(seed) {}
   double next() {
     double sum = -6;
     for (int i = 0; i < 12; ++i) {
@@ -68,7 +79,7 @@ class Noise {
   Eigen::Vector3d vector() { return {next(), next(), next()}; }
 
  private:
-  std::uint64_t state_ = 1;
+  std::uint64_t state_;
 };
 
 inline std::string rowOf(const physics::Sample& sample, const physics::Sample& ofRates,
@@ -76,7 +87,9 @@ inline std::string rowOf(const physics::Sample& sample, const physics::Sample& o
   Eigen::Quaterniond q = sample.attitude * recording::rotationBy(table.noise * noise.vector());
   Eigen::Vector3d rate = ofRates.angularVelocity;
   if (table.areAlongBody) rate = ofRates.attitude.conjugate() * rate;
-  rate = (rate + table.rateNoise * noise.vector()) / table.ratesPerUnit;
+  rate =
+      (table.columns * rate + table.bias + table.rateNoise * noise.vector()) / table.ratesPerUnit;
+  q = table.worldTurn * q * table.bodyTurn;
   if (table.isInverse) q = q.conjugate();
   std::vector<double> cells{sample.time / table.secondsPerUnit, q.w(), q.x(), q.y(), q.z()};
   if (table.isScalarLast) cells = {cells[0], q.x(), q.y(), q.z(), q.w()};
@@ -86,16 +99,18 @@ inline std::string rowOf(const physics::Sample& sample, const physics::Sample& o
   return row + "\n";
 }
 
-/// Returns the table's text of a motion. Its attitudes don't begin with the identity.
+/// Returns the table's text of a motion.
 inline std::string textOf(const physics::MotionSettings& motion, const Table& table) {
   const auto count =
       static_cast<std::int64_t>(table.seconds / motion.simulation.timePerFrame + 1.5);
   physics::Trajectory trajectory = physics::simulate(motion, count);
   const Eigen::Quaterniond turned(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
-  Noise noise;
+  Noise noise(table.seed);
+  if (table.spoil) table.spoil(trajectory.samples);
   std::string text =
       table.time + ",qw,qx,qy,qz" + (table.rates.empty() ? "" : "," + table.rates) + "\n";
   for (physics::Sample& sample : trajectory.samples) {
+    if (!table.isTurned) break;
     sample.attitude = turned * sample.attitude;
     sample.angularVelocity = turned * sample.angularVelocity;
   }

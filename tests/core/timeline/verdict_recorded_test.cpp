@@ -8,6 +8,7 @@ namespace rotatebook::timeline {
 namespace {
 
 using physics::Integrator;
+using ::testing::HasSubstr;
 
 const Table kAttitudesAlone{.rates = ""};
 
@@ -78,7 +79,7 @@ TEST(VerdictOnRecordings, AMomentumThatTurnsIsNoMethods) {
   const Eigen::Vector3d swapped{kThrownBook.x(), kThrownBook.z(), kThrownBook.y()};
   const Verdict other = verdictOnText(textOf(exactBook(), {}), swapped);
   EXPECT_EQ(other.errs, Errs::TurnsMomentum) << methodThat(other);
-  EXPECT_THAT(methodThat(other), ::testing::HasSubstr("another inertia"));
+  EXPECT_THAT(methodThat(other), HasSubstr("another inertia"));
 }
 
 TEST(VerdictOnRecordings, CoarseExplicitStepsAreStillExplicit) {
@@ -96,15 +97,80 @@ TEST(VerdictOnRecordings, AttitudesTooFarApartArentJudged) {
 
 TEST(VerdictOnRecordings, RatesOfAnotherMomentAreNoMotionsFault) {
   const Verdict verdict = verdictOnText(textOf(exactBook(), {.ratesDelay = 1}));
-  EXPECT_EQ(verdict.errs, Errs::SpinsAreOthers) << methodThat(verdict);
+  EXPECT_EQ(verdict.errs, Errs::RatesAreOff) << methodThat(verdict);
+  EXPECT_THAT(methodThat(verdict), HasSubstr("differ from the attitudes' slopes by 2.5 %"));
+  EXPECT_LT(verdict.errorDeg, 0.2);  // measured 0.07 of slopes
 }
 
-TEST(VerdictOnRecordings, RatesOfAnotherScaleAreNamed) {
-  const Verdict verdict = verdictOnText(textOf(exactBook(), {.ratesPerUnit = 1 / 1.02}));
-  EXPECT_EQ(verdict.errs, Errs::InPhase);
-  EXPECT_NEAR(verdict.spins.difference, 0.02, 1e-4);
-  EXPECT_THAT(methodThat(verdict),
-              ::testing::HasSubstr("rates of another scale: they differ by 2"));
+TEST(VerdictOnRecordings, AFactorOfTheRatesIsNoMotionsFault) {
+  for (const double factor : {0.98, 0.995, 0.998, 1.002, 1.005, 1.02, 1.04}) {
+    const Verdict verdict = verdictOnText(textOf(exactBook(), {.ratesPerUnit = 1 / factor}));
+    EXPECT_EQ(verdict.errs, Errs::RatesAreOff) << factor << ": " << methodThat(verdict);
+    EXPECT_NEAR(verdict.spins.fit.factor, factor, 1e-5);  // measured 6e-8
+    EXPECT_LT(verdict.errorDeg, 0.2);
+    EXPECT_THAT(methodThat(verdict), HasSubstr(" times the attitudes' slopes"));
+  }
+}
+
+TEST(VerdictOnRecordings, ABiasOfTheRatesIsNoMotionsFault) {
+  for (const double bias : {0.01, 0.1}) {
+    for (const bool isGyroscope : {false, true}) {
+      const Table table{
+          .rates = isGyroscope ? "gyrX (rad/s),gyrY (rad/s),gyrZ (rad/s)" : "wx,wy,wz",
+          .areAlongBody = isGyroscope,
+          .bias = {0, bias, -bias / 2}};
+      const Verdict verdict = verdictOnText(textOf(exactBook(), table));
+      EXPECT_EQ(verdict.errs, Errs::RatesAreOff) << bias << ": " << methodThat(verdict);
+      EXPECT_NEAR((verdict.spins.fit.bias - table.bias).norm(), 0, 1e-5);  // measured 3.1e-7
+      EXPECT_EQ(verdict.spins.fit.factor, 1);
+      EXPECT_THAT(methodThat(verdict), HasSubstr(isGyroscope ? "rad/s along the body's axes"
+                                                             : "rad/s along the world's axes"));
+    }
+  }
+}
+
+TEST(VerdictOnRecordings, AFactorThatLongStepsMakeMayBeTheirs) {
+  const Verdict verdict = verdictOnText(textOf(thrownBook(Integrator::Midpoint, 25), {}));
+  EXPECT_EQ(verdict.errs, Errs::InPhase) << methodThat(verdict);
+  EXPECT_NEAR(verdict.spins.fit.factor, 1 + 0.2512 * 0.2512 / 12, 1e-3);  // measured 6e-4
+  EXPECT_THAT(methodThat(verdict), HasSubstr("or with rates of another scale: they are 1.0059"));
+}
+
+TEST(VerdictOnRecordings, NoiseChangesNoWords) {
+  for (const Integrator integrator :
+       {Integrator::NoGyroscopic, Integrator::ExplicitGyroscopic, Integrator::ImplicitGyroscopic}) {
+    const Verdict exact = verdictOnText(textOf(thrownBook(integrator), {}));
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+      for (const char* const rates : {"", "wx,wy,wz"}) {
+        const Table table{.rates = rates, .noise = 2e-3, .rateNoise = 1e-2, .seed = seed};
+        const Verdict noisy = verdictOnText(textOf(thrownBook(integrator), table));
+        EXPECT_EQ(noisy.errs, exact.errs) << methodThat(exact) << ": " << methodThat(noisy);
+        EXPECT_EQ(noisy.start, exact.start);
+        EXPECT_EQ(noisy.halfTurnsDue, exact.halfTurnsDue);
+      }
+    }
+  }
+}
+
+TEST(VerdictOnRecordings, NoiseChangesNoRegimeOfAMotionThatAgrees) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const Table table{.rates = "", .noise = 2e-3, .seed = seed};
+    const Verdict verdict = verdictOnText(textOf(exactBook(), table));
+    EXPECT_EQ(verdict.errs, Errs::HardlyAsFitted) << methodThat(verdict);
+    EXPECT_EQ(verdict.start, rigid::Regime::AboutLargest);
+    EXPECT_EQ(verdict.end, rigid::Regime::AboutLargest);
+    EXPECT_EQ(verdict.halfTurnsDue, 3);
+  }
+}
+
+TEST(VerdictOnRecordings, AFewRowsTellNothing) {
+  for (const double seconds : {1.0 / 60, 2.0 / 60, 10.0 / 60}) {
+    const Verdict verdict = verdictOnText(textOf(exactBook(), {.seconds = seconds}));
+    EXPECT_EQ(verdict.errs, Errs::TooFewRows);
+    EXPECT_FALSE(isJudged(verdict));
+    EXPECT_THAT(methodThat(verdict), HasSubstr("too few to tell; record at least 12"));
+  }
+  EXPECT_EQ(verdictOnText(textOf(exactBook(), {.seconds = 11.0 / 60})).errs, Errs::Hardly);
 }
 
 TEST(VerdictOnRecordings, AFixedSpinIsFoundInNoise) {

@@ -13,8 +13,6 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr double kDegree = 0.017453292519943295;
-
 /// Returns what is said of a table; empty if it is read.
 std::string mistakeIn(const Table& table, const physics::MotionSettings& motion = exactBook(),
                       const recording::ReadOptions& options = {}) {
@@ -84,6 +82,87 @@ TEST(WrongTable, UnitsOfTimesAreFound) {
   EXPECT_THAT(mistakeIn({.secondsPerUnit = 1e-6}), HasSubstr("in us?"));
   EXPECT_THAT(mistakeIn({.time = "time_ms"}), HasSubstr("in s?"));
   EXPECT_EQ(mistakeIn({.secondsPerUnit = 1e-3}, exactBook(), {.timeUnit = "ms"}), "");
+}
+
+TEST(WrongTable, TheUnitToStateIsNamedWhereAnotherWasStated) {
+  EXPECT_THAT(mistakeIn({.secondsPerUnit = 1e-6}, exactBook(), {.timeUnit = "ms"}),
+              AllOf(HasSubstr("are the times in us?"), HasSubstr("--time-unit us")));
+  EXPECT_THAT(mistakeIn({}, exactBook(), {.timeUnit = "ms"}), HasSubstr("--time-unit s"));
+  EXPECT_THAT(mistakeIn({.secondsPerUnit = 1e-9}, exactBook(), {.timeUnit = "us"}),
+              HasSubstr("--time-unit ns"));
+  EXPECT_THAT(mistakeIn({.time = "t (us)", .secondsPerUnit = 1e-3}), HasSubstr("--time-unit ms"));
+  EXPECT_THAT(mistakeIn({.secondsPerUnit = 1e-3, .ratesPerUnit = kDegree}, exactBook(),
+                        {.unit = "rad/s", .timeUnit = "us"}),
+              HasSubstr("State --rates deg/s and --time-unit ms"));
+  EXPECT_THAT(mistakeIn({.ratesPerUnit = 6.283185307179586 / 60}, exactBook(), {.unit = "deg/s"}),
+              HasSubstr("turns a minute?"));
+}
+
+TEST(WrongTable, SwappedAndNegatedColumnsAreNamed) {
+  const auto said = [](const Eigen::Matrix3d& columns, bool areAlongBody) {
+    return mistakeIn({.areAlongBody = areAlongBody, .columns = columns}, exactBook(),
+                     {.ratesAlong = areAlongBody ? "body" : "world"});
+  };
+  Eigen::Matrix3d swapped, cycled;
+  swapped << 0, 1, 0, 1, 0, 0, 0, 0, 1;
+  cycled << 0, 1, 0, 0, 0, 1, 1, 0, 0;
+  for (const bool areAlongBody : {false, true}) {
+    EXPECT_THAT(said(swapped, areAlongBody),
+                HasSubstr("m.csv: the columns wx, wy, wz hold wy, wx, wz; name them in"));
+    EXPECT_THAT(said(cycled, areAlongBody), HasSubstr("wx, wy, wz hold wy, wz, wx;"));
+    EXPECT_THAT(said(Eigen::Vector3d(1, -1, 1).asDiagonal(), areAlongBody),
+                HasSubstr("the column wy has the other sign; negate it"));
+    EXPECT_THAT(said(Eigen::Vector3d(-1, 1, -1).asDiagonal(), areAlongBody),
+                HasSubstr("the columns wx, wz have the other sign; negate them; or else the "
+                          "columns qx, qz have"));
+  }
+}
+
+TEST(WrongTable, SwappedAndNegatedPartsOfQuaternionsAreNamed) {
+  const auto negated = [](std::vector<physics::Sample>& samples) {
+    for (physics::Sample& sample : samples) sample.attitude.x() = -sample.attitude.x();
+  };
+  const auto swapped = [](std::vector<physics::Sample>& samples) {
+    for (physics::Sample& sample : samples) std::swap(sample.attitude.x(), sample.attitude.y());
+  };
+  // The rest of the table isn't turned, so that the quaternion's parts are as they are written.
+  EXPECT_THAT(mistakeIn({.isTurned = false, .spoil = negated}),
+              HasSubstr("the column qx has the other sign"));
+  EXPECT_THAT(mistakeIn({.isTurned = false, .spoil = swapped}),
+              HasSubstr("the columns qx, qy, qz hold qy, qx, qz"));
+}
+
+TEST(WrongTable, AttitudesOfTurnedAxesAreFound) {
+  for (const double degrees : {30.0, 90.0}) {
+    const Eigen::Quaterniond turn(
+        Eigen::AngleAxisd(degrees * kDegree, Eigen::Vector3d(1, 2, 3).normalized()));
+    const std::string angle = "by " + shortestText(degrees) + " degrees about";
+    EXPECT_THAT(mistakeIn({.worldTurn = turn}),
+                HasSubstr("the attitudes' world is turned from that of the rates, " + angle));
+    EXPECT_THAT(
+        mistakeIn({.areAlongBody = true, .bodyTurn = turn}, exactBook(), {.ratesAlong = "body"}),
+        HasSubstr("the attitudes' body is turned from that of the rates, " + angle));
+  }
+}
+
+TEST(WrongTable, AttitudesThatStayAreFound) {
+  const auto still = [](std::vector<physics::Sample>& samples) {
+    for (physics::Sample& sample : samples) sample.attitude = samples.front().attitude;
+  };
+  for (const double noise : {0.0, 2e-3}) {
+    EXPECT_THAT(mistakeIn({.noise = noise, .spoil = still}),
+                HasSubstr("degrees in all, and the rates by 36"));
+  }
+}
+
+TEST(WrongTable, RatesOfAnotherMotionAreRefusedAlongTheWorldToo) {
+  EXPECT_THAT(mistakeIn({.rateNoise = 10}), HasSubstr("aren't the attitudes' slopes"));
+  const auto reversed = [](std::vector<physics::Sample>& samples) {
+    const std::vector<physics::Sample> as = samples;
+    for (std::size_t i = 0; i < as.size(); ++i)
+      samples[i].angularVelocity = as[as.size() - 1 - i].angularVelocity;
+  };
+  EXPECT_THAT(mistakeIn({.spoil = reversed}), HasSubstr("aren't the attitudes' slopes"));
 }
 
 TEST(WrongTable, SeveralMistakesAreFoundTogether) {

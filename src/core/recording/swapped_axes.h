@@ -1,0 +1,36 @@
+// Swapped and negated columns, and axes that are turned. Inside the room only.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "recording/rate_fit.h"
+
+namespace rotatebook::recording {
+
+/// Rates, and the slopes of the attitudes beside them along the axes of both kinds.
+struct RatesAndSlopes {
+  const Vectors& rates;
+  const Vectors& alongBody;
+  const Vectors& alongWorld;
+  bool areRatesAlongBody;  ///< As the table is read.
+};
+
+/// A mistake in a table's axes.
+struct AxesMistake {
+  std::string text;
+  Multiple multiple{};  ///< Of the rates by the slopes without it.
+};
+
+/// Returns the columns of rates or of quaternions that are swapped or negated, by the rates' fit to
+/// the slopes with as few of them as possible.
+AxesMistake swappedColumns(const RatesAndSlopes& table);
+
+/// Returns the constant rotation from the attitudes' axes to those of the rates that fits best;
+/// nothing where the rates hardly leave a plane's axis, so that others fit as well.
+std::optional<AxesMistake> turnedAxes(const RatesAndSlopes& table);
+
+/// Returns that the rates are along these axes, and how to state it.
+std::string alongText(bool areAlongBody);
+
+}  // namespace rotatebook::recording

@@ -1,0 +1,87 @@
+#include <string>
+
+#include "base/number_text.h"
+#include "base/text.h"
+#include "timeline/verdict.h"
+
+namespace rotatebook::timeline {
+namespace {
+
+std::string kindOf(const Verdict& verdict) {
+  switch (verdict.errs) {
+    case Errs::Hardly:
+      return "agrees with the exact motion";
+    case Errs::HardlyAsFitted:
+      return "agrees with the exact motion, from a start within the uncertainty of its spins";
+    case Errs::SpinsAreOthers:
+      return "has angular velocities that aren't the slopes of its attitudes, which differ from "
+             "the exact motion's by up to " +
+             roundedText(verdict.errorDeg, 2) + " degrees";
+    case Errs::SpinIsFixed:
+      return "keeps the angular velocity fixed in the world, as without a gyroscopic torque";
+    case Errs::RatesAreOff:
+      return "agrees with the exact motion by its attitudes alone; its angular velocities " +
+             ratesText(verdict.spins);
+    case Errs::InPhase:
+      return "keeps energy and angular momentum, but not the pace, as with long steps" +
+             (verdict.spins.fit.isOff()
+                  ? ", or with rates of another scale: they " + ratesText(verdict.spins)
+                  : std::string());
+    case Errs::TooFewRows:
+      return std::to_string(verdict.samples) + (verdict.samples == 1 ? " row is" : " rows are") +
+             " too few to tell; record at least " + std::to_string(kLeastRows);
+    case Errs::TooFewAttitudes:
+      return "its attitudes are too far apart for their slopes to be its angular velocities; "
+             "record more of them, or the angular velocities, too";
+    case Errs::TurnsMomentum:
+      return "turns the angular momentum by " + roundedText(verdict.momentumTurnDeg, 3) +
+             " degrees: another convention, another inertia, or an outer torque";
+    case Errs::Swings:
+      return "swings in energy or angular momentum, which come back: another inertia than that of "
+             "the body that moved, or angular velocities with a bias, or of other moments than the "
+             "attitudes";
+    case Errs::GainsEnergy:
+      return "keeps the angular momentum and gains energy, as explicit steps of the attitude do";
+    case Errs::LosesEnergy:
+      return "keeps the angular momentum and loses energy, as implicit steps do, or damping inside";
+    case Errs::GainsMomentum:
+      return "keeps the energy, and the angular momentum grows, as with velocities that are scaled "
+             "to the energy";
+    case Errs::LosesMomentum:
+      return "keeps the energy, and the angular momentum falls, as with velocities that are scaled "
+             "to the energy";
+    case Errs::GainsBoth:
+      return "gains energy, as with an explicit gyroscopic torque of order 1";
+    case Errs::LosesBoth:
+      return "loses energy and angular momentum, as with an implicit gyroscopic torque, or damping";
+    case Errs::Inconsistently:
+      return "loses energy while the angular momentum grows, as with a gyroscopic torque of order "
+             "1 "
+             "that doesn't fit the attitude's step";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string ratesText(const recording::SpinFacts& spins) {
+  constexpr int kDigits = 3, kDigitsOfFactor = 5;
+  const auto& [factor, bias, isAlongBody] = spins.fit;
+  const auto part = [&](int i) { return roundedText(bias[i], kDigits); };
+  const std::string biasText = "bias of (" + part(0) + ", " + part(1) + ", " + part(2) +
+                               ") rad/s along the " + (isAlongBody ? "body" : "world") + "'s axes";
+  if (factor != 1) {
+    return "are " + roundedText(factor, kDigitsOfFactor) + " times the attitudes' slopes" +
+           (bias.isZero(0) ? "" : ", with a " + biasText);
+  }
+  if (!bias.isZero(0)) return "have a " + biasText;
+  return "differ from the attitudes' slopes by " + roundedText(100 * spins.difference, 2) + " %";
+}
+
+std::string methodThat(const Verdict& verdict) {
+  const std::string kind = kindOf(verdict);
+  return verdict.flaws.empty() ? kind
+                               : kind + ", but for its flaws: " + joined(verdict.flaws, "; ");
+}
+
+}  // namespace rotatebook::timeline

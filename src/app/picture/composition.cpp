@@ -39,10 +39,10 @@ double panelLetters(const scene::Scene& scene) {
 std::optional<overlay::PanelHeads> headsOf(const scene::Scene& scene,
                                            const timeline::ClipMotion& motion,
                                            const PanelGrid& grid) {
-  if (!hasPanels(scene) || scene.grid) return std::nullopt;
+  if (!hasPanels(scene)) return std::nullopt;
   overlay::PanelCells cells{.width = grid.width, .height = grid.height};
   for (const auto& [x, y] : grid.positions) cells.corners.emplace_back(x, y);
-  cells.letters = panelLetters(scene);
+  cells.letters = scene.grid ? 0 : panelLetters(scene);  // A grid's are of the cell's own size
   return overlay::PanelHeads(scene, motion.trajectories(), cells);
 }
 
@@ -67,12 +67,9 @@ std::vector<overlay::MotionOverlays> overlaysOf(const scene::Scene& scene,
   std::vector<overlay::MotionOverlays> overlays;
   for (std::size_t i = 0; i < panels.size(); ++i) {
     overlay::Viewport viewport{.width = grid.width, .height = grid.height, .energyTop = energyTop};
-    if (scene.grid) {
-      viewport.letters = 0;  // the cell's own size
-    } else if (heads) {
+    if (heads) {
       viewport.hasHead = true;
-      viewport.letters = panelLetters(scene);
-      viewport.corner = {0, 0, 1.0 * grid.width, 1.0 * heads->rowsOnPicture()};
+      viewport.letters = scene.grid ? 0 : panelLetters(scene);
     } else {
       viewport.corner = text.corner();
       viewport.bottomRows = text.bottomRows();

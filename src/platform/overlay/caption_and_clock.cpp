@@ -184,7 +184,8 @@ struct CaptionAndClock::Parts {
   }
 
   /// Sets title, caption and settings, one below the other, down to the picture's lower margin;
-  /// the first is `narrower` than the others. [pixels]
+  /// the first is `narrower` than the others. [pixels] A small picture goes without the last ones
+  /// that would be in its upper half.
   std::vector<Line> captionLines(int narrower) const {
     const int room = std::min(textWidth(), static_cast<int>(kLongestLine * scale.letters));
     std::vector<Line> lines;
@@ -207,14 +208,23 @@ struct CaptionAndClock::Parts {
           {.size = settingsSize, .colour = kWhite, .opacity = 0.85, .halo = scale.halo});
     }
 
+    place(lines);
+    if (!lines.empty()) refuseTooMany(lines, scene);
+    while (!lines.empty() && scale.height - lines.front().top > scale.height / 2) {
+      lines.pop_back();
+      place(lines);
+    }
+    return lines;
+  }
+
+  /// Puts the lines one below the other, the last at the lower margin.
+  void place(std::vector<Line>& lines) const {
     const int gap = static_cast<int>(std::lround(0.45 * scale.letters));
     int bottom = scale.height - margin;
     for (auto line = lines.rbegin(); line != lines.rend(); ++line) {
       line->top = bottom - static_cast<int>(boxOf(line->text).height);
       bottom = line->top - gap;
     }
-    refuseTooMany(lines, scene);
-    return lines;
   }
 
   /// Leaves room for text from row `first` on, and adds a dark background unless the picture's has

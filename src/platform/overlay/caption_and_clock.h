@@ -12,7 +12,9 @@
 namespace rotatebook::overlay {
 
 /// Draws the caption and the clock over the pictures of one clip, if its scene shows them. Use it
-/// on one thread. Letters are a share of the picture's height, but never too small to read.
+/// on one thread. Letters are a share of the picture's height, but never too small to read. In a
+/// picture of fewer than 360 rows, settings, caption and title are left out, in this order, as far
+/// as they would take more than half of it.
 class CaptionAndClock {
  public:
   enum class ClockPosition {

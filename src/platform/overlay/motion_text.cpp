@@ -15,6 +15,16 @@ constexpr double kTallestLabel = 0.2;  // share of its panel's height
 constexpr double kMinLines = 3;        // a label may have as many however low its panel is
 constexpr double kGlowTime = 0.7;      // in which the count fades back to white [s of the clip]
 
+constexpr const char* kFixedSpace = "\u00a0";  // at which no line is broken
+
+/// Returns "22.53 s", or "t = 22.53 s", which stay on one line.
+std::string momentText(double time, const scene::Words& words, bool isBrief) {
+  std::string moment = (isBrief ? "" : "t = ") + clockText(time, words);
+  for (auto at = moment.find(' '); at != moment.npos; at = moment.find(' ', at))
+    moment.replace(at, 1, kFixedSpace);
+  return moment;
+}
+
 std::string countText(const OverlayContext& context, int count) {
   return context.scene.overlay.words[scene::Word::Flips] + " " + std::to_string(count);
 }
@@ -55,15 +65,17 @@ Layer labelLayer(const OverlayContext& context, const std::string& label, double
   return layer;
 }
 
-Layer divergenceLayer(const OverlayContext& context, double time, double width) {
-  const TextStyle style{.size = context.scale.letters,
+Layer divergenceLayer(const OverlayContext& context, double time, double width,
+                      DivergenceText text) {
+  const bool isBrief = text == DivergenceText::Brief;
+  const TextStyle style{.size = (isBrief ? 0.9 : 1) * context.scale.letters,
                         .bold = true,
                         .colour = kWarningColour,
                         .halo = context.scale.halo,
                         .tabular = true};
   const scene::Words& words = context.scene.overlay.words;
-  return context.type.draw(words[scene::Word::DivergedAt] + " t = " + clockText(time, words), style,
-                           static_cast<int>(width));
+  return context.type.draw(words[scene::Word::DivergedAt] + " " + momentText(time, words, isBrief),
+                           style, static_cast<int>(width));
 }
 
 namespace {
@@ -123,8 +135,6 @@ std::unique_ptr<DrawnOverlay> makeHalfTurns(const OverlayContext& context, const
 
 namespace {
 
-constexpr const char* kFixedSpace = "\u00a0";  // at which no line is broken
-
 /// Writes a notice, the time on a line of its own if that keeps it beside the body, in letters of
 /// `size` [pixels] at the top left, below all that is `taken`; nothing if it has no room.
 std::optional<CachedLayer> noticeOf(const OverlayContext& context, const std::string& words,
@@ -158,11 +168,9 @@ std::optional<CachedLayer> divergenceNotice(const OverlayContext& context, doubl
   const double letters = context.scale.letters;
   const scene::Words& words = context.scene.overlay.words;
   const std::string& diverged = words[scene::Word::DivergedAt];
-  std::string clock = clockText(time, words);
-  clock.replace(clock.find(' '), 1, kFixedSpace);
-  const std::string whole = std::string("t") + kFixedSpace + "=" + kFixedSpace + clock;
-  auto notice = noticeOf(context, diverged, whole, 1.25 * letters, taken);
-  if (!notice) notice = noticeOf(context, diverged, clock, 0.9 * letters, taken);
+  auto notice = noticeOf(context, diverged, momentText(time, words, false), 1.25 * letters, taken);
+  if (!notice)
+    notice = noticeOf(context, diverged, momentText(time, words, true), 0.9 * letters, taken);
   return notice;
 }
 

@@ -13,10 +13,16 @@ namespace rotatebook::overlay {
 /// font lacks a letter, or if the label takes too much of the panel.
 Layer labelLayer(const OverlayContext& context, const std::string& label, double width);
 
-/// Sets "Diverged at t = 22.53 s", no wider than `width`, with a halo. [pixels]
-Layer divergenceLayer(const OverlayContext& context, double time, double width);
+enum class DivergenceText {
+  Whole,  ///< "Diverged at t = 22.53 s"
+  Brief,  ///< "Diverged at 22.53 s", in smaller letters.
+};
 
-/// Sets the same in a dark box at the top left, below what is `taken` there; nothing if the picture
+/// Sets the notice of a divergence, no wider than `width`, with a halo. [pixels]
+Layer divergenceLayer(const OverlayContext& context, double time, double width,
+                      DivergenceText text);
+
+/// Sets it in a dark box at the top left, below what is `taken` there; nothing if the picture
 /// is too small for it.
 std::optional<CachedLayer> divergenceNotice(const OverlayContext& context, double time,
                                             const std::vector<Box>& taken);

@@ -34,7 +34,7 @@ constexpr Colour mixed(const Colour& a, const Colour& b, double t) {
           a.blue + t * (b.blue - a.blue)};
 }
 
-/// A picture of fewer rows is for a quick look: its text may hide the book.
+/// A picture of fewer rows is for a quick look: text that has no room beside the book is left out.
 inline constexpr int kSmallPicture = 360;
 
 /// Lengths that grow with the picture, but are never too small to read.

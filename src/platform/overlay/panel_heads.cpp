@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
+#include "base/error.h"
 #include "overlay/drawn_overlay.h"
 #include "overlay/motion_text.h"
 #include "scene/source_locations.h"
@@ -17,10 +19,34 @@ namespace {
 using scene::OverlayRow;
 using scene::Placement;
 
-constexpr double kPadding = 0.35;   // above and below the texts [letter heights]
-constexpr double kGap = 0.8;        // between texts of one line [letter heights]
-constexpr double kLineGap = 0.15;   // between lines [letter heights]
-constexpr int kLargestShareOf = 3;  // the head takes up to one third of its panel
+constexpr double kPadding = 0.35;  // above and below the texts [letter heights]
+constexpr double kGap = 0.8;       // between texts of one line [letter heights]
+constexpr double kLineGap = 0.15;  // between lines [letter heights]
+
+/// The texts of a head, which take less room from one to the next.
+enum class Texts {
+  All,
+  BriefNotice,
+  NoticeOverCounts,  ///< In their place, once the motion has ended.
+  NoNotice,
+  LabelAlone,
+  ShortLabel,  ///< Only those that have room.
+};
+
+/// What a head tries to have room for in its panel, or one in `parts` of it.
+struct Attempt {
+  Texts texts;
+  int parts;
+};
+constexpr Attempt kAllWords[] = {{Texts::All, 3},
+                                 {Texts::BriefNotice, 3},
+                                 {Texts::NoticeOverCounts, 3},
+                                 {Texts::NoticeOverCounts, 2}};
+constexpr double kSmallerLetters = 0.8;  // with which it tries these
+constexpr Attempt kFewerWords[] = {{Texts::NoticeOverCounts, 2},
+                                   {Texts::NoNotice, 2},
+                                   {Texts::LabelAlone, 2},
+                                   {Texts::ShortLabel, 1}};
 
 /// Returns `place`, at least as large as `text`.
 TextSize widened(const TextSize& place, const Box& text) {
@@ -34,9 +60,11 @@ std::vector<Box> arranged(const std::vector<TextSize>& sizes, double room, doubl
   std::vector<Box> places(sizes.size());
   double top = 0;
   for (std::size_t first = 0, end = 0; first < sizes.size(); first = end) {
+    end = first + 1;
+    if (sizes[first].width == 0) continue;
     double used = sizes[first].width;
     int height = sizes[first].height;
-    for (end = first + 1; end < sizes.size(); ++end) {
+    for (; end < sizes.size(); ++end) {
       if (sizes[end].width > 0) used += kGap * letters + sizes[end].width;
       if (used > room) break;
       height = std::max(height, sizes[end].height);
@@ -57,7 +85,7 @@ std::vector<Box> arranged(const std::vector<TextSize>& sizes, double room, doubl
 struct Head {
   scene::Scene scene;  // with this panel's motion
   const physics::Trajectory* motion;
-  std::optional<Layer> label, notice;
+  std::optional<Layer> label, notice, briefNotice;
   std::vector<std::unique_ptr<DrawnOverlay>> counts;
 };
 
@@ -76,15 +104,14 @@ struct PanelHeads::Parts {
     for (const OverlayRow& row : scene::kOverlayRows) {
       if (row.placement == Placement::TopLeft && shows(scene, row.overlay)) counts.push_back(row);
     }
-    for (std::size_t i = 0; i < motions.size(); ++i) addHead(i, motions[i]);
-    places = arranged(sizes(), room(), scale.letters);
-    double bottom = 0;
-    for (Box& place : places) {
-      place = place.moved({margin, std::round(kPadding * scale.letters)});
-      if (!place.empty()) bottom = std::max(bottom, place.bottom());
+    addHeads(motions);
+    if (!isArranged(kAllWords)) {
+      refuseTooHigh();
+      scale.letters *= kSmallerLetters;
+      addHeads(motions);
+      isArranged(kFewerWords);
     }
-    if (bottom > 0) height = static_cast<int>(std::ceil(bottom + kPadding * scale.letters));
-    for (std::size_t i = 0; i < heads.size(); ++i) addCounts(i);
+    for (std::size_t i = 0; i < heads.size(); ++i) keepArranged(i);
   }
 
   double room() const { return std::max(1.0, cells.width - 2 * margin); }
@@ -93,17 +120,29 @@ struct PanelHeads::Parts {
     return {head.scene, *head.motion, type, scale};
   }
 
+  void addHeads(const std::vector<physics::Trajectory>& motions) {
+    heads.clear();
+    for (std::size_t i = 0; i < motions.size(); ++i) addHead(i, motions[i]);
+  }
+
   void addHead(std::size_t panel, const physics::Trajectory& motion) {
     Head& head = *heads.emplace_back(std::make_unique<Head>());
     head.scene = scene::withMotion(scene, scene.panels[panel]);
     head.motion = &motion;
     if (scene.textless) return;
+    if (motion.divergedAt) {
+      const auto notice = [&](DivergenceText text) {
+        return divergenceLayer(contextOf(head), *motion.divergedAt, room(), text);
+      };
+      head.notice = notice(DivergenceText::Whole);
+      head.briefNotice = notice(DivergenceText::Brief);
+    }
+    // The values of a grid are in its margins
+    if (scene.grid) return;
     const std::string& label = scene.panels[panel].label;
     head.label = scene::atLocationOf(scene, scene::labelKey(panel),
                                      [&] { return labelLayer(contextOf(head), label, room()); });
     mirrored = mirrored || type.isReadFromTheRight(label);
-    if (motion.divergedAt)
-      head.notice = divergenceLayer(contextOf(head), *motion.divergedAt, room());
   }
 
   std::unique_ptr<DrawnOverlay> countOf(const Head& head, const OverlayRow& row,
@@ -112,18 +151,73 @@ struct PanelHeads::Parts {
     return makeOverlay(row.overlay, contextOf(head), box);
   }
 
+  bool hasRoom(const Layer& label) const {
+    return texts != Texts::ShortLabel ||
+           boxOf(label).height + 2 * kPadding * scale.letters <= cells.height / 2;
+  }
+
+  /// Returns which kind of text's place the notice has: the label's is 0.
+  std::size_t placeOfNotice() const {
+    return texts == Texts::NoticeOverCounts && !counts.empty() ? 1 : counts.size() + 1;
+  }
+
   /// Returns the sizes of the largest label, of each count, and of the largest notice.
   std::vector<TextSize> sizes() const {
     std::vector<TextSize> largest(counts.size() + 2);
+    const auto widen = [&](std::size_t kind, const Box& text) {
+      largest[kind] = widened(largest[kind], text);
+    };
     for (const auto& head : heads) {
-      if (head->label) largest.front() = widened(largest.front(), boxOf(*head->label));
-      if (head->notice) largest.back() = widened(largest.back(), boxOf(*head->notice));
-      for (std::size_t i = 0; i < counts.size(); ++i) {
+      const auto& notice = texts == Texts::All ? head->notice : head->briefNotice;
+      if (head->label && hasRoom(*head->label)) widen(0, boxOf(*head->label));
+      if (notice && texts < Texts::NoNotice) widen(placeOfNotice(), boxOf(*notice));
+      for (std::size_t i = 0; i < counts.size() && texts < Texts::LabelAlone; ++i) {
         const auto count = countOf(*head, counts[i], {});
-        if (count) largest[i + 1] = widened(largest[i + 1], count->box());
+        if (count) widen(i + 1, count->box());
       }
     }
     return largest;
+  }
+
+  /// Arranges the texts of the first attempt that succeeds; returns whether one did.
+  bool isArranged(std::span<const Attempt> attempts) {
+    return std::ranges::any_of(attempts, [this](const Attempt& attempt) {
+      arrange(attempt.texts);
+      return height <= cells.height / attempt.parts;
+    });
+  }
+
+  void arrange(Texts which) {
+    texts = which;
+    places = arranged(sizes(), room(), scale.letters);
+    double bottom = 0;
+    for (Box& place : places) {
+      place = place.moved({margin, std::round(kPadding * scale.letters)});
+      if (!place.empty()) bottom = std::max(bottom, place.bottom());
+    }
+    height = bottom > 0 ? static_cast<int>(std::ceil(bottom + kPadding * scale.letters)) : 0;
+  }
+
+  /// Throws InputError unless the picture is small, or a grid, and may lack words.
+  void refuseTooHigh() const {
+    if (scene.grid || scene.textless || scene.clip.height < kSmallPicture) return;
+    const auto heightOf = [](const auto& head) { return head->label->height; };
+    const auto panel = std::ranges::max_element(heads, {}, heightOf) - heads.begin();
+    scene::atLocationOf(scene, scene::labelKey(static_cast<std::size_t>(panel)), [&] {
+      throw InputError("the words above a panel take " + std::to_string(height) + " of its " +
+                       std::to_string(cells.height) +
+                       " rows, which leaves too little for the book; shorten the label, or make "
+                       "the picture larger (clip.size)");
+    });
+  }
+
+  /// Leaves the texts of a panel out that have no place.
+  void keepArranged(std::size_t panel) {
+    Head& head = *heads[panel];
+    if (texts != Texts::All) head.notice = std::move(head.briefNotice);
+    if (texts >= Texts::NoNotice) head.notice.reset();
+    if (head.label && !hasRoom(*head.label)) head.label.reset();
+    if (texts < Texts::LabelAlone) addCounts(panel);
   }
 
   /// Returns the place of a text, `width` wide, on the picture.
@@ -157,8 +251,11 @@ struct PanelHeads::Parts {
     const View view{
         frame,  sample,  Projector(Eigen::Matrix4d::Identity(), cells.width, cells.height),
         canvas, picture, ended};
-    for (const auto& count : head.counts) count->draw(view);
-    if (ended && head.notice) write(*head.notice, panel, places.size() - 1);
+    const bool hasNotice = ended && head.notice;
+    for (const auto& count : head.counts) {
+      if (!hasNotice || texts != Texts::NoticeOverCounts) count->draw(view);
+    }
+    if (hasNotice) write(*head.notice, panel, placeOfNotice());
     canvas.layOver(picture);
   }
 
@@ -171,6 +268,7 @@ struct PanelHeads::Parts {
   std::vector<OverlayRow> counts;
   std::vector<std::unique_ptr<Head>> heads;  // of each panel
   bool mirrored = false;                     // The labels begin at the right.
+  Texts texts = Texts::All;
   std::vector<Box> places;  // In a panel: of the label, of each count, of the notice. [pixels]
   int height = 0;           // [pixels]
 };
@@ -183,11 +281,7 @@ PanelHeads::PanelHeads(PanelHeads&&) noexcept = default;
 PanelHeads& PanelHeads::operator=(PanelHeads&&) noexcept = default;
 
 int PanelHeads::rows() const {
-  return std::min(parts_->height, parts_->cells.height / kLargestShareOf);
-}
-
-int PanelHeads::rowsOnPicture() const {
-  return parts_->height - rows();
+  return parts_->height;
 }
 
 void PanelHeads::draw(std::int64_t frame, image::Image& picture) {

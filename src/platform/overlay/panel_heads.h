@@ -22,22 +22,23 @@ struct PanelCells {
 
 /// Writes above the picture of each panel its label, the overlays at scene::Placement::TopLeft and,
 /// once its motion has ended, the notice of its divergence, so that none of them lies on a body.
-/// Texts of one kind stand at the same place in all panels. Use it on one thread.
+/// Texts of one kind stand at the same place in all panels. The books of a grid have no labels.
+/// Grids, and pictures of fewer than 360 rows, have smaller letters where that is needed, and are
+/// without texts that have no room in half of a panel even so. Use it on one thread.
 class PanelHeads {
  public:
   /// `motions` are those of the scene's panels, in their order, and must outlive this. Throws
   /// InputError, with the line of the scene, if its font isn't installed or lacks a letter, or if a
-  /// label takes more than a fifth of its panel in a picture of 360 rows or more.
+  /// label takes more than a fifth of its panel, or all texts take more than half, in a picture of
+  /// 360 rows or more.
   PanelHeads(const scene::Scene& scene, const std::vector<physics::Trajectory>& motions,
              const PanelCells& cells);
   ~PanelHeads();
   PanelHeads(PanelHeads&&) noexcept;
   PanelHeads& operator=(PanelHeads&&) noexcept;
 
-  /// Returns how many rows the head takes at the top of each panel, up to a third of them. [pixels]
+  /// Returns how many rows the head takes at the top of each panel, up to half of them. [pixels]
   int rows() const;
-  /// Returns how many rows of a very small panel's picture the head lies on. [pixels]
-  int rowsOnPicture() const;
   /// Draws over `picture`, of the clip's size, which shows frame `frame` >= 0.
   void draw(std::int64_t frame, image::Image& picture);
 

@@ -114,5 +114,55 @@ TEST(Composition, GivesChartsOfTheEnergyOneScale) {
   EXPECT_NE(calmBeside("256"), calmBeside("1"));  // with which the other bursts
 }
 
+/// A picture's panels, or the cells of a grid, of which some have diverged.
+scene::Scene divided(const std::string& parts, const std::string& size) {
+  return scene::parseScene(
+      "[simulation]\nmodel = 'particles'\nnormalize = false\ndamping = 0\nintegrator = 'euler'\n"
+      "[initial]\nangular_velocity = [5, 3, 1]\n[clip]\nfps = 24\nduration = 0.5\nsize = " +
+          size + "\n[overlay]\nshow = ['half_turns']\n" + parts,
+      "divided.toml");
+}
+
+std::string panels(int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i)
+    text += "[[panel]]\nlabel = 'explicit Euler, again " + std::to_string(i) +
+            "'\nsimulation.substeps = " + std::to_string(i % 2 == 0 ? 1 : 64) + "\n";
+  return text;
+}
+
+std::string grid(const std::string& rows) {
+  return "[grid]\ncolumns = { over = 'simulation.substeps', values = [1, 2, 64] }\n" +
+         (rows.empty() ? ""
+                       : "rows = { over = 'simulation.stiffness', values = [" + rows + "] }\n");
+}
+
+// Bodies are drawn below their texts, so that grey as far as the eye reaches stays grey.
+TEST(Composition, WritesNothingOnThePicturesOfBodies) {
+  for (const char* size : {"[320, 180]", "[426, 240]", "[640, 360]", "[240, 426]", "[160, 90]"}) {
+    for (const std::string& parts :
+         {panels(2), panels(4), panels(6), grid(""), grid("125, 250"), grid("125, 200, 250")}) {
+      if (parts == panels(6) && std::string(size) == "[240, 426]") continue;  // refused
+      SCOPED_TRACE(size + ("\n" + parts));
+      const scene::Scene scene = divided(parts, size);
+      const timeline::ClipMotion motion = timeline::simulateScene(scene);
+      ASSERT_TRUE(motion.trajectories()[0].divergedAt);
+      const geometry::Screen screen = Composition(scene, motion).screen();
+      for (const std::int64_t frame : {0, 11}) {
+        const image::Image picture = drawn(scene, frame);
+        std::size_t grey = 0;
+        for (int y = 0; y < picture.height(); ++y) {
+          for (int x = 0; x < picture.width(); ++x) {
+            const std::uint8_t* pixel = picture.row(y) + static_cast<std::ptrdiff_t>(x) * 4;
+            if (pixel[0] == 96 && pixel[1] == 96 && pixel[2] == 96) ++grey;
+          }
+        }
+        const auto whole = static_cast<std::size_t>(screen.width * screen.height);
+        EXPECT_GE(grey, whole * motion.trajectories().size()) << "frame " << frame;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace rotatebook::picture

@@ -71,7 +71,7 @@ TEST(Panels, EachShowTheirMotionsSample) {
   std::vector<image::Image> expected;
   {
     const geometry::Screen screen = Composition(scene, motion).screen();
-    EXPECT_EQ(screen.height, 48) << "a head takes a third of a very small panel";
+    EXPECT_EQ(screen.height, 36) << "a head takes up to half of a very small panel";
     render::Renderer renderer = makeRenderer(scene, screen, loadLooks(scene).looks);
     for (const auto& trajectory : motion.trajectories()) {
       expected.push_back(renderer.makePicture());

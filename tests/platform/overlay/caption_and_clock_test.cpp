@@ -16,6 +16,7 @@ namespace rotatebook::overlay {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -238,6 +239,21 @@ TEST(CaptionAndClock, AreRefusedWhereTheyWouldHideTheBook) {
   EXPECT_EQ(sceneRefusal(show + caption + "overlay.scale = 0.8"), "no error");
   EXPECT_THAT(sceneRefusal(show + caption), HasSubstr("or the letters smaller (overlay.scale)"));
   EXPECT_EQ(sceneRefusal(show + caption + "clip.size = [320, 180]"), "no error");
+}
+
+TEST(CaptionAndClock, LeaveTheUpperHalfOfASmallPicture) {
+  std::vector<std::size_t> counts;
+  for (const char* size : {"[426, 240]", "[320, 180]", "[240, 160]", "[160, 90]", "[64, 36]"}) {
+    const scene::Scene scene = sceneWith(
+        {"overlay.show=['caption', 'settings']", "caption='" + std::string(kLongCaption) + "'",
+         "title='Energy not corrected: the book spins up'", std::string("clip.size=") + size});
+    image::Image picture = testing::plainPicture(scene, 17);
+    CaptionAndClock all(scene);
+    all.draw(0, picture);
+    counts.push_back(all.texts().size());
+    for (const Box& text : all.texts()) EXPECT_GE(text.y, scene.clip.height / 2) << size;
+  }
+  EXPECT_THAT(counts, ElementsAre(3, 2, 1, 1, 0)) << "title, caption, settings";
 }
 
 TEST(CaptionAndClock, NameThePlaceOfALetterOrAFontThatIsMissing) {

@@ -1,5 +1,6 @@
 #include "overlay/panel_heads.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 namespace rotatebook::overlay {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -72,7 +75,6 @@ TEST(PanelHeads, AreAllInTheirRows) {
         pairOf("y: smallest moment", "x", {std::string("clip.size=") + size});
     const Drawn drawn(scene);
     const int rows = drawn.heads.rows();
-    EXPECT_EQ(drawn.heads.rowsOnPicture(), 0);
     EXPECT_LT(rows, scene.clip.height / 12) << "takes more than a line";
     int written = 0;
     for (int y = 0; y < scene.clip.height; ++y) {
@@ -141,11 +143,100 @@ TEST(PanelHeads, OfATextlessSceneAreEmpty) {
   EXPECT_EQ(drawn.picture, testing::plainPicture(scene, 17));
 }
 
-TEST(PanelHeads, LeaveVerySmallPanelsTwoThirds) {
-  const scene::Scene scene = pairOf("a", "b", {"clip.size=[64, 36]"});
-  const Drawn drawn(scene);
-  EXPECT_EQ(drawn.heads.rows(), 12);
-  EXPECT_GT(drawn.heads.rowsOnPicture(), 0);
+/// Panels of a picture, `across` beside each other.
+PanelCells cellsOf(const scene::Scene& scene, int across) {
+  const int count = static_cast<int>(scene.panels.size()), down = (count + across - 1) / across;
+  PanelCells cells{.width = scene.clip.width / across,
+                   .height = scene.clip.height / down,
+                   .letters = 0.028 * std::min(scene.clip.width, scene.clip.height)};
+  for (int i = 0; i < count; ++i)
+    cells.corners.emplace_back(i % across * cells.width, i / across * cells.height);
+  return cells;
+}
+
+scene::Scene several(const std::vector<std::string>& labels, const std::string& size) {
+  scene::Scene scene = pairOf("a", "b", {"clip.size=" + size, "clip.duration=1"});
+  const scene::Panel panel = scene.panels[0];
+  scene.panels.clear();
+  for (const std::string& label : labels) {
+    scene.panels.push_back(panel);
+    scene.panels.back().label = label;
+  }
+  return scene;
+}
+
+/// Returns how many texts two, four and six panels have in a picture of that size, none of which
+/// may lie on the pictures below the heads, before and after a divergence.
+std::vector<std::size_t> textsInTheirHeads(const std::string& label, const std::string& size) {
+  std::vector<std::size_t> counts;
+  std::vector<std::string> labels;
+  for (const int across : {1, 2, 3}) {
+    for (int i = 0; i < 2; ++i) labels.push_back(label + " " + std::to_string(labels.size()));
+    const scene::Scene scene = several(labels, size);
+    std::vector<physics::Trajectory> motions = simulated(scene);
+    motions.front().divergedAt = 0.5;
+    const PanelCells cells = cellsOf(scene, across);
+    PanelHeads heads(scene, motions, cells);
+    EXPECT_LE(heads.rows(), cells.height / 2);
+    for (const int frame : {0, 29, 30}) {
+      SCOPED_TRACE(size + " " + std::to_string(labels.size()) + " " + std::to_string(frame));
+      image::Image picture = testing::plainPicture(scene, 17);
+      heads.draw(frame, picture);
+      EXPECT_EQ(testing::meeting(heads.texts()), "");
+      const int end = cells.height * (static_cast<int>(labels.size()) / across);
+      for (int y = 0; y < end; ++y) {
+        EXPECT_TRUE(y % cells.height < heads.rows() || isPlain(picture, y)) << "row " << y;
+      }
+      if (frame == 30) counts.push_back(heads.texts().size());
+    }
+  }
+  return counts;
+}
+
+TEST(PanelHeads, NeverLieOnPictures) {
+  const std::string longer = "explicit gyroscopic torque, 240 Hz";
+  for (const char* size : {"[64, 36]", "[160, 90]", "[320, 180]", "[426, 240]", "[640, 360]",
+                           "[240, 426]", "[1280, 720]"}) {
+    textsInTheirHeads("rk4", size);
+    if (std::string(size) != "[240, 426]") textsInTheirHeads(longer, size);
+  }
+  // Labels, counts and the notice, which may be in the place of its panel's count
+  EXPECT_THAT(textsInTheirHeads("rk4", "[320, 180]"), ElementsAre(5, 8, 12));
+  EXPECT_THAT(textsInTheirHeads(longer, "[320, 180]"), ElementsAre(4, 8, 12));
+  EXPECT_THAT(textsInTheirHeads("rk4", "[160, 90]"), ElementsAre(4, 8, 6)) << "labels alone";
+  EXPECT_THAT(textsInTheirHeads(longer, "[64, 36]"), ElementsAre(0, 0, 0));
+}
+
+TEST(PanelHeads, LeaveOutLabelsThatHaveNoRoomAlone) {
+  std::string endless;
+  for (int i = 0; i < 20; ++i) endless += "label ";
+  const scene::Scene scene = several({endless, "short", "brief", "rk4"}, "[160, 90]");
+  const std::vector<physics::Trajectory> motions = simulated(scene);
+  PanelHeads heads(scene, motions, cellsOf(scene, 2));
+  image::Image picture = testing::plainPicture(scene, 17);
+  heads.draw(0, picture);
+  EXPECT_EQ(heads.texts().size(), 3U);
+}
+
+TEST(PanelHeads, OfAGridHaveNoLabels) {
+  scene::Scene scene = several({"1", "2", "3", "4"}, "[640, 360]");
+  scene.grid.emplace();
+  std::vector<physics::Trajectory> motions = simulated(scene);
+  motions.back().divergedAt = 0.5;
+  PanelCells cells = cellsOf(scene, 2);
+  const auto textsAt = [&](int frame) {
+    PanelHeads heads(scene, motions, cells);
+    image::Image picture = testing::plainPicture(scene, 17);
+    heads.draw(frame, picture);
+    return heads.texts().size();
+  };
+  EXPECT_EQ(textsAt(0), 4U);
+  EXPECT_EQ(textsAt(30), 5U);
+  cells.width = 80;  // The notice is in place of its count
+  cells.height = 60;
+  EXPECT_EQ(textsAt(30), 4U);
+  cells.height = 16;
+  EXPECT_EQ(textsAt(30), 0U);
 }
 
 TEST(PanelHeads, BeginAtTheRightInScriptsThatAreReadFromThere) {
@@ -160,11 +251,14 @@ TEST(PanelHeads, BeginAtTheRightInScriptsThatAreReadFromThere) {
   }
 }
 
-std::string refusalOf(const std::string& label, const std::string& size) {
+std::string refusalOf(const std::string& label, const std::string& size, int height = 0) {
   try {
     scene::Scene scene = pairOf("a", "b", {"clip.size=" + size});
     scene.panels[1].label = label;
-    const Drawn drawn(scene);
+    const std::vector<physics::Trajectory> motions = simulated(scene);
+    PanelCells cells = cellsOf(scene);
+    if (height > 0) cells.height = height;
+    const PanelHeads heads(scene, motions, cells);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -180,6 +274,15 @@ TEST(PanelHeads, RefuseALabelThatTakesTooMuch) {
   EXPECT_THAT(refusalOf(endless, "[640, 720]"), HasSubstr("rows, which leaves too little"));
   EXPECT_THAT(refusalOf(endless, "[640, 720]"), StartsWith("pair.toml:15:9: the label"));
   EXPECT_EQ(refusalOf(endless, "[320, 180]"), "no error");  // For a quick look only.
+}
+
+TEST(PanelHeads, RefuseWordsThatTakeHalfOfAPanel) {
+  const std::string label = "a label of two lines, with a count below";
+  EXPECT_EQ(refusalOf(label, "[400, 360]"), "no error");
+  EXPECT_THAT(refusalOf(label, "[400, 360]", 80),
+              AllOf(StartsWith("pair.toml:15:9: the words above a panel take "),
+                    HasSubstr(" of its 80 rows, which leaves too little for the book; shorten the "
+                              "label, or make the picture larger (clip.size)")));
 }
 
 }  // namespace

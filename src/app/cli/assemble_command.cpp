@@ -65,6 +65,10 @@ int assembleFrames(const AssembleArguments& arguments) {
                      store::kFrameChecksumsName +
                      ": whole PNGs, but maybe not as they were drawn\n";
   }
+  for (const pipeline::LostColours& lost : made.lost) {
+    std::cerr << "note: " + store::framesText(lost.frames) +
+                     (lost.frames == 1 ? " has " : " have ") + lost.text + "\n";
+  }
   std::cout << "wrote " << store::framesText(made.frames.count()) << " to "
             << oneLine(arguments.output) << (made.isPart() ? partText(made) : "") << '\n';
   return kDone;
@@ -95,7 +99,8 @@ If a frame is missing or no longer has its checksum in frames.xxh128, nothing is
 --resume, which draws the frame again, or remove frames.xxh128 to join the frames as they are. A frame
 without a checksum there is joined if it is a whole PNG, and reported. The folder of a whole clip that is
 still being rendered is refused, too. If only parts of a clip are there, the frames that were joined are
-reported; with --whole nothing is written.
+reported; with --whole nothing is written. Frames are read as sRGB of 8 bits a channel, and reported where
+they are of another kind; transparency that the video would lose is refused.
 
 Example:
   rotatebook assemble out/starter -o starter.mp4)");

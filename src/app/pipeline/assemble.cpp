@@ -1,11 +1,15 @@
 #include "pipeline/assemble.h"
 
+#include <algorithm>
+#include <span>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
 
 #include "base/error.h"
 #include "base/text.h"
+#include "image/picture_file.h"
+#include "image/png_colours.h"
 #include "image/png_file.h"
 #include "scene/scene_text.h"
 #include "store/clip_files.h"
@@ -125,12 +129,11 @@ void requireWhole(const fs::path& folder, const Assembled& made) {
       "; render the scene with --resume, which draws the others, or leave out --whole");
 }
 
-/// Reads frame `index`. Throws InputError if it doesn't match its checksum; one without a checksum
-/// is accepted if it is a PNG whose own checksums are right.
-image::Image readFrame(const store::FrameChecksums& checksums, std::int64_t index) {
+/// Returns the bytes of frame `index`. Throws InputError if it doesn't match its checksum.
+std::string frameBytes(const store::FrameChecksums& checksums, std::int64_t index) {
   const fs::path path = checksums.folder() / store::frameName(index);
-  if (!checksums.contains(index)) return image::readPng(path);
-  const std::optional<std::string> bytes = checksums.intact(index);
+  if (!checksums.contains(index)) return image::readPictureFile(path);
+  std::optional<std::string> bytes = checksums.intact(index);
   if (!bytes) {
     system::checksumOfFile(path);  // Throws with the reason if the file can't be read.
     throwMismatch(checksums,
@@ -139,8 +142,31 @@ image::Image readFrame(const store::FrameChecksums& checksums, std::int64_t inde
                       " has another checksum for it",
                   "frames that were changed on purpose");
   }
-  const auto* first = reinterpret_cast<const std::uint8_t*>(bytes->data());
-  return image::decodePng({first, bytes->size()}, path.string());
+  return std::move(*bytes);
+}
+
+void noteColours(std::span<const std::uint8_t> png, std::vector<LostColours>& lost) {
+  constexpr std::size_t kMaxKinds = 8;
+  for (const std::string& text : image::lostColoursOf(png)) {
+    const auto known = std::ranges::find(lost, text, &LostColours::text);
+    if (known != lost.end()) {
+      ++known->frames;
+    } else if (lost.size() < kMaxKinds) {
+      lost.push_back({text, 1});
+    }
+  }
+}
+
+/// Reads frame `index`, and notes what of its colours is lost. Throws InputError if it doesn't
+/// match its checksum; one without a checksum is accepted if it is a PNG whose own are right.
+image::Image readFrame(const store::FrameChecksums& checksums, std::int64_t index,
+                       std::vector<LostColours>& lost) {
+  const std::string bytes = frameBytes(checksums, index);
+  const std::span png(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+  image::Image picture =
+      image::decodePng(png, (checksums.folder() / store::frameName(index)).string());
+  noteColours(png, lost);
+  return picture;
 }
 
 void requireSameSize(const fs::path& path, const image::Image& picture, const fs::path& firstPath,
@@ -204,7 +230,8 @@ Assembled assemble(const fs::path& folder, const fs::path& video,
   const auto listed = static_cast<std::int64_t>(checksums.indices().size());
   if (listed > 0) made.unlisted = range.count() - listed;
   const fs::path firstPath = folder / store::frameName(range.first);
-  const image::Image first = readFrame(checksums, range.first);
+  std::vector<LostColours> ofFirst;
+  const image::Image first = readFrame(checksums, range.first, ofFirst);
   settings.width = first.width();
   settings.height = first.height();
   const bool hasAlpha = first.format() == image::PixelFormat::Rgba8;
@@ -212,7 +239,7 @@ Assembled assemble(const fs::path& folder, const fs::path& video,
   VideoSink sink(format, video, settings);
   for (std::int64_t index = range.first; index < range.end; ++index) {
     const fs::path path = folder / store::frameName(index);
-    const image::Image picture = readFrame(checksums, index);
+    const image::Image picture = readFrame(checksums, index, made.lost);
     requireSameSize(path, picture, firstPath, first);
     if (!settings.transparent) requireOpaque(path, picture, format, firstPath);
     sink.write(index, picture.view());

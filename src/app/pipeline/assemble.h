@@ -5,17 +5,26 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/frame_rate.h"
 #include "pipeline/render_clip.h"
 
 namespace rotatebook::pipeline {
 
+/// What of some frames' colours isn't as they say, as image::lostColoursOf() has it.
+struct LostColours {
+  std::string text;
+  std::int64_t frames = 0;
+};
+
 /// The frames of which a video was made.
 struct Assembled {
   store::FrameRange frames;
   std::optional<std::int64_t> sceneFrames{};  ///< The scene's count; none without a scene.
   std::int64_t unlisted = 0;  ///< Frames without a checksum, though others have one.
+  std::vector<LostColours> lost{};
 
   /// Returns whether the scene has other frames, too.
   bool isPart() const { return sceneFrames && frames != store::FrameRange{0, *sceneFrames}; }

@@ -286,6 +286,28 @@ TEST_F(Assemble, LosesNoTransparency) {
   EXPECT_EQ(assembled(FrameRate{25, 1}), 3);
 }
 
+/// Says that a frame's colours are those of BT.2020, with PQ as their curve.
+void makeWide(const fs::path& frame) {
+  const std::string code(
+      "\0\0\0\x04"
+      "cICP\x09\x10\0\x01"
+      "\x4d\x23\x23\xfe",
+      16);
+  std::string bytes = bytesOf(frame);
+  bytes.insert(33, code);  // after IHDR
+  std::ofstream(frame, std::ios::binary) << bytes;
+}
+
+TEST_F(Assemble, SaysWhichColoursAreLost) {
+  writeFrames(frames_, {0, 1, 2, 3});
+  const auto lost = [&] { return assemble(frames_, mp4_, FrameRate{25, 1}, {}).lost; };
+  EXPECT_TRUE(lost().empty());
+  for (const int index : {0, 2, 3}) makeWide(frames_ / store::frameName(index));
+  ASSERT_EQ(lost().size(), 1U);
+  EXPECT_EQ(lost()[0].frames, 3);
+  EXPECT_THAT(lost()[0].text, HasSubstr("colours of the code 9, 16 (cICP), but are taken as sRGB"));
+}
+
 TEST_F(Assemble, NeedsARateForFramesFromElsewhere) {
   writeFrames(frames_, {0, 1});
   EXPECT_EQ(inputError(),

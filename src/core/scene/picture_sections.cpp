@@ -7,6 +7,8 @@
 
 #include <Eigen/Geometry>
 
+#include "base/number_text.h"
+#include "document/problems.h"
 #include "scene/keys/keys.h"
 #include "scene/names.h"
 #include "scene/sections.h"
@@ -57,11 +59,36 @@ void checkFrames(const ValueReader& section, ClipSettings& clip) {
   }
 }
 
+/// Throws InputError for a poster after the end that the section states; it is the last frame then,
+/// but says with a wrong duration what was meant.
+void refusePosterAfterEnd(const ValueReader& section) {
+  const auto poster = section.find("poster"), duration = section.find("duration");
+  if (!poster || !duration) return;
+  constexpr NumberRange kTime{document::kNumber.expected, document::kNumber.min,
+                              document::kNumber.max, Dimension::Time};
+  const double at = poster->number(kTime), end = duration->number(kTime);
+  if (at <= end) return;
+  poster->fail(poster->name() + " is at " + shortestText(at) +
+               " s, after the end of the clip, which is to last " + shortestText(end) + " s");
+}
+
+/// Returns [clip], of which all is said that is wrong.
+Section<Scene> clipSection() {
+  auto clip = section<Scene>("clip", &Scene::clip, clipKeys(), checkFrames);
+  clip.read = [read = clip.read](const ValueReader& value, Scene& scene) {
+    document::Problems problems;
+    problems.note([&] { read(value, scene); });
+    if (!problems.all().empty()) problems.note([&] { refusePosterAfterEnd(value); });
+    problems.throwIfAny();
+  };
+  return clip;
+}
+
 }  // namespace
 
 std::span<const Section<Scene>> pictureSections() {
   static const std::vector<Section<Scene>> sections{
-      section<Scene>("clip", &Scene::clip, clipKeys(), checkFrames),
+      clipSection(),
       section<Scene>("video", &Scene::video, videoKeys()),
       section<Scene>("camera", &Scene::camera, cameraKeys()),
       section<Scene>("book", &Scene::book, bookKeys()),

@@ -121,6 +121,11 @@ std::vector<std::string> notesOn(const scene::Scene& scene) {
                     roundedText(end, kDigits) + " s");
     }
   }
+  if (scene.clip.poster && *scene.clip.poster > scene.clip.duration) {
+    all.push_back("clip.poster is at " + roundedText(*scene.clip.poster, kDigits) +
+                  " s, after the end of the clip, which lasts " +
+                  roundedText(scene.clip.duration, kDigits) + " s; its last frame is the poster");
+  }
   return all;
 }
 

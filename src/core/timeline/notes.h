@@ -17,8 +17,8 @@ namespace rotatebook::timeline {
 /// label, as in a comparison it is one of the cases.
 std::vector<std::string> notesOn(const scene::Panel& panel);
 
-/// Returns those on all motions of `scene`, and on nudges after the clip's end; one of a panel
-/// begins with the panel's label.
+/// Returns those on all motions of `scene`, and on nudges and a poster after the clip's end; one of
+/// a panel begins with the panel's label.
 std::vector<std::string> notesOn(const scene::Scene& scene);
 
 /// Returns a sentence with the time at which the motion's regime first changes, which no free

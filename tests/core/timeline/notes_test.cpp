@@ -39,6 +39,15 @@ TEST(Notes, AreNoneOnAnOrdinaryScene) {
               IsEmpty());
 }
 
+TEST(Notes, AreMadeOnAPosterAfterTheEnd) {
+  const std::string clip =
+      "initial.angular_velocity = [0, 1, 5]\nclip.duration = 2\nclip.poster = ";
+  EXPECT_THAT(notesWith(clip + "2"), IsEmpty());
+  EXPECT_THAT(notesWith(clip + "99"),
+              ElementsAre("clip.poster is at 99 s, after the end of the clip, which lasts 2 s; its "
+                          "last frame is the poster"));
+}
+
 TEST(Notes, AreMadeOnATiltInDegrees) {
   EXPECT_THAT(
       notesWith("initial.angular_velocity = [5, 0, 0]\ninitial.tilt = [1, \"z\"]\n"),

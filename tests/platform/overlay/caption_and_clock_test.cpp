@@ -173,7 +173,7 @@ TEST(CaptionAndClock, CanBeReadOverWhite) {
   captionAndClock.draw(0, picture);
   ASSERT_EQ(captionAndClock.texts().size(), 3U);
   for (const Box& box : captionAndClock.texts()) {
-    EXPECT_GE(testing::contrastOf(box, picture), 4.5);  // measured 5.0 to 6.9
+    EXPECT_GE(testing::contrastOf(box, picture), 4.5);  // measured 4.78 to 6.14
   }
 }
 
@@ -206,8 +206,8 @@ TEST(CaptionAndClock, BeginAtTheRightInScriptsThatAreReadFromThere) {
     for (std::size_t i = 1; i < 3; ++i) {
       const auto [first, end] = litColumns(texts[i], picture);
       EXPECT_EQ(texts[i].right(), texts[0].right());
-      EXPECT_NEAR(first, texts[i].x, 8) << words;
-      EXPECT_NEAR(end, texts[i].right(), 8) << words;
+      EXPECT_NEAR(first, texts[i].x, 8) << words;      // measured 1
+      EXPECT_NEAR(end, texts[i].right(), 8) << words;  // measured 1
     }
   }
 }

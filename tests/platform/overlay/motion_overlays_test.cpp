@@ -161,7 +161,8 @@ TEST(MotionOverlays, SayThatAMotionDivergedAtTheLeft) {
   EXPECT_GE(notice.y, overlays.texts().front().bottom());
   EXPECT_LT(notice.x, 60);
   // A circle as wide as the picture is high, about its middle.
-  EXPECT_GT((Point(notice.right(), notice.bottom()) - Point(640, 360)).norm(), 360);
+  EXPECT_GT((Point(notice.right(), notice.bottom()) - Point(640, 360)).norm(),
+            360);  // measured 461
 }
 
 TEST(MotionOverlays, ShowWordsThatAreReadFromTheRight) {
@@ -177,6 +178,7 @@ TEST(MotionOverlays, ShowWordsThatAreReadFromTheRight) {
     MotionOverlays overlays = overlaysOf(scene, trajectory);
     const image::Image picture = drawn(overlays, scene, scene.clip.frameCount());
     EXPECT_GE(overlays.texts().size(), 8U);
+    // measured 5.2 and more; 1 where nothing is written
     for (const Box& box : overlays.texts())
       EXPECT_GE(testing::contrastOf(box, picture), 1.5) << word << " at " << box.x << ", " << box.y;
   }

@@ -68,9 +68,20 @@ video::VideoFormat formatOf(const std::string& output) {
                    "; for a folder of this name, write " + output + "/");
 }
 
+/// Throws InputError if both folders and videos are named, of which a render makes one.
+void refuseBoth(const std::vector<std::string>& outputs) {
+  const auto folder = std::ranges::find_if(outputs, isFolder);
+  const auto video = std::ranges::find_if_not(outputs, isFolder);
+  if (folder == outputs.end() || video == outputs.end()) return;
+  throw InputError("--output " + *folder + " and --output " + *video +
+                   ": a render fills a folder, or makes the videos that are named; name the "
+                   "folder alone, with --format, or the videos alone");
+}
+
 }  // namespace
 
 Destination destinationOf(const std::vector<std::string>& outputs, std::size_t scenes) {
+  refuseBoth(outputs);
   if (isFolder(outputs.back())) return {outputs.back(), "", {}};
   if (scenes > 1) {
     throw InputError("--output " + outputs.back() + ": one video for " + std::to_string(scenes) +
@@ -80,7 +91,6 @@ Destination destinationOf(const std::vector<std::string>& outputs, std::size_t s
   const fs::path folder = last.has_parent_path() ? last.parent_path() : fs::path(".");
   Destination destination{folder, last.stem().string(), {}};
   for (const std::string& output : outputs) {
-    if (isFolder(output)) continue;  // The last option wins.
     const fs::path path(output);
     if (path.parent_path() != last.parent_path() || path.stem() != last.stem()) {
       throw InputError("--output " + output + " and --output " + last.string() +

@@ -27,10 +27,10 @@ struct Destination {
   std::vector<video::VideoFormat> formats;  ///< Of the named videos.
 };
 
-/// Takes the values of --output for so many `scenes`. The last is a folder, which is taken, or a
-/// video of the only scene; then all that are videos are made. A name with an ending is a folder if
-/// that exists, or if a slash follows. Throws InputError for endings of no format, and unless the
-/// videos have one name and one folder.
+/// Takes the values of --output for so many `scenes`: folders, of which the last is taken, or
+/// videos of the only scene, all of which are made. A name with an ending is a folder if that
+/// exists, or if a slash follows. Throws InputError for folders beside videos, for endings of no
+/// format, and unless the videos have one name and one folder.
 Destination destinationOf(const std::vector<std::string>& outputs, std::size_t scenes);
 
 /// Throws InputError if a video of a scene would lose its transparency.

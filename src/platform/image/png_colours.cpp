@@ -104,7 +104,8 @@ std::vector<std::string> lostColoursOf(PngBytes bytes) {
     lost.emplace_back("16 bits a channel, of which 8 are kept");
   }
   const std::string other = otherColours(chunks);
-  if (!other.empty()) lost.push_back(other + ", but are taken as sRGB; convert them to it first");
+  if (!other.empty())
+    lost.push_back(other + ", in place of which sRGB is assumed; convert to it first");
   return lost;
 }
 

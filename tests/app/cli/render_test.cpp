@@ -217,8 +217,7 @@ TEST_F(RenderCommand, TakesSizeFolderAndOverrides) {
 }
 
 TEST_F(RenderCommand, MakesTheVideosThatAreNamed) {
-  const ChildResult result =
-      run({"render", "tiny.toml", "-o", "out", "-o", "clips/a.mp4", "-o", "clips/a.gif"});
+  const ChildResult result = run({"render", "tiny.toml", "-o", "clips/a.mp4", "-o", "clips/a.gif"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(files(), ElementsAre("clips/", "clips/a.csv", "clips/a.gif", "clips/a.mp4",
                                    "clips/a.poster.png", "clips/a/", "clips/a/frames.manifest",
@@ -252,6 +251,12 @@ TEST_F(RenderCommand, RefusesVideosThatItCanNotMake) {
   EXPECT_EQ(refusal({"-o", "a.mp4", "-o", "b.gif"}),
             "rotatebook: --output a.mp4 and --output b.gif: the videos of a render have one name, "
             "but for the ending\n");
+  for (const auto& both : {std::vector<std::string>{"-o", "d/", "-o", "y.mp4"},
+                           std::vector<std::string>{"-o", "y.mp4", "-o", "d/"}}) {
+    EXPECT_EQ(refusal(both),
+              "rotatebook: --output d/ and --output y.mp4: a render fills a folder, or makes the "
+              "videos that are named; name the folder alone, with --format, or the videos alone\n");
+  }
   EXPECT_THAT(refusal({"-o", "a.mp4", "--frames", "0:2"}), HasSubstr("is the whole clip"));
   EXPECT_THAT(files(), ElementsAre("b.toml"));
 }

@@ -53,11 +53,11 @@ TEST(ClipSection, SaysThatThePosterIsAfterAnEndThatIsWrong) {
   const std::string duration = "a.toml:2:12: clip.duration must be a positive number, not 0";
   EXPECT_EQ(errorOf("[clip]\nduration = 0\nposter = 99"),
             duration +
-                "\na.toml:3:10: clip.poster is at 99 s, after the end of the clip, which is "
+                "\n  a.toml:3:10: clip.poster is at 99 s, after the end of the clip, which is "
                 "to last 0 s");
   EXPECT_EQ(errorOf("[clip]\nduration = 0\nposter = -1"),
             duration +
-                "\na.toml:3:10: clip.poster must be a time in the clip, 0 or more seconds, "
+                "\n  a.toml:3:10: clip.poster must be a time in the clip, 0 or more seconds, "
                 "not -1");
   EXPECT_EQ(errorOf("[clip]\nduration = 0\nposter = 0"), duration);
   EXPECT_EQ(errorOf("[clip]\nduration = 0\nposter = 'late'").find(duration), 0U);

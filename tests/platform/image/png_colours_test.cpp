@@ -19,7 +19,7 @@ using ::testing::IsEmpty;
 using testing::joined;
 using testing::pngFile;
 
-constexpr const char* kTakenAsSrgb = ", but are taken as sRGB; convert them to it first";
+constexpr const char* kTakenAsSrgb = ", in place of which sRGB is assumed; convert to it first";
 
 Bytes words(std::initializer_list<std::uint32_t> numbers) {
   Bytes bytes;

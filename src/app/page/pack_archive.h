@@ -14,7 +14,7 @@ void writeZip(const std::filesystem::path& folder, std::vector<std::string> name
               const std::filesystem::path& file);
 
 /// Throws InputError if there is something at `file` that isn't an archive as --pack made it: one
-/// with a mark, and no files but those that the mark lists, with their checksums.
+/// with a mark, no files but those that the mark lists, with their checksums, and nothing else.
 void requirePackArchive(const std::filesystem::path& file);
 
 }  // namespace rotatebook::page

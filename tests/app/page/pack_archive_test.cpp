@@ -74,6 +74,33 @@ TEST(Zip, IsNoPackWithMoreOrOtherFiles) {
   EXPECT_THROW(requirePackArchive(folder / "x.zip"), InputError);
 }
 
+TEST(Zip, IsNoPackWithCommentsOrOtherBytes) {
+  const fs::path folder = folderWithPack(), file = folder / "a.zip";
+  writeZip(folder / "site", {"b.txt", "ä.txt"}, file);
+  const std::string own = system::readFileOrEmpty(file);
+  const auto isRefused = [&](const auto& change) {
+    system::writeFileAtomically(file, own);
+    zip_t* archive = zip_open(file.c_str(), 0, nullptr);
+    change(archive);
+    EXPECT_EQ(zip_close(archive), 0);
+    try {
+      requirePackArchive(file);
+    } catch (const InputError&) {
+      return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(isRefused([](zip_t*) {}));
+  EXPECT_TRUE(isRefused([](zip_t* archive) { zip_set_archive_comment(archive, "mine", 4); }));
+  EXPECT_TRUE(isRefused([](zip_t* archive) { zip_file_set_comment(archive, 0, "mine", 4, 0); }));
+  EXPECT_TRUE(isRefused([](zip_t* archive) {
+    const zip_uint8_t bytes[]{1, 2};
+    zip_file_extra_field_set(archive, 0, 0x7fff, 0, bytes, 2, ZIP_FL_CENTRAL);
+  }));
+  system::writeFileAtomically(file, "#!/bin/sh\n" + own);
+  EXPECT_THROW(requirePackArchive(file), InputError);
+}
+
 TEST(Zip, SaysWhenItCantBeWritten) {
   const fs::path folder = folderWithPack();
   EXPECT_THROW(writeZip(folder / "site", {"b.txt"}, folder / "nowhere" / "a.zip"), MachineError);

@@ -10,6 +10,7 @@
 #include "timeline/simulate_scene.h"
 #include "verify/picture_comparison.h"
 #include "verify/stream_checks.h"
+#include "video/clip_form.h"
 #include "video/clip_reader.h"
 #include "video/whole_file.h"
 

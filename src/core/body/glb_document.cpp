@@ -68,10 +68,10 @@ class Builder : public nlohmann::json_sax<GlbDocument::Json> {
   bool number_float(number_float_t value, const string_t&) override { return put(value); }
   bool string(string_t& value) override { return put(std::move(value)); }
   bool binary(binary_t&) override { return false; }
-  bool start_object(std::size_t) override { return open(Json::value_t::object); }
-  bool start_array(std::size_t) override { return open(Json::value_t::array); }
-  bool end_object() override { return close(); }
-  bool end_array() override { return close(); }
+  bool start_object(std::size_t) override { return enter(Json::value_t::object); }
+  bool start_array(std::size_t) override { return enter(Json::value_t::array); }
+  bool end_object() override { return leave(); }
+  bool end_array() override { return leave(); }
   bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
     document_ = nullptr;
     return false;
@@ -102,7 +102,7 @@ class Builder : public nlohmann::json_sax<GlbDocument::Json> {
     return true;
   }
 
-  bool open(Json::value_t type) {
+  bool enter(Json::value_t type) {
     if (isLeftOut()) {
       ++left_;
       return true;
@@ -115,7 +115,7 @@ class Builder : public nlohmann::json_sax<GlbDocument::Json> {
     return true;
   }
 
-  bool close() {
+  bool leave() {
     if (left_ > 0) {
       --left_;
     } else {

@@ -71,7 +71,7 @@ std::uint32_t vectorBits(std::uint32_t level) {
   return kShortest + (level > 10 ? 1 : 0) + (level > 20 ? 1 : 0) + (level > 30 ? 1 : 0);
 }
 
-/// What else a sequence says that is repeated in its display.
+/// Facts of a sequence that its display repeats.
 struct Sequence {
   bool isIntra = false;    ///< It is marked as one of key frames alone.
   bool isInOrder = false;  ///< Pictures are shown as they are decoded.

@@ -157,26 +157,32 @@ TEST_F(Submit, RepairsCommandsThatAreLostOrWereChanged) {
 }
 
 TEST_F(Submit, RemovesNothingThroughALink) {
-  write("precious/notes.txt", "mine");
-  write("precious/1.txt", "mine");
-  write("many/farm/render/x", "");
-  std::filesystem::create_directory_symlink(folder() / "precious",
-                                            folder() / "many/farm/render/log");
-  const ChildResult refused = run(kFive);
-  EXPECT_EQ(refused.status, 2);
-  EXPECT_THAT(refused.error, HasSubstr("log/1.txt is of no plan that is known here"));
-  std::filesystem::remove(folder() / "precious/1.txt");
-  EXPECT_EQ(run(kFive).status, 0) << "logs may lie on another disk";
+  for (const std::string name : {"log/1.txt", "ends/1"}) {
+    const std::string linked = name.substr(0, name.find('/'));
+    const std::string left = "precious" + name.substr(linked.size());
+    write("precious/notes.txt", "mine");
+    write(left, "mine");
+    write("many/farm/render/x", "");
+    std::filesystem::create_directory_symlink(folder() / "precious",
+                                              folder() / "many/farm/render" / linked);
+    const ChildResult refused = run(kFive);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_THAT(refused.error, HasSubstr(name + " is of no plan that is known here"));
+    std::filesystem::remove(folder() / left);
+    EXPECT_EQ(run(kFive).status, 0) << "they may lie on another disk";
 
-  // A new plan would remove what the tasks of this one printed
-  write("precious/1.txt", "printed");
-  std::vector<std::string> other = kFive;
-  other.back() = "3";
-  const ChildResult again = run(other);
-  EXPECT_EQ(again.status, 2);
-  EXPECT_THAT(again.error, HasSubstr("log, through which nothing is removed"));
-  EXPECT_EQ(read("precious/1.txt"), "printed");
-  EXPECT_EQ(read("precious/notes.txt"), "mine");
+    // A new plan would remove what the tasks of this one left
+    write(left, "0 n1 3\n");
+    std::vector<std::string> other = kFive;
+    other.back() = "3";
+    const ChildResult again = run(other);
+    EXPECT_EQ(again.status, 2) << name;
+    EXPECT_THAT(again.error, HasSubstr(linked + ", through which nothing is removed"));
+    EXPECT_EQ(read(left), "0 n1 3\n");
+    EXPECT_EQ(read("precious/notes.txt"), "mine");
+    std::filesystem::remove_all(folder() / "many");
+    std::filesystem::remove_all(folder() / "precious");
+  }
 }
 
 TEST_F(Submit, KeepsFilesThatNoTaskLeft) {

@@ -75,8 +75,9 @@ TEST(WindingNumbers, CountEachSurfaceThatEncloses) {
 
 /// Returns cells along a mesh's longest side, so many that twelve are along its shortest.
 int manyCells(const TriangleMesh& mesh) {
-  const auto [least, most] = std::ranges::minmax(around(mesh, 1000).counts);
-  return std::max(60, 12 * most / least);
+  const auto counts = around(mesh, 1000).counts;
+  const auto [least, most] = std::minmax_element(counts.begin(), counts.end());
+  return std::max(60, 12 * *most / *least);
 }
 
 // As many cells as the volume has, for every shape.

@@ -13,7 +13,7 @@
 
 namespace rotatebook::pipeline {
 
-/// What of some frames' colours isn't as they say, as image::lostColoursOf() has it.
+/// Colours that aren't as some frames say, as image::lostColoursOf() has them.
 struct LostColours {
   std::string text;
   std::int64_t frames = 0;

@@ -1,4 +1,4 @@
-// What a PNG says of its colours.
+// The colours of a PNG, as it says itself.
 #pragma once
 
 #include <cstdint>

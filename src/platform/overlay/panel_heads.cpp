@@ -33,7 +33,7 @@ enum class Texts {
   ShortLabel,  ///< Only those that have room.
 };
 
-/// What a head tries to have room for in its panel, or one in `parts` of it.
+/// The texts that a head tries to have, in its panel or one in `parts` of it.
 struct Attempt {
   Texts texts;
   int parts;

@@ -62,12 +62,14 @@ void requireFewEntries(const std::string& path, std::size_t count) {
                    " entries; name the recording's tables themselves");
 }
 
-/// Reads the tables, unless there are too many or they are too large.
-std::vector<TableFile> readAll(const std::string& path, const std::vector<Entry>& entries) {
+/// Reads the tables, unless there are too many or they are too large; `inside` is what their names
+/// begin with in messages.
+std::vector<TableFile> readAll(const std::string& path, const std::string& inside,
+                               const std::vector<Entry>& entries) {
   std::uint64_t total = 0;
   for (const Entry& entry : entries) {
     if (entry.size > recording::kLargestRecording) {
-      throw InputError(path + "/" + entry.name + ": longer than " +
+      throw InputError(inside + entry.name + ": longer than " +
                        std::to_string(recording::kLargestRecording >> 20) +
                        " MiB, the limit for a recording; export a part of it");
     }
@@ -78,7 +80,8 @@ std::vector<TableFile> readAll(const std::string& path, const std::vector<Entry>
                      std::to_string(kMaxBytes >> 20) + " MiB of them; name the gyroscope's table");
   }
   std::vector<TableFile> tables;
-  for (const Entry& entry : entries) tables.push_back({path + "/" + entry.name, entry.read()});
+  for (const Entry& entry : entries)
+    tables.push_back({inside + entry.name, entry.read(), entry.name});
   return tables;
 }
 
@@ -141,7 +144,7 @@ std::vector<TableFile> tablesInArchive(const std::string& bytes, const std::stri
                          return readArchived(archive.get(), index, size, path);
                        }});
   }
-  return readAll(path, entries);
+  return readAll(path, path + ": ", entries);
 }
 
 std::vector<TableFile> tablesInFolder(const fs::path& folder) {
@@ -158,13 +161,13 @@ std::vector<TableFile> tablesInFolder(const fs::path& folder) {
   }
   if (error) throw InputError(folder.string() + ": can't be read: " + error.message());
   std::ranges::sort(entries, {}, &Entry::name);
-  return readAll(folder.string(), entries);
+  return readAll(folder.string(), folder.string() + "/", entries);
 }
 
 std::string namesOf(const std::vector<TableFile>& tables) {
+  constexpr std::size_t kLongest = 80;  // [characters]
   std::vector<std::string> names;
-  for (const TableFile& table : tables)
-    names.push_back(quotedText(oneLine(fs::path(table.name).filename().string(), 40)));
+  for (const TableFile& table : tables) names.push_back(quotedText(oneLine(table.entry, kLongest)));
   return listed(names);
 }
 
@@ -179,7 +182,7 @@ std::optional<TableFile> takeOnly(const std::string& path, std::vector<TableFile
     if (isWanted(table)) wanted.push_back(table);
   }
   const auto isPreferred = [&](const TableFile& table) {
-    return smallLetters(fs::path(table.name).filename().string()).find(preferred) !=
+    return smallLetters(fs::path(table.entry).filename().string()).find(preferred) !=
            std::string::npos;
   };
   if (wanted.size() > 1 && std::ranges::count_if(wanted, isPreferred) == 1)

@@ -11,8 +11,9 @@ namespace rotatebook::cli {
 
 /// A table's bytes.
 struct TableFile {
-  std::string name;  ///< For messages: "export.zip/Gyroscope.csv".
+  std::string name;  ///< For messages: "export.zip: folder/Gyroscope.csv".
   std::string bytes;
+  std::string entry{};  ///< Its name within an archive or folder.
 
   recording::NamedTable table() const { return {bytes, name}; }
 };

@@ -1,5 +1,6 @@
 #include "report/toss_report.h"
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 
@@ -77,7 +78,7 @@ JsonObject& addFit(JsonObject& object, const recording::TossFit& fit) {
 std::string throwJson(const recording::Throw& one) {
   JsonObject object;
   object.addNumber("from_s", one.from).addNumber("to_s", one.to).addNumber("spin", one.spin);
-  object.addBool("accepted", one.fit.has_value());
+  object.addBool("flight", one.isFlight).addBool("accepted", one.fit.has_value());
   if (!one.fit) return object.addString("refusal", one.refusal).text();
   return addFit(object, *one.fit).text();
 }
@@ -125,20 +126,26 @@ void reportTossAsJson(const recording::TossFit& fit, const std::string& name, st
 
 void reportThrows(const std::vector<recording::Throw>& throws, const std::string& name,
                   std::ostream& out) {
-  out << oneLine(name) << ": " << throws.size() << (throws.size() == 1 ? " flight" : " flights")
-      << '\n';
+  const auto flights = std::ranges::count(throws, true, &recording::Throw::isFlight);
+  out << oneLine(name) << ": " << flights << (flights == 1 ? " flight" : " flights");
+  if (throws.empty()) {
+    out << ", as the body never turns faster than " << degreesASecond(recording::kSlowestThrow)
+        << " for " << roundedText(recording::kShortestThrow, 2) << " s";
+  }
+  out << '\n';
   for (const recording::Throw& one : throws) {
     out << "  from " << recording::timeText(one.from) << " to " << recording::timeText(one.to)
         << ", " << roundedText(one.to - one.from, 2) << " s at " << degreesASecond(one.spin)
         << ": ";
-    if (one.fit) {
-      out << "I1/I3 = " << digits4(one.fit->ratios[0].value)
-          << ", I2/I3 = " << digits4(one.fit->ratios[1].value) << '\n';
-    } else {
+    if (!one.fit) {
       // Each refusal begins with the recording's name.
       const bool isNamed = one.refusal.starts_with(name + ": ");
       out << "refused: " << one.refusal.substr(isNamed ? name.size() + 2 : 0) << '\n';
+      continue;
     }
+    out << "I1/I3 = " << digits4(one.fit->ratios[0].value)
+        << ", I2/I3 = " << digits4(one.fit->ratios[1].value) << '\n';
+    for (const std::string& note : one.fit->notes) out << "    note: " << note << '\n';
   }
 }
 

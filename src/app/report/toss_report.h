@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "recording/read_options.h"
 #include "recording/toss.h"
 
 namespace rotatebook::report {

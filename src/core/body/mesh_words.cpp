@@ -31,10 +31,11 @@ std::optional<std::int64_t> integerIn(std::string_view word) {
 }
 
 void refuseUtf16(std::string_view text) {
-  const bool hasMark = text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
   bool isWide = text.size() >= 4;  // every second byte is 0
   for (std::size_t i = 1; isWide && i < 4; ++i) isWide = (text[i] == '\0') != (text[i - 1] == '\0');
-  if (hasMark || isWide) throw InputError("it is a text in UTF-16; save it in UTF-8");
+  if (isWide) {
+    throw InputError("it is a text in UTF-16 without its byte order mark; save it in UTF-8");
+  }
 }
 
 std::string_view withoutPadding(std::string_view text) {

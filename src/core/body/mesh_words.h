@@ -57,7 +57,8 @@ inline constexpr std::string_view kPadding("\0 \t\r\n\x1a", 6);
 /// Returns a text without the zeros and ends of file that are kPadding at its end.
 std::string_view withoutPadding(std::string_view text);
 
-/// Throws InputError if a text begins as UTF-16 does, with its mark or without.
+/// Throws InputError if a text begins as UTF-16 does, but for its mark; with it, textOfFile() reads
+/// it.
 void refuseUtf16(std::string_view text);
 
 /// Returns the text with small letters in place of A to Z.

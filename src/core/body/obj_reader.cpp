@@ -1,5 +1,6 @@
 #include <vector>
 
+#include "base/file_text.h"
 #include "base/text.h"
 #include "body/mesh_readers.h"
 #include "body/mesh_words.h"
@@ -34,10 +35,12 @@ void readFace(MeshWords& words, TriangleMesh& mesh) {
 
 }  // namespace
 
-TriangleMesh readObj(std::string_view text) {
+TriangleMesh readObj(std::string_view bytes) {
+  std::string decoded;
+  const std::string_view text = textOfFile(bytes, decoded);
   refuseUtf16(text);
   TriangleMesh mesh;
-  MeshWords words(withoutByteOrderMark(text), MeshWords::Syntax::Wavefront);
+  MeshWords words(text, MeshWords::Syntax::Wavefront);
   do {
     const std::string_view kind = words.word();
     if (kind == "v" || kind == "V") {

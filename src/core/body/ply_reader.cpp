@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/file_text.h"
 #include "base/text.h"
 #include "body/mesh_readers.h"
 #include "body/mesh_words.h"
@@ -331,8 +332,9 @@ std::string_view dataAfter(std::string_view rest, std::string_view file) {
 }  // namespace
 
 TriangleMesh readPly(std::string_view bytes) {
-  refuseUtf16(bytes);
-  const std::string_view file = withoutByteOrderMark(bytes);
+  std::string decoded;
+  const std::string_view file = textOfFile(bytes, decoded);
+  refuseUtf16(file);
   MeshWords words(file);
   if (words.word() != "ply") throw InputError("it doesn't begin with \"ply\": not a PLY file");
   Header header;

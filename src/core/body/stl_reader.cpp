@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/file_text.h"
 #include "base/text.h"
 #include "body/mesh_readers.h"
 #include "body/mesh_words.h"
@@ -131,9 +132,11 @@ bool hasBinaryByte(std::string_view bytes) {
 TriangleMesh readStl(std::string_view bytes) {
   // Some binary files begin with "solid", too
   if (hasSizeOfHeader(bytes)) return readBinaryStl(bytes);
-  refuseUtf16(bytes);
-  if (hasBinaryByte(bytes)) return readBinaryStl(bytes);
-  const std::string_view text = withoutPadding(withoutByteOrderMark(bytes));
+  std::string decoded;
+  const std::string_view file = textOfFile(bytes, decoded);
+  refuseUtf16(file);
+  if (hasBinaryByte(file)) return readBinaryStl(bytes);
+  const std::string_view text = withoutPadding(file);
   MeshWords words(text);
   if (const std::string first = keyword(words); first != "solid") {
     throw InputError(

@@ -9,62 +9,36 @@
 
 #include "base/text.h"
 #include "recording/column_name.h"
+#include "recording/column_spellings.h"
+#include "recording/unit_tables.h"
+#include "recording/words.h"
 
 namespace rotatebook::recording {
 namespace {
 
-/// A unit, and names of it, separated by blanks.
-template <typename Value>
-struct Unit {
-  Value value;
-  std::string_view names;
-};
-
-constexpr Unit<double> kUnitsOfTimes[]{
-    {1, "s sec secs second seconds"},
-    {1e-3, "ms msec msecs milli millis millisecond milliseconds"},
-    {1e-6, "us usec usecs micro micros \xC2\xB5s \xCE\xBCs microsecond microseconds"},
-    {1e-9, "ns nsec nsecs nano nanos nanosecond nanoseconds"}};
-// The last names are those with a dot and superscripts.
-constexpr Unit<std::string_view> kUnitsOfRates[]{
-    {kRateUnits[0],
-     "rad/s rads rad/sec radians/s radians/sec radian/s radian/sec rads/s rads^-1 rads-1 rad*s^-1 "
-     "rad.s^-1 rad.s-1 radps rad rads\xE2\x81\xBB\xC2\xB9 rad\xC2\xB7s\xE2\x81\xBB\xC2\xB9 "
-     "rad\xC2\xB7s^-1"},
-    {kRateUnits[1],
-     "deg/s dps deg/sec degrees/s degrees/sec degree/s degree/sec degs/s degs^-1 degs-1 deg*s^-1 "
-     "deg.s^-1 degps \xC2\xB0/s \xC2\xB0/sec deg \xC2\xB0s\xE2\x81\xBB\xC2\xB9 \xC2\xB0s-1"}};
-constexpr double kGravity = 9.80665;  // [m/s^2]
-constexpr Unit<double> kUnitsOfAccelerations[]{
-    {1,
-     "m/s^2 m/s2 m/s/s m/s**2 m/sec^2 m/sec2 ms^-2 ms-2 m*s^-2 m.s^-2 mps2 ms2 mss m/s\xC2\xB2 "
-     "ms\xE2\x81\xBB\xC2\xB2 m\xC2\xB7s\xE2\x81\xBB\xC2\xB2"},
-    {0.01, "cm/s^2 cm/s2 cm/s\xC2\xB2"},
-    {kGravity, "g gs g's gn gee"},
-    {kGravity / 1000, "mg mgs milli-g millig"}};
-
-/// Programs that write no units: by the name of the time, the units of times and rates.
+/// Programs that write no units: by the header of the time in small letters, and if that is another
+/// by ColumnName::plain, the units of times and rates.
 struct Program {
   std::string_view time;
-  double seconds;
-  std::string_view rates;
+  double seconds;  // [s]
+  double rates;    // [rad/s]
 };
-constexpr Program kPrograms[]{{"secondselapsed", 1, kRateUnits[0]},      // Sensor Logger
-                              {"sampletimefine", 1e-6, kRateUnits[1]}};  // Xsens DOT
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr Program kPrograms[]{{"secondselapsed", 1, 1},           // Sensor Logger
+                              {"sampletimefine", 1e-6, kDegree},  // Xsens DOT
+                              {"%time", 1e-9, 1},                 // rostopic
+                              {"field.header.stamp", 1e-9, 1},    // rostopic
+                              {"stampsecs", 1, 1},                // ROS's messages
+                              {"stampsec", 1, 1},
+                              {"__time", 1, 1}};  // PlotJuggler
 
 const Program* programOf(const CsvTable& table, const Columns& columns) {
-  const std::string name = columnNameOf(table.header()[columns.time]).plain;
-  const auto found = std::ranges::find_if(
-      kPrograms, [&](const Program& program) { return isTimeNamed(name, program.time); });
+  const std::string &header = table.header()[columns.time], small = smallText(header);
+  const std::string name = columnNameOf(header).plain;
+  const auto found = std::ranges::find_if(kPrograms, [&](const Program& program) {
+    return small == program.time || isTimeNamed(name, program.time);
+  });
   return found != std::end(kPrograms) ? found : nullptr;
-}
-
-/// Returns the unit of that name; nothing if it isn't one.
-template <typename Units>
-auto unitNamed(const Units& units, std::string_view name) {
-  const auto found =
-      std::ranges::find_if(units, [&](const auto& unit) { return isAmong(unit.names, name); });
-  return found != std::end(units) ? std::optional(found->value) : std::nullopt;
 }
 
 /// Returns the unit among the words of a time's name: "timeMs", "seconds_elapsed", "timeinms".
@@ -101,7 +75,12 @@ void requireOneUnit(const CsvTable& table, const std::array<std::size_t, 3>& col
 
 bool isGyroscopes(std::string_view header) {
   const std::string name = columnNameOf(header).plain;
-  return name.find("gyr") != name.npos || name.find("rotationrate") != name.npos || name == "gx";
+  return name.find("gyr") != name.npos || name.find("rotationrate") != name.npos ||
+         isAmong("gx gyx", name) || isOfRos(header);
+}
+
+bool areSecondsOfRos(std::string_view header) {
+  return columnNameOf(header).plain.starts_with("stampsec");
 }
 
 bool isTimeNamed(std::string_view plain, std::string_view usual) {
@@ -143,36 +122,32 @@ std::string_view plausibleUnit(double interval, double last) {
   return "";
 }
 
-std::string_view rateUnitIn(std::string_view header) {
-  const std::string unit = columnNameOf(header).unit, text = smallText(header);
-  if (!unit.empty()) return unitNamed(kUnitsOfRates, unit).value_or("");
+std::optional<double> rateUnitIn(std::string_view header) {
+  const ColumnName name = columnNameOf(header);
+  if (!name.unit.empty()) return unitNamed(kUnitsOfRates, name.unit);
+  if (isOfRos(header)) return 1;
+  const std::string text = smallText(header);
   const auto has = [&](std::string_view part) { return text.find(part) != text.npos; };
-  if (has("mdeg") || has("mdps") || has("millideg")) return "";  // thousandths are refused
-  if (has("deg") || has("\xC2\xB0")) return kRateUnits[1];       // a degree sign
-  if (has("rad")) return kRateUnits[0];                          // "radps", too
-  return has("dps") ? kRateUnits[1] : "";
+  if (has("mdeg") || has("mdps") || has("millideg")) return kDegree / 1000;
+  if (has("deg") || has("\xC2\xB0") || has("dps")) return kDegree;  // a degree sign
+  return has("rad") ? std::optional(1.0) : std::nullopt;            // "radps", too
 }
 
 double radiansPerUnit(const CsvTable& table, const Columns& columns, std::string_view stated) {
+  if (!stated.empty()) return unitNamed(kUnitsOfRates, stated).value();
   const std::string& header = table.header()[columns.rates->front()];
-  std::string_view unit = stated;
-  if (stated.empty()) {
-    requireOneUnit(table, *columns.rates, rateUnitIn,
-                   "state one for all in simulation.rates, or with --rates");
-    unit = rateUnitIn(header);
-  }
-  const bool isSilent = unit.empty() && columnNameOf(header).unit.empty();
+  requireOneUnit(table, *columns.rates, rateUnitIn,
+                 "state one for all in simulation.rates, or with --rates");
+  if (const auto unit = rateUnitIn(header)) return *unit;
+  const bool isSilent = columnNameOf(header).unit.empty();
   const Program* const program = programOf(table, columns);
-  if (isSilent && program != nullptr) unit = program->rates;
+  if (isSilent && program != nullptr) return program->rates;
   // Tables of programs, this one's among them, have SI units.
   const bool areAlone = !columns.quaternion && !columns.matrix;
-  if (isSilent && unit.empty() && !areAlone && !isGyroscopes(header)) return 1;
-  if (unit.empty()) {
-    table.fail("the column " + quotedText(header) +
-               " doesn't say whether it is in rad/s or deg/s; state it in simulation.rates, or "
-               "with --rates");
-  }
-  return unit == kRateUnits[1] ? std::numbers::pi / 180 : 1;
+  if (isSilent && !areAlone && !isGyroscopes(header)) return 1;
+  table.fail("the column " + quotedText(header) +
+             " doesn't say whether it is in rad/s or deg/s; state it in simulation.rates, or "
+             "with --rates");
 }
 
 std::optional<double> accelerationUnitIn(std::string_view header) {

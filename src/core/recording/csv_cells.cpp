@@ -74,6 +74,35 @@ std::optional<double> numberIn(std::string_view cell, char separator) {
   return isFinite ? std::optional(value) : std::nullopt;
 }
 
+std::optional<Decimal> decimalIn(std::string_view cell, char separator) {
+  if (!numberIn(cell, separator)) return std::nullopt;
+  const std::size_t end = std::min(cell.find_first_of("eE"), cell.size());
+  std::string digits = "0";
+  std::size_t fraction = 0;  // digits behind the point
+  bool isBehind = false;
+  for (const char letter : cell.substr(0, end)) {
+    const bool isDigit = letter >= '0' && letter <= '9';
+    if (isDigit) digits += letter;
+    if (isDigit && isBehind) ++fraction;
+    isBehind |= letter == '.' || letter == ',';
+  }
+  int exponent = 0;
+  std::string_view power = cell.substr(std::min(end + 1, cell.size()));
+  if (power.starts_with('+')) power.remove_prefix(1);
+  std::from_chars(power.data(), power.data() + power.size(), exponent);
+  constexpr int kMost = 400;  // A number of more is infinite, or 0.
+  exponent = std::clamp(exponent, -kMost, kMost) - static_cast<int>(fraction);
+  if (exponent > 0) digits.append(static_cast<std::size_t>(exponent), '0');
+  const auto behind = static_cast<std::size_t>(std::max(-exponent, 0));
+  if (behind >= digits.size()) digits.insert(0, behind + 1 - digits.size(), '0');
+  const char* const point = digits.data() + digits.size() - behind;
+  Decimal number;
+  if (std::from_chars(digits.data(), point, number.whole).ec != std::errc()) return std::nullopt;
+  const std::string rest = "0." + digits.substr(digits.size() - behind) + "0";
+  std::from_chars(rest.data(), rest.data() + rest.size(), number.rest);
+  return cell.starts_with('-') ? Decimal{-number.whole, -number.rest} : number;
+}
+
 CellKind kindOf(std::string_view cell, char separator) {
   if (numberIn(cell, separator)) return CellKind::Number;
   for (const std::string_view hole : {"", "NaN", "nan", "NAN", "-nan", "null", "NULL", "NA"}) {

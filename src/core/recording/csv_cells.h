@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "recording/decimal.h"
+
 namespace rotatebook::recording {
 
 /// Kinds of cells.
@@ -32,6 +34,10 @@ std::vector<std::string_view> cellsOf(std::string_view line, char separator);
 /// Returns the finite number that a cell has; nothing if it has none. Where commas don't separate,
 /// they may be decimal.
 std::optional<double> numberIn(std::string_view cell, char separator);
+
+/// Returns the number that a cell has, all digits of its whole part; nothing if it has none, or one
+/// of more than 63 bits.
+std::optional<Decimal> decimalIn(std::string_view cell, char separator);
 
 CellKind kindOf(std::string_view cell, char separator);
 

@@ -5,6 +5,8 @@
 
 #include "base/text.h"
 #include "recording/csv_cells.h"
+#include "recording/unit_tables.h"
+#include "recording/words.h"
 
 namespace rotatebook::recording {
 namespace {
@@ -72,6 +74,37 @@ void takeHeader(CsvLayout& layout, const HeadLine& line, std::size_t cellsOfRow)
   layout.line = line.number + 1;
 }
 
+/// Returns the unit in a cell, in small letters and without brackets; empty if it isn't one that is
+/// known.
+std::string unitIn(std::string_view cell) {
+  std::string unit = smallText(cell);
+  std::erase(unit, ' ');
+  const bool isBracketed = unit.size() > 2 && (unit.front() == '(' || unit.front() == '[');
+  if (isBracketed) unit = unit.substr(1, unit.size() - 2);
+  const bool isKnown = unitNamed(kUnitsOfTimes, unit) || unitNamed(kUnitsOfRates, unit) ||
+                       unitNamed(kUnitsOfAccelerations, unit);
+  return isKnown ? unit : "";
+}
+
+/// Takes the line below the header if it states units, as Shimmer's tables have it: they are put in
+/// brackets behind the names.
+void takeUnits(CsvLayout& layout, const std::vector<HeadLine>& head, const HeadLine& header) {
+  const auto below = std::ranges::find_if(
+      head, [&](const HeadLine& line) { return !line.isComment && line.number > header.number; });
+  if (below == head.end()) return;
+  const auto cells = cellsOf(below->text, layout.separator);
+  const bool hasUnits =
+      std::ranges::any_of(cells, [](std::string_view cell) { return !unitIn(cell).empty(); });
+  if (!hasUnits) return;
+  for (std::size_t i = 0; i < std::min(cells.size(), layout.header.size()); ++i) {
+    std::string& name = layout.header[i];
+    const std::string unit = unitIn(cells[i]);
+    if (!unit.empty() && name.find_first_of("([") == name.npos) name += " (" + unit + ")";
+  }
+  layout.rows = below->rest;
+  layout.line = below->number + 1;
+}
+
 /// Returns the line that names the cells of `row`; null if none does.
 const HeadLine* headerAmong(const std::vector<HeadLine>& head,
                             const std::vector<std::string_view>& row, char separator) {
@@ -120,6 +153,7 @@ CsvLayout layoutOf(std::string_view text) {
     return layout;
   }
   takeHeader(layout, *header, row.size());
+  takeUnits(layout, head, *header);
   return layout;
 }
 

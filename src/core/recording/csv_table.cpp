@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/file_text.h"
 #include "base/text.h"
 #include "recording/csv_cells.h"
 #include "recording/csv_layout.h"
@@ -17,7 +18,6 @@ struct Foreign {
   std::string_view beginning, problem;
 };
 
-constexpr std::string_view kUtf16 = "its text is in UTF-16; save it as UTF-8 (\"CSV UTF-8\")";
 constexpr Foreign kForeign[]{
     {"\xD0\xCF\x11\xE0",
      "a workbook (.xls), which isn't read; export the recording as CSV, of phyphox's formats "
@@ -25,8 +25,6 @@ constexpr Foreign kForeign[]{
     {"PK\x03\x04",
      "a ZIP archive or a workbook (.xlsx), but a table of text is read here; unpack "
      "it and name the table, or save the workbook as CSV"},
-    {"\xFF\xFE", kUtf16},
-    {"\xFE\xFF", kUtf16},
 };
 
 std::string cellsText(std::size_t count) {
@@ -42,7 +40,7 @@ CsvTable::CsvTable(std::string_view bytes, std::string name) : name_(std::move(n
          " MiB, the limit for a recording; export a part of it");
   }
   requireText(bytes);
-  CsvLayout layout = layoutOf(withoutByteOrderMark(bytes));
+  CsvLayout layout = layoutOf(textOfFile(bytes, decoded_));
   separator_ = layout.separator;
   header_ = std::move(layout.header);
   if (header_.size() > kMaxColumns) fail("more than " + std::to_string(kMaxColumns) + " columns");
@@ -62,8 +60,9 @@ void CsvTable::requireText(std::string_view bytes) const {
   for (const Foreign& kind : kForeign) {
     if (bytes.starts_with(kind.beginning)) fail(std::string(kind.problem));
   }
-  // UTF-16 without a byte order mark
-  if (bytes.size() > 1 && (bytes[0] == '\0') != (bytes[1] == '\0')) fail(std::string(kUtf16));
+  if (bytes.size() > 1 && (bytes[0] == '\0') != (bytes[1] == '\0')) {
+    fail("its text is in UTF-16 without its byte order mark; save it as UTF-8 (\"CSV UTF-8\")");
+  }
 }
 
 void CsvTable::addRow(std::string_view line, std::size_t number) {
@@ -84,12 +83,20 @@ bool CsvTable::isHole(std::size_t row, std::size_t column) const {
   return kindOf(cells_[row * header_.size() + column], separator_) == CellKind::Hole;
 }
 
+bool CsvTable::isText(std::size_t row, std::size_t column) const {
+  return kindOf(cells_[row * header_.size() + column], separator_) == CellKind::Text;
+}
+
 double CsvTable::at(std::size_t row, std::size_t column) const {
   const std::string_view cell = cells_[row * header_.size() + column];
   if (const auto number = numberIn(cell, separator_)) return *number;
   failAt(row, "the column " + quotedText(oneLine(header_[column], kLongestShown)) + " has " +
                   quotedText(oneLine(cell, kLongestShown)) +
                   ", which is no finite number; leave such rows out");
+}
+
+std::optional<Decimal> CsvTable::decimalAt(std::size_t row, std::size_t column) const {
+  return decimalIn(cells_[row * header_.size() + column], separator_);
 }
 
 void CsvTable::failAt(std::size_t row, const std::string& problem) const {

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "recording/decimal.h"
 
 namespace rotatebook::recording {
 
@@ -22,10 +25,13 @@ inline constexpr std::size_t kMaxColumns = 256;
 class CsvTable {
  public:
   /// Takes the bytes of a file, which must outlive the table; `name` is the file's in messages.
-  /// Throws InputError "NAME:LINE: PROBLEM" for what is no text in UTF-8 or Latin-1, for a table
+  /// Throws InputError "NAME:LINE: PROBLEM" for what is no text in UTF-8, Latin-1, or
+  /// UTF-16 with its byte order mark, for a table
   /// without a header or rows, for a row of another number of cells than the header, and for more
   /// than kLargestRecording, kMaxRows or kMaxColumns.
   CsvTable(std::string_view bytes, std::string name);
+  CsvTable(const CsvTable&) = delete;
+  CsvTable& operator=(const CsvTable&) = delete;
 
   const std::string& name() const { return name_; }
   /// Returns the names of the columns, without quotation marks.
@@ -34,8 +40,12 @@ class CsvTable {
   std::size_t rows() const { return lines_.size(); }
   /// Returns whether a cell is empty or NaN.
   bool isHole(std::size_t row, std::size_t column) const;
+  /// Returns whether a cell has text that is neither a number nor NaN.
+  bool isText(std::size_t row, std::size_t column) const;
   /// Returns the finite number in a cell. Throws InputError "NAME:LINE: PROBLEM" if there is none.
   double at(std::size_t row, std::size_t column) const;
+  /// Returns the finite number in a cell, see decimalIn(); nothing if there is none.
+  std::optional<Decimal> decimalAt(std::size_t row, std::size_t column) const;
   /// Throws InputError "NAME:LINE: PROBLEM" with the line of `row`.
   [[noreturn]] void failAt(std::size_t row, const std::string& problem) const;
   /// Throws InputError "NAME: PROBLEM".
@@ -46,6 +56,7 @@ class CsvTable {
   void addRow(std::string_view line, std::size_t number);
 
   std::string name_;
+  std::string decoded_;  // UTF-16's text
   char separator_ = ',';
   std::vector<std::string> header_;
   std::vector<std::string_view> cells_;  // row by row

@@ -9,7 +9,7 @@
 #include "base/number_text.h"
 #include "base/text.h"
 #include "recording/gyroscope.h"
-#include "recording/toss.h"
+#include "recording/inertial_recording.h"
 
 namespace rotatebook::recording {
 namespace {

@@ -107,9 +107,9 @@ Range flightIn(const InertialRecording& recording, const std::string& name,
                const TossOptions& options) {
   const bool isStated = options.from || options.to;
   constexpr double kEver = 1e13;  // [s]
-  const auto flight =
-      isStated ? between(recording, options.from.value_or(-kEver), options.to.value_or(kEver))
-               : longestFlight(recording, options.lever);
+  const auto flight = isStated ? between(recording, options.from.value_or(-kEver) - recording.zero,
+                                         options.to.value_or(kEver) - recording.zero)
+                               : longestFlight(recording, options.lever);
   requireFew(flight, name);
   const std::size_t count = flight.second - flight.first;
   if (count >= kMinReadings) return flight;

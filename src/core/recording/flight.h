@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "recording/free_spin_fit.h"
-#include "recording/toss.h"
+#include "recording/inertial_recording.h"
 
 namespace rotatebook::recording {
 
-inline constexpr std::size_t kMinReadings = 20;      ///< Of a flight.
+inline constexpr std::size_t kMinReadings = 10;      ///< Of a flight.
 inline constexpr std::size_t kMaxReadings = 20'000;  ///< Of a flight.
 
 /// The first reading of a flight, and the one after its last.

@@ -9,6 +9,8 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
+#include "recording/gaps.h"
+
 namespace rotatebook::recording {
 namespace {
 
@@ -17,8 +19,8 @@ using Slopes = Eigen::Matrix<double, Eigen::Dynamic, kParameters>;
 /// Free motion of the angular velocity, in body axes, by the classical Runge-Kutta method.
 class FreeSpin {
  public:
-  explicit FreeSpin(const Parameters& p)
-      : tensor_(tensorOf(p)), inverse_(tensor_.inverse()), spin_(p.tail<3>()) {}
+  FreeSpin(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& spin)
+      : tensor_(tensor), inverse_(tensor_.inverse()), spin_(spin) {}
 
   const Eigen::Vector3d& spin() const { return spin_; }
 
@@ -48,7 +50,7 @@ class FreeSpin {
 /// Returns the rates minus those of the free motion, three for each reading. [rad/s]
 Eigen::VectorXd residualsOf(Readings flight, const Parameters& p) {
   Eigen::VectorXd residuals(3 * static_cast<Eigen::Index>(flight.size()));
-  FreeSpin free(p);
+  FreeSpin free(tensorOf(p), p.tail<3>());
   for (std::size_t i = 0; i < flight.size(); ++i) {
     if (i > 0) free.advance(flight[i].rate.time - flight[i - 1].rate.time);
     residuals.segment<3>(3 * static_cast<Eigen::Index>(i)) =
@@ -112,20 +114,16 @@ Eigen::Vector3d principalMoments(const Eigen::Matrix3d& tensor) {
       .eigenvalues();
 }
 
-Eigen::Matrix<double, 3, 9> momentumBalance(const RecordedMoment& moment, double unit) {
+MomentumMatrix momentumMatrix(const RecordedMoment& moment) {
   const Eigen::Vector3d& w = moment.angularVelocity;
-  // I w, as a matrix times the entries xx, yy, zz, xy, xz, yz
-  Eigen::Matrix<double, 3, 6> entries;
-  entries << w.x(), 0, 0, w.y(), w.z(), 0,  //
-      0, w.y(), 0, w.x(), 0, w.z(),         //
+  MomentumMatrix momentum;
+  momentum << w.x(), 0, 0, w.y(), w.z(), 0,  //
+      0, w.y(), 0, w.x(), 0, w.z(),          //
       0, 0, w.z(), 0, w.x(), w.y();
-  Eigen::Matrix<double, 3, 9> balance;
-  balance.leftCols<6>() = moment.attitude.toRotationMatrix() * entries;
-  balance.rightCols<3>() = -unit * Eigen::Matrix3d::Identity();
-  return balance;
+  return moment.attitude.toRotationMatrix() * momentum;
 }
 
-Eigen::Matrix3d tensorFrom(const Eigen::Matrix<double, 9, 1>& entries) {
+Eigen::Matrix3d tensorFrom(const Entries& entries) {
   Eigen::Matrix3d tensor;
   tensor << entries[0], entries[3], entries[4],  //
       entries[3], entries[1], entries[5],        //
@@ -133,27 +131,50 @@ Eigen::Matrix3d tensorFrom(const Eigen::Matrix<double, 9, 1>& entries) {
   return tensor;
 }
 
+Eigen::Vector3d freeSpinAfter(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& spin,
+                              double interval) {
+  FreeSpin free(tensor, spin);
+  free.advance(interval);
+  return free.spin();
+}
+
 Linear solveLinear(Readings flight) {
   std::vector<Rate> rates;
   for (const InertialReading& reading : flight) rates.push_back(reading.rate);
   const std::vector<RecordedMoment> moments = integrateRates(rates);
-  // In a unit in which the momentum is as large as the tensor's entries
-  double fastest = 0;
-  for (const Rate& rate : rates) fastest = std::max(fastest, rate.angularVelocity.norm());
-  Eigen::MatrixXd equations(3 * static_cast<Eigen::Index>(rates.size()), 9);
-  for (std::size_t i = 0; i < rates.size(); ++i) {
-    equations.middleRows<3>(3 * static_cast<Eigen::Index>(i)) =
-        momentumBalance(moments[i], fastest);
+  std::vector<std::size_t> ends = breaksIn(rates);
+  ends.push_back(moments.size());
+  // What each momentum differs by from the mean of those that ought to be the same
+  Eigen::MatrixXd differences(3 * static_cast<Eigen::Index>(rates.size()), 6);
+  std::vector<MomentumMatrix> means;
+  std::size_t start = 0;
+  for (const std::size_t end : ends) {
+    means.push_back(meanMomentum(moments, start, end));
+    for (std::size_t i = start; i < end; ++i) {
+      differences.middleRows<3>(3 * static_cast<Eigen::Index>(i)) =
+          momentumMatrix(moments[i]) - means.back();
+    }
+    start = end;
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(equations, Eigen::ComputeThinV);
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(differences, Eigen::ComputeThinV);
+  const Entries entries = svd.matrixV().col(5);
+  const auto& values = svd.singularValues();
   Linear linear;
-  const Eigen::Matrix<double, 9, 1> solution = svd.matrixV().col(8);
-  linear.tensor = tensorFrom(solution);
+  linear.tensor = tensorFrom(entries);
   constexpr double kLargestGap = 1e12;
-  linear.gap = std::min(svd.singularValues()[7] / svd.singularValues()[8], kLargestGap);
-  linear.change = svd.singularValues()[8] / std::sqrt(static_cast<double>(rates.size())) /
-                  (fastest * solution.tail<3>().norm());
+  linear.gap = std::min(values[4] / values[5], kLargestGap);
+  double size = 0;
+  for (const MomentumMatrix& mean : means) size += (mean * entries).norm();
+  linear.change = values[5] / std::sqrt(static_cast<double>(rates.size())) *
+                  static_cast<double>(means.size()) / size;
   return linear;
+}
+
+MomentumMatrix meanMomentum(const std::vector<RecordedMoment>& moments, std::size_t start,
+                            std::size_t end) {
+  MomentumMatrix sum = MomentumMatrix::Zero();
+  for (std::size_t i = start; i < end; ++i) sum += momentumMatrix(moments[i]);
+  return sum / static_cast<double>(end - start);
 }
 
 FreeSpinFit fitFreeSpin(Readings flight, Parameters p, const Eigen::Vector3d& biasVariance) {

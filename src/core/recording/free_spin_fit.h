@@ -3,10 +3,11 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include <Eigen/Core>
 
-#include "recording/read_recording.h"
+#include "recording/inertial_recording.h"
 
 namespace rotatebook::recording {
 
@@ -22,11 +23,19 @@ Parameters parametersOf(Eigen::Matrix3d tensor, const Eigen::Vector3d& start);
 /// Returns the principal moments, smallest first.
 Eigen::Vector3d principalMoments(const Eigen::Matrix3d& tensor);
 
-/// A 3x9 matrix that maps the entries xx, yy, zz, xy, xz, yz of a tensor and the angular momentum
-/// over `unit` to R I w - L, for a moment of the body. [rad/s]
-Eigen::Matrix<double, 3, 9> momentumBalance(const RecordedMoment& moment, double unit);
-/// Returns the tensor of the first six entries of a vector of nine.
-Eigen::Matrix3d tensorFrom(const Eigen::Matrix<double, 9, 1>& entries);
+/// The entries xx, yy, zz, xy, xz, yz of a tensor.
+using Entries = Eigen::Matrix<double, 6, 1>;
+Eigen::Matrix3d tensorFrom(const Entries& entries);
+/// A matrix that maps the entries of a tensor I to the angular momentum R I w. [rad/s]
+using MomentumMatrix = Eigen::Matrix<double, 3, 6>;
+MomentumMatrix momentumMatrix(const RecordedMoment& moment);
+/// Returns the mean of the moments from `start` to before `end`.
+MomentumMatrix meanMomentum(const std::vector<RecordedMoment>& moments, std::size_t start,
+                            std::size_t end);
+
+/// Returns the angular velocity of a free body `interval` after it was `spin`. [s, rad/s]
+Eigen::Vector3d freeSpinAfter(const Eigen::Matrix3d& tensor, const Eigen::Vector3d& spin,
+                              double interval);
 
 /// Start values of the fit, and how far the motion determines them.
 struct Linear {
@@ -35,7 +44,8 @@ struct Linear {
   double change = 0;  ///< Of the angular momentum, root mean square over its size. [-]
 };
 
-/// Solves R I w - L = 0 over a flight, whose attitudes R follow from its rates, for I and L.
+/// Solves R I w = L over a flight, whose attitudes R follow from its rates, for I. L is constant,
+/// but for gaps in which the attitude can't be followed: another is taken after each of breaksIn().
 Linear solveLinear(Readings flight);
 
 /// A free motion that is fitted to rates.

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "base/number_text.h"
+#include "recording/inertial_recording.h"
 #include "recording/sensor_rows.h"
-#include "recording/toss.h"
 
 namespace rotatebook::recording {
 namespace {
@@ -30,6 +30,13 @@ double errorInGap(const std::vector<Rate>& rates, std::size_t index) {
   return (cubic - meanTurnInGap(rates, index)).norm();
 }
 
+/// Returns the usual step of at least two readings. [s]
+double usualStep(const std::vector<Rate>& rates) {
+  std::vector<double> times;
+  for (const Rate& rate : rates) times.push_back(rate.time);
+  return medianStep(times);
+}
+
 std::string degreesText(double angle) {
   return roundedText(angle * 180 / std::numbers::pi, 2) + " degrees";
 }
@@ -38,13 +45,11 @@ std::string degreesText(double angle) {
 
 std::string gapNote(const std::vector<Rate>& rates, double zero, bool areIntegrated) {
   if (rates.size() < 3) return "";
-  std::vector<double> times;
-  for (const Rate& rate : rates) times.push_back(rate.time);
-  const double usual = medianStep(times);
+  const double usual = usualStep(rates);
   std::size_t count = 0, longest = 0;
   double length = 0, error = 0;
   for (std::size_t i = 0; i + 1 < rates.size(); ++i) {
-    const double step = times[i + 1] - times[i];
+    const double step = rates[i + 1].time - rates[i].time;
     if (step < kShortestGap * usual) continue;
     ++count;
     error += errorInGap(rates, i);
@@ -56,9 +61,23 @@ std::string gapNote(const std::vector<Rate>& rates, double zero, bool areIntegra
       count == 1 ? "a gap of " : std::to_string(count) + " gaps, the longest of ";
   const std::string cost =
       areIntegrated ? ", and the attitude after may be off by " + degreesText(error) : "";
-  return gaps + roundedText(length, 3) + " s from " + timeText(zero + times[longest]) +
+  return gaps + roundedText(length, 3) + " s from " + timeText(zero + rates[longest].time) +
          " s on, where readings are usually " + roundedText(usual, 3) +
          " s apart: what was between isn't known" + cost;
+}
+
+std::vector<std::size_t> breaksIn(const std::vector<Rate>& rates) {
+  constexpr double kLargestTurn = 0.5;  // [rad]
+  std::vector<std::size_t> breaks;
+  if (rates.size() < 3) return breaks;
+  const double shortest = kShortestGap * usualStep(rates);
+  for (std::size_t i = 1; i < rates.size(); ++i) {
+    const Rate &before = rates[i - 1], &here = rates[i];
+    const double step = here.time - before.time;
+    const double rate = std::max(before.angularVelocity.norm(), here.angularVelocity.norm());
+    if (step >= shortest && step * rate > kLargestTurn) breaks.push_back(i);
+  }
+  return breaks;
 }
 
 }  // namespace rotatebook::recording

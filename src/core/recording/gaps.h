@@ -1,6 +1,7 @@
 // Gaps in recordings. Inside the room only.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,5 +15,9 @@ namespace rotatebook::recording {
 /// a gap and that of the cubic with the slopes of the rates at both ends. `zero` is the time of a
 /// reading at 0. [s]
 std::string gapNote(const std::vector<Rate>& rates, double zero, bool areIntegrated);
+
+/// Returns the readings after such gaps in which the body turns by more than 0.5 rad: across them
+/// its attitude isn't known to a degree.
+std::vector<std::size_t> breaksIn(const std::vector<Rate>& rates);
 
 }  // namespace rotatebook::recording

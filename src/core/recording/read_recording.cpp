@@ -7,13 +7,16 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/file_text.h"
 #include "base/number_text.h"
+#include "base/text.h"
 #include "recording/attitudes_alone.h"
 #include "recording/columns.h"
 #include "recording/conventions.h"
 #include "recording/csv_table.h"
 #include "recording/flawed_rows.h"
 #include "recording/gaps.h"
+#include "recording/held_readings.h"
 #include "recording/sensor_rows.h"
 #include "recording/specific_force.h"
 #include "rigid/rotation.h"
@@ -159,16 +162,31 @@ std::vector<Rate> ratesBeside(const CsvTable& table, const Columns& columns, con
   return ratesOf(moments);
 }
 
-/// Returns the stated part of a motion whose first moment was at `start` of the file's times. [s]
-RecordedMotion partOf(const RecordedMotion& motion, double start, const std::string& name,
-                      const ReadOptions& options) {
+/// Returns the part of a motion whose first moment was at `start` that `options` state, all in
+/// times after `zero`. [s]
+RecordedMotion partOf(const RecordedMotion& motion, double start, double zero,
+                      const std::string& name, const ReadOptions& options) {
   if (!options.from && !options.to) return motion;
   const double end = start + motion.duration();
-  const double from = options.from.value_or(start), to = options.to.value_or(end);
+  // A calendar's times are stated to the rounding of a double.
+  const double room = zero == 0 ? 0 : 1e-6;
+  const auto near = [&](double time, double other) {
+    return std::abs(time - other) <= room ? other : time;
+  };
+  const double from = near(options.from.value_or(start), start);
+  const double to = near(options.to.value_or(end), end);
   if (from >= start && to <= end && from < to) return motion.part(from - start, to - start);
-  throw InputError(name + ": the part from " + shortestText(from) + " to " + shortestText(to) +
-                   " s isn't within the recording, which lasts from " + shortestText(start) +
-                   " to " + shortestText(end) + " s");
+  const auto text = [&](double time) { return shortestText(zero + time); };
+  throw InputError(name + ": the part from " + text(from) + " to " + text(to) +
+                   " s isn't within the recording, which lasts from " + text(start) + " to " +
+                   text(end) + " s");
+}
+
+/// Returns the options with the stated part in times after `zero`. [s]
+ReadOptions after(double zero, ReadOptions options) {
+  if (options.from) *options.from -= zero;
+  if (options.to) *options.to -= zero;
+  return options;
 }
 
 std::string droppedNote(const SensorRows& rows) {
@@ -189,12 +207,12 @@ struct SoundPart {
   double largestStray = 0;           // [rad]
 };
 
-SoundPart soundPartOf(std::vector<RecordedMoment> moments, SpinSource source) {
+SoundPart soundPartOf(std::vector<RecordedMoment> moments, SpinSource source, double zero) {
   if (moments.size() < 2) return {std::move(moments)};
   const Flaws flaws = flawsIn(moments, source);
   if (!flaws.areAny()) return {std::move(moments)};
-  return {withoutFlaws(flaws, moments, source), textsOf(flaws, moments, moments.front().time),
-          flaws.largestTurn()};
+  return {withoutFlaws(flaws, moments, source),
+          textsOf(flaws, moments, zero + moments.front().time), flaws.largestTurn()};
 }
 
 /// Returns the facts of the spins of a part without flaws.
@@ -207,24 +225,33 @@ SpinFacts factsOf(const SoundPart& sound, const Columns& columns, SpinSource sou
 }  // namespace
 
 RecordedMotion readRecording(std::string_view bytes, const std::string& name,
-                             const ReadOptions& options) {
+                             const ReadOptions& stated) {
   const CsvTable table(bytes, name);
-  const Columns columns = findColumns(table, options);
+  const Columns columns = findColumns(table, stated);
   const SensorRows rows = sensorRows(table, columns, false);
-  const std::vector<double> times = timesOf(table, columns, rows.motion);
+  const double zero = zeroOf(table, columns, rows.motion.front());
+  const ReadOptions options = after(zero, stated);
+  const std::vector<double> times = timesOf(table, columns, rows.motion, zero);
   const SpinSource source = sourceOf(columns);
   const bool areIntegrated = source == SpinSource::Gyroscope;
-  std::vector<RecordedMoment> moments =
-      areIntegrated ? integrateRates(ratesOf(table, columns, rows, times, options.bias))
-                    : attitudesOf(table, columns, rows, times, options.bias);
+  std::string heldNote;
+  std::vector<RecordedMoment> moments;
+  if (areIntegrated) {
+    std::vector<Rate> rates = ratesOf(table, columns, rows, times, options.bias);
+    heldNote = dropHeldReadings(rates);
+    moments = integrateRates(rates);
+  } else {
+    moments = attitudesOf(table, columns, rows, times, options.bias);
+  }
   if (source == SpinSource::Slopes) differentiate(table, rows, moments);
-  SoundPart sound = soundPartOf(within(moments, options), source);
+  SoundPart sound = soundPartOf(within(moments, options), source, zero);
   const SpinFacts spins = factsOf(sound, columns, source, name);
   const double start = moments.front().time;
-  RecordedMotion motion = partOf(RecordedMotion(std::move(moments), spins), start, name, options);
-  const double zero = std::max(start, options.from.value_or(start));
+  RecordedMotion motion =
+      partOf(RecordedMotion(std::move(moments), spins), start, zero, name, options);
+  const double first = zero + std::max(start, options.from.value_or(start));
   for (const std::string& note :
-       {droppedNote(rows), gapNote(ratesOf(motion.moments()), zero, areIntegrated)}) {
+       {droppedNote(rows), heldNote, gapNote(ratesOf(motion.moments()), first, areIntegrated)}) {
     if (!note.empty()) motion.note(note);
   }
   if (!sound.flaws.empty() && sound.moments.size() > 1)
@@ -240,28 +267,33 @@ InertialRecording readInertial(std::string_view bytes, const std::string& name,
       findColumns(table, acceleration == nullptr ? options : withoutForce(options));
   const bool isOneTable = acceleration == nullptr && columns.acceleration;
   const SensorRows rows = sensorRows(table, columns, isOneTable);
-  const std::vector<double> times = timesOf(table, columns, rows.motion);
-  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
   InertialRecording recording;
+  recording.zero = zeroOf(table, columns, rows.motion.front());
   recording.hasForce = acceleration != nullptr || columns.acceleration;
   recording.isMeasured = columns.rates.has_value();
-  const std::vector<Rate> rates = hasAttitudes(columns)
-                                      ? ratesBeside(table, columns, rows, times, name)
-                                      : ratesOf(table, columns, rows, times, none);
+  const std::vector<double> times = timesOf(table, columns, rows.motion, recording.zero);
+  const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+  std::vector<Rate> rates = hasAttitudes(columns) ? ratesBeside(table, columns, rows, times, name)
+                                                  : ratesOf(table, columns, rows, times, none);
+  const std::string heldNote = recording.isMeasured ? dropHeldReadings(rates) : "";
   for (const Rate& rate : rates) recording.readings.push_back({rate});
-  if (isOneTable) addForces(recording, forcesOf(table, columns, rows.force), name);
+  if (isOneTable) addForces(recording, forcesOf(table, columns, rows.force, recording.zero), name);
   if (acceleration != nullptr)
-    addForces(recording, forcesIn(*acceleration, options), acceleration->name);
-  if (const std::string note = droppedNote(rows); !note.empty()) recording.notes.push_back(note);
+    addForces(recording, forcesIn(*acceleration, options, recording.zero), acceleration->name);
+  for (const std::string& note : {droppedNote(rows), heldNote}) {
+    if (!note.empty()) recording.notes.push_back(note);
+  }
   return recording;
 }
 
 Contents contentsOf(const NamedTable& named, const ReadOptions& options) {
   constexpr std::size_t kBeginning = 1 << 16;  // [bytes]
-  std::string_view bytes = named.bytes.substr(0, kBeginning);
-  if (bytes.size() < named.bytes.size()) bytes = bytes.substr(0, bytes.find_last_of("\r\n"));
+  const std::string_view beginning = named.bytes.substr(0, kBeginning);
+  std::string decoded;
+  std::string_view text = textOfFile(beginning, decoded);
+  if (beginning.size() < named.bytes.size()) text = text.substr(0, text.find_last_of("\r\n"));
   try {
-    const CsvTable table(bytes, named.name);
+    const CsvTable table(text, named.name);
     const Columns columns = columnsIn(table, withoutMissing(options, table));
     return {columns.rates.has_value(), hasAttitudes(columns), columns.acceleration.has_value()};
   } catch (const InputError&) {

@@ -3,12 +3,9 @@
 
 #include <string>
 #include <string_view>
-#include <vector>
-
-#include <Eigen/Core>
 
 #include "base/error.h"
-#include "recording/gyroscope.h"
+#include "recording/inertial_recording.h"
 #include "recording/read_options.h"
 #include "recording/recorded_motion.h"
 
@@ -30,26 +27,6 @@ class ContradictionError : public InputError {
 /// ContradictionError for what compareRates() finds in that part, without what flawsIn() finds.
 RecordedMotion readRecording(std::string_view bytes, const std::string& name,
                              const ReadOptions& options);
-
-/// A gyroscope's reading, and the specific force beside it.
-struct InertialReading {
-  Rate rate;
-  Eigen::Vector3d force{0, 0, 0};  ///< In body axes; 0 without an accelerometer. [m/s^2]
-};
-
-/// A recording of a gyroscope, with an accelerometer or without.
-struct InertialRecording {
-  std::vector<InertialReading> readings;
-  bool hasForce = false;
-  bool isMeasured = true;            ///< By a gyroscope; else the rates are slopes of attitudes.
-  std::vector<std::string> notes{};  ///< As RecordedMotion::notes().
-};
-
-/// A table of text.
-struct NamedTable {
-  std::string_view bytes;
-  std::string name;  ///< For messages.
-};
 
 /// Reads the rates of a gyroscope, or of attitudes, along the body's axes and in the file's own
 /// times. The specific force is that of `acceleration`, or if it is null of the same table; where

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <numbers>
 #include <optional>
@@ -70,16 +71,31 @@ bool areMerged(const Indices& first, const Indices& second) {
 
 /// Refuses times that aren't seconds though no unit is stated.
 void requirePlausibleSteps(const CsvTable& table, const Columns& columns,
-                           const std::vector<double>& times) {
+                           const std::vector<double>& times, double zero) {
   constexpr double kLongestStep = 2;  // [s]
   constexpr double kLatest = 4e9;     // of an epoch, in the year 2096 [s]
   if (columns.isTimeUnitStated || times.size() < 2) return;
-  const double step = medianStep(times), last = std::abs(times.back());
+  const double step = medianStep(times), last = std::abs(zero + times.back());
   if (step > kLongestStep) {
     failTimeUnit(table, columns, "its rows are " + roundedText(step, 3) + " s apart", step, last);
   }
   if (last > kLatest)
     failTimeUnit(table, columns, "it ends at " + roundedText(last, 3) + " s", step, last);
+}
+
+/// Returns the time of a row after `zero`. [s]
+double timeAt(const CsvTable& table, const Columns& columns, std::size_t row, double zero) {
+  const double beside = columns.nanoseconds ? 1e-9 * table.at(row, *columns.nanoseconds) : 0;
+  const double time = columns.secondsPerUnit * table.at(row, columns.time);
+  const std::optional<Decimal> units = table.decimalAt(row, columns.time);
+  const double unitsASecond = std::round(1 / columns.secondsPerUnit);
+  constexpr double kLargest = 4.5e18;  // whose differences have 63 bits
+  const bool isExact = units && std::abs(zero) * unitsASecond < kLargest &&
+                       std::abs(static_cast<double>(units->whole)) < kLargest;
+  if (zero == 0 || !isExact) return time - zero + beside;
+  const std::int64_t whole =
+      units->whole - static_cast<std::int64_t>(zero) * static_cast<std::int64_t>(unitsASecond);
+  return columns.secondsPerUnit * (static_cast<double>(whole) + units->rest) + beside;
 }
 
 }  // namespace
@@ -115,22 +131,28 @@ SensorRows sensorRows(const CsvTable& table, const Columns& columns, bool needsF
   return result;
 }
 
-std::vector<double> timesOf(const CsvTable& table, const Columns& columns, const Indices& rows) {
+double zeroOf(const CsvTable& table, const Columns& columns, std::size_t row) {
+  constexpr double kResolved = 1 << 20;  // to 1e-10 s
+  const double first = columns.secondsPerUnit * table.at(row, columns.time);
+  return std::abs(first) < kResolved || std::abs(first) > kLargestTime ? 0 : std::floor(first);
+}
+
+std::vector<double> timesOf(const CsvTable& table, const Columns& columns, const Indices& rows,
+                            double zero) {
   std::vector<double> times;
-  for (const std::size_t row : rows)
-    times.push_back(columns.secondsPerUnit * table.at(row, columns.time));
+  for (const std::size_t row : rows) times.push_back(timeAt(table, columns, row, zero));
   if (times.size() < 2) table.fail("a single row; a motion takes at least two");
-  requirePlausibleSteps(table, columns, times);
+  requirePlausibleSteps(table, columns, times, zero);
   for (std::size_t i = 0; i < times.size(); ++i) {
-    const double time = times[i];
+    const double time = zero + times[i];
     if (!(std::abs(time) <= kLargestTime)) table.failAt(rows[i], "the time is beyond 1e12 s");
-    const double gap = i == 0 ? 1 : time - times[i - 1];
+    const double gap = i == 0 ? 1 : times[i] - times[i - 1];
     if (!(gap > 0)) {
       table.failAt(rows[i],
                    "the time " + shortestText(time) + " s isn't after that of the row before");
     }
     // Beyond rounding, so that slopes between neighbours are finite.
-    if (!(gap > 1e-15 * std::abs(time) && gap > 1e-9)) {
+    if (!(gap > 1e-15 * std::abs(times[i]) && gap > 1e-9)) {
       table.failAt(rows[i], "the time " + shortestText(time) + " s is only " + roundedText(gap, 2) +
                                 " s after that of the row before");
     }

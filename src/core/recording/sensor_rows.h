@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "recording/columns.h"
 #include "recording/csv_table.h"
+#include "recording/table_columns.h"
 
 namespace rotatebook::recording {
 
@@ -23,11 +23,16 @@ struct SensorRows {
 /// an error only if `needsForce`.
 SensorRows sensorRows(const CsvTable& table, const Columns& columns, bool needsForce);
 
-/// Returns the times of `rows`. Throws InputError "NAME:LINE: PROBLEM" for fewer than two, for
-/// times that don't ascend, or by less than numbers of their size resolve, for times beyond 1e12 s,
-/// and if the header doesn't state a unit and seconds aren't plausible. [s]
+/// Returns the zero of the times of a table whose first row is `row`: 0, or of a calendar's times
+/// the first whole second, as seconds since 1970 leave a double 2e-7 s. [s]
+double zeroOf(const CsvTable& table, const Columns& columns, std::size_t row);
+
+/// Returns the times of `rows` after `zero`, to all digits that the table has. Throws InputError
+/// "NAME:LINE: PROBLEM" for fewer than two, for times that don't ascend, or by less than 1e-9 s,
+/// for times beyond 1e12 s, and if the header doesn't state a unit and seconds aren't plausible.
+/// [s]
 std::vector<double> timesOf(const CsvTable& table, const Columns& columns,
-                            const std::vector<std::size_t>& rows);
+                            const std::vector<std::size_t>& rows, double zero);
 
 /// Throws InputError for times without a stated unit if a body that turns at `fastest`, as a sensor
 /// reads it, would turn by more than half a turn from row to row. [rad/s]

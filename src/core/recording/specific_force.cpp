@@ -8,6 +8,7 @@
 #include "base/number_text.h"
 #include "base/text.h"
 #include "recording/column_units.h"
+#include "recording/columns.h"
 #include "recording/sensor_rows.h"
 
 namespace rotatebook::recording {
@@ -34,9 +35,9 @@ void requireSeeminglyMetres(const CsvTable& table, const Columns& columns,
 }  // namespace
 
 std::vector<Force> forcesOf(const CsvTable& table, const Columns& columns,
-                            const std::vector<std::size_t>& rows) {
+                            const std::vector<std::size_t>& rows, double zero) {
   const double unit = metresPerUnit(table, columns);
-  const std::vector<double> times = timesOf(table, columns, rows);
+  const std::vector<double> times = timesOf(table, columns, rows, zero);
   constexpr double kLargestForce = 1e9;  // [m/s^2]
   std::vector<Force> forces;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -53,7 +54,7 @@ std::vector<Force> forcesOf(const CsvTable& table, const Columns& columns,
   return forces;
 }
 
-std::vector<Force> forcesIn(const NamedTable& named, const ReadOptions& options) {
+std::vector<Force> forcesIn(const NamedTable& named, const ReadOptions& options, double zero) {
   const CsvTable table(named.bytes, named.name);
   Columns columns = columnsIn(table, withoutMissing(options, table));
   if (!columns.acceleration) {
@@ -62,7 +63,7 @@ std::vector<Force> forcesIn(const NamedTable& named, const ReadOptions& options)
   columns.rates.reset();
   columns.quaternion.reset();
   columns.matrix.reset();
-  return forcesOf(table, columns, sensorRows(table, columns, true).force);
+  return forcesOf(table, columns, sensorRows(table, columns, true).force, zero);
 }
 
 void addForces(InertialRecording& recording, const std::vector<Force>& forces,
@@ -85,10 +86,11 @@ void addForces(InertialRecording& recording, const std::vector<Force>& forces,
     reading.force = before.force + part * (after.force - before.force);
   }
   if (isAnyKnown) return;
-  throw InputError(name + ": its times, from " + shortestText(forces.front().time) + " to " +
-                   shortestText(forces.back().time) + " s, have none of the gyroscope's, from " +
-                   shortestText(recording.readings.front().rate.time) + " to " +
-                   shortestText(recording.readings.back().rate.time) +
+  const auto text = [&](double time) { return shortestText(recording.zero + time); };
+  throw InputError(name + ": its times, from " + text(forces.front().time) + " to " +
+                   text(forces.back().time) + " s, have none of the gyroscope's, from " +
+                   text(recording.readings.front().rate.time) + " to " +
+                   text(recording.readings.back().rate.time) +
                    " s; take both tables from one recording");
 }
 

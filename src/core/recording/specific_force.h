@@ -7,9 +7,10 @@
 
 #include <Eigen/Core>
 
-#include "recording/columns.h"
 #include "recording/csv_table.h"
-#include "recording/read_recording.h"
+#include "recording/inertial_recording.h"
+#include "recording/read_options.h"
+#include "recording/table_columns.h"
 
 namespace rotatebook::recording {
 
@@ -19,13 +20,13 @@ struct Force {
   Eigen::Vector3d force{0, 0, 0};  ///< In body axes. [m/s^2]
 };
 
-/// Returns the readings in `rows` of a table. Throws InputError for a unit that isn't read, and for
-/// none where they seem to be in g.
+/// Returns the readings in `rows` of a table, at times after `zero`. Throws InputError for a unit
+/// that isn't read, and for none where they seem to be in g.
 std::vector<Force> forcesOf(const CsvTable& table, const Columns& columns,
-                            const std::vector<std::size_t>& rows);
+                            const std::vector<std::size_t>& rows, double zero);
 /// Returns those of a table of accelerations. Throws InputError like forcesOf(), and if there are
 /// none.
-std::vector<Force> forcesIn(const NamedTable& named, const ReadOptions& options);
+std::vector<Force> forcesIn(const NamedTable& named, const ReadOptions& options, double zero);
 
 /// Sets the force of each reading: what lies on the line between two of `forces`, and infinite
 /// beyond. Throws InputError, beginning with `name`, if no reading lies between.

@@ -2,28 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <Eigen/Eigenvalues>
 
-#include "recording/sensor_rows.h"
+#include "base/number_text.h"
+#include "recording/gaps.h"
 
 namespace rotatebook::recording {
 namespace {
 
-constexpr double kSlowestThrow = 2;      // [rad/s]
-constexpr double kShortestThrow = 0.25;  // [s]
 constexpr double kLargestChange = 0.03;  // of the angular momentum, root mean square
 constexpr double kLargestAtEnd = 0.06;   // of a reading that a flight grows by
 constexpr double kStride = 0.02;         // between the stretches that are tried [s]
-constexpr double kGapSteps = 4;          // a gap of so many steps ends a stretch
-
-using Matrix9 = Eigen::Matrix<double, 9, 9>;
-using Vector9 = Eigen::Matrix<double, 9, 1>;
+constexpr double kLongestGap = 0.5;      // within a stretch [s]
 
 /// A free body that a stretch's readings may be of.
 struct FreeBody {
-  Vector9 solution;   // the tensor's entries and the angular momentum over the unit
+  Entries entries = Entries::Zero();              // of its tensor
+  Eigen::Vector3d first{0, 0, 0}, last{0, 0, 0};  // angular momentum before all gaps, and after
   double change = 0;  // of the angular momentum, root mean square over its size
 };
 
@@ -31,20 +29,22 @@ struct FreeBody {
 bool isBodys(const Eigen::Matrix3d& tensor) {
   Eigen::Vector3d moments = principalMoments(tensor);
   if (moments.sum() < 0) moments = -moments.reverse().eval();
-  constexpr double kThinnest = 0.01, kRoom = 0.95;
+  constexpr double kThinnest = 0.01, kRoom = 0.5;
   return moments[0] > kThinnest * moments[2] && moments[0] + moments[1] > kRoom * moments[2];
 }
 
-/// A stretch of fast readings without gaps, and the search for flights in it.
+std::string percentOf(double part) {
+  return roundedText(100 * part, 2) + " %";
+}
+
+/// A stretch of fast readings, and the search for flights in it.
 class Stretch {
  public:
   explicit Stretch(Readings readings) {
     std::vector<Rate> rates;
-    for (const InertialReading& one : readings) {
-      rates.push_back(one.rate);
-      unit_ = std::max(unit_, one.rate.angularVelocity.norm());
-    }
+    for (const InertialReading& one : readings) rates.push_back(one.rate);
     moments_ = integrateRates(rates);
+    breaks_ = breaksIn(rates);
   }
 
   /// Returns the flights.
@@ -54,10 +54,8 @@ class Stretch {
       double change;
     };
     std::vector<Seed> seeds;
-    for (std::size_t first = 0; first < moments_.size(); first = after(first, kStride)) {
-      const std::size_t end = std::max(after(first, kShortestThrow), first + kMinReadings);
-      if (end > moments_.size()) break;
-      if (const auto body = bodyIn({first, end})) seeds.push_back({{first, end}, body->change});
+    for (const Range& window : windows()) {
+      if (const auto body = bodyIn(window)) seeds.push_back({window, body->change});
     }
     std::ranges::stable_sort(seeds, {}, &Seed::change);
     std::vector<Range> found;
@@ -70,7 +68,29 @@ class Stretch {
     return found;
   }
 
+  /// Returns the least change of any body's angular momentum in a shortest stretch within `range`,
+  /// root mean square; infinite if there is none. [-]
+  double leastChange(Range range) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Range& window : windows()) {
+      const bool isWithin = window.first >= range.first && window.second <= range.second;
+      if (isWithin) least = std::min(least, nearestBody(window).change);
+    }
+    return least;
+  }
+
  private:
+  /// Returns the shortest stretches that may be a flight.
+  std::vector<Range> windows() const {
+    std::vector<Range> windows;
+    for (std::size_t first = 0; first < moments_.size(); first = after(first, kStride)) {
+      const std::size_t end = std::max(after(first, kShortestThrow), first + kMinReadings);
+      if (end > moments_.size()) break;
+      windows.push_back({first, end});
+    }
+    return windows;
+  }
+
   /// Returns the first reading at least `interval` after reading `index`, which isn't it. [s]
   std::size_t after(std::size_t index, double interval) const {
     const double time = moments_[index].time + interval;
@@ -79,25 +99,60 @@ class Stretch {
     return next;
   }
 
+  bool isBreak(std::size_t index) const { return std::ranges::binary_search(breaks_, index); }
+
   /// Returns the body whose free motion the readings are; nothing if they aren't any's.
   std::optional<FreeBody> bodyIn(Range range) const {
-    Matrix9 sum = Matrix9::Zero();
-    for (std::size_t i = range.first; i < range.second; ++i) {
-      const Eigen::Matrix<double, 3, 9> balance = momentumBalance(moments_[i], unit_);
-      sum += balance.transpose().lazyProduct(balance);
+    const FreeBody body = nearestBody(range);
+    const Eigen::Matrix3d tensor = tensorFrom(body.entries);
+    if (!(body.change < kLargestChange) || !isBodys(tensor)) return std::nullopt;
+    // The same body may have been thrown again in a gap.
+    for (const std::size_t index : breaks_) {
+      const bool isWithin = index > range.first && index < range.second;
+      if (isWithin && !isContinued(tensor, index)) return std::nullopt;
     }
-    const Eigen::SelfAdjointEigenSolver<Matrix9> solver(sum);
-    FreeBody body{solver.eigenvectors().col(0)};
-    const auto count = static_cast<double>(range.second - range.first);
-    const double size = unit_ * body.solution.tail<3>().norm();
-    body.change = std::sqrt(std::max(solver.eigenvalues()[0], 0.0) / count) / size;
-    if (!(body.change < kLargestChange) || !isBodys(tensorFrom(body.solution))) return std::nullopt;
     return body;
   }
 
-  bool fits(const FreeBody& body, std::size_t index) const {
-    const Eigen::Vector3d change = momentumBalance(moments_[index], unit_) * body.solution;
-    return change.norm() < kLargestAtEnd * unit_ * body.solution.tail<3>().norm();
+  /// Returns the body whose angular momentum changes least, but for gaps across which the attitude
+  /// isn't known.
+  FreeBody nearestBody(Range range) const {
+    Eigen::Matrix<double, 6, 6> sum = Eigen::Matrix<double, 6, 6>::Zero();
+    std::vector<MomentumMatrix> means;
+    for (std::size_t start = range.first, end = start; start < range.second; start = end) {
+      do ++end;
+      while (end < range.second && !isBreak(end));
+      const MomentumMatrix mean = meanMomentum(moments_, start, end);
+      means.push_back(mean);
+      for (std::size_t i = start; i < end; ++i) {
+        const MomentumMatrix difference = momentumMatrix(moments_[i]) - mean;
+        sum += difference.transpose().lazyProduct(difference);
+      }
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(sum);
+    FreeBody body{solver.eigenvectors().col(0)};
+    body.first = means.front() * body.entries;
+    body.last = means.back() * body.entries;
+    const auto count = static_cast<double>(range.second - range.first);
+    const double size = (body.first.norm() + body.last.norm()) / 2;
+    body.change = std::sqrt(std::max(solver.eigenvalues()[0], 0.0) / count) / size;
+    return body;
+  }
+
+  /// Returns whether the reading before or after a body's range is of its motion.
+  bool fits(const FreeBody& body, std::size_t index, bool isAfter) const {
+    const std::size_t later = isAfter ? index : index + 1;
+    if (isBreak(later)) return isContinued(tensorFrom(body.entries), later);
+    const Eigen::Vector3d& momentum = isAfter ? body.last : body.first;
+    const Eigen::Vector3d change = momentumMatrix(moments_[index]) * body.entries - momentum;
+    return change.norm() < kLargestAtEnd * momentum.norm();
+  }
+
+  /// Returns whether a reading after a gap is as a free body's motion leads there.
+  bool isContinued(const Eigen::Matrix3d& tensor, std::size_t after) const {
+    const RecordedMoment &from = moments_[after - 1], &to = moments_[after];
+    const Eigen::Vector3d spin = freeSpinAfter(tensor, from.angularVelocity, to.time - from.time);
+    return (spin - to.angularVelocity).norm() < kLargestAtEnd * to.angularVelocity.norm();
   }
 
   /// Returns the longest range around a seed that is a free motion and overlaps none of `others`.
@@ -113,12 +168,12 @@ class Stretch {
       const Range before = range;
       const std::size_t step = (range.second - range.first) / 8 + 1;
       for (std::size_t i = 0; i < step && range.second < moments_.size(); ++i) {
-        if (isOther(range.second) || !fits(*body, range.second)) break;
-        ++range.second;
+        if (isOther(range.second) || !fits(*body, range.second, true)) break;
+        if (isBreak(range.second++)) break;  // What follows it has an angular momentum of its own.
       }
       for (std::size_t i = 0; i < step && range.first > 0; ++i) {
-        if (isOther(range.first - 1) || !fits(*body, range.first - 1)) break;
-        --range.first;
+        if (isOther(range.first - 1) || !fits(*body, range.first - 1, false)) break;
+        if (isBreak(range.first--)) break;
       }
       grows = range != before;
     }
@@ -126,41 +181,61 @@ class Stretch {
   }
 
   std::vector<RecordedMoment> moments_;
-  double unit_ = 0;  // of the angular momentum: the largest rate [rad/s]
+  std::vector<std::size_t> breaks_;
 };
 
-/// Returns the runs of fast readings without gaps, each long enough for a flight.
+/// Returns the runs of fast readings without long gaps, each long enough for a flight.
 std::vector<Range> fastRuns(const InertialRecording& recording) {
   const auto& all = recording.readings;
-  std::vector<double> times;
-  for (const InertialReading& one : all) times.push_back(one.rate.time);
-  const double gap = kGapSteps * medianStep(times);
+  const auto timeOf = [&](std::size_t i) { return all[i].rate.time; };
   std::vector<Range> runs;
   std::size_t start = 0;
   for (std::size_t i = 0; i <= all.size(); ++i) {
     const bool isFast = i < all.size() && all[i].rate.angularVelocity.norm() > kSlowestThrow;
-    const bool isGap = i > start && i < all.size() && times[i] - times[i - 1] >= gap;
+    const bool isGap = i > start && i < all.size() && timeOf(i) - timeOf(i - 1) > kLongestGap;
     if (isFast && !isGap) continue;
-    if (i >= start + kMinReadings && times[i - 1] - times[start] >= kShortestThrow)
+    if (i >= start + kMinReadings && timeOf(i - 1) - timeOf(start) >= kShortestThrow)
       runs.push_back({start, i});
     start = isFast ? i : i + 1;
   }
   return runs;
 }
 
+/// Returns why there is no flight where angular momentum changes by `change` at least.
+std::string problemOf(double change) {
+  if (change < kLargestChange) {
+    return "it moves only as a body would that has moments that none has; does each axis have "
+           "its own scale?";
+  }
+  return "no body's angular momentum would stay within " + percentOf(kLargestChange) + " for " +
+         roundedText(kShortestThrow, 2) + " s (root mean square), at best within " +
+         percentOf(change);
+}
+
 }  // namespace
 
-std::vector<Range> flightsByRates(const InertialRecording& recording) {
-  std::vector<Range> flights;
+std::vector<FastStretch> fastStretches(const InertialRecording& recording) {
+  std::vector<FastStretch> stretches;
   for (const Range& run : fastRuns(recording)) {
-    const Stretch stretch(Readings(recording.readings).subspan(run.first, run.second - run.first));
-    for (const Range& one : stretch.flights()) {
+    const Range whole{0, run.second - run.first};
+    const Stretch stretch(Readings(recording.readings).subspan(run.first, whole.second));
+    std::vector<Range> flights = stretch.flights();
+    std::ranges::sort(flights);
+    flights.push_back({whole.second, whole.second});
+    std::size_t start = 0;
+    for (const Range& one : flights) {
       const Range flight = withoutEnds({run.first + one.first, run.first + one.second});
-      if (flight.second - flight.first >= kMinReadings) flights.push_back(flight);
+      if (flight.second - flight.first >= kMinReadings) stretches.push_back({flight});
+      const Range before{start, one.first};
+      const double change = stretch.leastChange(before);
+      // Beside a flight, what a hand does isn't told.
+      if (change < kLargestChange || before == whole)
+        stretches.push_back({{run.first + start, run.first + one.first}, problemOf(change)});
+      start = one.second;
     }
   }
-  std::ranges::sort(flights);
-  return flights;
+  std::ranges::sort(stretches);
+  return stretches;
 }
 
 }  // namespace rotatebook::recording

@@ -78,11 +78,16 @@ std::string degreesASecond(double rate) {
   return roundedText(rate * 180 / std::numbers::pi, 3) + " deg/s";
 }
 
+[[noreturn]] void failFlight(const std::string& name, double from, double to,
+                             const std::string& reason) {
+  throw InputError(name + ": from " + timeText(from) + " to " + timeText(to) +
+                   " s it isn't a free flight: " + reason);
+}
+
 [[noreturn]] void refuseFlight(const TossFit& fit, const std::string& name,
                                const std::string& reason) {
-  throw InputError(name + ": from " + timeText(fit.from) + " to " + timeText(fit.to) +
-                   " s it isn't a free flight: " + reason +
-                   "; state the flight alone with --from and --to, or find it with --list");
+  failFlight(name, fit.from, fit.to,
+             reason + "; state the flight alone with --from and --to, or find it with --list");
 }
 
 std::string percentText(double part) {
@@ -189,18 +194,19 @@ TossFit fitFlight(const InertialRecording& recording, const std::string& name, R
     one.rate.angularVelocity -= result.bias;
     rates.push_back(one.rate);
   }
-  result.from = flight.front().rate.time;
-  result.to = flight.back().rate.time;
+  result.from = recording.zero + flight.front().rate.time;
+  result.to = recording.zero + flight.back().rate.time;
   result.readings = flight.size();
   result.spin = spinOf(flight);
-  if (const std::string note = gapNote(rates, 0, true); !note.empty()) result.notes.push_back(note);
+  if (const std::string note = gapNote(rates, recording.zero, true); !note.empty())
+    result.notes.push_back(note);
 
   const Linear linear = solveLinear(flight);
   result.gap = linear.gap;
   requireGap(linear, result, name);
   const FreeSpinFit fit =
       fitFreeSpin(flight, parametersOf(linear.tensor, flight.front().rate.angularVelocity),
-                  biasVariance(rest, (result.from + result.to) / 2));
+                  biasVariance(rest, (result.from + result.to) / 2 - recording.zero));
   result.residual = fit.residual;
   requireFree(result, name);
   result.widening = wideningFor(fit.residual, rest, flight.size());
@@ -224,7 +230,7 @@ TossFit onlyThrow(const InertialRecording& recording, const std::string& name,
     accepted.push_back(timeText(one.from) + " to " + timeText(one.to));
   }
   if (accepted.size() == 1) return *last->fit;
-  if (throws.size() == 1) throw InputError(throws.front().refusal);
+  if (throws.size() == 1) throw InputError(throws.front().refusal);  // No flight, or not telling.
   if (throws.empty()) {
     throw InputError(name +
                      ": no throw was found in the rates alone; state the flight with --from and "
@@ -238,19 +244,13 @@ TossFit onlyThrow(const InertialRecording& recording, const std::string& name,
   }
   throw InputError(name + ": " +
                    (count == 0 ? "none of " + std::to_string(throws.size()) +
-                                     " flights tells the inertia; --list says why"
+                                     " fast stretches tells the inertia; --list says why"
                                : std::to_string(count) + " throws, at " + listed(accepted) +
                                      " s; state one with --from and --to, or print all with "
                                      "--list"));
 }
 
 }  // namespace
-
-std::string timeText(double time) {
-  int digits = 4;
-  for (double whole = std::abs(time); whole >= 1 && digits < 17; whole /= 10) ++digits;
-  return roundedText(time, digits);
-}
 
 TossFit fitToss(const InertialRecording& recording, const std::string& name,
                 const TossOptions& options) {
@@ -262,20 +262,22 @@ TossFit fitToss(const InertialRecording& recording, const std::string& name,
 std::vector<Throw> findThrows(const InertialRecording& recording, const std::string& name,
                               const TossOptions& options) {
   std::vector<Throw> throws;
-  for (const Range& range : flightsByRates(recording)) {
+  for (const auto& [range, problem] : fastStretches(recording)) {
     Throw one;
-    one.from = recording.readings[range.first].rate.time;
-    one.to = recording.readings[range.second - 1].rate.time;
+    one.from = recording.zero + recording.readings[range.first].rate.time;
+    one.to = recording.zero + recording.readings[range.second - 1].rate.time;
     if (one.from < options.from.value_or(one.from) || one.to > options.to.value_or(one.to))
       continue;
     one.spin =
         spinOf(Readings(recording.readings).subspan(range.first, range.second - range.first));
     try {
+      if (!problem.empty()) failFlight(name, one.from, one.to, problem);
       requireFew(range, name);
       one.fit = fitFlight(recording, name, range);
     } catch (const InputError& error) {
       one.refusal = error.what();
     }
+    one.isFlight = problem.empty();
     throws.push_back(std::move(one));
   }
   return throws;

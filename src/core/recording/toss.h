@@ -9,17 +9,9 @@
 
 #include <Eigen/Core>
 
-#include "recording/read_recording.h"
+#include "recording/inertial_recording.h"
 
 namespace rotatebook::recording {
-
-/// Statements about a toss that its recording doesn't make.
-struct TossOptions {
-  std::optional<double> from{}, to{};  ///< The flight, of the recording's times. [s]
-  /// Largest distance of the accelerometer from the centre of mass, for the search for the flight,
-  /// >= 0. [m]
-  double lever = 0.05;
-};
 
 /// A ratio of moments, and the part of its interval that a body can have.
 struct Estimate {
@@ -66,24 +58,23 @@ inline constexpr double kLargestResidual = 0.05;
 /// alike for a quarter of the flight, and cut to what bodies can have. The flight is the stated
 /// one; else where the specific force stays below 2 m/s^2 and the centripetal part, without its
 /// first and last 2 %; without an accelerometer the only one of findThrows() that is accepted.
-/// Throws InputError, beginning with `name`, if no flight of 20 readings is found, if the motion
+/// Throws InputError, beginning with `name`, if no flight of 10 readings is found, if the motion
 /// doesn't tell the inertia, if its residual is above kLargestResidual, if the gyroscope clips, and
 /// if a ratio's interval is wider than 0.5.
 TossFit fitToss(const InertialRecording& recording, const std::string& name,
                 const TossOptions& options);
 
-/// Returns a time for people, to a ten-thousandth of a second.
-std::string timeText(double time);
-
-/// A flight in a recording.
+/// A flight in a recording, or a fast stretch without one.
 struct Throw {
-  double from = 0, to = 0;     ///< Of the recording's times. [s]
+  double from = 0, to = 0;  ///< Of the recording's times. [s]
+  bool isFlight = true;
   double spin = 0;             ///< Root mean square of its size. [rad/s]
   std::optional<TossFit> fit;  ///< Nothing if it is refused.
   std::string refusal{};       ///< Why, beginning with the recording's name.
 };
 
-/// Returns the flights that the rates alone show, within the options' part; see flightsByRates().
+/// Returns the flights that the rates alone show, and the fast stretches that have none, within the
+/// options' part; see fastStretches().
 std::vector<Throw> findThrows(const InertialRecording& recording, const std::string& name,
                               const TossOptions& options);
 

@@ -138,6 +138,12 @@ TEST_F(RecordingFiles, SayWhatIsWrongWithThem) {
   const std::string rates = phyphoxExport().at("Gyroscope.csv");
   writeZip("two.zip", {{"a.csv", rates}, {"b.csv", rates}});
   EXPECT_THAT(toss({"two.zip"}).error, HasSubstr("\"a.csv\" and \"b.csv\" all have rates"));
+  // Archives have the experiment's folder, whose name tells tables apart.
+  writeZip("twice.zip", {{"left/Gyroscope.csv", rates}, {"right/Gyroscope.csv", rates}});
+  EXPECT_THAT(toss({"twice.zip"}).error,
+              HasSubstr("\"left/Gyroscope.csv\" and \"right/Gyroscope.csv\" all have rates"));
+  writeZip("broken.zip", {{"left/Gyroscope.csv", rates + "99,x,0,0\n"}});
+  EXPECT_THAT(toss({"broken.zip"}).error, HasSubstr("broken.zip: left/Gyroscope.csv:"));
   writeZip("book.xlsx", {{"[Content_Types].xml", "<Types/>"}, {"xl/workbook.xml", "<workbook/>"}});
   EXPECT_THAT(toss({"book.xlsx"}).error, HasSubstr("a workbook (.xlsx), which isn't read"));
   write("cut.zip", "PK\x03\x04 and no more");
@@ -151,7 +157,7 @@ TEST_F(RecordingFiles, AreReadWithinLimits) {
   writeZip("bomb.zip", {{"Gyroscope.csv", std::string(17 << 20, ' ')}});
   EXPECT_LT(fs::file_size(folder() / "bomb.zip"), 1 << 16);
   EXPECT_THAT(toss({"bomb.zip"}).error,
-              HasSubstr("bomb.zip/Gyroscope.csv: longer than 16 MiB, the limit for a recording"));
+              HasSubstr("bomb.zip: Gyroscope.csv: longer than 16 MiB, the limit for a recording"));
   Files many;
   for (int i = 0; i < 65; ++i) many[std::to_string(i) + ".csv"] = "a\n";
   writeZip("many.zip", many);
@@ -169,8 +175,9 @@ TEST_F(RecordingFiles, AreJudgedWithWhatWasLeftOut) {
   const ChildResult result = runWithoutGraphics(
       {"judge", "phyphox.zip", "--inertia", "0.315,0.726,1", "--from", "1.25", "--to", "1.95"});
   EXPECT_EQ(result.status, 0) << result.error;
-  EXPECT_THAT(result.error, HasSubstr("note: phyphox.zip/Gyroscope.csv: 1 row without a reading at "
-                                      "the table's ends left out\n"));
+  EXPECT_THAT(result.error,
+              HasSubstr("note: phyphox.zip: Gyroscope.csv: 1 row without a reading at "
+                        "the table's ends left out\n"));
 }
 
 }  // namespace

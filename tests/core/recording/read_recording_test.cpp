@@ -53,7 +53,7 @@ TEST(ReadRecording, TakesTheUnitOfRatesFromTheHeaderOrTheOptions) {
   EXPECT_EQ(refusal("t,wx,wy,wz" + rows),
             "m.csv: the column \"wx\" doesn't say whether it is in rad/s or deg/s; state it in "
             "simulation.rates, or with --rates");
-  for (const char* unit : {"mdps", "rad/min", "turn/s"}) {
+  for (const char* unit : {"rad/min", "counts"}) {
     const std::string u = std::string(" (") + unit + ")";
     EXPECT_THAT(refusal("t,wx" + u + ",wy" + u + ",wz" + u + rows),
                 HasSubstr("doesn't say whether"));

@@ -41,12 +41,12 @@ TEST(Toss, TellsTheRatiosOfTheMoments) {
     }
   }
   std::ranges::sort(errors);
-  EXPECT_LE(refused, 15);                      // measured 7
+  EXPECT_LE(refused, 15);                      // measured 9
   EXPECT_LT(errors[errors.size() / 2], 5e-4);  // measured 1.02e-4
-  EXPECT_LT(width, 1.5e-3);  // measured 9.5e-4, without the error of the bias 2 % less
+  EXPECT_LT(width, 1.5e-3);  // measured 9.47e-4, without the error of the bias 2 % less
   // 95 % are expected. Of 10,000 tosses 94.96 % held, without the error of the bias 94.19 %.
   const double share = held / static_cast<double>(errors.size());
-  EXPECT_GE(share, 0.935);  // measured 0.953
+  EXPECT_GE(share, 0.935);  // measured 0.9637
   EXPECT_LE(share, 0.965);
 }
 
@@ -68,9 +68,9 @@ double shareThatHolds(const GyroscopeErrors& errors) {
 }
 
 TEST(Toss, WidensItsIntervalsByWhatIsntNoise) {
-  EXPECT_GE(shareThatHolds({.scale = 0.005}), 0.9);            // measured 0.94
-  EXPECT_GE(shareThatHolds({.stamps = 5e-4}), 0.93);           // measured 0.99
-  EXPECT_GE(shareThatHolds({.drift = 0.05 * kDegree}), 0.88);  // measured 0.92
+  EXPECT_GE(shareThatHolds({.scale = 0.005}), 0.9);            // measured 0.968
+  EXPECT_GE(shareThatHolds({.stamps = 5e-4}), 0.93);           // measured 1
+  EXPECT_GE(shareThatHolds({.drift = 0.05 * kDegree}), 0.88);  // measured 0.923
 }
 
 TEST(Toss, KeepsItsIntervalsToWhatBodiesCanHave) {
@@ -121,8 +121,8 @@ TEST(Toss, SubtractsTheBiasOfTheRestBefore) {
   Tosses tosses;
   const TossFit fit = fitToss(tosses.toss({9, 1, 2}, Eigen::Matrix3d::Identity()), "t.csv", {});
   EXPECT_NEAR(fit.rest, 0.99, 0.02);
-  EXPECT_LT((fit.bias - tosses.kBias).norm(), 3e-4);
-  EXPECT_NEAR(fit.residual, kNoise * kDegree, 0.1 * kNoise * kDegree);
+  EXPECT_LT((fit.bias - tosses.kBias).norm(), 3e-4);                    // measured 1.25e-4
+  EXPECT_NEAR(fit.residual, kNoise * kDegree, 0.1 * kNoise * kDegree);  // measured 0.92 of it
 }
 
 TEST(Toss, FindsTheAxesToo) {
@@ -131,7 +131,7 @@ TEST(Toss, FindsTheAxesToo) {
   const TossFit fit = fitToss(tosses.toss({9, 1, 2}, axes), "t.csv", {});
   const Eigen::Matrix3d expected =
       axes * (kBook / kBook.maxCoeff()).asDiagonal() * axes.transpose();
-  EXPECT_LT((fit.inertia - expected).cwiseAbs().maxCoeff(), 0.01);
+  EXPECT_LT((fit.inertia - expected).cwiseAbs().maxCoeff(), 1e-3);  // measured 1.9e-4
 }
 
 TEST(Toss, RefusesAMotionThatDoesntTell) {
@@ -162,8 +162,8 @@ TEST(Toss, TakesAFlightThatBeginsAtRest) {
 TEST(Toss, RefusesARecordingWithoutAFlight) {
   Tosses tosses;
   InertialRecording recording = tosses.toss({9, 1, 2}, Eigen::Matrix3d::Identity());
-  EXPECT_EQ(refusalOf([&] { fitToss(recording, "t.csv", {.from = 5.3, .to = 5.4}); }),
-            "t.csv: the flight has 11 readings, but at least 20 are needed; state another with "
+  EXPECT_EQ(refusalOf([&] { fitToss(recording, "t.csv", {.from = 5.3, .to = 5.36}); }),
+            "t.csv: the flight has 7 readings, but at least 10 are needed; state another with "
             "--from and --to");
   EXPECT_GT(fitToss(recording, "t.csv", {.from = 5.25, .to = 5.95}).gap, kSmallestGap);
 }

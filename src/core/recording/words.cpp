@@ -1,0 +1,29 @@
+#include "recording/words.h"
+
+#include <algorithm>
+
+namespace rotatebook::recording {
+
+std::vector<std::string_view> wordsOf(std::string_view text) {
+  std::vector<std::string_view> words;
+  while (true) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    words.push_back(text.substr(0, end));
+    if (end == text.size()) return words;
+    text.remove_prefix(end + 1);
+  }
+}
+
+std::string smallText(std::string_view text) {
+  std::string result(text);
+  for (char& letter : result) {
+    if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+  }
+  return result;
+}
+
+bool isAmong(std::string_view list, std::string_view word) {
+  return std::ranges::count(wordsOf(list), word) > 0;
+}
+
+}  // namespace rotatebook::recording

@@ -54,6 +54,9 @@ constexpr std::array<std::string_view, 12> kRead{
     "images",    "materials",   "meshes",  "nodes",
     "scene",     "scenes",      "skins",   "textures"};
 
+/// Members of any object that aren't read, either.
+constexpr std::array<std::string_view, 4> kLeftOut{"extras", "max", "min", "name"};
+
 /// Makes a document of a description, without what isn't read.
 class Builder : public nlohmann::json_sax<GlbDocument::Json> {
  public:
@@ -85,7 +88,8 @@ class Builder : public nlohmann::json_sax<GlbDocument::Json> {
   bool isLeftOut() const {
     if (left_ > 0) return true;
     if (open_.empty() || !open_.back()->is_object()) return false;
-    return name_ == "extras" || (open_.size() == 1 && !std::ranges::count(kRead, name_));
+    return std::ranges::count(kLeftOut, name_) > 0 ||
+           (open_.size() == 1 && std::ranges::count(kRead, name_) == 0);
   }
 
   /// Returns where a value is then, which isn't left out.

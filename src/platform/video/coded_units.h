@@ -26,6 +26,23 @@ std::string h264Difference(Bytes parameters, const WrittenForm& form, const Payl
 /// libx264's note of its version and settings.
 CodedPicture h264Picture(Bytes packet, bool first);
 
+/// Follows the numbers by which decoders of H.264 order pictures (8.2.1): those of one whose
+/// numbers say otherwise than its time may show another order, or leave pictures out.
+class PictureOrder {
+ public:
+  /// `parameters` are those of the stream, as for h264Difference().
+  explicit PictureOrder(Bytes parameters);
+
+  /// Returns whether the next packet has the numbers that libx264 gives to what is shown as
+  /// `frame`.
+  bool isPlain(Bytes packet, std::int64_t frame);
+
+ private:
+  int numberBits_ = 0, orderBits_ = 0;
+  std::int64_t needed_ = 0;  // Pictures since the last key frame that others refer to.
+  std::int64_t start_ = 0;   // The frame of that one.
+};
+
 /// Examines a picture as libvpx codes it: a frame to show, with others before it that later ones
 /// refer to.
 CodedPicture vp9Picture(Bytes packet, const WrittenForm& form);

@@ -167,8 +167,8 @@ bool isPlainPicture(Bytes unit, const Payload& payload) {
   const std::vector<std::uint8_t> bytes = payloadOf(unit);
   BitReader in(bytes);
   if (in.golomb() != 0 || in.golomb() != 0) return false;
-  in.bits(2);
-  if (in.golomb() != 0) return false;
+  in.flag();
+  if (in.flag() || in.golomb() != 0) return false;  // Orders of fields.
   in.golomb(), in.golomb();
   in.flag();
   const std::uint32_t mixed = in.bits(2);
@@ -242,6 +242,41 @@ std::string h264Difference(Bytes parameters, const WrittenForm& form, const Payl
   if (!isNeeded(picture, kPicture) || hidesUnit(picture) || !isPlainPicture(picture, payload))
     return "the pictures' parameters differ";
   return "";
+}
+
+PictureOrder::PictureOrder(Bytes parameters) {
+  constexpr std::size_t kHead = 6;
+  constexpr std::uint32_t kMostBits = 16;
+  Bytes rest = parameters.subspan(std::min(parameters.size(), kHead));
+  const std::vector<std::uint8_t> bytes = payloadOf(takeUnit(rest, 2));
+  BitReader in(bytes);
+  in.bits(24);
+  for (int i = 0; i < 4; ++i) in.golomb();
+  in.bits(2);
+  const auto bits = [&] { return static_cast<int>(std::min(in.golomb() + 4, kMostBits)); };
+  numberBits_ = bits();
+  if (in.golomb() == 0) orderBits_ = bits();
+}
+
+bool PictureOrder::isPlain(Bytes packet, std::int64_t frame) {
+  constexpr std::size_t kHead = 32;
+  constexpr int kNeededBits = 0x60;
+  Bytes rest = packet;
+  Bytes unit = takeUnit(rest, 4);
+  if (typeOf(unit) == kMessage) unit = takeUnit(rest, 4);
+  const std::vector<std::uint8_t> bytes = payloadOf(unit.first(std::min(unit.size(), kHead)));
+  BitReader in(bytes);
+  for (int i = 0; i < 3; ++i) in.golomb();  // The first block, the type and the parameters.
+  const bool isKey = typeOf(unit) == kKeySlice;
+  if (isKey) needed_ = 0, start_ = frame;
+  const auto isNext = [&](int size, std::int64_t number) {
+    return in.bits(size) == (static_cast<std::uint64_t>(number) & ((1ULL << size) - 1));
+  };
+  if (!isNext(numberBits_, needed_)) return false;
+  if (isKey) in.golomb();
+  if (orderBits_ > 0 && !isNext(orderBits_, 2 * (frame - start_))) return false;
+  if (!unit.empty() && (unit[0] & kNeededBits) != 0) ++needed_;
+  return !isKey || in.bits(2) == 0;  // Those before it are shown; it is kept as others are.
 }
 
 CodedPicture h264Picture(Bytes packet, bool first) {

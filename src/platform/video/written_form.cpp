@@ -20,10 +20,20 @@ std::string alphaDifference(const AVPacket& packet, const WrittenForm& form) {
   return vp9Picture(Bytes(data, size).subspan(std::min(size, kNumber)), form).difference;
 }
 
-CodedPicture pictureOf(const AVPacket& packet, VideoFormat format, bool first,
-                       const WrittenForm& form) {
+Bytes parametersOf(const ClipInput& input) {
+  const AVCodecParameters& codec = *input.stream().codecpar;
+  return {codec.extradata, static_cast<std::size_t>(codec.extradata_size)};
+}
+
+CodedPicture h264PictureOf(Bytes packet, bool first, std::int64_t frame, PictureOrder& order) {
+  CodedPicture picture = h264Picture(packet, first);
+  if (!order.isPlain(packet, frame) && picture.difference.empty())
+    picture.difference = "the numbers of another order";
+  return picture;
+}
+
+CodedPicture vp9PictureOf(const AVPacket& packet, const WrittenForm& form) {
   const Bytes bytes(packet.data, static_cast<std::size_t>(packet.size));
-  if (format == VideoFormat::Mp4) return h264Picture(bytes, first);
   CodedPicture picture = vp9Picture(bytes, form);
   if (picture.difference.empty()) picture.difference = alphaDifference(packet, form);
   return picture;
@@ -35,9 +45,15 @@ Payload readPayload(const ClipInput& input, const WrittenForm& form, std::string
   Payload payload{.title = Dictionary::valueIn(texts, "title"),
                   .comment = Dictionary::valueIn(texts, "comment")};
   const AVRational frame{form.frameRate.denominator, form.frameRate.numerator};
+  const AVRational tick = input.stream().time_base;
+  PictureOrder order(parametersOf(input));
   const Handle<AVPacket> packet = owned(av_packet_alloc());
   for (; av_read_frame(&input.context(), packet.get()) >= 0; av_packet_unref(packet.get())) {
-    const CodedPicture picture = pictureOf(*packet, input.format(), payload.sizes.empty(), form);
+    const Bytes bytes(packet->data, static_cast<std::size_t>(packet->size));
+    const CodedPicture picture = input.format() == VideoFormat::WebM
+                                     ? vp9PictureOf(*packet, form)
+                                     : h264PictureOf(bytes, payload.sizes.empty(),
+                                                     av_rescale_q(packet->pts, tick, frame), order);
     if (difference.empty() && !picture.difference.empty()) {
       difference = "picture " + std::to_string(payload.sizes.size()) + ", as coded, holds " +
                    picture.difference;
@@ -45,7 +61,7 @@ Payload readPayload(const ClipInput& input, const WrittenForm& form, std::string
     const std::int64_t delay = packet->pts - packet->dts;
     if (payload.sizes.empty()) payload.delay = av_rescale_q(delay, input.stream().time_base, frame);
     if (picture.isKey) payload.keys.push_back(payload.sizes.size());
-    payload.sizes.push_back(static_cast<std::uint64_t>(packet->size));
+    payload.sizes.push_back(bytes.size());
     payload.delays.push_back(static_cast<std::uint64_t>(delay));
   }
   return payload;
@@ -55,7 +71,6 @@ Payload readPayload(const ClipInput& input, const WrittenForm& form, std::string
 
 FormDifferences differencesFromWritten(const std::filesystem::path& clip, const WrittenForm& form) {
   const ClipInput input(clip);
-  const AVCodecParameters& codec = *input.stream().codecpar;
   FormDifferences found;
   const Payload payload = readPayload(input, form, found.stream);
   std::ifstream file(clip, std::ios::binary);
@@ -63,8 +78,7 @@ FormDifferences differencesFromWritten(const std::filesystem::path& clip, const 
     found.container = webmDifference(file, form, payload);
     return found;
   }
-  const Bytes parameters(codec.extradata, static_cast<std::size_t>(codec.extradata_size));
-  const std::string difference = h264Difference(parameters, form, payload);
+  const std::string difference = h264Difference(parametersOf(input), form, payload);
   if (!difference.empty()) found.stream = difference;
   found.container = mp4Difference(file, form, payload);
   return found;

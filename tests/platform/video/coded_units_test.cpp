@@ -112,6 +112,27 @@ TEST(CodedUnits, HideNoUnits) {
   EXPECT_THAT(h264Picture(hiding, false).difference, HasSubstr("isn't a whole picture"));
 }
 
+// By such numbers some decoders order pictures, or show none of those that still wait.
+TEST(CodedUnits, HaveTheNumbersOfTheirTimes) {
+  const auto streamWith = [](int picture, std::string unit, std::size_t at, int bit) {
+    return differencesWith(VideoFormat::Mp4,
+                           [&](std::string& packet, int n) {
+                             const std::size_t begin = packet.find(unit) + unit.size() + at;
+                             if (n == picture)
+                               packet.at(begin) = static_cast<char>(packet.at(begin) ^ 1 << bit);
+                           })
+        .stream;
+  };
+  // A key frame's slice: type, parameters, number, order, whether those before it are left out.
+  const std::string key("\0\0\1\x65\x88", 5), other("\0\0\1\x41", 4);
+  EXPECT_EQ(streamWith(0, key, 1, 3), "picture 0, as coded, holds the numbers of another order");
+  EXPECT_EQ(streamWith(0, key, 1, 4), "picture 0, as coded, holds the numbers of another order");
+  EXPECT_EQ(streamWith(0, key, 1, 5), "picture 0, as coded, holds the numbers of another order");
+  // Its number, and then its order.
+  EXPECT_EQ(streamWith(1, other, 0, 0), "picture 1, as coded, holds the numbers of another order");
+  EXPECT_EQ(streamWith(1, other, 1, 3), "picture 1, as coded, holds the numbers of another order");
+}
+
 Bytes bytesIn(const std::string& text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
 }
@@ -213,6 +234,7 @@ TEST(CodedUnits, OfAnyBytesAreRead) {
       byte = static_cast<std::uint8_t>((value = value * 1664525U + 1013904223U) >> 24);
     EXPECT_NE(h264Difference(bytes, kForm, {}), "");
     h264Picture(bytes, true);
+    PictureOrder(bytes).isPlain(bytes, seed);
     vp9Picture(bytes, kForm);
   }
 }

@@ -11,7 +11,8 @@ namespace rotatebook::video {
 namespace {
 
 /// All boxes, with all their fields. Measured on libavformat 59.27 and 62.19, which write the same
-/// but for the duration in mdhd.
+/// but for the duration in mdhd; of 62.19, the tables of samples and btrt are as its source has
+/// them.
 constexpr std::array kMp4Rows{
     LayoutRow{0, "ftyp", 1, 1, "69736f6d 00000200 69736f6d 69736f32 61766331 6d703431"},
     LayoutRow{0, "moov"},

@@ -22,7 +22,7 @@ constexpr std::string_view kSegment = "18538067", kCluster = "1f43b675", kBlock 
                            kTime = "e7", kGroupBlock = "a1", kReference = "fb";
 constexpr std::uint64_t kMaxNumber = 8;  // Of a number. [bytes]
 
-/// All elements. Measured on libavformat 59.27 and 62.19.
+/// All elements. Measured on libavformat 59.27 and 62.19, the times of pictures on 59.27.
 constexpr std::array kWebmRows{
     LayoutRow{0, "1a45dfa3", 1, 1, "", "EBML"},
     LayoutRow{1, "4286", 1, 1, "01", "EBMLVersion"},

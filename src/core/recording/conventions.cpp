@@ -187,7 +187,8 @@ std::string mistakeOfReading(const Thinned& table, double difference, const Tabl
 /// Returns the mistake of columns that are swapped or negated or, of rates that contradict the
 /// attitudes, of axes that are turned; empty without.
 std::string mistakeOfAxes(const Thinned& table, double difference, const TableUnits& units) {
-  const RatesAndSlopes all{table.rates, table.alongBody, table.alongWorld, table.areAlongBody};
+  const RatesAndSlopes all{table.rates, table.alongBody, table.alongWorld, table.areAlongBody,
+                           units.haveQuaternions};
   std::optional<AxesMistake> found = swappedColumns(all);
   if (!isRecognised(found->multiple.left, difference)) {
     // Steps that lag behind turn the slopes, too, by less.
@@ -253,19 +254,21 @@ std::string mistakeOfFew(const std::vector<RecordedMoment>& moments) {
 }
 
 /// Returns the fit of the rates, with a bias along the world's axes or the body's.
-RateFit fitOf(const Thinned& table) {
+RateFitted fitOf(const Thinned& table) {
   constexpr double kBetter = 0.8;
   RateFitted best = fitRates(table.rates, table.slopes());
   best.fit.isBiasAlongBody = table.areAlongBody;
-  if (table.areAlongBody) return best.fit;
+  if (table.areAlongBody) return best;
   Vectors alongBody;
   for (const RecordedMoment& moment : table.moments) alongBody.push_back(moment.angularVelocity);
   RateFitted other = fitRates(alongBody, table.alongBody);
   other.fit.isBiasAlongBody = true;
-  return other.left < kBetter * best.left ? other.fit : best.fit;
+  return other.left < kBetter * best.left ? other : best;
 }
 
-std::string contradictionText(double difference) {
+std::string contradictionText(double difference, const RateFitted& fitted) {
+  if (fitted.fit.isOff() && isRecognised(fitted.left, difference))
+    return fitText("the rates " + textOf(fitted.fit) + "; undo that", fitted.left);
   return "the rates aren't the attitudes' slopes: they differ by " +
          roundedText(100 * difference, 2) +
          " %, with no other axes, order or unit by less; are both of the same body and moment?";
@@ -273,16 +276,27 @@ std::string contradictionText(double difference) {
 
 /// Returns the mistake in a table whose rates differ so much from the slopes; empty without.
 std::string mistakeIn(const Thinned& table, const std::vector<RecordedMoment>& all,
-                      double difference, const TableUnits& units) {
+                      double difference, const RateFitted& fitted, const TableUnits& units) {
   std::string mistake = mistakeOfReading(table, difference, units);
   if (mistake.empty()) mistake = mistakeOfAxes(table, difference, units);
   // Noise of the attitudes makes slopes that differ.
   if (mistake.empty() && difference > kContradicts && turnsOf(all).difference > kContradicts)
-    mistake = contradictionText(difference);
+    mistake = contradictionText(difference, fitted);
   return mistake;
 }
 
 }  // namespace
+
+std::string textOf(const RateFit& fit) {
+  constexpr int kDigits = 3, kDigitsOfFactor = 5;
+  const auto part = [&](int i) { return roundedText(fit.bias[i], kDigits); };
+  const std::string bias = "a bias of (" + part(0) + ", " + part(1) + ", " + part(2) +
+                           ") rad/s along the " + (fit.isBiasAlongBody ? "body" : "world") +
+                           "'s axes";
+  if (fit.factor == 1) return "have " + bias;
+  return "are " + roundedText(fit.factor, kDigitsOfFactor) + " times the attitudes' slopes" +
+         (fit.bias.isZero(0) ? "" : ", with " + bias);
+}
 
 RateComparison compareRates(const std::vector<RecordedMoment>& moments, bool areAlongBody,
                             const TableUnits& units) {
@@ -293,8 +307,9 @@ RateComparison compareRates(const std::vector<RecordedMoment>& moments, bool are
   if (meanTurn(kept) > kLargestTurn) return {};
   const Thinned table(kept, areAlongBody);
   RateComparison result{.difference = relativeDifference(table.rates, table.slopes())};
-  result.mistake = mistakeIn(table, moments, result.difference, units);
-  result.fit = fitOf(table);
+  const RateFitted fitted = fitOf(table);
+  result.fit = fitted.fit;
+  result.mistake = mistakeIn(table, moments, result.difference, fitted, units);
   return result;
 }
 

@@ -23,6 +23,9 @@ struct RateComparison {
   RateFit fit{};
 };
 
+/// Returns by what rates differ that are off: "are 1.02 times the attitudes' slopes".
+std::string textOf(const RateFit& fit);
+
 /// Compares the rates of moments with the slopes of their attitudes, both as a table was read:
 /// along the body's axes if `areAlongBody`, else along the world's. If they differ, tries the other
 /// axes, quaternions of body from world or in another order, other units, columns that are swapped

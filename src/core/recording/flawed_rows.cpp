@@ -57,10 +57,22 @@ std::vector<Run> runsIn(const Moments& moments, bool areRatesGiven) {
   return runs;
 }
 
+/// Returns the moments whose attitude isn't that of the one before.
+Moments distinctOf(const Moments& moments) {
+  Moments distinct{moments.front()};
+  for (const RecordedMoment& moment : moments) {
+    if (moment.attitude.coeffs() != distinct.back().attitude.coeffs()) distinct.push_back(moment);
+  }
+  return distinct;
+}
+
 /// Returns the rows that are held. Those at an end may be a rest, unless they are no more than
 /// elsewhere.
 std::vector<std::size_t> heldIn(const Moments& moments, bool areRatesGiven) {
+  // A slow turn that is rounded to three decimals makes steps of 1e-3 rad, or none.
+  constexpr double kLeastTurn = 2e-3;
   const std::vector<Run> runs = runsIn(moments, areRatesGiven);
+  if (runs.empty() || usualTurn(distinctOf(moments)) < kLeastTurn) return {};
   const auto isInside = [&](const Run& run) { return run.first > 1 && run.end < moments.size(); };
   std::size_t longest = 0;
   for (const Run& run : runs) {
@@ -77,15 +89,22 @@ std::vector<std::size_t> heldIn(const Moments& moments, bool areRatesGiven) {
 /// The rows that are looked at, by their indices.
 using Rows = std::vector<std::size_t>;
 
+/// Neighbouring places among the rows.
+struct Places {
+  std::size_t first, count;
+
+  bool has(std::size_t place) const { return place >= first && place - first < count; }
+};
+
 /// Returns four rows around place `at`, as even as they are, without it and without `leftOut`.
-std::array<std::size_t, 4> neighboursOf(const Rows& rows, std::size_t at, std::size_t leftOut) {
+std::array<std::size_t, 4> neighboursOf(const Rows& rows, std::size_t at, const Places& leftOut) {
   std::array<std::size_t, 4> found{};
   std::size_t count = 0, below = at, above = at + 1;
   while (count < found.size()) {
     const bool takesBelow = below > 0 && (count % 2 == 0 || above >= rows.size());
     if (!takesBelow && above >= rows.size()) break;
     const std::size_t place = takesBelow ? --below : above++;
-    if (place != leftOut) found[count++] = rows[place];
+    if (!leftOut.has(place)) found[count++] = rows[place];
   }
   return found;
 }
@@ -122,19 +141,40 @@ struct Deviations {
   const Rows& rows;
   bool areOfAttitudes;
 
-  double at(std::size_t place, std::size_t leftOut) const {
+  double at(std::size_t place, const Places& leftOut) const {
     const auto neighbours = neighboursOf(rows, place, leftOut);
     return areOfAttitudes ? attitudeOff(moments, rows[place], neighbours)
                           : ratesOff(moments, rows[place], neighbours);
   }
 
-  /// Returns whether the rows beside that at `place` fit much better without it.
-  bool fitWithout(std::size_t place, double off) const {
+  /// Returns whether the rows beside these fit much better without them, which are off by as much.
+  bool fitWithout(const Places& strays, double off) const {
     constexpr double kMuchBetter = 4;
-    const bool fitsBefore = place == 0 || at(place - 1, place) * kMuchBetter < off;
-    return fitsBefore && (place + 1 == rows.size() || at(place + 1, place) * kMuchBetter < off);
+    const std::size_t first = strays.first, end = strays.first + strays.count;
+    return (first == 0 || at(first - 1, strays) * kMuchBetter < off) &&
+           (end == rows.size() || at(end, strays) * kMuchBetter < off);
+  }
+
+  /// Returns by how much those of the places that is off by least is off without the others.
+  double leastOff(const Places& places) const {
+    double least = at(places.first, places);
+    for (std::size_t i = 1; i < places.count; ++i)
+      least = std::min(least, at(places.first + i, places));
+    return least;
   }
 };
+
+/// Returns how many rows from `first` on are stray, up to three: as few as the others fit without.
+std::size_t straysFrom(const Deviations& deviations, std::size_t first, double bound) {
+  constexpr std::size_t kMost = 3;
+  for (std::size_t count = 1; count <= kMost; ++count) {
+    if (first + count > deviations.rows.size()) return 0;
+    const Places places{first, count};
+    const double off = deviations.leastOff(places);
+    if (off > bound && deviations.fitWithout(places, off)) return count;
+  }
+  return 0;
+}
 
 /// Returns the stray rows, and the deviation that half of the rows are below.
 std::pair<std::vector<StrayRow>, double> straysIn(const Deviations& deviations, double least) {
@@ -143,12 +183,17 @@ std::pair<std::vector<StrayRow>, double> straysIn(const Deviations& deviations, 
   const std::size_t count = deviations.rows.size();
   if (count < kMinRows) return {};
   std::vector<double> off;
-  for (std::size_t place = 0; place < count; ++place) off.push_back(deviations.at(place, place));
+  for (std::size_t place = 0; place < count; ++place)
+    off.push_back(deviations.at(place, {place, 1}));
   const double usual = middleOf(off), bound = std::max(kFar * usual, least);
   std::vector<StrayRow> strays;
   for (std::size_t place = 0; place < count; ++place) {
-    if (off[place] > bound && deviations.fitWithout(place, off[place]))
-      strays.push_back({deviations.rows[place], deviations.areOfAttitudes, off[place]});
+    const std::size_t found = off[place] > bound ? straysFrom(deviations, place, bound) : 0;
+    for (std::size_t i = place; i < place + found; ++i) {
+      strays.push_back(
+          {deviations.rows[i], deviations.areOfAttitudes, deviations.at(i, {place, found})});
+    }
+    if (found > 0) place += found - 1;
   }
   if (strays.size() > 1 + count / kMost) strays.clear();
   return {strays, usual};
@@ -263,9 +308,10 @@ std::vector<std::string> textsOf(const Flaws& flaws, const std::vector<RecordedM
         stray));
   }
   if (!flaws.held.empty()) {
-    texts.push_back(counted(flaws.held.size(), "row repeats", "rows repeat") +
-                    " the attitude of the row before, as held readings do, the first at " +
-                    timeOf(flaws.held.front()));
+    texts.push_back(
+        counted(flaws.held.size(), "row repeats", "rows repeat") +
+        " the attitude of the row before, as held or coarsely rounded readings do, the first at " +
+        timeOf(flaws.held.front()));
   }
   if (!dropped.empty()) {
     texts.push_back(

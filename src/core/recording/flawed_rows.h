@@ -35,11 +35,11 @@ struct Flaws {
 };
 
 /// Finds the flaws of at least two moments: first what is held, then what is stray, then what is
-/// dropped, each in what is left. Strays are more than 12 times as far off as half of the rows, and
-/// those beside them fit without them; of more than a twentieth of the rows, none is one. Where
-/// rows are dropped, the body turns by a whole multiple of what it does before and after. Nothing
-/// is said of a body that turns by more than 0.7 rad from row to row, nor, but for stray rates, of
-/// a gyroscope's.
+/// dropped, each in what is left. Strays, one to three of them, are more than 12 times as far off
+/// as half of the rows, and those beside them fit without them; of more than a twentieth of the
+/// rows, none is one. Where rows are dropped, the body turns by a whole multiple of what it does
+/// before and after. Nothing is said of a body that turns by more than 0.7 rad from row to row,
+/// nor, but for stray rates, of a gyroscope's.
 Flaws flawsIn(const std::vector<RecordedMoment>& moments, SpinSource source);
 
 /// Returns the flaws in words, one kind each, where the first moment is at `zero` of the file's

@@ -131,10 +131,14 @@ std::vector<RecordedMoment> within(std::vector<RecordedMoment> moments,
 
 /// Returns the facts of rates beside attitudes. Throws ContradictionError if they contradict them.
 SpinFacts factsOf(const std::vector<RecordedMoment>& moments, const Columns& columns,
-                  const std::string& name) {
-  const RateComparison found = compareRates(moments, columns.areRatesAlongBody,
-                                            {columns.secondsPerUnit, columns.radiansPerUnit});
-  if (!found.mistake.empty()) throw ContradictionError(name + ": " + found.mistake);
+                  const std::string& name, const std::vector<std::string>& flaws = {}) {
+  const RateComparison found = compareRates(
+      moments, columns.areRatesAlongBody,
+      {columns.secondsPerUnit, columns.radiansPerUnit, columns.quaternion.has_value()});
+  if (!found.mistake.empty()) {
+    const std::string flaw = flaws.empty() ? "" : joined(flaws, "; ") + "; and without that, ";
+    throw ContradictionError(name + ": " + flaw + found.mistake);
+  }
   SpinFacts facts;
   facts.difference = found.difference;
   facts.fit = found.fit;
@@ -218,7 +222,7 @@ SoundPart soundPartOf(std::vector<RecordedMoment> moments, SpinSource source, do
 /// Returns the facts of the spins of a part without flaws.
 SpinFacts factsOf(const SoundPart& sound, const Columns& columns, SpinSource source,
                   const std::string& name) {
-  if (source == SpinSource::Given) return factsOf(sound.moments, columns, name);
+  if (source == SpinSource::Given) return factsOf(sound.moments, columns, name, sound.flaws);
   return {source, source == SpinSource::Slopes ? slopeUncertainty(sound.moments) : 0};
 }
 

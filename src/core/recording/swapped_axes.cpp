@@ -97,9 +97,10 @@ struct ColumnsReading {
 };
 
 /// Returns the reading of rates that are columns of the slopes along their axes, or the others.
-ColumnsReading readingOf(const Columns3& columns, bool areOtherAxes, const Multiple& multiple) {
+ColumnsReading readingOf(const RatesAndSlopes& table, const Columns3& columns, bool areOtherAxes,
+                         const Multiple& multiple) {
   // An odd change of a quaternion's vector is that of its inverse, along the other axes.
-  if (areOtherAxes && columns.determinant() < 0)
+  if (table.haveQuaternions && areOtherAxes && columns.determinant() < 0)
     return {columns.transposed(), false, false, multiple};
   return {columns, true, areOtherAxes, multiple};
 }
@@ -144,7 +145,7 @@ AxesMistake swappedColumns(const RatesAndSlopes& table) {
       if (columns.changes() == 0) continue;
       for (const bool areOther : {false, true}) {
         const Products& products = table.areRatesAlongBody != areOther ? body : world;
-        readings.push_back(readingOf(columns, areOther, products.multipleOf(columns)));
+        readings.push_back(readingOf(table, columns, areOther, products.multipleOf(columns)));
       }
     }
   }
@@ -157,7 +158,8 @@ AxesMistake swappedColumns(const RatesAndSlopes& table) {
   const ColumnsReading best = *std::ranges::min_element(readings, {}, &ColumnsReading::mistakes);
   std::string text = columnsText(best.columns, best.areOfRates ? kRateNames : kVectorNames);
   // An even change of a quaternion's vector turns both kinds of axes likewise.
-  if (best.areOfRates && !best.areOtherAxes && best.columns.determinant() > 0)
+  if (table.haveQuaternions && best.areOfRates && !best.areOtherAxes &&
+      best.columns.determinant() > 0)
     text += "; or else " + columnsText(best.columns.transposed(), kVectorNames);
   if (best.areOtherAxes) text += "; and " + alongText(!table.areRatesAlongBody);
   return {text, best.multiple};

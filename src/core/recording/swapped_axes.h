@@ -14,6 +14,7 @@ struct RatesAndSlopes {
   const Vectors& alongBody;
   const Vectors& alongWorld;
   bool areRatesAlongBody;  ///< As the table is read.
+  bool haveQuaternions = true;
 };
 
 /// A mistake in a table's axes.

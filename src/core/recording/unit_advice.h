@@ -5,10 +5,11 @@
 
 namespace rotatebook::recording {
 
-/// The units that a table is read in.
+/// The units that a table is read in, and what attitudes it has.
 struct TableUnits {
-  double seconds = 1;  ///< A unit of its times. [s]
-  double radians = 1;  ///< A unit of its rates. [rad/s]
+  double seconds = 1;           ///< A unit of its times. [s]
+  double radians = 1;           ///< A unit of its rates. [rad/s]
+  bool haveQuaternions = true;  ///< Else matrices.
 };
 
 /// Returns that rates, read in `units`, are `factor` times the attitudes' slopes, and the units to

@@ -92,8 +92,8 @@ std::optional<Errs> trendOf(const Changes& changes) {
 }
 
 Errs errsOf(const Verdict& verdict, const Changes& changes, const std::vector<Sample>& samples,
-            const std::vector<Sample>& exact) {
-  if (agrees(verdict, changes, samples.back(), 0)) return Errs::Hardly;
+            const std::vector<Sample>& exact, double noiseDeg) {
+  if (agrees(verdict, changes, samples.back(), noiseDeg)) return Errs::Hardly;
   // A spin that the exact motion keeps, too, tells nothing.
   constexpr double kMoves = 0.02, kClearly = 4;
   const auto motions = inner(samples, verdict), exactOnes = inner(exact, verdict);
@@ -104,7 +104,7 @@ Errs errsOf(const Verdict& verdict, const Changes& changes, const std::vector<Sa
       spinChange(exactMeans) > std::max(kMoves, kClearly * spinBound))
     return Errs::SpinIsFixed;
   // Exact motions have 0.012 at 10 attitudes a turn, and 0.046 at 5, measured.
-  constexpr double kTooUncertain = 0.03;
+  constexpr double kTooUncertain = 0.025;
   if (verdict.spins.uncertainty > kTooUncertain) return Errs::TooFewAttitudes;
   const bool keepsBoth = changes.keepEnergy() && changes.keepMomentum();
   const std::optional<Errs> trend = keepsBoth ? std::nullopt : trendOf(changes);
@@ -209,15 +209,16 @@ Verdict verdictOn(const MotionSettings& motion, const std::vector<Sample>& sampl
   verdict.halfTurns = samples.back().halfTurns;
   verdict.start = samples.front().regime;
   verdict.end = samples.back().regime;
-  if (motion.simulation.model == physics::Model::Recorded)
-    verdict.spins = motion.simulation.recorded.motion->spins();
+  const bool isRecorded = motion.simulation.model == physics::Model::Recorded;
+  if (isRecorded) verdict.spins = motion.simulation.recorded.motion->spins();
   const std::vector<Sample> exact = exactAt(motion, samples);
   Comparison comparison = compared(samples, exact);
   relateToFirst(comparison, verdict);
   takeMeasures(comparison, exact, verdict);
   const Changes changes = changesIn(comparison, verdict);
   verdict.scatter = changes.scatter();
-  verdict.errs = errsOf(verdict, changes, samples, exact);
+  const double noiseDeg = isRecorded ? setErrors(comparison, samples, exact) : 0;
+  verdict.errs = errsOf(verdict, changes, samples, exact, noiseDeg);
   return mayFit(motion, verdict) ? refined(verdict, motion, samples) : verdict;
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/number_text.h"
 #include "base/text.h"
+#include "recording/conventions.h"
 #include "timeline/verdict.h"
 
 namespace rotatebook::timeline {
@@ -31,8 +32,9 @@ std::string kindOf(const Verdict& verdict) {
       return std::to_string(verdict.samples) + (verdict.samples == 1 ? " row is" : " rows are") +
              " too few to tell; record at least " + std::to_string(kLeastRows);
     case Errs::TooFewAttitudes:
-      return "its attitudes are too far apart for their slopes to be its angular velocities; "
-             "record more of them, or the angular velocities, too";
+      return "its attitudes are too far apart, or their times too uncertain, for their slopes to "
+             "be "
+             "its angular velocities; record more of them, or the angular velocities, too";
     case Errs::TurnsMomentum:
       return "turns the angular momentum by " + roundedText(verdict.momentumTurnDeg, 3) +
              " degrees: another convention, another inertia, or an outer torque";
@@ -65,23 +67,16 @@ std::string kindOf(const Verdict& verdict) {
 }  // namespace
 
 std::string ratesText(const recording::SpinFacts& spins) {
-  constexpr int kDigits = 3, kDigitsOfFactor = 5;
-  const auto& [factor, bias, isAlongBody] = spins.fit;
-  const auto part = [&](int i) { return roundedText(bias[i], kDigits); };
-  const std::string biasText = "bias of (" + part(0) + ", " + part(1) + ", " + part(2) +
-                               ") rad/s along the " + (isAlongBody ? "body" : "world") + "'s axes";
-  if (factor != 1) {
-    return "are " + roundedText(factor, kDigitsOfFactor) + " times the attitudes' slopes" +
-           (bias.isZero(0) ? "" : ", with a " + biasText);
-  }
-  if (!bias.isZero(0)) return "have a " + biasText;
+  if (spins.fit.isOff()) return recording::textOf(spins.fit);
   return "differ from the attitudes' slopes by " + roundedText(100 * spins.difference, 2) + " %";
 }
 
 std::string methodThat(const Verdict& verdict) {
   const std::string kind = kindOf(verdict);
-  return verdict.flaws.empty() ? kind
-                               : kind + ", but for its flaws: " + joined(verdict.flaws, "; ");
+  if (verdict.flaws.empty()) return kind;
+  const std::string flaws = joined(verdict.flaws, "; ");
+  return isJudged(verdict) ? kind + ", but for its flaws: " + flaws
+                           : flaws + "; and without that, " + kind;
 }
 
 }  // namespace rotatebook::timeline

@@ -78,6 +78,41 @@ TEST(FlawedRecording, AStrayAttitudeIsNamed) {
               ElementsAre("1 row is off its neighbours: the attitude at 5 s, by 40 degrees"));
 }
 
+TEST(FlawedRecording, NeighboursMayBeStrayTogether) {
+  const auto spoil = [](Samples& samples) {
+    strayAt(300, 30)(samples);
+    strayAt(301, 50)(samples);
+  };
+  for (const Verdict& verdict : verdictsOn(spoil)) {
+    EXPECT_TRUE(agreesWithExact(verdict)) << methodThat(verdict);
+    EXPECT_THAT(verdict.flaws,
+                ElementsAre("2 rows are off their neighbours: the attitude at 5 s, by 30 degrees; "
+                            "the attitude at 5.0167 s, by 50 degrees"));
+  }
+}
+
+TEST(FlawedRecording, UncertainTimesAreNoFlaw) {
+  const auto spoil = [](Samples& samples) {
+    Noise noise;
+    for (std::size_t i = 1; i < samples.size(); ++i) samples[i].time += 1e-3 * noise.next();
+  };
+  for (const Verdict& verdict : verdictsOn(spoil)) {
+    EXPECT_TRUE(agreesWithExact(verdict)) << methodThat(verdict);
+    EXPECT_THAT(verdict.flaws, IsEmpty());
+  }
+}
+
+TEST(FlawedRecording, FlawsAreNamedBesideWhatIsWrongWithTheTable) {
+  const Table table{.areAlongBody = true, .spoil = strayAt(300, 40)};
+  try {
+    verdictOnText(textOf(exactBook(), table));
+    FAIL() << "is judged";
+  } catch (const recording::ContradictionError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the attitude at 5 s, by 40 degrees; and without that, the "
+                                        "rates are along the body's axes"));
+  }
+}
+
 TEST(FlawedRecording, StrayRatesAreNamed) {
   const auto spoil = [](Samples& samples) { samples[300].angularVelocity.x() += 3; };
   const Verdict verdict = verdictsOn(spoil).front();
@@ -90,7 +125,8 @@ TEST(FlawedRecording, HeldRowsAreNamed) {
   for (const Verdict& verdict : verdictsOn(held(1, 1, 2))) {
     EXPECT_TRUE(agreesWithExact(verdict)) << methodThat(verdict);
     EXPECT_THAT(verdict.flaws, ElementsAre("300 rows repeat the attitude of the row before, as "
-                                           "held readings do, the first at 0.01667 s"));
+                                           "held or coarsely rounded readings do, the first at "
+                                           "0.01667 s"));
   }
   for (const Verdict& verdict : verdictsOn(held(300, 10, 1000))) {
     EXPECT_TRUE(agreesWithExact(verdict)) << methodThat(verdict);

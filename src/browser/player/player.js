@@ -271,7 +271,8 @@ class Player {
 
   booksChoice(scene) {
     if (scene.bookCount < 2) return "one";
-    return this.read.motions[scene.bookCount - 1].model === "exact" ? "exact" : "same";
+    const isExact = (book) => this.read.motions[book].model === "exact";
+    return isExact(scene.bookCount - 1) && !isExact(0) ? "exact" : "same";
   }
 
   setBooks(choice) {

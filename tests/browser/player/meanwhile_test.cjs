@@ -50,6 +50,7 @@ describe("a clip that is proved", () => {
 
   test("goes on beside a ghost's motion", async () => {
     const {page, close} = await open();
+    await load(page, kTurns);
     await openWhile(page, fileOf(render("slow", kSlow)), "rotatebook.player.apply(rotatebook.player.scene.withShown('ghost', true))");
     assert.match(await messageOf(page), /proved: .* slow\.mp4.* isn’t played/);
     await close();

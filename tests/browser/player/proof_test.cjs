@@ -118,7 +118,7 @@ test("makes a dropped mesh the body, and a dropped table the motion", async () =
   const table = "t,wx (rad/s),wy (rad/s),wz (rad/s)\n" + Array.from({length: 101}, (_, i) => `${i / 100},0,0,2`).join("\n") + "\n";
   await drop(page, fileOf("spin.csv", table));
   await page.waitForFunction(() => rotatebook.player.scene.tree.simulation?.file === "spin.csv");
-  assert.equal(await page.evaluate(() => rotatebook.player.drawing.view.bodies[0]), null);
+  await page.waitForFunction(() => rotatebook.player.drawing.view.bodies[0] === null);
   assert.deepEqual(problems, []);
   await close();
 });

@@ -12,7 +12,7 @@ namespace {
 // Words that programs and messages write before the names of all columns.
 constexpr std::string_view kContainers =
     "field header pose twist imu imu0 imu1 data msg message sensor sensors";
-// What Shimmer's program writes after calibrated readings.
+// Shimmer's program writes it after calibrated readings.
 constexpr std::string_view kCalibrated = "cal";
 
 bool isCapital(char letter) {
@@ -43,7 +43,7 @@ std::vector<std::string> wordsInName(std::string_view name) {
   return words;
 }
 
-/// What a header has outside its brackets and within.
+/// A header, taken apart into what is outside its brackets and within.
 struct Bracketed {
   std::string outside, unit, numbers;
 };

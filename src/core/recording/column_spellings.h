@@ -12,7 +12,7 @@ inline constexpr std::string_view kTimeNames =
     "motiontimestampsincereboot gyrotimestampsincereboot accelerometertimestampsincereboot time t "
     "times ts timestamp timestampunix unixtime epoch epoc sampletimefine seconds millis micros ms "
     "us zeit temps tiempo tempo tijd";
-/// Those that are taken where there are others beside them: times since the start, and those of a
+/// Names that are taken where there are others beside them: times since the start, and those of a
 /// message or sensor itself.
 inline constexpr std::string_view kPreferredTimes =
     "secondselapsed elapsed elapsedtime timesincestart stamp stampsecs stampsec "
@@ -22,7 +22,7 @@ inline constexpr std::string_view kNanosecondNames = "stampnsecs stampnsec stamp
 
 /// A group of columns, and their usual names: a beginning and an end, as in ColumnName::plain.
 struct Spellings {
-  std::string_view roles;       ///< What the columns hold, separated by blanks, as are the others.
+  std::string_view roles;       ///< Of columns, separated by blanks, as are the others.
   std::string_view beginnings;  ///< Words before an end; or behind it, if longer than two letters.
   std::string_view preferred;   ///< Beginnings that are taken where there are others, too.
   std::string_view loose;       ///< Beginnings of other things, too, such as angles.

@@ -1,4 +1,5 @@
-// Rows of a recording that aren't its motion's: single wrong ones, held and dropped ones.
+// Rows of a recording that aren't its motion's: single wrong ones, held and dropped ones. Inside
+// the room only.
 #pragma once
 
 #include <cstddef>

@@ -144,7 +144,7 @@ Linear solveLinear(Readings flight) {
   const std::vector<RecordedMoment> moments = integrateRates(rates);
   std::vector<std::size_t> ends = breaksIn(rates);
   ends.push_back(moments.size());
-  // What each momentum differs by from the mean of those that ought to be the same
+  // Each momentum minus the mean of those that ought to be the same
   Eigen::MatrixXd differences(3 * static_cast<Eigen::Index>(rates.size()), 6);
   std::vector<MomentumMatrix> means;
   std::size_t start = 0;

@@ -21,7 +21,7 @@ struct InertialReading {
 /// A recording of a gyroscope, with an accelerometer or without.
 struct InertialRecording {
   std::vector<InertialReading> readings;
-  double zero = 0;  ///< Where the readings' times are 0, of the file's times. [s]
+  double zero = 0;  ///< Time of the file at which the readings' times are 0. [s]
   bool hasForce = false;
   bool isMeasured = true;            ///< By a gyroscope; else the rates are slopes of attitudes.
   std::vector<std::string> notes{};  ///< As RecordedMotion::notes().

@@ -51,7 +51,7 @@ RateFit factorAndBias(const Sums& sums) {
 
 /// Leaves out a factor or a bias that chance may make of what is left.
 void leaveOutChance(RateFitted& fitted, const Sums& sums) {
-  // What is left of ten rows may have one cause.
+  // The remainder of ten rows may have one cause.
   constexpr double kSigmas = 4, kRowsOfOneCause = 10, kLeast = 5e-4;
   const double bound = kLeast + kSigmas * fitted.left * std::sqrt(kRowsOfOneCause / sums.count);
   RateFit& fit = fitted.fit;

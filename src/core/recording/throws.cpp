@@ -106,7 +106,7 @@ class Stretch {
     const FreeBody body = nearestBody(range);
     const Eigen::Matrix3d tensor = tensorFrom(body.entries);
     if (!(body.change < kLargestChange) || !isBodys(tensor)) return std::nullopt;
-    // The same body may have been thrown again in a gap.
+    // In a gap the same body may have been thrown again.
     for (const std::size_t index : breaks_) {
       const bool isWithin = index > range.first && index < range.second;
       if (isWithin && !isContinued(tensor, index)) return std::nullopt;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <string_view>
@@ -184,20 +185,33 @@ std::string mistakeOfReading(const Thinned& table, double difference, const Tabl
   return fitText(mistakeText(best, table.areAlongBody, units), best.multiple.left);
 }
 
+/// A mistake, and what the rates then differ by, relative to the slopes; empty without.
+struct Mistake {
+  std::string text{};
+  double left = std::numeric_limits<double>::infinity();
+};
+
 /// Returns the mistake of columns that are swapped or negated or, of rates that contradict the
-/// attitudes, of axes that are turned; empty without.
-std::string mistakeOfAxes(const Thinned& table, double difference, const TableUnits& units) {
+/// attitudes, of axes that are turned.
+Mistake mistakeOfAxes(const Thinned& table, double difference, const TableUnits& units) {
   const RatesAndSlopes all{table.rates, table.alongBody, table.alongWorld, table.areAlongBody,
                            units.haveQuaternions};
   std::optional<AxesMistake> found = swappedColumns(all);
   if (!isRecognised(found->multiple.left, difference)) {
     // Steps that lag behind turn the slopes, too, by less.
     found = difference > kContradicts ? turnedAxes(all) : std::nullopt;
-    if (!found || !isRecognised(found->multiple.left, difference)) return "";
+    if (!found || !isRecognised(found->multiple.left, difference)) return {};
   }
   if (!isOne(found->multiple.factor))
     found->text += "; and " + factorText(found->multiple.factor, units);
-  return fitText(found->text, found->multiple.left);
+  return {found->text, found->multiple.left};
+}
+
+/// Returns the mistake of rates with a bias that contradict the attitudes.
+Mistake mistakeOfBias(const RateFitted& fitted, double difference) {
+  if (difference <= kContradicts || !fitted.fit.isOff() || !isRecognised(fitted.left, difference))
+    return {};
+  return {"the rates " + textOf(fitted.fit) + "; undo that", fitted.left};
 }
 
 /// Turns of a body over pieces of its motion, in all. [rad]
@@ -266,9 +280,7 @@ RateFitted fitOf(const Thinned& table) {
   return other.left < kBetter * best.left ? other : best;
 }
 
-std::string contradictionText(double difference, const RateFitted& fitted) {
-  if (fitted.fit.isOff() && isRecognised(fitted.left, difference))
-    return fitText("the rates " + textOf(fitted.fit) + "; undo that", fitted.left);
+std::string contradictionText(double difference) {
   return "the rates aren't the attitudes' slopes: they differ by " +
          roundedText(100 * difference, 2) +
          " %, with no other axes, order or unit by less; are both of the same body and moment?";
@@ -278,11 +290,14 @@ std::string contradictionText(double difference, const RateFitted& fitted) {
 std::string mistakeIn(const Thinned& table, const std::vector<RecordedMoment>& all,
                       double difference, const RateFitted& fitted, const TableUnits& units) {
   std::string mistake = mistakeOfReading(table, difference, units);
-  if (mistake.empty()) mistake = mistakeOfAxes(table, difference, units);
+  if (!mistake.empty()) return mistake;
+  const Mistake axes = mistakeOfAxes(table, difference, units);
+  const Mistake bias = mistakeOfBias(fitted, difference);
+  const Mistake& better = bias.left < axes.left ? bias : axes;
+  if (!better.text.empty()) return fitText(better.text, better.left);
   // Noise of the attitudes makes slopes that differ.
-  if (mistake.empty() && difference > kContradicts && turnsOf(all).difference > kContradicts)
-    mistake = contradictionText(difference, fitted);
-  return mistake;
+  const bool areOthers = difference > kContradicts && turnsOf(all).difference > kContradicts;
+  return areOthers ? contradictionText(difference) : "";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The conventions of a table: axes, units and order of what it holds. Inside the room only.
+// The conventions of a table: axes, units and order of what it holds.
 #pragma once
 
 #include <string>

@@ -11,6 +11,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
+#include "base/elementary.h"
 #include "base/number_text.h"
 #include "base/text.h"
 
@@ -176,12 +177,14 @@ std::optional<AxesMistake> turnedAxes(const RatesAndSlopes& table) {
   Eigen::Vector3d signs{1, 1, 1};
   if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0) signs[2] = -1;
   const Eigen::Matrix3d turn = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
-  const Eigen::AngleAxisd rotation(turn);
-  const Eigen::Vector3d axis = rotation.axis();
+  const Eigen::Quaterniond rotation(turn);
+  const Eigen::Vector3d half = rotation.w() < 0 ? -rotation.vec() : Eigen::Vector3d(rotation.vec());
+  const double angle = 2 * arcTangent(half.norm(), std::abs(rotation.w()));
+  const Eigen::Vector3d axis = half.stableNormalized();
   const std::string axes = table.areRatesAlongBody ? "body" : "world";
   return AxesMistake{"the attitudes' " + axes + " is turned from that of the rates, by " +
-                         degreesOf(rotation.angle()) + " about (" + roundedText(axis.x(), 3) +
-                         ", " + roundedText(axis.y(), 3) + ", " + roundedText(axis.z(), 3) +
+                         degreesOf(angle) + " about (" + roundedText(axis.x(), 3) + ", " +
+                         roundedText(axis.y(), 3) + ", " + roundedText(axis.z(), 3) +
                          "); write both along the same axes",
                      products.multipleOf(values.dot(signs))};
 }

@@ -99,7 +99,9 @@ class Stretch {
     return next;
   }
 
-  bool isBreak(std::size_t index) const { return std::ranges::binary_search(breaks_, index); }
+  bool isBreak(std::size_t index) const {
+    return std::binary_search(breaks_.begin(), breaks_.end(), index);
+  }
 
   /// Returns the body whose free motion the readings are; nothing if they aren't any's.
   std::optional<FreeBody> bodyIn(Range range) const {
@@ -234,7 +236,7 @@ std::vector<FastStretch> fastStretches(const InertialRecording& recording) {
       start = one.second;
     }
   }
-  std::ranges::sort(stretches);
+  std::ranges::sort(stretches, {}, &FastStretch::range);
   return stretches;
 }
 

@@ -1,7 +1,6 @@
 // Finds the throws of a recording by its rates alone. Inside the room only.
 #pragma once
 
-#include <compare>
 #include <string>
 #include <vector>
 
@@ -13,8 +12,6 @@ namespace rotatebook::recording {
 struct FastStretch {
   Range range;
   std::string problem{};  ///< Why it is no flight; empty for a flight.
-
-  friend auto operator<=>(const FastStretch&, const FastStretch&) = default;
 };
 
 /// Returns the flights of a recording, without their ends: stretches of at least 0.25 s, in which

@@ -1,4 +1,4 @@
-// Advice on units that a table may be in. Inside the room only.
+// Advice on units that a table may be in.
 #pragma once
 
 #include <string>

@@ -145,6 +145,11 @@ TEST(WrongTable, AttitudesOfTurnedAxesAreFound) {
   }
 }
 
+TEST(WrongTable, ALargeBiasIsFound) {
+  EXPECT_THAT(mistakeIn({.bias = {0, 3, 0}}),
+              HasSubstr("the rates have a bias of (0, 3, 0) rad/s along the world's axes; undo"));
+}
+
 TEST(WrongTable, AttitudesThatStayAreFound) {
   const auto still = [](std::vector<physics::Sample>& samples) {
     for (physics::Sample& sample : samples) sample.attitude = samples.front().attitude;

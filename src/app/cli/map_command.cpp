@@ -16,10 +16,10 @@
 #include "cli/interrupt.h"
 #include "cli/progress_line.h"
 #include "cli/scene_options.h"
-#include "picture/map_sheet.h"
 #include "pipeline/make_film.h"
 #include "pipeline/make_map.h"
 #include "pipeline/map_options.h"
+#include "plot/map_plot.h"
 #include "report/map_report.h"
 #include "store/clip_files.h"
 #include "store/result_owners.h"
@@ -68,7 +68,7 @@ std::vector<MapTask> readMapTasks(const MapArguments& arguments,
   for (const std::string& path : arguments.scenes) {
     scenes.push_back(arguments.sceneOptions.read(path));
     requireMap(scenes.back(), path);
-    picture::requireMapText(scenes.back());
+    plot::requireMapLetters(scenes.back());
     std::ranges::move(inputsOf(path, scenes.back()), std::back_inserter(inputs));
   }
   refuseSameNames(scenes);
@@ -167,7 +167,7 @@ int runMapTasks(const std::vector<MapTask>& tasks, RunMapTask* runTask,
                 const pipeline::MapOptions& options, std::vector<MappedScene>& mapped,
                 std::ostream& out) {
   for (const MapTask& task : tasks) {
-    system::createFolders(task.files.png.parent_path());
+    system::createFolders(task.files.png().parent_path());
     store::requireWritable(task.outputs);
   }
   int status = kDone;

@@ -98,7 +98,7 @@ void noteReplaced(const fs::path& file) {
 /// Returns whether the overview shows a picture of the figure; of studies it shows curves, and of
 /// maps their own picture.
 bool needsThumbnail(const page::Figure& figure) {
-  return figure.curves.text.empty() && figure.kind != page::FigureKind::Map;
+  return figure.kind != page::FigureKind::Study && figure.kind != page::FigureKind::Map;
 }
 
 /// Draws the thumbnails; notes which replaced a file, unless the folder `hasPage` of ours.

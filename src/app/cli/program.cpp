@@ -31,7 +31,7 @@ Examples:
   rotatebook help render
 
 Exit status: 0 done; 1 an expectation, comparison or proof failed; 2 the input is wrong; 3 the machine
-can't do it (no EGL, encoder or gnuplot; a full disk); 4 a clip is too coarse to be proved; 129, 130 or
+can't do it (no EGL or encoder; a full disk); 4 a clip is too coarse to be proved; 129, 130 or
 143 interrupted; 75, in place of 3 or these, if --retry-status asks for it and trying again may help.)";
 
 void addCommands(CLI::App& program, Action& action) {

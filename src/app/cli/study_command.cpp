@@ -21,8 +21,7 @@
 #include "cli/scene_options.h"
 #include "diagnose/study_execution.h"
 #include "document/toml_text.h"
-#include "picture/gnuplot.h"
-#include "picture/study_plot.h"
+#include "plot/study_plots.h"
 #include "report/study_report.h"
 #include "store/result_owners.h"
 #include "store/study_files.h"
@@ -93,6 +92,7 @@ std::vector<Task> readTasks(const StudyArguments& arguments) {
     tasks.push_back({scene, scene.study.value_or(scene::defaultStudy(scene.simulation.model)),
                      store::studyFiles(arguments.folder, scene.name)});
     const scene::StudySettings& settings = tasks.back().study;
+    plot::requireStudyLetters(scene, settings);
     if (!settings.isOfTilts() && !settings.sweep) study::requireStudyable(scene, settings);
     store::Footprint footprint;
     footprint.addStudy(tasks.back().files);
@@ -153,31 +153,6 @@ std::vector<std::string> tablesOf(const store::StudyFiles& files, const Study&) 
   return {files.csv.string()};
 }
 
-std::string plotOf(const Task& task, const study::PrecisionStudy& result) {
-  return picture::precisionPlot(task.scene.title, result);
-}
-
-std::string plotOf(const Task& task, const study::TiltStudy& result) {
-  return picture::tiltPlot(task.scene.title, result);
-}
-
-std::string plotOf(const Task& task, const study::SweepStudy& result) {
-  return picture::sweepPlot(task.scene.title, result, *task.study.sweep);
-}
-
-/// Draws the plot. Returns false if the user's interrupt ended gnuplot, too, as on a terminal.
-bool draw(const Task& task, const std::string& plot) {
-  try {
-    picture::drawPlot(plot, task.files.svg, task.files.png);
-    return true;
-  } catch (const MachineError& error) {
-    if (interruptStatus() != 0) return false;
-    throw MachineError(
-        task.scene.name + ": " + error.what() + "; the table is in " + task.files.csv.string(),
-        error.kind());
-  }
-}
-
 /// Writes and reports the results, which `studied` then holds.
 template <typename Study>
 int finish(const Task& task, const Study& result, StudiedScene& studied, std::ostream& out) {
@@ -187,14 +162,8 @@ int finish(const Task& task, const Study& result, StudiedScene& studied, std::os
   studied.files = tablesOf(task.files, result);
   refuseNoResult(task, result);
   const int status = statusOf(report::reportStudy(result, task.study, out));
-  out.flush();
-  if (!draw(task, plotOf(task, result))) {
-    out << "  interrupted; only the tables were written" << std::endl;
-    studied.interrupted = true;
-    return interruptStatus();
-  }
-  studied.files.push_back(task.files.svg.string());
-  studied.files.push_back(task.files.png.string());
+  plot::writeStudyPlot(result, task.scene, task.study, task.files.plots);
+  for (const auto& file : task.files.plots) studied.files.push_back(file.string());
   out << "  wrote " << oneLine(listed(studied.files)) << std::endl;
   return status;
 }
@@ -298,8 +267,8 @@ void addStudyCommand(CLI::App& program, Action& action) {
 Runs each integrator with each number of substeps that [study] of the scene lists, by default all
 of the model's with 1, 2, 4 ... 1024. If [study] lists tilts, the scene's own integrator runs from each;
 with study.over, the scene runs with each value of that key, and what study.measure lists is measured.
-Writes DIR/NAME-study.csv, DIR/NAME-study-orders.csv (of integrators), DIR/NAME-study.svg and
-DIR/NAME-study.png. gnuplot draws the plots.
+Writes DIR/NAME-study.csv, DIR/NAME-study-orders.csv (of integrators), and the plot as
+DIR/NAME-study.png, .svg and .pdf.
 
 Examples:
   rotatebook study scenes/studies/*.toml

@@ -19,8 +19,8 @@
 #include "farm/plan_texts.h"
 #include "farm/planning.h"
 #include "farm/submission.h"
-#include "picture/map_sheet.h"
 #include "picture/preflight.h"
+#include "plot/map_plot.h"
 #include "report/farm_report.h"
 #include "store/footprint.h"
 #include "store/result_owners.h"
@@ -118,7 +118,7 @@ std::vector<farm::SceneOfFile> readScenes(const SubmitArguments& arguments,
     }
     if (work == farm::Work::Map) {
       requireMap(scenes.back(), path);
-      picture::requireMapText(scenes.back());
+      plot::requireMapLetters(scenes.back());
     }
     read.push_back({path, scenes.back()});
     std::ranges::move(inputsOf(path, scenes.back()), std::back_inserter(inputs));

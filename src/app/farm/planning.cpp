@@ -49,10 +49,10 @@ std::vector<fs::path> outputsOf(const scene::Scene& scene, const PlanWishes& wis
     return outputFiles(store::clipFiles(folder, scene.name), scene, wishes.formats);
   if (wishes.work == Work::Map) {
     const store::MapFiles files = store::mapFiles(folder, scene.name);
-    return {files.png, files.plain, files.npy, files.json};
+    return {files.png(), files.plain, files.npy, files.json};
   }
   const store::StudyFiles files = store::studyFiles(folder, scene.name);
-  return {files.csv, files.png};
+  return {files.csv, files.plots.front()};
 }
 
 std::int64_t unitsOf(const scene::Scene& scene, Work work) {

@@ -83,6 +83,12 @@ Html linkItem(const std::string& address, const std::string& text) {
                 {{"address", addressOf(address)}, {"text", escaped(text)}});
 }
 
+std::string formatOf(const fs::path& file) {
+  std::string name = file.extension().string().substr(1);
+  for (char& letter : name) letter = static_cast<char>(letter - 'a' + 'A');
+  return name;
+}
+
 Html sceneDetails(const scene::Scene& scene) {
   return filled(
       "<details><summary>The scene, every default explicit</summary><pre class=\"scene\" "

@@ -34,7 +34,6 @@ struct Figure {
   std::string title;  ///< The scene's.
   /// The overview's picture, relative to the page.
   std::string thumbnail;
-  Html curves{};   ///< A study's plot without text, as <svg>, in place of the thumbnail.
   Html badge{};    ///< The number of expectations met, unless all are.
   Html section{};  ///< The whole <section>.
   /// "out/a.gif isn't linked: WHY" for each file under the scene's name that isn't the scene's.
@@ -79,6 +78,9 @@ std::string nameOfThumbnail(const scene::Scene& scene, const std::filesystem::pa
 
 /// Returns a link to a file beside the page, as an item of a list. Inside the room only.
 Html linkItem(const std::string& address, const std::string& text);
+
+/// Returns the name of a file's format, by its ending: "PNG".
+std::string formatOf(const std::filesystem::path& file);
 /// Returns the scene's text with every default explicit, folded away. Inside the room only.
 Html sceneDetails(const scene::Scene& scene);
 

@@ -55,7 +55,7 @@ Html filmOf(const scene::Scene& scene, const store::MapFiles& files) {
   const video::PictureSize size = video::readPictureSize(files.film);
   return filled(filmTemplate(), {{"width", {std::to_string(size.width)}},
                                  {"height", {std::to_string(size.height)}},
-                                 {"poster", addressOf(files.png.filename().string())},
+                                 {"poster", addressOf(files.png().filename().string())},
                                  {"video", addressOf(files.film.filename().string())},
                                  {"title", escaped(scene.title)}});
 }
@@ -64,18 +64,21 @@ Html filmOf(const scene::Scene& scene, const store::MapFiles& files) {
 
 Figure mapFigure(const scene::Scene& scene, const fs::path& folder, const FigureFiles& shown) {
   const store::MapFiles files = store::mapFiles(folder, scene.name);
-  for (const auto& file : {files.png, files.plain, files.npy, files.json}) {
-    requireFile(file, scene, "map");
-  }
+  for (const auto& file : files.plots) requireFile(file, scene, "map");
+  for (const auto& file : {files.plain, files.npy, files.json}) requireFile(file, scene, "map");
   const study::MapRuns runs(scene);
   const std::vector<Check> checks = checksOf(scene, readResult(scene, files, runs), runs);
-  const image::Image pixels = image::readPng(files.png);
-  const std::string picture = files.png.filename().string();
+  const image::Image pixels = image::readPng(files.png());
+  const std::string picture = files.png().filename().string();
   Figure figure{FigureKind::Map, scene.name, scene.title, files.plain.filename().string()};
   figure.badge = unmetBadge(checks);
   figure.files = {picture, figure.thumbnail};
   const Html film = filmOf(scene, files);
-  Html links = linkItem(picture, "PNG");
+  Html links;
+  for (const fs::path& plot : files.plots) {
+    if (plot != files.png() && shown.isPacked) continue;
+    links += linkItem(plot.filename().string(), formatOf(plot));
+  }
   if (!film.text.empty()) {
     figure.files.push_back(files.film.filename().string());
     figure.frameRate = scene.clip.frameRate;

@@ -20,14 +20,11 @@ constexpr std::string_view kGroup = R"(<h3>{{heading}}</h3>
 )";
 
 constexpr std::string_view kItem = R"(<li><a href="#{{anchor}}">
-<span class="frame">{{picture}}</span>
+<span class="frame"><img src="{{thumbnail}}" alt="" loading="lazy" decoding="async"></span>
 <span class="name">{{id}}</span>
 <span class="title">{{title}}</span>
 </a>{{badge}}</li>
 )";
-
-constexpr std::string_view kPicture =
-    R"(<img src="{{file}}" alt="" loading="lazy" decoding="async">)";
 
 constexpr std::string_view kContents = R"~(<nav class="contents" aria-label="Contents">
 <button type="button" class="previous" aria-label="Previous figure" title="Previous figure (←)" hidden></button>
@@ -65,14 +62,11 @@ Html placeOf(const ToldChapter& chapter) {
 }
 
 Html itemOf(const Figure& figure) {
-  const bool drawn = !figure.curves.text.empty();
-  return filled(
-      kItem, {{"id", escaped(figure.id)},
-              {"anchor", addressOf(figure.id)},
-              {"picture",
-               drawn ? figure.curves : filled(kPicture, {{"file", addressOf(figure.thumbnail)}})},
-              {"title", escaped(figure.title)},
-              {"badge", figure.badge}});
+  return filled(kItem, {{"id", escaped(figure.id)},
+                        {"anchor", addressOf(figure.id)},
+                        {"thumbnail", addressOf(figure.thumbnail)},
+                        {"title", escaped(figure.title)},
+                        {"badge", figure.badge}});
 }
 
 Html overviewOf(const std::vector<ToldChapter>& chapters) {

@@ -11,7 +11,6 @@
 #include "base/error.h"
 #include "base/number_text.h"
 #include "embedded/page.h"
-#include "page/curves.h"
 #include "page/expectation_table.h"
 #include "page/figure.h"
 #include "scene/expectation_text.h"
@@ -172,49 +171,15 @@ std::vector<Check> checksOfSweep(const scene::Sweep& sweep, const fs::path& csv)
   return checks;
 }
 
-/// Returns the first measured quantity over the rank of the value.
-std::vector<Curve> curvesOfSweep(const scene::Sweep& sweep, const fs::path& csv) {
-  std::map<std::string, Curve> curves;
-  for (const study::SweepRow& row : sweepFrom(sweep, csv).rows) {
-    Curve& curve = curves[row.curve];
-    curve.emplace_back(static_cast<double>(curve.size()), row.measured.front());
-  }
-  std::vector<Curve> all;
-  for (const auto& [label, curve] : curves) all.push_back(curve);
-  return all;
-}
-
-/// Returns error against step, a curve for each integrator.
-std::vector<Curve> curvesOfOrders(const scene::StudySettings& study, const fs::path& csv) {
-  std::map<std::string, Curve> curves;
-  for (const RunRow& row : rowsOf(csv)) {
-    curves[keyOf(row, {"integrator"})].emplace_back(std::log(fieldOf(row, "h_s")),
-                                                    std::log(fieldOf(row, "error_deg")));
-  }
-  std::vector<Curve> inOrder;
-  for (const physics::Integrator integrator : study.integrators) {
-    inOrder.push_back(curves[std::string(scene::nameOf(scene::kIntegrators, integrator))]);
-  }
-  return inOrder;
-}
-
-/// Returns the time from a flip to the next against the tilt.
-std::vector<Curve> curvesOfTilts(const fs::path& csv) {
-  Curve curve;
-  for (const RunRow& row : rowsOf(csv)) {
-    curve.emplace_back(std::log(fieldOf(row, "tilt_rad")), fieldOf(row, "interval_s"));
-  }
-  return {curve};
-}
-
 std::vector<Check> checksOf(const scene::StudySettings& study, const store::StudyFiles& files) {
   if (study.sweep) return checksOfSweep(*study.sweep, files.csv);
   return study.isOfTilts() ? checksOfTilts(study, files.csv) : checksOfOrders(study, files.orders);
 }
 
-std::vector<Curve> curvesOf(const scene::StudySettings& study, const store::StudyFiles& files) {
-  if (study.sweep) return curvesOfSweep(*study.sweep, files.csv);
-  return study.isOfTilts() ? curvesOfTilts(files.csv) : curvesOfOrders(study, files.csv);
+/// Returns the plot that a page shows: of lines, as it is shown at any size.
+std::string nameOfSvg(const store::StudyFiles& files) {
+  const auto svg = std::ranges::find(files.plots, fs::path(".svg"), &fs::path::extension);
+  return svg->filename().string();
 }
 
 }  // namespace
@@ -222,23 +187,23 @@ std::vector<Curve> curvesOf(const scene::StudySettings& study, const store::Stud
 Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
   const store::StudyFiles files = store::studyFiles(folder, scene.name);
   const bool hasOrders = !scene.study->isOfTilts() && !scene.study->sweep;
-  for (const auto& file : {files.csv, files.svg, files.png}) requireFile(file, scene, "study");
+  requireFile(files.csv, scene, "study");
+  for (const auto& file : files.plots) requireFile(file, scene, "study");
   if (hasOrders) requireFile(files.orders, scene, "study");
   requireRuns(files.csv, scene);
   const std::vector<Check> checks = checksOf(*scene.study, files);
 
-  const std::string svg = files.svg.filename().string();
+  const std::string svg = nameOfSvg(files);
   Figure figure{FigureKind::Study, scene.name, scene.title, svg};
-  figure.curves = curvesSvg(curvesOf(*scene.study, files));
   figure.badge = unmetBadge(checks);
-  for (const auto& file : {files.svg, files.png, files.csv}) {
+  Html links;
+  const auto link = [&](const fs::path& file, const std::string& title) {
     figure.files.push_back(file.filename().string());
-  }
-  if (hasOrders) figure.files.push_back(files.orders.filename().string());
-  Html links = linkItem(svg, "SVG");
-  links += linkItem(files.png.filename().string(), "PNG");
-  links += linkItem(files.csv.filename().string(), "CSV");
-  if (hasOrders) links += linkItem(files.orders.filename().string(), "CSV of the orders");
+    links += linkItem(figure.files.back(), title);
+  };
+  for (const fs::path& plot : files.plots) link(plot, formatOf(plot));
+  link(files.csv, "CSV");
+  if (hasOrders) link(files.orders, "CSV of the orders");
   figure.section =
       filled(studyTemplate(),
              {{"id", escaped(scene.name)},

@@ -5,11 +5,14 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "picture/grid_margins.h"
+#include "plot/grid_margins.h"
 #include "scene/source_locations.h"
 
 namespace rotatebook::picture {
 namespace {
+
+using plot::GridMargins;
+using plot::PanelGrid;
 
 constexpr int kSmallestPanel = 16;       // shorter side [pixels]
 constexpr double kPanelLetters = 0.028;  // letter size, share of the picture's shorter side
@@ -23,9 +26,10 @@ bool hasPanels(const scene::Scene& scene) {
 PanelGrid gridOf(const scene::Scene& scene, const std::optional<GridMargins>& margins,
                  const overlay::CaptionAndClock& text) {
   if (margins) return margins->cells();
-  if (!hasPanels(scene)) return panelGrid(1, scene.clip.width, scene.clip.height);
+  if (!hasPanels(scene)) return plot::panelGrid(1, scene.clip.width, scene.clip.height);
   const auto count = static_cast<int>(scene.panels.size());
-  const PanelGrid grid = panelGrid(count, scene.clip.width, scene.clip.height - text.bottomRows());
+  const PanelGrid grid =
+      plot::panelGrid(count, scene.clip.width, scene.clip.height - text.bottomRows());
   if (std::min(grid.width, grid.height) >= kSmallestPanel) return grid;
   throw InputError(scene.name + ": " + std::to_string(count) + " panels have no room in " +
                    sizeText(scene.clip.width, scene.clip.height) +

@@ -14,8 +14,8 @@
 #include "overlay/caption_and_clock.h"
 #include "overlay/motion_overlays.h"
 #include "overlay/panel_heads.h"
-#include "picture/grid_margins.h"
-#include "picture/panel_grid.h"
+#include "plot/grid_margins.h"
+#include "plot/panel_grid.h"
 #include "scene/scene.h"
 #include "timeline/clip_motion.h"
 
@@ -50,9 +50,9 @@ class Composition {
 
   const timeline::ClipMotion* motion_;
   overlay::CaptionAndClock captionAndClock_;
-  std::optional<GridMargins> margins_;
+  std::optional<plot::GridMargins> margins_;
   std::optional<overlay::PanelHeads> heads_;
-  PanelGrid grid_;                                 // of the bodies' pictures
+  plot::PanelGrid grid_;                           // of the bodies' pictures
   std::vector<overlay::MotionOverlays> overlays_;  // of each motion
   geometry::Screen screen_;
   image::Image background_;  // visible between panels

@@ -7,9 +7,9 @@
 
 #include "base/error.h"
 #include "image/png_file.h"
-#include "picture/map_sheet.h"
 #include "pipeline/frame_sink.h"
 #include "pipeline/kept_tiles.h"
+#include "plot/map_plot.h"
 #include "store/encoding.h"
 #include "store/fingerprint.h"
 #include "store/map_tiles.h"
@@ -28,9 +28,7 @@ std::size_t frameCountOf(const scene::Scene& scene) {
 class FilmFrames {
  public:
   explicit FilmFrames(const scene::Scene& scene) : scene_(scene), count_(frameCountOf(scene)) {
-    for (std::size_t i = 0; i < count_; ++i)
-      width_ = std::max(width_, picture::mapSheetWidth(at(i)));
-    width_ += width_ % 2;
+    for (std::size_t i = 0; i < count_; ++i) width_ = std::max(width_, plot::mapWidth(at(i)));
   }
 
   /// Draws a frame; nullopt after a stop. All have the same even size, and what is the same in them
@@ -43,7 +41,7 @@ class FilmFrames {
       putTile(tile, runs.valuesOf(tile, stop), *scene.map, result);
       if (stop != nullptr && *stop) return std::nullopt;
     }
-    return picture::onGround(picture::drawMapSheet(result, scene), width_);
+    return plot::mapPicture(result, scene, width_);
   }
 
  private:

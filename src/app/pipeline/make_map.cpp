@@ -6,9 +6,9 @@
 #include "base/checksum.h"
 #include "base/error.h"
 #include "image/png_file.h"
-#include "picture/map_colours.h"
-#include "picture/map_sheet.h"
 #include "pipeline/kept_tiles.h"
+#include "plot/map_colours.h"
+#include "plot/map_plot.h"
 #include "store/fingerprint.h"
 #include "store/map_tiles.h"
 #include "store/study_files.h"
@@ -112,8 +112,9 @@ std::vector<std::string> writeMap(const scene::Scene& scene, const MapResult& re
   const std::string json =
       mapJson(result, scene,
               {store::mapFingerprint(scene), store::mapSceneChecksum(scene), checksumOf(array)});
-  std::vector<std::string> written{files.png.string(), files.plain.string(), files.npy.string(),
-                                   files.json.string()};
+  std::vector<std::string> written;
+  for (const fs::path& file : files.plots) written.push_back(file.string());
+  written.insert(written.end(), {files.plain.string(), files.npy.string(), files.json.string()});
   store::removeFiles(allOf(files));
   system::writeFileAtomically(files.npy, array);
   const bool isSmall =
@@ -122,8 +123,8 @@ std::vector<std::string> writeMap(const scene::Scene& scene, const MapResult& re
     system::writeFileAtomically(files.csv, mapCsv(result, scene));
     written.push_back(files.csv.string());
   }
-  image::writePng(files.plain, picture::plainMap(result, *scene.map).view());
-  image::writePng(files.png, picture::drawMapSheet(result, scene).view());
+  image::writePng(files.plain, plot::plainMap(result, *scene.map).view());
+  plot::writeMapPlot(result, scene, files.plots);
   system::writeFileAtomically(files.json, json);
   store::MapTiles(files.tiles, "").remove();
   return written;

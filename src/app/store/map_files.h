@@ -12,7 +12,8 @@ inline constexpr const char* kTilesEnding = ".tiles";
 
 /// Paths of a map's outputs, all in one folder.
 struct MapFiles {
-  std::filesystem::path png;         ///< NAME.png, with axes and legend
+  /// NAME.png and other formats, plot::plotFiles(), with axes and legend
+  std::vector<std::filesystem::path> plots;
   std::filesystem::path plain;       ///< NAME.plain.png, one pixel a run
   std::filesystem::path npy;         ///< NAME.npy, the values
   std::filesystem::path json;        ///< NAME.json, the axes
@@ -20,6 +21,8 @@ struct MapFiles {
   std::filesystem::path tiles;       ///< NAME.tiles/, while the map is made
   std::filesystem::path film;        ///< NAME.film.mp4
   std::filesystem::path filmFrames;  ///< NAME.film.tiles/, while the film is made
+
+  const std::filesystem::path& png() const { return plots.front(); }
 };
 
 /// Returns the paths of the map `name` in `folder`.

@@ -130,7 +130,7 @@ void refuseNoResultsOfMap(const MapFiles& files) {
   };
   refuse(files.csv, study::isMapHeader(headerOf(files.csv)));
   refuse(files.json, isMapJson(files.json));
-  refuse(files.png, isMap);
+  for (const fs::path& file : files.plots) refuse(file, isMap);
   refuse(files.plain, isMap);
 }
 

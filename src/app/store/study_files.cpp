@@ -1,6 +1,7 @@
 #include "store/study_files.h"
 
 #include "base/error.h"
+#include "plot/plot_files.h"
 #include "system/atomic_file.h"
 #include "system/removal.h"
 
@@ -8,12 +9,14 @@ namespace rotatebook::store {
 
 StudyFiles studyFiles(const std::filesystem::path& folder, const std::string& name) {
   const std::string stem = name + "-study";
-  return {folder / (stem + ".csv"), folder / (stem + "-orders.csv"), folder / (stem + ".svg"),
-          folder / (stem + ".png")};
+  return {folder / (stem + ".csv"), folder / (stem + "-orders.csv"),
+          plot::plotFiles(folder / stem)};
 }
 
 std::vector<std::filesystem::path> allOf(const StudyFiles& files) {
-  return {files.csv, files.orders, files.svg, files.png};
+  std::vector<std::filesystem::path> all{files.csv, files.orders};
+  all.insert(all.end(), files.plots.begin(), files.plots.end());
+  return all;
 }
 
 void requireWritable(const std::vector<std::filesystem::path>& files) {

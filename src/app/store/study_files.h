@@ -11,8 +11,7 @@ namespace rotatebook::store {
 struct StudyFiles {
   std::filesystem::path csv;     ///< NAME-study.csv
   std::filesystem::path orders;  ///< NAME-study-orders.csv, only for studies of integrators
-  std::filesystem::path svg;     ///< NAME-study.svg
-  std::filesystem::path png;     ///< NAME-study.png
+  std::vector<std::filesystem::path> plots;  ///< NAME-study.png and others, plot::plotFiles()
 };
 
 /// Returns the paths of the study `name` in `folder`.

@@ -9,8 +9,10 @@ namespace rotatebook::scene {
 namespace {
 
 /// Units of the numbers of keys, and of those within them.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kUnits{
-    {{"body.size", "m"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kUnits{
+    {{"time", "s"},
+     {"spin", "degrees"},
+     {"body.size", "m"},
      {"body.mass", "kg"},
      {"body.inertia", "kg m²"},
      {"simulation.stiffness", "N/m"},
@@ -30,12 +32,19 @@ std::string_view unitOf(std::string_view key) {
 
 }  // namespace
 
-std::string nameOf(const GridAxis& axis) {
-  if (!axis.label.empty()) return axis.label;
+std::string keyWithUnit(const std::string& key) {
+  const std::string_view unit = unitOf(key);
+  return key + (unit.empty() ? "" : "  [" + std::string(unit) + "]");
+}
+
+std::string nameOf(const SweepKey& axis) {
   const bool areNumbers = std::ranges::all_of(
       axis.values, [](const SweepValue& value) { return value.number.has_value(); });
-  const std::string_view unit = areNumbers ? unitOf(axis.key) : "";
-  return axis.key + (unit.empty() ? "" : "  [" + std::string(unit) + "]");
+  return areNumbers ? keyWithUnit(axis.key) : axis.key;
+}
+
+std::string nameOf(const GridAxis& axis) {
+  return axis.label.empty() ? nameOf(static_cast<const SweepKey&>(axis)) : axis.label;
 }
 
 }  // namespace rotatebook::scene

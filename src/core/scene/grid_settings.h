@@ -43,7 +43,11 @@ struct GridSettings {
 inline constexpr std::size_t kMaxGridSide = 12;
 inline constexpr std::size_t kMaxGridCells = 96;
 
-/// Returns the name of an axis for its margin: its label, or its key with the unit.
+/// Returns a key with its unit, if it has one: "initial.tilt.0  [rad]".
+std::string keyWithUnit(const std::string& key);
+/// Returns the name of an axis: its key, with the unit of its numbers.
+std::string nameOf(const SweepKey& axis);
+/// Returns the name of an axis for its margin: its label, or that of its key.
 std::string nameOf(const GridAxis& axis);
 
 }  // namespace rotatebook::scene

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "base/elementary.h"
+#include "scene/grid_settings.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -22,6 +23,10 @@ void zoom(MapAxis& axis, const std::vector<double>& ends, double part) {
 }
 
 }  // namespace
+
+std::string nameOf(const MapAxis& axis) {
+  return axis.label.empty() ? keyWithUnit(axis.key) : axis.label;
+}
 
 MapSettings mapOfFilm(const MapSettings& map, double share) {
   MapSettings now = map;

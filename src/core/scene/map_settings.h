@@ -45,6 +45,9 @@ struct MapAxis {
   friend bool operator==(const MapAxis&, const MapAxis&) = default;
 };
 
+/// Returns the name beside an axis: its label, or its key with the unit.
+std::string nameOf(const MapAxis& axis);
+
 /// A point that is marked on a map.
 struct MapMark {
   double x = 0, y = 0;
@@ -55,15 +58,16 @@ struct MapMark {
   friend bool operator==(const MapMark&, const MapMark&) = default;
 };
 
-/// The colours of a map.
+/// The colours of a map, named as in the field.
 enum class Palette {
-  Ember,   ///< Dark blue over red to pale yellow.
-  Lagoon,  ///< Dark violet over green to yellow.
-  Slate,   ///< Black to white.
+  Inferno,   ///< Black over red to pale yellow.
+  Viridis,   ///< Dark violet over green to yellow.
+  Gray,      ///< Black to white.
+  Coolwarm,  ///< Blue over grey to red: for values on both sides of one in the middle.
 };
 
 struct MapColours {
-  Palette palette = Palette::Ember;
+  Palette palette = Palette::Inferno;
   bool reversed = false;
   Scale scale = Scale::Linear;
   std::optional<double> from{};    ///< The value of the first colour; without it, the smallest.

@@ -48,7 +48,7 @@ struct MeasureRow {
   double rest = 0;           ///< The value from which studies measure: 1 of ratios and the stretch.
   std::string_view meaning;  ///< In Markdown, with the unit.
   std::string_view label;    ///< Beside a map's colours, with the unit.
-  std::string_view studied;  ///< On a study's axis, as gnuplot writes it; empty of maps' own.
+  std::string_view studied;  ///< On a study's axis, with the unit; empty of maps' own.
 };
 
 /// The rows, in the order of Measure.

@@ -140,6 +140,16 @@ std::string unknownLetter(PangoLayout* layout) {
   return text;
 }
 
+/// Lays out the text. Throws InputError if the font lacks a letter.
+LayoutPointer wholeLayoutOf(PangoContext* context, const std::string& family,
+                            const std::string& text, const TextStyle& style, int width) {
+  LayoutPointer layout = layoutOf(context, family, text, style, width);
+  if (pango_layout_get_unknown_glyphs_count(layout.get()) == 0) return layout;
+  throw InputError("the font " + family + " lacks \"" + unknownLetter(layout.get()) +
+                   "\", which is in \"" + text +
+                   "\"; choose an installed font that has it, overlay.font = \"...\"");
+}
+
 void paint(cairo_t* cairo, PangoLayout* layout, const TextStyle& style, const Ink& ink) {
   if (style.halo > 0) {
     pango_cairo_layout_path(cairo, layout);
@@ -194,12 +204,12 @@ Typesetter::Typesetter(const std::string& family)
                    "are");
 }
 
-Typesetter Typesetter::of(const scene::Scene& scene) {
+Typesetter Typesetter::of(const scene::Scene& scene, const Ink& ink) {
   const std::string& font = scene.overlay.font;
   Typesetter type = font == scene::kBuiltin ? Typesetter()
                                             : scene::atLocationOf(scene, "overlay.font",
                                                                   [&] { return Typesetter(font); });
-  type.ink_ = Ink(scene);
+  type.ink_ = ink;
   return type;
 }
 
@@ -218,12 +228,8 @@ bool Typesetter::isReadFromTheRight(const std::string& text) const {
 }
 
 Layer Typesetter::draw(const std::string& text, const TextStyle& style, int width) const {
-  const LayoutPointer layout = layoutOf(parts().context.get(), parts().family, text, style, width);
-  if (pango_layout_get_unknown_glyphs_count(layout.get()) > 0) {
-    throw InputError("the font " + parts().family + " lacks \"" + unknownLetter(layout.get()) +
-                     "\", which is in \"" + text +
-                     "\"; choose an installed font that has it, overlay.font = \"...\"");
-  }
+  const LayoutPointer layout =
+      wholeLayoutOf(parts().context.get(), parts().family, text, style, width);
   const PangoRectangle box = extentsOf(layout.get());
   const int margin = static_cast<int>(std::ceil(style.halo));
   Layer layer{-margin, -margin, box.width + 2 * margin, box.height + 2 * margin, {}};
@@ -236,6 +242,19 @@ Layer Typesetter::draw(const std::string& text, const TextStyle& style, int widt
   paint(cairo.get(), layout.get(), style, ink_);
   cairo_surface_flush(surface.get());
   return layer;
+}
+
+void Typesetter::draw(const std::string& text, const TextStyle& style, int width, _cairo* cairo,
+                      const Point& position) const {
+  const LayoutPointer layout =
+      wholeLayoutOf(parts().context.get(), parts().family, text, style, width);
+  const PangoRectangle box = extentsOf(layout.get());
+  cairo_save(cairo);
+  cairo_translate(cairo, position.x() - box.x, position.y() - box.y);
+  cairo_move_to(cairo, 0, 0);
+  paint(cairo, layout.get(), style, ink_);
+  cairo_new_path(cairo);
+  cairo_restore(cairo);
 }
 
 }  // namespace rotatebook::overlay

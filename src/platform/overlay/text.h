@@ -4,10 +4,13 @@
 #include <memory>
 #include <string>
 
+#include "overlay/box.h"
 #include "overlay/colour.h"
 #include "overlay/ink.h"
 #include "overlay/layer.h"
 #include "scene/scene.h"
+
+struct _cairo;  // NOLINT(bugprone-reserved-identifier): Cairo's name of its context
 
 namespace rotatebook::overlay {
 
@@ -42,7 +45,9 @@ class Typesetter {
   /// Takes the font that a scene's overlay.font names, a family or scene::kBuiltin, and turns
   /// colours into those for its background. Throws InputError with the line of the scene if there
   /// is no such family.
-  static Typesetter of(const scene::Scene& scene);
+  static Typesetter of(const scene::Scene& scene) { return of(scene, Ink(scene)); }
+  /// Likewise, but turns colours into those of `ink`.
+  static Typesetter of(const scene::Scene& scene, const Ink& ink);
   Typesetter(Typesetter&&) noexcept;
   ~Typesetter();
 
@@ -55,6 +60,10 @@ class Typesetter {
   /// Draws the text, wrapped likewise: its top left is at the origin, the halo extends beyond.
   /// Throws InputError, naming the letter, if the font lacks one.
   Layer draw(const std::string& text, const TextStyle& style, int width) const;
+  /// Draws it likewise with Cairo, with its top left at `position`: as letters where what `cairo`
+  /// draws on has such.
+  void draw(const std::string& text, const TextStyle& style, int width, _cairo* cairo,
+            const Point& position) const;
 
  private:
   struct Parts;

@@ -16,7 +16,7 @@ using ::testing::IsEmpty;
 constexpr const char* kOutside =
     "it leads outside the scene's folder, which --allow-outside allows\n";
 
-/// Words that gnuplot, a shell or a terminal might obey.
+/// Words that a shell or a terminal might obey.
 constexpr const char* kWordsOfCommands = R"toml(
 title = "'; system('touch ran') # `touch ran` $(touch ran)"
 caption = "\n!touch ran\n"
@@ -129,7 +129,7 @@ TEST_F(HostileScene, IsNotWaitedFor) {
   EXPECT_THAT(check("pipe.png").error, HasSubstr("it is a pipe, not a file\n"));
 }
 
-// Its words are data wherever they go: file names, gnuplot, metadata, the terminal.
+// Its words are data wherever they go: file names, plots, metadata, the terminal.
 TEST_F(HostileScene, RunsNothing) {
   write("scenes/b.toml", kWordsOfCommands);
   EXPECT_EQ(run({"render", "scenes/b.toml", "--no-png"}).status, 0);

@@ -143,10 +143,12 @@ TEST_F(Json, OfStudyHasOrdersAndFiles) {
   expectKeys(result.output, "interrupted studies");
   EXPECT_THAT(
       result.output,
-      AllOf(HasSubstr(kTitleInJson), HasSubstr(R"("kind": "integrators", )"),
-            HasSubstr(R"("files": ["out/b-study.csv", "out/b-study-orders.csv", )"
-                      R"("out/b-study.svg", "out/b-study.png"], "runs": 3, "failures": [])"),
-            HasSubstr(R"("orders": [{"integrator": "rk4", "order": 3.9)")));
+      AllOf(
+          HasSubstr(kTitleInJson), HasSubstr(R"("kind": "integrators", )"),
+          HasSubstr(
+              R"("files": ["out/b-study.csv", "out/b-study-orders.csv", )"
+              R"("out/b-study.png", "out/b-study.svg", "out/b-study.pdf"], "runs": 3, "failures": [])"),
+          HasSubstr(R"("orders": [{"integrator": "rk4", "order": 3.9)")));
 }
 
 TEST_F(Json, OfStudyHoldsWhatWasDoneBeforeAnError) {

@@ -57,10 +57,11 @@ TEST_F(MapCommand, WritesPicturesValuesAndAxesWithoutGraphics) {
       AllOf(StartsWith("turns: Turns\n  4000 runs: values from 0 to "),
             HasSubstr("\n  here at [5, 0.01]: "),
             HasSubstr("\n  met      largest value: expected at least 1, at most 999; measured "),
-            EndsWith("\n  wrote out/turns.png, out/turns.plain.png, out/turns.npy, "
-                     "out/turns.json and out/turns.csv\n")));
+            EndsWith("\n  wrote out/turns.png, out/turns.svg, out/turns.pdf, "
+                     "out/turns.plain.png, out/turns.npy, out/turns.json and out/turns.csv\n")));
   EXPECT_THAT(files(), ElementsAre("out/", "out/turns.csv", "out/turns.json", "out/turns.npy",
-                                   "out/turns.plain.png", "out/turns.png", "turns.toml"));
+                                   "out/turns.pdf", "out/turns.plain.png", "out/turns.png",
+                                   "out/turns.svg", "turns.toml"));
   EXPECT_EQ(image::readPng(folder() / "out/turns.plain.png").height(), 50);
   EXPECT_EQ(countOf("\n", read("out/turns.csv")), 4001);
 }

@@ -143,7 +143,8 @@ TEST_F(SameNames, OfAStillAndAMap) {
 // A map removes its earlier files, its table too, though it may be too large to have one.
 TEST_F(SameNames, OfAMapAndAFileOfNoMap) {
   makeScenes({"m"});
-  for (const char* name : {"out/m.csv", "out/m.json", "out/m.png", "out/m.plain.png"}) {
+  for (const char* name :
+       {"out/m.csv", "out/m.json", "out/m.png", "out/m.pdf", "out/m.plain.png"}) {
     write(name, "t,wx,wy,wz\n");
     const ChildResult result = run(kMakeMap);
     EXPECT_EQ(result.status, 2);

@@ -53,10 +53,10 @@ TEST_F(StudyCommand, WritesTablesAndPlotsWithoutGraphics) {
   EXPECT_THAT(result.output,
               AllOf(StartsWith("tiny: Tiny\n  rk4              "), HasSubstr("\n  splitting  "),
                     EndsWith("\n  wrote out/tiny-study.csv, out/tiny-study-orders.csv, "
-                             "out/tiny-study.svg and out/tiny-study.png\n")));
+                             "out/tiny-study.png, out/tiny-study.svg and out/tiny-study.pdf\n")));
   EXPECT_THAT(files(),
               ElementsAre("flips.toml", "out/", "out/tiny-study-orders.csv", "out/tiny-study.csv",
-                          "out/tiny-study.png", "out/tiny-study.svg"));
+                          "out/tiny-study.pdf", "out/tiny-study.png", "out/tiny-study.svg"));
   EXPECT_EQ(countOf("\n", read("out/tiny-study.csv")), 1 + 2 * 4);
   EXPECT_EQ(countOf("\n", read("out/tiny-study-orders.csv")), 1 + 2);
 }
@@ -67,10 +67,10 @@ TEST_F(StudyCommand, StudiesTiltsWhereTheSceneHasThem) {
   EXPECT_THAT(result.output,
               AllOf(HasSubstr("\n  tilt 0.1 "),
                     HasSubstr("\n  met      flip_law: expected at most 0.001; measured 2.4"),
-                    EndsWith("\n  wrote x/flips-study.csv, x/flips-study.svg and "
-                             "x/flips-study.png\n")));
-  EXPECT_THAT(files(), ElementsAre("flips.toml", "x/", "x/flips-study.csv", "x/flips-study.png",
-                                   "x/flips-study.svg"));
+                    EndsWith("\n  wrote x/flips-study.csv, x/flips-study.png, "
+                             "x/flips-study.svg and x/flips-study.pdf\n")));
+  EXPECT_THAT(files(), ElementsAre("flips.toml", "x/", "x/flips-study.csv", "x/flips-study.pdf",
+                                   "x/flips-study.png", "x/flips-study.svg"));
 }
 
 TEST_F(StudyCommand, StudiesSeveralScenes) {
@@ -158,17 +158,10 @@ TEST_F(StudyCommand, SaysSoIfNothingFlipsTwice) {
             "clip.duration=60\n");
 }
 
-TEST_F(StudyCommand, NamesThePackageOfAMissingGnuplot) {
-  ChildSettings settings;
-  settings.environment.emplace_back("PATH", folder().string());
-  const ChildResult result =
-      run({"study", "tiny.toml", "--steps", "1,2,4", "--integrators", "rk4"}, settings);
-  EXPECT_EQ(result.status, 3);
-  EXPECT_EQ(result.error,
-            "rotatebook: tiny: can't draw the plot: gnuplot isn't installed; apt-get install "
-            "gnuplot-nox; the table is in out/tiny-study.csv\n");
-  EXPECT_THAT(files(),
-              ElementsAre("flips.toml", "out/", "out/tiny-study-orders.csv", "out/tiny-study.csv"));
+TEST_F(StudyCommand, RefusesLettersThatTheFontLacksBeforeItRuns) {
+  expectRefused({"--set", "title=中"},
+                "the font Inter lacks \"中\", which is in \"中\"; choose an installed font that "
+                "has it, overlay.font = \"...\"");
 }
 
 TEST_F(StudyCommand, ShowsABarOnATerminal) {

@@ -22,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using ::testing::AllOf;
 using ::testing::ContainsRegex;
+using ::testing::ElementsAre;
 using testing::emptyFolder;
 using ::testing::HasSubstr;
 using testing::makeClip;
@@ -293,7 +294,9 @@ TEST(StillFigure, IsAPictureWithoutAClip) {
 
 /// Writes the files that `rotatebook study` leaves, with these tables.
 void makeStudy(const fs::path& folder, const std::string& table, const std::string& orders) {
-  for (const char* name : {"small-study.svg", "small-study.png"}) touch(folder / name);
+  for (const char* ending : {".png", ".svg", ".pdf"}) {
+    touch(folder / (std::string("small-study") + ending));
+  }
   system::writeFileAtomically(folder / "small-study.csv", table);
   if (!orders.empty()) system::writeFileAtomically(folder / "small-study-orders.csv", orders);
 }
@@ -322,7 +325,9 @@ TEST(StudyFigure, TakesOrdersFromItsTable) {
             "integrator,order,runs,shortest_h_s,longest_h_s\neuler,,0,,\nrk4,4.01,3,0.1,1\n");
   const Figure figure = readFigure(scene, folder);
   EXPECT_EQ(figure.kind, FigureKind::Study);
-  EXPECT_THAT(figure.curves.text, HasSubstr("<svg"));
+  EXPECT_EQ(figure.thumbnail, "small-study.svg");
+  EXPECT_THAT(figure.files, ElementsAre("small-study.png", "small-study.svg", "small-study.pdf",
+                                        "small-study.csv", "small-study-orders.csv"));
   EXPECT_THAT(
       figure.section.text,
       AllOf(

@@ -1,6 +1,6 @@
 // Grids of books: where cells and margins are, and what is in them. image/golden.h says how the
 // golden is renewed.
-#include "picture/grid_margins.h"
+#include "plot/grid_margins.h"
 
 #include <algorithm>
 #include <string>
@@ -17,6 +17,9 @@
 
 namespace rotatebook::picture {
 namespace {
+
+using plot::GridMargins;
+using plot::PanelGrid;
 
 using ::testing::HasSubstr;
 using ::testing::StartsWith;

@@ -46,7 +46,7 @@ image::Image drawnPair(const scene::Scene& scene, std::int64_t frame) {
 
 // The part of `picture` that panel `index` of two has.
 image::Image panelOf(const image::Image& picture, std::size_t index) {
-  const PanelGrid grid = panelGrid(2, picture.width(), picture.height());
+  const plot::PanelGrid grid = plot::panelGrid(2, picture.width(), picture.height());
   image::Image panel(grid.width, grid.height, picture.format());
   for (int y = 0; y < grid.height; ++y) {
     const std::uint8_t* row =

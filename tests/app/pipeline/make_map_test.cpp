@@ -14,7 +14,7 @@
 
 #include "base/error.h"
 #include "image/png_file.h"
-#include "picture/map_colours.h"
+#include "plot/map_colours.h"
 #include "pipeline/small_clip.h"
 #include "scene/scene_text.h"
 #include "store/map_tiles.h"
@@ -183,7 +183,7 @@ TEST_F(MakeMap, KeepsValuesOfTheSameSettings) {
   writeMap(mapScene(), make(mapScene()).result, files());
   EXPECT_EQ(make(mapScene(), resuming()).found, 8U);
   const scene::Scene retitled =
-      mapScene({"title=Other", "map.colours={palette='slate'}", "map.x.label=steps"});
+      mapScene({"title=Other", "map.colours={palette='gray'}", "map.x.label=steps"});
   EXPECT_EQ(make(retitled, resuming()).found, 8U) << "looks change no values";
   EXPECT_THAT(messageOf<InputError>([&] { make(mapScene({"map.duration=2"}), resuming()); }),
               HasSubstr("small.npy holds the values of other settings"));
@@ -200,9 +200,9 @@ TEST_F(MakeMap, WritesWhatItSays) {
   ASSERT_TRUE(readNpy(bytesOf(files().npy), *scene.map, read));
   EXPECT_EQ(read.values, made.result.values);
   const image::Image plain = image::readPng(files().plain);
-  EXPECT_EQ(plain, picture::plainMap(made.result, *scene.map));
+  EXPECT_EQ(plain, plot::plainMap(made.result, *scene.map));
   EXPECT_EQ(plain.width(), 100);
-  EXPECT_GT(image::readPng(files().png).width(), 900);
+  EXPECT_GT(image::readPng(files().png()).width(), 900);
   EXPECT_EQ(study::statedIn(bytesOf(files().json), "name"), "small");
 }
 

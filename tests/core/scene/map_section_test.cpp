@@ -59,7 +59,7 @@ TEST(MapSection, PutsValuesIntoTheMiddlesOfPixels) {
 TEST(MapSection, IsPrintedAsItIsRead) {
   const Scene scene = sceneFrom(withAxes(
       "measure = 'error_deg'\nmoment = 'largest'\nsize = [30, 20]\nduration = 3\ninterval = 0.1\n"
-      "colours = { palette = 'lagoon', reversed = true, from = 1, to = 100, scale = 'log', "
+      "colours = { palette = 'viridis', reversed = true, from = 1, to = 100, scale = 'log', "
       "contours = [2, 5.5] }\n"
       "marks = [{ at = [10, 1], label = 'a \"b\"' }]\n"
       "expect = [{ of = 'share', outcome = 'diverged', max = 0.5 }, "

@@ -18,7 +18,7 @@ constexpr const char* kExpectedAxis =
     "a table such as { key = \"simulation.substeps\", from = 1, to = 100, scale = \"log\" }";
 constexpr const char* kExpectedSize = "numbers of runs across and up, such as [960, 540]";
 constexpr const char* kExpectedColours =
-    "a table such as { palette = \"ember\", from = 0, to = 180 }";
+    "a table such as { palette = \"inferno\", from = 0, to = 180 }";
 constexpr const char* kExpectedMarks = "tables such as { at = [0.5, 1], label = \"book\" }";
 constexpr const char* kExpectedMapBounds =
     "tables such as { of = \"share\", outcome = \"diverged\", max = 0.5 }";
@@ -34,8 +34,10 @@ constexpr NumberRange kMapTimes{kPositive.expected, kPositive.min, kPositive.max
 
 constexpr NumberRange kFilmTimes{"a time from 0.1 to 600 s", 0.1, 600, Dimension::Time};
 
-constexpr std::array<Named<Palette>, 3> kPalettes{
-    {{"ember", Palette::Ember}, {"lagoon", Palette::Lagoon}, {"slate", Palette::Slate}}};
+constexpr std::array<Named<Palette>, 4> kPalettes{{{"inferno", Palette::Inferno},
+                                                   {"viridis", Palette::Viridis},
+                                                   {"gray", Palette::Gray},
+                                                   {"coolwarm", Palette::Coolwarm}}};
 constexpr std::array<Named<AxisKind>, 5> kAxisKinds{{{"time", AxisKind::Time},
                                                      {"spin.longitude", AxisKind::SpinLongitude},
                                                      {"spin.latitude", AxisKind::SpinLatitude},
@@ -336,7 +338,7 @@ const Keys<MapSettings>& mapKeys() {
                            {}},
           {.meaning =
                "the colours, and the values of the first and the last; see [maps](map.md#colours)",
-           .byDefault = "`{ palette = \"ember\", scale = \"linear\" }`"}),
+           .byDefault = "`{ palette = \"inferno\", scale = \"linear\" }`"}),
       key("marks", &MapSettings::marks, marks(),
           {.meaning = "points to mark, each with its value; see [maps](map.md#colours)",
            .byDefault = "none"}),

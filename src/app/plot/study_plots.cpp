@@ -1,0 +1,255 @@
+#include "plot/study_plots.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <set>
+#include <utility>
+
+#include "base/text.h"
+#include "plot/curves.h"
+#include "scene/grid_settings.h"
+#include "scene/names.h"
+
+namespace rotatebook::plot {
+namespace {
+
+using scene::Scale;
+
+// An axis whose values span more than this is logarithmic.
+constexpr double kWideSpan = 20;
+
+/// Returns an axis for the positive `values`: at least a decade, so that it holds a power of ten.
+Axis logarithmicAxis(const std::string& name, const std::vector<double>& values) {
+  constexpr double kMargin = 2;
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const double value : values) {
+    if (!(value > 0)) continue;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  }
+  if (most == 0) return {name, 1e-16, 1, Scale::Logarithmic};
+  const double widening = kMargin * std::sqrt(std::max(1.0, 10 * least / most));
+  return {name, least / widening, most * widening, Scale::Logarithmic};
+}
+
+Axis axisFor(const std::string& name, const std::vector<double>& values, bool fromZero) {
+  if (values.empty()) return {name, 0, 1};
+  const auto [least, most] = std::ranges::minmax(values);
+  if (least > 0 && most > kWideSpan * least) return logarithmicAxis(name, values);
+  const bool isFromZero = fromZero && least >= 0;
+  const double low = isFromZero ? 0 : least, span = most > low ? most - low : 1;
+  return {name, isFromZero ? 0 : low - 0.06 * span, most + 0.1 * span};
+}
+
+/// Returns the values of all points along one axis, 0 for x and 1 for y.
+std::vector<double> valuesAlong(int axis, const std::vector<Series>& all) {
+  std::vector<double> values;
+  for (const Series& series : all) {
+    for (const Point& point : series.points) values.push_back(point[axis]);
+  }
+  return values;
+}
+
+/// Adds a grey line y ~ x^exponent from the panel's upper right corner if it rises, else from the
+/// upper left one.
+void addSlope(int exponent, CurvesPanel& panel) {
+  const double start = exponent > 0 ? panel.x.to : panel.x.from;
+  const double end = exponent > 0 ? panel.x.from : panel.x.to;
+  const double bottom = start * std::pow(panel.y.from / panel.y.to, 1.0 / exponent);
+  const bool leavesBySide = (bottom < end) == (exponent > 0);
+  const double x = leavesBySide ? end : bottom;
+  panel.guides.emplace_back(start, panel.y.to);
+  panel.guides.emplace_back(x, panel.y.to * std::pow(x / start, exponent));
+}
+
+CurvesPanel logarithmicPanel(const char* x, const char* y, std::vector<Series> series) {
+  CurvesPanel panel{logarithmicAxis(x, valuesAlong(0, series)),
+                    logarithmicAxis(y, valuesAlong(1, series))};
+  panel.series = std::move(series);
+  return panel;
+}
+
+/// Returns the integrator's name and its fitted order.
+std::string legendOf(const study::IntegratorOrder& order) {
+  std::array<char, 32> fitted{};
+  std::snprintf(fitted.data(), fitted.size(), "%.2f", order.fit.order);
+  return std::string(scene::nameOf(scene::kIntegrators, order.integrator)) + "  " +
+         (std::isnan(order.fit.order) ? "–" : fitted.data());
+}
+
+/// Returns a curve for each integrator: its errors over `across`, of the runs that show one.
+template <typename Across>
+std::vector<Series> errorsOver(const study::PrecisionStudy& study, const Across& across) {
+  std::vector<Series> all;
+  for (const study::IntegratorOrder& order : study.orders) {
+    Series series{legendOf(order), markerOf(static_cast<std::size_t>(order.integrator))};
+    for (const study::PrecisionRow& row : study.rows) {
+      const bool isShown = row.integrator == order.integrator &&
+                           row.end.kind == study::RunEnd::Kind::Whole && row.errorDeg > 0;
+      if (isShown) series.points.emplace_back(across(row), row.errorDeg);
+    }
+    all.push_back(std::move(series));
+  }
+  return all;
+}
+
+std::set<int> slopesOf(const study::PrecisionStudy& study) {
+  std::set<int> slopes;
+  for (const auto& [integrator, fit] : study.orders) {
+    if (!std::isnan(fit.order) && fit.order > 0.5) slopes.insert(static_cast<int>(fit.order + 0.5));
+  }
+  return slopes;
+}
+
+std::string noteOf(const std::set<int>& slopes) {
+  if (slopes.empty()) return "";
+  std::vector<std::string> texts;
+  for (const int slope : slopes) texts.push_back(std::to_string(slope));
+  return (texts.size() == 1 ? "grey: slope " : "grey: slopes ") + listed(texts);
+}
+
+// --- Any key ---
+
+bool allNumbers(const scene::SweepKey& key) {
+  return std::ranges::all_of(key.values,
+                             [](const auto& value) { return value.number.has_value(); });
+}
+
+/// Returns the place of a value on the horizontal axis: the number, or its rank from 1.
+double placeOf(const std::string& label, const scene::SweepKey& key) {
+  const auto found = std::ranges::find(key.values, label, &scene::SweepValue::label);
+  return allNumbers(key) ? *found->number : static_cast<double>(found - key.values.begin() + 1);
+}
+
+/// Returns a curve for each value of the second key, each followed by the points of runs that are
+/// not measured but known to lie above: of motions that haven't diverged.
+std::vector<Series> seriesOf(const study::SweepStudy& study, const scene::Sweep& sweep,
+                             std::size_t measure) {
+  constexpr double kLarge = 1.5;  // Words have no order, so that no line joins their points.
+  std::vector<Series> all;
+  const std::string* curve = nullptr;
+  for (const study::SweepRow& row : study.rows) {
+    if (curve == nullptr || *curve != row.curve) {
+      curve = &row.curve;
+      Marker marker = markerOf(all.size() / 2);
+      if (!allNumbers(sweep.over)) marker.radius *= kLarge;
+      all.push_back({row.curve, marker, {}, allNumbers(sweep.over)});
+      all.push_back({"", {marker.colour, 3, 0, true, kLarge * Marker().radius}, {}, false});
+    }
+    const double value = row.measured[measure];
+    if (std::isnan(value)) continue;
+    const bool isOpen = std::isinf(value);
+    all[all.size() - (isOpen ? 1 : 2)].points.emplace_back(placeOf(row.value, sweep.over),
+                                                           isOpen ? row.length : value);
+  }
+  return all;
+}
+
+/// Returns the axis of the key that is varied; words are at their ranks.
+Axis axisOf(const scene::SweepKey& key, const std::vector<Series>& all) {
+  if (allNumbers(key)) return axisFor(nameOf(key), valuesAlong(0, all), false);
+  Axis axis{nameOf(key), 0.5, 0.5 + static_cast<double>(key.values.size())};
+  for (std::size_t i = 0; i < key.values.size(); ++i) {
+    axis.words.push_back({static_cast<double>(i + 1), key.values[i].label});
+  }
+  return axis;
+}
+
+bool hasOpen(const study::SweepStudy& study) {
+  return std::ranges::any_of(study.rows, [](const study::SweepRow& row) {
+    return std::ranges::any_of(row.measured, [](double value) { return std::isinf(value); });
+  });
+}
+
+CurvesPlot plotOf(const study::PrecisionStudy& result, const std::string& title,
+                  const scene::StudySettings&) {
+  return precisionPlot(title, result);
+}
+
+CurvesPlot plotOf(const study::TiltStudy& result, const std::string& title,
+                  const scene::StudySettings&) {
+  return tiltPlot(title, result);
+}
+
+CurvesPlot plotOf(const study::SweepStudy& result, const std::string& title,
+                  const scene::StudySettings& study) {
+  return sweepPlot(title, result, *study.sweep);
+}
+
+}  // namespace
+
+CurvesPlot precisionPlot(const std::string& title, const study::PrecisionStudy& study) {
+  const std::set<int> slopes = slopesOf(study);
+  CurvesPlot plot{title, noteOf(slopes), "with the fitted order"};
+  plot.panels.push_back(logarithmicPanel("step  [s]", "largest attitude error  [degrees]",
+                                         errorsOver(study, [](const auto& row) { return row.h; })));
+  plot.panels.push_back(
+      logarithmicPanel("computing time for a second of motion  [ns]", "",
+                       errorsOver(study, [](const auto& row) { return row.nsPerStep / row.h; })));
+  plot.panels[1].sharesY = true;
+  for (const int slope : slopes) {
+    addSlope(slope, plot.panels[0]);
+    addSlope(-slope, plot.panels[1]);
+  }
+  return plot;
+}
+
+CurvesPlot tiltPlot(const std::string& title, const study::TiltStudy& study) {
+  constexpr Colour kLaw{0.835, 0.369, 0}, kMeasured{0, 0.447, 0.698};
+  std::vector<study::TiltRow> rows = study.rows;
+  std::erase_if(rows, [](const study::TiltRow& row) { return std::isnan(row.interval); });
+  std::ranges::sort(rows, {}, &study::TiltRow::tilt);
+  Series law{"logarithmic law", {kLaw}}, measured{"measured", {kMeasured}};
+  Series difference{"", {kMeasured}};
+  for (const study::TiltRow& row : rows) {
+    law.points.emplace_back(row.tilt, row.law);
+    measured.points.emplace_back(row.tilt, row.interval);
+    if (row.ratio() != 1) difference.points.emplace_back(row.tilt, std::fabs(row.ratio() - 1));
+  }
+  law.hasMarkers = measured.hasLine = false;
+  CurvesPanel intervals{
+      logarithmicAxis("tilt  [rad]", valuesAlong(0, {measured})),
+      axisFor("time from a flip to the next  [s]", valuesAlong(1, {law, measured}), true)};
+  intervals.series = {law, measured};
+  CurvesPanel differences = logarithmicPanel("tilt  [rad]", "| measured / law − 1 |", {difference});
+  differences.x = intervals.x;
+  addSlope(2, differences);
+  return {title, noteOf({2}), "", {intervals, differences}};
+}
+
+CurvesPlot sweepPlot(const std::string& title, const study::SweepStudy& study,
+                     const scene::Sweep& sweep) {
+  CurvesPlot plot{title, hasOpen(study) ? "open triangles: not within the run" : "",
+                  sweep.curves ? nameOf(*sweep.curves) : ""};
+  for (std::size_t i = 0; i < sweep.measures.size(); ++i) {
+    std::vector<Series> series = seriesOf(study, sweep, i);
+    const std::string name(rowOf(sweep.measures[i]).studied);
+    CurvesPanel panel{axisOf(sweep.over, series), axisFor(name, valuesAlong(1, series), true)};
+    panel.series = std::move(series);
+    plot.panels.push_back(std::move(panel));
+  }
+  return plot;
+}
+
+void writeStudyPlot(const StudyResult& result, const scene::Scene& scene,
+                    const scene::StudySettings& study,
+                    const std::vector<std::filesystem::path>& files) {
+  constexpr double kPixels = 1.5;  // of a PNG, for one of the sheet
+  const CurvesPlot plot =
+      std::visit([&](const auto& one) { return plotOf(one, scene.title, study); }, result);
+  writePlot(drawCurves(plot, lettersOf(scene)), files, kPixels);
+}
+
+void requireStudyLetters(const scene::Scene& scene, const scene::StudySettings& study) {
+  std::vector<std::string> texts{scene.title};
+  if (study.sweep) {
+    for (const scene::SweepValue& value : study.sweep->over.values) texts.push_back(value.label);
+    for (const scene::SweepRun& run : study.sweep->runs) texts.push_back(run.curve);
+  }
+  requireLetters(scene, texts);
+}
+
+}  // namespace rotatebook::plot

@@ -1,0 +1,101 @@
+// Files of plots: complete, alike, and the same each time.
+#include "plot/drawing.h"
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "image/png_file.h"
+#include "plot/plot_files.h"
+
+namespace rotatebook::plot {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr Colour kRed{1, 0, 0}, kWhite{1, 1, 1};
+
+/// A sheet of 40 x 20 with a red square at its left, a picture of two pixels, and a word.
+Drawing sheet() {
+  Drawing drawing(40, 20, kWhite, overlay::Typesetter());
+  drawing.area(std::vector<Point>{{2, 2}, {8, 2}, {8, 8}, {2, 8}}, kRed);
+  image::Image two(2, 1, image::PixelFormat::Rgb8);
+  two.row(0)[2] = 255;  // Blue, beside black
+  drawing.picture(two, {10, 2, 8, 4});
+  drawing.write("Word", {.size = 10, .colour = {0, 0, 0}}, {38, 18}, {1, 1});
+  return drawing;
+}
+
+Rgb at(const image::Image& picture, int x, int y) {
+  const std::uint8_t* byte = picture.row(y) + 3 * static_cast<std::ptrdiff_t>(x);
+  return {byte[0], byte[1], byte[2]};
+}
+
+TEST(Drawing, HasItsPixelsAtEachScale) {
+  for (const int scale : {1, 2, 3}) {
+    const image::Image picture = sheet().pixels(scale);
+    EXPECT_EQ(picture.width(), 40 * scale);
+    EXPECT_EQ(picture.height(), 20 * scale);
+    EXPECT_EQ(at(picture, 5 * scale, 5 * scale), (Rgb{255, 0, 0}));
+    EXPECT_EQ(at(picture, 14 * scale - 1, 3 * scale), (Rgb{0, 0, 255}));
+    EXPECT_EQ(at(picture, 14 * scale, 3 * scale), (Rgb{0, 0, 0}));
+    EXPECT_EQ(at(picture, 30 * scale, 3 * scale), (Rgb{255, 255, 255}));
+  }
+}
+
+TEST(Drawing, AnchorsItsTexts) {
+  const Drawing drawing = sheet();
+  ASSERT_EQ(drawing.texts().size(), 1U);
+  EXPECT_EQ(drawing.texts()[0].text, "Word");
+  EXPECT_EQ(drawing.texts()[0].box.right(), 38);
+  EXPECT_EQ(drawing.texts()[0].box.bottom(), 18);
+}
+
+TEST(Drawing, NamesALetterThatTheFontLacks) {
+  Drawing drawing = sheet();
+  EXPECT_THROW(drawing.write("\xe4\xb8\xad", {}, {0, 0}), InputError);
+}
+
+std::string readAll(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+TEST(WritePlot, WritesCompleteFilesOfEachFormat) {
+  const fs::path folder = fs::path(ROTATEBOOK_TEST_OUTPUT) / "plots";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  const std::vector<fs::path> files = plotFiles(folder / "it's \"a\"");
+  writePlot(sheet(), files, 2);
+  ASSERT_EQ(files.size(), 3U);
+  EXPECT_EQ(image::readPng(files[0]), sheet().pixels(2));
+  EXPECT_EQ(files[1].filename(), "it's \"a\".svg");
+  EXPECT_THAT(readAll(files[1]),
+              AllOf(HasSubstr("width=\"40px\" height=\"20px\""), HasSubstr("rgb(100%,0%,0%)"),
+                    HasSubstr("<image "), EndsWith("</svg>\n")));
+  EXPECT_THAT(readAll(files[2]), AllOf(StartsWith("%PDF-"), HasSubstr("/MediaBox [ 0 0 30 15 ]"),
+                                       HasSubstr("Inter"), EndsWith("%%EOF\n")));
+}
+
+TEST(WritePlot, HasTheSameBytesEachTime) {
+  EXPECT_EQ(sheet().png(1), sheet().png(1));
+  EXPECT_EQ(sheet().pdf(1), sheet().pdf(1));
+  EXPECT_THAT(sheet().pdf(1), ::testing::Not(HasSubstr("CreationDate")));
+}
+
+TEST(WritePlot, SaysThatAFileCantBeWritten) {
+  const std::vector<fs::path> files = plotFiles("/proc/no/such");
+  EXPECT_THROW(writePlot(sheet(), files), MachineError);
+}
+
+}  // namespace
+}  // namespace rotatebook::plot

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """How fast rotatebook renders: by stage, end to end, and beside other programs; two plots of how it scales.
 
-Needs nothing but Python, the program and, for the plots, gnuplot. `make bench` runs it.
+Needs nothing but Python and the program. `make bench` runs it.
 """
 import argparse
 import json

@@ -1,54 +1,62 @@
-"""The plots of speed.py, drawn by gnuplot."""
+"""The plots of speed.py, written as SVG: points joined by a line, on axes from 0 or with powers of two."""
+import math
 import os
-import subprocess
-import sys
 
-SHEET = """set terminal pngcairo size {width},700 font 'sans,15' linewidth 1.5 background rgb 'white'
-set output '{output}'
-set border 31 linecolor rgb '#606060'
-set grid linecolor rgb '#e4e4e4'
-set key top left Left reverse
-"""
-
-RESOLUTION = """set title 'Speed by size, PNGs and MP4 both written'
-set xlabel 'pixels of a picture  [millions]'
-set ylabel 'frames a second'
-set logscale xy
-set xrange [0.15:24]
-set xtics (0.25, 0.5, 1, 2, 4, 8)
-set yrange [*:*]
-set key off
-plot $rows using 2:3 with linespoints linecolor rgb '#0072b2' pointtype 7, \\
-     $rows using 2:3:1 with labels left offset 0.6,0.7 noenhanced
-"""
-
-COUNT = """set xrange [0:*]
-set yrange [0:*]
-set xlabel 'frames of 1280x720'
-set multiplot layout 1,2 title 'Time and memory by length of the clip'
-set ylabel 'time  [s]'
-plot $rows using 1:2 with linespoints linecolor rgb '#0072b2' pointtype 7 notitle
-set ylabel 'peak memory  [MB]'
-plot $rows using 1:3 with linespoints linecolor rgb '#d55e00' pointtype 7 notitle
-unset multiplot
-"""
+WIDTH, HEIGHT, LEFT, TOP, RIGHT, BOTTOM = 760, 480, 80, 60, 680, 420
+TEXT = '<text x="{0:.1f}" y="{1:.1f}" text-anchor="{2}">{3}</text>'
+LINE = '<path d="M{0:.1f} {1:.1f}L{2:.1f} {3:.1f}" stroke="#ddd"/>'
 
 
-def plot(rows, commands, output, width):
-    """Draws one PNG; stops everything, with gnuplot's words, if that fails."""
-    data = "$rows << END\n" + "".join(" ".join(map(str, row)) + "\n" for row in rows) + "END\n"
-    try:
-        result = subprocess.run(["gnuplot", "-d"], input=SHEET.format(width=width, output=output) + data + commands,
-                                capture_output=True, text=True, check=False)
-    except FileNotFoundError:
-        sys.exit("speed.py: can't draw the plots: gnuplot isn't installed; apt-get install gnuplot-nox")
-    if result.returncode != 0:
-        sys.exit(f"speed.py: gnuplot can't draw {output}: {result.stderr}")
-    return output
+def ticks_of(values, logarithmic):
+    """Round numbers from below the smallest of the values, or 0, to above the largest."""
+    if logarithmic:
+        return [2.0**n for n in range(math.floor(math.log2(min(values))), math.ceil(math.log2(max(values))) + 1)]
+    step = 10 ** math.floor(math.log10(max(values) or 1))
+    step *= next(factor for factor in (0.2, 0.5, 1, 2) if 6 * factor * step >= max(values))
+    return [step * n for n in range(math.ceil(max(values) / step) + 1)]
+
+
+def place(value, ticks, low, high, logarithmic):
+    first, last, at = (math.log(number) if logarithmic else number for number in (ticks[0], ticks[-1], value))
+    return low + (at - first) / (last - first) * (high - low)
+
+
+def panel(rows, names, left=0, logarithmic=False):
+    """The SVG of one panel. A row has its place across, its place up and, if any, its label."""
+    xs, ys = (ticks_of([row[i] for row in rows], logarithmic) for i in (0, 1))
+    at = [(left + place(row[0], xs, LEFT, RIGHT, logarithmic), place(row[1], ys, BOTTOM, TOP, logarithmic))
+          for row in rows]
+    parts = [TEXT.format(left + LEFT, TOP - 20, "start", "↑ " + names[1]),
+             TEXT.format(left + RIGHT, BOTTOM + 45, "end", names[0] + " →")]
+    for tick in xs:
+        x = left + place(tick, xs, LEFT, RIGHT, logarithmic)
+        parts += [LINE.format(x, TOP, x, BOTTOM), TEXT.format(x, BOTTOM + 20, "middle", f"{tick:g}")]
+    for tick in ys:
+        y = place(tick, ys, BOTTOM, TOP, logarithmic)
+        parts += [LINE.format(left + LEFT, y, left + RIGHT, y), TEXT.format(left + LEFT - 8, y + 5, "end", f"{tick:g}")]
+    line = " ".join(f"{x:.1f},{y:.1f}" for x, y in at)
+    parts.append(f'<polyline points="{line}" fill="none" stroke="#0072b2" stroke-width="2"/>')
+    parts += [f'<circle cx="{x:.1f}" cy="{y:.1f}" r="4" fill="#0072b2"/>' for x, y in at]
+    parts += [TEXT.format(x + 8, y - 8, "start", row[2]) for row, (x, y) in zip(rows, at) if len(row) > 2]
+    return "\n".join(parts)
+
+
+def write(path, panels):
+    width = WIDTH * len(panels)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {HEIGHT}" font-family="sans-serif" '
+                   f'font-size="14">\n<rect width="{width}" height="{HEIGHT}" fill="#fff"/>\n'
+                   + "\n".join(panels) + "\n</svg>\n")
+    return path
 
 
 def draw(sizes, counts, folder):
-    """Returns the files, made in `folder`."""
+    """Returns the files, made in `folder`: speed by size, and time and memory by the length of the clip."""
     os.makedirs(folder, exist_ok=True)
-    return [plot(sizes, RESOLUTION, os.path.join(folder, "resolution.png"), 900),
-            plot(counts, COUNT, os.path.join(folder, "frames.png"), 1400)]
+    frames = "frames of 1280x720"
+    return [write(os.path.join(folder, "resolution.svg"),
+                  [panel([(pixels, speed, name) for name, pixels, speed in sizes],
+                         ("pixels of a picture  [millions]", "frames a second"), logarithmic=True)]),
+            write(os.path.join(folder, "frames.svg"),
+                  [panel([row[:2] for row in counts], (frames, "time  [s]")),
+                   panel([row[::2] for row in counts], (frames, "peak memory  [MB]"), WIDTH)])]

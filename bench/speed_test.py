@@ -57,7 +57,7 @@ class Quick(unittest.TestCase):
                     "640x360", "1280x720", "8 "]:
             self.assertRegex(done.stdout, f"(?m)^{row}")
         self.assertRegex(done.stdout, "MuJoCo to ffmpeg, no PNGs +not installed: make bench-peers")
-        for name in ("resolution.png", "frames.png"):
+        for name in ("resolution.svg", "frames.svg"):
             self.assertGreater(os.path.getsize(os.path.join(FOLDER, name)), 1000)
 
     def test_names_a_missing_program(self):

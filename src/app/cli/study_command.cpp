@@ -128,38 +128,30 @@ void refuseNoResult(const Task& task, const study::TiltStudy& result) {
 // Runs that end early are results of a sweep.
 void refuseNoResult(const Task&, const study::SweepStudy&) {}
 
-void writeTables(const store::StudyFiles& files, const scene::StudySettings&,
-                 const study::PrecisionStudy& result) {
-  system::writeFileAtomically(files.csv, precisionCsv(result));
-  system::writeFileAtomically(files.orders, ordersCsv(result));
+/// The paths of a study's tables, and what is in them.
+using Tables = std::vector<std::pair<std::filesystem::path, std::string>>;
+
+Tables tablesOf(const Task& task, const study::PrecisionStudy& result) {
+  return {{task.files.csv, precisionCsv(result)}, {task.files.orders, ordersCsv(result)}};
 }
 
-void writeTables(const store::StudyFiles& files, const scene::StudySettings&,
-                 const study::TiltStudy& result) {
-  system::writeFileAtomically(files.csv, tiltCsv(result));
+Tables tablesOf(const Task& task, const study::TiltStudy& result) {
+  return {{task.files.csv, tiltCsv(result)}};
 }
 
-void writeTables(const store::StudyFiles& files, const scene::StudySettings& study,
-                 const study::SweepStudy& result) {
-  system::writeFileAtomically(files.csv, sweepCsv(result, *study.sweep));
-}
-
-std::vector<std::string> tablesOf(const store::StudyFiles& files, const study::PrecisionStudy&) {
-  return {files.csv.string(), files.orders.string()};
-}
-
-template <typename Study>
-std::vector<std::string> tablesOf(const store::StudyFiles& files, const Study&) {
-  return {files.csv.string()};
+Tables tablesOf(const Task& task, const study::SweepStudy& result) {
+  return {{task.files.csv, sweepCsv(result, *task.study.sweep)}};
 }
 
 /// Writes and reports the results, which `studied` then holds.
 template <typename Study>
 int finish(const Task& task, const Study& result, StudiedScene& studied, std::ostream& out) {
   store::removeFiles(allOf(task.files));
-  writeTables(task.files, task.study, result);
+  for (const auto& [path, text] : tablesOf(task, result)) {
+    system::writeFileAtomically(path, text);
+    studied.files.push_back(path.string());
+  }
   studied.result = result;
-  studied.files = tablesOf(task.files, result);
   refuseNoResult(task, result);
   const int status = statusOf(report::reportStudy(result, task.study, out));
   plot::writeStudyPlot(result, task.scene, task.study, task.files.plots);

@@ -1,8 +1,8 @@
-#include "plot/axes.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "plot/plot.h"
 
 namespace rotatebook::plot {
 namespace {
@@ -16,39 +16,34 @@ double lengthOf(const Tick& tick, const Look& look) {
   return (tick.label.empty() ? 0.5 : 1) * kTickLength * look.letters;
 }
 
-/// Returns the room for a word below an axis. [pixels]
-double wordRoom(const Area& area) {
-  return area.x.words.empty() ? 1e4 : area.box.width / static_cast<double>(area.x.words.size());
-}
-
 void drawXTicks(const Area& area, const Look& look, bool hasGrid, Drawing& drawing) {
   const Box& box = area.box;
-  Box last;
+  double end = 0;
   for (const Tick& tick : area.xTicks) {
-    const double x = box.x + box.width * area.x.shareOf(tick.value);
+    const double x = box.x + box.width * area.x.shareOf(tick.value), top = box.bottom() + 1;
     if (hasGrid && !tick.label.empty()) {
-      drawing.line(std::array{Point(x, box.y), Point(x, box.bottom())}, {look.grid, 1});
+      drawing.canvas().line(std::array{Point(x, box.y), Point(x, box.bottom())}, {look.grid, 1});
     }
-    drawing.line(
-        std::array{Point(x, box.bottom() + 1), Point(x, box.bottom() + 1 + lengthOf(tick, look))},
-        look.thin());
+    drawing.canvas().line(std::array{Point(x, top), Point(x, top + lengthOf(tick, look))},
+                          look.thin());
+    const Box label = boxOf(drawing.type(), tick.label, look.small, area.labelRoom());
+    if (tick.label.empty() || x - label.width / 2 < end + 0.3 * look.letters) continue;
     const Point place(x, box.bottom() + 1.25 * kTickLength * look.letters);
-    const double width = drawing.sizeOf(tick.label, look.small, wordRoom(area)).width;
-    if (tick.label.empty() || x - width / 2 < last.right() + 0.3 * look.letters) continue;
-    last = drawing.write(tick.label, look.small, place, {0.5, 0}, wordRoom(area));
+    end = drawing.write(tick.label, look.small, place, {0.5, 0}, area.labelRoom()).right();
   }
 }
 
-void drawYTicks(const Area& area, const Look& look, const AxesShown& shown, Drawing& drawing) {
+void drawYTicks(const Area& area, const Look& look, bool hasLabels, bool hasGrid,
+                Drawing& drawing) {
   const Box& box = area.box;
   for (const Tick& tick : area.yTicks) {
-    const double y = box.bottom() - box.height * area.y.shareOf(tick.value);
-    if (shown.hasGrid && !tick.label.empty()) {
-      drawing.line(std::array{Point(box.x, y), Point(box.right(), y)}, {look.grid, 1});
+    const double y = box.bottom() - box.height * area.y.shareOf(tick.value), right = box.x - 1;
+    if (hasGrid && !tick.label.empty()) {
+      drawing.canvas().line(std::array{Point(box.x, y), Point(box.right(), y)}, {look.grid, 1});
     }
-    drawing.line(std::array{Point(box.x - 1, y), Point(box.x - 1 - lengthOf(tick, look), y)},
-                 look.thin());
-    if (tick.label.empty() || !shown.hasYLabels) continue;
+    drawing.canvas().line(std::array{Point(right, y), Point(right - lengthOf(tick, look), y)},
+                          look.thin());
+    if (!hasLabels) continue;
     drawing.write(tick.label, look.small, {box.x - 1.6 * kTickLength * look.letters, y}, {1, 0.5});
   }
 }
@@ -79,23 +74,18 @@ void Area::chooseTicks(const Look& look) {
   yTicks = y.ticks(box.height / (kYRoom * look.letters));
 }
 
-Point Area::placeOf(double xValue, double yValue) const {
-  return {box.x + box.width * x.shareOf(xValue), box.bottom() - box.height * y.shareOf(yValue)};
+Point Area::placeOf(const Point& point) const {
+  return {box.x + box.width * x.shareOf(point.x()),
+          box.bottom() - box.height * y.shareOf(point.y())};
 }
 
-int widestLabel(const std::vector<Tick>& ticks, const Look& look, const overlay::Typesetter& type) {
-  constexpr int kRoom = 1000;
-  int widest = 0;
-  for (const Tick& tick : ticks) {
-    if (tick.label.empty()) continue;
-    widest = std::max(widest, type.measure(tick.label, look.small, kRoom).width);
-  }
-  return widest;
+double Area::labelRoom() const {
+  return x.words.empty() ? 1e4 : box.width / static_cast<double>(x.words.size());
 }
 
-void drawAxes(const Area& area, const Look& look, const AxesShown& shown, Drawing& drawing) {
-  drawXTicks(area, look, shown.hasGrid, drawing);
-  drawYTicks(area, look, shown, drawing);
+void drawAxes(const Area& area, const Look& look, bool hasYLabels, bool hasGrid, Drawing& drawing) {
+  drawXTicks(area, look, hasGrid, drawing);
+  drawYTicks(area, look, hasYLabels, hasGrid, drawing);
 }
 
 }  // namespace rotatebook::plot

@@ -43,9 +43,9 @@ Rgb colourAmong(const Colours& colours, double share) {
 
 }  // namespace
 
-Rgb PaletteColours::at(double share) const {
-  const double within = std::clamp(share, 0.0, 1.0), place = isReversed_ ? 1 - within : within;
-  switch (palette_) {
+Rgb colourAt(scene::Palette palette, double share) {
+  const double place = std::clamp(share, 0.0, 1.0);
+  switch (palette) {
     case scene::Palette::Inferno:
       return colourAmong(kInferno, place);
     case scene::Palette::Viridis:
@@ -60,20 +60,19 @@ Rgb PaletteColours::at(double share) const {
 }
 
 MapColouring::MapColouring(const scene::MapColours& settings, const study::MapFacts& facts)
-    : palette_(settings.palette, settings.reversed),
-      scale_(settings.scale),
+    : settings_(settings),
       from_(settings.from.value_or(facts.withValue() > 0 ? facts.smallest : 0)),
       to_(settings.to.value_or(facts.withValue() > 0 ? facts.largest : 1)) {
   constexpr double kDecades = 1e12;  // that a logarithmic scale has where values reach 0
-  const bool isLogarithmic = scale_ == scene::Scale::Logarithmic;
+  const bool isLogarithmic = settings_.scale == scene::Scale::Logarithmic;
   if (isLogarithmic && !(to_ > 0)) to_ = 1;
   if (isLogarithmic && !(from_ > 0)) from_ = to_ / kDecades;
   if (!(from_ < to_)) to_ = from_ + (from_ == 0 ? 1 : std::fabs(from_));
 }
 
 double MapColouring::shareOf(double value) const {
-  if (scale_ == scene::Scale::Logarithmic && !(value > 0)) return 0;
-  return scene::shareOf(value, from_, to_, scale_);
+  if (settings_.scale == scene::Scale::Logarithmic && !(value > 0)) return 0;
+  return scene::shareOf(value, from_, to_, settings_.scale);
 }
 
 Rgb MapColouring::of(double value) const {
@@ -87,7 +86,7 @@ Rgb MapColouring::of(double value) const {
     case Outcome::Value:
       break;
   }
-  return palette_.at(shareOf(value));
+  return at(shareOf(value));
 }
 
 void putColour(const Rgb& colour, std::uint8_t* bytes) {

@@ -11,19 +11,8 @@
 
 namespace rotatebook::plot {
 
-/// The colours of a palette from its first to its last.
-class PaletteColours {
- public:
-  explicit PaletteColours(scene::Palette palette, bool isReversed = false)
-      : palette_(palette), isReversed_(isReversed) {}
-
-  /// Returns the colour at `share`, 0 to 1; of shares outside the nearest.
-  Rgb at(double share) const;
-
- private:
-  scene::Palette palette_;
-  bool isReversed_;
-};
+/// Returns the colour of a palette at `share`, 0 to 1; of shares outside the nearest.
+Rgb colourAt(scene::Palette palette, double share);
 
 /// The colours of a map: the values' between its ends, and those of runs without a number.
 class MapColouring {
@@ -34,14 +23,16 @@ class MapColouring {
   Rgb of(double value) const;
   double from() const { return from_; }
   double to() const { return to_; }
-  scene::Scale scale() const { return scale_; }
+  scene::Scale scale() const { return settings_.scale; }
   /// Returns the share of the palette at which a value is; outside 0 to 1 beyond its ends.
   double shareOf(double value) const;
-  const PaletteColours& palette() const { return palette_; }
+  /// Returns the colour at such a share.
+  Rgb at(double share) const {
+    return colourAt(settings_.palette, settings_.reversed ? 1 - share : share);
+  }
 
  private:
-  PaletteColours palette_;
-  scene::Scale scale_;
+  scene::MapColours settings_;
   double from_, to_;
 };
 

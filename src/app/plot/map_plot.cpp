@@ -1,151 +1,154 @@
 #include "plot/map_plot.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "base/number_text.h"
 #include "plot/contours.h"
 #include "plot/map_colours.h"
-#include "plot/map_layout.h"
-#include "plot/map_legend.h"
+#include "plot/plot.h"
 
 namespace rotatebook::plot {
 namespace {
 
-constexpr Colour kDark{0.04, 0.045, 0.06};
-constexpr Colour kWhite{0.97, 0.96, 0.93};
+using scene::Measure;
 
-/// Draws one map.
-class MapPlot {
- public:
-  MapPlot(const study::MapResult& result, const scene::Scene& scene, const MapLayout& layout,
-          overlay::Typesetter type)
-      : result_(result),
-        scene_(scene),
-        map_(*scene.map),
-        facts_(factsOf(result)),
-        colouring_(map_.colours, facts_),
-        layout_(layout),
-        look_(layout.look),
-        drawing_(layout.width, layout.height, layout.look.ground, std::move(type)) {}
+constexpr int kSmallestAreas = 900, kLargestAreas = 3840;  // of all panels together [pixels]
+constexpr int kMaxSteps = 64;                              // of whole numbers in the legend
+constexpr Colour kContourColour{0.97, 0.96, 0.93};
 
-  Drawing draw() {
-    for (std::size_t panel = 0; panel < layout_.areas.size(); ++panel) {
-      drawing_.picture(mapPixels(result_.values[panel], map_, colouring_, layout_.stride),
-                       layout_.areas[panel].box);
-      drawContours(panel);
-      drawAxes(layout_.areas[panel], look_, {.hasYLabels = panel == 0}, drawing_);
-      drawMarks(panel);
+std::string labelOfScale(const scene::MapSettings& map) {
+  const std::string label(rowOf(map.measure).label);
+  const bool isCount = map.measure == Measure::HalfTurns;
+  const bool isLargest = map.moment == scene::MapMoment::Largest && !isCount;
+  return (isLargest ? "largest " : "") + label;
+}
+
+std::string neverText(const scene::MapSettings& map) {
+  if (map.measure == Measure::DivergesAt) return "holds together";
+  if (map.measure == Measure::FirstFlip) return "no flip";
+  return "fewer than two flips";
+}
+
+std::string refusedText(const scene::MapSettings& map) {
+  const auto isMoment = [](const scene::MapAxis& axis) {
+    return axis.kind == scene::AxisKind::SmallestMoment ||
+           axis.kind == scene::AxisKind::MiddleMoment;
+  };
+  return isMoment(map.x) || isMoment(map.y) ? "no such body" : "refused";
+}
+
+Axis axisOf(const scene::MapAxis& axis) {
+  const bool isInDegrees =
+      axis.kind == scene::AxisKind::SpinLongitude || axis.kind == scene::AxisKind::SpinLatitude;
+  return {nameOf(axis), axis.from, axis.to, axis.scale, isInDegrees};
+}
+
+/// Returns the colours of the values; those of whole numbers as steps.
+ColourBar barOf(const scene::MapSettings& map, const MapColouring& colouring) {
+  constexpr int kPixels = 512;
+  const bool isInDegrees = labelOfScale(map).find("[degrees]") != std::string::npos;
+  const bool isCount = map.measure == Measure::HalfTurns || map.measure == Measure::Regime;
+  const bool isWhole = isCount && colouring.to() - colouring.from() <= kMaxSteps &&
+                       colouring.scale() == scene::Scale::Linear;
+  ColourBar bar{{"", colouring.from(), colouring.to(), colouring.scale(), isInDegrees},
+                image::Image(kPixels, 1, image::PixelFormat::Rgb8)};
+  if (isWhole) {
+    constexpr double kTicks = 5;
+    for (const Tick& tick : bar.axis.ticks(kTicks)) {
+      if (std::floor(tick.value) == tick.value) bar.axis.words.push_back(tick);
     }
-    writeTexts();
-    drawLegend(map_, facts_, colouring_, layout_, drawing_);
-    return std::move(drawing_);
+    bar.axis.from = std::ceil(colouring.from()) - 0.5;
+    bar.axis.to = std::floor(colouring.to()) + 0.5;
   }
-
- private:
-  void drawContours(std::size_t panel) {
-    const Box& box = layout_.areas[panel].box;
-    const double each = 1.0 * layout_.scale / layout_.stride;
-    for (const double level : map_.colours.contours) {
-      std::vector<Point> pairs = contourOf(result_.values[panel], map_.width, map_.height, level);
-      for (Point& point : pairs) {
-        point = Point(box.x + (point.x() + 0.5) * each, box.bottom() - (point.y() + 0.5) * each);
-      }
-      drawing_.lines(pairs, {kWhite, 0.09 * look_.letters, 0.7});
-    }
+  for (int i = 0; i < kPixels; ++i) {
+    const double share = (i + 0.5) / kPixels;
+    const Rgb colour = isWhole
+                           ? colouring.of(std::round(std::lerp(bar.axis.from, bar.axis.to, share)))
+                           : colouring.at(share);
+    putColour(colour, bar.colours.row(0) + 3 * static_cast<std::ptrdiff_t>(i));
   }
+  return bar;
+}
 
-  /// Returns the value of a mark; nothing of a run without a number.
-  std::string valueText(double value) const {
-    constexpr int kDigits = 3;
-    constexpr double kTiny = 1e-9;  // of the range of colours
-    if (study::outcomeOf(value) != scene::Outcome::Value) return "";
-    const bool isTiny = std::fabs(value) < kTiny * (colouring_.to() - colouring_.from());
-    return "  " + roundedText(isTiny ? 0 : value, kDigits);
-  }
+/// Returns the value of a mark; nothing of a run without a number.
+std::string valueText(double value, const MapColouring& colouring) {
+  constexpr int kDigits = 3;
+  constexpr double kTiny = 1e-9;  // of the range of colours
+  if (study::outcomeOf(value) != scene::Outcome::Value) return "";
+  const bool isTiny = std::fabs(value) < kTiny * (colouring.to() - colouring.from());
+  return "  " + roundedText(isTiny ? 0 : value, kDigits);
+}
 
-  void drawMarks(std::size_t panel) {
-    const double em = look_.letters, radius = 0.32 * em;
-    TextStyle style = look_.bold;
-    style.halo = 0.16 * em;
-    std::vector<Box> taken;
-    for (const study::MarkedValue& marked : result_.marks) {
-      const Point at = layout_.areas[panel].placeOf(marked.mark.x, marked.mark.y);
-      drawing_.disc(at, radius + 0.14 * em, kDark);
-      drawing_.disc(at, radius, kWhite);
-      drawing_.disc(at, 0.45 * radius, kDark);
-      const std::string label = marked.mark.label + valueText(marked.values[panel]);
-      const overlay::TextSize size = drawing_.sizeOf(label, style);
-      const Box box{0, 0, 1.0 * size.width, 1.0 * size.height};
-      taken.push_back(
-          drawing_.write(label, style, placeOf(box, at, layout_.areas[panel].box, taken)));
-    }
-  }
-
-  /// Returns a place beside the point for a label: the first of several that is within the area
-  /// and free.
-  Point placeOf(const Box& box, const Point& at, const Box& area,
-                const std::vector<Box>& taken) const {
-    const double gap = 0.75 * look_.letters;
-    const double right = at.x() + gap, left = at.x() - gap - box.width;
-    const double middle = at.y() - box.height / 2, below = at.y() + 0.4 * gap;
-    const double above = at.y() - 0.4 * gap - box.height;
-    const std::vector<Point> places{
-        {right, middle},
-        {left, middle},
-        {right, below},
-        {left, below},
-        {right, above},
-        {left, above},
-        {at.x() - box.width / 2, at.y() + gap},
-    };
-    for (const Point& place : places) {
-      if (isFree(box.moved(place), area, taken)) return place;
-    }
-    return places.front();
-  }
-
-  void write(const std::string& text, const TextStyle& style, double x, double y,
-             double anchor = 0) {
-    drawing_.write(text, style, {x, y}, {anchor, 0}, layout_.textWidth);
-  }
-
-  void writeTexts() {
-    const Area &first = layout_.areas.front(), &last = layout_.areas.back();
-    const double left = first.box.x;
-    write(scene_.title, look_.title, left, layout_.titleTop);
-    write("↑ " + first.y.name, look_.name, left, layout_.axisNameTop);
-    write(first.x.name + " →", look_.name, last.box.right(), layout_.xNameTop, 1);
-    write(scene_.caption, look_.caption, left, layout_.captionTop);
-    for (std::size_t panel = 0; panel < layout_.areas.size(); ++panel) {
-      write(result_.labels[panel], look_.bold, layout_.areas[panel].box.x, layout_.panelNameTop);
+void fill(Panel& panel, std::size_t index, const study::MapResult& result,
+          const scene::MapSettings& map, const MapColouring& colouring, int stride) {
+  const std::vector<double>& values = result.values[index];
+  panel.picture = mapPixels(values, map, colouring, stride);
+  for (const double level : map.colours.contours) {
+    for (const Point& point : contourOf(values, map.width, map.height, level)) {
+      panel.lines.emplace_back(
+          scene::numberWithin(map.x.from, map.x.to, (point.x() + 0.5) / map.width, map.x.scale),
+          scene::numberWithin(map.y.from, map.y.to, (point.y() + 0.5) / map.height, map.y.scale));
     }
   }
+  for (std::size_t i = 0; i < panel.marks.size(); ++i) {
+    panel.marks[i].label += valueText(result.marks[i].values[index], colouring);
+  }
+}
 
-  const study::MapResult& result_;
-  const scene::Scene& scene_;
-  const scene::MapSettings& map_;
-  study::MapFacts facts_;
-  MapColouring colouring_;
-  const MapLayout& layout_;
-  const Look& look_;
-  Drawing drawing_;
-};
+/// Of so many runs across and up one is drawn.
+int strideOf(const scene::Scene& scene) {
+  const int across = scene.map->width * static_cast<int>(motionsOf(scene).size());
+  return std::max(1, (across + kLargestAreas - 1) / kLargestAreas);
+}
+
+/// Returns the plot of a scene's map, without what its runs show.
+Plot emptyPlot(const scene::Scene& scene, int leastWidth) {
+  const scene::MapSettings& map = *scene.map;
+  Plot plot{scene.title, scene.caption, labelOfScale(map)};
+  const int panels = static_cast<int>(motionsOf(scene).size()), across = map.width * panels;
+  const int stride = strideOf(scene);
+  const int scale = std::max(1, (kSmallestAreas + across - 1) / across);
+  plot.areaWidth = 1.0 * ((map.width + stride - 1) / stride * scale);
+  plot.areaHeight = 1.0 * ((map.height + stride - 1) / stride * scale);
+  plot.letters = std::clamp(6 + 0.0105 * across * scale / stride, 14.0, 36.0);
+  plot.isDark = true;
+  plot.leastWidth = leastWidth;
+  for (const scene::Panel& motion : motionsOf(scene)) {
+    Panel panel{motion.label, axisOf(map.x), axisOf(map.y), !plot.panels.empty()};
+    panel.pen = {kContourColour, 0.09 * plot.letters, 0.7};
+    for (const scene::MapMark& mark : map.marks)
+      panel.marks.push_back({{mark.x, mark.y}, mark.label});
+    plot.panels.push_back(panel);
+  }
+  return plot;
+}
 
 }  // namespace
 
 void requireMapLetters(const scene::Scene& scene) {
-  std::vector<std::string> texts{scene.title, scene.caption, nameOf(scene.map->x),
-                                 nameOf(scene.map->y)};
-  for (const scene::MapMark& mark : scene.map->marks) texts.push_back(mark.label);
-  for (const scene::Panel& panel : motionsOf(scene)) texts.push_back(panel.label);
-  requireLetters(scene, texts);
+  drawPlot(emptyPlot(scene, 0), lettersOf(scene));
 }
 
 Drawing drawMap(const study::MapResult& result, const scene::Scene& scene, int leastWidth) {
-  overlay::Typesetter type = lettersOf(scene);
-  const MapLayout layout(scene, type, leastWidth);
-  return MapPlot(result, scene, layout, std::move(type)).draw();
+  const scene::MapSettings& map = *scene.map;
+  const study::MapFacts facts = factsOf(result);
+  const MapColouring colouring(map.colours, facts);
+  Plot plot = emptyPlot(scene, leastWidth);
+  if (facts.withValue() > 0) plot.bar = barOf(map, colouring);
+  const auto add = [&](std::int64_t runs, const std::string& name, const Rgb& colour) {
+    const Colour drawn{colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0};
+    const Marker square{drawn, 4, 0.125, false, 0.5 * plot.letters};
+    if (runs > 0) plot.legend.push_back({name, square, {}, false});
+  };
+  add(facts.never, neverText(map), kNeverColour);
+  add(facts.diverged, "diverged", kDivergedColour);
+  add(facts.refused, refusedText(map), kRefusedColour);
+  for (std::size_t i = 0; i < plot.panels.size(); ++i) {
+    fill(plot.panels[i], i, result, map, colouring, strideOf(scene));
+  }
+  return drawPlot(plot, lettersOf(scene));
 }
 
 image::Image mapPicture(const study::MapResult& result, const scene::Scene& scene, int leastWidth) {
@@ -158,7 +161,7 @@ void writeMapPlot(const study::MapResult& result, const scene::Scene& scene,
 }
 
 int mapWidth(const scene::Scene& scene) {
-  return MapLayout(scene, lettersOf(scene), 0).width;
+  return static_cast<int>(widthOf(emptyPlot(scene, 0), lettersOf(scene)));
 }
 
 }  // namespace rotatebook::plot

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/text.h"
-#include "plot/curves.h"
+#include "plot/plot.h"
 #include "scene/grid_settings.h"
 #include "scene/names.h"
 
@@ -18,20 +18,16 @@ namespace {
 
 using scene::Scale;
 
-// An axis whose values span more than this is logarithmic.
-constexpr double kWideSpan = 20;
+constexpr double kWideSpan = 20;   // An axis whose values span more than this is logarithmic.
+constexpr double kOpenRadius = 6;  // [pixels]
+constexpr Colour kGrey{0.66, 0.66, 0.66};
 
 /// Returns an axis for the positive `values`: at least a decade, so that it holds a power of ten.
-Axis logarithmicAxis(const std::string& name, const std::vector<double>& values) {
-  constexpr double kMargin = 2;
-  double least = std::numeric_limits<double>::infinity(), most = 0;
-  for (const double value : values) {
-    if (!(value > 0)) continue;
-    least = std::min(least, value);
-    most = std::max(most, value);
-  }
-  if (most == 0) return {name, 1e-16, 1, Scale::Logarithmic};
-  const double widening = kMargin * std::sqrt(std::max(1.0, 10 * least / most));
+Axis logarithmicAxis(const std::string& name, std::vector<double> values) {
+  std::erase_if(values, [](double value) { return !(value > 0); });
+  if (values.empty()) return {name, 1e-16, 1, Scale::Logarithmic};
+  const auto [least, most] = std::ranges::minmax(values);
+  const double widening = 2 * std::sqrt(std::max(1.0, 10 * least / most));
   return {name, least / widening, most * widening, Scale::Logarithmic};
 }
 
@@ -55,25 +51,38 @@ std::vector<double> valuesAlong(int axis, const std::vector<Series>& all) {
 
 /// Adds a grey line y ~ x^exponent from the panel's upper right corner if it rises, else from the
 /// upper left one.
-void addSlope(int exponent, CurvesPanel& panel) {
+void addSlope(int exponent, Panel& panel) {
   const double start = exponent > 0 ? panel.x.to : panel.x.from;
   const double end = exponent > 0 ? panel.x.from : panel.x.to;
   const double bottom = start * std::pow(panel.y.from / panel.y.to, 1.0 / exponent);
-  const bool leavesBySide = (bottom < end) == (exponent > 0);
-  const double x = leavesBySide ? end : bottom;
-  panel.guides.emplace_back(start, panel.y.to);
-  panel.guides.emplace_back(x, panel.y.to * std::pow(x / start, exponent));
+  const double x = (bottom < end) == (exponent > 0) ? end : bottom;
+  panel.lines.emplace_back(start, panel.y.to);
+  panel.lines.emplace_back(x, panel.y.to * std::pow(x / start, exponent));
+  panel.pen = {kGrey, 1};
 }
 
-CurvesPanel logarithmicPanel(const char* x, const char* y, std::vector<Series> series) {
-  CurvesPanel panel{logarithmicAxis(x, valuesAlong(0, series)),
-                    logarithmicAxis(y, valuesAlong(1, series))};
+/// Returns the legend of such lines.
+std::vector<Series> legendOf(const std::set<int>& slopes) {
+  std::vector<std::string> texts;
+  for (const int slope : slopes) texts.push_back(std::to_string(slope));
+  if (texts.empty()) return {};
+  return {{(texts.size() == 1 ? "slope " : "slopes ") + listed(texts), {kGrey}, {}, true, false}};
+}
+
+Panel panelOf(Axis x, Axis y, std::vector<Series> series, bool sharesY = false) {
+  Panel panel{"", std::move(x), std::move(y), sharesY};
   panel.series = std::move(series);
   return panel;
 }
 
+Panel logarithmicPanel(const char* x, const char* y, const std::vector<Series>& series,
+                       bool sharesY = false) {
+  return panelOf(logarithmicAxis(x, valuesAlong(0, series)),
+                 logarithmicAxis(y, valuesAlong(1, series)), series, sharesY);
+}
+
 /// Returns the integrator's name and its fitted order.
-std::string legendOf(const study::IntegratorOrder& order) {
+std::string nameOf(const study::IntegratorOrder& order) {
   std::array<char, 32> fitted{};
   std::snprintf(fitted.data(), fitted.size(), "%.2f", order.fit.order);
   return std::string(scene::nameOf(scene::kIntegrators, order.integrator)) + "  " +
@@ -85,7 +94,7 @@ template <typename Across>
 std::vector<Series> errorsOver(const study::PrecisionStudy& study, const Across& across) {
   std::vector<Series> all;
   for (const study::IntegratorOrder& order : study.orders) {
-    Series series{legendOf(order), markerOf(static_cast<std::size_t>(order.integrator))};
+    Series series{nameOf(order), markerOf(static_cast<std::size_t>(order.integrator))};
     for (const study::PrecisionRow& row : study.rows) {
       const bool isShown = row.integrator == order.integrator &&
                            row.end.kind == study::RunEnd::Kind::Whole && row.errorDeg > 0;
@@ -102,13 +111,6 @@ std::set<int> slopesOf(const study::PrecisionStudy& study) {
     if (!std::isnan(fit.order) && fit.order > 0.5) slopes.insert(static_cast<int>(fit.order + 0.5));
   }
   return slopes;
-}
-
-std::string noteOf(const std::set<int>& slopes) {
-  if (slopes.empty()) return "";
-  std::vector<std::string> texts;
-  for (const int slope : slopes) texts.push_back(std::to_string(slope));
-  return (texts.size() == 1 ? "grey: slope " : "grey: slopes ") + listed(texts);
 }
 
 // --- Any key ---
@@ -128,16 +130,16 @@ double placeOf(const std::string& label, const scene::SweepKey& key) {
 /// not measured but known to lie above: of motions that haven't diverged.
 std::vector<Series> seriesOf(const study::SweepStudy& study, const scene::Sweep& sweep,
                              std::size_t measure) {
-  constexpr double kLarge = 1.5;  // Words have no order, so that no line joins their points.
   std::vector<Series> all;
   const std::string* curve = nullptr;
   for (const study::SweepRow& row : study.rows) {
     if (curve == nullptr || *curve != row.curve) {
       curve = &row.curve;
       Marker marker = markerOf(all.size() / 2);
-      if (!allNumbers(sweep.over)) marker.radius *= kLarge;
+      // Words have no order, so that no line joins their points.
+      if (!allNumbers(sweep.over)) marker.radius = kOpenRadius;
       all.push_back({row.curve, marker, {}, allNumbers(sweep.over)});
-      all.push_back({"", {marker.colour, 3, 0, true, kLarge * Marker().radius}, {}, false});
+      all.push_back({"", {marker.colour, 3, 0, true, kOpenRadius}, {}, false});
     }
     const double value = row.measured[measure];
     if (std::isnan(value)) continue;
@@ -150,46 +152,25 @@ std::vector<Series> seriesOf(const study::SweepStudy& study, const scene::Sweep&
 
 /// Returns the axis of the key that is varied; words are at their ranks.
 Axis axisOf(const scene::SweepKey& key, const std::vector<Series>& all) {
-  if (allNumbers(key)) return axisFor(nameOf(key), valuesAlong(0, all), false);
-  Axis axis{nameOf(key), 0.5, 0.5 + static_cast<double>(key.values.size())};
+  if (allNumbers(key)) return axisFor(scene::nameOf(key), valuesAlong(0, all), false);
+  Axis axis{scene::nameOf(key), 0.5, 0.5 + static_cast<double>(key.values.size())};
   for (std::size_t i = 0; i < key.values.size(); ++i) {
     axis.words.push_back({static_cast<double>(i + 1), key.values[i].label});
   }
   return axis;
 }
 
-bool hasOpen(const study::SweepStudy& study) {
-  return std::ranges::any_of(study.rows, [](const study::SweepRow& row) {
-    return std::ranges::any_of(row.measured, [](double value) { return std::isinf(value); });
-  });
-}
-
-CurvesPlot plotOf(const study::PrecisionStudy& result, const std::string& title,
-                  const scene::StudySettings&) {
-  return precisionPlot(title, result);
-}
-
-CurvesPlot plotOf(const study::TiltStudy& result, const std::string& title,
-                  const scene::StudySettings&) {
-  return tiltPlot(title, result);
-}
-
-CurvesPlot plotOf(const study::SweepStudy& result, const std::string& title,
-                  const scene::StudySettings& study) {
-  return sweepPlot(title, result, *study.sweep);
-}
-
 }  // namespace
 
-CurvesPlot precisionPlot(const std::string& title, const study::PrecisionStudy& study) {
-  const std::set<int> slopes = slopesOf(study);
-  CurvesPlot plot{title, noteOf(slopes), "with the fitted order"};
-  plot.panels.push_back(logarithmicPanel("step  [s]", "largest attitude error  [degrees]",
-                                         errorsOver(study, [](const auto& row) { return row.h; })));
-  plot.panels.push_back(
+Plot plotOf(const study::PrecisionStudy& result, const scene::StudySettings&) {
+  const std::set<int> slopes = slopesOf(result);
+  Plot plot{.title = {}, .legendTitle = "fitted order", .legend = legendOf(slopes)};
+  plot.panels = {
+      logarithmicPanel("step  [s]", "largest attitude error  [degrees]",
+                       errorsOver(result, [](const auto& row) { return row.h; })),
       logarithmicPanel("computing time for a second of motion  [ns]", "",
-                       errorsOver(study, [](const auto& row) { return row.nsPerStep / row.h; })));
-  plot.panels[1].sharesY = true;
+                       errorsOver(result, [](const auto& row) { return row.nsPerStep / row.h; }),
+                       true)};
   for (const int slope : slopes) {
     addSlope(slope, plot.panels[0]);
     addSlope(-slope, plot.panels[1]);
@@ -197,39 +178,44 @@ CurvesPlot precisionPlot(const std::string& title, const study::PrecisionStudy& 
   return plot;
 }
 
-CurvesPlot tiltPlot(const std::string& title, const study::TiltStudy& study) {
-  constexpr Colour kLaw{0.835, 0.369, 0}, kMeasured{0, 0.447, 0.698};
-  std::vector<study::TiltRow> rows = study.rows;
+Plot plotOf(const study::TiltStudy& result, const scene::StudySettings&) {
+  constexpr const char* kTilt = "tilt  [rad]";
+  std::vector<study::TiltRow> rows = result.rows;
   std::erase_if(rows, [](const study::TiltRow& row) { return std::isnan(row.interval); });
   std::ranges::sort(rows, {}, &study::TiltRow::tilt);
-  Series law{"logarithmic law", {kLaw}}, measured{"measured", {kMeasured}};
-  Series difference{"", {kMeasured}};
+  Series law{"logarithmic law", markerOf(1)}, measured{"measured", markerOf(0)},
+      difference = measured;
   for (const study::TiltRow& row : rows) {
     law.points.emplace_back(row.tilt, row.law);
     measured.points.emplace_back(row.tilt, row.interval);
     if (row.ratio() != 1) difference.points.emplace_back(row.tilt, std::fabs(row.ratio() - 1));
   }
   law.hasMarkers = measured.hasLine = false;
-  CurvesPanel intervals{
-      logarithmicAxis("tilt  [rad]", valuesAlong(0, {measured})),
-      axisFor("time from a flip to the next  [s]", valuesAlong(1, {law, measured}), true)};
-  intervals.series = {law, measured};
-  CurvesPanel differences = logarithmicPanel("tilt  [rad]", "| measured / law − 1 |", {difference});
-  differences.x = intervals.x;
-  addSlope(2, differences);
-  return {title, noteOf({2}), "", {intervals, differences}};
+  Plot plot{.title = {}, .legend = legendOf({2})};
+  plot.panels = {
+      panelOf(logarithmicAxis(kTilt, valuesAlong(0, {measured})),
+              axisFor("time from a flip to the next  [s]", valuesAlong(1, {law, measured}), true),
+              {law, measured}),
+      logarithmicPanel(kTilt, "| measured / law − 1 |", {difference})};
+  plot.panels[1].x = plot.panels[0].x;
+  addSlope(2, plot.panels[1]);
+  return plot;
 }
 
-CurvesPlot sweepPlot(const std::string& title, const study::SweepStudy& study,
-                     const scene::Sweep& sweep) {
-  CurvesPlot plot{title, hasOpen(study) ? "open triangles: not within the run" : "",
-                  sweep.curves ? nameOf(*sweep.curves) : ""};
+Plot plotOf(const study::SweepStudy& result, const scene::StudySettings& study) {
+  const scene::Sweep& sweep = *study.sweep;
+  Plot plot{.title = {}, .legendTitle = sweep.curves ? scene::nameOf(*sweep.curves) : ""};
+  const bool hasOpen = std::ranges::any_of(result.rows, [](const study::SweepRow& row) {
+    return std::ranges::any_of(row.measured, [](double value) { return std::isinf(value); });
+  });
+  if (hasOpen) {
+    plot.legend = {{"not within the run", {kGrey, 3, 0, true, kOpenRadius}, {}, false}};
+  }
   for (std::size_t i = 0; i < sweep.measures.size(); ++i) {
-    std::vector<Series> series = seriesOf(study, sweep, i);
+    const std::vector<Series> series = seriesOf(result, sweep, i);
     const std::string name(rowOf(sweep.measures[i]).studied);
-    CurvesPanel panel{axisOf(sweep.over, series), axisFor(name, valuesAlong(1, series), true)};
-    panel.series = std::move(series);
-    plot.panels.push_back(std::move(panel));
+    plot.panels.push_back(
+        panelOf(axisOf(sweep.over, series), axisFor(name, valuesAlong(1, series), true), series));
   }
   return plot;
 }
@@ -238,9 +224,9 @@ void writeStudyPlot(const StudyResult& result, const scene::Scene& scene,
                     const scene::StudySettings& study,
                     const std::vector<std::filesystem::path>& files) {
   constexpr double kPixels = 1.5;  // of a PNG, for one of the sheet
-  const CurvesPlot plot =
-      std::visit([&](const auto& one) { return plotOf(one, scene.title, study); }, result);
-  writePlot(drawCurves(plot, lettersOf(scene)), files, kPixels);
+  Plot plot = std::visit([&](const auto& one) { return plotOf(one, study); }, result);
+  plot.title = scene.title;
+  writePlot(drawPlot(plot, lettersOf(scene)), files, kPixels);
 }
 
 void requireStudyLetters(const scene::Scene& scene, const scene::StudySettings& study) {
@@ -249,7 +235,8 @@ void requireStudyLetters(const scene::Scene& scene, const scene::StudySettings& 
     for (const scene::SweepValue& value : study.sweep->over.values) texts.push_back(value.label);
     for (const scene::SweepRun& run : study.sweep->runs) texts.push_back(run.curve);
   }
-  requireLetters(scene, texts);
+  Drawing drawing(1, 1, {}, lettersOf(scene));
+  for (const std::string& text : texts) drawing.write(text, {}, Point(0, 0));
 }
 
 }  // namespace rotatebook::plot

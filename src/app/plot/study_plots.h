@@ -12,7 +12,7 @@
 
 namespace rotatebook::plot {
 
-struct CurvesPlot;
+struct Plot;
 
 /// The results of any study.
 using StudyResult = std::variant<study::PrecisionStudy, study::TiltStudy, study::SweepStudy>;
@@ -29,16 +29,15 @@ void writeStudyPlot(const StudyResult& result, const scene::Scene& scene,
 /// Plots on two panels with logarithmic axes the largest error over the step, and over the
 /// computing time of one second of motion, with grey lines whose slopes are the rounded fitted
 /// orders. Runs that didn't complete are left out; at least one run must have.
-CurvesPlot precisionPlot(const std::string& title, const study::PrecisionStudy& study);
+Plot plotOf(const study::PrecisionStudy& result, const scene::StudySettings& study);
 
 /// Plots on two panels over the tilt the flip interval, measured and by the logarithmic law, and
 /// their relative difference. At least one row must have an interval.
-CurvesPlot tiltPlot(const std::string& title, const study::TiltStudy& study);
+Plot plotOf(const study::TiltStudy& result, const scene::StudySettings& study);
 
 /// Plots each measured quantity on a panel over the key that is varied, one curve for each value of
 /// the second key. Axes over wide spans are logarithmic; a motion that doesn't diverge is an open
 /// triangle at the end of its run.
-CurvesPlot sweepPlot(const std::string& title, const study::SweepStudy& study,
-                     const scene::Sweep& sweep);
+Plot plotOf(const study::SweepStudy& result, const scene::StudySettings& study);
 
 }  // namespace rotatebook::plot

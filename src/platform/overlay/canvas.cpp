@@ -45,12 +45,19 @@ struct Canvas::Parts {
         surface(
             cairo_image_surface_create_for_data(pixels.data(), CAIRO_FORMAT_ARGB32, w, h, w * 4)),
         cairo(cairo_create(surface.get())) {
+    round();
+  }
+
+  explicit Parts(cairo_t* target) : cairo(cairo_reference(target)) { round(); }
+
+  void round() const {
     cairo_set_line_cap(cairo.get(), CAIRO_LINE_CAP_ROUND);
     cairo_set_line_join(cairo.get(), CAIRO_LINE_JOIN_ROUND);
   }
 
   /// Marks `box` as drawn in. The touched boxes never meet, so that nothing is blended twice.
   void touch(const Box& box) {
+    if (!surface) return;
     const double left = std::clamp(std::floor(box.x) - 1, 0.0, 1.0 * width);
     const double top = std::clamp(std::floor(box.y) - 1, 0.0, 1.0 * height);
     const double right = std::clamp(std::ceil(box.right()) + 1, 0.0, 1.0 * width);
@@ -112,7 +119,7 @@ struct Canvas::Parts {
     cairo_fill(cairo.get());
   }
 
-  int width, height;
+  int width = 0, height = 0;
   Ink ink;
   std::vector<std::uint8_t> pixels;
   Surface surface;
@@ -123,6 +130,7 @@ struct Canvas::Parts {
 
 Canvas::Canvas(int width, int height, const Ink& ink)
     : parts_(std::make_unique<Parts>(width, height, ink)) {}
+Canvas::Canvas(_cairo* target) : parts_(std::make_unique<Parts>(target)) {}
 Canvas::~Canvas() = default;
 
 void Canvas::line(std::span<const Point> points, const Pen& pen) {

@@ -34,6 +34,8 @@ class Canvas {
   /// Takes the picture's width and height, > 0 [pixels], and what turns the colours of lines and
   /// areas into those that are drawn.
   Canvas(int width, int height, const Ink& ink = {});
+  /// Draws with Cairo at once rather than on a sheet of its own: nothing is left to be laid.
+  explicit Canvas(_cairo* target);
   ~Canvas();
 
   /// Strokes a line through two points or more, with round caps and joins. Points far outside the

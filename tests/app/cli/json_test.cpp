@@ -47,8 +47,8 @@ constexpr const char* kUnmet = "rotatebook: expectations are not met; the files 
 TEST_F(Json, OfAStudyThatCantBeWrittenHasTheError) {
   fs::create_directories(folder() / "out/b-study.csv");
   for (const std::string output : {"/proc/x", "out"}) {
-    const ChildResult result =
-        runWithoutGraphics({"study", "tiny.toml", "b.toml", "--json", "-o", output});
+    const ChildResult result = runWithoutGraphics(
+        {"study", "tiny.toml", "b.toml", "--json", "-o", output, "--set", "title=b"});
     EXPECT_EQ(result.status, 3) << output;
     expectKeys(result.output, "interrupted studies");
     EXPECT_EQ(countOf("\"name\": ", result.output), 2);
@@ -137,14 +137,15 @@ TEST_F(Json, OfSpinHasItsNumbers) {
 
 TEST_F(Json, OfStudyHasOrdersAndFiles) {
   const ChildResult result =
-      runWithoutGraphics({"study", "b.toml", "--steps", "1,2,4", "--integrators", "rk4", "--json"});
+      runWithoutGraphics({"study", "b.toml", "--steps", "1,2,4", "--integrators", "rk4", "--json",
+                          "--set", R"(title='Größe "x" \')"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(result.error, IsEmpty());
   expectKeys(result.output, "interrupted studies");
   EXPECT_THAT(
       result.output,
       AllOf(
-          HasSubstr(kTitleInJson), HasSubstr(R"("kind": "integrators", )"),
+          HasSubstr(R"("title": "Größe \"x\" \\")"), HasSubstr(R"("kind": "integrators", )"),
           HasSubstr(
               R"("files": ["out/b-study.csv", "out/b-study-orders.csv", )"
               R"("out/b-study.png", "out/b-study.svg", "out/b-study.pdf"], "runs": 3, "failures": [])"),
@@ -152,9 +153,9 @@ TEST_F(Json, OfStudyHasOrdersAndFiles) {
 }
 
 TEST_F(Json, OfStudyHoldsWhatWasDoneBeforeAnError) {
-  const ChildResult result =
-      runWithoutGraphics({"study", "tiny.toml", "b.toml", "--steps", "1", "--integrators", "rk4",
-                          "--json", "--set", "initial.angular_velocity=[1e4, 0, 1]"});
+  const ChildResult result = runWithoutGraphics(
+      {"study", "tiny.toml", "b.toml", "--steps", "1", "--integrators", "rk4", "--json", "--set",
+       "initial.angular_velocity=[1e4, 0, 1]", "--set", "title=b"});
   EXPECT_EQ(result.status, 2);
   EXPECT_THAT(result.error, HasSubstr("rotatebook: tiny: no run reached its end"));
   expectKeys(result.output, "interrupted studies");

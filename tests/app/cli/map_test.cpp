@@ -107,7 +107,7 @@ TEST_F(MapCommand, GoesOnAfterBeingKilled) {
   const ChildResult result = run({"map", "turns.toml", "--set", kLong, "--resume"});
   EXPECT_EQ(result.status, 0) << result.error;
   EXPECT_THAT(result.output, HasSubstr(" of 6 tiles of an earlier run\n"));
-  EXPECT_EQ(expectSameFiles("whole", "out"), 5);
+  EXPECT_EQ(expectSameFiles("whole", "out"), 7);
 }
 
 TEST_F(MapCommand, StopsWhenItIsInterrupted) {

@@ -101,7 +101,7 @@ TEST_F(MakeMap, GivesTheSameBytesOnAnyNumberOfThreads) {
     if (first.empty()) first = bytes;
     EXPECT_EQ(bytes, first) << threads;
   }
-  EXPECT_EQ(first.size(), 5U);
+  EXPECT_EQ(first.size(), 7U);
 }
 
 TEST_F(MakeMap, GivesTheSameBytesFromPartsMadeAtOnce) {
@@ -195,7 +195,7 @@ TEST_F(MakeMap, WritesWhatItSays) {
   const scene::Scene scene = mapScene();
   const MadeMap made = make(scene);
   const auto written = writeMap(scene, made.result, files());
-  EXPECT_EQ(written.size(), 5U);
+  EXPECT_EQ(written.size(), 7U);
   study::MapResult read = emptyResult(scene, study::MapRuns(scene));
   ASSERT_TRUE(readNpy(bytesOf(files().npy), *scene.map, read));
   EXPECT_EQ(read.values, made.result.values);
@@ -208,7 +208,7 @@ TEST_F(MakeMap, WritesWhatItSays) {
 
 TEST_F(MakeMap, WritesNoTableOfManyRuns) {
   const scene::Scene scene = mapScene({"map.size=[101, 100]", "map.duration=0.05"});
-  EXPECT_EQ(writeMap(scene, make(scene).result, files()).size(), 4U);
+  EXPECT_EQ(writeMap(scene, make(scene).result, files()).size(), 6U);
   EXPECT_FALSE(fs::exists(files().csv));
 }
 

@@ -13,10 +13,9 @@ inline constexpr image::Tolerance kOtherFonts{.largest = 24, .failPercent = 0.02
 
 /// Expects that all texts are on the sheet, and that none meets another.
 inline void expectTextsApart(const Drawing& drawing) {
-  const Box sheet{0, 0, drawing.width(), drawing.height()};
   const std::vector<Written>& texts = drawing.texts();
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    EXPECT_TRUE(sheet.holds(texts[i].box)) << texts[i].text;
+    EXPECT_TRUE(drawing.sheet().holds(texts[i].box)) << texts[i].text;
     for (std::size_t j = 0; j < i; ++j) {
       EXPECT_FALSE(texts[i].box.meets(texts[j].box)) << texts[i].text << " | " << texts[j].text;
     }

@@ -26,7 +26,7 @@ constexpr Colour kRed{1, 0, 0}, kWhite{1, 1, 1};
 /// A sheet of 40 x 20 with a red square at its left, a picture of two pixels, and a word.
 Drawing sheet() {
   Drawing drawing(40, 20, kWhite, overlay::Typesetter());
-  drawing.area(std::vector<Point>{{2, 2}, {8, 2}, {8, 8}, {2, 8}}, kRed);
+  drawing.canvas().area(std::vector<Point>{{2, 2}, {8, 2}, {8, 8}, {2, 8}}, {kRed});
   image::Image two(2, 1, image::PixelFormat::Rgb8);
   two.row(0)[2] = 255;  // Blue, beside black
   drawing.picture(two, {10, 2, 8, 4});
@@ -87,9 +87,10 @@ TEST(WritePlot, WritesCompleteFilesOfEachFormat) {
 }
 
 TEST(WritePlot, HasTheSameBytesEachTime) {
-  EXPECT_EQ(sheet().png(1), sheet().png(1));
-  EXPECT_EQ(sheet().pdf(1), sheet().pdf(1));
-  EXPECT_THAT(sheet().pdf(1), ::testing::Not(HasSubstr("CreationDate")));
+  EXPECT_EQ(sheet().file(".png"), sheet().file(".png"));
+  EXPECT_EQ(sheet().file(".svg"), sheet().file(".svg"));
+  EXPECT_EQ(sheet().file(".pdf"), sheet().file(".pdf"));
+  EXPECT_THAT(sheet().file(".pdf"), ::testing::Not(HasSubstr("CreationDate")));
 }
 
 TEST(WritePlot, SaysThatAFileCantBeWritten) {

@@ -12,6 +12,7 @@
 #include "image/golden.h"
 #include "plot/apart.h"
 #include "plot/contours.h"
+#include "plot/drawing.h"
 #include "plot/map_colours.h"
 #include "plot/ticks.h"
 #include "scene/scene_text.h"
@@ -65,7 +66,7 @@ TEST(Palettes, AreTheFields) {
   constexpr int kBound = 1;  // of 255, as 33 of 256 colours are stated; measured 1
   for (const PaletteTwin& twin : twins) {
     for (std::size_t i = 0; i < twin.quarters.size(); ++i) {
-      const Rgb found = PaletteColours(twin.palette).at(static_cast<double>(64 * i) / 255);
+      const Rgb found = colourAt(twin.palette, static_cast<double>(64 * i) / 255);
       const Rgb& known = twin.quarters[i];
       EXPECT_LE(std::abs(found.red - known.red), kBound) << i;
       EXPECT_LE(std::abs(found.green - known.green), kBound) << i;
@@ -77,21 +78,20 @@ TEST(Palettes, AreTheFields) {
 TEST(Palettes, GrowLighterAllTheWay) {
   using enum scene::Palette;
   for (const auto palette : {Inferno, Viridis, Gray}) {
-    const PaletteColours colours(palette), reversed(palette, true);
-    for (int i = 1; i <= 50; ++i) {
-      EXPECT_GT(luminanceOf(colours.at(i / 50.0)), luminanceOf(colours.at((i - 1) / 50.0))) << i;
-    }
-    EXPECT_EQ(reversed.at(0), colours.at(1));
-    EXPECT_EQ(colours.at(-3), colours.at(0));
-    EXPECT_EQ(colours.at(7), colours.at(1));
+    const auto light = [&](double share) { return luminanceOf(colourAt(palette, share)); };
+    for (int i = 1; i <= 50; ++i) EXPECT_GT(light(i / 50.0), light((i - 1) / 50.0)) << i;
+    EXPECT_EQ(colourAt(palette, -3), colourAt(palette, 0));
+    EXPECT_EQ(colourAt(palette, 7), colourAt(palette, 1));
   }
 }
 
 TEST(Palettes, DivergeFromTheLightestInTheMiddle) {
-  const PaletteColours colours(scene::Palette::Coolwarm);
+  const auto light = [](double share) {
+    return luminanceOf(colourAt(scene::Palette::Coolwarm, share));
+  };
   for (int i = 1; i <= 25; ++i) {
-    EXPECT_GT(luminanceOf(colours.at(i / 50.0)), luminanceOf(colours.at((i - 1) / 50.0))) << i;
-    EXPECT_GT(luminanceOf(colours.at(1 - i / 50.0)), luminanceOf(colours.at(1 - (i - 1) / 50.0)));
+    EXPECT_GT(light(i / 50.0), light((i - 1) / 50.0)) << i;
+    EXPECT_GT(light(1 - i / 50.0), light(1 - (i - 1) / 50.0)) << i;
   }
 }
 
@@ -100,9 +100,11 @@ TEST(MapColouring, HasColoursOfItsOwnForRunsWithoutANumber) {
   EXPECT_EQ(colouring.of(study::kNever), kNeverColour);
   EXPECT_EQ(colouring.of(study::kDiverged), kDivergedColour);
   EXPECT_EQ(colouring.of(study::kRefused), kRefusedColour);
-  EXPECT_EQ(colouring.of(1), PaletteColours(scene::Palette::Inferno).at(0));
-  EXPECT_EQ(colouring.of(3), PaletteColours(scene::Palette::Inferno).at(1));
+  EXPECT_EQ(colouring.of(1), colourAt(scene::Palette::Inferno, 0));
+  EXPECT_EQ(colouring.of(3), colourAt(scene::Palette::Inferno, 1));
   EXPECT_EQ(colouring.shareOf(2), 0.5);
+  const MapColouring reversed({.reversed = true}, {.runs = 2, .smallest = 1, .largest = 3});
+  EXPECT_EQ(reversed.of(1), colouring.of(3));
 }
 
 TEST(MapColouring, TakesMapsOfOneValueAndOfNone) {

@@ -13,7 +13,7 @@
 
 #include "base/error.h"
 #include "plot/apart.h"
-#include "plot/curves.h"
+#include "plot/plot.h"
 #include "scene/scene_text.h"
 
 namespace rotatebook::plot {
@@ -48,8 +48,8 @@ study::PrecisionStudy studyOf(const std::vector<study::PrecisionRow>& rows,
 }
 
 /// Draws a plot, whose texts must be apart and on the sheet; returns them.
-std::vector<std::string> textsOn(const CurvesPlot& plot) {
-  const Drawing drawing = drawCurves(plot, overlay::Typesetter());
+std::vector<std::string> textsOn(const Plot& plot) {
+  const Drawing drawing = drawPlot(plot, overlay::Typesetter());
   expectTextsApart(drawing);
   std::vector<std::string> texts;
   for (const Written& written : drawing.texts()) texts.push_back(written.text);
@@ -60,11 +60,11 @@ TEST(PrecisionPlot, NamesIntegratorsOrdersAndAxes) {
   const auto study = studyOf({row(Integrator::Rk4, 0.1, 1), row(Integrator::Rk4, 0.01, 1e-4),
                               row(Integrator::Midpoint, 0.1, 2), failed(Integrator::Midpoint, 1)},
                              {{Integrator::Rk4, {4.0, 2, 0.01, 0.1}}, {Integrator::Midpoint, {}}});
-  EXPECT_THAT(textsOn(precisionPlot("A title", study)),
-              IsSupersetOf({"A title", "rk4  4.00", "midpoint  –", "with the fitted order",
-                            "step  [s] →", "↑ largest attitude error  [degrees]",
-                            "computing time for a second of motion  [ns] →", "grey: slope 4", "0.1",
-                            "10⁻³"}));
+  EXPECT_THAT(
+      textsOn(plotOf(study, {})),
+      IsSupersetOf({"rk4  4.00", "midpoint  –", "fitted order", "step  [s] →",
+                    "↑ largest attitude error  [degrees]",
+                    "computing time for a second of motion  [ns] →", "slope 4", "0.1", "10⁻³"}));
 }
 
 TEST(PrecisionPlot, HasEachRunAtItsStepItsTimeAndItsError) {
@@ -73,14 +73,14 @@ TEST(PrecisionPlot, HasEachRunAtItsStepItsTimeAndItsError) {
                         failed(Integrator::Midpoint, 1), row(Integrator::Midpoint, 0.01, 0)},
                        {{Integrator::Rk4, {}}, {Integrator::Midpoint, {}}});
   study.rows[3].nsPerStep = 700;
-  const CurvesPlot plot = precisionPlot("Where", study);
+  const Plot plot = plotOf(study, {});
   ASSERT_EQ(plot.panels.size(), 2U);
   EXPECT_THAT(plot.panels[0].series[0].points, ElementsAre(Point(0.2, 0.3), Point(0.01, 4e-5)));
   EXPECT_THAT(plot.panels[0].series[1].points, ElementsAre(Point(0.05, 2), Point(0.02, 0.5)));
   EXPECT_THAT(plot.panels[1].series[1].points,
               ElementsAre(Point(100 / 0.05, 2), Point(700 / 0.02, 0.5)));
-  EXPECT_THAT(plot.panels[0].guides, IsEmpty());
-  for (const CurvesPanel& panel : plot.panels) {
+  EXPECT_THAT(plot.panels[0].lines, IsEmpty());
+  for (const Panel& panel : plot.panels) {
     for (const Series& series : panel.series) {
       for (const Point& point : series.points) {
         EXPECT_TRUE(0 < panel.x.shareOf(point.x()) && panel.x.shareOf(point.x()) < 1);
@@ -95,10 +95,10 @@ TEST(PrecisionPlot, HasGuidesOfTheRoundedOrders) {
   const auto study =
       studyOf({row(Integrator::Midpoint, 0.1, 1), row(Integrator::Midpoint, 0.001, 1e-4)},
               {{Integrator::Midpoint, {1.93, 2, 0.01, 0.1}}});
-  const CurvesPlot plot = precisionPlot("Slopes", study);
+  const Plot plot = plotOf(study, {});
   for (const auto& [panel, slope] : {std::pair{plot.panels[0], 2.0}, {plot.panels[1], -2.0}}) {
-    ASSERT_EQ(panel.guides.size(), 2U);
-    const Point &from = panel.guides[0], &to = panel.guides[1];
+    ASSERT_EQ(panel.lines.size(), 2U);
+    const Point &from = panel.lines[0], &to = panel.lines[1];
     EXPECT_EQ(from.y(), panel.y.to);
     constexpr double kBound = 1e-9;  // measured 4e-16
     EXPECT_NEAR(std::log(to.y() / from.y()) / std::log(to.x() / from.x()), slope, kBound);
@@ -109,10 +109,10 @@ TEST(PrecisionPlot, HasGuidesOfTheRoundedOrders) {
 
 TEST(PrecisionPlot, IsDrawnOfOneRunAndWithoutAnyError) {
   const std::vector<study::IntegratorOrder> orders{{Integrator::Euler, {}}};
-  const CurvesPlot one = precisionPlot("One", studyOf({row(Integrator::Euler, 0.1, 1)}, orders));
-  EXPECT_EQ(one.note, "");
-  EXPECT_THAT(textsOn(one), IsSupersetOf({"One", "0.1"}));
-  EXPECT_THAT(textsOn(precisionPlot("None", studyOf({row(Integrator::Euler, 0.1, 0)}, orders))),
+  const Plot one = plotOf(studyOf({row(Integrator::Euler, 0.1, 1)}, orders), {});
+  EXPECT_THAT(one.legend, IsEmpty());
+  EXPECT_THAT(textsOn(one), IsSupersetOf({"fitted order", "0.1"}));
+  EXPECT_THAT(textsOn(plotOf(studyOf({row(Integrator::Euler, 0.1, 0)}, orders), {})),
               IsSupersetOf({"euler  –"}));
 }
 
@@ -123,7 +123,7 @@ TEST(PrecisionPlot, HasALookOfItsOwnForEveryIntegratorOfAModel) {
       study.rows.push_back(row(integrator, 0.1, 1));
       study.orders.push_back({integrator, {1.0, 2, 0.01, 0.1}});
     }
-    const CurvesPlot plot = precisionPlot("All", study);
+    const Plot plot = plotOf(study, {});
     std::set<std::tuple<double, double, double>> colours;
     std::set<std::tuple<int, double, bool>> shapes;
     for (const auto& [name, marker, points, hasLine, hasMarkers] : plot.panels[0].series) {
@@ -142,10 +142,10 @@ TEST(TiltPlot, HasMeasuredAndLawAtTheirTilts) {
                 {0.03, {}, 4, 3.5, 3.4},
                 {0.01, {study::RunEnd::Kind::FewFlips}},
                 {0.001, {}, 4, 5.0, 5.0}};
-  const CurvesPlot plot = tiltPlot("Tilts", study);
-  EXPECT_THAT(textsOn(plot), IsSupersetOf({"Tilts", "logarithmic law", "measured", "tilt  [rad] →",
+  const Plot plot = plotOf(study, {});
+  EXPECT_THAT(textsOn(plot), IsSupersetOf({"logarithmic law", "measured", "tilt  [rad] →",
                                            "↑ time from a flip to the next  [s]",
-                                           "↑ | measured / law − 1 |", "grey: slope 2"}));
+                                           "↑ | measured / law − 1 |", "slope 2"}));
   ASSERT_EQ(plot.panels.size(), 2U);
   EXPECT_THAT(plot.panels[0].series[0].points,
               ElementsAre(Point(0.001, 5), Point(0.03, 3.4), Point(0.2, 2.1)));
@@ -160,7 +160,7 @@ TEST(TiltPlot, HasMeasuredAndLawAtTheirTilts) {
 TEST(TiltPlot, IsDrawnOfOneTiltThatKeepsTheLaw) {
   study::TiltStudy study;
   study.rows = {{0.1, {}, 4, 2.0, 2.0}};
-  EXPECT_THAT(textsOn(tiltPlot("One", study)), IsSupersetOf({"measured"}));
+  EXPECT_THAT(textsOn(plotOf(study, {})), IsSupersetOf({"measured"}));
 }
 
 scene::Sweep sweepOver(const scene::SweepKey& key, const std::vector<scene::Measure>& measures) {
@@ -168,6 +168,12 @@ scene::Sweep sweepOver(const scene::SweepKey& key, const std::vector<scene::Meas
   sweep.over = key;
   sweep.measures = measures;
   return sweep;
+}
+
+scene::StudySettings settingsOf(const scene::Sweep& sweep) {
+  scene::StudySettings settings;
+  settings.sweep = sweep;
+  return settings;
 }
 
 TEST(SweepPlot, HasACurveForEachValueAndMarksMotionsThatHold) {
@@ -180,17 +186,16 @@ TEST(SweepPlot, HasACurveForEachValueAndMarksMotionsThatHold) {
         {"1", model, {study::RunEnd::Kind::Diverged, 2}, 20, {2, study::kNoNumber}});
     study.rows.push_back({"100", model, {}, 20, {std::numeric_limits<double>::infinity(), 3}});
   }
-  const CurvesPlot plot = sweepPlot("Which holds?", study, sweep);
+  const Plot plot = plotOf(study, settingsOf(sweep));
   ASSERT_EQ(plot.panels.size(), 2U);
   ASSERT_EQ(plot.panels[0].series.size(), 4U);
   EXPECT_THAT(plot.panels[0].series[0].points, ElementsAre(Point(1, 2)));
   EXPECT_THAT(plot.panels[0].series[1].points, ElementsAre(Point(100, 20)));
   EXPECT_TRUE(plot.panels[0].series[1].marker.isOpen);
   EXPECT_THAT(plot.panels[1].series[2].points, ElementsAre(Point(100, 3)));
-  EXPECT_THAT(textsOn(plot),
-              IsSupersetOf({"Which holds?", "matrix", "quaternion", "simulation.model",
-                            "simulation.stiffness  [N/m] →", "↑ diverges at  [s]",
-                            "↑ largest | E / E₀ − 1 |", "open triangles: not within the run"}));
+  EXPECT_THAT(textsOn(plot), IsSupersetOf({"matrix", "quaternion", "simulation.model",
+                                           "simulation.stiffness  [N/m] →", "↑ diverges at  [s]",
+                                           "↑ largest | E / E₀ − 1 |", "not within the run"}));
 }
 
 TEST(SweepPlot, HasAPlaceForEachWord) {
@@ -201,7 +206,7 @@ TEST(SweepPlot, HasAPlaceForEachWord) {
   study::SweepStudy study;
   study.rows = {{"matrix", "", {}, 20, {4e-6, 1, 2, 3, 4}},
                 {"a long name that takes two lines", "", {}, 20, {0.5, 1, 2, 3, 4}}};
-  const CurvesPlot plot = sweepPlot("Words", study, sweep);
+  const Plot plot = plotOf(study, settingsOf(sweep));
   EXPECT_THAT(textsOn(plot), IsSupersetOf({"matrix", "a long name that takes two lines"}));
   EXPECT_FALSE(plot.panels[0].series[0].hasLine);
 }
@@ -211,7 +216,8 @@ TEST(SweepPlot, IsDrawnWithoutAnyResult) {
       sweepOver({"simulation.substeps", {{"1", "1", 1}}}, {scene::Measure::Stretch});
   study::SweepStudy study;
   study.rows = {{"1", "", {study::RunEnd::Kind::Diverged, 2}, 20, {study::kNoNumber}}};
-  EXPECT_THAT(textsOn(sweepPlot("None", study, sweep)), IsSupersetOf({"None"}));
+  EXPECT_THAT(textsOn(plotOf(study, settingsOf(sweep))),
+              IsSupersetOf({"1", "simulation.substeps →"}));
 }
 
 TEST(StudyLetters, AreRequiredOfTheSceneAndItsValues) {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/text.h"
-#include "document/deep_keys.h"
 #include "document/problems.h"
 #include "document/syntax_problem.h"
 #include "document/toml_parser.h"
@@ -18,10 +17,6 @@ using LocationOf = std::function<std::string(const toml::source_region&)>;
 
 // The deepest value of a scene, a number in a bound in an array in a panel, is at depth 6.
 constexpr int kDeepest = 8;
-
-[[noreturn]] void failDeep(const std::string& location) {
-  failAt(location, "nested deeper than any value of a scene");
-}
 
 TomlNode nodeFrom(const toml::node& source, const LocationOf& locationOf, int depth);
 
@@ -49,7 +44,7 @@ TomlNode::Table tableFrom(const toml::table& source, const LocationOf& locationO
 
 TomlNode nodeFrom(const toml::node& source, const LocationOf& locationOf, int depth) {
   TomlNode node{TomlDate{}, locationOf(source.source())};
-  if (depth > kDeepest) failDeep(node.location);
+  if (depth > kDeepest) failAt(node.location, "nested deeper than any value of a scene");
   switch (source.type()) {
     case toml::node_type::boolean:
       node.value = source.as_boolean()->get();
@@ -85,17 +80,6 @@ void refuseLong(std::string_view text, const std::string& location) {
          "longer than " + std::to_string(kLongestToml / 1024) + " KiB, the limit for a scene");
 }
 
-// toml++ recurses as deep as a text nests, and a browser's stack is small.
-void refuseDeep(std::string_view text, const std::string& file) {
-  text = withoutByteOrderMark(text);
-  const auto at = farTooDeep(text, kDeepest);
-  if (!at) return;
-  const std::string_view before = text.substr(0, *at);
-  const auto line = std::ranges::count(before, '\n') + 1;
-  const std::size_t column = characterCount(before.substr(before.rfind('\n') + 1)) + 1;
-  failDeep(file + ":" + std::to_string(line) + ":" + std::to_string(column));
-}
-
 std::string describeText(const std::string& text) {
   constexpr std::size_t kMaxShown = 200;
   const std::size_t characters = characterCount(text);
@@ -119,7 +103,6 @@ void failAt(const std::string& location, const std::string& problem) {
 
 TomlNode parseToml(std::string_view text, const std::string& file) {
   refuseLong(text, file);
-  refuseDeep(text, file);
   const LocationOf locationOf = [&file](const auto& region) { return positionIn(file, region); };
   try {
     return nodeFrom(toml::parse(text, std::string_view(file)), locationOf, 0);

@@ -218,7 +218,7 @@ TEST_F(DriverCrash, OfTheStackIsPrevented) {
   const ChildResult result = run({"still", "tiny.toml", "--time", "0", "-o", "x.png"}, settings);
   EXPECT_EQ(result.status, 3);
   EXPECT_EQ(result.error,
-            "rotatebook: the stack is limited to 100 kB, and 256 kB are needed: raise the limit, "
+            "rotatebook: the stack is limited to 100 kB, and 2048 kB are needed: raise the limit, "
             "ulimit -s 8192\n");
 }
 

@@ -57,8 +57,8 @@ farm::Work workOf(const SubmitArguments& arguments) {
 void requireEngine(const SubmitArguments& arguments) {
   if (arguments.slurm == arguments.plan.empty()) return;
   throw InputError(arguments.slurm ? "--slurm and --plan exclude each other"
-                                   : "submit to what? Give --slurm, or --plan list, parallel or "
-                                     "openjd, which print the tasks for others");
+                                   : "submit to what? Give --slurm, or --plan list or parallel, "
+                                     "which print the tasks for others");
 }
 
 void refuseWithoutEffect(const SubmitArguments& arguments, farm::Work work) {
@@ -285,9 +285,7 @@ void addSubmitCommand(CLI::App& program, Action& action) {
       ->capture_default_str();
   CLI::Option* slurm =
       command->add_flag("--slurm", arguments->slurm, "Send the tasks to the cluster that is here");
-  command
-      ->add_option("--plan", arguments->plan,
-                   "Print the tasks instead, as list, parallel or openjd")
+  command->add_option("--plan", arguments->plan, "Print the tasks instead, as list or parallel")
       ->type_name("FORMAT");
   command->add_flag("--dry-run", arguments->dryRun,
                     "Print what would be sent; write and send nothing");

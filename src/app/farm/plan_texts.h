@@ -1,7 +1,6 @@
 // Plans for other engines than Slurm, as text.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,7 +24,5 @@ std::string listText(const Plan& plan, const std::vector<Task>& tasks);
 /// Returns a shell script that has GNU parallel run the commands, on this machine or, by the
 /// options that are passed on, on others.
 std::string parallelText(const Plan& plan, const std::vector<Task>& tasks);
-/// Returns a job template of Open Job Description, of the revision jobtemplate-2023-09, as JSON.
-std::string openJobText(const Plan& plan, const std::vector<Task>& tasks);
 
 }  // namespace rotatebook::farm

@@ -92,7 +92,7 @@ std::string outputOf(const std::vector<std::string>& command) {
   if (!captured) {
     throw MachineError("there is no " + command.front() +
                        " here: submit on a machine that has Slurm, a cluster's login node; "
-                       "elsewhere, --plan list, parallel or openjd prints the same tasks");
+                       "elsewhere, --plan list or --plan parallel prints the same tasks");
   }
   if (captured->status != 0) refuse(command.front(), captured->problems);
   return captured->output;

@@ -21,13 +21,13 @@ std::vector<Task> without(std::vector<Task> tasks, std::int64_t number) {
 }
 
 TEST(PlanTexts, HaveNames) {
-  EXPECT_EQ(planFormat("openjd").text, openJobText);
+  EXPECT_EQ(planFormat("parallel").text, parallelText);
   try {
-    planFormat("opendj");
+    planFormat("paralel");
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("\"list\", \"parallel\" and \"openjd\""),
-                                    HasSubstr("did you mean \"openjd\"")));
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("\"list\" and \"parallel\""),
+                                    HasSubstr("did you mean \"parallel\"")));
   }
 }
 
@@ -46,29 +46,6 @@ TEST(PlanTexts, AreReadByGnuParallel) {
                           HasSubstr("\nTASKS\nLP_NUM_THREADS=1 /opt/rotatebook render "
                                     "/scenes/a.toml --resume")));
   EXPECT_THAT(parallelText(plan, {}), Not(HasSubstr("TASKS"))) << "only the join";
-}
-
-TEST(PlanTexts, AreJobTemplates) {
-  const Plan plan = planOfClips("/out", {"a", "b"});
-  const std::string text = openJobText(plan, without(tasksOf(plan), 2));
-  for (const char* piece :
-       {R"("specificationVersion": "jobtemplate-2023-09")", R"("name": "a 1")",
-        R"({"name": "Part", "type": "INT", "range": "1,3-5"})",
-        R"("--part", "{{Task.Param.Part}}/5")", R"("variables": {"LP_NUM_THREADS": "1"})",
-        R"("dependencies": [{"dependsOn": "a 1"}, {"dependsOn": "b 2"}])",
-        R"("command": "/opt/rotatebook")"})
-    EXPECT_THAT(text, HasSubstr(piece));
-}
-
-TEST(PlanTexts, OfStudiesHaveNoParameters) {
-  const std::string text = openJobText(planOfStudy("/out"), tasksOf(planOfStudy("/out")));
-  EXPECT_THAT(text, AllOf(Not(HasSubstr("parameterSpace")), Not(HasSubstr("\"join\"")),
-                          Not(HasSubstr("stepEnvironments"))));
-}
-
-TEST(PlanTexts, RefuseWhatATemplateWouldReplace) {
-  Plan plan = planOfClips("/out/{{x}}", {"a"});
-  EXPECT_THROW(openJobText(plan, tasksOf(plan)), InputError);
 }
 
 }  // namespace

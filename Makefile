@@ -15,7 +15,7 @@ export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions
 
 help:
 	@echo 'make figures             make every figure, comparison, study and map in $(OUT)/, each checked,'
-	@echo '                         $(OUT)/index.html, a page that shows them, and $(OUT)/play.html'
+	@echo '                         and $(OUT)/index.html, a page that shows them, with the live book once it is made'
 	@echo 'make test                build and run all tests'
 	@echo 'make fuzz                feed the readers with what nobody would write, SECONDS=60 or RUNS=100000 for each'
 	@echo '                         (only one: TARGET=NAME; there are $(FUZZ_TARGETS))'
@@ -43,7 +43,7 @@ setup:
 	@scripts/setup.sh
 
 setup-test: setup
-	@scripts/setup.sh scripts/packages-test.txt
+	@scripts/setup.sh test
 
 CONFIGURE = cmake --preset $(PRESET) $(if $(CI),$(if $(filter release dev,$(PRESET)),-DROTATEBOOK_WERROR=ON))
 
@@ -64,7 +64,7 @@ build: configure-test
 # The live book, whatever PRESET says. Emscripten runs scripts that Debian keeps there, with Debian's node or another.
 PLAY = NODE_PATH=/usr/share/nodejs cmake --build build/play
 play: setup
-	@scripts/setup.sh scripts/packages-play.txt
+	@scripts/setup.sh play
 	@cmake --preset play >/dev/null
 	@$(PLAY) --target live_book
 	@mkdir -p $(OUT)
@@ -72,7 +72,7 @@ play: setup
 
 # BROWSERS="text motions": only those of the tests in browsers.
 test-play: program play
-	@scripts/setup.sh scripts/packages-play-test.txt
+	@scripts/setup.sh play-test
 	@cmake --preset play -DBUILD_TESTING=ON >/dev/null
 	@$(PLAY)
 	ctest --test-dir build/play --output-on-failure --no-tests=error
@@ -85,16 +85,18 @@ install: program
 
 # On Debian 12, whose glibc is the oldest that it then runs with.
 portable: program
-	@scripts/setup.sh scripts/packages-portable.txt
+	@scripts/setup.sh portable
 	@scripts/portable.sh $(PROGRAM) build/portable
 
-figures: program play
+# The page has the live book if `make play` has made it.
+LIVE = $(wildcard build/play/live_book.html)
+figures: program
 	$(PROGRAM) render scenes/comparisons/*.toml scenes/figures/*.toml scenes/bodies/*.toml -o $(OUT) --resume --overwrite
 	$(PROGRAM) study scenes/studies/*.toml -o $(OUT)
 	$(PROGRAM) map scenes/maps/*.toml -o $(OUT) --resume --overwrite
 	$(PROGRAM) still scenes/stills/fig01-axes.toml --time 0 -o $(OUT)/fig01-axes.png
 	$(PROGRAM) page scenes/comparisons/axes.toml scenes/stills/*.toml scenes/figures/*.toml scenes/comparisons/*.toml scenes/bodies/*.toml \
-	  scenes/studies/*.toml scenes/maps/*.toml -o $(OUT) --live build/play/live_book.html
+	  scenes/studies/*.toml scenes/maps/*.toml -o $(OUT) $(LIVE:%=--live %)
 
 # The picture at the top of docs/figures.md: views that say what there is, small enough for a page.
 gallery: program
@@ -104,7 +106,7 @@ gallery: program
 	  --count 1 --columns 3 --size 640x360 --no-caption -o docs/gallery.png
 
 test: build
-	@scripts/setup.sh scripts/packages-page.txt || \
+	@scripts/setup.sh page || \
 	  echo 'make test: going on; the test of the page will say what it lacks' >&2
 	@ctest --test-dir $(BUILD) --output-on-failure --no-tests=error -j$$(nproc); status=$$?; \
 	  awk '/ Testing: / {test = $$3} /: Skipped$$/ {getline; print "skipped: " test ": " $$0}' \
@@ -118,7 +120,7 @@ test-rooms: configure-test
 
 # In a folder of its own, whatever PRESET says: clang's, with sanitizers. What it learns stays in build/fuzz/corpus.
 fuzz: setup-test
-	@scripts/setup.sh scripts/packages-fuzz.txt
+	@scripts/setup.sh fuzz
 	@cmake --preset fuzz >/dev/null
 	@cmake --build --preset fuzz
 	@for run in build/fuzz/tests/fuzz/run-$(or $(TARGET),*); do \
@@ -137,7 +139,7 @@ bench: program setup-test
 
 # The programs that `make bench` compares with, once each.
 bench-peers: setup
-	@scripts/setup.sh scripts/packages-peers.txt
+	@scripts/setup.sh peers
 	@mkdir -p build/peers
 	$(CXX) -std=c++20 -O2 bench/peers/mujoco_box.cpp -o build/peers/mujoco_box -lmujoco -lEGL
 	/usr/bin/python3 bench/peers/tumbling_box.py png build/peers/moderngl-png.mp4
@@ -150,7 +152,7 @@ bench-physics: configure-test
 
 # Optimised whatever PRESET says, and in a folder of its own: no other build looks for engines.
 bench-engines: setup-test
-	@scripts/setup.sh scripts/packages-engines.txt || \
+	@scripts/setup.sh engines || \
 	  echo 'make bench-engines: going on with the engines that are installed' >&2
 	@cmake --preset release -B build/engines -DROTATEBOOK_ENGINES=ON >/dev/null
 	@cmake --build build/engines --target rotatebook_engines_bench
@@ -158,7 +160,7 @@ bench-engines: setup-test
 
 # The recordings in scenes/comparisons/recordings, by the engines that are installed.
 record-engines: setup-test
-	@scripts/setup.sh scripts/packages-engines.txt
+	@scripts/setup.sh engines
 	@cmake --preset release -B build/engines -DROTATEBOOK_ENGINES=ON >/dev/null
 	@cmake --build build/engines --target rotatebook_engines_bench
 	build/engines/bench/engines/rotatebook_engines_bench --record scenes/comparisons/recordings
@@ -166,7 +168,7 @@ record-engines: setup-test
 # How many of the program's lines the tests run; docs/coverage.md says which they don't, and why. Where a test limits the size of
 # files, counters can't be written, which would be reported among the program's own words.
 coverage: setup
-	@scripts/setup.sh scripts/packages-coverage.txt
+	@scripts/setup.sh coverage
 	@find build/coverage -name '*.gcda' -delete 2>/dev/null || true
 	GCOV_ERROR_FILE=/dev/null $(MAKE) --no-print-directory test PRESET=coverage
 	@mkdir -p $(OUT)/coverage
@@ -174,7 +176,7 @@ coverage: setup
 	  --html-details $(OUT)/coverage/index.html
 
 format-check:
-	@scripts/setup.sh scripts/packages-lint.txt
+	@scripts/setup.sh lint
 	clang-format --dry-run --Werror $$(git ls-files '*.cpp' '*.h')
 
 # By the commands of a build that compiles each file by itself.
@@ -185,7 +187,7 @@ lint: format-check
 	  --extra-arg=-Wno-unknown-warning-option
 
 textures:
-	@scripts/setup.sh scripts/packages-textures.txt
+	@scripts/setup.sh textures
 	python3 assets/draw_textures.py
 
 clean:

@@ -1,9 +1,21 @@
 #!/bin/sh
-# Installs the packages of a list (packages.txt by default) that are missing; says the command and
-# stops where it may not.
+# Installs the packages of sections of packages.txt (program by default) that are missing; says the
+# command and stops where it may not.
 set -eu
-list=${1:-$(dirname "$0")/packages.txt}
-wanted=$(sed -e 's/#.*//' "$list")
+list=$(dirname "$0")/packages.txt
+[ $# -gt 0 ] || set -- program
+
+# Prints the packages that have the section.
+packages_of() {
+  awk -v section="$1" '{ sub(/#.*/, ""); for (i = 2; i <= NF; ++i) if ($i == section) print $1 }' "$list"
+}
+
+wanted=
+for section in "$@"; do
+  packages=$(packages_of "$section")
+  [ -n "$packages" ] || { echo "setup: $section: $list has no such section; its beginning names them" >&2; exit 2; }
+  wanted="$wanted $packages"
+done
 
 if ! command -v dpkg-query >/dev/null 2>&1; then
   echo "setup: not a Debian or Ubuntu machine; install what these packages hold, then run" \

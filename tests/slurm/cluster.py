@@ -53,7 +53,7 @@ def lacking():
     """Says why there can be no cluster here; empty if there can."""
     missing = [name for name in PROGRAMS if shutil.which(name) is None]
     if missing:
-        return f"there is no {missing[0]}: scripts/setup.sh scripts/packages-slurm.txt"
+        return f"there is no {missing[0]}: scripts/setup.sh slurm"
     if os.geteuid() != 0:
         return "only root can start the nodes of a cluster"
     try:

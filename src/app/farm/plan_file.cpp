@@ -1,6 +1,7 @@
 #include "farm/plan_file.h"
 
 #include <charconv>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <system_error>
 
@@ -14,89 +15,76 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kHead = "rotatebook plan 1";
+using Json = nlohmann::ordered_json;
+
+constexpr int kPlanVersion = 2;
 
 constexpr std::int64_t kMaxUnits = 1'000'000;          ///< Of a scene; a clip has at most so many.
 constexpr std::int64_t kMaxUnitsOfPlan = 100'000'000;  ///< Of all scenes.
 constexpr std::uintmax_t kLongestPlan = 16 << 20;      ///< A scene takes some 500. [bytes]
 
-void addLine(std::string& text, std::string_view key, const std::string& value) {
-  if (!isOneLine(value)) {
-    throw InputError(quotedText(value) +
-                     " can't be part of a plan, which is lines of text; rename the file or folder");
+Json sceneJson(const PlannedScene& scene) {
+  return {{"file", scene.file},      {"name", scene.name},   {"checksum", scene.checksum},
+          {"values", scene.values},  {"units", scene.units}, {"parts", scene.parts},
+          {"outputs", scene.outputs}};
+}
+
+std::int64_t numberIn(const Json& object, const char* key, std::int64_t most) {
+  const Json& value = object.at(key);
+  const std::int64_t number = value.is_number_integer() ? value.get<std::int64_t>() : 0;
+  if (number >= 1 && number <= most) return number;
+  throw InputError(std::string(key) + " " + value.dump() + " isn't a number from 1 to " +
+                   std::to_string(most));
+}
+
+PlannedScene sceneFrom(const Json& json) {
+  return {.file = json.at("file"),
+          .name = json.at("name"),
+          .checksum = json.at("checksum"),
+          .values = json.at("values"),
+          .units = numberIn(json, "units", kMaxUnits),
+          .parts = numberIn(json, "parts", kMaxUnits),
+          .outputs = json.at("outputs")};
+}
+
+Work workIn(const Json& json) {
+  const std::string name = json.at("work");
+  if (const auto work = parseWork(name)) return *work;
+  throw InputError("work " + quotedText(name) + " is unknown");
+}
+
+StoredPlan planFrom(const Json& json) {
+  StoredPlan stored{.plan = {.work = workIn(json),
+                             .program = json.at("program"),
+                             .build = json.at("build"),
+                             .folder = json.at("folder"),
+                             .cores = static_cast<int>(numberIn(json, "cores", kMaxCores)),
+                             .arguments = json.at("arguments"),
+                             .joinArguments = json.at("join_arguments")},
+                    .jobs = {json.at("array_jobs"), json.at("join_job")}};
+  for (const Json& scene : json.at("scenes")) stored.plan.scenes.push_back(sceneFrom(scene));
+  return stored;
+}
+
+/// Throws InputError for a text that would not be one line of the tasks' commands.
+void requireLines(const Json& json) {
+  const Json values = json.flatten();
+  for (const Json& value : values) {
+    if (!value.is_string() || isOneLine(value.get<std::string>())) continue;
+    throw InputError(quotedText(value.get<std::string>()) +
+                     " can't be part of a plan, whose commands are lines of text; rename the file "
+                     "or folder");
   }
-  text += std::string(key) + ' ' + value + '\n';
 }
 
-std::string sceneText(const PlannedScene& scene) {
-  std::string text;
-  addLine(text, "scene", scene.file.string());
-  addLine(text, "name", scene.name);
-  addLine(text, "checksum", scene.checksum);
-  if (!scene.values.empty()) addLine(text, "values", scene.values);
-  addLine(text, "units", std::to_string(scene.units));
-  addLine(text, "parts", std::to_string(scene.parts));
-  for (const fs::path& output : scene.outputs) addLine(text, "output", output.string());
-  return text;
+[[noreturn]] void refuseEdited(const std::string& file, const std::string& problem) {
+  throw InputError(file + ": " + problem + "; was it edited?");
 }
 
-std::int64_t numberIn(const std::string& text, std::int64_t most, const std::string& file) {
-  std::int64_t number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool isNumber = error == std::errc() && end == text.data() + text.size();
-  if (isNumber && number >= 1 && number <= most) return number;
-  throw InputError(file + ": " + quotedText(text) + " isn't a number from 1 to " +
-                   std::to_string(most) + "; was it edited?");
-}
-
-/// Puts a line of a scene into it; returns false if it is none.
-bool take(const std::string& key, const std::string& value, const std::string& file,
-          PlannedScene& scene) {
-  if (key == "name")
-    scene.name = value;
-  else if (key == "checksum")
-    scene.checksum = value;
-  else if (key == "values")
-    scene.values = value;
-  else if (key == "units")
-    scene.units = numberIn(value, kMaxUnits, file);
-  else if (key == "parts")
-    scene.parts = numberIn(value, kMaxUnits, file);
-  else if (key == "output")
-    scene.outputs.emplace_back(value);
-  else
-    return false;
-  return true;
-}
-
-/// Puts a line of the plan itself into it; returns false if it is none.
-bool take(const std::string& key, const std::string& value, const std::string& file,
-          StoredPlan& stored) {
-  Plan& plan = stored.plan;
-  const auto work = parseWork(value);
-  if (key == "work" && work)
-    plan.work = *work;
-  else if (key == "program")
-    plan.program = value;
-  else if (key == "build")
-    plan.build = value;
-  else if (key == "folder")
-    plan.folder = value;
-  else if (key == "cores")
-    plan.cores = static_cast<int>(numberIn(value, kMaxCores, file));
-  else if (key == "argument")
-    plan.arguments.push_back(value);
-  else if (key == "join-argument")
-    plan.joinArguments.push_back(value);
-  else if (key == "scene")
-    plan.scenes.push_back({.file = value});
-  else if (key == "array-job")
-    stored.jobs.arrays.push_back(value);
-  else if (key == "join-job")
-    stored.jobs.join = value;
-  else
-    return false;
-  return true;
+[[noreturn]] void refuseVersion(const std::string& file, const std::string& version) {
+  throw InputError(file + " is a plan of version " + version +
+                   ", and this program's have version " + std::to_string(kPlanVersion) +
+                   "; submit into another folder with -o, or remove it once its tasks have ended");
 }
 
 /// Throws InputError for a plan larger than any that submit makes: a few words must not take all
@@ -141,7 +129,7 @@ fs::path PlanFiles::logOf(std::int64_t task) const {
 PlanFiles planFiles(const fs::path& results, Work work) {
   const fs::path folder = results / "farm" / nameOf(work);
   return {folder,
-          folder / "plan.txt",
+          folder / "plan.json",
           folder / "tasks.txt",
           folder / "join.txt",
           folder / "part.sh",
@@ -153,35 +141,37 @@ PlanFiles planFiles(const fs::path& results, Work work) {
 std::string planText(const StoredPlan& stored) {
   const Plan& plan = stored.plan;
   requireSound(plan, "the plan");
-  std::string text = std::string(kHead) + '\n';
-  addLine(text, "work", nameOf(plan.work));
-  addLine(text, "program", plan.program.string());
-  addLine(text, "build", plan.build);
-  addLine(text, "folder", plan.folder.string());
-  addLine(text, "cores", std::to_string(plan.cores));
-  for (const std::string& argument : plan.arguments) addLine(text, "argument", argument);
-  for (const std::string& argument : plan.joinArguments) addLine(text, "join-argument", argument);
-  for (const std::string& array : stored.jobs.arrays) addLine(text, "array-job", array);
-  if (!stored.jobs.join.empty()) addLine(text, "join-job", stored.jobs.join);
-  for (const PlannedScene& scene : plan.scenes) text += sceneText(scene);
-  return text;
+  Json json{{"rotatebook_plan", kPlanVersion},
+            {"work", nameOf(plan.work)},
+            {"program", plan.program},
+            {"build", plan.build},
+            {"folder", plan.folder},
+            {"cores", plan.cores},
+            {"arguments", plan.arguments},
+            {"join_arguments", plan.joinArguments},
+            {"array_jobs", stored.jobs.arrays},
+            {"join_job", stored.jobs.join},
+            {"scenes", Json::array()}};
+  for (const PlannedScene& scene : plan.scenes) json["scenes"].push_back(sceneJson(scene));
+  requireLines(json);
+  return json.dump(1) + '\n';
 }
 
 StoredPlan parsePlan(std::string_view text, const std::string& file) {
-  std::istringstream lines{std::string(text)};
-  std::string line;
-  if (!std::getline(lines, line) || line != kHead) {
+  // What is nested deeper than in any plan is left out: megabytes of brackets would take gigabytes.
+  const auto isKept = [](int depth, Json::parse_event_t, const Json&) { return depth < 8; };
+  const Json json = Json::parse(text, isKept, /*allow_exceptions=*/false);
+  if (!json.is_object() || !json.contains("rotatebook_plan"))
     throw InputError(file + " isn't a plan of this program; remove it if nothing needs it");
-  }
+  if (json["rotatebook_plan"] != kPlanVersion) refuseVersion(file, json["rotatebook_plan"].dump());
   StoredPlan stored;
-  while (std::getline(lines, line)) {
-    const std::size_t space = std::min(line.find(' '), line.size());
-    const std::string key = line.substr(0, space);
-    const std::string value = space < line.size() ? line.substr(space + 1) : "";
-    const bool isOfScene =
-        !stored.plan.scenes.empty() && take(key, value, file, stored.plan.scenes.back());
-    if (isOfScene || take(key, value, file, stored)) continue;
-    throw InputError(file + ": " + quotedText(line) + " has no meaning in a plan; was it edited?");
+  try {
+    requireLines(json);
+    stored = planFrom(json);
+  } catch (const Json::exception& error) {
+    refuseEdited(file, error.what());
+  } catch (const InputError& error) {
+    refuseEdited(file, error.what());
   }
   requireSound(stored.plan, file);
   return stored;
@@ -189,6 +179,8 @@ StoredPlan parsePlan(std::string_view text, const std::string& file) {
 
 std::optional<StoredPlan> readPlan(const PlanFiles& files) {
   std::error_code missing;
+  const fs::path earlier = files.folder / "plan.txt";
+  if (fs::exists(earlier, missing)) refuseVersion(earlier.string(), "1");
   if (!fs::exists(files.plan, missing)) return std::nullopt;
   return parsePlan(system::readInput(files.plan, kLongestPlan), files.plan.string());
 }

@@ -34,7 +34,7 @@ std::optional<std::int64_t> taskNamed(const std::string& name);
 /// Paths of a plan's files.
 struct PlanFiles {
   std::filesystem::path folder;      ///< DIR/farm/COMMAND/
-  std::filesystem::path plan;        ///< plan.txt
+  std::filesystem::path plan;        ///< plan.json
   std::filesystem::path tasks;       ///< tasks.txt, a command a line
   std::filesystem::path join;        ///< join.txt, a command
   std::filesystem::path partScript;  ///< part.sh
@@ -50,8 +50,8 @@ PlanFiles planFiles(const std::filesystem::path& results, Work work);
 /// Returns the text that parsePlan() reads. Throws InputError if a path has more than one line, or
 /// parsePlan() would refuse it.
 std::string planText(const StoredPlan& stored);
-/// Throws InputError, which names `file`, if the text is no plan, or one of more than kMaxTasks
-/// tasks, or of more units than a scene has.
+/// Throws InputError, which names `file`, if the text is no plan, or one of another version, of
+/// more than kMaxTasks tasks, or of more units than a scene has.
 StoredPlan parsePlan(std::string_view text, const std::string& file);
 /// Returns the plan on the disk; nothing if there is none. Throws like parsePlan(), and for a file
 /// that can't be read.

@@ -53,7 +53,7 @@ SceneProgress mapProgress(const Plan& plan, const PlannedScene& scene) {
   const store::MapFiles files = store::mapFiles(plan.folder, scene.name);
   const std::string json = system::readFileOrEmpty(files.json);
   progress.isWhole =
-      study::statedIn(json, "fingerprint") == scene.values && areThere(scene.outputs);
+      study::checksumsIn(json).fingerprint == scene.values && areThere(scene.outputs);
   const store::MapTiles tiles(files.tiles, scene.values);
   for (std::size_t i = 0; i < progress.units.size(); ++i)
     progress.units[i] = progress.isWhole || tiles.contains(i);
@@ -117,8 +117,8 @@ void refuseOtherTiles(const Plan& plan, const PlannedScene& scene) {
                      " holds tiles of other settings, or of another build of this program; submit "
                      "into another folder with -o, or remove it");
   }
-  const std::string made = study::statedIn(system::readFileOrEmpty(files.json), "fingerprint");
-  if (!fs::exists(files.npy) || made == scene.values) return;
+  const auto made = study::checksumsIn(system::readFileOrEmpty(files.json));
+  if (!fs::exists(files.npy) || made.fingerprint == scene.values) return;
   throw InputError(files.npy.string() +
                    " holds the values of other settings, or of another build of this program; "
                    "submit into another folder with -o, or remove it");

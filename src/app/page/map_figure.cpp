@@ -25,7 +25,7 @@ study::MapResult readResult(const scene::Scene& scene, const store::MapFiles& fi
                             const study::MapRuns& runs) {
   study::MapResult result = emptyResult(scene, runs);
   const std::string json = system::readFileOrEmpty(files.json);
-  const bool isSame = study::statedIn(json, "scene_xxh128") == store::mapSceneChecksum(scene);
+  const bool isSame = study::checksumsIn(json).scene == store::mapSceneChecksum(scene);
   const std::string array = system::readFileOrEmpty(files.npy, study::kLongestNpy);
   if (isSame && readNpy(array, *scene.map, result)) return result;
   throw InputError(files.npy.string() +

@@ -25,10 +25,10 @@ using study::MapTile;
 
 bool readValues(const store::MapFiles& files, const std::string& fingerprint,
                 const scene::MapSettings& map, MapResult& result) {
-  const std::string json = system::readFileOrEmpty(files.json);
-  if (study::statedIn(json, "fingerprint") != fingerprint) return false;
+  const study::MapChecksums made = study::checksumsIn(system::readFileOrEmpty(files.json));
+  if (made.fingerprint != fingerprint) return false;
   const std::string array = system::readFileOrEmpty(files.npy, study::kLongestNpy);
-  return checksumOf(array) == study::statedIn(json, "npy_xxh128") && readNpy(array, map, result);
+  return checksumOf(array) == made.npy && readNpy(array, map, result);
 }
 
 /// Puts those of the `wanted` tiles that are on the disk into the result; returns the numbers of
@@ -65,8 +65,8 @@ void requireMayReplaceMap(const scene::Scene& scene, const store::MapFiles& file
   requireMayGoOn(kept, options, "map", tilesText);
   // The tiles are removed after the JSON is written: an array beside them alone is of a killed map
   if (!fs::exists(files.json) && kept.count().same > 0) return;
-  const std::string made = study::statedIn(system::readFileOrEmpty(files.json), "fingerprint");
-  if (!fs::exists(files.npy) || made == fingerprint) return;
+  const auto made = study::checksumsIn(system::readFileOrEmpty(files.json));
+  if (!fs::exists(files.npy) || made.fingerprint == fingerprint) return;
   throw InputError(files.npy.string() +
                    " holds the values of other settings, or another build of this program; replace "
                    "them with --overwrite, or name another folder with -o");

@@ -41,9 +41,8 @@ std::string headerOf(const fs::path& csv) {
 }
 
 bool isMapJson(const fs::path& json) {
-  const std::string text = system::readFileOrEmpty(json);
-  return !study::statedIn(text, "fingerprint").empty() &&
-         !study::statedIn(text, "npy_xxh128").empty();
+  const study::MapChecksums made = study::checksumsIn(system::readFileOrEmpty(json));
+  return !made.fingerprint.empty() && !made.npy.empty();
 }
 
 bool isOfMap(const MapFiles& map, const fs::path& file) {

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 
 #include "base/json.h"
 #include "base/number_text.h"
@@ -146,12 +147,15 @@ std::string mapJson(const MapResult& result, const scene::Scene& scene, const Ma
          "\n";
 }
 
-std::string statedIn(const std::string& json, const std::string& key) {
-  const std::string start = jsonString(key) + ": \"";
-  const std::size_t found = json.find(start);
-  if (found == json.npos) return "";
-  const std::size_t begin = found + start.size();
-  return json.substr(begin, json.find('"', begin) - begin);
+MapChecksums checksumsIn(std::string_view json) {
+  using Json = nlohmann::json;
+  const auto isKept = [](int depth, Json::parse_event_t, const Json&) { return depth < 2; };
+  const Json map = Json::parse(json, isKept, /*allow_exceptions=*/false);
+  const auto textOf = [&](const char* key) {
+    const bool isText = map.is_object() && map.contains(key) && map[key].is_string();
+    return isText ? map[key].get<std::string>() : "";
+  };
+  return {textOf("fingerprint"), textOf("scene_xxh128"), textOf("npy_xxh128")};
 }
 
 bool isMapHeader(std::string_view row) {

@@ -39,8 +39,8 @@ struct MapChecksums {
 /// Returns the axes, the panels, the meaning of the values, the numbers of the whole map and its
 /// marks as JSON.
 std::string mapJson(const MapResult& result, const scene::Scene& scene, const MapChecksums& sums);
-/// Returns a text that mapJson() wrote under `key`; empty if there is none.
-std::string statedIn(const std::string& json, const std::string& key);
+/// Returns the checksums in a text that mapJson() wrote; those that another text lacks are empty.
+MapChecksums checksumsIn(std::string_view json);
 
 /// Returns a header row and one row a run: panel if there are several, both keys, the measure,
 /// outcome.

@@ -143,7 +143,7 @@ TEST_F(Inputs, AreNotWrittenOverByTablesAndPages) {
 
 TEST_F(Inputs, AreNotWrittenOverByWhatIsSubmitted) {
   for (const char* name :
-       {"out/farm/render/tasks.txt", "out/farm/render/plan.txt", "out/farm/render/join.sh",
+       {"out/farm/render/tasks.txt", "out/farm/render/plan.json", "out/farm/render/join.sh",
         "out/farm/render/log/notes", "out/farm/render/ends/1", "out/all.poster.png"})
     expectRefused(name, ofAll, {"submit", "render", "all.toml", "--plan", "list", "--chunk", "5"});
   expectRefused("out/runs.csv", ofRuns, {"submit", "map", "runs.toml", "--plan", "list"});

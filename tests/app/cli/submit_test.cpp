@@ -47,7 +47,7 @@ TEST_F(Submit, PrintsCommandsThatMakeTheClip) {
   EXPECT_THAT(plan.output, AllOf(HasSubstr("--part 3/3"), HasSubstr("--format mp4")));
   EXPECT_THAT(runLines(plan.output), ElementsAre(0, 0, 0, 0));
   EXPECT_EQ(run({"render", "tiny.toml", "-o", "one"}).status, 0);
-  EXPECT_TRUE(has("many/farm/render/plan.txt"));
+  EXPECT_TRUE(has("many/farm/render/plan.json"));
   std::filesystem::remove_all(folder() / "many/farm");
   EXPECT_GT(expectSameFiles("many", "one"), 14);
 }

@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 using testing::emptyFolder;
 using ::testing::HasSubstr;
 using testing::planOfClips;
+using ::testing::StartsWith;
 using testing::textIn;
 
 StoredPlan example(const fs::path& folder) {
@@ -30,44 +31,57 @@ StoredPlan example(const fs::path& folder) {
 
 TEST(PlanFile, ReadsBackWhatItWrites) {
   const StoredPlan stored = example("/out");
-  const StoredPlan read = parsePlan(planText(stored), "plan.txt");
+  const StoredPlan read = parsePlan(planText(stored), "plan.json");
   EXPECT_EQ(read.plan, stored.plan);
   EXPECT_EQ(read.jobs.arrays, stored.jobs.arrays);
   EXPECT_EQ(read.jobs.join, stored.jobs.join);
 }
 
-TEST(PlanFile, RefusesWhatIsNoPlan) {
-  EXPECT_THROW(parsePlan("title = 1\n", "f"), InputError);
-  EXPECT_THROW(parsePlan("", "f"), InputError);
+/// Returns why a plan is refused whose first member `key` has this value; "" if it isn't.
+std::string refusalOf(const std::string& key, const std::string& value) {
   std::string text = planText(example("/out"));
-  EXPECT_THROW(parsePlan(text + "colour blue\n", "f"), InputError);
-  text.replace(text.find("parts 5"), 7, "parts 0");
-  EXPECT_THROW(parsePlan(text, "f"), InputError);
-}
-
-/// Returns why a plan with `line` in the place of its first `key` line is refused.
-std::string refusalOf(const std::string& key, const std::string& line) {
-  std::string text = planText(example("/out"));
-  const std::size_t begin = text.find("\n" + key + ' ') + 1;
-  text.replace(begin, text.find('\n', begin) - begin, line);
+  const std::size_t begin = text.find('"' + key + "\": ") + key.size() + 4;
+  text.replace(begin, text.find_first_of(",\n", begin) - begin, value);
   try {
-    parsePlan(text, "plan.txt");
+    parsePlan(text, "plan.json");
   } catch (const InputError& error) {
     return error.what();
   }
   return "";
 }
 
+TEST(PlanFile, RefusesWhatIsNoPlan) {
+  for (const char* text :
+       {"", "title = 1\n", "{}", "[2]", "{\"work\": \"map\"}", "{\"rotatebook_plan"})
+    EXPECT_THROW(parsePlan(text, "f"), InputError) << text;
+  EXPECT_THROW(parsePlan(std::string(1 << 16, '['), "f"), InputError);
+  EXPECT_THAT(refusalOf("work", "\"maps\""), HasSubstr("work \"maps\" is unknown; was it edited?"));
+  EXPECT_THAT(refusalOf("name", "7"), HasSubstr("must be string, but is number; was it edited?"));
+  EXPECT_THAT(refusalOf("name", "\"\\u001b\""), HasSubstr("can't be part of a plan"));
+  EXPECT_THAT(refusalOf("folder", "\"/x\", \"folders\": 1"), "");
+}
+
+TEST(PlanFile, OfAnotherVersionIsRefusedByItsVersion) {
+  EXPECT_THAT(refusalOf("rotatebook_plan", "3"),
+              StartsWith("plan.json is a plan of version 3, and this program's have version 2; "));
+  const fs::path folder = emptyFolder();
+  const PlanFiles files = planFiles(folder, Work::Map);
+  fs::create_directories(files.folder);
+  std::ofstream(files.folder / "plan.txt") << "rotatebook plan 1\n";
+  EXPECT_THROW(readPlan(files), InputError);
+}
+
 TEST(PlanFile, BelievesNoNumbersThatNoPlanHas) {
-  for (const char* number : {"0", "-1", "1000001", "9000000000000000000", "9223372036854775807",
-                             "99999999999999999999", "1e3", "10 ", ""}) {
-    EXPECT_THAT(refusalOf("units", std::string("units ") + number), HasSubstr("from 1 to 1000000"));
-    EXPECT_THAT(refusalOf("parts", std::string("parts ") + number), HasSubstr("from 1 to 1000000"));
+  for (const char* number :
+       {"0", "-1", "1000001", "9000000000000000000", "9223372036854775807", "18446744073709551615",
+        "99999999999999999999", "1e3", "true", "null"}) {
+    for (const char* key : {"units", "parts"})
+      EXPECT_THAT(refusalOf(key, number), HasSubstr("isn't a number from 1 to 1000000")) << number;
   }
-  EXPECT_THAT(refusalOf("cores", "cores 1025"), HasSubstr("from 1 to 1024"));
-  EXPECT_THAT(refusalOf("parts", "parts 11"), HasSubstr("has 11 parts of 10 tiles"));
-  EXPECT_THAT(refusalOf("parts", "parts 10"), "");
-  EXPECT_THAT(refusalOf("units", "units 1000000"), "");
+  EXPECT_THAT(refusalOf("cores", "1025"), HasSubstr("from 1 to 1024"));
+  EXPECT_THAT(refusalOf("parts", "11"), HasSubstr("has 11 parts of 10 tiles"));
+  EXPECT_THAT(refusalOf("parts", "10"), "");
+  EXPECT_THAT(refusalOf("units", "1000000"), "");
 }
 
 TEST(PlanFile, HasNoMoreTasksThanSubmitMakes) {

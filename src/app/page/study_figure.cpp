@@ -176,12 +176,6 @@ std::vector<Check> checksOf(const scene::StudySettings& study, const store::Stud
   return study.isOfTilts() ? checksOfTilts(study, files.csv) : checksOfOrders(study, files.orders);
 }
 
-/// Returns the plot that a page shows: of lines, as it is shown at any size.
-std::string nameOfSvg(const store::StudyFiles& files) {
-  const auto svg = std::ranges::find(files.plots, fs::path(".svg"), &fs::path::extension);
-  return svg->filename().string();
-}
-
 }  // namespace
 
 Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
@@ -193,15 +187,17 @@ Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
   requireRuns(files.csv, scene);
   const std::vector<Check> checks = checksOf(*scene.study, files);
 
-  const std::string svg = nameOfSvg(files);
-  Figure figure{FigureKind::Study, scene.name, scene.title, svg};
+  Figure figure{FigureKind::Study, scene.name, scene.title};
   figure.badge = unmetBadge(checks);
   Html links;
   const auto link = [&](const fs::path& file, const std::string& title) {
     figure.files.push_back(file.filename().string());
     links += linkItem(figure.files.back(), title);
   };
-  for (const fs::path& plot : files.plots) link(plot, formatOf(plot));
+  for (const fs::path& plot : files.plots) {
+    link(plot, formatOf(plot));
+    if (plot.extension() == ".svg") figure.thumbnail = figure.files.back();
+  }
   link(files.csv, "CSV");
   if (hasOrders) link(files.orders, "CSV of the orders");
   figure.section =
@@ -210,7 +206,7 @@ Figure studyFigure(const scene::Scene& scene, const fs::path& folder) {
               {"anchor", addressOf(scene.name)},
               {"title", escaped(scene.title)},
               {"badge", figure.badge},
-              {"plot", addressOf(svg)},
+              {"plot", addressOf(figure.thumbnail)},
               {"caption", escaped(scene.caption)},
               {"checks", foldedChecks(checks, checksTable("Expected and measured", checks))},
               {"links", links},

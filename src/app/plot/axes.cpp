@@ -28,7 +28,7 @@ void drawXTicks(const Area& area, const Look& look, bool hasGrid, Drawing& drawi
                           look.thin());
     const Box label = boxOf(drawing.type(), tick.label, look.small, area.labelRoom());
     if (tick.label.empty() || x - label.width / 2 < end + 0.3 * look.letters) continue;
-    const Point place(x, box.bottom() + 1.25 * kTickLength * look.letters);
+    const Point place(x, box.bottom() + 1.6 * kTickLength * look.letters);
     end = drawing.write(tick.label, look.small, place, {0.5, 0}, area.labelRoom()).right();
   }
 }

@@ -1,13 +1,12 @@
-#include "plot/contours.h"
-
+// Contour lines of a map.
 #include <array>
 #include <cmath>
 #include <cstddef>
 
+#include "plot/plot.h"
+
 namespace rotatebook::plot {
 namespace {
-
-using overlay::Point;
 
 /// Returns the points at which the level is reached on the edges of the square above and right of
 /// run (x, y): none, two or four.

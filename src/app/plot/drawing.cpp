@@ -16,22 +16,16 @@
 namespace rotatebook::plot {
 namespace {
 
-struct Deleter {
-  void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
-  void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-};
-using Cairo = std::unique_ptr<cairo_t, Deleter>;
-using Surface = std::unique_ptr<cairo_surface_t, Deleter>;
-
-cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
+cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) try {
   static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
   return CAIRO_STATUS_SUCCESS;
+} catch (const std::exception&) {
+  return CAIRO_STATUS_NO_MEMORY;
 }
 
 void require(cairo_status_t status, const char* what) {
   if (status == CAIRO_STATUS_SUCCESS) return;
-  throw MachineError(std::string("Cairo can't draw ") + what + ": " +
-                     cairo_status_to_string(status));
+  throw MachineError(std::string("can't draw ") + what + ": " + cairo_status_to_string(status));
 }
 
 /// Paints `sheet` onto `target`, and completes that.
@@ -45,15 +39,15 @@ void paintOnto(const Surface& target, const Surface& sheet, double scale, const 
   cairo_surface_flush(target.get());
 }
 
-/// Returns the SVG with the numbers of its surfaces in their order: Cairo counts all that the
-/// process has made.
-std::string renumbered(const std::string& svg) {
-  static constexpr std::string_view kName = "surface", kDigits = "0123456789";
+/// Returns the SVG with the numbers of its parts called `name` in their order: Cairo counts all
+/// that the process has made.
+std::string renumbered(const std::string& svg, std::string_view name) {
   std::map<std::string, std::size_t> numbers;
   std::string text;
   std::size_t done = 0;
-  for (std::size_t at = svg.find(kName); at != svg.npos; at = svg.find(kName, done)) {
-    const std::size_t begin = at + kName.size(), end = svg.find_first_not_of(kDigits, begin);
+  for (std::size_t at = svg.find(name); at != svg.npos; at = svg.find(name, done)) {
+    const std::size_t begin = at + name.size();
+    const std::size_t end = svg.find_first_not_of("0123456789", begin);
     text += svg.substr(done, begin - done);
     done = svg[at - 1] == '"' || svg[at - 1] == '#' ? end : begin;
     if (done == begin) continue;
@@ -79,7 +73,8 @@ std::string svgOf(const Drawing& drawing, const Surface& sheet, double) {
   cairo_svg_surface_set_document_unit(target.get(), CAIRO_SVG_UNIT_PX);
   paintOnto(target, sheet, 1, "an SVG");
   cairo_surface_finish(target.get());
-  return renumbered(bytes);
+  require(cairo_surface_status(target.get()), "an SVG");
+  return renumbered(renumbered(bytes, "surface"), "image");
 }
 
 std::string pdfOf(const Drawing& drawing, const Surface& sheet, double) {
@@ -91,6 +86,7 @@ std::string pdfOf(const Drawing& drawing, const Surface& sheet, double) {
   cairo_pdf_surface_set_metadata(target.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
   paintOnto(target, sheet, kPoints, "a PDF");
   cairo_surface_finish(target.get());
+  require(cairo_surface_status(target.get()), "a PDF");
   return bytes;
 }
 
@@ -103,37 +99,22 @@ constexpr std::array<FormatRow, 3> kFormats{{{".png", pngOf}, {".svg", svgOf}, {
 
 }  // namespace
 
-struct Drawing::Parts {
-  Parts(const Box& box, overlay::Typesetter letters)
-      : sheet(box), type(std::move(letters)), canvas(cairo.get()) {}
+void Deleter::operator()(_cairo* cairo) const {
+  cairo_destroy(cairo);
+}
 
-  Box sheet;
-  overlay::Typesetter type;
-  cairo_rectangle_t extents{0, 0, sheet.width, sheet.height};
-  Surface surface{cairo_recording_surface_create(CAIRO_CONTENT_COLOR, &extents)};
-  Cairo cairo{cairo_create(surface.get())};
-  overlay::Canvas canvas;
-  std::vector<Written> texts;
-};
+void Deleter::operator()(_cairo_surface* surface) const {
+  cairo_surface_destroy(surface);
+}
 
 Drawing::Drawing(double width, double height, const Colour& ground, overlay::Typesetter type)
-    : parts_(std::make_unique<Parts>(Box{0, 0, width, height}, std::move(type))) {
-  cairo_set_source_rgb(parts_->cairo.get(), ground.red, ground.green, ground.blue);
-  cairo_paint(parts_->cairo.get());
-}
-Drawing::Drawing(Drawing&&) noexcept = default;
-Drawing::~Drawing() = default;
-
-const Box& Drawing::sheet() const {
-  return parts_->sheet;
-}
-
-const overlay::Typesetter& Drawing::type() const {
-  return parts_->type;
-}
-
-overlay::Canvas& Drawing::canvas() {
-  return parts_->canvas;
+    : sheet_{0, 0, width, height}, type_(std::move(type)) {
+  const cairo_rectangle_t extents{0, 0, width, height};
+  surface_.reset(cairo_recording_surface_create(CAIRO_CONTENT_COLOR, &extents));
+  cairo_.reset(cairo_create(surface_.get()));
+  canvas_ = std::make_unique<overlay::Canvas>(cairo_.get());
+  cairo_set_source_rgb(cairo_.get(), ground.red, ground.green, ground.blue);
+  cairo_paint(cairo_.get());
 }
 
 void Drawing::picture(const image::Image& picture, const Box& box) {
@@ -144,7 +125,7 @@ void Drawing::picture(const image::Image& picture, const Box& box) {
     for (int i = 0; i < 3 * picture.width(); ++i) to[i / 3 * 4 + 2 - i % 3] = picture.row(y)[i];
   }
   cairo_surface_mark_dirty(surface.get());
-  cairo_t* cairo = parts_->cairo.get();
+  cairo_t* cairo = cairo_.get();
   cairo_save(cairo);
   cairo_translate(cairo, box.x, box.y);
   cairo_scale(cairo, box.width / picture.width(), box.height / picture.height());
@@ -157,16 +138,12 @@ void Drawing::picture(const image::Image& picture, const Box& box) {
 
 Box Drawing::write(const std::string& text, const TextStyle& style, const Point& position,
                    const Point& anchor, double width) {
-  Box box = boxOf(parts_->type, text, style, width);
+  Box box = boxOf(type_, text, style, width);
   box = box.moved(position - anchor.cwiseProduct(Point(box.width, box.height)));
   if (text.empty()) return box;
-  parts_->type.draw(text, style, static_cast<int>(width), parts_->cairo.get(), {box.x, box.y});
-  parts_->texts.push_back({text, box});
+  type_.draw(text, style, static_cast<int>(width), cairo_.get(), {box.x, box.y});
+  texts_.push_back({text, box});
   return box;
-}
-
-const std::vector<Written>& Drawing::texts() const {
-  return parts_->texts;
 }
 
 image::Image Drawing::pixels(double scale) const {
@@ -175,7 +152,7 @@ image::Image Drawing::pixels(double scale) const {
                        image::PixelFormat::Rgb8);
   const Surface target(
       cairo_image_surface_create(CAIRO_FORMAT_RGB24, picture.width(), picture.height()));
-  paintOnto(target, parts_->surface, scale, "a picture");
+  paintOnto(target, surface_, scale, "a picture");
   for (int y = 0; y < picture.height(); ++y) {
     const std::uint8_t* from = rowOf(target, y);
     for (int i = 0; i < 3 * picture.width(); ++i) picture.row(y)[i] = from[i / 3 * 4 + 2 - i % 3];
@@ -185,7 +162,7 @@ image::Image Drawing::pixels(double scale) const {
 
 std::string Drawing::file(std::string_view ending, double scale) const {
   const auto* const format = std::ranges::find(kFormats, ending, &FormatRow::ending);
-  return format->bytesOf(*this, parts_->surface, scale);
+  return format->bytesOf(*this, surface_, scale);
 }
 
 std::vector<std::filesystem::path> plotFiles(const std::filesystem::path& stem) {

@@ -12,6 +12,8 @@
 #include "overlay/canvas.h"
 #include "overlay/text.h"
 
+struct _cairo_surface;  // NOLINT(bugprone-reserved-identifier): Cairo's name
+
 namespace rotatebook::plot {
 
 using overlay::Box;
@@ -19,6 +21,14 @@ using overlay::Colour;
 using overlay::Pen;
 using overlay::Point;
 using overlay::TextStyle;
+
+/// Releases Cairo's objects.
+struct Deleter {
+  void operator()(_cairo* cairo) const;
+  void operator()(_cairo_surface* surface) const;
+};
+using Cairo = std::unique_ptr<_cairo, Deleter>;
+using Surface = std::unique_ptr<_cairo_surface, Deleter>;
 
 /// A text on a drawing.
 struct Written {
@@ -31,13 +41,11 @@ class Drawing {
  public:
   /// Makes a sheet of that width and height, > 0, whose letters are of `type`.
   Drawing(double width, double height, const Colour& ground, overlay::Typesetter type);
-  Drawing(Drawing&&) noexcept;
-  ~Drawing();
 
-  const Box& sheet() const;
-  const overlay::Typesetter& type() const;
+  const Box& sheet() const { return sheet_; }
+  const overlay::Typesetter& type() const { return type_; }
   /// Returns what draws lines and areas.
-  overlay::Canvas& canvas();
+  overlay::Canvas& canvas() { return *canvas_; }
   /// Draws a picture of PixelFormat::Rgb8 into `box`, each of its pixels as a rectangle of one
   /// colour.
   void picture(const image::Image& picture, const Box& box);
@@ -47,7 +55,7 @@ class Drawing {
   Box write(const std::string& text, const TextStyle& style, const Point& position,
             const Point& anchor = Point(0, 0), double width = 1e4);
   /// Returns all that was written.
-  const std::vector<Written>& texts() const;
+  const std::vector<Written>& texts() const { return texts_; }
 
   /// Returns the sheet as pixels, `scale` of them for each of its own.
   image::Image pixels(double scale = 1) const;
@@ -56,8 +64,12 @@ class Drawing {
   std::string file(std::string_view ending, double scale = 1) const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  Box sheet_;
+  overlay::Typesetter type_;
+  Surface surface_;  // records what is drawn
+  Cairo cairo_;
+  std::unique_ptr<overlay::Canvas> canvas_;
+  std::vector<Written> texts_;
 };
 
 /// Writes a plot in each format, into its plotFiles(): each appears whole or not at all.

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <sstream>
 #include <utility>
 
 #include "base/error.h"
 #include "base/text.h"
 #include "overlay/canvas.h"
-#include "plot/ticks.h"
+#include "plot/plot.h"
 #include "scene/source_locations.h"
 
 namespace rotatebook::plot {
@@ -134,22 +133,25 @@ std::vector<GridMargins::Text> GridMargins::linesOf(const std::string& name, int
   return lines;
 }
 
+void GridMargins::place(Text& text, double x, double y) {
+  text.x = x;
+  text.y = y;
+  texts_.push_back(std::move(text));
+}
+
 /// Centres the values over their columns, on one line at the bottom; the key's name is above them.
 void GridMargins::placeColumns(const scene::GridAxis& columns, std::vector<Text> values,
                                const Lengths& lengths) {
-  const int bottom = lengths.top - lengths.gap / 2;
-  const int tallest = largestOf(values, layerHeight);
+  const int bottom = lengths.top - lengths.gap / 2, tallest = largestOf(values, layerHeight);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    Text& text = values[i];
-    text.x = cells_.positions[i].x + std::round((cells_.width - layerWidth(text.layer)) / 2.0);
-    text.y = bottom - layerHeight(text.layer);
+    const double room = cells_.width - layerWidth(values[i].layer);
+    place(values[i], cells_.positions[i].x + std::round(room / 2),
+          bottom - layerHeight(values[i].layer));
   }
   const int room = cells_.width * static_cast<int>(values.size());
   Text name{type_.draw(nameOf(columns), nameStyle_, room)};
-  name.x = lengths.left + std::round((room - layerWidth(name.layer)) / 2.0);
-  name.y = bottom - tallest - lengths.gap / 2 - layerHeight(name.layer);
-  std::ranges::move(values, std::back_inserter(texts_));
-  texts_.push_back(std::move(name));
+  place(name, lengths.left + std::round((room - layerWidth(name.layer)) / 2.0),
+        bottom - tallest - lengths.gap / 2 - layerHeight(name.layer));
 }
 
 /// Puts the values beside the middles of their rows, and the key's name above them.
@@ -158,19 +160,15 @@ void GridMargins::placeRows(std::vector<Text> values, std::vector<Text> name,
   const int right = lengths.left - lengths.gap;
   const std::size_t columns = cells_.positions.size() / values.size();
   for (std::size_t i = 0; i < values.size(); ++i) {
-    Text& text = values[i];
-    text.x = right - layerWidth(text.layer);
-    text.y = cells_.positions[i * columns].y +
-             std::round((cells_.height - layerHeight(text.layer)) / 2.0);
+    const double room = cells_.height - layerHeight(values[i].layer);
+    place(values[i], right - layerWidth(values[i].layer),
+          cells_.positions[i * columns].y + std::round(room / 2));
   }
   int y = lengths.top - lengths.gap / 2;
   for (auto line = name.rbegin(); line != name.rend(); ++line) {
     y -= layerHeight(line->layer);
-    line->x = right - layerWidth(line->layer);
-    line->y = y;
+    place(*line, right - layerWidth(line->layer), y);
   }
-  std::ranges::move(values, std::back_inserter(texts_));
-  std::ranges::move(name, std::back_inserter(texts_));
 }
 
 void GridMargins::draw(image::Image& picture) const {

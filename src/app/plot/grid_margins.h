@@ -37,6 +37,7 @@ class GridMargins {
 
   std::vector<Text> valuesOf(const scene::GridAxis& axis, int width) const;
   void layOut(const scene::Scene& scene, int bottomRows);
+  void place(Text& text, double x, double y);
   void placeColumns(const scene::GridAxis& columns, std::vector<Text> values,
                     const Lengths& lengths);
   void placeRows(std::vector<Text> values, std::vector<Text> name, const Lengths& lengths);

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/number_text.h"
-#include "plot/contours.h"
 #include "plot/map_colours.h"
 #include "plot/plot.h"
 

@@ -6,9 +6,23 @@
 #include <vector>
 
 #include "plot/drawing.h"
-#include "plot/ticks.h"
+#include "scene/scale.h"
 
 namespace rotatebook::plot {
+
+struct Tick {
+  double value;
+  std::string label;  ///< Empty of a small tick.
+};
+
+/// Returns round numbers within the range, about `wanted` of them with labels; on a logarithmic
+/// scale powers of ten, with small ticks between them. Round numbers of degrees are parts of a
+/// right angle.
+std::vector<Tick> ticksOf(double from, double to, scene::Scale scale, int wanted,
+                          bool isInDegrees = false);
+
+/// Returns a number for people: "0.01", "10⁻⁵", "−3".
+std::string tickText(double value);
 
 /// The colours of a sheet, and the looks of its texts.
 struct Look {
@@ -111,6 +125,12 @@ struct Plot {
   /// Of the sheet, whose sides are even; what is wider has its contents at the right. [pixels]
   double leastWidth = 1200;
 };
+
+/// Returns the lines, point pair by point pair, along which the values reach `level`; coordinates
+/// are numbers of runs from the left bottom, those of a run's middle being whole. No line crosses
+/// runs without a number. Uses marching squares.
+std::vector<Point> contourOf(const std::vector<double>& values, int width, int height,
+                             double level);
 
 /// Draws the plot. Throws InputError if the font lacks a letter.
 Drawing drawPlot(const Plot& plot, overlay::Typesetter type);

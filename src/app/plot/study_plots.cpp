@@ -151,13 +151,14 @@ std::vector<Series> seriesOf(const study::SweepStudy& study, const scene::Sweep&
 }
 
 /// Returns the axis of the key that is varied; words are at their ranks.
-Axis axisOf(const scene::SweepKey& key, const std::vector<Series>& all) {
-  if (allNumbers(key)) return axisFor(scene::nameOf(key), valuesAlong(0, all), false);
+Axis axisOf(const scene::SweepKey& key) {
+  std::vector<double> places;
   Axis axis{scene::nameOf(key), 0.5, 0.5 + static_cast<double>(key.values.size())};
-  for (std::size_t i = 0; i < key.values.size(); ++i) {
-    axis.words.push_back({static_cast<double>(i + 1), key.values[i].label});
+  for (const scene::SweepValue& value : key.values) {
+    places.push_back(placeOf(value.label, key));
+    axis.words.push_back({places.back(), value.label});
   }
-  return axis;
+  return allNumbers(key) ? axisFor(axis.name, places, false) : axis;
 }
 
 }  // namespace
@@ -215,7 +216,7 @@ Plot plotOf(const study::SweepStudy& result, const scene::StudySettings& study) 
     const std::vector<Series> series = seriesOf(result, sweep, i);
     const std::string name(rowOf(sweep.measures[i]).studied);
     plot.panels.push_back(
-        panelOf(axisOf(sweep.over, series), axisFor(name, valuesAlong(1, series), true), series));
+        panelOf(axisOf(sweep.over), axisFor(name, valuesAlong(1, series), true), series));
   }
   return plot;
 }

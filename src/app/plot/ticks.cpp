@@ -1,11 +1,11 @@
-#include "plot/ticks.h"
-
+// Ticks of axes.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 
 #include "base/number_text.h"
+#include "plot/plot.h"
 
 namespace rotatebook::plot {
 namespace {

@@ -11,10 +11,9 @@
 #include "base/error.h"
 #include "image/golden.h"
 #include "plot/apart.h"
-#include "plot/contours.h"
 #include "plot/drawing.h"
 #include "plot/map_colours.h"
-#include "plot/ticks.h"
+#include "plot/plot.h"
 #include "scene/scene_text.h"
 
 namespace rotatebook::plot {

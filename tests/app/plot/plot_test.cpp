@@ -41,13 +41,13 @@ image::Image pictureOf(const Plot& plot) {
 
 TEST(PlotGolden, IsMatched) {
   const image::Image picture = pictureOf(plotOfTwo());
-  if (image::testing::updatingGoldens()) image::testing::updateGolden("curves", picture.view());
-  EXPECT_TRUE(image::testing::matchesGolden("curves", picture.view(), kOtherFonts));
+  if (image::testing::updatingGoldens()) image::testing::updateGolden("plot", picture.view());
+  EXPECT_TRUE(image::testing::matchesGolden("plot", picture.view(), kOtherFonts));
 }
 
 TEST(PlotGolden, IsNotMatchedByOtherPointsNamesOrGuides) {
   const auto matches = [](const Plot& plot) {
-    const image::Image picture = pictureOf(plot), golden = image::testing::golden("curves");
+    const image::Image picture = pictureOf(plot), golden = image::testing::golden("plot");
     if (picture.width() != golden.width() || picture.height() != golden.height()) return false;
     return image::compare(golden.view(), picture.view(), kOtherFonts).same;
   };

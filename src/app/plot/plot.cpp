@@ -224,6 +224,7 @@ void drawMarks(const Panel& panel, const Area& area, const Look& look, Drawing& 
   const double em = look.letters, radius = 0.32 * em;
   TextStyle style = look.bold;
   style.halo = 0.16 * em;
+  style.colour = kWhite;
   std::vector<Box> taken;
   for (const Mark& mark : panel.marks) {
     const Point at = area.placeOf(mark.at);

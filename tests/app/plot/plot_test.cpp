@@ -55,7 +55,7 @@ TEST(PlotGolden, IsNotMatchedByOtherPointsNamesOrGuides) {
   moved.panels[0].series[0].points[1].y() = 0.6;
   EXPECT_FALSE(matches(moved));
   Plot renamed = plotOfTwo();
-  renamed.panels[0].x.name = "time  [s]";
+  renamed.panels[0].y.name = "another number than that";
   EXPECT_FALSE(matches(renamed));
   Plot unguided = plotOfTwo();
   unguided.panels[0].lines.clear();

@@ -95,8 +95,7 @@ void noteReplaced(const fs::path& file) {
             << ", which wasn't of this folder's page\n";
 }
 
-/// Returns whether the overview shows a picture of the figure; of studies it shows curves, and of
-/// maps their own picture.
+/// Returns whether the overview shows a picture of the figure; studies and maps have their own.
 bool needsThumbnail(const page::Figure& figure) {
   return figure.kind != page::FigureKind::Study && figure.kind != page::FigureKind::Map;
 }

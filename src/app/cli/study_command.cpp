@@ -23,6 +23,7 @@
 #include "document/toml_text.h"
 #include "plot/study_plots.h"
 #include "report/study_report.h"
+#include "store/fingerprint.h"
 #include "store/result_owners.h"
 #include "store/study_files.h"
 #include "study/study.h"
@@ -154,8 +155,16 @@ int finish(const Task& task, const Study& result, StudiedScene& studied, std::os
   studied.result = result;
   refuseNoResult(task, result);
   const int status = statusOf(report::reportStudy(result, task.study, out));
-  plot::writeStudyPlot(result, task.scene, task.study, task.files.plots);
-  for (const auto& file : task.files.plots) studied.files.push_back(file.string());
+  out.flush();
+  if (!draw(task, plotOf(task, result))) {
+    out << "  interrupted; only the tables were written" << std::endl;
+    studied.interrupted = true;
+    return interruptStatus();
+  }
+  studied.files.push_back(task.files.svg.string());
+  studied.files.push_back(task.files.png.string());
+  studied.files.push_back(task.files.json.string());
+  system::writeFileAtomically(task.files.json, report::studyJson(studied) + '\n');
   out << "  wrote " << oneLine(listed(studied.files)) << std::endl;
   return status;
 }
@@ -230,7 +239,8 @@ int study(const StudyArguments& arguments) {
   const std::vector<Task> tasks = readTasks(arguments);
   const std::atomic<bool>& stop = catchInterrupts();
   std::vector<StudiedScene> studied;
-  for (const Task& task : tasks) studied.push_back({task.scene, task.study});
+  for (const Task& task : tasks)
+    studied.push_back({task.scene, task.study, store::studySceneChecksum(task.scene)});
   return reportIfUnmet(arguments.json ? runTasksAsJson(tasks, stop, studied)
                                       : runTasks(tasks, stop, studied, std::cout));
 }
@@ -259,8 +269,8 @@ void addStudyCommand(CLI::App& program, Action& action) {
 Runs each integrator with each number of substeps that [study] of the scene lists, by default all
 of the model's with 1, 2, 4 ... 1024. If [study] lists tilts, the scene's own integrator runs from each;
 with study.over, the scene runs with each value of that key, and what study.measure lists is measured.
-Writes DIR/NAME-study.csv, DIR/NAME-study-orders.csv (of integrators), and the plot as
-DIR/NAME-study.png, .svg and .pdf.
+Writes DIR/NAME-study.csv, DIR/NAME-study-orders.csv (of integrators), DIR/NAME-study.svg,
+DIR/NAME-study.png and DIR/NAME-study.json. gnuplot draws the plots.
 
 Examples:
   rotatebook study scenes/studies/*.toml

@@ -62,7 +62,8 @@ std::string tiltLine(const study::TiltRow& row) {
 /// A number that is expected of a study.
 struct Expected {
   std::string quantity;
-  std::string integrator;  ///< Empty in a study of tilts.
+  std::string integrator;  ///< Empty but in a study of integrators.
+  std::string meaning;     ///< Of the quantity, in plain words.
   scene::Bounds bounds;
   double measured = 0;
 };
@@ -71,7 +72,8 @@ std::vector<Expected> expectedOf(const study::PrecisionStudy& result,
                                  const scene::StudySettings& study) {
   std::vector<Expected> all;
   for (const auto& [integrator, bounds] : study.orders) {
-    all.push_back({"order", name(integrator), bounds, orderOf(result, integrator)});
+    all.push_back({"order", name(integrator), "power of the step by which the error shrinks",
+                   bounds, orderOf(result, integrator)});
   }
   return all;
 }
@@ -79,14 +81,17 @@ std::vector<Expected> expectedOf(const study::PrecisionStudy& result,
 std::vector<Expected> expectedOf(const study::TiltStudy& result,
                                  const scene::StudySettings& study) {
   if (!study.flipLaw) return {};
-  return {{"flip_law", "", *study.flipLaw, result.greatestDeviation()}};
+  return {{"flip_law", "",
+           "largest deviation from the interval that the law gives, as a share of it",
+           *study.flipLaw, result.greatestDeviation()}};
 }
 
 std::vector<Expected> expectedOf(const study::SweepStudy& result,
                                  const scene::StudySettings& study) {
   std::vector<Expected> all;
   for (const study::ExpectedOfRun& one : study::expectedOf(result, *study.sweep)) {
-    all.push_back({one.subject(), "", one.expectation.bounds, one.measured});
+    all.push_back({one.subject(), "", std::string(rowOf(one.expectation.measure).meaning),
+                   one.expectation.bounds, one.measured});
   }
   return all;
 }
@@ -108,7 +113,7 @@ std::string sweepLine(const study::SweepRow& row, const scene::Sweep& sweep) {
 /// Prints a line for each; returns whether all are met.
 bool reportExpected(const std::vector<Expected>& all, std::ostream& out) {
   bool met = true;
-  for (const auto& [quantity, integrator, bounds, measured] : all) {
+  for (const auto& [quantity, integrator, meaning, bounds, measured] : all) {
     const std::string subject = integrator.empty() ? quantity : quantity + " of " + integrator;
     out << "  " << reportLine(subject, bounds, measured) << '\n';
     met &= bounds.hold(measured);
@@ -117,14 +122,17 @@ bool reportExpected(const std::vector<Expected>& all, std::ostream& out) {
 }
 
 std::string expectedJson(const Expected& expected) {
-  return JsonObject()
-      .addString("quantity", expected.quantity)
+  JsonObject object;
+  object.addString("quantity", expected.quantity)
       .addStringOrNull("integrator", expected.integrator)
+      .addString("meaning", expected.meaning)
       .addNumberOrNull("min", expected.bounds.min)
-      .addNumberOrNull("max", expected.bounds.max)
-      .addNumber("measured", expected.measured)
-      .addBool("met", expected.bounds.hold(expected.measured))
-      .text();
+      .addNumberOrNull("max", expected.bounds.max);
+  if (std::isinf(expected.measured))
+    object.addString("measured", "inf");
+  else
+    object.addNumber("measured", expected.measured);
+  return object.addBool("met", expected.bounds.hold(expected.measured)).text();
 }
 
 std::string orderJson(const study::IntegratorOrder& order) {
@@ -211,10 +219,13 @@ std::string kindOf(const scene::StudySettings& study) {
   return study.isOfTilts() ? "tilts" : "integrators";
 }
 
+}  // namespace
+
 std::string studyJson(const StudiedScene& studied) {
   JsonObject object;
   object.addString("name", studied.scene.name)
       .addString("title", studied.scene.title)
+      .addString("scene_xxh128", studied.checksum)
       .addString("kind", kindOf(studied.study))
       .addBool("interrupted", studied.interrupted)
       .addStringOrNull("error", studied.error)
@@ -230,8 +241,6 @@ std::string studyJson(const StudiedScene& studied) {
   }
   return object.text();
 }
-
-}  // namespace
 
 bool reportStudy(const study::PrecisionStudy& result, const scene::StudySettings& study,
                  std::ostream& out) {

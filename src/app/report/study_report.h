@@ -27,12 +27,15 @@ bool reportStudy(const study::SweepStudy& result, const scene::StudySettings& st
 struct StudiedScene {
   scene::Scene scene;
   scene::StudySettings study;
+  std::string checksum{};  ///< store::studySceneChecksum()
   std::variant<std::monostate, study::PrecisionStudy, study::TiltStudy, study::SweepStudy> result{};
-  std::vector<std::string> files{};  ///< Tables and plots that were written.
+  std::vector<std::string> files{};  ///< Tables, plots and JSON that were written.
   bool interrupted = false;
   std::string error{};  ///< Empty if there was none.
 };
 
+/// Returns the result as one JSON object.
+std::string studyJson(const StudiedScene& studied);
 /// Prints all as one JSON object. `interrupted` says that scenes were left out or undone.
 void reportStudiesAsJson(const std::vector<StudiedScene>& studies, bool interrupted,
                          std::ostream& out);

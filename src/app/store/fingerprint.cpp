@@ -83,6 +83,21 @@ std::string checksumWithProgram(const std::string& settings) {
   return checksumOf(std::string(kVersion) + "\n" + system::buildId() + "\n" + settings);
 }
 
+/// Returns the motions of a scene alone.
+scene::Scene withoutPicture(const scene::Scene& scene) {
+  scene::Scene bare;
+  static_cast<scene::Motion&>(bare) = scene;
+  bare.clip = scene.clip;
+  bare.clip.width = bare.clip.height = scene::ClipSettings().height;
+  bare.panels = scene.panels;
+  bare.expectations.clear();
+  for (scene::Panel& panel : bare.panels) {
+    panel.label = "panel";
+    panel.expectations.clear();
+  }
+  return bare;
+}
+
 }  // namespace
 
 std::string sceneChecksum(const scene::Scene& scene) {
@@ -101,17 +116,15 @@ Entries fingerprint(const scene::Scene& scene, const Entries& textures, const Dr
   return made;
 }
 
+std::string studySceneChecksum(const scene::Scene& scene) {
+  scene::Scene bare = withoutPicture(scene);
+  bare.study = scene.study;
+  return checksumOf(sceneText(bare));
+}
+
 std::string mapSceneChecksum(const scene::Scene& scene) {
-  scene::Scene bare;
-  static_cast<scene::Motion&>(bare) = scene;
-  bare.clip = scene.clip;
-  bare.panels = scene.panels;
+  scene::Scene bare = withoutPicture(scene);
   bare.map = scene.map;
-  bare.expectations.clear();
-  for (scene::Panel& panel : bare.panels) {
-    panel.label = "panel";
-    panel.expectations.clear();
-  }
   scene::MapSettings& map = *bare.map;
   map.x.label = map.y.label = "";
   map.colours = {};

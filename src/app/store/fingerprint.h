@@ -24,6 +24,9 @@ Manifest::Entries fingerprint(const scene::Scene& scene, const Manifest::Entries
 /// Returns the checksum of a whole scene.
 std::string sceneChecksum(const scene::Scene& scene);
 
+/// Returns a checksum of what is run and expected by a scene's study: the scene without its texts,
+/// looks and expectations.
+std::string studySceneChecksum(const scene::Scene& scene);
 /// Returns a checksum of what the values of a scene's map depend on: the scene without its texts,
 /// looks and expectations.
 std::string mapSceneChecksum(const scene::Scene& scene);

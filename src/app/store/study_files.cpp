@@ -9,14 +9,12 @@ namespace rotatebook::store {
 
 StudyFiles studyFiles(const std::filesystem::path& folder, const std::string& name) {
   const std::string stem = name + "-study";
-  return {folder / (stem + ".csv"), folder / (stem + "-orders.csv"),
-          plot::plotFiles(folder / stem)};
+  return {folder / (stem + ".csv"), folder / (stem + "-orders.csv"), folder / (stem + ".svg"),
+          folder / (stem + ".png"), folder / (stem + ".json")};
 }
 
 std::vector<std::filesystem::path> allOf(const StudyFiles& files) {
-  std::vector<std::filesystem::path> all{files.csv, files.orders};
-  all.insert(all.end(), files.plots.begin(), files.plots.end());
-  return all;
+  return {files.csv, files.orders, files.svg, files.png, files.json};
 }
 
 void requireWritable(const std::vector<std::filesystem::path>& files) {

@@ -7,6 +7,7 @@
 #include "base/json.h"
 #include "base/number_text.h"
 #include "scene/names.h"
+#include "study/study_csv.h"
 
 namespace rotatebook::study {
 namespace {
@@ -32,14 +33,6 @@ std::string npyHeader(const MapSettings& map, std::size_t panels) {
 
 std::string nameOf(Outcome outcome) {
   return std::string(scene::nameOf(scene::kOutcomes, outcome));
-}
-
-/// Returns a field of a CSV, in quotes if it needs them. (RFC 4180)
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"") == text.npos) return text;
-  std::string quoted = "\"";
-  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
-  return quoted + "\"";
 }
 
 std::string axisJson(const MapAxis& axis, int count) {
@@ -172,7 +165,7 @@ std::string mapCsv(const MapResult& result, const scene::Scene& scene) {
       const int x = static_cast<int>(i) % map.width, y = static_cast<int>(i) / map.width;
       const double value = result.values[panel][i];
       const Outcome outcome = outcomeOf(value);
-      text += (isAlone ? "" : field(result.labels[panel]) + ",") +
+      text += (isAlone ? "" : csvField(result.labels[panel]) + ",") +
               shortestText(map.x.at(x, map.width)) + "," + shortestText(map.y.at(y, map.height)) +
               "," + (outcome == Outcome::Value ? shortestText(value) : "") + "," + nameOf(outcome) +
               "\n";

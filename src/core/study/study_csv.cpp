@@ -66,6 +66,14 @@ std::string tiltCsv(const TiltStudy& study) {
   return text;
 }
 
+/// Returns a field of a CSV, in quotes if it needs them. (RFC 4180)
+std::string csvField(const std::string& text) {
+  if (text.find_first_of(",\"") == text.npos) return text;
+  std::string quoted = "\"";
+  for (const char letter : text) quoted += letter == '"' ? "\"\"" : std::string(1, letter);
+  return quoted + "\"";
+}
+
 std::string sweepCsv(const SweepStudy& result, const scene::Sweep& sweep) {
   std::string text = sweep.over.key;
   if (sweep.curves) text += "," + sweep.curves->key;
@@ -73,8 +81,8 @@ std::string sweepCsv(const SweepStudy& result, const scene::Sweep& sweep) {
     text += "," + std::string(scene::nameOf(measure));
   text += kStatusColumn + "\n";
   for (const SweepRow& row : result.rows) {
-    text += row.value;
-    if (sweep.curves) text += "," + row.curve;
+    text += csvField(row.value);
+    if (sweep.curves) text += "," + csvField(row.curve);
     for (const double value : row.measured) text += field(value);
     text += "," + row.end.text() + "\n";
   }

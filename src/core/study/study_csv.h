@@ -11,6 +11,9 @@ namespace rotatebook::study {
 
 // Numbers read back to the same bits; the field of a number that a run doesn't have is empty.
 
+/// Returns a text as a field of a CSV, in quotes if it needs them. (RFC 4180)
+std::string csvField(const std::string& text);
+
 /// Returns a header row and one row a run: integrator, h_s, steps, error_deg, final_error_deg,
 /// energy_drift, L_drift, half_turns, ns_per_step, status.
 std::string precisionCsv(const PrecisionStudy& study);

@@ -117,7 +117,7 @@ const std::map<std::string, Room> kRooms{
      {"app",
       {"base", "physics", "document", "scene", "timeline", "study", "system", "image", "video",
        "picture", "store", "pipeline"},
-      {"Eigen/", "zip.h"},
+      {"Eigen/", "nlohmann/", "zip.h"},
       {"rigid", "geometry"}}},
     {"cli",
      {"app",

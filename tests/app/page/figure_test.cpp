@@ -11,9 +11,8 @@
 #include "base/number_text.h"
 #include "page/clip_videos.h"
 #include "page/made_folder.h"
+#include "store/fingerprint.h"
 #include "store/manifest.h"
-#include "study/study.h"
-#include "study/study_csv.h"
 #include "system/file_checksum.h"
 
 namespace rotatebook::page {
@@ -292,94 +291,73 @@ TEST(StillFigure, IsAPictureWithoutAClip) {
   EXPECT_EQ(readFigure(smallScene(), folder).kind, FigureKind::Clip);
 }
 
-/// Writes the files that `rotatebook study` leaves, with these tables.
-void makeStudy(const fs::path& folder, const std::string& table, const std::string& orders) {
-  for (const char* ending : {".png", ".svg", ".pdf"}) {
+/// Writes the files that `rotatebook study` leaves, with this result.
+void makeStudy(const fs::path& folder, const std::string& json) {
+  for (const char* ending : {".svg", ".png", ".csv", "-orders.csv"})
     touch(folder / (std::string("small-study") + ending));
-  }
-  system::writeFileAtomically(folder / "small-study.csv", table);
-  if (!orders.empty()) system::writeFileAtomically(folder / "small-study-orders.csv", orders);
+  system::writeFileAtomically(folder / "small-study.json", json);
 }
 
-/// The columns that tell which runs a table is of.
-std::string tableOf(const std::vector<std::string>& integrators, const std::vector<int>& substeps,
-                    const scene::Scene& scene) {
-  physics::MotionSettings motion = scene.motion();
-  std::string table = "integrator,h_s,steps\n";
-  for (const std::string& integrator : integrators) {
-    for (const int count : substeps) {
-      motion.simulation.substeps = count;
-      table += integrator + "," + shortestText(motion.simulation.steps().length()) + "," +
-               std::to_string(scene::studiedSteps(motion, scene.clip.frameCount())) + "\n";
-    }
-  }
-  return table;
+/// Returns the result of a scene's study with these expectations.
+std::string resultOf(const scene::Scene& scene, const std::string& expectations) {
+  return R"({"scene_xxh128": ")" + store::studySceneChecksum(scene) + R"(", "expectations": [)" +
+         expectations + "]}";
 }
 
-TEST(StudyFigure, TakesOrdersFromItsTable) {
+const std::vector<std::string> kStudy{"study.integrators=[\"euler\", \"rk4\"]",
+                                      "study.steps=[1, 2]"};
+
+TEST(StudyFigure, TakesWhatIsExpectedFromItsResult) {
   const fs::path folder = emptyFolder();
-  const scene::Scene scene =
-      smallScene({"study.integrators=[\"euler\", \"rk4\"]", "study.steps=[1, 2]",
-                  "study.orders.rk4.min=3.9", "study.orders.euler.max=0.5"});
-  makeStudy(folder, tableOf({"euler", "rk4"}, {1, 2}, scene),
-            "integrator,order,runs,shortest_h_s,longest_h_s\neuler,,0,,\nrk4,4.01,3,0.1,1\n");
+  const scene::Scene scene = smallScene(kStudy);
+  makeStudy(folder,
+            resultOf(scene, R"({"quantity": "order", "integrator": "rk4", "meaning": "<power>",
+                                "min": 3.9, "max": null, "measured": 4.01, "met": true},
+                               {"quantity": "order", "integrator": "euler", "meaning": "power",
+                                "min": null, "max": 0.5, "measured": null, "met": false},
+                               {"quantity": "diverges_at at 1, 2", "integrator": null,
+                                "meaning": "when", "min": 8, "max": null, "measured": "inf",
+                                "met": true})"));
   const Figure figure = readFigure(scene, folder);
   EXPECT_EQ(figure.kind, FigureKind::Study);
   EXPECT_EQ(figure.thumbnail, "small-study.svg");
-  EXPECT_THAT(figure.files, ElementsAre("small-study.png", "small-study.svg", "small-study.pdf",
-                                        "small-study.csv", "small-study-orders.csv"));
-  EXPECT_THAT(
-      figure.section.text,
-      AllOf(
-          HasSubstr("error shrinks</span></th><td>at least 3.9</td><td>4.01</td><td class=\"met\""),
-          HasSubstr("error shrinks</span></th><td>at most 0.5</td><td>nothing</td><td "
-                    "class=\"unmet\""),
-          HasSubstr("src=\"small-study.svg\"")));
+  const std::string& text = figure.section.text;
+  EXPECT_THAT(text, HasSubstr("order of rk4"));
+  EXPECT_THAT(text, HasSubstr("&lt;power&gt;</span></th><td>at least 3.9</td><td>4.01</td><td "
+                              "class=\"met\""));
+  EXPECT_THAT(text, HasSubstr("<td>at most 0.5</td><td>nothing</td><td class=\"unmet\""));
+  EXPECT_THAT(text, HasSubstr("<td>at least 8</td><td>inf</td><td class=\"met\""));
+  EXPECT_THAT(text, HasSubstr("src=\"small-study.svg\""));
+}
+
+TEST(StudyFigure, RefusesAnotherResult) {
+  const fs::path folder = emptyFolder();
+  const scene::Scene scene = smallScene(kStudy);
+  const auto refusalOf = [&](const std::string& json, const scene::Scene& shown) {
+    makeStudy(folder, json);
+    return messageOf(shown, folder);
+  };
+  const std::string right = resultOf(scene, "");
+  EXPECT_EQ(refusalOf(right, scene), "no error");
+  EXPECT_EQ(refusalOf(right, smallScene({kStudy[0], kStudy[1], "title=\"Other\"",
+                                         "clip.size=[64, 36]", "camera.frame=\"body\""})),
+            "no error");
+  const std::string refusal = (folder / "small-study.json").string() +
+                              " isn't the result of the scene's study; run the study again (or "
+                              "give this command the same --set): rotatebook study "
+                              "scenes/small.toml -o " +
+                              folder.string();
+  for (const std::string& json : {resultOf(scene, "7"), resultOf(scene, "{}"), std::string("[]"),
+                                  std::string(), std::string("\0\xff,\n,,\n", 7)})
+    EXPECT_EQ(refusalOf(json, scene), refusal) << json;
+  for (const char* change : {"study.steps=[1, 4]", "study.integrators=[\"rk4\"]", "clip.duration=7",
+                             "study.orders.rk4.min=3.9"})
+    EXPECT_EQ(refusalOf(right, smallScene({kStudy[0], kStudy[1], change})), refusal) << change;
 }
 
 // The spin that a study of tilts needs.
 const std::vector<std::string> kFlips{"initial.angular_velocity=[5, 0, 0]",
                                       "initial.tilt=[0.1, \"z\"]"};
-
-TEST(StudyFigure, MeasuresTheLawOfFlips) {
-  const fs::path folder = emptyFolder();
-  const scene::Scene scene =
-      smallScene({kFlips[0], kFlips[1], "study.tilts=[0.1, 0.01]", "study.flip_law.max=0.3"});
-  makeStudy(folder,
-            "tilt_rad,flips,interval_s,law_s,ratio,status\n0.1,3,1.5,2,0.75,ok\n"
-            "0.01,3,4,4,1,ok\n",
-            "");
-  EXPECT_THAT(
-      readFigure(scene, folder).section.text,
-      HasSubstr("as a share of it</span></th><td>at most 0.3</td><td>0.25</td><td class=\"met\""));
-}
-
-TEST(StudyFigure, RefusesTheTableOfOtherRuns) {
-  const fs::path folder = emptyFolder();
-  const std::vector<std::string> study{"study.integrators=[\"euler\", \"rk4\"]",
-                                       "study.steps=[1, 2]"};
-  const scene::Scene scene = smallScene(study);
-  const std::string right =
-      study::precisionCsv(study::runPrecisionStudy(scene, *scene.study, {}).value());
-  const auto refusalOf = [&](const std::string& table, const scene::Scene& shown) {
-    makeStudy(folder, table, "integrator,order,runs,shortest_h_s,longest_h_s\n");
-    return messageOf(shown, folder);
-  };
-  EXPECT_EQ(refusalOf(right, scene), "no error");
-  const std::string refusal =
-      (folder / "small-study.csv").string() +
-      " doesn't hold the runs of the scene's study; run the study again (or "
-      "give this command the same --set): rotatebook study "
-      "scenes/small.toml -o " +
-      folder.string();
-  for (const std::string& table :
-       {tableOf({"euler", "rk4"}, {1, 4}, scene), tableOf({"euler", "heun"}, {1, 2}, scene),
-        tableOf({"euler", "rk4"}, {1}, scene), std::string(), std::string("\0\xff,\n,,\n", 7)}) {
-    EXPECT_EQ(refusalOf(table, scene), refusal) << table;
-  }
-  EXPECT_EQ(refusalOf(right, smallScene({study[0], study[1], "clip.duration=7"})), refusal);
-  EXPECT_EQ(refusalOf(right, smallScene({kFlips[0], kFlips[1], "study.tilts=[0.1]"})), refusal);
-}
 
 TEST(StudyFigure, NamesAMissingFileAndTheRemedy) {
   const fs::path folder = emptyFolder();

@@ -84,6 +84,7 @@ StudiedScene studiedScene() {
   StudiedScene studied;
   studied.scene.name = "s";
   studied.scene.title = "\"S\"";
+  studied.checksum = "5ce";
   return studied;
 }
 
@@ -96,7 +97,7 @@ TEST(StudyReport, IsJsonToo) {
   reportStudiesAsJson({studied}, false, out);
   EXPECT_EQ(
       out.str(),
-      R"({"interrupted": false, "studies": [{"name": "s", "title": "\"S\"", )"
+      R"({"interrupted": false, "studies": [{"name": "s", "title": "\"S\"", "scene_xxh128": "5ce", )"
       R"("kind": "integrators", "interrupted": false, "error": null, )"
       R"("files": ["out/s-study.csv"], "runs": 3, )"
       R"("failures": [{"integrator": "rk4", "h_s": 0, "status": "diverged at 0 s"}, )"
@@ -104,7 +105,8 @@ TEST(StudyReport, IsJsonToo) {
       R"("orders": [{"integrator": "rk4", "order": 4.0123456, "runs": 5, "shortest_h_s": 0.001, )"
       R"("longest_h_s": 0.0123456}, {"integrator": "midpoint", "order": null, "runs": 0, )"
       R"("shortest_h_s": null, "longest_h_s": null}], "tilts": [], "sweep": [], )"
-      R"("expectations": [{"quantity": "order", "integrator": "rk4", "min": 3.9, "max": 4, )"
+      R"("expectations": [{"quantity": "order", "integrator": "rk4", )"
+      R"("meaning": "power of the step by which the error shrinks", "min": 3.9, "max": 4, )"
       R"("measured": 4.0123456, "met": false}]}]})"
       "\n");
 }
@@ -120,14 +122,16 @@ TEST(StudyReport, IsJsonForTiltsAndWhatWasNotStudied) {
   reportStudiesAsJson({studied, failed}, true, out);
   EXPECT_EQ(
       out.str(),
-      R"({"interrupted": true, "studies": [{"name": "s", "title": "\"S\"", "kind": "tilts", )"
+      R"({"interrupted": true, "studies": [{"name": "s", "title": "\"S\"", "scene_xxh128": "5ce", "kind": "tilts", )"
       R"("interrupted": false, "error": null, "files": [], "runs": 2, )"
       R"("failures": [{"tilt_rad": 1e-08, "status": "fewer than two flips in 12 s"}], )"
       R"("orders": [], "tilts": [{"tilt_rad": 0.1, "flips": 7, "interval_s": 2, "law_s": 2.5, )"
       R"("ratio": 0.8}, {"tilt_rad": 1e-08, "flips": 1, "interval_s": null, "law_s": 0, )"
       R"("ratio": null}], "sweep": [], "expectations": [{"quantity": "flip_law", "integrator": null, )"
+      R"("meaning": "largest deviation from the interval that the law gives, as a share of it", )"
       R"("min": null, "max": 0.1, "measured": null, "met": false}]}, {"name": "s", )"
-      R"("title": "\"S\"", "kind": "tilts", "interrupted": false, "error": "no gnuplot", )"
+      R"("title": "\"S\"", "scene_xxh128": "5ce", "kind": "tilts", "interrupted": false, )"
+      R"("error": "no gnuplot", )"
       R"("files": [], "runs": 0, "failures": [], "orders": [], "tilts": [], )"
       R"("sweep": [], "expectations": []}]})"
       "\n");
@@ -140,7 +144,8 @@ StudiedScene sweptScene() {
   sweep.over = {"simulation.substeps", {{"10", "10", 10}}};
   sweep.curves = {"simulation.model", {{"", "matrix"}, {"", "quaternion"}}};
   sweep.measures = {scene::Measure::DivergesAt, scene::Measure::Stretch};
-  sweep.expected = {{scene::Measure::DivergesAt, {}, "matrix", {{}, 4}}};
+  sweep.expected = {{scene::Measure::DivergesAt, {}, "matrix", {{}, 4}},
+                    {scene::Measure::DivergesAt, {}, "quaternion", {30, {}}}};
   constexpr double kNever = std::numeric_limits<double>::infinity();
   studied.result = study::SweepStudy{
       {{"10", "matrix", {RunEnd::Kind::Diverged, 4.5}, 20, {4.5, study::kNoNumber}},
@@ -155,22 +160,28 @@ TEST(StudyReport, HasALineForEachRunOfASweep) {
   EXPECT_EQ(out.str(),
             "  matrix, 10: diverges_at 4.5, stretch –; diverged at 4.5 s\n"
             "  quaternion, 10: diverges_at not within 20 s, stretch 0.25\n"
-            "  not met  diverges_at at 10, matrix: expected at most 4; measured 4.5\n");
+            "  not met  diverges_at at 10, matrix: expected at most 4; measured 4.5\n"
+            "  met      diverges_at at 10, quaternion: expected at least 30; measured inf\n");
 }
 
 TEST(StudyReport, IsJsonForASweep) {
   std::ostringstream out;
   reportStudiesAsJson({sweptScene()}, false, out);
-  EXPECT_EQ(out.str(),
-            R"({"interrupted": false, "studies": [{"name": "s", "title": "\"S\"", )"
-            R"("kind": "sweep", "interrupted": false, "error": null, "files": [], "runs": 2, )"
-            R"("failures": [{"value": "10", "curve": "matrix", "status": "diverged at 4.5 s"}], )"
-            R"("orders": [], "tilts": [], "sweep": [{"value": "10", "curve": "matrix", )"
-            R"("diverges_at": 4.5, "stretch": null}, {"value": "10", "curve": "quaternion", )"
-            R"("diverges_at": null, "stretch": 0.25}], "expectations": [{"quantity": )"
-            R"("diverges_at at 10, matrix", "integrator": null, "min": null, "max": 4, )"
-            R"("measured": 4.5, "met": false}]}]})"
-            "\n");
+  EXPECT_EQ(
+      out.str(),
+      R"({"interrupted": false, "studies": [{"name": "s", "title": "\"S\"", "scene_xxh128": "5ce", )"
+      R"("kind": "sweep", "interrupted": false, "error": null, "files": [], "runs": 2, )"
+      R"("failures": [{"value": "10", "curve": "matrix", "status": "diverged at 4.5 s"}], )"
+      R"("orders": [], "tilts": [], "sweep": [{"value": "10", "curve": "matrix", )"
+      R"("diverges_at": 4.5, "stretch": null}, {"value": "10", "curve": "quaternion", )"
+      R"("diverges_at": null, "stretch": 0.25}], "expectations": [{"quantity": )"
+      R"("diverges_at at 10, matrix", "integrator": null, "meaning": ")" +
+          std::string(rowOf(scene::Measure::DivergesAt).meaning) +
+          R"(", "min": null, "max": 4, "measured": 4.5, "met": false}, {"quantity": )"
+          R"("diverges_at at 10, quaternion", "integrator": null, "meaning": ")" +
+          std::string(rowOf(scene::Measure::DivergesAt).meaning) +
+          R"(", "min": 30, "max": null, "measured": "inf", "met": true}]}]})"
+          "\n");
 }
 
 }  // namespace

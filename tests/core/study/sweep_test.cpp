@@ -61,6 +61,16 @@ TEST(Sweep, TellsNeverFromUnknownInItsTable) {
   EXPECT_THAT(csv, HasSubstr(",,diverged at 0.208333 s\n4096,0,inf,"));
 }
 
+TEST(Sweep, QuotesLabelsThatNeedIt) {
+  const scene::Scene scene =
+      smallScene({"study.over=simulation.substeps",
+                  "study.values=[{label='one, \"rough\"', value=1}, {label='eight', value=8}]",
+                  "study.measure=['half_turns']"});
+  const std::string csv = sweepCsv(resultOf(scene), *scene.study->sweep);
+  EXPECT_THAT(csv, HasSubstr("\n\"one, \"\"rough\"\"\","));
+  EXPECT_THAT(csv, HasSubstr("\neight,"));
+}
+
 TEST(Sweep, ReducesQuantitiesToTheLargestDeparture) {
   for (const char* gainsOrLoses : {"euler", "implicit-gyroscopic"}) {
     const scene::Scene scene =

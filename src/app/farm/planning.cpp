@@ -52,7 +52,7 @@ std::vector<fs::path> outputsOf(const scene::Scene& scene, const PlanWishes& wis
     return {files.png(), files.plain, files.npy, files.json};
   }
   const store::StudyFiles files = store::studyFiles(folder, scene.name);
-  return {files.csv, files.plots.front()};
+  return {files.csv, files.json};  // It comes last.
 }
 
 std::int64_t unitsOf(const scene::Scene& scene, Work work) {

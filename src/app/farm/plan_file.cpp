@@ -158,7 +158,7 @@ std::string planText(const StoredPlan& stored) {
 }
 
 StoredPlan parsePlan(std::string_view text, const std::string& file) {
-  // What is nested deeper than in any plan is left out: megabytes of brackets would take gigabytes.
+  // Nothing that is nested deeper than in any plan is kept: megabytes of brackets take gigabytes.
   const auto isKept = [](int depth, Json::parse_event_t, const Json&) { return depth < 8; };
   const Json json = Json::parse(text, isKept, /*allow_exceptions=*/false);
   if (!json.is_object() || !json.contains("rotatebook_plan"))

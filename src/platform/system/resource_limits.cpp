@@ -22,7 +22,7 @@ rlim_t limitOf(Resource resource) {
 }  // namespace
 
 void requireStack() {
-  // What toml++ may need for the keys of a scene: measured 640 to 1280, as it is compiled. [kB]
+  // The keys of a scene may take toml++ so much: measured 640 to 1280, as it is compiled. [kB]
   constexpr rlim_t kNeeded = 2048;
   const rlim_t limit = limitOf(RLIMIT_STACK);
   if (limit >= kNeeded) return;

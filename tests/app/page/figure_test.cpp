@@ -321,6 +321,8 @@ TEST(StudyFigure, TakesWhatIsExpectedFromItsResult) {
   const Figure figure = readFigure(scene, folder);
   EXPECT_EQ(figure.kind, FigureKind::Study);
   EXPECT_EQ(figure.thumbnail, "small-study.svg");
+  EXPECT_THAT(figure.files, ElementsAre("small-study.png", "small-study.svg", "small-study.pdf",
+                                        "small-study.csv", "small-study-orders.csv"));
   const std::string& text = figure.section.text;
   EXPECT_THAT(text, HasSubstr("order of rk4"));
   EXPECT_THAT(text, HasSubstr("&lt;power&gt;</span></th><td>at least 3.9</td><td>4.01</td><td "

@@ -123,15 +123,7 @@ std::string studySceneChecksum(const scene::Scene& scene) {
 }
 
 std::string mapSceneChecksum(const scene::Scene& scene) {
-  scene::Scene bare = withoutPicture(scene);
-  bare.map = scene.map;
-  scene::MapSettings& map = *bare.map;
-  map.x.label = map.y.label = "";
-  map.colours = {};
-  map.marks.clear();
-  map.expected.clear();
-  map.film.reset();
-  return checksumOf(sceneText(bare));
+  return checksumOf(mapRunsText(scene));
 }
 
 std::string recordOfFilm(const scene::Scene& scene) {

@@ -199,6 +199,10 @@ std::int32_t rb_toml_to_json(std::int32_t length) {
       [&] { return document::jsonOf(document::parseToml(given(length), "scene.toml")); });
 }
 
+std::int32_t rb_json_to_toml(std::int32_t length) {
+  return answerOf([&] { return document::documentText(document::nodeOfJson(given(length))); });
+}
+
 std::int32_t rb_file(std::int32_t nameLength, std::int32_t length) {
   return answerOf([&] {
     takeFile(nameLength, length);

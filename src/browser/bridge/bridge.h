@@ -29,13 +29,19 @@ char* rb_buffer();
 /// Returns its size. [bytes]
 std::int32_t rb_buffer_size();
 
-/// Writes JSON of what a page needs to offer a choice: {"version", "models": [{"name",
-/// "integrators": [names], "normalize": whether it can be chosen, "damping"}]}. Returns its length.
+/// Writes JSON of what a page needs to know of scenes: {"version", "models": [{"name",
+/// "integrators": [names], "integrator": the default}], "keys": {NAME: {"type": "own", "integer",
+/// "number", "vector", "text" or "choice", "unit", "models": those whose motions it changes, "min",
+/// "max" (of texts' characters), "choices"}}, "longestScene" [bytes], "maxNudges"}. Returns its
+/// length.
 std::int32_t rb_words();
 
 /// Parses the TOML text in the buffer's first `length` bytes and writes it as JSON, as it stands:
 /// without defaults. Positive length, or negative with the message.
 std::int32_t rb_toml_to_json(std::int32_t length);
+/// Writes the scene that is JSON in the buffer's first `length` bytes, as the above writes it, as
+/// TOML. Positive length, or negative with the message.
+std::int32_t rb_json_to_toml(std::int32_t length);
 
 /// Files that rb_file() takes.
 enum { kMaxFiles = 16 };
@@ -45,13 +51,12 @@ enum { kMaxFiles = 16 };
 /// negative with the message if the buffer isn't as large, or there are kMaxFiles others.
 std::int32_t rb_file(std::int32_t nameLength, std::int32_t length);
 
-/// Reads the scene in the buffer's first `length` bytes into a slot and writes JSON of it:
-/// {"title", "caption", "frames", "rate": [n, d], "interval": simulated seconds a frame, "motions":
-/// [{"label", "model", "integrator", "substeps", "axis", "body": [x, y, z], "mass", "springs": [[i,
-/// j, length]], "moments": [3], ...}], "camera": {...}, "notes": [texts]}. Positive length;
-/// negative with the message, and the slot keeps what it holds. Motions of more than kMaxFrames
-/// frames are refused. A scene whose motions and frame times are those of the slot's former one
-/// keeps the samples, unless the simulation has failed: so with another camera, look, book,
+/// Reads the scene in the buffer's first `length` bytes into a slot and writes JSON of
+/// what follows from it: {"rate": [n, d], "interval": simulated seconds a frame, "motions":
+/// [{"label", "model", "body": [x, y, z], "springs": [[i, j, length]], "moments": [3]}]}. Positive
+/// length; negative with the message, and the slot keeps what it holds. Motions of more than
+/// kMaxFrames frames are refused. A scene whose scene::motionText() is that of the slot's former
+/// one keeps the samples, unless the simulation has failed: so with another camera, look, book,
 /// overlay, title, label, expectation, study, picture size or encoding. Any other change begins
 /// anew.
 std::int32_t rb_read(std::int32_t slot, std::int32_t length);

@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "bridge/bridge.h"
 #include "scene/reference_frame.h"
+#include "scene/scene_text.h"
 #include "timeline/scene_camera.h"
 
 namespace rotatebook::bridge {
@@ -46,16 +47,7 @@ PlayedScene::PlayedScene(scene::Scene scene)
 }
 
 bool PlayedScene::hasMotionsOf(const scene::Scene& scene) const {
-  const auto isSame = [](const scene::Panel& one, const scene::Panel& other) {
-    return one.motion() == other.motion();
-  };
-  const std::vector<scene::Panel> motions = scene::motionsOf(scene_);
-  const std::vector<scene::Panel> others = scene::motionsOf(scene);
-  const scene::ClipSettings &clip = scene_.clip, &other = scene.clip;
-  return !failure_ && clip.frameRate == other.frameRate &&
-         clip.frameCount() == other.frameCount() && clip.speed == other.speed &&
-         scene_.simulation.timePerFrame == scene.simulation.timePerFrame &&
-         std::equal(motions.begin(), motions.end(), others.begin(), others.end(), isSame);
+  return !failure_ && motionText(scene_) == motionText(scene);
 }
 
 void PlayedScene::replace(scene::Scene scene) {

@@ -7,9 +7,10 @@
 #include "base/json.h"
 #include "base/number_text.h"
 #include "base/version.h"
+#include "document/toml_tree.h"
 #include "physics/motion_start.h"
+#include "scene/key_rows.h"
 #include "scene/names.h"
-#include "timeline/notes.h"
 
 namespace rotatebook::bridge {
 namespace {
@@ -18,9 +19,36 @@ std::string modelJson(const scene::Named<physics::Model>& model) {
   return JsonObject()
       .addString("name", model.name)
       .add("integrators", jsonArrayOf(scene::integratorNames(model.value), jsonString))
-      .addBool("normalize", physics::takesSteps(model.value))
-      .addBool("damping", model.value == physics::Model::Particles)
+      .addStringOrNull("integrator",
+                       takesSteps(model.value)
+                           ? scene::nameOf(scene::kIntegrators, defaultIntegrator(model.value))
+                           : "")
       .text();
+}
+
+/// Returns the JSON of a key: its limits, if it has any, its unit, and the models that it is of.
+std::string keyJson(const scene::KeyRow& key) {
+  using Type = scene::ValueForm::Type;
+  constexpr std::array<std::string_view, 6> kTypes{"own",    "integer", "number",
+                                                   "vector", "text",    "choice"};
+  std::vector<std::string> models;
+  for (const auto& [name, model] : scene::kModels) {
+    if (key.models.have(model)) models.push_back(jsonString(name));
+  }
+  JsonObject object;
+  object.addString("type", kTypes[static_cast<std::size_t>(key.form.type)])
+      .addString("unit", key.unit)
+      .add("models", jsonArray(models));
+  if (key.form.type == Type::Choice)
+    return object.add("choices", jsonArrayOf(key.form.choices, jsonString)).text();
+  if (key.form.type == Type::Own) return object.text();
+  return object.addNumber("min", key.form.min).addNumber("max", key.form.max).text();
+}
+
+std::string keysJson() {
+  JsonObject object;
+  for (const scene::KeyRow& key : scene::allKeys()) object.add(key.name, keyJson(key));
+  return object.text();
 }
 
 /// Returns [[i, j, length]] for the springs between all pairs of corners. [m]
@@ -41,30 +69,13 @@ std::string motionJson(const scene::Panel& panel) {
   JsonObject object;
   object.addString("label", panel.label)
       .addString("model", scene::nameOf(scene::kModels, simulation.model))
-      .addString("integrator", scene::nameOf(scene::kIntegrators, simulation.integrator))
-      .addInteger("substeps", simulation.substeps)
-      .addInteger("normalize_every", simulation.normalizeEvery)
-      .addNumber("damping", simulation.damping)
-      .addNumber("stiffness", simulation.stiffness)
       .add("body", vectorJson(panel.body.size))
-      .addNumber("mass", panel.body.mass)
-      .add("moments", vectorJson(physics::modelInertia(panel.motion()).moments))
-      .add("angular_velocity", vectorJson(physics::initialAngularVelocity(panel.motion())));
+      .add("moments", vectorJson(physics::modelInertia(panel.motion()).moments));
   // A page draws springs between the corners of the cage.
   const bool areCorners = simulation.particles.arrangement == physics::Arrangement::Corners;
   if (simulation.model == physics::Model::Particles && areCorners)
     object.add("springs", springsJson(panel.body));
   return object.text();
-}
-
-std::string cameraJson(const scene::CameraSettings& camera) {
-  return JsonObject()
-      .add("position", vectorJson(camera.position))
-      .add("target", vectorJson(camera.target))
-      .add("up", vectorJson(camera.up))
-      .addNumber("field_of_view", camera.fieldOfViewDeg)
-      .addString("frame", scene::nameOf(scene::kFrames, camera.frame))
-      .text();
 }
 
 }  // namespace
@@ -76,6 +87,9 @@ std::string wordsJson() {
   return JsonObject()
       .addString("version", kVersion)
       .add("models", jsonArrayOf(models, modelJson))
+      .add("keys", keysJson())
+      .addInteger("longestScene", document::kLongestToml)
+      .addInteger("maxNudges", scene::kMaxNudges)
       .text();
 }
 
@@ -83,15 +97,9 @@ std::string sceneJson(const scene::Scene& scene) {
   const std::vector<scene::Panel> motions = scene::motionsOf(scene);
   const FrameRate rate = scene.clip.frameRate;
   return JsonObject()
-      .addString("title", scene.title)
-      .addString("caption", scene.caption)
-      .addInteger("frames", scene.clip.frameCount())
       .add("rate", jsonArray({std::to_string(rate.numerator), std::to_string(rate.denominator)}))
       .addNumber("interval", motions.front().simulation.timePerFrame)
-      .add("size", jsonArray({std::to_string(scene.clip.width), std::to_string(scene.clip.height)}))
       .add("motions", jsonArrayOf(motions, motionJson))
-      .add("camera", cameraJson(scene.camera))
-      .add("notes", jsonArrayOf(timeline::notesOn(scene), jsonString))
       .text();
 }
 

@@ -26,7 +26,7 @@ function lackOf() {
 async function playHash(player) {
   const {hash} = location;
   try {
-    const text = await textOfHash(hash);
+    const text = await textOfHash(hash, player.core.words.longestScene);
     if (text === null || location.hash !== hash) return false;
     player.load(text, {isPlaying: player.mayMove});
     return true;

@@ -17,7 +17,7 @@ class Controls {
     this.refreshers = [];
     this.#makeChoice("axis", kAxes.map((axis) => [axis, axis]), (scene, book) => scene.startAxis(book),
       (axis) => player.startAbout(axis));
-    this.#makeChoice("model", kModels.map((model) => [model, model]), (scene, book) => scene.value(book, "simulation", "model"),
+    this.#makeChoice("model", player.core.words.models.map(({name}) => [name, name]), (scene, book) => scene.value(book, "simulation", "model"),
       (model) => player.apply(player.scene.withModel(player.book, model)));
     this.#makeChoice("books", [["one", "one"], ["same", "two"], ["exact", "two, one exact"]], (scene) => player.booksChoice(scene),
       (choice) => player.setBooks(choice));
@@ -32,6 +32,9 @@ class Controls {
     const {scene, book} = this.player;
     for (const refresh of this.refreshers) refresh(scene, book, scene.value(book, "simulation", "model"));
   }
+
+  /** Returns whether a key changes motions of a model. */
+  #has(model, key) { return this.player.core.words.keys[key].models.includes(model); }
 
   #group(name) { return this.root.querySelector(`[data-group="${name}"]`); }
 
@@ -87,7 +90,7 @@ class Controls {
       {normalize: input.checked, normalize_energy: undefined, remove_drift: undefined})));
     this.#group("motion").append(row);
     this.refreshers.push((scene, book, model) => {
-      row.hidden = !kStepping(model);
+      row.hidden = !this.#has(model, "simulation.normalize");
       const value = scene.value(book, "simulation", "normalize");
       input.checked = value === true;
       input.indeterminate = typeof value === "object";
@@ -99,7 +102,7 @@ class Controls {
     input.addEventListener("change", () => this.player.apply(this.player.scene.withShown(overlay, input.checked)));
     this.#group("shown").append(row);
     this.refreshers.push((scene, book, model) => {
-      row.hidden = overlay === "springs" && !kSprung(model);
+      row.hidden = overlay === "springs" && !this.#has(model, "simulation.stiffness");
       input.checked = scene.shows(overlay);
     });
   }
@@ -108,7 +111,9 @@ class Controls {
     const scale = knob.logarithmic ? Math.log10 : (value) => value;
     const back = knob.logarithmic ? (value) => 10 ** value : (value) => value;
     const range = make("input", {type: "range", min: scale(knob.least), max: scale(knob.most), step: knob.step ?? "any"});
-    const name = knob.unit ? `${knob.label} [${knob.unit}]` : knob.label;
+    const key = `${knob.section}.${knob.key}`, {type, ...known} = this.player.core.words.keys[key];
+    const unit = knob.unit ?? known.unit, isWhole = type === "integer";
+    const name = unit ? `${knob.label} [${unit}]` : knob.label;
     range.setAttribute("aria-label", knob.label);
     const field = make("input", {type: "text", inputMode: "decimal", spellcheck: false, autocomplete: "off"});
     const row = make("div", {className: "rb-row"}, make("span", {className: "rb-name"}, name), range, field);
@@ -121,19 +126,19 @@ class Controls {
     };
     range.addEventListener("input", () => {
       const value = back(Number(range.value));
-      set(knob.whole ? Math.round(value) : Number(value.toPrecision(3)));
+      set(isWhole ? Math.round(value) : Number(value.toPrecision(3)));
     });
-    const isSame = (a, b) => knob.whole && Math.round(back(a)) === Math.round(back(b));
+    const isSame = (a, b) => isWhole && Math.round(back(a)) === Math.round(back(b));
     const next = (value, sign) => scale(Math.round(back(value)) + sign);
     range.addEventListener("keydown", (event) => this.#stepKnob(event, range, isSame, next));
     field.addEventListener("change", () => set(Number(field.value.replace(",", ".") || NaN)));
     this.#group(knob.group).append(row);
     this.refreshers.push((scene, book, model) => {
-      row.hidden = !knob.shown(model, scene, book);
+      const value = Number(get(scene, book));
+      row.hidden = !this.#has(model, key) || Number.isNaN(value);
       if (row.hidden) return;
-      const value = Number(get(scene, book) ?? 0);
       range.value = scale(Math.max(value, knob.logarithmic ? knob.least : -Infinity));
-      range.setAttribute("aria-valuetext", `${short(value)}${knob.unit ? " " + knob.unit : ""}`);
+      range.setAttribute("aria-valuetext", `${short(value)}${unit ? " " + unit : ""}`);
       if (document.activeElement !== field) field.value = short(value);
     });
   }

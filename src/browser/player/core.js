@@ -26,6 +26,7 @@ class Core {
   constructor(module) {
     this.module = module;
     this.buffer = this.#call("buffer");
+    this.size = this.#call("buffer_size");
     this.words = JSON.parse(this.#text(this.#call("words")));
   }
 
@@ -47,7 +48,7 @@ class Core {
 
   #put(text) {
     const bytes = new TextEncoder().encode(text);
-    if (bytes.length > kLargestScene) throw new SceneError("scene.toml: longer than 32 KiB, the limit for a scene");
+    if (bytes.length > this.size) throw new SceneError("scene.toml: longer than 32 KiB, the limit for a scene");
     this.module.HEAPU8.set(bytes, this.buffer);
     return bytes.length;
   }
@@ -59,6 +60,7 @@ class Core {
     return text;
   }
 
+  textOf(tree) { return this.#text(this.#call("json_to_toml", this.#put(JSON.stringify(tree)))); }
   treeOf(text) { return JSON.parse(this.#text(this.#call("toml_to_json", this.#put(text)))); }
   read(slot, text) { return JSON.parse(this.#text(this.#call("read", slot, this.#put(text)))); }
   /** Takes files {name, bytes} that scenes may name, in place of all others. */

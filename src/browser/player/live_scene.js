@@ -1,27 +1,25 @@
 // The state of the player: one scene, as the tree of its TOML.
 
-const kMaxNudges = 100;
 const kStartTilt = 0.014;  // [rad]
 const kStartSpeed = 4;     // [rad/s]
 const kAxes = ["x", "y", "z"];
-const kChanged = ", changed", kLongestTitle = 200;  // [characters]
+const kChanged = ", changed";
 const kTiltToward = {x: "z", y: "x", z: "x"};
 /** Sections that a panel may have of its own. */
 const kPanelSections = ["body", "simulation", "initial", "expect"];
-const kDefaultIntegrator = {particles: "euler", matrix: "rk4", quaternion: "rk4"};
 
 const clone = (tree) => JSON.parse(JSON.stringify(tree));
 
 class LiveScene {
-  /** `tree`: of the scene; `explicit`: of the same with every default, as the core writes it. */
-  constructor(tree, explicit) {
-    this.tree = tree;
-    this.explicit = explicit;
+  /** `tree`: of the scene, whose `text` it is; `explicit`: of the same with every default, as the core writes it; `words`: the core's. */
+  constructor(tree, explicit, text, words) {
+    Object.assign(this, {tree, explicit, text, words});
     this.speeds = [];  // Of each book at the start. [rad/s]
   }
 
   get bookCount() { return this.tree.panel?.length ?? 1; }
-  get text() { return tomlText(this.tree); }
+  /** Returns the same with a changed tree, to change it further. */
+  as(tree) { return new LiveScene(tree, this.explicit, "", this.words); }
 
   /** Returns a key's value for a book, defaults included; undefined if it has none. */
   value(book, section, key) {
@@ -53,7 +51,7 @@ class LiveScene {
       if (tree.grid) delete tree.grid.expect;
       for (const panel of tree.panel ?? []) delete panel.expect;
       if (tree.title && !tree.title.endsWith(kChanged)) {
-        tree.title = [...tree.title].slice(0, kLongestTitle - kChanged.length).join("") + kChanged;
+        tree.title = [...tree.title].slice(0, this.words.keys.title.max - kChanged.length).join("") + kChanged;
       }
       action(tree);
     });
@@ -72,7 +70,7 @@ class LiveScene {
   }
 
   withModel(book, model) {
-    const tree = this.withKeys(book, "simulation", {model, integrator: kDefaultIntegrator[model]});
+    const tree = this.withKeys(book, "simulation", {model, integrator: this.words.models.find(({name}) => name === model).integrator ?? undefined});
     const panel = tree.panel?.[book];
     if (panel?.label === "exact" && model !== "exact") panel.label = "second";
     return tree;
@@ -146,8 +144,8 @@ class LiveScene {
 
   /** Adds a throw at a time [s] along world axes [rad/s], in place of all later ones; the clip lasts until `end` [s] at least. */
   withNudge(at, angularVelocity, end) {
-    const earlier = (this.tree.nudge ?? []).filter((nudge) => LiveScene.#seconds(nudge.at) < at);
-    if (earlier.length >= kMaxNudges) throw new Error(`There are ${kMaxNudges} throws already; reset the book to throw it anew.`);
+    const earlier = (this.explicit.nudge ?? []).filter((nudge) => nudge.at < at), {maxNudges} = this.words;
+    if (earlier.length >= maxNudges) throw new Error(`There are ${maxNudges} throws already; reset the book to throw it anew.`);
     return this.withMotion((tree) => {
       tree.nudge = [...earlier, {at, angular_velocity: angularVelocity, axes: "world"}];
       if (end > this.explicit.clip.duration) tree.clip = {...tree.clip, duration: Number(end.toPrecision(6))};
@@ -155,12 +153,6 @@ class LiveScene {
   }
 
   get nudgeTimes() { return (this.explicit.nudge ?? []).map((nudge) => nudge.at); }
-
-  static #seconds(time) {
-    if (typeof time === "number") return time;
-    const [, number, unit] = /^\s*(\S+)\s*(s|ms|min)\s*$/.exec(time) ?? [];
-    return Number(number) * {s: 1, ms: 0.001, min: 60}[unit];
-  }
 
   /** Adds a second book beside the first, which differs in `sections`. */
   withSecondBook(label, sections) {

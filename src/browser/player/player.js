@@ -69,7 +69,7 @@ class Player {
     try {
       const tree = this.core.treeOf(text);
       if (!this.#play(tree, text, {frame: 0, isPlaying, record, isQuestion})) return false;
-      this.original = tree;
+      this.original = text;
       Object.assign(this.orbit, {right: 0, up: 0, distance: 1});
       return true;
     } catch (error) {
@@ -80,7 +80,7 @@ class Player {
 
   /** Changes the scene to an edited tree, at the picture's frame or another. Returns whether the core takes it. */
   apply(tree, {frame = this.frame, isPlaying = this.clock.isPlaying} = {}) {
-    if (!this.#play(tree, tomlText(tree), {frame, isPlaying})) return false;
+    if (!this.#play(tree, this.core.textOf(tree), {frame, isPlaying})) return false;
     this.edits += 1;
     this.onEdit();
     return true;
@@ -104,21 +104,21 @@ class Player {
     if (!isQuestion) this.predict.leave();
     this.announcer.show(this.drawing.view.isLost ? kInterrupted : "");
     this.record = record;
-    this.#take(tree, read, frame);
+    this.#take(new LiveScene(tree, this.core.treeOf(this.core.sceneText(kPlayed)), text, this.core.words), read, frame);
     this.#setPlaying(isPlaying);
     this.controls?.refresh();
     return true;
   }
 
-  #take(tree, read, frame) {
+  #take(scene, read, frame) {
     this.read = read;
-    this.scene = new LiveScene(tree, this.core.treeOf(this.core.sceneText(kPlayed)));
+    this.scene = scene;
     this.book = Math.min(this.book, read.motions.length - 1);
     this.clock.rate = read.rate[0] / read.rate[1];
     this.timeline.clear(read.motions.length);
     this.checksum = null;
     const ghost = this.scene.ghostTree();
-    this.simulation.begin(ghost && tomlText(ghost));
+    this.simulation.begin(ghost && this.core.textOf(ghost));
     const start = (i, first) => Math.hypot(...this.core.sample(kPlayed, i, 0).subarray(first, first + 3)) || 1;
     this.scales = read.motions.map((motion, i) => ({omega: start(i, kSample.omega), momentum: start(i, kSample.momentum)}));
     this.scene.speeds = this.scales.map(({omega}) => omega);
@@ -261,7 +261,7 @@ class Player {
 
   /** Whatever is begun anew starts to move, unless it was paused. */
   startAbout(axis) { this.apply(this.scene.withStartAbout(this.book, axis), {frame: 0}); }
-  reset() { this.load(tomlText(this.original), {isPlaying: this.clock.isPlaying, record: this.record}); }
+  reset() { this.load(this.original, {isPlaying: this.clock.isPlaying, record: this.record}); }
 
   edit(book) {
     this.book = book;
@@ -276,7 +276,7 @@ class Player {
   }
 
   setBooks(choice) {
-    const one = this.scene.bookCount > 1 ? new LiveScene(this.scene.withOnly(this.book), this.scene.explicit) : this.scene;
+    const one = this.scene.bookCount > 1 ? this.scene.as(this.scene.withOnly(this.book)) : this.scene;
     if (choice === "one") {
       this.apply(one.tree);
       return;
@@ -311,7 +311,7 @@ class Player {
   sharedText() {
     if (!this.isViewMoved || !this.canShareView) return this.scene.text;
     const eye = [...this.core.camera(kPlayed, 0, 0, 16, 9, this.orbit).eye];
-    return tomlText(this.scene.changed((tree) => {
+    return this.core.textOf(this.scene.changed((tree) => {
       tree.camera = {...tree.camera, position: eye.map((part) => Number(part.toPrecision(5)))};
     }));
   }
@@ -333,7 +333,7 @@ class Player {
   }
 
   async #openScene(file, isWanted) {
-    if (file.size > kLargestScene) throw new SceneError("it is longer than 32 KiB, the limit for a scene");
+    if (file.size > this.core.words.longestScene) throw new SceneError("it is longer than 32 KiB, the limit for a scene");
     const text = await readable(file.name, () => file.text());
     if (isWanted()) this.load(text, {isPlaying: this.mayMove});
   }
@@ -346,8 +346,8 @@ class Player {
     this.things = [{name: file.name, bytes}];
     this.core.takeFiles(this.things);
     this.drawing.forgetBodies();
-    for (const tree of scenesOfThing(file.name)) {
-      const text = tomlText(tree);
+    for (const tree of scenesOfThing(file.name, this.core.words.keys.title.max)) {
+      const text = this.core.textOf(tree);
       try {
         this.core.read(kProof, text);
       } catch (error) {

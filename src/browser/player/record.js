@@ -7,6 +7,7 @@ const kCutOff = "The clip is cut off: the file ends within it.";
 const kNoRecord = "This clip has no record of rotatebook, so there is nothing to compare with.";
 const kOtherProgram = "This clip was made by another program: its comment isn’t a record of rotatebook.";
 const kFirstBytes = "# Made by rotatebook ";
+const kLargestRecord = 32 * 1024;  // [bytes]
 const kMaxParts = 10000;  // Clips have a few hundred.
 const kPiece = 65536;     // [bytes]
 const kWebm = {header: 0x1a45dfa3, segment: 0x18538067, tags: 0x1254c367, tag: 0x7373, simpleTag: 0x67c8, name: 0x45a3,
@@ -52,7 +53,7 @@ const fourLetters = (view, offset) => String.fromCharCode(...new Uint8Array(view
 async function recordText(file, begin, end) {
   const length = end - begin, first = await file.read(begin, Math.max(Math.min(length, kFirstBytes.length), 0));
   if (latin1(first) !== kFirstBytes) throw new RecordError(kOtherProgram);
-  if (length > kLargestScene) throw damaged("it is longer than 32 KiB, the limit for a scene.");
+  if (length > kLargestRecord) throw damaged("it is longer than 32 KiB, the limit for a scene.");
   const bytes = await file.read(begin, length);
   try {
     return new TextDecoder("utf-8", {fatal: true}).decode(bytes);

@@ -1,7 +1,6 @@
 // A scene as text that travels: in an address, in the clipboard, in a file.
 
 const kHash = "#play=";
-const kLargestScene = 32 * 1024;  // [bytes], as the program has it.
 
 async function throughStream(bytes, stream, limit = Infinity) {
   const writer = stream.writable.getWriter();
@@ -35,11 +34,11 @@ async function hashOf(text) {
   return kHash + base64UrlOf(packed);
 }
 
-/** Returns the scene's text in a hash, null if the hash has none. Throws if it is damaged. */
-async function textOfHash(hash) {
+/** Returns the scene's text, of up to `longest` bytes, in a hash; null if the hash has none. Throws if it is damaged. */
+async function textOfHash(hash, longest) {
   if (!hash.startsWith(kHash)) return null;
   try {
-    const bytes = await throughStream(bytesOfBase64(hash.slice(kHash.length)), new DecompressionStream("deflate-raw"), kLargestScene);
+    const bytes = await throughStream(bytesOfBase64(hash.slice(kHash.length)), new DecompressionStream("deflate-raw"), longest);
     return new TextDecoder("utf-8", {fatal: true}).decode(bytes);
   } catch (error) {
     throw new Error("The scene in this link can't be read: it is damaged or cut off.", {cause: error});

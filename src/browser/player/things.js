@@ -7,8 +7,8 @@ const kLargestThing = 1e6;  // [bytes]
 const isThing = (name) => kMeshFile.test(name) || kTableFile.test(name);
 
 /** Returns scenes for a file, of which the first that the core accepts is played. */
-function scenesOfThing(file) {
-  const title = file.slice(0, kLongestTitle);
+function scenesOfThing(file, longestTitle) {
+  const title = file.slice(0, longestTitle);
   if (kTableFile.test(file)) {
     // A clip must not be longer than its recording, whose length only the core reads.
     const clips = [{duration: 12}, {duration: 5}, {duration: 5, speed: 0.2}, {duration: 4, speed: 0.1}, {duration: 2, speed: 0.05}];

@@ -95,6 +95,32 @@ std::string describeArray(const TomlNode::Array& array) {
   return "[" + joined(parts) + "]";
 }
 
+std::string keyText(const std::string& key) {
+  constexpr std::string_view kBare =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
+  return key.empty() || key.find_first_not_of(kBare) != key.npos ? tomlString(key) : key;
+}
+
+bool areTables(const TomlNode& node) {
+  const auto* array = std::get_if<TomlNode::Array>(&node.value);
+  return array != nullptr && !array->empty() &&
+         std::ranges::all_of(*array, [](const TomlNode& element) {
+           return std::holds_alternative<TomlNode::Table>(element.value);
+         });
+}
+
+/// Returns a line for each value; those of tables within have dotted keys.
+std::string linesOf(const TomlNode::Table& table, const std::string& prefix = "") {
+  std::string lines;
+  for (const TomlEntry& entry : table) {
+    const std::string key = prefix + keyText(entry.key);
+    const auto* inner = std::get_if<TomlNode::Table>(&entry.node.value);
+    lines += inner != nullptr && !inner->empty() ? linesOf(*inner, key + ".")
+                                                 : key + " = " + tomlText(entry.node) + "\n";
+  }
+  return lines;
+}
+
 }  // namespace
 
 void failAt(const std::string& location, const std::string& problem) {
@@ -155,6 +181,22 @@ std::string tomlText(const TomlNode& node) {
     }
   };
   return std::visit(Printer{}, node.value);
+}
+
+std::string documentText(const TomlNode& root) {
+  std::string text, sections;
+  for (const TomlEntry& entry : std::get<TomlNode::Table>(root.value)) {
+    const std::string key = keyText(entry.key);
+    if (const auto* table = std::get_if<TomlNode::Table>(&entry.node.value)) {
+      sections += "\n[" + key + "]\n" + linesOf(*table);
+    } else if (areTables(entry.node)) {
+      for (const TomlNode& element : std::get<TomlNode::Array>(entry.node.value))
+        sections += "\n[[" + key + "]]\n" + linesOf(std::get<TomlNode::Table>(element.value));
+    } else {
+      text += key + " = " + tomlText(entry.node) + "\n";
+    }
+  }
+  return text + sections;
 }
 
 std::string describe(const TomlNode& node) {

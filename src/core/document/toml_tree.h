@@ -63,6 +63,10 @@ const TomlEntry* find(const TomlNode::Table& table, std::string_view key);
 /// and attachments have no text.
 std::string tomlText(const TomlNode& node);
 
+/// Returns a whole document as TOML, a section for each table and each table of an array, after all
+/// else; it reads back to the same values. `root` must be a table.
+std::string documentText(const TomlNode& root);
+
 /// Returns the description of a value for a message: as TOML writes it if that is short, else in
 /// words.
 std::string describe(const TomlNode& node);

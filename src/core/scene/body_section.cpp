@@ -83,9 +83,9 @@ void readBody(const ValueReader& section, Motion& motion) {
   if (!motion.solid.isBook()) settle(section, motion);
 }
 
-std::string bodyLines(const Motion& motion) {
-  if (motion.solid.isBook()) return linesOf(bodyKeys(), motion.motion());
-  std::string lines = linesOf(solidKeys(), motion.solid);
+std::string bodyLines(const Motion& motion, Printed printed) {
+  if (motion.solid.isBook()) return linesOf(bodyKeys(), motion.motion(), printed);
+  std::string lines = linesOf(solidKeys(), motion.solid, printed);
   const BodyPart* shape = motion.solid.isShape ? &motion.solid.parts.front() : nullptr;
   if (shape != nullptr && shape->density && !motion.solid.mass)
     lines += "density = " + tomlNumber(*shape->density) + "\n";

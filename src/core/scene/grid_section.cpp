@@ -144,23 +144,7 @@ void makePanels(const ReadGridAxis& columns, const ReadGridAxis& rows, const Val
 /// Throws InputError if a key changes nothing in any of the motions.
 void refuseUnusedKey(const ReadGridAxis& axis, const Scene& scene) {
   if (!axis.varied) return;
-  const auto anyIs = [&](physics::Model model) {
-    return std::ranges::any_of(
-        scene.panels, [model](const Panel& panel) { return panel.simulation.model == model; });
-  };
-  const auto allAre = [&](physics::Model model) {
-    return std::ranges::all_of(
-        scene.panels, [model](const Panel& panel) { return panel.simulation.model == model; });
-  };
-  if (isOfParticles(axis.path) && !anyIs(physics::Model::Particles)) {
-    axis.varied->key.fail(axis.path +
-                          " is of the model \"particles\" alone; all books would be the same");
-  }
-  const bool isOfSteps = axis.path.starts_with("simulation.") && axis.path != "simulation.model";
-  if (isOfSteps && allAre(physics::Model::Exact)) {
-    axis.varied->key.fail(axis.path +
-                          ": the model \"exact\" takes no steps; all books would be the same");
-  }
+  refuseUnused(axis.varied->key, axis.path, modelsOf(scene.panels), "books");
 }
 
 void requireCell(const ValueReader& table, const char* side, const std::optional<GridAxis>& axis) {
@@ -214,8 +198,8 @@ void readGrid(const ValueReader& section, const ValueReader& file, Scene& scene)
   refuseManySamples(section, scene);
 }
 
-std::string gridText(const Scene& scene) {
-  return scene.grid ? "\n[grid]\n" + linesOf(gridKeys(), *scene.grid) : "";
+std::string gridText(const Scene& scene, Printed printed) {
+  return scene.grid ? "\n[grid]\n" + linesOf(gridKeys(), *scene.grid, printed) : "";
 }
 
 }  // namespace rotatebook::scene

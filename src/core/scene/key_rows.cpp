@@ -1,17 +1,49 @@
 #include "scene/key_rows.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "base/text.h"
 #include "scene/keys/keys.h"
+#include "scene/names.h"
 #include "scene/sections.h"
 
 namespace rotatebook::scene {
+namespace {
 
-std::vector<KeyRow> allKeys() {
+/// Returns `text` with whatever is in "quotes" as Markdown code.
+std::string quotedAsCode(std::string_view text) {
+  std::string result;
+  bool isQuoted = false;
+  for (const char letter : text) {
+    if (letter != '"') {
+      result += letter;
+      continue;
+    }
+    result += isQuoted ? "\"`" : "`\"";
+    isQuoted = !isQuoted;
+  }
+  return result;
+}
+
+std::string meaningOf(const KeyText& key, const std::string& unit) {
+  const std::string models = key.models == kOfParticles  ? "particles: "
+                             : key.models == kOfRecorded ? "recorded: "
+                             : key.models == kOfRigid    ? "rigid models: "
+                                                         : "";
+  return models + (key.meaning.empty() ? key.comment : key.meaning) +
+         (unit.empty() ? "" : " [" + unit + "]");
+}
+
+std::vector<KeyRow> collectedKeys() {
   std::vector<KeyRow> all = rowsOf("", titleKeys());
-  const auto add = [&all](const std::vector<KeyRow>& rows) {
-    all.insert(all.end(), rows.begin(), rows.end());
+  const auto add = [&all](std::vector<KeyRow> rows, bool ofMotion = false) {
+    for (KeyRow& row : rows) {
+      row.mayVary = ofMotion && row.affects == Affects::Motion;
+      all.push_back(std::move(row));
+    }
   };
-  for (const auto& section : motionSections()) add(section.rows);
+  for (const auto& section : motionSections()) add(section.rows, true);
   for (const auto& section : pictureSections()) add(section.rows);
   add(rowsOf("panel.N.", panelKeys()));
   add(rowsOf("grid.", gridKeys()));
@@ -22,10 +54,67 @@ std::vector<KeyRow> allKeys() {
   return all;
 }
 
+/// Returns the key without the numbers of elements, and without its last part if `isPart`.
+std::string rowName(std::string_view key, bool isPart) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= key.size();) {
+    const std::size_t end = std::min(key.find('.', begin), key.size());
+    const std::string_view part = key.substr(begin, end - begin);
+    const bool isNumber = part.find_first_not_of("0123456789") == part.npos;
+    parts.emplace_back(isNumber && end < key.size() ? "N" : part);
+    begin = end + 1;
+  }
+  if (isPart) parts.pop_back();
+  return joined(parts, ".");
+}
+
+}  // namespace
+
+KeyRow rowOf(std::string name, const KeyText& key, const ValueForm& form, std::string value) {
+  std::string unit(key.unit);
+  if (unit.empty() && form.dimension) unit = unitsOf(*form.dimension).front();
+  return {.name = std::move(name),
+          .byDefault = key.byDefault.empty() ? "`" + value + "`" : key.byDefault,
+          .allowed = quotedAsCode(key.allowed),
+          .meaning = meaningOf(key, unit),
+          .value = std::move(value),
+          .form = form,
+          .unit = unit,
+          .models = key.models,
+          .affects = key.affects};
+}
+
+const std::vector<KeyRow>& allKeys() {
+  static const std::vector<KeyRow> rows = collectedKeys();
+  return rows;
+}
+
+const KeyRow* findKey(std::string_view key) {
+  for (const bool isPart : {false, true}) {
+    const auto row = std::ranges::find(allKeys(), rowName(key, isPart), &KeyRow::name);
+    if (row != allKeys().end()) return &*row;
+  }
+  return nullptr;
+}
+
+std::string axisName(std::string_view key) {
+  const KeyRow* row = findKey(key);
+  const bool hasUnit = row != nullptr && !row->unit.empty();
+  return std::string(key) + (hasUnit ? "  [" + row->unit + "]" : "");
+}
+
+std::string reasonForNoChange(std::string_view key, std::span<const physics::Model> models) {
+  const KeyRow* row = findKey(key);
+  const auto changes = [row](physics::Model model) { return row->models.have(model); };
+  if (row == nullptr || std::ranges::any_of(models, changes)) return "";
+  if (row->models == kOfParticles) return std::string(key) + " is of the model \"particles\" alone";
+  return std::string(key) + ": the model " + tomlString(nameOf(kModels, models.front())) +
+         (row->models == kOfStepwise ? " takes no steps" : " doesn't have it");
+}
+
 std::string sectionsOf(std::string_view key) {
-  static const std::vector<KeyRow> rows = allKeys();
   std::vector<std::string> sections;
-  for (const KeyRow& row : rows) {
+  for (const KeyRow& row : allKeys()) {
     const std::size_t dot = row.name.rfind('.');
     if (std::string_view(row.name).substr(dot + 1) != key) continue;  // npos + 1 is 0
     if (dot == row.name.npos) return "before the first [section]";

@@ -1,17 +1,88 @@
-// The documentation of every key of a scene file, as the tables of docs/scene.md have it. Inside
-// the room only.
+// What is known of every key of a scene file, as data: the tables of docs/scene.md, units in
+// margins, checks of what varies, fingerprints and the live book's controls follow from it.
 #pragma once
 
+#include <cstddef>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "scene/keys/key_row.h"
+#include "base/units.h"
+#include "physics/motion_settings.h"
 
 namespace rotatebook::scene {
 
+inline constexpr std::size_t kMaxNudges = 100;  ///< Of one motion.
+
+/// What a key changes. Whatever changes the motion changes the others, too.
+enum class Affects {
+  Motion,   ///< The motions, or which of them there are.
+  Picture,  ///< How they are drawn and encoded.
+  Text,     ///< Words, and what is expected.
+};
+
+/// The models whose motions a key changes.
+struct KeyModels {
+  unsigned bits = 0;  ///< One for each model.
+
+  constexpr bool have(physics::Model model) const { return bits >> static_cast<int>(model) & 1; }
+  constexpr KeyModels but(KeyModels others) const { return {bits & ~others.bits}; }
+  friend bool operator==(KeyModels, KeyModels) = default;
+};
+
+constexpr KeyModels only(physics::Model model) {
+  return {1u << static_cast<int>(model)};
+}
+
+inline constexpr KeyModels kOfAll{~0u},
+    kOfRecorded = only(physics::Model::Recorded), kOfComputed = kOfAll.but(kOfRecorded),
+    kOfParticles = only(physics::Model::Particles), kOfRigid = kOfComputed.but(kOfParticles),
+    kOfStepwise = kOfComputed.but(only(physics::Model::Exact));
+
+/// The form of a key's value, with its limits.
+struct ValueForm {
+  enum class Type {
+    Own,  ///< One of its own, which KeyRow::allowed describes.
+    Integer,
+    Number,
+    Vector,  ///< Three numbers.
+    Text,
+    Choice,  ///< One of `choices`.
+  };
+
+  Type type = Type::Own;
+  double min = 0, max = 0;  ///< Of each number, in SI units; of a text's characters.
+  std::optional<Dimension> dimension{};
+  std::vector<std::string_view> choices{};
+};
+
+/// A key. Its texts are Markdown.
+struct KeyRow {
+  std::string name;       ///< With its section: "clip.size"; "nudge.N.at" in an array of tables.
+  std::string byDefault;  ///< The value as TOML, or a description of one that depends on others.
+  std::string allowed;    ///< The allowed values, as in messages: "a number".
+  std::string meaning;    ///< With models and unit.
+  std::string value;      ///< The default as TOML; empty if there is none, or it depends on others.
+  ValueForm form;
+  std::string unit;  ///< Of its numbers: "kg m²"; empty if they have none.
+  KeyModels models = kOfAll;
+  Affects affects = Affects::Motion;
+  bool mayVary = false;  ///< In studies, grids and maps: it settles a single motion.
+};
+
 /// Returns all keys, section by section, those of each section in the order of messages.
-std::vector<KeyRow> allKeys();
+const std::vector<KeyRow>& allKeys();
+
+/// Returns the row of a key such as "body.size", of one in an array such as "nudge.0.at", or of the
+/// one that a part such as "initial.tilt.0" is of; null if there is none.
+const KeyRow* findKey(std::string_view key);
+
+/// Returns the name of an axis along which `key` varies: with the unit of its numbers, or a part's.
+std::string axisName(std::string_view key);
+/// Returns why another value of `key` changes no motion of `models`; empty if it changes one.
+std::string reasonForNoChange(std::string_view key, std::span<const physics::Model> models);
 
 /// Returns where a key of that name belongs: "under [body] or [clip]"; empty if nowhere.
 std::string sectionsOf(std::string_view key);

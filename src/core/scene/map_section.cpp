@@ -8,6 +8,7 @@
 #include "scene/keys/keys.h"
 #include "scene/motion_numbers.h"
 #include "scene/sections.h"
+#include "scene/varied_motion.h"
 
 namespace rotatebook::scene {
 namespace {
@@ -22,11 +23,6 @@ struct ReadAxis {
   ValueReader key() const { return *table.find("key"); }
   ValueReader end(const char* name) const { return *table.find(name); }
 };
-
-bool allAre(const std::vector<Panel>& motions, Model model) {
-  return std::ranges::all_of(
-      motions, [model](const Panel& panel) { return panel.simulation.model == model; });
-}
 
 bool anyIs(const std::vector<Panel>& motions, Model model) {
   return std::ranges::any_of(
@@ -74,12 +70,7 @@ void checkMotionKey(const ReadAxis& read, const std::vector<Panel>& motions) {
       number.set(motion, value);
     }
   }
-  if (isOfParticles(key) && !anyIs(motions, Model::Particles)) {
-    place.fail(key + " is of the model \"particles\" alone; all runs would be the same");
-  }
-  if (key.starts_with("simulation.") && allAre(motions, Model::Exact)) {
-    place.fail(key + ": the model \"exact\" takes no steps; all runs would be the same");
-  }
+  refuseUnused(place, key, modelsOf(motions), "runs");
 }
 
 void checkAxis(const ReadAxis& read, const std::vector<Panel>& motions) {
@@ -268,8 +259,8 @@ void readMap(const ValueReader& section, Scene& scene) {
   problems.throwIfAny();
 }
 
-std::string mapText(const Scene& scene) {
-  return scene.map ? "\n[map]\n" + linesOf(mapKeys(), *scene.map) : "";
+std::string mapText(const Scene& scene, Printed printed) {
+  return scene.map ? "\n[map]\n" + linesOf(mapKeys(), *scene.map, printed) : "";
 }
 
 }  // namespace rotatebook::scene

@@ -9,7 +9,6 @@
 
 #include "base/error.h"
 #include "base/nearest_name.h"
-#include "document/overrides.h"
 #include "document/toml_tree.h"
 #include "scene/keys/keys.h"
 
@@ -55,17 +54,15 @@ const Key<S>& keyNamed(const Keys<S>& keys, const Path& path, const Place& place
   document::failAt(place.location, "there is no key " + place.key + didYouMean(path.name, names));
 }
 
-/// Returns the value that `base` has, as the only entry of a table, to put numbers into.
+/// Throws InputError unless the value that `base` has of the key has parts.
 template <typename S>
-TomlNode valueOf(const Key<S>& key, const S& base, const Path& path, const Place& place) {
-  const std::string text = path.within.empty() ? "0" : key.text(base);
-  std::optional<TomlNode> value;
-  if (!text.empty()) value = document::parseTomlValue(text, place.location);
-  if (!value) {
-    document::failAt(place.location, place.key + " is a part of " + path.section + "." + path.name +
-                                         ", which the scene doesn't state; state it");
-  }
-  return {TomlNode::Table{{path.name, place.location, *std::move(value)}}, place.location};
+void requireParts(const Key<S>& key, const S& base, const Path& path, const Place& place) {
+  const std::string whole = path.section + "." + path.name;
+  if (!key.readPart)
+    document::failAt(place.location, whole + " has no parts, and so no " + place.key);
+  if (!key.text(base).empty()) return;
+  document::failAt(place.location, place.key + " is a part of " + whole +
+                                       ", which the scene doesn't state; state it");
 }
 
 /// Returns what puts a number into the key of an S, which `part` finds in a motion.
@@ -74,14 +71,13 @@ SetNumber setterIn(const Keys<S>& keys, Part part, const MotionSettings& base, c
                    const Place& place) {
   const Key<S>& key = keyNamed(keys, path, place);
   MotionSettings copy = base;
-  const TomlNode value = valueOf(key, part(copy), path, place);
-  const std::string full = path.section + "." + path.name;
-  return [=, &key, location = place.location](MotionSettings& motion, double number, bool isWhole) {
-    TomlNode table = value;
-    putValue(table, path.name + (path.within.empty() ? "" : "." + path.within),
-             numberNode(number, isWhole, location), location);
-    const auto& entry = std::get<TomlNode::Table>(table.value).front();
-    key.read(ValueReader(entry.node, full), part(motion));
+  if (!path.within.empty()) requireParts(key, part(copy), path, place);
+  return [=, &key, name = path.section + "." + path.name, location = place.location](
+             MotionSettings& motion, double number, bool isWhole) {
+    const TomlNode node = numberNode(number, isWhole, location);
+    const ValueReader value(node, name);
+    if (path.within.empty()) return key.read(value, part(motion));
+    key.readPart(value, path.within, part(motion));
   };
 }
 

@@ -39,18 +39,18 @@ void checkIntegratorName(const ValueReader& section, physics::Model model) {
 }
 
 /// Returns the lines of all keys but time_per_frame, which panels share.
-std::string simulationLines(const Motion& motion) {
+std::string simulationLines(const Motion& motion, Printed printed) {
   std::string lines;
   for (const auto& key : simulationKeys()) {
-    if (!isTimePerFrame(key)) lines += lineOf(key, motion.simulation);
+    if (!isTimePerFrame(key)) lines += lineOf(key, motion.simulation, printed);
   }
   return lines;
 }
 
 /// Returns the lines of the start; none for a recording, which has its own.
-std::string initialLines(const Motion& motion) {
+std::string initialLines(const Motion& motion, Printed printed) {
   if (motion.simulation.model == physics::Model::Recorded) return "";
-  return linesOf(initialKeys(), motion.initial);
+  return linesOf(initialKeys(), motion.initial, printed);
 }
 
 /// Returns whether the section states a spin. Throws InputError if it states two.
@@ -94,20 +94,22 @@ void readNudges(const ValueReader& value, Motion& motion) {
   std::ranges::stable_sort(motion.nudges, {}, &physics::Nudge::at);
 }
 
-std::vector<std::string> nudgeTables(const Motion& motion) {
+std::vector<std::string> nudgeTables(const Motion& motion, Printed printed) {
   std::vector<std::string> tables;
-  for (const physics::Nudge& nudge : motion.nudges) tables.push_back(linesOf(nudgeKeys(), nudge));
+  for (const physics::Nudge& nudge : motion.nudges) {
+    tables.push_back(linesOf(nudgeKeys(), nudge, printed));
+  }
   return tables;
 }
 
 /// Returns the lines of the quantities, in the order in which they are first expected.
-std::string expectLines(const Motion& motion) {
+std::string expectLines(const Motion& motion, Printed printed) {
   const auto& expectations = motion.expectations;
   std::string lines;
   for (auto one = expectations.begin(); one != expectations.end(); ++one) {
     const auto isSame = [one](const auto& other) { return other.measure == one->measure; };
     if (std::any_of(expectations.begin(), one, isSame)) continue;
-    lines += lineOf(expectKeys()[static_cast<std::size_t>(one->measure)], expectations);
+    lines += lineOf(expectKeys()[static_cast<std::size_t>(one->measure)], expectations, printed);
   }
   return lines;
 }
@@ -142,8 +144,8 @@ void takeClock(const physics::SimulationSettings& clock, physics::SimulationSett
   settings.substepped = clock.substepped;
 }
 
-std::string timePerFrameLine(const physics::SimulationSettings& settings) {
-  return lineOf(*std::ranges::find_if(simulationKeys(), isTimePerFrame), settings);
+std::string timePerFrameLine(const physics::SimulationSettings& settings, Printed printed) {
+  return lineOf(*std::ranges::find_if(simulationKeys(), isTimePerFrame), settings, printed);
 }
 
 void requireSpin(const ValueReader& section) {

@@ -25,8 +25,6 @@ inline constexpr std::size_t kLongestPath = 1000;  ///< Path of a texture.
 /// Most samples of a motion, which take some 400 MB.
 inline constexpr int kMaxFrames = 1'000'000;
 
-inline constexpr std::size_t kMaxNudges = 100;  ///< Of one motion.
-
 inline constexpr std::size_t kMinPanels = 2;
 inline constexpr std::size_t kMaxPanels = 6;
 /// Most samples of all books of a grid.
@@ -56,7 +54,7 @@ std::span<const Section<Motion>> motionSections();
 std::span<const Section<Scene>> pictureSections();
 
 /// Returns the line of simulation.time_per_frame, if clip.speed doesn't say it.
-std::string timePerFrameLine(const physics::SimulationSettings& settings);
+std::string timePerFrameLine(const physics::SimulationSettings& settings, Printed printed);
 
 /// Reads `panels`, [[panel]], the motions that a clip shows side by side. What a panel leaves out
 /// is taken from the sections of `file`, the whole scene file, or else from the defaults. All
@@ -70,7 +68,7 @@ void takeClock(const physics::SimulationSettings& clock, physics::SimulationSett
 /// must be read already; each cell becomes one of its panels. Throws InputError.
 void readGrid(const ValueReader& section, const ValueReader& file, Scene& scene);
 /// Returns [grid] as TOML; empty for a scene without one.
-std::string gridText(const Scene& scene);
+std::string gridText(const Scene& scene, Printed printed);
 
 /// Reads `section`, [study] of `file`, into `scene`, the rest of which must be read already,
 /// because it decides what a study may vary. What the section leaves out is as in defaultStudy()
@@ -85,10 +83,7 @@ std::string studyText(const Scene& scene);
 /// what a map may vary. Throws InputError.
 void readMap(const ValueReader& section, Scene& scene);
 /// Returns [map] as TOML; empty for a scene without a map.
-std::string mapText(const Scene& scene);
-
-/// Returns whether `key`, such as "simulation.stiffness", is of the model "particles" alone.
-bool isOfParticles(std::string_view key);
+std::string mapText(const Scene& scene, Printed printed);
 
 /// Throws InputError if `section`, [initial], has no spin.
 void requireSpin(const ValueReader& section);

@@ -8,19 +8,13 @@
 
 #include <Eigen/Core>
 
+#include "physics/motion_settings.h"
+
 namespace rotatebook::body {
 struct ClosedMesh;
 }
 
 namespace rotatebook::scene {
-
-/// A turn about a coordinate axis.
-struct Turn {
-  double angle = 0;  ///< [rad]
-  int axis = 2;      ///< 0, 1, 2: x, y, z
-
-  friend bool operator==(const Turn&, const Turn&) = default;
-};
 
 /// A shape with its lengths, density and place.
 struct BodyPart {
@@ -29,7 +23,7 @@ struct BodyPart {
   std::optional<double> density{};  ///< Negative for what is taken away; the shape's by default.
                                     ///< [kg/m^3]
   Eigen::Vector3d place{0, 0, 0};   ///< Of the shape's origin. [m]
-  std::optional<Turn> turn{};       ///< Before it is moved to its place.
+  std::optional<physics::Tilt> turn{};  ///< About an axis, before it is moved to its place.
 
   friend bool operator==(const BodyPart&, const BodyPart&) = default;
 };

@@ -29,7 +29,7 @@ Vector3d boxAround(const Vector3d& centre, std::span<const TriangleMesh> meshes)
 
 Matrix3d rotationOf(const BodyPart& part) {
   if (!part.turn) return Matrix3d::Identity();
-  const Turn& turn = *part.turn;
+  const physics::Tilt& turn = *part.turn;
   const double c = cosine(turn.angle), s = sine(turn.angle);
   const int i = (turn.axis + 1) % 3, j = (turn.axis + 2) % 3;
   Matrix3d rotation = Matrix3d::Identity();

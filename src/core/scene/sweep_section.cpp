@@ -1,6 +1,5 @@
 // Reads a sweep, a study over any key: its keys, and the motion of each run.
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -68,19 +67,13 @@ void makeRuns(const ValueReader& section, const ValueReader& file, Scene& scene)
   problems.throwIfAny();
 }
 
-/// Throws InputError if the study varies what only particles have, and has none.
+/// Throws InputError if the study varies what none of its models has.
 void refuseUnusedKeys(const ValueReader& section, const Sweep& sweep) {
-  const auto hasParticles = [](const SweepRun& run) {
-    return run.motion.simulation.model == physics::Model::Particles;
-  };
-  if (std::ranges::any_of(sweep.runs, hasParticles)) return;
-  const auto refuse = [&](const std::string& key, const ValueReader& place) {
-    if (!isOfParticles(key)) return;
-    place.find("over")->fail(key + " is of the model \"particles\" alone, which no run of this " +
-                             "study has; all runs would be the same");
-  };
-  refuse(sweep.over.key, section);
-  if (sweep.curves) refuse(sweep.curves->key, *section.find("curves"));
+  std::vector<physics::Model> models;
+  for (const SweepRun& run : sweep.runs) models.push_back(run.motion.simulation.model);
+  refuseUnused(*section.find("over"), sweep.over.key, models, "runs");
+  if (sweep.curves)
+    refuseUnused(*section.find("curves", "over"), sweep.curves->key, models, "runs");
 }
 
 /// Throws InputError if a study with an interval of its own varies the one that it replaces.
@@ -130,13 +123,6 @@ void refuseOthers(const ValueReader& section) {
 }
 
 }  // namespace
-
-bool isOfParticles(std::string_view key) {
-  constexpr std::array<std::string_view, 5> kOfParticles{
-      "simulation.stiffness", "simulation.damping", "simulation.normalize_energy",
-      "simulation.remove_drift", "simulation.particles"};
-  return std::ranges::count(kOfParticles, key) > 0;
-}
 
 void readSweep(const ValueReader& section, const ValueReader& file, Scene& scene) {
   refuseOthers(section);

@@ -9,6 +9,7 @@
 #include "base/nearest_name.h"
 #include "document/overrides.h"
 #include "document/toml_text.h"
+#include "scene/key_rows.h"
 #include "scene/names.h"
 #include "scene/placed_particles.h"
 #include "scene/sections.h"
@@ -30,7 +31,8 @@ void requireMotionKey(const ValueReader& key) {
   for (const auto& section : physicsSections()) names.push_back(section.name);
   const std::string first = text.substr(0, text.find('.'));
   const bool isSection = std::ranges::count(names, first) > 0;
-  if (isSection && first != text) return;
+  const KeyRow* row = findKey(text);
+  if (row != nullptr ? row->mayVary : isSection && first != text) return;
   key.fail(key.name() + " must be a key of " + quotedList(names, "or") +
            ", such as \"simulation.substeps\", not " + describe(key.node()) +
            (isSection ? "" : didYouMean(first, names)));
@@ -42,6 +44,18 @@ VariedKey variedKeyFrom(const ValueReader& table) {
   const ValueReader key = *table.find("over");
   requireMotionKey(key);
   return {key, statedValues(*table.find("values"))};
+}
+
+std::vector<physics::Model> modelsOf(const std::vector<Panel>& motions) {
+  std::vector<physics::Model> models;
+  for (const Panel& panel : motions) models.push_back(panel.simulation.model);
+  return models;
+}
+
+void refuseUnused(const ValueReader& place, const std::string& key,
+                  const std::vector<physics::Model>& models, const std::string& motions) {
+  const std::string reason = reasonForNoChange(key, models);
+  if (!reason.empty()) place.fail(reason + "; all " + motions + " would be the same");
 }
 
 TomlNode motionPart(const ValueReader& file) {

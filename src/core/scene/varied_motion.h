@@ -21,6 +21,13 @@ struct VariedKey {
 /// motion's sections; whether there is such a key shows when a value is read.
 VariedKey variedKeyFrom(const document::ValueReader& table);
 
+/// Returns the models of motions.
+std::vector<physics::Model> modelsOf(const std::vector<Panel>& motions);
+/// Throws InputError at `place` if `key` changes none of the motions of `models`, which are called
+/// "books" or "runs".
+void refuseUnused(const document::ValueReader& place, const std::string& key,
+                  const std::vector<physics::Model>& models, const std::string& motions);
+
 /// Returns the sections that settle a motion, as far as `file` has them.
 document::TomlNode motionPart(const document::ValueReader& file);
 

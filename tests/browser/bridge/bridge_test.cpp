@@ -283,9 +283,57 @@ TEST(Bridge, GivesATextAsJson) {
   EXPECT_LT(rb_toml_to_json(put("a = ")), 0);
 }
 
+TEST(Bridge, WritesJsonAsASceneOfTheSameValues) {
+  const std::string json =
+      R"({"title": "a \"b\"\n\u0007", "initial": {"angular_velocity": {"about": "middle", )"
+      R"("value": 1e-300}, "tilt": ["1 deg", "z"]}, "overlay": {"words": {"a b": "c"}, "show": []}, )"
+      R"("nudge": [{"at": 1}], "panel": [{"label": "a"}, {"label": "b", "simulation": )"
+      R"({"normalize": true}}], "clip": {"speed": [{"from": 1}]}})";
+  const std::string text = taken(rb_json_to_toml(put(json)));
+  EXPECT_EQ(text, R"(title = "a \"b\"\n\u0007"
+
+[initial]
+angular_velocity.about = "middle"
+angular_velocity.value = 1e-300
+tilt = ["1 deg", "z"]
+
+[overlay]
+words."a b" = "c"
+show = []
+
+[[nudge]]
+at = 1
+
+[[panel]]
+label = "a"
+
+[[panel]]
+label = "b"
+simulation.normalize = true
+
+[clip]
+speed = [{ "from" = 1 }]
+)");
+  EXPECT_EQ(taken(rb_toml_to_json(put(text))), json);
+  EXPECT_LT(rb_json_to_toml(put("{\"a\": null}")), 0);
+  EXPECT_LT(rb_json_to_toml(put("{")), 0);
+}
+
+TEST(Bridge, SaysWhatKeysTakeAndWhoseMotionsTheyChange) {
+  const std::string words = taken(rb_words());
+  EXPECT_THAT(words,
+              HasSubstr(R"("simulation.substeps": {"type": "integer", "unit": "", "models": )"
+                        R"(["particles", "matrix", "quaternion"], "min": 1, "max": 1e+06})"));
+  EXPECT_THAT(words, HasSubstr(R"("simulation.stiffness": {"type": "number", "unit": "N/m", )"
+                               R"("models": ["particles"], )"));
+  EXPECT_THAT(words, HasSubstr(R"("choices": ["none", "size"])"));
+  EXPECT_THAT(words, HasSubstr(R"("longestScene": 32768, "maxNudges": 100})"));
+}
+
 TEST(Bridge, NamesModelsWithTheirIntegrators) {
   const std::string words = taken(rb_words());
-  EXPECT_THAT(words, HasSubstr(R"({"name": "exact", "integrators": [], "normalize": false)"));
+  EXPECT_THAT(words, HasSubstr(R"({"name": "exact", "integrators": [], "integrator": null})"));
+  EXPECT_THAT(words, HasSubstr(R"("integrator": "rk4"})"));
   EXPECT_THAT(words, HasSubstr("\"splitting\""));
 }
 

@@ -86,7 +86,38 @@ TEST(KeyRows, AreInWordsAndEachKeyOnce) {
     EXPECT_FALSE(row.byDefault.empty() || row.byDefault == "``") << row.name;
     EXPECT_FALSE(row.meaning.empty()) << row.name;
     EXPECT_FALSE(row.allowed.empty()) << row.name;
+    EXPECT_TRUE(!row.form.dimension || !row.unit.empty()) << row.name;
+    EXPECT_TRUE(!row.mayVary || row.affects == Affects::Motion) << row.name;
   }
+}
+
+TEST(KeyRows, AreFoundByKeysAndTheirParts) {
+  EXPECT_EQ(findKey("initial.tilt.0")->name, "initial.tilt");
+  EXPECT_EQ(findKey("nudge.12.angular_momentum.2")->name, "nudge.N.angular_momentum");
+  EXPECT_EQ(findKey("title")->name, "title");
+  EXPECT_EQ(findKey("initial.tilts"), nullptr);
+  EXPECT_EQ(findKey(""), nullptr);
+}
+
+TEST(KeyRows, NameAxesWithTheirUnits) {
+  EXPECT_EQ(axisName("body.size.0"), "body.size.0  [m]");
+  EXPECT_EQ(axisName("nudge.0.angular_velocity.1"), "nudge.0.angular_velocity.1  [rad/s]");
+  EXPECT_EQ(axisName("initial.angular_momentum.2"), "initial.angular_momentum.2  [kg m²/s]");
+  EXPECT_EQ(axisName("simulation.stiffness"), "simulation.stiffness  [N/m]");
+  EXPECT_EQ(axisName("simulation.substeps"), "simulation.substeps");
+}
+
+TEST(KeyRows, SayWhatChangesNoMotion) {
+  using physics::Model;
+  const std::vector<Model> rigid{Model::Exact, Model::Quaternion}, exact{Model::Exact},
+      particles{Model::Particles};
+  EXPECT_EQ(reasonForNoChange("simulation.damping", rigid),
+            "simulation.damping is of the model \"particles\" alone");
+  EXPECT_EQ(reasonForNoChange("simulation.substeps", exact),
+            "simulation.substeps: the model \"exact\" takes no steps");
+  EXPECT_EQ(reasonForNoChange("simulation.substeps", rigid), "");
+  EXPECT_EQ(reasonForNoChange("body.inertia.0", particles),
+            "body.inertia.0: the model \"particles\" doesn't have it");
 }
 
 TEST(KeyRows, NameKeysThatAreRead) {

@@ -190,8 +190,8 @@ TEST(SweepSection, RefusesAnIntervalInPlaceOfTheOneThatItVaries) {
 TEST(SweepSection, RefusesToVaryWhatNoRunHas) {
   const std::string rest = "\nvalues = [1, 2]\nmeasure = ['half_turns']";
   EXPECT_EQ(errorOf("[study]\nover = 'simulation.stiffness'" + rest),
-            "a.toml:2:8: simulation.stiffness is of the model \"particles\" alone, which no run of "
-            "this study has; all runs would be the same");
+            "a.toml:2:8: simulation.stiffness is of the model \"particles\" alone; "
+            "all runs would be the same");
   EXPECT_EQ(errorOf("[study]\nover = 'simulation.stiffness'" + rest +
                     "\ncurves = { over = 'simulation.model', values = ['matrix', 'particles'] }"),
             "no error");

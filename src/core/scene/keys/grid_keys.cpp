@@ -101,7 +101,8 @@ const Keys<GridSettings>& gridKeys() {
        {.meaning = "bounds, as in `[expect]`, on the motions of a `column`, of a `row`, or of a "
                    "cell, which is in both",
         .byDefault = "none",
-        .allowed = kExpectedOfCells}},
+        .allowed = kExpectedOfCells,
+        .affects = Affects::Text}},
   };
   return keys;
 }

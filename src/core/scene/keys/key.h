@@ -13,7 +13,7 @@
 #include "base/text.h"
 #include "document/toml_text.h"
 #include "document/value_reader.h"
-#include "scene/keys/key_row.h"
+#include "scene/key_rows.h"
 
 namespace rotatebook::scene {
 
@@ -24,21 +24,31 @@ using document::tomlNumber;
 using document::tomlString;
 using document::ValueReader;
 
-/// The functions that read, print and describe values of one kind.
+/// Reads a number into a part of a value, such as "0" of a vector. Throws InputError if there is no
+/// such part, or the whole isn't allowed then.
+template <typename T>
+using ReadPart = std::function<void(const ValueReader& number, std::string_view part, T& into)>;
+
+/// The functions that read and print values of one kind, and what is known of them.
 template <typename T>
 struct Kind {
   std::function<T(const ValueReader&)> read;  ///< Throws InputError.
   std::function<std::string(const T&)> text;  ///< Prints as TOML.
   std::string allowed;                        ///< As in messages: "a positive number".
   std::string comment{};                      ///< For keys without a comment of their own.
+  ValueForm form{};
+  ReadPart<T> readPart{};  ///< None of values without parts.
 };
 
-/// The documentation of a key. Comments are printed after values; the other texts are Markdown.
+/// What a row says of its key. Comments are printed after values; the other texts are Markdown.
 struct KeyText {
   std::string comment{};    ///< If empty, that of its kind.
-  std::string meaning{};    ///< If empty, the comment.
+  std::string meaning{};    ///< Without unit and models. If empty, the comment.
   std::string byDefault{};  ///< If empty, the default value as TOML.
   std::string allowed{};    ///< If empty, that of its kind.
+  std::string_view unit{};  ///< If empty, the SI's of its form's dimension.
+  KeyModels models = kOfAll;
+  Affects affects = Affects::Motion;
 };
 
 /// A key of a section that is read into an S.
@@ -49,6 +59,8 @@ struct Key {
   /// Prints the value as TOML; empty if there is none to print.
   std::function<std::string(const S&)> text;
   KeyText documentation;
+  ValueForm form{};
+  ReadPart<S> readPart{};  ///< None of values without parts.
 };
 
 template <typename S>
@@ -59,6 +71,18 @@ template <typename S, typename Field, typename T>
 Key<S> keyAt(std::string_view name, Field field, const Kind<T>& kind, KeyText documentation = {}) {
   if (documentation.comment.empty()) documentation.comment = kind.comment;
   if (documentation.allowed.empty()) documentation.allowed = kind.allowed;
+  ReadPart<S> readPart;
+  if (kind.readPart) {
+    readPart = [field, read = kind.readPart](const ValueReader& number, std::string_view part,
+                                             S& into) {
+      auto& value = std::invoke(field, into);
+      if constexpr (std::is_same_v<decltype(value), std::optional<T>&>) {
+        read(number, part, *value);
+      } else {
+        read(number, part, value);
+      }
+    };
+  }
   return {name,
           [field, read = kind.read](const ValueReader& value, S& into) {
             std::invoke(field, into) = read(value);
@@ -71,7 +95,9 @@ Key<S> keyAt(std::string_view name, Field field, const Kind<T>& kind, KeyText do
               return text(value);
             }
           },
-          std::move(documentation)};
+          std::move(documentation),
+          kind.form,
+          std::move(readPart)};
 }
 
 /// Like keyAt(), for a member of S.
@@ -79,6 +105,13 @@ template <typename S, typename Member, typename T>
 Key<S> key(std::string_view name, Member S::*member, const Kind<T>& kind,
            KeyText documentation = {}) {
   return keyAt<S>(name, member, kind, std::move(documentation));
+}
+
+/// Returns keys all of which affect that alone.
+template <typename S>
+Keys<S> allOf(Affects affects, Keys<S> keys) {
+  for (Key<S>& key : keys) key.documentation.affects = affects;
+  return keys;
 }
 
 /// Returns a field for each key; its value is passed to `read(key, value)`.
@@ -99,21 +132,29 @@ void readKeys(const ValueReader& section, const Keys<S>& keys, S& into) {
       keys, [&into](const Key<S>& key, const ValueReader& value) { key.read(value, into); }));
 }
 
+/// The keys that are printed.
+enum class Printed {
+  All,
+  OfMotion,  ///< Those that affect the motion, without comments.
+};
+
 /// Returns "KEY = VALUE  # COMMENT"; empty if there is no value to print.
 template <typename S>
-std::string lineOf(const Key<S>& key, const S& from) {
+std::string lineOf(const Key<S>& key, const S& from, Printed printed = Printed::All) {
+  const bool isAll = printed == Printed::All;
+  if (!isAll && key.documentation.affects != Affects::Motion) return "";
   const std::string text = key.text(from);
   if (text.empty()) return "";
-  const std::string comment =
-      key.documentation.comment.empty() ? "" : "  # " + key.documentation.comment;
-  return std::string(key.name) + " = " + text + comment + "\n";
+  const std::string& comment = key.documentation.comment;
+  return std::string(key.name) + " = " + text +
+         (isAll && !comment.empty() ? "  # " + comment : "") + "\n";
 }
 
-/// Returns the lines of all keys.
+/// Returns the lines of the keys.
 template <typename S>
-std::string linesOf(const Keys<S>& keys, const S& from) {
+std::string linesOf(const Keys<S>& keys, const S& from, Printed printed = Printed::All) {
   std::string lines;
-  for (const Key<S>& key : keys) lines += lineOf(key, from);
+  for (const Key<S>& key : keys) lines += lineOf(key, from, printed);
   return lines;
 }
 
@@ -128,19 +169,17 @@ std::string inlineTable(const Keys<S>& keys, const S& from) {
   return "{ " + joined(parts) + " }";
 }
 
-/// Returns `text` with whatever is in "quotes" as Markdown code.
-std::string quotedAsCode(std::string_view text);
+/// Returns the row of a key whose default is `value`, as TOML.
+KeyRow rowOf(std::string name, const KeyText& key, const ValueForm& form, std::string value);
 
-/// Returns the documentation of the keys; `section` is empty, or ends in a dot.
+/// Returns the rows of the keys; `section` is empty, or ends in a dot.
 template <typename S>
 std::vector<KeyRow> rowsOf(std::string_view section, const Keys<S>& keys) {
   std::vector<KeyRow> rows;
-  for (const auto& [name, read, text, documentation] : keys) {
-    rows.push_back(
-        {std::string(section) + std::string(name),
-         documentation.byDefault.empty() ? "`" + text(S{}) + "`" : documentation.byDefault,
-         quotedAsCode(documentation.allowed),
-         documentation.meaning.empty() ? documentation.comment : documentation.meaning});
+  for (const Key<S>& key : keys) {
+    const bool isStated = key.documentation.byDefault.empty();
+    rows.push_back(rowOf(std::string(section) + std::string(key.name), key.documentation, key.form,
+                         isStated ? key.text(S{}) : ""));
   }
   return rows;
 }

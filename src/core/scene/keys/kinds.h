@@ -22,6 +22,10 @@ namespace rotatebook::scene {
 inline constexpr NumberRange kDirections{
     "three numbers from -1e9 to 1e9, at least one other than 0", -1e9, 1e9};
 
+ValueForm integerForm(int min, int max);
+/// Returns the form of one number, or of three, within `range`.
+ValueForm formOf(ValueForm::Type type, const NumberRange& range);
+
 Kind<int> integer(int min, int max);
 Kind<double> number(const NumberRange& range);
 /// Strings of at most `most` characters, on one line.
@@ -37,11 +41,19 @@ template <typename T, std::size_t N>
 T choiceFrom(const ValueReader& value, const std::array<Named<T>, N>& choices) {
   return choices[value.choice(namesOf(choices))].value;
 }
+/// Throws InputError for directionFrom()'s reasons.
+void requireDirection(const ValueReader& value, const Eigen::Vector3d& direction,
+                      const NumberRange& range = kDirections);
+/// Reads the element "0", "1" or "2".
+void readElement(const ValueReader& number, std::string_view part, const NumberRange& range,
+                 Eigen::Vector3d& into);
 Kind<Eigen::Vector3d> vector(const NumberRange& range);
 /// Vectors that aren't zero.
 Kind<Eigen::Vector3d> direction();
 
 Kind<Rgb> colour();
+/// An angle and the axis that it is about, or toward; the angle is its part "0".
+Kind<physics::Tilt> angleAboutAxis();
 
 /// Returns "[1.0, 2.0, 3.0]".
 std::string vectorText(const Eigen::Vector3d& vector);
@@ -63,9 +75,13 @@ std::string quotedName(const std::array<Named<T>, N>& choices, const T& value) {
 /// Values that are one of `choices`, which must outlive it. Their names are the comment, too.
 template <typename T, std::size_t N>
 Kind<T> oneOf(const std::array<Named<T>, N>& choices) {
-  const std::string names = quotedList(namesOf(choices), "or");
+  const auto names = namesOf(choices);
+  const std::string allowed = quotedList(names, "or");
   return {[&choices](const ValueReader& value) { return choiceFrom(value, choices); },
-          [&choices](const T& value) { return quotedName(choices, value); }, names, names};
+          [&choices](const T& value) { return quotedName(choices, value); },
+          allowed,
+          allowed,
+          {.type = ValueForm::Type::Choice, .choices = {names.begin(), names.end()}}};
 }
 
 }  // namespace rotatebook::scene

@@ -325,11 +325,11 @@ const Keys<MapSettings>& mapKeys() {
         .allowed = kExpectedSize}},
       key("duration", &MapSettings::duration, number(kMapTimes),
           {.comment = "s, length of the motions",
-           .meaning = "length of the motions, whatever the clip's [s]",
+           .meaning = "length of the motions, whatever the clip's",
            .byDefault = "the clip's"}),
       key("interval", &MapSettings::interval, number(kMapTimes),
           {.comment = "s from look to look",
-           .meaning = "time from one look at a motion to the next, whatever its steps [s]",
+           .meaning = "time from one look at a motion to the next, whatever its steps",
            .byDefault = "that from frame to frame"}),
       key("colours", &MapSettings::colours,
           Kind<MapColours>{coloursFrom,
@@ -338,18 +338,22 @@ const Keys<MapSettings>& mapKeys() {
                            {}},
           {.meaning =
                "the colours, and the values of the first and the last; see [maps](map.md#colours)",
-           .byDefault = "`{ palette = \"inferno\", scale = \"linear\" }`"}),
+           .byDefault = "`{ palette = \"ember\", scale = \"linear\" }`",
+           .affects = Affects::Picture}),
       key("marks", &MapSettings::marks, marks(),
           {.meaning = "points to mark, each with its value; see [maps](map.md#colours)",
-           .byDefault = "none"}),
+           .byDefault = "none",
+           .affects = Affects::Picture}),
       key("expect", &MapSettings::expected, expectations(),
           {.meaning = "bounds on the smallest, largest or mean value, a share of the runs or one "
                       "value; see [maps](map.md#expectations)",
-           .byDefault = "none"}),
+           .byDefault = "none",
+           .affects = Affects::Text}),
       key("film", &MapSettings::film, film(),
           {.meaning = "the part of the map that `rotatebook map --film` zooms into, and the "
                       "film's length; see [maps](map.md#films)",
-           .byDefault = "none"}),
+           .byDefault = "none",
+           .affects = Affects::Picture}),
   };
   return keys;
 }

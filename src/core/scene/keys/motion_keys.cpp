@@ -29,13 +29,9 @@ constexpr NumberRange kSizes{"three lengths from 1e-6 to 1e6 m", 1e-6, 1e6, Dime
 constexpr NumberRange kMass{"a mass from 1e-9 to 1e9 kg", 1e-9, 1e9, Dimension::Mass};
 constexpr NumberRange kMoments{"three moments of inertia up to 1e21 kg m^2", -1e21, 1e21};
 constexpr NumberRange kRow{"rows of three numbers up to 1e21 kg m^2", -1e21, 1e21};
-constexpr NumberRange kTilt{"an angle from -1e6 to 1e6 rad", -kLargestAngle, kLargestAngle,
-                            Dimension::Angle};
 constexpr NumberRange kNudgeTimes{"a time over 0 and up to 1e100 s", Limits::denorm_min(), 1e100,
                                   Dimension::Time};
 constexpr const char* kExpectedBounds = "a table such as { min = 1.0 } or an array of them";
-constexpr const char* kExpectedTilt =
-    "an angle and an axis, such as [0.02, \"z\"] or [\"1 deg\", \"z\"]";
 constexpr NumberRange kNotNegative{"zero or a positive number", 0, Limits::max()};
 constexpr NumberRange kWindowTimes{kNotNegative.expected, 0, kNotNegative.max, Dimension::Time};
 
@@ -52,6 +48,13 @@ Eigen::Matrix3d inertiaFrom(const ValueReader& value) {
   }
   failAtValue(value, [&] { rigid::checkInertia(tensor); });
   return tensor;
+}
+
+void readMoment(const ValueReader& number, std::string_view part, Eigen::Matrix3d& tensor) {
+  Eigen::Vector3d moments = tensor.diagonal();
+  readElement(number, part, kMoments, moments);
+  tensor.diagonal() = moments;
+  failAtValue(number, [&] { rigid::checkInertia(tensor); });
 }
 
 std::string inertiaText(const Eigen::Matrix3d& tensor) {
@@ -99,11 +102,16 @@ std::string aboutText(const physics::SpinAbout& about) {
 
 /// Returns a key of one of the kinds in which the spin S is given.
 template <typename S>
-Key<S> spinKey(physics::SpinKind kind, const std::string& unit, KeyText documentation) {
+Key<S> spinKey(physics::SpinKind kind, KeyText documentation) {
+  const bool isVelocity = kind == physics::SpinKind::AngularVelocity;
   documentation.allowed = direction().allowed;
-  documentation.comment = unit;
+  documentation.comment = isVelocity ? "rad/s" : "kg m^2/s";
+  documentation.unit = isVelocity ? "rad/s" : "kg m²/s";
+  documentation.models = kOfComputed;
+  NumberRange range = kDirections;
+  if (isVelocity) range.dimension = Dimension::AngularVelocity;
   return {nameOf(kSpinKinds, kind),
-          [kind](const ValueReader& value, S& spin) {
+          [kind, range](const ValueReader& value, S& spin) {
             spin.kind = kind;
             if constexpr (std::is_same_v<S, InitialSpin>) {
               spin.about.reset();
@@ -113,9 +121,6 @@ Key<S> spinKey(physics::SpinKind kind, const std::string& unit, KeyText document
               }
             }
             if (std::holds_alternative<std::string>(value.node().value)) refuseText(value, kind);
-            NumberRange range = kDirections;
-            if (kind == physics::SpinKind::AngularVelocity)
-              range.dimension = Dimension::AngularVelocity;
             spin.value = directionFrom(value, range);
           },
           [kind](const S& spin) -> std::string {
@@ -125,21 +130,12 @@ Key<S> spinKey(physics::SpinKind kind, const std::string& unit, KeyText document
             }
             return vectorText(spin.value);
           },
-          std::move(documentation)};
-}
-
-physics::Tilt tiltFrom(const ValueReader& value) {
-  const auto parts = value.elements(2, kExpectedTilt);
-  physics::Tilt tilt;
-  readEach(parts, [&](const ValueReader& part) {
-    if (&part == &parts[0]) tilt.angle = part.number(kTilt);
-    if (&part == &parts[1]) tilt.axis = choiceFrom(part, kAxes);
-  });
-  return tilt;
-}
-
-std::string tiltText(const physics::Tilt& tilt) {
-  return "[" + tomlNumber(tilt.angle) + ", " + quotedName(kAxes, tilt.axis) + "]";
+          std::move(documentation),
+          formOf(ValueForm::Type::Vector, range),
+          [range](const ValueReader& number, std::string_view part, S& spin) {
+            readElement(number, part, range, spin.value);
+            requireDirection(number, spin.value, range);
+          }};
 }
 
 const Keys<Expectation>& windowedBoundKeys() {
@@ -200,7 +196,8 @@ Key<std::vector<Expectation>> measureKey(Measure measure) {
           },
           {.meaning = std::string(rowOf(measure).meaning),
            .byDefault = "none",
-           .allowed = kExpectedBounds}};
+           .allowed = kExpectedBounds,
+           .affects = Affects::Text}};
 }
 
 std::string labelFrom(const ValueReader& value) {
@@ -218,12 +215,15 @@ const Keys<MotionSettings>& bodyKeys() {
           {.comment = "m, along x (from the spine), y (to the top), z (to the cover)",
            .meaning = "along x, y, z"}),
       keyAt<MotionSettings>("mass", [](auto& motion) -> auto& { return motion.body.mass; },
-                            number(kMass), {.comment = "kg", .meaning = "[kg]"}),
-      key("inertia", &MotionSettings::inertia, Kind<Eigen::Matrix3d>{inertiaFrom, inertiaText, {}},
+                            number(kMass), {.comment = "kg", .meaning = "in all"}),
+      key("inertia", &MotionSettings::inertia,
+          Kind<Eigen::Matrix3d>{inertiaFrom, inertiaText, "", "", {}, readMoment},
           {.comment = "kg m^2, in place of the solid cuboid's",
-           .meaning = "for rigid models [kg m²]",
+           .meaning = "about the book's axes",
            .byDefault = "the solid cuboid's",
-           .allowed = "three moments, or a symmetric 3x3 tensor"}),
+           .allowed = "three moments, or a symmetric 3x3 tensor",
+           .unit = "kg m²",
+           .models = kOfRigid}),
   };
   return keys;
 }
@@ -231,15 +231,16 @@ const Keys<MotionSettings>& bodyKeys() {
 const Keys<InitialSpin>& initialKeys() {
   static const Keys<InitialSpin> keys{
       spinKey<InitialSpin>(
-          physics::SpinKind::AngularVelocity, "rad/s",
-          {.meaning = "[rad/s]", .byDefault = "required, unless the next is given"}),
+          physics::SpinKind::AngularVelocity,
+          {.meaning = "at the start", .byDefault = "required, unless the next is given"}),
       spinKey<InitialSpin>(
-          physics::SpinKind::AngularMomentum, "kg m^2/s",
-          {.meaning = "[kg m²/s]", .byDefault = "required, unless the one before is given"}),
-      key("tilt", &InitialSpin::tilt, Kind<physics::Tilt>{tiltFrom, tiltText, kExpectedTilt},
+          physics::SpinKind::AngularMomentum,
+          {.meaning = "at the start", .byDefault = "required, unless the one before is given"}),
+      key("tilt", &InitialSpin::tilt, angleAboutAxis(),
           {.comment = "rad, and the axis toward which the spin is turned",
-           .meaning = "turns the vector given above toward the axis [rad]",
-           .byDefault = "none"}),
+           .meaning = "turns the vector given above toward the axis",
+           .byDefault = "none",
+           .models = kOfComputed}),
   };
   return keys;
 }
@@ -248,16 +249,17 @@ const Keys<physics::Nudge>& nudgeKeys() {
   static const Keys<physics::Nudge> keys{
       key("at", &physics::Nudge::at, number(kNudgeTimes),
           {.comment = "s, of simulated time",
-           .meaning = "when, of simulated time [s]",
-           .byDefault = "required"}),
-      spinKey<physics::Nudge>(physics::SpinKind::AngularVelocity, "rad/s",
-                              {.meaning = "what is added to the spin [rad/s]",
+           .meaning = "when, of simulated time",
+           .byDefault = "required",
+           .models = kOfComputed}),
+      spinKey<physics::Nudge>(physics::SpinKind::AngularVelocity,
+                              {.meaning = "what is added to the spin",
                                .byDefault = "required, unless the next is given"}),
-      spinKey<physics::Nudge>(physics::SpinKind::AngularMomentum, "kg m^2/s",
-                              {.meaning = "what is added to it [kg m²/s]",
+      spinKey<physics::Nudge>(physics::SpinKind::AngularMomentum,
+                              {.meaning = "what is added to it",
                                .byDefault = "required, unless the one before is given"}),
       key("axes", &physics::Nudge::axes, oneOf(kNudgeAxes),
-          {.meaning = "the axes that it is along, at that moment"}),
+          {.meaning = "the axes that it is along, at that moment", .models = kOfComputed}),
   };
   return keys;
 }
@@ -276,7 +278,8 @@ const Keys<Panel>& panelKeys() {
       key("label", &Panel::label,
           Kind<std::string>{labelFrom, tomlString, document::expectedString(kLongestLabel)},
           {.meaning = "shown in the picture and the report, and part of the CSV file's name",
-           .byDefault = "required"}),
+           .byDefault = "required",
+           .affects = Affects::Text}),
   };
   return keys;
 }

@@ -59,6 +59,7 @@ Kind<std::string> optionalText(std::string (*read)(const ValueReader&), std::str
 template <typename Field, typename T>
 Key<SimulationSettings> recordedKey(std::string_view name, Field field, const Kind<T>& kind,
                                     KeyText documentation) {
+  documentation.models = kOfRecorded;
   return keyAt<SimulationSettings>(
       name, [field](auto& settings) -> auto& { return settings.recorded.*field; }, kind,
       std::move(documentation));
@@ -71,43 +72,40 @@ const Keys<SimulationSettings>& recordedKeys() {
       recordedKey("file", &RecordedFile::file,
                   optionalText([](const ValueReader& value) { return value.text(kLongestPath); },
                                "a path relative to the scene's folder"),
-                  {.meaning = "recorded: a table (CSV), see [recorded motion](recorded.md)",
+                  {.meaning = "a table (CSV), see [recorded motion](recorded.md)",
                    .byDefault = "required for `\"recorded\"`"}),
       recordedKey("columns", &RecordedFile::columns,
                   Kind<Columns>{columnsFrom, columnsText,
                                 "a table such as { time = \"t\", wx = \"Gyro X\" }"},
-                  {.meaning = "recorded: the names of columns without a usual one",
+                  {.meaning = "the names of columns without a usual one",
                    .byDefault = "[usual names](recorded.md#columns)"}),
-      recordedKey(
-          "time_unit", &RecordedFile::timeUnit,
-          optionalText(wordFrom<recording::kTimeUnits>, "\"s\", \"ms\", \"us\" or \"ns\""),
-          {.meaning = "recorded: the unit of the file's times", .byDefault = "the header's"}),
-      recordedKey(
-          "rates", &RecordedFile::rates,
-          optionalText(wordFrom<recording::kRateUnits>, "\"rad/s\" or \"deg/s\""),
-          {.meaning = "recorded: the unit of a gyroscope's rates", .byDefault = "the header's"}),
+      recordedKey("time_unit", &RecordedFile::timeUnit,
+                  optionalText(wordFrom<recording::kTimeUnits>, "\"s\", \"ms\", \"us\" or \"ns\""),
+                  {.meaning = "the unit of the file's times", .byDefault = "the header's"}),
+      recordedKey("rates", &RecordedFile::rates,
+                  optionalText(wordFrom<recording::kRateUnits>, "\"rad/s\" or \"deg/s\""),
+                  {.meaning = "the unit of a gyroscope's rates", .byDefault = "the header's"}),
       recordedKey("rates_along", &RecordedFile::ratesAlong,
                   optionalText(wordFrom<recording::kRateAxes>, "\"world\" or \"body\""),
-                  {.meaning = "recorded: whose axes the rates beside attitudes are along",
+                  {.meaning = "whose axes the rates beside attitudes are along",
                    .byDefault = "`\"body\"` for a gyroscope's columns, `\"world\"` for others"}),
       recordedKey("from", &RecordedFile::from, number(kFileTimes),
-                  {.meaning = "recorded: where the motion starts, of the file's times",
+                  {.meaning = "where the motion starts, of the file's times",
                    .byDefault = "the first row"}),
       recordedKey("to", &RecordedFile::to, number(kFileTimes),
-                  {.meaning = "recorded: where it ends, likewise", .byDefault = "the last row"}),
+                  {.meaning = "where it ends, likewise", .byDefault = "the last row"}),
       recordedKey(
           "bias", &RecordedFile::bias,
           Kind<Eigen::Vector3d>{
               [](const ValueReader& value) { return vectorFrom(value, kBias); },
               [](const Eigen::Vector3d& bias) { return bias.isZero(0) ? "" : vectorText(bias); },
               std::string(kBias.expected)},
-          {.meaning = "recorded: subtracted from a gyroscope's rates [rad/s]",
-           .byDefault = "none"}),
-      recordedKey("checksum", &RecordedFile::checksum,
-                  optionalText([](const ValueReader& value) { return value.text(kLongestName); },
-                               "32 hexadecimal digits"),
-                  {.meaning = "recorded: XXH128 of the file, which must have it",
-                   .byDefault = "that of the file"}),
+          {.meaning = "subtracted from a gyroscope's rates", .byDefault = "none", .unit = "rad/s"}),
+      recordedKey(
+          "checksum", &RecordedFile::checksum,
+          optionalText([](const ValueReader& value) { return value.text(kLongestName); },
+                       "32 hexadecimal digits"),
+          {.meaning = "XXH128 of the file, which must have it", .byDefault = "that of the file"}),
   };
   return keys;
 }

@@ -18,10 +18,11 @@ template <typename Owner>
 struct Section {
   std::string_view name;
   std::function<void(const ValueReader&, Owner&)> read;  ///< Throws InputError.
-  std::function<std::string(const Owner&)> lines;        ///< Prints as TOML, without the header.
-  std::vector<KeyRow> rows;                              ///< For the documentation.
+  /// Prints as TOML, without the header.
+  std::function<std::string(const Owner&, Printed)> lines;
+  std::vector<KeyRow> rows;  ///< For the documentation.
   /// Prints each table of an array of tables, likewise, in place of `lines`.
-  std::function<std::vector<std::string>(const Owner&)> tables{};
+  std::function<std::vector<std::string>(const Owner&, Printed)> tables{};
 };
 
 /// Returns the section whose keys are read into what `part` finds in an Owner. `finish` checks them
@@ -35,9 +36,9 @@ Section<Owner> section(std::string_view name, Part part, const Keys<S>& keys,
             readKeys(value, keys, into);
             if (finish != nullptr) finish(value, into);
           },
-          [=, &keys](const Owner& owner) {
+          [=, &keys](const Owner& owner, Printed printed) {
             const S& from = std::invoke(part, owner);
-            return linesOf(keys, from);
+            return linesOf(keys, from, printed);
           },
           rowsOf(std::string(name) + ".", keys)};
 }
@@ -55,15 +56,17 @@ void addFields(std::vector<Field>& fields, std::span<const Section<Owner>> secti
 /// are left out. `parent` is empty, or the prefix of their names: "panel.".
 template <typename Owner>
 std::string textOf(std::span<const Section<Owner>> sections,
-                   const std::type_identity_t<Owner>& owner, const std::string& parent = "") {
+                   const std::type_identity_t<Owner>& owner, Printed printed,
+                   const std::string& parent = "") {
   std::string text;
   for (const Section<Owner>& one : sections) {
     const std::string name = parent + std::string(one.name);
     if (one.tables) {
-      for (const std::string& table : one.tables(owner)) text += "\n[[" + name + "]]\n" + table;
+      for (const std::string& table : one.tables(owner, printed))
+        text += "\n[[" + name + "]]\n" + table;
       continue;
     }
-    const std::string lines = one.lines(owner);
+    const std::string lines = one.lines(owner, printed);
     if (!lines.empty()) text += "\n[" + name + "]\n" + lines;
   }
   return text;

@@ -63,7 +63,13 @@ Kind<int> everyStep() {
             if (every > 1) return "{ every = " + std::to_string(every) + " }";
             return every == 1 ? "true" : "false";
           },
-          kExpectedEvery};
+          kExpectedEvery,
+          "",
+          {},
+          [](const ValueReader& steps, std::string_view part, int& every) {
+            if (part != "every") steps.mismatch(kExpectedEvery);
+            every = steps.integer(1, kMaxInterval);
+          }};
 }
 
 void readTimePerFrame(const ValueReader& value, SimulationSettings& settings) {
@@ -132,32 +138,41 @@ const Keys<SimulationSettings>& simulationKeys() {
            integratorText,
            {.meaning = "see [integrators](motion.md#integrators)",
             .byDefault = "`\"rk4\"`; for particles `\"euler\"`",
-            .allowed = "one of the model's integrators"}},
+            .allowed = "one of the model's integrators",
+            .models = kOfStepwise}},
           key("normalize", &SimulationSettings::normalizeEvery, everyStep(),
               {.comment = "undo the integrator's drift after each step, or after each n-th",
-               .meaning = "undo the integrator's drift, see [normalising](motion.md#normalising)"}),
+               .meaning = "undo the integrator's drift, see [normalising](motion.md#normalising)",
+               .models = kOfStepwise}),
           key("normalize_energy", &SimulationSettings::normalizeEnergyEvery, everyStep(),
-              {.meaning = "particles: scale the velocities to the energy at the start",
-               .byDefault = "as `normalize`"}),
+              {.meaning = "scale the velocities to the energy at the start",
+               .byDefault = "as `normalize`",
+               .models = kOfParticles}),
           key("remove_drift", &SimulationSettings::removeDriftEvery, everyStep(),
-              {.meaning = "particles: bring the centre of mass to rest at the origin",
-               .byDefault = "as `normalize`"}),
+              {.meaning = "bring the centre of mass to rest at the origin",
+               .byDefault = "as `normalize`",
+               .models = kOfParticles}),
           key("damping", &SimulationSettings::damping, number(kFactors),
               {.comment = "particles: fraction of critical damping",
-               .meaning = "particles: of each spring, as a fraction of 2√(km)"}),
+               .meaning = "of each spring, as a fraction of 2√(km)",
+               .models = kOfParticles}),
           key("stiffness", &SimulationSettings::stiffness, number(kPositive),
               {.comment = "particles: N/m, of each spring",
-               .meaning = "particles: of each spring [N/m]"}),
+               .meaning = "of each spring",
+               .unit = "N/m",
+               .models = kOfParticles}),
           key("particles", &SimulationSettings::particles, arrangement(),
               {.comment = "particles: where they are",
-               .meaning = "particles: where they are, see [bodies](bodies.md#particles)"}),
+               .meaning = "where they are, see [bodies](bodies.md#particles)",
+               .models = kOfParticles}),
           {"time_per_frame",
            readTimePerFrame,
            timePerFrameText,
            {.comment = "s simulated for each frame of video",
             .meaning = "simulated time from a frame to the next, in place of `clip.speed`",
             .byDefault = "as `clip.speed` says",
-            .allowed = std::string(kStepTimes.expected)}},
+            .allowed = std::string(kStepTimes.expected)},
+           formOf(ValueForm::Type::Number, kStepTimes)},
           {"substeps",
            [](const ValueReader& value, SimulationSettings& settings) {
              settings.substeps = value.integer(1, kMaxSubsteps);
@@ -168,11 +183,14 @@ const Keys<SimulationSettings>& simulationKeys() {
                 "integration steps in 1/60 s of motion, or in time_per_frame if it is stated",
             .meaning =
                 "integration steps in 1/60 s of motion, or in `time_per_frame` if it is stated",
-            .allowed = document::expectedInteger(1, kMaxSubsteps)}},
+            .allowed = document::expectedInteger(1, kMaxSubsteps),
+            .models = kOfStepwise},
+           integerForm(1, kMaxSubsteps)},
           key("step", &SimulationSettings::step, number(kSteps),
               {.comment = "s, length of an integration step",
-               .meaning = "length of an integration step, in place of `substeps` [s]",
-               .byDefault = "as `substeps` says"}),
+               .meaning = "length of an integration step, in place of `substeps`",
+               .byDefault = "as `substeps` says",
+               .models = kOfStepwise}),
       },
       recordedKeys());
   return keys;

@@ -22,10 +22,6 @@ constexpr NumberRange kShapeLengths{"a length from 1e-6 to 1e6 m", 1e-6, 1e6, Di
 constexpr NumberRange kDensities{"a density from 1e-6 to 1e9 kg/m^3", 1e-6, 1e9};
 constexpr NumberRange kPartDensities{"a density from -1e9 to 1e9 kg/m^3, but not 0", -1e9, 1e9};
 constexpr NumberRange kPlaces{"three lengths from -1e6 to 1e6 m", -1e6, 1e6, Dimension::Length};
-constexpr NumberRange kTurnAngles{"an angle from -1e6 to 1e6 rad", -kLargestAngle, kLargestAngle,
-                                  Dimension::Angle};
-constexpr const char* kExpectedTurn =
-    "an angle and an axis, such as [0.02, \"z\"] or [\"90 deg\", \"z\"]";
 constexpr const char* kExpectedParts = "tables with the header [[body.part]]";
 constexpr const char* kExpectedLengths = "a table of the shape's lengths, such as { radius = 0.1 }";
 constexpr const char* kBook = "book";
@@ -73,15 +69,6 @@ void readShape(const ValueReader& table, BodyPart& part) {
   part.lengths = lengthsFrom(table, *body::findShape(chosen));
 }
 
-Turn turnFrom(const ValueReader& value) {
-  const auto parts = value.elements(2, kExpectedTurn);
-  return {parts[0].number(kTurnAngles), choiceFrom(parts[1], kAxes)};
-}
-
-std::string turnText(const Turn& turn) {
-  return "[" + tomlNumber(turn.angle) + ", " + quotedName(kAxes, turn.axis) + "]";
-}
-
 double partDensityFrom(const ValueReader& value) {
   const double density = value.number(kPartDensities);
   if (density == 0) value.mismatch(std::string(kPartDensities.expected));
@@ -101,13 +88,18 @@ const Keys<BodyPart>& partKeys() {
       {"dimensions",
        kReadLater,
        lengthsText,
-       {.meaning = "its lengths [m]", .byDefault = "the shape's", .allowed = kExpectedLengths}},
+       {.meaning = "its lengths",
+        .byDefault = "the shape's",
+        .allowed = kExpectedLengths,
+        .unit = "m"}},
       key("density", &BodyPart::density,
           Kind<double>{partDensityFrom, tomlNumber, std::string(kPartDensities.expected)},
-          {.meaning = "negative for what is taken away [kg/m³]", .byDefault = "the shape's"}),
+          {.meaning = "negative for what is taken away",
+           .byDefault = "the shape's",
+           .unit = "kg/m³"}),
       key("place", &BodyPart::place, vector(kPlaces), {.meaning = "of the shape's origin"}),
-      key("turn", &BodyPart::turn, Kind<Turn>{turnFrom, turnText, kExpectedTurn},
-          {.meaning = "before it is moved to its place [rad]", .byDefault = "none"}),
+      key("turn", &BodyPart::turn, angleAboutAxis(),
+          {.meaning = "before it is moved to its place", .byDefault = "none"}),
   };
   return keys;
 }
@@ -229,12 +221,16 @@ const Keys<Solid>& solidKeys() {
       {"dimensions",
        kReadLater,
        ofShape(lengthsText),
-       {.meaning = "of the shape [m]", .byDefault = "the shape's", .allowed = kExpectedLengths}},
+       {.meaning = "of the shape",
+        .byDefault = "the shape's",
+        .allowed = kExpectedLengths,
+        .unit = "m"}},
       meshKey(),
       unitKey(),
       key("density", &Solid::density, number(kDensities),
-          {.meaning = "of a shape or a mesh, in place of `mass` [kg/m³]",
-           .byDefault = "the shape's"}),
+          {.meaning = "of a shape or a mesh, in place of `mass`",
+           .byDefault = "the shape's",
+           .unit = "kg/m³"}),
       {"part",
        readParts,
        partsText,

@@ -130,11 +130,11 @@ const Keys<Scene>& samplingKeys() {
   static const Keys<Scene> keys{
       keyAt<Scene>("duration", ofStudy(&StudySettings::duration), number(kStudyTimes),
                    {.comment = "s, length of the motions",
-                    .meaning = "length of the motions, whatever the clip's [s]",
+                    .meaning = "length of the motions, whatever the clip's",
                     .byDefault = "the clip's"}),
       keyAt<Scene>("interval", ofStudy(&StudySettings::interval), number(kStudyTimes),
                    {.comment = "s from sample to sample",
-                    .meaning = "time from sample to sample, whatever the steps [s]",
+                    .meaning = "time from sample to sample, whatever the steps",
                     .byDefault = "that from frame to frame"}),
   };
   return keys;
@@ -162,21 +162,24 @@ const Keys<Scene>& studyKeys() {
        [](const Scene&) { return ""; },
        {.meaning = "on the order of each integrator: `study.orders.rk4`",
         .byDefault = "none",
-        .allowed = "bounds such as { min = 1.0, max = 2.0 }"}},
+        .allowed = "bounds such as { min = 1.0, max = 2.0 }",
+        .affects = Affects::Text}},
       {"tilts",
        readTilts,
        listOf(&StudySettings::tilts, tomlNumber),
        {.comment = "rad, each in place of the one in [initial]",
-        .meaning = "instead of these: initial tilts to compare, up to 0.785 [rad]",
+        .meaning = "instead of these: initial tilts to compare, up to 0.785",
         .byDefault = "none",
-        .allowed = kExpectedTilts}},
+        .allowed = kExpectedTilts,
+        .unit = "rad"}},
       {"flip_law",
        [](const ValueReader& value, Scene& scene) { scene.study->flipLaw = boundsFrom(value); },
        flipLawText,
        {.comment = "greatest |measured interval / law - 1|",
         .meaning = "with tilts: on the greatest \\|measured interval / law - 1\\|",
         .byDefault = "none",
-        .allowed = "bounds such as { min = 1.0, max = 2.0 }"}},
+        .allowed = "bounds such as { min = 1.0, max = 2.0 }",
+        .affects = Affects::Text}},
   };
   return keys;
 }

@@ -147,7 +147,8 @@ const Keys<Scene>& sweepKeys() {
        }),
        {.meaning = "bounds on a quantity, of all runs or of those `at` a value or on a `curve`",
         .byDefault = "none",
-        .allowed = kExpectedSweepBounds}},
+        .allowed = kExpectedSweepBounds,
+        .affects = Affects::Text}},
   };
   return keys;
 }

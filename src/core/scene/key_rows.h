@@ -1,4 +1,4 @@
-// What is known of every key of a scene file, as data: the tables of docs/scene.md, units in
+// The keys of a scene file as data: the tables of docs/scene.md, units in
 // margins, checks of what varies, fingerprints and the live book's controls follow from it.
 #pragma once
 
@@ -16,10 +16,10 @@ namespace rotatebook::scene {
 
 inline constexpr std::size_t kMaxNudges = 100;  ///< Of one motion.
 
-/// What a key changes. Whatever changes the motion changes the others, too.
+/// The part of a clip that a key changes. Whatever changes the motion changes the others, too.
 enum class Affects {
   Motion,   ///< The motions, or which of them there are.
-  Picture,  ///< How they are drawn and encoded.
+  Picture,  ///< Drawing and encoding.
   Text,     ///< Words, and what is expected.
 };
 

@@ -187,6 +187,44 @@ TEST(SweepSection, RefusesAnIntervalInPlaceOfTheOneThatItVaries) {
             "varies; remove one of them");
 }
 
+// Where only the start varies, the springs' eigenvalues are solved once.
+TEST(SweepSection, SettlesTheBodyOnceForAllStarts) {
+  const std::string particles =
+      "[simulation]\nmodel = 'particles'\nparticles = 'grid:7'\nsubsteps = 300\n";
+  const auto runsOf = [&](const std::string& lines) {
+    const std::string start = "[initial]\nangular_velocity = [4, 0, 0]\ntilt = [0.1, 'z']\n";
+    return parseScene(start + particles + "[study]\nmeasure = ['tilt_deg']\n" + lines, "a.toml")
+        .study->sweep->runs;
+  };
+  for (const char* lines : {"over = 'initial.tilt.0'\nvalues = [0.2, '3 deg', 1]",
+                            "over = 'initial.tilt'\nvalues = [{ label = 'y', value = [0.2, 'y'] }, "
+                            "{ label = 'x', value "
+                            "= ['1 deg', 'z'] }]",
+                            "over = 'initial.tilt.1'\nvalues = ['z', 'y']",
+                            "over = 'initial.angular_velocity.1'\nvalues = [0.2, 1]"}) {
+    const std::vector<SweepRun> runs = runsOf(lines);
+    EXPECT_NE(runs[0].motion, runs[1].motion) << lines;
+    for (const SweepRun& run : runs)
+      EXPECT_EQ(run.motion.particles.system, runs[0].motion.particles.system) << lines;
+  }
+  const std::vector<SweepRun> masses = runsOf("over = 'body.mass'\nvalues = [1, 2]");
+  EXPECT_NE(masses[0].motion.particles.system, masses[1].motion.particles.system);
+}
+
+TEST(SweepSection, GivesStartsAsIfTheyStoodInTheScene) {
+  const std::string start = "[initial]\nangular_velocity = [4, 0, 0]\ntilt = [0.1, 'z']\n";
+  const Scene scene = parseScene(
+      start + "[study]\nmeasure = ['tilt_deg']\nover = 'initial.tilt.0'\nvalues = ['3 deg', 1]",
+      "a.toml");
+  for (const SweepRun& run : scene.study->sweep->runs) {
+    const Scene stated = parseScene(start, "a.toml", std::vector{"initial.tilt.0=" + run.value});
+    EXPECT_EQ(run.motion, stated.motion()) << run.value;
+  }
+  EXPECT_THAT(errorOfText(start + "[study]\nmeasure = ['tilt_deg']\nover = 'initial.tilt.0'\n"
+                                  "values = [0.1, 1e7]"),
+              HasSubstr("a.toml:7:16: initial.tilt must be an angle from -1e6 to 1e6 rad"));
+}
+
 TEST(SweepSection, RefusesToVaryWhatNoRunHas) {
   const std::string rest = "\nvalues = [1, 2]\nmeasure = ['half_turns']";
   EXPECT_EQ(errorOf("[study]\nover = 'simulation.stiffness'" + rest),

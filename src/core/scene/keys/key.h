@@ -40,7 +40,8 @@ struct Kind {
   ReadPart<T> readPart{};  ///< None of values without parts.
 };
 
-/// What a row says of its key. Comments are printed after values; the other texts are Markdown.
+/// The facts and texts in a key's row. Comments are printed after values; the other texts are
+/// Markdown.
 struct KeyText {
   std::string comment{};    ///< If empty, that of its kind.
   std::string meaning{};    ///< Without unit and models. If empty, the comment.
@@ -135,7 +136,7 @@ void readKeys(const ValueReader& section, const Keys<S>& keys, S& into) {
 /// The keys that are printed.
 enum class Printed {
   All,
-  OfMotion,  ///< Those that affect the motion, without comments.
+  OfMotion,  ///< Keys that affect the motion, without comments.
 };
 
 /// Returns "KEY = VALUE  # COMMENT"; empty if there is no value to print.

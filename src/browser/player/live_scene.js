@@ -144,7 +144,9 @@ class LiveScene {
 
   /** Adds a throw at a time [s] along world axes [rad/s], in place of all later ones; the clip lasts until `end` [s] at least. */
   withNudge(at, angularVelocity, end) {
-    const earlier = (this.explicit.nudge ?? []).filter((nudge) => nudge.at < at), {maxNudges} = this.words;
+    const {maxNudges} = this.words, sharing = this.tree.panel?.findIndex((panel) => !panel.nudge);
+    const all = (this.tree.panel ? this.explicit.panel[sharing] : this.explicit)?.nudge ?? [];
+    const earlier = all.filter((nudge) => nudge.at < at);
     if (earlier.length >= maxNudges) throw new Error(`There are ${maxNudges} throws already; reset the book to throw it anew.`);
     return this.withMotion((tree) => {
       tree.nudge = [...earlier, {at, angular_velocity: angularVelocity, axes: "world"}];

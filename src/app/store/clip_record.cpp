@@ -270,11 +270,12 @@ RecordedClip readRecordedClip(const fs::path& clip, const TextureLookup& texture
   RecordedClip recorded{metadata.format, parseRecord(metadata.comment, clip, folder)};
   scene::Scene& scene = recorded.record.scene;
   scene.allowOutside = textures.allowOutside;
+  // A file of that name beside the clip may be another, such as the clip's own table.
+  if (textures.folder.empty() && readFilesNear(clip, recorded)) return recorded;
   try {
     readFiles(recorded);
   } catch (const InputError& error) {
     if (!lacksFiles(scene)) throw;
-    if (textures.folder.empty() && readFilesNear(clip, recorded)) return recorded;
     throw InputError(std::string(error.what()) +
                      "; name its scene's folder with --scene-folder DIR");
   }

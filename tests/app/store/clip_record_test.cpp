@@ -195,6 +195,19 @@ TEST(SceneRecord, NamesTheOptionOnlyWhereATextureIsMissing) {
   EXPECT_TRUE(readRecordedClip(clip, {.allowOutside = true}).record.scene.allowOutside);
 }
 
+// The clip's folder may hold another file of a texture's name.
+TEST(SceneRecord, IsOfTheFilesWithItsChecksums) {
+  const fs::path folder = emptyFolder(), out = folder / "out";
+  scene::Scene scene = smallScene({"book.front=cover.png"});
+  scene.folder = folder;
+  image::writePng(folder / "cover.png", image::Image(8, 12, image::PixelFormat::Rgb8).view());
+  pipeline::testing::render(scene, pipeline::testing::pngAndMp4(out));
+  image::writePng(out / "cover.png", image::Image(9, 12, image::PixelFormat::Rgb8).view());
+  EXPECT_EQ(readRecordedClip(out / "small.mp4", {}).record.scene.folder, out / "..");
+  fs::remove(folder / "cover.png");
+  EXPECT_EQ(readRecordedClip(out / "small.mp4", {}).record.scene.folder, out);
+}
+
 TEST(SceneRecord, IsOfItsSceneAlone) {
   const scene::Scene scene = smallScene();
   EXPECT_TRUE(isRecordOf(scene, smallRecord()));
